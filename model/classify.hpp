@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+
+#include "model/exact_family.hpp"
+
+namespace kinetix {
+
+enum class Family { F1, F2, F3, none };
+
+std::string to_string(Family family);
+
+/// Which exact family a structure belongs to.
+struct Classification {
+  Family family = Family::none;
+  /// The sheet folds along y instead of x: `design` describes its mirror image with x and y exchanged.
+  bool transposed = false;
+  ExactDesign<double> design;  ///< theta 0; empty for Family::none
+  int breaking_hinge = -1;     ///< for Family::none: index of the first hinge that breaks the rule
+  std::string why;             ///< one sentence, naming the family's rule or the hinge that breaks it
+};
+
+/// Tests the rules of kinematics.md section 2 hinge by hinge, F1 first, then F2 and F3 along x and along y.
+/// For Family::none the breaking hinge is that of the family that holds for the most hinges.
+/// @param tolerance on fractions (absolute) and angles (rad)
+Classification classify(const Structure& structure, double tolerance = 1e-9);
+
+/// State of an exactly mobile structure at fold angle theta, rad. @pre family != none
+State fold(const Classification& classification, const Structure& structure, double theta);
+
+}  // namespace kinetix

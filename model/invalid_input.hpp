@@ -1,0 +1,31 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace kinetix {
+
+/// Where something stands in an input file.
+struct Place {
+  std::string file;  ///< as the user named it; empty when there is no file
+  int line = 0;      ///< from 1; 0 = not known
+  int column = 0;    ///< from 1; 0 = not known
+  std::string key;   ///< dotted path, e.g. "variables.beta.range_deg"; empty when not inside a document
+};
+
+/// The one exception for bad input. Its message reads `file:line:column: key.path: what is wrong, what is
+/// allowed`; parts that are not known are left out. The program maps it to exit code 2.
+class InvalidInput : public std::runtime_error {
+ public:
+  explicit InvalidInput(const std::string& what_is_wrong, Place place = {});
+
+  const Place& place() const { return place_; }
+  /// The message without the place.
+  const std::string& reason() const { return reason_; }
+
+ private:
+  Place place_;
+  std::string reason_;
+};
+
+}  // namespace kinetix

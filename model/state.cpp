@@ -1,0 +1,68 @@
+#include "model/state.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+
+namespace kinetix {
+namespace {
+
+Eigen::Matrix3Xd positions(const State& state) {
+  Eigen::Matrix3Xd points(3, state.size());
+  for (std::size_t b = 0; b < state.size(); ++b) points.col(b) = state[b].p;
+  return points;
+}
+
+double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+}  // namespace
+
+State rest_state(const Structure& structure) {
+  State state(structure.bodies.size());
+  for (std::size_t b = 0; b < state.size(); ++b) state[b].p = structure.rest_position(static_cast<int>(b));
+  return state;
+}
+
+HingeGaps hinge_gaps(const Structure& structure, const State& state) {
+  HingeGaps gaps;
+  double sum = 0;
+  for (std::size_t k = 0; k < structure.hinges.size(); ++k) {
+    const Hinge& hinge = structure.hinges[k];
+    const Pose& lower = state[hinge.lower];
+    const Pose& upper = state[hinge.upper];
+    const Eigen::Vector3d edge = structure.size.edge_mm * edge_direction(hinge.wall.axis);
+    const double t = hinge.parameters.t;
+    const Eigen::Vector3d mismatch = lower.p + lower.R * (t * edge) - upper.p + upper.R * ((1 - t) * edge);
+    const double gap = mismatch.norm() / structure.size.edge_mm;
+    const Eigen::Vector3d axis = hinge_axis(hinge.wall.axis, hinge.parameters);
+    const double axis_gap = angle_between(lower.R * axis, upper.R * axis);
+    sum += gap * gap;
+    if (!(gap <= gaps.max)) {
+      gaps.max = gap;
+      gaps.worst_hinge = static_cast<int>(k);
+    }
+    if (!(axis_gap <= gaps.axis_max)) gaps.axis_max = axis_gap;
+    if (std::isnan(gap)) break;
+  }
+  gaps.rms = std::sqrt(sum / static_cast<double>(structure.hinges.size()));
+  return gaps;
+}
+
+StateDistance aligned_distance(const Structure& structure, const State& state, const State& reference) {
+  const Eigen::Matrix3Xd from = positions(state);
+  const Eigen::Matrix3Xd to = positions(reference);
+  if (!from.allFinite() || !to.allFinite()) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    return {nan, nan};
+  }
+  const Eigen::Matrix4d motion = Eigen::umeyama(from, to, false);
+  const Eigen::Matrix3Xd moved =
+      (motion.topLeftCorner<3, 3>() * from).colwise() + motion.topRightCorner<3, 1>();
+  const Eigen::VectorXd squared = (moved - to).colwise().squaredNorm();
+  const double edge = structure.size.edge_mm;
+  return {std::sqrt(squared.mean()) / edge, std::sqrt(squared.maxCoeff()) / edge};
+}
+
+}  // namespace kinetix

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "model/structure.hpp"
+
+namespace kinetix {
+
+/// Pose of a body: a point r of its rest frame (mm) is carried to p + R (r - rest position).
+template <class T>
+struct PoseOf {
+  Eigen::Matrix<T, 3, 3> R = Eigen::Matrix<T, 3, 3>::Identity();
+  Eigen::Matrix<T, 3, 1> p = Eigen::Matrix<T, 3, 1>::Zero();
+};
+using Pose = PoseOf<double>;
+
+/// One pose per body of a structure, in its body order.
+using State = std::vector<Pose>;
+
+State rest_state(const Structure& structure);
+
+/// How far the two bodies of each hinge disagree about it.
+struct HingeGaps {
+  double max = 0;        ///< distance of the carried hinge points, in cell edges
+  double rms = 0;        ///< likewise, root mean square over all hinges
+  double axis_max = 0;   ///< angle of the carried hinge axes, rad
+  int worst_hinge = -1;  ///< index of the hinge with the largest distance
+};
+
+/// NaN anywhere in the state gives NaN in max and rms. @pre state.size() == structure.bodies.size()
+HingeGaps hinge_gaps(const Structure& structure, const State& state);
+
+/// Distance of two states after the best rigid motion of `state` onto `reference`.
+struct StateDistance {
+  double rms = 0;  ///< of the body positions, in cell edges
+  double max = 0;
+};
+
+/// Proper rigid alignment (Umeyama without scaling). NaN in either state gives NaN.
+StateDistance aligned_distance(const Structure& structure, const State& state, const State& reference);
+
+}  // namespace kinetix

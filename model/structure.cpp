@@ -1,0 +1,136 @@
+#include "model/structure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <string>
+
+#include "model/invalid_input.hpp"
+
+namespace kinetix {
+namespace {
+
+constexpr std::size_t max_cells = 1'000'000;
+
+std::array<Vertex, 4> corners(const Cell& c) {
+  return {Vertex{c.i, c.j}, {c.i + 1, c.j}, {c.i + 1, c.j + 1}, {c.i, c.j + 1}};
+}
+
+std::array<Wall, 4> walls(const Cell& c) {
+  return {
+      Wall{{c.i, c.j}, Axis::x}, {{c.i + 1, c.j}, Axis::y}, {{c.i, c.j + 1}, Axis::x}, {{c.i, c.j}, Axis::y}};
+}
+
+std::string name(const Cell& c) { return "[" + std::to_string(c.i) + ", " + std::to_string(c.j) + "]"; }
+
+void check_size(const CellSize& size) {
+  if (!(size.edge_mm > 0) || !std::isfinite(size.edge_mm))
+    throw InvalidInput("cell edge must be a positive length in mm");
+  if (!(size.thickness_mm > 0) || !(size.thickness_mm < size.edge_mm / 2))
+    throw InvalidInput("wall thickness must be positive and below half the cell edge");
+  if (!(size.height_mm > 0) || !std::isfinite(size.height_mm))
+    throw InvalidInput("wall height must be a positive length in mm");
+}
+
+void check_cells(const std::vector<Cell>& cells) {
+  if (cells.empty()) throw InvalidInput("a structure needs at least one cell");
+  if (cells.size() > max_cells) throw InvalidInput("more than a million cells");
+  const auto twice = std::adjacent_find(cells.begin(), cells.end());
+  if (twice != cells.end()) throw InvalidInput("cell " + name(*twice) + " is given twice");
+}
+
+void check_connected(const Structure& s) {
+  std::vector<int> parent(s.bodies.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](int b) {
+    while (parent[b] != b) b = parent[b] = parent[parent[b]];
+    return b;
+  };
+  for (const Hinge& h : s.hinges) parent[root(h.lower)] = root(h.upper);
+  for (std::size_t c = 0; c < s.cells.size(); ++c)
+    if (root(s.cell_members[c].bodies[0]) != root(0))
+      throw InvalidInput("cell " + name(s.cells[c]) + " does not hang together with cell " +
+                         name(s.cells[0]));
+}
+
+}  // namespace
+
+std::vector<Cell> rectangle(int columns, int rows) {
+  std::vector<Cell> cells;
+  cells.reserve(static_cast<std::size_t>(columns) * rows);
+  for (int i = 0; i < columns; ++i)
+    for (int j = 0; j < rows; ++j) cells.push_back({i, j});
+  return cells;
+}
+
+Structure make_structure(std::vector<Cell> cells, const CellSize& size) {
+  check_size(size);
+  std::sort(cells.begin(), cells.end());
+  check_cells(cells);
+
+  Structure s{size, std::move(cells), {}, {}, {}};
+  for (const Cell& c : s.cells)
+    for (const Vertex& v : corners(c)) s.bodies.push_back(v);
+  std::sort(s.bodies.begin(), s.bodies.end());
+  s.bodies.erase(std::unique(s.bodies.begin(), s.bodies.end()), s.bodies.end());
+
+  std::map<Wall, int> hinge_of;
+  for (const Cell& c : s.cells) {
+    CellHinges members{};
+    const auto vertices = corners(c);
+    const auto edges = walls(c);
+    for (int k = 0; k < 4; ++k) {
+      members.bodies[k] = *s.body_at(vertices[k]);
+      const auto [it, is_new] = hinge_of.try_emplace(edges[k], static_cast<int>(s.hinges.size()));
+      if (is_new) s.hinges.push_back({edges[k], *s.body_at(edges[k].from), *s.body_at(edges[k].to()), {}});
+      members.hinges[k] = it->second;
+    }
+    s.cell_members.push_back(members);
+  }
+  check_connected(s);
+  return s;
+}
+
+std::optional<int> Structure::body_at(Vertex v) const {
+  const auto it = std::lower_bound(bodies.begin(), bodies.end(), v);
+  if (it == bodies.end() || *it != v) return std::nullopt;
+  return static_cast<int>(it - bodies.begin());
+}
+
+std::optional<int> Structure::hinge_at(const Wall& wall) const {
+  const Vertex v = wall.from;
+  const bool along_x = wall.axis == Axis::x;
+  const std::array<std::pair<Cell, int>, 2> sides = {
+      std::pair{Cell{v.i, v.j}, along_x ? 0 : 3},
+      std::pair{along_x ? Cell{v.i, v.j - 1} : Cell{v.i - 1, v.j}, along_x ? 2 : 1}};
+  for (const auto& [cell, side] : sides) {
+    const auto it = std::lower_bound(cells.begin(), cells.end(), cell);
+    if (it != cells.end() && *it == cell) return cell_members[it - cells.begin()].hinges[side];
+  }
+  return std::nullopt;
+}
+
+Eigen::Vector3d Structure::rest_position(int body) const {
+  return {bodies[body].i * size.edge_mm, bodies[body].j * size.edge_mm, 0.0};
+}
+
+Eigen::Vector3d Structure::hinge_point(const Hinge& hinge) const {
+  return rest_position(hinge.lower) + hinge.parameters.t * size.edge_mm * edge_direction(hinge.wall.axis);
+}
+
+Eigen::Vector3d edge_direction(Axis axis) {
+  return axis == Axis::x ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
+}
+
+Eigen::Vector3d wall_up(Axis axis, double beta) {
+  const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d e_cross_z = axis == Axis::x ? Eigen::Vector3d(0, -1, 0) : Eigen::Vector3d(1, 0, 0);
+  return std::cos(beta) * z + std::sin(beta) * e_cross_z;
+}
+
+Eigen::Vector3d hinge_axis(Axis axis, const HingeParameters& p) {
+  return std::cos(p.alpha) * edge_direction(axis) + std::sin(p.alpha) * wall_up(axis, p.beta);
+}
+
+}  // namespace kinetix

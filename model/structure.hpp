@@ -1,0 +1,97 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <compare>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+namespace kinetix {
+
+inline constexpr double pi = std::numbers::pi;
+inline constexpr double radians_per_degree = pi / 180.0;
+
+/// A lattice vertex (i along +x, j along +y). One rigid body sits on each.
+struct Vertex {
+  int i = 0, j = 0;
+  auto operator<=>(const Vertex&) const = default;
+  /// Class A of the checkerboard: i + j even. In planar motion A turns by +theta, B by -theta.
+  bool is_class_a() const { return ((i + j) & 1) == 0; }
+};
+
+/// A lattice cell, named by its bottom-left vertex.
+struct Cell {
+  int i = 0, j = 0;
+  auto operator<=>(const Cell&) const = default;
+};
+
+enum class Axis { x, y };
+
+/// The lattice edge from `from` one step along +axis: a plate split in two by its hinge.
+struct Wall {
+  Vertex from;
+  Axis axis = Axis::x;
+  auto operator<=>(const Wall&) const = default;
+  Vertex to() const { return axis == Axis::x ? Vertex{from.i + 1, from.j} : Vertex{from.i, from.j + 1}; }
+};
+
+/// The three design parameters of one hinge. The defaults are the basic planar hinge.
+struct HingeParameters {
+  double t = 0.5;         ///< fraction of the wall from its lower-index vertex, in (0, 1)
+  double alpha = pi / 2;  ///< in-plane angle from the edge vector, rad, in (0, pi)
+  double beta = 0.0;      ///< out-of-plane tilt of the wall, rad, in (-pi/2, pi/2)
+};
+
+struct Hinge {
+  Wall wall;
+  int lower = 0;  ///< index of the body on wall.from
+  int upper = 0;  ///< index of the body on wall.to()
+  HingeParameters parameters;
+};
+
+/// Walls counter-clockwise from the bottom-left corner: bottom, right, top, left.
+struct CellHinges {
+  std::array<int, 4> bodies;
+  std::array<int, 4> hinges;
+};
+
+/// Sizes shared by all cells, mm.
+struct CellSize {
+  double edge_mm = 10.0;
+  double thickness_mm = 0.8;  ///< of a wall, < edge_mm / 2
+  double height_mm = 6.0;     ///< of a wall, along z at rest
+};
+
+/// A set of lattice cells with one body per vertex and one hinge per wall (kinematics.md section 1).
+struct Structure {
+  CellSize size;
+  std::vector<Cell> cells;               ///< sorted, no duplicates
+  std::vector<Vertex> bodies;            ///< sorted by (i, j)
+  std::vector<Hinge> hinges;             ///< in the order in which the cells first meet them
+  std::vector<CellHinges> cell_members;  ///< one per cell
+
+  std::optional<int> body_at(Vertex v) const;
+  std::optional<int> hinge_at(const Wall& wall) const;
+
+  Eigen::Vector3d rest_position(int body) const;
+  /// Hinge point at rest, mm.
+  Eigen::Vector3d hinge_point(const Hinge& hinge) const;
+};
+
+/// All hinges basic. @throws InvalidInput for no cells, a repeated cell, sizes that are not positive, a wall
+/// thicker than half the edge, cells that do not hang together by shared walls or vertices, or more than
+/// a million cells.
+Structure make_structure(std::vector<Cell> cells, const CellSize& size);
+
+/// columns x rows cells from (0, 0), sorted. @pre both are at least 1
+std::vector<Cell> rectangle(int columns, int rows);
+
+/// Unit edge vector of a wall at rest.
+Eigen::Vector3d edge_direction(Axis axis);
+/// Up-direction w(beta) = cos(beta) z + sin(beta) (e x z) of a wall plate at rest.
+Eigen::Vector3d wall_up(Axis axis, double beta);
+/// Hinge axis d = cos(alpha) e + sin(alpha) w(beta) at rest, unit length.
+Eigen::Vector3d hinge_axis(Axis axis, const HingeParameters& parameters);
+
+}  // namespace kinetix

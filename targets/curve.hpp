@@ -1,0 +1,41 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace kinetix {
+
+/// An open plane curve as a polyline of (x, z) points, mm.
+class Curve {
+ public:
+  /// @throws InvalidInput for fewer than 3 points, a point that is not finite, a repeated neighbour, first
+  /// point equal to last (closed), or a self-crossing; the message names the points by number from 1.
+  explicit Curve(std::vector<Eigen::Vector2d> points);
+
+  const std::vector<Eigen::Vector2d>& points() const { return points_; }
+  double length() const { return arc_.back(); }
+  /// Diagonal of the axis-aligned bounding box, mm.
+  double diagonal() const { return diagonal_; }
+
+  /// Point at arc length s, mm; s is clamped to the curve.
+  Eigen::Vector2d at(double s) const;
+  /// Unit direction of the segment at arc length s.
+  Eigen::Vector2d direction(double s) const;
+  /// Heading (rad, unwrapped along the curve) of the segment at arc length s.
+  double heading(double s) const;
+  /// count >= 2 points evenly spaced by arc length, ends included.
+  std::vector<Eigen::Vector2d> resample(int count) const;
+
+  /// Index of the segment that holds arc length s.
+  int segment_at(double s) const;
+  /// Arc length at which point k stands.
+  double arc_of(int k) const { return arc_[k]; }
+
+ private:
+  std::vector<Eigen::Vector2d> points_;
+  std::vector<double> arc_;      // arc length at each point
+  std::vector<double> heading_;  // of each segment
+  double diagonal_ = 0;
+};
+
+}  // namespace kinetix

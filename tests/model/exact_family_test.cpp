@@ -1,0 +1,126 @@
+#include "model/exact_family.hpp"
+
+#include <ceres/jet.h>
+#include <gtest/gtest.h>
+#include <Eigen/Geometry>
+
+#include "model/exact_jacobian.hpp"
+#include "tests/support/derivatives.hpp"
+#include "tests/support/random_designs.hpp"
+
+namespace kinetix {
+namespace {
+
+using testing::random_design;
+using testing::structure_of;
+
+Eigen::VectorXd pack(const ExactDesign<double>& d) {
+  Eigen::VectorXd x(2 * d.columns() + d.rows() + 2);
+  int k = 0;
+  for (const auto* part : {&d.beta, &d.t, &d.s})
+    for (const double value : *part) x[k++] = value;
+  x[k++] = d.gamma;
+  x[k] = d.theta;
+  return x;
+}
+
+template <class Vector>
+auto unpack(const Vector& x, int columns, int rows) {
+  using T = typename Vector::value_type;
+  auto d = ExactDesign<T>::basic(columns, rows);
+  int k = 0;
+  for (auto* part : {&d.beta, &d.t, &d.s})
+    for (T& value : *part) value = x[k++];
+  d.gamma = x[k++];
+  d.theta = x[k];
+  return d;
+}
+
+Eigen::VectorXd positions(const State& poses) {
+  Eigen::VectorXd p(3 * poses.size());
+  for (std::size_t b = 0; b < poses.size(); ++b) p.segment<3>(3 * b) = poses[b].p;
+  return p;
+}
+
+TEST(ReflectionChain, ClosesEveryLoopOfARandomSheet) {
+  std::mt19937 random(7);
+  for (const Family family : {Family::F1, Family::F2, Family::F3})
+    for (const auto& [columns, rows] : {std::pair{1, 1}, {1, 9}, {17, 2}, {40, 1}, {100, 100}}) {
+      const auto design = random_design(family, columns, rows, random);
+      const Structure structure = structure_of(design);
+      const HingeGaps gaps = hinge_gaps(structure, fold(design, structure));
+      EXPECT_LE(gaps.max, 1e-12) << to_string(family) << " " << columns << "x" << rows;
+      EXPECT_LE(gaps.axis_max, 1e-12) << to_string(family) << " " << columns << "x" << rows;
+    }
+}
+
+TEST(ReflectionChain, StartsFlat) {
+  std::mt19937 random(8);
+  for (const Family family : {Family::F1, Family::F2, Family::F3}) {
+    auto design = random_design(family, 5, 4, random);
+    design.theta = 0;
+    const Structure structure = structure_of(design);
+    EXPECT_LE(aligned_distance(structure, fold(design, structure), rest_state(structure)).max, 1e-13);
+  }
+}
+
+TEST(ReflectionChain, FoldsOneBendingColumnByTwicePsi) {
+  auto design = ExactDesign<double>::basic(5, 1);
+  design.beta[2] = std::atan(std::sqrt(2.0));
+  design.theta = pi / 4;
+  State poses;
+  fold(design, 10.0, poses);
+  const Eigen::Vector3d up_before = poses[0].R.col(2), up_after = poses[10].R.col(2);
+  EXPECT_NEAR(std::acos(up_before.dot(up_after)), pi / 2, 1e-14);
+}
+
+TEST(ReflectionChain, JacobianMatchesCentralDifferences) {
+  std::mt19937 random(9);
+  for (const Family family : {Family::F1, Family::F2, Family::F3})
+    for (const double theta : {1e-9, 0.3, 0.76}) {
+      auto design = random_design(family, 6, 3, random);
+      design.theta = theta;
+      design.beta[3] = 0;
+      State poses;
+      ExactJacobian jacobian;
+      fold_with_jacobian(design, 10.0, poses, jacobian);
+      Eigen::MatrixXd analytic(3 * poses.size(), jacobian.parameters());
+      for (int k = 0; k < jacobian.parameters(); ++k)
+        for (std::size_t b = 0; b < poses.size(); ++b)
+          analytic.block<3, 1>(3 * b, k) = jacobian.twist(k, static_cast<int>(b)).v;
+      const auto f = [&](const Eigen::VectorXd& x) {
+        State moved;
+        fold(unpack(x, 6, 3), 10.0, moved);
+        return positions(moved);
+      };
+      testing::expect_jacobian(f, pack(design), analytic);
+    }
+}
+
+TEST(ReflectionChain, JacobianMatchesDualNumbers) {
+  constexpr int parameters = 2 * 4 + 2 + 2;
+  using Jet = ceres::Jet<double, parameters>;
+  std::mt19937 random(10);
+  const auto design = random_design(Family::F3, 4, 2, random);
+  const Eigen::VectorXd x = pack(design);
+  std::vector<Jet> dual(parameters);
+  for (int k = 0; k < parameters; ++k) dual[k] = Jet(x[k], k);
+  std::vector<PoseOf<Jet>> dual_poses;
+  fold(unpack(dual, 4, 2), 10.0, dual_poses);
+
+  State poses;
+  ExactJacobian jacobian;
+  fold_with_jacobian(design, 10.0, poses, jacobian);
+  for (std::size_t b = 0; b < poses.size(); ++b)
+    for (int k = 0; k < parameters; ++k) {
+      const Twist& twist = jacobian.twist(k, static_cast<int>(b));
+      for (int d = 0; d < 3; ++d) {
+        EXPECT_NEAR(twist.v[d], dual_poses[b].p[d].v[k], 1e-11);
+        const Eigen::Vector3d column_rate = twist.omega.cross(poses[b].R.col(d));
+        for (int e = 0; e < 3; ++e) EXPECT_NEAR(column_rate[e], dual_poses[b].R(e, d).v[k], 1e-11);
+      }
+    }
+}
+
+}  // namespace
+}  // namespace kinetix

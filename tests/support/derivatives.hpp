@@ -1,0 +1,44 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+
+namespace kinetix::testing {
+
+/// Jacobian of f at x by central differences with one step of Richardson extrapolation: error O(step^4).
+/// @param f maps an n-vector to an m-vector
+template <class Function>
+Eigen::MatrixXd numeric_jacobian(const Function& f, const Eigen::VectorXd& x, double step = 1e-3) {
+  const auto difference = [&](int k, double h) -> Eigen::VectorXd {
+    Eigen::VectorXd plus = x, minus = x;
+    plus[k] += h;
+    minus[k] -= h;
+    return (f(plus) - f(minus)) / (plus[k] - minus[k]);
+  };
+  Eigen::MatrixXd jacobian;
+  for (int k = 0; k < x.size(); ++k) {
+    const Eigen::VectorXd column = (4 * difference(k, step / 2) - difference(k, step)) / 3;
+    if (k == 0) jacobian.resize(column.size(), x.size());
+    jacobian.col(k) = column;
+  }
+  return jacobian;
+}
+
+/// Largest difference over the largest entry (or 1, whichever is larger).
+inline double relative_difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  return (a - b).cwiseAbs().maxCoeff() / std::max(1.0, b.cwiseAbs().maxCoeff());
+}
+
+/// The one check every cost and constraint passes: analytic against central differences.
+template <class Function>
+void expect_jacobian(const Function& f, const Eigen::VectorXd& x, const Eigen::MatrixXd& analytic,
+                     double tolerance = 1e-7, double step = 1e-3) {
+  const Eigen::MatrixXd numeric = numeric_jacobian(f, x, step);
+  ASSERT_EQ(analytic.rows(), numeric.rows());
+  ASSERT_EQ(analytic.cols(), numeric.cols());
+  EXPECT_LE(relative_difference(analytic, numeric), tolerance) << "at x = " << x.transpose();
+}
+
+}  // namespace kinetix::testing
