@@ -29,8 +29,8 @@ CurveFit::CurveFit(const Curve& goal, BendTies ties, double cell_mm, AngleRange 
   lower_ = Eigen::VectorXd::Constant(variables(), -infinity);
   upper_ = Eigen::VectorXd::Constant(variables(), infinity);
   for (int k = 0; k < ties_.variables(); ++k) {
-    lower_[k] = ties_.range[k].lower;
-    upper_[k] = ties_.range[k].upper;
+    lower_[k] = std::tan(ties_.range[k].lower);
+    upper_[k] = std::tan(ties_.range[k].upper);
   }
   lower_[ties_.variables()] = theta.lower;
   upper_[ties_.variables()] = theta.upper;
@@ -38,7 +38,7 @@ CurveFit::CurveFit(const Curve& goal, BendTies ties, double cell_mm, AngleRange 
 
 ExactDesign<double> CurveFit::design(const Eigen::VectorXd& x, int rows) const {
   auto design = ExactDesign<double>::basic(ties_.columns(), rows);
-  for (int c = 0; c < ties_.columns(); ++c) design.beta[c] = ties_.sign[c] * x[ties_.variable[c]];
+  for (int c = 0; c < ties_.columns(); ++c) design.beta[c] = ties_.sign[c] * std::atan(x[ties_.variable[c]]);
   design.theta = theta(x);
   return design;
 }
@@ -47,7 +47,7 @@ Eigen::VectorXd CurveFit::pack(const std::vector<double>& bends, double theta) c
   Eigen::VectorXd x = Eigen::VectorXd::Zero(variables());
   Eigen::VectorXd members = Eigen::VectorXd::Zero(variables());
   for (int c = 0; c < ties_.columns(); ++c) {
-    x[ties_.variable[c]] += bends[c];
+    x[ties_.variable[c]] += std::tan(bends[c]);
     members[ties_.variable[c]] += 1;
   }
   for (int k = 0; k < ties_.variables(); ++k) x[k] /= members[k];
@@ -67,79 +67,89 @@ Eigen::VectorXd CurveFit::pack(const std::vector<double>& bends, double theta) c
 }
 
 /// The folded midline in the goal's plane, with the rates of its points.
-struct CurveFit::Frame {
-  std::vector<Vector2d> points;
-  std::vector<double> arc;
-  Eigen::Matrix2d turn;
-  Vector2d origin;
-  State lattice;
-  ExactJacobian jacobian;
-
-  Frame(const CurveFit& fit, const Eigen::VectorXd& x, bool with_jacobian) {
+class CurveFit::Frame {
+ public:
+  Frame(const CurveFit& fit, const Eigen::VectorXd& x, bool with_rates) : fit_(fit), x_(x) {
     const auto design = fit.design(x, 0);
-    if (with_jacobian)
-      fold_with_jacobian(design, fit.cell_mm_, lattice, jacobian);
+    if (with_rates)
+      fold_with_jacobian(design, fit.cell_mm_, lattice_, jacobian_);
     else
-      fold(design, fit.cell_mm_, lattice);
-    turn = Eigen::Rotation2Dd(x[x.size() - 3]).toRotationMatrix();
-    origin = fit.goal_.diagonal() * x.tail<2>();
-    for (const Pose& pose : lattice) {
-      points.push_back(turn * xz(pose.p) + origin);
-      arc.push_back(points.size() == 1 ? 0.0
-                                       : arc.back() + (points.back() - points[points.size() - 2]).norm());
+      fold(design, fit.cell_mm_, lattice_);
+    turn_ = Eigen::Rotation2Dd(x[x.size() - 3]).toRotationMatrix();
+    origin_ = fit.goal_.diagonal() * x.tail<2>();
+    for (const Pose& pose : lattice_) {
+      points_.push_back(turn_ * xz(pose.p) + origin_);
+      arc_.push_back(arc_.empty() ? 0.0
+                                  : arc_.back() + (points_.back() - points_[points_.size() - 2]).norm());
     }
   }
 
-  Vector2d place(int chord, double f) const { return (1 - f) * points[chord] + f * points[chord + 1]; }
-  /// Fraction of the whole arc length.
-  double fraction(int chord, double f) const {
-    return ((1 - f) * arc[chord] + f * arc[chord + 1]) / arc.back();
+  int chords() const { return static_cast<int>(points_.size()) - 1; }
+  Vector2d place(int chord, double f) const { return (1 - f) * points_[chord] + f * points_[chord + 1]; }
+
+  /// Foot on the goal, sought from the place's own fraction of the arc length.
+  Foot foot(int chord, double f) const {
+    const Curve& goal = fit_.goal_;
+    const double fraction = ((1 - f) * arc_[chord] + f * arc_[chord + 1]) / arc_.back();
+    return foot_near(goal.points(), goal.segment_at(fraction * goal.length()), place(chord, f));
   }
+
+  /// Adds to a row of the Jacobian the rate of direction . place, times weight.
+  template <class Row>
+  void add_rates(int chord, double f, const Vector2d& direction, double weight, Row row) const {
+    const BendTies& ties = fit_.ties_;
+    const Vector2d local = weight * (turn_.transpose() * direction);
+    const auto rate = [&](int parameter) {
+      const Vector2d v =
+          (1 - f) * xz(jacobian_.twist(parameter, chord).v) + f * xz(jacobian_.twist(parameter, chord + 1).v);
+      return local.dot(v);
+    };
+    for (int c = 0; c <= chord; ++c) {
+      const double u = x_[ties.variable[c]];
+      row[ties.variable[c]] += ties.sign[c] / (1 + u * u) * rate(jacobian_.beta(c));
+    }
+    const int theta_at = ties.variables();
+    row[theta_at] += rate(jacobian_.theta());
+    row[theta_at + 1] += weight * direction.dot(left_of(place(chord, f) - origin_));
+    row[theta_at + 2] += weight * fit_.goal_.diagonal() * direction.x();
+    row[theta_at + 3] += weight * fit_.goal_.diagonal() * direction.y();
+  }
+
+ private:
+  const CurveFit& fit_;
+  const Eigen::VectorXd& x_;
+  std::vector<Vector2d> points_;
+  std::vector<double> arc_;
+  Eigen::Matrix2d turn_;
+  Vector2d origin_;
+  State lattice_;
+  ExactJacobian jacobian_;
 };
 
 bool CurveFit::evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* J) const {
   if (!x.allFinite()) return false;
   const Frame frame(*this, x, J != nullptr);
-  const double scale = goal_.diagonal(), weight = 1 / (scale * std::sqrt(static_cast<double>(residuals())));
+  const double weight = 1 / (goal_.diagonal() * std::sqrt(static_cast<double>(residuals())));
   r.resize(residuals());
   if (J) J->setZero(residuals(), variables());
 
-  const auto add_rates = [&](int row, int chord, double f, const Vector2d& place, const Vector2d& normal) {
-    const Vector2d local = weight * (frame.turn.transpose() * normal);
-    const auto rate = [&](int parameter, int body) {
-      return local.dot(xz(frame.jacobian.twist(parameter, body).v));
-    };
-    const auto chord_rate = [&](int parameter) {
-      return (1 - f) * rate(parameter, chord) + f * rate(parameter, chord + 1);
-    };
-    for (int c = 0; c <= std::min(chord, ties_.columns() - 1); ++c)
-      (*J)(row, ties_.variable[c]) += ties_.sign[c] * chord_rate(frame.jacobian.beta(c));
-    const int theta_at = ties_.variables();
-    (*J)(row, theta_at) = chord_rate(frame.jacobian.theta());
-    (*J)(row, theta_at + 1) = weight * normal.dot(left_of(place - frame.origin));
-    (*J)(row, theta_at + 2) = weight * scale * normal.x();
-    (*J)(row, theta_at + 3) = weight * scale * normal.y();
-  };
-
   int row = 0;
-  for (int chord = 0; chord < ties_.columns(); ++chord)
-    for (int k = 0; k < places_per_cell; ++k, ++row) {
+  const auto add = [&](int chord, double f, double distance, const Vector2d& direction) {
+    r[row] = weight * distance;
+    if (J) frame.add_rates(chord, f, direction, weight, J->row(row));
+    ++row;
+  };
+  for (int chord = 0; chord < frame.chords(); ++chord)
+    for (int k = 0; k < places_per_cell; ++k) {
       const double f = (k + 0.5) / places_per_cell;
-      const Vector2d place = frame.place(chord, f);
-      const int guess = goal_.segment_at(frame.fraction(chord, f) * goal_.length());
-      const Foot foot = foot_near(goal_.points(), guess, place);
-      r[row] = weight * foot.distance;
-      if (J) add_rates(row, chord, f, place, foot.normal);
+      const Foot foot = frame.foot(chord, f);
+      add(chord, f, foot.distance, foot.normal);
     }
-  for (const bool at_end : {false, true}) {
-    const int chord = at_end ? ties_.columns() - 1 : 0;
-    const Vector2d place = at_end ? frame.points.back() : frame.points.front();
-    const Vector2d goal = at_end ? goal_.points().back() : goal_.points().front();
-    for (const Vector2d& direction : {Vector2d(1, 0), Vector2d(0, 1)}) {
-      r[row] = weight * direction.dot(place - goal);
-      if (J) add_rates(row, chord, at_end ? 1.0 : 0.0, place, direction);
-      ++row;
-    }
+  const Vector2d first_miss = frame.place(0, 0.0) - goal_.points().front();
+  const Vector2d last_miss = frame.place(frame.chords() - 1, 1.0) - goal_.points().back();
+  for (const Vector2d& axis : {Vector2d(1, 0), Vector2d(0, 1)}) {
+    add(0, 0.0, axis.dot(first_miss), axis);
+    add(frame.chords() - 1, 1.0, axis.dot(last_miss), axis);
   }
   return r.allFinite() && (!J || J->allFinite());
 }

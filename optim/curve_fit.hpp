@@ -16,7 +16,7 @@ namespace kinetix {
 /// from its own fraction of the arc length.
 class CurveFit final : public LeastSquaresProblem {
  public:
-  /// @param cell_mm cell edge; @param theta bounds, within (0, pi/2)
+  /// @param cell_mm cell edge; @param theta bounds, within (0, pi/2). The goal is kept by reference.
   CurveFit(const Curve& goal, BendTies ties, double cell_mm, AngleRange theta);
 
   int variables() const override { return ties_.variables() + 4; }
@@ -38,7 +38,7 @@ class CurveFit final : public LeastSquaresProblem {
   static constexpr int places_per_cell = 4;
 
  private:
-  struct Frame;
+  class Frame;
 
   const Curve& goal_;
   BendTies ties_;
