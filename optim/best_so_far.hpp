@@ -10,8 +10,9 @@ namespace kinetix {
 /// Counts evaluations and keeps the best feasible one.
 class BestSoFar {
  public:
-  BestSoFar(const LeastSquaresProblem& problem, const SolverOptions& options)
+  BestSoFar(const LeastSquaresProblem& problem, const Eigen::VectorXd& start, const SolverOptions& options)
       : problem_(problem), options_(options) {
+    result_.x = start;
     result_.residual_norm = std::numeric_limits<double>::infinity();
   }
 

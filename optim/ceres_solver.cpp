@@ -72,7 +72,7 @@ SolveStatus status_of(const ceres::Solver::Summary& summary, const BestSoFar& be
 
 SolveResult solve_with_ceres(const LeastSquaresProblem& problem, const Eigen::VectorXd& start,
                              const SolverOptions& options) {
-  BestSoFar best(problem, options);
+  BestSoFar best(problem, start, options);
   Eigen::VectorXd x = start;
   ceres::Problem ceres_problem;
   ceres_problem.AddResidualBlock(new Cost(problem, best), nullptr, x.data());

@@ -90,7 +90,7 @@ SolveStatus status_of(nlopt::result result) {
 
 SolveResult solve_with_nlopt(const LeastSquaresProblem& problem, const Eigen::VectorXd& start,
                              const SolverOptions& options) {
-  BestSoFar best(problem, options);
+  BestSoFar best(problem, start, options);
   nlopt::opt solver(algorithm(options.name), static_cast<unsigned>(start.size()));
   Objective objective{best, solver, {}, {}};
   try {
