@@ -35,7 +35,7 @@ class BestSoFar {
 
   SolveResult finish(SolveStatus status, std::string why) {
     result_.status = target_reached() ? SolveStatus::target_reached : status;
-    result_.why = std::move(why);
+    result_.why = target_reached() ? "the residual reached the value asked for" : std::move(why);
     if (!std::isfinite(result_.residual_norm)) result_.status = SolveStatus::cannot_evaluate;
     return std::move(result_);
   }

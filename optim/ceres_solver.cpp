@@ -87,7 +87,8 @@ SolveResult solve_with_ceres(const LeastSquaresProblem& problem, const Eigen::Ve
   ceres_settings.callbacks.push_back(&stop);
   ceres::Solver::Summary summary;
   ceres::Solve(ceres_settings, &ceres_problem, &summary);
-  return best.finish(status_of(summary, best), summary.message);
+  return best.finish(status_of(summary, best),
+                     best.out_of_evaluations() ? "evaluation limit" : summary.message);
 }
 
 }  // namespace kinetix
