@@ -8,15 +8,15 @@
 namespace kinetix {
 namespace {
 
-constexpr int linear_x = 0, angular_x = 3;
+constexpr int linear_x = 0, linear_y = 1, angular_x = 3;
 
 btVector3 bullet(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
-btTransform frame(const Eigen::Vector3d& first_axis, const Eigen::Vector3d& origin) {
-  const Eigen::Vector3d second = first_axis.unitOrthogonal();
-  const Eigen::Vector3d third = first_axis.cross(second);
+btTransform frame(const Eigen::Vector3d& first, const Eigen::Vector3d& second,
+                  const Eigen::Vector3d& origin) {
+  const Eigen::Vector3d third = first.cross(second);
   btMatrix3x3 basis;
-  for (int row = 0; row < 3; ++row) basis[row].setValue(first_axis[row], second[row], third[row]);
+  for (int row = 0; row < 3; ++row) basis[row].setValue(first[row], second[row], third[row]);
   return btTransform(basis, bullet(origin));
 }
 
@@ -36,7 +36,8 @@ std::array<btTransform, 2> hinge_frames(const Hinge& hinge, double along_axis) {
   const Eigen::Vector3d axis = hinge_axis(hinge.wall.axis, hinge.parameters);
   const Eigen::Vector3d edge = edge_direction(hinge.wall.axis);
   const double t = hinge.parameters.t;
-  return {frame(axis, t * edge + along_axis * axis), frame(axis, (t - 1) * edge + along_axis * axis)};
+  const Eigen::Vector3d second = axis.unitOrthogonal(), shift = along_axis * axis;
+  return {frame(axis, second, t * edge + shift), frame(axis, second, (t - 1) * edge + shift)};
 }
 
 }  // namespace
@@ -63,10 +64,12 @@ void set_turn(btGeneric6DofSpring2Constraint& joint, double angle) {
   joint.setLimit(angular_x, angle, angle);
 }
 
-Joint slot(Axis axis, btRigidBody& plate, btRigidBody& body, double error_reduction) {
-  const btTransform here = frame(edge_direction(axis), Eigen::Vector3d::Zero());
+Joint slot(Axis axis, Pin pin, btRigidBody& plate, btRigidBody& body, double error_reduction) {
+  const btTransform here =
+      frame(edge_direction(axis), Eigen::Vector3d::UnitZ(), Eigen::Vector3d::Zero());
   Joint joint = free_joint(plate, body, here, here);
   lock(*joint, linear_x, error_reduction);
+  if (pin == Pin::keyed) lock(*joint, linear_y, error_reduction);
   return joint;
 }
 

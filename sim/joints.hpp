@@ -24,9 +24,12 @@ Joint hinge_turn(const Hinge& hinge, btRigidBody& lower, btRigidBody& upper, dou
 /// @param angle rad, in (-pi, pi)
 void set_turn(btGeneric6DofSpring2Constraint& joint, double angle);
 
+/// A keyed pin cannot leave the plane z = 0 either.
+enum class Pin { sliding, keyed };
+
 /// Pin in a slot: keeps the origin of `body` in the plane normal to `axis` through the origin of `plate`,
-/// free to slide in the plane and to turn.
-Joint slot(Axis axis, btRigidBody& plate, btRigidBody& body, double error_reduction);
+/// free to slide in the plane (unless keyed) and to turn.
+Joint slot(Axis axis, Pin pin, btRigidBody& plate, btRigidBody& body, double error_reduction);
 
 /// Largest distance from a quarter turn... of the middle Euler angle of a joint, rad.
 double middle_euler_angle(const btGeneric6DofSpring2Constraint& joint);

@@ -102,10 +102,17 @@ struct World::Parts {
     }
     const auto [first, last] = first_and_last_row(structure, drive.axis);
     rows = {first, last};
+    for (int side = 0; side < 2; ++side) grip(side);
+  }
+
+  void grip(int side) {
+    std::vector<int> rim;
     for (std::size_t b = 0; b < bodies.size(); ++b)
-      for (int side = 0; side < 2; ++side)
-        if (row_of(structure.bodies[b], drive.axis) == rows[side])
-          add(slot(drive.axis, plates[side], *bodies[b], options.error_reduction));
+      if (row_of(structure.bodies[b], drive.axis) == rows[side]) rim.push_back(static_cast<int>(b));
+    const int middle = rim[rim.size() / 2];
+    for (const int b : rim)
+      add(slot(drive.axis, b == middle ? Pin::keyed : Pin::sliding, plates[side], *bodies[b],
+               options.error_reduction));
   }
 
   void add(Joint joint) {
