@@ -43,7 +43,10 @@ PhysicsResult run_compression(const Structure& structure, const Drive& drive, co
   for (r.steps = 0; r.steps < drive_steps + settle_steps;) {
     const double tau = std::min(1.0, (r.steps + 1.0) / drive_steps);
     world.set_drive(theta * s(tau));
-    if (r.steps >= drive_steps) world.damp(std::exp(-o.settle_damping * o.step_s));
+    {
+      static double dd = getenv("DD") ? atof(getenv("DD")) : 0;
+      world.damp(std::exp(-(r.steps >= drive_steps ? o.settle_damping : dd) * o.step_s));
+    }
     world.step();
     ++r.steps;
     const double v = world.fastest_part();

@@ -65,8 +65,7 @@ void set_turn(btGeneric6DofSpring2Constraint& joint, double angle) {
 }
 
 Joint slot(Axis axis, Pin pin, btRigidBody& plate, btRigidBody& body, double error_reduction) {
-  const btTransform here =
-      frame(edge_direction(axis), Eigen::Vector3d::UnitZ(), Eigen::Vector3d::Zero());
+  const btTransform here = frame(edge_direction(axis), Eigen::Vector3d::UnitZ(), Eigen::Vector3d::Zero());
   Joint joint = free_joint(plate, body, here, here);
   lock(*joint, linear_x, error_reduction);
   if (pin == Pin::keyed) lock(*joint, linear_y, error_reduction);

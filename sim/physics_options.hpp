@@ -4,6 +4,9 @@ namespace kinetix {
 
 /// Settings of a physics run. Lengths are in cell edges: the run works in units where the cell edge is 1.
 struct PhysicsOptions {
+  enum class Solver { direct, sweeps };
+
+  Solver solver = Solver::direct;
   double step_s = 1.0 / 1000;     ///< time step, s, in (0, 0.1]
   int iterations = 200;           ///< sweeps of the solver over all constraints per step, 1 to 100000
   double error_reduction = 0.95;  ///< part of a hinge's gap removed per step, in (0, 1]

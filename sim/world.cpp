@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/direct_solver.hpp"
 #include "sim/joints.hpp"
 #include "sim/part_shape.hpp"
 #include "sim/sweep_solver.hpp"
@@ -26,7 +27,9 @@ std::pair<int, int> first_and_last_row(const Structure& structure, Axis axis) {
   return rows;
 }
 
-btTransform at(double x, double y, double z) { return btTransform(btMatrix3x3::getIdentity(), btVector3(x, y, z)); }
+btTransform at(double x, double y, double z) {
+  return btTransform(btMatrix3x3::getIdentity(), btVector3(x, y, z));
+}
 
 Pose pose_of(const btTransform& transform, double edge_mm) {
   Pose pose;
@@ -47,8 +50,8 @@ struct World::Parts {
   btDefaultCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher{&configuration};
   btDbvtBroadphase broadphase;
-  std::unique_ptr<btConstraintSolver> solver = make_sweep_solver();
-  btDiscreteDynamicsWorld world{&dispatcher, &broadphase, solver.get(), &configuration};
+  std::unique_ptr<btConstraintSolver> solver;
+  btDiscreteDynamicsWorld world;
 
   std::vector<PartShape> shapes;
   std::vector<std::unique_ptr<btRigidBody>> bodies;
@@ -56,9 +59,16 @@ struct World::Parts {
   std::vector<Joint> joints;
   std::vector<int> rows;  ///< of the plates
 
-  Parts(const Structure& s, const Drive& d, const PhysicsOptions& o) : structure(s), drive(d), options(o) {
+  Parts(const Structure& s, const Drive& d, const PhysicsOptions& o)
+      : structure(s),
+        drive(d),
+        options(o),
+        solver(o.solver == PhysicsOptions::Solver::direct ? make_direct_solver() : make_sweep_solver()),
+        world(&dispatcher, &broadphase, solver.get(), &configuration) {
     world.setGravity({0, 0, 0});
     world.getSolverInfo().m_numIterations = options.iterations;
+    world.getSolverInfo().m_splitImpulse = false;
+    world.getSolverInfo().m_solverMode &= ~SOLVER_USE_WARMSTARTING;
     add_bodies();
     add_hinges();
     add_drive();
