@@ -7,10 +7,10 @@ namespace kinetix {
 
 /// Where something stands in an input file.
 struct Place {
-  std::string file;  ///< as the user named it; empty when there is no file
-  int line = 0;      ///< from 1; 0 = not known
-  int column = 0;    ///< from 1; 0 = not known
-  std::string key;   ///< dotted path, e.g. "variables.beta.range_deg"; empty when not inside a document
+  std::string file;      ///< as the user named it; empty when there is no file
+  int line = 0;          ///< from 1; 0 = not known
+  int column = 0;        ///< from 1; 0 = not known
+  std::string key = {};  ///< dotted path, e.g. "variables.beta.range_deg"; empty when not inside a document
 };
 
 /// The one exception for bad input. Its message reads `file:line:column: key.path: what is wrong, what is

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace kinetix {
+
+/// Text of a file, without a byte order mark.
+/// @throws InvalidInput with the file alone as place when it is missing, unreadable, a folder, a pipe or a
+/// device, or larger than max_bytes (all found before anything is read); with line and column when it holds
+/// bytes that are not UTF-8 or control characters other than tab and line ends.
+std::string read_text_file(const std::string& file, std::size_t max_bytes);
+
+/// Number of UTF-8 characters that start in [from, to). @pre from <= to <= text.size()
+int characters(const std::string& text, std::size_t from, std::size_t to);
+
+/// Column in characters, from 1, of the byte at `position`. @pre position <= text.size()
+int column_of(const std::string& text, std::size_t position);
+
+}  // namespace kinetix

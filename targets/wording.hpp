@@ -1,0 +1,23 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace kinetix {
+
+using Names = std::span<const std::string_view>;
+
+/// The text in backticks as it stands in a message: at most 40 characters, control characters as `?`.
+std::string in_ticks(std::string_view text);
+
+/// "a, b, c"
+std::string joined(Names names);
+
+/// " (did you mean `b`?)" for the allowed name that is nearest in spelling; empty when none is near.
+std::string did_you_mean(std::string_view name, Names allowed);
+
+/// "1 MiB", "16 MiB", "900 bytes"
+std::string byte_count(std::size_t bytes);
+
+}  // namespace kinetix
