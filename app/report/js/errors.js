@@ -1,0 +1,109 @@
+// Section 4: distance from the target along the curve, and turn needed against turn allowed.
+
+function worstError(error) {
+  return error.reduce((worst, point) => (Math.abs(point[1]) > Math.abs(worst[1]) ? point : worst));
+}
+
+function errorRange(data, zoomed) {
+  const most = Math.abs(worstError(data.curve.error)[1]) || 1e-6;
+  const band = lengthOf(data, data.tolerance.shape);
+  const reach = band === null || zoomed ? most * 1.15 : Math.max(most, band) * 1.15;
+  return [-reach, reach];
+}
+
+function toleranceBand(axes, band, range) {
+  if (band === null) return [];
+  const top = Math.min(band, range[1]), { left, right } = axes.area;
+  const edge = (value) => svg("path", { class: "limit", d: path([[left, axes.Y(value)], [right, axes.Y(value)]]) });
+  const fillBand = svg("rect", { class: "band", x: left, width: right - left, y: axes.Y(top), height: axes.Y(-top) - axes.Y(top) });
+  if (band > range[1]) return [fillBand];
+  return [fillBand, edge(band), edge(-band),
+    svg("text", { class: "remark", x: right - 6, y: axes.Y(band) + 15, "text-anchor": "end" }, `allowed rms \u00b1${millimetres(band)}`)];
+}
+
+function worstMark(axes, [arc, distance]) {
+  const x = axes.X(arc), y = axes.Y(distance), toLeft = x > (axes.area.left + axes.area.right) / 2;
+  return svg("g", { class: "worst" }, svg("circle", { cx: x, cy: y, r: 4 }),
+    svg("text", { x: x + (toLeft ? -8 : 8), y: y + (distance > 0 ? -8 : 18), "text-anchor": toLeft ? "end" : "start" },
+      `largest: ${millimetres(Math.abs(distance))}`));
+}
+
+function drawError(data, width, zoomed) {
+  const { error } = data.curve, range = errorRange(data, zoomed);
+  const axes = plot({ width, label: "Distance from the target along the strip",
+    x: { range: [0, error[error.length - 1][0] || 1], label: "length along the folded midline, mm" }, y: { range, label: "distance from the target, mm" } });
+  axes.root.append(...toleranceBand(axes, lengthOf(data, data.tolerance.shape), range),
+    svg("path", { class: "goal-line", d: path([[axes.area.left, axes.Y(0)], [axes.area.right, axes.Y(0)]]) }),
+    svg("path", { class: "model", d: path(error.map(([arc, distance]) => [axes.X(arc), axes.Y(distance)])) }),
+    worstMark(axes, worstError(error)));
+  return axes.root;
+}
+
+function zoomButton(state, box) {
+  const label = () => (state.zoomed ? "Show the allowed band" : "Zoom to the error");
+  const button = html("button", { type: "button" }, label());
+  button.addEventListener("click", () => {
+    state.zoomed = !state.zoomed;
+    button.textContent = label();
+    redraw(box());
+  });
+  return button;
+}
+
+function errorFigure(data) {
+  if (data.curve.error.length < 2) return missing("The distance along the curve was not recorded.");
+  const state = { zoomed: false };
+  const box = responsive((width) => drawError(data, width, state.zoomed));
+  const band = lengthOf(data, data.tolerance.shape), most = Math.abs(worstError(data.curve.error)[1]);
+  return html("div", {},
+    html("div", { class: "row" }, html("h3", {}, "Distance from the target"), band > 2 * most ? zoomButton(state, () => box) : null),
+    box,
+    legend(["goal-line", "target (distance 0)"], ["model", "folded strip (model)"], band !== null && ["band", "allowed rms error"]),
+    html("p", { class: "note" }, "The sign tells on which side of the target curve the strip runs."));
+}
+
+function turnMarks(axes, turn) {
+  const over = turn.allowed !== null && Math.abs(turn.needed) > turn.allowed + 1e-9;
+  const side = turn.needed < 0 ? -1 : 1;
+  const half = 0.46 * (axes.X(1) - axes.X(0)), x = axes.X(turn.column);
+  return [
+    bar(axes, turn.column, turn.needed, { class: "turn" + (over ? " over" : "") }),
+    turn.allowed === null ? null
+      : svg("path", { class: "limit", d: path([[x - half, axes.Y(side * turn.allowed)], [x + half, axes.Y(side * turn.allowed)]]) }),
+  ];
+}
+
+function drawTurns(data, width) {
+  const { turn } = data.curve;
+  const reach = turn.flatMap((t) => [t.needed, (t.needed < 0 ? -1 : 1) * (t.allowed ?? 0), 0]);
+  const columns = Math.max(data.structure.columns, 1 + Math.max(...turn.map((t) => t.column)));
+  const range = padded([Math.min(...reach), Math.max(...reach)]);
+  const axes = plot({ width, label: "Turn needed and allowed per column", x: columnAxis(columns, width), y: { range, label: "turn from column to column, degrees" } });
+  axes.root.append(...turn.flatMap((t) => turnMarks(axes, t)).filter(Boolean),
+    svg("path", { class: "zero", d: path([[axes.area.left, axes.Y(0)], [axes.area.right, axes.Y(0)]]) }));
+  return axes.root;
+}
+
+function turnWords(turn) {
+  const limited = turn.filter((t) => t.allowed > 0);
+  if (!limited.length) return "";
+  const use = (t) => Math.abs(t.needed) / t.allowed;
+  const tightest = limited.reduce((a, b) => (use(b) > use(a) ? b : a));
+  const over = limited.filter((t) => use(t) > 1 + 1e-9);
+  const most = `Column ${tightest.column} needs the most of what it may turn: ${degrees(Math.abs(tightest.needed))} of ${degrees(tightest.allowed)}`;
+  return over.length ? `${over.length === 1 ? "One column needs" : over.length + " columns need"} more turn than allowed. ${most}.` : `${most} (${Math.round(100 * use(tightest))}${SPACE}%).`;
+}
+
+function turnFigure(data) {
+  const { turn } = data.curve;
+  if (!turn.length) return missing("The turn of each column was not recorded.");
+  const over = turn.some((t) => t.allowed !== null && Math.abs(t.needed) > t.allowed);
+  return html("div", {}, html("h3", {}, "Turn needed and turn allowed"),
+    html("p", { class: "lead" }, turnWords(turn)),
+    responsive((width) => drawTurns(data, width)),
+    legend(["turn", "turn the target asks for"], over && ["turn over", "more than allowed"], ["limit", "most that the tilt range allows"]));
+}
+
+function errorSection(data) {
+  return [errorFigure(data), turnFigure(data)];
+}

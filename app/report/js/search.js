@@ -1,0 +1,92 @@
+// Sections 6 and 7: how the search went, and speed against error of the models.
+
+function positive(history) {
+  const least = Math.min(...history.map(([, cost]) => cost).filter((cost) => cost > 0));
+  return history.map(([at, cost]) => [at, cost > 0 ? cost : least]).filter(([, cost]) => Number.isFinite(cost));
+}
+
+/** Best so far as a staircase. */
+function stairs(history) {
+  return history.flatMap(([at, cost], k) => (k === 0 ? [[at, cost]] : [[at, history[k - 1][1]], [at, cost]]));
+}
+
+function bestRun(data) {
+  const named = data.runs.find((run) => run.start === data.optimiser.best_start);
+  if (named) return named;
+  const known = data.runs.filter((run) => run.rms !== null);
+  return known.length ? known.reduce((a, b) => (b.rms < a.rms ? b : a)) : null;
+}
+
+function drawConvergence(data, runs, width) {
+  const points = runs.flatMap((run) => positive(run.history)), best = bestRun(data);
+  const axes = plot({ width, height: 280, label: "Best error so far against evaluations",
+    x: { range: [0, Math.max(1, ...points.map((p) => p[0]))], label: "evaluations of the model" },
+    y: { range: decades(points.map((p) => p[1])), log: true, label: "best error so far, rms (log scale)" } });
+  const line = (run) => svg("path", { class: run === best ? "start best" : "start", d: path(stairs(positive(run.history)).map(([at, cost]) => [axes.X(at), axes.Y(cost)])) });
+  axes.root.append(...[...runs].sort((a, b) => (a === best) - (b === best)).map(line));
+  return axes.root;
+}
+
+function startTable(data) {
+  const best = bestRun(data);
+  const row = (run) => ({
+    mark: run === best ? "best" : null,
+    cells: [String(run.start) + (run === best ? " (best)" : ""), words(run.status) || DASH, percent(run.rms), run.history.length ? String(run.history[run.history.length - 1][0]) : DASH],
+  });
+  return html("div", { class: "scroll" }, table(["start", "status", "shape error, rms", "evaluations"], data.runs.map(row), "Starts of the search"));
+}
+
+function searchSection(data) {
+  if (!data.runs.length) return missing("The course of the search was not recorded.");
+  const runs = data.runs.filter((run) => positive(run.history).length > 0);
+  return [
+    html("p", { class: "lead" }, `${count(data.runs.length, "start", "starts")} from different designs; each line is one of them, the best is emphasised.`),
+    runs.length ? responsive((width) => drawConvergence(data, runs, width)) : null,
+    legend(["start best", "best start"], data.runs.length > 1 && ["start", "other starts"]),
+    startTable(data),
+  ];
+}
+
+function modelClass(name) {
+  if (/bullet|physics/i.test(name)) return "physics";
+  return /^exact/i.test(name) ? "model" : "other";
+}
+
+/** Labels move down until they are clear of those placed before. */
+function spread(labels) {
+  const placed = [];
+  for (const label of labels.sort((a, b) => a.y - b.y)) {
+    while (placed.some((other) => Math.abs(other.y - label.y) < 14 && Math.abs(other.x - label.x) < 190)) label.y += 3;
+    placed.push(label);
+  }
+  return placed;
+}
+
+function drawFidelity(entries, width) {
+  const shown = entries.filter((e) => e.seconds > 0 && finite(e.error) !== null);
+  const errors = shown.map((e) => e.error).filter((error) => error > 0);
+  const [low, high] = decades(errors.length ? errors : [1e-3]);
+  const floor = shown.some((e) => e.error <= 0) ? low / 10 : low;
+  const axes = plot({ width, height: 280, label: "Error against time",
+    x: { range: decades(shown.map((e) => e.seconds)), log: true, label: "time of one state, s (log scale)" },
+    y: { range: [floor, high], log: true, label: "error (log scale)" } });
+  const at = (e) => [axes.X(e.seconds), axes.Y(e.error > 0 ? e.error : floor)];
+  const labels = spread(shown.map((e, k) => ({ k, e, x: at(e)[0], y: at(e)[1] - 10 })));
+  axes.root.append(
+    ...shown.map((e) => svg("circle", { class: "dot " + modelClass(e.model), cx: at(e)[0], cy: at(e)[1], r: 5 })),
+    ...labels.map(({ e, x, y, k }) => svg("text", { class: "remark", x: x > axes.area.right - 140 ? x - 4 : x - 4, y,
+      "text-anchor": x > (axes.area.left + axes.area.right) / 2 ? "end" : "start" }, String(entries.indexOf(e) + 1) + (width > 600 ? " " + e.model : "") + (e.error <= 0 ? " (no error)" : ""))));
+  return axes.root;
+}
+
+function fidelitySection(data) {
+  const entries = data.fidelity;
+  if (!entries.length) return missing("Speed and error of the models were not measured for this scene.");
+  const row = (e, k) => ({ cells: [String(k + 1), words(e.model), duration(e.seconds), figures(e.error, 2), words(e.against) || DASH] });
+  const drawable = entries.some((e) => e.seconds > 0 && finite(e.error) !== null);
+  return [
+    html("p", { class: "lead" }, "Several models can fold the same sheet. Left and low is better: fast and true."),
+    drawable ? responsive((width) => drawFidelity(entries, width)) : null,
+    html("div", { class: "scroll" }, table(["", "model", "time of one state", "error", "compared with"], entries.map(row), "Speed against error")),
+  ];
+}
