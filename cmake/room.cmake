@@ -7,7 +7,7 @@ target_compile_features(kinetix_flags INTERFACE cxx_std_20)
 target_compile_options(kinetix_flags INTERFACE -ffp-contract=off)
 if(KINETIX_DEV)
   target_compile_options(kinetix_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
-    -Wno-sign-conversion -Wno-restrict -Werror -UNDEBUG)
+    -Wno-sign-conversion -Wno-restrict -Wno-stringop-overread -Werror -UNDEBUG)
 endif()
 if(KINETIX_SANITIZE)
   target_compile_options(kinetix_flags INTERFACE -fsanitize=${KINETIX_SANITIZE} -fno-omit-frame-pointer)

@@ -39,7 +39,7 @@ HingeGaps hinge_gaps(const Structure& structure, const State& state) {
     const Eigen::Vector3d axis = hinge_axis(hinge.wall.axis, hinge.parameters);
     const double axis_gap = angle_between(lower.R * axis, upper.R * axis);
     sum += gap * gap;
-    if (!(gap <= gaps.max)) {
+    if (gaps.worst_hinge < 0 || !(gap <= gaps.max)) {
       gaps.max = gap;
       gaps.worst_hinge = static_cast<int>(k);
     }

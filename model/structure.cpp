@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <numeric>
 #include <string>
@@ -12,6 +13,7 @@ namespace kinetix {
 namespace {
 
 constexpr std::size_t max_cells = 1'000'000;
+constexpr std::int64_t max_lattice_vertices = 4'000'000;
 
 std::array<Vertex, 4> corners(const Cell& c) {
   return {Vertex{c.i, c.j}, {c.i + 1, c.j}, {c.i + 1, c.j + 1}, {c.i, c.j + 1}};
@@ -33,9 +35,25 @@ void check_size(const CellSize& size) {
     throw InvalidInput("wall height must be a positive length in mm");
 }
 
+void check_bounding_box(const std::vector<Cell>& cells) {
+  std::int64_t columns = 0, rows = 0;
+  for (const Cell& c : cells) {
+    columns = std::max(columns, std::int64_t{c.i} + 1);
+    rows = std::max(rows, std::int64_t{c.j} + 1);
+  }
+  if (columns >= max_lattice_vertices || rows >= max_lattice_vertices ||
+      (columns + 1) * (rows + 1) > max_lattice_vertices)
+    throw InvalidInput("the cells span " + std::to_string(columns) + " x " + std::to_string(rows) +
+                       " from [0, 0]; their lattice may hold at most 4 million vertices");
+}
+
 void check_cells(const std::vector<Cell>& cells) {
   if (cells.empty()) throw InvalidInput("a structure needs at least one cell");
   if (cells.size() > max_cells) throw InvalidInput("more than a million cells");
+  for (const Cell& c : cells)
+    if (c.i < 0 || c.j < 0)
+      throw InvalidInput("cell " + name(c) + " has a negative index; the lattice starts at [0, 0]");
+  check_bounding_box(cells);
   const auto twice = std::adjacent_find(cells.begin(), cells.end());
   if (twice != cells.end()) throw InvalidInput("cell " + name(*twice) + " is given twice");
 }

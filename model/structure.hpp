@@ -79,9 +79,10 @@ struct Structure {
   Eigen::Vector3d hinge_point(const Hinge& hinge) const;
 };
 
-/// All hinges basic. @throws InvalidInput for no cells, a repeated cell, sizes that are not positive, a wall
-/// thicker than half the edge, cells that do not hang together by shared walls or vertices, or more than
-/// a million cells.
+/// All hinges basic. @throws InvalidInput for no cells, a repeated cell, a negative index, sizes that are not
+/// positive, a wall of half the edge or thicker, cells that do not hang together by shared walls or vertices,
+/// more than a million cells, or a lattice from [0, 0] over all cells of more than 4 million vertices (the
+/// exact families are computed on all of it).
 Structure make_structure(std::vector<Cell> cells, const CellSize& size);
 
 /// columns x rows cells from (0, 0), sorted. @pre both are at least 1

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/classify.hpp"
+#include "model/mobility.hpp"
+#include "model/wall_contact.hpp"
+
+namespace kinetix {
+
+/// What a scene needs to compute, decided before anything is computed.
+struct Plan {
+  Classification family;
+  Mobility mobility;
+  ThetaRange free_range;         ///< theta without walls touching, rad
+  std::vector<std::string> why;  ///< one sentence per decision
+};
+
+Plan make_plan(const Structure& structure);
+
+}  // namespace kinetix

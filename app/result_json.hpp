@@ -1,0 +1,16 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "app/run.hpp"
+
+namespace kinetix {
+
+/// The document of contracts.md, schema kinetix-result/1 (app/schema/result.schema.json): millimetres, and radians where
+/// a key ends in _rad. Numbers that are not finite become null.
+nlohmann::ordered_json result_json(const Run& run);
+
+/// The few lines of it that a person reads on stdout.
+std::string summary(const Run& run);
+
+}  // namespace kinetix

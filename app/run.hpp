@@ -1,0 +1,66 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/plan.hpp"
+#include "optim/fit_curve.hpp"
+#include "sim/compression_run.hpp"
+
+namespace kinetix {
+
+/// A state with the name and the model that made it.
+struct NamedState {
+  std::string name;   ///< "target", or "frame" for the steps of a motion
+  std::string model;  ///< "exact" or "bullet"
+  double theta = 0;   ///< rad
+  State poses;
+  HingeGaps gaps;
+};
+
+/// One row of a scene's speed-against-error table.
+struct Fidelity {
+  std::string model;
+  double seconds = 0;  ///< for one state
+  double error = 0;    ///< rms of body positions after rigid alignment, cell edges
+  std::string against;
+};
+
+/// The physics run and its agreement with the model.
+struct Verification {
+  PhysicsOptions options;
+  PhysicsResult physics;
+  StateDistance distance;  ///< NaN unless the run settled
+  bool agrees = false;     ///< settled, and distance.rms within the tolerance
+};
+
+struct Timings {
+  double load = 0, plan = 0, optimise = 0, verify = 0, write = 0;  ///< seconds
+};
+
+/// What a curve search contributes to a result.
+struct CurveOutcome {
+  std::vector<Eigen::Vector2d> target_mm;  ///< as given
+  CurveDesign found;
+  SolverOptions solver;
+  bool met = false;
+};
+
+/// Everything one call of the program knows at its end: what result.json and the report show.
+struct Run {
+  std::string name;
+  std::uint64_t seed = 0;
+  Structure structure;
+  Plan plan;
+  double theta = 0;  ///< rad, of the state shown
+  std::optional<CurveOutcome> curve;
+  std::vector<NamedState> states;
+  std::optional<Verification> verification;
+  std::vector<Fidelity> fidelity;
+  double shape_tolerance = 0.01;
+  double verify_tolerance = 0.02;
+  Timings timings;
+};
+
+}  // namespace kinetix

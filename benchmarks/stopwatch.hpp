@@ -1,0 +1,31 @@
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <vector>
+
+namespace kinetix::bench {
+
+/// Seconds that f takes, once.
+template <class F>
+double seconds(const F& f) {
+  const auto start = std::chrono::steady_clock::now();
+  f();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Median over repeats of the seconds per call, each repeat averaging `calls` calls.
+template <class F>
+double median_seconds(int repeats, int calls, const F& f) {
+  std::vector<double> samples;
+  for (int r = 0; r < repeats; ++r) {
+    samples.push_back(seconds([&] {
+                        for (int c = 0; c < calls; ++c) f();
+                      }) /
+                      calls);
+  }
+  std::nth_element(samples.begin(), samples.begin() + repeats / 2, samples.end());
+  return samples[repeats / 2];
+}
+
+}  // namespace kinetix::bench

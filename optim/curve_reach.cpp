@@ -1,0 +1,72 @@
+#include "optim/curve_reach.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "optim/curve_starts.hpp"
+
+namespace kinetix {
+namespace {
+
+double degrees(double angle) { return angle / radians_per_degree; }
+
+double turn_of(double bend, double theta) { return 2 * std::atan(std::tan(bend) * std::sin(theta)); }
+
+void note_length(const CurveFit& fit, CurveReach& reach) {
+  const double length = fit.goal().length();
+  const int columns = fit.ties().columns();
+  const AngleRange theta{fit.lower()[fit.ties().variables()], fit.upper()[fit.ties().variables()]};
+  const double straight = columns * fit.cell_mm();
+  reach.shortest_mm = straight * std::cos(theta.upper);
+  reach.longest_mm = straight * std::cos(theta.lower);
+  const bool too_short = reach.longest_mm < length;
+  if (!too_short && !(reach.shortest_mm > 1.5 * length)) return;
+  reach.obstacles.push_back(fmt::format(
+      "the curve is {:.1f} mm long; {} cells of {:.3g} mm span at most {:.1f} mm and, straight, at least "
+      "{:.1f} mm (theta "
+      "{:.1f} to {:.1f} deg): use {} cells or cell_mm {:.3g}",
+      length, columns, fit.cell_mm(), reach.longest_mm, reach.shortest_mm, degrees(theta.lower),
+      degrees(theta.upper), std::lround(length / (fit.cell_mm() * std::cos((theta.lower + theta.upper) / 2))),
+      length / (columns * std::cos((theta.lower + theta.upper) / 2))));
+}
+
+void note_turn(const CurveFit& fit, CurveReach& reach) {
+  const auto excess = [](const ColumnTurn& t) { return std::abs(t.needed) - std::abs(t.allowed); };
+  const auto worst =
+      std::max_element(reach.turns.begin(), reach.turns.end(),
+                       [&](const ColumnTurn& a, const ColumnTurn& b) { return excess(a) < excess(b); });
+  if (!(excess(*worst) > 0)) return;
+  const auto count =
+      std::count_if(reach.turns.begin(), reach.turns.end(), [&](auto& t) { return excess(t) > 0; });
+  const Eigen::Vector2d at = fit.goal().at(worst->arc_mm);
+  reach.obstacles.push_back(fmt::format(
+      "{:.1f} mm along the curve (x {:.1f}, z {:.1f}) column {} would need to turn {:.1f} deg, the bounds "
+      "allow {:.1f} deg "
+      "at theta {:.1f} deg{}: allow larger tilts, a larger theta, or use smaller cells",
+      worst->arc_mm, at.x(), at.y(), worst->column, degrees(worst->needed), degrees(worst->allowed),
+      degrees(reach.theta), count > 1 ? fmt::format(" ({} columns are short of turn)", count) : ""));
+}
+
+}  // namespace
+
+CurveReach analyse_reach(const CurveFit& fit) {
+  const BendTies& ties = fit.ties();
+  const ChordLayout layout = lay_chords(fit.goal(), ties.columns(), 0.0);
+  CurveReach reach;
+  const int theta_at = ties.variables();
+  reach.theta = std::clamp(std::acos(std::clamp(layout.carried_edge_mm / fit.cell_mm(), -1.0, 1.0)),
+                           fit.lower()[theta_at], fit.upper()[theta_at]);
+  for (int c = 0; c < ties.columns(); ++c) {
+    const AngleRange range = ties.range[ties.variable[c]];
+    const double needed = 2 * layout.psi[c];
+    reach.turns.push_back({c, (layout.arc[c] + layout.arc[c + 1]) / 2, needed,
+                           turn_of(needed < 0 ? range.lower : range.upper, reach.theta)});
+  }
+  note_length(fit, reach);
+  note_turn(fit, reach);
+  return reach;
+}
+
+}  // namespace kinetix

@@ -1,0 +1,94 @@
+#include "optim/curve_starts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace kinetix {
+namespace {
+
+constexpr int placement_rounds = 8;
+constexpr double zigzag_step = 0.05;
+constexpr double steepest_psi = 1.2;
+
+/// Half turns that give the chords their headings, smoothest first, then the zigzag.
+std::vector<double> half_turns(const std::vector<double>& headings, double zigzag) {
+  const int n = static_cast<int>(headings.size());
+  std::vector<double> psi(n);
+  double tau = headings[0], alternating = 0;
+  for (int c = 0; c < n; ++c) {
+    psi[c] = headings[c] - tau;
+    tau += 2 * psi[c];
+    alternating += (c % 2 == 0 ? 1 : -1) * psi[c];
+  }
+  const double shift = zigzag - alternating / n;
+  for (int c = 0; c < n; ++c) psi[c] += (c % 2 == 0 ? 1 : -1) * shift;
+  return psi;
+}
+
+/// Headings of the chords between places on the goal, unwrapped.
+std::vector<double> chord_headings(const Curve& goal, const std::vector<double>& arc) {
+  std::vector<double> headings;
+  for (std::size_t c = 0; c + 1 < arc.size(); ++c) {
+    const Eigen::Vector2d chord = goal.at(arc[c + 1]) - goal.at(arc[c]);
+    const double heading = std::atan2(chord.y(), chord.x());
+    const double near = headings.empty() ? goal.heading(0) : headings.back();
+    headings.push_back(near + std::remainder(heading - near, 2 * pi));
+  }
+  return headings;
+}
+
+void place_ends(const std::vector<double>& psi, double length, std::vector<double>& arc) {
+  for (std::size_t c = 0; c < psi.size(); ++c)
+    arc[c + 1] = arc[c] + std::cos(std::clamp(psi[c], -steepest_psi, steepest_psi));
+  const double scale = length / arc.back();
+  for (double& s : arc) s *= scale;
+}
+
+double carried_edge(const Curve& goal, const ChordLayout& layout) {
+  double chords = 0, cosines = 0;
+  for (std::size_t c = 0; c < layout.psi.size(); ++c) {
+    const double cosine = std::cos(std::clamp(layout.psi[c], -steepest_psi, steepest_psi));
+    chords += cosine * (goal.at(layout.arc[c + 1]) - goal.at(layout.arc[c])).norm();
+    cosines += cosine * cosine;
+  }
+  return chords / cosines;
+}
+
+}  // namespace
+
+ChordLayout lay_chords(const Curve& goal, int columns, double zigzag) {
+  ChordLayout layout;
+  layout.arc.assign(columns + 1, 0.0);
+  layout.psi.assign(columns, 0.0);
+  for (int round = 0; round < placement_rounds; ++round) {
+    place_ends(layout.psi, goal.length(), layout.arc);
+    layout.psi = half_turns(chord_headings(goal, layout.arc), zigzag);
+  }
+  layout.carried_edge_mm = carried_edge(goal, layout);
+  return layout;
+}
+
+Eigen::VectorXd curve_start(const CurveFit& fit, int k, std::uint64_t seed) {
+  const int size = (k + 1) / 2;
+  double zigzag = (k % 2 == 1 ? 1 : -1) * zigzag_step * size;
+  std::seed_seq mix{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32),
+                    static_cast<std::uint32_t>(k)};
+  std::mt19937_64 random(mix);
+  const auto unit = [&] { return std::generate_canonical<double, 53>(random); };
+  if (k >= zigzag_starts) zigzag = zigzag_step * zigzag_starts * (unit() - 0.5);
+
+  const ChordLayout layout = lay_chords(fit.goal(), fit.ties().columns(), zigzag);
+  const int at = fit.ties().variables();
+  const double cosine = std::clamp(layout.carried_edge_mm / fit.cell_mm(), -1.0, 1.0);
+  const double theta = std::clamp(std::acos(cosine), fit.lower()[at], fit.upper()[at]);
+  std::vector<double> bends;
+  for (const double psi : layout.psi) {
+    const double noise = k >= zigzag_starts ? 0.1 * (unit() - 0.5) : 0.0;
+    bends.push_back(std::atan(std::tan(std::clamp(psi, -steepest_psi, steepest_psi)) / std::sin(theta)) +
+                    noise);
+  }
+  return fit.pack(bends, theta);
+}
+
+}  // namespace kinetix

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "optim/curve_reach.hpp"
+#include "optim/multi_start.hpp"
+#include "targets/curve_error.hpp"
+
+namespace kinetix {
+
+/// What a curve search may vary.
+struct CurveVariables {
+  int columns = 40;    ///< >= 2
+  int rows = 1;        ///< >= 1; every row does the same
+  double cell_mm = 8;  ///< cell edge
+  AngleRange beta{-60 * radians_per_degree, 60 * radians_per_degree};
+  AngleRange theta{2 * radians_per_degree, 44 * radians_per_degree};
+  Per per = Per::column;
+  Symmetry symmetry = Symmetry::none;
+};
+
+/// The design found, its error, and what stood in the way.
+struct CurveDesign {
+  ExactDesign<double> design;
+  CurveError error;  ///< of the folded midline against the goal
+  std::vector<Eigen::Vector2d> midline_mm;
+  CurveReach reach;
+  MultiStartResult search;
+  int chosen = 0;  ///< the run that gave the design
+};
+
+/// Searches the tilts and theta that fold a strip into the goal. Of the runs within 1 % of the least |r| it
+/// takes the one with the smallest largest tilt: equally good, easier to print.
+/// @throws InvalidInput for bounds or ties that leave nothing to vary
+CurveDesign fit_curve(const Curve& goal, const CurveVariables& variables, const MultiStartOptions& options);
+
+}  // namespace kinetix

@@ -1,0 +1,45 @@
+#include "optim/multi_start.hpp"
+
+#include <omp.h>
+
+#include <limits>
+
+#include "model/invalid_input.hpp"
+
+namespace kinetix {
+namespace {
+
+SolveResult run_one(const LeastSquaresProblem& problem, const StartMaker& make_start, int k,
+                    const MultiStartOptions& options) noexcept {
+  try {
+    return solve(problem, make_start(k, options.seed), options.solver);
+  } catch (const std::exception& error) {
+    SolveResult failed;
+    failed.residual_norm = std::numeric_limits<double>::infinity();
+    failed.why = error.what();
+    return failed;
+  }
+}
+
+}  // namespace
+
+void MultiStartOptions::validate() const {
+  if (!(starts >= 1)) throw InvalidInput("starts must be at least 1");
+  if (!(threads >= 0)) throw InvalidInput("threads must be 0 (all cores) or more");
+  solver.validate();
+}
+
+MultiStartResult multi_start(const LeastSquaresProblem& problem, const StartMaker& make_start,
+                             const MultiStartOptions& options) {
+  options.validate();
+  MultiStartResult result;
+  result.runs.resize(options.starts);
+  const int threads = options.threads > 0 ? options.threads : omp_get_max_threads();
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
+  for (int k = 0; k < options.starts; ++k) result.runs[k] = run_one(problem, make_start, k, options);
+  for (int k = 1; k < options.starts; ++k)
+    if (result.runs[k].residual_norm < result.best_run().residual_norm) result.best = k;
+  return result;
+}
+
+}  // namespace kinetix

@@ -1,0 +1,121 @@
+#include "sim/direct_solver.hpp"
+
+#include <BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h>
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+
+#include <algorithm>
+
+#include "sim/row_system.hpp"
+
+namespace kinetix {
+namespace {
+
+constexpr double joint_stiffness = 1e9;  // over part mass
+
+Vector6 stacked(const btVector3& linear, const btVector3& angular) {
+  return {linear.x(), linear.y(), linear.z(), angular.x(), angular.y(), angular.z()};
+}
+
+struct Contact {
+  Eigen::VectorXd response;  ///< of all parts to a unit impulse
+  double mobility = 0;       ///< approach speed that a unit impulse takes away
+  double target = 0;
+  double impulse = 0;
+  VelocityRow row;
+};
+
+class DirectSolver final : public btSequentialImpulseConstraintSolver {
+ private:
+  btScalar solveGroupCacheFriendlyIterations(btCollisionObject**, int, btPersistentManifold**, int,
+                                             btTypedConstraint**, int, const btContactSolverInfo& info,
+                                             btIDebugDraw*) override {
+    number_parts();
+    factorise_joints();
+    Eigen::VectorXd velocities = system_.velocities();
+    solve_contacts(velocities, info.m_numIterations);
+    apply(velocities);
+    return 0;
+  }
+
+  void number_parts() {
+    part_of_.assign(m_tmpSolverBodyPool.size(), -1);
+    bodies_.clear();
+    masses_.clear();
+    for (int k = 0; k < m_tmpSolverBodyPool.size(); ++k) {
+      btRigidBody* const body = m_tmpSolverBodyPool[k].m_originalBody;
+      if (!body || !(body->getInvMass() > 0)) continue;
+      part_of_[k] = static_cast<int>(bodies_.size());
+      bodies_.push_back(k);
+      const btVector3& inverse = body->getInvInertiaDiagLocal();
+      const double mass = 1 / body->getInvMass(), inertia = 1 / inverse.x();
+      masses_.push_back(stacked({mass, mass, mass}, {inertia, inertia, inertia}));
+    }
+  }
+
+  VelocityRow row_of(const btSolverConstraint& c) const {
+    return {part_of_[c.m_solverBodyIdA], part_of_[c.m_solverBodyIdB],
+            stacked(c.m_contactNormal1, c.m_relpos1CrossNormal),
+            stacked(c.m_contactNormal2, c.m_relpos2CrossNormal), c.m_rhs / c.m_jacDiagABInv};
+  }
+
+  void factorise_joints() {
+    rows_.clear();
+    for (int k = 0; k < m_tmpSolverNonContactConstraintPool.size(); ++k)
+      rows_.push_back(row_of(m_tmpSolverNonContactConstraintPool[k]));
+    system_.factorise(masses_, rows_, joint_stiffness);
+  }
+
+  static double along(const VelocityRow& row, const Eigen::VectorXd& v) {
+    double sum = 0;
+    if (row.a >= 0) sum += row.first.dot(v.segment<6>(6 * row.a));
+    if (row.b >= 0) sum += row.second.dot(v.segment<6>(6 * row.b));
+    return sum;
+  }
+
+  Contact contact_of(const VelocityRow& row) const {
+    Eigen::VectorXd impulse = Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(masses_.size()));
+    if (row.a >= 0) impulse.segment<6>(6 * row.a) = row.first;
+    if (row.b >= 0) impulse.segment<6>(6 * row.b) = row.second;
+    Contact contact{system_.response(impulse), 0, row.target, 0, row};
+    contact.mobility = along(row, contact.response);
+    return contact;
+  }
+
+  void solve_contacts(Eigen::VectorXd& velocities, int sweeps) const {
+    std::vector<Contact> contacts;
+    for (int k = 0; k < m_tmpSolverContactConstraintPool.size(); ++k)
+      contacts.push_back(contact_of(row_of(m_tmpSolverContactConstraintPool[k])));
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+      double change = 0;
+      for (Contact& c : contacts) {
+        const double wanted = c.impulse + (c.target - along(c.row, velocities)) / c.mobility;
+        const double step = std::max(0.0, wanted) - c.impulse;
+        c.impulse += step;
+        velocities += step * c.response;
+        change = std::max(change, std::abs(step) * c.mobility);
+      }
+      if (change < 1e-12) return;
+    }
+  }
+
+  void apply(const Eigen::VectorXd& v) {
+    for (std::size_t p = 0; p < bodies_.size(); ++p) {
+      btSolverBody& body = m_tmpSolverBodyPool[bodies_[p]];
+      const double* const w = v.data() + 6 * p;
+      body.internalGetDeltaLinearVelocity().setValue(w[0], w[1], w[2]);
+      body.internalGetDeltaAngularVelocity().setValue(w[3], w[4], w[5]);
+    }
+  }
+
+  std::vector<int> part_of_;  ///< by solver body; -1 for a fixed one
+  std::vector<int> bodies_;   ///< solver body of each part
+  std::vector<Vector6> masses_;
+  std::vector<VelocityRow> rows_;
+  RowSystem system_;
+};
+
+}  // namespace
+
+std::unique_ptr<btConstraintSolver> make_direct_solver() { return std::make_unique<DirectSolver>(); }
+
+}  // namespace kinetix

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <memory>
+
+class btConstraintSolver;
+
+namespace kinetix {
+
+/// A solver for the engine that meets all joint equations of a step at once (RowSystem), and sweeps over the
+/// contacts only: every contact impulse is applied together with the answer of all joints to it. Contacts
+/// are frictionless.
+std::unique_ptr<btConstraintSolver> make_direct_solver();
+
+}  // namespace kinetix

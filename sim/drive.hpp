@@ -1,0 +1,47 @@
+#pragma once
+
+#include "model/structure.hpp"
+
+namespace kinetix {
+
+/// How a compression run moves a structure from flat to the state it is to settle in.
+///
+/// **plates**: two rigid planes normal to `axis` close in on the structure. They grip the bodies of the first
+/// and of the last row of vertices along the axis like pins in a frictionless slot: such a body's coordinate
+/// along the axis is prescribed, and it is free to slide in the plane and to turn. Plates that merely press
+/// on the outline could not do this: the half walls at the rim stick out like knees, so that the outline of
+/// M rows has the height L (M cos(theta) + sin(theta)), which grows at first. In the exact families every
+/// row of vertices stays in one plane normal to the axis, so a strip that curls into a half circle stays
+/// between its plates.
+///
+/// **hinge**: the two bodies of one wall are turned against each other about the hinge axis they share.
+///
+/// Flat is a singular position: the height changes with theta squared and does not tell the two signs of
+/// theta apart. The run chooses the branch by the velocity it starts the bodies with: class A bodies turn
+/// about z with the sign of theta, class B bodies against it (`Drive::branch`).
+struct Drive {
+  enum class Kind { plates, hinge };
+
+  Kind kind = Kind::plates;
+  Axis axis = Axis::y;  ///< plates: normal of the plates
+  double compression =
+      0.0;             ///< plates: 1 - final / initial distance of the plates, in [0, 1); 1 - cos(theta)
+  int branch = 1;      ///< plates: +1 or -1, the sign of theta
+  Wall wall;           ///< hinge: the driven wall
+  double angle = 0.0;  ///< hinge: turn of wall.to() against wall.from about the hinge axis, rad, in
+                       ///< (-pi, pi). A basic hinge has -2 theta where wall.from is class A.
+
+  /// Magnitude with sign of the turn of the bodies that the whole drive asks for, rad: theta.
+  double theta() const;
+};
+
+/// The drive that takes an exactly mobile structure to fold angle theta, by plates normal to the direction
+/// along which its rows are stacked (y; x where the sheet folds along y).
+/// @param theta rad, in (-pi/2, pi/2)
+Drive drive_to(const Structure& structure, double theta);
+
+/// @throws InvalidInput, naming the field, for a value outside its range (NaN included) or a driven wall that
+/// the structure does not have.
+void validate(const Drive& drive, const Structure& structure);
+
+}  // namespace kinetix

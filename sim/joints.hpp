@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "model/structure.hpp"
+
+class btGeneric6DofSpring2Constraint;
+class btRigidBody;
+
+namespace kinetix {
+
+using Joint = std::unique_ptr<btGeneric6DofSpring2Constraint>;
+
+/// The two point constraints of a hinge, at the hinge point +- reach along the hinge axis: all linear axes
+/// locked, all angular axes free. The first axis of the constraint frames lies along the hinge axis, so that
+/// the fold is the Euler angle with the full range and the middle one (within a quarter turn) stays near 0.
+/// @param reach cell edges; @param error_reduction part of the gap removed per step
+std::array<Joint, 2> hinge_points(const Hinge& hinge, btRigidBody& lower, btRigidBody& upper, double reach,
+                                  double error_reduction);
+
+/// Locks the turn of the upper body against the lower one about their hinge axis; set_turn moves it.
+Joint hinge_turn(const Hinge& hinge, btRigidBody& lower, btRigidBody& upper, double error_reduction);
+/// @param angle rad, in (-pi, pi)
+void set_turn(btGeneric6DofSpring2Constraint& joint, double angle);
+
+/// A keyed pin cannot leave the plane z = 0 either.
+enum class Pin { sliding, keyed };
+
+/// Pin in a slot: keeps the origin of `body` in the plane normal to `axis` through the origin of `plate`,
+/// free to slide in the plane (unless keyed) and to turn.
+Joint slot(Axis axis, Pin pin, btRigidBody& plate, btRigidBody& body, double error_reduction);
+
+/// Largest distance from a quarter turn... of the middle Euler angle of a joint, rad.
+double middle_euler_angle(const btGeneric6DofSpring2Constraint& joint);
+
+}  // namespace kinetix

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "sim/half_walls.hpp"
+
+class btCollisionShape;
+
+namespace kinetix {
+
+/// Collision shape of one rigid part: a compound of one convex hull per prism, which it owns.
+///
+/// The engine's default collision margin (0.04) is half a wall's thickness, so a small one is set. It lies
+/// outside the prisms, which must be drawn in by it for the touching surface to be that of the walls.
+class PartShape {
+ public:
+  static constexpr double margin = 2e-3;  ///< cell edges
+
+  explicit PartShape(const std::vector<Prism>& prisms);
+  ~PartShape();
+  PartShape(PartShape&&) noexcept;
+
+  btCollisionShape* get() const;
+
+ private:
+  struct Shapes;
+  std::unique_ptr<Shapes> shapes_;
+};
+
+}  // namespace kinetix

@@ -1,0 +1,43 @@
+#include "sim/physics_options.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "model/invalid_input.hpp"
+
+namespace kinetix {
+namespace {
+
+constexpr double no_limit = std::numeric_limits<double>::max();
+
+void positive(const char* field, double value, double largest = no_limit) {
+  if (value > 0 && value <= largest) return;
+  const auto range = largest < no_limit ? fmt::format("in (0, {}]", largest) : "positive and finite";
+  throw InvalidInput(fmt::format("physics.{} is {}, must be {}", field, value, range));
+}
+
+void not_negative(const char* field, double value, double largest) {
+  if (value >= 0 && value <= largest) return;
+  throw InvalidInput(fmt::format("physics.{} is {}, must be in [0, {}]", field, value, largest));
+}
+
+}  // namespace
+
+void PhysicsOptions::validate() const {
+  positive("step_s", step_s, 0.1);
+  if (iterations < 1 || iterations > 100000)
+    throw InvalidInput(fmt::format("physics.iterations is {}, must be in [1, 100000]", iterations));
+  positive("error_reduction", error_reduction, 1);
+  positive("reach", reach, 10);
+  positive("part_inertia", part_inertia, 100);
+  positive("drive_seconds", drive_seconds, 1000);
+  not_negative("settle_seconds", settle_seconds, 1000);
+  not_negative("settle_damping", settle_damping, 1e6);
+  positive("settle_gap", settle_gap);
+  positive("settle_speed", settle_speed);
+  positive("gap_limit", gap_limit);
+  positive("speed_limit", speed_limit);
+}
+
+}  // namespace kinetix

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "model/exact_jacobian.hpp"
+#include "tests/support/derivatives.hpp"
+
+namespace kinetix::testing {
+
+/// All parameters of a design in the order of ExactJacobian.
+inline Eigen::VectorXd pack(const ExactDesign<double>& d) {
+  Eigen::VectorXd x(2 * d.columns() + d.rows() + 2);
+  int k = 0;
+  for (const auto* part : {&d.beta, &d.t, &d.s})
+    for (const double value : *part) x[k++] = value;
+  x[k++] = d.gamma;
+  x[k] = d.theta;
+  return x;
+}
+
+/// @param x any indexable container of the scalar
+template <class T, class Container>
+ExactDesign<T> unpack(const Container& x, int columns, int rows) {
+  auto d = ExactDesign<T>::basic(columns, rows);
+  int k = 0;
+  for (auto* part : {&d.beta, &d.t, &d.s})
+    for (T& value : *part) value = x[k++];
+  d.gamma = x[k++];
+  d.theta = x[k];
+  return d;
+}
+
+/// Body positions, stacked, as a function of the packed parameters.
+inline Eigen::VectorXd folded_positions(const Eigen::VectorXd& x, int columns, int rows, double L) {
+  State poses;
+  fold(unpack<double>(x, columns, rows), L, poses);
+  Eigen::VectorXd p(3 * poses.size());
+  for (std::size_t b = 0; b < poses.size(); ++b) p.segment<3>(3 * b) = poses[b].p;
+  return p;
+}
+
+/// The analytic Jacobian of folded_positions.
+inline Eigen::MatrixXd position_jacobian(const ExactDesign<double>& design, double L) {
+  State poses;
+  ExactJacobian jacobian;
+  fold_with_jacobian(design, L, poses, jacobian);
+  Eigen::MatrixXd J(3 * poses.size(), jacobian.parameters());
+  for (int k = 0; k < jacobian.parameters(); ++k)
+    for (std::size_t b = 0; b < poses.size(); ++b)
+      J.block<3, 1>(3 * b, k) = jacobian.twist(k, static_cast<int>(b)).v;
+  return J;
+}
+
+/// Relative difference of the analytic Jacobian and central differences.
+inline double jacobian_mismatch(const ExactDesign<double>& design, double L) {
+  const auto f = [&](const Eigen::VectorXd& x) {
+    return folded_positions(x, design.columns(), design.rows(), L);
+  };
+  return relative_difference(position_jacobian(design, L), numeric_jacobian(f, pack(design)));
+}
+
+}  // namespace kinetix::testing

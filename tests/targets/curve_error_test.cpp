@@ -1,0 +1,92 @@
+#include "targets/curve_error.hpp"
+
+#include <gtest/gtest.h>
+#include <Eigen/Geometry>
+
+#include "targets/polyline_tree.hpp"
+#include "tests/support/curves.hpp"
+
+namespace kinetix {
+namespace {
+
+using Eigen::Vector2d;
+
+std::vector<Vector2d> moved(std::vector<Vector2d> points, double turn, const Vector2d& shift) {
+  for (Vector2d& p : points) p = Eigen::Rotation2Dd(turn) * p + shift;
+  return points;
+}
+
+TEST(CurveError, VanishesForARigidlyMovedCopy) {
+  const Curve goal = testing::s_curve(60);
+  const CurveError error = curve_error(moved(goal.points(), 2.1, {300, -70}), goal);
+  EXPECT_TRUE(error.settled);
+  EXPECT_LE(error.rms, 1e-13);
+  EXPECT_LE(error.max, 1e-12);
+}
+
+TEST(CurveError, DoesNotDependOnWhereTheMidlineLies) {
+  const Curve goal = testing::half_circle(100, 200);
+  const std::vector<Vector2d> midline = testing::half_circle(101, 13).points();
+  const double here = curve_error(midline, goal).rms;
+  const double there = curve_error(moved(midline, -1.3, {5, 900}), goal).rms;
+  EXPECT_NEAR(here, there, 1e-9 * here);
+}
+
+TEST(CurveError, OfACircleInscribedByAPolygonIsThatOfItsSagitta) {
+  // Full sides, each a parabola of sagitta h under the arc: rms about the best radius is h sqrt(4/45).
+  const int sides = 40;
+  const double radius = 100, sagitta = radius * (1 - std::cos(pi / (2 * sides)));
+  const Curve goal = testing::half_circle(radius, 40 * sides + 1);
+  const CurveError error = curve_error(testing::half_circle(radius, sides + 1).points(), goal);
+  EXPECT_NEAR(error.rms * error.scale_mm, sagitta * std::sqrt(4.0 / 45.0), 0.03 * sagitta);
+}
+
+TEST(CurveError, OfAStripTooShortIsTheUncoveredEnd) {
+  // Straight strip of length 80 on a straight goal of 100: 10 stick out at each end, distance 0..10.
+  const Curve goal({{0, 0}, {50, 0}, {100, 0}});
+  const CurveError error = curve_error({{0, 0}, {40, 0}, {80, 0}}, goal);
+  EXPECT_NEAR(error.max, 0.1, 1e-9);
+  const double goal_mean_square = 2 * (1000.0 / 3) / 100;
+  EXPECT_NEAR(error.rms * 100, std::sqrt(goal_mean_square / 2), 0.06);
+}
+
+TEST(CurveError, KeepsHandedness) {
+  const Curve goal({{0, 0}, {50, 0}, {80, 10}, {80, 60}});
+  std::vector<Vector2d> mirrored = goal.points();
+  for (Vector2d& p : mirrored) p.y() = -p.y();
+  EXPECT_GT(curve_error(mirrored, goal).rms, 0.02);
+}
+
+TEST(CurveError, OfNaNIsNaN) {
+  const CurveError error = curve_error({{0, 0}, {std::nan(""), 1}}, testing::half_circle());
+  EXPECT_TRUE(std::isnan(error.rms));
+  EXPECT_TRUE(std::isnan(error.max));
+  EXPECT_FALSE(error.settled);
+}
+
+TEST(PolylineTree, FindsTheSameFootAsTryingEverySegment) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  std::vector<Vector2d> points;
+  for (int k = 0; k < 300; ++k) points.emplace_back(unit(random), unit(random));
+  const PolylineTree tree(points);
+  for (int n = 0; n < 500; ++n) {
+    const Vector2d p(1.5 * unit(random), 1.5 * unit(random));
+    double least = INFINITY;
+    for (int k = 0; k + 1 < 300; ++k)
+      least = std::min(least, std::abs(foot_on_segment(points, k, p).distance));
+    EXPECT_EQ(std::abs(tree.nearest(p).distance), least);
+  }
+}
+
+TEST(Foot, KnowsItsSideAndTheGradientOfTheDistance) {
+  const std::vector<Vector2d> corner = {{0, 0}, {10, 0}, {10, 10}};
+  EXPECT_DOUBLE_EQ(foot_near(corner, 0, {5, 2}).distance, 2);
+  EXPECT_DOUBLE_EQ(foot_near(corner, 0, {5, -2}).distance, -2);
+  const Foot outside = foot_near(corner, 0, {13, -4});
+  EXPECT_DOUBLE_EQ(outside.distance, -5);
+  EXPECT_NEAR((outside.normal - Vector2d(-0.6, 0.8)).norm(), 0, 1e-15);
+}
+
+}  // namespace
+}  // namespace kinetix
