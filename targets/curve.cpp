@@ -36,22 +36,36 @@ std::string number(std::size_t k) { return std::to_string(k + 1); }
 
 void check_points(const std::vector<Vector2d>& points) {
   if (points.size() < 3)
-    throw InvalidInput("a curve needs at least 3 points, this one has " + std::to_string(points.size()));
+    throw InvalidCurve("a curve needs at least 3 points, this one has " + std::to_string(points.size()), -1);
   for (std::size_t k = 0; k < points.size(); ++k) {
-    if (!points[k].allFinite()) throw InvalidInput("point " + number(k) + " is not a finite number");
-    if (k > 0 && points[k] == points[k - 1])
-      throw InvalidInput("points " + number(k - 1) + " and " + number(k) +
-                         " are the same; every point must be new");
+    if (!points[k].allFinite())
+      throw InvalidCurve("point " + number(k) + " is not a finite number", static_cast<int>(k));
+    if (k > 0 && (points[k] - points[k - 1]).norm() == 0)
+      throw InvalidCurve(
+          "points " + number(k - 1) + " and " + number(k) + " are the same; every point must be new",
+          static_cast<int>(k));
   }
   if (points.front() == points.back())
-    throw InvalidInput("the curve is closed (its last point is its first); a strip needs an open curve");
+    throw InvalidCurve("the curve is closed (its last point is its first); a strip needs an open curve",
+                       static_cast<int>(points.size()) - 1);
 }
 
-/// Sweep over x: segments are compared only where their x ranges overlap.
+/// 0 or 1: the axis along which the points spread more.
+int longer_axis(const std::vector<Vector2d>& points) {
+  Vector2d low = points[0], high = points[0];
+  for (const Vector2d& p : points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  return high.x() - low.x() >= high.y() - low.y() ? 0 : 1;
+}
+
+/// Sweep along the longer axis: segments are compared only where their ranges overlap.
 void check_crossing(const std::vector<Vector2d>& points) {
   const int segments = static_cast<int>(points.size()) - 1;
-  const auto low = [&](int k) { return std::min(points[k].x(), points[k + 1].x()); };
-  const auto high = [&](int k) { return std::max(points[k].x(), points[k + 1].x()); };
+  const int axis = longer_axis(points);
+  const auto low = [&](int k) { return std::min(points[k][axis], points[k + 1][axis]); };
+  const auto high = [&](int k) { return std::max(points[k][axis], points[k + 1][axis]); };
   std::vector<int> order(segments), active;
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&](int a, int b) { return low(a) < low(b); });
@@ -62,10 +76,11 @@ void check_crossing(const std::vector<Vector2d>& points) {
       if (second == first + 1) {
         const Vector2d u = points[first + 1] - points[first], v = points[second + 1] - points[second];
         if (cross(u, v) == 0 && u.dot(v) < 0)
-          throw InvalidInput("the curve turns back on itself at point " + number(second));
+          throw InvalidCurve("the curve turns back on itself at point " + number(second), second);
       } else if (touch(points[a], points[a + 1], points[k], points[k + 1])) {
-        throw InvalidInput("the curve crosses itself: segment " + number(first) + "-" + number(first + 1) +
-                           " meets segment " + number(second) + "-" + number(second + 1));
+        throw InvalidCurve("the curve crosses itself: segment " + number(first) + "-" + number(first + 1) +
+                               " meets segment " + number(second) + "-" + number(second + 1),
+                           second);
       }
     }
     active.push_back(k);

@@ -1,14 +1,28 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 #include <vector>
 
+#include "model/invalid_input.hpp"
+
 namespace kinetix {
+
+/// Bad input that one point of a curve shows.
+class InvalidCurve : public InvalidInput {
+ public:
+  InvalidCurve(const std::string& what_is_wrong, int point) : InvalidInput(what_is_wrong), point_(point) {}
+  /// Index of the (last) point at fault, from 0; -1 when the whole curve is.
+  int point() const { return point_; }
+
+ private:
+  int point_;
+};
 
 /// An open plane curve as a polyline of (x, z) points, mm.
 class Curve {
  public:
-  /// @throws InvalidInput for fewer than 3 points, a point that is not finite, a repeated neighbour, first
+  /// @throws InvalidCurve for fewer than 3 points, a point that is not finite, a repeated neighbour, first
   /// point equal to last (closed), or a self-crossing; the message names the points by number from 1.
   explicit Curve(std::vector<Eigen::Vector2d> points);
 

@@ -66,6 +66,12 @@ bool is_unit(std::string_view rest) {
   throw InvalidInput(in_ticks(text) + " is not a number; give " + wanted);
 }
 
+/// A limit as a person writes it: 1000000 rather than 1e+06.
+std::string limit_text(double x) {
+  const bool is_short_integer = std::abs(x) < 1e9 && x == std::trunc(x);
+  return is_short_integer ? std::to_string(static_cast<long>(x)) : shortest_text(x);
+}
+
 }  // namespace
 
 bool Bounds::contains(double x) const {
@@ -77,12 +83,12 @@ std::string Bounds::describe() const {
   std::string text = "a number";
   const bool has_lower = std::isfinite(lower), has_upper = std::isfinite(upper);
   if (has_lower && has_upper && lower_allowed && upper_allowed)
-    text += " from " + shortest_text(lower) + " to " + shortest_text(upper);
+    text += " from " + limit_text(lower) + " to " + limit_text(upper);
   else {
-    if (has_lower) text += (lower_allowed ? " of at least " : " above ") + shortest_text(lower);
+    if (has_lower) text += (lower_allowed ? " of at least " : " above ") + limit_text(lower);
     if (has_upper)
       text += (has_lower ? " and " : " ") + std::string(upper_allowed ? "at most " : "below ") +
-              shortest_text(upper);
+              limit_text(upper);
   }
   return unit.empty() ? text : text + ", in " + std::string(unit);
 }
