@@ -8,7 +8,17 @@ command -v chromium >/dev/null || fail "chromium is missing; it is listed in pac
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+# The controls are used once, as a reader would; what that breaks shows up as an error in the page.
+use_controls='<script>
+for (const control of document.querySelectorAll("button, input[type=radio]")) control.click();
+for (const slider of document.querySelectorAll("input[type=range]")) { slider.value = 1; slider.dispatchEvent(new Event("input")); }
+document.querySelector("canvas").dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowLeft" }));
+window.dispatchEvent(new Event("beforeprint"));
+window.dispatchEvent(new Event("afterprint"));
+document.documentElement.dataset.used = "true";
+</script>'
 "$write_report" <"$result" >"$work/report.html"
+echo "$use_controls" >>"$work/report.html"
 chromium --headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking \
   --disable-component-update --disable-sync --user-data-dir="$work/profile" --enable-logging=stderr --v=0 \
   --window-size=1000,2000 --dump-dom "file://$work/report.html" >"$work/dom" 2>"$work/log" ||
@@ -24,6 +34,7 @@ drawn() {
 
 grep CONSOLE "$work/log" && fail "the browser's console is not silent"
 holds 'data-ready="true"'
+holds 'data-used="true"'
 holds '<div id="problems" role="alert" hidden="">'
 lacks 'class="missing"'
 holds 'id="headline"'

@@ -15,8 +15,9 @@ function linearTicks([low, high], most) {
 function logTicks([low, high], most) {
   const first = Math.ceil(Math.log10(low) - 1e-9), last = Math.floor(Math.log10(high) + 1e-9);
   const step = Math.max(1, Math.ceil((last - first + 1) / most)), ticks = [];
+  const short = first >= -3 && last <= 4;
   for (let k = first; k <= last; k += step)
-    ticks.push({ at: 10 ** k, text: k >= -3 && k <= 4 ? String(Number((10 ** k).toPrecision(1))) : powerOfTen(k) });
+    ticks.push({ at: 10 ** k, text: short ? String(Number((10 ** k).toPrecision(1))) : powerOfTen(k) });
   return ticks;
 }
 
@@ -45,7 +46,7 @@ function plot({ width, height = 240, label, x, y, left = 58 }) {
   const area = { left, right: width - 14, top: 30, bottom: height - 42 };
   const X = mapping(x, area.left, area.right), Y = mapping(y, area.bottom, area.top);
   const xTicks = x.ticks ?? (x.log ? logTicks : linearTicks)(x.range, Math.max(3, (area.right - area.left) / 90));
-  const yTicks = y.ticks ?? (y.log ? logTicks : linearTicks)(y.range, Math.max(3, (area.bottom - area.top) / 38));
+  const yTicks = y.ticks ?? (y.log ? logTicks : linearTicks)(y.range, Math.max(3, (area.bottom - area.top) / 30));
   const root = drawing(width, height, label,
     svg("g", { class: "grid" }, yTicks.map(({ at }) => svg("path", { d: path([[area.left, Y(at)], [area.right, Y(at)]]) }))),
     svg("g", { class: "ticks" },

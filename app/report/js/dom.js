@@ -80,7 +80,7 @@ function blend(from, to, t) {
 /** Diverging scale of tilts; the middle is a tilt of 0. */
 function tiltColour(beta, largest) {
   const share = largest > 0 ? Math.max(-1, Math.min(1, beta / largest)) : 0;
-  return blend(colour("tilt-none"), colour(share < 0 ? "tilt-minus" : "tilt-plus"), Math.sqrt(Math.abs(share)));
+  return blend(colour("tilt-none"), colour(share < 0 ? "tilt-minus" : "tilt-plus"), Math.abs(share));
 }
 
 function legend(...entries) {

@@ -17,6 +17,17 @@ function slantView() {
   return { place: (p) => p, project: (p) => [c * (p[0] - p[1]), s * (p[0] + p[1]) * 0.9 + p[2]], depth: (p) => p[0] + p[1] - p[2] };
 }
 
+function topView() {
+  return { place: (p) => p, project: (p) => [p[0], p[1]], depth: (p) => -p[2] };
+}
+
+const PANEL_CAPTIONS = { display: "Seen from above, compressed." };
+
+function viewOf(data) {
+  if (seenFromSide(data)) return sideView(data);
+  return data.kind === "display" ? topView() : slantView();
+}
+
 /** Plates of the nearest two rows: the rows behind hide exactly behind them. */
 function shownPlates(data, state) {
   const all = plates(data.structure);
@@ -78,15 +89,16 @@ function mmAxes(map, width, margin) {
 }
 
 function drawFolded(data, width) {
-  const view = seenFromSide(data) ? sideView(data) : slantView();
+  const view = viewOf(data);
   const margin = seenFromSide(data) ? { left: 62, right: 16, top: 40, bottom: 62 } : { left: 16, right: 16, top: 16, bottom: 16 };
   const walls = wallShapes(data, data.states.model, view), lines = curveLines(data, view);
   const map = mapOf([...walls.flatMap((wall) => wall.outline), ...lines.goal, ...lines.physics], width, margin);
-  const line = (name) => svg("path", { class: name, d: path(lines[name].map(map.to)) });
-  return drawing(width, map.height, "The folded strip seen from the side, over the target curve",
+  const line = (name, width) => svg("path", { class: name, d: path(lines[name].map(map.to)), style: width ? `stroke-width:${width.toFixed(1)}` : null });
+  const goalWidth = Math.max(3, Math.min(7, 0.4 * data.structure.height * map.perMm));
+  return drawing(width, map.height, seenFromSide(data) ? "The folded strip seen from the side, over the target curve" : "The folded sheet",
     seenFromSide(data) ? mmAxes(map, width, margin) : null,
     svg("g", { class: "walls" }, walls.map((wall) => svg("path", { d: path(wall.outline.map(map.to), true) }))),
-    line("goal"), line("model"), line("physics"));
+    line("goal", goalWidth), line("model"), line("physics"));
 }
 
 function foldedPicture(data) {
@@ -98,5 +110,5 @@ function foldedPicture(data) {
     html("figcaption", {},
       legend(hasGoal && ["goal", "target curve"], ["wall", "walls, folded (model)"],
         seenFromSide(data) && ["model", "midline of the model"], seenFromSide(data) && data.states.physics && ["physics", "midline of the physics run"]),
-      seenFromSide(data) ? "Seen from the side, true proportions. The midline runs through the middle of the strip\u2019s width and height." : "Seen at a slant from above."));
+      seenFromSide(data) ? "Seen from the side, true proportions. The midline runs through the middle of the strip\u2019s width and height." : PANEL_CAPTIONS[data.kind] ?? "Seen at a slant from above."));
 }

@@ -38,12 +38,17 @@ function figures(value, significant = 3) {
   return withSign(value, plain(value, significant, 6));
 }
 
+/** A limit somebody chose: without the zeros nobody wrote. */
+function neat(value) {
+  return finite(value) === null ? DASH : String(Number(value.toPrecision(3)));
+}
+
 /** A length or angle for people: never more than `most` decimals, and "< 0.001" below the last of them. */
 function measured(value, unit, most) {
   if (finite(value) === null) return DASH;
   const least = 10 ** -most;
   if (value !== 0 && Math.abs(value) < least) return "<" + SPACE + least.toFixed(most) + unit;
-  return withSign(value, plain(value, 3, most)) + unit;
+  return withSign(value, String(Number(plain(value, 3, most)))) + unit;
 }
 
 function millimetres(value) {

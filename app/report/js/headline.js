@@ -15,7 +15,10 @@ function missBy(data) {
 
 function physicsWords(data) {
   const { verify_rms: rms } = data.metrics, allowed = data.tolerance.verify;
-  if (finite(rms) === null) return "The physics run gave no usable state to compare with.";
+  if (finite(rms) === null) {
+    const why = typeof data.physics.why === "string" ? ` It says: ${data.physics.why}` : "";
+    return "The physics run gave no state to compare with." + why;
+  }
   const size = `${millimetres(rms * data.structure.cell)} rms (${percent(rms)} of a cell edge)`;
   const limit = finite(allowed) === null ? "" : `; allowed is ${percent(allowed)}`;
   return `The same sheet in the physics engine settles ${size} away from the model${limit}.`;
@@ -40,7 +43,7 @@ function verdict(data) {
 function metWords(data) {
   const rms = lengthOf(data, data.metrics.shape_rms), most = lengthOf(data, data.metrics.shape_max);
   if (rms === null) return "The folded shape is within the tolerance.";
-  return `The folded strip follows the target curve within ${millimetres(rms)} rms` + (most === null ? "." : `, ${millimetres(most)} at worst.`);
+  return `The folded strip lies ${millimetres(rms)} rms from the target curve` + (most === null ? "." : `, ${millimetres(most)} at worst.`);
 }
 
 function keyNumber(name, value, note) {
@@ -63,6 +66,17 @@ function shapeNumbers(data) {
     finite(rms) !== null && keyNumber("Shape error, rms", shown(rms), ofDiagonal(data, rms) + allowedNote(data.tolerance.shape)),
     finite(most) !== null && keyNumber("Shape error, largest", shown(most), ofDiagonal(data, most)),
   ];
+}
+
+const OTHER_NUMBERS = [
+  ["contrast", "Contrast d\u2032", "letter cells against the rest, in standard deviations"],
+  ["auc", "Letter recognised", "chance that a letter cell stands out from another (AUC); 0.5 is guessing"],
+  ["face_rms", "Face error, rms", "corners of the faces against the ideal solid, in edges"],
+];
+
+/** Measures of targets that are no curves. */
+function otherNumbers({ metrics }) {
+  return OTHER_NUMBERS.filter(([key]) => finite(metrics[key]) !== null).map(([key, name, note]) => keyNumber(name, figures(metrics[key]), note));
 }
 
 function gapNumber(data, fraction) {
@@ -88,9 +102,9 @@ function timeNumber(data) {
 function keyNumbers(data) {
   const { verify_rms: verify, hinge_gap_max: gap } = data.metrics;
   const numbers = [
-    ...shapeNumbers(data),
+    ...shapeNumbers(data), ...otherNumbers(data),
     finite(verify) !== null && keyNumber("Physics against model", millimetres(verify * data.structure.cell),
-      `${figures(verify, 2)} cell edges rms` + (finite(data.tolerance.verify) === null ? "" : `; allowed ${figures(data.tolerance.verify, 2)}`)),
+      `${figures(verify, 2)} cell edges rms` + (finite(data.tolerance.verify) === null ? "" : `; allowed ${neat(data.tolerance.verify)}`)),
     gapNumber(data, gap), angleNumber(data.metrics), timeNumber(data),
   ].filter(Boolean);
   return numbers.length ? html("dl", { class: "numbers" }, numbers) : null;

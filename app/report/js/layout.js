@@ -1,6 +1,6 @@
 // Section 2: the sheet as it is printed, flat, seen from above.
 
-const CELL_PX = { least: 36, most: 72 };
+const CELL_PX = { least: 42, most: 72 };
 
 function largestTilt(structure) {
   return Math.max(0, ...structure.hinges.map((hinge) => Math.abs(hinge.beta)));
@@ -94,12 +94,12 @@ function drawEndView(structure) {
   const walls = structure.hinges.filter((h) => h.along === "x");
   const most = walls.reduce((a, b) => (Math.abs(b.beta) > Math.abs(a.beta) + 1e-9 ? b : a));
   const pair = walls.filter((h) => h.column === most.column && h.row < 2);
-  const px = 62 / structure.height, floor = 84, x0 = 62, gap = Math.min(structure.cell * px, 106);
+  const px = 62 / structure.height, floor = 84, gap = Math.min(structure.cell * px, 106), x0 = 125 - gap / 2;
   const wall = (h) => {
     const foot = [x0 + h.row * gap, floor], lean = [-Math.sin(h.beta) * 62, -Math.cos(h.beta) * 62];
     return [
-      svg("path", { class: "upright", d: path([foot, [foot[0], floor - 70]]) }),
       svg("path", { class: "end", d: path([foot, add(foot, lean)]), "stroke-width": Math.max(3, structure.thickness * px) }),
+      svg("path", { class: "upright", d: path([foot, [foot[0], floor - 78]]) }),
       svg("text", { class: "tilt", x: foot[0], y: floor + 18, "text-anchor": "middle" }, degrees(toDegrees(h.beta))),
       svg("text", { class: "column", x: foot[0], y: floor + 33, "text-anchor": "middle" }, h.row === 0 ? "front" : "back"),
     ];
@@ -114,13 +114,15 @@ function layoutSection(data) {
   if (!structure.hinges.length || !data.states.flat) return missing("This result holds no structure.");
   const long = structure.columns * structure.cell, wide = structure.rows * structure.cell;
   const wallText = `walls ${millimetres(structure.thickness)} thick and ${millimetres(structure.height)} high` + (structure.wallAssumed ? " (assumed for the picture)" : "");
-  const keys = responsive(() => html("div", { class: "keys" }, tiltScale(largestTilt(structure)), structure.columns > 0 ? drawEndView(structure) : null));
+  const largest = largestTilt(structure), tilted = largest > 1e-4;
+  const keys = responsive(() => html("div", { class: "keys" }, tiltScale(largest), structure.columns > 0 ? drawEndView(structure) : null));
   return [
     html("p", { class: "lead" }, `Printed flat: ${structure.columns} \u00d7 ${structure.rows} cells of ${millimetres(structure.cell)}, ` +
       `${millimetres(long)} \u00d7 ${millimetres(wide)}, ${wallText}. Front is at the bottom of the picture.`),
     responsive((width) => drawLayout(data, width)),
-    keys,
-    legend(["rim", "top edge of a wall"], ["face", "leaning face below it"], ["dot", "hinge, coloured by tilt"], ["lean-key", "the way the wall\u2019s top leans"]),
-    html("p", { class: "note" }, "Above each column its number, below it the tilt of its front wall" + (structure.rows > 0 ? "; from row to row the sign alternates." : ".")),
+    tilted ? keys : null,
+    tilted ? legend(["rim", "top edge of a wall"], ["face", "leaning face below it"], ["dot", "hinge, coloured by tilt"], ["lean-key", "the way the wall\u2019s top leans"])
+           : legend(["rim", "wall, upright"], ["dot plain", "hinge"]),
+    html("p", { class: "note" }, !tilted ? "All walls stand upright. Above each column its number." : "Above each column its number, below it the tilt of its front wall" + (structure.rows > 0 ? "; from row to row the sign alternates." : ".")),
   ];
 }

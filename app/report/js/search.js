@@ -36,13 +36,18 @@ function startTable(data) {
   return html("div", { class: "scroll" }, table(["start", "status", "shape error, rms", "evaluations"], data.runs.map(row), "Starts of the search"));
 }
 
+function searchWords(starts) {
+  if (starts === 1) return "The search started once.";
+  return `The search started ${starts} times, from different designs. Each line is one start; the best is emphasised.`;
+}
+
 function searchSection(data) {
   if (!data.runs.length) return missing("The course of the search was not recorded.");
   const runs = data.runs.filter((run) => positive(run.history).length > 0);
   return [
-    html("p", { class: "lead" }, `${count(data.runs.length, "start", "starts")} from different designs; each line is one of them, the best is emphasised.`),
+    html("p", { class: "lead" }, searchWords(data.runs.length)),
     runs.length ? responsive((width) => drawConvergence(data, runs, width)) : null,
-    legend(["start best", "best start"], data.runs.length > 1 && ["start", "other starts"]),
+    runs.length && legend(["start best", "best start"], data.runs.length > 1 && ["start", "other starts"]),
     startTable(data),
   ];
 }
@@ -67,15 +72,16 @@ function drawFidelity(entries, width) {
   const errors = shown.map((e) => e.error).filter((error) => error > 0);
   const [low, high] = decades(errors.length ? errors : [1e-3]);
   const floor = shown.some((e) => e.error <= 0) ? low / 10 : low;
+  const ticks = floor < low ? [...logTicks([low, high], 6), { at: floor, text: "0" }] : undefined;
   const axes = plot({ width, height: 280, label: "Error against time",
     x: { range: decades(shown.map((e) => e.seconds)), log: true, label: "time of one state, s (log scale)" },
-    y: { range: [floor, high], log: true, label: "error (log scale)" } });
+    y: { range: [floor, high], log: true, ticks, label: "error (log scale)" } });
   const at = (e) => [axes.X(e.seconds), axes.Y(e.error > 0 ? e.error : floor)];
   const labels = spread(shown.map((e, k) => ({ k, e, x: at(e)[0], y: at(e)[1] - 10 })));
   axes.root.append(
     ...shown.map((e) => svg("circle", { class: "dot " + modelClass(e.model), cx: at(e)[0], cy: at(e)[1], r: 5 })),
-    ...labels.map(({ e, x, y, k }) => svg("text", { class: "remark", x: x > axes.area.right - 140 ? x - 4 : x - 4, y,
-      "text-anchor": x > (axes.area.left + axes.area.right) / 2 ? "end" : "start" }, String(entries.indexOf(e) + 1) + (width > 600 ? " " + e.model : "") + (e.error <= 0 ? " (no error)" : ""))));
+    ...labels.map(({ e, x, y, k }) => svg("text", { class: "remark", x: x - 4, y,
+      "text-anchor": x > (axes.area.left + axes.area.right) / 2 ? "end" : "start" }, String(entries.indexOf(e) + 1) + (width > 600 ? " " + e.model : ""))));
   return axes.root;
 }
 

@@ -40,8 +40,15 @@ function copyBySelection(text) {
   return done;
 }
 
-function copyButton(text) {
-  const button = html("button", { type: "button", class: "copy" }, "Copy table");
+/** Every hinge of the sheet, for those who build it elsewhere. */
+function hingesAsText({ hinges }) {
+  const number = (value) => String(Number(value.toFixed(4)));
+  const line = (h) => [h.along, h.column, h.row, number(h.t), number(toDegrees(h.alpha)), number(toDegrees(h.beta))].join("\t");
+  return ["wall_along\tcolumn\trow\tt\talpha_deg\tbeta_deg", ...hinges.map(line)].join("\n") + "\n";
+}
+
+function copyButton(label, text) {
+  const button = html("button", { type: "button", class: "copy" }, label);
   const say = (done) => { button.textContent = done ? "Copied" : "Could not copy"; };
   button.addEventListener("click", () => {
     if (!navigator.clipboard) return say(copyBySelection(text));
@@ -52,7 +59,7 @@ function copyButton(text) {
 
 /** Side by side blocks, so that 80 columns do not make a page of their own. */
 function tiltTables(rows) {
-  const perBlock = Math.max(8, Math.ceil(rows.length / 4)), blocks = [];
+  const perBlock = Math.ceil(rows.length / Math.min(4, Math.ceil(rows.length / 8))), blocks = [];
   for (let k = 0; k < rows.length; k += perBlock) blocks.push(rows.slice(k, k + perBlock));
   const cells = (row) => ({ cells: [String(row.column), withSign(row.tilt, Math.abs(row.tilt).toFixed(2)), figures(row.t, 3)] });
   return html("div", { class: "blocks" }, blocks.map((block) => table(["column", "tilt, \u00b0", "hinge at"], block.map(cells), "Tilts per column")));
@@ -62,8 +69,8 @@ function tiltSection(data) {
   const rows = tiltRows(data);
   if (!rows.length) return missing("This result holds no columns.");
   return [
-    responsive((width) => drawTilts(data, width)),
-    html("div", { class: "row" }, html("p", { class: "note" }, "\u201cHinge at\u201d is the place of the hinge along its wall, 0 to 1 from the left. The copied table also holds the turns."), copyButton(asText(rows))),
+    largestTilt(data.structure) > 1e-4 ? responsive((width) => drawTilts(data, width)) : html("p", { class: "lead" }, "All walls stand upright: every tilt is 0."),
+    html("div", { class: "row" }, html("p", { class: "note" }, "Neighbours of opposite sign bend the strip the same way; of equal sign they cancel. \u201cHinge at\u201d is the place of the hinge along its wall, 0 to 1 from the left. The copied table also holds the turns."), html("div", { class: "buttons" }, copyButton("Copy table", asText(rows)), copyButton("Copy all hinges", hingesAsText(data.structure)))),
     tiltTables(rows),
   ];
 }

@@ -1,5 +1,6 @@
 // Section 3: the folded sheet in space on a canvas, painted from back to front.
 
+const SCALE_BAR_PX = 46;
 const VIEWS = { Slant: [-0.6, 0.45], Side: [0, 0], Top: [0, Math.PI / 2], End: [Math.PI / 2, 0] };
 
 /** Right, up and away from the viewer, for a camera turned by `azimuth` about z and raised by `elevation`. */
@@ -8,19 +9,38 @@ function camera(azimuth, elevation) {
   return { right: [c, s, 0], up: [-s * se, c * se, ce], away: [-s * ce, c * ce, -se] };
 }
 
-function centredFaces(structure, state, parts) {
-  const centre = mean(state.poses.map((pose) => pose.p));
-  return parts.map((plate) => carriedPlate(structure, state, plate).corners.map((corner) => subtract(corner, centre)));
+/** Turns about y so that the strip lies along its longest direction, its middle pointing right.
+ * The pose of the first body alone would show arches on their side. */
+function levelling(line) {
+  const flat = line.map((p) => [p[0], p[2]]), centre = mean(flat), middle = Math.floor(line.length / 2);
+  const [xx, xz, zz] = flat.map((p) => subtract(p, centre)).reduce((sum, [x, z]) => add(sum, [x * x, x * z, z * z]), [0, 0, 0]);
+  const along = subtract(flat[Math.min(flat.length - 1, middle + 1)], flat[Math.max(0, middle - 1)]);
+  const angle = 0.5 * Math.atan2(2 * xz, xx - zz), ahead = dot(along, [Math.cos(angle), Math.sin(angle)]) < 0 ? -1 : 1;
+  const c = ahead * Math.cos(angle), s = ahead * Math.sin(angle);
+  return ([x, y, z]) => [c * x + s * z, y, c * z - s * x];
 }
 
-function reachOf(faces) {
-  return Math.max(...faces.flatMap((face) => face.map((corner) => Math.hypot(...corner))), 1e-9);
+function centredFaces(structure, state, parts, level) {
+  const turn = level ? levelling(midline(structure, state)) : (p) => p;
+  const centre = mean(state.poses.map((pose) => pose.p));
+  return parts.map((plate) => carriedPlate(structure, state, plate).corners.map((corner) => turn(subtract(corner, centre))));
+}
+
+/** The largest scale at which all faces fit. */
+function fittingScale(faces, eye, width, height) {
+  let across = 1e-9, upward = 1e-9;
+  for (const face of faces)
+    for (const corner of face) {
+      across = Math.max(across, Math.abs(dot(corner, eye.right)));
+      upward = Math.max(upward, Math.abs(dot(corner, eye.up)));
+    }
+  return Math.min((width / 2 - 16) / across, (height / 2 - SCALE_BAR_PX) / upward);
 }
 
 function litColour(face, eye, base) {
   const normal = unit(cross(subtract(face[1], face[0]), subtract(face[3], face[0])));
   const light = unit(add(add(scale(eye.right, -0.4), scale(eye.up, 0.7)), scale(eye.away, -0.6)));
-  return blend(base, colour("shade"), 0.55 * (1 - Math.abs(dot(normal, light))));
+  return blend(base, colour("shade"), 0.85 * (1 - Math.abs(dot(normal, light))));
 }
 
 function sizedContext(canvas, width, height) {
@@ -44,7 +64,7 @@ function paintFace(context, corners, fillColour, edge) {
 }
 
 function scaleBar(context, perMm, width, height) {
-  const length = niceStep(width / perMm, 4);
+  const length = niceStep(width / perMm, 8);
   context.strokeStyle = context.fillStyle = colour("muted");
   context.lineWidth = 2;
   context.beginPath();
@@ -52,25 +72,31 @@ function scaleBar(context, perMm, width, height) {
   context.lineTo(14 + length * perMm, height - 14);
   context.stroke();
   context.font = "12px system-ui, sans-serif";
-  context.fillText(`${figures(length, 2)} mm`, 14, height - 22);
+  context.fillText(`${neat(length)} mm`, 14, height - 22);
+}
+
+/** One scale for all stops would make a long strip small once it is folded: so it may grow while it folds. */
+function sceneScale(scene, stop, eye, width, height) {
+  const common = fittingScale(scene.stops.flatMap((each) => each.faces), eye, width, height);
+  return Math.min(fittingScale(stop.faces, eye, width, height), 1.8 * common);
 }
 
 function paint(canvas, scene, width) {
   const height = Math.round(Math.min(460, Math.max(260, width * 0.5)));
   const context = sizedContext(canvas, width, height), eye = camera(scene.azimuth, scene.elevation);
-  const stop = scene.stops[scene.stop], perMm = (0.94 * Math.min(width / 2, height * 0.9)) / scene.reach;
+  const stop = scene.stops[scene.stop], perMm = sceneScale(scene, stop, eye, width, height);
   const to = (p) => [width / 2 + dot(p, eye.right) * perMm, height / 2 - dot(p, eye.up) * perMm];
   const faces = stop.faces.map((face) => ({ face, depth: dot(mean(face), eye.away) })).sort((a, b) => b.depth - a.depth);
-  const base = colour(stop.look), edge = colour("edge");
+  const base = colour(stop.look + "-plate"), edge = colour("edge");
   context.lineWidth = 0.7;
   for (const { face } of faces) paintFace(context, face.map(to), litColour(face, eye, base), edge);
   scaleBar(context, perMm, width, height);
 }
 
 /** Everything that can be shown, flat first; the physics run last. */
-function stopsOf({ structure, states }) {
-  const parts = plates(structure);
-  const stop = (state, look, text) => ({ look, text, faces: centredFaces(structure, state, parts) });
+function stopsOf(data) {
+  const { structure, states } = data, parts = plates(structure), level = seenFromSide(data);
+  const stop = (state, look, text) => ({ look, text, faces: centredFaces(structure, state, parts, level) });
   const frames = states.frames.map((state) => stop(state, "model", `\u03b8 ${degrees(toDegrees(state.theta))}`));
   const final = states.model ? [stop(states.model, "model", states.model.theta === null ? "folded" : `\u03b8 ${degrees(toDegrees(states.model.theta))}`)] : [];
   const flat = states.flat && !(states.frames[0]?.theta < 1e-6) ? [stop(states.flat, "model", "flat")] : [];
@@ -146,12 +172,12 @@ function spaceSection(data) {
   const { motion, physics } = stopsOf(data);
   if (!motion.length || !data.structure.hinges.length) return missing("This result holds no state to draw.");
   const stops = physics ? [...motion, physics] : motion;
-  const scene = { stops, stop: motion.length - 1, azimuth: VIEWS.Slant[0], elevation: VIEWS.Slant[1], reach: Math.max(...stops.map((s) => reachOf(s.faces))) };
+  const scene = { stops, stop: motion.length - 1, azimuth: VIEWS.Slant[0], elevation: VIEWS.Slant[1] };
   const canvas = html("canvas", { tabindex: 0, role: "img", "aria-label": "The folded sheet in space; drag or use the arrow keys to turn it" });
   const box = responsive((width) => { paint(canvas, scene, width); return canvas; });
   const repaint = () => redraw(box);
   turnByDrag(canvas, scene, repaint);
   turnByKeys(canvas, scene, repaint);
   return [controls(scene, motion, repaint), box,
-    html("p", { class: "note" }, "Drag to turn it. The slider folds the sheet from flat to the target; all pictures have the same scale.")];
+    html("p", { class: "note" }, "Drag to turn it. The slider folds the sheet from flat to the target.")];
 }
