@@ -29,7 +29,8 @@ function physicsWords(data) {
 /** {mark, tone, title, text} */
 function verdict(data) {
   const {met, verified} = data.verdict;
-  const hasRun = data.states.physics !== null || finite(data.metrics.verify_rms) !== null;
+  const hasRun = data.states.physics !== null || finite(data.metrics.verify_rms) !== null ||
+      Boolean(data.physics.status);
   if (met === false) {
     const also = verified === false ? " " + physicsWords(data) : "";
     return {mark: "\u2715", tone: "bad", title: "Target missed", text: missBy(data) + also};
