@@ -13,7 +13,7 @@ const SECTIONS = [
 const PRINT_WIDTH = 680;
 
 function section(id, title, content) {
-  return html("section", { id }, html("h2", {}, title), content ?? missing("This part could not be made."));
+  return html("section", {id}, html("h2", {}, title), content ?? missing("This part could not be made."));
 }
 
 function build(data) {
@@ -26,8 +26,10 @@ function build(data) {
 
 /** Paper is white whatever the screen's colours are. */
 function prepareForPaper(printing) {
-  if (printing) document.documentElement.dataset.theme = "light";
-  else delete document.documentElement.dataset.theme;
+  if (printing)
+    document.documentElement.dataset.theme = "light";
+  else
+    delete document.documentElement.dataset.theme;
   drawAll(true, printing ? PRINT_WIDTH : 0);
 }
 

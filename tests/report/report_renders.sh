@@ -12,7 +12,7 @@ trap 'rm -rf "$work"' EXIT
 use_controls='<script>
 for (const control of document.querySelectorAll("button, input[type=radio]")) control.click();
 for (const slider of document.querySelectorAll("input[type=range]")) { slider.value = 1; slider.dispatchEvent(new Event("input")); }
-document.querySelector("canvas").dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowLeft" }));
+document.querySelector("canvas")?.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowLeft" }));
 window.dispatchEvent(new Event("beforeprint"));
 window.dispatchEvent(new Event("afterprint"));
 document.documentElement.dataset.used = "true";

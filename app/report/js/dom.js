@@ -2,8 +2,10 @@
 
 function fill(node, attributes, children) {
   for (const [key, value] of Object.entries(attributes ?? {}))
-    if (typeof value === "function") node.addEventListener(key, value);
-    else if (value !== null && value !== undefined) node.setAttribute(key, value);
+    if (typeof value === "function")
+      node.addEventListener(key, value);
+    else if (value !== null && value !== undefined)
+      node.setAttribute(key, value);
   node.append(...children.flat(Infinity).filter((child) => child !== null && child !== undefined));
   return node;
 }
@@ -17,20 +19,22 @@ function svg(tag, attributes, ...children) {
 }
 
 function drawing(width, height, label, ...children) {
-  const size = { width, height, viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": label };
+  const size = {width, height, viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": label};
   return svg("svg", size, children);
 }
 
 function path(points, closed = false) {
-  return points.length ? "M" + points.map(([x, y]) => `${x.toFixed(2)},${y.toFixed(2)}`).join("L") + (closed ? "Z" : "") : "";
+  return points.length ?
+      "M" + points.map(([x, y]) => `${x.toFixed(2)},${y.toFixed(2)}`).join("L") + (closed ? "Z" : "") :
+      "";
 }
 
 const pageFigures = [];
 
 /** A box whose content is `draw(width in px)`. */
 function responsive(draw) {
-  const box = html("div", { class: "figure" });
-  pageFigures.push({ box, draw, width: 0 });
+  const box = html("div", {class: "figure"});
+  pageFigures.push({box, draw, width: 0});
   return box;
 }
 
@@ -84,16 +88,18 @@ function tiltColour(beta, largest) {
 }
 
 function legend(...entries) {
-  const items = entries.filter(Boolean).map(([kind, text]) => html("li", {}, html("span", { class: "key " + kind }), text));
-  return html("ul", { class: "legend" }, items);
+  const items = entries.filter(Boolean).map(
+      ([kind, text]) => html("li", {}, html("span", {class: "key " + kind}), text));
+  return html("ul", {class: "legend"}, items);
 }
 
 function missing(text) {
-  return html("p", { class: "missing" }, text);
+  return html("p", {class: "missing"}, text);
 }
 
 function table(heads, rows, name) {
-  const head = html("tr", {}, heads.map((text) => html("th", { scope: "col" }, text)));
-  const body = rows.map((row) => html("tr", { class: row.mark ?? null }, row.cells.map((cell) => html("td", {}, cell))));
-  return html("table", { "aria-label": name }, html("thead", {}, head), html("tbody", {}, body));
+  const head = html("tr", {}, heads.map((text) => html("th", {scope: "col"}, text)));
+  const body =
+      rows.map((row) => html("tr", {class: row.mark ?? null}, row.cells.map((cell) => html("td", {}, cell))));
+  return html("table", {"aria-label": name}, html("thead", {}, head), html("tbody", {}, body));
 }

@@ -70,10 +70,10 @@ function toDegrees(radians) {
 function duration(seconds) {
   if (finite(seconds) === null) return DASH;
   if (seconds === 0) return "0" + SPACE + "s";
-  if (seconds < 1e-3) return plain(seconds * 1e6, 2, 2) + SPACE + "\u00b5s";
-  if (seconds < 1) return plain(seconds * 1e3, 2, 2) + SPACE + "ms";
-  if (seconds < 120) return plain(seconds, 3, 2) + SPACE + "s";
-  return plain(seconds / 60, 3, 1) + SPACE + "min";
+  const text = (value, unit) => String(Number(value.toPrecision(value < 10 ? 2 : 3))) + SPACE + unit;
+  if (seconds < 1e-3) return text(seconds * 1e6, "\u00b5s");
+  if (seconds < 1) return text(seconds * 1e3, "ms");
+  return seconds < 120 ? text(seconds, "s") : text(seconds / 60, "min");
 }
 
 function count(value, one, many) {

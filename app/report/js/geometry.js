@@ -32,10 +32,13 @@ function halfWalls(structure, hinge) {
   const cut = Math.abs(rise) < 0.05 ? up : scale(axis, 1 / rise);
   const half = structure.height / 2;
   const plate = (body, corner) => ({
-    body, hinge,
+    body,
+    hinge,
     corners: [
-      add(corner, scale(up, -half)), add(hinge.point, scale(cut, -half)),
-      add(hinge.point, scale(cut, half)), add(corner, scale(up, half)),
+      add(corner, scale(up, -half)),
+      add(hinge.point, scale(cut, -half)),
+      add(hinge.point, scale(cut, half)),
+      add(corner, scale(up, half)),
     ],
     side: scale(cross(e, up), structure.thickness / 2),
   });
@@ -83,7 +86,7 @@ function extent(points) {
       low[k] = Math.min(low[k], p[k]);
       high[k] = Math.max(high[k], p[k]);
     }
-  return { low, high, size: subtract(high, low) };
+  return {low, high, size: subtract(high, low)};
 }
 
 function mean(points) {
@@ -106,7 +109,7 @@ function resampled(line, count) {
   for (let k = 1; k < line.length; ++k) at.push(at[k - 1] + Math.hypot(...subtract(line[k], line[k - 1])));
   const total = at[at.length - 1];
   let k = 1;
-  return Array.from({ length: count }, (_, n) => {
+  return Array.from({length: count}, (_, n) => {
     const s = (total * n) / (count - 1);
     while (k < line.length - 1 && at[k] < s) ++k;
     return mix(line[k - 1], line[k], (s - at[k - 1]) / (at[k] - at[k - 1] || 1));
@@ -128,14 +131,17 @@ function planeMotion(from, to) {
     return [b[0] + c * u[0] - s * u[1], b[1] + s * u[0] + c * u[1]];
   };
   const misfit = Math.sqrt(mean(from.map((p, k) => [Math.hypot(...subtract(move(p), to[k])) ** 2]))[0]);
-  return { move, misfit };
+  return {move, misfit};
 }
 
-/** Takes the structure's x, z to the frame in which the target was drawn; the identity when that is unclear. */
+/**
+ * Takes the structure's x, z to the frame in which the target was drawn; the identity when that is unclear.
+ */
 function frameOfDrawing(goal, drawn) {
   const identity = (p) => p;
   if (goal.length < 2 || drawn.length < 2) return identity;
   const from = resampled(goal, 100), to = resampled(drawn, 100);
-  const best = [planeMotion(from, to), planeMotion([...from].reverse(), to)].sort((a, b) => a.misfit - b.misfit)[0];
+  const best =
+      [planeMotion(from, to), planeMotion([...from].reverse(), to)].sort((a, b) => a.misfit - b.misfit)[0];
   return best.misfit < 0.02 * Math.hypot(...extent(to).size) ? best.move : identity;
 }

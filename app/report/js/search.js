@@ -2,7 +2,8 @@
 
 function positive(history) {
   const least = Math.min(...history.map(([, cost]) => cost).filter((cost) => cost > 0));
-  return history.map(([at, cost]) => [at, cost > 0 ? cost : least]).filter(([, cost]) => Number.isFinite(cost));
+  return history.map(([at, cost]) => [at, cost > 0 ? cost : least]).filter(([,
+                                                                             cost]) => Number.isFinite(cost));
 }
 
 /** Best so far as a staircase. */
@@ -19,10 +20,17 @@ function bestRun(data) {
 
 function drawConvergence(data, runs, width) {
   const points = runs.flatMap((run) => positive(run.history)), best = bestRun(data);
-  const axes = plot({ width, height: 280, label: "Best error so far against evaluations",
-    x: { range: [0, Math.max(1, ...points.map((p) => p[0]))], label: "evaluations of the model" },
-    y: { range: decades(points.map((p) => p[1])), log: true, label: "best error so far, rms (log scale)" } });
-  const line = (run) => svg("path", { class: run === best ? "start best" : "start", d: path(stairs(positive(run.history)).map(([at, cost]) => [axes.X(at), axes.Y(cost)])) });
+  const axes = plot({
+    width,
+    height: 280,
+    label: "Best error so far against evaluations",
+    x: {range: [0, Math.max(1, ...points.map((p) => p[0]))], label: "evaluations of the model"},
+    y: {range: decades(points.map((p) => p[1])), log: true, label: "best error so far, rms (log scale)"}
+  });
+  const line = (run) => svg("path", {
+    class: run === best ? "start best" : "start",
+    d: path(stairs(positive(run.history)).map(([at, cost]) => [axes.X(at), axes.Y(cost)]))
+  });
   axes.root.append(...[...runs].sort((a, b) => (a === best) - (b === best)).map(line));
   return axes.root;
 }
@@ -31,21 +39,29 @@ function startTable(data) {
   const best = bestRun(data);
   const row = (run) => ({
     mark: run === best ? "best" : null,
-    cells: [String(run.start) + (run === best ? " (best)" : ""), words(run.status) || DASH, percent(run.rms), run.history.length ? String(run.history[run.history.length - 1][0]) : DASH],
+    cells: [
+      String(run.start) + (run === best ? " (best)" : ""), words(run.status) || DASH, percent(run.rms),
+      run.history.length ? String(run.history[run.history.length - 1][0]) : DASH
+    ],
   });
-  return html("div", { class: "scroll" }, table(["start", "status", "shape error, rms", "evaluations"], data.runs.map(row), "Starts of the search"));
+  return html(
+      "div", {class: "scroll"},
+      table(
+          ["start", "status", "shape error, rms", "evaluations"], data.runs.map(row),
+          "Starts of the search"));
 }
 
 function searchWords(starts) {
   if (starts === 1) return "The search started once.";
-  return `The search started ${starts} times, from different designs. Each line is one start; the best is emphasised.`;
+  return `The search started ${
+      starts} times, from different designs. Each line is one start; the best is emphasised.`;
 }
 
 function searchSection(data) {
   if (!data.runs.length) return missing("The course of the search was not recorded.");
   const runs = data.runs.filter((run) => positive(run.history).length > 0);
   return [
-    html("p", { class: "lead" }, searchWords(data.runs.length)),
+    html("p", {class: "lead"}, searchWords(data.runs.length)),
     runs.length ? responsive((width) => drawConvergence(data, runs, width)) : null,
     runs.length && legend(["start best", "best start"], data.runs.length > 1 && ["start", "other starts"]),
     startTable(data),
@@ -57,14 +73,18 @@ function modelClass(name) {
   return /^exact/i.test(name) ? "model" : "other";
 }
 
-/** Labels move down until they are clear of those placed before. */
-function spread(labels) {
-  const placed = [];
-  for (const label of labels.sort((a, b) => a.y - b.y)) {
-    while (placed.some((other) => Math.abs(other.y - label.y) < 14 && Math.abs(other.x - label.x) < 190)) label.y += 3;
-    placed.push(label);
-  }
-  return placed;
+/** Names left or right of the points where there is room for them, otherwise the numbers of the table. */
+function pointLabel(axes, x, y, number, name, width) {
+  const toLeft = x > (axes.area.left + axes.area.right) / 2;
+  const text = width > 800 ? `${number} ${name}` : String(number);
+  return svg(
+      "text", {
+        class: "remark",
+        x: x + (toLeft ? -9 : 9),
+        y: y + (y > axes.area.bottom - 8 ? -8 : 4),
+        "text-anchor": toLeft ? "end" : "start"
+      },
+      text);
 }
 
 function drawFidelity(entries, width) {
@@ -72,27 +92,40 @@ function drawFidelity(entries, width) {
   const errors = shown.map((e) => e.error).filter((error) => error > 0);
   const [low, high] = decades(errors.length ? errors : [1e-3]);
   const floor = shown.some((e) => e.error <= 0) ? low / 10 : low;
-  const ticks = floor < low ? [...logTicks([low, high], 6), { at: floor, text: "0" }] : undefined;
-  const axes = plot({ width, height: 280, label: "Error against time",
-    x: { range: decades(shown.map((e) => e.seconds)), log: true, label: "time of one state, s (log scale)" },
-    y: { range: [floor, high], log: true, ticks, label: "error (log scale)" } });
+  const ticks = floor < low ? [...logTicks([low, high], 6), {at: floor, text: "0"}] : undefined;
+  const axes = plot({
+    width,
+    height: 280,
+    label: "Error against time",
+    x: {range: decades(shown.map((e) => e.seconds)), log: true, label: "time of one state, s (log scale)"},
+    y: {range: [floor, high], log: true, ticks, label: "error, cell edges (log scale)"}
+  });
   const at = (e) => [axes.X(e.seconds), axes.Y(e.error > 0 ? e.error : floor)];
-  const labels = spread(shown.map((e, k) => ({ k, e, x: at(e)[0], y: at(e)[1] - 10 })));
-  axes.root.append(
-    ...shown.map((e) => svg("circle", { class: "dot " + modelClass(e.model), cx: at(e)[0], cy: at(e)[1], r: 5 })),
-    ...labels.map(({ e, x, y, k }) => svg("text", { class: "remark", x: x - 4, y,
-      "text-anchor": x > (axes.area.left + axes.area.right) / 2 ? "end" : "start" }, String(entries.indexOf(e) + 1) + (width > 600 ? " " + e.model : ""))));
+  for (const e of shown) {
+    const [cx, cy] = at(e);
+    axes.root.append(
+        svg("circle", {class: "dot " + modelClass(e.model), cx, cy, r: 5}),
+        pointLabel(axes, cx, cy, entries.indexOf(e) + 1, words(e.model), width));
+  }
   return axes.root;
 }
 
 function fidelitySection(data) {
   const entries = data.fidelity;
   if (!entries.length) return missing("Speed and error of the models were not measured for this scene.");
-  const row = (e, k) => ({ cells: [String(k + 1), words(e.model), duration(e.seconds), figures(e.error, 2), words(e.against) || DASH] });
+  const row = (e, k) => ({
+    cells: [String(k + 1), words(e.model), duration(e.seconds), figures(e.error, 2), words(e.against) || DASH]
+  });
   const drawable = entries.some((e) => e.seconds > 0 && finite(e.error) !== null);
   return [
-    html("p", { class: "lead" }, "Several models can fold the same sheet. Left and low is better: fast and true."),
+    html(
+        "p", {class: "lead"},
+        "Several models can fold the same sheet. Left and low is better: fast and true."),
     drawable ? responsive((width) => drawFidelity(entries, width)) : null,
-    html("div", { class: "scroll" }, table(["", "model", "time of one state", "error", "compared with"], entries.map(row), "Speed against error")),
+    html(
+        "div", {class: "scroll"},
+        table(
+            ["", "model", "time of one state", "error, cell edges", "compared with"], entries.map(row),
+            "Speed against error")),
   ];
 }
