@@ -43,12 +43,13 @@ struct MobilityOptions {
 /// Counts freedoms by Eq. 1, by the rank of the closure Jacobian at flat, and by its rank after a finite
 /// motion, which is the one that tells: near flat the counts are fooled both ways.
 ///
-/// What is shown, to rounding and to the tolerances above: `mobile`, that `steps` closed states lead from
-/// flat to `turn`, near each other, and that the last one still has a first-order motion; `freedoms_along` is
-/// an upper bound of the freedoms there. `not_mobile` without a first-order motion: rigid. `not_mobile` with
-/// just one: every motion from flat would have to start along it, and driven that way, to both sides, the
-/// hinges keep a misfit; a misfit below `closed` would be missed, as with tilts of a few thousandths.
-/// `undecided`: only the basis of the first-order motions and random combinations of it were driven.
+/// What is shown, to rounding and to the tolerances above: `mobile`, that `steps` closed states, each found
+/// from the one before, lead from flat to `turn`, and that the last one still has a first-order motion;
+/// `freedoms_along` is an upper bound of the freedoms there. `not_mobile` without a first-order motion:
+/// rigid. `not_mobile` with just one: every motion from flat would have to start along it, and driven that
+/// way, to both sides, the hinges keep a misfit; a misfit below `closed` would be missed, as with tilts of a
+/// few thousandths. `undecided`: only the basis of the first-order motions and random combinations of it were
+/// driven.
 ///
 /// Meant for up to some 30 x 30 cells (20 x 20 takes a second), and 100 x 100 where a closed form is known.
 /// @throws InvalidInput for options out of range
