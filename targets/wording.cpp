@@ -63,7 +63,7 @@ std::string did_you_mean(std::string_view name, Names allowed) {
   std::string_view nearest;
   int least = 1 + std::max(1, static_cast<int>(name.size()) / 3);
   for (const std::string_view candidate : allowed) {
-    const int d = std::min(differs_by_suffix(asked, candidate) ? 1 : 100, distance(asked, candidate));
+    const int d = std::min(differs_by_suffix(asked, candidate) ? 0 : 100, distance(asked, candidate));
     if (d >= least) continue;
     least = d;
     nearest = candidate;

@@ -1,0 +1,104 @@
+#include "app/atomic_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <random>
+#include <utility>
+
+#include "model/invalid_input.hpp"
+
+namespace kinetix {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string folder_of(const fs::path& file) {
+  const std::string parent = file.parent_path().string();
+  return parent.empty() ? "." : parent;
+}
+
+/// A file under a temporary name, removed again unless it was renamed.
+class Part {
+ public:
+  explicit Part(fs::path file) : file_(std::move(file)) {
+    for (int attempt = 0; attempt < 100 && descriptor_ < 0; ++attempt) {
+      path_ = file_.parent_path() /
+              fmt::format(".{}.kinetix-part-{:06x}", file_.filename().string(), random_() & 0xffffff);
+      descriptor_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      if (descriptor_ < 0 && errno != EEXIST) break;
+    }
+    if (descriptor_ < 0)
+      throw InvalidInput(fmt::format("cannot write into this folder: {}", std::strerror(errno)),
+                         {folder_of(file_)});
+  }
+
+  ~Part() {
+    if (descriptor_ >= 0) close(descriptor_);
+    if (!path_.empty()) unlink(path_.c_str());
+  }
+
+  Part(const Part&) = delete;
+  Part& operator=(const Part&) = delete;
+
+  void write(std::string_view content) {
+    while (!content.empty()) {
+      const ssize_t written = ::write(descriptor_, content.data(), content.size());
+      if (written < 0 && errno == EINTR) continue;
+      if (written < 0) fail();
+      content.remove_prefix(static_cast<std::size_t>(written));
+    }
+  }
+
+  void commit() {
+    if (fsync(descriptor_) != 0 && errno != EINVAL) fail();
+    if (close(std::exchange(descriptor_, -1)) != 0) fail();
+    if (std::rename(path_.c_str(), file_.c_str()) != 0) fail();
+    path_.clear();
+    flush_folder();
+  }
+
+ private:
+  [[noreturn]] void fail() const {
+    throw InvalidInput(fmt::format("cannot be written: {}", std::strerror(errno)), {file_.string()});
+  }
+
+  /// So that the new name survives a power cut; some file systems cannot, and the file is whole either way.
+  void flush_folder() const {
+    const int folder = open(folder_of(file_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (folder < 0) return;
+    fsync(folder);
+    close(folder);
+  }
+
+  fs::path file_, path_;
+  int descriptor_ = -1;
+  std::random_device random_;
+};
+
+}  // namespace
+
+void write_file(const std::string& file, std::string_view content) {
+  Part part{fs::path(file)};
+  part.write(content);
+  part.commit();
+}
+
+void prepare_output_folder(const std::string& folder) {
+  if (folder.empty()) throw InvalidInput("the output folder has no name");
+  std::error_code error;
+  fs::create_directories(folder, error);
+  std::error_code ignored;
+  if (!fs::is_directory(folder, ignored)) {
+    const std::string reason = error ? error.message() : "something else has this name";
+    throw InvalidInput("cannot create this output folder: " + reason, {folder});
+  }
+  Part{fs::path(folder) / "probe"};
+}
+
+}  // namespace kinetix

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "model/structure.hpp"
+#include "targets/document.hpp"
+
+namespace kinetix {
+
+/// Sizes that suit a cell edge: wall thickness a tenth of it and at most 3 mm, height three quarters of it
+/// and at most 30 mm.
+CellSize default_size(double edge_mm);
+
+/// The `cells:` key: [columns, rows], or a list of cells [i, j] with i and j from 0 to 9999.
+/// @throws InvalidInput for anything else, a cell given twice, or more than a million cells
+std::vector<Cell> read_cells(const Node& cells);
+
+/// {columns, rows} where the cells fill a rectangle. @pre not empty, no cell twice
+std::optional<std::array<int, 2>> as_rectangle(const std::vector<Cell>& cells);
+
+/// The `cell_mm:` and `wall_mm:` keys of a `structure:` section; what is left out follows default_size.
+/// @param fallback_edge_mm cell edge where cell_mm is not given
+/// @throws InvalidInput for lengths out of range, or a wall thicker than half the cell edge
+CellSize read_size(const std::optional<Node>& structure, double fallback_edge_mm);
+
+}  // namespace kinetix
