@@ -22,6 +22,7 @@ class Run {
   Run(const Structure& structure, const Drive& drive, const PhysicsOptions& options,
       const PhysicsObserver& observer)
       : structure_(structure),
+        drive_(drive),
         options_(options),
         observer_(observer),
         theta_(drive.theta()),
@@ -33,15 +34,16 @@ class Run {
   PhysicsResult run() {
     const auto begin = Clock::now();
     world_.start(2 * theta_ / (drive_steps_ * options_.step_s));
+    measure();
     show();
     bool settled = false;
     while (result_.steps < all_steps_ && !settled && !failed_on_the_way()) {
       step();
       settled = result_.steps >= drive_steps_ && is_at_rest();
     }
-    judge(structure_, options_, settled, result_);
+    judge(structure_, drive_, options_, settled, result_);
     result_.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-    if (observer_.progress) observer_.progress(1);
+    show_end();
     return std::move(result_);
   }
 
@@ -65,7 +67,6 @@ class Run {
   }
 
   bool failed_on_the_way() {
-    if (result_.steps == 0) return false;
     if (!(world_.fastest_part() <= options_.speed_limit)) result_.status = PhysicsResult::Status::blew_up;
     return result_.status == PhysicsResult::Status::blew_up || !(result_.gaps.max <= options_.tear_limit) ||
            is_blocked();
@@ -83,12 +84,22 @@ class Run {
   void show() {
     if (observer_.progress && result_.steps % std::max(1, all_steps_ / 100) == 0)
       observer_.progress(static_cast<double>(result_.steps) / (all_steps_ + 1));
-    if (!observer_.frame || result_.steps * options_.step_s < next_frame_s_ - 1e-9) return;
-    observer_.frame(result_.simulated_s, result_.steps == 0 ? rest_state(structure_) : result_.state);
+    if (observer_.frame && result_.steps * options_.step_s >= next_frame_s_ - 1e-9) show_frame();
+  }
+
+  void show_frame() {
+    observer_.frame(result_.simulated_s, result_.state);
+    last_frame_ = result_.steps;
     next_frame_s_ += observer_.frame_interval_s;
   }
 
+  void show_end() {
+    if (observer_.frame && last_frame_ != result_.steps) show_frame();
+    if (observer_.progress) observer_.progress(1);
+  }
+
   const Structure& structure_;
+  const Drive& drive_;
   const PhysicsOptions& options_;
   const PhysicsObserver& observer_;
   const double theta_;
@@ -97,6 +108,7 @@ class Run {
   World world_;
   PhysicsResult result_;
   double next_frame_s_ = 0;
+  int last_frame_ = -1;
 };
 
 }  // namespace

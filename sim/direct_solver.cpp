@@ -10,7 +10,8 @@
 namespace kinetix {
 namespace {
 
-constexpr double joint_stiffness = 1e9;  // over part mass
+constexpr double joint_stiffness = 1e9;      // over part mass
+constexpr double contact_compliance = 1e-4;  // times part mass
 
 Vector6 stacked(const btVector3& linear, const btVector3& angular) {
   return {linear.x(), linear.y(), linear.z(), angular.x(), angular.y(), angular.z()};
@@ -29,6 +30,7 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
   btScalar solveGroupCacheFriendlyIterations(btCollisionObject**, int, btPersistentManifold**, int,
                                              btTypedConstraint**, int, const btContactSolverInfo& info,
                                              btIDebugDraw*) override {
+    if (m_tmpSolverNonContactConstraintPool.size() == 0) return 0;
     number_parts();
     factorise_joints();
     Eigen::VectorXd velocities = system_.velocities();
@@ -88,8 +90,8 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
     for (int sweep = 0; sweep < sweeps; ++sweep) {
       double change = 0;
       for (Contact& c : contacts) {
-        const double wanted = c.impulse + (c.target - along(c.row, velocities)) / c.mobility;
-        const double step = std::max(0.0, wanted) - c.impulse;
+        const double miss = c.target - along(c.row, velocities) - contact_compliance * c.impulse;
+        const double step = std::max(-c.impulse, miss / (c.mobility + contact_compliance));
         c.impulse += step;
         velocities += step * c.response;
         change = std::max(change, std::abs(step) * c.mobility);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "model/classify.hpp"
@@ -26,6 +27,35 @@ void validate_hinge(const Drive& drive, const Structure& structure) {
                                  from.j, to.i, to.j));
 }
 
+bool is_basic(const Hinge& hinge) {
+  const auto& [t, alpha, beta] = hinge.parameters;
+  return t == 0.5 && alpha == pi / 2 && beta == 0;
+}
+
+bool is_rectangle(const Structure& structure) {
+  const Cell first = structure.cells.front(), last = structure.cells.back();
+  const long columns = last.i - first.i + 1, rows = last.j - first.j + 1;
+  const bool fits = std::all_of(structure.cells.begin(), structure.cells.end(),
+                                [&](Cell c) { return first.j <= c.j && c.j <= last.j; });
+  return fits && static_cast<long>(structure.cells.size()) == columns * rows;
+}
+
+Drive plate_drive(Axis axis, double theta) {
+  Drive drive;
+  drive.axis = axis;
+  drive.compression = 1 - std::cos(theta);
+  drive.branch = theta < 0 ? -1 : 1;
+  return drive;
+}
+
+Drive hinge_drive(const Wall& wall, double theta) {
+  Drive drive;
+  drive.kind = Drive::Kind::hinge;
+  drive.wall = wall;
+  drive.angle = wall.from.is_class_a() ? -2 * theta : 2 * theta;
+  return drive;
+}
+
 }  // namespace
 
 double Drive::theta() const {
@@ -36,11 +66,11 @@ double Drive::theta() const {
 Drive drive_to(const Structure& structure, double theta) {
   if (!(std::abs(theta) < pi / 2))
     throw InvalidInput(fmt::format("theta is {} rad, must be in (-pi/2, pi/2)", theta));
-  Drive drive;
-  drive.axis = classify(structure).transposed ? Axis::x : Axis::y;
-  drive.compression = 1 - std::cos(theta);
-  drive.branch = theta < 0 ? -1 : 1;
-  return drive;
+  const Classification kind = classify(structure);
+  const auto hinge = std::find_if(structure.hinges.begin(), structure.hinges.end(), is_basic);
+  if (kind.family == Family::none && !is_rectangle(structure) && hinge != structure.hinges.end())
+    return hinge_drive(hinge->wall, theta);
+  return plate_drive(kind.transposed ? Axis::x : Axis::y, theta);
 }
 
 void validate(const Drive& drive, const Structure& structure) {

@@ -38,9 +38,11 @@ struct Drive {
   double theta() const;
 };
 
-/// The drive that takes an exactly mobile structure to fold angle theta, by plates normal to the direction
-/// along which its rows are stacked (y; x where the sheet folds along y).
+/// The drive that takes an exactly mobile structure to fold angle theta: plates normal to the direction in
+/// which its rows are stacked (y; x where the sheet folds along y). For a net, whose panels need not stay
+/// between planes, the first basic hinge instead, by twice theta.
 /// @param theta rad, in (-pi/2, pi/2)
+/// @throws InvalidInput for theta outside its range
 Drive drive_to(const Structure& structure, double theta);
 
 /// @throws InvalidInput, naming the field, for a value outside its range (NaN included) or a driven wall that

@@ -26,7 +26,7 @@ struct PhysicsOptions {
   bool contact = true;           ///< half walls collide, except the two that share a hinge
   double gap_limit = 2e-3;       ///< failure: a larger final gap of a hinge or of the drive, > 0
   double tear_limit = 0.1;       ///< failure: a larger hinge gap at any time; ends the run, > 0
-  double overlap_limit = 0.01;   ///< failure: parts overlap by more at any time; ends the run, > 0
+  double overlap_limit = 2e-3;   ///< failure: parts overlap by more at any time; ends the run, > 0
   double speed_limit = 1e4;      ///< failure: a faster part (edges/s or rad/s); ends the run, > 0
 
   /// @throws InvalidInput, naming the field, its value and its range (NaN is outside every range).

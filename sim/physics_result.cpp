@@ -12,6 +12,8 @@ std::string to_string(PhysicsResult::Status status) {
       return "hinge gap exceeded";
     case PhysicsResult::Status::drive_missed:
       return "drive missed";
+    case PhysicsResult::Status::wrong_branch:
+      return "wrong branch";
     case PhysicsResult::Status::blocked:
       return "blocked";
     case PhysicsResult::Status::blew_up:

@@ -7,13 +7,29 @@ namespace {
 
 using Status = PhysicsResult::Status;
 
-Status status_of(const PhysicsOptions& options, bool settled, const PhysicsResult& r) {
+/// Mean of sin(theta) over the bodies: how far they turned in the plane, class B counted backwards.
+double mean_turn(const Structure& structure, const State& state, Axis axis) {
+  double sum = 0;
+  for (std::size_t b = 0; b < state.size(); ++b) {
+    const double turn = axis == Axis::y ? state[b].R(1, 0) : -state[b].R(0, 1);
+    sum += structure.bodies[b].is_class_a() ? turn : -turn;
+  }
+  return sum / static_cast<double>(state.size());
+}
+
+bool is_on_branch(const Structure& structure, const Drive& drive, const State& state) {
+  if (drive.kind == Drive::Kind::hinge || drive.compression == 0) return true;
+  return drive.branch * mean_turn(structure, state, drive.axis) > 0;
+}
+
+Status status_of(const PhysicsOptions& options, bool settled, bool on_branch, const PhysicsResult& r) {
   if (r.status == Status::blew_up) return Status::blew_up;
   const bool open = !(r.gaps.max <= options.gap_limit), off = !(r.drive_gap <= options.gap_limit);
   if (r.contact.depth > options.overlap_limit) return Status::blocked;
   if ((open || off) && r.contact.touches()) return Status::blocked;
   if (open) return Status::hinge_gap_exceeded;
   if (off) return Status::drive_missed;
+  if (!on_branch) return Status::wrong_branch;
   return settled ? Status::settled : Status::not_settled;
 }
 
@@ -44,6 +60,8 @@ std::string reason(const Structure& s, const PhysicsOptions& o, const PhysicsRes
     case Status::drive_missed:
       return fmt::format("the drive is off by {:.3g} (cell edges or rad), allowed are {:.2g}", r.drive_gap,
                          o.gap_limit);
+    case Status::wrong_branch:
+      return "the sheet folded to the other sign of theta than the drive asked for";
     case Status::blocked:
       return fmt::format("{}: {}, and the drive is off by {:.2g} (after {:.3g} s)", contact(s, r),
                          open_hinge(s, r), r.drive_gap, r.simulated_s);
@@ -56,8 +74,10 @@ std::string reason(const Structure& s, const PhysicsOptions& o, const PhysicsRes
 
 }  // namespace
 
-void judge(const Structure& structure, const PhysicsOptions& options, bool settled, PhysicsResult& result) {
-  result.status = status_of(options, settled, result);
+void judge(const Structure& structure, const Drive& drive, const PhysicsOptions& options, bool settled,
+           PhysicsResult& result) {
+  const bool on_branch = is_on_branch(structure, drive, result.state);
+  result.status = status_of(options, settled, on_branch, result);
   result.why = reason(structure, options, result);
 }
 

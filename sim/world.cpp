@@ -1,5 +1,6 @@
 #include "sim/world.hpp"
 
+#include <BulletCollision/CollisionDispatch/btSimulationIslandManager.h>
 #include <btBulletDynamicsCommon.h>
 
 #include <algorithm>
@@ -59,6 +60,7 @@ struct World::Parts {
     info.m_numIterations = options.iterations;
     info.m_splitImpulse = false;
     info.m_solverMode &= ~SOLVER_USE_WARMSTARTING;
+    world.getSimulationIslandManager()->setSplitIslands(false);
     skip_walls_of_one_hinge();
     add_bodies();
     add_hinges();

@@ -1,0 +1,180 @@
+#include "sim/compression_run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/sim/runs.hpp"
+
+namespace kinetix {
+namespace {
+
+using testing::curl;
+using testing::expect_exact;
+using testing::run;
+using testing::strip;
+using testing::structure_of;
+using testing::without_contact;
+using Status = PhysicsResult::Status;
+
+TEST(CompressionRun, ShrinksABasicSheetByTheCosineAndTurnsItsBodiesToAndFro) {
+  for (const double theta : {0.6, -0.6}) {
+    const Structure sheet = make_structure(rectangle(3, 3), {});
+    const PhysicsResult result = run_compression(sheet, drive_to(sheet, theta));
+    ASSERT_EQ(result.status, Status::settled) << result.why;
+    State expected = rest_state(sheet);
+    for (std::size_t b = 0; b < expected.size(); ++b) {
+      const double turn = sheet.bodies[b].is_class_a() ? theta : -theta;
+      expected[b].p *= std::cos(theta);
+      EXPECT_NEAR(result.state[b].R(0, 0), std::cos(turn), 1e-7);
+      EXPECT_NEAR(result.state[b].R(1, 0), std::sin(turn), 1e-7);
+    }
+    EXPECT_LE(aligned_distance(sheet, result.state, expected).max, 1e-7);
+  }
+}
+
+TEST(CompressionRun, FoldsABendingStripAsTheReflections) {
+  for (const double theta : {0.5, -0.5, 0.05}) {
+    const auto design = strip({0.5, 0, 0.5, 0, 0.5, 0}, theta);
+    expect_exact(design, run(design));
+  }
+}
+
+TEST(CompressionRun, CurlsALongStripIntoAHalfCircleBetweenItsPlates) {
+  for (const int columns : {10, 40}) {
+    const auto design = strip(curl(columns, 3.2 / columns), pi / 6);
+    expect_exact(design, run(design));
+  }
+}
+
+TEST(CompressionRun, FoldsRandomSheetsOfEveryFamily) {
+  constexpr unsigned seed = 20;
+  std::mt19937 random(seed);
+  for (const Family family : {Family::F1, Family::F2, Family::F3})
+    for (const auto& [columns, rows] : {std::pair{1, 1}, {6, 1}, {4, 3}}) {
+      SCOPED_TRACE(to_string(family) + " " + std::to_string(columns) + "x" + std::to_string(rows));
+      const auto design = testing::random_design(family, columns, rows, random);
+      expect_exact(design, run(design, without_contact()));
+    }
+}
+
+TEST(CompressionRun, FoldsASheetThatBendsAlongY) {
+  Structure sheet = make_structure(rectangle(1, 5), {});
+  for (Hinge& hinge : sheet.hinges)
+    if (hinge.wall.axis == Axis::y) hinge.parameters.beta = (hinge.wall.from.i & 1) ? -0.4 : 0.4;
+  const Classification kind = classify(sheet);
+  ASSERT_TRUE(kind.transposed);
+  for (const double theta : {0.4, -0.4}) {
+    const PhysicsResult result = run_compression(sheet, drive_to(sheet, theta));
+    EXPECT_EQ(result.status, Status::settled) << result.why;
+    EXPECT_LE(aligned_distance(sheet, result.state, fold(kind, sheet, theta)).max, 1e-7);
+  }
+}
+
+TEST(CompressionRun, ReachesTheSameStateByADrivenHinge) {
+  for (const double theta : {0.45, -0.45}) {
+    const auto design = strip({0.3, -0.4, 0.5, 0, 0.2, -0.1}, theta);
+    const Structure structure = structure_of(design);
+    for (const Wall& wall : {Wall{{0, 0}, Axis::y}, Wall{{3, 0}, Axis::y}}) {
+      Drive drive;
+      drive.kind = Drive::Kind::hinge;
+      drive.wall = wall;
+      drive.angle = wall.from.is_class_a() ? -2 * theta : 2 * theta;
+      expect_exact(design, run_compression(structure, drive));
+    }
+  }
+}
+
+TEST(CompressionRun, TurnsAHingeBeyondAQuarterTurn) {
+  auto design = ExactDesign<double>::basic(3, 1);
+  design.t = {0.7, 0.8, 0.7};
+  for (const double theta : {0.95, -0.95}) {
+    design.theta = theta;
+    expect_exact(design, run(design, without_contact()));
+    const Structure structure = structure_of(design);
+    Drive drive;
+    drive.kind = Drive::Kind::hinge;
+    drive.wall = {{0, 0}, Axis::y};
+    drive.angle = -2 * theta;
+    expect_exact(design, run_compression(structure, drive, without_contact()));
+  }
+}
+
+/// A spine along y, one cell wide, whose even rows carry ribs; its odd rows and the ribs' columns bend.
+Structure fishbone() {
+  std::vector<Cell> cells;
+  for (int j = 0; j < 5; ++j)
+    for (int i = 0; i < 7; ++i)
+      if (i == 3 || j % 2 == 0) cells.push_back({i, j});
+  Structure net = make_structure(std::move(cells), {});
+  for (Hinge& hinge : net.hinges) {
+    const auto [i, j] = hinge.wall.from;
+    const bool along_x = hinge.wall.axis == Axis::x;
+    const double tilt = along_x ? (i == 3 ? 0 : 0.1 * i) : (j % 2 ? 0.2 * j : 0);
+    hinge.parameters.beta = ((along_x ? j : i) & 1) ? -tilt : tilt;
+  }
+  return net;
+}
+
+TEST(CompressionRun, FoldsANetFromOneHingeWithoutStrain) {
+  const Structure net = fishbone();
+  const Drive drive = drive_to(net, 0.4);
+  ASSERT_EQ(drive.kind, Drive::Kind::hinge);
+  const PhysicsResult result = run_compression(net, drive);
+  EXPECT_EQ(result.status, Status::settled) << result.why;
+  EXPECT_LE(result.gaps.max, 1e-10);
+  for (const Hinge& hinge : net.hinges) {
+    if (hinge.parameters.beta != 0) continue;
+    const Eigen::Matrix3d turn = result.state[hinge.lower].R.transpose() * result.state[hinge.upper].R;
+    EXPECT_NEAR(turn(0, 0), std::cos(0.8), 1e-7) << "all vertical hinges share one theta";
+  }
+}
+
+TEST(CompressionRun, SweepsAgreeWithTheDirectSolverOnAShortStrip) {
+  const auto design = strip({0.4, 0, 0.4, 0}, 0.4);
+  PhysicsOptions options;
+  options.solver = PhysicsOptions::Solver::sweeps;
+  expect_exact(design, run(design, options), 1e-6);
+}
+
+TEST(CompressionRun, GivesTheSameBitsTwice) {
+  const auto design = strip(curl(12, 0.2), 0.5);
+  const PhysicsResult first = run(design), second = run(design);
+  EXPECT_EQ(first.steps, second.steps);
+  for (std::size_t b = 0; b < first.state.size(); ++b) {
+    EXPECT_EQ(first.state[b].p, second.state[b].p);
+    EXPECT_EQ(first.state[b].R, second.state[b].R);
+  }
+}
+
+TEST(CompressionRun, StaysFlatWhenNothingIsAsked) {
+  const auto design = strip(curl(4, 0.3), 0.0);
+  expect_exact(design, run(design), 1e-12);
+}
+
+TEST(CompressionRun, ShowsFramesFromFlatToTheEndAndRisingProgress) {
+  const auto design = strip(curl(3, 0.3), 0.4);
+  const Structure structure = structure_of(design);
+  std::vector<double> times, shares;
+  State first, last;
+  PhysicsObserver observer;
+  observer.frame_interval_s = 0.1;
+  observer.progress = [&](double done) { shares.push_back(done); };
+  observer.frame = [&](double time, const State& state) {
+    if (times.empty()) first = state;
+    times.push_back(time);
+    last = state;
+  };
+  const PhysicsResult result = run_compression(structure, drive_to(structure, 0.4), {}, observer);
+  ASSERT_GE(times.size(), 11u);
+  for (int k = 0; k < 11; ++k) EXPECT_NEAR(times[k], 0.1 * k, 1e-9);
+  EXPECT_EQ(times.back(), result.simulated_s);
+  EXPECT_LE(aligned_distance(structure, first, rest_state(structure)).max, 1e-12);
+  EXPECT_LE(aligned_distance(structure, last, result.state).max, 1e-12);
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_EQ(shares.back(), 1.0);
+}
+
+}  // namespace
+}  // namespace kinetix

@@ -1,0 +1,72 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sim/compression_run.hpp"
+#include "tests/sim/overlap.hpp"
+#include "tests/sim/runs.hpp"
+
+namespace kinetix {
+namespace {
+
+using testing::expect_exact;
+using testing::run;
+using testing::strip;
+using testing::structure_of;
+using testing::without_contact;
+using Status = PhysicsResult::Status;
+
+TEST(Contact, StopsBasicCellsWhereTheirWallsMeet) {
+  auto design = ExactDesign<double>::basic(3, 3);
+  const CellSize size;
+  const double limit = std::atan(1 - size.thickness_mm / size.edge_mm);
+  for (const double sign : {1.0, -1.0}) {
+    design.theta = sign * (limit - 0.002);
+    expect_exact(design, run(design));
+    design.theta = sign * (limit + 0.01);
+    const PhysicsResult stopped = run(design);
+    EXPECT_EQ(stopped.status, Status::blocked) << stopped.why;
+    EXPECT_NE(stopped.why.find("touch"), std::string::npos) << stopped.why;
+    EXPECT_NEAR(std::abs(std::asin(stopped.state[0].R(1, 0))), limit, 0.005);
+    EXPECT_LE(stopped.gaps.max, 1e-4) << "the structure stays whole";
+    expect_exact(design, run(design, without_contact()));
+  }
+}
+
+TEST(Contact, NeverLetsAFastDriveThroughTheLimit) {
+  auto design = ExactDesign<double>::basic(3, 3);
+  design.theta = 1.2;
+  EXPECT_EQ(run(design).status, Status::blocked);
+}
+
+TEST(Contact, BlocksARandomStripExactlyWhereItsHalfWallsWouldOverlap) {
+  constexpr unsigned seed = 30;
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  int blocked = 0;
+  for (int trial = 0; trial < 24; ++trial) {
+    std::vector<double> tilts(5);
+    for (double& tilt : tilts) tilt = 0.7 * unit(random);
+    const auto design = strip(tilts, 0.4 + 0.2 * unit(random));
+    const Structure structure = structure_of(design);
+    const double overlap = testing::deepest_overlap(structure, fold(design, structure));
+    if (std::abs(overlap) < 0.01) continue;
+    const PhysicsResult result = run(design);
+    EXPECT_EQ(result.status, overlap > 0 ? Status::blocked : Status::settled)
+        << "seed " << seed << ", trial " << trial << ", overlap " << overlap << ": " << result.why;
+    blocked += overlap > 0;
+  }
+  EXPECT_GE(blocked, 4);
+  EXPECT_LE(blocked, 20);
+}
+
+TEST(Contact, KeepsTheEndsOfAStripThatClosesARingApart) {
+  const auto design = strip(testing::curl(24, 0.3), 0.6);
+  const Structure structure = structure_of(design);
+  ASSERT_GT(testing::deepest_overlap(structure, fold(design, structure)), 0.01);
+  const PhysicsResult result = run(design);
+  EXPECT_EQ(result.status, Status::blocked) << result.why;
+}
+
+}  // namespace
+}  // namespace kinetix

@@ -1,0 +1,139 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "model/invalid_input.hpp"
+#include "sim/compression_run.hpp"
+#include "tests/sim/runs.hpp"
+
+namespace kinetix {
+namespace {
+
+using testing::curl;
+using ::testing::HasSubstr;
+using testing::run;
+using testing::strip;
+using testing::structure_of;
+using Status = PhysicsResult::Status;
+
+const auto bent = strip(curl(4, 0.3), 0.4);
+
+TEST(FailedRun, NamesTheHingeThatIsOpenByMoreThanTheLimit) {
+  PhysicsOptions options;
+  options.gap_limit = 1e-30;
+  const PhysicsResult result = run(bent, options);
+  EXPECT_EQ(result.status, Status::hinge_gap_exceeded);
+  EXPECT_THAT(result.why, HasSubstr("hinge on wall [["));
+}
+
+TEST(FailedRun, ReportsTheStrainOfADoublyCurvedPatch) {
+  Structure patch = make_structure(rectangle(2, 2), {});
+  for (Hinge& hinge : patch.hinges) {
+    const auto [i, j] = hinge.wall.from;
+    hinge.parameters.beta = ((hinge.wall.axis == Axis::x ? j : i) & 1) ? -0.5 : 0.5;
+    if ((hinge.wall.axis == Axis::x ? i : j) & 1) hinge.parameters.beta *= -0.6;
+  }
+  ASSERT_EQ(classify(patch).family, Family::none);
+  const PhysicsResult result = run_compression(patch, drive_to(patch, 0.4));
+  EXPECT_EQ(result.status, Status::hinge_gap_exceeded) << result.why;
+  EXPECT_GT(result.gaps.max, 2e-3);
+  EXPECT_LT(result.gaps.max, 0.1);
+}
+
+TEST(FailedRun, ReportsWhatBlowsUp) {
+  PhysicsOptions options;
+  options.speed_limit = 0.1;
+  const PhysicsResult result = run(bent, options);
+  EXPECT_EQ(result.status, Status::blew_up);
+  EXPECT_EQ(result.steps, 0);
+  EXPECT_THAT(result.why, HasSubstr("blew up"));
+}
+
+TEST(FailedRun, DoesNotPassOffAnAbsurdDriveAsSettled) {
+  PhysicsOptions options;
+  options.solver = PhysicsOptions::Solver::sweeps;
+  options.step_s = 0.1;
+  options.iterations = 1;
+  options.drive_seconds = 0.1;
+  const PhysicsResult result = run(bent, options);
+  EXPECT_NE(result.status, Status::settled);
+  EXPECT_FALSE(result.why.empty());
+}
+
+TEST(FailedRun, ReportsAStripThatHasNoTimeToSettle) {
+  PhysicsOptions options;
+  options.settle_seconds = 0;
+  options.settle_speed = 1e-12;
+  const PhysicsResult result = run(bent, options);
+  EXPECT_EQ(result.status, Status::not_settled);
+  EXPECT_THAT(result.why, HasSubstr("not at rest"));
+}
+
+TEST(FailedRun, NoticesTheOtherSignOfTheta) {
+  PhysicsOptions options;
+  options.solver = PhysicsOptions::Solver::sweeps;
+  options.iterations = 15;
+  options.contact = false;
+  const PhysicsResult result = run(strip(curl(24, 0.12), 0.5), options);
+  EXPECT_EQ(result.status, Status::wrong_branch) << result.why;
+}
+
+TEST(PhysicsOptions, RejectNanAndWhatIsOutOfRange) {
+  const auto rejects = [](auto PhysicsOptions::*field, auto value, const char* name) {
+    PhysicsOptions options;
+    options.*field = value;
+    try {
+      options.validate();
+      ADD_FAILURE() << name << " = " << value << " was accepted";
+    } catch (const InvalidInput& error) {
+      EXPECT_THAT(error.what(), HasSubstr(name));
+    }
+  };
+  const double nan = std::nan(""), infinite = std::numeric_limits<double>::infinity();
+  for (const double bad : {nan, infinite, -1.0, 0.0}) {
+    rejects(&PhysicsOptions::step_s, bad, "step_s");
+    rejects(&PhysicsOptions::error_reduction, bad, "error_reduction");
+    rejects(&PhysicsOptions::reach, bad, "reach");
+    rejects(&PhysicsOptions::part_inertia, bad, "part_inertia");
+    rejects(&PhysicsOptions::drive_seconds, bad, "drive_seconds");
+    rejects(&PhysicsOptions::settle_gap, bad, "settle_gap");
+    rejects(&PhysicsOptions::settle_speed, bad, "settle_speed");
+    rejects(&PhysicsOptions::gap_limit, bad, "gap_limit");
+    rejects(&PhysicsOptions::tear_limit, bad, "tear_limit");
+    rejects(&PhysicsOptions::overlap_limit, bad, "overlap_limit");
+    rejects(&PhysicsOptions::speed_limit, bad, "speed_limit");
+  }
+  for (const double bad : {nan, infinite, -1.0}) {
+    rejects(&PhysicsOptions::settle_seconds, bad, "settle_seconds");
+    rejects(&PhysicsOptions::settle_damping, bad, "settle_damping");
+  }
+  rejects(&PhysicsOptions::iterations, 0, "iterations");
+  rejects(&PhysicsOptions::error_reduction, 1.5, "error_reduction");
+}
+
+TEST(Drive, RejectsWhatCannotBeDriven) {
+  const Structure structure = structure_of(bent);
+  const auto rejected = [&](auto change) {
+    Drive drive;
+    change(drive);
+    EXPECT_THROW(run_compression(structure, drive), InvalidInput);
+  };
+  for (const double bad : {std::nan(""), -0.1, 1.0}) rejected([&](Drive& d) { d.compression = bad; });
+  rejected([](Drive& d) { d.branch = 0; });
+  rejected([](Drive& d) {
+    d.kind = Drive::Kind::hinge;
+    d.wall = {{9, 9}, Axis::x};
+  });
+  for (const double bad : {std::nan(""), pi, -4.0})
+    rejected([&](Drive& d) {
+      d.kind = Drive::Kind::hinge;
+      d.angle = bad;
+    });
+  EXPECT_THROW(drive_to(structure, pi / 2), InvalidInput);
+  EXPECT_THROW(drive_to(structure, std::nan("")), InvalidInput);
+}
+
+}  // namespace
+}  // namespace kinetix
