@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,8 @@ namespace kinetix {
 /// What a scene needs to compute, decided before anything is computed.
 struct Plan {
   Classification family;
-  Mobility mobility;
-  ThetaRange free_range;         ///< theta without walls touching, rad
+  std::optional<Mobility> mobility;      ///< empty for structures too large to be worth it
+  std::optional<ThetaRange> free_range;  ///< theta without walls touching; empty outside the exact families
   std::vector<std::string> why;  ///< one sentence per decision
 };
 

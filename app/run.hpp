@@ -32,7 +32,8 @@ struct Verification {
   PhysicsOptions options;
   PhysicsResult physics;
   StateDistance distance;  ///< NaN unless the run settled
-  bool agrees = false;     ///< settled, and distance.rms within the tolerance
+  bool compared = false;   ///< whether there was a model's state to compare with
+  bool agrees = false;     ///< settled and, if compared, distance.rms within the tolerance
 };
 
 struct Timings {

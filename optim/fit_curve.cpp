@@ -1,5 +1,11 @@
 #include "optim/fit_curve.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "model/invalid_input.hpp"
+#include "model/wall_contact.hpp"
 #include "optim/curve_starts.hpp"
 
 namespace kinetix {
@@ -33,6 +39,75 @@ CurveDesign fit_curve(const Curve& goal, const CurveVariables& v, const MultiSta
   fold(result.design, v.cell_mm, lattice);
   result.midline_mm = midline(lattice, v.rows);
   result.error = curve_error(result.midline_mm, goal);
+  return result;
+}
+
+namespace {
+
+constexpr double narrowing = 0.8;
+constexpr double worst_growth = 10;
+constexpr double margin = 0.1 * radians_per_degree;
+
+double degrees(double angle) { return angle / radians_per_degree; }
+
+/// Theta at which the walls of the design meet; the design's own theta or more where they do not.
+ThetaLimit first_contact(const ExactDesign<double>& design, const CellSize& size) {
+  Structure structure = make_structure(rectangle(design.columns(), design.rows()), size);
+  apply(design, structure);
+  ThetaRangeOptions options;
+  options.limit = design.theta;
+  return theta_range(structure, classify(structure), options).positive;
+}
+
+void keep_below_closing(CurveVariables& v, const CellSize& size, std::vector<std::string>& notes) {
+  const double closing = std::atan(1 - size.thickness_mm / size.edge_mm) - margin;
+  if (!(v.theta.upper > closing)) return;
+  if (!(v.theta.lower < closing))
+    throw InvalidInput(fmt::format("walls of {} mm in cells of {} mm close at theta {:.1f} deg, below the range asked for",
+                                   size.thickness_mm, size.edge_mm, degrees(closing)));
+  v.theta.upper = closing;
+  notes.push_back(fmt::format("theta kept below {:.2f} deg, where walls of {:.3g} mm close the cells", degrees(closing),
+                              size.thickness_mm));
+}
+
+AngleRange narrowed(const AngleRange& range, double limit) {
+  return {std::max(range.lower, -limit), std::min(range.upper, limit)};
+}
+
+double largest_tilt(const ExactDesign<double>& design) {
+  double largest = 0;
+  for (const double beta : design.beta) largest = std::max(largest, std::abs(beta));
+  return largest;
+}
+
+}  // namespace
+
+FreeCurveDesign fit_free_curve(const Curve& goal, const CurveVariables& variables, const CellSize& size,
+                               const MultiStartOptions& options) {
+  FreeCurveDesign result;
+  CurveVariables v = variables;
+  keep_below_closing(v, size, result.notes);
+  result.design = fit_curve(goal, v, options);
+  ThetaLimit contact = first_contact(result.design.design, size);
+  result.walls_are_free = !contact.touches;
+
+  CurveDesign candidate = result.design;
+  while (contact.touches) {
+    v.beta = narrowed(v.beta, narrowing * largest_tilt(candidate.design));
+    if (!(v.beta.lower < v.beta.upper)) break;
+    candidate = fit_curve(goal, v, options);
+    if (!(candidate.error.rms <= worst_growth * result.design.error.rms + exact)) break;
+    contact = first_contact(candidate.design, size);
+    if (contact.touches) continue;
+    result.notes.push_back(fmt::format("tilts narrowed to {:.1f} .. {:.1f} deg: with steeper ones walls run into each other",
+                                       degrees(v.beta.lower), degrees(v.beta.upper)));
+    result.design = std::move(candidate);
+    result.walls_are_free = true;
+  }
+  if (!result.walls_are_free)
+    result.notes.push_back(fmt::format("walls run into each other at theta {:.2f} deg, before the {:.2f} deg of the goal",
+                                       degrees(first_contact(result.design.design, size).theta),
+                                       degrees(result.design.design.theta)));
   return result;
 }
 

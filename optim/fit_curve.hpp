@@ -32,4 +32,16 @@ struct CurveDesign {
 /// @throws InvalidInput for bounds or ties that leave nothing to vary
 CurveDesign fit_curve(const Curve& goal, const CurveVariables& variables, const MultiStartOptions& options);
 
+/// A design whose walls do not run into each other on the way to its theta, where one was found.
+struct FreeCurveDesign {
+  CurveDesign design;
+  bool walls_are_free = false;
+  std::vector<std::string> notes;  ///< one sentence per bound that was narrowed or per wall in the way
+};
+
+/// As fit_curve, with theta kept below the angle at which basic cells of these walls close, and, where the walls of the
+/// design found still collide, with the tilts narrowed step by step until they do not or the error grows tenfold.
+FreeCurveDesign fit_free_curve(const Curve& goal, const CurveVariables& variables, const CellSize& size,
+                               const MultiStartOptions& options);
+
 }  // namespace kinetix

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace kinetix {
+
+/// Exit codes of contracts.md.
+enum ExitCode { done = 0, internal_error = 1, bad_input = 2, target_missed = 3, physics_disagrees = 4 };
+
+/// What every command takes.
+struct CommandOptions {
+  std::string file;
+  std::string folder;  ///< empty: results/<name>
+  bool json = false;
+  bool quiet = false;
+  bool verify = true;
+  int threads = 0;
+  std::uint64_t seed = 0;
+  std::string model = "exact";   ///< of simulate: exact or bullet
+  double theta_deg = 0;          ///< of simulate
+  bool theta_given = false;
+};
+
+/// `kinetix-opt TARGET.yaml`: search, verify, write.
+int optimise_command(const CommandOptions& options);
+/// `kinetix-opt verify DESIGN.yaml`: the physics run of a design, compared with the model where one fits.
+int verify_command(const CommandOptions& options);
+/// `kinetix-opt simulate DESIGN.yaml`: one forward state.
+int simulate_command(const CommandOptions& options);
+/// `kinetix-opt check FILE.yaml`: validates a target or a design, writes nothing.
+int check_command(const CommandOptions& options);
+
+}  // namespace kinetix

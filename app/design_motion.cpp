@@ -1,0 +1,93 @@
+#include "app/design_motion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/closure_drive.hpp"
+#include "model/invalid_input.hpp"
+
+namespace kinetix {
+namespace {
+
+constexpr int scan_steps = 900;
+constexpr double widest = 89.9 * radians_per_degree;
+
+/// What the drive prescribes, as a structure in a state has it, minus what is asked.
+class DriveMiss {
+ public:
+  DriveMiss(const Drive& drive, const Classification& family, const Structure& structure)
+      : drive_(drive), family_(family), structure_(structure) {
+    if (drive.kind == Drive::Kind::hinge) hinge_ = *structure.hinge_at(drive.wall);
+    const auto along = [&](Vertex v) { return drive_.axis == Axis::x ? v.i : v.j; };
+    for (std::size_t b = 0; b < structure.bodies.size(); ++b) {
+      if (along(structure.bodies[b]) < along(structure.bodies[first_])) first_ = static_cast<int>(b);
+      if (along(structure.bodies[b]) > along(structure.bodies[last_])) last_ = static_cast<int>(b);
+    }
+  }
+
+  double operator()(double theta) const {
+    const State state = fold(family_, structure_, theta);
+    if (drive_.kind == Drive::Kind::hinge) return hinge_turn(structure_, state, hinge_) - drive_.angle;
+    const int d = drive_.axis == Axis::x ? 0 : 1;
+    const double rest = structure_.rest_position(last_)[d] - structure_.rest_position(first_)[d];
+    return 1 - (state[last_].p[d] - state[first_].p[d]) / rest - drive_.compression;
+  }
+
+ private:
+  const Drive& drive_;
+  const Classification& family_;
+  const Structure& structure_;
+  int hinge_ = 0, first_ = 0, last_ = 0;
+};
+
+double bisect(const DriveMiss& miss, double a, double b) {
+  const bool rising = miss(b) > 0;
+  for (int k = 0; k < 80; ++k) {
+    const double middle = (a + b) / 2;
+    ((miss(middle) > 0) == rising ? b : a) = middle;
+  }
+  return (a + b) / 2;
+}
+
+}  // namespace
+
+Drive drive_of(const DesignFile& design) {
+  if (!design.drive) return drive_to(design.structure, design.theta);
+  Drive drive;
+  const bool plates = design.drive->kind == DriveSection::Kind::plates;
+  drive.kind = plates ? Drive::Kind::plates : Drive::Kind::hinge;
+  drive.axis = design.drive->axis;
+  drive.compression = design.drive->compression;
+  drive.branch = design.theta < 0 ? -1 : 1;
+  drive.wall = design.drive->wall;
+  drive.angle = design.drive->angle;
+  return drive;
+}
+
+double theta_of(const Drive& drive, const Classification& family, const Structure& structure) {
+  const DriveMiss miss(drive, family, structure);
+  const bool backwards = drive.kind == Drive::Kind::plates ? drive.branch < 0 : drive.theta() < 0;
+  const double step = (backwards ? -widest : widest) / scan_steps;
+  double before = miss(0);
+  if (before == 0) return 0;
+  for (int k = 1; k <= scan_steps; ++k) {
+    const double now = miss(k * step);
+    if (now == 0 || (now > 0) != (before > 0)) return bisect(miss, (k - 1) * step, k * step);
+    before = now;
+  }
+  throw InvalidInput(fmt::format("drive: no theta up to {:.1f} deg gives this structure what the drive asks for",
+                                 widest / radians_per_degree));
+}
+
+PhysicsOptions physics_options(const PhysicsSection& section, double edge_mm) {
+  PhysicsOptions options;
+  options.step_s = section.step_s.value_or(options.step_s);
+  options.iterations = section.iterations.value_or(options.iterations);
+  options.error_reduction = section.error_reduction.value_or(options.error_reduction);
+  if (section.reach_mm) options.reach = *section.reach_mm / edge_mm;
+  return options;
+}
+
+}  // namespace kinetix

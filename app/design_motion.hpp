@@ -1,0 +1,19 @@
+#pragma once
+
+#include "app/design_file.hpp"
+#include "model/classify.hpp"
+#include "sim/compression_run.hpp"
+
+namespace kinetix {
+
+/// The drive of a design: as its file says, or by plates to its theta.
+Drive drive_of(const DesignFile& design);
+
+/// Theta at which an exactly mobile structure fulfils a drive, rad.
+/// @throws InvalidInput where no theta up to 90 deg does, naming what the structure can reach
+double theta_of(const Drive& drive, const Classification& family, const Structure& structure);
+
+/// Settings of the physics run: defaults, with what the file gives. @param edge_mm cell edge
+PhysicsOptions physics_options(const PhysicsSection& section, double edge_mm);
+
+}  // namespace kinetix

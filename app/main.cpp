@@ -1,0 +1,93 @@
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "app/commands.hpp"
+#include "app/version.hpp"
+#include "model/invalid_input.hpp"
+
+namespace {
+
+using kinetix::CommandOptions;
+
+void add_common(CLI::App& app, CommandOptions& options) {
+  app.add_flag("--json", options.json, "print the whole result as one JSON document on stdout");
+  app.add_flag("--quiet", options.quiet, "no progress on stderr");
+  app.add_option("--threads", options.threads, "threads of the search; 0 = all cores; the answer does not depend on it")
+      ->check(CLI::Range(0, 1024));
+  app.add_option("--seed", options.seed, "seed of the random starts; same seed, same answer");
+}
+
+void add_output(CLI::App& app, CommandOptions& options) {
+  app.add_option("-o", options.folder, "folder for result.json, design.yaml and report.html (default results/NAME)")
+      ->type_name("DIR");
+}
+
+void add_file(CLI::App& app, CommandOptions& options, const std::string& name, const std::string& what) {
+  app.add_option(name, options.file, what)->required()->type_name("");
+}
+
+constexpr const char* footer = R"(
+examples:
+  kinetix-opt targets/shapes/helmet_rib.yaml -o out       search, verify, write out/report.html
+  kinetix-opt simulate out/design.yaml --theta-deg 20     the same design, half folded
+  kinetix-opt verify out/design.yaml                      the physics run alone
+
+exit codes:
+  0 done   1 internal error   2 bad input   3 target missed   4 physics run disagrees or failed)";
+
+int run(int argc, char** argv) {
+  CommandOptions options;
+  CLI::App app("Finds the hinge tilts of a flat KinetiX sheet that folds into a goal shape, and checks them by physics.",
+               "kinetix-opt");
+  app.set_version_flag("--version", std::string("kinetix-opt ") + kinetix::version);
+  app.footer(footer);
+  app.require_subcommand(0, 1);
+  app.get_formatter()->column_width(34);
+
+  add_common(app, options);
+  add_output(app, options);
+  app.add_flag("!--no-verify", options.verify, "skip the physics run");
+  app.add_option("TARGET.yaml", options.file, "goal shape, structure and bounds")->type_name("");
+
+  CLI::App* verify = app.add_subcommand("verify", "run the physics engine on a design and compare it with the model");
+  CLI::App* simulate = app.add_subcommand("simulate", "compute one folded state of a design");
+  CLI::App* check = app.add_subcommand("check", "validate a target or a design; writes nothing");
+  for (CLI::App* command : {verify, simulate, check}) {
+    add_file(*command, options, command == check ? "FILE.yaml" : "DESIGN.yaml", "the file to read");
+    add_common(*command, options);
+    if (command != check) add_output(*command, options);
+  }
+  simulate->add_option("--model", options.model, "exact: closed form; bullet: physics run")
+      ->check(CLI::IsMember({"exact", "bullet"}));
+  CLI::Option* theta = simulate->add_option("--theta-deg", options.theta_deg, "fold angle instead of the design's own")
+                           ->check(CLI::Range(-89.0, 89.0));
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? kinetix::done : kinetix::bad_input;
+  }
+  options.theta_given = theta->count() > 0;
+  if (verify->parsed()) return kinetix::verify_command(options);
+  if (simulate->parsed()) return kinetix::simulate_command(options);
+  if (check->parsed()) return kinetix::check_command(options);
+  if (options.file.empty()) {
+    std::cerr << app.help();
+    return kinetix::bad_input;
+  }
+  return kinetix::optimise_command(options);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const kinetix::InvalidInput& e) {
+    std::cerr << e.what() << "\n";
+    return kinetix::bad_input;
+  } catch (const std::exception& e) {
+    std::cerr << "internal error: " << e.what() << "\n";
+    return kinetix::internal_error;
+  }
+}

@@ -1,0 +1,34 @@
+#include "app/output.hpp"
+
+#include "app/atomic_file.hpp"
+#include "app/design_file.hpp"
+#include "app/report/report.hpp"
+#include "app/result_json.hpp"
+#include "app/stopwatch.hpp"
+
+namespace kinetix {
+namespace {
+
+constexpr int indent = 1;
+
+DesignFile design_of(const Run& run) {
+  DesignFile design;
+  design.name = run.name;
+  design.structure = run.structure;
+  design.theta = run.theta;
+  return design;
+}
+
+}  // namespace
+
+nlohmann::ordered_json write_results(Run& run, const std::string& folder) {
+  Stopwatch watch;
+  write_file(folder + "/design.yaml", design_text(design_of(run)));
+  write_file(folder + "/report.html", report_html(result_json(run).dump()));
+  run.timings.write = watch.lap();
+  nlohmann::ordered_json json = result_json(run);
+  write_file(folder + "/result.json", json.dump(indent) + "\n");
+  return json;
+}
+
+}  // namespace kinetix
