@@ -21,7 +21,7 @@ function(kinetix_room name)
   set_target_properties(kinetix_${name} PROPERTIES EXPORT_NAME ${name})
   target_include_directories(kinetix_${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
-    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/kinetix>)
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/kinetix>)
   target_link_libraries(kinetix_${name} PUBLIC ${ROOM_PUBLIC}
     PRIVATE $<BUILD_INTERFACE:kinetix_flags> ${ROOM_PRIVATE})
   install(TARGETS kinetix_${name} EXPORT kinetix-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})

@@ -25,7 +25,7 @@ double largest(const VectorXd& v) {
 /// Hinges and drives together, with body 0 held.
 class DrivenSystem {
  public:
-  DrivenSystem(const Structure& structure, const std::vector<Drive>& drives)
+  DrivenSystem(const Structure& structure, const std::vector<ClosureDrive>& drives)
       : s_(structure), drives_(drives) {}
 
   VectorXd residual(const State& state) const {
@@ -40,7 +40,7 @@ class DrivenSystem {
   SparseMatrix jacobian(const State& state) const {
     auto entries = closure_entries(s_, state);
     int row = 6 * static_cast<int>(s_.hinges.size());
-    for (const Drive& drive : drives_) append_drive_gradient(drive, s_, state, row++, entries);
+    for (const ClosureDrive& drive : drives_) append_drive_gradient(drive, s_, state, row++, entries);
     std::erase_if(entries, [](const auto& e) { return e.col() < 6; });
     for (auto& e : entries) e = {e.row(), e.col() - 6, e.value()};
     SparseMatrix jacobian(rows(), 6 * (static_cast<Eigen::Index>(s_.bodies.size()) - 1));
@@ -64,7 +64,7 @@ class DrivenSystem {
   Eigen::Index rows() const { return static_cast<Eigen::Index>(6 * s_.hinges.size() + drives_.size()); }
 
   const Structure& s_;
-  const std::vector<Drive>& drives_;
+  const std::vector<ClosureDrive>& drives_;
 };
 
 /// One search from one start.
@@ -149,10 +149,10 @@ void ClosureOptions::validate() const {
   if (!(step_tolerance > 0)) throw InvalidInput("step_tolerance must be positive");
 }
 
-Closure solve_closure(const Structure& structure, const State& start, const std::vector<Drive>& drives,
+Closure solve_closure(const Structure& structure, const State& start, const std::vector<ClosureDrive>& drives,
                       const ClosureOptions& options) {
   options.validate();
-  for (const Drive& drive : drives) validate(drive, structure);
+  for (const ClosureDrive& drive : drives) validate(drive, structure);
   if (start.size() != structure.bodies.size())
     throw InvalidInput("a closure search starts from one pose for each body");
   return Search(DrivenSystem(structure, drives), start, options).run();

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "model/drive.hpp"
+#include "model/closure_drive.hpp"
 
 namespace kinetix {
 
@@ -33,7 +33,7 @@ struct Closure {
 /// nothing of the exact families. Drives weigh a thousand times a hinge: where hinges cannot close they give
 /// way and the drive does not. Numbers in `start` that are not finite give converged = false.
 /// @throws InvalidInput for options or a drive out of range, or a start with another number of bodies
-Closure solve_closure(const Structure& structure, const State& start, const std::vector<Drive>& drives,
+Closure solve_closure(const Structure& structure, const State& start, const std::vector<ClosureDrive>& drives,
                       const ClosureOptions& options = {});
 
 }  // namespace kinetix

@@ -12,7 +12,9 @@ namespace {
 SolveResult run_one(const LeastSquaresProblem& problem, const StartMaker& make_start, int k,
                     const MultiStartOptions& options) noexcept {
   try {
-    return solve(problem, make_start(k, options.seed), options.solver);
+    SolverOptions solver = options.solver;
+    solver.seed = options.seed + static_cast<unsigned long>(k);
+    return solve(problem, make_start(k, options.seed), solver);
   } catch (const std::exception& error) {
     SolveResult failed;
     failed.residual_norm = std::numeric_limits<double>::infinity();

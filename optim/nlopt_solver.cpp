@@ -94,6 +94,8 @@ SolveResult solve_with_nlopt(const LeastSquaresProblem& problem, const Eigen::Ve
   nlopt::opt solver(algorithm(options.name), static_cast<unsigned>(start.size()));
   Objective objective{best, solver, {}, {}};
   try {
+    // Unseeded, NLopt takes the time of day. Its generator belongs to the thread.
+    nlopt::srand(options.seed);
     solver.set_min_objective(&Objective::call, &objective);
     set_bounds(solver, problem, start, options.name == SolverName::crs);
     solver.set_ftol_rel(options.tolerance);

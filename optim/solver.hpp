@@ -21,6 +21,7 @@ struct SolverOptions {
   SolverName name = SolverName::ceres;
   int max_evaluations = 500;  ///< of the residual, >= 1
   double tolerance = 1e-5;    ///< relative change of the cost at which a search may stop, (0, 1)
+  unsigned long seed = 0;     ///< of the methods that draw random points
   double target = 0;          ///< stop as soon as |r| is at most this, >= 0
 
   /// @throws InvalidInput naming field, value and rule

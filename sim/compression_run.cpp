@@ -2,76 +2,112 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
+#include "model/invalid_input.hpp"
+#include "sim/verdict.hpp"
 #include "sim/world.hpp"
 
 namespace kinetix {
 namespace {
-using Status = PhysicsResult::Status;
-}
 
-std::string to_string(Status status) {
-  switch (status) {
-    case Status::settled:
-      return "settled";
-    case Status::not_settled:
-      return "not settled";
-    case Status::hinge_gap_exceeded:
-      return "hinge gap exceeded";
-    case Status::blew_up:
-      break;
+using Clock = std::chrono::steady_clock;
+
+int steps_in(double seconds, double step_s) { return static_cast<int>(std::ceil(seconds / step_s - 1e-9)); }
+
+class Run {
+ public:
+  Run(const Structure& structure, const Drive& drive, const PhysicsOptions& options,
+      const PhysicsObserver& observer)
+      : structure_(structure),
+        options_(options),
+        observer_(observer),
+        theta_(drive.theta()),
+        drive_steps_(std::max(1, steps_in(options.drive_seconds, options.step_s))),
+        all_steps_(drive_steps_ + steps_in(options.settle_seconds, options.step_s)),
+        damping_(std::exp(-options.settle_damping * options.step_s)),
+        world_(structure, drive, options) {}
+
+  PhysicsResult run() {
+    const auto begin = Clock::now();
+    world_.start(2 * theta_ / (drive_steps_ * options_.step_s));
+    show();
+    bool settled = false;
+    while (result_.steps < all_steps_ && !settled && !failed_on_the_way()) {
+      step();
+      settled = result_.steps >= drive_steps_ && is_at_rest();
+    }
+    judge(structure_, options_, settled, result_);
+    result_.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    if (observer_.progress) observer_.progress(1);
+    return std::move(result_);
   }
-  return "blew up";
-}
 
-PhysicsResult run_compression(const Structure& structure, const Drive& drive, const PhysicsOptions& o,
-                              const PhysicsObserver&) {
-  o.validate();
+ private:
+  void step() {
+    const double tau = std::min(1.0, (result_.steps + 1.0) / drive_steps_);
+    if (result_.steps >= drive_steps_) world_.damp(damping_);
+    world_.set_drive(theta_ * tau * (2 - tau));
+    world_.step();
+    ++result_.steps;
+    measure();
+    show();
+  }
+
+  void measure() {
+    result_.simulated_s = result_.steps * options_.step_s;
+    result_.state = world_.state();
+    result_.gaps = hinge_gaps(structure_, result_.state);
+    result_.drive_gap = world_.drive_gap();
+    result_.contact = world_.deepest_contact();
+  }
+
+  bool failed_on_the_way() {
+    if (result_.steps == 0) return false;
+    if (!(world_.fastest_part() <= options_.speed_limit)) result_.status = PhysicsResult::Status::blew_up;
+    return result_.status == PhysicsResult::Status::blew_up || !(result_.gaps.max <= options_.tear_limit) ||
+           is_blocked();
+  }
+
+  bool is_blocked() const {
+    if (result_.contact.depth > options_.overlap_limit) return true;
+    return result_.contact.touches() && std::max(result_.gaps.max, result_.drive_gap) > options_.gap_limit;
+  }
+
+  bool is_at_rest() const {
+    return result_.gaps.max <= options_.settle_gap && world_.fastest_part() <= options_.settle_speed;
+  }
+
+  void show() {
+    if (observer_.progress && result_.steps % std::max(1, all_steps_ / 100) == 0)
+      observer_.progress(static_cast<double>(result_.steps) / (all_steps_ + 1));
+    if (!observer_.frame || result_.steps * options_.step_s < next_frame_s_ - 1e-9) return;
+    observer_.frame(result_.simulated_s, result_.steps == 0 ? rest_state(structure_) : result_.state);
+    next_frame_s_ += observer_.frame_interval_s;
+  }
+
+  const Structure& structure_;
+  const PhysicsOptions& options_;
+  const PhysicsObserver& observer_;
+  const double theta_;
+  const int drive_steps_, all_steps_;
+  const double damping_;
+  World world_;
+  PhysicsResult result_;
+  double next_frame_s_ = 0;
+};
+
+}  // namespace
+
+PhysicsResult run_compression(const Structure& structure, const Drive& drive, const PhysicsOptions& options,
+                              const PhysicsObserver& observer) {
+  options.validate();
   validate(drive, structure);
-  const auto t0 = std::chrono::steady_clock::now();
-  World world(structure, drive, o);
-  const double theta = drive.theta();
-  const int drive_steps = static_cast<int>(std::ceil(o.drive_seconds / o.step_s));
-  const int settle_steps = static_cast<int>(std::ceil(o.settle_seconds / o.step_s));
-  PhysicsResult r;
-  // s(tau) = tau^2 (3 - 2 tau) + slope
-  const double a = getenv("SLOPE") ? atof(getenv("SLOPE")) : 1.0;
-  const auto s = [&](double x) { return a * x * (2 - x) + (1 - a) * x * x * (3 - 2 * x); };
-  world.start(theta * 2 * a / o.drive_seconds);
-  for (r.steps = 0; r.steps < drive_steps + settle_steps;) {
-    const double tau = std::min(1.0, (r.steps + 1.0) / drive_steps);
-    world.set_drive(theta * s(tau));
-    {
-      static double dd = getenv("DD") ? atof(getenv("DD")) : 0;
-      world.damp(std::exp(-(r.steps >= drive_steps ? o.settle_damping : dd) * o.step_s));
-    }
-    world.step();
-    ++r.steps;
-    const double v = world.fastest_part();
-    if (!(v < o.speed_limit)) {
-      r.status = Status::blew_up;
-      break;
-    }
-    if (getenv("TRACE") && r.steps % atoi(getenv("TRACE")) == 0) {
-      auto g = hinge_gaps(structure, world.state());
-      auto c = world.deepest_contact();
-      printf("%d tau %.3f v %.3e gap %.3e rms %.3e axis %.3e contact %d %d %.2e\n", r.steps, tau, v, g.max,
-             g.rms, g.axis_max, c.first, c.second, c.depth);
-    }
-    if (r.steps > drive_steps && v < o.settle_speed &&
-        hinge_gaps(structure, world.state()).max < o.settle_gap) {
-      r.status = Status::settled;
-      break;
-    }
-  }
-  r.state = world.state();
-  r.gaps = hinge_gaps(structure, r.state);
-  if (r.status != Status::blew_up && !(r.gaps.max <= o.gap_limit)) r.status = Status::hinge_gap_exceeded;
-  r.simulated_s = r.steps * o.step_s;
-  r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - t0).count();
-  return r;
+  if (observer.frame && !(observer.frame_interval_s > 0))
+    throw InvalidInput(fmt::format("frame_interval_s is {}, must be positive", observer.frame_interval_s));
+  return Run(structure, drive, options, observer).run();
 }
 
 }  // namespace kinetix

@@ -13,8 +13,11 @@ namespace kinetix {
 /// M rows has the height L (M cos(theta) + sin(theta)), which grows at first. In the exact families every
 /// row of vertices stays in one plane normal to the axis, so a strip that curls into a half circle stays
 /// between its plates.
+/// The middle pin of each plate is keyed to the plane z = 0. Without it, nothing would keep a flat sheet from
+/// tipping over as a whole between plates that come closer.
 ///
-/// **hinge**: the two bodies of one wall are turned against each other about the hinge axis they share.
+/// **hinge**: the two bodies of one wall are turned against each other about the hinge axis they share. The
+/// structure floats freely.
 ///
 /// Flat is a singular position: the height changes with theta squared and does not tell the two signs of
 /// theta apart. The run chooses the branch by the velocity it starts the bodies with: class A bodies turn

@@ -23,14 +23,16 @@ Prism half_wall(const Hinge& hinge, double length, double height, double thickne
 
 }  // namespace
 
-std::vector<std::vector<Prism>> half_walls(const Structure& structure, double inset) {
+std::vector<std::vector<HalfWall>> half_walls(const Structure& structure, double inset) {
   const double height = structure.size.height_mm / structure.size.edge_mm - 2 * inset;
   const double thickness = structure.size.thickness_mm / structure.size.edge_mm - 2 * inset;
-  std::vector<std::vector<Prism>> walls(structure.bodies.size());
-  for (const Hinge& hinge : structure.hinges) {
+  std::vector<std::vector<HalfWall>> walls(structure.bodies.size());
+  for (std::size_t k = 0; k < structure.hinges.size(); ++k) {
+    const Hinge& hinge = structure.hinges[k];
+    const int index = static_cast<int>(k);
     const double t = hinge.parameters.t;
-    walls[hinge.lower].push_back(half_wall(hinge, t - inset, height, thickness));
-    walls[hinge.upper].push_back(half_wall(hinge, t - 1 + inset, height, thickness));
+    walls[hinge.lower].push_back({index, half_wall(hinge, t - inset, height, thickness)});
+    walls[hinge.upper].push_back({index, half_wall(hinge, t - 1 + inset, height, thickness)});
   }
   return walls;
 }

@@ -60,8 +60,14 @@ Joint hinge_turn(const Hinge& hinge, btRigidBody& lower, btRigidBody& upper, dou
   return joint;
 }
 
+// The engine counts the angles of this constraint clockwise.
 void set_turn(btGeneric6DofSpring2Constraint& joint, double angle) {
-  joint.setLimit(angular_x, angle, angle);
+  joint.setLimit(angular_x, -angle, -angle);
+}
+
+double turn(btGeneric6DofSpring2Constraint& joint) {
+  joint.calculateTransforms();
+  return -joint.getAngle(0);
 }
 
 Joint slot(Axis axis, Pin pin, btRigidBody& plate, btRigidBody& body, double error_reduction) {
@@ -72,6 +78,9 @@ Joint slot(Axis axis, Pin pin, btRigidBody& plate, btRigidBody& body, double err
   return joint;
 }
 
-double middle_euler_angle(const btGeneric6DofSpring2Constraint& joint) { return joint.getAngle(1); }
+double middle_euler_angle(btGeneric6DofSpring2Constraint& joint) {
+  joint.calculateTransforms();
+  return joint.getAngle(1);
+}
 
 }  // namespace kinetix

@@ -21,8 +21,10 @@ std::array<Joint, 2> hinge_points(const Hinge& hinge, btRigidBody& lower, btRigi
 
 /// Locks the turn of the upper body against the lower one about their hinge axis; set_turn moves it.
 Joint hinge_turn(const Hinge& hinge, btRigidBody& lower, btRigidBody& upper, double error_reduction);
-/// @param angle rad, in (-pi, pi)
+/// @param angle rad, in (-pi, pi), counter-clockwise about the hinge axis
 void set_turn(btGeneric6DofSpring2Constraint& joint, double angle);
+/// Turn of the second body against the first about the first axis, rad, in [-pi, pi].
+double turn(btGeneric6DofSpring2Constraint& joint);
 
 /// A keyed pin cannot leave the plane z = 0 either.
 enum class Pin { sliding, keyed };
@@ -31,7 +33,10 @@ enum class Pin { sliding, keyed };
 /// free to slide in the plane (unless keyed) and to turn.
 Joint slot(Axis axis, Pin pin, btRigidBody& plate, btRigidBody& body, double error_reduction);
 
-/// Largest distance from a quarter turn... of the middle Euler angle of a joint, rad.
-double middle_euler_angle(const btGeneric6DofSpring2Constraint& joint);
+/// Middle Euler angle of the joint's frames, rad, in [-pi/2, pi/2].
+double middle_euler_angle(btGeneric6DofSpring2Constraint& joint);
+
+/// Row of a vertex along an axis: its column i for x, its row j for y.
+inline int row_along(Axis axis, Vertex v) { return axis == Axis::x ? v.i : v.j; }
 
 }  // namespace kinetix

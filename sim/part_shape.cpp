@@ -1,7 +1,10 @@
 #include "sim/part_shape.hpp"
 
+#include <BulletCollision/CollisionDispatch/btCompoundCompoundCollisionAlgorithm.h>
 #include <BulletCollision/CollisionShapes/btCompoundShape.h>
 #include <BulletCollision/CollisionShapes/btConvexHullShape.h>
+
+#include <mutex>
 
 namespace kinetix {
 namespace {
@@ -14,6 +17,10 @@ std::unique_ptr<btConvexHullShape> hull(const Prism& prism) {
   return shape;
 }
 
+bool may_collide(const btCollisionShape* a, const btCollisionShape* b) {
+  return a->getUserIndex() != b->getUserIndex();
+}
+
 }  // namespace
 
 struct PartShape::Shapes {
@@ -21,9 +28,10 @@ struct PartShape::Shapes {
   btCompoundShape compound;
 };
 
-PartShape::PartShape(const std::vector<Prism>& prisms) : shapes_(std::make_unique<Shapes>()) {
-  for (const Prism& prism : prisms) {
-    shapes_->hulls.push_back(hull(prism));
+PartShape::PartShape(const std::vector<HalfWall>& walls) : shapes_(std::make_unique<Shapes>()) {
+  for (const HalfWall& wall : walls) {
+    shapes_->hulls.push_back(hull(wall.prism));
+    shapes_->hulls.back()->setUserIndex(wall.hinge);
     shapes_->compound.addChildShape(btTransform::getIdentity(), shapes_->hulls.back().get());
   }
   shapes_->compound.setMargin(margin);
@@ -33,5 +41,10 @@ PartShape::~PartShape() = default;
 PartShape::PartShape(PartShape&&) noexcept = default;
 
 btCollisionShape* PartShape::get() const { return &shapes_->compound; }
+
+void skip_walls_of_one_hinge() {
+  static std::once_flag once;
+  std::call_once(once, [] { gCompoundCompoundChildShapePairCallback = may_collide; });
+}
 
 }  // namespace kinetix

@@ -37,6 +37,8 @@ void PhysicsOptions::validate() const {
   positive("settle_gap", settle_gap);
   positive("settle_speed", settle_speed);
   positive("gap_limit", gap_limit);
+  positive("tear_limit", tear_limit);
+  positive("overlap_limit", overlap_limit);
   positive("speed_limit", speed_limit);
 }
 

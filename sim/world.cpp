@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "sim/actuator.hpp"
 #include "sim/direct_solver.hpp"
 #include "sim/joints.hpp"
 #include "sim/part_shape.hpp"
@@ -15,17 +15,7 @@ namespace kinetix {
 namespace {
 
 constexpr double part_mass = 1;
-
-int row_of(Vertex v, Axis axis) { return axis == Axis::x ? v.i : v.j; }
-
-std::pair<int, int> first_and_last_row(const Structure& structure, Axis axis) {
-  std::pair rows{std::numeric_limits<int>::max(), std::numeric_limits<int>::min()};
-  for (const Vertex& v : structure.bodies) {
-    rows.first = std::min(rows.first, row_of(v, axis));
-    rows.second = std::max(rows.second, row_of(v, axis));
-  }
-  return rows;
-}
+constexpr double touching = 1e-3;  // cell edges between parts that are said to touch
 
 btTransform at(double x, double y, double z) {
   return btTransform(btMatrix3x3::getIdentity(), btVector3(x, y, z));
@@ -55,9 +45,8 @@ struct World::Parts {
 
   std::vector<PartShape> shapes;
   std::vector<std::unique_ptr<btRigidBody>> bodies;
-  std::array<btRigidBody, 2> plates{btRigidBody(0, nullptr, nullptr), btRigidBody(0, nullptr, nullptr)};
   std::vector<Joint> joints;
-  std::vector<int> rows;  ///< of the plates
+  std::unique_ptr<Actuator> actuator;
 
   Parts(const Structure& s, const Drive& d, const PhysicsOptions& o)
       : structure(s),
@@ -66,26 +55,28 @@ struct World::Parts {
         solver(o.solver == PhysicsOptions::Solver::direct ? make_direct_solver() : make_sweep_solver()),
         world(&dispatcher, &broadphase, solver.get(), &configuration) {
     world.setGravity({0, 0, 0});
-    world.getSolverInfo().m_numIterations = options.iterations;
-    world.getSolverInfo().m_splitImpulse = false;
-    world.getSolverInfo().m_solverMode &= ~SOLVER_USE_WARMSTARTING;
+    btContactSolverInfo& info = world.getSolverInfo();
+    info.m_numIterations = options.iterations;
+    info.m_splitImpulse = false;
+    info.m_solverMode &= ~SOLVER_USE_WARMSTARTING;
+    skip_walls_of_one_hinge();
     add_bodies();
     add_hinges();
     add_drive();
   }
 
   ~Parts() {
-    for (const Joint& joint : joints) world.removeConstraint(joint.get());
+    while (world.getNumConstraints() > 0) world.removeConstraint(world.getConstraint(0));
     for (const auto& body : bodies) world.removeRigidBody(body.get());
   }
 
   void add_bodies() {
     const int group = options.contact ? 1 : 0;
-    const auto prisms = half_walls(structure, PartShape::margin);
-    for (std::size_t b = 0; b < prisms.size(); ++b) {
+    const auto walls = half_walls(structure, PartShape::margin);
+    for (std::size_t b = 0; b < walls.size(); ++b) {
       const auto [i, j] = structure.bodies[b];
       const double inertia = options.part_inertia * part_mass;
-      shapes.emplace_back(prisms[b]);
+      shapes.emplace_back(walls[b]);
       btRigidBody::btRigidBodyConstructionInfo info(part_mass, nullptr, shapes.back().get(),
                                                     {inertia, inertia, inertia});
       info.m_startWorldTransform = at(i, j, 0);
@@ -101,42 +92,17 @@ struct World::Parts {
     for (const Hinge& hinge : structure.hinges)
       for (Joint& point : hinge_points(hinge, *bodies[hinge.lower], *bodies[hinge.upper], options.reach,
                                        options.error_reduction))
-        add(std::move(point));
+        add(*joints.emplace_back(std::move(point)));
   }
 
   void add_drive() {
-    if (drive.kind == Drive::Kind::hinge) {
-      const Hinge& hinge = structure.hinges[*structure.hinge_at(drive.wall)];
-      add(hinge_turn(hinge, *bodies[hinge.lower], *bodies[hinge.upper], options.error_reduction));
-      return;
-    }
-    const auto [first, last] = first_and_last_row(structure, drive.axis);
-    rows = {first, last};
-    for (int side = 0; side < 2; ++side) grip(side);
+    actuator = make_actuator(structure, drive, bodies, options.error_reduction);
+    for (auto* joint : actuator->joints()) add(*joint);
   }
 
-  void grip(int side) {
-    std::vector<int> rim;
-    for (std::size_t b = 0; b < bodies.size(); ++b)
-      if (row_of(structure.bodies[b], drive.axis) == rows[side]) rim.push_back(static_cast<int>(b));
-    const int middle = rim[rim.size() / 2];
-    for (const int b : rim)
-      add(slot(drive.axis, b == middle ? Pin::keyed : Pin::sliding, plates[side], *bodies[b],
-               options.error_reduction));
-  }
-
-  void add(Joint joint) {
-    joint->setUserConstraintId(static_cast<int>(joints.size()));
-    world.addConstraint(joint.get(), true);
-    joints.push_back(std::move(joint));
-  }
-
-  void move_plates(double theta) {
-    const double middle = 0.5 * (rows[0] + rows[1]);
-    for (int side = 0; side < 2; ++side) {
-      const double place = middle + (rows[side] - middle) * std::cos(theta);
-      plates[side].setWorldTransform(drive.axis == Axis::x ? at(place, 0, 0) : at(0, place, 0));
-    }
+  void add(btTypedConstraint& joint) {
+    joint.setUserConstraintId(world.getNumConstraints());
+    world.addConstraint(&joint);
   }
 };
 
@@ -152,10 +118,7 @@ void World::start(double rate) {
   }
 }
 
-void World::set_drive(double theta) {
-  if (parts_->drive.kind == Drive::Kind::plates) return parts_->move_plates(theta);
-  set_turn(*parts_->joints.back(), parts_->drive.wall.from.is_class_a() ? -2 * theta : 2 * theta);
-}
+void World::set_drive(double theta) { parts_->actuator->move_to(theta); }
 
 void World::step() { parts_->world.stepSimulation(parts_->options.step_s, 0); }
 
@@ -182,8 +145,10 @@ double World::fastest_part() const {
   return fastest;
 }
 
-DeepestContact World::deepest_contact() const {
-  DeepestContact deepest;
+double World::drive_gap() const { return parts_->actuator->gap(); }
+
+PartContact World::deepest_contact() const {
+  PartContact deepest{-1, -1, -touching};
   for (int m = 0; m < parts_->dispatcher.getNumManifolds(); ++m) {
     const btPersistentManifold& manifold = *parts_->dispatcher.getManifoldByIndexInternal(m);
     for (int k = 0; k < manifold.getNumContacts(); ++k) {
@@ -192,7 +157,13 @@ DeepestContact World::deepest_contact() const {
         deepest = {manifold.getBody0()->getUserIndex(), manifold.getBody1()->getUserIndex(), depth};
     }
   }
-  return deepest;
+  return deepest.touches() ? deepest : PartContact{};
+}
+
+double World::largest_middle_angle() const {
+  double largest = 0;
+  for (const Joint& joint : parts_->joints) largest = std::max(largest, std::abs(middle_euler_angle(*joint)));
+  return largest;
 }
 
 }  // namespace kinetix

@@ -2,38 +2,38 @@
 
 #include <memory>
 
-#include "model/state.hpp"
 #include "sim/drive.hpp"
 #include "sim/physics_options.hpp"
+#include "sim/physics_result.hpp"
 
 namespace kinetix {
-
-/// Deepest overlap of two parts that do not share a hinge.
-struct DeepestContact {
-  int first = -1, second = -1;  ///< bodies; -1 where nothing touches
-  double depth = 0;             ///< cell edges
-};
 
 /// A structure as rigid parts, hinges and a drive in the engine. Units: cell edge 1, part mass 1, s.
 ///
 /// The quasi-static answer depends on neither mass nor inertia, so those are chosen for the solver: equal
-/// masses, the same inertia about every axis, centre of mass on the vertex.
+/// masses, the same inertia about every axis, centre of mass on the vertex. Half walls collide without
+/// friction, except the two that share a hinge.
 class World {
  public:
   World(const Structure& structure, const Drive& drive, const PhysicsOptions& options);
   ~World();
 
-  /// Starts the bodies on the drive's branch. @param rate of theta, rad/s
+  /// Starts the bodies on the drive's branch. @param rate of theta, rad/s, with sign
   void start(double rate);
-  /// Sets where the drive is to be at the end of the next step. @param theta of the drive, with sign, rad
+  /// Sets where the drive is to be at the end of the next step. @param theta rad, with sign
   void set_drive(double theta);
   void step();
   /// Multiplies all speeds. @param factor in [0, 1]
   void damp(double factor);
 
-  State state() const;          ///< mm
-  double fastest_part() const;  ///< largest speed or turning speed, 1/s; NaN if any is not finite
-  DeepestContact deepest_contact() const;
+  State state() const;  ///< mm
+  /// Largest speed or turning speed, edges/s or rad/s; NaN if one is NaN.
+  double fastest_part() const;
+  double drive_gap() const;
+  PartContact deepest_contact() const;
+
+  /// Largest middle Euler angle of the hinges' constraint frames, rad. It must stay away from pi/2.
+  double largest_middle_angle() const;
 
  private:
   struct Parts;

@@ -84,7 +84,7 @@ TEST(Closure, DriveGradientsMatchCentralDifferences) {
   const Structure s = random_structure(2, 1, random);
   const State state = moved(s, rest_state(s), random_twists(s, 0.5, random));
   const BodyPush push{4, rest_state(s)[4], {{0.3, -0.2, 0.9}, {0.5, 0.1, -0.4}}, 0.1};
-  for (const Drive& drive : {Drive(HingeTurn{5, 0.3}), Drive(push)}) {
+  for (const ClosureDrive& drive : {ClosureDrive(HingeTurn{5, 0.3}), ClosureDrive(push)}) {
     const auto f = [&](const Eigen::VectorXd& x) {
       return Eigen::VectorXd::Constant(1, drive_residual(drive, s, moved(s, state, x)));
     };

@@ -158,6 +158,19 @@ TEST(MultiStart, AnswersTheSameForAnyNumberOfThreads) {
   }
 }
 
+TEST(MultiStart, TheRandomMethodToo) {
+  const StartMaker start = [](int, std::uint64_t) { return Eigen::Vector2d(-1.2, 1); };
+  MultiStartOptions options;
+  options.starts = 4;
+  options.solver.name = SolverName::crs;
+  options.threads = 1;
+  const MultiStartResult one = multi_start(Valley(), start, options);
+  options.threads = 4;
+  const MultiStartResult four = multi_start(Valley(), start, options);
+  for (int k = 0; k < options.starts; ++k) EXPECT_EQ(one.runs[k].x, four.runs[k].x);
+  EXPECT_NE(one.runs[0].x, one.runs[1].x);
+}
+
 TEST(MultiStart, AnExceptionInOneStartIsThatStartsFailure) {
   const StartMaker starts = [](int k, std::uint64_t) -> Eigen::VectorXd {
     if (k == 0) throw std::runtime_error("no start here");

@@ -1,3 +1,4 @@
+cmake_minimum_required(VERSION 3.22)
 # Each room includes only the rooms below it, and vendor headers stay out of headers.
 set(allowed_model model)
 set(allowed_targets model targets)

@@ -1,4 +1,4 @@
-#include "model/drive.hpp"
+#include "model/closure_drive.hpp"
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -80,7 +80,7 @@ void check(const BodyPush& drive, const Structure& structure) {
 
 }  // namespace
 
-void validate(const Drive& drive, const Structure& structure) {
+void validate(const ClosureDrive& drive, const Structure& structure) {
   std::visit([&](const auto& d) { check(d, structure); }, drive);
 }
 
@@ -90,11 +90,11 @@ double hinge_turn(const Structure& structure, const State& state, int hinge) {
   return std::remainder(2 * std::atan2(q.vec().dot(hinge_axis(h.wall.axis, h.parameters)), q.w()), 2 * pi);
 }
 
-double drive_residual(const Drive& drive, const Structure& structure, const State& state) {
+double drive_residual(const ClosureDrive& drive, const Structure& structure, const State& state) {
   return std::visit([&](const auto& d) { return residual(d, structure, state); }, drive);
 }
 
-void append_drive_gradient(const Drive& drive, const Structure& structure, const State& state, int row,
+void append_drive_gradient(const ClosureDrive& drive, const Structure& structure, const State& state, int row,
                            Entries& entries) {
   std::visit([&](const auto& d) { append_gradient(d, structure, state, row, entries); }, drive);
 }

@@ -26,19 +26,19 @@ struct BodyPush {
 };
 
 /// One scalar condition that moves a structure along.
-using Drive = std::variant<HingeTurn, BodyPush>;
+using ClosureDrive = std::variant<HingeTurn, BodyPush>;
 
 /// @throws InvalidInput for a body or hinge that does not exist, or numbers out of range
-void validate(const Drive& drive, const Structure& structure);
+void validate(const ClosureDrive& drive, const Structure& structure);
 
 /// Turn of a hinge in a state, rad, (-pi, pi].
 double hinge_turn(const Structure& structure, const State& state, int hinge);
 
 /// How far the state is from what the drive asks, rad or cell edges.
-double drive_residual(const Drive& drive, const Structure& structure, const State& state);
+double drive_residual(const ClosureDrive& drive, const Structure& structure, const State& state);
 
 /// Appends the derivative of drive_residual by the bodies' twists (columns as in closure.hpp) as row `row`.
-void append_drive_gradient(const Drive& drive, const Structure& structure, const State& state, int row,
+void append_drive_gradient(const ClosureDrive& drive, const Structure& structure, const State& state, int row,
                            std::vector<Eigen::Triplet<double>>& entries);
 
 }  // namespace kinetix

@@ -1,0 +1,27 @@
+# Puts the page, its style and its scripts into one C++ string constant.
+# cmake -DPAGE=... -DSTYLE=... "-DSCRIPTS=a.js;b.js" -DOUTPUT=... -P embed.cmake
+set(js "(() => {\n\"use strict\";\n")
+foreach(script IN LISTS SCRIPTS)
+  file(READ ${script} text)
+  string(APPEND js "${text}\n")
+endforeach()
+string(APPEND js "})();")
+file(READ ${STYLE} css)
+file(READ ${PAGE} page)
+
+foreach(text IN ITEMS css js page)
+  string(FIND "${${text}}" ")kinetix\"" end_of_literal)
+  if(NOT end_of_literal EQUAL -1)
+    message(FATAL_ERROR "the report's ${text} holds the end of the C++ string literal")
+  endif()
+endforeach()
+string(TOLOWER "${js}" lower)
+string(FIND "${lower}" "</script" end_of_script)
+if(NOT end_of_script EQUAL -1)
+  message(FATAL_ERROR "the report's script would end its own element")
+endif()
+
+string(REPLACE "@REPORT_CSS@" "${css}" page "${page}")
+string(REPLACE "@REPORT_JS@" "${js}" page "${page}")
+file(WRITE ${OUTPUT} "#include \"app/report/page.hpp\"\n\nnamespace kinetix {\n\n"
+  "const std::string_view report_page = R\"kinetix(${page})kinetix\";\n\n}  // namespace kinetix\n")

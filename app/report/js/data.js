@@ -1,0 +1,151 @@
+// The result as the sections want it: everything optional, nothing thrown for what is missing.
+
+function list(value) {
+  return Array.isArray(value) ? value : [];
+}
+
+function dictionary(value) {
+  return value && typeof value === "object" && !Array.isArray(value) ? value : {};
+}
+
+/** Rows of numbers of a given length; rows that hold anything else are dropped. */
+function numberRows(value, length) {
+  return list(value).filter(
+      (row) => list(row).length >= length && row.slice(0, length).every((v) => finite(v) !== null));
+}
+
+function readBody(raw) {
+  const [i = 0, j = 0] = list(raw?.vertex);
+  return {i, j, rest: numberRows([raw?.position_mm], 3)[0] ?? null};
+}
+
+function readHinge(raw, bodies) {
+  const [a, b] = list(raw?.bodies);
+  const from = bodies[a], to = bodies[b];
+  if (!from?.rest || !to?.rest) return null;
+  const along = from.j === to.j ? "x" : "y";
+  const t = finite(raw.t) ?? 0.5;
+  const point = numberRows([raw.point_mm], 3)[0] ?? mix(from.rest, to.rest, t);
+  const axis = numberRows([raw.axis], 3)[0] ?? null;
+  return {
+    a,
+    b,
+    along,
+    t,
+    point,
+    axis,
+    beta: finite(raw.beta_rad) ?? 0,
+    alpha: finite(raw.alpha_rad) ?? Math.PI / 2,
+    column: Math.min(from.i, to.i),
+    row: Math.min(from.j, to.j),
+  };
+}
+
+/** The first index and how many there are up to the last. */
+function span(first, number, indices) {
+  const low = indices.reduce((a, b) => Math.min(a, b), Infinity),
+        high = indices.reduce((a, b) => Math.max(a, b), -Infinity);
+  return indices.length ? {["first" + first]: low, [number]: high - low + 1} :
+                          {["first" + first]: 0, [number]: 0};
+}
+
+function readStructure(raw) {
+  const cell = finite(raw.cell_mm) ?? 10;
+  const bodies = list(raw.bodies).map(readBody);
+  const hinges = list(raw.hinges).map((hinge) => readHinge(hinge, bodies)).filter(Boolean);
+  const wall = dictionary(raw.wall_mm);
+  const columns = hinges.filter((h) => h.along === "x").map((h) => h.column);
+  const rows = hinges.filter((h) => h.along === "y").map((h) => h.row);
+  return {
+    cell,
+    bodies,
+    hinges,
+    ...span("Column", "columns", columns),
+    ...span("Row", "rows", rows),
+    thickness: finite(wall.thickness) ?? 0.08 * cell,
+    height: finite(wall.height) ?? 0.6 * cell,
+    wallAssumed: finite(wall.thickness) === null || finite(wall.height) === null,
+  };
+}
+
+function readPose(raw) {
+  const p = numberRows([raw?.position_mm], 3)[0];
+  const q = numberRows([raw?.quaternion_wxyz], 4)[0];
+  return p && q ? {p, q} : null;
+}
+
+/** A state with one sound pose per body, or null. */
+function readState(raw, structure) {
+  const poses = list(raw?.poses).map(readPose);
+  const sound = poses.length > 0 && poses.length === structure.bodies.length && poses.every(Boolean);
+  return sound ? {name: raw.name, model: raw.model, theta: finite(raw.theta_rad), poses} : null;
+}
+
+function restState(structure) {
+  const poses = structure.bodies.map((body) => ({p: body.rest, q: [1, 0, 0, 0]}));
+  const sound = poses.length > 0 && poses.every((pose) => pose.p);
+  return sound ? {name: "flat", model: "rest", theta: 0, poses} : null;
+}
+
+function readStates(raw, structure) {
+  const states = list(raw).map((state) => readState(state, structure)).filter(Boolean);
+  const final = states.filter((state) => state.name !== "frame");
+  return {
+    flat: restState(structure),
+    model: final.find((state) => state.model !== "bullet") ?? null,
+    physics: final.find((state) => state.model === "bullet") ?? null,
+    frames: states.filter((state) => state.name === "frame" && state.theta !== null)
+                .sort((a, b) => a.theta - b.theta),
+  };
+}
+
+function readCurve(raw) {
+  const turn = list(raw.turn).filter((t) => finite(t?.column) !== null && finite(t?.needed_deg) !== null);
+  return {
+    folded: numberRows(raw.folded_mm, 2),
+    goal: numberRows(raw.goal_mm, 2),
+    error: numberRows(raw.error, 2),
+    scale: finite(raw.scale_mm),
+    turn: turn.map((t) => ({column: t.column, needed: t.needed_deg, allowed: finite(t.allowed_deg)})),
+    unreachable: typeof raw.unreachable === "string" ? raw.unreachable : "",
+  };
+}
+
+function readRun(raw, index) {
+  let best = Infinity;
+  const history = numberRows(raw?.history, 2).map(([at, cost]) => [at, (best = Math.min(best, cost))]);
+  return {start: finite(raw?.start) ?? index, status: raw?.status, rms: finite(raw?.shape_rms), history};
+}
+
+function readVerdict(metrics, tolerance) {
+  const within = (value, limit) => (finite(value) === null || finite(limit) === null ? null : value <= limit);
+  const truth = (value, otherwise) => (typeof value === "boolean" ? value : otherwise);
+  return {
+    met: truth(metrics.met, within(metrics.shape_rms, tolerance.shape)),
+    verified: truth(metrics.verified, within(metrics.verify_rms, tolerance.verify)),
+  };
+}
+
+function readResult(raw) {
+  const structure = readStructure(dictionary(raw.structure));
+  const metrics = dictionary(raw.metrics), tolerance = dictionary(raw.tolerance);
+  const optimiser = dictionary(raw.optimiser);
+  return {
+    raw,
+    structure,
+    metrics,
+    tolerance,
+    optimiser,
+    name: typeof raw.name === "string" && raw.name ? raw.name : "Unnamed result",
+    kind: dictionary(raw.target).kind ?? "curve",
+    drawn: numberRows(dictionary(raw.target).points_mm, 2),
+    states: readStates(raw.states, structure),
+    curve: readCurve(dictionary(raw.curve)),
+    verdict: readVerdict(metrics, tolerance),
+    runs: list(optimiser.runs).map(readRun),
+    fidelity: list(raw.fidelity).filter((entry) => entry && typeof entry === "object"),
+    timing: dictionary(raw.timing_s),
+    plan: dictionary(raw.plan),
+    physics: dictionary(raw.physics),
+  };
+}

@@ -1,0 +1,183 @@
+// Section 2: the sheet as it is printed, flat, seen from above.
+
+const CELL_PX = {
+  least: 42,
+  most: 72
+};
+
+function largestTilt(structure) {
+  return Math.max(0, ...structure.hinges.map((hinge) => Math.abs(hinge.beta)));
+}
+
+/** Columns per line so that cells stay legible; lines of nearly equal length. */
+function wrapped(columns, room) {
+  const lines = Math.ceil(columns / Math.max(1, Math.floor(room / CELL_PX.least)));
+  const perLine = Math.ceil(columns / lines);
+  return {lines: Math.ceil(columns / perLine), perLine, cellPx: Math.min(CELL_PX.most, room / perLine)};
+}
+
+function topRim(plate) {
+  const [, , hingeTop, cornerTop] = plate.corners;
+  return [
+    add(hingeTop, plate.side), add(cornerTop, plate.side), subtract(cornerTop, plate.side),
+    subtract(hingeTop, plate.side)
+  ];
+}
+
+function flatWalls(structure, flat, to, hinges) {
+  const cut = hinges.flatMap((hinge) => halfWalls(structure, hinge))
+                  .map((plate) => carriedPlate(structure, flat, plate));
+  const xy = (p) => to([p[0], p[1]]);
+  return [
+    svg("g", {class: "face"}, cut.map((plate) => svg("path", {d: path(outline(plate, xy), true)}))),
+    svg("g", {class: "rim"}, cut.map((plate) => svg("path", {d: path(topRim(plate).map(xy), true)}))),
+  ];
+}
+
+/** The way the top edge leans: w = cos(beta) z + sin(beta) (e x z). */
+function leanOf(hinge) {
+  const sign = Math.sign(hinge.beta);
+  return hinge.along === "x" ? [0, -sign] : [sign, 0];
+}
+
+function arrow([x, y], [dx, dy], length, fillColour) {
+  const tip = [x + dx * length, y - dy * length], back = [x + dx * (length - 7), y - dy * (length - 7)];
+  const wing = [4 * dy, 4 * dx];
+  return svg(
+      "g", {class: "lean"}, svg("path", {d: path([[x, y], back]), stroke: fillColour}),
+      svg("path", {d: path([tip, add(back, wing), subtract(back, wing)], true), fill: fillColour}));
+}
+
+function hingeMark(hinge, to, cellPx, largest) {
+  const at = to(hinge.point), fillColour = tiltColour(hinge.beta, largest);
+  const radius = Math.max(3.5, Math.min(6, cellPx * 0.09));
+  const tilted = Math.abs(hinge.beta) > 1e-4;
+  return svg(
+      "g", {},
+      svg("title", {},
+          `column ${hinge.column}, row ${hinge.row}, wall along ${hinge.along}: tilt ${
+              degrees(toDegrees(hinge.beta))}, hinge at ${figures(hinge.t, 2)} of the wall`),
+      tilted ? arrow(at, leanOf(hinge), cellPx * 0.34, fillColour) : null,
+      svg("circle", {class: "hinge", cx: at[0], cy: at[1], r: radius, fill: fillColour}));
+}
+
+function columnLabel(c, x, y, below, text) {
+  return [
+    svg("text", {class: "column", x, y, "text-anchor": "middle"}, String(c)),
+    text === null ? null : svg("text", {class: "tilt", x, y: below, "text-anchor": "middle"}, text),
+  ];
+}
+
+function flatLine(data, line, wrap, largest) {
+  const {structure} = data, first = structure.firstColumn + line * wrap.perLine;
+  const last = Math.min(structure.firstColumn + structure.columns, first + wrap.perLine);
+  const perMm = wrap.cellPx / structure.cell, side = 16, top = 26 + 0.3 * wrap.cellPx,
+        deep = structure.rows * wrap.cellPx;
+  const to = ([x, y]) =>
+      [side + (x - first * structure.cell) * perMm,
+       top + deep - (y - structure.firstRow * structure.cell) * perMm];
+  const inside = structure.hinges.filter(
+      (h) => h.column >= first && (h.along === "x" ? h.column < last : h.column <= last));
+  const height = top + deep + 0.3 * wrap.cellPx + 24;
+  const tilts = tiltsByColumn(structure);
+  const label = (c) => columnLabel(
+      c, side + (c - first + 0.5) * wrap.cellPx, 13, height - 6,
+      tilts.has(c) ? degrees(toDegrees(tilts.get(c).beta)) : null);
+  return drawing(
+      side * 2 + (last - first) * wrap.cellPx, height, `Flat layout, columns ${first} to ${last - 1}`,
+      flatWalls(structure, data.states.flat, to, inside),
+      inside.map((hinge) => hingeMark(hinge, to, wrap.cellPx, largest)),
+      Array.from({length: last - first}, (_, k) => label(first + k)));
+}
+
+function drawLayout(data, width) {
+  const wrap = wrapped(data.structure.columns, width - 32), largest = largestTilt(data.structure);
+  const lines = Array.from({length: wrap.lines}, (_, line) => flatLine(data, line, wrap, largest));
+  return html("div", {class: "lines"}, lines);
+}
+
+function tiltScale(largest) {
+  const width = 250, bar = 200, x0 = 25, steps = 41;
+  const swatch = (k) => svg("rect", {
+    x: x0 + (k * bar) / steps,
+    y: 8,
+    width: bar / steps + 0.6,
+    height: 12,
+    fill: tiltColour((2 * k) / (steps - 1) - 1, 1)
+  });
+  const tick = (share) =>
+      svg("text", {x: x0 + (bar * (share + 1)) / 2, y: 36, "text-anchor": "middle"},
+          degrees(toDegrees(share * largest)));
+  return drawing(
+      width, 58, "Colour scale of wall tilts", Array.from({length: steps}, (_, k) => swatch(k)),
+      svg("g", {class: "ticks"}, [-1, 0, 1].map(tick)),
+      svg("text", {class: "label", x: x0 + bar / 2, y: 54, "text-anchor": "middle"},
+          "tilt \u03b2 of the wall, degrees"));
+}
+
+function mostTilted(walls) {
+  return walls.reduce((a, b) => (Math.abs(b.beta) > Math.abs(a.beta) + 1e-9 ? b : a));
+}
+
+/** The front two walls of the most tilted column, seen from the right end, true angles. */
+function drawEndView(structure) {
+  const walls = structure.hinges.filter((h) => h.along === "x"), most = mostTilted(walls);
+  const pair = walls.filter((h) => h.column === most.column).sort((a, b) => a.row - b.row).slice(0, 2);
+  const px = 62 / structure.height, floor = 84, gap = Math.min(structure.cell * px, 106), x0 = 125 - gap / 2;
+  const wall = (h, k) => {
+    const foot = [x0 + k * gap, floor], lean = [-Math.sin(h.beta) * 62, -Math.cos(h.beta) * 62];
+    return [
+      svg("path", {
+        class: "end",
+        d: path([foot, add(foot, lean)]),
+        "stroke-width": Math.max(3, structure.thickness * px)
+      }),
+      svg("path", {class: "upright", d: path([foot, [foot[0], floor - 78]])}),
+      svg("text", {class: "tilt", x: foot[0], y: floor + 18, "text-anchor": "middle"},
+          degrees(toDegrees(h.beta))),
+      svg("text", {class: "column", x: foot[0], y: floor + 33, "text-anchor": "middle"},
+          k === 0 ? "front" : "back"),
+    ];
+  };
+  return html(
+      "figure", {class: "inset"},
+      drawing(
+          250, 122, "Walls seen from the right end",
+          svg("path", {class: "axis", d: path([[10, floor], [240, floor]])}), pair.map(wall)),
+      html(
+          "figcaption", {},
+          `Column ${
+              most.column}, the most tilted, seen from the right end. Positive tilt: the top leans to the front.`));
+}
+
+function layoutSection(data) {
+  const {structure} = data;
+  if (!structure.hinges.length || !data.states.flat) return missing("This result holds no structure.");
+  const long = structure.columns * structure.cell, wide = structure.rows * structure.cell;
+  const wallText =
+      `walls ${millimetres(structure.thickness)} thick and ${millimetres(structure.height)} high` +
+      (structure.wallAssumed ? " (assumed for the picture)" : "");
+  const largest = largestTilt(structure), tilted = largest > 1e-4;
+  const keys = responsive(
+      () => html(
+          "div", {class: "keys"}, tiltScale(largest), structure.columns > 0 ? drawEndView(structure) : null));
+  return [
+    html(
+        "p", {class: "lead"},
+        `Printed flat: ${structure.columns} \u00d7 ${structure.rows} cells of ${
+            millimetres(structure.cell)}, ` +
+            `${millimetres(long)} \u00d7 ${millimetres(wide)}, ${
+                wallText}. Front is at the bottom of the picture.`),
+    responsive((width) => drawLayout(data, width)),
+    tilted ? keys : null,
+    tilted ? legend(
+                 ["rim", "top edge of a wall"], ["face", "leaning face below it"],
+                 ["dot", "hinge, coloured by tilt"], ["lean-key", "the way the wall\u2019s top leans"]) :
+             legend(["rim", "wall, upright"], ["dot plain", "hinge"]),
+    html(
+        "p", {class: "note"},
+        !tilted ? "All walls stand upright. Above each column its number." :
+                  "Above each column its number, below it the tilt of its front wall" +
+                (structure.rows > 0 ? "; from row to row the sign alternates." : ".")),
+  ];
+}

@@ -1,0 +1,134 @@
+// Section 8: what was computed, why, and where it came from.
+
+const FAMILIES = {
+  F1: "F1, planar sheet: all hinges upright, moves within its plane",
+  F2: "F2, cylindrical sheet: bends along one direction, moves exactly",
+  F3: "F3, tilted rows: as F2, with the cross walls tilted too",
+  F4: "F4, net of strips that share bodies",
+  none: "none: no exact motion, the hinges have to stretch",
+};
+
+const MODELS = {
+  exact: "exact: closed form, no hinge stretches",
+  equilibrium: "equilibrium: rigid walls and elastic hinges at rest",
+  bullet: "physics engine (Bullet)",
+};
+
+/** "step_s" -> "Step, s" */
+function title(key) {
+  const text = words(key.replace(/_(s|mm|deg|rad|hz)$/, ", $1"));
+  return text.charAt(0).toUpperCase() + text.slice(1);
+}
+
+function told(value) {
+  if (finite(value) !== null)
+    return Math.abs(value) >= 1e-3 || value === 0 ?
+        withSign(value, String(Number(Math.abs(value).toPrecision(6)))) :
+        figures(value, 2);
+  if (typeof value === "string") return words(value);
+  if (typeof value === "boolean") return value ? "yes" : "no";
+  if (Array.isArray(value)) return value.map(told).join(", ");
+  return DASH;
+}
+
+function facts(entries) {
+  const known =
+      entries.filter(([, text]) => text !== null && text !== undefined && text !== "" && text !== DASH);
+  if (!known.length) return null;
+  return html(
+      "dl", {class: "facts"},
+      known.map(([name, text]) => html("div", {}, html("dt", {}, name), html("dd", {}, text))));
+}
+
+function group(title, ...content) {
+  const shown = content.filter(Boolean);
+  return shown.length ? html("section", {class: "group"}, html("h3", {}, title), shown) : null;
+}
+
+function mobilityWords(mobility) {
+  const m = dictionary(mobility);
+  const part = (value, text) =>
+      (finite(value) === null ? null : `${withSign(value, String(Math.abs(value)))} ${text}`);
+  return [
+    part(m.flat, "when flat"), part(m.moving, "while folding"), part(m.gruebler, "by counting (Gr\u00fcbler)")
+  ].filter(Boolean)
+      .join(", ");
+}
+
+function thetaWords(metrics) {
+  const used = toDegrees(metrics.theta_rad), limit = toDegrees(metrics.theta_limit_rad);
+  if (limit === null) return used === null ? null : `${degrees(used)} used`;
+  return `0\u00b0 to ${degrees(limit)} before walls collide` +
+      (used === null ? "" : `; ${degrees(used)} used`);
+}
+
+function planGroup(data) {
+  const {plan, structure} = data;
+  const why = list(plan.why).filter((line) => typeof line === "string");
+  return group(
+      "Plan", facts([
+        ["Family", FAMILIES[plan.family] ?? plan.family],
+        ["Model", MODELS[plan.model] ?? plan.model],
+        ["Bodies", finite(plan.bodies) ?? (structure.bodies.length || null)],
+        ["Hinges", finite(plan.hinges) ?? (structure.hinges.length || null)],
+        ["Degrees of freedom", mobilityWords(plan.mobility)],
+        ["Fold angle \u03b8", thetaWords(data.metrics)],
+      ].map(([name, value]) => [name, value === null || value === undefined ? null : String(value)])),
+      why.length ? html("ul", {class: "why"}, why.map((line) => html("li", {}, line))) : null);
+}
+
+function searchGroup({optimiser}) {
+  return group("Search", facts([
+                 ["Solver", told(optimiser.solver)],
+                 ["Starts", told(optimiser.starts)],
+                 ["Evaluations", told(optimiser.evaluations)],
+                 ["Status", told(optimiser.status)],
+                 ["Because", told(optimiser.why)],
+               ]));
+}
+
+function physicsGroup({physics}) {
+  const options =
+      Object.entries(dictionary(physics.options)).map(([key, value]) => [title(key), told(value)]);
+  return group("Physics run", facts([
+                 ["Status", told(physics.status)],
+                 ["Because", told(physics.why)],
+                 ["Steps", finite(physics.steps) === null ? null : String(physics.steps)],
+                 ["Simulated time", duration(physics.simulated_s)],
+                 ...options,
+               ]));
+}
+
+function metricWords(key, value) {
+  if (key.endsWith("_rad"))
+    return Math.abs(value) < 1e-4 ? `${figures(value, 2)} rad` : degrees(toDegrees(value));
+  return figures(value, 3);
+}
+
+function metricsGroup({metrics}) {
+  const known =
+      Object.entries(metrics).filter(([, value]) => finite(value) !== null || typeof value === "boolean");
+  return group(
+      "All measures",
+      facts(known.map(
+          ([key, value]) =>
+              [title(key.replace(/_rad$/, "")),
+               typeof value === "boolean" ? told(value) : metricWords(key, value)])));
+}
+
+function originGroup({raw, timing}) {
+  const times = Object.entries(timing).map(([key, value]) => ["Time to " + words(key), duration(value)]);
+  return group("Origin", facts([
+                 ["kinetix", told(raw.kinetix_version)],
+                 ["Seed", finite(raw.seed) === null ? null : String(raw.seed)],
+                 ["Format", told(raw.schema)],
+                 ...times,
+               ]));
+}
+
+function planSection(data) {
+  const groups = [
+    planGroup(data), searchGroup(data), physicsGroup(data), originGroup(data), metricsGroup(data)
+  ].filter(Boolean);
+  return groups.length ? html("div", {class: "groups"}, groups) : missing("The plan was not recorded.");
+}

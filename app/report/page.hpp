@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string_view>
+
+namespace kinetix {
+
+/// The report's page with style and scripts in place and @RESULT@ where the result goes.
+extern const std::string_view report_page;
+
+}  // namespace kinetix

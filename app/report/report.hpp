@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+namespace kinetix {
+
+/// One self-contained HTML page that shows a result: no network, no other files.
+/// The page copes with missing keys, empty lists and null; text that is no JSON gives a page that says so.
+/// @param result_json the content of result.json (kinetix-result/1), UTF-8
+std::string report_html(const std::string& result_json);
+
+}  // namespace kinetix

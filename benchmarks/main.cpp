@@ -1,0 +1,69 @@
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+#include "benchmarks/figure.hpp"
+
+namespace {
+
+using kinetix::bench::Figure;
+
+constexpr const char* opening = "<!-- table: written by kinetix-bench --write -->";
+constexpr const char* closing = "<!-- end of table -->";
+
+std::string first_value(const char* file, const std::string& key) {
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);)
+    if (line.rfind(key, 0) == 0) return line.substr(line.find_first_of(":=") + 1);
+  return "unknown";
+}
+
+std::string trimmed(std::string text) {
+  std::erase(text, '"');
+  text.erase(0, text.find_first_not_of(" \t"));
+  return text;
+}
+
+std::string machine() {
+  return fmt::format("{}, {}, g++ {}.{}.{}", trimmed(first_value("/proc/cpuinfo", "model name")),
+                     trimmed(first_value("/etc/os-release", "PRETTY_NAME")), __GNUC__, __GNUC_MINOR__,
+                     __GNUC_PATCHLEVEL__);
+}
+
+std::string row(const Figure& f) {
+  return fmt::format("| {} | {} | {} | {} |\n", f.what, f.asked, f.measured, f.met ? "yes" : "**no**");
+}
+
+std::string replaced(const std::string& page, const std::string& table) {
+  const auto from = page.find(opening), to = page.find(closing);
+  if (from == std::string::npos || to == std::string::npos) throw std::runtime_error("the page has no table marks");
+  return page.substr(0, from) + opening + "\n" + table + page.substr(to);
+}
+
+void write_into(const std::string& file, const std::string& table) {
+  std::stringstream page;
+  page << std::ifstream(file).rdbuf();
+  const std::string text = replaced(page.str(), table);
+  std::ofstream(file) << text;
+}
+
+}  // namespace
+
+/// Measures every figure of the table and prints it; with `--write FILE` puts it into that page as well.
+int main(int argc, char** argv) {
+  std::string table = "Measured on " + machine() + ", release build, one run of `make bench`.\n\n";
+  table += "| what | asked | measured | met |\n|---|---|---|---|\n";
+  bool all_met = true;
+  for (const auto& figures : {kinetix::bench::model_figures, kinetix::bench::search_figures,
+                              kinetix::bench::physics_figures})
+    for (const Figure& figure : figures()) {
+      std::cerr << (figure.met ? "met     " : "MISSED  ") << figure.what << ": " << figure.measured << std::endl;
+      table += row(figure);
+      all_met = all_met && figure.met;
+    }
+  std::cout << table;
+  if (argc == 3 && std::string(argv[1]) == "--write") write_into(argv[2], table);
+  return all_met ? 0 : 1;
+}

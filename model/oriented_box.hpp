@@ -1,0 +1,19 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace kinetix {
+
+/// A box at any attitude.
+struct OrientedBox {
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< columns: unit directions of its edges
+  Eigen::Vector3d half = Eigen::Vector3d::Zero();      ///< half lengths along them, >= 0
+};
+
+/// Whether two boxes overlap by more than `depth` in every direction (a negative depth: come closer than
+/// -depth). Separating-axis test over the 15 candidates: exact for depth 0. Cross products of edges that are
+/// parallel to within 1e-6 rad are left out, as the face normals then cover them.
+bool overlap(const OrientedBox& a, const OrientedBox& b, double depth = 0);
+
+}  // namespace kinetix

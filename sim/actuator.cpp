@@ -1,0 +1,106 @@
+#include "sim/actuator.hpp"
+
+#include <BulletDynamics/ConstraintSolver/btGeneric6DofSpring2Constraint.h>
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "sim/joints.hpp"
+
+namespace kinetix {
+namespace {
+
+using Bodies = std::vector<std::unique_ptr<btRigidBody>>;
+
+/// Indices of the bodies whose row along the axis is the given one.
+std::vector<int> bodies_of_row(const Structure& structure, Axis axis, int row) {
+  std::vector<int> bodies;
+  for (std::size_t b = 0; b < structure.bodies.size(); ++b)
+    if (row_along(axis, structure.bodies[b]) == row) bodies.push_back(static_cast<int>(b));
+  return bodies;
+}
+
+class Plates final : public Actuator {
+ public:
+  Plates(const Structure& structure, Axis axis, const Bodies& bodies, double error_reduction) : axis_(axis) {
+    const auto [lowest, highest] =
+        std::minmax_element(structure.bodies.begin(), structure.bodies.end(),
+                            [&](Vertex a, Vertex b) { return row_along(axis, a) < row_along(axis, b); });
+    rows_ = {row_along(axis, *lowest), row_along(axis, *highest)};
+    for (int side = 0; side < 2; ++side) {
+      const std::vector<int> rim = bodies_of_row(structure, axis, rows_[side]);
+      for (const int b : rim) {
+        const Pin pin = b == rim[rim.size() / 2] ? Pin::keyed : Pin::sliding;
+        joints_.push_back(slot(axis, pin, plates_[side], *bodies[b], error_reduction));
+      }
+    }
+  }
+
+  std::vector<btGeneric6DofSpring2Constraint*> joints() const override {
+    std::vector<btGeneric6DofSpring2Constraint*> joints;
+    for (const Joint& joint : joints_) joints.push_back(joint.get());
+    return joints;
+  }
+
+  void move_to(double theta) override {
+    const double middle = 0.5 * (rows_[0] + rows_[1]);
+    for (int side = 0; side < 2; ++side) {
+      btVector3 place(0, 0, 0);
+      place[coordinate()] = middle + (rows_[side] - middle) * std::cos(theta);
+      plates_[side].setWorldTransform(btTransform(btMatrix3x3::getIdentity(), place));
+    }
+  }
+
+  double gap() const override {
+    double largest = 0;
+    for (const Joint& joint : joints_) {
+      const btVector3 plate = joint->getRigidBodyA().getWorldTransform().getOrigin();
+      const btVector3 body = joint->getRigidBodyB().getWorldTransform().getOrigin();
+      largest = std::max(largest, std::abs(body[coordinate()] - plate[coordinate()]));
+    }
+    return largest;
+  }
+
+ private:
+  int coordinate() const { return axis_ == Axis::x ? 0 : 1; }
+
+  Axis axis_;
+  std::array<int, 2> rows_{};
+  std::array<btRigidBody, 2> plates_{btRigidBody(0, nullptr, nullptr), btRigidBody(0, nullptr, nullptr)};
+  std::vector<Joint> joints_;
+};
+
+class DrivenHinge final : public Actuator {
+ public:
+  DrivenHinge(const Hinge& hinge, const Bodies& bodies, double error_reduction)
+      : turns_back_(hinge.wall.from.is_class_a()),
+        joint_(hinge_turn(hinge, *bodies[hinge.lower], *bodies[hinge.upper], error_reduction)) {}
+
+  std::vector<btGeneric6DofSpring2Constraint*> joints() const override { return {joint_.get()}; }
+
+  void move_to(double theta) override {
+    angle_ = turns_back_ ? -2 * theta : 2 * theta;
+    set_turn(*joint_, angle_);
+  }
+
+  double gap() const override { return std::abs(std::remainder(turn(*joint_) - angle_, 2 * pi)); }
+
+ private:
+  bool turns_back_;
+  Joint joint_;
+  double angle_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Actuator> make_actuator(const Structure& structure, const Drive& drive, const Bodies& bodies,
+                                        double error_reduction) {
+  if (drive.kind == Drive::Kind::plates)
+    return std::make_unique<Plates>(structure, drive.axis, bodies, error_reduction);
+  return std::make_unique<DrivenHinge>(structure.hinges[*structure.hinge_at(drive.wall)], bodies,
+                                       error_reduction);
+}
+
+}  // namespace kinetix

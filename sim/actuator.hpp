@@ -1,0 +1,29 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "sim/drive.hpp"
+
+class btGeneric6DofSpring2Constraint;
+class btRigidBody;
+
+namespace kinetix {
+
+/// A drive in the engine: its joints, and what moves them.
+class Actuator {
+ public:
+  virtual ~Actuator() = default;
+  virtual std::vector<btGeneric6DofSpring2Constraint*> joints() const = 0;
+  /// @param theta of the drive, with sign, rad
+  virtual void move_to(double theta) = 0;
+  /// Distance from where it should be: cell edges for plates, rad for a hinge.
+  virtual double gap() const = 0;
+};
+
+/// @param bodies in the structure's order; they must outlive the actuator
+std::unique_ptr<Actuator> make_actuator(const Structure& structure, const Drive& drive,
+                                        const std::vector<std::unique_ptr<btRigidBody>>& bodies,
+                                        double error_reduction);
+
+}  // namespace kinetix

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+
+#include "model/state.hpp"
+
+namespace kinetix {
+
+/// The two parts of a state that overlap most, or come closest to it.
+struct PartContact {
+  int first = -1, second = -1;  ///< bodies; -1 where no parts touch
+  double depth = 0;             ///< overlap, cell edges; slightly negative for parts that just touch
+
+  bool touches() const { return first >= 0; }
+};
+
+/// Outcome of a physics run. Only a settled one is a result to trust.
+struct PhysicsResult {
+  enum class Status {
+    settled,             ///< at rest, all hinges closed, the drive where it should be
+    not_settled,         ///< still moving, or a hinge not yet closed to settle_gap, when the time was up
+    hinge_gap_exceeded,  ///< a hinge is open by more than gap_limit (or was by more than tear_limit)
+    drive_missed,        ///< the hinges hold, but the drive is off by more than gap_limit
+    blocked,  ///< parts touch, and the hinges or the drive give way or the parts overlap; ends the run
+    blew_up,  ///< a speed became infinite, NaN or larger than speed_limit
+  };
+
+  Status status = Status::not_settled;
+  std::string why;       ///< the status in words, with its numbers
+  State state;           ///< last state, mm, in the structure's body order; not finite where it blew up
+  HingeGaps gaps;        ///< of that state
+  double drive_gap = 0;  ///< largest distance of a gripped body from its plate, cell edges, or of the driven
+                         ///< hinge from its angle, rad
+  PartContact contact;   ///< in that state
+  int steps = 0;         ///< taken
+  double simulated_s = 0;  ///< time that passed in the simulation
+  double seconds = 0;      ///< wall-clock time of the run
+};
+
+std::string to_string(PhysicsResult::Status status);
+
+}  // namespace kinetix

@@ -1,0 +1,74 @@
+#include "app/report/report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+namespace kinetix {
+namespace {
+
+const std::string data_start = R"(<script type="application/json" id="result">)";
+const std::string script_end = "</script>";
+
+std::string sample() {
+  std::ifstream file(SAMPLE_RESULT);
+  EXPECT_TRUE(file) << SAMPLE_RESULT;
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// What a browser takes as the data: up to the first end tag.
+std::string data_of(const std::string& page) {
+  const std::size_t from = page.find(data_start) + data_start.size();
+  return page.substr(from, page.find(script_end, from) - from);
+}
+
+int occurrences(const std::string& text, const std::string& part) {
+  int n = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++n;
+  return n;
+}
+
+TEST(Report, HoldsTheWholeResult) {
+  EXPECT_EQ(nlohmann::json::parse(data_of(report_html(sample()))), nlohmann::json::parse(sample()));
+}
+
+TEST(Report, RefersToNothingOutsideItself) {
+  const std::string page = report_html("{}");
+  for (const char* pattern : {R"((src|href)\s*=)", R"(<link)", R"(@import)", R"(\burl\()", R"(\bimport\b)",
+                              R"(\bfetch\()", R"(XMLHttpRequest)"})
+    EXPECT_FALSE(std::regex_search(page, std::regex(pattern, std::regex::icase))) << pattern;
+  // The one address left is the name of the SVG namespace.
+  EXPECT_EQ(occurrences(page, "http://"), occurrences(page, "http://www.w3.org/2000/svg"));
+  EXPECT_EQ(occurrences(page, "https://"), 0);
+}
+
+TEST(Report, KeepsMarkupInTheDataInert) {
+  const nlohmann::json result = {{"name", "</script><script>alert(1)</script> <!-- <script> ]]> @RESULT@"}};
+  const std::string page = report_html(result.dump());
+  EXPECT_EQ(nlohmann::json::parse(data_of(page)), result);
+  EXPECT_EQ(occurrences(page, "<script"), 2);
+  EXPECT_EQ(occurrences(page, "</script"), 2);
+  EXPECT_EQ(page.find("<!--"), std::string::npos);
+}
+
+TEST(Report, LeavesNoPlaceholder) {
+  const std::string page = report_html("{}");
+  EXPECT_FALSE(std::regex_search(page, std::regex("@[A-Z_]+@")));
+}
+
+TEST(Report, AddsABoundedAmountToTheResult) {
+  EXPECT_LT(report_html("{}").size(), 150'000u);
+  const std::string result = sample();
+  EXPECT_LT(report_html(result).size(), report_html("{}").size() + result.size() + 1000);
+}
+
+TEST(Report, TakesWhatIsNoJson) {
+  EXPECT_EQ(data_of(report_html("")), "");
+  EXPECT_EQ(data_of(report_html("NaN <")), "NaN \\u003c");
+}
+
+}  // namespace
+}  // namespace kinetix
