@@ -71,6 +71,7 @@ class Node {
     try {
       return f();
     } catch (const InvalidInput& e) {
+      if (e.place().line > 0) throw;
       throw error(e.reason());
     }
   }
@@ -89,10 +90,10 @@ inline constexpr std::size_t max_key_bytes = 100;
 
 /// Reads a YAML file strictly: what is not needed for configuration is an error, found while parsing and
 /// before anything is built from it. Refused are anchors, aliases, tags, duplicate keys, keys that are not
-/// plain words of at most 100 bytes, nesting over 64, a second document, files over 1 MiB, text that is not
-/// UTF-8. CRLF line ends and a byte order mark are fine.
+/// plain words of at most 100 bytes, nesting over 64, a second document, files over max_bytes (1 MiB), text
+/// that is not UTF-8. CRLF line ends and a byte order mark are fine.
 /// @throws InvalidInput naming file:line:column and the key path
-Node read_document(const std::string& file);
+Node read_document(const std::string& file, std::size_t max_bytes = max_document_bytes);
 
 /// The same from text in memory; `file` serves for messages and for relative paths.
 Node parse_document(const std::string& text, const std::string& file);

@@ -146,6 +146,7 @@ double parse_degrees(std::string_view text, const Bounds& degrees) {
 std::string degrees_text(double radians) {
   char buffer[64];
   std::string text;
+  radians += 0.0;  // -0 becomes 0
   for (int digits = 15; digits <= 21; ++digits) {
     const auto end = std::to_chars(buffer, buffer + sizeof buffer, radians / extended_radians_per_degree,
                                    std::chars_format::general, digits);

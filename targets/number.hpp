@@ -40,7 +40,7 @@ std::string shortest_text(double x);
 /// @throws InvalidInput as parse_number
 double parse_degrees(std::string_view text, const Bounds& degrees);
 
-/// Degrees that parse_degrees reads back to exactly this angle. @pre finite
+/// Degrees that parse_degrees reads back to exactly this angle (and -0 to 0). @pre finite
 std::string degrees_text(double radians);
 
 }  // namespace kinetix

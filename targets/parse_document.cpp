@@ -240,8 +240,8 @@ Node parse_document(const std::string& text, const std::string& file) {
   return {std::move(tree), 0};
 }
 
-Node read_document(const std::string& file) {
-  return parse_document(read_text_file(file, max_document_bytes), file);
+Node read_document(const std::string& file, std::size_t max_bytes) {
+  return parse_document(read_text_file(file, max_bytes), file);
 }
 
 }  // namespace kinetix

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/physics_section.hpp"
+#include "model/structure.hpp"
+
+namespace kinetix {
+
+/// The `drive:` section: how the structure is moved.
+struct DriveSection {
+  enum class Kind { plates, hinge };
+
+  Kind kind = Kind::plates;
+  Axis axis = Axis::y;     ///< plates: their normal
+  double compression = 0;  ///< plates: 1 - final / initial distance, (0, 1)
+  Wall wall = {};          ///< hinge: the driven wall, one of the structure's
+  double angle = 0;        ///< hinge: turn of wall.to() against wall.from, rad, within (-pi, pi)
+
+  bool operator==(const DriveSection&) const = default;
+};
+
+/// The `hinge:` section: what the hinges are made of.
+struct HingeSection {
+  enum class Model { rotary, elastic };
+
+  Model model = Model::rotary;
+  double k_point = 1000;           ///< N/mm, > 0
+  double k_turn = 0.1;             ///< N mm/rad, >= 0
+  std::optional<double> reach_mm;  ///< half distance of the two constraint points, (0, 10] cell edges
+
+  bool operator==(const HingeSection&) const = default;
+};
+
+/// A design.yaml. Angles in radians, lengths in mm.
+struct DesignFile {
+  std::string name;                        ///< default: the file's name without its ending
+  Structure structure;                     ///< with the parameters of every hinge
+  double theta = 0;                        ///< the state to show, rad, within (-pi/2, pi/2); default flat
+  std::optional<DriveSection> drive = {};  ///< nothing: to theta
+  HingeSection hinge = {};
+  PhysicsSection physics = {};
+};
+
+/// Designs may be larger than targets: at most 16 MiB, some 200 000 named hinges.
+inline constexpr std::size_t max_design_bytes = 16 << 20;
+
+/// @throws InvalidInput for whatever contracts.md does not allow: among others a wall that the structure does
+/// not have, is named twice, or does not run from its lower to its upper vertex, and cells of a pattern that
+/// disagree
+DesignFile read_design(const std::string& file);
+
+/// The file's text. read_design gives the same design back, bit for bit: angles are in degrees with as many
+/// digits as that takes. Only hinges that differ from the basic one are named.
+/// @pre finite numbers within the ranges that read_design allows, and a name that it allows
+std::string design_text(const DesignFile& design);
+
+}  // namespace kinetix

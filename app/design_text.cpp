@@ -1,0 +1,86 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/design_file.hpp"
+#include "app/structure_section.hpp"
+
+namespace kinetix {
+namespace {
+
+std::string text_of(const Wall& wall) {
+  return fmt::format("[[{}, {}], [{}, {}]]", wall.from.i, wall.from.j, wall.to().i, wall.to().j);
+}
+
+std::string cells_text(const std::vector<Cell>& cells) {
+  const auto sides = as_rectangle(cells);
+  if (sides && cells[0] == Cell{0, 0}) return fmt::format("[{}, {}]", (*sides)[0], (*sides)[1]);
+  std::string text = "[";
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    if (k > 0) text += k % 10 == 0 ? ",\n          " : ", ";
+    text += fmt::format("[{}, {}]", cells[k].i, cells[k].j);
+  }
+  return text + "]";
+}
+
+std::string structure_text(const Structure& structure) {
+  const CellSize& size = structure.size;
+  return fmt::format("structure:\n  cells: {}\n  cell_mm: {}\n  wall_mm: {{thickness: {}, height: {}}}\n",
+                     cells_text(structure.cells), shortest_text(size.edge_mm),
+                     shortest_text(size.thickness_mm), shortest_text(size.height_mm));
+}
+
+bool is_basic(const HingeParameters& p) {
+  const HingeParameters basic;
+  return p.t == basic.t && p.alpha == basic.alpha && p.beta == basic.beta;
+}
+
+std::string hinges_text(const Structure& structure) {
+  std::string text;
+  for (const Hinge& hinge : structure.hinges)
+    if (!is_basic(hinge.parameters))
+      text += fmt::format("    - {{wall: {}, t: {}, alpha_deg: {}, beta_deg: {}}}\n", text_of(hinge.wall),
+                          shortest_text(hinge.parameters.t), degrees_text(hinge.parameters.alpha),
+                          degrees_text(hinge.parameters.beta));
+  if (text.empty()) return {};
+  return "  hinges:  # walls that are not named have t: 0.5, alpha_deg: 90, beta_deg: 0\n" + text;
+}
+
+std::string drive_text(const std::optional<DriveSection>& drive) {
+  if (!drive) return {};
+  if (drive->kind == DriveSection::Kind::plates)
+    return fmt::format("drive: {{kind: plates, axis: {}, compression: {}}}\n",
+                       drive->axis == Axis::x ? "x" : "y", shortest_text(drive->compression));
+  return fmt::format("drive: {{kind: hinge, wall: {}, angle_deg: {}}}\n", text_of(drive->wall),
+                     degrees_text(drive->angle));
+}
+
+std::string hinge_text(const HingeSection& hinge) {
+  const std::string reach = hinge.reach_mm ? ", reach_mm: " + shortest_text(*hinge.reach_mm) : "";
+  return fmt::format("hinge: {{model: {}, k_point: {}, k_turn: {}{}}}\n",
+                     hinge.model == HingeSection::Model::rotary ? "rotary" : "elastic",
+                     shortest_text(hinge.k_point), shortest_text(hinge.k_turn), reach);
+}
+
+std::string physics_text(const PhysicsSection& physics) {
+  std::string text;
+  const auto add = [&](const char* key, const auto& value) {
+    if (value) text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", key, shortest_text(*value));
+  };
+  add("step_s", physics.step_s);
+  add("iterations", physics.iterations);
+  add("error_reduction", physics.error_reduction);
+  add("reach_mm", physics.reach_mm);
+  return text.empty() ? "" : "physics: {" + text + "}\n";
+}
+
+}  // namespace
+
+std::string design_text(const DesignFile& design) {
+  return fmt::format("kinetix: 1\nname: \"{}\"\n", design.name) + structure_text(design.structure) +
+         fmt::format("design:\n  theta_deg: {}\n", degrees_text(design.theta)) +
+         hinges_text(design.structure) + drive_text(design.drive) + hinge_text(design.hinge) +
+         physics_text(design.physics);
+}
+
+}  // namespace kinetix
