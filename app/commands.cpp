@@ -48,7 +48,8 @@ int report(Run run, double load_seconds, const std::string& folder, bool as_json
   if (as_json)
     std::cout << json.dump(1) << "\n";
   else
-    std::cout << summary(run) << fmt::format("  {:<10} {}/report.html, result.json, design.yaml\n", "written", folder);
+    std::cout << summary(run)
+              << fmt::format("  {:<10} {}/report.html, result.json, design.yaml\n", "written", folder);
   return exit_code(run);
 }
 
@@ -93,7 +94,11 @@ int check_command(const CommandOptions& options) {
   const std::string name = is_target ? read_target(options.file).name : read_design(options.file).name;
   const char* kind = is_target ? "target" : "design";
   if (options.json)
-    std::cout << nlohmann::ordered_json{{"file", options.file}, {"kind", kind}, {"name", name}, {"valid", true}}.dump(1)
+    std::cout << nlohmann::ordered_json{{"file", options.file},
+                                        {"kind", kind},
+                                        {"name", name},
+                                        {"valid", true}}
+                     .dump(1)
               << "\n";
   else
     std::cout << fmt::format("{}: valid {} '{}'\n", options.file, kind, name);

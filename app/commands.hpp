@@ -17,8 +17,8 @@ struct CommandOptions {
   bool verify = true;
   int threads = 0;
   std::uint64_t seed = 0;
-  std::string model = "exact";   ///< of simulate: exact or bullet
-  double theta_deg = 0;          ///< of simulate
+  std::string model = "exact";  ///< of simulate: exact or bullet
+  double theta_deg = 0;         ///< of simulate
   bool theta_given = false;
 };
 

@@ -6,7 +6,8 @@
 
 namespace kinetix {
 
-/// Progress on stderr: a bar where stderr is a terminal, one line per stage where it is not, nothing when quiet.
+/// Progress on stderr: a bar where stderr is a terminal, one line per stage where it is not, nothing when
+/// quiet.
 class Console {
  public:
   explicit Console(bool quiet);

@@ -77,8 +77,9 @@ double theta_of(const Drive& drive, const Classification& family, const Structur
     if (now == 0 || (now > 0) != (before > 0)) return bisect(miss, (k - 1) * step, k * step);
     before = now;
   }
-  throw InvalidInput(fmt::format("drive: no theta up to {:.1f} deg gives this structure what the drive asks for",
-                                 widest / radians_per_degree));
+  throw InvalidInput(
+      fmt::format("drive: no theta up to {:.1f} deg gives this structure what the drive asks for",
+                  widest / radians_per_degree));
 }
 
 PhysicsOptions physics_options(const PhysicsSection& section, double edge_mm) {

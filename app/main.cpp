@@ -12,13 +12,15 @@ using kinetix::CommandOptions;
 void add_common(CLI::App& app, CommandOptions& options) {
   app.add_flag("--json", options.json, "print the whole result as one JSON document on stdout");
   app.add_flag("--quiet", options.quiet, "no progress on stderr");
-  app.add_option("--threads", options.threads, "threads of the search; 0 = all cores; the answer does not depend on it")
+  app.add_option("--threads", options.threads,
+                 "threads of the search; 0 = all cores; the answer does not depend on it")
       ->check(CLI::Range(0, 1024));
   app.add_option("--seed", options.seed, "seed of the random starts; same seed, same answer");
 }
 
 void add_output(CLI::App& app, CommandOptions& options) {
-  app.add_option("-o", options.folder, "folder for result.json, design.yaml and report.html (default results/NAME)")
+  app.add_option("-o", options.folder,
+                 "folder for result.json, design.yaml and report.html (default results/NAME)")
       ->type_name("DIR");
 }
 
@@ -37,8 +39,10 @@ exit codes:
 
 int run(int argc, char** argv) {
   CommandOptions options;
-  CLI::App app("Finds the hinge tilts of a flat KinetiX sheet that folds into a goal shape, and checks them by physics.",
-               "kinetix-opt");
+  CLI::App app(
+      "Finds the hinge tilts of a flat KinetiX sheet that folds into a goal shape, and checks them by "
+      "physics.",
+      "kinetix-opt");
   app.set_version_flag("--version", std::string("kinetix-opt ") + kinetix::version);
   app.footer(footer);
   app.require_subcommand(0, 1);
@@ -49,7 +53,8 @@ int run(int argc, char** argv) {
   app.add_flag("!--no-verify", options.verify, "skip the physics run");
   app.add_option("TARGET.yaml", options.file, "goal shape, structure and bounds")->type_name("");
 
-  CLI::App* verify = app.add_subcommand("verify", "run the physics engine on a design and compare it with the model");
+  CLI::App* verify =
+      app.add_subcommand("verify", "run the physics engine on a design and compare it with the model");
   CLI::App* simulate = app.add_subcommand("simulate", "compute one folded state of a design");
   CLI::App* check = app.add_subcommand("check", "validate a target or a design; writes nothing");
   for (CLI::App* command : {verify, simulate, check}) {
@@ -59,8 +64,9 @@ int run(int argc, char** argv) {
   }
   simulate->add_option("--model", options.model, "exact: closed form; bullet: physics run")
       ->check(CLI::IsMember({"exact", "bullet"}));
-  CLI::Option* theta = simulate->add_option("--theta-deg", options.theta_deg, "fold angle instead of the design's own")
-                           ->check(CLI::Range(-89.0, 89.0));
+  CLI::Option* theta =
+      simulate->add_option("--theta-deg", options.theta_deg, "fold angle instead of the design's own")
+          ->check(CLI::Range(-89.0, 89.0));
 
   try {
     app.parse(argc, argv);

@@ -7,7 +7,8 @@
 
 namespace kinetix {
 
-/// Writes DIR/result.json, DIR/design.yaml and DIR/report.html, each whole or not at all; sets run.timings.write.
+/// Writes DIR/result.json, DIR/design.yaml and DIR/report.html, each whole or not at all; sets
+/// run.timings.write.
 /// @return the JSON document. @throws InvalidInput where the folder cannot be written
 nlohmann::ordered_json write_results(Run& run, const std::string& folder);
 

@@ -5,7 +5,8 @@
 namespace kinetix {
 namespace {
 
-/// Beyond this the numeric rank costs more than a search; the exact families have one freedom by their closed form.
+/// Beyond this the numeric rank costs more than a search; the exact families have one freedom by their closed
+/// form.
 constexpr std::size_t most_bodies_for_rank = 500;
 
 std::string wall_sentence(const ThetaRange& range) {
@@ -24,7 +25,8 @@ Plan make_plan(const Structure& structure) {
     plan.mobility = mobility(structure);
     plan.why.push_back("mobility: " + plan.mobility->why);
   } else {
-    plan.why.push_back(fmt::format("mobility: numeric rank not computed above {} bodies", most_bodies_for_rank));
+    plan.why.push_back(
+        fmt::format("mobility: numeric rank not computed above {} bodies", most_bodies_for_rank));
   }
   if (plan.family.family != Family::none) {
     plan.free_range = theta_range(structure, plan.family);

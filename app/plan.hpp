@@ -15,7 +15,7 @@ struct Plan {
   Classification family;
   std::optional<Mobility> mobility;      ///< empty for structures too large to be worth it
   std::optional<ThetaRange> free_range;  ///< theta without walls touching; empty outside the exact families
-  std::vector<std::string> why;  ///< one sentence per decision
+  std::vector<std::string> why;          ///< one sentence per decision
 };
 
 Plan make_plan(const Structure& structure);

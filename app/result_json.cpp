@@ -149,7 +149,8 @@ Json physics_json(const Verification& v) {
 Json fidelity_json(const std::vector<Fidelity>& rows) {
   Json out = Json::array();
   for (const Fidelity& row : rows)
-    out.push_back({{"model", row.model}, {"seconds", row.seconds}, {"error", row.error}, {"against", row.against}});
+    out.push_back(
+        {{"model", row.model}, {"seconds", row.seconds}, {"error", row.error}, {"against", row.against}});
   return out;
 }
 

@@ -6,8 +6,8 @@
 
 namespace kinetix {
 
-/// The document of contracts.md, schema kinetix-result/1 (app/schema/result.schema.json): millimetres, and radians where
-/// a key ends in _rad. Numbers that are not finite become null.
+/// The document of contracts.md, schema kinetix-result/1 (app/schema/result.schema.json): millimetres, and
+/// radians where a key ends in _rad. Numbers that are not finite become null.
 nlohmann::ordered_json result_json(const Run& run);
 
 /// The few lines of it that a person reads on stdout.

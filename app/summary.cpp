@@ -7,7 +7,9 @@ namespace {
 
 double degrees(double angle) { return angle / radians_per_degree; }
 
-std::string line(const std::string& label, const std::string& text) { return fmt::format("  {:<10} {}\n", label, text); }
+std::string line(const std::string& label, const std::string& text) {
+  return fmt::format("  {:<10} {}\n", label, text);
+}
 
 double largest_tilt(const Structure& structure) {
   double largest = 0;
@@ -18,14 +20,16 @@ double largest_tilt(const Structure& structure) {
 std::string shape_lines(const Run& run) {
   const CurveOutcome& curve = *run.curve;
   const CurveError& error = curve.found.error;
-  std::string text = line("shape", fmt::format("rms {:.2e} of the goal's diagonal ({:.3f} mm), largest {:.3f} mm: {}",
-                                               error.rms, error.rms * error.scale_mm, error.max * error.scale_mm,
-                                               curve.met ? "within tolerance" : "MISSES THE TOLERANCE"));
+  std::string text =
+      line("shape", fmt::format("rms {:.2e} of the goal's diagonal ({:.3f} mm), largest {:.3f} mm: {}",
+                                error.rms, error.rms * error.scale_mm, error.max * error.scale_mm,
+                                curve.met ? "within tolerance" : "MISSES THE TOLERANCE"));
   for (const std::string& obstacle : curve.found.reach.obstacles)
     if (!curve.met) text += line("why", obstacle);
   const SolveResult& best = curve.found.search.runs[curve.found.chosen];
-  text += line("search", fmt::format("{:.3f} s, {} from {} starts, {}", run.timings.optimise, to_string(curve.solver.name),
-                                     curve.found.search.runs.size(), to_string(best.status)));
+  text += line("search", fmt::format("{:.3f} s, {} from {} starts, {}", run.timings.optimise,
+                                     to_string(curve.solver.name), curve.found.search.runs.size(),
+                                     to_string(best.status)));
   return text;
 }
 
@@ -33,10 +37,11 @@ std::string physics_lines(const Run& run) {
   const Verification& v = *run.verification;
   if (v.physics.status != PhysicsResult::Status::settled)
     return line("physics", fmt::format("FAILED, {}: {}", to_string(v.physics.status), v.physics.why));
-  if (!v.compared) return line("physics", fmt::format("settled in {:.2f} s; no model to compare with", v.physics.seconds));
-  return line("physics",
-              fmt::format("rms {:.1e} cell edges from the model, hinge gap {:.1e}, {:.2f} s: {}", v.distance.rms,
-                          v.physics.gaps.max, v.physics.seconds, v.agrees ? "agrees" : "DISAGREES"));
+  if (!v.compared)
+    return line("physics", fmt::format("settled in {:.2f} s; no model to compare with", v.physics.seconds));
+  return line("physics", fmt::format("rms {:.1e} cell edges from the model, hinge gap {:.1e}, {:.2f} s: {}",
+                                     v.distance.rms, v.physics.gaps.max, v.physics.seconds,
+                                     v.agrees ? "agrees" : "DISAGREES"));
 }
 
 }  // namespace

@@ -41,7 +41,8 @@ void verify(Run& run, const State& reference, const Drive& drive, const PhysicsO
   v.compared = !reference.empty();
   const bool settled = v.physics.status == PhysicsResult::Status::settled;
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  v.distance = settled && v.compared ? distance(run.structure, v.physics, reference) : StateDistance{nan, nan};
+  v.distance =
+      settled && v.compared ? distance(run.structure, v.physics, reference) : StateDistance{nan, nan};
   v.agrees = settled && (!v.compared || v.distance.rms <= run.verify_tolerance);
   run.states.push_back({"target", "bullet", run.theta, v.physics.state, v.physics.gaps});
   if (v.compared) {

@@ -4,8 +4,9 @@
 
 namespace kinetix {
 
-/// Runs the physics engine on run.structure, compares it with the reference state, and adds its state, the verification
-/// and its rows of the speed-against-error table to the run. A quick run of coarser settings gives a second row.
+/// Runs the physics engine on run.structure, compares it with the reference state, and adds its state, the
+/// verification and its rows of the speed-against-error table to the run. A quick run of coarser settings
+/// gives a second row.
 /// @param reference the model's state of the same drive; empty where no model knows one
 void verify(Run& run, const State& reference, const Drive& drive, const PhysicsOptions& options,
             const Progress& progress);
@@ -14,6 +15,7 @@ void verify(Run& run, const State& reference, const Drive& drive, const PhysicsO
 Fidelity exact_fidelity(const Classification& family, const Structure& structure, double theta);
 
 /// States of the motion from flat to theta, named "frame".
-std::vector<NamedState> motion_frames(const Classification& family, const Structure& structure, double theta, int count);
+std::vector<NamedState> motion_frames(const Classification& family, const Structure& structure, double theta,
+                                      int count);
 
 }  // namespace kinetix

@@ -38,7 +38,8 @@ std::string row(const Figure& f) {
 
 std::string replaced(const std::string& page, const std::string& table) {
   const auto from = page.find(opening), to = page.find(closing);
-  if (from == std::string::npos || to == std::string::npos) throw std::runtime_error("the page has no table marks");
+  if (from == std::string::npos || to == std::string::npos)
+    throw std::runtime_error("the page has no table marks");
   return page.substr(0, from) + opening + "\n" + table + page.substr(to);
 }
 
@@ -56,10 +57,11 @@ int main(int argc, char** argv) {
   std::string table = "Measured on " + machine() + ", release build, one run of `make bench`.\n\n";
   table += "| what | asked | measured | met |\n|---|---|---|---|\n";
   bool all_met = true;
-  for (const auto& figures : {kinetix::bench::model_figures, kinetix::bench::search_figures,
-                              kinetix::bench::physics_figures})
+  for (const auto& figures :
+       {kinetix::bench::model_figures, kinetix::bench::search_figures, kinetix::bench::physics_figures})
     for (const Figure& figure : figures()) {
-      std::cerr << (figure.met ? "met     " : "MISSED  ") << figure.what << ": " << figure.measured << std::endl;
+      std::cerr << (figure.met ? "met     " : "MISSED  ") << figure.what << ": " << figure.measured
+                << std::endl;
       table += row(figure);
       all_met = all_met && figure.met;
     }

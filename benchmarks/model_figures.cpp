@@ -42,7 +42,8 @@ Figure state_time() {
     design.theta += 1e-9;
     fold(design, 8.0, poses);
   });
-  return {"one state of a 40-column strip (82 bodies)", "<= 5 us", fmt::format("{:.2f} us", 1e6 * t), t <= 5e-6};
+  return {"one state of a 40-column strip (82 bodies)", "<= 5 us", fmt::format("{:.2f} us", 1e6 * t),
+          t <= 5e-6};
 }
 
 Figure jacobian_time() {
@@ -86,8 +87,9 @@ Figure derivatives() {
         design.beta[repeat] = 0;
         worst = std::max(worst, testing::jacobian_mismatch(design, 8.0));
       }
-  return {fmt::format("derivatives against central differences, {} random designs, beta = 0 and theta = 0 among them",
-                      designs),
+  return {fmt::format(
+              "derivatives against central differences, {} random designs, beta = 0 and theta = 0 among them",
+              designs),
           "<= 1e-7 relative", fmt::format("{:.1e}", worst), worst <= 1e-7};
 }
 

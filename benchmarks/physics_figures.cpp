@@ -24,8 +24,8 @@ Figure against_exact(const Scene& scene, int columns) {
   const bool quick = columns != 40 || physics.seconds <= 10;
   return {fmt::format("{}, {} columns: Bullet against the exact model", scene.name, columns),
           columns == 40 ? "verify_rms <= 5e-3, gap <= 2e-3, <= 10 s" : "verify_rms <= 5e-3, gap <= 2e-3",
-          fmt::format("rms {:.1e}, gap {:.1e} cell edges, {:.2f} s, {}", rms, physics.gaps.max, physics.seconds,
-                      to_string(physics.status)),
+          fmt::format("rms {:.1e}, gap {:.1e} cell edges, {:.2f} s, {}", rms, physics.gaps.max,
+                      physics.seconds, to_string(physics.status)),
           settled && rms <= 5e-3 && physics.gaps.max <= 2e-3 && quick};
 }
 

@@ -22,9 +22,10 @@ Figure exact_curves() {
       ++made;
       ++curves;
     }
-  return {fmt::format("{} curves that some design reaches exactly (random tilts to 40 deg, 6 to 40 columns): worst "
-                      "shape_rms",
-                      curves),
+  return {fmt::format(
+              "{} curves that some design reaches exactly (random tilts to 40 deg, 6 to 40 columns): worst "
+              "shape_rms",
+              curves),
           "<= 1e-6", fmt::format("{:.1e}", worst), worst <= 1e-6};
 }
 
@@ -55,8 +56,8 @@ Figure fit_time(const Scene& scene) {
           fmt::format("{:.1f} ms", 1e3 * t), t <= 0.1};
 }
 
-/// Both searches from the same starts; each derivative-free one stops as soon as it is within 1 % of the error that
-/// Ceres reached from the same start, or at its evaluation limit.
+/// Both searches from the same starts; each derivative-free one stops as soon as it is within 1 % of the
+/// error that Ceres reached from the same start, or at its evaluation limit.
 Figure derivative_free_ratio(const Scene& scene, SolverName name) {
   const CurveVariables v = strip(scene, 40);
   const CurveFit fit(scene.goal, make_bend_ties(v.columns, v.per, v.symmetry, v.beta), v.cell_mm, v.theta);

@@ -63,11 +63,12 @@ void keep_below_closing(CurveVariables& v, const CellSize& size, std::vector<std
   const double closing = std::atan(1 - size.thickness_mm / size.edge_mm) - margin;
   if (!(v.theta.upper > closing)) return;
   if (!(v.theta.lower < closing))
-    throw InvalidInput(fmt::format("walls of {} mm in cells of {} mm close at theta {:.1f} deg, below the range asked for",
-                                   size.thickness_mm, size.edge_mm, degrees(closing)));
+    throw InvalidInput(
+        fmt::format("walls of {} mm in cells of {} mm close at theta {:.1f} deg, below the range asked for",
+                    size.thickness_mm, size.edge_mm, degrees(closing)));
   v.theta.upper = closing;
-  notes.push_back(fmt::format("theta kept below {:.2f} deg, where walls of {:.3g} mm close the cells", degrees(closing),
-                              size.thickness_mm));
+  notes.push_back(fmt::format("theta kept below {:.2f} deg, where walls of {:.3g} mm close the cells",
+                              degrees(closing), size.thickness_mm));
 }
 
 AngleRange narrowed(const AngleRange& range, double limit) {
@@ -99,15 +100,16 @@ FreeCurveDesign fit_free_curve(const Curve& goal, const CurveVariables& variable
     if (!(candidate.error.rms <= worst_growth * result.design.error.rms + exact)) break;
     contact = first_contact(candidate.design, size);
     if (contact.touches) continue;
-    result.notes.push_back(fmt::format("tilts narrowed to {:.1f} .. {:.1f} deg: with steeper ones walls run into each other",
-                                       degrees(v.beta.lower), degrees(v.beta.upper)));
+    result.notes.push_back(
+        fmt::format("tilts narrowed to {:.1f} .. {:.1f} deg: with steeper ones walls run into each other",
+                    degrees(v.beta.lower), degrees(v.beta.upper)));
     result.design = std::move(candidate);
     result.walls_are_free = true;
   }
   if (!result.walls_are_free)
-    result.notes.push_back(fmt::format("walls run into each other at theta {:.2f} deg, before the {:.2f} deg of the goal",
-                                       degrees(first_contact(result.design.design, size).theta),
-                                       degrees(result.design.design.theta)));
+    result.notes.push_back(fmt::format(
+        "walls run into each other at theta {:.2f} deg, before the {:.2f} deg of the goal",
+        degrees(first_contact(result.design.design, size).theta), degrees(result.design.design.theta)));
   return result;
 }
 
