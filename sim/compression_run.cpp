@@ -77,9 +77,7 @@ class Run {
     return result_.contact.touches() && std::max(result_.gaps.max, result_.drive_gap) > options_.gap_limit;
   }
 
-  bool is_at_rest() const {
-    return result_.gaps.max <= options_.settle_gap && world_.fastest_part() <= options_.settle_speed;
-  }
+  bool is_at_rest() const { return world_.fastest_part() <= options_.settle_speed; }
 
   void show() {
     if (observer_.progress && result_.steps % std::max(1, all_steps_ / 100) == 0)

@@ -10,8 +10,8 @@
 namespace kinetix {
 namespace {
 
-constexpr double joint_stiffness = 1e9;      // over part mass
-constexpr double contact_compliance = 1e-4;  // times part mass
+// How much softer contacts are than joints.
+constexpr double contact_softness = 10;
 
 Vector6 stacked(const btVector3& linear, const btVector3& angular) {
   return {linear.x(), linear.y(), linear.z(), angular.x(), angular.y(), angular.z()};
@@ -26,6 +26,10 @@ struct Contact {
 };
 
 class DirectSolver final : public btSequentialImpulseConstraintSolver {
+ public:
+  explicit DirectSolver(double joint_stiffness)
+      : joint_stiffness_(joint_stiffness), contact_compliance_(contact_softness / joint_stiffness) {}
+
  private:
   btScalar solveGroupCacheFriendlyIterations(btCollisionObject**, int, btPersistentManifold**, int,
                                              btTypedConstraint**, int, const btContactSolverInfo& info,
@@ -64,7 +68,7 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
     rows_.clear();
     for (int k = 0; k < m_tmpSolverNonContactConstraintPool.size(); ++k)
       rows_.push_back(row_of(m_tmpSolverNonContactConstraintPool[k]));
-    system_.factorise(masses_, rows_, joint_stiffness);
+    system_.factorise(masses_, rows_, joint_stiffness_);
   }
 
   static double along(const VelocityRow& row, const Eigen::VectorXd& v) {
@@ -90,8 +94,8 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
     for (int sweep = 0; sweep < sweeps; ++sweep) {
       double change = 0;
       for (Contact& c : contacts) {
-        const double miss = c.target - along(c.row, velocities) - contact_compliance * c.impulse;
-        const double step = std::max(-c.impulse, miss / (c.mobility + contact_compliance));
+        const double miss = c.target - along(c.row, velocities) - contact_compliance_ * c.impulse;
+        const double step = std::max(-c.impulse, miss / (c.mobility + contact_compliance_));
         c.impulse += step;
         velocities += step * c.response;
         change = std::max(change, std::abs(step) * c.mobility);
@@ -109,6 +113,7 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
     }
   }
 
+  double joint_stiffness_, contact_compliance_;
   std::vector<int> part_of_;  ///< by solver body; -1 for a fixed one
   std::vector<int> bodies_;   ///< solver body of each part
   std::vector<Vector6> masses_;
@@ -118,6 +123,8 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
 
 }  // namespace
 
-std::unique_ptr<btConstraintSolver> make_direct_solver() { return std::make_unique<DirectSolver>(); }
+std::unique_ptr<btConstraintSolver> make_direct_solver(double joint_stiffness) {
+  return std::make_unique<DirectSolver>(joint_stiffness);
+}
 
 }  // namespace kinetix

@@ -10,6 +10,7 @@ namespace kinetix {
 /// contacts only: every contact impulse is applied together with the answer of all joints to it. Contacts
 /// are frictionless, and yield a little before the joints do: where a drive presses parts into each other,
 /// they overlap, and the structure stays whole.
-std::unique_ptr<btConstraintSolver> make_direct_solver();
+/// @param joint_stiffness as PhysicsOptions has it
+std::unique_ptr<btConstraintSolver> make_direct_solver(double joint_stiffness);
 
 }  // namespace kinetix

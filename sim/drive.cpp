@@ -27,10 +27,11 @@ void validate_hinge(const Drive& drive, const Structure& structure) {
                                  from.j, to.i, to.j));
 }
 
-bool is_basic(const Hinge& hinge) {
-  const auto& [t, alpha, beta] = hinge.parameters;
-  return t == 0.5 && alpha == pi / 2 && beta == 0;
+bool is_vertical(const Hinge& hinge) {
+  return hinge.parameters.alpha == pi / 2 && hinge.parameters.beta == 0;
 }
+
+bool is_half(double t) { return std::abs(t - 0.5) <= 1e-9; }
 
 bool is_rectangle(const Structure& structure) {
   const Cell first = structure.cells.front(), last = structure.cells.back();
@@ -38,6 +39,12 @@ bool is_rectangle(const Structure& structure) {
   const bool fits = std::all_of(structure.cells.begin(), structure.cells.end(),
                                 [&](Cell c) { return first.j <= c.j && c.j <= last.j; });
   return fits && static_cast<long>(structure.cells.size()) == columns * rows;
+}
+
+/// Whether the rows of vertices along the rim stay straight lines or plane curves while the sheet folds.
+bool keeps_its_rim_flat(const Classification& kind, const Structure& structure) {
+  if (kind.family == Family::none) return is_rectangle(structure);
+  return std::all_of(kind.design.t.begin(), kind.design.t.end(), is_half);
 }
 
 Drive plate_drive(Axis axis, double theta) {
@@ -67,8 +74,8 @@ Drive drive_to(const Structure& structure, double theta) {
   if (!(std::abs(theta) < pi / 2))
     throw InvalidInput(fmt::format("theta is {} rad, must be in (-pi/2, pi/2)", theta));
   const Classification kind = classify(structure);
-  const auto hinge = std::find_if(structure.hinges.begin(), structure.hinges.end(), is_basic);
-  if (kind.family == Family::none && !is_rectangle(structure) && hinge != structure.hinges.end())
+  const auto hinge = std::find_if(structure.hinges.begin(), structure.hinges.end(), is_vertical);
+  if (hinge != structure.hinges.end() && !keeps_its_rim_flat(kind, structure))
     return hinge_drive(hinge->wall, theta);
   return plate_drive(kind.transposed ? Axis::x : Axis::y, theta);
 }

@@ -10,9 +10,10 @@ namespace kinetix {
 /// and of the last row of vertices along the axis like pins in a frictionless slot: such a body's coordinate
 /// along the axis is prescribed, and it is free to slide in the plane and to turn. Plates that merely press
 /// on the outline could not do this: the half walls at the rim stick out like knees, so that the outline of
-/// M rows has the height L (M cos(theta) + sin(theta)), which grows at first. In the exact families every
-/// row of vertices stays in one plane normal to the axis, so a strip that curls into a half circle stays
-/// between its plates.
+/// M rows has the height L (M cos(theta) + sin(theta)), which grows at first. In the exact families a row of
+/// vertices stays in one plane normal to the axis as long as the walls along the row have t = 1/2, so a strip
+/// that curls into a half circle stays between its plates. Other fractions make the row a zigzag or a slope:
+/// plates would strain such a sheet, and a driven hinge does not.
 /// The middle pin of each plate is keyed to the plane z = 0. Without it, nothing would keep a flat sheet from
 /// tipping over as a whole between plates that come closer.
 ///
@@ -38,9 +39,9 @@ struct Drive {
   double theta() const;
 };
 
-/// The drive that takes an exactly mobile structure to fold angle theta: plates normal to the direction in
-/// which its rows are stacked (y; x where the sheet folds along y). For a net, whose panels need not stay
-/// between planes, the first basic hinge instead, by twice theta.
+/// The drive that takes an exactly mobile structure to fold angle theta. Plates normal to the direction in
+/// which its rows are stacked (y; x where the sheet folds along y) if its rim stays flat, or if it is a
+/// rectangle without an exact family; for other sheets and for nets the first vertical hinge, by twice theta.
 /// @param theta rad, in (-pi/2, pi/2)
 /// @throws InvalidInput for theta outside its range
 Drive drive_to(const Structure& structure, double theta);

@@ -28,13 +28,13 @@ void PhysicsOptions::validate() const {
   positive("step_s", step_s, 0.1);
   if (iterations < 1 || iterations > 100000)
     throw InvalidInput(fmt::format("physics.iterations is {}, must be in [1, 100000]", iterations));
+  positive("joint_stiffness", joint_stiffness, 1e12);
   positive("error_reduction", error_reduction, 1);
   positive("reach", reach, 10);
   positive("part_inertia", part_inertia, 100);
   positive("drive_seconds", drive_seconds, 1000);
   not_negative("settle_seconds", settle_seconds, 1000);
   not_negative("settle_damping", settle_damping, 1e6);
-  positive("settle_gap", settle_gap);
   positive("settle_speed", settle_speed);
   positive("gap_limit", gap_limit);
   positive("tear_limit", tear_limit);

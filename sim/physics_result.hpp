@@ -17,8 +17,8 @@ struct PartContact {
 /// Outcome of a physics run. Only a settled one is a result to trust.
 struct PhysicsResult {
   enum class Status {
-    settled,             ///< at rest, all hinges closed, the drive where it should be
-    not_settled,         ///< still moving, or a hinge not yet closed to settle_gap, when the time was up
+    settled,             ///< at rest, hinges and drive within gap_limit
+    not_settled,         ///< still moving when the time was up
     hinge_gap_exceeded,  ///< a hinge is open by more than gap_limit (or was by more than tear_limit)
     drive_missed,        ///< the hinges hold, but the drive is off by more than gap_limit
     wrong_branch,        ///< plates: the sheet folded to the other sign of theta

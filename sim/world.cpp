@@ -18,6 +18,11 @@ namespace {
 constexpr double part_mass = 1;
 constexpr double touching = 1e-3;  // cell edges between parts that are said to touch
 
+std::unique_ptr<btConstraintSolver> make_solver(const PhysicsOptions& options) {
+  if (options.solver == PhysicsOptions::Solver::sweeps) return make_sweep_solver();
+  return make_direct_solver(options.joint_stiffness);
+}
+
 btTransform at(double x, double y, double z) {
   return btTransform(btMatrix3x3::getIdentity(), btVector3(x, y, z));
 }
@@ -53,7 +58,7 @@ struct World::Parts {
       : structure(s),
         drive(d),
         options(o),
-        solver(o.solver == PhysicsOptions::Solver::direct ? make_direct_solver() : make_sweep_solver()),
+        solver(make_solver(o)),
         world(&dispatcher, &broadphase, solver.get(), &configuration) {
     world.setGravity({0, 0, 0});
     btContactSolverInfo& info = world.getSolverInfo();

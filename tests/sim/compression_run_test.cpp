@@ -62,7 +62,8 @@ TEST(CompressionRun, FoldsRandomSheetsOfEveryFamily) {
 TEST(CompressionRun, FoldsASheetThatBendsAlongY) {
   Structure sheet = make_structure(rectangle(1, 5), {});
   for (Hinge& hinge : sheet.hinges)
-    if (hinge.wall.axis == Axis::y) hinge.parameters.beta = (hinge.wall.from.i & 1) ? -0.4 : 0.4;
+    if (hinge.wall.axis == Axis::y)
+      hinge.parameters.beta = (hinge.wall.from.i & 1 ? -0.15 : 0.15) * hinge.wall.from.j;
   const Classification kind = classify(sheet);
   ASSERT_TRUE(kind.transposed);
   for (const double theta : {0.4, -0.4}) {

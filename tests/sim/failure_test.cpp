@@ -65,7 +65,6 @@ TEST(FailedRun, DoesNotPassOffAnAbsurdDriveAsSettled) {
 TEST(FailedRun, ReportsAStripThatHasNoTimeToSettle) {
   PhysicsOptions options;
   options.settle_seconds = 0;
-  options.settle_speed = 1e-12;
   const PhysicsResult result = run(bent, options);
   EXPECT_EQ(result.status, Status::not_settled);
   EXPECT_THAT(result.why, HasSubstr("not at rest"));
@@ -98,7 +97,7 @@ TEST(PhysicsOptions, RejectNanAndWhatIsOutOfRange) {
     rejects(&PhysicsOptions::reach, bad, "reach");
     rejects(&PhysicsOptions::part_inertia, bad, "part_inertia");
     rejects(&PhysicsOptions::drive_seconds, bad, "drive_seconds");
-    rejects(&PhysicsOptions::settle_gap, bad, "settle_gap");
+    rejects(&PhysicsOptions::joint_stiffness, bad, "joint_stiffness");
     rejects(&PhysicsOptions::settle_speed, bad, "settle_speed");
     rejects(&PhysicsOptions::gap_limit, bad, "gap_limit");
     rejects(&PhysicsOptions::tear_limit, bad, "tear_limit");
