@@ -11,26 +11,48 @@ std::string name(const Wall& wall) {
   return "wall [" + vertex(wall.from) + ", " + vertex(wall.to()) + "]";
 }
 
-/// Design that each column's and row's first hinge suggests.
-ExactDesign<double> suggested_design(const Structure& s) {
+/// Middle of the finite values; the fallback where there are none. A single odd hinge does not sway it.
+double median(std::vector<double> values, double fallback) {
+  std::erase_if(values, [](double v) { return !std::isfinite(v); });
+  if (values.empty()) return fallback;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Hinge parameters by column and row, with their alternation over the sheet undone.
+struct Survey {
+  std::vector<std::vector<double>> beta, t, s;
+  std::vector<double> gamma;
+
+  Survey(int columns, int rows) : beta(columns), t(columns), s(rows) {}
+
+  void add(const Hinge& hinge) {
+    const auto [i, j] = hinge.wall.from;
+    const HingeParameters& p = hinge.parameters;
+    const bool along_x = hinge.wall.axis == Axis::x;
+    const double tilt = ((along_x ? j : i) & 1) ? -p.beta : p.beta;
+    (along_x ? beta[i] : gamma).push_back(tilt);
+    (along_x ? t[i] : s[j]).push_back(fraction_from_lower(p.t, hinge.wall.from));
+  }
+};
+
+/// Design that most hinges of each column and row suggest.
+ExactDesign<double> suggested_design(const Structure& structure) {
   int columns = 0, rows = 0;
-  for (const Cell& c : s.cells) {
+  for (const Cell& c : structure.cells) {
     columns = std::max(columns, c.i + 1);
     rows = std::max(rows, c.j + 1);
   }
+  Survey survey(columns, rows);
+  for (const Hinge& hinge : structure.hinges) survey.add(hinge);
   auto design = ExactDesign<double>::basic(columns, rows);
-  for (auto hinge = s.hinges.rbegin(); hinge != s.hinges.rend(); ++hinge) {
-    const auto [i, j] = hinge->wall.from;
-    const HingeParameters& p = hinge->parameters;
-    const double of_class_a = fraction_from_lower(p.t, hinge->wall.from);
-    if (hinge->wall.axis == Axis::x) {
-      design.beta[i] = (j & 1) ? -p.beta : p.beta;
-      design.t[i] = of_class_a;
-    } else {
-      design.gamma = (i & 1) ? -p.beta : p.beta;
-      design.s[j] = of_class_a;
-    }
+  for (int c = 0; c < columns; ++c) {
+    design.beta[c] = median(survey.beta[c], 0);
+    design.t[c] = median(survey.t[c], 0.5);
   }
+  for (int r = 0; r < rows; ++r) design.s[r] = median(survey.s[r], 0.5);
+  design.gamma = median(survey.gamma, 0);
   return design;
 }
 
@@ -71,7 +93,7 @@ std::string praise(Family family, bool transposed) {
   const std::string along = transposed ? " (folding along y)" : "";
   switch (family) {
     case Family::F1:
-      return "F1: all axes vertical, hinge fractions by column and row: planar, one degree of freedom";
+      return "F1: all axes vertical, hinge fractions by column and row: planar";
     case Family::F2:
       return "F2: basic rows, every column bends or shears: cylindrical sheet" + along;
     case Family::F3:
@@ -82,25 +104,38 @@ std::string praise(Family family, bool transposed) {
   return "no exact family";
 }
 
+Vertex swapped(Vertex v) { return {v.j, v.i}; }
+
+Wall swapped(const Wall& wall) { return {swapped(wall.from), wall.axis == Axis::x ? Axis::y : Axis::x}; }
+
+/// How far the hinges keep one family's rule.
 struct Attempt {
-  Family family;
-  bool transposed;
-  int breaking = -1;
-  std::string rule;
+  Family family = Family::none;
+  bool transposed = false;
+  std::size_t broken = 0;  ///< number of hinges that break it
+  int first_broken = -1;   ///< index in the structure as given
+  std::string rule;        ///< that this one breaks
 };
 
-Attempt attempt(Family family, const Structure& s, const ExactDesign<double>& design, double tolerance) {
-  Structure asked = s;
+/// @param sheet the structure, or its mirror image where `transposed`
+Attempt attempt(Family family, const Structure& structure, const Structure& sheet, bool transposed,
+                const ExactDesign<double>& design, double tolerance) {
+  Structure asked = sheet;
   apply(design, asked);
   const Rule rule(family, design, tolerance);
-  for (std::size_t k = 0; k < s.hinges.size(); ++k) {
-    std::string broken = rule.broken_by(s.hinges[k], asked.hinges[k].parameters);
-    if (!broken.empty()) return {family, false, static_cast<int>(k), std::move(broken)};
+  Attempt result{family, transposed, 0, -1, {}};
+  for (std::size_t k = 0; k < sheet.hinges.size(); ++k) {
+    std::string broken = rule.broken_by(sheet.hinges[k], asked.hinges[k].parameters);
+    if (broken.empty()) continue;
+    const Wall& wall = sheet.hinges[k].wall;
+    const int index = *structure.hinge_at(transposed ? swapped(wall) : wall);
+    ++result.broken;
+    if (result.first_broken >= 0 && index > result.first_broken) continue;
+    result.first_broken = index;
+    result.rule = std::move(broken);
   }
-  return {family, false, -1, {}};
+  return result;
 }
-
-Vertex swapped(Vertex v) { return {v.j, v.i}; }
 
 /// Mirror image with x and y exchanged. A tilt changes its sign, a fraction and an in-plane angle do not.
 Structure transposed(const Structure& s) {
@@ -108,8 +143,7 @@ Structure transposed(const Structure& s) {
   for (const Cell& c : s.cells) cells.push_back({c.j, c.i});
   Structure out = make_structure(std::move(cells), s.size);
   for (const Hinge& h : s.hinges) {
-    const Wall wall{swapped(h.wall.from), h.wall.axis == Axis::x ? Axis::y : Axis::x};
-    HingeParameters& p = out.hinges[*out.hinge_at(wall)].parameters;
+    HingeParameters& p = out.hinges[*out.hinge_at(swapped(h.wall))].parameters;
     p = h.parameters;
     p.beta = -p.beta;
   }
@@ -139,35 +173,23 @@ std::string to_string(Family family) {
 }
 
 Classification classify(const Structure& structure, double tolerance) {
-  const auto design = suggested_design(structure);
-  Attempt best{Family::none, false, -1, {}};
-  const auto try_families = [&](const Structure& s, const ExactDesign<double>& d, bool is_transposed) {
+  Attempt best;
+  for (const bool along_y : {false, true}) {
+    const Structure sheet = along_y ? transposed(structure) : structure;
+    const auto design = suggested_design(sheet);
     for (const Family family : {Family::F1, Family::F2, Family::F3}) {
-      Attempt a = attempt(family, s, d, tolerance);
-      a.transposed = is_transposed;
-      if (a.breaking >= 0 && is_transposed) {
-        const Wall& wall = s.hinges[a.breaking].wall;
-        a.breaking = *structure.hinge_at({swapped(wall.from), wall.axis == Axis::x ? Axis::y : Axis::x});
-      }
-      if (best.family == Family::none || a.breaking < 0 || a.breaking > best.breaking) best = std::move(a);
-      if (best.breaking < 0) return true;
+      Attempt a = attempt(family, structure, sheet, along_y, design, tolerance);
+      if (a.broken == 0) return {family, along_y, design, -1, praise(family, along_y)};
+      if (best.family == Family::none || a.broken < best.broken) best = std::move(a);
     }
-    return false;
-  };
-  if (try_families(structure, design, false))
-    return {best.family, false, design, -1, praise(best.family, false)};
-  const Structure mirrored = transposed(structure);
-  const auto mirrored_design = suggested_design(mirrored);
-  if (try_families(mirrored, mirrored_design, true))
-    return {best.family, true, mirrored_design, -1, praise(best.family, true)};
-
-  const Hinge& hinge = structure.hinges[best.breaking];
-  return {Family::none,
-          false,
-          {},
-          best.breaking,
-          "not exactly mobile: hinge " + std::to_string(best.breaking) + " on " + name(hinge.wall) + ": " +
-              best.rule};
+  }
+  const std::string where = name(structure.hinges[best.first_broken].wall);
+  return {
+      Family::none,
+      false,
+      {},
+      best.first_broken,
+      "not exactly mobile: hinge " + std::to_string(best.first_broken) + " on " + where + ": " + best.rule};
 }
 
 State fold(const Classification& classification, const Structure& structure, double theta) {

@@ -20,8 +20,10 @@ struct Classification {
   std::string why;             ///< one sentence, naming the family's rule or the hinge that breaks it
 };
 
-/// Tests the rules of kinematics.md section 2 hinge by hinge, F1 first, then F2 and F3 along x and along y.
-/// For Family::none the breaking hinge is that of the family that holds for the most hinges.
+/// Tests the rules of kinematics.md section 2 hinge by hinge, F1, F2 and F3 along x, then along y.
+/// Columns and rows are taken as most of their hinges have them. For Family::none the breaking hinge is that
+/// of the family that holds for the most hinges. A family tells that the structure moves exactly; how freely,
+/// is for mobility() to say: panels joined at one vertex alone also move by themselves.
 /// @param tolerance on fractions (absolute) and angles (rad)
 Classification classify(const Structure& structure, double tolerance = 1e-9);
 

@@ -51,7 +51,8 @@ struct MobilityOptions {
 /// few thousandths. `undecided`: only the basis of the first-order motions and random combinations of it were
 /// driven.
 ///
-/// Meant for up to some 30 x 30 cells (20 x 20 takes a second), and 100 x 100 where a closed form is known.
+/// Meant for up to some 30 x 30 cells (20 x 20 takes a second, 30 x 30 some ten), and 100 x 100 where a
+/// closed form is known.
 /// @throws InvalidInput for options out of range
 Mobility mobility(const Structure& structure, const MobilityOptions& options = {});
 

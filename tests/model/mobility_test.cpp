@@ -129,6 +129,32 @@ TEST(Mobility, PlanarStripWithArbitraryFractionsMovesOutsideTheFamilies) {
   EXPECT_EQ(sheet.gruebler_planar, 0);
 }
 
+/// kinematics.md, F4: a spine one cell wide along y, with bending rows, that carries ribs with tilts of their
+/// own.
+Structure fishbone(std::mt19937& random) {
+  std::vector<Cell> cells = {{2, 1}, {2, 3}};
+  for (const int row : {0, 2, 4})
+    for (int i = 0; i < 5; ++i) cells.push_back({i, row});
+  Structure s = make_structure(cells, {});
+  std::uniform_real_distribution<double> tilt(-0.9, 0.9);
+  const auto tilt_pair = [&](Wall a, Wall b) {
+    const double beta = tilt(random);
+    s.hinges[*s.hinge_at(a)].parameters.beta = beta;
+    s.hinges[*s.hinge_at(b)].parameters.beta = -beta;
+  };
+  for (const int row : {0, 2, 4})
+    for (const int i : {0, 1, 3, 4}) tilt_pair({{i, row}, Axis::x}, {{i, row + 1}, Axis::x});
+  for (const int row : {1, 3}) tilt_pair({{2, row}, Axis::y}, {{3, row}, Axis::y});
+  return s;
+}
+
+TEST(Mobility, FishboneNetHasOneFreedomOutsideTheFamilies) {
+  std::mt19937 random(55);
+  const Structure s = fishbone(random);
+  EXPECT_EQ(classify(s).family, Family::none) << "seed 55";
+  expect_counts(mobility(s), Verdict::mobile, 1, 1);
+}
+
 TEST(Mobility, PanelsJoinedAtOneVertexMoveByThemselves) {
   expect_counts(driven(make_structure({{0, 0}, {1, 1}}, {})), Verdict::mobile, 2, 2);
   expect_counts(driven(make_structure({{0, 0}, {1, 1}, {2, 2}, {3, 1}}, {})), Verdict::mobile, 4, 4);
