@@ -84,6 +84,7 @@ double theta_of(const Drive& drive, const Classification& family, const Structur
 
 PhysicsOptions physics_options(const PhysicsSection& section, double edge_mm) {
   PhysicsOptions options;
+  options.solver = section.solver.value_or(options.solver);
   options.step_s = section.step_s.value_or(options.step_s);
   options.iterations = section.iterations.value_or(options.iterations);
   options.error_reduction = section.error_reduction.value_or(options.error_reduction);

@@ -67,6 +67,9 @@ std::string physics_text(const PhysicsSection& physics) {
   const auto add = [&](const char* key, const auto& value) {
     if (value) text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", key, shortest_text(*value));
   };
+  if (physics.solver)
+    text +=
+        fmt::format("solver: {}", *physics.solver == PhysicsOptions::Solver::direct ? "direct" : "sweeps");
   add("step_s", physics.step_s);
   add("iterations", physics.iterations);
   add("error_reduction", physics.error_reduction);

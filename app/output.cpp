@@ -16,6 +16,7 @@ DesignFile design_of(const Run& run) {
   design.name = run.name;
   design.structure = run.structure;
   design.theta = run.theta;
+  design.physics = run.physics;
   return design;
 }
 

@@ -6,7 +6,10 @@ PhysicsSection read_physics(const Node& root, double edge_mm) {
   PhysicsSection physics;
   const auto section = root.optional("physics");
   if (!section) return physics;
-  section->reject_unknown_keys({"step_s", "iterations", "error_reduction", "reach_mm"});
+  section->reject_unknown_keys({"solver", "step_s", "iterations", "error_reduction", "reach_mm"});
+  if (const auto node = section->optional("solver"))
+    physics.solver = node->choice<PhysicsOptions::Solver>(
+        {{"direct", PhysicsOptions::Solver::direct}, {"sweeps", PhysicsOptions::Solver::sweeps}});
   if (const auto node = section->optional("step_s"))
     physics.step_s = node->number({0, 0.1, false, true, "seconds"});
   if (const auto node = section->optional("iterations")) physics.iterations = node->integer(1, 100'000);

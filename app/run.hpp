@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/physics_section.hpp"
 #include "app/plan.hpp"
 #include "optim/fit_curve.hpp"
 #include "sim/compression_run.hpp"
@@ -57,6 +58,7 @@ struct Run {
   double theta = 0;  ///< rad, of the state shown
   std::optional<CurveOutcome> curve;
   std::vector<NamedState> states;
+  PhysicsSection physics;  ///< as the file asked
   std::optional<Verification> verification;
   std::vector<Fidelity> fidelity;
   double shape_tolerance = 0.01;

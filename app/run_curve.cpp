@@ -37,6 +37,7 @@ Run run_curve(const TargetFile& file, const RunOptions& options) {
   Run run;
   run.name = file.name;
   run.seed = options.seed;
+  run.physics = file.physics;
   run.shape_tolerance = file.shape_tolerance;
   run.verify_tolerance = file.verify_tolerance;
 

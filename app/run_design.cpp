@@ -14,6 +14,7 @@ Run planned(const DesignFile& design, const RunOptions& options) {
   Run run;
   run.name = design.name;
   run.seed = options.seed;
+  run.physics = design.physics;
   run.structure = design.structure;
   run.theta = design.theta;
   Stopwatch watch;
@@ -45,10 +46,14 @@ Run simulate_exact(const DesignFile& design, const RunOptions& options) {
 }
 
 Run simulate_physics(const DesignFile& design, const RunOptions& options) {
+  if (design.hinge.model == HingeSection::Model::elastic)
+    throw InvalidInput("elastic hinges are not simulated by this version; allowed: rotary",
+                       {"", 0, 0, "hinge.model"});
   const bool exact = classify(design.structure).family != Family::none;
   Run run = exact ? simulate_exact(design, options) : planned(design, options);
   const Drive drive = drive_of(design);
-  const PhysicsOptions physics = physics_options(design.physics, design.structure.size.edge_mm);
+  PhysicsOptions physics = physics_options(design.physics, design.structure.size.edge_mm);
+  if (design.hinge.reach_mm) physics.reach = *design.hinge.reach_mm / design.structure.size.edge_mm;
   Stopwatch watch;
   const State reference = exact ? run.states.front().poses : State{};
   verify(run, reference, drive, physics, options.progress);

@@ -1,0 +1,259 @@
+#include "tests/app/program.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
+#include <thread>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validator.hpp>
+
+namespace kinetix::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+using Json = nlohmann::json;
+
+/// A bow of 30 mm over 96 mm in ten cells: quick to search and to verify.
+constexpr const char* bow = R"(kinetix: 1
+name: bow
+target: {kind: curve, points: [[0, 0], [16, 17], [32, 27], [48, 30], [64, 27], [80, 17], [96, 0]]}
+structure: {cells: [10, 1], cell_mm: 14}
+)";
+
+Json without_times(Json result) {
+  result.erase("timing_s");
+  result.erase("fidelity");
+  result["physics"].erase("seconds");
+  return result;
+}
+
+std::string schema_errors(const Json& document) {
+  const Json schema_json = Json::parse(text_of(KINETIX_SOURCE "/app/schema/result.schema.json"));
+  valijson::Schema schema;
+  valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(schema_json), schema);
+  valijson::ValidationResults errors;
+  valijson::Validator().validate(schema, valijson::adapters::NlohmannJsonAdapter(document), &errors);
+  std::string text;
+  for (const auto& error : errors) {
+    for (const auto& part : error.context) text += part;
+    text += ": " + error.description + "\n";
+  }
+  return text;
+}
+
+TEST(Program, FindsVerifiesAndWritesADesign) {
+  const Scratch scratch;
+  const std::string target = scratch.write("bow.yaml", bow), folder = scratch / "out";
+  const Outcome run = kinetix_opt(target + " -o " + folder);
+  EXPECT_EQ(run.code, 0) << run.out << run.err;
+  EXPECT_THAT(run.out, HasSubstr("within tolerance"));
+  EXPECT_THAT(run.out, HasSubstr("agrees"));
+
+  const Json result = Json::parse(text_of(folder + "/result.json"));
+  EXPECT_EQ(schema_errors(result), "");
+  EXPECT_EQ(result["plan"]["family"], "F2");
+  EXPECT_LE(result["metrics"]["shape_rms"], 0.01);
+  EXPECT_LE(result["metrics"]["verify_rms"], 5e-3);
+  EXPECT_LE(result["states"][0]["hinge_gap_max"], 1e-12);
+  EXPECT_THAT(text_of(folder + "/report.html"), HasSubstr("bow"));
+}
+
+TEST(Program, ItsOwnDesignCanBeVerifiedAndSimulated) {
+  const Scratch scratch;
+  const std::string first = scratch / "first", again = scratch / "again";
+  ASSERT_EQ(kinetix_opt(scratch.write("bow.yaml", bow) + " --no-verify -o " + first).code, 0);
+  const Json found = Json::parse(text_of(first + "/result.json"));
+
+  const Outcome verified = kinetix_opt("verify " + first + "/design.yaml -o " + again);
+  EXPECT_EQ(verified.code, 0) << verified.out << verified.err;
+  const Json physics = Json::parse(text_of(again + "/result.json"));
+  EXPECT_EQ(schema_errors(physics), "");
+  EXPECT_EQ(physics["structure"], found["structure"]);
+  EXPECT_NEAR(physics["metrics"]["theta_rad"], found["metrics"]["theta_rad"], 1e-12);
+  EXPECT_LE(physics["metrics"]["verify_rms"], 5e-3);
+
+  const Outcome half =
+      kinetix_opt("simulate " + first + "/design.yaml --model exact --theta-deg 10 -o " + again);
+  EXPECT_EQ(half.code, 0) << half.err;
+  EXPECT_NEAR(Json::parse(text_of(again + "/result.json"))["metrics"]["theta_rad"], 10 * M_PI / 180, 1e-12);
+}
+
+TEST(Program, PrintsTheDocumentItWrites) {
+  const Scratch scratch;
+  const Outcome run =
+      kinetix_opt(scratch.write("bow.yaml", bow) + " --json --quiet --no-verify -o " + scratch.path());
+  EXPECT_EQ(run.err, "");
+  EXPECT_EQ(run.out, text_of(scratch / "result.json"));
+}
+
+TEST(Program, SameSeedSameAnswerForAnyNumberOfThreads) {
+  const Scratch scratch;
+  const std::string target = scratch.write("bow.yaml", std::string(bow) + "solver: {starts: 24}\n");
+  std::vector<Json> results;
+  for (const char* threads : {"1", "2", "5"}) {
+    const Outcome run =
+        kinetix_opt(target + " --json --seed 7 --threads " + threads + " -o " + scratch.path());
+    results.push_back(without_times(Json::parse(run.out)));
+  }
+  EXPECT_EQ(results[0], results[1]);
+  EXPECT_EQ(results[0], results[2]);
+}
+
+TEST(Program, EndsWith3AndSaysWhyWhenTheBoundsMissTheTarget) {
+  const Scratch scratch;
+  const std::string folder = scratch / "out";
+  const Outcome run =
+      kinetix_opt(scratch.write("bow.yaml", std::string(bow) + "variables: {beta: {range_deg: [-5, 5]}}\n") +
+                  " -o " + folder);
+  EXPECT_EQ(run.code, 3) << run.out << run.err;
+  EXPECT_THAT(run.out, HasSubstr("MISSES THE TOLERANCE"));
+  EXPECT_THAT(run.out, HasSubstr("mm along the curve"));
+  EXPECT_THAT(run.out, HasSubstr("the bounds allow"));
+  EXPECT_TRUE(fs::exists(folder + "/result.json"));
+}
+
+TEST(Program, EndsWith4WhenThePhysicsRunDoesNotAgree) {
+  const Scratch scratch;
+  const Outcome run = kinetix_opt(
+      scratch.write("bow.yaml", std::string(bow) + "tolerance: {verify: 1e-15}\n") + " -o " + scratch.path());
+  EXPECT_EQ(run.code, 4) << run.out;
+  EXPECT_THAT(run.out, HasSubstr("DISAGREES"));
+}
+
+TEST(Program, RunsAStructureOfNoExactFamilyByPhysicsAlone) {
+  const Scratch scratch;
+  const std::string design =
+      scratch.write("loose.yaml",
+                    "kinetix: 1\nstructure: {cells: [2, 2], cell_mm: 10}\n"
+                    "design: {theta_deg: 15, hinges: [{wall: [[0, 0], [1, 0]], t: 0.55}]}\n");
+  const Outcome exact = kinetix_opt("simulate " + design + " -o " + scratch.path());
+  EXPECT_EQ(exact.code, 2);
+  EXPECT_THAT(exact.err, HasSubstr("not exactly mobile: hinge"));
+  const Outcome physics = kinetix_opt("simulate " + design + " --model bullet --json -o " + scratch.path());
+  EXPECT_TRUE(physics.code == 0 || physics.code == 4) << physics.err;
+  const Json result = Json::parse(physics.out);
+  EXPECT_EQ(schema_errors(result), "");
+  EXPECT_TRUE(result["metrics"]["verify_rms"].is_null());
+}
+
+TEST(Program, LeavesNoHalfWrittenFileWhenItIsKilled) {
+  const Scratch scratch;
+  const std::string target = scratch.write("bow.yaml", bow), folder = scratch / "out";
+  for (int milliseconds = 0; milliseconds < 400; milliseconds += 20) {
+    const pid_t child = fork();
+    if (child == 0) {
+      execl(KINETIX_OPT, KINETIX_OPT, target.c_str(), "--quiet", "--no-verify", "-o", folder.c_str(),
+            nullptr);
+      _exit(127);
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+    kill(child, SIGKILL);
+    int status = 0;
+    waitpid(child, &status, 0);
+    const std::string result = folder + "/result.json", design = folder + "/design.yaml";
+    if (fs::exists(result)) {
+      EXPECT_TRUE(Json::accept(text_of(result)));
+    }
+    if (fs::exists(design)) {
+      EXPECT_EQ(kinetix_opt("check " + design).code, 0);
+    }
+  }
+}
+
+TEST(Program, HelpNamesEveryCommandAndExitCode) {
+  const Outcome help = kinetix_opt("--help");
+  EXPECT_EQ(help.code, 0);
+  for (const char* word : {"verify", "simulate", "check", "--json", "--threads", "--seed", "--quiet",
+                           "--version", "exit codes", "TARGET.yaml"})
+    EXPECT_THAT(help.out, HasSubstr(word));
+  EXPECT_EQ(kinetix_opt("--version").out, "kinetix-opt " KINETIX_VERSION "\n");
+}
+
+struct BadInput {
+  const char* name;
+  const char* document;
+  std::vector<std::string> says;
+};
+
+class RefusedInput : public ::testing::TestWithParam<BadInput> {};
+
+TEST_P(RefusedInput, EndsWith2OneClearMessageAndNothingWritten) {
+  const Scratch scratch;
+  const std::string file = scratch.write("target.yaml", GetParam().document), folder = scratch / "out";
+  const Outcome run = kinetix_opt(file + " -o " + folder);
+  EXPECT_EQ(run.code, 2) << run.out;
+  EXPECT_EQ(run.out, "");
+  EXPECT_THAT(run.err, StartsWith(file + ":"));
+  EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+  for (const std::string& words : GetParam().says) EXPECT_THAT(run.err, HasSubstr(words));
+  EXPECT_FALSE(fs::exists(folder));
+  EXPECT_EQ(kinetix_opt("check " + file).code, 2);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Program, RefusedInput,
+    ::testing::Values(
+        BadInput{"missing_curve",
+                 "kinetix: 1\ntarget: {kind: curve, points: no.csv}\n",
+                 {":2:", "target.points", "no.csv"}},
+        BadInput{"two_points",
+                 "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [9, 9]]}\n",
+                 {"at least 3 points"}},
+        BadInput{"repeated_point",
+                 "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [9, 9], [9, 9], [20, 0]]}\n",
+                 {"the same"}},
+        BadInput{"nan",
+                 "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [9, .nan], [20, 0]]}\n",
+                 {":2:", "finite"}},
+        BadInput{"crossing",
+                 "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [9, 9], [9, 0], [0, 9]]}\n",
+                 {"crosses itself"}},
+        BadInput{"closed",
+                 "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [9, 9], [9, 0], [0, 0]]}\n",
+                 {"closed"}},
+        BadInput{
+            "huge_cell",
+            "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [1, 1], [2, 0]]}\nstructure: {cell_mm: 50}\n",
+            {"structure.cell_mm", "millimetres"}},
+        BadInput{"bounds_upside_down",
+                 "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [50, 50], [90, 0]]}\nvariables: {beta: "
+                 "{range_deg: [60, -60]}}\n",
+                 {":3:", "variables.beta.range_deg"}},
+        BadInput{"units",
+                 "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [50, 50], [90, 0]]}\nstructure: "
+                 "{cell_mm: 8 cm}\n",
+                 {":3:", "structure.cell_mm", "mm"}},
+        BadInput{"unknown_key",
+                 "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [50, 50], [90, 0]]}\nstructur: {}\n",
+                 {":3:1:", "structur", "structure"}},
+        BadInput{"alias_bomb", "a: &a [x, x]\nb: &b [*a, *a]\nc: [*b, *b]\n", {":1:", "anchor"}},
+        BadInput{"other_version",
+                 "kinetix: 2\ntarget: {kind: curve, points: [[0, 0], [50, 50], [90, 0]]}\n",
+                 {":1:", "kinetix"}},
+        BadInput{"thick_walls",
+                 "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [50, 50], [90, 0]]}\nstructure: "
+                 "{cell_mm: 8, wall_mm: {thickness: 5}}\n",
+                 {":3:", "thickness"}}),
+    [](const auto& tested) { return std::string(tested.param.name); });
+
+TEST(Program, RefusesAMissingFileAFolderAndAnUnwritableOutput) {
+  const Scratch scratch;
+  EXPECT_EQ(kinetix_opt("nowhere.yaml").code, 2);
+  EXPECT_EQ(kinetix_opt(scratch.path()).code, 2);
+  const std::string target = scratch.write("bow.yaml", bow);
+  const Outcome run = kinetix_opt(target + " -o " + target + "/below");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, HasSubstr("below"));
+  EXPECT_EQ(kinetix_opt(target + " --threads -3").code, 2);
+  EXPECT_EQ(kinetix_opt("--nonsense").code, 2);
+}
+
+}  // namespace
+}  // namespace kinetix::testing
