@@ -58,9 +58,12 @@ void Node::reject_unknown_keys(std::initializer_list<std::string_view> allowed) 
   if (kind() != Kind::map) reject_kind("a map of keys (" + joined(names) + ")");
   for (const int child : tree_->items[item_].children) {
     const std::string& key = tree_->items[child].key;
-    if (std::find(names.begin(), names.end(), key) == names.end())
+    if (std::find(names.begin(), names.end(), key) != names.end()) continue;
+    if (key.find_first_not_of("0123456789") == std::string::npos)
       throw Node(tree_, child)
-          .key_error("unknown key" + did_you_mean(key, names) + "; allowed: " + joined(names));
+          .key_error("a number stands where a key belongs; write decimals with a point, not a comma");
+    throw Node(tree_, child)
+        .key_error("unknown key" + did_you_mean(key, names) + "; allowed: " + joined(names));
   }
 }
 

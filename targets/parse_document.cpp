@@ -203,7 +203,9 @@ std::string explain(const std::string& message) {
   static constexpr std::pair<std::string_view, const char*> causes[] = {
       {"anchor", no_anchors},
       {"alias", no_anchors},
-      {"illegal map value", "a `:` where none can stand; check the indentation and the space after each `:`"},
+      {"illegal map value",
+       "a `:` where none can stand; check the indentation and the space after each `:`, here and in the line "
+       "above"},
       {"end of map not found", "this does not fit the lines above; check indentation and quotes"},
       {"end of sequence not found", "this does not fit the list above; check indentation and quotes"},
       {"end of map flow", "a `}` or a comma is missing before this place"},

@@ -124,8 +124,10 @@ class CsvReader {
   }
 
   [[noreturn]] void refuse_columns(std::size_t count) const {
-    const char* hint =
-        line_.find(';') != std::string_view::npos ? "; separate the columns by a comma, not by `;`" : "";
+    const bool has_semicolon = line_.find(';') != std::string_view::npos;
+    const char* hint = has_semicolon ? "; separate the columns by a comma, not by `;`"
+                       : count > 2   ? "; write decimals with a point, not a comma"
+                                     : "";
     refuse(0, in_ticks(line_) + " has " + std::to_string(count) + (count == 1 ? " column" : " columns") +
                   "; give two, x and z in millimetres" + hint);
   }

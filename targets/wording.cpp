@@ -61,7 +61,7 @@ std::string did_you_mean(std::string_view name, Names allowed) {
   if (name.size() > longest_name) return {};
   const std::string asked = lower_case(name);
   std::string_view nearest;
-  int least = 1 + std::max(1, static_cast<int>(name.size()) / 3);
+  int least = std::min(1 + std::max(1, static_cast<int>(name.size()) / 3), static_cast<int>(name.size()));
   for (const std::string_view candidate : allowed) {
     const int d = std::min(differs_by_suffix(asked, candidate) ? 0 : 100, distance(asked, candidate));
     if (d >= least) continue;

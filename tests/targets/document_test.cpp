@@ -253,6 +253,8 @@ TEST(Node, SuggestsTheNearestKeyAndListsAllowedOnes) {
   EXPECT_THAT(says("beta: 1\ntheta: 1\n"),
               HasSubstr("in.yaml:2:1: theta: unknown key (did you mean `theta_deg`?)"));
   EXPECT_THAT(says("Cells: 1\n"), HasSubstr("did you mean `cells`?"));
+  EXPECT_THAT(says("{beta: 0,4}\n"), HasSubstr("in.yaml:1:10: 4: a number stands where a key belongs"));
+  EXPECT_THAT(says("x: 1\n"), HasSubstr("unknown key; allowed"));
   EXPECT_THAT(says("colour: 1\n"), HasSubstr("unknown key; allowed"));
   EXPECT_THAT(says("- 1\n"), HasSubstr("is a list; give a map of keys (theta_deg, beta, cells)"));
 }

@@ -56,7 +56,7 @@ TEST(ReadCurve, NamesLineAndColumnOfTheCsv) {
       {"x,z\n0,0\n1 cm,2\n", 3, 1, "", {"carries a unit", "in mm"}},
       {"x,z\n0,0\n1,\n", 3, 3, "", {"is empty", "a number from -1000000 to 1000000, in mm"}},
       {"x,z\n0,0\n1\n", 3, 1, "", {"has 1 column", "give two"}},
-      {"x,z\n0,0,\n", 2, 1, "", {"has 3 columns"}},
+      {"x,z\n0,0,\n", 2, 1, "", {"has 3 columns", "decimals with a point"}},
       {"x,z\n0;0\n", 2, 1, "", {"comma, not by `;`"}},
       {"x,z\n0,nan\n", 2, 3, "", {"not a finite number"}},
       {"x,z\n0,1e300\n", 2, 3, "", {"out of range", "1000000"}},
