@@ -47,8 +47,8 @@ struct MobilityOptions {
 /// from the one before, lead from flat to `turn`, and that the last one still has a first-order motion;
 /// `freedoms_along` is an upper bound of the freedoms there. `not_mobile` without a first-order motion:
 /// rigid. `not_mobile` with just one: every motion from flat would have to start along it, and driven that
-/// way, to both sides, the hinges keep a misfit; a misfit below `closed` would be missed, as with tilts of a
-/// few thousandths. `undecided`: only the basis of the first-order motions and random combinations of it were
+/// way, to both sides, the hinges keep a misfit; a misfit below `closed` would be missed, as with tilts of
+/// some 3e-4 rad. `undecided`: only the basis of the first-order motions and random combinations of it were
 /// driven.
 ///
 /// Meant for up to some 30 x 30 cells (20 x 20 takes a second, 30 x 30 some ten), and 100 x 100 where a

@@ -134,6 +134,18 @@ TEST(ClosureSolver, DrivenFromFlatLandsOnTheReflectionRecursion) {
     }
 }
 
+TEST(ClosureSolver, PushedBodyLeadsToTheSameStateAsItsHinge) {
+  std::mt19937 random(28);
+  auto design = random_design(Family::F2, 4, 3, random);
+  design.theta = 0.1;
+  const Structure s = structure_of(design);
+  const State rest = rest_state(s);
+  const BodyPush push{1, rest[1], {{0, 0, 1}, {0, 0, 0}}, -2 * design.theta};
+  const Closure reached = solve_closure(s, rest, {push});
+  EXPECT_TRUE(reached.closed) << reached.why;
+  EXPECT_LE(aligned_distance(s, reached.state, fold(design, s)).max, 1e-9) << "seed 28";
+}
+
 TEST(ClosureSolver, LeavesAMisfitInDoublyCurvedPatches) {
   const Structure patches[] = {doubly_curved({0.6, 0.9}, {0.8, 0.5}), doubly_curved({0.4, 0.9}, {0.9, 0.5}),
                                doubly_curved({0.7, 0.2, 0.7}, {0.7, 0.3, 0.7}),
