@@ -28,12 +28,13 @@ class Run {
         theta_(drive.theta()),
         drive_steps_(std::max(1, steps_in(options.drive_seconds, options.step_s))),
         all_steps_(drive_steps_ + steps_in(options.settle_seconds, options.step_s)),
+        rate_(theta_ / (drive_steps_ * options.step_s)),
         damping_(std::exp(-options.settle_damping * options.step_s)),
         world_(structure, drive, options) {}
 
   PhysicsResult run() {
     const auto begin = Clock::now();
-    world_.start(2 * theta_ / (drive_steps_ * options_.step_s));
+    world_.push(2 * rate_);
     measure();
     show();
     bool settled = false;
@@ -51,6 +52,7 @@ class Run {
   void step() {
     const double tau = std::min(1.0, (result_.steps + 1.0) / drive_steps_);
     if (result_.steps >= drive_steps_) world_.damp(damping_);
+    world_.push(rate_ * (1 - tau) / drive_steps_);
     world_.set_drive(theta_ * tau * (2 - tau));
     world_.step();
     ++result_.steps;
@@ -77,7 +79,7 @@ class Run {
     return result_.contact.touches() && std::max(result_.gaps.max, result_.drive_gap) > options_.gap_limit;
   }
 
-  bool is_at_rest() const { return world_.fastest_part() <= options_.settle_speed; }
+  bool is_at_rest() const { return world_.fastest_hinge() <= options_.settle_speed; }
 
   void show() {
     if (observer_.progress && result_.steps % std::max(1, all_steps_ / 100) == 0)
@@ -102,6 +104,7 @@ class Run {
   const PhysicsObserver& observer_;
   const double theta_;
   const int drive_steps_, all_steps_;
+  const double rate_;  ///< mean of theta's, rad/s
   const double damping_;
   World world_;
   PhysicsResult result_;

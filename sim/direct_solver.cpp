@@ -12,6 +12,8 @@ namespace {
 
 // How much softer contacts are than joints.
 constexpr double contact_softness = 10;
+// How much stiffer the plates' grip is than a hinge: where a sheet must strain, it is the hinges that give.
+constexpr double grip_stiffness = 100;
 
 Vector6 stacked(const btVector3& linear, const btVector3& angular) {
   return {linear.x(), linear.y(), linear.z(), angular.x(), angular.y(), angular.z()};
@@ -47,6 +49,7 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
     part_of_.assign(m_tmpSolverBodyPool.size(), -1);
     bodies_.clear();
     masses_.clear();
+    freedoms_.clear();
     for (int k = 0; k < m_tmpSolverBodyPool.size(); ++k) {
       btRigidBody* const body = m_tmpSolverBodyPool[k].m_originalBody;
       if (!body || !(body->getInvMass() > 0)) continue;
@@ -55,19 +58,30 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
       const btVector3& inverse = body->getInvInertiaDiagLocal();
       const double mass = 1 / body->getInvMass(), inertia = 1 / inverse.x();
       masses_.push_back(stacked({mass, mass, mass}, {inertia, inertia, inertia}));
+      freedoms_.push_back(stacked(body->getLinearFactor(), body->getAngularFactor()));
     }
   }
 
+  Vector6 free_part(int part, const btVector3& linear, const btVector3& angular) const {
+    const Vector6 all = stacked(linear, angular);
+    return part < 0 ? all : all.cwiseProduct(freedoms_[part]);
+  }
+
   VelocityRow row_of(const btSolverConstraint& c) const {
-    return {part_of_[c.m_solverBodyIdA], part_of_[c.m_solverBodyIdB],
-            stacked(c.m_contactNormal1, c.m_relpos1CrossNormal),
-            stacked(c.m_contactNormal2, c.m_relpos2CrossNormal), c.m_rhs / c.m_jacDiagABInv};
+    const int a = part_of_[c.m_solverBodyIdA], b = part_of_[c.m_solverBodyIdB];
+    return {a,
+            b,
+            free_part(a, c.m_contactNormal1, c.m_relpos1CrossNormal),
+            free_part(b, c.m_contactNormal2, c.m_relpos2CrossNormal),
+            c.m_rhs / c.m_jacDiagABInv,
+            a < 0 || b < 0 ? grip_stiffness : 1};
   }
 
   void factorise_joints() {
     rows_.clear();
     for (int k = 0; k < m_tmpSolverNonContactConstraintPool.size(); ++k)
-      rows_.push_back(row_of(m_tmpSolverNonContactConstraintPool[k]));
+      if (m_tmpSolverNonContactConstraintPool[k].m_jacDiagABInv > 0)
+        rows_.push_back(row_of(m_tmpSolverNonContactConstraintPool[k]));
     system_.factorise(masses_, rows_, joint_stiffness_);
   }
 
@@ -90,7 +104,8 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
   void solve_contacts(Eigen::VectorXd& velocities, int sweeps) const {
     std::vector<Contact> contacts;
     for (int k = 0; k < m_tmpSolverContactConstraintPool.size(); ++k)
-      contacts.push_back(contact_of(row_of(m_tmpSolverContactConstraintPool[k])));
+      if (m_tmpSolverContactConstraintPool[k].m_jacDiagABInv > 0)
+        contacts.push_back(contact_of(row_of(m_tmpSolverContactConstraintPool[k])));
     for (int sweep = 0; sweep < sweeps; ++sweep) {
       double change = 0;
       for (Contact& c : contacts) {
@@ -117,6 +132,7 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
   std::vector<int> part_of_;  ///< by solver body; -1 for a fixed one
   std::vector<int> bodies_;   ///< solver body of each part
   std::vector<Vector6> masses_;
+  std::vector<Vector6> freedoms_;  ///< 1 where a part may move, 0 where it may not
   std::vector<VelocityRow> rows_;
   RowSystem system_;
 };

@@ -21,8 +21,9 @@ namespace kinetix {
 /// structure floats freely.
 ///
 /// Flat is a singular position: the height changes with theta squared and does not tell the two signs of
-/// theta apart. The run chooses the branch by the velocity it starts the bodies with: class A bodies turn
-/// about z with the sign of theta, class B bodies against it (`Drive::branch`).
+/// theta apart. The run chooses the branch on purpose: it starts class A bodies turning about z with the sign
+/// of theta and class B bodies against it, and pushes them that way, ever less, until the drive is through. A
+/// sheet that must strain needs the push, since it buckles only after its plates have come some way.
 struct Drive {
   enum class Kind { plates, hinge };
 

@@ -59,7 +59,8 @@ void RowSystem::factorise(const std::vector<Vector6>& masses, const std::vector<
   for (std::size_t p = 0; p < masses.size(); ++p)
     add_block({static_cast<int>(p), static_cast<int>(p)}, masses[p].asDiagonal());
   for (const VelocityRow& row : rows) {
-    const Vector6 first = stiffness * row.first, second = stiffness * row.second;
+    const double stiff = row.weight * stiffness;
+    const Vector6 first = stiff * row.first, second = stiff * row.second;
     if (row.a >= 0) add_block({row.a, row.a}, first * row.first.transpose());
     if (row.b >= 0) add_block({row.b, row.b}, second * row.second.transpose());
     if (row.a >= 0) pull_.segment<6>(6 * row.a) += row.target * first;

@@ -16,6 +16,7 @@ struct VelocityRow {
   int a = -1, b = -1;  ///< parts; -1 = fixed to the ground
   Vector6 first, second;
   double target = 0;
+  double weight = 1;  ///< over the stiffness of the system
 };
 
 /// All joint equations of a step, factorised at once by sparse Cholesky.

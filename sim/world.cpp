@@ -23,6 +23,11 @@ std::unique_ptr<btConstraintSolver> make_solver(const PhysicsOptions& options) {
   return make_direct_solver(options.joint_stiffness);
 }
 
+void keep_in_plane(btRigidBody& body) {
+  body.setLinearFactor({1, 1, 0});
+  body.setAngularFactor({0, 0, 1});
+}
+
 btTransform at(double x, double y, double z) {
   return btTransform(btMatrix3x3::getIdentity(), btVector3(x, y, z));
 }
@@ -91,6 +96,7 @@ struct World::Parts {
       bodies.push_back(std::make_unique<btRigidBody>(info));
       bodies.back()->setActivationState(DISABLE_DEACTIVATION);
       bodies.back()->setUserIndex(static_cast<int>(b));
+      if (options.planar) keep_in_plane(*bodies.back());
       world.addRigidBody(bodies.back().get(), group, group);
     }
   }
@@ -118,10 +124,11 @@ World::World(const Structure& structure, const Drive& drive, const PhysicsOption
 
 World::~World() = default;
 
-void World::start(double rate) {
+void World::push(double rate) {
   for (std::size_t b = 0; b < parts_->bodies.size(); ++b) {
     const double sign = parts_->structure.bodies[b].is_class_a() ? 1 : -1;
-    parts_->bodies[b]->setAngularVelocity({0, 0, sign * rate});
+    btRigidBody& body = *parts_->bodies[b];
+    body.setAngularVelocity(body.getAngularVelocity() + btVector3(0, 0, sign * rate));
   }
 }
 
@@ -149,6 +156,16 @@ double World::fastest_part() const {
   for (const auto& body : parts_->bodies)
     for (const double speed : {body->getLinearVelocity().length(), body->getAngularVelocity().length()})
       if (!(speed <= fastest)) fastest = speed;
+  return fastest;
+}
+
+double World::fastest_hinge() const {
+  double fastest = 0;
+  for (const Hinge& hinge : parts_->structure.hinges) {
+    const auto& lower = *parts_->bodies[hinge.lower];
+    const auto& upper = *parts_->bodies[hinge.upper];
+    fastest = std::max(fastest, (upper.getAngularVelocity() - lower.getAngularVelocity()).length());
+  }
   return fastest;
 }
 

@@ -18,8 +18,9 @@ class World {
   World(const Structure& structure, const Drive& drive, const PhysicsOptions& options);
   ~World();
 
-  /// Starts the bodies on the drive's branch. @param rate of theta, rad/s, with sign
-  void start(double rate);
+  /// Adds to the bodies' turning speeds what takes theta away from flat: +rate about z for class A, -rate for
+  /// class B. @param rate rad/s
+  void push(double rate);
   /// Sets where the drive is to be at the end of the next step. @param theta rad, with sign
   void set_drive(double theta);
   void step();
@@ -29,6 +30,8 @@ class World {
   State state() const;  ///< mm
   /// Largest speed or turning speed, edges/s or rad/s; NaN if one is NaN.
   double fastest_part() const;
+  /// Largest turning speed of two parts that share a hinge against each other, rad/s.
+  double fastest_hinge() const;
   double drive_gap() const;
   PartContact deepest_contact() const;
 

@@ -59,6 +59,16 @@ TEST(CompressionRun, FoldsRandomSheetsOfEveryFamily) {
     }
 }
 
+TEST(CompressionRun, FoldsAPlanarSheetInThePlane) {
+  std::mt19937 random(21);
+  auto design = testing::random_design(Family::F1, 4, 4, random);
+  PhysicsOptions options = without_contact();
+  options.planar = true;
+  const PhysicsResult result = run(design, options);
+  expect_exact(design, result);
+  for (const Pose& pose : result.state) EXPECT_EQ(pose.p.z(), 0.0);
+}
+
 TEST(CompressionRun, FoldsASheetThatBendsAlongY) {
   Structure sheet = make_structure(rectangle(1, 5), {});
   for (Hinge& hinge : sheet.hinges)

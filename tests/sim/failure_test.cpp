@@ -42,6 +42,38 @@ TEST(FailedRun, ReportsTheStrainOfADoublyCurvedPatch) {
   EXPECT_LT(result.gaps.max, 0.1);
 }
 
+/// A 10 x 10 panel of basic cells with the letter T in cells of uniform scaling, k = 0.1.
+Structure letter_panel() {
+  Structure panel = make_structure(rectangle(10, 10), {});
+  const auto in_letter = [](int i, int j) {
+    const bool bar = j == 7 || j == 8, stem = i == 4 || i == 5;
+    return (bar && i >= 1 && i <= 8) || (stem && j >= 1 && j <= 8);
+  };
+  for (Hinge& hinge : panel.hinges) {
+    const auto [i, j] = hinge.wall.from;
+    const bool along_x = hinge.wall.axis == Axis::x;
+    if (in_letter(i, j) || in_letter(along_x ? i : i - 1, along_x ? j - 1 : j))
+      hinge.parameters.t = fraction_from_lower(0.1, hinge.wall.from);
+  }
+  return panel;
+}
+
+TEST(FailedRun, FindsTheStrainOfALetterPanelThatTheEquilibriumModelFound) {
+  const Structure panel = letter_panel();
+  PhysicsOptions options;
+  options.planar = true;
+  options.contact = false;
+  options.step_s = 1.0 / 300;
+  const double theta = std::acos(0.84);
+  EXPECT_EQ(run_compression(panel, drive_to(panel, theta), options).status, Status::hinge_gap_exceeded);
+  options.gap_limit = options.tear_limit = 1;
+  for (const double sign : {1.0, -1.0}) {
+    const PhysicsResult result = run_compression(panel, drive_to(panel, sign * theta), options);
+    EXPECT_EQ(result.status, Status::settled) << result.why;
+    EXPECT_NEAR(result.gaps.rms, 0.047, 0.001);
+  }
+}
+
 TEST(FailedRun, ReportsWhatBlowsUp) {
   PhysicsOptions options;
   options.speed_limit = 0.1;

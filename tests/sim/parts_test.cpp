@@ -37,7 +37,7 @@ TEST(World, KeepsTheMiddleEulerAngleOfEveryHingeNearZeroBeyondAQuarterTurn) {
   const Structure structure = testing::structure_of(design);
   const double theta = 1.0;
   World world(structure, drive_to(structure, theta), testing::without_contact());
-  world.start(theta);
+  world.push(theta);
   for (int k = 1; k <= 1000; ++k) {
     world.set_drive(theta * k / 1000);
     world.step();
@@ -53,7 +53,7 @@ TEST(World, KeepsTheMiddleEulerAngleSmallWhereHingesAreTilted) {
   const auto design = testing::strip(testing::curl(6, 0.6), 0.6);
   const Structure structure = testing::structure_of(design);
   World world(structure, drive_to(structure, 0.6), testing::without_contact());
-  world.start(0.6);
+  world.push(0.6);
   for (int k = 1; k <= 1000; ++k) {
     world.set_drive(0.6e-3 * k);
     world.step();
@@ -69,10 +69,10 @@ std::vector<VelocityRow> chain_rows(int parts, std::mt19937& random) {
     for (double& x : v) x = unit(random);
     return v;
   };
-  std::vector<VelocityRow> rows{{0, -1, vector(), vector(), 0.5}};
+  std::vector<VelocityRow> rows{{0, -1, vector(), vector(), 0.5, 1}};
   for (int p = 0; p + 1 < parts; ++p)
     for (int k = 0; k < 3; ++k) {
-      rows.push_back({p + k % 2, p + 1 - k % 2, vector(), vector(), unit(random)});
+      rows.push_back({p + k % 2, p + 1 - k % 2, vector(), vector(), unit(random), 1});
       rows.push_back(rows.back());
     }
   return rows;
