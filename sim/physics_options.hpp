@@ -15,7 +15,7 @@ struct PhysicsOptions {
   double step_s = 1.0 / 1000;  ///< time step, s, in (0, 0.1]
   int iterations = 200;  ///< sweeps per step, over all joints or (direct) over the contacts, 1 to 100000
   double joint_stiffness = 1e4;   ///< direct: of the joints, over the parts' masses, in (0, 1e12]. Gaps that
-                                  ///< can close do close whatever it is; from 1e5 on, structures that must
+                                  ///< can close do close whatever it is; above 1e4, structures that must
                                   ///< strain (no exact family) tear near flat
   double error_reduction = 0.95;  ///< part of a hinge's gap removed per step, in (0, 1]
   double reach = 0.18;           ///< half distance of a hinge's two constraint points, in (0, 10]: 0.3 of the
