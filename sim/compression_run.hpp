@@ -21,7 +21,7 @@ struct PhysicsObserver {
 /// friction. The run knows nothing of the exact families: it finds the folded state from the hinges alone.
 /// The drive's theta goes from 0 to its goal along tau (2 - tau), fast at first so that the bodies leave the
 /// flat position on the chosen branch, at rest in the end; then the speeds are damped until nothing moves.
-/// The same run gives the same bits. Worlds share no state but the engine's: run one at a time.
+/// The same run gives the same bits. Not thread-safe: the engine has global state, so run one at a time.
 ///
 /// @return the last state and a status; a failure is never passed off as a result
 /// @throws InvalidInput for bad options, a bad drive, or a driven wall that the structure does not have;

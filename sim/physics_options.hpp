@@ -15,8 +15,8 @@ struct PhysicsOptions {
   double step_s = 1.0 / 1000;  ///< time step, s, in (0, 0.1]
   int iterations = 200;  ///< sweeps per step, over all joints or (direct) over the contacts, 1 to 100000
   double joint_stiffness = 1e4;   ///< direct: of the joints, over the parts' masses, in (0, 1e12]. Gaps that
-                                  ///< can close do close whatever it is; from 1e6 on, structures that must
-                                  ///< strain (no exact family) blow up near flat
+                                  ///< can close do close whatever it is; above 1e4, structures that must
+                                  ///< strain (no exact family) tear near flat
   double error_reduction = 0.95;  ///< part of a hinge's gap removed per step, in (0, 1]
   double reach = 0.18;           ///< half distance of a hinge's two constraint points, in (0, 10]: 0.3 of the
                                  ///< wall height at its default size
@@ -24,7 +24,7 @@ struct PhysicsOptions {
   double drive_seconds = 1.0;    ///< simulated time in which the drive moves, s, in (0, 1000]
   double settle_seconds = 1.0;   ///< simulated time after the drive before giving up, s, in [0, 1000]
   double settle_damping = 50.0;  ///< rate at which all speeds die away while settling, 1/s, in [0, 1e6]
-  double settle_speed = 1e-8;    ///< settled when the fastest part is slower, edges/s or rad/s, > 0
+  double settle_speed = 1e-8;    ///< settled when every hinge turns more slowly, rad/s, > 0
   bool contact = true;           ///< half walls collide, except the two that share a hinge
   bool planar = false;           ///< parts slide and turn in the plane z = 0 only, as a display on a table
   double gap_limit = 2e-3;       ///< failure: a larger final gap of a hinge or of the drive, > 0
