@@ -4,7 +4,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cerrno>
+#include <climits>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -23,6 +27,25 @@ std::string folder_of(const fs::path& file) {
   return parent.empty() ? "." : parent;
 }
 
+/// The part being written, for the signal handler alone.
+char unfinished_part[PATH_MAX] = "";
+
+extern "C" void remove_part_and_end(int signal_number) {
+  if (unfinished_part[0] != 0) unlink(unfinished_part);
+  std::signal(signal_number, SIG_DFL);
+  std::raise(signal_number);
+}
+
+void remember_part(const std::string& path) {
+  unfinished_part[0] = 0;
+  if (path.size() >= sizeof unfinished_part) return;
+  // Last of all the first byte, so that the handler never sees half a name.
+  std::copy(path.begin() + (path.empty() ? 0 : 1), path.end(), unfinished_part + 1);
+  unfinished_part[path.size()] = 0;
+  std::atomic_signal_fence(std::memory_order_seq_cst);
+  if (!path.empty()) unfinished_part[0] = path[0];
+}
+
 /// A file under a temporary name, removed again unless it was renamed.
 class Part {
  public:
@@ -36,11 +59,13 @@ class Part {
     if (descriptor_ < 0)
       throw InvalidInput(fmt::format("cannot write into this folder: {}", std::strerror(errno)),
                          {folder_of(file_)});
+    remember_part(path_);
   }
 
   ~Part() {
     if (descriptor_ >= 0) close(descriptor_);
     if (!path_.empty()) unlink(path_.c_str());
+    remember_part("");
   }
 
   Part(const Part&) = delete;
@@ -60,6 +85,7 @@ class Part {
     if (close(std::exchange(descriptor_, -1)) != 0) fail();
     if (std::rename(path_.c_str(), file_.c_str()) != 0) fail();
     path_.clear();
+    remember_part("");
     flush_folder();
   }
 
@@ -82,6 +108,10 @@ class Part {
 };
 
 }  // namespace
+
+void remove_parts_when_interrupted() {
+  for (const int signal_number : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal_number, remove_part_and_end);
+}
 
 void write_file(const std::string& file, std::string_view content) {
   Part part{fs::path(file)};

@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "app/atomic_file.hpp"
 #include "app/commands.hpp"
 #include "app/version.hpp"
 #include "model/invalid_input.hpp"
@@ -88,6 +89,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
+    kinetix::remove_parts_when_interrupted();
     return run(argc, argv);
   } catch (const kinetix::InvalidInput& e) {
     std::cerr << e.what() << "\n";

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "model/invalid_input.hpp"
+#include "sim/start_motion.hpp"
 #include "sim/verdict.hpp"
 #include "sim/world.hpp"
 
@@ -34,7 +35,7 @@ class Run {
 
   PhysicsResult run() {
     const auto begin = Clock::now();
-    world_.push(2 * rate_);
+    world_.start(start_motion(structure_), 2 * rate_);
     measure();
     show();
     bool settled = false;

@@ -132,6 +132,17 @@ void World::push(double rate) {
   }
 }
 
+void World::start(const std::vector<Twist>& motion, double rate) {
+  const auto vector = [&](const Eigen::Vector3d& v) {
+    return btVector3(rate * v.x(), rate * v.y(), rate * v.z());
+  };
+  for (std::size_t b = 0; b < parts_->bodies.size(); ++b) {
+    btRigidBody& body = *parts_->bodies[b];
+    body.setAngularVelocity(body.getAngularVelocity() + vector(motion[b].omega));
+    body.setLinearVelocity(body.getLinearVelocity() + vector(motion[b].v));
+  }
+}
+
 void World::set_drive(double theta) { parts_->actuator->move_to(theta); }
 
 void World::step() { parts_->world.stepSimulation(parts_->options.step_s, 0); }

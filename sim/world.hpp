@@ -1,7 +1,9 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
+#include "model/exact_jacobian.hpp"
 #include "sim/drive.hpp"
 #include "sim/physics_options.hpp"
 #include "sim/physics_result.hpp"
@@ -21,6 +23,8 @@ class World {
   /// Adds to the bodies' turning speeds what takes theta away from flat: +rate about z for class A, -rate for
   /// class B. @param rate rad/s
   void push(double rate);
+  /// Adds a motion to the bodies' speeds. @param motion one twist per body, v in cell edges; @param rate 1/s
+  void start(const std::vector<Twist>& motion, double rate);
   /// Sets where the drive is to be at the end of the next step. @param theta rad, with sign
   void set_drive(double theta);
   void step();

@@ -130,7 +130,9 @@ TEST(DesignFile, SurvivesWritingAndReadingBitForBit) {
                                 .angle = 6 * unit(random) - 3};
     if (round % 2)
       file.hinge = {HingeSection::Model::elastic, 1000 * unit(random), unit(random), edge * unit(random)};
-    if (round % 5 == 0) file.physics = {0.1 * unit(random), 1 + round, unit(random), edge * unit(random)};
+    if (round % 5 == 0)
+      file.physics = {0.1 * unit(random), 1 + round, unit(random), edge * unit(random),
+                      PhysicsOptions::Solver::sweeps};
     expect_same(read_design(folder.write("d.yaml", design_text(file))), file);
   }
 }

@@ -1,5 +1,7 @@
 #include "tests/app/program.hpp"
 
+#include <fcntl.h>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -7,7 +9,6 @@
 #include <unistd.h>
 
 #include <nlohmann/json.hpp>
-#include <thread>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
 #include <valijson/schema_parser.hpp>
@@ -17,6 +18,7 @@ namespace kinetix::testing {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 using Json = nlohmann::json;
 
@@ -143,28 +145,39 @@ TEST(Program, RunsAStructureOfNoExactFamilyByPhysicsAlone) {
   EXPECT_TRUE(result["metrics"]["verify_rms"].is_null());
 }
 
-TEST(Program, LeavesNoHalfWrittenFileWhenItIsKilled) {
-  const Scratch scratch;
-  const std::string target = scratch.write("bow.yaml", bow), folder = scratch / "out";
-  for (int milliseconds = 0; milliseconds < 400; milliseconds += 20) {
-    const pid_t child = fork();
-    if (child == 0) {
-      execl(KINETIX_OPT, KINETIX_OPT, target.c_str(), "--quiet", "--no-verify", "-o", folder.c_str(),
-            nullptr);
-      _exit(127);
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
-    kill(child, SIGKILL);
-    int status = 0;
-    waitpid(child, &status, 0);
-    const std::string result = folder + "/result.json", design = folder + "/design.yaml";
-    if (fs::exists(result)) {
-      EXPECT_TRUE(Json::accept(text_of(result)));
-    }
-    if (fs::exists(design)) {
-      EXPECT_EQ(kinetix_opt("check " + design).code, 0);
-    }
+/// Starts the program, sends it a signal after a while, and waits for its end.
+void interrupt(const std::string& target, const std::string& folder, int after_us, int signal_number) {
+  const pid_t child = fork();
+  if (child == 0) {
+    const int nowhere = open("/dev/null", O_WRONLY);
+    dup2(nowhere, STDOUT_FILENO);
+    execl(KINETIX_OPT, KINETIX_OPT, target.c_str(), "--quiet", "--no-verify", "-o", folder.c_str(), nullptr);
+    _exit(127);
   }
+  usleep(after_us);
+  kill(child, signal_number);
+  int status = 0;
+  waitpid(child, &status, 0);
+}
+
+TEST(Program, LeavesNoHalfWrittenFileWhenItIsInterruptedOrKilled) {
+  const Scratch scratch;
+  const std::string target = scratch.write("bow.yaml", bow);
+  for (const int signal_number : {SIGTERM, SIGKILL})
+    for (int after_us = 0; after_us < 60000; after_us += 1500) {
+      const std::string folder = scratch / fmt::format("out-{}-{}", signal_number, after_us);
+      interrupt(target, folder, after_us, signal_number);
+      const std::string result = folder + "/result.json", design = folder + "/design.yaml";
+      if (fs::exists(result)) {
+        EXPECT_TRUE(Json::accept(text_of(result)));
+      }
+      if (fs::exists(design)) {
+        EXPECT_EQ(kinetix_opt("check " + design).code, 0);
+      }
+      if (signal_number == SIGKILL || !fs::exists(folder)) continue;
+      for (const auto& entry : fs::directory_iterator(folder))
+        EXPECT_THAT(entry.path().filename().string(), Not(HasSubstr("kinetix-part")));
+    }
 }
 
 TEST(Program, HelpNamesEveryCommandAndExitCode) {

@@ -70,7 +70,7 @@ TEST(TargetFile, TakesWhatIsGiven) {
   EXPECT_EQ(file.solver.name, SolverName::slsqp);
   EXPECT_EQ(file.solver.starts, 5);
   EXPECT_EQ(file.solver.max_evaluations, 300);
-  EXPECT_EQ(file.physics, (PhysicsSection{0.002, 100, 0.5, 2.0}));
+  EXPECT_EQ(file.physics, (PhysicsSection{0.002, 100, 0.5, 2.0, std::nullopt}));
 }
 
 TEST(TargetFile, ChoosesTheColumnsThatFitACellSize) {

@@ -1,0 +1,63 @@
+#include "sim/start_motion.hpp"
+
+#include <Eigen/Cholesky>
+
+#include "model/null_space.hpp"
+
+namespace kinetix {
+namespace {
+
+constexpr double least_share = 0.5;
+constexpr double weight_of_the_rest = 1e-6;
+
+double spin(Vertex v) { return v.is_class_a() ? 1.0 : -1.0; }
+
+std::vector<Twist> bare_spins(const Structure& structure) {
+  std::vector<Twist> twists(structure.bodies.size());
+  for (std::size_t b = 0; b < twists.size(); ++b) twists[b].omega.z() = spin(structure.bodies[b]);
+  return twists;
+}
+
+/// Columns: the internal motions, then the six of the whole as a rigid body.
+Eigen::MatrixXd all_motions(const Structure& structure) {
+  const Eigen::MatrixXd internal = null_space(structure, rest_state(structure)).basis;
+  Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(6 * structure.bodies.size(), internal.cols() + 6);
+  motions.leftCols(internal.cols()) = internal;
+  for (std::size_t b = 0; b < structure.bodies.size(); ++b) {
+    const Eigen::Vector3d r = structure.rest_position(static_cast<int>(b)) / structure.size.edge_mm;
+    auto rigid = motions.block<6, 6>(6 * b, internal.cols());
+    rigid.setIdentity();
+    rigid.block<3, 3>(3, 0) << 0, r.z(), -r.y(), -r.z(), 0, r.x(), r.y(), -r.x(), 0;
+  }
+  return motions;
+}
+
+/// Least squares for the wanted spins about z, with everything else kept small where the spins leave a
+/// choice.
+Eigen::VectorXd nearest_motion(const Structure& structure, const Eigen::MatrixXd& motions) {
+  Eigen::VectorXd weight = Eigen::VectorXd::Constant(motions.rows(), weight_of_the_rest);
+  Eigen::VectorXd wanted = Eigen::VectorXd::Zero(motions.rows());
+  for (std::size_t b = 0; b < structure.bodies.size(); ++b) {
+    weight[6 * b + 2] = 1;
+    wanted[6 * b + 2] = spin(structure.bodies[b]);
+  }
+  const Eigen::MatrixXd weighted = weight.asDiagonal() * motions;
+  return motions * (motions.transpose() * weighted).ldlt().solve(weighted.transpose() * wanted);
+}
+
+}  // namespace
+
+std::vector<Twist> start_motion(const Structure& structure) {
+  const Eigen::VectorXd motion = nearest_motion(structure, all_motions(structure));
+  double share = 0;
+  for (std::size_t b = 0; b < structure.bodies.size(); ++b)
+    share += spin(structure.bodies[b]) * motion[6 * b + 2];
+  share /= static_cast<double>(structure.bodies.size());
+  if (!(share > least_share)) return bare_spins(structure);
+  std::vector<Twist> twists;
+  for (std::size_t b = 0; b < structure.bodies.size(); ++b)
+    twists.push_back({motion.segment<3>(6 * b) / share, motion.segment<3>(6 * b + 3) / share});
+  return twists;
+}
+
+}  // namespace kinetix

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "model/exact_jacobian.hpp"
+
+namespace kinetix {
+
+/// First-order motion of the flat structure that comes closest to planar folding: class A turning about z at
+/// unit speed, class B at minus that. Bodies started this way leave flat on the branch of positive theta
+/// without a jolt; spins alone would not carry a long strip along whose tilted walls must lift its far end at
+/// once.
+/// @return one twist per body, v in cell edges; the bare spins where the structure has no first-order motion
+/// near them
+std::vector<Twist> start_motion(const Structure& structure);
+
+}  // namespace kinetix
