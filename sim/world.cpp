@@ -138,8 +138,8 @@ void World::start(const std::vector<Twist>& motion, double rate) {
   };
   for (std::size_t b = 0; b < parts_->bodies.size(); ++b) {
     btRigidBody& body = *parts_->bodies[b];
-    body.setAngularVelocity(body.getAngularVelocity() + vector(motion[b].omega));
-    body.setLinearVelocity(body.getLinearVelocity() + vector(motion[b].v));
+    body.setAngularVelocity(body.getAngularVelocity() + body.getAngularFactor() * vector(motion[b].omega));
+    body.setLinearVelocity(body.getLinearVelocity() + body.getLinearFactor() * vector(motion[b].v));
   }
 }
 
