@@ -12,7 +12,7 @@ test: dev
 	ctest --preset dev
 
 bench: release
-	build/release/bin/kinetix-bench
+	build/release/bin/kinetix-bench --write benchmarks/README.md
 
 asan tsan: packages
 	cmake --preset $@

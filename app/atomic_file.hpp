@@ -11,8 +11,8 @@ namespace kinetix {
 /// @throws InvalidInput naming the folder or file and the reason
 void write_file(const std::string& file, std::string_view content);
 
-/// From now on an interrupt, a hangup or a request to terminate removes the part that is being written, then ends the
-/// program as it would have. For programs that write from one thread.
+/// From now on an interrupt, a hangup or a request to terminate removes the part that is being written, then
+/// ends the program as it would have. For programs that write from one thread.
 void remove_parts_when_interrupted();
 
 /// Creates the folder with its parents where it does not exist, and proves that files can be written in it.

@@ -9,9 +9,9 @@ namespace kinetix {
 
 /// The `physics:` section of a target or a design. What is not given is for the physics run to choose.
 struct PhysicsSection {
-  std::optional<double> step_s;                  ///< time step, s, (0, 0.1]
-  std::optional<int> iterations;                 ///< of the solver per step, 1 to 100000
-  std::optional<double> error_reduction;         ///< part of a hinge's gap removed per step, (0, 1]
+  std::optional<double> step_s;           ///< time step, s, (0, 0.1]
+  std::optional<int> iterations;          ///< of the solver per step, 1 to 100000
+  std::optional<double> error_reduction;  ///< part of a hinge's gap removed per step, (0, 1]
   std::optional<double> reach_mm;  ///< half distance of a hinge's two constraint points, (0, 10] cell edges
   std::optional<PhysicsOptions::Solver> solver;  ///< direct or sweeps
 

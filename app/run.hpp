@@ -46,7 +46,8 @@ struct CurveOutcome {
   std::vector<Eigen::Vector2d> target_mm;  ///< as given
   CurveDesign found;
   SolverOptions solver;
-  bool met = false;
+  bool met = false;                     ///< shape within tolerance, and no walls in the way
+  std::vector<std::string> why_missed;  ///< in words, empty where met
 };
 
 /// Everything one call of the program knows at its end: what result.json and the report show.

@@ -31,6 +31,22 @@ MultiStartOptions search_of(const TargetFile& file, const RunOptions& options) {
   return search;
 }
 
+std::vector<std::string> why_missed(const FreeCurveDesign& found, double tolerance) {
+  std::vector<std::string> why;
+  const double rms = found.design.error.rms;
+  if (!(rms <= tolerance)) {
+    why = found.design.reach.obstacles;
+    if (why.empty())
+      why.push_back(
+          fmt::format("no start came closer than {:.3g} of the diagonal, though no column alone lacks turn: "
+                      "use more or smaller cells",
+                      rms));
+  }
+  if (!found.walls_are_free)
+    why.push_back(found.notes.back() + ": lower or thinner walls, or larger cells, would pass");
+  return why;
+}
+
 }  // namespace
 
 Run run_curve(const TargetFile& file, const RunOptions& options) {
@@ -54,8 +70,9 @@ Run run_curve(const TargetFile& file, const RunOptions& options) {
   run.plan.why.insert(run.plan.why.end(), found.notes.begin(), found.notes.end());
   run.timings.plan = watch.lap();
 
-  const bool met = found.design.error.rms <= file.shape_tolerance && found.walls_are_free;
-  run.curve = CurveOutcome{file.curve.points(), std::move(found.design), search.solver, met};
+  std::vector<std::string> why = why_missed(found, file.shape_tolerance);
+  const bool met = why.empty();
+  run.curve = CurveOutcome{file.curve.points(), std::move(found.design), search.solver, met, std::move(why)};
   const State exact = fold(run.plan.family, run.structure, run.theta);
   run.states.push_back({"target", "exact", run.theta, exact, hinge_gaps(run.structure, exact)});
   run.fidelity.push_back(exact_fidelity(run.plan.family, run.structure, run.theta));

@@ -25,7 +25,7 @@ std::string name(const Cell& cell) {
 }  // namespace
 
 CellSize default_size(double edge_mm) {
-  return {edge_mm, std::min(0.1 * edge_mm, 3.0), std::min(0.75 * edge_mm, 30.0)};
+  return {edge_mm, std::min(0.1 * edge_mm, 3.0), std::min(0.6 * edge_mm, 30.0)};
 }
 
 std::vector<Cell> read_cells(const Node& node) {

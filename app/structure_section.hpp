@@ -9,7 +9,7 @@
 
 namespace kinetix {
 
-/// Sizes that suit a cell edge: wall thickness a tenth of it and at most 3 mm, height three quarters of it
+/// Sizes that suit a cell edge: wall thickness a tenth of it and at most 3 mm, height three fifths of it
 /// and at most 30 mm.
 CellSize default_size(double edge_mm);
 

@@ -17,15 +17,19 @@ double largest_tilt(const Structure& structure) {
   return largest;
 }
 
+std::string verdict(const Run& run) {
+  if (run.curve->met) return "within tolerance";
+  const bool close = run.curve->found.error.rms <= run.shape_tolerance;
+  return close ? "WITHIN TOLERANCE, BUT WALLS COLLIDE" : "MISSES THE TOLERANCE";
+}
+
 std::string shape_lines(const Run& run) {
   const CurveOutcome& curve = *run.curve;
   const CurveError& error = curve.found.error;
-  std::string text =
-      line("shape", fmt::format("rms {:.2e} of the goal's diagonal ({:.3f} mm), largest {:.3f} mm: {}",
-                                error.rms, error.rms * error.scale_mm, error.max * error.scale_mm,
-                                curve.met ? "within tolerance" : "MISSES THE TOLERANCE"));
-  for (const std::string& obstacle : curve.found.reach.obstacles)
-    if (!curve.met) text += line("why", obstacle);
+  std::string text = line(
+      "shape", fmt::format("rms {:.2e} of the goal's diagonal ({:.3f} mm), largest {:.3f} mm: {}", error.rms,
+                           error.rms * error.scale_mm, error.max * error.scale_mm, verdict(run)));
+  for (const std::string& reason : curve.why_missed) text += line("why", reason);
   const SolveResult& best = curve.found.search.runs[curve.found.chosen];
   text += line("search", fmt::format("{:.3f} s, {} from {} starts, {}", run.timings.optimise,
                                      to_string(curve.solver.name), curve.found.search.runs.size(),

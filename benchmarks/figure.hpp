@@ -17,4 +17,7 @@ std::vector<Figure> model_figures();
 std::vector<Figure> search_figures();
 std::vector<Figure> physics_figures();
 
+/// Markdown table: both joint solvers of the physics run on arcs of growing length.
+std::string solver_table();
+
 }  // namespace kinetix::bench

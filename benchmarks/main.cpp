@@ -10,9 +10,6 @@ namespace {
 
 using kinetix::bench::Figure;
 
-constexpr const char* opening = "<!-- table: written by kinetix-bench --write -->";
-constexpr const char* closing = "<!-- end of table -->";
-
 std::string first_value(const char* file, const std::string& key) {
   std::ifstream in(file);
   for (std::string line; std::getline(in, line);)
@@ -36,17 +33,19 @@ std::string row(const Figure& f) {
   return fmt::format("| {} | {} | {} | {} |\n", f.what, f.asked, f.measured, f.met ? "yes" : "**no**");
 }
 
-std::string replaced(const std::string& page, const std::string& table) {
-  const auto from = page.find(opening), to = page.find(closing);
+/// The page with the text between two marks replaced.
+std::string replaced(const std::string& page, const std::string& mark, const std::string& text) {
+  const std::string opening = "<!-- " + mark + ": written by kinetix-bench --write -->\n";
+  const auto from = page.find(opening), to = page.find("<!-- end of " + mark + " -->");
   if (from == std::string::npos || to == std::string::npos)
-    throw std::runtime_error("the page has no table marks");
-  return page.substr(0, from) + opening + "\n" + table + page.substr(to);
+    throw std::runtime_error("the page has no " + mark);
+  return page.substr(0, from + opening.size()) + text + page.substr(to);
 }
 
-void write_into(const std::string& file, const std::string& table) {
+void write_into(const std::string& file, const std::string& table, const std::string& solvers) {
   std::stringstream page;
   page << std::ifstream(file).rdbuf();
-  const std::string text = replaced(page.str(), table);
+  const std::string text = replaced(replaced(page.str(), "table", table), "solvers", solvers);
   std::ofstream(file) << text;
 }
 
@@ -65,7 +64,8 @@ int main(int argc, char** argv) {
       table += row(figure);
       all_met = all_met && figure.met;
     }
-  std::cout << table;
-  if (argc == 3 && std::string(argv[1]) == "--write") write_into(argv[2], table);
+  const std::string solvers = kinetix::bench::solver_table();
+  std::cout << table << "\n" << solvers;
+  if (argc == 3 && std::string(argv[1]) == "--write") write_into(argv[2], table, solvers);
   return all_met ? 0 : 1;
 }

@@ -45,6 +45,7 @@ CurveDesign fit_curve(const Curve& goal, const CurveVariables& v, const MultiSta
 namespace {
 
 constexpr double narrowing = 0.8;
+constexpr int most_narrowings = 10;
 constexpr double worst_growth = 10;
 constexpr double margin = 0.1 * radians_per_degree;
 
@@ -81,6 +82,37 @@ double largest_tilt(const ExactDesign<double>& design) {
   return largest;
 }
 
+/// The next tilt limit to try: below the least that still collides, above the largest that costs too much
+/// error.
+double next_limit(double collides, double costs_too_much) {
+  return std::max(narrowing * collides, (collides + costs_too_much) / 2);
+}
+
+/// Narrows the tilts until the walls are free. @return false where no limit tried did it
+bool free_the_walls(const Curve& goal, CurveVariables v, const CellSize& size,
+                    const MultiStartOptions& options, FreeCurveDesign& result) {
+  const double acceptable = worst_growth * result.design.error.rms + exact;
+  double collides = largest_tilt(result.design.design), costs_too_much = 0;
+  for (int k = 0; k < most_narrowings; ++k) {
+    const double limit = next_limit(collides, costs_too_much);
+    CurveVariables tighter = v;
+    tighter.beta = narrowed(v.beta, limit);
+    if (!(tighter.beta.lower < tighter.beta.upper)) return false;
+    CurveDesign candidate = fit_curve(goal, tighter, options);
+    if (!(candidate.error.rms <= acceptable)) {
+      costs_too_much = limit;
+    } else if (first_contact(candidate.design, size).touches) {
+      collides = limit;
+    } else {
+      result.notes.push_back(fmt::format(
+          "tilts kept within {:.1f} deg: with steeper ones walls run into each other", degrees(limit)));
+      result.design = std::move(candidate);
+      return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 FreeCurveDesign fit_free_curve(const Curve& goal, const CurveVariables& variables, const CellSize& size,
@@ -89,27 +121,12 @@ FreeCurveDesign fit_free_curve(const Curve& goal, const CurveVariables& variable
   CurveVariables v = variables;
   keep_below_closing(v, size, result.notes);
   result.design = fit_curve(goal, v, options);
-  ThetaLimit contact = first_contact(result.design.design, size);
-  result.walls_are_free = !contact.touches;
-
-  CurveDesign candidate = result.design;
-  while (contact.touches) {
-    v.beta = narrowed(v.beta, narrowing * largest_tilt(candidate.design));
-    if (!(v.beta.lower < v.beta.upper)) break;
-    candidate = fit_curve(goal, v, options);
-    if (!(candidate.error.rms <= worst_growth * result.design.error.rms + exact)) break;
-    contact = first_contact(candidate.design, size);
-    if (contact.touches) continue;
-    result.notes.push_back(
-        fmt::format("tilts narrowed to {:.1f} .. {:.1f} deg: with steeper ones walls run into each other",
-                    degrees(v.beta.lower), degrees(v.beta.upper)));
-    result.design = std::move(candidate);
-    result.walls_are_free = true;
-  }
+  const ThetaLimit contact = first_contact(result.design.design, size);
+  result.walls_are_free = !contact.touches || free_the_walls(goal, v, size, options, result);
   if (!result.walls_are_free)
-    result.notes.push_back(fmt::format(
-        "walls run into each other at theta {:.2f} deg, before the {:.2f} deg of the goal",
-        degrees(first_contact(result.design.design, size).theta), degrees(result.design.design.theta)));
+    result.notes.push_back(
+        fmt::format("walls run into each other at theta {:.2f} deg, before the {:.2f} deg of the goal",
+                    degrees(contact.theta), degrees(result.design.design.theta)));
   return result;
 }
 

@@ -33,7 +33,7 @@ TEST(TargetFile, NeedsNoMoreThanAVersionAndATarget) {
   EXPECT_EQ(file.rows, 1);
   EXPECT_DOUBLE_EQ(file.size.edge_mm * 40 * std::cos(30 * radians_per_degree), 100);
   EXPECT_DOUBLE_EQ(file.size.thickness_mm, 0.1 * file.size.edge_mm);
-  EXPECT_DOUBLE_EQ(file.size.height_mm, 0.75 * file.size.edge_mm);
+  EXPECT_DOUBLE_EQ(file.size.height_mm, 0.6 * file.size.edge_mm);
   EXPECT_DOUBLE_EQ(file.beta.lower, -60 * radians_per_degree);
   EXPECT_DOUBLE_EQ(file.beta.upper, 60 * radians_per_degree);
   EXPECT_EQ(file.per, Per::column);
