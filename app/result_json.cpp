@@ -26,11 +26,17 @@ Json target_json(const Run& run) {
 
 Json plan_json(const Run& run) {
   const Plan& plan = run.plan;
-  return {{"family", to_string(plan.family.family)},
-          {"model", plan.family.family == Family::none ? "none" : "exact"},
-          {"bodies", run.structure.bodies.size()},
-          {"hinges", run.structure.hinges.size()},
-          {"why", plan.why}};
+  Json out = {{"family", to_string(plan.family.family)},
+              {"model", plan.family.family == Family::none ? "none" : "exact"},
+              {"bodies", run.structure.bodies.size()},
+              {"hinges", run.structure.hinges.size()},
+              {"why", plan.why}};
+  if (const auto& m = plan.mobility)
+    out["mobility"] = {{"verdict", to_string(m->verdict)},
+                       {"flat", m->freedoms_flat},
+                       {"moving", m->freedoms_along},
+                       {"gruebler", m->gruebler_spatial}};
+  return out;
 }
 
 Json structure_json(const Structure& s, double reach_mm) {
@@ -75,6 +81,10 @@ Json state_json(const NamedState& state) {
 
 Json metrics_json(const Run& run) {
   Json metrics = {{"theta_rad", run.theta}};
+  if (run.plan.free_range) {
+    const ThetaLimit& limit = run.theta < 0 ? run.plan.free_range->negative : run.plan.free_range->positive;
+    if (limit.touches) metrics["theta_limit_rad"] = limit.theta;
+  }
   if (run.curve) {
     const CurveError& error = run.curve->found.error;
     metrics["shape_rms"] = error.rms;
@@ -100,7 +110,7 @@ Json curve_json(const CurveOutcome& curve) {
     turn.push_back({{"column", t.column},
                     {"arc_mm", t.arc_mm},
                     {"needed_deg", t.needed / radians_per_degree},
-                    {"allowed_deg", t.allowed / radians_per_degree}});
+                    {"allowed_deg", std::abs(t.allowed) / radians_per_degree}});
   return {{"folded_mm", points(found.midline_mm)},
           {"goal_mm", points(found.error.goal_mm)},
           {"error", error},
@@ -118,7 +128,7 @@ Json optimiser_json(const CurveOutcome& curve) {
     evaluations += run.evaluations;
     runs.push_back({{"start", k},
                     {"status", to_string(run.status)},
-                    {"shape_rms", run.residual_norm},
+                    {"fit_rms", run.residual_norm},
                     {"evaluations", run.evaluations},
                     {"history", run.history}});
   }

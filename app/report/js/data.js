@@ -114,7 +114,7 @@ function readCurve(raw) {
 function readRun(raw, index) {
   let best = Infinity;
   const history = numberRows(raw?.history, 2).map(([at, cost]) => [at, (best = Math.min(best, cost))]);
-  return {start: finite(raw?.start) ?? index, status: raw?.status, rms: finite(raw?.shape_rms), history};
+  return {start: finite(raw?.start) ?? index, status: raw?.status, rms: finite(raw?.fit_rms), history};
 }
 
 function readVerdict(metrics, tolerance) {

@@ -50,7 +50,7 @@ function drawError(data, width, zoomed) {
   const axes = plot({
     width,
     label: "Distance from the target along the strip",
-    x: {range: [0, error[error.length - 1][0] || 1], label: "length along the folded midline, mm"},
+    x: {range: [0, error[error.length - 1][0] || 1], label: "length along the target, mm"},
     y: {range, label: "distance from the target, mm"}
   });
   const worst = worstError(error), labelLeft = axes.X(worst[0]) > (axes.area.left + axes.area.right) / 2;
@@ -113,9 +113,15 @@ function turnMarks(axes, turn, sides) {
   ];
 }
 
+/** Limits far above the bars are left to the words, so that the bars can be read. */
+function showsLimits(turn) {
+  const needed = Math.max(...turn.map((t) => Math.abs(t.needed)));
+  return turn.some((t) => t.allowed !== null && t.allowed < 4 * needed);
+}
+
 function drawTurns(data, width) {
   const {turn} = data.curve;
-  const sides = sidesOf(turn),
+  const sides = showsLimits(turn) ? sidesOf(turn) : [],
         reach = turn.flatMap((t) => [t.needed, 0, ...sides.map((side) => side * (t.allowed ?? 0))]);
   const columns = {...span("Column", "columns", turn.map((t) => t.column))};
   const range = padded([Math.min(...reach), Math.max(...reach)]);
@@ -156,7 +162,7 @@ function turnFigure(data) {
       html("p", {class: "lead"}, turnWords(turn)), responsive((width) => drawTurns(data, width)),
       legend(
           ["turn", "turn the target asks for"], over && ["turn over", "more than allowed"],
-          ["turn-limit", "most that the tilt range allows"]));
+          showsLimits(turn) && ["turn-limit", "most that the tilt range allows"]));
 }
 
 function errorSection(data) {

@@ -117,7 +117,7 @@ function metricsGroup({metrics}) {
 }
 
 function originGroup({raw, timing}) {
-  const times = Object.entries(timing).map(([key, value]) => ["Time to " + words(key), duration(value)]);
+  const times = Object.entries(timing).filter(([, value]) => finite(value) !== null).map(([key, value]) => ["Time to " + words(key), duration(value)]);
   return group("Origin", facts([
                  ["kinetix", told(raw.kinetix_version)],
                  ["Seed", finite(raw.seed) === null ? null : String(raw.seed)],

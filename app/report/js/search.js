@@ -47,7 +47,7 @@ function startTable(data) {
   return html(
       "div", {class: "scroll"},
       table(
-          ["start", "status", "shape error, rms", "evaluations"], data.runs.map(row),
+          ["start", "status", "fit error, rms", "evaluations"], data.runs.map(row),
           "Starts of the search"));
 }
 
@@ -73,10 +73,9 @@ function modelClass(name) {
   return /^exact/i.test(name) ? "model" : "other";
 }
 
-/** Names left or right of the points where there is room for them, otherwise the numbers of the table. */
-function pointLabel(axes, x, y, number, name, width) {
+/** The number of the point's row in the table. */
+function pointLabel(axes, x, y, number) {
   const toLeft = x > (axes.area.left + axes.area.right) / 2;
-  const text = width > 800 ? `${number} ${name}` : String(number);
   return svg(
       "text", {
         class: "remark",
@@ -84,7 +83,7 @@ function pointLabel(axes, x, y, number, name, width) {
         y: y + (y > axes.area.bottom - 8 ? -8 : 4),
         "text-anchor": toLeft ? "end" : "start"
       },
-      text);
+      String(number));
 }
 
 function drawFidelity(entries, width) {
@@ -105,7 +104,7 @@ function drawFidelity(entries, width) {
     const [cx, cy] = at(e);
     axes.root.append(
         svg("circle", {class: "dot " + modelClass(e.model), cx, cy, r: 5}),
-        pointLabel(axes, cx, cy, entries.indexOf(e) + 1, words(e.model), width));
+        pointLabel(axes, cx, cy, entries.indexOf(e) + 1));
   }
   return axes.root;
 }
@@ -120,7 +119,7 @@ function fidelitySection(data) {
   return [
     html(
         "p", {class: "lead"},
-        "Several models can fold the same sheet. Left and low is better: fast and true."),
+        "Several models can fold the same sheet. Left and low is better: fast and true. Numbers are the rows of the table."),
     drawable ? responsive((width) => drawFidelity(entries, width)) : null,
     html(
         "div", {class: "scroll"},
