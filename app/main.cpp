@@ -51,7 +51,7 @@ int run(int argc, char** argv) {
 
   add_common(app, options);
   add_output(app, options);
-  app.add_flag("!--no-verify", options.verify, "skip the physics run");
+  app.add_flag_callback("--no-verify", [&] { options.verify = false; }, "skip the physics run");
   app.add_option("TARGET.yaml", options.file, "goal shape, structure and bounds")->type_name("");
 
   CLI::App* verify =

@@ -153,7 +153,7 @@ TEST(DesignFile, WritesOnlyWhatDiffersFromTheBasicHinge) {
       read(strip + "design: {theta_deg: 20, hinges: [{wall: [[0, 0], [1, 0]], beta_deg: 54.7356}]}");
   EXPECT_EQ(design_text(file),
             "kinetix: 1\nname: \"sheet\"\nstructure:\n  cells: [6, 1]\n  cell_mm: 10\n"
-            "  wall_mm: {thickness: 1, height: 7.5}\ndesign:\n  theta_deg: 20\n"
+            "  wall_mm: {thickness: 1, height: 6}\ndesign:\n  theta_deg: 20\n"
             "  hinges:  # walls that are not named have t: 0.5, alpha_deg: 90, beta_deg: 0\n"
             "    - {wall: [[0, 0], [1, 0]], t: 0.5, alpha_deg: 90, beta_deg: 54.7356}\n"
             "hinge: {model: rotary, k_point: 1000, k_turn: 0.1}\n");

@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# Runs every kinetix-opt command of the README with the program under test, and compares the one real run's output.
+# usage: readme.sh PROGRAM SOURCE_FOLDER SCRATCH_FOLDER
+set -euo pipefail
+program=$1 source=$2 scratch=$3
+rm -rf "$scratch" && mkdir -p "$scratch/build/release/bin" && cd "$scratch"
+ln -s "$source/targets" targets
+ln -s "$program" build/release/bin/kinetix-opt
+
+commands=$(grep -E '^\$ build/release/bin/kinetix-opt ' "$source/README.md" | sed 's/^\$ //')
+count=$(wc -l <<<"$commands")
+[ "$count" -ge 6 ] || { echo "only $count commands found in the README"; exit 1; }
+while IFS= read -r command; do
+  echo "$command"
+  $command --quiet >output.txt
+done <<<"$commands"
+
+# The run that is shown: equal but for times and the last digits of the physics run.
+steady() { grep -vE '^  (search|physics) ' | head -n 5; }
+shown=$(sed -n '/^helmet_rib: /,/^```/p' "$source/README.md" | grep -v '^```' | steady)
+measured=$(build/release/bin/kinetix-opt targets/shapes/helmet_rib.yaml -o results/helmet_rib --quiet | steady)
+diff <(echo "$shown") <(echo "$measured")
