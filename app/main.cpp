@@ -21,7 +21,8 @@ void add_common(CLI::App& app, CommandOptions& options) {
 
 void add_output(CLI::App& app, CommandOptions& options) {
   app.add_option("-o", options.folder,
-                 "folder for result.json, design.yaml and report.html (default results/NAME)")
+                 "folder for result.json, design.yaml and report.html (default results/NAME, with _verified, "
+                 "_exact or _bullet for a design)")
       ->type_name("DIR");
 }
 
@@ -51,7 +52,8 @@ int run(int argc, char** argv) {
 
   add_common(app, options);
   add_output(app, options);
-  app.add_flag_callback("--no-verify", [&] { options.verify = false; }, "skip the physics run");
+  app.add_flag_callback(
+      "--no-verify", [&] { options.verify = false; }, "skip the physics run");
   app.add_option("TARGET.yaml", options.file, "goal shape, structure and bounds")->type_name("");
 
   CLI::App* verify =

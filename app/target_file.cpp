@@ -8,6 +8,7 @@
 
 #include "app/file_header.hpp"
 #include "app/structure_section.hpp"
+#include "model/wall_contact.hpp"
 #include "targets/read_curve.hpp"
 
 namespace kinetix {
@@ -130,6 +131,10 @@ void read_variables(const Node& root, TargetFile& file) {
   if (const auto theta = section->optional("theta")) {
     theta->reject_unknown_keys({"range_deg"});
     file.theta = read_angles(*theta, file.theta, between(0, 45, "degrees"));
+    if (!(file.theta.lower < closing_theta(file.size)))
+      throw theta->error(fmt::format(
+          "the range starts above {:.2f} deg, where walls of {:.3g} mm close cells of {:.3g} mm",
+          closing_theta(file.size) / radians_per_degree, file.size.thickness_mm, file.size.edge_mm));
   }
 }
 

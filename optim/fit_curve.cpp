@@ -61,7 +61,7 @@ ThetaLimit first_contact(const ExactDesign<double>& design, const CellSize& size
 }
 
 void keep_below_closing(CurveVariables& v, const CellSize& size, std::vector<std::string>& notes) {
-  const double closing = std::atan(1 - size.thickness_mm / size.edge_mm) - margin;
+  const double closing = closing_theta(size) - margin;
   if (!(v.theta.upper > closing)) return;
   if (!(v.theta.lower < closing))
     throw InvalidInput(

@@ -137,6 +137,7 @@ TEST(Program, RunsAStructureOfNoExactFamilyByPhysicsAlone) {
                     "design: {theta_deg: 15, hinges: [{wall: [[0, 0], [1, 0]], t: 0.55}]}\n");
   const Outcome exact = kinetix_opt("simulate " + design + " -o " + scratch.path());
   EXPECT_EQ(exact.code, 2);
+  EXPECT_FALSE(fs::exists(scratch / "result.json"));
   EXPECT_THAT(exact.err, HasSubstr("not exactly mobile: hinge"));
   const Outcome physics = kinetix_opt("simulate " + design + " --model bullet --json -o " + scratch.path());
   EXPECT_TRUE(physics.code == 0 || physics.code == 4) << physics.err;
@@ -195,6 +196,8 @@ struct BadInput {
   std::vector<std::string> says;
 };
 
+void PrintTo(const BadInput& input, std::ostream* out) { *out << input.name; }
+
 class RefusedInput : public ::testing::TestWithParam<BadInput> {};
 
 TEST_P(RefusedInput, EndsWith2OneClearMessageAndNothingWritten) {
@@ -250,6 +253,10 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"other_version",
                  "kinetix: 2\ntarget: {kind: curve, points: [[0, 0], [50, 50], [90, 0]]}\n",
                  {":1:", "kinetix"}},
+        BadInput{"theta_past_closing",
+                 "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [50, 50], [90, 0]]}\nvariables: {theta: "
+                 "{range_deg: [44, 44.5]}}\n",
+                 {":3:", "variables.theta", "close"}},
         BadInput{"thick_walls",
                  "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [50, 50], [90, 0]]}\nstructure: "
                  "{cell_mm: 8, wall_mm: {thickness: 5}}\n",
