@@ -27,7 +27,7 @@ Json target_json(const Run& run) {
 Json plan_json(const Run& run) {
   const Plan& plan = run.plan;
   Json out = {{"family", to_string(plan.family.family)},
-              {"model", plan.family.family == Family::none ? "none" : "exact"},
+              {"model", plan.family.family == Family::none ? "bullet" : "exact"},
               {"bodies", run.structure.bodies.size()},
               {"hinges", run.structure.hinges.size()},
               {"why", plan.why}};
