@@ -84,7 +84,7 @@ struct World::Parts {
 
   void add_bodies() {
     const int group = options.contact ? 1 : 0;
-    const auto walls = half_walls(structure, PartShape::margin);
+    const auto walls = wall_prisms(structure, PartShape::margin);
     for (std::size_t b = 0; b < walls.size(); ++b) {
       const auto [i, j] = structure.bodies[b];
       const double inertia = options.part_inertia * part_mass;
