@@ -175,7 +175,8 @@ double World::fastest_hinge() const {
   for (const Hinge& hinge : parts_->structure.hinges) {
     const auto& lower = *parts_->bodies[hinge.lower];
     const auto& upper = *parts_->bodies[hinge.upper];
-    fastest = std::max(fastest, (upper.getAngularVelocity() - lower.getAngularVelocity()).length());
+    const double speed = (upper.getAngularVelocity() - lower.getAngularVelocity()).length();
+    if (!(speed <= fastest)) fastest = speed;
   }
   return fastest;
 }

@@ -3,8 +3,8 @@
 #include <Eigen/Dense>
 #include <random>
 
-#include "sim/wall_prisms.hpp"
 #include "sim/row_system.hpp"
+#include "sim/wall_prisms.hpp"
 #include "sim/world.hpp"
 #include "tests/sim/runs.hpp"
 
