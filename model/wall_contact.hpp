@@ -54,8 +54,8 @@ using FoldFunction = std::function<void(double theta, State& state)>;
 
 struct ThetaRangeOptions {
   double limit = pi / 2;                 ///< rad, (0, pi/2]; where to stop looking
-  double step = 1 * radians_per_degree;  ///< rad, > 0
-  double precision = 1e-9;               ///< rad, > 0
+  double step = 1 * radians_per_degree;  ///< rad, >= 1e-6
+  double precision = 1e-9;               ///< rad, >= 1e-14
 
   /// @throws InvalidInput
   void validate() const;

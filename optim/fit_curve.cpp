@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
 
 #include "model/invalid_input.hpp"
 #include "model/wall_contact.hpp"
@@ -13,41 +15,33 @@ namespace {
 
 constexpr double as_good = 1.01;
 constexpr double exact = 1e-9;
+constexpr double narrowing = 0.8;
+constexpr int most_narrowings = 10;
+constexpr double worst_growth = 10;
+constexpr double margin = 0.1 * radians_per_degree;
+
+void check_at_least(const char* field, int value, int least) {
+  if (value < least) throw InvalidInput(fmt::format("{} is {}, must be at least {}", field, value, least));
+}
+
+/// Both limits excluded.
+void check_range(const char* field, const AngleRange& range, double lowest, double highest) {
+  if (lowest < range.lower && range.lower < range.upper && range.upper < highest) return;
+  throw InvalidInput(
+      fmt::format("{} is [{}, {}] rad, must be [lower, upper] with {:.4g} < lower < upper < {:.4g}", field,
+                  range.lower, range.upper, lowest, highest));
+}
 
 int gentlest(const CurveFit& fit, const MultiStartResult& search) {
   const int tilts = fit.ties().variables();
   const auto effort = [&](int k) { return search.runs[k].x.head(tilts).cwiseAbs().maxCoeff(); };
   const double limit = as_good * search.best_run().residual_norm + exact;
+  if (!std::isfinite(limit)) return search.best;
   int chosen = search.best;
   for (int k = 0; k < static_cast<int>(search.runs.size()); ++k)
     if (search.runs[k].residual_norm <= limit && effort(k) < effort(chosen)) chosen = k;
   return chosen;
 }
-
-}  // namespace
-
-CurveDesign fit_curve(const Curve& goal, const CurveVariables& v, const MultiStartOptions& options) {
-  const CurveFit fit(goal, make_bend_ties(v.columns, v.per, v.symmetry, v.beta), v.cell_mm, v.theta);
-  CurveDesign result;
-  result.reach = analyse_reach(fit);
-  result.search = multi_start(
-      fit, [&](int k, std::uint64_t seed) { return curve_start(fit, k, seed); }, options);
-  result.chosen = gentlest(fit, result.search);
-  const SolveResult& run = result.search.runs[result.chosen];
-  result.design = fit.design(run.x, v.rows);
-  State lattice;
-  fold(result.design, v.cell_mm, lattice);
-  result.midline_mm = midline(lattice, v.rows);
-  result.error = curve_error(result.midline_mm, goal);
-  return result;
-}
-
-namespace {
-
-constexpr double narrowing = 0.8;
-constexpr int most_narrowings = 10;
-constexpr double worst_growth = 10;
-constexpr double margin = 0.1 * radians_per_degree;
 
 double degrees(double angle) { return angle / radians_per_degree; }
 
@@ -114,6 +108,33 @@ bool free_the_walls(const Curve& goal, CurveVariables v, const CellSize& size,
 }
 
 }  // namespace
+
+void CurveVariables::validate() const {
+  check_at_least("columns", columns, 2);
+  check_at_least("rows", rows, 1);
+  if (!(cell_mm > 0) || !std::isfinite(cell_mm))
+    throw InvalidInput(fmt::format("cell_mm is {}, must be positive and finite", cell_mm));
+  check_range("beta", beta, -pi / 2, pi / 2);
+  check_range("theta", theta, 0, pi / 2);
+}
+
+CurveDesign fit_curve(const Curve& goal, const CurveVariables& v, const MultiStartOptions& options) {
+  v.validate();
+  const CurveFit fit(goal, make_bend_ties(v.columns, v.per, v.symmetry, v.beta), v.cell_mm, v.theta);
+  CurveDesign result;
+  result.reach = analyse_reach(fit);
+  result.search = multi_start(
+      fit, [&](int k, std::uint64_t seed) { return curve_start(fit, k, seed); }, options);
+  result.chosen = gentlest(fit, result.search);
+  const SolveResult& run = result.search.runs[result.chosen];
+  if (run.x.size() == 0) throw std::runtime_error("every start of the search failed: " + run.why);
+  result.design = fit.design(run.x, v.rows);
+  State lattice;
+  fold(result.design, v.cell_mm, lattice);
+  result.midline_mm = midline(lattice, v.rows);
+  result.error = curve_error(result.midline_mm, goal);
+  return result;
+}
 
 FreeCurveDesign fit_free_curve(const Curve& goal, const CurveVariables& variables, const CellSize& size,
                                const MultiStartOptions& options) {

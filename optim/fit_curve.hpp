@@ -8,13 +8,16 @@ namespace kinetix {
 
 /// What a curve search may vary.
 struct CurveVariables {
-  int columns = 40;    ///< >= 2
-  int rows = 1;        ///< >= 1; every row does the same
-  double cell_mm = 8;  ///< cell edge
-  AngleRange beta{-60 * radians_per_degree, 60 * radians_per_degree};
-  AngleRange theta{2 * radians_per_degree, 44 * radians_per_degree};
+  int columns = 40;                                                    ///< >= 2
+  int rows = 1;                                                        ///< >= 1; every row does the same
+  double cell_mm = 8;                                                  ///< cell edge, > 0
+  AngleRange beta{-60 * radians_per_degree, 60 * radians_per_degree};  ///< in (-pi/2, pi/2), lower < upper
+  AngleRange theta{2 * radians_per_degree, 44 * radians_per_degree};   ///< in (0, pi/2), lower < upper
   Per per = Per::column;
   Symmetry symmetry = Symmetry::none;
+
+  /// @throws InvalidInput naming field, value and rule
+  void validate() const;
 };
 
 /// The design found, its error, and what stood in the way.
@@ -29,7 +32,7 @@ struct CurveDesign {
 
 /// Searches the tilts and theta that fold a strip into the goal. Of the runs within 1 % of the least |r| it
 /// takes the one with the smallest largest tilt: equally good, easier to print.
-/// @throws InvalidInput for bounds or ties that leave nothing to vary
+/// @throws InvalidInput for variables or options that do not validate, and ties that leave nothing to vary
 CurveDesign fit_curve(const Curve& goal, const CurveVariables& variables, const MultiStartOptions& options);
 
 /// A design whose walls do not run into each other on the way to its theta, where one was found.

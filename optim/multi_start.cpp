@@ -2,12 +2,20 @@
 
 #include <omp.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "model/invalid_input.hpp"
 
 namespace kinetix {
 namespace {
+
+SolveResult failure(const std::string& why) {
+  SolveResult failed;
+  failed.residual_norm = std::numeric_limits<double>::infinity();
+  failed.why = why;
+  return failed;
+}
 
 SolveResult run_one(const LeastSquaresProblem& problem, const StartMaker& make_start, int k,
                     const MultiStartOptions& options) noexcept {
@@ -16,10 +24,9 @@ SolveResult run_one(const LeastSquaresProblem& problem, const StartMaker& make_s
     solver.seed = options.seed + static_cast<unsigned long>(k);
     return solve(problem, make_start(k, options.seed), solver);
   } catch (const std::exception& error) {
-    SolveResult failed;
-    failed.residual_norm = std::numeric_limits<double>::infinity();
-    failed.why = error.what();
-    return failed;
+    return failure(error.what());
+  } catch (...) {
+    return failure("an unknown exception");
   }
 }
 
@@ -36,7 +43,8 @@ MultiStartResult multi_start(const LeastSquaresProblem& problem, const StartMake
   options.validate();
   MultiStartResult result;
   result.runs.resize(options.starts);
-  const int threads = options.threads > 0 ? options.threads : omp_get_max_threads();
+  const int allowed = options.threads > 0 ? options.threads : omp_get_max_threads();
+  const int threads = std::min(allowed, options.starts);
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
   for (int k = 0; k < options.starts; ++k) result.runs[k] = run_one(problem, make_start, k, options);
   for (int k = 1; k < options.starts; ++k)

@@ -9,7 +9,7 @@ namespace kinetix {
 
 struct MultiStartOptions {
   int starts = 8;   ///< >= 1
-  int threads = 0;  ///< 0 = all cores
+  int threads = 0;  ///< >= 0; 0 = all cores. Never more than there are starts
   std::uint64_t seed = 0;
   SolverOptions solver;
 
@@ -17,7 +17,7 @@ struct MultiStartOptions {
   void validate() const;
 };
 
-/// All searches of one problem, in the order of their starts.
+/// All searches of one problem, in the order of their starts. A start that throws is a failed run without x.
 struct MultiStartResult {
   std::vector<SolveResult> runs;
   int best = 0;  ///< index of the run with the least |r|; the first of equals

@@ -49,6 +49,12 @@ struct Objective {
 
 std::vector<double> values(const Eigen::VectorXd& v) { return {v.data(), v.data() + v.size()}; }
 
+/// A first step that fits each variable's bounds: BOBYQA refuses one longer than half of them.
+std::vector<double> first_steps(const LeastSquaresProblem& problem) {
+  const Eigen::VectorXd width = problem.upper() - problem.lower();
+  return values((width / 4).cwiseMin(0.05));
+}
+
 /// The global method needs a finite box: a unit around the start for the variables without bounds.
 void set_bounds(nlopt::opt& solver, const LeastSquaresProblem& problem, const Eigen::VectorXd& start,
                 bool is_global) {
@@ -101,7 +107,7 @@ SolveResult solve_with_nlopt(const LeastSquaresProblem& problem, const Eigen::Ve
     solver.set_ftol_rel(options.tolerance);
     solver.set_xtol_rel(1e-13);
     solver.set_maxeval(options.max_evaluations);
-    solver.set_initial_step(0.05);
+    solver.set_initial_step(first_steps(problem));
     std::vector<double> x = values(start);
     double cost = 0;
     const nlopt::result result = solver.optimize(x, cost);

@@ -1,5 +1,7 @@
 #include "optim/solver.hpp"
 
+#include <cmath>
+
 #include "model/invalid_input.hpp"
 #include "optim/best_so_far.hpp"
 
@@ -73,7 +75,7 @@ std::string to_string(SolveStatus status) {
 void SolverOptions::validate() const {
   if (!(max_evaluations >= 1)) throw InvalidInput("max_evaluations must be at least 1");
   if (!(tolerance > 0 && tolerance < 1)) throw InvalidInput("tolerance must lie between 0 and 1");
-  if (!(target >= 0)) throw InvalidInput("target must be 0 or more");
+  if (!(target >= 0) || !std::isfinite(target)) throw InvalidInput("target must be 0 or more, and finite");
 }
 
 SolveResult solve(const LeastSquaresProblem& problem, const Eigen::VectorXd& start,

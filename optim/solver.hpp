@@ -22,13 +22,20 @@ struct SolverOptions {
   int max_evaluations = 500;  ///< of the residual, >= 1
   double tolerance = 1e-5;    ///< relative change of the cost at which a search may stop, (0, 1)
   unsigned long seed = 0;     ///< of the methods that draw random points
-  double target = 0;          ///< stop as soon as |r| is at most this, >= 0
+  double target = 0;          ///< stop as soon as |r| is at most this, >= 0 and finite
 
   /// @throws InvalidInput naming field, value and rule
   void validate() const;
 };
 
-enum class SolveStatus { converged, target_reached, evaluation_limit, stalled, cannot_evaluate, failed };
+enum class SolveStatus {
+  converged,
+  target_reached,
+  evaluation_limit,
+  stalled,          ///< rounding errors stopped the progress
+  cannot_evaluate,  ///< the problem has no finite value where the solver needs one
+  failed,           ///< the solver refused the problem, or the problem threw
+};
 
 /// "converged", "evaluation limit", ...
 std::string to_string(SolveStatus status);

@@ -58,7 +58,8 @@ class Plates final : public Actuator {
     for (const Joint& joint : joints_) {
       const btVector3 plate = joint->getRigidBodyA().getWorldTransform().getOrigin();
       const btVector3 body = joint->getRigidBodyB().getWorldTransform().getOrigin();
-      largest = std::max(largest, std::abs(body[coordinate()] - plate[coordinate()]));
+      const double miss = std::abs(body[coordinate()] - plate[coordinate()]);
+      if (!(miss <= largest)) largest = miss;
     }
     return largest;
   }

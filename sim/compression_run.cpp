@@ -38,10 +38,11 @@ class Run {
     world_.start(start_motion(structure_), 2 * rate_);
     measure();
     show();
-    bool settled = false;
-    while (result_.steps < all_steps_ && !settled && !failed_on_the_way()) {
+    bool settled = false, failed = failed_on_the_way();
+    while (result_.steps < all_steps_ && !settled && !failed) {
       step();
-      settled = result_.steps >= drive_steps_ && is_at_rest();
+      failed = failed_on_the_way();
+      settled = !failed && result_.steps >= drive_steps_ && is_at_rest();
     }
     judge(structure_, drive_, options_, settled, result_);
     result_.seconds = std::chrono::duration<double>(Clock::now() - begin).count();

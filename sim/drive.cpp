@@ -50,7 +50,7 @@ bool keeps_its_rim_flat(const Classification& kind, const Structure& structure) 
 Drive plate_drive(Axis axis, double theta) {
   Drive drive;
   drive.axis = axis;
-  drive.compression = 1 - std::cos(theta);
+  drive.compression = 2 * std::pow(std::sin(theta / 2), 2);  // 1 - cos(theta) without its rounding
   drive.branch = theta < 0 ? -1 : 1;
   return drive;
 }
@@ -66,7 +66,7 @@ Drive hinge_drive(const Wall& wall, double theta) {
 }  // namespace
 
 double Drive::theta() const {
-  if (kind == Kind::plates) return branch * std::acos(1 - compression);
+  if (kind == Kind::plates) return branch * 2 * std::asin(std::sqrt(compression / 2));
   return wall.from.is_class_a() ? -angle / 2 : angle / 2;
 }
 

@@ -21,9 +21,10 @@ namespace kinetix {
 /// structure floats freely.
 ///
 /// Flat is a singular position: the height changes with theta squared and does not tell the two signs of
-/// theta apart. The run chooses the branch on purpose: it starts class A bodies turning about z with the sign
-/// of theta and class B bodies against it, and pushes them that way, ever less, until the drive is through. A
-/// sheet that must strain needs the push, since it buckles only after its plates have come some way.
+/// theta apart. The run chooses the branch on purpose: the bodies start along the first-order motion of
+/// sim/start_motion.hpp, with the sign of theta, and class A is pushed on about z that way and class B
+/// against it, ever less, until the drive is through. A sheet that must strain needs the push, since it
+/// buckles only after its plates have come some way.
 struct Drive {
   enum class Kind { plates, hinge };
 

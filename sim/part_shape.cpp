@@ -28,8 +28,8 @@ struct PartShape::Shapes {
   btCompoundShape compound;
 };
 
-PartShape::PartShape(const std::vector<HalfWall>& walls) : shapes_(std::make_unique<Shapes>()) {
-  for (const HalfWall& wall : walls) {
+PartShape::PartShape(const std::vector<WallPrism>& walls) : shapes_(std::make_unique<Shapes>()) {
+  for (const WallPrism& wall : walls) {
     shapes_->hulls.push_back(hull(wall.prism));
     shapes_->hulls.back()->setUserIndex(wall.hinge);
     shapes_->compound.addChildShape(btTransform::getIdentity(), shapes_->hulls.back().get());

@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "sim/half_walls.hpp"
+#include "sim/wall_prisms.hpp"
 
 class btCollisionShape;
 
@@ -17,7 +17,7 @@ class PartShape {
  public:
   static constexpr double margin = 2e-3;  ///< cell edges
 
-  explicit PartShape(const std::vector<HalfWall>& walls);
+  explicit PartShape(const std::vector<WallPrism>& walls);
   ~PartShape();
   PartShape(PartShape&&) noexcept;
 

@@ -10,6 +10,7 @@ namespace kinetix {
 namespace {
 
 constexpr double no_limit = std::numeric_limits<double>::max();
+constexpr double most_steps = 1e7;
 
 void positive(const char* field, double value, double largest = no_limit) {
   if (value > 0 && value <= largest) return;
@@ -35,6 +36,10 @@ void PhysicsOptions::validate() const {
   positive("drive_seconds", drive_seconds, 1000);
   not_negative("settle_seconds", settle_seconds, 1000);
   not_negative("settle_damping", settle_damping, 1e6);
+  const double steps = (drive_seconds + settle_seconds) / step_s;
+  if (!(steps <= most_steps))
+    throw InvalidInput(fmt::format("physics.step_s is {}: {:.3g} s in such steps are more than 10 million",
+                                   step_s, drive_seconds + settle_seconds));
   positive("settle_speed", settle_speed);
   positive("gap_limit", gap_limit);
   positive("tear_limit", tear_limit);

@@ -84,7 +84,7 @@ struct World::Parts {
 
   void add_bodies() {
     const int group = options.contact ? 1 : 0;
-    const auto walls = half_walls(structure, PartShape::margin);
+    const auto walls = wall_prisms(structure, PartShape::margin);
     for (std::size_t b = 0; b < walls.size(); ++b) {
       const auto [i, j] = structure.bodies[b];
       const double inertia = options.part_inertia * part_mass;
@@ -175,7 +175,8 @@ double World::fastest_hinge() const {
   for (const Hinge& hinge : parts_->structure.hinges) {
     const auto& lower = *parts_->bodies[hinge.lower];
     const auto& upper = *parts_->bodies[hinge.upper];
-    fastest = std::max(fastest, (upper.getAngularVelocity() - lower.getAngularVelocity()).length());
+    const double speed = (upper.getAngularVelocity() - lower.getAngularVelocity()).length();
+    if (!(speed <= fastest)) fastest = speed;
   }
   return fastest;
 }

@@ -34,7 +34,7 @@ class World {
   State state() const;  ///< mm
   /// Largest speed or turning speed, edges/s or rad/s; NaN if one is NaN.
   double fastest_part() const;
-  /// Largest turning speed of two parts that share a hinge against each other, rad/s.
+  /// Largest turning speed of two parts that share a hinge against each other, rad/s; NaN if one is NaN.
   double fastest_hinge() const;
   double drive_gap() const;
   PartContact deepest_contact() const;

@@ -198,12 +198,18 @@ TEST(ThetaRange, DoesNotDependOnTheStep) {
   EXPECT_NEAR(coarse.negative.theta, fine.negative.theta, 1e-8) << "seed 74";
 }
 
+TEST(ThetaRange, ReachesItsFinestPrecision) {
+  const ThetaRange range = range_of(make_structure({{0, 0}}, {}), {.precision = 1e-14});
+  EXPECT_NEAR(range.positive.theta, std::atan(1 - 0.08), 1e-9);
+}
+
 TEST(ThetaRange, RefusesOptionsAndStructuresOutOfRange) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   Structure s = make_structure({{0, 0}}, {});
   for (const double limit : {0.0, 1.6, nan}) EXPECT_THROW(range_of(s, {.limit = limit}), InvalidInput);
-  EXPECT_THROW(range_of(s, {.step = nan}), InvalidInput);
-  EXPECT_THROW(range_of(s, {.precision = 0}), InvalidInput);
+  for (const double step : {nan, 0.0, 1e-20}) EXPECT_THROW(range_of(s, {.step = step}), InvalidInput);
+  for (const double precision : {nan, 0.0, 1e-20})
+    EXPECT_THROW(range_of(s, {.precision = precision}), InvalidInput) << "would bisect for ever";
   s.hinges[0].parameters.alpha = 1;
   EXPECT_THROW(range_of(s), InvalidInput);
 }

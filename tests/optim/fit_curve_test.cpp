@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+
+#include "model/invalid_input.hpp"
 #include "tests/support/curves.hpp"
 
 namespace kinetix {
@@ -75,6 +78,41 @@ TEST(FitCurve, StaysWithinItsBounds) {
   EXPECT_LE(result.design.theta, 0.5);
   EXPECT_GT(result.error.rms, 0.02);
   EXPECT_FALSE(result.reach.obstacles.empty());
+}
+
+TEST(FitCurve, RefusesVariablesOutOfRange) {
+  const Curve goal = testing::half_circle();
+  const double nan = std::nan("");
+  for (const auto& change : std::vector<std::function<void(CurveVariables&)>>{
+           [](auto& v) { v.columns = 1; }, [](auto& v) { v.rows = 0; }, [](auto& v) { v.cell_mm = 0; },
+           [=](auto& v) { v.cell_mm = nan; },
+           [](auto& v) {
+             v.theta = {0.7, 0.1};
+           },
+           [](auto& v) {
+             v.theta = {0, 0.7};
+           },
+           [=](auto& v) { v.theta.upper = nan; },
+           [](auto& v) {
+             v.beta = {-1.6, 1};
+           },
+           [=](auto& v) { v.beta.lower = nan; }}) {
+    CurveVariables wrong = strip(goal, 10);
+    change(wrong);
+    EXPECT_THROW(fit_curve(goal, wrong, {}), InvalidInput);
+  }
+}
+
+TEST(FitFreeCurve, KeepsThetaBelowTheAngleAtWhichBasicCellsClose) {
+  const Curve line({{0, 0}, {50, 0}, {100, 0}});
+  CurveVariables variables = strip(line, 10);
+  variables.cell_mm = 14;
+  variables.theta = {0.1, 44.9 * radians_per_degree};
+  const FreeCurveDesign found = fit_free_curve(line, variables, {14, 2, 8}, {});
+  EXPECT_LT(found.design.design.theta, std::atan(1 - 2.0 / 14));
+  EXPECT_TRUE(found.walls_are_free);
+  ASSERT_FALSE(found.notes.empty());
+  EXPECT_NE(found.notes[0].find("theta kept below"), std::string::npos) << found.notes[0];
 }
 
 }  // namespace

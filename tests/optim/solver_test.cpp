@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "model/invalid_input.hpp"
 #include "optim/multi_start.hpp"
@@ -15,9 +16,9 @@ namespace {
 /// Rosenbrock's valley as residuals (10 (y - x^2), 1 - x), in a box.
 class Valley : public LeastSquaresProblem {
  public:
-  explicit Valley(double upper_x = 2) : lower_(2), upper_(2) {
-    lower_ << -2, -2;
-    upper_ << upper_x, 2;
+  explicit Valley(double upper_x = 2, double reach = 2) : lower_(2), upper_(2) {
+    lower_ << -reach, -reach;
+    upper_ << upper_x, reach;
   }
   int variables() const override { return 2; }
   int residuals() const override { return 2; }
@@ -44,6 +45,23 @@ class Cliff : public Valley {
 
  private:
   double edge_;
+};
+
+/// Claims values that are not numbers.
+class Nowhere : public Valley {
+ public:
+  bool evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* J) const override {
+    Valley::evaluate(x, r, J);
+    r *= std::numeric_limits<double>::quiet_NaN();
+    return true;
+  }
+};
+
+class Thrower : public Valley {
+ public:
+  bool evaluate(const Eigen::VectorXd&, Eigen::VectorXd&, Eigen::MatrixXd*) const override {
+    throw std::runtime_error("no value here");
+  }
 };
 
 SolverOptions options(SolverName name, int evaluations = 20000) {
@@ -92,6 +110,37 @@ TEST_P(EverySolver, SaysSoWhenNothingCanBeEvaluated) {
   EXPECT_EQ(result.x, Eigen::VectorXd(start));
 }
 
+TEST_P(EverySolver, TakesNoNaNForAResult) {
+  const SolveResult result = solve(Nowhere(), Eigen::Vector2d(-1.2, 1), options(GetParam()));
+  EXPECT_EQ(result.status, SolveStatus::cannot_evaluate) << result.why;
+  EXPECT_NE(result.why.find("cannot be evaluated"), std::string::npos) << result.why;
+  EXPECT_TRUE(std::isinf(result.residual_norm));
+  EXPECT_TRUE(result.history.empty());
+}
+
+TEST_P(EverySolver, ReportsWhatTheProblemThrows) {
+  const SolveResult result = solve(Thrower(), Eigen::Vector2d(-1.2, 1), options(GetParam()));
+  EXPECT_EQ(result.status, SolveStatus::failed);
+  EXPECT_EQ(result.why, "no value here");
+}
+
+TEST_P(EverySolver, WorksInANarrowBox) {
+  const Valley valley(0.03, 0.03);
+  const SolveResult result = solve(valley, Eigen::Vector2d(0, 0), options(GetParam()));
+  EXPECT_TRUE(inside(valley, result.x)) << result.x.transpose();
+  EXPECT_NEAR(result.residual_norm, 0.97, 1e-3) << result.why;
+}
+
+TEST_P(EverySolver, KeepsABookOfBestPointsThatOnlyImproves) {
+  const SolveResult result = solve(Valley(), Eigen::Vector2d(-1.2, 1), options(GetParam(), 300));
+  for (std::size_t k = 1; k < result.history.size(); ++k) {
+    EXPECT_GT(result.history[k].first, result.history[k - 1].first);
+    EXPECT_LT(result.history[k].second, result.history[k - 1].second);
+  }
+  EXPECT_LE(result.history.back().first, result.evaluations);
+  EXPECT_EQ(result.history.back().second, result.residual_norm);
+}
+
 TEST_P(EverySolver, KeepsItsBestPointWhenItRunsOffACliff) {
   const SolveResult result = solve(Cliff(0.5), Eigen::Vector2d(-1.2, 1), options(GetParam()));
   EXPECT_LT(result.x[0], 0.5);
@@ -129,11 +178,25 @@ TEST(Solver, RejectsOptionsThatMakeNoSense) {
   for (const auto& change : std::vector<std::function<void(SolverOptions&)>>{
            [](SolverOptions& o) { o.max_evaluations = 0; },
            [](SolverOptions& o) { o.tolerance = std::numeric_limits<double>::quiet_NaN(); },
-           [](SolverOptions& o) { o.target = -1; }}) {
+           [](SolverOptions& o) { o.target = -1; },
+           [](SolverOptions& o) { o.target = std::numeric_limits<double>::infinity(); }}) {
     SolverOptions wrong;
     change(wrong);
     EXPECT_THROW(solve(valley, start, wrong), InvalidInput);
   }
+}
+
+TEST(Solver, EveryStopReasonHasItsOwnWords) {
+  std::set<std::string> words;
+  for (const SolveStatus status :
+       {SolveStatus::converged, SolveStatus::target_reached, SolveStatus::evaluation_limit,
+        SolveStatus::stalled, SolveStatus::cannot_evaluate, SolveStatus::failed})
+    words.insert(to_string(status));
+  EXPECT_EQ(words, (std::set<std::string>{"converged", "target reached", "evaluation limit", "stalled",
+                                          "cannot evaluate", "failed"}));
+  std::set<std::string> methods;
+  for (const SolverName name : all_solvers()) methods.insert(description(name));
+  EXPECT_EQ(methods.size(), all_solvers().size());
 }
 
 TEST(MultiStart, AnswersTheSameForAnyNumberOfThreads) {
@@ -182,6 +245,16 @@ TEST(MultiStart, AnExceptionInOneStartIsThatStartsFailure) {
   EXPECT_EQ(result.best, 1);
   EXPECT_EQ(result.runs[0].status, SolveStatus::failed);
   EXPECT_EQ(result.runs[0].why, "no start here");
+}
+
+TEST(MultiStart, TakesAnyNumberOfThreads) {
+  MultiStartOptions options;
+  options.starts = 2;
+  options.threads = 10'000'000;
+  const StartMaker start = [](int, std::uint64_t) { return Eigen::Vector2d(-1.2, 1); };
+  EXPECT_LE(multi_start(Valley(), start, options).best_run().residual_norm, 1e-3);
+  options.threads = -1;
+  EXPECT_THROW(multi_start(Valley(), start, options), InvalidInput);
 }
 
 }  // namespace

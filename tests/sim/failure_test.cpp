@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "model/invalid_input.hpp"
 #include "sim/compression_run.hpp"
@@ -84,6 +85,20 @@ TEST(FailedRun, ReportsWhatBlowsUp) {
   EXPECT_THAT(result.why, HasSubstr("blew up"));
 }
 
+TEST(FailedRun, NoticesWhatBlowsUpInTheLastStep) {
+  PhysicsOptions options;
+  options.drive_seconds = options.step_s;
+  options.settle_seconds = 0;
+  options.tear_limit = options.gap_limit = options.overlap_limit = 1e9;
+  options.contact = false;
+  options.speed_limit = 1000;
+  Structure rigid = make_structure(rectangle(1, 40), {});
+  for (Hinge& hinge : rigid.hinges) hinge.parameters.alpha = 1;
+  const PhysicsResult result = run_compression(rigid, drive_to(rigid, 0.4), options);
+  EXPECT_EQ(result.steps, 1);
+  EXPECT_EQ(result.status, Status::blew_up) << result.why;
+}
+
 TEST(FailedRun, DoesNotPassOffAnAbsurdDriveAsSettled) {
   PhysicsOptions options;
   options.solver = PhysicsOptions::Solver::sweeps;
@@ -159,6 +174,7 @@ TEST(PhysicsOptions, RejectNanAndWhatIsOutOfRange) {
   }
   rejects(&PhysicsOptions::iterations, 0, "iterations");
   rejects(&PhysicsOptions::error_reduction, 1.5, "error_reduction");
+  rejects(&PhysicsOptions::step_s, 1e-12, "step_s");
 }
 
 TEST(Drive, RejectsWhatCannotBeDriven) {
@@ -181,6 +197,23 @@ TEST(Drive, RejectsWhatCannotBeDriven) {
     });
   EXPECT_THROW(drive_to(structure, pi / 2), InvalidInput);
   EXPECT_THROW(drive_to(structure, std::nan("")), InvalidInput);
+}
+
+TEST(Drive, KeepsSmallThetasToTheLastDigits) {
+  const Structure structure = structure_of(bent);
+  for (const double theta : {1.5, 0.3, 1e-3, 1e-6, 1e-9, 0.0}) {
+    EXPECT_NEAR(drive_to(structure, theta).theta(), theta, 1e-14 * theta);
+    EXPECT_NEAR(drive_to(structure, -theta).theta(), -theta, 1e-14 * theta);
+  }
+}
+
+TEST(PhysicsResult, EveryStatusHasItsOwnWords) {
+  std::set<std::string> words;
+  for (const Status status : {Status::settled, Status::not_settled, Status::hinge_gap_exceeded,
+                              Status::drive_missed, Status::wrong_branch, Status::blocked, Status::blew_up})
+    words.insert(to_string(status));
+  EXPECT_EQ(words, (std::set<std::string>{"settled", "not settled", "hinge gap exceeded", "drive missed",
+                                          "wrong branch", "blocked", "blew up"}));
 }
 
 }  // namespace

@@ -5,11 +5,11 @@
 #include <limits>
 
 #include "model/state.hpp"
-#include "sim/half_walls.hpp"
+#include "sim/wall_prisms.hpp"
 
 namespace kinetix::testing {
 
-/// Edge directions of a prism of half_walls: along the wall, across it, up, and the cut at the hinge.
+/// Edge directions of a prism of wall_prisms: along the wall, across it, up, and the cut at the hinge.
 inline std::array<Eigen::Vector3d, 4> edges(const Prism& p) {
   return {p[1] - p[0], p[2] - p[0], p[4] - p[0], p[5] - p[1]};
 }
@@ -46,9 +46,9 @@ inline double deepest_overlap(const Structure& structure, const State& state) {
     Prism prism;
   };
   std::vector<Placed> placed;
-  const auto walls = half_walls(structure);
+  const auto walls = wall_prisms(structure);
   for (std::size_t b = 0; b < walls.size(); ++b)
-    for (const HalfWall& wall : walls[b]) {
+    for (const WallPrism& wall : walls[b]) {
       placed.push_back({static_cast<int>(b), wall.hinge, wall.prism});
       for (Eigen::Vector3d& corner : placed.back().prism)
         corner = state[b].p / structure.size.edge_mm + state[b].R * corner;

@@ -3,20 +3,20 @@
 #include <Eigen/Dense>
 #include <random>
 
-#include "sim/half_walls.hpp"
 #include "sim/row_system.hpp"
+#include "sim/wall_prisms.hpp"
 #include "sim/world.hpp"
 #include "tests/sim/runs.hpp"
 
 namespace kinetix {
 namespace {
 
-TEST(HalfWalls, EndOnTheHingeAxisAndMeetTheOtherHalf) {
+TEST(WallPrisms, EndOnTheHingeAxisAndMeetTheOtherHalf) {
   Structure structure = make_structure(rectangle(2, 1), {});
   for (Hinge& hinge : structure.hinges) hinge.parameters = {0.3, 1.2, 0.4};
-  const auto walls = half_walls(structure);
+  const auto walls = wall_prisms(structure);
   for (std::size_t b = 0; b < walls.size(); ++b)
-    for (const HalfWall& wall : walls[b]) {
+    for (const WallPrism& wall : walls[b]) {
       const Hinge& hinge = structure.hinges[wall.hinge];
       const Eigen::Vector3d axis = hinge_axis(hinge.wall.axis, hinge.parameters);
       const Eigen::Vector3d point =

@@ -11,16 +11,16 @@ namespace kinetix {
 /// Corners of a convex prism; cell edges, in the frame of its body (rest orientation, origin on the vertex).
 using Prism = std::array<Eigen::Vector3d, 8>;
 
-struct HalfWall {
+/// A half wall as a collision shape.
+struct WallPrism {
   int hinge = 0;  ///< index of the hinge at its end
   Prism prism;
 };
 
-/// The half walls of each body, one per wall that meets there: from the vertex to the hinge axis,
-/// height and thickness of the wall, tilted by beta about the wall's edge, with the end at the hinge cut
-/// along the hinge axis (slanted where alpha is not 90 deg).
+/// The half walls of each body (model/half_wall.hpp), with the end at the hinge cut along the hinge axis:
+/// slanted where alpha is not 90 deg.
 /// @param inset by which the faces are drawn in, except the one at the vertex; cell edges, below half the
 /// thickness
-std::vector<std::vector<HalfWall>> half_walls(const Structure& structure, double inset = 0);
+std::vector<std::vector<WallPrism>> wall_prisms(const Structure& structure, double inset = 0);
 
 }  // namespace kinetix
