@@ -13,7 +13,6 @@ namespace {
 using Eigen::Vector2d;
 
 Vector2d xz(const Eigen::Vector3d& v) { return {v.x(), v.z()}; }
-Vector2d left_of(const Vector2d& v) { return {-v.y(), v.x()}; }
 
 }  // namespace
 

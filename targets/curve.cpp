@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <numeric>
 #include <string>
 
-#include "model/invalid_input.hpp"
 
 namespace kinetix {
 namespace {
@@ -34,16 +32,19 @@ bool touch(const Vector2d& a, const Vector2d& b, const Vector2d& c, const Vector
 
 std::string number(std::size_t k) { return std::to_string(k + 1); }
 
+InvalidCurve repeated_point(std::size_t k) {
+  return InvalidCurve(
+      "points " + number(k - 1) + " and " + number(k) + " are the same; every point must be new",
+      static_cast<int>(k));
+}
+
 void check_points(const std::vector<Vector2d>& points) {
   if (points.size() < 3)
     throw InvalidCurve("a curve needs at least 3 points, this one has " + std::to_string(points.size()), -1);
   for (std::size_t k = 0; k < points.size(); ++k) {
     if (!points[k].allFinite())
       throw InvalidCurve("point " + number(k) + " is not a finite number", static_cast<int>(k));
-    if (k > 0 && (points[k] - points[k - 1]).norm() == 0)
-      throw InvalidCurve(
-          "points " + number(k - 1) + " and " + number(k) + " are the same; every point must be new",
-          static_cast<int>(k));
+    if (k > 0 && (points[k] - points[k - 1]).norm() == 0) throw repeated_point(k);
   }
   if (points.front() == points.back())
     throw InvalidCurve("the curve is closed (its last point is its first); a strip needs an open curve",
@@ -97,6 +98,7 @@ Curve::Curve(std::vector<Vector2d> points) : points_(std::move(points)) {
   for (std::size_t k = 1; k < points_.size(); ++k) {
     const Vector2d step = points_[k] - points_[k - 1];
     arc_.push_back(arc_.back() + step.norm());
+    if (!(arc_[k] > arc_[k - 1])) throw repeated_point(k);
     const double heading = std::atan2(step.y(), step.x());
     const double before = k == 1 ? heading : heading_.back();
     heading_.push_back(before + std::remainder(heading - before, 2 * std::numbers::pi));
@@ -118,18 +120,6 @@ Vector2d Curve::at(double s) const {
   return (1 - f) * points_[k] + f * points_[k + 1];
 }
 
-Vector2d Curve::direction(double s) const {
-  const int k = segment_at(s);
-  return (points_[k + 1] - points_[k]) / (arc_[k + 1] - arc_[k]);
-}
-
 double Curve::heading(double s) const { return heading_[segment_at(s)]; }
-
-std::vector<Vector2d> Curve::resample(int count) const {
-  std::vector<Vector2d> out;
-  out.reserve(count);
-  for (int k = 0; k < count; ++k) out.push_back(at(length() * k / (count - 1)));
-  return out;
-}
 
 }  // namespace kinetix

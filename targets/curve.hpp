@@ -22,8 +22,9 @@ class InvalidCurve : public InvalidInput {
 /// An open plane curve as a polyline of (x, z) points, mm.
 class Curve {
  public:
-  /// @throws InvalidCurve for fewer than 3 points, a point that is not finite, a repeated neighbour, first
-  /// point equal to last (closed), or a self-crossing; the message names the points by number from 1.
+  /// @throws InvalidCurve for fewer than 3 points, a point that is not finite, a repeated neighbour (also one
+  /// so near that the arc length does not grow), first point equal to last (closed), or a self-crossing; the
+  /// message names the points by number from 1.
   explicit Curve(std::vector<Eigen::Vector2d> points);
 
   const std::vector<Eigen::Vector2d>& points() const { return points_; }
@@ -33,17 +34,11 @@ class Curve {
 
   /// Point at arc length s, mm; s is clamped to the curve.
   Eigen::Vector2d at(double s) const;
-  /// Unit direction of the segment at arc length s.
-  Eigen::Vector2d direction(double s) const;
   /// Heading (rad, unwrapped along the curve) of the segment at arc length s.
   double heading(double s) const;
-  /// count >= 2 points evenly spaced by arc length, ends included.
-  std::vector<Eigen::Vector2d> resample(int count) const;
 
   /// Index of the segment that holds arc length s.
   int segment_at(double s) const;
-  /// Arc length at which point k stands.
-  double arc_of(int k) const { return arc_[k]; }
 
  private:
   std::vector<Eigen::Vector2d> points_;

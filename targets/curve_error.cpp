@@ -26,6 +26,7 @@ struct Motion {
   Vector2d inverse(const Vector2d& p) const { return Eigen::Rotation2Dd(-turn) * (p - shift); }
 };
 
+/// count >= 2 points evenly spaced by arc length, ends included.
 Points resampled(const Points& polyline, int count) {
   std::vector<double> arc{0};
   for (std::size_t k = 1; k < polyline.size(); ++k)
@@ -74,7 +75,7 @@ class Alignment {
       : midline_(midline),
         goal_(goal.points()),
         midline_samples_(resampled(midline, samples)),
-        goal_samples_(goal.resample(samples)) {}
+        goal_samples_(resampled(goal.points(), samples)) {}
 
   TwoSided measure(const Motion& motion) const {
     TwoSided sum;

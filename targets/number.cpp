@@ -24,12 +24,6 @@ std::from_chars_result parse(std::string_view text, Number& value) {
   return std::from_chars(text.data(), text.data() + text.size(), value);
 }
 
-std::string lower_case(std::string_view text) {
-  std::string out(text);
-  for (char& c : out) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return out;
-}
-
 bool is_infinite_or_nan(std::string_view text) {
   std::string word = lower_case(text);
   word.erase(0, word.find_first_not_of("+-."));

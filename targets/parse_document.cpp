@@ -193,9 +193,7 @@ class Builder final : public YAML::EventHandler {
 constexpr const char* no_closing_quote = "a closing quote is missing before this place";
 
 bool is_indented_by_tab(const std::string& text, const YAML::Mark& mark) {
-  const auto at = std::min(static_cast<std::size_t>(mark.pos), text.size());
-  const std::size_t end_of_line = at == 0 ? std::string::npos : text.rfind('\n', at - 1);
-  const std::size_t start = end_of_line == std::string::npos ? 0 : end_of_line + 1;
+  const std::size_t start = start_of_line(text, std::min(static_cast<std::size_t>(mark.pos), text.size()));
   return text.substr(start, text.find_first_not_of(" \t", start) - start).find('\t') != std::string::npos;
 }
 

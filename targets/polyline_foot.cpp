@@ -8,8 +8,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-Vector2d left_of(const Vector2d& v) { return {-v.y(), v.x()}; }
-
 /// Left normal at a foot; at a corner the mean of both segments' normals decides the side.
 Vector2d left_normal(const std::vector<Vector2d>& points, const Foot& foot) {
   const auto normal = [&](int k) { return left_of(points[k + 1] - points[k]).normalized(); };
@@ -32,7 +30,7 @@ Foot plain_foot(const std::vector<Vector2d>& points, int k, const Vector2d& p) {
   const Vector2d along = points[k + 1] - points[k];
   Foot foot;
   foot.segment = k;
-  foot.fraction = std::clamp((p - points[k]).dot(along) / along.squaredNorm(), 0.0, 1.0);
+  foot.fraction = fraction_along(points[k], along, p);
   foot.point = points[k] + foot.fraction * along;
   foot.distance = (p - foot.point).norm();
   return foot;

@@ -1,6 +1,7 @@
 #include "targets/polyline_tree.hpp"
 
 #include <Eigen/Geometry>
+#include <limits>
 #include <numeric>
 #include <unsupported/Eigen/BVH>
 
@@ -19,7 +20,7 @@ struct NearestQuery {
   double minimumOnVolume(const Box& box) const { return box.squaredExteriorDistance(p); }
   double minimumOnObject(int k) {
     const Eigen::Vector2d along = points[k + 1] - points[k];
-    const double f = std::clamp((p - points[k]).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    const double f = fraction_along(points[k], along, p);
     const double squared = (p - points[k] - f * along).squaredNorm();
     if (squared < best_squared || (squared == best_squared && k < best)) {
       best_squared = squared;

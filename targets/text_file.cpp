@@ -14,8 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
-
 void check_regular_file(const std::string& file) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
@@ -101,10 +99,13 @@ int characters(const std::string& text, std::size_t from, std::size_t to) {
   return count;
 }
 
+std::size_t start_of_line(const std::string& text, std::size_t position) {
+  const std::size_t end_before = position == 0 ? std::string::npos : text.rfind('\n', position - 1);
+  return end_before == std::string::npos ? 0 : end_before + 1;
+}
+
 int column_of(const std::string& text, std::size_t position) {
-  const std::size_t end_of_line = position == 0 ? std::string::npos : text.rfind('\n', position - 1);
-  const std::size_t start = end_of_line == std::string::npos ? 0 : end_of_line + 1;
-  return 1 + characters(text, start, position);
+  return 1 + characters(text, start_of_line(text, position), position);
 }
 
 }  // namespace kinetix

@@ -14,6 +14,9 @@ std::string read_text_file(const std::string& file, std::size_t max_bytes);
 /// Number of UTF-8 characters that start in [from, to). @pre from <= to <= text.size()
 int characters(const std::string& text, std::size_t from, std::size_t to);
 
+/// Where the line that holds the byte at `position` starts. @pre position <= text.size()
+std::size_t start_of_line(const std::string& text, std::size_t position);
+
 /// Column in characters, from 1, of the byte at `position`. @pre position <= text.size()
 int column_of(const std::string& text, std::size_t position);
 

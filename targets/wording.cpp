@@ -11,14 +11,6 @@ namespace {
 constexpr std::size_t longest_quote = 40;
 constexpr std::size_t longest_name = 64;
 
-bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
-
-std::string lower_case(std::string_view text) {
-  std::string out(text);
-  for (char& c : out) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return out;
-}
-
 /// Levenshtein distance in which two swapped neighbours count as one step.
 int distance(std::string_view a, std::string_view b) {
   std::vector<std::vector<int>> d(a.size() + 1, std::vector<int>(b.size() + 1));
@@ -41,6 +33,14 @@ bool differs_by_suffix(std::string_view a, std::string_view b) {
 }
 
 }  // namespace
+
+bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
+
+std::string lower_case(std::string_view text) {
+  std::string out(text);
+  for (char& c : out) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return out;
+}
 
 std::string in_ticks(std::string_view text) {
   std::size_t length = std::min(text.size(), longest_quote);

@@ -11,6 +11,12 @@ using Names = std::span<const std::string_view>;
 /// The text in backticks as it stands in a message: at most 40 characters, control characters as `?`.
 std::string in_ticks(std::string_view text);
 
+/// ASCII letters in lower case, everything else as it stands.
+std::string lower_case(std::string_view text);
+
+/// Whether a byte continues a UTF-8 character that began before it.
+bool continues_character(char c);
+
 /// "a, b, c"
 std::string joined(Names names);
 

@@ -33,8 +33,8 @@ TEST(CurveError, DoesNotDependOnWhereTheMidlineLies) {
 }
 
 TEST(CurveError, OfACircleInscribedByAPolygonIsThatOfItsSagitta) {
-  // Each side lies under its arc by a parabola of sagitta h: mean 2h/3, variance 4/45 h^2. Of the mean a shift along z
-  // removes the share (mean of sin)^2 / mean of sin^2 = 8/pi^2.
+  // Each side lies under its arc by a parabola of sagitta h: mean 2h/3, variance 4/45 h^2. Of the mean a
+  // shift along z removes the share (mean of sin)^2 / mean of sin^2 = 8/pi^2.
   const int sides = 40;
   const double radius = 100, sagitta = radius * (1 - std::cos(pi / (2 * sides)));
   const Curve goal = testing::half_circle(radius, 40 * sides + 1);
@@ -66,6 +66,24 @@ TEST(CurveError, OfNaNIsNaN) {
   EXPECT_TRUE(std::isnan(error.rms));
   EXPECT_TRUE(std::isnan(error.max));
   EXPECT_FALSE(error.settled);
+}
+
+TEST(Curve, IsFiniteUpToItsEnds) {
+  const Curve curve = testing::s_curve(60);
+  for (const double s : {-1.0, 0.0, 0.3 * curve.length(), curve.length(), curve.length() + 1})
+    EXPECT_TRUE(curve.at(s).allFinite()) << s;
+  EXPECT_EQ(curve.at(0), curve.points().front());
+  EXPECT_LE((curve.at(curve.length()) - curve.points().back()).norm(), 1e-12);
+}
+
+TEST(Curve, RefusesAPointSoNearThatTheLengthDoesNotGrow) {
+  try {
+    Curve({{0, 0}, {1e5, 0}, {1e5, 1e-12}});
+    ADD_FAILURE() << "accepted";
+  } catch (const InvalidCurve& error) {
+    EXPECT_EQ(error.point(), 2);
+    EXPECT_EQ(error.reason(), "points 2 and 3 are the same; every point must be new");
+  }
 }
 
 TEST(PolylineTree, FindsTheSameFootAsTryingEverySegment) {
