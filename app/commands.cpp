@@ -21,7 +21,7 @@ namespace {
 /// @param suffix keeps the results of one command from replacing another's
 std::string folder_of(const CommandOptions& options, const std::string& name,
                       const std::string& suffix = "") {
-  return options.folder.empty() ? "results/" + name + suffix : options.folder;
+  return options.folder_given ? options.folder : "results/" + name + suffix;
 }
 
 RunOptions run_options(const CommandOptions& options, Console& console) {

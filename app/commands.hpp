@@ -12,6 +12,7 @@ enum ExitCode { done = 0, internal_error = 1, bad_input = 2, target_missed = 3, 
 struct CommandOptions {
   std::string file;
   std::string folder;  ///< empty: results/<name>, with _verified, _exact or _bullet for a design
+  bool folder_given = false;
   bool json = false;
   bool quiet = false;
   bool verify = true;

@@ -116,7 +116,7 @@ Json curve_json(const CurveOutcome& curve) {
           {"error", error},
           {"scale_mm", found.error.scale_mm},
           {"turn", turn},
-          {"unreachable", fmt::format("{}", fmt::join(curve.why_missed, "; "))}};
+          {"reasons", curve.why_missed}};
 }
 
 Json optimiser_json(const CurveOutcome& curve) {
