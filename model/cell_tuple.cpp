@@ -20,10 +20,8 @@ HingeParameters mean(const HingeParameters& a, const HingeParameters& b) {
   return {(a.t + b.t) / 2, (a.alpha + b.alpha) / 2, (a.beta + b.beta) / 2};
 }
 
-std::string name(const Cell& c) { return "[" + std::to_string(c.i) + ", " + std::to_string(c.j) + "]"; }
-
 InvalidInput conflict(const Structure& s, int first, int second) {
-  return InvalidInput("cells " + name(s.cells[first]) + " and " + name(s.cells[second]) +
+  return InvalidInput("cells " + to_string(s.cells[first]) + " and " + to_string(s.cells[second]) +
                       " disagree about the wall they share; make the tuples agree or give `shared: average`");
 }
 

@@ -6,11 +6,6 @@
 namespace kinetix {
 namespace {
 
-std::string name(const Wall& wall) {
-  const auto vertex = [](Vertex v) { return "[" + std::to_string(v.i) + ", " + std::to_string(v.j) + "]"; };
-  return "wall [" + vertex(wall.from) + ", " + vertex(wall.to()) + "]";
-}
-
 /// Middle of the finite values; the fallback where there are none. A single odd hinge does not sway it.
 double median(std::vector<double> values, double fallback) {
   std::erase_if(values, [](double v) { return !std::isfinite(v); });
@@ -183,7 +178,7 @@ Classification classify(const Structure& structure, double tolerance) {
       if (best.family == Family::none || a.broken < best.broken) best = std::move(a);
     }
   }
-  const std::string where = name(structure.hinges[best.first_broken].wall);
+  const std::string where = "wall " + to_string(structure.hinges[best.first_broken].wall);
   return {
       Family::none,
       false,

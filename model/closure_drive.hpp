@@ -4,7 +4,6 @@
 #include <variant>
 #include <vector>
 
-#include "model/exact_jacobian.hpp"
 #include "model/state.hpp"
 
 namespace kinetix {

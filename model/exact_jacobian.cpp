@@ -56,8 +56,6 @@ void propagate(const ExactDesign<double>& design, double L, const State& poses,
   }
 }
 
-double class_sign(Vertex v) { return v.is_class_a() ? 1.0 : -1.0; }
-
 }  // namespace
 
 void ExactJacobian::resize(int columns, int rows) {
@@ -81,7 +79,7 @@ void fold_with_jacobian(const ExactDesign<double>& design, double L, State& pose
     const Vector3d axis_rate = -h.sin_beta * pose.R.col(2) - h.cos_beta * pose.R.col(1);
     const double turn = 2 * turn_about_y(h.axis, axis_rate);
     const Vector3d point = pose.p + h.t * L * pose.R.col(0);
-    const Vector3d shift = class_sign({c, 0}) * L * (pose.R.col(0) - next.R.col(0));
+    const Vector3d shift = Vertex{c, 0}.sense() * L * (pose.R.col(0) - next.R.col(0));
     Twist* by_beta = jacobian.row(jacobian.beta(c));
     Twist* by_t = jacobian.row(jacobian.t(c));
     for (int b = (c + 1) * stride; b < bodies; ++b) {
@@ -94,7 +92,7 @@ void fold_with_jacobian(const ExactDesign<double>& design, double L, State& pose
   for (int r = 0; r < rows; ++r)
     for (int i = 0; i <= columns; ++i) {
       const int b = i * stride + r;
-      const Vector3d shift = class_sign({i, r}) * L * (poses[b].R.col(1) - poses[b + 1].R.col(1));
+      const Vector3d shift = Vertex{i, r}.sense() * L * (poses[b].R.col(1) - poses[b + 1].R.col(1));
       Twist* by_s = jacobian.row(jacobian.s(r)) + i * stride;
       for (int j = r + 1; j < stride; ++j) by_s[j].v = shift;
     }

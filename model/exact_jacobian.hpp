@@ -7,12 +7,6 @@
 
 namespace kinetix {
 
-/// Rate of change of a pose: dR = [omega]x R, dp = v.
-struct Twist {
-  Eigen::Vector3d omega = Eigen::Vector3d::Zero();  ///< rad per unit of the parameter
-  Eigen::Vector3d v = Eigen::Vector3d::Zero();      ///< mm per unit of the parameter
-};
-
 /// Derivatives of fold() with respect to beta_0.., t_0.., s_0.., gamma, theta, in this order.
 class ExactJacobian {
  public:
@@ -25,7 +19,7 @@ class ExactJacobian {
   int gamma() const { return 2 * columns_ + rows_; }
   int theta() const { return 2 * columns_ + rows_ + 1; }
 
-  /// Twist of lattice body i * (rows + 1) + j with respect to one parameter.
+  /// Twist of lattice body i * (rows + 1) + j with respect to one parameter, rad and mm per its unit.
   const Twist& twist(int parameter, int body) const { return twists_[index(parameter, body)]; }
 
  private:

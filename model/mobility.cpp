@@ -20,14 +20,6 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double vertical = 1e-9;
-
-bool has_vertical_axes(const Structure& s) {
-  return std::all_of(s.hinges.begin(), s.hinges.end(), [](const Hinge& h) {
-    return hinge_axis(h.wall.axis, h.parameters).head<2>().norm() <= vertical;
-  });
-}
-
 double largest_entry(const VectorXd& v) {
   return v.allFinite() ? v.lpNorm<Eigen::Infinity>() : std::numeric_limits<double>::infinity();
 }
@@ -135,7 +127,8 @@ class Examination {
  private:
   void count() {
     const int bodies = static_cast<int>(s_.bodies.size()), hinges = static_cast<int>(s_.hinges.size());
-    if (has_vertical_axes(s_)) found_.gruebler_planar = gruebler_planar(bodies, hinges, hinges);
+    if (std::all_of(s_.hinges.begin(), s_.hinges.end(), is_vertical))
+      found_.gruebler_planar = gruebler_planar(bodies, hinges, hinges);
     found_.gruebler_spatial = gruebler_spatial(bodies, hinges, hinges);
   }
 

@@ -18,6 +18,13 @@ using Pose = PoseOf<double>;
 /// One pose per body of a structure, in its body order.
 using State = std::vector<Pose>;
 
+/// Rate of change of a pose: dR = [omega]x R, dp = v. Who hands one out says per what, and in mm or cell
+/// edges.
+struct Twist {
+  Eigen::Vector3d omega = Eigen::Vector3d::Zero();  ///< rad
+  Eigen::Vector3d v = Eigen::Vector3d::Zero();
+};
+
 State rest_state(const Structure& structure);
 
 /// How far the two bodies of each hinge disagree about it.

@@ -13,6 +13,7 @@ namespace kinetix {
 namespace {
 
 constexpr std::size_t max_cells = 1'000'000;
+constexpr double vertical = 1e-9;
 constexpr std::int64_t max_lattice_vertices = 4'000'000;
 
 std::array<Vertex, 4> corners(const Cell& c) {
@@ -24,7 +25,7 @@ std::array<Wall, 4> walls(const Cell& c) {
       Wall{{c.i, c.j}, Axis::x}, {{c.i + 1, c.j}, Axis::y}, {{c.i, c.j + 1}, Axis::x}, {{c.i, c.j}, Axis::y}};
 }
 
-std::string name(const Cell& c) { return "[" + std::to_string(c.i) + ", " + std::to_string(c.j) + "]"; }
+std::string pair(int i, int j) { return "[" + std::to_string(i) + ", " + std::to_string(j) + "]"; }
 
 void check_size(const CellSize& size) {
   if (!(size.edge_mm > 0) || !std::isfinite(size.edge_mm))
@@ -52,10 +53,10 @@ void check_cells(const std::vector<Cell>& cells) {
   if (cells.size() > max_cells) throw InvalidInput("more than a million cells");
   for (const Cell& c : cells)
     if (c.i < 0 || c.j < 0)
-      throw InvalidInput("cell " + name(c) + " has a negative index; the lattice starts at [0, 0]");
+      throw InvalidInput("cell " + to_string(c) + " has a negative index; the lattice starts at [0, 0]");
   check_bounding_box(cells);
   const auto twice = std::adjacent_find(cells.begin(), cells.end());
-  if (twice != cells.end()) throw InvalidInput("cell " + name(*twice) + " is given twice");
+  if (twice != cells.end()) throw InvalidInput("cell " + to_string(*twice) + " is given twice");
 }
 
 void check_connected(const Structure& s) {
@@ -68,11 +69,19 @@ void check_connected(const Structure& s) {
   for (const Hinge& h : s.hinges) parent[root(h.lower)] = root(h.upper);
   for (std::size_t c = 0; c < s.cells.size(); ++c)
     if (root(s.cell_members[c].bodies[0]) != root(0))
-      throw InvalidInput("cell " + name(s.cells[c]) + " does not hang together with cell " +
-                         name(s.cells[0]));
+      throw InvalidInput("cell " + to_string(s.cells[c]) + " does not hang together with cell " +
+                         to_string(s.cells[0]));
 }
 
 }  // namespace
+
+std::string to_string(Vertex v) { return pair(v.i, v.j); }
+
+std::string to_string(const Cell& c) { return pair(c.i, c.j); }
+
+std::string to_string(const Wall& wall) {
+  return "[" + to_string(wall.from) + ", " + to_string(wall.to()) + "]";
+}
 
 std::vector<Cell> rectangle(int columns, int rows) {
   std::vector<Cell> cells;
@@ -149,6 +158,10 @@ Eigen::Vector3d wall_up(Axis axis, double beta) {
 
 Eigen::Vector3d hinge_axis(Axis axis, const HingeParameters& p) {
   return std::cos(p.alpha) * edge_direction(axis) + std::sin(p.alpha) * wall_up(axis, p.beta);
+}
+
+bool is_vertical(const Hinge& hinge) {
+  return hinge_axis(hinge.wall.axis, hinge.parameters).head<2>().norm() <= vertical;
 }
 
 }  // namespace kinetix

@@ -5,19 +5,24 @@
 #include <compare>
 #include <numbers>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace kinetix {
 
 inline constexpr double pi = std::numbers::pi;
 inline constexpr double radians_per_degree = pi / 180.0;
+/// For messages: code works in radians.
+constexpr double to_degrees(double radians) { return radians / radians_per_degree; }
 
 /// A lattice vertex (i along +x, j along +y). One rigid body sits on each.
 struct Vertex {
   int i = 0, j = 0;
   auto operator<=>(const Vertex&) const = default;
-  /// Class A of the checkerboard: i + j even. In planar motion A turns by +theta, B by -theta.
+  /// Class A of the checkerboard: i + j even.
   bool is_class_a() const { return ((i + j) & 1) == 0; }
+  /// +1 for class A, -1 for class B: in planar motion A turns by +theta, B by -theta.
+  int sense() const { return is_class_a() ? 1 : -1; }
 };
 
 /// A lattice cell, named by its bottom-left vertex.
@@ -42,6 +47,11 @@ struct HingeParameters {
   double alpha = pi / 2;  ///< in-plane angle from the edge vector, rad, in (0, pi)
   double beta = 0.0;      ///< out-of-plane tilt of the wall, rad, in (-pi/2, pi/2)
 };
+
+/// "[i, j]", and "[[i, j], [i, j]]" for a wall: as they stand in a file.
+std::string to_string(Vertex vertex);
+std::string to_string(const Cell& cell);
+std::string to_string(const Wall& wall);
 
 struct Hinge {
   Wall wall;
@@ -92,6 +102,8 @@ std::vector<Cell> rectangle(int columns, int rows);
 Eigen::Vector3d edge_direction(Axis axis);
 /// Up-direction w(beta) = cos(beta) z + sin(beta) (e x z) of a wall plate at rest.
 Eigen::Vector3d wall_up(Axis axis, double beta);
+/// Whether the hinge axis stands along z at rest, to 1e-9 rad.
+bool is_vertical(const Hinge& hinge);
 /// Hinge axis d = cos(alpha) e + sin(alpha) w(beta) at rest, unit length.
 Eigen::Vector3d hinge_axis(Axis axis, const HingeParameters& parameters);
 

@@ -22,7 +22,6 @@ class WallContact {
  public:
   explicit WallContact(const Structure& structure);
 
-  const std::vector<HalfWall>& walls() const { return walls_; }
   /// Pairs that overlap or touch in the flat state and are not looked at again.
   const std::vector<WallPair>& touching_at_rest() const { return touching_at_rest_; }
 

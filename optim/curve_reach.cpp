@@ -8,8 +8,6 @@
 namespace kinetix {
 namespace {
 
-double degrees(double angle) { return angle / radians_per_degree; }
-
 double turn_of(double bend, double theta) { return 2 * std::atan(std::tan(bend) * std::sin(theta)); }
 
 /// Angle between the chords that lead to and from a place of the curve, each `reach` long where the curve
@@ -33,26 +31,36 @@ void note_length(const CurveFit& fit, CurveReach& reach) {
       "the curve is {:.1f} mm long; {} cells of {:.3g} mm span at most {:.1f} mm and, straight, at least "
       "{:.1f} mm (theta "
       "{:.1f} to {:.1f} deg): use {} cells or cell_mm {:.3g}",
-      length, columns, fit.cell_mm(), reach.longest_mm, reach.shortest_mm, degrees(theta.lower),
-      degrees(theta.upper), std::lround(length / (fit.cell_mm() * std::cos((theta.lower + theta.upper) / 2))),
+      length, columns, fit.cell_mm(), reach.longest_mm, reach.shortest_mm, to_degrees(theta.lower),
+      to_degrees(theta.upper),
+      std::lround(length / (fit.cell_mm() * std::cos((theta.lower + theta.upper) / 2))),
       length / (columns * std::cos((theta.lower + theta.upper) / 2))));
 }
 
 void note_turn(const CurveFit& fit, CurveReach& reach) {
-  const auto excess = [](const ColumnTurn& t) { return std::abs(t.needed) - std::abs(t.allowed); };
   const auto worst =
       std::max_element(reach.turns.begin(), reach.turns.end(),
-                       [&](const ColumnTurn& a, const ColumnTurn& b) { return excess(a) < excess(b); });
-  if (!(excess(*worst) > 0)) return;
+                       [](const ColumnTurn& a, const ColumnTurn& b) { return a.excess < b.excess; });
+  if (!(worst->excess > 0)) return;
   const auto count =
-      std::count_if(reach.turns.begin(), reach.turns.end(), [&](auto& t) { return excess(t) > 0; });
+      std::count_if(reach.turns.begin(), reach.turns.end(), [](auto& t) { return t.excess > 0; });
   const Eigen::Vector2d at = fit.goal().at(worst->arc_mm);
+  const double turn = std::abs(worst->needed);
+  const bool too_little = turn > worst->allowed;
+  const std::string others = count > 1 ? fmt::format(" ({} columns are out of bounds)", count) : "";
+  const std::string bounds =
+      too_little
+          ? fmt::format(
+                "the bounds allow {:.1f} deg at theta {:.1f} deg{}: allow larger tilts, a larger "
+                "theta, or use smaller cells",
+                to_degrees(worst->allowed), to_degrees(reach.theta), others)
+          : fmt::format(
+                "the bounds ask for at least {:.1f} deg more at theta {:.1f} deg{}: allow smaller tilts",
+                to_degrees(worst->excess), to_degrees(reach.theta), others);
   reach.obstacles.push_back(fmt::format(
-      "{:.1f} mm along the curve (x {:.1f}, z {:.1f}) column {} would need to turn {:.1f} deg, the bounds "
-      "allow {:.1f} deg "
-      "at theta {:.1f} deg{}: allow larger tilts, a larger theta, or use smaller cells",
-      worst->arc_mm, at.x(), at.y(), worst->column, degrees(worst->needed), degrees(worst->allowed),
-      degrees(reach.theta), count > 1 ? fmt::format(" ({} columns are short of turn)", count) : ""));
+      "{:.1f} mm along the curve (x {:.1f}, z {:.1f}) column {} would need to turn {:.1f} deg to the {}, {}",
+      worst->arc_mm, at.x(), at.y(), worst->column, to_degrees(turn), worst->needed < 0 ? "right" : "left",
+      bounds));
 }
 
 }  // namespace
@@ -66,8 +74,10 @@ CurveReach analyse_reach(const CurveFit& fit) {
                            fit.upper()[theta_at]);
   for (int c = 0; c < ties.columns(); ++c) {
     const AngleRange range = ties.range[ties.variable[c]];
+    const double lowest = turn_of(range.lower, reach.theta), highest = turn_of(range.upper, reach.theta);
     const double arc = (c + 0.5) * step, needed = turn_around(fit.goal(), arc, step);
-    reach.turns.push_back({c, arc, needed, turn_of(needed < 0 ? range.lower : range.upper, reach.theta)});
+    reach.turns.push_back({c, arc, needed, std::max(0.0, needed < 0 ? -lowest : highest),
+                           std::max({0.0, needed - highest, lowest - needed})});
   }
   note_length(fit, reach);
   note_turn(fit, reach);

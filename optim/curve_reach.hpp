@@ -12,7 +12,8 @@ struct ColumnTurn {
   int column = 0;
   double arc_mm = 0;   ///< where along the goal the column's hinge stands
   double needed = 0;   ///< rad, signed, left > 0
-  double allowed = 0;  ///< rad, of that sign
+  double allowed = 0;  ///< rad, >= 0: the most its bounds allow to that side
+  double excess = 0;   ///< rad, >= 0: how far `needed` lies outside the turns that the bounds allow
 };
 
 /// What bounds and cell count let a strip do, against what the goal asks.

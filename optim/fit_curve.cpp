@@ -47,8 +47,6 @@ int gentlest(const CurveFit& fit, const MultiStartResult& search) {
   return chosen;
 }
 
-double degrees(double angle) { return angle / radians_per_degree; }
-
 /// Theta at which the walls of the design meet; the design's own theta or more where they do not.
 ThetaLimit first_contact(const ExactDesign<double>& design, const CellSize& size) {
   Structure structure = make_structure(rectangle(design.columns(), design.rows()), size);
@@ -64,10 +62,10 @@ void keep_below_closing(CurveVariables& v, const CellSize& size, std::vector<std
   if (!(v.theta.lower < closing))
     throw InvalidInput(
         fmt::format("walls of {} mm in cells of {} mm close at theta {:.1f} deg, below the range asked for",
-                    size.thickness_mm, size.edge_mm, degrees(closing)));
+                    size.thickness_mm, size.edge_mm, to_degrees(closing)));
   v.theta.upper = closing;
   notes.push_back(fmt::format("theta kept below {:.2f} deg, where walls of {:.3g} mm close the cells",
-                              degrees(closing), size.thickness_mm));
+                              to_degrees(closing), size.thickness_mm));
 }
 
 AngleRange narrowed(const AngleRange& range, double limit) {
@@ -118,7 +116,7 @@ bool free_the_walls(const Curve& goal, CurveVariables v, const CellSize& size,
       collides = limit;
     } else {
       result.notes.push_back(fmt::format(
-          "tilts kept within {:.1f} deg: with steeper ones walls run into each other", degrees(limit)));
+          "tilts kept within {:.1f} deg: with steeper ones walls run into each other", to_degrees(limit)));
       result.design = std::move(candidate);
       return true;
     }
@@ -167,7 +165,7 @@ FreeCurveDesign fit_free_curve(const Curve& goal, const CurveVariables& variable
   if (!result.walls_are_free)
     result.notes.push_back(
         fmt::format("walls run into each other at theta {:.2f} deg, before the {:.2f} deg of the goal",
-                    degrees(contact.theta), degrees(result.design.design.theta)));
+                    to_degrees(contact.theta), to_degrees(result.design.design.theta)));
   return result;
 }
 

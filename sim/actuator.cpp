@@ -76,20 +76,20 @@ class Plates final : public Actuator {
 class DrivenHinge final : public Actuator {
  public:
   DrivenHinge(const Hinge& hinge, const Bodies& bodies, double error_reduction)
-      : turns_back_(hinge.wall.from.is_class_a()),
-        joint_(hinge_turn(hinge, *bodies[hinge.lower], *bodies[hinge.upper], error_reduction)) {}
+      : sense_(hinge.wall.from.sense()),
+        joint_(turn_lock(hinge, *bodies[hinge.lower], *bodies[hinge.upper], error_reduction)) {}
 
   std::vector<btGeneric6DofSpring2Constraint*> joints() const override { return {joint_.get()}; }
 
   void move_to(double theta) override {
-    angle_ = turns_back_ ? -2 * theta : 2 * theta;
+    angle_ = -2 * sense_ * theta;
     set_turn(*joint_, angle_);
   }
 
   double gap() const override { return std::abs(std::remainder(turn(*joint_) - angle_, 2 * pi)); }
 
  private:
-  bool turns_back_;
+  int sense_;
   Joint joint_;
   double angle_ = 0;
 };

@@ -22,13 +22,7 @@ void validate_hinge(const Drive& drive, const Structure& structure) {
   if (!(std::abs(drive.angle) < pi))
     throw InvalidInput(fmt::format("drive.angle is {} rad, must be in (-pi, pi)", drive.angle));
   if (structure.hinge_at(drive.wall)) return;
-  const Vertex from = drive.wall.from, to = drive.wall.to();
-  throw InvalidInput(fmt::format("drive.wall [[{}, {}], [{}, {}]] is not a wall of the structure", from.i,
-                                 from.j, to.i, to.j));
-}
-
-bool is_vertical(const Hinge& hinge) {
-  return hinge.parameters.alpha == pi / 2 && hinge.parameters.beta == 0;
+  throw InvalidInput("drive.wall " + to_string(drive.wall) + " is not a wall of the structure");
 }
 
 bool is_half(double t) { return std::abs(t - 0.5) <= 1e-9; }
@@ -59,7 +53,7 @@ Drive hinge_drive(const Wall& wall, double theta) {
   Drive drive;
   drive.kind = Drive::Kind::hinge;
   drive.wall = wall;
-  drive.angle = wall.from.is_class_a() ? -2 * theta : 2 * theta;
+  drive.angle = -2 * wall.from.sense() * theta;
   return drive;
 }
 
@@ -67,7 +61,7 @@ Drive hinge_drive(const Wall& wall, double theta) {
 
 double Drive::theta() const {
   if (kind == Kind::plates) return branch * 2 * std::asin(std::sqrt(compression / 2));
-  return wall.from.is_class_a() ? -angle / 2 : angle / 2;
+  return -wall.from.sense() * angle / 2;
 }
 
 Drive drive_to(const Structure& structure, double theta) {

@@ -53,7 +53,7 @@ std::array<Joint, 2> hinge_points(const Hinge& hinge, btRigidBody& lower, btRigi
   return points;
 }
 
-Joint hinge_turn(const Hinge& hinge, btRigidBody& lower, btRigidBody& upper, double error_reduction) {
+Joint turn_lock(const Hinge& hinge, btRigidBody& lower, btRigidBody& upper, double error_reduction) {
   const auto [in_lower, in_upper] = hinge_frames(hinge, 0);
   Joint joint = free_joint(lower, upper, in_lower, in_upper);
   lock(*joint, angular_x, error_reduction);

@@ -20,7 +20,7 @@ std::array<Joint, 2> hinge_points(const Hinge& hinge, btRigidBody& lower, btRigi
                                   double error_reduction);
 
 /// Locks the turn of the upper body against the lower one about their hinge axis; set_turn moves it.
-Joint hinge_turn(const Hinge& hinge, btRigidBody& lower, btRigidBody& upper, double error_reduction);
+Joint turn_lock(const Hinge& hinge, btRigidBody& lower, btRigidBody& upper, double error_reduction);
 /// @param angle rad, in (-pi, pi), counter-clockwise about the hinge axis
 void set_turn(btGeneric6DofSpring2Constraint& joint, double angle);
 /// Turn of the second body against the first about the first axis, rad, in [-pi, pi].

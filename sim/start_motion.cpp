@@ -10,11 +10,9 @@ namespace {
 constexpr double least_share = 0.5;
 constexpr double weight_of_the_rest = 1e-6;
 
-double spin(Vertex v) { return v.is_class_a() ? 1.0 : -1.0; }
-
 std::vector<Twist> bare_spins(const Structure& structure) {
   std::vector<Twist> twists(structure.bodies.size());
-  for (std::size_t b = 0; b < twists.size(); ++b) twists[b].omega.z() = spin(structure.bodies[b]);
+  for (std::size_t b = 0; b < twists.size(); ++b) twists[b].omega.z() = structure.bodies[b].sense();
   return twists;
 }
 
@@ -39,7 +37,7 @@ Eigen::VectorXd nearest_motion(const Structure& structure, const Eigen::MatrixXd
   Eigen::VectorXd wanted = Eigen::VectorXd::Zero(motions.rows());
   for (std::size_t b = 0; b < structure.bodies.size(); ++b) {
     weight[6 * b + 2] = 1;
-    wanted[6 * b + 2] = spin(structure.bodies[b]);
+    wanted[6 * b + 2] = structure.bodies[b].sense();
   }
   const Eigen::MatrixXd weighted = weight.asDiagonal() * motions;
   return motions * (motions.transpose() * weighted).ldlt().solve(weighted.transpose() * wanted);
@@ -51,7 +49,7 @@ std::vector<Twist> start_motion(const Structure& structure) {
   const Eigen::VectorXd motion = nearest_motion(structure, all_motions(structure));
   double share = 0;
   for (std::size_t b = 0; b < structure.bodies.size(); ++b)
-    share += spin(structure.bodies[b]) * motion[6 * b + 2];
+    share += structure.bodies[b].sense() * motion[6 * b + 2];
   share /= static_cast<double>(structure.bodies.size());
   if (!(share > least_share)) return bare_spins(structure);
   std::vector<Twist> twists;

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "model/exact_jacobian.hpp"
+#include "model/state.hpp"
 
 namespace kinetix {
 

@@ -12,7 +12,7 @@ double mean_turn(const Structure& structure, const State& state, Axis axis) {
   double sum = 0;
   for (std::size_t b = 0; b < state.size(); ++b) {
     const double turn = axis == Axis::y ? state[b].R(1, 0) : -state[b].R(0, 1);
-    sum += structure.bodies[b].is_class_a() ? turn : -turn;
+    sum += structure.bodies[b].sense() * turn;
   }
   return sum / static_cast<double>(state.size());
 }
@@ -33,17 +33,15 @@ Status status_of(const PhysicsOptions& options, bool settled, bool on_branch, co
   return settled ? Status::settled : Status::not_settled;
 }
 
-std::string name(Vertex v) { return fmt::format("[{}, {}]", v.i, v.j); }
-
 std::string open_hinge(const Structure& s, const PhysicsResult& r) {
-  const Wall& wall = s.hinges[r.gaps.worst_hinge].wall;
-  return fmt::format("the hinge on wall [{}, {}] is open by {:.3g} cell edges", name(wall.from),
-                     name(wall.to()), r.gaps.max);
+  return fmt::format("the hinge on wall {} is open by {:.3g} cell edges",
+                     to_string(s.hinges[r.gaps.worst_hinge].wall), r.gaps.max);
 }
 
 std::string contact(const Structure& s, const PhysicsResult& r) {
   return fmt::format("the parts on vertices {} and {} touch (overlap {:.2g} cell edges)",
-                     name(s.bodies[r.contact.first]), name(s.bodies[r.contact.second]), r.contact.depth);
+                     to_string(s.bodies[r.contact.first]), to_string(s.bodies[r.contact.second]),
+                     r.contact.depth);
 }
 
 std::string reason(const Structure& s, const PhysicsOptions& o, const PhysicsResult& r) {

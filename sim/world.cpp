@@ -126,9 +126,9 @@ World::~World() = default;
 
 void World::push(double rate) {
   for (std::size_t b = 0; b < parts_->bodies.size(); ++b) {
-    const double sign = parts_->structure.bodies[b].is_class_a() ? 1 : -1;
     btRigidBody& body = *parts_->bodies[b];
-    body.setAngularVelocity(body.getAngularVelocity() + btVector3(0, 0, sign * rate));
+    const int sense = parts_->structure.bodies[b].sense();
+    body.setAngularVelocity(body.getAngularVelocity() + btVector3(0, 0, sense * rate));
   }
 }
 

@@ -3,7 +3,6 @@
 #include <memory>
 #include <vector>
 
-#include "model/exact_jacobian.hpp"
 #include "sim/drive.hpp"
 #include "sim/physics_options.hpp"
 #include "sim/physics_result.hpp"

@@ -126,5 +126,22 @@ TEST(Structure, RefusesALatticeOfMoreThanFourMillionVertices) {
   EXPECT_THAT(refusal({{3'999'998, 0}}), HasSubstr("4 million vertices"));
 }
 
+TEST(Structure, NamesVerticesCellsAndWallsAsFilesDo) {
+  EXPECT_EQ(to_string(Vertex{3, 4}), "[3, 4]");
+  EXPECT_EQ(to_string(Cell{0, 7}), "[0, 7]");
+  EXPECT_EQ(to_string(Wall{{1, 2}, Axis::y}), "[[1, 2], [1, 3]]");
+}
+
+TEST(Structure, VerticalHingesAreThoseWhoseAxisStandsUpToRounding) {
+  Hinge hinge;
+  EXPECT_TRUE(is_vertical(hinge));
+  hinge.parameters = {0.3, pi / 2 + 1e-10, -1e-10};
+  EXPECT_TRUE(is_vertical(hinge));
+  for (const HingeParameters& p : {HingeParameters{0.5, pi / 2 + 1e-6, 0}, {0.5, pi / 2, 1e-6}}) {
+    hinge.parameters = p;
+    EXPECT_FALSE(is_vertical(hinge));
+  }
+}
+
 }  // namespace
 }  // namespace kinetix

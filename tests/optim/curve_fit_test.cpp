@@ -129,6 +129,35 @@ TEST(CurveReach, SaysWhenTheStripIsTooShort) {
   EXPECT_NEAR(reach.longest_mm, 100 * std::cos(0.05), 1e-9);
 }
 
+TEST(CurveReach, CountsBoundsThatLeaveOutZeroFromTheTurnThatIsNeeded) {
+  const Curve line = Curve({{0, 0}, {100, 0}, {200, 0}});
+  const CurveFit fit(line, make_bend_ties(20, Per::column, Symmetry::none, {0.4, 0.9}), 11.5, {0.1, 0.7});
+  const CurveReach reach = analyse_reach(fit);
+  for (const ColumnTurn& turn : reach.turns) EXPECT_GT(turn.excess, 0.2) << turn.column;
+  ASSERT_EQ(reach.obstacles.size(), 1u);
+  EXPECT_NE(reach.obstacles[0].find("at least"), std::string::npos) << reach.obstacles[0];
+}
+
+TEST(CurveReach, KnowsThatAColumnMayTurnToOneSideOnly) {
+  const Curve goal = testing::half_circle();
+  const CurveFit fit(goal, make_bend_ties(20, Per::column, Symmetry::none, {0, 1}),
+                     testing::fitting_cell(goal, 20), thetas);
+  for (const ColumnTurn& turn : analyse_reach(fit).turns) {
+    EXPECT_LT(turn.needed, 0);
+    EXPECT_EQ(turn.allowed > 0, turn.column % 2 == 0);
+    EXPECT_NEAR(turn.excess, turn.allowed > 0 ? 0 : -turn.needed, 1e-15);
+  }
+}
+
+TEST(BendTies, MirrorYTiesNothingAndRotate2TiesAsMirrorX) {
+  const auto ties = [](Symmetry symmetry) {
+    return make_bend_ties(7, Per::column, symmetry, tilts).variable;
+  };
+  EXPECT_EQ(ties(Symmetry::mirror_y), ties(Symmetry::none));
+  EXPECT_EQ(ties(Symmetry::rotate_2), ties(Symmetry::mirror_x));
+  EXPECT_EQ(ties(Symmetry::mirror_x), (std::vector<int>{0, 1, 2, 3, 2, 1, 0}));
+}
+
 TEST(CurveReach, HasNothingToSayWhenTheGoalIsWithinReach) {
   const Curve goal = testing::half_circle();
   const CurveFit fit(goal, make_bend_ties(20, Per::column, Symmetry::none, tilts),

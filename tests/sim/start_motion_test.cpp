@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "model/exact_jacobian.hpp"
 #include "tests/support/random_designs.hpp"
 
 namespace kinetix {
@@ -37,7 +38,7 @@ TEST(StartMotion, IsBareSpinsWhereNothingMoves) {
   const std::vector<Twist> motion = start_motion(structure);
   for (std::size_t b = 0; b < motion.size(); ++b) {
     EXPECT_EQ(motion[b].v, Eigen::Vector3d::Zero());
-    EXPECT_EQ(motion[b].omega, Eigen::Vector3d(0, 0, structure.bodies[b].is_class_a() ? 1 : -1));
+    EXPECT_EQ(motion[b].omega, Eigen::Vector3d(0, 0, structure.bodies[b].sense()));
   }
 }
 
