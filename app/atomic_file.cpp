@@ -27,6 +27,8 @@ std::string folder_of(const fs::path& file) {
   return parent.empty() ? "." : parent;
 }
 
+constexpr int interrupts[] = {SIGINT, SIGTERM, SIGHUP};
+
 /// The part being written, for the signal handler alone.
 char unfinished_part[PATH_MAX] = "";
 
@@ -46,10 +48,28 @@ void remember_part(const std::string& path) {
   if (!path.empty()) unfinished_part[0] = path[0];
 }
 
+/// Holds the signals back while it lives: no part may exist that the handler does not know.
+class NoInterrupts {
+ public:
+  NoInterrupts() {
+    sigset_t signals;
+    sigemptyset(&signals);
+    for (const int signal_number : interrupts) sigaddset(&signals, signal_number);
+    pthread_sigmask(SIG_BLOCK, &signals, &before_);
+  }
+  ~NoInterrupts() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  NoInterrupts(const NoInterrupts&) = delete;
+  NoInterrupts& operator=(const NoInterrupts&) = delete;
+
+ private:
+  sigset_t before_;
+};
+
 /// A file under a temporary name, removed again unless it was renamed.
 class Part {
  public:
   explicit Part(fs::path file) : file_(std::move(file)) {
+    const NoInterrupts until_remembered;
     for (int attempt = 0; attempt < 100 && descriptor_ < 0; ++attempt) {
       path_ = file_.parent_path() /
               fmt::format(".{}.kinetix-part-{:06x}", file_.filename().string(), random_() & 0xffffff);
@@ -110,7 +130,7 @@ class Part {
 }  // namespace
 
 void remove_parts_when_interrupted() {
-  for (const int signal_number : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal_number, remove_part_and_end);
+  for (const int signal_number : interrupts) std::signal(signal_number, remove_part_and_end);
 }
 
 void write_file(const std::string& file, std::string_view content) {
