@@ -119,16 +119,31 @@ void write_file(const std::string& file, std::string_view content) {
   part.commit();
 }
 
-void prepare_output_folder(const std::string& folder) {
-  if (folder.empty()) throw InvalidInput("the output folder has no name");
-  std::error_code error;
-  fs::create_directories(folder, error);
-  std::error_code ignored;
-  if (!fs::is_directory(folder, ignored)) {
+OutputFolder::OutputFolder(const std::string& path) : path_(path) {
+  if (path.empty()) throw InvalidInput("the output folder has no name");
+  for (fs::path p = fs::absolute(path);
+       !p.empty() && !fs::exists(fs::symlink_status(p)) && p != p.parent_path(); p = p.parent_path())
+    if (p.has_filename()) created_.push_back(p);
+  std::error_code error, ignored;
+  fs::create_directories(path, error);
+  if (!fs::is_directory(path, ignored)) {
+    remove_created();
     const std::string reason = error ? error.message() : "something else has this name";
-    throw InvalidInput("cannot create this output folder: " + reason, {folder});
+    throw InvalidInput("cannot create this output folder: " + reason, {path});
   }
-  Part{fs::path(folder) / "probe"};
+  try {
+    Part{fs::path(path) / "probe"};
+  } catch (const InvalidInput&) {
+    remove_created();
+    throw;
+  }
+}
+
+OutputFolder::~OutputFolder() { remove_created(); }
+
+void OutputFolder::remove_created() {
+  for (const std::string& folder : created_) rmdir(folder.c_str());
+  created_.clear();
 }
 
 }  // namespace kinetix

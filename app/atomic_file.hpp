@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace kinetix {
 
@@ -15,8 +16,24 @@ void write_file(const std::string& file, std::string_view content);
 /// ends the program as it would have. For programs that write from one thread.
 void remove_parts_when_interrupted();
 
-/// Creates the folder with its parents where it does not exist, and proves that files can be written in it.
-/// Meant to be called before any work is done. @throws InvalidInput naming the folder and the reason
-void prepare_output_folder(const std::string& folder);
+/// A folder for results. It is created with its parents where it does not exist, and proven writable, before
+/// any work is done; what was created goes again, if still empty, unless keep() is called.
+class OutputFolder {
+ public:
+  /// @throws InvalidInput naming the folder and the reason
+  explicit OutputFolder(const std::string& path);
+  ~OutputFolder();
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+
+  const std::string& path() const { return path_; }
+  void keep() { created_.clear(); }
+
+ private:
+  void remove_created();
+
+  std::string path_;
+  std::vector<std::string> created_;  // innermost first
+};
 
 }  // namespace kinetix

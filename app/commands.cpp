@@ -18,8 +18,10 @@
 namespace kinetix {
 namespace {
 
-std::string folder_of(const CommandOptions& options, const std::string& name) {
-  return options.folder.empty() ? "results/" + name : options.folder;
+/// @param suffix keeps the results of one command from replacing another's
+std::string folder_of(const CommandOptions& options, const std::string& name,
+                      const std::string& suffix = "") {
+  return options.folder_given ? options.folder : "results/" + name + suffix;
 }
 
 RunOptions run_options(const CommandOptions& options, Console& console) {
@@ -42,28 +44,28 @@ int exit_code(const Run& run) {
   return done;
 }
 
-int report(Run run, double load_seconds, const std::string& folder, bool as_json) {
+int report(Run run, double load_seconds, OutputFolder& folder, bool as_json) {
   run.timings.load = load_seconds;
-  const auto json = write_results(run, folder);
+  const auto json = write_results(run, folder.path());
+  folder.keep();
   if (as_json)
     std::cout << json.dump(1) << "\n";
   else
     std::cout << summary(run)
-              << fmt::format("  {:<10} {}/report.html, result.json, design.yaml\n", "written", folder);
+              << fmt::format("  {:<10} {}/report.html, result.json, design.yaml\n", "written", folder.path());
   return exit_code(run);
 }
 
 using DesignRun = Run (*)(const DesignFile&, const RunOptions&);
 
-int run_design(const CommandOptions& options, DesignRun run) {
+int run_design(const CommandOptions& options, DesignRun run, const std::string& suffix) {
   Stopwatch watch;
   DesignFile design = read_design(options.file);
   if (options.theta_given) {
     design.theta = options.theta_deg * radians_per_degree;
     design.drive.reset();
   }
-  const std::string folder = folder_of(options, design.name);
-  prepare_output_folder(folder);
+  OutputFolder folder(folder_of(options, design.name, suffix));
   const double load = watch.lap();
   Console console(options.quiet);
   Run outcome = located(options.file, [&] { return run(design, run_options(options, console)); });
@@ -75,22 +77,24 @@ int run_design(const CommandOptions& options, DesignRun run) {
 int optimise_command(const CommandOptions& options) {
   Stopwatch watch;
   const TargetFile target = read_target(options.file);
-  const std::string folder = folder_of(options, target.name);
-  prepare_output_folder(folder);
+  OutputFolder folder(folder_of(options, target.name));
   const double load = watch.lap();
   Console console(options.quiet);
   Run run = located(options.file, [&] { return run_curve(target, run_options(options, console)); });
   return report(std::move(run), load, folder, options.json);
 }
 
-int verify_command(const CommandOptions& options) { return run_design(options, simulate_physics); }
+int verify_command(const CommandOptions& options) {
+  return run_design(options, simulate_physics, "_verified");
+}
 
 int simulate_command(const CommandOptions& options) {
-  return run_design(options, options.model == "bullet" ? simulate_physics : simulate_exact);
+  return run_design(options, options.model == "bullet" ? simulate_physics : simulate_exact,
+                    "_" + options.model);
 }
 
 int check_command(const CommandOptions& options) {
-  const bool is_target = read_document(options.file).optional("target").has_value();
+  const bool is_target = read_document(options.file, max_design_bytes).optional("target").has_value();
   const std::string name = is_target ? read_target(options.file).name : read_design(options.file).name;
   const char* kind = is_target ? "target" : "design";
   if (options.json)

@@ -11,7 +11,8 @@ enum ExitCode { done = 0, internal_error = 1, bad_input = 2, target_missed = 3, 
 /// What every command takes.
 struct CommandOptions {
   std::string file;
-  std::string folder;  ///< empty: results/<name>
+  std::string folder;  ///< empty: results/<name>, with _verified, _exact or _bullet for a design
+  bool folder_given = false;
   bool json = false;
   bool quiet = false;
   bool verify = true;

@@ -157,7 +157,7 @@ HingeSection read_hinge_section(const Node& root, double edge_mm) {
   if (const auto node = section->optional("k_point")) hinge.k_point = node->number(above(0, "N/mm"));
   if (const auto node = section->optional("k_turn")) hinge.k_turn = node->number(at_least(0, "N mm/rad"));
   if (const auto node = section->optional("reach_mm"))
-    hinge.reach_mm = node->number({0, 10 * edge_mm, false, true, "mm (at most 10 cells)"});
+    hinge.reach_mm = node->number(from_to(0.01 * edge_mm, 10 * edge_mm, "mm (0.01 to 10 cells)"));
   return hinge;
 }
 

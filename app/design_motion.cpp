@@ -51,6 +51,17 @@ double bisect(const DriveMiss& miss, double a, double b) {
   return (a + b) / 2;
 }
 
+/// Between plates normal to the direction in which it bends, a sheet can roll: its theta is not determined.
+void refuse_plates_that_tilt(const Drive& drive, const Classification& family) {
+  const Axis bends_along = family.transposed ? Axis::y : Axis::x;
+  if (drive.kind != Drive::Kind::plates || family.family == Family::F1 || drive.axis != bends_along) return;
+  throw InvalidInput(
+      fmt::format("this sheet bends along {0} and would roll between plates normal to {0}; allowed: {1}, "
+                  "or kind: hinge",
+                  bends_along == Axis::x ? "x" : "y", bends_along == Axis::x ? "y" : "x"),
+      {"", 0, 0, "drive.axis"});
+}
+
 }  // namespace
 
 Drive drive_of(const DesignFile& design) {
@@ -67,6 +78,7 @@ Drive drive_of(const DesignFile& design) {
 }
 
 double theta_of(const Drive& drive, const Classification& family, const Structure& structure) {
+  refuse_plates_that_tilt(drive, family);
   const DriveMiss miss(drive, family, structure);
   const bool backwards = drive.kind == Drive::Kind::plates ? drive.branch < 0 : drive.theta() < 0;
   const double step = (backwards ? -widest : widest) / scan_steps;

@@ -10,7 +10,7 @@ namespace kinetix {
 Drive drive_of(const DesignFile& design);
 
 /// Theta at which an exactly mobile structure fulfils a drive, rad.
-/// @throws InvalidInput where no theta up to 90 deg does, naming what the structure can reach
+/// @throws InvalidInput where no theta up to 90 deg does, or where plates leave theta undetermined
 double theta_of(const Drive& drive, const Classification& family, const Structure& structure);
 
 /// Settings of the physics run: defaults, with what the file gives. @param edge_mm cell edge

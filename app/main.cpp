@@ -16,12 +16,20 @@ void add_common(CLI::App& app, CommandOptions& options) {
   app.add_option("--threads", options.threads,
                  "threads of the search; 0 = all cores; the answer does not depend on it")
       ->check(CLI::Range(0, 1024));
-  app.add_option("--seed", options.seed, "seed of the random starts; same seed, same answer");
+  app.add_option("--seed", options.seed, "seed of the random starts; same seed, same answer")
+      ->check(CLI::Range(0.0, 9e15))
+      ->type_name("UINT");
 }
 
 void add_output(CLI::App& app, CommandOptions& options) {
-  app.add_option("-o", options.folder,
-                 "folder for result.json, design.yaml and report.html (default results/NAME)")
+  app.add_option_function<std::string>(
+         "-o",
+         [&options](const std::string& folder) {
+           options.folder = folder;
+           options.folder_given = true;
+         },
+         "folder for result.json, design.yaml and report.html (default results/NAME, with _verified, "
+         "_exact or _bullet for a design)")
       ->type_name("DIR");
 }
 
@@ -51,7 +59,8 @@ int run(int argc, char** argv) {
 
   add_common(app, options);
   add_output(app, options);
-  app.add_flag_callback("--no-verify", [&] { options.verify = false; }, "skip the physics run");
+  app.add_flag_callback(
+      "--no-verify", [&] { options.verify = false; }, "skip the physics run");
   app.add_option("TARGET.yaml", options.file, "goal shape, structure and bounds")->type_name("");
 
   CLI::App* verify =
@@ -90,7 +99,11 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     kinetix::remove_parts_when_interrupted();
-    return run(argc, argv);
+    const int code = run(argc, argv);
+    std::cout.flush();
+    if (std::cout) return code;
+    std::cerr << "standard output cannot be written\n";
+    return kinetix::internal_error;
   } catch (const kinetix::InvalidInput& e) {
     std::cerr << e.what() << "\n";
     return kinetix::bad_input;

@@ -17,6 +17,8 @@ DesignFile design_of(const Run& run) {
   design.structure = run.structure;
   design.theta = run.theta;
   design.physics = run.physics;
+  design.hinge = run.hinge;
+  design.drive = run.drive;
   return design;
 }
 

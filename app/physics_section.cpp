@@ -16,7 +16,7 @@ PhysicsSection read_physics(const Node& root, double edge_mm) {
   if (const auto node = section->optional("error_reduction"))
     physics.error_reduction = node->number({0, 1, false, true});
   if (const auto node = section->optional("reach_mm"))
-    physics.reach_mm = node->number({0, 10 * edge_mm, false, true, "mm (at most 10 cells)"});
+    physics.reach_mm = node->number(from_to(0.01 * edge_mm, 10 * edge_mm, "mm (0.01 to 10 cells)"));
   return physics;
 }
 

@@ -27,7 +27,7 @@ Json target_json(const Run& run) {
 Json plan_json(const Run& run) {
   const Plan& plan = run.plan;
   Json out = {{"family", to_string(plan.family.family)},
-              {"model", plan.family.family == Family::none ? "none" : "exact"},
+              {"model", plan.family.family == Family::none ? "bullet" : "exact"},
               {"bodies", run.structure.bodies.size()},
               {"hinges", run.structure.hinges.size()},
               {"why", plan.why}};
@@ -116,7 +116,7 @@ Json curve_json(const CurveOutcome& curve) {
           {"error", error},
           {"scale_mm", found.error.scale_mm},
           {"turn", turn},
-          {"unreachable", fmt::format("{}", fmt::join(curve.why_missed, "; "))}};
+          {"reasons", curve.why_missed}};
 }
 
 Json optimiser_json(const CurveOutcome& curve) {

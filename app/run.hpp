@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/physics_section.hpp"
+#include "app/design_file.hpp"
 #include "app/plan.hpp"
 #include "optim/fit_curve.hpp"
 #include "sim/compression_run.hpp"
@@ -59,7 +59,9 @@ struct Run {
   double theta = 0;  ///< rad, of the state shown
   std::optional<CurveOutcome> curve;
   std::vector<NamedState> states;
-  PhysicsSection physics;  ///< as the file asked
+  PhysicsSection physics;  ///< these three as the file asked
+  HingeSection hinge;
+  std::optional<DriveSection> drive;
   std::optional<Verification> verification;
   std::vector<Fidelity> fidelity;
   double shape_tolerance = 0.01;

@@ -15,6 +15,8 @@ Run planned(const DesignFile& design, const RunOptions& options) {
   run.name = design.name;
   run.seed = options.seed;
   run.physics = design.physics;
+  run.hinge = design.hinge;
+  run.drive = design.drive;
   run.structure = design.structure;
   run.theta = design.theta;
   Stopwatch watch;

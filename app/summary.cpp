@@ -37,6 +37,16 @@ std::string shape_lines(const Run& run) {
   return text;
 }
 
+/// The closed form passes through walls: says so where it did.
+std::string contact_line(const Run& run) {
+  if (!run.plan.free_range || run.curve) return "";
+  const ThetaLimit& limit = run.theta < 0 ? run.plan.free_range->negative : run.plan.free_range->positive;
+  if (!limit.touches || std::abs(run.theta) <= std::abs(limit.theta)) return "";
+  return line("WALLS",
+              fmt::format("collide at theta {:.2f} deg, before this state; the closed form does not see it",
+                          degrees(limit.theta)));
+}
+
 std::string physics_lines(const Run& run) {
   const Verification& v = *run.verification;
   if (v.physics.status != PhysicsResult::Status::settled)
@@ -56,6 +66,7 @@ std::string summary(const Run& run) {
   text += line("plan", run.plan.family.why);
   text += line("fold", fmt::format("theta {:.2f} deg, tilts up to {:.2f} deg", degrees(run.theta),
                                    degrees(largest_tilt(run.structure))));
+  text += contact_line(run);
   if (run.curve) text += shape_lines(run);
   if (run.verification) text += physics_lines(run);
   return text;

@@ -8,13 +8,14 @@
 
 #include "app/file_header.hpp"
 #include "app/structure_section.hpp"
+#include "model/wall_contact.hpp"
 #include "targets/read_curve.hpp"
 
 namespace kinetix {
 namespace {
 
 constexpr int default_columns = 40;
-constexpr int max_columns = 10'000;
+constexpr int max_columns = 1000;
 constexpr double default_theta = 30 * radians_per_degree;
 constexpr double smallest_default_cell_mm = 0.1;
 
@@ -68,6 +69,9 @@ std::optional<std::array<int, 2>> read_sides(const std::optional<Node>& structur
   if ((*sides)[0] < 2)
     throw node->error(
         "a curve needs at least 2 columns of cells along x; give [columns, rows] such as [40, 1]");
+  if ((*sides)[0] > max_columns)
+    throw node->error(
+        fmt::format("{} columns are more than a search can fit; at most {}", (*sides)[0], max_columns));
   return sides;
 }
 
@@ -82,7 +86,11 @@ void read_structure(const Node& root, TargetFile& file) {
   if (!cell_mm) return;
   check_cell_against_curve(*cell_mm, file.size.edge_mm, length);
   const double fitting = std::round(length / (file.size.edge_mm * std::cos(default_theta)));
-  if (!sides) file.columns = static_cast<int>(std::clamp(fitting, 2.0, double{max_columns}));
+  if (!sides && fitting > max_columns)
+    throw cell_mm->error(fmt::format("a curve of {} would take {:.0f} cells of {}; at most {} columns",
+                                     length_text(length), fitting, length_text(file.size.edge_mm),
+                                     max_columns));
+  if (!sides) file.columns = static_cast<int>(std::max(fitting, 2.0));
 }
 
 AngleRange read_angles(const Node& section, const AngleRange& fallback, const Bounds& degrees) {
@@ -130,6 +138,10 @@ void read_variables(const Node& root, TargetFile& file) {
   if (const auto theta = section->optional("theta")) {
     theta->reject_unknown_keys({"range_deg"});
     file.theta = read_angles(*theta, file.theta, between(0, 45, "degrees"));
+    if (!(file.theta.lower < closing_theta(file.size)))
+      throw theta->error(fmt::format(
+          "the range starts above {:.2f} deg, where walls of {:.3g} mm close cells of {:.3g} mm",
+          closing_theta(file.size) / radians_per_degree, file.size.thickness_mm, file.size.edge_mm));
   }
 }
 

@@ -112,6 +112,8 @@ void ThetaRangeOptions::validate() const {
   if (!(precision >= 1e-14)) throw InvalidInput("the precision of theta must be at least 1e-14 rad");
 }
 
+double closing_theta(const CellSize& size) { return std::atan(1 - size.thickness_mm / size.edge_mm); }
+
 ThetaRange theta_range(const Structure& structure, const FoldFunction& fold,
                        const ThetaRangeOptions& options) {
   options.validate();

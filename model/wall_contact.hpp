@@ -44,6 +44,10 @@ class WallContact {
   std::vector<WallPair> found_;
 };
 
+/// Theta at which basic planar cells close: the knees of opposite walls meet at tan(theta) = 1 - thickness /
+/// edge, rad.
+double closing_theta(const CellSize& size);
+
 /// Writes the state at fold parameter theta (rad); keeps the flat state at 0.
 using FoldFunction = std::function<void(double theta, State& state)>;
 
@@ -71,7 +75,7 @@ struct ThetaRange {
 /// How far a structure folds to both sides of flat before walls collide: steps from flat and bisects the step
 /// in which the first overlap appears. Plates that meet and part again within one step are missed; with the
 /// default step the ends of a wall move by at most a hundredth of the edge against their neighbours in it.
-/// Closed form: in basic planar cells the knees of opposite walls meet at tan(theta) = 1 - thickness / edge.
+/// In basic planar cells the end is closing_theta().
 /// @throws InvalidInput for options out of range
 ThetaRange theta_range(const Structure& structure, const FoldFunction& fold,
                        const ThetaRangeOptions& options = {});

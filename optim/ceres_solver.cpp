@@ -68,6 +68,17 @@ SolveStatus status_of(const ceres::Solver::Summary& summary, const BestSoFar& be
   }
 }
 
+/// Ceres tells its reason only as a sentence about its own tolerances.
+std::string words(const ceres::Solver::Summary& summary, const BestSoFar& best) {
+  if (best.out_of_evaluations()) return "evaluation limit";
+  const auto says = [&](const char* text) { return summary.message.find(text) != std::string::npos; };
+  if (says("Function tolerance")) return "the error stopped improving";
+  if (says("Gradient tolerance")) return "the gradient vanished";
+  if (says("Parameter tolerance")) return "the variables stopped changing";
+  if (says("trust region")) return "no step improved the error any more";
+  return summary.message;
+}
+
 }  // namespace
 
 SolveResult solve_with_ceres(const LeastSquaresProblem& problem, const Eigen::VectorXd& start,
@@ -87,8 +98,7 @@ SolveResult solve_with_ceres(const LeastSquaresProblem& problem, const Eigen::Ve
   ceres_settings.callbacks.push_back(&stop);
   ceres::Solver::Summary summary;
   ceres::Solve(ceres_settings, &ceres_problem, &summary);
-  return best.finish(status_of(summary, best),
-                     best.out_of_evaluations() ? "evaluation limit" : summary.message);
+  return best.finish(status_of(summary, best), words(summary, best));
 }
 
 }  // namespace kinetix

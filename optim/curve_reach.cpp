@@ -5,12 +5,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "optim/curve_starts.hpp"
-
 namespace kinetix {
 namespace {
 
 double turn_of(double bend, double theta) { return 2 * std::atan(std::tan(bend) * std::sin(theta)); }
+
+/// Angle between the chords that lead to and from a place of the curve, each `reach` long where the curve
+/// goes that far.
+double turn_around(const Curve& curve, double arc, double reach) {
+  const Eigen::Vector2d before = curve.at(arc) - curve.at(arc - reach),
+                        after = curve.at(arc + reach) - curve.at(arc);
+  return std::atan2(before.x() * after.y() - before.y() * after.x(), before.dot(after));
+}
 
 void note_length(const CurveFit& fit, CurveReach& reach) {
   const double length = fit.goal().length();
@@ -61,17 +67,16 @@ void note_turn(const CurveFit& fit, CurveReach& reach) {
 
 CurveReach analyse_reach(const CurveFit& fit) {
   const BendTies& ties = fit.ties();
-  const ChordLayout layout = lay_chords(fit.goal(), ties.columns(), 0.0);
-  CurveReach reach;
   const int theta_at = ties.variables();
-  reach.theta = std::clamp(std::acos(std::clamp(layout.carried_edge_mm / fit.cell_mm(), -1.0, 1.0)),
-                           fit.lower()[theta_at], fit.upper()[theta_at]);
+  const double length = fit.goal().length(), step = length / ties.columns();
+  CurveReach reach;
+  reach.theta = std::clamp(std::acos(std::min(step / fit.cell_mm(), 1.0)), fit.lower()[theta_at],
+                           fit.upper()[theta_at]);
   for (int c = 0; c < ties.columns(); ++c) {
     const AngleRange range = ties.range[ties.variable[c]];
     const double lowest = turn_of(range.lower, reach.theta), highest = turn_of(range.upper, reach.theta);
-    const double needed = 2 * layout.psi[c];
-    reach.turns.push_back({c, (layout.arc[c] + layout.arc[c + 1]) / 2, needed,
-                           std::max(0.0, needed < 0 ? -lowest : highest),
+    const double arc = (c + 0.5) * step, needed = turn_around(fit.goal(), arc, step);
+    reach.turns.push_back({c, arc, needed, std::max(0.0, needed < 0 ? -lowest : highest),
                            std::max({0.0, needed - highest, lowest - needed})});
   }
   note_length(fit, reach);

@@ -18,7 +18,7 @@ struct ColumnTurn {
 
 /// What bounds and cell count let a strip do, against what the goal asks.
 struct CurveReach {
-  double theta = 0;        ///< rad: the one that gives the strip the goal's length, clamped to its bounds
+  double theta = 0;  ///< rad: the one that gives the straight strip the goal's length, clamped to its bounds
   double shortest_mm = 0;  ///< length of the straight strip at the largest theta
   double longest_mm = 0;   ///< likewise at the smallest theta
   std::vector<ColumnTurn> turns;
@@ -26,7 +26,8 @@ struct CurveReach {
   std::vector<std::string> obstacles;
 };
 
-/// Lays the goal's chords as the smoothest start does and compares.
+/// Compares, column by column, the turn between the goal's chords of one column's length before and after the
+/// column with the turn 2 atan(tan(beta) sin(theta)) of its largest tilt.
 CurveReach analyse_reach(const CurveFit& fit);
 
 }  // namespace kinetix

@@ -9,6 +9,7 @@ namespace {
 
 constexpr int placement_rounds = 8;
 constexpr double zigzag_step = 0.05;
+constexpr int even_start = 1;
 constexpr double steepest_psi = 1.2;
 
 /// Half turns that give the chords their headings, smoothest first, then the zigzag.
@@ -55,6 +56,12 @@ double carried_edge(const Curve& goal, const ChordLayout& layout) {
   return chords / cosines;
 }
 
+void spread_evenly(std::vector<double>& psi) {
+  double sum = 0;
+  for (const double p : psi) sum += p;
+  std::fill(psi.begin(), psi.end(), sum / static_cast<double>(psi.size()));
+}
+
 }  // namespace
 
 ChordLayout lay_chords(const Curve& goal, int columns, double zigzag) {
@@ -70,15 +77,15 @@ ChordLayout lay_chords(const Curve& goal, int columns, double zigzag) {
 }
 
 Eigen::VectorXd curve_start(const CurveFit& fit, int k, std::uint64_t seed) {
-  const int size = (k + 1) / 2;
-  double zigzag = (k % 2 == 1 ? 1 : -1) * zigzag_step * size;
+  double zigzag = (k % 2 == 0 ? 1 : -1) * zigzag_step * (k / 2);
   std::seed_seq mix{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32),
                     static_cast<std::uint32_t>(k)};
   std::mt19937_64 random(mix);
   const auto unit = [&] { return std::generate_canonical<double, 53>(random); };
   if (k >= zigzag_starts) zigzag = zigzag_step * zigzag_starts * (unit() - 0.5);
 
-  const ChordLayout layout = lay_chords(fit.goal(), fit.ties().columns(), zigzag);
+  ChordLayout layout = lay_chords(fit.goal(), fit.ties().columns(), k == even_start ? 0.0 : zigzag);
+  if (k == even_start) spread_evenly(layout.psi);
   const int at = fit.ties().variables();
   const double cosine = std::clamp(layout.carried_edge_mm / fit.cell_mm(), -1.0, 1.0);
   const double theta = std::clamp(std::acos(cosine), fit.lower()[at], fit.upper()[at]);

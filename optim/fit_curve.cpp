@@ -15,6 +15,10 @@ namespace {
 
 constexpr double as_good = 1.01;
 constexpr double exact = 1e-9;
+constexpr double gentler = 0.6;
+constexpr double gentle_growth = 1.3;
+constexpr int gentle_starts = 2;
+constexpr double steep_tilt = 15 * radians_per_degree;
 constexpr double narrowing = 0.8;
 constexpr int most_narrowings = 10;
 constexpr double worst_growth = 10;
@@ -53,7 +57,7 @@ ThetaLimit first_contact(const ExactDesign<double>& design, const CellSize& size
 }
 
 void keep_below_closing(CurveVariables& v, const CellSize& size, std::vector<std::string>& notes) {
-  const double closing = std::atan(1 - size.thickness_mm / size.edge_mm) - margin;
+  const double closing = closing_theta(size) - margin;
   if (!(v.theta.upper > closing)) return;
   if (!(v.theta.lower < closing))
     throw InvalidInput(
@@ -72,6 +76,21 @@ double largest_tilt(const ExactDesign<double>& design) {
   double largest = 0;
   for (const double beta : design.beta) largest = std::max(largest, std::abs(beta));
   return largest;
+}
+
+/// Small tilts print better. Where the goal's coarseness makes the search tilt steeply for a little less
+/// error, tries tighter limits and keeps the tightest that costs next to nothing.
+void make_gentle(const Curve& goal, const CurveVariables& v, MultiStartOptions options, CurveDesign& design) {
+  const double acceptable = gentle_growth * design.error.rms;
+  options.starts = std::min(options.starts, gentle_starts);
+  for (double limit = gentler * largest_tilt(design.design); limit > steep_tilt * gentler; limit *= gentler) {
+    CurveVariables tighter = v;
+    tighter.beta = narrowed(v.beta, limit);
+    if (!(tighter.beta.lower < tighter.beta.upper)) return;
+    CurveDesign candidate = fit_curve(goal, tighter, options);
+    if (!(candidate.error.rms <= acceptable)) return;
+    design = std::move(candidate);
+  }
 }
 
 /// The next tilt limit to try: below the least that still collides, above the largest that costs too much
@@ -140,6 +159,7 @@ FreeCurveDesign fit_free_curve(const Curve& goal, const CurveVariables& variable
   CurveVariables v = variables;
   keep_below_closing(v, size, result.notes);
   result.design = fit_curve(goal, v, options);
+  make_gentle(goal, v, options, result.design);
   const ThetaLimit contact = first_contact(result.design.design, size);
   result.walls_are_free = !contact.touches || free_the_walls(goal, v, size, options, result);
   if (!result.walls_are_free)

@@ -42,9 +42,9 @@ struct FreeCurveDesign {
   std::vector<std::string> notes;  ///< one sentence per bound that was narrowed or per wall in the way
 };
 
-/// As fit_curve, with theta kept below the angle at which basic cells of these walls close, and, where the
-/// walls of the design found still collide, with the tilts narrowed step by step until they do not or the
-/// error grows tenfold.
+/// As fit_curve, with tilts kept small where that costs at most a third more error, with theta kept below the
+/// angle at which basic cells of these walls close, and, where the walls of the design found still collide,
+/// with the tilts narrowed step by step until they do not or the error grows tenfold.
 FreeCurveDesign fit_free_curve(const Curve& goal, const CurveVariables& variables, const CellSize& size,
                                const MultiStartOptions& options);
 

@@ -68,20 +68,23 @@ TEST(WriteFile, KeepsTheOldFileWhenTheDiskIsFull) {
 TEST(OutputFolder, IsCreatedWithItsParentsAndLeftEmpty) {
   TemporaryFolder folder;
   const auto deep = folder.path("a/b/c");
-  prepare_output_folder(deep);
-  prepare_output_folder(deep + "/");
+  OutputFolder(deep).keep();
+  OutputFolder(deep + "/").keep();
   EXPECT_EQ(entries(deep), 0u);
 }
 
 TEST(OutputFolder, SaysWhyItCannotBeUsed) {
   TemporaryFolder folder;
   const auto file = folder.write("file", "x");
-  EXPECT_THAT(refusal([&] { prepare_output_folder(file); }), ::testing::StartsWith(file + ": cannot create"));
-  EXPECT_THAT(refusal([&] { prepare_output_folder(file + "/below"); }), HasSubstr("Not a directory"));
-  EXPECT_THAT(refusal([] { prepare_output_folder("/proc/kinetix"); }),
+  EXPECT_THAT(refusal([&] { OutputFolder folder_of_results(file); }),
+              ::testing::StartsWith(file + ": cannot create"));
+  EXPECT_THAT(refusal([&] { OutputFolder folder_of_results(file + "/below"); }),
+              HasSubstr("Not a directory"));
+  EXPECT_THAT(refusal([] { OutputFolder folder_of_results("/proc/kinetix"); }),
               ::testing::StartsWith("/proc/kinetix: "));
-  EXPECT_THAT(refusal([] { prepare_output_folder("/proc"); }), ::testing::StartsWith("/proc: cannot write"));
-  EXPECT_THAT(refusal([] { prepare_output_folder(""); }), HasSubstr("no name"));
+  EXPECT_THAT(refusal([] { OutputFolder folder_of_results("/proc"); }),
+              ::testing::StartsWith("/proc: cannot write"));
+  EXPECT_THAT(refusal([] { OutputFolder folder_of_results(""); }), HasSubstr("no name"));
 }
 
 }  // namespace

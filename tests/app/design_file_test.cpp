@@ -235,7 +235,7 @@ TEST(DesignFile, SaysWhereAndWhatIsAllowed) {
       {strip + "hinge: {model: stiff}\n", 3, 16, "hinge.model", {"rotary, elastic"}},
       {strip + "hinge: {k_point: 0}\n", 3, 18, "hinge.k_point", {"above 0, in N/mm"}},
       {strip + "hinge: {k_turn: -1}\n", 3, 17, "hinge.k_turn", {"at least 0, in N mm/rad"}},
-      {strip + "hinge: {reach_mm: 101}\n", 3, 19, "hinge.reach_mm", {"at most 100", "10 cells"}},
+      {strip + "hinge: {reach_mm: 101}\n", 3, 19, "hinge.reach_mm", {"0.1 to 100", "10 cells"}},
   };
   TemporaryFolder folder;
   const std::string file = folder.path("sheet.yaml");

@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
@@ -137,6 +138,7 @@ TEST(Program, RunsAStructureOfNoExactFamilyByPhysicsAlone) {
                     "design: {theta_deg: 15, hinges: [{wall: [[0, 0], [1, 0]], t: 0.55}]}\n");
   const Outcome exact = kinetix_opt("simulate " + design + " -o " + scratch.path());
   EXPECT_EQ(exact.code, 2);
+  EXPECT_FALSE(fs::exists(scratch / "result.json"));
   EXPECT_THAT(exact.err, HasSubstr("not exactly mobile: hinge"));
   const Outcome physics = kinetix_opt("simulate " + design + " --model bullet --json -o " + scratch.path());
   EXPECT_TRUE(physics.code == 0 || physics.code == 4) << physics.err;
@@ -158,6 +160,26 @@ void interrupt(const std::string& target, const std::string& folder, int after_u
   kill(child, signal_number);
   int status = 0;
   waitpid(child, &status, 0);
+}
+
+TEST(Program, FollowsTheDriveOfADesign) {
+  const Scratch scratch;
+  const std::string strip =
+      "kinetix: 1\nstructure: {cells: [6, 1], cell_mm: 10}\ndesign:\n  hinges:\n"
+      "    - {wall: [[0, 0], [1, 0]], beta_deg: 20}\n    - {wall: [[0, 1], [1, 1]], beta_deg: -20}\n";
+  const auto driven = [&](const std::string& drive) {
+    return kinetix_opt("verify " + scratch.write("d.yaml", strip + "drive: " + drive + "\n") + " --json -o " +
+                       scratch.path());
+  };
+  const Outcome hinge = driven("{kind: hinge, wall: [[0, 0], [0, 1]], angle_deg: -40}");
+  EXPECT_EQ(hinge.code, 0) << hinge.err;
+  EXPECT_NEAR(Json::parse(hinge.out)["metrics"]["theta_rad"], 20 * M_PI / 180, 1e-9);
+  const Outcome plates = driven("{kind: plates, axis: y, compression: 0.15}");
+  EXPECT_EQ(plates.code, 0) << plates.err;
+  EXPECT_NEAR(Json::parse(plates.out)["metrics"]["theta_rad"], std::acos(0.85), 1e-9);
+  const Outcome rolling = driven("{kind: plates, axis: x, compression: 0.15}");
+  EXPECT_EQ(rolling.code, 2);
+  EXPECT_THAT(rolling.err, HasSubstr("drive.axis: this sheet bends along x"));
 }
 
 TEST(Program, LeavesNoHalfWrittenFileWhenItIsInterruptedOrKilled) {
@@ -194,6 +216,8 @@ struct BadInput {
   const char* document;
   std::vector<std::string> says;
 };
+
+void PrintTo(const BadInput& input, std::ostream* out) { *out << input.name; }
 
 class RefusedInput : public ::testing::TestWithParam<BadInput> {};
 
@@ -250,6 +274,10 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"other_version",
                  "kinetix: 2\ntarget: {kind: curve, points: [[0, 0], [50, 50], [90, 0]]}\n",
                  {":1:", "kinetix"}},
+        BadInput{"theta_past_closing",
+                 "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [50, 50], [90, 0]]}\nvariables: {theta: "
+                 "{range_deg: [44, 44.5]}}\n",
+                 {":3:", "variables.theta", "close"}},
         BadInput{"thick_walls",
                  "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [50, 50], [90, 0]]}\nstructure: "
                  "{cell_mm: 8, wall_mm: {thickness: 5}}\n",

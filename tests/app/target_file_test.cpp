@@ -249,7 +249,7 @@ TEST(TargetFile, SaysWhereAndWhatIsAllowed) {
        "physics.iterations",
        {"whole number from 1 to 100000"}},
       {target + "physics: {error_reduction: 1.5}\n", 3, 28, "physics.error_reduction", {"at most 1"}},
-      {target + "physics: {reach_mm: 0}\n", 3, 21, "physics.reach_mm", {"above 0", "in mm"}},
+      {target + "physics: {reach_mm: 0}\n", 3, 21, "physics.reach_mm", {"from 0.0288", "in mm"}},
   };
   TemporaryFolder folder;
   const std::string file = folder.path("rib.yaml");

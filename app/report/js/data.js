@@ -107,7 +107,7 @@ function readCurve(raw) {
     error: numberRows(raw.error, 2),
     scale: finite(raw.scale_mm),
     turn: turn.map((t) => ({column: t.column, needed: t.needed_deg, allowed: finite(t.allowed_deg)})),
-    unreachable: typeof raw.unreachable === "string" ? raw.unreachable : "",
+    reasons: list(raw.reasons).filter((reason) => typeof reason === "string"),
   };
 }
 

@@ -26,6 +26,10 @@ function physicsWords(data) {
   return `The same sheet in the physics engine settles ${size} away from the model${limit}.`;
 }
 
+function failing(data) {
+  return data.physics.status && data.physics.status !== "settled" ? "failed" : "disagrees";
+}
+
 /** {mark, tone, title, text} */
 function verdict(data) {
   const {met, verified} = data.verdict;
@@ -33,14 +37,23 @@ function verdict(data) {
       Boolean(data.physics.status);
   if (met === false) {
     const also = verified === false ? " " + physicsWords(data) : "";
-    return {mark: "\u2715", tone: "bad", title: "Target missed", text: missBy(data) + also};
+    const close = data.metrics.shape_rms <= data.tolerance.shape;
+    const title = close ? "Shape reached, but walls collide on the way" : "Target missed";
+    return {mark: "\u2715", tone: "bad", title, text: (close ? metWords(data) : missBy(data)) + also};
   }
   if (verified === false)
     return {
       mark: "!",
       tone: "bad",
-      title: met ? "Target met in the model, but the physics run disagrees" : "The physics run disagrees",
+      title: (met ? "Target met in the model, but the physics run " : "The physics run ") + failing(data),
       text: physicsWords(data)
+    };
+  if (met === null && !data.raw.target)
+    return {
+      mark: "i",
+      tone: "unsure",
+      title: verified ? "One folded state, and the physics run agrees" : "One folded state",
+      text: verified && finite(data.metrics.verify_rms) !== null ? physicsWords(data) : "There was no target to judge it by."
     };
   if (met === null)
     return {
@@ -152,6 +165,6 @@ function headline(data) {
           "div", {class: "verdict " + tone}, html("span", {class: "mark", "aria-hidden": "true"}, mark),
           html(
               "div", {}, html("h2", {}, title), html("p", {}, text),
-              data.curve.unreachable ? html("p", {class: "why"}, data.curve.unreachable) : null)),
+              data.curve.reasons.map((reason) => html("p", {class: "why"}, reason)))),
       keyNumbers(data), foldedPicture(data));
 }
