@@ -10,7 +10,12 @@ if(KINETIX_DEV)
     -Wno-sign-conversion -Wno-restrict -Wno-stringop-overread -Werror -UNDEBUG)
 endif()
 if(KINETIX_SANITIZE)
-  target_compile_options(kinetix_flags INTERFACE -fsanitize=${KINETIX_SANITIZE} -fno-omit-frame-pointer)
+  # GCC 12 calls std::regex uninitialized once the sanitizers' code is in it.
+  target_compile_options(kinetix_flags INTERFACE -fsanitize=${KINETIX_SANITIZE} -fno-omit-frame-pointer
+    -Wno-maybe-uninitialized)
+  # Under the address sanitizer Eigen would pad what it allocates, and the code it shares with libceres, which
+  # was built without, would free what the other allocated.
+  target_compile_definitions(kinetix_flags INTERFACE EIGEN_MALLOC_ALREADY_ALIGNED=1)
   target_link_options(kinetix_flags INTERFACE -fsanitize=${KINETIX_SANITIZE})
 endif()
 

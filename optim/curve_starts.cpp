@@ -62,6 +62,31 @@ void spread_evenly(std::vector<double>& psi) {
   std::fill(psi.begin(), psi.end(), sum / static_cast<double>(psi.size()));
 }
 
+double theta_of(const CurveFit& fit, const ChordLayout& layout) {
+  const int at = fit.ties().variables();
+  const double cosine = std::clamp(layout.carried_edge_mm / fit.cell_mm(), -1.0, 1.0);
+  return std::clamp(std::acos(cosine), fit.lower()[at], fit.upper()[at]);
+}
+
+std::vector<double> bends_of(const ChordLayout& layout, double theta) {
+  std::vector<double> bends;
+  for (const double psi : layout.psi)
+    bends.push_back(std::atan(std::tan(std::clamp(psi, -steepest_psi, steepest_psi)) / std::sin(theta)));
+  return bends;
+}
+
+/// Whether the bounds cut the smoothest layout.
+bool is_cut(const CurveFit& fit) {
+  const ChordLayout layout = lay_chords(fit.goal(), fit.ties().columns(), 0);
+  const BendTies& ties = fit.ties();
+  const std::vector<double> bends = bends_of(layout, theta_of(fit, layout));
+  for (int c = 0; c < ties.columns(); ++c) {
+    const AngleRange& range = ties.range[ties.variable[c]];
+    if (!(range.lower <= bends[c] && bends[c] <= range.upper)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 ChordLayout lay_chords(const Curve& goal, int columns, double zigzag) {
@@ -78,23 +103,20 @@ ChordLayout lay_chords(const Curve& goal, int columns, double zigzag) {
 
 Eigen::VectorXd curve_start(const CurveFit& fit, int k, std::uint64_t seed) {
   double zigzag = (k % 2 == 0 ? 1 : -1) * zigzag_step * (k / 2);
+  if (k == even_start) zigzag = zigzag_step / 2;
+  const bool evenly = k == even_start && is_cut(fit);
   std::seed_seq mix{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32),
                     static_cast<std::uint32_t>(k)};
   std::mt19937_64 random(mix);
   const auto unit = [&] { return std::generate_canonical<double, 53>(random); };
   if (k >= zigzag_starts) zigzag = zigzag_step * zigzag_starts * (unit() - 0.5);
 
-  ChordLayout layout = lay_chords(fit.goal(), fit.ties().columns(), k == even_start ? 0.0 : zigzag);
-  if (k == even_start) spread_evenly(layout.psi);
-  const int at = fit.ties().variables();
-  const double cosine = std::clamp(layout.carried_edge_mm / fit.cell_mm(), -1.0, 1.0);
-  const double theta = std::clamp(std::acos(cosine), fit.lower()[at], fit.upper()[at]);
-  std::vector<double> bends;
-  for (const double psi : layout.psi) {
-    const double noise = k >= zigzag_starts ? 0.1 * (unit() - 0.5) : 0.0;
-    bends.push_back(std::atan(std::tan(std::clamp(psi, -steepest_psi, steepest_psi)) / std::sin(theta)) +
-                    noise);
-  }
+  ChordLayout layout = lay_chords(fit.goal(), fit.ties().columns(), evenly ? 0.0 : zigzag);
+  if (evenly) spread_evenly(layout.psi);
+  const double theta = theta_of(fit, layout);
+  std::vector<double> bends = bends_of(layout, theta);
+  if (k >= zigzag_starts)
+    for (double& bend : bends) bend += 0.1 * (unit() - 0.5);
   return fit.pack(bends, theta);
 }
 

@@ -20,9 +20,9 @@ struct ChordLayout {
 /// @param zigzag added to the smoothest layout (least sum of psi^2), rad
 ChordLayout lay_chords(const Curve& goal, int columns, double zigzag);
 
-/// Start k of a search: 0 is the smoothest layout, 1 turns all columns alike (the best that tight bounds may
-/// leave), 2.. are zigzags of growing size, and random ones from `zigzag_starts` on. Depends on (seed, k)
-/// alone.
+/// Start k of a search: 0 is the smoothest layout, 1 turns all columns alike where the bounds cut that layout
+/// (the best that tight bounds may leave), the others are zigzags of growing size, and random ones from
+/// `zigzag_starts` on. Depends on (seed, k) alone.
 Eigen::VectorXd curve_start(const CurveFit& fit, int k, std::uint64_t seed);
 
 inline constexpr int zigzag_starts = 16;
