@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "sim/drive.hpp"
+#include "model/drive.hpp"
 
 class btGeneric6DofSpring2Constraint;
 class btRigidBody;

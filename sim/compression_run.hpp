@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "sim/drive.hpp"
+#include "model/drive.hpp"
 #include "sim/physics_options.hpp"
 #include "sim/physics_result.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/drive.hpp"
+#include "model/drive.hpp"
 #include "sim/physics_options.hpp"
 #include "sim/physics_result.hpp"
 

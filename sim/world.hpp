@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "sim/drive.hpp"
+#include "model/drive.hpp"
 #include "sim/physics_options.hpp"
 #include "sim/physics_result.hpp"
 

@@ -1,0 +1,31 @@
+#include "model/elastic/elasticity.hpp"
+
+#include <cmath>
+#include <sstream>
+
+#include "model/invalid_input.hpp"
+
+namespace kinetix {
+namespace {
+
+void check_positive(const char* field, double value) {
+  if (value > 0 && std::isfinite(value)) return;
+  std::ostringstream message;
+  message << field << " is " << value << ", must be positive and finite";
+  throw InvalidInput(message.str());
+}
+
+}  // namespace
+
+void Elasticity::validate() const {
+  check_positive("k_point", k_point);
+  check_positive("k_turn", k_turn);
+  check_positive("reach_mm", reach_mm);
+  check_positive("k_contact", k_contact);
+}
+
+Stiffness relative(const Elasticity& e, double edge_mm) {
+  return {e.k_turn / (e.k_point * edge_mm * edge_mm), e.reach_mm / edge_mm, e.k_contact / e.k_point};
+}
+
+}  // namespace kinetix

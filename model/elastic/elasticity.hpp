@@ -1,0 +1,31 @@
+#pragma once
+
+namespace kinetix {
+
+/// What the hinges and walls of a structure are made of. The energy of a hinge (kinematics.md section 3) is
+///
+///     k_point (|dp|^2 + reach^2 |dd|^2) + 1/2 k_turn turn^2
+///
+/// with dp, dd the mismatch of hinge point and unit hinge axis as its two bodies carry them: that of two
+/// springs of stiffness k_point at the hinge point +- reach along the axis, plus a turning spring that is
+/// relaxed in the flat state. The same numbers describe the hinge in the physics run.
+struct Elasticity {
+  double k_point = 1000;   ///< of each of the two points, N/mm, > 0
+  double k_turn = 0.1;     ///< N mm/rad, > 0
+  double reach_mm = 1.8;   ///< half distance of the two points, > 0
+  double k_contact = 1e4;  ///< of two walls pressed into each other, N/mm, > 0
+
+  /// @throws InvalidInput, naming the field, its value and its range
+  void validate() const;
+};
+
+/// The same over k_point and the cell edge: energies come in units of k_point edge^2, forces of k_point edge.
+struct Stiffness {
+  double turn = 1e-6;
+  double reach = 0.18;
+  double contact = 10;
+};
+
+Stiffness relative(const Elasticity& elasticity, double edge_mm);
+
+}  // namespace kinetix
