@@ -1,0 +1,8 @@
+# CHOLMOD of SuiteSparse as SuiteSparse::cholmod: Debian ships no CMake config for it.
+if(NOT TARGET SuiteSparse::cholmod)
+  find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
+  find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
+  add_library(SuiteSparse::cholmod INTERFACE IMPORTED)
+  set_target_properties(SuiteSparse::cholmod PROPERTIES INTERFACE_LINK_LIBRARIES ${CHOLMOD_LIBRARY}
+    INTERFACE_INCLUDE_DIRECTORIES ${CHOLMOD_INCLUDE_DIR})
+endif()

@@ -1,0 +1,249 @@
+#include "model/elastic/contact_energy.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "model/wall_contact.hpp"
+
+namespace kinetix {
+namespace {
+
+using Eigen::Vector3d;
+
+enum Face { side_plus, side_minus, knee_end, top, bottom };
+
+}  // namespace
+
+/// The signed distance n . m - offset of a carried point from a carried face, in cell edges.
+struct ContactModel::Gap {
+  Vector3d n;  ///< carried outward normal
+  Vector3d a;  ///< from the point's body to the point
+  Vector3d m;  ///< from the box's body to the point
+  double value;
+
+  Vector12 gradient() const {
+    Vector12 g;
+    g << a.cross(n), n, n.cross(m), -n;
+    return g;
+  }
+
+  Matrix12 hessian() const {
+    const Eigen::Matrix3d cross_n = cross_matrix(n), turns = -cross_n * cross_matrix(a);
+    Matrix12 h = Matrix12::Zero();
+    h.block<3, 3>(0, 0) = turning_hessian(n, a);
+    h.block<3, 3>(6, 6) = turning_hessian(m, n);
+    h.block<3, 3>(6, 3) = cross_n;
+    h.block<3, 3>(3, 6) = -cross_n;
+    h.block<3, 3>(6, 9) = -cross_n;
+    h.block<3, 3>(9, 6) = cross_n;
+    h.block<3, 3>(6, 0) = turns;
+    h.block<3, 3>(0, 6) = turns.transpose();
+    return h;
+  }
+
+  /// Change of gradient() where n, a and m change.
+  Vector12 gradient_change(const Vector3d& dn, const Vector3d& da, const Vector3d& dm) const {
+    Vector12 g;
+    g << da.cross(n) + a.cross(dn), dn, dn.cross(m) + n.cross(dm), -dn;
+    return g;
+  }
+};
+
+ContactModel::ContactModel(const Structure& structure, bool planar)
+    : edge_mm_(structure.size.edge_mm),
+      half_thickness_(structure.size.thickness_mm / 2 / edge_mm_),
+      half_height_(structure.size.height_mm / 2 / edge_mm_),
+      planar_(planar),
+      weight_(planar ? 1.0 : 1.0 / 3) {
+  plates_.reserve(2 * structure.hinges.size());
+  for (const Hinge& hinge : structure.hinges)
+    for (const bool lower : {true, false})
+      plates_.push_back(make_plate(hinge, lower, half_thickness_, half_height_));
+  WallContact at_rest(structure);
+  for (const WallPair& pair : at_rest.touching_at_rest()) excluded_.emplace_back(pair.first, pair.second);
+}
+
+ContactModel::Plate ContactModel::make_plate(const Hinge& hinge, bool lower, double half_thickness,
+                                             double half_height) const {
+  Plate plate;
+  const Axis axis = hinge.wall.axis;
+  plate.body = lower ? hinge.lower : hinge.upper;
+  plate.hinge = 0;
+  plate.sign = lower ? 1 : -1;
+  plate.length = lower ? hinge.parameters.t : 1 - hinge.parameters.t;
+  plate.edge = plate.sign * edge_direction(axis);
+  plate.up = wall_up(axis, hinge.parameters.beta);
+  plate.up_rate = wall_up(axis, hinge.parameters.beta + pi / 2);
+  plate.normal = plate.edge.cross(plate.up);
+  plate.normal_rate = plate.edge.cross(plate.up_rate);
+  for (const double side : {1.0, -1.0})
+    for (const double level : planar_ ? std::vector<double>{0} : std::vector<double>{-1, 0, 1}) {
+      plate.points.push_back(plate.length * plate.edge + side * half_thickness * plate.normal +
+                             level * half_height * plate.up);
+      plate.point_rates.push_back(side * half_thickness * plate.normal_rate +
+                                  level * half_height * plate.up_rate);
+    }
+  return plate;
+}
+
+void ContactModel::update_near(const State& state, double margin) {
+  Eigen::Matrix3Xd centers(3, plates_.size());
+  double longest = 0;
+  for (std::size_t k = 0; k < plates_.size(); ++k) {
+    const Plate& plate = plates_[k];
+    const Pose& pose = state[plate.body];
+    centers.col(k) = pose.p / edge_mm_ + pose.R * (plate.length / 2 * plate.edge);
+    longest = std::max(longest, plate.length / 2);
+  }
+  const double across = planar_ ? 0 : half_height_;
+  const double radius = Vector3d(longest, half_thickness_, across).norm();
+  near_.clear();
+  for (const auto& [first, second] : finder_.find(centers, 2 * radius + 2 * margin)) {
+    const bool one_body = plates_[first].body == plates_[second].body, one_wall = first / 2 == second / 2;
+    if (one_body || one_wall) continue;
+    if (std::binary_search(excluded_.begin(), excluded_.end(), std::pair(first, second))) continue;
+    near_.push_back({first, second});
+  }
+  std::sort(near_.begin(), near_.end(), [](const Pair& a, const Pair& b) {
+    return std::pair(a.first, a.second) < std::pair(b.first, b.second);
+  });
+}
+
+Vector3d ContactModel::face_normal(const Plate& plate, int face) const {
+  switch (face) {
+    case side_plus:
+      return plate.normal;
+    case side_minus:
+      return -plate.normal;
+    case knee_end:
+      return plate.edge;
+    case top:
+      return plate.up;
+    default:
+      return -plate.up;
+  }
+}
+
+Vector3d ContactModel::face_normal_rate(const Plate& plate, int face) const {
+  switch (face) {
+    case side_plus:
+      return plate.normal_rate;
+    case side_minus:
+      return -plate.normal_rate;
+    case knee_end:
+      return Vector3d::Zero();
+    case top:
+      return plate.up_rate;
+    default:
+      return -plate.up_rate;
+  }
+}
+
+double ContactModel::face_offset(const Plate& plate, int face) const {
+  if (face == knee_end) return plate.length;
+  return face == top || face == bottom ? half_height_ : half_thickness_;
+}
+
+void ContactModel::add_points_inside(int index, int other, const State& state,
+                                     std::vector<Contact>& found) const {
+  const Plate& plate = plates_[index];
+  const Plate& box = plates_[other];
+  const Pose& pose = state[plate.body];
+  const Pose& frame = state[box.body];
+  const Vector3d offset = (pose.p - frame.p) / edge_mm_;
+  for (std::size_t k = 0; k < plate.points.size(); ++k) {
+    const Vector3d y = frame.R.transpose() * (offset + pose.R * plate.points[k]);
+    const double along = y.dot(box.edge), across = y.dot(box.normal), high = y.dot(box.up);
+    if (!(along > 0) || !(along < box.length) || !(std::abs(across) < half_thickness_)) continue;
+    if (!planar_ && !(std::abs(high) <= half_height_)) continue;
+    Contact contact{index, static_cast<int>(k), other, across > 0 ? side_plus : side_minus,
+                    half_thickness_ - std::abs(across)};
+    if (box.length - along < contact.depth) {
+      contact.depth = box.length - along;
+      contact.face = knee_end;
+    }
+    if (!planar_ && half_height_ - std::abs(high) < contact.depth) {
+      contact.depth = half_height_ - std::abs(high);
+      contact.face = high > 0 ? top : bottom;
+    }
+    if (contact.depth > 0) found.push_back(contact);
+  }
+}
+
+std::vector<Contact> ContactModel::find(const State& state) const {
+  std::vector<Contact> found;
+  for (const Pair& pair : near_) {
+    add_points_inside(pair.first, pair.second, state, found);
+    add_points_inside(pair.second, pair.first, state, found);
+  }
+  return found;
+}
+
+ContactModel::Gap ContactModel::gap(const Contact& c, const State& state) const {
+  const Plate& plate = plates_[c.plate];
+  const Plate& box = plates_[c.other];
+  const Pose& pose = state[plate.body];
+  const Pose& frame = state[box.body];
+  Gap gap;
+  gap.n = frame.R * face_normal(box, c.face);
+  gap.a = pose.R * plate.points[c.point];
+  gap.m = (pose.p - frame.p) / edge_mm_ + gap.a;
+  gap.value = gap.n.dot(gap.m) - face_offset(box, c.face);
+  return gap;
+}
+
+Element ContactModel::element(const Contact& contact, double stiffness, const State& state) const {
+  const Gap g = gap(contact, state);
+  const double k = weight_ * stiffness;
+  const Vector12 gradient = g.gradient();
+  Element e;
+  e.energy = 0.5 * k * g.value * g.value;
+  e.gradient = k * g.value * gradient;
+  e.hessian = k * (gradient * gradient.transpose() + g.value * g.hessian());
+  return e;
+}
+
+double ContactModel::energy(const std::vector<Contact>& contacts, double stiffness) const {
+  double sum = 0;
+  for (const Contact& c : contacts) sum += 0.5 * weight_ * stiffness * c.depth * c.depth;
+  return sum;
+}
+
+Eigen::Vector4d ContactModel::depth_rates(const Contact& c, const State& state) const {
+  const Gap g = gap(c, state);
+  const Plate& plate = plates_[c.plate];
+  const Plate& box = plates_[c.other];
+  const Eigen::Matrix3d& R = state[plate.body].R;
+  Eigen::Vector4d rates;
+  rates[0] = plate.sign * g.n.dot(R * plate.edge);
+  rates[1] = g.n.dot(R * plate.point_rates[c.point]);
+  rates[2] = c.face == knee_end ? -box.sign : 0;
+  rates[3] = g.m.dot(state[box.body].R * face_normal_rate(box, c.face));
+  return -rates;
+}
+
+Eigen::Matrix<double, 12, 4> ContactModel::rates(const Contact& c, double stiffness,
+                                                 const State& state) const {
+  const Gap g = gap(c, state);
+  const Plate& plate = plates_[c.plate];
+  const Plate& box = plates_[c.other];
+  const Eigen::Matrix3d& R = state[plate.body].R;
+  const Vector3d by_t = plate.sign * (R * plate.edge), by_beta = R * plate.point_rates[c.point];
+  const Vector3d normal_by_beta = state[box.body].R * face_normal_rate(box, c.face);
+  const Vector3d none = Vector3d::Zero();
+  const Eigen::Vector4d value = -depth_rates(c, state);
+  Eigen::Matrix<double, 12, 4> out;
+  out.col(0) = g.gradient_change(none, by_t, by_t);
+  out.col(1) = g.gradient_change(none, by_beta, by_beta);
+  out.col(2).setZero();
+  out.col(3) = g.gradient_change(normal_by_beta, none, none);
+  return weight_ * stiffness * (g.value * out + g.gradient() * value.transpose());
+}
+
+Vector12 ContactModel::stiffness_rate(const Contact& contact, const State& state) const {
+  const Gap g = gap(contact, state);
+  return weight_ * g.value * g.gradient();
+}
+
+}  // namespace kinetix

@@ -1,0 +1,139 @@
+#include "model/elastic/elastic_system.hpp"
+
+#include <cmath>
+
+namespace kinetix {
+namespace {
+
+constexpr double held = 1e-12;
+
+int row_along(Axis axis, Vertex v) { return axis == Axis::x ? v.i : v.j; }
+
+}  // namespace
+
+ElasticSystem::ElasticSystem(const Structure& structure, const Elasticity& elasticity, const Drive& drive,
+                             bool planar, bool contact)
+    : structure_(structure),
+      stiffness_(relative(elasticity, structure.size.edge_mm)),
+      drive_(drive),
+      contact_(contact),
+      freedoms_(make_freedoms(structure, drive, planar)),
+      walls_(structure, planar) {
+  hinges_.reserve(structure.hinges.size());
+  for (const Hinge& hinge : structure.hinges) hinges_.push_back(rest_hinge(hinge));
+  if (drive.kind == Drive::Kind::plates)
+    gripped_ = gripped_bodies(structure, drive.axis);
+  else
+    driven_ = *structure.hinge_at(drive.wall);
+}
+
+void ElasticSystem::update_near(const State& state) {
+  if (contact_) walls_.update_near(state, near_margin);
+}
+
+std::vector<Contact> ElasticSystem::contacts(const State& state) const {
+  return contact_ ? walls_.find(state) : std::vector<Contact>{};
+}
+
+void ElasticSystem::place(double theta, State& state) const {
+  if (driven_ >= 0) return;
+  const int axis = drive_.axis == Axis::x ? 0 : 1;
+  const double L = structure_.size.edge_mm;
+  const double low = row_along(drive_.axis, structure_.bodies[gripped_[0].front()]),
+               high = row_along(drive_.axis, structure_.bodies[gripped_[1].front()]);
+  for (const int side : {0, 1}) {
+    const double half = (side == 0 ? -0.5 : 0.5) * (high - low) * std::cos(theta);
+    for (const int body : gripped_[side]) state[body].p[axis] = L * ((low + high) / 2 + half);
+  }
+}
+
+Eigen::VectorXd ElasticSystem::place_rate(double theta) const {
+  Eigen::VectorXd rate = Eigen::VectorXd::Zero(freedoms_.coordinates());
+  if (driven_ >= 0) return rate;
+  const int coordinate = drive_.axis == Axis::x ? 3 : 4;
+  const double apart = row_along(drive_.axis, structure_.bodies[gripped_[1].front()]) -
+                       row_along(drive_.axis, structure_.bodies[gripped_[0].front()]);
+  for (const int side : {0, 1})
+    for (const int body : gripped_[side])
+      rate[6 * body + coordinate] = (side == 0 ? 0.5 : -0.5) * apart * std::sin(theta);
+  return rate;
+}
+
+double ElasticSystem::drive_miss(const State& state, double theta) const {
+  if (driven_ < 0) return 0;
+  return std::remainder(driven_turn(state).energy - turn_at(theta), 2 * pi);
+}
+
+Element ElasticSystem::driven_turn(const State& state) const {
+  const RestHinge& hinge = hinges_[driven_];
+  return turn_element(hinge, state[hinge.lower], state[hinge.upper]);
+}
+
+double ElasticSystem::elastic_energy(const State& state) const {
+  double sum = 0;
+  for (const RestHinge& h : hinges_)
+    sum += hinge_energy(h, stiffness_, state[h.lower], state[h.upper], structure_.size.edge_mm).total();
+  return sum + walls_.energy(contacts(state), stiffness_.contact);
+}
+
+double ElasticSystem::energy(const State& state, double theta) const {
+  const double miss = drive_miss(state, theta);
+  return elastic_energy(state) + multiplier_ * miss + 0.5 * grip * miss * miss;
+}
+
+template <class Visit>
+void ElasticSystem::visit_elements(const State& state, double theta, const Visit& visit) const {
+  for (const RestHinge& h : hinges_)
+    visit(h.lower, h.upper,
+          hinge_element(h, stiffness_, state[h.lower], state[h.upper], structure_.size.edge_mm));
+  for (const Contact& c : contacts(state))
+    visit(walls_.body(c.plate), walls_.body(c.other), walls_.element(c, stiffness_.contact, state));
+  if (driven_ < 0) return;
+  Element turn = driven_turn(state);
+  const double miss = drive_miss(state, theta), force = multiplier_ + grip * miss;
+  turn.hessian = force * turn.hessian + grip * turn.gradient * turn.gradient.transpose();
+  turn.gradient *= force;
+  visit(hinges_[driven_].lower, hinges_[driven_].upper, turn);
+}
+
+Eigen::VectorXd ElasticSystem::gradient(const State& state, double theta) const {
+  Eigen::VectorXd g = Eigen::VectorXd::Zero(freedoms_.coordinates());
+  visit_elements(state, theta, [&](int a, int b, const Element& e) {
+    g.segment<6>(6 * a) += e.gradient.head<6>();
+    g.segment<6>(6 * b) += e.gradient.tail<6>();
+  });
+  return g;
+}
+
+Eigen::VectorXd ElasticSystem::linearise(const State& state, double theta, Tangent& tangent) const {
+  Eigen::VectorXd g = Eigen::VectorXd::Zero(freedoms_.coordinates());
+  tangent.clear();
+  visit_elements(state, theta, [&](int a, int b, const Element& e) {
+    g.segment<6>(6 * a) += e.gradient.head<6>();
+    g.segment<6>(6 * b) += e.gradient.tail<6>();
+    tangent.add(a, b, e);
+  });
+  return g;
+}
+
+bool ElasticSystem::update_multiplier(const State& state, double theta) {
+  const double miss = drive_miss(state, theta);
+  if (!(std::abs(miss) > held)) return false;
+  multiplier_ += grip * miss;
+  return true;
+}
+
+double ElasticSystem::load(const State& state, double theta) const {
+  if (driven_ >= 0) return -(multiplier_ + grip * drive_miss(state, theta));
+  const Eigen::VectorXd g = gradient(state, theta);
+  const int coordinate = drive_.axis == Axis::x ? 3 : 4;
+  double force = 0;
+  for (const int body : gripped_[1]) force -= g[6 * body + coordinate];
+  return force;
+}
+
+double ElasticSystem::drive_coordinate(double theta) const {
+  return driven_ >= 0 ? turn_at(theta) : 1 - std::cos(theta);
+}
+
+}  // namespace kinetix

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <vector>
+
+#include "model/drive.hpp"
+#include "model/elastic/contact_energy.hpp"
+#include "model/elastic/hinge_energy.hpp"
+#include "model/elastic/tangent.hpp"
+
+namespace kinetix {
+
+/// A structure of rigid bodies with elastic hinges under a drive, and its energy: that of all hinges, of all
+/// contacts, and for a driven hinge the term that holds its turn at the drive's (method of multipliers).
+/// Energies are in units of k_point edge^2, gradients by the bodies' twists as in model/closure.hpp.
+class ElasticSystem {
+ public:
+  /// The structure is kept by reference. @param planar bodies move in the plane z = 0 only
+  /// @pre structure, elasticity and drive are valid
+  ElasticSystem(const Structure& structure, const Elasticity& elasticity, const Drive& drive, bool planar,
+                bool contact);
+
+  const Structure& structure() const { return structure_; }
+  const Stiffness& stiffness() const { return stiffness_; }
+  const Drive& drive() const { return drive_; }
+  const Freedoms& freedoms() const { return freedoms_; }
+  const std::vector<RestHinge>& hinges() const { return hinges_; }
+  const ContactModel& walls() const { return walls_; }
+  bool has_contact() const { return contact_; }
+
+  /// Looks for walls that can meet while no point moves by more than near_margin cell edges.
+  void update_near(const State& state);
+  static constexpr double near_margin = 0.15;
+  std::vector<Contact> contacts(const State& state) const;
+
+  /// Moves what plates grip to where fold parameter theta of the drive has them.
+  void place(double theta, State& state) const;
+  /// How fast they move there by theta: all coordinates, cell edges; zero for a driven hinge.
+  Eigen::VectorXd place_rate(double theta) const;
+
+  double energy(const State& state, double theta) const;
+  /// The energy of the hinges and contacts alone.
+  double elastic_energy(const State& state) const;
+  /// By all coordinates.
+  Eigen::VectorXd gradient(const State& state, double theta) const;
+  /// The same with the Hessian.
+  Eigen::VectorXd linearise(const State& state, double theta, Tangent& tangent) const;
+
+  /// A driven hinge: its turn less the drive's, rad; 0 for plates.
+  double drive_miss(const State& state, double theta) const;
+  /// A driven hinge: element of its turn.
+  Element driven_turn(const State& state) const;
+  /// Takes over the force that the miss has called up. @return whether there was anything to do
+  bool update_multiplier(const State& state, double theta);
+  double multiplier() const { return multiplier_; }
+  void set_multiplier(double multiplier) { multiplier_ = multiplier; }
+  /// Energy by drive coordinate: compressing force of the plates (k_point edge), or moment about the driven
+  /// hinge (k_point edge^2).
+  double load(const State& state, double theta) const;
+  /// The drive's own coordinate at theta: compression of the plates, or the turn of the hinge, rad.
+  double drive_coordinate(double theta) const;
+
+  static constexpr double grip = 100;  ///< stiffness that holds a driven hinge, k_point edge^2
+
+ private:
+  template <class Visit>
+  void visit_elements(const State& state, double theta, const Visit& visit) const;
+  double turn_at(double theta) const { return -2 * drive_.wall.from.sense() * theta; }
+
+  const Structure& structure_;
+  Stiffness stiffness_;
+  Drive drive_;
+  bool contact_;
+  Freedoms freedoms_;
+  std::vector<RestHinge> hinges_;
+  ContactModel walls_;
+  std::array<std::vector<int>, 2> gripped_;
+  int driven_ = -1;
+  double multiplier_ = 0;
+};
+
+}  // namespace kinetix

@@ -1,0 +1,72 @@
+#include "model/elastic/freedoms.hpp"
+
+#include <algorithm>
+
+namespace kinetix {
+namespace {
+
+enum Coordinate { turn_x, turn_y, turn_z, shift_x, shift_y, shift_z };
+
+int row_along(Axis axis, Vertex v) { return axis == Axis::x ? v.i : v.j; }
+
+using Held = std::vector<std::array<bool, 6>>;
+
+void hold_plates(const Structure& structure, Axis axis, Held& held) {
+  const bool along_y = axis == Axis::y;
+  const auto rows = gripped_bodies(structure, axis);
+  for (const auto& row : rows) {
+    for (const int body : row) held[body][along_y ? shift_y : shift_x] = true;
+    held[row[row.size() / 2]][shift_z] = true;
+  }
+  const int pin = rows[0][rows[0].size() / 2];
+  held[pin][along_y ? shift_x : shift_y] = true;
+  held[pin][along_y ? turn_y : turn_x] = true;
+}
+
+}  // namespace
+
+Eigen::VectorXd Freedoms::restrict(const Eigen::VectorXd& all) const {
+  Eigen::VectorXd out(count);
+  for (std::size_t b = 0; b < unknown.size(); ++b)
+    for (int c = 0; c < 6; ++c)
+      if (unknown[b][c] >= 0) out[unknown[b][c]] = all[6 * b + c];
+  return out;
+}
+
+Eigen::VectorXd Freedoms::extend(const Eigen::VectorXd& unknowns) const {
+  Eigen::VectorXd out = Eigen::VectorXd::Zero(coordinates());
+  for (std::size_t b = 0; b < unknown.size(); ++b)
+    for (int c = 0; c < 6; ++c)
+      if (unknown[b][c] >= 0) out[6 * b + c] = unknowns[unknown[b][c]];
+  return out;
+}
+
+std::array<std::vector<int>, 2> gripped_bodies(const Structure& structure, Axis axis) {
+  int first = row_along(axis, structure.bodies.front()), last = first;
+  for (const Vertex v : structure.bodies) {
+    first = std::min(first, row_along(axis, v));
+    last = std::max(last, row_along(axis, v));
+  }
+  std::array<std::vector<int>, 2> rows;
+  for (int b = 0; b < static_cast<int>(structure.bodies.size()); ++b) {
+    if (row_along(axis, structure.bodies[b]) == first) rows[0].push_back(b);
+    if (row_along(axis, structure.bodies[b]) == last) rows[1].push_back(b);
+  }
+  return rows;
+}
+
+Freedoms make_freedoms(const Structure& structure, const Drive& drive, bool planar) {
+  Held held(structure.bodies.size(), {planar, planar, false, false, false, planar});
+  if (drive.kind == Drive::Kind::plates)
+    hold_plates(structure, drive.axis, held);
+  else
+    held[structure.hinges[*structure.hinge_at(drive.wall)].lower].fill(true);
+
+  Freedoms freedoms;
+  freedoms.unknown.resize(held.size());
+  for (std::size_t b = 0; b < held.size(); ++b)
+    for (int c = 0; c < 6; ++c) freedoms.unknown[b][c] = held[b][c] ? -1 : freedoms.count++;
+  return freedoms;
+}
+
+}  // namespace kinetix

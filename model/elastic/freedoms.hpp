@@ -1,0 +1,30 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "model/drive.hpp"
+#include "model/structure.hpp"
+
+namespace kinetix {
+
+/// Which of the six coordinates of each body (as model/closure.hpp orders them) an equilibrium solves for.
+struct Freedoms {
+  std::vector<std::array<int, 6>> unknown;  ///< of each body; -1 where the coordinate is held or driven
+  int count = 0;
+
+  Eigen::Index coordinates() const { return 6 * static_cast<Eigen::Index>(unknown.size()); }
+  /// The entries of a vector over all coordinates that are unknowns, and back (zero elsewhere).
+  Eigen::VectorXd restrict(const Eigen::VectorXd& all) const;
+  Eigen::VectorXd extend(const Eigen::VectorXd& unknowns) const;
+};
+
+/// The bodies that plates grip: the first and the last row of vertices along the drive's axis.
+std::array<std::vector<int>, 2> gripped_bodies(const Structure& structure, Axis axis);
+
+/// Planar: one turn and two shifts a body. Plates prescribe one coordinate of the bodies they grip, and the
+/// middle body of each is keyed to z = 0 as in the physics run; what rigid motion is left is held at the
+/// first of these two, where it meets no force. A driven hinge: its lower body is held.
+Freedoms make_freedoms(const Structure& structure, const Drive& drive, bool planar);
+
+}  // namespace kinetix

@@ -1,0 +1,205 @@
+#include "model/elastic/hinge_energy.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace kinetix {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+/// Two vectors carried by the two bodies whose difference `gap` is penalised; arms turn with the bodies.
+struct Mismatch {
+  Vector3d gap, lower, upper;
+};
+
+Mismatch point_mismatch(const RestHinge& h, const Pose& lower, const Pose& upper, double edge_mm) {
+  Mismatch m;
+  m.lower = lower.R * h.lower_arm;
+  m.upper = upper.R * h.upper_arm;
+  m.gap = (lower.p - upper.p) / edge_mm + m.lower - m.upper;
+  return m;
+}
+
+Mismatch axis_mismatch(const RestHinge& h, const Pose& lower, const Pose& upper) {
+  Mismatch m;
+  m.lower = lower.R * h.axis;
+  m.upper = upper.R * h.axis;
+  m.gap = m.lower - m.upper;
+  return m;
+}
+
+void add_turning(const Mismatch& m, double weight, Element& e) {
+  const Matrix3d a = cross_matrix(m.lower), b = cross_matrix(m.upper);
+  e.energy += weight * m.gap.squaredNorm();
+  e.gradient.segment<3>(0) += 2 * weight * m.lower.cross(m.gap);
+  e.gradient.segment<3>(6) -= 2 * weight * m.upper.cross(m.gap);
+  e.hessian.block<3, 3>(0, 0) += 2 * weight * (turning_hessian(m.gap, m.lower) - a * a);
+  e.hessian.block<3, 3>(6, 6) -= 2 * weight * (turning_hessian(m.gap, m.upper) + b * b);
+  const Matrix3d coupling = 2 * weight * (a * b);
+  e.hessian.block<3, 3>(0, 6) += coupling;
+  e.hessian.block<3, 3>(6, 0) += coupling.transpose();
+}
+
+/// The terms of a point mismatch with the shifts of the bodies.
+void add_shifts(const Mismatch& m, Element& e) {
+  const Matrix3d a = 2 * cross_matrix(m.lower), b = 2 * cross_matrix(m.upper);
+  e.gradient.segment<3>(3) += 2 * m.gap;
+  e.gradient.segment<3>(9) -= 2 * m.gap;
+  e.hessian.block<3, 3>(0, 3) += a;
+  e.hessian.block<3, 3>(3, 0) -= a;
+  e.hessian.block<3, 3>(0, 9) -= a;
+  e.hessian.block<3, 3>(9, 0) += a;
+  e.hessian.block<3, 3>(6, 3) -= b;
+  e.hessian.block<3, 3>(3, 6) += b;
+  e.hessian.block<3, 3>(6, 9) += b;
+  e.hessian.block<3, 3>(9, 6) -= b;
+  for (int k = 0; k < 3; ++k) {
+    e.hessian(3 + k, 3 + k) += 2;
+    e.hessian(9 + k, 9 + k) += 2;
+    e.hessian(3 + k, 9 + k) -= 2;
+    e.hessian(9 + k, 3 + k) -= 2;
+  }
+}
+
+/// The relative turn of two bodies by its unit quaternion, split along the hinge axis.
+struct Turn {
+  double w = 1, s = 0;  ///< scalar part; vector part along the axis
+  Vector3d v, w_rate, s_rate;
+  Matrix3d upper;
+
+  Turn(const RestHinge& h, const Pose& low, const Pose& up)
+      : Turn(Quaterniond(low.R.transpose() * up.R), h.axis, up.R) {}
+
+  Turn(const Quaterniond& q, const Vector3d& axis, const Matrix3d& upper_R)
+      : w(q.w()), s(q.vec().dot(axis)), v(q.vec()), upper(upper_R) {
+    w_rate = -0.5 * v;
+    s_rate = 0.5 * (w * axis + axis.cross(v));
+  }
+
+  double squared() const { return w * w + s * s; }
+  double angle() const { return std::remainder(2 * std::atan2(s, w), 2 * pi); }
+  /// By a turn of the upper body in the upper body's frame.
+  Vector3d rate() const { return 2 * (w * s_rate - s * w_rate) / squared(); }
+  Matrix3d second() const {
+    const double n = squared();
+    const double ss = -4 * w * s / (n * n), sw = 2 * (s * s - w * w) / (n * n);
+    const Matrix3d mixed = s_rate * w_rate.transpose();
+    return ss * (s_rate * s_rate.transpose() - w_rate * w_rate.transpose()) +
+           sw * (mixed + mixed.transpose());
+  }
+  /// Derivative of rate() where the axis changes by `axis_rate`.
+  Vector3d rate_change(const Vector3d& axis_rate) const {
+    const double ds = v.dot(axis_rate), n = squared();
+    const Vector3d ds_rate = 0.5 * (w * axis_rate + axis_rate.cross(v));
+    return 2 * (w * ds_rate - ds * w_rate) / n - 2 * s * ds / n * rate();
+  }
+  double angle_change(const Vector3d& axis_rate) const { return 2 * w * v.dot(axis_rate) / squared(); }
+};
+
+Element turn_element(const Turn& turn) {
+  Element e;
+  const Vector3d g = turn.upper * turn.rate();
+  const Matrix3d m = turn.upper * turn.second() * turn.upper.transpose();
+  const Matrix3d half = 0.5 * cross_matrix(g);
+  e.energy = turn.angle();
+  e.gradient.segment<3>(0) = -g;
+  e.gradient.segment<3>(6) = g;
+  e.hessian.block<3, 3>(0, 0) = m;
+  e.hessian.block<3, 3>(6, 6) = m;
+  e.hessian.block<3, 3>(0, 6) = half - m;
+  e.hessian.block<3, 3>(6, 0) = -half - m;
+  return e;
+}
+
+/// d/dq of the gradient of weight |gap|^2 where gap and the carried vectors change.
+void add_rate(const Mismatch& m, const Mismatch& rate, double weight, bool point,
+              Eigen::Ref<Vector12> column) {
+  column.segment<3>(0) += 2 * weight * (rate.lower.cross(m.gap) + m.lower.cross(rate.gap));
+  column.segment<3>(6) -= 2 * weight * (rate.upper.cross(m.gap) + m.upper.cross(rate.gap));
+  if (!point) return;
+  column.segment<3>(3) += 2 * weight * rate.gap;
+  column.segment<3>(9) -= 2 * weight * rate.gap;
+}
+
+Mismatch carried(const Vector3d& rest, const Pose& lower, const Pose& upper) {
+  const Vector3d a = lower.R * rest, b = upper.R * rest;
+  return {a - b, a, b};
+}
+
+}  // namespace
+
+RestHinge rest_hinge(const Hinge& hinge) {
+  const auto& [t, alpha, beta] = hinge.parameters;
+  const Axis axis = hinge.wall.axis;
+  RestHinge out;
+  out.lower = hinge.lower;
+  out.upper = hinge.upper;
+  out.edge = edge_direction(axis);
+  out.lower_arm = t * out.edge;
+  out.upper_arm = (t - 1) * out.edge;
+  out.axis = hinge_axis(axis, hinge.parameters);
+  out.axis_alpha = -std::sin(alpha) * out.edge + std::cos(alpha) * wall_up(axis, beta);
+  out.axis_beta = std::sin(alpha) * wall_up(axis, beta + pi / 2);
+  return out;
+}
+
+HingeEnergy hinge_energy(const RestHinge& hinge, const Stiffness& k, const Pose& lower, const Pose& upper,
+                         double edge_mm) {
+  const double point = point_mismatch(hinge, lower, upper, edge_mm).gap.squaredNorm();
+  const double axis = axis_mismatch(hinge, lower, upper).gap.squaredNorm();
+  const double angle = Turn(hinge, lower, upper).angle();
+  return {point + k.reach * k.reach * axis, 0.5 * k.turn * angle * angle};
+}
+
+Element hinge_element(const RestHinge& hinge, const Stiffness& k, const Pose& lower, const Pose& upper,
+                      double edge_mm) {
+  Element e;
+  const Mismatch point = point_mismatch(hinge, lower, upper, edge_mm);
+  add_turning(point, 1, e);
+  add_shifts(point, e);
+  add_turning(axis_mismatch(hinge, lower, upper), k.reach * k.reach, e);
+  const Element turn = turn_element(hinge, lower, upper);
+  e.energy += 0.5 * k.turn * turn.energy * turn.energy;
+  e.gradient += k.turn * turn.energy * turn.gradient;
+  e.hessian += k.turn * (turn.energy * turn.hessian + turn.gradient * turn.gradient.transpose());
+  return e;
+}
+
+HingeRates hinge_rates(const RestHinge& hinge, const Stiffness& k, const Pose& lower, const Pose& upper,
+                       double edge_mm) {
+  HingeRates rates;
+  rates.design.setZero();
+  const double squared_reach = k.reach * k.reach;
+  add_rate(point_mismatch(hinge, lower, upper, edge_mm), carried(hinge.edge, lower, upper), 1, true,
+           rates.design.col(0));
+
+  const Mismatch axis = axis_mismatch(hinge, lower, upper);
+  const Turn turn(hinge, lower, upper);
+  const Vector3d g = upper.R * turn.rate();
+  const auto add_axis = [&](const Vector3d& axis_rate, int column) {
+    add_rate(axis, carried(axis_rate, lower, upper), squared_reach, false, rates.design.col(column));
+    const Vector3d change = k.turn * (turn.angle_change(axis_rate) * g +
+                                      turn.angle() * (upper.R * turn.rate_change(axis_rate)));
+    rates.design.col(column).segment<3>(0) -= change;
+    rates.design.col(column).segment<3>(6) += change;
+  };
+  add_axis(hinge.axis_alpha, 1);
+  add_axis(hinge.axis_beta, 2);
+
+  rates.turn.setZero();
+  rates.turn.segment<3>(0) = -turn.angle() * g;
+  rates.turn.segment<3>(6) = turn.angle() * g;
+  Element unit;
+  add_turning(axis, 2 * k.reach, unit);
+  rates.reach = unit.gradient;
+  return rates;
+}
+
+Element turn_element(const RestHinge& hinge, const Pose& lower, const Pose& upper) {
+  return turn_element(Turn(hinge, lower, upper));
+}
+
+}  // namespace kinetix

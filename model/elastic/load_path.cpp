@@ -1,0 +1,355 @@
+#include "model/elastic/load_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "model/closure.hpp"
+#include "model/elastic/softest.hpp"
+#include "model/invalid_input.hpp"
+
+namespace kinetix {
+namespace {
+
+using Eigen::VectorXd;
+using Kind = PathEvent::Kind;
+using Stop = LoadPath::Stop;
+
+constexpr int easy_iterations = 5;
+constexpr int hard_iterations = 12;
+constexpr double growth = 1.6;
+constexpr double branch_seed = 1e-3;
+constexpr double longest_branch_step = 0.3;
+constexpr double steep = 30;
+constexpr double checkerboard = 1e-3;
+
+std::string text(double number) {
+  std::ostringstream out;
+  out << number;
+  return out.str();
+}
+
+void check(const char* field, double value, bool fine, const char* allowed) {
+  if (!fine) throw InvalidInput(std::string(field) + " is " + text(value) + ", must be " + allowed);
+}
+
+bool stands_upright(const Structure& structure) {
+  return std::all_of(structure.hinges.begin(), structure.hinges.end(), is_vertical);
+}
+
+class Follower {
+ public:
+  Follower(const Structure& structure, const Elasticity& elasticity, const Drive& drive,
+           const LoadPathOptions& options, const std::function<void(const LoadStep&, const State&)>& frame)
+      : structure_(structure),
+        elasticity_(elasticity),
+        options_(options),
+        frame_(frame),
+        goal_(drive.theta()),
+        planar_(options.planar.value_or(stands_upright(structure))),
+        system_(structure, elasticity, drive, planar_, options.contact),
+        tangent_(system_.freedoms()) {
+    path_.planar = planar_;
+    path_.state = rest_state(structure);
+  }
+
+  LoadPath run() {
+    start();
+    double step = std::min(options_.first_step, std::abs(goal_));
+    while (path_.theta != goal_) {
+      const double left = std::abs(goal_ - path_.theta);
+      const double theta =
+          step >= left * (1 - 1e-9) ? goal_ : path_.theta + std::copysign(step, goal_);
+      const bool last_chance = step <= options_.least_step || step < 1e-9 * left;
+      if (!advance(theta, last_chance)) {
+        if (last_chance) return finish(stop_);
+        step = std::max(step / 3, options_.least_step);
+        continue;
+      }
+      if (path_.gaps.max > options_.gap_limit) return finish(Stop::torn);
+      if (newton_.iterations <= easy_iterations) step = std::min(step * growth, options_.longest_step);
+      if (newton_.iterations >= hard_iterations) step = std::max(step / 2, options_.least_step);
+    }
+    return finish(Stop::reached);
+  }
+
+ private:
+  void start() {
+    system_.update_near(path_.state);
+    system_.linearise(path_.state, 0, tangent_);
+    has_tangent_ = tangent_.factorise(0);
+    path_.gaps = hinge_gaps(structure_, path_.state);
+    path_.steps.push_back(measured(path_.state, 0, has_tangent_));
+    if (frame_) frame_(path_.steps.back(), path_.state);
+  }
+
+  /// One step to `theta`. @return whether it was taken
+  bool advance(double theta, bool last_chance) {
+    State state = predicted(theta);
+    const State prediction = state;
+    const double multiplier = system_.multiplier();
+    system_.update_near(state);
+    newton_ = minimise(system_, theta, options_.newton, state, tangent_);
+    path_.iterations += newton_.iterations;
+    bool branched = false;
+    if (newton_.converged && !newton_.stable) branched = leave_saddle(theta, state);
+    const bool jumped = !branched && distance(prediction, state) > options_.longest_jump;
+    if (!newton_.converged || (jumped && !last_chance)) {
+      stop_ = newton_.converged || path_.steps.back().contacts == 0 ? Stop::not_converged : Stop::locked;
+      system_.set_multiplier(multiplier);
+      restore_tangent();
+      return false;
+    }
+    take(theta, std::move(state), branched, jumped);
+    return true;
+  }
+
+  /// Balance along the tangent: what the drive grips goes to its place, the rest follows to first order.
+  State predicted(double theta) {
+    State state = path_.state;
+    if (has_tangent_) {
+      const double ahead = theta - path_.theta;
+      VectorXd rate = system_.place_rate((theta + path_.theta) / 2);
+      const VectorXd pull = tangent_.multiply_all(rate) + turn_pull();
+      rate = -system_.freedoms().extend(tangent_.solve(system_.freedoms().restrict(pull)));
+      VectorXd step = ahead * rate;
+      const double length = step.size() ? step.lpNorm<Eigen::Infinity>() : 0;
+      if (!(length <= longest_branch_step)) step *= longest_branch_step / length;
+      if (step.allFinite()) state = moved(structure_, state, step);
+    }
+    system_.place(theta, state);
+    return state;
+  }
+
+  /// By theta, the force of the driven hinge's turn.
+  VectorXd turn_pull() const {
+    VectorXd pull = VectorXd::Zero(system_.freedoms().coordinates());
+    if (system_.drive().kind == Drive::Kind::plates) return pull;
+    const Hinge& hinge = structure_.hinges[*structure_.hinge_at(system_.drive().wall)];
+    const Vector12 gradient = system_.driven_turn(path_.state).gradient;
+    const double rate = -2 * system_.drive().wall.from.sense();
+    pull.segment<6>(6 * hinge.lower) = -ElasticSystem::grip * rate * gradient.head<6>();
+    pull.segment<6>(6 * hinge.upper) = -ElasticSystem::grip * rate * gradient.tail<6>();
+    return pull;
+  }
+
+  void restore_tangent() {
+    system_.update_near(path_.state);
+    system_.linearise(path_.state, path_.theta, tangent_);
+    has_tangent_ = tangent_.factorise(0);
+  }
+
+  /// From a balance that is no minimum down to one that is, along the softest direction.
+  bool leave_saddle(double theta, State& state) {
+    const Softest soft = softest(tangent_);
+    if (!soft.converged || !(soft.value < 0)) return false;
+    const VectorXd along = side_of(soft.direction) * system_.freedoms().extend(soft.direction);
+    State best = state;
+    double least = system_.energy(state, theta);
+    for (double s = branch_seed; s <= longest_branch_step; s *= 2) {
+      State candidate = moved(structure_, state, s * along);
+      const double energy = system_.energy(candidate, theta);
+      if (!(energy < least)) break;
+      least = energy;
+      best = std::move(candidate);
+    }
+    state = std::move(best);
+    const NewtonResult first = newton_;
+    newton_ = minimise(system_, theta, options_.newton, state, tangent_);
+    path_.iterations += newton_.iterations;
+    newton_.iterations += first.iterations;
+    return true;
+  }
+
+  /// The sign that makes a direction turn class A with the drive; the option's where it does neither.
+  double side_of(const VectorXd& direction) const {
+    const VectorXd all = system_.freedoms().extend(direction);
+    double with = 0, size = 0;
+    for (std::size_t b = 0; b < structure_.bodies.size(); ++b) {
+      with += structure_.bodies[b].sense() * all[6 * b + 2];
+      size += std::abs(all[6 * b + 2]);
+    }
+    if (std::abs(with) > checkerboard * size && size > 0) return std::copysign(1.0, with * goal_);
+    Eigen::Index largest = 0;
+    all.cwiseAbs().maxCoeff(&largest);
+    return options_.side * std::copysign(1.0, all[largest]);
+  }
+
+  double distance(const State& a, const State& b) const {
+    double largest = 0;
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      largest = std::max(largest, (a[k].p - b[k].p).lpNorm<Eigen::Infinity>() / structure_.size.edge_mm);
+      largest = std::max(largest, (a[k].R - b[k].R).cwiseAbs().maxCoeff());
+    }
+    return largest;
+  }
+
+  LoadStep measured(const State& state, double theta, bool stable) const {
+    const double L = structure_.size.edge_mm, unit = elasticity_.k_point * L;
+    const bool plates = system_.drive().kind == Drive::Kind::plates;
+    LoadStep step;
+    step.theta = theta;
+    step.drive = system_.drive_coordinate(theta);
+    step.load = system_.load(state, theta) * unit * (plates ? 1 : L);
+    step.energy = system_.elastic_energy(state) * unit * L;
+    step.gap = hinge_gaps(structure_, state).max;
+    step.contacts = static_cast<int>(system_.contacts(state).size());
+    step.stable = stable;
+    return step;
+  }
+
+  void take(double theta, State state, bool branched, bool jumped) {
+    const double since = path_.theta;
+    const LoadStep step = measured(state, theta, newton_.stable);
+    path_.state = std::move(state);
+    path_.theta = theta;
+    path_.gaps = hinge_gaps(structure_, path_.state);
+    has_tangent_ = newton_.stable;
+    path_.steps.push_back(step);
+    if (frame_) frame_(step, path_.state);
+    report(step, since, branched, jumped);
+  }
+
+  void report(const LoadStep& step, double since, bool branched, bool jumped) {
+    const auto add = [&](Kind kind, std::string what) {
+      path_.events.push_back({kind, step, since, std::move(what)});
+    };
+    const LoadStep& before = path_.steps[path_.steps.size() - 2];
+    if (branched) add(Kind::bifurcation, "the balance turned unstable: left along the softest direction");
+    if (jumped) add(Kind::snap, "jumped to another state at nearly the same drive");
+    if (before.contacts == 0 && step.contacts > 0) add(Kind::contact, touching());
+    if (before.contacts > 0 && step.contacts == 0) add(Kind::release, "walls no longer touch");
+    report_load(step, before, add);
+  }
+
+  std::string touching() const {
+    const auto contacts = system_.contacts(path_.state);
+    if (contacts.empty()) return "walls touch";
+    const auto wall = [&](int plate) { return to_string(structure_.hinges[plate / 2].wall); };
+    return "walls " + wall(contacts.front().plate) + " and " + wall(contacts.front().other) + " touch";
+  }
+
+  template <class Add>
+  void report_load(const LoadStep& step, const LoadStep& before, const Add& add) {
+    const double change = step.drive - before.drive;
+    if (change == 0) return;
+    const double slope = (step.load - before.load) / change;
+    const bool smooth = path_.events.empty() || path_.events.back().at.theta != step.theta;
+    if (smooth && has_slope_ && slope * slope_ < 0 && path_.steps.size() > 3)
+      add(Kind::limit_point, slope_ > 0 ? "the load reached a maximum" : "the load reached a minimum");
+    if (step.contacts == 0 && std::isfinite(slope)) free_slope_ = std::max(free_slope_, std::abs(slope));
+    if (!locked_ && step.contacts > 0 && before.contacts > 0 && slope > steep * free_slope_) {
+      locked_ = true;
+      add(Kind::lock, "walls carry the drive: the load rises " + text(std::round(slope / free_slope_)) +
+                          " times as steeply as without contact");
+    }
+    slope_ = slope;
+    has_slope_ = smooth;
+  }
+
+  LoadPath finish(Stop stop) {
+    path_.stop = stop;
+    path_.why = reason(stop);
+    path_.multiplier = system_.multiplier();
+    const double unit = elasticity_.k_point * structure_.size.edge_mm * structure_.size.edge_mm;
+    for (const RestHinge& h : system_.hinges()) {
+      HingeEnergy e = hinge_energy(h, system_.stiffness(), path_.state[h.lower], path_.state[h.upper],
+                                   structure_.size.edge_mm);
+      path_.hinge_energies.push_back({e.stretch * unit, e.turn * unit});
+    }
+    return std::move(path_);
+  }
+
+  std::string at() const {
+    const LoadStep& last = path_.steps.back();
+    const bool plates = system_.drive().kind == Drive::Kind::plates;
+    return " at theta " + text(to_degrees(last.theta)) + " deg, load " + text(last.load) +
+           (plates ? " N" : " N mm");
+  }
+
+  std::string reason(Stop stop) const {
+    switch (stop) {
+      case Stop::reached:
+        return "the drive reached its goal" + at();
+      case Stop::torn:
+        return "the hinge on wall " + to_string(structure_.hinges[path_.gaps.worst_hinge].wall) +
+               " stretched by " + text(path_.gaps.max) + " cell edges, allowed are " +
+               text(options_.gap_limit) + ";" + at();
+      case Stop::locked:
+        return "walls in contact lock the structure: no balance found further on;" + at();
+      case Stop::not_converged:
+        break;
+    }
+    return "no balance found further on (" + text(newton_.iterations) + " iterations, force " +
+           text(newton_.force) + " left);" + at();
+  }
+
+  const Structure& structure_;
+  const Elasticity& elasticity_;
+  const LoadPathOptions& options_;
+  const std::function<void(const LoadStep&, const State&)>& frame_;
+  const double goal_;
+  const bool planar_;
+  ElasticSystem system_;
+  Tangent tangent_;
+  NewtonResult newton_;
+  LoadPath path_;
+  Stop stop_ = Stop::not_converged;
+  bool has_tangent_ = false;
+  double slope_ = 0, free_slope_ = 0;
+  bool has_slope_ = false, locked_ = false;
+};
+
+}  // namespace
+
+void LoadPathOptions::validate() const {
+  check("side", side, side == 1 || side == -1, "1 or -1");
+  check("first_step", first_step, first_step > 0 && first_step <= 0.5, "in (0, 0.5] rad");
+  check("longest_step", longest_step, longest_step > 0 && longest_step <= 0.5, "in (0, 0.5] rad");
+  check("least_step", least_step, least_step > 0 && least_step <= first_step, "in (0, first_step] rad");
+  check("longest_jump", longest_jump, longest_jump > 0, "positive");
+  check("gap_limit", gap_limit, gap_limit > 0, "positive");
+}
+
+std::string to_string(PathEvent::Kind kind) {
+  switch (kind) {
+    case Kind::bifurcation:
+      return "bifurcation";
+    case Kind::snap:
+      return "snap";
+    case Kind::limit_point:
+      return "limit point";
+    case Kind::contact:
+      return "contact";
+    case Kind::release:
+      return "release";
+    case Kind::lock:
+      break;
+  }
+  return "lock";
+}
+
+std::string to_string(LoadPath::Stop stop) {
+  switch (stop) {
+    case Stop::reached:
+      return "reached";
+    case Stop::torn:
+      return "torn";
+    case Stop::locked:
+      return "locked";
+    case Stop::not_converged:
+      break;
+  }
+  return "not converged";
+}
+
+LoadPath follow_load(const Structure& structure, const Elasticity& elasticity, const Drive& drive,
+                     const LoadPathOptions& options,
+                     const std::function<void(const LoadStep&, const State&)>& frame) {
+  options.validate();
+  elasticity.validate();
+  validate(drive, structure);
+  return Follower(structure, elasticity, drive, options, frame).run();
+}
+
+}  // namespace kinetix

@@ -1,0 +1,111 @@
+#include "model/elastic/newton.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/closure.hpp"
+
+namespace kinetix {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr double least_shift = 1e-10;
+constexpr double most_shift = 1e6;
+constexpr double energy_noise = 1e-15;
+
+double largest(const VectorXd& v) {
+  if (v.size() == 0) return 0;
+  return v.allFinite() ? v.lpNorm<Eigen::Infinity>() : NAN;
+}
+
+class Newton {
+ public:
+  Newton(ElasticSystem& system, double theta, const NewtonOptions& options, State& state, Tangent& tangent)
+      : system_(system),
+        theta_(theta),
+        options_(options),
+        state_(state),
+        tangent_(tangent),
+        force_tolerance_(options.force_tolerance *
+                         (1 + std::sqrt(static_cast<double>(state.size())))) {}
+
+  NewtonResult run() {
+    energy_ = system_.energy(state_, theta_);
+    while (linearise() && std::isfinite(energy_)) {
+      if (result_.force <= force_tolerance_ || small_step_) {
+        result_.converged = !system_.update_multiplier(state_, theta_);
+        if (result_.converged) break;
+        small_step_ = false;
+        energy_ = system_.energy(state_, theta_);
+        continue;
+      }
+      if (result_.iterations++ >= options_.max_iterations || !step()) break;
+    }
+    result_.stable = std::isfinite(result_.force) && tangent_.factorise(0);
+    return result_;
+  }
+
+ private:
+  bool linearise() {
+    gradient_ = system_.freedoms().restrict(system_.linearise(state_, theta_, tangent_));
+    result_.force = largest(gradient_);
+    return std::isfinite(result_.force);
+  }
+
+  /// False where no step lowers the energy.
+  bool step() {
+    for (double shift = shift_; shift <= most_shift; shift = std::max(10 * shift, least_shift)) {
+      if (!tangent_.factorise(shift) || !try_step(shift)) continue;
+      shift_ = shift > least_shift ? shift / 10 : 0;
+      return true;
+    }
+    return false;
+  }
+
+  bool try_step(double shift) {
+    VectorXd step = -tangent_.solve(gradient_);
+    double length = largest(step);
+    if (!std::isfinite(length)) return false;
+    if (length > options_.longest_step) {
+      step *= options_.longest_step / length;
+      length = options_.longest_step;
+    }
+    State candidate = moved(system_.structure(), state_, system_.freedoms().extend(step));
+    const double energy = system_.energy(candidate, theta_);
+    if (!is_better(energy, candidate, length)) return false;
+    small_step_ = shift == 0 && length <= options_.step_tolerance;
+    state_ = std::move(candidate);
+    energy_ = energy;
+    result_.moved += length;
+    return true;
+  }
+
+  bool is_better(double energy, const State& candidate, double length) const {
+    if (!std::isfinite(energy)) return false;
+    if (energy < energy_ - energy_noise * std::abs(energy_)) return true;
+    if (length > 1e-4) return false;
+    const VectorXd gradient = system_.freedoms().restrict(system_.gradient(candidate, theta_));
+    return largest(gradient) <= result_.force || length <= options_.step_tolerance;
+  }
+
+  ElasticSystem& system_;
+  const double theta_;
+  const NewtonOptions& options_;
+  State& state_;
+  Tangent& tangent_;
+  const double force_tolerance_;
+  NewtonResult result_;
+  VectorXd gradient_;
+  double energy_ = 0, shift_ = 0;
+  bool small_step_ = false;
+};
+
+}  // namespace
+
+NewtonResult minimise(ElasticSystem& system, double theta, const NewtonOptions& options, State& state,
+                      Tangent& tangent) {
+  return Newton(system, theta, options, state, tangent).run();
+}
+
+}  // namespace kinetix

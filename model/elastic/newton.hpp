@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+
+#include "model/elastic/elastic_system.hpp"
+
+namespace kinetix {
+
+struct NewtonOptions {
+  int max_iterations = 60;        ///< >= 1
+  double force_tolerance = 1e-13; ///< largest entry of the gradient, times (1 + size of the structure in cells)
+  double step_tolerance = 1e-11;  ///< a smaller Newton step (rad, cell edges) ends the search
+  double longest_step = 0.25;     ///< rad, cell edges
+};
+
+struct NewtonResult {
+  bool converged = false;
+  bool stable = false;    ///< the tangent of the last state is positive definite
+  double force = 0;       ///< largest entry of the gradient by the unknowns
+  double moved = 0;       ///< largest coordinate step taken in all
+  int iterations = 0;
+};
+
+/// Minimises the energy of a system at fold parameter theta from `state`, in which what the drive grips must
+/// be in place: Newton's method with the exact Hessian, shifted where it is not positive definite or its step
+/// does not lower the energy. A state of balance that is no minimum (a symmetric one, say) is a result too,
+/// with stable = false. Afterwards `tangent` is that of the last state, factorised if stable.
+NewtonResult minimise(ElasticSystem& system, double theta, const NewtonOptions& options, State& state,
+                      Tangent& tangent);
+
+}  // namespace kinetix

@@ -1,0 +1,69 @@
+#include "model/elastic/softest.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Spectra/SymEigsShiftSolver.h>
+#include <algorithm>
+#include <limits>
+
+namespace kinetix {
+namespace {
+
+constexpr int dense_below = 60;
+constexpr double first_shift = 1e-7;
+constexpr double last_shift = 1e4;
+
+/// What Spectra iterates with: x to (H + shift)^-1 x of a tangent that is factorised so already.
+class ShiftedInverse {
+ public:
+  using Scalar = double;
+
+  explicit ShiftedInverse(const Tangent& tangent) : tangent_(tangent) {}
+  Eigen::Index rows() const { return tangent_.size(); }
+  Eigen::Index cols() const { return tangent_.size(); }
+  void set_shift(double) const {}
+  void perform_op(const double* in, double* out) const {
+    Eigen::Map<Eigen::VectorXd>(out, rows()) = tangent_.solve(Eigen::Map<const Eigen::VectorXd>(in, rows()));
+  }
+
+ private:
+  const Tangent& tangent_;
+};
+
+void scale(Softest& s) { s.direction /= s.direction.lpNorm<Eigen::Infinity>(); }
+
+Softest dense(const Tangent& tangent) {
+  const Eigen::MatrixXd full = Eigen::MatrixXd(tangent.matrix()).selfadjointView<Eigen::Lower>();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(full);
+  Softest s;
+  s.value = solver.eigenvalues()[0];
+  s.next = full.rows() > 1 ? solver.eigenvalues()[1] : std::numeric_limits<double>::quiet_NaN();
+  s.direction = solver.eigenvectors().col(0);
+  s.converged = solver.info() == Eigen::Success;
+  scale(s);
+  return s;
+}
+
+}  // namespace
+
+Softest softest(Tangent& tangent) {
+  if (tangent.size() < dense_below) {
+    tangent.factorise(1);
+    return dense(tangent);
+  }
+  double shift = first_shift;
+  while (shift < last_shift && !tangent.factorise(shift)) shift *= 4;
+  ShiftedInverse inverse(tangent);
+  Spectra::SymEigsShiftSolver<ShiftedInverse> solver(inverse, 2, 20, -shift);
+  solver.init();
+  solver.compute(Spectra::SortRule::LargestMagn, 300, 1e-9, Spectra::SortRule::SmallestAlge);
+  Softest s;
+  s.converged = solver.info() == Spectra::CompInfo::Successful;
+  if (!s.converged) return s;
+  s.value = solver.eigenvalues()[0];
+  s.next = solver.eigenvalues()[1];
+  s.direction = solver.eigenvectors().col(0);
+  scale(s);
+  return s;
+}
+
+}  // namespace kinetix

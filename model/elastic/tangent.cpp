@@ -1,0 +1,107 @@
+#include "model/elastic/tangent.hpp"
+
+#include <Eigen/CholmodSupport>
+#include <algorithm>
+
+namespace kinetix {
+namespace {
+
+// Below, blocks are too small for the dense kernels to pay.
+constexpr int supernodal_from = 2500;
+
+}  // namespace
+
+struct Tangent::Factor {
+  Eigen::CholmodDecomposition<Eigen::SparseMatrix<double>, Eigen::Lower> cholesky;
+
+  explicit Factor(int unknowns) {
+    cholesky.cholmod().print = 0;
+    cholesky.setMode(unknowns < supernodal_from ? Eigen::CholmodSimplicialLLt : Eigen::CholmodSupernodalLLt);
+  }
+};
+
+Tangent::Tangent(const Freedoms& freedoms)
+    : freedoms_(freedoms), factor_(std::make_unique<Factor>(freedoms.count)) {
+  for (int b = 0; b < static_cast<int>(freedoms.unknown.size()); ++b) block_of(b, b);
+}
+
+Tangent::~Tangent() = default;
+
+int Tangent::block_of(int a, int b) {
+  const auto [at, is_new] = index_.try_emplace({a, b}, static_cast<int>(blocks_.size()));
+  if (is_new) {
+    blocks_.push_back(Block::Zero());
+    bodies_.emplace_back(a, b);
+    analysed_ = false;
+  }
+  return at->second;
+}
+
+void Tangent::clear() {
+  for (Block& block : blocks_) block.setZero();
+  filled_ = false;
+}
+
+void Tangent::add(int a, int b, const Element& e) {
+  blocks_[a] += e.hessian.topLeftCorner<6, 6>();
+  blocks_[b] += e.hessian.bottomRightCorner<6, 6>();
+  if (a > b)
+    blocks_[block_of(a, b)] += e.hessian.topRightCorner<6, 6>();
+  else
+    blocks_[block_of(b, a)] += e.hessian.bottomLeftCorner<6, 6>();
+}
+
+void Tangent::analyse() {
+  std::vector<Eigen::Triplet<int>> places;
+  entries_.clear();
+  for (int k = 0; k < static_cast<int>(blocks_.size()); ++k)
+    for (int r = 0; r < 6; ++r)
+      for (int c = 0; c < 6; ++c) {
+        const int row = freedoms_.unknown[bodies_[k].first][r],
+                  column = freedoms_.unknown[bodies_[k].second][c];
+        if (row < 0 || column < 0 || row < column) continue;
+        places.emplace_back(row, column, static_cast<int>(entries_.size()));
+        entries_.push_back({k, r, c});
+      }
+  Eigen::SparseMatrix<int> order(size(), size());
+  order.setFromTriplets(places.begin(), places.end());
+  matrix_ = order.cast<double>();
+  std::vector<Entry> sorted;
+  sorted.reserve(entries_.size());
+  for (Eigen::Index k = 0; k < order.nonZeros(); ++k) sorted.push_back(entries_[order.valuePtr()[k]]);
+  entries_ = std::move(sorted);
+  factor_->cholesky.analyzePattern(matrix_);
+  analysed_ = true;
+}
+
+void Tangent::fill() {
+  if (!analysed_) analyse();
+  for (std::size_t k = 0; k < entries_.size(); ++k)
+    matrix_.valuePtr()[k] = blocks_[entries_[k].block](entries_[k].row, entries_[k].column);
+  filled_ = true;
+}
+
+bool Tangent::factorise(double shift) {
+  if (!filled_) fill();
+  factor_->cholesky.setShift(shift);
+  factor_->cholesky.factorize(matrix_);
+  return factor_->cholesky.info() == Eigen::Success;
+}
+
+Eigen::VectorXd Tangent::solve(const Eigen::VectorXd& rhs) const { return factor_->cholesky.solve(rhs); }
+
+Eigen::VectorXd Tangent::multiply(const Eigen::VectorXd& x) const {
+  return matrix_.selfadjointView<Eigen::Lower>() * x;
+}
+
+Eigen::VectorXd Tangent::multiply_all(const Eigen::VectorXd& all) const {
+  Eigen::VectorXd out = Eigen::VectorXd::Zero(all.size());
+  for (std::size_t k = 0; k < blocks_.size(); ++k) {
+    const auto [a, b] = bodies_[k];
+    out.segment<6>(6 * a) += blocks_[k] * all.segment<6>(6 * b);
+    if (a != b) out.segment<6>(6 * b) += blocks_[k].transpose() * all.segment<6>(6 * a);
+  }
+  return out;
+}
+
+}  // namespace kinetix
