@@ -13,6 +13,8 @@ using Eigen::Vector3d;
 
 enum Face { side_plus, side_minus, knee_end, top, bottom };
 
+constexpr double near_margin = 0.1;
+
 }  // namespace
 
 /// The signed distance n . m - offset of a carried point from a carried face, in cell edges.
@@ -55,7 +57,8 @@ ContactModel::ContactModel(const Structure& structure, bool planar)
       half_thickness_(structure.size.thickness_mm / 2 / edge_mm_),
       half_height_(structure.size.height_mm / 2 / edge_mm_),
       planar_(planar),
-      weight_(planar ? 1.0 : 1.0 / 3) {
+      weight_(planar ? 1.0 : 1.0 / 3),
+      points_per_plate_(planar ? 2 : 6) {
   plates_.reserve(2 * structure.hinges.size());
   for (const Hinge& hinge : structure.hinges)
     for (const bool lower : {true, false})
@@ -69,7 +72,6 @@ ContactModel::Plate ContactModel::make_plate(const Hinge& hinge, bool lower, dou
   Plate plate;
   const Axis axis = hinge.wall.axis;
   plate.body = lower ? hinge.lower : hinge.upper;
-  plate.hinge = 0;
   plate.sign = lower ? 1 : -1;
   plate.length = lower ? hinge.parameters.t : 1 - hinge.parameters.t;
   plate.edge = plate.sign * edge_direction(axis);
@@ -87,27 +89,61 @@ ContactModel::Plate ContactModel::make_plate(const Hinge& hinge, bool lower, dou
   return plate;
 }
 
-void ContactModel::update_near(const State& state, double margin) {
+void ContactModel::place(const State& state) {
+  placed_points_.clear();
+  placed_boxes_.clear();
+  for (const Plate& plate : plates_) {
+    const Pose& pose = state[plate.body];
+    const Vector3d origin = pose.p / edge_mm_;
+    for (const Vector3d& point : plate.points) placed_points_.push_back(origin + pose.R * point);
+    placed_boxes_.push_back({origin, pose.R * plate.edge, pose.R * plate.normal, pose.R * plate.up});
+  }
+}
+
+/// By more than half the margin: two plates then by more than the margin against each other. No point of a
+/// part is further than 1.2 edges from its vertex.
+bool ContactModel::has_moved(const State& state) const {
+  if (near_state_.size() != state.size()) return true;
+  for (std::size_t b = 0; b < state.size(); ++b) {
+    const double shift = (state[b].p - near_state_[b].p).norm() / edge_mm_;
+    const double reach = std::max(1.0, half_height_) * 1.2;
+    if (!(shift + reach * (state[b].R - near_state_[b].R).norm() <= near_margin / 2)) return true;
+  }
+  return false;
+}
+
+bool ContactModel::is_within(int point, int other, double margin) const {
+  const PlacedBox& box = placed_boxes_[other];
+  const Vector3d y = placed_points_[point] - box.origin;
+  const double along = y.dot(box.edge);
+  if (!(along > -margin) || !(along < plates_[other].length + margin)) return false;
+  if (!(std::abs(y.dot(box.normal)) < half_thickness_ + margin)) return false;
+  return planar_ || std::abs(y.dot(box.up)) <= half_height_ + margin;
+}
+
+void ContactModel::update_near(const State& state) {
   Eigen::Matrix3Xd centers(3, plates_.size());
   double longest = 0;
   for (std::size_t k = 0; k < plates_.size(); ++k) {
-    const Plate& plate = plates_[k];
-    const Pose& pose = state[plate.body];
-    centers.col(k) = pose.p / edge_mm_ + pose.R * (plate.length / 2 * plate.edge);
-    longest = std::max(longest, plate.length / 2);
+    centers.col(k) = placed_boxes_[k].origin + plates_[k].length / 2 * placed_boxes_[k].edge;
+    longest = std::max(longest, plates_[k].length / 2);
   }
-  const double across = planar_ ? 0 : half_height_;
-  const double radius = Vector3d(longest, half_thickness_, across).norm();
+  const double radius = Vector3d(longest, half_thickness_, planar_ ? 0 : half_height_).norm();
   near_.clear();
-  for (const auto& [first, second] : finder_.find(centers, 2 * radius + 2 * margin)) {
+  const auto add = [&](int plate, int other) {
+    for (int k = 0; k < points_per_plate_; ++k)
+      if (is_within(plate * points_per_plate_ + k, other, near_margin))
+        near_.push_back({plate * points_per_plate_ + k, other});
+  };
+  for (const auto& [first, second] : finder_.find(centers, 2 * radius + near_margin)) {
     const bool one_body = plates_[first].body == plates_[second].body, one_wall = first / 2 == second / 2;
     if (one_body || one_wall) continue;
     if (std::binary_search(excluded_.begin(), excluded_.end(), std::pair(first, second))) continue;
-    near_.push_back({first, second});
+    add(first, second);
+    add(second, first);
   }
-  std::sort(near_.begin(), near_.end(), [](const Pair& a, const Pair& b) {
-    return std::pair(a.first, a.second) < std::pair(b.first, b.second);
-  });
+  std::sort(near_.begin(), near_.end());
+  near_state_ = state;
 }
 
 Vector3d ContactModel::face_normal(const Plate& plate, int face) const {
@@ -145,38 +181,33 @@ double ContactModel::face_offset(const Plate& plate, int face) const {
   return face == top || face == bottom ? half_height_ : half_thickness_;
 }
 
-void ContactModel::add_points_inside(int index, int other, const State& state,
-                                     std::vector<Contact>& found) const {
-  const Plate& plate = plates_[index];
-  const Plate& box = plates_[other];
-  const Pose& pose = state[plate.body];
-  const Pose& frame = state[box.body];
-  const Vector3d offset = (pose.p - frame.p) / edge_mm_;
-  for (std::size_t k = 0; k < plate.points.size(); ++k) {
-    const Vector3d y = frame.R.transpose() * (offset + pose.R * plate.points[k]);
-    const double along = y.dot(box.edge), across = y.dot(box.normal), high = y.dot(box.up);
-    if (!(along > 0) || !(along < box.length) || !(std::abs(across) < half_thickness_)) continue;
-    if (!planar_ && !(std::abs(high) <= half_height_)) continue;
-    Contact contact{index, static_cast<int>(k), other, across > 0 ? side_plus : side_minus,
-                    half_thickness_ - std::abs(across)};
-    if (box.length - along < contact.depth) {
-      contact.depth = box.length - along;
-      contact.face = knee_end;
-    }
-    if (!planar_ && half_height_ - std::abs(high) < contact.depth) {
-      contact.depth = half_height_ - std::abs(high);
-      contact.face = high > 0 ? top : bottom;
-    }
-    if (contact.depth > 0) found.push_back(contact);
+void ContactModel::add_if_inside(int point, int other, std::vector<Contact>& found) const {
+  if (!is_within(point, other, 0)) return;
+  const PlacedBox& box = placed_boxes_[other];
+  const Vector3d y = placed_points_[point] - box.origin;
+  const double across = y.dot(box.normal), high = y.dot(box.up);
+  const double to_end = plates_[other].length - y.dot(box.edge), to_rim = half_height_ - std::abs(high);
+  Contact contact{point / points_per_plate_, point % points_per_plate_, other,
+                  across > 0 ? side_plus : side_minus, half_thickness_ - std::abs(across)};
+  if (to_end < contact.depth) {
+    contact.depth = to_end;
+    contact.face = knee_end;
   }
+  if (!planar_ && to_rim < contact.depth) {
+    contact.depth = to_rim;
+    contact.face = high > 0 ? top : bottom;
+  }
+  if (contact.depth > 0) found.push_back(contact);
 }
 
-std::vector<Contact> ContactModel::find(const State& state) const {
+std::vector<Contact> ContactModel::find(const State& state) {
+  const bool finite = std::all_of(state.begin(), state.end(),
+                                  [](const Pose& p) { return p.R.allFinite() && p.p.allFinite(); });
+  if (!finite) return {};
+  place(state);
+  if (has_moved(state)) update_near(state);
   std::vector<Contact> found;
-  for (const Pair& pair : near_) {
-    add_points_inside(pair.first, pair.second, state, found);
-    add_points_inside(pair.second, pair.first, state, found);
-  }
+  for (const Pair& pair : near_) add_if_inside(pair.point, pair.other, found);
   return found;
 }
 

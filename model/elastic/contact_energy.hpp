@@ -29,15 +29,12 @@ class ContactModel {
   /// @param planar one point a knee corner, at the height of the neutral plane; else three along its edge
   ContactModel(const Structure& structure, bool planar);
 
-  /// Finds the pairs of half walls that can come into contact while no point of the structure moves by more
-  /// than `margin` cell edges. @pre finite poses
-  void update_near(const State& state, double margin);
-
-  /// Points in contact, in a fixed order. Only pairs of the last update_near are looked at.
-  std::vector<Contact> find(const State& state) const;
+  /// Points in contact, in a fixed order. Candidates are kept from call to call until the structure has moved
+  /// by more than a margin: what is found does not depend on it. Empty for poses that are not finite.
+  std::vector<Contact> find(const State& state);
 
   int body(int plate) const { return plates_[plate].body; }
-  int hinge(int plate) const { return plates_[plate].hinge; }
+  static int hinge(int plate) { return plate / 2; }
 
   /// a is the body of the point, b that of the box.
   Element element(const Contact& contact, double stiffness, const State& state) const;
@@ -48,12 +45,12 @@ class ContactModel {
   Eigen::Matrix<double, 12, 4> rates(const Contact& contact, double stiffness, const State& state) const;
   /// And with the stiffness.
   Vector12 stiffness_rate(const Contact& contact, const State& state) const;
-  /// Derivative of depth by the same four, and by the thickness: for costs that use it.
+  /// Derivative of depth by the same four.
   Eigen::Vector4d depth_rates(const Contact& contact, const State& state) const;
 
  private:
   struct Plate {
-    int body, hinge;
+    int body;
     Eigen::Vector3d edge, up, normal;  ///< rest directions; edge points from the vertex to the knee
     Eigen::Vector3d up_rate, normal_rate;
     double sign;    ///< of d(length)/dt
@@ -61,12 +58,17 @@ class ContactModel {
     std::vector<Eigen::Vector3d> points, point_rates;  ///< and their derivatives by beta
   };
   struct Pair {
-    int first, second;
+    int point, other;
+    auto operator<=>(const Pair&) const = default;
   };
   struct Gap;
 
   Plate make_plate(const Hinge& hinge, bool lower, double thickness, double height) const;
-  void add_points_inside(int plate, int other, const State& state, std::vector<Contact>& found) const;
+  void place(const State& state);
+  bool has_moved(const State& state) const;
+  void update_near(const State& state);
+  bool is_within(int point, int other, double margin) const;
+  void add_if_inside(int point, int other, std::vector<Contact>& found) const;
   Gap gap(const Contact& contact, const State& state) const;
   Eigen::Vector3d face_normal(const Plate& plate, int face) const;
   Eigen::Vector3d face_normal_rate(const Plate& plate, int face) const;
@@ -77,7 +79,15 @@ class ContactModel {
   double weight_;
   std::vector<Plate> plates_;
   std::vector<std::pair<int, int>> excluded_;  ///< touch at rest; sorted
-  std::vector<Pair> near_;
+  int points_per_plate_;
+  /// In the state last placed: all points, and origin and directions of each plate's box, cell edges.
+  std::vector<Eigen::Vector3d> placed_points_;
+  struct PlacedBox {
+    Eigen::Vector3d origin, edge, normal, up;
+  };
+  std::vector<PlacedBox> placed_boxes_;
+  std::vector<Pair> near_;  ///< (point, plate), sorted
+  State near_state_;
   NearPairs finder_;
 };
 

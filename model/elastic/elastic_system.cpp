@@ -27,10 +27,6 @@ ElasticSystem::ElasticSystem(const Structure& structure, const Elasticity& elast
     driven_ = *structure.hinge_at(drive.wall);
 }
 
-void ElasticSystem::update_near(const State& state) {
-  if (contact_) walls_.update_near(state, near_margin);
-}
-
 std::vector<Contact> ElasticSystem::contacts(const State& state) const {
   return contact_ ? walls_.find(state) : std::vector<Contact>{};
 }

@@ -27,9 +27,6 @@ class ElasticSystem {
   const ContactModel& walls() const { return walls_; }
   bool has_contact() const { return contact_; }
 
-  /// Looks for walls that can meet while no point moves by more than near_margin cell edges.
-  void update_near(const State& state);
-  static constexpr double near_margin = 0.15;
   std::vector<Contact> contacts(const State& state) const;
 
   /// Moves what plates grip to where fold parameter theta of the drive has them.
@@ -72,7 +69,7 @@ class ElasticSystem {
   bool contact_;
   Freedoms freedoms_;
   std::vector<RestHinge> hinges_;
-  ContactModel walls_;
+  mutable ContactModel walls_;  ///< remembers which walls are near; what it finds does not depend on it
   std::array<std::vector<int>, 2> gripped_;
   int driven_ = -1;
   double multiplier_ = 0;

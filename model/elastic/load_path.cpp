@@ -4,7 +4,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "model/closure.hpp"
+#include "model/closure_drive.hpp"
+#include "model/elastic/screw.hpp"
 #include "model/elastic/softest.hpp"
 #include "model/invalid_input.hpp"
 
@@ -75,7 +76,6 @@ class Follower {
 
  private:
   void start() {
-    system_.update_near(path_.state);
     system_.linearise(path_.state, 0, tangent_);
     has_tangent_ = tangent_.factorise(0);
     path_.gaps = hinge_gaps(structure_, path_.state);
@@ -88,7 +88,6 @@ class Follower {
     State state = predicted(theta);
     const State prediction = state;
     const double multiplier = system_.multiplier();
-    system_.update_near(state);
     newton_ = minimise(system_, theta, options_.newton, state, tangent_);
     path_.iterations += newton_.iterations;
     bool branched = false;
@@ -115,7 +114,7 @@ class Follower {
       VectorXd step = ahead * rate;
       const double length = step.size() ? step.lpNorm<Eigen::Infinity>() : 0;
       if (!(length <= longest_branch_step)) step *= longest_branch_step / length;
-      if (step.allFinite()) state = moved(structure_, state, step);
+      if (step.allFinite()) state = screwed(structure_, state, step);
     }
     system_.place(theta, state);
     return state;
@@ -134,7 +133,6 @@ class Follower {
   }
 
   void restore_tangent() {
-    system_.update_near(path_.state);
     system_.linearise(path_.state, path_.theta, tangent_);
     has_tangent_ = tangent_.factorise(0);
   }
@@ -147,7 +145,7 @@ class Follower {
     State best = state;
     double least = system_.energy(state, theta);
     for (double s = branch_seed; s <= longest_branch_step; s *= 2) {
-      State candidate = moved(structure_, state, s * along);
+      State candidate = screwed(structure_, state, s * along);
       const double energy = system_.energy(candidate, theta);
       if (!(energy < least)) break;
       least = energy;
@@ -175,12 +173,12 @@ class Follower {
     return options_.side * std::copysign(1.0, all[largest]);
   }
 
+  /// Largest difference of a hinge's turn, rad: does not add up along chains.
   double distance(const State& a, const State& b) const {
     double largest = 0;
-    for (std::size_t k = 0; k < a.size(); ++k) {
-      largest = std::max(largest, (a[k].p - b[k].p).lpNorm<Eigen::Infinity>() / structure_.size.edge_mm);
-      largest = std::max(largest, (a[k].R - b[k].R).cwiseAbs().maxCoeff());
-    }
+    for (int h = 0; h < static_cast<int>(structure_.hinges.size()); ++h)
+      largest = std::max(largest, std::abs(std::remainder(
+                                      hinge_turn(structure_, a, h) - hinge_turn(structure_, b, h), 2 * pi)));
     return largest;
   }
 
@@ -219,7 +217,7 @@ class Follower {
     if (jumped) add(Kind::snap, "jumped to another state at nearly the same drive");
     if (before.contacts == 0 && step.contacts > 0) add(Kind::contact, touching());
     if (before.contacts > 0 && step.contacts == 0) add(Kind::release, "walls no longer touch");
-    report_load(step, before, add);
+    report_lock(step, before, add);
   }
 
   std::string touching() const {
@@ -230,21 +228,15 @@ class Follower {
   }
 
   template <class Add>
-  void report_load(const LoadStep& step, const LoadStep& before, const Add& add) {
+  void report_lock(const LoadStep& step, const LoadStep& before, const Add& add) {
     const double change = step.drive - before.drive;
     if (change == 0) return;
     const double slope = (step.load - before.load) / change;
-    const bool smooth = path_.events.empty() || path_.events.back().at.theta != step.theta;
-    if (smooth && has_slope_ && slope * slope_ < 0 && path_.steps.size() > 3)
-      add(Kind::limit_point, slope_ > 0 ? "the load reached a maximum" : "the load reached a minimum");
-    if (step.contacts == 0 && std::isfinite(slope)) free_slope_ = std::max(free_slope_, std::abs(slope));
-    if (!locked_ && step.contacts > 0 && before.contacts > 0 && slope > steep * free_slope_) {
-      locked_ = true;
-      add(Kind::lock, "walls carry the drive: the load rises " + text(std::round(slope / free_slope_)) +
-                          " times as steeply as without contact");
-    }
-    slope_ = slope;
-    has_slope_ = smooth;
+    if (step.contacts == 0) free_slope_ = std::max(free_slope_, std::abs(slope));
+    if (locked_ || step.contacts == 0 || before.contacts == 0 || !(slope > steep * free_slope_)) return;
+    locked_ = true;
+    add(Kind::lock, "walls carry the drive: the load rises " + text(std::round(slope / free_slope_)) +
+                        " times as steeply as without contact");
   }
 
   LoadPath finish(Stop stop) {
@@ -296,8 +288,8 @@ class Follower {
   LoadPath path_;
   Stop stop_ = Stop::not_converged;
   bool has_tangent_ = false;
-  double slope_ = 0, free_slope_ = 0;
-  bool has_slope_ = false, locked_ = false;
+  double free_slope_ = 0;
+  bool locked_ = false;
 };
 
 }  // namespace
