@@ -211,6 +211,27 @@ std::vector<Contact> ContactModel::find(const State& state) {
   return found;
 }
 
+int ContactModel::side_of(int point, int other) const {
+  const PlacedBox& box = placed_boxes_[other];
+  const Vector3d y = placed_points_[point] - box.origin;
+  const double along = y.dot(box.edge), across = y.dot(box.normal);
+  if (!(along > 0) || !(along < plates_[other].length)) return 0;
+  if (!planar_ && !(std::abs(y.dot(box.up)) <= half_height_)) return 0;
+  return across > 0 ? 1 : -1;
+}
+
+bool ContactModel::passed_through(const State& before, const State& after) {
+  find(before);
+  const std::vector<Pair> near = near_;
+  std::vector<int> sides;
+  sides.reserve(near.size());
+  for (const Pair& pair : near) sides.push_back(side_of(pair.point, pair.other));
+  place(after);
+  for (std::size_t k = 0; k < near.size(); ++k)
+    if (sides[k] * side_of(near[k].point, near[k].other) < 0) return true;
+  return false;
+}
+
 ContactModel::Gap ContactModel::gap(const Contact& c, const State& state) const {
   const Plate& plate = plates_[c.plate];
   const Plate& box = plates_[c.other];

@@ -33,6 +33,10 @@ class ContactModel {
   /// by more than a margin: what is found does not depend on it. Empty for poses that are not finite.
   std::vector<Contact> find(const State& state);
 
+  /// Whether a point went from one side of a half wall to the other, beside it in both states: then it did not
+  /// go round its end, and the step between the states was too long for contact to stop it.
+  bool passed_through(const State& before, const State& after);
+
   int body(int plate) const { return plates_[plate].body; }
   static int hinge(int plate) { return plate / 2; }
 
@@ -67,6 +71,8 @@ class ContactModel {
   void place(const State& state);
   bool has_moved(const State& state) const;
   void update_near(const State& state);
+  /// +1 or -1: on which side of a half wall a point is; 0 where it is not beside it.
+  int side_of(int point, int other) const;
   bool is_within(int point, int other, double margin) const;
   void add_if_inside(int point, int other, std::vector<Contact>& found) const;
   Gap gap(const Contact& contact, const State& state) const;

@@ -31,6 +31,10 @@ std::vector<Contact> ElasticSystem::contacts(const State& state) const {
   return contact_ ? walls_.find(state) : std::vector<Contact>{};
 }
 
+bool ElasticSystem::passed_through(const State& before, const State& after) const {
+  return contact_ && walls_.passed_through(before, after);
+}
+
 void ElasticSystem::place(double theta, State& state) const {
   if (driven_ >= 0) return;
   const int axis = drive_.axis == Axis::x ? 0 : 1;

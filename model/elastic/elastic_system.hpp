@@ -28,6 +28,8 @@ class ElasticSystem {
   bool has_contact() const { return contact_; }
 
   std::vector<Contact> contacts(const State& state) const;
+  /// Whether walls went through each other between two states (ContactModel::passed_through).
+  bool passed_through(const State& before, const State& after) const;
 
   /// Moves what plates grip to where fold parameter theta of the drive has them.
   void place(double theta, State& state) const;

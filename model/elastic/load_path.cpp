@@ -92,7 +92,9 @@ class Follower {
     path_.iterations += newton_.iterations;
     bool branched = false;
     if (newton_.converged && !newton_.stable) branched = leave_saddle(theta, state);
-    const bool jumped = !branched && distance(prediction, state) > options_.longest_jump;
+    const bool jumped = newton_.converged && !branched &&
+                        (distance(prediction, state) > options_.longest_jump ||
+                         system_.passed_through(path_.state, state));
     if (!newton_.converged || (jumped && !last_chance)) {
       stop_ = newton_.converged || path_.steps.back().contacts == 0 ? Stop::not_converged : Stop::locked;
       system_.set_multiplier(multiplier);
