@@ -35,6 +35,11 @@ class World {
   double fastest_part() const;
   /// Largest turning speed of two parts that share a hinge against each other, rad/s; NaN if one is NaN.
   double fastest_hinge() const;
+  double kinetic_energy() const;
+  /// Largest force or moment (over the cell edge) that moved a part in the last step, which is what its
+  /// hinges, drive and contacts left over; in units of the stiffness of a hinge point times the cell edge.
+  /// NaN if one is NaN. @pre step was called
+  double free_force() const;
   double drive_gap() const;
   PartContact deepest_contact() const;
 

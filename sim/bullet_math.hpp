@@ -1,0 +1,18 @@
+#pragma once
+
+#include <LinearMath/btMatrix3x3.h>
+
+#include <Eigen/Core>
+
+namespace kinetix {
+
+inline Eigen::Vector3d eigen(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
+
+inline Eigen::Matrix3d eigen(const btMatrix3x3& m) {
+  Eigen::Matrix3d out;
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column) out(row, column) = m[row][column];
+  return out;
+}
+
+}  // namespace kinetix
