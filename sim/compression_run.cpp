@@ -35,11 +35,12 @@ class Run {
         all_steps_(drive_steps_ + steps_in(options.settle_seconds, options.step_s)),
         rate_(theta_ / (drive_steps_ * options.step_s)),
         damping_(std::exp(-options.settle_damping * options.step_s)),
+        start_(start_motion(structure)),
         world_(structure, drive, options) {}
 
   PhysicsResult run() {
     const auto begin = Clock::now();
-    world_.start(start_motion(structure_), 2 * rate_);
+    world_.start(start_, 2 * rate_);
     measure();
     show();
     bool settled = false, failed = failed_on_the_way();
@@ -59,6 +60,7 @@ class Run {
     const double tau = std::min(1.0, (result_.steps + 1.0) / drive_steps_);
     if (result_.steps >= drive_steps_) calm();
     world_.push(rate_ * (1 - tau) / drive_steps_);
+    if (options_.elastic) world_.relax_along(start_, theta_ * tau * (2 - tau) * (1 - tau));
     world_.set_drive(theta_ * tau * (2 - tau));
     world_.step();
     ++result_.steps;
@@ -99,7 +101,9 @@ class Run {
   bool is_at_rest() const {
     if (!options_.elastic) return world_.fastest_hinge() <= options_.settle_speed;
     const double force = largest_hinge_force(structure_, result_.state, *options_.elastic);
-    return world_.free_force() <= options_.settle_force * std::max(force, least_force);
+    const double limit = options_.settle_force * std::max(force, least_force);
+    const double way = world_.fastest_part() * options_.step_s;
+    return world_.free_force() <= limit && way * std::max(way, force) <= limit;
   }
 
   void show() {
@@ -127,6 +131,7 @@ class Run {
   const int drive_steps_, all_steps_;
   const double rate_;  ///< mean of theta's, rad/s
   const double damping_;
+  const std::vector<Twist> start_;
   World world_;
   PhysicsResult result_;
   double energy_ = std::numeric_limits<double>::infinity();  ///< kinetic, at the last step of settling

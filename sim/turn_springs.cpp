@@ -11,6 +11,10 @@ void TurnSprings::drive_to(int hinge, double angle, double weight) {
   springs_.push_back({{hinge, angle}, weight});
 }
 
+void TurnSprings::relax_at(const std::vector<double>& angles) {
+  for (std::size_t h = 0; h < angles.size(); ++h) springs_[h].goal.angle = angles[h];
+}
+
 VelocityRow TurnSprings::row(const Spring& spring, const State& turns,
                              const std::vector<Eigen::Vector3d>& speeds, double step) const {
   const Hinge& hinge = structure_.hinges[spring.goal.hinge];

@@ -19,6 +19,9 @@ class TurnSprings {
   /// From now on, one hinge is driven to an angle. @param angle rad, (-pi, pi)
   void drive_to(int hinge, double angle, double weight);
 
+  /// Sets where each hinge's spring is relaxed. @param angles by hinge, rad, (-pi, pi)
+  void relax_at(const std::vector<double>& angles);
+
   /// By implicit Euler, a spring leads each turn back to its rest within a step as far as its weight allows.
   /// @param turns, speeds of the bodies: R of the state, rad/s   @param step s
   /// @return equations on changes of speed, a and b being bodies of the structure

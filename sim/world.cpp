@@ -18,8 +18,12 @@ namespace kinetix {
 namespace {
 
 constexpr double part_mass = 1;
+// Of a point of an elastic hinge, times step^2 over mass. Below, soft modes take long to settle; from 1e4 on,
+// what a step leaves out (the turning of forces with their bodies) shakes hinges that are stretched.
+constexpr double elastic_stiffness = 100;
 constexpr double touching = 1e-3;  // cell edges between parts that are said to touch
 
+constexpr double largest_lean = 1.5;  // rad
 constexpr double elastic_grip = 1e4;  // of plates, over the points of elastic hinges
 
 std::unique_ptr<btConstraintSolver> make_solver(const PhysicsOptions& options, const TurnSprings* springs) {
@@ -37,6 +41,7 @@ PhysicsOptions in_force(PhysicsOptions options) {
   if (!options.elastic) return options;
   options.reach = options.elastic->reach;
   options.error_reduction = 1;
+  options.joint_stiffness = elastic_stiffness;
   return options;
 }
 
@@ -78,7 +83,7 @@ struct World::Parts {
         drive(d),
         options(in_force(o)),
         springs(make_springs()),
-        solver(make_solver(o, springs ? &*springs : nullptr)),
+        solver(make_solver(options, springs ? &*springs : nullptr)),
         world(&dispatcher, &broadphase, solver.get(), &configuration) {
     world.setGravity({0, 0, 0});
     btContactSolverInfo& info = world.getSolverInfo();
@@ -170,6 +175,16 @@ void World::start(const std::vector<Twist>& motion, double rate) {
     body.setAngularVelocity(body.getAngularVelocity() + body.getAngularFactor() * vector(motion[b].omega));
     body.setLinearVelocity(body.getLinearVelocity() + body.getLinearFactor() * vector(motion[b].v));
   }
+}
+
+void World::relax_along(const std::vector<Twist>& motion, double amount) {
+  std::vector<double> angles;
+  for (const Hinge& hinge : parts_->structure.hinges) {
+    const Eigen::Vector3d spin = motion[hinge.upper].omega - motion[hinge.lower].omega;
+    const double turn = amount * spin.dot(hinge_axis(hinge.wall.axis, hinge.parameters));
+    angles.push_back(std::clamp(turn, -largest_lean, largest_lean));
+  }
+  parts_->springs->relax_at(angles);
 }
 
 void World::set_drive(double theta) { parts_->actuator->move_to(theta); }

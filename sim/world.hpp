@@ -24,6 +24,9 @@ class World {
   void push(double rate);
   /// Adds a motion to the bodies' speeds. @param motion one twist per body, v in cell edges; @param rate 1/s
   void start(const std::vector<Twist>& motion, double rate);
+  /// Elastic hinges: shifts the rest of their turning springs to where a motion from flat takes them.
+  /// @param amount of the motion, by which its rates are multiplied
+  void relax_along(const std::vector<Twist>& motion, double amount);
   /// Sets where the drive is to be at the end of the next step. @param theta rad, with sign
   void set_drive(double theta);
   void step();
