@@ -9,8 +9,8 @@
 
 #include "model/closure_drive.hpp"
 #include "sim/bullet_math.hpp"
+#include "sim/elastic_hinges.hpp"
 #include "sim/joints.hpp"
-#include "sim/turn_springs.hpp"
 
 namespace kinetix {
 namespace {
@@ -102,7 +102,7 @@ constexpr double held_stiffness = 1e4;
 
 class DrivenSpring final : public Actuator {
  public:
-  DrivenSpring(const Structure& structure, int hinge, const Bodies& bodies, TurnSprings& springs)
+  DrivenSpring(const Structure& structure, int hinge, const Bodies& bodies, ElasticHinges& springs)
       : structure_(structure), hinge_(hinge), bodies_(bodies), springs_(springs) {
     move_to(0);
   }
@@ -125,14 +125,14 @@ class DrivenSpring final : public Actuator {
   const Structure& structure_;
   int hinge_;
   const Bodies& bodies_;
-  TurnSprings& springs_;
+  ElasticHinges& springs_;
   double angle_ = 0;
 };
 
 }  // namespace
 
 std::unique_ptr<Actuator> make_actuator(const Structure& structure, const Drive& drive, const Bodies& bodies,
-                                        double error_reduction, TurnSprings* springs) {
+                                        double error_reduction, ElasticHinges* springs) {
   if (drive.kind == Drive::Kind::plates)
     return std::make_unique<Plates>(structure, drive.axis, bodies, error_reduction);
   const int hinge = *structure.hinge_at(drive.wall);

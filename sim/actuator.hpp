@@ -10,7 +10,7 @@ class btRigidBody;
 
 namespace kinetix {
 
-class TurnSprings;
+class ElasticHinges;
 
 /// A drive in the engine: its joints, and what moves them.
 class Actuator {
@@ -28,6 +28,6 @@ class Actuator {
 /// the actuator, as must the structure
 std::unique_ptr<Actuator> make_actuator(const Structure& structure, const Drive& drive,
                                         const std::vector<std::unique_ptr<btRigidBody>>& bodies,
-                                        double error_reduction, TurnSprings* springs = nullptr);
+                                        double error_reduction, ElasticHinges* springs = nullptr);
 
 }  // namespace kinetix

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <LinearMath/btMatrix3x3.h>
+#include <LinearMath/btTransform.h>
 
-#include <Eigen/Core>
+#include "model/state.hpp"
 
 namespace kinetix {
 
@@ -13,6 +13,10 @@ inline Eigen::Matrix3d eigen(const btMatrix3x3& m) {
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 3; ++column) out(row, column) = m[row][column];
   return out;
+}
+
+inline Pose pose_of(const btTransform& transform, double edge_mm) {
+  return {eigen(transform.getBasis()), edge_mm * eigen(transform.getOrigin())};
 }
 
 }  // namespace kinetix

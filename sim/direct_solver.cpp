@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "sim/bullet_math.hpp"
+#include "sim/elastic_hinges.hpp"
 #include "sim/row_system.hpp"
-#include "sim/turn_springs.hpp"
 
 namespace kinetix {
 namespace {
@@ -80,24 +80,31 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
       if (m_tmpSolverNonContactConstraintPool[k].m_jacDiagABInv > 0)
         rows_.push_back(row_of(m_tmpSolverNonContactConstraintPool[k]));
     if (settings_.springs) append_springs(step);
+    if (!system_.factorise(masses_, rows_, settings_.joint_stiffness)) factorise_what_resists();
+  }
+
+  void factorise_what_resists() {
+    for (VelocityRow& row : rows_) row.weight = std::max(0.0, row.weight);
     system_.factorise(masses_, rows_, settings_.joint_stiffness);
   }
 
   void append_springs(double step) {
-    State turns(bodies_.size());
+    State state(bodies_.size());
     std::vector<Eigen::Vector3d> speeds(bodies_.size());
     std::vector<int> part_of_body(bodies_.size());
     for (std::size_t p = 0; p < bodies_.size(); ++p) {
       const btRigidBody& body = *m_tmpSolverBodyPool[bodies_[p]].m_originalBody;
-      turns[body.getUserIndex()].R = eigen(body.getWorldTransform().getBasis());
+      state[body.getUserIndex()] = pose_of(body.getWorldTransform(), settings_.edge_mm);
       speeds[body.getUserIndex()] = eigen(body.getAngularVelocity());
       part_of_body[body.getUserIndex()] = static_cast<int>(p);
     }
-    for (VelocityRow row : settings_.springs->rows(turns, speeds, step)) {
+    for (VelocityRow row : settings_.springs->rows(state, speeds, step)) {
       row.a = part_of_body[row.a];
-      row.b = part_of_body[row.b];
       row.first = row.first.cwiseProduct(freedoms_[row.a]);
-      row.second = row.second.cwiseProduct(freedoms_[row.b]);
+      if (row.b >= 0) {
+        row.b = part_of_body[row.b];
+        row.second = row.second.cwiseProduct(freedoms_[row.b]);
+      }
       rows_.push_back(row);
     }
   }

@@ -6,13 +6,14 @@ class btConstraintSolver;
 
 namespace kinetix {
 
-class TurnSprings;
+class ElasticHinges;
 
 struct DirectSolverSettings {
-  double joint_stiffness = 1e4;          ///< as PhysicsOptions has it
-  double grip = 100;                     ///< how much stiffer than a hinge a joint to the ground is
-  double contact_softness = 10;          ///< how much softer than a hinge a contact is
-  const TurnSprings* springs = nullptr;  ///< null for none; must outlive the solver
+  double joint_stiffness = 1e4;            ///< as PhysicsOptions has it
+  double grip = 100;                       ///< how much stiffer than a hinge a joint to the ground is
+  double contact_softness = 10;            ///< how much softer than a hinge a contact is
+  double edge_mm = 1;                      ///< of the springs' structure
+  const ElasticHinges* springs = nullptr;  ///< null for none; must outlive the solver
 };
 
 /// A solver for the engine that meets all joint equations of a step at once (RowSystem), and sweeps over the

@@ -9,10 +9,10 @@
 #include "sim/actuator.hpp"
 #include "sim/bullet_math.hpp"
 #include "sim/direct_solver.hpp"
+#include "sim/elastic_hinges.hpp"
 #include "sim/joints.hpp"
 #include "sim/part_shape.hpp"
 #include "sim/sweep_solver.hpp"
-#include "sim/turn_springs.hpp"
 
 namespace kinetix {
 namespace {
@@ -20,17 +20,19 @@ namespace {
 constexpr double part_mass = 1;
 // Of a point of an elastic hinge, times step^2 over mass. Below, soft modes take long to settle; from 1e4 on,
 // what a step leaves out (the turning of forces with their bodies) shakes hinges that are stretched.
-constexpr double elastic_stiffness = 100;
+const double elastic_stiffness = getenv("ES") ? atof(getenv("ES")) : 100;
 constexpr double touching = 1e-3;  // cell edges between parts that are said to touch
 
 constexpr double largest_lean = 1.5;  // rad
 constexpr double elastic_grip = 1e4;  // of plates, over the points of elastic hinges
 
-std::unique_ptr<btConstraintSolver> make_solver(const PhysicsOptions& options, const TurnSprings* springs) {
+std::unique_ptr<btConstraintSolver> make_solver(const PhysicsOptions& options, double edge_mm,
+                                                const ElasticHinges* springs) {
   if (options.solver == PhysicsOptions::Solver::sweeps) return make_sweep_solver();
   DirectSolverSettings settings{.joint_stiffness = options.joint_stiffness, .springs = springs};
   if (options.elastic) {
     settings.grip = elastic_grip;
+    settings.edge_mm = edge_mm;
     settings.contact_softness = 1 / options.elastic->contact;
   }
   return make_direct_solver(settings);
@@ -54,10 +56,6 @@ btTransform at(double x, double y, double z) {
   return btTransform(btMatrix3x3::getIdentity(), btVector3(x, y, z));
 }
 
-Pose pose_of(const btTransform& transform, double edge_mm) {
-  return {eigen(transform.getBasis()), edge_mm * eigen(transform.getOrigin())};
-}
-
 }  // namespace
 
 struct World::Parts {
@@ -68,7 +66,7 @@ struct World::Parts {
   btDefaultCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher{&configuration};
   btDbvtBroadphase broadphase;
-  std::optional<TurnSprings> springs;
+  std::optional<ElasticHinges> springs;
   std::unique_ptr<btConstraintSolver> solver;
   btDiscreteDynamicsWorld world;
 
@@ -83,7 +81,7 @@ struct World::Parts {
         drive(d),
         options(in_force(o)),
         springs(make_springs()),
-        solver(make_solver(options, springs ? &*springs : nullptr)),
+        solver(make_solver(options, structure.size.edge_mm, springs ? &*springs : nullptr)),
         world(&dispatcher, &broadphase, solver.get(), &configuration) {
     world.setGravity({0, 0, 0});
     btContactSolverInfo& info = world.getSolverInfo();
@@ -103,9 +101,9 @@ struct World::Parts {
     for (const auto& body : bodies) world.removeRigidBody(body.get());
   }
 
-  std::optional<TurnSprings> make_springs() const {
+  std::optional<ElasticHinges> make_springs() const {
     if (!options.elastic) return std::nullopt;
-    return TurnSprings(structure, options.elastic->turn);
+    return ElasticHinges(structure, *options.elastic);
   }
 
   void add_bodies() {
