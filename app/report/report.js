@@ -1,13 +1,20 @@
 // Reads the result and puts the sections on the page.
 
+const always = () => true;
+const hasTarget = (data) => Boolean(data.raw.target);
+const hasBalance = (data) => data.balance !== null;
+
+/** id, title, content, and when it has anything to say: without a target nothing was searched. */
 const SECTIONS = [
-  ["layout", "Flat layout", layoutSection],
-  ["space", "Folded shape in 3D", spaceSection],
-  ["errors", "Error along the curve", errorSection],
-  ["tilts", "Tilts per column", tiltSection],
-  ["search", "Convergence of the search", searchSection],
-  ["fidelity", "Speed against error", fidelitySection],
-  ["plan", "Plan and provenance", planSection],
+  ["load", "Load and energy along the drive", loadSection, hasBalance],
+  ["energy", "Where the energy is", energySection, hasBalance],
+  ["layout", "Flat layout", layoutSection, always],
+  ["space", "Folded shape in 3D", spaceSection, always],
+  ["errors", "Error along the curve", errorSection, hasTarget],
+  ["tilts", "Tilts per column", tiltSection, (data) => hasTarget(data) || largestTilt(data.structure) > 1e-4],
+  ["search", "Convergence of the search", searchSection, hasTarget],
+  ["fidelity", "Speed against error", fidelitySection, (data) => hasTarget(data) || data.fidelity.length > 0],
+  ["plan", "Plan and provenance", planSection, always],
 ];
 
 const PRINT_WIDTH = 680;
@@ -20,7 +27,8 @@ function build(data) {
   document.title = `${data.name} \u2013 KinetiX design report`;
   const page = document.getElementById("report");
   page.append(guarded(() => headline(data)) ?? html("h1", {}, data.name));
-  for (const [id, title, make] of SECTIONS) page.append(section(id, title, guarded(() => make(data))));
+  for (const [id, title, make, isNeeded] of SECTIONS)
+    if (isNeeded(data)) page.append(section(id, title, guarded(() => make(data))));
   drawAll();
 }
 

@@ -126,10 +126,19 @@ function readVerdict(metrics, tolerance) {
   };
 }
 
+/** How the folded shape is best seen: goals have their kind; a design alone is a strip, a panel or a net. */
+function kindOf(raw, balance) {
+  const {kind} = dictionary(raw.target);
+  if (kind) return kind;
+  const {family} = dictionary(raw.plan);
+  if (family === "F1" || balance?.planar) return "panel";
+  return raw.target || family !== "none" ? "curve" : "net";
+}
+
 function readResult(raw) {
   const structure = readStructure(dictionary(raw.structure));
   const metrics = dictionary(raw.metrics), tolerance = dictionary(raw.tolerance);
-  const optimiser = dictionary(raw.optimiser);
+  const optimiser = dictionary(raw.optimiser), balance = readBalance(raw.equilibrium);
   return {
     raw,
     structure,
@@ -137,7 +146,8 @@ function readResult(raw) {
     tolerance,
     optimiser,
     name: typeof raw.name === "string" && raw.name ? raw.name : "Unnamed result",
-    kind: dictionary(raw.target).kind ?? "curve",
+    kind: kindOf(raw, balance),
+    balance,
     drawn: numberRows(dictionary(raw.target).points_mm, 2),
     states: readStates(raw.states, structure),
     curve: readCurve(dictionary(raw.curve)),

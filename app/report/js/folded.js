@@ -24,12 +24,13 @@ function topView() {
 }
 
 const PANEL_CAPTIONS = {
-  display: "Seen from above, compressed."
+  display: "Seen from above, compressed.",
+  panel: "Seen from above, compressed."
 };
 
 function viewOf(data) {
   if (seenFromSide(data)) return sideView(data);
-  return data.kind === "display" ? topView() : slantView();
+  return data.kind === "display" || data.kind === "panel" ? topView() : slantView();
 }
 
 /** From the side the nearest two rows are enough: the rows behind hide exactly behind them. */

@@ -32,6 +32,7 @@ function failing(data) {
 
 /** {mark, tone, title, text} */
 function verdict(data) {
+  if (data.balance && !data.raw.target) return balanceVerdict(data);
   const {met, verified} = data.verdict;
   const hasRun = data.states.physics !== null || finite(data.metrics.verify_rms) !== null ||
       Boolean(data.physics.status);
@@ -53,7 +54,8 @@ function verdict(data) {
       mark: "i",
       tone: "unsure",
       title: verified ? "One folded state, and the physics run agrees" : "One folded state",
-      text: verified && finite(data.metrics.verify_rms) !== null ? physicsWords(data) : "There was no target to judge it by."
+      text: verified && finite(data.metrics.verify_rms) !== null ? physicsWords(data) :
+                                                                   "There was no target to judge it by."
     };
   if (met === null)
     return {
@@ -133,8 +135,12 @@ function angleNumber(metrics) {
 }
 
 function timeNumber(data) {
+  if (data.balance && finite(data.timing.balance) !== null)
+    return keyNumber(
+        "Time to follow the load", duration(data.timing.balance),
+        count(data.balance.path.length - 1, "step", "steps"));
   const seconds = finite(data.timing.optimise);
-  if (seconds === null) return null;
+  if (seconds === null || !data.raw.target) return null;
   const tries = finite(data.optimiser.evaluations);
   return keyNumber("Search time", duration(seconds), tries === null ? "" : `${tries} evaluations`);
 }
@@ -144,6 +150,7 @@ function keyNumbers(data) {
   const numbers = [
     ...shapeNumbers(data),
     ...otherNumbers(data),
+    ...balanceNumbers(data),
     finite(verify) !== null &&
         keyNumber(
             "Physics against model", millimetres(verify * data.structure.cell),

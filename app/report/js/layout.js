@@ -82,7 +82,7 @@ function flatLine(data, line, wrap, largest) {
   const tilts = tiltsByColumn(structure);
   const label = (c) => columnLabel(
       c, side + (c - first + 0.5) * wrap.cellPx, 13, height - 6,
-      tilts.has(c) ? degrees(toDegrees(tilts.get(c).beta)) : null);
+      tilts.has(c) && largest > 1e-4 ? degrees(toDegrees(tilts.get(c).beta)) : null);
   return drawing(
       side * 2 + (last - first) * wrap.cellPx, height, `Flat layout, columns ${first} to ${last - 1}`,
       flatWalls(structure, data.states.flat, to, inside),
@@ -150,6 +150,12 @@ function drawEndView(structure) {
               most.column}, the most tilted, seen from the right end. Positive tilt: the top leans to the front.`));
 }
 
+/** Hinge axes that lean within upright walls. */
+function slantWords({hinges}) {
+  const slant = Math.max(0, ...hinges.map((hinge) => Math.abs(hinge.alpha - Math.PI / 2)));
+  return slant > 1e-4 ? `; hinge axes lean within their walls by up to ${degrees(toDegrees(slant))}` : "";
+}
+
 function layoutSection(data) {
   const {structure} = data;
   if (!structure.hinges.length || !data.states.flat) return missing("This result holds no structure.");
@@ -176,7 +182,7 @@ function layoutSection(data) {
              legend(["rim", "wall, upright"], ["dot plain", "hinge"]),
     html(
         "p", {class: "note"},
-        !tilted ? "All walls stand upright. Above each column its number." :
+        !tilted ? `All walls stand upright${slantWords(structure)}. Above each column its number.` :
                   "Above each column its number, below it the tilt of its front wall" +
                 (structure.rows > 0 ? "; from row to row the sign alternates." : ".")),
   ];

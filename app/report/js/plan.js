@@ -77,6 +77,17 @@ function planGroup(data) {
       why.length ? html("ul", {class: "why"}, why.map((line) => html("li", {}, line))) : null);
 }
 
+function stiffnessGroup({balance}) {
+  if (!balance) return null;
+  const {k_point: point, k_turn: turn, reach_mm: reach, k_contact: contact} = balance.stiffness;
+  return group("Hinges and walls", facts([
+                 ["Stretch of a point", finite(point) === null ? null : `${neat(point)} N/mm`],
+                 ["Turn", finite(turn) === null ? null : `${neat(turn)} N mm/rad`],
+                 ["Points at \u00b1", millimetres(reach)],
+                 ["Walls in contact", finite(contact) === null ? null : `${neat(contact)} N/mm`],
+               ]));
+}
+
 function searchGroup({optimiser}) {
   return group("Search", facts([
                  ["Solver", told(optimiser.solver)],
@@ -117,7 +128,9 @@ function metricsGroup({metrics}) {
 }
 
 function originGroup({raw, timing}) {
-  const times = Object.entries(timing).filter(([, value]) => finite(value) !== null).map(([key, value]) => ["Time to " + words(key), duration(value)]);
+  const times = Object.entries(timing)
+                    .filter(([key, value]) => finite(value) > 0)
+                    .map(([key, value]) => ["Time to " + words(key), duration(value)]);
   return group("Origin", facts([
                  ["kinetix", told(raw.kinetix_version)],
                  ["Seed", finite(raw.seed) === null ? null : String(raw.seed)],
@@ -128,7 +141,8 @@ function originGroup({raw, timing}) {
 
 function planSection(data) {
   const groups = [
-    planGroup(data), searchGroup(data), physicsGroup(data), originGroup(data), metricsGroup(data)
+    planGroup(data), stiffnessGroup(data), searchGroup(data), physicsGroup(data), originGroup(data),
+    metricsGroup(data)
   ].filter(Boolean);
   return groups.length ? html("div", {class: "groups"}, groups) : missing("The plan was not recorded.");
 }

@@ -1,0 +1,281 @@
+// The balance of elastic hinges: load and energy along the drive, and where in the sheet the energy is.
+
+const EVENT_NAMES = {
+  bifurcation: "buckles",
+  snap: "snaps",
+  "limit point": "load peaks",
+  contact: "walls touch",
+  release: "walls part",
+  lock: "walls lock",
+};
+
+const STOPS = {
+  reached: "reached its goal",
+  torn: "stopped: a hinge stretched too far",
+  locked: "stopped: walls in contact lock it",
+  "not converged": "stopped: no balance found further on",
+};
+
+function readEnergies(raw) {
+  return list(raw).map((e) => ({stretch: finite(e?.stretch), turn: finite(e?.turn)}));
+}
+
+/** The section `equilibrium` of a result, or null. */
+function readBalance(raw) {
+  const path = list(raw?.path).filter((step) => finite(step?.drive) !== null && finite(step.load) !== null);
+  if (!path.length) return null;
+  const events =
+      list(raw.events).filter((event) => finite(event?.drive) !== null && finite(event.load) !== null);
+  return {
+    path,
+    events,
+    stop: raw.stop,
+    why: typeof raw.why === "string" ? raw.why : "",
+    planar: raw.planar === true,
+    byPlates: path[0].drive_unit !== "rad",
+    unit: path[0].load_unit === "N mm" ? "N\u00a0mm" : "N",
+    last: path[path.length - 1],
+    goal: finite(raw.goal_rad),
+    stiffness: dictionary(raw.stiffness),
+    energies: readEnergies(raw.hinge_energy_Nmm),
+    stableStates: list(raw.stable_states).filter((state) => finite(state?.energy_Nmm) !== null),
+  };
+}
+
+function force(value, unit) {
+  return `${figures(value)}${SPACE}${unit}`;
+}
+
+function driveWords(balance, drive) {
+  return balance.byPlates ? `${percent(drive)} compression` : `${degrees(toDegrees(drive))} turn`;
+}
+
+/** Of the drive, as its axis shows it: percent, or degrees. */
+function driveShown(balance, drive) {
+  return balance.byPlates ? 100 * drive : toDegrees(drive);
+}
+
+/** {mark, tone, title, text} */
+function balanceVerdict(data) {
+  const {balance} = data, load = force(balance.last.load, balance.unit);
+  const reached = balance.stop === "reached";
+  const held = `${balance.byPlates ? "The plates press with" : "The driven hinge holds"} ${load} at ${
+      driveWords(
+          balance, balance.last.drive)}; the hinges store ${force(balance.last.energy_Nmm, "N\u00a0mm")}.`;
+  const {verified} = data.verdict, hasRun = Boolean(data.physics.status);
+  if (!reached)
+    return {
+      mark: "\u2715",
+      tone: "bad",
+      title: `The drive ${STOPS[balance.stop] ?? words(balance.stop)}`,
+      text: `${held} It says: ${balance.why}`
+    };
+  if (hasRun && verified === false)
+    return {
+      mark: "!",
+      tone: "bad",
+      title: "In balance, but the physics run " + failing(data),
+      text: `${held} ${physicsWords(data)}`
+    };
+  return {
+    mark: hasRun ? "\u2713" : "i",
+    tone: hasRun ? "good" : "unsure",
+    title: hasRun ? "In balance, and the physics run agrees" : "In balance",
+    text: held + (hasRun ? " " + physicsWords(data) : " It was not checked by a physics run.")
+  };
+}
+
+function balanceNumbers(data) {
+  const {balance, metrics} = data;
+  if (!balance) return [];
+  const sum = (part) => balance.energies.reduce((total, e) => total + (e[part] ?? 0), 0);
+  const stretch = sum("stretch"), turn = sum("turn"), rest = balance.last.energy_Nmm - stretch - turn;
+  const shares =
+      [[stretch, "stretch"], [turn, "turn"], [rest, "walls pressed together"]]
+          .filter(([value]) => value > 0.001 * balance.last.energy_Nmm)
+          .map(([value, name]) => `${Math.round(100 * value / balance.last.energy_Nmm)}${SPACE}% ${name}`);
+  return [
+    keyNumber(
+        balance.byPlates ? "Force on the plates" : "Moment of the drive",
+        force(balance.last.load, balance.unit), `at ${driveWords(balance, balance.last.drive)}`),
+    keyNumber("Energy", force(balance.last.energy_Nmm, "N\u00a0mm"), shares.join(", ")),
+    finite(metrics.exact_rms) !== null &&
+        keyNumber(
+            "From the exact motion", millimetres(metrics.exact_rms * data.structure.cell),
+            `${figures(metrics.exact_rms, 2)} cell edges rms from the closed form of the same drive`),
+  ];
+}
+
+/**
+ * Numbered marks at the events, moved until no two cover each other, with their names where there is room.
+ */
+function eventMarks(axes, events, at) {
+  const placed = [];
+  const mark = (event, k) => {
+    const [x, y] = at(event), r = 8;
+    let top = y - 16;
+    const clashes = () => placed.some(([px, py]) => Math.hypot(px - x, py - top) < 2 * r + 1);
+    while (clashes() && top > axes.area.top) top -= 5;
+    if (top < axes.area.top - 12) top = y + 18;
+    while (clashes() && top < axes.area.bottom) top += 5;
+    placed.push([x, top]);
+    const room = (dx) => x + dx > axes.area.left && x + dx < axes.area.right &&
+        events.every(
+            (other) => other === event || Math.abs(at(other)[0] - x - dx / 2) > Math.abs(dx / 2) + r);
+    const side = room(80) ? 1 : room(-80) ? -1 : 0;
+    const name = EVENT_NAMES[event.kind] ?? words(event.kind);
+    return svg(
+        "g", {class: "event"}, svg("title", {}, event.what), svg("path", {d: path([[x, y], [x, top]])}),
+        svg("circle", {class: "spot", cx: x, cy: y, r: 2.5}),
+        svg("circle", {class: "badge", cx: x, cy: top, r}),
+        svg("text", {x, y: top + 4, "text-anchor": "middle"}, String(k + 1)),
+        side ? svg("text",
+                   {class: "name", x: x + side * 12, y: top + 4, "text-anchor": side > 0 ? "start" : "end"},
+                   name) :
+               null);
+  };
+  return events.map(mark);
+}
+
+function alongDrive(data, width, key, label, name) {
+  const {balance} = data, values = balance.path.map((step) => finite(step[key]) ?? 0);
+  const drives = balance.path.map((step) => driveShown(balance, step.drive));
+  const top = Math.max(0, ...values), bottom = Math.min(0, ...values);
+  const axes = plot({
+    width,
+    height: 300,
+    label: name,
+    x: {
+      range: [Math.min(0, ...drives), Math.max(...drives, 1e-9)],
+      label: balance.byPlates ? "compression of the plates, %" : "turn of the driven hinge, degrees"
+    },
+    y: {range: [bottom - (bottom < 0 ? 0.06 : 0) * (top - bottom), top + 0.14 * (top - bottom || 1)], label},
+    left: 66
+  });
+  const points = balance.path.map((step, k) => [axes.X(drives[k]), axes.Y(values[k])]);
+  const loose =
+      balance.path.map((step, k) => (step.stable === false && k > 0 ? points[k] : null)).filter(Boolean);
+  axes.root.append(
+      svg("path", {class: "zero", d: path([[axes.area.left, axes.Y(0)], [axes.area.right, axes.Y(0)]])}),
+      svg("path", {class: "model", d: path(points)}),
+      ...loose.map(([cx, cy]) => svg("circle", {class: "loose", cx, cy, r: 4})));
+  return {axes, at: (event, value) => [axes.X(driveShown(balance, event.drive)), axes.Y(value)]};
+}
+
+function drawLoad(data, width) {
+  const {axes, at} = alongDrive(
+      data, width, "load",
+      `${data.balance.byPlates ? "force on the plates" : "moment of the drive"}, ${data.balance.unit}`,
+      "Load along the drive");
+  axes.root.append(...eventMarks(axes, data.balance.events, (event) => at(event, event.load)));
+  return axes.root;
+}
+
+function energyAt({path: steps}, event) {
+  return (steps.find((step) => step.theta_rad === event.theta_rad) ?? steps[0]).energy_Nmm;
+}
+
+function drawEnergy(data, width) {
+  const {axes, at} = alongDrive(
+      data, width, "energy_Nmm", "energy of hinges and contacts, N\u00a0mm", "Energy along the drive");
+  axes.root.append(
+      ...eventMarks(axes, data.balance.events, (event) => at(event, energyAt(data.balance, event))));
+  return axes.root;
+}
+
+function eventTable({balance}) {
+  if (!balance.events.length)
+    return html("p", {class: "note"}, "Nothing happened on the way: one smooth branch.");
+  const row = (event, k) => ({
+    cells: [
+      String(k + 1), EVENT_NAMES[event.kind] ?? words(event.kind), driveWords(balance, event.drive),
+      degrees(toDegrees(event.theta_rad)), force(event.load, balance.unit), event.what ?? ""
+    ]
+  });
+  return html(
+      "div", {class: "scroll"},
+      table(
+          ["", "event", "at", "\u03b8", "load", "what happened"], balance.events.map(row),
+          "Events along the drive"));
+}
+
+function loadSection(data) {
+  const {balance} = data;
+  if (balance.path.length < 2) return missing("The sheet stays flat: there is no path to show.");
+  return [
+    html(
+        "p", {class: "lead"},
+        `From flat to ${driveWords(balance, balance.last.drive)} in ${
+            count(balance.path.length - 1, "step", "steps")}, ` +
+            `each in balance. Numbers mark the events in the table.`),
+    responsive((width) => drawLoad(data, width)),
+    responsive((width) => drawEnergy(data, width)),
+    balance.path.slice(1).some((step) => step.stable === false) ?
+        legend(["loose-key", "not stable: a small push would take it elsewhere"]) :
+        null,
+    eventTable(data),
+  ];
+}
+
+function heatColour(share) {
+  const s = Math.max(0, Math.min(1, share));
+  return s < 0.5 ? blend(colour("heat-none"), colour("heat-some"), 2 * s) :
+                   blend(colour("heat-some"), colour("heat-most"), 2 * s - 1);
+}
+
+function drawHeat(data, part, width) {
+  const {structure, states, balance} = data;
+  const values = balance.energies.map((e) => e[part] ?? 0), most = Math.max(...values, 0);
+  const line =
+      structure.hinges.map((hinge) => [structure.bodies[hinge.a].rest, structure.bodies[hinge.b].rest]);
+  const margin = {left: 14, right: 14, top: 14, bottom: 50};
+  const map = mapOf(line.flat(), width, margin);
+  const r = Math.max(2.5, Math.min(11, 0.2 * structure.cell * map.perMm));
+  const dot = (hinge, k) => {
+    const [cx, cy] = map.to(hinge.point);
+    return svg(
+        "circle", {class: "heat", cx, cy, r, fill: heatColour(most > 0 ? values[k] / most : 0)},
+        svg("title", {},
+            `column ${hinge.column}, row ${hinge.row}, wall along ${hinge.along}: ${
+                figures(values[k])} N mm`));
+  };
+  const bar = Math.min(200, width - 120), x0 = (width - bar) / 2, y0 = map.height - 34, steps = 30;
+  return drawing(
+      width, map.height, `Energy in ${part} of each hinge`,
+      svg("g", {class: "plan"}, line.map(([a, b]) => svg("path", {d: path([map.to(a), map.to(b)])}))),
+      structure.hinges.map(dot), Array.from({length: steps}, (_, k) => svg("rect", {
+                                                               x: x0 + (k * bar) / steps,
+                                                               y: y0,
+                                                               width: bar / steps + 0.6,
+                                                               height: 10,
+                                                               fill: heatColour(k / (steps - 1))
+                                                             })),
+      svg("g", {class: "ticks"}, svg("text", {x: x0, y: y0 + 26, "text-anchor": "middle"}, "0"),
+          svg("text", {x: x0 + bar, y: y0 + 26, "text-anchor": "middle"}, force(most, "N\u00a0mm"))));
+}
+
+function heatFigure(data, part, title, note) {
+  const sum = data.balance.energies.reduce((total, e) => total + (e[part] ?? 0), 0);
+  return html(
+      "div", {class: "part"}, html("h3", {}, `${title}: ${force(sum, "N\u00a0mm")} in all`),
+      responsive((width) => drawHeat(data, part, width)), html("p", {class: "note"}, note));
+}
+
+function energySection(data) {
+  const {balance, structure} = data;
+  if (balance.energies.length !== structure.hinges.length || !data.states.flat)
+    return missing("The energy of each hinge was not recorded.");
+  return [
+    html(
+        "p", {class: "lead"},
+        "The flat layout from above, every hinge coloured by the energy it holds in the last state. Each picture has its own scale."),
+    html(
+        "div", {class: structure.columns > 3 * Math.max(1, structure.rows) ? "heats long" : "heats"},
+        heatFigure(
+            data, "stretch", "Stretch",
+            "Hinge points and axes pulled apart: what an ideal hinge could not do."),
+        heatFigure(
+            data, "turn", "Turn",
+            "Hinges bent from their flat rest: what it takes to hold the sheet folded.")),
+  ];
+}
