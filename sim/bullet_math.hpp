@@ -1,0 +1,22 @@
+#pragma once
+
+#include <LinearMath/btTransform.h>
+
+#include "model/state.hpp"
+
+namespace kinetix {
+
+inline Eigen::Vector3d eigen(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
+
+inline Eigen::Matrix3d eigen(const btMatrix3x3& m) {
+  Eigen::Matrix3d out;
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column) out(row, column) = m[row][column];
+  return out;
+}
+
+inline Pose pose_of(const btTransform& transform, double edge_mm) {
+  return {eigen(transform.getBasis()), edge_mm * eigen(transform.getOrigin())};
+}
+
+}  // namespace kinetix
