@@ -21,8 +21,8 @@ struct PhysicsResult {
     not_settled,         ///< still moving when the time was up
     hinge_gap_exceeded,  ///< a hinge is open by more than gap_limit (or was by more than tear_limit);
                          ///< elastic: by more than stretch_limit
-    drive_missed,  ///< the hinges hold, but the drive is off by more than gap_limit
-    wrong_branch,  ///< plates: the sheet folded to the other sign of theta
+    drive_missed,        ///< the hinges hold, but the drive is off by more than gap_limit
+    wrong_branch,        ///< plates: the sheet folded to the other sign of theta
     blocked,  ///< parts touch, and the (rigid) hinges or the drive give way or the parts overlap; ends the
               ///< run
     blew_up,  ///< a speed became infinite, NaN or larger than speed_limit
