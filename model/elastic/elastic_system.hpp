@@ -33,7 +33,10 @@ class ElasticSystem {
 
   /// Moves what plates grip to where fold parameter theta of the drive has them.
   void place(double theta, State& state) const;
-  /// How fast they move there by theta: all coordinates, cell edges; zero for a driven hinge.
+  /// The state after a step along screws (model/elastic/screw.hpp). Coordinates that are held or driven go
+  /// straight on: an arc would take them off their plate.
+  State stepped(const State& state, const Eigen::VectorXd& twists) const;
+  /// How fast what plates grip moves by theta: all coordinates, cell edges; zero for a driven hinge.
   Eigen::VectorXd place_rate(double theta) const;
 
   double energy(const State& state, double theta) const;

@@ -5,7 +5,6 @@
 #include <sstream>
 
 #include "model/closure_drive.hpp"
-#include "model/elastic/screw.hpp"
 #include "model/elastic/softest.hpp"
 #include "model/invalid_input.hpp"
 
@@ -132,7 +131,7 @@ class Follower {
       VectorXd step = ahead * rate;
       const double length = step.size() ? step.lpNorm<Eigen::Infinity>() : 0;
       if (!(length <= longest_branch_step)) step *= longest_branch_step / length;
-      if (step.allFinite()) state = screwed(structure_, state, step);
+      if (step.allFinite()) state = system_.stepped(state, step);
     }
     system_.place(theta, state);
     return state;
@@ -163,7 +162,7 @@ class Follower {
     State best = state;
     double least = system_.energy(state, theta);
     for (double s = branch_seed; s <= longest_branch_step; s *= 2) {
-      State candidate = screwed(structure_, state, s * along);
+      State candidate = system_.stepped(state, s * along);
       const double energy = system_.energy(candidate, theta);
       if (!(energy < least)) break;
       least = energy;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/elastic/screw.hpp"
-
 namespace kinetix {
 namespace {
 
@@ -76,7 +74,7 @@ class Newton {
       step *= options_.longest_step / length;
       length = options_.longest_step;
     }
-    State candidate = screwed(system_.structure(), state_, system_.freedoms().extend(step));
+    State candidate = system_.stepped(state_, system_.freedoms().extend(step));
     const double energy = system_.energy(candidate, theta_);
     if (!is_better(energy, candidate, length)) return false;
     small_step_ = shift == 0 && length <= options_.step_tolerance;
