@@ -102,8 +102,8 @@ constexpr double held_stiffness = 1e4;
 
 class DrivenSpring final : public Actuator {
  public:
-  DrivenSpring(const Structure& structure, int hinge, const Bodies& bodies, ElasticHinges& springs)
-      : structure_(structure), hinge_(hinge), bodies_(bodies), springs_(springs) {
+  DrivenSpring(const Structure& structure, int hinge, const Bodies& bodies, ElasticHinges& elastic)
+      : structure_(structure), hinge_(hinge), bodies_(bodies), elastic_(elastic) {
     move_to(0);
   }
 
@@ -111,7 +111,7 @@ class DrivenSpring final : public Actuator {
 
   void move_to(double theta) override {
     angle_ = -2 * structure_.hinges[hinge_].wall.from.sense() * theta;
-    springs_.drive_to(hinge_, angle_, held_stiffness);
+    elastic_.drive_to(hinge_, angle_, held_stiffness);
   }
 
   double gap() const override {
@@ -125,18 +125,18 @@ class DrivenSpring final : public Actuator {
   const Structure& structure_;
   int hinge_;
   const Bodies& bodies_;
-  ElasticHinges& springs_;
+  ElasticHinges& elastic_;
   double angle_ = 0;
 };
 
 }  // namespace
 
 std::unique_ptr<Actuator> make_actuator(const Structure& structure, const Drive& drive, const Bodies& bodies,
-                                        double error_reduction, ElasticHinges* springs) {
+                                        double error_reduction, ElasticHinges* elastic) {
   if (drive.kind == Drive::Kind::plates)
     return std::make_unique<Plates>(structure, drive.axis, bodies, error_reduction);
   const int hinge = *structure.hinge_at(drive.wall);
-  if (springs) return std::make_unique<DrivenSpring>(structure, hinge, bodies, *springs);
+  if (elastic) return std::make_unique<DrivenSpring>(structure, hinge, bodies, *elastic);
   return std::make_unique<DrivenHinge>(structure.hinges[hinge], bodies, error_reduction);
 }
 

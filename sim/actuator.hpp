@@ -24,10 +24,10 @@ class Actuator {
 };
 
 /// @param bodies in the structure's order; they must outlive the actuator
-/// @param springs null for rigid hinges; else a driven hinge is driven through them, and they must outlive
+/// @param elastic null for rigid hinges; else a driven hinge is driven through them, and they must outlive
 /// the actuator, as must the structure
 std::unique_ptr<Actuator> make_actuator(const Structure& structure, const Drive& drive,
                                         const std::vector<std::unique_ptr<btRigidBody>>& bodies,
-                                        double error_reduction, ElasticHinges* springs = nullptr);
+                                        double error_reduction, ElasticHinges* elastic = nullptr);
 
 }  // namespace kinetix

@@ -1,22 +1,16 @@
 #pragma once
 
-#include <LinearMath/btTransform.h>
-
 #include "model/state.hpp"
+
+class btMatrix3x3;
+class btTransform;
+class btVector3;
 
 namespace kinetix {
 
-inline Eigen::Vector3d eigen(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
-
-inline Eigen::Matrix3d eigen(const btMatrix3x3& m) {
-  Eigen::Matrix3d out;
-  for (int row = 0; row < 3; ++row)
-    for (int column = 0; column < 3; ++column) out(row, column) = m[row][column];
-  return out;
-}
-
-inline Pose pose_of(const btTransform& transform, double edge_mm) {
-  return {eigen(transform.getBasis()), edge_mm * eigen(transform.getOrigin())};
-}
+Eigen::Vector3d eigen(const btVector3& v);
+Eigen::Matrix3d eigen(const btMatrix3x3& m);
+/// @param transform in cell edges   @return in mm
+Pose pose_of(const btTransform& transform, double edge_mm);
 
 }  // namespace kinetix

@@ -12,6 +12,9 @@
 namespace kinetix {
 namespace {
 
+// Of a part, with all forces turning with their bodies: cell edges or rad.
+constexpr double longest_step = 0.05;
+
 Vector6 stacked(const btVector3& linear, const btVector3& angular) {
   return {linear.x(), linear.y(), linear.z(), angular.x(), angular.y(), angular.z()};
 }
@@ -79,8 +82,21 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
     for (int k = 0; k < m_tmpSolverNonContactConstraintPool.size(); ++k)
       if (m_tmpSolverNonContactConstraintPool[k].m_jacDiagABInv > 0)
         rows_.push_back(row_of(m_tmpSolverNonContactConstraintPool[k]));
-    if (settings_.springs) append_springs(step);
-    if (!system_.factorise(masses_, rows_, settings_.joint_stiffness)) factorise_what_resists();
+    if (settings_.elastic) append_elastic(step);
+    const bool solvable = system_.factorise(masses_, rows_, settings_.joint_stiffness);
+    if (settings_.elastic && !(solvable && longest_move() * step <= longest_step)) factorise_what_resists();
+  }
+
+  /// Largest speed or turning speed after the step, were there no contacts.
+  double longest_move() const {
+    const Eigen::VectorXd change = system_.velocities();
+    double longest = 0;
+    for (std::size_t p = 0; p < bodies_.size(); ++p) {
+      const btRigidBody& body = *m_tmpSolverBodyPool[bodies_[p]].m_originalBody;
+      const Vector6 speed = stacked(body.getLinearVelocity(), body.getAngularVelocity());
+      longest = std::max(longest, (speed + change.segment<6>(6 * p)).cwiseAbs().maxCoeff());
+    }
+    return longest;
   }
 
   void factorise_what_resists() {
@@ -88,7 +104,7 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
     system_.factorise(masses_, rows_, settings_.joint_stiffness);
   }
 
-  void append_springs(double step) {
+  void append_elastic(double step) {
     State state(bodies_.size());
     std::vector<Eigen::Vector3d> speeds(bodies_.size());
     std::vector<int> part_of_body(bodies_.size());
@@ -98,7 +114,7 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
       speeds[body.getUserIndex()] = eigen(body.getAngularVelocity());
       part_of_body[body.getUserIndex()] = static_cast<int>(p);
     }
-    for (VelocityRow row : settings_.springs->rows(state, speeds, step)) {
+    for (VelocityRow row : settings_.elastic->rows(state, speeds, step)) {
       row.a = part_of_body[row.a];
       row.first = row.first.cwiseProduct(freedoms_[row.a]);
       if (row.b >= 0) {

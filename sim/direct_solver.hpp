@@ -12,8 +12,8 @@ struct DirectSolverSettings {
   double joint_stiffness = 1e4;            ///< as PhysicsOptions has it
   double grip = 100;                       ///< how much stiffer than a hinge a joint to the ground is
   double contact_softness = 10;            ///< how much softer than a hinge a contact is
-  double edge_mm = 1;                      ///< of the springs' structure
-  const ElasticHinges* springs = nullptr;  ///< null for none; must outlive the solver
+  double edge_mm = 1;                      ///< of the structure of `elastic`
+  const ElasticHinges* elastic = nullptr;  ///< null for none; must outlive the solver
 };
 
 /// A solver for the engine that meets all joint equations of a step at once (RowSystem), and sweeps over the
@@ -23,8 +23,10 @@ struct DirectSolverSettings {
 ///
 /// Elastic hinges are the same equations with the equations of their turning springs added: a row whose
 /// target closes its gap within one step h, at stiffness s over the parts' masses, is an undamped spring of
-/// stiffness s / h^2 integrated by implicit Euler, so at rest forces balance as those springs' do.
-/// @pre with springs, the bodies' user indices are their indices in the springs' structure
+/// stiffness s / h^2 integrated by implicit Euler, so at rest forces balance as those springs' do. Where a
+/// step with all that turns with the bodies has no least energy, or takes a part far, only what resists is
+/// kept.
+/// @pre with elastic hinges, the bodies' user indices are their indices in the structure
 std::unique_ptr<btConstraintSolver> make_direct_solver(const DirectSolverSettings& settings);
 
 }  // namespace kinetix

@@ -31,9 +31,11 @@ struct PhysicsOptions {
   double settle_speed = 1e-8;    ///< settled when every hinge turns more slowly, rad/s, > 0
   /// Elastic hinges instead of rigid rotary ones, as the equilibrium model has them; their reach replaces
   /// `reach`. Needs the direct solver. Only ratios of stiffnesses matter for where the run settles. The scale
-  /// is the run's: k_point is 100 part masses / step_s^2, whence it settles in as many steps whatever step_s
+  /// is the run's: k_point is 1000 part masses / step_s^2, whence it settles in as many steps whatever step_s
   /// is. joint_stiffness, error_reduction, settle_damping and settle_speed are not used then. Gaps are no
-  /// failure: gap_limit holds for the drive, stretch_limit for the hinges.
+  /// failure: gap_limit holds for the drive, stretch_limit for the hinges. Each point where walls
+  /// touch yields by its force over elastic.contact, which overlap_limit must bear. Plates and a driven hinge
+  /// yield 1e4 times less than a hinge point does.
   std::optional<Stiffness> elastic;
   double settle_force = 1e-7;  ///< elastic: settled when no part is pushed by more than this over the largest
                                ///< force in a hinge, > 0

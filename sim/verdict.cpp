@@ -17,9 +17,12 @@ double mean_turn(const Structure& structure, const State& state, Axis axis) {
   return sum / static_cast<double>(state.size());
 }
 
-bool is_on_branch(const Structure& structure, const Drive& drive, const State& state) {
+/// A sheet that its turning springs keep straight is on neither branch.
+bool is_on_branch(const Structure& structure, const Drive& drive, const PhysicsOptions& options,
+                  const State& state) {
+  const double least_turn = options.elastic ? -1e-6 : 0;
   if (drive.kind == Drive::Kind::hinge || drive.compression == 0) return true;
-  return drive.branch * mean_turn(structure, state, drive.axis) > 0;
+  return drive.branch * mean_turn(structure, state, drive.axis) > least_turn;
 }
 
 double gap_limit(const PhysicsOptions& options) {
@@ -78,7 +81,7 @@ std::string reason(const Structure& s, const PhysicsOptions& o, const PhysicsRes
 
 void judge(const Structure& structure, const Drive& drive, const PhysicsOptions& options, bool settled,
            PhysicsResult& result) {
-  const bool on_branch = is_on_branch(structure, drive, result.state);
+  const bool on_branch = is_on_branch(structure, drive, options, result.state);
   result.status = status_of(options, settled, on_branch, result);
   result.why = reason(structure, options, result);
 }

@@ -18,18 +18,18 @@ namespace kinetix {
 namespace {
 
 constexpr double part_mass = 1;
-// Of a point of an elastic hinge, times step^2 over mass. Below, soft modes take long to settle; from 1e4 on,
-// what a step leaves out (the turning of forces with their bodies) shakes hinges that are stretched.
-const double elastic_stiffness = getenv("ES") ? atof(getenv("ES")) : 100;
+// Of a point of an elastic hinge, times step^2 over mass: less takes soft modes longer to settle, more takes
+// unstable ones further in a step.
+constexpr double elastic_stiffness = 1000;
 constexpr double touching = 1e-3;  // cell edges between parts that are said to touch
 
 constexpr double largest_lean = 1.5;  // rad
 constexpr double elastic_grip = 1e4;  // of plates, over the points of elastic hinges
 
 std::unique_ptr<btConstraintSolver> make_solver(const PhysicsOptions& options, double edge_mm,
-                                                const ElasticHinges* springs) {
+                                                const ElasticHinges* elastic) {
   if (options.solver == PhysicsOptions::Solver::sweeps) return make_sweep_solver();
-  DirectSolverSettings settings{.joint_stiffness = options.joint_stiffness, .springs = springs};
+  DirectSolverSettings settings{.joint_stiffness = options.joint_stiffness, .elastic = elastic};
   if (options.elastic) {
     settings.grip = elastic_grip;
     settings.edge_mm = edge_mm;
@@ -66,7 +66,7 @@ struct World::Parts {
   btDefaultCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher{&configuration};
   btDbvtBroadphase broadphase;
-  std::optional<ElasticHinges> springs;
+  std::optional<ElasticHinges> elastic;
   std::unique_ptr<btConstraintSolver> solver;
   btDiscreteDynamicsWorld world;
 
@@ -80,8 +80,8 @@ struct World::Parts {
       : structure(s),
         drive(d),
         options(in_force(o)),
-        springs(make_springs()),
-        solver(make_solver(options, structure.size.edge_mm, springs ? &*springs : nullptr)),
+        elastic(make_elastic()),
+        solver(make_solver(options, structure.size.edge_mm, elastic ? &*elastic : nullptr)),
         world(&dispatcher, &broadphase, solver.get(), &configuration) {
     world.setGravity({0, 0, 0});
     btContactSolverInfo& info = world.getSolverInfo();
@@ -101,7 +101,7 @@ struct World::Parts {
     for (const auto& body : bodies) world.removeRigidBody(body.get());
   }
 
-  std::optional<ElasticHinges> make_springs() const {
+  std::optional<ElasticHinges> make_elastic() const {
     if (!options.elastic) return std::nullopt;
     return ElasticHinges(structure, *options.elastic);
   }
@@ -134,7 +134,7 @@ struct World::Parts {
 
   void add_drive() {
     actuator =
-        make_actuator(structure, drive, bodies, options.error_reduction, springs ? &*springs : nullptr);
+        make_actuator(structure, drive, bodies, options.error_reduction, elastic ? &*elastic : nullptr);
     for (auto* joint : actuator->joints()) add(*joint);
   }
 
@@ -182,7 +182,7 @@ void World::relax_along(const std::vector<Twist>& motion, double amount) {
     const double turn = amount * spin.dot(hinge_axis(hinge.wall.axis, hinge.parameters));
     angles.push_back(std::clamp(turn, -largest_lean, largest_lean));
   }
-  parts_->springs->relax_at(angles);
+  parts_->elastic->relax_at(angles);
 }
 
 void World::set_drive(double theta) { parts_->actuator->move_to(theta); }

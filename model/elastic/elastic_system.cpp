@@ -2,10 +2,10 @@
 
 #include <cmath>
 
+#include "model/elastic/screw.hpp"
+
 namespace kinetix {
 namespace {
-
-constexpr double held = 1e-12;
 
 int row_along(Axis axis, Vertex v) { return axis == Axis::x ? v.i : v.j; }
 
@@ -45,6 +45,15 @@ void ElasticSystem::place(double theta, State& state) const {
     const double half = (side == 0 ? -0.5 : 0.5) * (high - low) * std::cos(theta);
     for (const int body : gripped_[side]) state[body].p[axis] = L * ((low + high) / 2 + half);
   }
+}
+
+State ElasticSystem::stepped(const State& state, const Eigen::VectorXd& twists) const {
+  State out = screwed(structure_, state, twists);
+  for (std::size_t b = 0; b < state.size(); ++b)
+    for (int k = 0; k < 3; ++k)
+      if (freedoms_.unknown[b][3 + k] < 0)
+        out[b].p[k] = state[b].p[k] + structure_.size.edge_mm * twists[6 * b + 3 + k];
+  return out;
 }
 
 Eigen::VectorXd ElasticSystem::place_rate(double theta) const {
@@ -116,9 +125,9 @@ Eigen::VectorXd ElasticSystem::linearise(const State& state, double theta, Tange
   return g;
 }
 
-bool ElasticSystem::update_multiplier(const State& state, double theta) {
+bool ElasticSystem::update_multiplier(const State& state, double theta, double tolerance) {
   const double miss = drive_miss(state, theta);
-  if (!(std::abs(miss) > held)) return false;
+  if (!(std::abs(miss) > tolerance)) return false;
   multiplier_ += grip * miss;
   return true;
 }

@@ -33,7 +33,10 @@ class ElasticSystem {
 
   /// Moves what plates grip to where fold parameter theta of the drive has them.
   void place(double theta, State& state) const;
-  /// How fast they move there by theta: all coordinates, cell edges; zero for a driven hinge.
+  /// The state after a step along screws (model/elastic/screw.hpp). Coordinates that are held or driven go
+  /// straight on: an arc would take them off their plate.
+  State stepped(const State& state, const Eigen::VectorXd& twists) const;
+  /// How fast what plates grip moves by theta: all coordinates, cell edges; zero for a driven hinge.
   Eigen::VectorXd place_rate(double theta) const;
 
   double energy(const State& state, double theta) const;
@@ -48,8 +51,8 @@ class ElasticSystem {
   double drive_miss(const State& state, double theta) const;
   /// A driven hinge: element of its turn.
   Element driven_turn(const State& state) const;
-  /// Takes over the force that the miss has called up. @return whether there was anything to do
-  bool update_multiplier(const State& state, double theta);
+  /// Takes over the force that the miss has called up. @return whether that was more than `tolerance`, rad
+  bool update_multiplier(const State& state, double theta, double tolerance);
   double multiplier() const { return multiplier_; }
   void set_multiplier(double multiplier) { multiplier_ = multiplier; }
   /// Energy by drive coordinate: compressing force of the plates (k_point edge), or moment about the driven

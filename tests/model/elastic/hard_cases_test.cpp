@@ -1,0 +1,28 @@
+#include <gtest/gtest.h>
+
+#include "model/elastic/elastic_system.hpp"
+#include "model/elastic/load_path.hpp"
+#include "tests/support/elastic_runs.hpp"
+#include "tests/support/paper_scenes.hpp"
+
+namespace kinetix {
+namespace {
+
+using namespace testing;
+
+constexpr double degree = radians_per_degree;
+
+/// A strip that curls between its plates turns its bodies far out of the plane.
+TEST(HardCases, WhatPlatesGripStaysOnThem) {
+  const Structure s = bending_strip();
+  const double theta = 35 * degree, L = s.size.edge_mm;
+  const LoadPath path = follow_load(s, {}, plates_drive(Axis::y, theta), without_contact());
+  for (std::size_t b = 0; b < s.bodies.size(); ++b) {
+    const double side = s.bodies[b].j == 0 ? -1 : 1;
+    EXPECT_NEAR(path.state[b].p.y(), L / 2 + side * L / 2 * std::cos(theta), 1e-12 * L);
+  }
+  for (const int j : {0, 1}) EXPECT_NEAR(path.state[*s.body_at({5, j})].p.z(), 0, 1e-12 * L);
+}
+
+}  // namespace
+}  // namespace kinetix

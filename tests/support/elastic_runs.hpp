@@ -1,0 +1,53 @@
+#pragma once
+
+#include "model/classify.hpp"
+#include "model/elastic/load_path.hpp"
+#include "model/unit_laws.hpp"
+
+/// Shorthand for equilibrium runs against closed forms.
+namespace kinetix::testing {
+
+inline LoadPathOptions without_contact() {
+  LoadPathOptions options;
+  options.contact = false;
+  return options;
+}
+
+/// A wall turned so that its structure folds to theta, rad.
+inline Drive hinge_drive(const Wall& wall, double theta) {
+  Drive drive;
+  drive.kind = Drive::Kind::hinge;
+  drive.wall = wall;
+  drive.angle = -2 * wall.from.sense() * theta;
+  return drive;
+}
+
+inline Drive plates_drive(Axis axis, double theta) {
+  Drive drive;
+  drive.axis = axis;
+  drive.compression = 1 - std::cos(theta);
+  drive.branch = theta < 0 ? -1 : 1;
+  return drive;
+}
+
+/// Rms distance of a state from the closed form at theta, cell edges.
+inline double from_closed_form(const Structure& s, const State& state, double theta) {
+  return aligned_distance(s, state, fold(classify(s), s, theta)).rms;
+}
+
+inline double from_closed_form(const Structure& s, const LoadPath& path) {
+  return from_closed_form(s, path.state, path.theta);
+}
+
+/// Energy of the turning springs where all hinges turn by twice theta, N mm.
+inline double planar_energy(const Structure& s, double k_turn, double theta) {
+  return static_cast<double>(s.hinges.size()) * 2 * k_turn * theta * theta;
+}
+
+inline const PathEvent* first_event(const LoadPath& path, PathEvent::Kind kind) {
+  for (const PathEvent& event : path.events)
+    if (event.kind == kind) return &event;
+  return nullptr;
+}
+
+}  // namespace kinetix::testing

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <functional>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "model/cell_tuple.hpp"
+
+/// The structures of the paper's figures, by its own cell tuples. Where text and figures leave a number open
+/// (tilts of 30 deg, twisting angles of 80 deg, the lengths of strips), it is chosen here.
+namespace kinetix::testing {
+
+inline constexpr double bend_tilt = 30 * radians_per_degree;
+inline constexpr double twist_alpha = 80 * radians_per_degree;
+
+inline Structure tiled(int columns, int rows, const CellTuple& even, const CellTuple& odd,
+                       const CellSize& size = {}) {
+  Structure s = make_structure(rectangle(columns, rows), size);
+  apply_pattern(s, even, odd, SharedWalls::must_agree);
+  return s;
+}
+
+/// Fig. 9, Eq. 9 (k = 0.2): every cell scales.
+inline Structure crossable_grid(double k = 0.2, int columns = 3, int rows = 5, const CellSize& size = {}) {
+  return tiled(columns, rows, {.P = {k, 1 - k, k, 1 - k}}, {.P = {1 - k, k, 1 - k, k}}, size);
+}
+
+/// Fig. 10, Eq. 10 (k = 0.3): every cell shears.
+inline Structure uncrossable_grid(double k = 0.3, int columns = 3, int rows = 5, const CellSize& size = {}) {
+  return tiled(columns, rows, {.P = {k, k, k, k}}, {.P = {1 - k, 1 - k, 1 - k, 1 - k}}, size);
+}
+
+/// Fig. 13.
+inline Structure single_unit_panel() { return make_structure(rectangle(15, 15), {}); }
+
+/// P of the cells in a column of Fig. 14: 0.8 on the left to 0.2 on the right.
+inline double gradient_fraction(int column) { return 0.8 - 0.6 * column / 7; }
+
+/// Fig. 14: neighbouring columns want different hinges on the wall they share, and get the mean.
+inline Structure gradient_panel() {
+  Structure s = make_structure(rectangle(8, 8), {});
+  for (Hinge& hinge : s.hinges) {
+    const auto [i, j] = hinge.wall.from;
+    const bool along_x = hinge.wall.axis == Axis::x;
+    const double left = gradient_fraction(i == 0 ? 0 : i - 1), right = gradient_fraction(i == 8 ? 7 : i);
+    const double of_class_a = along_x ? right : 1 - (left + right) / 2;
+    hinge.parameters.t = hinge.wall.from.is_class_a() ? of_class_a : 1 - of_class_a;
+  }
+  return s;
+}
+
+/// What the hinges of a column's x-walls do in the two-unit tessellations. The y-walls, which neighbouring
+/// units share, are basic: a strip bends or twists by its x-walls alone.
+struct ColumnUnit {
+  double t = 0.5;         ///< fraction of a wall that belongs to its class A vertex
+  double alpha = pi / 2;  ///< of the walls in even rows; pi - alpha in odd ones
+  double beta = 0;        ///< likewise, -beta in odd ones
+};
+
+inline constexpr ColumnUnit basic_unit{};
+inline constexpr ColumnUnit scaling_unit{.t = 0.3};
+inline constexpr ColumnUnit shearing_unit{.t = 0.7};
+inline constexpr ColumnUnit bending_unit{.beta = bend_tilt};
+inline constexpr ColumnUnit twisting_unit{.alpha = twist_alpha};
+
+/// Two units in alternation along x, `s` the part of every y-wall that belongs to class A.
+inline Structure alternating(int columns, int rows, const ColumnUnit& even, const ColumnUnit& odd,
+                             double s_of_class_a = 0.5) {
+  Structure s = make_structure(rectangle(columns, rows), {});
+  for (Hinge& hinge : s.hinges) {
+    const auto [i, j] = hinge.wall.from;
+    const bool along_x = hinge.wall.axis == Axis::x;
+    const ColumnUnit unit = along_x ? (i % 2 == 0 ? even : odd) : ColumnUnit{.t = s_of_class_a};
+    const double t = hinge.wall.from.is_class_a() ? unit.t : 1 - unit.t;
+    const bool mirrored = along_x && j % 2 == 1;
+    hinge.parameters = {t, mirrored ? pi - unit.alpha : unit.alpha, mirrored ? -unit.beta : unit.beta};
+  }
+  return s;
+}
+
+inline Structure curling_strip() { return alternating(9, 1, bending_unit, twisting_unit); }     ///< Fig. 15
+inline Structure bending_strip() { return alternating(9, 1, bending_unit, basic_unit); }        ///< Fig. 16
+inline Structure twisting_strip() { return alternating(9, 1, twisting_unit, basic_unit); }      ///< Fig. 17
+inline Structure bending_sheet() { return alternating(9, 7, bending_unit, basic_unit); }        ///< Fig. 18
+inline Structure curling_sheet() { return alternating(9, 7, bending_unit, shearing_unit); }     ///< Fig. 19
+
+}  // namespace kinetix::testing
