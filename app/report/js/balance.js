@@ -122,7 +122,7 @@ function eventMarks(axes, events, at) {
     const room = (dx) => x + dx > axes.area.left && x + dx < axes.area.right &&
         events.every(
             (other) => other === event || Math.abs(at(other)[0] - x - dx / 2) > Math.abs(dx / 2) + r);
-    const side = room(80) ? 1 : room(-80) ? -1 : 0;
+    const side = room(-80) ? -1 : room(80) ? 1 : 0;
     const name = EVENT_NAMES[event.kind] ?? words(event.kind);
     return svg(
         "g", {class: "event"}, svg("title", {}, event.what), svg("path", {d: path([[x, y], [x, top]])}),

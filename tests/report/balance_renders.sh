@@ -1,0 +1,26 @@
+#!/bin/sh
+# balance_renders.sh KINETIX_OPT: the report of an equilibrium, with and without a physics run, drawn in a browser.
+set -eu
+. "$(dirname "$0")/browser.sh"
+program=$1
+cat >"$work/panel.yaml" <<'END'
+kinetix: 1
+structure: {cells: [4, 3], cell_mm: 10}
+design: {hinges: [{wall: [[1, 1], [2, 1]], t: 0.4}]}
+drive: {kind: plates, axis: y, compression: 0.25}
+hinge: {model: elastic}
+END
+"$program" verify "$work/panel.yaml" --quiet -o "$work/verified" >/dev/null || fail "verify ends with $?"
+draw "$work/verified/report.html"
+holds 'In balance, and the physics run agrees'
+drawn load 'class="badge"'
+drawn load 'walls touch'
+drawn energy 'class="heat"'
+drawn plan 'Walls in contact'
+for id in errors tilts search; do absent $id; done
+
+sed -i 's/compression: 0.25/compression: 0.7/' "$work/panel.yaml"
+"$program" simulate "$work/panel.yaml" --model equilibrium --quiet -o "$work/stopped" >/dev/null && fail "it ends with 0"
+draw "$work/stopped/report.html"
+holds 'The drive stopped'
+echo "balance_renders: all sections are drawn"
