@@ -129,7 +129,7 @@ class Follower {
       const VectorXd pull = tangent_.multiply_all(rate) + turn_pull();
       rate = -system_.freedoms().extend(tangent_.solve(system_.freedoms().restrict(pull)));
       VectorXd step = ahead * rate;
-      const double length = step.size() ? step.lpNorm<Eigen::Infinity>() : 0;
+      const double length = system_.length(path_.state, step);
       if (!(length <= longest_branch_step)) step *= longest_branch_step / length;
       if (step.allFinite()) state = system_.stepped(state, step);
     }
