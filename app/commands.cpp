@@ -40,6 +40,7 @@ Run located(const std::string& file, const std::function<Run()>& make) {
 
 int exit_code(const Run& run) {
   if (run.curve && !run.curve->met) return target_missed;
+  if (run.equilibrium && !run.equilibrium->reached()) return target_missed;
   if (run.verification && !run.verification->agrees) return physics_disagrees;
   return done;
 }
@@ -89,8 +90,10 @@ int verify_command(const CommandOptions& options) {
 }
 
 int simulate_command(const CommandOptions& options) {
-  return run_design(options, options.model == "bullet" ? simulate_physics : simulate_exact,
-                    "_" + options.model);
+  const DesignRun run = options.model == "bullet"        ? simulate_physics
+                        : options.model == "equilibrium" ? simulate_equilibrium
+                                                         : simulate_exact;
+  return run_design(options, run, "_" + options.model);
 }
 
 int check_command(const CommandOptions& options) {

@@ -11,14 +11,15 @@ enum ExitCode { done = 0, internal_error = 1, bad_input = 2, target_missed = 3, 
 /// What every command takes.
 struct CommandOptions {
   std::string file;
-  std::string folder;  ///< empty: results/<name>, with _verified, _exact or _bullet for a design
+  std::string
+      folder;  ///< empty: results/<name>, with _verified, _exact, _equilibrium or _bullet for a design
   bool folder_given = false;
   bool json = false;
   bool quiet = false;
   bool verify = true;
   int threads = 0;
   std::uint64_t seed = 0;
-  std::string model = "exact";  ///< of simulate: exact or bullet
+  std::string model = "exact";  ///< of simulate: exact, equilibrium or bullet
   double theta_deg = 0;         ///< of simulate
   bool theta_given = false;
 };

@@ -125,20 +125,35 @@ double read_state(const Node& root, Structure& structure) {
   return theta ? theta->angle(tilt) : 0;
 }
 
+int read_sign(const Node& node) { return node.choice<int>({{"1", 1}, {"-1", -1}}); }
+
+/// `drive: {side: -1}` alone says nothing of where to go.
+bool is_side_alone(const Node& drive) {
+  if (!drive.optional("side")) return false;
+  for (const char* key : {"kind", "axis", "compression", "branch", "wall", "angle_deg"})
+    if (drive.optional(key)) return false;
+  return true;
+}
+
 std::optional<DriveSection> read_drive(const Node& root, const Structure& structure) {
   using Kind = DriveSection::Kind;
   const auto section = root.optional("drive");
   if (!section) return std::nullopt;
+  if (is_side_alone(*section)) {
+    section->reject_unknown_keys({"side"});
+    return std::nullopt;
+  }
   DriveSection drive;
   drive.kind = section->required("kind", "plates or hinge")
                    .choice<Kind>({{"plates", Kind::plates}, {"hinge", Kind::hinge}});
   if (drive.kind == Kind::plates) {
-    section->reject_unknown_keys({"kind", "axis", "compression"});
+    section->reject_unknown_keys({"kind", "axis", "compression", "branch", "side"});
     if (const auto node = section->optional("axis"))
       drive.axis = node->choice<Axis>({{"x", Axis::x}, {"y", Axis::y}});
     drive.compression = section->required("compression", "a number above 0 and below 1").number(fraction);
+    if (const auto node = section->optional("branch")) drive.branch = read_sign(*node);
   } else {
-    section->reject_unknown_keys({"kind", "wall", "angle_deg"});
+    section->reject_unknown_keys({"kind", "wall", "angle_deg", "side"});
     drive.wall = structure.hinges[read_hinge_index(*section, structure)].wall;
     const Bounds turn = between(-180, 180, "degrees");
     drive.angle = section->required("angle_deg", turn.describe()).angle(turn);
@@ -146,18 +161,27 @@ std::optional<DriveSection> read_drive(const Node& root, const Structure& struct
   return drive;
 }
 
+int read_side(const Node& root) {
+  const auto drive = root.optional("drive");
+  const auto side = drive ? drive->optional("side") : std::nullopt;
+  return side ? read_sign(*side) : 1;
+}
+
 HingeSection read_hinge_section(const Node& root, double edge_mm) {
   using Model = HingeSection::Model;
   HingeSection hinge;
   const auto section = root.optional("hinge");
   if (!section) return hinge;
-  section->reject_unknown_keys({"model", "k_point", "k_turn", "reach_mm"});
+  section->reject_unknown_keys({"model", "k_point", "k_turn", "reach_mm", "k_contact"});
   if (const auto node = section->optional("model"))
     hinge.model = node->choice<Model>({{"rotary", Model::rotary}, {"elastic", Model::elastic}});
   if (const auto node = section->optional("k_point")) hinge.k_point = node->number(above(0, "N/mm"));
-  if (const auto node = section->optional("k_turn")) hinge.k_turn = node->number(at_least(0, "N mm/rad"));
+  if (const auto node = section->optional("k_turn"))
+    hinge.k_turn =
+        node->number(hinge.model == Model::elastic ? above(0, "N mm/rad") : at_least(0, "N mm/rad"));
   if (const auto node = section->optional("reach_mm"))
     hinge.reach_mm = node->number(from_to(0.01 * edge_mm, 10 * edge_mm, "mm (0.01 to 10 cells)"));
+  if (const auto node = section->optional("k_contact")) hinge.k_contact = node->number(above(0, "N/mm"));
   return hinge;
 }
 
@@ -170,6 +194,7 @@ DesignFile read_design(const std::string& path) {
   DesignFile file{.name = read_name(root), .structure = read_structure(root)};
   file.theta = read_state(root, file.structure);
   file.drive = read_drive(root, file.structure);
+  file.side = read_side(root);
   file.hinge = read_hinge_section(root, file.structure.size.edge_mm);
   file.physics = read_physics(root, file.structure.size.edge_mm);
   return file;

@@ -13,10 +13,11 @@ struct DriveSection {
   enum class Kind { plates, hinge };
 
   Kind kind = Kind::plates;
-  Axis axis = Axis::y;     ///< plates: their normal
-  double compression = 0;  ///< plates: 1 - final / initial distance, (0, 1)
-  Wall wall = {};          ///< hinge: the driven wall, one of the structure's
-  double angle = 0;        ///< hinge: turn of wall.to() against wall.from, rad, within (-pi, pi)
+  Axis axis = Axis::y;             ///< plates: their normal
+  double compression = 0;          ///< plates: 1 - final / initial distance, (0, 1)
+  std::optional<int> branch = {};  ///< plates: sign of theta, 1 or -1; nothing: that of the design's theta
+  Wall wall = {};                  ///< hinge: the driven wall, one of the structure's
+  double angle = 0;                ///< hinge: turn of wall.to() against wall.from, rad, within (-pi, pi)
 
   bool operator==(const DriveSection&) const = default;
 };
@@ -26,9 +27,10 @@ struct HingeSection {
   enum class Model { rotary, elastic };
 
   Model model = Model::rotary;
-  double k_point = 1000;           ///< N/mm, > 0
-  double k_turn = 0.1;             ///< N mm/rad, >= 0
-  std::optional<double> reach_mm;  ///< half distance of the two constraint points, (0, 10] cell edges
+  double k_point = 1000;                 ///< N/mm, > 0
+  double k_turn = 0.1;                   ///< N mm/rad, > 0; 0 is allowed where rotary
+  std::optional<double> reach_mm;        ///< half distance of the two constraint points, (0, 10] cell edges
+  std::optional<double> k_contact = {};  ///< of two walls pressed together, N/mm, > 0; nothing: 10 k_point
 
   bool operator==(const HingeSection&) const = default;
 };
@@ -39,6 +41,7 @@ struct DesignFile {
   Structure structure;                     ///< with the parameters of every hinge
   double theta = 0;                        ///< the state to show, rad, within (-pi/2, pi/2); default flat
   std::optional<DriveSection> drive = {};  ///< nothing: to theta
+  int side = 1;  ///< `side` of the drive: which way to leave a bifurcation that it leaves open, 1 or -1
   HingeSection hinge = {};
   PhysicsSection physics = {};
 };

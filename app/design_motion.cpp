@@ -71,7 +71,7 @@ Drive drive_of(const DesignFile& design) {
   drive.kind = plates ? Drive::Kind::plates : Drive::Kind::hinge;
   drive.axis = design.drive->axis;
   drive.compression = design.drive->compression;
-  drive.branch = design.theta < 0 ? -1 : 1;
+  drive.branch = design.drive->branch.value_or(design.theta < 0 ? -1 : 1);
   drive.wall = design.drive->wall;
   drive.angle = design.drive->angle;
   return drive;
@@ -92,6 +92,18 @@ double theta_of(const Drive& drive, const Classification& family, const Structur
   throw InvalidInput(
       fmt::format("drive: no theta up to {:.1f} deg gives this structure what the drive asks for",
                   widest / radians_per_degree));
+}
+
+Elasticity elasticity_of(const DesignFile& design) {
+  const HingeSection& hinge = design.hinge;
+  const double edge = design.structure.size.edge_mm;
+  if (!(hinge.k_turn > 0))
+    throw InvalidInput("0 is out of range for the elastic model; allowed: a number above 0, in N mm/rad",
+                       {"", 0, 0, "hinge.k_turn"});
+  return {.k_point = hinge.k_point,
+          .k_turn = hinge.k_turn,
+          .reach_mm = hinge.reach_mm.value_or(physics_options(design.physics, edge).reach * edge),
+          .k_contact = hinge.k_contact.value_or(10 * hinge.k_point)};
 }
 
 PhysicsOptions physics_options(const PhysicsSection& section, double edge_mm) {

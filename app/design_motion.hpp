@@ -2,6 +2,7 @@
 
 #include "app/design_file.hpp"
 #include "model/classify.hpp"
+#include "model/elastic/elasticity.hpp"
 #include "sim/compression_run.hpp"
 
 namespace kinetix {
@@ -12,6 +13,11 @@ Drive drive_of(const DesignFile& design);
 /// Theta at which an exactly mobile structure fulfils a drive, rad.
 /// @throws InvalidInput where no theta up to 90 deg does, or where plates leave theta undetermined
 double theta_of(const Drive& drive, const Classification& family, const Structure& structure);
+
+/// What the design's hinges are made of. Rotary hinges are taken as elastic with the same numbers, which are
+/// the defaults unless the file gives others; reach: that of the physics run. @throws InvalidInput for k_turn
+/// 0
+Elasticity elasticity_of(const DesignFile& design);
 
 /// Settings of the physics run: defaults, with what the file gives. @param edge_mm cell edge
 PhysicsOptions physics_options(const PhysicsSection& section, double edge_mm);

@@ -46,20 +46,26 @@ std::string hinges_text(const Structure& structure) {
   return "  hinges:  # walls that are not named have t: 0.5, alpha_deg: 90, beta_deg: 0\n" + text;
 }
 
-std::string drive_text(const std::optional<DriveSection>& drive) {
-  if (!drive) return {};
+std::string drive_text(const std::optional<DriveSection>& drive, int side) {
+  const std::string aside = side == 1 ? "" : fmt::format("side: {}", side);
+  const std::string end = (aside.empty() ? "" : ", " + aside) + "}\n";
+  if (!drive) return aside.empty() ? "" : "drive: {" + aside + "}\n";
   if (drive->kind == DriveSection::Kind::plates)
-    return fmt::format("drive: {{kind: plates, axis: {}, compression: {}}}\n",
-                       drive->axis == Axis::x ? "x" : "y", shortest_text(drive->compression));
-  return fmt::format("drive: {{kind: hinge, wall: {}, angle_deg: {}}}\n", text_of(drive->wall),
-                     degrees_text(drive->angle));
+    return fmt::format("drive: {{kind: plates, axis: {}, compression: {}{}",
+                       drive->axis == Axis::x ? "x" : "y", shortest_text(drive->compression),
+                       drive->branch ? fmt::format(", branch: {}", *drive->branch) : "") +
+           end;
+  return fmt::format("drive: {{kind: hinge, wall: {}, angle_deg: {}", text_of(drive->wall),
+                     degrees_text(drive->angle)) +
+         end;
 }
 
 std::string hinge_text(const HingeSection& hinge) {
   const std::string reach = hinge.reach_mm ? ", reach_mm: " + shortest_text(*hinge.reach_mm) : "";
-  return fmt::format("hinge: {{model: {}, k_point: {}, k_turn: {}{}}}\n",
+  const std::string contact = hinge.k_contact ? ", k_contact: " + shortest_text(*hinge.k_contact) : "";
+  return fmt::format("hinge: {{model: {}, k_point: {}, k_turn: {}{}{}}}\n",
                      hinge.model == HingeSection::Model::rotary ? "rotary" : "elastic",
-                     shortest_text(hinge.k_point), shortest_text(hinge.k_turn), reach);
+                     shortest_text(hinge.k_point), shortest_text(hinge.k_turn), reach, contact);
 }
 
 std::string physics_text(const PhysicsSection& physics) {
@@ -82,7 +88,7 @@ std::string physics_text(const PhysicsSection& physics) {
 std::string design_text(const DesignFile& design) {
   return fmt::format("kinetix: 1\nname: \"{}\"\n", design.name) + structure_text(design.structure) +
          fmt::format("design:\n  theta_deg: {}\n", degrees_text(design.theta)) +
-         hinges_text(design.structure) + drive_text(design.drive) + hinge_text(design.hinge) +
+         hinges_text(design.structure) + drive_text(design.drive, design.side) + hinge_text(design.hinge) +
          physics_text(design.physics);
 }
 

@@ -29,7 +29,7 @@ void add_output(CLI::App& app, CommandOptions& options) {
            options.folder_given = true;
          },
          "folder for result.json, design.yaml and report.html (default results/NAME, with _verified, "
-         "_exact or _bullet for a design)")
+         "_exact, _equilibrium or _bullet for a design)")
       ->type_name("DIR");
 }
 
@@ -41,10 +41,11 @@ constexpr const char* footer = R"(
 examples:
   kinetix-opt targets/shapes/helmet_rib.yaml -o out       search, verify, write out/report.html
   kinetix-opt simulate out/design.yaml --theta-deg 20     the same design, half folded
+  kinetix-opt simulate panel.yaml --model equilibrium     elastic hinges: force, energy, snaps, contact
   kinetix-opt verify out/design.yaml                      the physics run alone
 
 exit codes:
-  0 done   1 internal error   2 bad input   3 target missed   4 physics run disagrees or failed)";
+  0 done   1 internal error   2 bad input   3 target missed or not reached   4 physics run disagrees or failed)";
 
 int run(int argc, char** argv) {
   CommandOptions options;
@@ -72,8 +73,10 @@ int run(int argc, char** argv) {
     add_common(*command, options);
     if (command != check) add_output(*command, options);
   }
-  simulate->add_option("--model", options.model, "exact: closed form; bullet: physics run")
-      ->check(CLI::IsMember({"exact", "bullet"}));
+  simulate
+      ->add_option("--model", options.model,
+                   "exact: closed form; equilibrium: elastic hinges; bullet: physics run")
+      ->check(CLI::IsMember({"exact", "equilibrium", "bullet"}));
   CLI::Option* theta =
       simulate->add_option("--theta-deg", options.theta_deg, "fold angle instead of the design's own")
           ->check(CLI::Range(-89.0, 89.0));

@@ -15,10 +15,11 @@ DesignFile design_of(const Run& run) {
   DesignFile design;
   design.name = run.name;
   design.structure = run.structure;
-  design.theta = run.theta;
+  design.theta = run.equilibrium ? run.equilibrium->drive.theta() : run.theta;
   design.physics = run.physics;
   design.hinge = run.hinge;
   design.drive = run.drive;
+  design.side = run.side;
   return design;
 }
 

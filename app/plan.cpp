@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace kinetix {
 namespace {
 
@@ -15,11 +17,35 @@ std::string wall_sentence(const ThetaRange& range) {
   return fmt::format("walls touch at theta {:.2f} deg", degrees);
 }
 
+std::string model_sentence(const Plan& plan, const Structure& structure) {
+  if (plan.model == Model::exact)
+    return "states come from the closed form; the physics run alone sees contact";
+  if (plan.model == Model::bullet) return "the state comes from the physics run";
+  const auto leaning = std::find_if_not(structure.hinges.begin(), structure.hinges.end(), is_vertical);
+  return "states are balances of rigid bodies, elastic hinges and walls that touch, followed from flat; " +
+         (plan.planar ? "planar: all hinges stand upright"
+                      : "spatial: the hinge on wall " + to_string(leaning->wall) + " leans");
+}
+
 }  // namespace
 
-Plan make_plan(const Structure& structure) {
+std::string to_string(Model model) {
+  switch (model) {
+    case Model::exact:
+      return "exact";
+    case Model::equilibrium:
+      return "equilibrium";
+    case Model::bullet:
+      break;
+  }
+  return "bullet";
+}
+
+Plan make_plan(const Structure& structure, std::optional<Model> model) {
   Plan plan;
   plan.family = classify(structure);
+  plan.model = model.value_or(plan.family.family == Family::none ? Model::bullet : Model::exact);
+  plan.planar = std::all_of(structure.hinges.begin(), structure.hinges.end(), is_vertical);
   plan.why.push_back(plan.family.why);
   if (structure.bodies.size() <= most_bodies_for_rank) {
     plan.mobility = mobility(structure);
@@ -31,8 +57,8 @@ Plan make_plan(const Structure& structure) {
   if (plan.family.family != Family::none) {
     plan.free_range = theta_range(structure, plan.family);
     plan.why.push_back(wall_sentence(*plan.free_range));
-    plan.why.push_back("states come from the closed form; the physics run alone sees contact");
   }
+  plan.why.push_back(model_sentence(plan, structure));
   return plan;
 }
 

@@ -10,14 +10,22 @@
 
 namespace kinetix {
 
+/// What computes a scene's state.
+enum class Model { exact, equilibrium, bullet };
+
+std::string to_string(Model model);
+
 /// What a scene needs to compute, decided before anything is computed.
 struct Plan {
   Classification family;
-  std::optional<Mobility> mobility;      ///< empty for structures too large to be worth it
+  Model model = Model::exact;
+  bool planar = false;               ///< all hinges stand upright: an equilibrium stays in the plane z = 0
+  std::optional<Mobility> mobility;  ///< empty for structures too large to be worth it
   std::optional<ThetaRange> free_range;  ///< theta without walls touching; empty outside the exact families
   std::vector<std::string> why;          ///< one sentence per decision
 };
 
-Plan make_plan(const Structure& structure);
+/// @param model nothing: exact where a family fits, else bullet
+Plan make_plan(const Structure& structure, std::optional<Model> model = {});
 
 }  // namespace kinetix

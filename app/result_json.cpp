@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include "app/equilibrium_json.hpp"
 #include "app/version.hpp"
 
 namespace kinetix {
@@ -27,7 +28,7 @@ Json target_json(const Run& run) {
 Json plan_json(const Run& run) {
   const Plan& plan = run.plan;
   Json out = {{"family", to_string(plan.family.family)},
-              {"model", plan.family.family == Family::none ? "bullet" : "exact"},
+              {"model", to_string(plan.model)},
               {"bodies", run.structure.bodies.size()},
               {"hinges", run.structure.hinges.size()},
               {"why", plan.why}};
@@ -91,6 +92,7 @@ Json metrics_json(const Run& run) {
     metrics["shape_max"] = error.max;
     metrics["met"] = run.curve->met;
   }
+  if (run.equilibrium) add_equilibrium_metrics(*run.equilibrium, metrics);
   if (run.verification) {
     metrics["verify_rms"] = run.verification->distance.rms;
     metrics["verify_max"] = run.verification->distance.max;
@@ -153,7 +155,9 @@ Json physics_json(const Verification& v) {
             {"iterations", v.options.iterations},
             {"error_reduction", v.options.error_reduction},
             {"reach", v.options.reach},
-            {"contact", v.options.contact}}}};
+            {"contact", v.options.contact},
+            {"elastic", v.options.elastic.has_value()},
+            {"planar", v.options.planar}}}};
 }
 
 Json fidelity_json(const std::vector<Fidelity>& rows) {
@@ -167,7 +171,10 @@ Json fidelity_json(const std::vector<Fidelity>& rows) {
 }  // namespace
 
 Json result_json(const Run& run) {
-  const double reach = run.verification ? run.verification->options.reach : PhysicsOptions{}.reach;
+  const double edge = run.structure.size.edge_mm;
+  const double reach = run.equilibrium    ? run.equilibrium->elasticity.reach_mm
+                       : run.verification ? run.verification->options.reach * edge
+                                          : PhysicsOptions{}.reach * edge;
   Json states = Json::array();
   for (const NamedState& state : run.states) states.push_back(state_json(state));
   Json out = {{"schema", "kinetix-result/1"},
@@ -176,7 +183,7 @@ Json result_json(const Run& run) {
               {"seed", run.seed},
               {"target", target_json(run)},
               {"plan", plan_json(run)},
-              {"structure", structure_json(run.structure, reach * run.structure.size.edge_mm)},
+              {"structure", structure_json(run.structure, reach)},
               {"states", states},
               {"metrics", metrics_json(run)},
               {"tolerance", {{"shape", run.shape_tolerance}, {"verify", run.verify_tolerance}}},
@@ -190,6 +197,10 @@ Json result_json(const Run& run) {
   if (run.curve) {
     out["curve"] = curve_json(*run.curve);
     out["optimiser"] = optimiser_json(*run.curve);
+  }
+  if (run.equilibrium) {
+    out["equilibrium"] = equilibrium_json(*run.equilibrium);
+    out["timing_s"]["balance"] = run.timings.balance;
   }
   if (run.verification) out["physics"] = physics_json(*run.verification);
   return out;

@@ -6,6 +6,7 @@
 
 #include "app/design_file.hpp"
 #include "app/plan.hpp"
+#include "model/elastic/load_path.hpp"
 #include "optim/fit_curve.hpp"
 #include "sim/compression_run.hpp"
 
@@ -14,7 +15,7 @@ namespace kinetix {
 /// A state with the name and the model that made it.
 struct NamedState {
   std::string name;   ///< "target", or "frame" for the steps of a motion
-  std::string model;  ///< "exact" or "bullet"
+  std::string model;  ///< "exact", "equilibrium" or "bullet"
   double theta = 0;   ///< rad
   State poses;
   HingeGaps gaps;
@@ -37,8 +38,18 @@ struct Verification {
   bool agrees = false;     ///< settled and, if compared, distance.rms within the tolerance
 };
 
+/// The balance of elastic hinges that a drive leads to.
+struct Equilibrium {
+  Elasticity elasticity;
+  Drive drive;
+  LoadPath path;
+  std::optional<StateDistance> from_exact;  ///< of the last state, where a closed form fits the drive so far
+
+  bool reached() const { return path.stop == LoadPath::Stop::reached; }
+};
+
 struct Timings {
-  double load = 0, plan = 0, optimise = 0, verify = 0, write = 0;  ///< seconds
+  double load = 0, plan = 0, optimise = 0, balance = 0, verify = 0, write = 0;  ///< seconds
 };
 
 /// What a curve search contributes to a result.
@@ -59,9 +70,11 @@ struct Run {
   double theta = 0;  ///< rad, of the state shown
   std::optional<CurveOutcome> curve;
   std::vector<NamedState> states;
-  PhysicsSection physics;  ///< these three as the file asked
+  PhysicsSection physics;  ///< these four as the file asked
   HingeSection hinge;
   std::optional<DriveSection> drive;
+  int side = 1;
+  std::optional<Equilibrium> equilibrium;
   std::optional<Verification> verification;
   std::vector<Fidelity> fidelity;
   double shape_tolerance = 0.01;

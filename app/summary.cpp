@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "app/equilibrium_summary.hpp"
 #include "app/result_json.hpp"
 
 namespace kinetix {
@@ -39,7 +40,7 @@ std::string shape_lines(const Run& run) {
 
 /// The closed form passes through walls: says so where it did.
 std::string contact_line(const Run& run) {
-  if (!run.plan.free_range || run.curve) return "";
+  if (!run.plan.free_range || run.curve || run.equilibrium) return "";
   const ThetaLimit& limit = run.theta < 0 ? run.plan.free_range->negative : run.plan.free_range->positive;
   if (!limit.touches || std::abs(run.theta) <= std::abs(limit.theta)) return "";
   return line("WALLS",
@@ -68,6 +69,8 @@ std::string summary(const Run& run) {
                                    degrees(largest_tilt(run.structure))));
   text += contact_line(run);
   if (run.curve) text += shape_lines(run);
+  if (run.equilibrium)
+    for (const auto& [label, words] : equilibrium_lines(run)) text += line(label, words);
   if (run.verification) text += physics_lines(run);
   return text;
 }

@@ -24,7 +24,8 @@ StateDistance distance(const Structure& structure, const PhysicsResult& physics,
 
 void add_fidelity(Run& run, const std::string& model, const PhysicsResult& physics, const State& reference) {
   const double rms = distance(run.structure, physics, reference).rms;
-  run.fidelity.push_back({model + " (" + to_string(physics.status) + ")", physics.seconds, rms, "exact"});
+  run.fidelity.push_back(
+      {model + " (" + to_string(physics.status) + ")", physics.seconds, rms, to_string(run.plan.model)});
 }
 
 }  // namespace

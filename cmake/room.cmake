@@ -13,9 +13,6 @@ if(KINETIX_SANITIZE)
   # GCC 12 calls std::regex uninitialized once the sanitizers' code is in it.
   target_compile_options(kinetix_flags INTERFACE -fsanitize=${KINETIX_SANITIZE} -fno-omit-frame-pointer
     -Wno-maybe-uninitialized)
-  # Under the address sanitizer Eigen would pad what it allocates, and the code it shares with libceres, which
-  # was built without, would free what the other allocated.
-  target_compile_definitions(kinetix_flags INTERFACE EIGEN_MALLOC_ALREADY_ALIGNED=1)
   target_link_options(kinetix_flags INTERFACE -fsanitize=${KINETIX_SANITIZE})
 endif()
 
@@ -27,6 +24,11 @@ function(kinetix_room name)
   target_include_directories(kinetix_${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/kinetix>)
+  # Under the address sanitizer Eigen would pad what it allocates, and the code it shares with libceres, which
+  # was built without, would free what the other allocated.
+  if(KINETIX_SANITIZE)
+    target_compile_definitions(kinetix_${name} PUBLIC EIGEN_MALLOC_ALREADY_ALIGNED=1)
+  endif()
   target_link_libraries(kinetix_${name} PUBLIC ${ROOM_PUBLIC}
     PRIVATE $<BUILD_INTERFACE:kinetix_flags> ${ROOM_PRIVATE})
   install(TARGETS kinetix_${name} EXPORT kinetix-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})

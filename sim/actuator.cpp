@@ -7,6 +7,9 @@
 #include <array>
 #include <cmath>
 
+#include "model/closure_drive.hpp"
+#include "sim/bullet_math.hpp"
+#include "sim/elastic_hinges.hpp"
 #include "sim/joints.hpp"
 
 namespace kinetix {
@@ -94,14 +97,47 @@ class DrivenHinge final : public Actuator {
   double angle_ = 0;
 };
 
+/// Many times stiffer than a hinge, and not so stiff that rounding drowns the hinges' forces.
+constexpr double held_stiffness = 1e4;
+
+class DrivenSpring final : public Actuator {
+ public:
+  DrivenSpring(const Structure& structure, int hinge, const Bodies& bodies, ElasticHinges& elastic)
+      : structure_(structure), hinge_(hinge), bodies_(bodies), elastic_(elastic) {
+    move_to(0);
+  }
+
+  std::vector<btGeneric6DofSpring2Constraint*> joints() const override { return {}; }
+
+  void move_to(double theta) override {
+    angle_ = -2 * structure_.hinges[hinge_].wall.from.sense() * theta;
+    elastic_.drive_to(hinge_, angle_, held_stiffness);
+  }
+
+  double gap() const override {
+    State turns(bodies_.size());
+    for (const int b : {structure_.hinges[hinge_].lower, structure_.hinges[hinge_].upper})
+      turns[b].R = eigen(bodies_[b]->getWorldTransform().getBasis());
+    return std::abs(drive_residual(HingeTurn{hinge_, angle_}, structure_, turns));
+  }
+
+ private:
+  const Structure& structure_;
+  int hinge_;
+  const Bodies& bodies_;
+  ElasticHinges& elastic_;
+  double angle_ = 0;
+};
+
 }  // namespace
 
 std::unique_ptr<Actuator> make_actuator(const Structure& structure, const Drive& drive, const Bodies& bodies,
-                                        double error_reduction) {
+                                        double error_reduction, ElasticHinges* elastic) {
   if (drive.kind == Drive::Kind::plates)
     return std::make_unique<Plates>(structure, drive.axis, bodies, error_reduction);
-  return std::make_unique<DrivenHinge>(structure.hinges[*structure.hinge_at(drive.wall)], bodies,
-                                       error_reduction);
+  const int hinge = *structure.hinge_at(drive.wall);
+  if (elastic) return std::make_unique<DrivenSpring>(structure, hinge, bodies, *elastic);
+  return std::make_unique<DrivenHinge>(structure.hinges[hinge], bodies, error_reduction);
 }
 
 }  // namespace kinetix

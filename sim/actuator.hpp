@@ -10,6 +10,8 @@ class btRigidBody;
 
 namespace kinetix {
 
+class ElasticHinges;
+
 /// A drive in the engine: its joints, and what moves them.
 class Actuator {
  public:
@@ -22,8 +24,10 @@ class Actuator {
 };
 
 /// @param bodies in the structure's order; they must outlive the actuator
+/// @param elastic null for rigid hinges; else a driven hinge is driven through them, and they must outlive
+/// the actuator, as must the structure
 std::unique_ptr<Actuator> make_actuator(const Structure& structure, const Drive& drive,
                                         const std::vector<std::unique_ptr<btRigidBody>>& bodies,
-                                        double error_reduction);
+                                        double error_reduction, ElasticHinges* elastic = nullptr);
 
 }  // namespace kinetix

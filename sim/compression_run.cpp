@@ -5,14 +5,18 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "model/invalid_input.hpp"
+#include "sim/balance.hpp"
 #include "sim/start_motion.hpp"
 #include "sim/verdict.hpp"
 #include "sim/world.hpp"
 
 namespace kinetix {
 namespace {
+
+constexpr double least_force = 1e-9;  // below, a structure is at rest where it stands
 
 using Clock = std::chrono::steady_clock;
 
@@ -31,11 +35,12 @@ class Run {
         all_steps_(drive_steps_ + steps_in(options.settle_seconds, options.step_s)),
         rate_(theta_ / (drive_steps_ * options.step_s)),
         damping_(std::exp(-options.settle_damping * options.step_s)),
+        start_(start_motion(structure)),
         world_(structure, drive, options) {}
 
   PhysicsResult run() {
     const auto begin = Clock::now();
-    world_.start(start_motion(structure_), 2 * rate_);
+    world_.start(start_, 2 * rate_);
     measure();
     show();
     bool settled = false, failed = failed_on_the_way();
@@ -53,13 +58,23 @@ class Run {
  private:
   void step() {
     const double tau = std::min(1.0, (result_.steps + 1.0) / drive_steps_);
-    if (result_.steps >= drive_steps_) world_.damp(damping_);
+    if (result_.steps >= drive_steps_) calm();
     world_.push(rate_ * (1 - tau) / drive_steps_);
+    if (options_.elastic) world_.relax_along(start_, theta_ * tau * (2 - tau) * (1 - tau));
     world_.set_drive(theta_ * tau * (2 - tau));
     world_.step();
     ++result_.steps;
     measure();
     show();
+  }
+
+  /// Elastic: parts run downhill freely, and stop whenever they are past the deepest point of their way.
+  void calm() {
+    if (!options_.elastic) return world_.damp(damping_);
+    const double energy = world_.kinetic_energy();
+    const bool past = energy < energy_;
+    if (past) world_.damp(0);
+    energy_ = past ? 0 : energy;
   }
 
   void measure() {
@@ -72,16 +87,24 @@ class Run {
 
   bool failed_on_the_way() {
     if (!(world_.fastest_part() <= options_.speed_limit)) result_.status = PhysicsResult::Status::blew_up;
-    return result_.status == PhysicsResult::Status::blew_up || !(result_.gaps.max <= options_.tear_limit) ||
+    return result_.status == PhysicsResult::Status::blew_up ||
+           !(result_.gaps.max <= (options_.elastic ? options_.stretch_limit : options_.tear_limit)) ||
            is_blocked();
   }
 
   bool is_blocked() const {
     if (result_.contact.depth > options_.overlap_limit) return true;
-    return result_.contact.touches() && std::max(result_.gaps.max, result_.drive_gap) > options_.gap_limit;
+    const double open = options_.elastic ? 0 : result_.gaps.max;
+    return result_.contact.touches() && std::max(open, result_.drive_gap) > options_.gap_limit;
   }
 
-  bool is_at_rest() const { return world_.fastest_hinge() <= options_.settle_speed; }
+  bool is_at_rest() const {
+    if (!options_.elastic) return world_.fastest_hinge() <= options_.settle_speed;
+    const double force = largest_hinge_force(structure_, result_.state, *options_.elastic);
+    const double limit = options_.settle_force * std::max(force, least_force);
+    const double way = world_.fastest_part() * options_.step_s;
+    return world_.free_force() <= limit && way * std::max(way, force) <= limit;
+  }
 
   void show() {
     if (observer_.progress && result_.steps % std::max(1, all_steps_ / 100) == 0)
@@ -108,8 +131,10 @@ class Run {
   const int drive_steps_, all_steps_;
   const double rate_;  ///< mean of theta's, rad/s
   const double damping_;
+  const std::vector<Twist> start_;
   World world_;
   PhysicsResult result_;
+  double energy_ = std::numeric_limits<double>::infinity();  ///< kinetic, at the last step of settling
   double next_frame_s_ = 0;
   int last_frame_ = -1;
 };

@@ -21,7 +21,12 @@ struct PhysicsObserver {
 /// friction. The run knows nothing of the exact families: it finds the folded state from the hinges alone.
 /// The drive's theta goes from 0 to its goal along tau (2 - tau), fast at first so that the bodies leave the
 /// flat position on the chosen branch, at rest in the end; then the speeds are damped until nothing moves.
-/// The same run gives the same bits. Not thread-safe: the engine has global state, so run one at a time.
+///
+/// With elastic hinges (PhysicsOptions::elastic), the hinges pull as springs, and the turning springs relax
+/// along the start motion at first and at flat in the end, so that they do not push a sheet back through
+/// flat. After the drive, parts run downhill and are stopped whenever their kinetic energy falls, until on
+/// every part the forces of hinges, drive and contacts balance. The same run gives the same bits. Not
+/// thread-safe: the engine has global state, so run one at a time.
 ///
 /// @return the last state and a status; a failure is never passed off as a result
 /// @throws InvalidInput for bad options, a bad drive, or a driven wall that the structure does not have;

@@ -5,15 +5,15 @@
 
 #include <algorithm>
 
+#include "sim/bullet_math.hpp"
+#include "sim/elastic_hinges.hpp"
 #include "sim/row_system.hpp"
 
 namespace kinetix {
 namespace {
 
-// How much softer contacts are than joints.
-constexpr double contact_softness = 10;
-// How much stiffer the plates' grip is than a hinge: where a sheet must strain, it is the hinges that give.
-constexpr double grip_stiffness = 100;
+// Of a part, with all forces turning with their bodies: cell edges or rad.
+constexpr double longest_step = 0.05;
 
 Vector6 stacked(const btVector3& linear, const btVector3& angular) {
   return {linear.x(), linear.y(), linear.z(), angular.x(), angular.y(), angular.z()};
@@ -29,8 +29,8 @@ struct Contact {
 
 class DirectSolver final : public btSequentialImpulseConstraintSolver {
  public:
-  explicit DirectSolver(double joint_stiffness)
-      : joint_stiffness_(joint_stiffness), contact_compliance_(contact_softness / joint_stiffness) {}
+  explicit DirectSolver(const DirectSolverSettings& settings)
+      : settings_(settings), contact_compliance_(settings.contact_softness / settings.joint_stiffness) {}
 
  private:
   btScalar solveGroupCacheFriendlyIterations(btCollisionObject**, int, btPersistentManifold**, int,
@@ -38,7 +38,7 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
                                              btIDebugDraw*) override {
     if (m_tmpSolverNonContactConstraintPool.size() == 0) return 0;
     number_parts();
-    factorise_joints();
+    factorise_joints(info.m_timeStep);
     Eigen::VectorXd velocities = system_.velocities();
     solve_contacts(velocities, info.m_numIterations);
     apply(velocities);
@@ -74,15 +74,55 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
             free_part(a, c.m_contactNormal1, c.m_relpos1CrossNormal),
             free_part(b, c.m_contactNormal2, c.m_relpos2CrossNormal),
             c.m_rhs / c.m_jacDiagABInv,
-            a < 0 || b < 0 ? grip_stiffness : 1};
+            a < 0 || b < 0 ? settings_.grip : 1};
   }
 
-  void factorise_joints() {
+  void factorise_joints(double step) {
     rows_.clear();
     for (int k = 0; k < m_tmpSolverNonContactConstraintPool.size(); ++k)
       if (m_tmpSolverNonContactConstraintPool[k].m_jacDiagABInv > 0)
         rows_.push_back(row_of(m_tmpSolverNonContactConstraintPool[k]));
-    system_.factorise(masses_, rows_, joint_stiffness_);
+    if (settings_.elastic) append_elastic(step);
+    const bool solvable = system_.factorise(masses_, rows_, settings_.joint_stiffness);
+    if (settings_.elastic && !(solvable && longest_move() * step <= longest_step)) factorise_what_resists();
+  }
+
+  /// Largest speed or turning speed after the step, were there no contacts.
+  double longest_move() const {
+    const Eigen::VectorXd change = system_.velocities();
+    double longest = 0;
+    for (std::size_t p = 0; p < bodies_.size(); ++p) {
+      const btRigidBody& body = *m_tmpSolverBodyPool[bodies_[p]].m_originalBody;
+      const Vector6 speed = stacked(body.getLinearVelocity(), body.getAngularVelocity());
+      longest = std::max(longest, (speed + change.segment<6>(6 * p)).cwiseAbs().maxCoeff());
+    }
+    return longest;
+  }
+
+  void factorise_what_resists() {
+    for (VelocityRow& row : rows_) row.weight = std::max(0.0, row.weight);
+    system_.factorise(masses_, rows_, settings_.joint_stiffness);
+  }
+
+  void append_elastic(double step) {
+    State state(bodies_.size());
+    std::vector<Eigen::Vector3d> speeds(bodies_.size());
+    std::vector<int> part_of_body(bodies_.size());
+    for (std::size_t p = 0; p < bodies_.size(); ++p) {
+      const btRigidBody& body = *m_tmpSolverBodyPool[bodies_[p]].m_originalBody;
+      state[body.getUserIndex()] = pose_of(body.getWorldTransform(), settings_.edge_mm);
+      speeds[body.getUserIndex()] = eigen(body.getAngularVelocity());
+      part_of_body[body.getUserIndex()] = static_cast<int>(p);
+    }
+    for (VelocityRow row : settings_.elastic->rows(state, speeds, step)) {
+      row.a = part_of_body[row.a];
+      row.first = row.first.cwiseProduct(freedoms_[row.a]);
+      if (row.b >= 0) {
+        row.b = part_of_body[row.b];
+        row.second = row.second.cwiseProduct(freedoms_[row.b]);
+      }
+      rows_.push_back(row);
+    }
   }
 
   static double along(const VelocityRow& row, const Eigen::VectorXd& v) {
@@ -128,7 +168,8 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
     }
   }
 
-  double joint_stiffness_, contact_compliance_;
+  const DirectSolverSettings settings_;
+  const double contact_compliance_;
   std::vector<int> part_of_;  ///< by solver body; -1 for a fixed one
   std::vector<int> bodies_;   ///< solver body of each part
   std::vector<Vector6> masses_;
@@ -139,8 +180,8 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
 
 }  // namespace
 
-std::unique_ptr<btConstraintSolver> make_direct_solver(double joint_stiffness) {
-  return std::make_unique<DirectSolver>(joint_stiffness);
+std::unique_ptr<btConstraintSolver> make_direct_solver(const DirectSolverSettings& settings) {
+  return std::make_unique<DirectSolver>(settings);
 }
 
 }  // namespace kinetix

@@ -6,11 +6,27 @@ class btConstraintSolver;
 
 namespace kinetix {
 
+class ElasticHinges;
+
+struct DirectSolverSettings {
+  double joint_stiffness = 1e4;            ///< as PhysicsOptions has it
+  double grip = 100;                       ///< how much stiffer than a hinge a joint to the ground is
+  double contact_softness = 10;            ///< how much softer than a hinge a contact is
+  double edge_mm = 1;                      ///< of the structure of `elastic`
+  const ElasticHinges* elastic = nullptr;  ///< null for none; must outlive the solver
+};
+
 /// A solver for the engine that meets all joint equations of a step at once (RowSystem), and sweeps over the
 /// contacts only: every contact impulse is applied together with the answer of all joints to it. Contacts
 /// are frictionless, and yield a little before the joints do: where a drive presses parts into each other,
 /// they overlap, and the structure stays whole.
-/// @param joint_stiffness as PhysicsOptions has it
-std::unique_ptr<btConstraintSolver> make_direct_solver(double joint_stiffness);
+///
+/// Elastic hinges are the same equations with the equations of their turning springs added: a row whose
+/// target closes its gap within one step h, at stiffness s over the parts' masses, is an undamped spring of
+/// stiffness s / h^2 integrated by implicit Euler, so at rest forces balance as those springs' do. Where a
+/// step with all that turns with the bodies has no least energy, or takes a part far, only what resists is
+/// kept.
+/// @pre with elastic hinges, the bodies' user indices are their indices in the structure
+std::unique_ptr<btConstraintSolver> make_direct_solver(const DirectSolverSettings& settings);
 
 }  // namespace kinetix

@@ -23,6 +23,14 @@ void not_negative(const char* field, double value, double largest) {
   throw InvalidInput(fmt::format("physics.{} is {}, must be in [0, {}]", field, value, largest));
 }
 
+void check(const Stiffness& elastic, PhysicsOptions::Solver solver) {
+  positive("elastic.turn", elastic.turn);
+  positive("elastic.reach", elastic.reach, 10);
+  positive("elastic.contact", elastic.contact);
+  if (solver != PhysicsOptions::Solver::direct)
+    throw InvalidInput("physics.elastic needs the direct solver: sweeps know rigid hinges only");
+}
+
 }  // namespace
 
 void PhysicsOptions::validate() const {
@@ -41,6 +49,9 @@ void PhysicsOptions::validate() const {
     throw InvalidInput(fmt::format("physics.step_s is {}: {:.3g} s in such steps are more than 10 million",
                                    step_s, drive_seconds + settle_seconds));
   positive("settle_speed", settle_speed);
+  if (elastic) check(*elastic, solver);
+  positive("settle_force", settle_force);
+  positive("stretch_limit", stretch_limit);
   positive("gap_limit", gap_limit);
   positive("tear_limit", tear_limit);
   positive("overlap_limit", overlap_limit);

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <optional>
+
+#include "model/elastic/elasticity.hpp"
+
 namespace kinetix {
 
 /// Settings of a physics run. Lengths are in cell edges: the run works in units where the cell edge is 1.
@@ -25,12 +29,23 @@ struct PhysicsOptions {
   double settle_seconds = 1.0;   ///< simulated time after the drive before giving up, s, in [0, 1000]
   double settle_damping = 50.0;  ///< rate at which all speeds die away while settling, 1/s, in [0, 1e6]
   double settle_speed = 1e-8;    ///< settled when every hinge turns more slowly, rad/s, > 0
-  bool contact = true;           ///< half walls collide, except the two that share a hinge
-  bool planar = false;           ///< parts slide and turn in the plane z = 0 only, as a display on a table
-  double gap_limit = 2e-3;       ///< failure: a larger final gap of a hinge or of the drive, > 0
-  double tear_limit = 0.1;       ///< failure: a larger hinge gap at any time; ends the run, > 0
-  double overlap_limit = 2e-3;   ///< failure: parts overlap by more at any time; ends the run, > 0
-  double speed_limit = 1e4;      ///< failure: a faster part (edges/s or rad/s); ends the run, > 0
+  /// Elastic hinges instead of rigid rotary ones, as the equilibrium model has them; their reach replaces
+  /// `reach`. Needs the direct solver. Only ratios of stiffnesses matter for where the run settles. The scale
+  /// is the run's: k_point is 1000 part masses / step_s^2, whence it settles in as many steps whatever step_s
+  /// is. joint_stiffness, error_reduction, settle_damping and settle_speed are not used then. Gaps are no
+  /// failure: gap_limit holds for the drive, stretch_limit for the hinges. Each point where walls
+  /// touch yields by its force over elastic.contact, which overlap_limit must bear. Plates and a driven hinge
+  /// yield 1e4 times less than a hinge point does.
+  std::optional<Stiffness> elastic;
+  double settle_force = 1e-7;  ///< elastic: settled when no part is pushed by more than this over the largest
+                               ///< force in a hinge, > 0
+  double stretch_limit = 0.5;  ///< elastic: failure: a larger hinge gap at any time; ends the run, > 0
+  bool contact = true;         ///< half walls collide, except the two that share a hinge
+  bool planar = false;         ///< parts slide and turn in the plane z = 0 only, as a display on a table
+  double gap_limit = 2e-3;     ///< failure: a larger final gap of a hinge or of the drive, > 0
+  double tear_limit = 0.1;     ///< failure: a larger hinge gap at any time; ends the run, > 0
+  double overlap_limit = 2e-3;  ///< failure: parts overlap by more at any time; ends the run, > 0
+  double speed_limit = 1e4;     ///< failure: a faster part (edges/s or rad/s); ends the run, > 0
 
   /// @throws InvalidInput, naming the field, its value and its range (NaN is outside every range).
   void validate() const;

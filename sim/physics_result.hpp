@@ -17,12 +17,14 @@ struct PartContact {
 /// Outcome of a physics run. Only a settled one is a result to trust.
 struct PhysicsResult {
   enum class Status {
-    settled,             ///< at rest, hinges and drive within gap_limit
+    settled,             ///< at rest, hinges (unless elastic) and drive within gap_limit
     not_settled,         ///< still moving when the time was up
-    hinge_gap_exceeded,  ///< a hinge is open by more than gap_limit (or was by more than tear_limit)
+    hinge_gap_exceeded,  ///< a hinge is open by more than gap_limit (or was by more than tear_limit);
+                         ///< elastic: by more than stretch_limit
     drive_missed,        ///< the hinges hold, but the drive is off by more than gap_limit
     wrong_branch,        ///< plates: the sheet folded to the other sign of theta
-    blocked,  ///< parts touch, and the hinges or the drive give way or the parts overlap; ends the run
+    blocked,  ///< parts touch, and the (rigid) hinges or the drive give way or the parts overlap; ends the
+              ///< run
     blew_up,  ///< a speed became infinite, NaN or larger than speed_limit
   };
 

@@ -51,7 +51,7 @@ void RowSystem::add_block(Pair pair, const Matrix6& block) {
     for (int r = diagonal ? c : 0, k = start[c]; r < 6; ++r, ++k) matrix_.valuePtr()[k] += block(r, c);
 }
 
-void RowSystem::factorise(const std::vector<Vector6>& masses, const std::vector<VelocityRow>& rows,
+bool RowSystem::factorise(const std::vector<Vector6>& masses, const std::vector<VelocityRow>& rows,
                           double stiffness) {
   if (!has_pattern_of(masses.size(), rows)) analyse(masses.size(), rows);
   matrix_.coeffs().setZero();
@@ -70,6 +70,7 @@ void RowSystem::factorise(const std::vector<Vector6>& masses, const std::vector<
     if (row.b > row.a) add_block({row.b, row.a}, second * row.first.transpose());
   }
   factor_.factorize(matrix_);
+  return factor_.info() == Eigen::Success;
 }
 
 }  // namespace kinetix

@@ -28,7 +28,8 @@ struct VelocityRow {
 class RowSystem {
  public:
   /// @param masses of each part: three times the mass, then the three moments of inertia
-  void factorise(const std::vector<Vector6>& masses, const std::vector<VelocityRow>& rows, double stiffness);
+  /// @return whether the minimum exists, which negative weights can prevent
+  bool factorise(const std::vector<Vector6>& masses, const std::vector<VelocityRow>& rows, double stiffness);
 
   /// The velocity change that meets the targets, six numbers a part. @pre factorise was called
   Eigen::VectorXd velocities() const { return factor_.solve(pull_); }

@@ -17,14 +17,21 @@ double mean_turn(const Structure& structure, const State& state, Axis axis) {
   return sum / static_cast<double>(state.size());
 }
 
-bool is_on_branch(const Structure& structure, const Drive& drive, const State& state) {
+/// A sheet that its turning springs keep straight is on neither branch.
+bool is_on_branch(const Structure& structure, const Drive& drive, const PhysicsOptions& options,
+                  const State& state) {
+  const double least_turn = options.elastic ? -1e-6 : 0;
   if (drive.kind == Drive::Kind::hinge || drive.compression == 0) return true;
-  return drive.branch * mean_turn(structure, state, drive.axis) > 0;
+  return drive.branch * mean_turn(structure, state, drive.axis) > least_turn;
+}
+
+double gap_limit(const PhysicsOptions& options) {
+  return options.elastic ? options.stretch_limit : options.gap_limit;
 }
 
 Status status_of(const PhysicsOptions& options, bool settled, bool on_branch, const PhysicsResult& r) {
   if (r.status == Status::blew_up) return Status::blew_up;
-  const bool open = !(r.gaps.max <= options.gap_limit), off = !(r.drive_gap <= options.gap_limit);
+  const bool open = !(r.gaps.max <= gap_limit(options)), off = !(r.drive_gap <= options.gap_limit);
   if (r.contact.depth > options.overlap_limit) return Status::blocked;
   if ((open || off) && r.contact.touches()) return Status::blocked;
   if (open) return Status::hinge_gap_exceeded;
@@ -53,7 +60,7 @@ std::string reason(const Structure& s, const PhysicsOptions& o, const PhysicsRes
       return fmt::format("not at rest after {:.3g} s: {}{}", r.simulated_s, open_hinge(s, r),
                          r.contact.touches() ? ", " + contact(s, r) : "");
     case Status::hinge_gap_exceeded:
-      return fmt::format("{}, allowed are {:.2g} (after {:.3g} s)", open_hinge(s, r), o.gap_limit,
+      return fmt::format("{}, allowed are {:.2g} (after {:.3g} s)", open_hinge(s, r), gap_limit(o),
                          r.simulated_s);
     case Status::drive_missed:
       return fmt::format("the drive is off by {:.3g} (cell edges or rad), allowed are {:.2g}", r.drive_gap,
@@ -74,7 +81,7 @@ std::string reason(const Structure& s, const PhysicsOptions& o, const PhysicsRes
 
 void judge(const Structure& structure, const Drive& drive, const PhysicsOptions& options, bool settled,
            PhysicsResult& result) {
-  const bool on_branch = is_on_branch(structure, drive, result.state);
+  const bool on_branch = is_on_branch(structure, drive, options, result.state);
   result.status = status_of(options, settled, on_branch, result);
   result.why = reason(structure, options, result);
 }

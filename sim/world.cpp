@@ -7,7 +7,9 @@
 #include <cmath>
 
 #include "sim/actuator.hpp"
+#include "sim/bullet_math.hpp"
 #include "sim/direct_solver.hpp"
+#include "sim/elastic_hinges.hpp"
 #include "sim/joints.hpp"
 #include "sim/part_shape.hpp"
 #include "sim/sweep_solver.hpp"
@@ -16,11 +18,33 @@ namespace kinetix {
 namespace {
 
 constexpr double part_mass = 1;
+// Of a point of an elastic hinge, times step^2 over mass: less takes soft modes longer to settle, more takes
+// unstable ones further in a step.
+constexpr double elastic_stiffness = 1000;
 constexpr double touching = 1e-3;  // cell edges between parts that are said to touch
 
-std::unique_ptr<btConstraintSolver> make_solver(const PhysicsOptions& options) {
+constexpr double largest_lean = 1.5;  // rad
+constexpr double elastic_grip = 1e4;  // of plates, over the points of elastic hinges
+
+std::unique_ptr<btConstraintSolver> make_solver(const PhysicsOptions& options, double edge_mm,
+                                                const ElasticHinges* elastic) {
   if (options.solver == PhysicsOptions::Solver::sweeps) return make_sweep_solver();
-  return make_direct_solver(options.joint_stiffness);
+  DirectSolverSettings settings{.joint_stiffness = options.joint_stiffness, .elastic = elastic};
+  if (options.elastic) {
+    settings.grip = elastic_grip;
+    settings.edge_mm = edge_mm;
+    settings.contact_softness = 1 / options.elastic->contact;
+  }
+  return make_direct_solver(settings);
+}
+
+/// Gaps of elastic hinges pull as undamped springs do.
+PhysicsOptions in_force(PhysicsOptions options) {
+  if (!options.elastic) return options;
+  options.reach = options.elastic->reach;
+  options.error_reduction = 1;
+  options.joint_stiffness = elastic_stiffness;
+  return options;
 }
 
 void keep_in_plane(btRigidBody& body) {
@@ -30,15 +54,6 @@ void keep_in_plane(btRigidBody& body) {
 
 btTransform at(double x, double y, double z) {
   return btTransform(btMatrix3x3::getIdentity(), btVector3(x, y, z));
-}
-
-Pose pose_of(const btTransform& transform, double edge_mm) {
-  Pose pose;
-  for (int row = 0; row < 3; ++row) {
-    pose.p[row] = edge_mm * transform.getOrigin()[row];
-    for (int column = 0; column < 3; ++column) pose.R(row, column) = transform.getBasis()[row][column];
-  }
-  return pose;
 }
 
 }  // namespace
@@ -51,6 +66,7 @@ struct World::Parts {
   btDefaultCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher{&configuration};
   btDbvtBroadphase broadphase;
+  std::optional<ElasticHinges> elastic;
   std::unique_ptr<btConstraintSolver> solver;
   btDiscreteDynamicsWorld world;
 
@@ -58,17 +74,20 @@ struct World::Parts {
   std::vector<std::unique_ptr<btRigidBody>> bodies;
   std::vector<Joint> joints;
   std::unique_ptr<Actuator> actuator;
+  std::vector<Vector6> speeds_before;  ///< the last step
 
   Parts(const Structure& s, const Drive& d, const PhysicsOptions& o)
       : structure(s),
         drive(d),
-        options(o),
-        solver(make_solver(o)),
+        options(in_force(o)),
+        elastic(make_elastic()),
+        solver(make_solver(options, structure.size.edge_mm, elastic ? &*elastic : nullptr)),
         world(&dispatcher, &broadphase, solver.get(), &configuration) {
     world.setGravity({0, 0, 0});
     btContactSolverInfo& info = world.getSolverInfo();
     info.m_numIterations = options.iterations;
     info.m_splitImpulse = false;
+    if (options.elastic) info.m_erp2 = 1;
     info.m_solverMode &= ~SOLVER_USE_WARMSTARTING;
     world.getSimulationIslandManager()->setSplitIslands(false);
     skip_walls_of_one_hinge();
@@ -80,6 +99,11 @@ struct World::Parts {
   ~Parts() {
     while (world.getNumConstraints() > 0) world.removeConstraint(world.getConstraint(0));
     for (const auto& body : bodies) world.removeRigidBody(body.get());
+  }
+
+  std::optional<ElasticHinges> make_elastic() const {
+    if (!options.elastic) return std::nullopt;
+    return ElasticHinges(structure, *options.elastic);
   }
 
   void add_bodies() {
@@ -109,13 +133,21 @@ struct World::Parts {
   }
 
   void add_drive() {
-    actuator = make_actuator(structure, drive, bodies, options.error_reduction);
+    actuator =
+        make_actuator(structure, drive, bodies, options.error_reduction, elastic ? &*elastic : nullptr);
     for (auto* joint : actuator->joints()) add(*joint);
   }
 
   void add(btTypedConstraint& joint) {
     joint.setUserConstraintId(world.getNumConstraints());
     world.addConstraint(&joint);
+  }
+
+  std::vector<Vector6> speeds() const {
+    std::vector<Vector6> all;
+    for (const auto& body : bodies)
+      (all.emplace_back() << eigen(body->getLinearVelocity()), eigen(body->getAngularVelocity())).finished();
+    return all;
   }
 };
 
@@ -143,9 +175,22 @@ void World::start(const std::vector<Twist>& motion, double rate) {
   }
 }
 
+void World::relax_along(const std::vector<Twist>& motion, double amount) {
+  std::vector<double> angles;
+  for (const Hinge& hinge : parts_->structure.hinges) {
+    const Eigen::Vector3d spin = motion[hinge.upper].omega - motion[hinge.lower].omega;
+    const double turn = amount * spin.dot(hinge_axis(hinge.wall.axis, hinge.parameters));
+    angles.push_back(std::clamp(turn, -largest_lean, largest_lean));
+  }
+  parts_->elastic->relax_at(angles);
+}
+
 void World::set_drive(double theta) { parts_->actuator->move_to(theta); }
 
-void World::step() { parts_->world.stepSimulation(parts_->options.step_s, 0); }
+void World::step() {
+  parts_->speeds_before = parts_->speeds();
+  parts_->world.stepSimulation(parts_->options.step_s, 0);
+}
 
 void World::damp(double factor) {
   for (const auto& body : parts_->bodies) {
@@ -179,6 +224,25 @@ double World::fastest_hinge() const {
     if (!(speed <= fastest)) fastest = speed;
   }
   return fastest;
+}
+
+double World::kinetic_energy() const {
+  double energy = 0;
+  for (const Vector6& speed : parts_->speeds())
+    energy += speed.head<3>().squaredNorm() + parts_->options.part_inertia * speed.tail<3>().squaredNorm();
+  return 0.5 * part_mass * energy;
+}
+
+double World::free_force() const {
+  const std::vector<Vector6> now = parts_->speeds();
+  double largest = 0;
+  for (std::size_t b = 0; b < now.size(); ++b) {
+    const Vector6 change = now[b] - parts_->speeds_before[b];
+    const double force =
+        std::max(change.head<3>().norm(), parts_->options.part_inertia * change.tail<3>().norm());
+    if (!(force <= largest)) largest = force;
+  }
+  return part_mass * largest * parts_->options.step_s / parts_->options.joint_stiffness;
 }
 
 double World::drive_gap() const { return parts_->actuator->gap(); }

@@ -24,6 +24,9 @@ class World {
   void push(double rate);
   /// Adds a motion to the bodies' speeds. @param motion one twist per body, v in cell edges; @param rate 1/s
   void start(const std::vector<Twist>& motion, double rate);
+  /// Elastic hinges: shifts the rest of their turning springs to where a motion from flat takes them.
+  /// @param amount of the motion, by which its rates are multiplied
+  void relax_along(const std::vector<Twist>& motion, double amount);
   /// Sets where the drive is to be at the end of the next step. @param theta rad, with sign
   void set_drive(double theta);
   void step();
@@ -35,6 +38,11 @@ class World {
   double fastest_part() const;
   /// Largest turning speed of two parts that share a hinge against each other, rad/s; NaN if one is NaN.
   double fastest_hinge() const;
+  double kinetic_energy() const;
+  /// Largest force or moment (over the cell edge) that moved a part in the last step, which is what its
+  /// hinges, drive and contacts left over; in units of the stiffness of a hinge point times the cell edge.
+  /// NaN if one is NaN. @pre step was called
+  double free_force() const;
   double drive_gap() const;
   PartContact deepest_contact() const;
 

@@ -9,8 +9,6 @@
 namespace kinetix {
 namespace {
 
-constexpr double held = 1e-12;
-
 int row_along(Axis axis, Vertex v) { return axis == Axis::x ? v.i : v.j; }
 
 }  // namespace
@@ -143,9 +141,9 @@ Eigen::VectorXd ElasticSystem::linearise(const State& state, double theta, Tange
   return g;
 }
 
-bool ElasticSystem::update_multiplier(const State& state, double theta) {
+bool ElasticSystem::update_multiplier(const State& state, double theta, double tolerance) {
   const double miss = drive_miss(state, theta);
-  if (!(std::abs(miss) > held)) return false;
+  if (!(std::abs(miss) > tolerance)) return false;
   multiplier_ += grip * miss;
   return true;
 }

@@ -54,8 +54,8 @@ class ElasticSystem {
   double drive_miss(const State& state, double theta) const;
   /// A driven hinge: element of its turn.
   Element driven_turn(const State& state) const;
-  /// Takes over the force that the miss has called up. @return whether there was anything to do
-  bool update_multiplier(const State& state, double theta);
+  /// Takes over the force that the miss has called up. @return whether that was more than `tolerance`, rad
+  bool update_multiplier(const State& state, double theta, double tolerance);
   double multiplier() const { return multiplier_; }
   void set_multiplier(double multiplier) { multiplier_ = multiplier; }
   /// Energy by drive coordinate: compressing force of the plates (k_point edge), or moment about the driven

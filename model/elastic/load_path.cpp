@@ -15,9 +15,9 @@ using Eigen::VectorXd;
 using Kind = PathEvent::Kind;
 using Stop = LoadPath::Stop;
 
-constexpr int easy_iterations = 5;
-constexpr int hard_iterations = 12;
-constexpr double growth = 1.6;
+constexpr double most_growth = 2;
+constexpr double least_growth = 0.25;
+constexpr double rough = 1e-4;
 constexpr double branch_seed = 1e-3;
 constexpr double least_branch_seed = 1e-6;
 constexpr int most_saddles = 5;
@@ -65,12 +65,11 @@ class Follower {
       const bool last_chance = step <= options_.least_step || step < 1e-9 * left;
       if (!advance(theta, last_chance)) {
         if (last_chance) return finish(stop_);
-        step = std::max(step / 3, options_.least_step);
+        step = std::max(step * std::min(0.5, growth_), options_.least_step);
         continue;
       }
       if (path_.gaps.max > options_.gap_limit) return finish(Stop::torn);
-      if (newton_.iterations <= easy_iterations) step = std::min(step * growth, options_.longest_step);
-      if (newton_.iterations >= hard_iterations) step = std::max(step / 2, options_.least_step);
+      step = std::clamp(step * growth_, options_.least_step, options_.longest_step);
     }
     return finish(Stop::reached);
   }
@@ -89,13 +88,14 @@ class Follower {
     State state = predicted(theta);
     const State prediction = state;
     const double multiplier = system_.multiplier();
-    newton_ = minimise(system_, theta, options_.newton, state, tangent_);
+    newton_ = minimise(system_, theta, newton_options(theta), state, tangent_);
     path_.iterations += newton_.iterations;
     bool branched = false;
     if (newton_.converged && !newton_.stable) branched = leave_saddle(theta, state);
+    const double jump = newton_.converged ? distance(prediction, state) : NAN;
     const bool jumped = newton_.converged && !branched &&
-                        (distance(prediction, state) > options_.longest_jump ||
-                         system_.passed_through(path_.state, state));
+                        (jump > options_.longest_jump || system_.passed_through(path_.state, state));
+    growth_ = branched ? 1 : growth_after(jump);
     if (!newton_.converged || (jumped && !last_chance)) {
       stop_ = newton_.converged || path_.steps.back().contacts == 0 ? Stop::not_converged : Stop::locked;
       system_.set_multiplier(multiplier);
@@ -104,6 +104,22 @@ class Follower {
     }
     take(theta, std::move(state), branched, jumped);
     return true;
+  }
+
+  /// On the way, the step after one of `rough` is quadratically small, and good enough to go on from.
+  NewtonOptions newton_options(double theta) const {
+    NewtonOptions options = options_.newton;
+    if (theta == goal_) return options;
+    options.step_tolerance = std::max(options.step_tolerance, rough);
+    options.drive_tolerance = std::max(options.drive_tolerance, rough * rough);
+    return options;
+  }
+
+  /// Factor for the next step: the error of a prediction grows with the square of the step.
+  double growth_after(double jump) const {
+    if (!std::isfinite(jump)) return least_growth;
+    return std::clamp(std::sqrt(0.4 * options_.longest_jump / std::max(jump, 1e-12)), least_growth,
+                      most_growth);
   }
 
   /// Balance along the tangent: what the drive grips goes to its place, the rest follows to first order.
@@ -151,7 +167,7 @@ class Follower {
       if (!newton_.converged) break;
       const VectorXd along = side_of(soft.direction) * system_.freedoms().extend(soft.direction);
       state = downhill(theta, state, along / system_.length(state, along));
-      newton_ = minimise(system_, theta, options_.newton, state, tangent_);
+      newton_ = minimise(system_, theta, newton_options(theta), state, tangent_);
       path_.iterations += newton_.iterations;
       iterations += newton_.iterations;
     }
@@ -299,7 +315,7 @@ class Follower {
   LoadPath path_;
   Stop stop_ = Stop::not_converged;
   bool has_tangent_ = false;
-  double free_slope_ = 0;
+  double growth_ = 1, free_slope_ = 0;
   bool locked_ = false;
 };
 

@@ -8,7 +8,9 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double least_shift = 1e-10;
+constexpr double least_shift = 1e-8;
+constexpr double shift_decay = 20;
+constexpr double tiny_step = 1e-5;
 constexpr double most_shift = 1e6;
 constexpr double energy_noise = 1e-15;
 
@@ -32,7 +34,7 @@ class Newton {
     energy_ = system_.energy(state_, theta_);
     while (linearise() && std::isfinite(energy_)) {
       if (result_.force <= force_tolerance_ || small_step_) {
-        result_.converged = !system_.update_multiplier(state_, theta_);
+        result_.converged = !system_.update_multiplier(state_, theta_, options_.drive_tolerance);
         if (result_.converged) break;
         small_step_ = false;
         energy_ = system_.energy(state_, theta_);
@@ -40,7 +42,7 @@ class Newton {
       }
       if (result_.iterations++ >= options_.max_iterations || !step()) break;
     }
-    result_.stable = std::isfinite(result_.force) && tangent_.factorise(0);
+    result_.stable = std::isfinite(result_.force) && (factor_holds_ || tangent_.factorise(0));
     return result_;
   }
 
@@ -53,13 +55,16 @@ class Newton {
 
   /// False where no step lowers the energy.
   bool step() {
-    for (double shift = shift_; shift <= most_shift; shift = std::max(10 * shift, least_shift)) {
-      if (!tangent_.factorise(shift) || !try_step(shift)) continue;
-      shift_ = shift > least_shift ? shift / 10 : 0;
+    if (attempt(0)) return true;
+    for (double shift = std::max(shift_ / shift_decay, least_shift); shift <= most_shift; shift *= 10) {
+      if (!attempt(shift)) continue;
+      shift_ = shift;
       return true;
     }
     return false;
   }
+
+  bool attempt(double shift) { return tangent_.factorise(shift) && try_step(shift); }
 
   bool try_step(double shift) {
     VectorXd step = -system_.freedoms().extend(tangent_.solve(gradient_));
@@ -73,6 +78,7 @@ class Newton {
     const double energy = system_.energy(candidate, theta_);
     if (!is_better(energy, candidate, length)) return false;
     small_step_ = shift == 0 && length <= options_.step_tolerance;
+    factor_holds_ = shift == 0 && length <= tiny_step;
     state_ = std::move(candidate);
     energy_ = energy;
     result_.moved += length;
@@ -97,6 +103,7 @@ class Newton {
   VectorXd gradient_;
   double energy_ = 0, shift_ = 0;
   bool small_step_ = false;
+  bool factor_holds_ = false;  ///< that of the state before, a tiny step away
 };
 
 }  // namespace

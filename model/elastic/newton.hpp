@@ -10,6 +10,7 @@ struct NewtonOptions {
   int max_iterations = 60;        ///< >= 1
   double force_tolerance = 1e-13; ///< largest entry of the gradient, times (1 + size of the structure in cells)
   double step_tolerance = 1e-11;  ///< a shorter Newton step (ElasticSystem::length) ends the search
+  double drive_tolerance = 1e-12; ///< of a driven hinge's turn, rad
   double longest_step = 0.25;     ///< rad, cell edges
 };
 
@@ -24,7 +25,8 @@ struct NewtonResult {
 /// Minimises the energy of a system at fold parameter theta from `state`, in which what the drive grips must
 /// be in place: Newton's method with the exact Hessian, shifted where it is not positive definite or its step
 /// does not lower the energy. A state of balance that is no minimum (a symmetric one, say) is a result too,
-/// with stable = false. Afterwards `tangent` is that of the last state, factorised if stable.
+/// with stable = false. Afterwards `tangent` is that of the last state, factorised if stable (there or a step
+/// of at most 1e-5 before).
 NewtonResult minimise(ElasticSystem& system, double theta, const NewtonOptions& options, State& state,
                       Tangent& tangent);
 

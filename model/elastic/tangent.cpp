@@ -7,7 +7,7 @@ namespace kinetix {
 namespace {
 
 // Below, blocks are too small for the dense kernels to pay.
-constexpr int supernodal_from = 2500;
+constexpr int supernodal_from = 12000;
 
 }  // namespace
 

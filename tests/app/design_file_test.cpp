@@ -45,6 +45,7 @@ void expect_same(const DesignFile& a, const DesignFile& b) {
   }
   EXPECT_EQ(a.theta, b.theta);
   EXPECT_EQ(a.drive, b.drive);
+  EXPECT_EQ(a.side, b.side);
   EXPECT_EQ(a.hinge, b.hinge);
   EXPECT_EQ(a.physics, b.physics);
 }
@@ -90,6 +91,16 @@ TEST(DesignFile, DrivesByPlatesAlongYUnlessToldOtherwise) {
   EXPECT_EQ(read(strip + "drive: {kind: plates, axis: x, compression: 0.15}").drive->axis, Axis::x);
 }
 
+TEST(DesignFile, TakesTheBranchAndTheSideOfABifurcation) {
+  const DesignFile file = read(strip + "drive: {kind: plates, compression: 0.15, branch: -1, side: -1}");
+  EXPECT_EQ(file.drive->branch, -1);
+  EXPECT_EQ(file.side, -1);
+  const DesignFile side_alone = read(strip + "drive: {side: -1}");
+  EXPECT_FALSE(side_alone.drive);
+  EXPECT_EQ(side_alone.side, -1);
+  EXPECT_EQ(read(strip).side, 1);
+}
+
 TEST(DesignFile, TakesThePaperPatternAndLetsNamedHingesWin) {
   const DesignFile file =
       read(strip +
@@ -128,8 +139,12 @@ TEST(DesignFile, SurvivesWritingAndReadingBitForBit) {
       file.drive = DriveSection{.kind = DriveSection::Kind::hinge,
                                 .wall = file.structure.hinges.back().wall,
                                 .angle = 6 * unit(random) - 3};
+    if (file.drive && round % 4 < 2 && file.drive->kind == DriveSection::Kind::plates)
+      file.drive->branch = round % 8 < 4 ? 1 : -1;
+    file.side = round % 7 < 3 ? -1 : 1;
     if (round % 2)
       file.hinge = {HingeSection::Model::elastic, 1000 * unit(random), unit(random), edge * unit(random)};
+    if (round % 4 == 1) file.hinge.k_contact = 1e4 * unit(random);
     if (round % 5 == 0)
       file.physics = {0.1 * unit(random), 1 + round, unit(random), edge * unit(random),
                       PhysicsOptions::Solver::sweeps};
@@ -235,6 +250,14 @@ TEST(DesignFile, SaysWhereAndWhatIsAllowed) {
       {strip + "hinge: {model: stiff}\n", 3, 16, "hinge.model", {"rotary, elastic"}},
       {strip + "hinge: {k_point: 0}\n", 3, 18, "hinge.k_point", {"above 0, in N/mm"}},
       {strip + "hinge: {k_turn: -1}\n", 3, 17, "hinge.k_turn", {"at least 0, in N mm/rad"}},
+      {strip + "hinge: {model: elastic, k_turn: 0}\n", 3, 33, "hinge.k_turn", {"above 0, in N mm/rad"}},
+      {strip + "hinge: {model: elastic, k_point: -5}\n", 3, 34, "hinge.k_point", {"above 0, in N/mm"}},
+      {strip + "hinge: {k_contact: 0}\n", 3, 20, "hinge.k_contact", {"above 0, in N/mm"}},
+      {strip + "hinge: {k_contract: 9}\n", 3, 9, "hinge.k_contract", {"did you mean `k_contact`?"}},
+      {strip + "drive: {kind: plates, compression: 0.1, branch: 2}\n", 3, 49, "drive.branch", {"1, -1"}},
+      {strip + "drive: {kind: plates, compression: 1}\n", 3, 36, "drive.compression", {"below 1"}},
+      {strip + "drive: {side: 0}\n", 3, 15, "drive.side", {"1, -1"}},
+      {strip + "drive: {side: 1, compression: 0.2}\n", 3, 8, "drive", {"`kind` is missing"}},
       {strip + "hinge: {reach_mm: 101}\n", 3, 19, "hinge.reach_mm", {"0.1 to 100", "10 cells"}},
   };
   TemporaryFolder folder;

@@ -10,10 +10,8 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <valijson/adapters/nlohmann_json_adapter.hpp>
-#include <valijson/schema.hpp>
-#include <valijson/schema_parser.hpp>
-#include <valijson/validator.hpp>
+
+#include "tests/app/schema_errors.hpp"
 
 namespace kinetix::testing {
 namespace {
@@ -35,20 +33,6 @@ Json without_times(Json result) {
   result.erase("fidelity");
   result["physics"].erase("seconds");
   return result;
-}
-
-std::string schema_errors(const Json& document) {
-  const Json schema_json = Json::parse(text_of(KINETIX_SOURCE "/app/schema/result.schema.json"));
-  valijson::Schema schema;
-  valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(schema_json), schema);
-  valijson::ValidationResults errors;
-  valijson::Validator().validate(schema, valijson::adapters::NlohmannJsonAdapter(document), &errors);
-  std::string text;
-  for (const auto& error : errors) {
-    for (const auto& part : error.context) text += part;
-    text += ": " + error.description + "\n";
-  }
-  return text;
 }
 
 TEST(Program, FindsVerifiesAndWritesADesign) {

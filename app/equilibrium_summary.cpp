@@ -1,0 +1,71 @@
+#include "app/equilibrium_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace kinetix {
+namespace {
+
+constexpr std::size_t most_events = 12;
+
+double degrees(double angle) { return angle / radians_per_degree; }
+
+bool by_plates(const Equilibrium& balance) { return balance.drive.kind == Drive::Kind::plates; }
+
+std::string load_text(const Equilibrium& balance, const LoadStep& step) {
+  return fmt::format("{:.4g} {}", step.load, by_plates(balance) ? "N" : "N mm");
+}
+
+std::string drive_text(const Equilibrium& balance, const LoadStep& step) {
+  return by_plates(balance) ? fmt::format("compression {:.4g}", step.drive)
+                            : fmt::format("hinge turn {:.4g} deg", degrees(step.drive));
+}
+
+std::string energy_text(const LoadPath& path) {
+  HingeEnergy sum;
+  for (const HingeEnergy& energy : path.hinge_energies) {
+    sum.stretch += energy.stretch;
+    sum.turn += energy.turn;
+  }
+  const double total = path.steps.back().energy;
+  return fmt::format("{:.4g} N mm ({:.4g} in stretch, {:.4g} in turn, {:.2g} in contact)", total, sum.stretch,
+                     sum.turn, std::max(0.0, total - sum.total()));
+}
+
+std::string stretch_text(const Run& run) {
+  const HingeGaps& gaps = run.equilibrium->path.gaps;
+  std::string text =
+      fmt::format("largest {:.2e} cell edges ({:.3g} mm)", gaps.max, gaps.max * run.structure.size.edge_mm);
+  if (gaps.worst_hinge >= 0 && gaps.max > 0)
+    text += ", on wall " + to_string(run.structure.hinges[gaps.worst_hinge].wall);
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::array<std::string, 2>> equilibrium_lines(const Run& run) {
+  const Equilibrium& balance = *run.equilibrium;
+  const LoadPath& path = balance.path;
+  const LoadStep& last = path.steps.back();
+  std::vector<std::array<std::string, 2>> lines;
+  if (!balance.reached()) lines.push_back({"STOPPED", to_string(path.stop) + ": " + path.why});
+  lines.push_back({"load", load_text(balance, last) + " at " + drive_text(balance, last) +
+                               (balance.reached() ? ": the drive reached its goal" : "")});
+  lines.push_back({"energy", energy_text(path)});
+  lines.push_back({"stretch", stretch_text(run)});
+  for (std::size_t k = 0; k < std::min(most_events, path.events.size()); ++k) {
+    const PathEvent& event = path.events[k];
+    lines.push_back({"event", fmt::format("{} at {}, theta {:.2f} deg, load {}: {}", to_string(event.kind),
+                                          drive_text(balance, event.at), degrees(event.at.theta),
+                                          load_text(balance, event.at), event.what)});
+  }
+  if (path.events.size() > most_events)
+    lines.push_back({"", fmt::format("and {} more events in result.json", path.events.size() - most_events)});
+  if (balance.from_exact)
+    lines.push_back({"exact", fmt::format("rms {:.1e} cell edges from the closed form of the same drive",
+                                          balance.from_exact->rms)});
+  return lines;
+}
+
+}  // namespace kinetix

@@ -1,0 +1,23 @@
+#include "sim/balance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/closure.hpp"
+#include "model/closure_drive.hpp"
+
+namespace kinetix {
+
+double largest_hinge_force(const Structure& structure, const State& state, const Stiffness& stiffness) {
+  const Eigen::VectorXd misfit = closure_residual(structure, state);
+  double largest = 0;
+  for (int h = 0; h < static_cast<int>(structure.hinges.size()); ++h) {
+    const Eigen::Vector3d point = misfit.segment<3>(6 * h),
+                          lever = stiffness.reach * misfit.segment<3>(6 * h + 3);
+    const double turn = stiffness.turn * hinge_turn(structure, state, h);
+    largest = std::max({largest, (point + lever).norm(), (point - lever).norm(), std::abs(turn)});
+  }
+  return largest;
+}
+
+}  // namespace kinetix

@@ -1,0 +1,20 @@
+#include "sim/bullet_math.hpp"
+
+#include <LinearMath/btTransform.h>
+
+namespace kinetix {
+
+Eigen::Vector3d eigen(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
+
+Eigen::Matrix3d eigen(const btMatrix3x3& m) {
+  Eigen::Matrix3d out;
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column) out(row, column) = m[row][column];
+  return out;
+}
+
+Pose pose_of(const btTransform& transform, double edge_mm) {
+  return {eigen(transform.getBasis()), edge_mm * eigen(transform.getOrigin())};
+}
+
+}  // namespace kinetix

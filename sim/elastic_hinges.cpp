@@ -1,0 +1,90 @@
+#include "sim/elastic_hinges.hpp"
+
+#include <Eigen/Eigenvalues>
+
+#include "model/closure.hpp"
+
+namespace kinetix {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+/// Second derivative of force . arm by a turn of the arm.
+Matrix3d turned(const Vector3d& force, const Vector3d& arm) {
+  const Matrix3d product = force * arm.transpose();
+  return 0.5 * (product + product.transpose()) - product.trace() * Matrix3d::Identity();
+}
+
+/// By body: what the points' forces oppose to turns, over the stiffness of a point.
+std::vector<Matrix3d> turning_stiffness(const Structure& structure, const State& state, double reach) {
+  std::vector<Matrix3d> sums(state.size(), Matrix3d::Zero());
+  const Eigen::VectorXd misfit = closure_residual(structure, state);
+  Eigen::Index row = 0;
+  for (const Hinge& hinge : structure.hinges) {
+    const Vector3d force = 2 * misfit.segment<3>(row),
+                   moment = 2 * reach * reach * misfit.segment<3>(row + 3);
+    const Vector3d edge = edge_direction(hinge.wall.axis);
+    const Vector3d axis = hinge_axis(hinge.wall.axis, hinge.parameters);
+    const Matrix3d &lower = state[hinge.lower].R, &upper = state[hinge.upper].R;
+    const double t = hinge.parameters.t;
+    sums[hinge.lower] += turned(force, lower * (t * edge)) + turned(moment, lower * axis);
+    sums[hinge.upper] -= turned(force, upper * ((t - 1) * edge)) + turned(moment, upper * axis);
+    row += 6;
+  }
+  return sums;
+}
+
+VelocityRow brake(int body, const Vector3d& direction, double weight, const Vector3d& speed) {
+  VelocityRow row{body, -1, Vector6::Zero(), Vector6::Zero(), -direction.dot(speed), weight};
+  row.first.tail<3>() = direction;
+  return row;
+}
+
+}  // namespace
+
+ElasticHinges::ElasticHinges(const Structure& structure, const Stiffness& stiffness)
+    : structure_(structure), stiffness_(stiffness) {
+  for (int h = 0; h < static_cast<int>(structure.hinges.size()); ++h)
+    springs_.push_back({{h, 0}, stiffness.turn});
+}
+
+void ElasticHinges::drive_to(int hinge, double angle, double weight) {
+  springs_.resize(structure_.hinges.size());
+  springs_.push_back({{hinge, angle}, weight});
+}
+
+void ElasticHinges::relax_at(const std::vector<double>& angles) {
+  for (std::size_t h = 0; h < angles.size(); ++h) springs_[h].goal.angle = angles[h];
+}
+
+VelocityRow ElasticHinges::row(const Spring& spring, const State& state, const std::vector<Vector3d>& speeds,
+                               double step) const {
+  const Hinge& hinge = structure_.hinges[spring.goal.hinge];
+  std::vector<Eigen::Triplet<double>> entries;
+  append_drive_gradient(spring.goal, structure_, state, 0, entries);
+  const Vector3d gradient(entries[0].value(), entries[1].value(), entries[2].value());
+  VelocityRow row{hinge.lower, hinge.upper, Vector6::Zero(), Vector6::Zero(), 0, spring.weight};
+  row.first.tail<3>() = -gradient;
+  row.second.tail<3>() = gradient;
+  row.target = -drive_residual(spring.goal, structure_, state) / step -
+               gradient.dot(speeds[hinge.upper] - speeds[hinge.lower]);
+  return row;
+}
+
+std::vector<VelocityRow> ElasticHinges::rows(const State& state, const std::vector<Vector3d>& speeds,
+                                             double step) const {
+  std::vector<VelocityRow> rows;
+  rows.reserve(springs_.size() + 3 * state.size());
+  for (const Spring& spring : springs_) rows.push_back(row(spring, state, speeds, step));
+  const std::vector<Matrix3d> stiffness = turning_stiffness(structure_, state, stiffness_.reach);
+  for (std::size_t b = 0; b < state.size(); ++b) {
+    const Eigen::SelfAdjointEigenSolver<Matrix3d> modes(stiffness[b]);
+    for (int k = 0; k < 3; ++k)
+      rows.push_back(
+          brake(static_cast<int>(b), modes.eigenvectors().col(k), modes.eigenvalues()[k], speeds[b]));
+  }
+  return rows;
+}
+
+}  // namespace kinetix

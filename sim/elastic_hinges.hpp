@@ -1,0 +1,50 @@
+#pragma once
+
+#include <vector>
+
+#include "model/closure_drive.hpp"
+#include "model/elastic/elasticity.hpp"
+#include "sim/row_system.hpp"
+
+namespace kinetix {
+
+/// What the direct solver must know of elastic hinges beyond the equations of their two points: turning
+/// springs, a driven hinge, and how forces turn with their bodies. The engine has none of them: it cuts its
+/// springs down to what a step can bear, and its angular joints count Euler angles, which leave the turn of
+/// model/closure_drive.hpp where the two axes of a stretched hinge part.
+class ElasticHinges {
+ public:
+  /// Springs relaxed at flat. @param structure must outlive this
+  ElasticHinges(const Structure& structure, const Stiffness& stiffness);
+
+  /// From now on, one hinge is driven to an angle. @param angle rad, (-pi, pi)
+  /// @param weight over that of a hinge point
+  void drive_to(int hinge, double angle, double weight);
+
+  /// Sets where each hinge's turning spring is relaxed. @param angles by hinge, rad, (-pi, pi)
+  void relax_at(const std::vector<double>& angles);
+
+  /// By implicit Euler, a spring leads each turn back to its rest within a step as far as its weight allows.
+  /// Likewise each body's turning speed is led to zero with the weight of what its hinges' present forces
+  /// would oppose to a turn of their arms, as far as they oppose it.
+  /// @param state mm; @param speeds of turning of the bodies, rad/s; @param step s
+  /// @return equations on changes of speed, a and b being bodies of the structure or -1; the same a and b in
+  /// the same order at every call after the first drive_to
+  std::vector<VelocityRow> rows(const State& state, const std::vector<Eigen::Vector3d>& speeds,
+                                double step) const;
+
+ private:
+  struct Spring {
+    HingeTurn goal;
+    double weight = 0;
+  };
+
+  VelocityRow row(const Spring& spring, const State& state, const std::vector<Eigen::Vector3d>& speeds,
+                  double step) const;
+
+  const Structure& structure_;
+  const Stiffness stiffness_;
+  std::vector<Spring> springs_;  ///< by hinge, then the drive
+};
+
+}  // namespace kinetix

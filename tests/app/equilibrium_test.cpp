@@ -1,0 +1,189 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "tests/app/program.hpp"
+#include "tests/app/schema_errors.hpp"
+
+namespace kinetix::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using Json = nlohmann::json;
+
+constexpr const char* panel = R"(kinetix: 1
+name: panel
+structure: {cells: [3, 3], cell_mm: 10}
+drive: {kind: plates, axis: y, compression: 0.15}
+hinge: {model: elastic, k_point: 1000, k_turn: 0.2, reach_mm: 1.8}
+)";
+
+constexpr const char* twist_unit = R"(kinetix: 1
+structure: {cells: [1, 1], cell_mm: 20}
+design: {theta_deg: 30, pattern: {even: {A_in_deg: [90, 80, 90, 80]}}}
+hinge: {model: elastic}
+)";
+
+Outcome balance(const Scratch& scratch, const std::string& design, const std::string& more = "") {
+  return kinetix_opt("simulate " + scratch.write("d.yaml", design) + " --model equilibrium --quiet " + more +
+                     " -o " + scratch.path());
+}
+
+/// Numbers that are not finite are null in a file.
+int nulls(const Json& value) {
+  if (value.is_null()) return 1;
+  int sum = 0;
+  if (value.is_structured())
+    for (const Json& entry : value) sum += nulls(entry);
+  return sum;
+}
+
+TEST(Equilibrium, OfABasicPanelHasTheEnergyOfItsTurningHingesAndTheForceThatDoesTheWork) {
+  const Scratch scratch;
+  const Outcome run = balance(scratch, panel);
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("the drive reached its goal"));
+  EXPECT_THAT(run.out, HasSubstr("event      bifurcation at compression"));
+  const Json result = Json::parse(text_of(scratch / "result.json"));
+  EXPECT_EQ(schema_errors(result), "");
+  EXPECT_EQ(result["plan"]["model"], "equilibrium");
+  const Json& found = result["equilibrium"];
+  EXPECT_EQ(found["stop"], "reached");
+  EXPECT_EQ(found["planar"], true);
+  EXPECT_EQ(found["stiffness"],
+            (Json{{"k_point", 1000.0}, {"k_turn", 0.2}, {"reach_mm", 1.8}, {"k_contact", 10000.0}}));
+  EXPECT_EQ(nulls(found), 0);
+
+  const double theta = std::acos(0.85), hinges = 24;
+  EXPECT_NEAR(result["metrics"]["theta_rad"], theta, 1e-12);
+  EXPECT_NEAR(result["metrics"]["energy_Nmm"], hinges * 0.5 * 0.2 * std::pow(2 * theta, 2), 1e-3);
+  const Json& path = found["path"];
+  double work = path[1]["energy_Nmm"];
+  for (std::size_t k = 2; k < path.size(); ++k)
+    work += 30 * (path[k]["drive"].get<double>() - path[k - 1]["drive"].get<double>()) *
+            (path[k]["load"].get<double>() + path[k - 1]["load"].get<double>()) / 2;
+  EXPECT_NEAR(work, result["metrics"]["energy_Nmm"], 2e-3 * work);
+  EXPECT_GT(result["metrics"]["load_N"], 0);
+  EXPECT_LE(result["metrics"]["exact_rms"], 1e-4);
+  EXPECT_EQ(result["states"][0]["model"], "equilibrium");
+  EXPECT_EQ(result["states"][1]["model"], "exact");
+  int frames = 0;
+  for (const Json& state : result["states"]) frames += state["name"] == "frame";
+  EXPECT_GE(frames, 10);
+  EXPECT_LE(frames, 14);
+  ASSERT_EQ(found["hinge_energy_Nmm"].size(), hinges);
+  EXPECT_NEAR(found["hinge_energy_Nmm"][0]["turn"], 0.5 * 0.2 * std::pow(2 * theta, 2), 1e-4);
+}
+
+TEST(Equilibrium, OfATwistUnitStretchesItsHingesAndAgreesWithThePhysicsRun) {
+  const Scratch scratch;
+  const Outcome run = balance(scratch, twist_unit, "--json");
+  EXPECT_EQ(run.code, 0) << run.err;
+  const Json result = Json::parse(run.out);
+  EXPECT_EQ(schema_errors(result), "");
+  EXPECT_EQ(result["plan"]["family"], "none");
+  EXPECT_EQ(result["equilibrium"]["planar"], false);
+  EXPECT_GT(result["metrics"]["hinge_gap_max"], 1e-3);
+  EXPECT_LT(result["metrics"]["hinge_gap_max"], 0.05);
+
+  const Outcome verified =
+      kinetix_opt("verify " + (scratch / "design.yaml").string() + " --json --quiet -o " + scratch.path());
+  EXPECT_EQ(verified.code, 0) << verified.err;
+  const Json physics = Json::parse(verified.out);
+  EXPECT_EQ(schema_errors(physics), "");
+  EXPECT_LE(physics["metrics"]["verify_rms"], 1e-4);
+  EXPECT_EQ(physics["fidelity"].back()["against"], "equilibrium");
+}
+
+TEST(Equilibrium, TakesTheOtherSignOfThetaAndADrivenHinge) {
+  const Scratch scratch;
+  const auto theta_and_energy = [&](const std::string& drive, const std::string& more = "") {
+    const Outcome run =
+        balance(scratch, "kinetix: 1\nstructure: {cells: [2, 2], cell_mm: 10}\n" + drive, more + " --json");
+    EXPECT_EQ(run.code, 0) << run.err;
+    const Json metrics = Json::parse(run.out)["metrics"];
+    return std::pair(metrics["theta_rad"].get<double>(), metrics["energy_Nmm"].get<double>());
+  };
+  const double theta = std::acos(0.85);
+  const auto [forth, energy] = theta_and_energy("drive: {kind: plates, compression: 0.15}\n");
+  EXPECT_NEAR(forth, theta, 1e-12);
+  const auto [back, same] = theta_and_energy("drive: {kind: plates, compression: 0.15, branch: -1}\n");
+  EXPECT_NEAR(back, -theta, 1e-12);
+  EXPECT_NEAR(same, energy, 1e-6 * energy);
+  const auto [asked, of_theta] = theta_and_energy("", "--theta-deg -31.788330617");
+  EXPECT_NEAR(asked, -theta, 1e-9);
+  EXPECT_NEAR(of_theta, energy, 1e-6 * energy);
+  const auto [turned, of_hinge] =
+      theta_and_energy("drive: {kind: hinge, wall: [[0, 0], [1, 0]], angle_deg: -63.576661234}\n");
+  EXPECT_NEAR(turned, theta, 1e-9);
+  EXPECT_NEAR(of_hinge, energy, 1e-3 * energy);
+}
+
+TEST(Equilibrium, OfRotaryHingesSaysThatItTakesThemAsElastic) {
+  const Scratch scratch;
+  const std::string start = "kinetix: 1\nstructure: {cells: [2, 2], cell_mm: 20}\ndesign: {theta_deg: 10}\n";
+  const Json result = Json::parse(balance(scratch, start, "--json").out);
+  EXPECT_THAT(
+      result["plan"]["why"].dump(),
+      HasSubstr("rotary; for this model they are taken as elastic: k_point 1000 N/mm, k_turn 0.1 N mm/rad, "
+                "reach_mm 3.6, k_contact 10000 N/mm"));
+  const Outcome slack = balance(scratch, start + "hinge: {model: rotary, k_turn: 0}\n");
+  EXPECT_EQ(slack.code, 2);
+  EXPECT_THAT(slack.err,
+              HasSubstr("hinge.k_turn: 0 is out of range for the elastic model; allowed: a number above 0"));
+}
+
+TEST(Equilibrium, OfAnOverdrivenPanelStopsAndSaysWhy) {
+  const Scratch scratch;
+  const Outcome run = balance(scratch,
+                              "kinetix: 1\nname: thick\nhinge: {model: elastic}\n"
+                              "structure: {cells: [4, 4], cell_mm: 10, wall_mm: {thickness: 4}}\n"
+                              "drive: {kind: plates, axis: y, compression: 0.6}\n");
+  EXPECT_EQ(run.code, 3) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("STOPPED"));
+  EXPECT_THAT(run.out, HasSubstr("event      contact at compression 0.14"));
+  const Json result = Json::parse(text_of(scratch / "result.json"));
+  EXPECT_EQ(schema_errors(result), "");
+  EXPECT_EQ(nulls(result), 1) << "the target alone";
+  EXPECT_NE(result["equilibrium"]["stop"], "reached");
+  EXPECT_EQ(result["metrics"]["reached"], false);
+  EXPECT_LT(result["metrics"]["compression"], 0.6);
+  EXPECT_NEAR(result["metrics"]["theta_limit_rad"], 0.5404, 1e-3);
+  EXPECT_THAT(text_of(scratch / "design.yaml"), HasSubstr("compression: 0.6}"));
+  EXPECT_TRUE(fs::exists(scratch / "report.html"));
+}
+
+TEST(Equilibrium, OfNothingToDoIsTheFlatSheet) {
+  const Scratch scratch;
+  const Outcome run = balance(scratch, "kinetix: 1\nstructure: {cells: [2, 1]}\n", "--json");
+  EXPECT_EQ(run.code, 0) << run.err;
+  const Json result = Json::parse(run.out);
+  EXPECT_EQ(schema_errors(result), "");
+  EXPECT_EQ(result["metrics"]["energy_Nmm"], 0);
+  EXPECT_EQ(result["equilibrium"]["path"].size(), 1u);
+}
+
+TEST(Equilibrium, RefusesWhatNoBalanceHas) {
+  const Scratch scratch;
+  const auto refusal = [&](const std::string& section) {
+    const Outcome run = balance(scratch, "kinetix: 1\nstructure: {cells: [2, 2]}\n" + section + "\n");
+    EXPECT_EQ(run.code, 2) << section;
+    EXPECT_EQ(run.out, "");
+    EXPECT_FALSE(fs::exists(scratch / "result.json"));
+    return run.err;
+  };
+  EXPECT_THAT(refusal("hinge: {model: elastic, k_turn: 0}"), HasSubstr(":3:33: hinge.k_turn: "));
+  EXPECT_THAT(refusal("hinge: {model: elastic, k_turn: -0.1}"), HasSubstr("above 0, in N mm/rad"));
+  EXPECT_THAT(refusal("hinge: {model: elastic, k_point: -1000}"), HasSubstr(":3:34: hinge.k_point: "));
+  EXPECT_THAT(refusal("hinge: {model: elastic, k_contact: .nan}"), HasSubstr("hinge.k_contact: "));
+  EXPECT_THAT(refusal("hinge: {model: elastic, k_pont: 1}"), HasSubstr("did you mean `k_point`?"));
+  EXPECT_THAT(refusal("drive: {kind: plates, compression: 1}"), HasSubstr(":3:36: drive.compression: "));
+  EXPECT_THAT(refusal("drive: {kind: hinge, wall: [[7, 0], [8, 0]], angle_deg: 40}"),
+              HasSubstr("drive.wall: the structure has no wall [[7, 0], [8, 0]]"));
+  EXPECT_THAT(refusal("structure: {}"), HasSubstr("structure"));
+}
+
+}  // namespace
+}  // namespace kinetix::testing

@@ -1,0 +1,231 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "model/cell_tuple.hpp"
+#include "model/invalid_input.hpp"
+#include "sim/compression_run.hpp"
+#include "tests/sim/elastic_balance.hpp"
+#include "tests/sim/runs.hpp"
+
+namespace kinetix {
+namespace {
+
+using testing::curl;
+using testing::elastic_energy;
+using testing::imbalance;
+using testing::strip;
+using testing::structure_of;
+using Status = PhysicsResult::Status;
+
+PhysicsOptions elastic(double turn) {
+  PhysicsOptions options = testing::without_contact();
+  options.elastic = Stiffness{.turn = turn};
+  return options;
+}
+
+Drive hinge_drive(const Wall& wall, double angle) {
+  Drive drive;
+  drive.kind = Drive::Kind::hinge;
+  drive.wall = wall;
+  drive.angle = angle;
+  return drive;
+}
+
+/// The run settles, and the hinges' forces balance.
+PhysicsResult settled(const Structure& structure, const Drive& drive, const PhysicsOptions& options) {
+  const PhysicsResult result = run_compression(structure, drive, options);
+  EXPECT_EQ(result.status, Status::settled) << result.why;
+  EXPECT_LE(imbalance(structure, drive, result.state, *options.elastic, options.planar), 1e-6);
+  return result;
+}
+
+TEST(ElasticRun, FoldsAnExactStripBetweenPlatesAsRigidHingesDo) {
+  for (const double theta : {0.5, -0.5}) {
+    const auto design = strip({0.5, 0, 0.5, 0, 0.5, 0}, theta);
+    const Structure structure = structure_of(design);
+    const State exact = fold(design, structure);
+    const PhysicsOptions options = elastic(1e-6);
+    const PhysicsResult result = settled(structure, drive_to(structure, theta), options);
+    EXPECT_LE(aligned_distance(structure, result.state, exact).max, 1e-4);
+    const double energy = elastic_energy(structure, result.state, *options.elastic);
+    const double rigid = elastic_energy(structure, exact, *options.elastic);
+    EXPECT_LT(energy, rigid);
+    EXPECT_NEAR(energy, rigid, 1e-4 * rigid);
+  }
+}
+
+TEST(ElasticRun, ComesToTheExactFoldFromOneHingeAsTheTurningSpringsSoften) {
+  const auto design = strip({0.5, 0, 0.5, 0, 0.5, 0}, 0.5);
+  const Structure structure = structure_of(design);
+  const Drive drive = hinge_drive({{0, 0}, Axis::y}, -1);
+  double before = 0;
+  for (const double turn : {1e-6, 1e-7, 1e-8}) {
+    const PhysicsResult result = settled(structure, drive, elastic(turn));
+    const double distance = aligned_distance(structure, result.state, fold(design, structure)).max;
+    EXPECT_LE(distance, 2e3 * turn);
+    if (before > 0) {
+      EXPECT_NEAR(distance / before, 0.1, 0.01);
+    }
+    before = distance;
+  }
+}
+
+TEST(ElasticRun, TakesALongStripOfStiffTurningSpringsToTheBranchOfItsDrive) {
+  for (const double turn : {1e-6, 1e-4})
+    for (const double theta : {0.3, -0.3}) {
+      const Structure structure = structure_of(strip(curl(20, 0.16), theta));
+      settled(structure, drive_to(structure, theta), elastic(turn));
+    }
+}
+
+/// With c the compression, y-walls are pressed by 1 - c - cos(theta), and all four hinges turn by 2 theta:
+/// E = 2 (cos(theta) - 1 + c)^2 + 8 turn theta^2.
+TEST(ElasticRun, BalancesTheTurningSpringsOfOneCellAgainstItsPoints) {
+  const Structure cell = make_structure(rectangle(1, 1), {});
+  for (const double turn : {1e-4, 1e-3, 5e-3})
+    for (const int branch : {1, -1}) {
+      PhysicsOptions options = elastic(turn);
+      options.planar = true;
+      Drive drive;
+      drive.compression = 0.1;
+      drive.branch = branch;
+      const PhysicsResult result = settled(cell, drive, options);
+      const double theta = std::asin(result.state[0].R(1, 0));
+      EXPECT_GT(branch * theta, 0.1);
+      EXPECT_NEAR(std::cos(theta), 0.9 + 4 * turn * theta / std::sin(theta), 1e-5);
+    }
+}
+
+TEST(ElasticRun, LeavesACellStraightThatIsPressedTooLittleToBuckle) {
+  const Structure cell = make_structure(rectangle(1, 1), {});
+  PhysicsOptions options = elastic(5e-3);
+  options.planar = true;
+  Drive drive;
+  drive.compression = 0.01;
+  const PhysicsResult result = settled(cell, drive, options);
+  EXPECT_NEAR(elastic_energy(cell, result.state, *options.elastic), 2 * 0.01 * 0.01, 2e-7);
+}
+
+Structure twist_unit(double alpha_deg) {
+  const double alpha = alpha_deg * radians_per_degree;
+  const CellTuple tuple{.A_in = {pi / 2, alpha, pi / 2, alpha}};
+  Structure unit = make_structure(rectangle(1, 1), {});
+  apply_pattern(unit, tuple, tuple, SharedWalls::must_agree);
+  return unit;
+}
+
+TEST(ElasticRun, HoldsATwistUnitInBalanceOnItsWayOverTheBarrier) {
+  for (const double alpha_deg : {75.0, 60.0, 45.0})
+    for (const double angle : {0.3, -0.3, 1.0, 1.4})
+      for (const Axis axis : {Axis::x, Axis::y}) {
+        SCOPED_TRACE(std::to_string(alpha_deg) + " deg, " + std::to_string(angle) + " rad");
+        const PhysicsResult result =
+            settled(twist_unit(alpha_deg), hinge_drive({{0, 0}, axis}, angle), elastic(1e-6));
+        EXPECT_GT(result.gaps.axis_max, 5e-3);
+        EXPECT_LE(result.drive_gap, 2e-6);
+      }
+}
+
+TEST(ElasticRun, StretchesTheHingesOfADoublyCurvedPatch) {
+  for (const int cells : {2, 3}) {
+    Structure patch = make_structure(rectangle(cells, cells), {});
+    for (Hinge& hinge : patch.hinges) {
+      const auto [i, j] = hinge.wall.from;
+      const bool along_x = hinge.wall.axis == Axis::x;
+      hinge.parameters.beta = ((along_x ? j : i) & 1) ? -0.5 : 0.5;
+      if ((along_x ? i : j) & 1) hinge.parameters.beta *= -0.6;
+    }
+    const PhysicsResult result = settled(patch, drive_to(patch, 0.4), elastic(1e-6));
+    EXPECT_NEAR(result.gaps.max, 0.013, 0.002);
+  }
+}
+
+/// Basic cells, and a letter T of cells that scale: tA = k on their walls.
+Structure letter_panel(double k) {
+  Structure panel = make_structure(rectangle(10, 10), {});
+  const auto in_letter = [](int i, int j) {
+    const bool bar = j == 7 || j == 8, stem = i == 4 || i == 5;
+    return (bar && i >= 1 && i <= 8) || (stem && j >= 1 && j <= 8);
+  };
+  for (Hinge& hinge : panel.hinges) {
+    const auto [i, j] = hinge.wall.from;
+    const bool along_x = hinge.wall.axis == Axis::x;
+    if (in_letter(i, j) || in_letter(along_x ? i : i - 1, along_x ? j - 1 : j))
+      hinge.parameters.t = fraction_from_lower(k, hinge.wall.from);
+  }
+  return panel;
+}
+
+TEST(ElasticRun, ShowsTheLetterOfADisplayOnBothBranches) {
+  const Structure panel = letter_panel(0.15);
+  PhysicsOptions options = elastic(1e-6);
+  options.planar = true;
+  double energies[2];
+  for (int side = 0; side < 2; ++side) {
+    const Drive drive = drive_to(panel, (side ? -1 : 1) * std::acos(0.84));
+    ASSERT_EQ(drive.kind, Drive::Kind::plates);
+    const PhysicsResult result = settled(panel, drive, options);
+    EXPECT_NEAR(result.gaps.rms, 0.041, 0.001);
+    energies[side] = elastic_energy(panel, result.state, *options.elastic);
+  }
+  EXPECT_NEAR(energies[0], energies[1], 1e-9 * energies[0]);
+}
+
+TEST(ElasticRun, SettlesInTheSameStateWhateverTheStepAndTheMassesAre) {
+  const Structure panel = letter_panel(0.1);
+  PhysicsOptions options = elastic(1e-6);
+  options.planar = true;
+  const Drive drive = drive_to(panel, std::acos(0.84));
+  const PhysicsResult reference = settled(panel, drive, options);
+  options.step_s = 1.0 / 300;
+  options.part_inertia = 0.3;
+  const PhysicsResult other = settled(panel, drive, options);
+  EXPECT_LE(aligned_distance(panel, other.state, reference.state).max, 1e-6);
+}
+
+TEST(ElasticRun, SettlesWhereWallsTouchInThePlane) {
+  const Structure sheet = make_structure(rectangle(3, 3), {});
+  PhysicsOptions options = elastic(1e-6);
+  options.planar = options.contact = true;
+  options.overlap_limit = 0.01;
+  const PhysicsResult result = run_compression(sheet, drive_to(sheet, 0.76), options);
+  EXPECT_EQ(result.status, Status::settled) << result.why;
+  EXPECT_TRUE(result.contact.touches());
+  EXPECT_GT(result.gaps.max, options.gap_limit);
+}
+
+TEST(ElasticRun, EndsWhereAHingeStretchesTooFar) {
+  PhysicsOptions options = elastic(1e-6);
+  options.planar = true;
+  options.stretch_limit = 0.05;
+  const Structure panel = letter_panel(0.15);
+  const PhysicsResult result = run_compression(panel, drive_to(panel, 0.5), options);
+  EXPECT_EQ(result.status, Status::hinge_gap_exceeded);
+  EXPECT_THAT(result.why, ::testing::HasSubstr("allowed are 0.05"));
+}
+
+TEST(ElasticRun, RefusesSweepsAndWhatIsNotAStiffness) {
+  const auto rejects = [](auto change, const char* name) {
+    PhysicsOptions options = elastic(1e-6);
+    change(options);
+    try {
+      options.validate();
+      ADD_FAILURE() << name << " was accepted";
+    } catch (const InvalidInput& error) {
+      EXPECT_THAT(error.what(), ::testing::HasSubstr(name));
+    }
+  };
+  rejects([](PhysicsOptions& o) { o.solver = PhysicsOptions::Solver::sweeps; }, "elastic");
+  for (const double bad : {std::nan(""), 0.0, -1.0}) {
+    rejects([&](PhysicsOptions& o) { o.elastic->turn = bad; }, "elastic.turn");
+    rejects([&](PhysicsOptions& o) { o.elastic->reach = bad; }, "elastic.reach");
+    rejects([&](PhysicsOptions& o) { o.elastic->contact = bad; }, "elastic.contact");
+    rejects([&](PhysicsOptions& o) { o.settle_force = bad; }, "settle_force");
+    rejects([&](PhysicsOptions& o) { o.stretch_limit = bad; }, "stretch_limit");
+  }
+}
+
+}  // namespace
+}  // namespace kinetix
