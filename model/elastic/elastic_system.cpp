@@ -1,5 +1,7 @@
 #include "model/elastic/elastic_system.hpp"
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "model/elastic/screw.hpp"
@@ -54,6 +56,20 @@ State ElasticSystem::stepped(const State& state, const Eigen::VectorXd& twists) 
       if (freedoms_.unknown[b][3 + k] < 0)
         out[b].p[k] = state[b].p[k] + structure_.size.edge_mm * twists[6 * b + 3 + k];
   return out;
+}
+
+double ElasticSystem::length(const State& state, const Eigen::VectorXd& twists) const {
+  const auto turn = [&](int body) -> Eigen::Vector3d { return twists.segment<3>(6 * body); };
+  double longest = 0;
+  for (const RestHinge& h : hinges_) {
+    const Eigen::Vector3d lower = turn(h.lower).cross(state[h.lower].R * h.lower_arm),
+                          upper = turn(h.upper).cross(state[h.upper].R * h.upper_arm),
+                          shift = twists.segment<3>(6 * h.upper + 3) - twists.segment<3>(6 * h.lower + 3);
+    const double change = (shift + upper - lower).norm();
+    if (!std::isfinite(change)) return change;
+    longest = std::max({longest, change, turn(h.lower).norm(), turn(h.upper).norm()});
+  }
+  return longest;
 }
 
 Eigen::VectorXd ElasticSystem::place_rate(double theta) const {

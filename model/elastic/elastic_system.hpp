@@ -36,6 +36,9 @@ class ElasticSystem {
   /// The state after a step along screws (model/elastic/screw.hpp). Coordinates that are held or driven go
   /// straight on: an arc would take them off their plate.
   State stepped(const State& state, const Eigen::VectorXd& twists) const;
+  /// How far a step leads from where derivatives were taken: largest turn of a body (rad) or first-order change
+  /// of a hinge's gap (cell edges). Shifts that add up along a chain do not count.
+  double length(const State& state, const Eigen::VectorXd& twists) const;
   /// How fast what plates grip moves by theta: all coordinates, cell edges; zero for a driven hinge.
   Eigen::VectorXd place_rate(double theta) const;
 

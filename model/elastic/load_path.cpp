@@ -19,6 +19,8 @@ constexpr double most_growth = 2;
 constexpr double least_growth = 0.25;
 constexpr double rough = 1e-4;
 constexpr double branch_seed = 1e-3;
+constexpr double least_branch_seed = 1e-6;
+constexpr int most_saddles = 5;
 constexpr double longest_branch_step = 0.3;
 constexpr double steep = 30;
 constexpr double checkerboard = 1e-3;
@@ -129,7 +131,7 @@ class Follower {
       const VectorXd pull = tangent_.multiply_all(rate) + turn_pull();
       rate = -system_.freedoms().extend(tangent_.solve(system_.freedoms().restrict(pull)));
       VectorXd step = ahead * rate;
-      const double length = step.size() ? step.lpNorm<Eigen::Infinity>() : 0;
+      const double length = system_.length(path_.state, step);
       if (!(length <= longest_branch_step)) step *= longest_branch_step / length;
       if (step.allFinite()) state = system_.stepped(state, step);
     }
@@ -154,26 +156,34 @@ class Follower {
     has_tangent_ = tangent_.factorise(0);
   }
 
-  /// From a balance that is no minimum down to one that is, along the softest direction.
+  /// From a balance that is no minimum down to one that is, along the softest direction; where that fails,
+  /// there is no balance to take. @return whether it was left: not where the softest direction is neutral
   bool leave_saddle(double theta, State& state) {
-    const Softest soft = softest(tangent_);
-    if (!soft.converged || !(soft.value < 0)) return false;
-    const VectorXd along = side_of(soft.direction) * system_.freedoms().extend(soft.direction);
-    State best = state;
-    double least = system_.energy(state, theta);
-    for (double s = branch_seed; s <= longest_branch_step; s *= 2) {
-      State candidate = system_.stepped(state, s * along);
-      const double energy = system_.energy(candidate, theta);
-      if (!(energy < least)) break;
-      least = energy;
-      best = std::move(candidate);
+    int iterations = newton_.iterations, tries = 0;
+    for (; newton_.converged && !newton_.stable; ++tries) {
+      const Softest soft = softest(tangent_);
+      if (!soft.converged || !(soft.value < 0)) break;
+      newton_.converged = tries < most_saddles;
+      if (!newton_.converged) break;
+      const VectorXd along = side_of(soft.direction) * system_.freedoms().extend(soft.direction);
+      state = downhill(theta, state, along / system_.length(state, along));
+      newton_ = minimise(system_, theta, newton_options(theta), state, tangent_);
+      path_.iterations += newton_.iterations;
+      iterations += newton_.iterations;
     }
-    state = std::move(best);
-    const NewtonResult first = newton_;
-    newton_ = minimise(system_, theta, newton_options(theta), state, tangent_);
-    path_.iterations += newton_.iterations;
-    newton_.iterations += first.iterations;
-    return true;
+    newton_.iterations = iterations;
+    return tries > 0;
+  }
+
+  /// The lowest of the states at doubling distances along a direction of negative curvature, from the first one
+  /// that lies lower at all.
+  State downhill(double theta, const State& from, const VectorXd& along) const {
+    const auto at = [&](double s) { return system_.stepped(from, s * along); };
+    const double start = system_.energy(from, theta);
+    double s = branch_seed;
+    while (s > least_branch_seed && !(system_.energy(at(s), theta) < start)) s /= 2;
+    while (2 * s <= longest_branch_step && system_.energy(at(2 * s), theta) < system_.energy(at(s), theta)) s *= 2;
+    return at(s);
   }
 
   /// The sign that makes a direction turn class A with the drive; the option's where it does neither.

@@ -67,14 +67,14 @@ class Newton {
   bool attempt(double shift) { return tangent_.factorise(shift) && try_step(shift); }
 
   bool try_step(double shift) {
-    VectorXd step = -tangent_.solve(gradient_);
-    double length = largest(step);
+    VectorXd step = -system_.freedoms().extend(tangent_.solve(gradient_));
+    double length = system_.length(state_, step);
     if (!std::isfinite(length)) return false;
     if (length > options_.longest_step) {
       step *= options_.longest_step / length;
       length = options_.longest_step;
     }
-    State candidate = system_.stepped(state_, system_.freedoms().extend(step));
+    State candidate = system_.stepped(state_, step);
     const double energy = system_.energy(candidate, theta_);
     if (!is_better(energy, candidate, length)) return false;
     small_step_ = shift == 0 && length <= options_.step_tolerance;

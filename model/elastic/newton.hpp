@@ -9,7 +9,7 @@ namespace kinetix {
 struct NewtonOptions {
   int max_iterations = 60;        ///< >= 1
   double force_tolerance = 1e-13; ///< largest entry of the gradient, times (1 + size of the structure in cells)
-  double step_tolerance = 1e-11;  ///< a smaller Newton step (rad, cell edges) ends the search
+  double step_tolerance = 1e-11;  ///< a shorter Newton step (ElasticSystem::length) ends the search
   double drive_tolerance = 1e-12; ///< of a driven hinge's turn, rad
   double longest_step = 0.25;     ///< rad, cell edges
 };

@@ -68,20 +68,6 @@ TEST(PaperGrids, At135DegreesTheClosedFormIsABalanceButForTheStiffnessRatio) {
     }
 }
 
-/// Past 90 degrees a parallelogram has a second way on, on which two of its hinges turn back. It costs less.
-TEST(PaperGrids, ASingleCellLeavesTheClosedFormPast90DegreesForAClosedStateOfLessEnergy) {
-  const Structure s = crossable_grid(0.2, 1, 1);
-  const double theta = 60 * degree;
-  const LoadPath path = driven(s, theta, 1e-3);
-  ASSERT_EQ(path.stop, Stop::reached) << path.why;
-  EXPECT_GE(from_closed_form(s, path), 0.05);
-  EXPECT_LE(path.steps.back().energy, 0.7 * planar_energy(s, 1e-3, theta));
-  const int hinge = *s.hinge_at(drive_to(s, theta).wall);
-  const Closure closed = solve_closure(s, path.state, {HingeTurn{hinge, hinge_turn(s, path.state, hinge)}});
-  EXPECT_TRUE(closed.closed) << closed.why;
-  EXPECT_LE(aligned_distance(s, path.state, closed.state).rms, 1e-6);
-}
-
 /// Fig. 10.D.
 TEST(PaperGrids, UncrossableGridTouchesWhereTheClosedFormDoesAndLocks) {
   const Structure s = uncrossable_grid();
