@@ -92,8 +92,9 @@ function balanceNumbers(data) {
   const stretch = sum("stretch"), turn = sum("turn"), rest = balance.last.energy_Nmm - stretch - turn;
   const shares =
       [[stretch, "stretch"], [turn, "turn"], [rest, "walls pressed together"]]
-          .filter(([value]) => value > 0.001 * balance.last.energy_Nmm)
-          .map(([value, name]) => `${Math.round(100 * value / balance.last.energy_Nmm)}${SPACE}% ${name}`);
+          .map(([value, name]) => [Math.round(100 * value / balance.last.energy_Nmm), name])
+          .filter(([share]) => share > 0)
+          .map(([share, name]) => `${share}${SPACE}% ${name}`);
   return [
     keyNumber(
         balance.byPlates ? "Force on the plates" : "Moment of the drive",
@@ -158,6 +159,7 @@ function alongDrive(data, width, key, label, name) {
   axes.root.append(
       svg("path", {class: "zero", d: path([[axes.area.left, axes.Y(0)], [axes.area.right, axes.Y(0)]])}),
       svg("path", {class: "model", d: path(points)}),
+      ...points.map(([cx, cy]) => svg("circle", {class: "step", cx, cy, r: 2})),
       ...loose.map(([cx, cy]) => svg("circle", {class: "loose", cx, cy, r: 4})));
   return {axes, at: (event, value) => [axes.X(driveShown(balance, event.drive)), axes.Y(value)]};
 }
@@ -207,7 +209,7 @@ function loadSection(data) {
         "p", {class: "lead"},
         `From flat to ${driveWords(balance, balance.last.drive)} in ${
             count(balance.path.length - 1, "step", "steps")}, ` +
-            `each in balance. Numbers mark the events in the table.`),
+            `each in balance: the dots. Numbers mark the events in the table.`),
     responsive((width) => drawLoad(data, width)),
     responsive((width) => drawEnergy(data, width)),
     balance.path.slice(1).some((step) => step.stable === false) ?
@@ -228,7 +230,7 @@ function drawHeat(data, part, width) {
   const values = balance.energies.map((e) => e[part] ?? 0), most = Math.max(...values, 0);
   const line =
       structure.hinges.map((hinge) => [structure.bodies[hinge.a].rest, structure.bodies[hinge.b].rest]);
-  const margin = {left: 14, right: 14, top: 14, bottom: 50};
+  const margin = {left: 14, right: 14, top: 14, bottom: 64};
   const map = mapOf(line.flat(), width, margin);
   const r = Math.max(2.5, Math.min(11, 0.2 * structure.cell * map.perMm));
   const dot = (hinge, k) => {
