@@ -164,4 +164,8 @@ bool is_vertical(const Hinge& hinge) {
   return hinge_axis(hinge.wall.axis, hinge.parameters).head<2>().norm() <= vertical;
 }
 
+bool all_vertical(const Structure& structure) {
+  return std::all_of(structure.hinges.begin(), structure.hinges.end(), is_vertical);
+}
+
 }  // namespace kinetix

@@ -104,6 +104,8 @@ Eigen::Vector3d edge_direction(Axis axis);
 Eigen::Vector3d wall_up(Axis axis, double beta);
 /// Whether the hinge axis stands along z at rest, to 1e-9 rad.
 bool is_vertical(const Hinge& hinge);
+/// Then the structure moves in the plane.
+bool all_vertical(const Structure& structure);
 /// Hinge axis d = cos(alpha) e + sin(alpha) w(beta) at rest, unit length.
 Eigen::Vector3d hinge_axis(Axis axis, const HingeParameters& parameters);
 

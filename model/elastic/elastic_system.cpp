@@ -29,6 +29,16 @@ ElasticSystem::ElasticSystem(const Structure& structure, const Elasticity& elast
     driven_ = *structure.hinge_at(drive.wall);
 }
 
+ElasticSystem::ElasticSystem(const Structure& structure, const Elasticity& elasticity, bool planar,
+                             bool contact)
+    : structure_(structure),
+      stiffness_(relative(elasticity, structure.size.edge_mm)),
+      contact_(contact),
+      freedoms_(make_freedoms(structure, planar)),
+      walls_(structure, planar) {
+  for (const Hinge& hinge : structure.hinges) hinges_.push_back(rest_hinge(hinge));
+}
+
 std::vector<Contact> ElasticSystem::contacts(const State& state) const {
   return contact_ ? walls_.find(state) : std::vector<Contact>{};
 }
@@ -38,7 +48,7 @@ bool ElasticSystem::passed_through(const State& before, const State& after) cons
 }
 
 void ElasticSystem::place(double theta, State& state) const {
-  if (driven_ >= 0) return;
+  if (gripped_[0].empty()) return;
   const int axis = drive_.axis == Axis::x ? 0 : 1;
   const double L = structure_.size.edge_mm;
   const double low = row_along(drive_.axis, structure_.bodies[gripped_[0].front()]),
@@ -74,7 +84,7 @@ double ElasticSystem::length(const State& state, const Eigen::VectorXd& twists) 
 
 Eigen::VectorXd ElasticSystem::place_rate(double theta) const {
   Eigen::VectorXd rate = Eigen::VectorXd::Zero(freedoms_.coordinates());
-  if (driven_ >= 0) return rate;
+  if (gripped_[0].empty()) return rate;
   const int coordinate = drive_.axis == Axis::x ? 3 : 4;
   const double apart = row_along(drive_.axis, structure_.bodies[gripped_[1].front()]) -
                        row_along(drive_.axis, structure_.bodies[gripped_[0].front()]);

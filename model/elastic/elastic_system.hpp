@@ -18,6 +18,8 @@ class ElasticSystem {
   /// @pre structure, elasticity and drive are valid
   ElasticSystem(const Structure& structure, const Elasticity& elasticity, const Drive& drive, bool planar,
                 bool contact);
+  /// One that nothing drives: theta has no meaning, and rigid motion is held at one body.
+  ElasticSystem(const Structure& structure, const Elasticity& elasticity, bool planar, bool contact);
 
   const Structure& structure() const { return structure_; }
   const Stiffness& stiffness() const { return stiffness_; }

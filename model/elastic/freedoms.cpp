@@ -23,6 +23,18 @@ void hold_plates(const Structure& structure, Axis axis, Held& held) {
   held[pin][along_y ? turn_y : turn_x] = true;
 }
 
+Held planes(const Structure& structure, bool planar) {
+  return Held(structure.bodies.size(), {planar, planar, false, false, false, planar});
+}
+
+Freedoms numbered(const Held& held) {
+  Freedoms freedoms;
+  freedoms.unknown.resize(held.size());
+  for (std::size_t b = 0; b < held.size(); ++b)
+    for (int c = 0; c < 6; ++c) freedoms.unknown[b][c] = held[b][c] ? -1 : freedoms.count++;
+  return freedoms;
+}
+
 }  // namespace
 
 Eigen::VectorXd Freedoms::restrict(const Eigen::VectorXd& all) const {
@@ -56,17 +68,18 @@ std::array<std::vector<int>, 2> gripped_bodies(const Structure& structure, Axis 
 }
 
 Freedoms make_freedoms(const Structure& structure, const Drive& drive, bool planar) {
-  Held held(structure.bodies.size(), {planar, planar, false, false, false, planar});
+  Held held = planes(structure, planar);
   if (drive.kind == Drive::Kind::plates)
     hold_plates(structure, drive.axis, held);
   else
     held[structure.hinges[*structure.hinge_at(drive.wall)].lower].fill(true);
+  return numbered(held);
+}
 
-  Freedoms freedoms;
-  freedoms.unknown.resize(held.size());
-  for (std::size_t b = 0; b < held.size(); ++b)
-    for (int c = 0; c < 6; ++c) freedoms.unknown[b][c] = held[b][c] ? -1 : freedoms.count++;
-  return freedoms;
+Freedoms make_freedoms(const Structure& structure, bool planar) {
+  Held held = planes(structure, planar);
+  held[held.size() / 2].fill(true);
+  return numbered(held);
 }
 
 }  // namespace kinetix

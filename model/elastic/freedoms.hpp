@@ -26,5 +26,7 @@ std::array<std::vector<int>, 2> gripped_bodies(const Structure& structure, Axis 
 /// middle body of each is keyed to z = 0 as in the physics run; what rigid motion is left is held at the
 /// first of these two, where it meets no force. A driven hinge: its lower body is held.
 Freedoms make_freedoms(const Structure& structure, const Drive& drive, bool planar);
+/// Without a drive: the body in the middle of the list is held.
+Freedoms make_freedoms(const Structure& structure, bool planar);
 
 }  // namespace kinetix

@@ -1,0 +1,207 @@
+#include "model/elastic/stable_states.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <sstream>
+
+#include "model/closure_drive.hpp"
+#include "model/elastic/energy_summit.hpp"
+#include "model/elastic/softest.hpp"
+
+namespace kinetix {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr double different = 1e-3;
+constexpr int most_saddles = 5;
+constexpr double off_saddle = 1e-2;
+
+double mean_theta(const Structure& structure, const State& state) {
+  const auto& hinges = structure.hinges;
+  const bool some_upright = std::any_of(hinges.begin(), hinges.end(), is_vertical);
+  double sum = 0;
+  int count = 0;
+  for (int h = 0; h < static_cast<int>(hinges.size()); ++h) {
+    if (some_upright && !is_vertical(hinges[h])) continue;
+    sum -= hinges[h].wall.from.sense() * hinge_turn(structure, state, h) / 2;
+    ++count;
+  }
+  return sum / count;
+}
+
+/// Largest difference of a hinge's turn, rad.
+double turn_distance(const Structure& structure, const State& a, const State& b) {
+  double largest = 0;
+  for (int h = 0; h < static_cast<int>(structure.hinges.size()); ++h) {
+    const double turn = hinge_turn(structure, a, h) - hinge_turn(structure, b, h);
+    largest = std::max(largest, std::abs(std::remainder(turn, 2 * pi)));
+  }
+  return largest;
+}
+
+std::string released_at(const LoadStep& step) {
+  std::ostringstream out;
+  out << "released at theta " << std::round(10 * to_degrees(step.theta)) / 10 << " deg of the drive";
+  return out.str();
+}
+
+/// A structure that nothing drives.
+class Release {
+ public:
+  Release(const Structure& structure, const Elasticity& elasticity, const StableStateOptions& options)
+      : system_(structure, elasticity, options.path.planar.value_or(all_vertical(structure)),
+                options.path.contact),
+        tangent_(system_.freedoms()),
+        newton_(options.path.newton),
+        unit_(elasticity.k_point * structure.size.edge_mm * structure.size.edge_mm) {
+    newton_.max_iterations = options.max_iterations;
+  }
+
+  /// Where it comes to rest, or in words why it does not.
+  std::optional<StableState> from(const DrivenState& start, std::string& why) {
+    State state = start.state;
+    NewtonResult result = minimise(system_, 0, newton_, state, tangent_);
+    for (int k = 0; k < most_saddles && result.converged && !result.stable && leave(state); ++k)
+      result = minimise(system_, 0, newton_, state, tangent_);
+    if (!result.converged || !result.stable) {
+      std::ostringstream out;
+      out << released_at(start.step) << ": no stable state after " << result.iterations
+          << " iterations, force " << result.force << " left";
+      why = out.str();
+      return {};
+    }
+    return described(std::move(state), released_at(start.step));
+  }
+
+  StableState described(State state, std::string how) const {
+    const Structure& structure = system_.structure();
+    StableState found;
+    found.energy = system_.elastic_energy(state) * unit_;
+    found.theta = mean_theta(structure, state);
+    found.gaps = hinge_gaps(structure, state);
+    found.state = std::move(state);
+    found.how = std::move(how);
+    return found;
+  }
+
+ private:
+  bool leave(State& state) {
+    const Softest soft = softest(tangent_);
+    if (!soft.converged || !(soft.value < 0)) return false;
+    const VectorXd along = system_.freedoms().extend(soft.direction);
+    state = system_.stepped(state, off_saddle / system_.length(state, along) * along);
+    return true;
+  }
+
+  ElasticSystem system_;
+  Tangent tangent_;
+  NewtonOptions newton_;
+  double unit_;
+};
+
+/// Joins the states along all paths.
+class Collector {
+ public:
+  Collector(const Structure& structure, const Elasticity& elasticity, const StableStateOptions& options)
+      : structure_(structure),
+        elasticity_(elasticity),
+        path_options_(options.path),
+        release_(structure, elasticity, options) {
+    found_.states.push_back(release_.described(rest_state(structure), "flat"));
+  }
+
+  void add(const EnergyTurns& path) {
+    int at = 0;
+    std::optional<EnergyTurn> top;
+    const auto arrive = [&](const DrivenState& start) {
+      const int next = settle(start);
+      if (next >= 0 && next != at && top) add_barrier(path.drive(), *top, at, next);
+      if (next >= 0) at = next;
+      top.reset();
+    };
+    for (const EnergyTurn& turn : path.turns()) {
+      if (!turn.maximum)
+        arrive(lower(turn));
+      else if (!top || turn.before.step.energy > top->before.step.energy)
+        top = turn;
+    }
+    if (path.ends_falling()) arrive(path.last());
+  }
+
+  StableStates found() { return std::move(found_); }
+
+ private:
+  static const DrivenState& lower(const EnergyTurn& turn) {
+    return turn.before.step.energy < turn.after.step.energy ? turn.before : turn.after;
+  }
+
+  /// Index of the state that a release leads to, new or known; -1 where it leads nowhere.
+  int settle(const DrivenState& start) {
+    std::string why;
+    auto state = release_.from(start, why);
+    if (!state) {
+      found_.unresolved.push_back(why);
+      return -1;
+    }
+    const auto same = std::find_if(found_.states.begin(), found_.states.end(), [&](const StableState& known) {
+      return turn_distance(structure_, known.state, state->state) <= different;
+    });
+    const auto index = same - found_.states.begin();
+    if (same == found_.states.end()) found_.states.push_back(std::move(*state));
+    return static_cast<int>(index);
+  }
+
+  void add_barrier(const Drive& drive, const EnergyTurn& top, int from, int to) {
+    EnergyBarrier barrier = energy_summit(structure_, elasticity_, drive, path_options_, top);
+    barrier.from = std::min(from, to);
+    barrier.to = std::max(from, to);
+    const auto known =
+        std::find_if(found_.barriers.begin(), found_.barriers.end(),
+                     [&](const EnergyBarrier& b) { return b.from == barrier.from && b.to == barrier.to; });
+    if (known == found_.barriers.end())
+      found_.barriers.push_back(barrier);
+    else if (barrier.energy < known->energy)
+      *known = barrier;
+  }
+
+  const Structure& structure_;
+  const Elasticity& elasticity_;
+  const LoadPathOptions& path_options_;
+  Release release_;
+  StableStates found_;
+};
+
+}  // namespace
+
+StableStates stable_states(const Structure& structure, const Elasticity& elasticity,
+                           const std::vector<EnergyTurns>& paths, const StableStateOptions& options) {
+  Collector collector(structure, elasticity, options);
+  for (const EnergyTurns& path : paths) collector.add(path);
+  return collector.found();
+}
+
+StableStates find_stable_states(const Structure& structure, const Elasticity& elasticity,
+                                const std::vector<Drive>& drives, const StableStateOptions& options) {
+  std::vector<EnergyTurns> paths;
+  for (const Drive& drive : drives) {
+    EnergyTurns& path = paths.emplace_back(drive);
+    follow_load(structure, elasticity, drive, options.path,
+                [&](const LoadStep& step, const State& state) { path.see(step, state); });
+  }
+  return stable_states(structure, elasticity, paths, options);
+}
+
+std::vector<Drive> search_drives(const Structure& structure, double theta) {
+  const auto upright = std::find_if(structure.hinges.begin(), structure.hinges.end(), is_vertical);
+  Drive drive;
+  drive.kind = Drive::Kind::hinge;
+  drive.wall = (upright == structure.hinges.end() ? structure.hinges.begin() : upright)->wall;
+  drive.angle = -2 * drive.wall.from.sense() * theta;
+  Drive back = drive;
+  back.angle = -drive.angle;
+  return {drive, back};
+}
+
+}  // namespace kinetix

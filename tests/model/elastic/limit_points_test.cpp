@@ -1,0 +1,83 @@
+#include "model/elastic/limit_points.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/elastic_runs.hpp"
+#include "tests/support/paper_scenes.hpp"
+
+namespace kinetix {
+namespace {
+
+using namespace testing;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+/// A path with these loads at theta 0, 1, 2, ...
+LoadPath with_loads(const std::vector<double>& loads) {
+  LoadPath path;
+  for (const double load : loads) {
+    LoadStep step;
+    step.theta = static_cast<double>(path.steps.size());
+    step.load = load;
+    path.steps.push_back(step);
+  }
+  return path;
+}
+
+std::vector<double> limit_thetas(const std::vector<double>& loads) {
+  std::vector<double> thetas;
+  for (const PathEvent& event : limit_points(with_loads(loads))) thetas.push_back(event.at.theta);
+  return thetas;
+}
+
+TEST(LimitPoints, AreMaximaAndMinimaThatStandOut) {
+  EXPECT_THAT(limit_thetas({0, 3, 5, 4, 1, 2, 6}), ElementsAre(2, 4));
+  EXPECT_THAT(limit_thetas({0, -3, -5, -4, -6}), ElementsAre(2, 3));
+  EXPECT_THAT(limit_thetas({0, 5, 5, 1}), ElementsAre(1));
+  EXPECT_THAT(limit_thetas({0, 1, 2, 3}), IsEmpty());
+  EXPECT_THAT(limit_thetas({0, 0, 0}), IsEmpty());
+  EXPECT_THAT(limit_thetas({0}), IsEmpty());
+  EXPECT_THAT(limit_thetas({}), IsEmpty());
+}
+
+TEST(LimitPoints, OfLessThanTwoPercentOfTheSpanAreNone) {
+  EXPECT_THAT(limit_thetas({0, 50, 48.1, 100}), IsEmpty());
+  EXPECT_THAT(limit_thetas({0, 50, 47.9, 100}), ElementsAre(1, 2));
+  EXPECT_THAT(limit_thetas({0, 99, 98.5, 100, 0}), ElementsAre(3)) << "a dent in a peak";
+}
+
+TEST(LimitPoints, SayWhichTheyAreAndAtWhatLoad) {
+  const std::vector<PathEvent> events = limit_points(with_loads({0, 5, 1, 6}));
+  ASSERT_EQ(events.size(), 2u);
+  EXPECT_EQ(events[0].kind, PathEvent::Kind::limit_point);
+  EXPECT_EQ(events[0].what, "the load reached a maximum");
+  EXPECT_EQ(events[0].at.load, 5);
+  EXPECT_EQ(events[0].since, 0);
+  EXPECT_EQ(events[1].what, "the load reached a minimum");
+  EXPECT_EQ(events[1].at.load, 1);
+}
+
+TEST(LimitPoints, StandAmongTheOtherEventsInTheOrderOfThePath) {
+  LoadPath path = with_loads({0, 5, 1, 6});
+  for (const double theta : {0.5, 1.0, 3.0}) path.events.push_back({PathEvent::Kind::snap, {theta}, 0, ""});
+  add_limit_points(path);
+  std::vector<double> thetas;
+  for (const PathEvent& event : path.events) thetas.push_back(event.at.theta);
+  EXPECT_THAT(thetas, ElementsAre(0.5, 1, 1, 2, 3));
+}
+
+/// Up to the barrier and down behind it: the steepest rise and the steepest fall of the energy.
+TEST(LimitPoints, OfATwistUnitAreOnBothSidesOfItsBarrier) {
+  const CellTuple unit{.A_in = {pi / 2, pi / 3, pi / 2, pi / 3}};
+  const LoadPath path = follow_load(tiled(1, 1, unit, unit), {.k_turn = 1e-5},
+                                    hinge_drive({{0, 0}, Axis::y}, -pi / 4), without_contact());
+  const std::vector<PathEvent> events = limit_points(path);
+  ASSERT_EQ(events.size(), 2u);
+  EXPECT_GT(events[0].at.theta, -pi / 8);
+  EXPECT_LT(events[1].at.theta, -pi / 8);
+  EXPECT_LT(events[0].at.load * events[1].at.load, 0);
+}
+
+}  // namespace
+}  // namespace kinetix
