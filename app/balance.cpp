@@ -9,6 +9,7 @@
 
 #include "app/design_motion.hpp"
 #include "app/verify.hpp"
+#include "model/elastic/limit_points.hpp"
 #include "model/invalid_input.hpp"
 
 namespace kinetix {
@@ -106,17 +107,22 @@ void add_balance(Run& run, const Drive& drive, const Elasticity& elasticity, int
                  const Progress& progress) {
   run.plan.why.push_back(stiffness_sentence(run, elasticity));
   const double goal = drive.theta();
+  const LoadPathOptions path_options = options_of(run, goal, frames);
   FrameKeeper keeper(goal, frames);
+  EnergyTurns turns(drive);
   const auto see = [&](const LoadStep& step, const State& state) {
     keeper.see(step.theta, state);
+    turns.see(step, state);
     if (progress) progress("load path", goal == 0 ? 1 : step.theta / goal);
   };
   const auto start = std::chrono::steady_clock::now();
-  LoadPath path = follow_load(run.structure, elasticity, drive, options_of(run, goal, frames), see);
+  LoadPath path = follow_load(run.structure, elasticity, drive, path_options, see);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  add_limit_points(path);
   run.theta = path.theta;
   run.states.push_back({"target", to_string(Model::equilibrium), path.theta, path.state, path.gaps});
-  run.equilibrium = Equilibrium{elasticity, drive, std::move(path), {}};
+  StableStates stable = stable_states(run.structure, elasticity, {turns}, {.path = path_options});
+  run.equilibrium = Equilibrium{elasticity, drive, std::move(path), std::move(stable), {}};
   if (run.plan.family.family != Family::none) add_exact(run);
   add_fidelity(run, seconds);
   add_frames(run, keeper.even(run.theta, frames));

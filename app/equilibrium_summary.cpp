@@ -42,6 +42,17 @@ std::string stretch_text(const Run& run) {
   return text;
 }
 
+std::string stable_text(const StableStates& stable) {
+  std::string text = fmt::format("{} states:", stable.states.size());
+  for (std::size_t k = 0; k < stable.states.size(); ++k)
+    text += k == 0 ? " flat"
+                   : fmt::format(", theta {:.2f} deg ({:.3g} N mm)", degrees(stable.states[k].theta),
+                                 stable.states[k].energy);
+  for (const EnergyBarrier& b : stable.barriers)
+    text += fmt::format("; barrier {:.4g} N mm at theta {:.2f} deg", b.energy, degrees(b.theta));
+  return text;
+}
+
 }  // namespace
 
 std::vector<std::array<std::string, 2>> equilibrium_lines(const Run& run) {
@@ -62,6 +73,8 @@ std::vector<std::array<std::string, 2>> equilibrium_lines(const Run& run) {
   }
   if (path.events.size() > most_events)
     lines.push_back({"", fmt::format("and {} more events in result.json", path.events.size() - most_events)});
+  if (balance.stable.states.size() > 1) lines.push_back({"stable", stable_text(balance.stable)});
+  for (const std::string& why : balance.stable.unresolved) lines.push_back({"release", why});
   if (balance.from_exact)
     lines.push_back({"exact", fmt::format("rms {:.1e} cell edges from the closed form of the same drive",
                                           balance.from_exact->rms)});

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
-
 #include "app/equilibrium_json.hpp"
+#include "app/stable_states_json.hpp"
+#include "app/state_json.hpp"
 #include "app/version.hpp"
 
 namespace kinetix {
@@ -64,18 +64,11 @@ Json structure_json(const Structure& s, double reach_mm) {
           {"cells", cells}};
 }
 
-Json pose_json(const Pose& pose) {
-  const Eigen::Quaterniond q(pose.R);
-  return {{"position_mm", numbers(pose.p)}, {"quaternion_wxyz", {q.w(), q.x(), q.y(), q.z()}}};
-}
-
 Json state_json(const NamedState& state) {
-  Json poses = Json::array();
-  for (const Pose& pose : state.poses) poses.push_back(pose_json(pose));
   return {{"name", state.name},
           {"model", state.model},
           {"theta_rad", state.theta},
-          {"poses", poses},
+          {"poses", poses_json(state.poses)},
           {"hinge_gap_max", state.gaps.max},
           {"hinge_gap_rms", state.gaps.rms}};
 }
@@ -200,6 +193,7 @@ Json result_json(const Run& run) {
   }
   if (run.equilibrium) {
     out["equilibrium"] = equilibrium_json(*run.equilibrium);
+    add_stable_states(run, out["equilibrium"]);
     out["timing_s"]["balance"] = run.timings.balance;
   }
   if (run.verification) out["physics"] = physics_json(*run.verification);

@@ -6,7 +6,7 @@
 
 #include "app/design_file.hpp"
 #include "app/plan.hpp"
-#include "model/elastic/load_path.hpp"
+#include "model/elastic/stable_states.hpp"
 #include "optim/fit_curve.hpp"
 #include "sim/compression_run.hpp"
 
@@ -43,6 +43,7 @@ struct Equilibrium {
   Elasticity elasticity;
   Drive drive;
   LoadPath path;
+  StableStates stable;                      ///< that a release on the way leads to
   std::optional<StateDistance> from_exact;  ///< of the last state, where a closed form fits the drive so far
 
   bool reached() const { return path.stop == LoadPath::Stop::reached; }

@@ -2,11 +2,13 @@
 
 const always = () => true;
 const hasTarget = (data) => Boolean(data.raw.target);
+const hasStable = ({stable}) => stable.states.length > 1 || stable.unresolved.length > 0;
 const hasBalance = (data) => data.balance !== null;
 
 /** id, title, content, and when it has anything to say: without a target nothing was searched. */
 const SECTIONS = [
   ["load", "Load and energy along the drive", loadSection, hasBalance],
+  ["stable", "Stable states", stableSection, hasStable],
   ["energy", "Where the energy is", energySection, hasBalance],
   ["layout", "Flat layout", layoutSection, always],
   ["space", "Folded shape in 3D", spaceSection, always],

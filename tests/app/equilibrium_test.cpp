@@ -55,6 +55,8 @@ TEST(Equilibrium, OfABasicPanelHasTheEnergyOfItsTurningHingesAndTheForceThatDoes
   EXPECT_EQ(found["stiffness"],
             (Json{{"k_point", 1000.0}, {"k_turn", 0.2}, {"reach_mm", 1.8}, {"k_contact", 10000.0}}));
   EXPECT_EQ(nulls(found), 0);
+  EXPECT_EQ(found["stable_states"].size(), 1u) << "flat";
+  EXPECT_EQ(found["energy_barriers"].size(), 0u);
 
   const double theta = std::acos(0.85), hinges = 24;
   EXPECT_NEAR(result["metrics"]["theta_rad"], theta, 1e-12);
@@ -95,6 +97,40 @@ TEST(Equilibrium, OfATwistUnitStretchesItsHingesAndAgreesWithThePhysicsRun) {
   EXPECT_EQ(schema_errors(physics), "");
   EXPECT_LE(physics["metrics"]["verify_rms"], 1e-4);
   EXPECT_EQ(physics["fidelity"].back()["against"], "equilibrium");
+}
+
+TEST(Equilibrium, OfATwistUnitDrivenOverItsBarrierHasTwoStableStates) {
+  const Scratch scratch;
+  const Outcome run = balance(
+      scratch,
+      "kinetix: 1\nstructure: {cells: [1, 1], cell_mm: 20, wall_mm: {thickness: 0.4, height: 8}}\n"
+      "design: {pattern: {even: {A_in_deg: [90, 80, 90, 80]}}}\n"
+      "drive: {kind: hinge, wall: [[0, 0], [0, 1]], angle_deg: 80}\nhinge: {model: elastic, k_turn: 0.001}\n");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("stable     2 states: flat, theta -4"));
+  const Json result = Json::parse(text_of(scratch / "result.json"));
+  EXPECT_EQ(schema_errors(result), "");
+  const Json& found = result["equilibrium"];
+  EXPECT_EQ(found["unresolved_releases"], Json::array());
+  const Json& states = found["stable_states"];
+  ASSERT_EQ(states.size(), 2u);
+  EXPECT_EQ(states[0]["energy_Nmm"], 0);
+  EXPECT_EQ(states[0]["drive"], 0);
+  EXPECT_EQ(states[0]["how"], "flat");
+  EXPECT_NEAR(states[1]["drive"], -2 * states[1]["theta_rad"].get<double>(), 0.1) << "of one of its hinges";
+  EXPECT_EQ(states[1]["poses"].size(), 4u);
+
+  ASSERT_EQ(found["energy_barriers"].size(), 1u);
+  const Json& barrier = found["energy_barriers"][0];
+  EXPECT_EQ(barrier["between"], (Json{0, 1}));
+  EXPECT_EQ(barrier["balanced"], true);
+  double top = 0;
+  for (const Json& step : found["path"]) top = std::max(top, step["energy_Nmm"].get<double>());
+  EXPECT_GE(barrier["energy_Nmm"], top);
+  EXPECT_LT(barrier["energy_Nmm"], 1.1 * top);
+  std::vector<std::string> events;
+  for (const Json& event : found["events"]) events.push_back(event["kind"]);
+  EXPECT_THAT(events, ::testing::IsSupersetOf({"limit point", "limit point"}));
 }
 
 TEST(Equilibrium, TakesTheOtherSignOfThetaAndADrivenHinge) {

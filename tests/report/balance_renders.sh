@@ -17,10 +17,24 @@ drawn load 'class="badge"'
 drawn load 'walls touch'
 drawn energy 'class="heat"'
 drawn plan 'Walls in contact'
-for id in errors tilts search; do absent $id; done
+for id in errors tilts search stable; do absent $id; done
 
 sed -i 's/compression: 0.25/compression: 0.7/' "$work/panel.yaml"
 "$program" simulate "$work/panel.yaml" --model equilibrium --quiet -o "$work/stopped" >/dev/null && fail "it ends with 0"
 draw "$work/stopped/report.html"
 holds 'The drive stopped'
+
+cat >"$work/twist.yaml" <<'END'
+kinetix: 1
+structure: {cells: [1, 1], cell_mm: 20, wall_mm: {thickness: 0.4, height: 8}}
+design: {pattern: {even: {A_in_deg: [90, 60, 90, 60]}}}
+drive: {kind: hinge, wall: [[0, 0], [0, 1]], angle_deg: 96}
+hinge: {model: elastic, k_turn: 0.001}
+END
+"$program" simulate "$work/twist.yaml" --model equilibrium --quiet -o "$work/twist" >/dev/null || fail "simulate ends with $?"
+draw "$work/twist/report.html"
+drawn load 'barrier A–B'
+drawn load 'load peaks'
+drawn stable 'aria-label="Stable state B"'
+drawn stable 'Between A and B the energy rises to'
 echo "balance_renders: all sections are drawn"

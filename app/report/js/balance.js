@@ -3,11 +3,16 @@
 const EVENT_NAMES = {
   bifurcation: "buckles",
   snap: "snaps",
-  "limit point": "load peaks",
   contact: "walls touch",
   release: "walls part",
   lock: "walls lock",
 };
+
+/** A limit point is a maximum or a minimum, as its sentence says. */
+function eventName({kind, what}) {
+  if (kind === "limit point") return /minimum/.test(what) ? "load is least" : "load peaks";
+  return EVENT_NAMES[kind] ?? words(kind);
+}
 
 const STOPS = {
   reached: "reached its goal",
@@ -38,7 +43,6 @@ function readBalance(raw) {
     goal: finite(raw.goal_rad),
     stiffness: dictionary(raw.stiffness),
     energies: readEnergies(raw.hinge_energy_Nmm),
-    stableStates: list(raw.stable_states).filter((state) => finite(state?.energy_Nmm) !== null),
   };
 }
 
@@ -124,7 +128,7 @@ function eventMarks(axes, events, at) {
         events.every(
             (other) => other === event || Math.abs(at(other)[0] - x - dx / 2) > Math.abs(dx / 2) + r);
     const side = room(-80) ? -1 : room(80) ? 1 : 0;
-    const name = EVENT_NAMES[event.kind] ?? words(event.kind);
+    const name = eventName(event);
     return svg(
         "g", {class: "event"}, svg("title", {}, event.what), svg("path", {d: path([[x, y], [x, top]])}),
         svg("circle", {class: "spot", cx: x, cy: y, r: 2.5}),
@@ -181,7 +185,8 @@ function drawEnergy(data, width) {
   const {axes, at} = alongDrive(
       data, width, "energy_Nmm", "energy of hinges and contacts, N\u00a0mm", "Energy along the drive");
   axes.root.append(
-      ...eventMarks(axes, data.balance.events, (event) => at(event, energyAt(data.balance, event))));
+      ...eventMarks(axes, data.balance.events, (event) => at(event, energyAt(data.balance, event))),
+      ...stableMarks(axes, data));
   return axes.root;
 }
 
@@ -190,7 +195,7 @@ function eventTable({balance}) {
     return html("p", {class: "note"}, "Nothing happened on the way: one smooth branch.");
   const row = (event, k) => ({
     cells: [
-      String(k + 1), EVENT_NAMES[event.kind] ?? words(event.kind), driveWords(balance, event.drive),
+      String(k + 1), eventName(event), driveWords(balance, event.drive),
       degrees(toDegrees(event.theta_rad)), force(event.load, balance.unit), event.what ?? ""
     ]
   });

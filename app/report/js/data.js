@@ -148,6 +148,7 @@ function readResult(raw) {
     name: typeof raw.name === "string" && raw.name ? raw.name : "Unnamed result",
     kind: kindOf(raw, balance),
     balance,
+    stable: readStable(raw.equilibrium, structure),
     drawn: numberRows(dictionary(raw.target).points_mm, 2),
     states: readStates(raw.states, structure),
     curve: readCurve(dictionary(raw.curve)),

@@ -1,0 +1,53 @@
+#include "app/stable_states_json.hpp"
+
+#include "app/state_json.hpp"
+#include "model/closure_drive.hpp"
+#include "model/elastic/freedoms.hpp"
+
+namespace kinetix {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Eigen::Vector3d middle(const std::vector<int>& bodies, const State& state) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const int body : bodies) sum += state[body].p;
+  return sum / static_cast<double>(bodies.size());
+}
+
+double compression(const Structure& structure, Axis axis, const State& state) {
+  const auto rows = gripped_bodies(structure, axis);
+  const auto apart = [&](const State& s) { return (middle(rows[1], s) - middle(rows[0], s)).norm(); };
+  return 1 - apart(state) / apart(rest_state(structure));
+}
+
+/// Where the drive would be in a state that it does not hold.
+double drive_in(const Structure& structure, const Drive& drive, const State& state) {
+  if (drive.kind == Drive::Kind::plates) return compression(structure, drive.axis, state);
+  return hinge_turn(structure, state, *structure.hinge_at(drive.wall));
+}
+
+}  // namespace
+
+void add_stable_states(const Run& run, Json& equilibrium) {
+  const StableStates& stable = run.equilibrium->stable;
+  Json states = Json::array(), barriers = Json::array();
+  for (const StableState& s : stable.states)
+    states.push_back({{"theta_rad", s.theta},
+                      {"drive", drive_in(run.structure, run.equilibrium->drive, s.state)},
+                      {"energy_Nmm", s.energy},
+                      {"hinge_gap_max", s.gaps.max},
+                      {"how", s.how},
+                      {"poses", poses_json(s.state)}});
+  for (const EnergyBarrier& b : stable.barriers)
+    barriers.push_back({{"between", {b.from, b.to}},
+                        {"energy_Nmm", b.energy},
+                        {"theta_rad", b.theta},
+                        {"drive", b.drive},
+                        {"balanced", b.balanced}});
+  equilibrium["stable_states"] = states;
+  equilibrium["energy_barriers"] = barriers;
+  equilibrium["unresolved_releases"] = stable.unresolved;
+}
+
+}  // namespace kinetix
