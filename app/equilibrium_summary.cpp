@@ -7,7 +7,7 @@
 namespace kinetix {
 namespace {
 
-constexpr std::size_t most_events = 12;
+constexpr std::size_t most_events = 12, most_states = 6;
 
 double degrees(double angle) { return angle / radians_per_degree; }
 
@@ -43,13 +43,14 @@ std::string stretch_text(const Run& run) {
 }
 
 std::string stable_text(const StableStates& stable) {
-  std::string text = fmt::format("{} states:", stable.states.size());
-  for (std::size_t k = 0; k < stable.states.size(); ++k)
-    text += k == 0 ? " flat"
-                   : fmt::format(", theta {:.2f} deg ({:.3g} N mm)", degrees(stable.states[k].theta),
-                                 stable.states[k].energy);
-  for (const EnergyBarrier& b : stable.barriers)
-    text += fmt::format("; barrier {:.4g} N mm at theta {:.2f} deg", b.energy, degrees(b.theta));
+  std::string text = fmt::format("{} states: flat", stable.states.size());
+  for (std::size_t k = 1; k < std::min(most_states, stable.states.size()); ++k)
+    text += fmt::format(", theta {:.2f} deg ({:.3g} N mm)", degrees(stable.states[k].theta),
+                        stable.states[k].energy);
+  if (stable.states.size() > most_states) text += ", and more in result.json";
+  for (std::size_t k = 0; k < std::min(most_states, stable.barriers.size()); ++k)
+    text += fmt::format("; barrier {:.4g} N mm at theta {:.2f} deg", stable.barriers[k].energy,
+                        degrees(stable.barriers[k].theta));
   return text;
 }
 

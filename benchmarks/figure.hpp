@@ -14,10 +14,14 @@ struct Figure {
 };
 
 std::vector<Figure> model_figures();
+std::vector<Figure> stable_state_figures();
 std::vector<Figure> search_figures();
 std::vector<Figure> physics_figures();
 
 /// Markdown table: both joint solvers of the physics run on arcs of growing length.
 std::string solver_table();
+
+/// SVG picture: energy barrier of the twist unit against its in-plane hinge angle.
+std::string barrier_plot();
 
 }  // namespace kinetix::bench

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <sstream>
@@ -47,17 +48,20 @@ void write_into(const std::string& file, const std::string& table, const std::st
   page << std::ifstream(file).rdbuf();
   const std::string text = replaced(replaced(page.str(), "table", table), "solvers", solvers);
   std::ofstream(file) << text;
+  std::ofstream(std::filesystem::path(file).replace_filename("twist_barrier.svg"))
+      << kinetix::bench::barrier_plot();
 }
 
 }  // namespace
 
-/// Measures every figure of the table and prints it; with `--write FILE` puts it into that page as well.
+/// Measures every figure of the table and prints it; with `--write FILE` puts it into that page as well, and
+/// the picture beside it.
 int main(int argc, char** argv) {
   std::string table = "Measured on " + machine() + ", release build, one run of `make bench`.\n\n";
   table += "| what | asked | measured | met |\n|---|---|---|---|\n";
   bool all_met = true;
-  for (const auto& figures :
-       {kinetix::bench::model_figures, kinetix::bench::search_figures, kinetix::bench::physics_figures})
+  for (const auto& figures : {kinetix::bench::model_figures, kinetix::bench::stable_state_figures,
+                              kinetix::bench::search_figures, kinetix::bench::physics_figures})
     for (const Figure& figure : figures()) {
       std::cerr << (figure.met ? "met     " : "MISSED  ") << figure.what << ": " << figure.measured
                 << std::endl;

@@ -1,12 +1,13 @@
 // The states that a structure keeps by itself, and the barriers between them.
 
+const MOST_PICTURES = 12;
 const LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
 
 /** States with their letters, poses and numbers; barriers between two of them. */
 function readStable(raw, structure) {
   const states = list(raw?.stable_states)
                      .map((state, k) => ({
-                            letter: LETTERS[k % LETTERS.length],
+                            letter: LETTERS[k] ?? String(k + 1),
                             energy: finite(state?.energy_Nmm),
                             drive: finite(state?.drive),
                             theta: finite(state?.theta_rad),
@@ -99,7 +100,10 @@ function stableSection(data) {
     html(
         "p", {class: "lead"},
         "Where the structure stays when nothing drives it. It was released wherever the energy along the drive has a minimum; there may be states that this drive does not come near."),
-    html("div", {class: "heats"}, states.map((state, k) => stableFigure(data, state, k))),
+    html("div", {class: "heats"}, states.slice(0, MOST_PICTURES).map((state, k) => stableFigure(data, state, k))),
+    states.length > MOST_PICTURES ?
+        html("p", {class: "note"}, `${states.length - MOST_PICTURES} more are in the result file.`) :
+        null,
     barriers.map((barrier) => html("p", {}, barrierWords(barrier))),
     unresolved.length ? html("ul", {class: "why"}, unresolved.map((why) => html("li", {}, why))) : null,
   ].flat();
