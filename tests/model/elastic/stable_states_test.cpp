@@ -157,5 +157,15 @@ TEST(EnergyTurns, AJumpDownBetweenRisingEnergiesIsAMaximumAndAMinimum) {
               ElementsAre(Turn{true, 1, 2}, Turn{false, 1, 2}));
 }
 
+TEST(EnergySummit, OfAJumpIsTheStateBeforeItAndNotBalanced) {
+  const Structure s = twist_unit(60 * degree);
+  const EnergyTurn jump{true, {at(0.1, 1, 5), rest_state(s)}, {at(0.2, 1, 2), rest_state(s)}};
+  const EnergyBarrier barrier = energy_summit(s, loose, search_drives(s, 1)[0], {}, jump);
+  EXPECT_EQ(barrier.energy, 5);
+  EXPECT_EQ(barrier.theta, 0.1);
+  EXPECT_EQ(barrier.drive, 0.1);
+  EXPECT_FALSE(barrier.balanced);
+}
+
 }  // namespace
 }  // namespace kinetix
