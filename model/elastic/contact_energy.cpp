@@ -215,7 +215,7 @@ int ContactModel::side_of(int point, int other) const {
   const PlacedBox& box = placed_boxes_[other];
   const Vector3d y = placed_points_[point] - box.origin;
   const double along = y.dot(box.edge), across = y.dot(box.normal);
-  if (!(along > 0) || !(along < plates_[other].length)) return 0;
+  if (!(along > 0) || !(along < plates_[other].length - half_thickness_)) return 0;
   if (!planar_ && !(std::abs(y.dot(box.up)) <= half_height_)) return 0;
   return across > 0 ? 1 : -1;
 }

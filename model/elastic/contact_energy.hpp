@@ -71,7 +71,8 @@ class ContactModel {
   void place(const State& state);
   bool has_moved(const State& state) const;
   void update_near(const State& state);
-  /// +1 or -1: on which side of a half wall a point is; 0 where it is not beside it.
+  /// +1 or -1: on which side of a half wall a point is; 0 where it is not beside it, or so near its end that it
+  /// may go round.
   int side_of(int point, int other) const;
   bool is_within(int point, int other, double margin) const;
   void add_if_inside(int point, int other, std::vector<Contact>& found) const;

@@ -5,25 +5,24 @@
 #include <sstream>
 
 #include "model/closure_drive.hpp"
-#include "model/elastic/softest.hpp"
+#include "model/elastic/branch.hpp"
+#include "model/elastic/predictor.hpp"
 #include "model/invalid_input.hpp"
 
 namespace kinetix {
 namespace {
 
-using Eigen::VectorXd;
 using Kind = PathEvent::Kind;
 using Stop = LoadPath::Stop;
 
 constexpr double most_growth = 2;
 constexpr double least_growth = 0.25;
-constexpr double rough = 1e-4;
-constexpr double branch_seed = 1e-3;
-constexpr double least_branch_seed = 1e-6;
+constexpr double rough = 2e-3;
+constexpr double aimed_jump = 0.4;
+constexpr double convex_jump = 3;
+constexpr double strayed = 2;
 constexpr int most_saddles = 5;
-constexpr double longest_branch_step = 0.3;
 constexpr double steep = 30;
-constexpr double checkerboard = 1e-3;
 
 std::string text(double number) {
   std::ostringstream out;
@@ -50,7 +49,9 @@ class Follower {
         goal_(drive.theta()),
         planar_(options.planar.value_or(stands_upright(structure))),
         system_(structure, elasticity, drive, planar_, options.contact),
-        tangent_(system_.freedoms()) {
+        tangent_(system_.freedoms()),
+        branch_(system_, goal_, options.side),
+        predictor_(system_) {
     path_.planar = planar_;
     path_.state = rest_state(structure);
   }
@@ -85,30 +86,35 @@ class Follower {
 
   /// One step to `theta`. @return whether it was taken
   bool advance(double theta, bool last_chance) {
-    State state = predicted(theta);
-    const State prediction = state;
+    const State prediction = predicted(theta);
     const double multiplier = system_.multiplier();
-    newton_ = minimise(system_, theta, newton_options(theta), state, tangent_);
-    path_.iterations += newton_.iterations;
-    bool branched = false;
-    if (newton_.converged && !newton_.stable) branched = leave_saddle(theta, state);
+    State state = prediction;
+    search(theta, newton_options(theta, last_chance), has_tangent_, state);
+    const bool branched = newton_.converged && !newton_.stable && leave_saddle(theta, state);
     const double jump = newton_.converged ? distance(prediction, state) : NAN;
-    const bool jumped = newton_.converged && !branched &&
-                        (jump > options_.longest_jump || system_.passed_through(path_.state, state));
+    const bool jumped = !branched && jump > (newton_.convex ? convex_jump : 1) * options_.longest_jump;
+    const bool tunnelled = newton_.converged && !branched && system_.passed_through(path_.state, state);
     growth_ = branched ? 1 : growth_after(jump);
-    if (!newton_.converged || (jumped && !last_chance)) {
-      stop_ = newton_.converged || path_.steps.back().contacts == 0 ? Stop::not_converged : Stop::locked;
-      system_.set_multiplier(multiplier);
-      restore_tangent();
-      return false;
+    if (newton_.converged && !tunnelled && (!jumped || last_chance)) {
+      take(theta, std::move(state), branched, jumped);
+      return true;
     }
-    take(theta, std::move(state), branched, jumped);
-    return true;
+    tunnelled_ = tunnelled;
+    stop_ = path_.steps.back().contacts == 0 && !tunnelled ? Stop::not_converged : Stop::locked;
+    system_.set_multiplier(multiplier);
+    restore_tangent();
+    return false;
+  }
+
+  void search(double theta, const NewtonOptions& options, bool factorised, State& state) {
+    newton_ = minimise(system_, theta, options, state, tangent_, factorised);
+    path_.iterations += newton_.iterations;
   }
 
   /// On the way, the step after one of `rough` is quadratically small, and good enough to go on from.
-  NewtonOptions newton_options(double theta) const {
+  NewtonOptions newton_options(double theta, bool last_chance) const {
     NewtonOptions options = options_.newton;
+    if (!last_chance) options.most_moved = strayed * options_.longest_jump;
     if (theta == goal_) return options;
     options.step_tolerance = std::max(options.step_tolerance, rough);
     options.drive_tolerance = std::max(options.drive_tolerance, rough * rough);
@@ -118,37 +124,15 @@ class Follower {
   /// Factor for the next step: the error of a prediction grows with the square of the step.
   double growth_after(double jump) const {
     if (!std::isfinite(jump)) return least_growth;
-    return std::clamp(std::sqrt(0.4 * options_.longest_jump / std::max(jump, 1e-12)), least_growth,
-                      most_growth);
+    const double room = aimed_jump * options_.longest_jump / std::max(jump, 1e-12);
+    return std::clamp(std::pow(room, 1.0 / (predictor_.order() + 1)), least_growth, most_growth);
   }
 
-  /// Balance along the tangent: what the drive grips goes to its place, the rest follows to first order.
   State predicted(double theta) {
+    if (has_tangent_) return predictor_.predict(path_.state, path_.theta, theta, tangent_);
     State state = path_.state;
-    if (has_tangent_) {
-      const double ahead = theta - path_.theta;
-      VectorXd rate = system_.place_rate((theta + path_.theta) / 2);
-      const VectorXd pull = tangent_.multiply_all(rate) + turn_pull();
-      rate = -system_.freedoms().extend(tangent_.solve(system_.freedoms().restrict(pull)));
-      VectorXd step = ahead * rate;
-      const double length = system_.length(path_.state, step);
-      if (!(length <= longest_branch_step)) step *= longest_branch_step / length;
-      if (step.allFinite()) state = system_.stepped(state, step);
-    }
     system_.place(theta, state);
     return state;
-  }
-
-  /// By theta, the force of the driven hinge's turn.
-  VectorXd turn_pull() const {
-    VectorXd pull = VectorXd::Zero(system_.freedoms().coordinates());
-    if (system_.drive().kind == Drive::Kind::plates) return pull;
-    const Hinge& hinge = structure_.hinges[*structure_.hinge_at(system_.drive().wall)];
-    const Vector12 gradient = system_.driven_turn(path_.state).gradient;
-    const double rate = -2 * system_.drive().wall.from.sense();
-    pull.segment<6>(6 * hinge.lower) = -ElasticSystem::grip * rate * gradient.head<6>();
-    pull.segment<6>(6 * hinge.upper) = -ElasticSystem::grip * rate * gradient.tail<6>();
-    return pull;
   }
 
   void restore_tangent() {
@@ -156,48 +140,26 @@ class Follower {
     has_tangent_ = tangent_.factorise(0);
   }
 
-  /// From a balance that is no minimum down to one that is, along the softest direction; where that fails,
-  /// there is no balance to take. @return whether it was left: not where the softest direction is neutral
+  /// From a balance that is no minimum down to one that is, over further saddles if need be; where that fails,
+  /// there is no balance to take. @return whether it was left: not where its softest direction is neutral
   bool leave_saddle(double theta, State& state) {
-    int iterations = newton_.iterations, tries = 0;
+    int tries = 0;
     for (; newton_.converged && !newton_.stable; ++tries) {
-      const Softest soft = softest(tangent_);
-      if (!soft.converged || !(soft.value < 0)) break;
-      newton_.converged = tries < most_saddles;
+      if (tries > 0 && tries == most_saddles) {
+        newton_.converged = false;
+        break;
+      }
+      const Branch::Start start = branch_.leave(theta, state, tangent_);
+      if (start.way == Branch::Way::none) break;
+      newton_.converged = start.way != Branch::Way::unknown;
       if (!newton_.converged) break;
-      const VectorXd along = side_of(soft.direction) * system_.freedoms().extend(soft.direction);
-      state = downhill(theta, state, along / system_.length(state, along));
-      newton_ = minimise(system_, theta, newton_options(theta), state, tangent_);
-      path_.iterations += newton_.iterations;
-      iterations += newton_.iterations;
+      exact_ = start.way == Branch::Way::exact;
+      const double saddle = system_.energy(state, theta);
+      state = start.state;
+      search(theta, newton_options(theta, true), false, state);
+      newton_.converged = newton_.converged && system_.energy(state, theta) <= saddle;
     }
-    newton_.iterations = iterations;
     return tries > 0;
-  }
-
-  /// The lowest of the states at doubling distances along a direction of negative curvature, from the first one
-  /// that lies lower at all.
-  State downhill(double theta, const State& from, const VectorXd& along) const {
-    const auto at = [&](double s) { return system_.stepped(from, s * along); };
-    const double start = system_.energy(from, theta);
-    double s = branch_seed;
-    while (s > least_branch_seed && !(system_.energy(at(s), theta) < start)) s /= 2;
-    while (2 * s <= longest_branch_step && system_.energy(at(2 * s), theta) < system_.energy(at(s), theta)) s *= 2;
-    return at(s);
-  }
-
-  /// The sign that makes a direction turn class A with the drive; the option's where it does neither.
-  double side_of(const VectorXd& direction) const {
-    const VectorXd all = system_.freedoms().extend(direction);
-    double with = 0, size = 0;
-    for (std::size_t b = 0; b < structure_.bodies.size(); ++b) {
-      with += structure_.bodies[b].sense() * all[6 * b + 2];
-      size += std::abs(all[6 * b + 2]);
-    }
-    if (std::abs(with) > checkerboard * size && size > 0) return std::copysign(1.0, with * goal_);
-    Eigen::Index largest = 0;
-    all.cwiseAbs().maxCoeff(&largest);
-    return options_.side * std::copysign(1.0, all[largest]);
   }
 
   /// Largest difference of a hinge's turn, rad: does not add up along chains.
@@ -225,6 +187,10 @@ class Follower {
 
   void take(double theta, State state, bool branched, bool jumped) {
     const double since = path_.theta;
+    if (branched || jumped)
+      predictor_.restart();
+    else
+      predictor_.move_on(path_.theta);
     const LoadStep step = measured(state, theta, newton_.stable);
     path_.state = std::move(state);
     path_.theta = theta;
@@ -240,7 +206,9 @@ class Follower {
       path_.events.push_back({kind, step, since, std::move(what)});
     };
     const LoadStep& before = path_.steps[path_.steps.size() - 2];
-    if (branched) add(Kind::bifurcation, "the balance turned unstable: left along the softest direction");
+    if (branched)
+      add(Kind::bifurcation, std::string("the balance turned unstable: left along the ") +
+                                 (exact_ ? "exact mode" : "softest direction"));
     if (jumped) add(Kind::snap, "jumped to another state at nearly the same drive");
     if (before.contacts == 0 && step.contacts > 0) add(Kind::contact, touching());
     if (before.contacts > 0 && step.contacts == 0) add(Kind::release, "walls no longer touch");
@@ -295,7 +263,10 @@ class Follower {
                " stretched by " + text(path_.gaps.max) + " cell edges, allowed are " +
                text(options_.gap_limit) + ";" + at();
       case Stop::locked:
-        return "walls in contact lock the structure: no balance found further on;" + at();
+        return std::string("walls in contact lock the structure: ") +
+               (tunnelled_ ? "further on they would have to pass through each other;"
+                           : "no balance found further on;") +
+               at();
       case Stop::not_converged:
         break;
     }
@@ -311,10 +282,12 @@ class Follower {
   const bool planar_;
   ElasticSystem system_;
   Tangent tangent_;
+  Branch branch_;
+  Predictor predictor_;
   NewtonResult newton_;
   LoadPath path_;
   Stop stop_ = Stop::not_converged;
-  bool has_tangent_ = false;
+  bool has_tangent_ = false, exact_ = false, tunnelled_ = false;
   double growth_ = 1, free_slope_ = 0;
   bool locked_ = false;
 };

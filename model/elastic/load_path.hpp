@@ -19,7 +19,8 @@ struct LoadPathOptions {
   double first_step = 0.02;    ///< of theta, rad, (0, 0.5]
   double longest_step = 0.12;  ///< rad, (0, 0.5]
   double least_step = 1e-4;    ///< rad, > 0; a jump within it is taken, and reported
-  double longest_jump = 0.1;   ///< rad, cell edges: more, beyond the prediction, is a jump to another branch
+  double longest_jump = 0.1;   ///< rad a hinge turns beyond the prediction: more is a jump to another branch,
+                               ///< four times as much where the energy is convex all the way
   double gap_limit = 0.3;      ///< cell edges: the path ends where a hinge stretches more
   NewtonOptions newton;
 

@@ -8,10 +8,13 @@ namespace {
 
 using Eigen::VectorXd;
 
+constexpr double first_shift = 1e-2;
 constexpr double least_shift = 1e-8;
 constexpr double shift_decay = 20;
 constexpr double tiny_step = 1e-5;
 constexpr double most_shift = 1e6;
+constexpr double chord_gain = 0.4;
+constexpr double polished = 1e-8;
 constexpr double energy_noise = 1e-15;
 
 double largest(const VectorXd& v) {
@@ -30,8 +33,9 @@ class Newton {
         force_tolerance_(options.force_tolerance *
                          (1 + std::sqrt(static_cast<double>(state.size())))) {}
 
-  NewtonResult run() {
+  NewtonResult run(bool factorised) {
     energy_ = system_.energy(state_, theta_);
+    if (factorised) follow_chord(options_.longest_step);
     while (linearise() && std::isfinite(energy_)) {
       if (result_.force <= force_tolerance_ || small_step_) {
         result_.converged = !system_.update_multiplier(state_, theta_, options_.drive_tolerance);
@@ -40,7 +44,7 @@ class Newton {
         energy_ = system_.energy(state_, theta_);
         continue;
       }
-      if (result_.iterations++ >= options_.max_iterations || !step()) break;
+      if (result_.iterations++ >= options_.max_iterations || !step() || has_strayed()) break;
     }
     result_.stable = std::isfinite(result_.force) && (factor_holds_ || tangent_.factorise(0));
     return result_;
@@ -53,12 +57,16 @@ class Newton {
     return std::isfinite(result_.force);
   }
 
+  bool has_strayed() const { return !result_.convex && !(result_.moved <= options_.most_moved); }
+
   /// False where no step lowers the energy.
   bool step() {
     if (attempt(0)) return true;
-    for (double shift = std::max(shift_ / shift_decay, least_shift); shift <= most_shift; shift *= 10) {
+    const double start = shift_ == 0 ? first_shift : std::max(shift_ / shift_decay, least_shift);
+    for (double shift = start; shift <= most_shift; shift *= 10) {
       if (!attempt(shift)) continue;
       shift_ = shift;
+      result_.convex = false;
       return true;
     }
     return false;
@@ -78,12 +86,32 @@ class Newton {
     const double energy = system_.energy(candidate, theta_);
     if (!is_better(energy, candidate, length)) return false;
     small_step_ = shift == 0 && length <= options_.step_tolerance;
-    factor_holds_ = shift == 0 && length <= tiny_step;
+    factor_holds_ = shift == 0 && is_tiny(length);
     state_ = std::move(candidate);
     energy_ = energy;
     result_.moved += length;
+    if (shift == 0) follow_chord(length);
     return true;
   }
+
+  /// Steps by the factor that there is, as long as each is much shorter than the one before.
+  void follow_chord(double length) {
+    while (length > std::min(options_.step_tolerance, polished)) {
+      const VectorXd gradient = system_.freedoms().restrict(system_.gradient(state_, theta_));
+      const VectorXd step = -system_.freedoms().extend(tangent_.solve(gradient));
+      const double next = system_.length(state_, step);
+      if (!(next <= chord_gain * length)) return;
+      State candidate = system_.stepped(state_, step);
+      const double energy = system_.energy(candidate, theta_);
+      if (!(energy < energy_)) return;
+      state_ = std::move(candidate);
+      energy_ = energy;
+      factor_holds_ = factor_holds_ && is_tiny(next);
+      length = next;
+    }
+  }
+
+  bool is_tiny(double length) const { return length <= std::max(tiny_step, options_.step_tolerance); }
 
   bool is_better(double energy, const State& candidate, double length) const {
     if (!std::isfinite(energy)) return false;
@@ -103,14 +131,14 @@ class Newton {
   VectorXd gradient_;
   double energy_ = 0, shift_ = 0;
   bool small_step_ = false;
-  bool factor_holds_ = false;  ///< that of the state before, a tiny step away
+  bool factor_holds_ = false;  ///< of a state a tiny step before
 };
 
 }  // namespace
 
 NewtonResult minimise(ElasticSystem& system, double theta, const NewtonOptions& options, State& state,
-                      Tangent& tangent) {
-  return Newton(system, theta, options, state, tangent).run();
+                      Tangent& tangent, bool factorised) {
+  return Newton(system, theta, options, state, tangent).run(factorised);
 }
 
 }  // namespace kinetix

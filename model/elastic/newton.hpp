@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <string>
 
 #include "model/elastic/elastic_system.hpp"
@@ -12,6 +13,8 @@ struct NewtonOptions {
   double step_tolerance = 1e-11;  ///< a shorter Newton step (ElasticSystem::length) ends the search
   double drive_tolerance = 1e-12; ///< of a driven hinge's turn, rad
   double longest_step = 0.25;     ///< rad, cell edges
+  double most_moved = INFINITY;   ///< rad, cell edges: a search that met negative curvature and went further
+                                  ///< in all ends, not converged
 };
 
 struct NewtonResult {
@@ -19,15 +22,18 @@ struct NewtonResult {
   bool stable = false;    ///< the tangent of the last state is positive definite
   double force = 0;       ///< largest entry of the gradient by the unknowns
   double moved = 0;       ///< largest coordinate step taken in all
-  int iterations = 0;
+  bool convex = true;     ///< no tangent on the way had to be shifted
+  int iterations = 0;     ///< each with a tangent of its own
 };
 
 /// Minimises the energy of a system at fold parameter theta from `state`, in which what the drive grips must
 /// be in place: Newton's method with the exact Hessian, shifted where it is not positive definite or its step
-/// does not lower the energy. A state of balance that is no minimum (a symmetric one, say) is a result too,
+/// does not lower the energy; a factor is used for further steps as long as each is much shorter than the one
+/// before. A state of balance that is no minimum (a symmetric one, say) is a result too,
 /// with stable = false. Afterwards `tangent` is that of the last state, factorised if stable (there or a step
-/// of at most 1e-5 before).
+/// of at most 1e-5, or step_tolerance, before). @param factorised `tangent` is, in a state nearby: its factor
+/// is used first
 NewtonResult minimise(ElasticSystem& system, double theta, const NewtonOptions& options, State& state,
-                      Tangent& tangent);
+                      Tangent& tangent, bool factorised = false);
 
 }  // namespace kinetix

@@ -1,0 +1,97 @@
+#include "model/elastic/branch.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "model/elastic/softest.hpp"
+
+namespace kinetix {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr double first_seed = 1e-3;
+constexpr double curved_valley = 0.05;
+constexpr double longest_step = 0.3;
+constexpr double checkerboard = 1e-3;
+
+Vector3d centre(const State& state, const std::vector<int>& bodies) {
+  Vector3d sum = Vector3d::Zero();
+  for (const int body : bodies) sum += state[body].p;
+  return sum / static_cast<double>(bodies.size());
+}
+
+void move_all(State& state, const Eigen::Matrix3d& turn, const Vector3d& shift) {
+  for (Pose& pose : state) {
+    pose.R = turn * pose.R;
+    pose.p = turn * pose.p + shift;
+  }
+}
+
+}  // namespace
+
+Branch::Branch(const ElasticSystem& system, double goal, int side)
+    : system_(system), family_(classify(system.structure())), goal_(goal), side_(side) {}
+
+Branch::Start Branch::leave(double theta, const State& from, Tangent& tangent) const {
+  if (const auto exact = exact_state(theta))
+    if (system_.energy(*exact, theta) < system_.energy(from, theta)) return {Way::exact, *exact};
+  const Softest soft = softest(tangent);
+  if (!soft.converged) return {};
+  if (!(soft.value < 0)) return {Way::none, from};
+  const VectorXd all = system_.freedoms().extend(soft.direction);
+  return {Way::softest, downhill(theta, from, side_of(all) / system_.length(from, all) * all)};
+}
+
+// Where the drive holds it: plates face each other, a driven hinge's lower body rests.
+std::optional<State> Branch::exact_state(double theta) const {
+  if (family_.family == Family::none) return {};
+  const Structure& structure = system_.structure();
+  State state = fold(family_, structure, theta);
+  const State rest = rest_state(structure);
+  const Drive& drive = system_.drive();
+  if (drive.kind == Drive::Kind::hinge) {
+    const int held = structure.hinges[*structure.hinge_at(drive.wall)].lower;
+    const Eigen::Matrix3d turn = rest[held].R * state[held].R.transpose();
+    move_all(state, turn, rest[held].p - turn * state[held].p);
+    return state;
+  }
+  const auto rows = gripped_bodies(structure, drive.axis);
+  const Vector3d across = centre(state, rows[1]) - centre(state, rows[0]);
+  const Vector3d axis = drive.axis == Axis::x ? Vector3d::UnitX() : Vector3d::UnitY();
+  const Eigen::Matrix3d turn = Eigen::Quaterniond::FromTwoVectors(across, axis).toRotationMatrix();
+  move_all(state, turn, Vector3d::Zero());
+  const int pin = rows[0][rows[0].size() / 2];
+  Vector3d shift = rest[pin].p - state[pin].p;
+  const double middle = (centre(rest, rows[0]) + centre(rest, rows[1])).dot(axis) / 2;
+  shift += (middle - (centre(state, rows[0]) + centre(state, rows[1])).dot(axis) / 2 - shift.dot(axis)) * axis;
+  move_all(state, Eigen::Matrix3d::Identity(), shift);
+  system_.place(theta, state);
+  return state;
+}
+
+State Branch::downhill(double theta, const State& from, const VectorXd& along) const {
+  const auto at = [&](double s) { return system_.stepped(from, s * along); };
+  const auto energy = [&](double s) { return system_.energy(at(s), theta); };
+  double s = first_seed;
+  if (!(energy(s) < system_.energy(from, theta))) return at(curved_valley);
+  while (2 * s <= longest_step && energy(2 * s) < energy(s)) s *= 2;
+  return at(s);
+}
+
+double Branch::side_of(const VectorXd& all) const {
+  const auto& bodies = system_.structure().bodies;
+  double with = 0, size = 0;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    with += bodies[b].sense() * all[6 * b + 2];
+    size += std::abs(all[6 * b + 2]);
+  }
+  if (std::abs(with) > checkerboard * size && size > 0) return std::copysign(1.0, with * goal_);
+  Eigen::Index largest = 0;
+  all.cwiseAbs().maxCoeff(&largest);
+  return side_ * std::copysign(1.0, all[largest]);
+}
+
+}  // namespace kinetix

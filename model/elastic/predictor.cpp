@@ -1,0 +1,65 @@
+#include "model/elastic/predictor.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace kinetix {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr double longest = 0.3;
+
+}  // namespace
+
+State Predictor::predict(const State& state, double from, double to, const Tangent& tangent) {
+  order_ = 1;
+  if (rate_.size() == 0) rate_ = rate(state, from, to, tangent);
+  const double step = to - from;
+  State first = ahead(state, to, step * rate_);
+  if (last_rate_.size() == 0) return first;
+  const VectorXd bend = (rate_ - last_rate_) / (from - last_theta_);
+  State second = ahead(state, to, step * rate_ + step * step / 2 * bend);
+  if (!(system_.energy(second, to) < system_.energy(first, to))) return first;
+  order_ = 2;
+  return second;
+}
+
+void Predictor::move_on(double from) {
+  last_rate_ = std::exchange(rate_, VectorXd());
+  last_theta_ = from;
+}
+
+void Predictor::restart() {
+  rate_.resize(0);
+  last_rate_.resize(0);
+}
+
+// Plates stand still to first order where they start.
+VectorXd Predictor::rate(const State& state, double from, double to, const Tangent& tangent) const {
+  const VectorXd placed = system_.place_rate(from != 0 ? from : to / 2);
+  const VectorXd pull = tangent.multiply_all(placed) + turn_pull(state);
+  return -system_.freedoms().extend(tangent.solve(system_.freedoms().restrict(pull)));
+}
+
+VectorXd Predictor::turn_pull(const State& state) const {
+  VectorXd pull = VectorXd::Zero(system_.freedoms().coordinates());
+  if (system_.drive().kind == Drive::Kind::plates) return pull;
+  const Structure& structure = system_.structure();
+  const Hinge& hinge = structure.hinges[*structure.hinge_at(system_.drive().wall)];
+  const Vector12 gradient = system_.driven_turn(state).gradient;
+  const double rate = -2 * system_.drive().wall.from.sense();
+  pull.segment<6>(6 * hinge.lower) = -ElasticSystem::grip * rate * gradient.head<6>();
+  pull.segment<6>(6 * hinge.upper) = -ElasticSystem::grip * rate * gradient.tail<6>();
+  return pull;
+}
+
+State Predictor::ahead(const State& state, double to, VectorXd step) const {
+  const double length = system_.length(state, step);
+  if (!(length <= longest)) step *= longest / length;
+  State out = step.allFinite() ? system_.stepped(state, step) : state;
+  system_.place(to, out);
+  return out;
+}
+
+}  // namespace kinetix
