@@ -99,14 +99,33 @@ struct Turn {
   double angle_change(const Vector3d& axis_rate) const { return 2 * w * v.dot(axis_rate) / squared(); }
 };
 
+/// A gradient by the turns of lower and upper body that is -g and g.
+Vector12 opposite_turns(const Vector3d& g) {
+  Vector12 out = Vector12::Zero();
+  out.segment<3>(0) = -g;
+  out.segment<3>(6) = g;
+  return out;
+}
+
+Vector12 turn_gradient(const Turn& turn) { return opposite_turns(turn.upper * turn.rate()); }
+
+TurnRates turn_rates(const RestHinge& hinge, const Turn& turn) {
+  TurnRates rates;
+  for (const int column : {1, 2}) {
+    const Vector3d& axis_rate = column == 1 ? hinge.axis_alpha : hinge.axis_beta;
+    rates.turn[column] = turn.angle_change(axis_rate);
+    rates.gradient.col(column) = opposite_turns(turn.upper * turn.rate_change(axis_rate));
+  }
+  return rates;
+}
+
 Element turn_element(const Turn& turn) {
   Element e;
   const Vector3d g = turn.upper * turn.rate();
   const Matrix3d m = turn.upper * turn.second() * turn.upper.transpose();
   const Matrix3d half = 0.5 * cross_matrix(g);
   e.energy = turn.angle();
-  e.gradient.segment<3>(0) = -g;
-  e.gradient.segment<3>(6) = g;
+  e.gradient = opposite_turns(g);
   e.hessian.block<3, 3>(0, 0) = m;
   e.hessian.block<3, 3>(6, 6) = m;
   e.hessian.block<3, 3>(0, 6) = half - m;
@@ -170,36 +189,39 @@ Element hinge_element(const RestHinge& hinge, const Stiffness& k, const Pose& lo
 
 HingeRates hinge_rates(const RestHinge& hinge, const Stiffness& k, const Pose& lower, const Pose& upper,
                        double edge_mm) {
-  HingeRates rates;
-  rates.design.setZero();
-  const double squared_reach = k.reach * k.reach;
-  add_rate(point_mismatch(hinge, lower, upper, edge_mm), carried(hinge.edge, lower, upper), 1, true,
-           rates.design.col(0));
-
-  const Mismatch axis = axis_mismatch(hinge, lower, upper);
+  const Mismatch point = point_mismatch(hinge, lower, upper, edge_mm), axis = axis_mismatch(hinge, lower, upper);
   const Turn turn(hinge, lower, upper);
-  const Vector3d g = upper.R * turn.rate();
-  const auto add_axis = [&](const Vector3d& axis_rate, int column) {
-    add_rate(axis, carried(axis_rate, lower, upper), squared_reach, false, rates.design.col(column));
-    const Vector3d change = k.turn * (turn.angle_change(axis_rate) * g +
-                                      turn.angle() * (upper.R * turn.rate_change(axis_rate)));
-    rates.design.col(column).segment<3>(0) -= change;
-    rates.design.col(column).segment<3>(6) += change;
-  };
-  add_axis(hinge.axis_alpha, 1);
-  add_axis(hinge.axis_beta, 2);
+  const double angle = turn.angle(), squared_reach = k.reach * k.reach, squared_gap = axis.gap.squaredNorm();
+  const Vector12 by_turn = turn_gradient(turn);
+  const TurnRates turns = turn_rates(hinge, turn);
 
-  rates.turn.setZero();
-  rates.turn.segment<3>(0) = -turn.angle() * g;
-  rates.turn.segment<3>(6) = turn.angle() * g;
-  Element unit;
-  add_turning(axis, 2 * k.reach, unit);
-  rates.reach = unit.gradient;
+  HingeRates rates;
+  rates.design = k.turn * (by_turn * turns.turn.transpose() + angle * turns.gradient);
+  rates.energy_design = k.turn * angle * turns.turn;
+  const auto add = [&](const Mismatch& m, const Vector3d& rest_rate, double weight, int column) {
+    const Mismatch rate = carried(rest_rate, lower, upper);
+    add_rate(m, rate, weight, &m == &point, rates.design.col(column));
+    rates.energy_design[column] += 2 * weight * m.gap.dot(rate.gap);
+  };
+  add(point, hinge.edge, 1, 0);
+  add(axis, hinge.axis_alpha, squared_reach, 1);
+  add(axis, hinge.axis_beta, squared_reach, 2);
+
+  rates.turn = angle * by_turn;
+  rates.energy_turn = 0.5 * angle * angle;
+  rates.reach.setZero();
+  rates.reach.segment<3>(0) = 4 * k.reach * axis.lower.cross(axis.gap);
+  rates.reach.segment<3>(6) = -4 * k.reach * axis.upper.cross(axis.gap);
+  rates.energy_reach = 2 * k.reach * squared_gap;
   return rates;
 }
 
 Element turn_element(const RestHinge& hinge, const Pose& lower, const Pose& upper) {
   return turn_element(Turn(hinge, lower, upper));
+}
+
+TurnRates turn_rates(const RestHinge& hinge, const Pose& lower, const Pose& upper) {
+  return turn_rates(hinge, Turn(hinge, lower, upper));
 }
 
 }  // namespace kinetix

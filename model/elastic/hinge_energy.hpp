@@ -33,11 +33,14 @@ HingeEnergy hinge_energy(const RestHinge& hinge, const Stiffness& stiffness, con
 Element hinge_element(const RestHinge& hinge, const Stiffness& stiffness, const Pose& lower,
                       const Pose& upper, double edge_mm);
 
-/// How the gradient of a hinge's energy changes with its design and stiffness.
+/// How a hinge's energy, and its gradient as an element, change with its design and stiffness.
 struct HingeRates {
-  Eigen::Matrix<double, 12, 3> design;  ///< by t, alpha, beta
+  Eigen::Matrix<double, 12, 3> design;  ///< of the gradient, by t, alpha, beta
   Vector12 turn;                        ///< by Stiffness::turn
   Vector12 reach;                       ///< by Stiffness::reach
+  Eigen::Vector3d energy_design;        ///< of the energy, by t, alpha, beta
+  double energy_turn = 0;               ///< by Stiffness::turn
+  double energy_reach = 0;              ///< by Stiffness::reach
 };
 
 HingeRates hinge_rates(const RestHinge& hinge, const Stiffness& stiffness, const Pose& lower,
@@ -45,5 +48,13 @@ HingeRates hinge_rates(const RestHinge& hinge, const Stiffness& stiffness, const
 
 /// Turn of a hinge (rad, as hinge_turn in model/closure_drive.hpp) as an element: for a driven hinge.
 Element turn_element(const RestHinge& hinge, const Pose& lower, const Pose& upper);
+
+/// How that turn and its gradient change with the hinge's t, alpha and beta (t: not at all).
+struct TurnRates {
+  Eigen::Vector3d turn = Eigen::Vector3d::Zero();  ///< rad by each
+  Eigen::Matrix<double, 12, 3> gradient = Eigen::Matrix<double, 12, 3>::Zero();
+};
+
+TurnRates turn_rates(const RestHinge& hinge, const Pose& lower, const Pose& upper);
 
 }  // namespace kinetix

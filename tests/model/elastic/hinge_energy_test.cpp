@@ -91,19 +91,20 @@ TEST(HingeEnergy, RatesByDesignAndStiffnessMatchCentralDifferences) {
     const Structure s = random_panel(1, 1, random);
     const State state = shaken(s, rest_state(s), 0.5, random);
     for (const Hinge& hinge : s.hinges) {
-      const auto gradient = [&](const Eigen::VectorXd& q) -> Eigen::VectorXd {
+      const auto energy_and_gradient = [&](const Eigen::VectorXd& q) -> Eigen::VectorXd {
         Hinge h = hinge;
         h.parameters = {hinge.parameters.t + q[0], hinge.parameters.alpha + q[1],
                         hinge.parameters.beta + q[2]};
-        return hinge_element(rest_hinge(h), {stiff.turn + q[3], stiff.reach + q[4], stiff.contact},
-                             state[h.lower], state[h.upper], s.size.edge_mm)
-            .gradient;
+        const Element e = hinge_element(rest_hinge(h), {stiff.turn + q[3], stiff.reach + q[4], stiff.contact},
+                                        state[h.lower], state[h.upper], s.size.edge_mm);
+        return (Eigen::VectorXd(13) << e.energy, e.gradient).finished();
       };
       const HingeRates rates = hinge_rates(rest_hinge(hinge), stiff, state[hinge.lower],
                                            state[hinge.upper], s.size.edge_mm);
-      Eigen::Matrix<double, 12, 5> all;
-      all << rates.design, rates.turn, rates.reach;
-      expect_jacobian(gradient, Eigen::VectorXd::Zero(5), all);
+      Eigen::Matrix<double, 13, 5> all;
+      all << rates.energy_design.transpose(), rates.energy_turn, rates.energy_reach, rates.design, rates.turn,
+          rates.reach;
+      expect_jacobian(energy_and_gradient, Eigen::VectorXd::Zero(5), all);
     }
   }
 }
@@ -122,6 +123,27 @@ TEST(HingeTurnElement, IsTheTurnOfTheHingeWithItsDerivatives) {
       EXPECT_NEAR(e.energy, turn(Vector12::Zero()), 1e-14);
       expect_jacobian([&](const Eigen::VectorXd& x) { return numeric_gradient(turn, x); },
                       Eigen::VectorXd::Zero(12), e.hessian, 1e-6, 3e-3);
+    }
+  }
+}
+
+TEST(HingeTurnElement, RatesByDesignMatchCentralDifferences) {
+  std::mt19937 random(5);
+  for (int trial = 0; trial < 20; ++trial) {
+    const Structure s = random_panel(1, 1, random);
+    const State state = shaken(s, rest_state(s), 0.5, random);
+    for (const Hinge& hinge : s.hinges) {
+      const auto turn_and_gradient = [&](const Eigen::VectorXd& q) -> Eigen::VectorXd {
+        Hinge h = hinge;
+        h.parameters = {hinge.parameters.t + q[0], hinge.parameters.alpha + q[1],
+                        hinge.parameters.beta + q[2]};
+        const Element e = turn_element(rest_hinge(h), state[h.lower], state[h.upper]);
+        return (Eigen::VectorXd(13) << e.energy, e.gradient).finished();
+      };
+      const TurnRates rates = turn_rates(rest_hinge(hinge), state[hinge.lower], state[hinge.upper]);
+      Eigen::Matrix<double, 13, 3> all;
+      all << rates.turn.transpose(), rates.gradient;
+      expect_jacobian(turn_and_gradient, Eigen::VectorXd::Zero(3), all);
     }
   }
 }
