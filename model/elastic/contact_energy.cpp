@@ -14,6 +14,7 @@ using Eigen::Vector3d;
 enum Face { side_plus, side_minus, knee_end, top, bottom };
 
 constexpr double near_margin = 0.1;
+constexpr double passing_margin = 0.5;
 
 }  // namespace
 
@@ -121,7 +122,7 @@ bool ContactModel::is_within(int point, int other, double margin) const {
   return planar_ || std::abs(y.dot(box.up)) <= half_height_ + margin;
 }
 
-void ContactModel::update_near(const State& state) {
+std::vector<ContactModel::Pair> ContactModel::pairs_within(double margin) {
   Eigen::Matrix3Xd centers(3, plates_.size());
   double longest = 0;
   for (std::size_t k = 0; k < plates_.size(); ++k) {
@@ -129,21 +130,21 @@ void ContactModel::update_near(const State& state) {
     longest = std::max(longest, plates_[k].length / 2);
   }
   const double radius = Vector3d(longest, half_thickness_, planar_ ? 0 : half_height_).norm();
-  near_.clear();
+  std::vector<Pair> pairs;
   const auto add = [&](int plate, int other) {
     for (int k = 0; k < points_per_plate_; ++k)
-      if (is_within(plate * points_per_plate_ + k, other, near_margin))
-        near_.push_back({plate * points_per_plate_ + k, other});
+      if (is_within(plate * points_per_plate_ + k, other, margin))
+        pairs.push_back({plate * points_per_plate_ + k, other});
   };
-  for (const auto& [first, second] : finder_.find(centers, 2 * radius + near_margin)) {
+  for (const auto& [first, second] : finder_.find(centers, 2 * radius + margin)) {
     const bool one_body = plates_[first].body == plates_[second].body, one_wall = first / 2 == second / 2;
     if (one_body || one_wall) continue;
     if (std::binary_search(excluded_.begin(), excluded_.end(), std::pair(first, second))) continue;
     add(first, second);
     add(second, first);
   }
-  std::sort(near_.begin(), near_.end());
-  near_state_ = state;
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
 }
 
 Vector3d ContactModel::face_normal(const Plate& plate, int face) const {
@@ -205,7 +206,10 @@ std::vector<Contact> ContactModel::find(const State& state) {
                                   [](const Pose& p) { return p.R.allFinite() && p.p.allFinite(); });
   if (!finite) return {};
   place(state);
-  if (has_moved(state)) update_near(state);
+  if (has_moved(state)) {
+    near_ = pairs_within(near_margin);
+    near_state_ = state;
+  }
   std::vector<Contact> found;
   for (const Pair& pair : near_) add_if_inside(pair.point, pair.other, found);
   return found;
@@ -221,8 +225,8 @@ int ContactModel::side_of(int point, int other) const {
 }
 
 bool ContactModel::passed_through(const State& before, const State& after) {
-  find(before);
-  const std::vector<Pair> near = near_;
+  place(before);
+  const std::vector<Pair> near = pairs_within(passing_margin);
   std::vector<int> sides;
   sides.reserve(near.size());
   for (const Pair& pair : near) sides.push_back(side_of(pair.point, pair.other));
