@@ -14,6 +14,7 @@ struct Figure {
 };
 
 std::vector<Figure> model_figures();
+std::vector<Figure> elastic_figures();
 std::vector<Figure> search_figures();
 std::vector<Figure> physics_figures();
 

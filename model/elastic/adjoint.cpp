@@ -50,12 +50,11 @@ class Adjoint {
     const double edge_mm = system_.structure().size.edge_mm;
     for (std::size_t h = 0; h < system_.hinges().size(); ++h) {
       const RestHinge& hinge = system_.hinges()[h];
-      const HingeRates rates =
-          hinge_rates(hinge, system_.stiffness(), state_[hinge.lower], state_[hinge.upper], edge_mm);
-      const Vector12 lambda = pair(hinge.lower, hinge.upper);
-      out.col(h) += energy_ * rates.energy_design - rates.design.transpose() * lambda;
-      sum.turn += energy_ * rates.energy_turn - rates.turn.dot(lambda);
-      sum.reach += energy_ * rates.energy_reach - rates.reach.dot(lambda);
+      const auto [by_energy, along] = hinge_rates(hinge, system_.stiffness(), state_[hinge.lower],
+                                                  state_[hinge.upper], edge_mm, pair(hinge.lower, hinge.upper));
+      out.col(h) += energy_ * by_energy.design - along.design;
+      sum.turn += energy_ * by_energy.turn - along.turn;
+      sum.reach += energy_ * by_energy.reach - along.reach;
     }
     return sum;
   }
@@ -63,9 +62,9 @@ class Adjoint {
   void add_drive(Eigen::Matrix3Xd& out) const {
     if (driven_ < 0) return;
     const RestHinge& hinge = system_.hinges()[driven_];
-    const TurnRates rates = turn_rates(hinge, state_[hinge.lower], state_[hinge.upper]);
-    out.col(driven_) -=
-        force_ * (rates.gradient.transpose() * pair(hinge.lower, hinge.upper)) + turn_ * rates.turn;
+    const TurnRates rates = turn_rates(hinge, state_[hinge.lower], state_[hinge.upper],
+                                       pair(hinge.lower, hinge.upper));
+    out.col(driven_) -= force_ * rates.along + turn_ * rates.turn;
   }
 
   /// @return f by the relative stiffness of contact

@@ -99,24 +99,18 @@ struct Turn {
   double angle_change(const Vector3d& axis_rate) const { return 2 * w * v.dot(axis_rate) / squared(); }
 };
 
-/// A gradient by the turns of lower and upper body that is -g and g.
-Vector12 opposite_turns(const Vector3d& g) {
-  Vector12 out = Vector12::Zero();
-  out.segment<3>(0) = -g;
-  out.segment<3>(6) = g;
-  return out;
+/// @param against turn of the upper body against the lower one, in the upper body's frame
+TurnRates turn_rates(const RestHinge& hinge, const Turn& turn, const Vector3d& against) {
+  TurnRates rates;
+  rates.turn[1] = turn.angle_change(hinge.axis_alpha);
+  rates.turn[2] = turn.angle_change(hinge.axis_beta);
+  rates.along[1] = turn.rate_change(hinge.axis_alpha).dot(against);
+  rates.along[2] = turn.rate_change(hinge.axis_beta).dot(against);
+  return rates;
 }
 
-Vector12 turn_gradient(const Turn& turn) { return opposite_turns(turn.upper * turn.rate()); }
-
-TurnRates turn_rates(const RestHinge& hinge, const Turn& turn) {
-  TurnRates rates;
-  for (const int column : {1, 2}) {
-    const Vector3d& axis_rate = column == 1 ? hinge.axis_alpha : hinge.axis_beta;
-    rates.turn[column] = turn.angle_change(axis_rate);
-    rates.gradient.col(column) = opposite_turns(turn.upper * turn.rate_change(axis_rate));
-  }
-  return rates;
+Vector3d turn_against(const Vector12& along, const Pose& upper) {
+  return upper.R.transpose() * (along.segment<3>(6) - along.segment<3>(0));
 }
 
 Element turn_element(const Turn& turn) {
@@ -125,7 +119,8 @@ Element turn_element(const Turn& turn) {
   const Matrix3d m = turn.upper * turn.second() * turn.upper.transpose();
   const Matrix3d half = 0.5 * cross_matrix(g);
   e.energy = turn.angle();
-  e.gradient = opposite_turns(g);
+  e.gradient.segment<3>(0) = -g;
+  e.gradient.segment<3>(6) = g;
   e.hessian.block<3, 3>(0, 0) = m;
   e.hessian.block<3, 3>(6, 6) = m;
   e.hessian.block<3, 3>(0, 6) = half - m;
@@ -133,19 +128,14 @@ Element turn_element(const Turn& turn) {
   return e;
 }
 
-/// d/dq of the gradient of weight |gap|^2 where gap and the carried vectors change.
-void add_rate(const Mismatch& m, const Mismatch& rate, double weight, bool point,
-              Eigen::Ref<Vector12> column) {
-  column.segment<3>(0) += 2 * weight * (rate.lower.cross(m.gap) + m.lower.cross(rate.gap));
-  column.segment<3>(6) -= 2 * weight * (rate.upper.cross(m.gap) + m.upper.cross(rate.gap));
-  if (!point) return;
-  column.segment<3>(3) += 2 * weight * rate.gap;
-  column.segment<3>(9) -= 2 * weight * rate.gap;
-}
-
 Mismatch carried(const Vector3d& rest, const Pose& lower, const Pose& upper) {
   const Vector3d a = lower.R * rest, b = upper.R * rest;
   return {a - b, a, b};
+}
+
+/// Change of the gap as the two bodies turn.
+Vector3d drift(const Mismatch& m, const Vector12& along) {
+  return along.segment<3>(0).cross(m.lower) - along.segment<3>(6).cross(m.upper);
 }
 
 }  // namespace
@@ -188,31 +178,31 @@ Element hinge_element(const RestHinge& hinge, const Stiffness& k, const Pose& lo
 }
 
 HingeRates hinge_rates(const RestHinge& hinge, const Stiffness& k, const Pose& lower, const Pose& upper,
-                       double edge_mm) {
+                       double edge_mm, const Vector12& along) {
   const Mismatch point = point_mismatch(hinge, lower, upper, edge_mm), axis = axis_mismatch(hinge, lower, upper);
+  const Vector3d point_drift = drift(point, along) + along.segment<3>(3) - along.segment<3>(9),
+                 axis_drift = drift(axis, along);
   const Turn turn(hinge, lower, upper);
-  const double angle = turn.angle(), squared_reach = k.reach * k.reach, squared_gap = axis.gap.squaredNorm();
-  const Vector12 by_turn = turn_gradient(turn);
-  const TurnRates turns = turn_rates(hinge, turn);
+  const Vector3d against = turn_against(along, upper);
+  const double angle = turn.angle(), angle_along = turn.rate().dot(against);
+  const TurnRates turns = turn_rates(hinge, turn, against);
 
   HingeRates rates;
-  rates.design = k.turn * (by_turn * turns.turn.transpose() + angle * turns.gradient);
-  rates.energy_design = k.turn * angle * turns.turn;
-  const auto add = [&](const Mismatch& m, const Vector3d& rest_rate, double weight, int column) {
+  rates.energy.design = k.turn * angle * turns.turn;
+  rates.along.design = k.turn * (angle_along * turns.turn + angle * turns.along);
+  const auto add = [&](int column, const Mismatch& m, const Vector3d& m_drift, const Vector3d& rest_rate,
+                       double weight) {
     const Mismatch rate = carried(rest_rate, lower, upper);
-    add_rate(m, rate, weight, &m == &point, rates.design.col(column));
-    rates.energy_design[column] += 2 * weight * m.gap.dot(rate.gap);
+    rates.energy.design[column] += 2 * weight * m.gap.dot(rate.gap);
+    rates.along.design[column] += 2 * weight * (rate.gap.dot(m_drift) + m.gap.dot(drift(rate, along)));
   };
-  add(point, hinge.edge, 1, 0);
-  add(axis, hinge.axis_alpha, squared_reach, 1);
-  add(axis, hinge.axis_beta, squared_reach, 2);
-
-  rates.turn = angle * by_turn;
-  rates.energy_turn = 0.5 * angle * angle;
-  rates.reach.setZero();
-  rates.reach.segment<3>(0) = 4 * k.reach * axis.lower.cross(axis.gap);
-  rates.reach.segment<3>(6) = -4 * k.reach * axis.upper.cross(axis.gap);
-  rates.energy_reach = 2 * k.reach * squared_gap;
+  add(0, point, point_drift, hinge.edge, 1);
+  add(1, axis, axis_drift, hinge.axis_alpha, k.reach * k.reach);
+  add(2, axis, axis_drift, hinge.axis_beta, k.reach * k.reach);
+  rates.energy.turn = 0.5 * angle * angle;
+  rates.along.turn = angle * angle_along;
+  rates.energy.reach = 2 * k.reach * axis.gap.squaredNorm();
+  rates.along.reach = 4 * k.reach * axis.gap.dot(axis_drift);
   return rates;
 }
 
@@ -220,8 +210,8 @@ Element turn_element(const RestHinge& hinge, const Pose& lower, const Pose& uppe
   return turn_element(Turn(hinge, lower, upper));
 }
 
-TurnRates turn_rates(const RestHinge& hinge, const Pose& lower, const Pose& upper) {
-  return turn_rates(hinge, Turn(hinge, lower, upper));
+TurnRates turn_rates(const RestHinge& hinge, const Pose& lower, const Pose& upper, const Vector12& along) {
+  return turn_rates(hinge, Turn(hinge, lower, upper), turn_against(along, upper));
 }
 
 }  // namespace kinetix

@@ -99,11 +99,13 @@ TEST(HingeEnergy, RatesByDesignAndStiffnessMatchCentralDifferences) {
                                         state[h.lower], state[h.upper], s.size.edge_mm);
         return (Eigen::VectorXd(13) << e.energy, e.gradient).finished();
       };
-      const HingeRates rates = hinge_rates(rest_hinge(hinge), stiff, state[hinge.lower],
-                                           state[hinge.upper], s.size.edge_mm);
       Eigen::Matrix<double, 13, 5> all;
-      all << rates.energy_design.transpose(), rates.energy_turn, rates.energy_reach, rates.design, rates.turn,
-          rates.reach;
+      for (int k = 0; k < 12; ++k) {
+        const auto [energy, along] = hinge_rates(rest_hinge(hinge), stiff, state[hinge.lower], state[hinge.upper],
+                                                 s.size.edge_mm, Vector12::Unit(k));
+        all.row(0) << energy.design.transpose(), energy.turn, energy.reach;
+        all.row(1 + k) << along.design.transpose(), along.turn, along.reach;
+      }
       expect_jacobian(energy_and_gradient, Eigen::VectorXd::Zero(5), all);
     }
   }
@@ -140,9 +142,13 @@ TEST(HingeTurnElement, RatesByDesignMatchCentralDifferences) {
         const Element e = turn_element(rest_hinge(h), state[h.lower], state[h.upper]);
         return (Eigen::VectorXd(13) << e.energy, e.gradient).finished();
       };
-      const TurnRates rates = turn_rates(rest_hinge(hinge), state[hinge.lower], state[hinge.upper]);
       Eigen::Matrix<double, 13, 3> all;
-      all << rates.turn.transpose(), rates.gradient;
+      for (int k = 0; k < 12; ++k) {
+        const TurnRates rates =
+            turn_rates(rest_hinge(hinge), state[hinge.lower], state[hinge.upper], Vector12::Unit(k));
+        all.row(0) = rates.turn.transpose();
+        all.row(1 + k) = rates.along.transpose();
+      }
       expect_jacobian(turn_and_gradient, Eigen::VectorXd::Zero(3), all);
     }
   }
