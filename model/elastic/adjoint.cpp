@@ -20,10 +20,10 @@ struct HalfHeld {
 /// The only one, or none.
 HalfHeld half_held(const Freedoms& freedoms) {
   for (std::size_t b = 0; b < freedoms.unknown.size(); ++b) {
-    std::vector<int> free;
+    const auto& turns = freedoms.unknown[b];
     for (int k = 0; k < 3; ++k)
-      if (freedoms.unknown[b][k] >= 0) free.push_back(k);
-    if (free.size() == 2) return {static_cast<int>(b), {free[0], free[1]}};
+      if (turns[k] < 0 && turns[(k + 1) % 3] >= 0 && turns[(k + 2) % 3] >= 0)
+        return {static_cast<int>(b), {(k + 1) % 3, (k + 2) % 3}};
   }
   return {};
 }
@@ -74,15 +74,18 @@ class Adjoint {
     double sum = 0;
     for (const Contact& c : contacts_) {
       const Vector12 lambda = pair(walls.body(c.plate), walls.body(c.other));
-      const double unit = walls.energy({c}, 1);
-      const Eigen::Vector4d by_design = energy_ * 2 * k * unit / c.depth * walls.depth_rates(c, state_) -
-                                        walls.rates(c, k, state_).transpose() * lambda;
+      Eigen::Vector4d by_design = -walls.rates(c, k, state_).transpose() * lambda;
+      sum -= walls.stiffness_rate(c, state_).dot(lambda);
+      if (energy_ != 0) {
+        const double unit = energy_ * walls.energy({c}, 1);
+        by_design += 2 * k * unit / c.depth * walls.depth_rates(c, state_);
+        sum += unit;
+      }
       const int own = ContactModel::hinge(c.plate), other = ContactModel::hinge(c.other);
       out(0, own) += by_design[0];
       out(2, own) += by_design[1];
       out(0, other) += by_design[2];
       out(2, other) += by_design[3];
-      sum += energy_ * unit - walls.stiffness_rate(c, state_).dot(lambda);
     }
     return sum;
   }

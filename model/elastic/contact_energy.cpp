@@ -64,6 +64,8 @@ ContactModel::ContactModel(const Structure& structure, bool planar)
   for (const Hinge& hinge : structure.hinges)
     for (const bool lower : {true, false})
       plates_.push_back(make_plate(hinge, lower, half_thickness_, half_height_));
+  placed_points_.resize(plates_.size() * points_per_plate_);
+  placed_boxes_.resize(plates_.size());
   WallContact at_rest(structure);
   for (const WallPair& pair : at_rest.touching_at_rest()) excluded_.emplace_back(pair.first, pair.second);
 }
@@ -90,15 +92,17 @@ ContactModel::Plate ContactModel::make_plate(const Hinge& hinge, bool lower, dou
   return plate;
 }
 
+void ContactModel::place(int plate_index, const State& state) {
+  const Plate& plate = plates_[plate_index];
+  const Pose& pose = state[plate.body];
+  const Vector3d origin = pose.p / edge_mm_;
+  for (int k = 0; k < points_per_plate_; ++k)
+    placed_points_[plate_index * points_per_plate_ + k] = origin + pose.R * plate.points[k];
+  placed_boxes_[plate_index] = {origin, pose.R * plate.edge, pose.R * plate.normal, pose.R * plate.up};
+}
+
 void ContactModel::place(const State& state) {
-  placed_points_.clear();
-  placed_boxes_.clear();
-  for (const Plate& plate : plates_) {
-    const Pose& pose = state[plate.body];
-    const Vector3d origin = pose.p / edge_mm_;
-    for (const Vector3d& point : plate.points) placed_points_.push_back(origin + pose.R * point);
-    placed_boxes_.push_back({origin, pose.R * plate.edge, pose.R * plate.normal, pose.R * plate.up});
-  }
+  for (int plate = 0; plate < static_cast<int>(plates_.size()); ++plate) place(plate, state);
 }
 
 /// By more than half the margin: two plates then by more than the margin against each other. No point of a
@@ -201,15 +205,27 @@ void ContactModel::add_if_inside(int point, int other, std::vector<Contact>& fou
   if (contact.depth > 0) found.push_back(contact);
 }
 
+void ContactModel::update_near(const State& state) {
+  place(state);
+  near_ = pairs_within(near_margin);
+  near_state_ = state;
+  near_plates_.clear();
+  for (const Pair& pair : near_) {
+    near_plates_.push_back(pair.point / points_per_plate_);
+    near_plates_.push_back(pair.other);
+  }
+  std::sort(near_plates_.begin(), near_plates_.end());
+  near_plates_.erase(std::unique(near_plates_.begin(), near_plates_.end()), near_plates_.end());
+}
+
 std::vector<Contact> ContactModel::find(const State& state) {
   const bool finite = std::all_of(state.begin(), state.end(),
                                   [](const Pose& p) { return p.R.allFinite() && p.p.allFinite(); });
   if (!finite) return {};
-  place(state);
-  if (has_moved(state)) {
-    near_ = pairs_within(near_margin);
-    near_state_ = state;
-  }
+  if (has_moved(state))
+    update_near(state);
+  else
+    for (const int plate : near_plates_) place(plate, state);
   std::vector<Contact> found;
   for (const Pair& pair : near_) add_if_inside(pair.point, pair.other, found);
   return found;
@@ -266,17 +282,16 @@ double ContactModel::energy(const std::vector<Contact>& contacts, double stiffne
   return sum;
 }
 
-Eigen::Vector4d ContactModel::depth_rates(const Contact& c, const State& state) const {
-  const Gap g = gap(c, state);
+Eigen::Vector4d ContactModel::gap_rates(const Gap& g, const Contact& c, const State& state) const {
   const Plate& plate = plates_[c.plate];
   const Plate& box = plates_[c.other];
   const Eigen::Matrix3d& R = state[plate.body].R;
-  Eigen::Vector4d rates;
-  rates[0] = plate.sign * g.n.dot(R * plate.edge);
-  rates[1] = g.n.dot(R * plate.point_rates[c.point]);
-  rates[2] = c.face == knee_end ? -box.sign : 0;
-  rates[3] = g.m.dot(state[box.body].R * face_normal_rate(box, c.face));
-  return -rates;
+  return {plate.sign * g.n.dot(R * plate.edge), g.n.dot(R * plate.point_rates[c.point]),
+          c.face == knee_end ? -box.sign : 0, g.m.dot(state[box.body].R * face_normal_rate(box, c.face))};
+}
+
+Eigen::Vector4d ContactModel::depth_rates(const Contact& c, const State& state) const {
+  return -gap_rates(gap(c, state), c, state);
 }
 
 Eigen::Matrix<double, 12, 4> ContactModel::rates(const Contact& c, double stiffness,
@@ -288,7 +303,7 @@ Eigen::Matrix<double, 12, 4> ContactModel::rates(const Contact& c, double stiffn
   const Vector3d by_t = plate.sign * (R * plate.edge), by_beta = R * plate.point_rates[c.point];
   const Vector3d normal_by_beta = state[box.body].R * face_normal_rate(box, c.face);
   const Vector3d none = Vector3d::Zero();
-  const Eigen::Vector4d value = -depth_rates(c, state);
+  const Eigen::Vector4d value = gap_rates(g, c, state);
   Eigen::Matrix<double, 12, 4> out;
   out.col(0) = g.gradient_change(none, by_t, by_t);
   out.col(1) = g.gradient_change(none, by_beta, by_beta);

@@ -69,8 +69,10 @@ class ContactModel {
   struct Gap;
 
   Plate make_plate(const Hinge& hinge, bool lower, double thickness, double height) const;
+  void place(int plate, const State& state);
   void place(const State& state);
   bool has_moved(const State& state) const;
+  void update_near(const State& state);
   /// Points that are in a box grown by a margin, cell edges, in the state last placed. Sorted.
   std::vector<Pair> pairs_within(double margin);
   /// +1 or -1: on which side of a half wall a point is; 0 where it is not beside it.
@@ -78,6 +80,7 @@ class ContactModel {
   bool is_within(int point, int other, double margin) const;
   void add_if_inside(int point, int other, std::vector<Contact>& found) const;
   Gap gap(const Contact& contact, const State& state) const;
+  Eigen::Vector4d gap_rates(const Gap& gap, const Contact& contact, const State& state) const;
   Eigen::Vector3d face_normal(const Plate& plate, int face) const;
   Eigen::Vector3d face_normal_rate(const Plate& plate, int face) const;
   double face_offset(const Plate& plate, int face) const;
@@ -94,7 +97,8 @@ class ContactModel {
     Eigen::Vector3d origin, edge, normal, up;
   };
   std::vector<PlacedBox> placed_boxes_;
-  std::vector<Pair> near_;  ///< (point, plate), sorted
+  std::vector<Pair> near_;         ///< (point, plate), sorted
+  std::vector<int> near_plates_;  ///< those in near_
   State near_state_;
   NearPairs finder_;
 };

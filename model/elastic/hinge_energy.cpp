@@ -80,7 +80,10 @@ struct Turn {
   }
 
   double squared() const { return w * w + s * s; }
-  double angle() const { return std::remainder(2 * std::atan2(s, w), 2 * pi); }
+  double angle() const {
+    const double whole = 2 * std::atan2(s, w);
+    return std::abs(whole) > pi ? whole - std::copysign(2 * pi, whole) : whole;
+  }
   /// By a turn of the upper body in the upper body's frame.
   Vector3d rate() const { return 2 * (w * s_rate - s * w_rate) / squared(); }
   Matrix3d second() const {
@@ -109,10 +112,6 @@ TurnRates turn_rates(const RestHinge& hinge, const Turn& turn, const Vector3d& a
   return rates;
 }
 
-Vector3d turn_against(const Vector12& along, const Pose& upper) {
-  return upper.R.transpose() * (along.segment<3>(6) - along.segment<3>(0));
-}
-
 Element turn_element(const Turn& turn) {
   Element e;
   const Vector3d g = turn.upper * turn.rate();
@@ -128,14 +127,17 @@ Element turn_element(const Turn& turn) {
   return e;
 }
 
-Mismatch carried(const Vector3d& rest, const Pose& lower, const Pose& upper) {
-  const Vector3d a = lower.R * rest, b = upper.R * rest;
-  return {a - b, a, b};
-}
+/// |gap|^2 and its derivative along twists, both by the rest vector that the two bodies carry.
+struct Pull {
+  Vector3d energy, along;
+};
 
-/// Change of the gap as the two bodies turn.
-Vector3d drift(const Mismatch& m, const Vector12& along) {
-  return along.segment<3>(0).cross(m.lower) - along.segment<3>(6).cross(m.upper);
+/// @param drift first-order change of the gap along the twists
+Pull pull(const Mismatch& m, const Pose& lower, const Pose& upper, const Vector3d& lower_turn,
+          const Vector3d& upper_turn, const Vector3d& drift) {
+  return {2 * ((lower.R - upper.R).transpose() * m.gap),
+          2 * (lower.R.transpose() * (drift + m.gap.cross(lower_turn)) -
+               upper.R.transpose() * (drift + m.gap.cross(upper_turn)))};
 }
 
 }  // namespace
@@ -180,25 +182,28 @@ Element hinge_element(const RestHinge& hinge, const Stiffness& k, const Pose& lo
 HingeRates hinge_rates(const RestHinge& hinge, const Stiffness& k, const Pose& lower, const Pose& upper,
                        double edge_mm, const Vector12& along) {
   const Mismatch point = point_mismatch(hinge, lower, upper, edge_mm), axis = axis_mismatch(hinge, lower, upper);
-  const Vector3d point_drift = drift(point, along) + along.segment<3>(3) - along.segment<3>(9),
-                 axis_drift = drift(axis, along);
+  const Vector3d lower_turn = along.segment<3>(0), upper_turn = along.segment<3>(6),
+                 shift = along.segment<3>(3) - along.segment<3>(9),
+                 against = upper.R.transpose() * (upper_turn - lower_turn);
+  const auto drift = [&](const Mismatch& m) -> Vector3d {
+    return lower_turn.cross(m.lower) - upper_turn.cross(m.upper);
+  };
+  const Vector3d axis_drift = drift(axis);
+  const Pull by_point = pull(point, lower, upper, lower_turn, upper_turn, drift(point) + shift),
+             by_axis = pull(axis, lower, upper, lower_turn, upper_turn, axis_drift);
   const Turn turn(hinge, lower, upper);
-  const Vector3d against = turn_against(along, upper);
   const double angle = turn.angle(), angle_along = turn.rate().dot(against);
   const TurnRates turns = turn_rates(hinge, turn, against);
 
-  HingeRates rates;
-  rates.energy.design = k.turn * angle * turns.turn;
-  rates.along.design = k.turn * (angle_along * turns.turn + angle * turns.along);
-  const auto add = [&](int column, const Mismatch& m, const Vector3d& m_drift, const Vector3d& rest_rate,
-                       double weight) {
-    const Mismatch rate = carried(rest_rate, lower, upper);
-    rates.energy.design[column] += 2 * weight * m.gap.dot(rate.gap);
-    rates.along.design[column] += 2 * weight * (rate.gap.dot(m_drift) + m.gap.dot(drift(rate, along)));
+  const double weight = k.reach * k.reach;
+  const auto design = [&](const Vector3d& of_point, const Vector3d& of_axis) -> Vector3d {
+    return {of_point.dot(hinge.edge), weight * of_axis.dot(hinge.axis_alpha), weight * of_axis.dot(hinge.axis_beta)};
   };
-  add(0, point, point_drift, hinge.edge, 1);
-  add(1, axis, axis_drift, hinge.axis_alpha, k.reach * k.reach);
-  add(2, axis, axis_drift, hinge.axis_beta, k.reach * k.reach);
+
+  HingeRates rates;
+  rates.energy.design = k.turn * angle * turns.turn + design(by_point.energy, by_axis.energy);
+  rates.along.design =
+      k.turn * (angle_along * turns.turn + angle * turns.along) + design(by_point.along, by_axis.along);
   rates.energy.turn = 0.5 * angle * angle;
   rates.along.turn = angle * angle_along;
   rates.energy.reach = 2 * k.reach * axis.gap.squaredNorm();
@@ -211,7 +216,8 @@ Element turn_element(const RestHinge& hinge, const Pose& lower, const Pose& uppe
 }
 
 TurnRates turn_rates(const RestHinge& hinge, const Pose& lower, const Pose& upper, const Vector12& along) {
-  return turn_rates(hinge, Turn(hinge, lower, upper), turn_against(along, upper));
+  return turn_rates(hinge, Turn(hinge, lower, upper),
+                    upper.R.transpose() * (along.segment<3>(6) - along.segment<3>(0)));
 }
 
 }  // namespace kinetix
