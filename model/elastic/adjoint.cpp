@@ -31,7 +31,11 @@ HalfHeld half_held(const Freedoms& freedoms) {
 class Adjoint {
  public:
   Adjoint(const ElasticSystem& system, const State& state, double theta, const Tangent& tangent)
-      : system_(system), state_(state), theta_(theta), tangent_(tangent), driven_(system.driven_hinge()),
+      : system_(system),
+        state_(state),
+        theta_(theta),
+        tangent_(tangent),
+        driven_(system.driven_hinge()),
         contacts_(system.contacts(state)) {}
 
   /// @param load, energy  in the system's units
@@ -50,8 +54,9 @@ class Adjoint {
     const double edge_mm = system_.structure().size.edge_mm;
     for (std::size_t h = 0; h < system_.hinges().size(); ++h) {
       const RestHinge& hinge = system_.hinges()[h];
-      const auto [by_energy, along] = hinge_rates(hinge, system_.stiffness(), state_[hinge.lower],
-                                                  state_[hinge.upper], edge_mm, pair(hinge.lower, hinge.upper));
+      const auto [by_energy, along] =
+          hinge_rates(hinge, system_.stiffness(), state_[hinge.lower], state_[hinge.upper], edge_mm,
+                      pair(hinge.lower, hinge.upper));
       out.col(h) += energy_ * by_energy.design - along.design;
       sum.turn += energy_ * by_energy.turn - along.turn;
       sum.reach += energy_ * by_energy.reach - along.reach;
@@ -62,8 +67,8 @@ class Adjoint {
   void add_drive(Eigen::Matrix3Xd& out) const {
     if (driven_ < 0) return;
     const RestHinge& hinge = system_.hinges()[driven_];
-    const TurnRates rates = turn_rates(hinge, state_[hinge.lower], state_[hinge.upper],
-                                       pair(hinge.lower, hinge.upper));
+    const TurnRates rates =
+        turn_rates(hinge, state_[hinge.lower], state_[hinge.upper], pair(hinge.lower, hinge.upper));
     out.col(driven_) -= force_ * rates.along + turn_ * rates.turn;
   }
 
@@ -105,9 +110,8 @@ class Adjoint {
     };
     const double edge_mm = system_.structure().size.edge_mm;
     for (const RestHinge& h : system_.hinges())
-      add(h.lower, h.upper, [&] {
-        return hinge_element(h, system_.stiffness(), state_[h.lower], state_[h.upper], edge_mm);
-      });
+      add(h.lower, h.upper,
+          [&] { return hinge_element(h, system_.stiffness(), state_[h.lower], state_[h.upper], edge_mm); });
     const ContactModel& walls = system_.walls();
     for (const Contact& c : contacts_)
       add(walls.body(c.plate), walls.body(c.other),

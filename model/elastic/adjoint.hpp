@@ -22,14 +22,14 @@ struct Sensitivity {
 };
 
 /// By the adjoint: H lambda = df/dx over the unknowns, df/dp = -lambda . dg/dp, with g the gradient and H the
-/// Hessian of the energy; for a driven hinge bordered by its turn. One back-substitution whatever the number of
-/// parameters, two for a driven hinge; three between plates in space, where the turn at which the whole is held
-/// may meet a moment. Points in contact stay in contact: where one just touches, the derivative is one-sided.
-/// What f has of a parameter directly is the caller's to add.
+/// Hessian of the energy; for a driven hinge bordered by its turn. One back-substitution whatever the number
+/// of parameters, two for a driven hinge; three between plates in space, where the turn at which the whole is
+/// held may meet a moment. Points in contact stay in contact: where one just touches, the derivative is
+/// one-sided. What f has of a parameter directly is the caller's to add.
 /// @param elasticity that of the system
 /// @param state in balance at theta, with the system's multiplier
-/// @param tangent linearised at state and factorised without a shift, which succeeded. minimise() may leave the
-/// factor of a state before: linearise and factorise again
+/// @param tangent linearised at state and factorised without a shift, which succeeded. minimise() may leave
+/// the factor of a state before: linearise and factorise again
 /// @pre gradient.state has 6 entries a body or none
 /// @return NaN for NaN in the gradient; k_contact is 0 where nothing touches
 Sensitivity sensitivity(const ElasticSystem& system, const Elasticity& elasticity, const State& state,

@@ -46,7 +46,8 @@ inline void settle(Balance& b) {
 }
 
 /// Folded from flat by a drive.
-inline Balance balance(const Structure& structure, const Elasticity& elasticity, const Drive& drive, bool planar) {
+inline Balance balance(const Structure& structure, const Elasticity& elasticity, const Drive& drive,
+                       bool planar) {
   LoadPathOptions options;
   options.planar = planar;
   const LoadPath path = follow_load(structure, elasticity, drive, options);
@@ -56,8 +57,8 @@ inline Balance balance(const Structure& structure, const Elasticity& elasticity,
   return b;
 }
 
-/// All parameters, one group after the other: t, then alpha, then beta of all hinges and theta, by their change;
-/// k_point, k_turn, reach_mm, k_contact by their relative change.
+/// All parameters, one group after the other: t, then alpha, then beta of all hinges and theta, by their
+/// change; k_point, k_turn, reach_mm, k_contact by their relative change.
 inline std::vector<Eigen::Index> parameter_groups(const Balance& b) {
   const auto hinges = static_cast<Eigen::Index>(b.structure.hinges.size());
   return {hinges, hinges, hinges, 1, 1, 1, 1, 1};
@@ -69,7 +70,8 @@ inline Eigen::Index parameter_count(const Balance& b) { return 3 * b.structure.h
 inline Balance changed(const Balance& from, const Eigen::VectorXd& q) {
   Balance b = from;
   Eigen::Index k = 0;
-  for (double HingeParameters::*field : {&HingeParameters::t, &HingeParameters::alpha, &HingeParameters::beta})
+  for (double HingeParameters::*field :
+       {&HingeParameters::t, &HingeParameters::alpha, &HingeParameters::beta})
     for (Hinge& hinge : b.structure.hinges) hinge.parameters.*field += q[k++];
   b.theta += q[k++];
   for (double Elasticity::*field :
@@ -96,7 +98,8 @@ struct StateFunction {
 };
 
 /// One of the state alone; the derivatives are numeric.
-inline StateFunction state_function(std::string name, std::function<double(const Structure&, const State&)> f) {
+inline StateFunction state_function(std::string name,
+                                    std::function<double(const Structure&, const State&)> f) {
   const auto gradient = [f](const Balance& b) {
     const auto moved_value = [&](const Eigen::VectorXd& x) {
       return Eigen::VectorXd::Constant(1, f(b.structure, moved(b.structure, b.state, x)));
@@ -132,10 +135,18 @@ inline double opening_contrast(const Structure& s, const State& state) {
 inline std::vector<StateFunction> state_functions() {
   return {state_function("weighted sum of positions and turns", weighted_sum),
           state_function("difference of two openings", opening_contrast),
-          {"load", [](const Balance& b) { return b.load; }, [](const Balance&) { return BalanceGradient{{}, 1, 0}; }},
-          {"energy", [](const Balance& b) { return b.energy; }, [](const Balance&) { return BalanceGradient{{}, 0, 1}; }},
+          {"load", [](const Balance& b) { return b.load; },
+           [](const Balance&) {
+             return BalanceGradient{{}, 1, 0};
+           }},
+          {"energy", [](const Balance& b) { return b.energy; },
+           [](const Balance&) {
+             return BalanceGradient{{}, 0, 1};
+           }},
           {"product of load and energy", [](const Balance& b) { return b.load * b.energy; },
-           [](const Balance& b) { return BalanceGradient{{}, b.energy, b.load}; }}};
+           [](const Balance& b) {
+             return BalanceGradient{{}, b.energy, b.load};
+           }}};
 }
 
 /// Rows as of state_functions().
@@ -148,7 +159,8 @@ inline Eigen::MatrixXd adjoint_jacobian(const Balance& b) {
   const auto functions = state_functions();
   Eigen::MatrixXd out(functions.size(), parameter_count(b));
   for (std::size_t k = 0; k < functions.size(); ++k)
-    out.row(k) = packed(b, sensitivity(system, b.elasticity, b.state, b.theta, tangent, functions[k].gradient(b)));
+    out.row(k) =
+        packed(b, sensitivity(system, b.elasticity, b.state, b.theta, tangent, functions[k].gradient(b)));
   return out;
 }
 

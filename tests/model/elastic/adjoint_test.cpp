@@ -26,7 +26,8 @@ TEST(Adjoint, IsTheCentralDifferenceOfBalancesFoundAnew) {
     EXPECT_EQ(b.contacts.empty(), !c.touching);
     const Differenced differences = differenced_jacobian(b);
     EXPECT_TRUE(differences.same_contacts);
-    EXPECT_LE(relative_difference_by_groups(adjoint_jacobian(b), differences.jacobian, parameter_groups(b)), 1e-6);
+    EXPECT_LE(relative_difference_by_groups(adjoint_jacobian(b), differences.jacobian, parameter_groups(b)),
+              1e-6);
   }
 }
 
@@ -34,8 +35,8 @@ TEST(Adjoint, EnergyGrowsWithThetaByTheWorkOfTheLoad) {
   for (const BalanceCase& c : balance_cases(3)) {
     SCOPED_TRACE(to_string(c));
     const Balance b = random_balance(c);
-    const double way = c.plates ? 2 * b.structure.size.edge_mm * std::sin(b.theta)
-                                : -2 * b.drive.wall.from.sense();
+    const double way =
+        c.plates ? 2 * b.structure.size.edge_mm * std::sin(b.theta) : -2 * b.drive.wall.from.sense();
     EXPECT_NEAR(of_balance(b, {{}, 0, 1}).theta, b.load * way, 1e-8 * std::abs(b.load * way));
   }
 }

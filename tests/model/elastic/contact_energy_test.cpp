@@ -42,7 +42,8 @@ std::vector<Touching> touching_panels() {
   return panels;
 }
 
-/// Calls check(panel, contact) for every contact of all panels: there are many, and through every kind of face.
+/// Calls check(panel, contact) for every contact of all panels: there are many, and through every kind of
+/// face.
 template <class Check>
 void for_each_contact(const Check& check) {
   int count = 0;
@@ -180,7 +181,8 @@ TEST(ContactEnergy, RememberedCandidatesGiveWhatAFreshModelFinds) {
 State hanging(const Structure& s, double along, double high) {
   const double L = s.size.edge_mm;
   State state(s.bodies.size());
-  for (std::size_t b = 0; b < state.size(); ++b) state[b].p = 10 * L * Vector3d(0, static_cast<double>(b + 1), 0);
+  for (std::size_t b = 0; b < state.size(); ++b)
+    state[b].p = 10 * L * Vector3d(0, static_cast<double>(b + 1), 0);
   state[*s.body_at({0, 0})].p.setZero();
   state[*s.body_at({2, 1})].p = L * Vector3d(along, 0.5 + high, 0);
   return state;

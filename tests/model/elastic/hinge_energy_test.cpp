@@ -55,13 +55,12 @@ TEST(HingeEnergy, IsThatOfTwoPointSpringsAndATurningSpring) {
       for (const double side : {-1.0, 1.0})
         springs += 0.5 * (carried(hinge.lower, side) - carried(hinge.upper, side)).squaredNorm();
       const double turn = hinge_turn(s, state, static_cast<int>(&hinge - s.hinges.data()));
-      const double expected =
-          springs / (s.size.edge_mm * s.size.edge_mm) + 0.5 * stiff.turn * turn * turn;
+      const double expected = springs / (s.size.edge_mm * s.size.edge_mm) + 0.5 * stiff.turn * turn * turn;
       EXPECT_NEAR(element_of(s, state, hinge).energy, expected, 1e-13 * (1 + expected));
-      EXPECT_NEAR(hinge_energy(rest_hinge(hinge), stiff, state[hinge.lower], state[hinge.upper],
-                               s.size.edge_mm)
-                      .total(),
-                  expected, 1e-13 * (1 + expected));
+      EXPECT_NEAR(
+          hinge_energy(rest_hinge(hinge), stiff, state[hinge.lower], state[hinge.upper], s.size.edge_mm)
+              .total(),
+          expected, 1e-13 * (1 + expected));
     }
   }
 }
@@ -77,10 +76,10 @@ TEST(HingeEnergy, GradientAndHessianMatchCentralDifferences) {
       };
       const Element e = element_of(s, state, hinge);
       const Eigen::VectorXd zero = Eigen::VectorXd::Zero(12);
-      expect_jacobian([&](const Eigen::VectorXd& x) { return Eigen::VectorXd::Constant(1, energy(x)); },
-                      zero, e.gradient.transpose());
-      expect_jacobian([&](const Eigen::VectorXd& x) { return numeric_gradient(energy, x); }, zero,
-                      e.hessian, 1e-6, 3e-3);
+      expect_jacobian([&](const Eigen::VectorXd& x) { return Eigen::VectorXd::Constant(1, energy(x)); }, zero,
+                      e.gradient.transpose());
+      expect_jacobian([&](const Eigen::VectorXd& x) { return numeric_gradient(energy, x); }, zero, e.hessian,
+                      1e-6, 3e-3);
     }
   }
 }
@@ -101,8 +100,8 @@ TEST(HingeEnergy, RatesByDesignAndStiffnessMatchCentralDifferences) {
       };
       Eigen::Matrix<double, 13, 5> all;
       for (int k = 0; k < 12; ++k) {
-        const auto [energy, along] = hinge_rates(rest_hinge(hinge), stiff, state[hinge.lower], state[hinge.upper],
-                                                 s.size.edge_mm, Vector12::Unit(k));
+        const auto [energy, along] = hinge_rates(rest_hinge(hinge), stiff, state[hinge.lower],
+                                                 state[hinge.upper], s.size.edge_mm, Vector12::Unit(k));
         all.row(0) << energy.design.transpose(), energy.turn, energy.reach;
         all.row(1 + k) << along.design.transpose(), along.turn, along.reach;
       }
