@@ -14,6 +14,7 @@ using Eigen::Vector3d;
 enum Face { side_plus, side_minus, knee_end, top, bottom };
 
 constexpr double near_margin = 0.1;
+constexpr double passing_margin = 0.5;
 
 }  // namespace
 
@@ -63,6 +64,8 @@ ContactModel::ContactModel(const Structure& structure, bool planar)
   for (const Hinge& hinge : structure.hinges)
     for (const bool lower : {true, false})
       plates_.push_back(make_plate(hinge, lower, half_thickness_, half_height_));
+  placed_points_.resize(plates_.size() * points_per_plate_);
+  placed_boxes_.resize(plates_.size());
   WallContact at_rest(structure);
   for (const WallPair& pair : at_rest.touching_at_rest()) excluded_.emplace_back(pair.first, pair.second);
 }
@@ -89,15 +92,17 @@ ContactModel::Plate ContactModel::make_plate(const Hinge& hinge, bool lower, dou
   return plate;
 }
 
+void ContactModel::place(int plate_index, const State& state) {
+  const Plate& plate = plates_[plate_index];
+  const Pose& pose = state[plate.body];
+  const Vector3d origin = pose.p / edge_mm_;
+  for (int k = 0; k < points_per_plate_; ++k)
+    placed_points_[plate_index * points_per_plate_ + k] = origin + pose.R * plate.points[k];
+  placed_boxes_[plate_index] = {origin, pose.R * plate.edge, pose.R * plate.normal, pose.R * plate.up};
+}
+
 void ContactModel::place(const State& state) {
-  placed_points_.clear();
-  placed_boxes_.clear();
-  for (const Plate& plate : plates_) {
-    const Pose& pose = state[plate.body];
-    const Vector3d origin = pose.p / edge_mm_;
-    for (const Vector3d& point : plate.points) placed_points_.push_back(origin + pose.R * point);
-    placed_boxes_.push_back({origin, pose.R * plate.edge, pose.R * plate.normal, pose.R * plate.up});
-  }
+  for (int plate = 0; plate < static_cast<int>(plates_.size()); ++plate) place(plate, state);
 }
 
 /// By more than half the margin: two plates then by more than the margin against each other. No point of a
@@ -121,7 +126,7 @@ bool ContactModel::is_within(int point, int other, double margin) const {
   return planar_ || std::abs(y.dot(box.up)) <= half_height_ + margin;
 }
 
-void ContactModel::update_near(const State& state) {
+std::vector<ContactModel::Pair> ContactModel::pairs_within(double margin) {
   Eigen::Matrix3Xd centers(3, plates_.size());
   double longest = 0;
   for (std::size_t k = 0; k < plates_.size(); ++k) {
@@ -129,21 +134,21 @@ void ContactModel::update_near(const State& state) {
     longest = std::max(longest, plates_[k].length / 2);
   }
   const double radius = Vector3d(longest, half_thickness_, planar_ ? 0 : half_height_).norm();
-  near_.clear();
+  std::vector<Pair> pairs;
   const auto add = [&](int plate, int other) {
     for (int k = 0; k < points_per_plate_; ++k)
-      if (is_within(plate * points_per_plate_ + k, other, near_margin))
-        near_.push_back({plate * points_per_plate_ + k, other});
+      if (is_within(plate * points_per_plate_ + k, other, margin))
+        pairs.push_back({plate * points_per_plate_ + k, other});
   };
-  for (const auto& [first, second] : finder_.find(centers, 2 * radius + near_margin)) {
+  for (const auto& [first, second] : finder_.find(centers, 2 * radius + margin)) {
     const bool one_body = plates_[first].body == plates_[second].body, one_wall = first / 2 == second / 2;
     if (one_body || one_wall) continue;
     if (std::binary_search(excluded_.begin(), excluded_.end(), std::pair(first, second))) continue;
     add(first, second);
     add(second, first);
   }
-  std::sort(near_.begin(), near_.end());
-  near_state_ = state;
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
 }
 
 Vector3d ContactModel::face_normal(const Plate& plate, int face) const {
@@ -200,12 +205,27 @@ void ContactModel::add_if_inside(int point, int other, std::vector<Contact>& fou
   if (contact.depth > 0) found.push_back(contact);
 }
 
+void ContactModel::update_near(const State& state) {
+  place(state);
+  near_ = pairs_within(near_margin);
+  near_state_ = state;
+  near_plates_.clear();
+  for (const Pair& pair : near_) {
+    near_plates_.push_back(pair.point / points_per_plate_);
+    near_plates_.push_back(pair.other);
+  }
+  std::sort(near_plates_.begin(), near_plates_.end());
+  near_plates_.erase(std::unique(near_plates_.begin(), near_plates_.end()), near_plates_.end());
+}
+
 std::vector<Contact> ContactModel::find(const State& state) {
   const bool finite = std::all_of(state.begin(), state.end(),
                                   [](const Pose& p) { return p.R.allFinite() && p.p.allFinite(); });
   if (!finite) return {};
-  place(state);
-  if (has_moved(state)) update_near(state);
+  if (has_moved(state))
+    update_near(state);
+  else
+    for (const int plate : near_plates_) place(plate, state);
   std::vector<Contact> found;
   for (const Pair& pair : near_) add_if_inside(pair.point, pair.other, found);
   return found;
@@ -221,8 +241,8 @@ int ContactModel::side_of(int point, int other) const {
 }
 
 bool ContactModel::passed_through(const State& before, const State& after) {
-  find(before);
-  const std::vector<Pair> near = near_;
+  place(before);
+  const std::vector<Pair> near = pairs_within(passing_margin);
   std::vector<int> sides;
   sides.reserve(near.size());
   for (const Pair& pair : near) sides.push_back(side_of(pair.point, pair.other));
@@ -262,17 +282,16 @@ double ContactModel::energy(const std::vector<Contact>& contacts, double stiffne
   return sum;
 }
 
-Eigen::Vector4d ContactModel::depth_rates(const Contact& c, const State& state) const {
-  const Gap g = gap(c, state);
+Eigen::Vector4d ContactModel::gap_rates(const Gap& g, const Contact& c, const State& state) const {
   const Plate& plate = plates_[c.plate];
   const Plate& box = plates_[c.other];
   const Eigen::Matrix3d& R = state[plate.body].R;
-  Eigen::Vector4d rates;
-  rates[0] = plate.sign * g.n.dot(R * plate.edge);
-  rates[1] = g.n.dot(R * plate.point_rates[c.point]);
-  rates[2] = c.face == knee_end ? -box.sign : 0;
-  rates[3] = g.m.dot(state[box.body].R * face_normal_rate(box, c.face));
-  return -rates;
+  return {plate.sign * g.n.dot(R * plate.edge), g.n.dot(R * plate.point_rates[c.point]),
+          c.face == knee_end ? -box.sign : 0, g.m.dot(state[box.body].R * face_normal_rate(box, c.face))};
+}
+
+Eigen::Vector4d ContactModel::depth_rates(const Contact& c, const State& state) const {
+  return -gap_rates(gap(c, state), c, state);
 }
 
 Eigen::Matrix<double, 12, 4> ContactModel::rates(const Contact& c, double stiffness,
@@ -284,7 +303,7 @@ Eigen::Matrix<double, 12, 4> ContactModel::rates(const Contact& c, double stiffn
   const Vector3d by_t = plate.sign * (R * plate.edge), by_beta = R * plate.point_rates[c.point];
   const Vector3d normal_by_beta = state[box.body].R * face_normal_rate(box, c.face);
   const Vector3d none = Vector3d::Zero();
-  const Eigen::Vector4d value = -depth_rates(c, state);
+  const Eigen::Vector4d value = gap_rates(g, c, state);
   Eigen::Matrix<double, 12, 4> out;
   out.col(0) = g.gradient_change(none, by_t, by_t);
   out.col(1) = g.gradient_change(none, by_beta, by_beta);

@@ -33,8 +33,9 @@ class ContactModel {
   /// by more than a margin: what is found does not depend on it. Empty for poses that are not finite.
   std::vector<Contact> find(const State& state);
 
-  /// Whether a point went from one side of a half wall to the other, beside it in both states: then it did not
-  /// go round its end, and the step between the states was too long for contact to stop it.
+  /// Whether a point went from one side of a half wall to the other, beside it in both states and within half a
+  /// cell edge of it before: then it did not go round its end, and the step between the states was too long for
+  /// contact to stop it. @pre both states are finite
   bool passed_through(const State& before, const State& after);
 
   int body(int plate) const { return plates_[plate].body; }
@@ -68,15 +69,19 @@ class ContactModel {
   struct Gap;
 
   Plate make_plate(const Hinge& hinge, bool lower, double thickness, double height) const;
+  void place(int plate, const State& state);
   void place(const State& state);
   bool has_moved(const State& state) const;
   void update_near(const State& state);
+  /// Points that are in a box grown by a margin, cell edges, in the state last placed. Sorted.
+  std::vector<Pair> pairs_within(double margin);
   /// +1 or -1: on which side of a half wall a point is; 0 where it is not beside it, or so near its end that it
   /// may go round.
   int side_of(int point, int other) const;
   bool is_within(int point, int other, double margin) const;
   void add_if_inside(int point, int other, std::vector<Contact>& found) const;
   Gap gap(const Contact& contact, const State& state) const;
+  Eigen::Vector4d gap_rates(const Gap& gap, const Contact& contact, const State& state) const;
   Eigen::Vector3d face_normal(const Plate& plate, int face) const;
   Eigen::Vector3d face_normal_rate(const Plate& plate, int face) const;
   double face_offset(const Plate& plate, int face) const;
@@ -93,7 +98,8 @@ class ContactModel {
     Eigen::Vector3d origin, edge, normal, up;
   };
   std::vector<PlacedBox> placed_boxes_;
-  std::vector<Pair> near_;  ///< (point, plate), sorted
+  std::vector<Pair> near_;         ///< (point, plate), sorted
+  std::vector<int> near_plates_;  ///< those in near_
   State near_state_;
   NearPairs finder_;
 };

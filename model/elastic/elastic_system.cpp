@@ -171,4 +171,8 @@ double ElasticSystem::drive_coordinate(double theta) const {
   return driven_ >= 0 ? turn_at(theta) : 1 - std::cos(theta);
 }
 
+double ElasticSystem::drive_rate(double theta) const {
+  return driven_ >= 0 ? turn_at(1) : std::sin(theta);
+}
+
 }  // namespace kinetix

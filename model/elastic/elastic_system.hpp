@@ -28,6 +28,8 @@ class ElasticSystem {
   const std::vector<RestHinge>& hinges() const { return hinges_; }
   const ContactModel& walls() const { return walls_; }
   bool has_contact() const { return contact_; }
+  /// Bodies that the plates grip, first and last row; empty for a driven hinge.
+  const std::array<std::vector<int>, 2>& gripped() const { return gripped_; }
 
   std::vector<Contact> contacts(const State& state) const;
   /// Whether walls went through each other between two states (ContactModel::passed_through).
@@ -65,6 +67,10 @@ class ElasticSystem {
   double load(const State& state, double theta) const;
   /// The drive's own coordinate at theta: compression of the plates, or the turn of the hinge, rad.
   double drive_coordinate(double theta) const;
+  /// Its derivative by theta.
+  double drive_rate(double theta) const;
+  /// Index of the driven hinge; -1 for plates.
+  int driven_hinge() const { return driven_; }
 
   static constexpr double grip = 100;  ///< stiffness that holds a driven hinge, k_point edge^2
 

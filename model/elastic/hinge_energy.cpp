@@ -80,7 +80,10 @@ struct Turn {
   }
 
   double squared() const { return w * w + s * s; }
-  double angle() const { return std::remainder(2 * std::atan2(s, w), 2 * pi); }
+  double angle() const {
+    const double whole = 2 * std::atan2(s, w);
+    return std::abs(whole) > pi ? whole - std::copysign(2 * pi, whole) : whole;
+  }
   /// By a turn of the upper body in the upper body's frame.
   Vector3d rate() const { return 2 * (w * s_rate - s * w_rate) / squared(); }
   Matrix3d second() const {
@@ -99,6 +102,16 @@ struct Turn {
   double angle_change(const Vector3d& axis_rate) const { return 2 * w * v.dot(axis_rate) / squared(); }
 };
 
+/// @param against turn of the upper body against the lower one, in the upper body's frame
+TurnRates turn_rates(const RestHinge& hinge, const Turn& turn, const Vector3d& against) {
+  TurnRates rates;
+  rates.turn[1] = turn.angle_change(hinge.axis_alpha);
+  rates.turn[2] = turn.angle_change(hinge.axis_beta);
+  rates.along[1] = turn.rate_change(hinge.axis_alpha).dot(against);
+  rates.along[2] = turn.rate_change(hinge.axis_beta).dot(against);
+  return rates;
+}
+
 Element turn_element(const Turn& turn) {
   Element e;
   const Vector3d g = turn.upper * turn.rate();
@@ -114,19 +127,17 @@ Element turn_element(const Turn& turn) {
   return e;
 }
 
-/// d/dq of the gradient of weight |gap|^2 where gap and the carried vectors change.
-void add_rate(const Mismatch& m, const Mismatch& rate, double weight, bool point,
-              Eigen::Ref<Vector12> column) {
-  column.segment<3>(0) += 2 * weight * (rate.lower.cross(m.gap) + m.lower.cross(rate.gap));
-  column.segment<3>(6) -= 2 * weight * (rate.upper.cross(m.gap) + m.upper.cross(rate.gap));
-  if (!point) return;
-  column.segment<3>(3) += 2 * weight * rate.gap;
-  column.segment<3>(9) -= 2 * weight * rate.gap;
-}
+/// |gap|^2 and its derivative along twists, both by the rest vector that the two bodies carry.
+struct Pull {
+  Vector3d energy, along;
+};
 
-Mismatch carried(const Vector3d& rest, const Pose& lower, const Pose& upper) {
-  const Vector3d a = lower.R * rest, b = upper.R * rest;
-  return {a - b, a, b};
+/// @param drift first-order change of the gap along the twists
+Pull pull(const Mismatch& m, const Pose& lower, const Pose& upper, const Vector3d& lower_turn,
+          const Vector3d& upper_turn, const Vector3d& drift) {
+  return {2 * ((lower.R - upper.R).transpose() * m.gap),
+          2 * (lower.R.transpose() * (drift + m.gap.cross(lower_turn)) -
+               upper.R.transpose() * (drift + m.gap.cross(upper_turn)))};
 }
 
 }  // namespace
@@ -169,37 +180,44 @@ Element hinge_element(const RestHinge& hinge, const Stiffness& k, const Pose& lo
 }
 
 HingeRates hinge_rates(const RestHinge& hinge, const Stiffness& k, const Pose& lower, const Pose& upper,
-                       double edge_mm) {
-  HingeRates rates;
-  rates.design.setZero();
-  const double squared_reach = k.reach * k.reach;
-  add_rate(point_mismatch(hinge, lower, upper, edge_mm), carried(hinge.edge, lower, upper), 1, true,
-           rates.design.col(0));
-
-  const Mismatch axis = axis_mismatch(hinge, lower, upper);
-  const Turn turn(hinge, lower, upper);
-  const Vector3d g = upper.R * turn.rate();
-  const auto add_axis = [&](const Vector3d& axis_rate, int column) {
-    add_rate(axis, carried(axis_rate, lower, upper), squared_reach, false, rates.design.col(column));
-    const Vector3d change = k.turn * (turn.angle_change(axis_rate) * g +
-                                      turn.angle() * (upper.R * turn.rate_change(axis_rate)));
-    rates.design.col(column).segment<3>(0) -= change;
-    rates.design.col(column).segment<3>(6) += change;
+                       double edge_mm, const Vector12& along) {
+  const Mismatch point = point_mismatch(hinge, lower, upper, edge_mm), axis = axis_mismatch(hinge, lower, upper);
+  const Vector3d lower_turn = along.segment<3>(0), upper_turn = along.segment<3>(6),
+                 shift = along.segment<3>(3) - along.segment<3>(9),
+                 against = upper.R.transpose() * (upper_turn - lower_turn);
+  const auto drift = [&](const Mismatch& m) -> Vector3d {
+    return lower_turn.cross(m.lower) - upper_turn.cross(m.upper);
   };
-  add_axis(hinge.axis_alpha, 1);
-  add_axis(hinge.axis_beta, 2);
+  const Vector3d axis_drift = drift(axis);
+  const Pull by_point = pull(point, lower, upper, lower_turn, upper_turn, drift(point) + shift),
+             by_axis = pull(axis, lower, upper, lower_turn, upper_turn, axis_drift);
+  const Turn turn(hinge, lower, upper);
+  const double angle = turn.angle(), angle_along = turn.rate().dot(against);
+  const TurnRates turns = turn_rates(hinge, turn, against);
 
-  rates.turn.setZero();
-  rates.turn.segment<3>(0) = -turn.angle() * g;
-  rates.turn.segment<3>(6) = turn.angle() * g;
-  Element unit;
-  add_turning(axis, 2 * k.reach, unit);
-  rates.reach = unit.gradient;
+  const double weight = k.reach * k.reach;
+  const auto design = [&](const Vector3d& of_point, const Vector3d& of_axis) -> Vector3d {
+    return {of_point.dot(hinge.edge), weight * of_axis.dot(hinge.axis_alpha), weight * of_axis.dot(hinge.axis_beta)};
+  };
+
+  HingeRates rates;
+  rates.energy.design = k.turn * angle * turns.turn + design(by_point.energy, by_axis.energy);
+  rates.along.design =
+      k.turn * (angle_along * turns.turn + angle * turns.along) + design(by_point.along, by_axis.along);
+  rates.energy.turn = 0.5 * angle * angle;
+  rates.along.turn = angle * angle_along;
+  rates.energy.reach = 2 * k.reach * axis.gap.squaredNorm();
+  rates.along.reach = 4 * k.reach * axis.gap.dot(axis_drift);
   return rates;
 }
 
 Element turn_element(const RestHinge& hinge, const Pose& lower, const Pose& upper) {
   return turn_element(Turn(hinge, lower, upper));
+}
+
+TurnRates turn_rates(const RestHinge& hinge, const Pose& lower, const Pose& upper, const Vector12& along) {
+  return turn_rates(hinge, Turn(hinge, lower, upper),
+                    upper.R.transpose() * (along.segment<3>(6) - along.segment<3>(0)));
 }
 
 }  // namespace kinetix

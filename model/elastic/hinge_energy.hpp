@@ -33,17 +33,31 @@ HingeEnergy hinge_energy(const RestHinge& hinge, const Stiffness& stiffness, con
 Element hinge_element(const RestHinge& hinge, const Stiffness& stiffness, const Pose& lower,
                       const Pose& upper, double edge_mm);
 
-/// How the gradient of a hinge's energy changes with its design and stiffness.
-struct HingeRates {
-  Eigen::Matrix<double, 12, 3> design;  ///< by t, alpha, beta
-  Vector12 turn;                        ///< by Stiffness::turn
-  Vector12 reach;                       ///< by Stiffness::reach
+/// Derivatives of a number that belongs to a hinge by its design and stiffness.
+struct HingeRate {
+  Eigen::Vector3d design = Eigen::Vector3d::Zero();  ///< by t, alpha, beta
+  double turn = 0;                                   ///< by Stiffness::turn
+  double reach = 0;                                  ///< by Stiffness::reach
 };
 
+struct HingeRates {
+  HingeRate energy;  ///< of the energy
+  HingeRate along;   ///< of its derivative along given twists
+};
+
+/// @param along twists of the two bodies, ordered as in Element
 HingeRates hinge_rates(const RestHinge& hinge, const Stiffness& stiffness, const Pose& lower,
-                       const Pose& upper, double edge_mm);
+                       const Pose& upper, double edge_mm, const Vector12& along);
 
 /// Turn of a hinge (rad, as hinge_turn in model/closure_drive.hpp) as an element: for a driven hinge.
 Element turn_element(const RestHinge& hinge, const Pose& lower, const Pose& upper);
+
+/// How that turn, and its derivative along given twists, change with t, alpha and beta (t: not at all).
+struct TurnRates {
+  Eigen::Vector3d turn = Eigen::Vector3d::Zero();
+  Eigen::Vector3d along = Eigen::Vector3d::Zero();
+};
+
+TurnRates turn_rates(const RestHinge& hinge, const Pose& lower, const Pose& upper, const Vector12& along);
 
 }  // namespace kinetix

@@ -96,10 +96,14 @@ Eigen::VectorXd Tangent::multiply(const Eigen::VectorXd& x) const {
 
 Eigen::VectorXd Tangent::multiply_all(const Eigen::VectorXd& all) const {
   Eigen::VectorXd out = Eigen::VectorXd::Zero(all.size());
+  const auto add = [&](int body, const auto& block, int other) {
+    const auto x = all.segment<6>(6 * other);
+    if ((x.array() != 0).any()) out.segment<6>(6 * body) += block * x;
+  };
   for (std::size_t k = 0; k < blocks_.size(); ++k) {
     const auto [a, b] = bodies_[k];
-    out.segment<6>(6 * a) += blocks_[k] * all.segment<6>(6 * b);
-    if (a != b) out.segment<6>(6 * b) += blocks_[k].transpose() * all.segment<6>(6 * a);
+    add(a, blocks_[k], b);
+    if (a != b) add(b, blocks_[k].transpose(), a);
   }
   return out;
 }

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <vector>
 
 namespace kinetix::testing {
 
@@ -29,6 +30,24 @@ Eigen::MatrixXd numeric_jacobian(const Function& f, const Eigen::VectorXd& x, do
 /// Largest difference over the largest entry (or 1, whichever is larger).
 inline double relative_difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   return (a - b).cwiseAbs().maxCoeff() / std::max(1.0, b.cwiseAbs().maxCoeff());
+}
+
+/// Largest difference of a and b over the largest entry of b in the same row and group of columns, or over a
+/// thousandth of that of the row where the whole group is smaller. @param groups widths of the groups
+inline double relative_difference_by_groups(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b,
+                                            const std::vector<Eigen::Index>& groups) {
+  double worst = 0;
+  for (Eigen::Index r = 0; r < b.rows(); ++r) {
+    const double least = 1e-3 * b.row(r).cwiseAbs().maxCoeff();
+    Eigen::Index from = 0;
+    for (const Eigen::Index width : groups) {
+      const auto difference = (a - b).row(r).segment(from, width).cwiseAbs().maxCoeff();
+      const double size = std::max(least, b.row(r).segment(from, width).cwiseAbs().maxCoeff());
+      worst = std::max(worst, difference > 0 ? difference / size : 0.0);
+      from += width;
+    }
+  }
+  return worst;
 }
 
 /// The one check every cost and constraint passes: analytic against central differences.

@@ -55,13 +55,12 @@ TEST(HingeEnergy, IsThatOfTwoPointSpringsAndATurningSpring) {
       for (const double side : {-1.0, 1.0})
         springs += 0.5 * (carried(hinge.lower, side) - carried(hinge.upper, side)).squaredNorm();
       const double turn = hinge_turn(s, state, static_cast<int>(&hinge - s.hinges.data()));
-      const double expected =
-          springs / (s.size.edge_mm * s.size.edge_mm) + 0.5 * stiff.turn * turn * turn;
+      const double expected = springs / (s.size.edge_mm * s.size.edge_mm) + 0.5 * stiff.turn * turn * turn;
       EXPECT_NEAR(element_of(s, state, hinge).energy, expected, 1e-13 * (1 + expected));
-      EXPECT_NEAR(hinge_energy(rest_hinge(hinge), stiff, state[hinge.lower], state[hinge.upper],
-                               s.size.edge_mm)
-                      .total(),
-                  expected, 1e-13 * (1 + expected));
+      EXPECT_NEAR(
+          hinge_energy(rest_hinge(hinge), stiff, state[hinge.lower], state[hinge.upper], s.size.edge_mm)
+              .total(),
+          expected, 1e-13 * (1 + expected));
     }
   }
 }
@@ -77,10 +76,10 @@ TEST(HingeEnergy, GradientAndHessianMatchCentralDifferences) {
       };
       const Element e = element_of(s, state, hinge);
       const Eigen::VectorXd zero = Eigen::VectorXd::Zero(12);
-      expect_jacobian([&](const Eigen::VectorXd& x) { return Eigen::VectorXd::Constant(1, energy(x)); },
-                      zero, e.gradient.transpose());
-      expect_jacobian([&](const Eigen::VectorXd& x) { return numeric_gradient(energy, x); }, zero,
-                      e.hessian, 1e-6, 3e-3);
+      expect_jacobian([&](const Eigen::VectorXd& x) { return Eigen::VectorXd::Constant(1, energy(x)); }, zero,
+                      e.gradient.transpose());
+      expect_jacobian([&](const Eigen::VectorXd& x) { return numeric_gradient(energy, x); }, zero, e.hessian,
+                      1e-6, 3e-3);
     }
   }
 }
@@ -91,19 +90,22 @@ TEST(HingeEnergy, RatesByDesignAndStiffnessMatchCentralDifferences) {
     const Structure s = random_panel(1, 1, random);
     const State state = shaken(s, rest_state(s), 0.5, random);
     for (const Hinge& hinge : s.hinges) {
-      const auto gradient = [&](const Eigen::VectorXd& q) -> Eigen::VectorXd {
+      const auto energy_and_gradient = [&](const Eigen::VectorXd& q) -> Eigen::VectorXd {
         Hinge h = hinge;
         h.parameters = {hinge.parameters.t + q[0], hinge.parameters.alpha + q[1],
                         hinge.parameters.beta + q[2]};
-        return hinge_element(rest_hinge(h), {stiff.turn + q[3], stiff.reach + q[4], stiff.contact},
-                             state[h.lower], state[h.upper], s.size.edge_mm)
-            .gradient;
+        const Element e = hinge_element(rest_hinge(h), {stiff.turn + q[3], stiff.reach + q[4], stiff.contact},
+                                        state[h.lower], state[h.upper], s.size.edge_mm);
+        return (Eigen::VectorXd(13) << e.energy, e.gradient).finished();
       };
-      const HingeRates rates = hinge_rates(rest_hinge(hinge), stiff, state[hinge.lower],
-                                           state[hinge.upper], s.size.edge_mm);
-      Eigen::Matrix<double, 12, 5> all;
-      all << rates.design, rates.turn, rates.reach;
-      expect_jacobian(gradient, Eigen::VectorXd::Zero(5), all);
+      Eigen::Matrix<double, 13, 5> all;
+      for (int k = 0; k < 12; ++k) {
+        const auto [energy, along] = hinge_rates(rest_hinge(hinge), stiff, state[hinge.lower],
+                                                 state[hinge.upper], s.size.edge_mm, Vector12::Unit(k));
+        all.row(0) << energy.design.transpose(), energy.turn, energy.reach;
+        all.row(1 + k) << along.design.transpose(), along.turn, along.reach;
+      }
+      expect_jacobian(energy_and_gradient, Eigen::VectorXd::Zero(5), all);
     }
   }
 }
@@ -122,6 +124,31 @@ TEST(HingeTurnElement, IsTheTurnOfTheHingeWithItsDerivatives) {
       EXPECT_NEAR(e.energy, turn(Vector12::Zero()), 1e-14);
       expect_jacobian([&](const Eigen::VectorXd& x) { return numeric_gradient(turn, x); },
                       Eigen::VectorXd::Zero(12), e.hessian, 1e-6, 3e-3);
+    }
+  }
+}
+
+TEST(HingeTurnElement, RatesByDesignMatchCentralDifferences) {
+  std::mt19937 random(5);
+  for (int trial = 0; trial < 20; ++trial) {
+    const Structure s = random_panel(1, 1, random);
+    const State state = shaken(s, rest_state(s), 0.5, random);
+    for (const Hinge& hinge : s.hinges) {
+      const auto turn_and_gradient = [&](const Eigen::VectorXd& q) -> Eigen::VectorXd {
+        Hinge h = hinge;
+        h.parameters = {hinge.parameters.t + q[0], hinge.parameters.alpha + q[1],
+                        hinge.parameters.beta + q[2]};
+        const Element e = turn_element(rest_hinge(h), state[h.lower], state[h.upper]);
+        return (Eigen::VectorXd(13) << e.energy, e.gradient).finished();
+      };
+      Eigen::Matrix<double, 13, 3> all;
+      for (int k = 0; k < 12; ++k) {
+        const TurnRates rates =
+            turn_rates(rest_hinge(hinge), state[hinge.lower], state[hinge.upper], Vector12::Unit(k));
+        all.row(0) = rates.turn.transpose();
+        all.row(1 + k) = rates.along.transpose();
+      }
+      expect_jacobian(turn_and_gradient, Eigen::VectorXd::Zero(3), all);
     }
   }
 }

@@ -1,0 +1,216 @@
+#include "model/elastic/adjoint.hpp"
+
+#include <Eigen/LU>
+#include <array>
+
+namespace kinetix {
+namespace {
+
+using Eigen::VectorXd;
+
+/// f by the relative stiffnesses.
+using StiffnessRates = Stiffness;
+
+/// A body held about one axis and free about two: a small turn about both is not the sum of the two turns.
+struct HalfHeld {
+  int body = -1;
+  std::array<int, 2> free = {-1, -1};  ///< of the turns 0, 1, 2
+};
+
+/// The only one, or none.
+HalfHeld half_held(const Freedoms& freedoms) {
+  for (std::size_t b = 0; b < freedoms.unknown.size(); ++b) {
+    const auto& turns = freedoms.unknown[b];
+    for (int k = 0; k < 3; ++k)
+      if (turns[k] < 0 && turns[(k + 1) % 3] >= 0 && turns[(k + 2) % 3] >= 0)
+        return {static_cast<int>(b), {(k + 1) % 3, (k + 2) % 3}};
+  }
+  return {};
+}
+
+class Adjoint {
+ public:
+  Adjoint(const ElasticSystem& system, const State& state, double theta, const Tangent& tangent)
+      : system_(system),
+        state_(state),
+        theta_(theta),
+        tangent_(tangent),
+        driven_(system.driven_hinge()),
+        contacts_(system.contacts(state)) {}
+
+  /// @param load, energy  in the system's units
+  void solve(const VectorXd& by_state, double load, double energy) {
+    energy_ = energy;
+    if (driven_ >= 0)
+      solve_driven(by_state, load);
+    else
+      solve_plates(by_state, load);
+  }
+
+  double theta_rate() const { return by_theta_; }
+
+  StiffnessRates add_hinges(Eigen::Matrix3Xd& out) const {
+    StiffnessRates sum{0, 0, 0};
+    const double edge_mm = system_.structure().size.edge_mm;
+    for (std::size_t h = 0; h < system_.hinges().size(); ++h) {
+      const RestHinge& hinge = system_.hinges()[h];
+      const auto [by_energy, along] =
+          hinge_rates(hinge, system_.stiffness(), state_[hinge.lower], state_[hinge.upper], edge_mm,
+                      pair(hinge.lower, hinge.upper));
+      out.col(h) += energy_ * by_energy.design - along.design;
+      sum.turn += energy_ * by_energy.turn - along.turn;
+      sum.reach += energy_ * by_energy.reach - along.reach;
+    }
+    return sum;
+  }
+
+  void add_drive(Eigen::Matrix3Xd& out) const {
+    if (driven_ < 0) return;
+    const RestHinge& hinge = system_.hinges()[driven_];
+    const TurnRates rates =
+        turn_rates(hinge, state_[hinge.lower], state_[hinge.upper], pair(hinge.lower, hinge.upper));
+    out.col(driven_) -= force_ * rates.along + turn_ * rates.turn;
+  }
+
+  /// @return f by the relative stiffness of contact
+  double add_contacts(Eigen::Matrix3Xd& out) const {
+    const ContactModel& walls = system_.walls();
+    const double k = system_.stiffness().contact;
+    double sum = 0;
+    for (const Contact& c : contacts_) {
+      const Vector12 lambda = pair(walls.body(c.plate), walls.body(c.other));
+      Eigen::Vector4d by_design = -walls.rates(c, k, state_).transpose() * lambda;
+      sum -= walls.stiffness_rate(c, state_).dot(lambda);
+      if (energy_ != 0) {
+        const double unit = energy_ * walls.energy({c}, 1);
+        by_design += 2 * k * unit / c.depth * walls.depth_rates(c, state_);
+        sum += unit;
+      }
+      const int own = ContactModel::hinge(c.plate), other = ContactModel::hinge(c.other);
+      out(0, own) += by_design[0];
+      out(2, own) += by_design[1];
+      out(0, other) += by_design[2];
+      out(2, other) += by_design[3];
+    }
+    return sum;
+  }
+
+ private:
+  Vector12 pair(int a, int b) const {
+    Vector12 out;
+    out << lambda_.segment<6>(6 * a), lambda_.segment<6>(6 * b);
+    return out;
+  }
+
+  Eigen::Vector3d moment_on(int body) const {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    const auto add = [&](int a, int b, const auto& element) {
+      if (a == body) sum += element().gradient.template segment<3>(0);
+      if (b == body) sum += element().gradient.template segment<3>(6);
+    };
+    const double edge_mm = system_.structure().size.edge_mm;
+    for (const RestHinge& h : system_.hinges())
+      add(h.lower, h.upper,
+          [&] { return hinge_element(h, system_.stiffness(), state_[h.lower], state_[h.upper], edge_mm); });
+    const ContactModel& walls = system_.walls();
+    for (const Contact& c : contacts_)
+      add(walls.body(c.plate), walls.body(c.other),
+          [&] { return walls.element(c, system_.stiffness().contact, state_); });
+    return sum;
+  }
+
+  /// By the transpose of the derivative of the gradient. That is the Hessian, but for a half held body whose
+  /// held turn meets a moment: there half the moment's cross product comes in, which is antisymmetric.
+  VectorXd transposed_solve(const VectorXd& rhs) const {
+    const VectorXd plain = tangent_.solve(rhs);
+    const HalfHeld held = half_held(system_.freedoms());
+    if (held.body < 0) return plain;
+    const auto [i, j] = held.free;
+    const double k = 0.5 * cross_matrix(moment_on(held.body))(i, j);
+    const auto& unknown = system_.freedoms().unknown[held.body];
+    const Eigen::Vector2i at(unknown[i], unknown[j]);
+    const VectorXd first = tangent_.solve(VectorXd::Unit(rhs.size(), at[0])),
+                   second = tangent_.solve(VectorXd::Unit(rhs.size(), at[1]));
+    Eigen::Matrix2d m;
+    m << 1 - k * second[at[0]], k * first[at[0]], -k * second[at[1]], 1 + k * first[at[1]];
+    const Eigen::Vector2d both = m.inverse() * Eigen::Vector2d(plain[at[0]], plain[at[1]]);
+    return plain + k * (both[0] * second - both[1] * first);
+  }
+
+  /// The load is minus the sum of the gradient's entries at the coordinates of the last row.
+  void solve_plates(VectorXd by_state, double load) {
+    const Freedoms& freedoms = system_.freedoms();
+    VectorXd pressed = VectorXd::Zero(freedoms.coordinates());
+    if (load != 0) {
+      const int coordinate = system_.drive().axis == Axis::x ? 3 : 4;
+      for (const int body : system_.gripped()[1]) pressed[6 * body + coordinate] = load;
+      by_state -= tangent_.multiply_all(pressed);
+    }
+    const VectorXd unknowns = transposed_solve(freedoms.restrict(by_state));
+    const VectorXd moved = system_.place_rate(theta_);
+    lambda_ = freedoms.extend(unknowns);
+    by_theta_ = by_state.dot(moved) - lambda_.dot(tangent_.multiply_all(moved));
+    if (energy_ != 0) by_theta_ += energy_ * system_.gradient(state_, theta_).dot(moved);
+    lambda_ += pressed;
+  }
+
+  /// Unknowns and the drive's force under the constraint that the hinge's turn is the drive's.
+  void solve_driven(const VectorXd& by_state, double load) {
+    const Freedoms& freedoms = system_.freedoms();
+    const RestHinge& hinge = system_.hinges()[driven_];
+    const Vector12 turn = system_.driven_turn(state_).gradient;
+    VectorXd all = VectorXd::Zero(freedoms.coordinates());
+    all.segment<6>(6 * hinge.lower) = turn.head<6>();
+    all.segment<6>(6 * hinge.upper) = turn.tail<6>();
+    const VectorXd along = freedoms.restrict(all), free = tangent_.solve(freedoms.restrict(by_state)),
+                   driven = tangent_.solve(along);
+    force_ = -system_.load(state_, theta_);
+    const double share = (free.dot(along) + load) / driven.dot(along);
+    lambda_ = freedoms.extend(free - share * driven);
+    turn_ = share - ElasticSystem::grip * load - energy_ * force_;
+    by_theta_ = turn_ * system_.drive_rate(theta_);
+  }
+
+  const ElasticSystem& system_;
+  const State& state_;
+  const double theta_;
+  const Tangent& tangent_;
+  const int driven_;
+  const std::vector<Contact> contacts_;
+  double energy_ = 0;
+  VectorXd lambda_;   ///< over all coordinates
+  double turn_ = 0;   ///< the multiplier of the driven hinge's turn
+  double force_ = 0;  ///< moment about the driven hinge
+  double by_theta_ = 0;
+};
+
+}  // namespace
+
+Sensitivity sensitivity(const ElasticSystem& system, const Elasticity& elasticity, const State& state,
+                        double theta, const Tangent& tangent, const BalanceGradient& gradient) {
+  const double L = system.structure().size.edge_mm;
+  const double force_unit = elasticity.k_point * L, energy_unit = force_unit * L;
+  const double load_unit = system.driven_hinge() < 0 ? force_unit : energy_unit;
+  const VectorXd none = VectorXd::Zero(system.freedoms().coordinates());
+
+  Adjoint adjoint(system, state, theta, tangent);
+  adjoint.solve(gradient.state.size() > 0 ? gradient.state : none, gradient.load * load_unit,
+                gradient.energy * energy_unit);
+
+  Sensitivity out;
+  out.hinges.setZero(3, system.hinges().size());
+  StiffnessRates by = adjoint.add_hinges(out.hinges);
+  by.contact = adjoint.add_contacts(out.hinges);
+  adjoint.add_drive(out.hinges);
+  out.theta = adjoint.theta_rate();
+  out.k_turn = by.turn / energy_unit;
+  out.reach_mm = by.reach / L;
+  out.k_contact = by.contact / elasticity.k_point;
+  double by_unit = -by.turn * system.stiffness().turn - by.contact * system.stiffness().contact;
+  if (gradient.load != 0) by_unit += gradient.load * load_unit * system.load(state, theta);
+  if (gradient.energy != 0) by_unit += gradient.energy * energy_unit * system.elastic_energy(state);
+  out.k_point = by_unit / elasticity.k_point;
+  return out;
+}
+
+}  // namespace kinetix

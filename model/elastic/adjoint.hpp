@@ -1,0 +1,38 @@
+#pragma once
+
+#include "model/elastic/elastic_system.hpp"
+
+namespace kinetix {
+
+/// A scalar function f of a balance, by its derivatives there. What f does not depend on is left out.
+struct BalanceGradient {
+  Eigen::VectorXd state;  ///< by all coordinates: 6 a body, turn (rad) then shift (cell edges); empty: none
+  double load = 0;        ///< by the drive's load, per N for plates, per N mm for a driven hinge
+  double energy = 0;      ///< by the elastic energy, per N mm
+};
+
+/// The derivatives of f where the structure is in balance again after each change.
+struct Sensitivity {
+  Eigen::Matrix3Xd hinges;  ///< column h: by t, alpha (rad), beta (rad) of hinge h
+  double theta = 0;         ///< by the drive's fold parameter, rad
+  double k_point = 0;       ///< by the fields of Elasticity, N/mm
+  double k_turn = 0;        ///< N mm/rad
+  double reach_mm = 0;      ///< mm
+  double k_contact = 0;     ///< N/mm
+};
+
+/// By the adjoint: H lambda = df/dx over the unknowns, df/dp = -lambda . dg/dp, with g the gradient and H the
+/// Hessian of the energy; for a driven hinge bordered by its turn. One back-substitution whatever the number
+/// of parameters, two for a driven hinge; three between plates in space, where the turn at which the whole is
+/// held may meet a moment. Points in contact stay in contact: where one just touches, the derivative is
+/// one-sided. What f has of a parameter directly is the caller's to add.
+/// @param elasticity that of the system
+/// @param state in balance at theta, with the system's multiplier
+/// @param tangent linearised at state and factorised without a shift, which succeeded. minimise() may leave
+/// the factor of a state before: linearise and factorise again
+/// @pre gradient.state has 6 entries a body or none
+/// @return NaN for NaN in the gradient; k_contact is 0 where nothing touches
+Sensitivity sensitivity(const ElasticSystem& system, const Elasticity& elasticity, const State& state,
+                        double theta, const Tangent& tangent, const BalanceGradient& gradient);
+
+}  // namespace kinetix
