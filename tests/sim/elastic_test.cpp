@@ -189,7 +189,6 @@ TEST(ElasticRun, SettlesWhereWallsTouchInThePlane) {
   const Structure sheet = make_structure(rectangle(3, 3), {});
   PhysicsOptions options = elastic(1e-6);
   options.planar = options.contact = true;
-  options.overlap_limit = 0.01;
   const PhysicsResult result = run_compression(sheet, drive_to(sheet, 0.76), options);
   EXPECT_EQ(result.status, Status::settled) << result.why;
   EXPECT_TRUE(result.contact.touches());
