@@ -50,6 +50,23 @@ inline Structure gradient_panel() {
   return s;
 }
 
+/// Basic cells, and a letter T of cells that scale: tA = k on their walls.
+inline Structure letter_panel(double k, int cells = 10) {
+  Structure s = make_structure(rectangle(cells, cells), {});
+  const int middle = cells / 2, top = cells - 2;
+  const auto in_letter = [&](int i, int j) {
+    const bool bar = j == top - 1 || j == top, stem = i == middle - 1 || i == middle;
+    return (bar && i >= 1 && i <= top) || (stem && j >= 1 && j <= top);
+  };
+  for (Hinge& hinge : s.hinges) {
+    const auto [i, j] = hinge.wall.from;
+    const bool along_x = hinge.wall.axis == Axis::x;
+    if (in_letter(i, j) || in_letter(along_x ? i : i - 1, along_x ? j - 1 : j))
+      hinge.parameters.t = fraction_from_lower(k, hinge.wall.from);
+  }
+  return s;
+}
+
 /// What the hinges of a column's x-walls do in the two-unit tessellations. The y-walls, which neighbouring
 /// units share, are basic: a strip bends or twists by its x-walls alone.
 struct ColumnUnit {
