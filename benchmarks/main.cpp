@@ -56,8 +56,8 @@ int main(int argc, char** argv) {
   std::string table = "Measured on " + machine() + ", release build, one run of `make bench`.\n\n";
   table += "| what | asked | measured | met |\n|---|---|---|---|\n";
   bool all_met = true;
-  for (const auto& figures :
-       {kinetix::bench::model_figures, kinetix::bench::search_figures, kinetix::bench::physics_figures})
+  for (const auto& figures : {kinetix::bench::model_figures, kinetix::bench::search_figures,
+                              kinetix::bench::physics_figures, kinetix::bench::elastic_physics_figures})
     for (const Figure& figure : figures()) {
       std::cerr << (figure.met ? "met     " : "MISSED  ") << figure.what << ": " << figure.measured
                 << std::endl;

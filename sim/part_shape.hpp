@@ -13,8 +13,7 @@ namespace kinetix {
 
 /// How the engine finds where half walls touch.
 enum class WallSurface {
-  rounded,  ///< by the nearest points of two walls with a small margin, kept from step to step: the touching
-            ///< points of tilted walls do not jump
+  rounded,  ///< by the nearest points of two walls with a small margin: those of tilted walls do not jump
   sharp,    ///< by clipping touching faces, to the exact depth, however deep: all corners of upright walls
 };
 

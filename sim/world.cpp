@@ -23,6 +23,9 @@ namespace {
 constexpr double elastic_stiffness = 1000;
 constexpr double touching = 1e-3;  // cell edges between parts that are said to touch
 
+constexpr double longest_slide =
+    5e-3;  // cell edges, of a touching corner of sharp walls from where it was found
+
 constexpr double largest_lean = 1.5;  // rad
 constexpr double elastic_grip = 1e4;  // of plates, over the points of elastic hinges
 
@@ -122,10 +125,9 @@ struct World::Engine {
     world.addConstraint(&joint);
   }
 
-  /// Points kept from step to step would wear out on sharp walls, whose touching corners change.
-  void forget_contacts() {
+  void drop_points_that_slid() {
     for (int m = 0; m < dispatcher.getNumManifolds(); ++m)
-      dispatcher.getManifoldByIndexInternal(m)->clearManifold();
+      dispatcher.getManifoldByIndexInternal(m)->setContactBreakingThreshold(longest_slide);
   }
 };
 
@@ -151,7 +153,7 @@ void World::set_drive(double theta) { engine_->actuator->move_to(theta); }
 
 void World::step() {
   engine_->speeds_before = engine_->parts.speeds();
-  if (wall_surface(engine_->options) == WallSurface::sharp) engine_->forget_contacts();
+  if (wall_surface(engine_->options) == WallSurface::sharp) engine_->drop_points_that_slid();
   engine_->world.stepSimulation(engine_->options.step_s, 0);
 }
 
