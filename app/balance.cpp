@@ -15,6 +15,7 @@ namespace kinetix {
 namespace {
 
 constexpr double steps_per_frame = 2;
+constexpr double step_in_contact = 0.01;  // rad; in longer ones jammed walls may change their branch
 
 /// Keeps states of a motion at even distances of theta, closer than the frames that are wanted in the end.
 class FrameKeeper {
@@ -64,6 +65,29 @@ LoadPathOptions options_of(const Run& run, double goal, int frames) {
   return options;
 }
 
+bool touched(const LoadPath& path) {
+  return std::any_of(path.events.begin(), path.events.end(),
+                     [](const PathEvent& e) { return e.kind == PathEvent::Kind::contact; });
+}
+
+/// Follows the path, and where walls touch on it, once more in short steps.
+LoadPath follow(Run& run, const Drive& drive, const Elasticity& elasticity, FrameKeeper& keeper, int frames,
+                const Progress& progress) {
+  const double goal = drive.theta();
+  const FrameKeeper empty = keeper;
+  const auto see = [&](const LoadStep& step, const State& state) {
+    keeper.see(step.theta, state);
+    if (progress) progress("load path", goal == 0 ? 1 : step.theta / goal);
+  };
+  LoadPathOptions options = options_of(run, goal, frames);
+  LoadPath path = follow_load(run.structure, elasticity, drive, options, see);
+  if (!touched(path) || options.longest_step <= step_in_contact) return path;
+  run.plan.why.push_back(fmt::format("walls touch: followed in steps of {:g} rad", step_in_contact));
+  keeper = empty;
+  options.first_step = options.longest_step = step_in_contact;
+  return follow_load(run.structure, elasticity, drive, options, see);
+}
+
 /// The drive, as far as the path came.
 Drive reached_drive(const Equilibrium& balance) {
   Drive drive = balance.drive;
@@ -105,14 +129,9 @@ void add_fidelity(Run& run, double seconds) {
 void add_balance(Run& run, const Drive& drive, const Elasticity& elasticity, int frames,
                  const Progress& progress) {
   run.plan.why.push_back(stiffness_sentence(run, elasticity));
-  const double goal = drive.theta();
-  FrameKeeper keeper(goal, frames);
-  const auto see = [&](const LoadStep& step, const State& state) {
-    keeper.see(step.theta, state);
-    if (progress) progress("load path", goal == 0 ? 1 : step.theta / goal);
-  };
+  FrameKeeper keeper(drive.theta(), frames);
   const auto start = std::chrono::steady_clock::now();
-  LoadPath path = follow_load(run.structure, elasticity, drive, options_of(run, goal, frames), see);
+  LoadPath path = follow(run, drive, elasticity, keeper, frames, progress);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   run.theta = path.theta;
   run.states.push_back({"target", to_string(Model::equilibrium), path.theta, path.state, path.gaps});
