@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/equilibrium_json.hpp"
+#include "app/physics_json.hpp"
 #include "app/stable_states_json.hpp"
 #include "app/state_json.hpp"
 #include "app/version.hpp"
@@ -135,22 +136,6 @@ Json optimiser_json(const CurveOutcome& curve) {
           {"why", best.why},
           {"best_start", found.chosen},
           {"runs", runs}};
-}
-
-Json physics_json(const Verification& v) {
-  return {{"status", to_string(v.physics.status)},
-          {"why", v.physics.why},
-          {"steps", v.physics.steps},
-          {"simulated_s", v.physics.simulated_s},
-          {"seconds", v.physics.seconds},
-          {"options",
-           {{"step_s", v.options.step_s},
-            {"iterations", v.options.iterations},
-            {"error_reduction", v.options.error_reduction},
-            {"reach", v.options.reach},
-            {"contact", v.options.contact},
-            {"elastic", v.options.elastic.has_value()},
-            {"planar", v.options.planar}}}};
 }
 
 Json fidelity_json(const std::vector<Fidelity>& rows) {

@@ -6,6 +6,7 @@
 
 #include "app/design_file.hpp"
 #include "app/plan.hpp"
+#include "model/elastic/balance_comparison.hpp"
 #include "model/elastic/stable_states.hpp"
 #include "optim/fit_curve.hpp"
 #include "sim/compression_run.hpp"
@@ -33,9 +34,10 @@ struct Fidelity {
 struct Verification {
   PhysicsOptions options;
   PhysicsResult physics;
-  StateDistance distance;  ///< NaN unless the run settled
-  bool compared = false;   ///< whether there was a model's state to compare with
-  bool agrees = false;     ///< settled and, if compared, distance.rms within the tolerance
+  StateDistance distance;                    ///< NaN unless the run settled
+  bool compared = false;                     ///< whether there was a model's state to compare with
+  bool agrees = false;                       ///< settled and, if compared, distance.rms within the tolerance
+  std::optional<BalanceComparison> balance;  ///< settled, and compared with a balance of elastic hinges
 };
 
 /// The balance of elastic hinges that a drive leads to.

@@ -54,9 +54,12 @@ std::string physics_lines(const Run& run) {
     return line("physics", fmt::format("FAILED, {}: {}", to_string(v.physics.status), v.physics.why));
   if (!v.compared)
     return line("physics", fmt::format("settled in {:.2f} s; no model to compare with", v.physics.seconds));
-  return line("physics", fmt::format("rms {:.1e} cell edges from the model, hinge gap {:.1e}, {:.2f} s: {}",
-                                     v.distance.rms, v.physics.gaps.max, v.physics.seconds,
-                                     v.agrees ? "agrees" : "DISAGREES"));
+  std::string text =
+      line("physics",
+           fmt::format("rms {:.1e} cell edges from the model, hinge gap {:.1e}, {:.2f} s: {}", v.distance.rms,
+                       v.physics.gaps.max, v.physics.seconds, v.agrees ? "agrees" : "DISAGREES"));
+  if (v.balance && !v.agrees) text += line("balance", v.balance->why);
+  return text;
 }
 
 }  // namespace

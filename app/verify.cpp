@@ -22,6 +22,16 @@ StateDistance distance(const Structure& structure, const PhysicsResult& physics,
   return aligned_distance(structure, physics.state, reference);
 }
 
+/// Sheets of elastic hinges may have several balances.
+std::optional<BalanceComparison> balances(const Run& run, const Verification& v, const State& reference) {
+  const bool settled = v.physics.status == PhysicsResult::Status::settled;
+  if (!settled || !v.compared || !run.equilibrium) return std::nullopt;
+  const Equilibrium& balance = *run.equilibrium;
+  return compare_balances(
+      {run.structure, balance.elasticity, balance.drive, v.options.planar, v.options.contact},
+      v.physics.state, reference, run.verify_tolerance);
+}
+
 void add_fidelity(Run& run, const std::string& model, const PhysicsResult& physics, const State& reference) {
   const double rms = distance(run.structure, physics, reference).rms;
   run.fidelity.push_back(
@@ -43,6 +53,7 @@ void verify(Run& run, const State& reference, const Drive& drive, const PhysicsO
   v.distance =
       settled && v.compared ? distance(run.structure, v.physics, reference) : StateDistance{nan, nan};
   v.agrees = settled && (!v.compared || v.distance.rms <= run.verify_tolerance);
+  v.balance = balances(run, v, reference);
   run.states.push_back({"target", "bullet", run.theta, v.physics.state, v.physics.gaps});
   if (v.compared) {
     add_fidelity(run, "bullet", v.physics, reference);

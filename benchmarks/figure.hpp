@@ -18,6 +18,7 @@ std::vector<Figure> stable_state_figures();
 std::vector<Figure> elastic_figures();
 std::vector<Figure> search_figures();
 std::vector<Figure> physics_figures();
+std::vector<Figure> elastic_physics_figures();
 
 /// Markdown table: both joint solvers of the physics run on arcs of growing length.
 std::string solver_table();

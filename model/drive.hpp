@@ -15,7 +15,8 @@ namespace kinetix {
 /// that curls into a half circle stays between its plates. Other fractions make the row a zigzag or a slope:
 /// plates would strain such a sheet, and a driven hinge does not.
 /// The middle pin of each plate is keyed to the plane z = 0. Without it, nothing would keep a flat sheet from
-/// tipping over as a whole between plates that come closer.
+/// tipping over as a whole between plates that come closer. That of the first plate does not turn about the
+/// plates' normal either: a sheet could stand up on edge, and then tip over at no strain.
 ///
 /// **hinge**: the two bodies of one wall are turned against each other about the hinge axis they share. The
 /// structure floats freely.

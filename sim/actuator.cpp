@@ -37,6 +37,7 @@ class Plates final : public Actuator {
       for (const int b : rim) {
         const Pin pin = b == rim[rim.size() / 2] ? Pin::keyed : Pin::sliding;
         joints_.push_back(slot(axis, pin, plates_[side], *bodies[b], error_reduction));
+        if (side == 0 && pin == Pin::keyed) keep_from_spinning(*bodies[b]);
       }
     }
   }
@@ -69,6 +70,12 @@ class Plates final : public Actuator {
 
  private:
   int coordinate() const { return axis_ == Axis::x ? 0 : 1; }
+
+  void keep_from_spinning(btRigidBody& body) const {
+    btVector3 free = body.getAngularFactor();
+    free[coordinate()] = 0;
+    body.setAngularFactor(free);
+  }
 
   Axis axis_;
   std::array<int, 2> rows_{};

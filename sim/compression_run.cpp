@@ -9,6 +9,7 @@
 
 #include "model/invalid_input.hpp"
 #include "sim/balance.hpp"
+#include "sim/rigid_parts.hpp"
 #include "sim/start_motion.hpp"
 #include "sim/verdict.hpp"
 #include "sim/world.hpp"
@@ -40,7 +41,7 @@ class Run {
 
   PhysicsResult run() {
     const auto begin = Clock::now();
-    world_.start(start_, 2 * rate_);
+    world_.parts().start(start_, 2 * rate_);
     measure();
     show();
     bool settled = false, failed = failed_on_the_way();
@@ -59,7 +60,7 @@ class Run {
   void step() {
     const double tau = std::min(1.0, (result_.steps + 1.0) / drive_steps_);
     if (result_.steps >= drive_steps_) calm();
-    world_.push(rate_ * (1 - tau) / drive_steps_);
+    world_.parts().push(rate_ * (1 - tau) / drive_steps_);
     if (options_.elastic) world_.relax_along(start_, theta_ * tau * (2 - tau) * (1 - tau));
     world_.set_drive(theta_ * tau * (2 - tau));
     world_.step();
@@ -70,39 +71,39 @@ class Run {
 
   /// Elastic: parts run downhill freely, and stop whenever they are past the deepest point of their way.
   void calm() {
-    if (!options_.elastic) return world_.damp(damping_);
-    const double energy = world_.kinetic_energy();
+    if (!options_.elastic) return world_.parts().damp(damping_);
+    const double energy = world_.parts().kinetic_energy();
     const bool past = energy < energy_;
-    if (past) world_.damp(0);
+    if (past) world_.parts().damp(0);
     energy_ = past ? 0 : energy;
   }
 
   void measure() {
     result_.simulated_s = result_.steps * options_.step_s;
-    result_.state = world_.state();
+    result_.state = world_.parts().state();
     result_.gaps = hinge_gaps(structure_, result_.state);
     result_.drive_gap = world_.drive_gap();
     result_.contact = world_.deepest_contact();
   }
 
   bool failed_on_the_way() {
-    if (!(world_.fastest_part() <= options_.speed_limit)) result_.status = PhysicsResult::Status::blew_up;
+    if (!(world_.parts().fastest() <= options_.speed_limit)) result_.status = PhysicsResult::Status::blew_up;
     return result_.status == PhysicsResult::Status::blew_up ||
            !(result_.gaps.max <= (options_.elastic ? options_.stretch_limit : options_.tear_limit)) ||
            is_blocked();
   }
 
   bool is_blocked() const {
-    if (result_.contact.depth > options_.overlap_limit) return true;
+    if (result_.contact.depth > overlap_limit(structure_, options_)) return true;
     const double open = options_.elastic ? 0 : result_.gaps.max;
     return result_.contact.touches() && std::max(open, result_.drive_gap) > options_.gap_limit;
   }
 
   bool is_at_rest() const {
-    if (!options_.elastic) return world_.fastest_hinge() <= options_.settle_speed;
+    if (!options_.elastic) return world_.parts().fastest_hinge() <= options_.settle_speed;
     const double force = largest_hinge_force(structure_, result_.state, *options_.elastic);
     const double limit = options_.settle_force * std::max(force, least_force);
-    const double way = world_.fastest_part() * options_.step_s;
+    const double way = world_.parts().fastest() * options_.step_s;
     return world_.free_force() <= limit && way * std::max(way, force) <= limit;
   }
 

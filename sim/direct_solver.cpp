@@ -7,6 +7,7 @@
 
 #include "sim/bullet_math.hpp"
 #include "sim/elastic_hinges.hpp"
+#include "sim/knee_edges.hpp"
 #include "sim/row_system.hpp"
 
 namespace kinetix {
@@ -23,6 +24,7 @@ struct Contact {
   Eigen::VectorXd response;  ///< of all parts to a unit impulse
   double mobility = 0;       ///< approach speed that a unit impulse takes away
   double target = 0;
+  double compliance = 0;
   double impulse = 0;
   VelocityRow row;
 };
@@ -33,13 +35,14 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
       : settings_(settings), contact_compliance_(settings.contact_softness / settings.joint_stiffness) {}
 
  private:
-  btScalar solveGroupCacheFriendlyIterations(btCollisionObject**, int, btPersistentManifold**, int,
-                                             btTypedConstraint**, int, const btContactSolverInfo& info,
-                                             btIDebugDraw*) override {
+  btScalar solveGroupCacheFriendlyIterations(btCollisionObject**, int, btPersistentManifold** manifolds,
+                                             int count, btTypedConstraint**, int,
+                                             const btContactSolverInfo& info, btIDebugDraw*) override {
     if (m_tmpSolverNonContactConstraintPool.size() == 0) return 0;
     number_parts();
     factorise_joints(info.m_timeStep);
     Eigen::VectorXd velocities = system_.velocities();
+    share_contacts(manifolds, count);
     solve_contacts(velocities, info.m_numIterations);
     apply(velocities);
     return 0;
@@ -132,11 +135,19 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
     return sum;
   }
 
-  Contact contact_of(const VelocityRow& row) const {
+  void share_contacts(btPersistentManifold** manifolds, int count) {
+    sharing_.clear();
+    for (int m = 0; settings_.elastic && m < count; ++m) count_points_on_edges(*manifolds[m], sharing_);
+  }
+
+  Contact contact_of(const btSolverConstraint& point) const {
+    const VelocityRow row = row_of(point);
     Eigen::VectorXd impulse = Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(masses_.size()));
     if (row.a >= 0) impulse.segment<6>(6 * row.a) = row.first;
     if (row.b >= 0) impulse.segment<6>(6 * row.b) = row.second;
-    Contact contact{system_.response(impulse), 0, row.target, 0, row};
+    const auto sharing = sharing_.find(point.m_originalContactPoint);
+    const double compliance = contact_compliance_ * (sharing == sharing_.end() ? 1 : sharing->second);
+    Contact contact{system_.response(impulse), 0, row.target, compliance, 0, row};
     contact.mobility = along(row, contact.response);
     return contact;
   }
@@ -145,12 +156,12 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
     std::vector<Contact> contacts;
     for (int k = 0; k < m_tmpSolverContactConstraintPool.size(); ++k)
       if (m_tmpSolverContactConstraintPool[k].m_jacDiagABInv > 0)
-        contacts.push_back(contact_of(row_of(m_tmpSolverContactConstraintPool[k])));
+        contacts.push_back(contact_of(m_tmpSolverContactConstraintPool[k]));
     for (int sweep = 0; sweep < sweeps; ++sweep) {
       double change = 0;
       for (Contact& c : contacts) {
-        const double miss = c.target - along(c.row, velocities) - contact_compliance_ * c.impulse;
-        const double step = std::max(-c.impulse, miss / (c.mobility + contact_compliance_));
+        const double miss = c.target - along(c.row, velocities) - c.compliance * c.impulse;
+        const double step = std::max(-c.impulse, miss / (c.mobility + c.compliance));
         c.impulse += step;
         velocities += step * c.response;
         change = std::max(change, std::abs(step) * c.mobility);
@@ -175,6 +186,7 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
   std::vector<Vector6> masses_;
   std::vector<Vector6> freedoms_;  ///< 1 where a part may move, 0 where it may not
   std::vector<VelocityRow> rows_;
+  PointCounts sharing_;  ///< by point: how many share its contact
   RowSystem system_;
 };
 

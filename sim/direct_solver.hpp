@@ -11,7 +11,8 @@ class ElasticHinges;
 struct DirectSolverSettings {
   double joint_stiffness = 1e4;            ///< as PhysicsOptions has it
   double grip = 100;                       ///< how much stiffer than a hinge a joint to the ground is
-  double contact_softness = 10;            ///< how much softer than a hinge a contact is
+  double contact_softness = 10;            ///< how much softer than a hinge a contact is: with elastic hinges
+                                           ///< all points of a knee edge together, else every point
   double edge_mm = 1;                      ///< of the structure of `elastic`
   const ElasticHinges* elastic = nullptr;  ///< null for none; must outlive the solver
 };

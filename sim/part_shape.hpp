@@ -5,9 +5,17 @@
 
 #include "sim/wall_prisms.hpp"
 
+class btCollisionObject;
 class btCollisionShape;
+class btVector3;
 
 namespace kinetix {
+
+/// How the engine finds where half walls touch.
+enum class WallSurface {
+  rounded,  ///< by the nearest points of two walls with a small margin: those of tilted walls do not jump
+  sharp,    ///< by clipping touching faces, to the exact depth, however deep: all corners of upright walls
+};
 
 /// Collision shape of one rigid part: a compound of one convex hull per half wall, which it owns.
 ///
@@ -15,13 +23,18 @@ namespace kinetix {
 /// outside the prisms, which must be drawn in by it for the touching surface to be that of the walls.
 class PartShape {
  public:
-  static constexpr double margin = 2e-3;  ///< cell edges
+  /// Cell edges.
+  static constexpr double margin(WallSurface surface) { return surface == WallSurface::sharp ? 0 : 2e-3; }
 
-  explicit PartShape(const std::vector<WallPrism>& walls);
+  PartShape(const std::vector<WallPrism>& walls, WallSurface surface);
   ~PartShape();
   PartShape(PartShape&&) noexcept;
 
   btCollisionShape* get() const;
+
+  /// Direction in which the height of a half wall runs, as placed; unit. @param part has a PartShape
+  /// @param wall as the engine counts the shape's children
+  static btVector3 upright(const btCollisionObject& part, int wall);
 
  private:
   struct Shapes;

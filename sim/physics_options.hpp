@@ -32,10 +32,11 @@ struct PhysicsOptions {
   /// Elastic hinges instead of rigid rotary ones, as the equilibrium model has them; their reach replaces
   /// `reach`. Needs the direct solver. Only ratios of stiffnesses matter for where the run settles. The scale
   /// is the run's: k_point is 1000 part masses / step_s^2, whence it settles in as many steps whatever step_s
-  /// is. joint_stiffness, error_reduction, settle_damping and settle_speed are not used then. Gaps are no
-  /// failure: gap_limit holds for the drive, stretch_limit for the hinges. Each point where walls
-  /// touch yields by its force over elastic.contact, which overlap_limit must bear. Plates and a driven hinge
-  /// yield 1e4 times less than a hinge point does.
+  /// is. joint_stiffness, error_reduction, settle_damping, settle_speed and overlap_limit are not used then.
+  /// Gaps are no failure: gap_limit holds for the drive, stretch_limit for the hinges, half a wall's
+  /// thickness for overlaps. Each knee edge (end of a half wall) that presses on a wall yields by its force
+  /// over elastic.contact. Plates and a driven hinge yield 1e4 times less than a hinge point does, where the
+  /// equilibrium model's do not yield at all: a difference of about 1e-4 of the hinges' gaps.
   std::optional<Stiffness> elastic;
   double settle_force = 1e-7;  ///< elastic: settled when no part is pushed by more than this over the largest
                                ///< force in a hinge, > 0

@@ -29,10 +29,11 @@ double gap_limit(const PhysicsOptions& options) {
   return options.elastic ? options.stretch_limit : options.gap_limit;
 }
 
-Status status_of(const PhysicsOptions& options, bool settled, bool on_branch, const PhysicsResult& r) {
+Status status_of(const Structure& structure, const PhysicsOptions& options, bool settled, bool on_branch,
+                 const PhysicsResult& r) {
   if (r.status == Status::blew_up) return Status::blew_up;
   const bool open = !(r.gaps.max <= gap_limit(options)), off = !(r.drive_gap <= options.gap_limit);
-  if (r.contact.depth > options.overlap_limit) return Status::blocked;
+  if (r.contact.depth > overlap_limit(structure, options)) return Status::blocked;
   if ((open || off) && r.contact.touches()) return Status::blocked;
   if (open) return Status::hinge_gap_exceeded;
   if (off) return Status::drive_missed;
@@ -79,10 +80,14 @@ std::string reason(const Structure& s, const PhysicsOptions& o, const PhysicsRes
 
 }  // namespace
 
+double overlap_limit(const Structure& structure, const PhysicsOptions& options) {
+  return options.elastic ? structure.size.thickness_mm / structure.size.edge_mm / 2 : options.overlap_limit;
+}
+
 void judge(const Structure& structure, const Drive& drive, const PhysicsOptions& options, bool settled,
            PhysicsResult& result) {
   const bool on_branch = is_on_branch(structure, drive, options, result.state);
-  result.status = status_of(options, settled, on_branch, result);
+  result.status = status_of(structure, options, settled, on_branch, result);
   result.why = reason(structure, options, result);
 }
 

@@ -6,6 +6,10 @@
 
 namespace kinetix {
 
+/// Overlap of parts beyond which a run is blocked, cell edges: PhysicsOptions::overlap_limit, or, with
+/// elastic hinges, half the thickness of a wall: pressed deeper, contact would push walls through each other.
+double overlap_limit(const Structure& structure, const PhysicsOptions& options);
+
 /// Sets status and why of a finished run from its last measurements.
 /// @param settled whether the run came to rest; @param result its status blew_up is kept
 void judge(const Structure& structure, const Drive& drive, const PhysicsOptions& options, bool settled,

@@ -97,6 +97,7 @@ TEST(Equilibrium, OfATwistUnitStretchesItsHingesAndAgreesWithThePhysicsRun) {
   EXPECT_EQ(schema_errors(physics), "");
   EXPECT_LE(physics["metrics"]["verify_rms"], 1e-4);
   EXPECT_EQ(physics["fidelity"].back()["against"], "equilibrium");
+  EXPECT_EQ(physics["physics"]["comparison"]["outcome"], "agrees");
 }
 
 TEST(Equilibrium, OfATwistUnitDrivenOverItsBarrierHasTwoStableStates) {

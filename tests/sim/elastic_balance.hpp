@@ -36,7 +36,7 @@ inline Eigen::VectorXd elastic_gradient(const Structure& structure, const State&
   return gradient;
 }
 
-/// Takes out what the plates hold.
+/// Takes out what the plates hold (model/drive.hpp).
 inline void drop_plate_forces(const Structure& structure, Axis axis, Eigen::VectorXd& gradient) {
   const auto row = [&](Vertex v) { return axis == Axis::x ? v.i : v.j; };
   int lowest = row(structure.bodies[0]), highest = lowest;
@@ -49,7 +49,9 @@ inline void drop_plate_forces(const Structure& structure, Axis axis, Eigen::Vect
     for (std::size_t b = 0; b < structure.bodies.size(); ++b)
       if (row(structure.bodies[b]) == rim) held.push_back(static_cast<int>(b));
     for (const int b : held) gradient[6 * b + 3 + (axis == Axis::x ? 0 : 1)] = 0;
-    gradient[6 * held[held.size() / 2] + 5] = 0;
+    const int pin = held[held.size() / 2];
+    gradient[6 * pin + 5] = 0;
+    if (rim == lowest) gradient[6 * pin + (axis == Axis::x ? 0 : 1)] = 0;
   }
 }
 

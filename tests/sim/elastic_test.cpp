@@ -8,6 +8,7 @@
 #include "sim/compression_run.hpp"
 #include "tests/sim/elastic_balance.hpp"
 #include "tests/sim/runs.hpp"
+#include "tests/support/paper_scenes.hpp"
 
 namespace kinetix {
 namespace {
@@ -15,6 +16,7 @@ namespace {
 using testing::curl;
 using testing::elastic_energy;
 using testing::imbalance;
+using testing::letter_panel;
 using testing::strip;
 using testing::structure_of;
 using Status = PhysicsResult::Status;
@@ -142,22 +144,6 @@ TEST(ElasticRun, StretchesTheHingesOfADoublyCurvedPatch) {
   }
 }
 
-/// Basic cells, and a letter T of cells that scale: tA = k on their walls.
-Structure letter_panel(double k) {
-  Structure panel = make_structure(rectangle(10, 10), {});
-  const auto in_letter = [](int i, int j) {
-    const bool bar = j == 7 || j == 8, stem = i == 4 || i == 5;
-    return (bar && i >= 1 && i <= 8) || (stem && j >= 1 && j <= 8);
-  };
-  for (Hinge& hinge : panel.hinges) {
-    const auto [i, j] = hinge.wall.from;
-    const bool along_x = hinge.wall.axis == Axis::x;
-    if (in_letter(i, j) || in_letter(along_x ? i : i - 1, along_x ? j - 1 : j))
-      hinge.parameters.t = fraction_from_lower(k, hinge.wall.from);
-  }
-  return panel;
-}
-
 TEST(ElasticRun, ShowsTheLetterOfADisplayOnBothBranches) {
   const Structure panel = letter_panel(0.15);
   PhysicsOptions options = elastic(1e-6);
@@ -189,7 +175,6 @@ TEST(ElasticRun, SettlesWhereWallsTouchInThePlane) {
   const Structure sheet = make_structure(rectangle(3, 3), {});
   PhysicsOptions options = elastic(1e-6);
   options.planar = options.contact = true;
-  options.overlap_limit = 0.01;
   const PhysicsResult result = run_compression(sheet, drive_to(sheet, 0.76), options);
   EXPECT_EQ(result.status, Status::settled) << result.why;
   EXPECT_TRUE(result.contact.touches());

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <random>
 
+#include "sim/rigid_parts.hpp"
 #include "sim/row_system.hpp"
 #include "sim/wall_prisms.hpp"
 #include "sim/world.hpp"
@@ -37,13 +38,13 @@ TEST(World, KeepsTheMiddleEulerAngleOfEveryHingeNearZeroBeyondAQuarterTurn) {
   const Structure structure = testing::structure_of(design);
   const double theta = 1.0;
   World world(structure, drive_to(structure, theta), testing::without_contact());
-  world.push(theta);
+  world.parts().push(theta);
   for (int k = 1; k <= 1000; ++k) {
     world.set_drive(theta * k / 1000);
     world.step();
     ASSERT_LE(world.largest_middle_angle(), 1e-3);
   }
-  const State state = world.state();
+  const State state = world.parts().state();
   const Hinge& hinge = structure.hinges[0];
   const Eigen::Matrix3d turn = state[hinge.lower].R.transpose() * state[hinge.upper].R;
   EXPECT_LT(turn(0, 0), std::cos(1.9));
@@ -53,7 +54,7 @@ TEST(World, KeepsTheMiddleEulerAngleSmallWhereHingesAreTilted) {
   const auto design = testing::strip(testing::curl(6, 0.6), 0.6);
   const Structure structure = testing::structure_of(design);
   World world(structure, drive_to(structure, 0.6), testing::without_contact());
-  world.push(0.6);
+  world.parts().push(0.6);
   for (int k = 1; k <= 1000; ++k) {
     world.set_drive(0.6e-3 * k);
     world.step();

@@ -1,0 +1,34 @@
+#include "app/physics_json.hpp"
+
+namespace kinetix {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json comparison_json(const BalanceComparison& c) {
+  return {{"outcome", to_string(c.outcome)}, {"why", c.why},
+          {"rms", c.distance.rms},           {"rms_from_balance", c.from_balance.rms},
+          {"energy_Nmm", c.energy},          {"model_energy_Nmm", c.reference_energy}};
+}
+
+}  // namespace
+
+Json physics_json(const Verification& v) {
+  Json out = {{"status", to_string(v.physics.status)},
+              {"why", v.physics.why},
+              {"steps", v.physics.steps},
+              {"simulated_s", v.physics.simulated_s},
+              {"seconds", v.physics.seconds},
+              {"options",
+               {{"step_s", v.options.step_s},
+                {"iterations", v.options.iterations},
+                {"error_reduction", v.options.error_reduction},
+                {"reach", v.options.reach},
+                {"contact", v.options.contact},
+                {"elastic", v.options.elastic.has_value()},
+                {"planar", v.options.planar}}}};
+  if (v.balance) out["comparison"] = comparison_json(*v.balance);
+  return out;
+}
+
+}  // namespace kinetix

@@ -1,0 +1,73 @@
+#include "model/elastic/balance_comparison.hpp"
+
+#include <cmath>
+#include <optional>
+#include <sstream>
+
+#include "model/elastic/newton.hpp"
+
+namespace kinetix {
+namespace {
+
+using Outcome = BalanceComparison::Outcome;
+
+/// The stable balance that a state runs down to, if any.
+std::optional<State> nearest_balance(ElasticSystem& system, double theta, State state) {
+  system.place(theta, state);
+  Tangent tangent(system.freedoms());
+  const NewtonResult found = minimise(system, theta, {}, state, tangent);
+  if (!found.converged || !found.stable) return std::nullopt;
+  return state;
+}
+
+std::string reason(const BalanceComparison& c) {
+  std::ostringstream out;
+  out.precision(2);
+  out << "rms distance " << c.distance.rms << " cell edges";
+  if (c.outcome == Outcome::agrees) return out.str();
+  if (std::isnan(c.energy)) {
+    out << ", and minimising the energy from the state finds no stable balance";
+    return out.str();
+  }
+  out << (c.outcome == Outcome::another_branch ? ": the state is on another branch, " : ": ")
+      << c.from_balance.rms << " from a stable balance of ";
+  out.precision(6);
+  out << c.energy << " N mm; that compared with has " << c.reference_energy << " N mm";
+  return out.str();
+}
+
+}  // namespace
+
+std::string to_string(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::agrees:
+      return "agrees";
+    case Outcome::another_branch:
+      return "another branch";
+    case Outcome::disagrees:
+      break;
+  }
+  return "disagrees";
+}
+
+BalanceComparison compare_balances(const BalanceScene& scene, const State& state, const State& reference,
+                                   double tolerance) {
+  const Structure& s = scene.structure;
+  ElasticSystem system(s, scene.elasticity, scene.drive, scene.planar, scene.contact);
+  const double unit = scene.elasticity.k_point * s.size.edge_mm * s.size.edge_mm;
+  BalanceComparison c;
+  c.distance = aligned_distance(s, state, reference);
+  c.reference_energy = unit * system.elastic_energy(reference);
+  if (const auto balance = nearest_balance(system, scene.drive.theta(), state)) {
+    c.from_balance = aligned_distance(s, state, *balance);
+    c.energy = unit * system.elastic_energy(*balance);
+    const bool near = c.from_balance.rms <= tolerance;
+    const bool other = aligned_distance(s, *balance, reference).rms > tolerance;
+    if (near && other) c.outcome = Outcome::another_branch;
+  }
+  if (c.distance.rms <= tolerance) c.outcome = Outcome::agrees;
+  c.why = reason(c);
+  return c;
+}
+
+}  // namespace kinetix

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "model/state.hpp"
+#include "sim/part_shape.hpp"
+#include "sim/physics_options.hpp"
+#include "sim/row_system.hpp"
+
+class btRigidBody;
+
+namespace kinetix {
+
+/// The bodies of a structure in the engine, and how they move. Units: cell edge 1, part mass 1, s.
+///
+/// The quasi-static answer depends on neither mass nor inertia, so those are chosen for the solver: equal
+/// masses, the same inertia about every axis, centre of mass on the vertex.
+class RigidParts {
+ public:
+  static constexpr double mass = 1;
+
+  /// @param structure must outlive this
+  RigidParts(const Structure& structure, const PhysicsOptions& options);
+  ~RigidParts();
+
+  /// In the structure's order; their user indices are their indices in it.
+  const std::vector<std::unique_ptr<btRigidBody>>& bodies() const { return bodies_; }
+
+  /// Adds to the bodies' turning speeds what takes theta away from flat: +rate about z for class A, -rate for
+  /// class B. @param rate rad/s
+  void push(double rate);
+  /// Adds a motion to the bodies' speeds. @param motion one twist per body, v in cell edges; @param rate 1/s
+  void start(const std::vector<Twist>& motion, double rate);
+  /// Multiplies all speeds. @param factor in [0, 1]
+  void damp(double factor);
+
+  State state() const;  ///< mm
+  /// Linear and angular, of each body.
+  std::vector<Vector6> speeds() const;
+  /// Largest speed or turning speed, edges/s or rad/s; NaN if one is NaN.
+  double fastest() const;
+  /// Largest turning speed of two parts that share a hinge against each other, rad/s; NaN if one is NaN.
+  double fastest_hinge() const;
+  double kinetic_energy() const;
+  /// Largest change of momentum, or of angular momentum over the cell edge, since the parts had these speeds;
+  /// NaN if one is NaN.
+  double largest_change(const std::vector<Vector6>& speeds_before) const;
+
+ private:
+  const Structure& structure_;
+  const double inertia_;
+  std::vector<PartShape> shapes_;
+  std::vector<std::unique_ptr<btRigidBody>> bodies_;
+};
+
+/// Sharp where elastic walls stay upright: there contacts press deep.
+WallSurface wall_surface(const PhysicsOptions& options);
+
+}  // namespace kinetix
