@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/wall_contact.hpp"
-
 namespace kinetix {
 namespace {
 
@@ -63,8 +61,11 @@ ContactModel::ContactModel(const Structure& structure, bool planar)
   for (const Hinge& hinge : structure.hinges)
     for (const bool lower : {true, false})
       plates_.push_back(make_plate(hinge, lower, half_thickness_, half_height_));
-  WallContact at_rest(structure);
-  for (const WallPair& pair : at_rest.touching_at_rest()) excluded_.emplace_back(pair.first, pair.second);
+  const WallContact at_rest(structure);
+  const auto& touching = at_rest.touching_at_rest();
+  for (const WallPair& pair : touching) excluded_.emplace_back(pair.first, pair.second);
+  const auto overlapping = at_rest.overlapping(rest_state(structure), touching);
+  if (!overlapping.empty()) overlap_at_rest_ = overlapping.front();
 }
 
 ContactModel::Plate ContactModel::make_plate(const Hinge& hinge, bool lower, double half_thickness,
