@@ -21,14 +21,16 @@ Structure bending_by(double tilt) { return alternating(1000, 1, {.beta = tilt}, 
 }  // namespace
 
 HardCases size_cases() {
-  return {
-      large(
-          "strip of 1000 basic cells", [] { return make_structure(rectangle(1000, 1), {}); }, 1e-2),
-      large(
-          "strip of 1000 cells that bends by half a degree a pair", [] { return bending_by(0.5 * deg); },
-          1e-2),
-      large(
-          "panel of 100 x 100 basic cells", [] { return make_structure(rectangle(100, 100), {}); }, 1e-3)};
+  HardCases cases;
+  for (const int n : {30, 100})
+    cases.push_back(large(
+        text("panel of %d x %d basic cells", n, n), [=] { return make_structure(rectangle(n, n), {}); },
+        1e-3));
+  cases.push_back(large(
+      "strip of 1000 basic cells", [] { return make_structure(rectangle(1000, 1), {}); }, 1e-2));
+  cases.push_back(large(
+      "strip of 1000 cells that bends by half a degree a pair", [] { return bending_by(0.5 * deg); }, 1e-2));
+  return cases;
 }
 
 }  // namespace kinetix::testing
