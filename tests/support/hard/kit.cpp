@@ -88,8 +88,9 @@ std::string told(const LoadPath& path, const std::string& found) {
 }
 
 HardAnswer answer(const HardScene& scene, const LoadPath& path, bool right, const std::string& found) {
+  const bool stable = path.steps.back().stable;
   return {
-      right ? Mark::right : Mark::wrong, "no closed form", told(path, found),
+      right && stable ? Mark::right : Mark::wrong, "no closed form", told(path, found),
       HardBalance{scene.structure, scene.drive, scene.elasticity, scene.contact, path.planar, path.state}};
 }
 

@@ -50,6 +50,7 @@ double work_of(const HardScene& scene, const LoadPath& path);
 
 /// "reached: E 1.2 N mm, gap 3e-7", then events, then `found`.
 std::string told(const LoadPath& path, const std::string& found);
+/// An unstable balance is never right.
 HardAnswer answer(const HardScene& scene, const LoadPath& path, bool right, const std::string& found);
 
 /// Follows the closed form, right within `allowed`, rms in cell edges.
