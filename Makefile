@@ -12,7 +12,8 @@ test: dev
 	ctest --preset dev
 
 bench: release
-	build/release/bin/kinetix-bench --write benchmarks/README.md
+	build/release/bin/kinetix-bench --write benchmarks/README.md; figures=$$?; \
+	build/release/bin/kinetix-hard-cases --write benchmarks/README.md && exit $$figures
 
 asan tsan: packages
 	cmake --preset $@

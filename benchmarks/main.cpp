@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <sstream>
 
 #include "benchmarks/figure.hpp"
+#include "benchmarks/page.hpp"
 
 namespace {
 
@@ -34,24 +34,6 @@ std::string row(const Figure& f) {
   return fmt::format("| {} | {} | {} | {} |\n", f.what, f.asked, f.measured, f.met ? "yes" : "**no**");
 }
 
-/// The page with the text between two marks replaced.
-std::string replaced(const std::string& page, const std::string& mark, const std::string& text) {
-  const std::string opening = "<!-- " + mark + ": written by kinetix-bench --write -->\n";
-  const auto from = page.find(opening), to = page.find("<!-- end of " + mark + " -->");
-  if (from == std::string::npos || to == std::string::npos)
-    throw std::runtime_error("the page has no " + mark);
-  return page.substr(0, from + opening.size()) + text + page.substr(to);
-}
-
-void write_into(const std::string& file, const std::string& table, const std::string& solvers) {
-  std::stringstream page;
-  page << std::ifstream(file).rdbuf();
-  const std::string text = replaced(replaced(page.str(), "table", table), "solvers", solvers);
-  std::ofstream(file) << text;
-  std::ofstream(std::filesystem::path(file).replace_filename("twist_barrier.svg"))
-      << kinetix::bench::barrier_plot();
-}
-
 }  // namespace
 
 /// Measures every figure of the table and prints it; with `--write FILE` puts it into that page as well, and
@@ -71,6 +53,10 @@ int main(int argc, char** argv) {
     }
   const std::string solvers = kinetix::bench::solver_table();
   std::cout << table << "\n" << solvers;
-  if (argc == 3 && std::string(argv[1]) == "--write") write_into(argv[2], table, solvers);
+  if (argc == 3 && std::string(argv[1]) == "--write") {
+    kinetix::bench::write_into(argv[2], {{"table", table}, {"solvers", solvers}});
+    std::ofstream(std::filesystem::path(argv[2]).replace_filename("twist_barrier.svg"))
+        << kinetix::bench::barrier_plot();
+  }
   return all_met ? 0 : 1;
 }

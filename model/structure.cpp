@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <numeric>
+#include <sstream>
 #include <string>
 
 #include "model/invalid_input.hpp"
@@ -71,6 +72,15 @@ void check_connected(const Structure& s) {
     if (root(s.cell_members[c].bodies[0]) != root(0))
       throw InvalidInput("cell " + to_string(s.cells[c]) + " does not hang together with cell " +
                          to_string(s.cells[0]));
+}
+
+void check_between(const Hinge& hinge, const char* name, double value, double low, double high,
+                   const char* allowed) {
+  if (value > low && value < high) return;
+  std::ostringstream message;
+  message << name << " of the hinge on wall " << to_string(hinge.wall) << " is " << value << ", must be in "
+          << allowed;
+  throw InvalidInput(message.str());
 }
 
 }  // namespace
@@ -144,6 +154,15 @@ Eigen::Vector3d Structure::rest_position(int body) const {
 
 Eigen::Vector3d Structure::hinge_point(const Hinge& hinge) const {
   return rest_position(hinge.lower) + hinge.parameters.t * size.edge_mm * edge_direction(hinge.wall.axis);
+}
+
+void validate_hinges(const Structure& structure) {
+  for (const Hinge& hinge : structure.hinges) {
+    const HingeParameters& p = hinge.parameters;
+    check_between(hinge, "t", p.t, 0, 1, "(0, 1)");
+    check_between(hinge, "alpha", p.alpha, 0, pi, "(0, pi)");
+    check_between(hinge, "beta", p.beta, -pi / 2, pi / 2, "(-pi/2, pi/2)");
+  }
 }
 
 Eigen::Vector3d edge_direction(Axis axis) {

@@ -98,6 +98,9 @@ Structure make_structure(std::vector<Cell> cells, const CellSize& size);
 /// columns x rows cells from (0, 0), sorted. @pre both are at least 1
 std::vector<Cell> rectangle(int columns, int rows);
 
+/// @throws InvalidInput, naming wall and value, for hinge parameters outside their ranges (NaN included)
+void validate_hinges(const Structure& structure);
+
 /// Unit edge vector of a wall at rest.
 Eigen::Vector3d edge_direction(Axis axis);
 /// Up-direction w(beta) = cos(beta) z + sin(beta) (e x z) of a wall plate at rest.

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/wall_contact.hpp"
-
 namespace kinetix {
 namespace {
 
@@ -67,7 +65,10 @@ ContactModel::ContactModel(const Structure& structure, bool planar)
   placed_points_.resize(plates_.size() * points_per_plate_);
   placed_boxes_.resize(plates_.size());
   WallContact at_rest(structure);
-  for (const WallPair& pair : at_rest.touching_at_rest()) excluded_.emplace_back(pair.first, pair.second);
+  const auto& touching = at_rest.touching_at_rest();
+  for (const WallPair& pair : touching) excluded_.emplace_back(pair.first, pair.second);
+  const auto overlapping = at_rest.overlapping(rest_state(structure), touching);
+  if (!overlapping.empty()) overlap_at_rest_ = overlapping.front();
 }
 
 ContactModel::Plate ContactModel::make_plate(const Hinge& hinge, bool lower, double half_thickness,

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "model/elastic/elasticity.hpp"
 #include "model/elastic/element.hpp"
 #include "model/half_wall.hpp"
 #include "model/near_pairs.hpp"
+#include "model/wall_contact.hpp"
 
 namespace kinetix {
 
@@ -28,6 +30,9 @@ class ContactModel {
  public:
   /// @param planar one point a knee corner, at the height of the neutral plane; else three along its edge
   ContactModel(const Structure& structure, bool planar);
+
+  /// Two half walls that overlap in the flat state: nothing that could be built.
+  const std::optional<WallPair>& overlap_at_rest() const { return overlap_at_rest_; }
 
   /// Points in contact, in a fixed order. Candidates are kept from call to call until the structure has moved
   /// by more than a margin: what is found does not depend on it. Empty for poses that are not finite.
@@ -91,6 +96,7 @@ class ContactModel {
   double weight_;
   std::vector<Plate> plates_;
   std::vector<std::pair<int, int>> excluded_;  ///< touch at rest; sorted
+  std::optional<WallPair> overlap_at_rest_;
   int points_per_plate_;
   /// In the state last placed: all points, and origin and directions of each plate's box, cell edges.
   std::vector<Eigen::Vector3d> placed_points_;

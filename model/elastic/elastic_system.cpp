@@ -5,22 +5,38 @@
 #include <cmath>
 
 #include "model/elastic/screw.hpp"
+#include "model/invalid_input.hpp"
 
 namespace kinetix {
 namespace {
 
 int row_along(Axis axis, Vertex v) { return axis == Axis::x ? v.i : v.j; }
 
+const Structure& validated(const Structure& structure) {
+  validate_hinges(structure);
+  return structure;
+}
+
+void refuse_overlap(const Structure& structure, const ContactModel& walls) {
+  const auto& pair = walls.overlap_at_rest();
+  if (!pair) return;
+  const auto wall = [&](int plate) { return to_string(structure.hinges[ContactModel::hinge(plate)].wall); };
+  throw InvalidInput("walls " + wall(pair->first) + " and " + wall(pair->second) +
+                     " overlap in the flat state; make walls thinner, lower or less tilted, or put hinges "
+                     "further from the ends of their walls");
+}
+
 }  // namespace
 
 ElasticSystem::ElasticSystem(const Structure& structure, const Elasticity& elasticity, const Drive& drive,
                              bool planar, bool contact)
-    : structure_(structure),
+    : structure_(validated(structure)),
       stiffness_(relative(elasticity, structure.size.edge_mm)),
       drive_(drive),
       contact_(contact),
       freedoms_(make_freedoms(structure, drive, planar)),
       walls_(structure, planar) {
+  if (contact) refuse_overlap(structure, walls_);
   hinges_.reserve(structure.hinges.size());
   for (const Hinge& hinge : structure.hinges) hinges_.push_back(rest_hinge(hinge));
   if (drive.kind == Drive::Kind::plates)

@@ -15,7 +15,9 @@ namespace kinetix {
 class ElasticSystem {
  public:
   /// The structure is kept by reference. @param planar bodies move in the plane z = 0 only
-  /// @pre structure, elasticity and drive are valid
+  /// @pre elasticity and drive are valid
+  /// @throws InvalidInput for hinge parameters out of range and, with contact, for walls that overlap in the
+  /// flat state
   ElasticSystem(const Structure& structure, const Elasticity& elasticity, const Drive& drive, bool planar,
                 bool contact);
   /// One that nothing drives: theta has no meaning, and rigid motion is held at one body.

@@ -1,6 +1,5 @@
 #include "model/elastic/elasticity.hpp"
 
-#include <cmath>
 #include <sstream>
 
 #include "model/invalid_input.hpp"
@@ -8,10 +7,12 @@
 namespace kinetix {
 namespace {
 
+constexpr double least = 1e-30, most = 1e30;
+
 void check_positive(const char* field, double value) {
-  if (value > 0 && std::isfinite(value)) return;
+  if (value >= least && value <= most) return;
   std::ostringstream message;
-  message << field << " is " << value << ", must be positive and finite";
+  message << field << " is " << value << ", must be positive, from " << least << " to " << most;
   throw InvalidInput(message.str());
 }
 

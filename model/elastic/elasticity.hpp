@@ -10,11 +10,12 @@ namespace kinetix {
 /// springs of stiffness k_point at the hinge point +- reach along the axis, plus a turning spring that is
 /// relaxed in the flat state. The same numbers describe the hinge in the physics run.
 struct Elasticity {
-  double k_point = 1000;   ///< of each of the two points, N/mm, > 0
-  double k_turn = 0.1;     ///< N mm/rad, > 0
-  double reach_mm = 1.8;   ///< half distance of the two points, > 0
-  double k_contact = 1e4;  ///< of two walls pressed into each other, N/mm, > 0
+  double k_point = 1000;   ///< of each of the two points, N/mm
+  double k_turn = 0.1;     ///< N mm/rad
+  double reach_mm = 1.8;   ///< half distance of the two points
+  double k_contact = 1e4;  ///< of two walls pressed into each other, N/mm
 
+  /// All are positive, from 1e-30 to 1e30: their ratios and products stay numbers.
   /// @throws InvalidInput, naming the field, its value and its range
   void validate() const;
 };

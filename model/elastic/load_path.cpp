@@ -70,7 +70,7 @@ class Follower {
         continue;
       }
       if (path_.gaps.max > options_.gap_limit) return finish(Stop::torn);
-      step = std::clamp(step * growth_, options_.least_step, options_.longest_step);
+      step = std::clamp(step * growth_, options_.least_step, longest_step());
     }
     return finish(Stop::reached);
   }
@@ -84,6 +84,17 @@ class Follower {
     if (frame_) frame_(path_.steps.back(), path_.state);
   }
 
+  double longest_step() const {
+    const bool touching = path_.steps.back().contacts > 0;
+    return touching ? std::min(options_.longest_step, options_.longest_step_touching) : options_.longest_step;
+  }
+
+  /// Whether walls that are apart at the start of a step touch at its end, and it is long for that.
+  bool meets_walls(double theta, const State& state) const {
+    return path_.steps.back().contacts == 0 &&
+           std::abs(theta - path_.theta) > options_.longest_step_touching && !system_.contacts(state).empty();
+  }
+
   /// One step to `theta`. @return whether it was taken
   bool advance(double theta, bool last_chance) {
     const State prediction = predicted(theta);
@@ -94,8 +105,9 @@ class Follower {
     const double jump = newton_.converged ? distance(prediction, state) : NAN;
     const bool jumped = !branched && jump > (newton_.convex ? convex_jump : 1) * options_.longest_jump;
     const bool tunnelled = newton_.converged && !branched && system_.passed_through(path_.state, state);
-    growth_ = branched ? 1 : growth_after(jump);
-    if (newton_.converged && !tunnelled && (!jumped || last_chance)) {
+    const bool meets = newton_.converged && meets_walls(theta, state);
+    growth_ = meets ? least_growth : branched ? 1 : growth_after(jump);
+    if (newton_.converged && !tunnelled && !meets && (!jumped || last_chance)) {
       take(theta, std::move(state), branched, jumped);
       return true;
     }
@@ -298,6 +310,8 @@ void LoadPathOptions::validate() const {
   check("side", side, side == 1 || side == -1, "1 or -1");
   check("first_step", first_step, first_step > 0 && first_step <= 0.5, "in (0, 0.5] rad");
   check("longest_step", longest_step, longest_step > 0 && longest_step <= 0.5, "in (0, 0.5] rad");
+  check("longest_step_touching", longest_step_touching,
+        longest_step_touching > 0 && longest_step_touching <= 0.5, "in (0, 0.5] rad");
   check("least_step", least_step, least_step > 0 && least_step <= first_step, "in (0, first_step] rad");
   check("longest_jump", longest_jump, longest_jump > 0, "positive");
   check("gap_limit", gap_limit, gap_limit > 0, "positive");

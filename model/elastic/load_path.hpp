@@ -18,6 +18,8 @@ struct LoadPathOptions {
   int side = 1;                ///< +1 or -1: which way to leave a bifurcation that the drive's sign leaves open
   double first_step = 0.02;    ///< of theta, rad, (0, 0.5]
   double longest_step = 0.12;  ///< rad, (0, 0.5]
+  double longest_step_touching = 0.01;  ///< rad, (0, 0.5], where walls touch: in longer ones jammed walls may
+                                        ///< change their branch unseen
   double least_step = 1e-4;    ///< rad, > 0; a jump within it is taken, and reported
   double longest_jump = 0.1;   ///< rad a hinge turns beyond the prediction: more is a jump to another branch,
                                ///< four times as much where the energy is convex all the way

@@ -2,7 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Spectra/SymEigsShiftSolver.h>
-#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace kinetix {
@@ -10,7 +10,6 @@ namespace {
 
 constexpr int dense_below = 60;
 constexpr double first_shift = 1e-7;
-constexpr double last_shift = 1e4;
 
 /// What Spectra iterates with: x to (H + shift)^-1 x of a tangent that is factorised so already.
 class ShiftedInverse {
@@ -43,6 +42,17 @@ Softest dense(const Tangent& tangent) {
   return s;
 }
 
+/// The first shift that makes the tangent positive definite; NaN for a tangent that is not finite. Twice its
+/// norm is enough.
+double factorise_shifted(Tangent& tangent) {
+  double shift = first_shift;
+  while (!tangent.factorise(shift)) {
+    if (!(shift < 4 * tangent.matrix().norm())) return std::numeric_limits<double>::quiet_NaN();
+    shift *= 4;
+  }
+  return shift;
+}
+
 }  // namespace
 
 Softest softest(Tangent& tangent) {
@@ -50,8 +60,8 @@ Softest softest(Tangent& tangent) {
     tangent.factorise(1);
     return dense(tangent);
   }
-  double shift = first_shift;
-  while (shift < last_shift && !tangent.factorise(shift)) shift *= 4;
+  const double shift = factorise_shifted(tangent);
+  if (!std::isfinite(shift)) return {};
   ShiftedInverse inverse(tangent);
   Spectra::SymEigsShiftSolver<ShiftedInverse> solver(inverse, 2, 20, -shift);
   solver.init();

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -11,6 +12,7 @@ namespace kinetix::testing {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using Json = nlohmann::json;
 
 constexpr const char* panel = R"(kinetix: 1
@@ -202,24 +204,102 @@ TEST(Equilibrium, OfNothingToDoIsTheFlatSheet) {
   EXPECT_EQ(result["equilibrium"]["path"].size(), 1u);
 }
 
-TEST(Equilibrium, RefusesWhatNoBalanceHas) {
+struct BadDesign {
+  const char* name;
+  std::string sections;
+  std::string says;
+};
+
+void PrintTo(const BadDesign& bad, std::ostream* out) { *out << bad.name; }
+
+class RefusedDesign : public ::testing::TestWithParam<BadDesign> {};
+
+TEST_P(RefusedDesign, EndsWith2OneClearMessageAndNothingWritten) {
   const Scratch scratch;
-  const auto refusal = [&](const std::string& section) {
-    const Outcome run = balance(scratch, "kinetix: 1\nstructure: {cells: [2, 2]}\n" + section + "\n");
-    EXPECT_EQ(run.code, 2) << section;
-    EXPECT_EQ(run.out, "");
-    EXPECT_FALSE(fs::exists(scratch / "result.json"));
-    return run.err;
-  };
-  EXPECT_THAT(refusal("hinge: {model: elastic, k_turn: 0}"), HasSubstr(":3:33: hinge.k_turn: "));
-  EXPECT_THAT(refusal("hinge: {model: elastic, k_turn: -0.1}"), HasSubstr("above 0, in N mm/rad"));
-  EXPECT_THAT(refusal("hinge: {model: elastic, k_point: -1000}"), HasSubstr(":3:34: hinge.k_point: "));
-  EXPECT_THAT(refusal("hinge: {model: elastic, k_contact: .nan}"), HasSubstr("hinge.k_contact: "));
-  EXPECT_THAT(refusal("hinge: {model: elastic, k_pont: 1}"), HasSubstr("did you mean `k_point`?"));
-  EXPECT_THAT(refusal("drive: {kind: plates, compression: 1}"), HasSubstr(":3:36: drive.compression: "));
-  EXPECT_THAT(refusal("drive: {kind: hinge, wall: [[7, 0], [8, 0]], angle_deg: 40}"),
-              HasSubstr("drive.wall: the structure has no wall [[7, 0], [8, 0]]"));
-  EXPECT_THAT(refusal("structure: {}"), HasSubstr("structure"));
+  const std::string file = scratch.write("d.yaml", "kinetix: 1\n" + GetParam().sections + "\n"),
+                    folder = scratch / "out";
+  const Outcome run = kinetix_opt("simulate " + file + " --model equilibrium -o " + folder);
+  EXPECT_EQ(run.code, 2) << run.out;
+  EXPECT_EQ(run.out, "");
+  EXPECT_EQ(run.err.rfind(file + ":", 0), 0u) << run.err;
+  EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+  EXPECT_THAT(run.err, HasSubstr(GetParam().says));
+  EXPECT_FALSE(fs::exists(folder));
+}
+
+const std::string sheet = "structure: {cells: [2, 2], cell_mm: 10}\n";
+
+INSTANTIATE_TEST_SUITE_P(
+    Equilibrium, RefusedDesign,
+    ::testing::Values(
+        BadDesign{"slack_hinges", sheet + "hinge: {model: elastic, k_turn: 0}", ":3:33: hinge.k_turn: "},
+        BadDesign{"hinges_that_push", sheet + "hinge: {model: elastic, k_turn: -0.1}",
+                  "above 0, in N mm/rad"},
+        BadDesign{"points_that_push", sheet + "hinge: {model: elastic, k_point: -1000}",
+                  ":3:34: hinge.k_point: "},
+        BadDesign{"no_points", sheet + "hinge: {model: elastic, k_point: 0}", ":3:34: hinge.k_point: "},
+        BadDesign{"infinite_points", sheet + "hinge: {model: elastic, k_point: .inf}", "not a finite number"},
+        BadDesign{"points_past_numbers", sheet + "hinge: {model: elastic, k_point: 1e300}",
+                  "k_point is 1e+300, must be positive, from 1e-30 to 1e+30"},
+        BadDesign{"points_below_numbers", sheet + "hinge: {model: elastic, k_point: 1e-300}",
+                  "k_point is 1e-300"},
+        BadDesign{"soft_walls", sheet + "hinge: {model: elastic, k_contact: 0}", ":3:36: hinge.k_contact: "},
+        BadDesign{"walls_of_nan", sheet + "hinge: {model: elastic, k_contact: .nan}", "hinge.k_contact: "},
+        BadDesign{"no_reach", sheet + "hinge: {model: elastic, reach_mm: 0}", ":3:35: hinge.reach_mm: "},
+        BadDesign{"misspelt", sheet + "hinge: {model: elastic, k_pont: 1}", "did you mean `k_point`?"},
+        BadDesign{"walls_as_thick_as_half_a_cell",
+                  "structure: {cells: [2, 2], cell_mm: 10, wall_mm: {thickness: 5}}",
+                  ":2:62: structure.wall_mm.thickness: "},
+        BadDesign{"walls_thicker_than_a_cell",
+                  "structure: {cells: [2, 2], cell_mm: 10, wall_mm: {thickness: 12}}",
+                  "less than half of cell_mm"},
+        BadDesign{"walls_without_thickness",
+                  "structure: {cells: [2, 2], cell_mm: 10, wall_mm: {thickness: 0}}",
+                  "structure.wall_mm.thickness: "},
+        BadDesign{"a_cell_twice", "structure: {cells: [[0, 0], [1, 0], [0, 0]]}",
+                  "cell [0, 0] is given twice"},
+        BadDesign{"cells_apart", "structure: {cells: [[0, 0], [5, 5]]}",
+                  "cell [5, 5] does not hang together"},
+        BadDesign{"walls_that_overlap_flat",
+                  "structure: {cells: [4, 2], cell_mm: 10, wall_mm: {height: 40}}\n"
+                  "design: {theta_deg: 9, hinges: [{wall: [[0, 1], [1, 1]], beta_deg: 85}]}",
+                  "overlap in the flat state; make walls thinner, lower or less tilted"},
+        BadDesign{"a_hinge_inside_a_wall",
+                  sheet + "design: {theta_deg: 9, hinges: [{wall: [[0, 1], [1, 1]], t: 0.01}]}",
+                  "overlap in the flat state"},
+        BadDesign{"plates_that_meet", sheet + "drive: {kind: plates, compression: 1}",
+                  ":3:36: drive.compression: "},
+        BadDesign{"plates_past_each_other", sheet + "drive: {kind: plates, compression: 1.5}",
+                  "above 0 and below 1"},
+        BadDesign{"plates_that_pull", sheet + "drive: {kind: plates, compression: -0.1}",
+                  "above 0 and below 1"},
+        BadDesign{"a_full_turn", sheet + "drive: {kind: hinge, wall: [[0, 0], [1, 0]], angle_deg: 360}",
+                  "above -180 and below 180"},
+        BadDesign{"no_such_hinge", sheet + "drive: {kind: hinge, wall: [[7, 0], [8, 0]], angle_deg: 40}",
+                  "drive.wall: the structure has no wall [[7, 0], [8, 0]]"},
+        BadDesign{"no_cells", "structure: {}", "structure"}),
+    [](const auto& tested) { return std::string(tested.param.name); });
+
+/// Compression past what the cells can take, and stiffnesses far apart: an answer or a diagnosed stop.
+TEST(Equilibrium, WritesNoNumberThatIsNotFiniteHoweverFarItIsDriven) {
+  for (const char* sections :
+       {"drive: {kind: plates, compression: 0.999}\nhinge: {model: elastic}",
+        "drive: {kind: plates, compression: 0.6}\nhinge: {model: elastic, k_contact: 1e30}",
+        "drive: {kind: plates, compression: 0.3}\nhinge: {model: elastic, k_contact: 1e-30}",
+        "drive: {kind: hinge, wall: [[0, 0], [1, 0]], angle_deg: 179.9}\nhinge: {model: elastic}",
+        "drive: {kind: plates, compression: 1e-300}\nhinge: {model: elastic}",
+        "drive: {kind: plates, compression: 0.2}\nhinge: {model: elastic, k_turn: 1e30, k_point: 1e-28}",
+        "drive: {kind: plates, compression: 0.2}\nhinge: {model: elastic, k_turn: 1e-30, k_point: 1e28}"}) {
+    const Scratch scratch;
+    const Outcome run =
+        balance(scratch, std::string("kinetix: 1\nstructure: {cells: [3, 3]}\n") + sections + "\n");
+    EXPECT_TRUE(run.code == 0 || run.code == 3) << sections << run.err;
+    const Json result = Json::parse(text_of(scratch / "result.json"));
+    EXPECT_EQ(schema_errors(result), "");
+    EXPECT_EQ(nulls(result), 1) << sections << ": the target alone";
+    EXPECT_EQ(result["equilibrium"]["stop"] == "reached", run.code == 0) << sections;
+    EXPECT_THAT(text_of(scratch / "design.yaml"), Not(HasSubstr("nan")));
+  }
 }
 
 }  // namespace

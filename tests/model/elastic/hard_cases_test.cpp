@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <cctype>
+
 #include "model/elastic/elastic_system.hpp"
 #include "model/elastic/load_path.hpp"
 #include "tests/support/elastic_runs.hpp"
+#include "tests/support/hard_cases.hpp"
 #include "tests/support/paper_scenes.hpp"
 
 namespace kinetix {
@@ -11,6 +14,30 @@ namespace {
 using namespace testing;
 
 constexpr double degree = radians_per_degree;
+
+class HardCaseOfTheModel : public ::testing::TestWithParam<HardCase> {};
+
+TEST_P(HardCaseOfTheModel, IsRightOrDiagnosed) {
+  const HardAnswer answer = GetParam().solve();
+  EXPECT_NE(answer.mark, HardAnswer::Mark::wrong)
+      << GetParam().name << "\nasked: " << GetParam().asked << "\nexact: " << answer.exact
+      << "\nequilibrium: " << answer.equilibrium;
+}
+
+std::vector<HardCase> tested() {
+  auto cases = hard_cases();
+  std::erase_if(cases, [](const HardCase& c) { return !c.in_tests; });
+  return cases;
+}
+
+std::string test_name(const ::testing::TestParamInfo<HardCase>& tested) {
+  std::string name = tested.param.name;
+  for (char& c : name)
+    if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+  return name + "_" + std::to_string(tested.index);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, HardCaseOfTheModel, ::testing::ValuesIn(tested()), test_name);
 
 /// A strip that curls between its plates turns its bodies far out of the plane.
 TEST(HardCases, WhatPlatesGripStaysOnThem) {

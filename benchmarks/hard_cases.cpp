@@ -1,0 +1,81 @@
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iostream>
+
+#include "benchmarks/page.hpp"
+#include "benchmarks/stopwatch.hpp"
+#include "model/elastic/elastic_system.hpp"
+#include "sim/compression_run.hpp"
+#include "tests/support/hard_cases.hpp"
+
+namespace kinetix::bench {
+namespace {
+
+using testing::HardAnswer;
+using testing::HardBalance;
+using testing::HardCase;
+
+constexpr std::size_t most_bodies = 3000;
+
+PhysicsResult physics_of(const HardBalance& found) {
+  PhysicsOptions options;
+  options.elastic = relative(found.elasticity, found.structure.size.edge_mm);
+  options.contact = found.contact;
+  options.planar = found.planar;
+  options.overlap_limit = 0.01;
+  return run_compression(found.structure, found.drive, options);
+}
+
+double energy_of(const HardBalance& found, const State& state) {
+  const Elasticity& e = found.elasticity;
+  const ElasticSystem system(found.structure, e, found.drive, found.planar, found.contact);
+  return system.elastic_energy(state) * e.k_point * found.structure.size.edge_mm *
+         found.structure.size.edge_mm;
+}
+
+std::string physics_answer(const HardAnswer& answer) {
+  if (!answer.balance) return "-";
+  const HardBalance& found = *answer.balance;
+  if (found.structure.bodies.size() > most_bodies)
+    return fmt::format("not run: {} bodies", found.structure.bodies.size());
+  const PhysicsResult run = physics_of(found);
+  if (run.status == PhysicsResult::Status::blew_up) return run.why;
+  return fmt::format("{}: E {:.4g} N mm, gap {:.1e}; rms {:.1e} from equilibrium ({:.1f} s)",
+                     to_string(run.status), energy_of(found, run.state), run.gaps.max,
+                     aligned_distance(found.structure, run.state, found.state).rms, run.seconds);
+}
+
+std::string row(const HardCase& hard, const HardAnswer& answer, double time) {
+  return fmt::format("| {} | {} | {} | {} ({:.2f} s) | {} | {} |\n", hard.name, hard.asked,
+                     answer.exact.empty() ? "-" : answer.exact, answer.equilibrium, time,
+                     physics_answer(answer), to_string(answer.mark));
+}
+
+}  // namespace
+}  // namespace kinetix::bench
+
+/// Runs every hard case and prints the table; with `--write FILE` puts it into that page as well, with
+/// `--only WORDS` runs the cases with these in their name. Ends with 1 if an answer is wrong.
+int main(int argc, char** argv) {
+  using namespace kinetix::bench;
+  const auto option = [&](const std::string& name) {
+    for (int k = 1; k + 1 < argc; ++k)
+      if (argv[k] == name) return std::string(argv[k + 1]);
+    return std::string();
+  };
+  std::string table = "| case | asked | exact | equilibrium | physics run | |\n|---|---|---|---|---|---|\n";
+  int wrong = 0;
+  for (const HardCase& hard : kinetix::testing::hard_cases()) {
+    if (hard.name.find(option("--only")) == std::string::npos) continue;
+    HardAnswer answer;
+    const double time = seconds([&] { answer = hard.solve(); });
+    const std::string line = row(hard, answer, time);
+    std::cerr << line << std::flush;
+    table += line;
+    wrong += answer.mark == HardAnswer::Mark::wrong;
+  }
+  std::cout << table;
+  if (!option("--write").empty()) write_into(option("--write"), {{"hard cases", table}});
+  return wrong > 0 ? 1 : 0;
+}

@@ -1,0 +1,120 @@
+#include "tests/support/hard/kit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/elastic/elastic_system.hpp"
+
+namespace kinetix::testing {
+namespace {
+
+using Mark = HardAnswer::Mark;
+
+double fold_energy(const HardScene& scene, const State& state) {
+  return energy_of({scene.structure, scene.drive, scene.elasticity, false}, state);
+}
+
+/// Force times this is energy by the drive's coordinate.
+double travel(const HardScene& scene) {
+  if (scene.drive.kind == Drive::Kind::hinge) return 1;
+  const auto rows = gripped_bodies(scene.structure, scene.drive.axis);
+  const auto at = [&](int side) {
+    const Vertex v = scene.structure.bodies[rows[side].front()];
+    return scene.drive.axis == Axis::x ? v.i : v.j;
+  };
+  return (at(1) - at(0)) * scene.structure.size.edge_mm;
+}
+
+struct Told {
+  PathEvent::Kind kind;
+  double theta;
+  int more;
+};
+
+std::vector<Told> first_of_each_kind(const std::vector<PathEvent>& events) {
+  std::vector<Told> told;
+  for (const PathEvent& event : events) {
+    const auto same =
+        std::find_if(told.begin(), told.end(), [&](const Told& t) { return t.kind == event.kind; });
+    if (same == told.end())
+      told.push_back({event.kind, event.at.theta, 0});
+    else
+      ++same->more;
+  }
+  return told;
+}
+
+}  // namespace
+
+Elasticity of_ratio(double ratio) {
+  Elasticity elasticity;
+  elasticity.k_turn = ratio * elasticity.k_point * 100;
+  return elasticity;
+}
+
+LoadPath followed(const HardScene& scene, LoadPathOptions options) {
+  options.contact = scene.contact;
+  return follow_load(scene.structure, scene.elasticity, scene.drive, options);
+}
+
+LoadPath followed_finely(const HardScene& scene) {
+  LoadPathOptions options;
+  options.longest_step = options.first_step = 0.005;
+  return followed(scene, options);
+}
+
+double energy_of(const HardScene& scene, const State& state) {
+  const Elasticity& e = scene.elasticity;
+  const ElasticSystem system(scene.structure, e, scene.drive, false, scene.contact);
+  return system.elastic_energy(state) * e.k_point * std::pow(scene.structure.size.edge_mm, 2);
+}
+
+double work_of(const HardScene& scene, const LoadPath& path) {
+  double sum = 0;
+  for (std::size_t k = 1; k < path.steps.size(); ++k)
+    sum +=
+        (path.steps[k].load + path.steps[k - 1].load) / 2 * (path.steps[k].drive - path.steps[k - 1].drive);
+  return sum * travel(scene);
+}
+
+std::string told(const LoadPath& path, const std::string& found) {
+  std::string all = text("%s: E %.4g N mm, gap %.1e", to_string(path.stop).c_str(), path.steps.back().energy,
+                         path.gaps.max);
+  for (const Told& event : first_of_each_kind(path.events)) {
+    all += text(", %s at %.4g deg", to_string(event.kind).c_str(), to_degrees(event.theta));
+    if (event.more > 0) all += text(" and %d more", event.more);
+  }
+  return found.empty() ? all : all + "; " + found;
+}
+
+HardAnswer answer(const HardScene& scene, const LoadPath& path, bool right, const std::string& found) {
+  const bool stable = path.steps.back().stable;
+  return {
+      right && stable ? Mark::right : Mark::wrong, "no closed form", told(path, found),
+      HardBalance{scene.structure, scene.drive, scene.elasticity, scene.contact, path.planar, path.state}};
+}
+
+HardAnswer follow_closed_form(const HardScene& scene, double allowed) {
+  const LoadPath path = followed(scene);
+  const double theta = scene.drive.theta();
+  const State exact = fold(classify(scene.structure), scene.structure, theta);
+  const double error = aligned_distance(scene.structure, path.state, exact).rms;
+  HardAnswer a = answer(scene, path, path.stop == LoadPath::Stop::reached && error <= allowed,
+                        text("rms %.1e from exact", error));
+  a.exact = text("E %.4g N mm, gap %.1e", fold_energy(scene, exact), hinge_gaps(scene.structure, exact).max);
+  return a;
+}
+
+HardCase closed_form_case(std::string name, std::function<HardScene()> scene, double allowed) {
+  return {std::move(name), text("closed form, rms <= %.0e", allowed),
+          [=] { return follow_closed_form(scene(), allowed); }};
+}
+
+HardAnswer follow_strained(const HardScene& scene, double allowed) {
+  const LoadPath path = followed_finely(scene);
+  const double off = std::abs(work_of(scene, path) / path.steps.back().energy - 1);
+  return answer(scene, path, path.stop == LoadPath::Stop::reached && off <= allowed,
+                text("work differs by %.1e", off));
+}
+
+}  // namespace kinetix::testing

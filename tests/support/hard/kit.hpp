@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdio>
+
+#include "tests/support/elastic_runs.hpp"
+#include "tests/support/hard_cases.hpp"
+
+/// What the hard cases are made of. Each theme is a file of its own.
+namespace kinetix::testing {
+
+using HardCases = std::vector<HardCase>;
+
+HardCases bifurcation_cases();
+HardCases range_cases();
+HardCases near_flat_cases();
+HardCases size_cases();
+HardCases mobility_cases();
+HardCases wall_cases();
+HardCases sameness_cases();
+HardCases input_cases();
+
+inline constexpr double deg = radians_per_degree;
+
+template <class... Numbers>
+std::string text(const char* format, Numbers... numbers) {
+  char out[300];
+  std::snprintf(out, sizeof out, format, numbers...);
+  return out;
+}
+
+/// What is run: a structure under a drive.
+struct HardScene {
+  Structure structure;
+  Drive drive;
+  Elasticity elasticity;
+  bool contact = false;
+};
+
+/// Elasticity of stiffness ratio k_turn / (k_point L^2) for the default cell of 10 mm.
+Elasticity of_ratio(double ratio);
+
+LoadPath followed(const HardScene& scene, LoadPathOptions options = {});
+/// In steps so short that the trapezoidal rule gives the work of the drive.
+LoadPath followed_finely(const HardScene& scene);
+
+/// Energy of a state, N mm.
+double energy_of(const HardScene& scene, const State& state);
+/// Work of the drive on its way, N mm: a path of balances without jumps stores it all.
+double work_of(const HardScene& scene, const LoadPath& path);
+
+/// "reached: E 1.2 N mm, gap 3e-7", then events, then `found`.
+std::string told(const LoadPath& path, const std::string& found);
+/// An unstable balance is never right.
+HardAnswer answer(const HardScene& scene, const LoadPath& path, bool right, const std::string& found);
+
+/// Follows the closed form, right within `allowed`, rms in cell edges.
+HardAnswer follow_closed_form(const HardScene& scene, double allowed);
+HardCase closed_form_case(std::string name, std::function<HardScene()> scene, double allowed);
+
+/// Right where the drive's work is the energy stored, to a part `allowed` of it.
+HardAnswer follow_strained(const HardScene& scene, double allowed);
+
+}  // namespace kinetix::testing
