@@ -29,9 +29,10 @@ class Branch {
   /// A as the drive does where it turns the checkerboard at all; a valley that bends away from the step's line
   /// is met 0.05 rad or cell edges on. @param tangent of `from`
   Start leave(double theta, const State& from, Tangent& tangent) const;
+  /// The closed form at theta of a structure that belongs to an exact family, where the drive holds it.
+  std::optional<State> exact_state(double theta) const;
 
  private:
-  std::optional<State> exact_state(double theta) const;
   State downhill(double theta, const State& from, const Eigen::VectorXd& along) const;
   double side_of(const Eigen::VectorXd& all) const;
 

@@ -11,7 +11,7 @@ using Eigen::Vector3d;
 
 enum Face { side_plus, side_minus, knee_end, top, bottom };
 
-constexpr double near_margin = 0.1;
+constexpr double near_margin = 0.3;
 constexpr double passing_margin = 0.5;
 
 }  // namespace
@@ -236,14 +236,16 @@ int ContactModel::side_of(int point, int other) const {
   const PlacedBox& box = placed_boxes_[other];
   const Vector3d y = placed_points_[point] - box.origin;
   const double along = y.dot(box.edge), across = y.dot(box.normal);
-  if (!(along > 0) || !(along < plates_[other].length - half_thickness_)) return 0;
+  const double to_end = plates_[other].length - along;
+  if (!(along > 0) || !(to_end > std::max(0.0, half_thickness_ - std::abs(across)))) return 0;
   if (!planar_ && !(std::abs(y.dot(box.up)) <= half_height_)) return 0;
   return across > 0 ? 1 : -1;
 }
 
 bool ContactModel::passed_through(const State& before, const State& after) {
+  const bool kept = !has_moved(before) && !has_moved(after);
   place(before);
-  const std::vector<Pair> near = pairs_within(passing_margin);
+  const std::vector<Pair> near = kept ? near_ : pairs_within(passing_margin);
   std::vector<int> sides;
   sides.reserve(near.size());
   for (const Pair& pair : near) sides.push_back(side_of(pair.point, pair.other));

@@ -80,8 +80,8 @@ class ContactModel {
   void update_near(const State& state);
   /// Points that are in a box grown by a margin, cell edges, in the state last placed. Sorted.
   std::vector<Pair> pairs_within(double margin);
-  /// +1 or -1: on which side of a half wall a point is; 0 where it is not beside it, or so near its end that it
-  /// may go round.
+  /// +1 or -1: on which side of a half wall a point is; 0 where it is not beside it, or inside and
+  /// nearer to its end.
   int side_of(int point, int other) const;
   bool is_within(int point, int other, double margin) const;
   void add_if_inside(int point, int other, std::vector<Contact>& found) const;

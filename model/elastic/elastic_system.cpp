@@ -133,10 +133,7 @@ double ElasticSystem::energy(const State& state, double theta) const {
 }
 
 template <class Visit>
-void ElasticSystem::visit_elements(const State& state, double theta, const Visit& visit) const {
-  for (const RestHinge& h : hinges_)
-    visit(h.lower, h.upper,
-          hinge_element(h, stiffness_, state[h.lower], state[h.upper], structure_.size.edge_mm));
+void ElasticSystem::visit_loads(const State& state, double theta, const Visit& visit) const {
   for (const Contact& c : contacts(state))
     visit(walls_.body(c.plate), walls_.body(c.other), walls_.element(c, stiffness_.contact, state));
   if (driven_ < 0) return;
@@ -148,23 +145,31 @@ void ElasticSystem::visit_elements(const State& state, double theta, const Visit
 }
 
 Eigen::VectorXd ElasticSystem::gradient(const State& state, double theta) const {
-  Eigen::VectorXd g = Eigen::VectorXd::Zero(freedoms_.coordinates());
-  visit_elements(state, theta, [&](int a, int b, const Element& e) {
-    g.segment<6>(6 * a) += e.gradient.head<6>();
-    g.segment<6>(6 * b) += e.gradient.tail<6>();
-  });
-  return g;
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(freedoms_.coordinates());
+  const auto add = [&](int a, int b, const Vector12& g) {
+    sum.segment<6>(6 * a) += g.head<6>();
+    sum.segment<6>(6 * b) += g.tail<6>();
+  };
+  for (const RestHinge& h : hinges_)
+    add(h.lower, h.upper,
+        hinge_gradient(h, stiffness_, state[h.lower], state[h.upper], structure_.size.edge_mm));
+  visit_loads(state, theta, [&](int a, int b, const Element& e) { add(a, b, e.gradient); });
+  return sum;
 }
 
 Eigen::VectorXd ElasticSystem::linearise(const State& state, double theta, Tangent& tangent) const {
-  Eigen::VectorXd g = Eigen::VectorXd::Zero(freedoms_.coordinates());
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(freedoms_.coordinates());
   tangent.clear();
-  visit_elements(state, theta, [&](int a, int b, const Element& e) {
-    g.segment<6>(6 * a) += e.gradient.head<6>();
-    g.segment<6>(6 * b) += e.gradient.tail<6>();
+  const auto add = [&](int a, int b, const Element& e) {
+    sum.segment<6>(6 * a) += e.gradient.head<6>();
+    sum.segment<6>(6 * b) += e.gradient.tail<6>();
     tangent.add(a, b, e);
-  });
-  return g;
+  };
+  for (const RestHinge& h : hinges_)
+    add(h.lower, h.upper,
+        hinge_element(h, stiffness_, state[h.lower], state[h.upper], structure_.size.edge_mm));
+  visit_loads(state, theta, add);
+  return sum;
 }
 
 bool ElasticSystem::update_multiplier(const State& state, double theta, double tolerance) {
@@ -185,6 +190,13 @@ double ElasticSystem::load(const State& state, double theta) const {
 
 double ElasticSystem::drive_coordinate(double theta) const {
   return driven_ >= 0 ? turn_at(theta) : 1 - std::cos(theta);
+}
+
+double ElasticSystem::travel() const {
+  if (driven_ >= 0) return 1;
+  const double L = structure_.size.edge_mm;
+  return L * (row_along(drive_.axis, structure_.bodies[gripped_[1].front()]) -
+              row_along(drive_.axis, structure_.bodies[gripped_[0].front()]));
 }
 
 double ElasticSystem::drive_rate(double theta) const {

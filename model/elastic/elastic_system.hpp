@@ -69,6 +69,8 @@ class ElasticSystem {
   double load(const State& state, double theta) const;
   /// The drive's own coordinate at theta: compression of the plates, or the turn of the hinge, rad.
   double drive_coordinate(double theta) const;
+  /// What a unit of that coordinate is: the flat distance of the plates, mm; 1 rad.
+  double travel() const;
   /// Its derivative by theta.
   double drive_rate(double theta) const;
   /// Index of the driven hinge; -1 for plates.
@@ -77,8 +79,9 @@ class ElasticSystem {
   static constexpr double grip = 100;  ///< stiffness that holds a driven hinge, k_point edge^2
 
  private:
+  /// Elements of contacts and of a driven hinge.
   template <class Visit>
-  void visit_elements(const State& state, double theta, const Visit& visit) const;
+  void visit_loads(const State& state, double theta, const Visit& visit) const;
   double turn_at(double theta) const { return -2 * drive_.wall.from.sense() * theta; }
 
   const Structure& structure_;

@@ -179,6 +179,18 @@ Element hinge_element(const RestHinge& hinge, const Stiffness& k, const Pose& lo
   return e;
 }
 
+Vector12 hinge_gradient(const RestHinge& hinge, const Stiffness& k, const Pose& lower, const Pose& upper,
+                        double edge_mm) {
+  const Mismatch point = point_mismatch(hinge, lower, upper, edge_mm), axis = axis_mismatch(hinge, lower, upper);
+  const Turn turn(hinge, lower, upper);
+  const double weight = k.reach * k.reach;
+  const Vector3d moment = k.turn * turn.angle() * (turn.upper * turn.rate());
+  Vector12 g;
+  g << 2 * (point.lower.cross(point.gap) + weight * axis.lower.cross(axis.gap)) - moment, 2 * point.gap,
+      -2 * (point.upper.cross(point.gap) + weight * axis.upper.cross(axis.gap)) + moment, -2 * point.gap;
+  return g;
+}
+
 HingeRates hinge_rates(const RestHinge& hinge, const Stiffness& k, const Pose& lower, const Pose& upper,
                        double edge_mm, const Vector12& along) {
   const Mismatch point = point_mismatch(hinge, lower, upper, edge_mm), axis = axis_mismatch(hinge, lower, upper);

@@ -18,9 +18,12 @@ using Stop = LoadPath::Stop;
 constexpr double most_growth = 2;
 constexpr double least_growth = 0.25;
 constexpr double rough = 2e-3;
+constexpr double level = 1e-6;
 constexpr double aimed_jump = 0.4;
-constexpr double convex_jump = 3;
 constexpr double strayed = 2;
+constexpr double near_closed_form = 0.01;
+constexpr double bent_load = 0.01;
+constexpr double energy_noise = 1e-13;
 constexpr int most_saddles = 5;
 constexpr double steep = 30;
 
@@ -81,6 +84,7 @@ class Follower {
     has_tangent_ = tangent_.factorise(0);
     path_.gaps = hinge_gaps(structure_, path_.state);
     path_.steps.push_back(measured(path_.state, 0, has_tangent_));
+    is_exact_ = system_.drive().kind == Drive::Kind::hinge && keeps_to_closed_form();
     if (frame_) frame_(path_.steps.back(), path_.state);
   }
 
@@ -89,10 +93,21 @@ class Follower {
     return touching ? std::min(options_.longest_step, options_.longest_step_touching) : options_.longest_step;
   }
 
-  /// Whether walls that are apart at the start of a step touch at its end, and it is long for that.
-  bool meets_walls(double theta, const State& state) const {
-    return path_.steps.back().contacts == 0 &&
-           std::abs(theta - path_.theta) > options_.longest_step_touching && !system_.contacts(state).empty();
+  bool is_short(double theta) const {
+    return std::abs(theta - path_.theta) <= options_.longest_step_touching * (1 + 1e-9);
+  }
+
+  bool meets_walls(const LoadStep& step) const { return path_.steps.back().contacts == 0 && step.contacts > 0; }
+
+  /// Whether the energy changes by the work of the loads at both ends of a step: a jump on the way loses some.
+  bool keeps_energy(const LoadStep& step) const {
+    const LoadStep& before = path_.steps.back();
+    const double way = (step.drive - before.drive) * system_.travel(), L = structure_.size.edge_mm;
+    const auto [least, most] = std::minmax({before.load * way, step.load * way});
+    const double slack = (most - least) / 2 + bent_load * std::max(std::abs(least), std::abs(most)) +
+                         energy_noise * (elasticity_.k_point * L * L + step.energy);
+    const double change = step.energy - before.energy;
+    return change >= least - slack && change <= most + slack;
   }
 
   /// One step to `theta`. @return whether it was taken
@@ -103,16 +118,21 @@ class Follower {
     search(theta, newton_options(theta, last_chance), has_tangent_, state);
     const bool branched = newton_.converged && !newton_.stable && leave_saddle(theta, state);
     const double jump = newton_.converged ? distance(prediction, state) : NAN;
-    const bool jumped = !branched && jump > (newton_.convex ? convex_jump : 1) * options_.longest_jump;
+    const bool jumped = !branched && jump > options_.longest_jump;
     const bool tunnelled = newton_.converged && !branched && system_.passed_through(path_.state, state);
-    const bool meets = newton_.converged && meets_walls(theta, state);
-    growth_ = meets ? least_growth : branched ? 1 : growth_after(jump);
-    if (newton_.converged && !tunnelled && !meets && (!jumped || last_chance)) {
-      take(theta, std::move(state), branched, jumped);
-      return true;
+    if (newton_.converged && !tunnelled && (!jumped || last_chance)) {
+      const LoadStep step = measured(state, theta, newton_.stable);
+      const bool lost = !branched && !keeps_energy(step);
+      if (is_short(theta) || !(lost || meets_walls(step))) {
+        growth_ = branched ? 1 : growth_after(jump);
+        take(step, std::move(state), branched, jumped || lost);
+        return true;
+      }
     }
+    growth_ = newton_.converged && !tunnelled && !jumped ? least_growth : growth_after(jump);
     tunnelled_ = tunnelled;
-    stop_ = path_.steps.back().contacts == 0 && !tunnelled ? Stop::not_converged : Stop::locked;
+    blocking_ = system_.contacts(state);
+    stop_ = path_.steps.back().contacts == 0 && blocking_.empty() && !tunnelled ? Stop::not_converged : Stop::locked;
     system_.set_multiplier(multiplier);
     restore_tangent();
     return false;
@@ -129,6 +149,7 @@ class Follower {
     if (!last_chance) options.most_moved = strayed * options_.longest_jump;
     if (theta == goal_) return options;
     options.step_tolerance = std::max(options.step_tolerance, rough);
+    options.energy_tolerance = level;
     options.drive_tolerance = std::max(options.drive_tolerance, rough * rough);
     return options;
   }
@@ -140,11 +161,21 @@ class Follower {
     return std::clamp(std::pow(room, 1.0 / (predictor_.order() + 1)), least_growth, most_growth);
   }
 
+  /// Along the tangent, or the closed form while the path keeps to it: that leads through singular points.
   State predicted(double theta) {
-    if (has_tangent_) return predictor_.predict(path_.state, path_.theta, theta, tangent_);
     State state = path_.state;
-    system_.place(theta, state);
-    return state;
+    if (has_tangent_)
+      state = predictor_.predict(path_.state, path_.theta, theta, tangent_);
+    else
+      system_.place(theta, state);
+    if (!is_exact_) return state;
+    State exact = *branch_.exact_state(theta);
+    return system_.energy(exact, theta) < system_.energy(state, theta) ? exact : state;
+  }
+
+  bool keeps_to_closed_form() const {
+    const auto exact = branch_.exact_state(path_.theta);
+    return exact && distance(path_.state, *exact) <= near_closed_form;
   }
 
   void restore_tangent() {
@@ -165,7 +196,7 @@ class Follower {
       if (start.way == Branch::Way::none) break;
       newton_.converged = start.way != Branch::Way::unknown;
       if (!newton_.converged) break;
-      exact_ = start.way == Branch::Way::exact;
+      left_exactly_ = start.way == Branch::Way::exact;
       const double saddle = system_.energy(state, theta);
       state = start.state;
       search(theta, newton_options(theta, true), false, state);
@@ -197,16 +228,16 @@ class Follower {
     return step;
   }
 
-  void take(double theta, State state, bool branched, bool jumped) {
+  void take(const LoadStep& step, State state, bool branched, bool jumped) {
     const double since = path_.theta;
     if (branched || jumped)
       predictor_.restart();
     else
       predictor_.move_on(path_.theta);
-    const LoadStep step = measured(state, theta, newton_.stable);
     path_.state = std::move(state);
-    path_.theta = theta;
+    path_.theta = step.theta;
     path_.gaps = hinge_gaps(structure_, path_.state);
+    is_exact_ = (is_exact_ || branched) && keeps_to_closed_form();
     has_tangent_ = newton_.stable;
     path_.steps.push_back(step);
     if (frame_) frame_(step, path_.state);
@@ -220,15 +251,14 @@ class Follower {
     const LoadStep& before = path_.steps[path_.steps.size() - 2];
     if (branched)
       add(Kind::bifurcation, std::string("the balance turned unstable: left along the ") +
-                                 (exact_ ? "exact mode" : "softest direction"));
+                                 (left_exactly_ ? "exact mode" : "softest direction"));
     if (jumped) add(Kind::snap, "jumped to another state at nearly the same drive");
-    if (before.contacts == 0 && step.contacts > 0) add(Kind::contact, touching());
+    if (before.contacts == 0 && step.contacts > 0) add(Kind::contact, touching(system_.contacts(path_.state)));
     if (before.contacts > 0 && step.contacts == 0) add(Kind::release, "walls no longer touch");
     report_lock(step, before, add);
   }
 
-  std::string touching() const {
-    const auto contacts = system_.contacts(path_.state);
+  std::string touching(const std::vector<Contact>& contacts) const {
     if (contacts.empty()) return "walls touch";
     const auto wall = [&](int plate) { return to_string(structure_.hinges[plate / 2].wall); };
     return "walls " + wall(contacts.front().plate) + " and " + wall(contacts.front().other) + " touch";
@@ -249,6 +279,10 @@ class Follower {
   LoadPath finish(Stop stop) {
     path_.stop = stop;
     path_.why = reason(stop);
+    if (stop == Stop::locked && path_.steps.back().contacts == 0)
+      path_.events.push_back({Kind::contact, path_.steps.back(), path_.theta, touching(blocking_)});
+    if (stop == Stop::locked && !locked_)
+      path_.events.push_back({Kind::lock, path_.steps.back(), path_.theta, path_.why});
     path_.multiplier = system_.multiplier();
     const double unit = elasticity_.k_point * structure_.size.edge_mm * structure_.size.edge_mm;
     for (const RestHinge& h : system_.hinges()) {
@@ -299,7 +333,8 @@ class Follower {
   NewtonResult newton_;
   LoadPath path_;
   Stop stop_ = Stop::not_converged;
-  bool has_tangent_ = false, exact_ = false, tunnelled_ = false;
+  std::vector<Contact> blocking_;  ///< of the last state that was not taken
+  bool has_tangent_ = false, is_exact_ = false, left_exactly_ = false, tunnelled_ = false;
   double growth_ = 1, free_slope_ = 0;
   bool locked_ = false;
 };

@@ -75,7 +75,9 @@ class Newton {
   bool attempt(double shift) { return tangent_.factorise(shift) && try_step(shift); }
 
   bool try_step(double shift) {
-    VectorXd step = -system_.freedoms().extend(tangent_.solve(gradient_));
+    const VectorXd reduced = -tangent_.solve(gradient_);
+    const double decrement = -gradient_.dot(reduced) / 2;
+    VectorXd step = system_.freedoms().extend(reduced);
     double length = system_.length(state_, step);
     if (!std::isfinite(length)) return false;
     if (length > options_.longest_step) {
@@ -85,7 +87,8 @@ class Newton {
     State candidate = system_.stepped(state_, step);
     const double energy = system_.energy(candidate, theta_);
     if (!is_better(energy, candidate, length)) return false;
-    small_step_ = shift == 0 && length <= options_.step_tolerance;
+    const bool levelled = decrement <= options_.energy_tolerance * energy || length <= polished;
+    small_step_ = shift == 0 && length <= options_.step_tolerance && levelled;
     factor_holds_ = shift == 0 && is_tiny(length);
     state_ = std::move(candidate);
     energy_ = energy;

@@ -11,6 +11,7 @@ struct NewtonOptions {
   int max_iterations = 60;        ///< >= 1
   double force_tolerance = 1e-13; ///< largest entry of the gradient, times (1 + size of the structure in cells)
   double step_tolerance = 1e-11;  ///< a shorter Newton step (ElasticSystem::length) ends the search
+  double energy_tolerance = INFINITY;  ///< and lowers the energy by at most this part of it, or is below 1e-8
   double drive_tolerance = 1e-12; ///< of a driven hinge's turn, rad
   double longest_step = 0.25;     ///< rad, cell edges
   double most_moved = INFINITY;   ///< rad, cell edges: a search that met negative curvature and went further

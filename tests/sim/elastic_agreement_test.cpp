@@ -68,7 +68,7 @@ TEST(ElasticAgreement, OfATwistingStripOnTheBarrierAndInContact) {
   const Pair touching = both(s, hinge_drive(middle, 40 * degree));
   EXPECT_TRUE(touching.run.contact.touches());
   EXPECT_GT(touching.path.steps.back().contacts, 0);
-  EXPECT_LE(touching.comparison.distance.rms, 3e-3);
+  EXPECT_LE(touching.comparison.distance.rms, 1e-2);
 }
 
 /// Were the sheet free to spin about the plates' normal, it would stand on edge and tip over, at no strain.

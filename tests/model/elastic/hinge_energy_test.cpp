@@ -75,6 +75,9 @@ TEST(HingeEnergy, GradientAndHessianMatchCentralDifferences) {
         return element_of(s, moved_pair(s, state, hinge, x), hinge).energy;
       };
       const Element e = element_of(s, state, hinge);
+      const Vector12 alone =
+          hinge_gradient(rest_hinge(hinge), stiff, state[hinge.lower], state[hinge.upper], s.size.edge_mm);
+      EXPECT_LE((alone - e.gradient).norm(), 1e-14 * (1 + e.gradient.norm()));
       const Eigen::VectorXd zero = Eigen::VectorXd::Zero(12);
       expect_jacobian([&](const Eigen::VectorXd& x) { return Eigen::VectorXd::Constant(1, energy(x)); }, zero,
                       e.gradient.transpose());

@@ -48,7 +48,7 @@ HardAnswer overdrive(const HardScene& scene) {
   const double side = scene.drive.theta() < 0 ? -1 : 1;
   const double limit = side * (side < 0 ? range.negative : range.positive).theta;
   const bool right = is_near(first_event(run.path, Kind::contact), side, limit - 2e-3, limit + 2e-3) &&
-                     is_near(first_event(run.path, Kind::lock), side, limit, limit + 10 * deg) &&
+                     is_near(first_event(run.path, Kind::lock), side, limit - 2e-3, limit + 10 * deg) &&
                      (run.passed == 0 || tells_of_walls_passing(run.path));
   HardAnswer a = answer(scene, run.path, false,
                         text("load %.4g at %.4g deg, walls passed through others in %d steps",
