@@ -43,7 +43,8 @@ int main(int argc, char** argv) {
   table += "| what | asked | measured | met |\n|---|---|---|---|\n";
   bool all_met = true;
   for (const auto& figures :
-       {kinetix::bench::model_figures, kinetix::bench::elastic_figures, kinetix::bench::stable_state_figures,
+       {kinetix::bench::model_figures, kinetix::bench::elastic_figures, kinetix::bench::load_path_figures,
+        kinetix::bench::stable_state_figures,
         kinetix::bench::search_figures, kinetix::bench::physics_figures, kinetix::bench::elastic_physics_figures})
     for (const Figure& figure : figures()) {
       std::cerr << (figure.met ? "met     " : "MISSED  ") << figure.what << ": " << figure.measured

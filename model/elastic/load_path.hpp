@@ -18,7 +18,7 @@ struct LoadPathOptions {
   int side = 1;                ///< +1 or -1: which way to leave a bifurcation that the drive's sign leaves open
   double first_step = 0.02;    ///< of theta, rad, (0, 0.5]
   double longest_step = 0.12;  ///< rad, (0, 0.5]
-  double longest_step_touching = 0.01;  ///< rad, (0, 0.5], where walls touch, and where energy is lost: a
+  double longest_step_touching = 0.02;  ///< rad, (0, 0.5], where walls touch, and where energy is lost: a
                                         ///< jump that small hinge turns hide is located to this
   double least_step = 1e-4;    ///< rad, > 0; a jump within it is taken, and reported
   double longest_jump = 0.1;   ///< rad a hinge turns beyond the prediction: more is a jump to another branch
