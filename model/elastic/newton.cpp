@@ -85,8 +85,9 @@ class Newton {
       length = options_.longest_step;
     }
     State candidate = system_.stepped(state_, step);
-    const double energy = system_.energy(candidate, theta_);
+    double energy = system_.energy(candidate, theta_);
     if (!is_better(energy, candidate, length)) return false;
+    if (shift > 0) stretch(step, length, candidate, energy);
     const bool levelled = decrement <= options_.energy_tolerance * energy || length <= polished;
     small_step_ = shift == 0 && length <= options_.step_tolerance && levelled;
     factor_holds_ = shift == 0 && is_tiny(length);
@@ -95,6 +96,18 @@ class Newton {
     result_.moved += length;
     if (shift == 0) follow_chord(length);
     return true;
+  }
+
+  /// A shift holds back a step along negative curvature: it is doubled as long as that lowers the energy.
+  void stretch(const VectorXd& step, double& length, State& candidate, double& energy) const {
+    for (double by = 2; 2 * length <= options_.longest_step; by *= 2) {
+      State further = system_.stepped(state_, by * step);
+      const double lower = system_.energy(further, theta_);
+      if (!(lower < energy)) return;
+      candidate = std::move(further);
+      energy = lower;
+      length *= 2;
+    }
   }
 
   /// Steps by the factor that there is, as long as each is much shorter than the one before.
