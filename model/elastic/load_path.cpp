@@ -115,15 +115,16 @@ class Follower {
     const State prediction = predicted(theta);
     const double multiplier = system_.multiplier();
     State state = prediction;
-    search(theta, newton_options(theta, last_chance), has_tangent_, state);
+    search(theta, newton_options(theta, last_chance || is_short(theta)), has_tangent_, state);
     const bool branched = newton_.converged && !newton_.stable && leave_saddle(theta, state);
     const double jump = newton_.converged ? distance(prediction, state) : NAN;
     const bool jumped = !branched && jump > options_.longest_jump;
     const bool tunnelled = newton_.converged && !branched && system_.passed_through(path_.state, state);
-    if (newton_.converged && !tunnelled && (!jumped || last_chance)) {
+    const bool short_step = last_chance || is_short(theta);
+    if (newton_.converged && !tunnelled && (!jumped || short_step)) {
       const LoadStep step = measured(state, theta, newton_.stable);
       const bool lost = !branched && !keeps_energy(step);
-      if (is_short(theta) || !(lost || meets_walls(step))) {
+      if (short_step || !(lost || meets_walls(step))) {
         growth_ = branched ? 1 : growth_after(jump);
         take(step, std::move(state), branched, jumped || lost);
         return true;

@@ -18,9 +18,9 @@ struct LoadPathOptions {
   int side = 1;                ///< +1 or -1: which way to leave a bifurcation that the drive's sign leaves open
   double first_step = 0.02;    ///< of theta, rad, (0, 0.5]
   double longest_step = 0.12;  ///< rad, (0, 0.5]
-  double longest_step_touching = 0.02;  ///< rad, (0, 0.5], where walls touch, and where energy is lost: a
-                                        ///< jump that small hinge turns hide is located to this
-  double least_step = 1e-3;    ///< rad, > 0; a jump within it is taken, and reported
+  double longest_step_touching = 0.02;  ///< rad, (0, 0.5], where walls touch; a jump to another state is
+                                        ///< located to this, then taken and reported
+  double least_step = 1e-3;    ///< rad, > 0
   double longest_jump = 0.1;   ///< rad a hinge turns beyond the prediction: more is a jump to another branch
   double gap_limit = 0.3;      ///< cell edges: the path ends where a hinge stretches more
   NewtonOptions newton;
