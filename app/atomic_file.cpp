@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <pthread.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -32,7 +33,14 @@ constexpr int interrupts[] = {SIGINT, SIGTERM, SIGHUP};
 /// The part being written, for the signal handler alone.
 char unfinished_part[PATH_MAX] = "";
 
+/// The thread that writes files, and that alone holds signals back.
+pthread_t writer;
+
 extern "C" void remove_part_and_end(int signal_number) {
+  if (!pthread_equal(pthread_self(), writer)) {
+    pthread_kill(writer, signal_number);
+    return;
+  }
   if (unfinished_part[0] != 0) unlink(unfinished_part);
   std::signal(signal_number, SIG_DFL);
   std::raise(signal_number);
@@ -130,6 +138,7 @@ class Part {
 }  // namespace
 
 void remove_parts_when_interrupted() {
+  writer = pthread_self();
   for (const int signal_number : interrupts) std::signal(signal_number, remove_part_and_end);
 }
 

@@ -13,7 +13,7 @@ namespace kinetix {
 void write_file(const std::string& file, std::string_view content);
 
 /// From now on an interrupt, a hangup or a request to terminate removes the part that is being written, then
-/// ends the program as it would have. For programs that write from one thread.
+/// ends the program as it would have. For programs that write from one thread: the one that calls this.
 void remove_parts_when_interrupted();
 
 /// A folder for results. It is created with its parents where it does not exist, and proven writable, before
