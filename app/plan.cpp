@@ -45,7 +45,7 @@ Plan make_plan(const Structure& structure, std::optional<Model> model) {
   Plan plan;
   plan.family = classify(structure);
   plan.model = model.value_or(plan.family.family == Family::none ? Model::bullet : Model::exact);
-  plan.planar = std::all_of(structure.hinges.begin(), structure.hinges.end(), is_vertical);
+  plan.planar = all_vertical(structure);
   plan.why.push_back(plan.family.why);
   if (structure.bodies.size() <= most_bodies_for_rank) {
     plan.mobility = mobility(structure);

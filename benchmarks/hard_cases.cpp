@@ -28,10 +28,8 @@ PhysicsResult physics_of(const HardBalance& found) {
 }
 
 double energy_of(const HardBalance& found, const State& state) {
-  const Elasticity& e = found.elasticity;
-  const ElasticSystem system(found.structure, e, found.drive, found.planar, found.contact);
-  return system.elastic_energy(state) * e.k_point * found.structure.size.edge_mm *
-         found.structure.size.edge_mm;
+  const ElasticSystem system(found.structure, found.elasticity, found.drive, found.planar, found.contact);
+  return system.elastic_energy(state) * energy_unit(found.elasticity, found.structure.size.edge_mm);
 }
 
 std::string physics_answer(const HardAnswer& answer) {

@@ -31,7 +31,7 @@ std::vector<ExactScene> exact_scenes() {
 double from_closed_form(const ExactScene& scene, double ratio) {
   const Structure& s = scene.structure;
   Elasticity elasticity;
-  elasticity.k_turn = ratio * elasticity.k_point * s.size.edge_mm * s.size.edge_mm;
+  elasticity.k_turn = ratio * energy_unit(elasticity, s.size.edge_mm);
   const LoadPath path = follow_load(s, elasticity, scene.drive, testing::without_contact());
   if (path.stop != LoadPath::Stop::reached) return INFINITY;
   return aligned_distance(s, path.state, fold(classify(s), s, path.theta)).rms;

@@ -90,6 +90,15 @@ double hinge_turn(const Structure& structure, const State& state, int hinge) {
   return std::remainder(2 * std::atan2(q.vec().dot(hinge_axis(h.wall.axis, h.parameters)), q.w()), 2 * pi);
 }
 
+double turn_distance(const Structure& structure, const State& a, const State& b) {
+  double largest = 0;
+  for (int h = 0; h < static_cast<int>(structure.hinges.size()); ++h) {
+    const double turn = hinge_turn(structure, a, h) - hinge_turn(structure, b, h);
+    largest = std::max(largest, std::abs(std::remainder(turn, 2 * pi)));
+  }
+  return largest;
+}
+
 double drive_residual(const ClosureDrive& drive, const Structure& structure, const State& state) {
   return std::visit([&](const auto& d) { return residual(d, structure, state); }, drive);
 }

@@ -32,6 +32,8 @@ void validate(const ClosureDrive& drive, const Structure& structure);
 
 /// Turn of a hinge in a state, rad, (-pi, pi].
 double hinge_turn(const Structure& structure, const State& state, int hinge);
+/// Largest difference of a hinge's turn between two states, rad: does not add up along chains.
+double turn_distance(const Structure& structure, const State& a, const State& b);
 
 /// How far the state is from what the drive asks, rad or cell edges.
 double drive_residual(const ClosureDrive& drive, const Structure& structure, const State& state);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "model/classify.hpp"
 #include "model/invalid_input.hpp"
@@ -10,22 +9,16 @@
 namespace kinetix {
 namespace {
 
-std::string text(double number) {
-  std::ostringstream out;
-  out << number;
-  return out.str();
-}
-
 void validate_plates(const Drive& drive) {
   if (!(drive.compression >= 0 && drive.compression < 1))
-    throw InvalidInput("drive.compression is " + text(drive.compression) + ", must be in [0, 1)");
+    throw InvalidInput("drive.compression is " + number_text(drive.compression) + ", must be in [0, 1)");
   if (drive.branch != 1 && drive.branch != -1)
     throw InvalidInput("drive.branch is " + std::to_string(drive.branch) + ", must be 1 or -1");
 }
 
 void validate_hinge(const Drive& drive, const Structure& structure) {
   if (!(std::abs(drive.angle) < pi))
-    throw InvalidInput("drive.angle is " + text(drive.angle) + " rad, must be in (-pi, pi)");
+    throw InvalidInput("drive.angle is " + number_text(drive.angle) + " rad, must be in (-pi, pi)");
   if (structure.hinge_at(drive.wall)) return;
   throw InvalidInput("drive.wall " + to_string(drive.wall) + " is not a wall of the structure");
 }
@@ -71,7 +64,7 @@ double Drive::theta() const {
 
 Drive drive_to(const Structure& structure, double theta) {
   if (!(std::abs(theta) < pi / 2))
-    throw InvalidInput("theta is " + text(theta) + " rad, must be in (-pi/2, pi/2)");
+    throw InvalidInput("theta is " + number_text(theta) + " rad, must be in (-pi/2, pi/2)");
   const Classification kind = classify(structure);
   const auto hinge = std::find_if(structure.hinges.begin(), structure.hinges.end(), is_vertical);
   if (hinge != structure.hinges.end() && !keeps_its_rim_flat(kind, structure))

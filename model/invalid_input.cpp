@@ -1,5 +1,6 @@
 #include "model/invalid_input.hpp"
 
+#include <sstream>
 #include <utility>
 
 namespace kinetix {
@@ -15,6 +16,12 @@ std::string message(const Place& place, const std::string& reason) {
 }
 
 }  // namespace
+
+std::string number_text(double number) {
+  std::ostringstream out;
+  out << number;
+  return out.str();
+}
 
 InvalidInput::InvalidInput(const std::string& what_is_wrong, Place place)
     : std::runtime_error(message(place, what_is_wrong)), place_(std::move(place)), reason_(what_is_wrong) {}

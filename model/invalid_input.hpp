@@ -13,6 +13,9 @@ struct Place {
   std::string key = {};  ///< dotted path, e.g. "variables.beta.range_deg"; empty when not inside a document
 };
 
+/// A number as messages write it.
+std::string number_text(double number);
+
 /// The one exception for bad input. Its message reads `file:line:column: key.path: what is wrong, what is
 /// allowed`; parts that are not known are left out. The program maps it to exit code 2.
 class InvalidInput : public std::runtime_error {

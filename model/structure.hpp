@@ -101,6 +101,9 @@ std::vector<Cell> rectangle(int columns, int rows);
 /// @throws InvalidInput, naming wall and value, for hinge parameters outside their ranges (NaN included)
 void validate_hinges(const Structure& structure);
 
+/// Row of a vertex along an axis: its column i for x, its row j for y.
+inline int row_along(Axis axis, Vertex v) { return axis == Axis::x ? v.i : v.j; }
+
 /// Unit edge vector of a wall at rest.
 Eigen::Vector3d edge_direction(Axis axis);
 /// Up-direction w(beta) = cos(beta) z + sin(beta) (e x z) of a wall plate at rest.

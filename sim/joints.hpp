@@ -36,7 +36,4 @@ Joint slot(Axis axis, Pin pin, btRigidBody& plate, btRigidBody& body, double err
 /// Middle Euler angle of the joint's frames, rad, in [-pi/2, pi/2].
 double middle_euler_angle(btGeneric6DofSpring2Constraint& joint);
 
-/// Row of a vertex along an axis: its column i for x, its row j for y.
-inline int row_along(Axis axis, Vertex v) { return axis == Axis::x ? v.i : v.j; }
-
 }  // namespace kinetix

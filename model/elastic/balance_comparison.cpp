@@ -54,7 +54,7 @@ BalanceComparison compare_balances(const BalanceScene& scene, const State& state
                                    double tolerance) {
   const Structure& s = scene.structure;
   ElasticSystem system(s, scene.elasticity, scene.drive, scene.planar, scene.contact);
-  const double unit = scene.elasticity.k_point * s.size.edge_mm * s.size.edge_mm;
+  const double unit = energy_unit(scene.elasticity, s.size.edge_mm);
   BalanceComparison c;
   c.distance = aligned_distance(s, state, reference);
   c.reference_energy = unit * system.elastic_energy(reference);

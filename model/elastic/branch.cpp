@@ -51,16 +51,15 @@ std::optional<State> Branch::exact_state(double theta) const {
   const Structure& structure = system_.structure();
   State state = fold(family_, structure, theta);
   const State rest = rest_state(structure);
-  const Drive& drive = system_.drive();
-  if (drive.kind == Drive::Kind::hinge) {
-    const int held = structure.hinges[*structure.hinge_at(drive.wall)].lower;
+  if (system_.driven_hinge() >= 0) {
+    const int held = system_.hinges()[system_.driven_hinge()].lower;
     const Eigen::Matrix3d turn = rest[held].R * state[held].R.transpose();
     move_all(state, turn, rest[held].p - turn * state[held].p);
     return state;
   }
-  const auto rows = gripped_bodies(structure, drive.axis);
+  const auto& rows = system_.gripped();
   const Vector3d across = centre(state, rows[1]) - centre(state, rows[0]);
-  const Vector3d axis = drive.axis == Axis::x ? Vector3d::UnitX() : Vector3d::UnitY();
+  const Vector3d axis = system_.drive().axis == Axis::x ? Vector3d::UnitX() : Vector3d::UnitY();
   const Eigen::Matrix3d turn = Eigen::Quaterniond::FromTwoVectors(across, axis).toRotationMatrix();
   move_all(state, turn, Vector3d::Zero());
   const int pin = rows[0][rows[0].size() / 2];

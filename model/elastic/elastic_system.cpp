@@ -10,8 +10,6 @@
 namespace kinetix {
 namespace {
 
-int row_along(Axis axis, Vertex v) { return axis == Axis::x ? v.i : v.j; }
-
 const Structure& validated(const Structure& structure) {
   validate_hinges(structure);
   return structure;
@@ -67,11 +65,10 @@ void ElasticSystem::place(double theta, State& state) const {
   if (gripped_[0].empty()) return;
   const int axis = drive_.axis == Axis::x ? 0 : 1;
   const double L = structure_.size.edge_mm;
-  const double low = row_along(drive_.axis, structure_.bodies[gripped_[0].front()]),
-               high = row_along(drive_.axis, structure_.bodies[gripped_[1].front()]);
+  const int low = row(0), high = row(1);
   for (const int side : {0, 1}) {
     const double half = (side == 0 ? -0.5 : 0.5) * (high - low) * std::cos(theta);
-    for (const int body : gripped_[side]) state[body].p[axis] = L * ((low + high) / 2 + half);
+    for (const int body : gripped_[side]) state[body].p[axis] = L * ((low + high) / 2.0 + half);
   }
 }
 
@@ -102,8 +99,7 @@ Eigen::VectorXd ElasticSystem::place_rate(double theta) const {
   Eigen::VectorXd rate = Eigen::VectorXd::Zero(freedoms_.coordinates());
   if (gripped_[0].empty()) return rate;
   const int coordinate = drive_.axis == Axis::x ? 3 : 4;
-  const double apart = row_along(drive_.axis, structure_.bodies[gripped_[1].front()]) -
-                       row_along(drive_.axis, structure_.bodies[gripped_[0].front()]);
+  const int apart = row(1) - row(0);
   for (const int side : {0, 1})
     for (const int body : gripped_[side])
       rate[6 * body + coordinate] = (side == 0 ? 0.5 : -0.5) * apart * std::sin(theta);
@@ -193,10 +189,7 @@ double ElasticSystem::drive_coordinate(double theta) const {
 }
 
 double ElasticSystem::travel() const {
-  if (driven_ >= 0) return 1;
-  const double L = structure_.size.edge_mm;
-  return L * (row_along(drive_.axis, structure_.bodies[gripped_[1].front()]) -
-              row_along(drive_.axis, structure_.bodies[gripped_[0].front()]));
+  return driven_ >= 0 ? 1 : structure_.size.edge_mm * (row(1) - row(0));
 }
 
 double ElasticSystem::drive_rate(double theta) const {

@@ -82,6 +82,8 @@ class ElasticSystem {
   /// Elements of contacts and of a driven hinge.
   template <class Visit>
   void visit_loads(const State& state, double theta, const Visit& visit) const;
+  /// Of the bodies that plate 0 or 1 grips.
+  int row(int plate) const { return row_along(drive_.axis, structure_.bodies[gripped_[plate].front()]); }
   double turn_at(double theta) const { return -2 * drive_.wall.from.sense() * theta; }
 
   const Structure& structure_;

@@ -25,6 +25,8 @@ void Elasticity::validate() const {
   check_positive("k_contact", k_contact);
 }
 
+double energy_unit(const Elasticity& e, double edge_mm) { return e.k_point * edge_mm * edge_mm; }
+
 Stiffness relative(const Elasticity& e, double edge_mm) {
   return {e.k_turn / (e.k_point * edge_mm * edge_mm), e.reach_mm / edge_mm, e.k_contact / e.k_point};
 }

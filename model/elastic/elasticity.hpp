@@ -28,5 +28,7 @@ struct Stiffness {
 };
 
 Stiffness relative(const Elasticity& elasticity, double edge_mm);
+/// k_point edge^2, N mm.
+double energy_unit(const Elasticity& elasticity, double edge_mm);
 
 }  // namespace kinetix

@@ -21,7 +21,7 @@ class Summit {
                 options.contact),
         tangent_(system_.freedoms()),
         newton_(options.newton),
-        unit_(elasticity.k_point * structure.size.edge_mm * structure.size.edge_mm),
+        unit_(energy_unit(elasticity, structure.size.edge_mm)),
         load_unit_(drive.kind == Drive::Kind::plates ? unit_ / structure.size.edge_mm : unit_) {}
 
   /// Regula falsi with the Illinois rule.

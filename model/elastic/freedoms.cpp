@@ -7,8 +7,6 @@ namespace {
 
 enum Coordinate { turn_x, turn_y, turn_z, shift_x, shift_y, shift_z };
 
-int row_along(Axis axis, Vertex v) { return axis == Axis::x ? v.i : v.j; }
-
 using Held = std::vector<std::array<bool, 6>>;
 
 void hold_plates(const Structure& structure, Axis axis, Held& held) {

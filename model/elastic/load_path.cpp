@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "model/closure_drive.hpp"
 #include "model/elastic/branch.hpp"
@@ -27,18 +26,8 @@ constexpr double energy_noise = 1e-13;
 constexpr int most_saddles = 5;
 constexpr double steep = 30;
 
-std::string text(double number) {
-  std::ostringstream out;
-  out << number;
-  return out.str();
-}
-
 void check(const char* field, double value, bool fine, const char* allowed) {
-  if (!fine) throw InvalidInput(std::string(field) + " is " + text(value) + ", must be " + allowed);
-}
-
-bool stands_upright(const Structure& structure) {
-  return std::all_of(structure.hinges.begin(), structure.hinges.end(), is_vertical);
+  if (!fine) throw InvalidInput(std::string(field) + " is " + number_text(value) + ", must be " + allowed);
 }
 
 class Follower {
@@ -46,11 +35,11 @@ class Follower {
   Follower(const Structure& structure, const Elasticity& elasticity, const Drive& drive,
            const LoadPathOptions& options, const std::function<void(const LoadStep&, const State&)>& frame)
       : structure_(structure),
-        elasticity_(elasticity),
+        unit_(energy_unit(elasticity, structure.size.edge_mm)),
         options_(options),
         frame_(frame),
         goal_(drive.theta()),
-        planar_(options.planar.value_or(stands_upright(structure))),
+        planar_(options.planar.value_or(all_vertical(structure))),
         system_(structure, elasticity, drive, planar_, options.contact),
         tangent_(system_.freedoms()),
         branch_(system_, goal_, options.side),
@@ -72,7 +61,7 @@ class Follower {
         step = std::max(step * std::min(0.5, growth_), options_.least_step);
         continue;
       }
-      if (path_.gaps.max > options_.gap_limit) return finish(Stop::torn);
+      if (path_.steps.back().gap > options_.gap_limit) return finish(Stop::torn);
       step = std::clamp(step * growth_, options_.least_step, longest_step());
     }
     return finish(Stop::reached);
@@ -82,9 +71,8 @@ class Follower {
   void start() {
     system_.linearise(path_.state, 0, tangent_);
     has_tangent_ = tangent_.factorise(0);
-    path_.gaps = hinge_gaps(structure_, path_.state);
     path_.steps.push_back(measured(path_.state, 0, has_tangent_));
-    is_exact_ = system_.drive().kind == Drive::Kind::hinge && keeps_to_closed_form();
+    is_exact_ = !between_plates() && keeps_to_closed_form();
     if (frame_) frame_(path_.steps.back(), path_.state);
   }
 
@@ -102,10 +90,10 @@ class Follower {
   /// Whether the energy changes by the work of the loads at both ends of a step: a jump on the way loses some.
   bool keeps_energy(const LoadStep& step) const {
     const LoadStep& before = path_.steps.back();
-    const double way = (step.drive - before.drive) * system_.travel(), L = structure_.size.edge_mm;
+    const double way = (step.drive - before.drive) * system_.travel();
     const auto [least, most] = std::minmax({before.load * way, step.load * way});
     const double slack = (most - least) / 2 + bent_load * std::max(std::abs(least), std::abs(most)) +
-                         energy_noise * (elasticity_.k_point * L * L + step.energy);
+                         energy_noise * (unit_ + step.energy);
     const double change = step.energy - before.energy;
     return change >= least - slack && change <= most + slack;
   }
@@ -115,12 +103,12 @@ class Follower {
     const State prediction = predicted(theta);
     const double multiplier = system_.multiplier();
     State state = prediction;
-    search(theta, newton_options(theta, last_chance || is_short(theta)), has_tangent_, state);
+    const bool short_step = last_chance || is_short(theta);
+    search(theta, newton_options(theta, short_step), has_tangent_, state);
     const bool branched = newton_.converged && !newton_.stable && leave_saddle(theta, state);
-    const double jump = newton_.converged ? distance(prediction, state) : NAN;
+    const double jump = newton_.converged ? turn_distance(structure_, prediction, state) : NAN;
     const bool jumped = !branched && jump > options_.longest_jump;
     const bool tunnelled = newton_.converged && !branched && system_.passed_through(path_.state, state);
-    const bool short_step = last_chance || is_short(theta);
     if (newton_.converged && !tunnelled && (!jumped || short_step)) {
       const LoadStep step = measured(state, theta, newton_.stable);
       const bool lost = !branched && !keeps_energy(step);
@@ -145,9 +133,9 @@ class Follower {
   }
 
   /// On the way, the step after one of `rough` is quadratically small, and good enough to go on from.
-  NewtonOptions newton_options(double theta, bool last_chance) const {
+  NewtonOptions newton_options(double theta, bool short_step) const {
     NewtonOptions options = options_.newton;
-    if (!last_chance) options.most_moved = strayed * options_.longest_jump;
+    if (!short_step) options.most_moved = strayed * options_.longest_jump;
     if (theta == goal_) return options;
     options.step_tolerance = std::max(options.step_tolerance, rough);
     options.energy_tolerance = level;
@@ -155,7 +143,7 @@ class Follower {
     return options;
   }
 
-  /// Factor for the next step: the error of a prediction grows with the square of the step.
+  /// Factor for the next step: the error of a prediction grows with the step as Predictor::order() says.
   double growth_after(double jump) const {
     if (!std::isfinite(jump)) return least_growth;
     const double room = aimed_jump * options_.longest_jump / std::max(jump, 1e-12);
@@ -176,7 +164,7 @@ class Follower {
 
   bool keeps_to_closed_form() const {
     const auto exact = branch_.exact_state(path_.theta);
-    return exact && distance(path_.state, *exact) <= near_closed_form;
+    return exact && turn_distance(structure_, path_.state, *exact) <= near_closed_form;
   }
 
   void restore_tangent() {
@@ -189,10 +177,8 @@ class Follower {
   bool leave_saddle(double theta, State& state) {
     int tries = 0;
     for (; newton_.converged && !newton_.stable; ++tries) {
-      if (tries > 0 && tries == most_saddles) {
-        newton_.converged = false;
-        break;
-      }
+      newton_.converged = tries < most_saddles;
+      if (!newton_.converged) break;
       const Branch::Start start = branch_.leave(theta, state, tangent_);
       if (start.way == Branch::Way::none) break;
       newton_.converged = start.way != Branch::Way::unknown;
@@ -206,23 +192,12 @@ class Follower {
     return tries > 0;
   }
 
-  /// Largest difference of a hinge's turn, rad: does not add up along chains.
-  double distance(const State& a, const State& b) const {
-    double largest = 0;
-    for (int h = 0; h < static_cast<int>(structure_.hinges.size()); ++h)
-      largest = std::max(largest, std::abs(std::remainder(
-                                      hinge_turn(structure_, a, h) - hinge_turn(structure_, b, h), 2 * pi)));
-    return largest;
-  }
-
   LoadStep measured(const State& state, double theta, bool stable) const {
-    const double L = structure_.size.edge_mm, unit = elasticity_.k_point * L;
-    const bool plates = system_.drive().kind == Drive::Kind::plates;
     LoadStep step;
     step.theta = theta;
     step.drive = system_.drive_coordinate(theta);
-    step.load = system_.load(state, theta) * unit * (plates ? 1 : L);
-    step.energy = system_.elastic_energy(state) * unit * L;
+    step.load = system_.load(state, theta) * load_unit();
+    step.energy = system_.elastic_energy(state) * unit_;
     step.gap = hinge_gaps(structure_, state).max;
     step.contacts = static_cast<int>(system_.contacts(state).size());
     step.stable = stable;
@@ -237,7 +212,6 @@ class Follower {
       predictor_.move_on(path_.theta);
     path_.state = std::move(state);
     path_.theta = step.theta;
-    path_.gaps = hinge_gaps(structure_, path_.state);
     is_exact_ = (is_exact_ || branched) && keeps_to_closed_form();
     has_tangent_ = newton_.stable;
     path_.steps.push_back(step);
@@ -273,32 +247,34 @@ class Follower {
     if (step.contacts == 0) free_slope_ = std::max(free_slope_, std::abs(slope));
     if (locked_ || step.contacts == 0 || before.contacts == 0 || !(slope > steep * free_slope_)) return;
     locked_ = true;
-    add(Kind::lock, "walls carry the drive: the load rises " + text(std::round(slope / free_slope_)) +
+    add(Kind::lock, "walls carry the drive: the load rises " + number_text(std::round(slope / free_slope_)) +
                         " times as steeply as without contact");
   }
 
   LoadPath finish(Stop stop) {
     path_.stop = stop;
+    path_.gaps = hinge_gaps(structure_, path_.state);
     path_.why = reason(stop);
     if (stop == Stop::locked && path_.steps.back().contacts == 0)
       path_.events.push_back({Kind::contact, path_.steps.back(), path_.theta, touching(blocking_)});
     if (stop == Stop::locked && !locked_)
       path_.events.push_back({Kind::lock, path_.steps.back(), path_.theta, path_.why});
     path_.multiplier = system_.multiplier();
-    const double unit = elasticity_.k_point * structure_.size.edge_mm * structure_.size.edge_mm;
     for (const RestHinge& h : system_.hinges()) {
       HingeEnergy e = hinge_energy(h, system_.stiffness(), path_.state[h.lower], path_.state[h.upper],
                                    structure_.size.edge_mm);
-      path_.hinge_energies.push_back({e.stretch * unit, e.turn * unit});
+      path_.hinge_energies.push_back({e.stretch * unit_, e.turn * unit_});
     }
     return std::move(path_);
   }
 
+  bool between_plates() const { return system_.drive().kind == Drive::Kind::plates; }
+  double load_unit() const { return between_plates() ? unit_ / structure_.size.edge_mm : unit_; }
+
   std::string at() const {
     const LoadStep& last = path_.steps.back();
-    const bool plates = system_.drive().kind == Drive::Kind::plates;
-    return " at theta " + text(to_degrees(last.theta)) + " deg, load " + text(last.load) +
-           (plates ? " N" : " N mm");
+    return " at theta " + number_text(to_degrees(last.theta)) + " deg, load " + number_text(last.load) +
+           (between_plates() ? " N" : " N mm");
   }
 
   std::string reason(Stop stop) const {
@@ -307,8 +283,8 @@ class Follower {
         return "the drive reached its goal" + at();
       case Stop::torn:
         return "the hinge on wall " + to_string(structure_.hinges[path_.gaps.worst_hinge].wall) +
-               " stretched by " + text(path_.gaps.max) + " cell edges, allowed are " +
-               text(options_.gap_limit) + ";" + at();
+               " stretched by " + number_text(path_.gaps.max) + " cell edges, allowed are " +
+               number_text(options_.gap_limit) + ";" + at();
       case Stop::locked:
         return std::string("walls in contact lock the structure: ") +
                (tunnelled_ ? "further on they would have to pass through each other;"
@@ -317,12 +293,12 @@ class Follower {
       case Stop::not_converged:
         break;
     }
-    return "no balance found further on (" + text(newton_.iterations) + " iterations, force " +
-           text(newton_.force) + " left);" + at();
+    return "no balance found further on (" + number_text(newton_.iterations) + " iterations, force " +
+           number_text(newton_.force) + " left);" + at();
   }
 
   const Structure& structure_;
-  const Elasticity& elasticity_;
+  const double unit_;  ///< of energies, N mm
   const LoadPathOptions& options_;
   const std::function<void(const LoadStep&, const State&)>& frame_;
   const double goal_;

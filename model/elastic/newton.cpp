@@ -57,7 +57,7 @@ class Newton {
     return std::isfinite(result_.force);
   }
 
-  bool has_strayed() const { return !result_.convex && !(result_.moved <= options_.most_moved); }
+  bool has_strayed() const { return shift_ > 0 && !(result_.moved <= options_.most_moved); }
 
   /// False where no step lowers the energy.
   bool step() {
@@ -66,7 +66,6 @@ class Newton {
     for (double shift = start; shift <= most_shift; shift *= 10) {
       if (!attempt(shift)) continue;
       shift_ = shift;
-      result_.convex = false;
       return true;
     }
     return false;

@@ -23,7 +23,6 @@ struct NewtonResult {
   bool stable = false;    ///< the tangent of the last state is positive definite
   double force = 0;       ///< largest entry of the gradient by the unknowns
   double moved = 0;       ///< largest coordinate step taken in all
-  bool convex = true;     ///< no tangent on the way had to be shifted
   int iterations = 0;     ///< each with a tangent of its own
 };
 

@@ -38,19 +38,18 @@ void Predictor::restart() {
 // Plates stand still to first order where they start.
 VectorXd Predictor::rate(const State& state, double from, double to, const Tangent& tangent) const {
   const VectorXd placed = system_.place_rate(from != 0 ? from : to / 2);
-  const VectorXd pull = tangent.multiply_all(placed) + turn_pull(state);
+  const VectorXd pull = tangent.multiply_all(placed) + turn_pull(state, from);
   return -system_.freedoms().extend(tangent.solve(system_.freedoms().restrict(pull)));
 }
 
-VectorXd Predictor::turn_pull(const State& state) const {
+VectorXd Predictor::turn_pull(const State& state, double from) const {
   VectorXd pull = VectorXd::Zero(system_.freedoms().coordinates());
-  if (system_.drive().kind == Drive::Kind::plates) return pull;
-  const Structure& structure = system_.structure();
-  const Hinge& hinge = structure.hinges[*structure.hinge_at(system_.drive().wall)];
-  const Vector12 gradient = system_.driven_turn(state).gradient;
-  const double rate = -2 * system_.drive().wall.from.sense();
-  pull.segment<6>(6 * hinge.lower) = -ElasticSystem::grip * rate * gradient.head<6>();
-  pull.segment<6>(6 * hinge.upper) = -ElasticSystem::grip * rate * gradient.tail<6>();
+  if (system_.driven_hinge() < 0) return pull;
+  const RestHinge& hinge = system_.hinges()[system_.driven_hinge()];
+  const Vector12 by_theta =
+      -ElasticSystem::grip * system_.drive_rate(from) * system_.driven_turn(state).gradient;
+  pull.segment<6>(6 * hinge.lower) = by_theta.head<6>();
+  pull.segment<6>(6 * hinge.upper) = by_theta.tail<6>();
   return pull;
 }
 

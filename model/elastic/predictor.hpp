@@ -25,7 +25,7 @@ class Predictor {
 
  private:
   Eigen::VectorXd rate(const State& state, double from, double to, const Tangent& tangent) const;
-  Eigen::VectorXd turn_pull(const State& state) const;
+  Eigen::VectorXd turn_pull(const State& state, double from) const;
   State ahead(const State& state, double to, Eigen::VectorXd step) const;
 
   const ElasticSystem& system_;

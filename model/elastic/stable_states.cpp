@@ -31,16 +31,6 @@ double mean_theta(const Structure& structure, const State& state) {
   return sum / count;
 }
 
-/// Largest difference of a hinge's turn, rad.
-double turn_distance(const Structure& structure, const State& a, const State& b) {
-  double largest = 0;
-  for (int h = 0; h < static_cast<int>(structure.hinges.size()); ++h) {
-    const double turn = hinge_turn(structure, a, h) - hinge_turn(structure, b, h);
-    largest = std::max(largest, std::abs(std::remainder(turn, 2 * pi)));
-  }
-  return largest;
-}
-
 std::string released_at(const LoadStep& step) {
   std::ostringstream out;
   out << "released at theta " << std::round(10 * to_degrees(step.theta)) / 10 << " deg of the drive";
@@ -55,7 +45,7 @@ class Release {
                 options.path.contact),
         tangent_(system_.freedoms()),
         newton_(options.path.newton),
-        unit_(elasticity.k_point * structure.size.edge_mm * structure.size.edge_mm) {
+        unit_(energy_unit(elasticity, structure.size.edge_mm)) {
     newton_.max_iterations = options.max_iterations;
   }
 

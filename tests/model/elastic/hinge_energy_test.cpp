@@ -31,6 +31,14 @@ Element element_of(const Structure& s, const State& state, const Hinge& hinge) {
   return hinge_element(rest_hinge(hinge), stiff, state[hinge.lower], state[hinge.upper], s.size.edge_mm);
 }
 
+/// With t, alpha and beta changed by the first three entries.
+RestHinge redesigned(Hinge hinge, const Eigen::VectorXd& by) {
+  hinge.parameters.t += by[0];
+  hinge.parameters.alpha += by[1];
+  hinge.parameters.beta += by[2];
+  return rest_hinge(hinge);
+}
+
 /// f . grad of the energy at x by a difference of the elements' gradients needs the gradient at a moved state
 /// in the moved coordinates: to first order they differ by half a commutator, which the symmetric Hessian
 /// leaves out. So second derivatives are those of the energy.
@@ -94,10 +102,8 @@ TEST(HingeEnergy, RatesByDesignAndStiffnessMatchCentralDifferences) {
     const State state = shaken(s, rest_state(s), 0.5, random);
     for (const Hinge& hinge : s.hinges) {
       const auto energy_and_gradient = [&](const Eigen::VectorXd& q) -> Eigen::VectorXd {
-        Hinge h = hinge;
-        h.parameters = {hinge.parameters.t + q[0], hinge.parameters.alpha + q[1],
-                        hinge.parameters.beta + q[2]};
-        const Element e = hinge_element(rest_hinge(h), {stiff.turn + q[3], stiff.reach + q[4], stiff.contact},
+        const RestHinge h = redesigned(hinge, q);
+        const Element e = hinge_element(h, {stiff.turn + q[3], stiff.reach + q[4], stiff.contact},
                                         state[h.lower], state[h.upper], s.size.edge_mm);
         return (Eigen::VectorXd(13) << e.energy, e.gradient).finished();
       };
@@ -138,10 +144,8 @@ TEST(HingeTurnElement, RatesByDesignMatchCentralDifferences) {
     const State state = shaken(s, rest_state(s), 0.5, random);
     for (const Hinge& hinge : s.hinges) {
       const auto turn_and_gradient = [&](const Eigen::VectorXd& q) -> Eigen::VectorXd {
-        Hinge h = hinge;
-        h.parameters = {hinge.parameters.t + q[0], hinge.parameters.alpha + q[1],
-                        hinge.parameters.beta + q[2]};
-        const Element e = turn_element(rest_hinge(h), state[h.lower], state[h.upper]);
+        const RestHinge h = redesigned(hinge, q);
+        const Element e = turn_element(h, state[h.lower], state[h.upper]);
         return (Eigen::VectorXd(13) << e.energy, e.gradient).finished();
       };
       Eigen::Matrix<double, 13, 3> all;

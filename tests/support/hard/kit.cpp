@@ -64,9 +64,8 @@ LoadPath followed_finely(const HardScene& scene) {
 }
 
 double energy_of(const HardScene& scene, const State& state) {
-  const Elasticity& e = scene.elasticity;
-  const ElasticSystem system(scene.structure, e, scene.drive, false, scene.contact);
-  return system.elastic_energy(state) * e.k_point * std::pow(scene.structure.size.edge_mm, 2);
+  const ElasticSystem system(scene.structure, scene.elasticity, scene.drive, false, scene.contact);
+  return system.elastic_energy(state) * energy_unit(scene.elasticity, scene.structure.size.edge_mm);
 }
 
 double work_of(const HardScene& scene, const LoadPath& path) {

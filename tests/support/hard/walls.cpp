@@ -20,7 +20,7 @@ struct Watched {
 Watched watched(const HardScene& scene) {
   Watched run;
   State before;
-  const bool planar = std::all_of(scene.structure.hinges.begin(), scene.structure.hinges.end(), is_vertical);
+  const bool planar = all_vertical(scene.structure);
   const ElasticSystem system(scene.structure, scene.elasticity, scene.drive, planar, true);
   run.path =
       follow_load(scene.structure, scene.elasticity, scene.drive, {}, [&](const LoadStep&, const State& s) {
