@@ -7,12 +7,33 @@
 namespace kinetix {
 namespace {
 
+using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 enum Face { side_plus, side_minus, knee_end, top, bottom };
 
 constexpr double near_margin = 0.3;
 constexpr double passing_margin = 0.5;
+constexpr double flat = 1e-9;
+
+/// The displacement gradient that fits the shifts between two states best, least squares.
+Matrix3d homogeneous_strain(const State& from, const State& to) {
+  Vector3d middle = Vector3d::Zero(), shift = Vector3d::Zero();
+  for (std::size_t b = 0; b < from.size(); ++b) {
+    middle += from[b].p;
+    shift += to[b].p - from[b].p;
+  }
+  middle /= static_cast<double>(from.size());
+  shift /= static_cast<double>(from.size());
+  Matrix3d spread = Matrix3d::Zero(), mixed = Matrix3d::Zero();
+  for (std::size_t b = 0; b < from.size(); ++b) {
+    const Vector3d at = from[b].p - middle;
+    spread += at * at.transpose();
+    mixed += (to[b].p - from[b].p - shift) * at.transpose();
+  }
+  spread.diagonal().array() += flat * spread.trace();
+  return mixed * spread.inverse();
+}
 
 }  // namespace
 
@@ -30,7 +51,7 @@ struct ContactModel::Gap {
   }
 
   Matrix12 hessian() const {
-    const Eigen::Matrix3d cross_n = cross_matrix(n), turns = -cross_n * cross_matrix(a);
+    const Matrix3d cross_n = cross_matrix(n), turns = -cross_n * cross_matrix(a);
     Matrix12 h = Matrix12::Zero();
     h.block<3, 3>(0, 0) = turning_hessian(n, a);
     h.block<3, 3>(6, 6) = turning_hessian(m, n);
@@ -64,6 +85,9 @@ ContactModel::ContactModel(const Structure& structure, bool planar)
       plates_.push_back(make_plate(hinge, lower, half_thickness_, half_height_));
   placed_points_.resize(plates_.size() * points_per_plate_);
   placed_boxes_.resize(plates_.size());
+  double longest = 0;
+  for (const Plate& plate : plates_) longest = std::max(longest, plate.length / 2);
+  radius_ = Vector3d(longest, half_thickness_, planar ? 0 : half_height_).norm();
   WallContact at_rest(structure);
   const auto& touching = at_rest.touching_at_rest();
   for (const WallPair& pair : touching) excluded_.emplace_back(pair.first, pair.second);
@@ -106,21 +130,26 @@ void ContactModel::place(const State& state) {
   for (int plate = 0; plate < static_cast<int>(plates_.size()); ++plate) place(plate, state);
 }
 
-/// By more than half the margin: two plates then by more than the margin against each other. No point of a
-/// part is further than 1.2 edges from its vertex.
+/// Far enough for a point to have come into a box that it was a margin away from. What the bodies share, a
+/// homogeneous strain, brings plates closer by a part of their distance; each body's own motion adds to it. No
+/// point of a plate is further than 1.2 edges from its vertex.
 bool ContactModel::has_moved(const State& state) const {
   if (near_state_.size() != state.size()) return true;
+  const double reach = 1.2 * (planar_ ? 1.0 : std::max(1.0, half_height_));
+  const Matrix3d strain = homogeneous_strain(near_state_, state);
+  const Vector3d shift = state[0].p - near_state_[0].p - strain * near_state_[0].p;
+  const double allowed = (near_margin - strain.norm() * (2 * reach + near_margin)) / 2;
   for (std::size_t b = 0; b < state.size(); ++b) {
-    const double shift = (state[b].p - near_state_[b].p).norm() / edge_mm_;
-    const double reach = std::max(1.0, half_height_) * 1.2;
-    if (!(shift + reach * (state[b].R - near_state_[b].R).norm() <= near_margin / 2)) return true;
+    const Vector3d own = state[b].p - near_state_[b].p - strain * near_state_[b].p - shift;
+    const double turn = (state[b].R - near_state_[b].R).norm() / std::sqrt(2.0);
+    if (!(own.norm() / edge_mm_ + reach * turn <= allowed)) return true;
   }
   return false;
 }
 
-bool ContactModel::is_within(int point, int other, double margin) const {
+bool ContactModel::is_within(const Vector3d& point, int other, double margin) const {
   const PlacedBox& box = placed_boxes_[other];
-  const Vector3d y = placed_points_[point] - box.origin;
+  const Vector3d y = point - box.origin;
   const double along = y.dot(box.edge);
   if (!(along > -margin) || !(along < plates_[other].length + margin)) return false;
   if (!(std::abs(y.dot(box.normal)) < half_thickness_ + margin)) return false;
@@ -129,27 +158,29 @@ bool ContactModel::is_within(int point, int other, double margin) const {
 
 std::vector<ContactModel::Pair> ContactModel::pairs_within(double margin) {
   Eigen::Matrix3Xd centers(3, plates_.size());
-  double longest = 0;
-  for (std::size_t k = 0; k < plates_.size(); ++k) {
+  for (std::size_t k = 0; k < plates_.size(); ++k)
     centers.col(k) = placed_boxes_[k].origin + plates_[k].length / 2 * placed_boxes_[k].edge;
-    longest = std::max(longest, plates_[k].length / 2);
-  }
-  const double radius = Vector3d(longest, half_thickness_, planar_ ? 0 : half_height_).norm();
   std::vector<Pair> pairs;
+  const double knee = planar_ ? half_thickness_ : std::hypot(half_thickness_, half_height_);
   const auto add = [&](int plate, int other) {
+    const PlacedBox& box = placed_boxes_[plate];
+    if (!is_within(box.origin + plates_[plate].length * box.edge, other, margin + knee)) return;
     for (int k = 0; k < points_per_plate_; ++k)
-      if (is_within(plate * points_per_plate_ + k, other, margin))
+      if (is_within(placed_points_[plate * points_per_plate_ + k], other, margin) && may_touch(plate, other))
         pairs.push_back({plate * points_per_plate_ + k, other});
   };
-  for (const auto& [first, second] : finder_.find(centers, 2 * radius + margin)) {
-    const bool one_body = plates_[first].body == plates_[second].body, one_wall = first / 2 == second / 2;
-    if (one_body || one_wall) continue;
-    if (std::binary_search(excluded_.begin(), excluded_.end(), std::pair(first, second))) continue;
+  for (const auto& [first, second] : finder_.find(centers, 2 * radius_ + margin)) {
     add(first, second);
     add(second, first);
   }
   std::sort(pairs.begin(), pairs.end());
   return pairs;
+}
+
+bool ContactModel::may_touch(int plate, int other) const {
+  const bool one_body = plates_[plate].body == plates_[other].body, one_wall = plate / 2 == other / 2;
+  const std::pair<int, int> pair = std::minmax({plate, other});
+  return !one_body && !one_wall && !std::binary_search(excluded_.begin(), excluded_.end(), pair);
 }
 
 Vector3d ContactModel::face_normal(const Plate& plate, int face) const {
@@ -188,7 +219,7 @@ double ContactModel::face_offset(const Plate& plate, int face) const {
 }
 
 void ContactModel::add_if_inside(int point, int other, std::vector<Contact>& found) const {
-  if (!is_within(point, other, 0)) return;
+  if (!is_within(placed_points_[point], other, 0)) return;
   const PlacedBox& box = placed_boxes_[other];
   const Vector3d y = placed_points_[point] - box.origin;
   const double across = y.dot(box.normal), high = y.dot(box.up);
@@ -210,13 +241,11 @@ void ContactModel::update_near(const State& state) {
   place(state);
   near_ = pairs_within(near_margin);
   near_state_ = state;
+  std::vector<char> is_near(plates_.size());
+  for (const Pair& pair : near_) is_near[pair.point / points_per_plate_] = is_near[pair.other] = true;
   near_plates_.clear();
-  for (const Pair& pair : near_) {
-    near_plates_.push_back(pair.point / points_per_plate_);
-    near_plates_.push_back(pair.other);
-  }
-  std::sort(near_plates_.begin(), near_plates_.end());
-  near_plates_.erase(std::unique(near_plates_.begin(), near_plates_.end()), near_plates_.end());
+  for (int plate = 0; plate < static_cast<int>(plates_.size()); ++plate)
+    if (is_near[plate]) near_plates_.push_back(plate);
 }
 
 std::vector<Contact> ContactModel::find(const State& state) {
@@ -288,7 +317,7 @@ double ContactModel::energy(const std::vector<Contact>& contacts, double stiffne
 Eigen::Vector4d ContactModel::gap_rates(const Gap& g, const Contact& c, const State& state) const {
   const Plate& plate = plates_[c.plate];
   const Plate& box = plates_[c.other];
-  const Eigen::Matrix3d& R = state[plate.body].R;
+  const Matrix3d& R = state[plate.body].R;
   return {plate.sign * g.n.dot(R * plate.edge), g.n.dot(R * plate.point_rates[c.point]),
           c.face == knee_end ? -box.sign : 0, g.m.dot(state[box.body].R * face_normal_rate(box, c.face))};
 }
@@ -302,7 +331,7 @@ Eigen::Matrix<double, 12, 4> ContactModel::rates(const Contact& c, double stiffn
   const Gap g = gap(c, state);
   const Plate& plate = plates_[c.plate];
   const Plate& box = plates_[c.other];
-  const Eigen::Matrix3d& R = state[plate.body].R;
+  const Matrix3d& R = state[plate.body].R;
   const Vector3d by_t = plate.sign * (R * plate.edge), by_beta = R * plate.point_rates[c.point];
   const Vector3d normal_by_beta = state[box.body].R * face_normal_rate(box, c.face);
   const Vector3d none = Vector3d::Zero();

@@ -80,10 +80,11 @@ class ContactModel {
   void update_near(const State& state);
   /// Points that are in a box grown by a margin, cell edges, in the state last placed. Sorted.
   std::vector<Pair> pairs_within(double margin);
+  bool may_touch(int plate, int other) const;
   /// +1 or -1: on which side of a half wall a point is; 0 where it is not beside it, or inside and
   /// nearer to its end.
   int side_of(int point, int other) const;
-  bool is_within(int point, int other, double margin) const;
+  bool is_within(const Eigen::Vector3d& point, int other, double margin) const;
   void add_if_inside(int point, int other, std::vector<Contact>& found) const;
   Gap gap(const Contact& contact, const State& state) const;
   Eigen::Vector4d gap_rates(const Gap& gap, const Contact& contact, const State& state) const;
@@ -104,7 +105,8 @@ class ContactModel {
     Eigen::Vector3d origin, edge, normal, up;
   };
   std::vector<PlacedBox> placed_boxes_;
-  std::vector<Pair> near_;         ///< (point, plate), sorted
+  double radius_ = 0;             ///< no point of a plate is further from its middle, cell edges
+  std::vector<Pair> near_;        ///< (point, plate), sorted
   std::vector<int> near_plates_;  ///< those in near_
   State near_state_;
   NearPairs finder_;

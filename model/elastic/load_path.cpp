@@ -20,6 +20,8 @@ constexpr double rough = 2e-3;
 constexpr double level = 1e-5;
 constexpr double aimed_jump = 0.4;
 constexpr double strayed = 2;
+constexpr double careful_from = 0.01;
+constexpr int careful_iterations = 15;
 constexpr double near_closed_form = 0.01;
 constexpr double bent_load = 0.01;
 constexpr double energy_noise = 1e-13;
@@ -104,7 +106,12 @@ class Follower {
     const double multiplier = system_.multiplier();
     State state = prediction;
     const bool short_step = last_chance || is_short(theta);
-    search(theta, newton_options(theta, short_step), has_tangent_, state);
+    NewtonOptions options = newton_options(theta, short_step);
+    if (!last_chance && std::abs(theta - path_.theta) > careful_from) {
+      options.starts_convex = true;
+      options.max_iterations = std::min(options.max_iterations, careful_iterations);
+    }
+    search(theta, options, has_tangent_, state);
     const bool branched = newton_.converged && !newton_.stable && leave_saddle(theta, state);
     const double jump = newton_.converged ? turn_distance(structure_, prediction, state) : NAN;
     const bool jumped = !branched && jump > options_.longest_jump;
@@ -113,7 +120,7 @@ class Follower {
       const LoadStep step = measured(state, theta, newton_.stable);
       const bool lost = !branched && !keeps_energy(step);
       if (short_step || !(lost || meets_walls(step))) {
-        growth_ = branched ? 1 : growth_after(jump);
+        growth_ = branched || jumped || lost ? 1 : growth_after(jump);
         take(step, std::move(state), branched, jumped || lost);
         return true;
       }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/elastic/conjugate_gradients.hpp"
+
 namespace kinetix {
 namespace {
 
@@ -13,9 +15,13 @@ constexpr double least_shift = 1e-8;
 constexpr double shift_decay = 20;
 constexpr double tiny_step = 1e-5;
 constexpr double most_shift = 1e6;
+constexpr int most_shortened = 6;
+constexpr double too_short = 1e-4;
 constexpr double chord_gain = 0.4;
 constexpr double polished = 1e-8;
 constexpr double energy_noise = 1e-15;
+constexpr int iterative_from = 1500;
+constexpr double rough = 1e-4;
 
 double largest(const VectorXd& v) {
   if (v.size() == 0) return 0;
@@ -46,7 +52,7 @@ class Newton {
       }
       if (result_.iterations++ >= options_.max_iterations || !step() || has_strayed()) break;
     }
-    result_.stable = std::isfinite(result_.force) && (factor_holds_ || tangent_.factorise(0));
+    result_.stable = result_.converged && (factor_holds_ || tangent_.factorise(0));
     return result_;
   }
 
@@ -61,7 +67,15 @@ class Newton {
 
   /// False where no step lowers the energy.
   bool step() {
+    const bool only_convex = options_.starts_convex && result_.iterations == 1;
+    if (is_iterative()) {
+      const TruncatedStep truncated = conjugate_gradients(tangent_, gradient_);
+      const bool negative = truncated.way == TruncatedStep::Way::negative;
+      if (negative && only_convex) return false;
+      if (truncated.way != TruncatedStep::Way::slow && try_step(truncated.step, negative, false)) return true;
+    }
     if (attempt(0)) return true;
+    if (only_convex && !tangent_.is_factorised()) return false;
     const double start = shift_ == 0 ? first_shift : std::max(shift_ / shift_decay, least_shift);
     for (double shift = start; shift <= most_shift; shift *= 10) {
       if (!attempt(shift)) continue;
@@ -71,30 +85,55 @@ class Newton {
     return false;
   }
 
-  bool attempt(double shift) { return tangent_.factorise(shift) && try_step(shift); }
+  bool is_iterative() const {
+    return tangent_.is_factorised() && tangent_.size() >= iterative_from && options_.step_tolerance >= rough;
+  }
 
-  bool try_step(double shift) {
-    const VectorXd reduced = -tangent_.solve(gradient_);
+  bool attempt(double shift) {
+    return tangent_.factorise(shift) && try_step(-tangent_.solve(gradient_), shift > 0, shift == 0);
+  }
+
+  /// @param held_back it is shorter than the energy asks for   @param exact by a factor of the tangent itself
+  bool try_step(const VectorXd& reduced, bool held_back, bool exact) {
     const double decrement = -gradient_.dot(reduced) / 2;
     VectorXd step = system_.freedoms().extend(reduced);
-    double length = system_.length(state_, step);
-    if (!std::isfinite(length)) return false;
+    const double whole = system_.length(state_, step);
+    if (!std::isfinite(whole)) return false;
+    double length = whole;
     if (length > options_.longest_step) {
       step *= options_.longest_step / length;
       length = options_.longest_step;
     }
     State candidate = system_.stepped(state_, step);
     double energy = system_.energy(candidate, theta_);
-    if (!is_better(energy, candidate, length)) return false;
-    if (shift > 0) stretch(step, length, candidate, energy);
+    if (!is_better(energy, candidate, length) &&
+        !shorten(step, length, gradient_.dot(reduced) * length / whole, candidate, energy))
+      return false;
+    if (held_back) stretch(step, length, candidate, energy);
     const bool levelled = decrement <= options_.energy_tolerance * energy || length <= polished;
-    small_step_ = shift == 0 && length <= options_.step_tolerance && levelled;
-    factor_holds_ = shift == 0 && is_tiny(length);
+    small_step_ = !held_back && length <= options_.step_tolerance && levelled;
+    factor_holds_ = exact && is_tiny(length);
     state_ = std::move(candidate);
     energy_ = energy;
     result_.moved += length;
-    if (shift == 0) follow_chord(length);
+    if (exact) follow_chord(length);
     return true;
+  }
+
+  /// To where a parabola through the energies at both ends has its minimum, again and again. @param slope of the
+  /// energy along the step, times the step. @return whether that lowers the energy
+  bool shorten(VectorXd& step, double& length, double slope, State& candidate, double& energy) const {
+    for (int tries = 0; tries < most_shortened && length > too_short; ++tries) {
+      const double parabola = -slope / (2 * (energy - energy_ - slope));
+      const double by = std::isfinite(parabola) ? std::clamp(parabola, 0.1, 0.5) : 0.25;
+      step *= by;
+      length *= by;
+      slope *= by;
+      candidate = system_.stepped(state_, step);
+      energy = system_.energy(candidate, theta_);
+      if (is_better(energy, candidate, length)) return true;
+    }
+    return false;
   }
 
   /// A shift holds back a step along negative curvature: it is doubled as long as that lowers the energy.
@@ -131,7 +170,7 @@ class Newton {
   bool is_better(double energy, const State& candidate, double length) const {
     if (!std::isfinite(energy)) return false;
     if (energy < energy_ - energy_noise * std::abs(energy_)) return true;
-    if (length > 1e-4) return false;
+    if (length > too_short) return false;
     const VectorXd gradient = system_.freedoms().restrict(system_.gradient(candidate, theta_));
     return largest(gradient) <= result_.force || length <= options_.step_tolerance;
   }

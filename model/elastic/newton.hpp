@@ -16,6 +16,7 @@ struct NewtonOptions {
   double longest_step = 0.25;     ///< rad, cell edges
   double most_moved = INFINITY;   ///< rad, cell edges: a search that met negative curvature and went further
                                   ///< in all ends, not converged
+  bool starts_convex = false;     ///< and so does one whose first tangent is not positive definite
 };
 
 struct NewtonResult {
@@ -27,9 +28,10 @@ struct NewtonResult {
 };
 
 /// Minimises the energy of a system at fold parameter theta from `state`, in which what the drive grips must
-/// be in place: Newton's method with the exact Hessian, shifted where it is not positive definite or its step
-/// does not lower the energy; a factor is used for further steps as long as each is much shorter than the one
-/// before. A state of balance that is no minimum (a symmetric one, say) is a result too,
+/// be in place: Newton's method with the exact Hessian, its step shortened where it does not lower the energy,
+/// and the Hessian shifted where it is not positive definite. A factor is used for further steps as long as
+/// each is much shorter than the one before; in large systems of which little accuracy is asked (step_tolerance)
+/// also as the preconditioner of conjugate gradients for the steps after. A state of balance that is no minimum (a symmetric one, say) is a result too,
 /// with stable = false. Afterwards `tangent` is that of the last state, factorised if stable (there or a step
 /// of at most 1e-5, or step_tolerance, before). @param factorised `tangent` is, in a state nearby: its factor
 /// is used first

@@ -6,18 +6,38 @@
 namespace kinetix {
 namespace {
 
-// Below, blocks are too small for the dense kernels to pay.
-constexpr int supernodal_from = 12000;
+using Cholesky = Eigen::CholmodDecomposition<Eigen::SparseMatrix<double>, Eigen::Lower>;
+
+// From here on, nested dissection saves more in each factor than it costs once.
+constexpr int dissected_from = 12000;
 
 }  // namespace
 
-struct Tangent::Factor {
-  Eigen::CholmodDecomposition<Eigen::SparseMatrix<double>, Eigen::Lower> cholesky;
-
+struct Tangent::Factor : Cholesky {
   explicit Factor(int unknowns) {
-    cholesky.cholmod().print = 0;
-    cholesky.setMode(unknowns < supernodal_from ? Eigen::CholmodSimplicialLLt : Eigen::CholmodSupernodalLLt);
+    cholmod().print = 0;
+    cholmod().nmethods = 1;
+    cholmod().method[0].ordering = unknowns < dissected_from ? CHOLMOD_AMD : CHOLMOD_METIS;
+    setMode(Eigen::CholmodSimplicialLLt);
   }
+
+  /// In the order found for the first pattern: a few more pairs of bodies do not change it much.
+  void analyse(const Eigen::SparseMatrix<double>& matrix) {
+    if (!m_cholmodFactor) {
+      analyzePattern(matrix);
+      const int* order = static_cast<const int*>(m_cholmodFactor->Perm);
+      order_.assign(order, order + m_cholmodFactor->n);
+      return;
+    }
+    cholmod_free_factor(&m_cholmodFactor, &cholmod());
+    cholmod().method[0].ordering = CHOLMOD_GIVEN;
+    cholmod_sparse view = Eigen::viewAsCholmod(matrix.selfadjointView<Eigen::Lower>());
+    m_cholmodFactor = cholmod_analyze_p(&view, order_.data(), nullptr, 0, &cholmod());
+    m_factorizationIsOk = false;
+  }
+
+ private:
+  std::vector<int> order_;
 };
 
 Tangent::Tangent(const Freedoms& freedoms)
@@ -32,7 +52,7 @@ int Tangent::block_of(int a, int b) {
   if (is_new) {
     blocks_.push_back(Block::Zero());
     bodies_.emplace_back(a, b);
-    analysed_ = false;
+    laid_out_ = false;
   }
   return at->second;
 }
@@ -51,7 +71,7 @@ void Tangent::add(int a, int b, const Element& e) {
     blocks_[block_of(b, a)] += e.hessian.bottomLeftCorner<6, 6>();
 }
 
-void Tangent::analyse() {
+void Tangent::lay_out() {
   std::vector<Eigen::Triplet<int>> places;
   entries_.clear();
   for (int k = 0; k < static_cast<int>(blocks_.size()); ++k)
@@ -70,27 +90,32 @@ void Tangent::analyse() {
   sorted.reserve(entries_.size());
   for (Eigen::Index k = 0; k < order.nonZeros(); ++k) sorted.push_back(entries_[order.valuePtr()[k]]);
   entries_ = std::move(sorted);
-  factor_->cholesky.analyzePattern(matrix_);
-  analysed_ = true;
+  laid_out_ = true;
+  analysed_ = false;
 }
 
 void Tangent::fill() {
-  if (!analysed_) analyse();
+  if (filled_) return;
+  if (!laid_out_) lay_out();
   for (std::size_t k = 0; k < entries_.size(); ++k)
     matrix_.valuePtr()[k] = blocks_[entries_[k].block](entries_[k].row, entries_[k].column);
   filled_ = true;
 }
 
 bool Tangent::factorise(double shift) {
-  if (!filled_) fill();
-  factor_->cholesky.setShift(shift);
-  factor_->cholesky.factorize(matrix_);
-  return factor_->cholesky.info() == Eigen::Success;
+  fill();
+  if (!analysed_) factor_->analyse(matrix_);
+  analysed_ = true;
+  factor_->setShift(shift);
+  factor_->factorize(matrix_);
+  factorised_ = factor_->info() == Eigen::Success;
+  return factorised_;
 }
 
-Eigen::VectorXd Tangent::solve(const Eigen::VectorXd& rhs) const { return factor_->cholesky.solve(rhs); }
+Eigen::VectorXd Tangent::solve(const Eigen::VectorXd& rhs) const { return factor_->solve(rhs); }
 
-Eigen::VectorXd Tangent::multiply(const Eigen::VectorXd& x) const {
+Eigen::VectorXd Tangent::multiply(const Eigen::VectorXd& x) {
+  fill();
   return matrix_.selfadjointView<Eigen::Lower>() * x;
 }
 

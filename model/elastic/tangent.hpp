@@ -24,9 +24,11 @@ class Tangent {
 
   /// Factorises the matrix plus `shift` times the identity. @return whether that is positive definite
   bool factorise(double shift);
-  /// @pre the last factorise succeeded
+  /// Whether the last factorise succeeded: of this matrix, or of one before clear().
+  bool is_factorised() const { return factorised_; }
+  /// @pre is_factorised()
   Eigen::VectorXd solve(const Eigen::VectorXd& rhs) const;
-  Eigen::VectorXd multiply(const Eigen::VectorXd& x) const;
+  Eigen::VectorXd multiply(const Eigen::VectorXd& x);
   /// The block of rows of all coordinates of body a, columns of those of body b, held ones included.
   Eigen::VectorXd multiply_all(const Eigen::VectorXd& all) const;
 
@@ -42,7 +44,7 @@ class Tangent {
   struct Factor;
 
   int block_of(int a, int b);
-  void analyse();
+  void lay_out();
   void fill();
 
   const Freedoms& freedoms_;
@@ -51,7 +53,7 @@ class Tangent {
   std::vector<Block> blocks_;                  ///< rows of the higher body, columns of the lower one
   std::vector<Entry> entries_;                 ///< of the matrix's values, in their order
   Eigen::SparseMatrix<double> matrix_;
-  bool analysed_ = false, filled_ = false;
+  bool laid_out_ = false, filled_ = false, analysed_ = false, factorised_ = false;
   std::unique_ptr<Factor> factor_;
 };
 

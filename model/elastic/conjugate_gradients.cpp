@@ -1,0 +1,38 @@
+#include "model/elastic/conjugate_gradients.hpp"
+
+namespace kinetix {
+namespace {
+
+using Eigen::VectorXd;
+using Way = TruncatedStep::Way;
+
+constexpr double solved = 0.02;
+constexpr double good_enough = 0.3;
+
+}  // namespace
+
+TruncatedStep conjugate_gradients(Tangent& tangent, const VectorXd& gradient, int most) {
+  VectorXd x = VectorXd::Zero(gradient.size()), residual = -gradient;
+  VectorXd direction = tangent.solve(residual);
+  const double first = residual.dot(direction);
+  double size = first;
+  for (int k = 0; k < most && size > 0; ++k) {
+    const VectorXd curved = tangent.multiply(direction);
+    const double curvature = direction.dot(curved);
+    if (!(curvature > 0)) {
+      if (k > 0) direction *= x.norm() / direction.norm();
+      return {x + direction, Way::negative};
+    }
+    const double length = size / curvature;
+    x += length * direction;
+    residual -= length * curved;
+    const VectorXd next = tangent.solve(residual);
+    const double next_size = residual.dot(next);
+    if (next_size <= solved * solved * first) return {x, Way::solved};
+    direction = next + next_size / size * direction;
+    size = next_size;
+  }
+  return {x, size <= good_enough * good_enough * first ? Way::solved : Way::slow};
+}
+
+}  // namespace kinetix
