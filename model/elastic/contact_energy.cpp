@@ -35,6 +35,16 @@ Matrix3d homogeneous_strain(const State& from, const State& to) {
   return mixed * spread.inverse();
 }
 
+bool is_same(const State& a, const State& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const Pose& x, const Pose& y) { return x.p == y.p && x.R == y.R; });
+}
+
+bool is_finite(const State& state) {
+  return std::all_of(state.begin(), state.end(),
+                     [](const Pose& pose) { return pose.R.allFinite() && pose.p.allFinite(); });
+}
+
 }  // namespace
 
 /// The signed distance n . m - offset of a carried point from a carried face, in cell edges.
@@ -85,9 +95,6 @@ ContactModel::ContactModel(const Structure& structure, bool planar)
       plates_.push_back(make_plate(hinge, lower, half_thickness_, half_height_));
   placed_points_.resize(plates_.size() * points_per_plate_);
   placed_boxes_.resize(plates_.size());
-  double longest = 0;
-  for (const Plate& plate : plates_) longest = std::max(longest, plate.length / 2);
-  radius_ = Vector3d(longest, half_thickness_, planar ? 0 : half_height_).norm();
   WallContact at_rest(structure);
   const auto& touching = at_rest.touching_at_rest();
   for (const WallPair& pair : touching) excluded_.emplace_back(pair.first, pair.second);
@@ -158,8 +165,11 @@ bool ContactModel::is_within(const Vector3d& point, int other, double margin) co
 
 std::vector<ContactModel::Pair> ContactModel::pairs_within(double margin) {
   Eigen::Matrix3Xd centers(3, plates_.size());
-  for (std::size_t k = 0; k < plates_.size(); ++k)
+  double longest = 0;
+  for (std::size_t k = 0; k < plates_.size(); ++k) {
     centers.col(k) = placed_boxes_[k].origin + plates_[k].length / 2 * placed_boxes_[k].edge;
+    longest = std::max(longest, plates_[k].length);
+  }
   std::vector<Pair> pairs;
   const double knee = planar_ ? half_thickness_ : std::hypot(half_thickness_, half_height_);
   const auto add = [&](int plate, int other) {
@@ -169,7 +179,9 @@ std::vector<ContactModel::Pair> ContactModel::pairs_within(double margin) {
       if (is_within(placed_points_[plate * points_per_plate_ + k], other, margin) && may_touch(plate, other))
         pairs.push_back({plate * points_per_plate_ + k, other});
   };
-  for (const auto& [first, second] : finder_.find(centers, 2 * radius_ + margin)) {
+  for (const auto& [first, second] : finder_.find(centers, longest + 2 * knee + margin)) {
+    const double reach = (plates_[first].length + plates_[second].length) / 2 + 2 * knee + margin;
+    if ((centers.col(first) - centers.col(second)).squaredNorm() >= reach * reach) continue;
     add(first, second);
     add(second, first);
   }
@@ -218,7 +230,7 @@ double ContactModel::face_offset(const Plate& plate, int face) const {
   return face == top || face == bottom ? half_height_ : half_thickness_;
 }
 
-void ContactModel::add_if_inside(int point, int other, std::vector<Contact>& found) const {
+void ContactModel::add_if_inside(int point, int other) {
   if (!is_within(placed_points_[point], other, 0)) return;
   const PlacedBox& box = placed_boxes_[other];
   const Vector3d y = placed_points_[point] - box.origin;
@@ -234,7 +246,7 @@ void ContactModel::add_if_inside(int point, int other, std::vector<Contact>& fou
     contact.depth = to_rim;
     contact.face = high > 0 ? top : bottom;
   }
-  if (contact.depth > 0) found.push_back(contact);
+  if (contact.depth > 0) found_.push_back(contact);
 }
 
 void ContactModel::update_near(const State& state) {
@@ -248,17 +260,17 @@ void ContactModel::update_near(const State& state) {
     if (is_near[plate]) near_plates_.push_back(plate);
 }
 
-std::vector<Contact> ContactModel::find(const State& state) {
-  const bool finite = std::all_of(state.begin(), state.end(),
-                                  [](const Pose& p) { return p.R.allFinite() && p.p.allFinite(); });
-  if (!finite) return {};
+const std::vector<Contact>& ContactModel::find(const State& state) {
+  if (is_same(state, found_state_)) return found_;
+  found_.clear();
+  found_state_ = state;
+  if (!is_finite(state)) return found_;
   if (has_moved(state))
     update_near(state);
   else
     for (const int plate : near_plates_) place(plate, state);
-  std::vector<Contact> found;
-  for (const Pair& pair : near_) add_if_inside(pair.point, pair.other, found);
-  return found;
+  for (const Pair& pair : near_) add_if_inside(pair.point, pair.other);
+  return found_;
 }
 
 int ContactModel::side_of(int point, int other) const {

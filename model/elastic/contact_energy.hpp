@@ -36,7 +36,7 @@ class ContactModel {
 
   /// Points in contact, in a fixed order. Candidates are kept from call to call until the structure has moved
   /// by more than a margin: what is found does not depend on it. Empty for poses that are not finite.
-  std::vector<Contact> find(const State& state);
+  const std::vector<Contact>& find(const State& state);
 
   /// Whether a point went from one side of a half wall to the other, beside it in both states and within half a
   /// cell edge of it before: then it did not go round its end, and the step between the states was too long for
@@ -85,7 +85,7 @@ class ContactModel {
   /// nearer to its end.
   int side_of(int point, int other) const;
   bool is_within(const Eigen::Vector3d& point, int other, double margin) const;
-  void add_if_inside(int point, int other, std::vector<Contact>& found) const;
+  void add_if_inside(int point, int other);
   Gap gap(const Contact& contact, const State& state) const;
   Eigen::Vector4d gap_rates(const Gap& gap, const Contact& contact, const State& state) const;
   Eigen::Vector3d face_normal(const Plate& plate, int face) const;
@@ -105,10 +105,11 @@ class ContactModel {
     Eigen::Vector3d origin, edge, normal, up;
   };
   std::vector<PlacedBox> placed_boxes_;
-  double radius_ = 0;             ///< no point of a plate is further from its middle, cell edges
   std::vector<Pair> near_;        ///< (point, plate), sorted
   std::vector<int> near_plates_;  ///< those in near_
   State near_state_;
+  std::vector<Contact> found_;
+  State found_state_;
   NearPairs finder_;
 };
 

@@ -15,6 +15,13 @@ const Structure& validated(const Structure& structure) {
   return structure;
 }
 
+/// Bodies that turn about upright axes only keep them parallel: there is no mismatch to reach for.
+Stiffness acting(const Elasticity& elasticity, const Structure& structure, bool planar) {
+  Stiffness stiffness = relative(elasticity, structure.size.edge_mm);
+  if (planar && all_vertical(structure)) stiffness.reach = 0;
+  return stiffness;
+}
+
 void refuse_overlap(const Structure& structure, const ContactModel& walls) {
   const auto& pair = walls.overlap_at_rest();
   if (!pair) return;
@@ -29,7 +36,7 @@ void refuse_overlap(const Structure& structure, const ContactModel& walls) {
 ElasticSystem::ElasticSystem(const Structure& structure, const Elasticity& elasticity, const Drive& drive,
                              bool planar, bool contact)
     : structure_(validated(structure)),
-      stiffness_(relative(elasticity, structure.size.edge_mm)),
+      stiffness_(acting(elasticity, structure, planar)),
       drive_(drive),
       contact_(contact),
       freedoms_(make_freedoms(structure, drive, planar)),
@@ -46,7 +53,7 @@ ElasticSystem::ElasticSystem(const Structure& structure, const Elasticity& elast
 ElasticSystem::ElasticSystem(const Structure& structure, const Elasticity& elasticity, bool planar,
                              bool contact)
     : structure_(structure),
-      stiffness_(relative(elasticity, structure.size.edge_mm)),
+      stiffness_(acting(elasticity, structure, planar)),
       contact_(contact),
       freedoms_(make_freedoms(structure, planar)),
       walls_(structure, planar) {

@@ -23,7 +23,7 @@ struct Elasticity {
 /// The same over k_point and the cell edge: energies come in units of k_point edge^2, forces of k_point edge.
 struct Stiffness {
   double turn = 1e-6;
-  double reach = 0.18;
+  double reach = 0.18;  ///< 0: axes are parallel whatever the bodies do
   double contact = 10;
 };
 

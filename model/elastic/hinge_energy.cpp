@@ -160,7 +160,7 @@ RestHinge rest_hinge(const Hinge& hinge) {
 HingeEnergy hinge_energy(const RestHinge& hinge, const Stiffness& k, const Pose& lower, const Pose& upper,
                          double edge_mm) {
   const double point = point_mismatch(hinge, lower, upper, edge_mm).gap.squaredNorm();
-  const double axis = axis_mismatch(hinge, lower, upper).gap.squaredNorm();
+  const double axis = k.reach > 0 ? axis_mismatch(hinge, lower, upper).gap.squaredNorm() : 0;
   const double angle = Turn(hinge, lower, upper).angle();
   return {point + k.reach * k.reach * axis, 0.5 * k.turn * angle * angle};
 }
@@ -171,7 +171,7 @@ Element hinge_element(const RestHinge& hinge, const Stiffness& k, const Pose& lo
   const Mismatch point = point_mismatch(hinge, lower, upper, edge_mm);
   add_turning(point, 1, e);
   add_shifts(point, e);
-  add_turning(axis_mismatch(hinge, lower, upper), k.reach * k.reach, e);
+  if (k.reach > 0) add_turning(axis_mismatch(hinge, lower, upper), k.reach * k.reach, e);
   const Element turn = turn_element(hinge, lower, upper);
   e.energy += 0.5 * k.turn * turn.energy * turn.energy;
   e.gradient += k.turn * turn.energy * turn.gradient;
@@ -181,13 +181,17 @@ Element hinge_element(const RestHinge& hinge, const Stiffness& k, const Pose& lo
 
 Vector12 hinge_gradient(const RestHinge& hinge, const Stiffness& k, const Pose& lower, const Pose& upper,
                         double edge_mm) {
-  const Mismatch point = point_mismatch(hinge, lower, upper, edge_mm), axis = axis_mismatch(hinge, lower, upper);
+  const Mismatch point = point_mismatch(hinge, lower, upper, edge_mm);
   const Turn turn(hinge, lower, upper);
-  const double weight = k.reach * k.reach;
   const Vector3d moment = k.turn * turn.angle() * (turn.upper * turn.rate());
   Vector12 g;
-  g << 2 * (point.lower.cross(point.gap) + weight * axis.lower.cross(axis.gap)) - moment, 2 * point.gap,
-      -2 * (point.upper.cross(point.gap) + weight * axis.upper.cross(axis.gap)) + moment, -2 * point.gap;
+  g << 2 * point.lower.cross(point.gap) - moment, 2 * point.gap, moment - 2 * point.upper.cross(point.gap),
+      -2 * point.gap;
+  if (!(k.reach > 0)) return g;
+  const Mismatch axis = axis_mismatch(hinge, lower, upper);
+  const double weight = 2 * k.reach * k.reach;
+  g.segment<3>(0) += weight * axis.lower.cross(axis.gap);
+  g.segment<3>(6) -= weight * axis.upper.cross(axis.gap);
   return g;
 }
 
