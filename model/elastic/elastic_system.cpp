@@ -120,7 +120,7 @@ double ElasticSystem::drive_miss(const State& state, double theta) const {
 
 Element ElasticSystem::driven_turn(const State& state) const {
   const RestHinge& hinge = hinges_[driven_];
-  return turn_element(hinge, state[hinge.lower], state[hinge.upper]);
+  return RelativeTurn(hinge, state[hinge.lower], state[hinge.upper]).element();
 }
 
 double ElasticSystem::elastic_energy(const State& state) const {

@@ -7,7 +7,6 @@ namespace kinetix {
 namespace {
 
 using Eigen::Matrix3d;
-using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
 /// Two vectors carried by the two bodies whose difference `gap` is penalised; arms turn with the bodies.
@@ -64,69 +63,6 @@ void add_shifts(const Mismatch& m, Element& e) {
   }
 }
 
-/// The relative turn of two bodies by its unit quaternion, split along the hinge axis.
-struct Turn {
-  double w = 1, s = 0;  ///< scalar part; vector part along the axis
-  Vector3d v, w_rate, s_rate;
-  Matrix3d upper;
-
-  Turn(const RestHinge& h, const Pose& low, const Pose& up)
-      : Turn(Quaterniond(low.R.transpose() * up.R), h.axis, up.R) {}
-
-  Turn(const Quaterniond& q, const Vector3d& axis, const Matrix3d& upper_R)
-      : w(q.w()), s(q.vec().dot(axis)), v(q.vec()), upper(upper_R) {
-    w_rate = -0.5 * v;
-    s_rate = 0.5 * (w * axis + axis.cross(v));
-  }
-
-  double squared() const { return w * w + s * s; }
-  double angle() const {
-    const double whole = 2 * std::atan2(s, w);
-    return std::abs(whole) > pi ? whole - std::copysign(2 * pi, whole) : whole;
-  }
-  /// By a turn of the upper body in the upper body's frame.
-  Vector3d rate() const { return 2 * (w * s_rate - s * w_rate) / squared(); }
-  Matrix3d second() const {
-    const double n = squared();
-    const double ss = -4 * w * s / (n * n), sw = 2 * (s * s - w * w) / (n * n);
-    const Matrix3d mixed = s_rate * w_rate.transpose();
-    return ss * (s_rate * s_rate.transpose() - w_rate * w_rate.transpose()) +
-           sw * (mixed + mixed.transpose());
-  }
-  /// Derivative of rate() where the axis changes by `axis_rate`.
-  Vector3d rate_change(const Vector3d& axis_rate) const {
-    const double ds = v.dot(axis_rate), n = squared();
-    const Vector3d ds_rate = 0.5 * (w * axis_rate + axis_rate.cross(v));
-    return 2 * (w * ds_rate - ds * w_rate) / n - 2 * s * ds / n * rate();
-  }
-  double angle_change(const Vector3d& axis_rate) const { return 2 * w * v.dot(axis_rate) / squared(); }
-};
-
-/// @param against turn of the upper body against the lower one, in the upper body's frame
-TurnRates turn_rates(const RestHinge& hinge, const Turn& turn, const Vector3d& against) {
-  TurnRates rates;
-  rates.turn[1] = turn.angle_change(hinge.axis_alpha);
-  rates.turn[2] = turn.angle_change(hinge.axis_beta);
-  rates.along[1] = turn.rate_change(hinge.axis_alpha).dot(against);
-  rates.along[2] = turn.rate_change(hinge.axis_beta).dot(against);
-  return rates;
-}
-
-Element turn_element(const Turn& turn) {
-  Element e;
-  const Vector3d g = turn.upper * turn.rate();
-  const Matrix3d m = turn.upper * turn.second() * turn.upper.transpose();
-  const Matrix3d half = 0.5 * cross_matrix(g);
-  e.energy = turn.angle();
-  e.gradient.segment<3>(0) = -g;
-  e.gradient.segment<3>(6) = g;
-  e.hessian.block<3, 3>(0, 0) = m;
-  e.hessian.block<3, 3>(6, 6) = m;
-  e.hessian.block<3, 3>(0, 6) = half - m;
-  e.hessian.block<3, 3>(6, 0) = -half - m;
-  return e;
-}
-
 /// |gap|^2 and its derivative along twists, both by the rest vector that the two bodies carry.
 struct Pull {
   Vector3d energy, along;
@@ -142,26 +78,11 @@ Pull pull(const Mismatch& m, const Pose& lower, const Pose& upper, const Vector3
 
 }  // namespace
 
-RestHinge rest_hinge(const Hinge& hinge) {
-  const auto& [t, alpha, beta] = hinge.parameters;
-  const Axis axis = hinge.wall.axis;
-  RestHinge out;
-  out.lower = hinge.lower;
-  out.upper = hinge.upper;
-  out.edge = edge_direction(axis);
-  out.lower_arm = t * out.edge;
-  out.upper_arm = (t - 1) * out.edge;
-  out.axis = hinge_axis(axis, hinge.parameters);
-  out.axis_alpha = -std::sin(alpha) * out.edge + std::cos(alpha) * wall_up(axis, beta);
-  out.axis_beta = std::sin(alpha) * wall_up(axis, beta + pi / 2);
-  return out;
-}
-
 HingeEnergy hinge_energy(const RestHinge& hinge, const Stiffness& k, const Pose& lower, const Pose& upper,
                          double edge_mm) {
   const double point = point_mismatch(hinge, lower, upper, edge_mm).gap.squaredNorm();
   const double axis = k.reach > 0 ? axis_mismatch(hinge, lower, upper).gap.squaredNorm() : 0;
-  const double angle = Turn(hinge, lower, upper).angle();
+  const double angle = RelativeTurn(hinge, lower, upper).angle();
   return {point + k.reach * k.reach * axis, 0.5 * k.turn * angle * angle};
 }
 
@@ -172,7 +93,7 @@ Element hinge_element(const RestHinge& hinge, const Stiffness& k, const Pose& lo
   add_turning(point, 1, e);
   add_shifts(point, e);
   if (k.reach > 0) add_turning(axis_mismatch(hinge, lower, upper), k.reach * k.reach, e);
-  const Element turn = turn_element(hinge, lower, upper);
+  const Element turn = RelativeTurn(hinge, lower, upper).element();
   e.energy += 0.5 * k.turn * turn.energy * turn.energy;
   e.gradient += k.turn * turn.energy * turn.gradient;
   e.hessian += k.turn * (turn.energy * turn.hessian + turn.gradient * turn.gradient.transpose());
@@ -182,8 +103,8 @@ Element hinge_element(const RestHinge& hinge, const Stiffness& k, const Pose& lo
 Vector12 hinge_gradient(const RestHinge& hinge, const Stiffness& k, const Pose& lower, const Pose& upper,
                         double edge_mm) {
   const Mismatch point = point_mismatch(hinge, lower, upper, edge_mm);
-  const Turn turn(hinge, lower, upper);
-  const Vector3d moment = k.turn * turn.angle() * (turn.upper * turn.rate());
+  const RelativeTurn turn(hinge, lower, upper);
+  const Vector3d moment = k.turn * turn.angle() * turn.rate_in_space();
   Vector12 g;
   g << 2 * point.lower.cross(point.gap) - moment, 2 * point.gap, moment - 2 * point.upper.cross(point.gap),
       -2 * point.gap;
@@ -207,7 +128,7 @@ HingeRates hinge_rates(const RestHinge& hinge, const Stiffness& k, const Pose& l
   const Vector3d axis_drift = drift(axis);
   const Pull by_point = pull(point, lower, upper, lower_turn, upper_turn, drift(point) + shift),
              by_axis = pull(axis, lower, upper, lower_turn, upper_turn, axis_drift);
-  const Turn turn(hinge, lower, upper);
+  const RelativeTurn turn(hinge, lower, upper);
   const double angle = turn.angle(), angle_along = turn.rate().dot(against);
   const TurnRates turns = turn_rates(hinge, turn, against);
 
@@ -225,15 +146,6 @@ HingeRates hinge_rates(const RestHinge& hinge, const Stiffness& k, const Pose& l
   rates.energy.reach = 2 * k.reach * axis.gap.squaredNorm();
   rates.along.reach = 4 * k.reach * axis.gap.dot(axis_drift);
   return rates;
-}
-
-Element turn_element(const RestHinge& hinge, const Pose& lower, const Pose& upper) {
-  return turn_element(Turn(hinge, lower, upper));
-}
-
-TurnRates turn_rates(const RestHinge& hinge, const Pose& lower, const Pose& upper, const Vector12& along) {
-  return turn_rates(hinge, Turn(hinge, lower, upper),
-                    upper.R.transpose() * (along.segment<3>(6) - along.segment<3>(0)));
 }
 
 }  // namespace kinetix

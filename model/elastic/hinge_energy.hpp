@@ -1,23 +1,9 @@
 #pragma once
 
 #include "model/elastic/elasticity.hpp"
-#include "model/elastic/element.hpp"
-#include "model/state.hpp"
+#include "model/elastic/hinge_turn.hpp"
 
 namespace kinetix {
-
-/// A hinge in the rest frames of its two bodies, lengths in cell edges.
-struct RestHinge {
-  int lower = 0, upper = 0;
-  Eigen::Vector3d edge;       ///< unit edge vector
-  Eigen::Vector3d lower_arm;  ///< from the lower body's vertex to the hinge point
-  Eigen::Vector3d upper_arm;
-  Eigen::Vector3d axis;        ///< unit
-  Eigen::Vector3d axis_alpha;  ///< its derivative by alpha
-  Eigen::Vector3d axis_beta;   ///< and by beta
-};
-
-RestHinge rest_hinge(const Hinge& hinge);
 
 /// The two parts of a hinge's energy, in units of k_point edge^2 (Elasticity).
 struct HingeEnergy {
@@ -52,16 +38,5 @@ struct HingeRates {
 /// @param along twists of the two bodies, ordered as in Element
 HingeRates hinge_rates(const RestHinge& hinge, const Stiffness& stiffness, const Pose& lower,
                        const Pose& upper, double edge_mm, const Vector12& along);
-
-/// Turn of a hinge (rad, as hinge_turn in model/closure_drive.hpp) as an element: for a driven hinge.
-Element turn_element(const RestHinge& hinge, const Pose& lower, const Pose& upper);
-
-/// How that turn, and its derivative along given twists, change with t, alpha and beta (t: not at all).
-struct TurnRates {
-  Eigen::Vector3d turn = Eigen::Vector3d::Zero();
-  Eigen::Vector3d along = Eigen::Vector3d::Zero();
-};
-
-TurnRates turn_rates(const RestHinge& hinge, const Pose& lower, const Pose& upper, const Vector12& along);
 
 }  // namespace kinetix

@@ -52,7 +52,7 @@ void for_each_contact(const Check& check) {
     for (const Contact& c : panel.contacts) {
       check(panel, c);
       ++count;
-      ++through[c.face];
+      ++through[static_cast<int>(c.face)];
     }
   EXPECT_GE(count, 40);
   for (int face = 0; face < 5; ++face) EXPECT_GT(through[face], 0) << "face " << face;

@@ -129,7 +129,8 @@ TEST(HingeTurnElement, IsTheTurnOfTheHingeWithItsDerivatives) {
       const auto turn = [&](const Vector12& x) {
         return hinge_turn(s, moved_pair(s, state, hinge, x), static_cast<int>(k));
       };
-      const Element e = turn_element(rest_hinge(hinge), state[hinge.lower], state[hinge.upper]);
+      const Element e =
+          RelativeTurn(rest_hinge(hinge), state[hinge.lower], state[hinge.upper]).element();
       EXPECT_NEAR(e.energy, turn(Vector12::Zero()), 1e-14);
       expect_jacobian([&](const Eigen::VectorXd& x) { return numeric_gradient(turn, x); },
                       Eigen::VectorXd::Zero(12), e.hessian, 1e-6, 3e-3);
@@ -145,7 +146,7 @@ TEST(HingeTurnElement, RatesByDesignMatchCentralDifferences) {
     for (const Hinge& hinge : s.hinges) {
       const auto turn_and_gradient = [&](const Eigen::VectorXd& q) -> Eigen::VectorXd {
         const RestHinge h = redesigned(hinge, q);
-        const Element e = turn_element(h, state[h.lower], state[h.upper]);
+        const Element e = RelativeTurn(h, state[h.lower], state[h.upper]).element();
         return (Eigen::VectorXd(13) << e.energy, e.gradient).finished();
       };
       Eigen::Matrix<double, 13, 3> all;
