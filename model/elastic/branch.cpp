@@ -13,6 +13,8 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr double first_seed = 1e-3;
+constexpr double slender_seed = 1e-5;
+constexpr double nearby = 0.05;
 constexpr double curved_valley = 0.05;
 constexpr double longest_step = 0.3;
 constexpr double checkerboard = 1e-3;
@@ -37,12 +39,36 @@ Branch::Branch(const ElasticSystem& system, double goal, int side)
 
 Branch::Start Branch::leave(double theta, const State& from, Tangent& tangent) const {
   if (const auto exact = exact_state(theta))
-    if (system_.energy(*exact, theta) < system_.energy(from, theta)) return {Way::exact, *exact};
+    if (system_.energy(*exact, theta) < system_.energy(from, theta)) return onto_exact(theta, *exact, tangent);
+  return along_softest(theta, from, tangent);
+}
+
+Branch::Start Branch::onto_exact(double theta, const State& exact, Tangent& tangent) const {
+  const State balance = relaxed(theta, exact, tangent);
+  system_.linearise(balance, theta, tangent);
+  if (tangent.factorise(0)) return {Way::exact, balance};
+  Start off = along_softest(theta, balance, tangent, true);
+  if (off.way != Way::softest || !(system_.energy(off.state, theta) < system_.energy(balance, theta)))
+    return {Way::exact, exact};
+  off.way = Way::off_exact;
+  return off;
+}
+
+// One step of Newton's method: it calls up the forces in the hinges, and with them what bends under these.
+State Branch::relaxed(double theta, const State& exact, Tangent& tangent) const {
+  const VectorXd gradient = system_.freedoms().restrict(system_.linearise(exact, theta, tangent));
+  if (!tangent.factorise(0)) return exact;
+  const VectorXd step = -system_.freedoms().extend(tangent.solve(gradient));
+  return system_.length(exact, step) <= nearby ? system_.stepped(exact, step) : exact;
+}
+
+Branch::Start Branch::along_softest(double theta, const State& from, Tangent& tangent, bool is_folded) const {
   const Softest soft = softest(tangent);
   if (!soft.converged) return {};
   if (!(soft.value < 0)) return {Way::none, from};
   const VectorXd all = system_.freedoms().extend(soft.direction);
-  return {Way::softest, downhill(theta, from, side_of(all) / system_.length(from, all) * all)};
+  const double side = is_folded ? option_side(all) : drive_side(all);
+  return {Way::softest, downhill(theta, from, side / system_.length(from, all) * all)};
 }
 
 // Where the drive holds it: plates face each other, a driven hinge's lower body rests.
@@ -74,13 +100,14 @@ std::optional<State> Branch::exact_state(double theta) const {
 State Branch::downhill(double theta, const State& from, const VectorXd& along) const {
   const auto at = [&](double s) { return system_.stepped(from, s * along); };
   const auto energy = [&](double s) { return system_.energy(at(s), theta); };
-  double s = first_seed;
-  if (!(energy(s) < system_.energy(from, theta))) return at(curved_valley);
+  const double least = system_.energy(from, theta);
+  double s = energy(first_seed) < least ? first_seed : slender_seed;
+  if (!(energy(s) < least)) return at(curved_valley);
   while (2 * s <= longest_step && energy(2 * s) < energy(s)) s *= 2;
   return at(s);
 }
 
-double Branch::side_of(const VectorXd& all) const {
+double Branch::drive_side(const VectorXd& all) const {
   const auto& bodies = system_.structure().bodies;
   double with = 0, size = 0;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -88,6 +115,10 @@ double Branch::side_of(const VectorXd& all) const {
     size += std::abs(all[6 * b + 2]);
   }
   if (std::abs(with) > checkerboard * size && size > 0) return std::copysign(1.0, with * goal_);
+  return option_side(all);
+}
+
+double Branch::option_side(const VectorXd& all) const {
   Eigen::Index largest = 0;
   all.cwiseAbs().maxCoeff(&largest);
   return side_ * std::copysign(1.0, all[largest]);

@@ -15,10 +15,11 @@ class Branch {
   Branch(const ElasticSystem& system, double goal, int side);
 
   enum class Way {
-    exact,    ///< on the closed form of an exact family
-    softest,  ///< along the softest direction
-    none,     ///< that is neutral: nowhere to go
-    unknown,  ///< it was not found
+    exact,      ///< on the closed form of an exact family
+    off_exact,  ///< from there on along the softest direction: the closed form is unstable too
+    softest,    ///< along the softest direction
+    none,       ///< that is neutral: nowhere to go
+    unknown,    ///< it was not found
   };
   struct Start {
     Way way = Way::unknown;
@@ -27,14 +28,21 @@ class Branch {
   /// Where to start down from the balance `from` at theta: the state of the exact family where the structure
   /// belongs to one and it lies lower, else a step along the softest direction, with the sign that turns class
   /// A as the drive does where it turns the checkerboard at all; a valley that bends away from the step's line
-  /// is met 0.05 rad or cell edges on. @param tangent of `from`
+  /// is met 0.05 rad or cell edges on. A long strip folds between its plates under a load that may be more than
+  /// it bears without tipping over: a closed form that is no minimum is left at once, along the softest
+  /// direction from there. @param tangent of `from`; afterwards of no use
   Start leave(double theta, const State& from, Tangent& tangent) const;
   /// The closed form at theta of a structure that belongs to an exact family, where the drive holds it.
   std::optional<State> exact_state(double theta) const;
 
  private:
+  Start onto_exact(double theta, const State& exact, Tangent& tangent) const;
+  /// @param is_folded the sign of the drive is taken: the side is left open
+  Start along_softest(double theta, const State& from, Tangent& tangent, bool is_folded = false) const;
+  State relaxed(double theta, const State& exact, Tangent& tangent) const;
   State downhill(double theta, const State& from, const Eigen::VectorXd& along) const;
-  double side_of(const Eigen::VectorXd& all) const;
+  double drive_side(const Eigen::VectorXd& all) const;
+  double option_side(const Eigen::VectorXd& all) const;
 
   const ElasticSystem& system_;
   Classification family_;

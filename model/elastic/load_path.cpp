@@ -190,7 +190,7 @@ class Follower {
       if (start.way == Branch::Way::none) break;
       newton_.converged = start.way != Branch::Way::unknown;
       if (!newton_.converged) break;
-      left_exactly_ = start.way == Branch::Way::exact;
+      if (tries == 0 || start.way != Branch::Way::softest) way_ = start.way;
       const double saddle = system_.energy(state, theta);
       state = start.state;
       search(theta, newton_options(theta, true), false, state);
@@ -220,6 +220,7 @@ class Follower {
     path_.state = std::move(state);
     path_.theta = step.theta;
     is_exact_ = (is_exact_ || branched) && keeps_to_closed_form();
+    if (branched) off_closed_form_since_ = way_ == Branch::Way::off_exact ? step.theta : NAN;
     has_tangent_ = newton_.stable;
     path_.steps.push_back(step);
     if (frame_) frame_(step, path_.state);
@@ -232,12 +233,22 @@ class Follower {
     };
     const LoadStep& before = path_.steps[path_.steps.size() - 2];
     if (branched)
-      add(Kind::bifurcation, std::string("the balance turned unstable: left along the ") +
-                                 (left_exactly_ ? "exact mode" : "softest direction"));
+      add(Kind::bifurcation, "the balance turned unstable: left along the " + way_left());
     if (jumped) add(Kind::snap, "jumped to another state at nearly the same drive");
     if (before.contacts == 0 && step.contacts > 0) add(Kind::contact, touching(system_.contacts(path_.state)));
     if (before.contacts > 0 && step.contacts == 0) add(Kind::release, "walls no longer touch");
     report_lock(step, before, add);
+  }
+
+  std::string way_left() const {
+    switch (way_) {
+      case Branch::Way::exact:
+        return is_exact_ ? "exact mode" : "exact mode, to less energy off the closed form";
+      case Branch::Way::off_exact:
+        return "softest direction, since the closed form is unstable too";
+      default:
+        return "softest direction";
+    }
   }
 
   std::string touching(const std::vector<Contact>& contacts) const {
@@ -281,7 +292,13 @@ class Follower {
   std::string at() const {
     const LoadStep& last = path_.steps.back();
     return " at theta " + number_text(to_degrees(last.theta)) + " deg, load " + number_text(last.load) +
-           (between_plates() ? " N" : " N mm");
+           (between_plates() ? " N" : " N mm") + off_closed_form();
+  }
+
+  std::string off_closed_form() const {
+    if (!std::isfinite(off_closed_form_since_)) return "";
+    return "; off the closed form since theta " + number_text(to_degrees(off_closed_form_since_)) +
+           " deg, where that is unstable";
   }
 
   std::string reason(Stop stop) const {
@@ -318,7 +335,9 @@ class Follower {
   LoadPath path_;
   Stop stop_ = Stop::not_converged;
   std::vector<Contact> blocking_;  ///< of the last state that was not taken
-  bool has_tangent_ = false, is_exact_ = false, left_exactly_ = false, tunnelled_ = false;
+  bool has_tangent_ = false, is_exact_ = false, tunnelled_ = false;
+  Branch::Way way_ = Branch::Way::softest;  ///< in which the last saddle was left
+  double off_closed_form_since_ = NAN;      ///< theta; NaN where the path did not leave it for being unstable
   double growth_ = 1, free_slope_ = 0;
   bool locked_ = false;
 };

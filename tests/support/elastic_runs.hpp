@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "model/classify.hpp"
 #include "model/elastic/load_path.hpp"
 #include "model/unit_laws.hpp"
@@ -42,6 +44,14 @@ inline double from_closed_form(const Structure& s, const LoadPath& path) {
 /// Energy of the turning springs where all hinges turn by twice theta, N mm.
 inline double planar_energy(const Structure& s, double k_turn, double theta) {
   return static_cast<double>(s.hinges.size()) * 2 * k_turn * theta * theta;
+}
+
+/// Cells of a strip that tips over between its plates instead of folding. It is keyed upright in the middle
+/// only. A column folded to theta stores 6 k_turn theta^2, so tipping it by phi gains 6 k_turn phi^2; twisting
+/// it against the next by tau costs 3 k_point reach^2 tau^2 in three hinges: Euler's column, clamped in the
+/// middle and free at its ends.
+inline double tipping_length(const Elasticity& e) {
+  return pi * e.reach_mm * std::sqrt(e.k_point / (2 * e.k_turn));
 }
 
 inline const PathEvent* first_event(const LoadPath& path, PathEvent::Kind kind) {
