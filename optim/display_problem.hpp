@@ -1,0 +1,61 @@
+#pragma once
+
+#include <functional>
+
+#include "model/soft_aperture.hpp"
+#include "optim/display_cost.hpp"
+#include "optim/hinge_ties.hpp"
+#include "optim/panel_balance.hpp"
+#include "optim/scalar_solver.hpp"
+
+namespace kinetix {
+
+/// What a display is read by: one number a cell (contracts.md).
+enum class Channel {
+  aperture,  ///< largest inscribed circle of the opening, diameter in cell edges
+  area,      ///< of the opening, cell edges squared
+  rotation,  ///< mean turn of the cell's bodies, each in the sense it turns in a basic sheet, rad
+};
+
+std::string to_string(Channel channel);
+
+/// The channel of one cell by its definition.
+double channel_value(Channel channel, const Structure& structure, const State& state, const CellHinges& cell);
+/// Of all cells, in the order of structure.cells.
+std::vector<double> channel_values(Channel channel, const Structure& structure, const State& state);
+/// A smooth stand-in with derivatives: the same number but for the aperture, soft_aperture().
+CellReading channel_reading(Channel channel, const Structure& structure, const State& state,
+                            const CellHinges& cell);
+
+/// The search for the t of a panel's hinges that shows a picture: a cost of the readings plus what hinges
+/// stretch beyond a limit.
+class DisplayProblem : public ScalarProblem {
+ public:
+  using Cost = std::function<WeighedReadings(const std::vector<double>&)>;
+
+  /// @param bounds of t   @param stretch most that a hinge may stretch, cell edges
+  /// @param weight of an excess of one cell edge squared
+  DisplayProblem(PanelBalance& balance, const HingeTies& ties, Channel channel, Cost cost,
+                 std::array<double, 2> bounds, double stretch, double weight);
+
+  const Eigen::VectorXd& lower() const override { return lower_; }
+  const Eigen::VectorXd& upper() const override { return upper_; }
+  bool evaluate(const Eigen::VectorXd& x, double& f, Eigen::VectorXd* gradient) override;
+
+ private:
+  struct Slopes {
+    Eigen::VectorXd state;  ///< 6 a body
+    Eigen::VectorXd t;      ///< where the bodies stay
+  };
+  double add_picture(Slopes& slopes) const;
+  double add_stretch(Slopes& slopes) const;
+
+  PanelBalance& balance_;
+  const HingeTies& ties_;
+  Channel channel_;
+  Cost cost_;
+  double stretch_, weight_;
+  Eigen::VectorXd lower_, upper_;
+};
+
+}  // namespace kinetix

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+
+#include "model/drive.hpp"
+#include "model/elastic/elastic_system.hpp"
+
+namespace kinetix {
+
+/// A planar panel with elastic hinges between plates, its walls in contact, that is in balance again after each
+/// change of where its hinges sit on their walls: from the balance before where that leads to one nearby, else
+/// along the path from flat.
+class PanelBalance {
+ public:
+  /// @pre all hinges stand upright; elasticity and drive are valid, the drive is one of plates
+  /// @throws InvalidInput for walls that overlap in the flat state
+  PanelBalance(Structure panel, const Elasticity& elasticity, const Drive& plates);
+
+  /// @param t of every hinge, in (0, 1)   @return whether a stable balance at the drive's goal was found; the
+  /// state stays as it was where not
+  bool settle(const Eigen::VectorXd& t);
+  /// The next settle() starts from flat.
+  void forget() { state_.clear(); }
+
+  const Structure& panel() const { return panel_; }
+  /// @pre settle() returned true
+  const State& state() const { return state_; }
+
+  /// The derivative by t of a function of the state, by the adjoint. @param by_state 6 a body, as
+  /// BalanceGradient::state   @return one entry a hinge; what the function has of t directly is the caller's to
+  /// add. Nothing where the balance is singular
+  std::optional<Eigen::VectorXd> by_t(const Eigen::VectorXd& by_state);
+
+  int paths_from_flat() const { return paths_; }
+
+ private:
+  bool settle_nearby();
+  bool settle_from_flat();
+
+  Structure panel_;
+  Elasticity elasticity_;
+  Drive drive_;
+  State state_;
+  int paths_ = 0;
+};
+
+}  // namespace kinetix
