@@ -11,6 +11,7 @@
 #include "app/output.hpp"
 #include "app/result_json.hpp"
 #include "app/run_design.hpp"
+#include "app/run_display.hpp"
 #include "app/stopwatch.hpp"
 #include "model/invalid_input.hpp"
 #include "targets/document.hpp"
@@ -40,6 +41,7 @@ Run located(const std::string& file, const std::function<Run()>& make) {
 
 int exit_code(const Run& run) {
   if (run.curve && !run.curve->met) return target_missed;
+  if (run.display && !run.display->met()) return target_missed;
   if (run.equilibrium && !run.equilibrium->reached()) return target_missed;
   if (run.verification && !run.verification->agrees) return physics_disagrees;
   return done;
@@ -55,6 +57,11 @@ int report(Run run, double load_seconds, OutputFolder& folder, bool as_json) {
     std::cout << summary(run)
               << fmt::format("  {:<10} {}/report.html, result.json, design.yaml\n", "written", folder.path());
   return exit_code(run);
+}
+
+Run run_target(const Target& target, const RunOptions& options) {
+  if (const auto* display = std::get_if<DisplayFile>(&target)) return run_display(*display, options);
+  return run_curve(std::get<TargetFile>(target), options);
 }
 
 using DesignRun = Run (*)(const DesignFile&, const RunOptions&);
@@ -77,11 +84,11 @@ int run_design(const CommandOptions& options, DesignRun run, const std::string& 
 
 int optimise_command(const CommandOptions& options) {
   Stopwatch watch;
-  const TargetFile target = read_target(options.file);
-  OutputFolder folder(folder_of(options, target.name));
+  const Target target = read_target(options.file);
+  OutputFolder folder(folder_of(options, name_of(target)));
   const double load = watch.lap();
   Console console(options.quiet);
-  Run run = located(options.file, [&] { return run_curve(target, run_options(options, console)); });
+  Run run = located(options.file, [&] { return run_target(target, run_options(options, console)); });
   return report(std::move(run), load, folder, options.json);
 }
 
@@ -98,7 +105,7 @@ int simulate_command(const CommandOptions& options) {
 
 int check_command(const CommandOptions& options) {
   const bool is_target = read_document(options.file, max_design_bytes).optional("target").has_value();
-  const std::string name = is_target ? read_target(options.file).name : read_design(options.file).name;
+  const std::string name = is_target ? name_of(read_target(options.file)) : read_design(options.file).name;
   const char* kind = is_target ? "target" : "design";
   if (options.json)
     std::cout << nlohmann::ordered_json{{"file", options.file},

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "app/hinge_section.hpp"
 #include "app/physics_section.hpp"
 #include "model/structure.hpp"
 
@@ -20,19 +21,6 @@ struct DriveSection {
   double angle = 0;                ///< hinge: turn of wall.to() against wall.from, rad, within (-pi, pi)
 
   bool operator==(const DriveSection&) const = default;
-};
-
-/// The `hinge:` section: what the hinges are made of.
-struct HingeSection {
-  enum class Model { rotary, elastic };
-
-  Model model = Model::rotary;
-  double k_point = 1000;                 ///< N/mm, > 0
-  double k_turn = 0.1;                   ///< N mm/rad, > 0; 0 is allowed where rotary
-  std::optional<double> reach_mm;        ///< half distance of the two constraint points, (0, 10] cell edges
-  std::optional<double> k_contact = {};  ///< of two walls pressed together, N/mm, > 0; nothing: 10 k_point
-
-  bool operator==(const HingeSection&) const = default;
 };
 
 /// A design.yaml. Angles in radians, lengths in mm.

@@ -94,16 +94,23 @@ double theta_of(const Drive& drive, const Classification& family, const Structur
                   widest / radians_per_degree));
 }
 
-Elasticity elasticity_of(const DesignFile& design) {
-  const HingeSection& hinge = design.hinge;
-  const double edge = design.structure.size.edge_mm;
+Elasticity elasticity_of(const HingeSection& hinge, const PhysicsSection& physics, double edge_mm) {
   if (!(hinge.k_turn > 0))
     throw InvalidInput("0 is out of range for the elastic model; allowed: a number above 0, in N mm/rad",
                        {"", 0, 0, "hinge.k_turn"});
   return {.k_point = hinge.k_point,
           .k_turn = hinge.k_turn,
-          .reach_mm = hinge.reach_mm.value_or(physics_options(design.physics, edge).reach * edge),
+          .reach_mm = hinge.reach_mm.value_or(physics_options(physics, edge_mm).reach * edge_mm),
           .k_contact = hinge.k_contact.value_or(10 * hinge.k_point)};
+}
+
+PhysicsOptions elastic_physics(const Elasticity& elasticity, const PhysicsSection& section, double edge_mm,
+                               bool planar) {
+  PhysicsOptions options = physics_options(section, edge_mm);
+  options.elastic = relative(elasticity, edge_mm);
+  options.reach = options.elastic->reach;
+  options.planar = planar;
+  return options;
 }
 
 PhysicsOptions physics_options(const PhysicsSection& section, double edge_mm) {

@@ -14,12 +14,14 @@ Drive drive_of(const DesignFile& design);
 /// @throws InvalidInput where no theta up to 90 deg does, or where plates leave theta undetermined
 double theta_of(const Drive& drive, const Classification& family, const Structure& structure);
 
-/// What the design's hinges are made of. Rotary hinges are taken as elastic with the same numbers, which are
-/// the defaults unless the file gives others; reach: that of the physics run. @throws InvalidInput for k_turn
-/// 0
-Elasticity elasticity_of(const DesignFile& design);
+/// What hinges are made of. Rotary hinges are taken as elastic with the same numbers, which are the defaults
+/// unless the file gives others; reach: that of the physics run. @throws InvalidInput for k_turn 0
+Elasticity elasticity_of(const HingeSection& hinge, const PhysicsSection& physics, double edge_mm);
 
 /// Settings of the physics run: defaults, with what the file gives. @param edge_mm cell edge
 PhysicsOptions physics_options(const PhysicsSection& section, double edge_mm);
+/// Those of a run with elastic hinges.
+PhysicsOptions elastic_physics(const Elasticity& elasticity, const PhysicsSection& section, double edge_mm,
+                               bool planar);
 
 }  // namespace kinetix

@@ -1,7 +1,10 @@
 #include "app/output.hpp"
 
+#include <filesystem>
+
 #include "app/atomic_file.hpp"
 #include "app/design_file.hpp"
+#include "app/display_json.hpp"
 #include "app/report/report.hpp"
 #include "app/result_json.hpp"
 #include "app/stopwatch.hpp"
@@ -23,6 +26,15 @@ DesignFile design_of(const Run& run) {
   return design;
 }
 
+/// As files, and the drawings among them for the report.
+void write_pictures(const Run& run, const std::string& folder, nlohmann::ordered_json& shown) {
+  std::filesystem::create_directories(folder + "/frames");
+  for (const auto& [name, content] : display_pictures(run)) {
+    write_file(folder + "/" + name, content);
+    if (name.ends_with(".svg")) shown["pictures"][name.substr(0, name.size() - 4)] = content;
+  }
+}
+
 }  // namespace
 
 nlohmann::ordered_json write_results(Run& run, const std::string& folder) {
@@ -30,6 +42,7 @@ nlohmann::ordered_json write_results(Run& run, const std::string& folder) {
   write_file(folder + "/design.yaml", design_text(design_of(run)));
   nlohmann::ordered_json shown = result_json(run);
   shown["timing_s"].erase("write");
+  if (run.display) write_pictures(run, folder, shown["display"]);
   write_file(folder + "/report.html", report_html(shown.dump()));
   run.timings.write = watch.lap();
   nlohmann::ordered_json json = result_json(run);

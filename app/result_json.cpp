@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/display_json.hpp"
 #include "app/equilibrium_json.hpp"
 #include "app/physics_json.hpp"
 #include "app/stable_states_json.hpp"
@@ -22,6 +23,7 @@ Json points(const std::vector<Eigen::Vector2d>& polyline) {
 }
 
 Json target_json(const Run& run) {
+  if (run.display) return display_target_json(*run.display);
   if (!run.curve) return nullptr;
   return {{"kind", "curve"}, {"points_mm", points(run.curve->target_mm)}};
 }
@@ -86,6 +88,7 @@ Json metrics_json(const Run& run) {
     metrics["shape_max"] = error.max;
     metrics["met"] = run.curve->met;
   }
+  if (run.display) add_display_metrics(*run.display, metrics);
   if (run.equilibrium) add_equilibrium_metrics(*run.equilibrium, metrics);
   if (run.verification) {
     metrics["verify_rms"] = run.verification->distance.rms;
@@ -175,6 +178,10 @@ Json result_json(const Run& run) {
   if (run.curve) {
     out["curve"] = curve_json(*run.curve);
     out["optimiser"] = optimiser_json(*run.curve);
+  }
+  if (run.display) {
+    out["display"] = display_json(run);
+    out["optimiser"] = display_optimiser_json(*run.display);
   }
   if (run.equilibrium) {
     out["equilibrium"] = equilibrium_json(*run.equilibrium);

@@ -9,7 +9,9 @@
 #include "model/elastic/balance_comparison.hpp"
 #include "model/elastic/stable_states.hpp"
 #include "optim/fit_curve.hpp"
+#include "optim/fit_display.hpp"
 #include "sim/compression_run.hpp"
+#include "targets/display_goal.hpp"
 
 namespace kinetix {
 
@@ -64,6 +66,27 @@ struct CurveOutcome {
   std::vector<std::string> why_missed;  ///< in words, empty where met
 };
 
+/// What a state of a panel shows.
+struct DisplayReading {
+  std::vector<double> channel;  ///< of each cell
+  DisplayScore score;
+  double rank = 0;  ///< rank correlation of channel and levels
+};
+
+/// What a search for a display contributes to a result.
+struct DisplayOutcome {
+  DisplayGoal goal;
+  Channel channel = Channel::aperture;
+  DisplayOptions options;
+  DisplayDesign design;
+  DisplayReading before, after;           ///< flat, and the balance under the plates
+  std::optional<DisplayReading> physics;  ///< the settled physics run
+  std::vector<std::string> why_missed;    ///< in words, empty where the model shows what was asked
+  std::vector<std::string> why_physics;   ///< likewise for the physics run
+
+  bool met() const { return why_missed.empty(); }
+};
+
 /// Everything one call of the program knows at its end: what result.json and the report show.
 struct Run {
   std::string name;
@@ -72,6 +95,7 @@ struct Run {
   Plan plan;
   double theta = 0;  ///< rad, of the state shown
   std::optional<CurveOutcome> curve;
+  std::optional<DisplayOutcome> display;
   std::vector<NamedState> states;
   PhysicsSection physics;  ///< these four as the file asked
   HingeSection hinge;

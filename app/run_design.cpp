@@ -44,14 +44,16 @@ Run reference_run(const DesignFile& design, const RunOptions& options) {
   return exact ? simulate_exact(design, options) : planned(design, options);
 }
 
+Elasticity elasticity_of(const DesignFile& design) {
+  return elasticity_of(design.hinge, design.physics, design.structure.size.edge_mm);
+}
+
 PhysicsOptions physics_of(const DesignFile& design, const Plan& plan) {
   const double edge = design.structure.size.edge_mm;
+  if (design.hinge.model == HingeSection::Model::elastic)
+    return elastic_physics(elasticity_of(design), design.physics, edge, plan.planar);
   PhysicsOptions physics = physics_options(design.physics, edge);
   if (design.hinge.reach_mm) physics.reach = *design.hinge.reach_mm / edge;
-  if (design.hinge.model != HingeSection::Model::elastic) return physics;
-  physics.elastic = relative(elasticity_of(design), edge);
-  physics.reach = physics.elastic->reach;
-  physics.planar = plan.planar;
   return physics;
 }
 

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "app/display_json.hpp"
 #include "app/equilibrium_summary.hpp"
 #include "app/result_json.hpp"
 
@@ -72,6 +73,8 @@ std::string summary(const Run& run) {
                                    degrees(largest_tilt(run.structure))));
   text += contact_line(run);
   if (run.curve) text += shape_lines(run);
+  if (run.display)
+    for (const auto& [label, words] : display_lines(run)) text += line(label, words);
   if (run.equilibrium)
     for (const auto& [label, words] : equilibrium_lines(run)) text += line(label, words);
   if (run.verification) text += physics_lines(run);

@@ -26,17 +26,23 @@ void check_kind_of_file(const Node& root) {
     if (root.optional("factors"))
       throw root.error("this is a design of experiments, not a target; use it with sweep");
   }
-  root.reject_unknown_keys(
-      {"kinetix", "name", "target", "structure", "variables", "tolerance", "solver", "physics"});
+}
+
+enum class Kind { curve, display };
+
+Kind read_kind(const Node& root) {
+  const Node target = root.required("target", "e.g. `target: {kind: curve, points: points.csv}`");
+  const Node kind = target.required("kind", "`kind: curve` or `kind: display`");
+  const std::vector<std::string_view> kinds = {"curve", "display", "fold", "helmet", "outline"};
+  const std::string_view name = kinds[kind.one_of(kinds)];
+  if (name == "curve") return Kind::curve;
+  if (name == "display") return Kind::display;
+  throw kind.error("kind " + std::string(name) +
+                   " is not supported by this version; supported: curve, display");
 }
 
 Curve read_goal(const Node& root) {
-  const Node target = root.required("target", "e.g. `target: {kind: curve, points: points.csv}`");
-  const Node kind = target.required("kind", "`kind: curve`");
-  const std::vector<std::string_view> kinds = {"curve", "display", "fold", "helmet", "outline"};
-  const std::string_view name = kinds[kind.one_of(kinds)];
-  if (name != "curve")
-    throw kind.error("kind " + std::string(name) + " is not supported by this version; supported: curve");
+  const Node target = root.required("target", "");
   target.reject_unknown_keys({"kind", "points"});
   return read_curve(
       target.required("points", "the path of a CSV file or a list of points [[x, z], ...] in mm"));
@@ -111,19 +117,6 @@ Per read_per(const Node& node) {
   return choice == 0 ? Per::column : Per::all;
 }
 
-Symmetry read_symmetry(const Node& node, int columns, int rows) {
-  const auto symmetry = node.choice<Symmetry>({{"none", Symmetry::none},
-                                               {"mirror_x", Symmetry::mirror_x},
-                                               {"mirror_y", Symmetry::mirror_y},
-                                               {"rotate_2", Symmetry::rotate_2},
-                                               {"rotate_4", Symmetry::rotate_4}});
-  if (symmetry == Symmetry::rotate_4 && columns != rows)
-    throw node.error("rotate_4 needs as many columns as rows, and structure.cells is [" +
-                     std::to_string(columns) + ", " + std::to_string(rows) +
-                     "]; allowed here: none, mirror_x, mirror_y, rotate_2");
-  return symmetry;
-}
-
 void read_variables(const Node& root, TargetFile& file) {
   const auto section = root.optional("variables");
   if (!section) return;
@@ -154,29 +147,9 @@ void read_tolerance(const Node& root, TargetFile& file) {
   if (const auto node = section->optional("verify")) file.verify_tolerance = node->number(part_of_one);
 }
 
-SolverName read_solver_name(const Node& node) {
-  std::vector<std::string> names;
-  for (const SolverName name : all_solvers()) names.push_back(to_string(name));
-  return all_solvers()[node.one_of({names.begin(), names.end()})];
-}
-
-SolverSection read_solver(const Node& root) {
-  SolverSection solver;
-  const auto section = root.optional("solver");
-  if (!section) return solver;
-  section->reject_unknown_keys({"name", "starts", "max_evaluations"});
-  if (const auto node = section->optional("name")) solver.name = read_solver_name(*node);
-  if (const auto node = section->optional("starts")) solver.starts = node->integer(1, 10'000);
-  if (const auto node = section->optional("max_evaluations"))
-    solver.max_evaluations = node->integer(1, 10'000'000);
-  return solver;
-}
-
-}  // namespace
-
-TargetFile read_target(const std::string& path) {
-  const Node root = read_document(path);
-  check_kind_of_file(root);
+TargetFile read_curve_file(const Node& root) {
+  root.reject_unknown_keys(
+      {"kinetix", "name", "target", "structure", "variables", "tolerance", "solver", "physics"});
   check_version(root);
   TargetFile file{.name = read_name(root), .curve = read_goal(root)};
   read_structure(root, file);
@@ -185,6 +158,26 @@ TargetFile read_target(const std::string& path) {
   file.solver = read_solver(root);
   file.physics = read_physics(root, file.size.edge_mm);
   return file;
+}
+
+}  // namespace
+
+Target read_target(const std::string& path) {
+  const Node root = read_document(path);
+  check_kind_of_file(root);
+  if (root.kind() != Node::Kind::map || !root.optional("target")) return read_curve_file(root);
+  if (read_kind(root) == Kind::display) return read_display_file(root);
+  return read_curve_file(root);
+}
+
+TargetFile read_curve_target(const std::string& path) {
+  Target target = read_target(path);
+  if (auto* curve = std::get_if<TargetFile>(&target)) return std::move(*curve);
+  throw InvalidInput("the target is not a curve", {path, 0, 0, "target.kind"});
+}
+
+std::string name_of(const Target& target) {
+  return std::visit([](const auto& file) { return file.name; }, target);
 }
 
 }  // namespace kinetix

@@ -2,21 +2,15 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 
+#include "app/display_file.hpp"
 #include "app/physics_section.hpp"
+#include "app/solver_section.hpp"
 #include "model/structure.hpp"
-#include "optim/solver.hpp"
-#include "optim/variables.hpp"
 #include "targets/curve.hpp"
 
 namespace kinetix {
-
-/// The `solver:` section. What is not given is for the search to choose.
-struct SolverSection {
-  std::optional<SolverName> name;
-  std::optional<int> starts;           ///< 1 to 10000
-  std::optional<int> max_evaluations;  ///< per start, 1 to 10000000
-};
 
 /// A target.yaml of kind curve, as asked for or by default. Angles in radians, lengths in mm.
 ///
@@ -44,7 +38,14 @@ struct TargetFile {
   PhysicsSection physics = {};
 };
 
-/// @throws InvalidInput for whatever contracts.md does not allow, and for kinds other than curve
-TargetFile read_target(const std::string& file);
+/// A target of one of the kinds there are.
+using Target = std::variant<TargetFile, DisplayFile>;
+
+/// @throws InvalidInput for whatever contracts.md does not allow, and for kinds other than curve and display
+Target read_target(const std::string& file);
+/// @throws InvalidInput likewise, and for kinds other than curve
+TargetFile read_curve_target(const std::string& file);
+/// The target's own name.
+std::string name_of(const Target& target);
 
 }  // namespace kinetix

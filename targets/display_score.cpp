@@ -8,7 +8,7 @@
 namespace kinetix {
 namespace {
 
-constexpr double same = 1e-12;
+constexpr double same = 1e-5;
 
 /// Ranks from 1, those of values that are the same averaged.
 std::vector<double> ranks(const std::vector<double>& values) {

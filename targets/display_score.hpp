@@ -16,7 +16,7 @@ struct DisplayScore {
   double separation() const { return letter - rest; }
 };
 
-/// Cells with a level of at least 0.5 are the letter's. Differences of 1e-12 count as none: rounding makes no
+/// Cells with a level of at least 0.5 are the letter's. Differences of 1e-5 count as none: rounding makes no
 /// picture. NaN among the values gives NaN.
 /// @pre as many values as levels, and both kinds of cells
 DisplayScore display_score(const std::vector<double>& channel, const std::vector<double>& levels);

@@ -82,12 +82,17 @@ void check_characters(const std::string& file, const std::string& text) {
 
 }  // namespace
 
-std::string read_text_file(const std::string& file, std::size_t max_bytes) {
+std::string read_bytes(const std::string& file, std::size_t max_bytes) {
   check_regular_file(file);
   std::error_code error;
   check_size(file, static_cast<std::size_t>(fs::file_size(file, error)), error ? SIZE_MAX : max_bytes);
-  std::string text = read_at_most(file, max_bytes);
-  check_size(file, text.size(), max_bytes);
+  std::string bytes = read_at_most(file, max_bytes);
+  check_size(file, bytes.size(), max_bytes);
+  return bytes;
+}
+
+std::string read_text_file(const std::string& file, std::size_t max_bytes) {
+  std::string text = read_bytes(file, max_bytes);
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
   check_characters(file, text);
   return text;

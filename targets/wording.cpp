@@ -9,10 +9,16 @@ namespace kinetix {
 namespace {
 
 constexpr std::size_t longest_quote = 40;
-constexpr std::size_t longest_name = 64;
 
-/// Levenshtein distance in which two swapped neighbours count as one step.
-int distance(std::string_view a, std::string_view b) {
+/// `theta` for `theta_deg`: a unit forgotten or added is as near as one wrong letter.
+bool differs_by_suffix(std::string_view a, std::string_view b) {
+  if (a.size() > b.size()) std::swap(a, b);
+  return !a.empty() && b.starts_with(a) && b.size() > a.size() && b[a.size()] == '_';
+}
+
+}  // namespace
+
+int spelling_distance(std::string_view a, std::string_view b) {
   std::vector<std::vector<int>> d(a.size() + 1, std::vector<int>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = static_cast<int>(i);
   std::iota(d[0].begin(), d[0].end(), 0);
@@ -25,14 +31,6 @@ int distance(std::string_view a, std::string_view b) {
     }
   return d[a.size()][b.size()];
 }
-
-/// `theta` for `theta_deg`: a unit forgotten or added is as near as one wrong letter.
-bool differs_by_suffix(std::string_view a, std::string_view b) {
-  if (a.size() > b.size()) std::swap(a, b);
-  return !a.empty() && b.starts_with(a) && b.size() > a.size() && b[a.size()] == '_';
-}
-
-}  // namespace
 
 bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
@@ -63,7 +61,8 @@ std::string did_you_mean(std::string_view name, Names allowed) {
   std::string_view nearest;
   int least = std::min(1 + std::max(1, static_cast<int>(name.size()) / 3), static_cast<int>(name.size()));
   for (const std::string_view candidate : allowed) {
-    const int d = std::min(differs_by_suffix(asked, candidate) ? 0 : 100, distance(asked, candidate));
+    const int d =
+        std::min(differs_by_suffix(asked, candidate) ? 0 : 100, spelling_distance(asked, candidate));
     if (d >= least) continue;
     least = d;
     nearest = candidate;

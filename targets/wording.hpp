@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,6 +20,12 @@ bool continues_character(char c);
 
 /// "a, b, c"
 std::string joined(Names names);
+
+/// Names longer than this are not compared with others.
+inline constexpr std::size_t longest_name = 64;
+
+/// Levenshtein distance in which two swapped neighbours count as one step.
+int spelling_distance(std::string_view a, std::string_view b);
 
 /// " (did you mean `b`?)" for the allowed name that is nearest in spelling; empty when none is near.
 std::string did_you_mean(std::string_view name, Names allowed);

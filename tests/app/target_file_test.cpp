@@ -22,7 +22,7 @@ const std::string target = "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [
 
 TargetFile read(const std::string& text) {
   TemporaryFolder folder;
-  return read_target(folder.write("rib.yaml", text));
+  return read_curve_target(folder.write("rib.yaml", text));
 }
 
 TEST(TargetFile, NeedsNoMoreThanAVersionAndATarget) {
@@ -87,17 +87,17 @@ TEST(TargetFile, TakesAListOfCellsThatIsARectangle) {
 
 TEST(TargetFile, NamesItselfByTheFile) {
   TemporaryFolder folder;
-  EXPECT_EQ(read_target(folder.write("my r\xC3\xAD"
+  EXPECT_EQ(read_curve_target(folder.write("my r\xC3\xAD"
                                      "b.v2.yaml",
                                      target))
                 .name,
             "my_r__b.v2");
-  EXPECT_EQ(read_target(folder.write(".hidden", target)).name, "_.hidden");
+  EXPECT_EQ(read_curve_target(folder.write(".hidden", target)).name, "_.hidden");
 }
 
 TEST(TargetFile, ReadsTheTargetsThatShip) {
   for (const char* name : {"half_circle", "helmet_rib", "s_curve", "spiral"}) {
-    const TargetFile file = read_target(std::string(KINETIX_SOURCE) + "/targets/shapes/" + name + ".yaml");
+    const TargetFile file = read_curve_target(std::string(KINETIX_SOURCE) + "/targets/shapes/" + name + ".yaml");
     EXPECT_EQ(file.name, name);
     EXPECT_GE(file.columns, 40);
   }
@@ -255,7 +255,7 @@ TEST(TargetFile, SaysWhereAndWhatIsAllowed) {
   const std::string file = folder.path("rib.yaml");
   for (const BadInput& bad : cases) {
     folder.write("rib.yaml", bad.text);
-    expect_refused(bad, file, [&] { read_target(file); });
+    expect_refused(bad, file, [&] { read_curve_target(file); });
   }
 }
 
@@ -277,7 +277,7 @@ TEST(TargetFile, SurvivesRandomMutations) {
       text[below(text.size())] = "0123456789.-e{}[],: \n#'ax"[below(25)];
     const auto path = folder.write("rib.yaml", text);
     try {
-      const TargetFile file = read_target(path);
+      const TargetFile file = read_curve_target(path);
       EXPECT_TRUE(file.columns >= 2 && file.beta.lower < file.beta.upper && file.size.edge_mm > 0);
       EXPECT_NO_THROW(make_structure(rectangle(2, 1), file.size));
       ++accepted;

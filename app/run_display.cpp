@@ -1,0 +1,137 @@
+#include "app/run_display.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "app/balance.hpp"
+#include "app/design_motion.hpp"
+#include "app/stopwatch.hpp"
+#include "app/verify.hpp"
+
+namespace kinetix {
+namespace {
+
+constexpr int frames = 13;
+
+Drive plates_of(const DisplayFile& file) {
+  Drive drive;
+  drive.kind = Drive::Kind::plates;
+  drive.axis = file.axis;
+  drive.compression = file.compression;
+  return drive;
+}
+
+DisplayOptions search_of(const DisplayFile& file, const Elasticity& elasticity) {
+  DisplayOptions options;
+  options.channel = file.channel;
+  options.plates = plates_of(file);
+  options.elasticity = elasticity;
+  options.stretch = file.stretch;
+  options.t = file.t;
+  options.symmetry = file.symmetry;
+  options.solver.name = file.solver.name.value_or(options.solver.name);
+  options.solver.max_evaluations = file.solver.max_evaluations.value_or(options.solver.max_evaluations);
+  return options;
+}
+
+std::vector<double> levels_of(const DisplayGoal& goal, const Structure& panel) {
+  std::vector<double> levels;
+  for (const Cell& cell : panel.cells) levels.push_back(goal.level(cell.i, cell.j));
+  return levels;
+}
+
+DisplayReading reading(const Structure& panel, const State& state, const std::vector<double>& levels,
+                       Channel channel) {
+  DisplayReading out;
+  out.channel = channel_values(channel, panel, state);
+  out.score = display_score(out.channel, levels);
+  out.rank = rank_correlation(out.channel, levels);
+  return out;
+}
+
+/// What a reading lacks of what the file asks.
+void add_misses(const DisplayFile& file, const DisplayReading& r, const std::string& who,
+                std::vector<std::string>& why) {
+  const double told = file.goal.is_binary() ? r.score.auc : r.rank;
+  const std::string name = file.goal.is_binary() ? "auc" : "rank correlation";
+  if (!(told >= file.auc)) why.push_back(fmt::format("{}: {} {:.3f}, asked is {:.3f}", who, name, told, file.auc));
+  if (file.goal.is_binary() && !(r.score.contrast >= file.contrast))
+    why.push_back(fmt::format("{}: contrast {:.2f}, asked is {:.2f}", who, r.score.contrast, file.contrast));
+}
+
+std::vector<std::string> why_missed(const DisplayFile& file, const DisplayOutcome& display) {
+  std::vector<std::string> why;
+  if (!display.design.view.balanced) {
+    why.push_back("no balance of the panel was found at this compression: compress less");
+    return why;
+  }
+  add_misses(file, display.after, "model", why);
+  if (!(display.design.view.stretch <= file.stretch))
+    why.push_back(fmt::format("a hinge stretches by {:.3f} cell edges, allowed are {:.3f}",
+                              display.design.view.stretch, file.stretch));
+  if (display.goal.needed)
+    why.push_back(fmt::format("strokes are thinner than a cell, so that parts of the letter are lost: the smallest "
+                              "panel that shows it whole has [{}, {}] cells",
+                              (*display.goal.needed)[0], (*display.goal.needed)[1]));
+  return why;
+}
+
+/// The physics run, and what its last state shows.
+void verify_display(Run& run, const DisplayFile& file, const State& reference, const Elasticity& elasticity,
+                    const std::vector<double>& levels, const Progress& progress) {
+  verify(run, reference, plates_of(file),
+         elastic_physics(elasticity, file.physics, file.size.edge_mm, run.plan.planar), progress);
+  Verification& v = *run.verification;
+  if (v.physics.status != PhysicsResult::Status::settled) return;
+  DisplayOutcome& display = *run.display;
+  display.physics = reading(run.structure, v.physics.state, levels, file.channel);
+  std::vector<std::string> why;
+  add_misses(file, *display.physics, "physics run", why);
+  v.agrees = v.agrees && why.empty();
+  display.why_physics = std::move(why);
+}
+
+}  // namespace
+
+Run run_display(const DisplayFile& file, const RunOptions& options) {
+  Run run;
+  run.name = file.name;
+  run.seed = options.seed;
+  run.physics = file.physics;
+  run.hinge = file.hinge;
+  run.hinge.model = HingeSection::Model::elastic;
+  run.verify_tolerance = file.verify;
+  run.drive = DriveSection{.axis = file.axis, .compression = file.compression};
+
+  Stopwatch watch;
+  const Elasticity elasticity = elasticity_of(file.hinge, file.physics, file.size.edge_mm);
+  run.structure = make_structure(rectangle(file.goal.columns, file.goal.rows), file.size);
+  const std::vector<double> levels = levels_of(file.goal, run.structure);
+  DisplayOutcome display;
+  display.goal = file.goal;
+  display.channel = file.channel;
+  display.options = search_of(file, elasticity);
+  display.design = fit_display(run.structure, levels, display.options, options.progress);
+  run.timings.optimise = watch.lap();
+
+  const DisplayView& view = display.design.view;
+  if (view.balanced)
+    for (std::size_t h = 0; h < run.structure.hinges.size(); ++h)
+      run.structure.hinges[h].parameters.t = view.t[static_cast<Eigen::Index>(h)];
+  run.plan = make_plan(run.structure, Model::equilibrium);
+  run.timings.plan = watch.lap();
+  display.before = reading(run.structure, rest_state(run.structure), levels, file.channel);
+  add_balance(run, plates_of(file), elasticity, frames, options.progress);
+  const State after = run.states.front().poses;
+  display.after = reading(run.structure, after, levels, file.channel);
+  run.timings.balance = watch.lap();
+  display.why_missed = why_missed(file, display);
+  run.display = std::move(display);
+  if (options.verify && run.equilibrium->reached())
+    verify_display(run, file, after, elasticity, levels, options.progress);
+  run.timings.verify = watch.lap();
+  return run;
+}
+
+}  // namespace kinetix

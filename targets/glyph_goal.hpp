@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+
+#include "targets/display_goal.hpp"
+#include "targets/font_file.hpp"
+
+namespace kinetix {
+
+inline constexpr int max_glyph_characters = 12;
+/// A panel whose shorter side has fewer cells than this has no margin around the letter; others have one
+/// cell.
+inline constexpr int least_side_with_margin = 5;
+/// How much wider or higher than drawn a letter may become.
+inline constexpr double max_glyph_stretch = 1.5;
+
+/// A letter or a short word on a panel, binary: a cell is letter where ink covers at least half of it.
+///
+/// The ink is scaled to the panel less its margin, in its own proportions as far as the tighter side allows.
+/// Then it is stretched along the other side until that is filled too, by at most 1.5, and centred. Room is
+/// never left unused that a stroke could fill, so that strokes are as wide as the panel allows for a letter
+/// that keeps its look; hence where strokes are still thinner than a cell, only a larger panel helps.
+///
+/// The panel shows the letter whole when its cells have as many components and as many holes (topology.hpp)
+/// as the finely drawn letter. If not, `needed` is the smallest larger panel that does: the shorter side
+/// grows cell by cell and the longer side in proportion, rounded. Where none does, it is the largest that
+/// check_panel accepts. What the two numbers cannot tell goes unnoticed, such as an E that lost its middle
+/// arm.
+/// @param text UTF-8, 1 to 12 characters
+/// @throws InvalidInput for another number of characters, and what glyph_picture and make_goal refuse; where
+/// a larger panel helps the message names it
+DisplayGoal glyph_goal(const std::string& text, const FontFile& font, int columns, int rows);
+
+}  // namespace kinetix

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "targets/picture.hpp"
+
+namespace kinetix {
+
+/// How a binary picture hangs together. Its Euler number is components - holes.
+struct Topology {
+  int components = 0;  ///< of ink; pixels that share an edge or a corner belong together
+  int holes = 0;       ///< parts of the paper, joined over edges, that ink closes in
+  bool operator==(const Topology&) const = default;
+};
+
+/// Of the pixels that are at least half ink.
+Topology topology(const Picture& picture);
+
+/// Of the cells that are letter.
+Topology topology(const DisplayGoal& goal);
+
+}  // namespace kinetix
