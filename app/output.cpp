@@ -26,13 +26,9 @@ DesignFile design_of(const Run& run) {
   return design;
 }
 
-/// As files, and the drawings among them for the report.
-void write_pictures(const Run& run, const std::string& folder, nlohmann::ordered_json& shown) {
+void write_pictures(const Run& run, const std::string& folder) {
   std::filesystem::create_directories(folder + "/frames");
-  for (const auto& [name, content] : display_pictures(run)) {
-    write_file(folder + "/" + name, content);
-    if (name.ends_with(".svg")) shown["pictures"][name.substr(0, name.size() - 4)] = content;
-  }
+  for (const auto& [name, content] : display_pictures(run)) write_file(folder + "/" + name, content);
 }
 
 }  // namespace
@@ -42,7 +38,7 @@ nlohmann::ordered_json write_results(Run& run, const std::string& folder) {
   write_file(folder + "/design.yaml", design_text(design_of(run)));
   nlohmann::ordered_json shown = result_json(run);
   shown["timing_s"].erase("write");
-  if (run.display) write_pictures(run, folder, shown["display"]);
+  if (run.display) write_pictures(run, folder);
   write_file(folder + "/report.html", report_html(shown.dump()));
   run.timings.write = watch.lap();
   nlohmann::ordered_json json = result_json(run);

@@ -17,23 +17,31 @@ namespace {
 
 constexpr std::size_t most_names = 12;
 
-struct PatternDeleter {
+struct Destroy {
+  void operator()(FcConfig* config) const { FcConfigDestroy(config); }
   void operator()(FcPattern* pattern) const { FcPatternDestroy(pattern); }
   void operator()(FcObjectSet* set) const { FcObjectSetDestroy(set); }
   void operator()(FcFontSet* set) const { FcFontSetDestroy(set); }
 };
-using Fonts = std::unique_ptr<FcFontSet, PatternDeleter>;
+using Config = std::unique_ptr<FcConfig, Destroy>;
+using Fonts = std::unique_ptr<FcFontSet, Destroy>;
+
+Config installed_fonts() {
+  Config config(FcInitLoadConfigAndFonts());
+  if (!config) throw std::bad_alloc();
+  return config;
+}
 
 /// Installed outline fonts that have this value under the key; all where the key is nothing.
-Fonts outline_fonts(const char* key = nullptr, const std::string& value = {}) {
-  const std::unique_ptr<FcPattern, PatternDeleter> pattern(FcPatternCreate());
-  const std::unique_ptr<FcObjectSet, PatternDeleter> wanted(FcObjectSetBuild(
+Fonts outline_fonts(const Config& config, const char* key = nullptr, const std::string& value = {}) {
+  const std::unique_ptr<FcPattern, Destroy> pattern(FcPatternCreate());
+  const std::unique_ptr<FcObjectSet, Destroy> wanted(FcObjectSetBuild(
       FC_FAMILY, FC_FILE, FC_INDEX, FC_SLANT, FC_WIDTH, FC_WEIGHT, static_cast<const char*>(nullptr)));
   if (!pattern || !wanted) throw std::bad_alloc();
   FcPatternAddBool(pattern.get(), FC_OUTLINE, FcTrue);
   FcPatternAddBool(pattern.get(), FC_VARIABLE, FcFalse);
   if (key != nullptr) FcPatternAddString(pattern.get(), key, reinterpret_cast<const FcChar8*>(value.c_str()));
-  Fonts fonts(FcFontList(nullptr, pattern.get(), wanted.get()));
+  Fonts fonts(FcFontList(config.get(), pattern.get(), wanted.get()));
   if (!fonts) throw std::bad_alloc();
   return fonts;
 }
@@ -63,15 +71,15 @@ FcPattern* most_regular(const FcFontSet& fonts) {
                            [](FcPattern* a, FcPattern* b) { return rank(a) < rank(b); });
 }
 
-std::vector<std::string> installed_families() {
-  const Fonts fonts = outline_fonts();
+std::vector<std::string> installed_families(const Config& config) {
+  const Fonts fonts = outline_fonts(config);
   std::set<std::string> families;
   for (int k = 0; k < fonts->nfont; ++k) families.insert(text_of(fonts->fonts[k], FC_FAMILY));
   return {families.begin(), families.end()};
 }
 
-InvalidInput not_installed(const std::string& name) {
-  auto families = installed_families();
+InvalidInput not_installed(const Config& config, const std::string& name) {
+  auto families = installed_families(config);
   if (families.empty())
     return InvalidInput("no outline font is installed; install one, such as the package fonts-dejavu-core");
   const auto distance = [&](const std::string& family) {
@@ -88,13 +96,14 @@ InvalidInput not_installed(const std::string& name) {
 }  // namespace
 
 FontFile find_font(const std::string& name) {
+  const Config config = installed_fonts();
   for (const char* key : {FC_FULLNAME, FC_FAMILY}) {
-    const Fonts fonts = outline_fonts(key, name);
+    const Fonts fonts = outline_fonts(config, key, name);
     if (fonts->nfont == 0) continue;
     FcPattern* const font = most_regular(*fonts);
     return {name, text_of(font, FC_FILE), integer_of(font, FC_INDEX)};
   }
-  throw not_installed(name);
+  throw not_installed(config, name);
 }
 
 }  // namespace kinetix

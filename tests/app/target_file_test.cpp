@@ -103,6 +103,72 @@ TEST(TargetFile, ReadsTheTargetsThatShip) {
   }
 }
 
+TEST(TargetFile, ReadsTheDisplaysThatShip) {
+  for (const char* name : {"letter_t", "circle"}) {
+    const Target target = read_target(std::string(KINETIX_SOURCE) + "/targets/shapes/" + name + ".yaml");
+    const auto* file = std::get_if<DisplayFile>(&target);
+    ASSERT_NE(file, nullptr);
+    EXPECT_EQ(file->name, name);
+    EXPECT_TRUE(file->goal.is_binary());
+    EXPECT_EQ(file->compression, 0.12);
+  }
+}
+
+TEST(TargetFile, ReadsEveryKeyOfADisplay) {
+  TemporaryFolder folder;
+  const Target target = read_target(folder.write("d.yaml", R"(kinetix: 1
+target: {kind: display, rows: ["011", "010"], channel: area}
+structure: {cell_mm: 20}
+drive: {axis: x, compression: 0.1}
+variables: {t: {range: [0.1, 0.9], corner_mm: 3, symmetry: rotate_2}}
+tolerance: {stretch: 0.2, auc: 0.9, contrast: 2, verify: 0.1}
+hinge: {k_point: 500, k_turn: 0.2}
+solver: {name: ccsa, max_evaluations: 7}
+)"));
+  const DisplayFile& file = std::get<DisplayFile>(target);
+  EXPECT_EQ(file.goal.columns, 3);
+  EXPECT_EQ(file.goal.row_texts(), (std::vector<std::string>{"011", "010"}));
+  EXPECT_EQ(file.channel, Channel::area);
+  EXPECT_EQ(file.axis, Axis::x);
+  EXPECT_EQ(file.compression, 0.1);
+  EXPECT_DOUBLE_EQ(file.t[0], 0.15);
+  EXPECT_DOUBLE_EQ(file.t[1], 0.85);
+  EXPECT_EQ(file.symmetry, Symmetry::rotate_2);
+  EXPECT_EQ(file.stretch, 0.2);
+  EXPECT_EQ(file.auc, 0.9);
+  EXPECT_EQ(file.contrast, 2);
+  EXPECT_EQ(file.verify, 0.1);
+  EXPECT_EQ(file.hinge.k_point, 500);
+  EXPECT_EQ(file.solver.name, SolverName::ccsa);
+  EXPECT_EQ(file.solver.max_evaluations, 7);
+}
+
+TEST(TargetFile, SaysWhatIsWrongWithADisplay) {
+  const std::string t = "kinetix: 1\ntarget: {kind: display, glyph: T}\n";
+  const std::vector<BadInput> cases = {
+      {"kinetix: 1\ntarget: {kind: display}\n", 2, 9, "target", {"glyph", "image", "rows"}},
+      {"kinetix: 1\ntarget: {kind: display, glyph: T, channel: colour}\n",
+       2,
+       44,
+       "target.channel",
+       {"aperture, area, rotation"}},
+      {t + "structure: {cells: [1, 1]}\n", 3, 20, "structure.cells", {"2"}},
+      {t + "drive: {compression: 0.6}\n", 3, 22, "drive.compression", {"above 0 and up to 0.5"}},
+      {t + "drive: {axis: z}\n", 3, 15, "drive.axis", {"x, y"}},
+      {t + "variables: {beta: {}}\n", 3, 13, "variables.beta", {"allowed: t"}},
+      {t + "variables: {t: {corner_mm: 5}}\n", 3, 28, "variables.t.corner_mm", {"0.45 cells"}},
+      {t + "tolerance: {auc: 0.4}\n", 3, 18, "tolerance.auc", {"0.5"}},
+      {t + "solver: {name: ceres}\n", 3, 16, "solver.name", {"mma, ccsa, slsqp"}},
+      {t + "hinge: {k_point: 0}\n", 3, 18, "hinge.k_point", {"above 0"}},
+  };
+  TemporaryFolder folder;
+  const std::string file = folder.path("t.yaml");
+  for (const BadInput& bad : cases) {
+    folder.write("t.yaml", bad.text);
+    expect_refused(bad, file, [&] { read_target(file); });
+  }
+}
+
 TEST(TargetFile, SaysWhereAndWhatIsAllowed) {
   const std::string points = "target: {kind: curve, points: [[0, 0], [60, 0], [60, 40]]}\n";
   const auto kind = [](const std::string& name) { return "kinetix: 1\ntarget: {kind: " + name + "}\n"; };
@@ -126,12 +192,11 @@ TEST(TargetFile, SaysWhereAndWhatIsAllowed) {
        31,
        "target.points",
        {"gone.csv: no such file"}},
-      {kind("display"),
+      {kind("fold"),
        2,
        16,
        "target.kind",
-       {"kind display is not supported by this version; supported: curve"}},
-      {kind("fold"), 2, 16, "target.kind", {"kind fold is not supported"}},
+       {"kind fold is not supported by this version; supported: curve, display"}},
       {kind("helmet"), 2, 16, "target.kind", {"kind helmet is not supported"}},
       {kind("outline"), 2, 16, "target.kind", {"kind outline is not supported"}},
       {kind("kurve"), 2, 16, "target.kind", {"did you mean `curve`?"}},

@@ -152,6 +152,7 @@ function readResult(raw) {
     drawn: numberRows(dictionary(raw.target).points_mm, 2),
     states: readStates(raw.states, structure),
     curve: readCurve(dictionary(raw.curve)),
+    display: readDisplay(raw.display),
     verdict: readVerdict(metrics, tolerance),
     runs: list(optimiser.runs).map(readRun),
     fidelity: list(raw.fidelity).filter((entry) => entry && typeof entry === "object"),

@@ -32,6 +32,7 @@ function failing(data) {
 
 /** {mark, tone, title, text} */
 function verdict(data) {
+  if (data.display) return displayVerdict(data);
   if (data.balance && !data.raw.target) return balanceVerdict(data);
   const {met, verified} = data.verdict;
   const hasRun = data.states.physics !== null || finite(data.metrics.verify_rms) !== null ||
@@ -163,6 +164,10 @@ function keyNumbers(data) {
   return numbers.length ? html("dl", {class: "numbers"}, numbers) : null;
 }
 
+function reasons({curve, display}) {
+  return display ? [...display.reasons, ...display.physicsReasons] : curve.reasons;
+}
+
 function headline(data) {
   const {mark, tone, title, text} = verdict(data);
   return html(
@@ -172,6 +177,6 @@ function headline(data) {
           "div", {class: "verdict " + tone}, html("span", {class: "mark", "aria-hidden": "true"}, mark),
           html(
               "div", {}, html("h2", {}, title), html("p", {}, text),
-              data.curve.reasons.map((reason) => html("p", {class: "why"}, reason)))),
-      keyNumbers(data), foldedPicture(data));
+              reasons(data).map((reason) => html("p", {class: "why"}, reason)))),
+      keyNumbers(data), data.display ? null : foldedPicture(data));
 }

@@ -1,0 +1,109 @@
+// What a panel shows: before and after compression, its hinges, and the reading of every cell.
+
+function readDisplay(raw) {
+  if (!raw) return null;
+  const reading = (part) => (part && typeof part === "object" ? {
+    contrast: finite(part.contrast), auc: finite(part.auc), letter: finite(part.letter), rest: finite(part.rest),
+    rank: finite(part.rank), cells: list(part.cells).map((value) => finite(value))
+  } : null);
+  const words = (texts) => list(texts).filter((text) => typeof text === "string");
+  return {
+    channel: typeof raw.channel === "string" ? raw.channel : "aperture",
+    levels: list(raw.levels).map((level) => finite(level) ?? 0),
+    before: reading(raw.before), after: reading(raw.after), physics: reading(raw.physics),
+    stretch: finite(raw.stretch_max), starts: list(raw.starts), reasons: words(raw.reasons),
+    physicsReasons: words(raw.reasons_physics),
+  };
+}
+
+function isGrey(display) {
+  return display.levels.some((level) => level !== 0 && level !== 1);
+}
+
+function readingWords(display, reading) {
+  if (isGrey(display)) return `rank correlation ${figures(reading.rank)} with the picture`;
+  return `letter cells told from the rest in ${percent(reading.auc)} of pairs, contrast ${
+      figures(reading.contrast, 3)}`;
+}
+
+function displayVerdict(data) {
+  const {display, verdict: {met, verified}} = data;
+  const model = `In the model: ${readingWords(display, display.after)}.`;
+  const run = display.physics ? ` In the physics run: ${readingWords(display, display.physics)}.` : "";
+  if (met === false) return {mark: "\u2715", tone: "bad", title: "The picture is not as clear as asked", text: model + run};
+  if (verified === false)
+    return {mark: "!", tone: "bad", title: "The model shows the picture, but the physics run " + failing(data),
+            text: model + run};
+  const title = verified ? "The picture shows, and the physics run agrees" : "The picture shows in the model";
+  return {mark: "\u2713", tone: verified ? "good" : "unsure", title,
+          text: model + (run || " It was not checked by a physics run.")};
+}
+
+/** Where the knee of a hinge's half wall is, mm. */
+function kneeOf(structure, state, hinge, body) {
+  const {p, q} = state.poses[body], rest = structure.bodies[body].rest;
+  const arm = turned(q, [0, 1, 2].map((k) => hinge.point[k] - rest[k]));
+  return [p[0] + arm[0], p[1] + arm[1]];
+}
+
+/** A panel from above, to the scale of `view`. */
+function panelFromAbove(structure, state, view, pale) {
+  const to = ([x, y]) => [(x - view.low[0]) * view.scale, (view.high[1] - y) * view.scale];
+  const d = structure.hinges.flatMap(
+      (hinge) => [hinge.a, hinge.b].map(
+          (body) => path([to(state.poses[body].p), to(kneeOf(structure, state, hinge, body))])));
+  return svg("path", {
+    d: d.join(""), fill: "none", stroke: pale ? "#c8c8c8" : "#111", "stroke-linecap": "round",
+    "stroke-width": Math.max(0.6, structure.thickness * view.scale).toFixed(2)
+  });
+}
+
+function panelView(structure, states, width) {
+  const points = states.flatMap((state) => state.poses.map(({p}) => p));
+  const side = (pick, k) => pick(...points.map((p) => p[k]));
+  const margin = structure.cell / 2;
+  const low = [side(Math.min, 0) - margin, side(Math.min, 1) - margin];
+  const high = [side(Math.max, 0) + margin, side(Math.max, 1) + margin];
+  const scale = width / (high[0] - low[0]);
+  return {low, high, scale, width, height: (high[1] - low[1]) * scale};
+}
+
+function hingeDots(structure, view) {
+  return structure.hinges.map((hinge) => {
+    const off = Math.max(-1, Math.min(1, (hinge.t - 0.5) / 0.42)), strong = Math.abs(off);
+    const shade = (on) => Math.round(255 * (0.55 * (1 - strong) + (on ? 0.85 * strong : 0)));
+    return svg("circle", {
+      cx: (hinge.point[0] - view.low[0]) * view.scale, cy: (view.high[1] - hinge.point[1]) * view.scale,
+      r: 0.09 * structure.cell * view.scale,
+      fill: `rgb(${shade(off > 0)},${shade(false)},${shade(off < 0)})`
+    }, svg("title", {}, `t = ${figures(hinge.t)}`));
+  });
+}
+
+function pictureBox(label, note, draw) {
+  return html("figure", {class: "shot"}, responsive(draw), html("figcaption", {}, html("strong", {}, label), " ", note));
+}
+
+function displaySection(data) {
+  const {structure, states, display} = data;
+  const shown = [states.flat, states.model, states.physics].filter(Boolean);
+  const shot = (state, label, note, hinges = false) => state && pictureBox(label, note, (width) => {
+    const view = panelView(structure, shown, width);
+    return drawing(view.width, view.height, label, svg("rect", {width: view.width, height: view.height, fill: "#fff"}),
+                   panelFromAbove(structure, state, view, hinges), hinges ? hingeDots(structure, view) : []);
+  });
+  const rule = display.starts[0];
+  return html(
+      "div", {}, html("div", {class: "shots"},
+                      shot(states.flat, "Before", "contrast " + figures(display.before?.contrast ?? 0)),
+                      shot(states.model, "After compression", readingWords(display, display.after)),
+                      shot(states.physics, "After, in the physics run",
+                           display.physics ? readingWords(display, display.physics) : "not settled"),
+                      shot(states.flat, "Where the hinges are",
+                           "grey: in the middle of the wall; blue: towards its lower or left end; red: towards the other",
+                           true)),
+      rule && finite(rule.contrast) !== null ?
+          html("p", {}, `The paper\u2019s rule alone (uniform-scaling cells where the picture is): contrast ${
+                            figures(rule.contrast)}, AUC ${figures(rule.auc)}.`) :
+          null);
+}
