@@ -14,6 +14,7 @@
 namespace kinetix {
 namespace {
 
+constexpr const char* target_hint = "e.g. `target: {kind: curve, points: points.csv}`";
 constexpr int default_columns = 40;
 constexpr int max_columns = 1000;
 constexpr double default_theta = 30 * radians_per_degree;
@@ -31,7 +32,7 @@ void check_kind_of_file(const Node& root) {
 enum class Kind { curve, display };
 
 Kind read_kind(const Node& root) {
-  const Node target = root.required("target", "e.g. `target: {kind: curve, points: points.csv}`");
+  const Node target = root.required("target", target_hint);
   const Node kind = target.required("kind", "`kind: curve` or `kind: display`");
   const std::vector<std::string_view> kinds = {"curve", "display", "fold", "helmet", "outline"};
   const std::string_view name = kinds[kind.one_of(kinds)];
@@ -42,7 +43,7 @@ Kind read_kind(const Node& root) {
 }
 
 Curve read_goal(const Node& root) {
-  const Node target = root.required("target", "");
+  const Node target = root.required("target", target_hint);
   target.reject_unknown_keys({"kind", "points"});
   return read_curve(
       target.required("points", "the path of a CSV file or a list of points [[x, z], ...] in mm"));

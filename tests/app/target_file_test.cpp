@@ -105,8 +105,8 @@ TEST(TargetFile, ReadsTheTargetsThatShip) {
 
 TEST(TargetFile, ReadsTheDisplaysThatShip) {
   for (const char* name : {"letter_t", "circle"}) {
-    const Target target = read_target(std::string(KINETIX_SOURCE) + "/targets/shapes/" + name + ".yaml");
-    const auto* file = std::get_if<DisplayFile>(&target);
+    const Target read = read_target(std::string(KINETIX_SOURCE) + "/targets/shapes/" + name + ".yaml");
+    const auto* file = std::get_if<DisplayFile>(&read);
     ASSERT_NE(file, nullptr);
     EXPECT_EQ(file->name, name);
     EXPECT_TRUE(file->goal.is_binary());
@@ -116,7 +116,7 @@ TEST(TargetFile, ReadsTheDisplaysThatShip) {
 
 TEST(TargetFile, ReadsEveryKeyOfADisplay) {
   TemporaryFolder folder;
-  const Target target = read_target(folder.write("d.yaml", R"(kinetix: 1
+  const Target read = read_target(folder.write("d.yaml", R"(kinetix: 1
 target: {kind: display, rows: ["011", "010"], channel: area}
 structure: {cell_mm: 20}
 drive: {axis: x, compression: 0.1}
@@ -125,7 +125,7 @@ tolerance: {stretch: 0.2, auc: 0.9, contrast: 2, verify: 0.1}
 hinge: {k_point: 500, k_turn: 0.2}
 solver: {name: ccsa, max_evaluations: 7}
 )"));
-  const DisplayFile& file = std::get<DisplayFile>(target);
+  const DisplayFile& file = std::get<DisplayFile>(read);
   EXPECT_EQ(file.goal.columns, 3);
   EXPECT_EQ(file.goal.row_texts(), (std::vector<std::string>{"011", "010"}));
   EXPECT_EQ(file.channel, Channel::area);
@@ -152,8 +152,8 @@ TEST(TargetFile, SaysWhatIsWrongWithADisplay) {
        44,
        "target.channel",
        {"aperture, area, rotation"}},
-      {t + "structure: {cells: [1, 1]}\n", 3, 20, "structure.cells", {"2"}},
-      {t + "drive: {compression: 0.6}\n", 3, 22, "drive.compression", {"above 0 and up to 0.5"}},
+      {t + "structure: {cells: [1, 1]}\n", 3, 21, "structure.cells[0]", {"2 to 1000"}},
+      {t + "drive: {compression: 0.6}\n", 3, 22, "drive.compression", {"above 0 and at most 0.5"}},
       {t + "drive: {axis: z}\n", 3, 15, "drive.axis", {"x, y"}},
       {t + "variables: {beta: {}}\n", 3, 13, "variables.beta", {"allowed: t"}},
       {t + "variables: {t: {corner_mm: 5}}\n", 3, 28, "variables.t.corner_mm", {"0.45 cells"}},
