@@ -97,7 +97,7 @@ InvalidInput not_installed(const Config& config, const std::string& name) {
 
 FontFile find_font(const std::string& name) {
   const Config config = installed_fonts();
-  for (const char* key : {FC_FULLNAME, FC_FAMILY}) {
+  for (const char* key : {FC_FAMILY, FC_FULLNAME}) {
     const Fonts fonts = outline_fonts(config, key, name);
     if (fonts->nfont == 0) continue;
     FcPattern* const font = most_regular(*fonts);

@@ -15,9 +15,9 @@ struct FontFile {
   int face = 0;  ///< index in a file of several fonts, as FreeType takes it
 };
 
-/// The font of this full name ("DejaVu Sans Bold") or, where there is none, the most regular one of this
-/// family ("DejaVu Sans": upright, of normal width, weight nearest to regular). Case does not matter. Several
-/// files of one name are told apart by their paths, in alphabetical order. Nothing is substituted.
+/// The most regular font of this family ("DejaVu Sans": upright, of normal width, weight nearest to regular)
+/// or, where there is no such family, the font of this full name ("DejaVu Sans Bold"). Case does not matter.
+/// Among equals the file whose path comes first in the alphabet is taken. Nothing is substituted.
 /// @throws InvalidInput, naming at most 12 installed families, the nearest in spelling first
 FontFile find_font(const std::string& name);
 

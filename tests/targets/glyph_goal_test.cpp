@@ -67,6 +67,7 @@ TEST(GlyphGoal, FillsThePanelInsideAMarginOfOneCell) {
 }
 
 TEST(GlyphGoal, HasNoMarginBelowFiveCells) {
+  EXPECT_THAT(bold("T", 5, 5).row_texts(), ElementsAre("00000", "01110", "00100", "00100", "00000"));
   EXPECT_THAT(bold("T", 4, 4).row_texts(), ElementsAre("1111", "0110", "0110", "0110"));
 }
 
