@@ -11,6 +11,8 @@
 namespace kinetix {
 namespace {
 
+constexpr double settle_unrest = 0.01;
+
 constexpr int scan_steps = 900;
 constexpr double widest = 89.9 * radians_per_degree;
 
@@ -110,6 +112,7 @@ PhysicsOptions elastic_physics(const Elasticity& elasticity, const PhysicsSectio
   options.elastic = relative(elasticity, edge_mm);
   options.reach = options.elastic->reach;
   options.planar = planar;
+  options.settle_unrest = settle_unrest;
   return options;
 }
 

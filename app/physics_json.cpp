@@ -19,6 +19,7 @@ Json physics_json(const Verification& v) {
               {"steps", v.physics.steps},
               {"simulated_s", v.physics.simulated_s},
               {"seconds", v.physics.seconds},
+              {"unrest", v.physics.unrest},
               {"options",
                {{"step_s", v.options.step_s},
                 {"iterations", v.options.iterations},

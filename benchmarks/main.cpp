@@ -45,7 +45,8 @@ int main(int argc, char** argv) {
   for (const auto& figures :
        {kinetix::bench::model_figures, kinetix::bench::elastic_figures, kinetix::bench::load_path_figures,
         kinetix::bench::stable_state_figures,
-        kinetix::bench::search_figures, kinetix::bench::physics_figures, kinetix::bench::elastic_physics_figures})
+        kinetix::bench::search_figures, kinetix::bench::physics_figures, kinetix::bench::elastic_physics_figures,
+        kinetix::bench::display_figures})
     for (const Figure& figure : figures()) {
       std::cerr << (figure.met ? "met     " : "MISSED  ") << figure.what << ": " << figure.measured
                 << std::endl;

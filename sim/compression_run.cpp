@@ -17,6 +17,7 @@
 namespace kinetix {
 namespace {
 
+constexpr int window_steps = 200;
 constexpr double least_force = 1e-9;  // below, a structure is at rest where it stands
 
 using Clock = std::chrono::steady_clock;
@@ -48,7 +49,7 @@ class Run {
     while (result_.steps < all_steps_ && !settled && !failed) {
       step();
       failed = failed_on_the_way();
-      settled = !failed && result_.steps >= drive_steps_ && is_at_rest();
+      settled = !failed && result_.steps >= drive_steps_ && (is_at_rest() || stays_in_place());
     }
     judge(structure_, drive_, options_, settled, result_);
     result_.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
@@ -107,6 +108,25 @@ class Run {
     return world_.free_force() <= limit && way * std::max(way, force) <= limit;
   }
 
+  /// Looks at the last steps before the time is up.
+  bool stays_in_place() {
+    if (!options_.elastic || options_.settle_unrest == 0 || result_.steps < all_steps_ - window_steps) return false;
+    if (window_.empty()) window_ = result_.state;
+    result_.unrest = std::max(result_.unrest, farthest_from(window_));
+    return result_.steps == all_steps_ && result_.unrest <= options_.settle_unrest;
+  }
+
+  double farthest_from(const State& reference) const {
+    double farthest = 0;
+    for (std::size_t b = 0; b < reference.size(); ++b) {
+      const Pose& now = result_.state[b];
+      const double shift = (now.p - reference[b].p).norm() / structure_.size.edge_mm;
+      const double turn = (now.R - reference[b].R).norm() / std::sqrt(2.0);
+      farthest = std::max(farthest, shift + turn / 2);
+    }
+    return farthest;
+  }
+
   void show() {
     if (observer_.progress && result_.steps % std::max(1, all_steps_ / 100) == 0)
       observer_.progress(static_cast<double>(result_.steps) / (all_steps_ + 1));
@@ -136,6 +156,7 @@ class Run {
   World world_;
   PhysicsResult result_;
   double energy_ = std::numeric_limits<double>::infinity();  ///< kinetic, at the last step of settling
+  State window_;  ///< the state at the first of the last steps
   double next_frame_s_ = 0;
   int last_frame_ = -1;
 };

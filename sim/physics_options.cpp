@@ -43,6 +43,7 @@ void PhysicsOptions::validate() const {
   positive("part_inertia", part_inertia, 100);
   positive("drive_seconds", drive_seconds, 1000);
   not_negative("settle_seconds", settle_seconds, 1000);
+  not_negative("settle_unrest", settle_unrest, 0.1);
   not_negative("settle_damping", settle_damping, 1e6);
   const double steps = (drive_seconds + settle_seconds) / step_s;
   if (!(steps <= most_steps))

@@ -40,6 +40,10 @@ struct PhysicsOptions {
   std::optional<Stiffness> elastic;
   double settle_force = 1e-7;  ///< elastic: settled when no part is pushed by more than this over the largest
                                ///< force in a hinge, > 0
+  /// Elastic: settled, too, when in the last 200 steps before the time is up no part moved by more than this
+  /// (cell edges, or rad at half an edge): where a corner rests on a corner, the contact may jump from one face
+  /// to the other for ever. 0: never. In [0, 0.1]
+  double settle_unrest = 0;
   double stretch_limit = 0.5;  ///< elastic: failure: a larger hinge gap at any time; ends the run, > 0
   bool contact = true;         ///< half walls collide, except the two that share a hinge
   bool planar = false;         ///< parts slide and turn in the plane z = 0 only, as a display on a table

@@ -35,6 +35,7 @@ struct PhysicsResult {
   double drive_gap = 0;  ///< largest distance of a gripped body from its plate, cell edges, or of the driven
                          ///< hinge from its angle, rad
   PartContact contact;   ///< in that state
+  double unrest = 0;     ///< of parts that still go to and fro at the end (PhysicsOptions::settle_unrest)
   int steps = 0;         ///< taken
   double simulated_s = 0;  ///< time that passed in the simulation
   double seconds = 0;      ///< wall-clock time of the run

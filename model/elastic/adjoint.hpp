@@ -31,7 +31,8 @@ struct Sensitivity {
 /// @param tangent linearised at state and factorised without a shift, which succeeded. minimise() may leave
 /// the factor of a state before: linearise and factorise again
 /// @pre gradient.state has 6 entries a body or none
-/// @return NaN for NaN in the gradient; k_contact is 0 where nothing touches
+/// @return NaN for NaN in the gradient; k_contact is 0 where nothing touches, reach_mm in the plane where all
+/// hinges stand upright
 Sensitivity sensitivity(const ElasticSystem& system, const Elasticity& elasticity, const State& state,
                         double theta, const Tangent& tangent, const BalanceGradient& gradient);
 

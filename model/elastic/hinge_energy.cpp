@@ -118,31 +118,35 @@ Vector12 hinge_gradient(const RestHinge& hinge, const Stiffness& k, const Pose& 
 
 HingeRates hinge_rates(const RestHinge& hinge, const Stiffness& k, const Pose& lower, const Pose& upper,
                        double edge_mm, const Vector12& along) {
-  const Mismatch point = point_mismatch(hinge, lower, upper, edge_mm), axis = axis_mismatch(hinge, lower, upper);
   const Vector3d lower_turn = along.segment<3>(0), upper_turn = along.segment<3>(6),
                  shift = along.segment<3>(3) - along.segment<3>(9),
                  against = upper.R.transpose() * (upper_turn - lower_turn);
   const auto drift = [&](const Mismatch& m) -> Vector3d {
     return lower_turn.cross(m.lower) - upper_turn.cross(m.upper);
   };
-  const Vector3d axis_drift = drift(axis);
-  const Pull by_point = pull(point, lower, upper, lower_turn, upper_turn, drift(point) + shift),
-             by_axis = pull(axis, lower, upper, lower_turn, upper_turn, axis_drift);
+  const Mismatch point = point_mismatch(hinge, lower, upper, edge_mm);
+  const Pull by_point = pull(point, lower, upper, lower_turn, upper_turn, drift(point) + shift);
   const RelativeTurn turn(hinge, lower, upper);
   const double angle = turn.angle(), angle_along = turn.rate().dot(against);
   const TurnRates turns = turn_rates(hinge, turn, against);
 
-  const double weight = k.reach * k.reach;
-  const auto design = [&](const Vector3d& of_point, const Vector3d& of_axis) -> Vector3d {
-    return {of_point.dot(hinge.edge), weight * of_axis.dot(hinge.axis_alpha), weight * of_axis.dot(hinge.axis_beta)};
-  };
-
   HingeRates rates;
-  rates.energy.design = k.turn * angle * turns.turn + design(by_point.energy, by_axis.energy);
-  rates.along.design =
-      k.turn * (angle_along * turns.turn + angle * turns.along) + design(by_point.along, by_axis.along);
+  rates.energy.design = k.turn * angle * turns.turn;
+  rates.along.design = k.turn * (angle_along * turns.turn + angle * turns.along);
+  rates.energy.design[0] += by_point.energy.dot(hinge.edge);
+  rates.along.design[0] += by_point.along.dot(hinge.edge);
   rates.energy.turn = 0.5 * angle * angle;
   rates.along.turn = angle * angle_along;
+  if (!(k.reach > 0)) return rates;
+
+  const Mismatch axis = axis_mismatch(hinge, lower, upper);
+  const Vector3d axis_drift = drift(axis);
+  const Pull by_axis = pull(axis, lower, upper, lower_turn, upper_turn, axis_drift);
+  const double weight = k.reach * k.reach;
+  rates.energy.design[1] += weight * by_axis.energy.dot(hinge.axis_alpha);
+  rates.energy.design[2] += weight * by_axis.energy.dot(hinge.axis_beta);
+  rates.along.design[1] += weight * by_axis.along.dot(hinge.axis_alpha);
+  rates.along.design[2] += weight * by_axis.along.dot(hinge.axis_beta);
   rates.energy.reach = 2 * k.reach * axis.gap.squaredNorm();
   rates.along.reach = 4 * k.reach * axis.gap.dot(axis_drift);
   return rates;

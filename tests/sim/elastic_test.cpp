@@ -203,6 +203,8 @@ TEST(ElasticRun, RefusesSweepsAndWhatIsNotAStiffness) {
     }
   };
   rejects([](PhysicsOptions& o) { o.solver = PhysicsOptions::Solver::sweeps; }, "elastic");
+  for (const double bad : {std::nan(""), -1e-9, 0.11})
+    rejects([&](PhysicsOptions& o) { o.settle_unrest = bad; }, "settle_unrest");
   for (const double bad : {std::nan(""), 0.0, -1.0}) {
     rejects([&](PhysicsOptions& o) { o.elastic->turn = bad; }, "elastic.turn");
     rejects([&](PhysicsOptions& o) { o.elastic->reach = bad; }, "elastic.reach");

@@ -1,0 +1,116 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/run_display.hpp"
+#include "benchmarks/figure.hpp"
+#include "targets/glyph_goal.hpp"
+
+namespace kinetix::bench {
+namespace {
+
+Run shown(DisplayGoal goal, bool verify = true) {
+  DisplayFile file;
+  file.name = "display";
+  file.goal = std::move(goal);
+  RunOptions options;
+  options.verify = verify;
+  return run_display(file, options);
+}
+
+DisplayGoal letter(const std::string& text, int columns, int rows) {
+  return glyph_goal(text, find_font(default_font), columns, rows);
+}
+
+/// From dark on the left to light on the right.
+DisplayGoal ramp(int columns, int rows) {
+  std::vector<double> levels;
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < columns; ++i) levels.push_back(static_cast<double>(i) / (columns - 1));
+  return make_goal({columns, rows}, levels);
+}
+
+/// Of the paper's Fig. 22: as targets/shapes/circle.yaml.
+DisplayGoal circle(int side) {
+  std::vector<double> levels;
+  const double middle = (side - 1) / 2.0, radius = side / 2.0 - 1;
+  for (int j = 0; j < side; ++j)
+    for (int i = 0; i < side; ++i) levels.push_back(std::hypot(i - middle, j - middle) <= radius ? 1 : 0);
+  return make_goal({side, side}, levels);
+}
+
+bool settled(const Run& run) { return run.display->physics.has_value(); }
+double auc(const Run& run) { return settled(run) ? run.display->physics->score.auc : 0; }
+
+std::string in_words(const DisplayScore& score) {
+  return fmt::format("auc {:.3f}, contrast {:.1f}, {:.3f} apart", score.auc, score.contrast, score.separation());
+}
+
+std::vector<Figure> letter_t() {
+  const Run run = shown(letter("T", 10, 10));
+  const DisplayOutcome& d = *run.display;
+  const DisplayScore &model = d.after.score, rule = d.design.starts[0].view.score;
+  const DisplayScore physics = settled(run) ? d.physics->score : DisplayScore{};
+  const std::string scene = "letter T, 10 x 10 cells, 12 % compression";
+  return {{scene + ": model", "auc 1, contrast >= 6, 0.075 apart, stretch <= 0.12",
+           fmt::format("{}, stretch {:.3f}", in_words(model), d.design.view.stretch),
+           model.auc == 1 && model.contrast >= 6 && model.separation() >= 0.075 && d.design.view.stretch <= 0.12},
+          {scene + ": physics run", "auc >= 0.99, contrast >= 4, 0.065 apart", in_words(physics),
+           physics.auc >= 0.99 && physics.contrast >= 4 && physics.separation() >= 0.065},
+          {scene + ": before compression", "contrast 0", fmt::format("{:g}", d.before.score.contrast),
+           d.before.score.contrast == 0},
+          {scene + ": the paper's rule alone, k = 0.15", "", in_words(rule), true},
+          {scene + ": time of the search", "<= 10 s", fmt::format("{:.2g} s", run.timings.optimise),
+           run.timings.optimise <= 10}};
+}
+
+Figure capitals() {
+  double sum = 0, least = 1;
+  std::string worst, restless;
+  for (char c = 'A'; c <= 'Z'; ++c) {
+    const Run run = shown(letter(std::string(1, c), 12, 12));
+    sum += auc(run);
+    if (auc(run) < least) worst = c;
+    least = std::min(least, auc(run));
+    if (settled(run) && run.verification->physics.unrest > 0) restless += c;
+  }
+  return {"26 capitals, DejaVu Sans Bold, 12 x 12 cells, in the physics run", "mean auc >= 0.97, none under 0.93",
+          fmt::format("mean {:.4f}, least {:.4f}{}{}", sum / 26, least, worst.empty() ? "" : " (" + worst + ")",
+                      restless.empty() ? "" : "; contacts that jump to and fro at the end: " + restless),
+          sum / 26 >= 0.97 && least >= 0.93};
+}
+
+Figure picture(const std::string& name, DisplayGoal goal) {
+  const Run run = shown(std::move(goal));
+  const std::string status = settled(run) ? in_words(run.display->physics->score) : "not settled";
+  return {name + ", in the physics run", "auc >= 0.97", status, auc(run) >= 0.97};
+}
+
+Figure grey() {
+  const Run run = shown(ramp(10, 10));
+  const double rank = settled(run) ? run.display->physics->rank : 0;
+  return {"grey ramp, 10 x 10 cells, in the physics run", "rank correlation >= 0.9", fmt::format("{:.3f}", rank),
+          rank >= 0.9};
+}
+
+Figure large() {
+  const Run run = shown(letter("T", 20, 20), false);
+  return {"letter T, 20 x 20 cells: time of the search", "<= 60 s",
+          fmt::format("{:.3g} s, {}", run.timings.optimise, in_words(run.display->after.score)),
+          run.timings.optimise <= 60};
+}
+
+}  // namespace
+
+std::vector<Figure> display_figures() {
+  std::vector<Figure> figures = letter_t();
+  figures.push_back(capitals());
+  figures.push_back(picture("circle, 12 x 12 cells", circle(12)));
+  figures.push_back(picture("word HI, 20 x 10 cells", letter("HI", 20, 10)));
+  figures.push_back(grey());
+  figures.push_back(large());
+  return figures;
+}
+
+}  // namespace kinetix::bench
