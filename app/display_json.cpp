@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/far_view.hpp"
 #include "app/panel_picture.hpp"
 
 namespace kinetix {
@@ -109,6 +110,8 @@ std::vector<std::pair<std::string, std::string>> display_pictures(const Run& run
   add("before", flat, false);
   add("hinges", flat, true);
   add("after", run.states.front().poses, false);
+  files.emplace_back("afar_before.png", far_view(run.structure, flat));
+  files.emplace_back("afar_after.png", far_view(run.structure, run.states.front().poses));
   if (run.display->physics) add("physics", run.verification->physics.state, false);
   int frame = 0;
   for (const NamedState& state : run.states)

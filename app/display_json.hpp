@@ -22,7 +22,8 @@ void add_display_metrics(const DisplayOutcome& display, nlohmann::ordered_json& 
 std::vector<std::array<std::string, 2>> display_lines(const Run& run);
 
 /// Pictures of a run's panel as name and content: before.svg and .png, after, hinges (the map of t), physics
-/// where there is a settled run, and the motion as frames/00.png and on.
+/// where there is a settled run, afar_before.png and afar_after.png (far_view), and the motion as frames/00.png
+/// and on.
 std::vector<std::pair<std::string, std::string>> display_pictures(const Run& run);
 
 }  // namespace kinetix

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "model/state.hpp"
+
+namespace kinetix {
+
+struct FarViewOptions {
+  double pixels_per_cell = 12;
+  double blur_in_cells = 0.5;  ///< standard deviation of the Gaussian that the eye's distance makes
+};
+
+/// A planar panel before a lamp as seen from afar: the light through its openings, blurred to about a cell,
+/// relative to the panel's own blurred outline (so that its rim is as bright as its middle), contrast stretched
+/// from the second to the ninety-eighth percentile. Bright is drawn dark, as ink on white paper, with a margin
+/// of two cells. @return a PNG   @throws std::runtime_error for a state that is not finite
+std::string far_view(const Structure& panel, const State& state, const FarViewOptions& options = {});
+
+}  // namespace kinetix
