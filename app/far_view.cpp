@@ -19,7 +19,7 @@ using Grey = Eigen::ArrayXXd;  ///< row of pixels by column, 0 to 1
 
 constexpr double margin_in_cells = 2;
 constexpr double darkest = 0.02, brightest = 0.98;
-constexpr double inside = 0.5;
+constexpr double inside = 0.5, deep_inside = 0.98;
 
 /// Openings white on black; their walls black on top if asked.
 Grey drawn(const Structure& panel, const State& state, const PictureFrame& frame, double scale, bool walls) {
@@ -63,16 +63,16 @@ Grey blurred(const Grey& picture, double deviation) {
   return blurred_down(blurred_down(picture, weights).transpose(), weights).transpose();
 }
 
-/// 0 outside the mask, within it from 0 at the darkest to 1 at the brightest.
-Grey stretched(const Grey& light, const Grey& mask) {
+/// From 0 at the darkest to 1 at the brightest of where the outline hardly blurs; 0 outside.
+Grey stretched(const Grey& light, const Grey& outline) {
   std::vector<double> values;
   for (Eigen::Index k = 0; k < light.size(); ++k)
-    if (mask(k) >= inside) values.push_back(light(k));
+    if (outline(k) >= deep_inside) values.push_back(light(k));
   if (values.empty()) return Grey::Zero(light.rows(), light.cols());
   std::sort(values.begin(), values.end());
   const auto at = [&](double part) { return values[static_cast<std::size_t>(part * (values.size() - 1))]; };
   const double low = at(darkest), range = std::max(at(brightest) - low, 1e-9);
-  return (mask >= inside).select(((light - low) / range).max(0).min(1), 0);
+  return (outline >= inside).select(((light - low) / range).max(0).min(1), 0);
 }
 
 }  // namespace
@@ -81,10 +81,9 @@ std::string far_view(const Structure& panel, const State& state, const FarViewOp
   const PictureFrame frame = picture_frame(panel, state, margin_in_cells * panel.size.edge_mm);
   const double scale = options.pixels_per_cell / panel.size.edge_mm;
   const double deviation = options.blur_in_cells * options.pixels_per_cell;
-  const Grey mask = drawn(panel, state, frame, scale, false);
   const Grey light = blurred(drawn(panel, state, frame, scale, true), deviation),
-             whole = blurred(mask, deviation);
-  return grey_png(1 - stretched(light / whole.max(1e-6), mask));
+             whole = blurred(drawn(panel, state, frame, scale, false), deviation);
+  return grey_png(1 - stretched(light / whole.max(1e-6), whole));
 }
 
 }  // namespace kinetix

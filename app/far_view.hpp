@@ -12,8 +12,8 @@ struct FarViewOptions {
 };
 
 /// A planar panel before a lamp as seen from afar: the light through its openings, blurred to about a cell,
-/// relative to the panel's own blurred outline (so that its rim is as bright as its middle), contrast stretched
-/// from the second to the ninety-eighth percentile. Bright is drawn dark, as ink on white paper, with a margin
+/// relative to the panel's own blurred outline, contrast stretched from the second to the ninety-eighth
+/// percentile of what is not near the rim. Bright is drawn dark, as ink on white paper, with a margin
 /// of two cells. @return a PNG   @throws std::runtime_error for a state that is not finite
 std::string far_view(const Structure& panel, const State& state, const FarViewOptions& options = {});
 
