@@ -27,7 +27,7 @@ std::string png_of(cairo_surface_t* surface) {
 
 }  // namespace
 
-PictureFrame picture_frame(const Structure& panel, const State& state, double margin_mm) {
+PictureFrame picture_frame(const State& state, double margin_mm) {
   PictureFrame frame{state.front().p.head<2>(), state.front().p.head<2>()};
   for (const Pose& pose : state) {
     if (!pose.p.allFinite() || !pose.R.allFinite())

@@ -17,7 +17,7 @@ struct PictureFrame {
 };
 
 /// All bodies with a margin. @throws std::runtime_error for a state that is not finite
-PictureFrame picture_frame(const Structure& panel, const State& state, double margin_mm);
+PictureFrame picture_frame(const State& state, double margin_mm);
 
 struct DestroyCairo {
   void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }

@@ -70,7 +70,7 @@ Grey stretched(const Grey& light, const Grey& outline) {
     if (outline(k) >= deep_inside) values.push_back(light(k));
   if (values.empty()) return Grey::Zero(light.rows(), light.cols());
   std::sort(values.begin(), values.end());
-  const auto at = [&](double part) { return values[static_cast<std::size_t>(part * (values.size() - 1))]; };
+  const auto at = [&](double part) { return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))]; };
   const double low = at(darkest), range = std::max(at(brightest) - low, 1e-9);
   return (outline >= inside).select(((light - low) / range).max(0).min(1), 0);
 }
@@ -78,7 +78,7 @@ Grey stretched(const Grey& light, const Grey& outline) {
 }  // namespace
 
 std::string far_view(const Structure& panel, const State& state, const FarViewOptions& options) {
-  const PictureFrame frame = picture_frame(panel, state, margin_in_cells * panel.size.edge_mm);
+  const PictureFrame frame = picture_frame(state, margin_in_cells * panel.size.edge_mm);
   const double scale = options.pixels_per_cell / panel.size.edge_mm;
   const double deviation = options.blur_in_cells * options.pixels_per_cell;
   const Grey light = blurred(drawn(panel, state, frame, scale, true), deviation),

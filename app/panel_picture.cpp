@@ -53,7 +53,7 @@ std::string svg(const Structure& panel, const State& state, bool hinges, const P
 }  // namespace
 
 std::string panel_picture(const Structure& panel, const State& state, const PictureOptions& options) {
-  const PictureFrame frame = picture_frame(panel, state, panel.size.edge_mm / 2);
+  const PictureFrame frame = picture_frame(state, panel.size.edge_mm / 2);
   if (options.format == PictureFormat::svg) return svg(panel, state, options.hinges, frame);
   CairoImage image(frame, std::min(options.pixels_per_mm, most_pixels / frame.size().maxCoeff()));
   draw(panel, state, options.hinges, image.pen());
