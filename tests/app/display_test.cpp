@@ -4,9 +4,11 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "app/far_view.hpp"
 #include "app/panel_picture.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/schema_errors.hpp"
+#include "tests/support/paper_scenes.hpp"
 
 namespace kinetix::testing {
 namespace {
@@ -61,6 +63,22 @@ TEST(PanelPicture, IsToScaleAndRefusesBrokenStates) {
   EXPECT_THAT(panel_picture(panel, state, {}), HasSubstr("113.38"));
   state[2].p.x() = NAN;
   EXPECT_THROW(panel_picture(panel, state, {}), std::runtime_error);
+}
+
+// Hinges sit elsewhere, but a flat wall is a flat wall: nothing betrays the letter before compression.
+TEST(FarView, IsTheSameForEveryFlatPanel) {
+  const Structure plain = make_structure(rectangle(10, 10), {}), letter = letter_panel(0.1);
+  const State flat = rest_state(plain);
+  EXPECT_EQ(far_view(letter, flat), far_view(plain, flat));
+  EXPECT_EQ(panel_picture(letter, flat, {.format = PictureFormat::png}),
+            panel_picture(plain, flat, {.format = PictureFormat::png}));
+}
+
+TEST(FarView, RefusesBrokenStates) {
+  const Structure panel = make_structure(rectangle(3, 2), {});
+  State state = rest_state(panel);
+  state[0].R(0, 0) = NAN;
+  EXPECT_THROW(far_view(panel, state), std::runtime_error);
 }
 
 }  // namespace
