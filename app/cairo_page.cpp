@@ -8,14 +8,12 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr int most_pixels = 16'000;
-
 void check(cairo_status_t status) {
   if (status != CAIRO_STATUS_SUCCESS) throw std::runtime_error(cairo_status_to_string(status));
 }
 
 int pixels(double length) {
-  if (!(length <= most_pixels)) throw std::runtime_error("the picture would have too many pixels");
+  if (!(length <= most_picture_pixels)) throw std::runtime_error("the picture would have too many pixels");
   return std::max(1, static_cast<int>(std::ceil(length)));
 }
 
@@ -28,10 +26,9 @@ std::string png_of(cairo_surface_t* surface) {
 }  // namespace
 
 PictureFrame picture_frame(const State& state, double margin_mm) {
+  if (!is_finite(state)) throw std::runtime_error("a state that is not finite has no picture");
   PictureFrame frame{state.front().p.head<2>(), state.front().p.head<2>()};
   for (const Pose& pose : state) {
-    if (!pose.p.allFinite() || !pose.R.allFinite())
-      throw std::runtime_error("a state that is not finite has no picture");
     frame.low = frame.low.cwiseMin(pose.p.head<2>());
     frame.high = frame.high.cwiseMax(pose.p.head<2>());
   }

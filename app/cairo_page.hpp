@@ -10,6 +10,9 @@
 
 namespace kinetix {
 
+/// A side; cairo's images end at 32767.
+inline constexpr double most_picture_pixels = 16'000;
+
 /// What a picture shows of the plane, mm.
 struct PictureFrame {
   Eigen::Vector2d low, high;

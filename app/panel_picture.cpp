@@ -15,7 +15,6 @@ constexpr double dot_in_edges = 0.09;
 constexpr double most_off_centre = 0.42;
 constexpr double pale = 0.75;
 constexpr double points_per_mm = 72 / 25.4;
-constexpr double most_pixels = 16'000;
 
 /// Blue towards the wall's lower end, grey in the middle, red towards its upper end.
 void draw_hinges(const Structure& panel, const State& state, cairo_t* pen) {
@@ -55,7 +54,7 @@ std::string svg(const Structure& panel, const State& state, bool hinges, const P
 std::string panel_picture(const Structure& panel, const State& state, const PictureOptions& options) {
   const PictureFrame frame = picture_frame(state, panel.size.edge_mm / 2);
   if (options.format == PictureFormat::svg) return svg(panel, state, options.hinges, frame);
-  CairoImage image(frame, std::min(options.pixels_per_mm, most_pixels / frame.size().maxCoeff()));
+  CairoImage image(frame, std::min(options.pixels_per_mm, most_picture_pixels / frame.size().maxCoeff()));
   draw(panel, state, options.hinges, image.pen());
   return image.png();
 }

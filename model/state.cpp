@@ -1,6 +1,7 @@
 #include "model/state.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -23,6 +24,11 @@ State rest_state(const Structure& structure) {
   State state(structure.bodies.size());
   for (std::size_t b = 0; b < state.size(); ++b) state[b].p = structure.rest_position(static_cast<int>(b));
   return state;
+}
+
+bool is_finite(const State& state) {
+  return std::all_of(state.begin(), state.end(),
+                     [](const Pose& pose) { return pose.R.allFinite() && pose.p.allFinite(); });
 }
 
 HingeGaps hinge_gaps(const Structure& structure, const State& state) {

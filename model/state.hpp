@@ -27,6 +27,8 @@ struct Twist {
 
 State rest_state(const Structure& structure);
 
+bool is_finite(const State& state);
+
 /// How far the two bodies of each hinge disagree about it.
 struct HingeGaps {
   double max = 0;        ///< distance of the carried hinge points, in cell edges

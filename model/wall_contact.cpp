@@ -10,11 +10,6 @@ namespace {
 
 constexpr double depth_in_edges = 1e-9;
 
-bool is_finite(const State& state) {
-  return std::all_of(state.begin(), state.end(),
-                     [](const Pose& p) { return p.R.allFinite() && p.p.allFinite(); });
-}
-
 /// The motion to one side of flat.
 class Side {
  public:

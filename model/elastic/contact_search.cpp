@@ -38,11 +38,6 @@ bool is_same(const State& a, const State& b) {
                     [](const Pose& x, const Pose& y) { return x.p == y.p && x.R == y.R; });
 }
 
-bool is_finite(const State& state) {
-  return std::all_of(state.begin(), state.end(),
-                     [](const Pose& pose) { return pose.R.allFinite() && pose.p.allFinite(); });
-}
-
 }  // namespace
 
 ContactSearch::ContactSearch(const Structure& structure, bool planar)

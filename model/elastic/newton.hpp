@@ -31,10 +31,10 @@ struct NewtonResult {
 /// be in place: Newton's method with the exact Hessian, its step shortened where it does not lower the energy,
 /// and the Hessian shifted where it is not positive definite. A factor is used for further steps as long as
 /// each is much shorter than the one before; in large systems of which little accuracy is asked (step_tolerance)
-/// also as the preconditioner of conjugate gradients for the steps after. A state of balance that is no minimum (a symmetric one, say) is a result too,
-/// with stable = false. Afterwards `tangent` is that of the last state, factorised if stable (there or a step
-/// of at most 1e-5, or step_tolerance, before). @param factorised `tangent` is, in a state nearby: its factor
-/// is used first
+/// also as the preconditioner of conjugate gradients for the steps after. A state of balance that is no minimum
+/// (a symmetric one, say) is a result too, with stable = false. Afterwards `tangent` is that of the last state,
+/// factorised if stable (there or a step of at most 1e-5, or step_tolerance, before). @param factorised
+/// `tangent` is, in a state nearby: its factor is used first
 NewtonResult minimise(ElasticSystem& system, double theta, const NewtonOptions& options, State& state,
                       Tangent& tangent, bool factorised = false);
 

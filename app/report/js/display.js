@@ -39,19 +39,12 @@ function displayVerdict(data) {
           text: model + (run || " It was not checked by a physics run.")};
 }
 
-/** Where the knee of a hinge's half wall is, mm. */
-function kneeOf(structure, state, hinge, body) {
-  const {p, q} = state.poses[body], rest = structure.bodies[body].rest;
-  const arm = turned(q, [0, 1, 2].map((k) => hinge.point[k] - rest[k]));
-  return [p[0] + arm[0], p[1] + arm[1]];
-}
-
 /** A panel from above, to the scale of `view`. */
 function panelFromAbove(structure, state, view, pale) {
   const to = ([x, y]) => [(x - view.low[0]) * view.scale, (view.high[1] - y) * view.scale];
   const d = structure.hinges.flatMap(
       (hinge) => [hinge.a, hinge.b].map(
-          (body) => path([to(state.poses[body].p), to(kneeOf(structure, state, hinge, body))])));
+          (body) => path([to(state.poses[body].p), to(carried(state.poses[body], structure.bodies[body].rest, hinge.point))])));
   return svg("path", {
     d: d.join(""), fill: "none", stroke: pale ? "#c8c8c8" : "#111", "stroke-linecap": "round",
     "stroke-width": Math.max(0.6, structure.thickness * view.scale).toFixed(2)
@@ -59,11 +52,8 @@ function panelFromAbove(structure, state, view, pale) {
 }
 
 function panelView(structure, states, width) {
-  const points = states.flatMap((state) => state.poses.map(({p}) => p));
-  const side = (pick, k) => pick(...points.map((p) => p[k]));
-  const margin = structure.cell / 2;
-  const low = [side(Math.min, 0) - margin, side(Math.min, 1) - margin];
-  const high = [side(Math.max, 0) + margin, side(Math.max, 1) + margin];
+  const box = extent(states.flatMap((state) => state.poses.map(({p}) => p)));
+  const low = box.low.map((x) => x - structure.cell / 2), high = box.high.map((x) => x + structure.cell / 2);
   const scale = width / (high[0] - low[0]);
   return {low, high, scale, width, height: (high[1] - low[1]) * scale};
 }
