@@ -57,7 +57,7 @@ TEST(ReadFold, RefusesWhatIsNoFold) {
   const BadInput cases[] = {
       {"{kind: fold}", 1, 9, "target", {"`box: [a, b, c]`"}},
       {"{kind: fold, box: [4, 4, 4], net: {}}", 1, 9, "target", {"both a box and a net"}},
-      {"{kind: fold, box: [4, 0, 4]}", 1, 32, "target.box[1]", {"0", "1"}},
+      {"{kind: fold, box: [4, 0, 4]}", 1, 31, "target.box[1]", {"0", "1"}},
       {"{kind: fold, box: [4, 4]}", 1, 27, "target.box", {"edge lengths"}},
       {"{kind: fold, box: [4, 4, 4], open: lid}", 1, 44, "target.open", {"`lid`", "top"}},
       {net("{faces: [base, d], side: top, angle_deg: 90}"), 3, 16, "target.net.creases[0].faces[1]", {"`d`"}},
