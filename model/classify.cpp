@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/net_rules.hpp"
+
 namespace kinetix {
 namespace {
 
@@ -93,6 +95,8 @@ std::string praise(Family family, bool transposed) {
       return "F2: basic rows, every column bends or shears: cylindrical sheet" + along;
     case Family::F3:
       return "F3: rows tilted alike, every column bends" + along;
+    case Family::F4:
+      return "F4: flat panels joined by creases along x and along y: net";
     case Family::none:
       break;
   }
@@ -161,6 +165,8 @@ std::string to_string(Family family) {
       return "F2";
     case Family::F3:
       return "F3";
+    case Family::F4:
+      return "F4";
     case Family::none:
       break;
   }
@@ -174,20 +180,25 @@ Classification classify(const Structure& structure, double tolerance) {
     const auto design = suggested_design(sheet);
     for (const Family family : {Family::F1, Family::F2, Family::F3}) {
       Attempt a = attempt(family, structure, sheet, along_y, design, tolerance);
-      if (a.broken == 0) return {family, along_y, design, -1, praise(family, along_y)};
+      if (a.broken == 0) return {family, along_y, design, {}, -1, praise(family, along_y)};
       if (best.family == Family::none || a.broken < best.broken) best = std::move(a);
     }
   }
+  NetCheck net = check_net(structure, tolerance);
+  if (net.broken == 0) return {Family::F4, false, {}, make_net_tree(structure), -1, praise(Family::F4, false)};
+  if (net.broken < best.broken) best = {Family::F4, false, net.broken, net.breaking_hinge, std::move(net.rule)};
   const std::string where = "wall " + to_string(structure.hinges[best.first_broken].wall);
   return {
       Family::none,
       false,
+      {},
       {},
       best.first_broken,
       "not exactly mobile: hinge " + std::to_string(best.first_broken) + " on " + where + ": " + best.rule};
 }
 
 State fold(const Classification& classification, const Structure& structure, double theta) {
+  if (classification.family == Family::F4) return fold_net(classification.tree, structure, theta);
   auto design = classification.design;
   design.theta = classification.transposed ? -theta : theta;
   if (!classification.transposed) return fold(design, structure);

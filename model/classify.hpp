@@ -3,10 +3,11 @@
 #include <string>
 
 #include "model/exact_family.hpp"
+#include "model/net.hpp"
 
 namespace kinetix {
 
-enum class Family { F1, F2, F3, none };
+enum class Family { F1, F2, F3, F4, none };
 
 std::string to_string(Family family);
 
@@ -15,12 +16,13 @@ struct Classification {
   Family family = Family::none;
   /// The sheet folds along y instead of x: `design` describes its mirror image with x and y exchanged.
   bool transposed = false;
-  ExactDesign<double> design;  ///< theta 0; empty for Family::none
+  ExactDesign<double> design;  ///< theta 0, of F1, F2 and F3; empty otherwise
+  NetTree tree;                ///< of F4
   int breaking_hinge = -1;     ///< for Family::none: index of the first hinge that breaks the rule
   std::string why;             ///< one sentence, naming the family's rule or the hinge that breaks it
 };
 
-/// Tests the rules of kinematics.md section 2 hinge by hinge, F1, F2 and F3 along x, then along y.
+/// Tests the rules of kinematics.md section 2 hinge by hinge, F1, F2 and F3 along x, then along y, then F4.
 /// Columns and rows are taken as most of their hinges have them. For Family::none the breaking hinge is that
 /// of the family that holds for the most hinges. A family tells that the structure moves exactly; how freely,
 /// is for mobility() to say: panels joined at one vertex alone also move by themselves.

@@ -36,6 +36,7 @@ bool is_rectangle(const Structure& structure) {
 /// Whether the rows of vertices along the rim stay straight lines or plane curves while the sheet folds.
 bool keeps_its_rim_flat(const Classification& kind, const Structure& structure) {
   if (kind.family == Family::none) return is_rectangle(structure);
+  if (kind.family == Family::F4) return false;
   return std::all_of(kind.design.t.begin(), kind.design.t.end(), is_half);
 }
 

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <random>
+#include <set>
+
+#include "model/crease.hpp"
+#include "model/net_rules.hpp"
+
+namespace kinetix::testing {
+
+/// Cells that grew one by one from [8, 8], each beside one that was there; branches and holes among them.
+inline std::vector<Cell> random_cells(int count, std::mt19937& random) {
+  std::set<Cell> cells = {{8, 8}};
+  while (static_cast<int>(cells.size()) < count) {
+    auto at = cells.begin();
+    std::advance(at, std::uniform_int_distribution<std::size_t>(0, cells.size() - 1)(random));
+    constexpr int steps[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+    const auto& step = steps[std::uniform_int_distribution<int>(0, 3)(random)];
+    const Cell next{at->i + step[0], at->j + step[1]};
+    if (next.i >= 0 && next.j >= 0) cells.insert(next);
+  }
+  return {cells.begin(), cells.end()};
+}
+
+/// Gives creases in random order a tilt up to 60 deg wherever the rules of nets let them have one.
+inline void tilt_at_random(Structure& structure, std::mt19937& random) {
+  const Creases creases = find_creases(structure);
+  std::vector<int> order(creases.list.size());
+  for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<int>(k);
+  std::shuffle(order.begin(), order.end(), random);
+  std::uniform_real_distribution<double> tilt(-60 * radians_per_degree, 60 * radians_per_degree);
+  for (const int k : order) {
+    const Structure before = structure;
+    set_tilt(structure, creases.list[k], tilt(random));
+    if (check_net(structure).broken > 0) structure = before;
+  }
+}
+
+inline Structure random_net(int cells, std::mt19937& random) {
+  Structure structure = make_structure(random_cells(cells, random), {});
+  tilt_at_random(structure, random);
+  return structure;
+}
+
+/// The cube net of kinematics.md: a cross of six faces of 3 x 3 bodies, creases of one column between.
+inline Structure cube_net(double tilt) {
+  std::vector<Cell> cells;
+  const auto add = [&](int i0, int i1, int j0, int j1) {
+    for (int i = i0; i < i1; ++i)
+      for (int j = j0; j < j1; ++j) cells.push_back({i, j});
+  };
+  add(3, 5, 0, 11);
+  add(0, 3, 3, 5);
+  add(5, 8, 3, 5);
+  Structure structure = make_structure(std::move(cells), {});
+  const Creases creases = find_creases(structure);
+  for (const Wall wall : {Wall{{2, 3}, Axis::x}, Wall{{5, 3}, Axis::x}, Wall{{3, 2}, Axis::y},
+                          Wall{{3, 5}, Axis::y}, Wall{{3, 8}, Axis::y}})
+    set_tilt(structure, creases.list[creases.of_hinge[*structure.hinge_at(wall)]], turn_sense(wall) * tilt);
+  return structure;
+}
+
+}  // namespace kinetix::testing
