@@ -20,7 +20,7 @@ FoldGoal box_goal(const std::array<int, 3>& edges, std::optional<int> open, int 
 }
 
 FoldGoal net_goal(FoldNet net) {
-  check_net(net);
+  validate(net);
   std::vector<int> columns;
   for (const FoldCrease& crease : net.creases) columns.push_back(std::max(crease.columns, 1));
   lay_out(net, columns);

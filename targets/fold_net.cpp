@@ -84,7 +84,7 @@ std::string crease_name(const FoldNet& net, const FoldCrease& crease) {
   return net.faces[crease.first].name + "-" + net.faces[crease.second].name;
 }
 
-void check_net(const FoldNet& net) {
+void validate(const FoldNet& net) {
   check_faces(net);
   check_creases(net);
   const std::vector<bool> in = reached(net);

@@ -45,6 +45,6 @@ std::string crease_name(const FoldNet& net, const FoldCrease& crease);
 /// @throws InvalidInput, naming the face or crease, for a face without cells, a name given twice, a crease of
 /// a face with itself, two creases between the same faces, an angle outside +-180 degrees, and faces that do
 /// not hang together
-void check_net(const FoldNet& net);
+void validate(const FoldNet& net);
 
 }  // namespace kinetix

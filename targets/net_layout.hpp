@@ -32,7 +32,7 @@ struct NetLayout {
 /// @throws InvalidInput, naming faces or creases: a crease between faces that do not lie beside each other,
 /// faces that overlap or touch without a crease, creases that need one cell to bend both ways, and a ring of
 /// faces with folds in both directions
-/// @pre check_net accepts the net
+/// @pre validate accepts the net
 NetLayout lay_out(const FoldNet& net, const std::vector<int>& columns);
 
 /// Walls along the crease's axis in its cells: those that tilt to bend it.

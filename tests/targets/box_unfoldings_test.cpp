@@ -33,7 +33,7 @@ TEST(BoxUnfoldings, PutsTheFlattestTreeFirst) {
 TEST(BoxUnfoldings, LieFlatWithoutTouching) {
   for (const auto& edges : {std::array{4, 4, 4}, std::array{5, 3, 1}, std::array{1, 1, 1}})
     for (const FoldNet& net : box_unfoldings(edges)) {
-      check_net(net);
+      validate(net);
       EXPECT_NO_THROW(lay_out(net, one_column(net)));
     }
 }
