@@ -10,6 +10,7 @@
 #include "model/elastic/stable_states.hpp"
 #include "optim/fit_curve.hpp"
 #include "optim/fit_display.hpp"
+#include "optim/fit_fold.hpp"
 #include "sim/compression_run.hpp"
 #include "targets/display_goal.hpp"
 
@@ -87,6 +88,17 @@ struct DisplayOutcome {
   bool met() const { return why_missed.empty(); }
 };
 
+/// What a search for a fold contributes to a result.
+struct FoldOutcome {
+  FoldGoal goal;
+  FoldDesign design;
+  std::optional<FoldError> physics;      ///< of the settled physics run
+  std::vector<std::string> why_missed;   ///< in words, empty where the model folds as asked
+  std::vector<std::string> why_physics;  ///< likewise for the physics run
+
+  bool met() const { return why_missed.empty(); }
+};
+
 /// Everything one call of the program knows at its end: what result.json and the report show.
 struct Run {
   std::string name;
@@ -96,6 +108,7 @@ struct Run {
   double theta = 0;  ///< rad, of the state shown
   std::optional<CurveOutcome> curve;
   std::optional<DisplayOutcome> display;
+  std::optional<FoldOutcome> fold;
   std::vector<NamedState> states;
   PhysicsSection physics;  ///< these four as the file asked
   HingeSection hinge;
