@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include "model/classify.hpp"
+#include "model/invalid_input.hpp"
 #include "model/net.hpp"
-#include "tests/support/bad_input.hpp"
-#include "tests/support/derivatives.hpp"
 #include "model/rotation_vector.hpp"
+#include "tests/support/derivatives.hpp"
 
 namespace kinetix {
 namespace {
