@@ -41,15 +41,15 @@ const NamedUnit& named(LengthUnit unit) {
 
 bool is_size_of_head(double mm) { return mm >= least_head_mm && mm <= most_head_mm; }
 
-/// "; units: cm would make it 230 mm", or nothing where no unit makes it a head.
-std::string better_unit(double size) {
+/// What to do about a mesh of this size in the file's units.
+std::string remedy(double size) {
   const auto strangeness = [&](const NamedUnit& u) {
     return std::abs(std::log(size * u.mm / usual_head_mm));
   };
   const auto best = std::min_element(units.begin(), units.end(), [&](const NamedUnit& a, const NamedUnit& b) {
     return strangeness(a) < strangeness(b);
   });
-  if (!is_size_of_head(size * best->mm)) return {};
+  if (!is_size_of_head(size * best->mm)) return "; none of the units mm, cm, m, in would do: scale the mesh";
   return "; `units: " + std::string(best->name) + "` would make it " + number_text(size * best->mm) + " mm";
 }
 
@@ -59,7 +59,7 @@ void check_size(const TriangleMesh& mesh, LengthUnit unit) {
   if (is_size_of_head(size)) return;
   throw InvalidHead("units", "in " + std::string(named(unit).name) + " the mesh is " + number_text(size) +
                                  " mm long; a head (or a bust) is " + number_text(least_head_mm) + " to " +
-                                 number_text(most_head_mm) + " mm" + better_unit(size / mm_per(unit)));
+                                 number_text(most_head_mm) + " mm" + remedy(size / mm_per(unit)));
 }
 
 TriangleMesh moved(TriangleMesh mesh, const Eigen::Affine3d& motion) {
