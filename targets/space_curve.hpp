@@ -14,6 +14,8 @@ class SpaceCurve {
   explicit SpaceCurve(const std::vector<Eigen::Vector3d>& points, double first = 0);
 
   const std::vector<Eigen::Vector3d>& points() const { return points_; }
+  /// Arc length at each point.
+  const std::vector<double>& arcs() const { return arc_; }
   double first() const { return arc_.front(); }
   double last() const { return arc_.back(); }
   double length() const { return last() - first(); }
@@ -34,7 +36,7 @@ class SpaceCurve {
   std::size_t segment_at(double s) const;
 
   std::vector<Eigen::Vector3d> points_;
-  std::vector<double> arc_;  // at each point
+  std::vector<double> arc_;
 };
 
 }  // namespace kinetix
