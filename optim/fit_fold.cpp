@@ -166,6 +166,7 @@ class Search {
   std::optional<Obstacle> walls_in_the_way(const FoldedNet& net) {
     ++design_.evaluations;
     WallContact contact(with_clearance(net.structure));
+    if (!contact.touching_at_rest().empty()) return described(net, contact.touching_at_rest().front(), 0);
     const int steps = static_cast<int>(std::ceil(net.theta / step));
     for (int k = 1; k <= steps; ++k) {
       const double theta = net.theta * k / steps;

@@ -55,6 +55,16 @@ TEST(FitFold, SaysThatTiltsAreTooSmall) {
   EXPECT_LT(design.folded.error.fold[0], pi / 2);
 }
 
+TEST(FitFold, TakesNoTiltsThatMakeWallsTouchWhenFlat) {
+  const CellSize tall = {10, 1, 15};
+  const FoldDesign design = fit_fold(box_goal({2, 2, 2}), options(tall));
+  if (design.folds) {
+    EXPECT_TRUE(WallContact(design.folded.structure).touching_at_rest().empty());
+  } else {
+    EXPECT_FALSE(design.obstacles.empty());
+  }
+}
+
 TEST(FitFold, SpreadsASteeperFoldOverMoreColumns) {
   const FoldDesign design = fit_fold(net_goal(pair_of_faces(150 * degree)), options());
   ASSERT_TRUE(design.folds);
