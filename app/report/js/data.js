@@ -153,6 +153,7 @@ function readResult(raw) {
     states: readStates(raw.states, structure),
     curve: readCurve(dictionary(raw.curve)),
     display: readDisplay(raw.display),
+    fold: readFold(raw.fold),
     verdict: readVerdict(metrics, tolerance),
     runs: list(optimiser.runs).map(readRun),
     fidelity: list(raw.fidelity).filter((entry) => entry && typeof entry === "object"),

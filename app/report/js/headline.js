@@ -33,6 +33,7 @@ function failing(data) {
 /** {mark, tone, title, text} */
 function verdict(data) {
   if (data.display) return displayVerdict(data);
+  if (data.fold) return foldVerdict(data);
   if (data.balance && !data.raw.target) return balanceVerdict(data);
   const {met, verified} = data.verdict;
   const hasRun = data.states.physics !== null || finite(data.metrics.verify_rms) !== null ||
@@ -164,7 +165,8 @@ function keyNumbers(data) {
   return numbers.length ? html("dl", {class: "numbers"}, numbers) : null;
 }
 
-function reasons({curve, display}) {
+function reasons({curve, display, fold}) {
+  if (fold) return [...fold.reasons, ...fold.physicsReasons];
   return display ? [...display.reasons, ...display.physicsReasons] : curve.reasons;
 }
 
