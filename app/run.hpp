@@ -11,8 +11,10 @@
 #include "optim/fit_curve.hpp"
 #include "optim/fit_display.hpp"
 #include "optim/fit_fold.hpp"
+#include "optim/fit_helmet.hpp"
 #include "sim/compression_run.hpp"
 #include "targets/display_goal.hpp"
+#include "targets/head.hpp"
 
 namespace kinetix {
 
@@ -99,6 +101,19 @@ struct FoldOutcome {
   bool met() const { return why_missed.empty(); }
 };
 
+/// What a search for a helmet contributes to a result.
+struct HelmetOutcome {
+  Head head;
+  HelmetWish wish;
+  HelmetDesign design;                   ///< in the head's frame
+  UniformHelmet uniform = {};            ///< the paper's way, for comparison
+  std::optional<HelmetError> physics = {};  ///< the settled physics run, laid on the model's state
+  std::vector<std::string> why_missed = {};   ///< in words, empty where the model is as asked
+  std::vector<std::string> why_physics = {};  ///< likewise for the physics run
+
+  bool met() const { return why_missed.empty(); }
+};
+
 /// Everything one call of the program knows at its end: what result.json and the report show.
 struct Run {
   std::string name;
@@ -109,6 +124,7 @@ struct Run {
   std::optional<CurveOutcome> curve;
   std::optional<DisplayOutcome> display;
   std::optional<FoldOutcome> fold;
+  std::optional<HelmetOutcome> helmet;
   std::vector<NamedState> states;
   PhysicsSection physics;  ///< these four as the file asked
   HingeSection hinge;

@@ -29,18 +29,19 @@ void check_kind_of_file(const Node& root) {
   }
 }
 
-enum class Kind { curve, display, fold };
+enum class Kind { curve, display, fold, helmet };
 
 Kind read_kind(const Node& root) {
   const Node target = root.required("target", target_hint);
-  const Node kind = target.required("kind", "`kind: curve`, `kind: display` or `kind: fold`");
+  const Node kind = target.required("kind", "`kind: curve`, `kind: display`, `kind: fold` or `kind: helmet`");
   const std::vector<std::string_view> kinds = {"curve", "display", "fold", "helmet", "outline"};
   const std::string_view name = kinds[kind.one_of(kinds)];
   if (name == "curve") return Kind::curve;
   if (name == "display") return Kind::display;
   if (name == "fold") return Kind::fold;
+  if (name == "helmet") return Kind::helmet;
   throw kind.error("kind " + std::string(name) +
-                   " is not supported by this version; supported: curve, display, fold");
+                   " is not supported by this version; supported: curve, display, fold, helmet");
 }
 
 Curve read_goal(const Node& root) {
@@ -173,6 +174,8 @@ Target read_target(const std::string& path) {
       return read_display_file(root);
     case Kind::fold:
       return read_fold_file(root);
+    case Kind::helmet:
+      return read_helmet_file(root);
     case Kind::curve:
       break;
   }

@@ -6,6 +6,7 @@
 
 #include "app/display_file.hpp"
 #include "app/fold_file.hpp"
+#include "app/helmet_file.hpp"
 #include "app/physics_section.hpp"
 #include "app/solver_section.hpp"
 #include "model/structure.hpp"
@@ -40,7 +41,7 @@ struct TargetFile {
 };
 
 /// A target of one of the kinds there are.
-using Target = std::variant<TargetFile, DisplayFile, FoldFile>;
+using Target = std::variant<TargetFile, DisplayFile, FoldFile, HelmetFile>;
 
 /// @throws InvalidInput for whatever contracts.md does not allow, and for kinds that are not supported
 Target read_target(const std::string& file);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "model/rotation_vector.hpp"
 #include "model/wall_contact.hpp"
 #include "optim/arrow_solver.hpp"
 
@@ -201,33 +202,42 @@ HelmetError helmet_error(const Fishbone& fishbone, const State& state, const Mes
   return error;
 }
 
+State placed_fishbone(const Fishbone& fishbone, const HelmetShape& shape, double theta) {
+  const Structure& structure = fishbone.structure;
+  State state = fold_net(make_net_tree(structure, fishbone.middle), structure, theta);
+  const Eigen::Matrix3d turn = rotation_of(shape.turn);
+  const Vector3d root = structure.rest_position(fishbone.middle);
+  for (Pose& pose : state) pose = {turn * pose.R, shape.place + turn * (pose.p - root)};
+  return state;
+}
+
 HelmetDesign fit_helmet(const MeshDistance& head, const Vector3d& crown, const HelmetWish& wish,
                         const SolverOptions& options) {
-  HelmetDesign design{plan_helmet(head, crown, wish), {}, {}, 0, {}, {}, 0, {}};
-  HelmetShape shape = design.layout.start;
-  for (int trims = 0;; ++trims) {
-    const Fishbone fishbone = make_fishbone(design.layout.bones, wish.size);
-    const HelmetProblem problem(fishbone, goal_of(design.layout, head, crown, wish), wish.tilt, wish.theta);
-    design.search = solve(problem, problem.pack(shape), options);
-    shape = problem.unpack(design.search.x);
-    design.structure = problem.structure(design.search.x);
-    design.state = problem.state(design.search.x);
-    const Collisions collisions(fishbone, design.structure, design.state);
-    const int taken = trims < most_trims ? collisions.trim(design.layout.bones) : 0;
-    design.trimmed += taken;
+  HelmetLayout layout = plan_helmet(head, crown, wish);
+  HelmetShape shape = layout.start;
+  for (int trims = 0, trimmed = 0;; ++trims) {
+    Fishbone fishbone = make_fishbone(layout.bones, wish.size);
+    const HelmetProblem problem(fishbone, goal_of(layout, head, crown, wish), wish.tilt, wish.theta);
+    SolveResult search = solve(problem, problem.pack(shape), options);
+    shape = problem.unpack(search.x);
+    Structure bent = problem.structure(search.x);
+    State state = problem.state(search.x);
+    const Collisions collisions(fishbone, bent, state);
+    const int taken = trims < most_trims ? collisions.trim(layout.bones) : 0;
+    trimmed += taken;
     if (taken == 0) {
-      design.collisions = collisions.in_words();
-      design.theta = shape.theta;
-      design.error = helmet_error(fishbone, design.state, head, wish.clearance_mm);
-      return design;
+      HelmetError error = helmet_error(fishbone, state, head, wish.clearance_mm);
+      fishbone.structure = std::move(bent);
+      return {std::move(layout), std::move(fishbone), std::move(shape), std::move(state),
+              std::move(error),  std::move(search),   trimmed,          collisions.in_words()};
     }
-    shape = cut_to(std::move(shape), design.layout.bones);
+    shape = cut_to(std::move(shape), layout.bones);
   }
 }
 
 UniformHelmet fit_uniform_helmet(const HelmetDesign& design, const MeshDistance& head, const Vector3d& crown,
                                  const HelmetWish& wish, const SolverOptions& options) {
-  const Fishbone fishbone = make_fishbone(design.layout.bones, wish.size);
+  const Fishbone& fishbone = design.fishbone;
   const HelmetProblem problem(fishbone, goal_of(design.layout, head, crown, wish), wish.tilt, wish.theta);
   const UniformProblem uniform(problem, fishbone);
   VectorXd x(uniform.variables());

@@ -15,9 +15,9 @@ struct HelmetError {
 /// A fishbone fitted to a head.
 struct HelmetDesign {
   HelmetLayout layout;
-  Structure structure;  ///< with the tilts found
-  State state;          ///< folded on the head
-  double theta = 0;     ///< rad
+  Fishbone fishbone;  ///< its structure has the tilts found
+  HelmetShape shape;
+  State state;  ///< folded on the head
   HelmetError error;
   SolveResult search;
   int trimmed = 0;                      ///< cells taken off ribs whose walls met others when folded
@@ -38,6 +38,9 @@ struct UniformHelmet {
 UniformHelmet fit_uniform_helmet(const HelmetDesign& design, const MeshDistance& head,
                                  const Eigen::Vector3d& crown, const HelmetWish& wish,
                                  const SolverOptions& options);
+
+/// State of a fishbone with tilts, its root where `shape` has it, at any theta.
+State placed_fishbone(const Fishbone& fishbone, const HelmetShape& shape, double theta);
 
 /// @param state of the fishbone's structure, in the head's frame
 HelmetError helmet_error(const Fishbone& fishbone, const State& state, const MeshDistance& head,

@@ -87,9 +87,11 @@ class RibTracer {
   }
 
  private:
+  /// Every other rib ends beside its neighbours, so that those between run on to where they meet each other.
   bool meets_neighbour(std::size_t rib, const Vector3d& p) const {
-    const bool below = rib > 0 && planes_[rib - 1].beyond(p) < width_;
-    const bool above = rib + 1 < planes_.size() && -planes_[rib + 1].beyond(p) < width_;
+    const std::size_t next = rib % 2 == 1 ? 1 : 2;
+    const bool below = rib >= next && planes_[rib - next].beyond(p) < width_;
+    const bool above = rib + next < planes_.size() && -planes_[rib + next].beyond(p) < width_;
     return below || above;
   }
 
@@ -205,14 +207,19 @@ class Planner {
     for (std::size_t r = 0; r < planes_.size(); ++r) {
       const RibLine lower = tracer.trace(r, middle_, -1), upper = tracer.trace(r, middle_, 1);
       out.bones.ribs[r].cells = {cells_along(lower.curve), cells_along(upper.curve)};
-      for (const auto& [line, side] : {std::pair{&lower, '-'}, {&upper, '+'}})
-        if (line->at_neighbour)
-          out.notes.push_back(
-              fmt::format("rib {} ends {:.0f} mm above the rim on side {}x: further down it would meet "
-                          "its neighbour",
-                          r + 1, line->curve.points().back().z() - rim_z_, side));
+      note_end(r, lower, "-x", out.notes);
+      note_end(r, upper, "+x", out.notes);
       out.sections.push_back({lower.curve, upper.curve});
     }
+  }
+
+  void note_end(std::size_t rib, const RibLine& line, const char* side,
+                std::vector<std::string>& notes) const {
+    const double above = line.curve.points().back().z() - rim_z_;
+    if (line.at_neighbour && above > edge_)
+      notes.push_back(fmt::format(
+          "rib {} ends {:.0f} mm above the rim towards {}: further down it would meet a neighbour", rib + 1,
+          above, side));
   }
 
   int cells_along(const SpaceCurve& line) const {

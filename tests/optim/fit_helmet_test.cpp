@@ -54,8 +54,15 @@ TEST(FitHelmet, KeepsTheClearanceFromAnEllipsoid) {
   EXPECT_LE(design.error.rms, 0.1);
   EXPECT_LE(design.error.max, 0.3);
   for (const double rib : design.error.of_ribs) EXPECT_LE(rib, 0.2);
-  EXPECT_LE(hinge_gaps(design.structure, design.state).max, 1e-12);
-  EXPECT_EQ(classify(design.structure).family, Family::F4);
+  EXPECT_LE(hinge_gaps(design.fishbone.structure, design.state).max, 1e-12);
+  EXPECT_EQ(classify(design.fishbone.structure).family, Family::F4);
+}
+
+TEST(FitHelmet, PlacesItsFishboneWhereTheSearchHadIt) {
+  const MeshDistance mesh = head();
+  const HelmetDesign design = fit_helmet(mesh, {0, 0, 100}, wish(3), {});
+  const State placed = placed_fishbone(design.fishbone, design.shape, design.shape.theta);
+  for (std::size_t b = 0; b < placed.size(); ++b) EXPECT_LE((placed[b].p - design.state[b].p).norm(), 1e-9);
 }
 
 TEST(FitHelmet, OneTiltForAllFitsWorse) {
