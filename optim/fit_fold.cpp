@@ -193,11 +193,13 @@ class Search {
     const int a = part(pair.first), b = part(pair.second);
     const std::string who = a == b ? "of " + part_name(net.net, a)
                                    : "of " + part_name(net.net, a) + " and " + part_name(net.net, b);
-    return {fmt::format(
-                "with {} a crease walls {} run into each other at theta {:.1f} deg, before the {:.1f} deg "
-                "that the fold needs",
-                columns_text(net.layout.creases.empty() ? 1 : net.layout.creases[0].columns), who,
-                to_degrees(theta), to_degrees(net.theta)),
+    const int columns = net.layout.creases.empty() ? 1 : net.layout.creases[0].columns;
+    const std::string when = theta > 0 ? fmt::format(
+                                             "run into each other at theta {:.1f} deg, before the {:.1f} deg "
+                                             "that the fold needs",
+                                             to_degrees(theta), to_degrees(net.theta))
+                                       : "touch when flat";
+    return {fmt::format("with {} a crease walls {} {}", columns_text(columns), who, when),
             beside_one_crease(net.net, a, b), theta / net.theta};
   }
 
