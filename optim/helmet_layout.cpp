@@ -18,37 +18,45 @@ constexpr double span_mm = 1;
 constexpr double steepest_ray = 120 * radians_per_degree;
 constexpr double gap_in_edges = 0.15;
 
-/// From far outside towards `inside` until the clearance is reached: the outermost such place.
-/// @throws InvalidInput where there is none
-Vector3d outermost(const MeshDistance& head, const Vector3d& inside, const Vector3d& direction,
-                   double clearance) {
-  double radius = bounds(head.mesh()).diagonal().norm() + clearance;
-  while (radius > 0) {
-    const Vector3d p = inside + radius * direction;
-    const double apart = std::abs(head.foot(p).distance) - clearance;
-    if (apart <= touch_mm) return p;
-    radius -= apart;
+/// The surface that keeps the clearance, as seen from within.
+class OffsetSurface {
+ public:
+  OffsetSurface(const MeshDistance& head, double clearance)
+      : head_(head), clearance_(clearance), far_(bounds(head.mesh()).diagonal().norm() + clearance) {}
+
+  /// From far outside towards `inside` until the clearance is reached: the outermost such place.
+  /// @throws InvalidInput where there is none
+  Vector3d outermost(const Vector3d& inside, const Vector3d& direction) const {
+    double radius = far_;
+    while (radius > 0) {
+      const Vector3d p = inside + radius * direction;
+      const double apart = std::abs(head_.foot(p).distance) - clearance_;
+      if (apart <= touch_mm) return p;
+      radius -= apart;
+    }
+    throw InvalidInput(
+        fmt::format("the head has no surface from [{:.0f}, {:.0f}, {:.0f}] mm (from the crown) towards "
+                    "[{:.2f}, {:.2f}, {:.2f}]",
+                    inside.x(), inside.y(), inside.z(), direction.x(), direction.y(), direction.z()));
   }
-  throw InvalidInput(
-      fmt::format("the mesh has no surface from [{:.0f}, {:.0f}, {:.0f}] mm towards [{:.2f}, {:.2f}, "
-                  "{:.2f}]: a hole larger than the clearance, or a crown point that is not over the head",
-                  inside.x(), inside.y(), inside.z(), direction.x(), direction.y(), direction.z()));
-}
 
-/// Middle of the head at the rim, in the plane of the spine.
-Vector3d centre(const MeshDistance& head, const Vector3d& crown, double rim_z) {
+ private:
+  const MeshDistance& head_;
+  double clearance_, far_;
+};
+
+/// Middle of the surface at the rim, in the plane of the spine.
+Vector3d middle_at_rim(const OffsetSurface& surface, const Vector3d& crown, double rim_z) {
   const Vector3d below(crown.x(), crown.y(), rim_z);
-  const Vector3d a = outermost(head, below, -Vector3d::UnitY(), 0),
-                 b = outermost(head, below, Vector3d::UnitY(), 0);
-  return (a + b) / 2;
+  return (surface.outermost(below, -Vector3d::UnitY()) + surface.outermost(below, Vector3d::UnitY())) / 2;
 }
 
-SpaceCurve spine_line(const MeshDistance& head, const Vector3d& middle, double clearance) {
+SpaceCurve spine_line(const OffsetSurface& surface, const Vector3d& middle) {
   std::vector<Vector3d> line;
   const int rays = static_cast<int>(std::round(pi / ray_step));
   for (int k = 0; k <= rays; ++k) {
     const double angle = pi * k / rays;
-    line.push_back(outermost(head, middle, {0, -std::cos(angle), std::sin(angle)}, clearance));
+    line.push_back(surface.outermost(middle, {0, -std::cos(angle), std::sin(angle)}));
   }
   return SpaceCurve(line);
 }
@@ -68,9 +76,9 @@ struct RibLine {
 
 class RibTracer {
  public:
-  RibTracer(const MeshDistance& head, const HelmetWish& wish, const std::vector<RibPlane>& planes,
-            double rim_z, double width)
-      : head_(head), wish_(wish), planes_(planes), rim_z_(rim_z), width_(width) {}
+  /// @param lowest z that ribs may reach   @param width that a rib takes up to each side
+  RibTracer(const OffsetSurface& surface, const std::vector<RibPlane>& planes, double lowest, double width)
+      : surface_(surface), planes_(planes), lowest_(lowest), width_(width) {}
 
   RibLine trace(std::size_t rib, const Vector3d& middle, int side) const {
     const RibPlane& plane = planes_[rib];
@@ -78,8 +86,8 @@ class RibTracer {
     std::vector<Vector3d> line;
     for (double angle = 0; angle <= steepest_ray; angle += ray_step) {
       const Vector3d direction = std::cos(angle) * plane.outward() + std::sin(angle) * sideways;
-      const Vector3d p = outermost(head_, inside, direction, wish_.clearance_mm);
-      const bool met = meets_neighbour(rib, p), low = p.z() < rim_z_ - wish_.size.edge_mm;
+      const Vector3d p = surface_.outermost(inside, direction);
+      const bool met = meets_neighbour(rib, p), low = p.z() < lowest_;
       if (line.size() > 1 && (met || low)) return {SpaceCurve(line), met};
       line.push_back(p);
     }
@@ -95,10 +103,9 @@ class RibTracer {
     return below || above;
   }
 
-  const MeshDistance& head_;
-  const HelmetWish& wish_;
+  const OffsetSurface& surface_;
   const std::vector<RibPlane>& planes_;
-  double rim_z_, width_;
+  double lowest_, width_;
 };
 
 std::vector<int> rib_rows(const HelmetWish& wish, double length, double pitch, int rows) {
@@ -166,12 +173,12 @@ std::vector<double> rib_tilts(const Fishbone& fishbone, const std::vector<Crease
 class Planner {
  public:
   Planner(const MeshDistance& head, const Vector3d& crown, const HelmetWish& wish)
-      : head_(head),
+      : surface_(head, wish.clearance_mm),
         wish_(wish),
         edge_(wish.size.edge_mm),
         rim_z_(crown.z() - wish.coverage_mm),
-        middle_(centre(head, crown, rim_z_)),
-        spine_(spine_line(head, middle_, wish.clearance_mm)) {
+        middle_(middle_at_rim(surface_, crown, rim_z_)),
+        spine_(spine_line(surface_, middle_)) {
     rows_ = static_cast<int>(std::lround(spine_.length() / (edge_ * std::cos(wish.start_theta))));
     if (rows_ < 2)
       throw InvalidInput(
@@ -203,23 +210,23 @@ class Planner {
  private:
   void trace_ribs(HelmetLayout& out) const {
     const double width = pitch_ + edge_ * (std::sin(theta_) + gap_in_edges) + wish_.size.thickness_mm;
-    const RibTracer tracer(head_, wish_, planes_, rim_z_, width);
+    const RibTracer tracer(surface_, planes_, rim_z_ - edge_, width);
     for (std::size_t r = 0; r < planes_.size(); ++r) {
       const RibLine lower = tracer.trace(r, middle_, -1), upper = tracer.trace(r, middle_, 1);
       out.bones.ribs[r].cells = {cells_along(lower.curve), cells_along(upper.curve)};
-      note_end(r, lower, "-x", out.notes);
-      note_end(r, upper, "+x", out.notes);
+      note_ends(r, lower, upper, out.notes);
       out.sections.push_back({lower.curve, upper.curve});
     }
   }
 
-  void note_end(std::size_t rib, const RibLine& line, const char* side,
-                std::vector<std::string>& notes) const {
-    const double above = line.curve.points().back().z() - rim_z_;
-    if (line.at_neighbour && above > edge_)
+  void note_ends(std::size_t rib, const RibLine& lower, const RibLine& upper,
+                 std::vector<std::string>& notes) const {
+    double highest = edge_;
+    for (const RibLine* line : {&lower, &upper})
+      if (line->at_neighbour) highest = std::max(highest, line->curve.points().back().z() - rim_z_);
+    if (highest > edge_)
       notes.push_back(fmt::format(
-          "rib {} ends {:.0f} mm above the rim towards {}: further down it would meet a neighbour", rib + 1,
-          above, side));
+          "rib {} ends {:.0f} mm above the rim: further down it would meet a neighbour", rib + 1, highest));
   }
 
   int cells_along(const SpaceCurve& line) const {
@@ -236,7 +243,7 @@ class Planner {
     return tilts;
   }
 
-  const MeshDistance& head_;
+  OffsetSurface surface_;
   const HelmetWish& wish_;
   double edge_, rim_z_;
   Vector3d middle_;

@@ -33,6 +33,35 @@ Vector3d nearest_on_sides(const Corners& c, const Vector3d& p) {
   return best;
 }
 
+bool lacks_area(const Corners& c) {
+  const Vector3d ab = c[1] - c[0], ac = c[2] - c[0];
+  const double longest = std::max(ab.squaredNorm(), ac.squaredNorm());
+  return !(ab.cross(ac).squaredNorm() > 1e-24 * longest * longest);
+}
+
+/// By the region of the triangle's plane that p is over (Ericson 2005, Real-Time Collision Detection, 5.1.5).
+Vector3d nearest_by_regions(const Corners& c, const Vector3d& p) {
+  const Vector3d ab = c[1] - c[0], ac = c[2] - c[0], ap = p - c[0], bp = p - c[1], cp = p - c[2];
+  const double ab_ap = ab.dot(ap), ac_ap = ac.dot(ap);
+  if (ab_ap <= 0 && ac_ap <= 0) return c[0];
+  const double ab_bp = ab.dot(bp), ac_bp = ac.dot(bp);
+  if (ab_bp >= 0 && ac_bp <= ab_bp) return c[1];
+  const double of_c = ab_ap * ac_bp - ab_bp * ac_ap;
+  if (of_c <= 0 && ab_ap >= 0 && ab_bp <= 0) return c[0] + ab_ap / (ab_ap - ab_bp) * ab;
+  const double ab_cp = ab.dot(cp), ac_cp = ac.dot(cp);
+  if (ac_cp >= 0 && ab_cp <= ac_cp) return c[2];
+  const double of_b = ab_cp * ac_ap - ab_ap * ac_cp;
+  if (of_b <= 0 && ac_ap >= 0 && ac_cp <= 0) return c[0] + ac_ap / (ac_ap - ac_cp) * ac;
+  const double of_a = ab_bp * ac_cp - ab_cp * ac_bp, from_b = ac_bp - ab_bp, from_c = ab_cp - ac_cp;
+  if (of_a <= 0 && from_b >= 0 && from_c >= 0) return c[1] + from_b / (from_b + from_c) * (c[2] - c[1]);
+  const double sum = of_a + of_b + of_c;
+  return c[0] + of_b / sum * ab + of_c / sum * ac;
+}
+
+double squared_gap(const Eigen::AlignedBox3d& box, const Vector3d& p) {
+  return (box.min() - p).cwiseMax(p - box.max()).cwiseMax(0).squaredNorm();
+}
+
 /// Whether and where the ray meets the triangle. (Moeller and Trumbore 1997)
 std::optional<double> hit(const Corners& c, const Vector3d& origin, const Vector3d& direction) {
   const Vector3d e1 = c[1] - c[0], e2 = c[2] - c[0], across = direction.cross(e2);
@@ -77,14 +106,7 @@ class Pending {
 }  // namespace
 
 Vector3d nearest_on_triangle(const Corners& c, const Vector3d& p) {
-  const Vector3d ab = c[1] - c[0], ac = c[2] - c[0], normal = ab.cross(ac);
-  const double squared = normal.squaredNorm();
-  const double longest = std::max(ab.squaredNorm(), ac.squaredNorm());
-  if (!(squared > 1e-24 * longest * longest)) return nearest_on_sides(c, p);
-  const Vector3d from = p - c[0];
-  const double v = from.cross(ac).dot(normal), w = ab.cross(from).dot(normal);
-  if (v < 0 || w < 0 || v + w > squared) return nearest_on_sides(c, p);
-  return p - from.dot(normal) / squared * normal;
+  return lacks_area(c) ? nearest_on_sides(c, p) : nearest_by_regions(c, p);
 }
 
 TriangleTree::TriangleTree(const TriangleMesh& mesh) {
@@ -96,7 +118,10 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh) {
   branches_.reserve(count);
   build(centres, order, 0, count, mesh);
   leaves_.reserve(count);
-  for (const int t : order) leaves_.push_back({{mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)}, t});
+  for (const int t : order) {
+    const Corners corners = {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)};
+    leaves_.push_back({corners, t, lacks_area(corners)});
+  }
 }
 
 void TriangleTree::build(std::vector<Vector3d>& centres, std::vector<int>& order, int first, int count,
@@ -126,15 +151,17 @@ NearestPlace TriangleTree::nearest(const Vector3d& p) const {
   for (Pending pending(0); !pending.empty();) {
     const int at = pending.pop();
     const Branch& branch = branches_[at];
-    if (branch.box.squaredExteriorDistance(p) >= best.squared_distance) continue;
+    if (squared_gap(branch.box, p) >= best.squared_distance) continue;
     for (int k = branch.first; k < branch.first + branch.count; ++k) {
-      const Vector3d q = nearest_on_triangle(leaves_[k].corners, p);
+      const Leaf& leaf = leaves_[k];
+      const Vector3d q =
+          leaf.lacks_area ? nearest_on_sides(leaf.corners, p) : nearest_by_regions(leaf.corners, p);
       const double squared = (q - p).squaredNorm();
-      if (squared < best.squared_distance) best = {leaves_[k].triangle, q, squared};
+      if (squared < best.squared_distance) best = {leaf.triangle, q, squared};
     }
     if (branch.count > 0) continue;
-    const bool second_first = branches_[branch.second].box.squaredExteriorDistance(p) <
-                              branches_[at + 1].box.squaredExteriorDistance(p);
+    const bool second_first =
+        squared_gap(branches_[branch.second].box, p) < squared_gap(branches_[at + 1].box, p);
     pending.push(second_first ? at + 1 : branch.second);
     pending.push(second_first ? branch.second : at + 1);
   }

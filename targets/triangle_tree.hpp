@@ -14,7 +14,7 @@ struct NearestPlace {
   double squared_distance = 0;
 };
 
-/// Nearest place on a triangle, which may lack area. (Ericson 2005, Real-Time Collision Detection, 5.1.5)
+/// Nearest place on a triangle, which may lack area.
 Eigen::Vector3d nearest_on_triangle(const std::array<Eigen::Vector3d, 3>& corners, const Eigen::Vector3d& p);
 
 /// A tree of boxes over the triangles of a mesh, whatever their state. Queries take O(log triangles) and may
@@ -38,6 +38,7 @@ class TriangleTree {
   struct Leaf {
     std::array<Eigen::Vector3d, 3> corners;
     int triangle = 0;
+    bool lacks_area = false;
   };
 
   void build(std::vector<Eigen::Vector3d>& centres, std::vector<int>& order, int first, int count,
