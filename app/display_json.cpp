@@ -39,8 +39,12 @@ Json display_json(const Run& run) {
                       {"auc", start.view.score.auc},
                       {"separation", start.view.score.separation()},
                       {"cost", start.cost},
-                      {"status", to_string(start.status)}});
+                      {"status", to_string(start.status)},
+                      {"sharpened", start.sharpened}});
+  const Drive& plates = display.design.view.plates;
   Json out = {{"channel", to_string(display.channel)},
+              {"axis", plates.axis == Axis::x ? "x" : "y"},
+              {"compression", plates.compression},
               {"levels", levels_of(run)},
               {"before", score_json(display.before)},
               {"after", score_json(display.after)},

@@ -17,19 +17,24 @@ constexpr int frames = 13;
 Drive plates_of(const DisplayFile& file) {
   Drive drive;
   drive.kind = Drive::Kind::plates;
-  drive.axis = file.axis;
+  drive.axis = file.axes.front();
   drive.compression = file.compression;
   return drive;
 }
 
-DisplayOptions search_of(const DisplayFile& file, const Elasticity& elasticity) {
+DisplayOptions search_of(const DisplayFile& file, const Elasticity& elasticity, const RunOptions& run) {
   DisplayOptions options;
   options.channel = file.channel;
   options.plates = plates_of(file);
+  options.axes = file.axes;
+  options.compression = file.compression_range;
   options.elasticity = elasticity;
   options.stretch = file.stretch;
   options.t = file.t;
   options.symmetry = file.symmetry;
+  options.starts = file.solver.starts.value_or(options.starts);
+  options.threads = run.threads;
+  options.seed = run.seed;
   options.solver.name = file.solver.name.value_or(options.solver.name);
   options.solver.max_evaluations = file.solver.max_evaluations.value_or(options.solver.max_evaluations);
   return options;
@@ -55,7 +60,8 @@ void add_misses(const DisplayFile& file, const DisplayReading& r, const std::str
                 std::vector<std::string>& why) {
   const double told = file.goal.is_binary() ? r.score.auc : r.rank;
   const std::string name = file.goal.is_binary() ? "auc" : "rank correlation";
-  if (!(told >= file.auc)) why.push_back(fmt::format("{}: {} {:.3f}, asked is {:.3f}", who, name, told, file.auc));
+  if (!(told >= file.auc))
+    why.push_back(fmt::format("{}: {} {:.3f}, asked is {:.3f}", who, name, told, file.auc));
   if (file.goal.is_binary() && !(r.score.contrast >= file.contrast))
     why.push_back(fmt::format("{}: contrast {:.2f}, asked is {:.2f}", who, r.score.contrast, file.contrast));
 }
@@ -71,16 +77,17 @@ std::vector<std::string> why_missed(const DisplayFile& file, const DisplayOutcom
     why.push_back(fmt::format("a hinge stretches by {:.3f} cell edges, allowed are {:.3f}",
                               display.design.view.stretch, file.stretch));
   if (display.goal.needed)
-    why.push_back(fmt::format("strokes are thinner than a cell, so that parts of the letter are lost: the smallest "
-                              "panel that shows it whole has [{}, {}] cells",
-                              (*display.goal.needed)[0], (*display.goal.needed)[1]));
+    why.push_back(
+        fmt::format("strokes are thinner than a cell, so that parts of the letter are lost: the smallest "
+                    "panel that shows it whole has [{}, {}] cells",
+                    (*display.goal.needed)[0], (*display.goal.needed)[1]));
   return why;
 }
 
 /// The physics run, and what its last state shows.
 void verify_display(Run& run, const DisplayFile& file, const State& reference, const Elasticity& elasticity,
                     const std::vector<double>& levels, const Progress& progress) {
-  verify(run, reference, plates_of(file),
+  verify(run, reference, run.display->design.view.plates,
          elastic_physics(elasticity, file.physics, file.size.edge_mm, run.plan.planar), progress);
   Verification& v = *run.verification;
   if (v.physics.status != PhysicsResult::Status::settled) return;
@@ -102,7 +109,6 @@ Run run_display(const DisplayFile& file, const RunOptions& options) {
   run.hinge = file.hinge;
   run.hinge.model = HingeSection::Model::elastic;
   run.verify_tolerance = file.verify;
-  run.drive = DriveSection{.axis = file.axis, .compression = file.compression};
 
   Stopwatch watch;
   const Elasticity elasticity = elasticity_of(file.hinge, file.physics, file.size.edge_mm);
@@ -111,18 +117,20 @@ Run run_display(const DisplayFile& file, const RunOptions& options) {
   DisplayOutcome display;
   display.goal = file.goal;
   display.channel = file.channel;
-  display.options = search_of(file, elasticity);
+  display.options = search_of(file, elasticity, options);
   display.design = fit_display(run.structure, levels, display.options, options.progress);
   run.timings.optimise = watch.lap();
 
-  const DisplayView& view = display.design.view;
+  DisplayView& view = display.design.view;
+  if (!view.balanced) view.plates = display.options.plates;
+  run.drive = DriveSection{.axis = view.plates.axis, .compression = view.plates.compression};
   if (view.balanced)
     for (std::size_t h = 0; h < run.structure.hinges.size(); ++h)
       run.structure.hinges[h].parameters.t = view.t[static_cast<Eigen::Index>(h)];
   run.plan = make_plan(run.structure, Model::equilibrium);
   run.timings.plan = watch.lap();
   display.before = reading(run.structure, rest_state(run.structure), levels, file.channel);
-  add_balance(run, plates_of(file), elasticity, frames, options.progress);
+  add_balance(run, view.plates, elasticity, frames, options.progress);
   const State after = run.states.front().poses;
   display.after = reading(run.structure, after, levels, file.channel);
   run.timings.balance = watch.lap();

@@ -38,7 +38,8 @@ std::string to_string(Channel channel) {
   return "aperture";
 }
 
-double channel_value(Channel channel, const Structure& structure, const State& state, const CellHinges& cell) {
+double channel_value(Channel channel, const Structure& structure, const State& state,
+                     const CellHinges& cell) {
   if (channel == Channel::aperture) return aperture(opening(structure, state, cell));
   return channel_reading(channel, structure, state, cell).value;
 }
@@ -63,26 +64,28 @@ CellReading channel_reading(Channel channel, const Structure& structure, const S
   return soft_aperture(opening(structure, state, cell));
 }
 
-DisplayProblem::DisplayProblem(PanelBalance& balance, const HingeTies& ties, Channel channel, Cost cost,
-                               std::array<double, 2> bounds, double stretch, double weight)
+DisplayProblem::DisplayProblem(PanelBalance& balance, const DisplayVariables& variables, Channel channel,
+                               Cost cost, double stretch, double weight)
     : balance_(balance),
-      ties_(ties),
+      variables_(variables),
       channel_(channel),
       cost_(std::move(cost)),
       stretch_(begins * stretch),
       weight_(weight),
-      lower_(VectorXd::Constant(ties.variables, bounds[0])),
-      upper_(VectorXd::Constant(ties.variables, bounds[1])) {}
+      lower_(variables.lower()),
+      upper_(variables.upper()) {}
 
 bool DisplayProblem::evaluate(const VectorXd& x, double& f, VectorXd* gradient) {
-  if (!balance_.settle(ties_.expand(x))) return false;
+  if (!variables_.settle(balance_, x)) return false;
   Slopes slopes{VectorXd::Zero(6 * static_cast<Eigen::Index>(balance_.state().size())),
                 VectorXd::Zero(static_cast<Eigen::Index>(balance_.panel().hinges.size()))};
   f = add_picture(slopes) + add_stretch(slopes);
   if (!gradient) return std::isfinite(f);
-  const auto by_t = balance_.by_t(slopes.state);
-  if (by_t) *gradient = ties_.gather(*by_t + slopes.t);
-  return by_t && std::isfinite(f) && gradient->allFinite();
+  auto by = balance_.slopes(slopes.state);
+  if (!by) return false;
+  by->t += slopes.t;
+  *gradient = variables_.gather(*by);
+  return std::isfinite(f) && gradient->allFinite();
 }
 
 double DisplayProblem::add_picture(Slopes& slopes) const {

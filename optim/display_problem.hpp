@@ -4,8 +4,7 @@
 
 #include "model/soft_aperture.hpp"
 #include "optim/display_cost.hpp"
-#include "optim/hinge_ties.hpp"
-#include "optim/panel_balance.hpp"
+#include "optim/display_variables.hpp"
 #include "optim/scalar_solver.hpp"
 
 namespace kinetix {
@@ -27,16 +26,16 @@ std::vector<double> channel_values(Channel channel, const Structure& structure, 
 CellReading channel_reading(Channel channel, const Structure& structure, const State& state,
                             const CellHinges& cell);
 
-/// The search for the t of a panel's hinges that shows a picture: a cost of the readings plus what hinges
-/// stretch beyond a limit.
+/// The search for a panel that shows a picture: a cost of the readings plus what hinges stretch beyond a
+/// limit.
 class DisplayProblem : public ScalarProblem {
  public:
   using Cost = std::function<WeighedReadings(const std::vector<double>&)>;
 
-  /// @param bounds of t   @param stretch most that a hinge may stretch, cell edges
+  /// @param stretch most that a hinge may stretch, cell edges
   /// @param weight of an excess of one cell edge squared
-  DisplayProblem(PanelBalance& balance, const HingeTies& ties, Channel channel, Cost cost,
-                 std::array<double, 2> bounds, double stretch, double weight);
+  DisplayProblem(PanelBalance& balance, const DisplayVariables& variables, Channel channel, Cost cost,
+                 double stretch, double weight);
 
   const Eigen::VectorXd& lower() const override { return lower_; }
   const Eigen::VectorXd& upper() const override { return upper_; }
@@ -51,7 +50,7 @@ class DisplayProblem : public ScalarProblem {
   double add_stretch(Slopes& slopes) const;
 
   PanelBalance& balance_;
-  const HingeTies& ties_;
+  const DisplayVariables& variables_;
   Channel channel_;
   Cost cost_;
   double stretch_, weight_;
