@@ -9,7 +9,7 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// The penalty begins a little below the limit: what is left of it at the end stays within.
+/// The penalty begins a little below the limit: what is left of an excess at the end stays within.
 constexpr double begins = 0.92;
 
 double turn_in_plane(const Pose& pose) { return std::atan2(pose.R(1, 0), pose.R(0, 0)); }
@@ -65,18 +65,29 @@ CellReading channel_reading(Channel channel, const Structure& structure, const S
 }
 
 DisplayProblem::DisplayProblem(PanelBalance& balance, const DisplayVariables& variables, Channel channel,
-                               Cost cost, double stretch, double weight)
+                               Cost cost, double stretch, double weight, Settling settling)
     : balance_(balance),
       variables_(variables),
       channel_(channel),
       cost_(std::move(cost)),
-      stretch_(begins * stretch),
+      stretch_(stretch),
       weight_(weight),
+      settling_(settling),
       lower_(variables.lower()),
       upper_(variables.upper()) {}
 
 bool DisplayProblem::evaluate(const VectorXd& x, double& f, VectorXd* gradient) {
-  if (!variables_.settle(balance_, x)) return false;
+  if (settling_ == Settling::from_flat) balance_.forget();
+  if (!variables_.settle(balance_, x) || !weigh(f, gradient)) return false;
+  if (f < least_) {
+    least_ = f;
+    stretch_of_best_ = hinge_gaps(balance_.panel(), balance_.state()).max;
+    balance_.keep();
+  }
+  return true;
+}
+
+bool DisplayProblem::weigh(double& f, VectorXd* gradient) {
   Slopes slopes{VectorXd::Zero(6 * static_cast<Eigen::Index>(balance_.state().size())),
                 VectorXd::Zero(static_cast<Eigen::Index>(balance_.panel().hinges.size()))};
   f = add_picture(slopes) + add_stretch(slopes);
@@ -116,10 +127,10 @@ double DisplayProblem::add_stretch(Slopes& slopes) const {
     const Vector3d lower_arm = lower.R * (hinge.parameters.t * edge),
                    upper_arm = upper.R * ((hinge.parameters.t - 1) * edge);
     const Vector3d gap = (lower.p - upper.p) / panel.size.edge_mm + lower_arm - upper_arm;
-    const double excess = gap.norm() - stretch_;
+    const double excess = gap.norm() / stretch_ - begins;
     if (!(excess > 0)) continue;
     cost += weight_ * excess * excess;
-    const Vector3d pull = 2 * weight_ * excess * gap.normalized();
+    const Vector3d pull = 2 * weight_ * excess / stretch_ * gap.normalized();
     slopes.state.segment<3>(6 * hinge.lower) += lower_arm.cross(pull);
     slopes.state.segment<3>(6 * hinge.lower + 3) += pull;
     slopes.state.segment<3>(6 * hinge.upper) -= upper_arm.cross(pull);

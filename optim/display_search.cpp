@@ -11,9 +11,10 @@ namespace kinetix {
 namespace {
 
 using Eigen::VectorXd;
+using Settling = DisplayProblem::Settling;
 
-constexpr double stretch_weight_of_separation = 0.5;
-constexpr double first_stretch_weight = 20, weight_growth = 5;
+constexpr double stretch_weight_of_separation = 0.01;
+constexpr double first_stretch_weight = 0.5, weight_growth = 20;
 constexpr int most_rounds = 4;
 constexpr int starts_by_rule = 4;
 constexpr double half = 0.5;
@@ -100,29 +101,32 @@ ScalarResult DisplaySearch::separate(const VectorXd& x) {
   const auto cost = [&](const std::vector<double>& readings) {
     return picture_.for_separation(readings, options_.separation);
   };
-  return search(x, cost, stretch_weight_of_separation);
+  DisplayProblem problem(balance_, variables_, options_.channel, cost, options_.stretch,
+                         stretch_weight_of_separation);
+  return search(problem, x);
 }
 
 SharpenedDisplay DisplaySearch::sharpen(VectorXd x) {
   const auto cost = [&](const std::vector<double>& readings) { return picture_.for_contrast(readings); };
   SharpenedDisplay out;
+  Settling settling = Settling::from_best;
   double weight = first_stretch_weight;
   for (int round = 0; round < most_rounds; ++round, weight *= weight_growth) {
-    balance_.forget();
-    const ScalarResult found = search(x, cost, weight);
+    DisplayProblem problem(balance_, variables_, options_.channel, cost, options_.stretch, weight, settling);
+    const ScalarResult found = search(problem, x);
     out.status = found.status;
     out.why = found.why;
     if (!std::isfinite(found.cost)) break;
     x = found.x;
     out.views.push_back(view(x));
     if (out.views.back().balanced && out.views.back().stretch <= options_.stretch) break;
+    if (problem.stretch_of_best() <= options_.stretch) settling = Settling::from_flat;
   }
   return out;
 }
 
-ScalarResult DisplaySearch::search(const VectorXd& x, DisplayProblem::Cost cost, double stretch_weight) {
-  DisplayProblem problem(balance_, variables_, options_.channel, std::move(cost), options_.stretch,
-                         stretch_weight);
+ScalarResult DisplaySearch::search(DisplayProblem& problem, const VectorXd& x) {
+  balance_.forget();
   ScalarResult found = solve(problem, x, options_.solver);
   evaluations_ += found.evaluations;
   return found;

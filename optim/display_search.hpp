@@ -68,14 +68,16 @@ class DisplaySearch {
   /// Towards options.separation.
   ScalarResult separate(const Eigen::VectorXd& x);
   /// Towards the highest contrast in rounds, each from flat, with a penalty on stretch that rises until the
-  /// balance from flat keeps the limit.
+  /// balance from flat keeps the limit. Where a round kept it only in a balance that the path from flat does
+  /// not come to, the rounds after it find every balance from flat.
   SharpenedDisplay sharpen(Eigen::VectorXd x);
 
   int evaluations() const { return evaluations_; }
   int paths_from_flat() const { return balance_.paths_from_flat(); }
 
  private:
-  ScalarResult search(const Eigen::VectorXd& x, DisplayProblem::Cost cost, double stretch_weight);
+  /// Its first balance is found from flat.
+  ScalarResult search(DisplayProblem& problem, const Eigen::VectorXd& x);
 
   const std::vector<double>& levels_;
   const DisplayOptions& options_;

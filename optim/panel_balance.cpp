@@ -23,15 +23,15 @@ bool PanelBalance::settle(const Eigen::VectorXd& t) {
 }
 
 bool PanelBalance::settle_nearby() {
-  if (state_.empty()) return false;
+  if (kept_.empty()) return false;
   ElasticSystem system(panel_, elasticity_, drive_, true, true);
   Tangent tangent(system.freedoms());
   NewtonOptions options;
   options.max_iterations = most_iterations;
-  State state = state_;
+  State state = kept_;
   system.place(drive_.theta(), state);
   const NewtonResult result = minimise(system, drive_.theta(), options, state, tangent);
-  if (!result.converged || !result.stable || !(turn_distance(panel_, state_, state) <= nearby)) return false;
+  if (!result.converged || !result.stable || !(turn_distance(panel_, kept_, state) <= nearby)) return false;
   state_ = std::move(state);
   return true;
 }

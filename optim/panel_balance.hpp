@@ -21,8 +21,11 @@ class PanelBalance {
   bool settle(const Eigen::VectorXd& t);
   /// How far the plates are to press from the next settle() on, (0, 1).
   void press(double compression) { drive_.compression = compression; }
+  /// The next settle() starts from the state as it is. What it comes to depends on the state kept, not on
+  /// others that were tried since. @pre settle() returned true
+  void keep() { kept_ = state_; }
   /// The next settle() starts from flat.
-  void forget() { state_.clear(); }
+  void forget() { kept_.clear(); }
 
   const Structure& panel() const { return panel_; }
   const Drive& plates() const { return drive_; }
@@ -47,7 +50,7 @@ class PanelBalance {
   Structure panel_;
   Elasticity elasticity_;
   Drive drive_;
-  State state_;
+  State state_, kept_;
   int paths_ = 0;
 };
 

@@ -212,7 +212,7 @@ TEST(FitDisplay, KeepsTheLimitOfStretch) {
   options.starts = 1;
   options.solver.max_evaluations = 40;
   options.stretch = 1;
-  EXPECT_GT(fit_display(panel, levels, options).view.stretch, 0.1);
+  EXPECT_GT(fit_display(panel, levels, options).view.stretch, 0.06);
   options.stretch = 0.06;
   const DisplayDesign design = fit_display(panel, levels, options);
   ASSERT_TRUE(design.view.balanced);
