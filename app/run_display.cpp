@@ -66,6 +66,13 @@ void add_misses(const DisplayFile& file, const DisplayReading& r, const std::str
     why.push_back(fmt::format("{}: contrast {:.2f}, asked is {:.2f}", who, r.score.contrast, file.contrast));
 }
 
+std::string lost_strokes(const DisplayGoal& goal) {
+  const std::string what = "strokes or gaps are thinner than a cell, so that parts of the picture are lost: ";
+  if (!goal.needed) return what + "no panel that is allowed shows it whole";
+  return what + fmt::format("the smallest panel that shows it whole has [{}, {}] cells", (*goal.needed)[0],
+                            (*goal.needed)[1]);
+}
+
 std::vector<std::string> why_missed(const DisplayFile& file, const DisplayOutcome& display) {
   std::vector<std::string> why;
   if (!display.design.view.balanced) {
@@ -76,11 +83,7 @@ std::vector<std::string> why_missed(const DisplayFile& file, const DisplayOutcom
   if (!(display.design.view.stretch <= file.stretch))
     why.push_back(fmt::format("a hinge stretches by {:.3f} cell edges, allowed are {:.3f}",
                               display.design.view.stretch, file.stretch));
-  if (display.goal.needed)
-    why.push_back(
-        fmt::format("strokes are thinner than a cell, so that parts of the letter are lost: the smallest "
-                    "panel that shows it whole has [{}, {}] cells",
-                    (*display.goal.needed)[0], (*display.goal.needed)[1]));
+  if (!display.goal.whole) why.push_back(lost_strokes(display.goal));
   return why;
 }
 

@@ -40,6 +40,11 @@ TEST(DisplayGoal, RandomRowsComeBackAsTheyWere) {
   }
 }
 
+TEST(DisplayGoal, RowsAreRedrawnCellByCell) {
+  const DisplayGoal twice = rows_goal({"011", "010"}).redrawn({6, 4});
+  EXPECT_EQ(twice.row_texts(), (std::vector<std::string>{"001111", "001111", "001100", "001100"}));
+}
+
 TEST(DisplayGoal, TellsGreyFromBinary) {
   const DisplayGoal goal = make_goal({2, 2}, {0, 0.25, 0.5, 1});
   EXPECT_FALSE(goal.is_binary());
