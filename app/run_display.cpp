@@ -6,6 +6,7 @@
 
 #include "app/balance.hpp"
 #include "app/design_motion.hpp"
+#include "app/larger_panels.hpp"
 #include "app/stopwatch.hpp"
 #include "app/verify.hpp"
 
@@ -40,12 +41,6 @@ DisplayOptions search_of(const DisplayFile& file, const Elasticity& elasticity, 
   return options;
 }
 
-std::vector<double> levels_of(const DisplayGoal& goal, const Structure& panel) {
-  std::vector<double> levels;
-  for (const Cell& cell : panel.cells) levels.push_back(goal.level(cell.i, cell.j));
-  return levels;
-}
-
 DisplayReading reading(const Structure& panel, const State& state, const std::vector<double>& levels,
                        Channel channel) {
   DisplayReading out;
@@ -55,22 +50,28 @@ DisplayReading reading(const Structure& panel, const State& state, const std::ve
   return out;
 }
 
-/// What a reading lacks of what the file asks.
-void add_misses(const DisplayFile& file, const DisplayReading& r, const std::string& who,
-                std::vector<std::string>& why) {
-  const double told = file.goal.is_binary() ? r.score.auc : r.rank;
-  const std::string name = file.goal.is_binary() ? "auc" : "rank correlation";
-  if (!(told >= file.auc))
-    why.push_back(fmt::format("{}: {} {:.3f}, asked is {:.3f}", who, name, told, file.auc));
-  if (file.goal.is_binary() && !(r.score.contrast >= file.contrast))
-    why.push_back(fmt::format("{}: contrast {:.2f}, asked is {:.2f}", who, r.score.contrast, file.contrast));
-}
-
 std::string lost_strokes(const DisplayGoal& goal) {
   const std::string what = "strokes or gaps are thinner than a cell, so that parts of the picture are lost: ";
   if (!goal.needed) return what + "no panel that is allowed shows it whole";
   return what + fmt::format("the smallest panel that shows it whole has [{}, {}] cells", (*goal.needed)[0],
                             (*goal.needed)[1]);
+}
+
+std::string about_larger(const LargerPanels& larger) {
+  const auto named = [](PanelSize size) { return fmt::format("[{}, {}]", size[0], size[1]); };
+  if (larger.enough)
+    return fmt::format("a panel of {} cells shows it within these bounds", named(*larger.enough));
+  std::vector<std::string> names;
+  for (const PanelSize size : larger.tried) names.push_back(named(size));
+  return fmt::format("no larger panel that was tried shows it within these bounds either: {}",
+                     fmt::join(names, ", "));
+}
+
+/// Whether larger panels are worth a search: where the picture has all its strokes and is not clear enough.
+bool wants_more_cells(const DisplayFile& file, const DisplayOutcome& display) {
+  const DisplayView& view = display.design.view;
+  return file.goal.whole && view.balanced &&
+         !misses(file, display.after.score, display.after.rank, "model").empty();
 }
 
 std::vector<std::string> why_missed(const DisplayFile& file, const DisplayOutcome& display) {
@@ -79,11 +80,12 @@ std::vector<std::string> why_missed(const DisplayFile& file, const DisplayOutcom
     why.push_back("no balance of the panel was found at this compression: compress less");
     return why;
   }
-  add_misses(file, display.after, "model", why);
+  why = misses(file, display.after.score, display.after.rank, "model");
   if (!(display.design.view.stretch <= file.stretch))
     why.push_back(fmt::format("a hinge stretches by {:.3f} cell edges, allowed are {:.3f}",
                               display.design.view.stretch, file.stretch));
   if (!display.goal.whole) why.push_back(lost_strokes(display.goal));
+  if (!display.larger.tried.empty()) why.push_back(about_larger(display.larger));
   return why;
 }
 
@@ -96,10 +98,8 @@ void verify_display(Run& run, const DisplayFile& file, const State& reference, c
   if (v.physics.status != PhysicsResult::Status::settled) return;
   DisplayOutcome& display = *run.display;
   display.physics = reading(run.structure, v.physics.state, levels, file.channel);
-  std::vector<std::string> why;
-  add_misses(file, *display.physics, "physics run", why);
-  v.agrees = v.agrees && why.empty();
-  display.why_physics = std::move(why);
+  display.why_physics = misses(file, display.physics->score, display.physics->rank, "physics run");
+  v.agrees = v.agrees && display.why_physics.empty();
 }
 
 }  // namespace
@@ -137,6 +137,9 @@ Run run_display(const DisplayFile& file, const RunOptions& options) {
   const State after = run.states.front().poses;
   display.after = reading(run.structure, after, levels, file.channel);
   run.timings.balance = watch.lap();
+  if (wants_more_cells(file, display))
+    display.larger = search_larger_panels(file, display.options, options.progress);
+  run.timings.larger_panels = watch.lap();
   display.why_missed = why_missed(file, display);
   run.display = std::move(display);
   if (options.verify && run.equilibrium->reached())

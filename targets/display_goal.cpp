@@ -13,14 +13,17 @@ std::string panel_text(PanelSize size) {
   return "a panel of " + std::to_string(size[0]) + " x " + std::to_string(size[1]) + " cells";
 }
 
-/// Each cell takes the level of the cell of `goal` that its middle lies in.
+/// Each cell takes the level of the cell of `goal` that its middle lies in: whole where all become blocks
+/// alike.
 DisplayGoal enlarged(const DisplayGoal& goal, PanelSize size) {
   std::vector<double> levels;
   for (int j = 0; j < size[1]; ++j)
     for (int i = 0; i < size[0]; ++i)
       levels.push_back(
           goal.level((2 * i + 1) * goal.columns / (2 * size[0]), (2 * j + 1) * goal.rows / (2 * size[1])));
-  return make_goal(size, std::move(levels));
+  DisplayGoal out = make_goal(size, std::move(levels));
+  out.whole = size[0] % goal.columns == 0 && size[1] % goal.rows == 0;
+  return out;
 }
 
 }  // namespace
