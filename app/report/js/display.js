@@ -94,34 +94,29 @@ function displaySection(data) {
                       shot(states.flat, "Where the hinges are",
                            "grey: in the middle of the wall; blue: towards its lower or left end; red: towards the other",
                            true)),
-      html("p", {}, `Pressed along ${display.axis} by ${percent(display.compression)} of its height. The most that a hinge ` +
+      html("p", {}, `Pressed along ${display.axis} by ${percent(display.compression)}. The most that a hinge ` +
                         `stretches is ${figures(display.stretch)} cell edges.`),
-      reasonsBox(display), startsTable(display));
+      neededPanel(display), startsTable(display));
 }
 
-/** What the picture lacks, and how large a panel would have to be. */
-function reasonsBox(display) {
-  const reasons = [...display.reasons, ...display.physicsReasons];
-  if (reasons.length === 0) return null;
+/** How large a panel would have to be; what this one lacks is said at the top. */
+function neededPanel(display) {
+  if (display.needed.length !== 2) return null;
   const why = {strokes: "keeps all strokes of the picture", contrast: "shows it as clearly as asked within the same bounds"};
-  return html("div", {class: "reasons"}, html("ul", {}, reasons.map((text) => html("li", {}, text))),
-              display.needed.length === 2 ?
-                  html("p", {}, html("strong", {}, `${display.needed[0]} \u00d7 ${display.needed[1]} cells`),
-                       ` is the smallest panel known that ${why[display.neededFor]}.`) :
-                  null);
+  return html("p", {}, html("strong", {}, `${display.needed[0]} \u00d7 ${display.needed[1]} cells`),
+              ` is the smallest panel known that ${why[display.neededFor]}.`);
 }
 
 function startsTable(display) {
   const rows = display.starts.filter((start) => start && typeof start.name === "string");
   if (rows.length === 0) return null;
-  const cells = (tag, texts) => html("tr", {}, texts.map((text) => html(tag, {}, text)));
-  const number = (value, digits) => finite(value) === null ? "\u2013" : figures(value, digits);
   return html("div", {},
               html("p", {}, "The search starts from the paper\u2019s rule (uniform-scaling cells where the picture is) by both " +
                                 "checkerboards, and from variations of it. What the starts show by themselves:"),
-              html("table", {}, html("thead", {}, cells("th", ["start", "contrast", "AUC", "cost after the first stage", ""])),
-                   html("tbody", {}, rows.map((start) => cells("td", [
-                     start.name, number(start.contrast, 3), number(start.auc, 3), number(start.cost, 3),
-                     start.sharpened === true ? "sharpened" : ""
-                   ])))));
+              table(["start", "contrast", "AUC", "cost after the first stage", ""],
+                    rows.map((start) => ({cells: [
+                      start.name, figures(start.contrast), figures(start.auc), figures(start.cost),
+                      start.sharpened === true ? "sharpened" : ""
+                    ]})),
+                    "Starts of the search"));
 }
