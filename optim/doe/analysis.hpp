@@ -102,7 +102,8 @@ struct SobolIndex {
 /// sequence are better than: intervals err on the wide side.
 struct SobolIndices {
   std::vector<SobolIndex> factors;
-  double mean, variance;       ///< of the response over the usable rows A and B
+  /// Of the response: mean over the usable rows A and B, variance over the bases where both are usable.
+  double mean, variance;
   std::int64_t bases, failed;  ///< bases; rows that failed
 };
 

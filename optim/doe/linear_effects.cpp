@@ -36,6 +36,14 @@ Eigen::VectorXd ranks(const Eigen::VectorXd& column) {
 
 double length(const Eigen::VectorXd& column) { return (column.array() - column.mean()).matrix().norm(); }
 
+/// Column by column: a matrix product would round as the number of threads has it.
+Eigen::MatrixXd correlations(const Eigen::MatrixXd& x) {
+  Eigen::MatrixXd all(x.cols(), x.cols());
+  for (Eigen::Index j = 0; j < x.cols(); ++j)
+    for (Eigen::Index k = 0; k <= j; ++k) all(j, k) = all(k, j) = x.col(j).dot(x.col(k));
+  return all;
+}
+
 /// Coefficients of the standardised factors by the normal equations, whose matrix is their correlation;
 /// inverse's diagonal for the errors. Empty where it is singular.
 struct Regression {
@@ -56,7 +64,7 @@ void add_plane(const Eigen::MatrixXd& x, const std::vector<Eigen::Index>& factor
                LinearModel& model) {
   const Eigen::Index n = x.rows(), d = x.cols();
   if (n <= d + 1) return;
-  const Regression plane = regress(x.transpose() * x, x.transpose() * y);
+  const Regression plane = regress(correlations(x), x.transpose() * y);
   if (plane.coefficients.size() == 0) return;
   const double left = (y - x * plane.coefficients).squaredNorm();
   model.r_squared = 1 - left;

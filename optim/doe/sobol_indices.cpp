@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "model/invalid_input.hpp"
 #include "optim/doe/sample_table.hpp"
@@ -13,43 +13,66 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 using Bases = Eigen::Map<const Eigen::MatrixXd>;  ///< a column for each base: A, A with each factor of B, B
 
-/// Sums over bases of what the estimators are means of; a term that a failed row makes NaN is left out.
-class IndexSums {
+/// What the estimators are means of, a column for each base: of each factor the first-order term, then of
+/// each the total one, the mean of A and B, and the mean of their squares. A term that a failed row makes
+/// unknown is a gap.
+class Terms {
  public:
-  explicit IndexSums(Eigen::Index factors)
-      : first_(Eigen::ArrayXd::Zero(factors)), total_(first_), first_count_(first_), total_count_(first_) {}
-
-  void add(const Eigen::Ref<const Eigen::VectorXd>& base) {
-    const Eigen::Index d = first_.size();
-    const double a = base[0], b = base[d + 1];
-    if (std::isfinite(a) && std::isfinite(b)) add_row(a), add_row(b);
-    for (Eigen::Index j = 0; j < d; ++j) {
-      const double change = base[j + 1] - a, first = b * change, total = change * change / 2;
-      if (std::isfinite(first)) first_[j] += first, ++first_count_[j];
-      if (std::isfinite(total)) total_[j] += total, ++total_count_[j];
+  /// @param centred bases less about the mean response
+  explicit Terms(const Eigen::MatrixXd& centred)
+      : factors_(centred.rows() - 2), terms_(2 * factors_ + 2, centred.cols()) {
+    for (Eigen::Index n = 0; n < centred.cols(); ++n) {
+      const double a = centred(0, n), b = centred(factors_ + 1, n);
+      const Eigen::ArrayXd change = centred.col(n).segment(1, factors_).array() - a;
+      terms_.col(n) << b * change, change.square() / 2, (a + b) / 2, (a * a + b * b) / 2;
+      close_gaps(n);
     }
   }
 
-  double mean() const { return sum_ / rows_; }
-  double variance() const { return std::max(0.0, squares_ / rows_ - mean() * mean()); }
-  double first(Eigen::Index j) const { return index(first_[j], first_count_[j]); }
-  double total(Eigen::Index j) const { return index(total_[j], total_count_[j]); }
-  std::int64_t first_count(Eigen::Index j) const { return static_cast<std::int64_t>(first_count_[j]); }
-  std::int64_t total_count(Eigen::Index j) const { return static_cast<std::int64_t>(total_count_[j]); }
+  Eigen::Index factors() const { return factors_; }
+  Eigen::Index bases() const { return terms_.cols(); }
+
+  /// How many bases each term is known for, with base n there weights[n] times.
+  Eigen::ArrayXd counts(const Eigen::VectorXd& weights) const {
+    Eigen::ArrayXd counts = Eigen::ArrayXd::Constant(terms_.rows(), weights.sum());
+    for (const auto& [row, base] : gaps_) counts[row] -= weights[base];
+    return counts;
+  }
+
+  /// NaN where it is known for fewer than two.
+  Eigen::ArrayXd means(const Eigen::VectorXd& weights) const {
+    Eigen::VectorXd sums = Eigen::VectorXd::Zero(terms_.rows());
+    for (Eigen::Index n = 0; n < bases(); ++n)
+      if (weights[n] > 0) sums += weights[n] * terms_.col(n);
+    const Eigen::ArrayXd known = counts(weights);
+    return (known >= 2).select(sums.array() / known, nan);
+  }
 
  private:
-  void add_row(double response) {
-    sum_ += response;
-    squares_ += response * response;
-    ++rows_;
-  }
-  double index(double sum, double count) const {
-    return count >= 2 && variance() > 0 ? sum / count / variance() : nan;
+  void close_gaps(Eigen::Index n) {
+    for (Eigen::Index row = 0; row < terms_.rows(); ++row)
+      if (!std::isfinite(terms_(row, n))) {
+        terms_(row, n) = 0;
+        gaps_.emplace_back(row, n);
+      }
   }
 
-  double sum_ = 0, squares_ = 0, rows_ = 0;
-  Eigen::ArrayXd first_, total_, first_count_, total_count_;
+  Eigen::Index factors_;
+  Eigen::MatrixXd terms_;
+  std::vector<std::pair<Eigen::Index, Eigen::Index>> gaps_;
 };
+
+struct Indices {
+  Eigen::ArrayXd values;  ///< first-order of each factor, then total
+  double variance;
+};
+
+Indices indices(const Terms& terms, const Eigen::VectorXd& weights) {
+  const Eigen::ArrayXd means = terms.means(weights);
+  const Eigen::Index rows = 2 * terms.factors();
+  const double variance = means[rows + 1] - means[rows] * means[rows];
+  return {means.head(rows) / (variance > 0 ? variance : nan), variance};
+}
 
 /// Mean of the finite rows A and B, found about one of them so that a constant response gives itself to the
 /// bit.
@@ -65,31 +88,19 @@ double centre(const Bases& bases) {
   return first + sum / count;
 }
 
-IndexSums sums_of_all(const Eigen::MatrixXd& centred) {
-  IndexSums sums(centred.rows() - 2);
-  for (Eigen::Index n = 0; n < centred.cols(); ++n) sums.add(centred.col(n));
-  return sums;
+/// How often each base is drawn.
+Eigen::VectorXd draw(std::uint64_t seed, int resample, Eigen::Index bases) {
+  Eigen::VectorXd weights = Eigen::VectorXd::Zero(bases);
+  for (Eigen::Index n = 0; n < bases; ++n) ++weights[resampled_row(seed, resample, n, bases)];
+  return weights;
 }
 
-IndexSums sums_of_resample(const Eigen::MatrixXd& centred, std::uint64_t seed, int resample) {
-  IndexSums sums(centred.rows() - 2);
-  for (Eigen::Index n = 0; n < centred.cols(); ++n)
-    sums.add(centred.col(static_cast<Eigen::Index>(resampled_row(seed, resample, n, centred.cols()))));
-  return sums;
-}
-
-/// First-order indices, then total ones: a row for each resample.
-Eigen::MatrixXd resampled_indices(const Eigen::MatrixXd& centred, const ConfidenceOptions& options) {
-  const Eigen::Index d = centred.rows() - 2;
-  Eigen::MatrixXd indices(options.resamples, 2 * d);
-  for (int k = 0; k < options.resamples; ++k) {
-    const IndexSums sums = sums_of_resample(centred, options.seed, k);
-    for (Eigen::Index j = 0; j < d; ++j) {
-      indices(k, j) = sums.first(j);
-      indices(k, d + j) = sums.total(j);
-    }
-  }
-  return indices;
+/// A row for each resample.
+Eigen::MatrixXd resampled_indices(const Terms& terms, const ConfidenceOptions& options) {
+  Eigen::MatrixXd resampled(options.resamples, 2 * terms.factors());
+  for (int k = 0; k < options.resamples; ++k)
+    resampled.row(k) = indices(terms, draw(options.seed, k, terms.bases())).values.transpose();
+  return resampled;
 }
 
 void check_size(std::span<const double> responses, int factors) {
@@ -107,18 +118,20 @@ SobolIndices sobol_indices(std::span<const double> responses, int factors, const
   const Bases bases(responses.data(), factors + 2,
                     static_cast<Eigen::Index>(responses.size()) / (factors + 2));
   const double middle = centre(bases);
-  const Eigen::MatrixXd centred = bases.array() - middle;
-  const IndexSums sums = sums_of_all(centred);
-  const Eigen::MatrixXd resampled = resampled_indices(centred, options);
-  const auto estimate = [&](double value, Eigen::Index column) {
-    const auto values = resampled.col(column);
-    return percentile_estimate(value, {values.begin(), values.end()}, options.level);
+  const Terms terms(bases.array() - middle);
+  const Eigen::VectorXd once = Eigen::VectorXd::Ones(terms.bases());
+  const Indices found = indices(terms, once);
+  const Eigen::ArrayXd counts = terms.counts(once);
+  const Eigen::MatrixXd resampled = resampled_indices(terms, options);
+  const auto estimate = [&](Eigen::Index k) {
+    const auto column = resampled.col(k);
+    return percentile_estimate(found.values[k], {column.begin(), column.end()}, options.level);
   };
-  SobolIndices result{{}, middle, sums.variance(), bases.cols(), 0};
+  SobolIndices result{{}, middle, found.variance, bases.cols(), 0};
   result.failed = static_cast<std::int64_t>(responses.size() - usable_rows(responses).size());
   for (int j = 0; j < factors; ++j)
-    result.factors.push_back({estimate(sums.first(j), j), estimate(sums.total(j), factors + j),
-                              sums.first_count(j), sums.total_count(j)});
+    result.factors.push_back({estimate(j), estimate(factors + j), static_cast<std::int64_t>(counts[j]),
+                              static_cast<std::int64_t>(counts[factors + j])});
   return result;
 }
 
