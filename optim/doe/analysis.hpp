@@ -74,7 +74,7 @@ struct LinearEffect {
 struct LinearModel {
   std::vector<LinearEffect> factors;
   /// Share of the variance that the plane explains, 0 to 1. It, the slopes and what follows from them are NaN
-  /// where the usable rows are not more than factors + 1, or factors depend on each other linearly.
+  /// where the usable rows are not more than varying factors + 1, or these depend on each other linearly.
   double r_squared;
   std::int64_t used, failed;  ///< rows
 };
