@@ -1,0 +1,277 @@
+#include "optim/doe/sampling.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <random>
+#include <set>
+#include <thread>
+
+#include "model/invalid_input.hpp"
+
+namespace kinetix {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+using Table = std::vector<std::vector<double>>;
+
+constexpr SamplingMethod all_methods[] = {SamplingMethod::factorial,     SamplingMethod::lhs,
+                                          SamplingMethod::sobol,         SamplingMethod::monte_carlo,
+                                          SamplingMethod::one_at_a_time, SamplingMethod::morris,
+                                          SamplingMethod::saltelli};
+
+std::vector<Factor> unit_cube(int dimensions) {
+  std::vector<Factor> factors;
+  for (int j = 0; j < dimensions; ++j) factors.push_back({"x" + std::to_string(j), UniformRange{0, 1}});
+  return factors;
+}
+
+std::vector<Factor> mixed_factors() {
+  return {{"range", UniformRange{-2, 3}, 3},
+          {"normal", NormalSpread{30, 1}, 2},
+          {"cut", NormalSpread{0, 1, 0, 2}, 4},
+          {"list", ValueList{{5, 7, 1, 9}}}};
+}
+
+Table rows(const SamplePlan& plan) {
+  Table table;
+  for (std::uint64_t i = 0; i < plan.size(); ++i) table.push_back(plan.sample(i));
+  return table;
+}
+
+SamplingOptions options(SamplingMethod method, std::uint64_t samples = 64, std::uint64_t seed = 1) {
+  return {.method = method, .samples = samples, .seed = seed, .base = {}};
+}
+
+TEST(SamplePlan, MakesTheSameRowInAnyOrder) {
+  for (const SamplingMethod method : all_methods) {
+    const SamplePlan plan(mixed_factors(), options(method)), again(mixed_factors(), options(method));
+    const Table table = rows(plan);
+    std::vector<std::uint64_t> order(plan.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::shuffle(order.begin(), order.end(), std::mt19937(3));
+    for (const std::uint64_t i : order) EXPECT_EQ(again.sample(i), table[i]);
+  }
+}
+
+TEST(SamplePlan, MakesTheSameRowsOnSeveralThreads) {
+  for (const SamplingMethod method : all_methods) {
+    const SamplePlan plan(mixed_factors(), options(method));
+    const Table table = rows(plan);
+    Table shared(plan.size());
+    std::vector<std::thread> threads;
+    for (int t = 0; t < 3; ++t)
+      threads.emplace_back([&, t] {
+        for (std::uint64_t i = t; i < plan.size(); i += 3) shared[i] = plan.sample(i);
+      });
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_EQ(shared, table);
+  }
+}
+
+TEST(SamplePlan, AnotherSeedGivesOtherRowsWhereThereIsChance) {
+  for (const SamplingMethod method : {SamplingMethod::lhs, SamplingMethod::sobol, SamplingMethod::monte_carlo,
+                                      SamplingMethod::morris, SamplingMethod::saltelli})
+    EXPECT_NE(rows(SamplePlan(mixed_factors(), options(method, 64, 1))),
+              rows(SamplePlan(mixed_factors(), options(method, 64, 2))));
+}
+
+TEST(SamplePlan, KnowsItsSizeAndSaturates) {
+  const auto size = [](const std::vector<Factor>& factors, const SamplingOptions& how) {
+    return SamplePlan(factors, how).size();
+  };
+  const std::uint64_t largest = std::numeric_limits<std::uint64_t>::max(), many = std::uint64_t{1} << 62;
+  EXPECT_EQ(size(mixed_factors(), options(SamplingMethod::factorial)), 3u * 2 * 4 * 4);
+  EXPECT_EQ(size(mixed_factors(), options(SamplingMethod::one_at_a_time)), 1u + 3 + 2 + 4 + 4);
+  EXPECT_EQ(size(mixed_factors(), options(SamplingMethod::lhs, 1000)), 1000u);
+  EXPECT_EQ(size(mixed_factors(), options(SamplingMethod::sobol, 1024)), 1024u);
+  EXPECT_EQ(size(mixed_factors(), options(SamplingMethod::morris, 10)), 50u);
+  EXPECT_EQ(size(mixed_factors(), options(SamplingMethod::saltelli, 1024)), 6144u);
+  EXPECT_EQ(size(unit_cube(31), options(SamplingMethod::factorial)), std::uint64_t{1} << 62);
+  EXPECT_EQ(size(unit_cube(32), options(SamplingMethod::factorial)), largest);
+  EXPECT_EQ(size(unit_cube(4), options(SamplingMethod::saltelli, many)), largest);
+  EXPECT_EQ(size(unit_cube(4), options(SamplingMethod::morris, many)), largest);
+}
+
+TEST(SamplePlan, LastRowOfALargeTableStaysInsideTheRange) {
+  for (const SamplingMethod method :
+       {SamplingMethod::lhs, SamplingMethod::sobol, SamplingMethod::monte_carlo}) {
+    const SamplePlan plan(unit_cube(3), options(method, std::uint64_t{1} << 62));
+    for (const double x : plan.sample(plan.size() - 1)) {
+      EXPECT_GT(x, 0);
+      EXPECT_LT(x, 1);
+    }
+  }
+}
+
+TEST(Factorial, HoldsEveryCombinationOnceInTheOrderOfNestedLoops) {
+  const SamplePlan plan({{"a", ValueList{{1, 2}}}, {"b", UniformRange{0, 1}, 3}},
+                        options(SamplingMethod::factorial));
+  EXPECT_THAT(rows(plan), ElementsAre(ElementsAre(1, 0), ElementsAre(1, 0.5), ElementsAre(1, 1),
+                                      ElementsAre(2, 0), ElementsAre(2, 0.5), ElementsAre(2, 1)));
+  const Table table = rows(SamplePlan(mixed_factors(), options(SamplingMethod::factorial)));
+  EXPECT_EQ(std::set<std::vector<double>>(table.begin(), table.end()).size(), 96u);
+}
+
+TEST(LatinHypercube, HasOneRowInEachStratum) {
+  for (const std::uint64_t n : {1, 2, 10, 777, 20000}) {
+    const SamplePlan plan(unit_cube(3), options(SamplingMethod::lhs, n, n));
+    std::vector<std::set<std::int64_t>> strata(3);
+    for (const auto& row : rows(plan))
+      for (int j = 0; j < 3; ++j)
+        strata[j].insert(static_cast<std::int64_t>(row[j] * static_cast<double>(n)));
+    for (const auto& of_factor : strata) {
+      EXPECT_EQ(of_factor.size(), n);
+      EXPECT_EQ(*of_factor.begin(), 0);
+    }
+  }
+}
+
+TEST(LatinHypercube, FactorsAreInOrdersOfTheirOwn) {
+  const Table table = rows(SamplePlan(unit_cube(2), options(SamplingMethod::lhs, 2000)));
+  double covariance = 0;
+  for (const auto& row : table) covariance += (row[0] - 0.5) * (row[1] - 0.5) / 2000;
+  EXPECT_LT(std::abs(12 * covariance), 3.3 / std::sqrt(2000.0));  // correlation, 0.1 %
+}
+
+/// Squared L2 star discrepancy by Warnock's formula.
+double discrepancy(const Table& table) {
+  const double n = static_cast<double>(table.size()), d = static_cast<double>(table[0].size());
+  double single = 0, pairs = 0;
+  for (const auto& x : table) {
+    double product = 1;
+    for (const double coordinate : x) product *= (1 - coordinate * coordinate) / 2;
+    single += product;
+    for (const auto& y : table) {
+      double both = 1;
+      for (std::size_t j = 0; j < x.size(); ++j) both *= 1 - std::max(x[j], y[j]);
+      pairs += both;
+    }
+  }
+  return std::pow(3, -d) - 2 * single / n + pairs / (n * n);
+}
+
+TEST(Sobol, FillsTheCubeBetterThanChance) {
+  const auto of = [](SamplingMethod method, std::uint64_t seed) {
+    return discrepancy(rows(SamplePlan(unit_cube(4), options(method, 256, seed))));
+  };
+  // By chance the square is (2^-d - 3^-d) / n on average.
+  const double by_chance = (std::pow(2, -4) - std::pow(3, -4)) / 256;
+  double monte_carlo = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    monte_carlo += of(SamplingMethod::monte_carlo, seed) / 20;
+    EXPECT_LT(of(SamplingMethod::sobol, seed), 0.15 * by_chance) << seed;
+  }
+  EXPECT_NEAR(monte_carlo, by_chance, 0.3 * by_chance);
+}
+
+TEST(MonteCarlo, HasTheMomentsOfItsDistributions) {
+  const int n = 20000;
+  const SamplePlan plan(mixed_factors(), options(SamplingMethod::monte_carlo, n));
+  const double half = std::sqrt(2 * std::numbers::inv_pi);  // mean of a half normal, before the cut at 2
+  const double inside = std::erf(std::sqrt(2.0));
+  const double cut_mean = half * (1 - std::exp(-2.0)) / inside;
+  const double mean[] = {0.5, 30, cut_mean, 5.5};
+  const double variance[] = {25.0 / 12, 1, 1 - 2 * half * std::exp(-2.0) / inside - cut_mean * cut_mean,
+                             8.75};
+  for (int j = 0; j < 4; ++j) {
+    double sum = 0, squares = 0;
+    for (int i = 0; i < n; ++i) {
+      const double x = plan.sample(i)[j] - mean[j];
+      sum += x / n;
+      squares += x * x / n;
+    }
+    EXPECT_NEAR(sum, 0, 3.5 * std::sqrt(variance[j] / n)) << j;
+    EXPECT_NEAR(squares, variance[j], 0.04 * variance[j]) << j;
+  }
+}
+
+TEST(OneAtATime, LeavesAllElseAtTheBase) {
+  SamplingOptions how = options(SamplingMethod::one_at_a_time);
+  how.base = {10, 20};
+  const SamplePlan plan({{"a", ValueList{{1, 2}}}, {"b", UniformRange{0, 1}, 3}}, how);
+  EXPECT_THAT(rows(plan), ElementsAre(ElementsAre(10, 20), ElementsAre(1, 20), ElementsAre(2, 20),
+                                      ElementsAre(10, 0), ElementsAre(10, 0.5), ElementsAre(10, 1)));
+}
+
+TEST(OneAtATime, StartsAtTheMiddleWhereNoBaseIsGiven) {
+  const SamplePlan plan({{"a", UniformRange{1, 2}}, {"b", NormalSpread{30, 1}}, {"c", ValueList{{4, 5, 6}}}},
+                        options(SamplingMethod::one_at_a_time));
+  EXPECT_THAT(plan.sample(0), ElementsAre(1.5, 30, 5));
+}
+
+TEST(Morris, TrajectoriesMoveEachFactorOnceByHalfItsLevels) {
+  std::vector<Factor> factors = unit_cube(5);
+  const SamplePlan plan(factors, options(SamplingMethod::morris, 200));
+  std::map<double, int> starts;
+  for (std::uint64_t r = 0; r < 200; ++r) {
+    std::set<std::size_t> moved;
+    for (std::uint64_t row = 0; row < 5; ++row) {
+      const auto before = plan.sample(6 * r + row), after = plan.sample(6 * r + row + 1);
+      for (std::size_t j = 0; j < 5; ++j)
+        if (before[j] != after[j]) {
+          EXPECT_TRUE(moved.insert(j).second);
+          EXPECT_NEAR(std::abs(after[j] - before[j]), 2.0 / 3, 1e-15);
+        }
+      EXPECT_EQ(moved.size(), row + 1);
+    }
+    ++starts[plan.sample(6 * r)[0]];
+  }
+  EXPECT_EQ(starts.size(), 4u);
+  for (const auto& [level, count] : starts) EXPECT_NEAR(count, 50, 25) << level;
+}
+
+TEST(Morris, StaysOnTheLevelsForAnyNumberOfThem) {
+  for (int levels = 2; levels < 8; ++levels) {
+    const SamplePlan plan({{"x", UniformRange{0, levels - 1.0}, levels}},
+                          options(SamplingMethod::morris, 100));
+    for (std::uint64_t r = 0; r < 100; ++r) {
+      const double before = plan.sample(2 * r)[0], after = plan.sample(2 * r + 1)[0];
+      EXPECT_EQ(std::abs(after - before), levels / 2);
+      EXPECT_GE(after, 0);
+      EXPECT_LE(after, levels - 1);
+    }
+  }
+}
+
+TEST(Saltelli, RowsOfABaseAreAThenAWithOneFactorOfBThenB) {
+  const SamplePlan plan(mixed_factors(), options(SamplingMethod::saltelli, 16));
+  for (std::uint64_t n = 0; n < 16; ++n) {
+    const auto a = plan.sample(6 * n), b = plan.sample(6 * n + 5);
+    for (std::size_t j = 0; j < 4; ++j) {
+      auto expected = a;
+      expected[j] = b[j];
+      EXPECT_EQ(plan.sample(6 * n + 1 + j), expected);
+    }
+  }
+}
+
+TEST(SamplePlan, RefusesWhatCannotBeSampled) {
+  const auto refused = [](std::vector<Factor> factors, SamplingOptions how) {
+    return [=] { SamplePlan(factors, how); };
+  };
+  const auto because = [](const char* words) { return ThrowsMessage<InvalidInput>(HasSubstr(words)); };
+  EXPECT_THAT(refused({}, {}), because("no factors"));
+  EXPECT_THAT(refused({{"a", UniformRange{}}, {"a", UniformRange{}}}, {}),
+              because("two factors are called a"));
+  EXPECT_THAT(refused({{"a", UniformRange{1, 0}}}, {}), because("factor a: range"));
+  EXPECT_THAT(refused(unit_cube(2), options(SamplingMethod::lhs, 0)), because("samples is 0"));
+  EXPECT_THAT(refused(unit_cube(3668), options(SamplingMethod::sobol)), because("3668 dimensions"));
+  EXPECT_THAT(refused(unit_cube(1834), options(SamplingMethod::saltelli)), because("3668 dimensions"));
+  EXPECT_THAT(refused({{"a", ValueList{{1}}}}, options(SamplingMethod::morris)),
+              because("two or more for morris"));
+  SamplingOptions off = options(SamplingMethod::one_at_a_time);
+  off.base = {1, 2, 3};
+  EXPECT_THAT(refused(unit_cube(2), off), because("base has 3 values"));
+  off.base = {1, std::nan("")};
+  EXPECT_THAT(refused(unit_cube(2), off), because("base holds nan"));
+}
+
+}  // namespace
+}  // namespace kinetix
