@@ -12,6 +12,8 @@
 #include "app/result_json.hpp"
 #include "app/run_design.hpp"
 #include "app/run_display.hpp"
+#include "app/run_fold.hpp"
+#include "app/run_helmet.hpp"
 #include "app/stopwatch.hpp"
 #include "model/invalid_input.hpp"
 #include "targets/document.hpp"
@@ -42,6 +44,8 @@ Run located(const std::string& file, const std::function<Run()>& make) {
 int exit_code(const Run& run) {
   if (run.curve && !run.curve->met) return target_missed;
   if (run.display && !run.display->met()) return target_missed;
+  if (run.fold && !run.fold->met()) return target_missed;
+  if (run.helmet && !run.helmet->met()) return target_missed;
   if (run.equilibrium && !run.equilibrium->reached()) return target_missed;
   if (run.verification && !run.verification->agrees) return physics_disagrees;
   return done;
@@ -61,6 +65,8 @@ int report(Run run, double load_seconds, OutputFolder& folder, bool as_json) {
 
 Run run_target(const Target& target, const RunOptions& options) {
   if (const auto* display = std::get_if<DisplayFile>(&target)) return run_display(*display, options);
+  if (const auto* fold = std::get_if<FoldFile>(&target)) return run_fold(*fold, options);
+  if (const auto* helmet = std::get_if<HelmetFile>(&target)) return run_helmet(*helmet, options);
   return run_curve(std::get<TargetFile>(target), options);
 }
 

@@ -4,6 +4,8 @@
 
 #include "app/display_json.hpp"
 #include "app/equilibrium_json.hpp"
+#include "app/fold_json.hpp"
+#include "app/helmet_json.hpp"
 #include "app/physics_json.hpp"
 #include "app/stable_states_json.hpp"
 #include "app/state_json.hpp"
@@ -24,6 +26,8 @@ Json points(const std::vector<Eigen::Vector2d>& polyline) {
 
 Json target_json(const Run& run) {
   if (run.display) return display_target_json(*run.display);
+  if (run.fold) return fold_target_json(*run.fold);
+  if (run.helmet) return helmet_target_json(*run.helmet);
   if (!run.curve) return nullptr;
   return {{"kind", "curve"}, {"points_mm", points(run.curve->target_mm)}};
 }
@@ -89,6 +93,8 @@ Json metrics_json(const Run& run) {
     metrics["met"] = run.curve->met;
   }
   if (run.display) add_display_metrics(*run.display, metrics);
+  if (run.fold) add_fold_metrics(*run.fold, metrics);
+  if (run.helmet) add_helmet_metrics(*run.helmet, metrics);
   if (run.equilibrium) add_equilibrium_metrics(*run.equilibrium, metrics);
   if (run.verification) {
     metrics["verify_rms"] = run.verification->distance.rms;
@@ -182,6 +188,14 @@ Json result_json(const Run& run) {
   if (run.display) {
     out["display"] = display_json(run);
     out["optimiser"] = display_optimiser_json(*run.display);
+  }
+  if (run.fold) {
+    out["fold"] = fold_json(run);
+    out["optimiser"] = fold_optimiser_json(*run.fold);
+  }
+  if (run.helmet) {
+    out["helmet"] = helmet_json(run);
+    out["optimiser"] = helmet_optimiser_json(*run.helmet);
   }
   if (run.equilibrium) {
     out["equilibrium"] = equilibrium_json(*run.equilibrium);

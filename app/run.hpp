@@ -10,8 +10,11 @@
 #include "model/elastic/stable_states.hpp"
 #include "optim/fit_curve.hpp"
 #include "optim/fit_display.hpp"
+#include "optim/fit_fold.hpp"
+#include "optim/fit_helmet.hpp"
 #include "sim/compression_run.hpp"
 #include "targets/display_goal.hpp"
+#include "targets/head.hpp"
 
 namespace kinetix {
 
@@ -87,6 +90,30 @@ struct DisplayOutcome {
   bool met() const { return why_missed.empty(); }
 };
 
+/// What a search for a fold contributes to a result.
+struct FoldOutcome {
+  FoldGoal goal;
+  FoldDesign design;
+  std::optional<FoldError> physics;      ///< of the settled physics run
+  std::vector<std::string> why_missed;   ///< in words, empty where the model folds as asked
+  std::vector<std::string> why_physics;  ///< likewise for the physics run
+
+  bool met() const { return why_missed.empty(); }
+};
+
+/// What a search for a helmet contributes to a result.
+struct HelmetOutcome {
+  Head head;
+  HelmetWish wish;
+  HelmetDesign design;                   ///< in the head's frame
+  UniformHelmet uniform = {};            ///< the paper's way, for comparison
+  std::optional<HelmetError> physics = {};  ///< the settled physics run, laid on the model's state
+  std::vector<std::string> why_missed = {};   ///< in words, empty where the model is as asked
+  std::vector<std::string> why_physics = {};  ///< likewise for the physics run
+
+  bool met() const { return why_missed.empty(); }
+};
+
 /// Everything one call of the program knows at its end: what result.json and the report show.
 struct Run {
   std::string name;
@@ -96,6 +123,8 @@ struct Run {
   double theta = 0;  ///< rad, of the state shown
   std::optional<CurveOutcome> curve;
   std::optional<DisplayOutcome> display;
+  std::optional<FoldOutcome> fold;
+  std::optional<HelmetOutcome> helmet;
   std::vector<NamedState> states;
   PhysicsSection physics;  ///< these four as the file asked
   HingeSection hinge;

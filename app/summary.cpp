@@ -2,6 +2,8 @@
 
 #include "app/display_json.hpp"
 #include "app/equilibrium_summary.hpp"
+#include "app/fold_json.hpp"
+#include "app/helmet_json.hpp"
 #include "app/result_json.hpp"
 
 namespace kinetix {
@@ -41,7 +43,7 @@ std::string shape_lines(const Run& run) {
 
 /// The closed form passes through walls: says so where it did.
 std::string contact_line(const Run& run) {
-  if (!run.plan.free_range || run.curve || run.equilibrium) return "";
+  if (!run.plan.free_range || run.curve || run.fold || run.helmet || run.equilibrium) return "";
   const ThetaLimit& limit = run.theta < 0 ? run.plan.free_range->negative : run.plan.free_range->positive;
   if (!limit.touches || std::abs(run.theta) <= std::abs(limit.theta)) return "";
   return line("WALLS",
@@ -75,6 +77,10 @@ std::string summary(const Run& run) {
   if (run.curve) text += shape_lines(run);
   if (run.display)
     for (const auto& [label, words] : display_lines(run)) text += line(label, words);
+  if (run.fold)
+    for (const auto& [label, words] : fold_lines(run)) text += line(label, words);
+  if (run.helmet)
+    for (const auto& [label, words] : helmet_lines(run)) text += line(label, words);
   if (run.equilibrium)
     for (const auto& [label, words] : equilibrium_lines(run)) text += line(label, words);
   if (run.verification) text += physics_lines(run);

@@ -29,17 +29,19 @@ void check_kind_of_file(const Node& root) {
   }
 }
 
-enum class Kind { curve, display };
+enum class Kind { curve, display, fold, helmet };
 
 Kind read_kind(const Node& root) {
   const Node target = root.required("target", target_hint);
-  const Node kind = target.required("kind", "`kind: curve` or `kind: display`");
+  const Node kind = target.required("kind", "`kind: curve`, `kind: display`, `kind: fold` or `kind: helmet`");
   const std::vector<std::string_view> kinds = {"curve", "display", "fold", "helmet", "outline"};
   const std::string_view name = kinds[kind.one_of(kinds)];
   if (name == "curve") return Kind::curve;
   if (name == "display") return Kind::display;
+  if (name == "fold") return Kind::fold;
+  if (name == "helmet") return Kind::helmet;
   throw kind.error("kind " + std::string(name) +
-                   " is not supported by this version; supported: curve, display");
+                   " is not supported by this version; supported: curve, display, fold, helmet");
 }
 
 Curve read_goal(const Node& root) {
@@ -167,7 +169,16 @@ Target read_target(const std::string& path) {
   const Node root = read_document(path);
   check_kind_of_file(root);
   if (root.kind() != Node::Kind::map || !root.optional("target")) return read_curve_file(root);
-  if (read_kind(root) == Kind::display) return read_display_file(root);
+  switch (read_kind(root)) {
+    case Kind::display:
+      return read_display_file(root);
+    case Kind::fold:
+      return read_fold_file(root);
+    case Kind::helmet:
+      return read_helmet_file(root);
+    case Kind::curve:
+      break;
+  }
   return read_curve_file(root);
 }
 

@@ -5,6 +5,8 @@
 #include <variant>
 
 #include "app/display_file.hpp"
+#include "app/fold_file.hpp"
+#include "app/helmet_file.hpp"
 #include "app/physics_section.hpp"
 #include "app/solver_section.hpp"
 #include "model/structure.hpp"
@@ -39,9 +41,9 @@ struct TargetFile {
 };
 
 /// A target of one of the kinds there are.
-using Target = std::variant<TargetFile, DisplayFile>;
+using Target = std::variant<TargetFile, DisplayFile, FoldFile, HelmetFile>;
 
-/// @throws InvalidInput for whatever contracts.md does not allow, and for kinds other than curve and display
+/// @throws InvalidInput for whatever contracts.md does not allow, and for kinds that are not supported
 Target read_target(const std::string& file);
 /// @throws InvalidInput likewise, and for kinds other than curve
 TargetFile read_curve_target(const std::string& file);

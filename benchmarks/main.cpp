@@ -46,7 +46,7 @@ int main(int argc, char** argv) {
        {kinetix::bench::model_figures, kinetix::bench::elastic_figures, kinetix::bench::load_path_figures,
         kinetix::bench::stable_state_figures,
         kinetix::bench::search_figures, kinetix::bench::physics_figures, kinetix::bench::elastic_physics_figures,
-        kinetix::bench::display_figures})
+        kinetix::bench::display_figures, kinetix::bench::fold_figures})
     for (const Figure& figure : figures()) {
       std::cerr << (figure.met ? "met     " : "MISSED  ") << figure.what << ": " << figure.measured
                 << std::endl;

@@ -16,4 +16,7 @@ struct OrientedBox {
 /// parallel to within 1e-6 rad are left out, as the face normals then cover them.
 bool overlap(const OrientedBox& a, const OrientedBox& b, double depth = 0);
 
+/// Largest gap of two boxes over the same 15 directions: at most their distance, 0 where they overlap.
+double separation(const OrientedBox& a, const OrientedBox& b);
+
 }  // namespace kinetix

@@ -71,4 +71,12 @@ StateDistance aligned_distance(const Structure& structure, const State& state, c
   return {std::sqrt(squared.mean()) / edge, std::sqrt(squared.maxCoeff()) / edge};
 }
 
+State aligned(const State& state, const State& reference) {
+  const Eigen::Matrix4d motion = Eigen::umeyama(positions(state), positions(reference), false);
+  const Eigen::Matrix3d turn = motion.topLeftCorner<3, 3>();
+  State out = state;
+  for (Pose& pose : out) pose = {turn * pose.R, turn * pose.p + motion.topRightCorner<3, 1>()};
+  return out;
+}
+
 }  // namespace kinetix

@@ -49,4 +49,7 @@ struct StateDistance {
 /// Proper rigid alignment (Umeyama without scaling). NaN in either state gives NaN.
 StateDistance aligned_distance(const Structure& structure, const State& state, const State& reference);
 
+/// `state` after that rigid motion. @pre both are finite
+State aligned(const State& state, const State& reference);
+
 }  // namespace kinetix

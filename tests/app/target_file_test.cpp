@@ -88,8 +88,8 @@ TEST(TargetFile, TakesAListOfCellsThatIsARectangle) {
 TEST(TargetFile, NamesItselfByTheFile) {
   TemporaryFolder folder;
   EXPECT_EQ(read_curve_target(folder.write("my r\xC3\xAD"
-                                     "b.v2.yaml",
-                                     target))
+                                           "b.v2.yaml",
+                                           target))
                 .name,
             "my_r__b.v2");
   EXPECT_EQ(read_curve_target(folder.write(".hidden", target)).name, "_.hidden");
@@ -97,7 +97,8 @@ TEST(TargetFile, NamesItselfByTheFile) {
 
 TEST(TargetFile, ReadsTheTargetsThatShip) {
   for (const char* name : {"half_circle", "helmet_rib", "s_curve", "spiral"}) {
-    const TargetFile file = read_curve_target(std::string(KINETIX_SOURCE) + "/targets/shapes/" + name + ".yaml");
+    const TargetFile file =
+        read_curve_target(std::string(KINETIX_SOURCE) + "/targets/shapes/" + name + ".yaml");
     EXPECT_EQ(file.name, name);
     EXPECT_GE(file.columns, 40);
   }
@@ -192,13 +193,12 @@ TEST(TargetFile, SaysWhereAndWhatIsAllowed) {
        31,
        "target.points",
        {"gone.csv: no such file"}},
-      {kind("fold"),
+      {kind("helmet"), 2, 16, "target.kind", {"kind helmet is not supported"}},
+      {kind("outline"),
        2,
        16,
        "target.kind",
-       {"kind fold is not supported by this version; supported: curve, display"}},
-      {kind("helmet"), 2, 16, "target.kind", {"kind helmet is not supported"}},
-      {kind("outline"), 2, 16, "target.kind", {"kind outline is not supported"}},
+       {"kind outline is not supported by this version; supported: curve, display, fold"}},
       {kind("kurve"), 2, 16, "target.kind", {"did you mean `curve`?"}},
       {"kinetix: 1\ndesign: {theta_deg: 3}\n", 1, 1, "", {"design, not a target", "verify"}},
       {target + "varables: {}\n", 3, 1, "varables", {"did you mean `variables`?", "allowed: kinetix, name"}},

@@ -105,5 +105,30 @@ TEST(OrientedBox, CrossedEdgesAreToldApartByTheirCommonNormalAlone) {
   EXPECT_TRUE(overlap(a, b));
 }
 
+/// A sphere-like bound from the other side: the distance of any two points of the boxes.
+TEST(OrientedBox, SeparationIsPositiveWhereBoxesAreApartAndNeverMoreThanTheirDistance) {
+  std::mt19937 random(63);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (int k = 0; k < 300; ++k) {
+    const OrientedBox a = random_box(random), b = random_box(random);
+    const double gap = separation(a, b);
+    EXPECT_EQ(gap > 0, !overlap(a, b)) << "seed 63";
+    for (int n = 0; n < 50; ++n) {
+      const auto point = [&](const OrientedBox& box) {
+        return Vector3d(box.center +
+                        box.axes * Vector3d(unit(random), unit(random), unit(random)).cwiseProduct(box.half));
+      };
+      EXPECT_LE(gap, (point(a) - point(b)).norm() + 1e-12) << "seed 63";
+    }
+  }
+}
+
+TEST(OrientedBox, SeparationAcrossAFaceIsTheDistance) {
+  OrientedBox a, b;
+  a.half = b.half = {1, 2, 3};
+  b.center = {2.5, 1, 1};
+  EXPECT_DOUBLE_EQ(separation(a, b), 0.5);
+}
+
 }  // namespace
 }  // namespace kinetix

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace kinetix {
+
+/// The rotation by |v| rad about v.
+Eigen::Matrix3d rotation_of(const Eigen::Vector3d& v);
+/// J with omega = J dv for the change d(rotation_of(v)) = [omega]x rotation_of(v): the left Jacobian of
+/// SO(3).
+Eigen::Matrix3d rotation_rate(const Eigen::Vector3d& v);
+
+}  // namespace kinetix

@@ -1,0 +1,257 @@
+#include "optim/fit_helmet.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "model/rotation_vector.hpp"
+#include "model/wall_contact.hpp"
+#include "optim/arrow_solver.hpp"
+
+namespace kinetix {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr int most_trims = 30;
+constexpr int steps_in_plane = 6;
+
+HelmetGoal goal_of(const HelmetLayout& layout, const MeshDistance& head, const Vector3d& crown,
+                   const HelmetWish& wish) {
+  return {&head, wish.clearance_mm, layout.rim_z, crown.x()};
+}
+
+/// Distance of p from the curve at the clearance in the plane through p normal to `along`.
+double distance_in_plane(const MeshDistance& head, const Vector3d& p, const Vector3d& along,
+                         double clearance) {
+  Vector3d q = p;
+  for (int k = 0; k < steps_in_plane; ++k) {
+    const MeshFoot foot = head.foot(q);
+    const Vector3d slope = foot.normal - along.dot(foot.normal) * along;
+    if (!(slope.squaredNorm() > 1e-4)) break;
+    q -= (foot.distance - clearance) / slope.squaredNorm() * slope;
+  }
+  return (q - p).norm();
+}
+
+/// Bodies of a rib's columns, row by row, from -x to +x; the spine's two columns among them.
+std::vector<std::array<int, 2>> columns_of(const Fishbone& fishbone, const FishboneRib& rib) {
+  std::vector<std::array<int, 2>> columns;
+  const int spine = fishbone.spine_column;
+  for (int i = spine - rib.cells[0]; i <= spine + 1 + rib.cells[1]; ++i)
+    columns.push_back(
+        {*fishbone.structure.body_at({i, rib.row}), *fishbone.structure.body_at({i, rib.row + 1})});
+  return columns;
+}
+
+double rib_error(const Fishbone& fishbone, const FishboneRib& rib, const State& state,
+                 const MeshDistance& head, double clearance) {
+  const auto columns = columns_of(fishbone, rib);
+  double sum = 0;
+  for (const auto& [lower, upper] : columns) {
+    const Vector3d &a = state[lower].p, &b = state[upper].p;
+    sum += std::pow(distance_in_plane(head, (a + b) / 2, (b - a).normalized(), clearance), 2);
+  }
+  return std::sqrt(sum / static_cast<double>(columns.size()));
+}
+
+/// Which rib and side a body belongs to, and how many cells beyond the spine it is; rib -1 on the spine.
+struct Seat {
+  int rib = -1, side = 0, cells = 0;
+};
+
+Seat seat_of(const Fishbone& fishbone, int body) {
+  const Vertex v = fishbone.structure.bodies[body];
+  const int left = fishbone.spine_column - v.i, right = v.i - fishbone.spine_column - 1;
+  if (left <= 0 && right <= 0) return {};
+  for (std::size_t r = 0; r < fishbone.layout.ribs.size(); ++r) {
+    const int row = fishbone.layout.ribs[r].row;
+    if (v.j == row || v.j == row + 1) return {static_cast<int>(r), left > 0 ? 0 : 1, std::max(left, right)};
+  }
+  return {};
+}
+
+class Collisions {
+ public:
+  Collisions(const Fishbone& fishbone, const Structure& structure, const State& state)
+      : fishbone_(fishbone), structure_(structure), walls_(half_walls(structure)) {
+    pairs_ = WallContact(structure).overlapping(state);
+  }
+
+  /// Shortens one rib of each pair that meets with another. @return cells taken
+  int trim(FishboneLayout& bones) const {
+    int taken = 0;
+    for (const WallPair& pair : pairs_) {
+      const Seat a = seat(pair.first), b = seat(pair.second);
+      if (a.rib == b.rib && a.side == b.side) continue;
+      const Seat& cut = a.cells >= b.cells ? a : b;
+      int& cells = bones.ribs[cut.rib].cells[cut.side];
+      taken += std::max(0, cells - (cut.cells - 1));
+      cells = std::min(cells, cut.cells - 1);
+    }
+    return taken;
+  }
+
+  std::vector<std::string> in_words() const {
+    std::vector<std::string> out;
+    for (const WallPair& pair : pairs_)
+      out.push_back("walls " + name(pair.first) + " and " + name(pair.second) + " meet");
+    return out;
+  }
+
+ private:
+  Seat seat(int half) const { return seat_of(fishbone_, walls_[half].body); }
+  std::string name(int half) const { return to_string(structure_.hinges[walls_[half].hinge].wall); }
+
+  const Fishbone& fishbone_;
+  const Structure& structure_;
+  std::vector<HalfWall> walls_;
+  std::vector<WallPair> pairs_;
+};
+
+/// The shape on a fishbone whose ribs have been cut shorter.
+HelmetShape cut_to(HelmetShape shape, const FishboneLayout& bones) {
+  for (std::size_t r = 0; r < bones.ribs.size(); ++r)
+    for (const int side : {0, 1}) shape.ribs[r][side].resize(bones.ribs[r].cells[side]);
+  return shape;
+}
+
+/// One tilt for all: x = (turn, place, theta, tilt), of the arrow problem's own residuals.
+class UniformProblem final : public LeastSquaresProblem {
+ public:
+  UniformProblem(const HelmetProblem& problem, const Fishbone& fishbone) : problem_(problem) {
+    const auto sign = [&](const Crease& crease) {
+      return turn_sense(fishbone.structure.hinges[crease.hinges[0]].wall);
+    };
+    for (const Crease& crease : fishbone.spine) signs_.push_back(sign(crease));
+    for (const auto& sides : fishbone.ribs)
+      for (const auto& side : sides)
+        for (const Crease& crease : side) signs_.push_back(sign(crease));
+    std::vector<ResidualBlock> blocks;
+    for (const int count : problem.residuals()) residuals_ += count;
+    lower_ = problem.lower().head(fixed + 1);
+    upper_ = problem.upper().head(fixed + 1);
+    lower_[fixed] = 0;
+  }
+
+  int variables() const override { return fixed + 1; }
+  int residuals() const override { return residuals_; }
+  const VectorXd& lower() const override { return lower_; }
+  const VectorXd& upper() const override { return upper_; }
+
+  VectorXd expand(const VectorXd& x) const {
+    VectorXd all(fixed + static_cast<Eigen::Index>(signs_.size()));
+    all.head(fixed) = x.head(fixed);
+    for (std::size_t k = 0; k < signs_.size(); ++k)
+      all[fixed + static_cast<Eigen::Index>(k)] = signs_[k] * x[fixed];
+    return all;
+  }
+
+  bool evaluate(const VectorXd& x, VectorXd& r, Eigen::MatrixXd* J) const override {
+    std::vector<ResidualBlock> blocks;
+    if (!problem_.evaluate(expand(x), true, blocks)) return false;
+    const StackedResiduals all = stacked(problem_, blocks);
+    r = all.r;
+    if (!J) return true;
+    J->resize(residuals_, fixed + 1);
+    J->leftCols(fixed) = all.J.leftCols(fixed);
+    J->col(fixed).setZero();
+    for (std::size_t k = 0; k < signs_.size(); ++k)
+      J->col(fixed) += signs_[k] * all.J.col(fixed + static_cast<Eigen::Index>(k));
+    return true;
+  }
+
+ private:
+  static constexpr int fixed = 7;
+
+  const HelmetProblem& problem_;
+  std::vector<int> signs_;
+  int residuals_ = 0;
+  VectorXd lower_, upper_;
+};
+
+double mean_size(const HelmetShape& shape) {
+  double sum = 0;
+  std::size_t count = 0;
+  const auto add = [&](const std::vector<double>& tilts) {
+    for (const double tilt : tilts) sum += std::abs(tilt);
+    count += tilts.size();
+  };
+  add(shape.spine);
+  for (const auto& sides : shape.ribs)
+    for (const auto& side : sides) add(side);
+  return count > 0 ? sum / static_cast<double>(count) : 0;
+}
+
+}  // namespace
+
+HelmetError helmet_error(const Fishbone& fishbone, const State& state, const MeshDistance& head,
+                         double clearance_mm) {
+  HelmetError error;
+  double sum = 0;
+  for (const Pose& pose : state) {
+    const double apart = head.foot(pose.p).distance - clearance_mm;
+    error.of_body.push_back(apart);
+    sum += apart * apart;
+    if (!(std::abs(apart) <= error.max)) error.max = std::abs(apart);
+  }
+  error.rms = std::sqrt(sum / static_cast<double>(state.size()));
+  for (const FishboneRib& rib : fishbone.layout.ribs)
+    error.of_ribs.push_back(rib_error(fishbone, rib, state, head, clearance_mm));
+  return error;
+}
+
+State placed_fishbone(const Fishbone& fishbone, const HelmetShape& shape, double theta) {
+  const Structure& structure = fishbone.structure;
+  State state = fold_net(make_net_tree(structure, fishbone.middle), structure, theta);
+  const Eigen::Matrix3d turn = rotation_of(shape.turn);
+  const Vector3d root = structure.rest_position(fishbone.middle);
+  for (Pose& pose : state) pose = {turn * pose.R, shape.place + turn * (pose.p - root)};
+  return state;
+}
+
+HelmetDesign fit_helmet(const MeshDistance& head, const Vector3d& crown, const HelmetWish& wish,
+                        const SolverOptions& options) {
+  HelmetLayout layout = plan_helmet(head, crown, wish);
+  HelmetShape shape = layout.start;
+  for (int trims = 0, trimmed = 0;; ++trims) {
+    Fishbone fishbone = make_fishbone(layout.bones, wish.size);
+    const HelmetProblem problem(fishbone, goal_of(layout, head, crown, wish), wish.tilt, wish.theta);
+    SolveResult search = solve(problem, problem.pack(shape), options);
+    shape = problem.unpack(search.x);
+    Structure bent = problem.structure(search.x);
+    State state = problem.state(search.x);
+    const Collisions collisions(fishbone, bent, state);
+    const int taken = trims < most_trims ? collisions.trim(layout.bones) : 0;
+    trimmed += taken;
+    if (taken == 0) {
+      HelmetError error = helmet_error(fishbone, state, head, wish.clearance_mm);
+      fishbone.structure = std::move(bent);
+      return {std::move(layout), std::move(fishbone), std::move(shape), std::move(state),
+              std::move(error),  std::move(search),   trimmed,          collisions.in_words()};
+    }
+    shape = cut_to(std::move(shape), layout.bones);
+  }
+}
+
+UniformHelmet fit_uniform_helmet(const HelmetDesign& design, const MeshDistance& head, const Vector3d& crown,
+                                 const HelmetWish& wish, const SolverOptions& options) {
+  const Fishbone& fishbone = design.fishbone;
+  const HelmetProblem problem(fishbone, goal_of(design.layout, head, crown, wish), wish.tilt, wish.theta);
+  const UniformProblem uniform(problem, fishbone);
+  VectorXd x(uniform.variables());
+  x << design.search.x.head(7), mean_size(problem.unpack(design.search.x));
+  UniformHelmet out;
+  const auto error = [&](const VectorXd& at) {
+    return helmet_error(fishbone, problem.state(uniform.expand(at)), head, wish.clearance_mm);
+  };
+  out.before = error(x);
+  const SolveResult found = solve(uniform, x, options);
+  out.after = error(found.x);
+  out.theta = found.x[6];
+  out.tilt = found.x[7];
+  return out;
+}
+
+}  // namespace kinetix

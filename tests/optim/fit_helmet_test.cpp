@@ -1,0 +1,77 @@
+#include "optim/fit_helmet.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "model/classify.hpp"
+#include "tests/support/derivatives.hpp"
+#include "tests/support/heads.hpp"
+
+namespace kinetix {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+const Vector3d half_axes(76, 98, 100);
+
+MeshDistance head() { return {testing::ellipsoid(half_axes, 60), Vector3d(0, 0, 0)}; }
+
+HelmetWish wish(int ribs = 8) {
+  HelmetWish w;
+  w.size = {6, 0.6, 4};
+  w.ribs = ribs;
+  w.clearance_mm = 5;
+  w.coverage_mm = 90;
+  return w;
+}
+
+TEST(HelmetProblem, DerivativesAgreeWithCentralDifferences) {
+  const MeshDistance mesh = head();
+  HelmetWish w = wish(3);
+  w.size = {20, 2, 10};
+  const HelmetLayout layout = plan_helmet(mesh, {0, 0, 100}, w);
+  const Fishbone fishbone = make_fishbone(layout.bones, w.size);
+  const HelmetProblem problem(fishbone, {&mesh, 5, layout.rim_z, 0}, w.tilt, w.theta);
+  constexpr unsigned seed = 17;
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  VectorXd x = problem.pack(layout.start);
+  for (double& v : x) v += 0.05 * unit(random);
+  std::vector<ResidualBlock> blocks;
+  const auto residual = [&](const VectorXd& at) {
+    problem.evaluate(at, true, blocks);
+    return stacked(problem, blocks).r;
+  };
+  residual(x);
+  testing::expect_jacobian(residual, x, stacked(problem, blocks).J, 1e-5, 1e-5);
+}
+
+TEST(FitHelmet, KeepsTheClearanceFromAnEllipsoid) {
+  const MeshDistance mesh = head();
+  const HelmetDesign design = fit_helmet(mesh, {0, 0, 100}, wish(), {});
+  EXPECT_LE(design.error.rms, 0.1);
+  EXPECT_LE(design.error.max, 0.3);
+  for (const double rib : design.error.of_ribs) EXPECT_LE(rib, 0.2);
+  EXPECT_LE(hinge_gaps(design.fishbone.structure, design.state).max, 1e-12);
+  EXPECT_EQ(classify(design.fishbone.structure).family, Family::F4);
+}
+
+TEST(FitHelmet, PlacesItsFishboneWhereTheSearchHadIt) {
+  const MeshDistance mesh = head();
+  const HelmetDesign design = fit_helmet(mesh, {0, 0, 100}, wish(3), {});
+  const State placed = placed_fishbone(design.fishbone, design.shape, design.shape.theta);
+  for (std::size_t b = 0; b < placed.size(); ++b) EXPECT_LE((placed[b].p - design.state[b].p).norm(), 1e-9);
+}
+
+TEST(FitHelmet, OneTiltForAllFitsWorse) {
+  const MeshDistance mesh = head();
+  const HelmetDesign design = fit_helmet(mesh, {0, 0, 100}, wish(5), {});
+  const UniformHelmet uniform = fit_uniform_helmet(design, mesh, {0, 0, 100}, wish(5), {});
+  EXPECT_LT(uniform.after.rms, uniform.before.rms);
+  EXPECT_LT(5 * design.error.rms, uniform.after.rms);
+}
+
+}  // namespace
+}  // namespace kinetix

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <random>
+
+#include "tests/targets/meshes.hpp"
+
+/// Stand-ins for scans of heads, mm, z up, y to the front. They are no scans: bumps stand for ears and nose.
+namespace kinetix::testing {
+
+/// How far a bump of height 1 lifts a place, 1 at its centre and 0 beyond its radius.
+inline double bump(const Eigen::Vector3d& p, const Eigen::Vector3d& centre, double radius) {
+  const double f = (p - centre).norm() / radius;
+  return f < 1 ? std::pow(1 - f * f, 2) : 0;
+}
+
+inline const Eigen::Vector3d head_axes{77, 98, 115};
+
+/// An ellipsoid with two ears 22 mm and a nose 25 mm proud of it, cut off at the neck.
+inline TriangleMesh head_with_ears(int around = 180, int down = 120) {
+  TriangleMesh mesh = ellipsoid(head_axes, around, down);
+  for (Eigen::Vector3d& p : mesh.vertices) {
+    const double ears = bump(p, {77, -5, -15}, 30) + bump(p, {-77, -5, -15}, 30);
+    const double nose = bump(p, {0, 96, -20}, 25);
+    p += (22 * ears + 25 * nose) * p.normalized();
+  }
+  std::erase_if(mesh.triangles, [&](const Triangle& t) { return mesh.vertices[t[0]].z() < -100; });
+  return mesh;
+}
+
+/// The same with what scans have: noise of `noise` mm (standard deviation) along the normal, `holes` round
+/// holes of 4 to 10 mm radius, doubled, flipped and degenerate triangles, flaps that hang on an edge, an
+/// inner shell, and a speck beside the head.
+inline TriangleMesh scanned_head(unsigned seed, double noise = 0.2, int holes = 8) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> unit(0, 1);
+  TriangleMesh mesh = head_with_ears();
+  const TriangleMesh inner = ellipsoid(0.9 * head_axes, 40, 30);
+  for (Eigen::Vector3d& p : mesh.vertices) p += noise * normal(random) * p.normalized();
+  for (int hole = 0; hole < holes; ++hole) {
+    const Eigen::Vector3d centre = mesh.vertices[random() % mesh.vertices.size()];
+    const double radius = 4 + 6 * unit(random);
+    std::erase_if(mesh.triangles,
+                  [&](const Triangle& t) { return (mesh.vertices[t[0]] - centre).norm() < radius; });
+  }
+  const std::size_t count = mesh.triangles.size();
+  for (std::size_t k = 0; k < count; k += 50) {
+    const auto [a, b, c] = mesh.triangles[k];
+    mesh.vertices.push_back(0.97 * mesh.vertices[c]);
+    const int flap = static_cast<int>(mesh.vertices.size()) - 1;
+    for (const Triangle& t : {Triangle{a, c, b}, {a, b, b}, {a, b, flap}}) mesh.triangles.push_back(t);
+  }
+  for (std::size_t k = 0; k < count; ++k)
+    if (random() % 3 == 0) std::swap(mesh.triangles[k][0], mesh.triangles[k][1]);
+  const auto add = [&](const TriangleMesh& part, const Eigen::Vector3d& shift) {
+    const int first = static_cast<int>(mesh.vertices.size());
+    for (const auto& p : part.vertices) mesh.vertices.push_back(p + shift);
+    for (const auto& [a, b, c] : part.triangles) mesh.triangles.push_back({first + a, first + b, first + c});
+  };
+  add(inner, Eigen::Vector3d::Zero());
+  add(tetrahedron(5), {30, 20, 160});
+  return mesh;
+}
+
+}  // namespace kinetix::testing
