@@ -82,13 +82,33 @@ std::vector<NetGrip> parts_to_grip(const Structure& structure) {
   return all;
 }
 
-int beyond(int x, int low, int high) { return std::max({low - x, x - high, 0}); }
+using Neighbours = std::vector<std::vector<int>>;
 
-/// Sum of the bodies' distances along the lattice.
-long distance_to(const Grip& grip, const Structure& structure) {
+Neighbours neighbours(const Structure& structure) {
+  Neighbours near(structure.bodies.size());
+  for (const Hinge& hinge : structure.hinges) {
+    near[hinge.lower].push_back(hinge.upper);
+    near[hinge.upper].push_back(hinge.lower);
+  }
+  return near;
+}
+
+/// Sum over the bodies of the number of walls from each to the nearest in the grip.
+long distance_to(const Grip& grip, const Structure& structure, const Neighbours& near) {
+  std::vector<int> walls(near.size(), -1), queue;
+  const auto reach = [&](int body, int distance) {
+    walls[body] = distance;
+    queue.push_back(body);
+  };
+  for (int b = 0; b < static_cast<int>(near.size()); ++b)
+    if (grip.contains(structure.bodies[b])) reach(b, 0);
   long sum = 0;
-  for (const Vertex v : structure.bodies)
-    sum += beyond(v.i, grip.first.i, grip.last.i) + beyond(v.j, grip.first.j, grip.last.j);
+  for (std::size_t k = 0; k < queue.size(); ++k) {
+    const int body = queue[k];
+    sum += walls[body];
+    for (const int next : near[body])
+      if (walls[next] < 0) reach(next, walls[body] + 1);
+  }
   return sum;
 }
 
@@ -96,9 +116,10 @@ long distance_to(const Grip& grip, const Structure& structure) {
 
 std::optional<NetGrip> find_net_grip(const Structure& structure) {
   std::optional<NetGrip> best;
+  const Neighbours near = neighbours(structure);
   long least = std::numeric_limits<long>::max();
   for (const NetGrip& part : parts_to_grip(structure)) {
-    const long distance = distance_to(part.grip, structure);
+    const long distance = distance_to(part.grip, structure, near);
     if (!(distance < least)) continue;
     least = distance;
     best = part;

@@ -15,8 +15,8 @@ struct NetGrip {
 
 /// The part of a net (family F4) that plates grip best: a flat panel of basic cells, between plates along its
 /// longer side, or a spine of any length, one cell wide, between plates along it, in which it bends: of all
-/// such rectangles the one that the bodies are nearest to, since they all swing with it. Nothing where there
-/// is none.
+/// such rectangles the one that the bodies are nearest to, counted in walls, since they all swing with it.
+/// Nothing where there is none.
 std::optional<NetGrip> find_net_grip(const Structure& structure);
 
 /// @throws InvalidInput where plates cannot hold the rows that they grip all along an exact motion

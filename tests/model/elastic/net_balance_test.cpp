@@ -42,5 +42,23 @@ TEST(NetBalance, OfAFishboneFollowsTheClosedFormBySpine) {
   EXPECT_LE(from_closed_form(net, path), 1e-3);
 }
 
+TEST(NetBalance, IsOnTheBranchOfTheDriveThoughTheNetLeansToOneSide) {
+  constexpr unsigned seed = 17;
+  std::mt19937 random(seed);
+  int gripped = 0;
+  for (int k = 0; k < 12; ++k) {
+    const Structure net = random_net(20, random);
+    for (const double theta : {0.4, -0.4}) {
+      const Drive drive = drive_to(net, theta);
+      if (!drive.grip) continue;
+      const LoadPath path = path_of(net, drive, 1e-3);
+      EXPECT_EQ(path.stop, Stop::reached) << "seed " << seed << ", net " << k << ": " << path.why;
+      EXPECT_LE(from_closed_form(net, path), 1e-3) << "seed " << seed << ", net " << k;
+      ++gripped;
+    }
+  }
+  EXPECT_GE(gripped, 8) << "seed " << seed;
+}
+
 }  // namespace
 }  // namespace kinetix
