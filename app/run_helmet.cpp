@@ -12,11 +12,12 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int frames = 13;
+constexpr int default_evaluations = 120;
 const Vector3d crown = Vector3d::Zero();  // origin of the head's frame
 
 SolverOptions search_of(const HelmetFile& file) {
   SolverOptions options;
-  options.max_evaluations = file.solver.max_evaluations.value_or(options.max_evaluations);
+  options.max_evaluations = file.solver.max_evaluations.value_or(default_evaluations);
   return options;
 }
 

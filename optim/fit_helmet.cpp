@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "model/rotation_vector.hpp"
-#include "model/wall_contact.hpp"
 #include "optim/arrow_solver.hpp"
+#include "optim/helmet_collisions.hpp"
 
 namespace kinetix {
 namespace {
@@ -15,6 +14,8 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr int most_trims = 30;
+/// Of the limit of tilts, where walls meet with the whole of it.
+constexpr double tilt_parts[] = {0.6, 0.4, 0.25};
 constexpr int steps_in_plane = 6;
 
 HelmetGoal goal_of(const HelmetLayout& layout, const MeshDistance& head, const Vector3d& crown,
@@ -56,65 +57,40 @@ double rib_error(const Fishbone& fishbone, const FishboneRib& rib, const State& 
   return std::sqrt(sum / static_cast<double>(columns.size()));
 }
 
-/// Which rib and side a body belongs to, and how many cells beyond the spine it is; rib -1 on the spine.
-struct Seat {
-  int rib = -1, side = 0, cells = 0;
-};
-
-Seat seat_of(const Fishbone& fishbone, int body) {
-  const Vertex v = fishbone.structure.bodies[body];
-  const int left = fishbone.spine_column - v.i, right = v.i - fishbone.spine_column - 1;
-  if (left <= 0 && right <= 0) return {};
-  for (std::size_t r = 0; r < fishbone.layout.ribs.size(); ++r) {
-    const int row = fishbone.layout.ribs[r].row;
-    if (v.j == row || v.j == row + 1) return {static_cast<int>(r), left > 0 ? 0 : 1, std::max(left, right)};
-  }
-  return {};
-}
-
-class Collisions {
- public:
-  Collisions(const Fishbone& fishbone, const Structure& structure, const State& state)
-      : fishbone_(fishbone), structure_(structure), walls_(half_walls(structure)) {
-    pairs_ = WallContact(structure).overlapping(state);
-  }
-
-  /// Shortens one rib of each pair that meets with another. @return cells taken
-  int trim(FishboneLayout& bones) const {
-    int taken = 0;
-    for (const WallPair& pair : pairs_) {
-      const Seat a = seat(pair.first), b = seat(pair.second);
-      if (a.rib == b.rib && a.side == b.side) continue;
-      const Seat& cut = a.cells >= b.cells ? a : b;
-      int& cells = bones.ribs[cut.rib].cells[cut.side];
-      taken += std::max(0, cells - (cut.cells - 1));
-      cells = std::min(cells, cut.cells - 1);
-    }
-    return taken;
-  }
-
-  std::vector<std::string> in_words() const {
-    std::vector<std::string> out;
-    for (const WallPair& pair : pairs_)
-      out.push_back("walls " + name(pair.first) + " and " + name(pair.second) + " meet");
-    return out;
-  }
-
- private:
-  Seat seat(int half) const { return seat_of(fishbone_, walls_[half].body); }
-  std::string name(int half) const { return to_string(structure_.hinges[walls_[half].hinge].wall); }
-
-  const Fishbone& fishbone_;
-  const Structure& structure_;
-  std::vector<HalfWall> walls_;
-  std::vector<WallPair> pairs_;
-};
-
 /// The shape on a fishbone whose ribs have been cut shorter.
 HelmetShape cut_to(HelmetShape shape, const FishboneLayout& bones) {
   for (std::size_t r = 0; r < bones.ribs.size(); ++r)
     for (const int side : {0, 1}) shape.ribs[r][side].resize(bones.ribs[r].cells[side]);
   return shape;
+}
+
+HelmetDesign fit_with_limit(const MeshDistance& head, const Vector3d& crown, const HelmetWish& wish,
+                            const SolverOptions& options, HelmetLayout layout, double tilt) {
+  HelmetShape shape = layout.start;
+  for (int trims = 0, trimmed = 0;; ++trims) {
+    Fishbone fishbone = make_fishbone(layout.bones, wish.size);
+    const HelmetProblem problem(fishbone, goal_of(layout, head, crown, wish), tilt, wish.theta);
+    SolveResult search = solve(problem, problem.pack(shape), options);
+    shape = problem.unpack(search.x);
+    State state = problem.state(search.x);
+    fishbone.structure = problem.structure(search.x);
+    const HelmetCollisions collisions(fishbone, shape.theta);
+    const int taken = trims < most_trims ? collisions.trim(layout.bones) : 0;
+    trimmed += taken;
+    if (taken == 0) {
+      HelmetError error = helmet_error(fishbone, state, head, wish.clearance_mm);
+      return {std::move(layout),
+              std::move(fishbone),
+              std::move(shape),
+              std::move(state),
+              std::move(error),
+              std::move(search),
+              tilt,
+              trimmed,
+              collisions.in_words()};
+    }
+    shape = cut_to(std::move(shape), layout.bones);
+  }
 }
 
 /// One tilt for all: x = (turn, place, theta, tilt), of the arrow problem's own residuals.
@@ -213,26 +189,14 @@ State placed_fishbone(const Fishbone& fishbone, const HelmetShape& shape, double
 
 HelmetDesign fit_helmet(const MeshDistance& head, const Vector3d& crown, const HelmetWish& wish,
                         const SolverOptions& options) {
-  HelmetLayout layout = plan_helmet(head, crown, wish);
-  HelmetShape shape = layout.start;
-  for (int trims = 0, trimmed = 0;; ++trims) {
-    Fishbone fishbone = make_fishbone(layout.bones, wish.size);
-    const HelmetProblem problem(fishbone, goal_of(layout, head, crown, wish), wish.tilt, wish.theta);
-    SolveResult search = solve(problem, problem.pack(shape), options);
-    shape = problem.unpack(search.x);
-    Structure bent = problem.structure(search.x);
-    State state = problem.state(search.x);
-    const Collisions collisions(fishbone, bent, state);
-    const int taken = trims < most_trims ? collisions.trim(layout.bones) : 0;
-    trimmed += taken;
-    if (taken == 0) {
-      HelmetError error = helmet_error(fishbone, state, head, wish.clearance_mm);
-      fishbone.structure = std::move(bent);
-      return {std::move(layout), std::move(fishbone), std::move(shape), std::move(state),
-              std::move(error),  std::move(search),   trimmed,          collisions.in_words()};
-    }
-    shape = cut_to(std::move(shape), layout.bones);
+  const HelmetLayout layout = plan_helmet(head, crown, wish);
+  HelmetDesign first = fit_with_limit(head, crown, wish, options, layout, wish.tilt);
+  if (first.collisions.empty()) return first;
+  for (const double part : tilt_parts) {
+    HelmetDesign gentler = fit_with_limit(head, crown, wish, options, layout, part * wish.tilt);
+    if (gentler.collisions.empty()) return gentler;
   }
+  return first;
 }
 
 UniformHelmet fit_uniform_helmet(const HelmetDesign& design, const MeshDistance& head, const Vector3d& crown,

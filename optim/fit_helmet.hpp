@@ -20,11 +20,13 @@ struct HelmetDesign {
   State state;  ///< folded on the head
   HelmetError error;
   SolveResult search;
+  double tilt_limit = 0;                ///< that walls do not meet under, rad, at most the wish's
   int trimmed = 0;                      ///< cells taken off ribs whose walls met others when folded
-  std::vector<std::string> collisions;  ///< walls that meet in the state all the same
+  std::vector<std::string> collisions;  ///< walls that meet on the way all the same, some of them by name
 };
 
-/// Plans a fishbone, fits tilts, theta and place, and shortens ribs whose walls meet those of others.
+/// Plans a fishbone, fits tilts, theta and place, and shortens ribs whose walls meet those of others while it folds;
+/// where walls of one rib meet (over bumps and hollows), fits anew with gentler tilts.
 /// @throws InvalidInput as plan_helmet
 HelmetDesign fit_helmet(const MeshDistance& head, const Eigen::Vector3d& crown, const HelmetWish& wish,
                         const SolverOptions& options);

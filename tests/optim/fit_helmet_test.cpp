@@ -71,6 +71,15 @@ TEST(FitHelmet, KeepsTheClearanceFromAScanWithEarsNoseAndHoles) {
   EXPECT_TRUE(design.collisions.empty());
 }
 
+TEST(FitHelmet, NamesWallsThatMeetAllTheSame) {
+  HelmetWish w = wish(5);
+  w.size = {6, 2.8, 4};  // such cells close at 28 deg
+  w.theta = {30 * radians_per_degree, 40 * radians_per_degree};
+  const HelmetDesign design = fit_helmet(head(), {0, 0, 100}, w, {});
+  ASSERT_FALSE(design.collisions.empty());
+  for (const std::string& words : design.collisions) EXPECT_EQ(words.substr(0, 8), "walls [[") << words;
+}
+
 TEST(FitHelmet, RefusesMoreRibsThanRows) {
   EXPECT_THROW(fit_helmet(head(), {0, 0, 100}, wish(100), {}), InvalidInput);
 }
