@@ -20,7 +20,7 @@ namespace kinetix {
 struct HelmetFile {
   std::string name;
   Head head;                  ///< target.mesh, units, up, front, crown, coverage_mm
-  HelmetWish wish;            ///< target.ribs, spacing_mm, clearance_mm; structure; variables
+  HelmetWish wish = {};       ///< target.ribs, spacing_mm, clearance_mm; structure; variables
   double rms_mm = 0.8;        ///< tolerance.rms_mm: of the distance to head plus clearance, > 0
   double max_mm = 3;          ///< tolerance.max_mm: likewise, the largest, > 0
   double verify = 0.02;       ///< tolerance.verify: of verify_rms, cell edges, (0, 1]
