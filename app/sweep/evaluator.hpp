@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "app/sweep/sample_maker.hpp"
@@ -18,6 +19,8 @@ class Evaluator {
 
 /// @param plan must outlive it. @throws InvalidInput where the base's own state is needed and there is none
 std::unique_ptr<Evaluator> make_evaluator(const SweepPlan& plan);
+
+using EvaluatorMaker = std::function<std::unique_ptr<Evaluator>(const SweepPlan&)>;
 
 /// Sample number `sample` of the plan. What it throws becomes its reason.
 SampleRow run_sample(const SweepPlan& plan, Evaluator& evaluator, std::int64_t sample) noexcept;

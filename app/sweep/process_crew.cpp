@@ -59,12 +59,12 @@ std::optional<std::string> receive_message(int from) {
 }
 
 /// The whole life of a worker process: samples come one by one, their rows go back.
-[[noreturn]] void live(const SweepPlan& plan, int socket, pid_t parent) {
+[[noreturn]] void live(const SweepPlan& plan, const EvaluatorMaker& make, int socket, pid_t parent) {
   for (const int signal_number : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal_number, SIG_DFL);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(0);
   try {
-    const auto evaluator = make_evaluator(plan);
+    const auto evaluator = make(plan);
     while (const auto message = receive_message(socket))
       for (const std::int64_t sample : read_samples(*message))
         if (!send_message(socket, to_bytes(WorkRequest{{run_sample(plan, *evaluator, sample)}, 1}))) _exit(0);
@@ -76,14 +76,14 @@ std::optional<std::string> receive_message(int from) {
 
 class Process {
  public:
-  explicit Process(const SweepPlan& plan) {
+  Process(const SweepPlan& plan, const EvaluatorMaker& make) {
     int ends[2];
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) throw error("no socket for a worker");
     const pid_t parent = getpid();
     pid_ = fork();
     if (pid_ == 0) {
       close(ends[0]);
-      live(plan, ends[1], parent);
+      live(plan, make, ends[1], parent);
     }
     close(ends[1]);
     socket_ = ends[0];
@@ -142,7 +142,8 @@ SampleRow lost_row(const SweepPlan& plan, std::int64_t sample, const std::string
 
 class ProcessCrew {
  public:
-  ProcessCrew(const SweepPlan& plan, const WorkSource& source) : plan_(plan), source_(source) {}
+  ProcessCrew(const SweepPlan& plan, const WorkSource& source, const EvaluatorMaker& make)
+      : plan_(plan), source_(source), make_(make) {}
 
   void run(int processes) {
     for (int k = 0; k < processes; ++k)
@@ -155,7 +156,7 @@ class ProcessCrew {
   bool start_next(Process* process) {
     const auto samples = source_.take(1);
     if (samples.empty()) return false;
-    if (!process) process = crew_.emplace_back(std::make_unique<Process>(plan_)).get();
+    if (!process) process = crew_.emplace_back(std::make_unique<Process>(plan_, make_)).get();
     process->start(samples[0]);
     return true;
   }
@@ -187,13 +188,15 @@ class ProcessCrew {
 
   const SweepPlan& plan_;
   const WorkSource& source_;
+  const EvaluatorMaker& make_;
   std::vector<std::unique_ptr<Process>> crew_;
 };
 
 }  // namespace
 
-void run_in_processes(const SweepPlan& plan, int processes, const WorkSource& source) {
-  ProcessCrew(plan, source).run(processes);
+void run_in_processes(const SweepPlan& plan, int processes, const WorkSource& source,
+                      const EvaluatorMaker& make) {
+  ProcessCrew(plan, source, make).run(processes);
 }
 
 }  // namespace kinetix
