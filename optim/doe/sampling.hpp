@@ -14,12 +14,11 @@ enum class SamplingMethod {
   /// Every combination of the factors' levels once, in the order of nested loops, the last factor fastest.
   factorial,
   /// Latin hypercube: `samples` rows; of as many strata of the same probability, each factor has one row in
-  /// each,
-  /// at a random place inside; no other optimisation (McKay, Beckman, Conover, Technometrics 21, 239, 1979).
+  /// each, at a random place inside; no other optimisation (McKay, Beckman, Conover, Technometrics 21, 239,
+  /// 1979).
   lhs,
   /// The first `samples` points of Sobol's sequence, moved by a digital shift that the seed decides. Take a
-  /// power
-  /// of two. Up to 3667 factors.
+  /// power of two. Up to 3667 factors.
   sobol,
   /// `samples` independent draws.
   monte_carlo,
@@ -27,17 +26,14 @@ enum class SamplingMethod {
   /// (also where the level is the base's value): 1 + sum of levels rows.
   one_at_a_time,
   /// Elementary effects: `samples` trajectories of d + 1 rows. A trajectory starts at random levels and moves
-  /// one
-  /// factor after the other, in random order, by half its levels (Morris, Technometrics 33, 161, 1991). Takes
-  /// an
-  /// even number of levels to visit all alike. 10 to 50 trajectories are usual.
+  /// one factor after the other, in random order, by half its levels (Morris, Technometrics 33, 161, 1991).
+  /// Takes an even number of levels to visit all alike. 10 to 50 trajectories are usual.
   morris,
   /// For Sobol's indices: `samples` is the base N, and there are N (d + 2) rows: for each n, row A, the d
   /// rows
   /// A with one factor of B, and row B; A and B are two halves of one Sobol sequence in 2 d dimensions with a
   /// digital shift (Saltelli et al., Comput. Phys. Commun. 181, 259, 2010). Take a power of two, 512 or more.
-  /// Up
-  /// to 1833 factors. Any first rows that are a multiple of d + 2 are the table of a smaller base.
+  /// Up to 1833 factors. Any first rows that are a multiple of d + 2 are the table of a smaller base.
   saltelli
 };
 

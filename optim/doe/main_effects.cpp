@@ -1,0 +1,163 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "model/invalid_input.hpp"
+#include "optim/doe/sample_table.hpp"
+
+namespace kinetix {
+namespace {
+
+using Rows = std::vector<Eigen::Index>;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Mean and sum of squares about it, in one pass (Welford, Technometrics 4, 419, 1962).
+struct Moments {
+  std::int64_t count = 0;
+  double mean = 0, squares = 0;
+
+  void add(double x) {
+    const double off = x - mean;
+    mean += off / static_cast<double>(++count);
+    squares += off * (x - mean);
+  }
+};
+
+double standard_error(const Moments& moments) {
+  const double n = static_cast<double>(moments.count);
+  return moments.count < 2 ? nan : std::sqrt(moments.squares / (n - 1) / n);
+}
+
+/// Places in `sorted` where a new value of the factor begins, and their end.
+std::vector<std::size_t> value_starts(const SampleMatrix& samples, Eigen::Index j, const Rows& sorted) {
+  std::vector<std::size_t> starts;
+  for (std::size_t i = 0; i < sorted.size(); ++i)
+    if (i == 0 || samples(sorted[i], j) != samples(sorted[i - 1], j)) starts.push_back(i);
+  starts.push_back(sorted.size());
+  return starts;
+}
+
+/// Of the starts, for each bin the first at or above its even share of the rows.
+std::vector<std::size_t> bin_starts(const std::vector<std::size_t>& starts, int bins) {
+  std::vector<std::size_t> chosen;
+  for (int k = 0; k <= bins; ++k) {
+    const std::size_t share = starts.back() * k / bins;
+    const std::size_t start = *std::lower_bound(starts.begin(), starts.end(), share);
+    if (chosen.empty() || start > chosen.back()) chosen.push_back(start);
+  }
+  return chosen;
+}
+
+struct Table {
+  const SampleMatrix& samples;
+  std::span<const double> responses;
+};
+
+struct LevelMoments {
+  EffectLevel level;
+  Moments moments;
+};
+
+LevelMoments read_level(const Table& table, Eigen::Index j, std::span<const Eigen::Index> rows) {
+  LevelMoments read{{table.samples(rows.front(), j), table.samples(rows.back(), j), nan, nan, 0, 0}, {}};
+  for (const Eigen::Index i : rows)
+    if (std::isfinite(table.responses[i]))
+      read.moments.add(table.responses[i]);
+    else
+      ++read.level.failed;
+  read.level.used = read.moments.count;
+  if (read.moments.count > 0) read.level.mean = read.moments.mean;
+  read.level.standard_error = standard_error(read.moments);
+  return read;
+}
+
+double variance_share(const std::vector<LevelMoments>& levels) {
+  double within = 0, sum = 0, count = 0, filled = 0;
+  for (const auto& [level, moments] : levels) {
+    within += moments.squares;
+    sum += moments.mean * static_cast<double>(moments.count);
+    count += static_cast<double>(moments.count);
+    filled += moments.count > 0 ? 1 : 0;
+  }
+  double between = 0;
+  for (const auto& [level, moments] : levels) {
+    const double off = moments.mean - sum / count;
+    between += static_cast<double>(moments.count) * off * off;
+  }
+  if (!(count > filled && between + within > 0)) return nan;
+  return (between - (filled - 1) * within / (count - filled)) / (between + within);
+}
+
+Rows sorted_by_value(const SampleMatrix& samples, Eigen::Index j, Rows rows) {
+  std::stable_sort(rows.begin(), rows.end(),
+                   [&](Eigen::Index a, Eigen::Index b) { return samples(a, j) < samples(b, j); });
+  return rows;
+}
+
+MainEffect effect(const Table& table, Eigen::Index j, const Rows& rows, const MainEffectOptions& options) {
+  const Rows sorted = sorted_by_value(table.samples, j, rows);
+  std::vector<std::size_t> starts = value_starts(table.samples, j, sorted);
+  MainEffect effect;
+  effect.binned = starts.size() > static_cast<std::size_t>(options.most_values) + 1;
+  if (effect.binned) starts = bin_starts(starts, options.bins);
+  std::vector<LevelMoments> levels;
+  for (std::size_t k = 0; k + 1 < starts.size(); ++k)
+    levels.push_back(read_level(table, j, std::span(sorted).subspan(starts[k], starts[k + 1] - starts[k])));
+  for (const LevelMoments& read : levels) effect.levels.push_back(read.level);
+  effect.variance_share = variance_share(levels);
+  return effect;
+}
+
+/// The one factor in which row i differs from the base; -1 for none.
+Eigen::Index moved_factor(const SampleMatrix& samples, Eigen::Index i) {
+  Eigen::Index moved = -1;
+  for (Eigen::Index j = 0; j < samples.cols(); ++j) {
+    if (samples(i, j) == samples(0, j)) continue;
+    if (moved >= 0)
+      throw InvalidInput(fmt::format(
+          "sample {} differs from the base in factors {} and {}, must differ in one", i, moved, j));
+    moved = j;
+  }
+  return moved;
+}
+
+}  // namespace
+
+void MainEffectOptions::validate() const {
+  if (!(most_values >= 1))
+    throw InvalidInput(fmt::format("most_values is {}, must be 1 or more", most_values));
+  if (!(bins >= 1)) throw InvalidInput(fmt::format("bins is {}, must be 1 or more", bins));
+}
+
+std::vector<MainEffect> main_effects(const SampleMatrix& samples, std::span<const double> responses,
+                                     const MainEffectOptions& options) {
+  options.validate();
+  check_table(samples, responses);
+  Rows all(samples.rows());
+  std::iota(all.begin(), all.end(), 0);
+  std::vector<MainEffect> effects;
+  for (Eigen::Index j = 0; j < samples.cols(); ++j)
+    effects.push_back(effect({samples, responses}, j, all, options));
+  return effects;
+}
+
+std::vector<MainEffect> one_at_a_time_effects(const SampleMatrix& samples,
+                                              std::span<const double> responses) {
+  check_table(samples, responses);
+  if (samples.rows() == 0) throw InvalidInput("the table has no samples, must have the base");
+  std::vector<Rows> rows(samples.cols(), Rows{0});
+  for (Eigen::Index i = 1; i < samples.rows(); ++i)
+    if (const Eigen::Index j = moved_factor(samples, i); j >= 0) rows[j].push_back(i);
+  std::vector<MainEffect> effects;
+  for (Eigen::Index j = 0; j < samples.cols(); ++j) {
+    effects.push_back(
+        effect({samples, responses}, j, rows[j], {.most_values = std::numeric_limits<int>::max()}));
+    effects.back().variance_share = nan;
+  }
+  return effects;
+}
+
+}  // namespace kinetix
