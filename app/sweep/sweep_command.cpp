@@ -6,8 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/atomic_file.hpp"
+#include "app/report/report.hpp"
 #include "app/sweep/ranks.hpp"
 #include "app/sweep/sweep_csv.hpp"
+#include "app/sweep/sweep_json.hpp"
 #include "app/sweep/sweep_progress.hpp"
 #include "app/sweep/sweep_run.hpp"
 
@@ -61,7 +63,9 @@ Json summary_json(const SweepPlan& plan, const Tally& counts, const Work& work, 
           {"ranks", work.ranks},
           {"threads", work.threads},
           {"table", folder + "/sweep.sqlite"},
-          {"csv", folder + "/samples.csv"}};
+          {"csv", folder + "/samples.csv"},
+          {"report", folder + "/report.html"},
+          {"analysis", folder + "/sweep.json"}};
 }
 
 std::string summary_text(const SweepPlan& plan, const Tally& counts, const Work& work,
@@ -84,7 +88,7 @@ std::string summary_text(const SweepPlan& plan, const Tally& counts, const Work&
                    static_cast<double>(work.computed) / std::max(work.seconds, 1e-9), work.ranks,
                    work.ranks == 1 ? "process" : "ranks", work.threads,
                    work.threads == 1 ? "thread" : "threads"));
-  line("written", folder + "/sweep.sqlite, samples.csv");
+  line("written", folder + "/report.html, samples.csv, sweep.sqlite, sweep.json");
   return text;
 }
 
@@ -127,6 +131,9 @@ class Lead {
     }
     work.computed = table_.count() - work.before;
     write_csv(folder_.path(), table_, plan_, identity_);
+    const Json analysed = sweep_json(plan_, identity_, table_);
+    write_file(folder_.path() + "/report.html", sweep_html(analysed.dump()));
+    write_file(folder_.path() + "/sweep.json", analysed.dump(1) + "\n");
     const Tally counts = tally(table_);
     if (options_.json)
       std::cout << summary_json(plan_, counts, work, folder_.path()).dump(1) << "\n";
