@@ -6,6 +6,7 @@
 #include "app/balance.hpp"
 #include "app/design_motion.hpp"
 #include "model/classify.hpp"
+#include "model/elastic/near_balance.hpp"
 
 namespace kinetix {
 namespace {
@@ -42,14 +43,25 @@ State exact_state(const DesignFile& design, double& theta) {
 }  // namespace
 
 DesignEvaluator::DesignEvaluator(const SweepPlan& plan) : plan_(plan), maker_(plan) {
-  const bool needs_nominal = std::any_of(plan.responses.begin(), plan.responses.end(),
-                                         [](const Metric& metric) { return metric.needs_nominal; });
-  if (!needs_nominal) return;
+  const bool compares = std::any_of(plan.responses.begin(), plan.responses.end(),
+                                    [](const Metric& metric) { return metric.needs_nominal; });
+  if (compares || plan.doe.from_base) find_nominal();
+}
+
+/// A sweep that starts from the base's state takes it from the closed form where there is one: there its
+/// branch is that of the design, whatever a load from flat would choose.
+void DesignEvaluator::find_nominal() {
+  const DesignFile& base = *plan_.base.design;
   SampleRow row;
-  compute(*plan.base.design, row);
+  if (plan_.doe.from_base && classify(base.structure).family != Family::none)
+    see_balance(base, balance_at_closed_form(base.structure, elasticity_of(base), drive_of(base)), row);
+  else if (plan_.doe.from_base)
+    compute_balance(base, row);
+  else
+    compute(base, row);
   if (row.status != SampleStatus::ok)
-    throw InvalidInput("the base's own state, which responses compare with, was not found: " + row.reason,
-                       {plan.doe.base});
+    throw InvalidInput("the base's own state, which samples are compared with, was not found: " + row.reason,
+                       {plan_.doe.base});
   nominal_ = *seen_.state;
 }
 
@@ -68,7 +80,7 @@ void DesignEvaluator::compute(const DesignFile& design, SampleRow& row) {
     case Model::exact:
       return compute_exact(design);
     case Model::equilibrium:
-      return compute_balance(design, row);
+      return plan_.doe.from_base ? compute_near_base(design, row) : compute_balance(design, row);
     case Model::bullet:
       return compute_physics(design, row);
   }
@@ -104,6 +116,27 @@ void DesignEvaluator::compute_balance(const DesignFile& design, SampleRow& row) 
   if (run_.equilibrium->reached()) return;
   row.status = SampleStatus::missed;
   row.reason = to_string(run_.equilibrium->path.stop) + ": " + run_.equilibrium->path.why;
+}
+
+void DesignEvaluator::compute_near_base(const DesignFile& design, SampleRow& row) {
+  see_balance(design,
+              follow_change(plan_.base.design->structure, nominal_, design.structure, elasticity_of(design),
+                            drive_of(design)),
+              row);
+}
+
+void DesignEvaluator::see_balance(const DesignFile& design, LoadPath path, SampleRow& row) {
+  run_ = {};
+  run_.equilibrium = Equilibrium{elasticity_of(design), drive_of(design), std::move(path), {}, {}};
+  const LoadPath& found = run_.equilibrium->path;
+  if (found.steps.empty()) throw InvalidInput(found.why);
+  seen_.structure = &design.structure;
+  seen_.theta = found.theta;
+  seen_.state = &found.state;
+  seen_.balance = &*run_.equilibrium;
+  if (found.stop == LoadPath::Stop::reached) return;
+  row.status = SampleStatus::missed;
+  row.reason = found.why;
 }
 
 void DesignEvaluator::compute_physics(const DesignFile& design, SampleRow& row) {

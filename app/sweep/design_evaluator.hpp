@@ -16,6 +16,9 @@ class DesignEvaluator final : public Evaluator {
   void compute(const DesignFile& design, SampleRow& row);
   void compute_exact(const DesignFile& design);
   void compute_balance(const DesignFile& design, SampleRow& row);
+  void compute_near_base(const DesignFile& design, SampleRow& row);
+  void see_balance(const DesignFile& design, LoadPath path, SampleRow& row);
+  void find_nominal();
   void compute_physics(const DesignFile& design, SampleRow& row);
   const State& sheet_state(const DesignFile& design);
 

@@ -24,6 +24,13 @@ Model read_model(const Node& root) {
       {{"exact", Model::exact}, {"equilibrium", Model::equilibrium}, {"bullet", Model::bullet}});
 }
 
+bool read_start(const Node& root, Model model) {
+  const auto node = root.optional("start");
+  if (!node) return false;
+  if (model != Model::equilibrium) throw node->error("goes with `model: equilibrium`, which follows a load");
+  return node->choice<bool>({{"flat", false}, {"base", true}});
+}
+
 std::int64_t read_count(const Node& node) {
   const double count = node.number(from_to(1, static_cast<double>(most_samples), "samples"));
   if (count != std::floor(count)) throw node.error("is not a whole number of samples");
@@ -141,7 +148,8 @@ void check_kind_of_file(const Node& root) {
     if (root.optional("design")) throw root.error("this is a design, not a design of experiments");
     if (root.optional("target")) throw root.error("this is a target, not a design of experiments");
   }
-  root.reject_unknown_keys({"kinetix", "name", "base", "goal", "model", "method", "factors", "responses"});
+  root.reject_unknown_keys(
+      {"kinetix", "name", "base", "goal", "model", "start", "method", "factors", "responses"});
 }
 
 }  // namespace
@@ -159,6 +167,7 @@ DoeFile read_doe(const std::string& file) {
               .factors = read_factors(root),
               .responses = read_responses(root),
               .root = root};
+  doe.from_base = read_start(root, doe.model);
   if (const auto goal = root.optional("goal")) doe.goal = path_beside(*goal, "the path of a curve target");
   return doe;
 }

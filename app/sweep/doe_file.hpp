@@ -57,6 +57,10 @@ struct DoeFile {
   std::string base;                 ///< design or target, as a path from where the program runs
   std::optional<std::string> goal;  ///< curve target that shape_rms of designs is measured against
   Model model = Model::exact;
+  /// Of the equilibrium model: samples start from the base's own state at the drive's goal, and find the
+  /// balance below it, instead of following the load from flat. For small errors, which must not change the
+  /// branch.
+  bool from_base = false;
   DoeMethod method;
   std::vector<DoeFactor> factors;  ///< at least 1, no two of one name
   std::vector<Node> responses;     ///< their names; at least 1, none twice

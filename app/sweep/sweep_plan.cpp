@@ -114,13 +114,26 @@ void check_names(const Columns& columns) {
                                      "; give one a `name`");
 }
 
+/// Whether a sample's bodies or its drive would not be the base's.
+bool moves_goal(const DocumentEditor& document, const Edit& edit) {
+  if (edit.kind == Edit::Kind::theta_deg) return true;
+  if (edit.kind != Edit::Kind::document) return false;
+  const std::string path = document.path(edit.index);
+  return path.starts_with("structure.cell") || path.starts_with("drive.");
+}
+
 /// What would make an edit without effect, or ambiguous.
-void check_edits(const Columns& columns, const SweepBase& base, const DocumentEditor& document) {
+void check_edits(const DoeFile& doe, const Columns& columns, const SweepBase& base,
+                 const DocumentEditor& document) {
   std::vector<std::pair<Edit::Kind, int>> written;
   for (const Edit& edit : columns.edits) {
     const Node& node = columns.nodes[edit.factor];
     if (edit.kind == Edit::Kind::theta_deg && base.design->drive)
       throw node.error("the base's `drive` decides theta; vary the drive, or leave it out of the base");
+    if (doe.from_base && moves_goal(document, edit))
+      throw node.error(
+          "cannot change while samples start from the base's state; vary hinges and stiffnesses, or "
+          "leave out `start: base`");
     const auto kind = edit.kind == Edit::Kind::t_mm ? Edit::Kind::t : edit.kind;
     if (std::find(written.begin(), written.end(), std::pair{kind, edit.index}) != written.end())
       throw node.error("writes a number of the base that a factor writes already");
@@ -238,7 +251,7 @@ SweepPlan make_sweep_plan(const std::string& file, std::optional<std::uint64_t> 
   Columns columns;
   for (const DoeFactor& factor : doe.factors) add_factor(columns, base, document, doe, factor);
   check_names(columns);
-  check_edits(columns, base, document);
+  check_edits(doe, columns, base, document);
   std::vector<Metric> responses = find_responses(doe, base);
   check_columns(doe, columns, responses);
   const std::uint64_t used = seed.value_or(doe.method.seed);
