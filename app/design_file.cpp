@@ -4,6 +4,7 @@
 
 #include "app/file_header.hpp"
 #include "app/structure_section.hpp"
+#include "app/wall_node.hpp"
 #include "model/cell_tuple.hpp"
 
 namespace kinetix {
@@ -14,10 +15,6 @@ const Bounds in_plane = between(0, 180, "degrees");
 const Bounds tilt = between(-90, 90, "degrees");
 
 constexpr double default_cell_mm = 10;
-
-std::string name(Vertex v) { return "[" + std::to_string(v.i) + ", " + std::to_string(v.j) + "]"; }
-
-std::string name(const Wall& wall) { return "[" + name(wall.from) + ", " + name(wall.to()) + "]"; }
 
 void check_kind_of_file(const Node& root) {
   if (root.kind() == Node::Kind::map && !root.optional("design") && root.optional("target"))
@@ -64,35 +61,6 @@ void read_pattern(const Node& design, Structure& structure) {
   pattern->located([&] { apply_pattern(structure, even, odd, shared); });
 }
 
-Vertex read_vertex(const Node& node) {
-  const auto ij = node.list_of(2, "a vertex [i, j]");
-  return {ij[0].integer(0, 10'000), ij[1].integer(0, 10'000)};
-}
-
-Wall read_wall(const Node& owner) {
-  const Node node = owner.required("wall", "its two vertices, e.g. `wall: [[0, 0], [1, 0]]`");
-  const auto ends = node.list_of(2, "two vertices, e.g. [[0, 0], [1, 0]]");
-  const Vertex from = read_vertex(ends[0]), to = read_vertex(ends[1]);
-  for (const Axis axis : {Axis::x, Axis::y}) {
-    const Wall wall{from, axis};
-    if (wall.to() == to) return wall;
-    const Wall reversed{to, axis};
-    if (reversed.to() == from)
-      throw node.error("runs from its upper to its lower vertex; write " + name(reversed) +
-                       ", and count t, alpha and beta from " + name(to));
-  }
-  throw node.error("vertices " + name(from) + " and " + name(to) +
-                   " are not neighbours; a wall is one step along x or y, e.g. [[0, 0], [1, 0]]");
-}
-
-/// Index of the hinge on the wall that `owner` names.
-int read_hinge_index(const Node& owner, const Structure& structure) {
-  const Wall wall = read_wall(owner);
-  if (const auto hinge = structure.hinge_at(wall)) return *hinge;
-  throw owner.required("wall", "")
-      .error("the structure has no wall " + name(wall) + "; a wall is a side of one of structure.cells");
-}
-
 void read_parameters(const Node& node, HingeParameters& p) {
   p = {};
   if (const auto t = node.optional("t")) p.t = t->number(fraction);
@@ -108,7 +76,7 @@ void read_hinges(const Node& design, Structure& structure) {
     node.reject_unknown_keys({"wall", "t", "alpha_deg", "beta_deg"});
     const int k = read_hinge_index(node, structure);
     if (line_of[k] > 0)
-      throw node.error("the wall " + name(structure.hinges[k].wall) + " is named twice, first in line " +
+      throw node.error("the wall " + to_string(structure.hinges[k].wall) + " is named twice, first in line " +
                        std::to_string(line_of[k]) + "; name it once");
     line_of[k] = node.place().line;
     read_parameters(node, structure.hinges[k].parameters);
@@ -125,48 +93,6 @@ double read_state(const Node& root, Structure& structure) {
   return theta ? theta->angle(tilt) : 0;
 }
 
-int read_sign(const Node& node) { return node.choice<int>({{"1", 1}, {"-1", -1}}); }
-
-/// `drive: {side: -1}` alone says nothing of where to go.
-bool is_side_alone(const Node& drive) {
-  if (!drive.optional("side")) return false;
-  for (const char* key : {"kind", "axis", "compression", "branch", "wall", "angle_deg"})
-    if (drive.optional(key)) return false;
-  return true;
-}
-
-std::optional<DriveSection> read_drive(const Node& root, const Structure& structure) {
-  using Kind = DriveSection::Kind;
-  const auto section = root.optional("drive");
-  if (!section) return std::nullopt;
-  if (is_side_alone(*section)) {
-    section->reject_unknown_keys({"side"});
-    return std::nullopt;
-  }
-  DriveSection drive;
-  drive.kind = section->required("kind", "plates or hinge")
-                   .choice<Kind>({{"plates", Kind::plates}, {"hinge", Kind::hinge}});
-  if (drive.kind == Kind::plates) {
-    section->reject_unknown_keys({"kind", "axis", "compression", "branch", "side"});
-    if (const auto node = section->optional("axis"))
-      drive.axis = node->choice<Axis>({{"x", Axis::x}, {"y", Axis::y}});
-    drive.compression = section->required("compression", "a number above 0 and below 1").number(fraction);
-    if (const auto node = section->optional("branch")) drive.branch = read_sign(*node);
-  } else {
-    section->reject_unknown_keys({"kind", "wall", "angle_deg", "side"});
-    drive.wall = structure.hinges[read_hinge_index(*section, structure)].wall;
-    const Bounds turn = between(-180, 180, "degrees");
-    drive.angle = section->required("angle_deg", turn.describe()).angle(turn);
-  }
-  return drive;
-}
-
-int read_side(const Node& root) {
-  const auto drive = root.optional("drive");
-  const auto side = drive ? drive->optional("side") : std::nullopt;
-  return side ? read_sign(*side) : 1;
-}
-
 }  // namespace
 
 DesignFile read_design(const std::string& path) { return read_design(read_document(path, max_design_bytes)); }
@@ -176,7 +102,7 @@ DesignFile read_design(const Node& root) {
   check_version(root);
   DesignFile file{.name = read_name(root), .structure = read_structure(root)};
   file.theta = read_state(root, file.structure);
-  file.drive = read_drive(root, file.structure);
+  file.drive = read_drive_section(root, file.structure);
   file.side = read_side(root);
   file.hinge = read_hinge_section(root, file.structure.size.edge_mm);
   file.physics = read_physics(root, file.structure.size.edge_mm);

@@ -3,25 +3,12 @@
 #include <optional>
 #include <string>
 
+#include "app/drive_section.hpp"
 #include "app/hinge_section.hpp"
 #include "app/physics_section.hpp"
 #include "model/structure.hpp"
 
 namespace kinetix {
-
-/// The `drive:` section: how the structure is moved.
-struct DriveSection {
-  enum class Kind { plates, hinge };
-
-  Kind kind = Kind::plates;
-  Axis axis = Axis::y;             ///< plates: their normal
-  double compression = 0;          ///< plates: 1 - final / initial distance, (0, 1)
-  std::optional<int> branch = {};  ///< plates: sign of theta, 1 or -1; nothing: that of the design's theta
-  Wall wall = {};                  ///< hinge: the driven wall, one of the structure's
-  double angle = 0;                ///< hinge: turn of wall.to() against wall.from, rad, within (-pi, pi)
-
-  bool operator==(const DriveSection&) const = default;
-};
 
 /// A design.yaml. Angles in radians, lengths in mm.
 struct DesignFile {

@@ -7,6 +7,7 @@
 
 #include "model/closure_drive.hpp"
 #include "model/invalid_input.hpp"
+#include "model/net_grip.hpp"
 
 namespace kinetix {
 namespace {
@@ -74,15 +75,21 @@ Drive drive_of(const DesignFile& design) {
   drive.axis = design.drive->axis;
   drive.compression = design.drive->compression;
   drive.branch = design.drive->branch.value_or(design.theta < 0 ? -1 : 1);
+  drive.grip = design.drive->grip;
   drive.wall = design.drive->wall;
   drive.angle = design.drive->angle;
   return drive;
 }
 
 double theta_of(const Drive& drive, const Classification& family, const Structure& structure) {
+  const bool plates = drive.kind == Drive::Kind::plates;
+  if (plates && (drive.grip || family.family == Family::F4)) {
+    require_kept_rows(structure, family, drive.axis, drive.grip);
+    return drive.theta();
+  }
   refuse_plates_that_tilt(drive, family);
   const DriveMiss miss(drive, family, structure);
-  const bool backwards = drive.kind == Drive::Kind::plates ? drive.branch < 0 : drive.theta() < 0;
+  const bool backwards = plates ? drive.branch < 0 : drive.theta() < 0;
   const double step = (backwards ? -widest : widest) / scan_steps;
   double before = miss(0);
   if (before == 0) return 0;

@@ -51,9 +51,10 @@ std::string drive_text(const std::optional<DriveSection>& drive, int side) {
   const std::string end = (aside.empty() ? "" : ", " + aside) + "}\n";
   if (!drive) return aside.empty() ? "" : "drive: {" + aside + "}\n";
   if (drive->kind == DriveSection::Kind::plates)
-    return fmt::format("drive: {{kind: plates, axis: {}, compression: {}{}",
+    return fmt::format("drive: {{kind: plates, axis: {}, compression: {}{}{}",
                        drive->axis == Axis::x ? "x" : "y", shortest_text(drive->compression),
-                       drive->branch ? fmt::format(", branch: {}", *drive->branch) : "") +
+                       drive->branch ? fmt::format(", branch: {}", *drive->branch) : "",
+                       drive->grip ? ", grip: " + to_string(*drive->grip) : "") +
            end;
   return fmt::format("drive: {{kind: hinge, wall: {}, angle_deg: {}", text_of(drive->wall),
                      degrees_text(drive->angle)) +

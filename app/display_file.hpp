@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "app/hinge_section.hpp"
 #include "app/physics_section.hpp"
@@ -14,25 +16,31 @@ namespace kinetix {
 
 /// A target.yaml of kind display, as asked for or by default. `kinetix: 1` and a `target` are enough.
 ///
-///     target: {kind: display, glyph: T, channel: aperture}      # or image, or rows: targets/read_display.hpp
-///     drive: {axis: y, compression: 0.12}                       # of the plates
-///     variables: {t: {range: [0.08, 0.92], corner_mm: 1, symmetry: none}}
+///     target: {kind: display, glyph: T, channel: aperture}      # or image, or rows:
+///     targets/read_display.hpp drive: {axis: y, compression: 0.12}                       # of the plates
+///     variables:
+///       t: {range: [0.08, 0.92], corner_mm: 1, symmetry: none}
+///       compression: {range: [0.05, 0.2]}                       # searched for, from drive.compression
+///       axis: [x, y]                                            # each is tried, the best taken
 ///     tolerance: {stretch: 0.12, auc: 0.97, contrast: 3, verify: 0.05}
 struct DisplayFile {
   std::string name;
   DisplayGoal goal;
   Channel channel = Channel::aperture;
-  CellSize size = {};                      ///< structure.cell_mm (default 10), structure.wall_mm
-  Axis axis = Axis::y;                     ///< drive.axis: normal of the plates
-  double compression = 0.12;               ///< drive.compression, (0, 0.5]
-  std::array<double, 2> t = {0.08, 0.92};  ///< variables.t.range, (0, 1), no nearer to a corner than corner_mm
-  Symmetry symmetry = Symmetry::none;      ///< variables.t.symmetry
-  double stretch = 0.12;                   ///< tolerance.stretch: most of a hinge, cell edges, (0, 1]
-  double auc = 0.97;                       ///< tolerance.auc: least, (0.5, 1]; rank correlation for grey goals
-  double contrast = 3;                     ///< tolerance.contrast: least, of goals with two levels, >= 0
-  double verify = 0.05;                    ///< tolerance.verify: of verify_rms, cell edges, (0, 1]
+  CellSize size = {};                  ///< structure.cell_mm (default 10), structure.wall_mm
+  std::vector<Axis> axes = {Axis::y};  ///< drive.axis or variables.axis: normals of the plates to try
+  double compression = 0.12;           ///< drive.compression, (0, 0.5], within the range if there is one
+  std::optional<std::array<double, 2>> compression_range =
+      {};  ///< variables.compression.range, within (0, 0.5]
+  std::array<double, 2> t = {0.08,
+                             0.92};    ///< variables.t.range, (0, 1), no nearer to a corner than corner_mm
+  Symmetry symmetry = Symmetry::none;  ///< variables.t.symmetry
+  double stretch = 0.12;               ///< tolerance.stretch: most of a hinge, cell edges, (0, 1]
+  double auc = 0.97;                   ///< tolerance.auc: least, (0.5, 1]; rank correlation for grey goals
+  double contrast = 3;                 ///< tolerance.contrast: least, of goals with two levels, >= 0
+  double verify = 0.05;                ///< tolerance.verify: of verify_rms, cell edges, (0, 1]
   HingeSection hinge = {};
-  SolverSection solver = {};               ///< mma, ccsa or slsqp
+  SolverSection solver = {};  ///< mma, ccsa or slsqp; starts for each axis
   PhysicsSection physics = {};
 };
 

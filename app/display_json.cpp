@@ -10,12 +10,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::vector<double> levels_of(const Run& run) {
-  std::vector<double> levels;
-  for (const Cell& cell : run.structure.cells) levels.push_back(run.display->goal.level(cell.i, cell.j));
-  return levels;
-}
-
 Json score_json(const DisplayReading& reading) {
   return {{"contrast", reading.score.contrast}, {"auc", reading.score.auc},
           {"letter", reading.score.letter},     {"rest", reading.score.rest},
@@ -39,9 +33,13 @@ Json display_json(const Run& run) {
                       {"auc", start.view.score.auc},
                       {"separation", start.view.score.separation()},
                       {"cost", start.cost},
-                      {"status", to_string(start.status)}});
+                      {"status", to_string(start.status)},
+                      {"sharpened", start.sharpened}});
+  const Drive& plates = display.design.view.plates;
   Json out = {{"channel", to_string(display.channel)},
-              {"levels", levels_of(run)},
+              {"axis", plates.axis == Axis::x ? "x" : "y"},
+              {"compression", plates.compression},
+              {"levels", levels_of(display.goal, run.structure)},
               {"before", score_json(display.before)},
               {"after", score_json(display.after)},
               {"stretch_max", display.design.view.stretch},
@@ -49,7 +47,11 @@ Json display_json(const Run& run) {
               {"reasons", display.why_missed},
               {"reasons_physics", display.why_physics}};
   if (display.physics) out["physics"] = score_json(*display.physics);
-  if (display.goal.needed) out["needed_cells"] = *display.goal.needed;
+  if (const auto needed = display.needed()) {
+    out["needed_cells"] = *needed;
+    out["needed_for"] = display.goal.whole ? "contrast" : "strokes";
+  }
+  if (!display.larger.tried.empty()) out["larger_panels_tried"] = display.larger.tried;
   return out;
 }
 

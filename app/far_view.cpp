@@ -41,7 +41,8 @@ std::vector<double> gaussian(double deviation) {
   std::vector<double> weights;
   const int reach = static_cast<int>(std::ceil(3 * deviation));
   double sum = 0;
-  for (int k = -reach; k <= reach; ++k) sum += weights.emplace_back(std::exp(-k * k / (2 * deviation * deviation)));
+  for (int k = -reach; k <= reach; ++k)
+    sum += weights.emplace_back(std::exp(-k * k / (2 * deviation * deviation)));
   for (double& w : weights) w /= sum;
   return weights;
 }
@@ -70,9 +71,21 @@ Grey stretched(const Grey& light, const Grey& outline) {
     if (outline(k) >= deep_inside) values.push_back(light(k));
   if (values.empty()) return Grey::Zero(light.rows(), light.cols());
   std::sort(values.begin(), values.end());
-  const auto at = [&](double part) { return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))]; };
+  const auto at = [&](double part) {
+    return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
+  };
   const double low = at(darkest), range = std::max(at(brightest) - low, 1e-9);
   return (outline >= inside).select(((light - low) / range).max(0).min(1), 0);
+}
+
+/// Means of blocks; paper beyond the picture.
+Grey reduced(const Grey& picture, int side) {
+  const Eigen::Index rows = (picture.rows() + side - 1) / side, columns = (picture.cols() + side - 1) / side;
+  Grey whole = Grey::Ones(rows * side, columns * side), out(rows, columns);
+  whole.topLeftCorner(picture.rows(), picture.cols()) = picture;
+  for (Eigen::Index r = 0; r < rows; ++r)
+    for (Eigen::Index c = 0; c < columns; ++c) out(r, c) = whole.block(r * side, c * side, side, side).mean();
+  return out;
 }
 
 }  // namespace
@@ -83,7 +96,7 @@ std::string far_view(const Structure& panel, const State& state, const FarViewOp
   const double deviation = options.blur_in_cells * options.pixels_per_cell;
   const Grey light = blurred(drawn(panel, state, frame, scale, true), deviation),
              whole = blurred(drawn(panel, state, frame, scale, false), deviation);
-  return grey_png(1 - stretched(light / whole.max(1e-6), whole));
+  return grey_png(reduced(1 - stretched(light / whole.max(1e-6), whole), options.reduced));
 }
 
 }  // namespace kinetix

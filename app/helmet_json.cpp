@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "app/state_json.hpp"
+
 namespace kinetix {
 namespace {
 
@@ -69,24 +71,26 @@ std::string in_words(const HelmetError& error) {
 Json helmet_json(const Run& run) {
   const HelmetOutcome& helmet = *run.helmet;
   const HelmetDesign& design = helmet.design;
-  Json out = {{"clearance_mm", helmet.wish.clearance_mm},
-              {"coverage_mm", helmet.wish.coverage_mm},
-              {"ribs", ribs_json(design)},
-              {"spine_cells", design.layout.bones.rows},
-              {"error", error_json(design.error)},
-              {"body_mm", design.error.of_body},
-              {"cell_mm", by_cell(run.structure, design.error)},
-              {"cells_trimmed", design.trimmed},
-              {"head_mm", head_lines(helmet.head)},
-              {"closed_part", helmet.head.closed_part},
-              {"uniform",
-               {{"tilt_deg", to_degrees(helmet.uniform.tilt)},
-                {"theta_deg", to_degrees(helmet.uniform.theta)},
-                {"before", error_json(helmet.uniform.before)},
-                {"after", error_json(helmet.uniform.after)}}},
-              {"notes", design.layout.notes},
-              {"reasons", helmet.why_missed},
-              {"reasons_physics", helmet.why_physics}};
+  Json out = {
+      {"clearance_mm", helmet.wish.clearance_mm},
+      {"coverage_mm", helmet.wish.coverage_mm},
+      {"ribs", ribs_json(design)},
+      {"spine_cells", design.layout.bones.rows},
+      {"error", error_json(design.error)},
+      {"body_mm", design.error.of_body},
+      {"cell_mm", by_cell(run.structure, design.error)},
+      {"cells_trimmed", design.trimmed},
+      {"head_mm", head_lines(helmet.head)},
+      {"head_frame", poses_json({{helmet.head.to_mesh.linear(), helmet.head.to_mesh.translation()}})[0]},
+      {"closed_part", helmet.head.closed_part},
+      {"uniform",
+       {{"tilt_deg", to_degrees(helmet.uniform.tilt)},
+        {"theta_deg", to_degrees(helmet.uniform.theta)},
+        {"before", error_json(helmet.uniform.before)},
+        {"after", error_json(helmet.uniform.after)}}},
+      {"notes", design.layout.notes},
+      {"reasons", helmet.why_missed},
+      {"reasons_physics", helmet.why_physics}};
   if (helmet.physics) out["physics"] = error_json(*helmet.physics);
   return out;
 }

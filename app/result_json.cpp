@@ -187,6 +187,7 @@ Json result_json(const Run& run) {
   }
   if (run.display) {
     out["display"] = display_json(run);
+    out["timing_s"]["larger_panels"] = run.timings.larger_panels;
     out["optimiser"] = display_optimiser_json(*run.display);
   }
   if (run.fold) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/design_file.hpp"
+#include "app/larger_panels.hpp"
 #include "app/plan.hpp"
 #include "model/elastic/balance_comparison.hpp"
 #include "model/elastic/stable_states.hpp"
@@ -58,6 +59,7 @@ struct Equilibrium {
 
 struct Timings {
   double load = 0, plan = 0, optimise = 0, balance = 0, verify = 0, write = 0;  ///< seconds
+  double larger_panels = 0;  ///< of searches that tell how large a display should be
 };
 
 /// What a curve search contributes to a result.
@@ -82,12 +84,15 @@ struct DisplayOutcome {
   Channel channel = Channel::aperture;
   DisplayOptions options;
   DisplayDesign design;
+  LargerPanels larger;                    ///< searched where this one is not clear enough
   DisplayReading before, after;           ///< flat, and the balance under the plates
   std::optional<DisplayReading> physics;  ///< the settled physics run
   std::vector<std::string> why_missed;    ///< in words, empty where the model shows what was asked
   std::vector<std::string> why_physics;   ///< likewise for the physics run
 
   bool met() const { return why_missed.empty(); }
+  /// The smallest panel known to show the picture, where this one does not.
+  std::optional<PanelSize> needed() const { return goal.whole ? larger.enough : goal.needed; }
 };
 
 /// What a search for a fold contributes to a result.

@@ -2,7 +2,6 @@
 
 #include "app/state_json.hpp"
 #include "model/closure_drive.hpp"
-#include "model/elastic/freedoms.hpp"
 
 namespace kinetix {
 namespace {
@@ -15,15 +14,15 @@ Eigen::Vector3d middle(const std::vector<int>& bodies, const State& state) {
   return sum / static_cast<double>(bodies.size());
 }
 
-double compression(const Structure& structure, Axis axis, const State& state) {
-  const auto rows = gripped_bodies(structure, axis);
+double compression(const Structure& structure, const Drive& drive, const State& state) {
+  const GrippedRows rows = gripped_bodies(structure, drive.axis, drive.grip);
   const auto apart = [&](const State& s) { return (middle(rows[1], s) - middle(rows[0], s)).norm(); };
   return 1 - apart(state) / apart(rest_state(structure));
 }
 
 /// Where the drive would be in a state that it does not hold.
 double drive_in(const Structure& structure, const Drive& drive, const State& state) {
-  if (drive.kind == Drive::Kind::plates) return compression(structure, drive.axis, state);
+  if (drive.kind == Drive::Kind::plates) return compression(structure, drive, state);
   return hinge_turn(structure, state, *structure.hinge_at(drive.wall));
 }
 

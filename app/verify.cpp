@@ -10,9 +10,16 @@ namespace kinetix {
 namespace {
 
 constexpr double longest_step_s = 0.1;
+constexpr double stiff_joints = 1e8;
 
 PhysicsOptions with_steps(PhysicsOptions options, double factor) {
   options.step_s *= factor;
+  return options;
+}
+
+/// A net never strains, and its ribs are long: joints that yield let their ends sway far behind.
+PhysicsOptions suited_to(const Classification& family, PhysicsOptions options) {
+  if (family.family == Family::F4 && !options.elastic) options.joint_stiffness = stiff_joints;
   return options;
 }
 
@@ -40,8 +47,9 @@ void add_fidelity(Run& run, const std::string& model, const PhysicsResult& physi
 
 }  // namespace
 
-void verify(Run& run, const State& reference, const Drive& drive, const PhysicsOptions& options,
+void verify(Run& run, const State& reference, const Drive& drive, const PhysicsOptions& asked,
             const Progress& progress) {
+  const PhysicsOptions options = suited_to(run.plan.family, asked);
   PhysicsObserver observer;
   if (progress) observer.progress = [&](double done) { progress("physics run", done); };
   Verification v;

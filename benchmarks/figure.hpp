@@ -22,6 +22,7 @@ std::vector<Figure> physics_figures();
 std::vector<Figure> elastic_physics_figures();
 std::vector<Figure> display_figures();
 std::vector<Figure> fold_figures();
+std::vector<Figure> helmet_figures();
 
 /// Markdown table: both joint solvers of the physics run on arcs of growing length.
 std::string solver_table();

@@ -1,22 +1,26 @@
 #pragma once
 
-#include "model/structure.hpp"
+#include <optional>
+
+#include "model/grip.hpp"
 
 namespace kinetix {
 
 /// How a compression run moves a structure from flat to the state it is to settle in.
 ///
 /// **plates**: two rigid planes normal to `axis` close in on the structure. They grip the bodies of the first
-/// and of the last row of vertices along the axis like pins in a frictionless slot: such a body's coordinate
-/// along the axis is prescribed, and it is free to slide in the plane and to turn. Plates that merely press
-/// on the outline could not do this: the half walls at the rim stick out like knees, so that the outline of
-/// M rows has the height L (M cos(theta) + sin(theta)), which grows at first. In the exact families a row of
-/// vertices stays in one plane normal to the axis as long as the walls along the row have t = 1/2, so a strip
-/// that curls into a half circle stays between its plates. Other fractions make the row a zigzag or a slope:
-/// plates would strain such a sheet, and a driven hinge does not.
-/// The middle pin of each plate is keyed to the plane z = 0. Without it, nothing would keep a flat sheet from
-/// tipping over as a whole between plates that come closer. That of the first plate does not turn about the
-/// plates' normal either: a sheet could stand up on edge, and then tip over at no strain.
+/// and of the last row of vertices along the axis, of the whole structure or of the rectangle `grip`, like
+/// pins in a frictionless slot: such a body's coordinate along the axis is prescribed, and it is free to
+/// slide in the plane and to turn. Plates that merely press on the outline could not do this: the half walls
+/// at the rim stick out like knees, so that the outline of M rows has the height L (M cos(theta) +
+/// sin(theta)), which grows at first. In the exact families a row of vertices stays in one plane normal to
+/// the axis as long as the walls along the row have t = 1/2, so a strip that curls into a half circle stays
+/// between its plates. Other fractions make the row a zigzag or a slope: plates would strain such a sheet,
+/// and a driven hinge does not. A net is gripped at a part whose rows stay in two planes
+/// (keeps_between_plates): a flat panel, or a spine at its two long sides, which it bends in. The middle pin
+/// of each plate is keyed to the plane z = 0. Without it, nothing would keep a flat sheet from tipping over
+/// as a whole between plates that come closer. That of the first plate does not turn about the plates' normal
+/// either: a sheet could stand up on edge, and then tip over at no strain.
 ///
 /// **hinge**: the two bodies of one wall are turned against each other about the hinge axis they share. The
 /// structure floats freely.
@@ -32,9 +36,10 @@ struct Drive {
   Kind kind = Kind::plates;
   Axis axis = Axis::y;  ///< plates: normal of the plates
   double compression =
-      0.0;             ///< plates: 1 - final / initial distance of the plates, in [0, 1); 1 - cos(theta)
-  int branch = 1;      ///< plates: +1 or -1, the sign of theta
-  Wall wall;           ///< hinge: the driven wall
+      0.0;         ///< plates: 1 - final / initial distance of the plates, in [0, 1); 1 - cos(theta)
+  int branch = 1;  ///< plates: +1 or -1, the sign of theta
+  std::optional<Grip> grip = {};  ///< plates: what they grip; nothing: the rim of the structure
+  Wall wall;                      ///< hinge: the driven wall
   double angle = 0.0;  ///< hinge: turn of wall.to() against wall.from about the hinge axis, rad, in
                        ///< (-pi, pi). A basic hinge has -2 theta where wall.from is class A.
 
@@ -43,8 +48,10 @@ struct Drive {
 };
 
 /// The drive that takes an exactly mobile structure to fold angle theta. Plates normal to the direction in
-/// which its rows are stacked (y; x where the sheet folds along y) if its rim stays flat, or if it is a
-/// rectangle without an exact family; for other sheets and for nets the first vertical hinge, by twice theta.
+/// which its rows are stacked (y; x where the sheet folds along y) if its rim stays flat and is not ragged,
+/// or if it is a rectangle without an exact family; for other sheets the first vertical hinge, by twice
+/// theta. For nets plates that grip a part of it (model/net_grip.hpp), or the vertical hinge nearest to its
+/// middle where there is no such part.
 /// @param theta rad, in (-pi/2, pi/2)
 /// @throws InvalidInput for theta outside its range
 Drive drive_to(const Structure& structure, double theta);

@@ -9,7 +9,7 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// The penalty begins a little below the limit: what is left of it at the end stays within.
+/// The penalty begins a little below the limit: what is left of an excess at the end stays within.
 constexpr double begins = 0.92;
 
 double turn_in_plane(const Pose& pose) { return std::atan2(pose.R(1, 0), pose.R(0, 0)); }
@@ -38,7 +38,8 @@ std::string to_string(Channel channel) {
   return "aperture";
 }
 
-double channel_value(Channel channel, const Structure& structure, const State& state, const CellHinges& cell) {
+double channel_value(Channel channel, const Structure& structure, const State& state,
+                     const CellHinges& cell) {
   if (channel == Channel::aperture) return aperture(opening(structure, state, cell));
   return channel_reading(channel, structure, state, cell).value;
 }
@@ -63,26 +64,39 @@ CellReading channel_reading(Channel channel, const Structure& structure, const S
   return soft_aperture(opening(structure, state, cell));
 }
 
-DisplayProblem::DisplayProblem(PanelBalance& balance, const HingeTies& ties, Channel channel, Cost cost,
-                               std::array<double, 2> bounds, double stretch, double weight)
+DisplayProblem::DisplayProblem(PanelBalance& balance, const DisplayVariables& variables, Channel channel,
+                               Cost cost, double stretch, double weight, Settling settling)
     : balance_(balance),
-      ties_(ties),
+      variables_(variables),
       channel_(channel),
       cost_(std::move(cost)),
-      stretch_(begins * stretch),
+      stretch_(stretch),
       weight_(weight),
-      lower_(VectorXd::Constant(ties.variables, bounds[0])),
-      upper_(VectorXd::Constant(ties.variables, bounds[1])) {}
+      settling_(settling),
+      lower_(variables.lower()),
+      upper_(variables.upper()) {}
 
 bool DisplayProblem::evaluate(const VectorXd& x, double& f, VectorXd* gradient) {
-  if (!balance_.settle(ties_.expand(x))) return false;
+  if (settling_ == Settling::from_flat) balance_.forget();
+  if (!variables_.settle(balance_, x) || !weigh(f, gradient)) return false;
+  if (f < least_) {
+    least_ = f;
+    stretch_of_best_ = hinge_gaps(balance_.panel(), balance_.state()).max;
+    balance_.keep();
+  }
+  return true;
+}
+
+bool DisplayProblem::weigh(double& f, VectorXd* gradient) {
   Slopes slopes{VectorXd::Zero(6 * static_cast<Eigen::Index>(balance_.state().size())),
                 VectorXd::Zero(static_cast<Eigen::Index>(balance_.panel().hinges.size()))};
   f = add_picture(slopes) + add_stretch(slopes);
   if (!gradient) return std::isfinite(f);
-  const auto by_t = balance_.by_t(slopes.state);
-  if (by_t) *gradient = ties_.gather(*by_t + slopes.t);
-  return by_t && std::isfinite(f) && gradient->allFinite();
+  auto by = balance_.slopes(slopes.state);
+  if (!by) return false;
+  by->t += slopes.t;
+  *gradient = variables_.gather(*by);
+  return std::isfinite(f) && gradient->allFinite();
 }
 
 double DisplayProblem::add_picture(Slopes& slopes) const {
@@ -113,10 +127,10 @@ double DisplayProblem::add_stretch(Slopes& slopes) const {
     const Vector3d lower_arm = lower.R * (hinge.parameters.t * edge),
                    upper_arm = upper.R * ((hinge.parameters.t - 1) * edge);
     const Vector3d gap = (lower.p - upper.p) / panel.size.edge_mm + lower_arm - upper_arm;
-    const double excess = gap.norm() - stretch_;
+    const double excess = gap.norm() / stretch_ - begins;
     if (!(excess > 0)) continue;
     cost += weight_ * excess * excess;
-    const Vector3d pull = 2 * weight_ * excess * gap.normalized();
+    const Vector3d pull = 2 * weight_ * excess / stretch_ * gap.normalized();
     slopes.state.segment<3>(6 * hinge.lower) += lower_arm.cross(pull);
     slopes.state.segment<3>(6 * hinge.lower + 3) += pull;
     slopes.state.segment<3>(6 * hinge.upper) -= upper_arm.cross(pull);

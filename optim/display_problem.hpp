@@ -1,11 +1,11 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 
 #include "model/soft_aperture.hpp"
 #include "optim/display_cost.hpp"
-#include "optim/hinge_ties.hpp"
-#include "optim/panel_balance.hpp"
+#include "optim/display_variables.hpp"
 #include "optim/scalar_solver.hpp"
 
 namespace kinetix {
@@ -27,22 +27,32 @@ std::vector<double> channel_values(Channel channel, const Structure& structure, 
 CellReading channel_reading(Channel channel, const Structure& structure, const State& state,
                             const CellHinges& cell);
 
-/// The search for the t of a panel's hinges that shows a picture: a cost of the readings plus what hinges
-/// stretch beyond a limit.
+/// The search for a panel that shows a picture: a cost of the readings plus what hinges stretch beyond a
+/// limit.
 class DisplayProblem : public ScalarProblem {
  public:
   using Cost = std::function<WeighedReadings(const std::vector<double>&)>;
 
-  /// @param bounds of t   @param stretch most that a hinge may stretch, cell edges
-  /// @param weight of an excess of one cell edge squared
-  DisplayProblem(PanelBalance& balance, const HingeTies& ties, Channel channel, Cost cost,
-                 std::array<double, 2> bounds, double stretch, double weight);
+  /// Where the balances of a search start. The best point so far leads the search quickly, but hinges may end
+  /// up in a balance that the path from flat does not come to.
+  enum class Settling { from_best, from_flat };
+
+  /// @param stretch most that a hinge may stretch, cell edges
+  /// @param weight of what a hinge stretches beyond it, over it, squared
+  DisplayProblem(PanelBalance& balance, const DisplayVariables& variables, Channel channel, Cost cost,
+                 double stretch, double weight, Settling settling = Settling::from_best);
 
   const Eigen::VectorXd& lower() const override { return lower_; }
   const Eigen::VectorXd& upper() const override { return upper_; }
   bool evaluate(const Eigen::VectorXd& x, double& f, Eigen::VectorXd* gradient) override;
 
+  /// Largest of a hinge in the balance of least cost so far, cell edges.
+  double stretch_of_best() const { return stretch_of_best_; }
+
  private:
+  /// Cost and gradient of the balance found.
+  bool weigh(double& f, Eigen::VectorXd* gradient);
+
   struct Slopes {
     Eigen::VectorXd state;  ///< 6 a body
     Eigen::VectorXd t;      ///< where the bodies stay
@@ -51,10 +61,12 @@ class DisplayProblem : public ScalarProblem {
   double add_stretch(Slopes& slopes) const;
 
   PanelBalance& balance_;
-  const HingeTies& ties_;
+  const DisplayVariables& variables_;
   Channel channel_;
   Cost cost_;
   double stretch_, weight_;
+  Settling settling_;
+  double least_ = std::numeric_limits<double>::infinity(), stretch_of_best_ = 0;
   Eigen::VectorXd lower_, upper_;
 };
 

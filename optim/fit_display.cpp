@@ -2,108 +2,160 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <limits>
+#include <mutex>
+#include <numeric>
 
 #include "model/invalid_input.hpp"
+#include "optim/parallel_runs.hpp"
 
 namespace kinetix {
 namespace {
 
 using Eigen::VectorXd;
 
-constexpr double stretch_weight_of_separation = 0.5;
-constexpr double stretch_weight_of_contrast = 20;
+constexpr int most_finalists = 2;
 
-DisplayView read(const PanelBalance& balance, const std::vector<double>& levels, Channel channel) {
-  DisplayView view;
-  view.balanced = true;
-  view.state = balance.state();
-  view.channel = channel_values(channel, balance.panel(), view.state);
-  view.score = display_score(view.channel, levels);
-  view.rank = rank_correlation(view.channel, levels);
-  view.stretch = hinge_gaps(balance.panel(), view.state).max;
-  return view;
+using Progress = std::function<void(const std::string&, double)>;
+
+/// Tells the share of the runs that are through.
+class ProgressOfRuns {
+ public:
+  ProgressOfRuns(const Progress& progress, int runs) : progress_(progress), runs_(runs) {
+    if (progress_) progress_("search", 0);
+  }
+  void one_more() {
+    if (!progress_) return;
+    const std::lock_guard lock(mutex_);
+    progress_("search", static_cast<double>(++done_) / runs_);
+  }
+
+ private:
+  const Progress& progress_;
+  std::mutex mutex_;
+  int runs_, done_ = 0;
+};
+
+/// Runs all in parallel, then throws what the first of them threw.
+void run_all(int count, int threads, const std::function<void(int)>& run) {
+  std::vector<std::exception_ptr> thrown(static_cast<std::size_t>(count));
+  run_in_parallel(count, threads, [&](int k) {
+    try {
+      run(k);
+    } catch (...) {
+      thrown[k] = std::current_exception();
+    }
+  });
+  for (const std::exception_ptr& exception : thrown)
+    if (exception) std::rethrow_exception(exception);
 }
 
-DisplayView view_from_flat(PanelBalance& balance, const VectorXd& t, const std::vector<double>& levels,
-                           Channel channel) {
-  balance.forget();
-  DisplayView view;
-  if (balance.settle(t)) view = read(balance, levels, channel);
-  view.t = t;
-  return view;
-}
+/// One start and what became of it.
+struct Trail {
+  Trail(Axis along, int number) : axis(along), start(number) {}
+
+  Axis axis;
+  int start;
+  DisplayStart told;
+  ScalarResult separated;
+  SharpenedDisplay sharpened;
+  int evaluations = 0, paths = 0;
+};
 
 class Search {
  public:
   Search(const Structure& panel, const std::vector<double>& levels, const DisplayOptions& options)
-      : levels_(levels),
-        options_(options),
-        picture_(levels),
-        ties_(hinge_ties(panel, options.symmetry)),
-        balance_(panel, options.elasticity, options.plates) {}
+      : panel_(panel), levels_(levels), options_(options) {
+    const std::vector<Axis> axes = options.axes.empty() ? std::vector{options.plates.axis} : options.axes;
+    for (const Axis axis : axes)
+      for (int k = 0; k < options.starts; ++k) trails_.emplace_back(axis, k);
+  }
 
-  DisplayDesign run(const std::function<void(const std::string&, double)>& progress) {
-    const auto tell = [&](const std::string& stage, double done) {
-      if (progress) progress(stage, done);
-    };
-    ScalarResult best;
-    best.cost = std::numeric_limits<double>::infinity();
-    tell("search", 0);
-    for (const double k : {options_.rule_k, 1 - options_.rule_k}) {
-      ScalarResult found = separate(k);
-      tell("search", k < 0.5 ? 0.3 : 0.6);
-      if (found.cost < best.cost) best = std::move(found);
-    }
-    if (std::isfinite(best.cost)) best = sharpen(best);
-    tell("search", 1);
-    design_.status = best.status;
-    design_.why = best.why;
-    if (std::isfinite(best.cost))
-      design_.view = view_from_flat(balance_, ties_.expand(best.x), levels_, options_.channel);
-    design_.paths_from_flat = balance_.paths_from_flat();
-    return std::move(design_);
+  DisplayDesign run(const Progress& progress) {
+    const int count = static_cast<int>(trails_.size());
+    ProgressOfRuns told(progress, count + std::min(count, most_finalists));
+    run_all(count, options_.threads, [&](int k) {
+      separate(trails_[k]);
+      told.one_more();
+    });
+    const std::vector<int> chosen = finalists();
+    run_all(static_cast<int>(chosen.size()), options_.threads, [&](int k) {
+      sharpen(trails_[chosen[k]]);
+      told.one_more();
+    });
+    return design(chosen);
   }
 
  private:
-  ScalarResult separate(double k) {
-    DisplayStart start;
-    start.name = "rule k = " + number_text(k);
-    const VectorXd x = within(ties_.nearest(rule_display(balance_.panel(), levels_, k)));
-    start.view = view_from_flat(balance_, ties_.expand(x), levels_, options_.channel);
-    const auto cost = [&](const std::vector<double>& readings) {
-      return picture_.for_separation(readings, options_.separation);
-    };
-    ScalarResult found = search(x, cost, stretch_weight_of_separation);
-    start.cost = found.cost;
-    start.status = found.status;
-    design_.starts.push_back(std::move(start));
-    return found;
+  void separate(Trail& trail) const {
+    DisplaySearch search(panel_, levels_, options_, trail.axis);
+    const VectorXd x = search.start(trail.start);
+    trail.told.name = search.name_of_start(trail.start);
+    trail.told.view = search.view(x);
+    trail.separated = search.separate(x);
+    trail.told.cost = trail.separated.cost;
+    trail.told.status = trail.separated.status;
+    add_counts(search, trail);
   }
 
-  ScalarResult sharpen(const ScalarResult& from) {
-    const auto cost = [&](const std::vector<double>& readings) { return picture_.for_contrast(readings); };
-    balance_.forget();
-    ScalarResult found = search(from.x, cost, stretch_weight_of_contrast);
-    return std::isfinite(found.cost) ? found : from;
+  void sharpen(Trail& trail) const {
+    DisplaySearch search(panel_, levels_, options_, trail.axis);
+    trail.told.sharpened = true;
+    trail.sharpened = search.sharpen(trail.separated.x);
+    trail.sharpened.views.push_back(search.view(trail.separated.x));
+    add_counts(search, trail);
   }
 
-  ScalarResult search(const VectorXd& x, DisplayProblem::Cost cost, double stretch_weight) {
-    DisplayProblem problem(balance_, ties_, options_.channel, std::move(cost), options_.t, options_.stretch,
-                           stretch_weight);
-    ScalarResult found = solve(problem, x, options_.solver);
-    design_.evaluations += found.evaluations;
-    return found;
+  static void add_counts(const DisplaySearch& search, Trail& trail) {
+    trail.evaluations += search.evaluations();
+    trail.paths += search.paths_from_flat();
   }
 
-  VectorXd within(const VectorXd& x) const { return x.cwiseMax(options_.t[0]).cwiseMin(options_.t[1]); }
+  /// The best of the first stage, those that could not be evaluated left out.
+  std::vector<int> finalists() const {
+    std::vector<int> order(trails_.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::erase_if(order, [&](int k) { return !std::isfinite(trails_[k].separated.cost); });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](int a, int b) { return trails_[a].separated.cost < trails_[b].separated.cost; });
+    order.resize(std::min<std::size_t>(order.size(), most_finalists));
+    return order;
+  }
 
+  DisplayDesign design(const std::vector<int>& chosen) {
+    DisplayDesign out;
+    take_best(chosen, out);
+    for (Trail& trail : trails_) {
+      out.evaluations += trail.evaluations;
+      out.paths_from_flat += trail.paths;
+      out.starts.push_back(std::move(trail.told));
+    }
+    return out;
+  }
+
+  void take_best(const std::vector<int>& chosen, DisplayDesign& out) const {
+    std::vector<DisplayView> views;
+    std::vector<int> from;
+    for (const int k : chosen)
+      for (const DisplayView& view : trails_[k].sharpened.views) {
+        views.push_back(view);
+        from.push_back(k);
+      }
+    const int best = best_view(views, levels_, options_.stretch);
+    if (best < 0) {
+      out.why = trails_.front().separated.why;
+      return;
+    }
+    out.view = std::move(views[best]);
+    out.status = trails_[from[best]].sharpened.status;
+    out.why = trails_[from[best]].sharpened.why;
+  }
+
+  const Structure& panel_;
   const std::vector<double>& levels_;
   const DisplayOptions& options_;
-  PictureCost picture_;
-  HingeTies ties_;
-  PanelBalance balance_;
-  DisplayDesign design_;
+  std::vector<Trail> trails_;
 };
 
 }  // namespace
@@ -116,21 +168,8 @@ DisplayView view_display(const Structure& panel, const std::vector<double>& leve
   return view_from_flat(balance, t, levels, options.channel);
 }
 
-VectorXd rule_display(const Structure& panel, const std::vector<double>& levels, double k) {
-  VectorXd highest = VectorXd::Zero(static_cast<Eigen::Index>(panel.hinges.size()));
-  for (std::size_t c = 0; c < panel.cells.size(); ++c)
-    for (const int h : panel.cell_members[c].hinges) highest[h] = std::max(highest[h], levels[c]);
-  VectorXd t(highest.size());
-  for (std::size_t h = 0; h < panel.hinges.size(); ++h) {
-    const double of_class_a = 0.5 + (k - 0.5) * highest[h];
-    t[h] = panel.hinges[h].wall.from.is_class_a() ? of_class_a : 1 - of_class_a;
-  }
-  return t;
-}
-
 DisplayDesign fit_display(const Structure& panel, const std::vector<double>& levels,
-                          const DisplayOptions& options,
-                          const std::function<void(const std::string&, double)>& progress) {
+                          const DisplayOptions& options, const Progress& progress) {
   return Search(panel, levels, options).run(progress);
 }
 

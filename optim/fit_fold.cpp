@@ -166,6 +166,7 @@ class Search {
   std::optional<Obstacle> walls_in_the_way(const FoldedNet& net) {
     ++design_.evaluations;
     WallContact contact(with_clearance(net.structure));
+    if (!contact.touching_at_rest().empty()) return described(net, contact.touching_at_rest().front(), 0);
     const int steps = static_cast<int>(std::ceil(net.theta / step));
     for (int k = 1; k <= steps; ++k) {
       const double theta = net.theta * k / steps;
@@ -192,11 +193,13 @@ class Search {
     const int a = part(pair.first), b = part(pair.second);
     const std::string who = a == b ? "of " + part_name(net.net, a)
                                    : "of " + part_name(net.net, a) + " and " + part_name(net.net, b);
-    return {fmt::format(
-                "with {} a crease walls {} run into each other at theta {:.1f} deg, before the {:.1f} deg "
-                "that the fold needs",
-                columns_text(net.layout.creases.empty() ? 1 : net.layout.creases[0].columns), who,
-                to_degrees(theta), to_degrees(net.theta)),
+    const int columns = net.layout.creases.empty() ? 1 : net.layout.creases[0].columns;
+    const std::string when = theta > 0 ? fmt::format(
+                                             "run into each other at theta {:.1f} deg, before the {:.1f} deg "
+                                             "that the fold needs",
+                                             to_degrees(theta), to_degrees(net.theta))
+                                       : "touch when flat";
+    return {fmt::format("with {} a crease walls {} {}", columns_text(columns), who, when),
             beside_one_crease(net.net, a, b), theta / net.theta};
   }
 

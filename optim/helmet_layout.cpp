@@ -214,19 +214,19 @@ class Planner {
     for (std::size_t r = 0; r < planes_.size(); ++r) {
       const RibLine lower = tracer.trace(r, middle_, -1), upper = tracer.trace(r, middle_, 1);
       out.bones.ribs[r].cells = {cells_along(lower.curve), cells_along(upper.curve)};
-      note_end(r, lower, "-x", out.notes);
-      note_end(r, upper, "+x", out.notes);
+      note_ends(r, lower, upper, out.notes);
       out.sections.push_back({lower.curve, upper.curve});
     }
   }
 
-  void note_end(std::size_t rib, const RibLine& line, const char* side,
-                std::vector<std::string>& notes) const {
-    const double above = line.curve.points().back().z() - rim_z_;
-    if (line.at_neighbour && above > edge_)
+  void note_ends(std::size_t rib, const RibLine& lower, const RibLine& upper,
+                 std::vector<std::string>& notes) const {
+    double highest = edge_;
+    for (const RibLine* line : {&lower, &upper})
+      if (line->at_neighbour) highest = std::max(highest, line->curve.points().back().z() - rim_z_);
+    if (highest > edge_)
       notes.push_back(fmt::format(
-          "rib {} ends {:.0f} mm above the rim towards {}: further down it would meet a neighbour", rib + 1,
-          above, side));
+          "rib {} ends {:.0f} mm above the rim: further down it would meet a neighbour", rib + 1, highest));
   }
 
   int cells_along(const SpaceCurve& line) const {

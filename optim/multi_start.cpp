@@ -1,12 +1,9 @@
 #include "optim/multi_start.hpp"
 
-#include <omp.h>
-
-#include <algorithm>
-#include <atomic>
 #include <limits>
 
 #include "model/invalid_input.hpp"
+#include "optim/parallel_runs.hpp"
 
 namespace kinetix {
 namespace {
@@ -31,32 +28,6 @@ SolveResult run_one(const LeastSquaresProblem& problem, const StartMaker& make_s
   }
 }
 
-// OpenMP orders what comes before, in and after a parallel region, but the thread sanitizer cannot see that:
-// the runtime is not instrumented. These say the same in the language's own terms, so that what it reports is
-// real.
-std::atomic<int> entered{0}, left{0};
-
-void before_region() { entered.fetch_add(1, std::memory_order_release); }
-void enter_region() { entered.load(std::memory_order_acquire); }
-void leave_region() { left.fetch_add(1, std::memory_order_release); }
-void after_region() { left.load(std::memory_order_acquire); }
-
-/// Fills the slots in parallel. Not instrumented itself, for the variables that the compiler hands to the
-/// threads; all that it calls is.
-__attribute__((no_sanitize("thread"))) void fill(std::vector<SolveResult>& runs, int threads,
-                                                 const std::function<void(int, SolveResult&)>& run) {
-  const int count = static_cast<int>(runs.size());
-  before_region();
-#pragma omp parallel num_threads(threads)
-  {
-    enter_region();
-#pragma omp for schedule(dynamic, 1) nowait
-    for (int k = 0; k < count; ++k) run(k, runs[k]);
-    leave_region();
-  }
-  after_region();
-}
-
 }  // namespace
 
 void MultiStartOptions::validate() const {
@@ -70,10 +41,8 @@ MultiStartResult multi_start(const LeastSquaresProblem& problem, const StartMake
   options.validate();
   MultiStartResult result;
   result.runs.resize(options.starts);
-  const int allowed = options.threads > 0 ? options.threads : omp_get_max_threads();
-  const int threads = std::min(allowed, options.starts);
-  fill(result.runs, threads,
-       [&](int k, SolveResult& slot) { slot = run_one(problem, make_start, k, options); });
+  run_in_parallel(options.starts, options.threads,
+                  [&](int k) { result.runs[k] = run_one(problem, make_start, k, options); });
   for (int k = 1; k < options.starts; ++k)
     if (result.runs[k].residual_norm < result.best_run().residual_norm) result.best = k;
   return result;

@@ -23,14 +23,15 @@ bool PanelBalance::settle(const Eigen::VectorXd& t) {
 }
 
 bool PanelBalance::settle_nearby() {
-  if (state_.empty()) return false;
+  if (kept_.empty()) return false;
   ElasticSystem system(panel_, elasticity_, drive_, true, true);
   Tangent tangent(system.freedoms());
   NewtonOptions options;
   options.max_iterations = most_iterations;
-  State state = state_;
+  State state = kept_;
+  system.place(drive_.theta(), state);
   const NewtonResult result = minimise(system, drive_.theta(), options, state, tangent);
-  if (!result.converged || !result.stable || !(turn_distance(panel_, state_, state) <= nearby)) return false;
+  if (!result.converged || !result.stable || !(turn_distance(panel_, kept_, state) <= nearby)) return false;
   state_ = std::move(state);
   return true;
 }
@@ -45,7 +46,7 @@ bool PanelBalance::settle_from_flat() {
   return true;
 }
 
-std::optional<Eigen::VectorXd> PanelBalance::by_t(const Eigen::VectorXd& by_state) {
+std::optional<PanelBalance::Slopes> PanelBalance::slopes(const Eigen::VectorXd& by_state) {
   const ElasticSystem system(panel_, elasticity_, drive_, true, true);
   Tangent tangent(system.freedoms());
   const double theta = drive_.theta();
@@ -53,7 +54,8 @@ std::optional<Eigen::VectorXd> PanelBalance::by_t(const Eigen::VectorXd& by_stat
   if (!tangent.factorise(0)) return std::nullopt;
   BalanceGradient gradient;
   gradient.state = by_state;
-  return sensitivity(system, elasticity_, state_, theta, tangent, gradient).hinges.row(0).transpose();
+  const Sensitivity by = sensitivity(system, elasticity_, state_, theta, tangent, gradient);
+  return Slopes{by.hinges.row(0).transpose(), by.theta / system.drive_rate(theta)};
 }
 
 }  // namespace kinetix

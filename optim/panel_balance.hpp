@@ -7,9 +7,9 @@
 
 namespace kinetix {
 
-/// A planar panel with elastic hinges between plates, its walls in contact, that is in balance again after each
-/// change of where its hinges sit on their walls: from the balance before where that leads to one nearby, else
-/// along the path from flat.
+/// A planar panel with elastic hinges between plates, its walls in contact, that is in balance again after
+/// each change of where its hinges sit on their walls and of how far the plates press: from the balance
+/// before where that leads to one nearby, else along the path from flat.
 class PanelBalance {
  public:
   /// @pre all hinges stand upright; elasticity and drive are valid, the drive is one of plates
@@ -19,17 +19,27 @@ class PanelBalance {
   /// @param t of every hinge, in (0, 1)   @return whether a stable balance at the drive's goal was found; the
   /// state stays as it was where not
   bool settle(const Eigen::VectorXd& t);
+  /// How far the plates are to press from the next settle() on, (0, 1).
+  void press(double compression) { drive_.compression = compression; }
+  /// The next settle() starts from the state as it is. What it comes to depends on the state kept, not on
+  /// others that were tried since. @pre settle() returned true
+  void keep() { kept_ = state_; }
   /// The next settle() starts from flat.
-  void forget() { state_.clear(); }
+  void forget() { kept_.clear(); }
 
   const Structure& panel() const { return panel_; }
+  const Drive& plates() const { return drive_; }
   /// @pre settle() returned true
   const State& state() const { return state_; }
 
-  /// The derivative by t of a function of the state, by the adjoint. @param by_state 6 a body, as
-  /// BalanceGradient::state   @return one entry a hinge; what the function has of t directly is the caller's to
+  struct Slopes {
+    Eigen::VectorXd t;  ///< one entry a hinge
+    double compression = 0;
+  };
+  /// The derivatives of a function of the state, by the adjoint. @param by_state 6 a body, as
+  /// BalanceGradient::state   @return without what the function has of t directly, which is the caller's to
   /// add. Nothing where the balance is singular
-  std::optional<Eigen::VectorXd> by_t(const Eigen::VectorXd& by_state);
+  std::optional<Slopes> slopes(const Eigen::VectorXd& by_state);
 
   int paths_from_flat() const { return paths_; }
 
@@ -40,7 +50,7 @@ class PanelBalance {
   Structure panel_;
   Elasticity elasticity_;
   Drive drive_;
-  State state_;
+  State state_, kept_;
   int paths_ = 0;
 };
 

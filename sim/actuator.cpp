@@ -17,26 +17,17 @@ namespace {
 
 using Bodies = std::vector<std::unique_ptr<btRigidBody>>;
 
-/// Indices of the bodies whose row along the axis is the given one.
-std::vector<int> bodies_of_row(const Structure& structure, Axis axis, int row) {
-  std::vector<int> bodies;
-  for (std::size_t b = 0; b < structure.bodies.size(); ++b)
-    if (row_along(axis, structure.bodies[b]) == row) bodies.push_back(static_cast<int>(b));
-  return bodies;
-}
-
 class Plates final : public Actuator {
  public:
-  Plates(const Structure& structure, Axis axis, const Bodies& bodies, double error_reduction) : axis_(axis) {
-    const auto [lowest, highest] =
-        std::minmax_element(structure.bodies.begin(), structure.bodies.end(),
-                            [&](Vertex a, Vertex b) { return row_along(axis, a) < row_along(axis, b); });
-    rows_ = {row_along(axis, *lowest), row_along(axis, *highest)};
+  Plates(const Structure& structure, const Drive& drive, const Bodies& bodies, double error_reduction)
+      : axis_(drive.axis) {
+    const GrippedRows gripped = gripped_bodies(structure, axis_, drive.grip);
     for (int side = 0; side < 2; ++side) {
-      const std::vector<int> rim = bodies_of_row(structure, axis, rows_[side]);
-      for (const int b : rim) {
-        const Pin pin = b == rim[rim.size() / 2] ? Pin::keyed : Pin::sliding;
-        joints_.push_back(slot(axis, pin, plates_[side], *bodies[b], error_reduction));
+      const std::vector<int>& row = gripped[side];
+      rows_[side] = row_along(axis_, structure.bodies[row.front()]);
+      for (const int b : row) {
+        const Pin pin = b == row[row.size() / 2] ? Pin::keyed : Pin::sliding;
+        joints_.push_back(slot(axis_, pin, plates_[side], *bodies[b], error_reduction));
         if (side == 0 && pin == Pin::keyed) keep_from_spinning(*bodies[b]);
       }
     }
@@ -141,7 +132,7 @@ class DrivenSpring final : public Actuator {
 std::unique_ptr<Actuator> make_actuator(const Structure& structure, const Drive& drive, const Bodies& bodies,
                                         double error_reduction, ElasticHinges* elastic) {
   if (drive.kind == Drive::Kind::plates)
-    return std::make_unique<Plates>(structure, drive.axis, bodies, error_reduction);
+    return std::make_unique<Plates>(structure, drive, bodies, error_reduction);
   const int hinge = *structure.hinge_at(drive.wall);
   if (elastic) return std::make_unique<DrivenSpring>(structure, hinge, bodies, *elastic);
   return std::make_unique<DrivenHinge>(structure.hinges[hinge], bodies, error_reduction);

@@ -7,14 +7,18 @@ namespace {
 
 using Status = PhysicsResult::Status;
 
-/// Mean of sin(theta) over the bodies: how far they turned in the plane, class B counted backwards.
-double mean_turn(const Structure& structure, const State& state, Axis axis) {
+/// Mean of sin(theta) over the bodies between the plates: how far they turned in the plane, class B counted
+/// backwards.
+double mean_turn(const Structure& structure, const Drive& drive, const State& state) {
   double sum = 0;
+  int count = 0;
   for (std::size_t b = 0; b < state.size(); ++b) {
-    const double turn = axis == Axis::y ? state[b].R(1, 0) : -state[b].R(0, 1);
+    if (drive.grip && !drive.grip->contains(structure.bodies[b])) continue;
+    const double turn = drive.axis == Axis::y ? state[b].R(1, 0) : -state[b].R(0, 1);
     sum += structure.bodies[b].sense() * turn;
+    ++count;
   }
-  return sum / static_cast<double>(state.size());
+  return sum / count;
 }
 
 /// A sheet that its turning springs keep straight is on neither branch.
@@ -22,7 +26,7 @@ bool is_on_branch(const Structure& structure, const Drive& drive, const PhysicsO
                   const State& state) {
   const double least_turn = options.elastic ? -1e-6 : 0;
   if (drive.kind == Drive::Kind::hinge || drive.compression == 0) return true;
-  return drive.branch * mean_turn(structure, state, drive.axis) > least_turn;
+  return drive.branch * mean_turn(structure, drive, state) > least_turn;
 }
 
 double gap_limit(const PhysicsOptions& options) {

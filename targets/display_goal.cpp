@@ -13,6 +13,19 @@ std::string panel_text(PanelSize size) {
   return "a panel of " + std::to_string(size[0]) + " x " + std::to_string(size[1]) + " cells";
 }
 
+/// Each cell takes the level of the cell of `goal` that its middle lies in: whole where all become blocks
+/// alike.
+DisplayGoal enlarged(const DisplayGoal& goal, PanelSize size) {
+  std::vector<double> levels;
+  for (int j = 0; j < size[1]; ++j)
+    for (int i = 0; i < size[0]; ++i)
+      levels.push_back(
+          goal.level((2 * i + 1) * goal.columns / (2 * size[0]), (2 * j + 1) * goal.rows / (2 * size[1])));
+  DisplayGoal out = make_goal(size, std::move(levels));
+  out.whole = size[0] % goal.columns == 0 && size[1] % goal.rows == 0;
+  return out;
+}
+
 }  // namespace
 
 bool DisplayGoal::is_binary() const {
@@ -39,10 +52,11 @@ void check_panel(PanelSize size) {
 void check_contrast(const DisplayGoal& goal) {
   const auto [least, most] = std::minmax_element(goal.levels.begin(), goal.levels.end());
   if (*least < *most) return;
-  const std::string help = goal.needed ? "the smallest panel of these proportions that shows it whole is [" +
-                                             std::to_string((*goal.needed)[0]) + ", " +
-                                             std::to_string((*goal.needed)[1]) + "]"
-                                       : "both must occur";
+  const std::string help =
+      goal.whole    ? "both must occur"
+      : goal.needed ? "the smallest panel of these proportions that shows the picture whole is [" +
+                          std::to_string((*goal.needed)[0]) + ", " + std::to_string((*goal.needed)[1]) + "]"
+                    : "no panel of these proportions that is allowed shows the picture whole";
   throw InvalidInput("every cell is " + std::string(*least >= letter_level ? "letter" : "rest") +
                      ", so that there is nothing to tell apart; " + help);
 }
@@ -50,7 +64,10 @@ void check_contrast(const DisplayGoal& goal) {
 DisplayGoal make_goal(PanelSize size, std::vector<double> levels) {
   check_panel(size);
   assert(levels.size() == static_cast<std::size_t>(size[0]) * size[1]);
-  DisplayGoal goal = {size[0], size[1], std::move(levels)};
+  DisplayGoal goal;
+  goal.columns = size[0];
+  goal.rows = size[1];
+  goal.levels = std::move(levels);
   check_contrast(goal);
   return goal;
 }
@@ -77,7 +94,10 @@ DisplayGoal rows_goal(const std::vector<std::string>& rows) {
     check_row(*row, rows[0].size());
     for (const char c : *row) levels.push_back(c == '1' ? 1 : 0);
   }
-  return make_goal({static_cast<int>(rows[0].size()), static_cast<int>(rows.size())}, std::move(levels));
+  DisplayGoal goal =
+      make_goal({static_cast<int>(rows[0].size()), static_cast<int>(rows.size())}, std::move(levels));
+  goal.redrawn = [own = goal](PanelSize size) { return enlarged(own, size); };
+  return goal;
 }
 
 }  // namespace kinetix

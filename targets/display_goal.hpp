@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,9 +28,15 @@ struct DisplayGoal {
   /// In [0, 1], 1 = letter, 0 = the rest; cell (i, j) at j * columns + i, i to the right and j upwards, as
   /// the cells of a structure: the top row of a picture has the largest j.
   std::vector<double> levels;
-  /// The smallest panel of the same proportions that shows the letter whole (glyph_goal.hpp); nothing where
-  /// this one does, and for goals that are not glyphs.
+  /// Whether the cells keep parts, holes and strokes of the picture they are taken from (whole_picture.hpp);
+  /// true for goals of grey levels, and for rows, which are the picture.
+  bool whole = true;
+  /// Unless whole: the smallest larger panel of the same proportions that shows the picture whole: the
+  /// shorter side grows cell by cell and the longer side in proportion, rounded. Nothing where none that is
+  /// allowed does.
   std::optional<PanelSize> needed = {};
+  /// The same picture on another panel. @throws InvalidInput as check_panel and check_contrast
+  std::function<DisplayGoal(PanelSize)> redrawn = {};
 
   double level(int i, int j) const { return levels[static_cast<std::size_t>(j) * columns + i]; }
   bool is_letter(int i, int j) const { return level(i, j) >= letter_level; }

@@ -115,6 +115,25 @@ std::vector<Matrix3Xd> ideal_faces(const FoldNet& net, const NetLayout& layout, 
   return faces;
 }
 
+int open_crease(const FoldNet& net, const NetLayout& layout) {
+  constexpr double closed = 1e-9;
+  for (const double share : {0.5, 1.0}) {
+    FoldNet folding = net;
+    for (FoldCrease& crease : folding.creases) crease.angle *= share;
+    const std::vector<FacePlane> planes = face_planes(folding, layout, 1.0);
+    for (std::size_t k = 0; k < net.creases.size(); ++k) {
+      const FoldCrease& c = folding.creases[k];
+      const bool up = c.side == Side::right || c.side == Side::top;
+      const FacePlane asked = beyond(planes[c.first], layout.creases[k], c.angle, up, 1.0);
+      const FacePlane& placed = planes[c.second];
+      if ((asked.axes - placed.axes).norm() + (asked.origin - placed.origin).norm() >
+          closed * static_cast<double>(layout.cells.size()))
+        return static_cast<int>(k);
+    }
+  }
+  return -1;
+}
+
 FoldError fold_error(const FoldNet& net, const NetLayout& layout, const Structure& structure,
                      const State& state, double theta) {
   const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -17,6 +17,10 @@ double edge_inset(double angle, int columns);
 /// pitch `pitch`, placed by the net's angles. The first face lies in the plane z = 0.
 std::vector<Eigen::Matrix3Xd> ideal_faces(const FoldNet& net, const NetLayout& layout, double pitch);
 
+/// The first crease whose two faces, placed by the other creases, do not meet as it asks, half folded or folded; -1
+/// where every ring of faces closes.
+int open_crease(const FoldNet& net, const NetLayout& layout);
+
 /// How a state of a net keeps the goal.
 struct FoldError {
   std::vector<double> fold;      ///< angle of each crease, rad, by the mean directions of its faces' lattices

@@ -4,7 +4,8 @@
 #include <utility>
 
 #include "model/invalid_input.hpp"
-#include "targets/net_layout.hpp"
+#include "targets/fold_error.hpp"
+#include "targets/wording.hpp"
 
 namespace kinetix {
 
@@ -23,7 +24,10 @@ FoldGoal net_goal(FoldNet net) {
   validate(net);
   std::vector<int> columns;
   for (const FoldCrease& crease : net.creases) columns.push_back(std::max(crease.columns, 1));
-  lay_out(net, columns);
+  const int open = open_crease(net, lay_out(net, columns));
+  if (open >= 0)
+    throw InvalidInput("the ring of faces with crease " + in_ticks(crease_name(net, net.creases[open])) +
+                       " does not close when it folds; creases in one line need the same angle");
   return {{}, {}, {std::move(net)}};
 }
 

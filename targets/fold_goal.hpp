@@ -18,7 +18,8 @@ struct FoldGoal {
 /// @throws InvalidInput for an edge under 1 or over max_face_side
 FoldGoal box_goal(const std::array<int, 3>& edges, std::optional<int> open = {}, int columns = 0);
 
-/// @throws InvalidInput for what validate refuses, and for what lay_out refuses with one column a crease
+/// @throws InvalidInput for what validate refuses, for what lay_out refuses with one column a crease, and for
+/// a ring of faces that does not close when it folds
 FoldGoal net_goal(FoldNet net);
 
 }  // namespace kinetix

@@ -1,11 +1,11 @@
 #include "targets/glyph_goal.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <memory>
 
 #include "targets/glyph_picture.hpp"
 #include "targets/text_file.hpp"
-#include "targets/topology.hpp"
+#include "targets/whole_picture.hpp"
 
 namespace kinetix {
 namespace {
@@ -20,32 +20,14 @@ Window panel_over(const Picture& letter, PanelSize size) {
   return {x - half_width, x + half_width, y - half_height, y + half_height};
 }
 
-DisplayGoal shown(const Picture& letter, PanelSize size) {
-  return {size[0], size[1], thresholded(ink_coverage(letter, panel_over(letter, size), size))};
-}
-
-/// The panel whose shorter side has this many cells.
-PanelSize in_proportion(PanelSize asked, int shorter) {
-  const auto [least, most] = std::minmax(asked[0], asked[1]);
-  const int longer = static_cast<int>(std::lround(static_cast<double>(most) * shorter / least));
-  return asked[0] == least ? PanelSize{shorter, longer} : PanelSize{longer, shorter};
-}
-
-bool is_allowed(PanelSize size) {
-  return std::max(size[0], size[1]) <= max_panel_side &&
-         static_cast<long>(size[0]) * size[1] <= max_panel_cells;
-}
-
-std::optional<PanelSize> needed_panel(const Picture& letter, const DisplayGoal& goal) {
-  const Topology whole = topology(letter);
-  if (topology(goal) == whole) return std::nullopt;
-  const PanelSize asked = {goal.columns, goal.rows};
-  int shorter = std::min(asked[0], asked[1]);
-  while (is_allowed(in_proportion(asked, shorter + 1))) {
-    ++shorter;
-    if (topology(shown(letter, in_proportion(asked, shorter))) == whole) break;
-  }
-  return in_proportion(asked, shorter);
+DisplayGoal shown(const std::shared_ptr<const Picture>& letter, PanelSize size) {
+  check_panel(size);
+  const auto window = [&](PanelSize panel) { return panel_over(*letter, panel); };
+  DisplayGoal goal = sampled(*letter, window, size);
+  compare_with(*letter, window, goal);
+  check_contrast(goal);
+  goal.redrawn = [letter](PanelSize other) { return shown(letter, other); };
+  return goal;
 }
 
 void check_length(const std::string& text) {
@@ -61,11 +43,8 @@ void check_length(const std::string& text) {
 DisplayGoal glyph_goal(const std::string& text, const FontFile& font, int columns, int rows) {
   check_length(text);
   check_panel({columns, rows});
-  const Picture letter = glyph_picture(text, font);
-  DisplayGoal goal = shown(letter, {columns, rows});
-  goal.needed = needed_panel(letter, goal);
-  check_contrast(goal);
-  return goal;
+  const auto letter = std::make_shared<const Picture>(glyph_picture(text, font));
+  return shown(letter, {columns, rows});
 }
 
 }  // namespace kinetix

@@ -21,11 +21,8 @@ inline constexpr double max_glyph_stretch = 1.5;
 /// never left unused that a stroke could fill, so that strokes are as wide as the panel allows for a letter
 /// that keeps its look; hence where strokes are still thinner than a cell, only a larger panel helps.
 ///
-/// The panel shows the letter whole when its cells have as many components and as many holes (topology.hpp)
-/// as the finely drawn letter. If not, `needed` is the smallest larger panel that does: the shorter side
-/// grows cell by cell and the longer side in proportion, rounded. Where none does, it is the largest that
-/// check_panel accepts. What the two numbers cannot tell goes unnoticed, such as an E that lost its middle
-/// arm.
+/// Where strokes are lost all the same, `needed` of the goal names the smallest larger panel that keeps them
+/// (whole_picture.hpp).
 /// @param text UTF-8, 1 to 12 characters
 /// @throws InvalidInput for another number of characters, and what glyph_picture and make_goal refuse; where
 /// a larger panel helps the message names it

@@ -60,16 +60,18 @@ SpaceCurve curve_through(const Vector3d& p, const Vector3d& along, const Triangl
 
 void check_coverage(const Head& head) {
   const SpaceCurve across = cross_section(head, 0, direction_reach_mm);
-  const std::array<std::pair<const char*, double>, 4> ways = {{{"back", -head.profile.first()},
-                                                               {"front", head.profile.last()},
-                                                               {"left", -across.first()},
-                                                               {"right", across.last()}}};
-  for (const auto& [way, reach] : ways)
-    if (!(reach - rim_mm >= head.coverage_mm))
-      throw InvalidHead("coverage_mm", "goes beyond the mesh: from the crown to the " + std::string(way) +
-                                           " it can be followed for " +
-                                           number_text(std::floor(reach - rim_mm)) +
-                                           " mm; give at most that");
+  const std::array<std::pair<const char*, Vector3d>, 4> ways = {{{"back", head.profile.points().front()},
+                                                                 {"front", head.profile.points().back()},
+                                                                 {"left", across.points().front()},
+                                                                 {"right", across.points().back()}}};
+  for (const auto& [way, end] : ways) {
+    const double depth = -end.z() - rim_mm;
+    if (!(depth >= head.coverage_mm))
+      throw InvalidHead("coverage_mm", "goes beyond the mesh: to the " + std::string(way) +
+                                           " the head can be followed down to " +
+                                           number_text(std::max(0.0, std::floor(depth))) +
+                                           " mm below the crown; give at most that");
+  }
 }
 
 /// The place of the dome above or below the crown. @throws InvalidHead where it is open there

@@ -22,7 +22,7 @@ struct Head {
   /// Section of the dome by the sagittal plane x = 0, from the back to the front; 0 above (or below) the
   /// origin.
   SpaceCurve profile;
-  double coverage_mm;
+  double coverage_mm;  ///< how far below the crown the head is to be covered
   /// Part of the dome's vertices that lie over holes of the scan.
   double closed_part;
 };

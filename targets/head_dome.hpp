@@ -13,7 +13,7 @@ struct HeadDome {
 };
 
 /// Where the dome ends, rad from straight up as seen from the inner point.
-inline constexpr double dome_angle = 110 * 3.14159265358979323846 / 180;
+inline constexpr double dome_angle = 120 * 3.14159265358979323846 / 180;
 
 /// @param core the inner point, z up. Holes are closed by the membrane of the distance from it; what a hole
 /// joins to the dome's rim is left open.

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <memory>
+
+#include "targets/whole_picture.hpp"
 
 namespace kinetix {
 namespace {
@@ -12,16 +14,24 @@ PanelSize default_size(const Picture& picture) {
   return {default_image_columns, static_cast<int>(std::max(rows, 1.0))};
 }
 
+DisplayGoal shown(const std::shared_ptr<const Picture>& picture, PanelSize size, ImageLevels levels) {
+  check_panel(size);
+  const auto window = [&](PanelSize) { return frame(*picture); };
+  DisplayGoal goal = levels == ImageLevels::two
+                         ? sampled(*picture, window, size)
+                         : make_goal(size, ink_coverage(*picture, frame(*picture), size));
+  if (levels == ImageLevels::two) compare_with(*picture, window, goal);
+  check_contrast(goal);
+  goal.redrawn = [=](PanelSize other) { return shown(picture, other, levels); };
+  return goal;
+}
+
 }  // namespace
 
 DisplayGoal image_goal(const std::string& file, std::optional<PanelSize> size, ImageLevels levels,
                        bool invert) {
-  const Picture picture = read_image(file, levels, invert);
-  const PanelSize panel = size.value_or(default_size(picture));
-  check_panel(panel);
-  auto coverage = ink_coverage(picture, frame(picture), panel);
-  if (levels == ImageLevels::two) coverage = thresholded(std::move(coverage));
-  return make_goal(panel, std::move(coverage));
+  const auto picture = std::make_shared<const Picture>(read_image(file, levels, invert));
+  return shown(picture, size.value_or(default_size(*picture)), levels);
 }
 
 }  // namespace kinetix

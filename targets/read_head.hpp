@@ -8,7 +8,7 @@ namespace kinetix {
 /// The head of a target section: `mesh` (an OBJ, STL or PLY file, relative to the document's folder) and, all
 /// optional, `units` (mm, cm, m or in; default mm), `up` and `front` (x, -x, +x, y, ...; default z, and
 /// whichever way the head is longer), `crown` ([x, y, z] in mm and in the mesh's axes; default the highest
-/// point) and `coverage_mm` (from the crown down along the head; default 90).
+/// point) and `coverage_mm` (depth below the crown; default 90).
 /// @throws InvalidInput at the key at fault for what read_mesh and make_head refuse
 Head read_head(const Node& target);
 

@@ -2,9 +2,10 @@
 
 const always = () => true;
 const hasTarget = (data) => Boolean(data.raw.target);
-const hasCurve = (data) => hasTarget(data) && data.display === null && data.fold === null;
+const hasCurve = (data) => hasTarget(data) && data.display === null && data.fold === null && data.helmet === null;
 const hasDisplay = (data) => data.display !== null;
 const hasFold = (data) => data.fold !== null;
+const hasHelmet = (data) => data.helmet !== null;
 const hasStable = ({stable}) => stable.states.length > 1 || stable.unresolved.length > 0;
 const hasBalance = (data) => data.balance !== null;
 
@@ -12,13 +13,14 @@ const hasBalance = (data) => data.balance !== null;
 const SECTIONS = [
   ["display", "What the panel shows", displaySection, hasDisplay],
   ["fold", "Net and creases", foldSection, hasFold],
+  ["helmet", "How it fits the head", helmetSection, hasHelmet],
   ["load", "Load and energy along the drive", loadSection, hasBalance],
   ["stable", "Stable states", stableSection, hasStable],
   ["energy", "Where the energy is", energySection, hasBalance],
-  ["layout", "Flat layout", layoutSection, always],
+  ["layout", "Flat layout", layoutSection, (data) => !hasHelmet(data)],
   ["space", "Folded shape in 3D", spaceSection, always],
   ["errors", "Error along the curve", errorSection, hasCurve],
-  ["tilts", "Tilts per column", tiltSection, (data) => hasCurve(data) || (!hasFold(data) && largestTilt(data.structure) > 1e-4)],
+  ["tilts", "Tilts per column", tiltSection, (data) => hasCurve(data) || (!hasFold(data) && !hasHelmet(data) && largestTilt(data.structure) > 1e-4)],
   ["search", "Convergence of the search", searchSection, hasCurve],
   ["fidelity", "Speed against error", fidelitySection, (data) => hasTarget(data) || data.fidelity.length > 0],
   ["plan", "Plan and provenance", planSection, always],

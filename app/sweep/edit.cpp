@@ -5,6 +5,7 @@
 #include <array>
 
 #include "app/sweep/nearest_path.hpp"
+#include "app/wall_node.hpp"
 #include "targets/number.hpp"
 
 namespace kinetix {
@@ -65,11 +66,6 @@ std::vector<Match> lines(const Structure& structure, const DocumentPath& path, A
   return matches;
 }
 
-Vertex vertex(const Node& node) {
-  const auto ij = node.list("a vertex");
-  return {ij[0].integer(0, 10'000), ij[1].integer(0, 10'000)};
-}
-
 /// Hinges that the file names, in its order.
 std::vector<Match> named_hinges(const SweepBase& base, const DocumentPath& path) {
   const auto section = base.root.optional("design");
@@ -79,9 +75,7 @@ std::vector<Match> named_hinges(const SweepBase& base, const DocumentPath& path)
   const auto entries = list->list("hinges");
   for (int n = 0; n < static_cast<int>(entries.size()); ++n) {
     if (!selects(path[2], n)) continue;
-    const auto ends = entries[n].required("wall", "").list("a wall");
-    const Vertex from = vertex(ends[0]), to = vertex(ends[1]);
-    const int hinge = *base.design->structure.hinge_at({from, from.j == to.j ? Axis::x : Axis::y});
+    const int hinge = read_hinge_index(entries[n], base.design->structure);
     matches.push_back({entry(path, n), {{*hinge_key(path[3].key), hinge}}});
   }
   return matches;

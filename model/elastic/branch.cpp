@@ -32,6 +32,13 @@ void move_all(State& state, const Eigen::Matrix3d& turn, const Vector3d& shift) 
   }
 }
 
+/// The turn that takes the plates' normal to their axis and lifts the pin's upright as far as it then can.
+Eigen::Matrix3d upright(const Vector3d& normal, const Vector3d& axis, const Pose& pin) {
+  const Eigen::Matrix3d turn = Eigen::Quaterniond::FromTwoVectors(normal, axis).toRotationMatrix();
+  const Vector3d up = turn * pin.R.col(2), across = axis.cross(Vector3d::UnitZ());
+  return Eigen::AngleAxisd(std::atan2(up.dot(across), up.z()), across.cross(Vector3d::UnitZ())) * turn;
+}
+
 }  // namespace
 
 Branch::Branch(const ElasticSystem& system, double goal, int side)
@@ -39,7 +46,8 @@ Branch::Branch(const ElasticSystem& system, double goal, int side)
 
 Branch::Start Branch::leave(double theta, const State& from, Tangent& tangent) const {
   if (const auto exact = exact_state(theta))
-    if (system_.energy(*exact, theta) < system_.energy(from, theta)) return onto_exact(theta, *exact, tangent);
+    if (system_.energy(*exact, theta) < system_.energy(from, theta))
+      return onto_exact(theta, *exact, tangent);
   return along_softest(theta, from, tangent);
 }
 
@@ -83,15 +91,14 @@ std::optional<State> Branch::exact_state(double theta) const {
     move_all(state, turn, rest[held].p - turn * state[held].p);
     return state;
   }
-  const auto& rows = system_.gripped();
-  const Vector3d across = centre(state, rows[1]) - centre(state, rows[0]);
-  const Vector3d axis = system_.drive().axis == Axis::x ? Vector3d::UnitX() : Vector3d::UnitY();
-  const Eigen::Matrix3d turn = Eigen::Quaterniond::FromTwoVectors(across, axis).toRotationMatrix();
-  move_all(state, turn, Vector3d::Zero());
+  const GrippedRows& rows = system_.gripped();
+  const Vector3d axis = edge_direction(system_.drive().axis);
   const int pin = rows[0][rows[0].size() / 2];
+  move_all(state, upright(planes_of(rows, state).normal, axis, state[pin]), Vector3d::Zero());
   Vector3d shift = rest[pin].p - state[pin].p;
   const double middle = (centre(rest, rows[0]) + centre(rest, rows[1])).dot(axis) / 2;
-  shift += (middle - (centre(state, rows[0]) + centre(state, rows[1])).dot(axis) / 2 - shift.dot(axis)) * axis;
+  shift +=
+      (middle - (centre(state, rows[0]) + centre(state, rows[1])).dot(axis) / 2 - shift.dot(axis)) * axis;
   move_all(state, Eigen::Matrix3d::Identity(), shift);
   system_.place(theta, state);
   return state;

@@ -45,7 +45,7 @@ ElasticSystem::ElasticSystem(const Structure& structure, const Elasticity& elast
   hinges_.reserve(structure.hinges.size());
   for (const Hinge& hinge : structure.hinges) hinges_.push_back(rest_hinge(hinge));
   if (drive.kind == Drive::Kind::plates)
-    gripped_ = gripped_bodies(structure, drive.axis);
+    gripped_ = gripped_bodies(structure, drive.axis, drive.grip);
   else
     driven_ = *structure.hinge_at(drive.wall);
 }

@@ -31,7 +31,7 @@ class ElasticSystem {
   const ContactModel& walls() const { return walls_; }
   bool has_contact() const { return contact_; }
   /// Bodies that the plates grip, first and last row; empty for a driven hinge.
-  const std::array<std::vector<int>, 2>& gripped() const { return gripped_; }
+  const GrippedRows& gripped() const { return gripped_; }
 
   std::vector<Contact> contacts(const State& state) const;
   /// Whether walls went through each other between two states (ContactModel::passed_through).
@@ -93,7 +93,7 @@ class ElasticSystem {
   Freedoms freedoms_;
   std::vector<RestHinge> hinges_;
   mutable ContactModel walls_;  ///< remembers which walls are near; what it finds does not depend on it
-  std::array<std::vector<int>, 2> gripped_;
+  GrippedRows gripped_;
   int driven_ = -1;
   double multiplier_ = 0;
 };

@@ -1,7 +1,5 @@
 #include "model/elastic/freedoms.hpp"
 
-#include <algorithm>
-
 namespace kinetix {
 namespace {
 
@@ -9,9 +7,9 @@ enum Coordinate { turn_x, turn_y, turn_z, shift_x, shift_y, shift_z };
 
 using Held = std::vector<std::array<bool, 6>>;
 
-void hold_plates(const Structure& structure, Axis axis, Held& held) {
-  const bool along_y = axis == Axis::y;
-  const auto rows = gripped_bodies(structure, axis);
+void hold_plates(const Structure& structure, const Drive& drive, Held& held) {
+  const bool along_y = drive.axis == Axis::y;
+  const GrippedRows rows = gripped_bodies(structure, drive.axis, drive.grip);
   for (const auto& row : rows) {
     for (const int body : row) held[body][along_y ? shift_y : shift_x] = true;
     held[row[row.size() / 2]][shift_z] = true;
@@ -51,24 +49,10 @@ Eigen::VectorXd Freedoms::extend(const Eigen::VectorXd& unknowns) const {
   return out;
 }
 
-std::array<std::vector<int>, 2> gripped_bodies(const Structure& structure, Axis axis) {
-  int first = row_along(axis, structure.bodies.front()), last = first;
-  for (const Vertex v : structure.bodies) {
-    first = std::min(first, row_along(axis, v));
-    last = std::max(last, row_along(axis, v));
-  }
-  std::array<std::vector<int>, 2> rows;
-  for (int b = 0; b < static_cast<int>(structure.bodies.size()); ++b) {
-    if (row_along(axis, structure.bodies[b]) == first) rows[0].push_back(b);
-    if (row_along(axis, structure.bodies[b]) == last) rows[1].push_back(b);
-  }
-  return rows;
-}
-
 Freedoms make_freedoms(const Structure& structure, const Drive& drive, bool planar) {
   Held held = planes(structure, planar);
   if (drive.kind == Drive::Kind::plates)
-    hold_plates(structure, drive.axis, held);
+    hold_plates(structure, drive, held);
   else
     held[structure.hinges[*structure.hinge_at(drive.wall)].lower].fill(true);
   return numbered(held);

@@ -19,9 +19,6 @@ struct Freedoms {
   Eigen::VectorXd extend(const Eigen::VectorXd& unknowns) const;
 };
 
-/// The bodies that plates grip: the first and the last row of vertices along the drive's axis.
-std::array<std::vector<int>, 2> gripped_bodies(const Structure& structure, Axis axis);
-
 /// Planar: one turn and two shifts a body. Plates prescribe one coordinate of the bodies they grip, and the
 /// middle body of each is keyed to z = 0 as in the physics run; what rigid motion is left is held at the
 /// first of these two, where it meets no force. A driven hinge: its lower body is held.

@@ -74,7 +74,7 @@ class Follower {
     system_.linearise(path_.state, 0, tangent_);
     has_tangent_ = tangent_.factorise(0);
     path_.steps.push_back(measured(path_.state, 0, has_tangent_));
-    is_exact_ = !between_plates() && keeps_to_closed_form();
+    is_exact_ = (!between_plates() || system_.drive().grip) && keeps_to_closed_form();
     if (frame_) frame_(path_.steps.back(), path_.state);
   }
 

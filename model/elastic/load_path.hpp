@@ -84,7 +84,9 @@ std::string to_string(LoadPath::Stop stop);
 /// of theta, by prediction along the tangent and Newton's method. Weightless. Where a balance turns unstable
 /// (flat under plates, for one) the path leaves it along the exact mode of a family where the closed form is
 /// stable and has less energy, else along the softest direction, to the side of the drive's sign where that
-/// direction turns the checkerboard, else to `side`. @param frame sees every state taken
+/// direction turns the checkerboard, else to `side`. A net between plates that grip a part of it leans to one
+/// side from the first: it is taken to the closed form of the drive's sign as soon as that has less energy.
+/// @param frame sees every state taken
 /// @throws InvalidInput for options, stiffnesses or a drive out of range
 LoadPath follow_load(const Structure& structure, const Elasticity& elasticity, const Drive& drive,
                      const LoadPathOptions& options = {},

@@ -91,6 +91,17 @@ TEST(DesignFile, DrivesByPlatesAlongYUnlessToldOtherwise) {
   EXPECT_EQ(read(strip + "drive: {kind: plates, axis: x, compression: 0.15}").drive->axis, Axis::x);
 }
 
+const std::string tee =
+    "kinetix: 1\nstructure: {cells: [[0, 0], [1, 0], [2, 0], [1, 1], [1, 2], [1, 3]]}\n"
+    "design: {hinges: [{wall: [[1, 1], [1, 2]], beta_deg: -30}, {wall: [[2, 1], [2, 2]], beta_deg: 30}]}\n";
+
+TEST(DesignFile, TakesThePartThatPlatesGrip) {
+  const std::string spine = tee + "drive: {kind: plates, axis: x, compression: 0.1, grip: [[1, 0], [2, 4]]}";
+  EXPECT_EQ(read(spine).drive->grip, (Grip{{1, 0}, {2, 4}}));
+  EXPECT_NE(design_text(read(spine)).find("grip: [[1, 0], [2, 4]]}"), std::string::npos);
+  EXPECT_FALSE(read(tee + "drive: {kind: plates, compression: 0.1}").drive->grip);
+}
+
 TEST(DesignFile, TakesTheBranchAndTheSideOfABifurcation) {
   const DesignFile file = read(strip + "drive: {kind: plates, compression: 0.15, branch: -1, side: -1}");
   EXPECT_EQ(file.drive->branch, -1);
@@ -255,6 +266,26 @@ TEST(DesignFile, SaysWhereAndWhatIsAllowed) {
       {strip + "hinge: {k_contact: 0}\n", 3, 20, "hinge.k_contact", {"above 0, in N/mm"}},
       {strip + "hinge: {k_contract: 9}\n", 3, 9, "hinge.k_contract", {"did you mean `k_contact`?"}},
       {strip + "drive: {kind: plates, compression: 0.1, branch: 2}\n", 3, 49, "drive.branch", {"1, -1"}},
+      {tee + "drive: {kind: plates, compression: 0.1, grip: [[0, 0], [3, 2]]}\n",
+       4,
+       47,
+       "drive.grip",
+       {"no vertex [0, 2]"}},
+      {tee + "drive: {kind: plates, compression: 0.1, grip: [[1, 0], [2, 4]]}\n",
+       4,
+       47,
+       "drive.grip",
+       {"do not stay in two parallel planes", "spine"}},
+      {tee + "drive: {kind: plates, compression: 0.1, grip: [[1, 0], [2, 0]]}\n",
+       4,
+       47,
+       "drive.grip",
+       {"at least one cell both ways"}},
+      {tee + "drive: {kind: plates, compression: 0.1, grip: [[1, 0], [2, -1]]}\n",
+       4,
+       60,
+       "drive.grip[1][1]",
+       {"0 to 10000"}},
       {strip + "drive: {kind: plates, compression: 1}\n", 3, 36, "drive.compression", {"below 1"}},
       {strip + "drive: {side: 0}\n", 3, 15, "drive.side", {"1, -1"}},
       {strip + "drive: {side: 1, compression: 0.2}\n", 3, 8, "drive", {"`kind` is missing"}},

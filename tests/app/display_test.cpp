@@ -6,9 +6,13 @@
 
 #include "app/far_view.hpp"
 #include "app/panel_picture.hpp"
+#include "app/run_display.hpp"
+#include "targets/glyph_goal.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/schema_errors.hpp"
 #include "tests/support/paper_scenes.hpp"
+#include "tests/support/recogniser.hpp"
+#include "tests/targets/images.hpp"
 
 namespace kinetix::testing {
 namespace {
@@ -21,6 +25,7 @@ using Json = nlohmann::json;
 constexpr const char* ring = R"(kinetix: 1
 name: ring
 target: {kind: display, rows: ["000000", "011110", "010010", "010010", "011110", "000000"]}
+solver: {starts: 2, max_evaluations: 50}
 )";
 
 TEST(Display, IsSearchedVerifiedAndDrawn) {
@@ -50,10 +55,79 @@ TEST(Display, IsSearchedVerifiedAndDrawn) {
 
 TEST(Display, ThatCannotBeShownSaysWhy) {
   const Scratch scratch;
-  const std::string text = std::string(ring) + "tolerance: {contrast: 1e6}\nsolver: {max_evaluations: 3}\n";
+  const std::string text = R"(kinetix: 1
+target: {kind: display, rows: ["0000", "0110", "0010", "0000"]}
+tolerance: {contrast: 1e6}
+solver: {starts: 1, max_evaluations: 3}
+)";
   const Outcome run = kinetix_opt(scratch.write("ring.yaml", text) + " --no-verify -o " + scratch.path());
   EXPECT_EQ(run.code, 3) << run.out << run.err;
   EXPECT_THAT(run.out, HasSubstr("asked is 1000000"));
+  EXPECT_THAT(run.out, HasSubstr("no larger panel that was tried shows it within these bounds either: [8, 8]"));
+  const Json result = Json::parse(text_of(scratch / "result.json"));
+  EXPECT_EQ(schema_errors(result), "");
+  EXPECT_EQ(result["display"]["larger_panels_tried"].size(), 1u);
+  EXPECT_FALSE(result["display"].contains("needed_cells"));
+  EXPECT_GT(result["timing_s"]["larger_panels"], 0);
+}
+
+TEST(Display, NamesALargerPanelThatShowsThePictureAsAsked) {
+  const Scratch scratch;
+  const std::string text = R"(kinetix: 1
+target: {kind: display, rows: ["0110", "1001", "1001", "0110"]}
+tolerance: {contrast: 8}
+solver: {starts: 1, max_evaluations: 40}
+)";
+  const Outcome run = kinetix_opt(scratch.write("rhomb.yaml", text) + " --no-verify -o " + scratch.path());
+  EXPECT_EQ(run.code, 3) << run.out << run.err;
+  const Json result = Json::parse(text_of(scratch / "result.json"));
+  EXPECT_EQ(schema_errors(result), "");
+  EXPECT_EQ(result["display"]["needed_for"], "contrast");
+  EXPECT_EQ(result["display"]["needed_cells"], (std::vector{8, 8}));
+  EXPECT_THAT(run.out, HasSubstr("cells shows it within these bounds"));
+}
+
+TEST(Display, NamesThePanelThatKeepsAllStrokes) {
+  const Scratch scratch;
+  const std::string text = R"(kinetix: 1
+target: {kind: display, glyph: B}
+structure: {cells: [6, 6]}
+solver: {starts: 1, max_evaluations: 10}
+)";
+  const Outcome run = kinetix_opt(scratch.write("b.yaml", text) + " --no-verify -o " + scratch.path());
+  EXPECT_EQ(run.code, 3) << run.out << run.err;
+  EXPECT_THAT(run.out, HasSubstr("the smallest panel that shows it whole has [7, 7] cells"));
+  const Json result = Json::parse(text_of(scratch / "result.json"));
+  EXPECT_EQ(result["display"]["needed_cells"], (std::vector{7, 7}));
+  EXPECT_EQ(result["display"]["needed_for"], "strokes");
+}
+
+TEST(Display, RefusesWhatCannotBeAndWritesNothing) {
+  const Scratch scratch;
+  write_image(scratch / "flat.png", drawn({"....", "...."}));
+  scratch.write("text.png", "no picture\n");
+  scratch.write("huge.pgm", "P5\n80000 80000\n255\n");
+  const std::vector<std::array<std::string, 2>> cases = {
+      {"glyph: \"\"", "is empty; give a letter or a short word"},
+      {"glyph: \" \"", "shows no ink"},
+      {"glyph: T, font: DejaVu Sanz", "is not installed"},
+      {"glyph: T, font: DejaVu Sanz", "DejaVu Sans"},
+      {"image: none.png", "no such file"},
+      {"image: text.png", "give a PNG, PBM or PGM file"},
+      {"image: huge.pgm", "80000 x 80000 pixels; at most 64 megapixels"},
+      {"image: flat.png", "one value everywhere"},
+      {"rows: [\"00\", \"00\"]", "every cell is rest"},
+      {"glyph: T}\nstructure: {cells: [1, 1]", "from 2 to 1000"},
+      {"glyph: T}\nstructure: {cells: [1000, 1000]", "250000 in all are allowed"},
+  };
+  for (const auto& [target, says] : cases) {
+    const std::string file = scratch.write("bad.yaml", "kinetix: 1\ntarget: {kind: display, " + target + "}\n");
+    const Outcome run = kinetix_opt(file + " -o " + scratch.path() + "/out");
+    EXPECT_EQ(run.code, 2) << target;
+    EXPECT_THAT(run.err, HasSubstr(says));
+    EXPECT_THAT(run.err, HasSubstr("bad.yaml:"));
+    EXPECT_FALSE(std::filesystem::exists(scratch / "out")) << target;
+  }
 }
 
 TEST(PanelPicture, IsToScaleAndRefusesBrokenStates) {
@@ -72,6 +146,26 @@ TEST(FarView, IsTheSameForEveryFlatPanel) {
   EXPECT_EQ(far_view(letter, flat), far_view(plain, flat));
   EXPECT_EQ(panel_picture(letter, flat, {.format = PictureFormat::png}),
             panel_picture(plain, flat, {.format = PictureFormat::png}));
+}
+
+/// A letter on 12 x 12 cells after a short search, in the model.
+Run searched(const std::string& text) {
+  DisplayFile file;
+  file.goal = glyph_goal(text, find_font(default_font), 12, 12);
+  file.channel = Channel::area;
+  file.solver.starts = 1;
+  file.solver.max_evaluations = 40;
+  RunOptions options;
+  options.verify = false;
+  return run_display(file, options);
+}
+
+TEST(FarView, ARecogniserReadsTheLetterAfterCompressionAndNothingBefore) {
+  for (const char* text : {"C", "Z"}) {
+    const auto run = searched(text);
+    EXPECT_EQ(read_capitals(far_view(run.structure, run.states.front().poses)), text);
+    EXPECT_EQ(read_capitals(far_view(run.structure, rest_state(run.structure))), "");
+  }
 }
 
 TEST(FarView, RefusesBrokenStates) {

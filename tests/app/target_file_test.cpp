@@ -130,7 +130,8 @@ solver: {name: ccsa, max_evaluations: 7}
   EXPECT_EQ(file.goal.columns, 3);
   EXPECT_EQ(file.goal.row_texts(), (std::vector<std::string>{"011", "010"}));
   EXPECT_EQ(file.channel, Channel::area);
-  EXPECT_EQ(file.axis, Axis::x);
+  EXPECT_EQ(file.axes, std::vector{Axis::x});
+  EXPECT_FALSE(file.compression_range);
   EXPECT_EQ(file.compression, 0.1);
   EXPECT_DOUBLE_EQ(file.t[0], 0.15);
   EXPECT_DOUBLE_EQ(file.t[1], 0.85);
@@ -142,6 +143,22 @@ solver: {name: ccsa, max_evaluations: 7}
   EXPECT_EQ(file.hinge.k_point, 500);
   EXPECT_EQ(file.solver.name, SolverName::ccsa);
   EXPECT_EQ(file.solver.max_evaluations, 7);
+}
+
+TEST(TargetFile, ReadsCompressionAndDirectionAsVariables) {
+  TemporaryFolder folder;
+  const auto read = [&](const std::string& more) {
+    return std::get<DisplayFile>(
+        read_target(folder.write("d.yaml", "kinetix: 1\ntarget: {kind: display, rows: [\"01\", \"00\"]}\n" + more)));
+  };
+  const DisplayFile both = read("variables: {compression: {range: [0.15, 0.2]}, axis: [x, y]}\n");
+  EXPECT_EQ(both.axes, (std::vector{Axis::x, Axis::y}));
+  EXPECT_EQ(both.compression_range, (std::array{0.15, 0.2}));
+  EXPECT_EQ(both.compression, 0.15);
+  const DisplayFile start =
+      read("drive: {compression: 0.18}\nvariables: {compression: {range: [0.15, 0.2]}, axis: [y]}\n");
+  EXPECT_EQ(start.compression, 0.18);
+  EXPECT_EQ(start.axes, std::vector{Axis::y});
 }
 
 TEST(TargetFile, SaysWhatIsWrongWithADisplay) {
@@ -157,6 +174,16 @@ TEST(TargetFile, SaysWhatIsWrongWithADisplay) {
       {t + "drive: {compression: 0.6}\n", 3, 22, "drive.compression", {"above 0 and at most 0.5"}},
       {t + "drive: {axis: z}\n", 3, 15, "drive.axis", {"x, y"}},
       {t + "variables: {beta: {}}\n", 3, 13, "variables.beta", {"allowed: t"}},
+      {t + "variables: {compression: {}}\n", 3, 26, "variables.compression", {"`range` is missing"}},
+      {t + "variables: {compression: {range: [0, 0.2]}}\n", 3, 35, "variables.compression.range[0]", {"above 0"}},
+      {t + "drive: {compression: 0.3}\nvariables: {compression: {range: [0.1, 0.2]}}\n",
+       3,
+       22,
+       "drive.compression",
+       {"outside variables.compression.range", "[0.1, 0.2]"}},
+      {t + "variables: {axis: []}\n", 3, 19, "variables.axis", {"names no direction"}},
+      {t + "variables: {axis: [x, x]}\n", 3, 23, "variables.axis[1]", {"twice"}},
+      {t + "drive: {axis: x}\nvariables: {axis: [x, y]}\n", 4, 19, "variables.axis", {"only one of them"}},
       {t + "variables: {t: {corner_mm: 5}}\n", 3, 28, "variables.t.corner_mm", {"0.45 cells"}},
       {t + "tolerance: {auc: 0.4}\n", 3, 18, "tolerance.auc", {"0.5"}},
       {t + "solver: {name: ceres}\n", 3, 16, "solver.name", {"mma, ccsa, slsqp"}},
@@ -193,12 +220,11 @@ TEST(TargetFile, SaysWhereAndWhatIsAllowed) {
        31,
        "target.points",
        {"gone.csv: no such file"}},
-      {kind("helmet"), 2, 16, "target.kind", {"kind helmet is not supported"}},
       {kind("outline"),
        2,
        16,
        "target.kind",
-       {"kind outline is not supported by this version; supported: curve, display, fold"}},
+       {"kind outline is not supported by this version; supported: curve, display, fold, helmet"}},
       {kind("kurve"), 2, 16, "target.kind", {"did you mean `curve`?"}},
       {"kinetix: 1\ndesign: {theta_deg: 3}\n", 1, 1, "", {"design, not a target", "verify"}},
       {target + "varables: {}\n", 3, 1, "varables", {"did you mean `variables`?", "allowed: kinetix, name"}},

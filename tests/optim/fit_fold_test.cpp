@@ -55,6 +55,13 @@ TEST(FitFold, SaysThatTiltsAreTooSmall) {
   EXPECT_LT(design.folded.error.fold[0], pi / 2);
 }
 
+TEST(FitFold, TakesNoTiltsThatMakeWallsTouchWhenFlat) {
+  const CellSize tall = {10, 1, 15};
+  const FoldDesign design = fit_fold(box_goal({2, 2, 2}), options(tall));
+  EXPECT_FALSE(design.folds);
+  EXPECT_THAT(design.obstacles, ::testing::Contains(::testing::HasSubstr("when flat")));
+}
+
 TEST(FitFold, SpreadsASteeperFoldOverMoreColumns) {
   const FoldDesign design = fit_fold(net_goal(pair_of_faces(150 * degree)), options());
   ASSERT_TRUE(design.folds);

@@ -5,8 +5,10 @@
 #include <random>
 
 #include "model/classify.hpp"
+#include "model/invalid_input.hpp"
+#include "targets/head.hpp"
 #include "tests/support/derivatives.hpp"
-#include "tests/support/heads.hpp"
+#include "tests/targets/heads.hpp"
 
 namespace kinetix {
 namespace {
@@ -16,7 +18,7 @@ using Eigen::VectorXd;
 
 const Vector3d half_axes(76, 98, 100);
 
-MeshDistance head() { return {testing::ellipsoid(half_axes, 60), Vector3d(0, 0, 0)}; }
+MeshDistance head() { return {testing::ellipsoid(half_axes, 120, 60), Vector3d(0, 0, 0)}; }
 
 HelmetWish wish(int ribs = 8) {
   HelmetWish w;
@@ -56,6 +58,27 @@ TEST(FitHelmet, KeepsTheClearanceFromAnEllipsoid) {
   for (const double rib : design.error.of_ribs) EXPECT_LE(rib, 0.2);
   EXPECT_LE(hinge_gaps(design.fishbone.structure, design.state).max, 1e-12);
   EXPECT_EQ(classify(design.fishbone.structure).family, Family::F4);
+}
+
+TEST(FitHelmet, KeepsTheClearanceFromAScanWithEarsNoseAndHoles) {
+  constexpr unsigned seed = 3;
+  const Head scan = make_head(testing::scanned_head(seed), {});
+  HelmetWish w = wish();
+  w.coverage_mm = scan.coverage_mm;
+  const HelmetDesign design = fit_helmet(scan.dome, Vector3d::Zero(), w, {});
+  EXPECT_LE(design.error.rms, 1.5) << "seed " << seed;
+  EXPECT_LE(design.error.max, 5) << "seed " << seed;
+  EXPECT_TRUE(design.collisions.empty());
+}
+
+TEST(FitHelmet, RefusesMoreRibsThanRows) {
+  EXPECT_THROW(fit_helmet(head(), {0, 0, 100}, wish(100), {}), InvalidInput);
+}
+
+TEST(FitHelmet, RefusesCellsLargerThanTheHead) {
+  HelmetWish w = wish(1);
+  w.size = {400, 2, 10};
+  EXPECT_THROW(fit_helmet(head(), {0, 0, 100}, w, {}), InvalidInput);
 }
 
 TEST(FitHelmet, PlacesItsFishboneWhereTheSearchHadIt) {

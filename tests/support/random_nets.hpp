@@ -60,4 +60,22 @@ inline Structure cube_net(double tilt) {
   return structure;
 }
 
+/// A fishbone: a spine one cell wide along y, whose even rows carry ribs of `half` cells to both sides. Its
+/// odd rows bend by the tilt, the ribs' columns by up to it, at random, all downwards.
+inline Structure fishbone(int half, int rows, double tilt, unsigned seed = 1) {
+  std::vector<Cell> cells;
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i <= 2 * half; ++i)
+      if (i == half || j % 2 == 0) cells.push_back({i, j});
+  Structure net = make_structure(std::move(cells), {});
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> share(0.3, 1.0);
+  for (const Crease& crease : find_creases(net).list) {
+    const Wall& wall = net.hinges[crease.hinges[0]].wall;
+    if (wall.axis == Axis::x ? wall.from.i == half : wall.from.j % 2 == 0) continue;
+    set_tilt(net, crease, turn_sense(wall) * tilt * (wall.axis == Axis::x ? share(random) : 1));
+  }
+  return net;
+}
+
 }  // namespace kinetix::testing

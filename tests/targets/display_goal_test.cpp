@@ -40,6 +40,13 @@ TEST(DisplayGoal, RandomRowsComeBackAsTheyWere) {
   }
 }
 
+TEST(DisplayGoal, RowsAreRedrawnCellByCell) {
+  const DisplayGoal goal = rows_goal({"011", "010"}), twice = goal.redrawn({6, 4});
+  EXPECT_TRUE(twice.whole);
+  EXPECT_FALSE(goal.redrawn({4, 3}).whole);
+  EXPECT_EQ(twice.row_texts(), (std::vector<std::string>{"001111", "001111", "001100", "001100"}));
+}
+
 TEST(DisplayGoal, TellsGreyFromBinary) {
   const DisplayGoal goal = make_goal({2, 2}, {0, 0.25, 0.5, 1});
   EXPECT_FALSE(goal.is_binary());

@@ -136,8 +136,22 @@ TEST(GlyphGoal, RefusesWhatItCannotShow) {
 }
 
 TEST(GlyphGoal, NamesTheNeededPanelWhereNoStrokeFillsACell) {
+  EXPECT_THAT(refusal([] { bold("WMWM", 4, 20); }), AllOf(HasSubstr("every cell is"), HasSubstr("whole is [")));
   EXPECT_THAT(refusal([] { bold("WMWMWMWMWMWM", 4, 200); }),
-              AllOf(HasSubstr("every cell is"), HasSubstr("shows it whole is [")));
+              AllOf(HasSubstr("every cell is"), HasSubstr("no panel of these proportions that is allowed")));
+}
+
+TEST(GlyphGoal, MissesTheMiddleArmOfAnE) {
+  const DisplayGoal goal = bold("E", 6, 4);
+  EXPECT_EQ(topology(goal), (Topology{1, 0}));
+  EXPECT_FALSE(goal.whole);
+  ASSERT_TRUE(goal.needed);
+  EXPECT_TRUE(bold("E", (*goal.needed)[0], (*goal.needed)[1]).whole);
+}
+
+TEST(GlyphGoal, IsRedrawnFromItsOutlines) {
+  const DisplayGoal goal = bold("R", 8, 8);
+  EXPECT_EQ(goal.redrawn({14, 13}).levels, bold("R", 14, 13).levels);
 }
 
 TEST(FindFont, TakesFullNamesAndFamiliesInAnyCase) {

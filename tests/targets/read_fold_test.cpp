@@ -53,6 +53,13 @@ TEST(ReadFold, TakesARingThatFoldsInOneDirection) {
   EXPECT_EQ(read(net(ring)).nets[0].creases.size(), 4u);
 }
 
+TEST(ReadFold, RefusesARingThatOpensWhenItFolds) {
+  const std::string ring = base_a + ",\n{faces: [base, b], side: right, angle_deg: 0}" +
+                           ",\n{faces: [a, c], side: right, angle_deg: 0}" +
+                           ",\n{faces: [b, c], side: top, angle_deg: 80}";
+  EXPECT_THAT(testing::refusal([&] { read(net(ring)); }), ::testing::HasSubstr("does not close"));
+}
+
 TEST(ReadFold, RefusesWhatIsNoFold) {
   const BadInput cases[] = {
       {"{kind: fold}", 1, 9, "target", {"`box: [a, b, c]`"}},

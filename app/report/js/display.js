@@ -12,7 +12,10 @@ function readDisplay(raw) {
     levels: list(raw.levels).map((level) => finite(level) ?? 0),
     before: reading(raw.before), after: reading(raw.after), physics: reading(raw.physics),
     stretch: finite(raw.stretch_max), starts: list(raw.starts), reasons: words(raw.reasons),
-    physicsReasons: words(raw.reasons_physics),
+    physicsReasons: words(raw.reasons_physics), axis: raw.axis === "x" ? "x" : "y",
+    compression: finite(raw.compression),
+    needed: list(raw.needed_cells).filter((side) => finite(side) !== null),
+    neededFor: raw.needed_for === "contrast" ? "contrast" : "strokes",
   };
 }
 
@@ -82,7 +85,6 @@ function displaySection(data) {
     return drawing(view.width, view.height, label, svg("rect", {width: view.width, height: view.height, fill: "#fff"}),
                    panelFromAbove(structure, state, view, hinges), hinges ? hingeDots(structure, view) : []);
   });
-  const rule = display.starts[0];
   return html(
       "div", {}, html("div", {class: "shots"},
                       shot(states.flat, "Before", "contrast " + figures(display.before?.contrast ?? 0)),
@@ -92,8 +94,29 @@ function displaySection(data) {
                       shot(states.flat, "Where the hinges are",
                            "grey: in the middle of the wall; blue: towards its lower or left end; red: towards the other",
                            true)),
-      rule && finite(rule.contrast) !== null ?
-          html("p", {}, `The paper\u2019s rule alone (uniform-scaling cells where the picture is): contrast ${
-                            figures(rule.contrast)}, AUC ${figures(rule.auc)}.`) :
-          null);
+      html("p", {}, `Pressed along ${display.axis} by ${percent(display.compression)}. The most that a hinge ` +
+                        `stretches is ${figures(display.stretch)} cell edges.`),
+      neededPanel(display), startsTable(display));
+}
+
+/** How large a panel would have to be; what this one lacks is said at the top. */
+function neededPanel(display) {
+  if (display.needed.length !== 2) return null;
+  const why = {strokes: "keeps all strokes of the picture", contrast: "shows it as clearly as asked within the same bounds"};
+  return html("p", {}, html("strong", {}, `${display.needed[0]} \u00d7 ${display.needed[1]} cells`),
+              ` is the smallest panel known that ${why[display.neededFor]}.`);
+}
+
+function startsTable(display) {
+  const rows = display.starts.filter((start) => start && typeof start.name === "string");
+  if (rows.length === 0) return null;
+  return html("div", {},
+              html("p", {}, "The search starts from the paper\u2019s rule (uniform-scaling cells where the picture is) by both " +
+                                "checkerboards, and from variations of it. What the starts show by themselves:"),
+              table(["start", "contrast", "AUC", "cost after the first stage", ""],
+                    rows.map((start) => ({cells: [
+                      start.name, figures(start.contrast), figures(start.auc), figures(start.cost),
+                      start.sharpened === true ? "sharpened" : ""
+                    ]})),
+                    "Starts of the search"));
 }

@@ -116,6 +116,7 @@ function drawFolded(data, width) {
       width, map.height,
       seenFromSide(data) ? "The folded strip seen from the side, over the target curve" : "The folded sheet",
       seenFromSide(data) ? mmAxes(map, width, margin) : null,
+      svg("g", {class: "head"}, (data.helmet?.head ?? []).map((points) => svg("path", {d: path(points.map(view.project).map(map.to))}))),
       svg("g", {class: "walls"}, walls.map((wall) => svg("path", {d: path(wall.outline.map(map.to), true)}))),
       line("goal", goalWidth), line("model"), line("physics"));
 }
@@ -129,7 +130,7 @@ function foldedPicture(data) {
       html(
           "figcaption", {},
           legend(
-              hasGoal && ["goal", "target curve"], ["wall", "walls, folded (model)"],
+              hasGoal && ["goal", "target curve"], data.helmet && ["head-key", "the head"], ["wall", "walls, folded (model)"],
               seenFromSide(data) && ["model", "midline of the model"],
               seenFromSide(data) && data.states.physics && ["physics", "midline of the physics run"]),
           seenFromSide(data) ? "Seen from the side, true proportions. " +

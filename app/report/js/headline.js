@@ -34,6 +34,7 @@ function failing(data) {
 function verdict(data) {
   if (data.display) return displayVerdict(data);
   if (data.fold) return foldVerdict(data);
+  if (data.helmet) return helmetVerdict(data);
   if (data.balance && !data.raw.target) return balanceVerdict(data);
   const {met, verified} = data.verdict;
   const hasRun = data.states.physics !== null || finite(data.metrics.verify_rms) !== null ||
@@ -112,6 +113,8 @@ function shapeNumbers(data) {
 const OTHER_NUMBERS = [
   ["contrast", "Contrast d\u2032", "letter cells against the rest, in standard deviations"],
   ["auc", "Letter recognised", "chance that a letter cell stands out from another (AUC); 0.5 is guessing"],
+  ["distance_rms_mm", "Distance, rms", "mm, of the bodies from head plus clearance"],
+  ["distance_max_mm", "Distance, largest", "mm, likewise"],
   ["face_rms", "Face error, rms", "corners of the faces against the ideal solid, in edges"],
 ];
 
@@ -165,9 +168,9 @@ function keyNumbers(data) {
   return numbers.length ? html("dl", {class: "numbers"}, numbers) : null;
 }
 
-function reasons({curve, display, fold}) {
-  if (fold) return [...fold.reasons, ...fold.physicsReasons];
-  return display ? [...display.reasons, ...display.physicsReasons] : curve.reasons;
+function reasons({curve, display, fold, helmet}) {
+  const found = display ?? fold ?? helmet;
+  return found ? [...found.reasons, ...found.physicsReasons] : curve.reasons;
 }
 
 function headline(data) {

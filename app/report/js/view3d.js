@@ -31,6 +31,21 @@ function levelling(line) {
   return ([x, y, z]) => [c * x + s * z, y, c * z - s * x];
 }
 
+/** Lines that the folded shape is seen over, about the same centre. */
+function centredLines(data, state) {
+  const centre = mean(state.poses.map((pose) => pose.p));
+  return (data.helmet?.head ?? []).map((points) => points.map((p) => subtract(p, centre)));
+}
+
+function paintLines(context, lines, to) {
+  context.strokeStyle = colour("muted");
+  for (const line of lines) {
+    context.beginPath();
+    line.map(to).forEach(([x, y], k) => (k ? context.lineTo(x, y) : context.moveTo(x, y)));
+    context.stroke();
+  }
+}
+
 function centredFaces(structure, state, parts, level) {
   const turn = level ? levelling(midline(structure, state)) : (p) => p;
   const centre = mean(state.poses.map((pose) => pose.p));
@@ -103,6 +118,7 @@ function paint(canvas, scene, width) {
       stop.faces.map((face) => ({face, depth: dot(mean(face), eye.away)})).sort((a, b) => b.depth - a.depth);
   const lit = colour(stop.look + "-plate"), shade = colour(stop.look + "-shade");
   context.lineWidth = 0.7;
+  paintLines(context, stop.lines, to);
   for (const {face} of faces) paintFace(context, face.map(to), litColour(face, eye, lit, shade), shade);
   scaleBar(context, perMm, width, height);
 }
@@ -110,7 +126,9 @@ function paint(canvas, scene, width) {
 /** Everything that can be shown, flat first; the physics run last. */
 function stopsOf(data) {
   const {structure, states} = data, parts = plates(structure), level = seenFromSide(data);
-  const stop = (state, look, text) => ({look, text, faces: centredFaces(structure, state, parts, level)});
+  const stop = (state, look, text) => ({
+    look, text, faces: centredFaces(structure, state, parts, level), lines: state === states.flat ? [] : centredLines(data, state)
+  });
   const frames =
       states.frames.map((state) => stop(state, "model", `\u03b8 ${degrees(toDegrees(state.theta))}`));
   const final = states.model ?
