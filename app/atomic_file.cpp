@@ -143,8 +143,12 @@ void remove_parts_when_interrupted() {
 }
 
 void write_file(const std::string& file, std::string_view content) {
+  write_file(file, [&](const FileSink& sink) { sink(content); });
+}
+
+void write_file(const std::string& file, const std::function<void(const FileSink&)>& produce) {
   Part part{fs::path(file)};
-  part.write(content);
+  produce([&](std::string_view piece) { part.write(piece); });
   part.commit();
 }
 

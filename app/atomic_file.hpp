@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,11 @@ namespace kinetix {
 /// part is removed.
 /// @throws InvalidInput naming the folder or file and the reason
 void write_file(const std::string& file, std::string_view content);
+
+/// Takes the next piece of a file.
+using FileSink = std::function<void(std::string_view)>;
+/// The same for content that comes in pieces. Whatever `produce` throws leaves the file as it was.
+void write_file(const std::string& file, const std::function<void(const FileSink&)>& produce);
 
 /// From now on an interrupt, a hangup or a request to terminate removes the part that is being written, then
 /// ends the program as it would have. For programs that write from one thread: the one that calls this.

@@ -11,9 +11,7 @@
 #include "app/output.hpp"
 #include "app/result_json.hpp"
 #include "app/run_design.hpp"
-#include "app/run_display.hpp"
-#include "app/run_fold.hpp"
-#include "app/run_helmet.hpp"
+#include "app/run_target.hpp"
 #include "app/stopwatch.hpp"
 #include "model/invalid_input.hpp"
 #include "targets/document.hpp"
@@ -61,13 +59,6 @@ int report(Run run, double load_seconds, OutputFolder& folder, bool as_json) {
     std::cout << summary(run)
               << fmt::format("  {:<10} {}/report.html, result.json, design.yaml\n", "written", folder.path());
   return exit_code(run);
-}
-
-Run run_target(const Target& target, const RunOptions& options) {
-  if (const auto* display = std::get_if<DisplayFile>(&target)) return run_display(*display, options);
-  if (const auto* fold = std::get_if<FoldFile>(&target)) return run_fold(*fold, options);
-  if (const auto* helmet = std::get_if<HelmetFile>(&target)) return run_helmet(*helmet, options);
-  return run_curve(std::get<TargetFile>(target), options);
 }
 
 using DesignRun = Run (*)(const DesignFile&, const RunOptions&);

@@ -19,9 +19,11 @@ struct CommandOptions {
   bool verify = true;
   int threads = 0;
   std::uint64_t seed = 0;
+  bool seed_given = false;
   std::string model = "exact";  ///< of simulate: exact, equilibrium or bullet
   double theta_deg = 0;         ///< of simulate
   bool theta_given = false;
+  bool resume = false;  ///< of sweep
 };
 
 /// `kinetix-opt TARGET.yaml`: search, verify, write.

@@ -29,7 +29,7 @@ void Console::clear_line() {
   shown_percent_ = -1;
 }
 
-void Console::stage(const std::string& name, double done) {
+void Console::stage(const std::string& name, double done, const std::string& note) {
   if (quiet_) return;
   if (name != stage_) {
     clear_line();
@@ -37,10 +37,12 @@ void Console::stage(const std::string& name, double done) {
     if (!terminal_) log().info("{} ...", name);
   }
   const int percent = static_cast<int>(100 * done);
-  if (!terminal_ || done < 0 || percent == shown_percent_) return;
+  if (!terminal_ || done < 0 || (percent == shown_percent_ && note == note_)) return;
   shown_percent_ = percent;
+  note_ = note;
   const int filled = bar_width * percent / 100;
-  fmt::print(stderr, "\r{:<12} [{:#<{}}{:.<{}}] {:3d} %", name, "", filled, "", bar_width - filled, percent);
+  fmt::print(stderr, "\r{:<12} [{:#<{}}{:.<{}}] {:3d} % {}\033[K", name, "", filled, "", bar_width - filled,
+             percent, note);
   std::fflush(stderr);
 }
 

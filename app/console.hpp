@@ -13,7 +13,8 @@ class Console {
   explicit Console(bool quiet);
   ~Console();
 
-  void stage(const std::string& name, double done);
+  /// @param note stands behind the bar of a terminal, e.g. the time left
+  void stage(const std::string& name, double done, const std::string& note = {});
   void error(const std::string& message);
   Progress progress();
 
@@ -22,7 +23,7 @@ class Console {
 
   bool quiet_, terminal_;
   int shown_percent_ = -1;
-  std::string stage_;
+  std::string stage_, note_;
 };
 
 }  // namespace kinetix

@@ -95,8 +95,9 @@ double read_state(const Node& root, Structure& structure) {
 
 }  // namespace
 
-DesignFile read_design(const std::string& path) {
-  const Node root = read_document(path, max_design_bytes);
+DesignFile read_design(const std::string& path) { return read_design(read_document(path, max_design_bytes)); }
+
+DesignFile read_design(const Node& root) {
   check_kind_of_file(root);
   check_version(root);
   DesignFile file{.name = read_name(root), .structure = read_structure(root)};

@@ -28,6 +28,8 @@ inline constexpr std::size_t max_design_bytes = 16 << 20;
 /// not have, is named twice, or does not run from its lower to its upper vertex, and cells of a pattern that
 /// disagree
 DesignFile read_design(const std::string& file);
+/// The same of a document in memory.
+DesignFile read_design(const Node& root);
 
 /// The file's text. read_design gives the same design back, bit for bit: angles are in degrees with as many
 /// digits as that takes. Only hinges that differ from the basic one are named.

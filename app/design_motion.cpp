@@ -133,4 +133,17 @@ PhysicsOptions physics_options(const PhysicsSection& section, double edge_mm) {
   return options;
 }
 
+Elasticity elasticity_of(const DesignFile& design) {
+  return elasticity_of(design.hinge, design.physics, design.structure.size.edge_mm);
+}
+
+PhysicsOptions physics_of(const DesignFile& design, bool planar) {
+  const double edge = design.structure.size.edge_mm;
+  if (design.hinge.model == HingeSection::Model::elastic)
+    return elastic_physics(elasticity_of(design), design.physics, edge, planar);
+  PhysicsOptions physics = physics_options(design.physics, edge);
+  if (design.hinge.reach_mm) physics.reach = *design.hinge.reach_mm / edge;
+  return physics;
+}
+
 }  // namespace kinetix

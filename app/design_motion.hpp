@@ -24,4 +24,8 @@ PhysicsOptions physics_options(const PhysicsSection& section, double edge_mm);
 PhysicsOptions elastic_physics(const Elasticity& elasticity, const PhysicsSection& section, double edge_mm,
                                bool planar);
 
+/// The same of a whole design: of its hinges, and of its physics run. @param planar all hinges stand upright
+Elasticity elasticity_of(const DesignFile& design);
+PhysicsOptions physics_of(const DesignFile& design, bool planar);
+
 }  // namespace kinetix

@@ -3,6 +3,7 @@
 
 #include "app/atomic_file.hpp"
 #include "app/commands.hpp"
+#include "app/sweep/sweep_command.hpp"
 #include "app/version.hpp"
 #include "model/invalid_input.hpp"
 
@@ -16,7 +17,13 @@ void add_common(CLI::App& app, CommandOptions& options) {
   app.add_option("--threads", options.threads,
                  "threads of the search; 0 = all cores; the answer does not depend on it")
       ->check(CLI::Range(0, 1024));
-  app.add_option("--seed", options.seed, "seed of the random starts; same seed, same answer")
+  app.add_option_function<std::uint64_t>(
+         "--seed",
+         [&options](const std::uint64_t& seed) {
+           options.seed = seed;
+           options.seed_given = true;
+         },
+         "seed of the random starts or samples; same seed, same answer")
       ->check(CLI::Range(0.0, 9e15))
       ->type_name("UINT");
 }
@@ -67,12 +74,17 @@ int run(int argc, char** argv) {
   CLI::App* verify =
       app.add_subcommand("verify", "run the physics engine on a design and compare it with the model");
   CLI::App* simulate = app.add_subcommand("simulate", "compute one folded state of a design");
+  CLI::App* sweep = app.add_subcommand("sweep", "run a design of experiments; also under mpirun");
   CLI::App* check = app.add_subcommand("check", "validate a target or a design; writes nothing");
   for (CLI::App* command : {verify, simulate, check}) {
     add_file(*command, options, command == check ? "FILE.yaml" : "DESIGN.yaml", "the file to read");
     add_common(*command, options);
     if (command != check) add_output(*command, options);
   }
+  add_file(*sweep, options, "DOE.yaml", "the sweep: base, factors, method, responses");
+  add_common(*sweep, options);
+  add_output(*sweep, options);
+  sweep->add_flag("--resume", options.resume, "continue the sweep whose table is in DIR");
   simulate
       ->add_option("--model", options.model,
                    "exact: closed form; equilibrium: elastic hinges; bullet: physics run")
@@ -89,6 +101,7 @@ int run(int argc, char** argv) {
   options.theta_given = theta->count() > 0;
   if (verify->parsed()) return kinetix::verify_command(options);
   if (simulate->parsed()) return kinetix::simulate_command(options);
+  if (sweep->parsed()) return kinetix::sweep_command(options);
   if (check->parsed()) return kinetix::check_command(options);
   if (options.file.empty()) {
     std::cerr << app.help();

@@ -80,32 +80,6 @@ Json state_json(const NamedState& state) {
           {"hinge_gap_rms", state.gaps.rms}};
 }
 
-Json metrics_json(const Run& run) {
-  Json metrics = {{"theta_rad", run.theta}};
-  if (run.plan.free_range) {
-    const ThetaLimit& limit = run.theta < 0 ? run.plan.free_range->negative : run.plan.free_range->positive;
-    if (limit.touches) metrics["theta_limit_rad"] = limit.theta;
-  }
-  if (run.curve) {
-    const CurveError& error = run.curve->found.error;
-    metrics["shape_rms"] = error.rms;
-    metrics["shape_max"] = error.max;
-    metrics["met"] = run.curve->met;
-  }
-  if (run.display) add_display_metrics(*run.display, metrics);
-  if (run.fold) add_fold_metrics(*run.fold, metrics);
-  if (run.helmet) add_helmet_metrics(*run.helmet, metrics);
-  if (run.equilibrium) add_equilibrium_metrics(*run.equilibrium, metrics);
-  if (run.verification) {
-    metrics["verify_rms"] = run.verification->distance.rms;
-    metrics["verify_max"] = run.verification->distance.max;
-    metrics["hinge_gap_max"] = run.verification->physics.gaps.max;
-    metrics["hinge_axis_max_rad"] = run.verification->physics.gaps.axis_max;
-    metrics["verified"] = run.verification->agrees;
-  }
-  return metrics;
-}
-
 Json curve_json(const CurveOutcome& curve) {
   const CurveDesign& found = curve.found;
   Json error = Json::array(), turn = Json::array();
@@ -156,6 +130,32 @@ Json fidelity_json(const std::vector<Fidelity>& rows) {
 }
 
 }  // namespace
+
+Json metrics_json(const Run& run) {
+  Json metrics = {{"theta_rad", run.theta}};
+  if (run.plan.free_range) {
+    const ThetaLimit& limit = run.theta < 0 ? run.plan.free_range->negative : run.plan.free_range->positive;
+    if (limit.touches) metrics["theta_limit_rad"] = limit.theta;
+  }
+  if (run.curve) {
+    const CurveError& error = run.curve->found.error;
+    metrics["shape_rms"] = error.rms;
+    metrics["shape_max"] = error.max;
+    metrics["met"] = run.curve->met;
+  }
+  if (run.display) add_display_metrics(*run.display, metrics);
+  if (run.fold) add_fold_metrics(*run.fold, metrics);
+  if (run.helmet) add_helmet_metrics(*run.helmet, metrics);
+  if (run.equilibrium) add_equilibrium_metrics(*run.equilibrium, metrics);
+  if (run.verification) {
+    metrics["verify_rms"] = run.verification->distance.rms;
+    metrics["verify_max"] = run.verification->distance.max;
+    metrics["hinge_gap_max"] = run.verification->physics.gaps.max;
+    metrics["hinge_axis_max_rad"] = run.verification->physics.gaps.axis_max;
+    metrics["verified"] = run.verification->agrees;
+  }
+  return metrics;
+}
 
 Json result_json(const Run& run) {
   const double edge = run.structure.size.edge_mm;

@@ -9,6 +9,8 @@ namespace kinetix {
 /// The document of contracts.md, schema kinetix-result/1 (app/schema/result.schema.json): millimetres, and
 /// radians where a key ends in _rad. Numbers that are not finite become null.
 nlohmann::ordered_json result_json(const Run& run);
+/// Its key `metrics` alone.
+nlohmann::ordered_json metrics_json(const Run& run);
 
 /// The few lines of it that a person reads on stdout.
 std::string summary(const Run& run);

@@ -44,19 +44,6 @@ Run reference_run(const DesignFile& design, const RunOptions& options) {
   return exact ? simulate_exact(design, options) : planned(design, options);
 }
 
-Elasticity elasticity_of(const DesignFile& design) {
-  return elasticity_of(design.hinge, design.physics, design.structure.size.edge_mm);
-}
-
-PhysicsOptions physics_of(const DesignFile& design, const Plan& plan) {
-  const double edge = design.structure.size.edge_mm;
-  if (design.hinge.model == HingeSection::Model::elastic)
-    return elastic_physics(elasticity_of(design), design.physics, edge, plan.planar);
-  PhysicsOptions physics = physics_options(design.physics, edge);
-  if (design.hinge.reach_mm) physics.reach = *design.hinge.reach_mm / edge;
-  return physics;
-}
-
 /// The state to compare with; empty where there is none of the whole drive.
 State reference_of(const Run& run) {
   const bool on_the_way = run.equilibrium && !run.equilibrium->reached();
@@ -85,7 +72,7 @@ Run simulate_equilibrium(const DesignFile& design, const RunOptions& options) {
 
 Run simulate_physics(const DesignFile& design, const RunOptions& options) {
   Run run = reference_run(design, options);
-  const PhysicsOptions physics = physics_of(design, run.plan);
+  const PhysicsOptions physics = physics_of(design, run.plan.planar);
   Stopwatch watch;
   verify(run, reference_of(run), drive_of(design), physics, options.progress);
   run.timings.verify = watch.lap();

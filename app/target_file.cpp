@@ -165,8 +165,9 @@ TargetFile read_curve_file(const Node& root) {
 
 }  // namespace
 
-Target read_target(const std::string& path) {
-  const Node root = read_document(path);
+Target read_target(const std::string& path) { return read_target(read_document(path)); }
+
+Target read_target(const Node& root) {
   check_kind_of_file(root);
   if (root.kind() != Node::Kind::map || !root.optional("target")) return read_curve_file(root);
   switch (read_kind(root)) {

@@ -45,6 +45,8 @@ using Target = std::variant<TargetFile, DisplayFile, FoldFile, HelmetFile>;
 
 /// @throws InvalidInput for whatever contracts.md does not allow, and for kinds that are not supported
 Target read_target(const std::string& file);
+/// The same of a document in memory.
+Target read_target(const Node& root);
 /// @throws InvalidInput likewise, and for kinds other than curve
 TargetFile read_curve_target(const std::string& file);
 /// The target's own name.

@@ -32,6 +32,10 @@ class Node {
   InvalidInput key_error(const std::string& what_is_wrong) const;
   /// Folder of the document; relative paths inside it start there.
   std::string folder() const;
+  /// The document that the value is part of.
+  const Tree& tree() const { return *tree_; }
+  /// Index of the value in tree().items.
+  int item() const { return item_; }
 
   /// Map getters. An empty value (`key:` alone) is present, and every other getter refuses it.
   void reject_unknown_keys(std::initializer_list<std::string_view> allowed) const;

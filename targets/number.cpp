@@ -137,6 +137,8 @@ double parse_degrees(std::string_view text, const Bounds& degrees) {
   return static_cast<double>(value * extended_radians_per_degree);
 }
 
+double radians_of(double degrees) { return static_cast<double>(degrees * extended_radians_per_degree); }
+
 std::string degrees_text(double radians) {
   char buffer[64];
   std::string text;

@@ -40,6 +40,9 @@ std::string shortest_text(double x);
 /// @throws InvalidInput as parse_number
 double parse_degrees(std::string_view text, const Bounds& degrees);
 
+/// The same of a number: the radians that a file with its shortest text would give, but for the last bit.
+double radians_of(double degrees);
+
 /// Degrees that parse_degrees reads back to exactly this angle (and -0 to 0). @pre finite
 std::string degrees_text(double radians);
 

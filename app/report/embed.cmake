@@ -1,5 +1,5 @@
 # Puts the page, its style and its scripts into one C++ string constant.
-# cmake -DPAGE=... -DSTYLE=... "-DSCRIPTS=a.js;b.js" -DOUTPUT=... -P embed.cmake
+# cmake -DPAGE=... -DSTYLE=... "-DSCRIPTS=a.js;b.js" -DNAME=constant -DOUTPUT=... -P embed.cmake
 set(js "(() => {\n\"use strict\";\n")
 foreach(script IN LISTS SCRIPTS)
   file(READ ${script} text)
@@ -24,4 +24,4 @@ endif()
 string(REPLACE "@REPORT_CSS@" "${css}" page "${page}")
 string(REPLACE "@REPORT_JS@" "${js}" page "${page}")
 file(WRITE ${OUTPUT} "#include \"app/report/page.hpp\"\n\nnamespace kinetix {\n\n"
-  "const std::string_view report_page = R\"kinetix(${page})kinetix\";\n\n}  // namespace kinetix\n")
+  "const std::string_view ${NAME} = R\"kinetix(${page})kinetix\";\n\n}  // namespace kinetix\n")

@@ -20,14 +20,18 @@ std::string inert(const std::string& json) {
   return text;
 }
 
+std::string filled(std::string_view page, const std::string& json) {
+  const std::size_t at = page.find(result_mark);
+  std::string text(page.substr(0, at));
+  text += inert(json);
+  text += page.substr(at + result_mark.size());
+  return text;
+}
+
 }  // namespace
 
-std::string report_html(const std::string& result_json) {
-  const std::size_t at = report_page.find(result_mark);
-  std::string page(report_page.substr(0, at));
-  page += inert(result_json);
-  page += report_page.substr(at + result_mark.size());
-  return page;
-}
+std::string report_html(const std::string& result_json) { return filled(report_page, result_json); }
+
+std::string sweep_html(const std::string& sweep_json) { return filled(sweep_page, sweep_json); }
 
 }  // namespace kinetix

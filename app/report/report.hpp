@@ -9,4 +9,7 @@ namespace kinetix {
 /// @param result_json the content of result.json (kinetix-result/1), UTF-8
 std::string report_html(const std::string& result_json);
 
+/// Likewise of a sweep. @param sweep_json the content of sweep.json (kinetix-sweep/1), UTF-8
+std::string sweep_html(const std::string& sweep_json);
+
 }  // namespace kinetix

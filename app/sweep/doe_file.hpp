@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/plan.hpp"
+#include "targets/document.hpp"
+#include "targets/document_path.hpp"
+
+namespace kinetix {
+
+/// The values that a factor may take, in the units of the key that it varies.
+struct FactorValues {
+  enum class Kind { range, normal, list };
+
+  Kind kind = Kind::range;
+  double lower = 0, upper = 0;  ///< range: its ends, lower < upper
+  double mean = 0, sd = 0;      ///< normal: sd > 0
+  std::vector<double> list;     ///< values: at least 1
+  int levels = 0;               ///< of a grid, ends included, >= 2; 0: not given
+};
+
+/// One path of a factor. What is written there is `times` the factor's value `plus` a constant, so that two
+/// keys can go together (`plus: 1, times: -1` gives 1 - k).
+struct FactorPath {
+  DocumentPath path;
+  double times = 1, plus = 0;
+};
+
+/// One entry of `factors:`.
+struct DoeFactor {
+  std::string name;  ///< heading of its column; default: the first path as written
+  std::vector<FactorPath> paths;
+  FactorValues values;
+  bool each = false;  ///< every number that the path matches varies by itself
+  bool add = false;   ///< values are added to the base's own
+  Node node;          ///< for messages
+};
+
+/// The `method:` section.
+struct DoeMethod {
+  enum class Kind { factorial, lhs, sobol, saltelli, monte_carlo, one_at_a_time, morris };
+
+  Kind kind = Kind::factorial;
+  /// What it counts is said at SamplingMethod; of factorial and one_at_a_time the levels decide alone.
+  std::optional<std::int64_t> samples = {};
+  std::optional<int> levels = {};  ///< of ranges that give none of their own
+  std::uint64_t seed = 0;
+  Node node;  ///< for messages
+};
+
+/// A doe.yaml.
+struct DoeFile {
+  std::string name;                 ///< default: the file's name without its ending
+  std::string base;                 ///< design or target, as a path from where the program runs
+  std::optional<std::string> goal;  ///< curve target that shape_rms of designs is measured against
+  Model model = Model::exact;
+  /// Of the equilibrium model: samples start from the base's own state at the drive's goal, and find the
+  /// balance below it, instead of following the load from flat. For small errors, which must not change the
+  /// branch.
+  bool from_base = false;
+  DoeMethod method;
+  std::vector<DoeFactor> factors;  ///< at least 1, no two of one name
+  std::vector<Node> responses;     ///< their names; at least 1, none twice
+  Node root;
+};
+
+inline constexpr std::int64_t most_samples = 10'000'000;
+
+/// @throws InvalidInput for whatever contracts.md does not allow. What the base has to say about paths and
+/// values is for SweepPlan to check
+DoeFile read_doe(const std::string& file);
+
+}  // namespace kinetix

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace kinetix {
+
+/// How a sample ended: as the exit codes of a single run.
+enum class SampleStatus { ok, missed, disagrees, failed };
+
+std::string to_string(SampleStatus status);
+
+/// One row of a sweep's table.
+struct SampleRow {
+  std::int64_t sample = 0;
+  std::vector<double> factors;
+  std::vector<double> responses;  ///< NaN where there is no number; all of them in a failed sample
+  SampleStatus status = SampleStatus::ok;
+  std::string reason;  ///< in words, empty where ok
+};
+
+}  // namespace kinetix

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/design_file.hpp"
+#include "app/target_file.hpp"
+
+namespace kinetix {
+
+/// The file that a sweep varies: a design (forward runs) or a target (a search in every sample).
+struct SweepBase {
+  Node root;
+  std::optional<DesignFile> design;
+  std::optional<Target> target;  ///< where it is no design
+};
+
+/// @throws InvalidInput as read_design and read_target
+SweepBase read_base(const std::string& file);
+
+}  // namespace kinetix

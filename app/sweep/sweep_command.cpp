@@ -1,0 +1,187 @@
+#include "app/sweep/sweep_command.hpp"
+
+#include <fmt/format.h>
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/atomic_file.hpp"
+#include "app/report/report.hpp"
+#include "app/sweep/ranks.hpp"
+#include "app/sweep/sweep_csv.hpp"
+#include "app/sweep/sweep_json.hpp"
+#include "app/sweep/sweep_progress.hpp"
+#include "app/sweep/sweep_run.hpp"
+
+namespace kinetix {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// How many samples ended how, and the first that failed.
+struct Tally {
+  std::int64_t ok = 0, missed = 0, disagrees = 0, failed = 0;
+  std::int64_t first_failed = -1;
+  std::string why;
+};
+
+Tally tally(const SweepTable& table) {
+  Tally counts;
+  table.read([&](const SampleRow& row) {
+    ++(row.status == SampleStatus::ok          ? counts.ok
+       : row.status == SampleStatus::missed    ? counts.missed
+       : row.status == SampleStatus::disagrees ? counts.disagrees
+                                               : counts.failed);
+    if (row.status != SampleStatus::failed || counts.first_failed >= 0) return;
+    counts.first_failed = row.sample;
+    counts.why = row.reason;
+  });
+  return counts;
+}
+
+/// What this call did, for its summary.
+struct Work {
+  std::int64_t before = 0, computed = 0;
+  double seconds = 0;
+  int ranks = 1, threads = 1;
+};
+
+Json summary_json(const SweepPlan& plan, const Tally& counts, const Work& work, const std::string& folder) {
+  return {{"schema", "kinetix-sweep/1"},
+          {"name", plan.doe.name},
+          {"model", to_string(plan.doe.model)},
+          {"seed", plan.seed},
+          {"factors", plan.samples.factors().size()},
+          {"responses", plan.responses.size()},
+          {"samples", plan.size()},
+          {"ok", counts.ok},
+          {"missed", counts.missed},
+          {"disagrees", counts.disagrees},
+          {"failed", counts.failed},
+          {"computed", work.computed},
+          {"seconds", work.seconds},
+          {"ranks", work.ranks},
+          {"threads", work.threads},
+          {"table", folder + "/sweep.sqlite"},
+          {"csv", folder + "/samples.csv"},
+          {"report", folder + "/report.html"},
+          {"analysis", folder + "/sweep.json"}};
+}
+
+std::string summary_text(const SweepPlan& plan, const Tally& counts, const Work& work,
+                         const std::string& folder) {
+  std::string text =
+      fmt::format("{}: {} samples of {} factors, {} responses, model {}\n", plan.doe.name, plan.size(),
+                  plan.samples.factors().size(), plan.responses.size(), to_string(plan.doe.model));
+  const auto line = [&](const char* label, const std::string& words) {
+    text += fmt::format("  {:<10} {}\n", label, words);
+  };
+  std::string ended = fmt::format("{} ok", counts.ok);
+  if (counts.missed > 0) ended += fmt::format(", {} missed", counts.missed);
+  if (counts.disagrees > 0) ended += fmt::format(", {} disagree", counts.disagrees);
+  if (counts.failed > 0) ended += fmt::format(", {} FAILED", counts.failed);
+  line("samples", ended);
+  if (counts.first_failed >= 0) line("failed", fmt::format("first {}: {}", counts.first_failed, counts.why));
+  if (work.before > 0) line("resumed", fmt::format("{} were there", work.before));
+  line("run",
+       fmt::format("{} in {}, {:.3g} a second, {} {} of {} {}", work.computed, duration_text(work.seconds),
+                   static_cast<double>(work.computed) / std::max(work.seconds, 1e-9), work.ranks,
+                   work.ranks == 1 ? "process" : "ranks", work.threads,
+                   work.threads == 1 ? "thread" : "threads"));
+  line("written", folder + "/report.html, samples.csv, sweep.sqlite, sweep.json");
+  return text;
+}
+
+std::string fingerprint(const SweepIdentity& identity) {
+  std::string text;
+  for (const auto& [key, value] : identity) text += key + "=" + value + "\n";
+  return text;
+}
+
+SweepPlan plan_of(const CommandOptions& options) {
+  return make_sweep_plan(options.file, options.seed_given ? std::optional(options.seed) : std::nullopt);
+}
+
+/// Everything that can be wrong is found before the other ranks are told to start.
+class Lead {
+ public:
+  Lead(const CommandOptions& options, const Ranks& ranks)
+      : options_(options),
+        ranks_(ranks),
+        plan_(plan_of(options)),
+        folder_(options.folder_given ? options.folder : "results/" + plan_.doe.name),
+        identity_(identify(plan_)),
+        table_(folder_.path(), plan_, identity_, options.resume) {
+    folder_.keep();
+  }
+
+  std::string fingerprint() const { return kinetix::fingerprint(identity_); }
+
+  int run() {
+    Work work{.before = table_.count(), .ranks = ranks_.size()};
+    work.threads = threads_of(plan_, ranks_, options_.threads);
+    {
+      Console console(options_.quiet);
+      SweepProgress progress(console, plan_.size(), table_.count());
+      Stopwatch watch;
+      run_sweep(
+          plan_, table_, ranks_, options_.threads, [&] { progress.show(table_.count()); },
+          [&](const std::string& words) { console.error(words); });
+      work.seconds = watch.lap();
+    }
+    work.computed = table_.count() - work.before;
+    write_csv(folder_.path(), table_, plan_, identity_);
+    const Json analysed = sweep_json(plan_, identity_, table_);
+    write_file(folder_.path() + "/report.html", sweep_html(analysed.dump()));
+    write_file(folder_.path() + "/sweep.json", analysed.dump(1) + "\n");
+    const Tally counts = tally(table_);
+    if (options_.json)
+      std::cout << summary_json(plan_, counts, work, folder_.path()).dump(1) << "\n";
+    else
+      std::cout << summary_text(plan_, counts, work, folder_.path());
+    return done;
+  }
+
+ private:
+  const CommandOptions& options_;
+  const Ranks& ranks_;
+  SweepPlan plan_;
+  OutputFolder folder_;
+  SweepIdentity identity_;
+  SweepTable table_;
+};
+
+int lead(const CommandOptions& options, const Ranks& ranks) {
+  std::optional<Lead> leader;
+  try {
+    leader.emplace(options, ranks);
+  } catch (...) {
+    ranks.from_first({});
+    throw;
+  }
+  ranks.from_first(leader->fingerprint());
+  return leader->run();
+}
+
+/// Rank 0 tells what is wrong; the others keep silent.
+int follow(const CommandOptions& options, const Ranks& ranks) {
+  const std::string wanted = ranks.from_first({});
+  if (wanted.empty()) return done;
+  try {
+    const SweepPlan plan = plan_of(options);
+    if (fingerprint(identify(plan)) != wanted) throw InvalidInput("reads other files than rank 0");
+    ranks.work(plan, threads_of(plan, ranks, options.threads));
+  } catch (const std::exception& e) {
+    ranks.leave(e.what());
+  }
+  return done;
+}
+
+}  // namespace
+
+int sweep_command(const CommandOptions& options) {
+  const Ranks ranks;
+  return ranks.rank() == 0 ? lead(options, ranks) : follow(options, ranks);
+}
+
+}  // namespace kinetix

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "app/commands.hpp"
+
+namespace kinetix {
+
+/// `kinetix-opt sweep DOE.yaml`: runs or resumes a design of experiments and writes DIR/sweep.sqlite and
+/// DIR/samples.csv. Under mpirun every rank calls this.
+int sweep_command(const CommandOptions& options);
+
+}  // namespace kinetix

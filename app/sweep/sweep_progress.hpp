@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+
+#include "app/console.hpp"
+#include "app/stopwatch.hpp"
+
+namespace kinetix {
+
+/// The bar of a sweep: share done, samples a second, time left.
+class SweepProgress {
+ public:
+  /// @param total samples of the sweep; @param before those that were there already
+  SweepProgress(Console& console, std::int64_t total, std::int64_t before);
+
+  /// @param count samples that are in the table now
+  void show(std::int64_t count);
+
+ private:
+  Console& console_;
+  std::int64_t total_, before_;
+  Stopwatch since_shown_;
+  double seconds_ = 0, next_ = 0;
+};
+
+/// "12.3 s", "4 min 10 s", "3 h 20 min"
+std::string duration_text(double seconds);
+
+}  // namespace kinetix

@@ -1,0 +1,27 @@
+#include "app/sweep/work_queue.hpp"
+
+#include <algorithm>
+
+namespace kinetix {
+namespace {
+
+constexpr double wanted_seconds = 0.1;
+constexpr double most_samples = 1 << 16;
+constexpr double growth = 4;
+
+}  // namespace
+
+std::vector<std::int64_t> WorkQueue::take(std::size_t count) {
+  std::vector<std::int64_t> samples;
+  for (; next_ < done_.size() && samples.size() < count; ++next_)
+    if (!done_[next_]) samples.push_back(static_cast<std::int64_t>(next_));
+  return samples;
+}
+
+void ChunkSize::took(std::size_t samples, double seconds) {
+  const double fitting = static_cast<double>(samples) * wanted_seconds / std::max(seconds, 1e-9);
+  const double most = std::min(growth * static_cast<double>(samples), most_samples);
+  size_ = static_cast<std::size_t>(std::clamp(fitting, 1.0, most));
+}
+
+}  // namespace kinetix

@@ -1,0 +1,108 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/app/sweep/sweep.hpp"
+
+namespace kinetix::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::string theta = "  - {path: design.theta_deg, range: [5, 40], levels: 8}\n";
+
+struct Bad {
+  std::string doe;
+  std::string says;
+};
+
+const Bad bad_sweeps[] = {
+    {sweep_of("{kind: factorial}", "  - {path: design.tetha_deg, range: [5, 40]}\n", "end_mm"),
+     "doe.yaml:6:5: factors[0]: the base has no number at `design.tetha_deg`; the nearest is "
+     "`design.theta_deg`"},
+    {sweep_of("{kind: factorial}", "  - {path: \"design.hinges[*].betas_deg\", range: [5, 40]}\n", "end_mm"),
+     "the nearest is `design.hinges[*].beta_deg`"},
+    {sweep_of("{kind: factorial}", "  - {path: hinge.k_pont, range: [5, 40]}\n", "end_mm"),
+     "the nearest is `hinge.k_point`"},
+    {sweep_of("{kind: factorial}", "  - {path: \"design.hinges[2].t\", range: [0.2, 0.4]}\n", "end_mm"),
+     "no such entry; positions count from 0"},
+    {sweep_of("{kind: factorial}", "  - {path: \"design.hinges[x].t\", range: [0.2, 0.4]}\n", "end_mm"),
+     "is not a path"},
+    {sweep_of("{kind: factorial}", "  - {path: design.theta_deg, range: [5, 140]}\n", "end_mm"),
+     "design.theta_deg = 140: 140 is out of range; allowed: a number above -90 and below 90"},
+    {sweep_of("{kind: factorial}", "  - {path: \"design.columns[*].t\", range: [0, 0.4]}\n", "end_mm"),
+     "0 is out of range"},
+    {sweep_of("{kind: factorial}", "  - {path: hinge.k_point, range: [-1, 40]}\n", "end_mm"),
+     "hinge.k_point: `-1`"},
+    {sweep_of("{kind: factorial}", "  - {path: design.theta_deg, range: [40, 5]}\n", "end_mm"),
+     "upside down"},
+    {sweep_of("{kind: factorial}", "  - {path: design.theta_deg}\n", "end_mm"),
+     "needs exactly one of `range:"},
+    {sweep_of("{kind: factorial}", "  - {path: design.theta_deg, normal: {mean: 20, sd: 0}}\n", "end_mm"),
+     "sd"},
+    {sweep_of("{kind: factorial}", theta + theta, "end_mm"), "two factors are called `design.theta_deg`"},
+    {sweep_of("{kind: factorial}",
+              "  - {path: \"design.walls[0].t\", range: [0.2, 0.4]}\n"
+              "  - {path: \"design.hinges[0].t\", range: [0.2, 0.4]}\n",
+              "end_mm"),
+     "that a factor writes already"},
+    {sweep_of("{kind: sobol, samples: 1000000000000}", theta, "end_mm"), "method.samples"},
+    {sweep_of("{kind: sobol, samples: 1.5}", theta, "end_mm"), "whole number"},
+    {sweep_of("{kind: factorial, levels: 1000000}",
+              "  - {path: design.theta_deg, range: [5, 40]}\n  - {path: \"design.columns[0].t\", range: "
+              "[0.2, 0.4]}\n",
+              "end_mm"),
+     "1e+12 samples are too many; at most 10000000"},
+    {sweep_of("{kind: sobal, samples: 8}", theta, "end_mm"), "did you mean `sobol`?"},
+    {sweep_of("{kind: factorial}", theta, "end_m"), "did you mean `end_mm`?"},
+    {sweep_of("{kind: factorial}", theta, "end_mm, end_mm"), "is given twice"},
+    {sweep_of("{kind: factorial}", theta, "energy_Nmm"), "is not a metric of this model"},
+    {sweep_of("{kind: factorial}", theta, "shape_rms"), "needs `goal: FILE.yaml`"},
+    {sweep_of("{kind: factorial}", theta, "end_mm", "modle: exact\n"), "did you mean `model`?"},
+    {"kinetix: 1\nbase: missing.yaml\nmethod: {kind: factorial}\nfactors:\n" + theta +
+         "responses: [end_mm]\n",
+     "missing.yaml"},
+    {"kinetix: 2\n", "version 2 is not supported"},
+};
+
+TEST(SweepBadInput, EndsWith2SaysWhatIsWrongAndWritesNothing) {
+  for (const Bad& bad : bad_sweeps) {
+    SCOPED_TRACE(bad.doe);
+    const Scratch scratch;
+    const Outcome run = run_sweep_in(scratch, bad.doe);
+    EXPECT_EQ(run.code, 2);
+    EXPECT_THAT(run.err, HasSubstr(bad.says));
+    EXPECT_FALSE(fs::exists(scratch / "out"));
+  }
+}
+
+TEST(SweepBadInput, AModelThatFitsNoSampleIsRefused) {
+  const Scratch scratch;
+  const std::string loose =
+      "kinetix: 1\nstructure: {cells: [2, 2]}\ndesign: {theta_deg: 5, hinges: [{wall: [[0, 0], "
+      "[1, 0]], t: 0.3}]}\n";
+  const Outcome run = run_sweep_in(scratch, sweep_of("{kind: factorial}", theta, "end_mm"), "", loose);
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, HasSubstr("use `model: equilibrium` or `bullet`"));
+  EXPECT_FALSE(fs::exists(scratch / "out"));
+}
+
+TEST(SweepBadInput, AThetaThatADriveDecidesCannotBeAFactor) {
+  const Scratch scratch;
+  const Outcome run = run_sweep_in(scratch, sweep_of("{kind: factorial}", theta, "end_mm"), "",
+                                   std::string(strip) + "drive: {kind: plates, compression: 0.1}\n");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, HasSubstr("`drive` decides theta"));
+}
+
+TEST(SweepBadInput, AFolderThatCannotBeWrittenIsNamed) {
+  const Scratch scratch;
+  scratch.write("strip.yaml", strip);
+  const std::string doe = scratch.write("doe.yaml", sweep_of("{kind: factorial}", theta, "end_mm"));
+  const Outcome run = kinetix_opt("sweep " + doe + " -o /proc/nowhere");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, HasSubstr("/proc/nowhere: cannot create this output folder"));
+}
+
+}  // namespace
+}  // namespace kinetix::testing

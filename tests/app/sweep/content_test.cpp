@@ -1,0 +1,212 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "model/unit_laws.hpp"
+#include "tests/app/sweep/sweep.hpp"
+
+namespace kinetix::testing {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using Json = nlohmann::json;
+
+constexpr double degree = radians_per_degree;
+
+/// What `simulate` gives for one design: its target state.
+Json simulated(const Scratch& scratch, const std::string& design, const std::string& model) {
+  const std::string out = scratch / "single";
+  const Outcome run =
+      kinetix_opt("simulate " + scratch.write("single.yaml", design) + " --model " + model + " -o " + out);
+  EXPECT_EQ(run.code, 0) << run.err;
+  return Json::parse(text_of(out + "/result.json"));
+}
+
+double distance_of_ends(const Json& result) {
+  const auto& poses = result["states"][0]["poses"];
+  double sum = 0;
+  for (int k = 0; k < 3; ++k)
+    sum += std::pow(
+        poses.back()["position_mm"][k].get<double>() - poses.front()["position_mm"][k].get<double>(), 2);
+  return std::sqrt(sum);
+}
+
+std::string with(double theta, double beta) {
+  return fmt::format(
+      "kinetix: 1\nstructure: {{cells: [6, 1], cell_mm: 10}}\ndesign:\n  theta_deg: {0}\n  hinges:\n"
+      "    - {{wall: [[0, 0], [1, 0]], beta_deg: {1}}}\n    - {{wall: [[0, 1], [1, 1]], beta_deg: {2}}}\n",
+      theta, beta, -beta);
+}
+
+TEST(SweepContent, EachRowOfAFactorialIsWhatSimulateGivesForThatDesign) {
+  const Scratch scratch;
+  const Outcome run =
+      run_sweep_in(scratch, sweep_of("{kind: factorial}",
+                                     "  - {path: design.theta_deg, range: [10, 30], levels: 3}\n"
+                                     "  - {path: \"design.columns[0].beta_deg\", values: [-20, 45]}\n",
+                                     "end_mm, theta_deg, hinge_gap_max"));
+  ASSERT_EQ(run.code, 0) << run.err;
+  const Csv csv = read_csv(scratch / "out");
+  EXPECT_THAT(csv.head, ElementsAre("sample", "design.theta_deg", "design.columns[0].beta_deg", "end_mm",
+                                    "theta_deg", "hinge_gap_max", "status", "reason"));
+  ASSERT_EQ(csv.rows.size(), 6u);
+  std::size_t row = 0;
+  for (const double theta : {10, 20, 30})
+    for (const double beta : {-20, 45}) {
+      EXPECT_EQ(csv.number(row, "sample"), static_cast<double>(row));
+      EXPECT_EQ(csv.number(row, "design.theta_deg"), theta);
+      EXPECT_EQ(csv.number(row, "design.columns[0].beta_deg"), beta);
+      EXPECT_EQ(csv.rows[row].at("status"), "ok");
+      const Json single = simulated(scratch, with(theta, beta), "exact");
+      EXPECT_NEAR(csv.number(row, "end_mm"), distance_of_ends(single), 1e-11);
+      ++row;
+    }
+}
+
+TEST(SweepContent, DocumentKeysAndListedHingesGiveTheSameAsColumns) {
+  const Scratch scratch;
+  const std::string factors =
+      "  - {path: [\"design.hinges[0].beta_deg\", {path: \"design.hinges[1].beta_deg\", times: -1}], name: "
+      "tilt, "
+      "values: [10, 50]}\n"
+      "  - {path: structure.cell_mm, values: [10, 20]}\n";
+  ASSERT_EQ(run_sweep_in(scratch, sweep_of("{kind: factorial}", factors, "end_mm")).code, 0);
+  const Csv csv = read_csv(scratch / "out");
+  ASSERT_EQ(csv.rows.size(), 4u);
+  for (const std::size_t row : {0, 2}) {
+    EXPECT_NEAR(csv.number(row + 1, "end_mm"), 2 * csv.number(row, "end_mm"), 1e-10);
+    const double tilt = csv.number(row, "tilt");
+    EXPECT_NEAR(csv.number(row, "end_mm"), distance_of_ends(simulated(scratch, with(20, tilt), "exact")),
+                1e-11);
+  }
+}
+
+/// Equations 3 and 4 and the crease law, by sweeps of one cell or one crease.
+TEST(SweepContent, FollowsTheClosedFormsOfThePaper) {
+  const Scratch scratch;
+  const std::string cell = "kinetix: 1\nstructure: {cells: [1, 1]}\ndesign: {theta_deg: 67.5}\n";
+  const std::string k =
+      "  - {path: [\"design.columns[*].t\", \"design.rows[*].t\"], name: k, values: [0.1, 0.3, 0.8]}\n";
+  ASSERT_EQ(run_sweep_in(scratch, sweep_of("{kind: factorial}", k, "area_ratio"), "", cell).code, 0);
+  const Csv scaled = read_csv(scratch / "out");
+  for (std::size_t row = 0; row < 3; ++row)
+    EXPECT_NEAR(scaled.number(row, "area_ratio"), final_area_ratio(scaled.number(row, "k")), 1e-12);
+
+  const Scratch other;
+  const std::string sheared = "kinetix: 1\nstructure: {cells: [1, 1]}\ndesign: {theta_deg: 45}\n";
+  const std::string one_minus_k =
+      "  - {path: [\"design.columns[*].t\", {path: \"design.rows[*].t\", times: -1, plus: 1}], name: k, "
+      "values: [0.2, 0.7]}\n";
+  ASSERT_EQ(
+      run_sweep_in(other, sweep_of("{kind: factorial}", one_minus_k, "cell_angle_deg"), "", sheared).code, 0);
+  const Csv angles = read_csv(other / "out");
+  for (std::size_t row = 0; row < 2; ++row)
+    EXPECT_NEAR(angles.number(row, "cell_angle_deg"), 2 * shear_angle(angles.number(row, "k")) / degree,
+                1e-9);
+}
+
+TEST(SweepContent, ACreaseFoldsAsItsLawSays) {
+  const Scratch scratch;
+  const std::string crease = "kinetix: 1\nstructure: {cells: [3, 1]}\ndesign: {theta_deg: 10}\n";
+  const std::string factors =
+      "  - {path: \"design.columns[1].beta_deg\", range: [5, 65], levels: 4}\n"
+      "  - {path: design.theta_deg, range: [5, 45], levels: 3}\n";
+  ASSERT_EQ(run_sweep_in(scratch, sweep_of("{kind: factorial}", factors, "fold_deg"), "", crease).code, 0);
+  const Csv csv = read_csv(scratch / "out");
+  ASSERT_EQ(csv.rows.size(), 12u);
+  for (std::size_t row = 0; row < csv.rows.size(); ++row)
+    EXPECT_NEAR(csv.number(row, "fold_deg"),
+                crease_fold(csv.number(row, "design.columns[1].beta_deg") * degree,
+                            csv.number(row, "design.theta_deg") * degree) /
+                    degree,
+                1e-6);
+}
+
+TEST(SweepContent, ErrorsAreAddedToTheBasesOwnNumbersEachByItself) {
+  const Scratch scratch;
+  const std::string factors =
+      "  - {path: \"design.hinges[*].beta_deg\", normal: {mean: 0, sd: 1}, each: true, add: true}\n";
+  const Outcome run = run_sweep_in(scratch, sweep_of("{kind: monte_carlo, samples: 5}", factors,
+                                                     "moved_max_mm, energy_Nmm", "model: equilibrium\n"));
+  ASSERT_EQ(run.code, 0) << run.err;
+  const Csv csv = read_csv(scratch / "out");
+  EXPECT_EQ(csv.head[1], "design.hinges[0].beta_deg");
+  EXPECT_EQ(csv.head[2], "design.hinges[1].beta_deg");
+  for (std::size_t row = 0; row < csv.rows.size(); ++row) {
+    EXPECT_LE(std::abs(csv.number(row, "design.hinges[0].beta_deg")), 6);
+    EXPECT_GT(csv.number(row, "moved_max_mm"), 0);
+    EXPECT_LE(csv.number(row, "moved_max_mm"), 3);
+  }
+}
+
+TEST(SweepContent, ABalanceIsWhatSimulateFinds) {
+  const Scratch scratch;
+  ASSERT_EQ(
+      run_sweep_in(scratch, sweep_of("{kind: factorial}", "  - {path: hinge.k_turn, values: [0.05, 0.2]}\n",
+                                     "energy_Nmm, load_N", "model: equilibrium\n"))
+          .code,
+      0);
+  const Csv csv = read_csv(scratch / "out");
+  const Json single = simulated(scratch, std::string(strip) + "hinge: {k_turn: 0.2}\n", "equilibrium");
+  EXPECT_EQ(csv.number(1, "energy_Nmm"), single["metrics"]["energy_Nmm"].get<double>());
+  EXPECT_EQ(csv.number(1, "load_N"), single["metrics"]["load_N"].get<double>());
+}
+
+TEST(SweepContent, PhysicsRunsInProcessesOfTheirOwnAgreeWithTheModel) {
+  const Scratch scratch;
+  const std::string small = "kinetix: 1\nstructure: {cells: [2, 1]}\ndesign: {theta_deg: 20}\n";
+  ASSERT_EQ(run_sweep_in(scratch,
+                         sweep_of("{kind: factorial}", "  - {path: design.theta_deg, values: [10, 25]}\n",
+                                  "verify_rms, area_ratio", "model: bullet\n"),
+                         "--threads 2", small)
+                .code,
+            0);
+  const Csv csv = read_csv(scratch / "out");
+  for (std::size_t row = 0; row < 2; ++row) {
+    EXPECT_LE(csv.number(row, "verify_rms"), 1e-4);
+    EXPECT_NEAR(csv.number(row, "area_ratio"),
+                area_ratio(0.5, 2 * csv.number(row, "design.theta_deg") * degree), 1e-3);
+  }
+}
+
+TEST(SweepContent, ATargetIsSearchedInEverySample) {
+  const Scratch scratch;
+  const std::string bow =
+      "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [16, 17], [32, 27], [48, 30], [64, 27], "
+      "[80, 17], [96, 0]]}\nstructure: {cells: [10, 1], cell_mm: 14}\n"
+      "variables: {beta: {range_deg: [-60, 60]}}\nsolver: {starts: 2}\n";
+  const std::string factors =
+      "  - {path: [\"variables.beta.range_deg[1]\", {path: \"variables.beta.range_deg[0]\", "
+      "times: -1}], name: bound, values: [5, 60]}\n";
+  const Outcome run =
+      run_sweep_in(scratch, sweep_of("{kind: factorial}", factors, "shape_rms, met, theta_rad"), "", bow);
+  ASSERT_EQ(run.code, 0) << run.err;
+  const Csv csv = read_csv(scratch / "out");
+  EXPECT_EQ(csv.rows[0].at("status"), "missed");
+  EXPECT_THAT(csv.rows[0].at("reason"), HasSubstr("bounds allow"));
+  EXPECT_EQ(csv.rows[1].at("status"), "ok");
+  EXPECT_LE(csv.number(1, "shape_rms"), 0.01);
+  EXPECT_EQ(csv.number(1, "met"), 1);
+}
+
+TEST(SweepContent, ASampleThatFailsIsRecordedWithItsReasonAndTheOthersGoOn) {
+  const Scratch scratch;
+  const std::string factors = "  - {path: \"design.hinges[0].beta_deg\", values: [30, 31, 30.0000000001]}\n";
+  const Outcome run =
+      run_sweep_in(scratch, sweep_of("{kind: factorial}", factors, "end_mm"), "--json --quiet");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const Json summary = Json::parse(run.out);
+  EXPECT_EQ(summary["ok"], 2);
+  EXPECT_EQ(summary["failed"], 1);
+  const Csv csv = read_csv(scratch / "out");
+  EXPECT_EQ(csv.rows[1].at("status"), "failed");
+  EXPECT_EQ(csv.rows[1].at("end_mm"), "");
+  EXPECT_THAT(csv.rows[1].at("reason"), HasSubstr("all tilts of a column must be equal"));
+}
+
+}  // namespace
+}  // namespace kinetix::testing

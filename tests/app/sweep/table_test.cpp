@@ -1,0 +1,169 @@
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/file.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "tests/app/sweep/sweep.hpp"
+
+namespace kinetix::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using Json = nlohmann::json;
+
+const std::string many = sweep_of("{kind: lhs, samples: 20000}",
+                                  "  - {path: design.theta_deg, range: [5, 40]}\n  - {path: "
+                                  "\"design.columns[*].beta_deg\", range: [-40, 40]}\n",
+                                  "end_mm, turn_deg, moved_rms_mm");
+
+std::string table_of(const std::string& doe, const std::string& launcher, const std::string& arguments) {
+  const Scratch scratch;
+  scratch.write("strip.yaml", strip);
+  const std::string command =
+      launcher + " " + KINETIX_OPT + " sweep " + scratch.write("doe.yaml", doe).c_str() + " --quiet -o " +
+      (scratch / "out").string() + " " + arguments + " >" + (scratch / "log").string() + " 2>&1 </dev/null";
+  EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 0) << text_of(scratch / "log");
+  return text_of(scratch / "out/samples.csv");
+}
+
+/// As root and on fewer cores than ranks, for implementations that ask.
+std::string ranks(int count) {
+  return fmt::format(
+      "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 "
+      "{} -n {}",
+      MPIEXEC, count);
+}
+
+TEST(SweepTable, IsTheSameForAnyNumberOfThreadsAndRanks) {
+  const std::string one = table_of(many, "", "--threads 1");
+  EXPECT_GT(one.size(), 1000u * 1000);
+  EXPECT_EQ(table_of(many, "", "--threads 2"), one);
+  EXPECT_EQ(table_of(many, "", "--threads 5"), one);
+  EXPECT_EQ(table_of(many, ranks(1), ""), one);
+  EXPECT_EQ(table_of(many, ranks(2), ""), one);
+  EXPECT_EQ(table_of(many, ranks(4), ""), one);
+  EXPECT_EQ(table_of(many, ranks(2), "--threads 2"), one);
+}
+
+TEST(SweepTable, IsTheSameForProcessesAndRanksThatRunThePhysics) {
+  const std::string doe =
+      sweep_of("{kind: sobol, samples: 4}", "  - {path: design.theta_deg, range: [5, 20]}\n",
+               "verify_rms, end_mm", "model: bullet\n");
+  const std::string one = table_of(doe, "", "--threads 1");
+  EXPECT_EQ(table_of(doe, "", "--threads 3"), one);
+  EXPECT_EQ(table_of(doe, ranks(2), ""), one);
+}
+
+TEST(SweepTable, BadInputUnderRanksIsSaidOnceAndEndsWith2) {
+  const Scratch scratch;
+  scratch.write("strip.yaml", strip);
+  const std::string doe = scratch.write(
+      "doe.yaml", sweep_of("{kind: factorial}", "  - {path: design.tetha_deg, range: [5, 40]}\n", "end_mm"));
+  const std::string log = scratch / "log";
+  const int status =
+      std::system((ranks(3) + " " + KINETIX_OPT + " sweep " + doe + " >" + log + " 2>&1").c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 2);
+  const std::string text = text_of(log), words = "the nearest is";
+  EXPECT_NE(text.find(words), std::string::npos);
+  EXPECT_EQ(text.find(words), text.rfind(words));
+}
+
+/// Starts the sweep, ends it after some milliseconds as a power cut would.
+void run_and_kill(const std::vector<std::string>& arguments, int milliseconds) {
+  const pid_t child = fork();
+  if (child == 0) {
+    const int nowhere = open("/dev/null", O_RDWR);
+    dup2(nowhere, 1);
+    dup2(nowhere, 2);
+    std::vector<char*> argv;
+    for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+    argv.push_back(nullptr);
+    execv(argv[0], argv.data());
+    _exit(127);
+  }
+  usleep(static_cast<useconds_t>(1000 * milliseconds));
+  kill(child, SIGKILL);
+  int status = 0;
+  waitpid(child, &status, 0);
+}
+
+TEST(SweepTable, AKilledSweepResumesToTheSameTable) {
+  const std::string whole = table_of(many, "", "--threads 1");
+  const Scratch scratch;
+  scratch.write("strip.yaml", strip);
+  const std::string doe = scratch.write("doe.yaml", many), out = scratch / "out";
+  for (const int milliseconds : {3, 20, 45, 70, 110})
+    run_and_kill({KINETIX_OPT, "sweep", doe, "-o", out, "--resume", "--threads", "2"}, milliseconds);
+  const Outcome last = kinetix_opt("sweep " + doe + " -o " + out + " --resume");
+  EXPECT_EQ(last.code, 0) << last.err;
+  EXPECT_EQ(text_of(out + "/samples.csv"), whole);
+}
+
+TEST(SweepTable, AFullDiskLosesNothing) {
+  const std::string whole = table_of(many, "", "--threads 1");
+  const Scratch scratch;
+  scratch.write("strip.yaml", strip);
+  const std::string arguments =
+      "sweep " + scratch.write("doe.yaml", many) + " -o " + (scratch / "out").string();
+  const std::string log = scratch / "log";
+  const int status = std::system(
+      fmt::format("bash -c \"trap '' XFSZ; ulimit -f 1000; {} {}\" >{} 2>&1", KINETIX_OPT, arguments, log)
+          .c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 2);
+  EXPECT_THAT(text_of(log), HasSubstr("continue with --resume"));
+  EXPECT_EQ(kinetix_opt(arguments + " --resume").code, 0);
+  EXPECT_EQ(text_of(scratch / "out/samples.csv"), whole);
+}
+
+TEST(SweepTable, IsKeptFromBeingReplacedTakenForAnotherOrWrittenTwiceAtOnce) {
+  const Scratch scratch;
+  const std::string small =
+      sweep_of("{kind: factorial}", "  - {path: design.theta_deg, range: [5, 40]}\n", "end_mm");
+  ASSERT_EQ(run_sweep_in(scratch, small).code, 0);
+  const std::string before = text_of(scratch / "out/sweep.sqlite");
+
+  const Outcome again = run_sweep_in(scratch, small);
+  EXPECT_EQ(again.code, 2);
+  EXPECT_THAT(again.err, HasSubstr("is there already, with 4 of 4 samples"));
+  const Outcome other = run_sweep_in(scratch, small + "# other\n", "--resume");
+  EXPECT_EQ(other.code, 2);
+  EXPECT_THAT(other.err, HasSubstr("is the table of another sweep: the sweep file"));
+  const Outcome base = run_sweep_in(scratch, small, "--resume", std::string(strip) + "# other\n");
+  EXPECT_THAT(base.err, HasSubstr("is the table of another sweep: the base file"));
+  const Outcome seed = run_sweep_in(scratch, small, "--resume --seed 3");
+  EXPECT_THAT(seed.err, HasSubstr("is the table of another sweep: the seed"));
+
+  const int folder = open((scratch / "out").c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  ASSERT_EQ(flock(folder, LOCK_EX), 0);
+  const Outcome second = run_sweep_in(scratch, small, "--resume");
+  close(folder);
+  EXPECT_EQ(second.code, 2);
+  EXPECT_THAT(second.err, HasSubstr("another program is writing a sweep into this folder"));
+  EXPECT_EQ(text_of(scratch / "out/sweep.sqlite"), before);
+
+  const Outcome done = run_sweep_in(scratch, small, "--resume --json");
+  EXPECT_EQ(done.code, 0);
+  EXPECT_EQ(Json::parse(done.out)["computed"], 0);
+}
+
+TEST(SweepTable, AFileThatIsNoTableIsLeftAlone) {
+  const Scratch scratch;
+  fs::create_directories(scratch / "out");
+  scratch.write("out/sweep.sqlite", "a letter to my aunt, of some length, that is no table at all");
+  const Outcome run = run_sweep_in(
+      scratch, sweep_of("{kind: factorial}", "  - {path: design.theta_deg, range: [5, 40]}\n", "end_mm"),
+      "--resume");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, HasSubstr("is not the table of a sweep"));
+  EXPECT_THAT(text_of(scratch / "out/sweep.sqlite"), HasSubstr("my aunt"));
+}
+
+}  // namespace
+}  // namespace kinetix::testing

@@ -1,0 +1,68 @@
+#include "model/elastic/near_balance.hpp"
+
+#include <gtest/gtest.h>
+
+#include "model/classify.hpp"
+#include "tests/support/elastic_runs.hpp"
+#include "tests/support/random_designs.hpp"
+
+namespace kinetix {
+namespace {
+
+using namespace testing;
+using Stop = LoadPath::Stop;
+
+constexpr double theta = 25 * radians_per_degree;
+
+Structure bent(double tilt) {
+  auto design = ExactDesign<double>::basic(6, 1);
+  for (int c = 0; c < 6; c += 2) design.beta[c] = tilt;
+  return structure_of(design);
+}
+
+Drive by_hinge(const Structure& structure) {
+  Drive drive;
+  drive.kind = Drive::Kind::hinge;
+  drive.wall = structure.hinges[*structure.hinge_at({{2, 0}, Axis::y})].wall;
+  drive.angle = -2 * theta;
+  return drive;
+}
+
+TEST(NearBalance, AtAClosedFormIsThatFormButForTheStiffnessRatio) {
+  const Structure s = bent(0.4);
+  const State exact = fold(classify(s), s, theta);
+  double last = 1;
+  for (const double k_turn : {1e-1, 1e-3}) {
+    const LoadPath path = balance_at_closed_form(s, {.k_turn = k_turn}, by_hinge(s));
+    ASSERT_EQ(path.stop, Stop::reached) << path.why;
+    const double rms = aligned_distance(s, path.state, exact).rms;
+    EXPECT_LE(rms, last / 50);
+    last = rms;
+  }
+}
+
+/// The hinges of both ends keep the exact family, so that the closed form of the second is there to compare
+/// with.
+TEST(NearBalance, OfChangedHingesIsTheSameAsFromTheirOwnClosedForm) {
+  const Structure before = bent(0.4), after = bent(0.55);
+  const Elasticity e{.k_turn = 1e-2};
+  const LoadPath start = balance_at_closed_form(before, e, by_hinge(before));
+  const LoadPath changed = follow_change(before, start.state, after, e, by_hinge(after));
+  const LoadPath own = balance_at_closed_form(after, e, by_hinge(after));
+  ASSERT_EQ(changed.stop, Stop::reached) << changed.why;
+  ASSERT_EQ(own.stop, Stop::reached) << own.why;
+  EXPECT_LE(aligned_distance(after, changed.state, own.state).rms, 1e-9);
+  EXPECT_GE(aligned_distance(after, changed.state, start.state).rms, 1e-2);
+  EXPECT_NEAR(changed.steps.back().energy, own.steps.back().energy, 1e-9 * own.steps.back().energy);
+}
+
+TEST(NearBalance, SaysWhereThereIsNoClosedForm) {
+  Structure s = bent(0.4);
+  s.hinges[0].parameters.t = 0.4;
+  const LoadPath path = balance_at_closed_form(s, {}, by_hinge(s));
+  EXPECT_EQ(path.stop, Stop::not_converged);
+  EXPECT_EQ(path.why, "no closed form fits the structure");
+}
+
+}  // namespace
+}  // namespace kinetix
