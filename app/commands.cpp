@@ -13,6 +13,7 @@
 #include "app/run_design.hpp"
 #include "app/run_target.hpp"
 #include "app/stopwatch.hpp"
+#include "app/sweep/sweep_plan.hpp"
 #include "model/invalid_input.hpp"
 #include "targets/document.hpp"
 
@@ -101,9 +102,12 @@ int simulate_command(const CommandOptions& options) {
 }
 
 int check_command(const CommandOptions& options) {
-  const bool is_target = read_document(options.file, max_design_bytes).optional("target").has_value();
-  const std::string name = is_target ? name_of(read_target(options.file)) : read_design(options.file).name;
-  const char* kind = is_target ? "target" : "design";
+  const Node root = read_document(options.file, max_design_bytes);
+  const bool is_sweep = root.optional("factors").has_value(), is_target = root.optional("target").has_value();
+  const std::string name = is_sweep    ? make_sweep_plan(options.file, {}).doe.name
+                           : is_target ? name_of(read_target(root))
+                                       : read_design(root).name;
+  const char* kind = is_sweep ? "sweep" : is_target ? "target" : "design";
   if (options.json)
     std::cout << nlohmann::ordered_json{{"file", options.file},
                                         {"kind", kind},

@@ -32,7 +32,7 @@ int optimise_command(const CommandOptions& options);
 int verify_command(const CommandOptions& options);
 /// `kinetix-opt simulate DESIGN.yaml`: one forward state.
 int simulate_command(const CommandOptions& options);
-/// `kinetix-opt check FILE.yaml`: validates a target or a design, writes nothing.
+/// `kinetix-opt check FILE.yaml`: validates a target, a design or a sweep, writes nothing.
 int check_command(const CommandOptions& options);
 
 }  // namespace kinetix

@@ -75,7 +75,7 @@ int run(int argc, char** argv) {
       app.add_subcommand("verify", "run the physics engine on a design and compare it with the model");
   CLI::App* simulate = app.add_subcommand("simulate", "compute one folded state of a design");
   CLI::App* sweep = app.add_subcommand("sweep", "run a design of experiments; also under mpirun");
-  CLI::App* check = app.add_subcommand("check", "validate a target or a design; writes nothing");
+  CLI::App* check = app.add_subcommand("check", "validate a target, a design or a sweep; writes nothing");
   for (CLI::App* command : {verify, simulate, check}) {
     add_file(*command, options, command == check ? "FILE.yaml" : "DESIGN.yaml", "the file to read");
     add_common(*command, options);

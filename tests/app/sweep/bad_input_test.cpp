@@ -76,6 +76,19 @@ TEST(SweepBadInput, EndsWith2SaysWhatIsWrongAndWritesNothing) {
   }
 }
 
+TEST(SweepBadInput, CheckFindsItWithoutRunning) {
+  const Scratch scratch;
+  scratch.write("strip.yaml", strip);
+  const Outcome good =
+      kinetix_opt("check " + scratch.write("good.yaml", sweep_of("{kind: factorial}", theta, "end_mm")));
+  EXPECT_EQ(good.code, 0) << good.err;
+  EXPECT_THAT(good.out, HasSubstr("valid sweep 'swept'"));
+  const Outcome bad =
+      kinetix_opt("check " + scratch.write("bad.yaml", sweep_of("{kind: factorial}", theta, "end_m")));
+  EXPECT_EQ(bad.code, 2);
+  EXPECT_THAT(bad.err, HasSubstr("did you mean `end_mm`?"));
+}
+
 TEST(SweepBadInput, AModelThatFitsNoSampleIsRefused) {
   const Scratch scratch;
   const std::string loose =
