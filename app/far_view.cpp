@@ -78,16 +78,6 @@ Grey stretched(const Grey& light, const Grey& outline) {
   return (outline >= inside).select(((light - low) / range).max(0).min(1), 0);
 }
 
-/// Means of blocks; paper beyond the picture.
-Grey reduced(const Grey& picture, int side) {
-  const Eigen::Index rows = (picture.rows() + side - 1) / side, columns = (picture.cols() + side - 1) / side;
-  Grey whole = Grey::Ones(rows * side, columns * side), out(rows, columns);
-  whole.topLeftCorner(picture.rows(), picture.cols()) = picture;
-  for (Eigen::Index r = 0; r < rows; ++r)
-    for (Eigen::Index c = 0; c < columns; ++c) out(r, c) = whole.block(r * side, c * side, side, side).mean();
-  return out;
-}
-
 }  // namespace
 
 std::string far_view(const Structure& panel, const State& state, const FarViewOptions& options) {
@@ -96,7 +86,7 @@ std::string far_view(const Structure& panel, const State& state, const FarViewOp
   const double deviation = options.blur_in_cells * options.pixels_per_cell;
   const Grey light = blurred(drawn(panel, state, frame, scale, true), deviation),
              whole = blurred(drawn(panel, state, frame, scale, false), deviation);
-  return grey_png(reduced(1 - stretched(light / whole.max(1e-6), whole), options.reduced));
+  return grey_png(1 - stretched(light / whole.max(1e-6), whole));
 }
 
 }  // namespace kinetix

@@ -7,9 +7,8 @@
 namespace kinetix {
 
 struct FarViewOptions {
-  double pixels_per_cell = 12;  ///< of the drawing
-  double blur_in_cells = 0.8;   ///< standard deviation of the Gaussian that the eye's distance makes
-  int reduced = 2;              ///< side of the blocks of pixels that become one in the end, >= 1
+  double pixels_per_cell = 12;
+  double blur_in_cells = 0.6;  ///< standard deviation of the Gaussian that the eye's distance makes
 };
 
 /// A planar panel before a lamp as seen from afar: the light through its openings, blurred to about a cell,

@@ -7,6 +7,7 @@
 #include "app/balance.hpp"
 #include "app/design_motion.hpp"
 #include "app/larger_panels.hpp"
+#include "app/panel_memory.hpp"
 #include "app/stopwatch.hpp"
 #include "app/verify.hpp"
 
@@ -115,12 +116,15 @@ Run run_display(const DisplayFile& file, const RunOptions& options) {
 
   Stopwatch watch;
   const Elasticity elasticity = elasticity_of(file.hinge, file.physics, file.size.edge_mm);
+  const DisplayOptions search = search_of(file, elasticity, options);
+  check_memory({file.goal.columns, file.goal.rows}, options.threads,
+               search.starts * static_cast<int>(search.axes.size()), memory_of_machine());
   run.structure = make_structure(rectangle(file.goal.columns, file.goal.rows), file.size);
   const std::vector<double> levels = levels_of(file.goal, run.structure);
   DisplayOutcome display;
   display.goal = file.goal;
   display.channel = file.channel;
-  display.options = search_of(file, elasticity, options);
+  display.options = search;
   display.design = fit_display(run.structure, levels, display.options, options.progress);
   run.timings.optimise = watch.lap();
 

@@ -5,11 +5,13 @@
 #include <nlohmann/json.hpp>
 
 #include "app/far_view.hpp"
+#include "app/panel_memory.hpp"
 #include "app/panel_picture.hpp"
 #include "app/run_display.hpp"
 #include "targets/glyph_goal.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/schema_errors.hpp"
+#include "tests/support/bad_input.hpp"
 #include "tests/support/paper_scenes.hpp"
 #include "tests/support/recogniser.hpp"
 #include "tests/targets/images.hpp"
@@ -17,6 +19,7 @@
 namespace kinetix::testing {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 using Json = nlohmann::json;
@@ -128,6 +131,15 @@ TEST(Display, RefusesWhatCannotBeAndWritesNothing) {
     EXPECT_THAT(run.err, HasSubstr("bad.yaml:"));
     EXPECT_FALSE(std::filesystem::exists(scratch / "out")) << target;
   }
+}
+
+TEST(PanelMemory, PanelsThatMemoryDoesNotHoldAreRefused) {
+  const std::size_t gib = std::size_t{1} << 30;
+  EXPECT_NO_THROW(check_memory({100, 100}, 2, 4, gib));
+  EXPECT_NO_THROW(check_memory({300, 50}, 8, 1, gib));
+  EXPECT_THAT(refusal([&] { check_memory({500, 500}, 2, 4, 8 * gib); }),
+              AllOf(HasSubstr("structure.cells"), HasSubstr("500 x 500 cells takes about 23.3 GiB"),
+                    HasSubstr("has 8.0 GiB; give fewer cells, or --threads 1")));
 }
 
 TEST(PanelPicture, IsToScaleAndRefusesBrokenStates) {
