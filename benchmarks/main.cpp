@@ -48,7 +48,10 @@ constexpr Group groups[] = {{"model", kinetix::bench::model_figures},
                             {"elastic_physics", kinetix::bench::elastic_physics_figures},
                             {"display", kinetix::bench::display_figures},
                             {"fold", kinetix::bench::fold_figures},
-                            {"helmet", kinetix::bench::helmet_figures}};
+                            {"helmet", kinetix::bench::helmet_figures},
+                            {"growth", kinetix::bench::growth_figures},
+                            {"sweep", kinetix::bench::sweep_figures},
+                            {"regression", kinetix::bench::regression_figures}};
 
 /// Appends the rows of a group. @return whether all its figures are met
 bool measure(const Group& group, std::string& table) {
