@@ -105,7 +105,7 @@ struct Scaling {
   int samples;
 };
 
-constexpr Scaling scalings[] = {{"exact model", "exact", 600000}, {"equilibrium model", "equilibrium", 300}};
+constexpr Scaling scalings[] = {{"exact model", "exact", 1200000}, {"equilibrium model", "equilibrium", 300}};
 
 Figure two_workers(const Scaling& scaling, const std::string& kind,
                    const std::function<double(const Sweep&, int)>& rate) {
