@@ -80,15 +80,14 @@ class Rules {
 };
 
 /// Fold lines in line with each other keep hinge points together whatever their tilts: the axes count too.
-bool closes(const HingeGaps& gaps, double allowed) { return gaps.max <= allowed && gaps.axis_max <= allowed; }
-
 /// A hinge that opens along the motion, or -1.
 int open_hinge(const Structure& structure, double tolerance) {
   const NetTree tree = make_net_tree(structure);
   const double allowed = tolerance * static_cast<double>(structure.bodies.size());
   for (const double theta : probe_thetas) {
     const HingeGaps gaps = hinge_gaps(structure, fold_net(tree, structure, theta));
-    if (!closes(gaps, allowed)) return gaps.worst_hinge;
+    if (!(gaps.max <= allowed)) return gaps.worst_hinge;
+    if (!(gaps.axis_max <= allowed)) return gaps.worst_axis;
   }
   return -1;
 }

@@ -49,7 +49,10 @@ HingeGaps hinge_gaps(const Structure& structure, const State& state) {
       gaps.max = gap;
       gaps.worst_hinge = static_cast<int>(k);
     }
-    if (!(axis_gap <= gaps.axis_max)) gaps.axis_max = axis_gap;
+    if (gaps.worst_axis < 0 || !(axis_gap <= gaps.axis_max)) {
+      gaps.axis_max = axis_gap;
+      gaps.worst_axis = static_cast<int>(k);
+    }
     if (std::isnan(gap)) break;
   }
   gaps.rms = std::sqrt(sum / static_cast<double>(structure.hinges.size()));

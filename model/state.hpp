@@ -35,6 +35,7 @@ struct HingeGaps {
   double rms = 0;        ///< likewise, root mean square over all hinges
   double axis_max = 0;   ///< angle of the carried hinge axes, rad
   int worst_hinge = -1;  ///< index of the hinge with the largest distance
+  int worst_axis = -1;   ///< index of the hinge with the largest angle
 };
 
 /// NaN anywhere in the state gives NaN in max and rms. @pre state.size() == structure.bodies.size()

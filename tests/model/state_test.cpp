@@ -54,6 +54,22 @@ TEST(State, AxisGapOfATiltedBodyIsItsTurn) {
   EXPECT_NEAR(hinge_gaps(s, state).axis_max, 0.2, 1e-15);
 }
 
+/// A corner that turns about the upright through the hinge of its leaning wall: that hinge's axes part, and the
+/// points of its other one.
+TEST(HingeGaps, NameTheHingesOfPointsAndOfAxes) {
+  Structure s = make_structure(rectangle(1, 1), {});
+  const int leaning = *s.hinge_at({{0, 0}, Axis::x}), upright = *s.hinge_at({{0, 0}, Axis::y});
+  s.hinges[leaning].parameters.beta = 0.5;
+  State state = rest_state(s);
+  Pose& corner = state[*s.body_at({0, 0})];
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.3, Vector3d::UnitZ()).toRotationMatrix();
+  const Vector3d point = s.hinge_point(s.hinges[leaning]);
+  corner = {turn, point + turn * (corner.p - point)};
+  const HingeGaps gaps = hinge_gaps(s, state);
+  EXPECT_EQ(gaps.worst_hinge, upright);
+  EXPECT_EQ(gaps.worst_axis, leaning);
+}
+
 TEST(State, GapsOfNumbersThatAreNotFiniteAreNotFinite) {
   const Structure s = make_structure(rectangle(3, 1), {});
   for (int b = 0; b < 8; ++b) {
