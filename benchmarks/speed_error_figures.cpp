@@ -1,0 +1,52 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "benchmarks/figure.hpp"
+#include "benchmarks/speed_error/log_axis.hpp"
+#include "benchmarks/speed_error/measurements.hpp"
+#include "benchmarks/speed_error/pareto.hpp"
+#include "benchmarks/speed_error/plot.hpp"
+#include "benchmarks/speed_error/table.hpp"
+
+namespace kinetix::bench {
+namespace {
+
+constexpr double error_asked = 1e-3, times_asked = 1e4;
+
+bool is_of_bullet(const MeasuredPoint& point) { return point.method.starts_with("Bullet"); }
+
+MeasuredPoints only(const MeasuredPoints& points, bool (*wanted)(const MeasuredPoint&)) {
+  MeasuredPoints chosen;
+  std::copy_if(points.begin(), points.end(), std::back_inserter(chosen), wanted);
+  return chosen;
+}
+
+Figure exact_against_bullet(const MeasuredScene& scene) {
+  Figure figure{scene.name + ": exact model against Bullet at 0.1 % of a cell edge, its fastest setting",
+                fmt::format(">= {:g} times faster", times_asked), "Bullet does not reach it", false};
+  const auto exact = fastest_at(of_series(scene.points, "exact"), error_asked);
+  const auto bullet = fastest_at(only(scene.points, is_of_bullet), error_asked);
+  if (!exact || !bullet) return figure;
+  const double times = bullet->seconds / exact->seconds;
+  figure.measured = fmt::format("{:.0f} times ({} against {}: {}, {}, error {:.1e})", times,
+                                time_label(exact->seconds), time_label(bullet->seconds), series_of(*bullet),
+                                bullet->settings, bullet->error);
+  figure.met = times >= times_asked;
+  return figure;
+}
+
+}  // namespace
+
+std::vector<Figure> speed_error_figures() {
+  std::vector<Figure> figures;
+  for (const MeasuredScene& scene : speed_error_measurements())
+    if (scene.name.ends_with("columns")) figures.push_back(exact_against_bullet(scene));
+  return figures;
+}
+
+std::string speed_error_section() { return speed_error_table(speed_error_measurements()); }
+
+std::string speed_error_picture() { return speed_error_plot(speed_error_measurements()); }
+
+}  // namespace kinetix::bench
