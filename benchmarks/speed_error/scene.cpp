@@ -17,7 +17,7 @@
 namespace kinetix::bench {
 namespace {
 
-constexpr double display_k = 0.15, display_compression = 0.12;
+constexpr double display_k = 0.15, display_compression = 0.14;
 
 CellSize walls_of(double edge_mm) { return {edge_mm, edge_mm / 10, 0.6 * edge_mm}; }
 
