@@ -29,7 +29,7 @@ Figure exact_against_bullet(const MeasuredScene& scene) {
   const auto bullet = fastest_at(only(scene.points, is_of_bullet), error_asked);
   if (!exact || !bullet) return figure;
   const double times = bullet->seconds / exact->seconds;
-  figure.measured = fmt::format("{:.0f} times ({} against {}: {}, {}, error {:.1e})", times,
+  figure.measured = fmt::format("{} times ({} against {}: {}, {}, error {:.1e})", count_label(times),
                                 time_label(exact->seconds), time_label(bullet->seconds), series_of(*bullet),
                                 bullet->settings, bullet->error);
   figure.met = times >= times_asked;
@@ -45,7 +45,10 @@ std::vector<Figure> speed_error_figures() {
   return figures;
 }
 
-std::string speed_error_section() { return speed_error_table(speed_error_measurements()); }
+std::string speed_error_section() {
+  const std::vector<MeasuredScene>& scenes = speed_error_measurements();
+  return speed_error_table(scenes) + "\n" + spread_sentence(scenes);
+}
 
 std::string speed_error_picture() { return speed_error_plot(speed_error_measurements()); }
 

@@ -38,6 +38,19 @@ std::string power_label(double power_of_ten) {
                      std::abs(exponent));
 }
 
+std::string count_label(double count) {
+  if (!(count >= 9.95)) return short_number(count);
+  const double unit = std::pow(10.0, std::floor(std::log10(count)) - 1);
+  const std::string digits = fmt::format("{:.0f}", std::round(count / unit) * unit);
+  if (digits.size() < 5) return digits;
+  std::string spaced;
+  for (std::size_t k = 0; k < digits.size(); ++k) {
+    if (k > 0 && (digits.size() - k) % 3 == 0) spaced += ' ';
+    spaced += digits[k];
+  }
+  return spaced;
+}
+
 std::string time_label(double seconds) {
   if (seconds < 0.995e-3) return short_number(seconds * 1e6) + " us";
   if (seconds < 0.995) return short_number(seconds * 1e3) + " ms";

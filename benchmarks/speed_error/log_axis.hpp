@@ -20,6 +20,9 @@ struct LogAxis {
 /// "1", "10", "0.1", and "10^-5" with the exponent raised (SVG tspan) beyond a hundredth or a hundred.
 std::string power_label(double power_of_ten);
 
+/// "7.0", "42", "3400", "21 000": two significant digits.
+std::string count_label(double count);
+
 /// "1.5 us", "12 ms", "3.4 s": two significant digits.
 std::string time_label(double seconds);
 

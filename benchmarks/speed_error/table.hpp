@@ -9,4 +9,7 @@ namespace kinetix::bench {
 /// its method says of it.
 std::string speed_error_table(const std::vector<MeasuredScene>& scenes);
 
+/// One sentence: by how much the repeats of one setting differ.
+std::string spread_sentence(const std::vector<MeasuredScene>& scenes);
+
 }  // namespace kinetix::bench

@@ -42,6 +42,15 @@ TEST(TimeLabel, HasTwoDigitsAndTheUnitThatFits) {
   EXPECT_EQ(time_label(8.45), "8.4 s");
 }
 
+TEST(CountLabel, HasTwoDigitsAndSpacesBetweenThousands) {
+  EXPECT_EQ(count_label(1.46), "1.5");
+  EXPECT_EQ(count_label(9.96), "10");
+  EXPECT_EQ(count_label(994), "990");
+  EXPECT_EQ(count_label(1234), "1200");
+  EXPECT_EQ(count_label(33716), "34 000");
+  EXPECT_EQ(count_label(1.96e6), "2 000 000");
+}
+
 TEST(PowerLabel, RaisesExponentsThatAreFarFromZero) {
   EXPECT_EQ(power_label(100), "100");
   EXPECT_EQ(power_label(0.01), "0.01");
