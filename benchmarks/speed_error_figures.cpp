@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "benchmarks/figure.hpp"
 #include "benchmarks/speed_error/log_axis.hpp"
 #include "benchmarks/speed_error/measurements.hpp"
@@ -14,19 +12,11 @@ namespace {
 
 constexpr double error_asked = 1e-3, times_asked = 1e4;
 
-bool is_of_bullet(const MeasuredPoint& point) { return point.method.starts_with("Bullet"); }
-
-MeasuredPoints only(const MeasuredPoints& points, bool (*wanted)(const MeasuredPoint&)) {
-  MeasuredPoints chosen;
-  std::copy_if(points.begin(), points.end(), std::back_inserter(chosen), wanted);
-  return chosen;
-}
-
 Figure exact_against_bullet(const MeasuredScene& scene) {
   Figure figure{scene.name + ": exact model against Bullet at 0.1 % of a cell edge, its fastest setting",
                 fmt::format(">= {:g} times faster", times_asked), "Bullet does not reach it", false};
   const auto exact = fastest_at(of_series(scene.points, "exact"), error_asked);
-  const auto bullet = fastest_at(only(scene.points, is_of_bullet), error_asked);
+  const auto bullet = fastest_at(of_bullet(scene.points), error_asked);
   if (!exact || !bullet) return figure;
   const double times = bullet->seconds / exact->seconds;
   figure.measured = fmt::format("{} times ({} against {}: {}, {}, error {:.1e})", count_label(times),

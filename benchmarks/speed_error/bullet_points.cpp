@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "benchmarks/speed_error/timed.hpp"
@@ -67,18 +66,7 @@ std::string words(const SpeedErrorScene& scene, const Setting& setting) {
   return text + fmt::format(", rest {:.0e}", setting.rest);
 }
 
-MeasuredPoint measured(const SpeedErrorScene& scene, const Setting& setting) {
-  const PhysicsOptions options = options_of(scene, setting);
-  PhysicsResult run;
-  MeasuredPoint point{.method = setting.solver == Solver::direct ? "Bullet, direct" : "Bullet, sweeps",
-                      .settings = words(scene, setting),
-                      .precision = KINETIX_BULLET_PRECISION};
-  time_runs(
-      [&] {
-        run = run_compression(scene.structure, scene.drive, options);
-        return run.seconds;
-      },
-      point);
+void set_outcome(const SpeedErrorScene& scene, const PhysicsResult& run, MeasuredPoint& point) {
   const double most_open = PhysicsOptions{}.gap_limit;
   const bool is_open = scene.is_exact() && !(std::max(run.gaps.max, run.drive_gap) <= most_open);
   point.status = to_string(run.status);
@@ -86,6 +74,20 @@ MeasuredPoint measured(const SpeedErrorScene& scene, const Setting& setting) {
   point.is_result = point.status == at_rest;
   point.error = is_finite(run.state) ? aligned_distance(scene.structure, run.state, scene.reference).rms
                                      : std::numeric_limits<double>::quiet_NaN();
+}
+
+MeasuredPoint measured(const SpeedErrorScene& scene, const Setting& setting) {
+  MeasuredPoint point{.method = setting.solver == Solver::direct ? "Bullet, direct" : "Bullet, sweeps",
+                      .settings = words(scene, setting),
+                      .precision = KINETIX_BULLET_PRECISION};
+  const PhysicsOptions options = options_of(scene, setting);
+  PhysicsResult run;
+  const auto timed_run = [&] {
+    run = run_compression(scene.structure, scene.drive, options);
+    return run.seconds;
+  };
+  time_runs(timed_run, point);
+  set_outcome(scene, run, point);
   return point;
 }
 

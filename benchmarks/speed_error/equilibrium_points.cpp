@@ -53,14 +53,12 @@ std::vector<Setting> over_tolerance(const SpeedErrorScene& scene) {
 }
 
 MeasuredPoint measured(const SpeedErrorScene& scene, const Setting& setting) {
-  LoadPath path;
   MeasuredPoint point{.method = "equilibrium", .settings = setting.words, .precision = "double"};
-  time_runs(
-      [&] {
-        return seconds(
-            [&] { path = follow_load(scene.structure, setting.elasticity, scene.drive, setting.options); });
-      },
-      point);
+  LoadPath path;
+  const auto follow = [&] {
+    path = follow_load(scene.structure, setting.elasticity, scene.drive, setting.options);
+  };
+  time_runs([&] { return seconds(follow); }, point);
   point.is_result = path.stop == LoadPath::Stop::reached;
   point.error = aligned_distance(scene.structure, path.state, scene.reference).rms;
   point.status = to_string(path.stop);

@@ -40,7 +40,8 @@ double seconds_a_state(const SpeedErrorScene& scene) {
   const double theta = scene.drive.theta(), edge_mm = scene.structure.size.edge_mm;
   State state;
   if (scene.family.family == Family::F4)
-    return median_seconds(repeats, calls, [&] { state = fold_net(scene.family.tree, scene.structure, theta); });
+    return median_seconds(repeats, calls,
+                          [&] { state = fold_net(scene.family.tree, scene.structure, theta); });
   ExactDesign<double> design = scene.family.design;
   design.theta = theta;
   return median_seconds(repeats, calls, [&] { fold(design, edge_mm, state); });

@@ -20,7 +20,8 @@ MeasuredScene measured(const SpeedErrorScene& scene) {
   MeasuredScene result{scene.name, scene.is_exact(), scene.reference_error};
   for (const Method method : methods)
     for (MeasuredPoint& point : method(scene)) result.points.push_back(std::move(point));
-  std::cerr << "speed against error: " << scene.name << ", " << result.points.size() << " points" << std::endl;
+  std::cerr << "speed against error: " << scene.name << ", " << result.points.size() << " points"
+            << std::endl;
   return result;
 }
 

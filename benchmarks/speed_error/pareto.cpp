@@ -5,12 +5,23 @@
 #include <tuple>
 
 namespace kinetix::bench {
+namespace {
+
+template <class Predicate>
+MeasuredPoints chosen(const MeasuredPoints& points, const Predicate& is_wanted) {
+  MeasuredPoints some;
+  std::copy_if(points.begin(), points.end(), std::back_inserter(some), is_wanted);
+  return some;
+}
+
+bool is_of_bullet(const MeasuredPoint& point) { return point.method.starts_with("Bullet"); }
+
+}  // namespace
 
 MeasuredPoints pareto_front(const MeasuredPoints& points) {
-  MeasuredPoints sorted, front;
-  std::copy_if(points.begin(), points.end(), std::back_inserter(sorted), [](const MeasuredPoint& p) {
-    return std::isfinite(p.seconds) && p.seconds > 0 && std::isfinite(p.error);
-  });
+  MeasuredPoints front, sorted = chosen(points, [](const MeasuredPoint&p) {
+                          return std::isfinite(p.seconds) && p.seconds > 0 && std::isfinite(p.error);
+                        });
   std::stable_sort(sorted.begin(), sorted.end(), [](const MeasuredPoint& a, const MeasuredPoint& b) {
     return std::tie(a.seconds, a.error) < std::tie(b.seconds, b.error);
   });
@@ -26,10 +37,13 @@ std::optional<MeasuredPoint> fastest_at(const MeasuredPoints& points, double err
 }
 
 MeasuredPoints of_series(const MeasuredPoints& points, const std::string& series) {
-  MeasuredPoints chosen;
-  for (const MeasuredPoint& p : points)
-    if (series_of(p) == series) chosen.push_back(p);
-  return chosen;
+  return chosen(points, [&](const MeasuredPoint& p) { return series_of(p) == series; });
+}
+
+MeasuredPoints of_bullet(const MeasuredPoints& points) { return chosen(points, is_of_bullet); }
+
+MeasuredPoints without_bullet(const MeasuredPoints& points) {
+  return chosen(points, [](const MeasuredPoint& p) { return !is_of_bullet(p); });
 }
 
 std::vector<std::string> series_in(const MeasuredPoints& points) {

@@ -17,6 +17,10 @@ std::optional<MeasuredPoint> fastest_at(const MeasuredPoints& points, double err
 /// The points of one legend entry.
 MeasuredPoints of_series(const MeasuredPoints& points, const std::string& series);
 
+/// The points of the engine in any setting, and all the others.
+MeasuredPoints of_bullet(const MeasuredPoints& points);
+MeasuredPoints without_bullet(const MeasuredPoints& points);
+
 /// Legend entries in the order in which they first occur.
 std::vector<std::string> series_in(const MeasuredPoints& points);
 

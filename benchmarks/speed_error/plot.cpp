@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "benchmarks/speed_error/log_axis.hpp"
 #include "benchmarks/speed_error/pareto.hpp"
@@ -37,16 +36,14 @@ std::string text(double x, double y, const char* anchor, const std::string& word
 }
 
 std::string line(double x1, double y1, double x2, double y2, const char* colour, const char* more = "") {
-  return fmt::format("<path d=\"M{:.1f},{:.1f}L{:.1f},{:.1f}\" stroke=\"{}\" fill=\"none\"{}/>\n", x1, y1, x2, y2,
-                     colour, more);
+  return fmt::format("<path d=\"M{:.1f},{:.1f}L{:.1f},{:.1f}\" stroke=\"{}\" fill=\"none\"{}/>\n", x1, y1, x2,
+                     y2, colour, more);
 }
 
 std::string grid(const Panel& p) {
   std::string svg;
-  for (const double t : p.x.ticks())
-    svg += line(p.x.place(t), p.y0, p.x.place(t), p.y0 + panel_height, pale);
-  for (const double e : p.y.ticks(2))
-    svg += line(p.x0, p.y.place(e), p.x0 + panel_width, p.y.place(e), pale);
+  for (const double t : p.x.ticks()) svg += line(p.x.place(t), p.y0, p.x.place(t), p.y0 + panel_height, pale);
+  for (const double e : p.y.ticks(2)) svg += line(p.x0, p.y.place(e), p.x0 + panel_width, p.y.place(e), pale);
   return svg;
 }
 
@@ -77,8 +74,8 @@ std::string front(const Panel& p, const MeasuredPoints& points, const SeriesStyl
   for (const MeasuredPoint& point : best)
     path += fmt::format("{}{:.1f},{:.1f}", path.empty() ? "M" : "L", p.x.place(point.seconds),
                         p.y.place(point.error));
-  return fmt::format("<path d=\"{}\" stroke=\"{}\" stroke-width=\"1.4\" fill=\"none\" opacity=\"0.75\"{}/>\n", path,
-                     style.colour, style.is_dashed ? " stroke-dasharray=\"4 2.5\"" : "");
+  return fmt::format("<path d=\"{}\" stroke=\"{}\" stroke-width=\"1.4\" fill=\"none\" opacity=\"0.75\"{}/>\n",
+                     path, style.colour, style.is_dashed ? " stroke-dasharray=\"4 2.5\"" : "");
 }
 
 std::string markers(const Panel& p, const MeasuredPoints& points, const SeriesStyle& style) {
@@ -99,20 +96,11 @@ std::string drawn_points(const Panel& p, const MeasuredPoints& points) {
   return lines + dots;
 }
 
-bool is_of_engine(const std::string& series) { return series.starts_with("Bullet"); }
-
-/// Fastest time of all points that do or do not come from the engine; nothing where none is accurate enough.
-std::optional<MeasuredPoint> fastest_of(const MeasuredPoints& points, bool engine) {
-  MeasuredPoints chosen;
-  for (const MeasuredPoint& point : points)
-    if (is_of_engine(point.method) == engine) chosen.push_back(point);
-  return fastest_at(chosen, shown_error);
-}
-
 std::string comparison(const MeasuredScene& scene) {
-  const auto model = fastest_of(scene.points, false), engine = fastest_of(scene.points, true);
-  if (!model || !engine) return "at 0.1 %: not reached";
-  return fmt::format("at 0.1 %: {} \u00d7", count_label(engine->seconds / model->seconds));
+  const auto model = fastest_at(without_bullet(scene.points), shown_error);
+  const auto bullet = fastest_at(of_bullet(scene.points), shown_error);
+  if (!model || !bullet) return "at 0.1 %: not reached";
+  return fmt::format("at 0.1 %: {} \u00d7", count_label(bullet->seconds / model->seconds));
 }
 
 std::string exact_time(const Panel& p, const MeasuredPoints& points) {
@@ -127,8 +115,8 @@ std::string drawn_panel(const MeasuredScene& scene, int k, int count) {
   const Panel p(k / panels_a_row, k % panels_a_row);
   std::string svg = grid(p) + asked_errors(p);
   svg += fmt::format(
-      "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#8c959f\"/>\n", p.x0, p.y0,
-      panel_width, panel_height);
+      "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#8c959f\"/>\n", p.x0,
+      p.y0, panel_width, panel_height);
   svg += text(p.x0, p.y0 - 9, "start", scene.name, " font-size=\"13\" font-weight=\"600\" fill=\"#1f2328\"");
   svg += text(p.x0 + panel_width, p.y0 - 9, "end", comparison(scene));
   svg += tick_labels(p, k % panels_a_row == 0, k + panels_a_row >= count);
@@ -142,8 +130,9 @@ std::string legend(const std::vector<MeasuredScene>& scenes) {
   double x = left + 4;
   for (const std::string& series : series_in(all)) {
     const SeriesStyle style = style_of(series);
-    svg += line(x - 9, 72, x + 9, 72, style.colour.c_str(),
-                style.is_dashed ? " stroke-width=\"1.4\" stroke-dasharray=\"4 2.5\"" : " stroke-width=\"1.4\"");
+    svg +=
+        line(x - 9, 72, x + 9, 72, style.colour.c_str(),
+             style.is_dashed ? " stroke-width=\"1.4\" stroke-dasharray=\"4 2.5\"" : " stroke-width=\"1.4\"");
     svg += svg_marker(style, x, 72, 1);
     svg += text(x + 14, 76, "start", series);
     x += 46 + 5.6 * static_cast<double>(series.size());
@@ -165,7 +154,8 @@ std::string speed_error_plot(const std::vector<MeasuredScene>& scenes) {
   svg += text(left, 26, "start", "Error of the folded state against the time to compute it",
               " font-size=\"16\" font-weight=\"600\" fill=\"#1f2328\"");
   svg += text(left, 46, "start",
-              "Beside each title: time of Bullet's fastest run that comes within 0.1 % of a cell edge, over that of the "
+              "Beside each title: time of Bullet's fastest run that comes within 0.1 % of a cell edge, over "
+              "that of the "
               "fastest model that does. Pale: not at rest, or hinges open.",
               " font-size=\"11.5\"");
   svg += legend(scenes);
@@ -174,7 +164,8 @@ std::string speed_error_plot(const std::vector<MeasuredScene>& scenes) {
   svg += text(left + (width - left - right) / 2, height - 12, "middle", "time of one state, s",
               " font-size=\"13\"");
   svg += fmt::format(
-      "<text transform=\"translate(20 {:.1f}) rotate(-90)\" text-anchor=\"middle\" font-size=\"13\">rms error of "
+      "<text transform=\"translate(20 {:.1f}) rotate(-90)\" text-anchor=\"middle\" font-size=\"13\">rms "
+      "error of "
       "body positions, cell edges</text>\n",
       middle);
   return svg + "</svg>\n";

@@ -25,8 +25,8 @@ double number(const std::string& field) {
 }  // namespace
 
 std::string to_line(const std::string& scene, const MeasuredPoint& p) {
-  return fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}", scene, p.method, p.settings, p.precision, p.seconds,
-                     p.spread, p.error, p.status, p.is_result ? "result" : "no result");
+  return fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}", scene, p.method, p.settings, p.precision,
+                     p.seconds, p.spread, p.error, p.status, p.is_result ? "result" : "no result");
 }
 
 SceneAndPoint from_line(const std::string& line) {

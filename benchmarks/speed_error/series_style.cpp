@@ -45,9 +45,10 @@ SeriesStyle style_of(const std::string& series) {
 }
 
 std::string svg_marker(const SeriesStyle& style, double x, double y, double opacity) {
-  const std::string paint = is_hollow(style.marker)
-                                ? fmt::format("fill=\"#ffffff\" stroke=\"{}\" stroke-width=\"1.2\"", style.colour)
-                                : fmt::format("fill=\"{}\"", style.colour);
+  const std::string paint =
+      is_hollow(style.marker)
+          ? fmt::format("fill=\"#ffffff\" stroke=\"{}\" stroke-width=\"1.2\"", style.colour)
+          : fmt::format("fill=\"{}\"", style.colour);
   const std::string veil = opacity < 1 ? fmt::format(" opacity=\"{:g}\"", opacity) : "";
   return fmt::format("{} {}{}/>\n", outline(style.marker, x, y), paint, veil);
 }

@@ -13,8 +13,8 @@ struct SeriesStyle {
   bool is_dashed = false;  ///< its line
 };
 
-/// Single precision has the colour of double, hollow markers and a dashed line. Methods without a style of their
-/// own are purple triangles.
+/// Single precision has the colour of double, hollow markers and a dashed line. Methods without a style of
+/// their own are purple triangles.
 SeriesStyle style_of(const std::string& series);
 
 /// One marker, about 7 wide. @param opacity in [0, 1]

@@ -10,6 +10,7 @@ int main(int argc, char** argv) {
   const std::string only = argc > 1 ? argv[1] : "";
   for (const SpeedErrorScene& scene : speed_error_scenes()) {
     if (scene.name.find(only) == std::string::npos) continue;
-    for (const MeasuredPoint& point : bullet_points(scene)) std::cout << to_line(scene.name, point) << std::endl;
+    for (const MeasuredPoint& point : bullet_points(scene))
+      std::cout << to_line(scene.name, point) << std::endl;
   }
 }

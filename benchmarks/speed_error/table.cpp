@@ -21,8 +21,8 @@ std::string cell(const MeasuredScene& scene, const MeasuredPoints& series, doubl
   const auto own = fastest_at(series, error);
   if (!own) return "not reached";
   const double best = fastest_at(scene.points, error)->seconds;
-  return fmt::format("**{}**{} ({}{})", time_label(own->seconds), ratio_label(own->seconds / best), own->settings,
-                     own->is_result ? "" : "; " + own->status);
+  return fmt::format("**{}**{} ({}{})", time_label(own->seconds), ratio_label(own->seconds / best),
+                     own->settings, own->is_result ? "" : "; " + own->status);
 }
 
 std::string row(const MeasuredScene& scene, const std::string& series) {
@@ -51,7 +51,8 @@ std::string spread_sentence(const std::vector<MeasuredScene>& scenes) {
     return 100 * spreads[static_cast<std::size_t>(share * static_cast<double>(spreads.size() - 1))];
   };
   return fmt::format(
-      "Of {} settings that ran more than once, the slowest run took longer than the fastest by {:.0f} % of the "
+      "Of {} settings that ran more than once, the slowest run took longer than the fastest by {:.0f} % of "
+      "the "
       "median in half of them, by more than {:.0f} % in a tenth.\n",
       spreads.size(), percentile(0.5), percentile(0.9));
 }

@@ -26,7 +26,8 @@ TEST(ParetoFront, KeepsWhatNoOtherPointBeatsFromFastToAccurate) {
 }
 
 TEST(ParetoFront, LeavesOutPointsWithoutAState) {
-  const MeasuredPoints points = {point(1, NAN), point(2, INFINITY), point(NAN, 0.1), point(0, 0.1), point(3, 0.2)};
+  const MeasuredPoints points = {point(1, NAN), point(2, INFINITY), point(NAN, 0.1), point(0, 0.1),
+                                 point(3, 0.2)};
   EXPECT_THAT(seconds_of(pareto_front(points)), ElementsAre(3));
 }
 
@@ -50,7 +51,8 @@ TEST(ParetoFront, IsWhatTheDefinitionGivesForRandomPoints) {
 }
 
 TEST(FastestAt, TakesTheFastestThatIsAccurateEnough) {
-  const MeasuredPoints points = {point(1, 2e-2), point(9, 1e-9), point(3, 1e-3), point(2, 1.1e-3), point(4, 5e-4)};
+  const MeasuredPoints points = {point(1, 2e-2), point(9, 1e-9), point(3, 1e-3), point(2, 1.1e-3),
+                                 point(4, 5e-4)};
   EXPECT_EQ(fastest_at(points, 1e-3)->seconds, 3);
   EXPECT_EQ(fastest_at(points, 1e-2)->seconds, 2);
   EXPECT_EQ(fastest_at(points, 1e-10), std::nullopt);
@@ -61,6 +63,13 @@ TEST(Series, AreNamedByMethodAndSinglePrecisionInOrder) {
   points[2].precision = "single";
   EXPECT_THAT(series_in(points), ElementsAre("b", "a", "b, single precision"));
   EXPECT_THAT(seconds_of(of_series(points, "b")), ElementsAre(1));
+}
+
+TEST(Series, TellThePhysicsEngineFromTheModels) {
+  const MeasuredPoints points = {point(1, 1, "exact"), point(2, 1, "Bullet, direct"),
+                                 point(3, 1, "Bullet, sweeps")};
+  EXPECT_THAT(seconds_of(of_bullet(points)), ElementsAre(2, 3));
+  EXPECT_THAT(seconds_of(without_bullet(points)), ElementsAre(1));
 }
 
 }  // namespace
