@@ -14,44 +14,52 @@ namespace {
 
 using Solver = PhysicsOptions::Solver;
 
-constexpr std::size_t many_bodies = 2000;
-constexpr int steps_a_second[] = {10, 15, 20, 30, 40, 60, 80, 120, 240, 500, 1000, 2000};
+constexpr std::size_t few_bodies = 100, many_bodies = 2000;
+constexpr int drive_steps[] = {5, 10, 15, 20, 30, 40, 60, 80, 120, 240, 500, 1000, 2000};
+constexpr double longest_step_s = 0.1;
+constexpr double stiff_joints = 1e8;
 
-bool is_large(const SpeedErrorScene& scene) { return scene.structure.bodies.size() > many_bodies; }
+/// All numbers of steps with one solver.
+struct GridLine {
+  Solver solver;
+  int iterations;
+  double joint_stiffness;
+  double budget_s;            ///< for all its runs together
+  std::vector<double> rests;  ///< hinge speeds at which a run ends, rad/s, from loose to tight
+};
 
-/// Seconds for all time steps of one solver.
-double line_budget(const SpeedErrorScene& scene, Solver solver) {
-  return is_large(scene) && solver == Solver::direct ? 20 : 5;
+std::vector<GridLine> rigid_grid(std::size_t bodies) {
+  const std::vector<double> rests = {1e-1, 1e-2, 1e-3, 1e-4, 1e-8};
+  const double direct_budget = bodies > many_bodies ? 12 : 3, sweeps_budget = bodies < few_bodies ? 8 : 3;
+  std::vector<GridLine> lines;
+  for (const double stiffness : {PhysicsOptions{}.joint_stiffness, stiff_joints})
+    lines.push_back({Solver::direct, PhysicsOptions{}.iterations, stiffness, direct_budget, rests});
+  for (const int sweeps : {10, 50, 200})
+    lines.push_back({Solver::sweeps, sweeps, 0, sweeps_budget, {1e-2, 1e-8}});
+  return lines;
 }
 
-/// Hinge speeds at which a run ends, rad/s, from loose to tight. Elastic runs end by balance of forces.
-std::vector<double> rests_of(const SpeedErrorScene& scene, Solver solver) {
-  if (!scene.is_exact()) return {0};
-  if (solver == Solver::sweeps) return {1e-2, 1e-8};
-  if (is_large(scene)) return {1e-3, 1e-8};
-  return {1e-1, 1e-2, 1e-3, 1e-4, 1e-8};
+/// Elastic hinges have stiffnesses of their own, and a run ends by the balance of forces.
+std::vector<GridLine> elastic_grid() {
+  std::vector<GridLine> lines;
+  for (const int sweeps : {10, 200}) lines.push_back({Solver::direct, sweeps, 0, 5, {0}});
+  return lines;
 }
 
 const std::string at_rest = to_string(PhysicsResult::Status::settled);
 const std::string at_rest_but_open = "settled with open hinges";
 
-struct Setting {
-  Solver solver;
-  int iterations;
-  int steps_a_second;
-  double rest;
-};
-
 /// Failures are judged by the error alone: no run ends early for a gap that the next steps may close.
-PhysicsOptions options_of(const SpeedErrorScene& scene, const Setting& setting) {
+PhysicsOptions options_of(const SpeedErrorScene& scene, const GridLine& line, int steps, double rest) {
   PhysicsOptions options;
-  options.solver = setting.solver;
-  options.iterations = setting.iterations;
-  options.step_s = 1.0 / setting.steps_a_second;
+  options.solver = line.solver;
+  options.iterations = line.iterations;
+  options.step_s = std::min(longest_step_s, options.drive_seconds / steps);
+  options.drive_seconds = steps * options.step_s;
   if (scene.is_exact()) {
-    options.settle_speed = setting.rest;
+    if (line.solver == Solver::direct) options.joint_stiffness = line.joint_stiffness;
+    options.settle_speed = rest;
     options.gap_limit = options.tear_limit = options.overlap_limit = 1;
-    if (scene.family.family == Family::F4) options.joint_stiffness = 1e8;
   } else {
     options.elastic = relative(scene.elasticity, scene.structure.size.edge_mm);
     options.planar = all_vertical(scene.structure);
@@ -59,11 +67,12 @@ PhysicsOptions options_of(const SpeedErrorScene& scene, const Setting& setting) 
   return options;
 }
 
-std::string words(const SpeedErrorScene& scene, const Setting& setting) {
-  std::string text = fmt::format("1/{} s", setting.steps_a_second);
-  if (setting.solver == Solver::sweeps) text += fmt::format(", {} sweeps", setting.iterations);
-  if (!scene.is_exact()) return text + fmt::format(", {} sweeps over contacts", setting.iterations);
-  return text + fmt::format(", rest {:.0e}", setting.rest);
+std::string words(const SpeedErrorScene& scene, const GridLine& line, int steps, double rest) {
+  const std::string count = fmt::format("{} steps", steps);
+  if (!scene.is_exact()) return fmt::format("{}, {} sweeps over contacts", count, line.iterations);
+  if (line.solver == Solver::sweeps)
+    return fmt::format("{}, {} sweeps, rest {:.0e}", count, line.iterations, rest);
+  return fmt::format("{}, joints {:.0e}, rest {:.0e}", count, line.joint_stiffness, rest);
 }
 
 void set_outcome(const SpeedErrorScene& scene, const PhysicsResult& run, MeasuredPoint& point) {
@@ -76,11 +85,11 @@ void set_outcome(const SpeedErrorScene& scene, const PhysicsResult& run, Measure
                                      : std::numeric_limits<double>::quiet_NaN();
 }
 
-MeasuredPoint measured(const SpeedErrorScene& scene, const Setting& setting) {
-  MeasuredPoint point{.method = setting.solver == Solver::direct ? "Bullet, direct" : "Bullet, sweeps",
-                      .settings = words(scene, setting),
+MeasuredPoint measured(const SpeedErrorScene& scene, const GridLine& line, int steps, double rest) {
+  MeasuredPoint point{.method = line.solver == Solver::direct ? "Bullet, direct" : "Bullet, sweeps",
+                      .settings = words(scene, line, steps, rest),
                       .precision = KINETIX_BULLET_PRECISION};
-  const PhysicsOptions options = options_of(scene, setting);
+  const PhysicsOptions options = options_of(scene, line, steps, rest);
   PhysicsResult run;
   const auto timed_run = [&] {
     run = run_compression(scene.structure, scene.drive, options);
@@ -91,21 +100,21 @@ MeasuredPoint measured(const SpeedErrorScene& scene, const Setting& setting) {
   return point;
 }
 
-/// One time step, over how near to rest the run ends: once it does not come to rest, the rest is the same.
-void add_points(const SpeedErrorScene& scene, Setting setting, MeasuredPoints& points) {
-  for (const double rest : rests_of(scene, setting.solver)) {
-    setting.rest = rest;
-    points.push_back(measured(scene, setting));
+/// One number of steps, over how near to rest the run ends: once it does not come to rest, a stricter end
+/// changes nothing.
+void add_points(const SpeedErrorScene& scene, const GridLine& line, int steps, MeasuredPoints& points) {
+  for (const double rest : line.rests) {
+    points.push_back(measured(scene, line, steps, rest));
     if (points.back().status != at_rest && points.back().status != at_rest_but_open) return;
   }
 }
 
-/// All time steps, from long to short, until the next would take the whole line past its budget.
-void add_line(const SpeedErrorScene& scene, Solver solver, int iterations, MeasuredPoints& points) {
+/// From few steps to many, until the next runs would take the line past its budget.
+void add_line(const SpeedErrorScene& scene, const GridLine& line, MeasuredPoints& points) {
   double spent = 0, a_step = 0;
-  for (const int steps : steps_a_second) {
-    if (spent + steps * a_step > line_budget(scene, solver)) return;
-    const double time = seconds([&] { add_points(scene, {solver, iterations, steps, 0}, points); });
+  for (const int steps : drive_steps) {
+    if (spent + steps * a_step > line.budget_s) return;
+    const double time = seconds([&] { add_points(scene, line, steps, points); });
     spent += time;
     a_step = time / steps;
   }
@@ -115,11 +124,8 @@ void add_line(const SpeedErrorScene& scene, Solver solver, int iterations, Measu
 
 MeasuredPoints bullet_points(const SpeedErrorScene& scene) {
   MeasuredPoints points;
-  if (scene.is_exact()) add_line(scene, Solver::direct, PhysicsOptions{}.iterations, points);
-  for (const int iterations : {10, 50, 200})
-    if (scene.is_exact()) add_line(scene, Solver::sweeps, iterations, points);
-  for (const int iterations : {10, 200})
-    if (!scene.is_exact()) add_line(scene, Solver::direct, iterations, points);
+  for (const GridLine& line : scene.is_exact() ? rigid_grid(scene.structure.bodies.size()) : elastic_grid())
+    add_line(scene, line, points);
   return points;
 }
 

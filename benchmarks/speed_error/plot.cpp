@@ -99,7 +99,7 @@ std::string drawn_points(const Panel& p, const MeasuredPoints& points) {
 std::string comparison(const MeasuredScene& scene) {
   const auto model = fastest_at(without_bullet(scene.points), shown_error);
   const auto bullet = fastest_at(of_bullet(scene.points), shown_error);
-  if (!model || !bullet) return "at 0.1 %: not reached";
+  if (!model || !bullet) return "0.1 % not reached";
   return fmt::format("at 0.1 %: {} \u00d7", count_label(bullet->seconds / model->seconds));
 }
 

@@ -61,7 +61,7 @@ SpeedErrorScene sheet(int cells) {
   for (int c = 0; c < cells; ++c) design.beta[c] = (c % 2 ? -1 : 1) * 3.2 / std::max(cells, 20);
   Structure structure = make_structure(rectangle(cells, cells), walls_of(10));
   apply(design, structure);
-  return exact_scene(fmt::format("bent sheet, {0} x {0} cells", cells), structure, 0.5);
+  return exact_scene(fmt::format("sheet, {0} x {0} cells", cells), structure, 0.5);
 }
 
 /// The cells of a disc that fills a panel but for a rim of one cell.
