@@ -1,12 +1,8 @@
 #include "app/fold_file.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-
 #include "app/file_header.hpp"
 #include "app/structure_section.hpp"
-#include "model/wall_contact.hpp"
+#include "app/variables_section.hpp"
 #include "targets/read_fold.hpp"
 
 namespace kinetix {
@@ -23,37 +19,6 @@ void read_structure(const Node& root, FoldFile& file) {
     structure->reject_unknown_keys({"cell_mm", "wall_mm"});
   }
   file.size = read_size(structure, default_cell_mm);
-}
-
-void read_beta(const Node& beta, FoldFile& file) {
-  beta.reject_unknown_keys({"range_deg"});
-  const auto range = beta.optional("range_deg");
-  if (!range) return;
-  const auto [lower, upper] = range->angle_range(from_to(-89, 89, "degrees"));
-  if (!(lower < 0 && upper > 0))
-    throw range->error("leaves one sign out: tilts alternate in sign along a crease; give a range around 0");
-  file.tilt = std::min(-lower, upper);
-}
-
-void read_theta(const Node& theta, FoldFile& file) {
-  theta.reject_unknown_keys({"range_deg"});
-  const auto range = theta.optional("range_deg");
-  if (!range) return;
-  const auto [lower, upper] = range->angle_range(between(0, 45, "degrees"));
-  file.theta = {lower, upper};
-}
-
-void read_variables(const Node& root, FoldFile& file) {
-  const auto section = root.optional("variables");
-  if (section) {
-    section->reject_unknown_keys({"beta", "theta"});
-    if (const auto beta = section->optional("beta")) read_beta(*beta, file);
-    if (const auto theta = section->optional("theta")) read_theta(*theta, file);
-  }
-  if (file.theta.lower < closing_theta(file.size)) return;
-  throw section.value_or(root).error(
-      fmt::format("theta starts above {:.2f} deg, where walls of {:.3g} mm close cells of {:.3g} mm",
-                  to_degrees(closing_theta(file.size)), file.size.thickness_mm, file.size.edge_mm));
 }
 
 void read_tolerance(const Node& root, FoldFile& file) {
@@ -76,7 +41,9 @@ FoldFile read_fold_file(const Node& root) {
   file.name = read_name(root);
   file.goal = read_fold(root.required("target", ""));
   read_structure(root, file);
-  read_variables(root, file);
+  const NetVariables variables = read_net_variables(root, file.size, {file.tilt, file.theta});
+  file.tilt = variables.tilt;
+  file.theta = variables.theta;
   read_tolerance(root, file);
   file.physics = read_physics(root, file.size.edge_mm);
   return file;

@@ -5,6 +5,7 @@
 
 #include "app/file_header.hpp"
 #include "app/structure_section.hpp"
+#include "app/variables_section.hpp"
 #include "model/wall_contact.hpp"
 #include "targets/read_head.hpp"
 
@@ -43,32 +44,11 @@ void read_ribs(const Node& target, HelmetFile& file) {
   file.wish.coverage_mm = file.head.coverage_mm;
 }
 
-void read_variables(const Node& root, HelmetFile& file) {
-  const double closing = closing_theta(file.wish.size);
-  const auto section = root.optional("variables");
-  if (section) {
-    section->reject_unknown_keys({"beta", "theta"});
-    if (const auto beta = section->optional("beta")) {
-      beta->reject_unknown_keys({"range_deg"});
-      if (const auto range = beta->optional("range_deg")) {
-        const auto [lower, upper] = range->angle_range(from_to(-89, 89, "degrees"));
-        if (!(lower < 0 && upper > 0))
-          throw range->error(
-              "leaves one sign out: tilts alternate in sign along a crease; give a range around 0");
-        file.wish.tilt = std::min(-lower, upper);
-      }
-    }
-    if (const auto theta = section->optional("theta")) {
-      theta->reject_unknown_keys({"range_deg"});
-      if (const auto range = theta->optional("range_deg"))
-        file.wish.theta = range->angle_range(between(0, 45, "degrees"));
-    }
-  }
-  if (!(file.wish.theta[0] < closing))
-    throw section.value_or(root).error("theta starts above " + shortest_text(to_degrees(closing)) +
-                                       " deg, where walls of this thickness close the cells");
-  file.wish.theta[1] = std::min(file.wish.theta[1], closing);
-  file.wish.start_theta = std::clamp(file.wish.start_theta, file.wish.theta[0], file.wish.theta[1]);
+void read_variables(const Node& root, HelmetWish& wish) {
+  const NetVariables read = read_net_variables(root, wish.size, {wish.tilt, wish.theta});
+  wish.tilt = read.tilt;
+  wish.theta = {read.theta.lower, std::min(read.theta.upper, closing_theta(wish.size))};
+  wish.start_theta = std::clamp(wish.start_theta, wish.theta.lower, wish.theta.upper);
 }
 
 void read_tolerance(const Node& root, HelmetFile& file) {
@@ -92,7 +72,7 @@ HelmetFile read_helmet_file(const Node& root) {
       {"kind", "mesh", "units", "up", "front", "crown", "ribs", "spacing_mm", "coverage_mm", "clearance_mm"});
   HelmetFile file{.name = name, .head = read_head(target)};
   read_structure(root, file);
-  read_variables(root, file);
+  read_variables(root, file.wish);
   read_ribs(target, file);
   read_tolerance(root, file);
   file.solver = read_solver(root);

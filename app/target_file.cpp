@@ -8,7 +8,7 @@
 
 #include "app/file_header.hpp"
 #include "app/structure_section.hpp"
-#include "model/wall_contact.hpp"
+#include "app/variables_section.hpp"
 #include "targets/read_curve.hpp"
 
 namespace kinetix {
@@ -102,13 +102,6 @@ void read_structure(const Node& root, TargetFile& file) {
   if (!sides) file.columns = static_cast<int>(std::max(fitting, 2.0));
 }
 
-AngleRange read_angles(const Node& section, const AngleRange& fallback, const Bounds& degrees) {
-  const auto node = section.optional("range_deg");
-  if (!node) return fallback;
-  const auto [lower, upper] = node->angle_range(degrees);
-  return {lower, upper};
-}
-
 Per read_per(const Node& node) {
   const std::vector<std::string_view> all = {"column", "all", "row", "cell", "hinge"};
   const std::size_t choice = node.one_of(all);
@@ -126,19 +119,15 @@ void read_variables(const Node& root, TargetFile& file) {
   section->reject_unknown_keys({"beta", "theta"});
   if (const auto beta = section->optional("beta")) {
     beta->reject_unknown_keys({"range_deg", "per", "symmetry"});
-    file.beta = read_angles(*beta, file.beta, from_to(-89, 89, "degrees"));
+    if (const auto range = beta->optional("range_deg")) {
+      const auto [lower, upper] = range->angle_range(from_to(-89, 89, "degrees"));
+      file.beta = {lower, upper};
+    }
     if (const auto per = beta->optional("per")) file.per = read_per(*per);
     if (const auto node = beta->optional("symmetry"))
       file.symmetry = read_symmetry(*node, file.columns, file.rows);
   }
-  if (const auto theta = section->optional("theta")) {
-    theta->reject_unknown_keys({"range_deg"});
-    file.theta = read_angles(*theta, file.theta, between(0, 45, "degrees"));
-    if (!(file.theta.lower < closing_theta(file.size)))
-      throw theta->error(fmt::format(
-          "the range starts above {:.2f} deg, where walls of {:.3g} mm close cells of {:.3g} mm",
-          closing_theta(file.size) / radians_per_degree, file.size.thickness_mm, file.size.edge_mm));
-  }
+  file.theta = read_theta(*section, file.size, file.theta);
 }
 
 void read_tolerance(const Node& root, TargetFile& file) {

@@ -23,6 +23,9 @@ std::vector<Figure> elastic_physics_figures();
 std::vector<Figure> display_figures();
 std::vector<Figure> fold_figures();
 std::vector<Figure> helmet_figures();
+std::vector<Figure> growth_figures();
+std::vector<Figure> sweep_figures();
+std::vector<Figure> regression_figures();
 std::vector<Figure> speed_error_figures();
 
 /// Markdown table: both joint solvers of the physics run on arcs of growing length.

@@ -50,6 +50,9 @@ constexpr Group groups[] = {{"model", kinetix::bench::model_figures},
                             {"display", kinetix::bench::display_figures},
                             {"fold", kinetix::bench::fold_figures},
                             {"helmet", kinetix::bench::helmet_figures},
+                            {"growth", kinetix::bench::growth_figures},
+                            {"sweep", kinetix::bench::sweep_figures},
+                            {"regression", kinetix::bench::regression_figures},
                             {"speed_error", kinetix::bench::speed_error_figures}};
 
 /// What a group adds to the page beside its rows: the text of a section, or a picture.

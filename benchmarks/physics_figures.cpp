@@ -7,8 +7,6 @@
 namespace kinetix::bench {
 namespace {
 
-CellSize walls_of(double edge_mm) { return {edge_mm, edge_mm / 10, 0.6 * edge_mm}; }
-
 Figure against_exact(const Scene& scene, int columns) {
   const CurveVariables variables = strip(scene, columns);
   const CellSize size = walls_of(variables.cell_mm);
@@ -27,19 +25,9 @@ Figure against_exact(const Scene& scene, int columns) {
           settled && rms <= 5e-3 && physics.gaps.max <= 2e-3 && in_time};
 }
 
-/// A strip that bends into an arc of 0.16 rad a column.
-Structure arc(int columns, ExactDesign<double>& design) {
-  design = ExactDesign<double>::basic(columns, 1);
-  for (int c = 0; c < columns; ++c) design.beta[c] = (c % 2 ? -1 : 1) * std::min(0.16, 3.2 / columns);
-  design.theta = 0.5;
-  Structure structure = make_structure(rectangle(columns, 1), walls_of(10));
-  apply(design, structure);
-  return structure;
-}
-
 std::string solver_row(const std::string& name, int columns, const PhysicsOptions& options) {
   ExactDesign<double> design;
-  const Structure structure = arc(columns, design);
+  const Structure structure = arc(columns, 1, design);
   const PhysicsResult run = run_compression(structure, drive_to(structure, design.theta), options);
   const double rms = aligned_distance(structure, run.state, fold(design, structure)).rms;
   return fmt::format("| {} | {} | {:.2f} s | {:.1e} | {:.1e} | {} |\n", name, columns, run.seconds, rms,

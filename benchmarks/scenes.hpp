@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,19 @@ inline CurveVariables strip(const Scene& scene, int columns) {
   variables.columns = columns;
   variables.cell_mm = testing::fitting_cell(scene.goal, columns);
   return variables;
+}
+
+/// Walls a tenth of the cell thick and three fifths of it high.
+inline CellSize walls_of(double edge_mm) { return {edge_mm, edge_mm / 10, 0.6 * edge_mm}; }
+
+/// A strip or sheet that bends into an arc of 0.16 rad a column, at theta 0.5; half a circle at most.
+inline Structure arc(int columns, int rows, ExactDesign<double>& design) {
+  design = ExactDesign<double>::basic(columns, rows);
+  for (int c = 0; c < columns; ++c) design.beta[c] = (c % 2 ? -1 : 1) * std::min(0.16, 3.2 / columns);
+  design.theta = 0.5;
+  Structure structure = make_structure(rectangle(columns, rows), walls_of(10));
+  apply(design, structure);
+  return structure;
 }
 
 }  // namespace kinetix::bench

@@ -1,38 +1,22 @@
 #include "model/crease.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <numeric>
+
+#include "model/union_find.hpp"
 
 namespace kinetix {
-namespace {
-
-int root_of(std::vector<int>& parent, int k) {
-  while (parent[k] != k) k = parent[k] = parent[parent[k]];
-  return k;
-}
-
-/// Joins to the lower index, so that roots come in the order of first hinges.
-void join(std::vector<int>& parent, int a, int b) {
-  a = root_of(parent, a);
-  b = root_of(parent, b);
-  parent[std::max(a, b)] = std::min(a, b);
-}
-
-}  // namespace
 
 Creases find_creases(const Structure& structure) {
   const int count = static_cast<int>(structure.hinges.size());
-  std::vector<int> parent(count);
-  std::iota(parent.begin(), parent.end(), 0);
+  UnionFind same(structure.hinges.size());
   for (const CellHinges& cell : structure.cell_members) {
-    join(parent, cell.hinges[0], cell.hinges[2]);
-    join(parent, cell.hinges[1], cell.hinges[3]);
+    same.unite(cell.hinges[0], cell.hinges[2]);
+    same.unite(cell.hinges[1], cell.hinges[3]);
   }
   Creases creases;
   creases.of_hinge.resize(count);
   for (int k = 0; k < count; ++k) {
-    const int root = root_of(parent, k);
+    const int root = same.find(k);
     if (root == k) {
       creases.of_hinge[k] = static_cast<int>(creases.list.size());
       creases.list.push_back({structure.hinges[k].wall.axis, {}});

@@ -180,11 +180,8 @@ HelmetError helmet_error(const Fishbone& fishbone, const State& state, const Mes
 
 State placed_fishbone(const Fishbone& fishbone, const HelmetShape& shape, double theta) {
   const Structure& structure = fishbone.structure;
-  State state = fold_net(make_net_tree(structure, fishbone.middle), structure, theta);
-  const Eigen::Matrix3d turn = rotation_of(shape.turn);
-  const Vector3d root = structure.rest_position(fishbone.middle);
-  for (Pose& pose : state) pose = {turn * pose.R, shape.place + turn * (pose.p - root)};
-  return state;
+  return placed(fold_net(make_net_tree(structure, fishbone.middle), structure, theta), fishbone.middle,
+                shape.turn, shape.place);
 }
 
 HelmetDesign fit_helmet(const MeshDistance& head, const Vector3d& crown, const HelmetWish& wish,

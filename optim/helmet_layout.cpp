@@ -185,7 +185,7 @@ class Planner {
           fmt::format("cells of {:g} mm are too large: the line over the head is {:.0f} mm long", edge_,
                       spine_.length()));
     theta_ =
-        std::clamp(std::acos(std::min(1.0, spine_.length() / (rows_ * edge_))), wish.theta[0], wish.theta[1]);
+        std::clamp(std::acos(std::min(1.0, spine_.length() / (rows_ * edge_))), wish.theta.lower, wish.theta.upper);
     pitch_ = edge_ * std::cos(theta_);
   }
 

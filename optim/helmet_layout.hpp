@@ -16,7 +16,7 @@ struct HelmetWish {
   double clearance_mm = 5;                ///< from the head, >= 0
   double coverage_mm = 90;                ///< how far below the crown the rim is, > 0
   double tilt = 60 * radians_per_degree;  ///< limit of all tilts
-  std::array<double, 2> theta = {2 * radians_per_degree, 40 * radians_per_degree};
+  AngleRange theta = {2 * radians_per_degree, 40 * radians_per_degree};
   double start_theta = 30 * radians_per_degree;  ///< that cells are counted at
 };
 

@@ -20,7 +20,7 @@ constexpr int theta_index = 6;
 }  // namespace
 
 HelmetProblem::HelmetProblem(const Fishbone& fishbone, const HelmetGoal& goal, double tilt,
-                             std::array<double, 2> theta)
+                             const AngleRange& theta)
     : fishbone_(fishbone), goal_(goal), tree_(make_net_tree(fishbone.structure, fishbone.middle)) {
   index_variables();
   place_probes();
@@ -32,8 +32,8 @@ HelmetProblem::HelmetProblem(const Fishbone& fishbone, const HelmetGoal& goal, d
   upper_ = VectorXd::Constant(variables, tilt);
   lower_.head<theta_index>().setConstant(-infinity);
   upper_.head<theta_index>().setConstant(infinity);
-  lower_[theta_index] = theta[0];
-  upper_[theta_index] = theta[1];
+  lower_[theta_index] = theta.lower;
+  upper_[theta_index] = theta.upper;
 }
 
 void HelmetProblem::index_variables() {
@@ -102,15 +102,16 @@ Structure HelmetProblem::structure(const VectorXd& x) const {
   return out;
 }
 
-State HelmetProblem::state(const VectorXd& x) const {
-  State state = fold_net(tree_, structure(x), x[theta_index]);
-  const Eigen::Matrix3d turn = rotation_of(x.head<3>());
-  const Vector3d root = state[tree_.root].p, place = fishbone_.structure.size.edge_mm * x.segment<3>(3);
-  for (Pose& pose : state) {
-    pose.p = place + turn * (pose.p - root);
-    pose.R = turn * pose.R;
-  }
+State placed(State state, int root, const Vector3d& turn, const Vector3d& place) {
+  const Eigen::Matrix3d R = rotation_of(turn);
+  const Vector3d from = state[root].p;
+  for (Pose& pose : state) pose = {R * pose.R, place + R * (pose.p - from)};
   return state;
+}
+
+State HelmetProblem::state(const VectorXd& x) const {
+  return placed(fold_net(tree_, structure(x), x[theta_index]), tree_.root, x.head<3>(),
+                fishbone_.structure.size.edge_mm * x.segment<3>(3));
 }
 
 VectorXd HelmetProblem::pack(const HelmetShape& shape) const {

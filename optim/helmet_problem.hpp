@@ -3,6 +3,7 @@
 #include "model/fishbone.hpp"
 #include "model/net.hpp"
 #include "optim/arrow_problem.hpp"
+#include "optim/variables.hpp"
 #include "targets/mesh_distance.hpp"
 
 namespace kinetix {
@@ -24,6 +25,10 @@ struct HelmetShape {
   std::vector<std::array<std::vector<double>, 2>> ribs;  ///< of each rib and side, from the spine outwards
 };
 
+/// A folded net moved as a whole. @param root body that comes to `place`; @param turn rotation vector, rad
+/// @param place mm
+State placed(State state, int root, const Eigen::Vector3d& turn, const Eigen::Vector3d& place);
+
 /// Fit of a fishbone to a head: all tilts, one theta and its place, by least squares.
 ///
 /// Residuals: distance to the head less the clearance of every body and every hinge point, over the square
@@ -35,7 +40,7 @@ class HelmetProblem final : public ArrowProblem {
  public:
   /// @param fishbone its root is the middle of the spine; kept by reference, as is the head
   /// @param tilt limit of all tilts, rad   @param theta bounds, rad, within (0, pi/2)
-  HelmetProblem(const Fishbone& fishbone, const HelmetGoal& goal, double tilt, std::array<double, 2> theta);
+  HelmetProblem(const Fishbone& fishbone, const HelmetGoal& goal, double tilt, const AngleRange& theta);
 
   int shared() const override { return fixed_shared + static_cast<int>(fishbone_.spine.size()); }
   const std::vector<int>& parts() const override { return parts_; }

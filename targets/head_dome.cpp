@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "targets/sphere_grid.hpp"
-#include "targets/union_find.hpp"
+#include "model/union_find.hpp"
 
 namespace kinetix {
 namespace {

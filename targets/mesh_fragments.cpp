@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "targets/union_find.hpp"
+#include "model/union_find.hpp"
 
 namespace kinetix {
 namespace {

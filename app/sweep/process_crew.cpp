@@ -174,9 +174,9 @@ class ProcessCrew {
     const auto message = receive_message(crew_[k]->socket());
     const bool lives = message.has_value();
     if (lives) {
-      const WorkRequest request = read_request(*message);
+      WorkRequest request = read_request(*message);
       if (!request.farewell.empty()) throw InvalidInput(request.farewell);
-      source_.give(request.rows);
+      source_.give(std::move(request.rows));
     } else {
       const std::int64_t sample = crew_[k]->sample();
       source_.give({lost_row(plan_, sample, crew_[k]->end())});

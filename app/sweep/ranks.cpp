@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <exception>
 #include <thread>
+#include <utility>
 
 #include "app/sweep/work_message.hpp"
 
@@ -86,21 +87,25 @@ std::string Ranks::from_first(std::string text) const {
 
 void Ranks::serve(const WorkSource& source, const std::function<void(const std::string&)>& notice) const {
   std::exception_ptr failure;
-  for (int others = size_ - 1; others > 0;) {
-    int from = 0;
-    const WorkRequest request = read_request(next_request(from));
-    std::vector<std::int64_t> samples;
+  const auto attempt = [&](const auto& action) {
     try {
-      if (!failure && !request.rows.empty()) source.give(request.rows);
-      if (!failure && request.wanted > 0) samples = source.take(request.wanted);
+      if (!failure) action();
     } catch (...) {
       failure = std::current_exception();
     }
+  };
+  for (int others = size_ - 1; others > 0;) {
+    int from = 0;
+    WorkRequest request = read_request(next_request(from));
     if (!request.farewell.empty()) notice("rank " + std::to_string(from) + ": " + request.farewell);
-    if (request.wanted > 0)
+    if (request.wanted > 0) {
+      std::vector<std::int64_t> samples;
+      attempt([&] { samples = source.take(request.wanted); });
       send(to_bytes(samples), from, answer_tag);
-    else
+    } else {
       --others;
+    }
+    if (!request.rows.empty()) attempt([&] { source.give(std::move(request.rows)); });
   }
   if (failure) std::rethrow_exception(failure);
 }

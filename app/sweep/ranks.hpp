@@ -25,7 +25,8 @@ class Ranks {
   std::string from_first(std::string text) const;
 
   /// Rank 0: hands out samples to the other ranks until each has said farewell. Ends without an exception:
-  /// what the source throws is kept, and thrown when all have left.
+  /// what the source throws is kept, and thrown when all have left. A rank gets its next samples before its
+  /// rows are stored, and computes meanwhile.
   /// @param notice hears what went wrong on a rank that left early
   void serve(const WorkSource& source, const std::function<void(const std::string&)>& notice) const;
 

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <utility>
 
 #include "app/stopwatch.hpp"
 #include "app/sweep/evaluator.hpp"
@@ -29,11 +30,11 @@ class SharedSource {
     }
   }
 
-  void give(const std::vector<SampleRow>& rows) noexcept {
+  void give(std::vector<SampleRow> rows) noexcept {
     const std::lock_guard lock(mutex_);
     if (failure_) return;
     try {
-      source_.give(rows);
+      source_.give(std::move(rows));
     } catch (...) {
       failure_ = std::current_exception();
     }
@@ -58,13 +59,13 @@ void work(const SweepPlan& plan, SharedSource& source) noexcept {
   try {
     const auto evaluator = make_evaluator(plan);
     ChunkSize size;
-    std::vector<SampleRow> rows;
     for (auto samples = source.take(size.next()); !samples.empty(); samples = source.take(size.next())) {
       Stopwatch watch;
-      rows.clear();
+      std::vector<SampleRow> rows;
+      rows.reserve(samples.size());
       for (const std::int64_t sample : samples) rows.push_back(run_sample(plan, *evaluator, sample));
       size.took(samples.size(), watch.lap());
-      source.give(rows);
+      source.give(std::move(rows));
     }
   } catch (...) {
     source.fail(std::current_exception());

@@ -10,7 +10,7 @@ namespace kinetix {
 /// Where workers get samples and leave rows. Called by one thread at a time.
 struct WorkSource {
   std::function<std::vector<std::int64_t>(std::size_t count)> take;  ///< none: the work is done
-  std::function<void(const std::vector<SampleRow>&)> give;           ///< may throw: then all stop
+  std::function<void(std::vector<SampleRow>)> give;                  ///< may throw: then all stop
 };
 
 /// Runs samples on several threads (OpenMP) until there are none left. Rows do not depend on the number of

@@ -1,6 +1,8 @@
 #include "app/sweep/work_message.hpp"
 
+#include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -106,7 +108,12 @@ void work_for(const SweepPlan& plan, int threads,
       [&](std::size_t count) {
         return read_samples(exchange(to_bytes(WorkRequest{std::exchange(rows, {}), count})));
       },
-      [&](const std::vector<SampleRow>& more) { rows.insert(rows.end(), more.begin(), more.end()); }};
+      [&](std::vector<SampleRow> more) {
+        if (rows.empty())
+          rows = std::move(more);
+        else
+          std::move(more.begin(), more.end(), std::back_inserter(rows));
+      }};
   try {
     run_on_threads(plan, threads, source);
   } catch (const std::exception& e) {

@@ -8,11 +8,14 @@ namespace {
 constexpr double wanted_seconds = 0.1;
 constexpr double most_samples = 1 << 16;
 constexpr double growth = 4;
+constexpr std::size_t share_of_rest = 4;    // one of so many goes out at a time,
+constexpr std::size_t least_of_rest = 256;  // but no fewer samples, if so many are wanted
 
 }  // namespace
 
 std::vector<std::int64_t> WorkQueue::take(std::size_t count) {
   std::vector<std::int64_t> samples;
+  count = std::min(count, std::max((done_.size() - next_) / share_of_rest, least_of_rest));
   for (; next_ < done_.size() && samples.size() < count; ++next_)
     if (!done_[next_]) samples.push_back(static_cast<std::int64_t>(next_));
   return samples;

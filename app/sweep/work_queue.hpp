@@ -10,7 +10,7 @@ class WorkQueue {
  public:
   explicit WorkQueue(std::vector<bool> done) : done_(std::move(done)) {}
 
-  /// The next `count`, fewer at the end, none when all are out.
+  /// The next `count`, none when all are out. Fewer towards the end, so that all workers end together.
   std::vector<std::int64_t> take(std::size_t count);
   /// Gives nothing any more.
   void stop() { next_ = done_.size(); }

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -56,6 +58,35 @@ TEST(Display, IsSearchedVerifiedAndDrawn) {
   EXPECT_EQ(again.code, 0) << again.out << again.err;
 }
 
+/// The picture has no symmetry of its own; its hinges are tied all the same.
+TEST(Display, HingesKeepTheirSymmetryAndTheirDistanceFromCorners) {
+  const Scratch scratch;
+  const std::string text = R"(kinetix: 1
+target: {kind: display, rows: ["000000", "011110", "001100", "001100", "000100", "000000"]}
+structure: {cells: [6, 6], cell_mm: 10}
+variables: {t: {corner_mm: 2.5, symmetry: mirror_x}}
+tolerance: {contrast: 0, auc: 0.51}
+solver: {starts: 1, max_evaluations: 60}
+)";
+  const Outcome run = kinetix_opt(scratch.write("tied.yaml", text) + " --no-verify -o " + scratch.path());
+  ASSERT_EQ(run.code, 0) << run.out << run.err;
+  const Json result = Json::parse(text_of(scratch / "result.json"));
+  double least = 1, most = 0;
+  for (const auto& hinge : result["structure"]["hinges"]) {
+    least = std::min(least, hinge["t"].get<double>());
+    most = std::max(most, hinge["t"].get<double>());
+    const double x = hinge["point_mm"][0], y = hinge["point_mm"][1];
+    const auto is_mirrored = [&](const Json& other) {
+      return std::hypot(other["point_mm"][0].get<double>() - (60 - x),
+                        other["point_mm"][1].get<double>() - y) < 1e-12;
+    };
+    EXPECT_TRUE(std::ranges::any_of(result["structure"]["hinges"], is_mirrored)) << x << " " << y;
+  }
+  EXPECT_GE(least, 0.25);
+  EXPECT_LE(most, 0.75);
+  EXPECT_GT(most - least, 0.4);
+}
+
 TEST(Display, ThatCannotBeShownSaysWhy) {
   const Scratch scratch;
   const std::string text = R"(kinetix: 1
@@ -66,7 +97,8 @@ solver: {starts: 1, max_evaluations: 3}
   const Outcome run = kinetix_opt(scratch.write("ring.yaml", text) + " --no-verify -o " + scratch.path());
   EXPECT_EQ(run.code, 3) << run.out << run.err;
   EXPECT_THAT(run.out, HasSubstr("asked is 1000000"));
-  EXPECT_THAT(run.out, HasSubstr("no larger panel that was tried shows it within these bounds either: [8, 8]"));
+  EXPECT_THAT(run.out,
+              HasSubstr("no larger panel that was tried shows it within these bounds either: [8, 8]"));
   const Json result = Json::parse(text_of(scratch / "result.json"));
   EXPECT_EQ(schema_errors(result), "");
   EXPECT_EQ(result["display"]["larger_panels_tried"].size(), 1u);
@@ -124,7 +156,8 @@ TEST(Display, RefusesWhatCannotBeAndWritesNothing) {
       {"glyph: T}\nstructure: {cells: [1000, 1000]", "250000 in all are allowed"},
   };
   for (const auto& [target, says] : cases) {
-    const std::string file = scratch.write("bad.yaml", "kinetix: 1\ntarget: {kind: display, " + target + "}\n");
+    const std::string file =
+        scratch.write("bad.yaml", "kinetix: 1\ntarget: {kind: display, " + target + "}\n");
     const Outcome run = kinetix_opt(file + " -o " + scratch.path() + "/out");
     EXPECT_EQ(run.code, 2) << target;
     EXPECT_THAT(run.err, HasSubstr(says));
@@ -137,7 +170,9 @@ TEST(PanelMemory, PanelsThatMemoryDoesNotHoldAreRefused) {
   const std::size_t gib = std::size_t{1} << 30;
   EXPECT_NO_THROW(check_memory({100, 100}, 2, 4, gib));
   EXPECT_NO_THROW(check_memory({300, 50}, 8, 1, gib));
-  EXPECT_THAT(refusal([&] { check_memory({500, 500}, 2, 4, 8 * gib); }),
+  EXPECT_THAT(refusal([&] {
+                check_memory({500, 500}, 2, 4, 8 * gib);
+              }),
               AllOf(HasSubstr("structure.cells"), HasSubstr("500 x 500 cells takes about 23.3 GiB"),
                     HasSubstr("has 8.0 GiB; give fewer cells, or --threads 1")));
 }

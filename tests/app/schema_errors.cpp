@@ -9,9 +9,9 @@
 
 namespace kinetix::testing {
 
-std::string schema_errors(const nlohmann::json& document) {
+std::string schema_errors(const nlohmann::json& document, const std::string& name) {
   const nlohmann::json schema_json =
-      nlohmann::json::parse(text_of(KINETIX_SOURCE "/app/schema/result.schema.json"));
+      nlohmann::json::parse(text_of(KINETIX_SOURCE "/app/schema/" + name + ".schema.json"));
   valijson::Schema schema;
   valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(schema_json), schema);
   valijson::ValidationResults errors;

@@ -5,7 +5,8 @@
 
 namespace kinetix::testing {
 
-/// What in a result.json the published schema does not allow; empty where all is well.
-std::string schema_errors(const nlohmann::json& document);
+/// What in a result.json (or sweep.json) the published schema does not allow; empty where all is well.
+/// @param schema result or sweep: which of app/schema
+std::string schema_errors(const nlohmann::json& document, const std::string& schema = "result");
 
 }  // namespace kinetix::testing

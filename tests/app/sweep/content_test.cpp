@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/unit_laws.hpp"
+#include "tests/app/schema_errors.hpp"
 #include "tests/app/sweep/sweep.hpp"
 
 namespace kinetix::testing {
@@ -206,6 +207,34 @@ TEST(SweepContent, ASampleThatFailsIsRecordedWithItsReasonAndTheOthersGoOn) {
   EXPECT_EQ(csv.rows[1].at("status"), "failed");
   EXPECT_EQ(csv.rows[1].at("end_mm"), "");
   EXPECT_THAT(csv.rows[1].at("reason"), HasSubstr("all tilts of a column must be equal"));
+}
+
+TEST(SweepContent, AnalysisOfEveryMethodIsAsTheSchemaHasIt) {
+  const std::string factors =
+      "  - {path: design.theta_deg, range: [10, 30]}\n  - {path: \"design.columns[0].beta_deg\", range: "
+      "[-20, 45]}\n";
+  for (const char* method : {"{kind: factorial}", "{kind: lhs, samples: 20}", "{kind: sobol, samples: 16}",
+                             "{kind: saltelli, samples: 8}", "{kind: monte_carlo, samples: 20}",
+                             "{kind: one_at_a_time}", "{kind: morris, samples: 4}"}) {
+    const Scratch scratch;
+    const Outcome run = run_sweep_in(scratch, sweep_of(method, factors, "end_mm, turn_deg"));
+    ASSERT_EQ(run.code, 0) << method << run.err;
+    EXPECT_EQ(schema_errors(Json::parse(text_of(scratch / "out/sweep.json")), "sweep"), "") << method;
+  }
+}
+
+TEST(SweepContent, SchemaRefusesWhatItShould) {
+  const Scratch scratch;
+  ASSERT_EQ(run_sweep_in(scratch, sweep_of("{kind: factorial}",
+                                           "  - {path: design.theta_deg, range: [5, 40]}\n", "end_mm"))
+                .code,
+            0);
+  Json analysis = Json::parse(text_of(scratch / "out/sweep.json"));
+  EXPECT_EQ(schema_errors(analysis, "sweep"), "");
+  analysis["counts"].erase("failed");
+  analysis["method"] = "guess";
+  EXPECT_THAT(schema_errors(analysis, "sweep"), HasSubstr("method"));
+  EXPECT_THAT(schema_errors(analysis, "sweep"), HasSubstr("failed"));
 }
 
 }  // namespace

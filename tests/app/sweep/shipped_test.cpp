@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/unit_laws.hpp"
+#include "tests/app/schema_errors.hpp"
 #include "tests/app/sweep/sweep.hpp"
 
 namespace kinetix::testing {
@@ -21,6 +22,7 @@ std::string run_shipped(const Scratch& scratch, const std::string& name) {
   EXPECT_EQ(run.code, 0) << run.err;
   const Json summary = Json::parse(text_of(out + "/sweep.json"));
   EXPECT_EQ(summary["counts"]["ok"], summary["samples"]);
+  EXPECT_EQ(schema_errors(summary, "sweep"), "");
   return out;
 }
 

@@ -2,14 +2,13 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <signal.h>
 #include <sys/file.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "tests/app/sweep/launch.hpp"
 #include "tests/app/sweep/sweep.hpp"
 
 namespace kinetix::testing {
@@ -31,14 +30,6 @@ std::string table_of(const std::string& doe, const std::string& launcher, const 
       (scratch / "out").string() + " " + arguments + " >" + (scratch / "log").string() + " 2>&1 </dev/null";
   EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 0) << text_of(scratch / "log");
   return text_of(scratch / "out/samples.csv");
-}
-
-/// As root and on fewer cores than ranks, for implementations that ask.
-std::string ranks(int count) {
-  return fmt::format(
-      "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 "
-      "{} -n {}",
-      MPIEXEC, count);
 }
 
 TEST(SweepTable, IsTheSameForAnyNumberOfThreadsAndRanks) {
@@ -73,25 +64,6 @@ TEST(SweepTable, BadInputUnderRanksIsSaidOnceAndEndsWith2) {
   const std::string text = text_of(log), words = "the nearest is";
   EXPECT_NE(text.find(words), std::string::npos);
   EXPECT_EQ(text.find(words), text.rfind(words));
-}
-
-/// Starts the sweep, ends it after some milliseconds as a power cut would.
-void run_and_kill(const std::vector<std::string>& arguments, int milliseconds) {
-  const pid_t child = fork();
-  if (child == 0) {
-    const int nowhere = open("/dev/null", O_RDWR);
-    dup2(nowhere, 1);
-    dup2(nowhere, 2);
-    std::vector<char*> argv;
-    for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
-    argv.push_back(nullptr);
-    execv(argv[0], argv.data());
-    _exit(127);
-  }
-  usleep(static_cast<useconds_t>(1000 * milliseconds));
-  kill(child, SIGKILL);
-  int status = 0;
-  waitpid(child, &status, 0);
 }
 
 TEST(SweepTable, AKilledSweepResumesToTheSameTable) {

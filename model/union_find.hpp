@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <numeric>
 #include <vector>
@@ -16,7 +17,12 @@ class UnionFind {
     while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
     return k;
   }
-  void unite(int a, int b) { parent_[find(a)] = find(b); }
+  /// The lowest number of a set stands for it.
+  void unite(int a, int b) {
+    a = find(a);
+    b = find(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
 
  private:
   std::vector<int> parent_;
