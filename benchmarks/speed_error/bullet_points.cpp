@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "benchmarks/speed_error/timed.hpp"
@@ -28,24 +29,27 @@ struct GridLine {
   std::vector<double> rests;  ///< hinge speeds at which a run ends, rad/s, from loose to tight
 };
 
+/// Strips are cheap enough for the sweeps to come near their answer.
 std::vector<GridLine> rigid_grid(std::size_t bodies) {
-  const std::vector<double> rests = {1e-1, 1e-2, 1e-3, 1e-4, 1e-8};
-  const double direct_budget = bodies > many_bodies ? 12 : 3, sweeps_budget = bodies < few_bodies ? 8 : 3;
+  const std::vector<double> rests = {1e-1, 1e-2, 1e-3, 1e-4, PhysicsOptions{}.settle_speed};
+  const bool few = bodies<few_bodies, many = bodies> many_bodies;
+  const double direct_budget = many ? 12 : few ? 6 : 3, sweeps_budget = few ? 15 : many ? 3 : 4;
   std::vector<GridLine> lines;
   for (const double stiffness : {PhysicsOptions{}.joint_stiffness, stiff_joints})
     lines.push_back({Solver::direct, PhysicsOptions{}.iterations, stiffness, direct_budget, rests});
-  for (const int sweeps : {10, 50, 200})
-    lines.push_back({Solver::sweeps, sweeps, 0, sweeps_budget, {1e-2, 1e-8}});
+  for (const int count : {10, 50, 200})
+    lines.push_back({Solver::sweeps, count, 0, sweeps_budget, {1e-2, 1e-8}});
   return lines;
 }
 
 /// Elastic hinges have stiffnesses of their own, and a run ends by the balance of forces.
 std::vector<GridLine> elastic_grid() {
   std::vector<GridLine> lines;
-  for (const int sweeps : {10, 200}) lines.push_back({Solver::direct, sweeps, 0, 5, {0}});
+  for (const int count : {10, 200}) lines.push_back({Solver::direct, count, 0, 5, {0}});
   return lines;
 }
 
+const std::string direct = "Bullet, direct", sweeps = "Bullet, sweeps";
 const std::string at_rest = to_string(PhysicsResult::Status::settled);
 const std::string at_rest_but_open = "settled with open hinges";
 
@@ -67,12 +71,16 @@ PhysicsOptions options_of(const SpeedErrorScene& scene, const GridLine& line, in
   return options;
 }
 
+std::string rigid_words(int steps, double joint_stiffness, double rest) {
+  return fmt::format("{} steps, joints {:.0e}, rest {:.0e}", steps, joint_stiffness, rest);
+}
+
 std::string words(const SpeedErrorScene& scene, const GridLine& line, int steps, double rest) {
   const std::string count = fmt::format("{} steps", steps);
   if (!scene.is_exact()) return fmt::format("{}, {} sweeps over contacts", count, line.iterations);
   if (line.solver == Solver::sweeps)
     return fmt::format("{}, {} sweeps, rest {:.0e}", count, line.iterations, rest);
-  return fmt::format("{}, joints {:.0e}, rest {:.0e}", count, line.joint_stiffness, rest);
+  return rigid_words(steps, line.joint_stiffness, rest);
 }
 
 void set_outcome(const SpeedErrorScene& scene, const PhysicsResult& run, MeasuredPoint& point) {
@@ -86,7 +94,7 @@ void set_outcome(const SpeedErrorScene& scene, const PhysicsResult& run, Measure
 }
 
 MeasuredPoint measured(const SpeedErrorScene& scene, const GridLine& line, int steps, double rest) {
-  MeasuredPoint point{.method = line.solver == Solver::direct ? "Bullet, direct" : "Bullet, sweeps",
+  MeasuredPoint point{.method = line.solver == Solver::direct ? direct : sweeps,
                       .settings = words(scene, line, steps, rest),
                       .precision = KINETIX_BULLET_PRECISION};
   const PhysicsOptions options = options_of(scene, line, steps, rest);
@@ -121,6 +129,13 @@ void add_line(const SpeedErrorScene& scene, const GridLine& line, MeasuredPoints
 }
 
 }  // namespace
+
+bool is_default_run(const MeasuredPoint& point) {
+  const PhysicsOptions run;
+  const int steps = static_cast<int>(std::lround(run.drive_seconds / run.step_s));
+  return point.method == direct && point.precision == "double" &&
+         point.settings == rigid_words(steps, run.joint_stiffness, run.settle_speed);
+}
 
 MeasuredPoints bullet_points(const SpeedErrorScene& scene) {
   MeasuredPoints points;
