@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "benchmarks/speed_error/timed.hpp"
@@ -71,16 +70,12 @@ PhysicsOptions options_of(const SpeedErrorScene& scene, const GridLine& line, in
   return options;
 }
 
-std::string rigid_words(int steps, double joint_stiffness, double rest) {
-  return fmt::format("{} steps, joints {:.0e}, rest {:.0e}", steps, joint_stiffness, rest);
-}
-
 std::string words(const SpeedErrorScene& scene, const GridLine& line, int steps, double rest) {
   const std::string count = fmt::format("{} steps", steps);
   if (!scene.is_exact()) return fmt::format("{}, {} sweeps over contacts", count, line.iterations);
   if (line.solver == Solver::sweeps)
     return fmt::format("{}, {} sweeps, rest {:.0e}", count, line.iterations, rest);
-  return rigid_words(steps, line.joint_stiffness, rest);
+  return fmt::format("{}, joints {:.0e}, rest {:.0e}", count, line.joint_stiffness, rest);
 }
 
 void set_outcome(const SpeedErrorScene& scene, const PhysicsResult& run, MeasuredPoint& point) {
@@ -129,13 +124,6 @@ void add_line(const SpeedErrorScene& scene, const GridLine& line, MeasuredPoints
 }
 
 }  // namespace
-
-bool is_default_run(const MeasuredPoint& point) {
-  const PhysicsOptions run;
-  const int steps = static_cast<int>(std::lround(run.drive_seconds / run.step_s));
-  return point.method == direct && point.precision == "double" &&
-         point.settings == rigid_words(steps, run.joint_stiffness, run.settle_speed);
-}
 
 MeasuredPoints bullet_points(const SpeedErrorScene& scene) {
   MeasuredPoints points;

@@ -9,7 +9,4 @@ namespace kinetix::bench {
 /// linked with. Times are those of the steps alone, without what is prepared before the first of them.
 MeasuredPoints bullet_points(const SpeedErrorScene& scene);
 
-/// Whether a point is of a scene with a closed form and of the settings that a physics run has by default.
-bool is_default_run(const MeasuredPoint& point);
-
 }  // namespace kinetix::bench
