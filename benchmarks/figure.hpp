@@ -26,11 +26,16 @@ std::vector<Figure> helmet_figures();
 std::vector<Figure> growth_figures();
 std::vector<Figure> sweep_figures();
 std::vector<Figure> regression_figures();
+std::vector<Figure> speed_error_figures();
 
 /// Markdown table: both joint solvers of the physics run on arcs of growing length.
 std::string solver_table();
 
 /// SVG picture: energy barrier of the twist unit against its in-plane hinge angle.
 std::string barrier_plot();
+
+/// Markdown table and SVG picture: speed against error of every method on every scene.
+std::string speed_error_section();
+std::string speed_error_picture();
 
 }  // namespace kinetix::bench

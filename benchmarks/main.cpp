@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <string_view>
 
 #include "benchmarks/figure.hpp"
 #include "benchmarks/page.hpp"
@@ -51,7 +52,21 @@ constexpr Group groups[] = {{"model", kinetix::bench::model_figures},
                             {"helmet", kinetix::bench::helmet_figures},
                             {"growth", kinetix::bench::growth_figures},
                             {"sweep", kinetix::bench::sweep_figures},
-                            {"regression", kinetix::bench::regression_figures}};
+                            {"regression", kinetix::bench::regression_figures},
+                            {"speed_error", kinetix::bench::speed_error_figures}};
+
+/// What a group adds to the page beside its rows: the text of a section, or a picture.
+struct Extra {
+  const char* group;
+  const char* name;  ///< of the section's mark, or of the picture's file
+  std::string (*make)();
+  bool is_picture() const { return std::string_view(name).ends_with(".svg"); }
+};
+
+constexpr Extra extras[] = {{"stable_state", "twist_barrier.svg", kinetix::bench::barrier_plot},
+                            {"physics", "solvers", kinetix::bench::solver_table},
+                            {"speed_error", "speed error", kinetix::bench::speed_error_section},
+                            {"speed_error", "speed_error.svg", kinetix::bench::speed_error_picture}};
 
 /// Appends the rows of a group. @return whether all its figures are met
 bool measure(const Group& group, std::string& table) {
@@ -65,13 +80,27 @@ bool measure(const Group& group, std::string& table) {
   return all_met;
 }
 
+/// Prints a section; puts it into the page as well, and a picture beside it, where there is a page.
+void write(const Extra& extra, const std::string& page) {
+  if (extra.is_picture() && page.empty()) return;
+  const std::string text = extra.make();
+  if (extra.is_picture()) {
+    std::ofstream(std::filesystem::path(page).replace_filename(extra.name)) << text;
+    return;
+  }
+  std::cout << "\n" << text;
+  if (!page.empty()) kinetix::bench::write_into(page, {{extra.name, text}});
+}
+
 /// One group alone, printed.
-int measure_only(const std::string& name) {
+int measure_only(const std::string& name, const std::string& page) {
   std::string table;
   for (const Group& group : groups) {
     if (name != group.name) continue;
     const bool all_met = measure(group, table);
     std::cout << table;
+    for (const Extra& extra : extras)
+      if (name == extra.group) write(extra, page);
     return all_met ? 0 : 1;
   }
   std::cerr << "no group " << name << "; there are";
@@ -80,23 +109,26 @@ int measure_only(const std::string& name) {
   return 2;
 }
 
+std::string option(int argc, char** argv, const std::string& name) {
+  for (int k = 1; k + 1 < argc; ++k)
+    if (argv[k] == name) return argv[k + 1];
+  return "";
+}
+
 }  // namespace
 
 /// Measures every figure of the table and prints it; with `--write FILE` puts it into that page as well, and
-/// the picture beside it; with `--only NAME` measures one group and prints its rows.
+/// the pictures beside it. With `--only NAME` measures one group and prints its rows; `--write` then writes its
+/// sections and pictures, not the table.
 int main(int argc, char** argv) {
-  const std::string option = argc == 3 ? argv[1] : "";
-  if (option == "--only") return measure_only(argv[2]);
+  const std::string page = option(argc, argv, "--write"), only = option(argc, argv, "--only");
+  if (!only.empty()) return measure_only(only, page);
   std::string table = "Measured on " + machine() + ", release build, one run of `make bench`.\n\n";
   table += "| what | asked | measured | met |\n|---|---|---|---|\n";
   bool all_met = true;
   for (const Group& group : groups) all_met = measure(group, table) && all_met;
-  const std::string solvers = kinetix::bench::solver_table();
-  std::cout << table << "\n" << solvers;
-  if (option == "--write") {
-    kinetix::bench::write_into(argv[2], {{"table", table}, {"solvers", solvers}});
-    std::ofstream(std::filesystem::path(argv[2]).replace_filename("twist_barrier.svg"))
-        << kinetix::bench::barrier_plot();
-  }
+  std::cout << table;
+  if (!page.empty()) kinetix::bench::write_into(page, {{"table", table}});
+  for (const Extra& extra : extras) write(extra, page);
   return all_met ? 0 : 1;
 }

@@ -1,0 +1,135 @@
+#include "benchmarks/speed_error/bullet_points.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "benchmarks/speed_error/timed.hpp"
+#include "benchmarks/stopwatch.hpp"
+#include "sim/compression_run.hpp"
+
+namespace kinetix::bench {
+namespace {
+
+using Solver = PhysicsOptions::Solver;
+
+constexpr std::size_t few_bodies = 100, many_bodies = 2000;
+constexpr int drive_steps[] = {5, 10, 15, 20, 30, 40, 60, 80, 120, 240, 500, 1000, 2000};
+constexpr double longest_step_s = 0.1;
+constexpr double stiff_joints = 1e8;
+
+/// All numbers of steps with one solver.
+struct GridLine {
+  Solver solver;
+  int iterations;
+  double joint_stiffness;
+  double budget_s;            ///< for all its runs together
+  std::vector<double> rests;  ///< hinge speeds at which a run ends, rad/s, from loose to tight
+};
+
+/// Strips are cheap enough for the sweeps to come near their answer.
+std::vector<GridLine> rigid_grid(std::size_t bodies) {
+  const std::vector<double> rests = {1e-1, 1e-2, 1e-3, 1e-4, PhysicsOptions{}.settle_speed};
+  const bool few = bodies<few_bodies, many = bodies> many_bodies;
+  const double direct_budget = many ? 12 : few ? 6 : 3, sweeps_budget = few ? 15 : many ? 3 : 4;
+  std::vector<GridLine> lines;
+  for (const double stiffness : {PhysicsOptions{}.joint_stiffness, stiff_joints})
+    lines.push_back({Solver::direct, PhysicsOptions{}.iterations, stiffness, direct_budget, rests});
+  for (const int count : {10, 50, 200})
+    lines.push_back({Solver::sweeps, count, 0, sweeps_budget, {1e-2, 1e-8}});
+  return lines;
+}
+
+/// Elastic hinges have stiffnesses of their own, and a run ends by the balance of forces.
+std::vector<GridLine> elastic_grid() {
+  std::vector<GridLine> lines;
+  for (const int count : {10, 200}) lines.push_back({Solver::direct, count, 0, 5, {0}});
+  return lines;
+}
+
+const std::string direct = "Bullet, direct", sweeps = "Bullet, sweeps";
+const std::string at_rest = to_string(PhysicsResult::Status::settled);
+const std::string at_rest_but_open = "settled with open hinges";
+
+/// Failures are judged by the error alone: no run ends early for a gap that the next steps may close.
+PhysicsOptions options_of(const SpeedErrorScene& scene, const GridLine& line, int steps, double rest) {
+  PhysicsOptions options;
+  options.solver = line.solver;
+  options.iterations = line.iterations;
+  options.step_s = std::min(longest_step_s, options.drive_seconds / steps);
+  options.drive_seconds = steps * options.step_s;
+  if (scene.is_exact()) {
+    if (line.solver == Solver::direct) options.joint_stiffness = line.joint_stiffness;
+    options.settle_speed = rest;
+    options.gap_limit = options.tear_limit = options.overlap_limit = 1;
+  } else {
+    options.elastic = relative(scene.elasticity, scene.structure.size.edge_mm);
+    options.planar = all_vertical(scene.structure);
+  }
+  return options;
+}
+
+std::string words(const SpeedErrorScene& scene, const GridLine& line, int steps, double rest) {
+  const std::string count = fmt::format("{} steps", steps);
+  if (!scene.is_exact()) return fmt::format("{}, {} sweeps over contacts", count, line.iterations);
+  if (line.solver == Solver::sweeps)
+    return fmt::format("{}, {} sweeps, rest {:.0e}", count, line.iterations, rest);
+  return fmt::format("{}, joints {:.0e}, rest {:.0e}", count, line.joint_stiffness, rest);
+}
+
+void set_outcome(const SpeedErrorScene& scene, const PhysicsResult& run, MeasuredPoint& point) {
+  const double most_open = PhysicsOptions{}.gap_limit;
+  const bool is_open = scene.is_exact() && !(std::max(run.gaps.max, run.drive_gap) <= most_open);
+  point.status = to_string(run.status);
+  if (point.status == at_rest && is_open) point.status = at_rest_but_open;
+  point.is_result = point.status == at_rest;
+  point.error = is_finite(run.state) ? aligned_distance(scene.structure, run.state, scene.reference).rms
+                                     : std::numeric_limits<double>::quiet_NaN();
+}
+
+MeasuredPoint measured(const SpeedErrorScene& scene, const GridLine& line, int steps, double rest) {
+  MeasuredPoint point{.method = line.solver == Solver::direct ? direct : sweeps,
+                      .settings = words(scene, line, steps, rest),
+                      .precision = KINETIX_BULLET_PRECISION};
+  const PhysicsOptions options = options_of(scene, line, steps, rest);
+  PhysicsResult run;
+  const auto timed_run = [&] {
+    run = run_compression(scene.structure, scene.drive, options);
+    return run.seconds;
+  };
+  time_runs(timed_run, point);
+  set_outcome(scene, run, point);
+  return point;
+}
+
+/// One number of steps, over how near to rest the run ends: once it does not come to rest, a stricter end
+/// changes nothing.
+void add_points(const SpeedErrorScene& scene, const GridLine& line, int steps, MeasuredPoints& points) {
+  for (const double rest : line.rests) {
+    points.push_back(measured(scene, line, steps, rest));
+    if (points.back().status != at_rest && points.back().status != at_rest_but_open) return;
+  }
+}
+
+/// From few steps to many, until the next runs would take the line past its budget.
+void add_line(const SpeedErrorScene& scene, const GridLine& line, MeasuredPoints& points) {
+  double spent = 0, a_step = 0;
+  for (const int steps : drive_steps) {
+    if (spent + steps * a_step > line.budget_s) return;
+    const double time = seconds([&] { add_points(scene, line, steps, points); });
+    spent += time;
+    a_step = time / steps;
+  }
+}
+
+}  // namespace
+
+MeasuredPoints bullet_points(const SpeedErrorScene& scene) {
+  MeasuredPoints points;
+  for (const GridLine& line : scene.is_exact() ? rigid_grid(scene.structure.bodies.size()) : elastic_grid())
+    add_line(scene, line, points);
+  return points;
+}
+
+}  // namespace kinetix::bench

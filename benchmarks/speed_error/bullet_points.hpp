@@ -1,0 +1,12 @@
+#pragma once
+
+#include "benchmarks/speed_error/measured_point.hpp"
+#include "benchmarks/speed_error/scene.hpp"
+
+namespace kinetix::bench {
+
+/// The physics run over solvers, time steps and sweeps, in the precision of the engine that the program is
+/// linked with. Times are those of the steps alone, without what is prepared before the first of them.
+MeasuredPoints bullet_points(const SpeedErrorScene& scene);
+
+}  // namespace kinetix::bench

@@ -1,0 +1,104 @@
+#include "benchmarks/speed_error/scene.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "benchmarks/scenes.hpp"
+#include "benchmarks/speed_error/equilibrium_points.hpp"
+#include "benchmarks/speed_error/exact_points.hpp"
+#include "optim/fit_fold.hpp"
+#include "optim/fit_helmet.hpp"
+#include "targets/head.hpp"
+#include "targets/mesh_file.hpp"
+#include "tests/support/paper_scenes.hpp"
+
+namespace kinetix::bench {
+namespace {
+
+constexpr double display_k = 0.15, display_compression = 0.14;
+
+CellSize walls_of(double edge_mm) { return {edge_mm, edge_mm / 10, 0.6 * edge_mm}; }
+
+SpeedErrorScene exact_scene(const std::string& name, const Structure& structure, double theta) {
+  SpeedErrorScene scene{name, structure, drive_to(structure, theta), classify(structure), {}};
+  scene.reference = fold(scene.family, structure, theta);
+  scene.reference_error = rounding_error(scene);
+  return scene;
+}
+
+SpeedErrorScene fitted_strip(const std::string& name, const std::string& curve) {
+  const Curve goal = read_curve_csv(std::string(KINETIX_SHAPES "/") + curve + ".csv");
+  const CurveVariables variables = strip({curve, goal}, 40);
+  const CellSize size = walls_of(variables.cell_mm);
+  const ExactDesign<double> design = fit_free_curve(goal, variables, size, {}).design.design;
+  Structure structure = make_structure(rectangle(40, 1), size);
+  apply(design, structure);
+  return exact_scene(name, structure, design.theta);
+}
+
+SpeedErrorScene cube() {
+  FoldOptions options;
+  options.size = {10, 0.8, 6};
+  const FoldedNet net = fit_fold(box_goal({4, 4, 4}), options).folded;
+  return exact_scene(fmt::format("cube, {} bodies", net.structure.bodies.size()), net.structure, net.theta);
+}
+
+SpeedErrorScene helmet() {
+  const Head head = make_head(read_mesh(KINETIX_SHAPES "/headform.obj"), {});
+  HelmetWish wish;
+  wish.size = walls_of(6);
+  const HelmetDesign design = fit_helmet(head.dome, Eigen::Vector3d::Zero(), wish, {});
+  const Structure& structure = design.fishbone.structure;
+  return exact_scene(fmt::format("helmet, {} bodies", structure.bodies.size()), structure,
+                     design.shape.theta);
+}
+
+/// Bends into half a cylinder, whatever its size.
+SpeedErrorScene sheet(int cells) {
+  auto design = ExactDesign<double>::basic(cells, cells);
+  for (int c = 0; c < cells; ++c) design.beta[c] = (c % 2 ? -1 : 1) * 3.2 / std::max(cells, 20);
+  Structure structure = make_structure(rectangle(cells, cells), walls_of(10));
+  apply(design, structure);
+  return exact_scene(fmt::format("sheet, {0} x {0} cells", cells), structure, 0.5);
+}
+
+/// The cells of a disc that fills a panel but for a rim of one cell.
+Structure circle_panel(int cells) {
+  Structure s = make_structure(rectangle(cells, cells), {});
+  const auto in_circle = [&](int i, int j) {
+    return std::hypot(i + 0.5 - cells / 2.0, j + 0.5 - cells / 2.0) <= cells / 2.0 - 1;
+  };
+  for (Hinge& hinge : s.hinges) {
+    const auto [i, j] = hinge.wall.from;
+    const bool along_x = hinge.wall.axis == Axis::x;
+    if (in_circle(i, j) || in_circle(along_x ? i : i - 1, along_x ? j - 1 : j))
+      hinge.parameters.t = fraction_from_lower(display_k, hinge.wall.from);
+  }
+  return s;
+}
+
+SpeedErrorScene display(const std::string& name, const Structure& structure) {
+  Drive drive;
+  drive.compression = display_compression;
+  SpeedErrorScene scene{name, structure, drive, classify(structure), {}};
+  set_finest_balance(scene);
+  return scene;
+}
+
+}  // namespace
+
+std::vector<SpeedErrorScene> speed_error_scenes() {
+  return {fitted_strip("helmet rib, 40 columns", "helmet_rib"),
+          fitted_strip("half circle, 40 columns", "half_circle"),
+          cube(),
+          helmet(),
+          display("letter T, 10 x 10 cells", testing::letter_panel(display_k)),
+          display("circle, 12 x 12 cells", circle_panel(12)),
+          sheet(10),
+          sheet(20),
+          sheet(50)};
+}
+
+}  // namespace kinetix::bench

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/classify.hpp"
+#include "model/drive.hpp"
+#include "model/elastic/load_path.hpp"
+
+namespace kinetix::bench {
+
+/// A structure, the drive that folds it from flat, and the answer that every method is measured against.
+struct SpeedErrorScene {
+  std::string name;
+  Structure structure;
+  Drive drive;
+  Classification family;
+  State reference;             ///< the closed form, or the finest balance where there is none
+  double reference_error = 0;  ///< of the reference, cell edges: rounding, or what the last halving changed
+  Elasticity elasticity = {};  ///< of a scene without a closed form
+
+  bool is_exact() const { return family.family != Family::none; }
+};
+
+/// Helmet rib and half circle in 40 columns, cube, helmet, letter T and circle, sheets of 10 x 10, 20 x 20
+/// and 50 x 50 cells. Strips are fitted to the curves of targets/shapes; displays follow the paper's rule
+/// without a search: cells of the picture scale (k = 0.15), the others are basic, 14 % compression, at which
+/// a few walls touch.
+std::vector<SpeedErrorScene> speed_error_scenes();
+
+}  // namespace kinetix::bench

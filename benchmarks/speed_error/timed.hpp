@@ -1,0 +1,28 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "benchmarks/speed_error/measured_point.hpp"
+
+namespace kinetix::bench {
+
+inline constexpr int most_repeats = 5;
+inline constexpr double enough_seconds = 0.3;
+
+/// Repeats a run up to five times, fewer where that would take longer than 0.3 s, and takes the median of
+/// what the runs say they took. @param run returns its seconds
+template <class Run>
+void time_runs(const Run& run, MeasuredPoint& point) {
+  std::vector<double> samples;
+  double all = 0;
+  do {
+    samples.push_back(run());
+    all += samples.back();
+  } while (static_cast<int>(samples.size()) < most_repeats && all + samples.back() < enough_seconds);
+  std::sort(samples.begin(), samples.end());
+  point.seconds = samples[samples.size() / 2];
+  point.spread = (samples.back() - samples.front()) / point.seconds;
+}
+
+}  // namespace kinetix::bench

@@ -1,0 +1,58 @@
+#include <fmt/format.h>
+
+#include "benchmarks/figure.hpp"
+#include "benchmarks/speed_error/log_axis.hpp"
+#include "benchmarks/speed_error/measurements.hpp"
+#include "benchmarks/speed_error/pareto.hpp"
+#include "benchmarks/speed_error/plot.hpp"
+#include "benchmarks/speed_error/table.hpp"
+
+namespace kinetix::bench {
+namespace {
+
+constexpr double error_asked = 1e-3, times_asked = 1e4;
+
+/// @param points of the engine
+Figure exact_against(const MeasuredScene& scene, const MeasuredPoints& points, const std::string& solver) {
+  Figure figure{scene.name + ": exact model against Bullet at 0.1 % of a cell edge, " + solver,
+                fmt::format(">= {} times faster", count_label(times_asked)),
+                "no setting of the grid reaches it", false};
+  const auto exact = fastest_at(of_series(scene.points, "exact"), error_asked);
+  const auto bullet = fastest_at(points, error_asked);
+  if (!exact || !bullet) return figure;
+  const double times = bullet->seconds / exact->seconds;
+  figure.measured = fmt::format("{} times ({} against {}: {}, {}, error {:.1e})", count_label(times),
+                                time_label(exact->seconds), time_label(bullet->seconds), series_of(*bullet),
+                                bullet->settings, bullet->error);
+  figure.met = times >= times_asked;
+  return figure;
+}
+
+MeasuredPoints of_own_solver(const MeasuredPoints& points) {
+  MeasuredPoints sweeps = of_series(points, "Bullet, sweeps");
+  for (const MeasuredPoint& p : of_series(points, "Bullet, sweeps, single precision")) sweeps.push_back(p);
+  return sweeps;
+}
+
+}  // namespace
+
+std::vector<Figure> speed_error_figures() {
+  std::vector<Figure> figures;
+  for (const MeasuredScene& scene : speed_error_measurements()) {
+    if (!scene.name.ends_with("columns")) continue;
+    figures.push_back(exact_against(scene, of_own_solver(scene.points), "its own solver, fastest setting"));
+    figures.push_back(
+        exact_against(scene, of_bullet(scene.points),
+                      "fastest of all settings, this project's direct solver of joints included"));
+  }
+  return figures;
+}
+
+std::string speed_error_section() {
+  const std::vector<MeasuredScene>& scenes = speed_error_measurements();
+  return speed_error_table(scenes) + "\n" + spread_sentence(scenes);
+}
+
+std::string speed_error_picture() { return speed_error_plot(speed_error_measurements()); }
+
+}  // namespace kinetix::bench
