@@ -1,0 +1,9 @@
+#include "benchmarks/peers/mujoco_run.hpp"
+
+namespace kinetix::bench {
+
+bool has_mujoco() { return false; }
+
+MujocoResult run_mujoco(const Structure&, const Drive&, const MujocoSettings&) { return {}; }
+
+}  // namespace kinetix::bench
