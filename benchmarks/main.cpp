@@ -53,7 +53,9 @@ constexpr Group groups[] = {{"model", kinetix::bench::model_figures},
                             {"growth", kinetix::bench::growth_figures},
                             {"sweep", kinetix::bench::sweep_figures},
                             {"regression", kinetix::bench::regression_figures},
-                            {"speed_error", kinetix::bench::speed_error_figures}};
+                            {"speed_error", kinetix::bench::speed_error_figures},
+                            {"mujoco", kinetix::bench::mujoco_figures},
+                            {"search_peers", kinetix::bench::search_peer_figures}};
 
 /// What a group adds to the page beside its rows: the text of a section, or a picture.
 struct Extra {

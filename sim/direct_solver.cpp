@@ -20,6 +20,13 @@ Vector6 stacked(const btVector3& linear, const btVector3& angular) {
   return {linear.x(), linear.y(), linear.z(), angular.x(), angular.y(), angular.z()};
 }
 
+Eigen::Matrix3d world_inertia(const btRigidBody& body) {
+  const Eigen::Vector3d principal = eigen(body.getLocalInertia());
+  if ((principal.array() == principal.x()).all()) return principal.asDiagonal();
+  const Eigen::Matrix3d R = eigen(body.getWorldTransform().getBasis());
+  return R * principal.asDiagonal() * R.transpose();
+}
+
 struct Contact {
   Eigen::VectorXd response;  ///< of all parts to a unit impulse
   double mobility = 0;       ///< approach speed that a unit impulse takes away
@@ -58,9 +65,7 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
       if (!body || !(body->getInvMass() > 0)) continue;
       part_of_[k] = static_cast<int>(bodies_.size());
       bodies_.push_back(k);
-      const btVector3& inverse = body->getInvInertiaDiagLocal();
-      const double mass = 1 / body->getInvMass(), inertia = 1 / inverse.x();
-      masses_.push_back(stacked({mass, mass, mass}, {inertia, inertia, inertia}));
+      masses_.push_back({1 / body->getInvMass(), world_inertia(*body)});
       freedoms_.push_back(stacked(body->getLinearFactor(), body->getAngularFactor()));
     }
   }
@@ -183,7 +188,7 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
   const double contact_compliance_;
   std::vector<int> part_of_;  ///< by solver body; -1 for a fixed one
   std::vector<int> bodies_;   ///< solver body of each part
-  std::vector<Vector6> masses_;
+  std::vector<PartMass> masses_;
   std::vector<Vector6> freedoms_;  ///< 1 where a part may move, 0 where it may not
   std::vector<VelocityRow> rows_;
   PointCounts sharing_;  ///< by point: how many share its contact

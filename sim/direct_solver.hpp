@@ -27,7 +27,8 @@ struct DirectSolverSettings {
 /// stiffness s / h^2 integrated by implicit Euler, so at rest forces balance as those springs' do. Where a
 /// step with all that turns with the bodies has no least energy, or takes a part far, only what resists is
 /// kept.
-/// @pre with elastic hinges, the bodies' user indices are their indices in the structure
+/// @pre a body that may not move along or turn about every axis has the same inertia about each;
+/// with elastic hinges, the bodies' user indices are their indices in the structure
 std::unique_ptr<btConstraintSolver> make_direct_solver(const DirectSolverSettings& settings);
 
 }  // namespace kinetix

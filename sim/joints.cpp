@@ -31,31 +31,34 @@ void lock(btGeneric6DofSpring2Constraint& joint, int axis, double error_reductio
   joint.setParam(BT_CONSTRAINT_STOP_ERP, error_reduction, axis);
 }
 
-/// The hinge point as seen from its two bodies, moved along the axis.
-std::array<btTransform, 2> hinge_frames(const Hinge& hinge, double along_axis) {
-  const Eigen::Vector3d axis = hinge_axis(hinge.wall.axis, hinge.parameters);
-  const Eigen::Vector3d edge = edge_direction(hinge.wall.axis);
-  const double t = hinge.parameters.t;
-  const Eigen::Vector3d second = axis.unitOrthogonal(), shift = along_axis * axis;
-  return {frame(axis, second, t * edge + shift), frame(axis, second, (t - 1) * edge + shift)};
+/// The hinge point as seen from one body, moved along the axis.
+btTransform frame(const HingeSeat& seat, double along_axis) {
+  return frame(seat.axis, seat.across, seat.point + along_axis * seat.axis);
 }
 
 }  // namespace
 
-std::array<Joint, 2> hinge_points(const Hinge& hinge, btRigidBody& lower, btRigidBody& upper, double reach,
+HingeSeats seats(const Hinge& hinge) {
+  const Eigen::Vector3d axis = hinge_axis(hinge.wall.axis, hinge.parameters);
+  const Eigen::Vector3d edge = edge_direction(hinge.wall.axis), across = axis.unitOrthogonal();
+  const double t = hinge.parameters.t;
+  return {HingeSeat{t * edge, axis, across}, HingeSeat{(t - 1) * edge, axis, across}};
+}
+
+std::array<Joint, 2> hinge_points(const HingeSeats& seats, btRigidBody& a, btRigidBody& b, double reach,
                                   double error_reduction) {
   std::array<Joint, 2> points;
   for (int k = 0; k < 2; ++k) {
-    const auto [in_lower, in_upper] = hinge_frames(hinge, k == 0 ? -reach : reach);
-    points[k] = free_joint(lower, upper, in_lower, in_upper);
+    const double along_axis = k == 0 ? -reach : reach;
+    points[k] = free_joint(a, b, frame(seats[0], along_axis), frame(seats[1], along_axis));
     for (int axis = 0; axis < 3; ++axis) lock(*points[k], axis, error_reduction);
   }
   return points;
 }
 
 Joint turn_lock(const Hinge& hinge, btRigidBody& lower, btRigidBody& upper, double error_reduction) {
-  const auto [in_lower, in_upper] = hinge_frames(hinge, 0);
-  Joint joint = free_joint(lower, upper, in_lower, in_upper);
+  const auto [of_lower, of_upper] = seats(hinge);
+  Joint joint = free_joint(lower, upper, frame(of_lower, 0), frame(of_upper, 0));
   lock(*joint, angular_x, error_reduction);
   return joint;
 }

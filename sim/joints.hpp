@@ -12,11 +12,22 @@ namespace kinetix {
 
 using Joint = std::unique_ptr<btGeneric6DofSpring2Constraint>;
 
+/// A hinge as one of its bodies carries it, in that body's frame.
+struct HingeSeat {
+  Eigen::Vector3d point;
+  Eigen::Vector3d axis;    ///< unit
+  Eigen::Vector3d across;  ///< unit, normal to the axis; of both bodies the same direction at the start
+};
+using HingeSeats = std::array<HingeSeat, 2>;
+
+/// Of the lower and the upper body of a hinge of a structure, cell edges.
+HingeSeats seats(const Hinge& hinge);
+
 /// The two point constraints of a hinge, at the hinge point +- reach along the hinge axis: all linear axes
 /// locked, all angular axes free. The first axis of the constraint frames lies along the hinge axis, so that
 /// the fold is the Euler angle with the full range and the middle one (within a quarter turn) stays near 0.
-/// @param reach cell edges; @param error_reduction part of the gap removed per step
-std::array<Joint, 2> hinge_points(const Hinge& hinge, btRigidBody& lower, btRigidBody& upper, double reach,
+/// @param reach in the unit of the seats; @param error_reduction part of the gap removed per step
+std::array<Joint, 2> hinge_points(const HingeSeats& seats, btRigidBody& a, btRigidBody& b, double reach,
                                   double error_reduction);
 
 /// Locks the turn of the upper body against the lower one about their hinge axis; set_turn moves it.

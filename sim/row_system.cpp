@@ -10,6 +10,13 @@ std::vector<std::pair<int, int>> joined_parts(const std::vector<VelocityRow>& ro
   return joined;
 }
 
+Matrix6 block_of(const PartMass& part) {
+  Matrix6 block = Matrix6::Zero();
+  block.diagonal().head<3>().setConstant(part.mass);
+  block.bottomRightCorner<3, 3>() = part.inertia;
+  return block;
+}
+
 }  // namespace
 
 bool RowSystem::has_pattern_of(std::size_t parts, const std::vector<VelocityRow>& rows) const {
@@ -51,13 +58,13 @@ void RowSystem::add_block(Pair pair, const Matrix6& block) {
     for (int r = diagonal ? c : 0, k = start[c]; r < 6; ++r, ++k) matrix_.valuePtr()[k] += block(r, c);
 }
 
-bool RowSystem::factorise(const std::vector<Vector6>& masses, const std::vector<VelocityRow>& rows,
+bool RowSystem::factorise(const std::vector<PartMass>& masses, const std::vector<VelocityRow>& rows,
                           double stiffness) {
   if (!has_pattern_of(masses.size(), rows)) analyse(masses.size(), rows);
   matrix_.coeffs().setZero();
   pull_.setZero(6 * static_cast<Eigen::Index>(masses.size()));
   for (std::size_t p = 0; p < masses.size(); ++p)
-    add_block({static_cast<int>(p), static_cast<int>(p)}, masses[p].asDiagonal());
+    add_block({static_cast<int>(p), static_cast<int>(p)}, block_of(masses[p]));
   for (const VelocityRow& row : rows) {
     const double stiff = row.weight * stiffness;
     const Vector6 first = stiff * row.first, second = stiff * row.second;

@@ -11,6 +11,12 @@ namespace kinetix {
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
+/// What resists a change of a part's velocity.
+struct PartMass {
+  double mass = 1;
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Identity();  ///< about the centre of mass, in the world's axes
+};
+
 /// One equation first . v_a + second . v_b = target on the velocities (linear, angular) of two parts.
 struct VelocityRow {
   int a = -1, b = -1;  ///< parts; -1 = fixed to the ground
@@ -21,15 +27,14 @@ struct VelocityRow {
 
 /// All joint equations of a step, factorised at once by sparse Cholesky.
 ///
-/// A velocity change v minimises v' M v + stiffness * |J v - target|^2, with M the (diagonal) masses: Gauss's
+/// A velocity change v minimises v' M v + stiffness * |J v - target|^2, with M the masses: Gauss's
 /// principle with joints so stiff that the difference cannot be seen, and well-posed for equations that
 /// repeat each other, which closed loops of an exactly mobile sheet have. Cost: one sparse factorisation,
 /// whose pattern is analysed only when the parts that the rows join change.
 class RowSystem {
  public:
-  /// @param masses of each part: three times the mass, then the three moments of inertia
   /// @return whether the minimum exists, which negative weights can prevent
-  bool factorise(const std::vector<Vector6>& masses, const std::vector<VelocityRow>& rows, double stiffness);
+  bool factorise(const std::vector<PartMass>& masses, const std::vector<VelocityRow>& rows, double stiffness);
 
   /// The velocity change that meets the targets, six numbers a part. @pre factorise was called
   Eigen::VectorXd velocities() const { return factor_.solve(pull_); }

@@ -1,6 +1,5 @@
 #include "sim/world.hpp"
 
-#include <BulletCollision/CollisionDispatch/btSimulationIslandManager.h>
 #include <btBulletDynamicsCommon.h>
 
 #include <algorithm>
@@ -10,6 +9,7 @@
 #include "sim/bullet_math.hpp"
 #include "sim/direct_solver.hpp"
 #include "sim/elastic_hinges.hpp"
+#include "sim/joint_order.hpp"
 #include "sim/joints.hpp"
 #include "sim/part_shape.hpp"
 #include "sim/rigid_parts.hpp"
@@ -78,13 +78,9 @@ struct World::Engine {
         world(&dispatcher, &broadphase, solver.get(), &configuration),
         parts(structure, options) {
     world.setGravity({0, 0, 0});
-    btContactSolverInfo& info = world.getSolverInfo();
-    info.m_numIterations = options.iterations;
-    info.m_splitImpulse = false;
-    if (options.elastic) info.m_erp2 = 1;
+    prepare_for_joints(world, options.iterations);
+    if (options.elastic) world.getSolverInfo().m_erp2 = 1;
     world.getDispatchInfo().m_enableSatConvex = wall_surface(options) == WallSurface::sharp;
-    info.m_solverMode &= ~SOLVER_USE_WARMSTARTING;
-    world.getSimulationIslandManager()->setSplitIslands(false);
     skip_walls_of_one_hinge();
     add_bodies();
     add_hinges();
@@ -109,20 +105,15 @@ struct World::Engine {
   void add_hinges() {
     const auto& bodies = parts.bodies();
     for (const Hinge& hinge : structure.hinges)
-      for (Joint& point : hinge_points(hinge, *bodies[hinge.lower], *bodies[hinge.upper], options.reach,
+      for (Joint& point : hinge_points(seats(hinge), *bodies[hinge.lower], *bodies[hinge.upper], options.reach,
                                        options.error_reduction))
-        add(*joints.emplace_back(std::move(point)));
+        add_in_order(world, *joints.emplace_back(std::move(point)));
   }
 
   void add_drive() {
     actuator = make_actuator(structure, drive, parts.bodies(), options.error_reduction,
                              elastic ? &*elastic : nullptr);
-    for (auto* joint : actuator->joints()) add(*joint);
-  }
-
-  void add(btTypedConstraint& joint) {
-    joint.setUserConstraintId(world.getNumConstraints());
-    world.addConstraint(&joint);
+    for (auto* joint : actuator->joints()) add_in_order(world, *joint);
   }
 
   void drop_points_that_slid() {

@@ -86,7 +86,8 @@ class Run {
       } else {
         const Hinge& hinge = structure_.hinges[link.hinge];
         data_->qvel[model_->jnt_dofadr[joint(link.hinge)]] =
-            rate * (motion[b].omega - motion[link.parent].omega).dot(hinge_axis(hinge.wall.axis, hinge.parameters));
+            rate *
+            (motion[b].omega - motion[link.parent].omega).dot(hinge_axis(hinge.wall.axis, hinge.parameters));
       }
     }
   }
@@ -118,8 +119,9 @@ class Run {
   void read_state() {
     mj_kinematics(model_.get(), data_.get());
     for (const int b : ids_)
-      result_.state.push_back({RowMajor3(Eigen::Map<const RowMajor3>(data_->xmat + 9 * b)),
-                               structure_.size.edge_mm * Eigen::Map<const Eigen::Vector3d>(data_->xpos + 3 * b)});
+      result_.state.push_back(
+          {RowMajor3(Eigen::Map<const RowMajor3>(data_->xmat + 9 * b)),
+           structure_.size.edge_mm * Eigen::Map<const Eigen::Vector3d>(data_->xpos + 3 * b)});
     result_.gaps = hinge_gaps(structure_, result_.state);
     result_.drive_gap = std::abs(data_->qpos[model_->jnt_qposadr[joint(driven_)]] - drive_.angle);
   }

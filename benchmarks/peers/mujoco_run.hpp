@@ -38,8 +38,8 @@ struct MujocoResult {
   enum class Status { settled, not_settled, blew_up, not_installed };
 
   Status status = Status::not_installed;
-  State state;           ///< last state, mm, in the structure's body order; empty where MuJoCo is not installed
-  HingeGaps gaps;        ///< of that state
+  State state;     ///< last state, mm, in the structure's body order; empty where MuJoCo is not installed
+  HingeGaps gaps;  ///< of that state
   double drive_gap = 0;  ///< of the driven hinge from its angle, rad
   int steps = 0;         ///< taken
   double seconds = 0;    ///< wall-clock time of the steps; as in PhysicsResult, setting up is not counted

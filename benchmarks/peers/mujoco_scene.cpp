@@ -31,9 +31,7 @@ class Scene {
  private:
   int bodies() const { return static_cast<int>(links_.size()); }
   Vector3d place(int body) const { return structure_.rest_position(body) / structure_.size.edge_mm; }
-  Vector3d place(const Hinge& hinge) const {
-    return structure_.hinge_point(hinge) / structure_.size.edge_mm;
-  }
+  Vector3d place(const Hinge& hinge) const { return structure_.hinge_point(hinge) / structure_.size.edge_mm; }
   bool is_joint(int hinge) const {
     const Hinge& h = structure_.hinges[hinge];
     return links_[h.lower].hinge == hinge || links_[h.upper].hinge == hinge;
@@ -71,7 +69,9 @@ class Scene {
                        text(place(hinge) - place(body)), text(hinge_axis(hinge.wall.axis, hinge.parameters)));
   }
 
-  std::string drive() const { return fmt::format("<joint joint1=\"j{}\" polycoef=\"0 0 0 0 0\"/>\n", driven_hinge_); }
+  std::string drive() const {
+    return fmt::format("<joint joint1=\"j{}\" polycoef=\"0 0 0 0 0\"/>\n", driven_hinge_);
+  }
 
   std::string loops() const {
     std::string out;

@@ -86,7 +86,8 @@ TEST(RowSystem, MeetsRepeatedRowsWithTheLeastMotion) {
   RowSystem system;
   for (int round = 0; round < 2; ++round) {
     const auto rows = chain_rows(parts, random);
-    system.factorise(std::vector(parts, mass), rows, 1e9);
+    const PartMass part{1, 0.1 * Eigen::Matrix3d::Identity()};
+    system.factorise(std::vector(parts, part), rows, 1e9);
     const Eigen::VectorXd v = system.velocities();
 
     Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows.size()), 6 * parts);

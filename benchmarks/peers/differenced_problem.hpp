@@ -1,0 +1,28 @@
+#pragma once
+
+#include "optim/least_squares.hpp"
+
+namespace kinetix::bench {
+
+/// A least-squares problem whose Jacobian is not known: found by differences, one evaluation a variable
+/// (forward, backward at an upper bound) or two (central).
+class DifferencedProblem final : public LeastSquaresProblem {
+ public:
+  enum class Differences { forward, central };
+
+  /// @param problem is kept by reference; @param step in the units of its variables, > 0
+  DifferencedProblem(const LeastSquaresProblem& problem, Differences differences, double step);
+
+  int variables() const override { return problem_.variables(); }
+  int residuals() const override { return problem_.residuals(); }
+  const Eigen::VectorXd& lower() const override { return problem_.lower(); }
+  const Eigen::VectorXd& upper() const override { return problem_.upper(); }
+  bool evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* J) const override;
+
+ private:
+  const LeastSquaresProblem& problem_;
+  const Differences differences_;
+  const double step_;
+};
+
+}  // namespace kinetix::bench

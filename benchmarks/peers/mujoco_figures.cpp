@@ -1,0 +1,154 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+
+#include "benchmarks/figure.hpp"
+#include "benchmarks/peers/mujoco_run.hpp"
+#include "benchmarks/scenes.hpp"
+#include "benchmarks/stopwatch.hpp"
+#include "sim/compression_run.hpp"
+
+namespace kinetix::bench {
+namespace {
+
+constexpr double steps[] = {1.0 / 15, 1.0 / 30, 1.0 / 60, 1.0 / 240, 1.0 / 1000};
+constexpr double at_rest[] = {1e-1, 1e-3, 1e-6};  // rad/s
+constexpr double too_long = 1.5;                    // s
+
+/// A structure with a closed form and the hinge that both engines drive.
+struct PeerScene {
+  std::string name;
+  Structure structure;
+  Drive drive;
+  State exact;
+};
+
+/// One setting of one engine.
+struct PeerRun {
+  std::string settings;
+  double seconds = 0, gap = 0,
+         error = 0;  ///< largest hinge gap and rms distance from the closed form, cell edges
+};
+
+PeerScene scene_of(const std::string& name, const ExactDesign<double>& design, const CellSize& size) {
+  PeerScene scene{name, make_structure(rectangle(design.columns(), design.rows()), size), {}, {}};
+  apply(design, scene.structure);
+  scene.drive.kind = Drive::Kind::hinge;
+  scene.drive.wall = {{design.columns() / 2, design.rows() / 2}, Axis::y};
+  if (design.rows() == 1) scene.drive.wall.from.j = 0;
+  scene.drive.angle = -2 * scene.drive.wall.from.sense() * design.theta;
+  scene.exact = fold(design, scene.structure);
+  return scene;
+}
+
+PeerScene fitted_strip(int columns) {
+  const Scene rib = regression_scenes()[1];
+  const CurveVariables variables = strip(rib, columns);
+  const CellSize size = walls_of(variables.cell_mm);
+  const FreeCurveDesign found = fit_free_curve(rib.goal, variables, size, {});
+  return scene_of(fmt::format("{}, {} columns", rib.name, columns), found.design.design, size);
+}
+
+PeerScene sheet(int side) {
+  ExactDesign<double> design;
+  arc(side, side, design);
+  return scene_of(fmt::format("sheet that bends, {0} x {0} cells", side), design, walls_of(10));
+}
+
+/// Median of three runs; a long one runs once.
+template <class Runner>
+PeerRun timed(const PeerScene& scene, const std::string& settings, const Runner& run) {
+  const auto result = run();
+  std::vector<double> times = {result.seconds};
+  for (int repeat = 1; repeat < 3 && result.seconds < 0.5; ++repeat) times.push_back(run().seconds);
+  std::sort(times.begin(), times.end());
+  return {settings, times[times.size() / 2], result.gaps.max,
+          aligned_distance(scene.structure, result.state, scene.exact).rms};
+}
+
+std::vector<PeerRun> bullet_runs(const PeerScene& scene) {
+  std::vector<PeerRun> runs;
+  for (const double step : steps)
+    for (const double rest : at_rest)
+      for (const double stiffness : {1e4, 1e8}) {
+        PhysicsOptions options;
+        options.step_s = step;
+        options.joint_stiffness = stiffness;
+        options.settle_speed = rest;
+        options.contact = false;
+        runs.push_back(timed(scene,
+                             fmt::format("step 1/{:.0f} s, joint stiffness {:.0e}", 1 / step, stiffness),
+                             [&] { return run_compression(scene.structure, scene.drive, options); }));
+        if (runs.back().seconds > too_long) return runs;
+      }
+  return runs;
+}
+
+std::vector<PeerRun> mujoco_runs(const PeerScene& scene, MujocoSettings::Bodies bodies) {
+  std::vector<PeerRun> runs;
+  for (const double step : steps)
+    for (const double rest : at_rest)
+      for (const int iterations : {2, 20})
+        for (const auto integrator :
+             {MujocoSettings::Integrator::euler, MujocoSettings::Integrator::implicit}) {
+          MujocoSettings settings;
+          settings.bodies = bodies;
+          settings.integrator = integrator;
+          settings.step_s = step;
+          settings.iterations = iterations;
+          settings.settle_speed = rest;
+          const std::string words =
+              fmt::format("{}, step 1/{:.0f} s, {}",
+                          bodies == MujocoSettings::Bodies::tree ? "tree of hinge joints" : "free bodies",
+                          1 / step, integrator == MujocoSettings::Integrator::euler ? "Euler" : "implicit");
+          runs.push_back(
+              timed(scene, words, [&] { return run_mujoco(scene.structure, scene.drive, settings); }));
+          if (runs.back().seconds > too_long) return runs;
+        }
+  return runs;
+}
+
+/// The fastest whose hinges are closed and whose bodies are in place within `level`.
+std::optional<PeerRun> fastest(const std::vector<PeerRun>& runs, double level) {
+  std::optional<PeerRun> best;
+  for (const PeerRun& run : runs)
+    if (run.gap <= level && run.error <= level && (!best || run.seconds < best->seconds)) best = run;
+  return best;
+}
+
+std::string in_words(const std::optional<PeerRun>& run) {
+  return run ? fmt::format("{:.3g} ms ({})", 1e3 * run->seconds, run->settings) : "does not get there";
+}
+
+Figure at_level(const PeerScene& scene, const std::vector<PeerRun>& bullet,
+                const std::vector<PeerRun>& mujoco, double level) {
+  const auto ours = fastest(bullet, level), theirs = fastest(mujoco, level);
+  Figure figure{fmt::format("{}: Bullet against MuJoCo, hinge gap and error at most {:g} cell edges",
+                            scene.name, level),
+                "<= 5 times slower",
+                {},
+                ours && (!theirs || ours->seconds <= 5 * theirs->seconds)};
+  if (ours && theirs)
+    figure.measured = fmt::format("{:.2g} times the time: ", ours->seconds / theirs->seconds);
+  figure.measured += fmt::format("Bullet {}, MuJoCo {}", in_words(ours), in_words(theirs));
+  return figure;
+}
+
+}  // namespace
+
+std::vector<Figure> mujoco_figures() {
+  if (!has_mujoco())
+    return {{"Bullet against MuJoCo", "<= 5 times slower", "MuJoCo is not installed", false}};
+  std::vector<Figure> figures;
+  for (const PeerScene& scene : {fitted_strip(10), fitted_strip(20), fitted_strip(40), sheet(5), sheet(10)}) {
+    const std::vector<PeerRun> bullet = bullet_runs(scene);
+    std::vector<PeerRun> mujoco = mujoco_runs(scene, MujocoSettings::Bodies::tree);
+    for (PeerRun& run : mujoco_runs(scene, MujocoSettings::Bodies::free)) mujoco.push_back(std::move(run));
+    for (const double level : {1e-3, 1e-4, 1e-6}) figures.push_back(at_level(scene, bullet, mujoco, level));
+  }
+  return figures;
+}
+
+}  // namespace kinetix::bench

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "optim/curve_fit.hpp"
+#include "sim/physics_options.hpp"
+
+namespace kinetix::bench {
+
+/// Simulation in the loop: the fit of a strip to a curve where every evaluation folds it in the engine and
+/// measures the midline of the state that comes out. Residuals: signed distances of the goal's samples from
+/// that midline, aligned, so that |r| is about the shape_rms; 1 each where a run does not settle. x = (bends,
+/// theta) of a CurveFit. Not thread-safe: the engine has global state.
+class SimulatedFit final : public LeastSquaresProblem {
+ public:
+  /// @param fit is kept by reference
+  SimulatedFit(const CurveFit& fit, const CellSize& size, const PhysicsOptions& options);
+
+  int variables() const override { return static_cast<int>(lower_.size()); }
+  int residuals() const override { return residuals_; }
+  const Eigen::VectorXd& lower() const override { return lower_; }
+  const Eigen::VectorXd& upper() const override { return upper_; }
+  bool evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd*) const override;
+
+  int runs() const { return runs_; }
+
+ private:
+  const CurveFit& fit_;
+  const CellSize size_;
+  const PhysicsOptions options_;
+  Eigen::VectorXd lower_, upper_;
+  int residuals_ = 0;
+  mutable int runs_ = 0;
+};
+
+}  // namespace kinetix::bench
