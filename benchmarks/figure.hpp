@@ -27,6 +27,7 @@ std::vector<Figure> growth_figures();
 std::vector<Figure> sweep_figures();
 std::vector<Figure> regression_figures();
 std::vector<Figure> speed_error_figures();
+std::vector<Figure> mechanism_figures();
 std::vector<Figure> mujoco_figures();
 std::vector<Figure> search_peer_figures();
 

@@ -54,6 +54,7 @@ constexpr Group groups[] = {{"model", kinetix::bench::model_figures},
                             {"sweep", kinetix::bench::sweep_figures},
                             {"regression", kinetix::bench::regression_figures},
                             {"speed_error", kinetix::bench::speed_error_figures},
+                            {"mechanism", kinetix::bench::mechanism_figures},
                             {"mujoco", kinetix::bench::mujoco_figures},
                             {"search_peers", kinetix::bench::search_peer_figures}};
 
