@@ -7,7 +7,7 @@ namespace kinetix::bench {
 
 /// Simulation in the loop: the fit of a strip to a curve where every evaluation folds it in the engine and
 /// measures the midline of the state that comes out. Residuals: signed distances of the goal's samples from
-/// that midline, aligned, so that |r| is about the shape_rms; 1 each where a run does not settle. x = (bends,
+/// that midline, aligned: one side of the shape_rms, and about as large; 1 each where a run does not settle. x = (bends,
 /// theta) of a CurveFit. Not thread-safe: the engine has global state.
 class SimulatedFit final : public LeastSquaresProblem {
  public:
