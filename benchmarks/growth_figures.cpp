@@ -52,51 +52,50 @@ using Shape = std::function<std::pair<int, int>(int)>;
 std::pair<int, int> a_strip(int n) { return {n, 1}; }
 std::pair<int, int> a_sheet(int n) { return {n, n}; }
 
-Growth of_exact(const std::vector<int>& sizes, const Shape& shape) {
+/// What a run of a scene took, s, and whether it ended as it should.
+struct Cost {
+  double seconds = 0;
+  bool right = true;
+};
+using Measure = std::function<Cost(const Structure&, const ExactDesign<double>&)>;
+
+/// Of arcs of growing size.
+Growth over(const std::vector<int>& sizes, const Shape& shape, const Measure& measure) {
   Growth growth;
   for (const int n : sizes) {
     ExactDesign<double> design;
     const auto [columns, rows] = shape(n);
     const Structure structure = arc(columns, rows, design);
-    State poses;
-    const int calls = std::max(1, 200000 / static_cast<int>(structure.bodies.size()));
-    growth.add(structure, median_seconds(5, calls, [&] { fold(design, 10.0, poses); }));
-    growth.right = growth.right && hinge_gaps(structure, poses).max < 1e-11;
+    const Cost cost = measure(structure, design);
+    growth.add(structure, cost.seconds);
+    growth.right = growth.right && cost.right;
   }
   return growth;
 }
 
-Growth of_equilibrium(const std::vector<int>& sizes, const Shape& shape) {
-  Growth growth;
-  for (const int n : sizes) {
-    ExactDesign<double> design;
-    const auto [columns, rows] = shape(n);
-    const Structure structure = arc(columns, rows, design);
-    LoadPath path;
-    growth.add(structure, median_seconds(3, 1, [&] {
-                 path = follow_load(structure, {}, drive_to(structure, design.theta), {});
-               }));
-    growth.right = growth.right && path.stop == LoadPath::Stop::reached;
-  }
-  return growth;
+Cost exact_model(const Structure& structure, const ExactDesign<double>& design) {
+  State poses;
+  const int calls = std::max(1, 200000 / static_cast<int>(structure.bodies.size()));
+  const double time = median_seconds(5, calls, [&] { fold(design, 10.0, poses); });
+  return {time, hinge_gaps(structure, poses).max < 1e-11};
 }
 
-Growth of_physics(const std::vector<int>& sizes, const Shape& shape) {
+Cost equilibrium(const Structure& structure, const ExactDesign<double>& design) {
+  LoadPath path;
+  const double time =
+      median_seconds(3, 1, [&] { path = follow_load(structure, {}, drive_to(structure, design.theta), {}); });
+  return {time, path.stop == LoadPath::Stop::reached};
+}
+
+/// A step of it.
+Cost physics_run(const Structure& structure, const ExactDesign<double>& design) {
   PhysicsOptions options;
   options.step_s = 1.0 / 100;
   options.settle_seconds = 0.2;
-  Growth growth;
-  for (const int n : sizes) {
-    ExactDesign<double> design;
-    const auto [columns, rows] = shape(n);
-    const Structure structure = arc(columns, rows, design);
-    PhysicsResult run;
-    const double time = median_seconds(
-        3, 1, [&] { run = run_compression(structure, drive_to(structure, design.theta), options); });
-    growth.add(structure, time / run.steps);
-    growth.right = growth.right && run.gaps.max < 2e-3;
-  }
-  return growth;
+  PhysicsResult run;
+  const double time = median_seconds(
+      3, 1, [&] { run = run_compression(structure, drive_to(structure, design.theta), options); });
+  return {time / run.steps, run.gaps.max < 2e-3};
 }
 
 Growth of_search(const std::vector<int>& sizes) {
@@ -116,13 +115,13 @@ Growth of_search(const std::vector<int>& sizes) {
 
 std::vector<Figure> growth_figures() {
   return {
-      grown("exact model, strips", of_exact({10, 40, 160, 640, 2560, 10240}, a_strip)),
-      grown("exact model, sheets", of_exact({5, 10, 20, 50, 100}, a_sheet)),
+      grown("exact model, strips", over({10, 40, 160, 640, 2560, 10240}, a_strip, exact_model)),
+      grown("exact model, sheets", over({5, 10, 20, 50, 100}, a_sheet, exact_model)),
       grown("search for a half circle, 8 starts", of_search({10, 20, 40, 80, 160})),
-      grown("equilibrium, strips that bend, flat to theta 0.5", of_equilibrium({10, 20, 40, 80}, a_strip)),
-      grown("equilibrium, sheets that bend, flat to theta 0.5", of_equilibrium({5, 10, 20, 30}, a_sheet)),
-      grown("physics run, strips, a step", of_physics({10, 20, 40, 80, 160}, a_strip)),
-      grown("physics run, sheets, a step", of_physics({5, 10, 20, 30}, a_sheet))};
+      grown("equilibrium, strips that bend, flat to theta 0.5", over({10, 20, 40, 80}, a_strip, equilibrium)),
+      grown("equilibrium, sheets that bend, flat to theta 0.5", over({5, 10, 20, 30}, a_sheet, equilibrium)),
+      grown("physics run, strips, a step", over({10, 20, 40, 80, 160}, a_strip, physics_run)),
+      grown("physics run, sheets, a step", over({5, 10, 20, 30}, a_sheet, physics_run))};
 }
 
 }  // namespace kinetix::bench

@@ -19,8 +19,6 @@ namespace {
 
 constexpr double display_k = 0.15, display_compression = 0.14;
 
-CellSize walls_of(double edge_mm) { return {edge_mm, edge_mm / 10, 0.6 * edge_mm}; }
-
 SpeedErrorScene exact_scene(const std::string& name, const Structure& structure, double theta) {
   SpeedErrorScene scene{name, structure, drive_to(structure, theta), classify(structure), {}};
   scene.reference = fold(scene.family, structure, theta);
@@ -57,26 +55,16 @@ SpeedErrorScene helmet() {
 
 /// Bends into half a cylinder, whatever its size.
 SpeedErrorScene sheet(int cells) {
-  auto design = ExactDesign<double>::basic(cells, cells);
-  for (int c = 0; c < cells; ++c) design.beta[c] = (c % 2 ? -1 : 1) * 3.2 / std::max(cells, 20);
-  Structure structure = make_structure(rectangle(cells, cells), walls_of(10));
-  apply(design, structure);
-  return exact_scene(fmt::format("sheet, {0} x {0} cells", cells), structure, 0.5);
+  ExactDesign<double> design;
+  const Structure structure = arc(cells, cells, design);
+  return exact_scene(fmt::format("sheet, {0} x {0} cells", cells), structure, design.theta);
 }
 
 /// The cells of a disc that fills a panel but for a rim of one cell.
 Structure circle_panel(int cells) {
-  Structure s = make_structure(rectangle(cells, cells), {});
-  const auto in_circle = [&](int i, int j) {
+  return testing::rule_panel(display_k, cells, [=](int i, int j) {
     return std::hypot(i + 0.5 - cells / 2.0, j + 0.5 - cells / 2.0) <= cells / 2.0 - 1;
-  };
-  for (Hinge& hinge : s.hinges) {
-    const auto [i, j] = hinge.wall.from;
-    const bool along_x = hinge.wall.axis == Axis::x;
-    if (in_circle(i, j) || in_circle(along_x ? i : i - 1, along_x ? j - 1 : j))
-      hinge.parameters.t = fraction_from_lower(display_k, hinge.wall.from);
-  }
-  return s;
+  });
 }
 
 SpeedErrorScene display(const std::string& name, const Structure& structure) {

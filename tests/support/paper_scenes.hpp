@@ -51,21 +51,25 @@ inline Structure gradient_panel() {
   return s;
 }
 
-/// Basic cells, and a letter T of cells that scale: tA = k on their walls.
-inline Structure letter_panel(double k, int cells = 10) {
+/// Basic cells, and cells that scale where the picture is: tA = k on their walls.
+inline Structure rule_panel(double k, int cells, const std::function<bool(int i, int j)>& in_picture) {
   Structure s = make_structure(rectangle(cells, cells), {});
-  const int middle = cells / 2, top = cells - 2;
-  const auto in_letter = [&](int i, int j) {
-    const bool bar = j == top - 1 || j == top, stem = i == middle - 1 || i == middle;
-    return (bar && i >= 1 && i <= top) || (stem && j >= 1 && j <= top);
-  };
   for (Hinge& hinge : s.hinges) {
     const auto [i, j] = hinge.wall.from;
     const bool along_x = hinge.wall.axis == Axis::x;
-    if (in_letter(i, j) || in_letter(along_x ? i : i - 1, along_x ? j - 1 : j))
+    if (in_picture(i, j) || in_picture(along_x ? i : i - 1, along_x ? j - 1 : j))
       hinge.parameters.t = fraction_from_lower(k, hinge.wall.from);
   }
   return s;
+}
+
+/// A letter T.
+inline Structure letter_panel(double k, int cells = 10) {
+  const int middle = cells / 2, top = cells - 2;
+  return rule_panel(k, cells, [=](int i, int j) {
+    const bool bar = j == top - 1 || j == top, stem = i == middle - 1 || i == middle;
+    return (bar && i >= 1 && i <= top) || (stem && j >= 1 && j <= top);
+  });
 }
 
 /// What the hinges of a column's x-walls do in the two-unit tessellations. The y-walls, which neighbouring
