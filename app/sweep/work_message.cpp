@@ -35,7 +35,7 @@ class Reader {
   Container get_all() {
     Container values(get<std::size_t>(), typename Container::value_type{});
     const std::size_t size = values.size() * sizeof(typename Container::value_type);
-    std::memcpy(values.data(), take(size), size);
+    if (const char* from = take(size); size > 0) std::memcpy(values.data(), from, size);
     return values;
   }
 

@@ -77,7 +77,10 @@ class Troubled final : public Evaluator {
  public:
   void evaluate(SampleRow& row) override {
     if (row.sample == 3) throw std::runtime_error("three is not to my liking");
-    if (row.sample == 5) std::raise(SIGSEGV);
+    if (row.sample == 5) {
+      std::signal(SIGSEGV, SIG_DFL);  // a sanitizer has a handler of its own
+      std::raise(SIGSEGV);
+    }
     if (row.sample == 6) _exit(9);
     row.responses[0] = static_cast<double>(row.sample);
   }
