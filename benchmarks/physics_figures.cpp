@@ -8,12 +8,9 @@ namespace kinetix::bench {
 namespace {
 
 Figure against_exact(const Scene& scene, int columns) {
-  const CurveVariables variables = strip(scene, columns);
-  const CellSize size = walls_of(variables.cell_mm);
-  const FreeCurveDesign found = fit_free_curve(scene.goal, variables, size, {});
+  Structure structure;
+  const FreeCurveDesign found = fitted_strip(scene, columns, structure);
   const ExactDesign<double>& design = found.design.design;
-  Structure structure = make_structure(rectangle(columns, 1), size);
-  apply(design, structure);
   const PhysicsResult physics = run_compression(structure, drive_to(structure, design.theta));
   const double rms = aligned_distance(structure, physics.state, fold(design, structure)).rms;
   const bool settled = physics.status == PhysicsResult::Status::settled;

@@ -40,8 +40,7 @@ double time_ratio(const testing::Prototype& prototype) {
     ratios.push_back(2 * time / (before + after));
     before = after;
   }
-  std::nth_element(ratios.begin(), ratios.begin() + 1, ratios.end());
-  return ratios[1];
+  return median(std::move(ratios));
 }
 
 }  // namespace

@@ -34,6 +34,16 @@ inline CurveVariables strip(const Scene& scene, int columns) {
 /// Walls a tenth of the cell thick and three fifths of it high.
 inline CellSize walls_of(double edge_mm) { return {edge_mm, edge_mm / 10, 0.6 * edge_mm}; }
 
+/// A strip fitted to a scene's curve, its walls free of each other. @param structure becomes the strip
+inline FreeCurveDesign fitted_strip(const Scene& scene, int columns, Structure& structure) {
+  const CurveVariables variables = strip(scene, columns);
+  const CellSize size = walls_of(variables.cell_mm);
+  FreeCurveDesign found = fit_free_curve(scene.goal, variables, size, {});
+  structure = make_structure(rectangle(columns, 1), size);
+  apply(found.design.design, structure);
+  return found;
+}
+
 /// A strip or sheet that bends into an arc of 0.16 rad a column, at theta 0.5; half a circle at most.
 inline Structure arc(int columns, int rows, ExactDesign<double>& design) {
   design = ExactDesign<double>::basic(columns, rows);

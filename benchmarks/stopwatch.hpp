@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 #include <vector>
 
 namespace kinetix::bench {
@@ -14,6 +15,13 @@ double seconds(const F& f) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// @pre values is not empty
+inline double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 /// Median over repeats of the seconds per call, each repeat averaging `calls` calls.
 template <class F>
 double median_seconds(int repeats, int calls, const F& f) {
@@ -24,8 +32,7 @@ double median_seconds(int repeats, int calls, const F& f) {
                       }) /
                       calls);
   }
-  std::nth_element(samples.begin(), samples.begin() + repeats / 2, samples.end());
-  return samples[repeats / 2];
+  return median(std::move(samples));
 }
 
 }  // namespace kinetix::bench

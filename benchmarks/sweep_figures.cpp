@@ -81,11 +81,6 @@ double stored_a_second(const Sweep& files, const std::string& launcher, int thre
   return summary["computed"].get<double>() / summary["seconds"].get<double>();
 }
 
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
-
 /// One core: the program may use no other, whatever it would like.
 const std::string on_one_core = "taskset -c 0";
 

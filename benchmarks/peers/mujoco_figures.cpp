@@ -9,6 +9,7 @@
 #include "benchmarks/scenes.hpp"
 #include "benchmarks/stopwatch.hpp"
 #include "sim/compression_run.hpp"
+#include "tests/support/elastic_runs.hpp"
 
 namespace kinetix::bench {
 namespace {
@@ -33,41 +34,33 @@ struct PeerRun {
   bool settled = false;
 };
 
-PeerScene scene_of(const std::string& name, const ExactDesign<double>& design, const CellSize& size) {
-  PeerScene scene{name, make_structure(rectangle(design.columns(), design.rows()), size), {}, {}};
-  apply(design, scene.structure);
-  scene.drive.kind = Drive::Kind::hinge;
-  scene.drive.wall = {{design.columns() / 2, design.rows() / 2}, Axis::y};
-  if (design.rows() == 1) scene.drive.wall.from.j = 0;
-  scene.drive.angle = -2 * scene.drive.wall.from.sense() * design.theta;
-  scene.exact = fold(design, scene.structure);
-  return scene;
+PeerScene scene_of(const std::string& name, const ExactDesign<double>& design, const Structure& structure) {
+  const Wall middle{{design.columns() / 2, design.rows() / 2}, Axis::y};
+  return {name, structure, testing::hinge_drive(middle, design.theta), fold(design, structure)};
 }
 
-PeerScene fitted_strip(int columns) {
-  const Scene rib = regression_scenes()[1];
-  const CurveVariables variables = strip(rib, columns);
-  const CellSize size = walls_of(variables.cell_mm);
-  const FreeCurveDesign found = fit_free_curve(rib.goal, variables, size, {});
-  return scene_of(fmt::format("{}, {} columns", rib.name, columns), found.design.design, size);
+PeerScene rib(int columns) {
+  const Scene scene = regression_scenes()[1];
+  Structure structure;
+  const FreeCurveDesign found = fitted_strip(scene, columns, structure);
+  return scene_of(fmt::format("{}, {} columns", scene.name, columns), found.design.design, structure);
 }
 
 PeerScene sheet(int side) {
   ExactDesign<double> design;
-  arc(side, side, design);
-  return scene_of(fmt::format("sheet that bends, {0} x {0} cells", side), design, walls_of(10));
+  const Structure structure = arc(side, side, design);
+  return scene_of(fmt::format("sheet that bends, {0} x {0} cells", side), design, structure);
 }
 
 /// Median of five runs; a long one runs once.
 template <class Runner>
 PeerRun timed(const PeerScene& scene, const std::string& settings, const Runner& run) {
-  const auto result = run();
+  auto result = run();
   std::vector<double> times = {result.seconds};
   for (int repeat = 1; repeat < 5 && result.seconds < 0.2; ++repeat) times.push_back(run().seconds);
-  std::sort(times.begin(), times.end());
-  return {settings, times[times.size() / 2], result.gaps.max,
+  return {settings, median(std::move(times)), result.gaps.max,
           aligned_distance(scene.structure, result.state, scene.exact).rms,
-          to_string(result.status) == "settled"};
+          result.status == decltype(result)::Status::settled};
 }
 
 std::vector<PeerRun> bullet_runs(const PeerScene& scene) {
@@ -145,7 +138,7 @@ std::vector<Figure> mujoco_figures() {
   if (!has_mujoco())
     return {{"Bullet against MuJoCo", "<= 5 times slower", "not measured: MuJoCo is not installed", true}};
   std::vector<Figure> figures;
-  for (const PeerScene& scene : {fitted_strip(10), fitted_strip(20), fitted_strip(40), sheet(5), sheet(10)}) {
+  for (const PeerScene& scene : {rib(10), rib(20), rib(40), sheet(5), sheet(10)}) {
     const std::vector<PeerRun> bullet = bullet_runs(scene);
     std::vector<PeerRun> mujoco = mujoco_runs(scene, MujocoSettings::Bodies::tree);
     for (PeerRun& run : mujoco_runs(scene, MujocoSettings::Bodies::free)) mujoco.push_back(std::move(run));

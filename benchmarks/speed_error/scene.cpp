@@ -25,14 +25,11 @@ SpeedErrorScene exact_scene(const std::string& name, const Structure& structure,
   return scene;
 }
 
-SpeedErrorScene fitted_strip(const std::string& name, const std::string& curve) {
-  const Curve goal = read_curve_csv(std::string(KINETIX_SHAPES "/") + curve + ".csv");
-  const CurveVariables variables = strip({curve, goal}, 40);
-  const CellSize size = walls_of(variables.cell_mm);
-  const ExactDesign<double> design = fit_free_curve(goal, variables, size, {}).design.design;
-  Structure structure = make_structure(rectangle(40, 1), size);
-  apply(design, structure);
-  return exact_scene(name, structure, design.theta);
+SpeedErrorScene rib_or_circle(const std::string& name, const std::string& curve) {
+  Structure structure;
+  const Scene scene{curve, read_curve_csv(std::string(KINETIX_SHAPES "/") + curve + ".csv")};
+  const FreeCurveDesign found = fitted_strip(scene, 40, structure);
+  return exact_scene(name, structure, found.design.design.theta);
 }
 
 SpeedErrorScene cube() {
@@ -77,8 +74,8 @@ SpeedErrorScene display(const std::string& name, const Structure& structure) {
 }  // namespace
 
 std::vector<SpeedErrorScene> speed_error_scenes() {
-  return {fitted_strip("helmet rib, 40 columns", "helmet_rib"),
-          fitted_strip("half circle, 40 columns", "half_circle"),
+  return {rib_or_circle("helmet rib, 40 columns", "helmet_rib"),
+          rib_or_circle("half circle, 40 columns", "half_circle"),
           cube(),
           helmet(),
           display("letter T, 10 x 10 cells", testing::letter_panel(display_k)),

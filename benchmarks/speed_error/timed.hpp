@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "benchmarks/speed_error/measured_point.hpp"
+#include "benchmarks/stopwatch.hpp"
 
 namespace kinetix::bench {
 
@@ -20,9 +21,9 @@ void time_runs(const Run& run, MeasuredPoint& point) {
     samples.push_back(run());
     all += samples.back();
   } while (static_cast<int>(samples.size()) < most_repeats && all + samples.back() < enough_seconds);
-  std::sort(samples.begin(), samples.end());
-  point.seconds = samples[samples.size() / 2];
-  point.spread = (samples.back() - samples.front()) / point.seconds;
+  const auto [shortest, longest] = std::minmax_element(samples.begin(), samples.end());
+  point.seconds = median(samples);
+  point.spread = (*longest - *shortest) / point.seconds;
 }
 
 }  // namespace kinetix::bench

@@ -4,18 +4,10 @@
 
 #include "benchmarks/scenes.hpp"
 #include "model/invalid_input.hpp"
+#include "tests/support/elastic_runs.hpp"
 
 namespace kinetix::bench {
 namespace {
-
-Drive driven(const ExactDesign<double>& design) {
-  Drive drive;
-  drive.kind = Drive::Kind::hinge;
-  drive.wall = {{design.columns() / 2, design.rows() / 2}, Axis::y};
-  if (design.rows() == 1) drive.wall.from.j = 0;
-  drive.angle = -2 * drive.wall.from.sense() * design.theta;
-  return drive;
-}
 
 class MujocoRun : public ::testing::TestWithParam<const char*> {
  protected:
@@ -25,17 +17,14 @@ class MujocoRun : public ::testing::TestWithParam<const char*> {
         std::string(GetParam()) == "tree" ? MujocoSettings::Bodies::tree : MujocoSettings::Bodies::free;
     return settings;
   }
-
-  void SetUp() override {
-    if (!has_mujoco()) GTEST_SKIP() << "MuJoCo is not installed";
-  }
 };
 
 TEST_P(MujocoRun, SettlesInTheClosedForm) {
   for (const auto& [columns, rows] : {std::pair{8, 1}, {4, 4}}) {
     ExactDesign<double> design;
     const Structure structure = arc(columns, rows, design);
-    const MujocoResult run = run_mujoco(structure, driven(design), settings());
+    const Drive drive = testing::hinge_drive({{columns / 2, rows / 2}, Axis::y}, design.theta);
+    const MujocoResult run = run_mujoco(structure, drive, settings());
     EXPECT_EQ(run.status, MujocoResult::Status::settled) << to_string(run.status);
     EXPECT_LT(run.gaps.max, 1e-5);
     EXPECT_LT(run.drive_gap, 1e-5);
