@@ -1,42 +1,60 @@
-# make demo: install, build a release, fold the helmet rib.   make test: build and run all tests.
-# make bench: measure the figures of benchmarks/README.md.    make asan, make tsan: tests under a sanitizer.
+# make demo: install packages/program.txt, build the program, fold the helmet rib.
+# make test: build and run all tests.   make asan, make tsan: the same under a sanitizer.
+# make bench: measure the figures of benchmarks/README.md.   make format: lay out every source as .clang-format says.
+# make docs: write docs/formats.md and the schemas anew from the tables of keys.
 JOBS ?= $(shell nproc)
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
+PROGRAM_PACKAGES := build/.installed/program
+ALL_PACKAGES := $(patsubst packages/%.txt,build/.installed/%,$(wildcard packages/*.txt))
 
-.PHONY: demo test bench asan tsan release dev packages install clean
+.PHONY: demo program install test dev asan tsan bench format docs packages clean
 
-demo: release
+demo: program
 	build/release/bin/kinetix-opt targets/shapes/helmet_rib.yaml -o results/helmet_rib
+
+program: $(PROGRAM_PACKAGES)
+	cmake --preset $@
+	cmake --build --preset $@ -j $(JOBS)
+
+install: program
+	cmake --install build/release
 
 test: dev
 	ctest --preset dev
 
-bench: release
-	build/release/bin/kinetix-bench --write benchmarks/README.md; figures=$$?; \
-	build/release/bin/kinetix-hard-cases --write benchmarks/README.md && exit $$figures
+dev: $(ALL_PACKAGES)
+	cmake --preset $@
+	cmake --build --preset $@ -j $(JOBS)
 
-asan tsan: packages
+docs: $(ALL_PACKAGES)
+	cmake --preset dev
+	cmake --build --preset dev -j $(JOBS) --target kinetix-formats
+	build/dev/bin/kinetix-formats .
+
+asan tsan: $(ALL_PACKAGES)
 	cmake --preset $@
 	cmake --build --preset $@ -j $(JOBS)
 	ctest --preset $@
 
-release dev: packages
-	cmake --preset $@
+bench: $(ALL_PACKAGES)
+	cmake --preset release
 	cmake --build --preset $@ -j $(JOBS)
+	build/release/bin/kinetix-bench --write benchmarks/README.md; figures=$$?; \
+	build/release/bin/kinetix-hard-cases --write benchmarks/README.md && exit $$figures
 
-packages: build/.packages
+format: $(ALL_PACKAGES)
+	git ls-files '*.cpp' '*.hpp' | xargs clang-format-14 -i
 
-build/.packages: packages.txt
-	@mkdir -p build
-	@missing=$$(grep -v '^#' packages.txt | xargs -n 1 sh -c 'dpkg -s "$$0" >/dev/null 2>&1 || echo "$$0"'); \
+packages: $(ALL_PACKAGES)
+
+build/.installed/%: packages/%.txt
+	@mkdir -p $(@D)
+	@missing=$$(grep -v '^#' $< | xargs -n 1 sh -c 'dpkg -s "$$0" >/dev/null 2>&1 || echo "$$0"'); \
 	if [ -n "$$missing" ]; then \
 	  $(SUDO) apt-get update -qq && \
 	  $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $$missing; \
 	fi
 	@touch $@
-
-install: release
-	cmake --install build/release
 
 clean:
 	rm -rf build results

@@ -16,7 +16,7 @@ struct Figure {
 std::vector<Figure> model_figures();
 std::vector<Figure> stable_state_figures();
 std::vector<Figure> elastic_figures();
-std::vector<Figure> load_path_figures();
+std::vector<Figure> equilibrium_path_figures();
 std::vector<Figure> search_figures();
 std::vector<Figure> physics_figures();
 std::vector<Figure> elastic_physics_figures();

@@ -13,32 +13,33 @@ namespace kinetix::bench {
 namespace {
 
 using testing::HardAnswer;
-using testing::HardBalance;
 using testing::HardCase;
+using testing::HardEquilibrium;
 
 constexpr std::size_t most_bodies = 3000;
 
-PhysicsResult physics_of(const HardBalance& found) {
-  PhysicsOptions options;
+sim::PhysicsResult physics_of(const HardEquilibrium& found) {
+  sim::PhysicsOptions options;
   options.elastic = relative(found.elasticity, found.structure.size.edge_mm);
   options.contact = found.contact;
   options.planar = found.planar;
   options.overlap_limit = 0.01;
-  return run_compression(found.structure, found.drive, options);
+  return run_compression(found.structure, found.drive.on(found.structure), options);
 }
 
-double energy_of(const HardBalance& found, const State& state) {
-  const ElasticSystem system(found.structure, found.elasticity, found.drive, found.planar, found.contact);
+double energy_of(const HardEquilibrium& found, const model::State& state) {
+  const model::ElasticSystem system(found.structure, found.elasticity, found.drive.on(found.structure),
+                                    found.planar, found.contact);
   return system.elastic_energy(state) * energy_unit(found.elasticity, found.structure.size.edge_mm);
 }
 
 std::string physics_answer(const HardAnswer& answer) {
-  if (!answer.balance) return "-";
-  const HardBalance& found = *answer.balance;
+  if (!answer.settled) return "-";
+  const HardEquilibrium& found = *answer.settled;
   if (found.structure.bodies.size() > most_bodies)
     return fmt::format("not run: {} bodies", found.structure.bodies.size());
-  const PhysicsResult run = physics_of(found);
-  if (run.status == PhysicsResult::Status::blew_up) return run.why;
+  const sim::PhysicsResult run = physics_of(found);
+  if (run.status == sim::PhysicsResult::Status::blew_up) return run.why;
   return fmt::format("{}: E {:.4g} N mm, gap {:.1e}; rms {:.1e} from equilibrium ({:.1f} s)",
                      to_string(run.status), energy_of(found, run.state), run.gaps.max,
                      aligned_distance(found.structure, run.state, found.state).rms, run.seconds);

@@ -1,22 +1,22 @@
 #include <benchmark/benchmark.h>
 
-#include "model/exact_jacobian.hpp"
-#include "optim/curve_starts.hpp"
-#include "targets/curve_error.hpp"
+#include "model/lattice/square/exact_jacobian.hpp"
+#include "optim/curve/curve_starts.hpp"
+#include "targets/curve/curve_error.hpp"
 #include "tests/support/curves.hpp"
 #include "tests/support/random_designs.hpp"
 
-namespace kinetix {
+namespace kinetix::bench {
 namespace {
 
-ExactDesign<double> strip(const benchmark::State& run) {
+model::ExactDesign<double> strip(const benchmark::State& run) {
   std::mt19937 random(2);
-  return testing::random_design(Family::F3, static_cast<int>(run.range(0)), 1, random);
+  return testing::random_design(model::Family::F3, static_cast<int>(run.range(0)), 1, random);
 }
 
 void Fold(benchmark::State& run) {
   const auto design = strip(run);
-  State poses;
+  model::State poses;
   for (auto _ : run) {
     fold(design, 8.0, poses);
     benchmark::DoNotOptimize(poses.data());
@@ -25,8 +25,8 @@ void Fold(benchmark::State& run) {
 
 void FoldWithJacobian(benchmark::State& run) {
   const auto design = strip(run);
-  State poses;
-  ExactJacobian jacobian;
+  model::State poses;
+  model::ExactJacobian jacobian;
   for (auto _ : run) {
     fold_with_jacobian(design, 8.0, poses, jacobian);
     benchmark::DoNotOptimize(poses.data());
@@ -35,9 +35,9 @@ void FoldWithJacobian(benchmark::State& run) {
 
 void CurveResiduals(benchmark::State& run) {
   const int columns = static_cast<int>(run.range(0));
-  const Curve goal = testing::half_circle();
-  const CurveFit fit(goal, make_bend_ties(columns, Per::column, Symmetry::none, {-1, 1}),
-                     testing::fitting_cell(goal, columns), {0.05, 0.76});
+  const targets::Curve goal = testing::half_circle();
+  const optim::CurveFit fit(goal, make_bend_ties(columns, optim::Per::column, optim::Symmetry::none, {-1, 1}),
+                            testing::fitting_cell(goal, columns), {0.05, 0.76});
   const Eigen::VectorXd x = curve_start(fit, 0, 0);
   Eigen::VectorXd r;
   Eigen::MatrixXd J;
@@ -48,7 +48,7 @@ void CurveResiduals(benchmark::State& run) {
 }
 
 void CurveErrorOfAPolygon(benchmark::State& run) {
-  const Curve goal = testing::half_circle();
+  const targets::Curve goal = testing::half_circle();
   const auto midline = testing::half_circle(100, static_cast<int>(run.range(0)) + 1).points();
   for (auto _ : run) benchmark::DoNotOptimize(curve_error(midline, goal).rms);
 }
@@ -59,6 +59,6 @@ BENCHMARK(CurveResiduals)->Arg(10)->Arg(40)->Arg(80);
 BENCHMARK(CurveErrorOfAPolygon)->Arg(10)->Arg(40)->Arg(80)->Unit(benchmark::kMillisecond);
 
 }  // namespace
-}  // namespace kinetix
+}  // namespace kinetix::bench
 
 BENCHMARK_MAIN();

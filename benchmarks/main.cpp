@@ -42,7 +42,7 @@ struct Group {
 
 constexpr Group groups[] = {{"model", kinetix::bench::model_figures},
                             {"elastic", kinetix::bench::elastic_figures},
-                            {"load_path", kinetix::bench::load_path_figures},
+                            {"load_path", kinetix::bench::equilibrium_path_figures},
                             {"stable_state", kinetix::bench::stable_state_figures},
                             {"search", kinetix::bench::search_figures},
                             {"physics", kinetix::bench::physics_figures},

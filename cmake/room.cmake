@@ -1,31 +1,44 @@
-# kinetix_room(name SOURCES ... PUBLIC ... PRIVATE ...): one library target per folder, so that the link
-# graph is the layering.
+# kinetix_room(name EXCEPT ... SOURCES ... HEADERS ... PUBLIC ... PRIVATE ...): one library target per folder, so that
+# the link graph is the layering. It takes every .cpp of the folder but those that match the regex EXCEPT, and the
+# SOURCES besides; HEADERS are compiled once for all of them.
 
 add_library(kinetix_flags INTERFACE)
-target_compile_features(kinetix_flags INTERFACE cxx_std_20)
 # A fused multiply-add would make results depend on the compiler's choice of instruction.
 target_compile_options(kinetix_flags INTERFACE -ffp-contract=off)
+# With it ccache can serve what was compiled with a precompiled header.
+target_compile_options(kinetix_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+# What most sources of every room include.
+set(kinetix_common_headers <Eigen/Core> <Eigen/Geometry> <Eigen/SparseCore> <algorithm> <array> <cmath> <functional>
+  <map> <memory> <optional> <string> <variant> <vector>)
 if(KINETIX_DEV)
-  target_compile_options(kinetix_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
-    -Wno-sign-conversion -Wno-restrict -Wno-stringop-overread -Werror -UNDEBUG)
+  # Of locals alone: where sources are joined, a local may well be called as another file's constant is.
+  target_compile_options(kinetix_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow=local -Wconversion
+    -Wno-sign-conversion -Wno-restrict -Wno-array-bounds -Wno-stringop-overread -Wno-stringop-overflow -Werror -UNDEBUG)
 endif()
 if(KINETIX_SANITIZE)
   # GCC 12 calls std::regex uninitialized once the sanitizers' code is in it.
   target_compile_options(kinetix_flags INTERFACE -fsanitize=${KINETIX_SANITIZE} -fno-omit-frame-pointer
     -Wno-maybe-uninitialized)
   target_link_options(kinetix_flags INTERFACE -fsanitize=${KINETIX_SANITIZE})
+  # Under the address sanitizer Eigen would pad what it allocates, and the code it shares with libceres, which
+  # was built without, would free what the other allocated.
+  target_compile_definitions(kinetix_flags INTERFACE EIGEN_MALLOC_ALREADY_ALIGNED=1)
 endif()
 
 function(kinetix_room name)
-  cmake_parse_arguments(ROOM "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
-  add_library(kinetix_${name} STATIC ${ROOM_SOURCES})
+  cmake_parse_arguments(ROOM "" "EXCEPT" "SOURCES;HEADERS;PUBLIC;PRIVATE" ${ARGN})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  if(ROOM_EXCEPT)
+    list(FILTER sources EXCLUDE REGEX ${ROOM_EXCEPT})
+  endif()
+  add_library(kinetix_${name} STATIC ${sources} ${ROOM_SOURCES})
+  target_precompile_headers(kinetix_${name} PRIVATE ${ROOM_HEADERS})
   add_library(kinetix::${name} ALIAS kinetix_${name})
   set_target_properties(kinetix_${name} PROPERTIES EXPORT_NAME ${name})
+  target_compile_features(kinetix_${name} PUBLIC cxx_std_20)
   target_include_directories(kinetix_${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/kinetix>)
-  # Under the address sanitizer Eigen would pad what it allocates, and the code it shares with libceres, which
-  # was built without, would free what the other allocated.
   if(KINETIX_SANITIZE)
     target_compile_definitions(kinetix_${name} PUBLIC EIGEN_MALLOC_ALREADY_ALIGNED=1)
   endif()
@@ -34,4 +47,22 @@ function(kinetix_room name)
   install(TARGETS kinetix_${name} EXPORT kinetix-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/kinetix/${name}
     FILES_MATCHING PATTERN "*.hpp")
+endfunction()
+
+# kinetix_join(name EXCEPT ... INCLUDING ...): compiles the sources of each folder of a room as one, since most of their
+# time goes into the same headers and templates: all but those that match the regex EXCEPT; with INCLUDING, only those
+# that include that header. So no two of them may give the same name to things of their own.
+function(kinetix_join name)
+  cmake_parse_arguments(JOIN "" "EXCEPT;INCLUDING" "" ${ARGN})
+  get_target_property(sources kinetix_${name} SOURCES)
+  if(JOIN_EXCEPT)
+    list(FILTER sources EXCLUDE REGEX ${JOIN_EXCEPT})
+  endif()
+  foreach(source IN LISTS sources)
+    file(STRINGS ${source} included REGEX "^#include <${JOIN_INCLUDING}")
+    if((included OR NOT JOIN_INCLUDING) AND source MATCHES "^${CMAKE_CURRENT_SOURCE_DIR}/([a-z_]+)/")
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${CMAKE_MATCH_1})
+    endif()
+  endforeach()
+  set_target_properties(kinetix_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
 endfunction()

@@ -7,24 +7,26 @@
 #include <array>
 #include <cmath>
 
-#include "model/closure_drive.hpp"
+#include "model/base/angle.hpp"
+#include "model/base/larger.hpp"
+#include "model/closure/closure_drive.hpp"
 #include "sim/bullet_math.hpp"
 #include "sim/elastic_hinges.hpp"
 #include "sim/joints.hpp"
 
-namespace kinetix {
+namespace kinetix::sim {
 namespace {
 
 using Bodies = std::vector<std::unique_ptr<btRigidBody>>;
 
 class Plates final : public Actuator {
  public:
-  Plates(const Structure& structure, const Drive& drive, const Bodies& bodies, double error_reduction)
+  Plates(const model::Linkage& structure, const model::LinkageDrive& drive, const Bodies& bodies,
+         double error_reduction)
       : axis_(drive.axis) {
-    const GrippedRows gripped = gripped_bodies(structure, axis_, drive.grip);
     for (int side = 0; side < 2; ++side) {
-      const std::vector<int>& row = gripped[side];
-      rows_[side] = row_along(axis_, structure.bodies[row.front()]);
+      const std::vector<int>& row = drive.gripped[side];
+      rows_[side] = structure.bodies[row.front()].position[coordinate()];
       for (const int b : row) {
         const Pin pin = b == row[row.size() / 2] ? Pin::keyed : Pin::sliding;
         joints_.push_back(slot(axis_, pin, plates_[side], *bodies[b], error_reduction));
@@ -53,14 +55,13 @@ class Plates final : public Actuator {
     for (const Joint& joint : joints_) {
       const btVector3 plate = joint->getRigidBodyA().getWorldTransform().getOrigin();
       const btVector3 body = joint->getRigidBodyB().getWorldTransform().getOrigin();
-      const double miss = std::abs(body[coordinate()] - plate[coordinate()]);
-      if (!(miss <= largest)) largest = miss;
+      largest = larger(largest, std::abs(body[coordinate()] - plate[coordinate()]));
     }
     return largest;
   }
 
  private:
-  int coordinate() const { return axis_ == Axis::x ? 0 : 1; }
+  int coordinate() const { return axis_ == model::Axis::x ? 0 : 1; }
 
   void keep_from_spinning(btRigidBody& body) const {
     btVector3 free = body.getAngularFactor();
@@ -68,16 +69,16 @@ class Plates final : public Actuator {
     body.setAngularFactor(free);
   }
 
-  Axis axis_;
-  std::array<int, 2> rows_{};
+  model::Axis axis_;
+  std::array<double, 2> rows_{};  ///< cell edges
   std::array<btRigidBody, 2> plates_{btRigidBody(0, nullptr, nullptr), btRigidBody(0, nullptr, nullptr)};
   std::vector<Joint> joints_;
 };
 
 class DrivenHinge final : public Actuator {
  public:
-  DrivenHinge(const Hinge& hinge, const Bodies& bodies, double error_reduction)
-      : sense_(hinge.wall.from.sense()),
+  DrivenHinge(const model::RestHinge& hinge, int sense, const Bodies& bodies, double error_reduction)
+      : sense_(sense),
         joint_(turn_lock(hinge, *bodies[hinge.lower], *bodies[hinge.upper], error_reduction)) {}
 
   std::vector<btGeneric6DofSpring2Constraint*> joints() const override { return {joint_.get()}; }
@@ -100,7 +101,7 @@ constexpr double held_stiffness = 1e4;
 
 class DrivenSpring final : public Actuator {
  public:
-  DrivenSpring(const Structure& structure, int hinge, const Bodies& bodies, ElasticHinges& elastic)
+  DrivenSpring(const model::Linkage& structure, int hinge, const Bodies& bodies, ElasticHinges& elastic)
       : structure_(structure), hinge_(hinge), bodies_(bodies), elastic_(elastic) {
     move_to(0);
   }
@@ -108,19 +109,19 @@ class DrivenSpring final : public Actuator {
   std::vector<btGeneric6DofSpring2Constraint*> joints() const override { return {}; }
 
   void move_to(double theta) override {
-    angle_ = -2 * structure_.hinges[hinge_].wall.from.sense() * theta;
+    angle_ = -2 * structure_.bodies[structure_.hinges[hinge_].lower].sense * theta;
     elastic_.drive_to(hinge_, angle_, held_stiffness);
   }
 
   double gap() const override {
-    State turns(bodies_.size());
+    model::State turns(bodies_.size());
     for (const int b : {structure_.hinges[hinge_].lower, structure_.hinges[hinge_].upper})
       turns[b].R = eigen(bodies_[b]->getWorldTransform().getBasis());
-    return std::abs(drive_residual(HingeTurn{hinge_, angle_}, structure_, turns));
+    return std::abs(drive_residual(model::HingeTurn{hinge_, angle_}, structure_, turns));
   }
 
  private:
-  const Structure& structure_;
+  const model::Linkage& structure_;
   int hinge_;
   const Bodies& bodies_;
   ElasticHinges& elastic_;
@@ -129,13 +130,13 @@ class DrivenSpring final : public Actuator {
 
 }  // namespace
 
-std::unique_ptr<Actuator> make_actuator(const Structure& structure, const Drive& drive, const Bodies& bodies,
-                                        double error_reduction, ElasticHinges* elastic) {
-  if (drive.kind == Drive::Kind::plates)
+std::unique_ptr<Actuator> make_actuator(const model::Linkage& structure, const model::LinkageDrive& drive,
+                                        const Bodies& bodies, double error_reduction,
+                                        ElasticHinges* elastic) {
+  if (drive.kind == model::LinkageDrive::Kind::plates)
     return std::make_unique<Plates>(structure, drive, bodies, error_reduction);
-  const int hinge = *structure.hinge_at(drive.wall);
-  if (elastic) return std::make_unique<DrivenSpring>(structure, hinge, bodies, *elastic);
-  return std::make_unique<DrivenHinge>(structure.hinges[hinge], bodies, error_reduction);
+  if (elastic) return std::make_unique<DrivenSpring>(structure, drive.hinge, bodies, *elastic);
+  return std::make_unique<DrivenHinge>(structure.hinges[drive.hinge], drive.sense, bodies, error_reduction);
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::sim

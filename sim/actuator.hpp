@@ -3,12 +3,12 @@
 #include <memory>
 #include <vector>
 
-#include "model/drive.hpp"
+#include "model/linkage/linkage_drive.hpp"
 
 class btGeneric6DofSpring2Constraint;
 class btRigidBody;
 
-namespace kinetix {
+namespace kinetix::sim {
 
 class ElasticHinges;
 
@@ -26,8 +26,8 @@ class Actuator {
 /// @param bodies in the structure's order; they must outlive the actuator
 /// @param elastic null for rigid hinges; else a driven hinge is driven through them, and they must outlive
 /// the actuator, as must the structure
-std::unique_ptr<Actuator> make_actuator(const Structure& structure, const Drive& drive,
+std::unique_ptr<Actuator> make_actuator(const model::Linkage& structure, const model::LinkageDrive& drive,
                                         const std::vector<std::unique_ptr<btRigidBody>>& bodies,
                                         double error_reduction, ElasticHinges* elastic = nullptr);
 
-}  // namespace kinetix
+}  // namespace kinetix::sim

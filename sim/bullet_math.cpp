@@ -2,7 +2,7 @@
 
 #include <LinearMath/btTransform.h>
 
-namespace kinetix {
+namespace kinetix::sim {
 
 Eigen::Vector3d eigen(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
 
@@ -13,8 +13,8 @@ Eigen::Matrix3d eigen(const btMatrix3x3& m) {
   return out;
 }
 
-Pose pose_of(const btTransform& transform, double edge_mm) {
+model::Pose pose_of(const btTransform& transform, double edge_mm) {
   return {eigen(transform.getBasis()), edge_mm * eigen(transform.getOrigin())};
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::sim

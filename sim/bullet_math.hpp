@@ -1,16 +1,16 @@
 #pragma once
 
-#include "model/state.hpp"
+#include "model/linkage/state.hpp"
 
 class btMatrix3x3;
 class btTransform;
 class btVector3;
 
-namespace kinetix {
+namespace kinetix::sim {
 
 Eigen::Vector3d eigen(const btVector3& v);
 Eigen::Matrix3d eigen(const btMatrix3x3& m);
 /// @param transform in cell edges   @return in mm
-Pose pose_of(const btTransform& transform, double edge_mm);
+model::Pose pose_of(const btTransform& transform, double edge_mm);
 
-}  // namespace kinetix
+}  // namespace kinetix::sim

@@ -7,14 +7,14 @@
 #include <cmath>
 #include <limits>
 
-#include "model/invalid_input.hpp"
-#include "sim/balance.hpp"
+#include "model/base/invalid_input.hpp"
+#include "sim/equilibrium.hpp"
 #include "sim/rigid_parts.hpp"
 #include "sim/start_motion.hpp"
 #include "sim/verdict.hpp"
 #include "sim/world.hpp"
 
-namespace kinetix {
+namespace kinetix::sim {
 namespace {
 
 constexpr int window_steps = 200;
@@ -26,7 +26,7 @@ int steps_in(double seconds, double step_s) { return static_cast<int>(std::ceil(
 
 class Run {
  public:
-  Run(const Structure& structure, const Drive& drive, const PhysicsOptions& options,
+  Run(const model::Linkage& structure, const model::LinkageDrive& drive, const PhysicsOptions& options,
       const PhysicsObserver& observer)
       : structure_(structure),
         drive_(drive),
@@ -110,16 +110,18 @@ class Run {
 
   /// Looks at the last steps before the time is up.
   bool stays_in_place() {
-    if (!options_.elastic || options_.settle_unrest == 0 || result_.steps < all_steps_ - window_steps) return false;
+    if (!options_.elastic || options_.settle_residual_motion == 0 ||
+        result_.steps < all_steps_ - window_steps)
+      return false;
     if (window_.empty()) window_ = result_.state;
-    result_.unrest = std::max(result_.unrest, farthest_from(window_));
-    return result_.steps == all_steps_ && result_.unrest <= options_.settle_unrest;
+    result_.residual_motion = std::max(result_.residual_motion, farthest_from(window_));
+    return result_.steps == all_steps_ && result_.residual_motion <= options_.settle_residual_motion;
   }
 
-  double farthest_from(const State& reference) const {
+  double farthest_from(const model::State& reference) const {
     double farthest = 0;
     for (std::size_t b = 0; b < reference.size(); ++b) {
-      const Pose& now = result_.state[b];
+      const model::Pose& now = result_.state[b];
       const double shift = (now.p - reference[b].p).norm() / structure_.size.edge_mm;
       const double turn = (now.R - reference[b].R).norm() / std::sqrt(2.0);
       farthest = std::max(farthest, shift + turn / 2);
@@ -144,32 +146,31 @@ class Run {
     if (observer_.progress) observer_.progress(1);
   }
 
-  const Structure& structure_;
-  const Drive& drive_;
+  const model::Linkage& structure_;
+  const model::LinkageDrive& drive_;
   const PhysicsOptions& options_;
   const PhysicsObserver& observer_;
   const double theta_;
   const int drive_steps_, all_steps_;
   const double rate_;  ///< mean of theta's, rad/s
   const double damping_;
-  const std::vector<Twist> start_;
+  const std::vector<model::Twist> start_;
   World world_;
   PhysicsResult result_;
   double energy_ = std::numeric_limits<double>::infinity();  ///< kinetic, at the last step of settling
-  State window_;  ///< the state at the first of the last steps
+  model::State window_;                                      ///< the state at the first of the last steps
   double next_frame_s_ = 0;
   int last_frame_ = -1;
 };
 
 }  // namespace
 
-PhysicsResult run_compression(const Structure& structure, const Drive& drive, const PhysicsOptions& options,
-                              const PhysicsObserver& observer) {
+PhysicsResult run_compression(const model::Linkage& structure, const model::LinkageDrive& drive,
+                              const PhysicsOptions& options, const PhysicsObserver& observer) {
   options.validate();
-  validate(drive, structure);
   if (observer.frame && !(observer.frame_interval_s > 0))
     throw InvalidInput(fmt::format("frame_interval_s is {}, must be positive", observer.frame_interval_s));
   return Run(structure, drive, options, observer).run();
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::sim

@@ -2,17 +2,18 @@
 
 #include <functional>
 
-#include "model/drive.hpp"
+#include "model/linkage/linkage_drive.hpp"
 #include "sim/physics_options.hpp"
 #include "sim/physics_result.hpp"
 
-namespace kinetix {
+namespace kinetix::sim {
 
 /// What a caller may want to see of a run while it goes on. Leave empty what is not wanted.
 struct PhysicsObserver {
-  std::function<void(double done)> progress;                       ///< share of the run, rising from 0 to 1
-  std::function<void(double simulated_s, const State& mm)> frame;  ///< from the flat state to the last one
-  double frame_interval_s = 0.02;                                  ///< simulated time between frames, > 0
+  std::function<void(double done)> progress;  ///< share of the run, rising from 0 to 1
+  std::function<void(double simulated_s, const model::State& mm)>
+      frame;                       ///< from the flat state to the last one
+  double frame_interval_s = 0.02;  ///< simulated time between frames, > 0
 };
 
 /// Compresses a structure from flat in the rigid-body engine, lets it settle, and judges what came out.
@@ -25,13 +26,12 @@ struct PhysicsObserver {
 /// With elastic hinges (PhysicsOptions::elastic), the hinges pull as springs, and the turning springs relax
 /// along the start motion at first and at flat in the end, so that they do not push a sheet back through
 /// flat. After the drive, parts run downhill and are stopped whenever their kinetic energy falls, until on
-/// every part the forces of hinges, drive and contacts balance. The same run gives the same bits. Not
+/// every part the forces of hinges, drive and contacts equilibrium. The same run gives the same bits. Not
 /// thread-safe: the engine has global state, so run one at a time.
 ///
 /// @return the last state and a status; a failure is never passed off as a result
-/// @throws InvalidInput for bad options, a bad drive, or a driven wall that the structure does not have;
-/// whatever a callback throws
-PhysicsResult run_compression(const Structure& structure, const Drive& drive,
+/// @throws InvalidInput for bad options; whatever a callback throws
+PhysicsResult run_compression(const model::Linkage& structure, const model::LinkageDrive& drive,
                               const PhysicsOptions& options = {}, const PhysicsObserver& observer = {});
 
-}  // namespace kinetix
+}  // namespace kinetix::sim

@@ -7,10 +7,10 @@
 
 #include "sim/bullet_math.hpp"
 #include "sim/elastic_hinges.hpp"
-#include "sim/knee_edges.hpp"
 #include "sim/row_system.hpp"
+#include "sim/wall_tip_edges.hpp"
 
-namespace kinetix {
+namespace kinetix::sim {
 namespace {
 
 // Of a part, with all forces turning with their bodies: cell edges or rad.
@@ -59,20 +59,20 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
     part_of_.assign(m_tmpSolverBodyPool.size(), -1);
     bodies_.clear();
     masses_.clear();
-    freedoms_.clear();
+    dofs_.clear();
     for (int k = 0; k < m_tmpSolverBodyPool.size(); ++k) {
       btRigidBody* const body = m_tmpSolverBodyPool[k].m_originalBody;
       if (!body || !(body->getInvMass() > 0)) continue;
       part_of_[k] = static_cast<int>(bodies_.size());
       bodies_.push_back(k);
       masses_.push_back({1 / body->getInvMass(), world_inertia(*body)});
-      freedoms_.push_back(stacked(body->getLinearFactor(), body->getAngularFactor()));
+      dofs_.push_back(stacked(body->getLinearFactor(), body->getAngularFactor()));
     }
   }
 
   Vector6 free_part(int part, const btVector3& linear, const btVector3& angular) const {
     const Vector6 all = stacked(linear, angular);
-    return part < 0 ? all : all.cwiseProduct(freedoms_[part]);
+    return part < 0 ? all : all.cwiseProduct(dofs_[part]);
   }
 
   VelocityRow row_of(const btSolverConstraint& c) const {
@@ -113,7 +113,7 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
   }
 
   void append_elastic(double step) {
-    State state(bodies_.size());
+    model::State state(bodies_.size());
     std::vector<Eigen::Vector3d> speeds(bodies_.size());
     std::vector<int> part_of_body(bodies_.size());
     for (std::size_t p = 0; p < bodies_.size(); ++p) {
@@ -124,10 +124,10 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
     }
     for (VelocityRow row : settings_.elastic->rows(state, speeds, step)) {
       row.a = part_of_body[row.a];
-      row.first = row.first.cwiseProduct(freedoms_[row.a]);
+      row.first = row.first.cwiseProduct(dofs_[row.a]);
       if (row.b >= 0) {
         row.b = part_of_body[row.b];
-        row.second = row.second.cwiseProduct(freedoms_[row.b]);
+        row.second = row.second.cwiseProduct(dofs_[row.b]);
       }
       rows_.push_back(row);
     }
@@ -189,7 +189,7 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
   std::vector<int> part_of_;  ///< by solver body; -1 for a fixed one
   std::vector<int> bodies_;   ///< solver body of each part
   std::vector<PartMass> masses_;
-  std::vector<Vector6> freedoms_;  ///< 1 where a part may move, 0 where it may not
+  std::vector<Vector6> dofs_;  ///< 1 where a part may move, 0 where it may not
   std::vector<VelocityRow> rows_;
   PointCounts sharing_;  ///< by point: how many share its contact
   RowSystem system_;
@@ -201,4 +201,4 @@ std::unique_ptr<btConstraintSolver> make_direct_solver(const DirectSolverSetting
   return std::make_unique<DirectSolver>(settings);
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::sim

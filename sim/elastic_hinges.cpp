@@ -2,9 +2,9 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "model/closure.hpp"
+#include "model/closure/closure.hpp"
 
-namespace kinetix {
+namespace kinetix::sim {
 namespace {
 
 using Eigen::Matrix3d;
@@ -17,19 +17,17 @@ Matrix3d turned(const Vector3d& force, const Vector3d& arm) {
 }
 
 /// By body: what the points' forces oppose to turns, over the stiffness of a point.
-std::vector<Matrix3d> turning_stiffness(const Structure& structure, const State& state, double reach) {
+std::vector<Matrix3d> turning_stiffness(const model::Linkage& structure, const model::State& state,
+                                        double reach) {
   std::vector<Matrix3d> sums(state.size(), Matrix3d::Zero());
   const Eigen::VectorXd misfit = closure_residual(structure, state);
   Eigen::Index row = 0;
-  for (const Hinge& hinge : structure.hinges) {
+  for (const model::RestHinge& hinge : structure.hinges) {
     const Vector3d force = 2 * misfit.segment<3>(row),
                    moment = 2 * reach * reach * misfit.segment<3>(row + 3);
-    const Vector3d edge = edge_direction(hinge.wall.axis);
-    const Vector3d axis = hinge_axis(hinge.wall.axis, hinge.parameters);
     const Matrix3d &lower = state[hinge.lower].R, &upper = state[hinge.upper].R;
-    const double t = hinge.parameters.t;
-    sums[hinge.lower] += turned(force, lower * (t * edge)) + turned(moment, lower * axis);
-    sums[hinge.upper] -= turned(force, upper * ((t - 1) * edge)) + turned(moment, upper * axis);
+    sums[hinge.lower] += turned(force, lower * hinge.lower_arm) + turned(moment, lower * hinge.axis);
+    sums[hinge.upper] -= turned(force, upper * hinge.upper_arm) + turned(moment, upper * hinge.axis);
     row += 6;
   }
   return sums;
@@ -43,36 +41,37 @@ VelocityRow brake(int body, const Vector3d& direction, double weight, const Vect
 
 }  // namespace
 
-ElasticHinges::ElasticHinges(const Structure& structure, const Stiffness& stiffness)
+ElasticHinges::ElasticHinges(const model::Linkage& structure, const model::Stiffness& stiffness)
     : structure_(structure), stiffness_(stiffness) {
   for (int h = 0; h < static_cast<int>(structure.hinges.size()); ++h)
-    springs_.push_back({{h, 0}, stiffness.turn});
+    springs_.push_back({{h, 0}, stiffness.law, stiffness.turn});
 }
 
 void ElasticHinges::drive_to(int hinge, double angle, double weight) {
   springs_.resize(structure_.hinges.size());
-  springs_.push_back({{hinge, angle}, weight});
+  springs_.push_back({{hinge, angle}, model::linear_hinge(), weight});
 }
 
 void ElasticHinges::relax_at(const std::vector<double>& angles) {
   for (std::size_t h = 0; h < angles.size(); ++h) springs_[h].goal.angle = angles[h];
 }
 
-VelocityRow ElasticHinges::row(const Spring& spring, const State& state, const std::vector<Vector3d>& speeds,
-                               double step) const {
-  const Hinge& hinge = structure_.hinges[spring.goal.hinge];
+VelocityRow ElasticHinges::row(const Spring& spring, const model::State& state,
+                               const std::vector<Vector3d>& speeds, double step) const {
+  const model::RestHinge& hinge = structure_.hinges[spring.goal.hinge];
   std::vector<Eigen::Triplet<double>> entries;
   append_drive_gradient(spring.goal, structure_, state, 0, entries);
   const Vector3d gradient(entries[0].value(), entries[1].value(), entries[2].value());
-  VelocityRow row{hinge.lower, hinge.upper, Vector6::Zero(), Vector6::Zero(), 0, spring.weight};
+  const model::TurnResponse response =
+      spring.law->at(drive_residual(spring.goal, structure_, state), spring.weight);
+  VelocityRow row{hinge.lower, hinge.upper, Vector6::Zero(), Vector6::Zero(), 0, response.stiffness};
   row.first.tail<3>() = -gradient;
   row.second.tail<3>() = gradient;
-  row.target = -drive_residual(spring.goal, structure_, state) / step -
-               gradient.dot(speeds[hinge.upper] - speeds[hinge.lower]);
+  row.target = -response.stretch / step - gradient.dot(speeds[hinge.upper] - speeds[hinge.lower]);
   return row;
 }
 
-std::vector<VelocityRow> ElasticHinges::rows(const State& state, const std::vector<Vector3d>& speeds,
+std::vector<VelocityRow> ElasticHinges::rows(const model::State& state, const std::vector<Vector3d>& speeds,
                                              double step) const {
   std::vector<VelocityRow> rows;
   rows.reserve(springs_.size() + 3 * state.size());
@@ -87,4 +86,4 @@ std::vector<VelocityRow> ElasticHinges::rows(const State& state, const std::vect
   return rows;
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::sim

@@ -1,21 +1,22 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
-#include "model/closure_drive.hpp"
-#include "model/elastic/elasticity.hpp"
+#include "model/closure/closure_drive.hpp"
+#include "model/hinge/elasticity.hpp"
 #include "sim/row_system.hpp"
 
-namespace kinetix {
+namespace kinetix::sim {
 
 /// What the direct solver must know of elastic hinges beyond the equations of their two points: turning
 /// springs, a driven hinge, and how forces turn with their bodies. The engine has none of them: it cuts its
 /// springs down to what a step can bear, and its angular joints count Euler angles, which leave the turn of
-/// model/closure_drive.hpp where the two axes of a stretched hinge part.
+/// model/closure/closure_drive.hpp where the two axes of a stretched hinge part.
 class ElasticHinges {
  public:
   /// Springs relaxed at flat. @param structure must outlive this
-  ElasticHinges(const Structure& structure, const Stiffness& stiffness);
+  ElasticHinges(const model::Linkage& structure, const model::Stiffness& stiffness);
 
   /// From now on, one hinge is driven to an angle. @param angle rad, (-pi, pi)
   /// @param weight over that of a hinge point
@@ -30,21 +31,22 @@ class ElasticHinges {
   /// @param state mm; @param speeds of turning of the bodies, rad/s; @param step s
   /// @return equations on changes of speed, a and b being bodies of the structure or -1; the same a and b in
   /// the same order at every call after the first drive_to
-  std::vector<VelocityRow> rows(const State& state, const std::vector<Eigen::Vector3d>& speeds,
+  std::vector<VelocityRow> rows(const model::State& state, const std::vector<Eigen::Vector3d>& speeds,
                                 double step) const;
 
  private:
   struct Spring {
-    HingeTurn goal;
-    double weight = 0;
+    model::HingeTurn goal;
+    std::shared_ptr<const model::HingeLaw> law;
+    double weight = 0;  ///< the law's k_turn
   };
 
-  VelocityRow row(const Spring& spring, const State& state, const std::vector<Eigen::Vector3d>& speeds,
+  VelocityRow row(const Spring& spring, const model::State& state, const std::vector<Eigen::Vector3d>& speeds,
                   double step) const;
 
-  const Structure& structure_;
-  const Stiffness stiffness_;
+  const model::Linkage& structure_;
+  const model::Stiffness stiffness_;
   std::vector<Spring> springs_;  ///< by hinge, then the drive
 };
 
-}  // namespace kinetix
+}  // namespace kinetix::sim

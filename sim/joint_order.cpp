@@ -3,7 +3,7 @@
 #include <BulletCollision/CollisionDispatch/btSimulationIslandManager.h>
 #include <btBulletDynamicsCommon.h>
 
-namespace kinetix {
+namespace kinetix::sim {
 
 void prepare_for_joints(btDiscreteDynamicsWorld& world, int iterations) {
   btContactSolverInfo& info = world.getSolverInfo();
@@ -18,4 +18,4 @@ void add_in_order(btDiscreteDynamicsWorld& world, btTypedConstraint& joint) {
   world.addConstraint(&joint);
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::sim

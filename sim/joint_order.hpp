@@ -3,7 +3,7 @@
 class btDiscreteDynamicsWorld;
 class btTypedConstraint;
 
-namespace kinetix {
+namespace kinetix::sim {
 
 /// Sets the engine up to solve all joints together, in the order in which they are added, afresh every step.
 /// @param iterations sweeps per step
@@ -12,4 +12,4 @@ void prepare_for_joints(btDiscreteDynamicsWorld& world, int iterations);
 /// Adds a joint after those that are there; the sweep solver goes by this order.
 void add_in_order(btDiscreteDynamicsWorld& world, btTypedConstraint& joint);
 
-}  // namespace kinetix
+}  // namespace kinetix::sim

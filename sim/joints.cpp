@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-namespace kinetix {
+namespace kinetix::sim {
 namespace {
 
 constexpr int linear_x = 0, linear_y = 1, angular_x = 3;
@@ -32,32 +32,31 @@ void lock(btGeneric6DofSpring2Constraint& joint, int axis, double error_reductio
 }
 
 /// The hinge point as seen from one body, moved along the axis.
-btTransform frame(const HingeSeat& seat, double along_axis) {
-  return frame(seat.axis, seat.across, seat.point + along_axis * seat.axis);
+btTransform frame(const HingeFrame& hinge_frame, double along_axis) {
+  return frame(hinge_frame.axis, hinge_frame.across, hinge_frame.point + along_axis * hinge_frame.axis);
 }
 
 }  // namespace
 
-HingeSeats seats(const Hinge& hinge) {
-  const Eigen::Vector3d axis = hinge_axis(hinge.wall.axis, hinge.parameters);
-  const Eigen::Vector3d edge = edge_direction(hinge.wall.axis), across = axis.unitOrthogonal();
-  const double t = hinge.parameters.t;
-  return {HingeSeat{t * edge, axis, across}, HingeSeat{(t - 1) * edge, axis, across}};
+HingeFrames hinge_frames(const model::RestHinge& hinge) {
+  const Eigen::Vector3d across = hinge.axis.unitOrthogonal();
+  return {HingeFrame{hinge.lower_arm, hinge.axis, across}, HingeFrame{hinge.upper_arm, hinge.axis, across}};
 }
 
-std::array<Joint, 2> hinge_points(const HingeSeats& seats, btRigidBody& a, btRigidBody& b, double reach,
-                                  double error_reduction) {
+std::array<Joint, 2> hinge_points(const HingeFrames& hinge_frames, btRigidBody& a, btRigidBody& b,
+                                  double reach, double error_reduction) {
   std::array<Joint, 2> points;
   for (int k = 0; k < 2; ++k) {
     const double along_axis = k == 0 ? -reach : reach;
-    points[k] = free_joint(a, b, frame(seats[0], along_axis), frame(seats[1], along_axis));
+    points[k] = free_joint(a, b, frame(hinge_frames[0], along_axis), frame(hinge_frames[1], along_axis));
     for (int axis = 0; axis < 3; ++axis) lock(*points[k], axis, error_reduction);
   }
   return points;
 }
 
-Joint turn_lock(const Hinge& hinge, btRigidBody& lower, btRigidBody& upper, double error_reduction) {
-  const auto [of_lower, of_upper] = seats(hinge);
+Joint turn_lock(const model::RestHinge& hinge, btRigidBody& lower, btRigidBody& upper,
+                double error_reduction) {
+  const auto [of_lower, of_upper] = hinge_frames(hinge);
   Joint joint = free_joint(lower, upper, frame(of_lower, 0), frame(of_upper, 0));
   lock(*joint, angular_x, error_reduction);
   return joint;
@@ -73,7 +72,7 @@ double turn(btGeneric6DofSpring2Constraint& joint) {
   return -joint.getAngle(0);
 }
 
-Joint slot(Axis axis, Pin pin, btRigidBody& plate, btRigidBody& body, double error_reduction) {
+Joint slot(model::Axis axis, Pin pin, btRigidBody& plate, btRigidBody& body, double error_reduction) {
   const btTransform here = frame(edge_direction(axis), Eigen::Vector3d::UnitZ(), Eigen::Vector3d::Zero());
   Joint joint = free_joint(plate, body, here, here);
   lock(*joint, linear_x, error_reduction);
@@ -86,4 +85,4 @@ double middle_euler_angle(btGeneric6DofSpring2Constraint& joint) {
   return joint.getAngle(1);
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::sim

@@ -7,7 +7,7 @@
 
 #include <mutex>
 
-namespace kinetix {
+namespace kinetix::sim {
 namespace {
 
 std::unique_ptr<btConvexHullShape> hull(const Prism& prism, WallSurface surface) {
@@ -57,4 +57,4 @@ void skip_walls_of_one_hinge() {
   std::call_once(once, [] { gCompoundCompoundChildShapePairCallback = may_collide; });
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::sim

@@ -9,7 +9,7 @@ class btCollisionObject;
 class btCollisionShape;
 class btVector3;
 
-namespace kinetix {
+namespace kinetix::sim {
 
 /// How the engine finds where half walls touch.
 enum class WallSurface {
@@ -44,4 +44,4 @@ class PartShape {
 /// Tells the engine to let the two half walls of one hinge pass through each other, in every world.
 void skip_walls_of_one_hinge();
 
-}  // namespace kinetix
+}  // namespace kinetix::sim

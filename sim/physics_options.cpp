@@ -4,9 +4,9 @@
 
 #include <limits>
 
-#include "model/invalid_input.hpp"
+#include "model/base/invalid_input.hpp"
 
-namespace kinetix {
+namespace kinetix::sim {
 namespace {
 
 constexpr double no_limit = std::numeric_limits<double>::max();
@@ -23,7 +23,7 @@ void not_negative(const char* field, double value, double largest) {
   throw InvalidInput(fmt::format("physics.{} is {}, must be in [0, {}]", field, value, largest));
 }
 
-void check(const Stiffness& elastic, PhysicsOptions::Solver solver) {
+void check(const model::Stiffness& elastic, PhysicsOptions::Solver solver) {
   positive("elastic.turn", elastic.turn);
   positive("elastic.reach", elastic.reach, 10);
   positive("elastic.contact", elastic.contact);
@@ -43,7 +43,7 @@ void PhysicsOptions::validate() const {
   positive("part_inertia", part_inertia, 100);
   positive("drive_seconds", drive_seconds, 1000);
   not_negative("settle_seconds", settle_seconds, 1000);
-  not_negative("settle_unrest", settle_unrest, 0.1);
+  not_negative("settle_unrest", settle_residual_motion, 0.1);
   not_negative("settle_damping", settle_damping, 1e6);
   const double steps = (drive_seconds + settle_seconds) / step_s;
   if (!(steps <= most_steps))
@@ -59,4 +59,4 @@ void PhysicsOptions::validate() const {
   positive("speed_limit", speed_limit);
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::sim

@@ -1,6 +1,6 @@
 #include "sim/physics_result.hpp"
 
-namespace kinetix {
+namespace kinetix::sim {
 
 std::string to_string(PhysicsResult::Status status) {
   switch (status) {
@@ -22,4 +22,4 @@ std::string to_string(PhysicsResult::Status status) {
   return "blew up";
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::sim

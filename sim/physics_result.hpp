@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "model/state.hpp"
+#include "model/linkage/state.hpp"
 
-namespace kinetix {
+namespace kinetix::sim {
 
 /// The two parts of a state that overlap most, or come closest to it.
 struct PartContact {
@@ -29,18 +29,19 @@ struct PhysicsResult {
   };
 
   Status status = Status::not_settled;
-  std::string why;       ///< the status in words, with its numbers
-  State state;           ///< last state, mm, in the structure's body order; not finite where it blew up
-  HingeGaps gaps;        ///< of that state
-  double drive_gap = 0;  ///< largest distance of a gripped body from its plate, cell edges, or of the driven
-                         ///< hinge from its angle, rad
-  PartContact contact;   ///< in that state
-  double unrest = 0;     ///< of parts that still go to and fro at the end (PhysicsOptions::settle_unrest)
-  int steps = 0;         ///< taken
+  std::string why;        ///< the status in words, with its numbers
+  model::State state;     ///< last state, mm, in the structure's body order; not finite where it blew up
+  model::HingeGaps gaps;  ///< of that state
+  double drive_gap = 0;   ///< largest distance of a gripped body from its plate, cell edges, or of the driven
+                          ///< hinge from its angle, rad
+  PartContact contact;    ///< in that state
+  double residual_motion =
+      0;          ///< of parts that still go to and fro at the end (PhysicsOptions::settle_residual_motion)
+  int steps = 0;  ///< taken
   double simulated_s = 0;  ///< time that passed in the simulation
   double seconds = 0;      ///< wall-clock time of the run
 };
 
 std::string to_string(PhysicsResult::Status status);
 
-}  // namespace kinetix
+}  // namespace kinetix::sim

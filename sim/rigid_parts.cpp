@@ -4,9 +4,10 @@
 
 #include <algorithm>
 
+#include "model/base/larger.hpp"
 #include "sim/bullet_math.hpp"
 
-namespace kinetix {
+namespace kinetix::sim {
 namespace {
 
 void keep_in_plane(btRigidBody& body) {
@@ -14,10 +15,12 @@ void keep_in_plane(btRigidBody& body) {
   body.setAngularFactor({0, 0, 1});
 }
 
-std::unique_ptr<btRigidBody> make_body(Vertex vertex, btCollisionShape* shape, double inertia) {
+std::unique_ptr<btRigidBody> make_body(const Eigen::Vector3d& vertex, btCollisionShape* shape,
+                                       double inertia) {
   btRigidBody::btRigidBodyConstructionInfo info(RigidParts::mass, nullptr, shape,
                                                 {inertia, inertia, inertia});
-  info.m_startWorldTransform = btTransform(btMatrix3x3::getIdentity(), btVector3(vertex.i, vertex.j, 0));
+  info.m_startWorldTransform =
+      btTransform(btMatrix3x3::getIdentity(), btVector3(vertex.x(), vertex.y(), vertex.z()));
   info.m_friction = 0;
   auto body = std::make_unique<btRigidBody>(info);
   body->setActivationState(DISABLE_DEACTIVATION);
@@ -30,13 +33,13 @@ WallSurface wall_surface(const PhysicsOptions& options) {
   return options.elastic && options.planar ? WallSurface::sharp : WallSurface::rounded;
 }
 
-RigidParts::RigidParts(const Structure& structure, const PhysicsOptions& options)
+RigidParts::RigidParts(const model::Linkage& structure, const PhysicsOptions& options)
     : structure_(structure), inertia_(options.part_inertia * mass) {
   const WallSurface surface = wall_surface(options);
   for (const auto& walls : wall_prisms(structure, PartShape::margin(surface))) {
     const std::size_t b = bodies_.size();
     shapes_.emplace_back(walls, surface);
-    bodies_.push_back(make_body(structure.bodies[b], shapes_.back().get(), inertia_));
+    bodies_.push_back(make_body(structure.bodies[b].position, shapes_.back().get(), inertia_));
     bodies_.back()->setUserIndex(static_cast<int>(b));
     if (options.planar) keep_in_plane(*bodies_.back());
   }
@@ -46,12 +49,12 @@ RigidParts::~RigidParts() = default;
 
 void RigidParts::push(double rate) {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    const int sense = structure_.bodies[b].sense();
+    const int sense = structure_.bodies[b].sense;
     bodies_[b]->setAngularVelocity(bodies_[b]->getAngularVelocity() + btVector3(0, 0, sense * rate));
   }
 }
 
-void RigidParts::start(const std::vector<Twist>& motion, double rate) {
+void RigidParts::start(const std::vector<model::Twist>& motion, double rate) {
   const auto vector = [&](const Eigen::Vector3d& v) {
     return btVector3(rate * v.x(), rate * v.y(), rate * v.z());
   };
@@ -69,8 +72,8 @@ void RigidParts::damp(double factor) {
   }
 }
 
-State RigidParts::state() const {
-  State state;
+model::State RigidParts::state() const {
+  model::State state;
   state.reserve(bodies_.size());
   for (const auto& body : bodies_)
     state.push_back(pose_of(body->getWorldTransform(), structure_.size.edge_mm));
@@ -88,16 +91,16 @@ double RigidParts::fastest() const {
   double fastest = 0;
   for (const auto& body : bodies_)
     for (const double speed : {body->getLinearVelocity().length(), body->getAngularVelocity().length()})
-      if (!(speed <= fastest)) fastest = speed;
+      fastest = larger(fastest, speed);
   return fastest;
 }
 
 double RigidParts::fastest_hinge() const {
   double fastest = 0;
-  for (const Hinge& hinge : structure_.hinges) {
+  for (const model::RestHinge& hinge : structure_.hinges) {
     const btVector3 turning =
         bodies_[hinge.upper]->getAngularVelocity() - bodies_[hinge.lower]->getAngularVelocity();
-    if (!(turning.length() <= fastest)) fastest = turning.length();
+    fastest = larger(fastest, turning.length());
   }
   return fastest;
 }
@@ -114,10 +117,10 @@ double RigidParts::largest_change(const std::vector<Vector6>& speeds_before) con
   double largest = 0;
   for (std::size_t b = 0; b < now.size(); ++b) {
     const Vector6 change = now[b] - speeds_before[b];
-    const double momentum = std::max(mass * change.head<3>().norm(), inertia_ * change.tail<3>().norm());
-    if (!(momentum <= largest)) largest = momentum;
+    const double momentum = larger(mass * change.head<3>().norm(), inertia_ * change.tail<3>().norm());
+    largest = larger(largest, momentum);
   }
   return largest;
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::sim

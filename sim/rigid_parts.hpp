@@ -3,14 +3,14 @@
 #include <memory>
 #include <vector>
 
-#include "model/state.hpp"
+#include "model/linkage/state.hpp"
 #include "sim/part_shape.hpp"
 #include "sim/physics_options.hpp"
 #include "sim/row_system.hpp"
 
 class btRigidBody;
 
-namespace kinetix {
+namespace kinetix::sim {
 
 /// The bodies of a structure in the engine, and how they move. Units: cell edge 1, part mass 1, s.
 ///
@@ -21,7 +21,7 @@ class RigidParts {
   static constexpr double mass = 1;
 
   /// @param structure must outlive this
-  RigidParts(const Structure& structure, const PhysicsOptions& options);
+  RigidParts(const model::Linkage& structure, const PhysicsOptions& options);
   ~RigidParts();
 
   /// In the structure's order; their user indices are their indices in it.
@@ -31,11 +31,11 @@ class RigidParts {
   /// class B. @param rate rad/s
   void push(double rate);
   /// Adds a motion to the bodies' speeds. @param motion one twist per body, v in cell edges; @param rate 1/s
-  void start(const std::vector<Twist>& motion, double rate);
+  void start(const std::vector<model::Twist>& motion, double rate);
   /// Multiplies all speeds. @param factor in [0, 1]
   void damp(double factor);
 
-  State state() const;  ///< mm
+  model::State state() const;  ///< mm
   /// Linear and angular, of each body.
   std::vector<Vector6> speeds() const;
   /// Largest speed or turning speed, edges/s or rad/s; NaN if one is NaN.
@@ -48,7 +48,7 @@ class RigidParts {
   double largest_change(const std::vector<Vector6>& speeds_before) const;
 
  private:
-  const Structure& structure_;
+  const model::Linkage& structure_;
   const double inertia_;
   std::vector<PartShape> shapes_;
   std::vector<std::unique_ptr<btRigidBody>> bodies_;
@@ -57,4 +57,4 @@ class RigidParts {
 /// Sharp where elastic walls stay upright: there contacts press deep.
 WallSurface wall_surface(const PhysicsOptions& options);
 
-}  // namespace kinetix
+}  // namespace kinetix::sim

@@ -1,6 +1,6 @@
 #include "sim/row_system.hpp"
 
-namespace kinetix {
+namespace kinetix::sim {
 namespace {
 
 std::vector<std::pair<int, int>> joined_parts(const std::vector<VelocityRow>& rows) {
@@ -80,4 +80,4 @@ bool RowSystem::factorise(const std::vector<PartMass>& masses, const std::vector
   return factor_.info() == Eigen::Success;
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::sim

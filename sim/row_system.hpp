@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace kinetix {
+namespace kinetix::sim {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
@@ -56,4 +56,4 @@ class RowSystem {
   Eigen::VectorXd pull_;
 };
 
-}  // namespace kinetix
+}  // namespace kinetix::sim

@@ -2,22 +2,22 @@
 
 #include <Eigen/Cholesky>
 
-#include "model/null_space.hpp"
+#include "model/closure/null_space.hpp"
 
-namespace kinetix {
+namespace kinetix::sim {
 namespace {
 
 constexpr double least_share = 0.5;
 constexpr double weight_of_the_rest = 1e-6;
 
-std::vector<Twist> bare_spins(const Structure& structure) {
-  std::vector<Twist> twists(structure.bodies.size());
-  for (std::size_t b = 0; b < twists.size(); ++b) twists[b].omega.z() = structure.bodies[b].sense();
+std::vector<model::Twist> bare_spins(const model::Linkage& structure) {
+  std::vector<model::Twist> twists(structure.bodies.size());
+  for (std::size_t b = 0; b < twists.size(); ++b) twists[b].omega.z() = structure.bodies[b].sense;
   return twists;
 }
 
 /// Columns: the internal motions, then the six of the whole as a rigid body.
-Eigen::MatrixXd all_motions(const Structure& structure) {
+Eigen::MatrixXd all_motions(const model::Linkage& structure) {
   const Eigen::MatrixXd internal = null_space(structure, rest_state(structure)).basis;
   Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(6 * structure.bodies.size(), internal.cols() + 6);
   motions.leftCols(internal.cols()) = internal;
@@ -32,12 +32,12 @@ Eigen::MatrixXd all_motions(const Structure& structure) {
 
 /// Least squares for the wanted spins about z, with everything else kept small where the spins leave a
 /// choice.
-Eigen::VectorXd nearest_motion(const Structure& structure, const Eigen::MatrixXd& motions) {
+Eigen::VectorXd nearest_motion(const model::Linkage& structure, const Eigen::MatrixXd& motions) {
   Eigen::VectorXd weight = Eigen::VectorXd::Constant(motions.rows(), weight_of_the_rest);
   Eigen::VectorXd wanted = Eigen::VectorXd::Zero(motions.rows());
   for (std::size_t b = 0; b < structure.bodies.size(); ++b) {
     weight[6 * b + 2] = 1;
-    wanted[6 * b + 2] = structure.bodies[b].sense();
+    wanted[6 * b + 2] = structure.bodies[b].sense;
   }
   const Eigen::MatrixXd weighted = weight.asDiagonal() * motions;
   return motions * (motions.transpose() * weighted).ldlt().solve(weighted.transpose() * wanted);
@@ -45,17 +45,17 @@ Eigen::VectorXd nearest_motion(const Structure& structure, const Eigen::MatrixXd
 
 }  // namespace
 
-std::vector<Twist> start_motion(const Structure& structure) {
+std::vector<model::Twist> start_motion(const model::Linkage& structure) {
   const Eigen::VectorXd motion = nearest_motion(structure, all_motions(structure));
   double share = 0;
   for (std::size_t b = 0; b < structure.bodies.size(); ++b)
-    share += structure.bodies[b].sense() * motion[6 * b + 2];
+    share += structure.bodies[b].sense * motion[6 * b + 2];
   share /= static_cast<double>(structure.bodies.size());
   if (!(share > least_share)) return bare_spins(structure);
-  std::vector<Twist> twists;
+  std::vector<model::Twist> twists;
   for (std::size_t b = 0; b < structure.bodies.size(); ++b)
     twists.push_back({motion.segment<3>(6 * b) / share, motion.segment<3>(6 * b + 3) / share});
   return twists;
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::sim

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "model/state.hpp"
+#include "model/linkage/state.hpp"
 
-namespace kinetix {
+namespace kinetix::sim {
 
 /// First-order motion of the flat structure that comes closest to planar folding: class A turning about z at
 /// unit speed, class B at minus that. Bodies started this way leave flat on the branch of positive theta
@@ -12,6 +12,6 @@ namespace kinetix {
 /// once.
 /// @return one twist per body, v in cell edges; the bare spins where the structure has no first-order motion
 /// near them
-std::vector<Twist> start_motion(const Structure& structure);
+std::vector<model::Twist> start_motion(const model::Linkage& structure);
 
-}  // namespace kinetix
+}  // namespace kinetix::sim

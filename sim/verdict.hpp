@@ -1,18 +1,18 @@
 #pragma once
 
-#include "model/drive.hpp"
+#include "model/linkage/linkage_drive.hpp"
 #include "sim/physics_options.hpp"
 #include "sim/physics_result.hpp"
 
-namespace kinetix {
+namespace kinetix::sim {
 
 /// Overlap of parts beyond which a run is blocked, cell edges: PhysicsOptions::overlap_limit, or, with
 /// elastic hinges, half the thickness of a wall: pressed deeper, contact would push walls through each other.
-double overlap_limit(const Structure& structure, const PhysicsOptions& options);
+double overlap_limit(const model::Linkage& structure, const PhysicsOptions& options);
 
 /// Sets status and why of a finished run from its last measurements.
 /// @param settled whether the run came to rest; @param result its status blew_up is kept
-void judge(const Structure& structure, const Drive& drive, const PhysicsOptions& options, bool settled,
-           PhysicsResult& result);
+void judge(const model::Linkage& structure, const model::LinkageDrive& drive, const PhysicsOptions& options,
+           bool settled, PhysicsResult& result);
 
-}  // namespace kinetix
+}  // namespace kinetix::sim

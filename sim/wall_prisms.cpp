@@ -1,10 +1,8 @@
 #include "sim/wall_prisms.hpp"
 
-#include <cmath>
+#include "model/linkage/half_wall.hpp"
 
-#include "model/half_wall.hpp"
-
-namespace kinetix {
+namespace kinetix::sim {
 namespace {
 
 /// @param half of the plate, cell edges; @param slant length that the end at the hinge gains per height
@@ -20,17 +18,16 @@ Prism prism(const Eigen::Matrix3d& axes, const Eigen::Vector3d& half, double sla
 
 }  // namespace
 
-std::vector<std::vector<WallPrism>> wall_prisms(const Structure& structure, double inset) {
+std::vector<std::vector<WallPrism>> wall_prisms(const model::Linkage& structure, double inset) {
   std::vector<std::vector<WallPrism>> prisms(structure.bodies.size());
-  for (const HalfWall& wall : half_walls(structure)) {
-    const Hinge& hinge = structure.hinges[wall.hinge];
-    const double slant = std::cos(hinge.parameters.alpha) / std::sin(hinge.parameters.alpha);
+  const std::vector<model::HalfWall> walls = half_walls(structure);
+  for (std::size_t k = 0; k < walls.size(); ++k) {
+    const model::HalfWall& wall = walls[k];
     const Eigen::Vector3d half = wall.box.half / structure.size.edge_mm;
-    const bool runs_with_the_edge = wall.body == hinge.lower;
-    prisms[wall.body].push_back(
-        {wall.hinge, prism(wall.box.axes, half, runs_with_the_edge ? slant : -slant, inset)});
+    const double slant = structure.plates[k].slant;
+    prisms[wall.body].push_back({wall.hinge, prism(wall.box.axes, half, slant, inset)});
   }
   return prisms;
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::sim

@@ -4,9 +4,9 @@
 #include <array>
 #include <vector>
 
-#include "model/structure.hpp"
+#include "model/linkage/linkage.hpp"
 
-namespace kinetix {
+namespace kinetix::sim {
 
 /// Corners of a convex prism; cell edges, in the frame of its body (rest orientation, origin on the vertex).
 using Prism = std::array<Eigen::Vector3d, 8>;
@@ -17,10 +17,10 @@ struct WallPrism {
   Prism prism;
 };
 
-/// The half walls of each body (model/half_wall.hpp), with the end at the hinge cut along the hinge axis:
+/// The half walls of each body (model/linkage/half_wall.hpp), with the end at the hinge cut along the hinge axis:
 /// slanted where alpha is not 90 deg.
 /// @param inset by which the faces are drawn in, except the one at the vertex; cell edges, below half the
 /// thickness
-std::vector<std::vector<WallPrism>> wall_prisms(const Structure& structure, double inset = 0);
+std::vector<std::vector<WallPrism>> wall_prisms(const model::Linkage& structure, double inset = 0);
 
-}  // namespace kinetix
+}  // namespace kinetix::sim

@@ -13,9 +13,9 @@
 #include "sim/joints.hpp"
 #include "sim/part_shape.hpp"
 #include "sim/rigid_parts.hpp"
-#include "sim/sweep_solver.hpp"
+#include "sim/sequential_impulses.hpp"
 
-namespace kinetix {
+namespace kinetix::sim {
 namespace {
 
 // Of a point of an elastic hinge, times step^2 over mass: less takes soft modes longer to settle, more takes
@@ -31,7 +31,7 @@ constexpr double elastic_grip = 1e4;  // of plates, over the points of elastic h
 
 std::unique_ptr<btConstraintSolver> make_solver(const PhysicsOptions& options, double edge_mm,
                                                 const ElasticHinges* elastic) {
-  if (options.solver == PhysicsOptions::Solver::sweeps) return make_sweep_solver();
+  if (options.solver == PhysicsOptions::Solver::sweeps) return make_sequential_impulses();
   DirectSolverSettings settings{.joint_stiffness = options.joint_stiffness, .elastic = elastic};
   if (options.elastic) {
     settings.grip = elastic_grip;
@@ -53,8 +53,8 @@ PhysicsOptions in_force(PhysicsOptions options) {
 }  // namespace
 
 struct World::Engine {
-  const Structure structure;
-  const Drive drive;
+  const model::Linkage structure;
+  const model::LinkageDrive drive;
   const PhysicsOptions options;
 
   btDefaultCollisionConfiguration configuration;
@@ -69,7 +69,7 @@ struct World::Engine {
   std::unique_ptr<Actuator> actuator;
   std::vector<Vector6> speeds_before;  ///< the last step
 
-  Engine(const Structure& s, const Drive& d, const PhysicsOptions& o)
+  Engine(const model::Linkage& s, const model::LinkageDrive& d, const PhysicsOptions& o)
       : structure(s),
         drive(d),
         options(in_force(o)),
@@ -104,9 +104,9 @@ struct World::Engine {
 
   void add_hinges() {
     const auto& bodies = parts.bodies();
-    for (const Hinge& hinge : structure.hinges)
-      for (Joint& point : hinge_points(seats(hinge), *bodies[hinge.lower], *bodies[hinge.upper], options.reach,
-                                       options.error_reduction))
+    for (const model::RestHinge& hinge : structure.hinges)
+      for (Joint& point : hinge_points(hinge_frames(hinge), *bodies[hinge.lower], *bodies[hinge.upper],
+                                       options.reach, options.error_reduction))
         add_in_order(world, *joints.emplace_back(std::move(point)));
   }
 
@@ -122,7 +122,7 @@ struct World::Engine {
   }
 };
 
-World::World(const Structure& structure, const Drive& drive, const PhysicsOptions& options)
+World::World(const model::Linkage& structure, const model::LinkageDrive& drive, const PhysicsOptions& options)
     : engine_(std::make_unique<Engine>(structure, drive, options)) {}
 
 World::~World() = default;
@@ -130,11 +130,11 @@ World::~World() = default;
 RigidParts& World::parts() { return engine_->parts; }
 const RigidParts& World::parts() const { return engine_->parts; }
 
-void World::relax_along(const std::vector<Twist>& motion, double amount) {
+void World::relax_along(const std::vector<model::Twist>& motion, double amount) {
   std::vector<double> angles;
-  for (const Hinge& hinge : engine_->structure.hinges) {
+  for (const model::RestHinge& hinge : engine_->structure.hinges) {
     const Eigen::Vector3d spin = motion[hinge.upper].omega - motion[hinge.lower].omega;
-    const double turn = amount * spin.dot(hinge_axis(hinge.wall.axis, hinge.parameters));
+    const double turn = amount * spin.dot(hinge.axis);
     angles.push_back(std::clamp(turn, -largest_lean, largest_lean));
   }
   engine_->elastic->relax_at(angles);
@@ -175,4 +175,4 @@ double World::largest_middle_angle() const {
   return largest;
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::sim

@@ -3,11 +3,11 @@
 #include <memory>
 #include <vector>
 
-#include "model/drive.hpp"
+#include "model/linkage/linkage_drive.hpp"
 #include "sim/physics_options.hpp"
 #include "sim/physics_result.hpp"
 
-namespace kinetix {
+namespace kinetix::sim {
 
 class RigidParts;
 
@@ -15,7 +15,7 @@ class RigidParts;
 /// the two that share a hinge.
 class World {
  public:
-  World(const Structure& structure, const Drive& drive, const PhysicsOptions& options);
+  World(const model::Linkage& structure, const model::LinkageDrive& drive, const PhysicsOptions& options);
   ~World();
 
   RigidParts& parts();
@@ -23,7 +23,7 @@ class World {
 
   /// Elastic hinges: shifts the rest of their turning springs to where a motion from flat takes them.
   /// @param amount of the motion, by which its rates are multiplied
-  void relax_along(const std::vector<Twist>& motion, double amount);
+  void relax_along(const std::vector<model::Twist>& motion, double amount);
   /// Sets where the drive is to be at the end of the next step. @param theta rad, with sign
   void set_drive(double theta);
   void step();
@@ -43,4 +43,4 @@ class World {
   std::unique_ptr<Engine> engine_;
 };
 
-}  // namespace kinetix
+}  // namespace kinetix::sim

@@ -2,7 +2,7 @@
 
 #include "app/report/page.hpp"
 
-namespace kinetix {
+namespace kinetix::app {
 namespace {
 
 constexpr std::string_view result_mark = "@RESULT@";
@@ -34,4 +34,4 @@ std::string report_html(const std::string& result_json) { return filled(report_p
 
 std::string sweep_html(const std::string& sweep_json) { return filled(sweep_page, sweep_json); }
 
-}  // namespace kinetix
+}  // namespace kinetix::app

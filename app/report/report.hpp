@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace kinetix {
+namespace kinetix::app {
 
 /// One self-contained HTML page that shows a result: no network, no other files.
 /// The page copes with missing keys, empty lists and null; text that is no JSON gives a page that says so.
@@ -12,4 +12,4 @@ std::string report_html(const std::string& result_json);
 /// Likewise of a sweep. @param sweep_json the content of sweep.json (kinetix-sweep/1), UTF-8
 std::string sweep_html(const std::string& sweep_json);
 
-}  // namespace kinetix
+}  // namespace kinetix::app

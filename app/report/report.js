@@ -1,30 +1,31 @@
 // Reads the result and puts the sections on the page.
 
 const always = () => true;
-const hasTarget = (data) => Boolean(data.raw.target);
-const hasCurve = (data) => hasTarget(data) && data.display === null && data.fold === null && data.helmet === null;
-const hasDisplay = (data) => data.display !== null;
-const hasFold = (data) => data.fold !== null;
-const hasHelmet = (data) => data.helmet !== null;
 const hasStable = ({stable}) => stable.states.length > 1 || stable.unresolved.length > 0;
 const hasBalance = (data) => data.balance !== null;
+const hasLayout = (data) => !data.kind?.hasNoLayout;
+const isTiltedDesign = (data) => !data.kind && largestTilt(data.structure) > 1e-4;
+const hasFidelity = (data) => Boolean(data.raw.target) || data.fidelity.length > 0;
 
-/** id, title, content, and when it has anything to say: without a target nothing was searched. */
-const SECTIONS = [
-  ["display", "What the panel shows", displaySection, hasDisplay],
-  ["fold", "Net and creases", foldSection, hasFold],
-  ["helmet", "How it fits the head", helmetSection, hasHelmet],
+/** id, title, content, and when it has anything to say. */
+const GENERAL_SECTIONS = [
   ["load", "Load and energy along the drive", loadSection, hasBalance],
   ["stable", "Stable states", stableSection, hasStable],
   ["energy", "Where the energy is", energySection, hasBalance],
-  ["layout", "Flat layout", layoutSection, (data) => !hasHelmet(data)],
+  ["layout", "Flat layout", layoutSection, hasLayout],
   ["space", "Folded shape in 3D", spaceSection, always],
-  ["errors", "Error along the curve", errorSection, hasCurve],
-  ["tilts", "Tilts per column", tiltSection, (data) => hasCurve(data) || (!hasFold(data) && !hasHelmet(data) && largestTilt(data.structure) > 1e-4)],
-  ["search", "Convergence of the search", searchSection, hasCurve],
-  ["fidelity", "Speed against error", fidelitySection, (data) => hasTarget(data) || data.fidelity.length > 0],
+];
+const CLOSING_SECTIONS = [
+  ["tilts", "Tilts per column", tiltSection, isTiltedDesign],
+  ["fidelity", "Speed against error", fidelitySection, hasFidelity],
   ["plan", "Plan and provenance", planSection, always],
 ];
+
+function sectionsOf(data) {
+  const {firstSections = [], lastSections = []} = data.kind ?? {};
+  const needed = (sections) => sections.filter(([, , , isNeeded]) => isNeeded(data));
+  return [...firstSections, ...needed(GENERAL_SECTIONS), ...lastSections, ...needed(CLOSING_SECTIONS)];
+}
 
 const PRINT_WIDTH = 680;
 
@@ -36,8 +37,7 @@ function build(data) {
   document.title = `${data.name} \u2013 KinetiX design report`;
   const page = document.getElementById("report");
   page.append(guarded(() => headline(data)) ?? html("h1", {}, data.name));
-  for (const [id, title, make, isNeeded] of SECTIONS)
-    if (isNeeded(data)) page.append(section(id, title, guarded(() => make(data))));
+  for (const [id, title, make] of sectionsOf(data)) page.append(section(id, title, guarded(() => make(data))));
   drawAll();
 }
 

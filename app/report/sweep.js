@@ -17,8 +17,8 @@ function valuesWords(factor) {
 
 function verdictBox(data) {
   const {counts} = data, bad = data.samples - counts.ok;
-  const title = bad === 0 ? `All ${data.samples} samples are there` :
-                            `${bad} of ${data.samples} samples did not end well`;
+  const title = bad === 0 ? `All ${data.samples} samples were computed` :
+                            `${bad} of ${data.samples} samples did not succeed`;
   const text = `Model ${data.model}, ${words(data.method)}, ${
                    count(data.factors.length, "factor", "factors")}, seed ${data.seed}.` +
       (bad > 0 ?
@@ -252,13 +252,13 @@ function build(data) {
   page.append(section("factors", "What was varied", guarded(() => factorTable(data))));
   if (data.not_analysed) page.append(section("responses", "Responses", missing(data.not_analysed)));
   if (data.responses.length)
-    page.append(section("responses", "What came out", guarded(() => spreadTable(data))));
+    page.append(section("responses", "Results", guarded(() => spreadTable(data))));
   data.responses.forEach(
       (response, r) =>
           page.append(section(`response-${r}`, response.name, guarded(() => responseSection(data, r)))));
   if (data.failures.length)
-    page.append(section("failures", "What did not end well", guarded(() => failureSection(data))));
-  page.append(section("provenance", "Where this comes from", guarded(() => provenanceSection(data))));
+    page.append(section("failures", "Samples that did not succeed", guarded(() => failureSection(data))));
+  page.append(section("provenance", "Provenance", guarded(() => provenanceSection(data))));
   drawAll();
 }
 

@@ -3,24 +3,22 @@
 #include <algorithm>
 #include <limits>
 
-#include "app/balance.hpp"
-#include "app/design_motion.hpp"
-#include "model/classify.hpp"
-#include "model/elastic/near_balance.hpp"
+#include "app/pipeline/design_drive.hpp"
+#include "app/pipeline/equilibrium.hpp"
+#include "app/pipeline/exact_state.hpp"
+#include "app/pipeline/physics_settings.hpp"
+#include "app/result/equilibrium_summary.hpp"
+#include "model/elastic/near_equilibrium.hpp"
+#include "model/lattice/square/classify.hpp"
 
-namespace kinetix {
+namespace kinetix::app {
 namespace {
 
-constexpr int frames = 13;                 // as `simulate` has them: they decide the steps of the load path
 constexpr double verify_tolerance = 0.02;  // cell edges, as that of `verify`
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-bool is_rectangle(const Structure& s, const ExactDesign<double>& d) {
-  return s.bodies.size() == static_cast<std::size_t>(d.columns() + 1) * (d.rows() + 1);
-}
-
-Run balance_run(const DesignFile& design) {
+Run equilibrium_run(const DesignFile& design) {
   Run run;
   run.hinge = design.hinge;
   run.side = design.side;
@@ -28,14 +26,15 @@ Run balance_run(const DesignFile& design) {
   run.plan.family = classify(design.structure);
   run.plan.model = Model::equilibrium;
   run.plan.planar = all_vertical(design.structure);
-  add_balance(run, drive_of(design), elasticity_of(design), frames, {});
+  // As many frames as `simulate` has: they decide the steps of the path.
+  add_equilibrium(run, drive_of(design), elasticity_of(design), motion_states, {});
   return run;
 }
 
 /// The closed form of a design's drive; empty where no family fits.
-State exact_state(const DesignFile& design, double& theta) {
-  const Classification family = classify(design.structure);
-  if (family.family == Family::none) return {};
+model::State exact_state(const DesignFile& design, double& theta) {
+  const model::Classification family = classify(design.structure);
+  if (family.family == model::Family::none) return {};
   theta = theta_of(drive_of(design), family, design.structure);
   return fold(family, design.structure, theta);
 }
@@ -53,10 +52,11 @@ DesignEvaluator::DesignEvaluator(const SweepPlan& plan) : plan_(plan), maker_(pl
 void DesignEvaluator::find_nominal() {
   const DesignFile& base = *plan_.base.design;
   SampleRow row;
-  if (plan_.doe.from_base && classify(base.structure).family != Family::none)
-    see_balance(base, balance_at_closed_form(base.structure, elasticity_of(base), drive_of(base)), row);
+  if (plan_.doe.from_base && classify(base.structure).family != model::Family::none)
+    see_equilibrium(
+        base, equilibrium_at_closed_form(driven(base.structure, drive_of(base)), elasticity_of(base)), row);
   else if (plan_.doe.from_base)
-    compute_balance(base, row);
+    compute_equilibrium(base, row);
   else
     compute(base, row);
   if (row.status != SampleStatus::ok)
@@ -75,21 +75,21 @@ void DesignEvaluator::compute(const DesignFile& design, SampleRow& row) {
   seen_ = {.structure = &design.structure,
            .theta = design.theta,
            .nominal = &nominal_,
-           .goal = plan_.goal ? &*plan_.goal : nullptr};
+           .goal = plan_.goal.goal.get()};
   switch (plan_.doe.model) {
     case Model::exact:
       return compute_exact(design);
     case Model::equilibrium:
-      return plan_.doe.from_base ? compute_near_base(design, row) : compute_balance(design, row);
+      return plan_.doe.from_base ? compute_near_base(design, row) : compute_equilibrium(design, row);
     case Model::bullet:
       return compute_physics(design, row);
   }
 }
 
 /// Rectangles are folded in place; the order of their bodies is that of the lattice.
-const State& DesignEvaluator::sheet_state(const DesignFile& design) {
+const model::State& DesignEvaluator::sheet_state(const DesignFile& design) {
   sheet_.theta = design.theta;
-  if (is_rectangle(design.structure, sheet_))
+  if (is_whole_sheet(sheet_, design.structure))
     fold(sheet_, design.structure.size.edge_mm, state_);
   else
     state_ = fold(sheet_, design.structure);
@@ -97,68 +97,69 @@ const State& DesignEvaluator::sheet_state(const DesignFile& design) {
 }
 
 void DesignEvaluator::compute_exact(const DesignFile& design) {
-  if (!design.drive && SheetReader(design.structure).read(design.structure, sheet_)) {
+  if (!design.drive && model::SheetReader(design.structure).read(design.structure, sheet_)) {
     seen_.state = &sheet_state(design);
     return;
   }
-  const Classification family = classify(design.structure);
-  if (family.family == Family::none) throw InvalidInput(family.why);
+  const model::Classification family = classify(design.structure);
+  if (family.family == model::Family::none) throw InvalidInput(family.why);
   seen_.theta = design.drive ? theta_of(drive_of(design), family, design.structure) : design.theta;
   state_ = fold(family, design.structure, seen_.theta);
   seen_.state = &state_;
 }
 
-void DesignEvaluator::compute_balance(const DesignFile& design, SampleRow& row) {
-  run_ = balance_run(design);
+void DesignEvaluator::compute_equilibrium(const DesignFile& design, SampleRow& row) {
+  run_ = equilibrium_run(design);
   seen_.theta = run_.theta;
   seen_.state = &run_.states.front().poses;
-  seen_.balance = &*run_.equilibrium;
+  seen_.equilibrium = &*run_.equilibrium;
   if (run_.equilibrium->reached()) return;
   row.status = SampleStatus::missed;
-  row.reason = to_string(run_.equilibrium->path.stop) + ": " + run_.equilibrium->path.why;
+  row.reason = in_words(run_.equilibrium->path.stop) + ": " + run_.equilibrium->path.why;
 }
 
 void DesignEvaluator::compute_near_base(const DesignFile& design, SampleRow& row) {
-  see_balance(design,
-              follow_change(plan_.base.design->structure, nominal_, design.structure, elasticity_of(design),
-                            drive_of(design)),
-              row);
+  see_equilibrium(
+      design,
+      follow_change(nominal_, changing(plan_.base.design->structure, design.structure, drive_of(design)),
+                    elasticity_of(design)),
+      row);
 }
 
-void DesignEvaluator::see_balance(const DesignFile& design, LoadPath path, SampleRow& row) {
+void DesignEvaluator::see_equilibrium(const DesignFile& design, model::EquilibriumPath path, SampleRow& row) {
   run_ = {};
   run_.equilibrium = Equilibrium{elasticity_of(design), drive_of(design), std::move(path), {}, {}};
-  const LoadPath& found = run_.equilibrium->path;
+  const model::EquilibriumPath& found = run_.equilibrium->path;
   if (found.steps.empty()) throw InvalidInput(found.why);
   seen_.structure = &design.structure;
   seen_.theta = found.theta;
   seen_.state = &found.state;
-  seen_.balance = &*run_.equilibrium;
-  if (found.stop == LoadPath::Stop::reached) return;
+  seen_.equilibrium = &*run_.equilibrium;
+  if (found.stop == model::EquilibriumPath::Stop::reached) return;
   row.status = SampleStatus::missed;
   row.reason = found.why;
 }
 
 void DesignEvaluator::compute_physics(const DesignFile& design, SampleRow& row) {
-  State reference;
+  model::State reference;
   if (design.hinge.model == HingeSection::Model::elastic) {
-    run_ = balance_run(design);
+    run_ = equilibrium_run(design);
     if (run_.equilibrium->reached()) reference = run_.states.front().poses;
     seen_.theta = run_.theta;
   } else {
     reference = exact_state(design, seen_.theta);
   }
-  physics_ =
-      run_compression(design.structure, drive_of(design), physics_of(design, all_vertical(design.structure)));
-  if (physics_.status != PhysicsResult::Status::settled)
+  physics_ = run_compression(design.structure, drive_of(design).on(design.structure),
+                             physics_of(design, all_vertical(design.structure)));
+  if (physics_.status != sim::PhysicsResult::Status::settled)
     throw InvalidInput("physics run " + to_string(physics_.status) + ": " + physics_.why);
   seen_.state = &physics_.state;
   seen_.physics = &physics_;
-  seen_.from_model = reference.empty() ? StateDistance{nan, nan}
+  seen_.from_model = reference.empty() ? model::StateDistance{nan, nan}
                                        : aligned_distance(design.structure, physics_.state, reference);
   if (reference.empty() || seen_.from_model.rms <= verify_tolerance) return;
   row.status = SampleStatus::disagrees;
   row.reason = "the physics run settled in another state than the model";
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::app

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "app/run.hpp"
+#include "app/run/run.hpp"
 #include "app/sweep/evaluator.hpp"
-#include "model/sheet_reader.hpp"
+#include "model/lattice/square/sheet_reader.hpp"
 
-namespace kinetix {
+namespace kinetix::app {
 
 /// Forward runs of a design by the sweep's model, as `simulate` makes them, without writing anything.
 class DesignEvaluator final : public Evaluator {
@@ -15,23 +15,23 @@ class DesignEvaluator final : public Evaluator {
  private:
   void compute(const DesignFile& design, SampleRow& row);
   void compute_exact(const DesignFile& design);
-  void compute_balance(const DesignFile& design, SampleRow& row);
+  void compute_equilibrium(const DesignFile& design, SampleRow& row);
   void compute_near_base(const DesignFile& design, SampleRow& row);
-  void see_balance(const DesignFile& design, LoadPath path, SampleRow& row);
+  void see_equilibrium(const DesignFile& design, model::EquilibriumPath path, SampleRow& row);
   void find_nominal();
   void compute_physics(const DesignFile& design, SampleRow& row);
-  const State& sheet_state(const DesignFile& design);
+  const model::State& sheet_state(const DesignFile& design);
 
   const SweepPlan& plan_;
   SampleMaker maker_;
-  State nominal_;  ///< the base's own, where a response needs it
+  model::State nominal_;  ///< the base's own, where a response needs it
 
   // of the current sample
   Observation seen_;
-  State state_;
-  ExactDesign<double> sheet_;
+  model::State state_;
+  model::ExactDesign<double> sheet_;
   Run run_;
-  PhysicsResult physics_;
+  sim::PhysicsResult physics_;
 };
 
-}  // namespace kinetix
+}  // namespace kinetix::app

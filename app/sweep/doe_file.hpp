@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "app/plan.hpp"
-#include "targets/document.hpp"
-#include "targets/document_path.hpp"
+#include "app/run/plan.hpp"
+#include "targets/document/document_path.hpp"
+#include "targets/document/section.hpp"
 
-namespace kinetix {
+namespace kinetix::app {
 
 /// The values that a factor may take, in the units of the key that it varies.
 struct FactorValues {
@@ -25,7 +25,7 @@ struct FactorValues {
 /// One path of a factor. What is written there is `times` the factor's value `plus` a constant, so that two
 /// keys can go together (`plus: 1, times: -1` gives 1 - k).
 struct FactorPath {
-  DocumentPath path;
+  targets::DocumentPath path;
   double times = 1, plus = 0;
 };
 
@@ -34,9 +34,9 @@ struct DoeFactor {
   std::string name;  ///< heading of its column; default: the first path as written
   std::vector<FactorPath> paths;
   FactorValues values;
-  bool each = false;  ///< every number that the path matches varies by itself
-  bool add = false;   ///< values are added to the base's own
-  Node node;          ///< for messages
+  bool each = false;   ///< every number that the path matches varies by itself
+  bool add = false;    ///< values are added to the base's own
+  targets::Node node;  ///< for messages
 };
 
 /// The `method:` section.
@@ -48,7 +48,7 @@ struct DoeMethod {
   std::optional<std::int64_t> samples = {};
   std::optional<int> levels = {};  ///< of ranges that give none of their own
   std::uint64_t seed = 0;
-  Node node;  ///< for messages
+  targets::Node node;  ///< for messages
 };
 
 /// A doe.yaml.
@@ -58,19 +58,22 @@ struct DoeFile {
   std::optional<std::string> goal;  ///< curve target that shape_rms of designs is measured against
   Model model = Model::exact;
   /// Of the equilibrium model: samples start from the base's own state at the drive's goal, and find the
-  /// balance below it, instead of following the load from flat. For small errors, which must not change the
+  /// equilibrium below it, instead of following the load from flat. For small errors, which must not change the
   /// branch.
   bool from_base = false;
   DoeMethod method;
-  std::vector<DoeFactor> factors;  ///< at least 1, no two of one name
-  std::vector<Node> responses;     ///< their names; at least 1, none twice
-  Node root;
+  std::vector<DoeFactor> factors;        ///< at least 1, no two of one name
+  std::vector<targets::Node> responses;  ///< their names; at least 1, none twice
+  targets::Node root;
 };
 
 inline constexpr std::int64_t most_samples = 10'000'000;
 
-/// @throws InvalidInput for whatever contracts.md does not allow. What the base has to say about paths and
+/// Every key of a doe.yaml.
+const targets::KeyTable& doe_keys();
+
+/// @throws InvalidInput for whatever formats.md does not allow. What the base has to say about paths and
 /// values is for SweepPlan to check
 DoeFile read_doe(const std::string& file);
 
-}  // namespace kinetix
+}  // namespace kinetix::app

@@ -6,9 +6,9 @@
 
 #include "app/sweep/doe_file.hpp"
 #include "app/sweep/sweep_base.hpp"
-#include "targets/edit_document.hpp"
+#include "targets/document/edit_document.hpp"
 
-namespace kinetix {
+namespace kinetix::app {
 
 /// One number of the base that a factor writes.
 struct Edit {
@@ -42,13 +42,15 @@ struct Match {
 /// - `design.hinges[n].t_mm`: t times cell_mm.
 /// @param editor a copy of the base's document; keys that the file leaves out are added to it
 /// @throws InvalidInput without a place for a path that names nothing, with the nearest that does
-std::vector<Match> find_matches(const SweepBase& base, DocumentEditor& editor, const DocumentPath& path);
+std::vector<Match> find_matches(const SweepBase& base, targets::DocumentEditor& editor,
+                                const targets::DocumentPath& path);
 
 /// The number as the base has it, in the unit of the edit's key; nothing where the file leaves it out.
-std::optional<double> base_value(const SweepBase& base, const DocumentEditor& editor, const Edit& edit);
+std::optional<double> base_value(const SweepBase& base, const targets::DocumentEditor& editor,
+                                 const Edit& edit);
 
 /// Writes a structural edit. @pre kind != document
 /// @throws InvalidInput without a place for a value out of range
 void apply(const Edit& edit, double value, DesignFile& design);
 
-}  // namespace kinetix
+}  // namespace kinetix::app

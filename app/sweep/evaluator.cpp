@@ -5,7 +5,7 @@
 #include "app/sweep/design_evaluator.hpp"
 #include "app/sweep/search_evaluator.hpp"
 
-namespace kinetix {
+namespace kinetix::app {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -55,4 +55,4 @@ SampleRow run_sample(const SweepPlan& plan, Evaluator& evaluator, std::int64_t s
   return row;
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::app

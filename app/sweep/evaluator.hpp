@@ -6,7 +6,7 @@
 #include "app/sweep/sample_maker.hpp"
 #include "app/sweep/sample_row.hpp"
 
-namespace kinetix {
+namespace kinetix::app {
 
 /// Computes samples one after the other; one for each thread.
 class Evaluator {
@@ -25,4 +25,4 @@ using EvaluatorMaker = std::function<std::unique_ptr<Evaluator>(const SweepPlan&
 /// Sample number `sample` of the plan. What it throws becomes its reason.
 SampleRow run_sample(const SweepPlan& plan, Evaluator& evaluator, std::int64_t sample) noexcept;
 
-}  // namespace kinetix
+}  // namespace kinetix::app

@@ -4,12 +4,12 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "app/sweep/sha256.hpp"
+#include "app/io/sha256.hpp"
 #include "app/version.hpp"
-#include "targets/text_file.hpp"
-#include "targets/tree.hpp"
+#include "targets/document/text_file.hpp"
+#include "targets/document/tree.hpp"
 
-namespace kinetix {
+namespace kinetix::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -18,15 +18,15 @@ constexpr std::size_t max_file_bytes = std::size_t{1} << 30;
 constexpr int deepest = 3;  // a sweep names a goal, which names its points
 
 /// Hashes of the files that a document names, and of those that these name.
-void add_files(const Node& root, std::map<std::string, std::string>& hashes, int depth) {
-  for (const Tree::Item& item : root.tree().items) {
-    if (item.kind != Node::Kind::scalar || item.value.empty()) continue;
+void add_files(const targets::Node& root, std::map<std::string, std::string>& hashes, int depth) {
+  for (const targets::Tree::Item& item : root.tree().items) {
+    if (item.kind != targets::Node::Kind::scalar || item.value.empty()) continue;
     const fs::path path = fs::path(root.folder()) / item.value;
     std::error_code ignored;
     if (!fs::is_regular_file(path, ignored) || hashes.count(path)) continue;
-    hashes[path] = sha256(read_bytes(path, max_file_bytes));
+    hashes[path] = sha256(targets::read_bytes(path, max_file_bytes));
     if (depth < deepest && (path.extension() == ".yaml" || path.extension() == ".yml"))
-      add_files(read_document(path, max_design_bytes), hashes, depth + 1);
+      add_files(targets::read_document(path, max_design_bytes), hashes, depth + 1);
   }
 }
 
@@ -45,7 +45,7 @@ std::string files_hash(const SweepPlan& plan) {
 
 std::string factor_names(const SweepPlan& plan) {
   nlohmann::json names = nlohmann::json::array();
-  for (const Factor& factor : plan.samples.factors()) names.push_back(factor.name);
+  for (const optim::Factor& factor : plan.samples.factors()) names.push_back(factor.name);
   return names.dump();
 }
 
@@ -73,8 +73,8 @@ std::string value_of(const SweepIdentity& identity, const std::string& key) {
 }  // namespace
 
 SweepIdentity identify(const SweepPlan& plan) {
-  const std::string doe = read_bytes(plan.doe.root.place().file, max_file_bytes);
-  const std::string base = read_bytes(plan.doe.base, max_file_bytes);
+  const std::string doe = targets::read_bytes(plan.doe.root.place().file, max_file_bytes);
+  const std::string base = targets::read_bytes(plan.doe.base, max_file_bytes);
   return {{"schema", "kinetix-sweep/1"},
           {"kinetix_version", version},
           {"name", plan.doe.name},
@@ -97,4 +97,4 @@ std::string difference(const SweepIdentity& there, const SweepIdentity& asked) {
   return {};
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::app

@@ -6,7 +6,7 @@
 
 #include "app/sweep/sweep_plan.hpp"
 
-namespace kinetix {
+namespace kinetix::app {
 
 /// What a sweep's table says of itself, in the order of its table `meta`:
 /// schema, kinetix_version, name, model, method, samples, seed, factors and responses (JSON lists of
@@ -19,4 +19,4 @@ SweepIdentity identify(const SweepPlan& plan);
 /// Why a table with identity `there` is not of the sweep `asked`; empty where it is.
 std::string difference(const SweepIdentity& there, const SweepIdentity& asked);
 
-}  // namespace kinetix
+}  // namespace kinetix::app

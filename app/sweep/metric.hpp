@@ -1,26 +1,25 @@
 #pragma once
 
 #include <functional>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "app/run.hpp"
-#include "targets/curve.hpp"
+#include "app/run/goal_kind.hpp"
 
-namespace kinetix {
+namespace kinetix::app {
 
 /// What a response is computed from: the state of one sample, and whatever its model knows of it.
 struct Observation {
-  const Structure* structure = nullptr;
-  const State* state = nullptr;
-  double theta = 0;                        ///< rad
-  const State* nominal = nullptr;          ///< the base's own state
-  const Curve* goal = nullptr;             ///< the sweep's `goal`
-  const Equilibrium* balance = nullptr;    ///< of the equilibrium model
-  const PhysicsResult* physics = nullptr;  ///< of the physics run
-  StateDistance from_model = {};           ///< of the physics run, NaN where there is no model's state
+  const model::Structure* structure = nullptr;
+  const model::State* state = nullptr;
+  double theta = 0;                             ///< rad
+  const model::State* nominal = nullptr;        ///< the base's own state
+  const Scene* goal = nullptr;                  ///< the sweep's `goal`
+  const Equilibrium* equilibrium = nullptr;     ///< of the equilibrium model
+  const sim::PhysicsResult* physics = nullptr;  ///< of the physics run
+  model::StateDistance from_model = {};         ///< of the physics run, NaN where there is no model's state
   const nlohmann::ordered_json* metrics = nullptr;  ///< of a search, as in result.json
 };
 
@@ -34,8 +33,8 @@ struct Metric {
 /// What the responses of a sweep may be.
 struct MetricContext {
   Model model = Model::exact;
-  bool searches = false;  ///< the base is a target
-  bool has_goal = false;
+  bool searches = false;           ///< the base is a target
+  const GoalKind* goal = nullptr;  ///< of the sweep's `goal`; nothing without one
 };
 
 /// Names of the metrics there are, in the order of the documentation.
@@ -45,4 +44,4 @@ std::vector<std::string> metric_names(const MetricContext& context);
 /// @throws InvalidInput without a place where there is none, with the nearest name
 Metric find_metric(const std::string& name, const MetricContext& context);
 
-}  // namespace kinetix
+}  // namespace kinetix::app

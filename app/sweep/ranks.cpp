@@ -13,7 +13,7 @@
 
 #include "app/sweep/work_message.hpp"
 
-namespace kinetix {
+namespace kinetix::app {
 namespace {
 
 constexpr int request_tag = 1, answer_tag = 2;
@@ -118,4 +118,4 @@ void Ranks::leave(const std::string& why) const {
   send(to_bytes(WorkRequest{.farewell = why}), 0, request_tag);
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::app

@@ -3,9 +3,9 @@
 #include <functional>
 #include <string>
 
-#include "app/sweep/thread_crew.hpp"
+#include "app/sweep/thread_pool.hpp"
 
-namespace kinetix {
+namespace kinetix::app {
 
 /// The processes that mpirun (or a batch system's launcher) started together. Without one, a single process
 /// that never touches MPI. Make one, in main's thread, and keep it to the end.
@@ -40,4 +40,4 @@ class Ranks {
   bool started_ = false;
 };
 
-}  // namespace kinetix
+}  // namespace kinetix::app

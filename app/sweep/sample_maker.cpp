@@ -1,6 +1,8 @@
 #include "app/sweep/sample_maker.hpp"
 
-namespace kinetix {
+#include "app/goals/read_target.hpp"
+
+namespace kinetix::app {
 
 SampleMaker::SampleMaker(const SweepPlan& plan)
     : plan_(plan),
@@ -20,4 +22,4 @@ void SampleMaker::make(std::span<const double> values) {
     if (edit.kind != Edit::Kind::document) apply(edit, edit.value(values[edit.factor]), *design_);
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::app

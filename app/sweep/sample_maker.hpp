@@ -5,7 +5,7 @@
 
 #include "app/sweep/sweep_plan.hpp"
 
-namespace kinetix {
+namespace kinetix::app {
 
 /// Makes the design or the target of a sample: the base with the factors' values written into it.
 class SampleMaker {
@@ -23,9 +23,9 @@ class SampleMaker {
  private:
   const SweepPlan& plan_;
   bool reads_document_;
-  DocumentEditor document_;
+  targets::DocumentEditor document_;
   std::optional<DesignFile> design_;
   std::optional<Target> target_;
 };
 
-}  // namespace kinetix
+}  // namespace kinetix::app

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace kinetix {
+namespace kinetix::app {
 
 /// How a sample ended: as the exit codes of a single run.
 enum class SampleStatus { ok, missed, disagrees, failed };
@@ -20,4 +20,4 @@ struct SampleRow {
   std::string reason;  ///< in words, empty where ok
 };
 
-}  // namespace kinetix
+}  // namespace kinetix::app

@@ -1,11 +1,12 @@
 #include "app/sweep/search_evaluator.hpp"
 
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
-#include "app/result_json.hpp"
-#include "app/run_target.hpp"
+#include "app/pipeline/pipeline.hpp"
+#include "app/result/result_json.hpp"
 
-namespace kinetix {
+namespace kinetix::app {
 namespace {
 
 /// The model's state, and the physics run's where there is one.
@@ -22,21 +23,20 @@ void SearchEvaluator::evaluate(SampleRow& row) {
   maker_.make(row.factors);
   const bool physics = plan_.doe.model == Model::bullet;
   const Run run =
-      run_target(maker_.target(), {.threads = 1, .seed = plan_.seed, .verify = physics, .progress = {}});
+      run_scene(*maker_.target().goal, {.threads = 1, .seed = plan_.seed, .verify = physics, .progress = {}});
   const auto metrics = metrics_json(run);
   Observation seen{.structure = &run.structure, .theta = run.theta, .metrics = &metrics};
   const NamedState* state = shown_state(run, physics);
   if (!state) throw std::runtime_error("the search ended without a state");
   seen.state = &state->poses;
   for (std::size_t k = 0; k < plan_.responses.size(); ++k) row.responses[k] = plan_.responses[k].of(seen);
-  const auto misses = misses_of(run);
-  if (!misses.empty()) {
+  if (!run.goal->met()) {
     row.status = SampleStatus::missed;
-    row.reason = fmt::format("{}", fmt::join(misses, "; "));
+    row.reason = fmt::format("{}", fmt::join(run.goal->violations, "; "));
   } else if (run.verification && !run.verification->agrees) {
     row.status = SampleStatus::disagrees;
     row.reason = "the physics run does not agree with the model";
   }
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::app

@@ -2,7 +2,7 @@
 
 #include "app/sweep/evaluator.hpp"
 
-namespace kinetix {
+namespace kinetix::app {
 
 /// A search for a target in every sample, as `kinetix-opt TARGET.yaml` makes it on one thread.
 class SearchEvaluator final : public Evaluator {
@@ -15,4 +15,4 @@ class SearchEvaluator final : public Evaluator {
   SampleMaker maker_;
 };
 
-}  // namespace kinetix
+}  // namespace kinetix::app

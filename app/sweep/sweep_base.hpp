@@ -3,14 +3,14 @@
 #include <optional>
 #include <string>
 
-#include "app/design_file.hpp"
-#include "app/target_file.hpp"
+#include "app/files/design_file.hpp"
+#include "app/run/goal_kind.hpp"
 
-namespace kinetix {
+namespace kinetix::app {
 
 /// The file that a sweep varies: a design (forward runs) or a target (a search in every sample).
 struct SweepBase {
-  Node root;
+  targets::Node root;
   std::optional<DesignFile> design;
   std::optional<Target> target;  ///< where it is no design
 };
@@ -18,4 +18,4 @@ struct SweepBase {
 /// @throws InvalidInput as read_design and read_target
 SweepBase read_base(const std::string& file);
 
-}  // namespace kinetix
+}  // namespace kinetix::app

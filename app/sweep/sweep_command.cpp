@@ -5,7 +5,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "app/atomic_file.hpp"
+#include "app/io/atomic_file.hpp"
 #include "app/report/report.hpp"
 #include "app/sweep/ranks.hpp"
 #include "app/sweep/sweep_csv.hpp"
@@ -13,7 +13,7 @@
 #include "app/sweep/sweep_progress.hpp"
 #include "app/sweep/sweep_run.hpp"
 
-namespace kinetix {
+namespace kinetix::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -82,7 +82,7 @@ std::string summary_text(const SweepPlan& plan, const Tally& counts, const Work&
   if (counts.failed > 0) ended += fmt::format(", {} FAILED", counts.failed);
   line("samples", ended);
   if (counts.first_failed >= 0) line("failed", fmt::format("first {}: {}", counts.first_failed, counts.why));
-  if (work.before > 0) line("resumed", fmt::format("{} were there", work.before));
+  if (work.before > 0) line("resumed", fmt::format("{} samples were already computed", work.before));
   line("run",
        fmt::format("{} in {}, {:.3g} a second, {} {} of {} {}", work.computed, duration_text(work.seconds),
                    static_cast<double>(work.computed) / std::max(work.seconds, 1e-9), work.ranks,
@@ -115,7 +115,7 @@ class Lead {
     folder_.keep();
   }
 
-  std::string fingerprint() const { return kinetix::fingerprint(identity_); }
+  std::string fingerprint() const { return app::fingerprint(identity_); }
 
   int run() {
     Work work{.before = table_.count(), .ranks = ranks_.size()};
@@ -184,4 +184,4 @@ int sweep_command(const CommandOptions& options) {
   return ranks.rank() == 0 ? lead(options, ranks) : follow(options, ranks);
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::app

@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "app/atomic_file.hpp"
-#include "targets/number.hpp"
+#include "app/io/atomic_file.hpp"
+#include "targets/document/number.hpp"
 
-namespace kinetix {
+namespace kinetix::app {
 namespace {
 
 constexpr std::size_t piece_bytes = 1 << 20;
@@ -24,13 +24,15 @@ std::string header(const SweepPlan& plan, const SweepIdentity& identity) {
     if (key != "doe" && key != "base" && key != "factors" && key != "responses")
       text += "# " + key + ": " + value + "\n";
   text += "sample";
-  for (const Factor& factor : plan.samples.factors()) text += "," + field(factor.name);
+  for (const optim::Factor& factor : plan.samples.factors()) text += "," + field(factor.name);
   for (const Metric& metric : plan.responses) text += "," + field(metric.name);
   return text + ",status,reason\n";
 }
 
 void append(std::string& text, const SampleRow& row) {
-  const auto add = [&](double value) { text += "," + (std::isfinite(value) ? shortest_text(value) : ""); };
+  const auto add = [&](double value) {
+    text += "," + (std::isfinite(value) ? targets::shortest_text(value) : "");
+  };
   text += std::to_string(row.sample);
   for (const double value : row.factors) add(value);
   for (const double value : row.responses) add(value);
@@ -53,4 +55,4 @@ void write_csv(const std::string& folder, const SweepTable& table, const SweepPl
   });
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::app

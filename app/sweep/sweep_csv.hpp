@@ -2,7 +2,7 @@
 
 #include "app/sweep/sweep_table.hpp"
 
-namespace kinetix {
+namespace kinetix::app {
 
 /// FOLDER/samples.csv: the table's rows in the order of samples, with a header, the same numbers in the
 /// fewest digits that read back to them; a number that there is not is empty. Lines that start with # before
@@ -10,4 +10,4 @@ namespace kinetix {
 void write_csv(const std::string& folder, const SweepTable& table, const SweepPlan& plan,
                const SweepIdentity& identity);
 
-}  // namespace kinetix
+}  // namespace kinetix::app

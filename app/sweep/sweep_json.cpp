@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "optim/doe/analysis.hpp"
 
-namespace kinetix {
+namespace kinetix::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Method = SamplingMethod;
+using Method = optim::SamplingMethod;
 
 constexpr std::int64_t most_scatter = 2000;
 constexpr std::size_t most_failures = 100;
@@ -36,16 +37,16 @@ Numbers numbers_of(const SweepPlan& plan, const SweepTable& table) {
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-Json estimate_json(const Estimate& e) { return {number(e.value), number(e.lower), number(e.upper)}; }
+Json estimate_json(const optim::Estimate& e) { return {number(e.value), number(e.lower), number(e.upper)}; }
 
-Json factor_json(const Factor& factor) {
+Json factor_json(const optim::Factor& factor) {
   Json out = {{"name", factor.name}};
-  if (const auto* range = std::get_if<UniformRange>(&factor.distribution))
+  if (const auto* range = std::get_if<optim::UniformRange>(&factor.distribution))
     out["range"] = {range->lower, range->upper};
-  else if (const auto* normal = std::get_if<NormalSpread>(&factor.distribution))
+  else if (const auto* normal = std::get_if<optim::NormalSpread>(&factor.distribution))
     out["normal"] = {{"mean", normal->mean}, {"sd", normal->sd}};
   else
-    out["values"] = std::get<ValueList>(factor.distribution).values;
+    out["values"] = std::get<optim::ValueList>(factor.distribution).values;
   return out;
 }
 
@@ -63,9 +64,9 @@ Json spread_json(std::vector<double> values) {
           {"p95", at(0.95)},         {"most", values.back()}};
 }
 
-Json main_effect_json(const MainEffect& effect) {
+Json main_effect_json(const optim::MainEffect& effect) {
   Json levels = Json::array();
-  for (const EffectLevel& level : effect.levels)
+  for (const optim::EffectLevel& level : effect.levels)
     levels.push_back({{"range", {level.lower, level.upper}},
                       {"mean", number(level.mean)},
                       {"error", number(level.standard_error)},
@@ -75,16 +76,17 @@ Json main_effect_json(const MainEffect& effect) {
 }
 
 Json main_effects_json(Method method, const Numbers& numbers, const std::vector<double>& response) {
-  const auto effects = method == Method::one_at_a_time ? one_at_a_time_effects(numbers.factors, response)
-                                                       : main_effects(numbers.factors, response);
+  const auto effects = method == Method::one_at_a_time
+                           ? optim::one_at_a_time_effects(numbers.factors, response)
+                           : optim::main_effects(numbers.factors, response);
   Json out = Json::array();
-  for (const MainEffect& effect : effects) out.push_back(main_effect_json(effect));
+  for (const optim::MainEffect& effect : effects) out.push_back(main_effect_json(effect));
   return out;
 }
 
-Json linear_json(const LinearModel& model) {
+Json linear_json(const optim::LinearModel& model) {
   Json factors = Json::array();
-  for (const LinearEffect& e : model.factors)
+  for (const optim::LinearEffect& e : model.factors)
     factors.push_back({{"correlation", number(e.correlation)},
                        {"rank_correlation", number(e.rank_correlation)},
                        {"slope", number(e.slope)},
@@ -96,16 +98,16 @@ Json linear_json(const LinearModel& model) {
           {"factors", factors}};
 }
 
-Json sobol_json(const SobolIndices& indices) {
+Json sobol_json(const optim::SobolIndices& indices) {
   Json out = Json::array();
-  for (const SobolIndex& index : indices.factors)
+  for (const optim::SobolIndex& index : indices.factors)
     out.push_back({{"first", estimate_json(index.first)}, {"total", estimate_json(index.total)}});
   return out;
 }
 
-Json morris_json(const std::vector<MorrisEffect>& effects) {
+Json morris_json(const std::vector<optim::MorrisEffect>& effects) {
   Json out = Json::array();
-  for (const MorrisEffect& e : effects)
+  for (const optim::MorrisEffect& e : effects)
     out.push_back({{"mu", estimate_json(e.mu)},
                    {"mu_star", estimate_json(e.mu_star)},
                    {"sigma", estimate_json(e.sigma)}});
@@ -115,7 +117,7 @@ Json morris_json(const std::vector<MorrisEffect>& effects) {
 Json response_json(const SweepPlan& plan, const Numbers& numbers, std::size_t r) {
   const Method method = plan.samples.options().method;
   const std::vector<double>& response = numbers.responses[r];
-  const ConfidenceOptions confidence{.seed = plan.seed};
+  const optim::ConfidenceOptions confidence{.seed = plan.seed};
   Json out = {{"name", plan.responses[r].name}, {"spread", spread_json(response)}};
   out["main_effects"] = main_effects_json(method, numbers, response);
   if (method == Method::saltelli)
@@ -123,7 +125,7 @@ Json response_json(const SweepPlan& plan, const Numbers& numbers, std::size_t r)
   else if (method == Method::morris)
     out["morris"] = morris_json(morris_effects(numbers.factors, response, confidence));
   else if (method != Method::one_at_a_time)
-    out["linear"] = linear_json(linear_effects(numbers.factors, response));
+    out["linear"] = linear_json(optim::linear_effects(numbers.factors, response));
   return out;
 }
 
@@ -167,7 +169,7 @@ Json sweep_json(const SweepPlan& plan, const SweepIdentity& identity, const Swee
   out["samples"] = plan.size();
   out["seed"] = plan.seed;
   out["factors"] = Json::array();
-  for (const Factor& factor : plan.samples.factors()) out["factors"].push_back(factor_json(factor));
+  for (const optim::Factor& factor : plan.samples.factors()) out["factors"].push_back(factor_json(factor));
   add_counts(out, table);
   out["responses"] = Json::array();
   const auto columns = static_cast<std::int64_t>(plan.samples.factors().size() + plan.responses.size());
@@ -183,4 +185,4 @@ Json sweep_json(const SweepPlan& plan, const SweepIdentity& identity, const Swee
   return out;
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::app

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "app/sweep/sweep_table.hpp"
 
-namespace kinetix {
+namespace kinetix::app {
 
 /// What the table of a finished sweep says, for FOLDER/sweep.json and the report (schema kinetix-sweep/1):
 /// provenance, factors, counts, failures (the first hundred), and for each response its spread, main effects,
@@ -14,4 +14,4 @@ namespace kinetix {
 nlohmann::ordered_json sweep_json(const SweepPlan& plan, const SweepIdentity& identity,
                                   const SweepTable& table);
 
-}  // namespace kinetix
+}  // namespace kinetix::app

@@ -1,43 +1,47 @@
 #include "app/sweep/sweep_plan.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
+#include "app/goals/read_target.hpp"
+#include "app/goals/registry.hpp"
 #include "app/sweep/sample_maker.hpp"
-#include "model/classify.hpp"
-#include "targets/wording.hpp"
+#include "model/lattice/square/classify.hpp"
+#include "targets/document/wording.hpp"
 
-namespace kinetix {
+namespace kinetix::app {
 namespace {
 
 constexpr std::size_t most_columns = 1900;  // SQLite allows a table 2000
 
-SamplingMethod method_of(DoeMethod::Kind kind) {
+optim::SamplingMethod method_of(DoeMethod::Kind kind) {
   switch (kind) {
     case DoeMethod::Kind::factorial:
-      return SamplingMethod::factorial;
+      return optim::SamplingMethod::factorial;
     case DoeMethod::Kind::lhs:
-      return SamplingMethod::lhs;
+      return optim::SamplingMethod::lhs;
     case DoeMethod::Kind::sobol:
-      return SamplingMethod::sobol;
+      return optim::SamplingMethod::sobol;
     case DoeMethod::Kind::saltelli:
-      return SamplingMethod::saltelli;
+      return optim::SamplingMethod::saltelli;
     case DoeMethod::Kind::monte_carlo:
-      return SamplingMethod::monte_carlo;
+      return optim::SamplingMethod::monte_carlo;
     case DoeMethod::Kind::one_at_a_time:
-      return SamplingMethod::one_at_a_time;
+      return optim::SamplingMethod::one_at_a_time;
     case DoeMethod::Kind::morris:
       break;
   }
-  return SamplingMethod::morris;
+  return optim::SamplingMethod::morris;
 }
 
-Factor as_factor(const DoeFile& doe, const DoeFactor& from, const std::string& name) {
-  Factor factor{.name = name, .distribution = UniformRange{from.values.lower, from.values.upper}};
+optim::Factor as_factor(const DoeFile& doe, const DoeFactor& from, const std::string& name) {
+  optim::Factor factor{.name = name,
+                       .distribution = optim::UniformRange{from.values.lower, from.values.upper}};
   if (from.values.kind == FactorValues::Kind::normal)
-    factor.distribution = NormalSpread{.mean = from.values.mean, .sd = from.values.sd};
-  if (from.values.kind == FactorValues::Kind::list) factor.distribution = ValueList{from.values.list};
+    factor.distribution = optim::NormalSpread{.mean = from.values.mean, .sd = from.values.sd};
+  if (from.values.kind == FactorValues::Kind::list) factor.distribution = optim::ValueList{from.values.list};
   if (from.values.levels > 0)
     factor.levels = from.values.levels;
   else if (doe.method.levels)
@@ -48,14 +52,14 @@ Factor as_factor(const DoeFile& doe, const DoeFactor& from, const std::string& n
 
 /// Factors as columns of the table, and what each writes.
 struct Columns {
-  std::vector<Factor> factors;
+  std::vector<optim::Factor> factors;
   std::vector<Edit> edits;
-  std::vector<Node> nodes;    ///< by factor, for messages
-  std::vector<double> bases;  ///< by factor: the base's own value, NaN where there is not one
+  std::vector<targets::Node> nodes;  ///< by factor, for messages
+  std::vector<double> bases;         ///< by factor: the base's own value, NaN where there is not one
 };
 
 /// The value of a factor that leaves the base as it is; NaN where there is none.
-double neutral(const SweepBase& base, const DocumentEditor& document, const DoeFactor& factor,
+double neutral(const SweepBase& base, const targets::DocumentEditor& document, const DoeFactor& factor,
                const std::vector<Edit>& edits) {
   if (factor.add) return 0;
   double value = std::nan("");
@@ -68,8 +72,9 @@ double neutral(const SweepBase& base, const DocumentEditor& document, const DoeF
   return value;
 }
 
-void add_column(Columns& columns, const SweepBase& base, const DocumentEditor& document, const DoeFile& doe,
-                const DoeFactor& factor, const std::string& name, std::vector<Edit> edits) {
+void add_column(Columns& columns, const SweepBase& base, const targets::DocumentEditor& document,
+                const DoeFile& doe, const DoeFactor& factor, const std::string& name,
+                std::vector<Edit> edits) {
   for (Edit& edit : edits) {
     edit.factor = static_cast<int>(columns.factors.size());
     if (!factor.add) continue;
@@ -83,8 +88,8 @@ void add_column(Columns& columns, const SweepBase& base, const DocumentEditor& d
   columns.edits.insert(columns.edits.end(), edits.begin(), edits.end());
 }
 
-void add_factor(Columns& columns, const SweepBase& base, DocumentEditor& document, const DoeFile& doe,
-                const DoeFactor& factor) {
+void add_factor(Columns& columns, const SweepBase& base, targets::DocumentEditor& document,
+                const DoeFile& doe, const DoeFactor& factor) {
   std::vector<Edit> together;
   for (const FactorPath& path : factor.paths)
     factor.node.located([&] {
@@ -105,17 +110,17 @@ void add_factor(Columns& columns, const SweepBase& base, DocumentEditor& documen
 void check_names(const Columns& columns) {
   for (std::size_t k = 0; k < columns.factors.size(); ++k)
     for (const char* reserved : {"sample", "status", "reason"})
-      if (lower_case(columns.factors[k].name) == reserved)
+      if (targets::lower_case(columns.factors[k].name) == reserved)
         throw columns.nodes[k].error("a column of the table is called so already; give another `name`");
   for (std::size_t k = 0; k < columns.factors.size(); ++k)
     for (std::size_t n = 0; n < k; ++n)
-      if (lower_case(columns.factors[n].name) == lower_case(columns.factors[k].name))
-        throw columns.nodes[k].error("two factors are called " + in_ticks(columns.factors[k].name) +
+      if (targets::lower_case(columns.factors[n].name) == targets::lower_case(columns.factors[k].name))
+        throw columns.nodes[k].error("two factors are called " + targets::in_ticks(columns.factors[k].name) +
                                      "; give one a `name`");
 }
 
 /// Whether a sample's bodies or its drive would not be the base's.
-bool moves_goal(const DocumentEditor& document, const Edit& edit) {
+bool moves_goal(const targets::DocumentEditor& document, const Edit& edit) {
   if (edit.kind == Edit::Kind::theta_deg) return true;
   if (edit.kind != Edit::Kind::document) return false;
   const std::string path = document.path(edit.index);
@@ -124,10 +129,10 @@ bool moves_goal(const DocumentEditor& document, const Edit& edit) {
 
 /// What would make an edit without effect, or ambiguous.
 void check_edits(const DoeFile& doe, const Columns& columns, const SweepBase& base,
-                 const DocumentEditor& document) {
+                 const targets::DocumentEditor& document) {
   std::vector<std::pair<Edit::Kind, int>> written;
   for (const Edit& edit : columns.edits) {
-    const Node& node = columns.nodes[edit.factor];
+    const targets::Node& node = columns.nodes[edit.factor];
     if (edit.kind == Edit::Kind::theta_deg && base.design->drive)
       throw node.error("the base's `drive` decides theta; vary the drive, or leave it out of the base");
     if (doe.from_base && moves_goal(document, edit))
@@ -146,33 +151,34 @@ void check_edits(const DoeFile& doe, const Columns& columns, const SweepBase& ba
   }
 }
 
-SamplePlan make_samples(const DoeFile& doe, const Columns& columns, std::uint64_t seed) {
-  SamplingOptions options{.method = method_of(doe.method.kind), .seed = seed, .base = {}};
+optim::SamplePlan make_samples(const DoeFile& doe, const Columns& columns, std::uint64_t seed) {
+  optim::SamplingOptions options{.method = method_of(doe.method.kind), .seed = seed, .base = {}};
   if (doe.method.samples) options.samples = static_cast<std::uint64_t>(*doe.method.samples);
   if (doe.method.kind == DoeMethod::Kind::one_at_a_time) {
     for (std::size_t k = 0; k < columns.factors.size(); ++k)
       options.base.push_back(std::isnan(columns.bases[k]) ? quantile(columns.factors[k], 0.5)
                                                           : columns.bases[k]);
   }
-  SamplePlan samples = doe.method.node.located([&] { return SamplePlan(columns.factors, options); });
+  optim::SamplePlan samples =
+      doe.method.node.located([&] { return optim::SamplePlan(columns.factors, options); });
   if (samples.size() > static_cast<std::uint64_t>(most_samples))
     throw doe.method.node.error(fmt::format("{:.3g} samples are too many; at most {}",
                                             static_cast<double>(samples.size()), most_samples));
   return samples;
 }
 
-std::vector<Metric> find_responses(const DoeFile& doe, const SweepBase& base) {
-  const MetricContext context{doe.model, base.target.has_value(), doe.goal.has_value()};
+std::vector<Metric> find_responses(const DoeFile& doe, const SweepBase& base, const Target& goal) {
+  const MetricContext context{doe.model, base.target.has_value(), goal.kind};
   std::vector<Metric> responses;
-  for (const Node& node : doe.responses)
+  for (const targets::Node& node : doe.responses)
     responses.push_back(node.located([&] { return find_metric(node.text("a metric"), context); }));
   return responses;
 }
 
 void check_columns(const DoeFile& doe, const Columns& columns, const std::vector<Metric>& responses) {
   for (std::size_t r = 0; r < responses.size(); ++r)
-    for (const Factor& factor : columns.factors)
-      if (lower_case(factor.name) == lower_case(responses[r].name))
+    for (const optim::Factor& factor : columns.factors)
+      if (targets::lower_case(factor.name) == targets::lower_case(responses[r].name))
         throw doe.responses[r].error("is the name of a factor too; give that one a `name`");
   if (columns.factors.size() + responses.size() > most_columns)
     throw doe.root.error(fmt::format("{} factors and {} responses are more than a table can hold; at most {}",
@@ -180,29 +186,37 @@ void check_columns(const DoeFile& doe, const Columns& columns, const std::vector
 }
 
 void check_model(const DoeFile& doe, const SweepBase& base) {
-  if (base.design || doe.model == Model::bullet) return;
-  const bool balances = std::holds_alternative<DisplayFile>(*base.target);
-  if (balances == (doe.model == Model::equilibrium)) return;
-  throw doe.root.error(
-      balances ? "a display is searched with `model: equilibrium` (or `bullet`, with the physics run)"
-               : "this target is searched with `model: exact` (or `bullet`, with the physics run)");
+  if (base.design || doe.model == Model::bullet || doe.model == base.target->kind->model) return;
+  throw doe.root.error(fmt::format("a {} is searched with `model: {}` (or `bullet`, with the physics run)",
+                                   base.target->kind->name, to_string(base.target->kind->model)));
+}
+
+/// A goal that tells how far any state is from it.
+Target read_goal(const std::string& file) {
+  Target goal = read_target(file);
+  if (!goal.kind->measures.empty()) return goal;
+  std::vector<std::string_view> kinds;
+  for (const GoalKind* kind : goal_kinds())
+    if (!kind->measures.empty()) kinds.push_back(kind->name);
+  throw InvalidInput(fmt::format("the target is not a {}", fmt::join(kinds, " or ")),
+                     {file, 0, 0, "target.kind"});
 }
 
 /// The ends of what a factor may be; of a normal distribution its middle.
-std::vector<double> extremes(const Factor& factor) {
-  if (const auto* range = std::get_if<UniformRange>(&factor.distribution))
+std::vector<double> extremes(const optim::Factor& factor) {
+  if (const auto* range = std::get_if<optim::UniformRange>(&factor.distribution))
     return {range->lower, range->upper};
-  if (const auto* list = std::get_if<ValueList>(&factor.distribution)) {
+  if (const auto* list = std::get_if<optim::ValueList>(&factor.distribution)) {
     const auto [least, most] = std::minmax_element(list->values.begin(), list->values.end());
     return {*least, *most};
   }
-  return {std::get<NormalSpread>(factor.distribution).mean};
+  return {std::get<optim::NormalSpread>(factor.distribution).mean};
 }
 
 void check_values(const SweepPlan& plan, const Columns& columns) {
   SampleMaker maker(plan);
   std::vector<double> values;
-  for (const Factor& factor : columns.factors) values.push_back(quantile(factor, 0.5));
+  for (const optim::Factor& factor : columns.factors) values.push_back(quantile(factor, 0.5));
   for (std::size_t k = 0; k < columns.factors.size(); ++k)
     for (const double value : extremes(columns.factors[k])) {
       const double middle = std::exchange(values[k], value);
@@ -228,12 +242,12 @@ void check_exact(const SweepPlan& plan) {
     } catch (const InvalidInput&) {
       continue;
     }
-    const Classification family = classify(maker.design().structure);
-    if (family.family != Family::none) return;
+    const model::Classification family = classify(maker.design().structure);
+    if (family.family != model::Family::none) return;
     why = family.why;
   }
   if (!why.empty())
-    throw plan.doe.root.error(why + "; use `model: equilibrium` or `bullet`, which ask for no family");
+    throw plan.doe.root.error(why + "; use `model: equilibrium` or `bullet`, which need no exact family");
 }
 
 }  // namespace
@@ -247,17 +261,16 @@ SweepPlan make_sweep_plan(const std::string& file, std::optional<std::uint64_t> 
   DoeFile doe = read_doe(file);
   SweepBase base = read_base(doe.base);
   check_model(doe, base);
-  DocumentEditor document(base.root);
+  targets::DocumentEditor document(base.root);
   Columns columns;
   for (const DoeFactor& factor : doe.factors) add_factor(columns, base, document, doe, factor);
   check_names(columns);
   check_edits(doe, columns, base, document);
-  std::vector<Metric> responses = find_responses(doe, base);
+  Target goal = doe.goal ? read_goal(*doe.goal) : Target{};
+  std::vector<Metric> responses = find_responses(doe, base, goal);
   check_columns(doe, columns, responses);
   const std::uint64_t used = seed.value_or(doe.method.seed);
-  SamplePlan samples = make_samples(doe, columns, used);
-  std::optional<Curve> goal;
-  if (doe.goal) goal = read_curve_target(*doe.goal).curve;
+  optim::SamplePlan samples = make_samples(doe, columns, used);
   SweepPlan plan{std::move(doe),     std::move(base),      std::move(document), columns.edits,
                  std::move(samples), std::move(responses), std::move(goal),     used};
   check_values(plan, columns);
@@ -265,4 +278,4 @@ SweepPlan make_sweep_plan(const std::string& file, std::optional<std::uint64_t> 
   return plan;
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::app

@@ -7,17 +7,17 @@
 #include "app/sweep/metric.hpp"
 #include "optim/doe/sampling.hpp"
 
-namespace kinetix {
+namespace kinetix::app {
 
 /// A design of experiments that has met its base: every path found, every value in range.
 struct SweepPlan {
   DoeFile doe;
   SweepBase base;
-  DocumentEditor document;  ///< the base's, with the keys that factors add
-  std::vector<Edit> edits;  ///< what a sample writes, by column of the samples' factors
-  SamplePlan samples;
+  targets::DocumentEditor document;  ///< the base's, with the keys that factors add
+  std::vector<Edit> edits;           ///< what a sample writes, by column of the samples' factors
+  optim::SamplePlan samples;
   std::vector<Metric> responses;
-  std::optional<Curve> goal;
+  Target goal;  ///< to measure samples against; nothing without one
   std::uint64_t seed = 0;
 
   std::int64_t size() const { return static_cast<std::int64_t>(samples.size()); }
@@ -34,4 +34,4 @@ struct SweepPlan {
 /// fit
 SweepPlan make_sweep_plan(const std::string& file, std::optional<std::uint64_t> seed);
 
-}  // namespace kinetix
+}  // namespace kinetix::app

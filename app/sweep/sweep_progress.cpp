@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace kinetix {
+namespace kinetix::app {
 namespace {
 
 constexpr double between_shows_s = 0.2;
@@ -32,4 +32,4 @@ std::string duration_text(double seconds) {
   return fmt::format("{} h {} min", whole / 3600, whole / 60 % 60);
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::app

@@ -2,10 +2,10 @@
 
 #include <cstdint>
 
-#include "app/console.hpp"
-#include "app/stopwatch.hpp"
+#include "app/console/console.hpp"
+#include "app/run/stopwatch.hpp"
 
-namespace kinetix {
+namespace kinetix::app {
 
 /// The bar of a sweep: share done, samples a second, time left.
 class SweepProgress {
@@ -26,4 +26,4 @@ class SweepProgress {
 /// "12.3 s", "4 min 10 s", "3 h 20 min"
 std::string duration_text(double seconds);
 
-}  // namespace kinetix
+}  // namespace kinetix::app

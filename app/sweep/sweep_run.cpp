@@ -7,10 +7,10 @@
 #include <mutex>
 #include <thread>
 
-#include "app/sweep/process_crew.hpp"
+#include "app/sweep/process_pool.hpp"
 #include "app/sweep/work_queue.hpp"
 
-namespace kinetix {
+namespace kinetix::app {
 namespace {
 
 /// The queue and the table as a source for the threads and for the other ranks.
@@ -87,4 +87,4 @@ void run_sweep(const SweepPlan& plan, SweepTable& table, const Ranks& ranks, int
   run_in_processes(plan, used, source);
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::app

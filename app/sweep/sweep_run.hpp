@@ -3,7 +3,7 @@
 #include "app/sweep/ranks.hpp"
 #include "app/sweep/sweep_table.hpp"
 
-namespace kinetix {
+namespace kinetix::app {
 
 /// Computes the samples that the table has not: on threads, in processes of their own where the model keeps
 /// global state, and on the other ranks. The table is the same whatever does the work.
@@ -16,4 +16,4 @@ void run_sweep(const SweepPlan& plan, SweepTable& table, const Ranks& ranks, int
 /// How many threads a rank uses.
 int threads_of(const SweepPlan& plan, const Ranks& ranks, int asked);
 
-}  // namespace kinetix
+}  // namespace kinetix::app

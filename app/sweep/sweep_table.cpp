@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace kinetix {
+namespace kinetix::app {
 namespace {
 
 constexpr int busy_ms = 5000;  // a reader may hold the file for a moment
@@ -54,7 +54,7 @@ std::string quoted(const std::string& name) {
 
 std::string columns_of(const SweepPlan& plan) {
   std::string text = "sample INTEGER PRIMARY KEY";
-  for (const Factor& factor : plan.samples.factors()) text += ", " + quoted(factor.name) + " REAL";
+  for (const optim::Factor& factor : plan.samples.factors()) text += ", " + quoted(factor.name) + " REAL";
   for (const Metric& metric : plan.responses) text += ", " + quoted(metric.name) + " REAL";
   return text + ", status TEXT NOT NULL, reason TEXT NOT NULL";
 }
@@ -99,11 +99,10 @@ SweepTable::SweepTable(const std::string& folder, const SweepPlan& plan, const S
     if (is_there) check(identity);
     if (is_there) find_done(plan.size());
     if (is_there && !resume)
-      throw InvalidInput(
-          fmt::format("is there already, with {} of {} samples; continue with --resume, or give "
-                      "another -o",
-                      count_, plan.size()),
-          {file_});
+      throw InvalidInput(fmt::format("already exists, with {} of {} samples; continue with --resume, or give "
+                                     "another -o",
+                                     count_, plan.size()),
+                         {file_});
     if (!is_there) create(plan, identity);
     std::string places = "?";
     for (std::size_t k = 0; k < factors_ + responses_ + 2; ++k) places += ",?";
@@ -218,4 +217,4 @@ void SweepTable::read(const std::function<void(const SampleRow&)>& see) const {
   if (!all.ended()) fail();
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::app

@@ -11,7 +11,7 @@
 struct sqlite3;
 struct sqlite3_stmt;
 
-namespace kinetix {
+namespace kinetix::app {
 
 /// The table of a sweep, FOLDER/sweep.sqlite (SQLite 3, write-ahead log):
 ///
@@ -59,4 +59,4 @@ class SweepTable {
   std::int64_t count_ = 0;
 };
 
-}  // namespace kinetix
+}  // namespace kinetix::app

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace kinetix {
+namespace kinetix::app {
 namespace {
 
 template <class Value>
@@ -123,4 +123,4 @@ void work_for(const SweepPlan& plan, int threads,
   tell(to_bytes(farewell));
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::app

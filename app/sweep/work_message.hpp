@@ -4,9 +4,9 @@
 #include <string_view>
 #include <vector>
 
-#include "app/sweep/thread_crew.hpp"
+#include "app/sweep/thread_pool.hpp"
 
-namespace kinetix {
+namespace kinetix::app {
 
 /// What a worker in another process sends: the rows it has, and how many samples it wants; none: it is
 /// leaving. Bytes are those of the sender's machine: all processes of a sweep run on alike ones.
@@ -29,4 +29,4 @@ void work_for(const SweepPlan& plan, int threads,
               const std::function<std::string(const std::string&)>& exchange,
               const std::function<void(const std::string&)>& tell);
 
-}  // namespace kinetix
+}  // namespace kinetix::app

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace kinetix {
+namespace kinetix::app {
 namespace {
 
 constexpr double wanted_seconds = 0.1;
@@ -27,4 +27,4 @@ void ChunkSize::took(std::size_t samples, double seconds) {
   size_ = static_cast<std::size_t>(std::clamp(fitting, 1.0, most));
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::app

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace kinetix {
+namespace kinetix::app {
 
 /// Hands out the samples that are not done yet, in order.
 class WorkQueue {
@@ -32,4 +32,4 @@ class ChunkSize {
   std::size_t size_ = 1;
 };
 
-}  // namespace kinetix
+}  // namespace kinetix::app

@@ -4,7 +4,7 @@ namespace kinetix::bench {
 
 using Eigen::VectorXd;
 
-DifferencedProblem::DifferencedProblem(const LeastSquaresProblem& problem, Differences differences,
+DifferencedProblem::DifferencedProblem(const optim::LeastSquaresProblem& problem, Differences differences,
                                        double step)
     : problem_(problem), differences_(differences), step_(step) {}
 

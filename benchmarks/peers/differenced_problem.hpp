@@ -1,17 +1,17 @@
 #pragma once
 
-#include "optim/least_squares.hpp"
+#include "optim/solvers/least_squares.hpp"
 
 namespace kinetix::bench {
 
 /// A least-squares problem whose Jacobian is not known: found by differences, one evaluation a variable
 /// (forward, backward at an upper bound) or two (central).
-class DifferencedProblem final : public LeastSquaresProblem {
+class DifferencedProblem final : public optim::LeastSquaresProblem {
  public:
   enum class Differences { forward, central };
 
   /// @param problem is kept by reference; @param step in the units of its variables, > 0
-  DifferencedProblem(const LeastSquaresProblem& problem, Differences differences, double step);
+  DifferencedProblem(const optim::LeastSquaresProblem& problem, Differences differences, double step);
 
   int variables() const override { return problem_.variables(); }
   int residuals() const override { return problem_.residuals(); }
@@ -20,7 +20,7 @@ class DifferencedProblem final : public LeastSquaresProblem {
   bool evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* J) const override;
 
  private:
-  const LeastSquaresProblem& problem_;
+  const optim::LeastSquaresProblem& problem_;
   const Differences differences_;
   const double step_;
 };

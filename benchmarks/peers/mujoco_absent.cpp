@@ -4,6 +4,6 @@ namespace kinetix::bench {
 
 bool has_mujoco() { return false; }
 
-MujocoResult run_mujoco(const Structure&, const Drive&, const MujocoSettings&) { return {}; }
+MujocoResult run_mujoco(const model::Structure&, const model::Drive&, const MujocoSettings&) { return {}; }
 
 }  // namespace kinetix::bench

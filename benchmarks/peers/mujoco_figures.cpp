@@ -21,9 +21,9 @@ constexpr double too_long = 1.5;                  // s
 /// A structure with a closed form and the hinge that both engines drive.
 struct PeerScene {
   std::string name;
-  Structure structure;
-  Drive drive;
-  State exact;
+  model::Structure structure;
+  model::Drive drive;
+  model::State exact;
 };
 
 /// One setting of one engine.
@@ -34,21 +34,22 @@ struct PeerRun {
   bool settled = false;
 };
 
-PeerScene scene_of(const std::string& name, const ExactDesign<double>& design, const Structure& structure) {
-  const Wall middle{{design.columns() / 2, design.rows() / 2}, Axis::y};
+PeerScene scene_of(const std::string& name, const model::ExactDesign<double>& design,
+                   const model::Structure& structure) {
+  const model::Wall middle{{design.columns() / 2, design.rows() / 2}, model::Axis::y};
   return {name, structure, testing::hinge_drive(middle, design.theta), fold(design, structure)};
 }
 
 PeerScene rib(int columns) {
   const Scene scene = regression_scenes()[1];
-  Structure structure;
-  const FreeCurveDesign found = fitted_strip(scene, columns, structure);
+  model::Structure structure;
+  const optim::FreeCurveDesign found = fitted_strip(scene, columns, structure);
   return scene_of(fmt::format("{}, {} columns", scene.name, columns), found.design.design, structure);
 }
 
 PeerScene sheet(int side) {
-  ExactDesign<double> design;
-  const Structure structure = arc(side, side, design);
+  model::ExactDesign<double> design;
+  const model::Structure structure = arc(side, side, design);
   return scene_of(fmt::format("sheet that bends, {0} x {0} cells", side), design, structure);
 }
 
@@ -68,14 +69,14 @@ std::vector<PeerRun> bullet_runs(const PeerScene& scene) {
   for (const double step : steps)
     for (const double rest : at_rest)
       for (const double stiffness : {1e4, 1e8}) {
-        PhysicsOptions options;
+        sim::PhysicsOptions options;
         options.step_s = step;
         options.joint_stiffness = stiffness;
         options.settle_speed = rest;
         options.contact = false;
-        runs.push_back(timed(scene,
-                             fmt::format("step 1/{:.0f} s, joint stiffness {:.0e}", 1 / step, stiffness),
-                             [&] { return run_compression(scene.structure, scene.drive, options); }));
+        runs.push_back(timed(
+            scene, fmt::format("step 1/{:.0f} s, joint stiffness {:.0e}", 1 / step, stiffness),
+            [&] { return run_compression(scene.structure, scene.drive.on(scene.structure), options); }));
         if (runs.back().seconds > too_long) return runs;
       }
   return runs;

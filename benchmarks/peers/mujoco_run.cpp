@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include "benchmarks/peers/mujoco_scene.hpp"
-#include "model/invalid_input.hpp"
+#include "model/base/invalid_input.hpp"
 #include "sim/start_motion.hpp"
 
 namespace kinetix::bench {
@@ -39,7 +39,7 @@ int steps_in(double seconds, double step_s) { return static_cast<int>(std::ceil(
 
 class Run {
  public:
-  Run(const Structure& structure, const Drive& drive, const MujocoSettings& settings)
+  Run(const model::Structure& structure, const model::Drive& drive, const MujocoSettings& settings)
       : structure_(structure),
         drive_(drive),
         settings_(settings),
@@ -51,7 +51,7 @@ class Run {
         all_steps_(drive_steps_ + steps_in(settings.settle_seconds, settings.step_s)),
         damping_(std::exp(-settings.settle_damping * settings.step_s)) {
     for (int b = 0; b < bodies(); ++b) ids_.push_back(id(mjOBJ_BODY, 'b', b));
-    start(start_motion(structure), 2 * drive.theta() / (drive_steps_ * settings.step_s));
+    start(sim::start_motion(structure), 2 * drive.theta() / (drive_steps_ * settings.step_s));
   }
 
   MujocoResult run() {
@@ -76,7 +76,7 @@ class Run {
   }
   int joint(int hinge) const { return id(mjOBJ_JOINT, 'j', hinge); }
 
-  void start(const std::vector<Twist>& motion, double rate) {
+  void start(const std::vector<model::Twist>& motion, double rate) {
     for (int b = 0; b < bodies(); ++b) {
       const MujocoLink& link = links_[b];
       if (link.parent < 0) {
@@ -84,7 +84,7 @@ class Run {
         Eigen::Map<Eigen::Vector3d>{speed} = rate * motion[b].v;
         Eigen::Map<Eigen::Vector3d>{speed + 3} = rate * motion[b].omega;
       } else {
-        const Hinge& hinge = structure_.hinges[link.hinge];
+        const model::Hinge& hinge = structure_.hinges[link.hinge];
         data_->qvel[model_->jnt_dofadr[joint(link.hinge)]] =
             rate *
             (motion[b].omega - motion[link.parent].omega).dot(hinge_axis(hinge.wall.axis, hinge.parameters));
@@ -103,7 +103,7 @@ class Run {
   /// Before the last step: MuJoCo has no later speeds of bodies.
   double fastest_hinge() const {
     double fastest = 0;
-    for (const Hinge& hinge : structure_.hinges)
+    for (const model::Hinge& hinge : structure_.hinges)
       fastest = std::max(fastest, (turning(hinge.upper) - turning(hinge.lower)).norm());
     return fastest;
   }
@@ -126,8 +126,8 @@ class Run {
     result_.drive_gap = std::abs(data_->qpos[model_->jnt_qposadr[joint(driven_)]] - drive_.angle);
   }
 
-  const Structure& structure_;
-  const Drive& drive_;
+  const model::Structure& structure_;
+  const model::Drive& drive_;
   const MujocoSettings& settings_;
   const int driven_;
   const std::vector<MujocoLink> links_;
@@ -143,8 +143,9 @@ class Run {
 
 bool has_mujoco() { return true; }
 
-MujocoResult run_mujoco(const Structure& structure, const Drive& drive, const MujocoSettings& settings) {
-  if (drive.kind != Drive::Kind::hinge) throw InvalidInput("the MuJoCo run is driven by a hinge");
+MujocoResult run_mujoco(const model::Structure& structure, const model::Drive& drive,
+                        const MujocoSettings& settings) {
+  if (drive.kind != model::Drive::Kind::hinge) throw InvalidInput("the MuJoCo run is driven by a hinge");
   validate(drive, structure);
   mju_user_warning = keep_quiet;
   return Run(structure, drive, settings).run();

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "model/drive.hpp"
-#include "model/state.hpp"
+#include "model/lattice/square/drive.hpp"
+#include "model/linkage/state.hpp"
 
 namespace kinetix::bench {
 
@@ -38,11 +38,11 @@ struct MujocoResult {
   enum class Status { settled, not_settled, blew_up, not_installed };
 
   Status status = Status::not_installed;
-  State state;     ///< last state, mm, in the structure's body order; empty where MuJoCo is not installed
-  HingeGaps gaps;  ///< of that state
-  double drive_gap = 0;  ///< of the driven hinge from its angle, rad
-  int steps = 0;         ///< taken
-  double seconds = 0;    ///< wall-clock time of the steps; as in PhysicsResult, setting up is not counted
+  model::State state;  ///< last state, mm, in the structure's body order; empty where MuJoCo is not installed
+  model::HingeGaps gaps;  ///< of that state
+  double drive_gap = 0;   ///< of the driven hinge from its angle, rad
+  int steps = 0;          ///< taken
+  double seconds = 0;     ///< wall-clock time of the steps; as in PhysicsResult, setting up is not counted
 };
 
 std::string to_string(MujocoResult::Status status);
@@ -53,6 +53,7 @@ bool has_mujoco();
 /// no gravity.
 /// @throws InvalidInput for a drive that is not a driven hinge of the structure; std::runtime_error for a
 /// scene that MuJoCo refuses
-MujocoResult run_mujoco(const Structure& structure, const Drive& drive, const MujocoSettings& settings = {});
+MujocoResult run_mujoco(const model::Structure& structure, const model::Drive& drive,
+                        const MujocoSettings& settings = {});
 
 }  // namespace kinetix::bench

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "model/net.hpp"
+#include "model/lattice/square/net.hpp"
 
 namespace kinetix::bench {
 namespace {
@@ -13,7 +13,7 @@ std::string text(const Vector3d& v) { return fmt::format("{:.17g} {:.17g} {:.17g
 
 class Scene {
  public:
-  Scene(const Structure& structure, const std::vector<MujocoLink>& links, int driven_hinge,
+  Scene(const model::Structure& structure, const std::vector<MujocoLink>& links, int driven_hinge,
         const MujocoSettings& settings)
       : structure_(structure), links_(links), driven_hinge_(driven_hinge), settings_(settings) {
     children_.resize(links.size());
@@ -31,21 +31,23 @@ class Scene {
  private:
   int bodies() const { return static_cast<int>(links_.size()); }
   Vector3d place(int body) const { return structure_.rest_position(body) / structure_.size.edge_mm; }
-  Vector3d place(const Hinge& hinge) const { return structure_.hinge_point(hinge) / structure_.size.edge_mm; }
+  Vector3d place(const model::Hinge& hinge) const {
+    return structure_.hinge_point(hinge) / structure_.size.edge_mm;
+  }
   bool is_joint(int hinge) const {
-    const Hinge& h = structure_.hinges[hinge];
+    const model::Hinge& h = structure_.hinges[hinge];
     return links_[h.lower].hinge == hinge || links_[h.upper].hinge == hinge;
   }
 
   std::string head() const {
-    const std::size_t freedoms = 6 * links_.size(), rows = 6 * structure_.hinges.size() + 1;
+    const std::size_t dofs = 6 * links_.size(), rows = 6 * structure_.hinges.size() + 1;
     const double h = settings_.step_s;
     return fmt::format(
         "<size njmax=\"{}\" nconmax=\"1\" nstack=\"{}\"/>\n"
         "<option timestep=\"{:.17g}\" integrator=\"{}\" solver=\"{}\" iterations=\"{}\" tolerance=\"{}\" "
         "gravity=\"0 0 0\"><flag contact=\"disable\" gravity=\"disable\" sensor=\"disable\"/></option>\n"
         "<default><equality solref=\"{:.17g} {:.17g}\" solimp=\"{} {} 1 0.5 1\"/></default>\n",
-        rows, 8 * freedoms * freedoms + 4 * rows * freedoms + 100000, h,
+        rows, 8 * dofs * dofs + 4 * rows * dofs + 100000, h,
         settings_.integrator == MujocoSettings::Integrator::euler ? "Euler" : "implicit",
         settings_.solver == MujocoSettings::Solver::newton ? "Newton" : "CG", settings_.iterations,
         settings_.tolerance, -settings_.error_reduction / (h * h), -1 / h, settings_.impedance,
@@ -64,7 +66,7 @@ class Scene {
   }
 
   std::string joint(int body, int index) const {
-    const Hinge& hinge = structure_.hinges[index];
+    const model::Hinge& hinge = structure_.hinges[index];
     return fmt::format("<joint name=\"j{}\" type=\"hinge\" pos=\"{}\" axis=\"{}\"/>\n", index,
                        text(place(hinge) - place(body)), text(hinge_axis(hinge.wall.axis, hinge.parameters)));
   }
@@ -80,7 +82,7 @@ class Scene {
     return out;
   }
 
-  std::string points(const Hinge& hinge) const {
+  std::string points(const model::Hinge& hinge) const {
     const Vector3d arm = settings_.reach * hinge_axis(hinge.wall.axis, hinge.parameters);
     std::string out;
     for (const double side : {1.0, -1.0})
@@ -89,7 +91,7 @@ class Scene {
     return out;
   }
 
-  const Structure& structure_;
+  const model::Structure& structure_;
   const std::vector<MujocoLink>& links_;
   const int driven_hinge_;
   const MujocoSettings& settings_;
@@ -98,19 +100,19 @@ class Scene {
 
 }  // namespace
 
-std::vector<MujocoLink> mujoco_links(const Structure& structure, int driven_hinge,
+std::vector<MujocoLink> mujoco_links(const model::Structure& structure, int driven_hinge,
                                      MujocoSettings::Bodies bodies) {
-  const Hinge& driven = structure.hinges[driven_hinge];
+  const model::Hinge& driven = structure.hinges[driven_hinge];
   std::vector<MujocoLink> links(structure.bodies.size());
   if (bodies == MujocoSettings::Bodies::tree)
-    for (const NetTree::Link& link : make_net_tree(structure, driven.lower).links)
+    for (const model::NetTree::Link& link : make_net_tree(structure, driven.lower).links)
       links[link.body] = {link.parent, link.hinge};
   links[driven.upper] = {driven.lower, driven_hinge};
   return links;
 }
 
-std::string mujoco_scene(const Structure& structure, const std::vector<MujocoLink>& links, int driven_hinge,
-                         const MujocoSettings& settings) {
+std::string mujoco_scene(const model::Structure& structure, const std::vector<MujocoLink>& links,
+                         int driven_hinge, const MujocoSettings& settings) {
   return Scene(structure, links, driven_hinge, settings).xml();
 }
 

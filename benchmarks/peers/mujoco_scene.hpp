@@ -14,12 +14,12 @@ struct MujocoLink {
 };
 
 /// By body. The upper body of the driven hinge always hangs on the lower one.
-std::vector<MujocoLink> mujoco_links(const Structure& structure, int driven_hinge,
+std::vector<MujocoLink> mujoco_links(const model::Structure& structure, int driven_hinge,
                                      MujocoSettings::Bodies bodies);
 
 /// The scene in MuJoCo's format: bodies b<index> and, as the first equality, the driven joint. Mass of a part
 /// 1, cell edge 1.
-std::string mujoco_scene(const Structure& structure, const std::vector<MujocoLink>& links, int driven_hinge,
-                         const MujocoSettings& settings);
+std::string mujoco_scene(const model::Structure& structure, const std::vector<MujocoLink>& links,
+                         int driven_hinge, const MujocoSettings& settings);
 
 }  // namespace kinetix::bench

@@ -5,7 +5,8 @@
 #include "benchmarks/peers/simulated_fit.hpp"
 #include "benchmarks/scenes.hpp"
 #include "benchmarks/stopwatch.hpp"
-#include "optim/curve_starts.hpp"
+#include "model/lattice/square/drive.hpp"
+#include "optim/curve/curve_starts.hpp"
 #include "sim/compression_run.hpp"
 
 namespace kinetix::bench {
@@ -13,26 +14,27 @@ namespace {
 
 using Differences = DifferencedProblem::Differences;
 
-CurveFit curve_fit(const Scene& scene, const CurveVariables& v) {
-  return CurveFit(scene.goal, make_bend_ties(v.columns, v.per, v.symmetry, v.beta), v.cell_mm, v.theta);
+optim::CurveFit curve_fit(const Scene& scene, const optim::CurveVariables& v) {
+  return optim::CurveFit(scene.goal, make_bend_ties(v.columns, v.per, v.symmetry, v.beta), v.cell_mm,
+                         v.theta);
 }
 
 /// All starts of a search; both stop within 1 % of the error that exact derivatives come to from each.
 Figure finite_differences(const Scene& scene, Differences differences) {
-  const CurveFit fit = curve_fit(scene, strip(scene, 40));
+  const optim::CurveFit fit = curve_fit(scene, strip(scene, 40));
   const DifferencedProblem peer(fit, differences, differences == Differences::central ? 1e-5 : 1e-7);
-  const MultiStartOptions options;
+  const optim::MultiStartOptions options;
   double ours = 0, theirs = 0;
   int reached = 0;
   for (int k = 0; k < options.starts; ++k) {
     const Eigen::VectorXd start = curve_start(fit, k, options.seed);
-    SolveResult differenced;
-    SolverOptions goal = options.solver;
+    optim::SolveResult differenced;
+    optim::SolverOptions goal = options.solver;
     goal.target = 1.01 * solve(fit, start, options.solver).residual_norm;
     goal.tolerance = 1e-12;
     ours += median_seconds(5, 1, [&] { solve(fit, start, goal); });
     theirs += median_seconds(3, 1, [&] { differenced = solve(peer, start, goal); });
-    reached += differenced.status == SolveStatus::target_reached;
+    reached += differenced.status == optim::SolveStatus::target_reached;
   }
   return {
       fmt::format(
@@ -45,8 +47,8 @@ Figure finite_differences(const Scene& scene, Differences differences) {
 }
 
 /// Quick runs that still find the closed form to 1e-3 cell edges: few steps, stiff joints.
-PhysicsOptions quick_runs() {
-  PhysicsOptions options;
+sim::PhysicsOptions quick_runs() {
+  sim::PhysicsOptions options;
   options.step_s = 1.0 / 60;
   options.joint_stiffness = 1e8;
   options.settle_speed = 1e-3;
@@ -61,35 +63,35 @@ struct Looped {
   bool reached = false;
 };
 
-Looped search_with_runs(const SimulatedFit& fit, const Eigen::VectorXd& start, SolverName name,
+Looped search_with_runs(const SimulatedFit& fit, const Eigen::VectorXd& start, optim::SolverName name,
                         double target) {
   const DifferencedProblem differenced(fit, Differences::forward, 1e-4);
-  const bool needs_slopes = name == SolverName::ceres;
-  SolverOptions options;
+  const bool needs_slopes = name == optim::SolverName::ceres;
+  optim::SolverOptions options;
   options.name = name;
   options.target = target;
   options.tolerance = 1e-12;
   options.max_evaluations = needs_slopes ? 100 : 4000;
-  SolveResult found;
+  optim::SolveResult found;
   const double time = seconds(
       [&] { found = needs_slopes ? solve(differenced, start, options) : solve(fit, start, options); });
-  return {time, found.residual_norm, fit.runs(), found.status == SolveStatus::target_reached};
+  return {time, found.residual_norm, fit.runs(), found.status == optim::SolveStatus::target_reached};
 }
 
 /// The whole job, search and one run that checks its design, against searches that fold every candidate in
 /// the engine. All from one start, the first.
-Figure simulation_in_the_loop(const Scene& scene, int columns, SolverName name) {
-  const CurveVariables variables = strip(scene, columns);
-  const CellSize size = walls_of(variables.cell_mm);
-  const CurveFit fit = curve_fit(scene, variables);
+Figure simulation_in_the_loop(const Scene& scene, int columns, optim::SolverName name) {
+  const optim::CurveVariables variables = strip(scene, columns);
+  const model::CellSize size = walls_of(variables.cell_mm);
+  const optim::CurveFit fit = curve_fit(scene, variables);
   const Eigen::VectorXd start = curve_start(fit, 0, 0);
-  SolveResult found;
+  optim::SolveResult found;
   const double ours = median_seconds(5, 1, [&] {
-    found = solve(fit, start, SolverOptions{});
-    const ExactDesign<double> design = fit.design(found.x, 1);
-    Structure structure = make_structure(rectangle(columns, 1), size);
+    found = solve(fit, start, optim::SolverOptions{});
+    const model::ExactDesign<double> design = fit.design(found.x, 1);
+    model::Structure structure = make_structure(model::rectangle(columns, 1), size);
     apply(design, structure);
-    run_compression(structure, drive_to(structure, design.theta));
+    sim::run_compression(structure, drive_to(structure, design.theta).on(structure));
   });
   const SimulatedFit looped(fit, size, quick_runs());
   Eigen::VectorXd r;
@@ -99,7 +101,7 @@ Figure simulation_in_the_loop(const Scene& scene, int columns, SolverName name) 
   return {
       fmt::format("{}, {} columns: search and check against {} with a run of the engine for every candidate",
                   scene.name, columns,
-                  name == SolverName::ceres ? "Ceres by forward differences" : description(name)),
+                  name == optim::SolverName::ceres ? "Ceres by forward differences" : description(name)),
       "-",
       fmt::format("{}{:.0f} times faster ({:.0f} ms against {:.0f} ms and {} runs; {} the error {:.2e}{})",
                   run.reached ? "" : "at least ", run.seconds / ours, 1e3 * ours, 1e3 * run.seconds, run.runs,
@@ -116,7 +118,7 @@ std::vector<Figure> search_peer_figures() {
   for (const Scene& scene : scenes) figures.push_back(finite_differences(scene, Differences::forward));
   figures.push_back(finite_differences(scenes[1], Differences::central));
   for (const int columns : {10, 20})
-    for (const SolverName name : {SolverName::ceres, SolverName::bobyqa})
+    for (const optim::SolverName name : {optim::SolverName::ceres, optim::SolverName::bobyqa})
       figures.push_back(simulation_in_the_loop(scenes[1], columns, name));
   return figures;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "optim/curve_fit.hpp"
+#include "optim/curve/curve_fit.hpp"
 #include "sim/physics_options.hpp"
 
 namespace kinetix::bench {
@@ -9,10 +9,10 @@ namespace kinetix::bench {
 /// measures the midline of the state that comes out. Residuals: signed distances of the goal's samples from
 /// that midline, aligned: one side of the shape_rms, and about as large; 1 each where a run does not settle. x = (bends,
 /// theta) of a CurveFit. Not thread-safe: the engine has global state.
-class SimulatedFit final : public LeastSquaresProblem {
+class SimulatedFit final : public optim::LeastSquaresProblem {
  public:
   /// @param fit is kept by reference
-  SimulatedFit(const CurveFit& fit, const CellSize& size, const PhysicsOptions& options);
+  SimulatedFit(const optim::CurveFit& fit, const model::CellSize& size, const sim::PhysicsOptions& options);
 
   int variables() const override { return static_cast<int>(lower_.size()); }
   int residuals() const override { return residuals_; }
@@ -23,9 +23,9 @@ class SimulatedFit final : public LeastSquaresProblem {
   int runs() const { return runs_; }
 
  private:
-  const CurveFit& fit_;
-  const CellSize size_;
-  const PhysicsOptions options_;
+  const optim::CurveFit& fit_;
+  const model::CellSize size_;
+  const sim::PhysicsOptions options_;
   Eigen::VectorXd lower_, upper_;
   int residuals_ = 0;
   mutable int runs_ = 0;

@@ -12,7 +12,7 @@
 namespace kinetix::bench {
 namespace {
 
-using Solver = PhysicsOptions::Solver;
+using Solver = sim::PhysicsOptions::Solver;
 
 constexpr std::size_t few_bodies = 100, many_bodies = 2000;
 constexpr int drive_steps[] = {5, 10, 15, 20, 30, 40, 60, 80, 120, 240, 500, 1000, 2000};
@@ -30,18 +30,18 @@ struct GridLine {
 
 /// Strips are cheap enough for the sweeps to come near their answer.
 std::vector<GridLine> rigid_grid(std::size_t bodies) {
-  const std::vector<double> rests = {1e-1, 1e-2, 1e-3, 1e-4, PhysicsOptions{}.settle_speed};
+  const std::vector<double> rests = {1e-1, 1e-2, 1e-3, 1e-4, sim::PhysicsOptions{}.settle_speed};
   const bool few = bodies<few_bodies, many = bodies> many_bodies;
   const double direct_budget = many ? 12 : few ? 6 : 3, sweeps_budget = few ? 15 : many ? 3 : 4;
   std::vector<GridLine> lines;
-  for (const double stiffness : {PhysicsOptions{}.joint_stiffness, stiff_joints})
-    lines.push_back({Solver::direct, PhysicsOptions{}.iterations, stiffness, direct_budget, rests});
+  for (const double stiffness : {sim::PhysicsOptions{}.joint_stiffness, stiff_joints})
+    lines.push_back({Solver::direct, sim::PhysicsOptions{}.iterations, stiffness, direct_budget, rests});
   for (const int count : {10, 50, 200})
     lines.push_back({Solver::sweeps, count, 0, sweeps_budget, {1e-2, 1e-8}});
   return lines;
 }
 
-/// Elastic hinges have stiffnesses of their own, and a run ends by the balance of forces.
+/// Elastic hinges have stiffnesses of their own, and a run ends by the equilibrium of forces.
 std::vector<GridLine> elastic_grid() {
   std::vector<GridLine> lines;
   for (const int count : {10, 200}) lines.push_back({Solver::direct, count, 0, 5, {0}});
@@ -49,12 +49,12 @@ std::vector<GridLine> elastic_grid() {
 }
 
 const std::string direct = "Bullet, direct", sweeps = "Bullet, sweeps";
-const std::string at_rest = to_string(PhysicsResult::Status::settled);
+const std::string at_rest = to_string(sim::PhysicsResult::Status::settled);
 const std::string at_rest_but_open = "settled with open hinges";
 
 /// Failures are judged by the error alone: no run ends early for a gap that the next steps may close.
-PhysicsOptions options_of(const SpeedErrorScene& scene, const GridLine& line, int steps, double rest) {
-  PhysicsOptions options;
+sim::PhysicsOptions options_of(const SpeedErrorScene& scene, const GridLine& line, int steps, double rest) {
+  sim::PhysicsOptions options;
   options.solver = line.solver;
   options.iterations = line.iterations;
   options.step_s = std::min(longest_step_s, options.drive_seconds / steps);
@@ -78,8 +78,8 @@ std::string words(const SpeedErrorScene& scene, const GridLine& line, int steps,
   return fmt::format("{}, joints {:.0e}, rest {:.0e}", count, line.joint_stiffness, rest);
 }
 
-void set_outcome(const SpeedErrorScene& scene, const PhysicsResult& run, MeasuredPoint& point) {
-  const double most_open = PhysicsOptions{}.gap_limit;
+void set_outcome(const SpeedErrorScene& scene, const sim::PhysicsResult& run, MeasuredPoint& point) {
+  const double most_open = sim::PhysicsOptions{}.gap_limit;
   const bool is_open = scene.is_exact() && !(std::max(run.gaps.max, run.drive_gap) <= most_open);
   point.status = to_string(run.status);
   if (point.status == at_rest && is_open) point.status = at_rest_but_open;
@@ -92,10 +92,10 @@ MeasuredPoint measured(const SpeedErrorScene& scene, const GridLine& line, int s
   MeasuredPoint point{.method = line.solver == Solver::direct ? direct : sweeps,
                       .settings = words(scene, line, steps, rest),
                       .precision = KINETIX_BULLET_PRECISION};
-  const PhysicsOptions options = options_of(scene, line, steps, rest);
-  PhysicsResult run;
+  const sim::PhysicsOptions options = options_of(scene, line, steps, rest);
+  sim::PhysicsResult run;
   const auto timed_run = [&] {
-    run = run_compression(scene.structure, scene.drive, options);
+    run = run_compression(scene.structure, scene.drive.on(scene.structure), options);
     return run.seconds;
   };
   time_runs(timed_run, point);

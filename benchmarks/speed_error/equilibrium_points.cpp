@@ -14,12 +14,12 @@ constexpr double longest_run_s = 10;
 
 struct Setting {
   std::string words;
-  Elasticity elasticity;
-  LoadPathOptions options;
+  model::Elasticity elasticity;
+  model::EquilibriumPathOptions options;
 };
 
-LoadPathOptions in_steps_of(double step) {
-  LoadPathOptions options;
+model::EquilibriumPathOptions in_steps_of(double step) {
+  model::EquilibriumPathOptions options;
   options.first_step = std::min(options.first_step, step);
   options.longest_step = step;
   options.longest_step_touching = std::min(options.longest_step_touching, step);
@@ -27,7 +27,7 @@ LoadPathOptions in_steps_of(double step) {
 }
 
 /// A Newton step shorter than `length` ends the search, whatever force is left.
-LoadPathOptions to_tolerance(LoadPathOptions options, double length) {
+model::EquilibriumPathOptions to_tolerance(model::EquilibriumPathOptions options, double length) {
   options.newton.step_tolerance = length;
   options.newton.force_tolerance = std::max(options.newton.force_tolerance, 1e-2 * length);
   return options;
@@ -36,7 +36,7 @@ LoadPathOptions to_tolerance(LoadPathOptions options, double length) {
 std::vector<Setting> over_stiffness(const SpeedErrorScene& scene) {
   std::vector<Setting> settings;
   for (const double ratio : {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-10, 1e-12}) {
-    Elasticity elasticity;
+    model::Elasticity elasticity;
     elasticity.k_turn = ratio * energy_unit(elasticity, scene.structure.size.edge_mm);
     settings.push_back({fmt::format("stiffness ratio {:.0e}", ratio), elasticity, {}});
   }
@@ -54,20 +54,22 @@ std::vector<Setting> over_tolerance(const SpeedErrorScene& scene) {
 
 MeasuredPoint measured(const SpeedErrorScene& scene, const Setting& setting) {
   MeasuredPoint point{.method = "equilibrium", .settings = setting.words, .precision = "double"};
-  LoadPath path;
+  model::EquilibriumPath path;
   const auto follow = [&] {
-    path = follow_load(scene.structure, setting.elasticity, scene.drive, setting.options);
+    path = trace_equilibrium(driven(scene.structure, scene.drive), setting.elasticity, setting.options);
   };
   time_runs([&] { return seconds(follow); }, point);
-  point.is_result = path.stop == LoadPath::Stop::reached;
+  point.is_result = path.stop == model::EquilibriumPath::Stop::reached;
   point.error = aligned_distance(scene.structure, path.state, scene.reference).rms;
   point.status = to_string(path.stop);
   return point;
 }
 
-LoadPath fine_path(const SpeedErrorScene& scene, double step) {
-  const LoadPath path = follow_load(scene.structure, scene.elasticity, scene.drive, in_steps_of(step));
-  if (path.stop != LoadPath::Stop::reached) throw std::runtime_error(scene.name + ": " + path.why);
+model::EquilibriumPath fine_path(const SpeedErrorScene& scene, double step) {
+  const model::EquilibriumPath path =
+      trace_equilibrium(driven(scene.structure, scene.drive), scene.elasticity, in_steps_of(step));
+  if (path.stop != model::EquilibriumPath::Stop::reached)
+    throw std::runtime_error(scene.name + ": " + path.why);
   return path;
 }
 
@@ -82,7 +84,7 @@ MeasuredPoints equilibrium_points(const SpeedErrorScene& scene) {
   return points;
 }
 
-void set_finest_balance(SpeedErrorScene& scene) {
+void set_finest_equilibrium(SpeedErrorScene& scene) {
   constexpr double finest_step = 2.5e-3;
   scene.reference = fine_path(scene, finest_step).state;
   scene.reference_error =

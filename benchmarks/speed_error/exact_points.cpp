@@ -13,23 +13,23 @@ std::vector<To> converted(const std::vector<From>& values) {
   return {values.begin(), values.end()};
 }
 
-ExactDesign<long double> in_long_double(const ExactDesign<double>& d) {
+model::ExactDesign<long double> in_long_double(const model::ExactDesign<double>& d) {
   return {converted<long double>(d.beta), converted<long double>(d.t), converted<long double>(d.s), d.gamma,
           d.theta};
 }
 
 /// @pre the sheet folds along x and fills its rectangle, as all of the scenes do
-State folded_in_long_double(const SpeedErrorScene& scene) {
-  ExactDesign<double> design = scene.family.design;
+model::State folded_in_long_double(const SpeedErrorScene& scene) {
+  model::ExactDesign<double> design = scene.family.design;
   design.theta = scene.drive.theta();
-  std::vector<PoseOf<long double>> poses;
+  std::vector<model::PoseOf<long double>> poses;
   fold(in_long_double(design), scene.structure.size.edge_mm, poses);
-  State state;
+  model::State state;
   for (const auto& pose : poses) state.push_back({pose.R.cast<double>(), pose.p.cast<double>()});
   return state;
 }
 
-State folded_from_the_last_body(const SpeedErrorScene& scene) {
+model::State folded_from_the_last_body(const SpeedErrorScene& scene) {
   const int last = static_cast<int>(scene.structure.bodies.size()) - 1;
   return fold_net(make_net_tree(scene.structure, last), scene.structure, scene.drive.theta());
 }
@@ -38,11 +38,11 @@ State folded_from_the_last_body(const SpeedErrorScene& scene) {
 double seconds_a_state(const SpeedErrorScene& scene) {
   const int calls = std::max(1, bodies_a_repeat / static_cast<int>(scene.structure.bodies.size()));
   const double theta = scene.drive.theta(), edge_mm = scene.structure.size.edge_mm;
-  State state;
-  if (scene.family.family == Family::F4)
+  model::State state;
+  if (scene.family.family == model::Family::F4)
     return median_seconds(repeats, calls,
                           [&] { state = fold_net(scene.family.tree, scene.structure, theta); });
-  ExactDesign<double> design = scene.family.design;
+  model::ExactDesign<double> design = scene.family.design;
   design.theta = theta;
   return median_seconds(repeats, calls, [&] { fold(design, edge_mm, state); });
 }
@@ -50,8 +50,8 @@ double seconds_a_state(const SpeedErrorScene& scene) {
 }  // namespace
 
 double rounding_error(const SpeedErrorScene& scene) {
-  const State other =
-      scene.family.family == Family::F4 ? folded_from_the_last_body(scene) : folded_in_long_double(scene);
+  const model::State other = scene.family.family == model::Family::F4 ? folded_from_the_last_body(scene)
+                                                                      : folded_in_long_double(scene);
   return aligned_distance(scene.structure, other, scene.reference).rms;
 }
 

@@ -7,10 +7,10 @@
 #include "benchmarks/scenes.hpp"
 #include "benchmarks/speed_error/equilibrium_points.hpp"
 #include "benchmarks/speed_error/exact_points.hpp"
-#include "optim/fit_fold.hpp"
-#include "optim/fit_helmet.hpp"
-#include "targets/head.hpp"
-#include "targets/mesh_file.hpp"
+#include "optim/fold/fit_fold.hpp"
+#include "optim/helmet/fit_helmet.hpp"
+#include "targets/helmet/head.hpp"
+#include "targets/mesh/mesh_file.hpp"
 #include "tests/support/paper_scenes.hpp"
 
 namespace kinetix::bench {
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double display_k = 0.15, display_compression = 0.14;
 
-SpeedErrorScene exact_scene(const std::string& name, const Structure& structure, double theta) {
+SpeedErrorScene exact_scene(const std::string& name, const model::Structure& structure, double theta) {
   SpeedErrorScene scene{name, structure, drive_to(structure, theta), classify(structure), {}};
   scene.reference = fold(scene.family, structure, theta);
   scene.reference_error = rounding_error(scene);
@@ -26,48 +26,48 @@ SpeedErrorScene exact_scene(const std::string& name, const Structure& structure,
 }
 
 SpeedErrorScene rib_or_circle(const std::string& name, const std::string& curve) {
-  Structure structure;
-  const Scene scene{curve, read_curve_csv(std::string(KINETIX_SHAPES "/") + curve + ".csv")};
-  const FreeCurveDesign found = fitted_strip(scene, 40, structure);
+  model::Structure structure;
+  const Scene scene{curve, targets::read_curve_csv(std::string(KINETIX_SHAPES "/") + curve + ".csv")};
+  const optim::FreeCurveDesign found = fitted_strip(scene, 40, structure);
   return exact_scene(name, structure, found.design.design.theta);
 }
 
 SpeedErrorScene cube() {
-  FoldOptions options;
+  optim::FoldOptions options;
   options.size = {10, 0.8, 6};
-  const FoldedNet net = fit_fold(box_goal({4, 4, 4}), options).folded;
+  const optim::FoldedNet net = fit_fold(targets::box_goal({4, 4, 4}), options).folded;
   return exact_scene(fmt::format("cube, {} bodies", net.structure.bodies.size()), net.structure, net.theta);
 }
 
 SpeedErrorScene helmet() {
-  const Head head = make_head(read_mesh(KINETIX_SHAPES "/headform.obj"), {});
-  HelmetWish wish;
-  wish.size = walls_of(6);
-  const HelmetDesign design = fit_helmet(head.dome, Eigen::Vector3d::Zero(), wish, {});
-  const Structure& structure = design.fishbone.structure;
+  const targets::Head head = make_head(targets::read_mesh(KINETIX_SHAPES "/headform.obj"), {});
+  optim::HelmetSpec spec;
+  spec.size = walls_of(6);
+  const optim::HelmetDesign design = fit_helmet(head.dome, Eigen::Vector3d::Zero(), spec, {});
+  const model::Structure& structure = design.fishbone.structure;
   return exact_scene(fmt::format("helmet, {} bodies", structure.bodies.size()), structure,
                      design.shape.theta);
 }
 
 /// Bends into half a cylinder, whatever its size.
 SpeedErrorScene sheet(int cells) {
-  ExactDesign<double> design;
-  const Structure structure = arc(cells, cells, design);
+  model::ExactDesign<double> design;
+  const model::Structure structure = arc(cells, cells, design);
   return exact_scene(fmt::format("sheet, {0} x {0} cells", cells), structure, design.theta);
 }
 
 /// The cells of a disc that fills a panel but for a rim of one cell.
-Structure circle_panel(int cells) {
+model::Structure circle_panel(int cells) {
   return testing::rule_panel(display_k, cells, [=](int i, int j) {
     return std::hypot(i + 0.5 - cells / 2.0, j + 0.5 - cells / 2.0) <= cells / 2.0 - 1;
   });
 }
 
-SpeedErrorScene display(const std::string& name, const Structure& structure) {
-  Drive drive;
+SpeedErrorScene display(const std::string& name, const model::Structure& structure) {
+  model::Drive drive;
   drive.compression = display_compression;
   SpeedErrorScene scene{name, structure, drive, classify(structure), {}};
-  set_finest_balance(scene);
+  set_finest_equilibrium(scene);
   return scene;
 }
 

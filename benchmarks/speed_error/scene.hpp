@@ -3,23 +3,23 @@
 #include <string>
 #include <vector>
 
-#include "model/classify.hpp"
-#include "model/drive.hpp"
-#include "model/elastic/load_path.hpp"
+#include "model/elastic/equilibrium_path.hpp"
+#include "model/lattice/square/classify.hpp"
+#include "model/lattice/square/drive.hpp"
 
 namespace kinetix::bench {
 
 /// A structure, the drive that folds it from flat, and the answer that every method is measured against.
 struct SpeedErrorScene {
   std::string name;
-  Structure structure;
-  Drive drive;
-  Classification family;
-  State reference;             ///< the closed form, or the finest balance where there is none
+  model::Structure structure;
+  model::Drive drive;
+  model::Classification family;
+  model::State reference;      ///< the closed form, or the finest equilibrium where there is none
   double reference_error = 0;  ///< of the reference, cell edges: rounding, or what the last halving changed
-  Elasticity elasticity = {};  ///< of a scene without a closed form
+  model::Elasticity elasticity = {};  ///< of a scene without a closed form
 
-  bool is_exact() const { return family.family != Family::none; }
+  bool is_exact() const { return family.family != model::Family::none; }
 };
 
 /// Helmet rib and half circle in 40 columns, cube, helmet, letter T and circle, sheets of 10 x 10, 20 x 20

@@ -3,13 +3,15 @@
 #include <Eigen/LU>
 #include <array>
 
-namespace kinetix {
+namespace kinetix::model {
 namespace {
 
 using Eigen::VectorXd;
 
 /// f by the relative stiffnesses.
-using StiffnessRates = Stiffness;
+struct StiffnessRates {
+  double turn = 0, reach = 0, contact = 0;
+};
 
 /// A body held about one axis and free about two: a small turn about both is not the sum of the two turns.
 struct HalfHeld {
@@ -18,9 +20,9 @@ struct HalfHeld {
 };
 
 /// The only one, or none.
-HalfHeld half_held(const Freedoms& freedoms) {
-  for (std::size_t b = 0; b < freedoms.unknown.size(); ++b) {
-    const auto& turns = freedoms.unknown[b];
+HalfHeld half_held(const DofMap& dofs) {
+  for (std::size_t b = 0; b < dofs.unknown.size(); ++b) {
+    const auto& turns = dofs.unknown[b];
     for (int k = 0; k < 3; ++k)
       if (turns[k] < 0 && turns[(k + 1) % 3] >= 0 && turns[(k + 2) % 3] >= 0)
         return {static_cast<int>(b), {(k + 1) % 3, (k + 2) % 3}};
@@ -30,7 +32,7 @@ HalfHeld half_held(const Freedoms& freedoms) {
 
 class Adjoint {
  public:
-  Adjoint(const ElasticSystem& system, const State& state, double theta, const Tangent& tangent)
+  Adjoint(const ElasticSystem& system, const State& state, double theta, const TangentStiffness& tangent)
       : system_(system),
         state_(state),
         theta_(theta),
@@ -50,7 +52,7 @@ class Adjoint {
   double theta_rate() const { return by_theta_; }
 
   StiffnessRates add_hinges(Eigen::Matrix3Xd& out) const {
-    StiffnessRates sum{0, 0, 0};
+    StiffnessRates sum;
     const double edge_mm = system_.structure().size.edge_mm;
     for (std::size_t h = 0; h < system_.hinges().size(); ++h) {
       const RestHinge& hinge = system_.hinges()[h];
@@ -123,11 +125,11 @@ class Adjoint {
   /// held turn meets a moment: there half the moment's cross product comes in, which is antisymmetric.
   VectorXd transposed_solve(const VectorXd& rhs) const {
     const VectorXd plain = tangent_.solve(rhs);
-    const HalfHeld held = half_held(system_.freedoms());
+    const HalfHeld held = half_held(system_.dofs());
     if (held.body < 0) return plain;
     const auto [i, j] = held.free;
     const double k = 0.5 * cross_matrix(moment_on(held.body))(i, j);
-    const auto& unknown = system_.freedoms().unknown[held.body];
+    const auto& unknown = system_.dofs().unknown[held.body];
     const Eigen::Vector2i at(unknown[i], unknown[j]);
     const VectorXd first = tangent_.solve(VectorXd::Unit(rhs.size(), at[0])),
                    second = tangent_.solve(VectorXd::Unit(rhs.size(), at[1]));
@@ -139,16 +141,16 @@ class Adjoint {
 
   /// The load is minus the sum of the gradient's entries at the coordinates of the last row.
   void solve_plates(VectorXd by_state, double load) {
-    const Freedoms& freedoms = system_.freedoms();
-    VectorXd pressed = VectorXd::Zero(freedoms.coordinates());
+    const DofMap& dofs = system_.dofs();
+    VectorXd pressed = VectorXd::Zero(dofs.coordinates());
     if (load != 0) {
       const int coordinate = system_.drive().axis == Axis::x ? 3 : 4;
       for (const int body : system_.gripped()[1]) pressed[6 * body + coordinate] = load;
       by_state -= tangent_.multiply_all(pressed);
     }
-    const VectorXd unknowns = transposed_solve(freedoms.restrict(by_state));
+    const VectorXd unknowns = transposed_solve(dofs.restrict(by_state));
     const VectorXd moved = system_.place_rate(theta_);
-    lambda_ = freedoms.extend(unknowns);
+    lambda_ = dofs.extend(unknowns);
     by_theta_ = by_state.dot(moved) - lambda_.dot(tangent_.multiply_all(moved));
     if (energy_ != 0) by_theta_ += energy_ * system_.gradient(state_, theta_).dot(moved);
     lambda_ += pressed;
@@ -156,17 +158,17 @@ class Adjoint {
 
   /// Unknowns and the drive's force under the constraint that the hinge's turn is the drive's.
   void solve_driven(const VectorXd& by_state, double load) {
-    const Freedoms& freedoms = system_.freedoms();
+    const DofMap& dofs = system_.dofs();
     const RestHinge& hinge = system_.hinges()[driven_];
     const Vector12 turn = system_.driven_turn(state_).gradient;
-    VectorXd all = VectorXd::Zero(freedoms.coordinates());
+    VectorXd all = VectorXd::Zero(dofs.coordinates());
     all.segment<6>(6 * hinge.lower) = turn.head<6>();
     all.segment<6>(6 * hinge.upper) = turn.tail<6>();
-    const VectorXd along = freedoms.restrict(all), free = tangent_.solve(freedoms.restrict(by_state)),
+    const VectorXd along = dofs.restrict(all), free = tangent_.solve(dofs.restrict(by_state)),
                    driven = tangent_.solve(along);
     force_ = -system_.load(state_, theta_);
     const double share = (free.dot(along) + load) / driven.dot(along);
-    lambda_ = freedoms.extend(free - share * driven);
+    lambda_ = dofs.extend(free - share * driven);
     turn_ = share - ElasticSystem::grip * load - energy_ * force_;
     by_theta_ = turn_ * system_.drive_rate(theta_);
   }
@@ -174,7 +176,7 @@ class Adjoint {
   const ElasticSystem& system_;
   const State& state_;
   const double theta_;
-  const Tangent& tangent_;
+  const TangentStiffness& tangent_;
   const int driven_;
   const std::vector<Contact> contacts_;
   double energy_ = 0;
@@ -187,11 +189,11 @@ class Adjoint {
 }  // namespace
 
 Sensitivity sensitivity(const ElasticSystem& system, const Elasticity& elasticity, const State& state,
-                        double theta, const Tangent& tangent, const BalanceGradient& gradient) {
+                        double theta, const TangentStiffness& tangent, const EquilibriumGradient& gradient) {
   const double L = system.structure().size.edge_mm;
   const double force_unit = elasticity.k_point * L, energy_unit = force_unit * L;
   const double load_unit = system.driven_hinge() < 0 ? force_unit : energy_unit;
-  const VectorXd none = VectorXd::Zero(system.freedoms().coordinates());
+  const VectorXd none = VectorXd::Zero(system.dofs().coordinates());
 
   Adjoint adjoint(system, state, theta, tangent);
   adjoint.solve(gradient.state.size() > 0 ? gradient.state : none, gradient.load * load_unit,
@@ -213,4 +215,4 @@ Sensitivity sensitivity(const ElasticSystem& system, const Elasticity& elasticit
   return out;
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::model

@@ -2,16 +2,16 @@
 
 #include "model/elastic/elastic_system.hpp"
 
-namespace kinetix {
+namespace kinetix::model {
 
-/// A scalar function f of a balance, by its derivatives there. What f does not depend on is left out.
-struct BalanceGradient {
+/// A scalar function f of an equilibrium, by its derivatives there. What f does not depend on is left out.
+struct EquilibriumGradient {
   Eigen::VectorXd state;  ///< by all coordinates: 6 a body, turn (rad) then shift (cell edges); empty: none
   double load = 0;        ///< by the drive's load, per N for plates, per N mm for a driven hinge
   double energy = 0;      ///< by the elastic energy, per N mm
 };
 
-/// The derivatives of f where the structure is in balance again after each change.
+/// The derivatives of f where the structure is in equilibrium again after each change.
 struct Sensitivity {
   Eigen::Matrix3Xd hinges;  ///< column h: by t, alpha (rad), beta (rad) of hinge h
   double theta = 0;         ///< by the drive's fold parameter, rad
@@ -27,13 +27,13 @@ struct Sensitivity {
 /// held may meet a moment. Points in contact stay in contact: where one just touches, the derivative is
 /// one-sided. What f has of a parameter directly is the caller's to add.
 /// @param elasticity that of the system
-/// @param state in balance at theta, with the system's multiplier
+/// @param state in equilibrium at theta, with the system's multiplier
 /// @param tangent linearised at state and factorised without a shift, which succeeded. minimise() may leave
 /// the factor of a state before: linearise and factorise again
 /// @pre gradient.state has 6 entries a body or none
 /// @return NaN for NaN in the gradient; k_contact is 0 where nothing touches, reach_mm in the plane where all
 /// hinges stand upright
 Sensitivity sensitivity(const ElasticSystem& system, const Elasticity& elasticity, const State& state,
-                        double theta, const Tangent& tangent, const BalanceGradient& gradient);
+                        double theta, const TangentStiffness& tangent, const EquilibriumGradient& gradient);
 
-}  // namespace kinetix
+}  // namespace kinetix::model

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/elastic/softest.hpp"
+#include "model/elastic/lowest_mode.hpp"
 
-namespace kinetix {
+namespace kinetix::model {
 namespace {
 
 using Eigen::Vector3d;
@@ -41,49 +41,50 @@ Eigen::Matrix3d upright(const Vector3d& normal, const Vector3d& axis, const Pose
 
 }  // namespace
 
-Branch::Branch(const ElasticSystem& system, double goal, int side)
-    : system_(system), family_(classify(system.structure())), goal_(goal), side_(side) {}
+Branch::Branch(const ElasticSystem& system, const ExactMotion& exact, double goal, int side)
+    : system_(system), exact_(exact), goal_(goal), side_(side) {}
 
-Branch::Start Branch::leave(double theta, const State& from, Tangent& tangent) const {
+Branch::Start Branch::leave(double theta, const State& from, TangentStiffness& tangent) const {
   if (const auto exact = exact_state(theta))
     if (system_.energy(*exact, theta) < system_.energy(from, theta))
       return onto_exact(theta, *exact, tangent);
-  return along_softest(theta, from, tangent);
+  return along_lowest_mode(theta, from, tangent);
 }
 
-Branch::Start Branch::onto_exact(double theta, const State& exact, Tangent& tangent) const {
-  const State balance = relaxed(theta, exact, tangent);
-  system_.linearise(balance, theta, tangent);
-  if (tangent.factorise(0)) return {Way::exact, balance};
-  Start off = along_softest(theta, balance, tangent, true);
-  if (off.way != Way::softest || !(system_.energy(off.state, theta) < system_.energy(balance, theta)))
+Branch::Start Branch::onto_exact(double theta, const State& exact, TangentStiffness& tangent) const {
+  const State equilibrium = relaxed(theta, exact, tangent);
+  system_.linearise(equilibrium, theta, tangent);
+  if (tangent.factorise(0)) return {Way::exact, equilibrium};
+  Start off = along_lowest_mode(theta, equilibrium, tangent, true);
+  if (off.way != Way::lowest_mode || !(system_.energy(off.state, theta) < system_.energy(equilibrium, theta)))
     return {Way::exact, exact};
   off.way = Way::off_exact;
   return off;
 }
 
 // One step of Newton's method: it calls up the forces in the hinges, and with them what bends under these.
-State Branch::relaxed(double theta, const State& exact, Tangent& tangent) const {
-  const VectorXd gradient = system_.freedoms().restrict(system_.linearise(exact, theta, tangent));
+State Branch::relaxed(double theta, const State& exact, TangentStiffness& tangent) const {
+  const VectorXd gradient = system_.dofs().restrict(system_.linearise(exact, theta, tangent));
   if (!tangent.factorise(0)) return exact;
-  const VectorXd step = -system_.freedoms().extend(tangent.solve(gradient));
-  return system_.length(exact, step) <= nearby ? system_.stepped(exact, step) : exact;
+  const VectorXd step = -system_.dofs().extend(tangent.solve(gradient));
+  return system_.length(exact, step) <= nearby ? system_.retract(exact, step) : exact;
 }
 
-Branch::Start Branch::along_softest(double theta, const State& from, Tangent& tangent, bool is_folded) const {
-  const Softest soft = softest(tangent);
+Branch::Start Branch::along_lowest_mode(double theta, const State& from, TangentStiffness& tangent,
+                                        bool is_folded) const {
+  const LowestMode soft = lowest_mode(tangent);
   if (!soft.converged) return {};
   if (!(soft.value < 0)) return {Way::none, from};
-  const VectorXd all = system_.freedoms().extend(soft.direction);
+  const VectorXd all = system_.dofs().extend(soft.direction);
   const double side = is_folded ? option_side(all) : drive_side(all);
-  return {Way::softest, downhill(theta, from, side / system_.length(from, all) * all)};
+  return {Way::lowest_mode, downhill(theta, from, side / system_.length(from, all) * all)};
 }
 
 // Where the drive holds it: plates face each other, a driven hinge's lower body rests.
 std::optional<State> Branch::exact_state(double theta) const {
-  if (family_.family == Family::none) return {};
-  const Structure& structure = system_.structure();
-  State state = fold(family_, structure, theta);
+  if (!exact_) return {};
+  const Linkage& structure = system_.structure();
+  State state = exact_.at(theta);
   const State rest = rest_state(structure);
   if (system_.driven_hinge() >= 0) {
     const int held = system_.hinges()[system_.driven_hinge()].lower;
@@ -105,7 +106,7 @@ std::optional<State> Branch::exact_state(double theta) const {
 }
 
 State Branch::downhill(double theta, const State& from, const VectorXd& along) const {
-  const auto at = [&](double s) { return system_.stepped(from, s * along); };
+  const auto at = [&](double s) { return system_.retract(from, s * along); };
   const auto energy = [&](double s) { return system_.energy(at(s), theta); };
   const double least = system_.energy(from, theta);
   double s = energy(first_seed) < least ? first_seed : slender_seed;
@@ -118,7 +119,7 @@ double Branch::drive_side(const VectorXd& all) const {
   const auto& bodies = system_.structure().bodies;
   double with = 0, size = 0;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    with += bodies[b].sense() * all[6 * b + 2];
+    with += bodies[b].sense * all[6 * b + 2];
     size += std::abs(all[6 * b + 2]);
   }
   if (std::abs(with) > checkerboard * size && size > 0) return std::copysign(1.0, with * goal_);
@@ -131,4 +132,4 @@ double Branch::option_side(const VectorXd& all) const {
   return side_ * std::copysign(1.0, all[largest]);
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::model

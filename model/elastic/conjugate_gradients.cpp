@@ -1,6 +1,6 @@
 #include "model/elastic/conjugate_gradients.hpp"
 
-namespace kinetix {
+namespace kinetix::model {
 namespace {
 
 using Eigen::VectorXd;
@@ -11,7 +11,7 @@ constexpr double good_enough = 0.3;
 
 }  // namespace
 
-TruncatedStep conjugate_gradients(Tangent& tangent, const VectorXd& gradient, int most) {
+TruncatedStep conjugate_gradients(TangentStiffness& tangent, const VectorXd& gradient, int most) {
   VectorXd x = VectorXd::Zero(gradient.size()), residual = -gradient;
   VectorXd direction = tangent.solve(residual);
   const double first = residual.dot(direction);
@@ -35,4 +35,4 @@ TruncatedStep conjugate_gradients(Tangent& tangent, const VectorXd& gradient, in
   return {x, size <= good_enough * good_enough * first ? Way::solved : Way::slow};
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::model

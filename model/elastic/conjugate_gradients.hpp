@@ -1,8 +1,8 @@
 #pragma once
 
-#include "model/elastic/tangent.hpp"
+#include "model/elastic/tangent_stiffness.hpp"
 
-namespace kinetix {
+namespace kinetix::model {
 
 /// A step of a truncated Newton method: about the minimum of g . x + x . H x / 2.
 struct TruncatedStep {
@@ -19,6 +19,6 @@ struct TruncatedStep {
 /// factor, that of a state nearby or of a shifted tangent, as preconditioner. `solved` is a residual of 2 % of
 /// the first in the norm of the preconditioner, or of 30 % after the last iteration.
 /// @pre tangent.is_factorised()
-TruncatedStep conjugate_gradients(Tangent& tangent, const Eigen::VectorXd& gradient, int most = 20);
+TruncatedStep conjugate_gradients(TangentStiffness& tangent, const Eigen::VectorXd& gradient, int most = 20);
 
-}  // namespace kinetix
+}  // namespace kinetix::model

@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-namespace kinetix {
+namespace kinetix::model {
 namespace {
 
 using Eigen::Matrix3d;
@@ -45,7 +45,7 @@ struct ContactModel::Gap {
   }
 };
 
-ContactModel::ContactModel(const Structure& structure, bool planar)
+ContactModel::ContactModel(const Linkage& structure, bool planar)
     : search_(structure, planar), weight_(planar ? 1.0 : 1.0 / 3) {}
 
 ContactModel::Gap ContactModel::gap(const Contact& c, const State& state) const {
@@ -83,7 +83,8 @@ Eigen::Vector4d ContactModel::gap_rates(const Gap& g, const Contact& c, const St
   const ContactPlate& box = all().plates[c.other];
   const Matrix3d& R = state[plate.body].R;
   return {plate.sign * g.n.dot(R * plate.edge), g.n.dot(R * plate.point_rates[c.point]),
-          c.face == Face::knee_end ? -box.sign : 0, g.m.dot(state[box.body].R * box.face_normal_rate(c.face))};
+          c.face == Face::wall_tip_end ? -box.sign : 0,
+          g.m.dot(state[box.body].R * box.face_normal_rate(c.face))};
 }
 
 Eigen::Vector4d ContactModel::depth_rates(const Contact& c, const State& state) const {
@@ -113,4 +114,4 @@ Vector12 ContactModel::stiffness_rate(const Contact& contact, const State& state
   return weight_ * g.value * g.gradient();
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::model

@@ -1,19 +1,19 @@
 #pragma once
 
 #include "model/elastic/contact_search.hpp"
-#include "model/elastic/element.hpp"
+#include "model/hinge/element.hpp"
 
-namespace kinetix {
+namespace kinetix::model {
 
-/// Contact of walls of thickness w: knee points against the boxes of the other half walls, with the energy
-/// 1/2 contact depth^2 a point (shared between the points along a knee edge in space). The depth is that to
+/// Contact of walls of thickness w: wall tip points against the boxes of the other half walls, with the energy
+/// 1/2 contact depth^2 a point (shared between the points along a wall tip edge in space). The depth is that to
 /// the nearest of the two sides, the end and (in space) top and bottom: linear in the carried point.
 /// As in the physics run, the two halves of one wall and plates of one body pass through each other, and
-/// so do plates that touch in the flat state. Crossing edges without a knee point inside are not seen.
+/// so do plates that touch in the flat state. Crossing edges without a wall tip point inside are not seen.
 class ContactModel {
  public:
-  /// @param planar one point a knee corner, at the height of the neutral plane; else three along its edge
-  ContactModel(const Structure& structure, bool planar);
+  /// @param planar one point a wall tip corner, at the height of the neutral plane; else three along its edge
+  ContactModel(const Linkage& structure, bool planar);
 
   const std::optional<WallPair>& overlap_at_rest() const { return search_.overlap_at_rest(); }
   const std::vector<Contact>& find(const State& state) { return search_.find(state); }
@@ -44,7 +44,7 @@ class ContactModel {
   Eigen::Vector4d gap_rates(const Gap& gap, const Contact& contact, const State& state) const;
 
   ContactSearch search_;
-  double weight_;  ///< of a point, against those along the same knee edge
+  double weight_;  ///< of a point, against those along the same wall tip edge
 };
 
-}  // namespace kinetix
+}  // namespace kinetix::model

@@ -3,20 +3,19 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-namespace kinetix {
+namespace kinetix::model {
 namespace {
 
 using Eigen::Vector3d;
 
-ContactPlate contact_plate(const ContactPlates& all, const Hinge& hinge, bool lower) {
+ContactPlate contact_plate(const ContactPlates& all, const Plate& half_wall) {
   ContactPlate plate;
-  const Axis axis = hinge.wall.axis;
-  plate.body = lower ? hinge.lower : hinge.upper;
-  plate.sign = lower ? 1 : -1;
-  plate.length = lower ? hinge.parameters.t : 1 - hinge.parameters.t;
-  plate.edge = plate.sign * edge_direction(axis);
-  plate.up = wall_up(axis, hinge.parameters.beta);
-  plate.up_rate = wall_up(axis, hinge.parameters.beta + pi / 2);
+  plate.body = half_wall.body;
+  plate.sign = half_wall.length_t;
+  plate.length = half_wall.length;
+  plate.edge = half_wall.edge;
+  plate.up = half_wall.up;
+  plate.up_rate = half_wall.up_beta;
   plate.normal = plate.edge.cross(plate.up);
   plate.normal_rate = plate.edge.cross(plate.up_rate);
   for (const double side : {1.0, -1.0})
@@ -36,7 +35,7 @@ Vector3d ContactPlate::face_normal(Face face) const {
       return normal;
     case Face::side_minus:
       return -normal;
-    case Face::knee_end:
+    case Face::wall_tip_end:
       return edge;
     case Face::top:
       return up;
@@ -52,7 +51,7 @@ Vector3d ContactPlate::face_normal_rate(Face face) const {
       return normal_rate;
     case Face::side_minus:
       return -normal_rate;
-    case Face::knee_end:
+    case Face::wall_tip_end:
       return Vector3d::Zero();
     case Face::top:
       return up_rate;
@@ -62,25 +61,24 @@ Vector3d ContactPlate::face_normal_rate(Face face) const {
   return -up_rate;
 }
 
-double ContactPlates::knee_radius() const {
+double ContactPlates::wall_tip_radius() const {
   return planar ? half_thickness : std::hypot(half_thickness, half_height);
 }
 
 double ContactPlates::face_offset(const ContactPlate& plate, Face face) const {
-  if (face == Face::knee_end) return plate.length;
+  if (face == Face::wall_tip_end) return plate.length;
   return face == Face::top || face == Face::bottom ? half_height : half_thickness;
 }
 
-ContactPlates contact_plates(const Structure& structure, bool planar) {
+ContactPlates contact_plates(const Linkage& structure, bool planar) {
   ContactPlates all;
   all.edge_mm = structure.size.edge_mm;
   all.half_thickness = structure.size.thickness_mm / 2 / all.edge_mm;
   all.half_height = structure.size.height_mm / 2 / all.edge_mm;
   all.planar = planar;
-  all.plates.reserve(2 * structure.hinges.size());
-  for (const Hinge& hinge : structure.hinges)
-    for (const bool lower : {true, false}) all.plates.push_back(contact_plate(all, hinge, lower));
+  all.plates.reserve(structure.plates.size());
+  for (const Plate& plate : structure.plates) all.plates.push_back(contact_plate(all, plate));
   return all;
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::model

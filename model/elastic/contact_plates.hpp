@@ -3,20 +3,20 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "model/structure.hpp"
+#include "model/linkage/linkage.hpp"
 
-namespace kinetix {
+namespace kinetix::model {
 
 /// Faces of a half wall's box that a point may be pushed out through.
-enum class Face { side_plus, side_minus, knee_end, top, bottom };
+enum class Face { side_plus, side_minus, wall_tip_end, top, bottom };
 
-/// A half wall as contact sees it, in its body's frame, cell edges: a box from the vertex to the knee, and the
-/// points of its knee that may run into other boxes. *_rate are derivatives by beta of its hinge.
+/// A half wall as contact sees it, in its body's frame, cell edges: a box from the vertex to the wall tip, and the
+/// points of its wall tip that may run into other boxes. *_rate are derivatives by beta of its hinge.
 struct ContactPlate {
   int body = 0;
-  Eigen::Vector3d edge, up, normal;  ///< unit; edge points from the vertex to the knee
+  Eigen::Vector3d edge, up, normal;  ///< unit; edge points from the vertex to the wall tip
   Eigen::Vector3d up_rate, normal_rate;
-  double sign = 1;    ///< of d(length)/dt
+  double sign = 1;  ///< of d(length)/dt
   double length = 0;
   std::vector<Eigen::Vector3d> points, point_rates;
 
@@ -31,13 +31,13 @@ struct ContactPlates {
   bool planar = false;
 
   int points_per_plate() const { return planar ? 2 : 6; }
-  /// No point of a knee is further from its middle.
-  double knee_radius() const;
+  /// No point of a wall tip is further from its middle.
+  double wall_tip_radius() const;
   /// Of a face's plane from the vertex, along its normal.
   double face_offset(const ContactPlate& plate, Face face) const;
 };
 
-/// @param planar one point a knee corner, at the height of the neutral plane; else three along its edge
-ContactPlates contact_plates(const Structure& structure, bool planar);
+/// @param planar one point a wall tip corner, at the height of the neutral plane; else three along its edge
+ContactPlates contact_plates(const Linkage& structure, bool planar);
 
-}  // namespace kinetix
+}  // namespace kinetix::model

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace kinetix {
+namespace kinetix::model {
 namespace {
 
 using Eigen::Matrix3d;
@@ -40,7 +40,7 @@ bool is_same(const State& a, const State& b) {
 
 }  // namespace
 
-ContactSearch::ContactSearch(const Structure& structure, bool planar)
+ContactSearch::ContactSearch(const Linkage& structure, bool planar)
     : all_(contact_plates(structure, planar)),
       points_per_plate_(all_.points_per_plate()),
       placed_points_(all_.plates.size() * points_per_plate_),
@@ -99,16 +99,16 @@ std::vector<ContactSearch::Pair> ContactSearch::pairs_within(double margin) {
     longest = std::max(longest, all_.plates[k].length);
   }
   std::vector<Pair> pairs;
-  const double knee = all_.knee_radius();
+  const double wall_tip = all_.wall_tip_radius();
   const auto add = [&](int plate, int other) {
     const Box& box = placed_boxes_[plate];
-    if (!is_within(box.origin + all_.plates[plate].length * box.edge, other, margin + knee)) return;
+    if (!is_within(box.origin + all_.plates[plate].length * box.edge, other, margin + wall_tip)) return;
     for (int k = 0; k < points_per_plate_; ++k)
       if (is_within(placed_points_[plate * points_per_plate_ + k], other, margin) && may_touch(plate, other))
         pairs.push_back({plate * points_per_plate_ + k, other});
   };
-  for (const auto& [first, second] : finder_.find(centers, longest + 2 * knee + margin)) {
-    const double reach = (all_.plates[first].length + all_.plates[second].length) / 2 + 2 * knee + margin;
+  for (const auto& [first, second] : finder_.find(centers, longest + 2 * wall_tip + margin)) {
+    const double reach = (all_.plates[first].length + all_.plates[second].length) / 2 + 2 * wall_tip + margin;
     if ((centers.col(first) - centers.col(second)).squaredNorm() >= reach * reach) continue;
     add(first, second);
     add(second, first);
@@ -128,12 +128,13 @@ void ContactSearch::add_if_inside(int point, int other) {
   const Box& box = placed_boxes_[other];
   const Vector3d y = placed_points_[point] - box.origin;
   const double across = y.dot(box.normal), high = y.dot(box.up);
-  const double to_end = all_.plates[other].length - y.dot(box.edge), to_rim = all_.half_height - std::abs(high);
+  const double to_end = all_.plates[other].length - y.dot(box.edge),
+               to_rim = all_.half_height - std::abs(high);
   Contact contact{point / points_per_plate_, point % points_per_plate_, other,
                   across > 0 ? Face::side_plus : Face::side_minus, all_.half_thickness - std::abs(across)};
   if (to_end < contact.depth) {
     contact.depth = to_end;
-    contact.face = Face::knee_end;
+    contact.face = Face::wall_tip_end;
   }
   if (!all_.planar && to_rim < contact.depth) {
     contact.depth = to_rim;
@@ -189,4 +190,4 @@ bool ContactSearch::passed_through(const State& before, const State& after) {
   return false;
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::model

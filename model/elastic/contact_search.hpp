@@ -3,13 +3,13 @@
 #include <optional>
 #include <vector>
 
+#include "model/contact/near_pairs.hpp"
+#include "model/contact/wall_contact.hpp"
 #include "model/elastic/contact_plates.hpp"
-#include "model/near_pairs.hpp"
-#include "model/wall_contact.hpp"
 
-namespace kinetix {
+namespace kinetix::model {
 
-/// A point of one half wall's knee (its end at the hinge) pressed into another half wall through one face.
+/// A point of one half wall's wall tip (its end at the hinge) pressed into another half wall through one face.
 struct Contact {
   int plate = 0, point = 0;     ///< half wall (as half_walls() counts them) and which of its points
   int other = 0;                ///< half wall it is in,
@@ -20,12 +20,12 @@ struct Contact {
   }
 };
 
-/// Finds knee points inside the boxes of other half walls. The two halves of one wall, plates of one body and
+/// Finds wall tip points inside the boxes of other half walls. The two halves of one wall, plates of one body and
 /// plates that touch in the flat state are not looked at. Pairs that are near are kept from call to call until
 /// the structure has moved by more than a margin: what is found does not depend on it.
 class ContactSearch {
  public:
-  ContactSearch(const Structure& structure, bool planar);
+  ContactSearch(const Linkage& structure, bool planar);
 
   const ContactPlates& all() const { return all_; }
   /// Two half walls that overlap in the flat state: nothing that could be built.
@@ -76,4 +76,4 @@ class ContactSearch {
   NearPairs finder_;
 };
 
-}  // namespace kinetix
+}  // namespace kinetix::model

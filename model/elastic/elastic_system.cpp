@@ -3,29 +3,26 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "model/elastic/screw.hpp"
-#include "model/invalid_input.hpp"
+#include "model/base/angle.hpp"
+#include "model/base/invalid_input.hpp"
+#include "model/elastic/retract.hpp"
 
-namespace kinetix {
+namespace kinetix::model {
 namespace {
 
-const Structure& validated(const Structure& structure) {
-  validate_hinges(structure);
-  return structure;
-}
-
 /// Bodies that turn about upright axes only keep them parallel: there is no mismatch to reach for.
-Stiffness acting(const Elasticity& elasticity, const Structure& structure, bool planar) {
+Stiffness acting(const Elasticity& elasticity, const Linkage& structure, bool planar) {
   Stiffness stiffness = relative(elasticity, structure.size.edge_mm);
   if (planar && all_vertical(structure)) stiffness.reach = 0;
   return stiffness;
 }
 
-void refuse_overlap(const Structure& structure, const ContactModel& walls) {
+void refuse_overlap(const Linkage& structure, const ContactModel& walls) {
   const auto& pair = walls.overlap_at_rest();
   if (!pair) return;
-  const auto wall = [&](int plate) { return to_string(structure.hinges[ContactModel::hinge(plate)].wall); };
+  const auto wall = [&](int plate) { return structure.wall_name(ContactModel::hinge(plate)); };
   throw InvalidInput("walls " + wall(pair->first) + " and " + wall(pair->second) +
                      " overlap in the flat state; make walls thinner, lower or less tilted, or put hinges "
                      "further from the ends of their walls");
@@ -33,32 +30,23 @@ void refuse_overlap(const Structure& structure, const ContactModel& walls) {
 
 }  // namespace
 
-ElasticSystem::ElasticSystem(const Structure& structure, const Elasticity& elasticity, const Drive& drive,
-                             bool planar, bool contact)
-    : structure_(validated(structure)),
-      stiffness_(acting(elasticity, structure, planar)),
-      drive_(drive),
+ElasticSystem::ElasticSystem(Linkage structure, const Elasticity& elasticity, LinkageDrive drive, bool planar,
+                             bool contact)
+    : structure_(std::move(structure)),
+      stiffness_(acting(elasticity, structure_, planar)),
+      drive_(std::move(drive)),
       contact_(contact),
-      freedoms_(make_freedoms(structure, drive, planar)),
-      walls_(structure, planar) {
-  if (contact) refuse_overlap(structure, walls_);
-  hinges_.reserve(structure.hinges.size());
-  for (const Hinge& hinge : structure.hinges) hinges_.push_back(rest_hinge(hinge));
-  if (drive.kind == Drive::Kind::plates)
-    gripped_ = gripped_bodies(structure, drive.axis, drive.grip);
-  else
-    driven_ = *structure.hinge_at(drive.wall);
+      dofs_(make_dof_map(structure_, drive_, planar)),
+      walls_(structure_, planar) {
+  if (contact) refuse_overlap(structure_, walls_);
 }
 
-ElasticSystem::ElasticSystem(const Structure& structure, const Elasticity& elasticity, bool planar,
-                             bool contact)
-    : structure_(structure),
-      stiffness_(acting(elasticity, structure, planar)),
+ElasticSystem::ElasticSystem(Linkage structure, const Elasticity& elasticity, bool planar, bool contact)
+    : structure_(std::move(structure)),
+      stiffness_(acting(elasticity, structure_, planar)),
       contact_(contact),
-      freedoms_(make_freedoms(structure, planar)),
-      walls_(structure, planar) {
-  for (const Hinge& hinge : structure.hinges) hinges_.push_back(rest_hinge(hinge));
-}
+      dofs_(make_dof_map(structure_, planar)),
+      walls_(structure_, planar) {}
 
 std::vector<Contact> ElasticSystem::contacts(const State& state) const {
   return contact_ ? walls_.find(state) : std::vector<Contact>{};
@@ -69,21 +57,20 @@ bool ElasticSystem::passed_through(const State& before, const State& after) cons
 }
 
 void ElasticSystem::place(double theta, State& state) const {
-  if (gripped_[0].empty()) return;
-  const int axis = drive_.axis == Axis::x ? 0 : 1;
+  if (drive_.gripped[0].empty()) return;
   const double L = structure_.size.edge_mm;
-  const int low = row(0), high = row(1);
+  const double low = row(0), high = row(1);
   for (const int side : {0, 1}) {
     const double half = (side == 0 ? -0.5 : 0.5) * (high - low) * std::cos(theta);
-    for (const int body : gripped_[side]) state[body].p[axis] = L * ((low + high) / 2.0 + half);
+    for (const int body : drive_.gripped[side]) state[body].p[axis()] = L * ((low + high) / 2.0 + half);
   }
 }
 
-State ElasticSystem::stepped(const State& state, const Eigen::VectorXd& twists) const {
-  State out = screwed(structure_, state, twists);
+State ElasticSystem::retract(const State& state, const Eigen::VectorXd& twists) const {
+  State out = model::retract(structure_, state, twists);
   for (std::size_t b = 0; b < state.size(); ++b)
     for (int k = 0; k < 3; ++k)
-      if (freedoms_.unknown[b][3 + k] < 0)
+      if (dofs_.unknown[b][3 + k] < 0)
         out[b].p[k] = state[b].p[k] + structure_.size.edge_mm * twists[6 * b + 3 + k];
   return out;
 }
@@ -91,7 +78,7 @@ State ElasticSystem::stepped(const State& state, const Eigen::VectorXd& twists) 
 double ElasticSystem::length(const State& state, const Eigen::VectorXd& twists) const {
   const auto turn = [&](int body) -> Eigen::Vector3d { return twists.segment<3>(6 * body); };
   double longest = 0;
-  for (const RestHinge& h : hinges_) {
+  for (const RestHinge& h : structure_.hinges) {
     const Eigen::Vector3d lower = turn(h.lower).cross(state[h.lower].R * h.lower_arm),
                           upper = turn(h.upper).cross(state[h.upper].R * h.upper_arm),
                           shift = twists.segment<3>(6 * h.upper + 3) - twists.segment<3>(6 * h.lower + 3);
@@ -103,29 +90,29 @@ double ElasticSystem::length(const State& state, const Eigen::VectorXd& twists) 
 }
 
 Eigen::VectorXd ElasticSystem::place_rate(double theta) const {
-  Eigen::VectorXd rate = Eigen::VectorXd::Zero(freedoms_.coordinates());
-  if (gripped_[0].empty()) return rate;
-  const int coordinate = drive_.axis == Axis::x ? 3 : 4;
-  const int apart = row(1) - row(0);
+  Eigen::VectorXd rate = Eigen::VectorXd::Zero(dofs_.coordinates());
+  if (drive_.gripped[0].empty()) return rate;
+  const int coordinate = 3 + axis();
+  const double apart = row(1) - row(0);
   for (const int side : {0, 1})
-    for (const int body : gripped_[side])
+    for (const int body : drive_.gripped[side])
       rate[6 * body + coordinate] = (side == 0 ? 0.5 : -0.5) * apart * std::sin(theta);
   return rate;
 }
 
 double ElasticSystem::drive_miss(const State& state, double theta) const {
-  if (driven_ < 0) return 0;
+  if (drive_.hinge < 0) return 0;
   return std::remainder(driven_turn(state).energy - turn_at(theta), 2 * pi);
 }
 
 Element ElasticSystem::driven_turn(const State& state) const {
-  const RestHinge& hinge = hinges_[driven_];
+  const RestHinge& hinge = structure_.hinges[drive_.hinge];
   return RelativeTurn(hinge, state[hinge.lower], state[hinge.upper]).element();
 }
 
 double ElasticSystem::elastic_energy(const State& state) const {
   double sum = 0;
-  for (const RestHinge& h : hinges_)
+  for (const RestHinge& h : structure_.hinges)
     sum += hinge_energy(h, stiffness_, state[h.lower], state[h.upper], structure_.size.edge_mm).total();
   return sum + walls_.energy(contacts(state), stiffness_.contact);
 }
@@ -139,36 +126,36 @@ template <class Visit>
 void ElasticSystem::visit_loads(const State& state, double theta, const Visit& visit) const {
   for (const Contact& c : contacts(state))
     visit(walls_.body(c.plate), walls_.body(c.other), walls_.element(c, stiffness_.contact, state));
-  if (driven_ < 0) return;
+  if (drive_.hinge < 0) return;
   Element turn = driven_turn(state);
   const double miss = drive_miss(state, theta), force = multiplier_ + grip * miss;
   turn.hessian = force * turn.hessian + grip * turn.gradient * turn.gradient.transpose();
   turn.gradient *= force;
-  visit(hinges_[driven_].lower, hinges_[driven_].upper, turn);
+  visit(structure_.hinges[drive_.hinge].lower, structure_.hinges[drive_.hinge].upper, turn);
 }
 
 Eigen::VectorXd ElasticSystem::gradient(const State& state, double theta) const {
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(freedoms_.coordinates());
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(dofs_.coordinates());
   const auto add = [&](int a, int b, const Vector12& g) {
     sum.segment<6>(6 * a) += g.head<6>();
     sum.segment<6>(6 * b) += g.tail<6>();
   };
-  for (const RestHinge& h : hinges_)
+  for (const RestHinge& h : structure_.hinges)
     add(h.lower, h.upper,
         hinge_gradient(h, stiffness_, state[h.lower], state[h.upper], structure_.size.edge_mm));
   visit_loads(state, theta, [&](int a, int b, const Element& e) { add(a, b, e.gradient); });
   return sum;
 }
 
-Eigen::VectorXd ElasticSystem::linearise(const State& state, double theta, Tangent& tangent) const {
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(freedoms_.coordinates());
+Eigen::VectorXd ElasticSystem::linearise(const State& state, double theta, TangentStiffness& tangent) const {
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(dofs_.coordinates());
   tangent.clear();
   const auto add = [&](int a, int b, const Element& e) {
     sum.segment<6>(6 * a) += e.gradient.head<6>();
     sum.segment<6>(6 * b) += e.gradient.tail<6>();
     tangent.add(a, b, e);
   };
-  for (const RestHinge& h : hinges_)
+  for (const RestHinge& h : structure_.hinges)
     add(h.lower, h.upper,
         hinge_element(h, stiffness_, state[h.lower], state[h.upper], structure_.size.edge_mm));
   visit_loads(state, theta, add);
@@ -183,24 +170,24 @@ bool ElasticSystem::update_multiplier(const State& state, double theta, double t
 }
 
 double ElasticSystem::load(const State& state, double theta) const {
-  if (driven_ >= 0) return -(multiplier_ + grip * drive_miss(state, theta));
+  if (drive_.hinge >= 0) return -(multiplier_ + grip * drive_miss(state, theta));
   const Eigen::VectorXd g = gradient(state, theta);
-  const int coordinate = drive_.axis == Axis::x ? 3 : 4;
+  const int coordinate = 3 + axis();
   double force = 0;
-  for (const int body : gripped_[1]) force -= g[6 * body + coordinate];
+  for (const int body : drive_.gripped[1]) force -= g[6 * body + coordinate];
   return force;
 }
 
 double ElasticSystem::drive_coordinate(double theta) const {
-  return driven_ >= 0 ? turn_at(theta) : 1 - std::cos(theta);
+  return drive_.hinge >= 0 ? turn_at(theta) : 1 - std::cos(theta);
 }
 
 double ElasticSystem::travel() const {
-  return driven_ >= 0 ? 1 : structure_.size.edge_mm * (row(1) - row(0));
+  return drive_.hinge >= 0 ? 1 : structure_.size.edge_mm * (row(1) - row(0));
 }
 
 double ElasticSystem::drive_rate(double theta) const {
-  return driven_ >= 0 ? turn_at(1) : std::sin(theta);
+  return drive_.hinge >= 0 ? turn_at(1) : std::sin(theta);
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::model

@@ -2,36 +2,34 @@
 
 #include <vector>
 
-#include "model/drive.hpp"
 #include "model/elastic/contact_energy.hpp"
-#include "model/elastic/hinge_energy.hpp"
-#include "model/elastic/tangent.hpp"
+#include "model/elastic/tangent_stiffness.hpp"
+#include "model/hinge/hinge_energy.hpp"
+#include "model/linkage/linkage_drive.hpp"
 
-namespace kinetix {
+namespace kinetix::model {
 
 /// A structure of rigid bodies with elastic hinges under a drive, and its energy: that of all hinges, of all
 /// contacts, and for a driven hinge the term that holds its turn at the drive's (method of multipliers).
-/// Energies are in units of k_point edge^2, gradients by the bodies' twists as in model/closure.hpp.
+/// Energies are in units of k_point edge^2, gradients by the bodies' twists as in model/closure/closure.hpp.
 class ElasticSystem {
  public:
-  /// The structure is kept by reference. @param planar bodies move in the plane z = 0 only
-  /// @pre elasticity and drive are valid
-  /// @throws InvalidInput for hinge parameters out of range and, with contact, for walls that overlap in the
-  /// flat state
-  ElasticSystem(const Structure& structure, const Elasticity& elasticity, const Drive& drive, bool planar,
+  /// @param planar bodies move in the plane z = 0 only   @pre elasticity and drive are valid
+  /// @throws InvalidInput, with contact, for walls that overlap in the flat state
+  ElasticSystem(Linkage structure, const Elasticity& elasticity, LinkageDrive drive, bool planar,
                 bool contact);
   /// One that nothing drives: theta has no meaning, and rigid motion is held at one body.
-  ElasticSystem(const Structure& structure, const Elasticity& elasticity, bool planar, bool contact);
+  ElasticSystem(Linkage structure, const Elasticity& elasticity, bool planar, bool contact);
 
-  const Structure& structure() const { return structure_; }
+  const Linkage& structure() const { return structure_; }
   const Stiffness& stiffness() const { return stiffness_; }
-  const Drive& drive() const { return drive_; }
-  const Freedoms& freedoms() const { return freedoms_; }
-  const std::vector<RestHinge>& hinges() const { return hinges_; }
+  const LinkageDrive& drive() const { return drive_; }
+  const DofMap& dofs() const { return dofs_; }
+  const std::vector<RestHinge>& hinges() const { return structure_.hinges; }
   const ContactModel& walls() const { return walls_; }
   bool has_contact() const { return contact_; }
   /// Bodies that the plates grip, first and last row; empty for a driven hinge.
-  const GrippedRows& gripped() const { return gripped_; }
+  const GrippedRows& gripped() const { return drive_.gripped; }
 
   std::vector<Contact> contacts(const State& state) const;
   /// Whether walls went through each other between two states (ContactModel::passed_through).
@@ -39,9 +37,9 @@ class ElasticSystem {
 
   /// Moves what plates grip to where fold parameter theta of the drive has them.
   void place(double theta, State& state) const;
-  /// The state after a step along screws (model/elastic/screw.hpp). Coordinates that are held or driven go
+  /// The state after a step along screws (model/elastic/retract.hpp). Coordinates that are held or driven go
   /// straight on: an arc would take them off their plate.
-  State stepped(const State& state, const Eigen::VectorXd& twists) const;
+  State retract(const State& state, const Eigen::VectorXd& twists) const;
   /// How far a step leads from where derivatives were taken: largest turn of a body (rad) or first-order change
   /// of a hinge's gap (cell edges). Shifts that add up along a chain do not count.
   double length(const State& state, const Eigen::VectorXd& twists) const;
@@ -54,7 +52,7 @@ class ElasticSystem {
   /// By all coordinates.
   Eigen::VectorXd gradient(const State& state, double theta) const;
   /// The same with the Hessian.
-  Eigen::VectorXd linearise(const State& state, double theta, Tangent& tangent) const;
+  Eigen::VectorXd linearise(const State& state, double theta, TangentStiffness& tangent) const;
 
   /// A driven hinge: its turn less the drive's, rad; 0 for plates.
   double drive_miss(const State& state, double theta) const;
@@ -74,7 +72,7 @@ class ElasticSystem {
   /// Its derivative by theta.
   double drive_rate(double theta) const;
   /// Index of the driven hinge; -1 for plates.
-  int driven_hinge() const { return driven_; }
+  int driven_hinge() const { return drive_.hinge; }
 
   static constexpr double grip = 100;  ///< stiffness that holds a driven hinge, k_point edge^2
 
@@ -82,20 +80,19 @@ class ElasticSystem {
   /// Elements of contacts and of a driven hinge.
   template <class Visit>
   void visit_loads(const State& state, double theta, const Visit& visit) const;
-  /// Of the bodies that plate 0 or 1 grips.
-  int row(int plate) const { return row_along(drive_.axis, structure_.bodies[gripped_[plate].front()]); }
-  double turn_at(double theta) const { return -2 * drive_.wall.from.sense() * theta; }
+  /// Along the axis: 0 or 1.
+  int axis() const { return drive_.axis == Axis::x ? 0 : 1; }
+  /// Place along the axis at rest of the bodies that plate 0 or 1 grips, cell edges.
+  double row(int plate) const { return structure_.bodies[drive_.gripped[plate].front()].position[axis()]; }
+  double turn_at(double theta) const { return -2 * drive_.sense * theta; }
 
-  const Structure& structure_;
+  const Linkage structure_;
   Stiffness stiffness_;
-  Drive drive_;
+  const LinkageDrive drive_;
   bool contact_;
-  Freedoms freedoms_;
-  std::vector<RestHinge> hinges_;
+  DofMap dofs_;
   mutable ContactModel walls_;  ///< remembers which walls are near; what it finds does not depend on it
-  GrippedRows gripped_;
-  int driven_ = -1;
   double multiplier_ = 0;
 };
 
-}  // namespace kinetix
+}  // namespace kinetix::model

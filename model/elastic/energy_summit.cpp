@@ -6,23 +6,23 @@
 
 #include "model/elastic/elastic_system.hpp"
 
-namespace kinetix {
+namespace kinetix::model {
 namespace {
 
 constexpr double accuracy = 1e-7;
 constexpr double vanishing = 1e-4;
-constexpr int most_balances = 60;
+constexpr int most_equilibria = 60;
 
 class Summit {
  public:
-  Summit(const Structure& structure, const Elasticity& elasticity, const Drive& drive,
-         const LoadPathOptions& options)
+  Summit(const Linkage& structure, const Elasticity& elasticity, const LinkageDrive& drive,
+         const EquilibriumPathOptions& options)
       : system_(structure, elasticity, drive, options.planar.value_or(all_vertical(structure)),
                 options.contact),
-        tangent_(system_.freedoms()),
+        tangent_(system_.dofs()),
         newton_(options.newton),
         unit_(energy_unit(elasticity, structure.size.edge_mm)),
-        load_unit_(drive.kind == Drive::Kind::plates ? unit_ / structure.size.edge_mm : unit_) {}
+        load_unit_(drive.kind == LinkageDrive::Kind::plates ? unit_ / structure.size.edge_mm : unit_) {}
 
   /// Regula falsi with the Illinois rule.
   EnergyBarrier of(const EnergyTurn& turn) {
@@ -30,10 +30,10 @@ class Summit {
     const double scale = std::max(std::abs(low.load), std::abs(high.load));
     EnergyBarrier best = barrier(low.at.step.energy > high.at.step.energy ? low.at.step : high.at.step);
     if ((low.load > 0) == (high.load > 0)) return best;
-    for (int k = 0; k < most_balances; ++k) {
+    for (int k = 0; k < most_equilibria; ++k) {
       const double theta = (low.theta() * high.load - high.theta() * low.load) / (high.load - low.load);
       const double from_low = std::abs(theta - low.theta()), from_high = std::abs(theta - high.theta());
-      const auto next = balance(theta, from_low < from_high ? low.at.state : high.at.state);
+      const auto next = equilibrium(theta, from_low < from_high ? low.at.state : high.at.state);
       if (!next) return best;
       if (next->step.energy > best.energy) best = barrier(next->step);
       if (std::min(from_low, from_high) <= accuracy) {
@@ -61,14 +61,14 @@ class Summit {
     side = {std::move(next), load, false};
   }
 
-  static EnergyBarrier barrier(const LoadStep& step) {
+  static EnergyBarrier barrier(const EquilibriumStep& step) {
     return {0, 0, step.energy, step.theta, step.drive, false};
   }
 
-  std::optional<DrivenState> balance(double theta, State state) {
+  std::optional<DrivenState> equilibrium(double theta, State state) {
     system_.place(theta, state);
     if (!minimise(system_, theta, newton_, state, tangent_).converged) return {};
-    LoadStep step;
+    EquilibriumStep step;
     step.theta = theta;
     step.drive = system_.drive_coordinate(theta);
     step.load = system_.load(state, theta) * load_unit_;
@@ -77,16 +77,16 @@ class Summit {
   }
 
   ElasticSystem system_;
-  Tangent tangent_;
+  TangentStiffness tangent_;
   NewtonOptions newton_;
   double unit_, load_unit_;
 };
 
 }  // namespace
 
-EnergyBarrier energy_summit(const Structure& structure, const Elasticity& elasticity, const Drive& drive,
-                            const LoadPathOptions& options, const EnergyTurn& turn) {
+EnergyBarrier energy_summit(const Linkage& structure, const Elasticity& elasticity, const LinkageDrive& drive,
+                            const EquilibriumPathOptions& options, const EnergyTurn& turn) {
   return Summit(structure, elasticity, drive, options).of(turn);
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::model

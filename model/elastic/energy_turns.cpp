@@ -2,9 +2,9 @@
 
 #include <utility>
 
-namespace kinetix {
+namespace kinetix::model {
 
-void EnergyTurns::see(const LoadStep& step, const State& state) {
+void EnergyTurns::see(const EquilibriumStep& step, const State& state) {
   DrivenState now{step, state};
   if (std::exchange(started_, true)) {
     const double slope = step.load * (step.drive - last_.step.drive);
@@ -16,4 +16,4 @@ void EnergyTurns::see(const LoadStep& step, const State& state) {
   last_ = std::move(now);
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::model

@@ -2,14 +2,14 @@
 
 #include <vector>
 
-#include "model/drive.hpp"
-#include "model/elastic/load_path.hpp"
+#include "model/elastic/equilibrium_path.hpp"
+#include "model/linkage/linkage_drive.hpp"
 
-namespace kinetix {
+namespace kinetix::model {
 
-/// A balance on a driven path.
+/// An equilibrium on a driven path.
 struct DrivenState {
-  LoadStep step;
+  EquilibriumStep step;
   State state;
 };
 
@@ -21,14 +21,14 @@ struct EnergyTurn {
 };
 
 /// What a search for stable states keeps of a path: where its energy turns, and its end. Give see() to
-/// follow_load as `frame`; the slope comes from the load, so that no turn hides between two states.
+/// trace_equilibrium as `frame`; the slope comes from the load, so that no turn hides between two states.
 class EnergyTurns {
  public:
-  explicit EnergyTurns(const Drive& drive) : drive_(drive) {}
+  explicit EnergyTurns(const LinkageDrive& drive) : drive_(drive) {}
 
-  void see(const LoadStep& step, const State& state);
+  void see(const EquilibriumStep& step, const State& state);
 
-  const Drive& drive() const { return drive_; }
+  const LinkageDrive& drive() const { return drive_; }
   const std::vector<EnergyTurn>& turns() const { return turns_; }
   /// @pre a state was seen
   const DrivenState& last() const { return last_; }
@@ -36,11 +36,11 @@ class EnergyTurns {
   bool ends_falling() const { return slope_ < 0; }
 
  private:
-  Drive drive_;
+  LinkageDrive drive_;
   std::vector<EnergyTurn> turns_;
   DrivenState last_;
   bool started_ = false;
   double slope_ = 0;  ///< sign of the energy's change along the path at its end
 };
 
-}  // namespace kinetix
+}  // namespace kinetix::model

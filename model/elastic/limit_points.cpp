@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace kinetix {
+namespace kinetix::model {
 namespace {
 
 using Loads = std::vector<double>;
@@ -26,15 +26,15 @@ double prominence_of(const Loads& loads, std::size_t k) {
   return std::min(fall(loads[k], after, loads.end()), fall(loads[k], before, loads.rend()));
 }
 
-Loads signed_loads(const LoadPath& path, double sign) {
+Loads signed_loads(const EquilibriumPath& path, double sign) {
   Loads loads;
-  for (const LoadStep& step : path.steps) loads.push_back(sign * step.load);
+  for (const EquilibriumStep& step : path.steps) loads.push_back(sign * step.load);
   return loads;
 }
 
 }  // namespace
 
-std::vector<PathEvent> limit_points(const LoadPath& path, double prominence) {
+std::vector<PathEvent> limit_points(const EquilibriumPath& path, double prominence) {
   const Loads loads = signed_loads(path, 1), mirrored = signed_loads(path, -1);
   const auto [low, high] = std::minmax_element(loads.begin(), loads.end());
   std::vector<PathEvent> found;
@@ -46,7 +46,7 @@ std::vector<PathEvent> limit_points(const LoadPath& path, double prominence) {
   return found;
 }
 
-void add_limit_points(LoadPath& path) {
+void add_limit_points(EquilibriumPath& path) {
   const std::vector<PathEvent> limits = limit_points(path);
   path.events.insert(path.events.end(), limits.begin(), limits.end());
   std::stable_sort(path.events.begin(), path.events.end(), [](const PathEvent& a, const PathEvent& b) {
@@ -54,4 +54,4 @@ void add_limit_points(LoadPath& path) {
   });
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::model

@@ -5,7 +5,7 @@
 
 #include "model/elastic/conjugate_gradients.hpp"
 
-namespace kinetix {
+namespace kinetix::model {
 namespace {
 
 using Eigen::VectorXd;
@@ -30,14 +30,14 @@ double largest(const VectorXd& v) {
 
 class Newton {
  public:
-  Newton(ElasticSystem& system, double theta, const NewtonOptions& options, State& state, Tangent& tangent)
+  Newton(ElasticSystem& system, double theta, const NewtonOptions& options, State& state,
+         TangentStiffness& tangent)
       : system_(system),
         theta_(theta),
         options_(options),
         state_(state),
         tangent_(tangent),
-        force_tolerance_(options.force_tolerance *
-                         (1 + std::sqrt(static_cast<double>(state.size())))) {}
+        force_tolerance_(options.force_tolerance * (1 + std::sqrt(static_cast<double>(state.size())))) {}
 
   NewtonResult run(bool factorised) {
     energy_ = system_.energy(state_, theta_);
@@ -58,7 +58,7 @@ class Newton {
 
  private:
   bool linearise() {
-    gradient_ = system_.freedoms().restrict(system_.linearise(state_, theta_, tangent_));
+    gradient_ = system_.dofs().restrict(system_.linearise(state_, theta_, tangent_));
     result_.force = largest(gradient_);
     return std::isfinite(result_.force);
   }
@@ -96,7 +96,7 @@ class Newton {
   /// @param held_back it is shorter than the energy asks for   @param exact by a factor of the tangent itself
   bool try_step(const VectorXd& reduced, bool held_back, bool exact) {
     const double decrement = -gradient_.dot(reduced) / 2;
-    VectorXd step = system_.freedoms().extend(reduced);
+    VectorXd step = system_.dofs().extend(reduced);
     const double whole = system_.length(state_, step);
     if (!std::isfinite(whole)) return false;
     double length = whole;
@@ -104,7 +104,7 @@ class Newton {
       step *= options_.longest_step / length;
       length = options_.longest_step;
     }
-    State candidate = system_.stepped(state_, step);
+    State candidate = system_.retract(state_, step);
     double energy = system_.energy(candidate, theta_);
     if (!is_better(energy, candidate, length) &&
         !shorten(step, length, gradient_.dot(reduced) * length / whole, candidate, energy))
@@ -129,7 +129,7 @@ class Newton {
       step *= by;
       length *= by;
       slope *= by;
-      candidate = system_.stepped(state_, step);
+      candidate = system_.retract(state_, step);
       energy = system_.energy(candidate, theta_);
       if (is_better(energy, candidate, length)) return true;
     }
@@ -139,7 +139,7 @@ class Newton {
   /// A shift holds back a step along negative curvature: it is doubled as long as that lowers the energy.
   void stretch(const VectorXd& step, double& length, State& candidate, double& energy) const {
     for (double by = 2; 2 * length <= options_.longest_step; by *= 2) {
-      State further = system_.stepped(state_, by * step);
+      State further = system_.retract(state_, by * step);
       const double lower = system_.energy(further, theta_);
       if (!(lower < energy)) return;
       candidate = std::move(further);
@@ -151,11 +151,11 @@ class Newton {
   /// Steps by the factor that there is, as long as each is much shorter than the one before.
   void follow_chord(double length) {
     while (length > std::min(options_.step_tolerance, polished)) {
-      const VectorXd gradient = system_.freedoms().restrict(system_.gradient(state_, theta_));
-      const VectorXd step = -system_.freedoms().extend(tangent_.solve(gradient));
+      const VectorXd gradient = system_.dofs().restrict(system_.gradient(state_, theta_));
+      const VectorXd step = -system_.dofs().extend(tangent_.solve(gradient));
       const double next = system_.length(state_, step);
       if (!(next <= chord_gain * length)) return;
-      State candidate = system_.stepped(state_, step);
+      State candidate = system_.retract(state_, step);
       const double energy = system_.energy(candidate, theta_);
       if (!(energy < energy_)) return;
       state_ = std::move(candidate);
@@ -171,7 +171,7 @@ class Newton {
     if (!std::isfinite(energy)) return false;
     if (energy < energy_ - energy_noise * std::abs(energy_)) return true;
     if (length > too_short) return false;
-    const VectorXd gradient = system_.freedoms().restrict(system_.gradient(candidate, theta_));
+    const VectorXd gradient = system_.dofs().restrict(system_.gradient(candidate, theta_));
     return largest(gradient) <= result_.force || length <= options_.step_tolerance;
   }
 
@@ -179,7 +179,7 @@ class Newton {
   const double theta_;
   const NewtonOptions& options_;
   State& state_;
-  Tangent& tangent_;
+  TangentStiffness& tangent_;
   const double force_tolerance_;
   NewtonResult result_;
   VectorXd gradient_;
@@ -191,8 +191,8 @@ class Newton {
 }  // namespace
 
 NewtonResult minimise(ElasticSystem& system, double theta, const NewtonOptions& options, State& state,
-                      Tangent& tangent, bool factorised) {
+                      TangentStiffness& tangent, bool factorised) {
   return Newton(system, theta, options, state, tangent).run(factorised);
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::model

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-namespace kinetix {
+namespace kinetix::model {
 namespace {
 
 using Eigen::VectorXd;
@@ -12,7 +12,7 @@ constexpr double longest = 0.3;
 
 }  // namespace
 
-State Predictor::predict(const State& state, double from, double to, const Tangent& tangent) {
+State Predictor::predict(const State& state, double from, double to, const TangentStiffness& tangent) {
   order_ = 1;
   if (rate_.size() == 0) rate_ = rate(state, from, to, tangent);
   const double step = to - from;
@@ -36,14 +36,14 @@ void Predictor::restart() {
 }
 
 // Plates stand still to first order where they start.
-VectorXd Predictor::rate(const State& state, double from, double to, const Tangent& tangent) const {
+VectorXd Predictor::rate(const State& state, double from, double to, const TangentStiffness& tangent) const {
   const VectorXd placed = system_.place_rate(from != 0 ? from : to / 2);
   const VectorXd pull = tangent.multiply_all(placed) + turn_pull(state, from);
-  return -system_.freedoms().extend(tangent.solve(system_.freedoms().restrict(pull)));
+  return -system_.dofs().extend(tangent.solve(system_.dofs().restrict(pull)));
 }
 
 VectorXd Predictor::turn_pull(const State& state, double from) const {
-  VectorXd pull = VectorXd::Zero(system_.freedoms().coordinates());
+  VectorXd pull = VectorXd::Zero(system_.dofs().coordinates());
   if (system_.driven_hinge() < 0) return pull;
   const RestHinge& hinge = system_.hinges()[system_.driven_hinge()];
   const Vector12 by_theta =
@@ -56,9 +56,9 @@ VectorXd Predictor::turn_pull(const State& state, double from) const {
 State Predictor::ahead(const State& state, double to, VectorXd step) const {
   const double length = system_.length(state, step);
   if (!(length <= longest)) step *= longest / length;
-  State out = step.allFinite() ? system_.stepped(state, step) : state;
+  State out = step.allFinite() ? system_.retract(state, step) : state;
   system_.place(to, out);
   return out;
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::model

@@ -2,9 +2,9 @@
 
 #include "model/elastic/elastic_system.hpp"
 
-namespace kinetix {
+namespace kinetix::model {
 
-/// Where a path of balance goes next: along its tangent, and bent as the tangent has turned since the state
+/// Where a path of equilibrium goes next: along its tangent, and bent as the tangent has turned since the state
 /// before.
 class Predictor {
  public:
@@ -12,9 +12,9 @@ class Predictor {
 
   /// The state expected at fold parameter `to`, what the drive grips in place: of first or second order,
   /// whichever has less energy. No hinge turns or opens by more than 0.3 rad or cell edges.
-  /// @param state in balance at `from`  @param tangent its tangent, factorised; needed for the first prediction
+  /// @param state in equilibrium at `from`  @param tangent its tangent, factorised; needed for the first prediction
   /// from a state only
-  State predict(const State& state, double from, double to, const Tangent& tangent);
+  State predict(const State& state, double from, double to, const TangentStiffness& tangent);
   /// 1 or 2: of the last prediction. Its error grows with the step to one power more.
   int order() const { return order_; }
 
@@ -24,7 +24,7 @@ class Predictor {
   void restart();
 
  private:
-  Eigen::VectorXd rate(const State& state, double from, double to, const Tangent& tangent) const;
+  Eigen::VectorXd rate(const State& state, double from, double to, const TangentStiffness& tangent) const;
   Eigen::VectorXd turn_pull(const State& state, double from) const;
   State ahead(const State& state, double to, Eigen::VectorXd step) const;
 
@@ -34,4 +34,4 @@ class Predictor {
   int order_ = 1;
 };
 
-}  // namespace kinetix
+}  // namespace kinetix::model

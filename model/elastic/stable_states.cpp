@@ -5,11 +5,12 @@
 #include <optional>
 #include <sstream>
 
-#include "model/closure_drive.hpp"
+#include "model/base/angle.hpp"
+#include "model/closure/closure_drive.hpp"
 #include "model/elastic/energy_summit.hpp"
-#include "model/elastic/softest.hpp"
+#include "model/elastic/lowest_mode.hpp"
 
-namespace kinetix {
+namespace kinetix::model {
 namespace {
 
 using Eigen::VectorXd;
@@ -18,20 +19,21 @@ constexpr double different = 1e-3;
 constexpr int most_saddles = 5;
 constexpr double off_saddle = 1e-2;
 
-double mean_theta(const Structure& structure, const State& state) {
+double mean_theta(const Linkage& structure, const State& state) {
   const auto& hinges = structure.hinges;
-  const bool some_upright = std::any_of(hinges.begin(), hinges.end(), is_vertical);
+  const bool some_upright =
+      std::any_of(hinges.begin(), hinges.end(), [](const RestHinge& h) { return is_vertical(h); });
   double sum = 0;
   int count = 0;
   for (int h = 0; h < static_cast<int>(hinges.size()); ++h) {
     if (some_upright && !is_vertical(hinges[h])) continue;
-    sum -= hinges[h].wall.from.sense() * hinge_turn(structure, state, h) / 2;
+    sum -= structure.bodies[hinges[h].lower].sense * hinge_turn(structure, state, h) / 2;
     ++count;
   }
   return sum / count;
 }
 
-std::string released_at(const LoadStep& step) {
+std::string released_at(const EquilibriumStep& step) {
   std::ostringstream out;
   out << "released at theta " << std::round(10 * to_degrees(step.theta)) / 10 << " deg of the drive";
   return out.str();
@@ -40,10 +42,10 @@ std::string released_at(const LoadStep& step) {
 /// A structure that nothing drives.
 class Release {
  public:
-  Release(const Structure& structure, const Elasticity& elasticity, const StableStateOptions& options)
+  Release(const Linkage& structure, const Elasticity& elasticity, const StableStateOptions& options)
       : system_(structure, elasticity, options.path.planar.value_or(all_vertical(structure)),
                 options.path.contact),
-        tangent_(system_.freedoms()),
+        tangent_(system_.dofs()),
         newton_(options.path.newton),
         unit_(energy_unit(elasticity, structure.size.edge_mm)) {
     newton_.max_iterations = options.max_iterations;
@@ -66,7 +68,7 @@ class Release {
   }
 
   StableState described(State state, std::string how) const {
-    const Structure& structure = system_.structure();
+    const Linkage& structure = system_.structure();
     StableState found;
     found.energy = system_.elastic_energy(state) * unit_;
     found.theta = mean_theta(structure, state);
@@ -78,15 +80,15 @@ class Release {
 
  private:
   bool leave(State& state) {
-    const Softest soft = softest(tangent_);
+    const LowestMode soft = lowest_mode(tangent_);
     if (!soft.converged || !(soft.value < 0)) return false;
-    const VectorXd along = system_.freedoms().extend(soft.direction);
-    state = system_.stepped(state, off_saddle / system_.length(state, along) * along);
+    const VectorXd along = system_.dofs().extend(soft.direction);
+    state = system_.retract(state, off_saddle / system_.length(state, along) * along);
     return true;
   }
 
   ElasticSystem system_;
-  Tangent tangent_;
+  TangentStiffness tangent_;
   NewtonOptions newton_;
   double unit_;
 };
@@ -94,7 +96,7 @@ class Release {
 /// Joins the states along all paths.
 class Collector {
  public:
-  Collector(const Structure& structure, const Elasticity& elasticity, const StableStateOptions& options)
+  Collector(const Linkage& structure, const Elasticity& elasticity, const StableStateOptions& options)
       : structure_(structure),
         elasticity_(elasticity),
         path_options_(options.path),
@@ -143,7 +145,7 @@ class Collector {
     return static_cast<int>(index);
   }
 
-  void add_barrier(const Drive& drive, const EnergyTurn& top, int from, int to) {
+  void add_barrier(const LinkageDrive& drive, const EnergyTurn& top, int from, int to) {
     EnergyBarrier barrier = energy_summit(structure_, elasticity_, drive, path_options_, top);
     barrier.from = std::min(from, to);
     barrier.to = std::max(from, to);
@@ -156,42 +158,31 @@ class Collector {
       *known = barrier;
   }
 
-  const Structure& structure_;
+  const Linkage& structure_;
   const Elasticity& elasticity_;
-  const LoadPathOptions& path_options_;
+  const EquilibriumPathOptions& path_options_;
   Release release_;
   StableStates found_;
 };
 
 }  // namespace
 
-StableStates stable_states(const Structure& structure, const Elasticity& elasticity,
+StableStates stable_states(const Linkage& structure, const Elasticity& elasticity,
                            const std::vector<EnergyTurns>& paths, const StableStateOptions& options) {
   Collector collector(structure, elasticity, options);
   for (const EnergyTurns& path : paths) collector.add(path);
   return collector.found();
 }
 
-StableStates find_stable_states(const Structure& structure, const Elasticity& elasticity,
-                                const std::vector<Drive>& drives, const StableStateOptions& options) {
+StableStates find_stable_states(const std::vector<DrivenLinkage>& drives, const Elasticity& elasticity,
+                                const StableStateOptions& options) {
   std::vector<EnergyTurns> paths;
-  for (const Drive& drive : drives) {
-    EnergyTurns& path = paths.emplace_back(drive);
-    follow_load(structure, elasticity, drive, options.path,
-                [&](const LoadStep& step, const State& state) { path.see(step, state); });
+  for (const DrivenLinkage& driven : drives) {
+    EnergyTurns& path = paths.emplace_back(driven.drive);
+    trace_equilibrium(driven, elasticity, options.path,
+                      [&](const EquilibriumStep& step, const State& state) { path.see(step, state); });
   }
-  return stable_states(structure, elasticity, paths, options);
+  return stable_states(drives.front().linkage, elasticity, paths, options);
 }
 
-std::vector<Drive> search_drives(const Structure& structure, double theta) {
-  const auto upright = std::find_if(structure.hinges.begin(), structure.hinges.end(), is_vertical);
-  Drive drive;
-  drive.kind = Drive::Kind::hinge;
-  drive.wall = (upright == structure.hinges.end() ? structure.hinges.begin() : upright)->wall;
-  drive.angle = -2 * drive.wall.from.sense() * theta;
-  Drive back = drive;
-  back.angle = -drive.angle;
-  return {drive, back};
-}
-
-}  // namespace kinetix
+}  // namespace kinetix::model

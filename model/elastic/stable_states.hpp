@@ -5,7 +5,7 @@
 
 #include "model/elastic/energy_summit.hpp"
 
-namespace kinetix {
+namespace kinetix::model {
 
 /// A state that a structure keeps with nothing driving it: the tangent of its energy is positive definite.
 struct StableState {
@@ -24,23 +24,20 @@ struct StableStates {
 };
 
 struct StableStateOptions {
-  LoadPathOptions path;
+  EquilibriumPathOptions path;
   int max_iterations = 400;  ///< of Newton's method after a release
 };
 
-/// The stable states that driven paths of follow_load lead to, made with the same structure, elasticity and
+/// The stable states that driven paths of trace_equilibrium lead to, made with the same structure, elasticity and
 /// options: flat, and where the structure goes when it is released from each minimum of the energy along a
 /// path and from an end that it still falls to. Further ones may exist that no path comes near.
-StableStates stable_states(const Structure& structure, const Elasticity& elasticity,
+StableStates stable_states(const Linkage& structure, const Elasticity& elasticity,
                            const std::vector<EnergyTurns>& paths, const StableStateOptions& options = {});
 
 /// The same after following these drives from flat.
 /// @throws InvalidInput for options, stiffnesses or drives out of range
-StableStates find_stable_states(const Structure& structure, const Elasticity& elasticity,
-                                const std::vector<Drive>& drives, const StableStateOptions& options = {});
+/// @pre at least one drive, all of one linkage
+StableStates find_stable_states(const std::vector<DrivenLinkage>& drives, const Elasticity& elasticity,
+                                const StableStateOptions& options = {});
 
-/// Drives for a search that knows nothing of the structure: its first upright hinge (else its first one) to
-/// theta and to -theta. @param theta rad, (0, pi/2)
-std::vector<Drive> search_drives(const Structure& structure, double theta);
-
-}  // namespace kinetix
+}  // namespace kinetix::model

@@ -11,7 +11,7 @@
 /// factor, in the factors' units and all finite; `responses` has one number for each row, and a sample that
 /// failed, or has no such response, has one there that is not finite (NaN). Such a row is left out of every
 /// figure that depends on it, and counted. All functions are pure: same arguments, same bits.
-namespace kinetix {
+namespace kinetix::optim {
 
 using SampleMatrix = Eigen::Ref<const Eigen::MatrixXd>;
 
@@ -135,4 +135,4 @@ std::vector<MorrisEffect> morris_effects(const SampleMatrix& samples, std::span<
 
 /// @}
 
-}  // namespace kinetix
+}  // namespace kinetix::optim

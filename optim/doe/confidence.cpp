@@ -6,10 +6,10 @@
 #include <cmath>
 #include <limits>
 
-#include "model/invalid_input.hpp"
+#include "model/base/invalid_input.hpp"
 #include "optim/doe/random.hpp"
 
-namespace kinetix {
+namespace kinetix::optim {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -43,4 +43,4 @@ std::uint64_t resampled_row(std::uint64_t seed, int resample, std::uint64_t draw
   return random_bits(seed, RandomStream::bootstrap, draw, static_cast<std::uint32_t>(resample)) % rows;
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::optim

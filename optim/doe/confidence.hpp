@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace kinetix {
+namespace kinetix::optim {
 
 /// How intervals are found: by the bootstrap, which draws as many rows as there are, with replacement, works
 /// the figure out anew, and takes the quantiles of what comes out (percentile method; Efron, Tibshirani, "An
@@ -29,4 +29,4 @@ Estimate percentile_estimate(double value, std::vector<double> resampled, double
 /// Which row stands at place `draw` of resample `resample`. @param rows 1 or more
 std::uint64_t resampled_row(std::uint64_t seed, int resample, std::uint64_t draw, std::uint64_t rows);
 
-}  // namespace kinetix
+}  // namespace kinetix::optim

@@ -6,9 +6,9 @@
 #include <boost/math/special_functions/erf.hpp>
 #include <cmath>
 
-#include "model/invalid_input.hpp"
+#include "model/base/invalid_input.hpp"
 
-namespace kinetix {
+namespace kinetix::optim {
 namespace {
 
 constexpr std::int64_t most_levels = 1'000'000'000;
@@ -121,4 +121,4 @@ double level_value(const Factor& factor, std::int64_t k) {
       factor.distribution);
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::optim

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-namespace kinetix {
+namespace kinetix::optim {
 
 /// Every value of [lower, upper] alike; lower < upper, finite.
 struct UniformRange {
@@ -48,4 +48,4 @@ std::int64_t level_count(const Factor& factor);
 /// as many parts of the same probability; of a list, value k. @param k 0 to level_count - 1
 double level_value(const Factor& factor, std::int64_t k);
 
-}  // namespace kinetix
+}  // namespace kinetix::optim

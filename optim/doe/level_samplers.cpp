@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
-#include "model/invalid_input.hpp"
+#include "model/base/invalid_input.hpp"
 #include "optim/doe/random.hpp"
 #include "optim/doe/samplers.hpp"
 
-namespace kinetix {
+namespace kinetix::optim {
 namespace {
 
 class Factorial final : public Sampler {
@@ -112,4 +112,4 @@ std::unique_ptr<const Sampler> make_level_sampler(SharedFactors factors, const S
   }
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::optim

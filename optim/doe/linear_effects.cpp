@@ -5,7 +5,7 @@
 
 #include "optim/doe/sample_table.hpp"
 
-namespace kinetix {
+namespace kinetix::optim {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -107,4 +107,4 @@ LinearModel linear_effects(const SampleMatrix& samples, std::span<const double> 
   return model;
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::optim

@@ -5,10 +5,10 @@
 #include <limits>
 #include <numeric>
 
-#include "model/invalid_input.hpp"
+#include "model/base/invalid_input.hpp"
 #include "optim/doe/sample_table.hpp"
 
-namespace kinetix {
+namespace kinetix::optim {
 namespace {
 
 using Rows = std::vector<Eigen::Index>;
@@ -160,4 +160,4 @@ std::vector<MainEffect> one_at_a_time_effects(const SampleMatrix& samples,
   return effects;
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::optim

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <limits>
 
-#include "model/invalid_input.hpp"
+#include "model/base/invalid_input.hpp"
 #include "optim/doe/sample_table.hpp"
 
-namespace kinetix {
+namespace kinetix::optim {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -94,4 +94,4 @@ std::vector<MorrisEffect> morris_effects(const SampleMatrix& samples, std::span<
   return result;
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::optim

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cassert>
 
-namespace kinetix {
+namespace kinetix::optim {
 namespace {
 
 constexpr int fewest_half_bits = 3;
@@ -73,4 +73,4 @@ std::uint64_t RandomOrder::operator()(std::uint64_t i) const {
   return i;
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::optim

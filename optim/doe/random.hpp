@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-namespace kinetix {
+namespace kinetix::optim {
 
 /// The block function Philox4x32-10: Salmon, Moraes, Dror, Shaw, "Parallel random numbers: as easy as 1, 2,
 /// 3", SC 2011. Random numbers by counter: no state, so that number i is the same in any order and on any
@@ -48,4 +48,4 @@ class RandomOrder {
   std::array<std::uint64_t, 6> keys_;
 };
 
-}  // namespace kinetix
+}  // namespace kinetix::optim

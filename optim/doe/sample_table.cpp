@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "model/invalid_input.hpp"
+#include "model/base/invalid_input.hpp"
 
-namespace kinetix {
+namespace kinetix::optim {
 
 void check_table(const SampleMatrix& samples, std::span<const double> responses) {
   if (samples.cols() == 0) throw InvalidInput("the table has no factors, must have one or more");
@@ -26,4 +26,4 @@ std::vector<Eigen::Index> usable_rows(std::span<const double> responses) {
   return rows;
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::optim

@@ -2,7 +2,7 @@
 
 #include "optim/doe/sampling.hpp"
 
-namespace kinetix {
+namespace kinetix::optim {
 
 /// A method that has been given its factors; as SamplePlan.
 class Sampler {
@@ -26,4 +26,4 @@ std::unique_ptr<const Sampler> make_unit_sampler(SharedFactors factors, const Sa
 /// factor of one level in morris
 std::unique_ptr<const Sampler> make_level_sampler(SharedFactors factors, const SamplingOptions& options);
 
-}  // namespace kinetix
+}  // namespace kinetix::optim

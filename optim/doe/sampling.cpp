@@ -6,10 +6,10 @@
 #include <limits>
 #include <set>
 
-#include "model/invalid_input.hpp"
+#include "model/base/invalid_input.hpp"
 #include "optim/doe/samplers.hpp"
 
-namespace kinetix {
+namespace kinetix::optim {
 namespace {
 
 constexpr std::uint64_t most_samples = std::uint64_t{1} << 62;
@@ -67,4 +67,4 @@ std::vector<double> SamplePlan::sample(std::uint64_t i) const {
   return values;
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::optim

@@ -7,7 +7,7 @@
 
 #include "optim/doe/factor.hpp"
 
-namespace kinetix {
+namespace kinetix::optim {
 
 /// How samples are laid out. With d factors; "samples" is SamplingOptions::samples.
 enum class SamplingMethod {
@@ -72,4 +72,4 @@ class SamplePlan {
   std::shared_ptr<const Sampler> sampler_;
 };
 
-}  // namespace kinetix
+}  // namespace kinetix::optim

@@ -4,10 +4,10 @@
 #include <limits>
 #include <utility>
 
-#include "model/invalid_input.hpp"
+#include "model/base/invalid_input.hpp"
 #include "optim/doe/sample_table.hpp"
 
-namespace kinetix {
+namespace kinetix::optim {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -135,4 +135,4 @@ SobolIndices sobol_indices(std::span<const double> responses, int factors, const
   return result;
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::optim

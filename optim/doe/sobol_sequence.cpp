@@ -4,7 +4,7 @@
 #include <boost/random/sobol.hpp>
 #include <cassert>
 
-namespace kinetix {
+namespace kinetix::optim {
 namespace {
 
 constexpr int bits = 64;
@@ -32,4 +32,4 @@ std::uint64_t SobolSequence::coordinate(std::uint64_t index, int dimension) cons
   return coordinate;
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::optim

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace kinetix {
+namespace kinetix::optim {
 
 /// Sobol's sequence with the direction numbers of Joe and Kuo (SIAM J. Sci. Comput. 30, 2635, 2008), in the
 /// order of Antonov and Saleev, from its first point, the origin, on. Any power of two of points from a
@@ -26,4 +26,4 @@ class SobolSequence {
   std::vector<std::uint64_t> directions_;  ///< bit by bit, the 64 of dimension 0 first
 };
 
-}  // namespace kinetix
+}  // namespace kinetix::optim

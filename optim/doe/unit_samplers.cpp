@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "model/invalid_input.hpp"
+#include "model/base/invalid_input.hpp"
 #include "optim/doe/random.hpp"
 #include "optim/doe/samplers.hpp"
 #include "optim/doe/sobol_sequence.hpp"
 
-namespace kinetix {
+namespace kinetix::optim {
 namespace {
 
 class MonteCarlo final : public Sampler {
@@ -131,4 +131,4 @@ std::unique_ptr<const Sampler> make_unit_sampler(SharedFactors factors, const Sa
   }
 }
 
-}  // namespace kinetix
+}  // namespace kinetix::optim

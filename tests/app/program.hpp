@@ -45,12 +45,12 @@ struct Outcome {
   std::string out, err;
 };
 
-/// Runs the program with arguments (already quoted for the shell).
-inline Outcome kinetix_opt(const std::string& arguments) {
+/// Runs the program with arguments (already quoted for the shell). @param before what the shell does first
+inline Outcome kinetix_opt(const std::string& arguments, const std::string& before = "") {
   const Scratch scratch;
   const std::string out = scratch / "out", err = scratch / "err";
   const int status = std::system(
-      (std::string(KINETIX_OPT) + " " + arguments + " >" + out + " 2>" + err + " </dev/null").c_str());
+      (before + KINETIX_OPT + " " + arguments + " >" + out + " 2>" + err + " </dev/null").c_str());
   return {WEXITSTATUS(status), text_of(out), text_of(err)};
 }
 

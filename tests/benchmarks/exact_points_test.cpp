@@ -8,16 +8,16 @@
 namespace kinetix::bench {
 namespace {
 
-SpeedErrorScene scene_of(const Structure& structure, double theta) {
+SpeedErrorScene scene_of(const model::Structure& structure, double theta) {
   SpeedErrorScene scene{"some", structure, drive_to(structure, theta), classify(structure), {}};
   scene.reference = fold(scene.family, structure, theta);
   return scene;
 }
 
 TEST(RoundingError, IsThatOfDoubleOnSheetsAndNets) {
-  auto sheet = ExactDesign<double>::basic(12, 9);
+  auto sheet = model::ExactDesign<double>::basic(12, 9);
   for (int c = 0; c < 12; ++c) sheet.beta[c] = (c % 2 ? -1 : 1) * 0.1 * (1 + c % 3);
-  for (const Structure& s : {testing::structure_of(sheet), testing::cube_net(0.9)}) {
+  for (const model::Structure& s : {testing::structure_of(sheet), testing::cube_net(0.9)}) {
     const double error = rounding_error(scene_of(s, 0.5));
     EXPECT_LE(error, 1e-13);
     EXPECT_GT(error, 0);

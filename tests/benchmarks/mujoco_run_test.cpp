@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "benchmarks/scenes.hpp"
-#include "model/invalid_input.hpp"
+#include "model/base/invalid_input.hpp"
 #include "tests/support/elastic_runs.hpp"
 
 namespace kinetix::bench {
@@ -21,9 +21,9 @@ class MujocoRun : public ::testing::TestWithParam<const char*> {
 
 TEST_P(MujocoRun, SettlesInTheClosedForm) {
   for (const auto& [columns, rows] : {std::pair{8, 1}, {4, 4}}) {
-    ExactDesign<double> design;
-    const Structure structure = arc(columns, rows, design);
-    const Drive drive = testing::hinge_drive({{columns / 2, rows / 2}, Axis::y}, design.theta);
+    model::ExactDesign<double> design;
+    const model::Structure structure = arc(columns, rows, design);
+    const model::Drive drive = testing::hinge_drive({{columns / 2, rows / 2}, model::Axis::y}, design.theta);
     const MujocoResult run = run_mujoco(structure, drive, settings());
     EXPECT_EQ(run.status, MujocoResult::Status::settled) << to_string(run.status);
     EXPECT_LT(run.gaps.max, 1e-5);
@@ -33,9 +33,9 @@ TEST_P(MujocoRun, SettlesInTheClosedForm) {
 }
 
 TEST_P(MujocoRun, TakesNoPlates) {
-  ExactDesign<double> design;
-  const Structure structure = arc(4, 1, design);
-  EXPECT_THROW(run_mujoco(structure, Drive{}, settings()), InvalidInput);
+  model::ExactDesign<double> design;
+  const model::Structure structure = arc(4, 1, design);
+  EXPECT_THROW(run_mujoco(structure, model::Drive{}, settings()), InvalidInput);
 }
 
 INSTANTIATE_TEST_SUITE_P(Bodies, MujocoRun, ::testing::Values("free", "tree"));

@@ -2,8 +2,8 @@
 
 #include "benchmarks/peers/differenced_problem.hpp"
 #include "benchmarks/peers/simulated_fit.hpp"
-#include "optim/curve_starts.hpp"
-#include "targets/curve_error.hpp"
+#include "optim/curve/curve_starts.hpp"
+#include "targets/curve/curve_error.hpp"
 #include "tests/support/curves.hpp"
 
 namespace kinetix::bench {
@@ -13,12 +13,12 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 struct HalfCircle {
-  Curve goal = testing::half_circle();
+  targets::Curve goal = testing::half_circle();
   int columns = 8;
-  CurveFit fit{goal,
-               make_bend_ties(columns, Per::column, Symmetry::none, {-1, 1}),
-               testing::fitting_cell(goal, columns),
-               {0.05, 0.76}};
+  optim::CurveFit fit{goal,
+                      make_bend_ties(columns, optim::Per::column, optim::Symmetry::none, {-1, 1}),
+                      testing::fitting_cell(goal, columns),
+                      {0.05, 0.76}};
 };
 
 TEST(DifferencedProblem, HasTheSlopesOfTheAnalyticOneInsideAndAtTheBounds) {
@@ -43,7 +43,7 @@ TEST(DifferencedProblem, HasTheSlopesOfTheAnalyticOneInsideAndAtTheBounds) {
 
 TEST(SimulatedFit, MeasuresTheShapeThatTheEngineFolds) {
   const HalfCircle scene;
-  PhysicsOptions options;
+  sim::PhysicsOptions options;
   options.step_s = 1.0 / 60;
   options.joint_stiffness = 1e8;
   const double edge = scene.fit.cell_mm();
@@ -54,10 +54,11 @@ TEST(SimulatedFit, MeasuresTheShapeThatTheEngineFolds) {
   EXPECT_EQ(r.size(), simulated.residuals());
   EXPECT_EQ(simulated.runs(), 1);
 
-  const ExactDesign<double> design = scene.fit.design(start, 1);
-  Structure structure = make_structure(rectangle(scene.columns, 1), {edge, edge / 10, 0.6 * edge});
+  const model::ExactDesign<double> design = scene.fit.design(start, 1);
+  model::Structure structure =
+      make_structure(model::rectangle(scene.columns, 1), {edge, edge / 10, 0.6 * edge});
   apply(design, structure);
-  const CurveError exact = curve_error(midline(fold(design, structure), 1), scene.goal);
+  const targets::CurveError exact = curve_error(optim::midline(fold(design, structure), 1), scene.goal);
   ASSERT_EQ(exact.distance_mm.size(), static_cast<std::size_t>(r.size()));
   const Eigen::Map<const VectorXd> distances(exact.distance_mm.data(), r.size());
   const double unit = exact.scale_mm * std::sqrt(static_cast<double>(r.size()));

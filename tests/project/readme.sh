@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Runs every kinetix-opt command of the README with the program under test, and compares the one real run's output.
+# Runs every kinetix-opt command of the README with the program under test, and its first design of one's own, and
+# compares the output of the one run that is shown in full.
 # usage: readme.sh PROGRAM SOURCE_FOLDER SCRATCH_FOLDER
 set -euo pipefail
 program=$1 source=$2 scratch=$3
@@ -14,6 +15,14 @@ while IFS= read -r command; do
   echo "$command"
   $command --quiet >output.txt
 done <<<"$commands"
+
+# The first design: the block that writes wave.yaml, line by line as a reader would paste it.
+first=$(awk '/^```sh$/ {block = ""; inside = 1; next}
+  /^```$/ {if (inside && block ~ /wave\.yaml/) printf "%s", block; inside = 0}
+  inside {block = block $0 "\n"}' "$source/README.md")
+[ -n "$first" ] || { echo "the README shows no first design"; exit 1; }
+bash -euo pipefail -c "$first"
+[ -s results/wave/report.html ] || { echo "the first design of the README writes no report"; exit 1; }
 
 # The run that is shown: equal but for times and the last digits of the physics run.
 steady() { grep -vE '^  (search|physics) ' | head -n 5; }

@@ -12,7 +12,7 @@ hinge: {model: elastic}
 END
 "$program" verify "$work/panel.yaml" --quiet -o "$work/verified" >/dev/null || fail "verify ends with $?"
 draw "$work/verified/report.html"
-holds 'In balance, and the physics run agrees'
+holds 'In equilibrium, and the physics run agrees'
 drawn load 'class="badge"'
 drawn load 'walls touch'
 drawn energy 'class="heat"'

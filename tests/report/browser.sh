@@ -1,16 +1,34 @@
 # Sourced: draws a report in a browser and looks at what came out. Leaves a folder $work.
 fail() { echo "$(basename "$0" .sh): $1" >&2; exit 1; }
-command -v chromium >/dev/null || fail "chromium is missing; it is listed in packages.txt"
+command -v chromium >/dev/null || fail "chromium is missing; it is listed in packages/tests.txt"
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-# The controls are used once, as a reader would; what that breaks shows up as an error in the page.
+# The controls are used as a reader would, by keys too; what that breaks shows up as an error in the page. A key goes to
+# whatever has the focus, so that every control must keep it while it is used.
 use_controls='<script>
-for (const control of document.querySelectorAll("button, input[type=radio]")) control.click();
-for (const slider of document.querySelectorAll("input[type=range]")) { slider.value = 1; slider.dispatchEvent(new Event("input")); }
-document.querySelector("canvas")?.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowLeft" }));
+const faults = [];
+function keepsFocus(control, use) {
+  control.focus();
+  use();
+  if (document.activeElement !== control) faults.push(`${control.outerHTML.slice(0, 80)} loses the focus`);
+}
+function press(key) {
+  document.activeElement.dispatchEvent(new KeyboardEvent("keydown", {key, bubbles: true, cancelable: true}));
+}
+Object.defineProperty(navigator, "clipboard", {value: undefined});  // so that copying is done at once
+for (const slider of document.querySelectorAll("input[type=range]"))
+  keepsFocus(slider, () => { slider.value = 1; slider.dispatchEvent(new Event("input")); });
+for (const control of document.querySelectorAll("button, input[type=radio], summary")) keepsFocus(control, () => control.click());
+for (const canvas of document.querySelectorAll("canvas"))
+  keepsFocus(canvas, () => ["ArrowLeft", "ArrowLeft", "ArrowUp", "ArrowRight", "ArrowUp", "ArrowDown"].forEach((key, k) => {
+    const before = canvas.toDataURL();
+    press(key);
+    if (canvas.toDataURL() === before) faults.push(`key press ${k + 1} does not turn the view`);
+  }));
 window.dispatchEvent(new Event("beforeprint"));
 window.dispatchEvent(new Event("afterprint"));
+document.documentElement.dataset.faults = faults.join("; ");
 document.documentElement.dataset.used = "true";
 </script>'
 # draw REPORT.html: what the browser makes of it goes to $work/dom; nothing may go wrong on the way.
@@ -24,12 +42,20 @@ draw() {
   ! grep CONSOLE "$work/log" || fail "the browser's console is not silent"
   holds 'data-ready="true"'
   holds 'data-used="true"'
+  grep -qF 'data-faults=""' "$work/dom" || fail "$(grep -o 'data-faults="[^"]*"' "$work/dom")"
   holds '<div id="problems" role="alert" hidden="">'
   lacks 'class="missing"'
+  unsaid balance torn unrest afar nan
 }
 
 holds() { grep -qF -- "$1" "$work/dom" || fail "the page lacks $1"; }
 lacks() { ! grep -qF -- "$1" "$work/dom" || fail "the page shows: $(grep -F -A2 -- "$1" "$work/dom" | head -3)"; }
+# unsaid WORD...: none of the words is in what the page says, whatever its scripts call things.
+unsaid() {
+  for word in "$@"; do
+    ! sed -e '/<script/,/<\/script>/d' -e '/<style>/,/<\/style>/d' "$work/dom" | grep -oiE ".{0,30}\\b$word\\b.{0,10}" || fail "the page says $word"
+  done
+}
 # drawn ID TEXT: TEXT occurs between the start of the section and the next one.
 drawn() {
   tr '\n' ' ' <"$work/dom" | sed 's/<section id=/\n&/g' | grep -F "<section id=\"$1\"" | grep -qF -- "$2" ||

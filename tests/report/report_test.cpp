@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-namespace kinetix {
+namespace kinetix::app {
 namespace {
 
 const std::string data_start = R"(<script type="application/json" id="result">)";
@@ -71,4 +71,4 @@ TEST(Report, TakesWhatIsNoJson) {
 }
 
 }  // namespace
-}  // namespace kinetix
+}  // namespace kinetix::app

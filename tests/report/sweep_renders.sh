@@ -29,7 +29,7 @@ END
   absent failures
 }
 sweep lhs '{kind: lhs, samples: 200}'
-holds 'All 200 samples are there'
+holds 'All 200 samples were computed'
 drawn response-0 'standardised'
 sweep saltelli '{kind: saltelli, samples: 64}'
 drawn response-0 'total index'
@@ -49,6 +49,6 @@ responses: [fold_deg]
 END
 "$program" sweep "$work/bad.yaml" -o "$work/bad" --quiet >"$work/log" 2>&1 || fail "$(cat "$work/log")"
 draw "$work/bad/report.html"
-drawn failures 'not exactly mobile'
-holds '1 of 2 samples did not end well'
+drawn failures 'no exact family'
+holds '1 of 2 samples did not succeed'
 echo "sweep_renders: all sections are drawn"

@@ -6,5 +6,5 @@
 
 int main() {
   const std::string result(std::istreambuf_iterator<char>(std::cin), {});
-  std::cout << kinetix::report_html(result);
+  std::cout << kinetix::app::report_html(result);
 }

@@ -7,7 +7,7 @@
 
 #include "tests/sim/runs.hpp"
 
-namespace kinetix {
+namespace kinetix::sim {
 namespace {
 
 using testing::curl;
@@ -20,10 +20,10 @@ using Status = PhysicsResult::Status;
 
 TEST(CompressionRun, ShrinksABasicSheetByTheCosineAndTurnsItsBodiesToAndFro) {
   for (const double theta : {0.6, -0.6}) {
-    const Structure sheet = make_structure(rectangle(3, 3), {});
-    const PhysicsResult result = run_compression(sheet, drive_to(sheet, theta));
+    const model::Structure sheet = make_structure(model::rectangle(3, 3), {});
+    const PhysicsResult result = run_compression(sheet, drive_to(sheet, theta).on(sheet));
     ASSERT_EQ(result.status, Status::settled) << result.why;
-    State expected = rest_state(sheet);
+    model::State expected = rest_state(sheet);
     for (std::size_t b = 0; b < expected.size(); ++b) {
       const double turn = sheet.bodies[b].is_class_a() ? theta : -theta;
       expected[b].p *= std::cos(theta);
@@ -51,7 +51,7 @@ TEST(CompressionRun, CurlsALongStripIntoAHalfCircleBetweenItsPlates) {
 TEST(CompressionRun, FoldsRandomSheetsOfEveryFamily) {
   constexpr unsigned seed = 20;
   std::mt19937 random(seed);
-  for (const Family family : {Family::F1, Family::F2, Family::F3})
+  for (const model::Family family : {model::Family::F1, model::Family::F2, model::Family::F3})
     for (const auto& [columns, rows] : {std::pair{1, 1}, {6, 1}, {4, 3}}) {
       SCOPED_TRACE(to_string(family) + " " + std::to_string(columns) + "x" + std::to_string(rows));
       const auto design = testing::random_design(family, columns, rows, random);
@@ -61,23 +61,23 @@ TEST(CompressionRun, FoldsRandomSheetsOfEveryFamily) {
 
 TEST(CompressionRun, FoldsAPlanarSheetInThePlane) {
   std::mt19937 random(21);
-  auto design = testing::random_design(Family::F1, 4, 4, random);
+  auto design = testing::random_design(model::Family::F1, 4, 4, random);
   PhysicsOptions options = without_contact();
   options.planar = true;
   const PhysicsResult result = run(design, options);
   expect_exact(design, result);
-  for (const Pose& pose : result.state) EXPECT_EQ(pose.p.z(), 0.0);
+  for (const model::Pose& pose : result.state) EXPECT_EQ(pose.p.z(), 0.0);
 }
 
 TEST(CompressionRun, FoldsASheetThatBendsAlongY) {
-  Structure sheet = make_structure(rectangle(1, 5), {});
-  for (Hinge& hinge : sheet.hinges)
-    if (hinge.wall.axis == Axis::y)
+  model::Structure sheet = make_structure(model::rectangle(1, 5), {});
+  for (model::Hinge& hinge : sheet.hinges)
+    if (hinge.wall.axis == model::Axis::y)
       hinge.parameters.beta = (hinge.wall.from.i & 1 ? -0.15 : 0.15) * hinge.wall.from.j;
-  const Classification kind = classify(sheet);
+  const model::Classification kind = classify(sheet);
   ASSERT_TRUE(kind.transposed);
   for (const double theta : {0.4, -0.4}) {
-    const PhysicsResult result = run_compression(sheet, drive_to(sheet, theta));
+    const PhysicsResult result = run_compression(sheet, drive_to(sheet, theta).on(sheet));
     EXPECT_EQ(result.status, Status::settled) << result.why;
     EXPECT_LE(aligned_distance(sheet, result.state, fold(kind, sheet, theta)).max, 1e-7);
   }
@@ -86,42 +86,43 @@ TEST(CompressionRun, FoldsASheetThatBendsAlongY) {
 TEST(CompressionRun, ReachesTheSameStateByADrivenHinge) {
   for (const double theta : {0.45, -0.45}) {
     const auto design = strip({0.3, -0.4, 0.5, 0, 0.2, -0.1}, theta);
-    const Structure structure = structure_of(design);
-    for (const Wall& wall : {Wall{{0, 0}, Axis::y}, Wall{{3, 0}, Axis::y}}) {
-      Drive drive;
-      drive.kind = Drive::Kind::hinge;
+    const model::Structure structure = structure_of(design);
+    for (const model::Wall& wall :
+         {model::Wall{{0, 0}, model::Axis::y}, model::Wall{{3, 0}, model::Axis::y}}) {
+      model::Drive drive;
+      drive.kind = model::Drive::Kind::hinge;
       drive.wall = wall;
       drive.angle = wall.from.is_class_a() ? -2 * theta : 2 * theta;
-      expect_exact(design, run_compression(structure, drive));
+      expect_exact(design, run_compression(structure, drive.on(structure)));
     }
   }
 }
 
 TEST(CompressionRun, TurnsAHingeBeyondAQuarterTurn) {
-  auto design = ExactDesign<double>::basic(3, 1);
+  auto design = model::ExactDesign<double>::basic(3, 1);
   design.t = {0.7, 0.8, 0.7};
   for (const double theta : {0.95, -0.95}) {
     design.theta = theta;
     expect_exact(design, run(design, without_contact()));
-    const Structure structure = structure_of(design);
-    Drive drive;
-    drive.kind = Drive::Kind::hinge;
-    drive.wall = {{0, 0}, Axis::y};
+    const model::Structure structure = structure_of(design);
+    model::Drive drive;
+    drive.kind = model::Drive::Kind::hinge;
+    drive.wall = {{0, 0}, model::Axis::y};
     drive.angle = -2 * theta;
-    expect_exact(design, run_compression(structure, drive, without_contact()));
+    expect_exact(design, run_compression(structure, drive.on(structure), without_contact()));
   }
 }
 
 /// A spine along y, one cell wide, whose even rows carry ribs; its odd rows and the ribs' columns bend.
-Structure fishbone() {
-  std::vector<Cell> cells;
+model::Structure fishbone() {
+  std::vector<model::Cell> cells;
   for (int j = 0; j < 5; ++j)
     for (int i = 0; i < 7; ++i)
       if (i == 3 || j % 2 == 0) cells.push_back({i, j});
-  Structure net = make_structure(std::move(cells), {});
-  for (Hinge& hinge : net.hinges) {
+  model::Structure net = make_structure(std::move(cells), {});
+  for (model::Hinge& hinge : net.hinges) {
     const auto [i, j] = hinge.wall.from;
-    const bool along_x = hinge.wall.axis == Axis::x;
+    const bool along_x = hinge.wall.axis == model::Axis::x;
     const double tilt = along_x ? (i == 3 ? 0 : 0.1 * i) : (j % 2 ? 0.2 * j : 0);
     hinge.parameters.beta = ((along_x ? j : i) & 1) ? -tilt : tilt;
   }
@@ -129,15 +130,15 @@ Structure fishbone() {
 }
 
 TEST(CompressionRun, FoldsANetFromOneHingeWithoutStrain) {
-  const Structure net = fishbone();
-  Drive drive;
-  drive.kind = Drive::Kind::hinge;
-  drive.wall = {{0, 0}, Axis::y};
+  const model::Structure net = fishbone();
+  model::Drive drive;
+  drive.kind = model::Drive::Kind::hinge;
+  drive.wall = {{0, 0}, model::Axis::y};
   drive.angle = -0.8;
-  const PhysicsResult result = run_compression(net, drive);
+  const PhysicsResult result = run_compression(net, drive.on(net));
   EXPECT_EQ(result.status, Status::settled) << result.why;
   EXPECT_LE(result.gaps.max, 1e-10);
-  for (const Hinge& hinge : net.hinges) {
+  for (const model::Hinge& hinge : net.hinges) {
     if (hinge.parameters.beta != 0) continue;
     const Eigen::Matrix3d turn = result.state[hinge.lower].R.transpose() * result.state[hinge.upper].R;
     EXPECT_NEAR(turn(0, 0), std::cos(0.8), 1e-7) << "all vertical hinges share one theta";
@@ -168,18 +169,19 @@ TEST(CompressionRun, StaysFlatWhenNothingIsAsked) {
 
 TEST(CompressionRun, ShowsFramesFromFlatToTheEndAndRisingProgress) {
   const auto design = strip(curl(3, 0.3), 0.4);
-  const Structure structure = structure_of(design);
+  const model::Structure structure = structure_of(design);
   std::vector<double> times, shares;
-  State first, last;
+  model::State first, last;
   PhysicsObserver observer;
   observer.frame_interval_s = 0.1;
   observer.progress = [&](double done) { shares.push_back(done); };
-  observer.frame = [&](double time, const State& state) {
+  observer.frame = [&](double time, const model::State& state) {
     if (times.empty()) first = state;
     times.push_back(time);
     last = state;
   };
-  const PhysicsResult result = run_compression(structure, drive_to(structure, 0.4), {}, observer);
+  const PhysicsResult result =
+      run_compression(structure, drive_to(structure, 0.4).on(structure), {}, observer);
   ASSERT_GE(times.size(), 11u);
   for (int k = 0; k < 11; ++k) EXPECT_NEAR(times[k], 0.1 * k, 1e-9);
   EXPECT_EQ(times.back(), result.simulated_s);
@@ -190,4 +192,4 @@ TEST(CompressionRun, ShowsFramesFromFlatToTheEndAndRisingProgress) {
 }
 
 }  // namespace
-}  // namespace kinetix
+}  // namespace kinetix::sim

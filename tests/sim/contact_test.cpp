@@ -6,7 +6,7 @@
 #include "tests/sim/overlap.hpp"
 #include "tests/sim/runs.hpp"
 
-namespace kinetix {
+namespace kinetix::sim {
 namespace {
 
 using testing::expect_exact;
@@ -17,8 +17,8 @@ using testing::without_contact;
 using Status = PhysicsResult::Status;
 
 TEST(Contact, StopsBasicCellsWhereTheirWallsMeet) {
-  auto design = ExactDesign<double>::basic(3, 3);
-  const CellSize size;
+  auto design = model::ExactDesign<double>::basic(3, 3);
+  const model::CellSize size;
   const double limit = std::atan(1 - size.thickness_mm / size.edge_mm);
   for (const double sign : {1.0, -1.0}) {
     design.theta = sign * (limit - 0.002);
@@ -34,7 +34,7 @@ TEST(Contact, StopsBasicCellsWhereTheirWallsMeet) {
 }
 
 TEST(Contact, NeverLetsAFastDriveThroughTheLimit) {
-  auto design = ExactDesign<double>::basic(3, 3);
+  auto design = model::ExactDesign<double>::basic(3, 3);
   design.theta = 1.2;
   EXPECT_EQ(run(design).status, Status::blocked);
 }
@@ -48,7 +48,7 @@ TEST(Contact, BlocksARandomStripExactlyWhereItsHalfWallsWouldOverlap) {
     std::vector<double> tilts(5);
     for (double& tilt : tilts) tilt = 0.7 * unit(random);
     const auto design = strip(tilts, 0.55 + 0.15 * unit(random));
-    const Structure structure = structure_of(design);
+    const model::Structure structure = structure_of(design);
     const double overlap = testing::deepest_overlap(structure, fold(design, structure));
     if (std::abs(overlap) < 0.01) continue;
     const PhysicsResult result = run(design);
@@ -62,11 +62,11 @@ TEST(Contact, BlocksARandomStripExactlyWhereItsHalfWallsWouldOverlap) {
 
 TEST(Contact, KeepsTheEndsOfAStripThatClosesARingApart) {
   const auto design = strip(testing::curl(24, 0.3), 0.6);
-  const Structure structure = structure_of(design);
+  const model::Structure structure = structure_of(design);
   ASSERT_GT(testing::deepest_overlap(structure, fold(design, structure)), 0.01);
   const PhysicsResult result = run(design);
   EXPECT_EQ(result.status, Status::blocked) << result.why;
 }
 
 }  // namespace
-}  // namespace kinetix
+}  // namespace kinetix::sim

@@ -1,49 +1,49 @@
 #include <gtest/gtest.h>
 
-#include "model/elastic/balance_comparison.hpp"
-#include "model/elastic/load_path.hpp"
+#include "model/elastic/equilibrium_comparison.hpp"
+#include "model/elastic/equilibrium_path.hpp"
 #include "sim/compression_run.hpp"
 #include "tests/support/elastic_runs.hpp"
 #include "tests/support/paper_scenes.hpp"
 
 /// The equilibrium model against the physics run: two programs that share the numbers of the hinges and
 /// walls.
-namespace kinetix {
+namespace kinetix::sim {
 namespace {
 
 using namespace testing;
-using Outcome = BalanceComparison::Outcome;
+using Outcome = model::EquilibriumComparison::Outcome;
 using Status = PhysicsResult::Status;
 
 constexpr double degree = radians_per_degree;
 
 struct Pair {
-  LoadPath path;
+  model::EquilibriumPath path;
   PhysicsResult run;
-  BalanceComparison comparison;
+  model::EquilibriumComparison comparison;
 };
 
-Pair both(const Structure& s, const Drive& drive, bool contact = true) {
-  const Elasticity elasticity;
-  LoadPathOptions path_options;
+Pair both(const model::Structure& s, const model::Drive& drive, bool contact = true) {
+  const model::Elasticity elasticity;
+  model::EquilibriumPathOptions path_options;
   path_options.contact = contact;
   path_options.longest_step = path_options.first_step = 0.01;
   Pair pair;
-  pair.path = follow_load(s, elasticity, drive, path_options);
-  EXPECT_EQ(pair.path.stop, LoadPath::Stop::reached) << pair.path.why;
+  pair.path = trace_equilibrium(driven(s, drive), elasticity, path_options);
+  EXPECT_EQ(pair.path.stop, model::EquilibriumPath::Stop::reached) << pair.path.why;
   PhysicsOptions options;
   options.elastic = relative(elasticity, s.size.edge_mm);
   options.planar = pair.path.planar;
   options.contact = contact;
-  pair.run = run_compression(s, drive, options);
+  pair.run = run_compression(s, drive.on(s), options);
   EXPECT_EQ(pair.run.status, Status::settled) << pair.run.why;
-  pair.comparison = compare_balances({s, elasticity, drive, pair.path.planar, contact}, pair.run.state,
-                                     pair.path.state, 1e-2);
+  pair.comparison = compare_equilibria({s, elasticity, drive.on(s), pair.path.planar, contact},
+                                       pair.run.state, pair.path.state, 1e-2);
   return pair;
 }
 
 void expect_contact_of_walls(double k, double theta) {
-  const Pair pair = both(letter_panel(k, 6), plates_drive(Axis::y, theta));
+  const Pair pair = both(letter_panel(k, 6), plates_drive(model::Axis::y, theta));
   EXPECT_EQ(pair.comparison.outcome, Outcome::agrees) << pair.comparison.why;
   EXPECT_LE(pair.comparison.distance.rms, 5e-3);
   EXPECT_GT(pair.path.steps.back().contacts, 0);
@@ -57,13 +57,13 @@ TEST(ElasticAgreement, OfALetterOfShortWallsThatPressOnEachOther) {
 }
 
 TEST(ElasticAgreement, OfTheGradientPanel) {
-  const Pair pair = both(gradient_panel(), plates_drive(Axis::x, 20 * degree));
+  const Pair pair = both(gradient_panel(), plates_drive(model::Axis::x, 20 * degree));
   EXPECT_LE(pair.comparison.distance.rms, 1e-5);
 }
 
 TEST(ElasticAgreement, OfATwistingStripOnTheBarrierAndInContact) {
-  const Structure s = twisting_strip();
-  const Wall middle{{5, 0}, Axis::y};
+  const model::Structure s = twisting_strip();
+  const model::Wall middle{{5, 0}, model::Axis::y};
   EXPECT_LE(both(s, hinge_drive(middle, 20 * degree)).comparison.distance.rms, 1e-5);
   const Pair touching = both(s, hinge_drive(middle, 40 * degree));
   EXPECT_TRUE(touching.run.contact.touches());
@@ -73,9 +73,9 @@ TEST(ElasticAgreement, OfATwistingStripOnTheBarrierAndInContact) {
 
 /// Were the sheet free to spin about the plates' normal, it would stand on edge and tip over, at no strain.
 TEST(ElasticAgreement, OfSheetsInSpaceBetweenPlates) {
-  for (const Structure& s :
+  for (const model::Structure& s :
        {alternating(6, 6, twisting_unit, basic_unit), alternating(4, 4, twisting_unit, twisting_unit)})
-    for (const Axis axis : {Axis::x, Axis::y}) {
+    for (const model::Axis axis : {model::Axis::x, model::Axis::y}) {
       const Pair pair = both(s, plates_drive(axis, 35 * degree), false);
       EXPECT_LE(pair.comparison.distance.rms, 1e-4);
       EXPECT_GT(pair.comparison.energy, 100);
@@ -83,4 +83,4 @@ TEST(ElasticAgreement, OfSheetsInSpaceBetweenPlates) {
 }
 
 }  // namespace
-}  // namespace kinetix
+}  // namespace kinetix::sim

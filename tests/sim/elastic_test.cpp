@@ -3,14 +3,14 @@
 
 #include <cmath>
 
-#include "model/cell_tuple.hpp"
-#include "model/invalid_input.hpp"
+#include "model/base/invalid_input.hpp"
+#include "model/lattice/square/cell_tuple.hpp"
 #include "sim/compression_run.hpp"
-#include "tests/sim/elastic_balance.hpp"
+#include "tests/sim/elastic_equilibrium.hpp"
 #include "tests/sim/runs.hpp"
 #include "tests/support/paper_scenes.hpp"
 
-namespace kinetix {
+namespace kinetix::sim {
 namespace {
 
 using testing::curl;
@@ -23,21 +23,22 @@ using Status = PhysicsResult::Status;
 
 PhysicsOptions elastic(double turn) {
   PhysicsOptions options = testing::without_contact();
-  options.elastic = Stiffness{.turn = turn};
+  options.elastic = model::Stiffness{.turn = turn};
   return options;
 }
 
-Drive hinge_drive(const Wall& wall, double angle) {
-  Drive drive;
-  drive.kind = Drive::Kind::hinge;
+model::Drive hinge_drive(const model::Wall& wall, double angle) {
+  model::Drive drive;
+  drive.kind = model::Drive::Kind::hinge;
   drive.wall = wall;
   drive.angle = angle;
   return drive;
 }
 
-/// The run settles, and the hinges' forces balance.
-PhysicsResult settled(const Structure& structure, const Drive& drive, const PhysicsOptions& options) {
-  const PhysicsResult result = run_compression(structure, drive, options);
+/// The run settles, and the hinges' forces equilibrium.
+PhysicsResult settled(const model::Structure& structure, const model::Drive& drive,
+                      const PhysicsOptions& options) {
+  const PhysicsResult result = run_compression(structure, drive.on(structure), options);
   EXPECT_EQ(result.status, Status::settled) << result.why;
   EXPECT_LE(imbalance(structure, drive, result.state, *options.elastic, options.planar), 1e-6);
   return result;
@@ -46,8 +47,8 @@ PhysicsResult settled(const Structure& structure, const Drive& drive, const Phys
 TEST(ElasticRun, FoldsAnExactStripBetweenPlatesAsRigidHingesDo) {
   for (const double theta : {0.5, -0.5}) {
     const auto design = strip({0.5, 0, 0.5, 0, 0.5, 0}, theta);
-    const Structure structure = structure_of(design);
-    const State exact = fold(design, structure);
+    const model::Structure structure = structure_of(design);
+    const model::State exact = fold(design, structure);
     const PhysicsOptions options = elastic(1e-6);
     const PhysicsResult result = settled(structure, drive_to(structure, theta), options);
     EXPECT_LE(aligned_distance(structure, result.state, exact).max, 1e-4);
@@ -60,8 +61,8 @@ TEST(ElasticRun, FoldsAnExactStripBetweenPlatesAsRigidHingesDo) {
 
 TEST(ElasticRun, ComesToTheExactFoldFromOneHingeAsTheTurningSpringsSoften) {
   const auto design = strip({0.5, 0, 0.5, 0, 0.5, 0}, 0.5);
-  const Structure structure = structure_of(design);
-  const Drive drive = hinge_drive({{0, 0}, Axis::y}, -1);
+  const model::Structure structure = structure_of(design);
+  const model::Drive drive = hinge_drive({{0, 0}, model::Axis::y}, -1);
   double before = 0;
   for (const double turn : {1e-6, 1e-7, 1e-8}) {
     const PhysicsResult result = settled(structure, drive, elastic(turn));
@@ -77,20 +78,20 @@ TEST(ElasticRun, ComesToTheExactFoldFromOneHingeAsTheTurningSpringsSoften) {
 TEST(ElasticRun, TakesALongStripOfStiffTurningSpringsToTheBranchOfItsDrive) {
   for (const double turn : {1e-6, 1e-4})
     for (const double theta : {0.3, -0.3}) {
-      const Structure structure = structure_of(strip(curl(20, 0.16), theta));
+      const model::Structure structure = structure_of(strip(curl(20, 0.16), theta));
       settled(structure, drive_to(structure, theta), elastic(turn));
     }
 }
 
 /// With c the compression, y-walls are pressed by 1 - c - cos(theta), and all four hinges turn by 2 theta:
 /// E = 2 (cos(theta) - 1 + c)^2 + 8 turn theta^2.
-TEST(ElasticRun, BalancesTheTurningSpringsOfOneCellAgainstItsPoints) {
-  const Structure cell = make_structure(rectangle(1, 1), {});
+TEST(ElasticRun, EquilibriaTheTurningSpringsOfOneCellAgainstItsPoints) {
+  const model::Structure cell = make_structure(model::rectangle(1, 1), {});
   for (const double turn : {1e-4, 1e-3, 5e-3})
     for (const int branch : {1, -1}) {
       PhysicsOptions options = elastic(turn);
       options.planar = true;
-      Drive drive;
+      model::Drive drive;
       drive.compression = 0.1;
       drive.branch = branch;
       const PhysicsResult result = settled(cell, drive, options);
@@ -101,27 +102,27 @@ TEST(ElasticRun, BalancesTheTurningSpringsOfOneCellAgainstItsPoints) {
 }
 
 TEST(ElasticRun, LeavesACellStraightThatIsPressedTooLittleToBuckle) {
-  const Structure cell = make_structure(rectangle(1, 1), {});
+  const model::Structure cell = make_structure(model::rectangle(1, 1), {});
   PhysicsOptions options = elastic(5e-3);
   options.planar = true;
-  Drive drive;
+  model::Drive drive;
   drive.compression = 0.01;
   const PhysicsResult result = settled(cell, drive, options);
   EXPECT_NEAR(elastic_energy(cell, result.state, *options.elastic), 2 * 0.01 * 0.01, 2e-7);
 }
 
-Structure twist_unit(double alpha_deg) {
+model::Structure twist_unit(double alpha_deg) {
   const double alpha = alpha_deg * radians_per_degree;
-  const CellTuple tuple{.A_in = {pi / 2, alpha, pi / 2, alpha}};
-  Structure unit = make_structure(rectangle(1, 1), {});
-  apply_pattern(unit, tuple, tuple, SharedWalls::must_agree);
+  const model::CellTuple tuple{.A_in = {pi / 2, alpha, pi / 2, alpha}};
+  model::Structure unit = make_structure(model::rectangle(1, 1), {});
+  apply_pattern(unit, tuple, tuple, model::SharedWalls::must_agree);
   return unit;
 }
 
-TEST(ElasticRun, HoldsATwistUnitInBalanceOnItsWayOverTheBarrier) {
+TEST(ElasticRun, HoldsATwistUnitInEquilibriumOnItsWayOverTheBarrier) {
   for (const double alpha_deg : {75.0, 60.0, 45.0})
     for (const double angle : {0.3, -0.3, 1.0, 1.4})
-      for (const Axis axis : {Axis::x, Axis::y}) {
+      for (const model::Axis axis : {model::Axis::x, model::Axis::y}) {
         SCOPED_TRACE(std::to_string(alpha_deg) + " deg, " + std::to_string(angle) + " rad");
         const PhysicsResult result =
             settled(twist_unit(alpha_deg), hinge_drive({{0, 0}, axis}, angle), elastic(1e-6));
@@ -132,10 +133,10 @@ TEST(ElasticRun, HoldsATwistUnitInBalanceOnItsWayOverTheBarrier) {
 
 TEST(ElasticRun, StretchesTheHingesOfADoublyCurvedPatch) {
   for (const int cells : {2, 3}) {
-    Structure patch = make_structure(rectangle(cells, cells), {});
-    for (Hinge& hinge : patch.hinges) {
+    model::Structure patch = make_structure(model::rectangle(cells, cells), {});
+    for (model::Hinge& hinge : patch.hinges) {
       const auto [i, j] = hinge.wall.from;
-      const bool along_x = hinge.wall.axis == Axis::x;
+      const bool along_x = hinge.wall.axis == model::Axis::x;
       hinge.parameters.beta = ((along_x ? j : i) & 1) ? -0.5 : 0.5;
       if ((along_x ? i : j) & 1) hinge.parameters.beta *= -0.6;
     }
@@ -145,13 +146,13 @@ TEST(ElasticRun, StretchesTheHingesOfADoublyCurvedPatch) {
 }
 
 TEST(ElasticRun, ShowsTheLetterOfADisplayOnBothBranches) {
-  const Structure panel = letter_panel(0.15);
+  const model::Structure panel = letter_panel(0.15);
   PhysicsOptions options = elastic(1e-6);
   options.planar = true;
   double energies[2];
   for (int side = 0; side < 2; ++side) {
-    const Drive drive = drive_to(panel, (side ? -1 : 1) * std::acos(0.84));
-    ASSERT_EQ(drive.kind, Drive::Kind::plates);
+    const model::Drive drive = drive_to(panel, (side ? -1 : 1) * std::acos(0.84));
+    ASSERT_EQ(drive.kind, model::Drive::Kind::plates);
     const PhysicsResult result = settled(panel, drive, options);
     EXPECT_NEAR(result.gaps.rms, 0.041, 0.001);
     energies[side] = elastic_energy(panel, result.state, *options.elastic);
@@ -160,10 +161,10 @@ TEST(ElasticRun, ShowsTheLetterOfADisplayOnBothBranches) {
 }
 
 TEST(ElasticRun, SettlesInTheSameStateWhateverTheStepAndTheMassesAre) {
-  const Structure panel = letter_panel(0.1);
+  const model::Structure panel = letter_panel(0.1);
   PhysicsOptions options = elastic(1e-6);
   options.planar = true;
-  const Drive drive = drive_to(panel, std::acos(0.84));
+  const model::Drive drive = drive_to(panel, std::acos(0.84));
   const PhysicsResult reference = settled(panel, drive, options);
   options.step_s = 1.0 / 300;
   options.part_inertia = 0.3;
@@ -172,10 +173,10 @@ TEST(ElasticRun, SettlesInTheSameStateWhateverTheStepAndTheMassesAre) {
 }
 
 TEST(ElasticRun, SettlesWhereWallsTouchInThePlane) {
-  const Structure sheet = make_structure(rectangle(3, 3), {});
+  const model::Structure sheet = make_structure(model::rectangle(3, 3), {});
   PhysicsOptions options = elastic(1e-6);
   options.planar = options.contact = true;
-  const PhysicsResult result = run_compression(sheet, drive_to(sheet, 0.76), options);
+  const PhysicsResult result = run_compression(sheet, drive_to(sheet, 0.76).on(sheet), options);
   EXPECT_EQ(result.status, Status::settled) << result.why;
   EXPECT_TRUE(result.contact.touches());
   EXPECT_GT(result.gaps.max, options.gap_limit);
@@ -185,10 +186,10 @@ TEST(ElasticRun, EndsWhereAHingeStretchesTooFar) {
   PhysicsOptions options = elastic(1e-6);
   options.planar = true;
   options.stretch_limit = 0.05;
-  const Structure panel = letter_panel(0.15);
-  const PhysicsResult result = run_compression(panel, drive_to(panel, 0.5), options);
+  const model::Structure panel = letter_panel(0.15);
+  const PhysicsResult result = run_compression(panel, drive_to(panel, 0.5).on(panel), options);
   EXPECT_EQ(result.status, Status::hinge_gap_exceeded);
-  EXPECT_THAT(result.why, ::testing::HasSubstr("allowed are 0.05"));
+  EXPECT_THAT(result.why, ::testing::HasSubstr("at most 0.05 is allowed"));
 }
 
 TEST(ElasticRun, RefusesSweepsAndWhatIsNotAStiffness) {
@@ -204,7 +205,7 @@ TEST(ElasticRun, RefusesSweepsAndWhatIsNotAStiffness) {
   };
   rejects([](PhysicsOptions& o) { o.solver = PhysicsOptions::Solver::sweeps; }, "elastic");
   for (const double bad : {std::nan(""), -1e-9, 0.11})
-    rejects([&](PhysicsOptions& o) { o.settle_unrest = bad; }, "settle_unrest");
+    rejects([&](PhysicsOptions& o) { o.settle_residual_motion = bad; }, "settle_unrest");
   for (const double bad : {std::nan(""), 0.0, -1.0}) {
     rejects([&](PhysicsOptions& o) { o.elastic->turn = bad; }, "elastic.turn");
     rejects([&](PhysicsOptions& o) { o.elastic->reach = bad; }, "elastic.reach");
@@ -215,4 +216,4 @@ TEST(ElasticRun, RefusesSweepsAndWhatIsNotAStiffness) {
 }
 
 }  // namespace
-}  // namespace kinetix
+}  // namespace kinetix::sim

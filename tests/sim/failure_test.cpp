@@ -5,16 +5,17 @@
 #include <limits>
 #include <set>
 
-#include "model/invalid_input.hpp"
+#include "model/base/invalid_input.hpp"
 #include "sim/compression_run.hpp"
 #include "sim/verdict.hpp"
 #include "tests/sim/runs.hpp"
 
-namespace kinetix {
+namespace kinetix::sim {
 namespace {
 
 using testing::curl;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using testing::run;
 using testing::strip;
 using testing::structure_of;
@@ -31,29 +32,29 @@ TEST(FailedRun, NamesTheHingeThatIsOpenByMoreThanTheLimit) {
 }
 
 TEST(FailedRun, ReportsTheStrainOfADoublyCurvedPatch) {
-  Structure patch = make_structure(rectangle(2, 2), {});
-  for (Hinge& hinge : patch.hinges) {
+  model::Structure patch = make_structure(model::rectangle(2, 2), {});
+  for (model::Hinge& hinge : patch.hinges) {
     const auto [i, j] = hinge.wall.from;
-    hinge.parameters.beta = ((hinge.wall.axis == Axis::x ? j : i) & 1) ? -0.5 : 0.5;
-    if ((hinge.wall.axis == Axis::x ? i : j) & 1) hinge.parameters.beta *= -0.6;
+    hinge.parameters.beta = ((hinge.wall.axis == model::Axis::x ? j : i) & 1) ? -0.5 : 0.5;
+    if ((hinge.wall.axis == model::Axis::x ? i : j) & 1) hinge.parameters.beta *= -0.6;
   }
-  ASSERT_EQ(classify(patch).family, Family::none);
-  const PhysicsResult result = run_compression(patch, drive_to(patch, 0.4));
+  ASSERT_EQ(classify(patch).family, model::Family::none);
+  const PhysicsResult result = run_compression(patch, drive_to(patch, 0.4).on(patch));
   EXPECT_EQ(result.status, Status::hinge_gap_exceeded) << result.why;
   EXPECT_GT(result.gaps.max, 2e-3);
   EXPECT_LT(result.gaps.max, 0.1);
 }
 
 /// A 10 x 10 panel of basic cells with the letter T in cells of uniform scaling, k = 0.1.
-Structure letter_panel() {
-  Structure panel = make_structure(rectangle(10, 10), {});
+model::Structure letter_panel() {
+  model::Structure panel = make_structure(model::rectangle(10, 10), {});
   const auto in_letter = [](int i, int j) {
     const bool bar = j == 7 || j == 8, stem = i == 4 || i == 5;
     return (bar && i >= 1 && i <= 8) || (stem && j >= 1 && j <= 8);
   };
-  for (Hinge& hinge : panel.hinges) {
+  for (model::Hinge& hinge : panel.hinges) {
     const auto [i, j] = hinge.wall.from;
-    const bool along_x = hinge.wall.axis == Axis::x;
+    const bool along_x = hinge.wall.axis == model::Axis::x;
     if (in_letter(i, j) || in_letter(along_x ? i : i - 1, along_x ? j - 1 : j))
       hinge.parameters.t = fraction_from_lower(0.1, hinge.wall.from);
   }
@@ -61,16 +62,17 @@ Structure letter_panel() {
 }
 
 TEST(FailedRun, FindsTheStrainOfALetterPanelThatTheEquilibriumModelFound) {
-  const Structure panel = letter_panel();
+  const model::Structure panel = letter_panel();
   PhysicsOptions options;
   options.planar = true;
   options.contact = false;
   options.step_s = 1.0 / 300;
   const double theta = std::acos(0.84);
-  EXPECT_EQ(run_compression(panel, drive_to(panel, theta), options).status, Status::hinge_gap_exceeded);
+  EXPECT_EQ(run_compression(panel, drive_to(panel, theta).on(panel), options).status,
+            Status::hinge_gap_exceeded);
   options.gap_limit = options.tear_limit = 1;
   for (const double sign : {1.0, -1.0}) {
-    const PhysicsResult result = run_compression(panel, drive_to(panel, sign * theta), options);
+    const PhysicsResult result = run_compression(panel, drive_to(panel, sign * theta).on(panel), options);
     EXPECT_EQ(result.status, Status::settled) << result.why;
     EXPECT_NEAR(result.gaps.rms, 0.047, 0.001);
   }
@@ -85,6 +87,27 @@ TEST(FailedRun, ReportsWhatBlowsUp) {
   EXPECT_THAT(result.why, HasSubstr("blew up"));
 }
 
+/// One part that is nowhere, whichever it is, and no message that prints it.
+TEST(FailedRun, SaysInWordsThatThereIsNoStateToCompare) {
+  const model::Structure structure = structure_of(bent);
+  for (const std::size_t part : {std::size_t{0}, structure.bodies.size() - 1})
+    for (const bool elastic : {false, true})
+      for (const bool touching : {false, true}) {
+        PhysicsOptions options;
+        if (elastic) options.elastic = model::Stiffness{};
+        PhysicsResult result;
+        result.state = fold(bent, structure);
+        result.state[part].p.x() = -std::nan("");
+        result.gaps = hinge_gaps(structure, result.state);
+        result.drive_gap = -std::nan("");
+        if (touching) result.contact = {0, 1, 1e-3};
+        judge(structure, drive_to(structure, 0.4).on(structure), options, false, result);
+        EXPECT_EQ(result.status, Status::blew_up) << result.why;
+        EXPECT_THAT(result.why, HasSubstr("no state to compare"));
+        EXPECT_THAT(result.why, Not(HasSubstr("nan")));
+      }
+}
+
 TEST(FailedRun, NoticesWhatBlowsUpInTheLastStep) {
   PhysicsOptions options;
   options.drive_seconds = options.step_s;
@@ -92,9 +115,9 @@ TEST(FailedRun, NoticesWhatBlowsUpInTheLastStep) {
   options.tear_limit = options.gap_limit = options.overlap_limit = 1e9;
   options.contact = false;
   options.speed_limit = 1000;
-  Structure rigid = make_structure(rectangle(1, 40), {});
-  for (Hinge& hinge : rigid.hinges) hinge.parameters.alpha = 1;
-  const PhysicsResult result = run_compression(rigid, drive_to(rigid, 0.4), options);
+  model::Structure rigid = make_structure(model::rectangle(1, 40), {});
+  for (model::Hinge& hinge : rigid.hinges) hinge.parameters.alpha = 1;
+  const PhysicsResult result = run_compression(rigid, drive_to(rigid, 0.4).on(rigid), options);
   EXPECT_EQ(result.steps, 1);
   EXPECT_EQ(result.status, Status::blew_up) << result.why;
 }
@@ -120,15 +143,15 @@ TEST(FailedRun, ReportsAStripThatHasNoTimeToSettle) {
 
 TEST(FailedRun, NoticesTheOtherSignOfTheta) {
   const auto design = strip(curl(24, 0.12), 0.5);
-  const Structure structure = structure_of(design);
-  const Drive drive = drive_to(structure, 0.5);
+  const model::Structure structure = structure_of(design);
+  const model::Drive drive = drive_to(structure, 0.5);
   for (const double theta : {0.5, -0.5}) {
     auto reached = design;
     reached.theta = theta;
     PhysicsResult result;
     result.state = fold(reached, structure);
     result.gaps = hinge_gaps(structure, result.state);
-    judge(structure, drive, {}, true, result);
+    judge(structure, drive.on(structure), {}, true, result);
     EXPECT_EQ(result.status, theta > 0 ? Status::settled : Status::wrong_branch) << result.why;
   }
 }
@@ -139,7 +162,7 @@ TEST(FailedRun, DoesNotHappenToALongStripOfSteepTiltsThatCurlsUp) {
   options.contact = false;
   const PhysicsResult result = run(spiral, options);
   EXPECT_EQ(result.status, Status::settled) << result.why;
-  const Structure structure = structure_of(spiral);
+  const model::Structure structure = structure_of(spiral);
   EXPECT_LE(aligned_distance(structure, result.state, fold(spiral, structure)).rms, 1e-5);
 }
 
@@ -178,21 +201,21 @@ TEST(PhysicsOptions, RejectNanAndWhatIsOutOfRange) {
 }
 
 TEST(Drive, RejectsWhatCannotBeDriven) {
-  const Structure structure = structure_of(bent);
+  const model::Structure structure = structure_of(bent);
   const auto rejected = [&](auto change) {
-    Drive drive;
+    model::Drive drive;
     change(drive);
-    EXPECT_THROW(run_compression(structure, drive), InvalidInput);
+    EXPECT_THROW(run_compression(structure, drive.on(structure)), InvalidInput);
   };
-  for (const double bad : {std::nan(""), -0.1, 1.0}) rejected([&](Drive& d) { d.compression = bad; });
-  rejected([](Drive& d) { d.branch = 0; });
-  rejected([](Drive& d) {
-    d.kind = Drive::Kind::hinge;
-    d.wall = {{9, 9}, Axis::x};
+  for (const double bad : {std::nan(""), -0.1, 1.0}) rejected([&](model::Drive& d) { d.compression = bad; });
+  rejected([](model::Drive& d) { d.branch = 0; });
+  rejected([](model::Drive& d) {
+    d.kind = model::Drive::Kind::hinge;
+    d.wall = {{9, 9}, model::Axis::x};
   });
   for (const double bad : {std::nan(""), pi, -4.0})
-    rejected([&](Drive& d) {
-      d.kind = Drive::Kind::hinge;
+    rejected([&](model::Drive& d) {
+      d.kind = model::Drive::Kind::hinge;
       d.angle = bad;
     });
   EXPECT_THROW(drive_to(structure, pi / 2), InvalidInput);
@@ -200,7 +223,7 @@ TEST(Drive, RejectsWhatCannotBeDriven) {
 }
 
 TEST(Drive, KeepsSmallThetasToTheLastDigits) {
-  const Structure structure = structure_of(bent);
+  const model::Structure structure = structure_of(bent);
   for (const double theta : {1.5, 0.3, 1e-3, 1e-6, 1e-9, 0.0}) {
     EXPECT_NEAR(drive_to(structure, theta).theta(), theta, 1e-14 * theta);
     EXPECT_NEAR(drive_to(structure, -theta).theta(), -theta, 1e-14 * theta);
@@ -217,4 +240,4 @@ TEST(PhysicsResult, EveryStatusHasItsOwnWords) {
 }
 
 }  // namespace
-}  // namespace kinetix
+}  // namespace kinetix::sim

@@ -8,8 +8,8 @@
 namespace kinetix::testing {
 namespace {
 
-LinkageOptions at_step(double step_s) {
-  LinkageOptions options;
+sim::FreeLinkageOptions at_step(double step_s) {
+  sim::FreeLinkageOptions options;
   options.step_s = step_s;
   return options;
 }
@@ -27,11 +27,11 @@ Orders orders(const Mechanism& mechanism, double step_s) {
           std::log2(coarse.miss / fine.miss), fine};
 }
 
-TEST(Linkage, StartsClosedAndAtItsKnownRelation) {
+TEST(FreeLinkage, StartsClosedAndAtItsKnownRelation) {
   for (const Mechanism& m : {pendulum(), four_bars(1), four_bars(4), bricard(), bennett(), mirrored_unit()}) {
-    std::vector<Pose> poses;
-    for (const LinkageBody& body : m.linkage.bodies) poses.push_back(body.pose);
-    const LinkageGap gap = linkage_gap(m.linkage, poses);
+    std::vector<model::Pose> poses;
+    for (const sim::FreeLinkageBody& body : m.linkage.bodies) poses.push_back(body.pose);
+    const sim::FreeLinkageGap gap = linkage_gap(m.linkage, poses);
     EXPECT_LE(gap.point, 1e-14) << m.name;
     EXPECT_LE(gap.axis, 1e-14) << m.name;
     Mechanism same = m;
@@ -39,7 +39,7 @@ TEST(Linkage, StartsClosedAndAtItsKnownRelation) {
   }
 }
 
-TEST(Linkage, PendulumSwingsByItsClosedForm) {
+TEST(FreeLinkage, PendulumSwingsByItsClosedForm) {
   const Orders found = orders(pendulum(), 1e-3);
   EXPECT_LE(found.finer.miss, 3e-3);
   EXPECT_LE(found.finer.drift, 2e-3);
@@ -50,7 +50,7 @@ TEST(Linkage, PendulumSwingsByItsClosedForm) {
 }
 
 /// Twice a turn all bars of a four-bar lie on one line, where it could leave the parallelogram.
-TEST(Linkage, FourBarsStayParallelogramsThroughTheirSingularPosition) {
+TEST(FreeLinkage, FourBarsStayParallelogramsThroughTheirSingularPosition) {
   for (const int loops : {1, 4, 10}) {
     const Orders found = orders(four_bars(loops), 1e-3);
     EXPECT_LE(found.finer.miss, 5e-4) << loops;
@@ -61,7 +61,7 @@ TEST(Linkage, FourBarsStayParallelogramsThroughTheirSingularPosition) {
   }
 }
 
-TEST(Linkage, OverconstrainedLoopsKeepTheirClosedRelations) {
+TEST(FreeLinkage, OverconstrainedLoopsKeepTheirClosedRelations) {
   for (const Mechanism& mechanism : {bricard(), bennett(), mirrored_unit()}) {
     const Orders found = orders(mechanism, 2.5e-4);
     EXPECT_LE(found.finer.miss, 2e-6) << mechanism.name;
@@ -73,59 +73,59 @@ TEST(Linkage, OverconstrainedLoopsKeepTheirClosedRelations) {
   }
 }
 
-TEST(Linkage, MovesFarNotJustAboutItsStart) {
+TEST(FreeLinkage, MovesFarNotJustAboutItsStart) {
   const MechanismRun run = run_mechanism(bricard(), at_step(1e-3));
-  const Linkage linkage = bricard().linkage;
+  const sim::FreeLinkage linkage = bricard().linkage;
   EXPECT_GT(std::abs(hinge_turn(linkage, 1, run.result.poses)), 0.1);
   const MechanismRun turned = run_mechanism(bennett(), at_step(1e-3));
   EXPECT_GT(std::abs(hinge_turn(bennett().linkage, 0, turned.result.poses)), 0.1);
 }
 
-TEST(Linkage, AFreeTopKeepsItsEnergyAndItsAngularMomentum) {
-  Linkage top;
+TEST(FreeLinkage, AFreeTopKeepsItsEnergyAndItsAngularMomentum) {
+  sim::FreeLinkage top;
   top.bodies.resize(1);
   top.bodies[0].inertia = {0.1, 0.2, 0.4};
   top.bodies[0].motion.omega = {0.5, 3, 0.2};
-  LinkageOptions options = at_step(2.5e-4);
+  sim::FreeLinkageOptions options = at_step(2.5e-4);
   options.seconds = 2;
   const Eigen::Vector3d before = top.bodies[0].inertia.cwiseProduct(top.bodies[0].motion.omega);
-  const LinkageResult run = run_linkage(top, options);
-  const Pose& pose = run.poses[0];
+  const sim::FreeLinkageResult run = run_linkage(top, options);
+  const model::Pose& pose = run.poses[0];
   const Eigen::Vector3d after =
       pose.R * top.bodies[0].inertia.cwiseProduct(pose.R.transpose() * run.motion[0].omega);
   EXPECT_LE(run.energy_drift, 5e-3 * run.energy_start);
   EXPECT_LE((after - before).norm(), 5e-3 * before.norm());
 }
 
-TEST(Linkage, ThatRunsTooFastSaysSo) {
+TEST(FreeLinkage, ThatRunsTooFastSaysSo) {
   Mechanism mechanism = pendulum();
-  LinkageOptions options = at_step(1e-3);
+  sim::FreeLinkageOptions options = at_step(1e-3);
   options.speed_limit = 1;
-  const LinkageResult run = run_linkage(mechanism.linkage, options);
-  EXPECT_EQ(run.status, LinkageResult::Status::blew_up);
+  const sim::FreeLinkageResult run = run_linkage(mechanism.linkage, options);
+  EXPECT_EQ(run.status, sim::FreeLinkageResult::Status::blew_up);
   EXPECT_LT(run.steps, 1000);
 }
 
-TEST(Linkage, RefusesWhatIsNone) {
+TEST(FreeLinkage, RefusesWhatIsNone) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto refused = [](const std::function<void(Linkage&)>& spoil) {
-    Linkage linkage = four_bars(1).linkage;
+  const auto refused = [](const std::function<void(sim::FreeLinkage&)>& spoil) {
+    sim::FreeLinkage linkage = four_bars(1).linkage;
     spoil(linkage);
     EXPECT_THROW(run_linkage(linkage, {}), InvalidInput);
   };
   for (const double value : {0.0, -1.0, nan, std::numeric_limits<double>::infinity()}) {
-    refused([&](Linkage& l) { l.bodies[1].mass = value; });
-    refused([&](Linkage& l) { l.bodies[1].inertia.y() = value; });
+    refused([&](sim::FreeLinkage& l) { l.bodies[1].mass = value; });
+    refused([&](sim::FreeLinkage& l) { l.bodies[1].inertia.y() = value; });
   }
-  refused([&](Linkage& l) { l.hinges[0].a = 3; });
-  refused([&](Linkage& l) { l.hinges[0].b = l.hinges[0].a; });
-  refused([&](Linkage& l) { l.hinges[0].axis *= 2; });
-  refused([&](Linkage& l) { l.hinges[0].point.x() = nan; });
-  for (double LinkageOptions::*field :
-       {&LinkageOptions::step_s, &LinkageOptions::seconds, &LinkageOptions::reach,
-        &LinkageOptions::error_reduction, &LinkageOptions::joint_stiffness})
+  refused([&](sim::FreeLinkage& l) { l.hinges[0].a = 3; });
+  refused([&](sim::FreeLinkage& l) { l.hinges[0].b = l.hinges[0].a; });
+  refused([&](sim::FreeLinkage& l) { l.hinges[0].axis *= 2; });
+  refused([&](sim::FreeLinkage& l) { l.hinges[0].point.x() = nan; });
+  for (double sim::FreeLinkageOptions::*field :
+       {&sim::FreeLinkageOptions::step_s, &sim::FreeLinkageOptions::seconds, &sim::FreeLinkageOptions::reach,
+        &sim::FreeLinkageOptions::error_reduction, &sim::FreeLinkageOptions::joint_stiffness})
     for (const double value : {0.0, -1.0, nan, 1e13}) {
-      LinkageOptions options;
+      sim::FreeLinkageOptions options;
       options.*field = value;
       EXPECT_THROW(run_linkage(pendulum().linkage, options), InvalidInput);
     }

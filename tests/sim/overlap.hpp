@@ -4,22 +4,23 @@
 #include <algorithm>
 #include <limits>
 
-#include "model/state.hpp"
+#include "model/lattice/square/structure.hpp"
+#include "model/linkage/state.hpp"
 #include "sim/wall_prisms.hpp"
 
 namespace kinetix::testing {
 
 /// Edge directions of a prism of wall_prisms: along the wall, across it, up, and the cut at the hinge.
-inline std::array<Eigen::Vector3d, 4> edges(const Prism& p) {
+inline std::array<Eigen::Vector3d, 4> edges(const sim::Prism& p) {
   return {p[1] - p[0], p[2] - p[0], p[4] - p[0], p[5] - p[1]};
 }
 
 /// Overlap of two prisms along the axis of least overlap (separating axes), negative where they are apart.
-inline double overlap(const Prism& a, const Prism& b) {
+inline double overlap(const sim::Prism& a, const sim::Prism& b) {
   double least = std::numeric_limits<double>::infinity();
   const auto try_axis = [&](const Eigen::Vector3d& axis) {
     if (axis.norm() < 1e-6) return;
-    const auto span = [&](const Prism& p) {
+    const auto span = [&](const sim::Prism& p) {
       std::pair range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
       for (const Eigen::Vector3d& corner : p) {
         const double at = corner.dot(axis) / axis.norm();
@@ -40,15 +41,15 @@ inline double overlap(const Prism& a, const Prism& b) {
 }
 
 /// Deepest overlap of two half walls of different bodies and hinges in a state, cell edges.
-inline double deepest_overlap(const Structure& structure, const State& state) {
+inline double deepest_overlap(const model::Structure& structure, const model::State& state) {
   struct Placed {
     int body, hinge;
-    Prism prism;
+    sim::Prism prism;
   };
   std::vector<Placed> placed;
-  const auto walls = wall_prisms(structure);
+  const auto walls = sim::wall_prisms(structure);
   for (std::size_t b = 0; b < walls.size(); ++b)
-    for (const WallPrism& wall : walls[b]) {
+    for (const sim::WallPrism& wall : walls[b]) {
       placed.push_back({static_cast<int>(b), wall.hinge, wall.prism});
       for (Eigen::Vector3d& corner : placed.back().prism)
         corner = state[b].p / structure.size.edge_mm + state[b].R * corner;

@@ -9,16 +9,16 @@
 #include "sim/world.hpp"
 #include "tests/sim/runs.hpp"
 
-namespace kinetix {
+namespace kinetix::sim {
 namespace {
 
 TEST(WallPrisms, EndOnTheHingeAxisAndMeetTheOtherHalf) {
-  Structure structure = make_structure(rectangle(2, 1), {});
-  for (Hinge& hinge : structure.hinges) hinge.parameters = {0.3, 1.2, 0.4};
+  model::Structure structure = make_structure(model::rectangle(2, 1), {});
+  for (model::Hinge& hinge : structure.hinges) hinge.parameters = {0.3, 1.2, 0.4};
   const auto walls = wall_prisms(structure);
   for (std::size_t b = 0; b < walls.size(); ++b)
     for (const WallPrism& wall : walls[b]) {
-      const Hinge& hinge = structure.hinges[wall.hinge];
+      const model::Hinge& hinge = structure.hinges[wall.hinge];
       const Eigen::Vector3d axis = hinge_axis(hinge.wall.axis, hinge.parameters);
       const Eigen::Vector3d point =
           (structure.hinge_point(hinge) - structure.rest_position(static_cast<int>(b))) /
@@ -33,27 +33,27 @@ TEST(WallPrisms, EndOnTheHingeAxisAndMeetTheOtherHalf) {
 }
 
 TEST(World, KeepsTheMiddleEulerAngleOfEveryHingeNearZeroBeyondAQuarterTurn) {
-  auto design = ExactDesign<double>::basic(3, 1);
+  auto design = model::ExactDesign<double>::basic(3, 1);
   design.t = {0.7, 0.8, 0.7};
-  const Structure structure = testing::structure_of(design);
+  const model::Structure structure = testing::structure_of(design);
   const double theta = 1.0;
-  World world(structure, drive_to(structure, theta), testing::without_contact());
+  World world(structure, drive_to(structure, theta).on(structure), testing::without_contact());
   world.parts().push(theta);
   for (int k = 1; k <= 1000; ++k) {
     world.set_drive(theta * k / 1000);
     world.step();
     ASSERT_LE(world.largest_middle_angle(), 1e-3);
   }
-  const State state = world.parts().state();
-  const Hinge& hinge = structure.hinges[0];
+  const model::State state = world.parts().state();
+  const model::Hinge& hinge = structure.hinges[0];
   const Eigen::Matrix3d turn = state[hinge.lower].R.transpose() * state[hinge.upper].R;
   EXPECT_LT(turn(0, 0), std::cos(1.9));
 }
 
 TEST(World, KeepsTheMiddleEulerAngleSmallWhereHingesAreTilted) {
   const auto design = testing::strip(testing::curl(6, 0.6), 0.6);
-  const Structure structure = testing::structure_of(design);
-  World world(structure, drive_to(structure, 0.6), testing::without_contact());
+  const model::Structure structure = testing::structure_of(design);
+  World world(structure, drive_to(structure, 0.6).on(structure), testing::without_contact());
   world.parts().push(0.6);
   for (int k = 1; k <= 1000; ++k) {
     world.set_drive(0.6e-3 * k);
@@ -107,4 +107,4 @@ TEST(RowSystem, MeetsRepeatedRowsWithTheLeastMotion) {
 }
 
 }  // namespace
-}  // namespace kinetix
+}  // namespace kinetix::sim

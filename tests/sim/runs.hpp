@@ -2,20 +2,21 @@
 
 #include <gtest/gtest.h>
 
+#include "model/lattice/square/drive.hpp"
 #include "sim/compression_run.hpp"
 #include "tests/support/random_designs.hpp"
 
 namespace kinetix::testing {
 
-inline PhysicsOptions without_contact() {
-  PhysicsOptions options;
+inline sim::PhysicsOptions without_contact() {
+  sim::PhysicsOptions options;
   options.contact = false;
   return options;
 }
 
 /// Design of a one-row strip from the tilts of its columns.
-inline ExactDesign<double> strip(const std::vector<double>& tilts, double theta) {
-  auto design = ExactDesign<double>::basic(static_cast<int>(tilts.size()), 1);
+inline model::ExactDesign<double> strip(const std::vector<double>& tilts, double theta) {
+  auto design = model::ExactDesign<double>::basic(static_cast<int>(tilts.size()), 1);
   design.beta = tilts;
   design.theta = theta;
   return design;
@@ -28,16 +29,17 @@ inline std::vector<double> curl(int columns, double tilt) {
   return tilts;
 }
 
-inline PhysicsResult run(const ExactDesign<double>& design, const PhysicsOptions& options = {}) {
-  const Structure structure = structure_of(design);
-  return run_compression(structure, drive_to(structure, design.theta), options);
+inline sim::PhysicsResult run(const model::ExactDesign<double>& design,
+                              const sim::PhysicsOptions& options = {}) {
+  const model::Structure structure = structure_of(design);
+  return run_compression(structure, drive_to(structure, design.theta).on(structure), options);
 }
 
 /// The run settles, on the state that the reflections give.
-inline void expect_exact(const ExactDesign<double>& design, const PhysicsResult& result,
+inline void expect_exact(const model::ExactDesign<double>& design, const sim::PhysicsResult& result,
                          double tolerance = 1e-7) {
-  const Structure structure = structure_of(design);
-  EXPECT_EQ(result.status, PhysicsResult::Status::settled) << result.why;
+  const model::Structure structure = structure_of(design);
+  EXPECT_EQ(result.status, sim::PhysicsResult::Status::settled) << result.why;
   EXPECT_LE(aligned_distance(structure, result.state, fold(design, structure)).max, tolerance);
 }
 

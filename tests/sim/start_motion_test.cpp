@@ -2,23 +2,23 @@
 
 #include <gtest/gtest.h>
 
-#include "model/exact_jacobian.hpp"
+#include "model/lattice/square/exact_jacobian.hpp"
 #include "tests/support/random_designs.hpp"
 
-namespace kinetix {
+namespace kinetix::sim {
 namespace {
 
 TEST(StartMotion, IsTheRateOfTheExactFoldAtFlat) {
   std::mt19937 random(31);
-  for (const Family family : {Family::F1, Family::F2, Family::F3}) {
+  for (const model::Family family : {model::Family::F1, model::Family::F2, model::Family::F3}) {
     auto design = testing::random_design(family, 6, 2, random);
-    const Structure structure = testing::structure_of(design);
-    const std::vector<Twist> motion = start_motion(structure);
+    const model::Structure structure = testing::structure_of(design);
+    const std::vector<model::Twist> motion = start_motion(structure);
     design.theta = 0;
-    State poses;
-    ExactJacobian jacobian;
+    model::State poses;
+    model::ExactJacobian jacobian;
     fold_with_jacobian(design, structure.size.edge_mm, poses, jacobian);
-    for (const Hinge& hinge : structure.hinges) {
+    for (const model::Hinge& hinge : structure.hinges) {
       const Eigen::Vector3d relative = motion[hinge.upper].omega - motion[hinge.lower].omega;
       const Eigen::Vector3d exact = jacobian.twist(jacobian.theta(), hinge.upper).omega -
                                     jacobian.twist(jacobian.theta(), hinge.lower).omega;
@@ -30,12 +30,12 @@ TEST(StartMotion, IsTheRateOfTheExactFoldAtFlat) {
 }
 
 TEST(StartMotion, IsBareSpinsWhereNothingMoves) {
-  Structure structure = make_structure(rectangle(3, 3), {});
+  model::Structure structure = make_structure(model::rectangle(3, 3), {});
   std::mt19937 random(32);
   std::uniform_real_distribution<double> unit(0, 1);
-  for (Hinge& hinge : structure.hinges)
+  for (model::Hinge& hinge : structure.hinges)
     hinge.parameters = {0.2 + 0.6 * unit(random), 1.2 + 0.7 * unit(random), unit(random) - 0.5};
-  const std::vector<Twist> motion = start_motion(structure);
+  const std::vector<model::Twist> motion = start_motion(structure);
   for (std::size_t b = 0; b < motion.size(); ++b) {
     EXPECT_EQ(motion[b].v, Eigen::Vector3d::Zero());
     EXPECT_EQ(motion[b].omega, Eigen::Vector3d(0, 0, structure.bodies[b].sense()));
@@ -43,4 +43,4 @@ TEST(StartMotion, IsBareSpinsWhereNothingMoves) {
 }
 
 }  // namespace
-}  // namespace kinetix
+}  // namespace kinetix::sim

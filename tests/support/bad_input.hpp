@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "model/invalid_input.hpp"
+#include "model/base/invalid_input.hpp"
 
 namespace kinetix::testing {
 

@@ -2,30 +2,31 @@
 
 #include <cmath>
 
-#include "model/classify.hpp"
-#include "model/elastic/load_path.hpp"
-#include "model/unit_laws.hpp"
+#include "model/elastic/equilibrium_path.hpp"
+#include "model/lattice/square/classify.hpp"
+#include "model/lattice/square/drive.hpp"
+#include "model/lattice/square/unit_laws.hpp"
 
 /// Shorthand for equilibrium runs against closed forms.
 namespace kinetix::testing {
 
-inline LoadPathOptions without_contact() {
-  LoadPathOptions options;
+inline model::EquilibriumPathOptions without_contact() {
+  model::EquilibriumPathOptions options;
   options.contact = false;
   return options;
 }
 
 /// A wall turned so that its structure folds to theta, rad.
-inline Drive hinge_drive(const Wall& wall, double theta) {
-  Drive drive;
-  drive.kind = Drive::Kind::hinge;
+inline model::Drive hinge_drive(const model::Wall& wall, double theta) {
+  model::Drive drive;
+  drive.kind = model::Drive::Kind::hinge;
   drive.wall = wall;
   drive.angle = -2 * wall.from.sense() * theta;
   return drive;
 }
 
-inline Drive plates_drive(Axis axis, double theta) {
-  Drive drive;
+inline model::Drive plates_drive(model::Axis axis, double theta) {
+  model::Drive drive;
   drive.axis = axis;
   drive.compression = 1 - std::cos(theta);
   drive.branch = theta < 0 ? -1 : 1;
@@ -33,16 +34,16 @@ inline Drive plates_drive(Axis axis, double theta) {
 }
 
 /// Rms distance of a state from the closed form at theta, cell edges.
-inline double from_closed_form(const Structure& s, const State& state, double theta) {
+inline double from_closed_form(const model::Structure& s, const model::State& state, double theta) {
   return aligned_distance(s, state, fold(classify(s), s, theta)).rms;
 }
 
-inline double from_closed_form(const Structure& s, const LoadPath& path) {
+inline double from_closed_form(const model::Structure& s, const model::EquilibriumPath& path) {
   return from_closed_form(s, path.state, path.theta);
 }
 
 /// Energy of the turning springs where all hinges turn by twice theta, N mm.
-inline double planar_energy(const Structure& s, double k_turn, double theta) {
+inline double planar_energy(const model::Structure& s, double k_turn, double theta) {
   return static_cast<double>(s.hinges.size()) * 2 * k_turn * theta * theta;
 }
 
@@ -50,12 +51,12 @@ inline double planar_energy(const Structure& s, double k_turn, double theta) {
 /// only. A column folded to theta stores 6 k_turn theta^2, so tipping it by phi gains 6 k_turn phi^2; twisting
 /// it against the next by tau costs 3 k_point reach^2 tau^2 in three hinges: Euler's column, clamped in the
 /// middle and free at its ends.
-inline double tipping_length(const Elasticity& e) {
+inline double tipping_length(const model::Elasticity& e) {
   return pi * e.reach_mm * std::sqrt(e.k_point / (2 * e.k_turn));
 }
 
-inline const PathEvent* first_event(const LoadPath& path, PathEvent::Kind kind) {
-  for (const PathEvent& event : path.events)
+inline const model::PathEvent* first_event(const model::EquilibriumPath& path, model::PathEvent::Kind kind) {
+  for (const model::PathEvent& event : path.events)
     if (event.kind == kind) return &event;
   return nullptr;
 }

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "model/exact_jacobian.hpp"
+#include "model/lattice/square/exact_jacobian.hpp"
 #include "tests/support/derivatives.hpp"
 
 namespace kinetix::testing {
 
 /// All parameters of a design in the order of ExactJacobian.
-inline Eigen::VectorXd pack(const ExactDesign<double>& d) {
+inline Eigen::VectorXd pack(const model::ExactDesign<double>& d) {
   Eigen::VectorXd x(2 * d.columns() + d.rows() + 2);
   int k = 0;
   for (const auto* part : {&d.beta, &d.t, &d.s})
@@ -18,8 +18,8 @@ inline Eigen::VectorXd pack(const ExactDesign<double>& d) {
 
 /// @param x any indexable container of the scalar
 template <class T, class Container>
-ExactDesign<T> unpack(const Container& x, int columns, int rows) {
-  auto d = ExactDesign<T>::basic(columns, rows);
+model::ExactDesign<T> unpack(const Container& x, int columns, int rows) {
+  auto d = model::ExactDesign<T>::basic(columns, rows);
   int k = 0;
   for (auto* part : {&d.beta, &d.t, &d.s})
     for (T& value : *part) value = x[k++];
@@ -30,7 +30,7 @@ ExactDesign<T> unpack(const Container& x, int columns, int rows) {
 
 /// Body positions, stacked, as a function of the packed parameters.
 inline Eigen::VectorXd folded_positions(const Eigen::VectorXd& x, int columns, int rows, double L) {
-  State poses;
+  model::State poses;
   fold(unpack<double>(x, columns, rows), L, poses);
   Eigen::VectorXd p(3 * poses.size());
   for (std::size_t b = 0; b < poses.size(); ++b) p.segment<3>(3 * b) = poses[b].p;
@@ -38,9 +38,9 @@ inline Eigen::VectorXd folded_positions(const Eigen::VectorXd& x, int columns, i
 }
 
 /// The analytic Jacobian of folded_positions.
-inline Eigen::MatrixXd position_jacobian(const ExactDesign<double>& design, double L) {
-  State poses;
-  ExactJacobian jacobian;
+inline Eigen::MatrixXd position_jacobian(const model::ExactDesign<double>& design, double L) {
+  model::State poses;
+  model::ExactJacobian jacobian;
   fold_with_jacobian(design, L, poses, jacobian);
   Eigen::MatrixXd J(3 * poses.size(), jacobian.parameters());
   for (int k = 0; k < jacobian.parameters(); ++k)
@@ -50,7 +50,7 @@ inline Eigen::MatrixXd position_jacobian(const ExactDesign<double>& design, doub
 }
 
 /// Relative difference of the analytic Jacobian and central differences.
-inline double jacobian_mismatch(const ExactDesign<double>& design, double L) {
+inline double jacobian_mismatch(const model::ExactDesign<double>& design, double L) {
   const auto f = [&](const Eigen::VectorXd& x) {
     return folded_positions(x, design.columns(), design.rows(), L);
   };

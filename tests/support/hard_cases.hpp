@@ -6,19 +6,19 @@
 #include <string>
 #include <vector>
 
-#include "model/drive.hpp"
-#include "model/elastic/elasticity.hpp"
-#include "model/state.hpp"
+#include "model/hinge/elasticity.hpp"
+#include "model/lattice/square/drive.hpp"
+#include "model/linkage/state.hpp"
 
 namespace kinetix::testing {
 
-/// A balance that was found, for another program to look for it too.
-struct HardBalance {
-  Structure structure;
-  Drive drive;
-  Elasticity elasticity;
+/// An equilibrium that was found, for another program to look for it too.
+struct HardEquilibrium {
+  model::Structure structure;
+  model::Drive drive;
+  model::Elasticity elasticity;
   bool contact = false, planar = false;
-  State state;
+  model::State state;
 };
 
 struct HardAnswer {
@@ -29,7 +29,7 @@ struct HardAnswer {
   };
   Mark mark = Mark::wrong;
   std::string exact, equilibrium;  ///< what closed form and model answered
-  std::optional<HardBalance> balance;
+  std::optional<HardEquilibrium> settled;
 };
 
 std::string to_string(HardAnswer::Mark mark);

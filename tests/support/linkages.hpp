@@ -7,9 +7,10 @@
 #include <functional>
 #include <string>
 
-#include "model/classify.hpp"
-#include "model/unit_laws.hpp"
-#include "sim/linkage_run.hpp"
+#include "model/lattice/square/classify.hpp"
+#include "model/lattice/square/structure.hpp"
+#include "model/lattice/square/unit_laws.hpp"
+#include "sim/free_linkage_run.hpp"
 
 /// Mechanisms with known answers. Lengths m, masses kg, rods uniform unless a mechanism says otherwise.
 namespace kinetix::testing {
@@ -19,18 +20,18 @@ using Eigen::Vector3d;
 /// A linkage, and how far a motion of it is from what is known: 0 in exact arithmetic.
 struct Mechanism {
   std::string name;
-  Linkage linkage = {};
+  sim::FreeLinkage linkage = {};
   double seconds = 1;
   double energy_scale = 1;  ///< J: what its energy drift is held against
   std::string relation;     ///< in words
-  std::function<double(double simulated_s, const std::vector<Pose>& poses)> miss = {};
+  std::function<double(double simulated_s, const std::vector<model::Pose>& poses)> miss = {};
 };
 
 inline const Vector3d down{0, -9.81, 0};
 
 /// Turn of a hinge since the start, of b against a about its axis, (-pi, pi].
-inline double hinge_turn(const Linkage& linkage, int hinge, const std::vector<Pose>& poses) {
-  const LinkageHinge& h = linkage.hinges[hinge];
+inline double hinge_turn(const sim::FreeLinkage& linkage, int hinge, const std::vector<model::Pose>& poses) {
+  const sim::FreeLinkageHinge& h = linkage.hinges[hinge];
   const auto turned = [&](int body) -> Eigen::Matrix3d {
     if (body < 0) return Eigen::Matrix3d::Identity();
     return poses[body].R * linkage.bodies[body].pose.R.transpose();
@@ -67,10 +68,10 @@ inline Mechanism pendulum() {
               .energy_scale = 9.81 / 2,
               .relation = "angle against its closed form"};
   m.linkage.gravity = down;
-  m.linkage.bodies = {rod({0, 0, 0}, {1, 0, 0}, 1)};
+  m.linkage.bodies = {sim::rod({0, 0, 0}, {1, 0, 0}, 1)};
   m.linkage.hinges = {{-1, 0, {0, 0, 0}, {0, 0, 1}}};
   auto angle = integrated(pi / 2, 0, [](double phi) { return -1.5 * 9.81 * std::sin(phi); });
-  m.miss = [angle, linkage = m.linkage](double t, const std::vector<Pose>& poses) mutable {
+  m.miss = [angle, linkage = m.linkage](double t, const std::vector<model::Pose>& poses) mutable {
     return std::abs(wrapped(pi / 2 + hinge_turn(linkage, 0, poses) - angle(t)));
   };
   return m;
@@ -84,16 +85,16 @@ inline Mechanism four_bars(int loops) {
   Mechanism m{.name = std::to_string(loops) + "-four-bar",
               .seconds = 3,
               .relation = "angle of the uprights against the parallelogram's closed form"};
-  Linkage& l = m.linkage;
+  sim::FreeLinkage& l = m.linkage;
   l.gravity = down;
   for (int k = 0; k <= loops; ++k) {
-    l.bodies.push_back(rod({1.0 * k, 0, 0}, {1.0 * k, 1, 0}, 1));
+    l.bodies.push_back(sim::rod({1.0 * k, 0, 0}, {1.0 * k, 1, 0}, 1));
     l.bodies.back().motion = {{0, 0, -1}, {0.5, 0, 0}};
     l.hinges.push_back({-1, k, {1.0 * k, 0, 0}, {0, 0, 1}});
   }
   for (int k = 0; k < loops; ++k) {
     const int bar = static_cast<int>(l.bodies.size());
-    l.bodies.push_back(rod({1.0 * k, 1, 0}, {1.0 * k + 1, 1, 0}, 1));
+    l.bodies.push_back(sim::rod({1.0 * k, 1, 0}, {1.0 * k + 1, 1, 0}, 1));
     l.bodies.back().motion = {{0, 0, 0}, {1, 0, 0}};
     l.hinges.push_back({k, bar, {1.0 * k, 1, 0}, {0, 0, 1}});
     l.hinges.push_back({bar, k + 1, {1.0 * k + 1, 1, 0}, {0, 0, 1}});
@@ -101,7 +102,7 @@ inline Mechanism four_bars(int loops) {
   const double inertia = loops + (loops + 1) / 3.0, weight = 9.81 * (loops + (loops + 1) / 2.0);
   m.energy_scale = 2 * weight;
   auto angle = integrated(0, 1, [=](double phi) { return weight / inertia * std::sin(phi); });
-  m.miss = [angle, loops, l](double t, const std::vector<Pose>& poses) mutable {
+  m.miss = [angle, loops, l](double t, const std::vector<model::Pose>& poses) mutable {
     const double phi = angle(t);
     double worst = 0;
     for (int k = 0; k <= loops; ++k) {
@@ -121,14 +122,14 @@ inline Mechanism bricard() {
               .seconds = 3,
               .energy_scale = 9.81,
               .relation = "cosines of neighbouring hinge angles, c + d + c d = 0"};
-  Linkage& l = m.linkage;
+  sim::FreeLinkage& l = m.linkage;
   l.gravity = down;
   const Vector3d corners[] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {0, 1, 1}, {0, 0, 1}};
   const Vector3d axes[] = {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}};
-  for (int k = 1; k < 6; ++k) l.bodies.push_back(rod(corners[k], corners[(k + 1) % 6], 1));
+  for (int k = 1; k < 6; ++k) l.bodies.push_back(sim::rod(corners[k], corners[(k + 1) % 6], 1));
   for (int k = 0; k < 6; ++k)
     l.hinges.push_back({k == 1 ? -1 : (k + 4) % 6, k == 0 ? -1 : k - 1, corners[k], axes[k]});
-  m.miss = [](double, const std::vector<Pose>& poses) {
+  m.miss = [](double, const std::vector<model::Pose>& poses) {
     std::array<Vector3d, 6> along = {Vector3d::UnitX()};
     for (int k = 0; k < 5; ++k) along[k + 1] = poses[k].R.col(2);
     double worst = 0;
@@ -170,9 +171,9 @@ inline Mechanism bennett() {
   const Bennett law;
   constexpr double start = 1, rate = 2, small = 1e-6;
   const auto at = law.frames(start), before = law.frames(start - small), after = law.frames(start + small);
-  Linkage& l = m.linkage;
+  sim::FreeLinkage& l = m.linkage;
   for (int k = 0; k < 3; ++k) {
-    l.bodies.push_back(rod(at[k].translation(), at[k + 1].translation(), 1));
+    l.bodies.push_back(sim::rod(at[k].translation(), at[k + 1].translation(), 1));
     const Eigen::Isometry3d motion = after[k + 1] * before[k + 1].inverse();
     const Eigen::AngleAxisd turn(motion.rotation());
     const Vector3d middle = (after[k].translation() + after[k + 1].translation() - before[k].translation() -
@@ -182,11 +183,11 @@ inline Mechanism bennett() {
   }
   for (int k = 0; k < 4; ++k)
     l.hinges.push_back({k - 1, k == 3 ? -1 : k, at[k].translation(), at[k].linear().col(2)});
-  std::vector<Pose> poses;
-  std::vector<Twist> motion;
-  for (const LinkageBody& body : l.bodies) poses.push_back(body.pose), motion.push_back(body.motion);
+  std::vector<model::Pose> poses;
+  std::vector<model::Twist> motion;
+  for (const sim::FreeLinkageBody& body : l.bodies) poses.push_back(body.pose), motion.push_back(body.motion);
   m.energy_scale = linkage_energy(l, poses, motion);
-  m.miss = [law, l](double, const std::vector<Pose>& now) {
+  m.miss = [law, l](double, const std::vector<model::Pose>& now) {
     const double theta = start + hinge_turn(l, 0, now), phi = law.phi(start) + hinge_turn(l, 1, now);
     return std::abs(std::sin(theta / 2) * std::sin(phi / 2) * std::sin((law.beta - law.alpha) / 2) -
                     std::cos(theta / 2) * std::cos(phi / 2) * std::sin((law.beta + law.alpha) / 2));
@@ -201,33 +202,33 @@ inline Mechanism mirrored_unit() {
   constexpr double tilt_m = 0.5, tilt_n = 0.8, start = 0.3, rate = 0.5, small = 1e-6;
   Mechanism m{
       .name = "doubly mirrored unit", .seconds = 1, .relation = "cos(u) cos(v) = cos(beta_m) cos(beta_n)"};
-  Structure cell = make_structure(rectangle(1, 1), {1, 0.1, 0.6});
-  apply_pattern(cell, bend_unit(BendUnit::B, tilt_m, tilt_n), bend_unit(BendUnit::B, tilt_m, tilt_n),
-                SharedWalls::must_agree);
-  const Classification family = classify(cell);
-  const State at = fold(family, cell, start), before = fold(family, cell, start - small),
-              after = fold(family, cell, start + small);
-  Linkage& l = m.linkage;
+  model::Structure cell = make_structure(model::rectangle(1, 1), {1, 0.1, 0.6});
+  apply_pattern(cell, bend_unit(model::BendUnit::B, tilt_m, tilt_n),
+                bend_unit(model::BendUnit::B, tilt_m, tilt_n), model::SharedWalls::must_agree);
+  const model::Classification family = classify(cell);
+  const model::State at = fold(family, cell, start), before = fold(family, cell, start - small),
+                     after = fold(family, cell, start + small);
+  sim::FreeLinkage& l = m.linkage;
   for (std::size_t k = 0; k < at.size(); ++k) {
     const Eigen::AngleAxisd turn(after[k].R * before[k].R.transpose());
     const double per = rate / (2 * small);
     l.bodies.push_back(
         {at[k], 1, {0.1, 0.1, 0.1}, {per * turn.angle() * turn.axis(), per * (after[k].p - before[k].p)}});
   }
-  for (const Hinge& hinge : cell.hinges) {
-    const Pose& lower = at[hinge.lower];
+  for (const model::Hinge& hinge : cell.hinges) {
+    const model::Pose& lower = at[hinge.lower];
     l.hinges.push_back({hinge.lower, hinge.upper,
                         lower.p + lower.R * (hinge.parameters.t * edge_direction(hinge.wall.axis)),
                         lower.R * hinge_axis(hinge.wall.axis, hinge.parameters)});
   }
-  std::vector<Twist> motion;
-  for (const LinkageBody& body : l.bodies) motion.push_back(body.motion);
+  std::vector<model::Twist> motion;
+  for (const sim::FreeLinkageBody& body : l.bodies) motion.push_back(body.motion);
   m.energy_scale = linkage_energy(l, at, motion);
-  const CellHinges order = cell.cell_members[0];
-  m.miss = [l, order](double, const std::vector<Pose>& poses) {
+  const model::CellHinges order = cell.cell_members[0];
+  m.miss = [l, order](double, const std::vector<model::Pose>& poses) {
     std::array<Vector3d, 4> axis;
     for (int k = 0; k < 4; ++k) {
-      const LinkageHinge& h = l.hinges[order.hinges[k]];
+      const sim::FreeLinkageHinge& h = l.hinges[order.hinges[k]];
       axis[k] = poses[h.a].R * l.bodies[h.a].pose.R.transpose() * h.axis;
     }
     const auto half = [](const Vector3d& p, const Vector3d& q) {
@@ -241,19 +242,20 @@ inline Mechanism mirrored_unit() {
 
 /// What a run of a mechanism came to.
 struct MechanismRun {
-  LinkageResult result;
+  sim::FreeLinkageResult result;
   double miss = 0;   ///< largest at any time
   double drift = 0;  ///< of the energy, over its scale
 };
 
-inline MechanismRun run_mechanism(Mechanism mechanism, LinkageOptions options) {
+inline MechanismRun run_mechanism(Mechanism mechanism, sim::FreeLinkageOptions options) {
   options.seconds = mechanism.seconds;
   MechanismRun run;
-  run.result = run_linkage(mechanism.linkage, options,
-                           [&](double t, const std::vector<Pose>& poses, const std::vector<Twist>&) {
-                             const double miss = mechanism.miss(t, poses);
-                             if (!(miss <= run.miss)) run.miss = miss;
-                           });
+  run.result =
+      run_linkage(mechanism.linkage, options,
+                  [&](double t, const std::vector<model::Pose>& poses, const std::vector<model::Twist>&) {
+                    const double miss = mechanism.miss(t, poses);
+                    if (!(miss <= run.miss)) run.miss = miss;
+                  });
   run.drift = run.result.energy_drift / mechanism.energy_scale;
   return run;
 }

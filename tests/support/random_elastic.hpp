@@ -2,15 +2,16 @@
 
 #include <random>
 
-#include "model/closure.hpp"
+#include "model/closure/closure.hpp"
+#include "model/lattice/square/structure.hpp"
 
 namespace kinetix::testing {
 
 /// A panel with hinges anywhere: t in 0.2..0.8, alpha within 0.4 rad of upright, beta up to 0.5 rad.
-inline Structure random_panel(int columns, int rows, std::mt19937& random, bool planar = false) {
+inline model::Structure random_panel(int columns, int rows, std::mt19937& random, bool planar = false) {
   std::uniform_real_distribution<double> unit(-1, 1);
-  Structure s = make_structure(rectangle(columns, rows), {10, 0.8, 6});
-  for (Hinge& hinge : s.hinges) {
+  model::Structure s = make_structure(model::rectangle(columns, rows), {10, 0.8, 6});
+  for (model::Hinge& hinge : s.hinges) {
     hinge.parameters.t = 0.5 + 0.3 * unit(random);
     if (planar) continue;
     hinge.parameters.alpha = pi / 2 + 0.4 * unit(random);
@@ -20,8 +21,8 @@ inline Structure random_panel(int columns, int rows, std::mt19937& random, bool 
 }
 
 /// Every body moved at random, by up to `size` rad and cell edges a coordinate.
-inline State shaken(const Structure& s, const State& state, double size, std::mt19937& random,
-                    bool planar = false) {
+inline model::State shaken(const model::Structure& s, const model::State& state, double size,
+                           std::mt19937& random, bool planar = false) {
   std::uniform_real_distribution<double> unit(-size, size);
   Eigen::VectorXd twists(6 * state.size());
   for (Eigen::Index k = 0; k < twists.size(); ++k) {

@@ -16,8 +16,9 @@ inline std::string read_capitals(const std::string& png) {
   const TemporaryFolder folder;
   const std::string file = folder.path("letter.png");
   std::ofstream(file, std::ios::binary) << png;
-  const std::string command = "OMP_THREAD_LIMIT=1 tesseract '" + file +
-                              "' - --psm 13 -c tessedit_char_whitelist=ABCDEFGHIJKLMNOPQRSTUVWXYZ 2>/dev/null";
+  const std::string command =
+      "OMP_THREAD_LIMIT=1 tesseract '" + file +
+      "' - --psm 13 -c tessedit_char_whitelist=ABCDEFGHIJKLMNOPQRSTUVWXYZ 2>/dev/null";
   FILE* const pipe = popen(command.c_str(), "r");
   if (!pipe) throw std::runtime_error("cannot run tesseract");
   std::string text;

@@ -8,14 +8,15 @@
 #include <sstream>
 #include <string>
 
-#include "targets/triangle_mesh.hpp"
+#include "targets/mesh/triangle_mesh.hpp"
 
 namespace kinetix::testing {
 
 /// A closed surface round the origin with a vertex on each pole: point(azimuth, polar angle from z) at
 /// `around` x (`down` + 1) angles. Wound outward.
-inline TriangleMesh globe(const std::function<Eigen::Vector3d(double, double)>& point, int around, int down) {
-  TriangleMesh mesh;
+inline targets::TriangleMesh globe(const std::function<Eigen::Vector3d(double, double)>& point, int around,
+                                   int down) {
+  targets::TriangleMesh mesh;
   const auto at = [&](int i, int j) {
     if (j == 0) return 0;
     if (j == down) return 1;
@@ -33,7 +34,7 @@ inline TriangleMesh globe(const std::function<Eigen::Vector3d(double, double)>& 
   return mesh;
 }
 
-inline TriangleMesh ellipsoid(const Eigen::Vector3d& axes, int around = 48, int down = 24) {
+inline targets::TriangleMesh ellipsoid(const Eigen::Vector3d& axes, int around = 48, int down = 24) {
   return globe(
       [axes](double azimuth, double polar) -> Eigen::Vector3d {
         const Eigen::Array3d direction(std::sin(polar) * std::cos(azimuth),
@@ -43,12 +44,39 @@ inline TriangleMesh ellipsoid(const Eigen::Vector3d& axes, int around = 48, int 
       around, down);
 }
 
-inline TriangleMesh tetrahedron(double edge = 100) {
+inline targets::TriangleMesh tetrahedron(double edge = 100) {
   return {{{0, 0, 0}, {edge, 0, 0}, {0, edge, 0}, {0, 0, edge}},
           {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
 }
 
-inline std::string obj_text(const TriangleMesh& mesh) {
+/// Adds a part, moved.
+inline void add_part(targets::TriangleMesh& mesh, const targets::TriangleMesh& part,
+                     const Eigen::Vector3d& shift) {
+  const int first = static_cast<int>(mesh.vertices.size());
+  for (const auto& p : part.vertices) mesh.vertices.push_back(p + shift);
+  for (const auto& [a, b, c] : part.triangles) mesh.triangles.push_back({first + a, first + b, first + c});
+}
+
+/// A cube round the origin, wound outward.
+inline targets::TriangleMesh cube(double half) {
+  targets::TriangleMesh mesh;
+  for (int k = 0; k < 8; ++k)
+    mesh.vertices.push_back(half * Eigen::Vector3d(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1));
+  mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                    {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  return mesh;
+}
+
+/// Without the triangles that have a corner where `is_gone` says so.
+inline targets::TriangleMesh cut(targets::TriangleMesh mesh,
+                                 const std::function<bool(const Eigen::Vector3d&)>& is_gone) {
+  std::erase_if(mesh.triangles, [&](const targets::Triangle& t) {
+    return is_gone(mesh.vertices[t[0]]) || is_gone(mesh.vertices[t[1]]) || is_gone(mesh.vertices[t[2]]);
+  });
+  return mesh;
+}
+
+inline std::string obj_text(const targets::TriangleMesh& mesh) {
   std::ostringstream out;
   out.precision(9);
   for (const auto& p : mesh.vertices) out << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
@@ -62,7 +90,7 @@ void append_binary(std::string& bytes, Number value, bool big_endian = false) {
   for (std::size_t k = 0; k < raw.size(); ++k) bytes += raw[big_endian ? raw.size() - 1 - k : k];
 }
 
-inline std::string stl_binary(const TriangleMesh& mesh) {
+inline std::string stl_binary(const targets::TriangleMesh& mesh) {
   std::string bytes(80, 'x');
   append_binary(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -74,7 +102,7 @@ inline std::string stl_binary(const TriangleMesh& mesh) {
   return bytes;
 }
 
-inline std::string stl_text(const TriangleMesh& mesh) {
+inline std::string stl_text(const targets::TriangleMesh& mesh) {
   std::ostringstream out;
   out.precision(9);
   out << "solid head of\n";
@@ -87,7 +115,7 @@ inline std::string stl_text(const TriangleMesh& mesh) {
   return out.str();
 }
 
-inline std::string ply_header(const TriangleMesh& mesh, const std::string& format) {
+inline std::string ply_header(const targets::TriangleMesh& mesh, const std::string& format) {
   return "ply\nformat " + format + " 1.0\ncomment a mesh\nelement vertex " +
          std::to_string(mesh.vertices.size()) +
          "\nproperty float x\nproperty float y\nproperty uchar red\nproperty double z\nelement face " +
@@ -95,7 +123,7 @@ inline std::string ply_header(const TriangleMesh& mesh, const std::string& forma
          "\nproperty uchar flags\nproperty list uchar int vertex_indices\nend_header\n";
 }
 
-inline std::string ply_text(const TriangleMesh& mesh) {
+inline std::string ply_text(const targets::TriangleMesh& mesh) {
   std::ostringstream out;
   out.precision(9);
   out << ply_header(mesh, "ascii");
@@ -104,7 +132,7 @@ inline std::string ply_text(const TriangleMesh& mesh) {
   return out.str();
 }
 
-inline std::string ply_binary(const TriangleMesh& mesh, bool big_endian = false) {
+inline std::string ply_binary(const targets::TriangleMesh& mesh, bool big_endian = false) {
   std::string bytes = ply_header(mesh, big_endian ? "binary_big_endian" : "binary_little_endian");
   for (const auto& p : mesh.vertices) {
     append_binary(bytes, static_cast<float>(p.x()), big_endian);

@@ -1,4 +1,4 @@
-// The balance of elastic hinges: load and energy along the drive, and where in the sheet the energy is.
+// The equilibrium of elastic hinges: load and energy along the drive, and where in the sheet the energy is.
 
 const EVENT_NAMES = {
   bifurcation: "buckles",
@@ -16,9 +16,9 @@ function eventName({kind, what}) {
 
 const STOPS = {
   reached: "reached its goal",
-  torn: "stopped: a hinge stretched too far",
+  torn: "stopped: a hinge is overstretched",
   locked: "stopped: walls in contact lock it",
-  "not converged": "stopped: no balance found further on",
+  "not converged": "stopped: no equilibrium found further on",
 };
 
 function readEnergies(raw) {
@@ -51,7 +51,7 @@ function force(value, unit) {
 }
 
 function driveWords(balance, drive) {
-  return balance.byPlates ? `${percent(drive)} compression` : `${degrees(toDegrees(drive))} turn`;
+  return balance.byPlates ? `${percent(drive)} compression` : `${degrees(toDegrees(drive))} rotation`;
 }
 
 /** Of the drive, as its axis shows it: percent, or degrees. */
@@ -78,13 +78,13 @@ function balanceVerdict(data) {
     return {
       mark: "!",
       tone: "bad",
-      title: "In balance, but the physics run " + failing(data),
+      title: "In equilibrium, but the physics run " + failing(data),
       text: `${held} ${physicsWords(data)}`
     };
   return {
     mark: hasRun ? "\u2713" : "i",
     tone: hasRun ? "good" : "unsure",
-    title: hasRun ? "In balance, and the physics run agrees" : "In balance",
+    title: hasRun ? "In equilibrium, and the physics run agrees" : "In equilibrium",
     text: held + (hasRun ? " " + physicsWords(data) : " It was not checked by a physics run.")
   };
 }
@@ -95,7 +95,7 @@ function balanceNumbers(data) {
   const sum = (part) => balance.energies.reduce((total, e) => total + (e[part] ?? 0), 0);
   const stretch = sum("stretch"), turn = sum("turn"), rest = balance.last.energy_Nmm - stretch - turn;
   const shares =
-      [[stretch, "stretch"], [turn, "turn"], [rest, "walls pressed together"]]
+      [[stretch, "stretch"], [turn, "rotation"], [rest, "walls pressed together"]]
           .map(([value, name]) => [Math.round(100 * value / balance.last.energy_Nmm), name])
           .filter(([share]) => share > 0)
           .map(([share, name]) => `${share}${SPACE}% ${name}`);
@@ -152,7 +152,7 @@ function alongDrive(data, width, key, label, name) {
     label: name,
     x: {
       range: [Math.min(0, ...drives), Math.max(...drives, 1e-9)],
-      label: balance.byPlates ? "compression of the plates, %" : "turn of the driven hinge, degrees"
+      label: balance.byPlates ? "compression of the plates, %" : "rotation of the driven hinge, degrees"
     },
     y: {range: [bottom - (bottom < 0 ? 0.06 : 0) * (top - bottom), top + 0.14 * (top - bottom || 1)], label},
     left: 66
@@ -214,7 +214,7 @@ function loadSection(data) {
         "p", {class: "lead"},
         `From flat to ${driveWords(balance, balance.last.drive)} in ${
             count(balance.path.length - 1, "step", "steps")}, ` +
-            `each in balance: the dots. Numbers mark the events in the table.`),
+            `each an equilibrium (dots). Numbers mark the events in the table.`),
     responsive((width) => drawLoad(data, width)),
     responsive((width) => drawEnergy(data, width)),
     balance.path.slice(1).some((step) => step.stable === false) ?
@@ -280,9 +280,9 @@ function energySection(data) {
         "div", {class: structure.columns > 3 * Math.max(1, structure.rows) ? "heats long" : "heats"},
         heatFigure(
             data, "stretch", "Stretch",
-            "Hinge points and axes pulled apart: what an ideal hinge could not do."),
+            "Hinge points and axes pulled apart, which an ideal hinge would not allow."),
         heatFigure(
-            data, "turn", "Turn",
+            data, "turn", "Rotation",
             "Hinges bent from their flat rest: what it takes to hold the sheet folded.")),
   ];
 }

@@ -99,18 +99,6 @@ function readStates(raw, structure) {
   };
 }
 
-function readCurve(raw) {
-  const turn = list(raw.turn).filter((t) => finite(t?.column) !== null && finite(t?.needed_deg) !== null);
-  return {
-    folded: numberRows(raw.folded_mm, 2),
-    goal: numberRows(raw.goal_mm, 2),
-    error: numberRows(raw.error, 2),
-    scale: finite(raw.scale_mm),
-    turn: turn.map((t) => ({column: t.column, needed: t.needed_deg, allowed: finite(t.allowed_deg)})),
-    reasons: list(raw.reasons).filter((reason) => typeof reason === "string"),
-  };
-}
-
 function readRun(raw, index) {
   let best = Infinity;
   const history = numberRows(raw?.history, 2).map(([at, cost]) => [at, (best = Math.min(best, cost))]);
@@ -126,35 +114,37 @@ function readVerdict(metrics, tolerance) {
   };
 }
 
-/** How the folded shape is best seen: goals have their kind; a design alone is a strip, a panel or a net. */
-function kindOf(raw, balance) {
-  const {kind} = dictionary(raw.target);
-  if (kind) return kind;
+/** The kind of goal that was searched for; null for a design. Results that name no kind are of the first. */
+function kindOf(raw) {
+  return GOALS.find(({name}) => raw[name]) ?? (raw.target ? GOALS[0] : null);
+}
+
+/** How the folded shape is best seen: goals say so; a design alone is a strip, a panel or a net. */
+function viewFor(kind, raw, balance) {
+  if (kind) return kind.view;
   const {family} = dictionary(raw.plan);
-  if (family === "F1" || balance?.planar) return "panel";
-  return raw.target || family !== "none" ? "curve" : "net";
+  if (family === "F1" || balance?.planar) return "top";
+  return family !== "none" ? "side" : "slant";
 }
 
 function readResult(raw) {
   const structure = readStructure(dictionary(raw.structure));
   const metrics = dictionary(raw.metrics), tolerance = dictionary(raw.tolerance);
   const optimiser = dictionary(raw.optimiser), balance = readBalance(raw.equilibrium);
+  const kind = kindOf(raw), states = readStates(raw.states, structure);
   return {
     raw,
+    kind,
+    goal: kind?.read(raw) ?? null,
     structure,
     metrics,
     tolerance,
     optimiser,
     name: typeof raw.name === "string" && raw.name ? raw.name : "Unnamed result",
-    kind: kindOf(raw, balance),
+    view: viewFor(kind, raw, balance),
     balance,
     stable: readStable(raw.equilibrium, structure),
-    drawn: numberRows(dictionary(raw.target).points_mm, 2),
-    states: inHeadFrame(raw.helmet, readStates(raw.states, structure)),
-    curve: readCurve(dictionary(raw.curve)),
-    display: readDisplay(raw.display),
-    fold: readFold(raw.fold),
-    helmet: readHelmet(raw.helmet),
+    states: kind?.place?.(raw, states) ?? states,
     verdict: readVerdict(metrics, tolerance),
     runs: list(optimiser.runs).map(readRun),
     fidelity: list(raw.fidelity).filter((entry) => entry && typeof entry === "object"),

@@ -38,18 +38,23 @@ function responsive(draw) {
   return box;
 }
 
+/** What is in its place already stays untouched: taken out and put back it would lose the focus and the pointer. */
+function keepInPlace(box, content) {
+  if (box.childNodes.length !== 1 || box.firstChild !== content) box.replaceChildren(content);
+}
+
 function drawAll(force = false, fixedWidth = 0) {
   for (const figure of pageFigures) {
     const width = Math.floor(fixedWidth || figure.box.clientWidth);
     if (width < 1 || (!force && width === figure.width)) continue;
     figure.width = width;
-    guarded(() => figure.box.replaceChildren(figure.draw(width)));
+    guarded(() => keepInPlace(figure.box, figure.draw(width)));
   }
 }
 
 function redraw(box) {
   const figure = pageFigures.find((entry) => entry.box === box);
-  if (figure?.width) guarded(() => figure.box.replaceChildren(figure.draw(figure.width)));
+  if (figure?.width) guarded(() => keepInPlace(figure.box, figure.draw(figure.width)));
 }
 
 /** What goes wrong is shown at the top of the page; the rest of the report still comes. */

@@ -2,11 +2,11 @@
 
 /** Whether the side view x-z shows the shape; nets and panels are shown from above at a slant instead. */
 function seenFromSide(data) {
-  return data.kind === "curve";
+  return data.view === "side";
 }
 
 function sideView(data) {
-  const toDrawing = frameOfDrawing(data.curve.goal, data.drawn);
+  const toDrawing = frameOfDrawing(data.goal?.goal ?? [], data.goal?.drawn ?? []);
   return {place: toDrawing, project: (p) => toDrawing([p[0], p[2]]), depth: (p) => p[1]};
 }
 
@@ -23,14 +23,9 @@ function topView() {
   return {place: (p) => p, project: (p) => [p[0], p[1]], depth: (p) => -p[2]};
 }
 
-const PANEL_CAPTIONS = {
-  display: "Seen from above, compressed.",
-  panel: "Seen from above, compressed."
-};
-
 function viewOf(data) {
   if (seenFromSide(data)) return sideView(data);
-  return data.kind === "display" || data.kind === "panel" ? topView() : slantView();
+  return data.view === "top" ? topView() : slantView();
 }
 
 /** From the side the nearest two rows are enough: the rows behind hide exactly behind them. */
@@ -62,7 +57,7 @@ function curveLines(data, view) {
   return {
     model: model.map(view.place),
     physics: physicsLine(data, model).map(view.place),
-    goal: data.curve.goal.map(view.place),
+    goal: (data.goal?.goal ?? []).map(view.place),
   };
 }
 
@@ -116,7 +111,7 @@ function drawFolded(data, width) {
       width, map.height,
       seenFromSide(data) ? "The folded strip seen from the side, over the target curve" : "The folded sheet",
       seenFromSide(data) ? mmAxes(map, width, margin) : null,
-      svg("g", {class: "head"}, (data.helmet?.head ?? []).map((points) => svg("path", {d: path(points.map(view.project).map(map.to))}))),
+      svg("g", {class: "head"}, (data.goal?.backdrop ?? []).map((points) => svg("path", {d: path(points.map(view.project).map(map.to))}))),
       svg("g", {class: "walls"}, walls.map((wall) => svg("path", {d: path(wall.outline.map(map.to), true)}))),
       line("goal", goalWidth), line("model"), line("physics"));
 }
@@ -124,16 +119,16 @@ function drawFolded(data, width) {
 function foldedPicture(data) {
   if (!data.states.model) return missing("This result holds no complete folded state to draw.");
   if (!data.structure.hinges.length) return missing("This result holds no structure to draw.");
-  const hasGoal = seenFromSide(data) && data.curve.goal.length > 1;
+  const hasGoal = seenFromSide(data) && data.goal?.goal?.length > 1;
   return html(
       "figure", {id: "folded", class: "picture"}, responsive((width) => drawFolded(data, width)),
       html(
           "figcaption", {},
           legend(
-              hasGoal && ["goal", "target curve"], data.helmet && ["head-key", "the head"], ["wall", "walls, folded (model)"],
+              hasGoal && ["goal", "target curve"], data.kind?.backdropKey, ["wall", "walls, folded (model)"],
               seenFromSide(data) && ["model", "midline of the model"],
               seenFromSide(data) && data.states.physics && ["physics", "midline of the physics run"]),
           seenFromSide(data) ? "Seen from the side, true proportions. " +
                   "The midline runs through the middle of the strip\u2019s width and height." :
-                               PANEL_CAPTIONS[data.kind] ?? "Seen at a slant from above."));
+                               data.view === "top" ? "Seen from above, compressed." : "Seen at a slant from above."));
 }

@@ -1,20 +1,5 @@
 // Section 1: the verdict in plain words and the key numbers.
 
-function lengthOf(data, fraction) {
-  return finite(fraction) !== null && data.curve.scale !== null ? fraction * data.curve.scale : null;
-}
-
-function missBy(data) {
-  const {shape_rms: rms} = data.metrics, allowed = data.tolerance.shape;
-  if (finite(rms) === null) return "The best design does not reach the target.";
-  const length = lengthOf(data, rms);
-  const size = percent(rms) + " of its size" + (length === null ? "" : ` (${millimetres(length)})`);
-  if (finite(allowed) === null || !(rms > allowed))
-    return `The best design is off the target by ${size} rms.`;
-  return `The best design is off the target by ${size} rms: ${figures(rms / allowed, 2)} times the allowed ${
-      percent(allowed)}.`;
-}
-
 function physicsWords(data) {
   const {verify_rms: rms} = data.metrics, allowed = data.tolerance.verify;
   if (finite(rms) === null) {
@@ -30,57 +15,24 @@ function failing(data) {
   return data.physics.status && data.physics.status !== "settled" ? "failed" : "disagrees";
 }
 
-/** {mark, tone, title, text} */
-function verdict(data) {
-  if (data.display) return displayVerdict(data);
-  if (data.fold) return foldVerdict(data);
-  if (data.helmet) return helmetVerdict(data);
-  if (data.balance && !data.raw.target) return balanceVerdict(data);
-  const {met, verified} = data.verdict;
-  const hasRun = data.states.physics !== null || finite(data.metrics.verify_rms) !== null ||
-      Boolean(data.physics.status);
-  if (met === false) {
-    const also = verified === false ? " " + physicsWords(data) : "";
-    const close = data.metrics.shape_rms <= data.tolerance.shape;
-    const title = close ? "Shape reached, but walls collide on the way" : "Target missed";
-    return {mark: "\u2715", tone: "bad", title, text: (close ? metWords(data) : missBy(data)) + also};
-  }
+/** Of a design, which had no target to meet. */
+function designVerdict(data) {
+  const {verified} = data.verdict;
   if (verified === false)
-    return {
-      mark: "!",
-      tone: "bad",
-      title: (met ? "Target met in the model, but the physics run " : "The physics run ") + failing(data),
-      text: physicsWords(data)
-    };
-  if (met === null && !data.raw.target)
-    return {
-      mark: "i",
-      tone: "unsure",
-      title: verified ? "One folded state, and the physics run agrees" : "One folded state",
-      text: verified && finite(data.metrics.verify_rms) !== null ? physicsWords(data) :
-                                                                   "There was no target to judge it by."
-    };
-  if (met === null)
-    return {
-      mark: "?",
-      tone: "unsure",
-      title: "No verdict recorded",
-      text: "This result does not say whether the target was met."
-    };
-  const title = verified ? "Target met, and the physics run agrees" : "Target met in the model";
+    return {mark: "!", tone: "bad", title: "The physics run " + failing(data), text: physicsWords(data)};
   return {
-    mark: "\u2713",
-    tone: verified ? "good" : "unsure",
-    title,
-    text: metWords(data) + (hasRun ? " " + physicsWords(data) : " It was not checked by a physics run.")
+    mark: "i",
+    tone: "unsure",
+    title: verified ? "One folded state, and the physics run agrees" : "One folded state",
+    text: verified && finite(data.metrics.verify_rms) !== null ? physicsWords(data) :
+                                                                 "There was no target to judge it by."
   };
 }
 
-function metWords(data) {
-  const rms = lengthOf(data, data.metrics.shape_rms), most = lengthOf(data, data.metrics.shape_max);
-  if (rms === null) return "The folded shape is within the tolerance.";
-  return `The folded strip lies ${millimetres(rms)} rms from the target curve` +
-      (most === null ? "." : `, ${millimetres(most)} at worst.`);
+/** {mark, tone, title, text} */
+function verdict(data) {
+  if (data.kind) return data.kind.verdict(data);
+  return data.balance ? balanceVerdict(data) : designVerdict(data);
 }
 
 function keyNumber(name, value, note) {
@@ -89,46 +41,21 @@ function keyNumber(name, value, note) {
       html("dd", {}, html("strong", {}, value), html("span", {}, note)));
 }
 
-function ofDiagonal(data, fraction) {
-  const size = data.curve.scale === null ? "the target\u2019s diagonal" :
-                                           `the ${millimetres(data.curve.scale)} diagonal`;
-  return `${percent(fraction)} of ${size}`;
+function limitNote(tolerance, key, word = "allowed") {
+  return finite(tolerance[key]) === null ? "" : `; ${word} ${neat(tolerance[key])}`;
 }
 
-function allowedNote(limit) {
-  return finite(limit) === null ? "" : `; allowed ${percent(limit)}`;
-}
-
-function shapeNumbers(data) {
-  const {shape_rms: rms, shape_max: most} = data.metrics;
-  const shown = (fraction) =>
-      (lengthOf(data, fraction) === null ? percent(fraction) : millimetres(lengthOf(data, fraction)));
-  return [
-    finite(rms) !== null &&
-        keyNumber("Shape error, rms", shown(rms), ofDiagonal(data, rms) + allowedNote(data.tolerance.shape)),
-    finite(most) !== null && keyNumber("Shape error, largest", shown(most), ofDiagonal(data, most)),
-  ];
-}
-
-const OTHER_NUMBERS = [
-  ["contrast", "Contrast d\u2032", "letter cells against the rest, in standard deviations"],
-  ["auc", "Letter recognised", "chance that a letter cell stands out from another (AUC); 0.5 is guessing"],
-  ["distance_rms_mm", "Distance, rms", "mm, of the bodies from head plus clearance"],
-  ["distance_max_mm", "Distance, largest", "mm, likewise"],
-  ["face_rms", "Face error, rms", "corners of the faces against the ideal solid, in edges"],
-];
-
-/** Measures of targets that are no curves. */
-function otherNumbers({metrics}) {
-  return OTHER_NUMBERS.filter(([key]) => finite(metrics[key]) !== null)
-      .map(([key, name, note]) => keyNumber(name, figures(metrics[key]), note));
+/** Numbers of result.json under `metrics`: [key, name, note, the tolerance that judges it, "allowed"]. */
+function measures({metrics, tolerance}, shown) {
+  return shown.filter(([key]) => finite(metrics[key]) !== null)
+      .map(([key, name, note, ...limit]) => keyNumber(name, figures(metrics[key]), note + limitNote(tolerance, ...limit)));
 }
 
 function gapNumber(data, fraction) {
   if (finite(fraction) === null) return null;
   return keyNumber(
       "Hinge gap, largest", millimetres(fraction * data.structure.cell),
-      `${figures(fraction, 2)} of a cell edge: how far hinges are pulled apart`);
+      `${figures(fraction, 2)} of a cell edge: how far hinges are pulled apart` + limitNote(data.tolerance, "stretch"));
 }
 
 function angleNumber(metrics) {
@@ -142,7 +69,7 @@ function angleNumber(metrics) {
 function timeNumber(data) {
   if (data.balance && finite(data.timing.balance) !== null)
     return keyNumber(
-        "Time to follow the load", duration(data.timing.balance),
+        "Time to trace the path", duration(data.timing.balance),
         count(data.balance.path.length - 1, "step", "steps"));
   const seconds = finite(data.timing.optimise);
   if (seconds === null || !data.raw.target) return null;
@@ -153,8 +80,7 @@ function timeNumber(data) {
 function keyNumbers(data) {
   const {verify_rms: verify, hinge_gap_max: gap} = data.metrics;
   const numbers = [
-    ...shapeNumbers(data),
-    ...otherNumbers(data),
+    ...(data.kind?.numbers(data) ?? []),
     ...balanceNumbers(data),
     finite(verify) !== null &&
         keyNumber(
@@ -168,9 +94,8 @@ function keyNumbers(data) {
   return numbers.length ? html("dl", {class: "numbers"}, numbers) : null;
 }
 
-function reasons({curve, display, fold, helmet}) {
-  const found = display ?? fold ?? helmet;
-  return found ? [...found.reasons, ...found.physicsReasons] : curve.reasons;
+function reasons({goal}) {
+  return [...(goal?.reasons ?? []), ...(goal?.physicsReasons ?? [])];
 }
 
 function headline(data) {
@@ -183,5 +108,5 @@ function headline(data) {
           html(
               "div", {}, html("h2", {}, title), html("p", {}, text),
               reasons(data).map((reason) => html("p", {class: "why"}, reason)))),
-      keyNumbers(data), data.display ? null : foldedPicture(data));
+      keyNumbers(data), data.kind?.showsItself ? null : foldedPicture(data));
 }

@@ -14,6 +14,12 @@ const MODELS = {
   bullet: "physics engine (Bullet)",
 };
 
+/** What the times of a result are for, where the key is no verb. */
+const TASKS = {
+  balance: "trace the equilibrium path",
+  larger_panels: "search larger panels",
+};
+
 /** "step_s" -> "Step, s" */
 function title(key) {
   const text = words(key.replace(/_(s|mm|deg|rad|hz)$/, ", $1"));
@@ -82,7 +88,7 @@ function stiffnessGroup({balance}) {
   const {k_point: point, k_turn: turn, reach_mm: reach, k_contact: contact} = balance.stiffness;
   return group("Hinges and walls", facts([
                  ["Stretch of a point", finite(point) === null ? null : `${neat(point)} N/mm`],
-                 ["Turn", finite(turn) === null ? null : `${neat(turn)} N mm/rad`],
+                 ["Rotation", finite(turn) === null ? null : `${neat(turn)} N mm/rad`],
                  ["Points at \u00b1", millimetres(reach)],
                  ["Walls in contact", finite(contact) === null ? null : `${neat(contact)} N/mm`],
                ]));
@@ -130,7 +136,7 @@ function metricsGroup({metrics}) {
 function originGroup({raw, timing}) {
   const times = Object.entries(timing)
                     .filter(([key, value]) => finite(value) > 0)
-                    .map(([key, value]) => ["Time to " + words(key), duration(value)]);
+                    .map(([key, value]) => ["Time to " + (TASKS[key] ?? words(key)), duration(value)]);
   return group("Origin", facts([
                  ["kinetix", told(raw.kinetix_version)],
                  ["Seed", finite(raw.seed) === null ? null : String(raw.seed)],

@@ -29,7 +29,7 @@ function drawTilts(data, width) {
 }
 
 function tiltRows(data) {
-  const turns = new Map(data.curve.turn.map((turn) => [turn.column, turn]));
+  const turns = new Map((data.goal?.turn ?? []).map((turn) => [turn.column, turn]));
   return [...tiltsByColumn(data.structure).entries()]
       .sort((a, b) => a[0] - b[0])
       .map(([column,
@@ -46,11 +46,12 @@ function asText(rows) {
 }
 
 function copyBySelection(text) {
-  const area = html("textarea", {class: "offscreen", readonly: ""}, text);
+  const focused = document.activeElement, area = html("textarea", {class: "offscreen", readonly: ""}, text);
   document.body.append(area);
   area.select();
   const done = document.execCommand("copy");
   area.remove();
+  focused?.focus();
   return done;
 }
 

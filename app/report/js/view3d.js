@@ -34,7 +34,7 @@ function levelling(line) {
 /** Lines that the folded shape is seen over, about the same centre. */
 function centredLines(data, state) {
   const centre = mean(state.poses.map((pose) => pose.p));
-  return (data.helmet?.head ?? []).map((points) => points.map((p) => subtract(p, centre)));
+  return (data.goal?.backdrop ?? []).map((points) => points.map((p) => subtract(p, centre)));
 }
 
 function paintLines(context, lines, to) {

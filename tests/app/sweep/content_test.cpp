@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "model/unit_laws.hpp"
+#include "model/lattice/square/unit_laws.hpp"
 #include "tests/app/schema_errors.hpp"
 #include "tests/app/sweep/sweep.hpp"
 
@@ -95,7 +95,7 @@ TEST(SweepContent, FollowsTheClosedFormsOfThePaper) {
   ASSERT_EQ(run_sweep_in(scratch, sweep_of("{kind: factorial}", k, "area_ratio"), "", cell).code, 0);
   const Csv scaled = read_csv(scratch / "out");
   for (std::size_t row = 0; row < 3; ++row)
-    EXPECT_NEAR(scaled.number(row, "area_ratio"), final_area_ratio(scaled.number(row, "k")), 1e-12);
+    EXPECT_NEAR(scaled.number(row, "area_ratio"), model::final_area_ratio(scaled.number(row, "k")), 1e-12);
 
   const Scratch other;
   const std::string sheared = "kinetix: 1\nstructure: {cells: [1, 1]}\ndesign: {theta_deg: 45}\n";
@@ -106,8 +106,8 @@ TEST(SweepContent, FollowsTheClosedFormsOfThePaper) {
       run_sweep_in(other, sweep_of("{kind: factorial}", one_minus_k, "cell_angle_deg"), "", sheared).code, 0);
   const Csv angles = read_csv(other / "out");
   for (std::size_t row = 0; row < 2; ++row)
-    EXPECT_NEAR(angles.number(row, "cell_angle_deg"), 2 * shear_angle(angles.number(row, "k")) / degree,
-                1e-9);
+    EXPECT_NEAR(angles.number(row, "cell_angle_deg"),
+                2 * model::shear_angle(angles.number(row, "k")) / degree, 1e-9);
 }
 
 TEST(SweepContent, ACreaseFoldsAsItsLawSays) {
@@ -121,8 +121,8 @@ TEST(SweepContent, ACreaseFoldsAsItsLawSays) {
   ASSERT_EQ(csv.rows.size(), 12u);
   for (std::size_t row = 0; row < csv.rows.size(); ++row)
     EXPECT_NEAR(csv.number(row, "fold_deg"),
-                crease_fold(csv.number(row, "design.columns[1].beta_deg") * degree,
-                            csv.number(row, "design.theta_deg") * degree) /
+                model::crease_fold(csv.number(row, "design.columns[1].beta_deg") * degree,
+                                   csv.number(row, "design.theta_deg") * degree) /
                     degree,
                 1e-6);
 }
@@ -144,7 +144,7 @@ TEST(SweepContent, ErrorsAreAddedToTheBasesOwnNumbersEachByItself) {
   }
 }
 
-TEST(SweepContent, ABalanceIsWhatSimulateFinds) {
+TEST(SweepContent, AEquilibriumIsWhatSimulateFinds) {
   const Scratch scratch;
   ASSERT_EQ(
       run_sweep_in(scratch, sweep_of("{kind: factorial}", "  - {path: hinge.k_turn, values: [0.05, 0.2]}\n",
@@ -170,7 +170,7 @@ TEST(SweepContent, PhysicsRunsInProcessesOfTheirOwnAgreeWithTheModel) {
   for (std::size_t row = 0; row < 2; ++row) {
     EXPECT_LE(csv.number(row, "verify_rms"), 1e-4);
     EXPECT_NEAR(csv.number(row, "area_ratio"),
-                area_ratio(0.5, 2 * csv.number(row, "design.theta_deg") * degree), 1e-3);
+                model::area_ratio(0.5, 2 * csv.number(row, "design.theta_deg") * degree), 1e-3);
   }
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "model/unit_laws.hpp"
+#include "model/lattice/square/unit_laws.hpp"
 #include "tests/app/schema_errors.hpp"
 #include "tests/app/sweep/sweep.hpp"
 
@@ -30,19 +30,19 @@ TEST(ShippedSweeps, AreThePapersEquations) {
   const Scratch scratch;
   const Csv area = read_csv(run_shipped(scratch, "eq3_area"));
   for (std::size_t row = 0; row < area.rows.size(); ++row)
-    EXPECT_NEAR(area.number(row, "area_ratio"), kinetix::area_ratio(area.number(row, "k"), 135 * degree),
+    EXPECT_NEAR(area.number(row, "area_ratio"), model::area_ratio(area.number(row, "k"), 135 * degree),
                 1e-12);
   const Csv shear = read_csv(run_shipped(scratch, "eq4_shear"));
   for (std::size_t row = 0; row < shear.rows.size(); ++row) {
     const double k = shear.number(row, "k");
     if (std::abs(k - 0.5) < 1e-9) continue;
-    EXPECT_NEAR(shear.number(row, "cell_angle_deg"), 2 * shear_angle(k) / degree, 1e-6);
+    EXPECT_NEAR(shear.number(row, "cell_angle_deg"), 2 * model::shear_angle(k) / degree, 1e-6);
   }
   const Csv crease = read_csv(run_shipped(scratch, "crease_law"));
   for (std::size_t row = 0; row < crease.rows.size(); ++row)
     EXPECT_NEAR(crease.number(row, "fold_deg"),
-                crease_fold(crease.number(row, "design.columns[1].beta_deg") * degree,
-                            crease.number(row, "design.theta_deg") * degree) /
+                model::crease_fold(crease.number(row, "design.columns[1].beta_deg") * degree,
+                                   crease.number(row, "design.theta_deg") * degree) /
                     degree,
                 1e-5);
 }
@@ -53,7 +53,7 @@ TEST(ShippedSweeps, TheTwistUnitComesToEquationSixOverItsBarrier) {
   const Scratch scratch;
   const Csv twist = read_csv(run_shipped(scratch, "eq6_twist"));
   for (std::size_t row = 0; row < twist.rows.size(); ++row) {
-    const double lean = 180 - twist_angle(twist.number(row, "alpha_deg") * degree) / degree;
+    const double lean = 180 - model::twist_angle(twist.number(row, "alpha_deg") * degree) / degree;
     EXPECT_NEAR(twist.number(row, "lean_max_deg"), lean, 2e-3 * lean);
     if (row == 0) continue;
     EXPECT_LT(twist.number(row, "barrier_Nmm"), twist.number(row - 1, "barrier_Nmm"));

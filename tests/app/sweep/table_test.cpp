@@ -103,7 +103,7 @@ TEST(SweepTable, IsKeptFromBeingReplacedTakenForAnotherOrWrittenTwiceAtOnce) {
 
   const Outcome again = run_sweep_in(scratch, small);
   EXPECT_EQ(again.code, 2);
-  EXPECT_THAT(again.err, HasSubstr("is there already, with 4 of 4 samples"));
+  EXPECT_THAT(again.err, HasSubstr("already exists, with 4 of 4 samples"));
   const Outcome other = run_sweep_in(scratch, small + "# other\n", "--resume");
   EXPECT_EQ(other.code, 2);
   EXPECT_THAT(other.err, HasSubstr("is the table of another sweep: the sweep file"));

@@ -5,13 +5,13 @@
 #include <Eigen/Geometry>
 #include <random>
 
-#include "model/closure.hpp"
-#include "model/wall_contact.hpp"
+#include "model/closure/closure.hpp"
+#include "model/contact/wall_contact.hpp"
 #include "tests/support/derivatives.hpp"
 #include "tests/support/elastic_runs.hpp"
 #include "tests/support/random_elastic.hpp"
 
-namespace kinetix {
+namespace kinetix::model {
 namespace {
 
 using Eigen::Vector3d;
@@ -176,7 +176,7 @@ TEST(ContactEnergy, RememberedCandidatesGiveWhatAFreshModelFinds) {
   }
 }
 
-/// All bodies of a strip far apart, but for one whose knee hangs `high` above the middle of another's x-wall,
+/// All bodies of a strip far apart, but for one whose wall tip hangs `high` above the middle of another's x-wall,
 /// `along` from that one's vertex, cell edges.
 State hanging(const Structure& s, double along, double high) {
   const double L = s.size.edge_mm;
@@ -205,4 +205,4 @@ TEST(ContactEnergy, APointThatJumpsAcrossAWallHasPassedThrough) {
 }
 
 }  // namespace
-}  // namespace kinetix
+}  // namespace kinetix::model

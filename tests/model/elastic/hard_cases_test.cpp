@@ -3,12 +3,12 @@
 #include <cctype>
 
 #include "model/elastic/elastic_system.hpp"
-#include "model/elastic/load_path.hpp"
+#include "model/elastic/equilibrium_path.hpp"
 #include "tests/support/elastic_runs.hpp"
 #include "tests/support/hard_cases.hpp"
 #include "tests/support/paper_scenes.hpp"
 
-namespace kinetix {
+namespace kinetix::model {
 namespace {
 
 using namespace testing;
@@ -43,7 +43,8 @@ INSTANTIATE_TEST_SUITE_P(All, HardCaseOfTheModel, ::testing::ValuesIn(tested()),
 TEST(HardCases, WhatPlatesGripStaysOnThem) {
   const Structure s = bending_strip();
   const double theta = 35 * degree, L = s.size.edge_mm;
-  const LoadPath path = follow_load(s, {}, plates_drive(Axis::y, theta), without_contact());
+  const EquilibriumPath path =
+      trace_equilibrium(driven(s, plates_drive(Axis::y, theta)), {}, without_contact());
   for (std::size_t b = 0; b < s.bodies.size(); ++b) {
     const double side = s.bodies[b].j == 0 ? -1 : 1;
     EXPECT_NEAR(path.state[b].p.y(), L / 2 + side * L / 2 * std::cos(theta), 1e-12 * L);
@@ -52,4 +53,4 @@ TEST(HardCases, WhatPlatesGripStaysOnThem) {
 }
 
 }  // namespace
-}  // namespace kinetix
+}  // namespace kinetix::model

@@ -6,7 +6,7 @@
 #include "tests/support/elastic_runs.hpp"
 #include "tests/support/paper_scenes.hpp"
 
-namespace kinetix {
+namespace kinetix::model {
 namespace {
 
 using namespace testing;
@@ -14,10 +14,10 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
 /// A path with these loads at theta 0, 1, 2, ...
-LoadPath with_loads(const std::vector<double>& loads) {
-  LoadPath path;
+EquilibriumPath with_loads(const std::vector<double>& loads) {
+  EquilibriumPath path;
   for (const double load : loads) {
-    LoadStep step;
+    EquilibriumStep step;
     step.theta = static_cast<double>(path.steps.size());
     step.load = load;
     path.steps.push_back(step);
@@ -59,7 +59,7 @@ TEST(LimitPoints, SayWhichTheyAreAndAtWhatLoad) {
 }
 
 TEST(LimitPoints, StandAmongTheOtherEventsInTheOrderOfThePath) {
-  LoadPath path = with_loads({0, 5, 1, 6});
+  EquilibriumPath path = with_loads({0, 5, 1, 6});
   for (const double theta : {0.5, 1.0, 3.0}) path.events.push_back({PathEvent::Kind::snap, {theta}, 0, ""});
   add_limit_points(path);
   std::vector<double> thetas;
@@ -70,8 +70,9 @@ TEST(LimitPoints, StandAmongTheOtherEventsInTheOrderOfThePath) {
 /// Up to the barrier and down behind it: the steepest rise and the steepest fall of the energy.
 TEST(LimitPoints, OfATwistUnitAreOnBothSidesOfItsBarrier) {
   const CellTuple unit{.A_in = {pi / 2, pi / 3, pi / 2, pi / 3}};
-  const LoadPath path = follow_load(tiled(1, 1, unit, unit), {.k_turn = 1e-5},
-                                    hinge_drive({{0, 0}, Axis::y}, -pi / 4), without_contact());
+  const EquilibriumPath path =
+      trace_equilibrium(driven(tiled(1, 1, unit, unit), hinge_drive({{0, 0}, Axis::y}, -pi / 4)),
+                        {.k_turn = 1e-5}, without_contact());
   const std::vector<PathEvent> events = limit_points(path);
   ASSERT_EQ(events.size(), 2u);
   EXPECT_GT(events[0].at.theta, -pi / 8);
@@ -80,4 +81,4 @@ TEST(LimitPoints, OfATwistUnitAreOnBothSidesOfItsBarrier) {
 }
 
 }  // namespace
-}  // namespace kinetix
+}  // namespace kinetix::model

@@ -2,32 +2,32 @@
 
 #include <Eigen/Geometry>
 
-#include "model/closure.hpp"
-#include "model/closure_solver.hpp"
-#include "model/elastic/load_path.hpp"
-#include "model/elastic/tangent.hpp"
-#include "model/mobility.hpp"
-#include "model/wall_contact.hpp"
+#include "model/closure/closure.hpp"
+#include "model/closure/closure_solver.hpp"
+#include "model/closure/mobility.hpp"
+#include "model/contact/wall_contact.hpp"
+#include "model/elastic/equilibrium_path.hpp"
+#include "model/elastic/tangent_stiffness.hpp"
 #include "tests/support/elastic_runs.hpp"
 #include "tests/support/paper_scenes.hpp"
 
-namespace kinetix {
+namespace kinetix::model {
 namespace {
 
 using Eigen::Vector3d;
 using namespace testing;
 using Kind = PathEvent::Kind;
-using Stop = LoadPath::Stop;
+using Stop = EquilibriumPath::Stop;
 
 constexpr double degree = radians_per_degree;
-const LoadPathOptions no_contact = without_contact();
+const EquilibriumPathOptions no_contact = without_contact();
 
-LoadPath driven(const Structure& s, double theta, double k_turn = 0.1) {
-  return follow_load(s, {.k_turn = k_turn}, drive_to(s, theta), no_contact);
+EquilibriumPath driven(const Structure& s, double theta, double k_turn = 0.1) {
+  return trace_equilibrium(driven(s, drive_to(s, theta)), {.k_turn = k_turn}, no_contact);
 }
 
 double error(const Structure& s, double theta, double k_turn) {
-  const LoadPath path = driven(s, theta, k_turn);
+  const EquilibriumPath path = driven(s, theta, k_turn);
   EXPECT_EQ(path.stop, Stop::reached) << path.why;
   return from_closed_form(s, path);
 }
@@ -51,11 +51,11 @@ TEST(PaperGrids, At90DegreesTheDistanceGoesWithTheCubeRootOfTheStiffnessRatio) {
     EXPECT_NEAR(error(s, 45 * degree, 1e-2) / error(s, 45 * degree, 1e-5), 10, 0.3);
 }
 
-TEST(PaperGrids, At135DegreesTheClosedFormIsABalanceButForTheStiffnessRatio) {
+TEST(PaperGrids, At135DegreesTheClosedFormIsAEquilibriumButForTheStiffnessRatio) {
   const auto distance = [](const Structure& s, double theta, double k_turn) {
-    ElasticSystem system(s, {.k_turn = k_turn}, drive_to(s, theta), true, false);
+    ElasticSystem system(s, {.k_turn = k_turn}, drive_to(s, theta).on(s), true, false);
     State state = fold(classify(s), s, theta);
-    Tangent tangent(system.freedoms());
+    TangentStiffness tangent(system.dofs());
     const NewtonResult result = minimise(system, theta, {}, state, tangent);
     EXPECT_TRUE(result.converged && result.stable);
     return from_closed_form(s, state, theta);
@@ -71,12 +71,13 @@ TEST(PaperGrids, At135DegreesTheClosedFormIsABalanceButForTheStiffnessRatio) {
 /// Fig. 10.D.
 TEST(PaperGrids, UncrossableGridTouchesWhereTheClosedFormDoesAndLocks) {
   const Structure s = uncrossable_grid();
-  const ThetaRange exact = theta_range(s, classify(s));
+  const ThetaRange exact = theta_range(s, exact_motion(s));
   for (const double sign : {1.0, -1.0}) {
     const double limit = std::abs(sign > 0 ? exact.positive.theta : exact.negative.theta);
-    LoadPathOptions fine;
+    EquilibriumPathOptions fine;
     fine.longest_step = 0.01;
-    const LoadPath path = follow_load(s, {.k_turn = 1e-3}, drive_to(s, sign * 46 * degree), fine);
+    const EquilibriumPath path =
+        trace_equilibrium(driven(s, drive_to(s, sign * 46 * degree)), {.k_turn = 1e-3}, fine);
     const PathEvent* contact = first_event(path, Kind::contact);
     const PathEvent* lock = first_event(path, Kind::lock);
     ASSERT_TRUE(contact && lock);
@@ -89,7 +90,8 @@ TEST(PaperGrids, UncrossableGridTouchesWhereTheClosedFormDoesAndLocks) {
 }
 
 TEST(PaperGrids, CrossableGridPasses90DegreesWithoutContact) {
-  const LoadPath path = follow_load(crossable_grid(), {}, drive_to(crossable_grid(), 46 * degree));
+  const EquilibriumPath path =
+      trace_equilibrium(driven(crossable_grid(), drive_to(crossable_grid(), 46 * degree)), {});
   EXPECT_EQ(path.stop, Stop::reached);
   EXPECT_FALSE(first_event(path, Kind::contact));
 }
@@ -100,7 +102,7 @@ TEST(PaperGrids, CrossableGridPasses90DegreesWithoutContact) {
 TEST(PaperPanels, SingleUnitPanelIsTheClosedFormUnderTheForceOfItsTurningSprings) {
   const Structure s = single_unit_panel();
   for (const double theta : {30 * degree, 41 * degree, -41 * degree}) {
-    const LoadPath path = follow_load(s, {}, drive_to(s, theta));
+    const EquilibriumPath path = trace_equilibrium(driven(s, drive_to(s, theta)), {});
     ASSERT_EQ(path.stop, Stop::reached) << path.why;
     EXPECT_LE(from_closed_form(s, path), 2e-4);
     const double energy = planar_energy(s, 0.1, theta);
@@ -122,7 +124,7 @@ std::vector<double> slopes(const Structure& s, const State& state, int row) {
 
 TEST(PaperPanels, GradientPanelShearsUpOnTheLeftAndDownOnTheRight) {
   const Structure s = gradient_panel();
-  const LoadPath path = follow_load(s, {}, plates_drive(Axis::x, 20 * degree));
+  const EquilibriumPath path = trace_equilibrium(driven(s, plates_drive(Axis::x, 20 * degree)), {});
   ASSERT_EQ(path.stop, Stop::reached) << path.why;
   for (const int row : {0, 4, 8}) {
     const auto slope = slopes(s, path.state, row);
@@ -133,7 +135,8 @@ TEST(PaperPanels, GradientPanelShearsUpOnTheLeftAndDownOnTheRight) {
 }
 
 TEST(PaperPanels, GradientPanelStrainsItsHingesByAPercentOfACell) {
-  const LoadPath path = follow_load(gradient_panel(), {}, plates_drive(Axis::x, 20 * degree));
+  const EquilibriumPath path =
+      trace_equilibrium(driven(gradient_panel(), plates_drive(Axis::x, 20 * degree)), {});
   EXPECT_GE(path.gaps.max, 5e-3);
   EXPECT_LE(path.gaps.max, 1.5e-2);
   double stretch = 0, turn = 0;
@@ -151,8 +154,8 @@ TEST(PaperPanels, GradientPanelStrainsItsHingesByAPercentOfACell) {
 /// The mirror image in the x axis is the same panel folded to the other side.
 TEST(PaperPanels, GradientPanelFoldedToTheOtherSideIsItsMirrorImage) {
   const Structure s = gradient_panel();
-  const LoadPath up = follow_load(s, {}, plates_drive(Axis::x, 20 * degree)),
-                 down = follow_load(s, {}, plates_drive(Axis::x, -20 * degree));
+  const EquilibriumPath up = trace_equilibrium(driven(s, plates_drive(Axis::x, 20 * degree)), {}),
+                        down = trace_equilibrium(driven(s, plates_drive(Axis::x, -20 * degree)), {});
   EXPECT_NEAR(up.steps.back().energy, down.steps.back().energy, 1e-6);
   State mirrored(s.bodies.size());
   for (std::size_t b = 0; b < s.bodies.size(); ++b) {
@@ -216,10 +219,10 @@ TEST(PaperTwoUnits, WithoutTwistingUnitsTheyMoveFreelyWithOneFreedom) {
       SCOPED_TRACE(pair.name);
       const Structure s = alternating(6, rows, pair.even, pair.odd);
       EXPECT_EQ(classify(s).family, pair.family);
-      const Mobility m = mobility(s, {.try_exact_family = false});
+      const Mobility m = mobility(s, {});
       EXPECT_EQ(m.verdict, Verdict::mobile) << m.why;
-      EXPECT_EQ(m.freedoms_flat, 1);
-      EXPECT_EQ(m.freedoms_along, 1);
+      EXPECT_EQ(m.dofs_flat, 1);
+      EXPECT_EQ(m.dofs_along, 1);
     }
 }
 
@@ -239,7 +242,7 @@ TEST(PaperTwoUnits, PlanarUnitsStayInThePlaneAndKeepTheirDirection) {
     if (pair.family != Family::F1) continue;
     SCOPED_TRACE(pair.name);
     const Structure s = alternating(6, 1, pair.even, pair.odd);
-    const LoadPath path = driven(s, 30 * degree, 1e-3);
+    const EquilibriumPath path = driven(s, 30 * degree, 1e-3);
     EXPECT_TRUE(path.planar);
     for (const int from : {0, 2, 4}) EXPECT_LE(screw_of_period(s, path.state, from, path.theta).turn, 1e-4);
   }
@@ -270,7 +273,7 @@ TEST(PaperTwoUnits, CheckerboardOfScalingAndShearingCellsDoesBoth) {
   for (int r = 0; r < 4; ++r) design.s[r] = r % 2 == 0 ? k : 1 - k;
   Structure s = make_structure(rectangle(6, 4), {});
   apply(design, s);
-  const LoadPath path = driven(s, theta, 1e-3);
+  const EquilibriumPath path = driven(s, theta, 1e-3);
   ASSERT_EQ(path.stop, Stop::reached) << path.why;
   const double shear = 2 * std::atan((1 - 2 * k) * std::tan(theta));
   for (std::size_t c = 0; c < s.cells.size(); ++c) {
@@ -288,9 +291,10 @@ TEST(PaperTwoUnits, TwistingUnitsMakeStripsAndSheetsRigidAtFlat) {
   for (const Pair& pair : twisting_pairs)
     for (const int rows : {1, 4}) {
       SCOPED_TRACE(pair.name);
-      const Mobility m = mobility(alternating(6, rows, pair.even, pair.odd));
+      const Structure s = alternating(6, rows, pair.even, pair.odd);
+      const Mobility m = mobility(s, exact_motion(s));
       EXPECT_EQ(m.verdict, Verdict::not_mobile) << m.why;
-      EXPECT_EQ(m.freedoms_flat, 0);
+      EXPECT_EQ(m.dofs_flat, 0);
     }
 }
 
@@ -300,7 +304,8 @@ TEST(PaperTwoUnits, TwistingUnitsSnapToTheTwistOfEquationSixAndTheOthersDoTheirP
   for (const Pair& pair : twisting_pairs) {
     SCOPED_TRACE(pair.name);
     const Structure s = alternating(6, 1, pair.even, pair.odd);
-    const LoadPath path = follow_load(s, {.k_turn = 1e-3}, hinge_drive({{3, 0}, Axis::y}, theta), no_contact);
+    const EquilibriumPath path =
+        trace_equilibrium(driven(s, hinge_drive({{3, 0}, Axis::y}, theta)), {.k_turn = 1e-3}, no_contact);
     ASSERT_EQ(path.stop, Stop::reached) << path.why;
     const double fold = crease_fold(pair.odd.beta, theta);
     for (const int c : {0, 2, 4}) EXPECT_NEAR(lean(s, path.state, c), twist, 1e-4);
@@ -309,7 +314,7 @@ TEST(PaperTwoUnits, TwistingUnitsSnapToTheTwistOfEquationSixAndTheOthersDoTheirP
     EXPECT_TRUE(closed.closed) << closed.why;
     EXPECT_LE(aligned_distance(s, path.state, closed.state).rms, 2e-3);
     double barrier = 0;
-    for (const LoadStep& step : path.steps) barrier = std::max(barrier, step.energy);
+    for (const EquilibriumStep& step : path.steps) barrier = std::max(barrier, step.energy);
     EXPECT_GE(barrier, 1000 * path.steps.back().energy);
   }
 }
@@ -317,8 +322,8 @@ TEST(PaperTwoUnits, TwistingUnitsSnapToTheTwistOfEquationSixAndTheOthersDoTheirP
 /// The axis of the screw of one period is the strip's own, and it does not bend.
 TEST(PaperTwoUnits, TwistingAndBasicUnitsTwistAboutTheStrip) {
   const Structure s = twisting_strip();
-  const LoadPath path =
-      follow_load(s, {.k_turn = 1e-4}, hinge_drive({{5, 0}, Axis::y}, 44.9 * degree), no_contact);
+  const EquilibriumPath path = trace_equilibrium(driven(s, hinge_drive({{5, 0}, Axis::y}, 44.9 * degree)),
+                                                 {.k_turn = 1e-4}, no_contact);
   ASSERT_EQ(path.stop, Stop::reached) << path.why;
   for (const int from : {0, 2, 4, 6}) {
     const Screw screw = screw_of_period(s, path.state, from, path.theta);
@@ -330,7 +335,8 @@ TEST(PaperTwoUnits, TwistingAndBasicUnitsTwistAboutTheStrip) {
 /// Alone, twisting units want to twist one up and the next down the other way at the other sign of theta.
 TEST(PaperTwoUnits, TwistingUnitsAloneWorkAgainstEachOther) {
   const Structure s = alternating(6, 1, twisting_unit, twisting_unit);
-  const LoadPath path = follow_load(s, {.k_turn = 1e-3}, hinge_drive({{3, 0}, Axis::y}, 45 * degree), no_contact);
+  const EquilibriumPath path =
+      trace_equilibrium(driven(s, hinge_drive({{3, 0}, Axis::y}, 45 * degree)), {.k_turn = 1e-3}, no_contact);
   EXPECT_GE(path.gaps.max, 1e-2);
   EXPECT_FALSE(solve_closure(s, path.state, {HingeTurn{*s.hinge_at({{3, 0}, Axis::y}), pi / 2}}).closed);
 }
@@ -341,15 +347,16 @@ TEST(PaperTessellations, BendingStripBendingSheetAndCurlingSheetAreTheClosedForm
   for (const Structure& s : {bending_strip(), bending_sheet(), curling_sheet()})
     for (const double theta : {35 * degree, -35 * degree}) {
       EXPECT_LE(error(s, theta, 1e-3), 2e-4);
-      EXPECT_EQ(mobility(s).verdict, Verdict::mobile);
+      EXPECT_EQ(mobility(s, exact_motion(s)).verdict, Verdict::mobile);
     }
 }
 
 /// With contact they go as far as without, and nothing touches where the closed form does not.
 TEST(PaperTessellations, DoNotTouchBeforeTheClosedFormDoes) {
   for (const Structure& s : {bending_strip(), bending_sheet(), curling_sheet()}) {
-    const double limit = theta_range(s, classify(s)).positive.theta;
-    const LoadPath path = follow_load(s, {.k_turn = 1e-3}, drive_to(s, limit - 1 * degree));
+    const double limit = theta_range(s, exact_motion(s)).positive.theta;
+    const EquilibriumPath path =
+        trace_equilibrium(driven(s, drive_to(s, limit - 1 * degree)), {.k_turn = 1e-3});
     ASSERT_EQ(path.stop, Stop::reached) << path.why;
     EXPECT_FALSE(first_event(path, Kind::contact));
     EXPECT_LE(from_closed_form(s, path), 1e-3);
@@ -358,16 +365,17 @@ TEST(PaperTessellations, DoNotTouchBeforeTheClosedFormDoes) {
 
 TEST(PaperTessellations, CurlingStripOfBendingAndTwistingUnitsBendsAndTwists) {
   const Structure s = curling_strip();
-  const LoadPath path =
-      follow_load(s, {.k_turn = 1e-3}, hinge_drive({{4, 0}, Axis::y}, -45 * degree), no_contact);
+  const EquilibriumPath path = trace_equilibrium(driven(s, hinge_drive({{4, 0}, Axis::y}, -45 * degree)),
+                                                 {.k_turn = 1e-3}, no_contact);
   ASSERT_EQ(path.stop, Stop::reached) << path.why;
   for (int c = 0; c < 9; ++c)
     EXPECT_NEAR(lean(s, path.state, c),
-                c % 2 == 0 ? crease_fold(bend_tilt, 45 * degree) : std::abs(pi - twist_angle(twist_alpha)), 1e-3);
+                c % 2 == 0 ? crease_fold(bend_tilt, 45 * degree) : std::abs(pi - twist_angle(twist_alpha)),
+                1e-3);
   const Screw screw = screw_of_period(s, path.state, 2, path.theta);
   EXPECT_GE(screw.turn, 40 * degree);
   EXPECT_GE(std::abs(screw.slip), 0.1);
 }
 
 }  // namespace
-}  // namespace kinetix
+}  // namespace kinetix::model

@@ -1,13 +1,13 @@
 #include <gtest/gtest.h>
 
 #include "model/elastic/branch.hpp"
-#include "model/elastic/load_path.hpp"
+#include "model/elastic/equilibrium_path.hpp"
 #include "tests/support/elastic_runs.hpp"
 #include "tests/support/paper_scenes.hpp"
 
 /// A strip that folds between plates presses on them, and only its middle is keyed upright: from a length on
 /// it tips over there, by a twist along the strip, instead of folding on.
-namespace kinetix {
+namespace kinetix::model {
 namespace {
 
 using namespace testing;
@@ -16,9 +16,10 @@ using Kind = PathEvent::Kind;
 constexpr double degree = radians_per_degree;
 
 bool folds(const Structure& s, double theta, const Elasticity& elasticity) {
-  ElasticSystem system(s, elasticity, drive_to(s, theta), false, false);
-  State state = *Branch(system, theta, 1).exact_state(theta);
-  Tangent tangent(system.freedoms());
+  const ExactMotion exact = exact_motion(s);
+  ElasticSystem system(s, elasticity, drive_to(s, theta).on(s), false, false);
+  State state = *Branch(system, exact, theta, 1).exact_state(theta);
+  TangentStiffness tangent(system.dofs());
   const NewtonResult result = minimise(system, theta, {}, state, tangent);
   return result.converged && result.stable && from_closed_form(s, state, theta) <= 1e-2;
 }
@@ -36,17 +37,17 @@ Structure bending_by_half_a_degree(int cells) {
   return alternating(cells, 1, {.beta = 0.5 * degree}, basic_unit);
 }
 
-LoadPath followed(const Structure& s, double k_turn, int side = 1) {
-  LoadPathOptions options = without_contact();
+EquilibriumPath followed(const Structure& s, double k_turn, int side = 1) {
+  EquilibriumPathOptions options = without_contact();
   options.side = side;
-  return follow_load(s, {.k_turn = k_turn}, drive_to(s, 30 * degree), options);
+  return trace_equilibrium(driven(s, drive_to(s, 30 * degree)), {.k_turn = k_turn}, options);
 }
 
 TEST(SlenderStrips, ShorterThanTheirTippingLengthFollowTheClosedForm) {
   const Structure s = bending_by_half_a_degree(1000);
   EXPECT_GT(tipping_length({.k_turn = 0.01}), 1000);
-  const LoadPath path = followed(s, 0.01);
-  ASSERT_EQ(path.stop, LoadPath::Stop::reached) << path.why;
+  const EquilibriumPath path = followed(s, 0.01);
+  ASSERT_EQ(path.stop, EquilibriumPath::Stop::reached) << path.why;
   EXPECT_LE(from_closed_form(s, path), 1e-3);
   ASSERT_TRUE(first_event(path, Kind::bifurcation));
   EXPECT_NE(first_event(path, Kind::bifurcation)->what.find("exact mode"), std::string::npos);
@@ -56,8 +57,8 @@ TEST(SlenderStrips, LongerOnesTipOverToTheSideAskedForAndTellWhy) {
   const Structure s = bending_by_half_a_degree(60);
   double energy = 0, up = 0;
   for (const int side : {1, -1}) {
-    const LoadPath path = followed(s, 10, side);
-    ASSERT_EQ(path.stop, LoadPath::Stop::reached) << path.why;
+    const EquilibriumPath path = followed(s, 10, side);
+    ASSERT_EQ(path.stop, EquilibriumPath::Stop::reached) << path.why;
     EXPECT_TRUE(path.steps.back().stable);
     EXPECT_NE(path.why.find("off the closed form since theta"), std::string::npos) << path.why;
     const double rise = path.state[*s.body_at({60, 1})].p.z() - path.state[*s.body_at({60, 0})].p.z();
@@ -72,4 +73,4 @@ TEST(SlenderStrips, LongerOnesTipOverToTheSideAskedForAndTellWhy) {
 }
 
 }  // namespace
-}  // namespace kinetix
+}  // namespace kinetix::model

@@ -8,7 +8,7 @@
 #include "tests/support/elastic_runs.hpp"
 #include "tests/support/paper_scenes.hpp"
 
-namespace kinetix {
+namespace kinetix::model {
 namespace {
 
 using namespace testing;
@@ -24,10 +24,10 @@ Structure twist_unit(double alpha) {
 }
 
 /// Hinges that hardly hold their turn: k_turn is 1e-10 of k_point edge^2.
-constexpr Elasticity loose{.k_turn = 1e-5};
+const Elasticity loose{.k_turn = 1e-5};
 
 StableStates searched(const Structure& s, const Elasticity& elasticity = loose, double theta = 60 * degree) {
-  return find_stable_states(s, elasticity, search_drives(s, theta), {.path = without_contact()});
+  return find_stable_states(driven(s, search_drives(s, theta)), elasticity, {.path = without_contact()});
 }
 
 double lean(const State& state) {
@@ -71,11 +71,11 @@ TEST(StableStates, OfTheMirroredTwistUnitHaveTheSameBarrier) {
 
 TEST(StableStates, TheBarrierIsTheTopOfAFinelySteppedPath) {
   const Structure s = twist_unit(60 * degree);
-  LoadPathOptions fine = without_contact();
+  EquilibriumPathOptions fine = without_contact();
   fine.first_step = fine.longest_step = 2e-3;
-  const LoadPath path = follow_load(s, loose, search_drives(s, 45 * degree)[1], fine);
+  const EquilibriumPath path = trace_equilibrium(driven(s, search_drives(s, 45 * degree)[1]), loose, fine);
   double top = 0;
-  for (const LoadStep& step : path.steps) top = std::max(top, step.energy);
+  for (const EquilibriumStep& step : path.steps) top = std::max(top, step.energy);
   const double barrier = searched(s).barriers.at(0).energy;
   EXPECT_GE(barrier, top * (1 - 1e-12));
   EXPECT_NEAR(barrier, top, 1e-4 * top);
@@ -95,8 +95,8 @@ TEST(StableStates, OfStructuresThatMoveExactlyAreFlatAlone) {
 TEST(StableStates, OfATwistUnitAreTheSameUnderPlatesBehindAHigherBarrier) {
   const Structure s = twist_unit(60 * degree);
   const StableStates by_hinge = searched(s);
-  const StableStates by_plates =
-      find_stable_states(s, loose, {plates_drive(Axis::y, -30 * degree)}, {.path = without_contact()});
+  const StableStates by_plates = find_stable_states(
+      driven(s, std::vector<Drive>{plates_drive(Axis::y, -30 * degree)}), loose, {.path = without_contact()});
   ASSERT_EQ(by_plates.states.size(), 2u);
   EXPECT_THAT(by_plates.states[1].how, HasSubstr("released at theta -30 deg"));
   EXPECT_LE(aligned_distance(s, by_plates.states[1].state, by_hinge.states[1].state).rms, 1e-7);
@@ -106,8 +106,8 @@ TEST(StableStates, OfATwistUnitAreTheSameUnderPlatesBehindAHigherBarrier) {
 
 TEST(StableStates, OfAStripOfTwistingUnitsHaveEveryOtherUnitTwisted) {
   const Structure s = twisting_strip();
-  const StableStates found =
-      find_stable_states(s, loose, {search_drives(s, 60 * degree)[0]}, {.path = without_contact()});
+  const StableStates found = find_stable_states(
+      driven(s, std::vector<Drive>{search_drives(s, 60 * degree)[0]}), loose, {.path = without_contact()});
   ASSERT_EQ(found.states.size(), 2u);
   EXPECT_NEAR(found.states[1].theta, 45 * degree, 1e-5);
   EXPECT_LE(found.states[1].gaps.max, 1e-7);
@@ -116,15 +116,15 @@ TEST(StableStates, OfAStripOfTwistingUnitsHaveEveryOtherUnitTwisted) {
 
 TEST(StableStates, AReleaseThatDoesNotComeToRestSaysSo) {
   const Structure s = twist_unit(60 * degree);
-  const StableStates found = find_stable_states(s, loose, search_drives(s, 60 * degree),
+  const StableStates found = find_stable_states(driven(s, search_drives(s, 60 * degree)), loose,
                                                 {.path = without_contact(), .max_iterations = 1});
   EXPECT_EQ(found.states.size(), 1u);
   EXPECT_THAT(found.unresolved, ElementsAre(HasSubstr("no stable state after 2 iterations, force ")));
   EXPECT_THAT(found.barriers, IsEmpty());
 }
 
-LoadStep at(double drive, double load, double energy) {
-  LoadStep step;
+EquilibriumStep at(double drive, double load, double energy) {
+  EquilibriumStep step;
   step.theta = step.drive = drive;
   step.load = load;
   step.energy = energy;
@@ -134,9 +134,9 @@ LoadStep at(double drive, double load, double energy) {
 /// Maximum or minimum, and the drive before and after.
 using Turn = std::tuple<bool, double, double>;
 
-std::vector<Turn> turns(const std::vector<LoadStep>& steps) {
-  EnergyTurns seen{Drive{}};
-  for (const LoadStep& step : steps) seen.see(step, {});
+std::vector<Turn> turns(const std::vector<EquilibriumStep>& steps) {
+  EnergyTurns seen{LinkageDrive{}};
+  for (const EquilibriumStep& step : steps) seen.see(step, {});
   std::vector<Turn> found;
   for (const EnergyTurn& turn : seen.turns())
     found.emplace_back(turn.maximum, turn.before.step.drive, turn.after.step.drive);
@@ -144,10 +144,10 @@ std::vector<Turn> turns(const std::vector<LoadStep>& steps) {
 }
 
 TEST(EnergyTurns, AreWhereTheLoadChangesItsSign) {
-  const std::vector<LoadStep> up_down_up = {at(0, 0, 0), at(1, 2, 1), at(2, -1, 2), at(3, -2, 1),
-                                            at(4, 1, 1)};
+  const std::vector<EquilibriumStep> up_down_up = {at(0, 0, 0), at(1, 2, 1), at(2, -1, 2), at(3, -2, 1),
+                                                   at(4, 1, 1)};
   EXPECT_THAT(turns(up_down_up), ElementsAre(Turn{true, 1, 2}, Turn{false, 3, 4}));
-  const std::vector<LoadStep> backwards = {at(0, 0, 0), at(-1, -2, 1), at(-2, 1, 2)};
+  const std::vector<EquilibriumStep> backwards = {at(0, 0, 0), at(-1, -2, 1), at(-2, 1, 2)};
   EXPECT_THAT(turns(backwards), ElementsAre(Turn{true, -1, -2}));
   EXPECT_THAT(turns({at(0, 0, 0), at(1, 1, 1), at(2, 2, 3)}), IsEmpty());
 }
@@ -160,7 +160,7 @@ TEST(EnergyTurns, AJumpDownBetweenRisingEnergiesIsAMaximumAndAMinimum) {
 TEST(EnergySummit, OfAJumpIsTheStateBeforeItAndNotBalanced) {
   const Structure s = twist_unit(60 * degree);
   const EnergyTurn jump{true, {at(0.1, 1, 5), rest_state(s)}, {at(0.2, 1, 2), rest_state(s)}};
-  const EnergyBarrier barrier = energy_summit(s, loose, search_drives(s, 1)[0], {}, jump);
+  const EnergyBarrier barrier = energy_summit(s, loose, search_drives(s, 1)[0].on(s), {}, jump);
   EXPECT_EQ(barrier.energy, 5);
   EXPECT_EQ(barrier.theta, 0.1);
   EXPECT_EQ(barrier.drive, 0.1);
@@ -168,4 +168,4 @@ TEST(EnergySummit, OfAJumpIsTheStateBeforeItAndNotBalanced) {
 }
 
 }  // namespace
-}  // namespace kinetix
+}  // namespace kinetix::model

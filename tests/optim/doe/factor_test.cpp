@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "model/invalid_input.hpp"
+#include "model/base/invalid_input.hpp"
 
-namespace kinetix {
+namespace kinetix::optim {
 namespace {
 
 using ::testing::HasSubstr;
@@ -103,4 +103,4 @@ TEST(Factor, RefusesWhatIsNoDistribution) {
 }
 
 }  // namespace
-}  // namespace kinetix
+}  // namespace kinetix::optim

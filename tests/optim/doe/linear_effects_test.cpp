@@ -3,7 +3,7 @@
 #include "optim/doe/analysis.hpp"
 #include "tests/optim/doe/test_functions.hpp"
 
-namespace kinetix {
+namespace kinetix::optim {
 namespace {
 
 const double nan = std::nan("");
@@ -87,4 +87,4 @@ TEST(LinearEffects, AreNotKnownForDependentFactorsOrTooFewRows) {
 }
 
 }  // namespace
-}  // namespace kinetix
+}  // namespace kinetix::optim

@@ -1,11 +1,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "model/invalid_input.hpp"
+#include "model/base/invalid_input.hpp"
 #include "optim/doe/analysis.hpp"
 #include "tests/optim/doe/test_functions.hpp"
 
-namespace kinetix {
+namespace kinetix::optim {
 namespace {
 
 using ::testing::HasSubstr;
@@ -90,4 +90,4 @@ TEST(MorrisEffects, RefuseATableThatIsNotOfTrajectories) {
 }
 
 }  // namespace
-}  // namespace kinetix
+}  // namespace kinetix::optim

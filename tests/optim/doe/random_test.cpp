@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-namespace kinetix {
+namespace kinetix::optim {
 namespace {
 
 using ::testing::ElementsAre;
@@ -67,4 +67,4 @@ TEST(RandomOrder, MakesEveryOrderOfFourEquallyOften) {
 }
 
 }  // namespace
-}  // namespace kinetix
+}  // namespace kinetix::optim

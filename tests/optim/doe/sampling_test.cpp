@@ -11,9 +11,9 @@
 #include <set>
 #include <thread>
 
-#include "model/invalid_input.hpp"
+#include "model/base/invalid_input.hpp"
 
-namespace kinetix {
+namespace kinetix::optim {
 namespace {
 
 using ::testing::ElementsAre;
@@ -274,4 +274,4 @@ TEST(SamplePlan, RefusesWhatCannotBeSampled) {
 }
 
 }  // namespace
-}  // namespace kinetix
+}  // namespace kinetix::optim

@@ -3,11 +3,11 @@
 
 #include <array>
 
-#include "model/invalid_input.hpp"
+#include "model/base/invalid_input.hpp"
 #include "optim/doe/analysis.hpp"
 #include "tests/optim/doe/test_functions.hpp"
 
-namespace kinetix {
+namespace kinetix::optim {
 namespace {
 
 using ::testing::HasSubstr;
@@ -153,4 +153,4 @@ TEST(SobolIndices, RefuseATableOfAnotherShape) {
 }
 
 }  // namespace
-}  // namespace kinetix
+}  // namespace kinetix::optim

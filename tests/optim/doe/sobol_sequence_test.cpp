@@ -4,7 +4,7 @@
 
 #include <set>
 
-namespace kinetix {
+namespace kinetix::optim {
 namespace {
 
 double fraction(std::uint64_t coordinate) { return static_cast<double>(coordinate) * 0x1p-64; }
@@ -83,4 +83,4 @@ TEST(SobolSequence, PutsOnePointIntoEachStratumOfEveryDimension) {
 }
 
 }  // namespace
-}  // namespace kinetix
+}  // namespace kinetix::optim

@@ -12,7 +12,7 @@ namespace kinetix::testing {
 
 /// Functions whose Sobol indices are known in closed form, with them.
 struct KnownFunction {
-  std::vector<Factor> factors;
+  std::vector<optim::Factor> factors;
   double (*value)(const std::vector<double>&);
   double mean, variance;
   std::vector<double> first, total;
@@ -24,7 +24,7 @@ inline KnownFunction ishigami() {
   const double of_0 = 0.5 * std::pow(1 + b * std::pow(pi, 4) / 5, 2), of_1 = a * a / 8;
   const double of_0_and_2 = 8 * b * b * std::pow(pi, 8) / 225, all = of_0 + of_1 + of_0_and_2;
   KnownFunction f;
-  for (const char* name : {"x0", "x1", "x2"}) f.factors.push_back({name, UniformRange{-pi, pi}});
+  for (const char* name : {"x0", "x1", "x2"}) f.factors.push_back({name, optim::UniformRange{-pi, pi}});
   f.value = [](const std::vector<double>& x) {
     return std::sin(x[0]) + a * std::pow(std::sin(x[1]), 2) + b * std::pow(x[2], 4) * std::sin(x[0]);
   };
@@ -52,14 +52,14 @@ inline KnownFunction g_function() {
   f.variance = all - 1;
   for (const double a : g_weights) {
     const double alone = 1 / (3 * (1 + a) * (1 + a));
-    f.factors.push_back({"x" + std::to_string(f.factors.size()), UniformRange{0, 1}});
+    f.factors.push_back({"x" + std::to_string(f.factors.size()), optim::UniformRange{0, 1}});
     f.first.push_back(alone / (all - 1));
     f.total.push_back(alone * all / (1 + alone) / (all - 1));
   }
   return f;
 }
 
-inline Eigen::MatrixXd table(const SamplePlan& plan) {
+inline Eigen::MatrixXd table(const optim::SamplePlan& plan) {
   const auto rows = static_cast<Eigen::Index>(plan.size()),
              columns = static_cast<Eigen::Index>(plan.factors().size());
   Eigen::MatrixXd samples(rows, columns);
@@ -71,7 +71,7 @@ inline Eigen::MatrixXd table(const SamplePlan& plan) {
 }
 
 template <class Function>
-std::vector<double> responses(const SamplePlan& plan, const Function& f) {
+std::vector<double> responses(const optim::SamplePlan& plan, const Function& f) {
   std::vector<double> values;
   for (std::uint64_t i = 0; i < plan.size(); ++i) values.push_back(f(plan.sample(i)));
   return values;

@@ -6,35 +6,35 @@
 namespace kinetix::testing {
 namespace {
 
-using Kind = PathEvent::Kind;
+using Kind = model::PathEvent::Kind;
 constexpr double bars_in_line = 45 * deg;
 
-bool told_of_branching(const LoadPath& path) {
-  return std::any_of(path.events.begin(), path.events.end(), [](const PathEvent& e) {
+bool told_of_branching(const model::EquilibriumPath& path) {
+  return std::any_of(path.events.begin(), path.events.end(), [](const model::PathEvent& e) {
     return (e.kind == Kind::bifurcation || e.kind == Kind::snap) && e.since <= bars_in_line + deg &&
            e.at.theta >= bars_in_line - deg;
   });
 }
 
-/// Past the point where all bars are in line, other motions without strain begin: a balance of one of these
+/// Past the point where all bars are in line, other motions without strain begin: an equilibrium of one of these
 /// is right as long as the path tells of its choice.
 HardAnswer follow_through(const HardScene& scene, double allowed) {
   HardAnswer a = follow_closed_form(scene, allowed);
   if (a.mark == HardAnswer::Mark::right) return a;
-  const LoadPath path = followed(scene);
-  if (path.stop == LoadPath::Stop::reached && path.gaps.max <= 1e-4 && told_of_branching(path))
+  const model::EquilibriumPath path = followed(scene);
+  if (path.stop == model::EquilibriumPath::Stop::reached && path.gaps.max <= 1e-4 && told_of_branching(path))
     a.mark = HardAnswer::Mark::diagnosed;
   return a;
 }
 
 HardCase grid_case(bool scales, double k, double phi) {
   const double allowed = phi < 90 ? 1e-4 : 5e-3;
-  return {
-      text("3x5 grid that %s, k = %.6g, hinge to phi = %g deg", scales ? "scales" : "shears", k, phi),
-      text("closed form, rms <= %.0e%s", allowed, phi > 90 ? ", or the branching told" : ""), [=] {
-        const Structure s = scales ? crossable_grid(k) : uncrossable_grid(k);
-        return follow_through({s, hinge_drive({{0, 0}, Axis::y}, phi / 2 * deg), of_ratio(1e-12)}, allowed);
-      }};
+  return {text("3x5 grid that %s, k = %.6g, hinge to phi = %g deg", scales ? "scales" : "shears", k, phi),
+          text("closed form, rms <= %.0e%s", allowed, phi > 90 ? ", or the branching told" : ""), [=] {
+            const model::Structure s = scales ? crossable_grid(k) : uncrossable_grid(k);
+            return follow_through({s, hinge_drive({{0, 0}, model::Axis::y}, phi / 2 * deg), of_ratio(1e-12)},
+                                  allowed);
+          }};
 }
 
 }  // namespace

@@ -30,28 +30,29 @@ std::string text(const char* format, Numbers... numbers) {
 
 /// What is run: a structure under a drive.
 struct HardScene {
-  Structure structure;
-  Drive drive;
-  Elasticity elasticity;
+  model::Structure structure;
+  model::Drive drive;
+  model::Elasticity elasticity;
   bool contact = false;
 };
 
 /// Elasticity of stiffness ratio k_turn / (k_point L^2) for the default cell of 10 mm.
-Elasticity of_ratio(double ratio);
+model::Elasticity of_ratio(double ratio);
 
-LoadPath followed(const HardScene& scene, LoadPathOptions options = {});
+model::EquilibriumPath followed(const HardScene& scene, model::EquilibriumPathOptions options = {});
 /// In steps so short that the trapezoidal rule gives the work of the drive.
-LoadPath followed_finely(const HardScene& scene);
+model::EquilibriumPath followed_finely(const HardScene& scene);
 
 /// Energy of a state, N mm.
-double energy_of(const HardScene& scene, const State& state);
+double energy_of(const HardScene& scene, const model::State& state);
 /// Work of the drive on its way, N mm: a path of balances without jumps stores it all.
-double work_of(const HardScene& scene, const LoadPath& path);
+double work_of(const HardScene& scene, const model::EquilibriumPath& path);
 
 /// "reached: E 1.2 N mm, gap 3e-7", then events, then `found`.
-std::string told(const LoadPath& path, const std::string& found);
-/// An unstable balance is never right.
-HardAnswer answer(const HardScene& scene, const LoadPath& path, bool right, const std::string& found);
+std::string told(const model::EquilibriumPath& path, const std::string& found);
+/// An unstable equilibrium is never right.
+HardAnswer answer(const HardScene& scene, const model::EquilibriumPath& path, bool right,
+                  const std::string& found);
 
 /// Follows the closed form, right within `allowed`, rms in cell edges.
 HardAnswer follow_closed_form(const HardScene& scene, double allowed);

@@ -1,8 +1,8 @@
 #include <cmath>
 
-#include "model/closure_drive.hpp"
-#include "model/invalid_input.hpp"
-#include "model/mobility.hpp"
+#include "model/base/invalid_input.hpp"
+#include "model/closure/closure_drive.hpp"
+#include "model/closure/mobility.hpp"
 #include "tests/support/hard/kit.hpp"
 #include "tests/support/random_elastic.hpp"
 
@@ -10,19 +10,19 @@ namespace kinetix::testing {
 namespace {
 
 using Mark = HardAnswer::Mark;
-using Stop = LoadPath::Stop;
+using Stop = model::EquilibriumPath::Stop;
 
-Structure two_cells_at_a_corner() { return make_structure({{0, 0}, {1, 1}}, {}); }
-Structure staircase() { return make_structure({{0, 0}, {1, 1}, {2, 2}, {3, 3}}, {}); }
+model::Structure two_cells_at_a_corner() { return model::make_structure({{0, 0}, {1, 1}}, {}); }
+model::Structure staircase() { return model::make_structure({{0, 0}, {1, 1}, {2, 2}, {3, 3}}, {}); }
 
-HardScene between_plates(const Structure& s) {
-  return {s, plates_drive(Axis::y, 30 * deg), of_ratio(1e-6), true};
+HardScene between_plates(const model::Structure& s) {
+  return {s, plates_drive(model::Axis::y, 30 * deg), of_ratio(1e-6), true};
 }
 
-/// With more freedoms than the one of the closed form, the cells share the turns as costs least.
+/// With more degrees of freedom than the one of the closed form, the cells share the turns as costs least.
 HardAnswer share_turns() {
   const HardScene scene = between_plates(staircase());
-  const LoadPath path = followed_finely(scene);
+  const model::EquilibriumPath path = followed_finely(scene);
   const double shared = planar_energy(scene.structure, scene.elasticity.k_turn, 30 * deg);
   const double energy = path.steps.back().energy, off = std::abs(work_of(scene, path) / energy - 1);
   HardAnswer a = answer(scene, path,
@@ -33,35 +33,36 @@ HardAnswer share_turns() {
 }
 
 HardAnswer drive_one_of_two() {
-  const HardScene scene{two_cells_at_a_corner(), hinge_drive({{0, 0}, Axis::y}, 30 * deg), {}, true};
-  const Structure& s = scene.structure;
-  const LoadPath path = followed(scene);
-  const Mobility m = mobility(s);
+  const HardScene scene{two_cells_at_a_corner(), hinge_drive({{0, 0}, model::Axis::y}, 30 * deg), {}, true};
+  const model::Structure& s = scene.structure;
+  const model::EquilibriumPath path = followed(scene);
+  const model::Mobility m = mobility(s, exact_motion(s));
   double worst = 0;
   for (std::size_t h = 0; h < s.hinges.size(); ++h) {
-    const bool driven_cell = s.hinges[h].wall.from <= Vertex{1, 0} && s.hinges[h].wall.to() <= Vertex{1, 1};
+    const bool driven_cell =
+        s.hinges[h].wall.from <= model::Vertex{1, 0} && s.hinges[h].wall.to() <= model::Vertex{1, 1};
     const double turn = std::abs(hinge_turn(s, path.state, static_cast<int>(h)));
     worst = std::max(worst, std::abs(turn - (driven_cell ? 60 * deg : 0)));
   }
-  HardAnswer a = answer(scene, path, path.stop == Stop::reached && m.freedoms_along == 2 && worst <= 1e-5,
-                        text("turns to %.1e rad, %d freedoms", worst, m.freedoms_along));
+  HardAnswer a = answer(scene, path, path.stop == Stop::reached && m.dofs_along == 2 && worst <= 1e-5,
+                        text("turns to %.1e rad, %d freedoms", worst, m.dofs_along));
   a.exact = "driven cell folds, the other stays flat";
   return a;
 }
 
-HardAnswer drive_immobile(const Drive& drive) {
+HardAnswer drive_immobile(const model::Drive& drive) {
   std::mt19937 random(7);
   const HardScene scene{random_panel(3, 3, random), drive, {}};
-  const Mobility m = mobility(scene.structure);
+  const model::Mobility m = mobility(scene.structure, exact_motion(scene.structure));
   HardAnswer a = follow_strained(scene, 1e-2);
   a.exact = to_string(m.verdict);
-  if (m.verdict != Verdict::not_mobile) a.mark = Mark::wrong;
+  if (m.verdict != model::Verdict::not_mobile) a.mark = Mark::wrong;
   return a;
 }
 
 HardAnswer disconnected() {
   try {
-    make_structure({{0, 0}, {5, 5}}, {});
+    model::make_structure({{0, 0}, {5, 5}}, {});
   } catch (const InvalidInput& e) {
     return {Mark::diagnosed, "", std::string("refused: ") + e.what(), {}};
   }
@@ -82,10 +83,10 @@ HardCases mobility_cases() {
            "two freedoms; turns of both to 1e-5 rad", drive_one_of_two},
           {"3x3 panel with random hinges (M = 0), hinge to 20 deg", strained,
            [] {
-             return drive_immobile(hinge_drive({{1, 1}, Axis::y}, 10 * deg));
+             return drive_immobile(hinge_drive({{1, 1}, model::Axis::y}, 10 * deg));
            }},
           {"3x3 panel with random hinges (M = 0), plates to theta = 10 deg", strained,
-           [] { return drive_immobile(plates_drive(Axis::y, 10 * deg)); }}};
+           [] { return drive_immobile(plates_drive(model::Axis::y, 10 * deg)); }}};
 }
 
 }  // namespace kinetix::testing

@@ -1,25 +1,25 @@
 #include <cmath>
 
-#include "model/closure_drive.hpp"
+#include "model/closure/closure_drive.hpp"
 #include "tests/support/hard/kit.hpp"
 #include "tests/support/paper_scenes.hpp"
 
 namespace kinetix::testing {
 namespace {
 
-using Stop = LoadPath::Stop;
+using Stop = model::EquilibriumPath::Stop;
 
-Structure panel() { return make_structure(rectangle(3, 3), {}); }
+model::Structure panel() { return make_structure(model::rectangle(3, 3), {}); }
 
 HardAnswer stay_flat(const HardScene& scene) {
-  const LoadPath path = followed(scene);
+  const model::EquilibriumPath path = followed(scene);
   const double moved = aligned_distance(scene.structure, path.state, rest_state(scene.structure)).max;
   return answer(scene, path, path.stop == Stop::reached && moved <= 1e-9, text("moved by %.1e", moved));
 }
 
 /// A panel of n x n cells under a plate holds against its turning springs up to the compressing force 4 N k /
 /// (n L).
-double buckling_compression(const Structure& s, const Elasticity& e, int n) {
+double buckling_compression(const model::Structure& s, const model::Elasticity& e, int n) {
   const double force = 4.0 * static_cast<double>(s.hinges.size()) * e.k_turn / (n * s.size.edge_mm);
   return force / (2 * e.k_point * s.size.edge_mm * (n + 1));
 }
@@ -28,8 +28,8 @@ HardAnswer buckle(double over) {
   HardScene scene{panel(), {}, {}, true};
   const double critical = buckling_compression(scene.structure, scene.elasticity, 3);
   scene.drive.compression = over * critical;
-  const LoadPath path = followed(scene);
-  const int hinge = *scene.structure.hinge_at({{1, 1}, Axis::x});
+  const model::EquilibriumPath path = followed(scene);
+  const int hinge = *scene.structure.hinge_at({{1, 1}, model::Axis::x});
   const double turn = std::abs(hinge_turn(scene.structure, path.state, hinge));
   const double expected = 2 * std::sqrt(2 * critical * std::max(0.0, over - 1));
   HardAnswer a =
@@ -39,22 +39,22 @@ HardAnswer buckle(double over) {
   return a;
 }
 
-Structure even_panel() { return make_structure(rectangle(4, 3), {}); }
+model::Structure even_panel() { return make_structure(model::rectangle(4, 3), {}); }
 
 /// The mirror image of each is the other: neither way to fold is favoured.
 HardScene imperfect(double by, double theta) {
-  HardScene scene{even_panel(), plates_drive(Axis::y, theta), {}, true};
-  Structure& s = scene.structure;
-  s.hinges[*s.hinge_at({{0, 1}, Axis::x})].parameters.t += by;
-  s.hinges[*s.hinge_at({{3, 1}, Axis::x})].parameters.t -= by;
+  HardScene scene{even_panel(), plates_drive(model::Axis::y, theta), {}, true};
+  model::Structure& s = scene.structure;
+  s.hinges[*s.hinge_at({{0, 1}, model::Axis::x})].parameters.t += by;
+  s.hinges[*s.hinge_at({{3, 1}, model::Axis::x})].parameters.t -= by;
   return scene;
 }
 
-double from_perfect(const LoadPath& path) { return from_closed_form(even_panel(), path); }
+double from_perfect(const model::EquilibriumPath& path) { return from_closed_form(even_panel(), path); }
 
 HardAnswer opposite_imperfections(double by) {
   const HardScene scene = imperfect(by, 30 * deg);
-  const LoadPath one = followed(scene), other = followed(imperfect(by, -30 * deg));
+  const model::EquilibriumPath one = followed(scene), other = followed(imperfect(by, -30 * deg));
   const double rms = std::max(from_perfect(one), from_perfect(other)),
                apart = std::abs(one.steps.back().energy / other.steps.back().energy - 1);
   const bool ends = one.stop == Stop::reached && other.stop == Stop::reached;
@@ -72,8 +72,8 @@ void add_small_turns(HardCases& cases) {
       cases.push_back(closed_form_case(
           text("%s, hinge to theta = %g", name, theta),
           [=] {
-            return HardScene{grid ? crossable_grid() : bending_strip(), hinge_drive({{0, 0}, Axis::y}, theta),
-                             of_ratio(1e-8)};
+            return HardScene{grid ? crossable_grid() : bending_strip(),
+                             hinge_drive({{0, 0}, model::Axis::y}, theta), of_ratio(1e-8)};
           },
           1e-3 * theta));
     }
@@ -81,7 +81,7 @@ void add_small_turns(HardCases& cases) {
                      return stay_flat({panel(), {}, {}, true});
                    }});
   cases.push_back({"3x3 panel, plates to theta = 1e-6", "far below buckling: flat", [] {
-                     return stay_flat({panel(), plates_drive(Axis::y, 1e-6), {}, true});
+                     return stay_flat({panel(), plates_drive(model::Axis::y, 1e-6), {}, true});
                    }});
 }
 

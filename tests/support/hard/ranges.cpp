@@ -8,7 +8,9 @@ namespace kinetix::testing {
 namespace {
 
 HardScene tilted_cell(double alpha, double theta) {
-  return {alternating(1, 1, {.alpha = alpha * deg}, basic_unit), hinge_drive({{0, 0}, Axis::y}, theta), {}};
+  return {alternating(1, 1, {.alpha = alpha * deg}, basic_unit),
+          hinge_drive({{0, 0}, model::Axis::y}, theta),
+          {}};
 }
 
 /// Mirrored in its own plane, alpha becomes its supplement, and theta stays.
@@ -28,7 +30,7 @@ HardCase short_arms(double t, double ratio) {
   return closed_form_case(
       text("3x3 grid, t = %g, theta = 30 deg, stiffness ratio %.0e", t, 1 / ratio),
       [=] {
-        const Structure s = crossable_grid(t, 3, 3);
+        const model::Structure s = crossable_grid(t, 3, 3);
         return HardScene{s, drive_to(s, 30 * deg), of_ratio(ratio)};
       },
       allowed);
@@ -43,10 +45,11 @@ HardCase steep_strip(double beta, bool plates) {
   HardCase c = closed_form_case(
       text("strip, beta = %g deg, %s to theta = 10 deg", beta, plates ? "plates" : "hinge"),
       [=] {
-        const Structure s = alternating(6, 1, {.beta = beta * deg}, basic_unit);
-        return HardScene{s,
-                         plates ? plates_drive(Axis::y, 10 * deg) : hinge_drive({{0, 0}, Axis::y}, 10 * deg),
-                         of_ratio(1e-8)};
+        const model::Structure s = alternating(6, 1, {.beta = beta * deg}, basic_unit);
+        return HardScene{
+            s,
+            plates ? plates_drive(model::Axis::y, 10 * deg) : hinge_drive({{0, 0}, model::Axis::y}, 10 * deg),
+            of_ratio(1e-8)};
       },
       1e-4);
   c.in_tests = !plates;
@@ -65,7 +68,7 @@ void add_tilts(HardCases& cases) {
 
 void add_stiffness_ratios(HardCases& cases) {
   const auto strip = [](double ratio) {
-    const Structure s = bending_strip();
+    const model::Structure s = bending_strip();
     return HardScene{s, drive_to(s, 30 * deg), of_ratio(ratio)};
   };
   for (const double ratio : {1e-4, 1e-6, 1e-8, 1e-10})
@@ -74,12 +77,12 @@ void add_stiffness_ratios(HardCases& cases) {
   for (const double ratio : {1.0, 1e-2}) {
     cases.push_back({text("bending strip, stiffness ratio %g", 1 / ratio), "work is energy to 1e-3",
                      [=] { return follow_strained(strip(ratio), 1e-3); }});
-    cases.push_back({text("3x5 grid that scales, hinge to phi = 20 deg, stiffness ratio %g", 1 / ratio),
-                     "work is energy to 1e-3", [=] {
-                       return follow_strained(
-                           {crossable_grid(), hinge_drive({{0, 0}, Axis::y}, 10 * deg), of_ratio(ratio)},
-                           1e-3);
-                     }});
+    cases.push_back(
+        {text("3x5 grid that scales, hinge to phi = 20 deg, stiffness ratio %g", 1 / ratio),
+         "work is energy to 1e-3", [=] {
+           return follow_strained(
+               {crossable_grid(), hinge_drive({{0, 0}, model::Axis::y}, 10 * deg), of_ratio(ratio)}, 1e-3);
+         }});
   }
 }
 

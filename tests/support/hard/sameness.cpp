@@ -13,39 +13,42 @@ namespace {
 using Eigen::Vector3d;
 using Mark = HardAnswer::Mark;
 
-State turned_over(const State& state) {
+model::State turned_over(const model::State& state) {
   const Eigen::Matrix3d R = Eigen::AngleAxisd(1.1, Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
-  State all = state;
-  for (Pose& pose : all) pose = {R * pose.R, R * pose.p + Vector3d(3, -40, 17)};
+  model::State all = state;
+  for (model::Pose& pose : all) pose = {R * pose.R, R * pose.p + Vector3d(3, -40, 17)};
   return all;
 }
 
-Structure with_hinges_shuffled(const Structure& s, std::mt19937& random) {
+model::Structure with_hinges_shuffled(const model::Structure& s, std::mt19937& random) {
   std::vector<int> place(s.hinges.size());
   for (std::size_t h = 0; h < place.size(); ++h) place[h] = static_cast<int>(h);
   std::shuffle(place.begin(), place.end(), random);
-  Structure all = s;
+  model::Structure all = s;
   for (std::size_t h = 0; h < place.size(); ++h) all.hinges[place[h]] = s.hinges[h];
-  for (CellHinges& cell : all.cell_members)
+  for (model::CellHinges& cell : all.cell_members)
     for (int& h : cell.hinges) h = place[h];
   return all;
 }
 
 constexpr int right = 6, up = 4;
 
-Wall elsewhere(const Wall& wall) { return {{wall.from.i + right, wall.from.j + up}, wall.axis}; }
+model::Wall elsewhere(const model::Wall& wall) {
+  return {{wall.from.i + right, wall.from.j + up}, wall.axis};
+}
 
-Structure built_elsewhere(const Structure& s, std::mt19937& random) {
+model::Structure built_elsewhere(const model::Structure& s, std::mt19937& random) {
   auto cells = s.cells;
-  for (Cell& cell : cells) cell = {cell.i + right, cell.j + up};
+  for (model::Cell& cell : cells) cell = {cell.i + right, cell.j + up};
   std::shuffle(cells.begin(), cells.end(), random);
-  Structure all = make_structure(cells, s.size);
-  for (const Hinge& h : s.hinges) all.hinges[*all.hinge_at(elsewhere(h.wall))].parameters = h.parameters;
+  model::Structure all = make_structure(cells, s.size);
+  for (const model::Hinge& h : s.hinges)
+    all.hinges[*all.hinge_at(elsewhere(h.wall))].parameters = h.parameters;
   return all;
 }
 
-State elsewhere(const Structure& s, const State& state, const Structure& other) {
-  State all(state.size());
+model::State elsewhere(const model::Structure& s, const model::State& state, const model::Structure& other) {
+  model::State all(state.size());
   for (std::size_t b = 0; b < state.size(); ++b)
     all[*other.body_at({s.bodies[b].i + right, s.bodies[b].j + up})] = {
         state[b].R, state[b].p + s.size.edge_mm * Vector3d(right, up, 0)};
@@ -63,21 +66,21 @@ HardAnswer compared(double energy, const std::vector<double>& others) {
 
 HardAnswer energies_of_a_state() {
   std::mt19937 random(8);
-  const Structure s = random_panel(4, 3, random);
-  const State state = shaken(s, rest_state(s), 0.2, random);
-  const auto energy = [](const Structure& other, const State& there) {
+  const model::Structure s = random_panel(4, 3, random);
+  const model::State state = shaken(s, rest_state(s), 0.2, random);
+  const auto energy = [](const model::Structure& other, const model::State& there) {
     return energy_of({other, hinge_drive(other.hinges.front().wall, 0.1), {}, true}, there);
   };
-  const Structure shuffled = with_hinges_shuffled(s, random), far = built_elsewhere(s, random);
+  const model::Structure shuffled = with_hinges_shuffled(s, random), far = built_elsewhere(s, random);
   return compared(energy(s, state), {energy(s, turned_over(state)), energy(shuffled, state),
                                      energy(far, elsewhere(s, state, far))});
 }
 
-HardAnswer energies_of_balances(const Structure& s, const Drive& drive) {
+HardAnswer energies_of_equilibria(const model::Structure& s, const model::Drive& drive) {
   std::mt19937 random(9);
-  Drive moved = drive;
+  model::Drive moved = drive;
   moved.wall = elsewhere(drive.wall);
-  const auto energy = [](const Structure& other, const Drive& there) {
+  const auto energy = [](const model::Structure& other, const model::Drive& there) {
     return followed({other, there, {}, true}).steps.back().energy;
   };
   return compared(energy(s, drive), {energy(with_hinges_shuffled(s, random), drive),
@@ -90,10 +93,11 @@ HardCases sameness_cases() {
   const char* asked = "same energy to 1e-12";
   return {{"shaken panel turned, shifted, its cells and hinges in another order", asked, energies_of_a_state},
           {"balance of the bending strip, cells elsewhere and hinges in another order", asked,
-           [] { return energies_of_balances(bending_strip(), plates_drive(Axis::y, 30 * deg)); }},
+           [] { return energies_of_equilibria(bending_strip(), plates_drive(model::Axis::y, 30 * deg)); }},
           {"balance of a panel with random hinges, cells elsewhere and hinges in another order", asked, [] {
              std::mt19937 random(10);
-             return energies_of_balances(random_panel(3, 3, random), hinge_drive({{1, 1}, Axis::y}, 0.15));
+             return energies_of_equilibria(random_panel(3, 3, random),
+                                           hinge_drive({{1, 1}, model::Axis::y}, 0.15));
            }}};
 }
 

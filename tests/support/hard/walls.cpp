@@ -1,42 +1,43 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/contact/wall_contact.hpp"
 #include "model/elastic/elastic_system.hpp"
-#include "model/wall_contact.hpp"
 #include "tests/support/hard/kit.hpp"
 #include "tests/support/paper_scenes.hpp"
 
 namespace kinetix::testing {
 namespace {
 
-using Kind = PathEvent::Kind;
+using Kind = model::PathEvent::Kind;
 using Mark = HardAnswer::Mark;
 
 struct Watched {
-  LoadPath path;
+  model::EquilibriumPath path;
   int passed = 0;  ///< steps in which walls went through each other
 };
 
 Watched watched(const HardScene& scene) {
   Watched run;
-  State before;
+  model::State before;
   const bool planar = all_vertical(scene.structure);
-  const ElasticSystem system(scene.structure, scene.elasticity, scene.drive, planar, true);
-  run.path =
-      follow_load(scene.structure, scene.elasticity, scene.drive, {}, [&](const LoadStep&, const State& s) {
-        run.passed += !before.empty() && system.passed_through(before, s);
-        before = s;
-      });
+  const model::ElasticSystem system(scene.structure, scene.elasticity, scene.drive.on(scene.structure),
+                                    planar, true);
+  run.path = trace_equilibrium(driven(scene.structure, scene.drive), scene.elasticity, {},
+                               [&](const model::EquilibriumStep&, const model::State& s) {
+                                 run.passed += !before.empty() && system.passed_through(before, s);
+                                 before = s;
+                               });
   return run;
 }
 
-bool tells_of_walls_passing(const LoadPath& path) {
+bool tells_of_walls_passing(const model::EquilibriumPath& path) {
   const auto says = [](const std::string& words) { return words.find("through") != std::string::npos; };
   return says(path.why) || std::any_of(path.events.begin(), path.events.end(),
-                                       [&](const PathEvent& e) { return says(e.what); });
+                                       [&](const model::PathEvent& e) { return says(e.what); });
 }
 
-bool is_near(const PathEvent* event, double side, double from, double to) {
+bool is_near(const model::PathEvent* event, double side, double from, double to) {
   return event && side * event->since <= to && side * event->at.theta >= from;
 }
 
@@ -44,7 +45,7 @@ bool is_near(const PathEvent* event, double side, double from, double to) {
 /// through another without a word.
 HardAnswer overdrive(const HardScene& scene) {
   const Watched run = watched(scene);
-  const ThetaRange range = theta_range(scene.structure, classify(scene.structure));
+  const model::ThetaRange range = theta_range(scene.structure, exact_motion(scene.structure));
   const double side = scene.drive.theta() < 0 ? -1 : 1;
   const double limit = side * (side < 0 ? range.negative : range.positive).theta;
   const bool right = is_near(first_event(run.path, Kind::contact), side, limit - 2e-3, limit + 2e-3) &&
@@ -59,13 +60,13 @@ HardAnswer overdrive(const HardScene& scene) {
 }
 
 HardScene pressed_panel(double theta, double contact_ratio) {
-  HardScene scene{make_structure(rectangle(4, 4), {}), plates_drive(Axis::y, theta), {}, true};
+  HardScene scene{make_structure(model::rectangle(4, 4), {}), plates_drive(model::Axis::y, theta), {}, true};
   scene.elasticity.k_contact = contact_ratio * scene.elasticity.k_point;
   return scene;
 }
 
 HardAnswer lock_grid_that_shears() {
-  const Structure s = uncrossable_grid();
+  const model::Structure s = uncrossable_grid();
   return overdrive({s, drive_to(s, -67.5 * deg), {}, true});
 }
 

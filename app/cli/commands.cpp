@@ -1,0 +1,116 @@
+#include "app/cli/commands.hpp"
+
+#include <fmt/format.h>
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/console/console.hpp"
+#include "app/exports/write_results.hpp"
+#include "app/goals/read_target.hpp"
+#include "app/io/atomic_file.hpp"
+#include "app/pipeline/design_scene.hpp"
+#include "app/pipeline/pipeline.hpp"
+#include "app/result/result_json.hpp"
+#include "app/run/stopwatch.hpp"
+#include "app/sweep/sweep_plan.hpp"
+#include "model/base/invalid_input.hpp"
+#include "targets/document/document.hpp"
+
+namespace kinetix::app {
+namespace {
+
+/// @param suffix keeps the results of one command from replacing another's
+std::string folder_of(const CommandOptions& options, const std::string& name, const std::string& suffix) {
+  return options.folder_given ? options.folder : "results/" + name + suffix;
+}
+
+RunOptions run_options(const CommandOptions& options, Console& console) {
+  return {options.threads, options.seed, options.verify, console.progress()};
+}
+
+/// Bad input that is found after reading gets the file's name.
+Run located(const std::string& file, const Scene& scene, const RunOptions& options) {
+  try {
+    return run_scene(scene, options);
+  } catch (const InvalidInput& e) {
+    if (!e.place().file.empty()) throw;
+    throw InvalidInput(e.reason(), {file, 0, 0, e.place().key});
+  }
+}
+
+int exit_code(const Run& run) {
+  if (run.goal && !run.goal->met()) return target_missed;
+  if (run.equilibrium && !run.equilibrium->reached()) return target_missed;
+  if (run.verification && !run.verification->agrees) return physics_disagrees;
+  return done;
+}
+
+void print(const Run& run, const nlohmann::ordered_json& json, const std::string& folder, bool as_json) {
+  if (as_json)
+    std::cout << json.dump(1) << "\n";
+  else
+    std::cout << summary(run)
+              << fmt::format("  {:<10} {}/report.html, result.json, design.yaml\n", "written", folder);
+}
+
+/// @param watch started before the file was read
+int run_and_write(const CommandOptions& options, const Scene& scene, const std::string& suffix,
+                  Stopwatch watch) {
+  OutputFolder folder(folder_of(options, scene.name(), suffix));
+  const double load = watch.lap();
+  Console console(options.quiet);
+  Run run = located(options.file, scene, run_options(options, console));
+  run.timings.load = load;
+  const auto json = write_results(run, folder.path());
+  folder.keep();
+  print(run, json, folder.path(), options.json);
+  return exit_code(run);
+}
+
+int run_design(const CommandOptions& options, Model model, const std::string& suffix) {
+  Stopwatch watch;
+  DesignFile design = read_design(options.file);
+  if (options.theta_given) {
+    design.theta = options.theta_deg * radians_per_degree;
+    design.drive.reset();
+  }
+  return run_and_write(options, *make_scene(std::move(design), model), suffix, watch);
+}
+
+}  // namespace
+
+int optimise_command(const CommandOptions& options) {
+  Stopwatch watch;
+  return run_and_write(options, *read_target(options.file).goal, "", watch);
+}
+
+int verify_command(const CommandOptions& options) { return run_design(options, Model::bullet, "_verified"); }
+
+int simulate_command(const CommandOptions& options) {
+  const Model model = options.model == "bullet"        ? Model::bullet
+                      : options.model == "equilibrium" ? Model::equilibrium
+                                                       : Model::exact;
+  return run_design(options, model, "_" + options.model);
+}
+
+int check_command(const CommandOptions& options) {
+  const targets::Node root = targets::read_document(options.file, max_design_bytes);
+  const bool is_sweep = root.optional("factors").has_value(), is_target = root.optional("target").has_value();
+  const std::string name = is_sweep    ? make_sweep_plan(options.file, {}).doe.name
+                           : is_target ? read_target(root).goal->name()
+                                       : read_design(root).name;
+  const char* kind = is_sweep ? "sweep" : is_target ? "target" : "design";
+  if (options.json)
+    std::cout << nlohmann::ordered_json{{"file", options.file},
+                                        {"kind", kind},
+                                        {"name", name},
+                                        {"valid", true}}
+                     .dump(1)
+              << "\n";
+  else
+    std::cout << fmt::format("{}: valid {} '{}'\n", options.file, kind, name);
+  return done;
+}
+
+}  // namespace kinetix::app

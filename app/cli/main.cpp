@@ -1,0 +1,130 @@
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "app/cli/commands.hpp"
+#include "app/io/atomic_file.hpp"
+#include "app/sweep/sweep_command.hpp"
+#include "app/version.hpp"
+#include "model/base/invalid_input.hpp"
+
+namespace {
+
+using kinetix::app::CommandOptions;
+
+void add_common(CLI::App& app, CommandOptions& options) {
+  app.add_flag("--json", options.json, "print the whole result as one JSON document on stdout");
+  app.add_flag("--quiet", options.quiet, "no progress on stderr");
+  app.add_option("--threads", options.threads,
+                 "threads of the search; 0 = all cores; the answer does not depend on it")
+      ->check(CLI::Range(0, 1024));
+  app.add_option_function<std::uint64_t>(
+         "--seed",
+         [&options](const std::uint64_t& seed) {
+           options.seed = seed;
+           options.seed_given = true;
+         },
+         "seed of the random starts or samples; same seed, same answer")
+      ->check(CLI::Range(0.0, 9e15))
+      ->type_name("UINT");
+}
+
+void add_output(CLI::App& app, CommandOptions& options) {
+  app.add_option_function<std::string>(
+         "-o",
+         [&options](const std::string& folder) {
+           options.folder = folder;
+           options.folder_given = true;
+         },
+         "folder for result.json, design.yaml and report.html (default results/NAME, with _verified, "
+         "_exact, _equilibrium or _bullet for a design)")
+      ->type_name("DIR");
+}
+
+void add_file(CLI::App& app, CommandOptions& options, const std::string& name, const std::string& what) {
+  app.add_option(name, options.file, what)->required()->type_name("");
+}
+
+constexpr const char* footer = R"(
+examples:
+  kinetix-opt targets/shapes/helmet_rib.yaml -o out       search, verify, write out/report.html
+  kinetix-opt simulate out/design.yaml --theta-deg 20     the same design, half folded
+  kinetix-opt simulate panel.yaml --model equilibrium     elastic hinges: force, energy, snaps, contact
+  kinetix-opt verify out/design.yaml                      the physics run alone
+
+exit codes:
+  0 done   1 internal error   2 bad input   3 target missed or not reached   4 physics run disagrees or failed)";
+
+int run(int argc, char** argv) {
+  CommandOptions options;
+  CLI::App app(
+      "Finds the hinge tilts of a flat KinetiX sheet that folds into a goal shape, and checks them by "
+      "physics.",
+      "kinetix-opt");
+  app.set_version_flag("--version", std::string("kinetix-opt ") + kinetix::app::version);
+  app.footer(footer);
+  app.require_subcommand(0, 1);
+  app.get_formatter()->column_width(34);
+
+  add_common(app, options);
+  add_output(app, options);
+  app.add_flag_callback(
+      "--no-verify", [&] { options.verify = false; }, "skip the physics run");
+  app.add_option("TARGET.yaml", options.file, "goal shape, structure and bounds")->type_name("");
+
+  CLI::App* verify =
+      app.add_subcommand("verify", "run the physics engine on a design and compare it with the model");
+  CLI::App* simulate = app.add_subcommand("simulate", "compute one folded state of a design");
+  CLI::App* sweep = app.add_subcommand("sweep", "run a design of experiments; also under mpirun");
+  CLI::App* check = app.add_subcommand("check", "validate a target, a design or a sweep; writes nothing");
+  for (CLI::App* command : {verify, simulate, check}) {
+    add_file(*command, options, command == check ? "FILE.yaml" : "DESIGN.yaml", "the file to read");
+    add_common(*command, options);
+    if (command != check) add_output(*command, options);
+  }
+  add_file(*sweep, options, "DOE.yaml", "the sweep: base, factors, method, responses");
+  add_common(*sweep, options);
+  add_output(*sweep, options);
+  sweep->add_flag("--resume", options.resume, "continue the sweep whose table is in DIR");
+  simulate
+      ->add_option("--model", options.model,
+                   "exact: closed form; equilibrium: elastic hinges; bullet: physics run")
+      ->check(CLI::IsMember({"exact", "equilibrium", "bullet"}));
+  CLI::Option* theta =
+      simulate->add_option("--theta-deg", options.theta_deg, "fold angle instead of the design's own")
+          ->check(CLI::Range(-89.0, 89.0));
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? kinetix::app::done : kinetix::app::bad_input;
+  }
+  options.theta_given = theta->count() > 0;
+  if (verify->parsed()) return kinetix::app::verify_command(options);
+  if (simulate->parsed()) return kinetix::app::simulate_command(options);
+  if (sweep->parsed()) return kinetix::app::sweep_command(options);
+  if (check->parsed()) return kinetix::app::check_command(options);
+  if (options.file.empty()) {
+    std::cerr << app.help();
+    return kinetix::app::bad_input;
+  }
+  return kinetix::app::optimise_command(options);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    kinetix::app::remove_parts_when_interrupted();
+    const int code = run(argc, argv);
+    std::cout.flush();
+    if (std::cout) return code;
+    std::cerr << "standard output cannot be written\n";
+    return kinetix::app::internal_error;
+  } catch (const kinetix::InvalidInput& e) {
+    std::cerr << e.what() << "\n";
+    return kinetix::app::bad_input;
+  } catch (const std::exception& e) {
+    std::cerr << "internal error: " << e.what() << "\n";
+    return kinetix::app::internal_error;
+  }
+}

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace kinetix::app {
+
+/// Exit codes of formats.md.
+enum ExitCode { done = 0, internal_error = 1, bad_input = 2, target_missed = 3, physics_disagrees = 4 };
+
+/// What every command takes.
+struct CommandOptions {
+  std::string file;
+  std::string
+      folder;  ///< empty: results/<name>, with _verified, _exact, _equilibrium or _bullet for a design
+  bool folder_given = false;
+  bool json = false;
+  bool quiet = false;
+  bool verify = true;
+  int threads = 0;
+  std::uint64_t seed = 0;
+  bool seed_given = false;
+  std::string model = "exact";  ///< of simulate: exact, equilibrium or bullet
+  double theta_deg = 0;         ///< of simulate
+  bool theta_given = false;
+  bool resume = false;  ///< of sweep
+};
+
+}  // namespace kinetix::app

@@ -1,0 +1,26 @@
+#include "app/exports/design_export.hpp"
+
+#include "app/files/design_file.hpp"
+
+namespace kinetix::app {
+namespace {
+
+DesignFile design_of(const Run& run) {
+  DesignFile design;
+  design.name = run.name;
+  design.structure = run.structure;
+  design.theta = run.equilibrium ? run.equilibrium->drive.theta() : run.theta;
+  design.physics = run.physics;
+  design.hinge = run.hinge;
+  design.drive = run.drive;
+  design.side = run.side;
+  return design;
+}
+
+std::vector<NamedContent> write(const Run& run) { return {{"design.yaml", design_text(design_of(run))}}; }
+
+}  // namespace
+
+const Exporter design_export = {"design", {"yaml"}, true, write};
+
+}  // namespace kinetix::app

@@ -1,0 +1,15 @@
+#include "app/exports/pictures_export.hpp"
+
+namespace kinetix::app {
+namespace {
+
+std::vector<NamedContent> write(const Run& run) {
+  if (!run.goal) return {};
+  return run.goal->pictures(run);
+}
+
+}  // namespace
+
+const Exporter pictures_export = {"pictures", {"svg", "png"}, false, write};
+
+}  // namespace kinetix::app

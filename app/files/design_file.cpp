@@ -1,0 +1,197 @@
+#include "app/files/design_file.hpp"
+
+#include <vector>
+
+#include "app/files/file_header.hpp"
+#include "app/files/structure_section.hpp"
+#include "app/files/wall_node.hpp"
+#include "model/lattice/square/cell_tuple.hpp"
+
+namespace kinetix::app {
+namespace {
+
+namespace value = targets::value;
+using model::SharedWalls;
+
+const targets::Bounds fraction = targets::between(0, 1);
+const targets::Bounds in_plane = targets::between(0, 180, "degrees");
+const targets::Bounds tilt = targets::between(-90, 90, "degrees");
+
+}  // namespace
+
+const targets::KeyTable& hinge_entry_keys() {
+  static const model::HingeParameters basic{};
+  static const targets::KeyTable keys({
+      wall_key(),
+      {"t", value::number(fraction), targets::by_default(basic.t),
+       "where the hinge sits on the wall, from its lower vertex"},
+      {"alpha_deg", value::angle(in_plane), targets::by_default_deg(basic.alpha),
+       "angle of the hinge's axis to the wall within the sheet"},
+      {"beta_deg", value::angle(tilt), targets::by_default_deg(basic.beta),
+       "tilt of the hinge's axis out of the sheet's normal, along the wall"},
+  });
+  return keys;
+}
+
+namespace {
+
+/// A cell that a hand takes hold of.
+constexpr double default_cell_mm = 10;
+
+constexpr targets::Word<SharedWalls> ways_to_share[] = {{"average", SharedWalls::average},
+                                                        {"must_agree", SharedWalls::must_agree}};
+
+targets::ValueType four(const targets::ValueType& entry) {
+  return value::list(entry, "`[bottom, right, top, left]`", 4, 4);
+}
+
+targets::Default four_times(const std::string& text) {
+  return targets::by_default(("[" + text + ", " + text + ", " + text + ", " + text + "]").c_str());
+}
+
+targets::KeyTable tuple_keys() {
+  return targets::KeyTable({
+      {"P", four(value::number(fraction)), four_times("0.5"),
+       "where the hinges sit on the cell's walls, counted around the cell"},
+      {"A_in_deg", four(value::angle(in_plane)), four_times("90"), "angles of the hinges within the sheet"},
+      {"A_out_deg", four(value::angle(tilt)), four_times("0"), "tilts of the hinges out of the sheet"},
+  });
+}
+
+targets::KeyTable pattern_keys() {
+  return targets::KeyTable({
+      {"even", value::map(tuple_keys()), {}, "cells whose i + j is even"},
+      {"odd", value::map(tuple_keys()), {}, "cells whose i + j is odd"},
+      {"shared", value::choice(ways_to_share), targets::by_default("must_agree"),
+       "what to do where two cells disagree about the wall between them: refuse the file, or take the "
+       "average"},
+  });
+}
+
+targets::KeyTable structure_keys() {
+  return targets::KeyTable({
+      cells_key(targets::needed, "the cells of the sheet"),
+      cell_mm_key(targets::by_default(default_cell_mm)),
+      wall_mm_key(),
+  });
+}
+
+targets::KeyTable state_keys() {
+  return targets::KeyTable({
+      {"theta_deg", value::angle(tilt), targets::by_default_deg(0), "the state to show; 0 is flat"},
+      {"pattern",
+       value::map(pattern_keys()),
+       {},
+       "hinges of all cells by the paper's tuples, alternating like a checkerboard"},
+      {"hinges",
+       value::list(value::map(hinge_entry_keys()), "a list of hinges", 0),
+       {},
+       "single hinges; one that is named here takes nothing from the pattern"},
+  });
+}
+
+void check_kind_of_file(const targets::Node& root) {
+  if (root.kind() == targets::Node::Kind::map && !root.optional("design") && root.optional("target"))
+    throw root.error("this is a target, not a design; search it first with `kinetix-opt TARGET.yaml`");
+}
+
+model::Structure read_structure(const targets::Section& root) {
+  root.required("structure", "e.g. `structure: {cells: [6, 1], cell_mm: 10}`");
+  const targets::Section section = root.section("structure");
+  const targets::Node cells = section.required("cells", "[columns, rows], or a list of cells [[i, j], ...]");
+  const model::CellSize size = read_size(section, default_cell_mm);
+  return cells.located([&] { return make_structure(read_cells(cells), size); });
+}
+
+std::array<double, 4> read_four(const targets::Section& tuple, const char* key,
+                                const std::array<double, 4>& fallback, const auto& read_value) {
+  const auto node = tuple.optional(key);
+  if (!node) return fallback;
+  const auto entries = node->list_of(4, "four values: bottom, right, top, left");
+  return {read_value(entries[0]), read_value(entries[1]), read_value(entries[2]), read_value(entries[3])};
+}
+
+model::CellTuple read_tuple(const targets::Section& section) {
+  model::CellTuple tuple;
+  tuple.P = read_four(section, "P", tuple.P, [](const targets::Node& n) { return n.number(fraction); });
+  tuple.A_in =
+      read_four(section, "A_in_deg", tuple.A_in, [](const targets::Node& n) { return n.angle(in_plane); });
+  tuple.A_out =
+      read_four(section, "A_out_deg", tuple.A_out, [](const targets::Node& n) { return n.angle(tilt); });
+  return tuple;
+}
+
+void read_pattern(const targets::Section& design, model::Structure& structure) {
+  const targets::Section pattern = design.section("pattern");
+  if (!pattern.given()) return;
+  const model::CellTuple even = read_tuple(pattern.section("even")), odd = read_tuple(pattern.section("odd"));
+  SharedWalls shared = SharedWalls::must_agree;
+  pattern.read("shared", shared, ways_to_share);
+  pattern.node().located([&] { apply_pattern(structure, even, odd, shared); });
+}
+
+model::HingeParameters read_parameters(const targets::Section& hinge) {
+  model::HingeParameters p;
+  hinge.read("t", p.t);
+  hinge.read("alpha_deg", p.alpha);
+  hinge.read("beta_deg", p.beta);
+  return p;
+}
+
+void read_hinges(const targets::Section& design, model::Structure& structure) {
+  const auto list = design.optional("hinges");
+  if (!list) return;
+  std::vector<int> line_of(structure.hinges.size(), 0);
+  for (const targets::Node& node :
+       list->list("a list of hinges, e.g. `- {wall: [[0, 0], [1, 0]], beta_deg: 30}`")) {
+    const targets::Section hinge(node, hinge_entry_keys());
+    const int k = read_hinge_index(hinge, structure);
+    if (line_of[k] > 0)
+      throw node.error("the wall " + to_string(structure.hinges[k].wall) + " is named twice, first in line " +
+                       std::to_string(line_of[k]) + "; name it once");
+    line_of[k] = node.place().line;
+    structure.hinges[k].parameters = read_parameters(hinge);
+  }
+}
+
+double read_state(const targets::Section& root, model::Structure& structure) {
+  const targets::Section design = root.section("design");
+  read_pattern(design, structure);
+  read_hinges(design, structure);
+  double theta = 0;
+  design.read("theta_deg", theta);
+  return theta;
+}
+
+}  // namespace
+
+DesignFile read_design(const std::string& path) {
+  return read_design(targets::read_document(path, max_design_bytes));
+}
+
+const targets::KeyTable& design_keys() {
+  static const targets::KeyTable keys = file_keys({
+      {"structure", value::map(structure_keys()), targets::needed, "the flat sheet"},
+      {"design", value::map(state_keys()), {}, "where every hinge sits and how it is tilted"},
+      drive_key(),
+      {"hinge", value::map(hinge_keys()), {}, "what the hinges are made of"},
+      {"physics", value::map(physics_keys()), {}, "settings of the physics run"},
+  });
+  return keys;
+}
+
+DesignFile read_design(const targets::Node& node) {
+  check_kind_of_file(node);
+  const targets::Section root(node, design_keys());
+  check_version(root);
+  DesignFile file{.name = read_name(root), .structure = read_structure(root)};
+  file.theta = read_state(root, file.structure);
+  file.drive = read_drive_section(root, file.structure);
+  file.side = read_side(root);
+  file.hinge = read_hinge_section(root, file.structure.size.edge_mm);
+  const auto physics = file.hinge.model == HingeSection::Model::elastic ? read_elastic_physics : read_physics;
+  file.physics = physics(root, file.structure.size.edge_mm);
+  return file;
+}
+
+}  // namespace kinetix::app

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/files/drive_section.hpp"
+#include "app/files/hinge_section.hpp"
+#include "app/files/physics_section.hpp"
+#include "model/lattice/square/structure.hpp"
+#include "targets/document/section.hpp"
+
+namespace kinetix::app {
+
+/// Of one entry of `design.hinges`.
+const targets::KeyTable& hinge_entry_keys();
+
+/// A design.yaml. Angles in radians, lengths in mm.
+struct DesignFile {
+  std::string name;                        ///< default: the file's name without its ending
+  model::Structure structure;              ///< with the parameters of every hinge
+  double theta = 0;                        ///< the state to show, rad, within (-pi/2, pi/2); default flat
+  std::optional<DriveSection> drive = {};  ///< nothing: to theta
+  int side = 1;  ///< `side` of the drive: which way to leave a bifurcation that it leaves open, 1 or -1
+  HingeSection hinge = {};
+  PhysicsSection physics = {};
+};
+
+/// Every key of a design.yaml.
+const targets::KeyTable& design_keys();
+
+/// Designs may be larger than targets: at most 16 MiB, some 200 000 named hinges.
+inline constexpr std::size_t max_design_bytes = 16 << 20;
+
+/// @throws InvalidInput for whatever formats.md does not allow: among others a wall that the structure does
+/// not have, is named twice, or does not run from its lower to its upper vertex, and cells of a pattern that
+/// disagree
+DesignFile read_design(const std::string& file);
+/// The same of a document in memory.
+DesignFile read_design(const targets::Node& root);
+
+/// The file's text. read_design gives the same design back, bit for bit: angles are in degrees with as many
+/// digits as that takes. Only hinges that differ from the basic one are named.
+/// @pre finite numbers within the ranges that read_design allows, and a name that it allows
+std::string design_text(const DesignFile& design);
+
+}  // namespace kinetix::app

@@ -1,0 +1,99 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/files/design_file.hpp"
+#include "app/files/structure_section.hpp"
+
+namespace kinetix::app {
+namespace {
+
+std::string text_of(const model::Wall& wall) {
+  return fmt::format("[[{}, {}], [{}, {}]]", wall.from.i, wall.from.j, wall.to().i, wall.to().j);
+}
+
+std::string cells_text(const std::vector<model::Cell>& cells) {
+  const auto sides = as_rectangle(cells);
+  if (sides && cells[0] == model::Cell{0, 0}) return fmt::format("[{}, {}]", (*sides)[0], (*sides)[1]);
+  std::string text = "[";
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    if (k > 0) text += k % 10 == 0 ? ",\n          " : ", ";
+    text += fmt::format("[{}, {}]", cells[k].i, cells[k].j);
+  }
+  return text + "]";
+}
+
+std::string structure_text(const model::Structure& structure) {
+  const model::CellSize& size = structure.size;
+  return fmt::format("structure:\n  cells: {}\n  cell_mm: {}\n  wall_mm: {{thickness: {}, height: {}}}\n",
+                     cells_text(structure.cells), targets::shortest_text(size.edge_mm),
+                     targets::shortest_text(size.thickness_mm), targets::shortest_text(size.height_mm));
+}
+
+bool is_basic(const model::HingeParameters& p) {
+  const model::HingeParameters basic;
+  return p.t == basic.t && p.alpha == basic.alpha && p.beta == basic.beta;
+}
+
+std::string hinges_text(const model::Structure& structure) {
+  std::string text;
+  for (const model::Hinge& hinge : structure.hinges)
+    if (!is_basic(hinge.parameters))
+      text += fmt::format("    - {{wall: {}, t: {}, alpha_deg: {}, beta_deg: {}}}\n", text_of(hinge.wall),
+                          targets::shortest_text(hinge.parameters.t),
+                          targets::degrees_text(hinge.parameters.alpha),
+                          targets::degrees_text(hinge.parameters.beta));
+  if (text.empty()) return {};
+  return "  hinges:  # walls that are not named have t: 0.5, alpha_deg: 90, beta_deg: 0\n" + text;
+}
+
+std::string drive_text(const std::optional<DriveSection>& drive, int side) {
+  const std::string aside = side == 1 ? "" : fmt::format("side: {}", side);
+  const std::string end = (aside.empty() ? "" : ", " + aside) + "}\n";
+  if (!drive) return aside.empty() ? "" : "drive: {" + aside + "}\n";
+  if (drive->kind == DriveSection::Kind::plates)
+    return fmt::format("drive: {{kind: plates, axis: {}, compression: {}{}{}",
+                       drive->axis == model::Axis::x ? "x" : "y", targets::shortest_text(drive->compression),
+                       drive->branch ? fmt::format(", branch: {}", *drive->branch) : "",
+                       drive->grip ? ", grip: " + to_string(*drive->grip) : "") +
+           end;
+  return fmt::format("drive: {{kind: hinge, wall: {}, angle_deg: {}", text_of(drive->wall),
+                     targets::degrees_text(drive->angle)) +
+         end;
+}
+
+std::string hinge_text(const HingeSection& hinge) {
+  const std::string reach = hinge.reach_mm ? ", reach_mm: " + targets::shortest_text(*hinge.reach_mm) : "";
+  const std::string contact =
+      hinge.k_contact ? ", k_contact: " + targets::shortest_text(*hinge.k_contact) : "";
+  return fmt::format("hinge: {{model: {}, k_point: {}, k_turn: {}{}{}}}\n",
+                     hinge.model == HingeSection::Model::rotary ? "rotary" : "elastic",
+                     targets::shortest_text(hinge.k_point), targets::shortest_text(hinge.k_turn), reach,
+                     contact);
+}
+
+std::string physics_text(const PhysicsSection& physics) {
+  std::string text;
+  const auto add = [&](const char* key, const auto& value) {
+    if (value) text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", key, targets::shortest_text(*value));
+  };
+  if (physics.solver)
+    text += fmt::format("solver: {}",
+                        *physics.solver == sim::PhysicsOptions::Solver::direct ? "direct" : "sweeps");
+  add("step_s", physics.step_s);
+  add("iterations", physics.iterations);
+  add("error_reduction", physics.error_reduction);
+  add("reach_mm", physics.reach_mm);
+  return text.empty() ? "" : "physics: {" + text + "}\n";
+}
+
+}  // namespace
+
+std::string design_text(const DesignFile& design) {
+  return fmt::format("kinetix: 1\nname: \"{}\"\n", design.name) + structure_text(design.structure) +
+         fmt::format("design:\n  theta_deg: {}\n", targets::degrees_text(design.theta)) +
+         hinges_text(design.structure) + drive_text(design.drive, design.side) + hinge_text(design.hinge) +
+         physics_text(design.physics);
+}
+
+}  // namespace kinetix::app

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "targets/document/section.hpp"
+
+namespace kinetix::app {
+
+/// The keys of a whole file: `kinetix` and `name`, which every file may hold, before its own.
+targets::KeyTable file_keys(std::vector<targets::Key> own);
+
+/// Checks the `kinetix:` key that every file starts with. @throws InvalidInput when it is missing or another
+/// version
+void check_version(const targets::Section& root);
+
+/// The `name:` key, by default the file's name without its ending (with `_` for what a name may not hold). It
+/// names the folder of results: 1 to 100 letters, digits, `_`, `-` and `.`, not starting with a point.
+/// @throws InvalidInput for any other name
+std::string read_name(const targets::Section& root);
+
+}  // namespace kinetix::app

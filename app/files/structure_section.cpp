@@ -1,0 +1,96 @@
+#include "app/files/structure_section.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace kinetix::app {
+namespace {
+
+namespace value = targets::value;
+
+constexpr int max_side = 10'000;
+constexpr std::size_t max_cells = 1'000'000;
+constexpr const char* wanted_cells = "[columns, rows], or a list of cells [[i, j], ...]";
+
+std::vector<model::Cell> read_rectangle(const targets::Node& node, const std::vector<targets::Node>& sides) {
+  if (sides.size() != 2) throw node.error(std::string("is not a pair; give ") + wanted_cells);
+  const int columns = sides[0].integer(1, max_side), rows = sides[1].integer(1, max_side);
+  if (static_cast<std::size_t>(columns) * rows > max_cells)
+    throw node.error("more than a million cells; give a smaller rectangle");
+  return model::rectangle(columns, rows);
+}
+
+std::string name(const model::Cell& cell) {
+  return "[" + std::to_string(cell.i) + ", " + std::to_string(cell.j) + "]";
+}
+
+const targets::KeyTable& wall_mm_keys() {
+  static const targets::KeyTable keys({
+      {"thickness", value::length(targets::between(0, 0.5, "mm (less than half of cell_mm)")),
+       targets::otherwise("a tenth of `cell_mm`, at most 3"), "thickness of the walls"},
+      {"height", value::number({0, 10'000, false, true, "mm"}),
+       targets::otherwise("0.6 of `cell_mm`, at most 30"), "height of the walls"},
+  });
+  return keys;
+}
+
+}  // namespace
+
+targets::Key cells_key(targets::Default fallback, std::string meaning) {
+  const auto side = value::integer(1, max_side), index = value::integer(0, max_side - 1);
+  return {
+      "cells",
+      value::either({value::list(side, "`[columns, rows]`", 2, 2),
+                     value::list(value::list(index, "`[i, j]`", 2, 2), "a list of cells `[[i, j], ...]`")}),
+      std::move(fallback), std::move(meaning)};
+}
+
+targets::Key cell_mm_key(targets::Default fallback, const targets::Bounds& bounds) {
+  return {"cell_mm", value::number(bounds), std::move(fallback), "cell edge"};
+}
+
+targets::Key wall_mm_key() { return {"wall_mm", value::map(wall_mm_keys()), {}, "size of the walls"}; }
+
+model::CellSize default_size(double edge_mm) {
+  return {edge_mm, std::min(0.1 * edge_mm, 3.0), std::min(0.6 * edge_mm, 30.0)};
+}
+
+std::vector<model::Cell> read_cells(const targets::Node& node) {
+  const auto entries = node.list(wanted_cells);
+  if (entries.empty()) throw node.error(std::string("is empty; give ") + wanted_cells);
+  if (entries[0].kind() != targets::Node::Kind::list) return read_rectangle(node, entries);
+  std::map<model::Cell, int> line_of;
+  std::vector<model::Cell> cells;
+  for (const targets::Node& entry : entries) {
+    const auto ij = entry.list_of(2, "a cell [i, j]");
+    cells.push_back({ij[0].integer(0, max_side - 1), ij[1].integer(0, max_side - 1)});
+    const auto [first, is_new] = line_of.try_emplace(cells.back(), entry.place().line);
+    if (!is_new)
+      throw entry.error("cell " + name(cells.back()) + " is given twice, first in line " +
+                        std::to_string(first->second) + "; give it once");
+  }
+  return cells;
+}
+
+std::optional<std::array<int, 2>> as_rectangle(const std::vector<model::Cell>& cells) {
+  model::Cell low = cells[0], high = cells[0];
+  for (const model::Cell& c : cells) {
+    low = {std::min(low.i, c.i), std::min(low.j, c.j)};
+    high = {std::max(high.i, c.i), std::max(high.j, c.j)};
+  }
+  const int columns = high.i - low.i + 1, rows = high.j - low.j + 1;
+  if (static_cast<std::size_t>(columns) * rows != cells.size()) return std::nullopt;
+  return std::array{columns, rows};
+}
+
+model::CellSize read_size(const targets::Section& structure, double fallback_edge_mm) {
+  double edge_mm = fallback_edge_mm;
+  structure.read("cell_mm", edge_mm);
+  model::CellSize size = default_size(edge_mm);
+  const targets::Section wall = structure.section("wall_mm");
+  wall.read_length("thickness", size.thickness_mm, edge_mm);
+  wall.read("height", size.height_mm);
+  return size;
+}
+
+}  // namespace kinetix::app

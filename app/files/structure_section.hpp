@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "model/lattice/square/structure.hpp"
+#include "targets/document/section.hpp"
+
+namespace kinetix::app {
+
+/// Sizes that suit a cell edge: wall thickness a tenth of it and at most 3 mm, height three fifths of it
+/// and at most 30 mm.
+model::CellSize default_size(double edge_mm);
+
+/// Keys of a `structure:` section. What they default to depends on the kind of file.
+targets::Key cells_key(targets::Default fallback, std::string meaning);
+targets::Key cell_mm_key(targets::Default fallback,
+                         const targets::Bounds& bounds = targets::from_to(0.001, 10'000, "mm"));
+targets::Key wall_mm_key();
+
+/// The `cells:` key: [columns, rows], or a list of cells [i, j] with i and j from 0 to 9999.
+/// @throws InvalidInput for anything else, a cell given twice, or more than a million cells
+std::vector<model::Cell> read_cells(const targets::Node& cells);
+
+/// {columns, rows} where the cells fill a rectangle. @pre not empty, no cell twice
+std::optional<std::array<int, 2>> as_rectangle(const std::vector<model::Cell>& cells);
+
+/// The `cell_mm:` and `wall_mm:` keys of a `structure:` section; what is left out follows default_size.
+/// @param fallback_edge_mm cell edge where cell_mm is not given
+/// @throws InvalidInput for lengths out of range, or a wall thicker than half the cell edge
+model::CellSize read_size(const targets::Section& structure, double fallback_edge_mm);
+
+}  // namespace kinetix::app

@@ -1,0 +1,47 @@
+#include "app/files/wall_node.hpp"
+
+namespace kinetix::app {
+namespace {
+
+constexpr int highest_index = 10'000;
+
+model::Wall read_wall(const targets::Section& owner) {
+  const targets::Node node = owner.required("wall", "its two vertices, e.g. `wall: [[0, 0], [1, 0]]`");
+  const auto ends = node.list_of(2, "two vertices, e.g. [[0, 0], [1, 0]]");
+  const model::Vertex from = read_vertex(ends[0]), to = read_vertex(ends[1]);
+  for (const model::Axis axis : {model::Axis::x, model::Axis::y}) {
+    const model::Wall wall{from, axis};
+    if (wall.to() == to) return wall;
+    const model::Wall reversed{to, axis};
+    if (reversed.to() == from)
+      throw node.error("runs from its upper to its lower vertex; write " + to_string(reversed) +
+                       ", and count t, alpha and beta from " + to_string(to));
+  }
+  throw node.error("vertices " + to_string(from) + " and " + to_string(to) +
+                   " are not neighbours; a wall is one step along x or y, e.g. [[0, 0], [1, 0]]");
+}
+
+}  // namespace
+
+targets::ValueType vertex_type() {
+  return targets::value::list(targets::value::integer(0, highest_index), "`[i, j]`", 2, 2);
+}
+
+targets::Key wall_key(std::string with) {
+  return {"wall", targets::value::list(vertex_type(), "`[[i, j], [i, j]]`", 2, 2), targets::needed,
+          "the wall: its lower or left vertex, then the next one along x or y", std::move(with)};
+}
+
+model::Vertex read_vertex(const targets::Node& node) {
+  const auto ij = node.list_of(2, "a vertex [i, j]");
+  return {ij[0].integer(0, highest_index), ij[1].integer(0, highest_index)};
+}
+
+int read_hinge_index(const targets::Section& owner, const model::Structure& structure) {
+  const model::Wall wall = read_wall(owner);
+  if (const auto hinge = structure.hinge_at(wall)) return *hinge;
+  throw owner.required("wall", "")
+      .error("the structure has no wall " + to_string(wall) + "; a wall is a side of one of structure.cells");
+}
+
+}  // namespace kinetix::app

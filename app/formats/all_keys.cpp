@@ -1,0 +1,20 @@
+#include "app/formats/all_keys.hpp"
+
+#include "app/files/design_file.hpp"
+#include "app/goals/registry.hpp"
+#include "app/sweep/doe_file.hpp"
+
+namespace kinetix::app {
+
+std::vector<KeyList> all_keys() {
+  std::vector<KeyList> lists;
+  for (const GoalKind* kind : goal_kinds())
+    lists.push_back({"target " + std::string(kind->name), &kind->table()});
+  lists.push_back({"design", &design_keys()});
+  lists.push_back({"doe", &doe_keys()});
+  for (const targets::KeyTable* shared : {&hinge_keys(), &physics_keys()})
+    lists.push_back({shared->title(), shared});
+  return lists;
+}
+
+}  // namespace kinetix::app

@@ -1,0 +1,174 @@
+#include "app/goals/curve/curve_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "app/files/file_header.hpp"
+#include "app/files/structure_section.hpp"
+#include "app/files/variables_section.hpp"
+#include "optim/solvers/multi_start.hpp"
+#include "targets/curve/read_curve.hpp"
+
+namespace kinetix::app {
+namespace {
+
+namespace value = targets::value;
+
+constexpr int default_columns = 40;
+constexpr int max_columns = 1000;
+constexpr double default_theta = 30 * radians_per_degree;
+constexpr double smallest_default_cell_mm = 0.1;
+
+targets::Curve read_goal(const targets::Section& root) {
+  const targets::Section target = root.section("target");
+  return read_curve(
+      target.required("points", "the path of a CSV file or a list of points [[x, z], ...] in mm"));
+}
+
+std::string length_text(double mm) { return fmt::format("{:.6g} mm", mm); }
+
+void check_cell_against_curve(const targets::Node& cell_mm, double edge_mm, double curve_mm) {
+  if (edge_mm > curve_mm)
+    throw cell_mm.error("a cell of " + length_text(edge_mm) + " is larger than the whole curve, which is " +
+                        length_text(curve_mm) + " long; points are in millimetres; are these metres?");
+}
+
+double default_edge(const targets::Section& root, double curve_mm, int columns) {
+  const double edge = curve_mm / (columns * std::cos(default_theta));
+  if (edge < smallest_default_cell_mm)
+    throw root.required("target", "")
+        .error("the curve is " + length_text(curve_mm) + " long, so that " + std::to_string(columns) +
+               " cells would be " + length_text(edge) +
+               " small; points are in millimetres; are these metres? If not, give structure.cell_mm");
+  return edge;
+}
+
+/// Columns and rows of the asked cells; nothing where they are left out.
+std::optional<std::array<int, 2>> read_sides(const targets::Section& structure) {
+  const auto node = structure.optional("cells");
+  if (!node) return std::nullopt;
+  const auto sides = as_rectangle(read_cells(*node));
+  if (!sides) throw node->error("the cells of a curve must fill a rectangle; give [columns, rows]");
+  if ((*sides)[0] < 2)
+    throw node->error(
+        "a curve needs at least 2 columns of cells along x; give [columns, rows] such as [40, 1]");
+  if ((*sides)[0] > max_columns)
+    throw node->error(
+        fmt::format("{} columns are more than a search can fit; at most {}", (*sides)[0], max_columns));
+  return sides;
+}
+
+void read_structure(const targets::Section& root, CurveFile& file) {
+  const double length = file.curve.length();
+  const targets::Section structure = root.section("structure");
+  const auto sides = read_sides(structure);
+  if (sides) std::tie(file.columns, file.rows) = std::pair{(*sides)[0], (*sides)[1]};
+  const auto cell_mm = structure.optional("cell_mm");
+  file.size = read_size(structure, cell_mm ? 1.0 : default_edge(root, length, file.columns));
+  if (!cell_mm) return;
+  check_cell_against_curve(*cell_mm, file.size.edge_mm, length);
+  const double fitting = std::round(length / (file.size.edge_mm * std::cos(default_theta)));
+  if (!sides && fitting > max_columns)
+    throw cell_mm->error(fmt::format("a curve of {} would take {:.0f} cells of {}; at most {} columns",
+                                     length_text(length), fitting, length_text(file.size.edge_mm),
+                                     max_columns));
+  if (!sides) file.columns = static_cast<int>(std::max(fitting, 2.0));
+}
+
+optim::Per read_per(const targets::Node& node) {
+  const std::vector<std::string_view> all = {"column", "all", "row", "cell", "hinge"};
+  const std::size_t choice = node.one_of(all);
+  if (choice > 1)
+    throw node.error(
+        "`" + std::string(all[choice]) +
+        "` would leave the family that moves exactly, in which all hinges of a column tilt alike; "
+        "allowed for a curve: column, all");
+  return choice == 0 ? optim::Per::column : optim::Per::all;
+}
+
+void read_variables(const targets::Section& root, CurveFile& file) {
+  const targets::Section section = root.section("variables");
+  if (!section.given()) return;
+  const targets::Section beta = section.section("beta");
+  std::array<double, 2> range = {file.beta.lower, file.beta.upper};
+  beta.read("range_deg", range);
+  file.beta = {range[0], range[1]};
+  if (const auto per = beta.optional("per")) file.per = read_per(*per);
+  file.symmetry = read_symmetry(beta, file.columns, file.rows);
+  file.theta = read_theta(root, file.size, file.theta);
+}
+
+void read_tolerance(const targets::Section& root, CurveFile& file) {
+  const targets::Section section = root.section("tolerance");
+  section.read("shape", file.shape_tolerance);
+  section.read("verify", file.verify_tolerance);
+}
+
+targets::KeyTable structure_keys(const CurveFile& usual) {
+  return targets::KeyTable({
+      cells_key(
+          targets::by_default({static_cast<double>(usual.columns), static_cast<double>(usual.rows)}),
+          "the cells of the strip, a rectangle of at least 2 columns; where only `cell_mm` is given, as "
+          "many columns as make the strip as long as the curve"),
+      cell_mm_key(targets::otherwise("gives the strip the curve's length at theta = 30 degrees")),
+      wall_mm_key(),
+  });
+}
+
+targets::KeyTable variables_keys(const CurveFile& usual) {
+  const targets::KeyTable beta({
+      tilt_range_key(usual.beta),
+      {"per", value::choice({"column", "all"}), targets::by_default("column"),
+       "which hinges tilt alike; under `all`, the tilts of neighbouring columns have opposite signs"},
+      symmetry_key(),
+  });
+  return targets::KeyTable(
+      {{"beta", value::map(beta), {}, "the tilts of the hinges"}, theta_key(usual.theta)});
+}
+
+targets::KeyTable tolerance_keys(const CurveFile& usual) {
+  const targets::Bounds part_of_one = {0, 1, false, true};
+  return targets::KeyTable({
+      {"shape", value::number(part_of_one), targets::by_default(usual.shape_tolerance),
+       "most of [shape_rms](#shape_rms-and-shape_max), over the diagonal of the curve's bounding box"},
+      {"verify", value::number(part_of_one), targets::by_default(usual.verify_tolerance),
+       "most of [verify_rms](#verify_rms-and-verify_max), cell edges"},
+  });
+}
+
+}  // namespace
+
+const targets::KeyTable& curve_keys() {
+  static const CurveFile usual{.name = {}, .curve = targets::Curve({{0, 0}, {1, 0}, {2, 0}})};
+  static const optim::MultiStartOptions search{};
+  static const targets::KeyTable keys = file_keys({
+      {"target", value::map(targets::curve_target_keys()), targets::needed, "the goal"},
+      {"structure", value::map(structure_keys(usual)), {}, "the flat sheet"},
+      {"variables", value::map(variables_keys(usual)), {}, "what the search may change, and how far"},
+      {"tolerance", value::map(tolerance_keys(usual)), {}, "when the goal is met"},
+      {"solver",
+       value::map(
+           solver_keys(optim::all_solvers(), search.starts, search.solver.max_evaluations, "per start")),
+       {},
+       "how the search is run"},
+      {"physics", value::map(physics_keys()), {}, "settings of the physics run"},
+  });
+  return keys;
+}
+
+CurveFile read_curve_file(const targets::Node& node) {
+  const targets::Section root(node, curve_keys());
+  check_version(root);
+  CurveFile file{.name = read_name(root), .curve = read_goal(root)};
+  read_structure(root, file);
+  read_variables(root, file);
+  read_tolerance(root, file);
+  file.solver = read_solver(root);
+  file.physics = read_physics(root, file.size.edge_mm);
+  return file;
+}
+
+}  // namespace kinetix::app

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/files/physics_section.hpp"
+#include "app/files/solver_section.hpp"
+#include "model/lattice/square/structure.hpp"
+#include "targets/curve/curve.hpp"
+
+namespace kinetix::app {
+
+/// A target.yaml of kind curve, as asked for or by default. Angles in radians, lengths in mm.
+///
+/// `kinetix: 1` and a `target` are enough. Left out, the structure is a strip [40, 1] whose cells give it the
+/// curve's length at theta = 30 deg: cell_mm = length / (columns cos 30 deg); where cell_mm alone is given,
+/// the number of columns follows from it in the same way. Walls follow default_size
+/// (app/files/structure_section.hpp).
+struct CurveFile {
+  std::string name;      ///< default: the file's name without its ending
+  targets::Curve curve;  ///< target.points
+
+  int columns = 40;           ///< structure.cells, >= 2
+  int rows = 1;               ///< >= 1
+  model::CellSize size = {};  ///< structure.cell_mm, structure.wall_mm
+
+  optim::AngleRange beta = {-60 * radians_per_degree, 60 * radians_per_degree};  ///< within +-89 deg
+  optim::Per per = optim::Per::column;                                           ///< column or all
+  optim::Symmetry symmetry = optim::Symmetry::none;  ///< rotate_4 only where columns == rows
+  optim::AngleRange theta = {2 * radians_per_degree, 44 * radians_per_degree};  ///< within (0, 45) deg
+
+  double shape_tolerance = 0.01;   ///< of shape_rms, over the curve's bounding-box diagonal, (0, 1]
+  double verify_tolerance = 0.02;  ///< of verify_rms, cell edges, (0, 1]
+
+  SolverSection solver = {};
+  PhysicsSection physics = {};
+};
+
+/// Every key of a target.yaml of kind curve.
+const targets::KeyTable& curve_keys();
+
+/// @param root a target whose kind is curve
+/// @throws InvalidInput for whatever formats.md does not allow
+CurveFile read_curve_file(const targets::Node& root);
+
+}  // namespace kinetix::app

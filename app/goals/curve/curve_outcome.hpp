@@ -1,0 +1,23 @@
+#pragma once
+
+#include "app/run/goal_outcome.hpp"
+#include "optim/curve/fit_curve.hpp"
+
+namespace kinetix::app {
+
+/// What a curve search contributes to a result. Met: shape within tolerance, and no walls in the way.
+class CurveOutcome final : public GoalOutcome {
+ public:
+  std::vector<Eigen::Vector2d> target_mm;  ///< as given
+  optim::FreeCurveDesign found;
+  optim::SolverOptions solver;
+  double shape_tolerance = 0.01;  ///< of found.design.error.rms
+
+  nlohmann::ordered_json target_json() const override;
+  /// Adds `curve` and `optimiser`.
+  void add_sections(const Run& run, nlohmann::ordered_json& result) const override;
+  void add_metrics(nlohmann::ordered_json& metrics) const override;
+  std::vector<SummaryLine> summary_lines(const Run& run) const override;
+};
+
+}  // namespace kinetix::app

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/files/hinge_section.hpp"
+#include "app/files/physics_section.hpp"
+#include "app/files/solver_section.hpp"
+#include "model/lattice/square/structure.hpp"
+#include "optim/display/display_problem.hpp"
+#include "targets/display/display_goal.hpp"
+
+namespace kinetix::app {
+
+/// A target.yaml of kind display, as asked for or by default. `kinetix: 1` and a `target` are enough.
+///
+///     target: {kind: display, glyph: T, channel: aperture}      # or image, or rows:
+///     targets/display/read_display.hpp drive: {axis: y, compression: 0.12}                       # of the plates
+///     variables:
+///       t: {range: [0.08, 0.92], corner_mm: 1, symmetry: none}
+///       compression: {range: [0.05, 0.2]}                       # searched for, from drive.compression
+///       axis: [x, y]                                            # each is tried, the best taken
+///     tolerance: {stretch: 0.12, auc: 0.97, contrast: 3, verify: 0.05}
+struct DisplayFile {
+  std::string name;
+  targets::DisplayGoal goal;
+  optim::Channel channel = optim::Channel::aperture;
+  model::CellSize size = {};  ///< structure.cell_mm (default 10), structure.wall_mm
+  std::vector<model::Axis> axes = {
+      model::Axis::y};        ///< drive.axis or variables.axis: normals of the plates to try
+  double compression = 0.12;  ///< drive.compression, (0, 0.5], within the range if there is one
+  std::optional<std::array<double, 2>> compression_range =
+      {};  ///< variables.compression.range, within (0, 0.5]
+  std::array<double, 2> t = {0.08,
+                             0.92};  ///< variables.t.range, (0, 1), no nearer to a corner than corner_mm
+  optim::Symmetry symmetry = optim::Symmetry::none;  ///< variables.t.symmetry
+  double stretch = 0.12;  ///< tolerance.stretch: most of a hinge, cell edges, (0, 1]
+  double auc = 0.97;      ///< tolerance.auc: least, (0.5, 1]; rank correlation for grey goals
+  double contrast = 3;    ///< tolerance.contrast: least, of goals with two levels, >= 0
+  double verify = 0.05;   ///< tolerance.verify: of verify_rms, cell edges, (0, 1]
+  HingeSection hinge = {};
+  SolverSection solver = {};  ///< mma, ccsa or slsqp; starts for each axis
+  PhysicsSection physics = {};
+};
+
+/// Every key of a target.yaml of kind display.
+const targets::KeyTable& display_keys();
+
+/// @param root a target whose kind is display
+/// @throws InvalidInput for whatever formats.md does not allow
+DisplayFile read_display_file(const targets::Node& root);
+
+}  // namespace kinetix::app

@@ -1,0 +1,115 @@
+#include "app/goals/display/display_outcome.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/goals/display/display_pictures.hpp"
+#include "app/run/run.hpp"
+
+namespace kinetix::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json score_json(const DisplayReading& reading) {
+  return {{"auc", reading.score.auc},       {"contrast", reading.score.contrast},
+          {"letter", reading.score.letter}, {"rest", reading.score.rest},
+          {"rank", reading.rank},           {"cells", reading.channel}};
+}
+
+std::string in_words(const DisplayOutcome& display, const DisplayReading& r) {
+  if (!display.goal.is_binary())
+    return fmt::format("rank correlation {:.3f} with the picture's levels", r.rank);
+  return fmt::format("auc {:.3f}, contrast {:.1f}, {} of letter and rest {:.3f} and {:.3f}", r.score.auc,
+                     r.score.contrast, to_string(display.channel), r.score.letter, r.score.rest);
+}
+
+Json starts_json(const optim::DisplayDesign& design) {
+  Json starts = Json::array();
+  for (const optim::DisplayStart& start : design.starts)
+    starts.push_back({{"name", start.name},
+                      {"auc", start.view.score.auc},
+                      {"contrast", start.view.score.contrast},
+                      {"separation", start.view.score.separation()},
+                      {"cost", start.cost},
+                      {"status", to_string(start.status)},
+                      {"sharpened", start.sharpened}});
+  return starts;
+}
+
+Json display_json(const DisplayOutcome& display, const model::Structure& panel) {
+  const model::Drive& plates = display.design.view.plates;
+  Json out = {{"channel", to_string(display.channel)},
+              {"axis", plates.axis == model::Axis::x ? "x" : "y"},
+              {"compression", plates.compression},
+              {"levels", levels_of(display.goal, panel)},
+              {"before", score_json(display.before)},
+              {"after", score_json(display.after)},
+              {"stretch_max", display.design.view.stretch},
+              {"starts", starts_json(display.design)},
+              {"reasons", display.violations},
+              {"reasons_physics", display.physics_violations}};
+  if (display.physics) out["physics"] = score_json(*display.physics);
+  if (const auto needed = display.needed()) {
+    out["needed_cells"] = *needed;
+    out["needed_for"] = display.goal.whole ? "contrast" : "strokes";
+  }
+  if (!display.larger.tried.empty()) out["larger_panels_tried"] = display.larger.tried;
+  return out;
+}
+
+Json optimiser_json(const DisplayOutcome& display) {
+  return {{"solver", to_string(display.options.solver.name)},
+          {"starts", display.design.starts.size()},
+          {"evaluations", display.design.evaluations},
+          {"status", to_string(display.design.status)},
+          {"why", display.design.why},
+          {"paths_from_flat", display.design.paths_from_flat}};
+}
+
+}  // namespace
+
+Json DisplayOutcome::target_json() const { return {{"kind", "display"}, {"rows", goal.row_texts()}}; }
+
+void DisplayOutcome::add_sections(const Run& run, Json& result) const {
+  result["display"] = display_json(*this, run.structure);
+  result["timing_s"]["larger_panels"] = larger_panels_s;
+  result["optimiser"] = optimiser_json(*this);
+}
+
+void DisplayOutcome::add_metrics(Json& metrics) const {
+  metrics["auc"] = after.score.auc;
+  metrics["contrast"] = after.score.contrast;
+  metrics["separation"] = after.score.separation();
+  metrics["rank"] = after.rank;
+  metrics["auc_rest"] = before.score.auc;
+  metrics["contrast_rest"] = before.score.contrast;
+  metrics["stretch_max"] = design.view.stretch;
+  metrics["met"] = met();
+  if (!physics) return;
+  metrics["auc_physics"] = physics->score.auc;
+  metrics["contrast_physics"] = physics->score.contrast;
+  metrics["separation_physics"] = physics->score.separation();
+  metrics["rank_physics"] = physics->rank;
+}
+
+std::vector<SummaryLine> DisplayOutcome::summary_lines(const Run& run) const {
+  std::vector<SummaryLine> lines;
+  lines.push_back({"picture", in_words(*this, after) + (met() ? "" : ": NOT AS REQUIRED")});
+  for (const std::string& why : violations) lines.push_back({"why", why});
+  if (!design.starts.empty())
+    lines.push_back({"rule", "the paper's rule alone: auc " +
+                                 fmt::format("{:.3f}, contrast {:.1f}", design.starts[0].view.score.auc,
+                                             design.starts[0].view.score.contrast)});
+  lines.push_back(
+      {"search", fmt::format("{:.2f} s, {}, {} evaluations, {}", run.timings.optimise,
+                             to_string(options.solver.name), design.evaluations, to_string(design.status))});
+  if (physics) lines.push_back({"seen", "in the physics run: " + in_words(*this, *physics)});
+  for (const std::string& why : physics_violations) lines.push_back({"why", why});
+  return lines;
+}
+
+std::vector<NamedContent> DisplayOutcome::pictures(const Run& run) const { return display_pictures(run); }
+
+}  // namespace kinetix::app

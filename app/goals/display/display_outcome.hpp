@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "app/goals/display/larger_panels.hpp"
+#include "app/run/goal_outcome.hpp"
+#include "optim/display/fit_display.hpp"
+#include "targets/display/display_goal.hpp"
+
+namespace kinetix::app {
+
+/// What a state of a panel shows.
+struct DisplayReading {
+  std::vector<double> channel;  ///< of each cell
+  targets::DisplayScore score;
+  double rank = 0;  ///< rank correlation of channel and levels
+};
+
+/// What a search for a display contributes to a result.
+class DisplayOutcome final : public GoalOutcome {
+ public:
+  targets::DisplayGoal goal;
+  optim::Channel channel = optim::Channel::aperture;
+  optim::DisplayOptions options;
+  optim::DisplayDesign design;
+  LargerPanels larger;                    ///< searched where this one is not clear enough
+  double larger_panels_s = 0;             ///< seconds that took
+  DisplayReading before, after;           ///< flat, and the equilibrium under the plates
+  std::optional<DisplayReading> physics;  ///< the settled physics run
+
+  /// The smallest panel known to show the picture, where this one does not.
+  std::optional<targets::PanelSize> needed() const { return goal.whole ? larger.enough : goal.needed; }
+
+  /// The picture as rows, top row first.
+  nlohmann::ordered_json target_json() const override;
+  /// Adds `display` (channel, levels and readings of all cells in the order of structure.cells, starts, reasons),
+  /// `optimiser`, and the time of the larger panels.
+  void add_sections(const Run& run, nlohmann::ordered_json& result) const override;
+  void add_metrics(nlohmann::ordered_json& metrics) const override;
+  std::vector<SummaryLine> summary_lines(const Run& run) const override;
+  std::vector<NamedContent> pictures(const Run& run) const override;
+};
+
+}  // namespace kinetix::app

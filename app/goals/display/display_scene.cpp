@@ -1,0 +1,197 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "app/goals/display/display_kind.hpp"
+#include "app/goals/display/display_outcome.hpp"
+#include "app/goals/display/panel_memory.hpp"
+#include "app/pipeline/equilibrium.hpp"
+#include "app/pipeline/exact_state.hpp"
+#include "app/pipeline/physics_settings.hpp"
+#include "app/run/stopwatch.hpp"
+
+namespace kinetix::app {
+namespace {
+
+model::Drive plates_of(const DisplayFile& file) {
+  model::Drive drive;
+  drive.kind = model::Drive::Kind::plates;
+  drive.axis = file.axes.front();
+  drive.compression = file.compression;
+  return drive;
+}
+
+optim::DisplayOptions search_of(const DisplayFile& file, const model::Elasticity& elasticity,
+                                const RunOptions& run) {
+  optim::DisplayOptions options;
+  options.channel = file.channel;
+  options.plates = plates_of(file);
+  options.axes = file.axes;
+  options.compression = file.compression_range;
+  options.elasticity = elasticity;
+  options.stretch = file.stretch;
+  options.t = file.t;
+  options.symmetry = file.symmetry;
+  options.starts = file.solver.starts.value_or(options.starts);
+  options.threads = run.threads;
+  options.seed = run.seed;
+  options.solver.name = file.solver.name.value_or(options.solver.name);
+  options.solver.max_evaluations = file.solver.max_evaluations.value_or(options.solver.max_evaluations);
+  return options;
+}
+
+std::string lost_strokes(const targets::DisplayGoal& goal) {
+  const std::string what = "strokes or gaps are thinner than a cell, so that parts of the picture are lost: ";
+  if (!goal.needed) return what + "no panel that is allowed shows it whole";
+  return what + fmt::format("the smallest panel that shows it whole has [{}, {}] cells", (*goal.needed)[0],
+                            (*goal.needed)[1]);
+}
+
+std::string about_larger(const LargerPanels& larger) {
+  const auto named = [](targets::PanelSize size) { return fmt::format("[{}, {}]", size[0], size[1]); };
+  if (larger.enough)
+    return fmt::format("a panel of {} cells shows it within these bounds", named(*larger.enough));
+  std::vector<std::string> names;
+  for (const targets::PanelSize size : larger.tried) names.push_back(named(size));
+  return fmt::format("no larger panel that was tried shows it within these bounds either: {}",
+                     fmt::join(names, ", "));
+}
+
+/// Greys have no contrast to judge them by.
+Tolerances tolerances_of(const DisplayFile& file) {
+  Tolerances tolerances = {{"stretch", file.stretch}, {"auc", file.auc}};
+  if (file.goal.is_binary()) tolerances.emplace_back("contrast", file.contrast);
+  return tolerances;
+}
+
+/// Whether larger panels are worth a search: where the picture has all its strokes and is not clear enough.
+bool wants_more_cells(const DisplayFile& file, const DisplayOutcome& display) {
+  const optim::DisplayView& view = display.design.view;
+  return file.goal.whole && view.balanced &&
+         !violations(file, display.after.score, display.after.rank, "model").empty();
+}
+
+std::vector<std::string> all_violations(const DisplayFile& file, const DisplayOutcome& display) {
+  std::vector<std::string> why;
+  if (!display.design.view.balanced) {
+    why.push_back("no equilibrium of the panel was found at this compression: compress less");
+    return why;
+  }
+  why = violations(file, display.after.score, display.after.rank, "model");
+  if (!(display.design.view.stretch <= file.stretch))
+    why.push_back(fmt::format("a hinge stretches by {:.3f} cell edges; at most {:.3f} is allowed",
+                              display.design.view.stretch, file.stretch));
+  if (!display.goal.whole) why.push_back(lost_strokes(display.goal));
+  if (!display.larger.tried.empty()) why.push_back(about_larger(display.larger));
+  return why;
+}
+
+class DisplayScene final : public Scene {
+ public:
+  explicit DisplayScene(DisplayFile file) : file_(std::move(file)) {}
+
+  std::string name() const override { return file_.name; }
+  std::optional<Model> model() const override { return Model::equilibrium; }
+
+  void solve(Run& run, const RunOptions& options) const override {
+    auto display = std::make_unique<DisplayOutcome>();
+    display->options = search_of(file_, elasticity(), options);
+    check_memory({file_.goal.columns, file_.goal.rows}, options.threads,
+                 display->options.starts * static_cast<int>(file_.axes.size()), memory_of_machine());
+    run.structure = make_structure(model::rectangle(file_.goal.columns, file_.goal.rows), file_.size);
+    display->tolerances = tolerances_of(file_);
+    display->goal = file_.goal;
+    display->channel = file_.channel;
+    display->design =
+        fit_display(run.structure, levels_of(file_.goal, run.structure), display->options, options.progress);
+    describe(run, display->design.view);
+    run.goal = std::move(display);
+  }
+
+  void add_state(Run& run, const RunOptions& options) const override {
+    auto& display = outcome_of<DisplayOutcome>(run);
+    add_equilibrium(run, display.design.view.plates, elasticity(), motion_states, options.progress);
+    display.before = reading(run.structure, rest_state(run.structure));
+    display.after = reading(run.structure, run.states.front().poses);
+  }
+
+  void judge(Run& run, const RunOptions& options) const override {
+    auto& display = outcome_of<DisplayOutcome>(run);
+    Stopwatch watch;
+    if (wants_more_cells(file_, display))
+      display.larger = search_larger_panels(file_, display.options, options.progress);
+    display.larger_panels_s = watch.lap();
+    display.violations = all_violations(file_, display);
+  }
+
+  std::optional<PhysicsTask> physics_task(const Run& run) const override {
+    if (!run.equilibrium->reached()) return std::nullopt;
+    return PhysicsTask{run.states.front().poses, outcome_of<DisplayOutcome>(run).design.view.plates,
+                       elastic_physics(elasticity(), file_.physics, file_.size.edge_mm, run.plan.planar)};
+  }
+
+  void judge_physics(Run& run) const override {
+    auto& display = outcome_of<DisplayOutcome>(run);
+    display.physics = reading(run.structure, run.verification->physics.state);
+    display.physics_violations =
+        violations(file_, display.physics->score, display.physics->rank, "physics run");
+  }
+
+ private:
+  model::Elasticity elasticity() const {
+    return elasticity_of(file_.hinge, file_.physics, file_.size.edge_mm);
+  }
+
+  /// The panel as the search left it; as asked where it found no equilibrium.
+  void describe(Run& run, optim::DisplayView& view) const {
+    run.physics = file_.physics;
+    run.hinge = file_.hinge;
+    run.hinge.model = HingeSection::Model::elastic;
+    run.verify_tolerance = file_.verify;
+    if (!view.balanced) view.plates = plates_of(file_);
+    run.drive = DriveSection{.axis = view.plates.axis, .compression = view.plates.compression};
+    if (!view.balanced) return;
+    for (std::size_t h = 0; h < run.structure.hinges.size(); ++h)
+      run.structure.hinges[h].parameters.t = view.t[static_cast<Eigen::Index>(h)];
+  }
+
+  DisplayReading reading(const model::Structure& panel, const model::State& state) const {
+    const std::vector<double> levels = levels_of(file_.goal, panel);
+    DisplayReading out;
+    out.channel = channel_values(file_.channel, panel, state);
+    out.score = targets::display_score(out.channel, levels);
+    out.rank = targets::rank_correlation(out.channel, levels);
+    return out;
+  }
+
+  DisplayFile file_;
+};
+
+}  // namespace
+
+std::unique_ptr<Scene> make_scene(DisplayFile file) {
+  return std::make_unique<DisplayScene>(std::move(file));
+}
+
+const GoalKind display_kind = {
+    .name = "display",
+    .example = "target: {kind: display, glyph: T}",
+    .read = [](const targets::Node& root) { return make_scene(read_display_file(root)); },
+    .table = display_keys,
+    .model = Model::equilibrium,
+    .metrics = {{"contrast", "", "[d'](#contrast-and-auc) of the letter's cells from the rest"},
+                {"auc", "",
+                 "[part of pairs](#contrast-and-auc) in which the cell of the letter has the higher value"},
+                {"separation", "", "difference of the two means of the channel, in the channel's unit"},
+                {"rank", "", "rank correlation of channel and levels"},
+                {"contrast_rest", "", "contrast before compression"},
+                {"auc_rest", "", "auc before compression"},
+                {"stretch_max", "cell edges", "largest gap of a hinge"},
+                {"contrast_physics", "", "contrast in the physics run"},
+                {"auc_physics", "", "auc in the physics run"},
+                {"separation_physics", "", "separation in the physics run"},
+                {"rank_physics", "", "rank in the physics run"}},
+    .keys = {"hinge.k_point", "hinge.k_turn", "hinge.reach_mm", "hinge.k_contact", "drive.compression"}};
+
+}  // namespace kinetix::app

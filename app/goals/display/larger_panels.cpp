@@ -1,0 +1,71 @@
+#include "app/goals/display/larger_panels.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace kinetix::app {
+namespace {
+
+constexpr double factors[] = {1.25, 1.5, 2};
+constexpr int most_cells = 625;
+
+std::vector<targets::PanelSize> larger_sizes(targets::PanelSize asked) {
+  std::vector<targets::PanelSize> sizes;
+  for (const double factor : factors) {
+    const targets::PanelSize size = {static_cast<int>(std::ceil(factor * asked[0])),
+                                     static_cast<int>(std::ceil(factor * asked[1]))};
+    if (size[0] * size[1] <= most_cells) sizes.push_back(size);
+  }
+  return sizes;
+}
+
+bool shows(const DisplayFile& file, const targets::DisplayGoal& goal, const optim::DisplayOptions& options,
+           const std::function<void(const std::string&, double)>& progress) {
+  const targets::PanelSize size = {goal.columns, goal.rows};
+  const model::Structure panel = make_structure(model::rectangle(size[0], size[1]), file.size);
+  const auto told = [&](const std::string&, double done) {
+    if (progress) progress(fmt::format("{} x {}", size[0], size[1]), done);
+  };
+  const optim::DisplayView view = fit_display(panel, levels_of(goal, panel), options, told).view;
+  return view.balanced && view.stretch <= file.stretch && violations(file, view.score, view.rank, "").empty();
+}
+
+}  // namespace
+
+std::vector<double> levels_of(const targets::DisplayGoal& goal, const model::Structure& panel) {
+  std::vector<double> levels;
+  for (const model::Cell& cell : panel.cells) levels.push_back(goal.level(cell.i, cell.j));
+  return levels;
+}
+
+std::vector<std::string> violations(const DisplayFile& file, const targets::DisplayScore& score, double rank,
+                                    const std::string& who) {
+  std::vector<std::string> why;
+  const bool binary = file.goal.is_binary();
+  const double told = binary ? score.auc : rank;
+  if (!(told >= file.auc))
+    why.push_back(fmt::format("{}: {} {:.3f}; at least {:.3f} is required", who,
+                              binary ? "auc" : "rank correlation", told, file.auc));
+  if (binary && !(score.contrast >= file.contrast))
+    why.push_back(
+        fmt::format("{}: contrast {:.2f}; at least {:.2f} is required", who, score.contrast, file.contrast));
+  return why;
+}
+
+LargerPanels search_larger_panels(const DisplayFile& file, const optim::DisplayOptions& options,
+                                  const std::function<void(const std::string&, double)>& progress) {
+  LargerPanels larger;
+  if (!file.goal.redrawn) return larger;
+  for (const targets::PanelSize size : larger_sizes({file.goal.columns, file.goal.rows})) {
+    const targets::DisplayGoal goal = file.goal.redrawn(size);
+    if (!goal.whole || (options.symmetry == optim::Symmetry::rotate_4 && size[0] != size[1])) continue;
+    larger.tried.push_back(size);
+    if (!shows(file, goal, options, progress)) continue;
+    larger.enough = size;
+    break;
+  }
+  return larger;
+}
+
+}  // namespace kinetix::app

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "app/goals/display/display_file.hpp"
+#include "optim/display/fit_display.hpp"
+
+namespace kinetix::app {
+
+/// Searches on larger panels for a picture that the one asked for cannot show within its bounds.
+struct LargerPanels {
+  std::vector<targets::PanelSize> tried;
+  std::optional<targets::PanelSize> enough;  ///< the first that shows the picture as asked, in the model
+};
+
+/// What a view lacks of auc (rank correlation for grey goals) and contrast as the file asks, in words.
+std::vector<std::string> violations(const DisplayFile& file, const targets::DisplayScore& score, double rank,
+                                    const std::string& who);
+
+/// The same search on panels 1.25, 1.5 and 2 times as large each way, up to 625 cells, until one shows the
+/// picture. None for goals that cannot be redrawn.
+LargerPanels search_larger_panels(const DisplayFile& file, const optim::DisplayOptions& options,
+                                  const std::function<void(const std::string&, double)>& progress);
+
+/// The level of each of the panel's cells.
+std::vector<double> levels_of(const targets::DisplayGoal& goal, const model::Structure& panel);
+
+}  // namespace kinetix::app

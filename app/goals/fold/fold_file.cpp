@@ -1,0 +1,78 @@
+#include "app/goals/fold/fold_file.hpp"
+
+#include "app/files/file_header.hpp"
+#include "app/files/structure_section.hpp"
+#include "app/files/variables_section.hpp"
+#include "targets/fold/read_fold.hpp"
+
+namespace kinetix::app {
+namespace {
+
+namespace value = targets::value;
+
+constexpr double default_cell_mm = 10;
+
+targets::KeyTable structure_keys() {
+  return targets::KeyTable({cell_mm_key(targets::by_default(default_cell_mm)), wall_mm_key()});
+}
+
+targets::KeyTable tolerance_keys(const FoldFile& usual) {
+  const targets::Bounds part_of_one = {0, 1, false, true};
+  return targets::KeyTable({
+      {"angle_deg", value::angle({0, 90, false, true, "degrees"}),
+       targets::by_default_deg(usual.angle_tolerance), "most that the fold of a crease may be off"},
+      {"shape", value::number(part_of_one), targets::by_default(usual.shape_tolerance),
+       "most of [face_rms](#face_rms), over the edge of a face"},
+      {"verify", value::number(part_of_one), targets::by_default(usual.verify_tolerance),
+       "most of [verify_rms](#verify_rms-and-verify_max), cell edges"},
+  });
+}
+
+void read_structure(const targets::Section& root, FoldFile& file) {
+  const auto node = root.optional("structure");
+  if (const auto cells = node ? node->optional("cells") : std::nullopt)
+    throw cells->key_error(
+        "the cells of a fold follow from its faces; give them in target.box or target.net");
+  file.size = read_size(root.section("structure"), default_cell_mm);
+}
+
+void read_tolerance(const targets::Section& root, FoldFile& file) {
+  const targets::Section section = root.section("tolerance");
+  section.read("angle_deg", file.angle_tolerance);
+  section.read("shape", file.shape_tolerance);
+  section.read("verify", file.verify_tolerance);
+}
+
+}  // namespace
+
+const targets::KeyTable& fold_keys() {
+  static const FoldFile usual{};
+  static const targets::KeyTable keys = file_keys({
+      {"target", value::map(targets::fold_target_keys()), targets::needed, "the goal"},
+      {"structure", value::map(structure_keys()), {}, "the flat net"},
+      {"variables",
+       value::map(net_variables_keys(usual.tilt, usual.theta)),
+       {},
+       "what the search may change, and how far"},
+      {"tolerance", value::map(tolerance_keys(usual)), {}, "when the goal is met"},
+      {"physics", value::map(physics_keys()), {}, "settings of the physics run"},
+  });
+  return keys;
+}
+
+FoldFile read_fold_file(const targets::Node& node) {
+  const targets::Section root(node, fold_keys());
+  check_version(root);
+  FoldFile file;
+  file.name = read_name(root);
+  file.goal = read_fold(root.required("target", ""));
+  read_structure(root, file);
+  const NetVariables variables = read_net_variables(root, file.size, {file.tilt, file.theta});
+  file.tilt = variables.tilt;
+  file.theta = variables.theta;
+  read_tolerance(root, file);
+  file.physics = read_physics(root, file.size.edge_mm);
+  return file;
+}
+
+}  // namespace kinetix::app

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+
+#include "app/files/physics_section.hpp"
+#include "model/lattice/square/structure.hpp"
+#include "optim/solvers/variables.hpp"
+#include "targets/fold/fold_goal.hpp"
+
+namespace kinetix::app {
+
+/// A target.yaml of kind fold, as asked for or by default. `kinetix: 1` and a `target` are enough.
+///
+///     target: {kind: fold, box: [4, 4, 4]}                     # or net: targets/fold/read_fold.hpp
+///     structure: {cell_mm: 10, wall_mm: {thickness: 0.8, height: 6}}
+///     variables: {beta: {range_deg: [-60, 60]}, theta: {range_deg: [2, 44]}}
+///     tolerance: {angle_deg: 0.1, shape: 0.02, verify: 0.02}
+struct FoldFile {
+  std::string name;
+  targets::FoldGoal goal;
+  model::CellSize size = {};              ///< structure.cell_mm (default 10), structure.wall_mm
+  double tilt = 60 * radians_per_degree;  ///< the nearer end of variables.beta.range_deg, which holds 0
+                                          ///< inside: tilts alternate in sign along a crease; (0, 89] deg
+  optim::AngleRange theta = {2 * radians_per_degree,
+                             44 * radians_per_degree};  ///< variables.theta, within (0, 45) deg
+  double angle_tolerance = 0.1 * radians_per_degree;    ///< of a crease, rad, (0, 90] deg
+  double shape_tolerance = 0.02;                        ///< of face_rms, over the edge of a face, (0, 1]
+  double verify_tolerance = 0.02;                       ///< of verify_rms, cell edges, (0, 1]
+  PhysicsSection physics = {};
+};
+
+/// Every key of a target.yaml of kind fold.
+const targets::KeyTable& fold_keys();
+
+/// @param root a target whose kind is fold
+/// @throws InvalidInput for whatever formats.md does not allow
+FoldFile read_fold_file(const targets::Node& root);
+
+}  // namespace kinetix::app

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "app/goals/fold/fold_file.hpp"
+#include "app/run/goal_kind.hpp"
+
+namespace kinetix::app {
+
+/// A net that folds to a solid: the search, its closed form, and the physics run of its folding.
+std::unique_ptr<Scene> make_scene(FoldFile file);
+
+extern const GoalKind fold_kind;
+
+}  // namespace kinetix::app

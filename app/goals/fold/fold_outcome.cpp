@@ -1,0 +1,169 @@
+#include "app/goals/fold/fold_outcome.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/run/run.hpp"
+
+namespace kinetix::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::vector<double> in_degrees(std::vector<double> angles) {
+  for (double& angle : angles) angle = to_degrees(angle);
+  return angles;
+}
+
+Json faces_json(const FoldOutcome& fold) {
+  const optim::FoldedNet& net = fold.design.folded;
+  Json faces = Json::array();
+  for (std::size_t f = 0; f < net.net.faces.size(); ++f) {
+    const targets::PlacedFace& placed = net.layout.faces[f];
+    faces.push_back({{"name", net.net.faces[f].name},
+                     {"cell", {placed.i, placed.j}},
+                     {"cells", {placed.width, placed.height}},
+                     {"rms", net.error.face_rms[f]}});
+    if (fold.physics) faces.back()["rms_physics"] = fold.physics->face_rms[f];
+  }
+  return faces;
+}
+
+Json crease_json(const FoldOutcome& fold, std::size_t c) {
+  const optim::FoldedNet& net = fold.design.folded;
+  const targets::PlacedCrease& placed = net.layout.creases[c];
+  const bool along_x = placed.axis == model::Axis::x;
+  Json out = {{"name", crease_name(net.net, net.net.creases[c])},
+              {"faces", {net.net.creases[c].first, net.net.creases[c].second}},
+              {"axis", along_x ? "x" : "y"},
+              {"cell", {placed.i, placed.j}},
+              {"cells", {along_x ? placed.columns : placed.length, along_x ? placed.length : placed.columns}},
+              {"columns", placed.columns},
+              {"angle_deg", to_degrees(net.net.creases[c].angle)},
+              {"fold_deg", to_degrees(net.error.fold[c])},
+              {"tilt_deg", to_degrees(net.tilt[c])}};
+  if (fold.physics) out["fold_physics_deg"] = to_degrees(fold.physics->fold[c]);
+  return out;
+}
+
+Json attempts_json(const optim::FoldDesign& design) {
+  Json out = Json::array();
+  for (const optim::FoldAttempt& attempt : design.attempts)
+    out.push_back({{"unfolding", attempt.net}, {"columns", attempt.columns}, {"why", attempt.why}});
+  return out;
+}
+
+/// Edges of the ideal box: faces of a, b and c pitches, and what the creases add at both ends.
+std::array<double, 3> box_edges(const FoldOutcome& fold) {
+  const optim::FoldedNet& net = fold.design.folded;
+  const double pitch = net.structure.size.edge_mm * std::cos(net.theta);
+  std::array<double, 3> edges;
+  for (int k = 0; k < 3; ++k)
+    edges[k] = pitch * ((*fold.goal.box)[k] + 2 * targets::edge_inset(pi / 2, net.layout.creases[0].columns));
+  return edges;
+}
+
+double largest_miss(const targets::FoldNet& net, const targets::FoldError& error) {
+  double most = 0;
+  for (std::size_t c = 0; c < net.creases.size(); ++c)
+    most = std::max(most, std::abs(error.fold[c] - net.creases[c].angle));
+  return most;
+}
+
+std::string in_words(const targets::FoldNet& net, const targets::FoldError& error) {
+  return fmt::format("{} creases within {:.1e} deg, faces {:.1e} of their edge from the solid (rms)",
+                     net.creases.size(), to_degrees(largest_miss(net, error)), error.rms);
+}
+
+/// "2 columns", or "1 to 4 columns"
+std::string columns_in_words(const targets::NetLayout& layout) {
+  int least = targets::max_crease_columns, most = 0;
+  for (const targets::PlacedCrease& crease : layout.creases) {
+    least = std::min(least, crease.columns);
+    most = std::max(most, crease.columns);
+  }
+  if (least >= most) return fmt::format("{} {}", most, most == 1 ? "column" : "columns");
+  return fmt::format("{} to {} columns", least, most);
+}
+
+Json creases_json(const FoldOutcome& fold) {
+  Json out = Json::array();
+  for (std::size_t c = 0; c < fold.design.folded.net.creases.size(); ++c) out.push_back(crease_json(fold, c));
+  return out;
+}
+
+Json fold_json(const FoldOutcome& fold) {
+  Json out = {{"faces", faces_json(fold)},
+              {"creases", creases_json(fold)},
+              {"unfoldings", fold.goal.nets.size()},
+              {"unfolding", fold.design.net},
+              {"attempts", attempts_json(fold.design)},
+              {"reasons", fold.violations},
+              {"reasons_physics", fold.physics_violations}};
+  if (fold.goal.box) out["edges_mm"] = box_edges(fold);
+  return out;
+}
+
+Json optimiser_json(const optim::FoldDesign& design) {
+  return {{"solver", "closed form"},
+          {"starts", design.attempts.size()},
+          {"evaluations", design.evaluations},
+          {"status", design.folds ? "converged" : "failed"},
+          {"why", design.folds ? "every crease reaches its angle at one theta, with no wall in the way"
+                               : "no unfolding and no number of columns tried folds freely"}};
+}
+
+}  // namespace
+
+Json FoldOutcome::target_json() const {
+  const targets::FoldNet& net = design.folded.net;
+  Json out = {{"kind", "fold"}};
+  if (goal.box) out["box"] = *goal.box;
+  if (goal.open) out["open"] = targets::box_face_names()[*goal.open];
+  out["faces"] = Json::array();
+  for (const targets::FoldFace& face : net.faces)
+    out["faces"].push_back({{"name", face.name}, {"cells", {face.width, face.height}}});
+  out["creases"] = Json::array();
+  for (const targets::FoldCrease& crease : net.creases)
+    out["creases"].push_back({{"faces", {net.faces[crease.first].name, net.faces[crease.second].name}},
+                              {"side", to_string(crease.side)},
+                              {"angle_deg", to_degrees(crease.angle)},
+                              {"shift", crease.shift}});
+  return out;
+}
+
+void FoldOutcome::add_sections(const Run&, Json& result) const {
+  result["fold"] = fold_json(*this);
+  result["optimiser"] = optimiser_json(design);
+}
+
+void FoldOutcome::add_metrics(Json& metrics) const {
+  const optim::FoldedNet& net = design.folded;
+  metrics["fold_deg"] = in_degrees(net.error.fold);
+  metrics["fold_miss_deg"] = to_degrees(largest_miss(net.net, net.error));
+  metrics["face_rms"] = net.error.rms;
+  metrics["met"] = met();
+  if (!physics) return;
+  metrics["fold_physics_deg"] = in_degrees(physics->fold);
+  metrics["fold_miss_physics_deg"] = to_degrees(largest_miss(net.net, *physics));
+  metrics["face_rms_physics"] = physics->rms;
+}
+
+std::vector<SummaryLine> FoldOutcome::summary_lines(const Run& run) const {
+  const optim::FoldedNet& net = design.folded;
+  std::vector<SummaryLine> lines;
+  lines.push_back({"solid", in_words(net.net, net.error) + (met() ? "" : ": DOES NOT FOLD AS REQUIRED")});
+  for (const std::string& why : violations) lines.push_back({"why", why});
+  lines.push_back({"net", fmt::format("{} faces, {} per crease, unfolding {} of {}", net.net.faces.size(),
+                                      columns_in_words(net.layout), design.net + 1, goal.nets.size())});
+  lines.push_back(
+      {"search", fmt::format("{:.3f} s, {} motions examined", run.timings.optimise, design.evaluations)});
+  if (physics) lines.push_back({"folded", "in the physics run: " + in_words(net.net, *physics)});
+  for (const std::string& why : physics_violations) lines.push_back({"why", why});
+  return lines;
+}
+
+}  // namespace kinetix::app

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+
+#include "app/run/goal_outcome.hpp"
+#include "optim/fold/fit_fold.hpp"
+
+namespace kinetix::app {
+
+/// What a search for a fold contributes to a result.
+class FoldOutcome final : public GoalOutcome {
+ public:
+  targets::FoldGoal goal;
+  optim::FoldDesign design;
+  std::optional<targets::FoldError> physics;  ///< of the settled physics run
+
+  /// The net that was folded, as faces and creases; the box where one was asked for.
+  nlohmann::ordered_json target_json() const override;
+  /// Adds `fold` (faces and creases on the lattice with their angles and errors, unfoldings tried, reasons) and
+  /// `optimiser`.
+  void add_sections(const Run& run, nlohmann::ordered_json& result) const override;
+  void add_metrics(nlohmann::ordered_json& metrics) const override;
+  std::vector<SummaryLine> summary_lines(const Run& run) const override;
+};
+
+}  // namespace kinetix::app

@@ -1,0 +1,103 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "app/goals/fold/fold_kind.hpp"
+#include "app/goals/fold/fold_outcome.hpp"
+#include "app/pipeline/exact_state.hpp"
+#include "app/pipeline/physics_settings.hpp"
+#include "targets/document/number.hpp"
+
+namespace kinetix::app {
+namespace {
+
+optim::FoldOptions search_of(const FoldFile& file) {
+  optim::FoldOptions options;
+  options.size = file.size;
+  options.tilt = file.tilt;
+  options.theta = file.theta;
+  return options;
+}
+
+/// What a state lacks of what the file asks.
+std::vector<std::string> violations(const FoldFile& file, const targets::FoldNet& net,
+                                    const targets::FoldError& error, const std::string& who) {
+  std::vector<std::string> why;
+  for (std::size_t c = 0; c < net.creases.size(); ++c)
+    if (!(std::abs(error.fold[c] - net.creases[c].angle) <= file.angle_tolerance))
+      why.push_back(fmt::format("{}: crease `{}` folds by {:.2f} deg; {:.2f} deg is required", who,
+                                crease_name(net, net.creases[c]), to_degrees(error.fold[c]),
+                                to_degrees(net.creases[c].angle)));
+  if (!(error.rms <= file.shape_tolerance))
+    why.push_back(
+        fmt::format("{}: faces are off the solid by {:.3g} of their edge; at most {:.3g} is allowed", who,
+                    error.rms, file.shape_tolerance));
+  return why;
+}
+
+class FoldScene final : public Scene {
+ public:
+  explicit FoldScene(FoldFile file) : file_(std::move(file)) {}
+
+  std::string name() const override { return file_.name; }
+
+  void solve(Run& run, const RunOptions& options) const override {
+    run.physics = file_.physics;
+    run.verify_tolerance = file_.verify_tolerance;
+    auto found = std::make_unique<FoldOutcome>();
+    found->tolerances = {{"angle_deg", std::stod(targets::degrees_text(file_.angle_tolerance))},
+                         {"shape", file_.shape_tolerance}};
+    found->goal = file_.goal;
+    found->design = fit_fold(file_.goal, search_of(file_), options.progress);
+    const optim::FoldedNet& net = found->design.folded;
+    found->violations =
+        found->design.folds ? violations(file_, net.net, net.error, "model") : found->design.obstacles;
+    run.structure = net.structure;
+    run.theta = net.theta;
+    run.goal = std::move(found);
+  }
+
+  void add_state(Run& run, const RunOptions&) const override { add_exact_state(run, run.theta); }
+
+  std::optional<PhysicsTask> physics_task(const Run& run) const override {
+    if (!run.goal->met()) return std::nullopt;
+    return PhysicsTask{run.states.front().poses, drive_to(run.structure, run.theta),
+                       physics_options(file_.physics, file_.size.edge_mm)};
+  }
+
+  /// How the run's last state keeps the goal.
+  void judge_physics(Run& run) const override {
+    auto& found = outcome_of<FoldOutcome>(run);
+    const optim::FoldedNet& net = found.design.folded;
+    found.physics =
+        fold_error(net.net, net.layout, run.structure, run.verification->physics.state, run.theta);
+    found.physics_violations = violations(file_, net.net, *found.physics, "physics run");
+  }
+
+  void add_frames(Run& run) const override { add_exact_frames(run); }
+
+ private:
+  FoldFile file_;
+};
+
+}  // namespace
+
+std::unique_ptr<Scene> make_scene(FoldFile file) { return std::make_unique<FoldScene>(std::move(file)); }
+
+const GoalKind fold_kind = {
+    .name = "fold",
+    .example = "target: {kind: fold, box: [4, 4, 4]}",
+    .read = [](const targets::Node& root) { return make_scene(read_fold_file(root)); },
+    .table = fold_keys,
+    .metrics = {
+        {"fold_deg", "deg", "[fold of each crease](#face_rms), a list"},
+        {"fold_miss_deg", "deg", "the largest difference from what a crease was to fold by"},
+        {"face_rms", "", "[vertices of the faces from the ideal solid](#face_rms), over the edge of a face"},
+        {"fold_physics_deg", "deg", "fold of each crease in the physics run, a list"},
+        {"fold_miss_physics_deg", "deg", "the largest difference in the physics run"},
+        {"face_rms_physics", "", "face_rms in the physics run"}}};
+
+}  // namespace kinetix::app

@@ -1,0 +1,135 @@
+#include "app/goals/helmet/helmet_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/files/file_header.hpp"
+#include "app/files/structure_section.hpp"
+#include "app/files/variables_section.hpp"
+#include "model/contact/wall_contact.hpp"
+#include "targets/helmet/read_head.hpp"
+
+namespace kinetix::app {
+namespace {
+
+namespace value = targets::value;
+
+constexpr double default_cell_mm = 6;
+constexpr int most_ribs = 200;
+constexpr double least_cell_mm = 1;
+constexpr double most_cell_mm = 60;
+
+targets::KeyTable target_keys(const optim::HelmetSpec& usual) {
+  std::vector<targets::Key> keys = targets::head_keys();
+  keys.insert(keys.begin(), targets::goal_kind_key("helmet"));
+  keys.insert(keys.end(),
+              {{"ribs", value::integer(1, most_ribs), targets::by_default(usual.ribs),
+                "how many there are along the spine, evenly spaced"},
+               {"spacing_mm", value::number(targets::from_to(least_cell_mm, 1000, "mm")),
+                targets::otherwise("follows from `ribs`"), "distance of the ribs instead of their number"},
+               targets::coverage_key(),
+               {"clearance_mm", value::number(targets::from_to(0, 100, "mm")),
+                targets::by_default(usual.clearance_mm), "distance of the helmet from the head"}});
+  return targets::KeyTable(std::move(keys));
+}
+
+targets::KeyTable structure_keys() {
+  return targets::KeyTable(
+      {cell_mm_key(targets::by_default(default_cell_mm), targets::from_to(least_cell_mm, most_cell_mm, "mm")),
+       wall_mm_key()});
+}
+
+targets::KeyTable tolerance_keys() {
+  return targets::KeyTable({
+      {"rms_mm", value::number(targets::above(0, "mm")), targets::by_default(HelmetFile::usual_rms_mm),
+       "most of the [distance](#distances-of-a-helmet) from head plus clearance, root mean square"},
+      {"max_mm", value::number(targets::above(0, "mm")), targets::by_default(HelmetFile::usual_max_mm),
+       "likewise, the largest"},
+      {"verify", value::number({0, 1, false, true}), targets::by_default(HelmetFile::usual_verify),
+       "most of [verify_rms](#verify_rms-and-verify_max), cell edges"},
+  });
+}
+
+void read_structure(const targets::Section& root, HelmetFile& file) {
+  const auto node = root.optional("structure");
+  if (const auto cells = node ? node->optional("cells") : std::nullopt)
+    throw cells->key_error("the cells of a helmet follow from the head, target.ribs and structure.cell_mm");
+  file.spec.size = read_size(root.section("structure"), default_cell_mm);
+}
+
+void read_ribs(const targets::Section& target, HelmetFile& file) {
+  const auto ribs = target.optional("ribs"), spacing = target.optional("spacing_mm");
+  if (ribs && spacing) throw spacing->key_error("and target.ribs say the same thing; give one of them");
+  target.read("ribs", file.spec.ribs);
+  target.read("spacing_mm", file.spec.spacing_mm);
+  if (spacing && *file.spec.spacing_mm < 2 * file.spec.size.edge_mm * std::cos(file.spec.start_theta))
+    throw spacing->error("ribs so close overlap flat: leave two cells at least, which are " +
+                         targets::shortest_text(2 * file.spec.size.edge_mm) + " mm flat");
+  target.read("clearance_mm", file.spec.clearance_mm);
+  file.spec.coverage_mm = file.head.coverage_mm;
+}
+
+void read_variables(const targets::Section& root, optim::HelmetSpec& spec) {
+  const NetVariables read = read_net_variables(root, spec.size, {spec.tilt, spec.theta});
+  spec.tilt = read.tilt;
+  spec.theta = {read.theta.lower, std::min(read.theta.upper, closing_theta(spec.size))};
+  spec.start_theta = std::clamp(spec.start_theta, spec.theta.lower, spec.theta.upper);
+}
+
+void read_tolerance(const targets::Section& root, HelmetFile& file) {
+  const targets::Section section = root.section("tolerance");
+  section.read("rms_mm", file.rms_mm);
+  section.read("max_mm", file.max_mm);
+  section.read("verify", file.verify);
+}
+
+/// Says why, where a solver or a key of it would suit another kind of goal.
+void check_solver(const targets::Section& root) {
+  const auto solver = root.optional("solver");
+  if (!solver || solver->kind() != targets::Node::Kind::map) return;
+  if (const auto starts = solver->optional("starts"))
+    throw starts->key_error(
+        "a helmet is searched from one start, the net that is laid out on the head; leave it out");
+  const auto name = solver->optional("name");
+  if (name && read_solver_name(*name) != optim::SolverName::ceres)
+    throw name->error("a helmet's hundreds of tilts need second-order steps; allowed: ceres");
+}
+
+}  // namespace
+
+const targets::KeyTable& helmet_keys() {
+  static const optim::HelmetSpec usual{};
+  static const targets::KeyTable keys = file_keys({
+      {"target", value::map(target_keys(usual)), targets::needed, "the goal"},
+      {"structure", value::map(structure_keys()), {}, "the flat helmet"},
+      {"variables",
+       value::map(net_variables_keys(usual.tilt, usual.theta)),
+       {},
+       "what the search may change, and how far"},
+      {"tolerance", value::map(tolerance_keys()), {}, "when the goal is met"},
+      {"solver",
+       value::map(solver_keys({optim::SolverName::ceres}, {}, helmet_evaluations, "of the search")),
+       {},
+       "how the search is run"},
+      {"physics", value::map(physics_keys()), {}, "settings of the physics run"},
+  });
+  return keys;
+}
+
+HelmetFile read_helmet_file(const targets::Node& node) {
+  const targets::Section root(node, helmet_keys());
+  check_version(root);
+  const std::string name = read_name(root);
+  const targets::Section target = root.section("target");
+  HelmetFile file{.name = name, .head = read_head(target)};
+  read_structure(root, file);
+  read_variables(root, file.spec);
+  read_ribs(target, file);
+  read_tolerance(root, file);
+  check_solver(root);
+  file.solver = read_solver(root);
+  file.physics = read_physics(root, file.spec.size.edge_mm);
+  return file;
+}
+
+}  // namespace kinetix::app

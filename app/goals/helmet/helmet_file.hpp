@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+
+#include "app/files/physics_section.hpp"
+#include "app/files/solver_section.hpp"
+#include "optim/helmet/helmet_layout.hpp"
+#include "targets/helmet/head.hpp"
+
+namespace kinetix::app {
+
+/// A target.yaml of kind helmet, as asked for or by default. `kinetix: 1` and a `target` with a mesh are
+/// enough.
+///
+///     target: {kind: helmet, mesh: head.obj, units: mm, up: z, front: -y, crown: [x, y, z], ribs: 8,
+///              spacing_mm: 40, coverage_mm: 90, clearance_mm: 5}       # ribs or spacing_mm
+///     structure: {cell_mm: 6, wall_mm: {thickness: 0.6, height: 3.6}}
+///     variables: {beta: {range_deg: [-60, 60]}, theta: {range_deg: [2, 40]}}
+///     tolerance: {rms_mm: 0.8, max_mm: 3, verify: 0.02}
+struct HelmetFile {
+  static constexpr double usual_rms_mm = 0.8, usual_max_mm = 3, usual_verify = 0.02;
+
+  std::string name;
+  targets::Head head;            ///< target.mesh, units, up, front, crown, coverage_mm
+  optim::HelmetSpec spec = {};   ///< target.ribs, spacing_mm, clearance_mm; structure; variables
+  double rms_mm = usual_rms_mm;  ///< tolerance.rms_mm: of the distance to head plus clearance, > 0
+  double max_mm = usual_max_mm;  ///< tolerance.max_mm: likewise, the largest, > 0
+  double verify = usual_verify;  ///< tolerance.verify: of verify_rms, cell edges, (0, 1]
+  SolverSection solver = {};     ///< ceres, no starts
+  PhysicsSection physics = {};
+};
+
+/// Most evaluations of the one search there is: second-order steps need few.
+inline constexpr int helmet_evaluations = 120;
+
+/// Every key of a target.yaml of kind helmet.
+const targets::KeyTable& helmet_keys();
+
+/// @param root a target whose kind is helmet
+/// @throws InvalidInput for whatever formats.md does not allow, and what the mesh shows
+HelmetFile read_helmet_file(const targets::Node& root);
+
+}  // namespace kinetix::app

@@ -1,0 +1,189 @@
+#include "app/goals/helmet/helmet_outcome.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "app/result/state_json.hpp"
+#include "app/run/run.hpp"
+
+namespace kinetix::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int points_a_curve = 60;
+constexpr int head_curves = 9;
+
+Json polyline(const targets::Head& head, const targets::SpaceCurve& curve) {
+  Json out = Json::array();
+  for (const auto& p : curve.evenly(points_a_curve)) {
+    const Eigen::Vector3d q = head.to_mesh * p;
+    out.push_back({q.x(), q.y(), q.z()});
+  }
+  return out;
+}
+
+/// The head itself, for pictures: its profile and sections across it.
+Json head_lines(const targets::Head& head) {
+  Json out = Json::array({polyline(head, head.profile)});
+  for (int k = 0; k < head_curves; ++k) {
+    const double s = head.profile.first() + head.profile.length() * (k + 0.5) / head_curves;
+    out.push_back(polyline(head, cross_section(head, s, 10)));
+  }
+  return out;
+}
+
+Json ribs_json(const optim::HelmetDesign& design) {
+  Json ribs = Json::array();
+  for (std::size_t r = 0; r < design.layout.spine_and_ribs.ribs.size(); ++r) {
+    const model::FishboneRib& rib = design.layout.spine_and_ribs.ribs[r];
+    ribs.push_back({{"row", rib.row}, {"cells", rib.cells}, {"rms_mm", design.error.of_ribs[r]}});
+  }
+  return ribs;
+}
+
+/// Mean of each cell's four bodies, in the order of the structure's cells.
+Json by_cell(const model::Structure& structure, const optim::HelmetError& error) {
+  Json cells = Json::array();
+  for (const model::CellHinges& cell : structure.cell_members) {
+    double sum = 0;
+    for (const int body : cell.bodies) sum += error.of_body[body];
+    cells.push_back(sum / 4);
+  }
+  return cells;
+}
+
+double worst_rib(const optim::HelmetError& error) {
+  return error.of_ribs.empty() ? 0 : *std::max_element(error.of_ribs.begin(), error.of_ribs.end());
+}
+
+Json error_json(const optim::HelmetError& error) {
+  return {{"rms_mm", error.rms}, {"max_mm", error.max}, {"rib_rms_mm", worst_rib(error)}};
+}
+
+Json error_json(const optim::HelmetError& error, const targets::WallsInside& inside) {
+  Json out = error_json(error);
+  out["walls_inside"] = inside.hinges.size();
+  out["corners_inside"] = inside.corners;
+  out["inside_mm"] = inside.depth_mm;
+  return out;
+}
+
+Json openings_json(const std::vector<targets::DomeOpening>& openings) {
+  Json out = Json::array();
+  for (const targets::DomeOpening& opening : openings)
+    out.push_back({{"width_mm", opening.width_mm}, {"top_mm", opening.top_z}});
+  return out;
+}
+
+/// That there is no head under a part of the helmet; empty where there is.
+std::string invented(const std::vector<targets::DomeOpening>& openings) {
+  if (openings.empty()) return "";
+  double widest = 0;
+  for (const targets::DomeOpening& opening : openings) widest = std::max(widest, opening.width_mm);
+  const std::string holes = openings.size() == 1 ? "a hole" : fmt::format("{} holes", openings.size());
+  return fmt::format(
+      "the part of the head to be covered has {} in the mesh, {}{:.0f} mm across: there the "
+      "helmet follows an invented dome, not the head",
+      holes, openings.size() == 1 ? "" : "the widest ", widest);
+}
+
+std::string in_words(const optim::HelmetError& error) {
+  return fmt::format("rms {:.3f} mm, largest {:.3f} mm, ribs up to {:.3f} mm rms from their sections",
+                     error.rms, error.max, worst_rib(error));
+}
+
+Json uniform_json(const optim::UniformHelmet& uniform) {
+  return {{"tilt_deg", to_degrees(uniform.tilt)},
+          {"theta_deg", to_degrees(uniform.theta)},
+          {"before", error_json(uniform.before)},
+          {"after", error_json(uniform.after)}};
+}
+
+Json helmet_json(const HelmetOutcome& helmet, const model::Structure& structure) {
+  const optim::HelmetDesign& design = helmet.design;
+  Json out = {
+      {"clearance_mm", helmet.spec.clearance_mm},
+      {"coverage_mm", helmet.spec.coverage_mm},
+      {"ribs", ribs_json(design)},
+      {"spine_cells", design.layout.spine_and_ribs.rows},
+      {"error", error_json(design.error, helmet.inside)},
+      {"body_mm", design.error.of_body},
+      {"cell_mm", by_cell(structure, design.error)},
+      {"cells_trimmed", design.trimmed},
+      {"head_mm", head_lines(helmet.head)},
+      {"head_frame", poses_json({{helmet.head.to_mesh.linear(), helmet.head.to_mesh.translation()}})[0]},
+      {"closed_part", helmet.head.closed_part},
+      {"openings", openings_json(helmet.head.openings)},
+      {"invented", invented(helmet.head.openings)},
+      {"uniform", uniform_json(helmet.uniform)},
+      {"notes", design.layout.notes},
+      {"reasons", helmet.violations},
+      {"reasons_physics", helmet.physics_violations}};
+  if (helmet.physics) out["physics"] = error_json(*helmet.physics, helmet.physics_inside);
+  return out;
+}
+
+Json optimiser_json(const optim::SolveResult& search) {
+  return {{"solver", "ceres"},
+          {"starts", 1},
+          {"evaluations", search.evaluations},
+          {"status", to_string(search.status)},
+          {"why", search.why}};
+}
+
+}  // namespace
+
+HelmetOutcome::HelmetOutcome(targets::Head head_, optim::HelmetSpec spec_, optim::HelmetDesign design_)
+    : head(std::move(head_)), spec(std::move(spec_)), design(std::move(design_)) {}
+
+Json HelmetOutcome::target_json() const {
+  Json sections = Json::array();
+  for (const auto& [lower, upper] : design.layout.sections)
+    sections.push_back({polyline(head, lower), polyline(head, upper)});
+  return {{"kind", "helmet"}, {"spine_mm", polyline(head, design.layout.spine)}, {"sections_mm", sections}};
+}
+
+void HelmetOutcome::add_sections(const Run& run, Json& result) const {
+  result["helmet"] = helmet_json(*this, run.structure);
+  result["optimiser"] = optimiser_json(design.search);
+}
+
+void HelmetOutcome::add_metrics(Json& metrics) const {
+  metrics["distance_rms_mm"] = design.error.rms;
+  metrics["distance_max_mm"] = design.error.max;
+  metrics["rib_rms_mm"] = worst_rib(design.error);
+  metrics["walls_inside"] = inside.hinges.size();
+  metrics["uniform_rms_mm"] = uniform.after.rms;
+  metrics["met"] = met();
+  if (!physics) return;
+  metrics["distance_rms_mm_physics"] = physics->rms;
+  metrics["distance_max_mm_physics"] = physics->max;
+  metrics["walls_inside_physics"] = physics_inside.hinges.size();
+}
+
+std::vector<SummaryLine> HelmetOutcome::summary_lines(const Run& run) const {
+  std::vector<SummaryLine> lines;
+  lines.push_back(
+      {"helmet",
+       fmt::format("{} ribs on a spine of {} cells, {:g} mm over the head, {:g} mm down from the crown",
+                   design.layout.spine_and_ribs.ribs.size(), design.layout.spine_and_ribs.rows,
+                   spec.clearance_mm, spec.coverage_mm)});
+  lines.push_back(
+      {"fit", in_words(design.error) + (met() ? ": within tolerance" : ": MISSES THE TOLERANCE")});
+  for (const std::string& why : violations) lines.push_back({"why", why});
+  if (!head.openings.empty()) lines.push_back({"INVENTED", invented(head.openings)});
+  for (const std::string& note : design.layout.notes) lines.push_back({"note", note});
+  lines.push_back({"one tilt", fmt::format("the same for all walls: rms {:.2f} mm, largest {:.2f} mm at best",
+                                           uniform.after.rms, uniform.after.max)});
+  lines.push_back({"search", fmt::format("{:.2f} s, ceres, {} evaluations, {}", run.timings.optimise,
+                                         design.search.evaluations, to_string(design.search.status))});
+  if (physics) lines.push_back({"worn", "in the physics run: " + in_words(*physics)});
+  for (const std::string& why : physics_violations) lines.push_back({"why", why});
+  return lines;
+}
+
+}  // namespace kinetix::app

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+
+#include "app/run/goal_outcome.hpp"
+#include "optim/helmet/fit_helmet.hpp"
+#include "targets/helmet/head.hpp"
+#include "targets/helmet/walls_inside.hpp"
+
+namespace kinetix::app {
+
+/// What a search for a helmet contributes to a result.
+class HelmetOutcome final : public GoalOutcome {
+ public:
+  HelmetOutcome(targets::Head head, optim::HelmetSpec spec, optim::HelmetDesign design);
+
+  targets::Head head;
+  optim::HelmetSpec spec;
+  optim::HelmetDesign design;                 ///< in the head's frame
+  targets::WallsInside inside = {};           ///< walls in the head that was given
+  optim::UniformHelmet uniform = {};          ///< the paper's way, for comparison
+  std::optional<optim::HelmetError> physics;  ///< the settled physics run, laid on the model's state
+  targets::WallsInside physics_inside = {};   ///< walls in the head in that run
+
+  /// The curves that spine and ribs are to follow, in the mesh's frame, mm.
+  nlohmann::ordered_json target_json() const override;
+  /// Adds `helmet` (ribs, distances of bodies and cells, the helmet of one tilt, reasons) and `optimiser`.
+  void add_sections(const Run& run, nlohmann::ordered_json& result) const override;
+  void add_metrics(nlohmann::ordered_json& metrics) const override;
+  std::vector<SummaryLine> summary_lines(const Run& run) const override;
+};
+
+}  // namespace kinetix::app

@@ -1,0 +1,148 @@
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "app/goals/helmet/helmet_kind.hpp"
+#include "app/goals/helmet/helmet_outcome.hpp"
+#include "app/pipeline/exact_state.hpp"
+#include "app/pipeline/physics_settings.hpp"
+
+namespace kinetix::app {
+namespace {
+
+using Eigen::Vector3d;
+
+const Vector3d crown = Vector3d::Zero();  // origin of the head's frame
+
+optim::SolverOptions search_of(const HelmetFile& file) {
+  optim::SolverOptions options;
+  options.max_evaluations = file.solver.max_evaluations.value_or(helmet_evaluations);
+  return options;
+}
+
+model::State in_mesh(const targets::Head& head, model::State state) {
+  for (model::Pose& pose : state) pose = {head.to_mesh.linear() * pose.R, head.to_mesh * pose.p};
+  return state;
+}
+
+/// That walls lie in the head, and whether the clearance alone makes them.
+std::string in_words(const targets::WallsInside& inside, const HelmetFile& file, const std::string& who) {
+  const double reach = file.spec.size.height_mm / 2;
+  std::string text = fmt::format("{}: {} wall{} in the head", who, inside.hinges.size(),
+                                 inside.hinges.size() == 1 ? " lies" : "s lie");
+  if (inside.depth_mm > 0) text += fmt::format(", up to {:.2g} mm deep", inside.depth_mm);
+  if (file.spec.clearance_mm < reach)
+    text += fmt::format(": clearance_mm is {:g}, less than half the height of the walls, {:g} mm",
+                        file.spec.clearance_mm, reach);
+  return text;
+}
+
+std::vector<std::string> violations(const HelmetFile& file, const optim::HelmetError& error,
+                                    const targets::WallsInside& inside, const std::string& who) {
+  std::vector<std::string> why;
+  if (!inside.hinges.empty()) why.push_back(in_words(inside, file, who));
+  if (!(error.rms <= file.rms_mm))
+    why.push_back(fmt::format("{}: {:.2f} mm rms from head plus clearance; at most {:g} mm is allowed", who,
+                              error.rms, file.rms_mm));
+  if (!(error.max <= file.max_mm))
+    why.push_back(fmt::format("{}: up to {:.2f} mm from head plus clearance; at most {:g} mm is allowed", who,
+                              error.max, file.max_mm));
+  return why;
+}
+
+std::vector<std::string> collisions(const Run& run) {
+  const auto& range = run.plan.free_range;
+  if (!range || !range->positive.touches || run.theta <= range->positive.theta) return {};
+  return {
+      fmt::format("walls collide on the way, at theta {:.2f} deg: use lower or thinner walls, or fewer ribs",
+                  to_degrees(range->positive.theta))};
+}
+
+void append(std::vector<std::string>& to, const std::vector<std::string>& more) {
+  to.insert(to.end(), more.begin(), more.end());
+}
+
+class HelmetScene final : public Scene {
+ public:
+  explicit HelmetScene(HelmetFile file) : file_(std::move(file)) {}
+
+  std::string name() const override { return file_.name; }
+
+  void solve(Run& run, const RunOptions& options) const override {
+    run.physics = file_.physics;
+    run.verify_tolerance = file_.verify;
+    if (options.progress) options.progress("search", 0);
+    auto helmet = std::make_unique<HelmetOutcome>(
+        file_.head, file_.spec, fit_helmet(file_.head.dome, crown, file_.spec, search_of(file_)));
+    helmet->tolerances = {{"rms_mm", file_.rms_mm}, {"max_mm", file_.max_mm}};
+    run.structure = helmet->design.fishbone.structure;
+    run.theta = helmet->design.shape.theta;
+    run.goal = std::move(helmet);
+  }
+
+  void add_state(Run& run, const RunOptions&) const override {
+    const model::State& folded = outcome_of<HelmetOutcome>(run).design.state;
+    run.states.push_back({"target", to_string(Model::exact), run.theta, in_mesh(file_.head, folded),
+                          hinge_gaps(run.structure, folded)});
+    run.fidelity.push_back(exact_fidelity(run.plan.family, run.structure, run.theta));
+  }
+
+  void judge(Run& run, const RunOptions&) const override {
+    auto& helmet = outcome_of<HelmetOutcome>(run);
+    helmet.inside = walls_inside(run.structure, helmet.design.state, file_.head.scan);
+    helmet.violations = violations(file_, helmet.design.error, helmet.inside, "model");
+    append(helmet.violations, helmet.design.collisions);
+    append(helmet.violations, collisions(run));
+    helmet.uniform = fit_uniform_helmet(helmet.design, file_.head.dome, crown, file_.spec, search_of(file_));
+  }
+
+  std::optional<PhysicsTask> physics_task(const Run& run) const override {
+    return PhysicsTask{outcome_of<HelmetOutcome>(run).design.state, drive_to(run.structure, run.theta),
+                       physics_options(file_.physics, file_.spec.size.edge_mm)};
+  }
+
+  void judge_physics(Run& run) const override {
+    auto& helmet = outcome_of<HelmetOutcome>(run);
+    const model::State on_head = aligned(run.verification->physics.state, helmet.design.state);
+    run.states.back().poses = in_mesh(file_.head, on_head);
+    helmet.physics =
+        optim::helmet_error(helmet.design.fishbone, on_head, file_.head.dome, file_.spec.clearance_mm);
+    helmet.physics_inside = walls_inside(run.structure, on_head, file_.head.scan);
+    helmet.physics_violations = violations(file_, *helmet.physics, helmet.physics_inside, "physics run");
+  }
+
+  void add_frames(Run& run) const override {
+    const optim::HelmetDesign& design = outcome_of<HelmetOutcome>(run).design;
+    for (int k = 0; k < motion_states; ++k) {
+      const double theta = run.theta * k / (motion_states - 1);
+      model::State state = placed_fishbone(design.fishbone, design.shape, theta);
+      const model::HingeGaps gaps = hinge_gaps(run.structure, state);
+      run.states.push_back(
+          {"frame", to_string(Model::exact), theta, in_mesh(file_.head, std::move(state)), gaps});
+    }
+  }
+
+ private:
+  HelmetFile file_;
+};
+
+}  // namespace
+
+std::unique_ptr<Scene> make_scene(HelmetFile file) { return std::make_unique<HelmetScene>(std::move(file)); }
+
+const GoalKind helmet_kind = {
+    .name = "helmet",
+    .example = "target: {kind: helmet, mesh: head.obj}",
+    .read = [](const targets::Node& root) { return make_scene(read_helmet_file(root)); },
+    .table = helmet_keys,
+    .metrics = {{"distance_rms_mm", "mm",
+                 "[distance from head plus clearance](#distances-of-a-helmet), root mean square"},
+                {"distance_max_mm", "mm", "likewise, the largest"},
+                {"rib_rms_mm", "mm", "distance of the worst rib's midline from its section curve"},
+                {"walls_inside", "", "how many walls lie in the head"},
+                {"walls_inside_physics", "", "walls_inside in the physics run"},
+                {"uniform_rms_mm", "mm", "distance_rms_mm of the best helmet with one tilt for all walls"},
+                {"distance_rms_mm_physics", "mm", "distance_rms_mm in the physics run"},
+                {"distance_max_mm_physics", "mm", "distance_max_mm in the physics run"}}};
+
+}  // namespace kinetix::app

@@ -1,0 +1,27 @@
+#include "app/goals/registry.hpp"
+
+#include "app/goals/curve/curve_kind.hpp"
+#include "app/goals/display/display_kind.hpp"
+#include "app/goals/fold/fold_kind.hpp"
+#include "app/goals/helmet/helmet_kind.hpp"
+
+namespace kinetix::app {
+namespace {
+
+std::vector<const GoalKind*>& kinds() {
+  static std::vector<const GoalKind*> all = {
+      &curve_kind,
+      &display_kind,
+      &fold_kind,
+      &helmet_kind,
+  };
+  return all;
+}
+
+}  // namespace
+
+const std::vector<const GoalKind*>& goal_kinds() { return kinds(); }
+
+void add_goal_kind(const GoalKind& kind) { kinds().push_back(&kind); }
+
+}  // namespace kinetix::app

@@ -1,0 +1,244 @@
+#include "app/io/atomic_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <pthread.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <deque>
+#include <filesystem>
+#include <map>
+#include <random>
+#include <utility>
+
+#include "model/base/invalid_input.hpp"
+
+namespace kinetix::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string folder_of(const fs::path& file) {
+  const std::string parent = file.parent_path().string();
+  return parent.empty() ? "." : parent;
+}
+
+constexpr int interrupts[] = {SIGINT, SIGTERM, SIGHUP};
+
+class Part;
+
+/// Chain of the parts that are there, for the signal handler.
+Part* newest_part = nullptr;
+
+/// The thread that writes files, and that alone holds signals back.
+pthread_t writer;
+
+/// Holds the signals back while it lives: no part may exist that the handler does not know.
+class NoInterrupts {
+ public:
+  NoInterrupts() {
+    sigset_t signals;
+    sigemptyset(&signals);
+    for (const int signal_number : interrupts) sigaddset(&signals, signal_number);
+    pthread_sigmask(SIG_BLOCK, &signals, &before_);
+  }
+  ~NoInterrupts() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  NoInterrupts(const NoInterrupts&) = delete;
+  NoInterrupts& operator=(const NoInterrupts&) = delete;
+
+ private:
+  sigset_t before_;
+};
+
+/// A file under a temporary name. What has that name in the end goes: the part itself, or the file that it
+/// replaced.
+class Part {
+ public:
+  explicit Part(fs::path file) : file_(std::move(file)) {
+    const NoInterrupts until_chained;
+    for (int attempt = 0; attempt < 100 && descriptor_ < 0; ++attempt) {
+      path_ = file_.parent_path() /
+              fmt::format(".{}.kinetix-part-{:06x}", file_.filename().string(), random_() & 0xffffff);
+      descriptor_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      if (descriptor_ < 0 && errno != EEXIST) break;
+    }
+    if (descriptor_ < 0)
+      throw InvalidInput(fmt::format("cannot write into this folder: {}", std::strerror(errno)),
+                         {folder_of(file_)});
+    older_ = std::exchange(newest_part, this);
+  }
+
+  ~Part() {
+    const NoInterrupts until_unchained;
+    if (descriptor_ >= 0) close(descriptor_);
+    remove();
+    Part** link = &newest_part;
+    while (*link != this) link = &(*link)->older_;
+    *link = older_;
+  }
+
+  Part(const Part&) = delete;
+  Part& operator=(const Part&) = delete;
+
+  void write(std::string_view content) {
+    while (!content.empty()) {
+      const ssize_t written = ::write(descriptor_, content.data(), content.size());
+      if (written < 0 && errno == EINTR) continue;
+      if (written < 0) fail();
+      content.remove_prefix(static_cast<std::size_t>(written));
+    }
+  }
+
+  /// From here on the part is whole on the disk.
+  void finish() {
+    if (fsync(descriptor_) != 0 && errno != EINVAL) fail();
+    if (close(std::exchange(descriptor_, -1)) != 0) fail();
+  }
+
+  /// An old file goes under the part's name, so that it can be put back. @pre finished, interrupts held back
+  void put_in_place() {
+    std::error_code unknown;
+    const fs::file_status old = fs::symlink_status(file_, unknown);
+    if (fs::is_directory(old)) fail(EISDIR);
+    is_new_ = !fs::exists(old);
+    if (!is_new_ && exchange()) return;
+    if (std::rename(path_.c_str(), file_.c_str()) != 0) fail();
+    path_.clear();
+  }
+
+  /// Undoes put_in_place(). Without the old file the new one stays.
+  void put_back() {
+    if (is_new_)
+      unlink(file_.c_str());
+    else if (!path_.empty())
+      exchange();
+  }
+
+  /// So that the new name survives a power cut; some file systems cannot, and the file is whole either way.
+  void flush_folder() const {
+    const int folder = open(folder_of(file_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (folder < 0) return;
+    fsync(folder);
+    close(folder);
+  }
+
+  /// Safe in a signal handler.
+  void remove() const {
+    if (!path_.empty()) unlink(path_.c_str());
+  }
+  const Part* older() const { return older_; }
+
+ private:
+  bool exchange() const {
+    return renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, file_.c_str(), RENAME_EXCHANGE) == 0;
+  }
+
+  [[noreturn]] void fail(int error = errno) const {
+    throw InvalidInput(fmt::format("cannot be written: {}", std::strerror(error)), {file_.string()});
+  }
+
+  fs::path file_, path_;
+  int descriptor_ = -1;
+  bool is_new_ = false;
+  Part* older_ = nullptr;
+  std::random_device random_;
+};
+
+extern "C" void remove_parts_and_end(int signal_number) {
+  if (!pthread_equal(pthread_self(), writer)) {
+    pthread_kill(writer, signal_number);
+    return;
+  }
+  for (const Part* part = newest_part; part != nullptr; part = part->older()) part->remove();
+  std::signal(signal_number, SIG_DFL);
+  std::raise(signal_number);
+}
+
+void put_all_in_place(std::deque<Part>& parts) {
+  const NoInterrupts until_all_are_there;
+  std::size_t count = 0;
+  try {
+    for (; count < parts.size(); ++count) parts[count].put_in_place();
+  } catch (...) {
+    while (count > 0) parts[--count].put_back();
+    throw;
+  }
+}
+
+}  // namespace
+
+void remove_parts_when_interrupted() {
+  writer = pthread_self();
+  for (const int signal_number : interrupts) std::signal(signal_number, remove_parts_and_end);
+}
+
+void write_file(const std::string& file, std::string_view content) {
+  write_file(file, [&](const FileSink& sink) { sink(content); });
+}
+
+void write_file(const std::string& file, const std::function<void(const FileSink&)>& produce) {
+  Part part{fs::path(file)};
+  produce([&](std::string_view piece) { part.write(piece); });
+  part.finish();
+  const NoInterrupts until_it_is_there;
+  part.put_in_place();
+  part.flush_folder();
+}
+
+struct FileSet::Files {
+  fs::path folder;
+  std::map<fs::path, OutputFolder> folders;  // created here; outlive the parts in them
+  std::deque<Part> parts;
+};
+
+FileSet::FileSet(std::string folder) : files_(new Files{std::move(folder), {}, {}}) {}
+
+FileSet::~FileSet() = default;
+
+void FileSet::add(const std::string& name, std::string_view content) {
+  const fs::path file = files_->folder / name, parent = file.parent_path();
+  files_->folders.try_emplace(parent, parent.string());
+  Part& part = files_->parts.emplace_back(file);
+  part.write(content);
+  part.finish();
+}
+
+void FileSet::commit() {
+  put_all_in_place(files_->parts);
+  for (auto& [path, folder] : files_->folders) folder.keep();
+  for (const Part& part : files_->parts) part.flush_folder();
+  files_->parts.clear();
+}
+
+OutputFolder::OutputFolder(const std::string& path) : path_(path) {
+  if (path.empty()) throw InvalidInput("the output folder has no name");
+  for (fs::path p = fs::absolute(path);
+       !p.empty() && !fs::exists(fs::symlink_status(p)) && p != p.parent_path(); p = p.parent_path())
+    if (p.has_filename()) created_.push_back(p);
+  std::error_code error, ignored;
+  fs::create_directories(path, error);
+  if (!fs::is_directory(path, ignored)) {
+    remove_created();
+    const std::string reason = error ? error.message() : "something else has this name";
+    throw InvalidInput("cannot create this output folder: " + reason, {path});
+  }
+  try {
+    Part{fs::path(path) / "probe"};
+  } catch (const InvalidInput&) {
+    remove_created();
+    throw;
+  }
+}
+
+OutputFolder::~OutputFolder() { remove_created(); }
+
+void OutputFolder::remove_created() {
+  for (const std::string& folder : created_) rmdir(folder.c_str());
+  created_.clear();
+}
+
+}  // namespace kinetix::app

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kinetix::app {
+
+/// Writes a whole file or nothing: beside its place under the name `.NAME.kinetix-part-XXXXXX`, flushed to
+/// the disk, then renamed. A file that was there before is replaced in one step; on failure it stays and the
+/// part is removed.
+/// @throws InvalidInput naming the folder or file and the reason
+void write_file(const std::string& file, std::string_view content);
+
+/// Takes the next piece of a file.
+using FileSink = std::function<void(std::string_view)>;
+/// The same for content that comes in pieces. Whatever `produce` throws leaves the file as it was.
+void write_file(const std::string& file, const std::function<void(const FileSink&)>& produce);
+
+/// From now on an interrupt, a hangup or a request to terminate removes the parts that are being written,
+/// then ends the program as it would have. For programs that write from one thread: the one that calls this.
+void remove_parts_when_interrupted();
+
+/// Files of one folder that come all together or not at all. What was added and not committed leaves no
+/// trace.
+class FileSet {
+ public:
+  explicit FileSet(std::string folder);
+  ~FileSet();
+  FileSet(const FileSet&) = delete;
+  FileSet& operator=(const FileSet&) = delete;
+
+  /// Writes a file under a temporary name, flushed to the disk. @param name path under the folder; folders
+  /// that it needs are created. @throws InvalidInput naming the folder or file and the reason
+  void add(const std::string& name, std::string_view content);
+  /// Renames all, each replacing what was there before. Where one cannot be renamed those before it get their
+  /// old content back (on file systems that can exchange two files). @throws InvalidInput likewise
+  void commit();
+
+ private:
+  struct Files;
+  std::unique_ptr<Files> files_;
+};
+
+/// A folder for results. It is created with its parents where it does not exist, and proven writable, before
+/// any work is done; what was created goes again, if still empty, unless keep() is called.
+class OutputFolder {
+ public:
+  /// @throws InvalidInput naming the folder and the reason
+  explicit OutputFolder(const std::string& path);
+  ~OutputFolder();
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+
+  const std::string& path() const { return path_; }
+  void keep() { created_.clear(); }
+
+ private:
+  void remove_created();
+
+  std::string path_;
+  std::vector<std::string> created_;  // innermost first
+};
+
+}  // namespace kinetix::app

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace kinetix::app {
+
+/// Which files a run writes into a folder beside those that every run writes, kept there as `sha256sum` lists
+/// them. So a later run knows what an earlier one left, and that nobody has changed it since.
+class FileRecord {
+ public:
+  static constexpr const char* name = ".kinetix-files";
+
+  /// Reads the record of the earlier run in the folder, if any.
+  explicit FileRecord(std::string folder);
+
+  void add(const std::string& file, std::string_view content);
+  /// Of this run's files: a line `HASH  NAME` each.
+  std::string text() const;
+  /// Removes what the earlier run wrote and this one does not, and folders that are empty then. Files that
+  /// are not as it wrote them stay, as does whatever lies outside the folder or cannot be removed.
+  void remove_what_is_left_over() const;
+
+ private:
+  using Hashes = std::map<std::string, std::string>;  // by name
+
+  std::string folder_;
+  Hashes earlier_, now_;
+};
+
+}  // namespace kinetix::app

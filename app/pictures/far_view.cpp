@@ -1,0 +1,95 @@
+#include "app/pictures/far_view.hpp"
+
+#include <cairo.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+#include "app/pictures/cairo_page.hpp"
+#include "model/opening/cell_opening.hpp"
+
+namespace kinetix::app {
+namespace {
+
+using Grey = Eigen::ArrayXXd;  ///< row of pixels by column, 0 to 1
+
+constexpr double margin_in_cells = 2;
+constexpr double darkest = 0.02, brightest = 0.98;
+constexpr double inside = 0.5, deep_inside = 0.98;
+
+/// Openings white on black; their walls black on top if asked.
+Grey drawn(const model::Structure& panel, const model::State& state, const PictureFrame& frame, double scale,
+           bool walls) {
+  CairoImage image(frame, scale);
+  cairo_t* pen = image.pen();
+  cairo_set_source_rgb(pen, 1, 1, 1);
+  const double edge = panel.size.edge_mm;
+  const model::Linkage linkage = panel;
+  for (const model::LinkageCell& cell : linkage.cells) {
+    for (const Eigen::Vector2d& corner : opening(linkage, state, cell).outline())
+      cairo_line_to(pen, edge * corner.x(), edge * corner.y());
+    cairo_close_path(pen);
+    cairo_fill(pen);
+  }
+  draw_walls(panel, state, walls ? 0 : 1, pen);
+  return image.grey();
+}
+
+std::vector<double> gaussian(double deviation) {
+  std::vector<double> weights;
+  const int reach = static_cast<int>(std::ceil(3 * deviation));
+  double sum = 0;
+  for (int k = -reach; k <= reach; ++k)
+    sum += weights.emplace_back(std::exp(-k * k / (2 * deviation * deviation)));
+  for (double& w : weights) w /= sum;
+  return weights;
+}
+
+/// Black beyond the picture.
+Grey blurred_down(const Grey& picture, const std::vector<double>& weights) {
+  const Eigen::Index reach = static_cast<Eigen::Index>(weights.size()) / 2;
+  Grey out = Grey::Zero(picture.rows(), picture.cols());
+  for (Eigen::Index k = -reach; k <= reach; ++k) {
+    const Eigen::Index from = std::max<Eigen::Index>(0, k), to = std::min(picture.rows(), picture.rows() + k);
+    if (from < to)
+      out.middleRows(from, to - from) += weights[k + reach] * picture.middleRows(from - k, to - from);
+  }
+  return out;
+}
+
+Grey blurred(const Grey& picture, double deviation) {
+  const std::vector<double> weights = gaussian(deviation);
+  return blurred_down(blurred_down(picture, weights).transpose(), weights).transpose();
+}
+
+/// From 0 at the darkest to 1 at the brightest of where the outline hardly blurs; 0 outside.
+Grey stretched(const Grey& light, const Grey& outline) {
+  std::vector<double> values;
+  for (Eigen::Index k = 0; k < light.size(); ++k)
+    if (outline(k) >= deep_inside) values.push_back(light(k));
+  if (values.empty()) return Grey::Zero(light.rows(), light.cols());
+  std::sort(values.begin(), values.end());
+  const auto at = [&](double part) {
+    return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
+  };
+  const double low = at(darkest), range = std::max(at(brightest) - low, 1e-9);
+  return (outline >= inside).select(((light - low) / range).max(0).min(1), 0);
+}
+
+}  // namespace
+
+std::string far_view(const model::Structure& panel, const model::State& state,
+                     const FarViewOptions& options) {
+  const PictureFrame frame = picture_frame(state, margin_in_cells * panel.size.edge_mm);
+  const double scale = options.pixels_per_cell / panel.size.edge_mm;
+  const double deviation = options.blur_in_cells * options.pixels_per_cell;
+  const Grey light = blurred(drawn(panel, state, frame, scale, true), deviation),
+             whole = blurred(drawn(panel, state, frame, scale, false), deviation);
+  return grey_png(1 - stretched(light / whole.max(1e-6), whole));
+}
+
+}  // namespace kinetix::app

@@ -1,0 +1,64 @@
+#include "app/pictures/panel_picture.hpp"
+
+#include <cairo-svg.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "app/pictures/cairo_page.hpp"
+
+namespace kinetix::app {
+namespace {
+
+constexpr double dot_in_edges = 0.09;
+constexpr double most_off_centre = 0.42;
+constexpr double pale = 0.75;
+constexpr double points_per_mm = 72 / 25.4;
+
+/// Blue towards the wall's lower end, grey in the middle, red towards its upper end.
+void draw_hinges(const model::Structure& panel, const model::State& state, cairo_t* pen) {
+  for (const model::Hinge& hinge : panel.hinges) {
+    const double off = std::clamp((hinge.parameters.t - 0.5) / most_off_centre, -1.0, 1.0);
+    const double strong = std::abs(off), low = 0.55 * (1 - strong);
+    cairo_set_source_rgb(pen, off > 0 ? low + 0.85 * strong : low, low, off < 0 ? low + 0.85 * strong : low);
+    const Eigen::Vector2d at = wall_tip_point(panel, state, hinge, true);
+    cairo_arc(pen, at.x(), at.y(), dot_in_edges * panel.size.edge_mm, 0, 2 * pi);
+    cairo_fill(pen);
+  }
+}
+
+void draw(const model::Structure& panel, const model::State& state, bool hinges, cairo_t* pen) {
+  cairo_set_source_rgb(pen, 1, 1, 1);
+  cairo_paint(pen);
+  draw_walls(panel, state, hinges ? pale : 0, pen);
+  if (hinges) draw_hinges(panel, state, pen);
+}
+
+std::string svg(const model::Structure& panel, const model::State& state, bool hinges,
+                const PictureFrame& frame) {
+  std::string text;
+  const Eigen::Vector2d size = points_per_mm * frame.size();
+  const CairoSurface surface(cairo_svg_surface_create_for_stream(append_to_text, &text, size.x(), size.y()));
+  {
+    const CairoPen pen = pen_on(surface.get(), frame, points_per_mm);
+    draw(panel, state, hinges, pen.get());
+  }
+  cairo_surface_finish(surface.get());
+  if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS)
+    throw std::runtime_error(cairo_status_to_string(cairo_surface_status(surface.get())));
+  return text;
+}
+
+}  // namespace
+
+std::string panel_picture(const model::Structure& panel, const model::State& state,
+                          const PictureOptions& options) {
+  const PictureFrame frame = picture_frame(state, panel.size.edge_mm / 2);
+  if (options.format == PictureFormat::svg) return svg(panel, state, options.hinges, frame);
+  CairoImage image(frame, std::min(options.pixels_per_mm, most_picture_pixels / frame.size().maxCoeff()));
+  draw(panel, state, options.hinges, image.pen());
+  return image.png();
+}
+
+}  // namespace kinetix::app

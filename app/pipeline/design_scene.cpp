@@ -1,0 +1,69 @@
+#include "app/pipeline/design_scene.hpp"
+
+#include <utility>
+
+#include "app/pipeline/design_drive.hpp"
+#include "app/pipeline/equilibrium.hpp"
+#include "app/pipeline/exact_state.hpp"
+#include "app/pipeline/physics_settings.hpp"
+#include "model/base/invalid_input.hpp"
+
+namespace kinetix::app {
+namespace {
+
+/// The state to compare with; empty where there is none of the whole drive.
+model::State reference_of(const Run& run) {
+  const bool on_the_way = run.equilibrium && !run.equilibrium->reached();
+  return run.states.empty() || on_the_way ? model::State{} : run.states.front().poses;
+}
+
+class DesignScene final : public Scene {
+ public:
+  DesignScene(DesignFile design, Model model) : design_(std::move(design)), model_(model) {}
+
+  std::string name() const override { return design_.name; }
+
+  std::optional<Model> model() const override {
+    const bool elastic = design_.hinge.model == HingeSection::Model::elastic;
+    const bool balances = model_ == Model::equilibrium || (model_ == Model::bullet && elastic);
+    return balances ? std::optional(Model::equilibrium) : std::nullopt;
+  }
+
+  void solve(Run& run, const RunOptions&) const override {
+    run.physics = design_.physics;
+    run.hinge = design_.hinge;
+    run.drive = design_.drive;
+    run.side = design_.side;
+    run.structure = design_.structure;
+    run.theta = design_.theta;
+  }
+
+  void add_state(Run& run, const RunOptions& options) const override {
+    if (run.plan.model == Model::equilibrium)
+      return add_equilibrium(run, drive_of(design_), elasticity_of(design_), motion_states, options.progress);
+    const bool exact = run.plan.family.family != model::Family::none;
+    if (!exact && model_ == Model::exact)
+      throw InvalidInput(run.plan.family.why +
+                         "; use --model equilibrium or bullet, which need no exact family");
+    if (!exact) return;
+    add_exact_state(run, theta_of(drive_of(design_), run.plan.family, run.structure));
+    add_exact_frames(run);
+  }
+
+  std::optional<PhysicsTask> physics_task(const Run& run) const override {
+    if (model_ != Model::bullet) return std::nullopt;
+    return PhysicsTask{reference_of(run), drive_of(design_), physics_of(design_, run.plan.planar)};
+  }
+
+ private:
+  DesignFile design_;
+  Model model_;
+};
+
+}  // namespace
+
+std::unique_ptr<Scene> make_scene(DesignFile design, Model model) {
+  return std::make_unique<DesignScene>(std::move(design), model);
+}
+
+}  // namespace kinetix::app

@@ -1,0 +1,133 @@
+#include "app/pipeline/equilibrium.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "app/pipeline/design_drive.hpp"
+#include "app/pipeline/exact_state.hpp"
+#include "model/base/invalid_input.hpp"
+#include "model/elastic/limit_points.hpp"
+
+namespace kinetix::app {
+namespace {
+
+constexpr double steps_per_frame = 2;
+
+/// Keeps states of a motion at even distances of theta, closer than the frames that are wanted in the end.
+class FrameKeeper {
+ public:
+  FrameKeeper(double goal, int frames) : spacing_(std::abs(goal) / (steps_per_frame * frames)) {}
+
+  void see(double theta, const model::State& state) {
+    if (!kept_.empty() && std::abs(theta - kept_.back().theta) < spacing_) return;
+    kept_.push_back({"frame", to_string(Model::equilibrium), theta, state, {}});
+  }
+
+  /// Those nearest to `count` even distances up to `last`.
+  std::vector<NamedState> even(double last, int count) const {
+    std::vector<NamedState> frames;
+    for (int k = 0; k < count; ++k) {
+      const NamedState& frame = nearest(last * k / (count - 1));
+      if (frames.empty() || frame.theta != frames.back().theta) frames.push_back(frame);
+    }
+    return frames;
+  }
+
+ private:
+  const NamedState& nearest(double theta) const {
+    return *std::min_element(kept_.begin(), kept_.end(), [&](const NamedState& a, const NamedState& b) {
+      return std::abs(a.theta - theta) < std::abs(b.theta - theta);
+    });
+  }
+
+  double spacing_;
+  std::vector<NamedState> kept_;
+};
+
+std::string stiffness_sentence(const Run& run, const model::Elasticity& e) {
+  const char* start = run.hinge.model == HingeSection::Model::rotary
+                          ? "the design's hinges are rotary; for this model they are taken as elastic: "
+                          : "elastic hinges: ";
+  return fmt::format("{}k_point {:g} N/mm, k_turn {:g} N mm/rad, reach_mm {:g}, k_contact {:g} N/mm", start,
+                     e.k_point, e.k_turn, e.reach_mm, e.k_contact);
+}
+
+model::EquilibriumPathOptions options_of(const Run& run, double goal, int frames) {
+  model::EquilibriumPathOptions options;
+  options.planar = run.plan.planar;
+  options.side = run.side;
+  const double frame = std::abs(goal) / (frames - 1);
+  if (frame > 0) options.longest_step = std::clamp(frame, options.first_step, options.longest_step);
+  return options;
+}
+
+/// The drive, as far as the path came.
+model::Drive reached_drive(const Equilibrium& equilibrium) {
+  model::Drive drive = equilibrium.drive;
+  (drive.kind == model::Drive::Kind::plates ? drive.compression : drive.angle) =
+      equilibrium.path.steps.back().drive;
+  return drive;
+}
+
+/// The closed form of the same drive, and how far the equilibrium is from it.
+void add_exact(Run& run) {
+  Equilibrium& equilibrium = *run.equilibrium;
+  try {
+    const double theta = theta_of(reached_drive(equilibrium), run.plan.family, run.structure);
+    model::State exact = fold(run.plan.family, run.structure, theta);
+    equilibrium.from_exact = aligned_distance(run.structure, equilibrium.path.state, exact);
+    const model::HingeGaps gaps = hinge_gaps(run.structure, exact);
+    run.states.push_back({"target", to_string(Model::exact), theta, std::move(exact), gaps});
+    run.fidelity.push_back(exact_fidelity(run.plan.family, run.structure, theta));
+  } catch (const InvalidInput& e) {
+    run.plan.why.push_back("no closed form to compare with: " + e.reason());
+  }
+}
+
+void add_frames(Run& run, const std::vector<NamedState>& frames) {
+  for (NamedState frame : frames) {
+    frame.gaps = hinge_gaps(run.structure, frame.poses);
+    run.states.push_back(std::move(frame));
+  }
+}
+
+void add_fidelity(Run& run, double seconds) {
+  const auto& distance = run.equilibrium->from_exact;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  run.fidelity.push_back({to_string(Model::equilibrium), seconds, distance ? distance->rms : nan,
+                          distance ? to_string(Model::exact) : "no closed form"});
+}
+
+}  // namespace
+
+void add_equilibrium(Run& run, const model::Drive& drive, const model::Elasticity& elasticity, int frames,
+                     const Progress& progress) {
+  run.plan.why.push_back(stiffness_sentence(run, elasticity));
+  const double goal = drive.theta();
+  const model::EquilibriumPathOptions path_options = options_of(run, goal, frames);
+  FrameKeeper keeper(goal, frames);
+  model::EnergyTurns turns(drive.on(run.structure));
+  const auto see = [&](const model::EquilibriumStep& step, const model::State& state) {
+    keeper.see(step.theta, state);
+    turns.see(step, state);
+    if (progress) progress("equilibrium path", goal == 0 ? 1 : step.theta / goal);
+  };
+  const auto start = std::chrono::steady_clock::now();
+  model::EquilibriumPath path =
+      trace_equilibrium(driven(run.structure, drive), elasticity, path_options, see);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  add_limit_points(path);
+  run.theta = path.theta;
+  run.states.push_back({"target", to_string(Model::equilibrium), path.theta, path.state, path.gaps});
+  model::StableStates stable = stable_states(run.structure, elasticity, {turns}, {.path = path_options});
+  run.equilibrium = Equilibrium{elasticity, drive, std::move(path), std::move(stable), {}};
+  if (run.plan.family.family != model::Family::none) add_exact(run);
+  add_fidelity(run, seconds);
+  add_frames(run, keeper.even(run.theta, frames));
+}
+
+}  // namespace kinetix::app

@@ -1,0 +1,39 @@
+#include "app/pipeline/exact_state.hpp"
+
+#include <utility>
+
+#include "app/run/stopwatch.hpp"
+
+namespace kinetix::app {
+namespace {
+
+constexpr int timed_calls = 200;  // enough for the clock to resolve the mean
+
+void add(Run& run, const std::string& name, double theta) {
+  model::State state = fold(run.plan.family, run.structure, theta);
+  const model::HingeGaps gaps = hinge_gaps(run.structure, state);
+  run.states.push_back({name, to_string(Model::exact), theta, std::move(state), gaps});
+}
+
+}  // namespace
+
+void add_exact_state(Run& run, double theta) {
+  run.theta = theta;
+  add(run, "target", theta);
+  run.fidelity.push_back(exact_fidelity(run.plan.family, run.structure, theta));
+}
+
+void add_exact_frames(Run& run) {
+  for (int k = 0; k < motion_states; ++k) add(run, "frame", run.theta * k / (motion_states - 1));
+}
+
+Fidelity exact_fidelity(const model::Classification& family, const model::Structure& structure,
+                        double theta) {
+  model::State state;
+  Stopwatch watch;
+  for (int k = 0; k < timed_calls; ++k) state = fold(family, structure, theta);
+  const double seconds = watch.lap() / timed_calls;
+  return {to_string(Model::exact), seconds, hinge_gaps(structure, state).max, "its own hinge closure"};
+}
+
+}  // namespace kinetix::app

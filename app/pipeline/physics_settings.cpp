@@ -1,0 +1,55 @@
+#include "app/pipeline/physics_settings.hpp"
+
+#include "model/base/invalid_input.hpp"
+
+namespace kinetix::app {
+namespace {
+
+constexpr double settle_residual_motion = 0.01;  // cell edges: half the tolerance of a verification
+
+}  // namespace
+
+model::Elasticity elasticity_of(const HingeSection& hinge, const PhysicsSection& physics, double edge_mm) {
+  if (!(hinge.k_turn > 0))
+    throw InvalidInput("0 is out of range for the elastic model; allowed: a number above 0, in N mm/rad",
+                       {"", 0, 0, "hinge.k_turn"});
+  return {.k_point = hinge.k_point,
+          .k_turn = hinge.k_turn,
+          .reach_mm = hinge.reach_mm.value_or(physics_options(physics, edge_mm).reach * edge_mm),
+          .k_contact = hinge.k_contact.value_or(10 * hinge.k_point)};
+}
+
+sim::PhysicsOptions elastic_physics(const model::Elasticity& elasticity, const PhysicsSection& section,
+                                    double edge_mm, bool planar) {
+  sim::PhysicsOptions options = physics_options(section, edge_mm);
+  options.elastic = relative(elasticity, edge_mm);
+  options.reach = options.elastic->reach;
+  options.planar = planar;
+  options.settle_residual_motion = settle_residual_motion;
+  return options;
+}
+
+sim::PhysicsOptions physics_options(const PhysicsSection& section, double edge_mm) {
+  sim::PhysicsOptions options;
+  options.solver = section.solver.value_or(options.solver);
+  options.step_s = section.step_s.value_or(options.step_s);
+  options.iterations = section.iterations.value_or(options.iterations);
+  options.error_reduction = section.error_reduction.value_or(options.error_reduction);
+  if (section.reach_mm) options.reach = *section.reach_mm / edge_mm;
+  return options;
+}
+
+model::Elasticity elasticity_of(const DesignFile& design) {
+  return elasticity_of(design.hinge, design.physics, design.structure.size.edge_mm);
+}
+
+sim::PhysicsOptions physics_of(const DesignFile& design, bool planar) {
+  const double edge = design.structure.size.edge_mm;
+  if (design.hinge.model == HingeSection::Model::elastic)
+    return elastic_physics(elasticity_of(design), design.physics, edge, planar);
+  sim::PhysicsOptions physics = physics_options(design.physics, edge);
+  if (design.hinge.reach_mm) physics.reach = *design.hinge.reach_mm / edge;
+  return physics;
+}
+
+}  // namespace kinetix::app

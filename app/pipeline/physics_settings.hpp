@@ -1,0 +1,23 @@
+#pragma once
+
+#include "app/files/design_file.hpp"
+#include "model/hinge/elasticity.hpp"
+#include "sim/compression_run.hpp"
+
+namespace kinetix::app {
+
+/// What hinges are made of. Rotary hinges are taken as elastic with the same numbers, which are the defaults
+/// unless the file gives others; reach: that of the physics run. @throws InvalidInput for k_turn 0
+model::Elasticity elasticity_of(const HingeSection& hinge, const PhysicsSection& physics, double edge_mm);
+
+/// Settings of the physics run: defaults, with what the file gives. @param edge_mm cell edge
+sim::PhysicsOptions physics_options(const PhysicsSection& section, double edge_mm);
+/// Those of a run with elastic hinges.
+sim::PhysicsOptions elastic_physics(const model::Elasticity& elasticity, const PhysicsSection& section,
+                                    double edge_mm, bool planar);
+
+/// The same of a whole design: of its hinges, and of its physics run. @param planar all hinges stand upright
+model::Elasticity elasticity_of(const DesignFile& design);
+sim::PhysicsOptions physics_of(const DesignFile& design, bool planar);
+
+}  // namespace kinetix::app

@@ -1,0 +1,83 @@
+#include "app/pipeline/verify.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace kinetix::app {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double longest_step_s = 0.1;  // s, the most that PhysicsOptions::step_s allows
+constexpr double stiff_joints = 1e8;    // over the parts' masses: ten thousand times the usual joints
+
+sim::PhysicsOptions with_steps(sim::PhysicsOptions options, double factor) {
+  options.step_s *= factor;
+  return options;
+}
+
+/// A net never strains, and its ribs are long: joints that yield let their ends sway far behind.
+sim::PhysicsOptions suited_to(const model::Classification& family, sim::PhysicsOptions options) {
+  if (family.family == model::Family::F4 && !options.elastic) options.joint_stiffness = stiff_joints;
+  return options;
+}
+
+model::StateDistance distance(const model::Structure& structure, const sim::PhysicsResult& physics,
+                              const model::State& reference) {
+  if (!std::isfinite(physics.gaps.max)) return {nan, nan};
+  return aligned_distance(structure, physics.state, reference);
+}
+
+/// Sheets of elastic hinges may have several balances.
+std::optional<model::EquilibriumComparison> equilibria(const Run& run, const Verification& v,
+                                                       const model::State& reference) {
+  if (!is_settled(v) || !v.compared || !run.equilibrium) return std::nullopt;
+  const Equilibrium& equilibrium = *run.equilibrium;
+  return compare_equilibria({run.structure, equilibrium.elasticity, equilibrium.drive.on(run.structure),
+                             v.options.planar, v.options.contact},
+                            v.physics.state, reference, run.verify_tolerance);
+}
+
+void add_fidelity(Run& run, const std::string& model, const sim::PhysicsResult& physics,
+                  const model::State& reference) {
+  const double rms = distance(run.structure, physics, reference).rms;
+  run.fidelity.push_back(
+      {model + " (" + to_string(physics.status) + ")", physics.seconds, rms, to_string(run.plan.model)});
+}
+
+/// The run's own, and those of quick runs of coarser steps.
+void add_rows(Run& run, const Verification& v, const PhysicsTask& task) {
+  add_fidelity(run, "bullet", v.physics, task.reference);
+  for (const double factor : {4.0, 16.0})
+    if (v.options.step_s * factor <= longest_step_s)
+      add_fidelity(
+          run, fmt::format("bullet, {} x step", factor),
+          run_compression(run.structure, task.drive.on(run.structure), with_steps(v.options, factor)),
+          task.reference);
+}
+
+}  // namespace
+
+bool is_settled(const Verification& verification) {
+  return verification.physics.status == sim::PhysicsResult::Status::settled;
+}
+
+void verify(Run& run, const PhysicsTask& task, const Progress& progress) {
+  Verification v;
+  v.options = suited_to(run.plan.family, task.options);
+  sim::PhysicsObserver observer;
+  if (progress) observer.progress = [&](double done) { progress("physics run", done); };
+  v.physics = run_compression(run.structure, task.drive.on(run.structure), v.options, observer);
+  v.compared = !task.reference.empty();
+  v.distance = is_settled(v) && v.compared ? distance(run.structure, v.physics, task.reference)
+                                           : model::StateDistance{nan, nan};
+  v.agrees = is_settled(v) && (!v.compared || v.distance.rms <= run.verify_tolerance);
+  v.equilibrium = equilibria(run, v, task.reference);
+  run.states.push_back({"target", to_string(Model::bullet), run.theta, v.physics.state, v.physics.gaps});
+  if (v.compared) add_rows(run, v, task);
+  run.verification = std::move(v);
+}
+
+}  // namespace kinetix::app

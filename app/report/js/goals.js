@@ -1,0 +1,18 @@
+// The kinds of goals that a report knows: one line each. A kind has
+//   name          key of its section in result.json
+//   read          the result -> what its sections need; `reasons` and `physicsReasons`: why it was missed;
+//                 `goal`, `drawn`: lines seen from the side; `backdrop`: lines in space; `turn`: by column
+//   place         moves states into the frame of the pictures (optional)
+//   view          how the folded shape is best seen: side, top or slant
+//   backdropKey   [class, words] of the backdrop in a legend (optional)
+//   verdict       {mark, tone, title, text}
+//   numbers       key numbers for the top of the page
+//   showsItself   its own section takes the place of the folded picture (optional)
+//   hasNoLayout   its own section takes the place of the flat layout (optional)
+//   firstSections, lastSections   [id, title, content], before and after what all results have
+const GOALS = [
+  curveGoal,
+  displayGoal,
+  foldGoal,
+  helmetGoal,
+];

@@ -1,0 +1,272 @@
+// How near a strip comes to its curve: the verdict, distance along the curve, turn needed against turn allowed.
+
+function readCurve(raw, target) {
+  const turn = list(raw.turn).filter((t) => finite(t?.column) !== null && finite(t?.needed_deg) !== null);
+  return {
+    folded: numberRows(raw.folded_mm, 2),
+    goal: numberRows(raw.goal_mm, 2),
+    drawn: numberRows(target.points_mm, 2),
+    error: numberRows(raw.error, 2),
+    scale: finite(raw.scale_mm),
+    turn: turn.map((t) => ({column: t.column, needed: t.needed_deg, allowed: finite(t.allowed_deg)})),
+    reasons: list(raw.reasons).filter((reason) => typeof reason === "string"),
+  };
+}
+
+function lengthOf(data, fraction) {
+  return finite(fraction) !== null && data.goal.scale !== null ? fraction * data.goal.scale : null;
+}
+
+function missBy(data) {
+  const {shape_rms: rms} = data.metrics, allowed = data.tolerance.shape;
+  if (finite(rms) === null) return "The best design does not reach the target.";
+  const length = lengthOf(data, rms);
+  const size = percent(rms) + " of its size" + (length === null ? "" : ` (${millimetres(length)})`);
+  if (finite(allowed) === null || !(rms > allowed))
+    return `The best design is off the target by ${size} rms.`;
+  return `The best design is off the target by ${size} rms: ${figures(rms / allowed, 2)} times the allowed ${
+      percent(allowed)}.`;
+}
+
+function metWords(data) {
+  const rms = lengthOf(data, data.metrics.shape_rms), most = lengthOf(data, data.metrics.shape_max);
+  if (rms === null) return "The folded shape is within the tolerance.";
+  return `The folded strip lies ${millimetres(rms)} rms from the target curve` +
+      (most === null ? "." : `, ${millimetres(most)} at worst.`);
+}
+
+function curveVerdict(data) {
+  const {met, verified} = data.verdict;
+  const hasRun = data.states.physics !== null || finite(data.metrics.verify_rms) !== null ||
+      Boolean(data.physics.status);
+  if (met === false) {
+    const also = verified === false ? " " + physicsWords(data) : "";
+    const close = data.metrics.shape_rms <= data.tolerance.shape;
+    const title = close ? "Shape reached, but walls collide on the way" : "Target missed";
+    return {mark: "\u2715", tone: "bad", title, text: (close ? metWords(data) : missBy(data)) + also};
+  }
+  if (verified === false)
+    return {
+      mark: "!",
+      tone: "bad",
+      title: (met ? "Target met in the model, but the physics run " : "The physics run ") + failing(data),
+      text: physicsWords(data)
+    };
+  if (met === null)
+    return {
+      mark: "?",
+      tone: "unsure",
+      title: "No verdict recorded",
+      text: "This result does not say whether the target was met."
+    };
+  const title = verified ? "Target met, and the physics run agrees" : "Target met in the model";
+  return {
+    mark: "\u2713",
+    tone: verified ? "good" : "unsure",
+    title,
+    text: metWords(data) + (hasRun ? " " + physicsWords(data) : " It was not checked by a physics run.")
+  };
+}
+
+function ofDiagonal(data, fraction) {
+  const size = data.goal.scale === null ? "the target\u2019s diagonal" :
+                                           `the ${millimetres(data.goal.scale)} diagonal`;
+  return `${percent(fraction)} of ${size}`;
+}
+
+function allowedNote(limit) {
+  return finite(limit) === null ? "" : `; allowed ${percent(limit)}`;
+}
+
+function shapeNumbers(data) {
+  const {shape_rms: rms, shape_max: most} = data.metrics;
+  const shown = (fraction) =>
+      (lengthOf(data, fraction) === null ? percent(fraction) : millimetres(lengthOf(data, fraction)));
+  return [
+    finite(rms) !== null &&
+        keyNumber("Shape error, rms", shown(rms), ofDiagonal(data, rms) + allowedNote(data.tolerance.shape)),
+    finite(most) !== null && keyNumber("Shape error, largest", shown(most), ofDiagonal(data, most)),
+  ];
+}
+
+function worstError(error) {
+  return error.reduce((worst, point) => (Math.abs(point[1]) > Math.abs(worst[1]) ? point : worst));
+}
+
+function errorRange(data, zoomed) {
+  const most = Math.abs(worstError(data.goal.error)[1]) || 1e-6;
+  const band = lengthOf(data, data.tolerance.shape);
+  const reach = band === null || zoomed ? most * 1.35 : Math.max(1.35 * most, 1.15 * band);
+  return [-reach, reach];
+}
+
+function toleranceBand(axes, band, range, labelLeft) {
+  if (band === null) return [];
+  const top = Math.min(band, range[1]), {left, right} = axes.area;
+  const edge = (value) =>
+      svg("path", {class: "limit", d: path([[left, axes.Y(value)], [right, axes.Y(value)]])});
+  const fillBand =
+      svg("rect",
+          {class: "band", x: left, width: right - left, y: axes.Y(top), height: axes.Y(-top) - axes.Y(top)});
+  if (band > range[1]) return [fillBand];
+  const labelAt = axes.Y(band) + (axes.Y(0) - axes.Y(band) > 30 ? 15 : -6);
+  return [
+    fillBand, edge(band), edge(-band),
+    svg("text", {
+      class: "remark",
+      x: labelLeft ? left + 6 : right - 6,
+      y: labelAt,
+      "text-anchor": labelLeft ? "start" : "end"
+    },
+        `allowed rms \u00b1${millimetres(band)}`)
+  ];
+}
+
+function worstMark(axes, [arc, distance]) {
+  const x = axes.X(arc), y = axes.Y(distance), toLeft = x > (axes.area.left + axes.area.right) / 2;
+  return svg(
+      "g", {class: "worst"}, svg("circle", {cx: x, cy: y, r: 4}),
+      svg("text", {
+        x: x + (toLeft ? -8 : 8),
+        y: y + (distance > 0 ? -8 : 18),
+        "text-anchor": toLeft ? "end" : "start"
+      },
+          `largest: ${millimetres(Math.abs(distance))}`));
+}
+
+function drawError(data, width, zoomed) {
+  const {error} = data.goal, range = errorRange(data, zoomed);
+  const axes = plot({
+    width,
+    label: "Distance from the target along the strip",
+    x: {range: [0, error[error.length - 1][0] || 1], label: "length along the target, mm"},
+    y: {range, label: "distance from the target, mm"}
+  });
+  const worst = worstError(error), labelLeft = axes.X(worst[0]) > (axes.area.left + axes.area.right) / 2;
+  axes.root.append(
+      ...toleranceBand(axes, lengthOf(data, data.tolerance.shape), range, labelLeft),
+      svg("path", {class: "goal-line", d: path([[axes.area.left, axes.Y(0)], [axes.area.right, axes.Y(0)]])}),
+      svg("path", {class: "model", d: path(error.map(([arc, distance]) => [axes.X(arc), axes.Y(distance)]))}),
+      worstMark(axes, worst));
+  return axes.root;
+}
+
+function zoomButton(state, box) {
+  const label = () => (state.zoomed ? "Show the allowed band" : "Zoom to the error");
+  const button = html("button", {type: "button"}, label());
+  button.addEventListener("click", () => {
+    state.zoomed = !state.zoomed;
+    button.textContent = label();
+    redraw(box());
+  });
+  return button;
+}
+
+function errorFigure(data) {
+  if (data.goal.error.length < 2) return missing("The distance along the curve was not recorded.");
+  const state = {zoomed: false};
+  const box = responsive((width) => drawError(data, width, state.zoomed));
+  const band = lengthOf(data, data.tolerance.shape), most = Math.abs(worstError(data.goal.error)[1]);
+  return html(
+      "div", {class: "part"},
+      html(
+          "div", {class: "row"}, html("h3", {}, "Distance from the target"),
+          band > 2 * most ? zoomButton(state, () => box) : null),
+      box,
+      legend(
+          ["goal-line", "target (distance 0)"], ["model", "folded strip (model)"],
+          band !== null && ["band", "allowed rms error"]),
+      html("p", {class: "note"}, "The sign tells on which side of the target curve the strip runs."));
+}
+
+function isOver(turn) {
+  return turn.allowed !== null && Math.abs(turn.needed) > turn.allowed * (1 + 1e-9);
+}
+
+/** The sides on which some column turns: 1 up, -1 down. */
+function sidesOf(turn) {
+  return [1, -1].filter(
+      (side) => turn.some((t) => side * t.needed > 0.05) ||
+          (side > 0 && turn.every((t) => t.needed <= 0.05 && t.needed >= -0.05)));
+}
+
+function turnMarks(axes, turn, sides) {
+  const half = 0.5 * (axes.X(1) - axes.X(0)), x = axes.X(turn.column);
+  const limit = (side) => svg("path", {
+    class: "turn-limit",
+    d: path([[x - half, axes.Y(side * turn.allowed)], [x + half, axes.Y(side * turn.allowed)]])
+  });
+  return [
+    bar(axes, turn.column, turn.needed, {class: "turn" + (isOver(turn) ? " over" : "")}),
+    ...(turn.allowed === null ? [] : sides.map(limit))
+  ];
+}
+
+/** Limits far above the bars are left to the words, so that the bars can be read. */
+function showsLimits(turn) {
+  const needed = Math.max(...turn.map((t) => Math.abs(t.needed)));
+  return turn.some((t) => t.allowed !== null && t.allowed < 4 * needed);
+}
+
+function drawTurns(data, width) {
+  const {turn} = data.goal;
+  const sides = showsLimits(turn) ? sidesOf(turn) : [],
+        reach = turn.flatMap((t) => [t.needed, 0, ...sides.map((side) => side * (t.allowed ?? 0))]);
+  const columns = {...span("Column", "columns", turn.map((t) => t.column))};
+  const range = padded([Math.min(...reach), Math.max(...reach)]);
+  const axes = plot({
+    width,
+    label: "Turn needed and allowed per column",
+    x: columnAxis(columns, width),
+    y: {range, label: "turn from column to column, degrees"}
+  });
+  axes.root.append(
+      ...turn.flatMap((t) => turnMarks(axes, t, sides)),
+      svg("path", {class: "zero", d: path([[axes.area.left, axes.Y(0)], [axes.area.right, axes.Y(0)]])}));
+  return axes.root;
+}
+
+function turnWords(turn) {
+  const limited = turn.filter((t) => t.allowed > 0);
+  if (!limited.length) return "";
+  const use = (t) => Math.abs(t.needed) / t.allowed;
+  const tightest = limited.reduce((a, b) => (use(b) > use(a) ? b : a));
+  const over = limited.filter(isOver);
+  const same = limited.length > 1 && limited.every((t) => use(t) > 0.99 * use(tightest));
+  const most = (same ? "Every column needs the same share of what it may turn" :
+                       `Column ${tightest.column} needs the largest share of what it may turn`) +
+      `: ${degrees(Math.abs(tightest.needed))} of ${degrees(tightest.allowed)}`;
+  return over.length ?
+      `${over.length === 1 ? "One column needs" : over.length + " columns need"} more turn than allowed. ${
+          most}.` :
+      `${most} (${Math.round(100 * use(tightest))}${SPACE}%).`;
+}
+
+function turnFigure(data) {
+  const {turn} = data.goal;
+  if (!turn.length) return missing("The turn of each column was not recorded.");
+  const over = turn.some(isOver);
+  return html(
+      "div", {class: "part"}, html("h3", {}, "Turn needed and turn allowed"),
+      html("p", {class: "lead"}, turnWords(turn)), responsive((width) => drawTurns(data, width)),
+      legend(
+          ["turn", "turn the target asks for"], over && ["turn over", "more than allowed"],
+          showsLimits(turn) && ["turn-limit", "most that the tilt range allows"]));
+}
+
+function errorSection(data) {
+  return [errorFigure(data), turnFigure(data)];
+}
+
+const curveGoal = {
+  name: "curve",
+  read: (raw) => readCurve(dictionary(raw.curve), dictionary(raw.target)),
+  view: "side",
+  verdict: curveVerdict,
+  numbers: shapeNumbers,
+  lastSections: [
+    ["errors", "Error along the curve", errorSection],
+    ["tilts", "Tilts per column", tiltSection],
+    ["search", "Convergence of the search", searchSection],
+  ],
+};

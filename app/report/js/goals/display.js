@@ -1,0 +1,145 @@
+// What a panel shows: before and after compression, its hinges, and the reading of every cell.
+
+function readDisplay(raw) {
+  if (!raw) return null;
+  const reading = (part) => (part && typeof part === "object" ? {
+    auc: finite(part.auc), contrast: finite(part.contrast), letter: finite(part.letter), rest: finite(part.rest),
+    rank: finite(part.rank), cells: list(part.cells).map((value) => finite(value))
+  } : null);
+  const words = (texts) => list(texts).filter((text) => typeof text === "string");
+  return {
+    channel: typeof raw.channel === "string" ? raw.channel : "aperture",
+    levels: list(raw.levels).map((level) => finite(level) ?? 0),
+    before: reading(raw.before), after: reading(raw.after), physics: reading(raw.physics),
+    stretch: finite(raw.stretch_max), starts: list(raw.starts), reasons: words(raw.reasons),
+    physicsReasons: words(raw.reasons_physics), axis: raw.axis === "x" ? "x" : "y",
+    compression: finite(raw.compression),
+    needed: list(raw.needed_cells).filter((side) => finite(side) !== null),
+    neededFor: raw.needed_for === "contrast" ? "contrast" : "strokes",
+  };
+}
+
+function isGrey(display) {
+  return display.levels.some((level) => level !== 0 && level !== 1);
+}
+
+function readingWords(display, reading) {
+  if (isGrey(display)) return `rank correlation ${figures(reading.rank)} with the picture`;
+  return `letter and background cells distinguished in ${percent(reading.auc)} of pairs, contrast ${
+      figures(reading.contrast, 3)}`;
+}
+
+function displayVerdict(data) {
+  const {goal: display, verdict: {met, verified}} = data;
+  const model = `In the model: ${readingWords(display, display.after)}.`;
+  const run = display.physics ? ` In the physics run: ${readingWords(display, display.physics)}.` : "";
+  if (met === false) return {mark: "\u2715", tone: "bad", title: "The picture is not as clear as required", text: model + run};
+  if (verified === false)
+    return {mark: "!", tone: "bad", title: "The model shows the picture, but the physics run " + failing(data),
+            text: model + run};
+  const title = verified ? "The picture shows, and the physics run agrees" : "The picture shows in the model";
+  return {mark: "\u2713", tone: verified ? "good" : "unsure", title,
+          text: model + (run || " It was not checked by a physics run.")};
+}
+
+/** A panel from above, to the scale of `view`. */
+function panelFromAbove(structure, state, view, pale) {
+  const to = ([x, y]) => [(x - view.low[0]) * view.scale, (view.high[1] - y) * view.scale];
+  const d = structure.hinges.flatMap(
+      (hinge) => [hinge.a, hinge.b].map(
+          (body) => path([to(state.poses[body].p), to(carried(state.poses[body], structure.bodies[body].rest, hinge.point))])));
+  return svg("path", {
+    d: d.join(""), fill: "none", stroke: pale ? "#c8c8c8" : "#111", "stroke-linecap": "round",
+    "stroke-width": Math.max(0.6, structure.thickness * view.scale).toFixed(2)
+  });
+}
+
+function panelView(structure, states, width) {
+  const box = extent(states.flatMap((state) => state.poses.map(({p}) => p)));
+  const low = box.low.map((x) => x - structure.cell / 2), high = box.high.map((x) => x + structure.cell / 2);
+  const scale = width / (high[0] - low[0]);
+  return {low, high, scale, width, height: (high[1] - low[1]) * scale};
+}
+
+function hingeDots(structure, view) {
+  return structure.hinges.map((hinge) => {
+    const off = Math.max(-1, Math.min(1, (hinge.t - 0.5) / 0.42)), strong = Math.abs(off);
+    const shade = (on) => Math.round(255 * (0.55 * (1 - strong) + (on ? 0.85 * strong : 0)));
+    return svg("circle", {
+      cx: (hinge.point[0] - view.low[0]) * view.scale, cy: (view.high[1] - hinge.point[1]) * view.scale,
+      r: 0.09 * structure.cell * view.scale,
+      fill: `rgb(${shade(off > 0)},${shade(false)},${shade(off < 0)})`
+    }, svg("title", {}, `t = ${figures(hinge.t)}`));
+  });
+}
+
+function pictureBox(label, note, draw) {
+  return html("figure", {class: "shot"}, responsive(draw), html("figcaption", {}, html("strong", {}, label), " ", note));
+}
+
+function displaySection(data) {
+  const {structure, states, goal: display} = data;
+  const shown = [states.flat, states.model, states.physics].filter(Boolean);
+  const shot = (state, label, note, hinges = false) => state && pictureBox(label, note, (width) => {
+    const view = panelView(structure, shown, width);
+    return drawing(view.width, view.height, label, svg("rect", {width: view.width, height: view.height, fill: "#fff"}),
+                   panelFromAbove(structure, state, view, hinges), hinges ? hingeDots(structure, view) : []);
+  });
+  return html(
+      "div", {}, html("div", {class: "shots"},
+                      shot(states.flat, "Before", display.before ? readingWords(display, display.before) : ""),
+                      shot(states.model, "After compression", readingWords(display, display.after)),
+                      shot(states.physics, "After, in the physics run",
+                           display.physics ? readingWords(display, display.physics) : "not settled"),
+                      shot(states.flat, "Where the hinges are",
+                           "grey: in the middle of the wall; blue: towards its lower or left end; red: towards the other",
+                           true)),
+      html("p", {}, `Compressed along ${display.axis} by ${percent(display.compression)}. The largest stretch of a ` +
+                        `hinge is ${figures(display.stretch)} cell edges.`),
+      neededPanel(display), startsTable(display));
+}
+
+/** How large a panel would have to be; what this one lacks is said at the top. */
+function neededPanel(display) {
+  if (display.needed.length !== 2) return null;
+  const why = {strokes: "keeps all strokes of the picture", contrast: "shows it as clearly as required within the same bounds"};
+  return html("p", {}, html("strong", {}, `${display.needed[0]} \u00d7 ${display.needed[1]} cells`),
+              ` is the smallest panel known that ${why[display.neededFor]}.`);
+}
+
+function startsTable(display) {
+  const rows = display.starts.filter((start) => start && typeof start.name === "string");
+  if (rows.length === 0) return null;
+  return html("div", {},
+              html("p", {}, "The search starts from the paper\u2019s rule (uniform-scaling cells where the picture is) by both " +
+                                "checkerboards, and from variations of it. What the starts show by themselves:"),
+              table(["start", "AUC", "contrast", "cost after the first stage", ""],
+                    rows.map((start) => ({cells: [
+                      start.name, figures(start.auc), figures(start.contrast), figures(start.cost),
+                      start.sharpened === true ? "sharpened" : ""
+                    ]})),
+                    "Starts of the search"));
+}
+
+const AT_LEAST = "required at least";
+const GREY_NUMBERS = [
+  ["rank", "Rank correlation", "of the cells with the levels of the picture; 1 is the same order", "auc", AT_LEAST],
+];
+const LETTER_NUMBERS = [
+  ["contrast", "Contrast d\u2032", "letter cells against the rest, in standard deviations", "contrast", AT_LEAST],
+  ["auc", "Letter recognised", "chance that a letter cell stands out from another (AUC); 0.5 is guessing", "auc", AT_LEAST],
+];
+
+function displayNumbers(data) {
+  return measures(data, isGrey(data.goal) ? GREY_NUMBERS : LETTER_NUMBERS);
+}
+
+const displayGoal = {
+  name: "display",
+  read: (raw) => readDisplay(raw.display),
+  view: "top",
+  verdict: displayVerdict,
+  numbers: displayNumbers,
+  showsItself: true,
+  firstSections: [["display", "What the panel shows", displaySection]],
+};

@@ -1,0 +1,138 @@
+// How a helmet fits: distance from the head and tilts by cell on the flat fishbone, its side view, its ribs.
+
+function readHelmet(raw) {
+  if (!raw || typeof raw !== "object") return null;
+  const words = (texts) => list(texts).filter((text) => typeof text === "string");
+  const numbers = (values) => list(values).map(finite);
+  return {
+    clearance: finite(raw.clearance_mm), coverage: finite(raw.coverage_mm), trimmed: finite(raw.cells_trimmed) ?? 0,
+    ribs: list(raw.ribs).map((rib) => ({row: finite(rib?.row), cells: numberRows([rib?.cells], 2)[0] ?? [0, 0], rms: finite(rib?.rms_mm)})),
+    error: dictionary(raw.error), physics: raw.physics ? dictionary(raw.physics) : null, cells: numbers(raw.cell_mm),
+    backdrop: headLines(raw), uniform: dictionary(raw.uniform),
+    invented: typeof raw.invented === "string" ? raw.invented : "", notes: words(raw.notes), reasons: words(raw.reasons), physicsReasons: words(raw.reasons_physics),
+  };
+}
+
+/** The head's own frame, z up: what the mesh's file calls up does not matter for pictures. */
+function inHeadFrame(raw, states) {
+  const frame = readPose(dictionary(raw).head_frame);
+  if (!frame) return states;
+  const [w, ...v] = frame.q, back = [w, ...scale(v, -1)];
+  const times = ([a, ...u], [b, ...x]) => [a * b - dot(u, x), ...add(add(scale(x, a), scale(u, b)), cross(u, x))];
+  const moved = (state) => state && {...state, poses: state.poses.map(({p, q}) => ({p: turned(back, subtract(p, frame.p)), q: times(back, q)}))};
+  return {...states, model: moved(states.model), physics: moved(states.physics), frames: states.frames.map(moved)};
+}
+
+/** Lines on the head, in its own frame. */
+function headLines(raw) {
+  const frame = readPose(dictionary(raw).head_frame) ?? {p: [0, 0, 0], q: [1, 0, 0, 0]}, [w, ...v] = frame.q;
+  return list(raw.head_mm).map((line) => numberRows(line, 3).map((p) => turned([w, ...scale(v, -1)], subtract(p, frame.p))));
+}
+
+function fitWords({rms_mm: rms, max_mm: most}) {
+  return `${millimetres(rms)} rms, ${millimetres(most)} at worst`;
+}
+
+function helmetVerdict({goal: helmet, verdict: {met, verified}, ...data}) {
+  const model = `Off head plus clearance by ${fitWords(helmet.error)}.`;
+  const run = helmet.physics ? ` In the physics run: ${fitWords(helmet.physics)}.` : "";
+  const invented = helmet.invented ? ` But ${helmet.invented}.` : "";
+  if (met === false) return {mark: "\u2715", tone: "bad", title: "It does not fit as required", text: model + run + invented};
+  if (verified === false)
+    return {mark: "!", tone: "bad", title: "It fits in the model, but the physics run " + failing(data), text: model + run + invented};
+  const text = model + (run || " It was not checked by a physics run.") + invented;
+  if (helmet.invented) return {mark: "!", tone: "unsure", title: "It fits, in part over an invented dome", text};
+  return {mark: "\u2713", tone: verified ? "good" : "unsure", title: verified ? "It fits, and the physics run agrees" : "It fits in the model", text};
+}
+
+/** Corners of each cell at rest, as rows of body indices. */
+function cellsOf(raw) {
+  return numberRows(dictionary(raw.structure).cells?.map((cell) => cell?.bodies), 4);
+}
+
+/** Tilt of the cell's crease: whichever of its walls leans most. */
+function tiltOfCell(raw, k, hinges) {
+  const members = list(list(dictionary(raw.structure).cells)[k]?.hinges);
+  return members.map((h) => hinges[h]?.beta ?? 0).reduce((a, b) => (Math.abs(b) > Math.abs(a) ? b : a), 0);
+}
+
+/** The flat fishbone, the front of the head at the top, a colour a cell. */
+function cellMap({structure, raw}, values, most, unit, width, label) {
+  const corners = cellsOf(raw), rest = (body) => structure.bodies[body].rest.slice(0, 2);
+  const box = extent(corners.flat().map(rest));
+  const px = Math.min((width - 4) / box.size[0], 520 / box.size[1]);
+  const to = ([x, y]) => [2 + (x - box.low[0]) * px, 2 + (box.high[1] - y) * px];
+  return drawing(
+      box.size[0] * px + 4, box.size[1] * px + 4, label,
+      corners.map((bodies, k) => svg("path", {
+        d: path(bodies.map((body) => to(rest(body))), true), fill: tiltColour(values[k] ?? 0, most),
+        stroke: colour("rim"), "stroke-width": 0.4
+      }, svg("title", {}, unit(values[k])))));
+}
+
+function colourKey(most, unit) {
+  const bar = 160, steps = 33;
+  return drawing(
+      bar + 60, 40, "Colour scale", Array.from({length: steps}, (_, k) => svg("rect", {
+        x: 30 + (k * bar) / steps, y: 4, width: bar / steps + 0.6, height: 12, fill: tiltColour((2 * k) / (steps - 1) - 1, 1)
+      })),
+      svg("g", {class: "ticks"}, [-1, 0, 1].map((share) => svg("text", {x: 30 + (bar * (share + 1)) / 2, y: 32, "text-anchor": "middle"}, unit(share * most)))));
+}
+
+function mapFigure(data, values, most, unit, label, text) {
+  return html("figure", {class: "picture"}, responsive((width) => cellMap(data, values, most, unit, width, label)), colourKey(most, unit),
+              html("figcaption", {}, text));
+}
+
+function largest(values) {
+  return Math.max(1e-9, ...values.map((value) => Math.abs(value ?? 0)));
+}
+
+function fitMaps(data) {
+  const {goal: helmet, raw, structure} = data;
+  const tilts = cellsOf(raw).map((_, k) => toDegrees(tiltOfCell(raw, k, structure.hinges)));
+  return html(
+      "div", {class: "groups"},
+      mapFigure(data, helmet.cells, largest(helmet.cells), millimetres, "Distance by cell",
+                "Distance from the clearance, by cell: brown too near, green too far. The fishbone is printed like this."),
+      mapFigure(data, tilts, largest(tilts), degrees, "Tilts by cell", "Tilt of the walls that bend, by cell."));
+}
+
+function ribTable({ribs}) {
+  return table(["Rib", "Row", "Cells beyond the spine", "Off its section, rms"], ribs.map((rib, k) => ({
+    cells: [String(k + 1), String(rib.row), rib.cells.join(" and "), millimetres(rib.rms)]
+  })), "Ribs");
+}
+
+function uniformTable({error, uniform}) {
+  const row = (name, fit) => ({cells: [name, millimetres(fit.rms_mm), millimetres(fit.max_mm), millimetres(fit.rib_rms_mm)]});
+  return table(["Helmet", "rms", "Largest", "Worst rib"], [
+    row("one tilt for all walls, the mean of the fitted ones", dictionary(uniform.before)),
+    row(`one tilt for all walls, at best (${degrees(uniform.tilt_deg)})`, dictionary(uniform.after)), row("every tilt by itself", error)
+  ], "Against one tilt for all");
+}
+
+function helmetSection(data) {
+  const {goal: helmet} = data;
+  return html(
+      "div", {},
+      html("p", {class: "lead"},
+           `${count(helmet.ribs.length, "rib", "ribs")}, ${millimetres(helmet.clearance)} over the head, down to ${millimetres(helmet.coverage)} below the crown.`),
+      fitMaps(data), html("div", {class: "blocks"}, html("div", {class: "scroll"}, ribTable(helmet)), html("div", {class: "scroll"}, uniformTable(helmet))),
+      helmet.notes.length ? html("ul", {class: "why"}, helmet.notes.map((note) => html("li", {}, note))) : null);
+}
+
+const helmetGoal = {
+  name: "helmet",
+  read: (raw) => readHelmet(raw.helmet),
+  place: (raw, states) => inHeadFrame(raw.helmet, states),
+  view: "slant",
+  backdropKey: ["head-key", "the head"],
+  verdict: helmetVerdict,
+  numbers: (data) => measures(data, [
+    ["distance_rms_mm", "Distance, rms", "mm, of the bodies from head plus clearance", "rms_mm"],
+    ["distance_max_mm", "Distance, largest", "mm, likewise", "max_mm"],
+  ]),
+  firstSections: [["helmet", "How it fits the head", helmetSection]],
+  hasNoLayout: true,
+};

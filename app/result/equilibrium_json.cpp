@@ -1,0 +1,68 @@
+#include "app/result/equilibrium_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace kinetix::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+bool by_plates(const Equilibrium& equilibrium) {
+  return equilibrium.drive.kind == model::Drive::Kind::plates;
+}
+
+Json step_json(const model::EquilibriumStep& step, bool plates) {
+  return {{"theta_rad", step.theta},
+          {"drive", step.drive},
+          {"drive_unit", plates ? "compression" : "rad"},
+          {"load", step.load},
+          {"load_unit", plates ? "N" : "N mm"},
+          {"energy_Nmm", step.energy},
+          {"gap", step.gap},
+          {"contacts", step.contacts},
+          {"stable", step.stable}};
+}
+
+Json event_json(const model::PathEvent& event) {
+  return {{"kind", to_string(event.kind)}, {"theta_rad", event.at.theta}, {"since_rad", event.since},
+          {"drive", event.at.drive},       {"load", event.at.load},       {"what", event.what}};
+}
+
+}  // namespace
+
+Json equilibrium_json(const Equilibrium& equilibrium) {
+  const model::EquilibriumPath& path = equilibrium.path;
+  const model::Elasticity& e = equilibrium.elasticity;
+  Json steps = Json::array(), events = Json::array(), energies = Json::array();
+  for (const model::EquilibriumStep& step : path.steps)
+    steps.push_back(step_json(step, by_plates(equilibrium)));
+  for (const model::PathEvent& event : path.events) events.push_back(event_json(event));
+  for (const model::HingeEnergy& energy : path.hinge_energies)
+    energies.push_back({{"stretch", energy.stretch}, {"turn", energy.turn}});
+  return {
+      {"stop", to_string(path.stop)},
+      {"why", path.why},
+      {"planar", path.planar},
+      {"goal_rad", equilibrium.drive.theta()},
+      {"iterations", path.iterations},
+      {"stiffness",
+       {{"k_point", e.k_point}, {"k_turn", e.k_turn}, {"reach_mm", e.reach_mm}, {"k_contact", e.k_contact}}},
+      {"path", steps},
+      {"events", events},
+      {"hinge_energy_Nmm", energies}};
+}
+
+void add_equilibrium_metrics(const Equilibrium& equilibrium, Json& metrics) {
+  const model::EquilibriumStep& last = equilibrium.path.steps.back();
+  metrics["reached"] = equilibrium.reached();
+  metrics[by_plates(equilibrium) ? "compression" : "drive_rad"] = last.drive;
+  metrics[by_plates(equilibrium) ? "load_N" : "load_Nmm"] = last.load;
+  metrics["energy_Nmm"] = last.energy;
+  metrics["hinge_gap_max"] = equilibrium.path.gaps.max;
+  metrics["hinge_gap_rms"] = equilibrium.path.gaps.rms;
+  if (!equilibrium.from_exact) return;
+  metrics["exact_rms"] = equilibrium.from_exact->rms;
+  metrics["exact_max"] = equilibrium.from_exact->max;
+}
+
+}  // namespace kinetix::app

@@ -1,0 +1,91 @@
+#include "app/result/equilibrium_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace kinetix::app {
+namespace {
+
+constexpr std::size_t most_events = 12, most_states = 6;
+
+double degrees(double angle) { return angle / radians_per_degree; }
+
+bool by_plates(const Equilibrium& equilibrium) {
+  return equilibrium.drive.kind == model::Drive::Kind::plates;
+}
+
+std::string load_text(const Equilibrium& equilibrium, const model::EquilibriumStep& step) {
+  return fmt::format("{:.4g} {}", step.load, by_plates(equilibrium) ? "N" : "N mm");
+}
+
+std::string drive_text(const Equilibrium& equilibrium, const model::EquilibriumStep& step) {
+  return by_plates(equilibrium) ? fmt::format("compression {:.4g}", step.drive)
+                                : fmt::format("hinge angle {:.4g} deg", degrees(step.drive));
+}
+
+std::string energy_text(const model::EquilibriumPath& path) {
+  model::HingeEnergy sum;
+  for (const model::HingeEnergy& energy : path.hinge_energies) {
+    sum.stretch += energy.stretch;
+    sum.turn += energy.turn;
+  }
+  const double total = path.steps.back().energy;
+  return fmt::format("{:.4g} N mm ({:.4g} in stretch, {:.4g} in rotation, {:.2g} in contact)", total,
+                     sum.stretch, sum.turn, std::max(0.0, total - sum.total()));
+}
+
+std::string stretch_text(const Run& run) {
+  const model::HingeGaps& gaps = run.equilibrium->path.gaps;
+  std::string text =
+      fmt::format("largest {:.2e} cell edges ({:.3g} mm)", gaps.max, gaps.max * run.structure.size.edge_mm);
+  if (gaps.worst_hinge >= 0 && gaps.max > 0)
+    text += ", on wall " + to_string(run.structure.hinges[gaps.worst_hinge].wall);
+  return text;
+}
+
+std::string stable_text(const model::StableStates& stable) {
+  std::string text = fmt::format("{} states: flat", stable.states.size());
+  for (std::size_t k = 1; k < std::min(most_states, stable.states.size()); ++k)
+    text += fmt::format(", theta {:.2f} deg ({:.3g} N mm)", degrees(stable.states[k].theta),
+                        stable.states[k].energy);
+  if (stable.states.size() > most_states) text += ", and more in result.json";
+  for (std::size_t k = 0; k < std::min(most_states, stable.barriers.size()); ++k)
+    text += fmt::format("; barrier {:.4g} N mm at theta {:.2f} deg", stable.barriers[k].energy,
+                        degrees(stable.barriers[k].theta));
+  return text;
+}
+
+}  // namespace
+
+std::string in_words(model::EquilibriumPath::Stop stop) {
+  return stop == model::EquilibriumPath::Stop::overstretched ? "hinge overstretched" : to_string(stop);
+}
+
+std::vector<std::array<std::string, 2>> equilibrium_lines(const Run& run) {
+  const Equilibrium& equilibrium = *run.equilibrium;
+  const model::EquilibriumPath& path = equilibrium.path;
+  const model::EquilibriumStep& last = path.steps.back();
+  std::vector<std::array<std::string, 2>> lines;
+  if (!equilibrium.reached()) lines.push_back({"STOPPED", in_words(path.stop) + ": " + path.why});
+  lines.push_back({"load", load_text(equilibrium, last) + " at " + drive_text(equilibrium, last) +
+                               (equilibrium.reached() ? ": the drive reached its goal" : "")});
+  lines.push_back({"energy", energy_text(path)});
+  lines.push_back({"stretch", stretch_text(run)});
+  for (std::size_t k = 0; k < std::min(most_events, path.events.size()); ++k) {
+    const model::PathEvent& event = path.events[k];
+    lines.push_back({"event", fmt::format("{} at {}, theta {:.2f} deg, load {}: {}", to_string(event.kind),
+                                          drive_text(equilibrium, event.at), degrees(event.at.theta),
+                                          load_text(equilibrium, event.at), event.what)});
+  }
+  if (path.events.size() > most_events)
+    lines.push_back({"", fmt::format("and {} more events in result.json", path.events.size() - most_events)});
+  if (equilibrium.stable.states.size() > 1) lines.push_back({"stable", stable_text(equilibrium.stable)});
+  for (const std::string& why : equilibrium.stable.unresolved) lines.push_back({"release", why});
+  if (equilibrium.from_exact)
+    lines.push_back({"exact", fmt::format("rms {:.1e} cell edges from the closed form of the same drive",
+                                          equilibrium.from_exact->rms)});
+  return lines;
+}
+
+}  // namespace kinetix::app

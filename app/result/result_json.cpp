@@ -1,0 +1,139 @@
+#include "app/result/result_json.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "app/result/equilibrium_json.hpp"
+#include "app/result/physics_json.hpp"
+#include "app/result/stable_states_json.hpp"
+#include "app/result/state_json.hpp"
+#include "app/version.hpp"
+
+namespace kinetix::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json numbers(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+Json plan_json(const Run& run) {
+  const Plan& plan = run.plan;
+  Json out = {{"family", to_string(plan.family.family)},
+              {"model", to_string(plan.model)},
+              {"bodies", run.structure.bodies.size()},
+              {"hinges", run.structure.hinges.size()},
+              {"why", plan.why}};
+  if (const auto& m = plan.mobility)
+    out["mobility"] = {{"verdict", to_string(m->verdict)},
+                       {"flat", m->dofs_flat},
+                       {"moving", m->dofs_along},
+                       {"gruebler", m->gruebler_spatial}};
+  return out;
+}
+
+Json structure_json(const model::Structure& s, double reach_mm) {
+  Json bodies = Json::array(), hinges = Json::array(), cells = Json::array();
+  for (std::size_t b = 0; b < s.bodies.size(); ++b)
+    bodies.push_back({{"vertex", {s.bodies[b].i, s.bodies[b].j}},
+                      {"position_mm", numbers(s.rest_position(static_cast<int>(b)))}});
+  for (const model::Hinge& h : s.hinges)
+    hinges.push_back({{"bodies", {h.lower, h.upper}},
+                      {"t", h.parameters.t},
+                      {"alpha_rad", h.parameters.alpha},
+                      {"beta_rad", h.parameters.beta},
+                      {"point_mm", numbers(s.hinge_point(h))},
+                      {"axis", numbers(hinge_axis(h.wall.axis, h.parameters))},
+                      {"reach_mm", reach_mm}});
+  for (std::size_t c = 0; c < s.cells.size(); ++c)
+    cells.push_back({{"cell", {s.cells[c].i, s.cells[c].j}},
+                     {"bodies", s.cell_members[c].bodies},
+                     {"hinges", s.cell_members[c].hinges}});
+  return {{"cell_mm", s.size.edge_mm},
+          {"wall_mm", {{"thickness", s.size.thickness_mm}, {"height", s.size.height_mm}}},
+          {"bodies", bodies},
+          {"hinges", hinges},
+          {"cells", cells}};
+}
+
+Json state_json(const NamedState& state) {
+  return {{"name", state.name},
+          {"model", state.model},
+          {"theta_rad", state.theta},
+          {"poses", poses_json(state.poses)},
+          {"hinge_gap_max", state.gaps.max},
+          {"hinge_gap_rms", state.gaps.rms}};
+}
+
+/// A design has no goal to be judged by.
+Json tolerance_json(const Run& run) {
+  Json out = Json::object();
+  if (run.goal)
+    for (const auto& [key, limit] : run.goal->tolerances) out[key] = limit;
+  out["verify"] = run.verify_tolerance;
+  return out;
+}
+
+Json fidelity_json(const std::vector<Fidelity>& rows) {
+  Json out = Json::array();
+  for (const Fidelity& row : rows)
+    out.push_back(
+        {{"model", row.model}, {"seconds", row.seconds}, {"error", row.error}, {"against", row.against}});
+  return out;
+}
+
+}  // namespace
+
+Json metrics_json(const Run& run) {
+  Json metrics = {{"theta_rad", run.theta}};
+  if (run.plan.free_range) {
+    const model::ThetaLimit& limit =
+        run.theta < 0 ? run.plan.free_range->negative : run.plan.free_range->positive;
+    if (limit.touches) metrics["theta_limit_rad"] = limit.theta;
+  }
+  if (run.goal) run.goal->add_metrics(metrics);
+  if (run.equilibrium) add_equilibrium_metrics(*run.equilibrium, metrics);
+  if (run.verification) {
+    metrics["verify_rms"] = run.verification->distance.rms;
+    metrics["verify_max"] = run.verification->distance.max;
+    metrics["hinge_gap_max"] = run.verification->physics.gaps.max;
+    metrics["hinge_axis_max_rad"] = run.verification->physics.gaps.axis_max;
+    metrics["verified"] = run.verification->agrees;
+  }
+  return metrics;
+}
+
+Json result_json(const Run& run) {
+  const double edge = run.structure.size.edge_mm;
+  const double reach = run.equilibrium    ? run.equilibrium->elasticity.reach_mm
+                       : run.verification ? run.verification->options.reach * edge
+                                          : sim::PhysicsOptions{}.reach * edge;
+  Json states = Json::array();
+  for (const NamedState& state : run.states) states.push_back(state_json(state));
+  Json out = {{"schema", "kinetix-result/1"},
+              {"name", run.name},
+              {"kinetix_version", version},
+              {"seed", run.seed},
+              {"target", run.goal ? run.goal->target_json() : Json(nullptr)},
+              {"plan", plan_json(run)},
+              {"structure", structure_json(run.structure, reach)},
+              {"states", states},
+              {"metrics", metrics_json(run)},
+              {"tolerance", tolerance_json(run)},
+              {"fidelity", fidelity_json(run.fidelity)},
+              {"timing_s",
+               {{"load", run.timings.load},
+                {"plan", run.timings.plan},
+                {"optimise", run.timings.optimise},
+                {"verify", run.timings.verify},
+                {"write", run.timings.write}}}};
+  if (run.goal) run.goal->add_sections(run, out);
+  if (run.equilibrium) {
+    out["equilibrium"] = equilibrium_json(*run.equilibrium);
+    add_stable_states(run, out["equilibrium"]);
+    out["timing_s"]["balance"] = run.timings.equilibrium;
+  }
+  if (run.verification) out["physics"] = physics_json(*run.verification);
+  return out;
+}
+
+}  // namespace kinetix::app

@@ -1,0 +1,25 @@
+#include "app/result/state_json.hpp"
+
+#include <Eigen/Geometry>
+#include <nlohmann/json.hpp>
+
+namespace kinetix::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json pose_json(const model::Pose& pose) {
+  const Eigen::Quaterniond q(pose.R);
+  return {{"position_mm", {pose.p.x(), pose.p.y(), pose.p.z()}},
+          {"quaternion_wxyz", {q.w(), q.x(), q.y(), q.z()}}};
+}
+
+}  // namespace
+
+Json poses_json(const model::State& state) {
+  Json poses = Json::array();
+  for (const model::Pose& pose : state) poses.push_back(pose_json(pose));
+  return poses;
+}
+
+}  // namespace kinetix::app

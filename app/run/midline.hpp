@@ -1,0 +1,14 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "model/lattice/square/structure.hpp"
+#include "model/linkage/state.hpp"
+
+namespace kinetix::app {
+
+/// (x, z) of the mean of the bodies of each column.
+std::vector<Eigen::Vector2d> column_midline(const model::Structure& structure, const model::State& state);
+
+}  // namespace kinetix::app

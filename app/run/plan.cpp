@@ -1,0 +1,67 @@
+#include "app/run/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace kinetix::app {
+namespace {
+
+/// Beyond this the numeric rank costs more than a search; the exact families have one freedom by their closed
+/// form.
+constexpr std::size_t most_bodies_for_rank = 500;
+
+std::string wall_sentence(const model::ThetaRange& range) {
+  const double degrees = range.positive.theta / radians_per_degree;
+  if (!range.positive.touches) return fmt::format("no walls touch up to theta {:.1f} deg", degrees);
+  return fmt::format("walls touch at theta {:.2f} deg", degrees);
+}
+
+std::string model_sentence(const Plan& plan, const model::Structure& structure) {
+  if (plan.model == Model::exact)
+    return "states come from the closed form; the physics run alone sees contact";
+  if (plan.model == Model::bullet) return "the state comes from the physics run";
+  const auto leaning = std::find_if_not(structure.hinges.begin(), structure.hinges.end(),
+                                        [](const model::Hinge& hinge) { return is_vertical(hinge); });
+  return "states are equilibria of rigid bodies, elastic hinges and walls in contact, followed from flat; " +
+         (plan.planar ? "planar: all hinges stand upright"
+                      : "spatial: the hinge on wall " + to_string(leaning->wall) + " leans");
+}
+
+}  // namespace
+
+std::string to_string(Model model) {
+  switch (model) {
+    case Model::exact:
+      return "exact";
+    case Model::equilibrium:
+      return "equilibrium";
+    case Model::bullet:
+      break;
+  }
+  return "bullet";
+}
+
+Plan make_plan(const model::Structure& structure, std::optional<Model> model) {
+  Plan plan;
+  plan.family = classify(structure);
+  plan.model = model.value_or(plan.family.family == model::Family::none ? Model::bullet : Model::exact);
+  plan.planar = all_vertical(structure);
+  plan.why.push_back(plan.family.why);
+  const model::ExactMotion exact = exact_motion(structure, plan.family);
+  if (structure.bodies.size() <= most_bodies_for_rank) {
+    plan.mobility = mobility(structure, exact);
+    plan.why.push_back("mobility: " + plan.mobility->why);
+  } else {
+    plan.why.push_back(
+        fmt::format("mobility: numeric rank not computed above {} bodies", most_bodies_for_rank));
+  }
+  if (plan.family.family != model::Family::none) {
+    plan.free_range = theta_range(structure, exact);
+    plan.why.push_back(wall_sentence(*plan.free_range));
+  }
+  plan.why.push_back(model_sentence(plan, structure));
+  return plan;
+}
+
+}  // namespace kinetix::app

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/closure/mobility.hpp"
+#include "model/contact/wall_contact.hpp"
+#include "model/lattice/square/classify.hpp"
+#include "model/lattice/square/structure.hpp"
+
+namespace kinetix::app {
+
+/// What computes a scene's state.
+enum class Model { exact, equilibrium, bullet };
+
+std::string to_string(Model model);
+
+/// What a scene needs to compute, decided before anything is computed.
+struct Plan {
+  model::Classification family;
+  Model model = Model::exact;
+  bool planar = false;  ///< all hinges stand upright: an equilibrium stays in the plane z = 0
+  std::optional<model::Mobility> mobility;  ///< empty for structures too large to be worth it
+  std::optional<model::ThetaRange>
+      free_range;                ///< theta without walls touching; empty outside the exact families
+  std::vector<std::string> why;  ///< one sentence per decision
+};
+
+/// @param model nothing: exact where a family fits, else bullet
+Plan make_plan(const model::Structure& structure, std::optional<Model> model = {});
+
+}  // namespace kinetix::app

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/files/design_file.hpp"
+#include "app/run/goal_outcome.hpp"
+#include "app/run/plan.hpp"
+#include "model/elastic/equilibrium_comparison.hpp"
+#include "model/elastic/stable_states.hpp"
+#include "model/lattice/square/drive.hpp"
+#include "sim/compression_run.hpp"
+
+namespace kinetix::app {
+
+/// A state with the name and the model that made it.
+struct NamedState {
+  std::string name;   ///< "target", or "frame" for the steps of a motion
+  std::string model;  ///< "exact", "equilibrium" or "bullet"
+  double theta = 0;   ///< rad
+  model::State poses;
+  model::HingeGaps gaps;
+};
+
+/// One row of a scene's speed-against-error table.
+struct Fidelity {
+  std::string model;
+  double seconds = 0;  ///< for one state
+  double error = 0;    ///< rms of body positions after rigid alignment, cell edges
+  std::string against;
+};
+
+/// The physics run and its agreement with the model.
+struct Verification {
+  sim::PhysicsOptions options;
+  sim::PhysicsResult physics;
+  model::StateDistance distance;  ///< NaN unless the run settled
+  bool compared = false;          ///< whether there was a model's state to compare with
+  bool agrees = false;            ///< settled and, if compared, distance.rms within the tolerance
+  std::optional<model::EquilibriumComparison>
+      equilibrium;  ///< settled, and compared with an equilibrium of elastic hinges
+};
+
+/// The equilibrium of elastic hinges that a drive leads to.
+struct Equilibrium {
+  model::Elasticity elasticity;
+  model::Drive drive;
+  model::EquilibriumPath path;
+  model::StableStates stable;  ///< that a release on the way leads to
+  std::optional<model::StateDistance>
+      from_exact;  ///< of the last state, where a closed form fits the drive so far
+
+  bool reached() const { return path.stop == model::EquilibriumPath::Stop::reached; }
+};
+
+struct Timings {
+  double load = 0, plan = 0, optimise = 0, equilibrium = 0, verify = 0, write = 0;  ///< seconds
+};
+
+/// Everything one call of the program knows at its end: what result.json and the report show.
+struct Run {
+  std::string name;
+  std::uint64_t seed = 0;
+  model::Structure structure;
+  Plan plan;
+  double theta = 0;                   ///< rad, of the state shown
+  std::unique_ptr<GoalOutcome> goal;  ///< nothing for a design, which was not searched for
+  std::vector<NamedState> states;
+  PhysicsSection physics;  ///< these four as the file asked
+  HingeSection hinge;
+  std::optional<DriveSection> drive;
+  int side = 1;
+  std::optional<Equilibrium> equilibrium;
+  std::optional<Verification> verification;
+  std::vector<Fidelity> fidelity;
+  double verify_tolerance = 0.02;  ///< of verification->distance.rms, cell edges
+  Timings timings;
+};
+
+/// The outcome of a goal of the caller's own kind. @pre run.goal is one
+template <class Outcome>
+Outcome& outcome_of(Run& run) {
+  return dynamic_cast<Outcome&>(*run.goal);
+}
+template <class Outcome>
+const Outcome& outcome_of(const Run& run) {
+  return dynamic_cast<const Outcome&>(*run.goal);
+}
+
+}  // namespace kinetix::app

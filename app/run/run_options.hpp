@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+namespace kinetix::app {
+
+/// Words about what is going on, and the share done of the current stage, 0 to 1 (negative: not known).
+using Progress = std::function<void(const std::string& stage, double done)>;
+
+/// What the command line adds to a file.
+struct RunOptions {
+  int threads = 0;  ///< 0 = all cores
+  std::uint64_t seed = 0;
+  bool verify = true;  ///< run the physics engine
+  Progress progress;
+};
+
+}  // namespace kinetix::app

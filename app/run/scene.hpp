@@ -1,0 +1,40 @@
+#pragma once
+
+#include "app/run/run.hpp"
+#include "app/run/run_options.hpp"
+
+namespace kinetix::app {
+
+/// What the physics engine is to run, and what its last state is compared with.
+struct PhysicsTask {
+  model::State reference;  ///< of the same drive by the run's model; empty where no model knows one
+  model::Drive drive;
+  sim::PhysicsOptions options;
+};
+
+/// What the pipeline runs: the goal of a target, or a design. Each stage adds what it finds to the run.
+class Scene {
+ public:
+  virtual ~Scene() = default;
+
+  /// Names folders of results.
+  virtual std::string name() const = 0;
+  /// The model that the states come from. Nothing: exact where a family fits, else bullet.
+  virtual std::optional<Model> model() const { return {}; }
+
+  /// Sets the structure, theta, and what the file asks of hinges, drive and physics. Searches for them where there
+  /// is a goal, and sets run.goal. @throws InvalidInput for a target that leaves nothing to search
+  virtual void solve(Run& run, const RunOptions& options) const = 0;
+  /// Adds the state in which the model holds the structure. @pre planned
+  virtual void add_state(Run& run, const RunOptions& options) const = 0;
+  /// Says what the state lacks of the goal.
+  virtual void judge(Run&, const RunOptions&) const {}
+  /// Nothing where a physics run is not worth its time.
+  virtual std::optional<PhysicsTask> physics_task(const Run& run) const = 0;
+  /// Says what the settled physics run lacks of the goal.
+  virtual void judge_physics(Run&) const {}
+  /// Adds states that show the motion.
+  virtual void add_frames(Run&) const {}
+};
+
+}  // namespace kinetix::app

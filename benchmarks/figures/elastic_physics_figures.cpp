@@ -1,0 +1,62 @@
+#include <fmt/format.h>
+
+#include "benchmarks/figure.hpp"
+#include "benchmarks/stopwatch.hpp"
+#include "model/elastic/equilibrium_comparison.hpp"
+#include "model/elastic/equilibrium_path.hpp"
+#include "sim/compression_run.hpp"
+#include "tests/support/elastic_runs.hpp"
+#include "tests/support/paper_scenes.hpp"
+
+namespace kinetix::bench {
+namespace {
+
+constexpr double limit = 1e-2;
+
+Figure against_equilibrium(const std::string& name, const model::Structure& structure,
+                           const model::Drive& drive) {
+  const model::Elasticity elasticity;
+  model::EquilibriumPathOptions fine;
+  fine.longest_step = fine.first_step = 0.01;
+  model::EquilibriumPath path;
+  const double time = seconds([&] { path = trace_equilibrium(driven(structure, drive), elasticity, fine); });
+  sim::PhysicsOptions options;
+  options.elastic = relative(elasticity, structure.size.edge_mm);
+  options.planar = path.planar;
+  const sim::PhysicsResult physics = run_compression(structure, drive.on(structure), options);
+  const model::EquilibriumComparison c = compare_equilibria(
+      {structure, elasticity, drive.on(structure), path.planar, true}, physics.state, path.state, limit);
+  const bool reached = path.stop == model::EquilibriumPath::Stop::reached,
+             settled = physics.status == sim::PhysicsResult::Status::settled;
+  return {name + ": equilibrium against Bullet, same stiffness", "verify_rms <= 1e-2",
+          fmt::format("{}, rms {:.1e} cell edges (max {:.1e}), {} points in contact; {:.2f} s, {}; Bullet "
+                      "{:.2f} s, {}",
+                      to_string(c.outcome), c.distance.rms, c.distance.max, path.steps.back().contacts, time,
+                      to_string(path.stop), physics.seconds, to_string(physics.status)),
+          reached && settled && c.distance.rms <= limit};
+}
+
+model::Drive pressed(double compression) {
+  model::Drive drive;
+  drive.compression = compression;
+  return drive;
+}
+
+}  // namespace
+
+std::vector<Figure> elastic_physics_figures() {
+  constexpr double degree = radians_per_degree;
+  std::vector<Figure> figures;
+  for (const double k : {0.1, 0.12, 0.15})
+    figures.push_back(against_equilibrium(fmt::format("letter T, 10 x 10, k = {}, 16 % compression", k),
+                                          testing::letter_panel(k), pressed(0.16)));
+  for (const double theta : {20.0, 40.0})
+    figures.push_back(against_equilibrium(
+        fmt::format("twist strip of 9 columns, hinge driven to theta {} deg", theta),
+        testing::twisting_strip(), testing::hinge_drive({{5, 0}, model::Axis::y}, theta * degree)));
+  figures.push_back(against_equilibrium("gradient panel, 8 x 8, theta 20 deg", testing::gradient_panel(),
+                                        testing::plates_drive(model::Axis::x, 20 * degree)));
+  return figures;
+}
+
+}  // namespace kinetix::bench

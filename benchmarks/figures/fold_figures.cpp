@@ -1,0 +1,96 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/goals/fold/fold_kind.hpp"
+#include "app/goals/fold/fold_outcome.hpp"
+#include "app/pipeline/pipeline.hpp"
+#include "benchmarks/figure.hpp"
+
+namespace kinetix::bench {
+namespace {
+
+app::Run folded(const targets::FoldGoal& goal, bool verify) {
+  app::FoldFile file;
+  file.name = "fold";
+  file.goal = goal;
+  file.size = {10, 0.8, 6};
+  app::RunOptions options;
+  options.verify = verify;
+  return run_scene(*make_scene(file), options);
+}
+
+double largest_miss_deg(const targets::FoldNet& net, const targets::FoldError& error) {
+  double most = 0;
+  for (std::size_t c = 0; c < net.creases.size(); ++c)
+    most = std::max(most, std::abs(error.fold[c] - net.creases[c].angle));
+  return to_degrees(most);
+}
+
+std::vector<Figure> cube() {
+  const app::Run run = folded(targets::box_goal({4, 4, 4}), true);
+  const auto& fold = app::outcome_of<app::FoldOutcome>(run);
+  const optim::FoldedNet& net = fold.design.folded;
+  const double miss = largest_miss_deg(net.net, net.error), rms = net.error.rms;
+  const double physics = fold.physics ? fold.physics->rms : INFINITY;
+  const double verify = run.verification ? run.verification->distance.rms : INFINITY;
+  const std::string scene = "cube, 4 x 4 x 4 cells";
+  return {{scene + ": crease angles", "90 deg within 1e-6",
+           fmt::format("within {:.1e} deg, {} columns a crease", miss, net.layout.creases[0].columns),
+           fold.met() && miss <= 1e-6},
+          {scene + ": faces against the solid, model", "rms <= 0.02 of the edge", fmt::format("{:.1e}", rms),
+           rms <= 0.02},
+          {scene + ": faces against the solid, physics run", "rms <= 0.03 of the edge",
+           fmt::format("{:.1e}", physics), physics <= 0.03},
+          {scene + ": physics run against the model", "<= 1e-2 cell edges", fmt::format("{:.1e}", verify),
+           verify <= 1e-2}};
+}
+
+/// All boxes from 1 x 1 x 1 to 6 x 4 x 3 with a >= b >= c.
+std::vector<Figure> boxes() {
+  int count = 0, folding = 0, settled = 0;
+  double slowest = 0, worst_faces = 0, worst_verify = 0;
+  std::string refused;
+  for (int a = 1; a <= 6; ++a)
+    for (int b = 1; b <= std::min(a, 4); ++b)
+      for (int c = 1; c <= std::min(b, 3); ++c) {
+        const app::Run run = folded(targets::box_goal({a, b, c}), true);
+        const auto& fold = app::outcome_of<app::FoldOutcome>(run);
+        ++count;
+        folding += fold.met();
+        slowest = std::max(slowest, run.timings.optimise);
+        if (!fold.met()) refused += fmt::format("; {} x {} x {}: {}", a, b, c, fold.violations.back());
+        if (!fold.physics) continue;
+        ++settled;
+        worst_faces = std::max(worst_faces, fold.physics->rms);
+        worst_verify = std::max(worst_verify, run.verification->distance.rms);
+      }
+  const std::string scene = fmt::format("{} boxes from 1 x 1 x 1 to 6 x 4 x 3 cells", count);
+  return {{scene + ", faces kept apart on the way", "every one folds, or a reason why not",
+           fmt::format("{} fold{}", folding, refused), folding == count},
+          {scene + ": in the physics run", "faces <= 0.03 of the edge, <= 1e-2 cell edges from the model",
+           fmt::format("{} settle, faces {:.1e}, {:.1e}", settled, worst_faces, worst_verify),
+           settled == count && worst_faces <= 0.03 && worst_verify <= 1e-2},
+          {scene + ": slowest design", "<= 1 s", fmt::format("{:.2g} s", slowest), slowest <= 1}};
+}
+
+/// Every way to cut the cube open, by itself.
+Figure unfoldings() {
+  const targets::FoldGoal cube = targets::box_goal({4, 4, 4});
+  int folding = 0;
+  for (const targets::FoldNet& net : cube.nets) folding += folded({{}, {}, {net}}, false).goal->met();
+  return {"cube, 4 x 4 x 4 cells: unfoldings that fold without a face crossing another", "of 11",
+          std::to_string(folding), folding == 11};
+}
+
+}  // namespace
+
+std::vector<Figure> fold_figures() {
+  std::vector<Figure> figures = cube();
+  for (Figure& figure : boxes()) figures.push_back(std::move(figure));
+  figures.push_back(unfoldings());
+  return figures;
+}
+
+}  // namespace kinetix::bench

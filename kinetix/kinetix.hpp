@@ -1,0 +1,148 @@
+#pragma once
+
+/// What a program that uses kinetix starts from, by one include and in one namespace: kinetix::fit_curve,
+/// kinetix::trace_equilibrium, ... Lengths in mm, angles in rad, forces in N. What is not named here is in the
+/// namespace and the folder of its room, such as kinetix::model::null_space in model/closure/null_space.hpp.
+
+#include "model/base/angle.hpp"
+#include "model/base/invalid_input.hpp"
+#include "model/closure/mobility.hpp"
+#include "model/contact/wall_contact.hpp"
+#include "model/elastic/equilibrium_path.hpp"
+#include "model/elastic/stable_states.hpp"
+#include "model/lattice/square/classify.hpp"
+#include "model/lattice/square/drive.hpp"
+#include "model/lattice/square/exact_family.hpp"
+#include "model/lattice/square/structure.hpp"
+#include "model/lattice/square/unit_laws.hpp"
+#include "model/linkage/state.hpp"
+#include "model/opening/cell_opening.hpp"
+#include "optim/curve/fit_curve.hpp"
+#include "optim/display/fit_display.hpp"
+#include "optim/doe/analysis.hpp"
+#include "optim/doe/sampling.hpp"
+#include "optim/fold/fit_fold.hpp"
+#include "optim/helmet/fit_helmet.hpp"
+#include "optim/solvers/multi_start.hpp"
+#include "optim/solvers/scalar_solver.hpp"
+#include "sim/compression_run.hpp"
+#include "targets/curve/read_curve.hpp"
+#include "targets/display/display_goal.hpp"
+#include "targets/fold/fold_goal.hpp"
+#include "targets/helmet/head.hpp"
+
+namespace kinetix {
+
+/// @name Structures: cells, walls, hinges, and the poses of their bodies
+/// @{
+using model::Axis;
+using model::Cell;
+using model::CellSize;
+using model::Hinge;
+using model::hinge_gaps;
+using model::HingeGaps;
+using model::HingeParameters;
+using model::make_structure;
+using model::Pose;
+using model::rectangle;
+using model::rest_state;
+using model::State;
+using model::Structure;
+using model::Vertex;
+using model::Wall;
+/// @}
+
+/// @name How it moves: exact families, degrees of freedom, walls in the way
+/// @{
+using model::aligned_distance;
+using model::apply;
+using model::area;
+using model::area_ratio;
+using model::classify;
+using model::crease_fold;
+using model::crease_tilt;
+using model::Drive;
+using model::drive_to;
+using model::driven;
+using model::ExactDesign;
+using model::Family;
+using model::fold;
+using model::mobility;
+using model::opening;
+using model::shear_angle;
+using model::theta_range;
+using model::twist_angle;
+using model::Verdict;
+/// @}
+
+/// @name Equilibrium of elastic hinges, walls in contact
+/// @{
+using model::Elasticity;
+using model::EquilibriumPath;
+using model::EquilibriumPathOptions;
+using model::EquilibriumStep;
+using model::find_stable_states;
+using model::PathEvent;
+using model::search_drives;
+using model::trace_equilibrium;
+/// @}
+
+/// @name Goals and their errors
+/// @{
+using targets::box_goal;
+using targets::Curve;
+using targets::curve_error;
+using targets::DisplayGoal;
+using targets::FoldGoal;
+using targets::Head;
+using targets::read_curve_csv;
+using targets::rows_goal;
+/// @}
+
+/// @name Searches: for the goals above, and for a problem of one's own
+/// @{
+using optim::AngleRange;
+using optim::CurveDesign;
+using optim::CurveVariables;
+using optim::DisplayOptions;
+using optim::fit_curve;
+using optim::fit_display;
+using optim::fit_fold;
+using optim::fit_free_curve;
+using optim::fit_helmet;
+using optim::FoldOptions;
+using optim::HelmetSpec;
+using optim::LeastSquaresProblem;
+using optim::multi_start;
+using optim::MultiStartOptions;
+using optim::MultiStartResult;
+using optim::ScalarProblem;
+using optim::solve;
+using optim::SolveResult;
+using optim::SolverName;
+using optim::SolverOptions;
+using optim::SolveStatus;
+/// @}
+
+/// @name Designs of experiments
+/// @{
+using optim::Factor;
+using optim::main_effects;
+using optim::morris_effects;
+using optim::NormalSpread;
+using optim::SamplePlan;
+using optim::SamplingMethod;
+using optim::SamplingOptions;
+using optim::sobol_indices;
+using optim::UniformRange;
+using optim::ValueList;
+/// @}
+
+/// @name The physics run
+/// @{
+using sim::PhysicsOptions;
+using sim::PhysicsResult;
+using sim::run_compression;
+/// @}
+
+}  // namespace kinetix

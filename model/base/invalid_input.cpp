@@ -1,0 +1,29 @@
+#include "model/base/invalid_input.hpp"
+
+#include <sstream>
+#include <utility>
+
+namespace kinetix {
+namespace {
+
+std::string message(const Place& place, const std::string& reason) {
+  std::string text = place.file;
+  if (place.line > 0) text += ":" + std::to_string(place.line);
+  if (place.line > 0 && place.column > 0) text += ":" + std::to_string(place.column);
+  if (!text.empty()) text += ": ";
+  if (!place.key.empty()) text += place.key + ": ";
+  return text + reason;
+}
+
+}  // namespace
+
+std::string number_text(double number) {
+  std::ostringstream out;
+  out << number;
+  return out.str();
+}
+
+InvalidInput::InvalidInput(const std::string& what_is_wrong, Place place)
+    : std::runtime_error(message(place, what_is_wrong)), place_(std::move(place)), reason_(what_is_wrong) {}
+
+}  // namespace kinetix

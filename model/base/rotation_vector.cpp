@@ -1,0 +1,34 @@
+#include "model/base/rotation_vector.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace kinetix {
+namespace {
+
+Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
+  Eigen::Matrix3d m;
+  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+  return m;
+}
+
+/// (1 - cos a) / a^2
+double second(double a) { return a < 1e-4 ? 0.5 - a * a / 24 : (1 - std::cos(a)) / (a * a); }
+/// (a - sin a) / a^3
+double third(double a) { return a < 1e-2 ? 1.0 / 6 - a * a / 120 : (a - std::sin(a)) / (a * a * a); }
+
+}  // namespace
+
+Eigen::Matrix3d rotation_of(const Eigen::Vector3d& v) {
+  const double angle = v.norm();
+  if (angle == 0) return Eigen::Matrix3d::Identity();
+  return Eigen::AngleAxisd(angle, v / angle).toRotationMatrix();
+}
+
+Eigen::Matrix3d rotation_rate(const Eigen::Vector3d& v) {
+  const double angle = v.norm();
+  const Eigen::Matrix3d m = cross_matrix(v);
+  return Eigen::Matrix3d::Identity() + second(angle) * m + third(angle) * m * m;
+}
+
+}  // namespace kinetix

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <variant>
+#include <vector>
+
+#include "model/linkage/state.hpp"
+
+namespace kinetix::model {
+
+/// The upper body of a hinge is turned about the hinge axis against the lower one. On the y-wall of body
+/// (0, 0) the fold parameter theta is the angle -2 theta.
+struct HingeTurn {
+  int hinge = 0;
+  double angle = 0;  ///< rad, (-pi, pi)
+};
+
+/// The motion of one body since `from`, projected on a direction:
+/// direction.omega . (turn since from, rad) + direction.v . (shift since from, in cell edges) = amount.
+struct BodyPush {
+  int body = 0;
+  Pose from;
+  Twist direction;    ///< v in cell edges; not zero
+  double amount = 0;  ///< the turn it asks for must stay below pi
+};
+
+/// One scalar condition that moves a structure along.
+using ClosureDrive = std::variant<HingeTurn, BodyPush>;
+
+/// @throws InvalidInput for a body or hinge that does not exist, or numbers out of range
+void validate(const ClosureDrive& drive, const Linkage& structure);
+
+/// Turn of a hinge in a state, rad, (-pi, pi].
+double hinge_turn(const Linkage& structure, const State& state, int hinge);
+/// Largest difference of a hinge's turn between two states, rad: does not add up along chains.
+double turn_distance(const Linkage& structure, const State& a, const State& b);
+
+/// How far the state is from what the drive asks, rad or cell edges.
+double drive_residual(const ClosureDrive& drive, const Linkage& structure, const State& state);
+
+/// Appends the derivative of drive_residual by the bodies' twists (columns as in closure.hpp) as row `row`.
+void append_drive_gradient(const ClosureDrive& drive, const Linkage& structure, const State& state, int row,
+                           std::vector<Eigen::Triplet<double>>& entries);
+
+}  // namespace kinetix::model

@@ -1,0 +1,92 @@
+#include "model/closure/null_space.hpp"
+
+#include <Eigen/SVD>
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <random>
+
+#include "model/closure/closure.hpp"
+
+namespace kinetix::model {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using SparseMatrix = Eigen::SparseMatrix<double>;
+
+constexpr double zero = 1e-8;
+constexpr double shift = 1e-12;
+constexpr int iterations = 6;
+constexpr std::size_t most_bodies_for_dense = 50;
+
+/// Right singular vectors with their values, largest first.
+struct Spectrum {
+  MatrixXd vectors;
+  VectorXd values;
+};
+
+Spectrum dense_spectrum(const MatrixXd& matrix) {
+  const Eigen::BDCSVD<MatrixXd> svd(matrix, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  return {svd.matrixV(), svd.singularValues()};
+}
+
+MatrixXd orthonormal(const MatrixXd& block) {
+  const Eigen::HouseholderQR<MatrixXd> qr(block);
+  return qr.householderQ() * MatrixXd::Identity(block.rows(), block.cols());
+}
+
+MatrixXd random_block(Eigen::Index rows, Eigen::Index columns) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  return MatrixXd::NullaryExpr(rows, columns, [&] { return unit(random); });
+}
+
+/// The smallest singular values of a Jacobian and their vectors, by iteration with (J^T J + shift)^-1.
+class InverseIteration {
+ public:
+  explicit InverseIteration(const SparseMatrix& jacobian) : jacobian_(jacobian) {
+    SparseMatrix normal = jacobian.transpose() * jacobian;
+    normal.diagonal().array() += shift;
+    factor_.compute(normal);
+  }
+
+  Spectrum smallest(Eigen::Index count) const {
+    MatrixXd block = orthonormal(random_block(jacobian_.cols(), count));
+    for (int k = 0; k < iterations; ++k) block = orthonormal(factor_.solve(block));
+    Spectrum spectrum = dense_spectrum(jacobian_ * block);
+    spectrum.vectors = block * spectrum.vectors;
+    return spectrum;
+  }
+
+ private:
+  const SparseMatrix& jacobian_;
+  Eigen::SimplicialLDLT<SparseMatrix> factor_;
+};
+
+Spectrum small_spectrum(const SparseMatrix& jacobian) {
+  const InverseIteration inverse(jacobian);
+  for (Eigen::Index count = 8;; count *= 2) {
+    Spectrum spectrum = inverse.smallest(std::min(count, jacobian.cols()));
+    if (count >= jacobian.cols() || spectrum.values[0] > zero) return spectrum;
+  }
+}
+
+}  // namespace
+
+NullSpace null_space(const Linkage& structure, const State& state, NullSpaceMethod method) {
+  const SparseMatrix jacobian = closure_jacobian(structure, state).rightCols(6 * (state.size() - 1));
+  const bool dense = method == NullSpaceMethod::dense ||
+                     (method == NullSpaceMethod::automatic && state.size() <= most_bodies_for_dense);
+  const Spectrum spectrum = dense ? dense_spectrum(jacobian.toDense()) : small_spectrum(jacobian);
+
+  const Eigen::Index dofs = (spectrum.values.array() <= zero).count();
+  const Eigen::Index others = spectrum.values.size() - dofs;
+  NullSpace space;
+  space.basis = MatrixXd::Zero(6 * state.size(), dofs);
+  space.basis.bottomRows(jacobian.cols()) = spectrum.vectors.rightCols(dofs);
+  if (dofs > 0) space.largest_zero = spectrum.values[others];
+  if (others > 0) space.smallest_other = spectrum.values[others - 1];
+  return space;
+}
+
+}  // namespace kinetix::model

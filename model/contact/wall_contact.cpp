@@ -1,0 +1,126 @@
+#include "model/contact/wall_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/base/invalid_input.hpp"
+
+namespace kinetix::model {
+namespace {
+
+constexpr double depth_in_edges = 1e-9;
+
+/// The motion to one side of flat.
+class Side {
+ public:
+  Side(WallContact& contact, const FoldFunction& fold, const ThetaRangeOptions& options, double sign)
+      : contact_(contact), fold_(fold), options_(options), sign_(sign) {}
+
+  ThetaLimit run() {
+    double free = 0;
+    while (free < options_.limit) {
+      const double next = std::min(free + options_.step, options_.limit);
+      if (!is_finite(at(next))) return {sign_ * free, false, {}};
+      const std::vector<WallPair> overlapping = contact_.overlapping(state_);
+      if (!overlapping.empty()) return bisect(free, next, overlapping);
+      free = next;
+    }
+    return {sign_ * options_.limit, false, {}};
+  }
+
+ private:
+  const State& at(double angle) {
+    fold_(sign_ * angle, state_);
+    return state_;
+  }
+
+  /// Narrows down the pairs that overlap at `hit`, and starts again with any others that come before.
+  ThetaLimit bisect(double free, double hit, std::vector<WallPair> pairs) {
+    double low = free;
+    while (hit - low > options_.precision) {
+      const double middle = (low + hit) / 2;
+      std::vector<WallPair> overlapping = contact_.overlapping(at(middle), pairs);
+      (overlapping.empty() ? low : hit) = middle;
+      if (!overlapping.empty()) pairs = std::move(overlapping);
+    }
+    const std::vector<WallPair> earlier = contact_.overlapping(at(low));
+    if (!earlier.empty() && low > free) return bisect(free, low, earlier);
+    return {sign_ * low, true, pairs.front()};
+  }
+
+  WallContact& contact_;
+  const FoldFunction& fold_;
+  const ThetaRangeOptions& options_;
+  double sign_;
+  State state_;
+};
+
+}  // namespace
+
+WallContact::WallContact(const Linkage& structure)
+    : walls_(half_walls(structure)), depth_(depth_in_edges * structure.size.edge_mm) {
+  for (const HalfWall& wall : walls_) reach_ = std::max(reach_, 2 * (wall.box.half.norm() + depth_));
+  collect(rest_state(structure), -depth_);
+  std::sort(found_.begin(), found_.end());
+  touching_at_rest_ = found_;
+}
+
+bool WallContact::can_touch(const WallPair& pair) const {
+  const HalfWall& a = walls_[pair.first];
+  const HalfWall& b = walls_[pair.second];
+  return a.body != b.body && a.hinge != b.hinge;
+}
+
+void WallContact::collect(const State& state, double depth) {
+  found_.clear();
+  boxes_.resize(walls_.size());
+  centers_.resize(3, walls_.size());
+  for (std::size_t k = 0; k < walls_.size(); ++k) {
+    boxes_[k] = placed(walls_[k], state[walls_[k].body]);
+    centers_.col(k) = boxes_[k].center;
+  }
+  for (const auto& [first, second] : near_.find(centers_, reach_))
+    if (can_touch({first, second}) && overlap(boxes_[first], boxes_[second], depth))
+      found_.push_back({first, second});
+}
+
+const std::vector<WallPair>& WallContact::overlapping(const State& state) {
+  collect(state, depth_);
+  std::erase_if(found_, [&](const WallPair& pair) {
+    return std::binary_search(touching_at_rest_.begin(), touching_at_rest_.end(), pair);
+  });
+  return found_;
+}
+
+std::vector<WallPair> WallContact::overlapping(const State& state,
+                                               const std::vector<WallPair>& candidates) const {
+  const auto box = [&](int wall) { return placed(walls_[wall], state[walls_[wall].body]); };
+  std::vector<WallPair> found;
+  for (const WallPair& pair : candidates)
+    if (overlap(box(pair.first), box(pair.second), depth_)) found.push_back(pair);
+  return found;
+}
+
+void ThetaRangeOptions::validate() const {
+  if (!(limit > 0) || !(limit <= pi / 2)) throw InvalidInput("the limit of theta must lie in (0, 90] deg");
+  if (!(step >= 1e-6)) throw InvalidInput("the step of theta must be at least 1e-6 rad");
+  if (!(precision >= 1e-14)) throw InvalidInput("the precision of theta must be at least 1e-14 rad");
+}
+
+double closing_theta(const CellSize& size) { return std::atan(1 - size.thickness_mm / size.edge_mm); }
+
+ThetaRange theta_range(const Linkage& structure, const FoldFunction& fold, const ThetaRangeOptions& options) {
+  options.validate();
+  WallContact contact(structure);
+  return {Side(contact, fold, options, -1).run(), Side(contact, fold, options, 1).run(),
+          contact.touching_at_rest()};
+}
+
+ThetaRange theta_range(const Linkage& structure, const ExactMotion& exact, const ThetaRangeOptions& options) {
+  if (!exact)
+    throw InvalidInput("the range of theta is known only for exactly mobile structures: " + exact.why);
+  const FoldFunction along = [&](double theta, State& state) { state = exact.at(theta); };
+  return theta_range(structure, along, options);
+}
+
+}  // namespace kinetix::model

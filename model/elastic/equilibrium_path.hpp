@@ -1,0 +1,94 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/elastic/newton.hpp"
+#include "model/hinge/elasticity.hpp"
+#include "model/linkage/exact_motion.hpp"
+
+namespace kinetix::model {
+
+struct EquilibriumPathOptions {
+  std::optional<bool> planar;  ///< bodies move in the plane z = 0 only; default: if all hinges stand upright
+  bool contact = true;         ///< walls of the structure's thickness press on each other
+  int side = 1;              ///< +1 or -1: which way to leave a bifurcation that the drive's sign leaves open
+  double first_step = 0.02;  ///< of theta, rad, (0, 0.5]
+  double longest_step = 0.12;           ///< rad, (0, 0.5]
+  double longest_step_touching = 0.02;  ///< rad, (0, 0.5], where walls touch; a jump to another state is
+                                        ///< located to this, then taken and reported
+  double least_step = 1e-3;             ///< rad, > 0
+  double longest_jump = 0.1;  ///< rad a hinge turns beyond the prediction: more is a jump to another branch
+  double gap_limit = 0.3;     ///< cell edges: the path ends where a hinge stretches more
+  NewtonOptions newton;
+
+  /// @throws InvalidInput, naming the field, its value and its range
+  void validate() const;
+};
+
+/// One state of equilibrium on the way. Forces N or, for a driven hinge, N mm; energies N mm.
+struct EquilibriumStep {
+  double theta = 0;  ///< fold parameter of the drive, rad
+  double drive = 0;  ///< compression of the plates, or turn of the driven hinge, rad
+  double load = 0;  ///< energy by drive: positive where the structure resists. Force on the plates, or moment
+  double energy = 0;
+  double gap = 0;    ///< largest of a hinge, cell edges
+  int contacts = 0;  ///< points in contact
+  bool stable = true;
+};
+
+/// Something a user should know of, and the load at which it happened.
+struct PathEvent {
+  enum class Kind {
+    bifurcation,  ///< the equilibrium turned unstable, and a branch was chosen
+    snap,         ///< the structure jumped to another state at (nearly) the same drive
+    limit_point,  ///< the load reached a maximum or a minimum
+    contact,      ///< walls began to touch
+    release,      ///< the last of them parted
+    lock,         ///< walls carry the drive: the load rises steeply with it
+  };
+  Kind kind = Kind::bifurcation;
+  EquilibriumStep at;  ///< the first state behind it
+  double since = 0;    ///< theta of the last state before it, rad
+  std::string what;
+};
+
+std::string to_string(PathEvent::Kind kind);
+
+struct EquilibriumPath {
+  enum class Stop {
+    reached,        ///< the drive's goal
+    overstretched,  ///< a hinge stretched by more than gap_limit
+    locked,         ///< walls in contact that no further state balances
+    not_converged,  ///< no equilibrium found, however small the step
+  };
+  Stop stop = Stop::reached;
+  std::string why;
+  bool planar = false;
+  State state;       ///< the last one in equilibrium, mm
+  double theta = 0;  ///< rad, of that state
+  HingeGaps gaps;
+  std::vector<EquilibriumStep> steps;  ///< from flat on
+  std::vector<PathEvent> events;
+  std::vector<HingeEnergy> hinge_energies;  ///< N mm, of each hinge in the last state
+  int iterations = 0;                       ///< of Newton's method in all
+  double multiplier = 0;                    ///< of the driven hinge, k_point edge^2
+};
+
+std::string to_string(EquilibriumPath::Stop stop);
+
+/// Follows the equilibrium of rigid bodies with elastic hinges from flat to the drive's goal, in adaptive steps
+/// of theta, by prediction along the tangent and Newton's method. Weightless. Where an equilibrium turns unstable
+/// (flat under plates, for one) the path leaves it along the exact mode of a family where the closed form is
+/// stable and has less energy, else along the lowest mode, to the side of the drive's sign where that
+/// direction turns the checkerboard, else to `side`. A net between plates that grip a part of it leans to one
+/// side from the first: it is taken to the closed form of the drive's sign as soon as that has less energy.
+/// @param frame sees every state taken
+/// @throws InvalidInput for options, stiffnesses or a drive out of range
+EquilibriumPath trace_equilibrium(
+    const DrivenLinkage& driven, const Elasticity& elasticity, const EquilibriumPathOptions& options = {},
+    const std::function<void(const EquilibriumStep&, const State&)>& frame = {});
+
+}  // namespace kinetix::model

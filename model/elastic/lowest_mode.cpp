@@ -1,0 +1,79 @@
+#include "model/elastic/lowest_mode.hpp"
+
+#include <Spectra/SymEigsShiftSolver.h>
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <limits>
+
+namespace kinetix::model {
+namespace {
+
+constexpr int dense_below = 60;
+constexpr double first_shift = 1e-7;
+
+/// What Spectra iterates with: x to (H + shift)^-1 x of a tangent that is factorised so already.
+class ShiftedInverse {
+ public:
+  using Scalar = double;
+
+  explicit ShiftedInverse(const TangentStiffness& tangent) : tangent_(tangent) {}
+  Eigen::Index rows() const { return tangent_.size(); }
+  Eigen::Index cols() const { return tangent_.size(); }
+  void set_shift(double) const {}
+  void perform_op(const double* in, double* out) const {
+    Eigen::Map<Eigen::VectorXd>(out, rows()) = tangent_.solve(Eigen::Map<const Eigen::VectorXd>(in, rows()));
+  }
+
+ private:
+  const TangentStiffness& tangent_;
+};
+
+void scale(LowestMode& s) { s.direction /= s.direction.lpNorm<Eigen::Infinity>(); }
+
+LowestMode dense(const TangentStiffness& tangent) {
+  const Eigen::MatrixXd full = Eigen::MatrixXd(tangent.matrix()).selfadjointView<Eigen::Lower>();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(full);
+  LowestMode s;
+  s.value = solver.eigenvalues()[0];
+  s.next = full.rows() > 1 ? solver.eigenvalues()[1] : std::numeric_limits<double>::quiet_NaN();
+  s.direction = solver.eigenvectors().col(0);
+  s.converged = solver.info() == Eigen::Success;
+  scale(s);
+  return s;
+}
+
+/// The first shift that makes the tangent positive definite; NaN for a tangent that is not finite. Twice its
+/// norm is enough.
+double factorise_shifted(TangentStiffness& tangent) {
+  double shift = first_shift;
+  while (!tangent.factorise(shift)) {
+    if (!(shift < 4 * tangent.matrix().norm())) return std::numeric_limits<double>::quiet_NaN();
+    shift *= 4;
+  }
+  return shift;
+}
+
+}  // namespace
+
+LowestMode lowest_mode(TangentStiffness& tangent) {
+  if (tangent.size() < dense_below) {
+    tangent.factorise(1);
+    return dense(tangent);
+  }
+  const double shift = factorise_shifted(tangent);
+  if (!std::isfinite(shift)) return {};
+  ShiftedInverse inverse(tangent);
+  Spectra::SymEigsShiftSolver<ShiftedInverse> solver(inverse, 2, 20, -shift);
+  solver.init();
+  solver.compute(Spectra::SortRule::LargestMagn, 300, 1e-9, Spectra::SortRule::SmallestAlge);
+  LowestMode s;
+  s.converged = solver.info() == Spectra::CompInfo::Successful;
+  if (!s.converged) return s;
+  s.value = solver.eigenvalues()[0];
+  s.next = solver.eigenvalues()[1];
+  s.direction = solver.eigenvectors().col(0);
+  scale(s);
+  return s;
+}
+
+}  // namespace kinetix::model

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "model/hinge/elasticity.hpp"
+#include "model/hinge/hinge_turn.hpp"
+
+namespace kinetix::model {
+
+/// The two parts of a hinge's energy, in units of k_point edge^2 (Elasticity).
+struct HingeEnergy {
+  double stretch = 0;  ///< of hinge point and axis
+  double turn = 0;
+  double total() const { return stretch + turn; }
+};
+
+HingeEnergy hinge_energy(const RestHinge& hinge, const Stiffness& stiffness, const Pose& lower,
+                         const Pose& upper, double edge_mm);
+
+/// @return energy, gradient and Hessian; a is the lower body, b the upper one
+Element hinge_element(const RestHinge& hinge, const Stiffness& stiffness, const Pose& lower,
+                      const Pose& upper, double edge_mm);
+
+/// The gradient alone, for a third of the time.
+Vector12 hinge_gradient(const RestHinge& hinge, const Stiffness& stiffness, const Pose& lower,
+                        const Pose& upper, double edge_mm);
+
+/// Derivatives of a number that belongs to a hinge by its design and stiffness.
+struct HingeRate {
+  Eigen::Vector3d design = Eigen::Vector3d::Zero();  ///< by t, alpha, beta
+  double turn = 0;                                   ///< by Stiffness::turn
+  double reach = 0;                                  ///< by Stiffness::reach
+};
+
+struct HingeRates {
+  HingeRate energy;  ///< of the energy
+  HingeRate along;   ///< of its derivative along given twists
+};
+
+/// @param along twists of the two bodies, ordered as in Element
+HingeRates hinge_rates(const RestHinge& hinge, const Stiffness& stiffness, const Pose& lower,
+                       const Pose& upper, double edge_mm, const Vector12& along);
+
+}  // namespace kinetix::model

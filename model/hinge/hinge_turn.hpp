@@ -1,0 +1,46 @@
+#pragma once
+
+#include "model/hinge/element.hpp"
+#include "model/linkage/rest_hinge.hpp"
+#include "model/linkage/state.hpp"
+
+namespace kinetix::model {
+
+/// The turn of a hinge's upper body against its lower one about the hinge axis (rad, as hinge_turn in
+/// model/closure/closure_drive.hpp): the twist of the relative rotation, by its unit quaternion. Derivatives are by a
+/// turn of the upper body in the upper body's frame.
+class RelativeTurn {
+ public:
+  RelativeTurn(const RestHinge& hinge, const Pose& lower, const Pose& upper);
+
+  double angle() const;
+  Eigen::Vector3d rate() const;
+  Eigen::Matrix3d second() const;
+  /// Where the axis changes by `axis_rate`.
+  double angle_change(const Eigen::Vector3d& axis_rate) const;
+  Eigen::Vector3d rate_change(const Eigen::Vector3d& axis_rate) const;
+  /// rate() in space.
+  Eigen::Vector3d rate_in_space() const { return upper_ * rate(); }
+  /// angle() with its derivatives by the twists of both bodies.
+  Element element() const;
+
+ private:
+  double squared() const { return w_ * w_ + s_ * s_; }
+
+  double w_, s_;  ///< of the quaternion: scalar part, and vector part along the axis
+  Eigen::Vector3d v_, w_rate_, s_rate_;
+  Eigen::Matrix3d upper_;
+};
+
+/// How that turn, and its derivative along given twists, change with t, alpha and beta (t: not at all).
+struct TurnRates {
+  Eigen::Vector3d turn = Eigen::Vector3d::Zero();
+  Eigen::Vector3d along = Eigen::Vector3d::Zero();
+};
+
+/// @param against turn of the upper body against the lower one, in the upper body's frame
+TurnRates turn_rates(const RestHinge& hinge, const RelativeTurn& turn, const Eigen::Vector3d& against);
+/// @param along twists of the two bodies, ordered as in Element
+TurnRates turn_rates(const RestHinge& hinge, const Pose& lower, const Pose& upper, const Vector12& along);
+
+}  // namespace kinetix::model

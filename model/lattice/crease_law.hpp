@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cmath>
+
+namespace kinetix::model {
+
+/// The crease law (kinematics.md section 6), of every lattice: hinges in a row whose axes lean by +-tilt along the
+/// row fold the sheet about it by `turn`, tan(turn / 2) = tan(tilt) sin(theta), while its bodies turn by +-theta
+/// in their panels. All angles rad.
+
+/// The turn of a crease of tilt beta at fold angle theta. @pre abs(tilt) < pi/2
+inline double crease_turn(double tilt, double theta) {
+  return 2 * std::atan(std::tan(tilt) * std::sin(theta));
+}
+
+/// The tilt that turns by `turn` at theta. @pre 0 < abs(theta) < pi, abs(turn) < pi
+inline double tilt_of_turn(double turn, double theta) {
+  return std::atan(std::tan(turn / 2) / std::sin(theta));
+}
+
+/// Derivatives of crease_turn.
+struct CreaseRates {
+  double by_tilt = 0, by_theta = 0;
+};
+
+inline CreaseRates crease_rates(double tilt, double theta) {
+  const double s = std::sin(theta), tangent = std::tan(tilt);
+  const double slope = 2 / (1 + tangent * tangent * s * s);
+  return {slope * s * (1 + tangent * tangent), slope * tangent * std::cos(theta)};
+}
+
+}  // namespace kinetix::model

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "model/lattice/square/structure.hpp"
+#include "model/linkage/gripped_rows.hpp"
+
+namespace kinetix::model {
+
+/// A rectangle of lattice vertices, corners included: the part of a structure that plates grip.
+struct Grip {
+  Vertex first;  ///< lower left
+  Vertex last;   ///< upper right
+  bool operator==(const Grip&) const = default;
+
+  bool contains(Vertex v) const { return first.i <= v.i && v.i <= last.i && first.j <= v.j && v.j <= last.j; }
+};
+
+std::string to_string(const Grip& grip);
+
+/// @throws InvalidInput unless the rectangle spans at least one cell both ways and the structure has every
+/// vertex of its first and of its last row along the axis
+void validate(const Grip& grip, Axis axis, const Structure& structure);
+
+/// The bodies on the first and on the last row of vertices along the axis, of the grip or, without one, of
+/// the whole structure. Ascending along the row.
+GrippedRows gripped_bodies(const Structure& structure, Axis axis, const std::optional<Grip>& grip = {});
+
+}  // namespace kinetix::model

@@ -1,0 +1,187 @@
+#include "model/lattice/square/structure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <numeric>
+#include <sstream>
+#include <string>
+
+#include "model/base/invalid_input.hpp"
+
+namespace kinetix::model {
+namespace {
+
+constexpr std::size_t max_cells = 1'000'000;
+constexpr double vertical = 1e-9;
+constexpr std::int64_t max_lattice_vertices = 4'000'000;
+
+std::array<Vertex, 4> corners(const Cell& c) {
+  return {Vertex{c.i, c.j}, {c.i + 1, c.j}, {c.i + 1, c.j + 1}, {c.i, c.j + 1}};
+}
+
+std::array<Wall, 4> walls(const Cell& c) {
+  return {
+      Wall{{c.i, c.j}, Axis::x}, {{c.i + 1, c.j}, Axis::y}, {{c.i, c.j + 1}, Axis::x}, {{c.i, c.j}, Axis::y}};
+}
+
+std::string pair(int i, int j) { return "[" + std::to_string(i) + ", " + std::to_string(j) + "]"; }
+
+void check_size(const CellSize& size) {
+  if (!(size.edge_mm > 0) || !std::isfinite(size.edge_mm))
+    throw InvalidInput("cell edge must be a positive length in mm");
+  if (!(size.thickness_mm > 0) || !(size.thickness_mm < size.edge_mm / 2))
+    throw InvalidInput("wall thickness must be positive and below half the cell edge");
+  if (!(size.height_mm > 0) || !std::isfinite(size.height_mm))
+    throw InvalidInput("wall height must be a positive length in mm");
+}
+
+void check_bounding_box(const std::vector<Cell>& cells) {
+  std::int64_t columns = 0, rows = 0;
+  for (const Cell& c : cells) {
+    columns = std::max(columns, std::int64_t{c.i} + 1);
+    rows = std::max(rows, std::int64_t{c.j} + 1);
+  }
+  if (columns >= max_lattice_vertices || rows >= max_lattice_vertices ||
+      (columns + 1) * (rows + 1) > max_lattice_vertices)
+    throw InvalidInput("the cells span " + std::to_string(columns) + " x " + std::to_string(rows) +
+                       " from [0, 0]; their lattice may hold at most 4 million vertices");
+}
+
+void check_cells(const std::vector<Cell>& cells) {
+  if (cells.empty()) throw InvalidInput("a structure needs at least one cell");
+  if (cells.size() > max_cells) throw InvalidInput("more than a million cells");
+  for (const Cell& c : cells)
+    if (c.i < 0 || c.j < 0)
+      throw InvalidInput("cell " + to_string(c) + " has a negative index; the lattice starts at [0, 0]");
+  check_bounding_box(cells);
+  const auto twice = std::adjacent_find(cells.begin(), cells.end());
+  if (twice != cells.end()) throw InvalidInput("cell " + to_string(*twice) + " is given twice");
+}
+
+void check_connected(const Structure& s) {
+  std::vector<int> parent(s.bodies.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](int b) {
+    while (parent[b] != b) b = parent[b] = parent[parent[b]];
+    return b;
+  };
+  for (const Hinge& h : s.hinges) parent[root(h.lower)] = root(h.upper);
+  for (std::size_t c = 0; c < s.cells.size(); ++c)
+    if (root(s.cell_members[c].bodies[0]) != root(0))
+      throw InvalidInput("cell " + to_string(s.cells[c]) + " does not hang together with cell " +
+                         to_string(s.cells[0]));
+}
+
+void check_between(const Hinge& hinge, const char* name, double value, double low, double high,
+                   const char* allowed) {
+  if (value > low && value < high) return;
+  std::ostringstream message;
+  message << name << " of the hinge on wall " << to_string(hinge.wall) << " is " << value << ", must be in "
+          << allowed;
+  throw InvalidInput(message.str());
+}
+
+}  // namespace
+
+std::string to_string(Vertex v) { return pair(v.i, v.j); }
+
+std::string to_string(const Cell& c) { return pair(c.i, c.j); }
+
+std::string to_string(const Wall& wall) {
+  return "[" + to_string(wall.from) + ", " + to_string(wall.to()) + "]";
+}
+
+std::vector<Cell> rectangle(int columns, int rows) {
+  std::vector<Cell> cells;
+  cells.reserve(static_cast<std::size_t>(columns) * rows);
+  for (int i = 0; i < columns; ++i)
+    for (int j = 0; j < rows; ++j) cells.push_back({i, j});
+  return cells;
+}
+
+Structure make_structure(std::vector<Cell> cells, const CellSize& size) {
+  check_size(size);
+  std::sort(cells.begin(), cells.end());
+  check_cells(cells);
+
+  Structure s{size, std::move(cells), {}, {}, {}};
+  for (const Cell& c : s.cells)
+    for (const Vertex& v : corners(c)) s.bodies.push_back(v);
+  std::sort(s.bodies.begin(), s.bodies.end());
+  s.bodies.erase(std::unique(s.bodies.begin(), s.bodies.end()), s.bodies.end());
+
+  std::map<Wall, int> hinge_of;
+  for (const Cell& c : s.cells) {
+    CellHinges members{};
+    const auto vertices = corners(c);
+    const auto edges = walls(c);
+    for (int k = 0; k < 4; ++k) {
+      members.bodies[k] = *s.body_at(vertices[k]);
+      const auto [it, is_new] = hinge_of.try_emplace(edges[k], static_cast<int>(s.hinges.size()));
+      if (is_new) s.hinges.push_back({edges[k], *s.body_at(edges[k].from), *s.body_at(edges[k].to()), {}});
+      members.hinges[k] = it->second;
+    }
+    s.cell_members.push_back(members);
+  }
+  check_connected(s);
+  return s;
+}
+
+std::optional<int> Structure::body_at(Vertex v) const {
+  const auto it = std::lower_bound(bodies.begin(), bodies.end(), v);
+  if (it == bodies.end() || *it != v) return std::nullopt;
+  return static_cast<int>(it - bodies.begin());
+}
+
+std::optional<int> Structure::hinge_at(const Wall& wall) const {
+  const Vertex v = wall.from;
+  const bool along_x = wall.axis == Axis::x;
+  const std::array<std::pair<Cell, int>, 2> sides = {
+      std::pair{Cell{v.i, v.j}, along_x ? 0 : 3},
+      std::pair{along_x ? Cell{v.i, v.j - 1} : Cell{v.i - 1, v.j}, along_x ? 2 : 1}};
+  for (const auto& [cell, side] : sides) {
+    const auto it = std::lower_bound(cells.begin(), cells.end(), cell);
+    if (it != cells.end() && *it == cell) return cell_members[it - cells.begin()].hinges[side];
+  }
+  return std::nullopt;
+}
+
+Eigen::Vector3d Structure::rest_position(int body) const {
+  return {bodies[body].i * size.edge_mm, bodies[body].j * size.edge_mm, 0.0};
+}
+
+Eigen::Vector3d Structure::hinge_point(const Hinge& hinge) const {
+  return rest_position(hinge.lower) + hinge.parameters.t * size.edge_mm * edge_direction(hinge.wall.axis);
+}
+
+void validate_hinges(const Structure& structure) {
+  for (const Hinge& hinge : structure.hinges) {
+    const HingeParameters& p = hinge.parameters;
+    check_between(hinge, "t", p.t, 0, 1, "(0, 1)");
+    check_between(hinge, "alpha", p.alpha, 0, pi, "(0, pi)");
+    check_between(hinge, "beta", p.beta, -pi / 2, pi / 2, "(-pi/2, pi/2)");
+  }
+}
+
+Eigen::Vector3d wall_up(Axis axis, double beta) {
+  const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d e_cross_z = axis == Axis::x ? Eigen::Vector3d(0, -1, 0) : Eigen::Vector3d(1, 0, 0);
+  return std::cos(beta) * z + std::sin(beta) * e_cross_z;
+}
+
+Eigen::Vector3d hinge_axis(Axis axis, const HingeParameters& p) {
+  return std::cos(p.alpha) * edge_direction(axis) + std::sin(p.alpha) * wall_up(axis, p.beta);
+}
+
+bool is_vertical(const Hinge& hinge) {
+  return hinge_axis(hinge.wall.axis, hinge.parameters).head<2>().norm() <= vertical;
+}
+
+bool all_vertical(const Structure& structure) {
+  return std::all_of(structure.hinges.begin(), structure.hinges.end(),
+                     [](const Hinge& hinge) { return is_vertical(hinge); });
+}
+
+}  // namespace kinetix::model

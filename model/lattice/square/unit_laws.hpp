@@ -1,0 +1,50 @@
+#pragma once
+
+#include "model/closure/gruebler.hpp"
+#include "model/lattice/square/cell_tuple.hpp"
+
+namespace kinetix::model {
+
+/// Closed forms of the paper and of kinematics.md. Angles in rad. Every function throws InvalidInput for an
+/// argument outside the range that its parameter states, NaN included.
+
+/// Area of a cell over its area at rest, both pairs of walls parted at k: k^2 + (1-k)^2 + 2k(1-k) cos(phi).
+/// @param k fraction of a wall, [0, 1]   @param phi angle of the bars, twice the fold parameter, finite
+double area_ratio(double k, double phi);
+
+/// Eq. 3: area_ratio at the last position of a crossable unit, phi = 135 deg:
+/// (2 + sqrt 2) k^2 - (2 + sqrt 2) k + 1.   @param k in [0, 1] without 1/2
+double final_area_ratio(double k);
+
+/// Eq. 4: tan(shear angle) = (1 - k) / k, for the uncrossable unit with its bars on one line. The angle
+/// between the cell's two sides is twice this.   @param k in (0, 1] without 1/2
+double shear_angle(double k);
+
+/// Eq. 6: angle gamma between the two small cells of a twisted unit, cot(gamma/2) = cot(alpha) sin(45 deg).
+/// @param alpha in-plane hinge angle, (0, pi)   @return in (0, 2 pi), pi for the flat unit
+double twist_angle(double alpha);
+
+/// The two bending units of Eq. 8.
+enum class BendUnit {
+  B,  ///< A_out = (m, -n, m, -n)
+  C,  ///< A_out = (m, n, m, n)
+};
+
+/// Eq. 8.   @param beta_m, beta_n tilts, (-pi/2, pi/2)
+CellTuple bend_unit(BendUnit variant, double beta_m, double beta_n);
+
+/// Tilt v of one pair of hinge axes in its plane of symmetry while the other pair is tilted by u, in a
+/// doubly mirrored unit of either variant: cos(u) cos(v) = cos(beta_m) cos(beta_n).
+/// @param beta_m, beta_n in (-pi/2, pi/2)   @param u with cos(u) >= cos(beta_m) cos(beta_n)
+/// @return |v|, [0, pi/2)
+double mirrored_unit_tilt(double beta_m, double beta_n, double u);
+
+/// Angle 2 psi by which a bending column folds the sheet: tan(psi) = tan(beta) sin(theta).
+/// @param beta tilt of the column, (-pi/2, pi/2)   @param theta fold parameter, [-pi/2, pi/2]
+double crease_fold(double beta, double theta);
+
+/// Inverse of crease_fold: the tilt that folds by `fold` at `theta`.
+/// @param fold in (-pi, pi)   @param theta in [-pi/2, pi/2] without 0
+double crease_tilt(double fold, double theta);
+
+}  // namespace kinetix::model

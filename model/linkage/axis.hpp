@@ -1,0 +1,15 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace kinetix::model {
+
+/// A direction of the flat sheet.
+enum class Axis { x, y };
+
+/// Its unit vector.
+inline Eigen::Vector3d edge_direction(Axis axis) {
+  return axis == Axis::x ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
+}
+
+}  // namespace kinetix::model

@@ -1,0 +1,65 @@
+#include "model/linkage/gripped_rows.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+namespace kinetix::model {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double probe_thetas[] = {0.2, 0.5, 0.9};
+constexpr double straight = 1e-14;  // width of a row over its length, squared
+constexpr double off = 1e-8;        // cell edges
+
+Vector3d centre(const std::vector<int>& row, const State& state) {
+  Vector3d sum = Vector3d::Zero();
+  for (const int body : row) sum += state[body].p;
+  return sum / static_cast<double>(row.size());
+}
+
+/// Of both rows, each from its centre, one a column.
+Eigen::Matrix3Xd offsets(const GrippedRows& rows, const State& state) {
+  Eigen::Matrix3Xd out(3, rows[0].size() + rows[1].size());
+  Eigen::Index k = 0;
+  for (const auto& row : rows) {
+    const Vector3d middle = centre(row, state);
+    for (const int body : row) out.col(k++) = state[body].p - middle;
+  }
+  return out;
+}
+
+/// The direction n with the least |points' n| over n . across; where several have none, that nearest to
+/// across.
+Vector3d flattest(const Eigen::Matrix3Xd& points, const Vector3d& across) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> spread(points * points.transpose());
+  const double least = straight * spread.eigenvalues().sum();
+  const Vector3d weights = (spread.eigenvalues().array().max(0.0) + least).inverse();
+  const Eigen::Matrix3d& axes = spread.eigenvectors();
+  return (axes * weights.cwiseProduct(axes.transpose() * across)).normalized();
+}
+
+}  // namespace
+
+RowPlanes planes_of(const GrippedRows& rows, const State& state) {
+  const Eigen::Matrix3Xd points = offsets(rows, state);
+  const Vector3d across = centre(rows[1], state) - centre(rows[0], state);
+  RowPlanes planes;
+  planes.normal = flattest(points, across);
+  planes.distance = planes.normal.dot(across);
+  planes.off_plane = (planes.normal.transpose() * points).cwiseAbs().maxCoeff();
+  return planes;
+}
+
+bool keeps_between_plates(const Linkage& structure, const GrippedRows& rows,
+                          const std::function<State(double)>& fold) {
+  const double rest = planes_of(rows, rest_state(structure)).distance;
+  const double allowed = off * structure.size.edge_mm;
+  return std::all_of(std::begin(probe_thetas), std::end(probe_thetas), [&](double theta) {
+    const RowPlanes planes = planes_of(rows, fold(theta));
+    return planes.off_plane <= allowed && std::abs(planes.distance - rest * std::cos(theta)) <= allowed;
+  });
+}
+
+}  // namespace kinetix::model

@@ -1,0 +1,33 @@
+#include "model/linkage/half_wall.hpp"
+
+#include <Eigen/Geometry>
+
+namespace kinetix::model {
+namespace {
+
+/// Plate from the vertex along `edge` (unit) over `length`.
+OrientedBox plate(const Eigen::Vector3d& edge, const Eigen::Vector3d& up, double length,
+                  const CellSize& size) {
+  OrientedBox box;
+  box.center = 0.5 * length * edge;
+  box.axes << edge, up, edge.cross(up);
+  box.half << length / 2, size.height_mm / 2, size.thickness_mm / 2;
+  return box;
+}
+
+}  // namespace
+
+std::vector<HalfWall> half_walls(const Linkage& structure) {
+  std::vector<HalfWall> all;
+  all.reserve(structure.plates.size());
+  const double L = structure.size.edge_mm;
+  for (const Plate& p : structure.plates)
+    all.push_back({p.body, p.hinge, plate(p.edge, p.up, p.length * L, structure.size)});
+  return all;
+}
+
+OrientedBox placed(const HalfWall& wall, const Pose& pose) {
+  return {pose.p + pose.R * wall.box.center, pose.R * wall.box.axes, wall.box.half};
+}
+
+}  // namespace kinetix::model

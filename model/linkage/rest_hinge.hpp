@@ -1,0 +1,21 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace kinetix::model {
+
+/// A hinge in the rest frames of its two bodies, lengths in cell edges.
+struct RestHinge {
+  int lower = 0, upper = 0;   ///< bodies
+  Eigen::Vector3d edge;       ///< from the lower to the upper body's vertex: the derivative of both arms by t
+  Eigen::Vector3d lower_arm;  ///< from the lower body's vertex to the hinge point
+  Eigen::Vector3d upper_arm;
+  Eigen::Vector3d axis;        ///< unit
+  Eigen::Vector3d axis_alpha;  ///< its derivative by alpha
+  Eigen::Vector3d axis_beta;   ///< and by beta
+};
+
+/// Whether the hinge axis stands along z at rest, to 1e-9 rad.
+bool is_vertical(const RestHinge& hinge);
+
+}  // namespace kinetix::model

@@ -1,0 +1,122 @@
+#include "model/opening/cell_opening.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+namespace kinetix::model {
+namespace {
+
+using Eigen::Vector2d;
+
+double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// To the line from a to b, which may be one point.
+double distance_to(const Vector2d& a, const Vector2d& b, const Vector2d& point) {
+  const Vector2d along = b - a, from = point - a;
+  const double square = along.squaredNorm();
+  const double at = square > 0 ? std::clamp(from.dot(along) / square, 0.0, 1.0) : 0;
+  return (from - at * along).norm();
+}
+
+/// A square of the plane with the clearance of its middle, negative outside.
+struct Square {
+  Vector2d middle;
+  double half, clearance;
+
+  Square(const Opening& opening, const Vector2d& at, double half_side)
+      : middle(at), half(half_side), clearance(opening.clearance(at) * (opening.contains(at) ? 1 : -1)) {}
+  /// No point of it has more.
+  double most() const { return clearance + half * std::sqrt(2.0); }
+  bool operator<(const Square& other) const { return most() < other.most(); }
+};
+
+}  // namespace
+
+std::vector<Vector2d> Opening::outline() const {
+  std::vector<Vector2d> points;
+  for (std::size_t k = 0; k < sides.size(); k += 2) {
+    points.push_back(sides[k].vertex);
+    points.push_back(sides[k].wall_tip);
+    points.push_back(sides[k + 1].wall_tip);
+  }
+  return points;
+}
+
+bool Opening::contains(const Vector2d& point) const {
+  const std::vector<Vector2d> corners = outline();
+  bool inside = false;
+  for (std::size_t k = 0, before = corners.size() - 1; k < corners.size(); before = k++) {
+    const Vector2d &a = corners[k], &b = corners[before];
+    if ((a.y() > point.y()) == (b.y() > point.y())) continue;
+    inside ^= point.x() < a.x() + (point.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
+  }
+  return inside;
+}
+
+double Opening::clearance(const Vector2d& point) const {
+  double least = distance_to(sides[0].vertex, sides[0].wall_tip, point);
+  for (const Side& side : sides) least = std::min(least, distance_to(side.vertex, side.wall_tip, point));
+  for (std::size_t k = 0; k < sides.size(); k += 2)
+    least = std::min(least, distance_to(sides[k].wall_tip, sides[k + 1].wall_tip, point));
+  return least;
+}
+
+Opening opening(const Linkage& structure, const State& state, const LinkageCell& cell) {
+  Opening out;
+  const double L = structure.size.edge_mm;
+  out.half_thickness = structure.size.thickness_mm / 2 / L;
+  const int walls = static_cast<int>(cell.hinges.size());
+  out.sides.resize(2 * cell.hinges.size());
+  for (int k = 0; k < walls; ++k) {
+    const RestHinge& hinge = structure.hinges[cell.hinges[k]];
+    for (const int end : {0, 1}) {
+      Opening::Side& side = out.sides[2 * k + end];
+      side.body = (k + end) % walls;
+      side.hinge = k;
+      const int body = cell.bodies[side.body];
+      const Plate& plate = structure.plates[2 * cell.hinges[k] + (body == hinge.lower ? 0 : 1)];
+      side.sign = plate.length_t;
+      const Eigen::Vector3d vertex = state[body].p / L;
+      const Eigen::Vector3d wall_tip = vertex + plate.length * (state[body].R * plate.edge);
+      side.vertex = vertex.head<2>();
+      side.wall_tip = wall_tip.head<2>();
+    }
+  }
+  return out;
+}
+
+double aperture(const Opening& opening, double precision) {
+  Vector2d low = opening.sides[0].vertex, high = low;
+  for (const Vector2d& corner : opening.outline()) {
+    low = low.cwiseMin(corner);
+    high = high.cwiseMax(corner);
+  }
+  if (!low.allFinite() || !high.allFinite()) return NAN;
+  std::priority_queue<Square> open;
+  open.emplace(opening, (low + high) / 2, (high - low).maxCoeff() / 2);
+  double best = 0;
+  while (!open.empty() && open.top().most() > best + precision / 2) {
+    const Square square = open.top();
+    open.pop();
+    best = std::max(best, square.clearance);
+    const double half = square.half / 2;
+    for (const double x : {-half, half})
+      for (const double y : {-half, half}) {
+        const Square part(opening, square.middle + Vector2d(x, y), half);
+        best = std::max(best, part.clearance);
+        if (part.most() > best + precision / 2) open.push(part);
+      }
+  }
+  return std::max(0.0, 2 * (best - opening.half_thickness));
+}
+
+double area(const Opening& opening) {
+  const std::vector<Vector2d> corners = opening.outline();
+  double twice = 0;
+  for (std::size_t k = 0, before = corners.size() - 1; k < corners.size(); before = k++)
+    twice += cross(corners[before], corners[k]);
+  return twice / 2;
+}
+
+}  // namespace kinetix::model

@@ -1,0 +1,46 @@
+#include "optim/curve/bend_ties.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/base/invalid_input.hpp"
+
+namespace kinetix::optim {
+namespace {
+
+int group(int column, int columns, Per per, Symmetry symmetry) {
+  if (per == Per::all) return 0;
+  const bool mirrored = symmetry == Symmetry::mirror_x || symmetry == Symmetry::rotate_2;
+  return mirrored ? std::min(column, columns - 1 - column) : column;
+}
+
+}  // namespace
+
+BendTies make_bend_ties(int columns, Per per, Symmetry symmetry, AngleRange beta) {
+  if (per != Per::column && per != Per::all)
+    throw InvalidInput(
+        "a strip keeps its exact motion only if all tilts of a column agree; allowed: column, all");
+  if (symmetry == Symmetry::rotate_4)
+    throw InvalidInput(
+        "a sheet that bends along x cannot have a four-fold symmetry; allowed: none, mirror_x, mirror_y, "
+        "rotate_2");
+  BendTies ties;
+  for (int c = 0; c < columns; ++c) {
+    ties.variable.push_back(group(c, columns, per, symmetry));
+    // A turn from +x towards +z asks for a negative tilt of the even columns.
+    ties.sign.push_back(c % 2 == 0 ? -1.0 : 1.0);
+  }
+  const int variables = 1 + *std::max_element(ties.variable.begin(), ties.variable.end());
+  ties.range.assign(variables, {-INFINITY, INFINITY});
+  for (int c = 0; c < columns; ++c) {
+    AngleRange& range = ties.range[ties.variable[c]];
+    range.lower = std::max(range.lower, ties.sign[c] > 0 ? beta.lower : -beta.upper);
+    range.upper = std::min(range.upper, ties.sign[c] > 0 ? beta.upper : -beta.lower);
+  }
+  for (const AngleRange& range : ties.range)
+    if (!(range.lower < range.upper))
+      throw InvalidInput("the tied columns tilt both ways, and the range leaves them nothing in common");
+  return ties;
+}
+
+}  // namespace kinetix::optim

@@ -1,0 +1,156 @@
+#include "optim/curve/curve_fit.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "targets/curve/polyline_closest_point.hpp"
+
+namespace kinetix::optim {
+namespace {
+
+using Eigen::Vector2d;
+
+Vector2d xz(const Eigen::Vector3d& v) { return {v.x(), v.z()}; }
+
+}  // namespace
+
+std::vector<Vector2d> midline(const model::State& lattice, int rows) {
+  std::vector<Vector2d> points;
+  for (std::size_t b = 0; b < lattice.size(); b += rows + 1) points.push_back(xz(lattice[b].p));
+  return points;
+}
+
+CurveFit::CurveFit(const targets::Curve& goal, BendTies ties, double cell_mm, AngleRange theta)
+    : goal_(goal), ties_(std::move(ties)), cell_mm_(cell_mm) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  lower_ = Eigen::VectorXd::Constant(variables(), -infinity);
+  upper_ = Eigen::VectorXd::Constant(variables(), infinity);
+  for (int k = 0; k < ties_.variables(); ++k) {
+    lower_[k] = std::tan(ties_.range[k].lower);
+    upper_[k] = std::tan(ties_.range[k].upper);
+  }
+  lower_[ties_.variables()] = theta.lower;
+  upper_[ties_.variables()] = theta.upper;
+}
+
+model::ExactDesign<double> CurveFit::design(const Eigen::VectorXd& x, int rows) const {
+  auto design = model::ExactDesign<double>::basic(ties_.columns(), rows);
+  for (int c = 0; c < ties_.columns(); ++c) design.beta[c] = ties_.sign[c] * std::atan(x[ties_.variable[c]]);
+  design.theta = theta(x);
+  return design;
+}
+
+Eigen::VectorXd CurveFit::pack(const std::vector<double>& bends, double theta) const {
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(variables());
+  Eigen::VectorXd members = Eigen::VectorXd::Zero(variables());
+  for (int c = 0; c < ties_.columns(); ++c) {
+    x[ties_.variable[c]] += std::tan(bends[c]);
+    members[ties_.variable[c]] += 1;
+  }
+  for (int k = 0; k < ties_.variables(); ++k) x[k] /= members[k];
+  x[ties_.variables()] = theta;
+  x = x.cwiseMax(lower_).cwiseMin(upper_);
+
+  model::State lattice;
+  fold(design(x, 0), cell_mm_, lattice);
+  const auto points = midline(lattice, 0);
+  const Vector2d goal_chord = goal_.points().back() - goal_.points().front();
+  const Vector2d chord = points.back() - points.front();
+  const double heading = std::atan2(goal_chord.y(), goal_chord.x()) - std::atan2(chord.y(), chord.x());
+  const Vector2d middle = (goal_.points().back() + goal_.points().front()) / 2;
+  const Vector2d origin = middle - Eigen::Rotation2Dd(heading) * ((points.back() + points.front()) / 2);
+  x.tail<3>() << heading, origin / goal_.diagonal();
+  return x;
+}
+
+/// The folded midline in the goal's plane, with the rates of its points.
+class CurveFit::Frame {
+ public:
+  Frame(const CurveFit& fit, const Eigen::VectorXd& x, bool with_rates) : fit_(fit), x_(x) {
+    const auto design = fit.design(x, 0);
+    if (with_rates)
+      fold_with_jacobian(design, fit.cell_mm_, lattice_, jacobian_);
+    else
+      fold(design, fit.cell_mm_, lattice_);
+    turn_ = Eigen::Rotation2Dd(x[x.size() - 3]).toRotationMatrix();
+    origin_ = fit.goal_.diagonal() * x.tail<2>();
+    for (const model::Pose& pose : lattice_) {
+      points_.push_back(turn_ * xz(pose.p) + origin_);
+      arc_.push_back(arc_.empty() ? 0.0
+                                  : arc_.back() + (points_.back() - points_[points_.size() - 2]).norm());
+    }
+  }
+
+  int chords() const { return static_cast<int>(points_.size()) - 1; }
+  Vector2d place(int chord, double f) const { return (1 - f) * points_[chord] + f * points_[chord + 1]; }
+
+  /// ClosestPoint on the goal, sought from the place's own fraction of the arc length.
+  targets::ClosestPoint closest(int chord, double f) const {
+    const targets::Curve& goal = fit_.goal_;
+    const double fraction = ((1 - f) * arc_[chord] + f * arc_[chord + 1]) / arc_.back();
+    return targets::closest_near(goal.points(), goal.segment_at(fraction * goal.length()), place(chord, f));
+  }
+
+  /// Adds to a row of the Jacobian the rate of direction . place, times weight.
+  template <class Row>
+  void add_rates(int chord, double f, const Vector2d& direction, double weight, Row row) const {
+    const BendTies& ties = fit_.ties_;
+    const Vector2d local = weight * (turn_.transpose() * direction);
+    const auto rate = [&](int parameter) {
+      const Vector2d v =
+          (1 - f) * xz(jacobian_.twist(parameter, chord).v) + f * xz(jacobian_.twist(parameter, chord + 1).v);
+      return local.dot(v);
+    };
+    for (int c = 0; c <= chord; ++c) {
+      const double u = x_[ties.variable[c]];
+      row[ties.variable[c]] += ties.sign[c] / (1 + u * u) * rate(jacobian_.beta(c));
+    }
+    const int theta_at = ties.variables();
+    row[theta_at] += rate(jacobian_.theta());
+    row[theta_at + 1] += weight * direction.dot(targets::left_of(place(chord, f) - origin_));
+    row[theta_at + 2] += weight * fit_.goal_.diagonal() * direction.x();
+    row[theta_at + 3] += weight * fit_.goal_.diagonal() * direction.y();
+  }
+
+ private:
+  const CurveFit& fit_;
+  const Eigen::VectorXd& x_;
+  std::vector<Vector2d> points_;
+  std::vector<double> arc_;
+  Eigen::Matrix2d turn_;
+  Vector2d origin_;
+  model::State lattice_;
+  model::ExactJacobian jacobian_;
+};
+
+bool CurveFit::evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* J) const {
+  if (!x.allFinite()) return false;
+  const Frame frame(*this, x, J != nullptr);
+  const double weight = 1 / (goal_.diagonal() * std::sqrt(static_cast<double>(residuals())));
+  r.resize(residuals());
+  if (J) J->setZero(residuals(), variables());
+
+  int row = 0;
+  const auto add = [&](int chord, double f, double distance, const Vector2d& direction) {
+    r[row] = weight * distance;
+    if (J) frame.add_rates(chord, f, direction, weight, J->row(row));
+    ++row;
+  };
+  for (int chord = 0; chord < frame.chords(); ++chord)
+    for (int k = 0; k < places_per_cell; ++k) {
+      const double f = (k + 0.5) / places_per_cell;
+      const targets::ClosestPoint closest = frame.closest(chord, f);
+      add(chord, f, closest.distance, closest.normal);
+    }
+  const Vector2d first_miss = frame.place(0, 0.0) - goal_.points().front();
+  const Vector2d last_miss = frame.place(frame.chords() - 1, 1.0) - goal_.points().back();
+  for (const Vector2d& axis : {Vector2d(1, 0), Vector2d(0, 1)}) {
+    add(0, 0.0, axis.dot(first_miss), axis);
+    add(frame.chords() - 1, 1.0, axis.dot(last_miss), axis);
+  }
+  return r.allFinite() && (!J || J->allFinite());
+}
+
+}  // namespace kinetix::optim

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "optim/curve/curve_reach.hpp"
+#include "optim/solvers/multi_start.hpp"
+#include "targets/curve/curve_error.hpp"
+
+namespace kinetix::optim {
+
+/// What a curve search may vary.
+struct CurveVariables {
+  int columns = 40;                                                    ///< >= 2
+  int rows = 1;                                                        ///< >= 1; every row does the same
+  double cell_mm = 8;                                                  ///< cell edge, > 0
+  AngleRange beta{-60 * radians_per_degree, 60 * radians_per_degree};  ///< in (-pi/2, pi/2), lower < upper
+  AngleRange theta{2 * radians_per_degree, 44 * radians_per_degree};   ///< in (0, pi/2), lower < upper
+  Per per = Per::column;
+  Symmetry symmetry = Symmetry::none;
+
+  /// @throws InvalidInput naming field, value and rule
+  void validate() const;
+};
+
+/// The design found, its error, and what stood in the way.
+struct CurveDesign {
+  model::ExactDesign<double> design;
+  targets::CurveError error;  ///< of the folded midline against the goal
+  std::vector<Eigen::Vector2d> midline_mm;
+  CurveReach reach;
+  MultiStartResult search;
+  int chosen = 0;  ///< the run that gave the design
+};
+
+/// Searches the tilts and theta that fold a strip into the goal. Of the runs within 1 % of the least |r| it
+/// takes the one with the smallest largest tilt: equally good, easier to print.
+/// @throws InvalidInput for variables or options that do not validate, and ties that leave nothing to vary
+CurveDesign fit_curve(const targets::Curve& goal, const CurveVariables& variables,
+                      const MultiStartOptions& options);
+
+/// A design whose walls do not run into each other on the way to its theta, where one was found.
+struct FreeCurveDesign {
+  CurveDesign design;
+  bool walls_are_free = false;
+  std::vector<std::string> notes;  ///< one sentence per bound that was narrowed or per wall in the way
+};
+
+/// As fit_curve, with tilts kept small where that costs at most a third more error, with theta kept below the
+/// angle at which basic cells of these walls close, and, where the walls of the design found still collide,
+/// with the tilts narrowed step by step until they do not or the error grows tenfold.
+FreeCurveDesign fit_free_curve(const targets::Curve& goal, const CurveVariables& variables,
+                               const model::CellSize& size, const MultiStartOptions& options);
+
+}  // namespace kinetix::optim

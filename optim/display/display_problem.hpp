@@ -1,0 +1,75 @@
+#pragma once
+
+#include <functional>
+#include <limits>
+
+#include "model/opening/soft_aperture.hpp"
+#include "optim/display/display_cost.hpp"
+#include "optim/display/display_variables.hpp"
+#include "optim/solvers/scalar_solver.hpp"
+
+namespace kinetix::optim {
+
+/// What a display is read by: one number a cell (formats.md).
+enum class Channel {
+  aperture,  ///< largest inscribed circle of the opening, diameter in cell edges
+  area,      ///< of the opening, cell edges squared
+  rotation,  ///< mean turn of the cell's bodies, each in the sense it turns in a basic sheet, rad
+};
+
+std::string to_string(Channel channel);
+
+/// The channel of one cell by its definition.
+double channel_value(Channel channel, const model::Linkage& structure, const model::State& state,
+                     const model::LinkageCell& cell);
+/// Of all cells, in the order of structure.cells.
+std::vector<double> channel_values(Channel channel, const model::Linkage& structure,
+                                   const model::State& state);
+/// A smooth stand-in with derivatives: the same number but for the aperture, soft_aperture().
+model::CellReading channel_reading(Channel channel, const model::Linkage& structure,
+                                   const model::State& state, const model::LinkageCell& cell);
+
+/// The search for a panel that shows a picture: a cost of the readings plus what hinges stretch beyond a
+/// limit.
+class DisplayProblem : public ScalarProblem {
+ public:
+  using Cost = std::function<WeighedReadings(const std::vector<double>&)>;
+
+  /// Where the equilibria of a search start. The best point so far leads the search quickly, but hinges may end
+  /// up in an equilibrium that the path from flat does not come to.
+  enum class Settling { from_best, from_flat };
+
+  /// @param stretch most that a hinge may stretch, cell edges
+  /// @param weight of what a hinge stretches beyond it, over it, squared
+  DisplayProblem(PanelEquilibrium& equilibrium, const DisplayVariables& variables, Channel channel, Cost cost,
+                 double stretch, double weight, Settling settling = Settling::from_best);
+
+  const Eigen::VectorXd& lower() const override { return lower_; }
+  const Eigen::VectorXd& upper() const override { return upper_; }
+  bool evaluate(const Eigen::VectorXd& x, double& f, Eigen::VectorXd* gradient) override;
+
+  /// Largest of a hinge in the equilibrium of least cost so far, cell edges.
+  double stretch_of_best() const { return stretch_of_best_; }
+
+ private:
+  /// Cost and gradient of the equilibrium found.
+  bool weigh(double& f, Eigen::VectorXd* gradient);
+
+  struct Slopes {
+    Eigen::VectorXd state;  ///< 6 a body
+    Eigen::VectorXd t;      ///< where the bodies stay
+  };
+  double add_picture(Slopes& slopes) const;
+  double add_stretch(Slopes& slopes) const;
+
+  PanelEquilibrium& equilibrium_;
+  const DisplayVariables& variables_;
+  Channel channel_;
+  Cost cost_;
+  double stretch_, weight_;
+  Settling settling_;
+  double least_ = std::numeric_limits<double>::infinity(), stretch_of_best_ = 0;
+  Eigen::VectorXd lower_, upper_;
+};
+
+}  // namespace kinetix::optim

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "optim/display/display_problem.hpp"
+#include "targets/display/display_score.hpp"
+
+namespace kinetix::optim {
+
+struct DisplayOptions {
+  Channel channel = Channel::aperture;
+  model::Drive plates = {};            ///< where the search starts; compression 0.12 unless given
+  std::vector<model::Axis> axes = {};  ///< normals of the plates to search with; empty: that of `plates`
+  std::optional<std::array<double, 2>> compression = {};  ///< range to search in; nothing: that of `plates`
+  model::Elasticity elasticity = {};
+  double separation = 0.16;  ///< of letter and rest that the search first aims at, in the channel's unit
+  double stretch = 0.12;     ///< most that a hinge may stretch, cell edges
+  std::array<double, 2> t = {0.08, 0.92};
+  Symmetry symmetry = Symmetry::none;
+  double rule_k = 0.15;    ///< of the uniform-scaling cells that the search starts from
+  int starts = 4;          ///< for each axis, >= 1
+  int threads = 0;         ///< >= 0; 0 = all cores
+  std::uint64_t seed = 0;  ///< of starts shifted at random
+  SolverOptions solver = {.name = SolverName::mma, .max_evaluations = 100};  ///< a stage
+};
+
+/// A panel and how it shows its picture at the drive's goal.
+struct DisplayView {
+  Eigen::VectorXd t;  ///< of each hinge
+  model::Drive plates;
+  model::State state;
+  std::vector<double> channel;  ///< of each cell, by definition
+  targets::DisplayScore score;
+  double rank = 0;        ///< rank correlation of channel and levels
+  double stretch = 0;     ///< largest of a hinge, cell edges
+  bool balanced = false;  ///< found along the path from flat; t and plates alone are known where not
+};
+
+/// What the second stage of a search came to.
+struct SharpenedDisplay {
+  std::vector<DisplayView> views;            ///< after each round
+  SolveStatus status = SolveStatus::failed;  ///< of the last
+  std::string why;
+};
+
+/// The panel's equilibrium with these t, found anew from flat, and what it shows.
+DisplayView view_from_flat(PanelEquilibrium& equilibrium, const Eigen::VectorXd& t,
+                           const std::vector<double>& levels, Channel channel);
+
+/// Which of the views is to be taken: of those that keep the limit of stretch the one that shows its picture
+/// most clearly, else the one that stretches least; -1 where none is balanced.
+int best_view(const std::vector<DisplayView>& views, const std::vector<double>& levels, double stretch);
+
+/// One search for a display, with plates along one axis.
+class DisplaySearch {
+ public:
+  /// The references are kept.
+  DisplaySearch(const model::Structure& panel, const std::vector<double>& levels,
+                const DisplayOptions& options, model::Axis axis);
+
+  /// Where start k begins: from the paper's rule, by one choice of the checkerboard and the other; then from
+  /// the same half as strong; all others from the rule shifted at random.
+  Eigen::VectorXd start(int k) const;
+  std::string name_of_start(int k) const;
+
+  DisplayView view(const Eigen::VectorXd& x);
+  /// Towards options.separation.
+  ScalarResult separate(const Eigen::VectorXd& x);
+  /// Towards the highest contrast in rounds, each from flat, with a penalty on stretch that rises until the
+  /// equilibrium from flat keeps the limit. Where a round kept it only in an equilibrium that the path from flat does
+  /// not come to, the rounds after it find every equilibrium from flat.
+  SharpenedDisplay sharpen(Eigen::VectorXd x);
+
+  int evaluations() const { return evaluations_; }
+  int paths_from_flat() const { return equilibrium_.paths_from_flat(); }
+
+ private:
+  /// Its first equilibrium is found from flat.
+  ScalarResult search(DisplayProblem& problem, const Eigen::VectorXd& x);
+
+  const std::vector<double>& levels_;
+  const DisplayOptions& options_;
+  PictureCost picture_;
+  DisplayVariables variables_;
+  PanelEquilibrium equilibrium_;
+  int evaluations_ = 0;
+};
+
+/// The paper's rule: uniform-scaling cells of fraction k where the picture is, basic ones elsewhere; a wall
+/// of two cells takes the higher level, and levels between mean fractions between. @return t of each hinge
+/// @param k below 0.5 for one choice of the checkerboard, above for the other
+Eigen::VectorXd rule_display(const model::Structure& panel, const std::vector<double>& levels, double k);
+
+}  // namespace kinetix::optim

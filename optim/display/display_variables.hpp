@@ -1,0 +1,35 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "optim/display/hinge_ties.hpp"
+#include "optim/display/panel_equilibrium.hpp"
+
+namespace kinetix::optim {
+
+/// What a search for a display may change, as one vector x: the variables of the hinges' ties, then the
+/// compression where it has a range.
+struct DisplayVariables {
+  HingeTies ties;
+  std::array<double, 2> t = {0.08, 0.92};            ///< range, within (0, 1)
+  std::optional<std::array<double, 2>> compression;  ///< range, within (0, 0.5]
+
+  Eigen::VectorXd lower() const { return bounds(0); }
+  Eigen::VectorXd upper() const { return bounds(1); }
+  /// x nearest to the given t of each hinge, within bounds.
+  Eigen::VectorXd nearest(const Eigen::VectorXd& t, double compression) const;
+
+  Eigen::VectorXd t_of(const Eigen::VectorXd& x) const { return ties.expand(x.head(ties.variables)); }
+  /// Nothing where it is none of x.
+  std::optional<double> compression_of(const Eigen::VectorXd& x) const;
+  /// Brings the panel to its equilibrium at x. @return as PanelEquilibrium::settle
+  bool settle(PanelEquilibrium& equilibrium, const Eigen::VectorXd& x) const;
+  /// By x, from derivatives by the t of each hinge and by the compression.
+  Eigen::VectorXd gather(const PanelEquilibrium::Slopes& slopes) const;
+
+ private:
+  Eigen::VectorXd bounds(int side) const;
+};
+
+}  // namespace kinetix::optim

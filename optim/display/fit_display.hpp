@@ -1,0 +1,43 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "optim/display/display_search.hpp"
+
+namespace kinetix::optim {
+
+/// One start of the search.
+struct DisplayStart {
+  std::string name;
+  DisplayView view;  ///< before the search
+  double cost = 0;   ///< after its first stage
+  SolveStatus status = SolveStatus::failed;
+  bool sharpened = false;  ///< one of those that went on to the second stage
+};
+
+struct DisplayDesign {
+  DisplayView view;                  ///< of the best, its equilibrium found anew from flat
+  std::vector<DisplayStart> starts;  ///< all of the first axis, then of the second
+  SolveStatus status = SolveStatus::failed;
+  std::string why;
+  int evaluations = 0, paths_from_flat = 0;
+};
+
+/// The panel as it is: balanced from flat and read.
+DisplayView view_display(const model::Structure& panel, const std::vector<double>& levels,
+                         const DisplayOptions& options);
+
+/// From every start along every axis towards options.separation; the best two of them then towards the
+/// highest contrast. Of all that came out on the way the clearest that keeps the limit of stretch. In
+/// parallel; same options, same answer, for any number of threads.
+/// @param panel basic cells that fill a rectangle   @param levels of each of its cells, 0 to 1, not all the
+/// same
+/// @param progress words and the share done
+/// @throws InvalidInput for options or a panel that cannot be
+DisplayDesign fit_display(const model::Structure& panel, const std::vector<double>& levels,
+                          const DisplayOptions& options,
+                          const std::function<void(const std::string&, double)>& progress = {});
+
+}  // namespace kinetix::optim

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "model/lattice/square/structure.hpp"
+#include "optim/solvers/variables.hpp"
+
+namespace kinetix::optim {
+
+/// Which hinges of a rectangular panel share a variable for t, so that the flat panel looks the same after a
+/// motion of the plane: hinge h has t = x[variable[h]], or 1 - x[variable[h]] where the motion turns its wall
+/// end to end. A wall that it turns onto itself keeps t = 0.5: `centred`.
+struct HingeTies {
+  static constexpr int centred = -1;
+  std::vector<int> variable;
+  std::vector<bool> reversed;
+  int variables = 0;
+
+  Eigen::VectorXd expand(const Eigen::VectorXd& x) const;
+  /// The gradient by x of a function whose gradient by t of all hinges is given.
+  Eigen::VectorXd gather(const Eigen::VectorXd& by_t) const;
+  /// x of which expand() is nearest to t, least squares.
+  Eigen::VectorXd nearest(const Eigen::VectorXd& t) const;
+};
+
+/// @pre the cells fill a rectangle; a square for rotate_4
+HingeTies hinge_ties(const model::Structure& panel, Symmetry symmetry);
+
+}  // namespace kinetix::optim

@@ -1,0 +1,62 @@
+#include "optim/display/panel_equilibrium.hpp"
+
+#include "model/closure/closure_drive.hpp"
+#include "model/elastic/adjoint.hpp"
+#include "model/elastic/equilibrium_path.hpp"
+
+namespace kinetix::optim {
+namespace {
+
+constexpr double nearby = 0.3;
+constexpr int most_iterations = 40;
+
+}  // namespace
+
+PanelEquilibrium::PanelEquilibrium(model::Structure panel, const model::Elasticity& elasticity,
+                                   const model::Drive& plates)
+    : panel_(std::move(panel)), elasticity_(elasticity), drive_(plates) {
+  const model::ElasticSystem refuses_overlap(panel_, elasticity_, drive_.on(panel_), true, true);
+}
+
+bool PanelEquilibrium::settle(const Eigen::VectorXd& t) {
+  for (std::size_t h = 0; h < panel_.hinges.size(); ++h) panel_.hinges[h].parameters.t = t[h];
+  return settle_nearby() || settle_from_flat();
+}
+
+bool PanelEquilibrium::settle_nearby() {
+  if (kept_.empty()) return false;
+  model::ElasticSystem system(panel_, elasticity_, drive_.on(panel_), true, true);
+  model::TangentStiffness tangent(system.dofs());
+  model::NewtonOptions options;
+  options.max_iterations = most_iterations;
+  model::State state = kept_;
+  system.place(drive_.theta(), state);
+  const model::NewtonResult result = minimise(system, drive_.theta(), options, state, tangent);
+  if (!result.converged || !result.stable || !(turn_distance(panel_, kept_, state) <= nearby)) return false;
+  state_ = std::move(state);
+  return true;
+}
+
+bool PanelEquilibrium::settle_from_flat() {
+  ++paths_;
+  model::EquilibriumPathOptions options;
+  options.planar = true;
+  model::EquilibriumPath path = trace_equilibrium(driven(panel_, drive_), elasticity_, options);
+  if (path.stop != model::EquilibriumPath::Stop::reached || !path.steps.back().stable) return false;
+  state_ = std::move(path.state);
+  return true;
+}
+
+std::optional<PanelEquilibrium::Slopes> PanelEquilibrium::slopes(const Eigen::VectorXd& by_state) {
+  const model::ElasticSystem system(panel_, elasticity_, drive_.on(panel_), true, true);
+  model::TangentStiffness tangent(system.dofs());
+  const double theta = drive_.theta();
+  system.linearise(state_, theta, tangent);
+  if (!tangent.factorise(0)) return std::nullopt;
+  model::EquilibriumGradient gradient;
+  gradient.state = by_state;
+  const model::Sensitivity by = sensitivity(system, elasticity_, state_, theta, tangent, gradient);
+  return Slopes{by.hinges.row(0).transpose(), by.theta / system.drive_rate(theta)};
+}
+
+}  // namespace kinetix::optim

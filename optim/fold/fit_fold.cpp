@@ -1,0 +1,258 @@
+#include "optim/fold/fit_fold.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "model/base/invalid_input.hpp"
+#include "model/contact/wall_contact.hpp"
+#include "optim/fold/face_crossing.hpp"
+
+namespace kinetix::optim {
+namespace {
+
+constexpr int most_columns_a_right_angle = 4;
+constexpr double step = 1 * radians_per_degree;
+constexpr double precision = 0.25 * radians_per_degree;
+constexpr double margin_of_closing = 0.1 * radians_per_degree;
+constexpr double largest_turn_of_a_column = 179 * radians_per_degree;
+
+/// Columns that keep each column's turn to a right angle over `finer`, where the goal does not give them.
+std::vector<int> columns_of(const targets::FoldNet& net, int finer) {
+  std::vector<int> columns;
+  for (const targets::FoldCrease& crease : net.creases) {
+    const int needed = static_cast<int>(std::ceil(std::abs(crease.angle) * finer / (pi / 2) - 1e-9));
+    columns.push_back(crease.columns > 0 ? crease.columns
+                                         : std::clamp(needed, 1, targets::max_crease_columns));
+  }
+  return columns;
+}
+
+bool all_columns_are_given(const targets::FoldNet& net) {
+  return std::all_of(net.creases.begin(), net.creases.end(),
+                     [](const targets::FoldCrease& crease) { return crease.columns > 0; });
+}
+
+double turn_of_a_column(const targets::FoldNet& net, const std::vector<int>& columns, std::size_t crease) {
+  return std::abs(net.creases[crease].angle) / columns[crease];
+}
+
+std::size_t steepest_crease(const targets::FoldNet& net, const std::vector<int>& columns) {
+  std::size_t steepest = 0;
+  for (std::size_t c = 1; c < columns.size(); ++c)
+    if (turn_of_a_column(net, columns, c) > turn_of_a_column(net, columns, steepest)) steepest = c;
+  return steepest;
+}
+
+/// What stops a net with given columns.
+struct Obstacle {
+  std::string why;
+  bool everywhere = false;  ///< as near any crease: another unfolding would not help
+  double share = 0;         ///< of the way to theta that is free
+};
+
+class Search {
+ public:
+  Search(const targets::FoldGoal& goal, const FoldOptions& options,
+         const std::function<void(const std::string&, double)>& progress)
+      : goal_(goal), options_(options), progress_(progress) {
+    upper_ = std::min(options.theta.upper, closing_theta(options.size) - margin_of_closing);
+  }
+
+  FoldDesign run() {
+    if (!(upper_ > options_.theta.lower))
+      throw InvalidInput(
+          fmt::format("walls of {} mm in cells of {} mm close at theta {:.1f} deg, below the range "
+                      "asked for",
+                      options_.size.thickness_mm, options_.size.edge_mm, to_degrees(upper_)));
+    const int finest = all_columns_are_given(goal_.nets[0]) ? 1 : most_columns_a_right_angle;
+    for (int finer = 1; finer <= finest && !design_.folds; ++finer) try_all(finer);
+    if (!design_.folds) take_the_nearest(finest);
+    return std::move(design_);
+  }
+
+ private:
+  void try_all(int finer) {
+    const int count = static_cast<int>(goal_.nets.size());
+    for (int k = 0; k < count; ++k) {
+      if (progress_) progress_("unfoldings", static_cast<double>(k) / count);
+      const std::vector<int> columns = columns_of(goal_.nets[k], finer);
+      const std::optional<Obstacle> obstacle = try_net(k, columns);
+      design_.attempts.push_back({k, columns, obstacle ? obstacle->why : ""});
+      if (!obstacle) return;
+      add_obstacle(obstacle->why);
+      if (obstacle->everywhere) return;
+    }
+  }
+
+  void add_obstacle(const std::string& why) {
+    auto& all = design_.obstacles;
+    if (std::find(all.begin(), all.end(), why) == all.end()) all.push_back(why);
+  }
+
+  std::optional<Obstacle> try_net(int index, const std::vector<int>& columns) {
+    const targets::FoldNet& net = goal_.nets[index];
+    const std::size_t c = steepest_crease(net, columns);
+    const double turn = columns.empty() ? 0 : turn_of_a_column(net, columns, c);
+    if (turn > largest_turn_of_a_column) return too_steep(net, columns, c, pi / 2);
+    const double least = std::asin(std::min(std::tan(turn / 2) / std::tan(options_.tilt), 1.0));
+    const double lower = std::max(options_.theta.lower, least);
+    if (!(lower < upper_) || std::tan(turn / 2) > std::tan(options_.tilt) * std::sin(upper_))
+      return too_steep(net, columns, c, std::atan(std::tan(turn / 2) / std::sin(upper_)));
+    try {
+      return try_between(index, columns, lower);
+    } catch (const InvalidInput& e) {
+      return Obstacle{fmt::format("with {} columns in its widest crease: {}",
+                                  *std::max_element(columns.begin(), columns.end()), e.reason())};
+    }
+  }
+
+  Obstacle too_steep(const targets::FoldNet& net, const std::vector<int>& columns, std::size_t c,
+                     double tilt) const {
+    return {fmt::format("crease `{}` of {} would need tilts of {:.1f} deg even at theta {:.1f} deg; at most "
+                        "{:.1f} deg is allowed: give it more columns",
+                        crease_name(net, net.creases[c]), columns_text(columns[c]), to_degrees(tilt),
+                        to_degrees(upper_), to_degrees(options_.tilt)),
+            true};
+  }
+
+  static std::string columns_text(int columns) {
+    return columns == 1 ? "one column" : fmt::format("{} columns", columns);
+  }
+
+  FoldedNet folded(int index, const std::vector<int>& columns, double theta) const {
+    return fold_to(goal_.nets[index], columns, theta, options_.size, options_.tilt);
+  }
+
+  /// The largest free theta: steep tilts at small theta are in the way as well as gentle ones at large theta.
+  std::optional<Obstacle> try_between(int index, const std::vector<int>& columns, double lower) {
+    std::optional<Obstacle> farthest;
+    const int steps = static_cast<int>(std::ceil((upper_ - lower) / step));
+    for (int k = steps; k >= 0; --k) {
+      FoldedNet net = folded(index, columns, lower + (upper_ - lower) * k / steps);
+      auto obstacle = walls_in_the_way(net);
+      if (!obstacle) return accept(index, refined(index, columns, std::move(net), k < steps));
+      if (!farthest || obstacle->share > farthest->share) farthest = std::move(obstacle);
+    }
+    return farthest;
+  }
+
+  /// A little more theta, as far as it is free.
+  FoldedNet refined(int index, const std::vector<int>& columns, FoldedNet best, bool blocked_beyond) {
+    double blocked = blocked_beyond ? best.theta + step : best.theta;
+    while (blocked - best.theta > precision) {
+      FoldedNet middle = folded(index, columns, (best.theta + blocked) / 2);
+      if (walls_in_the_way(middle))
+        blocked = middle.theta;
+      else
+        best = std::move(middle);
+    }
+    return best;
+  }
+
+  std::optional<Obstacle> accept(int index, FoldedNet best) {
+    if (const auto crossing = first_face_crossing(best))
+      return Obstacle{fmt::format("faces `{}` and `{}` cross on the way, at theta {:.1f} of {:.1f} deg",
+                                  best.net.faces[crossing->first].name, best.net.faces[crossing->second].name,
+                                  to_degrees(crossing->theta), to_degrees(best.theta))};
+    design_.folded = std::move(best);
+    design_.net = index;
+    design_.folds = true;
+    design_.obstacles.clear();
+    return std::nullopt;
+  }
+
+  std::optional<Obstacle> walls_in_the_way(const FoldedNet& net) {
+    ++design_.evaluations;
+    model::WallContact contact(with_clearance(net.structure));
+    if (!contact.touching_at_rest().empty()) return described(net, contact.touching_at_rest().front(), 0);
+    const int steps = static_cast<int>(std::ceil(net.theta / step));
+    for (int k = 1; k <= steps; ++k) {
+      const double theta = net.theta * k / steps;
+      const auto& pairs = contact.overlapping(fold_net(net.tree, net.structure, theta));
+      if (!pairs.empty()) return described(net, pairs.front(), theta);
+    }
+    return std::nullopt;
+  }
+
+  /// The same with thicker and higher walls.
+  model::Structure with_clearance(model::Structure structure) const {
+    const double more = options_.clearance * structure.size.edge_mm;
+    structure.size.thickness_mm += more;
+    structure.size.height_mm += more;
+    return structure;
+  }
+
+  static std::string described(double theta, double needed) {
+    if (!(theta > 0)) return "touch when flat";
+    if (!(theta < needed))
+      return fmt::format("run into each other as the fold closes, at theta {:.2f} deg", to_degrees(theta));
+    return fmt::format("run into each other at theta {:.2f} deg; the fold needs {:.2f} deg",
+                       to_degrees(theta), to_degrees(needed));
+  }
+
+  static Obstacle described(const FoldedNet& net, const model::WallPair& pair, double theta) {
+    const std::vector<int> parts = parts_of_bodies(net);
+    const auto part = [&](int half) {
+      const model::Hinge& hinge = net.structure.hinges[half / 2];
+      return parts[half % 2 == 0 ? hinge.lower : hinge.upper];
+    };
+    const int a = part(pair.first), b = part(pair.second);
+    const std::string who = a == b ? "of " + part_name(net.net, a)
+                                   : "of " + part_name(net.net, a) + " and " + part_name(net.net, b);
+    const int columns = net.layout.creases.empty() ? 1 : net.layout.creases[0].columns;
+    const std::string when = described(theta, net.theta);
+    return {fmt::format("with {} per crease, walls {} {}", columns_text(columns), who, when),
+            beside_one_crease(net.net, a, b), theta / net.theta};
+  }
+
+  static bool beside_one_crease(const targets::FoldNet& net, int a, int b) {
+    const int faces = static_cast<int>(net.faces.size());
+    for (int c = 0; c < static_cast<int>(net.creases.size()); ++c) {
+      const auto near = [&](int part) {
+        return part == net.creases[c].first || part == net.creases[c].second || part == faces + c;
+      };
+      if (near(a) && near(b)) return true;
+    }
+    return a == b;
+  }
+
+  /// Something to show: of the columns tried the most that lay the first unfolding out.
+  void take_the_nearest(int finest) {
+    for (int finer = finest; finer >= 1; --finer) try {
+        design_.folded = folded(0, columns_of(goal_.nets[0], finer), upper_);
+        return;
+      } catch (const InvalidInput&) {
+        if (finer == 1) throw;
+      }
+  }
+
+  const targets::FoldGoal& goal_;
+  const FoldOptions& options_;
+  const std::function<void(const std::string&, double)>& progress_;
+  double upper_ = 0;
+  FoldDesign design_;
+};
+
+}  // namespace
+
+void FoldOptions::validate() const {
+  if (!(tilt > 0 && tilt < pi / 2))
+    throw InvalidInput(fmt::format("tilt is {} rad, must be in (0, pi/2)", tilt));
+  if (!(0 < theta.lower && theta.lower < theta.upper && theta.upper < pi / 2))
+    throw InvalidInput(
+        fmt::format("theta is [{}, {}] rad, must be [lower, upper] with 0 < lower < upper < pi/2",
+                    theta.lower, theta.upper));
+  if (!(clearance >= 0 && clearance < 0.5))
+    throw InvalidInput(fmt::format("clearance is {} cell edges, must be in [0, 0.5)", clearance));
+}
+
+FoldDesign fit_fold(const targets::FoldGoal& goal, const FoldOptions& options,
+                    const std::function<void(const std::string&, double)>& progress) {
+  options.validate();
+  return Search(goal, options, progress).run();
+}
+
+}  // namespace kinetix::optim

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/contact/wall_contact.hpp"
+#include "model/lattice/square/fishbone.hpp"
+#include "model/linkage/half_wall.hpp"
+
+namespace kinetix::optim {
+
+/// Walls of a fishbone that run into each other while it folds, looked at in sixteen states from flat to
+/// theta.
+class HelmetCollisions {
+ public:
+  /// @param fishbone with its tilts   @param theta rad
+  HelmetCollisions(const model::Fishbone& fishbone, double theta);
+
+  /// Shortens one rib of each pair of walls that are not of the same side of one rib. @return cells taken
+  int trim(model::FishboneLayout& spine_and_ribs) const;
+  /// The first three pairs by name, and how many more there are; empty where none meet.
+  std::vector<std::string> in_words() const;
+
+ private:
+  const model::FishbonePlace& place_of_plate(int half) const { return places_[walls_[half].body]; }
+
+  std::vector<model::HalfWall> walls_;
+  std::vector<model::FishbonePlace> places_;  // of each body
+  std::vector<model::WallPair> pairs_;
+  std::vector<std::string> names_;  // of each hinge's wall
+};
+
+}  // namespace kinetix::optim

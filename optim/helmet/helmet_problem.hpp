@@ -1,0 +1,101 @@
+#pragma once
+
+#include "model/lattice/square/fishbone.hpp"
+#include "model/lattice/square/net.hpp"
+#include "optim/solvers/arrow_problem.hpp"
+#include "optim/solvers/variables.hpp"
+#include "targets/mesh/mesh_distance.hpp"
+
+namespace kinetix::optim {
+
+/// What a helmet is fitted to, in a frame with z up and y along the spine.
+struct HelmetGoal {
+  const targets::MeshDistance* head = nullptr;
+  double clearance_mm = 0;
+  double rim_z = 0;     ///< height that both ends of the spine are to reach, mm
+  double middle_x = 0;  ///< of the spine, mm
+};
+
+/// The unknowns of a helmet.
+struct HelmetShape {
+  Eigen::Vector3d turn = Eigen::Vector3d::Zero();        ///< rotation vector of the root's panel, rad
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();       ///< of the root, mm
+  double theta = 0;                                      ///< rad
+  std::vector<double> spine;                             ///< tilts of the spine's creases, rad
+  std::vector<std::array<std::vector<double>, 2>> ribs;  ///< of each rib and side, from the spine outwards
+};
+
+/// A folded net moved as a whole. @param root body that comes to `place`; @param turn rotation vector, rad
+/// @param place mm
+model::State placed(model::State state, int root, const Eigen::Vector3d& turn, const Eigen::Vector3d& place);
+
+/// Fit of a fishbone to a head: all tilts, one theta and its place, by least squares.
+///
+/// Residuals: distance to the head less the clearance of every body and every hinge point, over the square
+/// root of their number and in units of a tenth of the cell edge, so that |r| is ten times the rms distance
+/// in cell edges; then, a tenth as heavy, the heights of the spine's ends above the rim and how far they are
+/// off the middle, and every tilt by a thousandth (what no distance sees stays small). The variables of a
+/// part are the tilts of one side of one rib; place is in units of the cell edge.
+class HelmetProblem final : public ArrowProblem {
+ public:
+  /// @param fishbone its root is the middle of the spine; kept by reference, as is the head
+  /// @param tilt limit of all tilts, rad   @param theta bounds, rad, within (0, pi/2)
+  HelmetProblem(const model::Fishbone& fishbone, const HelmetGoal& goal, double tilt,
+                const AngleRange& theta);
+
+  int shared() const override { return fixed_shared + static_cast<int>(fishbone_.spine.size()); }
+  const std::vector<int>& parts() const override { return parts_; }
+  const Eigen::VectorXd& lower() const override { return lower_; }
+  const Eigen::VectorXd& upper() const override { return upper_; }
+  const std::vector<int>& residuals() const override { return residuals_; }
+  bool evaluate(const Eigen::VectorXd& x, bool rates, std::vector<ResidualBlock>& blocks) const override;
+
+  Eigen::VectorXd pack(const HelmetShape& shape) const;
+  HelmetShape unpack(const Eigen::VectorXd& x) const;
+  /// Tilts of x written into a copy of the fishbone's structure.
+  model::Structure structure(const Eigen::VectorXd& x) const;
+  /// State in the head's frame.
+  model::State state(const Eigen::VectorXd& x) const;
+
+ private:
+  static constexpr int fixed_shared = 7;  // turn, place, theta
+
+  /// A point of a body whose distance counts.
+  struct Probe {
+    int body = 0;
+    Eigen::Vector3d arm = Eigen::Vector3d::Zero();  ///< in the body, mm
+  };
+  /// A crease on the way from the root to a body.
+  struct Step {
+    int link = 0;      ///< of the tree
+    int variable = 0;  ///< index in x
+    int sign = 1;      ///< alternation of the link's wall
+  };
+
+  void index_variables();
+  void place_probes();
+  void find_ways();
+  int part_of(int body) const;
+  void fill(const model::NetMotion& motion, const Eigen::VectorXd& x, bool rates, int part,
+            ResidualBlock& block) const;
+  void fill_probe(const model::NetMotion& motion, const Eigen::VectorXd& x, bool rates, int part,
+                  const Probe& probe, int row, ResidualBlock& block) const;
+  void fill_ends(const model::NetMotion& motion, const Eigen::VectorXd& x, bool rates, int row,
+                 ResidualBlock& block) const;
+  Eigen::VectorXd rates_of(const model::NetMotion& motion, const Eigen::VectorXd& x, const Probe& probe,
+                           const Eigen::Vector3d& direction, int part) const;
+  Eigen::Vector3d in_head(const model::NetMotion& motion, const Eigen::VectorXd& x, const Probe& probe) const;
+
+  const model::Fishbone& fishbone_;
+  HelmetGoal goal_;
+  model::NetTree tree_;
+  std::vector<int> parts_, residuals_, first_;  // first_: of each part's variables in x
+  std::vector<int> variable_of_hinge_;          // index in x, or -1
+  std::vector<std::vector<Probe>> probes_;      // of each part, last those of the spine
+  std::vector<std::vector<Step>> ways_;         // of each body
+  std::array<std::array<int, 2>, 2> ends_;      // bodies of the spine's ends
+  int count_ = 0;
+  Eigen::VectorXd lower_, upper_;
+};
+
+}  // namespace kinetix::optim

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cmath>
+#include <exception>
+#include <limits>
+
+#include "optim/solvers/solver.hpp"
+
+namespace kinetix::optim {
+
+/// Counts evaluations and keeps the best feasible one. What the problem throws ends here: no exception
+/// reaches a solver.
+class BestSoFar {
+ public:
+  BestSoFar(const LeastSquaresProblem& problem, const Eigen::VectorXd& start, const SolverOptions& options)
+      : problem_(problem), options_(options) {
+    result_.x = start;
+    result_.residual_norm = std::numeric_limits<double>::infinity();
+  }
+
+  /// Evaluates the problem and notes the point. @return false where it cannot be evaluated
+  bool evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* J) {
+    ++result_.evaluations;
+    if (!evaluate_problem(x, r, J)) return false;
+    const double norm = r.norm();
+    if (!std::isfinite(norm) || (J && !J->allFinite())) return false;
+    if (norm < result_.residual_norm && is_feasible(x)) {
+      result_.x = x;
+      result_.residual_norm = norm;
+      result_.history.emplace_back(result_.evaluations, norm);
+    }
+    return true;
+  }
+
+  bool target_reached() const { return options_.target > 0 && result_.residual_norm <= options_.target; }
+  bool out_of_evaluations() const { return result_.evaluations >= options_.max_evaluations; }
+  bool should_stop() const { return target_reached() || out_of_evaluations(); }
+
+  /// @param status, why as the solver has them; the target, an exception, and a search without a single
+  /// value go before
+  SolveResult finish(SolveStatus status, std::string why) {
+    result_.status = status;
+    result_.why = std::move(why);
+    if (!std::isfinite(result_.residual_norm) && result_.evaluations > 0) {
+      result_.status = SolveStatus::cannot_evaluate;
+      result_.why = "the problem cannot be evaluated at any point tried";
+    }
+    if (!thrown_.empty()) {
+      result_.status = SolveStatus::failed;
+      result_.why = thrown_;
+    }
+    if (target_reached()) {
+      result_.status = SolveStatus::target_reached;
+      result_.why = "the residual reached the value asked for";
+    }
+    return std::move(result_);
+  }
+
+ private:
+  bool evaluate_problem(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* J) {
+    try {
+      return problem_.evaluate(x, r, J);
+    } catch (const std::exception& error) {
+      thrown_ = error.what();
+    } catch (...) {
+      thrown_ = "an unknown exception";
+    }
+    return false;
+  }
+
+  bool is_feasible(const Eigen::VectorXd& x) const {
+    return (x.array() >= problem_.lower().array()).all() && (x.array() <= problem_.upper().array()).all();
+  }
+
+  const LeastSquaresProblem& problem_;
+  const SolverOptions& options_;
+  SolveResult result_;
+  std::string thrown_;  ///< what the problem threw last; empty where it did not
+};
+
+SolveResult solve_with_ceres(const LeastSquaresProblem& problem, const Eigen::VectorXd& start,
+                             const SolverOptions& options);
+SolveResult solve_with_nlopt(const LeastSquaresProblem& problem, const Eigen::VectorXd& start,
+                             const SolverOptions& options);
+
+}  // namespace kinetix::optim

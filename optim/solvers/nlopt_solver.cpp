@@ -1,0 +1,126 @@
+#include <nlopt.hpp>
+
+#include "optim/solvers/best_so_far.hpp"
+
+namespace kinetix::optim {
+namespace {
+
+nlopt::algorithm algorithm(SolverName name) {
+  switch (name) {
+    case SolverName::slsqp:
+      return nlopt::LD_SLSQP;
+    case SolverName::mma:
+      return nlopt::LD_MMA;
+    case SolverName::ccsa:
+      return nlopt::LD_CCSAQ;
+    case SolverName::bobyqa:
+      return nlopt::LN_BOBYQA;
+    case SolverName::cobyla:
+      return nlopt::LN_COBYLA;
+    default:
+      return nlopt::GN_CRS2_LM;
+  }
+}
+
+/// Cost |r|^2 / 2 for NLopt. Some of its methods ignore the evaluation limit and hang on NaN: we stop them
+/// ourselves.
+struct Objective {
+  BestSoFar& best;
+  nlopt::opt& solver;
+  Eigen::VectorXd r;
+  Eigen::MatrixXd J;
+  bool broke = false;
+
+  double operator()(const std::vector<double>& at, std::vector<double>& gradient) {
+    if (best.should_stop()) throw nlopt::forced_stop();
+    const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(at.data(), at.size());
+    if (!best.evaluate(x, r, gradient.empty() ? nullptr : &J)) {
+      broke = true;
+      throw nlopt::forced_stop();
+    }
+    if (!gradient.empty()) Eigen::Map<Eigen::VectorXd>(gradient.data(), gradient.size()) = J.transpose() * r;
+    return r.squaredNorm() / 2;
+  }
+
+  static double call(const std::vector<double>& x, std::vector<double>& gradient, void* self) {
+    return (*static_cast<Objective*>(self))(x, gradient);
+  }
+};
+
+std::vector<double> values(const Eigen::VectorXd& v) { return {v.data(), v.data() + v.size()}; }
+
+/// A first step that fits each variable's bounds: BOBYQA refuses one longer than half of them.
+std::vector<double> first_steps(const LeastSquaresProblem& problem) {
+  const Eigen::VectorXd width = problem.upper() - problem.lower();
+  return values((width / 4).cwiseMin(0.05));
+}
+
+/// The global method needs a finite box: a unit around the start for the variables without bounds.
+void set_bounds(nlopt::opt& solver, const LeastSquaresProblem& problem, const Eigen::VectorXd& start,
+                bool is_global) {
+  Eigen::VectorXd lower = problem.lower(), upper = problem.upper();
+  for (int k = 0; is_global && k < start.size(); ++k) {
+    if (!std::isfinite(lower[k])) lower[k] = start[k] - 1;
+    if (!std::isfinite(upper[k])) upper[k] = start[k] + 1;
+  }
+  solver.set_lower_bounds(values(lower));
+  solver.set_upper_bounds(values(upper));
+}
+
+std::string words(nlopt::result result) {
+  switch (result) {
+    case nlopt::STOPVAL_REACHED:
+      return "the cost reached the value asked for";
+    case nlopt::FTOL_REACHED:
+      return "the cost stopped changing";
+    case nlopt::XTOL_REACHED:
+      return "the variables stopped changing";
+    case nlopt::MAXEVAL_REACHED:
+      return "evaluation limit";
+    case nlopt::MAXTIME_REACHED:
+      return "time limit";
+    case nlopt::ROUNDOFF_LIMITED:
+      return "rounding errors stopped the progress";
+    default:
+      return "success";
+  }
+}
+
+SolveStatus status_of(nlopt::result result) {
+  if (result == nlopt::MAXEVAL_REACHED || result == nlopt::MAXTIME_REACHED)
+    return SolveStatus::evaluation_limit;
+  return SolveStatus::converged;
+}
+
+}  // namespace
+
+SolveResult solve_with_nlopt(const LeastSquaresProblem& problem, const Eigen::VectorXd& start,
+                             const SolverOptions& options) {
+  BestSoFar best(problem, start, options);
+  nlopt::opt solver(algorithm(options.name), static_cast<unsigned>(start.size()));
+  Objective objective{best, solver, {}, {}};
+  try {
+    // Unseeded, NLopt takes the time of day. Its generator belongs to the thread.
+    nlopt::srand(options.seed);
+    solver.set_min_objective(&Objective::call, &objective);
+    set_bounds(solver, problem, start, options.name == SolverName::crs);
+    solver.set_ftol_rel(options.tolerance);
+    solver.set_xtol_rel(1e-13);
+    solver.set_maxeval(options.max_evaluations);
+    solver.set_initial_step(first_steps(problem));
+    std::vector<double> x = values(start);
+    double cost = 0;
+    const nlopt::result result = solver.optimize(x, cost);
+    return best.finish(status_of(result), words(result));
+  } catch (const nlopt::forced_stop&) {
+    if (objective.broke)
+      return best.finish(SolveStatus::cannot_evaluate, "the problem cannot be evaluated there");
+    return best.finish(SolveStatus::evaluation_limit, "evaluation limit");
+  } catch (const nlopt::roundoff_limited&) {
+    return best.finish(SolveStatus::stalled, "rounding errors stopped the progress");
+  } catch (const std::exception& error) {
+    return best.finish(SolveStatus::failed, error.what());
+  }
+}
+
+}  // namespace kinetix::optim

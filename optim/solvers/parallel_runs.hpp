@@ -1,0 +1,12 @@
+#pragma once
+
+#include <functional>
+
+namespace kinetix::optim {
+
+/// Calls run(k) for every k from 0 to count - 1, on several threads and in any order. For the same answer
+/// whatever their number, each run writes a slot of its own.
+/// @param threads 0 = all cores; never more than there are runs   @pre run does not throw
+void run_in_parallel(int count, int threads, const std::function<void(int)>& run);
+
+}  // namespace kinetix::optim

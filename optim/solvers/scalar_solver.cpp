@@ -1,0 +1,109 @@
+#include "optim/solvers/scalar_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlopt.hpp>
+
+#include "model/base/invalid_input.hpp"
+
+namespace kinetix::optim {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr int most_failures = 20;
+
+nlopt::algorithm algorithm(SolverName name) {
+  switch (name) {
+    case SolverName::slsqp:
+      return nlopt::LD_SLSQP;
+    case SolverName::mma:
+      return nlopt::LD_MMA;
+    case SolverName::ccsa:
+      return nlopt::LD_CCSAQ;
+    default:
+      throw InvalidInput("solver " + to_string(name) + " cannot minimise this cost; use mma, ccsa or slsqp");
+  }
+}
+
+std::vector<double> values(const VectorXd& v) { return {v.data(), v.data() + v.size()}; }
+
+struct Search {
+  ScalarProblem& problem;
+  const SolverOptions& options;
+  ScalarResult result;
+  double highest = -std::numeric_limits<double>::infinity();
+  int failures = 0;
+  bool broke = false;
+
+  double operator()(const std::vector<double>& at, std::vector<double>& gradient) {
+    if (result.evaluations >= options.max_evaluations) throw nlopt::forced_stop();
+    const VectorXd x = Eigen::Map<const VectorXd>(at.data(), at.size());
+    double f = 0;
+    VectorXd slope;
+    ++result.evaluations;
+    const bool fine =
+        problem.evaluate(x, f, gradient.empty() ? nullptr : &slope) && std::isfinite(f) && slope.allFinite();
+    if (!fine) return barrier(gradient);
+    highest = std::max(highest, f);
+    if (f < result.cost) {
+      result.x = x;
+      result.cost = f;
+      result.history.emplace_back(result.evaluations, f);
+    }
+    if (!gradient.empty()) gradient = values(slope);
+    return f;
+  }
+
+  /// Of a point that cannot be evaluated: higher than all others, so that the method turns back. Without any
+  /// other, or after many, the search ends.
+  double barrier(std::vector<double>& gradient) {
+    broke = !std::isfinite(result.cost) || ++failures > most_failures;
+    if (broke) throw nlopt::forced_stop();
+    std::fill(gradient.begin(), gradient.end(), 0.0);
+    return highest + 1 + std::abs(highest);
+  }
+
+  static double call(const std::vector<double>& x, std::vector<double>& gradient, void* self) {
+    return (*static_cast<Search*>(self))(x, gradient);
+  }
+
+  ScalarResult finish(SolveStatus status, std::string why) {
+    result.status = status;
+    result.why = std::move(why);
+    return std::move(result);
+  }
+};
+
+}  // namespace
+
+ScalarResult solve(ScalarProblem& problem, const VectorXd& start, const SolverOptions& options) {
+  options.validate();
+  nlopt::opt solver(algorithm(options.name), static_cast<unsigned>(start.size()));
+  Search search{problem, options, {}};
+  search.result.x = start;
+  search.result.cost = std::numeric_limits<double>::infinity();
+  try {
+    solver.set_min_objective(&Search::call, &search);
+    solver.set_lower_bounds(values(problem.lower()));
+    solver.set_upper_bounds(values(problem.upper()));
+    solver.set_ftol_rel(options.tolerance);
+    solver.set_maxeval(options.max_evaluations);
+    std::vector<double> x = values(start);
+    double cost = 0;
+    if (solver.optimize(x, cost) == nlopt::MAXEVAL_REACHED)
+      return search.finish(SolveStatus::evaluation_limit, "evaluation limit");
+    return search.finish(SolveStatus::converged, "the cost stopped changing");
+  } catch (const nlopt::forced_stop&) {
+    if (search.broke)
+      return search.finish(SolveStatus::cannot_evaluate, "no equilibrium of the panel was found there");
+    return search.finish(SolveStatus::evaluation_limit, "evaluation limit");
+  } catch (const nlopt::roundoff_limited&) {
+    return search.finish(SolveStatus::stalled, "rounding errors stopped the progress");
+  } catch (const std::exception& error) {
+    return search.finish(SolveStatus::failed, error.what());
+  }
+}
+
+}  // namespace kinetix::optim

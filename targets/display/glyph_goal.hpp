@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+
+#include "targets/display/display_goal.hpp"
+#include "targets/display/font_file.hpp"
+
+namespace kinetix::targets {
+
+inline constexpr int max_glyph_characters = 12;
+/// A panel whose shorter side has fewer cells than this has no margin around the letter; others have one
+/// cell.
+inline constexpr int least_side_with_margin = 5;
+/// How much wider or higher than drawn a letter may become.
+inline constexpr double max_glyph_stretch = 1.5;
+
+/// A letter or a short word on a panel, binary: a cell is letter where ink covers at least half of it.
+///
+/// The ink is scaled to the panel less its margin, in its own proportions as far as the tighter side allows.
+/// Then it is stretched along the other side until that is filled too, by at most 1.5, and centred. Room is
+/// never left unused that a stroke could fill, so that strokes are as wide as the panel allows for a letter
+/// that keeps its look; hence where strokes are still thinner than a cell, only a larger panel helps.
+///
+/// Where strokes are lost all the same, `needed` of the goal names the smallest larger panel that keeps them
+/// (whole_picture.hpp).
+/// @param text UTF-8, 1 to 12 characters
+/// @throws InvalidInput for another number of characters, and what glyph_picture and make_goal refuse; where
+/// a larger panel helps the message names it
+DisplayGoal glyph_goal(const std::string& text, const FontFile& font, int columns, int rows);
+
+}  // namespace kinetix::targets

@@ -1,0 +1,112 @@
+#include "targets/display/read_display.hpp"
+
+#include <filesystem>
+
+#include "targets/display/glyph_goal.hpp"
+#include "targets/display/image_goal.hpp"
+#include "targets/document/text_file.hpp"
+
+namespace kinetix::targets {
+namespace {
+
+constexpr int default_cells_a_character = 10;
+constexpr Word<ImageLevels> levels_words[] = {{"2", ImageLevels::two}, {"grey", ImageLevels::grey}};
+constexpr const char* wanted_source = "one of `glyph`, `image` and `rows`";
+
+PanelSize read_cells_of_panel(const Node& cells) {
+  const auto sides = cells.list_of(2, "[columns, rows]: the cells of a display fill a rectangle");
+  const PanelSize size = {sides[0].integer(min_panel_side, max_panel_side),
+                          sides[1].integer(min_panel_side, max_panel_side)};
+  cells.located([&] { check_panel(size); });
+  return size;
+}
+
+DisplayGoal read_glyph(const Section& target, const Node& glyph, const std::optional<PanelSize>& size) {
+  target.node().reject_unknown_keys(display_target_keys().only("glyph").names());
+  const std::string text = glyph.text("a letter or a short word");
+  const auto font_key = target.optional("font");
+  const std::string name = font_key ? font_key->text("the name of an installed font") : default_font;
+  const FontFile font = font_key.value_or(glyph).located([&] { return find_font(name); });
+  const int columns = default_cells_a_character * characters(text, 0, text.size());
+  const auto [width, height] = size.value_or(PanelSize{columns, default_cells_a_character});
+  return glyph.located([&] { return glyph_goal(text, font, width, height); });
+}
+
+DisplayGoal read_image_section(const Section& target, const Node& image,
+                               const std::optional<PanelSize>& size) {
+  target.node().reject_unknown_keys(display_target_keys().only("image").names());
+  const std::string name = image.text("the path of a PNG, PBM or PGM file");
+  ImageLevels levels = ImageLevels::two;
+  bool invert = false;
+  target.read("levels", levels, levels_words);
+  target.read("invert", invert);
+  try {
+    return image_goal((std::filesystem::path(image.folder()) / name).string(), size, levels, invert);
+  } catch (const InvalidInput& e) {
+    throw image.error(e.what());
+  }
+}
+
+DisplayGoal read_rows(const Section& target, const Node& rows, const std::optional<PanelSize>& size,
+                      const std::optional<Node>& cells) {
+  target.node().reject_unknown_keys(display_target_keys().only("rows").names());
+  std::vector<std::string> texts;
+  for (const Node& row : rows.list("rows of 0 and 1 such as [\"0110\", \"1001\"], top row first")) {
+    texts.push_back(row.text("a row of 0 and 1 such as \"0110\""));
+    row.located([&] { check_row(texts.back(), texts.front().size()); });
+  }
+  DisplayGoal goal = rows.located([&] { return rows_goal(texts); });
+  const PanelSize own = {goal.columns, goal.rows};
+  if (size.value_or(own) != own)
+    throw cells->error("is not the size of target.rows, which is [" + std::to_string(own[0]) + ", " +
+                       std::to_string(own[1]) + "]; give that, or leave structure.cells out");
+  return goal;
+}
+
+}  // namespace
+
+const KeyTable& display_target_keys() {
+  static const KeyTable keys(
+      {
+          goal_kind_key("display"),
+          {"glyph", value::text("a letter or a short word"), {}, "what to show, in a font"},
+          {"font", value::text("name of an installed font"), by_default(default_font), "of the glyph",
+           "glyph"},
+          {"image", value::text("path of a PNG, PBM or PGM file"), {}, "what to show, as a picture"},
+          {"levels", value::choice(levels_words), by_default("2"),
+           "of the image: letter and rest, or levels of grey", "image"},
+          {"invert", value::boolean(), by_default("false"), "light instead of dark parts are the letter",
+           "image"},
+          {"rows",
+           value::list(value::text("0 and 1 a cell"), "rows such as `[\"0110\", \"1001\"]`"),
+           {},
+           "what to show, cell by cell: 1 is letter, top row first"},
+          {"channel", value::choice({"aperture", "area", "rotation"}), by_default("aperture"),
+           "what of a cell the picture is read by ([definitions](#channels-of-a-display))"},
+      },
+      {{"glyph", "image", "rows"}});
+  return keys;
+}
+
+Key panel_cells_key() {
+  return {"cells", value::list(value::integer(min_panel_side, max_panel_side), "`[columns, rows]`", 2, 2),
+          otherwise("glyph: 10 columns a character and 10 rows; image: 20 columns in its proportions; rows: "
+                    "their size"),
+          "the cells of the panel"};
+}
+
+DisplayGoal read_display(const Node& node, const std::optional<Node>& cells) {
+  const Section target(node, display_target_keys());
+  const auto glyph = target.optional("glyph"), image = target.optional("image"),
+             rows = target.optional("rows");
+  const int count = glyph.has_value() + image.has_value() + rows.has_value();
+  if (count == 0) throw target.error(std::string("says nothing to show; give ") + wanted_source);
+  if (count > 1)
+    throw target.error(std::string("gives more than one thing to show; give only ") + wanted_source);
+  const auto size = cells ? std::optional(read_cells_of_panel(*cells)) : std::nullopt;
+  if (glyph) return read_glyph(target, *glyph, size);
+  if (image) return read_image_section(target, *image, size);
+  return read_rows(target, *rows, size, cells);
+}
+
+}  // namespace kinetix::targets

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <array>
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "model/base/invalid_input.hpp"
+#include "targets/document/number.hpp"
+
+namespace kinetix::targets {
+
+struct Tree;
+
+/// One value of a YAML document: a map in file order, a list, a scalar, or nothing. A cheap handle that keeps
+/// its document alive. Every getter throws InvalidInput with the value's place, saying what is allowed.
+class Node {
+ public:
+  enum class Kind { empty, scalar, list, map };
+
+  Node(std::shared_ptr<const Tree> tree, int item) : tree_(std::move(tree)), item_(item) {}
+
+  Kind kind() const;
+  /// The dotted path includes list positions from 0: "design.hinges[2].wall[0]".
+  Place place() const;
+  InvalidInput error(const std::string& what_is_wrong) const;
+  /// error() at the place of the key, not of its value. @pre a value in a map
+  InvalidInput key_error(const std::string& what_is_wrong) const;
+  /// Folder of the document; relative paths inside it start there.
+  std::string folder() const;
+  /// The document that the value is part of.
+  const Tree& tree() const { return *tree_; }
+  /// Index of the value in tree().items.
+  int item() const { return item_; }
+
+  /// Map getters. An empty value (`key:` alone) is present, and every other getter refuses it.
+  void reject_unknown_keys(const std::vector<std::string_view>& allowed) const;
+  std::optional<Node> optional(std::string_view key) const;
+  /// @param what what belongs there, for the message when the key is missing
+  Node required(std::string_view key, const std::string& what) const;
+
+  /// List getters. `what` says what the list should be, e.g. "[lower, upper] in degrees".
+  std::vector<Node> list(const std::string& what) const;
+  std::vector<Node> list_of(std::size_t length, const std::string& what) const;
+
+  /// Scalar getters: numbers and booleans must not stand in quotes, text may.
+  double number(const Bounds& bounds = {}) const;
+  /// The value stands in degrees; the result is in radians.
+  double angle(const Bounds& degrees) const;
+  int integer(int lower, int upper) const;
+  bool boolean() const;
+  std::string text(const std::string& what) const;
+  /// Position of the word among the allowed ones.
+  std::size_t one_of(const std::vector<std::string_view>& allowed) const;
+
+  template <class Value>
+  Value choice(std::initializer_list<std::pair<std::string_view, Value>> allowed) const {
+    std::vector<std::string_view> names;
+    for (const auto& [name, value] : allowed) names.push_back(name);
+    return allowed.begin()[one_of(names)].second;
+  }
+
+  /// [lower, upper] with lower < upper, both in bounds.
+  std::array<double, 2> range(const Bounds& bounds) const;
+  /// The same in degrees, given back in radians.
+  std::array<double, 2> angle_range(const Bounds& degrees) const;
+
+  /// Runs f; bad input that it reports without a place gets this one.
+  template <class F>
+  auto located(F&& f) const {
+    try {
+      return f();
+    } catch (const InvalidInput& e) {
+      if (e.place().line > 0) throw;
+      throw error(e.reason());
+    }
+  }
+
+ private:
+  const std::string& plain_scalar(const std::string& wanted) const;
+  [[noreturn]] void reject_kind(const std::string& wanted) const;
+
+  std::shared_ptr<const Tree> tree_;
+  int item_ = 0;
+};
+
+inline constexpr std::size_t max_document_bytes = 1 << 20;
+inline constexpr int max_document_depth = 64;
+inline constexpr std::size_t max_key_bytes = 100;
+
+/// Reads a YAML file strictly: what is not needed for configuration is an error, found while parsing and
+/// before anything is built from it. Refused are anchors, aliases, tags, duplicate keys, keys that are not
+/// plain words of at most 100 bytes, nesting over 64, a second document, files over max_bytes (1 MiB), text
+/// that is not UTF-8. CRLF line ends and a byte order mark are fine.
+/// @throws InvalidInput naming file:line:column and the key path
+Node read_document(const std::string& file, std::size_t max_bytes = max_document_bytes);
+
+/// The same from text in memory; `file` serves for messages and for relative paths.
+Node parse_document(const std::string& text, const std::string& file);
+
+}  // namespace kinetix::targets

@@ -1,0 +1,130 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "targets/document/number.hpp"
+
+namespace kinetix::targets {
+
+class KeyTable;
+
+/// A word that a file may say, and what it stands for.
+template <class Value>
+using Word = std::pair<std::string_view, Value>;
+
+/// What the value of a key may be. The reader checks it; the page of formats and the JSON Schemas are made of it.
+struct ValueType {
+  enum class Kind { number, angle, integer, boolean, text, choice, list, map, either };
+  static constexpr std::size_t any_length = static_cast<std::size_t>(-1);
+
+  Kind kind = Kind::text;
+  Bounds bounds = {};                   ///< number, angle (in degrees; read as radians), integer
+  bool in_cells = false;                ///< number: the bounds are in cell edges, the value is in mm
+  std::string form = {};                ///< text, list: how it is written; Markdown
+  std::vector<std::string> words = {};  ///< choice: at least one
+  std::vector<ValueType> parts = {};    ///< list: the type of every entry; either: its ways
+  std::size_t shortest = 0, longest = any_length;  ///< list
+  std::shared_ptr<const KeyTable> keys = {};       ///< map
+};
+
+namespace value {
+
+ValueType number(const Bounds& bounds = {});
+/// A length in mm whose bounds follow the cell edge. @param bounds in cell edges; their unit says so
+ValueType length(const Bounds& cells);
+ValueType angle(const Bounds& degrees);
+ValueType integer(int lower, int upper);
+ValueType boolean();
+/// @param form what belongs there, e.g. "path of a CSV file"
+ValueType text(std::string form);
+ValueType choice(std::vector<std::string> words);
+/// @param form how it is written, e.g. "`[columns, rows]`"
+ValueType list(ValueType entry, std::string form, std::size_t shortest = 1,
+               std::size_t longest = ValueType::any_length);
+/// [lower, upper]
+ValueType range(const Bounds& bounds);
+ValueType angle_range(const Bounds& degrees);
+ValueType map(KeyTable keys);
+ValueType either(std::vector<ValueType> ways);
+
+template <class Value, std::size_t count>
+ValueType choice(const Word<Value> (&words)[count]) {
+  std::vector<std::string> names;
+  for (const auto& [name, what] : words) names.emplace_back(name);
+  return choice(std::move(names));
+}
+
+}  // namespace value
+
+/// What holds where a file leaves a key out.
+struct Default {
+  enum class Kind {
+    needed,     ///< nothing: the key must be given
+    literal,    ///< the value `text`, as the file would say it
+    described,  ///< what `text` says; empty: see the key's meaning
+  };
+
+  Kind kind = Kind::described;
+  std::string text = {};
+};
+
+inline const Default needed = {Default::Kind::needed, {}};
+/// The value that the program uses, so that the table cannot say another.
+Default by_default(double value);
+Default by_default(const char* word);
+/// @param radians shown in degrees
+Default by_default_deg(double radians);
+Default by_default(const std::array<double, 2>& range);
+Default by_default_deg(double lower_radians, double upper_radians);
+/// @param text Markdown: a rule instead of a value
+Default otherwise(std::string text);
+
+/// One key of a map.
+struct Key {
+  std::string name;
+  ValueType type;
+  Default fallback;
+  std::string meaning;    ///< what it says, in Markdown; units are the type's
+  std::string with = {};  ///< the alternative that it goes with; empty: with all
+};
+
+/// The key `kind` of a target's own table.
+Key goal_kind_key(std::string kind);
+
+/// The ways in which a map may be filled.
+struct Alternatives {
+  std::vector<std::string> names = {};
+  std::string chosen_by = {};  ///< the key whose word names the way; empty: the ways are keys, one is given
+};
+
+/// The keys that a map of a file may hold, in the order of the documentation and of error messages.
+class KeyTable {
+ public:
+  /// @param title of the page's own part for a map that several kinds of files share; empty: keys are listed where
+  /// the map stands
+  explicit KeyTable(std::vector<Key> keys, Alternatives alternatives = {}, std::string title = {});
+
+  const std::vector<Key>& keys() const { return keys_; }
+  const Alternatives& alternatives() const { return alternatives_; }
+  const std::string& title() const { return title_; }
+  std::vector<std::string_view> names() const;
+  /// What may be given in one of the ways. Where a key chooses it, that word is all that the key may say.
+  KeyTable only(std::string_view alternative) const;
+  /// @throws std::logic_error for a key that the table does not have: whatever is read must be in it
+  const Key& at(std::string_view name) const;
+
+ private:
+  bool is_alternative(std::string_view name) const;
+
+  std::vector<Key> keys_;
+  Alternatives alternatives_;
+  std::string title_;
+};
+
+}  // namespace kinetix::targets

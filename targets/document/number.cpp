@@ -1,0 +1,155 @@
+#include "targets/document/number.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+
+#include "model/base/invalid_input.hpp"
+#include "targets/document/wording.hpp"
+
+namespace kinetix::targets {
+namespace {
+
+constexpr long double extended_radians_per_degree = std::numbers::pi_v<long double> / 180;
+
+std::string_view without_plus(std::string_view text) {
+  const bool plain_plus = text.size() > 1 && text[0] == '+' && text[1] != '-' && text[1] != '+';
+  return plain_plus ? text.substr(1) : text;
+}
+
+template <class Number>
+std::from_chars_result parse(std::string_view text, Number& value) {
+  return std::from_chars(text.data(), text.data() + text.size(), value);
+}
+
+bool is_infinite_or_nan(std::string_view text) {
+  std::string word = lower_case(text);
+  word.erase(0, word.find_first_not_of("+-."));
+  return word == "inf" || word == "nan" || word == "infinity";
+}
+
+bool has_decimal_comma(std::string_view text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string_view::npos) return false;
+  return comma > 0 && comma + 1 < text.size() && text.find(',', comma + 1) == std::string_view::npos &&
+         text.find_first_not_of("+-0123456789,") == std::string_view::npos;
+}
+
+bool is_unit(std::string_view rest) {
+  rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
+  const auto in_unit = [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return std::isalpha(byte) || byte >= 0x80 || c == '%' || c == '"' || c == '/' || c == ' ';
+  };
+  return !rest.empty() && rest[0] != '/' && std::all_of(rest.begin(), rest.end(), in_unit);
+}
+
+[[noreturn]] void reject(std::string_view text, std::string_view rest, std::errc error,
+                         const std::string& wanted) {
+  if (text.empty()) throw InvalidInput("is empty; give " + wanted);
+  if (is_infinite_or_nan(text))
+    throw InvalidInput(in_ticks(text) + " is not a finite number; give " + wanted);
+  if (has_decimal_comma(text))
+    throw InvalidInput(in_ticks(text) + " has a decimal comma; write a point, and give " + wanted);
+  if (rest.empty() && error == std::errc::result_out_of_range)
+    throw InvalidInput(in_ticks(text) + " is beyond what a number can hold; give " + wanted);
+  if (rest.size() < text.size() && is_unit(rest))
+    throw InvalidInput(in_ticks(text) + " carries a unit; give " + wanted + ", without writing the unit");
+  throw InvalidInput(in_ticks(text) + " is not a number; give " + wanted);
+}
+
+/// A limit as a person writes it: 1000000 rather than 1e+06.
+std::string limit_text(double x) {
+  const bool is_short_integer = std::abs(x) < 1e9 && x == std::trunc(x);
+  return is_short_integer ? std::to_string(static_cast<long>(x)) : shortest_text(x);
+}
+
+}  // namespace
+
+bool Bounds::contains(double x) const {
+  return std::isfinite(x) && (lower_allowed ? x >= lower : x > lower) &&
+         (upper_allowed ? x <= upper : x < upper);
+}
+
+std::string Bounds::describe() const {
+  std::string text = "a number";
+  const bool has_lower = std::isfinite(lower), has_upper = std::isfinite(upper);
+  if (has_lower && has_upper && lower_allowed && upper_allowed)
+    text += " from " + limit_text(lower) + " to " + limit_text(upper);
+  else {
+    if (has_lower) text += (lower_allowed ? " of at least " : " above ") + limit_text(lower);
+    if (has_upper)
+      text += (has_lower ? " and " : " ") + std::string(upper_allowed ? "at most " : "below ") +
+              limit_text(upper);
+  }
+  return unit.empty() ? text : text + ", in " + std::string(unit);
+}
+
+Bounds above(double lower, std::string_view unit) {
+  return {.lower = lower, .lower_allowed = false, .unit = unit};
+}
+
+Bounds at_least(double lower, std::string_view unit) { return {.lower = lower, .unit = unit}; }
+
+Bounds from_to(double lower, double upper, std::string_view unit) {
+  return {.lower = lower, .upper = upper, .unit = unit};
+}
+
+Bounds between(double lower, double upper, std::string_view unit) {
+  return {lower, upper, false, false, unit};
+}
+
+double parse_number(std::string_view text, const Bounds& bounds) {
+  double value = 0;
+  const std::string_view digits = without_plus(text);
+  const auto [end, error] = parse(digits, value);
+  const std::string_view rest = digits.substr(end - digits.data());
+  if (error != std::errc{} || !rest.empty() || !std::isfinite(value))
+    reject(text, rest, error, bounds.describe());
+  if (!bounds.contains(value))
+    throw InvalidInput(in_ticks(text) + " is out of range; give " + bounds.describe());
+  return value;
+}
+
+int parse_integer(std::string_view text, int lower, int upper) {
+  const std::string wanted = "a whole number from " + std::to_string(lower) + " to " + std::to_string(upper);
+  long long value = 0;
+  const std::string_view digits = without_plus(text);
+  const auto [end, error] = parse(digits, value);
+  const bool whole = !text.empty() && end == digits.data() + digits.size();
+  if (whole && error == std::errc{} && lower <= value && value <= upper) return static_cast<int>(value);
+  if (whole) throw InvalidInput(in_ticks(text) + " is out of range; give " + wanted);
+  throw InvalidInput((text.empty() ? "is empty" : in_ticks(text) + " is not a whole number") + "; give " +
+                     wanted);
+}
+
+std::string shortest_text(double x) {
+  char buffer[32];
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, x).ptr};
+}
+
+double parse_degrees(std::string_view text, const Bounds& degrees) {
+  parse_number(text, degrees);
+  long double value = 0;
+  parse(without_plus(text), value);
+  return static_cast<double>(value * extended_radians_per_degree);
+}
+
+double radians_of(double degrees) { return static_cast<double>(degrees * extended_radians_per_degree); }
+
+std::string degrees_text(double radians) {
+  char buffer[64];
+  std::string text;
+  radians += 0.0;  // -0 becomes 0
+  for (int digits = 15; digits <= 21; ++digits) {
+    const auto end = std::to_chars(buffer, buffer + sizeof buffer, radians / extended_radians_per_degree,
+                                   std::chars_format::general, digits);
+    text.assign(buffer, end.ptr);
+    if (parse_degrees(text, {}) == radians) break;
+  }
+  return text;
+}
+
+}  // namespace kinetix::targets

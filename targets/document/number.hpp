@@ -1,0 +1,49 @@
+#pragma once
+
+#include <limits>
+#include <string>
+#include <string_view>
+
+namespace kinetix::targets {
+
+/// The numbers that a key allows, and the unit they are in.
+struct Bounds {
+  double lower = -std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();
+  bool lower_allowed = true, upper_allowed = true;
+  std::string_view unit = {};  ///< "mm", "degrees", ...; empty for a plain number
+
+  /// False for NaN and for infinities.
+  bool contains(double x) const;
+  /// "a number above 0, in mm"
+  std::string describe() const;
+};
+
+Bounds above(double lower, std::string_view unit = {});
+Bounds at_least(double lower, std::string_view unit = {});
+Bounds from_to(double lower, double upper, std::string_view unit = {});
+/// Both ends excluded.
+Bounds between(double lower, double upper, std::string_view unit = {});
+
+/// Decimal number, independent of the locale.
+/// @throws InvalidInput without a place, saying what is allowed: not a number, not finite, a unit or a
+/// decimal comma in it, outside the bounds
+double parse_number(std::string_view text, const Bounds& bounds = {});
+
+/// Whole number without a fraction or an exponent. @throws InvalidInput as parse_number
+int parse_integer(std::string_view text, int lower, int upper);
+
+/// Fewest digits that parse_number reads back to the same double.
+std::string shortest_text(double x);
+
+/// Degrees as text to radians, rounded once (in extended precision between).
+/// @throws InvalidInput as parse_number
+double parse_degrees(std::string_view text, const Bounds& degrees);
+
+/// The same of a number: the radians that a file with its shortest text would give, but for the last bit.
+double radians_of(double degrees);
+
+/// Degrees that parse_degrees reads back to exactly this angle (and -0 to 0). @pre finite
+std::string degrees_text(double radians);
+
+}  // namespace kinetix::targets

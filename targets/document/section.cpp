@@ -1,0 +1,97 @@
+#include "targets/document/section.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace kinetix::targets {
+namespace {
+
+using Kind = ValueType::Kind;
+
+[[noreturn]] void reject_type(std::string_view key) {
+  throw std::logic_error("the key `" + std::string(key) + "` is of another type in its table");
+}
+
+Bounds scaled(Bounds cells, double edge_mm) {
+  cells.lower *= edge_mm;
+  cells.upper *= edge_mm;
+  return cells;
+}
+
+}  // namespace
+
+Section::Section(const Node& node, const KeyTable& keys) : node_(node), keys_(&keys) {
+  node.reject_unknown_keys(keys.names());
+}
+
+Section::Section(const std::optional<Node>& node, const KeyTable& keys) : node_(node), keys_(&keys) {
+  if (node) node->reject_unknown_keys(keys.names());
+}
+
+bool Section::knows(std::string_view key) const {
+  const auto names = keys_->names();
+  return std::find(names.begin(), names.end(), key) != names.end();
+}
+
+std::optional<Node> Section::optional(std::string_view key) const {
+  keys_->at(key);
+  return node_ ? node_->optional(key) : std::nullopt;
+}
+
+Node Section::required(std::string_view key, const std::string& what) const {
+  if (keys_->at(key).fallback.kind != Default::Kind::needed)
+    throw std::logic_error("the key `" + std::string(key) + "` is needed, but its table gives a default");
+  return node_->required(key, what);
+}
+
+const ValueType& Section::type(std::string_view key, Kind kind) const {
+  const ValueType& type = keys_->at(key).type;
+  if (type.kind != kind) reject_type(key);
+  return type;
+}
+
+Section Section::section(std::string_view key) const { return {optional(key), *type(key, Kind::map).keys}; }
+
+double Section::number(const Node& node, const ValueType& type, const Bounds& bounds) const {
+  return type.kind == Kind::angle ? node.angle(bounds) : node.number(bounds);
+}
+
+void Section::read(std::string_view key, double& value) const {
+  read(key, value, keys_->at(key).type.bounds);
+}
+
+void Section::read(std::string_view key, double& value, const Bounds& bounds) const {
+  const ValueType& type = keys_->at(key).type;
+  if ((type.kind != Kind::number && type.kind != Kind::angle) || type.in_cells) reject_type(key);
+  if (const auto node = optional(key)) value = number(*node, type, bounds);
+}
+
+void Section::read_length(std::string_view key, double& value, double edge_mm) const {
+  const ValueType& length = type(key, Kind::number);
+  if (!length.in_cells) reject_type(key);
+  if (const auto node = optional(key)) value = node->number(scaled(length.bounds, edge_mm));
+}
+
+void Section::read(std::string_view key, int& value) const {
+  const Bounds& bounds = type(key, Kind::integer).bounds;
+  if (const auto node = optional(key))
+    value = node->integer(static_cast<int>(bounds.lower), static_cast<int>(bounds.upper));
+}
+
+void Section::read(std::string_view key, bool& value) const {
+  type(key, Kind::boolean);
+  if (const auto node = optional(key)) value = node->boolean();
+}
+
+void Section::read(std::string_view key, std::array<double, 2>& value) const {
+  const ValueType& entry = type(key, Kind::list).parts[0];
+  const auto node = optional(key);
+  if (node) value = entry.kind == Kind::angle ? node->angle_range(entry.bounds) : node->range(entry.bounds);
+}
+
+void Section::check_words(std::string_view key, const std::vector<std::string_view>& names) const {
+  const std::vector<std::string>& words = type(key, Kind::choice).words;
+  if (!std::equal(words.begin(), words.end(), names.begin(), names.end())) reject_type(key);
+}
+
+}  // namespace kinetix::targets

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "targets/document/document.hpp"
+#include "targets/document/keys.hpp"
+
+namespace kinetix::targets {
+
+template <class Value, std::size_t count>
+std::vector<std::string_view> names_of(const Word<Value> (&words)[count]) {
+  std::vector<std::string_view> names;
+  for (const auto& [name, value] : words) names.push_back(name);
+  return names;
+}
+
+/// What the word in the file stands for. @throws InvalidInput for any other word
+template <class Value, std::size_t count>
+Value read_word(const Node& node, const Word<Value> (&words)[count]) {
+  return words[node.one_of(names_of(words))].second;
+}
+
+/// A map of a file, read by the table that documents it: a key that is not in the table can neither be given
+/// nor be read, and what may stand there is what the table says. A section that a file leaves out holds no key.
+///
+/// read() leaves the value as it is where the key is not given, which is how defaults hold. All readers throw
+/// InvalidInput at the value's place, and std::logic_error where the table has no such key, or one of
+/// another type.
+class Section {
+ public:
+  /// @param keys lives as long as the section
+  /// @throws InvalidInput for anything but a map, and for a key that the table does not have
+  Section(const Node& node, const KeyTable& keys);
+  Section(const std::optional<Node>& node, const KeyTable& keys);
+
+  /// Whether the file holds the section.
+  bool given() const { return node_.has_value(); }
+  /// @pre given
+  const Node& node() const { return *node_; }
+  InvalidInput error(const std::string& what_is_wrong) const { return node_->error(what_is_wrong); }
+
+  /// Whether the table has the key.
+  bool knows(std::string_view key) const;
+  /// The value as it stands.
+  std::optional<Node> optional(std::string_view key) const;
+  /// @param what what belongs there, for the message when the key is missing. @pre given
+  Node required(std::string_view key, const std::string& what) const;
+  /// The map under a key, by the table that this one names for it.
+  Section section(std::string_view key) const;
+
+  void read(std::string_view key, double& value) const;
+  /// @param bounds what is allowed here, where that is less than the table says
+  void read(std::string_view key, double& value, const Bounds& bounds) const;
+  /// A length whose bounds the table gives in cell edges. @param edge_mm cell edge
+  void read_length(std::string_view key, double& value, double edge_mm) const;
+  void read(std::string_view key, int& value) const;
+  void read(std::string_view key, bool& value) const;
+  /// [lower, upper]; angles in radians.
+  void read(std::string_view key, std::array<double, 2>& value) const;
+
+  template <class Value, std::size_t count>
+  void read(std::string_view key, Value& value, const Word<Value> (&words)[count]) const {
+    check_words(key, names_of(words));
+    if (const auto node = optional(key)) value = read_word(*node, words);
+  }
+
+  /// A key that must be given. @param what what belongs there, for the message when it is missing
+  template <class Value, class... How>
+  void read_needed(std::string_view key, const std::string& what, Value& value, const How&... how) const {
+    required(key, what);
+    read(key, value, how...);
+  }
+
+  /// The same into what may stay empty. @param how what else the reader of the value takes
+  template <class Value, class... How>
+  void read(std::string_view key, std::optional<Value>& value, const How&... how) const {
+    if (!optional(key)) return;
+    value.emplace();
+    read(key, *value, how...);
+  }
+  void read_length(std::string_view key, std::optional<double>& value, double edge_mm) const {
+    if (optional(key)) read_length(key, value.emplace(), edge_mm);
+  }
+
+ private:
+  const ValueType& type(std::string_view key, ValueType::Kind kind) const;
+  double number(const Node& node, const ValueType& type, const Bounds& bounds) const;
+  void check_words(std::string_view key, const std::vector<std::string_view>& names) const;
+
+  std::optional<Node> node_;
+  const KeyTable* keys_;
+};
+
+}  // namespace kinetix::targets

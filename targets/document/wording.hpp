@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace kinetix::targets {
+
+using Names = std::span<const std::string_view>;
+
+/// The text in backticks as it stands in a message: at most 40 characters, control characters as `?`.
+std::string in_ticks(std::string_view text);
+
+/// ASCII letters in lower case, everything else as it stands.
+std::string lower_case(std::string_view text);
+
+/// Whether a byte continues a UTF-8 character that began before it.
+bool continues_character(char c);
+
+/// "a, b, c"
+std::string joined(Names names);
+
+/// Names longer than this are not compared with others.
+inline constexpr std::size_t longest_name = 64;
+
+/// Levenshtein distance in which two swapped neighbours count as one step.
+int spelling_distance(std::string_view a, std::string_view b);
+
+/// " (did you mean `b`?)" for the allowed name that is nearest in spelling; empty when none is near.
+std::string did_you_mean(std::string_view name, Names allowed);
+
+/// "1 MiB", "16 MiB", "900 bytes"
+std::string byte_count(std::size_t bytes);
+
+}  // namespace kinetix::targets

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+
+#include "targets/fold/box_unfoldings.hpp"
+#include "targets/fold/fold_net.hpp"
+
+namespace kinetix::targets {
+
+/// What is to fold: a box in any of its unfoldings, or one net.
+struct FoldGoal {
+  std::optional<std::array<int, 3>> box = {};  ///< edges in cells
+  std::optional<int> open = {};                ///< the box's face that is left out, by box_face_names
+  std::vector<FoldNet> nets;                   ///< to try in this order; one where a net was asked for
+};
+
+/// @param columns bending columns of each crease; 0: for the search to choose
+/// @throws InvalidInput for an edge under 1 or over max_face_side
+FoldGoal box_goal(const std::array<int, 3>& edges, std::optional<int> open = {}, int columns = 0);
+
+/// @throws InvalidInput for what validate refuses, for what lay_out refuses with one column a crease, and for
+/// a ring of faces that does not close when it folds
+FoldGoal net_goal(FoldNet net);
+
+}  // namespace kinetix::targets

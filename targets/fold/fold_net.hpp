@@ -1,0 +1,50 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/lattice/square/structure.hpp"
+
+namespace kinetix::targets {
+
+/// The way from one face to its neighbour in the flat net.
+enum class Side { left, right, bottom, top };
+
+std::string to_string(Side side);
+Side opposite(Side side);
+/// Axis along which the crease's columns follow one another: x for left and right.
+model::Axis across(Side side);
+
+/// A flat rectangle of basic cells.
+struct FoldFace {
+  std::string name;
+  int width = 0, height = 0;  ///< cells along x and y, >= 1
+};
+
+/// A fold between two faces.
+struct FoldCrease {
+  int first = 0, second = 0;  ///< indices of the faces
+  Side side = Side::right;    ///< of the first face, beyond which the second one lies
+  double angle = 0;           ///< rad, [-pi, pi]; positive: the faces rise towards +z, 0: one flat piece
+  int shift = 0;              ///< of the second face's lower end along the crease against the first's, cells
+  int columns = 0;            ///< bending columns over which the fold is spread; 0: for the search to choose
+};
+
+/// Faces in one plane and the creases that join them.
+struct FoldNet {
+  std::vector<FoldFace> faces;
+  std::vector<FoldCrease> creases;
+};
+
+inline constexpr int max_face_side = 200;
+inline constexpr int max_crease_columns = 20;
+
+/// "base-lid"
+std::string crease_name(const FoldNet& net, const FoldCrease& crease);
+
+/// @throws InvalidInput, naming the face or crease, for a face without cells, a name given twice, a crease of
+/// a face with itself, two creases between the same faces, an angle outside +-180 degrees, and faces that do
+/// not hang together
+void validate(const FoldNet& net);
+
+}  // namespace kinetix::targets

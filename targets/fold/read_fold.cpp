@@ -1,0 +1,146 @@
+#include "targets/fold/read_fold.hpp"
+
+#include <algorithm>
+
+namespace kinetix::targets {
+namespace {
+
+constexpr const char* wanted_shape = "`box: [a, b, c]` or `net: {faces: [...], creases: [...]}`";
+constexpr std::size_t longest_face_name = 40;
+constexpr int max_faces = 100;
+
+std::vector<std::string_view> as_views(const std::vector<std::string>& names) {
+  return {names.begin(), names.end()};
+}
+
+constexpr Word<Side> side_words[] = {
+    {"left", Side::left}, {"right", Side::right}, {"bottom", Side::bottom}, {"top", Side::top}};
+
+const KeyTable& face_keys() {
+  static const KeyTable keys({
+      {"name", value::text("at most 40 bytes"), needed, "what creases call the face by"},
+      {"cells", value::list(value::integer(1, max_face_side), "`[columns, rows]`", 2, 2), needed,
+       "size of the face"},
+  });
+  return keys;
+}
+
+const KeyTable& crease_keys() {
+  static const KeyTable keys({
+      {"faces", value::list(value::text("name of a face"), "`[first, second]`, names of two faces", 2, 2),
+       needed, "the faces that the crease joins"},
+      {"side", value::choice(side_words), needed, "side of the first face, beyond which the second one lies"},
+      {"angle_deg", value::angle(from_to(-180, 180, "degrees")), needed,
+       "the angle to fold by; positive towards +z"},
+      {"shift", value::integer(-max_face_side, max_face_side), by_default(FoldCrease{}.shift),
+       "cells by which the second face is moved along the crease"},
+      {"columns", value::integer(1, max_crease_columns), otherwise("`target.crease_columns`"),
+       "columns of cells that the crease bends over"},
+  });
+  return keys;
+}
+
+KeyTable net_keys() {
+  return KeyTable({
+      {"faces", value::list(value::map(face_keys()), "a list of faces", 1, max_faces), needed,
+       "rectangles of cells"},
+      {"creases", value::list(value::map(crease_keys()), "a list of creases", 0), needed,
+       "what joins them, as a tree"},
+  });
+}
+
+FoldGoal read_box(const Section& target, const Node& box, int columns) {
+  target.node().reject_unknown_keys(fold_target_keys().only("box").names());
+  const auto sides = box.list_of(3, "[a, b, c], edge lengths in cells");
+  std::array<int, 3> edges;
+  for (int k = 0; k < 3; ++k) edges[k] = sides[k].integer(1, max_face_side);
+  const auto open = target.optional("open");
+  const auto face =
+      open ? std::optional(static_cast<int>(open->one_of(as_views(box_face_names())))) : std::nullopt;
+  return box.located([&] { return box_goal(edges, face, columns); });
+}
+
+FoldFace read_face(const Node& entry) {
+  const Section node(entry, face_keys());
+  const Node name = node.required("name", "a name that creases refer to");
+  FoldFace face{name.text("a name that creases refer to")};
+  if (face.name.size() > longest_face_name) throw name.error("is too long; at most 40 bytes");
+  const auto sides = node.required("cells", "[columns, rows]").list_of(2, "[columns, rows]");
+  face.width = sides[0].integer(1, max_face_side);
+  face.height = sides[1].integer(1, max_face_side);
+  return face;
+}
+
+std::vector<FoldFace> read_faces(const Node& node) {
+  std::vector<FoldFace> faces;
+  for (const Node& entry : node.list("a list of faces {name: base, cells: [4, 4]}")) {
+    faces.push_back(read_face(entry));
+    const auto same = [&](const FoldFace& face) { return face.name == faces.back().name; };
+    if (std::any_of(faces.begin(), faces.end() - 1, same))
+      throw entry.optional("name")->error("is the name of a face above; give each face its own");
+  }
+  if (faces.empty()) throw node.error("is empty; give at least one face {name: base, cells: [4, 4]}");
+  if (faces.size() > max_faces) throw node.error("holds more than 100 faces");
+  return faces;
+}
+
+FoldCrease read_crease(const Node& entry, const std::vector<std::string_view>& names, int columns) {
+  const Section node(entry, crease_keys());
+  const auto pair =
+      node.required("faces", "[first, second], names of two faces").list_of(2, "[first, second]");
+  FoldCrease crease;
+  crease.first = static_cast<int>(pair[0].one_of(names));
+  crease.second = static_cast<int>(pair[1].one_of(names));
+  if (crease.first == crease.second) throw pair[1].error("joins a face with itself; name two faces");
+  node.read_needed("side", "the side of the first face: left, right, bottom or top", crease.side, side_words);
+  node.read_needed("angle_deg", "the angle to fold by", crease.angle);
+  node.read("shift", crease.shift);
+  crease.columns = columns;
+  node.read("columns", crease.columns);
+  return crease;
+}
+
+FoldGoal read_net(const Section& target, int columns) {
+  target.node().reject_unknown_keys(fold_target_keys().only("net").names());
+  const Section node = target.section("net");
+  FoldNet net;
+  net.faces = read_faces(node.required("faces", "a list of faces {name: base, cells: [4, 4]}"));
+  std::vector<std::string_view> names;
+  for (const FoldFace& face : net.faces) names.push_back(face.name);
+  constexpr const char* wanted = "a list of creases {faces: [base, flap], side: top, angle_deg: 90}";
+  for (const Node& entry : node.required("creases", wanted).list(wanted))
+    net.creases.push_back(read_crease(entry, names, columns));
+  return node.node().located([&] { return net_goal(std::move(net)); });
+}
+
+}  // namespace
+
+const KeyTable& fold_target_keys() {
+  static const KeyTable keys(
+      {
+          goal_kind_key("fold"),
+          {"box",
+           value::list(value::integer(1, max_face_side), "`[a, b, c]`, cells", 3, 3),
+           {},
+           "edge lengths along x, y and z: the bottom has a x b cells. Every unfolding of it is tried"},
+          {"open", value::choice(box_face_names()), otherwise("the box is closed"), "the face to leave out",
+           "box"},
+          {"net", value::map(net_keys()), {}, "faces that lie side by side, joined by creases"},
+          {"crease_columns", value::integer(1, max_crease_columns), otherwise("the search chooses"),
+           "columns of cells that every crease bends over"},
+      },
+      {{"box", "net"}});
+  return keys;
+}
+
+FoldGoal read_fold(const Node& node) {
+  const Section target(node, fold_target_keys());
+  const auto box = target.optional("box"), net = target.optional("net");
+  if (!box && !net) throw target.error(std::string("says nothing to fold; give ") + wanted_shape);
+  if (box && net) throw target.error(std::string("gives both a box and a net; give only ") + wanted_shape);
+  int columns = 0;
+  target.read("crease_columns", columns);
+  return box ? read_box(target, *box, columns) : read_net(target, columns);
+}
+
+}  // namespace kinetix::targets

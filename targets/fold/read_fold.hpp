@@ -1,0 +1,25 @@
+#pragma once
+
+#include "targets/document/section.hpp"
+#include "targets/fold/fold_goal.hpp"
+
+namespace kinetix::targets {
+
+/// Every key of a `target:` section of kind fold.
+const KeyTable& fold_target_keys();
+
+/// A `target:` section of kind fold: one of
+///   - `box: [4, 4, 4]`, edge lengths in cells along x, y, z: the bottom has 4 x 4 cells; optionally `open:
+///   top`
+///     (or another face: bottom, top, front, back, left, right), a box without that face,
+///   - `net:` with
+///         faces: [{name: base, cells: [4, 4]}, {name: flap, cells: [4, 2]}]
+///         creases: [{faces: [base, flap], side: top, angle_deg: 90}]
+///     The second face lies beyond that side (left, right, bottom, top) of the first; `shift: 1` moves it by
+///     cells along the crease, `columns: 2` gives the crease's bending columns. Positive angles fold towards
+///     +z.
+/// `crease_columns: 2` holds for every crease; left out, the search chooses.
+/// @throws InvalidInput for anything else, each at its place
+FoldGoal read_fold(const Node& target);
+
+}  // namespace kinetix::targets

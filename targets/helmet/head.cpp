@@ -1,0 +1,114 @@
+#include "targets/helmet/head.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "targets/helmet/head_dome.hpp"
+#include "targets/mesh/mesh_section.hpp"
+
+namespace kinetix::targets {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Over which directions along curves are taken, mm.
+constexpr double direction_reach_mm = 15;
+/// Coverage ends this far before the dome does, so that sections there are whole, mm.
+constexpr double rim_mm = 5;
+
+[[noreturn]] void refuse_open_crown() {
+  throw InvalidHead("mesh", "has no surface at the crown: the top of the head is open to its rim");
+}
+
+double squared_distance(const SectionChain& chain, const Vector3d& p) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vector3d& q : chain.points) least = std::min(least, (q - p).squaredNorm());
+  return least;
+}
+
+/// The points of a chain in line, those of a closed one cut open at the point farthest from p along it.
+std::vector<Vector3d> opened(const SectionChain& chain, const Vector3d& p) {
+  std::vector<Vector3d> points = chain.points;
+  if (!chain.is_closed) return points;
+  points.push_back(points.front());
+  const SpaceCurve ring(points);
+  const double across = std::fmod(ring.nearest(p) + ring.length() / 2, ring.length());
+  const auto cut = std::lower_bound(ring.arcs().begin(), ring.arcs().end() - 1, across) - ring.arcs().begin();
+  points.pop_back();
+  std::rotate(points.begin(), points.begin() + cut % static_cast<std::ptrdiff_t>(points.size()),
+              points.end());
+  points.push_back(points.front());
+  return points;
+}
+
+/// The chain of a section that passes nearest to p, 0 there, towards `along` at p.
+SpaceCurve curve_through(const Vector3d& p, const Vector3d& along, const TriangleMesh& mesh,
+                         const Plane& plane) {
+  const auto chains = section(mesh, plane);
+  const auto nearest = std::min_element(chains.begin(), chains.end(), [&](const auto& a, const auto& b) {
+    return squared_distance(a, p) < squared_distance(b, p);
+  });
+  if (nearest == chains.end()) refuse_open_crown();
+  std::vector<Vector3d> points = opened(*nearest, p);
+  const SpaceCurve one_way(points);
+  if (one_way.direction(one_way.nearest(p), direction_reach_mm).dot(along) < 0)
+    std::reverse(points.begin(), points.end());
+  return SpaceCurve(points, -SpaceCurve(points).nearest(p));
+}
+
+void check_coverage(const Head& head) {
+  const SpaceCurve across = cross_section(head, 0, direction_reach_mm);
+  const std::array<std::pair<const char*, Vector3d>, 4> ways = {{{"back", head.profile.points().front()},
+                                                                 {"front", head.profile.points().back()},
+                                                                 {"left", across.points().front()},
+                                                                 {"right", across.points().back()}}};
+  for (const auto& [way, end] : ways) {
+    const double depth = -end.z() - rim_mm;
+    if (!(depth >= head.coverage_mm))
+      throw InvalidHead("coverage_mm", "goes beyond the mesh: to the " + std::string(way) +
+                                           " the head can be followed down to " +
+                                           number_text(std::max(0.0, std::floor(depth))) +
+                                           " mm below the crown; give at most that");
+  }
+}
+
+/// The place of the dome above or below the crown. @throws InvalidHead where it is open there
+Vector3d top_of(const TriangleMesh& dome, const Vector3d& core) {
+  const auto rise =
+      dome.triangles.empty() ? std::nullopt : TriangleTree(dome).farthest_hit(core, Vector3d::UnitZ());
+  if (!rise) refuse_open_crown();
+  return core + *rise * Vector3d::UnitZ();
+}
+
+}  // namespace
+
+Head make_head(const TriangleMesh& mesh, const HeadPose& pose) {
+  TriangleMesh turned = head_mesh(mesh, pose.unit);
+  const Eigen::Isometry3d to_mesh = head_frame(turned, pose), to_head = to_mesh.inverse();
+  for (Vector3d& p : turned.vertices) p = to_head * p;
+  const Vector3d core(0, 0, -core_depth_mm);
+  MeshSolid scan(turned);
+  HeadDome dome = head_dome(scan, core);
+  std::erase_if(dome.openings, [&](const DomeOpening& hole) { return hole.top_z < -pose.coverage_mm; });
+  const Vector3d top = top_of(dome.mesh, core);
+  const Plane sagittal(Vector3d::UnitX(), top);
+  Head head{to_mesh,
+            std::move(scan),
+            MeshDistance(dome.mesh, core),
+            curve_through(top, Vector3d::UnitY(), dome.mesh, sagittal),
+            pose.coverage_mm,
+            static_cast<double>(dome.closed) / static_cast<double>(dome.mesh.vertices.size()),
+            dome.openings};
+  check_coverage(head);
+  return head;
+}
+
+SpaceCurve cross_section(const Head& head, double s, double reach) {
+  const Vector3d p = head.profile.at(s);
+  const Plane plane(head.profile.direction(s, reach), p);
+  return curve_through(p, Vector3d::UnitX(), head.dome.mesh(), plane);
+}
+
+}  // namespace kinetix::targets

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "targets/curve/space_curve.hpp"
+#include "targets/helmet/head_dome.hpp"
+#include "targets/helmet/head_pose.hpp"
+#include "targets/mesh/mesh_distance.hpp"
+
+namespace kinetix::targets {
+
+/// Depth below the crown of the point from which the head's top is seen: half the breadth of a man's head.
+inline constexpr double core_depth_mm = 75;
+
+/// A head, mm, in the head frame: origin at the crown as it was given or found, z up, y to the front, x to
+/// the head's right.
+struct Head {
+  /// Head frame to the axes of the mesh file (in mm).
+  Eigen::Isometry3d to_mesh;
+  /// What the whole mesh encloses but for parts that float beside it: the head that was given.
+  MeshSolid scan;
+  /// The top of the head as one clean sheet without holes (head_dome.hpp).
+  MeshDistance dome;
+  /// Section of the dome by the sagittal plane x = 0, from the back to the front; 0 above (or below) the
+  /// origin.
+  SpaceCurve profile;
+  double coverage_mm;  ///< how far below the crown the head is to be covered
+  /// Part of the dome's vertices that lie over holes of the scan.
+  double closed_part;
+  std::vector<DomeOpening> openings;  ///< of those holes that are above the coverage
+};
+
+/// Finds crown, dome and profile.
+/// @throws InvalidHead for what head_mesh and head_frame refuse, a head that is open at its crown, a coverage
+/// that the dome does not reach, along the profile or across it at the crown
+/// @pre at least one triangle, finite vertices
+Head make_head(const TriangleMesh& mesh, const HeadPose& pose);
+
+/// Section of the dome by the plane across its profile at arc length s, from the left (x < 0) to the right; 0
+/// at the profile. It ends where the dome does; a closed one is cut open opposite to the profile.
+/// @param reach the plane's normal is the profile's direction over s - reach to s + reach, mm, > 0
+/// @pre s on the profile
+SpaceCurve cross_section(const Head& head, double s, double reach);
+
+}  // namespace kinetix::targets

@@ -1,0 +1,198 @@
+#include "targets/helmet/head_dome.hpp"
+
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "model/base/union_find.hpp"
+#include "targets/helmet/sphere_grid.hpp"
+
+namespace kinetix::targets {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int grid_levels = 6;
+/// Change of the distance from the core over the way along the head: the outside of a head is far from this.
+constexpr double steepest = 1.5;
+/// How far before the surface it is told whether that lies inside the head, mm: beyond rounding, within
+/// noise.
+constexpr double look_mm = 1e-3;
+
+/// Directions down to the dome's rim, and how far the head reaches in each.
+class Dome {
+ public:
+  Dome(const MeshSolid& head, const Vector3d& core) : core_(core) {
+    grid_ = joined(top_of(sphere_grid(grid_levels)));
+    find_neighbours();
+    for (const Vector3d& direction : grid_.vertices)
+      radius_.push_back(head.tree().farthest_hit(core, direction).value_or(0));
+    forget_what_is_seen_through_holes(head);
+    open_what_reaches_the_rim();
+  }
+
+  HeadDome closed() {
+    HeadDome dome;
+    const std::vector<int> holes = find_holes();
+    close(holes);
+    dome.closed = static_cast<int>(holes.size());
+    dome.openings = openings(holes);
+    dome.mesh.vertices.reserve(grid_.vertices.size());
+    for (std::size_t v = 0; v < grid_.vertices.size(); ++v)
+      dome.mesh.vertices.push_back(place(static_cast<int>(v)));
+    for (const Triangle& t : grid_.triangles)
+      if (std::none_of(t.begin(), t.end(), [&](int v) { return is_open_[v]; }))
+        dome.mesh.triangles.push_back(t);
+    dome.mesh = joined(dome.mesh);
+    return dome;
+  }
+
+ private:
+  static TriangleMesh top_of(TriangleMesh sphere) {
+    const double lowest = std::cos(dome_angle);
+    std::erase_if(sphere.triangles, [&](const Triangle& t) {
+      return std::any_of(t.begin(), t.end(), [&](int v) { return sphere.vertices[v].z() < lowest; });
+    });
+    return sphere;
+  }
+
+  void find_neighbours() {
+    neighbours_.resize(grid_.vertices.size());
+    for (const Triangle& t : grid_.triangles)
+      for (int k = 0; k < 3; ++k) {
+        neighbours_[t[k]].push_back(t[(k + 1) % 3]);
+        neighbours_[t[k]].push_back(t[(k + 2) % 3]);
+      }
+    for (auto& list : neighbours_) {
+      std::sort(list.begin(), list.end());
+      const std::size_t edge_sides = list.size();
+      list.erase(std::unique(list.begin(), list.end()), list.end());
+      is_rim_.push_back(edge_sides != 2 * list.size());  // inside, every edge has two triangles
+    }
+  }
+
+  /// Whether the head between two neighbours is too steep for its outside.
+  bool is_cliff(int v, int w) const {
+    const double along = (grid_.vertices[v] - grid_.vertices[w]).norm() * std::min(radius_[v], radius_[w]);
+    return std::abs(radius_[v] - radius_[w]) > steepest * along;
+  }
+
+  /// Cliffs part the dome; of two parts that meet at one, the smaller is no part of the outside if the most
+  /// of it lies inside the head. (What sticks out, such as an ear, does not.)
+  void forget_what_is_seen_through_holes(const MeshSolid& head) {
+    UnionFind parts(grid_.vertices.size());
+    std::vector<std::pair<int, int>> cliffs;
+    for (int v = 0; v < static_cast<int>(grid_.vertices.size()); ++v)
+      for (const int w : neighbours_[v]) {
+        if (w < v || is_missing(v) || is_missing(w)) continue;
+        if (is_cliff(v, w))
+          cliffs.emplace_back(v, w);
+        else
+          parts.unite(v, w);
+      }
+    std::vector<int> size(grid_.vertices.size(), 0);
+    for (int v = 0; v < static_cast<int>(size.size()); ++v) ++size[parts.find(v)];
+    std::vector<bool> is_forgotten(size.size(), false);
+    for (const auto& [v, w] : cliffs) {
+      const int a = parts.find(v), b = parts.find(w);
+      if (a != b) is_forgotten[size[a] < size[b] ? a : b] = true;
+    }
+    std::vector<int> inside(size.size(), 0);
+    const auto outer = [&](int v) -> Vector3d { return core_ + (radius_[v] + look_mm) * grid_.vertices[v]; };
+    for (int v = 0; v < static_cast<int>(size.size()); ++v)
+      if (is_forgotten[parts.find(v)] && !is_missing(v)) inside[parts.find(v)] += head.contains(outer(v));
+    for (int v = 0; v < static_cast<int>(size.size()); ++v)
+      if (const int part = parts.find(v); is_forgotten[part] && 2 * inside[part] > size[part]) radius_[v] = 0;
+  }
+
+  bool is_missing(int v) const { return !(radius_[v] > 0); }
+
+  void open_what_reaches_the_rim() {
+    is_open_.assign(grid_.vertices.size(), false);
+    std::vector<int> pending;
+    const auto open = [&](int v) {
+      if (!is_missing(v) || is_open_[v]) return;
+      is_open_[v] = true;
+      pending.push_back(v);
+    };
+    for (int v = 0; v < static_cast<int>(grid_.vertices.size()); ++v)
+      if (is_rim_[v]) open(v);
+    while (!pending.empty()) {
+      const int v = pending.back();
+      pending.pop_back();
+      for (const int next : neighbours_[v]) open(next);
+    }
+  }
+
+  std::vector<int> find_holes() const {
+    std::vector<int> holes;
+    for (int v = 0; v < static_cast<int>(grid_.vertices.size()); ++v)
+      if (is_missing(v) && !is_open_[v]) holes.push_back(v);
+    return holes;
+  }
+
+  /// Every missing radius becomes the mean of its neighbours'.
+  void close(const std::vector<int>& holes) {
+    if (holes.empty()) return;
+    std::vector<int> number(grid_.vertices.size(), -1);
+    for (std::size_t h = 0; h < holes.size(); ++h) number[holes[h]] = static_cast<int>(h);
+    std::vector<Eigen::Triplet<double>> entries;
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(holes.size());
+    for (std::size_t h = 0; h < holes.size(); ++h) {
+      entries.emplace_back(h, h, neighbours_[holes[h]].size());
+      for (const int v : neighbours_[holes[h]]) {
+        if (number[v] < 0)
+          right[h] += radius_[v];
+        else
+          entries.emplace_back(h, number[v], -1);
+      }
+    }
+    Eigen::SparseMatrix<double> means(holes.size(), holes.size());
+    means.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::VectorXd radii = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(means).solve(right);
+    for (std::size_t h = 0; h < holes.size(); ++h) radius_[holes[h]] = radii[h];
+  }
+
+  Vector3d place(int v) const { return core_ + radius_[v] * grid_.vertices[v]; }
+
+  /// @param holes closed
+  std::vector<DomeOpening> openings(const std::vector<int>& holes) const {
+    std::vector<bool> is_hole(grid_.vertices.size(), false);
+    for (const int v : holes) is_hole[v] = true;
+    UnionFind parts(grid_.vertices.size());
+    for (const int v : holes)
+      for (const int w : neighbours_[v])
+        if (is_hole[w]) parts.unite(v, w);
+    std::map<int, std::vector<int>> members;
+    for (const int v : holes) members[parts.find(v)].push_back(v);
+    std::vector<DomeOpening> out;
+    for (const auto& [part, vertices] : members) out.push_back(opening(vertices, is_hole));
+    return out;
+  }
+
+  DomeOpening opening(const std::vector<int>& vertices, const std::vector<bool>& is_hole) const {
+    std::vector<Vector3d> rim;
+    DomeOpening out{0, place(vertices.front()).z()};
+    for (const int v : vertices) {
+      out.top_z = std::max(out.top_z, place(v).z());
+      for (const int w : neighbours_[v])
+        if (!is_hole[w]) rim.push_back(place(w));
+    }
+    for (const Vector3d& p : rim)
+      for (const Vector3d& q : rim) out.width_mm = std::max(out.width_mm, (p - q).norm());
+    return out;
+  }
+
+  Vector3d core_;
+  TriangleMesh grid_;
+  std::vector<std::vector<int>> neighbours_;
+  std::vector<bool> is_rim_, is_open_;
+  std::vector<double> radius_;
+};
+
+}  // namespace
+
+HeadDome head_dome(const MeshSolid& head, const Vector3d& core) { return Dome(head, core).closed(); }
+
+}  // namespace kinetix::targets

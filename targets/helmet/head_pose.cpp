@@ -1,0 +1,136 @@
+#include "targets/helmet/head_pose.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "targets/mesh/mesh_fragments.hpp"
+#include "targets/mesh/triangle_tree.hpp"
+
+namespace kinetix::targets {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Parts farther than this from the head float beside it, mm.
+constexpr double fragment_gap_mm = 5;
+/// The longer way of a head is measured down to this depth below its top, above nose and ears, mm.
+constexpr double length_depth_mm = 60;
+/// Size that a head mesh is expected to have, mm, to choose among units.
+constexpr double usual_head_mm = 250;
+struct NamedUnit {
+  LengthUnit unit;
+  const char* name;
+  double mm;
+};
+constexpr std::array<NamedUnit, 4> units = {{{LengthUnit::mm, "mm", 1},
+                                             {LengthUnit::cm, "cm", 10},
+                                             {LengthUnit::m, "m", 1000},
+                                             {LengthUnit::inch, "in", 25.4}}};
+
+const NamedUnit& named(LengthUnit unit) {
+  return *std::find_if(units.begin(), units.end(), [&](const NamedUnit& u) { return u.unit == unit; });
+}
+
+bool is_size_of_head(double mm) { return mm >= least_head_mm && mm <= most_head_mm; }
+
+/// What to do about a mesh of this size in the file's units.
+std::string remedy(double size) {
+  const auto strangeness = [&](const NamedUnit& u) {
+    return std::abs(std::log(size * u.mm / usual_head_mm));
+  };
+  const auto best = std::min_element(units.begin(), units.end(), [&](const NamedUnit& a, const NamedUnit& b) {
+    return strangeness(a) < strangeness(b);
+  });
+  if (!is_size_of_head(size * best->mm)) return "; none of the units mm, cm, m, in would do: scale the mesh";
+  return "; `units: " + std::string(best->name) + "` would make it " + number_text(size * best->mm) + " mm";
+}
+
+/// @param mesh in mm
+void check_size(const TriangleMesh& mesh, LengthUnit unit) {
+  const double size = bounds(mesh).sizes().maxCoeff();
+  if (is_size_of_head(size)) return;
+  throw InvalidHead("units", "in " + std::string(named(unit).name) + " the mesh is " + number_text(size) +
+                                 " mm long; a head (or a bust) is " + number_text(least_head_mm) + " to " +
+                                 number_text(most_head_mm) + " mm" + remedy(size / mm_per(unit)));
+}
+
+/// Columns: the head frame's axes in those of the mesh.
+Eigen::Matrix3d axes_of(const Vector3d& front, const Vector3d& up) {
+  Eigen::Matrix3d axes;
+  axes << front.cross(up), front, up;
+  return axes;
+}
+
+const Vector3d& highest(const TriangleMesh& mesh, const Vector3d& up) {
+  return *std::max_element(mesh.vertices.begin(), mesh.vertices.end(),
+                           [&](const Vector3d& a, const Vector3d& b) { return a.dot(up) < b.dot(up); });
+}
+
+/// The axis across up along which the top of the head is longer; the first one where both are alike.
+Vector3d longer_way(const TriangleMesh& mesh, const Vector3d& up) {
+  Eigen::AlignedBox3d box;
+  const double lowest = highest(mesh, up).dot(up) - length_depth_mm;
+  for (const Vector3d& p : mesh.vertices)
+    if (p.dot(up) >= lowest) box.extend(p);
+  Vector3d best = Vector3d::Zero();
+  for (int c = 0; c < 3; ++c) {
+    const Vector3d axis = Vector3d::Unit(c);
+    if (axis.dot(up) == 0 && !(box.sizes().dot(best) >= box.sizes()[c])) best = axis;
+  }
+  return best;
+}
+
+Vector3d front_of(const TriangleMesh& mesh, const HeadPose& pose) {
+  if (pose.front && pose.front->dot(pose.up) != 0)
+    throw InvalidHead("front", "is along the same axis as `up`; give one across it");
+  return pose.front ? *pose.front : longer_way(mesh, pose.up);
+}
+
+std::string text(const Vector3d& p) {
+  const auto rounded = [](double x) { return number_text(std::round(10 * x) / 10); };
+  return "[" + rounded(p.x()) + ", " + rounded(p.y()) + ", " + rounded(p.z()) + "]";
+}
+
+double distance_from(const TriangleMesh& mesh, const Vector3d& p) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Triangle& t : mesh.triangles)
+    least = std::min(
+        least,
+        (nearest_on_triangle({mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]}, p) - p).norm());
+  return least;
+}
+
+/// The crown in the mesh's axes, near enough to the surface.
+Vector3d crown_of(const TriangleMesh& mesh, const HeadPose& pose) {
+  const Vector3d top = highest(mesh, pose.up);
+  if (!pose.crown) return top;
+  const double gap = distance_from(mesh, *pose.crown);
+  if (!(gap <= crown_reach_mm))
+    throw InvalidHead("crown", "is " + number_text(gap) +
+                                   " mm from the mesh; give a point on it, in mm and in the " +
+                                   "mesh's axes, or leave it out for the highest, " + text(top));
+  return *pose.crown;
+}
+
+}  // namespace
+
+double mm_per(LengthUnit unit) { return named(unit).mm; }
+
+TriangleMesh head_mesh(const TriangleMesh& mesh, LengthUnit unit) {
+  TriangleMesh scaled = mesh;
+  for (Vector3d& p : scaled.vertices) p *= mm_per(unit);
+  const TriangleMesh head = without_fragments(scaled, fragment_gap_mm);
+  check_size(head, unit);
+  return head;
+}
+
+Eigen::Isometry3d head_frame(const TriangleMesh& mesh, const HeadPose& pose) {
+  Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
+  frame.linear() = axes_of(front_of(mesh, pose), pose.up);
+  frame.translation() = crown_of(mesh, pose);
+  return frame;
+}
+
+}  // namespace kinetix::targets

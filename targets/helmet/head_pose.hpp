@@ -1,0 +1,51 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "model/base/invalid_input.hpp"
+#include "targets/mesh/triangle_mesh.hpp"
+
+namespace kinetix::targets {
+
+/// Largest side of the box of a head mesh (shoulders included), mm.
+inline constexpr double least_head_mm = 100, most_head_mm = 1000;
+inline constexpr double default_coverage_mm = 90;
+/// A crown that is given may lie this far from the mesh, mm.
+inline constexpr double crown_reach_mm = 15;
+enum class LengthUnit { mm, cm, m, inch };
+double mm_per(LengthUnit unit);
+
+/// How a mesh is a head. The axes are those of the mesh file.
+struct HeadPose {
+  LengthUnit unit = LengthUnit::mm;
+  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< along an axis
+  /// Along another axis; nothing: whichever way the top of the head is longer.
+  std::optional<Eigen::Vector3d> front = {};
+  std::optional<Eigen::Vector3d> crown = {};  ///< mm; nothing: the highest point
+  double coverage_mm = default_coverage_mm;
+};
+
+/// Bad input that one key of a head's description shows.
+class InvalidHead : public InvalidInput {
+ public:
+  InvalidHead(const std::string& key, const std::string& what_is_wrong)
+      : InvalidInput(what_is_wrong), key_(key) {}
+  /// mesh, units, front, crown or coverage_mm
+  const std::string& key() const { return key_; }
+
+ private:
+  std::string key_;
+};
+
+/// The mesh in mm, without parts that float beside it.
+/// @throws InvalidHead for a size that no head has; it names the unit that would do
+/// @pre at least one triangle, finite vertices
+TriangleMesh head_mesh(const TriangleMesh& mesh, LengthUnit unit);
+
+/// Head frame (origin at the crown, z up, y to the front, x to the head's right) to the axes of the mesh.
+/// @param mesh what head_mesh gave
+/// @throws InvalidHead for a front that is not across up, a crown farther than crown_reach_mm from the mesh
+Eigen::Isometry3d head_frame(const TriangleMesh& mesh, const HeadPose& pose);
+
+}  // namespace kinetix::targets

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "targets/mesh/winding_number.hpp"
+
+namespace kinetix::targets {
+
+/// What a mesh encloses, however its triangles are wound: where the winding number of its outer skin
+/// (outer_skin.hpp) is over 1/2. Thin parts and hollows are told apart from what surrounds them; holes are
+/// closed smoothly.
+class MeshSolid {
+ public:
+  /// @param mesh with equal vertices joined @pre at least one triangle
+  explicit MeshSolid(const TriangleMesh& mesh);
+
+  bool contains(const Eigen::Vector3d& p) const { return winding_.at(p) > 0.5; }
+  /// From the skin, mm, < 0 inside. Over holes the distance is that of their rims.
+  double distance(const Eigen::Vector3d& p) const;
+
+  const TriangleMesh& skin() const { return skin_; }
+  const TriangleTree& tree() const { return winding_.tree(); }
+
+ private:
+  TriangleMesh skin_;
+  WindingNumber winding_;
+};
+
+}  // namespace kinetix::targets

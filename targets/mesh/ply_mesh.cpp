@@ -1,0 +1,184 @@
+#include "targets/mesh/ply_mesh.hpp"
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+
+#include "targets/document/wording.hpp"
+#include "targets/mesh/mesh_file.hpp"
+#include "targets/mesh/mesh_words.hpp"
+#include "targets/mesh/ply_header.hpp"
+
+namespace kinetix::targets {
+namespace {
+
+/// Numbers of the data, one after the other.
+class PlyNumbers {
+ public:
+  virtual ~PlyNumbers() = default;
+  virtual double next(const PlyHeader::Number& type) = 0;
+  /// Bad input at the last number.
+  virtual InvalidInput error(const std::string& what_is_wrong) const = 0;
+};
+
+class TextNumbers : public PlyNumbers {
+ public:
+  TextNumbers(std::string_view text, int line) : words_(text, false, line) {}
+  double next(const PlyHeader::Number&) override { return words_.number_of_any_line("a number"); }
+  InvalidInput error(const std::string& what_is_wrong) const override { return words_.error(what_is_wrong); }
+
+ private:
+  MeshWords words_;
+};
+
+class BinaryNumbers : public PlyNumbers {
+ public:
+  BinaryNumbers(std::string_view bytes, bool is_big_endian) : bytes_(bytes), is_big_endian_(is_big_endian) {}
+
+  double next(const PlyHeader::Number& type) override {
+    const auto size = static_cast<std::size_t>(type.bytes);
+    if (bytes_.size() - at_ < size) throw InvalidInput("is cut short: its data end early");
+    std::uint64_t raw = 0;
+    for (std::size_t k = 0; k < size; ++k) {
+      const std::size_t from = is_big_endian_ ? size - 1 - k : k;
+      raw |= static_cast<std::uint64_t>(static_cast<unsigned char>(bytes_[at_ + from])) << (8 * k);
+    }
+    at_ += size;
+    return value(raw, type);
+  }
+  InvalidInput error(const std::string& what_is_wrong) const override { return InvalidInput(what_is_wrong); }
+
+ private:
+  static double value(std::uint64_t raw, const PlyHeader::Number& type) {
+    if (type.is_float && type.bytes == 8) return std::bit_cast<double>(raw);
+    if (type.is_float) return std::bit_cast<float>(static_cast<std::uint32_t>(raw));
+    const int unused = 64 - 8 * type.bytes;
+    if (type.is_signed) return static_cast<double>(static_cast<std::int64_t>(raw << unused) >> unused);
+    return static_cast<double>(raw);
+  }
+
+  std::string_view bytes_;
+  bool is_big_endian_;
+  std::size_t at_ = 0;
+};
+
+std::unique_ptr<PlyNumbers> numbers_of(const std::string& bytes, const PlyHeader& header) {
+  const std::string_view data = std::string_view(bytes).substr(header.end);
+  if (header.encoding == PlyHeader::Encoding::ascii)
+    return std::make_unique<TextNumbers>(data, header.lines + 1);
+  return std::make_unique<BinaryNumbers>(data, header.encoding == PlyHeader::Encoding::big_endian);
+}
+
+void check_counts(const PlyHeader& header, std::size_t data_bytes) {
+  std::size_t left = data_bytes + 1;  // the last line of a text may lack its end
+  for (const PlyHeader::Element& element : header.elements) {
+    const std::size_t each =
+        element.least_bytes(header.encoding) + (header.encoding == PlyHeader::Encoding::ascii);
+    if (each == 0 ? element.count > max_mesh_bytes : element.count > left / each)
+      throw InvalidInput("is damaged: its header names " + std::to_string(element.count) + " elements `" +
+                         element.name + "`, more than its " + byte_count(data_bytes) + " of data can hold");
+    left -= element.count * each;
+  }
+}
+
+class PlyReader {
+ public:
+  PlyReader(const std::string& bytes, const PlyHeader& header)
+      : header_(header), numbers_(numbers_of(bytes, header)) {}
+
+  TriangleMesh read() {
+    for (const PlyHeader::Element& element : header_.elements) {
+      if (element.name == "vertex" && mesh_.vertices.empty())
+        read_vertices(element);
+      else
+        read_faces(element, element.name == "face" ? corners_of(element) : -1);
+    }
+    check_corners();
+    return std::move(mesh_);
+  }
+
+ private:
+  static int corners_of(const PlyHeader::Element& element) {
+    for (const char* name : {"vertex_indices", "vertex_index"}) {
+      const int property = element.find(name);
+      if (property >= 0 && element.properties[property].is_list) return property;
+    }
+    return -1;
+  }
+
+  void read_vertices(const PlyHeader::Element& element) {
+    const int axis[] = {element.find("x"), element.find("y"), element.find("z")};
+    for (const int property : axis)
+      if (property < 0 || element.properties[property].is_list)
+        throw InvalidInput("its vertices lack one of the properties x, y, z");
+    mesh_.vertices.reserve(element.count);
+    for (std::size_t v = 0; v < element.count; ++v) {
+      Eigen::Vector3d& p = mesh_.vertices.emplace_back();
+      for (int k = 0; k < static_cast<int>(element.properties.size()); ++k) {
+        read_property(element.properties[k]);
+        for (int c = 0; c < 3; ++c)
+          if (axis[c] == k) p[c] = values_[0];
+      }
+    }
+  }
+
+  /// @param corners position of the property that lists a face's corners; -1 to skip the element
+  void read_faces(const PlyHeader::Element& element, int corners) {
+    for (std::size_t f = 0; f < element.count; ++f)
+      for (int k = 0; k < static_cast<int>(element.properties.size()); ++k) {
+        read_property(element.properties[k]);
+        if (k == corners) add_face();
+      }
+  }
+
+  void read_property(const PlyHeader::Property& property) {
+    const double length = property.is_list ? numbers_->next(property.count) : 1;
+    if (!(length >= 0 && length <= static_cast<double>(max_face_corners)) || length != std::floor(length))
+      throw numbers_->error("is damaged: a list of " + number_text(length) + " entries; at most " +
+                            std::to_string(max_face_corners) + " are allowed");
+    values_.clear();
+    for (int k = 0; k < static_cast<int>(length); ++k) values_.push_back(numbers_->next(property.number));
+  }
+
+  void add_face() {
+    for (std::size_t k = 2; k < values_.size(); ++k) {
+      if (mesh_.triangles.size() == max_mesh_triangles)
+        throw InvalidInput("has too many triangles; at most " + std::to_string(max_mesh_triangles) +
+                           " are allowed; thin the mesh out");
+      mesh_.triangles.push_back({corner(0), corner(k - 1), corner(k)});
+    }
+  }
+
+  int corner(std::size_t k) const {
+    const double value = values_[k];
+    if (!(value >= 0 && value < 2147483647.0) || value != std::floor(value))
+      throw numbers_->error("is damaged: " + number_text(value) + " is no index of a vertex");
+    return static_cast<int>(value);
+  }
+
+  void check_corners() const {
+    const int count = static_cast<int>(mesh_.vertices.size());
+    for (const Triangle& triangle : mesh_.triangles)
+      for (const int corner : triangle)
+        if (corner >= count)
+          throw InvalidInput("is damaged: a face names the vertex " + std::to_string(corner) +
+                             " (from 0), but there are only " + std::to_string(count));
+  }
+
+  const PlyHeader& header_;
+  std::unique_ptr<PlyNumbers> numbers_;
+  TriangleMesh mesh_;
+  std::vector<double> values_;  // of the last property
+};
+
+}  // namespace
+
+TriangleMesh parse_ply(const std::string& bytes) {
+  const PlyHeader header = parse_ply_header(bytes);
+  check_counts(header, bytes.size() - header.end);
+  return PlyReader(bytes, header).read();
+}
+
+}  // namespace kinetix::targets

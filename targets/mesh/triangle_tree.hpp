@@ -1,0 +1,61 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "model/base/oriented_box.hpp"
+#include "targets/mesh/triangle_mesh.hpp"
+
+namespace kinetix::targets {
+
+/// The place of a mesh nearest to a point.
+struct NearestPlace {
+  int triangle = 0;
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  double squared_distance = 0;
+};
+
+/// Nearest place on a triangle, which may lack area.
+Eigen::Vector3d nearest_on_triangle(const std::array<Eigen::Vector3d, 3>& corners, const Eigen::Vector3d& p);
+
+/// A tree of boxes over the triangles of a mesh, whatever their state. Queries take O(log triangles) and may
+/// run side by side; the same query gives the same answer.
+class TriangleTree {
+ public:
+  /// @pre at least one triangle
+  explicit TriangleTree(const TriangleMesh& mesh);
+
+  NearestPlace nearest(const Eigen::Vector3d& p) const;
+  /// Distance, in lengths of `direction`, to the last place where a ray leaves the mesh behind; nothing where
+  /// it meets none. Rays that hit an edge hit the mesh.
+  std::optional<double> farthest_hit(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) const;
+  /// Whether a ray meets the mesh.
+  bool is_hit(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) const;
+  /// Whether a triangle lies in a box, wholly or in part.
+  bool touches(const OrientedBox& box) const;
+
+  /// A box of the tree. Children come after their parent.
+  struct Branch {
+    Eigen::AlignedBox3d box;
+    int first = 0, count = 0;  ///< of leaves(); count 0: children at this + 1 and at `second`
+    int second = 0;
+  };
+  /// A triangle of the mesh.
+  struct Leaf {
+    std::array<Eigen::Vector3d, 3> corners;
+    int triangle = 0;
+    bool lacks_area = false;
+  };
+  /// For sums over the mesh (winding_number.hpp). The root is the first.
+  const std::vector<Branch>& branches() const { return branches_; }
+  const std::vector<Leaf>& leaves() const { return leaves_; }
+
+ private:
+  void build(std::vector<Eigen::Vector3d>& centres, std::vector<int>& order, int first, int count,
+             const TriangleMesh& mesh);
+
+  std::vector<Branch> branches_;
+  std::vector<Leaf> leaves_;
+};
+
+}  // namespace kinetix::targets

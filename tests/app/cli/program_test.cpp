@@ -1,0 +1,322 @@
+#include "tests/app/program.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "tests/app/schema_errors.hpp"
+
+namespace kinetix::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+using Json = nlohmann::json;
+
+/// A bow of 30 mm over 96 mm in ten cells: quick to search and to verify.
+constexpr const char* bow = R"(kinetix: 1
+name: bow
+target: {kind: curve, points: [[0, 0], [16, 17], [32, 27], [48, 30], [64, 27], [80, 17], [96, 0]]}
+structure: {cells: [10, 1], cell_mm: 14}
+)";
+
+Json without_times(Json result) {
+  result.erase("timing_s");
+  result.erase("fidelity");
+  result["physics"].erase("seconds");
+  return result;
+}
+
+TEST(Program, FindsVerifiesAndWritesADesign) {
+  const Scratch scratch;
+  const std::string target = scratch.write("bow.yaml", bow), folder = scratch / "out";
+  const Outcome run = kinetix_opt(target + " -o " + folder);
+  EXPECT_EQ(run.code, 0) << run.out << run.err;
+  EXPECT_THAT(run.out, HasSubstr("within tolerance"));
+  EXPECT_THAT(run.out, HasSubstr("agrees"));
+
+  const Json result = Json::parse(text_of(folder + "/result.json"));
+  EXPECT_EQ(schema_errors(result), "");
+  EXPECT_EQ(result["plan"]["family"], "F2");
+  EXPECT_EQ(result["tolerance"], (Json{{"shape", 0.01}, {"verify", 0.02}}));
+  EXPECT_LE(result["metrics"]["shape_rms"], 0.01);
+  EXPECT_LE(result["metrics"]["verify_rms"], 5e-3);
+  EXPECT_LE(result["states"][0]["hinge_gap_max"], 1e-12);
+  EXPECT_THAT(text_of(folder + "/report.html"), HasSubstr("bow"));
+}
+
+TEST(Program, ItsOwnDesignCanBeVerifiedAndSimulated) {
+  const Scratch scratch;
+  const std::string first = scratch / "first", again = scratch / "again";
+  ASSERT_EQ(kinetix_opt(scratch.write("bow.yaml", bow) + " --no-verify -o " + first).code, 0);
+  const Json found = Json::parse(text_of(first + "/result.json"));
+
+  const Outcome verified = kinetix_opt("verify " + first + "/design.yaml -o " + again);
+  EXPECT_EQ(verified.code, 0) << verified.out << verified.err;
+  const Json physics = Json::parse(text_of(again + "/result.json"));
+  EXPECT_EQ(schema_errors(physics), "");
+  EXPECT_EQ(physics["structure"], found["structure"]);
+  EXPECT_EQ(physics["tolerance"], (Json{{"verify", 0.02}})) << "a design has no goal";
+  EXPECT_NEAR(physics["metrics"]["theta_rad"], found["metrics"]["theta_rad"], 1e-12);
+  EXPECT_LE(physics["metrics"]["verify_rms"], 5e-3);
+
+  const Outcome half =
+      kinetix_opt("simulate " + first + "/design.yaml --model exact --theta-deg 10 -o " + again);
+  EXPECT_EQ(half.code, 0) << half.err;
+  EXPECT_NEAR(Json::parse(text_of(again + "/result.json"))["metrics"]["theta_rad"], 10 * M_PI / 180, 1e-12);
+}
+
+TEST(Program, PrintsTheDocumentItWrites) {
+  const Scratch scratch;
+  const Outcome run =
+      kinetix_opt(scratch.write("bow.yaml", bow) + " --json --quiet --no-verify -o " + scratch.path());
+  EXPECT_EQ(run.err, "");
+  EXPECT_EQ(run.out, text_of(scratch / "result.json"));
+}
+
+TEST(Program, SameSeedSameAnswerForAnyNumberOfThreads) {
+  const Scratch scratch;
+  const std::string target = scratch.write("bow.yaml", std::string(bow) + "solver: {starts: 24}\n");
+  std::vector<Json> results;
+  for (const char* threads : {"1", "2", "5"}) {
+    const Outcome run =
+        kinetix_opt(target + " --json --seed 7 --threads " + threads + " -o " + scratch.path());
+    results.push_back(without_times(Json::parse(run.out)));
+  }
+  EXPECT_EQ(results[0], results[1]);
+  EXPECT_EQ(results[0], results[2]);
+}
+
+TEST(Program, EndsWith3AndSaysWhyWhenTheBoundsMissTheTarget) {
+  const Scratch scratch;
+  const std::string folder = scratch / "out";
+  const Outcome run =
+      kinetix_opt(scratch.write("bow.yaml", std::string(bow) + "variables: {beta: {range_deg: [-5, 5]}}\n") +
+                  " -o " + folder);
+  EXPECT_EQ(run.code, 3) << run.out << run.err;
+  EXPECT_THAT(run.out, HasSubstr("MISSES THE TOLERANCE"));
+  EXPECT_THAT(run.out, HasSubstr("mm along the curve"));
+  EXPECT_THAT(run.out, HasSubstr("the bounds allow"));
+  EXPECT_TRUE(fs::exists(folder + "/result.json"));
+}
+
+TEST(Program, EndsWith4WhenThePhysicsRunDoesNotAgree) {
+  const Scratch scratch;
+  const Outcome run = kinetix_opt(
+      scratch.write("bow.yaml", std::string(bow) + "tolerance: {verify: 1e-15}\n") + " -o " + scratch.path());
+  EXPECT_EQ(run.code, 4) << run.out;
+  EXPECT_THAT(run.out, HasSubstr("DISAGREES"));
+}
+
+TEST(Program, RunsAStructureOfNoExactFamilyByPhysicsAlone) {
+  const Scratch scratch;
+  const std::string design =
+      scratch.write("loose.yaml",
+                    "kinetix: 1\nstructure: {cells: [2, 2], cell_mm: 10}\n"
+                    "design: {theta_deg: 15, hinges: [{wall: [[0, 0], [1, 0]], t: 0.55}]}\n");
+  const Outcome exact = kinetix_opt("simulate " + design + " -o " + scratch.path());
+  EXPECT_EQ(exact.code, 2);
+  EXPECT_FALSE(fs::exists(scratch / "result.json"));
+  EXPECT_THAT(exact.err, HasSubstr("no exact family: hinge"));
+  const Outcome physics = kinetix_opt("simulate " + design + " --model bullet --json -o " + scratch.path());
+  EXPECT_TRUE(physics.code == 0 || physics.code == 4) << physics.err;
+  const Json result = Json::parse(physics.out);
+  EXPECT_EQ(schema_errors(result), "");
+  EXPECT_TRUE(result["metrics"]["verify_rms"].is_null());
+}
+
+TEST(Program, RunsASheetExactlyThoughItsCreasesCrossAtACorner) {
+  const Scratch scratch;
+  const std::string design = scratch.write(
+      "corner.yaml",
+      "kinetix: 1\nstructure: {cells: [[1, 0], [1, 1], [0, 1]]}\ndesign:\n  theta_deg: 40\n  hinges:\n"
+      "    - {wall: [[1, 0], [2, 0]], beta_deg: -10}\n    - {wall: [[1, 1], [2, 1]], beta_deg: 10}\n"
+      "    - {wall: [[1, 2], [2, 2]], beta_deg: -10}\n    - {wall: [[1, 0], [1, 1]], beta_deg: 20}\n"
+      "    - {wall: [[2, 0], [2, 1]], beta_deg: -20}\n");
+  const Outcome exact = kinetix_opt("simulate " + design + " --model exact --json -o " + scratch.path());
+  ASSERT_EQ(exact.code, 0) << exact.err;
+  const Json result = Json::parse(exact.out);
+  EXPECT_EQ(result["plan"]["family"], "F4");
+  EXPECT_NEAR(result["states"][0]["theta_rad"].get<double>(), 40 * std::acos(-1.0) / 180, 1e-12);
+  EXPECT_LE(result["states"][0]["hinge_gap_max"].get<double>(), 1e-13);
+}
+
+/// Starts the program, sends it a signal after a while, and waits for its end.
+void interrupt(const std::string& target, const std::string& folder, int after_us, int signal_number) {
+  const pid_t child = fork();
+  if (child == 0) {
+    const int nowhere = open("/dev/null", O_WRONLY);
+    dup2(nowhere, STDOUT_FILENO);
+    execl(KINETIX_OPT, KINETIX_OPT, target.c_str(), "--quiet", "--no-verify", "-o", folder.c_str(), nullptr);
+    _exit(127);
+  }
+  usleep(after_us);
+  kill(child, signal_number);
+  int status = 0;
+  waitpid(child, &status, 0);
+}
+
+TEST(Program, FollowsTheDriveOfADesign) {
+  const Scratch scratch;
+  const std::string strip =
+      "kinetix: 1\nstructure: {cells: [6, 1], cell_mm: 10}\ndesign:\n  hinges:\n"
+      "    - {wall: [[0, 0], [1, 0]], beta_deg: 20}\n    - {wall: [[0, 1], [1, 1]], beta_deg: -20}\n";
+  const auto driven = [&](const std::string& drive) {
+    return kinetix_opt("verify " + scratch.write("d.yaml", strip + "drive: " + drive + "\n") + " --json -o " +
+                       scratch.path());
+  };
+  const Outcome hinge = driven("{kind: hinge, wall: [[0, 0], [0, 1]], angle_deg: -40}");
+  EXPECT_EQ(hinge.code, 0) << hinge.err;
+  EXPECT_NEAR(Json::parse(hinge.out)["metrics"]["theta_rad"], 20 * M_PI / 180, 1e-9);
+  const Outcome plates = driven("{kind: plates, axis: y, compression: 0.15}");
+  EXPECT_EQ(plates.code, 0) << plates.err;
+  EXPECT_NEAR(Json::parse(plates.out)["metrics"]["theta_rad"], std::acos(0.85), 1e-9);
+  const Outcome rolling = driven("{kind: plates, axis: x, compression: 0.15}");
+  EXPECT_EQ(rolling.code, 2);
+  EXPECT_THAT(rolling.err, HasSubstr("drive.axis: this sheet bends along x"));
+}
+
+TEST(Program, LeavesNoHalfWrittenFileWhenItIsInterruptedOrKilled) {
+  const Scratch scratch;
+  const std::string target = scratch.write("bow.yaml", bow);
+  for (const int signal_number : {SIGTERM, SIGKILL})
+    for (int after_us = 0; after_us < 60000; after_us += 1500) {
+      const std::string folder = scratch / fmt::format("out-{}-{}", signal_number, after_us);
+      interrupt(target, folder, after_us, signal_number);
+      const std::string result = folder + "/result.json", design = folder + "/design.yaml";
+      if (fs::exists(result)) {
+        EXPECT_TRUE(Json::accept(text_of(result)));
+      }
+      if (fs::exists(design)) {
+        EXPECT_EQ(kinetix_opt("check " + design).code, 0);
+      }
+      if (signal_number == SIGKILL || !fs::exists(folder)) continue;
+      for (const auto& entry : fs::directory_iterator(folder))
+        EXPECT_THAT(entry.path().filename().string(), Not(HasSubstr("kinetix-part")));
+    }
+}
+
+TEST(Program, WritesAllOfItsFilesOrNoneWhenTheDiskIsFull) {
+  const Scratch scratch;
+  const std::string target = scratch.write("bow.yaml", bow), folder = scratch / "out";
+  // Enough for the design, too little for the report.
+  const std::string full_disk = "trap '' XFSZ; ulimit -f 64; ";
+  const Outcome first = kinetix_opt(target + " --no-verify -o " + folder, full_disk);
+  EXPECT_EQ(first.code, 2) << first.out;
+  EXPECT_THAT(first.err, HasSubstr("report.html: cannot be written: File too large"));
+  EXPECT_FALSE(fs::exists(folder));
+
+  ASSERT_EQ(kinetix_opt(target + " --no-verify -o " + folder).code, 0);
+  const std::string design = text_of(folder + "/design.yaml"), result = text_of(folder + "/result.json");
+  const std::string other =
+      scratch.write("other.yaml", std::string(bow) + "variables: {theta: {range_deg: [5, 20]}}\n");
+  EXPECT_EQ(kinetix_opt(other + " --no-verify -o " + folder, full_disk).code, 2);
+  EXPECT_EQ(text_of(folder + "/design.yaml"), design);
+  EXPECT_EQ(text_of(folder + "/result.json"), result);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 3);
+}
+
+TEST(Program, HelpNamesEveryCommandAndExitCode) {
+  const Outcome help = kinetix_opt("--help");
+  EXPECT_EQ(help.code, 0);
+  for (const char* word : {"verify", "simulate", "check", "--json", "--threads", "--seed", "--quiet",
+                           "--version", "exit codes", "TARGET.yaml"})
+    EXPECT_THAT(help.out, HasSubstr(word));
+  EXPECT_EQ(kinetix_opt("--version").out, "kinetix-opt " KINETIX_VERSION "\n");
+}
+
+struct BadInput {
+  const char* name;
+  const char* document;
+  std::vector<std::string> says;
+};
+
+void PrintTo(const BadInput& input, std::ostream* out) { *out << input.name; }
+
+class RefusedInput : public ::testing::TestWithParam<BadInput> {};
+
+TEST_P(RefusedInput, EndsWith2OneClearMessageAndNothingWritten) {
+  const Scratch scratch;
+  const std::string file = scratch.write("target.yaml", GetParam().document), folder = scratch / "out";
+  const Outcome run = kinetix_opt(file + " -o " + folder);
+  EXPECT_EQ(run.code, 2) << run.out;
+  EXPECT_EQ(run.out, "");
+  EXPECT_THAT(run.err, StartsWith(file + ":"));
+  EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+  for (const std::string& words : GetParam().says) EXPECT_THAT(run.err, HasSubstr(words));
+  EXPECT_FALSE(fs::exists(folder));
+  EXPECT_EQ(kinetix_opt("check " + file).code, 2);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Program, RefusedInput,
+    ::testing::Values(
+        BadInput{"missing_curve",
+                 "kinetix: 1\ntarget: {kind: curve, points: no.csv}\n",
+                 {":2:", "target.points", "no.csv"}},
+        BadInput{"two_points",
+                 "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [9, 9]]}\n",
+                 {"at least 3 points"}},
+        BadInput{"repeated_point",
+                 "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [9, 9], [9, 9], [20, 0]]}\n",
+                 {"the same"}},
+        BadInput{"nan",
+                 "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [9, .nan], [20, 0]]}\n",
+                 {":2:", "finite"}},
+        BadInput{"crossing",
+                 "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [9, 9], [9, 0], [0, 9]]}\n",
+                 {"crosses itself"}},
+        BadInput{"closed",
+                 "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [9, 9], [9, 0], [0, 0]]}\n",
+                 {"closed"}},
+        BadInput{
+            "huge_cell",
+            "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [1, 1], [2, 0]]}\nstructure: {cell_mm: 50}\n",
+            {"structure.cell_mm", "millimetres"}},
+        BadInput{"bounds_upside_down",
+                 "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [50, 50], [90, 0]]}\nvariables: {beta: "
+                 "{range_deg: [60, -60]}}\n",
+                 {":3:", "variables.beta.range_deg"}},
+        BadInput{"units",
+                 "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [50, 50], [90, 0]]}\nstructure: "
+                 "{cell_mm: 8 cm}\n",
+                 {":3:", "structure.cell_mm", "mm"}},
+        BadInput{"unknown_key",
+                 "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [50, 50], [90, 0]]}\nstructur: {}\n",
+                 {":3:1:", "structur", "structure"}},
+        BadInput{"alias_bomb", "a: &a [x, x]\nb: &b [*a, *a]\nc: [*b, *b]\n", {":1:", "anchor"}},
+        BadInput{"other_version",
+                 "kinetix: 2\ntarget: {kind: curve, points: [[0, 0], [50, 50], [90, 0]]}\n",
+                 {":1:", "kinetix"}},
+        BadInput{"theta_past_closing",
+                 "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [50, 50], [90, 0]]}\nvariables: {theta: "
+                 "{range_deg: [44, 44.5]}}\n",
+                 {":3:", "variables.theta", "close"}},
+        BadInput{"thick_walls",
+                 "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [50, 50], [90, 0]]}\nstructure: "
+                 "{cell_mm: 8, wall_mm: {thickness: 5}}\n",
+                 {":3:", "thickness"}}),
+    [](const auto& tested) { return std::string(tested.param.name); });
+
+TEST(Program, RefusesAMissingFileAFolderAndAnUnwritableOutput) {
+  const Scratch scratch;
+  EXPECT_EQ(kinetix_opt("nowhere.yaml").code, 2);
+  EXPECT_EQ(kinetix_opt(scratch.path()).code, 2);
+  const std::string target = scratch.write("bow.yaml", bow);
+  const Outcome run = kinetix_opt(target + " -o " + target + "/below");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, HasSubstr("below"));
+  EXPECT_EQ(kinetix_opt(target + " --threads -3").code, 2);
+  EXPECT_EQ(kinetix_opt("--nonsense").code, 2);
+}
+
+}  // namespace
+}  // namespace kinetix::testing

@@ -1,0 +1,319 @@
+#include "app/files/design_file.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <random>
+
+#include "tests/support/bad_input.hpp"
+#include "tests/support/random_designs.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace kinetix::app {
+namespace {
+
+using testing::BadInput;
+using testing::expect_refused;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using testing::random_design;
+using testing::structure_of;
+using testing::TemporaryFolder;
+
+const std::string strip = "kinetix: 1\nstructure: {cells: [6, 1], cell_mm: 10}\n";
+
+DesignFile read(const std::string& text) {
+  TemporaryFolder folder;
+  return read_design(folder.write("sheet.yaml", text));
+}
+
+const model::HingeParameters& hinge_of(const DesignFile& file, const model::Wall& wall) {
+  return file.structure.hinges[*file.structure.hinge_at(wall)].parameters;
+}
+
+void expect_same(const DesignFile& a, const DesignFile& b) {
+  EXPECT_EQ(a.name, b.name);
+  EXPECT_EQ(a.structure.cells, b.structure.cells);
+  EXPECT_EQ(a.structure.size.edge_mm, b.structure.size.edge_mm);
+  EXPECT_EQ(a.structure.size.thickness_mm, b.structure.size.thickness_mm);
+  EXPECT_EQ(a.structure.size.height_mm, b.structure.size.height_mm);
+  ASSERT_EQ(a.structure.hinges.size(), b.structure.hinges.size());
+  for (std::size_t k = 0; k < a.structure.hinges.size(); ++k) {
+    const model::HingeParameters &p = a.structure.hinges[k].parameters, &q = b.structure.hinges[k].parameters;
+    EXPECT_EQ(a.structure.hinges[k].wall, b.structure.hinges[k].wall);
+    EXPECT_TRUE(p.t == q.t && p.alpha == q.alpha && p.beta == q.beta) << "hinge " << k;
+  }
+  EXPECT_EQ(a.theta, b.theta);
+  EXPECT_EQ(a.drive, b.drive);
+  EXPECT_EQ(a.side, b.side);
+  EXPECT_EQ(a.hinge, b.hinge);
+  EXPECT_EQ(a.physics, b.physics);
+}
+
+TEST(DesignFile, NeedsNoMoreThanAStructure) {
+  const DesignFile file = read("kinetix: 1\nstructure: {cells: [6, 1]}\n");
+  EXPECT_EQ(file.name, "sheet");
+  EXPECT_EQ(file.structure.cells.size(), 6u);
+  EXPECT_EQ(file.structure.size.edge_mm, 10);
+  EXPECT_EQ(file.theta, 0);
+  EXPECT_FALSE(file.drive);
+  EXPECT_EQ(file.hinge, HingeSection{});
+  for (const model::Hinge& hinge : file.structure.hinges) EXPECT_EQ(hinge.parameters.beta, 0);
+}
+
+TEST(DesignFile, TakesEverySection) {
+  const DesignFile file =
+      read(strip +
+           "name: arch\ndesign:\n  theta_deg: 20\n  hinges:\n    - {wall: [[0, 0], [1, 0]], t: 0.4, "
+           "alpha_deg: 80, "
+           "beta_deg: 30}\n    - {wall: [[3, 0], [3, 1]], beta_deg: -10}\n"
+           "drive: {kind: hinge, wall: [[0, 0], [0, 1]], angle_deg: -40}\n"
+           "hinge: {model: elastic, k_point: 500, k_turn: 0.2, reach_mm: 3}\nphysics: {iterations: 50}\n");
+  EXPECT_EQ(file.name, "arch");
+  EXPECT_DOUBLE_EQ(file.theta, 20 * radians_per_degree);
+  const model::HingeParameters& first = hinge_of(file, {{0, 0}, model::Axis::x});
+  EXPECT_EQ(first.t, 0.4);
+  EXPECT_DOUBLE_EQ(first.alpha, 80 * radians_per_degree);
+  EXPECT_DOUBLE_EQ(first.beta, 30 * radians_per_degree);
+  EXPECT_EQ(hinge_of(file, {{3, 0}, model::Axis::y}).t, 0.5);
+  EXPECT_EQ(hinge_of(file, {{3, 0}, model::Axis::y}).alpha, pi / 2);
+  ASSERT_TRUE(file.drive);
+  EXPECT_EQ(file.drive->kind, DriveSection::Kind::hinge);
+  EXPECT_EQ(file.drive->wall, (model::Wall{{0, 0}, model::Axis::y}));
+  EXPECT_DOUBLE_EQ(file.drive->angle, -40 * radians_per_degree);
+  EXPECT_EQ(file.hinge, (HingeSection{HingeSection::Model::elastic, 500, 0.2, 3.0}));
+  EXPECT_EQ(file.physics.iterations, 50);
+}
+
+TEST(DesignFile, DrivesByPlatesAlongYUnlessToldOtherwise) {
+  EXPECT_EQ(read(strip + "drive: {kind: plates, compression: 0.15}").drive,
+            (DriveSection{.kind = DriveSection::Kind::plates, .axis = model::Axis::y, .compression = 0.15}));
+  EXPECT_EQ(read(strip + "drive: {kind: plates, axis: x, compression: 0.15}").drive->axis, model::Axis::x);
+}
+
+const std::string tee =
+    "kinetix: 1\nstructure: {cells: [[0, 0], [1, 0], [2, 0], [1, 1], [1, 2], [1, 3]]}\n"
+    "design: {hinges: [{wall: [[1, 1], [1, 2]], beta_deg: -30}, {wall: [[2, 1], [2, 2]], beta_deg: 30}]}\n";
+
+TEST(DesignFile, TakesThePartThatPlatesGrip) {
+  const std::string spine = tee + "drive: {kind: plates, axis: x, compression: 0.1, grip: [[1, 0], [2, 4]]}";
+  EXPECT_EQ(read(spine).drive->grip, (model::Grip{{1, 0}, {2, 4}}));
+  EXPECT_NE(design_text(read(spine)).find("grip: [[1, 0], [2, 4]]}"), std::string::npos);
+  EXPECT_FALSE(read(tee + "drive: {kind: plates, compression: 0.1}").drive->grip);
+}
+
+TEST(DesignFile, TakesTheBranchAndTheSideOfABifurcation) {
+  const DesignFile file = read(strip + "drive: {kind: plates, compression: 0.15, branch: -1, side: -1}");
+  EXPECT_EQ(file.drive->branch, -1);
+  EXPECT_EQ(file.side, -1);
+  const DesignFile side_alone = read(strip + "drive: {side: -1}");
+  EXPECT_FALSE(side_alone.drive);
+  EXPECT_EQ(side_alone.side, -1);
+  EXPECT_EQ(read(strip).side, 1);
+}
+
+TEST(DesignFile, TakesThePaperPatternAndLetsNamedHingesWin) {
+  const DesignFile file =
+      read(strip +
+           "design:\n  pattern: {even: {P: [0.2, 0.8, 0.2, 0.8]}, odd: {P: [0.8, 0.2, 0.8, 0.2]}}\n"
+           "  hinges: [{wall: [[0, 0], [1, 0]], beta_deg: 5}]\n");
+  EXPECT_EQ(hinge_of(file, {{0, 0}, model::Axis::x}).t, 0.5);
+  EXPECT_EQ(hinge_of(file, {{1, 0}, model::Axis::x}).t, 0.8);
+  EXPECT_DOUBLE_EQ(hinge_of(file, {{0, 1}, model::Axis::x}).t, 0.8);
+  EXPECT_EQ(hinge_of(file, {{1, 0}, model::Axis::y}).t, 0.8);
+}
+
+TEST(DesignFile, AveragesAPatternThatDisagreesOnlyWhenAsked) {
+  const std::string pattern = "design:\n  pattern: {even: {P: [0.5, 0.8, 0.5, 0.5]}";
+  EXPECT_DOUBLE_EQ(hinge_of(read(strip + pattern + ", shared: average}\n"), {{1, 0}, model::Axis::y}).t,
+                   0.65);
+  EXPECT_THAT(testing::refusal([&] { read(strip + pattern + "}\n"); }),
+              HasSubstr("sheet.yaml:4:12: design.pattern: cells [0, 0] and [1, 0] disagree"));
+}
+
+TEST(DesignFile, SurvivesWritingAndReadingBitForBit) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> unit(0, 1);
+  TemporaryFolder folder;
+  for (int round = 0; round < 60; ++round) {
+    const model::Family family =
+        std::array{model::Family::F1, model::Family::F2, model::Family::F3}[round % 3];
+    const double edge = 1 + 20 * unit(random);
+    const auto design = random_design(family, 1 + round % 7, 1 + round % 4, random);
+    DesignFile file{
+        .name = "round-" + std::to_string(round),
+        .structure = structure_of(design, {edge, 0.4 * edge * unit(random) + 1e-3, 9 * unit(random) + 0.1})};
+    for (model::Hinge& hinge : file.structure.hinges) hinge.parameters.alpha = 0.01 + 3 * unit(random);
+    file.theta = design.theta;
+    if (round % 3 == 1)
+      file.drive = DriveSection{
+          .kind = DriveSection::Kind::plates, .axis = model::Axis::x, .compression = unit(random)};
+    if (round % 3 == 2)
+      file.drive = DriveSection{.kind = DriveSection::Kind::hinge,
+                                .wall = file.structure.hinges.back().wall,
+                                .angle = 6 * unit(random) - 3};
+    if (file.drive && round % 4 < 2 && file.drive->kind == DriveSection::Kind::plates)
+      file.drive->branch = round % 8 < 4 ? 1 : -1;
+    file.side = round % 7 < 3 ? -1 : 1;
+    if (round % 2)
+      file.hinge = {HingeSection::Model::elastic, 1000 * unit(random), unit(random), edge * unit(random)};
+    if (round % 4 == 1) file.hinge.k_contact = 1e4 * unit(random);
+    if (round % 10 == 0)
+      file.physics = {0.1 * unit(random), 1 + round, unit(random), edge * unit(random),
+                      sim::PhysicsOptions::Solver::sweeps};
+    if (round % 10 == 5)
+      file.physics = {0.1 * unit(random), 1 + round, {}, {}, sim::PhysicsOptions::Solver::direct};
+    expect_same(read_design(folder.write("d.yaml", design_text(file))), file);
+  }
+}
+
+TEST(DesignFile, KeepsCellsThatFillNoRectangle) {
+  const DesignFile net = read("kinetix: 1\nstructure: {cells: [[1, 0], [0, 1], [1, 1], [2, 1], [1, 2]]}\n");
+  expect_same(read(design_text(net)), [&] {
+    DesignFile same = net;
+    same.name = "sheet";
+    return same;
+  }());
+  DesignFile away = read("kinetix: 1\nstructure: {cells: [[1, 1], [2, 1]]}\n");
+  expect_same(read(design_text(away)), away);
+}
+
+TEST(DesignFile, WritesOnlyWhatDiffersFromTheBasicHinge) {
+  DesignFile file =
+      read(strip + "design: {theta_deg: 20, hinges: [{wall: [[0, 0], [1, 0]], beta_deg: 54.7356}]}");
+  EXPECT_EQ(design_text(file),
+            "kinetix: 1\nname: \"sheet\"\nstructure:\n  cells: [6, 1]\n  cell_mm: 10\n"
+            "  wall_mm: {thickness: 1, height: 6}\ndesign:\n  theta_deg: 20\n"
+            "  hinges:  # walls that are not named have t: 0.5, alpha_deg: 90, beta_deg: 0\n"
+            "    - {wall: [[0, 0], [1, 0]], t: 0.5, alpha_deg: 90, beta_deg: 54.7356}\n"
+            "hinge: {model: rotary, k_point: 1000, k_turn: 0.1}\n");
+  file.structure.hinges[0].parameters.beta = -0.0;
+  EXPECT_THAT(design_text(file), Not(HasSubstr("hinges")));
+}
+
+TEST(DesignFile, ReadsBackADesignOfTenThousandCells) {
+  std::mt19937 random(3);
+  DesignFile file{.name = "large",
+                  .structure = structure_of(random_design(model::Family::F3, 100, 100, random))};
+  expect_same(read(design_text(file)), file);
+}
+
+TEST(DesignFile, SaysWhereAndWhatIsAllowed) {
+  const auto hinges = [](const std::string& list) { return strip + "design: {hinges: [" + list + "]}\n"; };
+  const auto hinge = [&](const std::string& wall) { return hinges("{wall: " + wall + "}"); };
+  const auto with = [&](const std::string& more) { return hinges("{wall: [[0, 0], [1, 0]], " + more + "}"); };
+  const std::string first = "design.hinges[0]";
+  const std::vector<BadInput> cases = {
+      {"kinetix: 1\n", 1, 1, "", {"`structure` is missing", "cells: [6, 1]"}},
+      {"kinetix: 1\nstructure: {cell_mm: 10}\n", 2, 12, "structure", {"`cells` is missing"}},
+      {"kinetix: 1\ntarget: {kind: curve}\n", 1, 1, "", {"target, not a design"}},
+      {"kinetix: 3\nstructure: {cells: [6, 1]}\n", 1, 10, "kinetix", {"version 3"}},
+      {"kinetix: 1\nstructure: {cells: [[0, 0], [2, 2]]}\n", 2, 20, "structure.cells", {"hang together"}},
+      {strip + "design: {theta: 3}\n", 3, 10, "design.theta", {"did you mean `theta_deg`?"}},
+      {strip + "design: {theta_deg: 90}\n",
+       3,
+       21,
+       "design.theta_deg",
+       {"above -90 and below 90, in degrees"}},
+      {strip + "design: {hinges: 3}\n", 3, 18, "design.hinges", {"list of hinges"}},
+      {hinges("{t: 0.5}"), 3, 19, first, {"`wall` is missing", "[[0, 0], [1, 0]]"}},
+      {hinges("{wal: 1}"), 3, 20, first + ".wal", {"did you mean `wall`?"}},
+      {with("t: 1"), 3, 47, first + ".t", {"above 0 and below 1"}},
+      {with("alpha_deg: 180"), 3, 55, first + ".alpha_deg", {"above 0 and below 180, in degrees"}},
+      {with("beta_deg: -90"), 3, 54, first + ".beta_deg", {"above -90 and below 90"}},
+      {with("beta_deg: 89.99999999999999999999"), 3, 54, first + ".beta_deg", {"below 90"}},
+      {hinge("[[7, 0], [8, 0]]"), 3, 26, first + ".wall", {"no wall [[7, 0], [8, 0]]", "structure.cells"}},
+      {hinge("[[0, 0], [2, 0]]"), 3, 26, first + ".wall", {"not neighbours", "one step"}},
+      {hinge("[[0, 0], [0, 0]]"), 3, 26, first + ".wall", {"not neighbours"}},
+      {hinge("[[1, 0], [0, 0]]"), 3, 26, first + ".wall", {"upper to its lower", "write [[0, 0], [1, 0]]"}},
+      {hinge("[0, 0, 1, 0]"), 3, 26, first + ".wall", {"two vertices"}},
+      {hinge("[[0, 0], [1]]"), 3, 35, first + ".wall[1]", {"a vertex [i, j]"}},
+      {hinges("{wall: [[0, 0], [1, 0]]}, {wall: [[0, 0], [1, 0]]}"),
+       3,
+       45,
+       "design.hinges[1]",
+       {"named twice", "line 3"}},
+      {strip + "design: {pattern: {even: {P: [0.5, 0.5]}}}\n",
+       3,
+       30,
+       "design.pattern.even.P",
+       {"has 2 entries", "bottom, right, top, left"}},
+      {strip + "design: {pattern: {even: {P: [0, 0.5, 0.5, 0.5]}}}\n",
+       3,
+       31,
+       "design.pattern.even.P[0]",
+       {"above 0 and below 1"}},
+      {strip + "design: {pattern: {shared: mean}}\n", 3, 28, "design.pattern.shared", {"average"}},
+      {strip + "drive: {kind: plate}\n", 3, 15, "drive.kind", {"did you mean `plates`?"}},
+      {strip + "drive: {kind: plates}\n", 3, 8, "drive", {"`compression` is missing", "below 1"}},
+      {strip + "drive: {kind: plates, compression: 15 %}\n", 3, 36, "drive.compression", {"below 1"}},
+      {strip + "drive: {kind: plates, angle_deg: 3}\n",
+       3,
+       23,
+       "drive.angle_deg",
+       {"allowed: kind, axis, compression"}},
+      {strip + "drive: {kind: hinge, angle_deg: 40}\n", 3, 8, "drive", {"`wall` is missing"}},
+      {strip + "drive: {kind: hinge, wall: [[9, 0], [9, 1]], angle_deg: 40}\n",
+       3,
+       28,
+       "drive.wall",
+       {"no wall"}},
+      {strip + "drive: {kind: hinge, wall: [[0, 0], [0, 1]]}\n",
+       3,
+       8,
+       "drive",
+       {"`angle_deg` is missing", "degrees"}},
+      {strip + "hinge: {model: stiff}\n", 3, 16, "hinge.model", {"rotary, elastic"}},
+      {strip + "hinge: {k_point: 0}\n", 3, 18, "hinge.k_point", {"above 0, in N/mm"}},
+      {strip + "hinge: {k_turn: -1}\n", 3, 17, "hinge.k_turn", {"at least 0, in N mm/rad"}},
+      {strip + "hinge: {model: elastic, k_turn: 0}\n", 3, 33, "hinge.k_turn", {"above 0, in N mm/rad"}},
+      {strip + "hinge: {model: elastic, k_point: -5}\n", 3, 34, "hinge.k_point", {"above 0, in N/mm"}},
+      {strip + "hinge: {k_contact: 0}\n", 3, 20, "hinge.k_contact", {"above 0, in N/mm"}},
+      {strip + "hinge: {k_contract: 9}\n", 3, 9, "hinge.k_contract", {"did you mean `k_contact`?"}},
+      {strip + "drive: {kind: plates, compression: 0.1, branch: 2}\n", 3, 49, "drive.branch", {"1, -1"}},
+      {tee + "drive: {kind: plates, compression: 0.1, grip: [[0, 0], [3, 2]]}\n",
+       4,
+       47,
+       "drive.grip",
+       {"no vertex [0, 2]"}},
+      {tee + "drive: {kind: plates, compression: 0.1, grip: [[1, 0], [2, 4]]}\n",
+       4,
+       47,
+       "drive.grip",
+       {"do not stay in two parallel planes", "spine"}},
+      {tee + "drive: {kind: plates, compression: 0.1, grip: [[1, 0], [2, 0]]}\n",
+       4,
+       47,
+       "drive.grip",
+       {"at least one cell both ways"}},
+      {tee + "drive: {kind: plates, compression: 0.1, grip: [[1, 0], [2, -1]]}\n",
+       4,
+       60,
+       "drive.grip[1][1]",
+       {"0 to 10000"}},
+      {strip + "drive: {kind: plates, compression: 1}\n", 3, 36, "drive.compression", {"below 1"}},
+      {strip + "drive: {side: 0}\n", 3, 15, "drive.side", {"1, -1"}},
+      {strip + "drive: {side: 1, compression: 0.2}\n", 3, 8, "drive", {"`kind` is missing"}},
+      {strip + "hinge: {reach_mm: 2}\nphysics: {reach_mm: 2}\n",
+       4,
+       11,
+       "physics.reach_mm",
+       {"give one of them"}},
+      {strip + "hinge: {model: elastic}\nphysics: {error_reduction: 1}\n",
+       4,
+       11,
+       "physics.error_reduction",
+       {"cannot stretch"}},
+      {strip + "hinge: {model: elastic}\nphysics: {solver: sweeps}\n", 4, 19, "physics.solver", {"direct"}},
+      {strip + "hinge: {reach_mm: 101}\n", 3, 19, "hinge.reach_mm", {"0.1 to 100", "10 cells"}},
+  };
+  TemporaryFolder folder;
+  const std::string file = folder.path("sheet.yaml");
+  for (const BadInput& bad : cases) {
+    folder.write("sheet.yaml", bad.text);
+    expect_refused(bad, file, [&] { read_design(file); });
+  }
+}
+
+}  // namespace
+}  // namespace kinetix::app

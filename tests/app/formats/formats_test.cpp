@@ -1,0 +1,260 @@
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "app/files/design_file.hpp"
+#include "app/formats/all_keys.hpp"
+#include "app/formats/formats_page.hpp"
+#include "app/formats/key_schema.hpp"
+#include "app/goals/read_target.hpp"
+#include "app/goals/registry.hpp"
+#include "app/sweep/doe_file.hpp"
+#include "app/sweep/metric.hpp"
+#include "tests/app/formats/node_json.hpp"
+#include "tests/app/schema_errors.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace kinetix::app {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::read_file;
+using testing::schema_errors;
+using Json = nlohmann::json;
+using Kind = targets::ValueType::Kind;
+
+const std::string source = KINETIX_SOURCE;
+
+std::string schema_text(const std::string& name) {
+  return read_file(source + "/app/schema/" + name + ".schema.json");
+}
+
+TEST(FormatsPage, IsWhatTheTablesSay) {
+  const std::string page = formats_page(read_file(source + "/app/formats/page.md.in"), schema_text);
+  EXPECT_EQ(read_file(source + "/docs/formats.md"), page) << "write it anew by `make docs`";
+}
+
+TEST(FormatsPage, NamesEveryResponse) {
+  const std::string page = read_file(source + "/docs/formats.md");
+  for (const bool searches : {false, true})
+    for (const Model model : {Model::exact, Model::equilibrium, Model::bullet})
+      for (const std::string& name : metric_names({model, searches, goal_kinds().front()}))
+        EXPECT_THAT(page, HasSubstr("`" + name + "`"));
+}
+
+TEST(FormatsPage, RefusesATableThatItLeavesOutAndAMarkThatStandsForNothing) {
+  EXPECT_THROW(formats_page("{{keys design}}\n", schema_text), InvalidInput);
+  EXPECT_THROW(formats_page("{{keys nothing}}\n", schema_text), InvalidInput);
+}
+
+TEST(FileSchema, IsWhatTheTablesSay) {
+  for (const FileSchema& schema : file_schemas())
+    EXPECT_EQ(schema_text(schema.name), schema.text) << "write it anew by `make docs`";
+}
+
+/// Which schema a file belongs to, by what it holds.
+std::string schema_of(const Json& file) {
+  return file.contains("factors") ? "doe" : file.contains("target") ? "target" : "design";
+}
+
+TEST(FileSchema, AllowsEveryFileThatShips) {
+  int count = 0;
+  for (const char* folder : {"/targets/shapes", "/targets/sweeps"})
+    for (const auto& entry : std::filesystem::directory_iterator(source + folder)) {
+      if (entry.path().extension() != ".yaml") continue;
+      const Json file = testing::as_json(targets::read_document(entry.path().string(), max_design_bytes));
+      EXPECT_EQ(schema_errors(file, schema_of(file)), "") << entry.path();
+      ++count;
+    }
+  EXPECT_GE(count, 20);
+}
+
+/// Reads a file of any kind. @throws InvalidInput
+void read_any(const std::string& text) {
+  const targets::Node root = targets::parse_document(text, source + "/targets/shapes/in.yaml");
+  if (root.kind() != targets::Node::Kind::map || root.optional("target")) return void(read_target(root));
+  if (!root.optional("factors")) return void(read_design(root));
+  testing::TemporaryFolder folder;
+  read_doe(folder.write("in.yaml", text));
+}
+
+const std::string curve = "target: {kind: curve, points: [[0, 0], [60, 0], [60, 40]]}";
+const std::string doe = "kinetix: 1\nbase: x.yaml\nresponses: [theta_deg]\nmethod: {kind: sobol}\n";
+
+TEST(FileSchema, RefusesWhatTheProgramRefuses) {
+  const std::pair<const char*, std::string> bad[] = {
+      {"target", curve},
+      {"target", "kinetix: 2\n" + curve},
+      {"target", "kinetix: 1\ntarget: {kind: outline}"},
+      {"target", "kinetix: 1\ntarget: {points: [[0, 0], [1, 1]]}"},
+      {"target", "kinetix: 1\n" + curve + "\nsomething: 1"},
+      {"target", "kinetix: 1\n" + curve + "\nhinge: {k_turn: 1}"},
+      {"target", "kinetix: 1\n" + curve + "\ntolerance: {shape: 2}"},
+      {"target", "kinetix: 1\n" + curve + "\ntolerance: {shape: \"0.1\"}"},
+      {"target", "kinetix: 1\n" + curve + "\nsolver: {starts: 1.5}"},
+      {"target", "kinetix: 1\n" + curve + "\nvariables: {theta: {range_deg: [2]}}"},
+      {"target", "kinetix: 1\ntarget: {kind: display, glyph: T, rows: [\"01\", \"10\"]}"},
+      {"target", "kinetix: 1\ntarget: {kind: display}"},
+      {"target", "kinetix: 1\ntarget: {kind: display, rows: [\"01\", \"10\"], font: Sans}"},
+      {"target", "kinetix: 1\ntarget: {kind: display, glyph: T}\nsolver: {name: ceres}"},
+      {"target", "kinetix: 1\ntarget: {kind: fold, box: [1, 2]}"},
+      {"target", "kinetix: 1\ntarget: {kind: fold, box: [2, 2, 2]}\nstructure: {cells: [3, 3]}"},
+      {"target", "kinetix: 1\ntarget: {kind: helmet}"},
+      {"target", "kinetix: 1\ntarget: {kind: helmet, mesh: headform.obj, up: w}"},
+      {"design", "kinetix: 1"},
+      {"design", "kinetix: 1\nstructure: {cell_mm: 10}"},
+      {"design", "kinetix: 1\nstructure: {cells: [2, 1]}\ndesign: {theta_deg: 90}"},
+      {"design", "kinetix: 1\nstructure: {cells: [2, 1]}\ndesign: {hinges: [{t: 0.5}]}"},
+      {"design", "kinetix: 1\nstructure: {cells: [2, 1]}\ndrive: {kind: plates}"},
+      {"design",
+       "kinetix: 1\nstructure: {cells: [2, 1]}\ndrive: {kind: plates, compression: 0.1, angle_deg: 3}"},
+      {"design", "kinetix: 1\nstructure: {cells: [2, 1]}\ndrive: {kind: plates, compression: 0.1, side: 2}"},
+      {"doe", doe + "factors: []"},
+      {"doe", doe + "factors: [{path: a, range: [0, 1], values: [1]}]"},
+      {"doe", doe + "factors: [{path: a}]"},
+      {"doe", doe + "factors: [{path: a, range: [0, 1], levels: 1}]"},
+      {"doe", doe + "model: none\nfactors: [{path: a, range: [0, 1]}]"},
+  };
+  for (const auto& [schema, text] : bad) {
+    EXPECT_THROW(read_any(text), InvalidInput) << text;
+    EXPECT_NE(schema_errors(testing::as_json(targets::parse_document(text, "in.yaml")), schema), "") << text;
+  }
+}
+
+/// A small picture: a bar on white.
+std::string image_file() {
+  static const testing::TemporaryFolder folder;
+  std::string text = "P1 12 12\n";
+  for (int row = 0; row < 12; ++row) text += "0 0 0 0 1 1 1 1 0 0 0 0\n";
+  return folder.write("bar.pbm", text);
+}
+
+/// Files that a key may be set in, one for each way in which a list of keys may be filled.
+std::vector<Json> files_of(const std::string& list) {
+  const auto target = [](const char* text) { return Json{{"kinetix", 1}, {"target", Json::parse(text)}}; };
+  const auto design = [](const char* drive) {
+    return Json{{"kinetix", 1},
+                {"structure", {{"cells", {2, 1}}}},
+                {"design", {{"hinges", Json::parse(R"([{"wall": [[0, 0], [1, 0]]}])")}}},
+                {"drive", Json::parse(drive)}};
+  };
+  const auto sweep = [](const char* factor) {
+    Json file = testing::as_json(targets::parse_document(doe, "in.yaml"));
+    file["model"] = "equilibrium";
+    file["factors"] = Json::array({Json::parse(factor)});
+    return file;
+  };
+  if (list == "target curve") return {target(R"({"kind": "curve", "points": [[0, 0], [60, 0], [60, 40]]})")};
+  Json image = target(R"({"kind": "display"})");
+  image["target"]["image"] = image_file();
+  if (list == "target display")
+    return {target(R"({"kind": "display", "glyph": "T"})"), image,
+            target(R"({"kind": "display", "rows": ["0110", "0110", "0000"]})")};
+  if (list == "target fold")
+    return {target(R"({"kind": "fold", "box": [2, 2, 2]})"),
+            target(R"({"kind": "fold", "net": {"faces": [{"name": "a", "cells": [2, 2]},
+                       {"name": "b", "cells": [2, 2]}],
+                       "creases": [{"faces": ["a", "b"], "side": "top", "angle_deg": 90}]}})")};
+  if (list == "target helmet") return {target(R"({"kind": "helmet", "mesh": "headform.obj"})")};
+  if (list == "doe")
+    return {sweep(R"({"path": [{"path": "a"}], "range": [0, 1]})"),
+            sweep(R"({"path": {"path": "a"}, "range": [0, 1]})"),
+            sweep(R"({"path": "a", "normal": {"mean": 0, "sd": 1}})"),
+            sweep(R"({"path": "a", "values": [1]})")};
+  return {design(R"({"kind": "plates", "compression": 0.1})"),
+          design(R"({"kind": "hinge", "wall": [[0, 0], [1, 0]], "angle_deg": 10})")};
+}
+
+struct PlacedKey {
+  std::string path;
+  targets::Key key;
+};
+
+void add_keys(std::vector<PlacedKey>& all, const std::string& path, const targets::ValueType& type) {
+  if (type.kind == Kind::map)
+    for (const targets::Key& key : type.keys->keys()) {
+      const std::string inner = path + (path.empty() ? "" : ".") + key.name;
+      all.push_back({inner, key});
+      add_keys(all, inner, key.type);
+    }
+  for (const targets::ValueType& part : type.parts)
+    add_keys(all, type.kind == Kind::list ? path + "[0]" : path, part);
+}
+
+/// "a.b[0].c" as a JSON pointer.
+Json::json_pointer pointer(std::string path) {
+  for (std::size_t at = 0; (at = path.find_first_of(".[", at)) != std::string::npos;) path[at] = '/';
+  path.erase(std::remove(path.begin(), path.end(), ']'), path.end());
+  return Json::json_pointer("/" + path);
+}
+
+/// What the program says of a file; nothing where it can be read.
+std::optional<InvalidInput> refusal_of(const Json& file) {
+  try {
+    read_any(file.dump());
+    return std::nullopt;
+  } catch (const InvalidInput& e) {
+    return e;
+  }
+}
+
+/// Whether one of the files of a list, with a value at the key, is as a test wants it.
+bool one_is(const std::string& list, const std::string& path, const Json& value,
+            const std::function<bool(const std::optional<InvalidInput>&)>& wanted) {
+  for (Json file : files_of(list)) {
+    try {
+      file[pointer(path)] = value;
+    } catch (const Json::exception&) {
+      continue;  // this way has another value where the key's map would stand
+    }
+    if (wanted(refusal_of(file))) return true;
+  }
+  return false;
+}
+
+class EveryKey : public ::testing::TestWithParam<std::string> {
+ protected:
+  std::vector<PlacedKey> keys() const {
+    std::vector<PlacedKey> all;
+    for (const KeyList& list : all_keys())
+      if (list.name == GetParam()) add_keys(all, "", targets::value::map(*list.keys));
+    return all;
+  }
+};
+
+TEST_P(EveryKey, IsRead) {
+  ASSERT_FALSE(keys().empty());
+  for (const auto& [path, key] : keys())
+    EXPECT_TRUE(
+        one_is(GetParam(), path, nullptr,
+               [&path = path](const auto& refusal) { return refusal && refusal->place().key == path; }))
+        << path << " is documented, but a value that cannot be there is not refused";
+}
+
+TEST_P(EveryKey, MayBeGivenItsDefault) {
+  for (const auto& [path, key] : keys()) {
+    if (key.fallback.kind != targets::Default::Kind::literal) continue;
+    const Json parsed = Json::parse(key.fallback.text, nullptr, false);
+    EXPECT_TRUE(one_is(GetParam(), path, parsed.is_discarded() ? Json(key.fallback.text) : parsed,
+                       [](const auto& refusal) { return !refusal; }))
+        << path << ": " << key.fallback.text;
+  }
+}
+
+TEST_P(EveryKey, HasAMeaning) {
+  for (const auto& [path, key] : keys()) EXPECT_FALSE(key.meaning.empty()) << path;
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, EveryKey,
+                         ::testing::Values("target curve", "target display", "target fold", "target helmet",
+                                           "design", "doe"),
+                         [](const auto& list) {
+                           std::string name = list.param;
+                           std::replace(name.begin(), name.end(), ' ', '_');
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace kinetix::app

@@ -1,0 +1,260 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "app/goals/display/display_kind.hpp"
+#include "app/goals/display/panel_memory.hpp"
+#include "app/pictures/far_view.hpp"
+#include "app/pictures/panel_picture.hpp"
+#include "app/pipeline/pipeline.hpp"
+#include "targets/display/glyph_goal.hpp"
+#include "tests/app/program.hpp"
+#include "tests/app/schema_errors.hpp"
+#include "tests/support/bad_input.hpp"
+#include "tests/support/paper_scenes.hpp"
+#include "tests/support/recogniser.hpp"
+#include "tests/targets/images.hpp"
+
+namespace kinetix::testing {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+using Json = nlohmann::json;
+
+/// A square ring of a cell's width on a small panel: quick to search and to verify.
+constexpr const char* ring = R"(kinetix: 1
+name: ring
+target: {kind: display, rows: ["000000", "011110", "010010", "010010", "011110", "000000"]}
+solver: {starts: 2, max_evaluations: 50}
+)";
+
+TEST(Display, IsSearchedVerifiedAndDrawn) {
+  const Scratch scratch;
+  const std::string folder = scratch / "out";
+  const Outcome run = kinetix_opt(scratch.write("ring.yaml", ring) + " -o " + folder);
+  EXPECT_EQ(run.code, 0) << run.out << run.err;
+  EXPECT_THAT(run.out, HasSubstr("in the physics run: auc 1.000"));
+
+  const Json result = Json::parse(text_of(folder + "/result.json"));
+  EXPECT_EQ(schema_errors(result), "");
+  EXPECT_EQ(result["target"]["rows"][1], "011110");
+  EXPECT_EQ(result["tolerance"],
+            (Json{{"stretch", 0.12}, {"auc", 0.97}, {"contrast", 3.0}, {"verify", 0.05}}));
+  EXPECT_EQ(result["metrics"]["contrast_rest"], 0);
+  EXPECT_EQ(result["metrics"]["auc"], 1);
+  EXPECT_GE(result["metrics"]["contrast_physics"], 3);
+  EXPECT_LE(result["metrics"]["stretch_max"], 0.12);
+  EXPECT_EQ(result["display"]["after"]["cells"].size(), 36u);
+  for (const char* picture : {"before", "hinges", "after", "physics"}) {
+    EXPECT_THAT(text_of(folder + "/" + picture + ".svg"), HasSubstr("<svg")) << picture;
+    EXPECT_THAT(text_of(folder + "/" + picture + ".png"), StartsWith("\x89PNG")) << picture;
+  }
+  EXPECT_TRUE(std::filesystem::exists(folder + "/frames/00.png"));
+
+  const Outcome again = kinetix_opt("verify " + folder + "/design.yaml -o " + scratch.path() + "/again");
+  EXPECT_EQ(again.code, 0) << again.out << again.err;
+}
+
+/// Runs of other kinds, or without the physics, into the same folder.
+TEST(Display, LeavesNoPicturesOfAnEarlierRun) {
+  const Scratch scratch;
+  const std::string folder = scratch / "out", display = scratch.write("ring.yaml", ring);
+  ASSERT_EQ(kinetix_opt(display + " -o " + folder).code, 0);
+  ASSERT_TRUE(fs::exists(folder + "/physics.svg"));
+  ASSERT_EQ(kinetix_opt(display + " --no-verify -o " + folder).code, 0);
+  EXPECT_FALSE(fs::exists(folder + "/physics.svg"));
+  EXPECT_TRUE(fs::exists(folder + "/after.svg"));
+
+  std::ofstream(folder + "/before.svg") << "drawn over by hand";
+  std::ofstream(folder + "/frames/own.txt") << "a note";
+  ASSERT_EQ(kinetix_opt("simulate " + folder + "/design.yaml --model equilibrium -o " + folder).code, 0);
+  std::set<std::string> left;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) left.insert(entry.path().filename());
+  EXPECT_EQ(left, (std::set<std::string>{"before.svg", "design.yaml", "frames", "own.txt", "report.html",
+                                         "result.json"}));
+}
+
+/// The picture has no symmetry of its own; its hinges are tied all the same.
+TEST(Display, HingesKeepTheirSymmetryAndTheirDistanceFromCorners) {
+  const Scratch scratch;
+  const std::string text = R"(kinetix: 1
+target: {kind: display, rows: ["000000", "011110", "001100", "001100", "000100", "000000"]}
+structure: {cells: [6, 6], cell_mm: 10}
+variables: {t: {corner_mm: 2.5, symmetry: mirror_x}}
+tolerance: {contrast: 0, auc: 0.51}
+solver: {starts: 1, max_evaluations: 60}
+)";
+  const Outcome run = kinetix_opt(scratch.write("tied.yaml", text) + " --no-verify -o " + scratch.path());
+  ASSERT_EQ(run.code, 0) << run.out << run.err;
+  const Json result = Json::parse(text_of(scratch / "result.json"));
+  double least = 1, most = 0;
+  for (const auto& hinge : result["structure"]["hinges"]) {
+    least = std::min(least, hinge["t"].get<double>());
+    most = std::max(most, hinge["t"].get<double>());
+    const double x = hinge["point_mm"][0], y = hinge["point_mm"][1];
+    const auto is_mirrored = [&](const Json& other) {
+      return std::hypot(other["point_mm"][0].get<double>() - (60 - x),
+                        other["point_mm"][1].get<double>() - y) < 1e-12;
+    };
+    EXPECT_TRUE(std::ranges::any_of(result["structure"]["hinges"], is_mirrored)) << x << " " << y;
+  }
+  EXPECT_GE(least, 0.25);
+  EXPECT_LE(most, 0.75);
+  EXPECT_GT(most - least, 0.4);
+}
+
+TEST(Display, ThatCannotBeShownSaysWhy) {
+  const Scratch scratch;
+  const std::string text = R"(kinetix: 1
+target: {kind: display, rows: ["0000", "0110", "0010", "0000"]}
+tolerance: {contrast: 1e6}
+solver: {starts: 1, max_evaluations: 3}
+)";
+  const Outcome run = kinetix_opt(scratch.write("ring.yaml", text) + " --no-verify -o " + scratch.path());
+  EXPECT_EQ(run.code, 3) << run.out << run.err;
+  EXPECT_THAT(run.out, HasSubstr("at least 1000000.00 is required"));
+  EXPECT_THAT(run.out,
+              HasSubstr("no larger panel that was tried shows it within these bounds either: [8, 8]"));
+  const Json result = Json::parse(text_of(scratch / "result.json"));
+  EXPECT_EQ(schema_errors(result), "");
+  EXPECT_EQ(result["display"]["larger_panels_tried"].size(), 1u);
+  EXPECT_FALSE(result["display"].contains("needed_cells"));
+  EXPECT_GT(result["timing_s"]["larger_panels"], 0);
+}
+
+TEST(Display, NamesALargerPanelThatShowsThePictureAsAsked) {
+  const Scratch scratch;
+  const std::string text = R"(kinetix: 1
+target: {kind: display, rows: ["0110", "1001", "1001", "0110"]}
+tolerance: {contrast: 8}
+solver: {starts: 1, max_evaluations: 40}
+)";
+  const Outcome run = kinetix_opt(scratch.write("rhomb.yaml", text) + " --no-verify -o " + scratch.path());
+  EXPECT_EQ(run.code, 3) << run.out << run.err;
+  const Json result = Json::parse(text_of(scratch / "result.json"));
+  EXPECT_EQ(schema_errors(result), "");
+  EXPECT_EQ(result["display"]["needed_for"], "contrast");
+  EXPECT_EQ(result["display"]["needed_cells"], (std::vector{8, 8}));
+  EXPECT_THAT(run.out, HasSubstr("cells shows it within these bounds"));
+}
+
+TEST(Display, NamesThePanelThatKeepsAllStrokes) {
+  const Scratch scratch;
+  const std::string text = R"(kinetix: 1
+target: {kind: display, glyph: B}
+structure: {cells: [6, 6]}
+solver: {starts: 1, max_evaluations: 10}
+)";
+  const Outcome run = kinetix_opt(scratch.write("b.yaml", text) + " --no-verify -o " + scratch.path());
+  EXPECT_EQ(run.code, 3) << run.out << run.err;
+  EXPECT_THAT(run.out, HasSubstr("the smallest panel that shows it whole has [7, 7] cells"));
+  const Json result = Json::parse(text_of(scratch / "result.json"));
+  EXPECT_EQ(result["display"]["needed_cells"], (std::vector{7, 7}));
+  EXPECT_EQ(result["display"]["needed_for"], "strokes");
+}
+
+TEST(Display, RefusesWhatCannotBeAndWritesNothing) {
+  const Scratch scratch;
+  write_image(scratch / "flat.png", drawn({"....", "...."}));
+  write_image(scratch / "damaged.png", drawn({"#...", "...."}));
+  std::string damaged = text_of(scratch / "damaged.png");
+  damaged[damaged.find("IDAT") + 6] ^= 1;
+  scratch.write("damaged.png", damaged);
+  write_image(scratch / "grey.png", {{0, 90}, {180, 255}});
+  scratch.write("text.png", "no picture\n");
+  scratch.write("nine.pgm", "P2\n2 1 9\n0 9\n");
+  scratch.write("huge.pgm", "P5\n80000 80000\n255\n");
+  const std::vector<std::array<std::string, 2>> cases = {
+      {"glyph: \"\"", "is empty; give a letter or a short word"},
+      {"glyph: \" \"", "shows no ink"},
+      {"glyph: T, font: DejaVu Sanz", "is not installed"},
+      {"glyph: T, font: DejaVu Sanz", "DejaVu Sans"},
+      {"image: none.png", "no such file"},
+      {"image: text.png", "give a PNG, PBM or PGM file"},
+      {"image: damaged.png", "damaged.png: is damaged"},
+      {"image: nine.pgm", "largest value is 1, 3, 15, 255 or 65535"},
+      {"image: huge.pgm", "80000 x 80000 pixels; at most 64 megapixels"},
+      {"image: flat.png", "one value everywhere"},
+      {"image: grey.png, levels: grey}\ntolerance: {contrast: 3",
+       "tolerance.contrast: is for pictures of two levels"},
+      {"rows: [\"00\", \"00\"]", "every cell is rest"},
+      {"glyph: T}\nstructure: {cells: [1, 1]", "from 2 to 1000"},
+      {"glyph: T}\nstructure: {cells: [1000, 1000]", "250000 in all are allowed"},
+  };
+  for (const auto& [target, says] : cases) {
+    const std::string file =
+        scratch.write("bad.yaml", "kinetix: 1\ntarget: {kind: display, " + target + "}\n");
+    const Outcome run = kinetix_opt(file + " -o " + scratch.path() + "/out");
+    EXPECT_EQ(run.code, 2) << target;
+    EXPECT_THAT(run.err, HasSubstr(says));
+    EXPECT_THAT(run.err, HasSubstr("bad.yaml:"));
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    EXPECT_FALSE(std::filesystem::exists(scratch / "out")) << target;
+  }
+}
+
+TEST(PanelMemory, PanelsThatMemoryDoesNotHoldAreRefused) {
+  const std::size_t gib = std::size_t{1} << 30;
+  EXPECT_NO_THROW(app::check_memory({100, 100}, 2, 4, gib));
+  EXPECT_NO_THROW(app::check_memory({300, 50}, 8, 1, gib));
+  EXPECT_THAT(refusal([&] {
+                app::check_memory({500, 500}, 2, 4, 8 * gib);
+              }),
+              AllOf(HasSubstr("structure.cells"), HasSubstr("500 x 500 cells takes about 23.3 GiB"),
+                    HasSubstr("has 8.0 GiB; give fewer cells, or --threads 1")));
+}
+
+TEST(PanelPicture, IsToScaleAndRefusesBrokenStates) {
+  const model::Structure panel = make_structure(model::rectangle(3, 2), {});
+  model::State state = rest_state(panel);
+  // Half a cell of margin on both sides: 40 mm by 30 mm, in points of 1/72 inch.
+  EXPECT_THAT(app::panel_picture(panel, state, {}), HasSubstr("113.38"));
+  state[2].p.x() = NAN;
+  EXPECT_THROW(app::panel_picture(panel, state, {}), std::runtime_error);
+}
+
+// Hinges sit elsewhere, but a flat wall is a flat wall: nothing betrays the letter before compression.
+TEST(FarView, IsTheSameForEveryFlatPanel) {
+  const model::Structure plain = make_structure(model::rectangle(10, 10), {}), letter = letter_panel(0.1);
+  const model::State flat = rest_state(plain);
+  EXPECT_EQ(app::far_view(letter, flat), app::far_view(plain, flat));
+  EXPECT_EQ(app::panel_picture(letter, flat, {.format = app::PictureFormat::png}),
+            app::panel_picture(plain, flat, {.format = app::PictureFormat::png}));
+}
+
+/// A letter on 12 x 12 cells after a short search, in the model.
+app::Run searched(const std::string& text) {
+  app::DisplayFile file;
+  file.goal = glyph_goal(text, targets::find_font(targets::default_font), 12, 12);
+  file.channel = optim::Channel::area;
+  file.solver.starts = 1;
+  file.solver.max_evaluations = 40;
+  app::RunOptions options;
+  options.verify = false;
+  return run_scene(*make_scene(file), options);
+}
+
+TEST(FarView, ARecogniserReadsTheLetterAfterCompressionAndNothingBefore) {
+  for (const char* text : {"C", "Z"}) {
+    const auto run = searched(text);
+    EXPECT_EQ(read_capitals(app::far_view(run.structure, run.states.front().poses)), text);
+    EXPECT_EQ(read_capitals(app::far_view(run.structure, rest_state(run.structure))), "");
+  }
+}
+
+TEST(FarView, RefusesBrokenStates) {
+  const model::Structure panel = make_structure(model::rectangle(3, 2), {});
+  model::State state = rest_state(panel);
+  state[0].R(0, 0) = NAN;
+  EXPECT_THROW(app::far_view(panel, state), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace kinetix::testing

@@ -1,0 +1,119 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "tests/app/program.hpp"
+#include "tests/app/schema_errors.hpp"
+
+namespace kinetix::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using Json = nlohmann::json;
+
+/// Small, so that it is quick to verify.
+constexpr const char* box = R"(kinetix: 1
+name: box
+target: {kind: fold, box: [2, 1, 1]}
+)";
+
+constexpr const char* net = R"(kinetix: 1
+name: net
+target:
+  kind: fold
+  net:
+    faces: [{name: base, cells: [2, 3]}, {name: flap, cells: [2, 2]}, {name: tail, cells: [1, 3]}]
+    creases:
+      - {faces: [base, flap], side: top, angle_deg: 60}
+      - {faces: [base, tail], side: left, angle_deg: -45}
+)";
+
+TEST(Fold, IsSearchedVerifiedAndDrawn) {
+  const Scratch scratch;
+  const std::string folder = scratch / "out";
+  const std::string text = std::string(box) + "tolerance: {angle_deg: 0.3}\n";
+  const Outcome run = kinetix_opt(scratch.write("box.yaml", text) + " -o " + folder);
+  EXPECT_EQ(run.code, 0) << run.out << run.err;
+  EXPECT_THAT(run.out, HasSubstr("in the physics run: 5 creases within"));
+
+  const Json result = Json::parse(text_of(folder + "/result.json"));
+  EXPECT_EQ(schema_errors(result), "");
+  EXPECT_EQ(result["target"]["box"], Json({2, 1, 1}));
+  EXPECT_EQ(result["target"]["faces"].size(), 6u);
+  EXPECT_EQ(result["tolerance"], (Json{{"angle_deg", 0.3}, {"shape", 0.02}, {"verify", 0.02}}));
+  EXPECT_EQ(result["plan"]["family"], "F4");
+  ASSERT_EQ(result["metrics"]["fold_deg"].size(), 5u);
+  for (const double fold : result["metrics"]["fold_deg"]) EXPECT_NEAR(fold, 90, 1e-9);
+  EXPECT_LE(result["metrics"]["face_rms"], 1e-12);
+  EXPECT_LE(result["metrics"]["face_rms_physics"], 1e-6);
+  EXPECT_LE(result["metrics"]["verify_rms"], 1e-6);
+  EXPECT_THAT(text_of(folder + "/report.html"), HasSubstr("Net and creases"));
+
+  const Outcome again = kinetix_opt("verify " + folder + "/design.yaml -o " + scratch.path() + "/again");
+  EXPECT_EQ(again.code, 0) << again.out << again.err;
+  const Outcome exact =
+      kinetix_opt("simulate " + folder + "/design.yaml --model exact -o " + scratch.path() + "/exact");
+  EXPECT_EQ(exact.code, 0) << exact.out << exact.err;
+}
+
+TEST(Fold, OfANetBendsBothWays) {
+  const Scratch scratch;
+  const std::string folder = scratch / "out";
+  const Outcome run = kinetix_opt(scratch.write("net.yaml", net) + " -o " + folder);
+  EXPECT_EQ(run.code, 0) << run.out << run.err;
+  const Json result = Json::parse(text_of(folder + "/result.json"));
+  EXPECT_EQ(schema_errors(result), "");
+  EXPECT_NEAR(result["metrics"]["fold_physics_deg"][0], 60, 1e-3);
+  EXPECT_NEAR(result["metrics"]["fold_physics_deg"][1], -45, 1e-3);
+}
+
+TEST(Fold, ThatCannotBeSaysWhy) {
+  const Scratch scratch;
+  const std::string text = std::string(box) + "variables: {beta: {range_deg: [-5, 5]}}\n";
+  const Outcome run = kinetix_opt(scratch.write("box.yaml", text) + " -o " + scratch.path());
+  EXPECT_EQ(run.code, 3) << run.out << run.err;
+  EXPECT_THAT(run.out, HasSubstr("would need tilts of"));
+  EXPECT_THAT(run.out, HasSubstr("at most 5.0 deg is allowed: give it more columns"));
+  EXPECT_EQ(schema_errors(Json::parse(text_of(scratch.path() + "/result.json"))), "");
+}
+
+TEST(Fold, WhoseWallsCollideSaysAtWhichThetaAndHowFarItWouldHaveToGo) {
+  const Scratch scratch;
+  const Outcome run = kinetix_opt(
+      scratch.write(
+          "flap.yaml",
+          "kinetix: 1\ntarget: {kind: fold, net: {faces: [{name: a, cells: [2, 2]}, {name: b, cells: [2, "
+          "2]}], creases: [{faces: [a, b], side: top, angle_deg: -175}]}}\n"
+          "structure: {cell_mm: 10, wall_mm: {thickness: 1.5, height: 14}}\n") +
+      " -o " + scratch.path());
+  EXPECT_EQ(run.code, 3) << run.out << run.err;
+  EXPECT_THAT(run.out,
+              ::testing::ContainsRegex("with 4 columns per crease, walls of crease `a-b` run into each other "
+                                       "at theta 6\\.[0-9]+ deg; the fold needs 40\\.[0-9]+ deg"));
+  EXPECT_THAT(run.out, HasSubstr("DOES NOT FOLD AS REQUIRED"));
+}
+
+TEST(Fold, RefusesBadInputAndWritesNothing) {
+  const Scratch scratch;
+  const std::string head = "kinetix: 1\ntarget: {kind: fold, ";
+  const std::pair<std::string, std::string> cases[] = {
+      {head + "box: [4, 0, 4]}\n", "target.box[1]"},
+      {head + "box: [4, 4, 4]}\nstructure: {cells: [3, 3]}\n", "follow from its faces"},
+      {head + "box: [4, 4, 4]}\nvariables: {beta: {range_deg: [10, 60]}}\n", "leaves one sign out"},
+      {head + "box: [4, 4, 4]}\nvariables: {theta: {range_deg: [44, 44.9]}}\n", "variables"},
+      {head + "box: [4, 4, 4]}\ntolerance: {angle: 1}\n", "did you mean `angle_deg`?"},
+      {head + "net: {faces: [{name: a, cells: [2, 2]}, {name: b, cells: [2, 2]}], creases: []}}\n",
+       "hang together"},
+  };
+  for (const auto& [text, says] : cases) {
+    const Outcome run = kinetix_opt(scratch.write("bad.yaml", text) + " -o " + scratch.path() + "/out");
+    EXPECT_EQ(run.code, 2) << text << run.out;
+    EXPECT_THAT(run.err, HasSubstr(says));
+    EXPECT_FALSE(std::filesystem::exists(scratch.path() + "/out"));
+  }
+}
+
+}  // namespace
+}  // namespace kinetix::testing

@@ -1,0 +1,217 @@
+#include "app/io/atomic_file.hpp"
+
+#include <gmock/gmock.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <filesystem>
+
+#include "app/io/file_record.hpp"
+#include "app/io/sha256.hpp"
+#include "tests/support/bad_input.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace kinetix::app {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using testing::read_file;
+using testing::refusal;
+using testing::TemporaryFolder;
+
+std::size_t entries(const std::string& folder) {
+  return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+TEST(WriteFile, WritesNewFilesAndReplacesOldOnes) {
+  TemporaryFolder folder;
+  write_file(folder.path("a.json"), "one");
+  write_file(folder.path("a.json"), "two");
+  EXPECT_EQ(read_file(folder.path("a.json")), "two");
+  EXPECT_EQ(entries(folder.path("")), 1u);
+}
+
+TEST(WriteFile, NamesTheFolderThatCannotBeWritten) {
+  TemporaryFolder folder;
+  const auto file = folder.write("file", "x");
+  EXPECT_THAT(refusal([&] { write_file(file + "/a.json", "x"); }),
+              ::testing::AllOf(::testing::StartsWith(file + ": cannot write"), HasSubstr("Not a directory")));
+  EXPECT_THAT(refusal([&] { write_file(folder.path("none/a.json"), "x"); }),
+              HasSubstr("No such file or directory"));
+  EXPECT_THAT(refusal([] { write_file("/proc/a.json", "x"); }), ::testing::StartsWith("/proc: cannot write"));
+  EXPECT_EQ(entries(folder.path("")), 1u);
+}
+
+TEST(WriteFile, LeavesNothingBehindWhereTheNameIsTaken) {
+  TemporaryFolder folder;
+  fs::create_directories(folder.path("a.json/full"));
+  EXPECT_THAT(refusal([&] { write_file(folder.path("a.json"), "x"); }),
+              HasSubstr("a.json: cannot be written: "));
+  EXPECT_EQ(entries(folder.path("")), 1u);
+}
+
+/// While it lives no file may be larger than 64 KiB.
+class FullDisk {
+ public:
+  FullDisk() {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit small{1 << 16, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);
+  }
+  ~FullDisk() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+ private:
+  void (*handler_)(int) = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit before_{};
+};
+
+TEST(WriteFile, KeepsTheOldFileWhenTheDiskIsFull) {
+  TemporaryFolder folder;
+  const auto file = folder.write("a.json", "old");
+  const std::string message = refusal([&] {
+    const FullDisk disk;
+    write_file(file, std::string(1 << 20, 'x'));
+  });
+  EXPECT_THAT(message, HasSubstr("a.json: cannot be written: File too large"));
+  EXPECT_EQ(read_file(file), "old");
+  EXPECT_EQ(entries(folder.path("")), 1u);
+}
+
+TEST(FileSet, BringsAllFilesAtOnceAndReplacesOldOnes) {
+  TemporaryFolder folder;
+  folder.write("a.txt", "old");
+  FileSet files(folder.path(""));
+  files.add("a.txt", "new");
+  files.add("frames/00.txt", "first");
+  files.add("frames/01.txt", "second");
+  EXPECT_EQ(read_file(folder.path("a.txt")), "old");
+  EXPECT_FALSE(fs::exists(folder.path("frames/00.txt")));
+  files.commit();
+  EXPECT_EQ(read_file(folder.path("a.txt")), "new");
+  EXPECT_EQ(read_file(folder.path("frames/01.txt")), "second");
+  EXPECT_EQ(entries(folder.path("")), 2u);
+  EXPECT_EQ(entries(folder.path("frames")), 2u);
+}
+
+TEST(FileSet, LeavesEverythingAsItWasWhenTheDiskIsFull) {
+  TemporaryFolder folder;
+  folder.write("a.txt", "old");
+  const std::string message = refusal([&] {
+    const FullDisk disk;
+    FileSet files(folder.path(""));
+    files.add("a.txt", "new");
+    files.add("frames/00.txt", "first");
+    files.add("b.txt", std::string(1 << 20, 'x'));
+    files.commit();
+  });
+  EXPECT_THAT(message, HasSubstr("b.txt: cannot be written: File too large"));
+  EXPECT_EQ(read_file(folder.path("a.txt")), "old");
+  EXPECT_EQ(entries(folder.path("")), 1u);
+}
+
+TEST(FileSet, GivesEarlierFilesTheirOldContentBackWhereALaterNameIsTaken) {
+  TemporaryFolder folder;
+  folder.write("a.txt", "old");
+  fs::create_directories(folder.path("c.txt/full"));
+  FileSet files(folder.path(""));
+  for (const char* name : {"a.txt", "b.txt", "c.txt", "d.txt"}) files.add(name, "new");
+  EXPECT_THAT(refusal([&] { files.commit(); }), HasSubstr("c.txt: cannot be written: Is a directory"));
+  EXPECT_EQ(read_file(folder.path("a.txt")), "old");
+  EXPECT_FALSE(fs::exists(folder.path("b.txt")));
+  EXPECT_FALSE(fs::exists(folder.path("d.txt")));
+}
+
+TEST(FileSet, ThatIsNotCommittedLeavesNoTrace) {
+  TemporaryFolder folder;
+  {
+    FileSet files(folder.path(""));
+    files.add("a/b/c.txt", "x");
+    EXPECT_EQ(entries(folder.path("a/b")), 1u);
+  }
+  EXPECT_EQ(entries(folder.path("")), 0u);
+}
+
+/// Writes files and their record, as a run does.
+void write_recorded(const TemporaryFolder& folder, const std::vector<std::string>& names) {
+  FileRecord record(folder.path(""));
+  FileSet files(folder.path(""));
+  for (const std::string& name : names) {
+    files.add(name, "content of " + name);
+    record.add(name, "content of " + name);
+  }
+  if (!names.empty()) files.add(FileRecord::name, record.text());
+  files.commit();
+  record.remove_what_is_left_over();
+}
+
+TEST(FileRecord, RemovesWhatTheEarlierRunWroteAndThisOneDoesNot) {
+  TemporaryFolder folder;
+  write_recorded(folder, {"a.svg", "b.svg", "frames/00.png", "frames/01.png"});
+  EXPECT_EQ(entries(folder.path("")), 4u);
+  write_recorded(folder, {"a.svg", "frames/00.png"});
+  EXPECT_TRUE(fs::exists(folder.path("a.svg")));
+  EXPECT_FALSE(fs::exists(folder.path("b.svg")));
+  EXPECT_EQ(entries(folder.path("frames")), 1u);
+  write_recorded(folder, {});
+  EXPECT_EQ(entries(folder.path("")), 0u);
+}
+
+TEST(FileRecord, LeavesTheUsersOwnFilesAlone) {
+  TemporaryFolder folder, other;
+  write_recorded(folder, {"a.svg", "b.svg", "c.svg", "frames/00.png"});
+  folder.write("a.svg", "drawn over by hand");
+  folder.write("own.svg", "content of own.svg");
+  folder.write("frames/own.png", "x");
+  fs::rename(folder.path("b.svg"), other.path("b.svg"));
+  fs::create_symlink(other.path("b.svg"), folder.path("b.svg"));
+  fs::remove(folder.path("c.svg"));
+  write_recorded(folder, {});
+  EXPECT_EQ(read_file(folder.path("a.svg")), "drawn over by hand");
+  EXPECT_TRUE(fs::exists(folder.path("own.svg")));
+  EXPECT_TRUE(fs::exists(folder.path("frames/own.png")));
+  EXPECT_FALSE(fs::exists(folder.path("frames/00.png")));
+  EXPECT_TRUE(fs::exists(other.path("b.svg")));
+  EXPECT_TRUE(fs::is_symlink(folder.path("b.svg")));
+}
+
+TEST(FileRecord, NeverReachesOutOfItsFolder) {
+  TemporaryFolder outer;
+  const std::string hash = sha256("mine");
+  outer.write("mine.txt", "mine");
+  fs::create_directory(outer.path("in"));
+  outer.write(std::string("in/") + FileRecord::name,
+              hash + "  ../mine.txt\n" + hash + "  " + outer.path("mine.txt") + "\n\nshort\n");
+  FileRecord(outer.path("in")).remove_what_is_left_over();
+  EXPECT_TRUE(fs::exists(outer.path("mine.txt")));
+}
+
+TEST(OutputFolder, IsCreatedWithItsParentsAndLeftEmpty) {
+  TemporaryFolder folder;
+  const auto deep = folder.path("a/b/c");
+  OutputFolder(deep).keep();
+  OutputFolder(deep + "/").keep();
+  EXPECT_EQ(entries(deep), 0u);
+}
+
+TEST(OutputFolder, SaysWhyItCannotBeUsed) {
+  TemporaryFolder folder;
+  const auto file = folder.write("file", "x");
+  EXPECT_THAT(refusal([&] { OutputFolder folder_of_results(file); }),
+              ::testing::StartsWith(file + ": cannot create"));
+  EXPECT_THAT(refusal([&] { OutputFolder folder_of_results(file + "/below"); }),
+              HasSubstr("Not a directory"));
+  EXPECT_THAT(refusal([] { OutputFolder folder_of_results("/proc/kinetix"); }),
+              ::testing::StartsWith("/proc/kinetix: "));
+  EXPECT_THAT(refusal([] { OutputFolder folder_of_results("/proc"); }),
+              ::testing::StartsWith("/proc: cannot write"));
+  EXPECT_THAT(refusal([] { OutputFolder folder_of_results(""); }), HasSubstr("no name"));
+}
+
+}  // namespace
+}  // namespace kinetix::app

@@ -1,0 +1,106 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/files/file_header.hpp"
+#include "app/files/physics_section.hpp"
+#include "app/goals/registry.hpp"
+#include "app/pipeline/exact_state.hpp"
+#include "app/pipeline/physics_settings.hpp"
+#include "app/run/midline.hpp"
+
+/// A kind of goal in one file: a strip of one row of upright cells that folds to a width.
+///
+///     target: {kind: width, width_mm: 50, cells: 6, cell_mm: 10}
+namespace kinetix::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double widest_theta = 40 * radians_per_degree;  // rad, before walls touch
+
+const targets::KeyTable& width_keys() {
+  namespace value = targets::value;
+  static const targets::KeyTable target({
+      targets::goal_kind_key("width"),
+      {"width_mm", value::number(targets::above(0, "mm")), targets::needed, "width of the folded strip"},
+      {"cells", value::integer(2, 100), targets::needed, "how many cells the strip has"},
+      {"cell_mm", value::number(targets::above(0, "mm")), targets::needed, "cell edge"},
+  });
+  static const targets::KeyTable keys =
+      file_keys({{"target", value::map(target), targets::needed, "the goal"}});
+  return keys;
+}
+
+struct WidthOutcome final : GoalOutcome {
+  double asked_mm = 0, found_mm = 0;
+
+  Json target_json() const override { return {{"kind", "width"}, {"width_mm", asked_mm}}; }
+  void add_sections(const Run&, Json& result) const override { result["width"] = {{"reasons", violations}}; }
+  void add_metrics(Json& metrics) const override {
+    metrics["width_mm"] = found_mm;
+    metrics["met"] = met();
+  }
+  std::vector<SummaryLine> summary_lines(const Run&) const override {
+    return {{"width", std::to_string(found_mm) + " mm"}};
+  }
+};
+
+double width(const model::Structure& structure, const model::State& state) {
+  const auto line = column_midline(structure, state);
+  return (line.back() - line.front()).norm();
+}
+
+struct WidthScene final : Scene {
+  explicit WidthScene(const targets::Section& root) : name_(read_name(root)) {
+    const targets::Section target = root.section("target");
+    target.read_needed("width_mm", "a width in mm", width_mm_);
+    target.read_needed("cells", "how many", cells_);
+    target.read_needed("cell_mm", "a cell's edge in mm", cell_mm_);
+  }
+
+  std::string name() const override { return name_; }
+
+  void solve(Run& run, const RunOptions&) const override {
+    run.structure = make_structure(model::rectangle(cells_, 1), {cell_mm_, 0.08 * cell_mm_, 0.6 * cell_mm_});
+    const model::Classification family = classify(run.structure);
+    double narrow = widest_theta, wide = 0;
+    for (int k = 0; k < 60; ++k) {
+      run.theta = (narrow + wide) / 2;
+      (width(run.structure, fold(family, run.structure, run.theta)) > width_mm_ ? wide : narrow) = run.theta;
+    }
+    auto outcome = std::make_unique<WidthOutcome>();
+    outcome->asked_mm = width_mm_;
+    outcome->tolerances = {{"width_mm", 1e-9}};
+    run.goal = std::move(outcome);
+  }
+
+  void add_state(Run& run, const RunOptions&) const override { add_exact_state(run, run.theta); }
+
+  void judge(Run& run, const RunOptions&) const override {
+    auto& outcome = outcome_of<WidthOutcome>(run);
+    outcome.found_mm = width(run.structure, run.states.front().poses);
+    if (!(std::abs(outcome.found_mm - width_mm_) <= 1e-9)) outcome.violations = {"no theta has this width"};
+  }
+
+  std::optional<PhysicsTask> physics_task(const Run& run) const override {
+    return PhysicsTask{run.states.front().poses, drive_to(run.structure, run.theta),
+                       physics_options({}, cell_mm_)};
+  }
+
+  std::string name_;
+  double width_mm_ = 0, cell_mm_ = 0;
+  int cells_ = 0;
+};
+
+const GoalKind width_kind = {.name = "width",
+                             .example = "target: {kind: width, width_mm: 50, cells: 6, cell_mm: 10}",
+                             .read = [](const targets::Node& root) -> std::unique_ptr<Scene> {
+                               return std::make_unique<WidthScene>(targets::Section(root, width_keys()));
+                             },
+                             .table = width_keys,
+                             .metrics = {{"width_mm", "mm", "width of the folded strip"}}};
+
+[[maybe_unused]] const bool registered = (add_goal_kind(width_kind), true);
+
+}  // namespace
+}  // namespace kinetix::app

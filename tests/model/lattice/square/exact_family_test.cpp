@@ -1,0 +1,86 @@
+#include "model/lattice/square/exact_family.hpp"
+
+#include <ceres/jet.h>
+#include <gtest/gtest.h>
+#include <Eigen/Geometry>
+
+#include "model/lattice/square/exact_jacobian.hpp"
+#include "tests/support/exact_derivatives.hpp"
+#include "tests/support/random_designs.hpp"
+
+namespace kinetix::model {
+namespace {
+
+using testing::random_design;
+using testing::structure_of;
+
+TEST(ReflectionChain, ClosesEveryLoopOfARandomSheet) {
+  std::mt19937 random(7);
+  for (const Family family : {Family::F1, Family::F2, Family::F3})
+    for (const auto& [columns, rows] : {std::pair{1, 1}, {1, 9}, {17, 2}, {40, 1}, {100, 100}}) {
+      const auto design = random_design(family, columns, rows, random);
+      const Structure structure = structure_of(design);
+      const HingeGaps gaps = hinge_gaps(structure, fold(design, structure));
+      EXPECT_LE(gaps.max, 1e-12) << to_string(family) << " " << columns << "x" << rows;
+      EXPECT_LE(gaps.axis_max, 1e-12) << to_string(family) << " " << columns << "x" << rows;
+    }
+}
+
+TEST(ReflectionChain, StartsFlat) {
+  std::mt19937 random(8);
+  for (const Family family : {Family::F1, Family::F2, Family::F3}) {
+    auto design = random_design(family, 5, 4, random);
+    design.theta = 0;
+    const Structure structure = structure_of(design);
+    EXPECT_LE(aligned_distance(structure, fold(design, structure), rest_state(structure)).max, 1e-13);
+  }
+}
+
+TEST(ReflectionChain, FoldsOneBendingColumnByTwicePsi) {
+  auto design = ExactDesign<double>::basic(5, 1);
+  design.beta[2] = std::atan(std::sqrt(2.0));
+  design.theta = pi / 4;
+  State poses;
+  fold(design, 10.0, poses);
+  const Eigen::Vector3d up_before = poses[0].R.col(2), up_after = poses[10].R.col(2);
+  EXPECT_NEAR(std::acos(up_before.dot(up_after)), pi / 2, 1e-14);
+}
+
+TEST(ReflectionChain, JacobianMatchesCentralDifferences) {
+  std::mt19937 random(9);
+  for (const Family family : {Family::F1, Family::F2, Family::F3})
+    for (const double theta : {0.0, 1e-9, 0.3, 0.76}) {
+      auto design = random_design(family, 6, 3, random);
+      design.theta = theta;
+      design.beta[3] = 0;
+      EXPECT_LE(testing::jacobian_mismatch(design, 10.0), 1e-7) << to_string(family) << " theta " << theta;
+    }
+}
+
+TEST(ReflectionChain, JacobianMatchesDualNumbers) {
+  constexpr int parameters = 2 * 4 + 2 + 2;
+  using Jet = ceres::Jet<double, parameters>;
+  std::mt19937 random(10);
+  const auto design = random_design(Family::F3, 4, 2, random);
+  const Eigen::VectorXd x = testing::pack(design);
+  std::vector<Jet> dual(parameters);
+  for (int k = 0; k < parameters; ++k) dual[k] = Jet(x[k], k);
+  std::vector<PoseOf<Jet>> dual_poses;
+  fold(testing::unpack<Jet>(dual, 4, 2), 10.0, dual_poses);
+
+  State poses;
+  ExactJacobian jacobian;
+  fold_with_jacobian(design, 10.0, poses, jacobian);
+  for (std::size_t b = 0; b < poses.size(); ++b)
+    for (int k = 0; k < parameters; ++k) {
+      const Twist& twist = jacobian.twist(k, static_cast<int>(b));
+      for (int d = 0; d < 3; ++d) {
+        EXPECT_NEAR(twist.v[d], dual_poses[b].p[d].v[k], 1e-11);
+        const Eigen::Vector3d column_rate = twist.omega.cross(poses[b].R.col(d));
+        for (int e = 0; e < 3; ++e) EXPECT_NEAR(column_rate[e], dual_poses[b].R(e, d).v[k], 1e-11);
+      }
+    }
+}
+
+}  // namespace
+}  // namespace kinetix::model

@@ -1,0 +1,183 @@
+#!/usr/bin/python3
+"""Checks that the documentation holds together. usage: check_docs.py SOURCE_FOLDER
+
+Every page that is cited anywhere exists, and so does the section cited; every relative link of a page leads
+somewhere; the figures on disk are what docs/figures/draw.py draws, and each is shown somewhere; every package
+is in the table of licences.
+"""
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+SKIPPED = {".git", "build", "results", "__pycache__"}
+CODE = {".hpp", ".cpp", ".in", ".py", ".cmake", ".sh", ".js", ".html", ".css", ""}
+TEXTS = CODE | {".md", ".txt", ".yaml", ".json"}
+SELF = "tests/project/check_docs.py"  # cites pages that do not exist, to see that it notices
+# Pages and folders that are cited already and still to be written. One that exists must not stand here.
+PROMISED = set()
+# Fewer than this in the whole repository mean that the patterns below find nothing, not that all is well.
+LEAST_CITATIONS, LEAST_LINKS = 40, 40
+
+CITATION = re.compile(r"(?<![\w$/}.-])((?:[\w.-]+/)*[\w-]+\.md)\b(?!\.\w)(?:,? section (\d+))?")
+LINK = re.compile(r"!?\[(?:[^\[\]]|!?\[[^\]]*\]\([^)]*\))*\]\(([^)\s]+)\)")
+HEADING = re.compile(r"^#+ +(.*)$", re.MULTILINE)
+FENCE = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
+# Line ends within a comment, so that a citation may run over them.
+COMMENT_BREAK = re.compile(r"\n\s*(?:///?<?|#|\*)? *")
+
+
+class Repository:
+    def __init__(self, root):
+        self.root = Path(root).resolve()
+        self.texts = {path.relative_to(self.root).as_posix(): path.read_text(encoding="utf-8")
+                      for path in files(self.root)}
+        self.pages = [name for name in self.texts if name.endswith(".md")]
+        self.citations = self.links = 0
+
+    def exists(self, name):
+        return name in PROMISED or (self.root / name).exists()
+
+
+def files(root):
+    for folder, folders, names in os.walk(root):
+        folders[:] = sorted(set(folders) - SKIPPED)
+        for name in sorted(names):
+            if Path(name).suffix in TEXTS:
+                yield Path(folder) / name
+
+
+def normal(*parts):
+    return os.path.normpath(os.path.join(*parts)).replace(os.sep, "/")
+
+
+def promises_kept(repository):
+    for name in sorted(PROMISED):
+        if (repository.root / name).exists():
+            yield f"{name} exists now: take it off the list of promised pages in {SELF}"
+
+
+def citations(repository):
+    """A page may be cited from the root, from the folder of the file that cites it, or from docs."""
+    for name, text in repository.texts.items():
+        if name == SELF:
+            continue
+        for match in CITATION.finditer(COMMENT_BREAK.sub(" ", text)):
+            repository.citations += 1
+            page, section = match.groups()
+            places = [normal(page), normal(os.path.dirname(name), page), normal("docs", page)]
+            found = next((place for place in places if repository.exists(place)), None)
+            if found is None:
+                yield f"{name} cites {page}, which does not exist"
+            elif section and not has_section(repository.texts.get(found, ""), section):
+                yield f"{name} cites section {section} of {found}, which has no such section"
+
+
+def has_section(page, number):
+    return re.search(rf"^#+ {number}\. ", page, re.MULTILINE)
+
+
+def anchor(heading):
+    """As GitHub makes it."""
+    plain = re.sub(r"<[^>]*>|[*`]", "", heading).strip().lower()
+    return re.sub(r"[^\w\- ]", "", plain).replace(" ", "-")
+
+
+def anchors(page):
+    return {anchor(heading) for heading in HEADING.findall(FENCE.sub("", page))}
+
+
+def links(repository):
+    for name in repository.pages:
+        for target in LINK.findall(FENCE.sub("", repository.texts[name])):
+            if re.match(r"[a-z]+:", target):
+                continue
+            repository.links += 1
+            path, _, fragment = target.partition("#")
+            place = normal(os.path.dirname(name), path) if path else name
+            if not repository.exists(place):
+                yield f"{name} links to {target}, which does not exist"
+            elif fragment and place in repository.pages and fragment not in anchors(repository.texts[place]):
+                yield f"{name} links to {target}: {place} has no such heading"
+
+
+def figures(repository):
+    folder = repository.root / "docs/figures"
+    with tempfile.TemporaryDirectory() as scratch:
+        subprocess.run([sys.executable, "-B", folder / "draw.py", scratch], check=True)
+        drawn = {path.name: path.read_bytes() for path in Path(scratch).glob("*.svg")}
+    there = {path.name: path.read_bytes() for path in folder.glob("*.svg")}
+    for name in sorted(drawn.keys() | there.keys()):
+        if name not in drawn:
+            yield f"docs/figures/{name} is drawn by nothing: delete it or add it to draw.py"
+        elif drawn[name] != there.get(name):
+            yield f"docs/figures/{name} is not what draw.py draws: run docs/figures/draw.py"
+        elif not any(f"figures/{name}" in repository.texts[page] for page in repository.pages):
+            yield f"docs/figures/{name} is shown on no page"
+
+
+def licences(repository):
+    table = repository.texts.get("docs/licences.md", "")
+    lists = [*repository.root.glob("packages*.txt"), *repository.root.glob("packages/*.txt")]
+    if not lists:
+        yield "no list of packages found: is the pattern right?"
+    for path in sorted(lists):
+        for line in path.read_text(encoding="utf-8").splitlines():
+            package = line.partition("#")[0].strip()
+            if package and not re.search(rf"(?<![\w-]){re.escape(package)}(?![\w-])", table):
+                yield f"{path.name}: {package} is not in docs/licences.md"
+
+
+def enough(repository):
+    for count, least, what in ((repository.citations, LEAST_CITATIONS, "citations"),
+                               (repository.links, LEAST_LINKS, "links")):
+        if count < least:
+            yield f"found only {count} {what}: is the pattern right?"
+
+
+def sees_what_is_wrong():
+    """Proof on a small repository that the checks find what they are for, and nothing else."""
+    wrong = {
+        "a.hpp": ("/// (gone.md section 1)\n", "gone.md, which does not exist"),
+        "b.hpp": ("/// As kinematics.md\n/// section 9 says.\n", "no such section"),
+        "c.md": ("[text](nowhere.png)\n", "nowhere.png, which does not exist"),
+        "d.md": ("[text](docs/kinematics.md#nothing)\n", "no such heading"),
+        "packages.txt": ("libunknown-dev\n", "libunknown-dev is not in"),
+    }
+    right = {
+        "docs/kinematics.md": "## 1. One *thing*\n[up](#1-one-thing)\n",
+        "e.hpp": "// kinematics.md section 1\n",
+    }
+    complaints = complaints_about({**right, **{name: text for name, (text, _) in wrong.items()}})
+    for _, words in wrong.values():
+        seen = [complaint for complaint in complaints if words in complaint]
+        complaints = [complaint for complaint in complaints if complaint not in seen]
+        if not seen:
+            yield f"this check misses: {words}"
+    yield from (f"this check complains of what is right: {complaint}" for complaint in complaints)
+
+
+def complaints_about(texts):
+    with tempfile.TemporaryDirectory() as scratch:
+        for name, text in texts.items():
+            path = Path(scratch) / name
+            path.parent.mkdir(exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+        small = Repository(scratch)
+        return [*citations(small), *links(small), *licences(small)]
+
+
+def main():
+    repository = Repository(sys.argv[1])
+    complaints = list(sees_what_is_wrong())
+    for check in (promises_kept, citations, links, figures, licences, enough):
+        complaints += check(repository)
+    counts = f"{repository.citations} citations and {repository.links} links lead somewhere"
+    print("\n".join(complaints) or counts)
+    return 1 if complaints else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,50 @@
+#!/usr/bin/env python3
+"""check_goal_kinds.py ROOT: a kind of goal has folders of its own, and no other file of the program names it."""
+import pathlib
+import re
+import sys
+
+root = pathlib.Path(sys.argv[1])
+kinds = sorted(path.name for path in (root / "app/goals").iterdir() if path.is_dir())
+registries = {"app/goals/registry.cpp", "app/report/js/goals.js"}
+
+
+def is_own(file, kind):
+    return file.startswith(f"app/goals/{kind}/") or file == f"app/report/js/goals/{kind}.js"
+
+
+def namings(kind):
+    """Includes of its folders, its types, members and literals; a label of the summary is none."""
+    type_name = kind.capitalize()
+    return re.compile(rf"(?:goals|optim|targets)/{kind}/|\b{type_name}[A-Z]\w+|(?:\.|->){kind}\b|"
+                      rf"(?<!line\()[\"']{kind}[\"']|\b{kind}(?:_kind|Goal|Section|Verdict)\b")
+
+
+wrong = []
+for kind in kinds:
+    for folder in (f"targets/{kind}", f"optim/{kind}", f"app/report/js/goals/{kind}.js"):
+        if not (root / folder).exists():
+            wrong.append(f"{folder} is not there")
+    for registry in registries:
+        lines = [line for line in (root / registry).read_text().splitlines()
+                 if re.match(rf"\s*&?{kind}(_kind|Goal),$", line)]
+        if len(lines) != 1:
+            wrong.append(f"{registry} has {len(lines)} lines for {kind} instead of one")
+
+files = [path for path in (root / "app").rglob("*") if path.suffix in (".cpp", ".hpp", ".js")]
+for path in files:
+    file = str(path.relative_to(root))
+    if file in registries:
+        continue
+    for kind in kinds:
+        if is_own(file, kind):
+            continue
+        for number, line in enumerate(path.read_text().splitlines(), 1):
+            found = namings(kind).search(line.split("///")[0])
+            if found:
+                wrong.append(f"{file}:{number}: names the kind {kind}: {found[0]}")
+
+if len(kinds) < 4 or len(files) < 100:
+    sys.exit(f"found only {len(kinds)} kinds and {len(files)} files: is the path right?")
+print("\n".join(wrong) or f"{len(files)} files, and only its own name each of {', '.join(kinds)}")
+sys.exit(1 if wrong else 0)

@@ -1,0 +1,40 @@
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+#include "app/formats/formats_page.hpp"
+#include "app/formats/key_schema.hpp"
+#include "model/base/invalid_input.hpp"
+
+namespace {
+
+std::string root;
+
+std::string text_of(const std::string& file) {
+  std::ostringstream text;
+  text << std::ifstream(root + file, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+void write(const std::string& file, const std::string& text) {
+  std::ofstream(root + file, std::ios::binary) << text;
+  std::cout << file << "\n";
+}
+
+std::string schema_file(const std::string& name) { return "app/schema/" + name + ".schema.json"; }
+
+}  // namespace
+
+/// usage: kinetix-formats SOURCE_FOLDER. Writes docs/formats.md and the JSON Schemas of the files that the program
+/// reads, from the tables that it reads them by.
+int main(int argc, char** argv) {
+  try {
+    root = std::string(argc > 1 ? argv[1] : ".") + "/";
+    for (const auto& schema : kinetix::app::file_schemas()) write(schema_file(schema.name), schema.text);
+    const auto text = [](const std::string& name) { return text_of(schema_file(name)); };
+    write("docs/formats.md", kinetix::app::formats_page(text_of("app/formats/page.md.in"), text));
+  } catch (const kinetix::InvalidInput& e) {
+    std::cerr << e.what() << "\n";
+    return 1;
+  }
+}

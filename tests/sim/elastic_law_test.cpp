@@ -1,0 +1,36 @@
+#include <gtest/gtest.h>
+
+#include "model/lattice/square/classify.hpp"
+#include "sim/elastic_hinges.hpp"
+#include "sim/equilibrium.hpp"
+
+namespace kinetix::sim {
+namespace {
+
+/// Energy 1/4 k_turn turn^4.
+class CubicHinge final : public model::HingeLaw {
+ public:
+  model::TurnResponse at(double turn, double k) const override {
+    const double cubed = turn * turn * turn;
+    return {0.25 * k * turn * cubed, 3 * k * turn * turn, turn / 3, 0.25 * turn * cubed, cubed};
+  }
+};
+
+// A basic cell at theta: every hinge has turned by 2 theta and nothing is stretched.
+TEST(ElasticLaw, ThePhysicsRunPullsWithTheMomentAndStiffnessOfTheLaw) {
+  const double theta = 0.4, step = 1e-3, k = 0.2;
+  const model::Linkage cell = model::make_structure(model::rectangle(1, 1), {});
+  const model::State state = exact_motion(model::make_structure(model::rectangle(1, 1), {})).at(theta);
+  const model::Stiffness cubic{.turn = k, .law = std::make_shared<CubicHinge>()};
+  const std::vector<Eigen::Vector3d> still(state.size(), Eigen::Vector3d::Zero());
+  const std::vector<VelocityRow> rows = ElasticHinges(cell, cubic).rows(state, still, step);
+  const double turn = 2 * theta;
+  for (std::size_t h = 0; h < cell.hinges.size(); ++h) {
+    EXPECT_NEAR(rows[h].weight, 3 * k * turn * turn, 1e-12);
+    EXPECT_NEAR(std::abs(rows[h].weight * rows[h].target * step), k * turn * turn * turn, 1e-12);
+  }
+  EXPECT_NEAR(largest_hinge_force(cell, state, cubic), k * turn * turn * turn, 1e-12);
+}
+
+}  // namespace
+}  // namespace kinetix::sim

@@ -1,0 +1,2 @@
+// Its precompiled header is that of all tests.
+int main() {}

@@ -1,0 +1,175 @@
+#include "targets/display/glyph_goal.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <map>
+
+#include "targets/display/glyph_picture.hpp"
+#include "targets/display/topology.hpp"
+#include "tests/support/bad_input.hpp"
+
+namespace kinetix::targets {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using testing::refusal;
+
+DisplayGoal bold(const std::string& text, int columns, int rows) {
+  return glyph_goal(text, find_font(default_font), columns, rows);
+}
+
+/// Holes that a person counts in a capital.
+int holes_of(char letter) {
+  const std::map<char, int> holes = {{'A', 1}, {'B', 2}, {'D', 1}, {'O', 1}, {'P', 1}, {'Q', 1}, {'R', 1}};
+  return holes.contains(letter) ? holes.at(letter) : 0;
+}
+
+TEST(GlyphGoal, TheLetterTIsABarOfTwoRowsOverAStemOfTwoColumns) {
+  const DisplayGoal goal = bold("T", 10, 10);
+  EXPECT_TRUE(goal.is_binary());
+  EXPECT_FALSE(goal.needed);
+  EXPECT_THAT(goal.row_texts(),
+              ElementsAre("0000000000", "0111111110", "0111111110", "0000110000", "0000110000", "0000110000",
+                          "0000110000", "0000110000", "0000110000", "0000000000"));
+}
+
+TEST(GlyphGoal, CapitalsOnTwelveCellsHaveThePartsAndHolesAPersonCounts) {
+  for (char letter = 'A'; letter <= 'Z'; ++letter) {
+    const std::string text(1, letter);
+    const Topology seen = {1, holes_of(letter)};
+    EXPECT_EQ(topology(glyph_picture(text, find_font(default_font))), seen) << text;
+    const DisplayGoal goal = bold(text, 12, 12);
+    EXPECT_EQ(topology(goal), seen) << text;
+    EXPECT_FALSE(goal.needed) << text;
+  }
+}
+
+TEST(GlyphGoal, FillsThePanelInsideAMarginOfOneCell) {
+  for (const char* text : {"H", "W", "O", "T"}) {
+    const auto rows = bold(text, 14, 12).row_texts();
+    EXPECT_EQ(rows.front(), std::string(14, '0')) << text;
+    EXPECT_EQ(rows.back(), std::string(14, '0')) << text;
+    EXPECT_THAT(rows[1], HasSubstr("1")) << text;
+    EXPECT_THAT(rows[10], HasSubstr("1")) << text;
+    int leftmost = 14, rightmost = -1;
+    for (const std::string& row : rows) {
+      leftmost = std::min(leftmost, static_cast<int>(std::min<std::size_t>(row.find('1'), 14)));
+      if (row.find('1') != std::string::npos)
+        rightmost = std::max(rightmost, static_cast<int>(row.rfind('1')));
+    }
+    EXPECT_EQ(leftmost, 1) << text;
+    EXPECT_EQ(rightmost, 12) << text;
+  }
+}
+
+TEST(GlyphGoal, HasNoMarginBelowFiveCells) {
+  EXPECT_THAT(bold("T", 5, 5).row_texts(), ElementsAre("00000", "01110", "00100", "00100", "00000"));
+  EXPECT_THAT(bold("T", 4, 4).row_texts(), ElementsAre("1111", "0110", "0110", "0110"));
+}
+
+TEST(GlyphGoal, StretchesASlimLetterByOneAndAHalfAtMost) {
+  const Picture letter = glyph_picture("I", find_font(default_font));
+  const double width =
+      max_glyph_stretch * 98 * letter.width / letter.height;  // of 98 cells inside the margin
+  const DisplayGoal goal = bold("I", 100, 100);
+  const double cells = static_cast<double>(std::count(goal.levels.begin(), goal.levels.end(), 1.0)) / 98;
+  EXPECT_NEAR(cells, width, 1);
+  EXPECT_LT(cells, 50);
+}
+
+TEST(GlyphGoal, SymmetricLettersAreSymmetricOnEveryPanel) {
+  for (const char* text : {"T", "H", "I", "O"})
+    for (int side = 4; side <= 15; ++side)
+      for (std::string row : bold(text, side, side).row_texts()) {
+        const std::string forwards = row;
+        std::reverse(row.begin(), row.end());
+        EXPECT_EQ(row, forwards) << text << " on " << side;
+      }
+}
+
+TEST(GlyphGoal, NamesTheSmallestPanelThatShowsTheLetterWhole) {
+  const DisplayGoal coarse = bold("B", 4, 4);
+  EXPECT_NE(topology(coarse), (Topology{1, 2}));
+  ASSERT_TRUE(coarse.needed);
+  const int side = (*coarse.needed)[0];
+  EXPECT_EQ((*coarse.needed)[1], side);
+  EXPECT_EQ(topology(bold("B", side, side)), (Topology{1, 2}));
+  EXPECT_FALSE(bold("B", side, side).needed);
+  for (int smaller = 5; smaller < side; ++smaller)
+    EXPECT_EQ(bold("B", smaller, smaller).needed, coarse.needed);
+}
+
+TEST(GlyphGoal, KeepsTheProportionsOfTheNeededPanel) {
+  const DisplayGoal coarse = bold("WWWWWWWWWWWW", 120, 10);
+  ASSERT_TRUE(coarse.needed);
+  EXPECT_EQ((*coarse.needed)[0], 12 * (*coarse.needed)[1]);
+  const DisplayGoal tall = bold("WW", 3, 7);
+  ASSERT_TRUE(tall.needed);
+  EXPECT_NEAR((*tall.needed)[1], (*tall.needed)[0] * 7 / 3.0, 0.5);
+}
+
+TEST(GlyphGoal, SetsAWordLetterByLetter) {
+  const DisplayGoal goal = bold("HELLO", 50, 10);
+  EXPECT_EQ(topology(goal), (Topology{5, 1}));
+  EXPECT_FALSE(goal.needed);
+  EXPECT_EQ(topology(bold("\xC3\x96l", 24, 16)), (Topology{4, 1}));  // O with its two dots, and l
+}
+
+TEST(GlyphGoal, RefusesWhatItCannotShow) {
+  EXPECT_THAT(refusal([] { bold("", 10, 10); }), HasSubstr("is empty; give a letter"));
+  EXPECT_THAT(refusal([] { bold("  ", 10, 10); }), HasSubstr("shows no ink, as spaces do"));
+  EXPECT_THAT(refusal([] { bold("ABCDEFGHIJKLM", 10, 10); }), HasSubstr("has 13 characters; at most 12"));
+  EXPECT_THAT(refusal([] { bold("a\xE4\xB8\xAD", 10, 10); }),
+              HasSubstr("`DejaVu Sans Bold` has no character `\xE4\xB8\xAD` (U+4E2D)"));
+  EXPECT_THAT(refusal([] { bold("\xC3(", 10, 10); }), HasSubstr("is not UTF-8 text"));
+  EXPECT_THAT(refusal([] { bold("\xE2\x96\x88", 4, 4); }), HasSubstr("every cell is letter"));
+  EXPECT_THAT(refusal([] { bold("T", 1, 4); }), HasSubstr("1 x 4 cells is too small"));
+  EXPECT_THAT(refusal([] { bold("T", 1001, 4); }), HasSubstr("too large"));
+  EXPECT_THAT(refusal([] {
+                glyph_goal("T", {"Lost", "/no/such/file", 0}, 9, 9);
+              }),
+              HasSubstr("/no/such/file cannot be read"));
+}
+
+TEST(GlyphGoal, NamesTheNeededPanelWhereNoStrokeFillsACell) {
+  EXPECT_THAT(refusal([] { bold("WMWM", 4, 20); }),
+              AllOf(HasSubstr("every cell is"), HasSubstr("whole is [")));
+  EXPECT_THAT(refusal([] { bold("WMWMWMWMWMWM", 4, 200); }),
+              AllOf(HasSubstr("every cell is"), HasSubstr("no panel of these proportions that is allowed")));
+}
+
+TEST(GlyphGoal, MissesTheMiddleArmOfAnE) {
+  const DisplayGoal goal = bold("E", 6, 4);
+  EXPECT_EQ(topology(goal), (Topology{1, 0}));
+  EXPECT_FALSE(goal.whole);
+  ASSERT_TRUE(goal.needed);
+  EXPECT_TRUE(bold("E", (*goal.needed)[0], (*goal.needed)[1]).whole);
+}
+
+TEST(GlyphGoal, IsRedrawnFromItsOutlines) {
+  const DisplayGoal goal = bold("R", 8, 8);
+  EXPECT_EQ(goal.redrawn({14, 13}).levels, bold("R", 14, 13).levels);
+}
+
+TEST(FindFont, TakesFullNamesAndFamiliesInAnyCase) {
+  EXPECT_THAT(find_font("DejaVu Sans Bold").path, EndsWith("DejaVuSans-Bold.ttf"));
+  EXPECT_THAT(find_font("dejavu sans bold").path, EndsWith("DejaVuSans-Bold.ttf"));
+  EXPECT_THAT(find_font("DejaVu Sans").path, EndsWith("DejaVuSans.ttf"));
+  EXPECT_THAT(find_font("DejaVu Sans Mono").path, EndsWith("DejaVuSansMono.ttf"));
+  EXPECT_THAT(find_font("DejaVu Serif Bold").path, EndsWith("DejaVuSerif-Bold.ttf"));
+}
+
+TEST(FindFont, SubstitutesNothingAndNamesTheNearestFamilies) {
+  const std::string message = refusal([] { find_font("DejaVu Snas"); });
+  EXPECT_THAT(message, AllOf(HasSubstr("`DejaVu Snas` is not installed"), HasSubstr(": DejaVu Sans, ")));
+  EXPECT_LE(std::count(message.begin(), message.end(), ','), 11);
+  EXPECT_THAT(refusal([] { find_font("Sans"); }), HasSubstr("is not installed"));
+  EXPECT_THAT(refusal([] { find_font(std::string(100'000, 'x')); }), HasSubstr("is not installed"));
+}
+
+}  // namespace
+}  // namespace kinetix::targets

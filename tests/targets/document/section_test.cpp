@@ -1,0 +1,124 @@
+#include "targets/document/section.hpp"
+
+#include <gmock/gmock.h>
+
+#include <stdexcept>
+
+#include "model/base/angle.hpp"
+#include "tests/support/bad_input.hpp"
+
+namespace kinetix::targets {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using testing::refusal;
+
+enum class Colour { red, green };
+constexpr Word<Colour> colours[] = {{"red", Colour::red}, {"green", Colour::green}};
+
+const KeyTable& keys() {
+  static const KeyTable inner(
+      {{"depth_mm", value::length(from_to(0.01, 2, "mm (0.01 to 2 cells)")), {}, "a length"}});
+  static const KeyTable keys({
+      {"part", value::number({0, 1, false, true}), by_default(0.5), "a part"},
+      {"turn_deg", value::angle(between(-90, 90, "degrees")), by_default(0.0), "an angle"},
+      {"count", value::integer(1, 9), by_default(3), "a number of things"},
+      {"colour", value::choice(colours), by_default("red"), "a colour"},
+      {"range", value::range({}), {}, "a range"},
+      {"inner", value::map(inner), {}, "a section"},
+      {"must", value::number(), needed, "a number"},
+  });
+  return keys;
+}
+
+Section section(const std::string& text) { return {parse_document(text, "in.yaml"), keys()}; }
+
+TEST(Section, LeavesDefaultsWhereTheFileSaysNothing) {
+  const Section file = section("must: 1\n");
+  double part = 0.5;
+  std::optional<int> count;
+  Colour colour = Colour::red;
+  file.read("part", part);
+  file.read("count", count);
+  file.read("colour", colour, colours);
+  EXPECT_EQ(part, 0.5);
+  EXPECT_FALSE(count);
+  EXPECT_EQ(colour, Colour::red);
+  EXPECT_FALSE(file.section("inner").given());
+}
+
+TEST(Section, ReadsByTheTypesOfItsTable) {
+  const Section file =
+      section("{part: 0.25, turn_deg: 45, count: 4, colour: green, range: [1, 2], inner: {depth_mm: 20}}");
+  double part = 0, turn = 0, depth = 0;
+  std::optional<int> count;
+  Colour colour = Colour::red;
+  std::array<double, 2> range;
+  file.read("part", part);
+  file.read("turn_deg", turn);
+  file.read("count", count);
+  file.read("colour", colour, colours);
+  file.read("range", range);
+  file.section("inner").read_length("depth_mm", depth, 10);
+  EXPECT_EQ(part, 0.25);
+  EXPECT_EQ(turn, pi / 4);
+  EXPECT_EQ(count, 4);
+  EXPECT_EQ(colour, Colour::green);
+  EXPECT_THAT(range, ElementsAre(1, 2));
+  EXPECT_EQ(depth, 20);
+}
+
+TEST(Section, AllowsWhatItsTableAllows) {
+  double value = 0;
+  int count = 0;
+  EXPECT_THAT(refusal([] { section("{most: 1}"); }),
+              HasSubstr("did you mean `must`?); allowed: part, turn_deg, count, colour, range, inner, must"));
+  EXPECT_THAT(refusal([&] { section("{part: 2}").read("part", value); }), HasSubstr("above 0 and at most 1"));
+  EXPECT_THAT(refusal([&] { section("{count: 10}").read("count", count); }), HasSubstr("from 1 to 9"));
+  EXPECT_THAT(refusal([&] {
+                section("{inner: {depth_mm: 21}}").section("inner").read_length("depth_mm", value, 10);
+              }),
+              HasSubstr("from 0.1 to 20, in mm (0.01 to 2 cells)"));
+  EXPECT_THAT(refusal([] { section("{part: 1}").required("must", "a number"); }),
+              HasSubstr("the key `must` is missing; give a number"));
+}
+
+TEST(Section, ReadsNoKeyThatItsTableDoesNotHave) {
+  const Section file = section("must: 1\n");
+  double number = 0;
+  EXPECT_THROW(file.optional("other"), std::logic_error);
+  EXPECT_THROW(file.read("other", number), std::logic_error);
+  EXPECT_THROW(file.section("other"), std::logic_error);
+}
+
+TEST(Section, ReadsNoKeyAsAnotherTypeThanItsTableSays) {
+  const Section file = section("must: 1\n");
+  double number = 0;
+  int count = 0;
+  Colour colour = Colour::red;
+  constexpr Word<Colour> others[] = {{"red", Colour::red}, {"blue", Colour::green}};
+  EXPECT_THROW(file.read("count", number), std::logic_error);
+  EXPECT_THROW(file.read("part", count), std::logic_error);
+  EXPECT_THROW(file.read("colour", colour, others), std::logic_error);
+  EXPECT_THROW(file.required("part", "a part"), std::logic_error);
+}
+
+TEST(KeyTable, KnowsWhatGoesWithEachAlternative) {
+  const KeyTable by_key({{"a", value::number(), {}, "one way"},
+                         {"of_a", value::number(), {}, "more of it", "a"},
+                         {"b", value::number(), {}, "the other way"},
+                         {"both", value::number(), {}, "of both"}},
+                        {{"a", "b"}});
+  EXPECT_THAT(by_key.only("a").names(), ElementsAre("a", "of_a", "both"));
+  EXPECT_THAT(by_key.only("b").names(), ElementsAre("b", "both"));
+  const KeyTable by_word({{"kind", value::choice({"a", "b"}), needed, "which way"},
+                          {"of_a", value::number(), {}, "of one", "a"},
+                          {"of_b", value::number(), {}, "of the other", "b"}},
+                         {{"a", "b"}, "kind"});
+  EXPECT_THAT(by_word.only("b").names(), ElementsAre("kind", "of_b"));
+  EXPECT_THAT(by_word.only("b").at("kind").type.words, ElementsAre("b"));
+}
+
+}  // namespace
+}  // namespace kinetix::targets

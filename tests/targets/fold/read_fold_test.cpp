@@ -1,0 +1,116 @@
+#include "targets/fold/read_fold.hpp"
+
+#include <gmock/gmock.h>
+
+#include "targets/fold/net_layout.hpp"
+#include "tests/support/bad_input.hpp"
+
+namespace kinetix::targets {
+namespace {
+
+using testing::BadInput;
+using testing::expect_refused;
+
+FoldGoal read(const std::string& target) {
+  return read_fold(parse_document("target: " + target + "\n", "in.yaml").required("target", ""));
+}
+
+std::string net(const std::string& creases) {
+  return "{kind: fold, net: {faces: [{name: base, cells: [4, 4]}, {name: a, cells: [4, 2]},\n"
+         "{name: b, cells: [3, 4]}, {name: c, cells: [3, 2]}], creases: [\n" +
+         creases + "]}}";
+}
+
+const std::string base_a = "{faces: [base, a], side: top, angle_deg: 90}";
+const std::string base_b = ",\n{faces: [base, b], side: right, angle_deg: -60}";
+const std::string a_c = ",\n{faces: [a, c], side: right, angle_deg: 30}";
+
+TEST(ReadFold, TakesABoxInAllItsUnfoldings) {
+  const FoldGoal goal = read("{kind: fold, box: [4, 4, 4], crease_columns: 2}");
+  EXPECT_EQ(goal.box, (std::array{4, 4, 4}));
+  EXPECT_EQ(goal.nets.size(), 11u);
+  for (const FoldCrease& crease : goal.nets[3].creases) EXPECT_EQ(crease.columns, 2);
+}
+
+TEST(ReadFold, LeavesOutTheOpenFace) {
+  const FoldGoal goal = read("{kind: fold, box: [3, 2, 1], open: top}");
+  for (const FoldFace& face : goal.nets[0].faces) EXPECT_NE(face.name, "top");
+  EXPECT_EQ(goal.nets[0].faces.size(), 5u);
+}
+
+TEST(ReadFold, TakesANetWithAnglesOfBothSigns) {
+  const FoldGoal goal = read(net(base_a + base_b + a_c));
+  ASSERT_EQ(goal.nets.size(), 1u);
+  EXPECT_DOUBLE_EQ(goal.nets[0].creases[1].angle, -pi / 3);
+  const NetLayout layout = lay_out(goal.nets[0], {1, 2, 1});
+  EXPECT_EQ(layout.cells.size(), 16u + 8 + 12 + 6 + 4 + 8 + 2);
+}
+
+TEST(ReadFold, TakesARingThatFoldsInOneDirection) {
+  const std::string ring = base_a + ",\n{faces: [base, b], side: right, angle_deg: 0}" +
+                           ",\n{faces: [a, c], side: right, angle_deg: 0}" +
+                           ",\n{faces: [b, c], side: top, angle_deg: 90}";
+  EXPECT_EQ(read(net(ring)).nets[0].creases.size(), 4u);
+}
+
+TEST(ReadFold, RefusesARingThatOpensWhenItFolds) {
+  const std::string ring = base_a + ",\n{faces: [base, b], side: right, angle_deg: 0}" +
+                           ",\n{faces: [a, c], side: right, angle_deg: 0}" +
+                           ",\n{faces: [b, c], side: top, angle_deg: 80}";
+  EXPECT_THAT(testing::refusal([&] { read(net(ring)); }), ::testing::HasSubstr("does not close"));
+}
+
+TEST(ReadFold, RefusesWhatIsNoFold) {
+  const BadInput cases[] = {
+      {"{kind: fold}", 1, 9, "target", {"`box: [a, b, c]`"}},
+      {"{kind: fold, box: [4, 4, 4], net: {}}", 1, 9, "target", {"both a box and a net"}},
+      {"{kind: fold, box: [4, 0, 4]}", 1, 31, "target.box[1]", {"0", "1"}},
+      {"{kind: fold, box: [4, 4]}", 1, 27, "target.box", {"edge lengths"}},
+      {"{kind: fold, box: [4, 4, 4], open: lid}", 1, 44, "target.open", {"`lid`", "top"}},
+      {net("{faces: [base, d], side: top, angle_deg: 90}"), 3, 16, "target.net.creases[0].faces[1]", {"`d`"}},
+      {net("{faces: [base, a], side: top, angle_deg: 190}"),
+       3,
+       42,
+       "target.net.creases[0].angle_deg",
+       {"180"}},
+      {net("{faces: [a, a], side: top, angle_deg: 90}"), 3, 13, "target.net.creases[0].faces[1]", {"itself"}},
+      {net(base_a + base_b), 1, 27, "target.net", {"face `c`", "hang together"}},
+      {net(base_a + base_b + ",\n{faces: [base, c], side: top, angle_deg: 9}"),
+       1,
+       27,
+       "target.net",
+       {"crease `base-a`", "crease `base-c`", "overlap"}},
+      {net(base_a + base_b + a_c + ",\n{faces: [b, c], side: top, angle_deg: 90}"),
+       1,
+       27,
+       "target.net",
+       {"ring", "`b-c`", "both ways"}},
+      {net(base_a + base_b + a_c + ",\n{faces: [b, c], side: left, angle_deg: 90}"),
+       1,
+       27,
+       "target.net",
+       {"`b-c`", "no neighbour"}},
+      {net(base_a + base_b + ",\n{faces: [a, c], side: top, angle_deg: 9, shift: 5}"),
+       1,
+       27,
+       "target.net",
+       {"`a-c`", "no neighbours"}},
+  };
+  for (const BadInput& bad : cases) expect_refused(bad, "in.yaml", [&] { read(bad.text); });
+}
+
+TEST(ReadFold, RefusesCreasesThatNeedBothDirectionsInOneCell) {
+  const std::string text =
+      "{kind: fold, net: {faces: [{name: base, cells: [4, 4]}, {name: a, cells: [4, 4]},\n"
+      "{name: b, cells: [4, 4]}, {name: c, cells: [2, 2]}, {name: d, cells: [2, 2]}], creases: [\n"
+      "{faces: [base, a], side: right, angle_deg: 90, columns: 3},\n"
+      "{faces: [base, b], side: top, angle_deg: 90},\n"
+      "{faces: [b, c], side: right, angle_deg: 90},\n"
+      "{faces: [c, d], side: bottom, angle_deg: 90, columns: 3}]}}";
+  const std::string why = testing::refusal([&] { read(text); });
+  for (const char* words : {"`base-a`", "`c-d`", "cell [5, 2]", "both ways"})
+    EXPECT_THAT(why, ::testing::HasSubstr(words));
+}
+
+}  // namespace
+}  // namespace kinetix::targets
