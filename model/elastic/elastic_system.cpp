@@ -28,6 +28,11 @@ void refuse_overlap(const Linkage& structure, const ContactModel& walls) {
                      "further from the ends of their walls");
 }
 
+void add(Eigen::VectorXd& sum, int a, int b, const Vector12& gradient) {
+  sum.segment<6>(6 * a) += gradient.head<6>();
+  sum.segment<6>(6 * b) += gradient.tail<6>();
+}
+
 }  // namespace
 
 ElasticSystem::ElasticSystem(Linkage structure, const Elasticity& elasticity, LinkageDrive drive, bool planar,
@@ -123,9 +128,13 @@ double ElasticSystem::energy(const State& state, double theta) const {
 }
 
 template <class Visit>
-void ElasticSystem::visit_loads(const State& state, double theta, const Visit& visit) const {
+void ElasticSystem::visit_contacts(const State& state, const Visit& visit) const {
   for (const Contact& c : contacts(state))
     visit(walls_.body(c.plate), walls_.body(c.other), walls_.element(c, stiffness_.contact, state));
+}
+
+template <class Visit>
+void ElasticSystem::visit_drive(const State& state, double theta, const Visit& visit) const {
   if (drive_.hinge < 0) return;
   Element turn = driven_turn(state);
   const double miss = drive_miss(state, theta), force = multiplier_ + grip * miss;
@@ -134,31 +143,33 @@ void ElasticSystem::visit_loads(const State& state, double theta, const Visit& v
   visit(structure_.hinges[drive_.hinge].lower, structure_.hinges[drive_.hinge].upper, turn);
 }
 
-Eigen::VectorXd ElasticSystem::gradient(const State& state, double theta) const {
+Eigen::VectorXd ElasticSystem::elastic_gradient(const State& state) const {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(dofs_.coordinates());
-  const auto add = [&](int a, int b, const Vector12& g) {
-    sum.segment<6>(6 * a) += g.head<6>();
-    sum.segment<6>(6 * b) += g.tail<6>();
-  };
   for (const RestHinge& h : structure_.hinges)
-    add(h.lower, h.upper,
+    add(sum, h.lower, h.upper,
         hinge_gradient(h, stiffness_, state[h.lower], state[h.upper], structure_.size.edge_mm));
-  visit_loads(state, theta, [&](int a, int b, const Element& e) { add(a, b, e.gradient); });
+  visit_contacts(state, [&](int a, int b, const Element& e) { add(sum, a, b, e.gradient); });
+  return sum;
+}
+
+Eigen::VectorXd ElasticSystem::gradient(const State& state, double theta) const {
+  Eigen::VectorXd sum = elastic_gradient(state);
+  visit_drive(state, theta, [&](int a, int b, const Element& e) { add(sum, a, b, e.gradient); });
   return sum;
 }
 
 Eigen::VectorXd ElasticSystem::linearise(const State& state, double theta, TangentStiffness& tangent) const {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(dofs_.coordinates());
   tangent.clear();
-  const auto add = [&](int a, int b, const Element& e) {
-    sum.segment<6>(6 * a) += e.gradient.head<6>();
-    sum.segment<6>(6 * b) += e.gradient.tail<6>();
+  const auto take = [&](int a, int b, const Element& e) {
+    add(sum, a, b, e.gradient);
     tangent.add(a, b, e);
   };
   for (const RestHinge& h : structure_.hinges)
-    add(h.lower, h.upper,
-        hinge_element(h, stiffness_, state[h.lower], state[h.upper], structure_.size.edge_mm));
-  visit_loads(state, theta, add);
+    take(h.lower, h.upper,
+         hinge_element(h, stiffness_, state[h.lower], state[h.upper], structure_.size.edge_mm));
+  visit_contacts(state, take);
+  visit_drive(state, theta, take);
   return sum;
 }
 

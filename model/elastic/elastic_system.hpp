@@ -49,7 +49,9 @@ class ElasticSystem {
   double energy(const State& state, double theta) const;
   /// The energy of the hinges and contacts alone.
   double elastic_energy(const State& state) const;
-  /// By all coordinates.
+  /// Its gradient by all coordinates.
+  Eigen::VectorXd elastic_gradient(const State& state) const;
+  /// Of energy(), by all coordinates.
   Eigen::VectorXd gradient(const State& state, double theta) const;
   /// The same with the Hessian.
   Eigen::VectorXd linearise(const State& state, double theta, TangentStiffness& tangent) const;
@@ -77,9 +79,11 @@ class ElasticSystem {
   static constexpr double grip = 100;  ///< stiffness that holds a driven hinge, k_point edge^2
 
  private:
-  /// Elements of contacts and of a driven hinge.
   template <class Visit>
-  void visit_loads(const State& state, double theta, const Visit& visit) const;
+  void visit_contacts(const State& state, const Visit& visit) const;
+  /// The element that holds a driven hinge.
+  template <class Visit>
+  void visit_drive(const State& state, double theta, const Visit& visit) const;
   /// Along the axis: 0 or 1.
   int axis() const { return drive_.axis == Axis::x ? 0 : 1; }
   /// Place along the axis at rest of the bodies that plate 0 or 1 grips, cell edges.

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "model/elastic/elastic_system.hpp"
+#include "model/elastic/drive_load.hpp"
 
 namespace kinetix::model {
 namespace {
@@ -67,11 +67,12 @@ class Summit {
 
   std::optional<DrivenState> equilibrium(double theta, State state) {
     system_.place(theta, state);
-    if (!minimise(system_, theta, newton_, state, tangent_).converged) return {};
+    const NewtonResult newton = minimise(system_, theta, newton_, state, tangent_);
+    if (!newton.converged) return {};
     EquilibriumStep step;
     step.theta = theta;
     step.drive = system_.drive_coordinate(theta);
-    step.load = system_.load(state, theta) * load_unit_;
+    step.load = drive_load(system_, state, theta, tangent_, newton.stable) * load_unit_;
     step.energy = system_.elastic_energy(state) * unit_;
     return DrivenState{step, std::move(state)};
   }

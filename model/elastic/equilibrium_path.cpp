@@ -7,6 +7,7 @@
 #include "model/base/invalid_input.hpp"
 #include "model/closure/closure_drive.hpp"
 #include "model/elastic/branch.hpp"
+#include "model/elastic/drive_load.hpp"
 #include "model/elastic/predictor.hpp"
 
 namespace kinetix::model {
@@ -44,6 +45,7 @@ class Follower {
         goal_(driven.drive.theta()),
         planar_(options.planar.value_or(all_vertical(structure_))),
         system_(structure_, elasticity, driven.drive, planar_, options.contact),
+        soft_(turns_softly(system_)),
         tangent_(system_.dofs()),
         branch_(system_, driven.exact, goal_, options.side),
         predictor_(system_) {
@@ -113,12 +115,15 @@ class Follower {
       options.starts_convex = true;
       options.max_iterations = std::min(options.max_iterations, careful_iterations);
     }
-    search(theta, options, has_tangent_, state);
-    const bool branched = newton_.converged && !newton_.stable && leave_saddle(theta, state);
+    const bool left_flat = leave_flat(theta, state);
+    if (!left_flat) search(theta, options, has_tangent_, state);
+    const bool left_saddle = newton_.converged && !newton_.stable && leave_saddle(theta, state);
+    const bool branched = left_flat || left_saddle;
     const double jump = newton_.converged ? turn_distance(structure_, prediction, state) : NAN;
     const bool jumped = !branched && jump > options_.longest_jump;
     const bool tunnelled = newton_.converged && !branched && system_.passed_through(path_.state, state);
-    if (newton_.converged && !tunnelled && (!jumped || short_step)) {
+    mirrored_ = newton_.converged && is_mirrored(theta, state);
+    if (newton_.converged && !tunnelled && !mirrored_ && (!jumped || short_step)) {
       const EquilibriumStep step = measured(state, theta, newton_.stable);
       const bool lost = !branched && !keeps_energy(step);
       if (short_step || !(lost || meets_walls(step))) {
@@ -182,6 +187,33 @@ class Follower {
     has_tangent_ = tangent_.factorise(0);
   }
 
+  /// Flat between plates bears a load that is nothing beside rounding where hinges turn softly: minimising the
+  /// energy from there would leave the side to chance. @return whether flat was left, on purpose
+  bool leave_flat(double theta, State& state) {
+    if (!soft_ || !between_plates() || is_exact_ || path_.theta != 0) return false;
+    State flat = path_.state;
+    system_.place(theta, flat);
+    system_.linearise(flat, theta, tangent_);
+    if (tangent_.factorise(0)) return false;
+    Branch::Start start = branch_.leave(theta, flat, tangent_);
+    if (start.way == Branch::Way::none || start.way == Branch::Way::unknown) return false;
+    way_ = start.way;
+    state = std::move(start.state);
+    search(theta, newton_options(theta, true), false, state);
+    return true;
+  }
+
+  /// Whether a sheet between plates, which force it to one side as little as to the other, lies on the closed form
+  /// of the side that was not asked for.
+  bool is_mirrored(double theta, const State& state) const {
+    if (!between_plates() || system_.drive().grips_part) return false;
+    const auto other = branch_.exact_state(-theta);
+    if (!other) return false;
+    const double from_other = turn_distance(structure_, state, *other);
+    return from_other <= near_closed_form &&
+           from_other < turn_distance(structure_, state, *branch_.exact_state(theta));
+  }
+
   /// From an equilibrium that is no minimum down to one that is, over further saddles if need be; where that fails,
   /// there is no equilibrium to take. @return whether it was left: not where its lowest mode is neutral
   bool leave_saddle(double theta, State& state) {
@@ -206,7 +238,7 @@ class Follower {
     EquilibriumStep step;
     step.theta = theta;
     step.drive = system_.drive_coordinate(theta);
-    step.load = system_.load(state, theta) * load_unit();
+    step.load = drive_load(system_, state, theta, tangent_, stable) * load_unit();
     step.energy = system_.elastic_energy(state) * unit_;
     step.gap = hinge_gaps(structure_, state).max;
     step.contacts = static_cast<int>(system_.contacts(state).size());
@@ -324,6 +356,7 @@ class Follower {
       case Stop::not_converged:
         break;
     }
+    if (mirrored_) return "further on the sheet folds to the other side than asked;" + at();
     return "no equilibrium found further on (" + number_text(newton_.iterations) + " iterations, force " +
            number_text(newton_.force) + " left);" + at();
   }
@@ -335,6 +368,7 @@ class Follower {
   const double goal_;
   const bool planar_;
   ElasticSystem system_;
+  const bool soft_;  ///< turns_softly
   TangentStiffness tangent_;
   Branch branch_;
   Predictor predictor_;
@@ -342,7 +376,7 @@ class Follower {
   EquilibriumPath path_;
   Stop stop_ = Stop::not_converged;
   std::vector<Contact> blocking_;  ///< of the last state that was not taken
-  bool has_tangent_ = false, is_exact_ = false, tunnelled_ = false;
+  bool has_tangent_ = false, is_exact_ = false, tunnelled_ = false, mirrored_ = false;
   Branch::Way way_ = Branch::Way::lowest_mode;  ///< in which the last saddle was left
   double off_closed_form_since_ = NAN;  ///< theta; NaN where the path did not leave it for being unstable
   double growth_ = 1, free_slope_ = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "model/elastic/branch.hpp"
+#include "model/elastic/drive_load.hpp"
 #include "model/elastic/elastic_system.hpp"
 
 namespace kinetix::model {
@@ -29,8 +30,7 @@ class Settler {
     const NewtonResult newton = minimise(system_, path.theta, newton_, path.state, tangent);
     path.iterations = newton.iterations;
     path.gaps = hinge_gaps(system_.structure(), path.state);
-    path.steps.push_back(measured(path.state, path.theta));
-    path.steps.back().stable = newton.stable;
+    path.steps.push_back(measured(path.state, path.theta, tangent, newton.stable));
     path.multiplier = system_.multiplier();
     if (newton.converged && newton.stable) return path;
     path.stop = EquilibriumPath::Stop::not_converged;
@@ -40,12 +40,15 @@ class Settler {
   }
 
  private:
-  EquilibriumStep measured(const State& state, double theta) const {
+  EquilibriumStep measured(const State& state, double theta, const TangentStiffness& tangent,
+                           bool stable) const {
     const bool plates = system_.drive().kind == LinkageDrive::Kind::plates;
     EquilibriumStep step;
     step.theta = theta;
     step.drive = system_.drive_coordinate(theta);
-    step.load = system_.load(state, theta) * (plates ? unit_ / system_.structure().size.edge_mm : unit_);
+    step.stable = stable;
+    step.load = drive_load(system_, state, theta, tangent, stable) *
+                (plates ? unit_ / system_.structure().size.edge_mm : unit_);
     step.energy = system_.elastic_energy(state) * unit_;
     step.gap = hinge_gaps(system_.structure(), state).max;
     step.contacts = static_cast<int>(system_.contacts(state).size());

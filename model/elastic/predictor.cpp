@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "model/elastic/path_direction.hpp"
+
 namespace kinetix::model {
 namespace {
 
@@ -14,7 +16,7 @@ constexpr double longest = 0.3;
 
 State Predictor::predict(const State& state, double from, double to, const TangentStiffness& tangent) {
   order_ = 1;
-  if (rate_.size() == 0) rate_ = rate(state, from, to, tangent);
+  if (rate_.size() == 0) rate_ = path_direction(system_, state, from, from != 0 ? from : to / 2, tangent);
   const double step = to - from;
   State first = ahead(state, to, step * rate_);
   if (last_rate_.size() == 0) return first;
@@ -33,24 +35,6 @@ void Predictor::move_on(double from) {
 void Predictor::restart() {
   rate_.resize(0);
   last_rate_.resize(0);
-}
-
-// Plates stand still to first order where they start.
-VectorXd Predictor::rate(const State& state, double from, double to, const TangentStiffness& tangent) const {
-  const VectorXd placed = system_.place_rate(from != 0 ? from : to / 2);
-  const VectorXd pull = tangent.multiply_all(placed) + turn_pull(state, from);
-  return -system_.dofs().extend(tangent.solve(system_.dofs().restrict(pull)));
-}
-
-VectorXd Predictor::turn_pull(const State& state, double from) const {
-  VectorXd pull = VectorXd::Zero(system_.dofs().coordinates());
-  if (system_.driven_hinge() < 0) return pull;
-  const RestHinge& hinge = system_.hinges()[system_.driven_hinge()];
-  const Vector12 by_theta =
-      -ElasticSystem::grip * system_.drive_rate(from) * system_.driven_turn(state).gradient;
-  pull.segment<6>(6 * hinge.lower) = by_theta.head<6>();
-  pull.segment<6>(6 * hinge.upper) = by_theta.tail<6>();
-  return pull;
 }
 
 State Predictor::ahead(const State& state, double to, VectorXd step) const {

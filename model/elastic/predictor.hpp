@@ -24,8 +24,6 @@ class Predictor {
   void restart();
 
  private:
-  Eigen::VectorXd rate(const State& state, double from, double to, const TangentStiffness& tangent) const;
-  Eigen::VectorXd turn_pull(const State& state, double from) const;
   State ahead(const State& state, double to, Eigen::VectorXd step) const;
 
   const ElasticSystem& system_;
