@@ -28,23 +28,24 @@ class Curve {
   explicit Curve(std::vector<Eigen::Vector2d> points);
 
   const std::vector<Eigen::Vector2d>& points() const { return points_; }
+  /// Arc length, mm.
   double length() const { return arc_.back(); }
   /// Diagonal of the axis-aligned bounding box, mm.
   double diagonal() const { return diagonal_; }
 
   /// Point at arc length s, mm; s is clamped to the curve.
   Eigen::Vector2d at(double s) const;
-  /// Heading (rad, unwrapped along the curve) of the segment at arc length s.
+  /// Heading (rad, unwrapped along the curve) of the segment at arc length s, mm.
   double heading(double s) const;
 
-  /// Index of the segment that holds arc length s.
+  /// Index of the segment that holds arc length s, mm.
   int segment_at(double s) const;
 
  private:
   std::vector<Eigen::Vector2d> points_;
-  std::vector<double> arc_;      // arc length at each point
-  std::vector<double> heading_;  // of each segment
-  double diagonal_ = 0;
+  std::vector<double> arc_;      // arc length at each point, mm
+  std::vector<double> heading_;  // of each segment, rad
+  double diagonal_ = 0;          // of the bounding box, mm
 };
 
 }  // namespace kinetix::targets

@@ -14,7 +14,10 @@ namespace {
 using Eigen::Vector2d;
 using Points = std::vector<Vector2d>;
 
+// Points of each polyline per cell of the midline. Distances are to the other polyline, not to its samples,
+// so that more would only refine the mean; far fewer could step over a narrow bump of the goal.
 constexpr int samples_per_cell = 20;
+// Levenberg-Marquardt steps before the alignment gives up: an end to the loop, where rounding stalls it.
 constexpr int max_alignment_steps = 200;
 
 /// Rigid motion of the goal onto the midline's plane.

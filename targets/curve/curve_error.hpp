@@ -10,7 +10,7 @@ namespace kinetix::targets {
 /// Distance between a folded midline and a goal curve (formats.md: shape_rms, shape_max).
 struct CurveError {
   double rms = 0;       ///< two-sided closest-point distance, over the diagonal of the goal's bounding box
-  double max = 0;       ///< likewise, the largest
+  double max = 0;       ///< the largest of these distances, over the same diagonal
   double scale_mm = 0;  ///< that diagonal
   bool settled = true;  ///< false when the alignment stopped at its iteration limit
   std::vector<Eigen::Vector2d> goal_mm;  ///< the goal's own points, placed over the midline

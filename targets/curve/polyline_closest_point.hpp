@@ -9,12 +9,12 @@ namespace kinetix::targets {
 /// The vector turned by a quarter turn to the left.
 inline Eigen::Vector2d left_of(const Eigen::Vector2d& v) { return {-v.y(), v.x()}; }
 
-/// The place of a polyline nearest to a point.
+/// The place of a polyline nearest to a point. Points here are in mm, as those of a Curve.
 struct ClosestPoint {
   int segment = 0;
-  double fraction = 0;  ///< along the segment, [0, 1]
-  Eigen::Vector2d point = Eigen::Vector2d::Zero();
-  double distance = 0;  ///< mm, > 0 left of the polyline, < 0 right of it
+  double fraction = 0;                              ///< along the segment, [0, 1]
+  Eigen::Vector2d point = Eigen::Vector2d::Zero();  ///< mm
+  double distance = 0;                              ///< mm, > 0 left of the polyline, < 0 right of it
   /// Gradient of the signed distance with respect to the point: a unit vector.
   Eigen::Vector2d normal = Eigen::Vector2d::UnitY();
 };

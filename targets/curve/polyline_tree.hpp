@@ -7,7 +7,7 @@
 
 namespace kinetix::targets {
 
-/// Finds the nearest place on a whole polyline in O(log segments) per query.
+/// Finds the nearest place on a whole polyline in O(log segments) per query. Points in mm.
 class PolylineTree {
  public:
   /// @pre at least two points, all finite

@@ -14,7 +14,9 @@ namespace {
 
 using Eigen::Vector2d;
 
+// Of every coordinate, mm: the limit of read_curve.hpp on either side of 0.
 const Bounds coordinate = from_to(-max_coordinate_mm, max_coordinate_mm, "mm");
+// The end of messages about the first line of a CSV file: what would be right.
 constexpr const char* wanted_header = "the first line must be the header `x,z`, with points in millimetres";
 
 Curve make_curve(std::vector<Vector2d> points, const auto& place_of_point, const Place& place_of_all) {

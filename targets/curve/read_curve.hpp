@@ -8,8 +8,13 @@
 
 namespace kinetix::targets {
 
+/// Bytes of a CSV file, 16 MiB: 80 for each of the points allowed, more than two numbers in full precision
+/// take.
 inline constexpr std::size_t max_csv_bytes = 16 << 20;
+/// Points of a curve: far finer than cells can follow; a limit so that a wrong file is refused, not worked
+/// on.
 inline constexpr std::size_t max_curve_points = 200'000;
+/// mm, either way from 0: a kilometre is larger than any sheet, so that a point beyond it is a wrong unit.
 inline constexpr double max_coordinate_mm = 1e6;
 
 /// Every key of a `target:` section of kind curve.

@@ -5,7 +5,7 @@
 
 namespace kinetix::targets {
 
-/// A polyline in space by its arc length, mm, which may start below zero.
+/// A polyline in space by its arc length, which may start below zero. Points and arc lengths in mm.
 class SpaceCurve {
  public:
   /// Points that repeat the one before are left out.

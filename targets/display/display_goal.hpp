@@ -14,12 +14,15 @@ namespace kinetix::targets {
 /// [columns, rows] of a panel of cells.
 using PanelSize = std::array<int, 2>;
 
+/// Cells a side: the fewest that leave both a letter and a rest on each side.
 inline constexpr int min_panel_side = 2;
+/// Cells a side: keeps the search for a larger panel that shows a picture (whole_picture.hpp) finite.
 inline constexpr int max_panel_side = 1000;
+/// Cells in all, 500 x 500: an upper limit on what is read; app checks what the machine's memory holds.
 inline constexpr int max_panel_cells = 250'000;
 
-/// A cell is letter where its level is at least this: ink covers half of it. The slack keeps cells that are
-/// covered by exactly half alike on both sides of a symmetric letter.
+/// A cell is letter where its level (part of its area, [0, 1]) is at least this: ink covers half of it. The
+/// slack keeps cells that are covered by exactly half alike on both sides of a symmetric letter.
 inline constexpr double letter_level = 0.5 - 1e-9;
 
 /// What an encoded display shows once it is compressed: one level a cell.
@@ -56,7 +59,7 @@ void check_contrast(const DisplayGoal& goal);
 /// @pre one level a cell, each in [0, 1]
 DisplayGoal make_goal(PanelSize size, std::vector<double> levels);
 
-/// 1 for each level that is letter, 0 for the others.
+/// 1 for each level, [0, 1], that is letter, 0 for the others.
 std::vector<double> thresholded(std::vector<double> levels);
 
 /// One row as a string of `0` and `1`.

@@ -15,6 +15,7 @@
 namespace kinetix::targets {
 namespace {
 
+// Families in a message: a few lines of a terminal, however many there are.
 constexpr std::size_t most_names = 12;
 
 struct Destroy {

@@ -7,11 +7,13 @@
 
 namespace kinetix::targets {
 
+/// Characters of a text: a short word. At the default of 10 columns for each the panel is 120 cells wide.
 inline constexpr int max_glyph_characters = 12;
 /// A panel whose shorter side has fewer cells than this has no margin around the letter; others have one
-/// cell.
+/// cell. With a margin, fewer would leave the letter less than three cells, too few for its strokes and gaps.
 inline constexpr int least_side_with_margin = 5;
-/// How much wider or higher than drawn a letter may become.
+/// Times as drawn: how much wider or higher a letter may become. Less wastes cells; more, and it loses its
+/// look.
 inline constexpr double max_glyph_stretch = 1.5;
 
 /// A letter or a short word on a panel, binary: a cell is letter where ink covers at least half of it.

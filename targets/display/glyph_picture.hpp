@@ -7,7 +7,9 @@
 
 namespace kinetix::targets {
 
+/// px, height of the drawn text: at least one a cell on the largest panel that is allowed.
 inline constexpr int glyph_height_pixels = 1024;
+/// px, width of the drawn text, 16 times its height: bounds the memory of a line of very wide characters.
 inline constexpr int max_glyph_width_pixels = 16'384;
 
 /// The text as its outlines in the font, set one after the other by their advance widths: no kerning (on a

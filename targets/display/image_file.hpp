@@ -7,7 +7,9 @@
 
 namespace kinetix::targets {
 
+/// Bytes, 256 MiB, of the file and of what it decodes to: 4 for each of the pixels that are allowed.
 inline constexpr std::size_t max_image_bytes = 256 << 20;
+/// px in all, 8000 x 8000: 64 for each side of a cell of a panel of 125 cells. More would only cost memory.
 inline constexpr long max_image_pixels = 64'000'000;
 
 enum class ImageLevels {

@@ -8,6 +8,7 @@
 
 namespace kinetix::targets {
 
+/// Cells across: enough for a simple drawing; more cost the search time and memory.
 inline constexpr int default_image_columns = 20;
 
 /// The whole image on the whole panel, each side scaled by itself, without a margin: a cell's level is the

@@ -13,7 +13,7 @@
 namespace kinetix::targets {
 namespace {
 
-constexpr int opaque = 255;  // alpha of 8 bits
+constexpr int opaque = 255;  // alpha of 8 bits, the largest: of pixels that have none of their own
 
 /// Called by libpng, which must not return to where the error is.
 void keep_reason(png_structp png, png_const_charp reason) {

@@ -9,8 +9,12 @@
 namespace kinetix::targets {
 namespace {
 
+// Cells each way: a margin of one all round leaves 8, in which strokes and gaps of a capital are a cell or
+// two wide.
 constexpr int default_cells_a_character = 10;
+// What the key `levels` may say.
 constexpr Word<ImageLevels> levels_words[] = {{"2", ImageLevels::two}, {"grey", ImageLevels::grey}};
+// The end of messages about a target that says nothing, or more than one thing, to show.
 constexpr const char* wanted_source = "one of `glyph`, `image` and `rows`";
 
 PanelSize read_cells_of_panel(const Node& cells) {

@@ -7,8 +7,13 @@
 namespace kinetix::targets {
 namespace {
 
-constexpr double speck = 1.0 / 500;     ///< of the ink
-constexpr double most_lost = 1.0 / 25;  ///< of the ink
+// Area of a part or a hole, of the ink, below which it is noise: a larger one drops the dots of letters, a
+// smaller one asks a panel to show dust.
+constexpr double speck = 1.0 / 500;
+// Area, of the ink: tips of sharp corners are lost on every panel, so that less would refuse letters that
+// are whole; more would let a stroke go.
+constexpr double most_lost = 1.0 / 25;
+// px: two for each cell of the longest side allowed, since strokes are looked for in quarters of cells.
 constexpr int most_pixels_a_side = 2 * max_panel_side;
 
 double share_of_ink(const Picture& picture) {

@@ -88,8 +88,11 @@ class Node {
   int item_ = 0;
 };
 
+/// Bytes, 1 MiB: far more than a target written by hand. Designs may be larger (app/files/design_file.hpp).
 inline constexpr std::size_t max_document_bytes = 1 << 20;
+/// Maps and lists in one another: the formats need about six; a limit keeps hostile files off the stack.
 inline constexpr int max_document_depth = 64;
+/// Bytes of a key: none of the formats is half as long, and messages that name one stay readable.
 inline constexpr std::size_t max_key_bytes = 100;
 
 /// Reads a YAML file strictly: what is not needed for configuration is an error, found while parsing and

@@ -9,7 +9,7 @@
 namespace kinetix::targets {
 namespace {
 
-constexpr int max_position = 100'000'000;
+constexpr int max_position = 100'000'000;  // in a list: beyond any that a file can hold, within int
 
 InvalidInput malformed(std::string_view text, const std::string& why) {
   return InvalidInput(in_ticks(text) + " is not a path: " + why +

@@ -8,7 +8,7 @@ namespace kinetix::targets {
 
 /// One step of a path: a key of a map, or a position in a list (from 0), or every entry of one.
 struct PathStep {
-  static constexpr int every = -1;
+  static constexpr int every = -1;  ///< as position: each entry of the list; no entry has it
 
   std::string key;  ///< empty for a position
   int position = 0;

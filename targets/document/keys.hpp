@@ -18,9 +18,11 @@ class KeyTable;
 template <class Value>
 using Word = std::pair<std::string_view, Value>;
 
-/// What the value of a key may be. The reader checks it; the page of formats and the JSON Schemas are made of it.
+/// What the value of a key may be. The reader checks it; the page of formats and the JSON Schemas are made
+/// of it.
 struct ValueType {
   enum class Kind { number, angle, integer, boolean, text, choice, list, map, either };
+  /// Entries of a list that has no limit: more than fit in memory.
   static constexpr std::size_t any_length = static_cast<std::size_t>(-1);
 
   Kind kind = Kind::text;
@@ -74,6 +76,7 @@ struct Default {
   std::string text = {};
 };
 
+/// For keys that must be given.
 inline const Default needed = {Default::Kind::needed, {}};
 /// The value that the program uses, so that the table cannot say another.
 Default by_default(double value);
@@ -106,8 +109,8 @@ struct Alternatives {
 /// The keys that a map of a file may hold, in the order of the documentation and of error messages.
 class KeyTable {
  public:
-  /// @param title of the page's own part for a map that several kinds of files share; empty: keys are listed where
-  /// the map stands
+  /// @param title of the page's own part for a map that several kinds of files share; empty: keys are
+  /// listed where the map stands
   explicit KeyTable(std::vector<Key> keys, Alternatives alternatives = {}, std::string title = {});
 
   const std::vector<Key>& keys() const { return keys_; }

@@ -12,6 +12,7 @@
 namespace kinetix::targets {
 namespace {
 
+// rad a degree. In extended precision, so that an angle is rounded once, at the end.
 constexpr long double extended_radians_per_degree = std::numbers::pi_v<long double> / 180;
 
 std::string_view without_plus(std::string_view text) {

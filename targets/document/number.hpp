@@ -8,6 +8,7 @@ namespace kinetix::targets {
 
 /// The numbers that a key allows, and the unit they are in.
 struct Bounds {
+  /// Both in units of `unit`.
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
   bool lower_allowed = true, upper_allowed = true;

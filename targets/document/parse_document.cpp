@@ -15,6 +15,7 @@
 namespace kinetix::targets {
 namespace {
 
+// Why anchors and aliases are refused, wherever the parser meets them.
 constexpr const char* no_anchors = "anchors (&name) and aliases (*name) are not allowed; write the value out";
 
 struct Position {
@@ -190,6 +191,7 @@ class Builder final : public YAML::EventHandler {
   int documents_ = 0;
 };
 
+// For the two ways in which yaml-cpp notices that a quote is not closed.
 constexpr const char* no_closing_quote = "a closing quote is missing before this place";
 
 bool is_indented_by_tab(const std::string& text, const YAML::Mark& mark) {
@@ -198,6 +200,7 @@ bool is_indented_by_tab(const std::string& text, const YAML::Mark& mark) {
 }
 
 std::string explain(const std::string& message) {
+  // What yaml-cpp says, in part, and what to tell the user instead.
   static constexpr std::pair<std::string_view, const char*> causes[] = {
       {"anchor", no_anchors},
       {"alias", no_anchors},

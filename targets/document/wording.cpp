@@ -8,7 +8,7 @@
 namespace kinetix::targets {
 namespace {
 
-constexpr std::size_t longest_quote = 40;
+constexpr std::size_t longest_quote = 40;  // bytes: keeps a message on a line or two, whatever the file holds
 
 /// `theta` for `theta_deg`: a unit forgotten or added is as near as one wrong letter.
 bool differs_by_suffix(std::string_view a, std::string_view b) {

@@ -21,7 +21,8 @@ bool continues_character(char c);
 /// "a, b, c"
 std::string joined(Names names);
 
-/// Names longer than this are not compared with others.
+/// Bytes. Names longer than this are not compared with others: none that is known is nearly as long, and the
+/// comparison takes time with the product of both lengths.
 inline constexpr std::size_t longest_name = 64;
 
 /// Levenshtein distance in which two swapped neighbours count as one step.

@@ -20,6 +20,7 @@ Direction cross(const Direction& a, const Direction& b) {
   return {a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(), a.x() * b.y() - a.y() * b.x()};
 }
 
+// Unit vectors into the box, in the order of box_face_names: from the bottom up, from the top down, ...
 constexpr std::array<std::array<int, 3>, 6> inward_normals = {
     {{0, 0, 1}, {0, 0, -1}, {0, 1, 0}, {0, -1, 0}, {1, 0, 0}, {-1, 0, 0}}};
 

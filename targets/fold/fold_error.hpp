@@ -10,15 +10,15 @@ namespace kinetix::targets {
 /// A fold of angle phi spread evenly over k bending columns replaces the solid's edge by a chamfer: the
 /// planes of its two faces meet this far beyond the last vertices of each, in pitches L cos(theta) of the
 /// lattice: tan(phi / 2) / (2 tan(phi / 2k)). Half a pitch for one column; no limit as phi comes to 180
-/// degrees.
+/// degrees. @param angle phi, rad @return pitches
 double edge_inset(double angle, int columns);
 
-/// Positions of the vertices of each face (as face_bodies orders them) on the ideal solid: flat faces of
-/// pitch `pitch`, placed by the net's angles. The first face lies in the plane z = 0.
+/// Positions, mm, of the vertices of each face (as face_bodies orders them) on the ideal solid: flat faces of
+/// pitch `pitch`, mm, placed by the net's angles. The first face lies in the plane z = 0.
 std::vector<Eigen::Matrix3Xd> ideal_faces(const FoldNet& net, const NetLayout& layout, double pitch);
 
-/// The first crease whose two faces, placed by the other creases, do not meet as it asks, half folded or folded; -1
-/// where every ring of faces closes.
+/// The first crease whose two faces, placed by the other creases, do not meet as it asks, half folded or
+/// folded; -1 where every ring of faces closes.
 int open_crease(const FoldNet& net, const NetLayout& layout);
 
 /// How a state of a net keeps the goal.

@@ -10,7 +10,7 @@
 namespace kinetix::targets {
 namespace {
 
-constexpr int unplaced = -1;
+constexpr int unplaced = -1;  // instead of the crease by which a face was placed: none has this index
 
 /// Lays the faces out; knows by which crease each one was reached.
 class Placing {

@@ -5,14 +5,16 @@
 namespace kinetix::targets {
 namespace {
 
+// The end of messages about a target that gives no shape, or two.
 constexpr const char* wanted_shape = "`box: [a, b, c]` or `net: {faces: [...], creases: [...]}`";
-constexpr std::size_t longest_face_name = 40;
-constexpr int max_faces = 100;
+constexpr std::size_t longest_face_name = 40;  // bytes: names stand in messages and in the report
+constexpr int max_faces = 100;                 // in a net: a limit so that a wrong file is refused at once
 
 std::vector<std::string_view> as_views(const std::vector<std::string>& names) {
   return {names.begin(), names.end()};
 }
 
+// What the key `side` of a crease may say.
 constexpr Word<Side> side_words[] = {
     {"left", Side::left}, {"right", Side::right}, {"bottom", Side::bottom}, {"top", Side::top}};
 

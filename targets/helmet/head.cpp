@@ -13,9 +13,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Over which directions along curves are taken, mm.
+/// mm to either side, over which directions along curves are taken: a shorter chord follows the noise of a
+/// scan, a longer one cuts across the curvature of a head.
 constexpr double direction_reach_mm = 15;
-/// Coverage ends this far before the dome does, so that sections there are whole, mm.
+/// mm by which coverage ends before the dome does: some triangles of it, so that sections there are whole.
 constexpr double rim_mm = 5;
 
 [[noreturn]] void refuse_open_crown() {

@@ -7,7 +7,8 @@
 
 namespace kinetix::targets {
 
-/// Depth below the crown of the point from which the head's top is seen: half the breadth of a man's head.
+/// mm below the crown of the point from which the head's top is seen: half the breadth of a man's head, so
+/// that sides and top are about equally far from it.
 inline constexpr double core_depth_mm = 75;
 
 /// A head, mm, in the head frame: origin at the crown as it was given or found, z up, y to the front, x to
@@ -23,7 +24,7 @@ struct Head {
   /// origin.
   SpaceCurve profile;
   double coverage_mm;  ///< how far below the crown the head is to be covered
-  /// Part of the dome's vertices that lie over holes of the scan.
+  /// Part of the dome's vertices that lie over holes of the scan, [0, 1].
   double closed_part;
   std::vector<DomeOpening> openings;  ///< of those holes that are above the coverage
 };
@@ -34,8 +35,8 @@ struct Head {
 /// @pre at least one triangle, finite vertices
 Head make_head(const TriangleMesh& mesh, const HeadPose& pose);
 
-/// Section of the dome by the plane across its profile at arc length s, from the left (x < 0) to the right; 0
-/// at the profile. It ends where the dome does; a closed one is cut open opposite to the profile.
+/// Section of the dome by the plane across its profile at arc length s, mm, from the left (x < 0) to the
+/// right; 0 at the profile. It ends where the dome does; a closed one is cut open opposite to the profile.
 /// @param reach the plane's normal is the profile's direction over s - reach to s + reach, mm, > 0
 /// @pre s on the profile
 SpaceCurve cross_section(const Head& head, double s, double reach);

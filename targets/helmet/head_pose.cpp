@@ -13,17 +13,20 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Parts farther than this from the head float beside it, mm.
+/// mm. Parts farther than this from the head float beside it: wider than the cracks between
+/// the triangles of a scan.
 constexpr double fragment_gap_mm = 5;
-/// The longer way of a head is measured down to this depth below its top, above nose and ears, mm.
+/// mm below the top down to which the longer way of a head is measured: above nose and ears.
 constexpr double length_depth_mm = 60;
-/// Size that a head mesh is expected to have, mm, to choose among units.
+/// mm, the largest side of the box of a usual head: among units the one that comes nearest to it is
+/// suggested.
 constexpr double usual_head_mm = 250;
 struct NamedUnit {
   LengthUnit unit;
   const char* name;
   double mm;
 };
+/// What the key `units` may say, and the mm in each.
 constexpr std::array<NamedUnit, 4> units = {{{LengthUnit::mm, "mm", 1},
                                              {LengthUnit::cm, "cm", 10},
                                              {LengthUnit::m, "m", 1000},

@@ -8,10 +8,13 @@
 
 namespace kinetix::targets {
 
-/// Largest side of the box of a head mesh (shoulders included), mm.
+/// mm, largest side of the box of a head mesh (shoulders included). A head of 250 mm lies outside where
+/// its file, in mm, cm or m, is read as in another of these.
 inline constexpr double least_head_mm = 100, most_head_mm = 1000;
+/// mm below the crown: above the ears of a usual head (tragion lies some 130 mm below the top).
 inline constexpr double default_coverage_mm = 90;
-/// A crown that is given may lie this far from the mesh, mm.
+/// mm. A crown that is given may lie this far from the mesh: one read off by hand does; one farther away is
+/// in another unit or in other axes.
 inline constexpr double crown_reach_mm = 15;
 enum class LengthUnit { mm, cm, m, inch };
 double mm_per(LengthUnit unit);
@@ -19,8 +22,8 @@ double mm_per(LengthUnit unit);
 /// How a mesh is a head. The axes are those of the mesh file.
 struct HeadPose {
   LengthUnit unit = LengthUnit::mm;
-  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< along an axis
-  /// Along another axis; nothing: whichever way the top of the head is longer.
+  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< unit vector along an axis
+  /// A unit vector along another axis; nothing: whichever way the top of the head is longer.
   std::optional<Eigen::Vector3d> front = {};
   std::optional<Eigen::Vector3d> crown = {};  ///< mm; nothing: the highest point
   double coverage_mm = default_coverage_mm;

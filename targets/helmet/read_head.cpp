@@ -10,7 +10,9 @@ namespace {
 
 using Eigen::Vector3d;
 
+// Of the crown, mm: as for points of curves.
 const Bounds coordinate = from_to(-max_coordinate_mm, max_coordinate_mm, "mm");
+// What the key `units` may say.
 constexpr Word<LengthUnit> unit_words[] = {
     {"mm", LengthUnit::mm}, {"cm", LengthUnit::cm}, {"m", LengthUnit::m}, {"in", LengthUnit::inch}};
 TriangleMesh read_mesh_of(const Node& mesh) {
@@ -22,6 +24,7 @@ TriangleMesh read_mesh_of(const Node& mesh) {
   }
 }
 
+// What the keys `up` and `front` may say: unit vectors in the mesh's axes.
 const Word<Vector3d> axes[] = {
     {"x", Vector3d::UnitX()},   {"y", Vector3d::UnitY()},   {"z", Vector3d::UnitZ()},
     {"+x", Vector3d::UnitX()},  {"+y", Vector3d::UnitY()},  {"+z", Vector3d::UnitZ()},

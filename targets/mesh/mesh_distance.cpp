@@ -5,7 +5,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Feet nearer than this part of the distance to the inner point are on the mesh.
+/// Of the distance to the inner point. Closest points nearer than this are on the mesh: the direction to
+/// them would be that of rounding errors.
 constexpr double on_the_mesh = 1e-10;
 
 /// The direction, turned to face away from the inner point; that way itself when there is no direction.

@@ -12,6 +12,7 @@
 namespace kinetix::targets {
 namespace {
 
+// The end of messages about files that hold no mesh.
 constexpr const char* wanted = "; give an OBJ, STL or PLY file of triangles or polygons";
 
 TriangleMesh parse(const std::string& bytes, const std::string& ending) {

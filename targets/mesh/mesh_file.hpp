@@ -7,9 +7,11 @@
 
 namespace kinetix::targets {
 
+/// Bytes, 256 MiB: the triangles that are allowed take 143 MiB in a binary STL file.
 inline constexpr std::size_t max_mesh_bytes = 256 << 20;
+/// Triangles: their edges are under half a millimetre on a whole head. More would only cost time.
 inline constexpr std::size_t max_mesh_triangles = 3'000'000;
-/// Corners of one face of a file.
+/// Corners of one face of a file: fans of more are no polygons that a program would write, but damage.
 inline constexpr std::size_t max_face_corners = 256;
 
 /// Triangles of an OBJ, STL or PLY file (told apart by its ending), in the file's units and axes. Polygons

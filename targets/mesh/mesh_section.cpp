@@ -10,7 +10,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Points nearer than this to the one before are the same, mm: a vertex on the plane, met by several edges.
+/// mm. Points nearer than this to the one before are the same, a vertex on the plane that several edges
+/// meet: above the rounding of coordinates up to a metre, far below any edge.
 constexpr double same_point = 1e-9;
 
 /// The points where edges cross the plane, and the pairs of them that a triangle connects.

@@ -12,6 +12,7 @@ class MeshSolid {
   /// @param mesh with equal vertices joined @pre at least one triangle
   explicit MeshSolid(const TriangleMesh& mesh);
 
+  /// @param p mm
   bool contains(const Eigen::Vector3d& p) const { return winding_.at(p) > 0.5; }
   /// From the skin, mm, < 0 inside. Over holes the distance is that of their rims.
   double distance(const Eigen::Vector3d& p) const;

@@ -15,9 +15,11 @@ using Eigen::Vector3d;
 /// Pairs of rays over the whole mesh, shared out by area: the inside of a head sees a tenth of what the
 /// outside does through a neck, which some hundreds tell apart.
 constexpr int rays_of_mesh = 1024;
-/// Pairs of rays of the smallest patch.
+/// Pairs of rays of the smallest patch, whose share of them would be none: fewer, and one ray through a
+/// crack decides.
 constexpr int least_rays = 8;
-/// How far before a triangle its rays start, part of the mesh's size: more than rounding.
+/// Of the diagonal of the mesh's box: how far before a triangle its rays start, more than rounding, so that
+/// they do not hit the triangle itself.
 constexpr double start_gap = 1e-9;
 
 /// Evenly spread in three coordinates, each in [0, 1) (Roberts 2018: powers of the root of x^4 = x + 1).

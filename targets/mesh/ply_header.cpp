@@ -13,6 +13,7 @@ namespace {
 
 using Number = PlyHeader::Number;
 
+// Bytes: real ones have hundreds; no search through a whole file.
 constexpr std::size_t longest_header = 1 << 16;
 
 std::optional<Number> number_named(std::string_view name) {

@@ -5,7 +5,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Six planes add a corner each to a triangle's three, and one is to spare.
+/// Corners of what is left of a triangle: six planes add one each to its three, and one is to spare.
 constexpr int most_corners = 10;
 
 struct Polygon {

@@ -30,7 +30,7 @@ inline Eigen::Vector3d area_normal(const TriangleMesh& mesh, std::size_t triangl
   return (b - a).cross(mesh.corner(triangle, 2) - a);
 }
 
-/// Box of the vertices that triangles use.
+/// Box of the vertices that triangles use, mm.
 Eigen::AlignedBox3d bounds(const TriangleMesh& mesh);
 
 /// The same triangles with one vertex for each set of equal coordinates, in the order of their first use, and

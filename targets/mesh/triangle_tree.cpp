@@ -13,11 +13,13 @@ namespace {
 using Corners = std::array<Eigen::Vector3d, 3>;
 using Eigen::Vector3d;
 
+// Triangles: fewer make more boxes to visit, more make more triangles to measure.
 constexpr int leaf_size = 4;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// Halving the triangles at every branch, no mesh gets deeper.
+/// Branches above one another: halving the triangles at each, no mesh that fits in memory gets deeper.
 constexpr int deepest = 64;
-/// Rays that pass a triangle by this part of its size still hit it: none slips through between two.
+/// Of a triangle's size (of the ray's length for boxes): rays that pass by this little still hit, so that
+/// none slips through between two.
 constexpr double ray_slack = 1e-9;
 
 Vector3d nearest_on_segment(const Vector3d& a, const Vector3d& b, const Vector3d& p) {

@@ -11,15 +11,15 @@ namespace kinetix::targets {
 /// The place of a mesh nearest to a point.
 struct NearestPlace {
   int triangle = 0;
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();
-  double squared_distance = 0;
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< mm
+  double squared_distance = 0;                      ///< from the point, mm^2
 };
 
-/// Nearest place on a triangle, which may lack area.
+/// Nearest place on a triangle, which may lack area, mm.
 Eigen::Vector3d nearest_on_triangle(const std::array<Eigen::Vector3d, 3>& corners, const Eigen::Vector3d& p);
 
-/// A tree of boxes over the triangles of a mesh, whatever their state. Queries take O(log triangles) and may
-/// run side by side; the same query gives the same answer.
+/// A tree of boxes over the triangles of a mesh, whatever their state. Points in mm. Queries take O(log
+/// triangles) and may run side by side; the same query gives the same answer.
 class TriangleTree {
  public:
   /// @pre at least one triangle

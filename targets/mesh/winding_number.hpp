@@ -4,8 +4,8 @@
 
 namespace kinetix::targets {
 
-/// Solid angle that a triangle takes up as seen from p, sr, in [-2 pi, 2 pi]: > 0 where p is behind it as it
-/// is wound, 0 at its corners. (van Oosterom and Strackee 1983)
+/// Solid angle that a triangle takes up as seen from p (both in mm), sr, in [-2 pi, 2 pi]: > 0 where p is
+/// behind it as it is wound, 0 at its corners. (van Oosterom and Strackee 1983)
 double solid_angle(const std::array<Eigen::Vector3d, 3>& corners, const Eigen::Vector3d& p);
 
 /// The generalised winding number of a mesh: how often it goes round a point, 1 inside and 0 outside of a
@@ -19,6 +19,7 @@ class WindingNumber {
  public:
   explicit WindingNumber(TriangleTree tree);
 
+  /// @param p mm
   double at(const Eigen::Vector3d& p) const;
   const TriangleTree& tree() const { return tree_; }
 
