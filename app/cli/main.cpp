@@ -44,6 +44,7 @@ void add_file(CLI::App& app, CommandOptions& options, const std::string& name, c
   app.add_option(name, options.file, what)->required()->type_name("");
 }
 
+// What --help ends with.
 constexpr const char* footer = R"(
 examples:
   kinetix-opt targets/shapes/helmet_rib.yaml -o out       search, verify, write out/report.html

@@ -21,7 +21,7 @@ struct CommandOptions {
   std::uint64_t seed = 0;
   bool seed_given = false;
   std::string model = "exact";  ///< of simulate: exact, equilibrium or bullet
-  double theta_deg = 0;         ///< of simulate
+  double theta_deg = 0;         ///< of simulate, deg
   bool theta_given = false;
   bool resume = false;  ///< of sweep
 };

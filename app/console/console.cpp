@@ -7,7 +7,7 @@
 namespace kinetix::app {
 namespace {
 
-constexpr int bar_width = 30;
+constexpr int bar_width = 30;  // characters: leaves room for stage and note on a line of 80
 
 spdlog::logger& log() {
   static const auto logger = [] {

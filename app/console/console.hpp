@@ -13,6 +13,7 @@ class Console {
   explicit Console(bool quiet);
   ~Console();
 
+  /// @param done share of the stage, 0 to 1 (negative: not known)
   /// @param note stands behind the bar of a terminal, e.g. the time left
   void stage(const std::string& name, double done, const std::string& note = {});
   void error(const std::string& message);

@@ -21,6 +21,7 @@ std::vector<NamedContent> write(const Run& run) { return {{"design.yaml", design
 
 }  // namespace
 
+// Name, extensions, whether every run writes it, and how: design.yaml.
 const Exporter design_export = {"design", {"yaml"}, true, write};
 
 }  // namespace kinetix::app

@@ -10,6 +10,7 @@ std::vector<NamedContent> write(const Run& run) {
 
 }  // namespace
 
+// Name, extensions, whether every run writes it, and how: the pictures.
 const Exporter pictures_export = {"pictures", {"svg", "png"}, false, write};
 
 }  // namespace kinetix::app

@@ -17,6 +17,7 @@ std::vector<NamedContent> write(const Run& run) {
 
 }  // namespace
 
+// Name, extensions, whether every run writes it, and how: report.html.
 const Exporter report_export = {"report", {"html"}, true, write};
 
 }  // namespace kinetix::app

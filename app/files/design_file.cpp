@@ -13,6 +13,8 @@ namespace {
 namespace value = targets::value;
 using model::SharedWalls;
 
+// Of t (a fraction), alpha and beta (degrees). The ends, at which a hinge would be on a vertex or its axis
+// along the wall or in the sheet, are left out.
 const targets::Bounds fraction = targets::between(0, 1);
 const targets::Bounds in_plane = targets::between(0, 180, "degrees");
 const targets::Bounds tilt = targets::between(-90, 90, "degrees");
@@ -35,9 +37,10 @@ const targets::KeyTable& hinge_entry_keys() {
 
 namespace {
 
-/// A cell that a hand takes hold of.
+/// mm: a cell that a hand takes hold of.
 constexpr double default_cell_mm = 10;
 
+// What the key `shared` may say.
 constexpr targets::Word<SharedWalls> ways_to_share[] = {{"average", SharedWalls::average},
                                                         {"must_agree", SharedWalls::must_agree}};
 

@@ -28,7 +28,7 @@ struct DesignFile {
 /// Every key of a design.yaml.
 const targets::KeyTable& design_keys();
 
-/// Designs may be larger than targets: at most 16 MiB, some 200 000 named hinges.
+/// Bytes, 16 MiB. Designs may be larger than targets: this holds some 200 000 named hinges.
 inline constexpr std::size_t max_design_bytes = 16 << 20;
 
 /// @throws InvalidInput for whatever formats.md does not allow: among others a wall that the structure does

@@ -10,11 +10,14 @@ namespace {
 namespace value = targets::value;
 using Kind = DriveSection::Kind;
 
+// Of a compression (fraction of the plates' first distance): 0 leaves nothing to do, at 1 the plates meet.
 const targets::Bounds fraction = targets::between(0, 1);
+// Of a driven hinge, degrees: half a turn either way is all that one angle can tell.
 const targets::Bounds turn = targets::between(-180, 180, "degrees");
+// What the keys of the section may say.
 constexpr targets::Word<Kind> kinds[] = {{"plates", Kind::plates}, {"hinge", Kind::hinge}};
 constexpr targets::Word<model::Axis> axes[] = {{"x", model::Axis::x}, {"y", model::Axis::y}};
-constexpr targets::Word<int> signs[] = {{"1", 1}, {"-1", -1}};
+constexpr targets::Word<int> signs[] = {{"1", 1}, {"-1", -1}};  // of `branch` and `side`, nothing between
 
 targets::Key side_key() {
   return {"side", value::choice(signs), targets::by_default("1"),

@@ -7,8 +7,9 @@
 namespace kinetix::app {
 namespace {
 
-constexpr int supported_version = 1;
-constexpr std::size_t longest_name = 100;
+constexpr int supported_version = 1;       // of the file format, the only one there has been
+constexpr std::size_t longest_name = 100;  // characters: file systems allow 255, endings included
+// What messages and the documentation say a name may be.
 constexpr const char* wanted_name =
     "1 to 100 letters, digits, `_`, `-` and `.`, not starting with a point, since it names a folder";
 

@@ -6,6 +6,7 @@ namespace {
 namespace value = targets::value;
 using Model = HingeSection::Model;
 
+// What the key `model` may say.
 constexpr targets::Word<Model> models[] = {{"rotary", Model::rotary}, {"elastic", Model::elastic}};
 
 std::vector<targets::Key> keys_with(targets::Key model) {

@@ -6,6 +6,7 @@ namespace {
 namespace value = targets::value;
 using Solver = sim::PhysicsOptions::Solver;
 
+// What the key `solver` may say.
 constexpr targets::Word<Solver> solvers[] = {{"direct", Solver::direct}, {"sweeps", Solver::sweeps}};
 
 void check_reach(const targets::Section& root, const targets::Section& physics) {

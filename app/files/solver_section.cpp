@@ -6,6 +6,7 @@ namespace {
 namespace value = targets::value;
 using optim::Symmetry;
 
+// What the key `symmetry` may say.
 constexpr targets::Word<Symmetry> symmetries[] = {{"none", Symmetry::none},
                                                   {"mirror_x", Symmetry::mirror_x},
                                                   {"mirror_y", Symmetry::mirror_y},

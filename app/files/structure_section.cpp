@@ -8,8 +8,9 @@ namespace {
 
 namespace value = targets::value;
 
-constexpr int max_side = 10'000;
-constexpr std::size_t max_cells = 1'000'000;
+constexpr int max_side = 10'000;              // cells: a strip of that length is the longest that is read
+constexpr std::size_t max_cells = 1'000'000;  // in all: refused before memory is taken for bodies and hinges
+// What messages about `cells` ask for.
 constexpr const char* wanted_cells = "[columns, rows], or a list of cells [[i, j], ...]";
 
 std::vector<model::Cell> read_rectangle(const targets::Node& node, const std::vector<targets::Node>& sides) {

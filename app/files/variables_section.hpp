@@ -9,7 +9,7 @@ namespace kinetix::app {
 /// Keys of a `variables:` section; angles in radians.
 targets::Key tilt_range_key(const optim::AngleRange& usual);
 targets::Key theta_key(const optim::AngleRange& usual);
-/// The whole section of a net. @param tilt largest, of either sign
+/// The whole section of a net. @param tilt largest, rad, of either sign
 targets::KeyTable net_variables_keys(double tilt, const optim::AngleRange& theta);
 
 /// `theta: {range_deg: [2, 44]}` of a file's variables.

@@ -3,7 +3,7 @@
 namespace kinetix::app {
 namespace {
 
-constexpr int highest_index = 10'000;
+constexpr int highest_index = 10'000;  // of a vertex: the far end of the longest side that `cells` allows
 
 model::Wall read_wall(const targets::Section& owner) {
   const targets::Node node = owner.required("wall", "its two vertices, e.g. `wall: [[0, 0], [1, 0]]`");

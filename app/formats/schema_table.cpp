@@ -20,6 +20,7 @@ std::string words_text(const Json& words) {
 
 /// " above 0", " from 1"
 std::string bounds_text(const Json& schema) {
+  // Keys of JSON Schema, and how a range is told in words.
   static constexpr std::pair<const char*, const char*> bounds[] = {{"minimum", "at least"},
                                                                    {"exclusiveMinimum", "above"},
                                                                    {"maximum", "at most"},

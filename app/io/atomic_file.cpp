@@ -27,7 +27,7 @@ std::string folder_of(const fs::path& file) {
   return parent.empty() ? "." : parent;
 }
 
-constexpr int interrupts[] = {SIGINT, SIGTERM, SIGHUP};
+constexpr int interrupts[] = {SIGINT, SIGTERM, SIGHUP};  // signals by which a program is asked to end
 
 class Part;
 

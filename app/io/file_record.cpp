@@ -12,8 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t hash_digits = 64;  // of SHA-256 in hexadecimal
-constexpr std::size_t name_column = hash_digits + 2;
+constexpr std::size_t hash_digits = 64;               // of SHA-256 in hexadecimal
+constexpr std::size_t name_column = hash_digits + 2;  // characters: `sha256sum` puts two spaces between
 
 std::map<std::string, std::string> read_record(const fs::path& file) {
   std::map<std::string, std::string> hashes;

@@ -10,7 +10,7 @@ namespace kinetix::app {
 /// them. So a later run knows what an earlier one left, and that nobody has changed it since.
 class FileRecord {
  public:
-  static constexpr const char* name = ".kinetix-files";
+  static constexpr const char* name = ".kinetix-files";  ///< hidden: for the program alone
 
   /// Reads the record of the earlier run in the folder, if any.
   explicit FileRecord(std::string folder);

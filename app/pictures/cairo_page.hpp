@@ -11,7 +11,7 @@
 
 namespace kinetix::app {
 
-/// A side; cairo's images end at 32767.
+/// px a side: half of 32767, at which cairo's images end; a whole image of this size takes a gigabyte.
 inline constexpr double most_picture_pixels = 16'000;
 
 /// What a picture shows of the plane, mm.
@@ -51,10 +51,12 @@ class CairoImage {
   CairoPen pen_;
 };
 
-/// A picture of grey values, 0 to 1, row by row from the top. @throws std::runtime_error where it is too large
+/// A picture of grey values, 0 to 1, row by row from the top. @throws std::runtime_error where it is too
+/// large
 std::string grey_png(const Eigen::ArrayXXd& picture);
 
-/// All in one stroke: where two overlap, such as the wall tips of a hinge, no pixel of their rims is covered twice.
+/// All in one stroke: where two overlap, such as the wall tips of a hinge, no pixel of their rims is
+/// covered twice.
 /// @param grey 0 black, 1 white
 void draw_walls(const model::Structure& panel, const model::State& state, double grey, cairo_t* pen);
 

@@ -17,8 +17,13 @@ namespace {
 
 using Grey = Eigen::ArrayXXd;  ///< row of pixels by column, 0 to 1
 
+// Cell edges, more than three times the usual blur, so that the rim fades out within the picture.
 constexpr double margin_in_cells = 2;
+// Quantiles of the light that become black and white: the last hundredths are single openings, and would
+// leave the rest grey.
 constexpr double darkest = 0.02, brightest = 0.98;
+// Fractions of the blurred outline: it falls to a half at the panel's edge; where it is near 1 the rim no
+// longer tells.
 constexpr double inside = 0.5, deep_inside = 0.98;
 
 /// Openings white on black; their walls black on top if asked.

@@ -8,14 +8,15 @@
 namespace kinetix::app {
 
 struct FarViewOptions {
-  double pixels_per_cell = 12;
-  double blur_in_cells = 0.6;  ///< standard deviation of the Gaussian that the eye's distance makes
+  double pixels_per_cell = 12;  ///< px a cell edge, > 0
+  /// Cell edges, standard deviation of the Gaussian that the eye's distance makes.
+  double blur_in_cells = 0.6;
 };
 
-/// A planar panel before a lamp as seen from afar: the light through its openings, blurred to about a cell,
-/// relative to the panel's own blurred outline, contrast stretched from the second to the ninety-eighth
-/// percentile of what is not near the rim. Bright is drawn dark, as ink on white paper, with a margin
-/// of two cells. @return a PNG   @throws std::runtime_error for a state that is not finite
+/// A planar panel before a lamp as seen from a distance: the light through its openings, blurred to about a
+/// cell, relative to the panel's own blurred outline, contrast stretched from the second to the
+/// ninety-eighth percentile of what is not near the rim. Bright is drawn dark, as ink on white paper, with
+/// a margin of two cells. @return a PNG @throws std::runtime_error for a state that is not finite
 std::string far_view(const model::Structure& panel, const model::State& state,
                      const FarViewOptions& options = {});
 

@@ -15,7 +15,7 @@
 namespace kinetix::app {
 namespace {
 
-constexpr double steps_per_frame = 2;
+constexpr double steps_per_frame = 2;  // states kept for each frame shown, so that frames lie nearly evenly
 
 /// Keeps states of a motion at even distances of theta, closer than the frames that are wanted in the end.
 class FrameKeeper {

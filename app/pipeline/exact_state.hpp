@@ -4,17 +4,19 @@
 
 namespace kinetix::app {
 
-/// About how many states of a motion a run shows, flat and last included.
+/// About how many states of a motion a run shows, flat and last included: enough to see it move; every one
+/// adds all its poses to result.json.
 inline constexpr int motion_states = 13;
 
-/// Adds the closed form's state at theta, and its row of the speed-against-error table; sets run.theta.
+/// Adds the closed form's state at theta, rad, and its row of the speed-against-error table; sets run.theta.
 /// @pre planned, an exact family
 void add_exact_state(Run& run, double theta);
 
 /// Adds states of the closed form's motion from flat to run.theta.
 void add_exact_frames(Run& run);
 
-/// Row of the table for the exact model: time of one state, largest hinge gap as its error.
+/// Row of the table for the exact model: time of one state, s, largest hinge gap, cell edges, as its error.
+/// @param theta rad
 Fidelity exact_fidelity(const model::Classification& family, const model::Structure& structure, double theta);
 
 }  // namespace kinetix::app

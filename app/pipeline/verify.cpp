@@ -30,7 +30,7 @@ model::StateDistance distance(const model::Structure& structure, const sim::Phys
   return aligned_distance(structure, physics.state, reference);
 }
 
-/// Sheets of elastic hinges may have several balances.
+/// Sheets of elastic hinges may have several equilibria.
 std::optional<model::EquilibriumComparison> equilibria(const Run& run, const Verification& v,
                                                        const model::State& reference) {
   if (!is_settled(v) || !v.compared || !run.equilibrium) return std::nullopt;

@@ -5,7 +5,7 @@
 namespace kinetix::app {
 namespace {
 
-constexpr std::string_view result_mark = "@RESULT@";
+constexpr std::string_view result_mark = "@RESULT@";  // where the page takes the result (page.hpp)
 
 /// JSON that means the same and cannot end its script element: '<' occurs only within strings, where it may
 /// be written as an escape.

@@ -7,6 +7,7 @@
 namespace kinetix::app {
 namespace {
 
+// Of a summary: what a person reads through in a terminal. result.json has them all.
 constexpr std::size_t most_events = 12, most_states = 6;
 
 double degrees(double angle) { return angle / radians_per_degree; }

@@ -8,7 +8,7 @@
 
 namespace kinetix::app {
 
-/// (x, z) of the mean of the bodies of each column.
+/// (x, z), mm, of the mean of the bodies of each column.
 std::vector<Eigen::Vector2d> column_midline(const model::Structure& structure, const model::State& state);
 
 }  // namespace kinetix::app

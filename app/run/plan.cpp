@@ -7,8 +7,8 @@
 namespace kinetix::app {
 namespace {
 
-/// Beyond this the numeric rank costs more than a search; the exact families have one freedom by their closed
-/// form.
+/// Bodies: beyond this the numeric rank costs more than a search. The exact families have one degree of
+/// freedom by their closed form anyhow.
 constexpr std::size_t most_bodies_for_rank = 500;
 
 std::string wall_sentence(const model::ThetaRange& range) {

@@ -27,7 +27,7 @@ struct NamedState {
 /// One row of a scene's speed-against-error table.
 struct Fidelity {
   std::string model;
-  double seconds = 0;  ///< for one state
+  double seconds = 0;  ///< of computing one state, s
   double error = 0;    ///< rms of body positions after rigid alignment, cell edges
   std::string against;
 };

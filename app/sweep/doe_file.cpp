@@ -15,11 +15,13 @@ namespace value = targets::value;
 using targets::needed;
 using targets::otherwise;
 
-constexpr int most_levels = 1'000'000;
+constexpr int most_levels = 1'000'000;  // of one factor; their product is limited by itself
+// What the key `model` may say.
 constexpr targets::Word<Model> models[] = {
     {"exact", Model::exact}, {"equilibrium", Model::equilibrium}, {"bullet", Model::bullet}};
 /// Whether samples start from the base's own state.
 constexpr targets::Word<bool> starts[] = {{"flat", false}, {"base", true}};
+/// What the key `method.kind` may say.
 constexpr targets::Word<DoeMethod::Kind> methods[] = {{"factorial", DoeMethod::Kind::factorial},
                                                       {"lhs", DoeMethod::Kind::lhs},
                                                       {"sobol", DoeMethod::Kind::sobol},

@@ -22,8 +22,8 @@ struct FactorValues {
   int levels = 0;               ///< of a grid, ends included, >= 2; 0: not given
 };
 
-/// One path of a factor. What is written there is `times` the factor's value `plus` a constant, so that two
-/// keys can go together (`plus: 1, times: -1` gives 1 - k).
+/// One path of a factor. What is written there is `times` the factor's value `plus` a constant in the key's
+/// unit, so that two keys can go together (`plus: 1, times: -1` gives 1 - k).
 struct FactorPath {
   targets::DocumentPath path;
   double times = 1, plus = 0;
@@ -58,8 +58,8 @@ struct DoeFile {
   std::optional<std::string> goal;  ///< curve target that shape_rms of designs is measured against
   Model model = Model::exact;
   /// Of the equilibrium model: samples start from the base's own state at the drive's goal, and find the
-  /// equilibrium below it, instead of following the load from flat. For small errors, which must not change the
-  /// branch.
+  /// equilibrium below it, instead of following the load from flat. For small errors, which must not change
+  /// the branch.
   bool from_base = false;
   DoeMethod method;
   std::vector<DoeFactor> factors;        ///< at least 1, no two of one name
@@ -67,6 +67,7 @@ struct DoeFile {
   targets::Node root;
 };
 
+/// Rows of a table: ten levels of seven factors. A limit, so that a slip in a grid is refused, not laid out.
 inline constexpr std::int64_t most_samples = 10'000'000;
 
 /// Every key of a doe.yaml.

@@ -16,6 +16,7 @@ namespace {
 
 using Kind = Edit::Kind;
 
+// Keys of a hinge that a path may end with.
 constexpr std::pair<const char*, Kind> hinge_keys[] = {
     {"t", Kind::t}, {"t_mm", Kind::t_mm}, {"alpha_deg", Kind::alpha_deg}, {"beta_deg", Kind::beta_deg}};
 

@@ -16,11 +16,11 @@ struct Edit {
 
   Kind kind = Kind::document;
   int index = 0;  ///< item of the document, or hinge of the structure
-  bool flipped =
-      false;  ///< t -> 1 - t, alpha -> 180 - alpha, beta -> -beta: what the alternation over a sheet asks
-  int factor = 0;  ///< column of the factor
-  double times = 1, plus = 0;
-  double base = 0;  ///< added: the base's own value
+  /// t -> 1 - t, alpha -> 180 - alpha, beta -> -beta: what the alternation over a sheet requires.
+  bool flipped = false;
+  int factor = 0;              ///< column of the factor
+  double times = 1, plus = 0;  ///< as of FactorPath
+  double base = 0;             ///< added: the base's own value, in the unit of the edit's key, as value()
 
   double value(double of_factor) const { return base + times * of_factor + plus; }
 };

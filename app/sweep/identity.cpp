@@ -14,8 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Bytes, 1 GiB, of a file that a sweep names: more than any reader takes, meshes (256 MiB) included.
 constexpr std::size_t max_file_bytes = std::size_t{1} << 30;
-constexpr int deepest = 3;  // a sweep names a goal, which names its points
+constexpr int deepest = 3;  // files: a sweep names a base or a goal, which names its points; one to spare
 
 /// Hashes of the files that a document names, and of those that these name.
 void add_files(const targets::Node& root, std::map<std::string, std::string>& hashes, int depth) {
@@ -59,6 +60,7 @@ std::string method_name(const SweepPlan& plan) {
   return plan.doe.method.node.required("kind", "").text("a method");
 }
 
+// Entries that two tables of one sweep share, and how a message calls what differs.
 constexpr std::pair<const char*, const char*> deciding[] = {
     {"schema", "the table's format"},          {"kinetix_version", "the program's version"},
     {"doe_sha256", "the sweep file"},          {"base_sha256", "the base file"},

@@ -23,7 +23,7 @@ struct Observation {
   const nlohmann::ordered_json* metrics = nullptr;  ///< of a search, as in result.json
 };
 
-/// One response. NaN where a sample has no such number.
+/// One response, in the unit that its name ends in. NaN where a sample has no such number.
 struct Metric {
   std::string name;
   std::function<double(const Observation&)> of;

@@ -10,7 +10,7 @@
 namespace kinetix::app {
 namespace {
 
-constexpr std::size_t longest_compared = 200;
+constexpr std::size_t longest_compared = 200;  // bytes: bounds the time of a comparison
 
 /// With every position as `[*]`: names that differ in a number alone are one.
 std::string pattern(targets::DocumentPath path) {

@@ -8,7 +8,7 @@
 namespace kinetix::app {
 namespace {
 
-constexpr std::size_t piece_bytes = 1 << 20;
+constexpr std::size_t piece_bytes = 1 << 20;  // 1 MiB at a time: few calls to write, little memory
 
 /// In quotes where it needs them.
 std::string field(const std::string& text) {

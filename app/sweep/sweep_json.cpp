@@ -12,9 +12,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Method = optim::SamplingMethod;
 
-constexpr std::int64_t most_scatter = 2000;
-constexpr std::size_t most_failures = 100;
-constexpr std::int64_t most_numbers = 40'000'000;  // of factors, kept in memory for the analysis
+constexpr std::int64_t most_scatter = 2000;        // points: more only cover each other in the report
+constexpr std::size_t most_failures = 100;         // listed one by one: more hide what they have in common
+constexpr std::int64_t most_numbers = 40'000'000;  // of factors and responses, in memory at once: 320 MB
 
 /// The table as the analysis takes it.
 struct Numbers {

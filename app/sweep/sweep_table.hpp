@@ -15,8 +15,9 @@ namespace kinetix::app {
 
 /// The table of a sweep, FOLDER/sweep.sqlite (SQLite 3, write-ahead log):
 ///
-///     samples(sample INTEGER PRIMARY KEY, <one REAL a factor>, <one REAL a response>, status TEXT, reason
-///     TEXT) meta(key TEXT PRIMARY KEY, value TEXT)          -- SweepIdentity
+///     samples(sample INTEGER PRIMARY KEY, <one REAL a factor>, <one REAL a response>,
+///             status TEXT, reason TEXT)
+///     meta(key TEXT PRIMARY KEY, value TEXT)          -- SweepIdentity
 ///
 /// Columns are called as the factors and responses are. A number that there is not is NULL. One writer;
 /// others may read at any time.

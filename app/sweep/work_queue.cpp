@@ -5,9 +5,9 @@
 namespace kinetix::app {
 namespace {
 
-constexpr double wanted_seconds = 0.1;
-constexpr double most_samples = 1 << 16;
-constexpr double growth = 4;
+constexpr double wanted_seconds = 0.1;      // of a chunk: shorter ones queue, longer ones keep others waiting
+constexpr double most_samples = 1 << 16;    // of a chunk: its rows travel and are stored as one
+constexpr double growth = 4;                // times the last chunk: one quick sample tells little of the next
 constexpr std::size_t share_of_rest = 4;    // one of so many goes out at a time,
 constexpr std::size_t least_of_rest = 256;  // but no fewer samples, if so many are wanted
 

@@ -9,9 +9,9 @@ namespace kinetix::targets {
 const KeyTable& fold_target_keys();
 
 /// A `target:` section of kind fold: one of
-///   - `box: [4, 4, 4]`, edge lengths in cells along x, y, z: the bottom has 4 x 4 cells; optionally `open:
-///   top`
-///     (or another face: bottom, top, front, back, left, right), a box without that face,
+///   - `box: [4, 4, 4]`, edge lengths in cells along x, y, z: the bottom has 4 x 4 cells;
+///     optionally `open: top` (or another face: bottom, top, front, back, left, right), a box without that
+///     face,
 ///   - `net:` with
 ///         faces: [{name: base, cells: [4, 4]}, {name: flap, cells: [4, 2]}]
 ///         creases: [{faces: [base, flap], side: top, angle_deg: 90}]

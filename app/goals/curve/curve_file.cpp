@@ -17,9 +17,12 @@ namespace {
 
 namespace value = targets::value;
 
-constexpr int default_columns = 40;
-constexpr int max_columns = 1000;
+constexpr int max_columns = 1000;  // of cells: the tilt of each is a variable of the search
+// rad, at which a strip gets the length of the curve where the file gives no cell edge: far enough from
+// both ends of the usual range of theta (2 to 44 deg) for the search to make the strip longer or shorter.
 constexpr double default_theta = 30 * radians_per_degree;
+// mm: where cells would be smaller than that, points in metres are likelier than a strip to be looked at
+// through a lens.
 constexpr double smallest_default_cell_mm = 0.1;
 
 targets::Curve read_goal(const targets::Section& root) {

@@ -11,7 +11,7 @@ class CurveOutcome final : public GoalOutcome {
   std::vector<Eigen::Vector2d> target_mm;  ///< as given
   optim::FreeCurveDesign found;
   optim::SolverOptions solver;
-  double shape_tolerance = 0.01;  ///< of found.design.error.rms
+  double shape_tolerance = 0.01;  ///< of found.design.error.rms, over the diagonal of the goal
 
   nlohmann::ordered_json target_json() const override;
   /// Adds `curve` and `optimiser`.

@@ -100,6 +100,7 @@ double measured(const Scene& goal, const model::Structure& structure, const mode
 
 std::unique_ptr<Scene> make_scene(CurveFile file) { return std::make_unique<CurveScene>(std::move(file)); }
 
+// The kind for the registry (app/goals/registry.cpp), and its metrics with their units.
 const GoalKind curve_kind = {
     .name = "curve",
     .example = "target: {kind: curve, points: points.csv}",

@@ -16,8 +16,8 @@ namespace kinetix::app {
 
 /// A target.yaml of kind display, as asked for or by default. `kinetix: 1` and a `target` are enough.
 ///
-///     target: {kind: display, glyph: T, channel: aperture}      # or image, or rows:
-///     targets/display/read_display.hpp drive: {axis: y, compression: 0.12}                       # of the plates
+///     target: {kind: display, glyph: T, channel: aperture}      # or image, or rows: read_display.hpp
+///     drive: {axis: y, compression: 0.12}                       # of the plates
 ///     variables:
 ///       t: {range: [0.08, 0.92], corner_mm: 1, symmetry: none}
 ///       compression: {range: [0.05, 0.2]}                       # searched for, from drive.compression
@@ -29,16 +29,17 @@ struct DisplayFile {
   optim::Channel channel = optim::Channel::aperture;
   model::CellSize size = {};  ///< structure.cell_mm (default 10), structure.wall_mm
   std::vector<model::Axis> axes = {
-      model::Axis::y};        ///< drive.axis or variables.axis: normals of the plates to try
-  double compression = 0.12;  ///< drive.compression, (0, 0.5], within the range if there is one
-  std::optional<std::array<double, 2>> compression_range =
-      {};  ///< variables.compression.range, within (0, 0.5]
-  std::array<double, 2> t = {0.08,
-                             0.92};  ///< variables.t.range, (0, 1), no nearer to a corner than corner_mm
+      model::Axis::y};  ///< drive.axis or variables.axis: normals of the plates to try
+  /// drive.compression: fraction by which the plates come closer, (0, 0.5], within the range if there is one
+  double compression = 0.12;
+  /// variables.compression.range, within (0, 0.5], likewise a fraction of the first distance
+  std::optional<std::array<double, 2>> compression_range = {};
+  /// variables.t.range, fractions of a wall, (0, 1), no nearer to a corner than corner_mm
+  std::array<double, 2> t = {0.08, 0.92};
   optim::Symmetry symmetry = optim::Symmetry::none;  ///< variables.t.symmetry
   double stretch = 0.12;  ///< tolerance.stretch: most of a hinge, cell edges, (0, 1]
   double auc = 0.97;      ///< tolerance.auc: least, (0.5, 1]; rank correlation for grey goals
-  double contrast = 3;    ///< tolerance.contrast: least, of goals with two levels, >= 0
+  double contrast = 3;    ///< tolerance.contrast: least d', dimensionless, of goals with two levels, >= 0
   double verify = 0.05;   ///< tolerance.verify: of verify_rms, cell edges, (0, 1]
   HingeSection hinge = {};
   SolverSection solver = {};  ///< mma, ccsa or slsqp; starts for each axis

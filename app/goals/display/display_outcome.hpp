@@ -12,9 +12,9 @@ namespace kinetix::app {
 
 /// What a state of a panel shows.
 struct DisplayReading {
-  std::vector<double> channel;  ///< of each cell
+  std::vector<double> channel;  ///< of each cell, in its unit (optim::Channel)
   targets::DisplayScore score;
-  double rank = 0;  ///< rank correlation of channel and levels
+  double rank = 0;  ///< rank correlation of channel and levels, [-1, 1]
 };
 
 /// What a search for a display contributes to a result.
@@ -34,8 +34,8 @@ class DisplayOutcome final : public GoalOutcome {
 
   /// The picture as rows, top row first.
   nlohmann::ordered_json target_json() const override;
-  /// Adds `display` (channel, levels and readings of all cells in the order of structure.cells, starts, reasons),
-  /// `optimiser`, and the time of the larger panels.
+  /// Adds `display` (channel, levels and readings of all cells in the order of structure.cells, starts,
+  /// reasons), `optimiser`, and the time of the larger panels.
   void add_sections(const Run& run, nlohmann::ordered_json& result) const override;
   void add_metrics(nlohmann::ordered_json& metrics) const override;
   std::vector<SummaryLine> summary_lines(const Run& run) const override;

@@ -174,6 +174,7 @@ std::unique_ptr<Scene> make_scene(DisplayFile file) {
   return std::make_unique<DisplayScene>(std::move(file));
 }
 
+// The kind for the registry (app/goals/registry.cpp), and its metrics with their units.
 const GoalKind display_kind = {
     .name = "display",
     .example = "target: {kind: display, glyph: T}",

@@ -10,7 +10,7 @@ namespace {
 
 namespace value = targets::value;
 
-constexpr double default_cell_mm = 10;
+constexpr double default_cell_mm = 10;  // as of a design; how a net folds does not depend on it
 
 targets::KeyTable structure_keys() {
   return targets::KeyTable({cell_mm_key(targets::by_default(default_cell_mm)), wall_mm_key()});

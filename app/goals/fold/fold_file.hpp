@@ -19,10 +19,10 @@ struct FoldFile {
   std::string name;
   targets::FoldGoal goal;
   model::CellSize size = {};              ///< structure.cell_mm (default 10), structure.wall_mm
-  double tilt = 60 * radians_per_degree;  ///< the nearer end of variables.beta.range_deg, which holds 0
+  double tilt = 60 * radians_per_degree;  ///< rad: the nearer end of variables.beta.range_deg, which holds 0
                                           ///< inside: tilts alternate in sign along a crease; (0, 89] deg
   optim::AngleRange theta = {2 * radians_per_degree,
-                             44 * radians_per_degree};  ///< variables.theta, within (0, 45) deg
+                             44 * radians_per_degree};  ///< rad, variables.theta, within (0, 45) deg
   double angle_tolerance = 0.1 * radians_per_degree;    ///< of a crease, rad, (0, 90] deg
   double shape_tolerance = 0.02;                        ///< of face_rms, over the edge of a face, (0, 1]
   double verify_tolerance = 0.02;                       ///< of verify_rms, cell edges, (0, 1]

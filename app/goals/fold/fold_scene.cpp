@@ -87,6 +87,7 @@ class FoldScene final : public Scene {
 
 std::unique_ptr<Scene> make_scene(FoldFile file) { return std::make_unique<FoldScene>(std::move(file)); }
 
+// The kind for the registry (app/goals/registry.cpp), and its metrics with their units.
 const GoalKind fold_kind = {
     .name = "fold",
     .example = "target: {kind: fold, box: [4, 4, 4]}",

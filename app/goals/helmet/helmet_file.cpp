@@ -14,10 +14,10 @@ namespace {
 
 namespace value = targets::value;
 
-constexpr double default_cell_mm = 6;
-constexpr int most_ribs = 200;
-constexpr double least_cell_mm = 1;
-constexpr double most_cell_mm = 60;
+constexpr double default_cell_mm = 6;  // a tenth of a head's radius: ribs can follow its curves
+constexpr int most_ribs = 200;         // one every other millimetre of a head: a limit on what is read
+constexpr double least_cell_mm = 1;    // of cells, and between ribs: smaller ones make too many cells
+constexpr double most_cell_mm = 60;    // about a head's radius: larger cells cannot follow it
 
 targets::KeyTable target_keys(const optim::HelmetSpec& usual) {
   std::vector<targets::Key> keys = targets::head_keys();

@@ -18,6 +18,7 @@ namespace kinetix::app {
 ///     variables: {beta: {range_deg: [-60, 60]}, theta: {range_deg: [2, 40]}}
 ///     tolerance: {rms_mm: 0.8, max_mm: 3, verify: 0.02}
 struct HelmetFile {
+  /// Tolerances in mm, small against the usual clearance of 5 mm, and in cell edges, as for other kinds.
   static constexpr double usual_rms_mm = 0.8, usual_max_mm = 3, usual_verify = 0.02;
 
   std::string name;

@@ -14,8 +14,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int points_a_curve = 60;
-constexpr int head_curves = 9;
+constexpr int points_a_curve = 60;  // of a line to be drawn: one every 6 mm or so over a head
+constexpr int head_curves = 9;      // sections that show the head in the report: enough to see its shape
 
 Json polyline(const targets::Head& head, const targets::SpaceCurve& curve) {
   Json out = Json::array();

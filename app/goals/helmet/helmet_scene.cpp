@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-const Vector3d crown = Vector3d::Zero();  // origin of the head's frame
+const Vector3d crown = Vector3d::Zero();  // mm, the origin of the head's frame
 
 optim::SolverOptions search_of(const HelmetFile& file) {
   optim::SolverOptions options;
@@ -130,6 +130,7 @@ class HelmetScene final : public Scene {
 
 std::unique_ptr<Scene> make_scene(HelmetFile file) { return std::make_unique<HelmetScene>(std::move(file)); }
 
+// The kind for the registry (app/goals/registry.cpp), and its metrics with their units.
 const GoalKind helmet_kind = {
     .name = "helmet",
     .example = "target: {kind: helmet, mesh: head.obj}",
