@@ -16,6 +16,8 @@ using testing::HardAnswer;
 using testing::HardCase;
 using testing::HardEquilibrium;
 
+// Bodies of a case that the engine is run on as well: larger cases would hold up the table for the engine
+// alone.
 constexpr std::size_t most_bodies = 3000;
 
 sim::PhysicsResult physics_of(const HardEquilibrium& found) {

@@ -40,6 +40,7 @@ struct Group {
   std::vector<Figure> (*measure)();
 };
 
+// The tables in the order of the page, by their names on the command line.
 constexpr Group groups[] = {{"model", kinetix::bench::model_figures},
                             {"elastic", kinetix::bench::elastic_figures},
                             {"load_path", kinetix::bench::equilibrium_path_figures},
@@ -66,6 +67,7 @@ struct Extra {
   bool is_picture() const { return std::string_view(name).ends_with(".svg"); }
 };
 
+// What else a group writes: pictures and sections of the page.
 constexpr Extra extras[] = {{"stable_state", "twist_barrier.svg", kinetix::bench::barrier_plot},
                             {"physics", "solvers", kinetix::bench::solver_table},
                             {"speed_error", "speed error", kinetix::bench::speed_error_section},
@@ -121,8 +123,8 @@ std::string option(int argc, char** argv, const std::string& name) {
 }  // namespace
 
 /// Measures every figure of the table and prints it; with `--write FILE` puts it into that page as well, and
-/// the pictures beside it. With `--only NAME` measures one group and prints its rows; `--write` then writes its
-/// sections and pictures, not the table.
+/// the pictures beside it. With `--only NAME` measures one group and prints its rows; `--write` then writes
+/// its sections and pictures, not the table.
 int main(int argc, char** argv) {
   const std::string page = option(argc, argv, "--write"), only = option(argc, argv, "--only");
   if (!only.empty()) return measure_only(only, page);

@@ -13,7 +13,7 @@
 namespace kinetix::bench {
 namespace {
 
-constexpr double degree = radians_per_degree;
+constexpr double degree = radians_per_degree;  // rad, so that angles below read in degrees
 
 struct ExactScene {
   const char* name;

@@ -10,7 +10,7 @@ namespace {
 using testing::Mechanism;
 using testing::MechanismRun;
 
-constexpr double step_ratio = 10;
+constexpr double step_ratio = 10;  // times: each list of steps below goes from a step to a tenth of it
 
 /// Of a quantity in the step, from the last two steps.
 double order(const std::vector<double>& values) {

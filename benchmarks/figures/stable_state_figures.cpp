@@ -13,7 +13,10 @@
 namespace kinetix::bench {
 namespace {
 
+// Degrees: in-plane angles of the twist unit that are tried; at 90 it does not twist and has no barrier.
+// Every fifth is listed.
 constexpr int first_alpha = 30, last_alpha = 85, alpha_step = 5;
+// N mm/rad: next to nothing beside k_point, so that barriers are those of stretch alone.
 const model::Elasticity loose{.k_turn = 1e-5};
 
 model::Structure twist_unit(double alpha) {
@@ -50,7 +53,9 @@ std::vector<BarrierPoint> barriers() {
   return points;
 }
 
+// px: where the axes of the plot are; outside is room for labels, to the left for energies of three digits.
 constexpr double left = 70, right = 620, top = 30, bottom = 330;
+// N mm, the upper end of the axis: room for the highest barrier, at 30 deg.
 constexpr double most_energy = 800;
 
 double plot_x(double alpha) { return left + (alpha - first_alpha) / (90.0 - first_alpha) * (right - left); }

@@ -18,7 +18,7 @@ namespace {
 
 using testing::Scratch;
 
-constexpr int columns = 40;
+constexpr int columns = 40;  // cells of the strip: as many as of a curve by default
 
 /// A strip whose columns bend in turn, as the base of the sweeps.
 std::string strip() {
@@ -101,6 +101,7 @@ struct Scaling {
   int samples;
 };
 
+// Samples: so many that a run takes seconds, beside which starting workers does not count.
 constexpr Scaling scalings[] = {{"exact model", "exact", 1200000}, {"equilibrium model", "equilibrium", 300}};
 
 Figure two_workers(const Scaling& scaling, const std::string& kind,

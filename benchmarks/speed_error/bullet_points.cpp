@@ -14,10 +14,12 @@ namespace {
 
 using Solver = sim::PhysicsOptions::Solver;
 
+// Sizes of scenes between which the time budgets of rigid_grid change.
 constexpr std::size_t few_bodies = 100, many_bodies = 2000;
+// Steps of a whole drive: from fewer than give an answer to more than budgets allow.
 constexpr int drive_steps[] = {5, 10, 15, 20, 30, 40, 60, 80, 120, 240, 500, 1000, 2000};
-constexpr double longest_step_s = 0.1;
-constexpr double stiff_joints = 1e8;
+constexpr double longest_step_s = 0.1;  // s, the most that PhysicsOptions::step_s allows
+constexpr double stiff_joints = 1e8;    // over the parts' masses, as app/pipeline/verify.cpp has it for nets
 
 /// All numbers of steps with one solver.
 struct GridLine {
@@ -48,6 +50,7 @@ std::vector<GridLine> elastic_grid() {
   return lines;
 }
 
+// Names of series in plot and table (series_style.cpp), and how a run ended.
 const std::string direct = "Bullet, direct", sweeps = "Bullet, sweeps";
 const std::string at_rest = to_string(sim::PhysicsResult::Status::settled);
 const std::string at_rest_but_open = "settled with open hinges";

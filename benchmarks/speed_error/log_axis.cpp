@@ -8,7 +8,7 @@
 namespace kinetix::bench {
 namespace {
 
-constexpr double slack = 1e-9;
+constexpr double slack = 1e-9;  // of a decade: an end that is a power of ten is a tick in spite of rounding
 
 /// Two significant digits and no exponent.
 std::string short_number(double value) {

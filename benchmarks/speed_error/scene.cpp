@@ -16,6 +16,8 @@
 namespace kinetix::bench {
 namespace {
 
+// Of the cells that scale, as the search for displays starts with (optim::DisplayOptions::rule_k); and the
+// fraction by which plates come closer, a little more than displays do by default, so that hinges turn far.
 constexpr double display_k = 0.15, display_compression = 0.14;
 
 SpeedErrorScene exact_scene(const std::string& name, const model::Structure& structure, double theta) {

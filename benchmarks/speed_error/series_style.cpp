@@ -7,10 +7,12 @@
 namespace kinetix::bench {
 namespace {
 
+// One colour a family of methods; its series differ by their marks.
 constexpr const char* green = "#1a7f37";
 constexpr const char* blue = "#0969da";
 constexpr const char* orange = "#d1570b";
 
+// By the name of the series; others get a style of their own below.
 const std::map<std::string, SeriesStyle> styles = {
     {"exact", {"#1f2328", Marker::diamond}},
     {"equilibrium", {green, Marker::triangle}},

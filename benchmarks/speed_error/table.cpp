@@ -11,6 +11,7 @@
 namespace kinetix::bench {
 namespace {
 
+// Cell edges, rms: 1 %, 0.1 % and 0.01 %, as the columns of the table say.
 constexpr std::array errors = {1e-2, 1e-3, 1e-4};
 
 std::string ratio_label(double ratio) {

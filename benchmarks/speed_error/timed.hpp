@@ -8,7 +8,8 @@
 
 namespace kinetix::bench {
 
-inline constexpr int most_repeats = 5;
+inline constexpr int most_repeats = 5;  ///< runs: a median that one disturbed run does not move
+/// s of all runs together: long runs vary less, and one suffices.
 inline constexpr double enough_seconds = 0.3;
 
 /// Repeats a run up to five times, fewer where that would take longer than 0.3 s, and takes the median of
