@@ -10,6 +10,7 @@
 namespace kinetix::app {
 namespace {
 
+// Around the result in the page.
 const std::string data_start = R"(<script type="application/json" id="result">)";
 const std::string script_end = "</script>";
 

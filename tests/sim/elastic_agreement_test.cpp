@@ -15,7 +15,7 @@ using namespace testing;
 using Outcome = model::EquilibriumComparison::Outcome;
 using Status = PhysicsResult::Status;
 
-constexpr double degree = radians_per_degree;
+constexpr double degree = radians_per_degree;  // rad, so that angles below read in degrees
 
 struct Pair {
   model::EquilibriumPath path;

@@ -21,6 +21,7 @@ using testing::strip;
 using testing::structure_of;
 using Status = PhysicsResult::Status;
 
+// Four columns, tilts and theta in rad: quick, and all hinges move.
 const auto bent = strip(curl(4, 0.3), 0.4);
 
 TEST(FailedRun, NamesTheHingeThatIsOpenByMoreThanTheLimit) {

@@ -27,7 +27,7 @@ struct Mechanism {
   std::function<double(double simulated_s, const std::vector<model::Pose>& poses)> miss = {};
 };
 
-inline const Vector3d down{0, -9.81, 0};
+inline const Vector3d down{0, -9.81, 0};  ///< m/s^2, gravity: mechanisms here are in metres
 
 /// Turn of a hinge since the start, of b against a about its axis, (-pi, pi].
 inline double hinge_turn(const sim::FreeLinkage& linkage, int hinge, const std::vector<model::Pose>& poses) {

@@ -12,8 +12,8 @@
 /// (tilts of 30 deg, twisting angles of 80 deg, the lengths of strips), it is chosen here.
 namespace kinetix::testing {
 
-inline constexpr double bend_tilt = 30 * radians_per_degree;
-inline constexpr double twist_alpha = 80 * radians_per_degree;
+inline constexpr double bend_tilt = 30 * radians_per_degree;    ///< rad; the paper gives no number
+inline constexpr double twist_alpha = 80 * radians_per_degree;  ///< rad; the paper gives no number
 
 inline model::Structure tiled(int columns, int rows, const model::CellTuple& even,
                               const model::CellTuple& odd, const model::CellSize& size = {}) {
@@ -78,13 +78,14 @@ inline model::Structure letter_panel(double k, int cells = 10) {
 /// units share, are basic: a strip bends or twists by its x-walls alone.
 struct ColumnUnit {
   double t = 0.5;         ///< fraction of a wall that belongs to its class A vertex
-  double alpha = pi / 2;  ///< of the walls in even rows; pi - alpha in odd ones
-  double beta = 0;        ///< likewise, -beta in odd ones
+  double alpha = pi / 2;  ///< rad, of the walls in even rows; pi - alpha in odd ones
+  double beta = 0;        ///< rad, likewise, -beta in odd ones
 };
 
+/// The units of the paper.
 inline constexpr ColumnUnit basic_unit{};
-inline constexpr ColumnUnit scaling_unit{.t = 0.3};
-inline constexpr ColumnUnit shearing_unit{.t = 0.7};
+inline constexpr ColumnUnit scaling_unit{.t = 0.3};   ///< a fraction: k = 0.3, as in Fig. 10
+inline constexpr ColumnUnit shearing_unit{.t = 0.7};  ///< likewise, 1 - k
 inline constexpr ColumnUnit bending_unit{.beta = bend_tilt};
 inline constexpr ColumnUnit twisting_unit{.alpha = twist_alpha};
 

@@ -13,6 +13,7 @@ inline double bump(const Eigen::Vector3d& p, const Eigen::Vector3d& centre, doub
   return f < 1 ? std::pow(1 - f * f, 2) : 0;
 }
 
+/// mm: half of the breadth and length of a man's head; upwards more, so that a neck can be cut off.
 inline const Eigen::Vector3d head_axes{77, 98, 115};
 
 /// An ellipsoid with two ears 22 mm and a nose 25 mm proud of it, cut off at the neck.
@@ -27,6 +28,7 @@ inline targets::TriangleMesh head_with_ears(int around = 180, int down = 120) {
   return mesh;
 }
 
+/// mm: half axes of a thin ear, and its middle beside the head, so that a part of it is inside.
 inline const Eigen::Vector3d ear_axes{30, 3, 25}, ear_centre{85, -5, 40};
 
 /// An ellipsoid with two ears that stand out from it across, 38 mm long and 6 mm thick at most, closed shells

@@ -20,6 +20,7 @@ using testing::random_design;
 using testing::structure_of;
 using testing::TemporaryFolder;
 
+// The start of most files below: a strip, which lines that follow make right or wrong.
 const std::string strip = "kinetix: 1\nstructure: {cells: [6, 1], cell_mm: 10}\n";
 
 DesignFile read(const std::string& text) {
@@ -91,6 +92,7 @@ TEST(DesignFile, DrivesByPlatesAlongYUnlessToldOtherwise) {
   EXPECT_EQ(read(strip + "drive: {kind: plates, axis: x, compression: 0.15}").drive->axis, model::Axis::x);
 }
 
+// A long row of cells on a bar of three, with a crease: plates can hold some parts of it.
 const std::string tee =
     "kinetix: 1\nstructure: {cells: [[0, 0], [1, 0], [2, 0], [1, 1], [1, 2], [1, 3]]}\n"
     "design: {hinges: [{wall: [[1, 1], [1, 2]], beta_deg: -30}, {wall: [[2, 1], [2, 2]], beta_deg: 30}]}\n";

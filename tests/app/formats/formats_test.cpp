@@ -25,6 +25,7 @@ using testing::schema_errors;
 using Json = nlohmann::json;
 using Kind = targets::ValueType::Kind;
 
+// The folder of the sources, where schemas, pages and examples are.
 const std::string source = KINETIX_SOURCE;
 
 std::string schema_text(const std::string& name) {
@@ -80,6 +81,7 @@ void read_any(const std::string& text) {
   read_doe(folder.write("in.yaml", text));
 }
 
+// Parts of files, to which wrong lines are added.
 const std::string curve = "target: {kind: curve, points: [[0, 0], [60, 0], [60, 40]]}";
 const std::string doe = "kinetix: 1\nbase: x.yaml\nresponses: [theta_deg]\nmethod: {kind: sobol}\n";
 

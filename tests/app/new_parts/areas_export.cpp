@@ -18,6 +18,7 @@ std::vector<NamedContent> write(const Run& run) {
   return {{"areas/flat.txt", text}};
 }
 
+// Name, extensions, whether every run writes it, and how.
 const Exporter areas_export = {"areas", {"txt"}, false, write};
 
 [[maybe_unused]] const bool registered = (add_exporter(areas_export), true);

@@ -92,6 +92,7 @@ struct WidthScene final : Scene {
   int cells_ = 0;
 };
 
+// What a program of one's own registers.
 const GoalKind width_kind = {.name = "width",
                              .example = "target: {kind: width, width_mm: 50, cells: 6, cell_mm: 10}",
                              .read = [](const targets::Node& root) -> std::unique_ptr<Scene> {

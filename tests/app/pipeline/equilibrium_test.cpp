@@ -15,6 +15,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using Json = nlohmann::json;
 
+// Small and planar, so that it is quick.
 constexpr const char* panel = R"(kinetix: 1
 name: panel
 structure: {cells: [3, 3], cell_mm: 10}
@@ -22,6 +23,7 @@ drive: {kind: plates, axis: y, compression: 0.15}
 hinge: {model: elastic, k_point: 1000, k_turn: 0.2, reach_mm: 1.8}
 )";
 
+// One cell that twists, with the default hinges.
 constexpr const char* twist_unit = R"(kinetix: 1
 structure: {cells: [1, 1], cell_mm: 20}
 design: {theta_deg: 30, pattern: {even: {A_in_deg: [90, 80, 90, 80]}}}
@@ -244,6 +246,7 @@ TEST_P(RefusedDesign, EndsWith2OneClearMessageAndNothingWritten) {
   EXPECT_FALSE(fs::exists(folder));
 }
 
+// The structure of the files below, each wrong in another way.
 const std::string sheet = "structure: {cells: [2, 2], cell_mm: 10}\n";
 
 INSTANTIATE_TEST_SUITE_P(

@@ -9,6 +9,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
+// A factor that is right, for files that are wrong elsewhere.
 const std::string theta = "  - {path: design.theta_deg, range: [5, 40], levels: 8}\n";
 
 struct Bad {
@@ -16,6 +17,7 @@ struct Bad {
   std::string says;
 };
 
+// Sweep files, and what the message must say.
 const Bad bad_sweeps[] = {
     {sweep_of("{kind: factorial}", "  - {path: design.tetha_deg, range: [5, 40]}\n", "end_mm"),
      "doe.yaml:6:5: factors[0]: the base has no number at `design.tetha_deg`; the nearest is "

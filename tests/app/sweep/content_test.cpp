@@ -16,7 +16,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using Json = nlohmann::json;
 
-constexpr double degree = radians_per_degree;
+constexpr double degree = radians_per_degree;  // rad, so that angles below read in degrees
 
 /// What `simulate` gives for one design: its target state.
 Json simulated(const Scratch& scratch, const std::string& design, const std::string& model) {

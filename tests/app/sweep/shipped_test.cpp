@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double degree = radians_per_degree;
+constexpr double degree = radians_per_degree;  // rad, so that angles below read in degrees
 
 std::string run_shipped(const Scratch& scratch, const std::string& name) {
   const std::string out = scratch / name;

@@ -17,6 +17,7 @@ namespace {
 using ::testing::HasSubstr;
 using Json = nlohmann::json;
 
+// Quick samples, but so many that all threads and ranks get some.
 const std::string many = sweep_of("{kind: lhs, samples: 20000}",
                                   "  - {path: design.theta_deg, range: [5, 40]}\n  - {path: "
                                   "\"design.columns[*].beta_deg\", range: [-40, 40]}\n",

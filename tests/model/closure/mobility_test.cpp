@@ -15,7 +15,7 @@ namespace {
 using testing::random_design;
 using testing::structure_of;
 
-constexpr double degree = radians_per_degree;
+constexpr double degree = radians_per_degree;  // rad, so that angles below read in degrees
 
 /// Without the help of a closed form.
 Mobility driven(const Structure& s) { return mobility(s, {}); }

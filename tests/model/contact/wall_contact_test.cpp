@@ -15,7 +15,7 @@ namespace {
 using testing::random_design;
 using testing::structure_of;
 
-constexpr double degree = radians_per_degree;
+constexpr double degree = radians_per_degree;  // rad, so that angles below read in degrees
 
 ThetaRange range_of(const Structure& s, const ThetaRangeOptions& options = {}) {
   return theta_range(s, exact_motion(s), options);

@@ -18,6 +18,7 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using namespace testing;
 
+// Of a contact, over k_point: not 1, so that a factor that is left out shows.
 constexpr double stiffness = 7;
 
 struct Touching {
@@ -176,8 +177,8 @@ TEST(ContactEnergy, RememberedCandidatesGiveWhatAFreshModelFinds) {
   }
 }
 
-/// All bodies of a strip far apart, but for one whose wall tip hangs `high` above the middle of another's x-wall,
-/// `along` from that one's vertex, cell edges.
+/// All bodies of a strip far apart, but for one whose wall tip hangs `high` above the middle of another's
+/// x-wall, `along` from that one's vertex, cell edges.
 State hanging(const Structure& s, double along, double high) {
   const double L = s.size.edge_mm;
   State state(s.bodies.size());

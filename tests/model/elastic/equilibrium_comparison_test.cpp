@@ -12,6 +12,8 @@ namespace {
 using testing::plates_drive;
 using Outcome = EquilibriumComparison::Outcome;
 
+// rad, half way to where the walls close the cells; and cell edges, as far as two states may differ and
+// agree.
 constexpr double theta = 0.4, tolerance = 1e-2;
 
 class Comparison : public ::testing::Test {
@@ -24,7 +26,7 @@ class Comparison : public ::testing::Test {
   const EquilibriumScene scene{sheet, {}, plates_drive(Axis::y, theta).on(sheet), true, true};
 };
 
-TEST_F(Comparison, OfAEquilibriumWithItselfAgrees) {
+TEST_F(Comparison, OfAnEquilibriumWithItselfAgrees) {
   const EquilibriumComparison same =
       compare_equilibria(scene, equilibrium(theta), equilibrium(theta), tolerance);
   EXPECT_EQ(same.outcome, Outcome::agrees);

@@ -13,7 +13,7 @@ namespace {
 
 using namespace testing;
 
-constexpr double degree = radians_per_degree;
+constexpr double degree = radians_per_degree;  // rad, so that angles below read in degrees
 
 class HardCaseOfTheModel : public ::testing::TestWithParam<HardCase> {};
 

@@ -12,6 +12,7 @@ namespace {
 using namespace testing;
 using Stop = EquilibriumPath::Stop;
 
+// rad: well away from flat, and from 45 deg, where walls close the cells.
 constexpr double theta = 25 * radians_per_degree;
 
 Structure bent(double tilt) {

@@ -19,7 +19,8 @@ using namespace testing;
 using Kind = PathEvent::Kind;
 using Stop = EquilibriumPath::Stop;
 
-constexpr double degree = radians_per_degree;
+constexpr double degree = radians_per_degree;  // rad, so that angles below read in degrees
+// For comparisons with closed forms, whose walls pass through each other.
 const EquilibriumPathOptions no_contact = without_contact();
 
 EquilibriumPath driven(const Structure& s, double theta, double k_turn = 0.1) {
@@ -44,8 +45,8 @@ TEST(PaperGrids, At45DegreesTheyAreTheClosedFormButForTheStiffnessRatio) {
     }
 }
 
-/// There the bars of all cells are on one line, and the hinges resist a way off it in the third order only: the
-/// distance goes with the cube root of the stiffness ratio.
+/// There the bars of all cells are on one line, and the hinges resist a way off it in the third order only:
+/// the distance goes with the cube root of the stiffness ratio.
 TEST(PaperGrids, At90DegreesTheDistanceGoesWithTheCubeRootOfTheStiffnessRatio) {
   for (const Structure& s : {crossable_grid(), uncrossable_grid()})
     EXPECT_NEAR(error(s, 45 * degree, 1e-2) / error(s, 45 * degree, 1e-5), 10, 0.3);
@@ -187,6 +188,7 @@ const Pair exact_pairs[] = {
     {"bending + bending", bending_unit, bending_unit, Family::F2},
 };
 
+/// With twisting units, which no exact family holds: they only move by strain.
 const Pair twisting_pairs[] = {
     {"twisting + basic", twisting_unit, basic_unit, Family::none},
     {"twisting + scaling", twisting_unit, scaling_unit, Family::none},
@@ -248,7 +250,8 @@ TEST(PaperTwoUnits, PlanarUnitsStayInThePlaneAndKeepTheirDirection) {
   }
 }
 
-/// Kinematics section 2: one bending column folds by 2 psi about y, a planar one slides by (2 t - 1) sin(theta).
+/// Kinematics section 2: one bending column folds by 2 psi about y, a planar one slides by (2 t - 1)
+/// sin(theta).
 TEST(PaperTwoUnits, BendingUnitsBendWithBasicOnesCurlWithShearedOnesAndCancelAmongThemselves) {
   const double theta = 30 * degree, turn = crease_fold(bend_tilt, theta);
   const auto screw = [&](const ColumnUnit& odd) {

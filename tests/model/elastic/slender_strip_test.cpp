@@ -13,7 +13,7 @@ namespace {
 using namespace testing;
 using Kind = PathEvent::Kind;
 
-constexpr double degree = radians_per_degree;
+constexpr double degree = radians_per_degree;  // rad, so that angles below read in degrees
 
 bool folds(const Structure& s, double theta, const Elasticity& elasticity) {
   const ExactMotion exact = exact_motion(s);

@@ -16,7 +16,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-constexpr double degree = radians_per_degree;
+constexpr double degree = radians_per_degree;  // rad, so that angles below read in degrees
 
 Structure twist_unit(double alpha) {
   const CellTuple unit{.A_in = {pi / 2, alpha, pi / 2, alpha}};

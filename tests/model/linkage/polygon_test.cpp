@@ -17,6 +17,7 @@ using testing::hexagon;
 using testing::Polygon;
 using testing::rhombus;
 
+// Hinges in the middle of walls and off it, angles (rad) under and over a right one.
 const Polygon polygons[] = {hexagon(), hexagon(0.3, -0.2, 0.1), rhombus(1.2), rhombus(2.0, 0.2, -0.3)};
 
 TEST(PolygonLinkage, ItsClosedFormClosesEveryHinge) {
@@ -60,8 +61,9 @@ TEST(PolygonLinkage, WallsOfARightAngledRhombusMeetWhereThoseOfABasicCellDo) {
   EXPECT_NEAR(range.positive.theta, closing_theta(linkage.size), 1e-8);
 }
 
-// Nothing strains but the pins, by k_turn / (k_point edge^2) = 1e-9 of a cell edge: four hinges turn by 2 theta
-// each, and the drive lifts them all. Its load is its grip, 100 k_point edge^2, times a miss that rounding leaves.
+// Nothing strains but the pins, by k_turn / (k_point edge^2) = 1e-9 of a cell edge: four hinges turn by 2
+// theta each, and the drive lifts them all. Its load is its grip, 100 k_point edge^2, times a miss that
+// rounding leaves.
 TEST(PolygonLinkage, ARhombusOfElasticHingesFollowsItsClosedForm) {
   const double k_turn = 0.1, theta = 0.4, turn = 2 * theta;
   for (const Polygon& polygon : {rhombus(1.2), rhombus(2.0, 0.2, -0.3)}) {

@@ -11,6 +11,7 @@
 namespace kinetix::optim {
 namespace {
 
+// rad, the usual ranges of a curve target; theta from 0, so that flat states are reached.
 constexpr AngleRange tilts{-60 * radians_per_degree, 60 * radians_per_degree};
 constexpr AngleRange thetas{0, 44 * radians_per_degree};
 
@@ -26,7 +27,8 @@ void expect_exact_derivatives(const CurveFit& fit, const Eigen::VectorXd& x) {
   testing::expect_jacobian(f, x, J, 1e-7, 1e-5);
 }
 
-/// Few long segments, so that no place sits where its closest point passes a corner and the distance has a kink.
+/// Few long segments, so that no place sits where its closest point passes a corner and the distance has a
+/// kink.
 targets::Curve bent_line() { return targets::Curve({{0, 0}, {60, 5}, {110, 60}}); }
 
 TEST(CurveFit, DerivativesMatchCentralDifferences) {

@@ -13,7 +13,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double infinity = std::numeric_limits<double>::infinity();  // an end that leaves a side open
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Wichura, algorithm AS 241, Applied Statistics 37, 477 (1988), and tables of the normal distribution.

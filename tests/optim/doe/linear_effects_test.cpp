@@ -6,7 +6,7 @@
 namespace kinetix::optim {
 namespace {
 
-const double nan = std::nan("");
+const double nan = std::nan("");  // the response of a sample that failed
 
 /// NIST Statistical Reference Datasets: Longley, J. Am. Stat. Assoc. 62, 819 (1967). Certified values.
 TEST(LinearEffects, AreTheCertifiedOnesOfLongleysData) {

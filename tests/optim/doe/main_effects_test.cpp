@@ -11,7 +11,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
-const double nan = std::nan("");
+const double nan = std::nan("");  // the response of a sample that failed
 
 TEST(MainEffects, OfATwoByTwoTableAreThoseByHand) {
   const Eigen::MatrixXd samples{{1, 5}, {1, 6}, {2, 5}, {2, 6}};

@@ -11,7 +11,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
-const double nan = std::nan("");
+const double nan = std::nan("");  // the response of a sample that failed
 
 SamplePlan trajectories(std::vector<Factor> factors, std::uint64_t count) {
   return {std::move(factors), {.method = SamplingMethod::morris, .samples = count, .seed = 2, .base = {}}};

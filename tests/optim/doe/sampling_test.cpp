@@ -21,6 +21,7 @@ using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 using Table = std::vector<std::vector<double>>;
 
+// For facts that hold of every method.
 constexpr SamplingMethod all_methods[] = {SamplingMethod::factorial,     SamplingMethod::lhs,
                                           SamplingMethod::sobol,         SamplingMethod::monte_carlo,
                                           SamplingMethod::one_at_a_time, SamplingMethod::morris,

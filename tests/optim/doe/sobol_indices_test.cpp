@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 using testing::KnownFunction;
 using ::testing::ThrowsMessage;
 
-const double nan = std::nan("");
+const double nan = std::nan("");  // the response of a sample that failed
 
 SamplePlan plan(const KnownFunction& f, std::uint64_t base, std::uint64_t seed) {
   return {f.factors, {.method = SamplingMethod::saltelli, .samples = base, .seed = seed, .base = {}}};

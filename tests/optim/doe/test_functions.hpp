@@ -35,6 +35,7 @@ inline KnownFunction ishigami() {
   return f;
 }
 
+/// Dimensionless: a factor of weight 0 counts most, one of 99 hardly at all.
 inline constexpr double g_weights[] = {0, 0.5, 3, 9, 99, 99};
 
 /// Sobol's g-function (Saltelli, Sobol, 1995): product of (|4 x - 2| + a) / (1 + a) on the unit cube.

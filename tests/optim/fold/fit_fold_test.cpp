@@ -11,8 +11,8 @@
 namespace kinetix::optim {
 namespace {
 
-constexpr double degree = radians_per_degree;
-const model::CellSize small_cell = {10, 0.8, 6};
+constexpr double degree = radians_per_degree;     // rad, so that angles below read in degrees
+const model::CellSize small_cell = {10, 0.8, 6};  // mm: edge, thickness and height, as in the README
 
 FoldOptions options(const model::CellSize& size = small_cell) {
   FoldOptions out;

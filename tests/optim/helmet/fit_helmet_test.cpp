@@ -18,7 +18,7 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-const Vector3d half_axes(76, 98, 100);
+const Vector3d half_axes(76, 98, 100);  // mm, of an ellipsoid about as wide and long as a head
 
 targets::MeshDistance head() { return {testing::ellipsoid(half_axes, 120, 60), Vector3d(0, 0, 0)}; }
 

@@ -7,6 +7,7 @@ namespace kinetix::testing {
 namespace {
 
 using Kind = model::PathEvent::Kind;
+// rad, theta at which the bars of a grid lie in line and another motion without strain begins.
 constexpr double bars_in_line = 45 * deg;
 
 bool told_of_branching(const model::EquilibriumPath& path) {
@@ -16,8 +17,8 @@ bool told_of_branching(const model::EquilibriumPath& path) {
   });
 }
 
-/// Past the point where all bars are in line, other motions without strain begin: an equilibrium of one of these
-/// is right as long as the path tells of its choice.
+/// Past the point where all bars are in line, other motions without strain begin: an equilibrium of one of
+/// these is right as long as the path tells of its choice.
 HardAnswer follow_through(const HardScene& scene, double allowed) {
   HardAnswer a = follow_closed_form(scene, allowed);
   if (a.mark == HardAnswer::Mark::right) return a;

@@ -19,7 +19,7 @@ HardCases wall_cases();
 HardCases sameness_cases();
 HardCases input_cases();
 
-inline constexpr double deg = radians_per_degree;
+inline constexpr double deg = radians_per_degree;  ///< rad, so that angles of cases read in degrees
 
 template <class... Numbers>
 std::string text(const char* format, Numbers... numbers) {
@@ -45,7 +45,7 @@ model::EquilibriumPath followed_finely(const HardScene& scene);
 
 /// Energy of a state, N mm.
 double energy_of(const HardScene& scene, const model::State& state);
-/// Work of the drive on its way, N mm: a path of balances without jumps stores it all.
+/// Work of the drive on its way, N mm: a path of equilibria without jumps stores it all.
 double work_of(const HardScene& scene, const model::EquilibriumPath& path);
 
 /// "reached: E 1.2 N mm, gap 3e-7", then events, then `found`.

@@ -31,6 +31,8 @@ model::Structure with_hinges_shuffled(const model::Structure& s, std::mt19937& r
   return all;
 }
 
+// Cells by which a sheet is built elsewhere on the lattice: even together, so that each vertex keeps its
+// class.
 constexpr int right = 6, up = 4;
 
 model::Wall elsewhere(const model::Wall& wall) {

@@ -22,6 +22,7 @@ using testing::TemporaryFolder;
 using testing::write_colour_image;
 using testing::write_image;
 
+// Two by two pixels of ink in the upper left: shows which way up and round a picture is read.
 const std::vector<std::string> corner = {"##..", "##..", "....", "...."};
 
 TEST(ImageGoal, ReadsPngPgmAndPbmAlike) {

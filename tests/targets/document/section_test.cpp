@@ -15,6 +15,7 @@ using ::testing::HasSubstr;
 using testing::refusal;
 
 enum class Colour { red, green };
+// What a key may say.
 constexpr Word<Colour> colours[] = {{"red", Colour::red}, {"green", Colour::green}};
 
 const KeyTable& keys() {

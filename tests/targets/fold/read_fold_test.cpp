@@ -21,6 +21,7 @@ std::string net(const std::string& creases) {
          creases + "]}}";
 }
 
+// Creases of the net below, between two faces each.
 const std::string base_a = "{faces: [base, a], side: top, angle_deg: 90}";
 const std::string base_b = ",\n{faces: [base, b], side: right, angle_deg: -60}";
 const std::string a_c = ",\n{faces: [a, c], side: right, angle_deg: 30}";

@@ -21,6 +21,7 @@ using testing::head_with_ears;
 using testing::obj_text;
 using testing::TemporaryFolder;
 
+// The folder of the goal shapes that ship.
 const std::string shapes = std::string(KINETIX_SOURCE) + "/targets/shapes/";
 
 Head read(const std::string& target, const std::string& file) {

@@ -15,7 +15,7 @@ using testing::cube;
 using testing::cut;
 using testing::ellipsoid;
 
-constexpr double pi_ = std::numbers::pi;
+constexpr double pi_ = std::numbers::pi;  // rad; 4 pi is the solid angle of all directions
 
 Vector3d random_point(std::mt19937& random, double size) {
   std::uniform_real_distribution<double> unit(-size, size);

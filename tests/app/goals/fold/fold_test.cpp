@@ -19,6 +19,7 @@ name: box
 target: {kind: fold, box: [2, 1, 1]}
 )";
 
+// Three small faces of different sizes, one to fold up and one to fold down.
 constexpr const char* net = R"(kinetix: 1
 name: net
 target:

@@ -15,6 +15,7 @@ namespace {
 using ::testing::HasSubstr;
 using Json = nlohmann::json;
 
+// mm: half of a head's breadth, length and height.
 const std::string head = obj_text(ellipsoid({76, 98, 112}));
 
 /// Large cells, so that it is quick to verify.

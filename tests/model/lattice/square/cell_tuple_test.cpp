@@ -14,6 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
+// Fractions and rad, no two of a kind alike: a wall in the place of another shows.
 constexpr CellTuple odd_numbers{
     .P = {0.1, 0.2, 0.3, 0.4}, .A_in = {1.1, 1.2, 1.3, 1.4}, .A_out = {0.1, 0.2, 0.3, 0.4}};
 

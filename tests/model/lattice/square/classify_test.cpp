@@ -15,8 +15,6 @@ namespace {
 using testing::random_design;
 using testing::structure_of;
 
-constexpr double degree = radians_per_degree;
-
 /// Mirror image with x and y exchanged, written from the definition of the hinge axis.
 Structure exchanged(const Structure& s) {
   std::vector<Cell> cells;

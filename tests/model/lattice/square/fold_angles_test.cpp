@@ -19,7 +19,7 @@
 namespace kinetix::model {
 namespace {
 
-constexpr double degree = radians_per_degree;
+constexpr double degree = radians_per_degree;  // rad, so that angles below read in degrees
 
 Structure with_tilts(std::vector<Cell> cells, const std::vector<std::pair<Wall, double>>& tilts_deg) {
   Structure s = make_structure(std::move(cells), {});

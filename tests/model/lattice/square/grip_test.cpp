@@ -20,7 +20,7 @@ namespace {
 using testing::cube_net;
 using testing::fishbone;
 
-constexpr Grip base{{3, 3}, {5, 5}};
+constexpr Grip base{{3, 3}, {5, 5}};  // vertices of the cube's middle face in testing::cube_net
 
 bool keeps(const Structure& s, Axis axis, const Grip& grip) {
   const Classification kind = classify(s);

@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double degree = radians_per_degree;
+constexpr double degree = radians_per_degree;  // rad, so that angles below read in degrees
 
 Structure unit(const CellTuple& tuple) {
   Structure cell = make_structure(rectangle(1, 1), {});
