@@ -8,6 +8,7 @@ namespace kinetix::app {
 
 /// Keys of a `variables:` section; angles in radians.
 targets::Key tilt_range_key(const optim::AngleRange& usual);
+/// @param usual rad
 targets::Key theta_key(const optim::AngleRange& usual);
 /// The whole section of a net. @param tilt largest, rad, of either sign
 targets::KeyTable net_variables_keys(double tilt, const optim::AngleRange& theta);

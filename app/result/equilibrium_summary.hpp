@@ -8,7 +8,7 @@
 
 namespace kinetix::app {
 
-/// How a path stopped, for people: result.json says `overstretched` where a hinge was overstretched.
+/// How a path stopped, for people: result.json says `torn` where a hinge was overstretched.
 std::string in_words(model::EquilibriumPath::Stop stop);
 
 /// What the summary says of an equilibrium: lines of a label and a text. @pre run.equilibrium

@@ -17,7 +17,8 @@ struct GoalMetric {
   std::string_view meaning = {};  ///< for the documentation, in Markdown
 };
 
-/// A number that tells how far any state is from a goal, without a search.
+/// A number that tells how far any state is from a goal, without a search; its name ends in its unit, if it
+/// has one.
 struct GoalMeasure {
   std::string_view name;
   double (*of)(const Scene& goal, const model::Structure& structure, const model::State& state);

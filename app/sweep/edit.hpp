@@ -22,6 +22,7 @@ struct Edit {
   double times = 1, plus = 0;  ///< as of FactorPath
   double base = 0;             ///< added: the base's own value, in the unit of the edit's key, as value()
 
+  /// What is written, for a value of the factor; both in the unit of the key.
   double value(double of_factor) const { return base + times * of_factor + plus; }
 };
 
@@ -49,7 +50,7 @@ std::vector<Match> find_matches(const SweepBase& base, targets::DocumentEditor& 
 std::optional<double> base_value(const SweepBase& base, const targets::DocumentEditor& editor,
                                  const Edit& edit);
 
-/// Writes a structural edit. @pre kind != document
+/// Writes a structural edit. @param value in the unit of the edit's key @pre kind != document
 /// @throws InvalidInput without a place for a value out of range
 void apply(const Edit& edit, double value, DesignFile& design);
 

@@ -26,7 +26,7 @@ class DocumentEditor {
   std::vector<int> find_or_add(const DocumentPath& path);
 
   std::string path(int item) const;
-  /// Nothing for a key that was added and not set.
+  /// As the file has it, in the key's own unit. Nothing for a key that was added and not set.
   std::optional<double> number(int item) const;
   void set(int item, double value);
 

@@ -14,19 +14,20 @@ struct Bounds {
   bool lower_allowed = true, upper_allowed = true;
   std::string_view unit = {};  ///< "mm", "degrees", ...; empty for a plain number
 
-  /// False for NaN and for infinities.
+  /// Of a number in the unit. False for NaN and for infinities.
   bool contains(double x) const;
   /// "a number above 0, in mm"
   std::string describe() const;
 };
 
+/// Ends are in the unit.
 Bounds above(double lower, std::string_view unit = {});
 Bounds at_least(double lower, std::string_view unit = {});
 Bounds from_to(double lower, double upper, std::string_view unit = {});
 /// Both ends excluded.
 Bounds between(double lower, double upper, std::string_view unit = {});
 
-/// Decimal number, independent of the locale.
+/// Decimal number in the unit of the bounds, independent of the locale.
 /// @throws InvalidInput without a place, saying what is allowed: not a number, not finite, a unit or a
 /// decimal comma in it, outside the bounds
 double parse_number(std::string_view text, const Bounds& bounds = {});

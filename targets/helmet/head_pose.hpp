@@ -17,6 +17,7 @@ inline constexpr double default_coverage_mm = 90;
 /// in another unit or in other axes.
 inline constexpr double crown_reach_mm = 15;
 enum class LengthUnit { mm, cm, m, inch };
+/// Millimetres in one of the unit.
 double mm_per(LengthUnit unit);
 
 /// How a mesh is a head. The axes are those of the mesh file.

@@ -25,7 +25,8 @@ class MeshWords {
 
   std::string_view last_word() const { return text_.substr(word_start_, next_ - word_start_); }
 
-  /// The next word of the line as a number. @throws InvalidInput unless it is a finite one
+  /// The next word of the line as a number, in the file's units. @throws InvalidInput unless it is a finite
+  /// one
   double number(const char* what);
   /// Likewise of any line.
   double number_of_any_line(const char* what);

@@ -12,7 +12,7 @@
 #include "tests/support/elastic_runs.hpp"
 #include "tests/support/random_elastic.hpp"
 
-/// Balances of elastic structures that are found anew where a parameter changes.
+/// Equilibria of elastic structures that are found anew where a parameter changes.
 namespace kinetix::testing {
 
 struct Equilibrium {
@@ -167,7 +167,7 @@ inline Eigen::MatrixXd adjoint_jacobian(const Equilibrium& b) {
 
 struct Differenced {
   Eigen::MatrixXd jacobian;
-  bool same_contacts = true;  ///< all balances were found, with the points in contact that the first has
+  bool same_contacts = true;  ///< all equilibria were found, with the points in contact that the first has
 };
 
 inline Differenced differenced_jacobian(const Equilibrium& b, double step) {
@@ -192,7 +192,8 @@ inline Differenced differenced_jacobian(const Equilibrium& b) {
   return out;
 }
 
-/// A random 3 x 2 panel in equilibrium. Walls of a third of the cell touch at the theta to which it is driven.
+/// A random 3 x 2 panel in equilibrium. Walls of a third of the cell touch at the theta to which it is
+/// driven.
 struct EquilibriumCase {
   unsigned seed = 0;
   bool planar = false, plates = false, touching = false;

@@ -15,11 +15,13 @@ struct LargerPanels {
 };
 
 /// What a view lacks of auc (rank correlation for grey goals) and contrast as the file asks, in words.
+/// @param rank rank correlation, [-1, 1]
 std::vector<std::string> violations(const DisplayFile& file, const targets::DisplayScore& score, double rank,
                                     const std::string& who);
 
 /// The same search on panels 1.25, 1.5 and 2 times as large each way, up to 625 cells, until one shows the
 /// picture. None for goals that cannot be redrawn.
+/// @param progress hears of the panel searched, and the share done, 0 to 1
 LargerPanels search_larger_panels(const DisplayFile& file, const optim::DisplayOptions& options,
                                   const std::function<void(const std::string&, double)>& progress);
 

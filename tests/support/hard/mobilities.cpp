@@ -45,7 +45,7 @@ HardAnswer drive_one_of_two() {
     worst = std::max(worst, std::abs(turn - (driven_cell ? 60 * deg : 0)));
   }
   HardAnswer a = answer(scene, path, path.stop == Stop::reached && m.dofs_along == 2 && worst <= 1e-5,
-                        text("turns to %.1e rad, %d freedoms", worst, m.dofs_along));
+                        text("turns to %.1e rad, %d degrees of freedom", worst, m.dofs_along));
   a.exact = "driven cell folds, the other stays flat";
   return a;
 }
@@ -80,7 +80,7 @@ HardCases mobility_cases() {
           {"four cells in a row of corners, plates (M = 4)",
            "no strain; less energy than all cells alike; work is energy to 1e-2", share_turns},
           {"two cells that touch in one corner only, one driven (M = 2)",
-           "two freedoms; turns of both to 1e-5 rad", drive_one_of_two},
+           "two degrees of freedom; turns of both to 1e-5 rad", drive_one_of_two},
           {"3x3 panel with random hinges (M = 0), hinge to 20 deg", strained,
            [] {
              return drive_immobile(hinge_drive({{1, 1}, model::Axis::y}, 10 * deg));

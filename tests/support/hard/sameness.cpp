@@ -93,14 +93,15 @@ HardAnswer energies_of_equilibria(const model::Structure& s, const model::Drive&
 
 HardCases sameness_cases() {
   const char* asked = "same energy to 1e-12";
-  return {{"shaken panel turned, shifted, its cells and hinges in another order", asked, energies_of_a_state},
-          {"balance of the bending strip, cells elsewhere and hinges in another order", asked,
-           [] { return energies_of_equilibria(bending_strip(), plates_drive(model::Axis::y, 30 * deg)); }},
-          {"balance of a panel with random hinges, cells elsewhere and hinges in another order", asked, [] {
-             std::mt19937 random(10);
-             return energies_of_equilibria(random_panel(3, 3, random),
-                                           hinge_drive({{1, 1}, model::Axis::y}, 0.15));
-           }}};
+  return {
+      {"shaken panel turned, shifted, its cells and hinges in another order", asked, energies_of_a_state},
+      {"equilibrium of the bending strip, cells elsewhere and hinges in another order", asked,
+       [] { return energies_of_equilibria(bending_strip(), plates_drive(model::Axis::y, 30 * deg)); }},
+      {"equilibrium of a panel with random hinges, cells elsewhere and hinges in another order", asked, [] {
+         std::mt19937 random(10);
+         return energies_of_equilibria(random_panel(3, 3, random),
+                                       hinge_drive({{1, 1}, model::Axis::y}, 0.15));
+       }}};
 }
 
 }  // namespace kinetix::testing
