@@ -28,9 +28,9 @@ const targets::KeyTable& hinge_entry_keys() {
       {"t", value::number(fraction), targets::by_default(basic.t),
        "where the hinge sits on the wall, from its lower vertex"},
       {"alpha_deg", value::angle(in_plane), targets::by_default_deg(basic.alpha),
-       "angle of the hinge's axis to the wall within the sheet"},
+       "angle of the hinge's axis to the wall's edge, in the plane of the wall"},
       {"beta_deg", value::angle(tilt), targets::by_default_deg(basic.beta),
-       "tilt of the hinge's axis out of the sheet's normal, along the wall"},
+       "how far the wall leans from upright, and its hinge with it"},
   });
   return keys;
 }

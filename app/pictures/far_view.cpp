@@ -22,8 +22,8 @@ constexpr double margin_in_cells = 2;
 // Quantiles of the light that become black and white: the last hundredths are single openings, and would
 // leave the rest grey.
 constexpr double darkest = 0.02, brightest = 0.98;
-// Fractions of the blurred outline: it falls to a half at the panel's edge; where it is near 1 the rim no
-// longer tells.
+// Fractions of the blurred outline: it falls to a half at the panel's edge; where it is near 1 the rim
+// has no effect.
 constexpr double inside = 0.5, deep_inside = 0.98;
 
 /// Openings white on black; their walls black on top if asked.

@@ -5,7 +5,7 @@
 namespace kinetix::app {
 namespace {
 
-constexpr double between_shows_s = 0.2;  // s: seems to move all the time, costs nothing
+constexpr double between_shows_s = 0.2;  // s: looks continuous, and drawing costs next to nothing
 
 }  // namespace
 

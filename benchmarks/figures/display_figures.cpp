@@ -122,7 +122,7 @@ std::vector<Figure> capitals() {
            fmt::format("mean auc {:.4f}, least {:.4f}, stretch {:.3f}", by_area.mean, by_area.least,
                        by_area.stretch),
            by_area.stretch <= 0.12},
-          {"the same panels (`channel: area`) from afar, read by tesseract",
+          {"the same panels (`channel: area`) from a distance, read by tesseract",
            "at least 20 of 26 after, none before", read(by_area),
            by_area.read.size() >= 20 && by_area.read_before.empty()},
           {"the same with the default `channel: aperture`", "", read(by_aperture), true}};

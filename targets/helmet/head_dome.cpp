@@ -16,8 +16,8 @@ using Eigen::Vector3d;
 /// Times that the triangles of an icosahedron are cut into four: 40 962 directions over the sphere, one a
 /// square degree, which is 1.3 mm at 75 mm. One more takes four times as long.
 constexpr int grid_levels = 6;
-/// mm a mm: change of the distance from the core over the way along the head. The outside of a head is far
-/// from this; what is seen through a hole lies behind a step.
+/// Slope, mm per mm: how fast the distance from the core changes along the head. The outside of a head is
+/// far from this; what is seen through a hole lies behind a step.
 constexpr double steepest = 1.5;
 /// mm outside the surface at which it is told whether that lies inside the head: beyond rounding, within
 /// the noise of a scan.

@@ -68,7 +68,7 @@ inline void drop_hinge_moment(const model::Structure& structure, const model::St
   gradient -= moment.dot(gradient) / moment.squaredNorm() * moment;
 }
 
-/// Largest force or moment on a body that neither its neighbours nor the drive equilibrium, over the largest
+/// Largest force or moment on a body that neither its neighbours nor the drive balance, over the largest
 /// force or moment that a turning or a pair of point springs exerts. No contacts.
 inline double imbalance(const model::Structure& structure, const model::Drive& drive,
                         const model::State& state, const model::Stiffness& k, bool planar) {

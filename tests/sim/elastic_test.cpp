@@ -35,7 +35,7 @@ model::Drive hinge_drive(const model::Wall& wall, double angle) {
   return drive;
 }
 
-/// The run settles, and the hinges' forces equilibrium.
+/// The run settles, and the forces of the hinges balance.
 PhysicsResult settled(const model::Structure& structure, const model::Drive& drive,
                       const PhysicsOptions& options) {
   const PhysicsResult result = run_compression(structure, drive.on(structure), options);

@@ -49,7 +49,7 @@ double default_edge(const targets::Section& root, double curve_mm, int columns) 
   return edge;
 }
 
-/// Columns and rows of the asked cells; nothing where they are left out.
+/// Columns and rows of the cells that the file asks for; nothing where they are left out.
 std::optional<std::array<int, 2>> read_sides(const targets::Section& structure) {
   const auto node = structure.optional("cells");
   if (!node) return std::nullopt;

@@ -9,7 +9,7 @@ namespace {
 
 // Times as many cells each way: each is a whole search, so that there are few.
 constexpr double factors[] = {1.25, 1.5, 2};
-// Cells of such a panel, 25 x 25: a limit to the time of searches that nobody asked for.
+// Cells of such a panel, 25 x 25: a limit to the time of searches that the user did not ask for.
 constexpr int most_cells = 625;
 
 std::vector<targets::PanelSize> larger_sizes(targets::PanelSize asked) {

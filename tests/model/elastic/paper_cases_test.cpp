@@ -45,7 +45,7 @@ TEST(PaperGrids, At45DegreesTheyAreTheClosedFormButForTheStiffnessRatio) {
     }
 }
 
-/// There the bars of all cells are on one line, and the hinges resist a way off it in the third order only:
+/// There the bars of all cells are on one line, and the hinges resist a motion off it in the third order only:
 /// the distance goes with the cube root of the stiffness ratio.
 TEST(PaperGrids, At90DegreesTheDistanceGoesWithTheCubeRootOfTheStiffnessRatio) {
   for (const Structure& s : {crossable_grid(), uncrossable_grid()})

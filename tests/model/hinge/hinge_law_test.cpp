@@ -102,8 +102,8 @@ TEST_F(CubicPanel, RatesByStiffnessOfItsHingesMatchCentralDifferences) {
 // A basic cell strains nothing: its four hinges turn by 2 theta each, and the drive lifts them all.
 TEST(HingeLaw, ACellOfCubicHingesIsDrivenByFourTimesTheMomentOfOne) {
   const Structure cell = make_structure(rectangle(1, 1), {});
-  // Pins this stiff give by k_turn / (k_point edge^2) = 1e-9 of a cell edge. The load is the grip of the drive,
-  // 100 k_point edge^2, times a miss that rounding leaves: some 1e-6 N mm.
+  // Pins this stiff give by k_turn / (k_point edge^2) = 1e-9 of a cell edge. The load is the stiffness that
+  // holds the drive, 100 k_point edge^2, times the error that rounding leaves: some 1e-6 N mm.
   const Elasticity cubic{.k_point = 1e6, .k_turn = 0.1, .law = std::make_shared<CubicHinge>()};
   for (const double theta : {0.3, -0.5}) {
     const Drive drive = hinge_drive_to(cell.hinges[0].wall, theta);

@@ -62,8 +62,8 @@ TEST(PolygonLinkage, WallsOfARightAngledRhombusMeetWhereThoseOfABasicCellDo) {
 }
 
 // Nothing strains but the pins, by k_turn / (k_point edge^2) = 1e-9 of a cell edge: four hinges turn by 2
-// theta each, and the drive lifts them all. Its load is its grip, 100 k_point edge^2, times a miss that
-// rounding leaves.
+// theta each, and the drive lifts them all. Its load is the stiffness that holds it, 100 k_point edge^2,
+// times the error that rounding leaves.
 TEST(PolygonLinkage, ARhombusOfElasticHingesFollowsItsClosedForm) {
   const double k_turn = 0.1, theta = 0.4, turn = 2 * theta;
   for (const Polygon& polygon : {rhombus(1.2), rhombus(2.0, 0.2, -0.3)}) {
