@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-// x = (tilt of the walls, fold angle), rad. Residuals: turn of a column and height of the sheet, less the goal.
+// x = (tilt of the walls, fold angle), rad. Residuals: turn of a column, height of the sheet, less the goal.
 struct HalfPipe : kinetix::LeastSquaresProblem {
   const Eigen::VectorXd low = Eigen::Vector2d(0.01, 0.05), high = Eigen::Vector2d(1, 0.7);
 

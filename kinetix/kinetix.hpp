@@ -1,8 +1,9 @@
 #pragma once
 
 /// What a program that uses kinetix starts from, by one include and in one namespace: kinetix::fit_curve,
-/// kinetix::trace_equilibrium, ... Lengths in mm, angles in rad, forces in N. What is not named here is in the
-/// namespace and the folder of its room, such as kinetix::model::null_space in model/closure/null_space.hpp.
+/// kinetix::trace_equilibrium, ... Lengths in mm, angles in rad, forces in N. What is not named here is in
+/// the namespace and the folder of its room, such as kinetix::model::null_space in
+/// model/closure/null_space.hpp.
 
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"

@@ -7,8 +7,8 @@
 
 namespace kinetix::app {
 
-/// Writes DIR/result.json and what the exporters make of the run (app/exports/registry.hpp), all of them or none,
-/// and removes what an earlier run left there beside what every run writes; sets run.timings.write.
+/// Writes DIR/result.json and what the exporters make of the run (app/exports/registry.hpp), all of them or
+/// none, and removes what an earlier run left there beside what every run writes; sets run.timings.write.
 /// @return the JSON document. @throws InvalidInput where the folder cannot be written
 nlohmann::ordered_json write_results(Run& run, const std::string& folder);
 

@@ -17,7 +17,8 @@ struct SolverSection {
 };
 
 /// Keys of the section for a kind of goal. @param names of the solvers that suit it, the default first
-/// @param starts default; nothing where a search has one start alone; @param of_what the evaluations are counted, e.g. "per start"
+/// @param starts default; nothing where a search has one start alone; @param of_what the evaluations are
+/// counted, e.g. "per start"
 targets::KeyTable solver_keys(const std::vector<optim::SolverName>& names, std::optional<int> starts,
                               int max_evaluations, const std::string& of_what);
 

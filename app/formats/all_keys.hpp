@@ -13,8 +13,8 @@ struct KeyList {
   const targets::KeyTable* keys;
 };
 
-/// Every key of every file that the program reads, in the order of the documentation. The readers read by the same
-/// tables.
+/// Every key of every file that the program reads, in the order of the documentation. The readers read by
+/// the same tables.
 std::vector<KeyList> all_keys();
 
 }  // namespace kinetix::app

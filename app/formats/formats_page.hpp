@@ -8,9 +8,10 @@ namespace kinetix::app {
 using SchemaText = std::string (*)(const std::string& name);
 
 /// docs/formats.md: a template's prose with the tables of keys in their places.
-/// @param page lines `{{keys NAME}}`, NAME of all_keys(), stand for a table; `{{metrics}}` for the metrics of all
-/// kinds of goals; `{{json NAME}}` for the keys of app/schema/NAME.schema.json
-/// @throws InvalidInput for a mark that is not known, a table that the page leaves out, and a key without meaning
+/// @param page lines `{{keys NAME}}`, NAME of all_keys(), stand for a table; `{{metrics}}` for the metrics
+/// of all kinds of goals; `{{json NAME}}` for the keys of app/schema/NAME.schema.json
+/// @throws InvalidInput for a mark that is not known, a table that the page leaves out, and a key without
+/// meaning
 std::string formats_page(const std::string& page, SchemaText schema);
 
 }  // namespace kinetix::app

@@ -15,8 +15,8 @@ struct PictureOptions {
   bool hinges = false;       ///< the hinge map: dots on the walls, by how far they sit from the middle
 };
 
-/// A panel in a state as one would photograph the print from above: walls black on white, to scale, upright as
-/// the structure's y. @return the file's content, with a margin of half a cell all round
+/// A panel in a state as one would photograph the print from above: walls black on white, to scale, upright
+/// as the structure's y. @return the file's content, with a margin of half a cell all round
 /// @throws std::runtime_error where the picture cannot be drawn, such as for a state that is not finite
 std::string panel_picture(const model::Structure& panel, const model::State& state,
                           const PictureOptions& options);

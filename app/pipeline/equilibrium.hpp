@@ -5,10 +5,10 @@
 
 namespace kinetix::app {
 
-/// Follows the equilibrium of run.structure with elastic hinges to the drive's goal and adds what came out: the
-/// path, its last state, the stable states that a release on the way leads to, the closed form's state of the
-/// same drive where there is one, frames of the motion, rows of the speed-against-error table, sentences of the
-/// plan. Sets run.theta to where the path ended.
+/// Follows the equilibrium of run.structure with elastic hinges to the drive's goal and adds what came out:
+/// the path, its last state, the stable states that a release on the way leads to, the closed form's state
+/// of the same drive where there is one, frames of the motion, rows of the speed-against-error table,
+/// sentences of the plan. Sets run.theta to where the path ended.
 /// @param frames about how many states of the motion to keep, flat and last included, >= 2
 void add_equilibrium(Run& run, const model::Drive& drive, const model::Elasticity& elasticity, int frames,
                      const Progress& progress);

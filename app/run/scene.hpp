@@ -22,8 +22,9 @@ class Scene {
   /// The model that the states come from. Nothing: exact where a family fits, else bullet.
   virtual std::optional<Model> model() const { return {}; }
 
-  /// Sets the structure, theta, and what the file asks of hinges, drive and physics. Searches for them where there
-  /// is a goal, and sets run.goal. @throws InvalidInput for a target that leaves nothing to search
+  /// Sets the structure, theta, and what the file asks of hinges, drive and physics. Searches for them
+  /// where there is a goal, and sets run.goal. @throws InvalidInput for a target that leaves nothing to
+  /// search
   virtual void solve(Run& run, const RunOptions& options) const = 0;
   /// Adds the state in which the model holds the structure. @pre planned
   virtual void add_state(Run& run, const RunOptions& options) const = 0;

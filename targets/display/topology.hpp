@@ -14,7 +14,8 @@ struct Topology {
 /// Of the pixels that are at least half ink.
 Topology topology(const Picture& picture);
 
-/// In two levels, 0 and 255, with parts of ink and then holes in it below an area turned over. @param area pixels
+/// In two levels, 0 and 255, with parts of ink and then holes in it below an area turned over. @param area
+/// pixels
 Picture without_specks(const Picture& picture, double area);
 
 /// Of the cells that are letter.

@@ -26,7 +26,8 @@ Value read_word(const Node& node, const Word<Value> (&words)[count]) {
 }
 
 /// A map of a file, read by the table that documents it: a key that is not in the table can neither be given
-/// nor be read, and what may stand there is what the table says. A section that a file leaves out holds no key.
+/// nor be read, and what may stand there is what the table says. A section that a file leaves out holds no
+/// key.
 ///
 /// read() leaves the value as it is where the key is not given, which is how defaults hold. All readers throw
 /// InvalidInput at the value's place, and std::logic_error where the table has no such key, or one of

@@ -48,9 +48,9 @@ inline double planar_energy(const model::Structure& s, double k_turn, double the
 }
 
 /// Cells of a strip that tips over between its plates instead of folding. It is keyed upright in the middle
-/// only. A column folded to theta stores 6 k_turn theta^2, so tipping it by phi gains 6 k_turn phi^2; twisting
-/// it against the next by tau costs 3 k_point reach^2 tau^2 in three hinges: Euler's column, clamped in the
-/// middle and free at its ends.
+/// only. A column folded to theta stores 6 k_turn theta^2, so tipping it by phi gains 6 k_turn phi^2;
+/// twisting it against the next by tau costs 3 k_point reach^2 tau^2 in three hinges: Euler's column,
+/// clamped in the middle and free at its ends.
 inline double tipping_length(const model::Elasticity& e) {
   return pi * e.reach_mm * std::sqrt(e.k_point / (2 * e.k_turn));
 }

@@ -11,8 +11,8 @@ namespace kinetix::testing {
 
 using Complex = std::complex<double>;
 
-/// One cell of any even number of walls, all hinges upright: the smallest structure of a lattice of one's own, made
-/// without model/lattice. Its closed form is the theorem of kinematics.md section 5.
+/// One cell of any even number of walls, all hinges upright: the smallest structure of a lattice of one's
+/// own, made without model/lattice. Its closed form is the theorem of kinematics.md section 5.
 struct Polygon {
   std::vector<Complex>
       corners;            ///< counter-clockwise, cell edges; bodies turn by +theta, -theta, +theta, ...

@@ -6,8 +6,8 @@
 
 namespace kinetix::testing {
 
-/// A random design of a family with all its degrees of freedom in use. Tilts up to 50 deg, fractions 0.1 to 0.9, theta
-/// +-44 deg.
+/// A random design of a family with all its degrees of freedom in use. Tilts up to 50 deg, fractions 0.1 to
+/// 0.9, theta +-44 deg.
 inline model::ExactDesign<double> random_design(model::Family family, int columns, int rows,
                                                 std::mt19937& random) {
   std::uniform_real_distribution<double> unit(-1, 1);

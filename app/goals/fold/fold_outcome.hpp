@@ -16,8 +16,8 @@ class FoldOutcome final : public GoalOutcome {
 
   /// The net that was folded, as faces and creases; the box where one was asked for.
   nlohmann::ordered_json target_json() const override;
-  /// Adds `fold` (faces and creases on the lattice with their angles and errors, unfoldings tried, reasons) and
-  /// `optimiser`.
+  /// Adds `fold` (faces and creases on the lattice with their angles and errors, unfoldings tried, reasons)
+  /// and `optimiser`.
   void add_sections(const Run& run, nlohmann::ordered_json& result) const override;
   void add_metrics(nlohmann::ordered_json& metrics) const override;
   std::vector<SummaryLine> summary_lines(const Run& run) const override;

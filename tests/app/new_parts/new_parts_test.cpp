@@ -16,8 +16,8 @@
 #include "app/sweep/metric.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-/// The parts that width_goal.cpp and areas_export.cpp add to this program, one file and one line each: nothing else
-/// in the project knows of them.
+/// The parts that width_goal.cpp and areas_export.cpp add to this program, one file and one line each:
+/// nothing else in the project knows of them.
 namespace kinetix::app {
 namespace {
 

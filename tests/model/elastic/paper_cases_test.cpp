@@ -45,8 +45,8 @@ TEST(PaperGrids, At45DegreesTheyAreTheClosedFormButForTheStiffnessRatio) {
     }
 }
 
-/// There the bars of all cells are on one line, and the hinges resist a motion off it in the third order only:
-/// the distance goes with the cube root of the stiffness ratio.
+/// There the bars of all cells are on one line, and the hinges resist a motion off it in the third order
+/// only: the distance goes with the cube root of the stiffness ratio.
 TEST(PaperGrids, At90DegreesTheDistanceGoesWithTheCubeRootOfTheStiffnessRatio) {
   for (const Structure& s : {crossable_grid(), uncrossable_grid()})
     EXPECT_NEAR(error(s, 45 * degree, 1e-2) / error(s, 45 * degree, 1e-5), 10, 0.3);

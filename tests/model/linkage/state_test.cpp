@@ -62,8 +62,8 @@ TEST(State, AxisGapOfATiltedBodyIsItsTurn) {
   EXPECT_NEAR(hinge_gaps(s, state).axis_max, 0.2, 1e-15);
 }
 
-/// A corner that turns about the upright through the hinge of its leaning wall: that hinge's axes part, and the
-/// points of its other one.
+/// A corner that turns about the upright through the hinge of its leaning wall: that hinge's axes part, and
+/// the points of its other one.
 TEST(HingeGaps, NameTheHingesOfPointsAndOfAxes) {
   Structure s = make_structure(rectangle(1, 1), {});
   const int leaning = *s.hinge_at({{0, 0}, Axis::x}), upright = *s.hinge_at({{0, 0}, Axis::y});

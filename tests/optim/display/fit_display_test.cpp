@@ -205,8 +205,8 @@ TEST(FitDisplay, CompressionAndDirectionAreVariablesToo) {
   EXPECT_GT(free.view.score.contrast, fixed.view.score.contrast);
 }
 
-/// Where the picture asks for more than the hinges may give: a panel pressed far, and a limit below what the search
-/// without it would take.
+/// Where the picture asks for more than the hinges may give: a panel pressed far, and a limit below what
+/// the search without it would take.
 TEST(FitDisplay, KeepsTheLimitOfStretch) {
   const model::Structure panel = make_structure(model::rectangle(5, 5), {});
   std::vector<double> levels;
