@@ -19,7 +19,7 @@ struct Edit {
   /// t -> 1 - t, alpha -> 180 - alpha, beta -> -beta: what the alternation over a sheet requires.
   bool flipped = false;
   int factor = 0;              ///< column of the factor
-  double times = 1, plus = 0;  ///< as of FactorPath
+  double times = 1, plus = 0;  ///< as of FactorPath; plus in units of the edit's key
   double base = 0;             ///< added: the base's own value, in the unit of the edit's key, as value()
 
   /// What is written, for a value of the factor; both in the unit of the key.
