@@ -7,7 +7,7 @@
 namespace kinetix::app {
 namespace {
 
-constexpr int supported_version = 1;       // of the file format, the only one there has been
+constexpr int supported_version = 1;       // of the file format, the only one there is
 constexpr std::size_t longest_name = 100;  // characters: file systems allow 255, endings included
 // What messages and the documentation say a name may be.
 constexpr const char* wanted_name =

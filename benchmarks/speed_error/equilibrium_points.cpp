@@ -10,7 +10,7 @@
 namespace kinetix::bench {
 namespace {
 
-constexpr double longest_run_s = 10;  // s: stricter settings after such a run would take far longer
+constexpr double longest_run_s = 10;  // s: later settings are stricter, and would hold up the figure
 
 struct Setting {
   std::string words;

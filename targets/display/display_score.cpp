@@ -8,8 +8,8 @@
 namespace kinetix::targets {
 namespace {
 
-// Difference of two values of a channel that counts as none, in the channel's unit: above what rounding and
-// the tolerance of an equilibrium leave, far below a picture that an eye could see.
+// Difference of two values of a channel that counts as none, in the channel's unit: above what rounding
+// leaves. A smaller one would rank cells that are alike; a larger one would hide faint pictures.
 constexpr double same = 1e-5;
 
 /// Ranks from 1, those of values that are the same averaged.

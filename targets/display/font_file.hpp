@@ -6,7 +6,7 @@
 
 namespace kinetix::targets {
 
-/// Strokes of a bold face are the widest in cells; DejaVu comes with most systems.
+/// Bold, since wide strokes need the fewest cells; of the package fonts-dejavu-core.
 inline constexpr const char* default_font = "DejaVu Sans Bold";
 
 /// An installed outline font.

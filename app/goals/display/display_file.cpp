@@ -17,12 +17,11 @@ using model::Axis;
 using optim::Channel;
 
 constexpr double default_cell_mm = 10;  // a cell that a hand takes hold of, as in a design
-// Of the plates' first distance, a fraction: a basic sheet has closed at 1 - cos 45 deg = 0.29, others soon
-// after.
+// Of the plates' first distance, a fraction: a basic sheet has closed at 1 - cos 45 deg = 0.29 already.
 constexpr targets::Bounds allowed_compression = {0, 0.5, false, true};
 // Of tolerances in cell edges: 0 cannot be met, and an error of a whole cell is no agreement.
 constexpr targets::Bounds part_of_one = {0, 1, false, true};
-// Those that take constraints with gradients, the default first.
+// Those that use gradients of a single cost, the default first.
 const std::vector<optim::SolverName> fitting_solvers = {optim::SolverName::mma, optim::SolverName::ccsa,
                                                         optim::SolverName::slsqp};
 // What the keys `channel` and `axis` may say.
