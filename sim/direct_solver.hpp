@@ -24,8 +24,8 @@ struct DirectSolverSettings {
 ///
 /// Elastic hinges are the same equations with the equations of their turning springs added: a row whose
 /// target closes its gap within one step h, at stiffness s over the parts' masses, is an undamped spring of
-/// stiffness s / h^2 integrated by implicit Euler, so at rest forces equilibrium as those springs' do. Where a
-/// step with all that turns with the bodies has no least energy, or takes a part far, only what resists is
+/// stiffness s / h^2 integrated by implicit Euler, so at rest forces equilibrium as those springs' do. Where
+/// a step with all that turns with the bodies has no least energy, or takes a part far, only what resists is
 /// kept.
 /// @pre a body that may not move along or turn about every axis has the same inertia about each;
 /// with elastic hinges, the bodies' user indices are their indices in the structure

@@ -34,15 +34,15 @@ struct PhysicsOptions {
   /// is the run's: k_point is 1000 part masses / step_s^2, whence it settles in as many steps whatever step_s
   /// is. joint_stiffness, error_reduction, settle_damping, settle_speed and overlap_limit are not used then.
   /// Gaps are no failure: gap_limit holds for the drive, stretch_limit for the hinges, half a wall's
-  /// thickness for overlaps. Each wall tip edge (end of a half wall) that presses on a wall yields by its force
-  /// over elastic.contact. Plates and a driven hinge yield 1e4 times less than a hinge point does, where the
-  /// equilibrium model's do not yield at all: a difference of about 1e-4 of the hinges' gaps.
+  /// thickness for overlaps. Each wall tip edge (end of a half wall) that presses on a wall yields by its
+  /// force over elastic.contact. Plates and a driven hinge yield 1e4 times less than a hinge point does,
+  /// where the equilibrium model's do not yield at all: a difference of about 1e-4 of the hinges' gaps.
   std::optional<model::Stiffness> elastic;
   double settle_force = 1e-7;  ///< elastic: settled when no part is pushed by more than this over the largest
                                ///< force in a hinge, > 0
   /// Elastic: settled, too, when in the last 200 steps before the time is up no part moved by more than this
-  /// (cell edges, or rad at half an edge): where a corner rests on a corner, the contact may jump from one face
-  /// to the other for ever. 0: never. In [0, 0.1]
+  /// (cell edges, or rad at half an edge): where a corner rests on a corner, the contact may jump from one
+  /// face to the other for ever. 0: never. In [0, 0.1]
   double settle_residual_motion = 0;
   double stretch_limit = 0.5;   ///< elastic: failure: a larger hinge gap at any time; ends the run, > 0
   bool contact = true;          ///< half walls collide, except the two that share a hinge

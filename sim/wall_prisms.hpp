@@ -17,8 +17,8 @@ struct WallPrism {
   Prism prism;
 };
 
-/// The half walls of each body (model/linkage/half_wall.hpp), with the end at the hinge cut along the hinge axis:
-/// slanted where alpha is not 90 deg.
+/// The half walls of each body (model/linkage/half_wall.hpp), with the end at the hinge cut along the hinge
+/// axis: slanted where alpha is not 90 deg.
 /// @param inset by which the faces are drawn in, except the one at the vertex; cell edges, below half the
 /// thickness
 std::vector<std::vector<WallPrism>> wall_prisms(const model::Linkage& structure, double inset = 0);

@@ -6,6 +6,8 @@
 namespace kinetix {
 namespace {
 
+// Squared sine of the angle of two edges (1e-6 rad): below, their cross product is mostly rounding, and the
+// face normals cover what it would tell.
 constexpr double parallel_squared = 1e-12;
 
 /// Projections of two boxes in the frame of the first.

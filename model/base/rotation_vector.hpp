@@ -4,10 +4,10 @@
 
 namespace kinetix {
 
-/// The rotation by |v| rad about v.
+/// The rotation matrix of |v| rad about v.
 Eigen::Matrix3d rotation_of(const Eigen::Vector3d& v);
 /// J with omega = J dv for the change d(rotation_of(v)) = [omega]x rotation_of(v): the left Jacobian of
-/// SO(3).
+/// SO(3). v in rad.
 Eigen::Matrix3d rotation_rate(const Eigen::Vector3d& v);
 
 }  // namespace kinetix

@@ -21,7 +21,7 @@ struct BodyPush {
   int body = 0;
   Pose from;
   Twist direction;    ///< v in cell edges; not zero
-  double amount = 0;  ///< the turn it asks for must stay below pi
+  double amount = 0;  ///< rad and cell edges; the turn that it asks for must stay below pi
 };
 
 /// One scalar condition that moves a structure along.

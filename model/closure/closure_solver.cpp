@@ -12,9 +12,15 @@ namespace {
 using Eigen::VectorXd;
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
+// Times the weight of a hinge: where hinges cannot close, they give way and the drive does not. The normal
+// equations hold its square, so a much larger one would cost them their digits.
 constexpr double drive_weight = 1000;
+// Of a diagonal entry of about 1 of the normal equations, added to each: they are singular where the
+// structure moves freely beside its drive. More would slow the last steps.
 constexpr double least_damping = 1e-13;
+// Likewise: steps that are damped more lead nowhere, and the search ends.
 constexpr double most_damping = 1e6;
+// Rad, cell edges, of a body: further on, the linearisation tells nothing.
 constexpr double longest_step = 0.5;
 
 /// NaN where an entry is not finite.

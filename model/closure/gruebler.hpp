@@ -3,8 +3,8 @@
 namespace kinetix::model {
 
 /// Eq. 1: 3 (N - 1 - j) + sum of f, the degrees of freedom of a planar linkage whose joints are independent.
-/// A panel has dependent joints: its count is below its true freedom.
-/// @param bodies N >= 1   @param joints j >= 0   @param degrees of freedom sum of f >= 0, one for each hinge
+/// A panel has dependent joints: its count is below its true degrees of freedom.
+/// @param bodies N >= 1   @param joints j >= 0   @param dofs sum of f >= 0, one for each hinge
 /// @throws InvalidInput for an argument out of range
 int gruebler_planar(int bodies, int joints, int dofs);
 

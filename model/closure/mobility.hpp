@@ -23,14 +23,14 @@ struct Mobility {
   int dofs_along = 0;  ///< the same in the state `turn` away: 0 unless mobile
   Verdict verdict = Verdict::undecided;
   double turn = 0;    ///< how far a hinge was driven on the best motion tried, rad
-  double misfit = 0;  ///< largest entry of the closure residual met on it
+  double misfit = 0;  ///< largest entry of the closure residual met on it, rad or cell edges
   std::string why;    ///< one sentence
 };
 
 struct MobilityOptions {
   double turn = 0.3;      ///< rad, (0, 1]; how far to follow
   int steps = 12;         ///< >= 2; states to close on the way
-  double closed = 1e-10;  ///< > 0; residual up to which a state counts as closed
+  double closed = 1e-10;  ///< > 0; residual, rad or cell edges, up to which a state counts as closed
   int combinations = 6;   ///< >= 0; random directions to try where flat has several first-order motions
   unsigned seed = 1;      ///< of these
 
@@ -38,8 +38,8 @@ struct MobilityOptions {
   void validate() const;
 };
 
-/// Counts degrees of freedom by Eq. 1, by the rank of the closure Jacobian at flat, and by its rank after a finite
-/// motion, which is the one that tells: near flat the counts are fooled both ways.
+/// Counts degrees of freedom by Eq. 1, by the rank of the closure Jacobian at flat, and by its rank after a
+/// finite motion, which is the one that tells: near flat the counts are fooled both ways.
 ///
 /// What is shown, to rounding and to the tolerances above: `mobile`, that `steps` closed states, each found
 /// from the one before, lead from flat to `turn`, and that the last one still has a first-order motion;

@@ -14,10 +14,12 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
-constexpr double zero = 1e-8;
+constexpr double zero = 1e-8;  // singular value, dimensionless: see null_space.hpp
+// Added to J^T J, whose entries are of the order of 1, so that it has a factor although J is singular. It
+// sets the pace: each iteration shrinks a direction of singular value s by 1e-12 / s^2 against those of 0.
 constexpr double shift = 1e-12;
-constexpr int iterations = 6;
-constexpr std::size_t most_bodies_for_dense = 50;
+constexpr int iterations = 6;                      // leave 1e-12 of a direction of singular value 1e-5
+constexpr std::size_t most_bodies_for_dense = 50;  // bodies: the time of the dense way grows with their cube
 
 /// Right singular vectors with their values, largest first.
 struct Spectrum {

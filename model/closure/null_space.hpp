@@ -8,8 +8,10 @@ namespace kinetix::model {
 
 /// First-order motions of a structure in one state: the twists that close every hinge to first order.
 struct NullSpace {
-  Eigen::MatrixXd basis;    ///< 6 x bodies rows as in closure.hpp, orthonormal columns; body 0 does not move
-  double largest_zero = 0;  ///< largest singular value of the closure Jacobian that counts as zero
+  /// 6 x bodies rows as in closure.hpp (rad, cell edges), orthonormal columns; body 0 does not move.
+  Eigen::MatrixXd basis;
+  double largest_zero = 0;  ///< largest singular value of the closure Jacobian that counts as zero; this
+                            ///< and the next are dimensionless: rad and cell edges by rad and cell edges
   double smallest_other =
       0;  ///< the next one: the larger this gap, the surer the number of degrees of freedom
 
@@ -22,7 +24,7 @@ struct NullSpace {
 enum class NullSpaceMethod { automatic, dense, inverse_iteration };
 
 /// Singular values up to 1e-8 count as zero (the largest is about 3; on sheets of 10 x 10 cells the
-/// smallest proper one is about 1e-2). A freedom that is first lost at a smaller value is not seen.
+/// smallest proper one is about 1e-2). A degree of freedom that is first lost at a smaller value is not seen.
 /// Same result on every call. @pre state.size() == structure.bodies.size() >= 2
 NullSpace null_space(const Linkage& structure, const State& state,
                      NullSpaceMethod method = NullSpaceMethod::automatic);

@@ -11,7 +11,7 @@ namespace kinetix::model {
 /// stretch of a stripe. Buffers are reused from call to call.
 class NearPairs {
  public:
-  /// @param points all finite   @param distance > 0
+  /// @param points all finite   @param distance > 0, in the unit of the points
   /// @return (lower index, higher index), each pair once, in an order that depends on the points alone
   const std::vector<std::pair<int, int>>& find(const Eigen::Matrix3Xd& points, double distance);
 

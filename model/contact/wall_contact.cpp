@@ -8,7 +8,7 @@
 namespace kinetix::model {
 namespace {
 
-constexpr double depth_in_edges = 1e-9;
+constexpr double depth_in_edges = 1e-9;  // cell edges: rounding is no overlap, anything that is meant is
 
 /// The motion to one side of flat.
 class Side {

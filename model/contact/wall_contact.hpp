@@ -45,8 +45,8 @@ class WallContact {
   std::vector<WallPair> found_;
 };
 
-/// Theta at which basic planar cells close: the wall tips of opposite walls meet at tan(theta) = 1 - thickness /
-/// edge, rad.
+/// Theta, rad, at which basic planar cells close: the wall tips of opposite walls meet at
+/// tan(theta) = 1 - thickness / edge.
 double closing_theta(const CellSize& size);
 
 /// Writes the state at fold parameter theta (rad); keeps the flat state at 0.

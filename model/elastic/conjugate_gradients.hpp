@@ -16,8 +16,8 @@ struct TruncatedStep {
 };
 
 /// Preconditioned conjugate gradients after Steihaug (1983) with the tangent as it is now as H, and its last
-/// factor, that of a state nearby or of a shifted tangent, as preconditioner. `solved` is a residual of 2 % of
-/// the first in the norm of the preconditioner, or of 30 % after the last iteration.
+/// factor, that of a state nearby or of a shifted tangent, as preconditioner. `solved` is a residual of 2 %
+/// of the first in the norm of the preconditioner, or of 30 % after the last iteration.
 /// @pre tangent.is_factorised()
 TruncatedStep conjugate_gradients(TangentStiffness& tangent, const Eigen::VectorXd& gradient, int most = 20);
 

@@ -5,11 +5,12 @@
 
 namespace kinetix::model {
 
-/// Contact of walls of thickness w: wall tip points against the boxes of the other half walls, with the energy
-/// 1/2 contact depth^2 a point (shared between the points along a wall tip edge in space). The depth is that to
-/// the nearest of the two sides, the end and (in space) top and bottom: linear in the carried point.
-/// As in the physics run, the two halves of one wall and plates of one body pass through each other, and
-/// so do plates that touch in the flat state. Crossing edges without a wall tip point inside are not seen.
+/// Contact of walls of thickness w, energies in units of k_point edge^2, stiffnesses of k_point: wall tip
+/// points against the boxes of the other half walls, with the energy 1/2 contact depth^2 a point (shared
+/// between the points along a wall tip edge in space). The depth is that to the nearest of the two sides, the
+/// end and (in space) top and bottom: linear in the carried point. As in the physics run, the two halves of
+/// one wall and plates of one body pass through each other, and so do plates that touch in the flat state.
+/// Crossing edges without a wall tip point inside are not seen.
 class ContactModel {
  public:
   /// @param planar one point a wall tip corner, at the height of the neutral plane; else three along its edge

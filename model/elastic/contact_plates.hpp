@@ -10,8 +10,8 @@ namespace kinetix::model {
 /// Faces of a half wall's box that a point may be pushed out through.
 enum class Face { side_plus, side_minus, wall_tip_end, top, bottom };
 
-/// A half wall as contact sees it, in its body's frame, cell edges: a box from the vertex to the wall tip, and the
-/// points of its wall tip that may run into other boxes. *_rate are derivatives by beta of its hinge.
+/// A half wall as contact sees it, in its body's frame, cell edges: a box from the vertex to the wall tip,
+/// and the points of its wall tip that may run into other boxes. *_rate are derivatives by beta of its hinge.
 struct ContactPlate {
   int body = 0;
   Eigen::Vector3d edge, up, normal;  ///< unit; edge points from the vertex to the wall tip
@@ -31,9 +31,9 @@ struct ContactPlates {
   bool planar = false;
 
   int points_per_plate() const { return planar ? 2 : 6; }
-  /// No point of a wall tip is further from its middle.
+  /// No point of a wall tip is further from its middle, cell edges.
   double wall_tip_radius() const;
-  /// Of a face's plane from the vertex, along its normal.
+  /// Of a face's plane from the vertex, along its normal, cell edges.
   double face_offset(const ContactPlate& plate, Face face) const;
 };
 

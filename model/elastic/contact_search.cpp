@@ -10,9 +10,10 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
+// Cell edges: wider lists more pairs, narrower must be searched anew more often.
 constexpr double near_margin = 0.3;
-constexpr double passing_margin = 0.5;
-constexpr double flat = 1e-9;
+constexpr double passing_margin = 0.5;  // cell edges: what was further away may have gone round the end
+constexpr double flat = 1e-9;  // of the trace of the spread: a flat sheet has none across, and no inverse
 
 /// The displacement gradient that fits the shifts between two states best, least squares.
 Matrix3d homogeneous_strain(const State& from, const State& to) {
@@ -66,8 +67,8 @@ void ContactSearch::place(const State& state) {
 }
 
 /// Far enough for a point to have come into a box that it was a margin away from. What the bodies share, a
-/// homogeneous strain, brings plates closer by a part of their distance; each body's own motion adds to it. No
-/// point of a plate is further than 1.2 edges from its vertex.
+/// homogeneous strain, brings plates closer by a part of their distance; each body's own motion adds to it.
+/// No point of a plate is further than 1.2 edges from its vertex.
 bool ContactSearch::has_moved(const State& state) const {
   if (near_state_.size() != state.size()) return true;
   const double reach = 1.2 * (all_.planar ? 1.0 : std::max(1.0, all_.half_height));

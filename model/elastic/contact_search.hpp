@@ -9,7 +9,8 @@
 
 namespace kinetix::model {
 
-/// A point of one half wall's wall tip (its end at the hinge) pressed into another half wall through one face.
+/// A point of one half wall's wall tip (its end at the hinge) pressed into another half wall through one
+/// face.
 struct Contact {
   int plate = 0, point = 0;     ///< half wall (as half_walls() counts them) and which of its points
   int other = 0;                ///< half wall it is in,
@@ -20,9 +21,9 @@ struct Contact {
   }
 };
 
-/// Finds wall tip points inside the boxes of other half walls. The two halves of one wall, plates of one body and
-/// plates that touch in the flat state are not looked at. Pairs that are near are kept from call to call until
-/// the structure has moved by more than a margin: what is found does not depend on it.
+/// Finds wall tip points inside the boxes of other half walls. The two halves of one wall, plates of one body
+/// and plates that touch in the flat state are not looked at. Pairs that are near are kept from call to call
+/// until the structure has moved by more than a margin: what is found does not depend on it.
 class ContactSearch {
  public:
   ContactSearch(const Linkage& structure, bool planar);
@@ -34,9 +35,9 @@ class ContactSearch {
   /// Points in contact, in a fixed order. Empty for poses that are not finite.
   const std::vector<Contact>& find(const State& state);
 
-  /// Whether a point went from one side of a half wall to the other, beside it in both states and within half a
-  /// cell edge of it before: then it did not go round its end, and the step between the states was too long for
-  /// contact to stop it. @pre both states are finite
+  /// Whether a point went from one side of a half wall to the other, beside it in both states and within half
+  /// a cell edge of it before: then it did not go round its end, and the step between the states was too long
+  /// for contact to stop it. @pre both states are finite
   bool passed_through(const State& before, const State& after);
 
  private:

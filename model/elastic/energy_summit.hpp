@@ -9,7 +9,7 @@ struct EnergyBarrier {
   int from = 0, to = 0;   ///< in StableStates::states, from < to
   double energy = 0;      ///< N mm
   double theta = 0;       ///< fold parameter of the drive there, rad
-  double drive = 0;       ///< its coordinate there, as in EquilibriumStep
+  double drive = 0;       ///< its coordinate there, as in EquilibriumStep: fraction or rad
   bool balanced = false;  ///< whether the drive's load vanishes there (with a driven hinge, a saddle of the
                           ///< energy); otherwise the path jumped down from there
 };

@@ -20,8 +20,8 @@ struct EquilibriumScene {
 
 /// How a state that some other method found compares with an equilibrium of the same structure and drive.
 ///
-/// Sheets that buckle, jam or snap have several balances. Where two states differ, the energy is minimised
-/// from the one in question: if that ends nearby, and not at the reference, both are balances.
+/// Sheets that buckle, jam or snap have several equilibria. Where two states differ, the energy is minimised
+/// from the one in question: if that ends nearby, and not at the reference, both are equilibria.
 struct EquilibriumComparison {
   enum class Outcome {
     agrees,          ///< the states are within the tolerance

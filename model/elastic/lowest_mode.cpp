@@ -8,8 +8,8 @@
 namespace kinetix::model {
 namespace {
 
-constexpr int dense_below = 60;
-constexpr double first_shift = 1e-7;
+constexpr int dense_below = 60;  // unknowns: so few are solved densely at once; an iteration keeps 20 vectors
+constexpr double first_shift = 1e-7;  // k_point edge^2: below the turn stiffness of a usual hinge, 1e-6
 
 /// What Spectra iterates with: x to (H + shift)^-1 x of a tangent that is factorised so already.
 class ShiftedInverse {

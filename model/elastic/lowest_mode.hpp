@@ -4,7 +4,7 @@
 
 namespace kinetix::model {
 
-/// The direction in which a structure gives way most easily.
+/// The direction in which a structure gives way most easily. Eigenvalues in k_point edge^2.
 struct LowestMode {
   double value = 0;  ///< smallest eigenvalue of the tangent: negative where an equilibrium is no minimum
   double next = 0;   ///< the one after it; NaN where there is none

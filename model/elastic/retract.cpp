@@ -8,6 +8,7 @@ namespace {
 
 using Eigen::Vector3d;
 
+// Rad: below, the next term of the series is less than 2e-15, and the formulas lose half their digits.
 constexpr double small_angle = 1e-3;
 
 /// Integral of exp(s omega) v over s from 0 to 1.

@@ -15,8 +15,9 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double different = 1e-3;
-constexpr int most_saddles = 5;
+constexpr double different = 1e-3;  // rad of a hinge: releases that end closer found the same state
+constexpr int most_saddles = 5;     // in a row after a release: after so many it counts as unresolved
+// Rad, cell edges: enough to leave the saddle, too little for another valley.
 constexpr double off_saddle = 1e-2;
 
 double mean_theta(const Linkage& structure, const State& state) {

@@ -8,7 +8,7 @@ namespace {
 
 using Cholesky = Eigen::CholmodDecomposition<Eigen::SparseMatrix<double>, Eigen::Lower>;
 
-// From here on, nested dissection saves more in each factor than it costs once.
+// Unknowns: from here on, nested dissection saves more in each factor than it costs once.
 constexpr int dissected_from = 12000;
 
 }  // namespace

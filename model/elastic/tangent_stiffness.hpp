@@ -12,7 +12,8 @@
 namespace kinetix::model {
 
 /// The sparse symmetric matrix of second derivatives by the unknowns, and its Cholesky factor. Made of 6 x 6
-/// blocks of pairs of bodies; the symbolic factorisation is reused until a new pair comes in.
+/// blocks of pairs of bodies, in units of k_point edge^2; the symbolic factorisation is reused until a new
+/// pair comes in.
 class TangentStiffness {
  public:
   explicit TangentStiffness(const DofMap& dofs);

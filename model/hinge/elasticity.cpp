@@ -7,6 +7,7 @@
 namespace kinetix::model {
 namespace {
 
+// N/mm, N mm/rad, mm: products and ratios of three such numbers are far from the ends of double.
 constexpr double least = 1e-30, most = 1e30;
 
 void check_positive(const char* field, double value) {

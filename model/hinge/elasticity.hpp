@@ -14,7 +14,7 @@ namespace kinetix::model {
 struct Elasticity {
   double k_point = 1000;                                 ///< of each of the two points, N/mm
   double k_turn = 0.1;                                   ///< N mm/rad
-  double reach_mm = 1.8;                                 ///< half distance of the two points
+  double reach_mm = 1.8;                                 ///< half distance of the two points, mm
   double k_contact = 1e4;                                ///< of two walls pressed into each other, N/mm
   std::shared_ptr<const HingeLaw> law = linear_hinge();  ///< of the turn, by k_turn; not null
 
@@ -25,9 +25,9 @@ struct Elasticity {
 
 /// The same over k_point and the cell edge: energies come in units of k_point edge^2, forces of k_point edge.
 struct Stiffness {
-  double turn = 1e-6;
-  double reach = 0.18;  ///< 0: axes are parallel whatever the bodies do
-  double contact = 10;
+  double turn = 1e-6;   ///< k_turn, in units of k_point edge^2
+  double reach = 0.18;  ///< cell edges; 0: axes are parallel whatever the bodies do
+  double contact = 10;  ///< k_contact, in units of k_point
   std::shared_ptr<const HingeLaw> law = linear_hinge();
 };
 

@@ -8,8 +8,8 @@ using Vector12 = Eigen::Matrix<double, 12, 1>;
 using Matrix12 = Eigen::Matrix<double, 12, 12>;
 
 /// An energy between two bodies with its derivatives by their twists: a's turn omega (rad), a's shift
-/// (cell edges), then b's, as in model/closure/closure.hpp. The Hessian is that of the energy after each body has
-/// turned by exp(omega).
+/// (cell edges), then b's, as in model/closure/closure.hpp. The Hessian is that of the energy after each body
+/// has turned by exp(omega). The unit of the energy is its maker's: k_point edge^2 for a hinge.
 struct Element {
   double energy = 0;
   Vector12 gradient = Vector12::Zero();

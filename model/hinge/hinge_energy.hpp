@@ -25,13 +25,13 @@ Vector12 hinge_gradient(const RestHinge& hinge, const Stiffness& stiffness, cons
 
 /// Derivatives of a number that belongs to a hinge by its design and stiffness.
 struct HingeRate {
-  Eigen::Vector3d design = Eigen::Vector3d::Zero();  ///< by t, alpha, beta
-  double turn = 0;                                   ///< by Stiffness::turn
-  double reach = 0;                                  ///< by Stiffness::reach
+  Eigen::Vector3d design = Eigen::Vector3d::Zero();  ///< by t (fraction), alpha, beta (rad)
+  double turn = 0;                                   ///< by Stiffness::turn, per k_point edge^2
+  double reach = 0;                                  ///< by Stiffness::reach, per cell edge
 };
 
 struct HingeRates {
-  HingeRate energy;  ///< of the energy
+  HingeRate energy;  ///< of the energy, k_point edge^2
   HingeRate along;   ///< of its derivative along given twists
 };
 

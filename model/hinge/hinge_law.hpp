@@ -7,16 +7,16 @@ namespace kinetix::model {
 /// The answer of a hinge to a turn.
 struct TurnResponse {
   double energy = 0;     ///< in the unit of k_turn
-  double stiffness = 0;  ///< of its moment by the turn; not 0 where the moment is not
+  double stiffness = 0;  ///< of its moment by the turn, in the unit of k_turn; not 0 where the moment is not
   double stretch = 0;    ///< its moment over that stiffness, rad: the turn itself where the law is linear
-  double energy_k = 0;   ///< derivative of the energy by k_turn
-  double moment_k = 0;   ///< and of the moment
+  double energy_k = 0;   ///< derivative of the energy by k_turn, rad^2
+  double moment_k = 0;   ///< and of the moment, rad
 
-  double moment() const { return stiffness * stretch; }
+  double moment() const { return stiffness * stretch; }  ///< in the unit of k_turn
 };
 
-/// How a hinge resists its turn. All that elastic model and physics know of it: a law of one's own derives from
-/// this and goes into Elasticity::law. What a hinge point does is the same for all laws (Elasticity).
+/// How a hinge resists its turn. All that elastic model and physics know of it: a law of one's own derives
+/// from this and goes into Elasticity::law. What a hinge point does is the same for all laws (Elasticity).
 class HingeLaw {
  public:
   virtual ~HingeLaw() = default;

@@ -7,8 +7,8 @@
 namespace kinetix::model {
 
 /// The turn of a hinge's upper body against its lower one about the hinge axis (rad, as hinge_turn in
-/// model/closure/closure_drive.hpp): the twist of the relative rotation, by its unit quaternion. Derivatives are by a
-/// turn of the upper body in the upper body's frame.
+/// model/closure/closure_drive.hpp): the twist of the relative rotation, by its unit quaternion. Derivatives
+/// are by a turn of the upper body in the upper body's frame, rad.
 class RelativeTurn {
  public:
   RelativeTurn(const RestHinge& hinge, const Pose& lower, const Pose& upper);
@@ -32,13 +32,13 @@ class RelativeTurn {
   Eigen::Matrix3d upper_;
 };
 
-/// How that turn, and its derivative along given twists, change with t, alpha and beta (t: not at all).
+/// How that turn (rad), and its derivative along given twists, change with t, alpha and beta (t: not at all).
 struct TurnRates {
   Eigen::Vector3d turn = Eigen::Vector3d::Zero();
   Eigen::Vector3d along = Eigen::Vector3d::Zero();
 };
 
-/// @param against turn of the upper body against the lower one, in the upper body's frame
+/// @param against turn of the upper body against the lower one, in the upper body's frame, rad
 TurnRates turn_rates(const RestHinge& hinge, const RelativeTurn& turn, const Eigen::Vector3d& against);
 /// @param along twists of the two bodies, ordered as in Element
 TurnRates turn_rates(const RestHinge& hinge, const Pose& lower, const Pose& upper, const Vector12& along);

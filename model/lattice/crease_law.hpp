@@ -4,9 +4,9 @@
 
 namespace kinetix::model {
 
-/// The crease law (kinematics.md section 6), of every lattice: hinges in a row whose axes lean by +-tilt along the
-/// row fold the sheet about it by `turn`, tan(turn / 2) = tan(tilt) sin(theta), while its bodies turn by +-theta
-/// in their panels. All angles rad.
+/// The crease law (kinematics.md section 6), of every lattice: hinges in a row whose axes lean by +-tilt
+/// along the row fold the sheet about it by `turn`, tan(turn / 2) = tan(tilt) sin(theta), while its bodies
+/// turn by +-theta in their panels. All angles rad.
 
 /// The turn of a crease of tilt beta at fold angle theta. @pre abs(tilt) < pi/2
 inline double crease_turn(double tilt, double theta) {
@@ -18,7 +18,7 @@ inline double tilt_of_turn(double turn, double theta) {
   return std::atan(std::tan(turn / 2) / std::sin(theta));
 }
 
-/// Derivatives of crease_turn.
+/// Derivatives of crease_turn, rad per rad.
 struct CreaseRates {
   double by_tilt = 0, by_theta = 0;
 };

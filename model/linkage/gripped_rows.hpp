@@ -10,12 +10,13 @@
 
 namespace kinetix::model {
 
-/// The bodies that two plates grip, those of the first and those of the second one, ascending along the plate.
+/// The bodies that two plates grip, those of the first and those of the second one, ascending along the
+/// plate.
 using GrippedRows = std::array<std::vector<int>, 2>;
 
 /// How two rows lie in a state: the two parallel planes that hold them best, over their distance.
 struct RowPlanes {
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitX();  ///< unit, from the first row to the last
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitX();  ///< unit vector, from the first row to the last
   double distance = 0;                                ///< of the planes, mm
   double off_plane = 0;                               ///< largest distance of a body from its plane, mm
 };

@@ -5,7 +5,8 @@
 
 namespace kinetix::model {
 
-/// Two vectors of one length at rest, as the two bodies of a hinge carry them, and how far they are apart.
+/// Two vectors of one length at rest, as the two bodies of a hinge carry them, and how far they are apart. In
+/// cell edges, or of unit axes: see point_mismatch() and axis_mismatch().
 struct Mismatch {
   Eigen::Vector3d gap;           ///< of the lower body's less the upper one's
   Eigen::Vector3d lower, upper;  ///< turned with the bodies: arms to the hinge point, or the hinge axis
@@ -20,7 +21,7 @@ inline Mismatch point_mismatch(const RestHinge& h, const Pose& lower, const Pose
   return m;
 }
 
-/// Of the unit hinge axis.
+/// Of the unit hinge axis, dimensionless: nearly rad where small.
 inline Mismatch axis_mismatch(const RestHinge& h, const Pose& lower, const Pose& upper) {
   Mismatch m;
   m.lower = lower.R * h.axis;

@@ -4,8 +4,8 @@
 
 namespace kinetix::model {
 
-/// The part of a wall that belongs to one body, in that body's rest frame, lengths in cell edges: a plate from
-/// the body's vertex to the wall's tip at the hinge, tilted with the wall about its neutral axis.
+/// The part of a wall that belongs to one body, in that body's rest frame, lengths in cell edges: a plate
+/// from the body's vertex to the wall's tip at the hinge, tilted with the wall about its neutral axis.
 struct Plate {
   int body = 0;
   int hinge = 0;
@@ -15,7 +15,7 @@ struct Plate {
   double length = 0;        ///< from the vertex to the tip
   double length_t = 1;      ///< its derivative by the hinge's t
   double slant =
-      0;  ///< by which the tip cut along the hinge axis is longer, per height: cot(alpha) with sign
+      0;  ///< by which the tip cut along the hinge axis is longer, ratio to the height: cot(alpha) with sign
 };
 
 }  // namespace kinetix::model

@@ -10,9 +10,9 @@ struct RestHinge {
   Eigen::Vector3d edge;       ///< from the lower to the upper body's vertex: the derivative of both arms by t
   Eigen::Vector3d lower_arm;  ///< from the lower body's vertex to the hinge point
   Eigen::Vector3d upper_arm;
-  Eigen::Vector3d axis;        ///< unit
-  Eigen::Vector3d axis_alpha;  ///< its derivative by alpha
-  Eigen::Vector3d axis_beta;   ///< and by beta
+  Eigen::Vector3d axis;        ///< unit vector
+  Eigen::Vector3d axis_alpha;  ///< its derivative by alpha, per rad
+  Eigen::Vector3d axis_beta;   ///< and by beta, per rad
 };
 
 /// Whether the hinge axis stands along z at rest, to 1e-9 rad.

@@ -15,7 +15,7 @@ struct PoseOf {
 };
 using Pose = PoseOf<double>;
 
-/// One pose per body of a structure, in its body order.
+/// One pose per body of a structure, in its body order; positions in mm.
 using State = std::vector<Pose>;
 
 /// Rate of change of a pose: dR = [omega]x R, dp = v. Who hands one out says per what, and in mm or cell
@@ -32,7 +32,7 @@ bool is_finite(const State& state);
 /// How far the two bodies of each hinge disagree about it.
 struct HingeGaps {
   double max = 0;        ///< distance of the carried hinge points, in cell edges
-  double rms = 0;        ///< likewise, root mean square over all hinges
+  double rms = 0;        ///< likewise in cell edges, root mean square over all hinges
   double axis_max = 0;   ///< angle of the carried hinge axes, rad
   int worst_hinge = -1;  ///< index of the hinge with the largest distance
   int worst_axis = -1;   ///< index of the hinge with the largest angle
@@ -44,7 +44,7 @@ HingeGaps hinge_gaps(const Linkage& structure, const State& state);
 /// Distance of two states after the best rigid motion of `state` onto `reference`.
 struct StateDistance {
   double rms = 0;  ///< of the body positions, in cell edges
-  double max = 0;
+  double max = 0;  ///< likewise in cell edges
 };
 
 /// Proper rigid alignment (Umeyama without scaling). NaN in either state gives NaN.

@@ -12,14 +12,14 @@ namespace {
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
 
-constexpr int most_steps = 40;
-constexpr double settled = 1e-12;
-constexpr double longest_step = 0.1;
+constexpr int most_steps = 40;     // a few of Newton's method end it; the rest are for the way uphill before
+constexpr double settled = 1e-12;  // slope of the clearance, and cell edges of a step: rounding
+constexpr double longest_step = 0.1;  // cell edges: a longer one may leave the pocket that it climbs
 
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// A straight piece of the outline: a half wall from its vertex to its wall tip, or what closes the gap between
-/// the wall tips of a hinge.
+/// A straight piece of the outline: a half wall from its vertex to its wall tip, or what closes the gap
+/// between the wall tips of a hinge.
 struct Piece {
   Vector2d from, to;
   double weight = 1;

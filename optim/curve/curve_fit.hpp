@@ -9,11 +9,11 @@ namespace kinetix::optim {
 
 /// Fit of a strip's folded midline (family F2) to a curve.
 ///
-/// x = (bends of optim/curve/bend_ties.hpp, theta, heading of the strip's frame, its x, its z); rad and units of
-/// the goal's bounding-box diagonal. Residuals: signed distance to the goal of four places on each chord of
-/// the midline, and both components of both end points' misfit, over the diagonal and the square root of
-/// their number, so that |r| is close to the shape_rms of the state. The closest point of a place is sought downhill
-/// from its own fraction of the arc length.
+/// x = (bends of optim/curve/bend_ties.hpp, theta, heading of the strip's frame, its x, its z); rad and units
+/// of the goal's bounding-box diagonal. Residuals: signed distance to the goal of four places on each chord
+/// of the midline, and both components of both end points' misfit, over the diagonal and the square root of
+/// their number, so that |r| is close to the shape_rms of the state. The closest point of a place is sought
+/// downhill from its own fraction of the arc length.
 class CurveFit final : public LeastSquaresProblem {
  public:
   /// @param cell_mm cell edge; @param theta bounds, within (0, pi/2). The goal is kept by reference.

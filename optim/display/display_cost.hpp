@@ -12,18 +12,18 @@ struct WeighedReadings {
 };
 
 /// How badly the readings of a channel, one a cell, show a picture of given levels. Readings are split into
-/// mean + slope * (level - mean level) + residual by least squares with the weights of the cells, half of all to
-/// the letter and half to the rest in a picture of two levels.
+/// mean + slope * (level - mean level) + residual by least squares with the weights of the cells, half of all
+/// to the letter and half to the rest in a picture of two levels.
 class PictureCost {
  public:
   /// @pre levels in [0, 1], not all the same
   explicit PictureCost(std::vector<double> levels);
 
-  /// Squares of the residuals that are left where the slope is `separation`: leads away from a start that shows
-  /// nothing.
+  /// Squares of the residuals that are left where the slope is `separation`: leads away from a start that
+  /// shows nothing.
   WeighedReadings for_separation(const std::vector<double>& readings, double separation) const;
-  /// -2 log(d') of two levels: log of the residuals' variance less twice that of the slope. Infinite unless the
-  /// slope is positive.
+  /// -2 log(d') of two levels: log of the residuals' variance less twice that of the slope. Infinite unless
+  /// the slope is positive.
   WeighedReadings for_contrast(const std::vector<double>& readings) const;
 
  private:

@@ -35,8 +35,8 @@ class DisplayProblem : public ScalarProblem {
  public:
   using Cost = std::function<WeighedReadings(const std::vector<double>&)>;
 
-  /// Where the equilibria of a search start. The best point so far leads the search quickly, but hinges may end
-  /// up in an equilibrium that the path from flat does not come to.
+  /// Where the equilibria of a search start. The best point so far leads the search quickly, but hinges may
+  /// end up in an equilibrium that the path from flat does not come to.
   enum class Settling { from_best, from_flat };
 
   /// @param stretch most that a hinge may stretch, cell edges

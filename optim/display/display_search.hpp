@@ -68,8 +68,8 @@ class DisplaySearch {
   /// Towards options.separation.
   ScalarResult separate(const Eigen::VectorXd& x);
   /// Towards the highest contrast in rounds, each from flat, with a penalty on stretch that rises until the
-  /// equilibrium from flat keeps the limit. Where a round kept it only in an equilibrium that the path from flat does
-  /// not come to, the rounds after it find every equilibrium from flat.
+  /// equilibrium from flat keeps the limit. Where a round kept it only in an equilibrium that the path from
+  /// flat does not come to, the rounds after it find every equilibrium from flat.
   SharpenedDisplay sharpen(Eigen::VectorXd x);
 
   int evaluations() const { return evaluations_; }

@@ -7,17 +7,17 @@
 
 namespace kinetix::optim {
 
-/// A planar panel with elastic hinges between plates, its walls in contact, that is in equilibrium again after
-/// each change of where its hinges sit on their walls and of how far the plates press: from the equilibrium
-/// before where that leads to one nearby, else along the path from flat.
+/// A planar panel with elastic hinges between plates, its walls in contact, that is in equilibrium again
+/// after each change of where its hinges sit on their walls and of how far the plates press: from the
+/// equilibrium before where that leads to one nearby, else along the path from flat.
 class PanelEquilibrium {
  public:
   /// @pre all hinges stand upright; elasticity and drive are valid, the drive is one of plates
   /// @throws InvalidInput for walls that overlap in the flat state
   PanelEquilibrium(model::Structure panel, const model::Elasticity& elasticity, const model::Drive& plates);
 
-  /// @param t of every hinge, in (0, 1)   @return whether a stable equilibrium at the drive's goal was found; the
-  /// state stays as it was where not
+  /// @param t of every hinge, in (0, 1)   @return whether a stable equilibrium at the drive's goal was found;
+  /// the state stays as it was where not
   bool settle(const Eigen::VectorXd& t);
   /// How far the plates are to press from the next settle() on, (0, 1).
   void press(double compression) { drive_.compression = compression; }
@@ -37,8 +37,8 @@ class PanelEquilibrium {
     double compression = 0;
   };
   /// The derivatives of a function of the state, by the adjoint. @param by_state 6 a body, as
-  /// EquilibriumGradient::state   @return without what the function has of t directly, which is the caller's to
-  /// add. Nothing where the equilibrium is singular
+  /// EquilibriumGradient::state   @return without what the function has of t directly, which is the caller's
+  /// to add. Nothing where the equilibrium is singular
   std::optional<Slopes> slopes(const Eigen::VectorXd& by_state);
 
   int paths_from_flat() const { return paths_; }

@@ -25,8 +25,8 @@ struct HelmetDesign {
   std::vector<std::string> collisions;  ///< walls that meet on the way all the same, some of them by name
 };
 
-/// Plans a fishbone, fits tilts, theta and place, and shortens ribs whose walls meet those of others while it folds;
-/// where walls of one rib meet (over bumps and hollows), fits anew with gentler tilts.
+/// Plans a fishbone, fits tilts, theta and place, and shortens ribs whose walls meet those of others while it
+/// folds; where walls of one rib meet (over bumps and hollows), fits anew with gentler tilts.
 /// @throws InvalidInput as plan_helmet
 HelmetDesign fit_helmet(const targets::MeshDistance& head, const Eigen::Vector3d& crown,
                         const HelmetSpec& spec, const SolverOptions& options);

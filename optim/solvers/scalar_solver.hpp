@@ -6,7 +6,8 @@
 
 namespace kinetix::optim {
 
-/// Minimise f(x) subject to lower <= x <= upper. For costs that have a gradient but no residuals of their own.
+/// Minimise f(x) subject to lower <= x <= upper. For costs that have a gradient but no residuals of their
+/// own.
 class ScalarProblem {
  public:
   virtual ~ScalarProblem() = default;
@@ -29,8 +30,8 @@ struct ScalarResult {
 };
 
 /// Runs one of NLopt's gradient methods (slsqp, mma, ccsa) on our own book of the best point. A point where f
-/// cannot be evaluated is shown to the method as a high wall; at the start, or after twenty of them, the search
-/// ends with what it has: SolveStatus::cannot_evaluate. `target` of the options does not count.
+/// cannot be evaluated is shown to the method as a high wall; at the start, or after twenty of them, the
+/// search ends with what it has: SolveStatus::cannot_evaluate. `target` of the options does not count.
 /// @throws InvalidInput for other methods and options that do not validate
 ScalarResult solve(ScalarProblem& problem, const Eigen::VectorXd& start, const SolverOptions& options);
 

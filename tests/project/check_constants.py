@@ -201,7 +201,9 @@ def is_field(s):
     if re.match(r"(using|typedef|friend|static|constexpr|template|return|operator|virtual|explicit)\b", s.code):
         return False
     head = re.sub(r"<[^<>]*>", "<>", re.sub(r"<[^<>]*>", "<>", re.split(r"[={]", s.code)[0]))
-    return "(" not in head and "std::function" not in s.code and bool(DOUBLES.search(re.split(r"[={]", s.code)[0]))
+    code = re.split(r"[={]", s.code)[0]
+    code = re.sub(r"\b(?!Matrix|Vector|Array|SparseMatrix|Ref|Map)[A-Z]\w*<double>", "", code)
+    return "(" not in head and "std::function" not in s.code and bool(DOUBLES.search(code))
 
 
 def has_reason(source, s, block_comment):

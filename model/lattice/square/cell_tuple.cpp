@@ -9,6 +9,7 @@
 namespace kinetix::model {
 namespace {
 
+// Of t, and rad: passes what rounding leaves of degrees, nothing that is meant.
 constexpr double agreement = 1e-9;
 
 bool agree(const HingeParameters& a, const HingeParameters& b) {

@@ -70,9 +70,9 @@ std::function<DrivenLinkage(double part)> changing(const Structure& before, cons
 /// The drive that takes an exactly mobile structure to fold angle theta. Plates normal to the direction in
 /// which its rows are stacked (y; x where the sheet folds along y) if its rim stays flat and is not ragged,
 /// or if it is a rectangle without an exact family; for other sheets the first vertical hinge, by twice
-/// theta. For nets plates that grip a part of it (model/lattice/square/net_grip.hpp), or where there is no such part the
-/// vertical hinge nearest to its middle of those that turn by twice theta, else by as much as its crease does
-/// at theta.
+/// theta. For nets plates that grip a part of it (model/lattice/square/net_grip.hpp), or where there is no
+/// such part the vertical hinge nearest to its middle of those that turn by twice theta, else by as much as
+/// its crease does at theta.
 /// @param theta rad, in (-pi/2, pi/2)
 /// @throws InvalidInput for theta outside its range
 Drive drive_to(const Structure& structure, double theta);

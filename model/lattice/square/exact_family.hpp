@@ -17,10 +17,11 @@ namespace kinetix::model {
 template <class T>
 struct ExactDesign {
   std::vector<T> beta;  ///< tilt of column c in row 0, rad; row j has (-1)^j beta
-  std::vector<T> t;     ///< tA of the x-walls of column c: the fraction that belongs to the class-A vertex
-  std::vector<T> s;     ///< tA of the y-walls of row r
-  T gamma = T(0);       ///< tilt of the y-walls on vertex column 0, rad; column i has (-1)^i gamma
-  T theta = T(0);       ///< fold parameter, rad
+  /// TA of the x-walls of column c: the fraction that belongs to the class-A vertex, (0, 1).
+  std::vector<T> t;
+  std::vector<T> s;  ///< tA of the y-walls of row r, (0, 1)
+  T gamma = T(0);    ///< tilt of the y-walls on vertex column 0, rad; column i has (-1)^i gamma
+  T theta = T(0);    ///< fold parameter, rad
 
   int columns() const { return static_cast<int>(beta.size()); }
   int rows() const { return static_cast<int>(s.size()); }
@@ -72,14 +73,14 @@ struct MirrorPlane {
   }
 };
 
-/// Axis of an x-wall hinge with tilt beta as carried by orientation R: R (cos(beta) z - sin(beta) y).
+/// Unit axis of an x-wall hinge with tilt beta as carried by orientation R: R (cos(beta) z - sin(beta) y).
 template <class T>
 Eigen::Matrix<T, 3, 1> carried_axis(const Eigen::Matrix<T, 3, 3>& R, const T& cos_beta, const T& sin_beta) {
   return cos_beta * R.col(2) - sin_beta * R.col(1);
 }
 
 /// x-neighbour of a body: its mirror image in the plane, placed so that the hinge points coincide.
-/// @param t hinge fraction from the body; @param L cell edge
+/// @param t hinge fraction from the body; @param L cell edge, mm
 template <class T>
 PoseOf<T> neighbour_x(const PoseOf<T>& pose, const MirrorPlane<T>& mirror, const T& t, double L) {
   PoseOf<T> next;
@@ -91,7 +92,7 @@ PoseOf<T> neighbour_x(const PoseOf<T>& pose, const MirrorPlane<T>& mirror, const
 }
 
 /// y-neighbour of a body: its mirror image in the plane normal to y through the hinge point.
-/// @param s hinge fraction from the body; @param L cell edge
+/// @param s hinge fraction from the body; @param L cell edge, mm
 template <class T>
 PoseOf<T> neighbour_y(const PoseOf<T>& pose, const T& s, double L) {
   PoseOf<T> next;

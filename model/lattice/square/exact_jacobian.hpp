@@ -37,7 +37,7 @@ class ExactJacobian {
 
 /// fold() of exact_family.hpp together with its analytic Jacobian. A tilt turns all later columns rigidly
 /// about the line through its hinges along y, an offset moves them: so each entry costs a few operations.
-/// Buffers are reused.
+/// Buffers are reused. @param L cell edge, mm
 void fold_with_jacobian(const ExactDesign<double>& design, double L, State& poses, ExactJacobian& jacobian);
 
 }  // namespace kinetix::model

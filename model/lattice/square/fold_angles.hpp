@@ -6,7 +6,8 @@
 
 namespace kinetix::model {
 
-/// The fold angle of every crease of a net, where creases may cross (family F4, model/exact/net.hpp).
+/// The fold angle of every crease of a net, where creases may cross (family F4,
+/// model/lattice/square/net.hpp).
 ///
 /// Take a cell of t = 1/2, alpha = 90 deg whose x-walls are of a crease of tilt b and whose y-walls of one of
 /// tilt g. Its four bodies are mirror images of each other in two planes at right angles, each of which holds
@@ -48,8 +49,8 @@ std::vector<double> fold_shift_rates(const FoldAngleTree& tree, const Structure&
 /// A crease's fold angle with its derivatives.
 struct FoldAngle {
   double value = 0;     ///< rad, in (-pi, pi); exactly theta where the shift is 0
-  double by_theta = 1;  ///< > 0
-  double by_shift = 0;  ///< rad
+  double by_theta = 1;  ///< rad per rad, > 0
+  double by_shift = 0;  ///< rad per unit of the shift, which is dimensionless
 };
 
 /// cot(value) = cot(theta) + shift, by continuity 0 at theta = 0. @pre abs(theta) < pi

@@ -16,10 +16,11 @@ namespace kinetix::model {
 /// normal by +theta (class A) or -theta (class B): R = Q Rz(+-theta). A wall of tilt beta with t = 1/2 and
 /// alpha = 90 deg joins two frames by a turn about the line across it, Q' = Q Rot(y, phi) for x-walls,
 /// Q' = Q Rot(x, -phi) for y-walls, tan(phi / 2) = +-tan(beta) sin(theta), + from a body of class A. Where
-/// creases that bend cross, each has a fold angle theta_k of its own (model/lattice/square/fold_angles.hpp), which stands in
-/// for theta: tan(phi / 2) = +-tan(beta) sin(theta_k), and the frames are turned about their normals by
-/// +-(theta - theta_k) before and after it. So the pose of every body follows from that of a root along a
-/// tree of walls; what closes the rest of the hinges are the rules of check_net (model/lattice/square/net_rules.hpp).
+/// creases that bend cross, each has a fold angle theta_k of its own (model/lattice/square/fold_angles.hpp),
+/// which stands in for theta: tan(phi / 2) = +-tan(beta) sin(theta_k), and the frames are turned about their
+/// normals by +-(theta - theta_k) before and after it. So the pose of every body follows from that of a root
+/// along a tree of walls; what closes the rest of the hinges are the rules of check_net
+/// (model/lattice/square/net_rules.hpp).
 
 /// Walls that lead from a root to every other body by as few walls as can be.
 struct NetTree {

@@ -12,6 +12,7 @@
 namespace kinetix::model {
 namespace {
 
+// Rad, near flat, halfway and far on: a hinge that fits at one of them by chance does not fit at all three.
 constexpr double probe_thetas[] = {0.2, 0.5, 0.9};
 
 /// Tilt and class-A fraction that most walls of a crease have.

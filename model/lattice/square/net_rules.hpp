@@ -16,8 +16,8 @@ struct NetCheck {
 /// The rules of family F4: alpha = 90 deg; the walls of a crease have one tilt, its sign alternating, and
 /// give one fraction to their class-A vertices; a crease with a tilt has t = 1/2, and so have the walls
 /// beside it in its cells; creases with a tilt cross only where, in every block of 2 x 2 cells, the columns
-/// or the rows have one tilt (model/exact/fold_angles.hpp); around every hole the hinges close, computed along the
-/// motion (creases in line with each other need one tilt, and may not cross in the hole).
+/// or the rows have one tilt (model/lattice/square/fold_angles.hpp); around every hole the hinges close,
+/// computed along the motion (creases in line with each other need one tilt, and may not cross in the hole).
 ///
 /// For structures of alpha = 90 deg and t = 1/2 that hang together by walls the rules are not only
 /// sufficient: without holes every sheet that breaks one is rigid or moves to first order alone.

@@ -13,8 +13,10 @@
 namespace kinetix::model {
 namespace {
 
+// Cells: a mistyped size gives a message before the memory is gone.
 constexpr std::size_t max_cells = 1'000'000;
-constexpr double vertical = 1e-9;
+constexpr double vertical = 1e-9;  // rad from z: far above rounding, far below any tilt that is meant
+// Vertices: few cells far apart are refused too, since exact families are computed on the whole lattice.
 constexpr std::int64_t max_lattice_vertices = 4'000'000;
 
 std::array<Vertex, 4> corners(const Cell& c) {

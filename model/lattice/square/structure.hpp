@@ -73,12 +73,12 @@ struct Structure {
   std::optional<int> body_at(Vertex v) const;
   std::optional<int> hinge_at(const Wall& wall) const;
 
-  Eigen::Vector3d rest_position(int body) const;
+  Eigen::Vector3d rest_position(int body) const;  ///< mm
   /// Hinge point at rest, mm.
   Eigen::Vector3d hinge_point(const Hinge& hinge) const;
 
-  /// The linkage that it makes: same bodies, hinges and cells in the same order. A structure stands wherever a
-  /// linkage is asked for; what asks many times converts once.
+  /// The linkage that it makes: same bodies, hinges and cells in the same order. A structure stands wherever
+  /// a linkage is asked for; what asks many times converts once.
   operator Linkage() const;
 };
 
@@ -99,7 +99,7 @@ void validate_hinges(const Structure& structure);
 /// Row of a vertex along an axis: its column i for x, its row j for y.
 inline int row_along(Axis axis, Vertex v) { return axis == Axis::x ? v.i : v.j; }
 
-/// Up-direction w(beta) = cos(beta) z + sin(beta) (e x z) of a wall plate at rest.
+/// Up-direction w(beta) = cos(beta) z + sin(beta) (e x z) of a wall plate at rest, unit length; beta in rad.
 Eigen::Vector3d wall_up(Axis axis, double beta);
 /// Whether the hinge axis stands along z at rest, to 1e-9 rad.
 bool is_vertical(const Hinge& hinge);

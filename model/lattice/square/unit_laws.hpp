@@ -12,7 +12,7 @@ namespace kinetix::model {
 /// @param k fraction of a wall, [0, 1]   @param phi angle of the bars, twice the fold parameter, finite
 double area_ratio(double k, double phi);
 
-/// Eq. 3: area_ratio at the last position of a crossable unit, phi = 135 deg:
+/// Eq. 3: area_ratio (dimensionless) at the last position of a crossable unit, phi = 135 deg:
 /// (2 + sqrt 2) k^2 - (2 + sqrt 2) k + 1.   @param k in [0, 1] without 1/2
 double final_area_ratio(double k);
 
