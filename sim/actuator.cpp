@@ -96,7 +96,7 @@ class DrivenHinge final : public Actuator {
   double angle_ = 0;
 };
 
-/// Many times stiffer than a hinge, and not so stiff that rounding drowns the hinges' forces.
+/// Times a hinge point: many times stiffer, and not so stiff that rounding drowns the hinges' forces.
 constexpr double held_stiffness = 1e4;
 
 class DrivenSpring final : public Actuator {

@@ -17,8 +17,8 @@
 namespace kinetix::sim {
 namespace {
 
-constexpr int window_steps = 200;
-constexpr double least_force = 1e-9;  // below, a structure is at rest where it stands
+constexpr int window_steps = 200;  // time steps at the end, enough for what goes to and fro to show how far
+constexpr double least_force = 1e-9;  // k_point edge: below, a structure is at rest where it stands
 
 using Clock = std::chrono::steady_clock;
 

@@ -13,7 +13,8 @@
 namespace kinetix::sim {
 namespace {
 
-// Of a part, with all forces turning with their bodies: cell edges or rad.
+// Cell edges or rad, of a part in one step, with all forces turning with their bodies: further on, the forces
+// that were linearised tell nothing.
 constexpr double longest_step = 0.05;
 
 Vector6 stacked(const btVector3& linear, const btVector3& angular) {

@@ -9,11 +9,11 @@ namespace kinetix::sim {
 class ElasticHinges;
 
 struct DirectSolverSettings {
-  double joint_stiffness = 1e4;            ///< as PhysicsOptions has it
-  double grip = 100;                       ///< how much stiffer than a hinge a joint to the ground is
-  double contact_softness = 10;            ///< how much softer than a hinge a contact is: with elastic hinges
-                                           ///< all points of a wall tip edge together, else every point
-  double edge_mm = 1;                      ///< of the structure of `elastic`
+  double joint_stiffness = 1e4;  ///< as PhysicsOptions has it, over the parts' masses
+  double grip = 100;             ///< how many times stiffer than a hinge a joint to the ground is
+  double contact_softness = 10;  ///< how many times softer than a hinge a contact is: with elastic hinges
+                                 ///< all points of a wall tip edge together, else every point
+  double edge_mm = 1;            ///< cell edge of the structure of `elastic`
   const ElasticHinges* elastic = nullptr;  ///< null for none; must outlive the solver
 };
 
@@ -24,7 +24,7 @@ struct DirectSolverSettings {
 ///
 /// Elastic hinges are the same equations with the equations of their turning springs added: a row whose
 /// target closes its gap within one step h, at stiffness s over the parts' masses, is an undamped spring of
-/// stiffness s / h^2 integrated by implicit Euler, so at rest forces equilibrium as those springs' do. Where
+/// stiffness s / h^2 integrated by implicit Euler, so at rest forces balance as those springs' do. Where
 /// a step with all that turns with the bodies has no least energy, or takes a part far, only what resists is
 /// kept.
 /// @pre a body that may not move along or turn about every axis has the same inertia about each;

@@ -13,7 +13,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double rod_thickness = 1e-2;  // over its length
+// Over its length: thin, and still with a moment of inertia about its axis.
+constexpr double rod_thickness = 1e-2;
 
 /// What a body carries along, seen in the world now.
 struct Carried {

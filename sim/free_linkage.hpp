@@ -7,7 +7,8 @@
 
 namespace kinetix::sim {
 
-/// A rigid body of a linkage, at the start of its motion. Units are the linkage's own, kg and s.
+/// A rigid body of a linkage, at the start of its motion. Lengths in the linkage's own unit of length, masses
+/// in kg, times in s.
 struct FreeLinkageBody {
   model::Pose pose;                                   ///< p: centre of mass; R: principal axes
   double mass = 1;                                    ///< > 0
@@ -15,18 +16,18 @@ struct FreeLinkageBody {
   model::Twist motion;                                ///< v of the centre of mass
 };
 
-/// A hinge between two bodies, as it stands in the world at the start.
+/// A hinge between two bodies, as it stands in the world at the start; lengths in the linkage's unit.
 struct FreeLinkageHinge {
   int a = -1, b = -1;  ///< bodies; -1 = the ground
   Eigen::Vector3d point;
-  Eigen::Vector3d axis;  ///< unit
+  Eigen::Vector3d axis;  ///< unit vector
 };
 
 /// Any rigid bodies and hinges, closed loops and all: the standard mechanisms whose answers are known.
 struct FreeLinkage {
   std::vector<FreeLinkageBody> bodies;
   std::vector<FreeLinkageHinge> hinges;
-  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();
+  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< units of length / s^2
 
   /// @throws InvalidInput, naming body or hinge, for a mass, inertia or axis out of range (NaN included), a
   /// hinge of bodies that there are not, of one body with itself or of none
@@ -35,12 +36,12 @@ struct FreeLinkage {
 
 /// Largest distance of a hinge's point, and largest angle of its axis, as its two bodies carry them.
 struct FreeLinkageGap {
-  double point = 0;  ///< length
+  double point = 0;  ///< in the linkage's unit of length
   double axis = 0;   ///< rad
 };
 FreeLinkageGap linkage_gap(const FreeLinkage& linkage, const std::vector<model::Pose>& poses);
 
-/// Kinetic and potential. @param motion of each body, v of its centre of mass
+/// Kinetic and potential energy, kg length^2 / s^2. @param motion of each body, v of its centre of mass
 double linkage_energy(const FreeLinkage& linkage, const std::vector<model::Pose>& poses,
                       const std::vector<model::Twist>& motion);
 

@@ -11,11 +11,11 @@ namespace kinetix::sim {
 struct FreeLinkageOptions {
   PhysicsOptions::Solver solver = PhysicsOptions::Solver::direct;
   double step_s = 1.0 / 1000;     ///< s, in (0, 0.1]
-  double seconds = 1;             ///< of the motion, in (0, 1000]
+  double seconds = 1;             ///< of the motion, s, in (0, 1000]
   int iterations = 200;           ///< sweeps per step, 1 to 100000
   double joint_stiffness = 1e8;   ///< direct: of the joints, over a mass of 1, in (0, 1e12]
   double error_reduction = 0.95;  ///< part of a hinge's gap removed per step, in (0, 1]
-  double reach = 0.18;            ///< half distance of a hinge's two points, length, in (0, 10]
+  double reach = 0.18;            ///< half distance of a hinge's two points, units of length, in (0, 10]
   double speed_limit = 1e4;       ///< failure: a faster body, length/s or rad/s, > 0
 
   /// @throws InvalidInput, naming the field, its value and its range (NaN is outside every range)
@@ -30,11 +30,11 @@ struct FreeLinkageResult {
   std::vector<model::Pose> poses;    ///< last, by body
   std::vector<model::Twist> motion;  ///< last; v of the centres of mass
   FreeLinkageGap gap;                ///< largest at any time
-  double energy_start = 0;
-  double energy_drift = 0;  ///< largest difference from the start at any time
-  double energy_end = 0;
+  double energy_start = 0;           ///< as linkage_energy(), kg length^2 / s^2
+  double energy_drift = 0;  ///< largest difference from the start at any time, likewise in kg length^2 / s^2
+  double energy_end = 0;    ///< kg length^2 / s^2
   int steps = 0;
-  double seconds = 0;  ///< wall-clock time
+  double seconds = 0;  ///< wall-clock time, s
 };
 
 using FreeLinkageObserver = std::function<void(double simulated_s, const std::vector<model::Pose>& poses,

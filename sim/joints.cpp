@@ -8,6 +8,7 @@
 namespace kinetix::sim {
 namespace {
 
+// Numbers of the engine's axes: three linear ones, then three angular ones.
 constexpr int linear_x = 0, linear_y = 1, angular_x = 3;
 
 btVector3 bullet(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }

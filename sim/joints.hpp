@@ -13,11 +13,13 @@ namespace kinetix::sim {
 
 using Joint = std::unique_ptr<btGeneric6DofSpring2Constraint>;
 
-/// A hinge as one of its bodies carries it, in that body's frame.
+/// A hinge as one of its bodies carries it, in that body's frame; lengths in the unit of the engine's world
+/// (cell edges in a compression run).
 struct HingeFrame {
   Eigen::Vector3d point;
-  Eigen::Vector3d axis;    ///< unit
-  Eigen::Vector3d across;  ///< unit, normal to the axis; of both bodies the same direction at the start
+  Eigen::Vector3d axis;  ///< unit vector
+  /// Unit vector, normal to the axis; of both bodies the same direction at the start.
+  Eigen::Vector3d across;
 };
 using HingeFrames = std::array<HingeFrame, 2>;
 
@@ -27,7 +29,8 @@ HingeFrames hinge_frames(const model::RestHinge& hinge);
 /// The two point constraints of a hinge, at the hinge point +- reach along the hinge axis: all linear axes
 /// locked, all angular axes free. The first axis of the constraint frames lies along the hinge axis, so that
 /// the fold is the Euler angle with the full range and the middle one (within a quarter turn) stays near 0.
-/// @param reach in the unit of the hinge frames; @param error_reduction part of the gap removed per step
+/// @param reach in the unit of the hinge frames
+/// @param error_reduction part of the gap removed per step, (0, 1]
 std::array<Joint, 2> hinge_points(const HingeFrames& hinge_frames, btRigidBody& a, btRigidBody& b,
                                   double reach, double error_reduction);
 

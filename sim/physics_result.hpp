@@ -35,11 +35,11 @@ struct PhysicsResult {
   double drive_gap = 0;   ///< largest distance of a gripped body from its plate, cell edges, or of the driven
                           ///< hinge from its angle, rad
   PartContact contact;    ///< in that state
-  double residual_motion =
-      0;          ///< of parts that still go to and fro at the end (PhysicsOptions::settle_residual_motion)
-  int steps = 0;  ///< taken
-  double simulated_s = 0;  ///< time that passed in the simulation
-  double seconds = 0;      ///< wall-clock time of the run
+  double residual_motion = 0;  ///< of parts that still go to and fro at the end, cell edges or rad at half an
+                               ///< edge (PhysicsOptions::settle_residual_motion)
+  int steps = 0;               ///< taken
+  double simulated_s = 0;      ///< time that passed in the simulation, s
+  double seconds = 0;          ///< wall-clock time of the run, s
 };
 
 std::string to_string(PhysicsResult::Status status);

@@ -18,7 +18,7 @@ namespace kinetix::sim {
 /// masses, the same inertia about every axis, centre of mass on the vertex.
 class RigidParts {
  public:
-  static constexpr double mass = 1;
+  static constexpr double mass = 1;  ///< of every part, the unit of mass
 
   /// @param structure must outlive this
   RigidParts(const model::Linkage& structure, const PhysicsOptions& options);
@@ -36,14 +36,15 @@ class RigidParts {
   void damp(double factor);
 
   model::State state() const;  ///< mm
-  /// Linear and angular, of each body.
+  /// Linear and angular, of each body, edges/s and rad/s.
   std::vector<Vector6> speeds() const;
   /// Largest speed or turning speed, edges/s or rad/s; NaN if one is NaN.
   double fastest() const;
   /// Largest turning speed of two parts that share a hinge against each other, rad/s; NaN if one is NaN.
   double fastest_hinge() const;
-  double kinetic_energy() const;
-  /// Largest change of momentum, or of angular momentum over the cell edge, since the parts had these speeds;
+  double kinetic_energy() const;  ///< part mass edge^2 / s^2
+  /// Largest change of momentum, or of angular momentum over the cell edge, since the parts had these speeds,
+  /// part mass edge / s;
   /// NaN if one is NaN.
   double largest_change(const std::vector<Vector6>& speeds_before) const;
 

@@ -13,11 +13,13 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 /// What resists a change of a part's velocity.
 struct PartMass {
-  double mass = 1;
-  Eigen::Matrix3d inertia = Eigen::Matrix3d::Identity();  ///< about the centre of mass, in the world's axes
+  double mass = 1;                                        ///< in any unit of mass
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Identity();  ///< about the centre of mass, in the world's axes,
+                                                          ///< in units of mass length^2
 };
 
-/// One equation first . v_a + second . v_b = target on the velocities (linear, angular) of two parts.
+/// One equation first . v_a + second . v_b = target on the velocities (linear in length/s, angular in rad/s)
+/// of two parts.
 struct VelocityRow {
   int a = -1, b = -1;  ///< parts; -1 = fixed to the ground
   Vector6 first, second;

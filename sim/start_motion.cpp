@@ -7,8 +7,8 @@
 namespace kinetix::sim {
 namespace {
 
-constexpr double least_share = 0.5;
-constexpr double weight_of_the_rest = 1e-6;
+constexpr double least_share = 0.5;  // of the wanted spins: a motion that has less of them is another one
+constexpr double weight_of_the_rest = 1e-6;  // times that of the spins: decides only what they leave open
 
 std::vector<model::Twist> bare_spins(const model::Linkage& structure) {
   std::vector<model::Twist> twists(structure.bodies.size());

@@ -18,16 +18,18 @@
 namespace kinetix::sim {
 namespace {
 
-// Of a point of an elastic hinge, times step^2 over mass: less takes soft modes longer to settle, more takes
-// unstable ones further in a step.
+// Stiffness of a point of an elastic hinge, times step^2 over the part mass: less takes soft modes longer to
+// settle, more takes unstable ones further in a step.
 constexpr double elastic_stiffness = 1000;
 constexpr double touching = 1e-3;  // cell edges between parts that are said to touch
 
 constexpr double longest_slide =
     5e-3;  // cell edges, of a touching corner of sharp walls from where it was found
 
-constexpr double largest_lean = 1.5;  // rad
-constexpr double elastic_grip = 1e4;  // of plates, over the points of elastic hinges
+// Rad: a first-order motion may ask for any angle; springs rest below pi.
+constexpr double largest_lean = 1.5;
+// Of plates, times the points of elastic hinges: yields 1e-4 of their gaps.
+constexpr double elastic_grip = 1e4;
 
 std::unique_ptr<btConstraintSolver> make_solver(const PhysicsOptions& options, double edge_mm,
                                                 const ElasticHinges* elastic) {

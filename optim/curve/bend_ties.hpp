@@ -10,10 +10,10 @@ namespace kinetix::optim {
 ///
 /// Column c turns the strip by 2 atan(tan(beta_c) sin(theta)) with a sign that alternates with c (equal tilts
 /// in neighbouring columns cancel, paper section 5.2). Ties are between *turns*: beta_c = sign_c *
-/// x[variable_c].
+/// x[variable_c], rad.
 struct BendTies {
   std::vector<int> variable;  ///< of each column
-  std::vector<double> sign;   ///< of each column, +1 or -1, such that x > 0 turns every column the same way
+  std::vector<double> sign;   ///< of each column, 1 or -1, such that x > 0 turns every column the same way
   std::vector<AngleRange> range;  ///< of each variable: where all its columns are within bounds
 
   int columns() const { return static_cast<int>(variable.size()); }

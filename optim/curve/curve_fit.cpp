@@ -86,7 +86,7 @@ class CurveFit::Frame {
   int chords() const { return static_cast<int>(points_.size()) - 1; }
   Vector2d place(int chord, double f) const { return (1 - f) * points_[chord] + f * points_[chord + 1]; }
 
-  /// ClosestPoint on the goal, sought from the place's own fraction of the arc length.
+  /// The closest point on the goal, sought from the place's own fraction of the arc length.
   targets::ClosestPoint closest(int chord, double f) const {
     const targets::Curve& goal = fit_.goal_;
     const double fraction = ((1 - f) * arc_[chord] + f * arc_[chord + 1]) / arc_.back();

@@ -9,14 +9,14 @@ namespace kinetix::optim {
 
 /// Fit of a strip's folded midline (family F2) to a curve.
 ///
-/// x = (bends of optim/curve/bend_ties.hpp, theta, heading of the strip's frame, its x, its z); rad and units
-/// of the goal's bounding-box diagonal. Residuals: signed distance to the goal of four places on each chord
-/// of the midline, and both components of both end points' misfit, over the diagonal and the square root of
-/// their number, so that |r| is close to the shape_rms of the state. The closest point of a place is sought
-/// downhill from its own fraction of the arc length.
+/// x = (tangents of the bends of optim/curve/bend_ties.hpp, theta, heading of the strip's frame, its x, its
+/// z); angles in rad, lengths in units of the goal's bounding-box diagonal. Residuals: signed distance to the
+/// goal of four places on each chord of the midline, and both components of both end points' misfit, over the
+/// diagonal and the square root of their number, so that |r| is close to the shape_rms of the state. The
+/// closest point of a place is sought downhill from its own fraction of the arc length.
 class CurveFit final : public LeastSquaresProblem {
  public:
-  /// @param cell_mm cell edge; @param theta bounds, within (0, pi/2). The goal is kept by reference.
+  /// @param cell_mm cell edge; @param theta bounds, rad, within (0, pi/2). The goal is kept by reference.
   CurveFit(const targets::Curve& goal, BendTies ties, double cell_mm, AngleRange theta);
 
   int variables() const override { return ties_.variables() + 4; }
@@ -31,10 +31,12 @@ class CurveFit final : public LeastSquaresProblem {
 
   /// The strip's design, with `rows` rows of cells.
   model::ExactDesign<double> design(const Eigen::VectorXd& x, int rows) const;
-  double theta(const Eigen::VectorXd& x) const { return x[ties_.variables()]; }
-  /// x from column bends (positive turns left), theta and the goal's own start; clamped to the bounds.
+  double theta(const Eigen::VectorXd& x) const { return x[ties_.variables()]; }  ///< rad
+  /// x from column bends (rad, positive turns left), theta (rad) and the goal's own start; clamped to the
+  /// bounds.
   Eigen::VectorXd pack(const std::vector<double>& bends, double theta) const;
 
+  /// Of each chord: with fewer, a goal that bulges between two columns goes unseen; more cost time.
   static constexpr int places_per_cell = 4;
 
  private:

@@ -9,10 +9,11 @@
 namespace kinetix::optim {
 namespace {
 
+// Of placing chord ends by their half turns and finding half turns from them: a start need not be exact.
 constexpr int placement_rounds = 8;
-constexpr double zigzag_step = 0.05;
-constexpr int even_start = 1;
-constexpr double steepest_psi = 1.2;
+constexpr double zigzag_step = 0.05;  // rad a pair of starts: those by rule go to 0.35, random ones to 0.4
+constexpr int even_start = 1;         // the start that turns all columns alike where bounds cut the layout
+constexpr double steepest_psi = 1.2;  // rad: a chord has still a third of its length, and at pi/2 none
 
 /// Half turns that give the chords their headings, smoothest first, then the zigzag.
 std::vector<double> half_turns(const std::vector<double>& headings, double zigzag) {

@@ -14,16 +14,16 @@
 namespace kinetix::optim {
 namespace {
 
-constexpr double as_good = 1.01;
-constexpr double exact = 1e-9;
-constexpr double gentler = 0.6;
-constexpr double gentle_growth = 1.3;
-constexpr int gentle_starts = 2;
-constexpr double steep_tilt = 15 * radians_per_degree;
-constexpr double narrowing = 0.8;
-constexpr int most_narrowings = 10;
-constexpr double worst_growth = 10;
-constexpr double margin = 0.1 * radians_per_degree;
+constexpr double as_good = 1.01;  // times the least |r|: up to here, the gentlest tilts decide
+constexpr double exact = 1e-9;    // of the goal's diagonal, added: a goal met exactly leaves rounding alone
+constexpr double gentler = 0.6;   // times the tilts before: few tries lead from 60 deg to gentle ones
+constexpr double gentle_growth = 1.3;  // times the error: what gentle tilts may cost
+constexpr int gentle_starts = 2;       // for each tighter limit: the smoothest layout and the even one
+constexpr double steep_tilt = 15 * radians_per_degree;  // rad: designs that tilt less are left as they are
+constexpr double narrowing = 0.8;    // times the limit at which walls collide, at the least, for the next
+constexpr int most_narrowings = 10;  // searches: 0.8^10 is a tenth of the first tilts
+constexpr double worst_growth = 10;  // times the error: beyond, the design is no longer of the goal's shape
+constexpr double margin = 0.1 * radians_per_degree;  // rad that theta keeps below where cells close
 
 void check_at_least(const char* field, int value, int least) {
   if (value < least) throw InvalidInput(fmt::format("{} is {}, must be at least {}", field, value, least));

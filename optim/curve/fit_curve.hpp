@@ -8,11 +8,12 @@ namespace kinetix::optim {
 
 /// What a curve search may vary.
 struct CurveVariables {
-  int columns = 40;                                                    ///< >= 2
-  int rows = 1;                                                        ///< >= 1; every row does the same
-  double cell_mm = 8;                                                  ///< cell edge, > 0
-  AngleRange beta{-60 * radians_per_degree, 60 * radians_per_degree};  ///< in (-pi/2, pi/2), lower < upper
-  AngleRange theta{2 * radians_per_degree, 44 * radians_per_degree};   ///< in (0, pi/2), lower < upper
+  int columns = 40;    ///< >= 2
+  int rows = 1;        ///< >= 1; every row does the same
+  double cell_mm = 8;  ///< cell edge, mm, > 0
+  /// Tilts, rad, in (-pi/2, pi/2), lower < upper.
+  AngleRange beta{-60 * radians_per_degree, 60 * radians_per_degree};
+  AngleRange theta{2 * radians_per_degree, 44 * radians_per_degree};  ///< rad, in (0, pi/2), lower < upper
   Per per = Per::column;
   Symmetry symmetry = Symmetry::none;
 

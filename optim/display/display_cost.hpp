@@ -7,8 +7,8 @@ namespace kinetix::optim {
 
 /// A cost with its derivatives by what it depends on.
 struct WeighedReadings {
-  double cost = 0;
-  Eigen::VectorXd slope;  ///< by each reading
+  double cost = 0;        ///< dimensionless, or the channel's unit squared: see PictureCost
+  Eigen::VectorXd slope;  ///< derivative by each reading, per unit of the channel
 };
 
 /// How badly the readings of a channel, one a cell, show a picture of given levels. Readings are split into
@@ -19,8 +19,8 @@ class PictureCost {
   /// @pre levels in [0, 1], not all the same
   explicit PictureCost(std::vector<double> levels);
 
-  /// Squares of the residuals that are left where the slope is `separation`: leads away from a start that
-  /// shows nothing.
+  /// Squares of the residuals that are left where the slope is `separation`, both in the channel's unit,
+  /// squared: leads away from a start that shows nothing.
   WeighedReadings for_separation(const std::vector<double>& readings, double separation) const;
   /// -2 log(d') of two levels: log of the residuals' variance less twice that of the slope. Infinite unless
   /// the slope is positive.

@@ -11,7 +11,8 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// The penalty begins a little below the limit: what is left of an excess at the end stays within.
+/// Times the limit of stretch. The penalty begins a little below it: what is left of an excess at the end
+/// stays within.
 constexpr double begins = 0.92;
 
 double turn_in_plane(const model::Pose& pose) { return std::atan2(pose.R(1, 0), pose.R(0, 0)); }

@@ -19,7 +19,7 @@ enum class Channel {
 
 std::string to_string(Channel channel);
 
-/// The channel of one cell by its definition.
+/// The channel of one cell by its definition, in the unit that Channel says.
 double channel_value(Channel channel, const model::Linkage& structure, const model::State& state,
                      const model::LinkageCell& cell);
 /// Of all cells, in the order of structure.cells.

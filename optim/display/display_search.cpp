@@ -14,12 +14,16 @@ namespace {
 using Eigen::VectorXd;
 using Settling = DisplayProblem::Settling;
 
+// Of (gap over limit - 0.92)^2 against squared readings. At twice the limit about as much as a picture that
+// does not show at all at the usual separation of 0.16, (0.16 / 2)^2.
 constexpr double stretch_weight_of_separation = 0.01;
+// The same against -2 log(contrast), and times as much each round: low at first, since the picture has to
+// lead.
 constexpr double first_stretch_weight = 0.5, weight_growth = 20;
-constexpr int most_rounds = 4;
-constexpr int starts_by_rule = 4;
-constexpr double half = 0.5;
-constexpr double most_shift = 0.08;
+constexpr int most_rounds = 4;  // the last weighs stretch by 4000: what stretches then, no weight will help
+constexpr int starts_by_rule = 4;    // either choice of the checkerboard, at full and at half strength
+constexpr double half = 0.5;         // of the full strength, rule_k's distance from 0.5
+constexpr double most_shift = 0.08;  // of t, to either side: more would blur the picture that the rule shows
 
 model::Drive along(model::Drive plates, model::Axis axis) {
   plates.axis = axis;

@@ -12,13 +12,14 @@ struct DisplayOptions {
   Channel channel = Channel::aperture;
   model::Drive plates = {};            ///< where the search starts; compression 0.12 unless given
   std::vector<model::Axis> axes = {};  ///< normals of the plates to search with; empty: that of `plates`
-  std::optional<std::array<double, 2>> compression = {};  ///< range to search in; nothing: that of `plates`
+  std::optional<std::array<double, 2>> compression = {};  ///< range to search in, within (0, 1); nothing:
+                                                          ///< that of `plates`
   model::Elasticity elasticity = {};
   double separation = 0.16;  ///< of letter and rest that the search first aims at, in the channel's unit
   double stretch = 0.12;     ///< most that a hinge may stretch, cell edges
-  std::array<double, 2> t = {0.08, 0.92};
+  std::array<double, 2> t = {0.08, 0.92};  ///< range, within (0, 1)
   Symmetry symmetry = Symmetry::none;
-  double rule_k = 0.15;    ///< of the uniform-scaling cells that the search starts from
+  double rule_k = 0.15;    ///< fraction k of the uniform-scaling cells that the search starts from, (0, 1)
   int starts = 4;          ///< for each axis, >= 1
   int threads = 0;         ///< >= 0; 0 = all cores
   std::uint64_t seed = 0;  ///< of starts shifted at random
@@ -27,12 +28,12 @@ struct DisplayOptions {
 
 /// A panel and how it shows its picture at the drive's goal.
 struct DisplayView {
-  Eigen::VectorXd t;  ///< of each hinge
+  Eigen::VectorXd t;  ///< of each hinge, in (0, 1)
   model::Drive plates;
-  model::State state;
-  std::vector<double> channel;  ///< of each cell, by definition
+  model::State state;           ///< mm
+  std::vector<double> channel;  ///< of each cell, by definition, in the channel's unit
   targets::DisplayScore score;
-  double rank = 0;        ///< rank correlation of channel and levels
+  double rank = 0;        ///< rank correlation of channel and levels, -1 to 1
   double stretch = 0;     ///< largest of a hinge, cell edges
   bool balanced = false;  ///< found along the path from flat; t and plates alone are known where not
 };
@@ -49,7 +50,8 @@ DisplayView view_from_flat(PanelEquilibrium& equilibrium, const Eigen::VectorXd&
                            const std::vector<double>& levels, Channel channel);
 
 /// Which of the views is to be taken: of those that keep the limit of stretch the one that shows its picture
-/// most clearly, else the one that stretches least; -1 where none is balanced.
+/// most clearly, else the one that stretches least; -1 where none is balanced. @param stretch that limit,
+/// cell edges
 int best_view(const std::vector<DisplayView>& views, const std::vector<double>& levels, double stretch);
 
 /// One search for a display, with plates along one axis.

@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr int most_finalists = 2;
+constexpr int most_finalists = 2;  // starts that go on: each takes up to four searches more
 
 using Progress = std::function<void(const std::string&, double)>;
 

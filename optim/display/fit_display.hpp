@@ -12,7 +12,8 @@ namespace kinetix::optim {
 struct DisplayStart {
   std::string name;
   DisplayView view;  ///< before the search
-  double cost = 0;   ///< after its first stage
+  double cost = 0;   ///< after its first stage: PictureCost::for_separation, in the channel's unit squared,
+                     ///< and the penalty on stretch
   SolveStatus status = SolveStatus::failed;
   bool sharpened = false;  ///< one of those that went on to the second stage
 };

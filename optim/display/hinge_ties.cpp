@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr int unseen = -2;
+constexpr int unseen = -2;  // marks a hinge that no motion has reached yet; -1 is `centred`
 
 model::PlaneMotion motion_of(Symmetry symmetry) {
   switch (symmetry) {

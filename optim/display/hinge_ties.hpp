@@ -11,7 +11,7 @@ namespace kinetix::optim {
 /// motion of the plane: hinge h has t = x[variable[h]], or 1 - x[variable[h]] where the motion turns its wall
 /// end to end. A wall that it turns onto itself keeps t = 0.5: `centred`.
 struct HingeTies {
-  static constexpr int centred = -1;
+  static constexpr int centred = -1;  ///< in place of an index: no variable has the number
   std::vector<int> variable;
   std::vector<bool> reversed;
   int variables = 0;

@@ -7,8 +7,8 @@
 namespace kinetix::optim {
 namespace {
 
-constexpr double nearby = 0.3;
-constexpr int most_iterations = 40;
+constexpr double nearby = 0.3;       // rad of a hinge: a state further away may be on another branch
+constexpr int most_iterations = 40;  // of Newton's method: after more, the path from flat is the better way
 
 }  // namespace
 

@@ -30,11 +30,11 @@ class PanelEquilibrium {
   const model::Structure& panel() const { return panel_; }
   const model::Drive& plates() const { return drive_; }
   /// @pre settle() returned true
-  const model::State& state() const { return state_; }
+  const model::State& state() const { return state_; }  ///< mm
 
   struct Slopes {
-    Eigen::VectorXd t;  ///< one entry a hinge
-    double compression = 0;
+    Eigen::VectorXd t;       ///< one entry a hinge, per unit of t (a fraction)
+    double compression = 0;  ///< per unit of compression (a fraction)
   };
   /// The derivatives of a function of the state, by the adjoint. @param by_state 6 a body, as
   /// EquilibriumGradient::state   @return without what the function has of t directly, which is the caller's

@@ -20,9 +20,9 @@ using SampleMatrix = Eigen::Ref<const Eigen::MatrixXd>;
 
 /// The rows where one factor has about one value.
 struct EffectLevel {
-  double lower, upper;        ///< least and greatest value of the factor in these rows, usable or not
-  double mean;                ///< of the response; NaN without usable rows
-  double standard_error;      ///< of the mean: sd / sqrt(used); NaN below two usable rows
+  double lower, upper;  ///< least and greatest value of the factor in these rows, usable or not, in its unit
+  double mean;          ///< of the response, in its unit; NaN without usable rows
+  double standard_error;      ///< of the mean: sd / sqrt(used), in its unit; NaN below two usable rows
   std::int64_t used, failed;  ///< rows
 };
 
@@ -67,8 +67,8 @@ struct LinearEffect {
   double correlation;       ///< Pearson's, -1 to 1
   double rank_correlation;  ///< Spearman's, equal values sharing their mean rank; -1 to 1
   double slope;             ///< of the least-squares plane, response per unit of the factor, all others held
-  double slope_error;       ///< its standard error
-  double standardised;      ///< slope * sd of the factor / sd of the response
+  double slope_error;       ///< its standard error, response per unit of the factor
+  double standardised;      ///< slope * sd of the factor / sd of the response, dimensionless
 };
 
 struct LinearModel {
@@ -102,7 +102,8 @@ struct SobolIndex {
 /// sequence are better than: intervals err on the wide side.
 struct SobolIndices {
   std::vector<SobolIndex> factors;
-  /// Of the response: mean over the usable rows A and B, variance over the bases where both are usable.
+  /// Of the response: mean over the usable rows A and B, variance over the bases where both are usable; in
+  /// the response's unit, and that squared.
   double mean, variance;
   std::int64_t bases, failed;  ///< bases; rows that failed
 };

@@ -17,12 +17,13 @@ struct ConfidenceOptions {
   void validate() const;
 };
 
-/// A figure and its interval. NaN where too few rows could be used.
+/// A figure and its interval, all in the figure's unit. NaN where too few rows could be used.
 struct Estimate {
   double value, lower, upper;
 };
 
-/// The interval of a figure from its values on the resamples. Values that are not finite do not count.
+/// The interval of a figure from its values on the resamples, in its unit. Values that are not finite do not
+/// count.
 /// @param level of ConfidenceOptions
 Estimate percentile_estimate(double value, std::vector<double> resampled, double level);
 

@@ -11,9 +11,9 @@
 namespace kinetix::optim {
 namespace {
 
-constexpr std::int64_t most_levels = 1'000'000'000;
-constexpr double least_probability = 1e-300;
-const double root_2 = std::sqrt(2.0);
+constexpr std::int64_t most_levels = 1'000'000'000;  // levels of one factor: more is a mistyped number
+constexpr double least_probability = 1e-300;         // of all: near 1e-308, doubles lose their digits
+const double root_2 = std::sqrt(2.0);                // standard deviations to a unit of erfc's argument
 
 /// Promotion to long double would make the bits depend on the machine.
 using InDouble = boost::math::policies::policy<boost::math::policies::promote_double<false>>;

@@ -8,19 +8,20 @@
 
 namespace kinetix::optim {
 
-/// Every value of [lower, upper] alike; lower < upper, finite.
+/// Every value of [lower, upper] alike; lower < upper, finite, in the factor's unit.
 struct UniformRange {
   double lower = 0, upper = 1;
 };
 
 /// A normal distribution, what lies outside [lower, upper] cut off and the rest scaled up. `mean` and `sd`
-/// are those before the cut; sd > 0, lower < upper, and at least 1e-300 of the probability inside.
+/// are those before the cut; sd > 0, lower < upper, and at least 1e-300 of the probability inside. In the
+/// factor's unit.
 struct NormalSpread {
   double mean = 0, sd = 1;
   double lower = -std::numeric_limits<double>::infinity(), upper = std::numeric_limits<double>::infinity();
 };
 
-/// These values alone and alike, in this order; at least one, finite, no two the same.
+/// These values alone and alike, in this order, in the factor's unit; at least one, finite, no two the same.
 struct ValueList {
   std::vector<double> values;
 };

@@ -9,7 +9,8 @@ namespace kinetix::optim {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-/// Least pivot of a correlation matrix that counts as not singular.
+/// Least pivot of a correlation matrix that counts as not singular: the share of a factor's variance that the
+/// others do not explain. Less is rounding.
 constexpr double least_pivot = 1e-10;
 
 /// Less the mean, over the length. NaN for a column that does not vary.

@@ -30,10 +30,10 @@ enum class SamplingMethod {
   /// Takes an even number of levels to visit all alike. 10 to 50 trajectories are usual.
   morris,
   /// For Sobol's indices: `samples` is the base N, and there are N (d + 2) rows: for each n, row A, the d
-  /// rows
-  /// A with one factor of B, and row B; A and B are two halves of one Sobol sequence in 2 d dimensions with a
-  /// digital shift (Saltelli et al., Comput. Phys. Commun. 181, 259, 2010). Take a power of two, 512 or more.
-  /// Up to 1833 factors. Any first rows that are a multiple of d + 2 are the table of a smaller base.
+  /// rows A with one factor of B, and row B; A and B are two halves of one Sobol sequence in 2 d dimensions
+  /// with a digital shift (Saltelli et al., Comput. Phys. Commun. 181, 259, 2010). Take a power of two, 512
+  /// or more. Up to 1833 factors. Any first rows that are a multiple of d + 2 are the table of a smaller
+  /// base.
   saltelli
 };
 
@@ -41,7 +41,8 @@ struct SamplingOptions {
   SamplingMethod method = SamplingMethod::sobol;
   std::uint64_t samples = 1024;  ///< 1 to 2^62; what it counts is said at each method
   std::uint64_t seed = 0;
-  std::vector<double> base;  ///< one_at_a_time: value of each factor, finite; empty = quantile 0.5 of each
+  /// For one_at_a_time: value of each factor in its unit, finite; empty = quantile 0.5 of each.
+  std::vector<double> base;
 };
 
 class Sampler;

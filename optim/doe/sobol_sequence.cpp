@@ -7,8 +7,8 @@
 namespace kinetix::optim {
 namespace {
 
-constexpr int bits = 64;
-constexpr int last_bit_of_engine = 62;
+constexpr int bits = 64;                // of a coordinate, and as many directions a dimension
+constexpr int last_bit_of_engine = 62;  // direction up to which its points can be placed, see below
 
 }  // namespace
 

@@ -10,7 +10,7 @@ namespace kinetix::optim {
 /// multiple of that power on fills every dimension evenly; the count of samples should be one.
 class SobolSequence {
  public:
-  static constexpr int most_dimensions = 3667;
+  static constexpr int most_dimensions = 3667;  ///< for as many, Boost has direction numbers
 
   /// @param dimensions 1 to most_dimensions
   explicit SobolSequence(int dimensions);

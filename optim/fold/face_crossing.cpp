@@ -10,7 +10,9 @@
 namespace kinetix::optim {
 namespace {
 
+// Cell edges: steps shrink with the gap, and with 0 they never end.
 constexpr double too_close_in_edges = 0.02;
+// Rad of theta: steps are safe at any length, but long ones have to look at more pairs of walls.
 constexpr double longest_step = 2 * radians_per_degree;
 
 /// Upper bound of d(fold)/d(theta) of a crease from theta on: the rate falls with theta.

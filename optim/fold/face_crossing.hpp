@@ -8,7 +8,7 @@ namespace kinetix::optim {
 
 /// Two faces that come too close.
 struct FaceCrossing {
-  int first = 0, second = 0;  ///< faces
+  int first = 0, second = 0;  ///< indices of the faces
   double theta = 0;           ///< rad; apart up to here
 };
 

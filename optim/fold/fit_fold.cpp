@@ -13,10 +13,16 @@
 namespace kinetix::optim {
 namespace {
 
+// 22.5 deg a column: each finer choice makes the nets wider, and is one more search of all unfoldings.
 constexpr int most_columns_a_right_angle = 4;
+// Rad of theta between looks and between tries: walls that meet and part again within one are missed.
 constexpr double step = 1 * radians_per_degree;
+// Rad to which the largest free theta is found: a finer end gains little theta, and each halving is a motion
+// more.
 constexpr double precision = 0.25 * radians_per_degree;
+// Rad: theta is kept so far below the angle at which cells close, since walls touch there.
 constexpr double margin_of_closing = 0.1 * radians_per_degree;
+// Rad: tan(turn / 2), and with it the tilt needed, has no value at 180 deg.
 constexpr double largest_turn_of_a_column = 179 * radians_per_degree;
 
 /// Columns that keep each column's turn to a right angle over `finer`, where the goal does not give them.

@@ -13,7 +13,7 @@ namespace kinetix::optim {
 struct FoldOptions {
   model::CellSize size = {};
   double tilt = 60 * radians_per_degree;  ///< most that a wall may tilt to either side, rad, (0, pi/2)
-  AngleRange theta{2 * radians_per_degree, 44 * radians_per_degree};  ///< in (0, pi/2), lower < upper
+  AngleRange theta{2 * radians_per_degree, 44 * radians_per_degree};  ///< rad, in (0, pi/2), lower < upper
   double clearance = 0.02;  ///< least gap of walls that are no neighbours, cell edges, [0, 0.5)
 
   /// @throws InvalidInput naming field, value and rule

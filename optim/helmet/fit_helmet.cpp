@@ -13,9 +13,10 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr int most_trims = 30;
-/// Of the limit of tilts, where walls meet with the whole of it.
+constexpr int most_trims = 30;  // fits with shortened ribs: whatever collides after so many is reported
+/// Parts of the limit of tilts that are tried in turn where walls meet with the whole of it.
 constexpr double tilt_parts[] = {0.6, 0.4, 0.25};
+// Steps of Newton's method towards the curve, each of which about squares the error.
 constexpr int steps_in_plane = 6;
 
 HelmetGoal goal_of(const HelmetLayout& layout, const targets::MeshDistance& head, const Vector3d& crown,
@@ -139,7 +140,7 @@ class UniformProblem final : public LeastSquaresProblem {
   }
 
  private:
-  static constexpr int fixed = 7;
+  static constexpr int fixed = 7;  // variables before the tilts: turn (3), place (3), theta
 
   const HelmetProblem& problem_;
   std::vector<int> signs_;

@@ -41,7 +41,7 @@ UniformHelmet fit_uniform_helmet(const HelmetDesign& design, const targets::Mesh
                                  const Eigen::Vector3d& crown, const HelmetSpec& spec,
                                  const SolverOptions& options);
 
-/// State of a fishbone with tilts, its root where `shape` has it, at any theta.
+/// State (mm) of a fishbone with tilts, its root where `shape` has it, at any theta, rad.
 model::State placed_fishbone(const model::Fishbone& fishbone, const HelmetShape& shape, double theta);
 
 /// @param state of the fishbone's structure, in the head's frame

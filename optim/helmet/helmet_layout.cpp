@@ -12,10 +12,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double ray_step = 0.5 * radians_per_degree;
-constexpr double touch_mm = 1e-6;
-constexpr double span_mm = 1;
-constexpr double steepest_ray = 120 * radians_per_degree;
+constexpr double ray_step = 0.5 * radians_per_degree;  // rad: a point a millimetre on a head
+constexpr double touch_mm = 1e-6;  // mm: a ray comes ever nearer to the surface, and here it has arrived
+constexpr double span_mm = 1;      // mm to either side for directions of curves, the spacing of their points
+constexpr double steepest_ray = 120 * radians_per_degree;  // rad from outward: well below any rim
+// Cell edges between ribs side by side: more leaves more of the head bare.
 constexpr double gap_in_edges = 0.15;
 
 /// The surface that keeps the clearance, as seen from within.

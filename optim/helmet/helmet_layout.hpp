@@ -12,12 +12,13 @@ namespace kinetix::optim {
 struct HelmetSpec {
   model::CellSize size = {};
   int ribs = 8;                           ///< >= 1
-  std::optional<double> spacing_mm;       ///< along the spine between the middles of ribs; goes before `ribs`
-  double clearance_mm = 5;                ///< from the head, >= 0
-  double coverage_mm = 90;                ///< how far below the crown the rim is, > 0
-  double tilt = 60 * radians_per_degree;  ///< limit of all tilts
+  std::optional<double> spacing_mm;       ///< along the spine between the middles of ribs, mm; goes before
+                                          ///< `ribs`
+  double clearance_mm = 5;                ///< from the head, mm, >= 0
+  double coverage_mm = 90;                ///< how far below the crown the rim is, mm, > 0
+  double tilt = 60 * radians_per_degree;  ///< limit of all tilts, rad, (0, pi/2)
   AngleRange theta = {2 * radians_per_degree, 40 * radians_per_degree};
-  double start_theta = 30 * radians_per_degree;  ///< that cells are counted at
+  double start_theta = 30 * radians_per_degree;  ///< that cells are counted at, rad
 };
 
 /// A fishbone that suits a head, folded as well as its curves alone tell.

@@ -12,10 +12,13 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
+// Cell edges: an rms distance of this size gives |r| = 1. With a larger unit, tilts would weigh more beside
+// it.
 constexpr double unit_in_edges = 0.1;
+// Times distances: heights of the rim must not pull the spine off the head.
 constexpr double weight_of_ends = 0.1;
-constexpr double weight_of_tilts = 1e-3;
-constexpr int theta_index = 6;
+constexpr double weight_of_tilts = 1e-3;  // per rad: only tilts that no distance sees go by it
+constexpr int theta_index = 6;            // in x: behind turn (3) and place (3)
 
 }  // namespace
 

@@ -18,11 +18,12 @@ struct HelmetGoal {
 
 /// The unknowns of a helmet.
 struct HelmetShape {
-  Eigen::Vector3d turn = Eigen::Vector3d::Zero();        ///< rotation vector of the root's panel, rad
-  Eigen::Vector3d place = Eigen::Vector3d::Zero();       ///< of the root, mm
-  double theta = 0;                                      ///< rad
-  std::vector<double> spine;                             ///< tilts of the spine's creases, rad
-  std::vector<std::array<std::vector<double>, 2>> ribs;  ///< of each rib and side, from the spine outwards
+  Eigen::Vector3d turn = Eigen::Vector3d::Zero();   ///< rotation vector of the root's panel, rad
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< of the root, mm
+  double theta = 0;                                 ///< rad
+  std::vector<double> spine;                        ///< tilts of the spine's creases, rad
+  /// Likewise of each rib and side, rad, from the spine outwards.
+  std::vector<std::array<std::vector<double>, 2>> ribs;
 };
 
 /// A folded net moved as a whole. @param root body that comes to `place`; @param turn rotation vector, rad
@@ -54,11 +55,11 @@ class HelmetProblem final : public ArrowProblem {
   HelmetShape unpack(const Eigen::VectorXd& x) const;
   /// Tilts of x written into a copy of the fishbone's structure.
   model::Structure structure(const Eigen::VectorXd& x) const;
-  /// State in the head's frame.
+  /// State in the head's frame, mm.
   model::State state(const Eigen::VectorXd& x) const;
 
  private:
-  static constexpr int fixed_shared = 7;  // turn, place, theta
+  static constexpr int fixed_shared = 7;  // variables before the tilts: turn (3), place (3), theta
 
   /// A point of a body whose distance counts.
   struct Probe {

@@ -5,7 +5,7 @@
 
 namespace kinetix::optim {
 
-/// One group of residuals with its derivatives.
+/// One group of residuals with its derivatives, in the units of the problem.
 struct ResidualBlock {
   Eigen::VectorXd r;
   Eigen::MatrixXd by_shared;  ///< r.size() x shared variables
@@ -13,8 +13,7 @@ struct ResidualBlock {
 };
 
 /// Minimise |r(x)|^2 / 2 subject to lower <= x <= upper, where x = (shared variables, those of part 0, of
-/// part 1,
-/// ...) and no residual knows the variables of two parts: J^T J has the shape of an arrow.
+/// part 1, ...) and no residual knows the variables of two parts: J^T J has the shape of an arrow.
 class ArrowProblem {
  public:
   virtual ~ArrowProblem() = default;
@@ -33,7 +32,7 @@ class ArrowProblem {
   virtual bool evaluate(const Eigen::VectorXd& x, bool rates, std::vector<ResidualBlock>& blocks) const = 0;
 };
 
-/// All residuals under each other, and their Jacobian as one matrix.
+/// All residuals under each other, and their Jacobian as one matrix, in the units of the problem.
 struct StackedResiduals {
   Eigen::VectorXd r;
   Eigen::MatrixXd J;

@@ -10,7 +10,7 @@ namespace kinetix::optim {
 namespace {
 
 using Eigen::VectorXd;
-/// Of searches, each with other variables held on their bounds.
+/// Of searches, each with other variables held on their bounds: what still changes after so many goes round.
 constexpr int most_rounds = 8;
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;

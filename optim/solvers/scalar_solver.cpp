@@ -12,6 +12,7 @@ namespace {
 
 using Eigen::VectorXd;
 
+// Points that cannot be evaluated: a method that has met so many will not find its way out.
 constexpr int most_failures = 20;
 
 nlopt::algorithm algorithm(SolverName name) {

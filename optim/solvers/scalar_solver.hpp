@@ -18,7 +18,7 @@ class ScalarProblem {
   virtual bool evaluate(const Eigen::VectorXd& x, double& f, Eigen::VectorXd* gradient) = 0;
 };
 
-/// As SolveResult.
+/// As SolveResult; x and cost in the units of the problem.
 struct ScalarResult {
   Eigen::VectorXd x;
   double cost = 0;  ///< infinity when no point could be evaluated

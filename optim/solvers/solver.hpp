@@ -22,7 +22,7 @@ struct SolverOptions {
   int max_evaluations = 500;  ///< of the residual, >= 1
   double tolerance = 1e-5;    ///< relative change of the cost at which a search may stop, (0, 1)
   unsigned long seed = 0;     ///< of the methods that draw random points
-  double target = 0;          ///< stop as soon as |r| is at most this, >= 0 and finite
+  double target = 0;  ///< stop as soon as |r| is at most this, in units of the problem, >= 0 and finite
 
   /// @throws InvalidInput naming field, value and rule
   void validate() const;
@@ -41,7 +41,7 @@ enum class SolveStatus {
 std::string to_string(SolveStatus status);
 
 /// One search from one start. `x` is the best feasible point that was evaluated, by our own book: what a
-/// solver returns may be infeasible or worse.
+/// solver returns may be infeasible or worse. All in the units of the problem.
 struct SolveResult {
   Eigen::VectorXd x;
   double residual_norm = 0;  ///< |r(x)|; infinity when no point could be evaluated

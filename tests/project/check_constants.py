@@ -26,7 +26,7 @@ UNITS = (
     "s", "ms", "seconds?", "milliseconds?", "hours?", "1/s", "rad/s", "edges/s", "Hz",
     "fractions?", "ratios?", "shares?", "parts?", "per ?cent", "%", "over the", "times", "multiple",  # of others
     "dimensionless", "probabilit(y|ies)", "chance", "correlation", "quantiles?", "logarithms?",
-    "unit length", "unit vectors?", "unit normals?", "units? of", r"in \w+ units?", "'s units?", "unit cube",
+    "unit length", "unit vectors?", "unit normals?", "units? of", r"in \w+ units?", r"(its|their|\w+['’]s) units?", "unit cube",
     "rotation matrix", "quaternion", r"-?[01] (to|or) \+?1", r"[\[(]-?[01], 1[\])]", "counts?", "number of", "per",
 )
 UNIT_IN_COMMENT = re.compile(r"(?<![\w'’-])(?:" + "|".join(UNITS) + r")(?![\w'’])")
