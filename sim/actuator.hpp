@@ -24,6 +24,7 @@ class Actuator {
 };
 
 /// @param bodies in the structure's order; they must outlive the actuator
+/// @param error_reduction part of a gap removed per step, (0, 1]
 /// @param elastic null for rigid hinges; else a driven hinge is driven through them, and they must outlive
 /// the actuator, as must the structure
 std::unique_ptr<Actuator> make_actuator(const model::Linkage& structure, const model::LinkageDrive& drive,

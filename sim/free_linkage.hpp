@@ -46,7 +46,7 @@ double linkage_energy(const FreeLinkage& linkage, const std::vector<model::Pose>
                       const std::vector<model::Twist>& motion);
 
 /// A uniform rod between two points: its axis is the third principal one, its thickness a hundredth of its
-/// length in moments of inertia (a body must have all three).
+/// length in moments of inertia (a body must have all three). @param mass kg
 FreeLinkageBody rod(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double mass);
 
 }  // namespace kinetix::sim

@@ -30,7 +30,7 @@ HingeFrames hinge_frames(const model::RestHinge& hinge);
 /// locked, all angular axes free. The first axis of the constraint frames lies along the hinge axis, so that
 /// the fold is the Euler angle with the full range and the middle one (within a quarter turn) stays near 0.
 /// @param reach in the unit of the hinge frames
-/// @param error_reduction part of the gap removed per step, (0, 1]
+/// @param error_reduction part of the gap removed per step, (0, 1], here and below
 std::array<Joint, 2> hinge_points(const HingeFrames& hinge_frames, btRigidBody& a, btRigidBody& b,
                                   double reach, double error_reduction);
 

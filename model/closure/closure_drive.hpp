@@ -38,7 +38,8 @@ double turn_distance(const Linkage& structure, const State& a, const State& b);
 /// How far the state is from what the drive asks, rad or cell edges.
 double drive_residual(const ClosureDrive& drive, const Linkage& structure, const State& state);
 
-/// Appends the derivative of drive_residual by the bodies' twists (columns as in closure.hpp) as row `row`.
+/// Appends the derivative of drive_residual by the bodies' twists (rad, cell edges; columns as in
+/// closure.hpp) as row `row`.
 void append_drive_gradient(const ClosureDrive& drive, const Linkage& structure, const State& state, int row,
                            std::vector<Eigen::Triplet<double>>& entries);
 

@@ -8,8 +8,8 @@
 
 namespace kinetix::model {
 
-/// Which of the six coordinates of each body (as model/closure/closure.hpp orders them) an equilibrium solves
-/// for.
+/// Which of the six coordinates of each body (rad and cell edges, as model/closure/closure.hpp orders them)
+/// an equilibrium solves for.
 struct DofMap {
   std::vector<std::array<int, 6>> unknown;  ///< of each body; -1 where the coordinate is held or driven
   int count = 0;

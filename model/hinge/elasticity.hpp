@@ -31,6 +31,7 @@ struct Stiffness {
   std::shared_ptr<const HingeLaw> law = linear_hinge();
 };
 
+/// The stiffnesses as ratios, for a cell edge in mm.
 Stiffness relative(const Elasticity& elasticity, double edge_mm);
 /// k_point edge^2, N mm.
 double energy_unit(const Elasticity& elasticity, double edge_mm);

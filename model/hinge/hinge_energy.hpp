@@ -15,11 +15,12 @@ struct HingeEnergy {
 HingeEnergy hinge_energy(const RestHinge& hinge, const Stiffness& stiffness, const Pose& lower,
                          const Pose& upper, double edge_mm);
 
-/// @return energy, gradient and Hessian; a is the lower body, b the upper one
+/// @return energy, gradient and Hessian, likewise in units of k_point edge^2; a is the lower body, b the
+/// upper one
 Element hinge_element(const RestHinge& hinge, const Stiffness& stiffness, const Pose& lower,
                       const Pose& upper, double edge_mm);
 
-/// The gradient alone, for a third of the time.
+/// The gradient alone, in the same unit, for a third of the time.
 Vector12 hinge_gradient(const RestHinge& hinge, const Stiffness& stiffness, const Pose& lower,
                         const Pose& upper, double edge_mm);
 
@@ -35,7 +36,7 @@ struct HingeRates {
   HingeRate along;   ///< of its derivative along given twists
 };
 
-/// @param along twists of the two bodies, ordered as in Element
+/// @param along twists of the two bodies (rad, cell edges), ordered as in Element
 HingeRates hinge_rates(const RestHinge& hinge, const Stiffness& stiffness, const Pose& lower,
                        const Pose& upper, double edge_mm, const Vector12& along);
 

@@ -40,7 +40,7 @@ struct TurnRates {
 
 /// @param against turn of the upper body against the lower one, in the upper body's frame, rad
 TurnRates turn_rates(const RestHinge& hinge, const RelativeTurn& turn, const Eigen::Vector3d& against);
-/// @param along twists of the two bodies, ordered as in Element
+/// @param along twists of the two bodies (rad, cell edges), ordered as in Element
 TurnRates turn_rates(const RestHinge& hinge, const Pose& lower, const Pose& upper, const Vector12& along);
 
 }  // namespace kinetix::model

@@ -17,7 +17,7 @@ struct HalfWall {
 /// In the order of Linkage::plates.
 std::vector<HalfWall> half_walls(const Linkage& structure);
 
-/// The plate of a half wall in a state.
+/// The plate of a half wall in a state, mm.
 OrientedBox placed(const HalfWall& wall, const Pose& pose);
 
 }  // namespace kinetix::model

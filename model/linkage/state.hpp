@@ -25,6 +25,7 @@ struct Twist {
   Eigen::Vector3d v = Eigen::Vector3d::Zero();
 };
 
+/// Flat, mm.
 State rest_state(const Linkage& structure);
 
 bool is_finite(const State& state);

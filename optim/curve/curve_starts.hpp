@@ -22,7 +22,7 @@ ChordLayout lay_chords(const targets::Curve& goal, int columns, double zigzag);
 
 /// Start k of a search: 0 is the smoothest layout, 1 turns all columns alike where the bounds cut that layout
 /// (the best that tight bounds may leave), the others are zigzags of growing size, and random ones from
-/// `zigzag_starts` on. Depends on (seed, k) alone.
+/// `zigzag_starts` on. Depends on (seed, k) alone. @return x of CurveFit, in its units
 Eigen::VectorXd curve_start(const CurveFit& fit, int k, std::uint64_t seed);
 
 inline constexpr int zigzag_starts = 16;  ///< starts by rule, zigzags of up to 0.35 rad; then random ones

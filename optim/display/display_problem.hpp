@@ -22,7 +22,7 @@ std::string to_string(Channel channel);
 /// The channel of one cell by its definition, in the unit that Channel says.
 double channel_value(Channel channel, const model::Linkage& structure, const model::State& state,
                      const model::LinkageCell& cell);
-/// Of all cells, in the order of structure.cells.
+/// Of all cells, in the order of structure.cells; in the same unit.
 std::vector<double> channel_values(Channel channel, const model::Linkage& structure,
                                    const model::State& state);
 /// A smooth stand-in with derivatives: the same number but for the aperture, soft_aperture().

@@ -45,7 +45,7 @@ struct SharpenedDisplay {
   std::string why;
 };
 
-/// The panel's equilibrium with these t, found anew from flat, and what it shows.
+/// The panel's equilibrium with these t (fractions of the walls), found anew from flat, and what it shows.
 DisplayView view_from_flat(PanelEquilibrium& equilibrium, const Eigen::VectorXd& t,
                            const std::vector<double>& levels, Channel channel);
 

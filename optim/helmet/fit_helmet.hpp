@@ -27,6 +27,7 @@ struct HelmetDesign {
 
 /// Plans a fishbone, fits tilts, theta and place, and shortens ribs whose walls meet those of others while it
 /// folds; where walls of one rib meet (over bumps and hollows), fits anew with gentler tilts.
+/// @param crown highest point of the head, mm
 /// @throws InvalidInput as plan_helmet
 HelmetDesign fit_helmet(const targets::MeshDistance& head, const Eigen::Vector3d& crown,
                         const HelmetSpec& spec, const SolverOptions& options);
@@ -44,7 +45,7 @@ UniformHelmet fit_uniform_helmet(const HelmetDesign& design, const targets::Mesh
 /// State (mm) of a fishbone with tilts, its root where `shape` has it, at any theta, rad.
 model::State placed_fishbone(const model::Fishbone& fishbone, const HelmetShape& shape, double theta);
 
-/// @param state of the fishbone's structure, in the head's frame
+/// @param state of the fishbone's structure, in the head's frame, mm
 HelmetError helmet_error(const model::Fishbone& fishbone, const model::State& state,
                          const targets::MeshDistance& head, double clearance_mm);
 

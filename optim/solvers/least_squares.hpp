@@ -4,7 +4,8 @@
 
 namespace kinetix::optim {
 
-/// Minimise |r(x)|^2 / 2 subject to lower <= x <= upper. What every solver here solves.
+/// Minimise |r(x)|^2 / 2 subject to lower <= x <= upper. What every solver here solves. x and r
+/// in units that the problem chooses.
 class LeastSquaresProblem {
  public:
   virtual ~LeastSquaresProblem() = default;

@@ -6,8 +6,8 @@
 
 namespace kinetix::optim {
 
-/// Minimise f(x) subject to lower <= x <= upper. For costs that have a gradient but no residuals of their
-/// own.
+/// Minimise f(x) subject to lower <= x <= upper, in units that the problem chooses. For costs that have a
+/// gradient but no residuals of their own.
 class ScalarProblem {
  public:
   virtual ~ScalarProblem() = default;

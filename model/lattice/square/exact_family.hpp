@@ -134,7 +134,7 @@ Structure sheet_of(const ExactDesign<double>& design, const CellSize& size);
 /// @pre as for apply
 bool is_whole_sheet(const ExactDesign<double>& design, const Structure& structure);
 
-/// State of the bodies of a structure (any subset of the lattice of the design). @pre as for apply
+/// State (mm) of the bodies of a structure (any subset of the lattice of the design). @pre as for apply
 State fold(const ExactDesign<double>& design, const Structure& structure);
 
 }  // namespace kinetix::model

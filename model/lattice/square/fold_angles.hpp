@@ -39,7 +39,8 @@ struct FoldAngleTree {
 
 FoldAngleTree make_fold_angle_tree(const Structure& structure, const Creases& creases);
 
-/// The shift of every crease, for the tilts that the structure has now. Exactly 0 where none is.
+/// The shift of every crease, dimensionless, for the tilts that the structure has now. Exactly 0 where none
+/// is.
 /// @pre the tree is of this structure
 std::vector<double> fold_shifts(const FoldAngleTree& tree, const Structure& structure);
 
@@ -53,7 +54,7 @@ struct FoldAngle {
   double by_shift = 0;  ///< rad per unit of the shift, which is dimensionless
 };
 
-/// cot(value) = cot(theta) + shift, by continuity 0 at theta = 0. @pre abs(theta) < pi
+/// cot(value) = cot(theta) + shift, by continuity 0 at theta = 0. Angles in rad. @pre abs(theta) < pi
 FoldAngle fold_angle(double theta, double shift);
 
 /// Half the turn X of a hinge of tilt b whose crease has this fold angle: cot(X) = cos(b) cot(angle), rad.

@@ -61,6 +61,7 @@ struct NetMotion {
                                  ///< alternation of the link's wall (of any crease: twists_by_tilt)
 };
 
+/// fold_net() with its derivatives, at theta, rad.
 NetMotion fold_net_with_rates(const NetTree& tree, const Structure& structure, double theta);
 
 /// Twist of each body by the tilt of a crease (by alternation, as set_tilt takes it), rad and mm per rad:

@@ -30,7 +30,7 @@ enum class BendUnit {
   C,  ///< A_out = (m, n, m, n)
 };
 
-/// Eq. 8.   @param beta_m, beta_n tilts, (-pi/2, pi/2)
+/// Eq. 8.   @param beta_m, beta_n tilts, rad, (-pi/2, pi/2)
 CellTuple bend_unit(BendUnit variant, double beta_m, double beta_n);
 
 /// Tilt v of one pair of hinge axes in its plane of symmetry while the other pair is tilted by u, in a
@@ -40,11 +40,11 @@ CellTuple bend_unit(BendUnit variant, double beta_m, double beta_n);
 double mirrored_unit_tilt(double beta_m, double beta_n, double u);
 
 /// Angle 2 psi by which a bending column folds the sheet: tan(psi) = tan(beta) sin(theta).
-/// @param beta tilt of the column, (-pi/2, pi/2)   @param theta fold parameter, [-pi/2, pi/2]
+/// @param beta tilt of the column, rad, (-pi/2, pi/2)   @param theta fold parameter, [-pi/2, pi/2]
 double crease_fold(double beta, double theta);
 
 /// Inverse of crease_fold: the tilt that folds by `fold` at `theta`.
-/// @param fold in (-pi, pi)   @param theta in [-pi/2, pi/2] without 0
+/// @param fold rad, in (-pi, pi)   @param theta in [-pi/2, pi/2] without 0
 double crease_tilt(double fold, double theta);
 
 }  // namespace kinetix::model
