@@ -23,7 +23,7 @@ struct PartMass {
 struct VelocityRow {
   int a = -1, b = -1;  ///< parts; -1 = fixed to the ground
   Vector6 first, second;
-  double target = 0;
+  double target = 0;  ///< length/s or rad/s
   double weight = 1;  ///< over the stiffness of the system
 };
 

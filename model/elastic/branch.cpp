@@ -12,12 +12,13 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double first_seed = 1e-3;
-constexpr double slender_seed = 1e-5;
-constexpr double nearby = 0.05;
+constexpr double first_seed = 1e-3;    // rad, cell edges: a first step along the lowest mode
+constexpr double slender_seed = 1e-5;  // the same where the valley bends away from its line sooner
+constexpr double nearby = 0.05;        // rad, cell edges: a longer step of Newton's method is no relaxation
+// Rad, cell edges: where neither seed is lower, Newton starts out there.
 constexpr double curved_valley = 0.05;
-constexpr double longest_step = 0.3;
-constexpr double checkerboard = 1e-3;
+constexpr double longest_step = 0.3;   // rad, cell edges: a seed doubles up to here while the energy falls
+constexpr double checkerboard = 1e-3;  // share of all turns: less has no class, and `side` decides
 
 Vector3d centre(const State& state, const std::vector<int>& bodies) {
   Vector3d sum = Vector3d::Zero();

@@ -11,8 +11,8 @@ namespace kinetix::model {
 class Branch {
  public:
   /// @param exact the closed form of the system's linkage, where there is one; kept by reference
-  /// @param goal fold parameter that the drive goes to  @param side +1 or -1: which way where neither the
-  /// exact mode nor the sign of the drive tells
+  /// @param goal fold parameter that the drive goes to, rad  @param side +1 or -1: which way where neither
+  /// the exact mode nor the sign of the drive tells
   Branch(const ElasticSystem& system, const ExactMotion& exact, double goal, int side);
 
   enum class Way {
@@ -26,14 +26,14 @@ class Branch {
     Way way = Way::unknown;
     State state;
   };
-  /// Where to start down from the equilibrium `from` at theta: the state of the exact family where the
+  /// Where to start down from the equilibrium `from` at theta, rad: the state of the exact family where the
   /// structure belongs to one and it lies lower, else a step along the lowest mode, with the sign that turns
   /// class A as the drive does where it turns the checkerboard at all; a valley that bends away from the
   /// step's line is met 0.05 rad or cell edges on. A long strip folds between its plates under a load that
   /// may be more than it bears without tipping over: a closed form that is no minimum is left at once, along
-  /// the softest direction from there. @param tangent of `from`; afterwards of no use
+  /// the lowest mode from there. @param tangent of `from`; afterwards of no use
   Start leave(double theta, const State& from, TangentStiffness& tangent) const;
-  /// The closed form at theta of a structure that belongs to an exact family, where the drive holds it.
+  /// The closed form at theta, rad, of a structure that belongs to an exact family, where the drive holds it.
   std::optional<State> exact_state(double theta) const;
 
  private:

@@ -11,7 +11,7 @@ struct TruncatedStep {
     negative,  ///< it ends along a direction of negative curvature, downhill
     slow,      ///< neither, after `most` iterations
   };
-  Eigen::VectorXd step;
+  Eigen::VectorXd step;  ///< rad and cell edges, as the unknowns
   Way way = Way::slow;
 };
 

@@ -11,12 +11,13 @@ namespace kinetix::model {
 enum class Face { side_plus, side_minus, wall_tip_end, top, bottom };
 
 /// A half wall as contact sees it, in its body's frame, cell edges: a box from the vertex to the wall tip,
-/// and the points of its wall tip that may run into other boxes. *_rate are derivatives by beta of its hinge.
+/// and the points of its wall tip that may run into other boxes. *_rate are derivatives by beta of its hinge,
+/// per rad.
 struct ContactPlate {
   int body = 0;
   Eigen::Vector3d edge, up, normal;  ///< unit; edge points from the vertex to the wall tip
   Eigen::Vector3d up_rate, normal_rate;
-  double sign = 1;  ///< of d(length)/dt
+  double sign = 1;  ///< of d(length)/dt, 1 or -1
   double length = 0;
   std::vector<Eigen::Vector3d> points, point_rates;
 

@@ -40,8 +40,8 @@ class ElasticSystem {
   /// The state after a step along screws (model/elastic/retract.hpp). Coordinates that are held or driven go
   /// straight on: an arc would take them off their plate.
   State retract(const State& state, const Eigen::VectorXd& twists) const;
-  /// How far a step leads from where derivatives were taken: largest turn of a body (rad) or first-order change
-  /// of a hinge's gap (cell edges). Shifts that add up along a chain do not count.
+  /// How far a step leads from where derivatives were taken: largest turn of a body (rad) or first-order
+  /// change of a hinge's gap (cell edges). Shifts that add up along a chain do not count.
   double length(const State& state, const Eigen::VectorXd& twists) const;
   /// How fast what plates grip moves by theta: all coordinates, cell edges; zero for a driven hinge.
   Eigen::VectorXd place_rate(double theta) const;
@@ -76,7 +76,7 @@ class ElasticSystem {
   /// Index of the driven hinge; -1 for plates.
   int driven_hinge() const { return drive_.hinge; }
 
-  static constexpr double grip = 100;  ///< stiffness that holds a driven hinge, k_point edge^2
+  static constexpr double grip = 100;  ///< k_point edge^2, holds a driven hinge: the multiplier does the rest
 
  private:
   template <class Visit>

@@ -16,19 +16,20 @@ namespace {
 using Kind = PathEvent::Kind;
 using Stop = EquilibriumPath::Stop;
 
-constexpr double most_growth = 2;
-constexpr double least_growth = 0.25;
-constexpr double rough = 2e-3;
-constexpr double level = 1e-5;
-constexpr double aimed_jump = 0.4;
-constexpr double strayed = 2;
+constexpr double most_growth = 2;      // times the last step: one small error promises no more
+constexpr double least_growth = 0.25;  // times the last step: a large error tells little about how much less
+constexpr double rough = 2e-3;      // rad, cell edges: on the way, a step this short leaves about its square
+constexpr double level = 1e-5;      // of the energy, by which that step may lower it: more is a slow valley
+constexpr double aimed_jump = 0.4;  // of longest_jump: near 1, more steps fail; near 0, more are needed
+constexpr double strayed = 2;       // times longest_jump: so far from a prediction lies another branch
+// Rad: longer steps must start convex and end soon; if not, halving is cheaper.
 constexpr double careful_from = 0.01;
-constexpr int careful_iterations = 15;
-constexpr double near_closed_form = 0.01;
-constexpr double bent_load = 0.01;
-constexpr double energy_noise = 1e-13;
-constexpr int most_saddles = 5;
-constexpr double steep = 30;
+constexpr int careful_iterations = 15;     // of Newton's method, for such a step
+constexpr double near_closed_form = 0.01;  // rad of a hinge: up to here, a path keeps to the closed form
+constexpr double bent_load = 0.01;         // of the work of a step: loads between its ends are not on a line
+constexpr double energy_noise = 1e-13;     // of the energy and of k_point edge^2: rounding of a difference
+constexpr int most_saddles = 5;  // left in a row at one theta: after more, there is no equilibrium to take
+constexpr double steep = 30;     // times the steepest slope of the load before contact: walls carry it
 
 void check(const char* field, double value, bool fine, const char* allowed) {
   if (!fine) throw InvalidInput(std::string(field) + " is " + number_text(value) + ", must be " + allowed);

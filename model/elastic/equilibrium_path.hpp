@@ -31,7 +31,7 @@ struct EquilibriumPathOptions {
 /// One state of equilibrium on the way. Forces N or, for a driven hinge, N mm; energies N mm.
 struct EquilibriumStep {
   double theta = 0;  ///< fold parameter of the drive, rad
-  double drive = 0;  ///< compression of the plates, or turn of the driven hinge, rad
+  double drive = 0;  ///< compression of the plates, a fraction, or turn of the driven hinge, rad
   double load = 0;  ///< energy by drive: positive where the structure resists. Force on the plates, or moment
   double energy = 0;
   double gap = 0;    ///< largest of a hinge, cell edges
@@ -79,12 +79,13 @@ struct EquilibriumPath {
 
 std::string to_string(EquilibriumPath::Stop stop);
 
-/// Follows the equilibrium of rigid bodies with elastic hinges from flat to the drive's goal, in adaptive steps
-/// of theta, by prediction along the tangent and Newton's method. Weightless. Where an equilibrium turns unstable
-/// (flat under plates, for one) the path leaves it along the exact mode of a family where the closed form is
-/// stable and has less energy, else along the lowest mode, to the side of the drive's sign where that
-/// direction turns the checkerboard, else to `side`. A net between plates that grip a part of it leans to one
-/// side from the first: it is taken to the closed form of the drive's sign as soon as that has less energy.
+/// Follows the equilibrium of rigid bodies with elastic hinges from flat to the drive's goal, in adaptive
+/// steps of theta, by prediction along the tangent and Newton's method. Weightless. Where an equilibrium
+/// turns unstable (flat under plates, for one) the path leaves it along the exact mode of a family where the
+/// closed form is stable and has less energy, else along the lowest mode, to the side of the drive's sign
+/// where that direction turns the checkerboard, else to `side`. A net between plates that grip a part of it
+/// leans to one side from the first: it is taken to the closed form of the drive's sign as soon as that has
+/// less energy.
 /// @param frame sees every state taken
 /// @throws InvalidInput for options, stiffnesses or a drive out of range
 EquilibriumPath trace_equilibrium(

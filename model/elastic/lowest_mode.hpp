@@ -8,7 +8,8 @@ namespace kinetix::model {
 struct LowestMode {
   double value = 0;  ///< smallest eigenvalue of the tangent: negative where an equilibrium is no minimum
   double next = 0;   ///< the one after it; NaN where there is none
-  Eigen::VectorXd direction;  ///< its eigenvector, over the unknowns, largest entry 1 in magnitude
+  Eigen::VectorXd direction;  ///< its eigenvector, by the unknowns (rad, cell edges), largest entry
+                              ///< 1 in magnitude
   bool converged = false;
 };
 

@@ -9,6 +9,7 @@
 namespace kinetix::model {
 namespace {
 
+// Of the whole change, a step. Halved where no equilibrium is near; below the least part, there is none.
 constexpr double first_part = 0.25, least_part = 1.0 / 256;
 
 /// A minimum below a state, at the drive's goal; what there is else goes into `why`.

@@ -10,18 +10,22 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double first_shift = 1e-2;
+constexpr double first_shift = 1e-2;  // k_point edge^2: high, since a step that is too short is stretched
+// k_point edge^2, with which shifts begin at the least: one that is smaller still does nothing beside the
+// turning stiffness of a usual hinge, 1e-6.
 constexpr double least_shift = 1e-8;
+// Divisor of the last shift, with which the next step begins: one that is not needed any more is soon gone.
 constexpr double shift_decay = 20;
-constexpr double tiny_step = 1e-5;
-constexpr double most_shift = 1e6;
-constexpr int most_shortened = 6;
+constexpr double tiny_step = 1e-5;  // rad, cell edges: the factor before it is still good behind it
+constexpr double most_shift = 1e6;  // k_point edge^2: steps have no length any more
+constexpr int most_shortened = 6;   // times a step is cut, to a half at most: then a shift is the better way
+// Rad, cell edges: energies of steps below drown in rounding, forces do not.
 constexpr double too_short = 1e-4;
-constexpr double chord_gain = 0.4;
-constexpr double polished = 1e-8;
-constexpr double energy_noise = 1e-15;
-constexpr int iterative_from = 1500;
-constexpr double rough = 1e-4;
+constexpr double chord_gain = 0.4;  // of the step before: with less gain, a new factor is cheaper
+constexpr double polished = 1e-8;   // rad, cell edges: a step so short leaves its square, which is rounding
+constexpr double energy_noise = 1e-15;  // of the energy: a smaller gain may be rounding
+constexpr int iterative_from = 1500;    // unknowns: in smaller systems, a new factor costs less
+constexpr double rough = 1e-4;          // rad, cell edges: to finer tolerances, an old factor is no help
 
 double largest(const VectorXd& v) {
   if (v.size() == 0) return 0;
@@ -120,8 +124,8 @@ class Newton {
     return true;
   }
 
-  /// To where a parabola through the energies at both ends has its minimum, again and again. @param slope of the
-  /// energy along the step, times the step. @return whether that lowers the energy
+  /// To where a parabola through the energies at both ends has its minimum, again and again. @param slope of
+  /// the energy along the step, times the step. @return whether that lowers the energy
   bool shorten(VectorXd& step, double& length, double slope, State& candidate, double& energy) const {
     for (int tries = 0; tries < most_shortened && length > too_short; ++tries) {
       const double parabola = -slope / (2 * (energy - energy_ - slope));

@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double longest = 0.3;
+constexpr double longest = 0.3;  // rad, cell edges, of a hinge: further ahead, a tangent tells nothing
 
 }  // namespace
 

@@ -4,16 +4,16 @@
 
 namespace kinetix::model {
 
-/// Where a path of equilibrium goes next: along its tangent, and bent as the tangent has turned since the state
-/// before.
+/// Where a path of equilibrium goes next: along its tangent, and bent as the tangent has turned since the
+/// state before.
 class Predictor {
  public:
   explicit Predictor(const ElasticSystem& system) : system_(system) {}
 
-  /// The state expected at fold parameter `to`, what the drive grips in place: of first or second order,
+  /// The state expected at fold parameter `to`, rad, what the drive grips in place: of first or second order,
   /// whichever has less energy. No hinge turns or opens by more than 0.3 rad or cell edges.
-  /// @param state in equilibrium at `from`  @param tangent its tangent, factorised; needed for the first prediction
-  /// from a state only
+  /// @param state in equilibrium at `from`  @param tangent its tangent, factorised; needed for the first
+  /// prediction from a state only
   State predict(const State& state, double from, double to, const TangentStiffness& tangent);
   /// 1 or 2: of the last prediction. Its error grows with the step to one power more.
   int order() const { return order_; }

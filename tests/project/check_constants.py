@@ -17,19 +17,27 @@ LEAST_WORDS = 3
 # Fewer than that, and the reader of sources below is wrong.
 LEAST_CONSTANTS, LEAST_FIELDS = 300, 300
 
-# Words of a comment that say what a number is counted in.
+# Words of a comment that say what a number is counted in: of the field's own comment, or of its type's.
 UNITS = (
     r"mm2?", r"mm\^[23]", r"millimetres?", "cm", "metres?", "inch(es)?",  # lengths
     "cell edges?", "edges?", "edge lengths?", r"edge\^2", "wall heights?", "px", "pixels?",
     "rad", "radians?", "deg", "degrees?", "°",  # angles
-    "N", "N/mm", "N mm", "N mm/rad", "MPa", "kg", "g", "k_point", "k_turn", "part masses", "mass(es)?",
-    "s", "ms", "seconds?", "milliseconds?", "hours?", "1/s", "rad/s", "edges/s", "Hz",
-    "fractions?", "ratios?", "shares?", "parts?", "per ?cent", "%", "over the", "times", "multiple",  # of others
-    "dimensionless", "probabilit(y|ies)", "chance", "correlation", "quantiles?", "logarithms?",
-    "unit length", "unit vectors?", "unit normals?", "units? of", r"in \w+ units?", r"(its|their|\w+['’]s) units?", "unit cube",
-    "rotation matrix", "quaternion", r"-?[01] (to|or) \+?1", r"[\[(]-?[01], 1[\])]", "counts?", "number of", "per",
+    "N", "N/mm", "N mm", "N mm/rad", "MPa", "kg", "k_point", "k_turn", "part mass(es)?",
+    "s", "ms", "seconds", "milliseconds", "hours", "1/s", "rad/s", "edges/s", "Hz",
+    "fractions?", "ratios?", "per ?cent", "%", "dimensionless", r"-?[01] (to|or) \+?1", r"[\[(]-?[01], 1[\])]",
+    "unit length", "unit vectors?", "unit normals?", "unit cube", "rotation matrix", "quaternion",
+    "units? of", r"in (\w+ )?units?", r"(its|their|\w+['’]s) units?",
 )
-UNIT_IN_COMMENT = re.compile(r"(?<![\w'’-])(?:" + "|".join(UNITS) + r")(?![\w'’])")
+# Words that do so beside the field alone: in a docstring they may mean something else.
+RELATIONS = ("shares?", "parts?", "mass(es)?", "over the", "times", "multiple", "per", "counts?", "number of",
+             "probabilit(y|ies)", "chance", "correlation", "quantiles?", "logarithms?")
+
+
+def any_word_of(words):
+    return re.compile(r"(?<![\w'’-])(?:" + "|".join(words) + r")(?![\w'’])")
+
+
+UNIT_OF_FIELD, UNIT_OF_TYPE = any_word_of(UNITS + RELATIONS), any_word_of(UNITS)
 UNIT_IN_NAME = re.compile(r"_(mm2?|rad|deg|degrees|s|ms|seconds|px|pixels|edges|N|MPa|fraction|ratio|share|part|"
                           r"percent|count)_?$")
 
@@ -237,8 +245,8 @@ def constants_without_reason(source):
 
 def fields_without_unit(source):
     for s, comment in with_block_comments(source, fields(source)):
-        said = [source.beside(s), source.above(s.first), comment] + [scope.docstring for scope in s.scopes]
-        if UNIT_IN_COMMENT.search(" | ".join(said)):
+        beside = " | ".join([source.beside(s), source.above(s.first), comment])
+        if UNIT_OF_FIELD.search(beside) or any(UNIT_OF_TYPE.search(scope.docstring) for scope in s.scopes):
             continue
         for name in field_names(s):
             if not UNIT_IN_NAME.search(name):
