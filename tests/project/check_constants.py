@@ -4,8 +4,8 @@
 1. Each constant of a file or class that holds numbers has a comment of three words or more: on its first or
    last line, on the lines above, or above the block of constants (without an empty line in between) it is in.
    Constants that are texts, tables of names or NaN need none.
-2. Each public field of doubles in a header names its unit: by the end of its name (edge_mm), in its comment, in
-   the comment above the block of fields it is in, or in the docstring of its type.
+2. Each public field of doubles in a header names its unit: by the end of its name (edge_mm), in its comment,
+   in the comment above the block of fields it is in, or in the docstring of its type.
 """
 import pathlib
 import re
@@ -24,7 +24,8 @@ UNITS = (
     "rad", "radians?", "deg", "degrees?", "°",  # angles
     "N", "N/mm", "N mm", "N mm/rad", "MPa", "kg", "k_point", "k_turn", "part mass(es)?",
     "s", "ms", "seconds", "milliseconds", "hours", "1/s", "rad/s", "edges/s", "Hz",
-    "fractions?", "ratios?", "per ?cent", "%", "dimensionless", r"-?[01] (to|or) \+?1", r"[\[(]-?[01], 1[\])]",
+    "fractions?", "ratios?", "per ?cent", "%", "dimensionless",  # of others
+    r"-?[01] (to|or) \+?1", r"[\[(]-?[01], 1[\])]",
     "unit length", "unit vectors?", "unit normals?", "unit cube", "rotation matrix", "quaternion",
     "units? of", r"in (\w+ )?units?", r"(its|their|\w+['’]s) units?",
 )
@@ -38,8 +39,8 @@ def any_word_of(words):
 
 
 UNIT_OF_FIELD, UNIT_OF_TYPE = any_word_of(UNITS + RELATIONS), any_word_of(UNITS)
-UNIT_IN_NAME = re.compile(r"_(mm2?|rad|deg|degrees|s|ms|seconds|px|pixels|edges|N|MPa|fraction|ratio|share|part|"
-                          r"percent|count)_?$")
+UNIT_IN_NAME = re.compile(r"_(mm2?|rad|deg|degrees|s|ms|seconds|px|pixels|edges|N|MPa|fraction|ratio|share|"
+                          r"part|percent|count)_?$")
 
 NUMBER_TYPE = re.compile(r"\b(double|float|int|long|unsigned|u?int\d+_t|size_t|ptrdiff_t|Index|\w*seconds|"
                          r"\w*Vector[0-9X]+d?|Matrix[0-9X]+d?)\b")
@@ -61,7 +62,7 @@ class Statement:
 
 
 def split_comments(text):
-    """Code without comments, texts replaced by "", and the comment of each line. Lines stay where they are."""
+    """Code without comments, texts replaced by "", and the comment of each line. Lines keep their numbers."""
     code, comments = [], [""] * (text.count("\n") + 1)
     pattern = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|'
                          r"(?<![0-9a-fA-F])'(?:\\.|[^'\\\n])+'", re.S)
@@ -89,25 +90,28 @@ class Source:
         self.statements = list(self.read(code))
 
     def read(self, code):
-        """The statements of namespaces and types; the insides of functions and initialisers are not looked at."""
-        scopes, text, first, line, hidden = [Scope("namespace")], "", None, 0, 0
+        """The statements of namespaces and types, not those within functions and initialisers."""
+        scopes, text, first, line = [Scope("namespace")], "", None, 0
+        hidden, is_body, brackets = 0, False, 0
         for c in code:
             if c == "\n":
                 line += 1
                 text += " " if text else ""
                 continue
-            if hidden:  # within a function or an initialiser
+            if hidden:  # within a function or an initialiser, in so many braces
                 hidden += {"{": 1, "}": -1}.get(c, 0)
                 text += c
-                if not hidden and self.is_function(text):
+                if not hidden and is_body:
                     text, first = "", None
                 continue
             if first is None and not c.isspace():
                 first = line
+            brackets += {"(": 1, ")": -1}.get(c, 0)
             if c == "{":
-                kind = self.kind_of(text)
+                kind = "other" if brackets else self.kind_of(text)
                 if kind == "other":
-                    hidden, text = 1, text + c
+                    hidden, is_body = 1, not brackets and self.is_function(text)
+                    text += c
                     continue
                 public = not re.search(r"\bclass\b", text)
                 scopes.append(Scope(kind, self.above(first) + self.comments[first], public))
@@ -116,7 +120,7 @@ class Source:
                 if len(scopes) > 1:
                     scopes.pop()
                 text, first = "", None
-            elif c == ";":
+            elif c == ";" and not brackets:
                 if text.strip():
                     yield Statement(text.strip(), first, line, list(scopes))
                 text, first = "", None
@@ -136,16 +140,16 @@ class Source:
         return "other"
 
     @staticmethod
-    def is_function(text):
-        """Whether what ends with } is a function's (or enum's) body and no initialiser."""
-        head = text.split("{")[0]
-        if re.match(r"\s*(typedef )?enum\b", head):
-            return True
+    def is_function(head):
+        """Whether a brace behind `head` opens the body of a function or enum, not an initialiser: bodies stand
+        apart from what is before them, those of members do not, and the others follow a `=`."""
+        if not head[-1:].isspace():
+            return False
         opened = re.search(r"[=(]", re.sub(r"\boperator\s*[=<>!+*/-]+", "operator", head))
-        return bool(opened) and opened[0] == "("
+        return bool(opened) and opened[0] == "(" or bool(re.match(r"\s*(typedef )?enum\b", head))
 
     def is_comment(self, line):
-        """Whether the line is a comment for what follows it: code has none, and it continues no trailing one."""
+        """Whether the line is a comment for what follows: without code, and it continues no trailing one."""
         return self.is_bare(line) and not self.continues(line)
 
     def is_bare(self, line):
@@ -178,7 +182,8 @@ class Source:
 
 
 def is_constant(s):
-    if s.scopes[-1].kind == "type" and not re.match(r"(inline )?static constexpr\b|constexpr static\b", s.code):
+    in_type = s.scopes[-1].kind == "type"
+    if in_type and not re.match(r"(inline )?static constexpr\b|constexpr static\b", s.code):
         return False
     if not re.match(r"((inline|static|extern) )*(constexpr|const)\b", s.code):
         return False
@@ -206,7 +211,7 @@ def field_names(s):
 def is_field(s):
     if not (s.scopes[-1].kind == "type" and all(scope.is_public for scope in s.scopes)):
         return False
-    if re.match(r"(using|typedef|friend|static|constexpr|template|return|operator|virtual|explicit)\b", s.code):
+    if re.match(r"(using|typedef|friend|static|constexpr|template|operator|virtual|explicit)\b", s.code):
         return False
     head = re.sub(r"<[^<>]*>", "<>", re.sub(r"<[^<>]*>", "<>", re.split(r"[={]", s.code)[0]))
     code = re.split(r"[={]", s.code)[0]
@@ -272,6 +277,7 @@ class Hidden {
   static constexpr int few = 3;
 };
 struct Box {
+  Box() : law{nullptr}, depths{} {}
   double mass = 0, width_mm = 1;
   double height = 0;  ///< upwards,
                       ///< mm
@@ -303,8 +309,8 @@ def main():
     if not sees_what_it_should():
         complaints.append("this check reads its own example wrongly")
     if seen_constants < LEAST_CONSTANTS or seen_fields < LEAST_FIELDS:
-        complaints.append(f"found only {seen_constants} constants and {seen_fields} fields: is the path right?")
-    print("\n".join(complaints) or f"{seen_constants} constants and {seen_fields} fields, all with their comment")
+        complaints.append(f"only {seen_constants} constants and {seen_fields} fields: is the path right?")
+    print("\n".join(complaints) or f"{seen_constants} constants have a reason, {seen_fields} fields a unit")
     return 1 if complaints else 0
 
 
