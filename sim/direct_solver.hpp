@@ -17,10 +17,10 @@ struct DirectSolverSettings {
   const ElasticHinges* elastic = nullptr;  ///< null for none; must outlive the solver
 };
 
-/// A solver for the engine that meets all joint equations of a step at once (RowSystem), and sweeps over the
-/// contacts only: every contact impulse is applied together with the answer of all joints to it. Contacts
-/// are frictionless, and yield a little before the joints do: where a drive presses parts into each other,
-/// they overlap, and the structure stays whole.
+/// A solver for the engine that meets all joint equations of a step at once (RowSystem), and takes
+/// the contacts alone one after the other: every contact impulse is applied together with the answer of all
+/// joints to it. Contacts are frictionless, and yield a little before the joints do: where a drive presses
+/// parts into each other, they overlap, and the structure stays whole.
 ///
 /// Elastic hinges are the same equations with the equations of their turning springs added: a row whose
 /// target closes its gap within one step h, at stiffness s over the parts' masses, is an undamped spring of

@@ -6,10 +6,10 @@ class btTypedConstraint;
 namespace kinetix::sim {
 
 /// Sets the engine up to solve all joints together, in the order in which they are added, afresh every step.
-/// @param iterations sweeps per step
+/// @param iterations rounds of sequential impulses per step
 void prepare_for_joints(btDiscreteDynamicsWorld& world, int iterations);
 
-/// Adds a joint after those that are there; the sweep solver goes by this order.
+/// Adds a joint after those that are there; sequential impulses go by this order.
 void add_in_order(btDiscreteDynamicsWorld& world, btTypedConstraint& joint);
 
 }  // namespace kinetix::sim

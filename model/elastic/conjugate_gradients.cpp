@@ -7,7 +7,7 @@ using Eigen::VectorXd;
 using Way = TruncatedStep::Way;
 
 // Share of the first residual, in the norm of the preconditioner: as good as a factor of the tangent for one
-// step of Newton's method. Less asks for iterations that the next step makes needless.
+// step of Newton's method. A smaller one costs iterations that the next step makes needless.
 constexpr double solved = 0.02;
 constexpr double good_enough = 0.3;  // the same after the last iteration: with more left, a new factor pays
 

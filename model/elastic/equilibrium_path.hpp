@@ -61,7 +61,7 @@ struct EquilibriumPath {
   enum class Stop {
     reached,        ///< the drive's goal
     overstretched,  ///< a hinge stretched by more than gap_limit
-    locked,         ///< walls in contact that no further state balances
+    locked,         ///< walls in contact, with which no further equilibrium was found
     not_converged,  ///< no equilibrium found, however small the step
   };
   Stop stop = Stop::reached;

@@ -50,8 +50,8 @@ DisplayView view_from_flat(PanelEquilibrium& equilibrium, const Eigen::VectorXd&
                            const std::vector<double>& levels, Channel channel);
 
 /// Which of the views is to be taken: of those that keep the limit of stretch the one that shows its picture
-/// most clearly, else the one that stretches least; -1 where none is balanced. @param stretch that limit,
-/// cell edges
+/// most clearly, else the one that stretches least; -1 where none is in equilibrium. @param stretch that
+/// limit, cell edges
 int best_view(const std::vector<DisplayView>& views, const std::vector<double>& levels, double stretch);
 
 /// One search for a display, with plates along one axis.

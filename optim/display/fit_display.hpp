@@ -26,7 +26,7 @@ struct DisplayDesign {
   int evaluations = 0, paths_from_flat = 0;
 };
 
-/// The panel as it is: balanced from flat and read.
+/// The panel as it is: taken to its equilibrium from flat, and read.
 DisplayView view_display(const model::Structure& panel, const std::vector<double>& levels,
                          const DisplayOptions& options);
 

@@ -27,7 +27,7 @@ struct HelmetDesign {
 
 /// Plans a fishbone, fits tilts, theta and place, and shortens ribs whose walls meet those of others while it
 /// folds; where walls of one rib meet (over bumps and hollows), fits anew with gentler tilts.
-/// @param crown highest point of the head, mm
+/// @param crown of the head, in its frame, mm
 /// @throws InvalidInput as plan_helmet
 HelmetDesign fit_helmet(const targets::MeshDistance& head, const Eigen::Vector3d& crown,
                         const HelmetSpec& spec, const SolverOptions& options);

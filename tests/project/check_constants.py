@@ -141,7 +141,7 @@ class Source:
 
     @staticmethod
     def is_function(head):
-        """Whether a brace behind `head` opens the body of a function or enum, not an initialiser: bodies stand
+        """Whether a brace behind `head` opens the body of a function or enum and no initialiser: bodies stand
         apart from what is before them, those of members do not, and the others follow a `=`."""
         if not head[-1:].isspace():
             return False

@@ -10,8 +10,8 @@
 namespace kinetix::model {
 
 /// The design of a structure that moves exactly (families F1, F2, F3 of kinematics.md section 2), by lattice
-/// columns and rows. Signs and classes alternate over the sheet as the families ask; the functions below do
-/// it.
+/// columns and rows. Signs and classes alternate over the sheet as the families require; the functions below
+/// do it.
 ///
 /// F1: beta and gamma 0, any t, s.   F2: gamma 0, s 1/2, in each column beta 0 or t 1/2.   F3: t, s 1/2.
 template <class T>

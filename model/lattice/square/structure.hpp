@@ -78,7 +78,7 @@ struct Structure {
   Eigen::Vector3d hinge_point(const Hinge& hinge) const;
 
   /// The linkage that it makes: same bodies, hinges and cells in the same order. A structure stands wherever
-  /// a linkage is asked for; what asks many times converts once.
+  /// a linkage is needed; whoever needs it many times converts once.
   operator Linkage() const;
 };
 
