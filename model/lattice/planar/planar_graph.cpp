@@ -1,0 +1,259 @@
+#include "model/lattice/planar/planar_graph.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "model/base/invalid_input.hpp"
+#include "model/base/union_find.hpp"
+
+namespace kinetix::model {
+namespace {
+
+using Eigen::Vector2d;
+
+// Times the mean length of a wall: closer than this, vertices are one and a vertex lies on a wall. Coordinates in files
+// have six digits or more.
+constexpr double touching = 1e-6;
+
+double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+std::string name(const PlanarGraph& graph, int vertex) {
+  const Vector2d& p = graph.vertices[vertex];
+  return "vertex " + std::to_string(vertex) + " at (" + number_text(p.x()) + ", " + number_text(p.y()) + ")";
+}
+
+std::string name_of_edge(const PlanarGraph& graph, int edge) {
+  return "the wall from vertex " + std::to_string(graph.edges[edge].from) + " to " +
+         std::to_string(graph.edges[edge].to);
+}
+
+/// An edge walked from one of its ends: 2 edge, or 2 edge + 1 from its `to`.
+struct Walks {
+  explicit Walks(const PlanarGraph& graph) : graph_(graph), leaving_(graph.vertices.size()) {
+    for (int e = 0; e < static_cast<int>(graph.edges.size()); ++e)
+      for (const int walk : {2 * e, 2 * e + 1}) leaving_[start(walk)].push_back(walk);
+    for (auto& walks : leaving_)
+      std::sort(walks.begin(), walks.end(), [&](int a, int b) { return angle(a) < angle(b); });
+    place_.resize(2 * graph.edges.size());
+    for (const auto& walks : leaving_)
+      for (std::size_t k = 0; k < walks.size(); ++k) place_[walks[k]] = static_cast<int>(k);
+  }
+
+  int count() const { return static_cast<int>(place_.size()); }
+  int start(int walk) const {
+    return walk % 2 == 0 ? graph_.edges[walk / 2].from : graph_.edges[walk / 2].to;
+  }
+  /// The walk that follows with the same face on its left: the next one clockwise from the way back.
+  int next(int walk) const {
+    const int back = walk ^ 1;
+    const auto& walks = leaving_[start(back)];
+    const int count = static_cast<int>(walks.size());
+    return walks[(place_[back] + count - 1) % count];
+  }
+
+ private:
+  double angle(int walk) const {
+    const Vector2d along = graph_.along(walk / 2) * (walk % 2 == 0 ? 1 : -1);
+    return std::atan2(along.y(), along.x());
+  }
+
+  const PlanarGraph& graph_;
+  std::vector<std::vector<int>> leaving_;  ///< walks from each vertex, counter-clockwise
+  std::vector<int> place_;                 ///< of each walk among them
+};
+
+/// Without what is walked there and back.
+std::vector<int> without_dead_ends(const std::vector<int>& loop) {
+  std::vector<int> kept;
+  for (const int walk : loop) {
+    if (!kept.empty() && kept.back() == (walk ^ 1))
+      kept.pop_back();
+    else
+      kept.push_back(walk);
+  }
+  std::size_t first = 0;
+  while (kept.size() > first + 1 && kept[first] == (kept.back() ^ 1)) {
+    ++first;
+    kept.pop_back();
+  }
+  kept.erase(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(first));
+  return kept;
+}
+
+double twice_area(const PlanarGraph& graph, const std::vector<int>& vertices) {
+  double sum = 0;
+  for (std::size_t k = 0; k < vertices.size(); ++k)
+    sum += cross(graph.vertices[vertices[k]], graph.vertices[vertices[(k + 1) % vertices.size()]]);
+  return sum;
+}
+
+/// Pairs of edges that are near each other, by the squares of a grid that they pass.
+class NearEdges {
+ public:
+  explicit NearEdges(const PlanarGraph& graph) : graph_(graph) {
+    for (int e = 0; e < static_cast<int>(graph.edges.size()); ++e) mean_ += graph.along(e).norm();
+    mean_ /= static_cast<double>(graph.edges.size());
+  }
+
+  double mean_length() const { return mean_; }
+
+  template <class Visit>
+  void visit(const Visit& visit) {
+    for (int e = 0; e < static_cast<int>(graph_.edges.size()); ++e) {
+      std::vector<int> met;
+      for_squares(e, [&](const std::pair<long, long>& square) {
+        auto& there = squares_[square];
+        met.insert(met.end(), there.begin(), there.end());
+        there.push_back(e);
+      });
+      std::sort(met.begin(), met.end());
+      met.erase(std::unique(met.begin(), met.end()), met.end());
+      for (const int other : met) visit(other, e);
+    }
+  }
+
+ private:
+  /// All squares of the box round an edge, and a margin.
+  template <class Visit>
+  void for_squares(int edge, const Visit& visit) const {
+    const Vector2d a = graph_.vertices[graph_.edges[edge].from], b = graph_.vertices[graph_.edges[edge].to];
+    const Vector2d margin = Vector2d::Constant(2 * touching * mean_);
+    const Vector2d low = (a.cwiseMin(b) - margin) / mean_, high = (a.cwiseMax(b) + margin) / mean_;
+    for (long i = std::lround(std::floor(low.x())); i <= std::lround(std::floor(high.x())); ++i)
+      for (long j = std::lround(std::floor(low.y())); j <= std::lround(std::floor(high.y())); ++j)
+        visit({i, j});
+  }
+
+  const PlanarGraph& graph_;
+  double mean_ = 0;
+  std::map<std::pair<long, long>, std::vector<int>> squares_;
+};
+
+double distance(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
+  const Vector2d along = b - a;
+  const double part = std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
+  return (p - a - part * along).norm();
+}
+
+bool share_an_end(const GraphEdge& a, const GraphEdge& b) {
+  return a.from == b.from || a.from == b.to || a.to == b.from || a.to == b.to;
+}
+
+void check_pair(const PlanarGraph& graph, int first, int second, double near) {
+  const GraphEdge &a = graph.edges[first], &b = graph.edges[second];
+  const Vector2d &p = graph.vertices[a.from], &q = graph.vertices[a.to], &r = graph.vertices[b.from],
+                 &s = graph.vertices[b.to];
+  for (const int end : {b.from, b.to})
+    if (end != a.from && end != a.to && distance(graph.vertices[end], p, q) <= near)
+      throw InvalidInput(name(graph, end) + " lies on " + name_of_edge(graph, first) +
+                         "; split that wall there");
+  for (const int end : {a.from, a.to})
+    if (end != b.from && end != b.to && distance(graph.vertices[end], r, s) <= near)
+      throw InvalidInput(name(graph, end) + " lies on " + name_of_edge(graph, second) +
+                         "; split that wall there");
+  if (share_an_end(a, b)) return;
+  const bool apart = (cross(q - p, r - p) > 0) == (cross(q - p, s - p) > 0) ||
+                     (cross(s - r, p - r) > 0) == (cross(s - r, q - r) > 0);
+  if (!apart)
+    throw InvalidInput(name_of_edge(graph, first) + " crosses " + name_of_edge(graph, second) +
+                       "; walls may meet at vertices only");
+}
+
+void check_edges(const PlanarGraph& graph) {
+  const int count = static_cast<int>(graph.vertices.size());
+  std::map<std::pair<int, int>, int> seen;
+  for (const GraphEdge& e : graph.edges) {
+    if (e.from < 0 || e.to < 0 || e.from >= count || e.to >= count)
+      throw InvalidInput("a wall from vertex " + std::to_string(e.from) + " to " + std::to_string(e.to) +
+                         ", but vertices go from 0 to " + std::to_string(count - 1));
+    const bool is_zero = e.from == e.to || graph.vertices[e.from] == graph.vertices[e.to];
+    if (is_zero)
+      throw InvalidInput("the wall from vertex " + std::to_string(e.from) + " to " + std::to_string(e.to) +
+                         " has no length");
+    if (++seen[std::minmax(e.from, e.to)] > 1)
+      throw InvalidInput("the wall from vertex " + std::to_string(e.from) + " to " + std::to_string(e.to) +
+                         " is there twice");
+  }
+}
+
+void check_one_piece(const PlanarGraph& graph) {
+  UnionFind pieces(graph.vertices.size());
+  for (const GraphEdge& e : graph.edges) pieces.unite(e.from, e.to);
+  for (int v = 0; v < static_cast<int>(graph.vertices.size()); ++v)
+    if (pieces.find(v) != pieces.find(0))
+      throw InvalidInput("the walls do not hang together: no way leads from " + name(graph, 0) + " to " +
+                         name(graph, v));
+}
+
+std::string list_of(const std::vector<int>& vertices) {
+  std::string text;
+  for (const int v : vertices) text += (text.empty() ? "" : ", ") + std::to_string(v);
+  return text;
+}
+
+}  // namespace
+
+std::vector<GraphFace> bounded_faces(const PlanarGraph& graph) {
+  const Walks walks(graph);
+  std::vector<bool> walked(walks.count(), false);
+  std::vector<GraphFace> faces;
+  for (int first = 0; first < walks.count(); ++first) {
+    if (walked[first]) continue;
+    std::vector<int> loop;
+    for (int walk = first; !walked[walk]; walk = walks.next(walk)) {
+      walked[walk] = true;
+      loop.push_back(walk);
+    }
+    GraphFace face;
+    for (const int walk : without_dead_ends(loop)) {
+      face.vertices.push_back(walks.start(walk));
+      face.edges.push_back(walk / 2);
+    }
+    if (twice_area(graph, face.vertices) > 0) faces.push_back(std::move(face));
+  }
+  return faces;
+}
+
+std::vector<int> senses(const PlanarGraph& graph, const std::vector<GraphFace>& faces) {
+  for (const GraphFace& face : faces)
+    if (face.vertices.size() % 2 != 0)
+      throw InvalidInput(
+          "the face of vertices " + list_of(face.vertices) + " has " + std::to_string(face.vertices.size()) +
+          " walls: bodies turn to one side and to the other in turn, which takes an even number");
+  std::vector<std::vector<int>> neighbours(graph.vertices.size());
+  for (const GraphEdge& e : graph.edges) {
+    neighbours[e.from].push_back(e.to);
+    neighbours[e.to].push_back(e.from);
+  }
+  std::vector<int> senses(graph.vertices.size(), 0), open = {0};
+  senses[0] = 1;
+  while (!open.empty()) {
+    const int at = open.back();
+    open.pop_back();
+    for (const int next : neighbours[at])
+      if (senses[next] == 0) {
+        senses[next] = -senses[at];
+        open.push_back(next);
+      }
+  }
+  return senses;
+}
+
+void validate(const PlanarGraph& graph) {
+  if (graph.vertices.size() < 2 || graph.edges.empty())
+    throw InvalidInput("a lattice needs at least two vertices and a wall between them");
+  for (int v = 0; v < static_cast<int>(graph.vertices.size()); ++v)
+    if (!graph.vertices[v].allFinite())
+      throw InvalidInput("vertex " + std::to_string(v) + " has a coordinate that is no finite number");
+  check_edges(graph);
+  NearEdges near(graph);
+  const double distance = touching * near.mean_length();
+  near.visit([&](int a, int b) { check_pair(graph, a, b, distance); });
+  check_one_piece(graph);
+}
+
+}  // namespace kinetix::model

@@ -1,0 +1,121 @@
+#include "model/lattice/planar/planar_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "model/base/invalid_input.hpp"
+
+namespace kinetix::model {
+namespace {
+
+using Eigen::Vector2d;
+
+Vector2d turned_by_90(const Vector2d& v) { return {-v.y(), v.x()}; }
+
+/// Sum of redrawn walls round a face, cell edges.
+double misfit_of(const PlanarStructure& s, const GraphFace& face) {
+  Vector2d sum = Vector2d::Zero();
+  for (std::size_t k = 0; k < face.edges.size(); ++k) {
+    const bool forward = s.graph.edges[face.edges[k]].from == face.vertices[k];
+    sum += (forward ? 1 : -1) * redrawn(s, face.edges[k]);
+  }
+  return sum.norm();
+}
+
+std::string list_of(const std::vector<int>& vertices) {
+  std::string text;
+  for (const int v : vertices) text += (text.empty() ? "" : ", ") + std::to_string(v);
+  return text;
+}
+
+/// The first hinge whose axis does not stand upright; -1 where all do.
+int first_inclined(const PlanarStructure& s) {
+  const Linkage linkage = s;
+  for (int h = 0; h < static_cast<int>(s.hinges.size()); ++h)
+    if (!is_vertical(linkage.hinges[h])) return h;
+  return -1;
+}
+
+}  // namespace
+
+Vector2d redrawn(const PlanarStructure& structure, int edge) {
+  const WallHinge& hinge = structure.hinges[edge];
+  const Vector2d along = structure.graph.along(edge);
+  const Vector2d part = (2 * hinge.t - 1) * along + 2 * hinge.offset * turned_by_90(along.normalized());
+  return structure.senses[structure.graph.edges[edge].from] * part;
+}
+
+WallChange change_of(const PlanarStructure& structure, const Redrawing& y, int edge) {
+  const auto [from, to] = structure.graph.edges[edge];
+  const Vector2d along = structure.graph.along(edge), part = structure.senses[from] * (y[to] - y[from]);
+  const double square = along.squaredNorm();
+  // Walked from class B, both e and y_B - y_A change sign: their quotient stays.
+  const double sign = structure.senses[from];
+  return {sign * part.dot(along) / square, sign * turned_by_90(along).dot(part) / (2 * square)};
+}
+
+RedrawingFit redrawing_of(const PlanarStructure& structure) {
+  RedrawingFit fit;
+  fit.y.assign(structure.graph.vertices.size(), Vector2d::Zero());
+  std::vector<std::vector<int>> edges_at(structure.graph.vertices.size());
+  for (int e = 0; e < static_cast<int>(structure.graph.edges.size()); ++e)
+    for (const int end : {structure.graph.edges[e].from, structure.graph.edges[e].to})
+      edges_at[end].push_back(e);
+  std::vector<bool> is_known(fit.y.size(), false);
+  is_known[0] = true;
+  std::vector<int> open = {0};
+  for (std::size_t k = 0; k < open.size(); ++k)
+    for (const int e : edges_at[open[k]]) {
+      const auto [from, to] = structure.graph.edges[e];
+      const int next = from == open[k] ? to : from;
+      if (is_known[next]) continue;
+      is_known[next] = true;
+      fit.y[next] = fit.y[open[k]] + (next == to ? 1 : -1) * redrawn(structure, e);
+      open.push_back(next);
+    }
+  for (int f = 0; f < static_cast<int>(structure.faces.size()); ++f) {
+    const double misfit = misfit_of(structure, structure.faces[f]);
+    if (misfit <= fit.misfit) continue;  // NaN goes on
+    fit.misfit = misfit;
+    fit.worst_face = f;
+  }
+  return fit;
+}
+
+void apply(const Redrawing& y, PlanarStructure& structure) {
+  for (int e = 0; e < static_cast<int>(structure.hinges.size()); ++e) {
+    const auto [from, to] = structure.graph.edges[e];
+    const Vector2d along = structure.graph.along(e);
+    const Vector2d part = structure.senses[from] * (y[to] - y[from]);
+    structure.hinges[e].t = (1 + part.dot(along) / along.squaredNorm()) / 2;
+    structure.hinges[e].offset = turned_by_90(along.normalized()).dot(part) / 2;
+  }
+}
+
+State fold(const PlanarStructure& structure, const Redrawing& y, double theta) {
+  const double c = std::cos(theta), s = std::sin(theta), mm = structure.size.edge_mm;
+  State state(y.size());
+  for (std::size_t v = 0; v < y.size(); ++v) {
+    const Vector2d at = mm * (c * structure.graph.vertices[v] + s * turned_by_90(y[v]));
+    const double turn = structure.senses[v] * s;
+    state[v].p = {at.x(), at.y(), 0};
+    state[v].R << c, -turn, 0, turn, c, 0, 0, 0, 1;
+  }
+  return state;
+}
+
+ExactMotion exact_motion(const PlanarStructure& structure) {
+  if (const int hinge = first_inclined(structure); hinge >= 0)
+    return {{}, "none", "the hinge on wall " + wall_name(structure, hinge) + " does not stand upright"};
+  RedrawingFit fit = redrawing_of(structure);
+  if (!fit.is_closed())
+    return {{},
+            "none",
+            "the face of vertices " + list_of(structure.faces[fit.worst_face].vertices) +
+                " does not close: it is off by " + number_text(fit.misfit) + " cell edges times sin(theta)"};
+  return {[structure, y = std::move(fit.y)](double theta) { return fold(structure, y, theta); }, "planar",
+          "upright hinges that close every face: a parallel redrawing"};
+}
+
+}  // namespace kinetix::model

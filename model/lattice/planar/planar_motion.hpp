@@ -1,0 +1,54 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/lattice/planar/planar_structure.hpp"
+#include "model/linkage/exact_motion.hpp"
+
+namespace kinetix::model {
+
+/// A second drawing of a graph, y, that says how its structure moves: X(theta) = cos(theta) x + i sin(theta) y, with x
+/// the graph's own vertices and i the turn by 90 deg (kinematics.md section 5). Any y is the exact motion of exactly one
+/// choice of hinge points: with e an edge from class A to class B and y_B - y_A = (s + 2 i o) e, its hinge sits at
+/// t = (1 + s) / 2 from A and o |e| across. Cell edges.
+using Redrawing = std::vector<Eigen::Vector2d>;
+
+/// What y does to an edge from its first vertex to its second: by how much it turns and scales the wall.
+struct WallChange {
+  double s =
+      0;  ///< 2 t_A - 1 with t_A the hinge's fraction from class A: the wall turns by atan(s tan(theta))
+  double o =
+      0;  ///< offset over the wall's length, towards z x e of the edge as walked from class A to class B: the
+          ///< wall scales by cos(theta) - 2 o sin(theta)
+};
+
+/// y_to - y_from of an edge with this hinge, cell edges.
+Eigen::Vector2d redrawn(const PlanarStructure& structure, int edge);
+WallChange change_of(const PlanarStructure& structure, const Redrawing& y, int edge);
+
+/// The redrawing of a structure whose hinges are upright; y of the first vertex is 0. Where walking round a face does
+/// not lead back, that face and by how much.
+struct RedrawingFit {
+  Redrawing y;
+  double misfit = 0;    ///< largest of a face, cell edges
+  int worst_face = -1;  ///< with that misfit; -1 where there is none
+
+  /// Rounding of a sum over thousands of walls is below it; a hinge that is off by a nanometre is above.
+  static constexpr double closed = 1e-11;  ///< cell edges
+  bool is_closed() const { return misfit <= closed; }
+};
+RedrawingFit redrawing_of(const PlanarStructure& structure);
+
+/// Puts the hinges where y has them; alpha and beta stay.
+void apply(const Redrawing& y, PlanarStructure& structure);
+
+/// State at theta, mm. Class A turns by theta, class B by -theta.
+State fold(const PlanarStructure& structure, const Redrawing& y, double theta);
+
+/// The exact motion of upright hinges, or why there is none.
+ExactMotion exact_motion(const PlanarStructure& structure);
+
+}  // namespace kinetix::model
