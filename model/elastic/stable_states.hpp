@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "model/elastic/energy_summit.hpp"
+#include "model/elastic/turning_points.hpp"
 
 namespace kinetix::model {
 

@@ -2,8 +2,8 @@
 
 #include "model/elastic/drive_load.hpp"
 #include "model/elastic/equilibrium_path.hpp"
-#include "model/elastic/limit_points.hpp"
 #include "model/elastic/path_direction.hpp"
+#include "model/elastic/turning_points.hpp"
 #include "tests/support/elastic_runs.hpp"
 #include "tests/support/random_designs.hpp"
 
