@@ -116,9 +116,10 @@ class Follower {
       options.starts_convex = true;
       options.max_iterations = std::min(options.max_iterations, careful_iterations);
     }
-    const bool left_flat = leave_flat(theta, state);
+    bool left_flat = soft_ && path_.theta == 0 && leave_flat(theta, state);
     if (!left_flat) search(theta, options, has_tangent_, state);
     const bool left_saddle = newton_.converged && !newton_.stable && leave_saddle(theta, state);
+    if (newton_.converged && is_mirrored(theta, state)) left_flat = leave_flat(theta, state);
     const bool branched = left_flat || left_saddle;
     const double jump = newton_.converged ? turn_distance(structure_, prediction, state) : NAN;
     const bool jumped = !branched && jump > options_.longest_jump;
@@ -188,10 +189,10 @@ class Follower {
     has_tangent_ = tangent_.factorise(0);
   }
 
-  /// Flat between plates bears a load that is nothing beside rounding where hinges turn softly: minimising the
-  /// energy from there would leave the side to chance. @return whether flat was left, on purpose
+  /// Flat between plates bears no load that counts beside rounding where hinges turn softly, and hardly any elsewhere:
+  /// minimising the energy from there may leave the side to chance. @return whether flat was left, on purpose
   bool leave_flat(double theta, State& state) {
-    if (!soft_ || !between_plates() || is_exact_ || path_.theta != 0) return false;
+    if (!between_plates() || is_exact_) return false;
     State flat = path_.state;
     system_.place(theta, flat);
     system_.linearise(flat, theta, tangent_);
