@@ -26,7 +26,8 @@ void move_all(State& state, const Matrix3d& rotation, const Vector3d& translatio
   }
 }
 
-/// The rotation that takes the plates' normal to their axis and lifts the pin's upright as far as it then can.
+/// The rotation that takes the plates' normal to their axis and lifts the pin's upright as far as it then
+/// can.
 Matrix3d upright(const Vector3d& normal, const Vector3d& axis, const Pose& pin) {
   const Matrix3d rotation = Eigen::Quaterniond::FromTwoVectors(normal, axis).toRotationMatrix();
   const Vector3d up = rotation * pin.R.col(2), across = axis.cross(Vector3d::UnitZ());
@@ -76,6 +77,11 @@ std::optional<double> ClosedForm::distance(const State& state, double theta) con
 bool ClosedForm::is_near(const State& state, double theta) const {
   const auto off = distance(state, theta);
   return off && *off <= near_closed_form;
+}
+
+bool ClosedForm::is_mirrored(const State& state, double theta) const {
+  if (system_.driven_hinge() >= 0 || system_.drive().grips_part) return false;
+  return is_near(state, -theta) && *distance(state, -theta) < *distance(state, theta);
 }
 
 }  // namespace kinetix::model

@@ -4,7 +4,8 @@
 
 namespace kinetix::model {
 
-/// The elastic system of a driven linkage with its tangent stiffness, and what its states measure in N and mm.
+/// The elastic system of a driven linkage with its tangent stiffness, and what its states measure in N and
+/// mm.
 struct MeasuredSystem {
   /// @throws InvalidInput, with contact, for walls that overlap in the flat state
   /// @pre elasticity, drive and options are valid

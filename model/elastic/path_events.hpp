@@ -24,7 +24,7 @@ class LockWatch {
 
 /// How a path came to its last state.
 struct Arrival {
-  std::optional<Branch::Descent> descent;  ///< from an unstable equilibrium, if that way
+  std::optional<Branch::Descent> descent;  ///< from an unstable equilibrium, if from one
   bool snapped = false;                    ///< to another state at nearly the same drive
   bool on_closed_form = false;             ///< it lies there
 };

@@ -22,7 +22,7 @@ StepFaults StepCheck::faults(const State& before, const State& prediction, const
   faults.jump = turn_distance(system_.elastic.structure(), prediction, trial.state);
   faults.jumped = !trial.descent && faults.jump > longest_jump_;
   faults.tunnelled = !trial.descent && system_.elastic.passed_through(before, trial.state);
-  faults.mirrored = is_mirrored(trial);
+  faults.mirrored = closed_form_.is_mirrored(trial.state, trial.theta);
   return faults;
 }
 
@@ -43,12 +43,6 @@ bool StepCheck::keeps_energy(const EquilibriumStep& before, const EquilibriumSte
                        energy_noise * (system_.unit + after.energy);
   const double change = after.energy - before.energy;
   return change >= least - slack && change <= most + slack;
-}
-
-bool StepCheck::is_mirrored(const Trial& trial) const {
-  if (!system_.between_plates() || system_.elastic.drive().grips_part) return false;
-  return closed_form_.is_near(trial.state, -trial.theta) &&
-         *closed_form_.distance(trial.state, -trial.theta) < *closed_form_.distance(trial.state, trial.theta);
 }
 
 }  // namespace kinetix::model

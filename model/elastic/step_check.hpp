@@ -12,7 +12,7 @@ namespace kinetix::model {
 /// What speaks against a step to a trial state.
 struct StepFaults {
   double jump = NAN;       ///< of a hinge from the prediction, rad; NaN where no equilibrium was found
-  bool jumped = false;     ///< that is too much for one branch, and no branch was chosen on the way
+  bool jumped = false;     ///< that is too much for one branch, and no branch was chosen there
   bool tunnelled = false;  ///< walls went through each other
   bool mirrored = false;   ///< the sheet folded to the side that was not asked for
 };
@@ -38,11 +38,9 @@ class StepCheck {
                                          const Trial& trial, const StepFaults& faults) const;
 
  private:
-  /// Whether the energy changes by the work of the loads at both ends of a step: a jump on the way loses some.
+  /// Whether the energy changes by the work of the loads at both ends of a step: a jump between them loses
+  /// some.
   bool keeps_energy(const EquilibriumStep& before, const EquilibriumStep& after) const;
-  /// Whether a sheet between plates, which force it to one side as little as to the other, lies on the closed
-  /// form of the side that was not asked for.
-  bool is_mirrored(const Trial& trial) const;
 
   const MeasuredSystem& system_;
   const ClosedForm& closed_form_;

@@ -10,7 +10,7 @@ namespace {
 
 using Descent = Branch::Descent;
 
-constexpr double rough = 2e-3;  // rad, cell edges: on the way, a step this short leaves about its square
+constexpr double rough = 2e-3;  // rad, cell edges: before the goal, a step this short leaves about its square
 constexpr double level = 1e-5;  // of the energy, by which that step may lower it: more is a slow valley
 constexpr double strayed = 2;   // times longest_jump: so far from a prediction lies another branch
 // Rad: longer steps must start convex and end soon; if not, halving is cheaper.
@@ -24,12 +24,15 @@ Trial StepSolver::find(const NextStep& next, const PathHead& head, State predict
   Trial trial;
   trial.theta = next.theta;
   trial.state = std::move(prediction);
-  if (!leave_flat(next, head, trial)) search(first_options(next), head.has_tangent(), trial);
+  const bool left_flat = head.theta() == 0 && turns_softly(system_.elastic) && leave_head(next, head, trial);
+  if (!left_flat) search(first_options(next), head.has_tangent(), trial);
   leave_saddles(next, trial);
+  if (trial.newton.converged && closed_form_.is_mirrored(trial.state, trial.theta))
+    leave_head(next, head, trial);
   return trial;
 }
 
-// On the way, the step after one of `rough` is quadratically small, and good enough to go on from.
+// Before the goal, the step after one of `rough` is quadratically small, and good enough to go on from.
 NewtonOptions StepSolver::newton_options(const NextStep& next, bool may_stray) const {
   NewtonOptions options = options_.newton;
   if (!may_stray) options.most_moved = strayed * options_.longest_jump;
@@ -53,15 +56,14 @@ void StepSolver::search(const NewtonOptions& options, bool factorised, Trial& tr
   trial.iterations += trial.newton.iterations;
 }
 
-bool StepSolver::leave_flat(const NextStep& next, const PathHead& head, Trial& trial) {
+bool StepSolver::leave_head(const NextStep& next, const PathHead& head, Trial& trial) {
+  if (!system_.between_plates() || head.on_closed_form()) return false;
   const ElasticSystem& elastic = system_.elastic;
-  if (!turns_softly(elastic) || !system_.between_plates() || head.on_closed_form() || head.theta() != 0)
-    return false;
-  State flat = head.state();
-  elastic.place(next.theta, flat);
-  elastic.linearise(flat, next.theta, system_.tangent);
+  State carried = head.state();
+  elastic.place(next.theta, carried);
+  elastic.linearise(carried, next.theta, system_.tangent);
   if (system_.tangent.factorise(0)) return false;
-  Branch::Start start = branch_.leave(next.theta, flat, system_.tangent);
+  Branch::Start start = branch_.leave(next.theta, carried, system_.tangent);
   if (start.descent == Descent::none || start.descent == Descent::unknown) return false;
   trial.descent = start.descent;
   trial.state = std::move(start.state);

@@ -13,7 +13,7 @@ struct Trial {
   State state;       ///< in equilibrium if newton.converged
   NewtonResult newton;
   int iterations = 0;  ///< of all of its searches
-  /// How an unstable equilibrium on the way was left, if one was: the last turn from one branch to another.
+  /// How an unstable equilibrium was left to get there, if one was: the last change of branch.
   std::optional<Branch::Descent> descent;
 };
 

@@ -4,7 +4,8 @@
 
 #include "model/elastic/equilibrium_path.hpp"
 
-/// Turning points of an equilibrium path: of its energy, where the drive's load changes sign, and of its load.
+/// Turning points of an equilibrium path: of its energy, where the drive's load changes sign, and of its
+/// load.
 namespace kinetix::model {
 
 /// An equilibrium on a driven path.
@@ -49,8 +50,8 @@ struct EnergyBarrier {
   double energy = 0;     ///< N mm
   double theta = 0;      ///< fold parameter of the drive there, rad
   double drive = 0;      ///< its coordinate there, as in EquilibriumStep: fraction or rad
-  /// Whether the drive's load vanishes there (with a driven hinge, a saddle of the energy); otherwise the path
-  /// jumped down from there.
+  /// Whether the drive's load vanishes there (with a driven hinge, a saddle of the energy); otherwise the
+  /// path jumped down from there.
   bool load_vanishes = false;
 };
 
