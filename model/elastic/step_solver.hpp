@@ -17,7 +17,7 @@ class StepSolver {
 
   /// From a prediction by Newton's method; where that ends in an equilibrium that is no minimum, down from
   /// it, and where it ends on the side that was not asked for, down from the last state of the path. The
-  /// system's tangent is then that of the trial.
+  /// system's tangent is then that of the trial, if that is stable.
   Trial find(const NextStep& next, const PathHead& head, State prediction);
 
  private:
