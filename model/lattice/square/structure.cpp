@@ -15,7 +15,6 @@ namespace {
 
 // Cells: a mistyped size gives a message before the memory is gone.
 constexpr std::size_t max_cells = 1'000'000;
-constexpr double vertical = 1e-9;  // rad from z: far above rounding, far below any tilt that is meant
 // Vertices: few cells far apart are refused too, since exact families are computed on the whole lattice.
 constexpr std::int64_t max_lattice_vertices = 4'000'000;
 
@@ -177,9 +176,7 @@ Eigen::Vector3d hinge_axis(Axis axis, const HingeParameters& p) {
   return std::cos(p.alpha) * edge_direction(axis) + std::sin(p.alpha) * wall_up(axis, p.beta);
 }
 
-bool is_vertical(const Hinge& hinge) {
-  return hinge_axis(hinge.wall.axis, hinge.parameters).head<2>().norm() <= vertical;
-}
+bool is_vertical(const Hinge& hinge) { return is_vertical(hinge_axis(hinge.wall.axis, hinge.parameters)); }
 
 bool all_vertical(const Structure& structure) {
   return std::all_of(structure.hinges.begin(), structure.hinges.end(),
