@@ -94,6 +94,12 @@ std::string to_string(const Wall& wall) {
   return "[" + to_string(wall.from) + ", " + to_string(wall.to()) + "]";
 }
 
+std::vector<int> label(Vertex v) { return {v.i, v.j}; }
+
+std::vector<int> label(const Cell& c) { return {c.i, c.j}; }
+
+Eigen::Vector3d rest_place(Vertex v) { return {static_cast<double>(v.i), static_cast<double>(v.j), 0.0}; }
+
 std::vector<Cell> rectangle(int columns, int rows) {
   std::vector<Cell> cells;
   cells.reserve(static_cast<std::size_t>(columns) * rows);
@@ -129,6 +135,14 @@ Structure make_structure(std::vector<Cell> cells, const CellSize& size) {
   check_connected(s);
   return s;
 }
+
+Structure make_sheet(int columns, int rows, const CellSize& size) {
+  return make_structure(rectangle(columns, rows), size);
+}
+
+std::vector<int> body_label(const Structure& structure, int body) { return label(structure.bodies[body]); }
+
+std::vector<int> cell_label(const Structure& structure, int cell) { return label(structure.cells[cell]); }
 
 std::optional<int> Structure::body_at(Vertex v) const {
   const auto it = std::lower_bound(bodies.begin(), bodies.end(), v);
