@@ -84,7 +84,7 @@ class DrivenHinge final : public Actuator {
   std::vector<btGeneric6DofSpring2Constraint*> joints() const override { return {joint_.get()}; }
 
   void move_to(double theta) override {
-    angle_ = -2 * sense_ * theta;
+    angle_ = model::turn_at_theta(sense_, theta);
     set_turn(*joint_, angle_);
   }
 
@@ -109,7 +109,7 @@ class DrivenSpring final : public Actuator {
   std::vector<btGeneric6DofSpring2Constraint*> joints() const override { return {}; }
 
   void move_to(double theta) override {
-    angle_ = -2 * structure_.bodies[structure_.hinges[hinge_].lower].sense * theta;
+    angle_ = model::turn_at_theta(structure_.bodies[structure_.hinges[hinge_].lower].sense, theta);
     elastic_.drive_to(hinge_, angle_, held_stiffness);
   }
 

@@ -2,16 +2,16 @@
 
 const always = () => true;
 const hasStable = ({stable}) => stable.states.length > 1 || stable.unresolved.length > 0;
-const hasBalance = (data) => data.balance !== null;
+const hasEquilibrium = (data) => data.equilibrium !== null;
 const hasLayout = (data) => !data.kind?.hasNoLayout;
 const isTiltedDesign = (data) => !data.kind && largestTilt(data.structure) > 1e-4;
 const hasFidelity = (data) => Boolean(data.raw.target) || data.fidelity.length > 0;
 
 /** id, title, content, and when it has anything to say. */
 const GENERAL_SECTIONS = [
-  ["load", "Load and energy along the drive", loadSection, hasBalance],
+  ["load", "Load and energy along the drive", loadSection, hasEquilibrium],
   ["stable", "Stable states", stableSection, hasStable],
-  ["energy", "Where the energy is", energySection, hasBalance],
+  ["energy", "Where the energy is", energySection, hasEquilibrium],
   ["layout", "Flat layout", layoutSection, hasLayout],
   ["space", "Folded shape in 3D", spaceSection, always],
 ];

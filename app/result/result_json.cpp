@@ -33,9 +33,8 @@ Json plan_json(const Run& run) {
 
 Json structure_json(const model::Structure& s, double reach_mm) {
   Json bodies = Json::array(), hinges = Json::array(), cells = Json::array();
-  for (std::size_t b = 0; b < s.bodies.size(); ++b)
-    bodies.push_back({{"vertex", {s.bodies[b].i, s.bodies[b].j}},
-                      {"position_mm", numbers(s.rest_position(static_cast<int>(b)))}});
+  for (int b = 0; b < static_cast<int>(s.bodies.size()); ++b)
+    bodies.push_back({{"vertex", body_label(s, b)}, {"position_mm", numbers(s.rest_position(b))}});
   for (const model::Hinge& h : s.hinges)
     hinges.push_back({{"bodies", {h.lower, h.upper}},
                       {"t", h.parameters.t},
@@ -44,8 +43,8 @@ Json structure_json(const model::Structure& s, double reach_mm) {
                       {"point_mm", numbers(s.hinge_point(h))},
                       {"axis", numbers(hinge_axis(h.wall.axis, h.parameters))},
                       {"reach_mm", reach_mm}});
-  for (std::size_t c = 0; c < s.cells.size(); ++c)
-    cells.push_back({{"cell", {s.cells[c].i, s.cells[c].j}},
+  for (int c = 0; c < static_cast<int>(s.cells.size()); ++c)
+    cells.push_back({{"cell", cell_label(s, c)},
                      {"bodies", s.cell_members[c].bodies},
                      {"hinges", s.cell_members[c].hinges}});
   return {{"cell_mm", s.size.edge_mm},

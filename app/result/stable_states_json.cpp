@@ -45,7 +45,7 @@ void add_stable_states(const Run& run, Json& equilibrium) {
                         {"energy_Nmm", b.energy},
                         {"theta_rad", b.theta},
                         {"drive", b.drive},
-                        {"balanced", b.balanced}});
+                        {"balanced", b.load_vanishes}});
   equilibrium["stable_states"] = states;
   equilibrium["energy_barriers"] = barriers;
   equilibrium["unresolved_releases"] = stable.unresolved;

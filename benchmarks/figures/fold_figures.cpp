@@ -37,7 +37,7 @@ std::vector<Figure> cube() {
   const double verify = run.verification ? run.verification->distance.rms : INFINITY;
   const std::string scene = "cube, 4 x 4 x 4 cells";
   return {{scene + ": crease angles", "90 deg within 1e-6",
-           fmt::format("within {:.1e} deg, {} columns a crease", miss, net.layout.creases[0].columns),
+           fmt::format("within {:.1e} deg, {} columns a crease", miss, net.layout.creases[0].columns()),
            fold.met() && miss <= 1e-6},
           {scene + ": faces against the solid, model", "rms <= 0.02 of the edge", fmt::format("{:.1e}", rms),
            rms <= 0.02},

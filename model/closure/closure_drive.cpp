@@ -5,11 +5,11 @@
 
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
+#include "model/hinge/hinge_turn.hpp"
 
 namespace kinetix::model {
 namespace {
 
-using Eigen::Quaterniond;
 using Eigen::Vector3d;
 using Entries = std::vector<Eigen::Triplet<double>>;
 
@@ -17,8 +17,8 @@ void append(Entries& entries, int row, int column, const Vector3d& gradient) {
   for (int c = 0; c < 3; ++c) entries.emplace_back(row, column + c, gradient[c]);
 }
 
-Quaterniond relative_turn(const RestHinge& hinge, const State& state) {
-  return Quaterniond(state[hinge.lower].R.transpose() * state[hinge.upper].R);
+RelativeTurn relative_turn(const RestHinge& hinge, const State& state) {
+  return {hinge, state[hinge.lower], state[hinge.upper]};
 }
 
 Vector3d turn_since(const Pose& from, const Pose& now) {
@@ -47,12 +47,7 @@ double residual(const BodyPush& drive, const Linkage& structure, const State& st
 void append_gradient(const HingeTurn& drive, const Linkage& structure, const State& state, int row,
                      Entries& entries) {
   const RestHinge& hinge = structure.hinges[drive.hinge];
-  const Quaterniond q = relative_turn(hinge, state);
-  const Vector3d& axis = hinge.axis;
-  const double w = q.w(), along = q.vec().dot(axis);
-  const Vector3d in_upper_frame =
-      (w * (w * axis + axis.cross(q.vec())) + along * q.vec()) / (w * w + along * along);
-  const Vector3d gradient = state[hinge.upper].R * in_upper_frame;
+  const Vector3d gradient = relative_turn(hinge, state).rate_in_space();
   append(entries, row, 6 * hinge.upper, gradient);
   append(entries, row, 6 * hinge.lower, -gradient);
 }
@@ -86,9 +81,7 @@ void validate(const ClosureDrive& drive, const Linkage& structure) {
 }
 
 double hinge_turn(const Linkage& structure, const State& state, int hinge) {
-  const RestHinge& h = structure.hinges[hinge];
-  const Quaterniond q = relative_turn(h, state);
-  return std::remainder(2 * std::atan2(q.vec().dot(h.axis), q.w()), 2 * pi);
+  return relative_turn(structure.hinges[hinge], state).angle();
 }
 
 double turn_distance(const Linkage& structure, const State& a, const State& b) {

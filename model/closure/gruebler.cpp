@@ -7,7 +7,8 @@ namespace {
 
 int gruebler(int per_body, int bodies, int joints, int dofs) {
   if (bodies < 1 || joints < 0 || dofs < 0)
-    throw InvalidInput("a linkage has at least one body and no negative number of joints or freedoms");
+    throw InvalidInput(
+        "a linkage has at least one body and no negative number of joints or degrees of freedom");
   return per_body * (bodies - 1 - joints) + dofs;
 }
 

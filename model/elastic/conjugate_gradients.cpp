@@ -4,7 +4,7 @@ namespace kinetix::model {
 namespace {
 
 using Eigen::VectorXd;
-using Way = TruncatedStep::Way;
+using Outcome = TruncatedStep::Outcome;
 
 // Share of the first residual, in the norm of the preconditioner: as good as a factor of the tangent for one
 // step of Newton's method. A smaller one costs iterations that the next step makes needless.
@@ -23,18 +23,18 @@ TruncatedStep conjugate_gradients(TangentStiffness& tangent, const VectorXd& gra
     const double curvature = direction.dot(curved);
     if (!(curvature > 0)) {
       if (k > 0) direction *= x.norm() / direction.norm();
-      return {x + direction, Way::negative};
+      return {x + direction, Outcome::negative};
     }
     const double length = size / curvature;
     x += length * direction;
     residual -= length * curved;
     const VectorXd next = tangent.solve(residual);
     const double next_size = residual.dot(next);
-    if (next_size <= solved * solved * first) return {x, Way::solved};
+    if (next_size <= solved * solved * first) return {x, Outcome::solved};
     direction = next + next_size / size * direction;
     size = next_size;
   }
-  return {x, size <= good_enough * good_enough * first ? Way::solved : Way::slow};
+  return {x, size <= good_enough * good_enough * first ? Outcome::solved : Outcome::slow};
 }
 
 }  // namespace kinetix::model

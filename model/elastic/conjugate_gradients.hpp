@@ -6,13 +6,13 @@ namespace kinetix::model {
 
 /// A step of a truncated Newton method: about the minimum of g . x + x . H x / 2.
 struct TruncatedStep {
-  enum class Way {
+  enum class Outcome {
     solved,    ///< its residual is small
     negative,  ///< it ends along a direction of negative curvature, downhill
     slow,      ///< neither, after `most` iterations
   };
   Eigen::VectorXd step;  ///< rad and cell edges, as the unknowns
-  Way way = Way::slow;
+  Outcome outcome = Outcome::slow;
 };
 
 /// Preconditioned conjugate gradients after Steihaug (1983) with the tangent as it is now as H, and its last

@@ -5,8 +5,8 @@
 namespace kinetix::model {
 namespace {
 
-// k_turn by k_point edge^2: half of the default hinge's. At 1e-7 the forces that are left on the way, where states are
-// taken at rough tolerances, show as limit points of a sheet of 32 x 32 cells.
+// k_turn by k_point edge^2: half of the default hinge's. At 1e-7 the forces that are left short of the goal,
+// where states are taken at rough tolerances, show as limit points of a sheet of 32 x 32 cells.
 constexpr double soft_turning = 5e-7;
 
 /// How fast the drive's coordinate goes along a direction: cell edges or rad, by rad of theta.

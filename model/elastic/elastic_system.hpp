@@ -88,7 +88,7 @@ class ElasticSystem {
   int axis() const { return drive_.axis == Axis::x ? 0 : 1; }
   /// Place along the axis at rest of the bodies that plate 0 or 1 grips, cell edges.
   double row(int plate) const { return structure_.bodies[drive_.gripped[plate].front()].position[axis()]; }
-  double turn_at(double theta) const { return -2 * drive_.sense * theta; }
+  double turn_at(double theta) const { return turn_at_theta(drive_.sense, theta); }
 
   const Linkage structure_;
   Stiffness stiffness_;

@@ -14,8 +14,8 @@ namespace kinetix::model {
 struct EquilibriumPathOptions {
   std::optional<bool> planar;  ///< bodies move in the plane z = 0 only; default: if all hinges stand upright
   bool contact = true;         ///< walls of the structure's thickness press on each other
-  int side = 1;              ///< +1 or -1: which way to leave a bifurcation that the drive's sign leaves open
-  double first_step = 0.02;  ///< of theta, rad, (0, 0.5]
+  int side = 1;  ///< +1 or -1: to which side to leave a bifurcation that the drive's sign leaves open
+  double first_step = 0.02;             ///< of theta, rad, (0, 0.5]
   double longest_step = 0.12;           ///< rad, (0, 0.5]
   double longest_step_touching = 0.02;  ///< rad, (0, 0.5], where walls touch; a jump to another state is
                                         ///< located to this, then taken and reported
@@ -28,7 +28,7 @@ struct EquilibriumPathOptions {
   void validate() const;
 };
 
-/// One state of equilibrium on the way. Forces N or, for a driven hinge, N mm; energies N mm.
+/// One state of an equilibrium path. Forces N or, for a driven hinge, N mm; energies N mm.
 struct EquilibriumStep {
   double theta = 0;  ///< fold parameter of the drive, rad
   double drive = 0;  ///< compression of the plates, a fraction, or turn of the driven hinge, rad
@@ -79,7 +79,7 @@ struct EquilibriumPath {
 
 std::string to_string(EquilibriumPath::Stop stop);
 
-/// Follows the equilibrium of rigid bodies with elastic hinges from flat to the drive's goal, in adaptive
+/// Traces the equilibrium path of rigid bodies with elastic hinges from flat to the drive's goal, in adaptive
 /// steps of theta, by prediction along the tangent and Newton's method. Weightless. Where an equilibrium
 /// turns unstable (flat under plates, for one) the path leaves it along the exact mode of a family where the
 /// closed form is stable and has less energy, else along the lowest mode, to the side of the drive's sign

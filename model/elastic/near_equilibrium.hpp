@@ -7,7 +7,7 @@ namespace kinetix::model {
 /// Equilibria that are found without following a load from flat, so that nothing is left to the branch that a
 /// load would take there. Both give a path of one step: reached, and stable; or not_converged with the
 /// reason. They throw InvalidInput for options, stiffnesses or a drive out of range. Of the options, planar,
-/// contact, side and newton are used.
+/// contact and newton are used.
 /// @{
 
 /// The equilibrium at the drive's goal next to the closed form of a structure that moves exactly.

@@ -74,9 +74,10 @@ class Newton {
     const bool only_convex = options_.starts_convex && result_.iterations == 1;
     if (is_iterative()) {
       const TruncatedStep truncated = conjugate_gradients(tangent_, gradient_);
-      const bool negative = truncated.way == TruncatedStep::Way::negative;
+      const bool negative = truncated.outcome == TruncatedStep::Outcome::negative;
       if (negative && only_convex) return false;
-      if (truncated.way != TruncatedStep::Way::slow && try_step(truncated.step, negative, false)) return true;
+      if (truncated.outcome != TruncatedStep::Outcome::slow && try_step(truncated.step, negative, false))
+        return true;
     }
     if (attempt(0)) return true;
     if (only_convex && !tangent_.is_factorised()) return false;

@@ -7,7 +7,6 @@
 
 #include "model/base/angle.hpp"
 #include "model/closure/closure_drive.hpp"
-#include "model/elastic/energy_summit.hpp"
 #include "model/elastic/lowest_mode.hpp"
 
 namespace kinetix::model {
@@ -81,9 +80,9 @@ class Release {
 
  private:
   bool leave(State& state) {
-    const LowestMode soft = lowest_mode(tangent_);
-    if (!soft.converged || !(soft.value < 0)) return false;
-    const VectorXd along = system_.dofs().extend(soft.direction);
+    const LowestMode mode = lowest_mode(tangent_);
+    if (!mode.converged || !(mode.value < 0)) return false;
+    const VectorXd along = system_.dofs().extend(mode.direction);
     state = system_.retract(state, off_saddle / system_.length(state, along) * along);
     return true;
   }

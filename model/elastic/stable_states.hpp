@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "model/elastic/energy_summit.hpp"
+#include "model/elastic/turning_points.hpp"
 
 namespace kinetix::model {
 
@@ -13,7 +13,7 @@ struct StableState {
   double energy = 0;  ///< N mm
   double theta = 0;   ///< mean fold parameter of the upright hinges (of all where none is), rad
   HingeGaps gaps;
-  std::string how;  ///< in words: which way led there
+  std::string how;  ///< in words: what led there
 };
 
 struct StableStates {
@@ -34,7 +34,7 @@ struct StableStateOptions {
 StableStates stable_states(const Linkage& structure, const Elasticity& elasticity,
                            const std::vector<EnergyTurns>& paths, const StableStateOptions& options = {});
 
-/// The same after following these drives from flat.
+/// The same after tracing the paths of these drives from flat.
 /// @throws InvalidInput for options, stiffnesses or drives out of range
 /// @pre at least one drive, all of one linkage
 StableStates find_stable_states(const std::vector<DrivenLinkage>& drives, const Elasticity& elasticity,

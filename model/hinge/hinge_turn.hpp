@@ -6,9 +6,9 @@
 
 namespace kinetix::model {
 
-/// The turn of a hinge's upper body against its lower one about the hinge axis (rad, as hinge_turn in
-/// model/closure/closure_drive.hpp): the twist of the relative rotation, by its unit quaternion. Derivatives
-/// are by a turn of the upper body in the upper body's frame, rad.
+/// The turn of a hinge's upper body against its lower one about the hinge axis (rad, from -pi to pi): the
+/// twist of the relative rotation, by its unit quaternion. Derivatives are by a turn of the upper body in the
+/// upper body's frame, rad.
 class RelativeTurn {
  public:
   RelativeTurn(const RestHinge& hinge, const Pose& lower, const Pose& upper);

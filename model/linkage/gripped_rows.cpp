@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/linkage/probe_thetas.hpp"
+
 namespace kinetix::model {
 namespace {
 
 using Eigen::Vector3d;
 
-// Rad, near flat, halfway and far on: rows that fit at one of them by chance do not fit at all three.
-constexpr double probe_thetas[] = {0.2, 0.5, 0.9};
 constexpr double straight = 1e-14;  // width of a row over its length, squared: below, it is rounding
 constexpr double off = 1e-8;        // cell edges: a row that is meant to bend leaves its plane by far more
 

@@ -6,7 +6,7 @@ namespace kinetix::model {
 
 double LinkageDrive::theta() const {
   if (kind == Kind::plates) return branch * 2 * std::asin(std::sqrt(compression / 2));
-  return -sense * angle / 2;
+  return theta_at_turn(sense, angle);
 }
 
 }  // namespace kinetix::model

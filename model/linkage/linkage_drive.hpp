@@ -9,6 +9,12 @@
 
 namespace kinetix::model {
 
+/// Turn of a hinge about its axis at fold parameter theta, where its bodies turn by +-theta: upper body
+/// against lower one, rad. @param sense of the lower body   @param theta rad
+inline double turn_at_theta(int sense, double theta) { return -2 * sense * theta; }
+/// And back: theta, rad, at which the hinge has this turn, rad.
+inline double theta_at_turn(int sense, double turn) { return -sense * turn / 2; }
+
 /// How a linkage is driven from flat, by its bodies and hinges: what a lattice makes of a Drive.
 ///
 /// **plates**: two parallel planes normal to `axis` close in, cos(theta) times as far apart as at rest, each

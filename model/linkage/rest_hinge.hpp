@@ -15,7 +15,9 @@ struct RestHinge {
   Eigen::Vector3d axis_beta;   ///< and by beta, per rad
 };
 
-/// Whether the hinge axis stands along z at rest, to 1e-9 rad.
+/// Whether a hinge axis, a unit vector, stands along z, to 1e-9 rad.
+bool is_vertical(const Eigen::Vector3d& axis);
+/// Whether that of the hinge does at rest.
 bool is_vertical(const RestHinge& hinge);
 
 }  // namespace kinetix::model

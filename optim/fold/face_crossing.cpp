@@ -76,7 +76,7 @@ class Watch {
 
   /// Longest way over a face, with the half walls that stand out of it.
   double across_face(int face) const {
-    const targets::PlacedFace& f = folded_.layout.faces[face];
+    const model::CellRectangle& f = folded_.layout.faces[face];
     return edge() * (std::hypot(f.width, f.height) + 1);
   }
 
@@ -113,7 +113,7 @@ class Watch {
     int face = second;
     for (std::size_t k = creases.size(); k-- > 0;) {
       const targets::FoldCrease& crease = folded_.net.creases[creases[k]];
-      beyond += edge() * folded_.layout.creases[creases[k]].columns;
+      beyond += edge() * folded_.layout.creases[creases[k]].columns();
       way.beyond[k] = beyond + folded_.structure.size.height_mm;
       face = crease.first == face ? crease.second : crease.first;
       if (k > 0) beyond += across_face(face);
@@ -127,7 +127,7 @@ class Watch {
     double speed = way.length * std::sin(folded_.theta) + edge() + 2 * folded_.structure.size.thickness_mm;
     for (std::size_t k = 0; k < way.creases.size(); ++k) {
       const int c = way.creases[k];
-      speed += way.beyond[k] * fold_rate(folded_.tilt[c], folded_.layout.creases[c].columns, theta);
+      speed += way.beyond[k] * fold_rate(folded_.tilt[c], folded_.layout.creases[c].columns(), theta);
     }
     return speed;
   }

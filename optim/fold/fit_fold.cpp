@@ -208,7 +208,7 @@ class Search {
     const int a = part(pair.first), b = part(pair.second);
     const std::string who = a == b ? "of " + part_name(net.net, a)
                                    : "of " + part_name(net.net, a) + " and " + part_name(net.net, b);
-    const int columns = net.layout.creases.empty() ? 1 : net.layout.creases[0].columns;
+    const int columns = net.layout.creases.empty() ? 1 : net.layout.creases[0].columns();
     const std::string when = described(theta, net.theta);
     return {fmt::format("with {} per crease, walls {} {}", columns_text(columns), who, when),
             beside_one_crease(net.net, a, b), theta / net.theta};

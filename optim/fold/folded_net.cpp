@@ -41,7 +41,7 @@ std::vector<int> parts_of_bodies(const FoldedNet& folded) {
   std::vector<int> part(folded.structure.bodies.size(), -1);
   const targets::NetLayout& layout = folded.layout;
   for (std::size_t f = 0; f < layout.faces.size(); ++f)
-    for (const int body : face_bodies(layout.faces[f], folded.structure)) part[body] = static_cast<int>(f);
+    for (const int body : bodies_of(layout.faces[f], folded.structure)) part[body] = static_cast<int>(f);
   for (std::size_t c = 0; c < layout.creases.size(); ++c)
     for (const model::Wall& wall : bending_walls(layout.creases[c])) {
       const model::Hinge& hinge = folded.structure.hinges[*folded.structure.hinge_at(wall)];

@@ -106,104 +106,54 @@ class Unrolling {
   FoldNet net_;
 };
 
-struct Rectangle {
-  int i, j, width, height;
-  auto operator<=>(const Rectangle&) const = default;
-};
+using Rectangles = std::vector<model::CellRectangle>;
 
-/// A net as it lies flat, with a gap of one between faces.
+/// A net as it lies flat, with a gap of one cell between faces.
 struct FlatNet {
-  std::vector<Rectangle> faces;
-  std::vector<Rectangle> creases;  ///< middles of the gaps, without size
+  Rectangles faces;
+  Rectangles creases;  ///< the gaps
   auto operator<=>(const FlatNet&) const = default;
 };
 
-/// Twice the centre of the gap before `side` of a rectangle, where the whole side is the crease.
-Rectangle gap(const Rectangle& r, Side side) {
-  const int x = 2 * r.i + r.width, y = 2 * r.j + r.height;
-  switch (side) {
-    case Side::left:
-      return {x - r.width - 1, y, 0, 0};
-    case Side::right:
-      return {x + r.width + 1, y, 0, 0};
-    case Side::bottom:
-      return {x, y - r.height - 1, 0, 0};
-    case Side::top:
-      break;
-  }
-  return {x, y + r.height + 1, 0, 0};
-}
-
 FlatNet flat(const FoldNet& net) {
   FlatNet out;
-  for (const FoldFace& face : net.faces) out.faces.push_back({0, 0, face.width, face.height});
+  for (const FoldFace& face : net.faces) out.faces.push_back({{}, face.width, face.height});
   for (const FoldCrease& c : net.creases) {
-    const Rectangle& from = out.faces[c.first];
-    Rectangle& to = out.faces[c.second];
-    to.i = c.side == Side::right  ? from.i + from.width + 1
-           : c.side == Side::left ? from.i - to.width - 1
-                                  : from.i;
-    to.j = c.side == Side::top      ? from.j + from.height + 1
-           : c.side == Side::bottom ? from.j - to.height - 1
-                                    : from.j;
-    out.creases.push_back(gap(from, c.side));
+    out.faces[c.second] = out.faces[c.second].beside(out.faces[c.first], c.side, 1);
+    out.creases.push_back(gap_between(out.faces[c.first], c.side, out.faces[c.second]));
   }
   return out;
 }
 
-std::array<int, 2> bounding_rectangle(const FlatNet& net) {
-  int left = 0, right = 0, bottom = 0, top = 0;
-  for (const Rectangle& r : net.faces) {
-    left = std::min(left, r.i);
-    right = std::max(right, r.i + r.width);
-    bottom = std::min(bottom, r.j);
-    top = std::max(top, r.j + r.height);
+/// The net with each of its rectangles moved by the same motion, sorted.
+template <class Motion>
+FlatNet moved(FlatNet net, const Motion& motion) {
+  for (Rectangles* rectangles : {&net.faces, &net.creases}) {
+    for (model::CellRectangle& r : *rectangles) r = motion(r);
+    std::sort(rectangles->begin(), rectangles->end());
   }
-  return {right - left, top - bottom};
+  return net;
 }
 
-void turn(FlatNet& net) {
-  for (Rectangle& r : net.faces) r = {-r.j - r.height, r.i, r.height, r.width};
-  for (Rectangle& c : net.creases) c = {-c.j, c.i, 0, 0};
-}
-
-void mirror(FlatNet& net) {
-  for (Rectangle& r : net.faces) r.i = -r.i - r.width;
-  for (Rectangle& c : net.creases) c.i = -c.i;
-}
-
-void move_to_origin(FlatNet& net) {
-  int i = net.faces[0].i, j = net.faces[0].j;
-  for (const Rectangle& r : net.faces) {
-    i = std::min(i, r.i);
-    j = std::min(j, r.j);
-  }
-  for (Rectangle& r : net.faces) r = {r.i - i, r.j - j, r.width, r.height};
-  for (Rectangle& c : net.creases) c = {c.i - 2 * i, c.j - 2 * j, 0, 0};
+FlatNet at_origin(const FlatNet& net) {
+  const model::Cell lowest = bounds(net.faces).low;
+  return moved(net, [&](const model::CellRectangle& r) { return r.seen_from(lowest); });
 }
 
 /// The same for congruent nets.
 FlatNet canonical(FlatNet net) {
-  std::optional<FlatNet> least;
-  for (int k = 0; k < 8; ++k) {
-    FlatNet moved = net;
-    move_to_origin(moved);
-    std::sort(moved.faces.begin(), moved.faces.end());
-    std::sort(moved.creases.begin(), moved.creases.end());
-    if (!least || moved < *least) least = std::move(moved);
-    turn(net);
-    if (k == 3) mirror(net);
+  FlatNet least = at_origin(net);
+  for (int k = 1; k < 8; ++k) {
+    net = moved(net, [&](const model::CellRectangle& r) { return k == 4 ? r.mirrored() : r.turned(); });
+    least = std::min(least, at_origin(net));
   }
-  return *least;
+  return least;
 }
 
 bool overlaps(const FlatNet& net) {
-  const auto meet = [](const Rectangle& a, const Rectangle& b) {
-    return a.i <= b.i + b.width && b.i <= a.i + a.width && a.j <= b.j + b.height && b.j <= a.j + a.height;
-  };
   for (std::size_t a = 0; a < net.faces.size(); ++a)
     for (std::size_t b = 0; b < a; ++b)
-      if (meet(net.faces[a], net.faces[b])) return true;
+      if (touch(net.faces[a], net.faces[b])) return true;
   return false;
 }
 
@@ -244,8 +194,9 @@ std::vector<FoldNet> box_unfoldings(const std::array<int, 3>& edges, std::option
     if (net.faces.size() != faces.size()) continue;
     const FlatNet lying = flat(net);
     if (overlaps(lying)) continue;
-    const auto [width, height] = bounding_rectangle(lying);
-    const Score score = {folds_apart(net), width * height, std::max(width, height), chosen};
+    const model::CellRectangle whole = bounds(lying.faces);
+    const Score score = {folds_apart(net), whole.width * whole.height, std::max(whole.width, whole.height),
+                         chosen};
     const auto [it, is_new] = found.try_emplace(canonical(lying), score, net);
     if (!is_new && score < it->second.first) it->second = {score, std::move(net)};
   }

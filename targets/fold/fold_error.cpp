@@ -22,27 +22,24 @@ struct FacePlane {
   Matrix3d axes = Matrix3d::Identity();
   Vector3d origin = Vector3d::Zero();  ///< of lattice vertex (0, 0)
 
-  Vector3d at(double i, double j, double pitch) const {
-    return origin + pitch * (i * axes.col(0) + j * axes.col(1));
+  /// @param place cell edges   @param pitch mm
+  Vector3d at(const Vector3d& place, double pitch) const {
+    return origin + pitch * (place.x() * axes.col(0) + place.y() * axes.col(1));
   }
 };
 
-/// The plane beyond a crease. @param forward towards higher columns or rows
-FacePlane beyond(const FacePlane& from, const PlacedCrease& crease, double angle, bool forward,
-                 double pitch) {
+/// The plane beyond a crease. @param side of the crease towards it
+FacePlane beyond(const FacePlane& from, const PlacedCrease& crease, double angle, Side side, double pitch) {
   const int along = crease.axis == model::Axis::x ? 0 : 1;
-  const double sign = forward ? 1 : -1;
+  const double sign = is_upper(side) ? 1 : -1;
   const Vector3d e = sign * from.axes.col(along), n = from.axes.col(2);
   FacePlane to = from;
   to.axes.col(along) = sign * (std::cos(angle) * e + std::sin(angle) * n);
   to.axes.col(2) = std::cos(angle) * n - std::sin(angle) * e;
   const Vector3d across = std::cos(angle / 2) * e + std::sin(angle / 2) * n;
-  const int near = forward ? 0 : crease.columns, far = crease.columns - near;
-  const auto at = [&](const FacePlane& plane, int step) {
-    return crease.axis == model::Axis::x ? plane.at(crease.i + step, crease.j, pitch)
-                                         : plane.at(crease.i, crease.j + step, pitch);
-  };
-  to.origin += at(from, near) + pitch * chord(angle, crease.columns) * across - at(to, far);
+  const Vector3d near = rest_place(crease.cells.corner(opposite(side))),
+                 far = rest_place(crease.cells.corner(side));
+  to.origin += from.at(near, pitch) + pitch * chord(angle, crease.columns()) * across - to.at(far, pitch);
   return to;
 }
 
@@ -54,9 +51,10 @@ std::vector<FacePlane> face_planes(const FoldNet& net, const NetLayout& layout, 
     for (std::size_t k = 0; k < net.creases.size(); ++k) {
       const FoldCrease& c = net.creases[k];
       if (placed[c.first] == placed[c.second]) continue;
-      const bool along = placed[c.first], up = c.side == Side::right || c.side == Side::top;
+      const bool along = placed[c.first];
       const int from = along ? c.first : c.second, to = along ? c.second : c.first;
-      planes[to] = beyond(planes[from], layout.creases[k], c.angle, along == up, pitch);
+      const Side side = along ? c.side : opposite(c.side);
+      planes[to] = beyond(planes[from], layout.creases[k], c.angle, side, pitch);
       placed[to] = true;
     }
   return planes;
@@ -69,7 +67,7 @@ Matrix3Xd positions(const std::vector<int>& bodies, const model::State& state) {
 }
 
 /// Mean directions of a face's lattice lines, and the normal.
-Matrix3d mean_axes(const PlacedFace& face, const Matrix3Xd& p) {
+Matrix3d mean_axes(const model::CellRectangle& face, const Matrix3Xd& p) {
   const int row = face.width + 1;
   Vector3d ex = Vector3d::Zero(), ey = Vector3d::Zero();
   for (int j = 0; j <= face.height; ++j) ex += p.col(j * row + face.width) - p.col(j * row);
@@ -85,11 +83,10 @@ double nearest_turn(double angle, double wanted) {
 }
 
 double fold_angle(const FoldCrease& crease, const Matrix3d& first, const Matrix3d& second) {
-  const bool along_x = across(crease.side) == model::Axis::x,
-             up = crease.side == Side::right || crease.side == Side::top;
+  const bool along_x = across(crease.side) == model::Axis::x;
   const Vector3d line =
       along_x ? Vector3d(-(first.col(1) + second.col(1))) : Vector3d(first.col(0) + second.col(0));
-  const double sign = up ? 1 : -1;
+  const double sign = is_upper(crease.side) ? 1 : -1;
   const double angle = std::atan2(sign * first.col(2).cross(second.col(2)).dot(line.normalized()),
                                   first.col(2).dot(second.col(2)));
   return nearest_turn(angle, crease.angle);
@@ -106,11 +103,10 @@ std::vector<Matrix3Xd> ideal_faces(const FoldNet& net, const NetLayout& layout, 
   const std::vector<FacePlane> planes = face_planes(net, layout, pitch);
   std::vector<Matrix3Xd> faces;
   for (std::size_t f = 0; f < planes.size(); ++f) {
-    const PlacedFace& face = layout.faces[f];
-    Matrix3Xd& p = faces.emplace_back(3, (face.width + 1) * (face.height + 1));
+    const auto vertices = layout.faces[f].rows_of_vertices();
+    Matrix3Xd& p = faces.emplace_back(3, vertices.size());
     Eigen::Index k = 0;
-    for (int j = 0; j <= face.height; ++j)
-      for (int i = 0; i <= face.width; ++i) p.col(k++) = planes[f].at(face.i + i, face.j + j, pitch);
+    for (const auto& vertex : vertices) p.col(k++) = planes[f].at(rest_place(vertex), pitch);
   }
   return faces;
 }
@@ -123,8 +119,7 @@ int open_crease(const FoldNet& net, const NetLayout& layout) {
     const std::vector<FacePlane> planes = face_planes(folding, layout, 1.0);
     for (std::size_t k = 0; k < net.creases.size(); ++k) {
       const FoldCrease& c = folding.creases[k];
-      const bool up = c.side == Side::right || c.side == Side::top;
-      const FacePlane asked = beyond(planes[c.first], layout.creases[k], c.angle, up, 1.0);
+      const FacePlane asked = beyond(planes[c.first], layout.creases[k], c.angle, c.side, 1.0);
       const FacePlane& placed = planes[c.second];
       if ((asked.axes - placed.axes).norm() + (asked.origin - placed.origin).norm() >
           closed * static_cast<double>(layout.cells.size()))
@@ -145,8 +140,8 @@ FoldError fold_error(const FoldNet& net, const NetLayout& layout, const model::S
   std::vector<Matrix3Xd> actual;
   std::vector<Matrix3d> axes;
   Eigen::Index vertices = 0;
-  for (const PlacedFace& face : layout.faces) {
-    actual.push_back(positions(face_bodies(face, structure), state));
+  for (const model::CellRectangle& face : layout.faces) {
+    actual.push_back(positions(bodies_of(face, structure), state));
     axes.push_back(mean_axes(face, actual.back()));
     vertices += actual.back().cols();
   }

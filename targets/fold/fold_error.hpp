@@ -13,7 +13,7 @@ namespace kinetix::targets {
 /// degrees. @param angle phi, rad @return pitches
 double edge_inset(double angle, int columns);
 
-/// Positions, mm, of the vertices of each face (as face_bodies orders them) on the ideal solid: flat faces of
+/// Positions, mm, of the vertices of each face (as bodies_of orders them) on the ideal solid: flat faces of
 /// pitch `pitch`, mm, placed by the net's angles. The first face lies in the plane z = 0.
 std::vector<Eigen::Matrix3Xd> ideal_faces(const FoldNet& net, const NetLayout& layout, double pitch);
 

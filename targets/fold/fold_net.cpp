@@ -50,38 +50,6 @@ std::vector<bool> reached(const FoldNet& net) {
 
 }  // namespace
 
-std::string to_string(Side side) {
-  switch (side) {
-    case Side::left:
-      return "left";
-    case Side::right:
-      return "right";
-    case Side::bottom:
-      return "bottom";
-    case Side::top:
-      break;
-  }
-  return "top";
-}
-
-Side opposite(Side side) {
-  switch (side) {
-    case Side::left:
-      return Side::right;
-    case Side::right:
-      return Side::left;
-    case Side::bottom:
-      return Side::top;
-    case Side::top:
-      break;
-  }
-  return Side::bottom;
-}
-
-model::Axis across(Side side) {
-  return side == Side::left || side == Side::right ? model::Axis::x : model::Axis::y;
-}
-
 std::string crease_name(const FoldNet& net, const FoldCrease& crease) {
   return net.faces[crease.first].name + "-" + net.faces[crease.second].name;
 }

@@ -3,17 +3,12 @@
 #include <string>
 #include <vector>
 
-#include "model/lattice/square/structure.hpp"
+#include "model/lattice/square/cell_rectangle.hpp"
 
 namespace kinetix::targets {
 
-/// The way from one face to its neighbour in the flat net.
-enum class Side { left, right, bottom, top };
-
-std::string to_string(Side side);
-Side opposite(Side side);
-/// Axis along which the crease's columns follow one another: x for left and right.
-model::Axis across(Side side);
+/// The way from one face to its neighbour in the flat net; the crease's columns follow one another across it.
+using model::Side;
 
 /// A flat rectangle of basic cells.
 struct FoldFace {

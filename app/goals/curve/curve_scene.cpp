@@ -68,7 +68,7 @@ class CurveScene final : public Scene {
     curve->solver = search.solver;
     curve->found = fit_free_curve(file_.curve, variables_of(file_), file_.size, search);
     curve->violations = violations(curve->found, file_.shape_tolerance);
-    run.structure = make_structure(model::rectangle(file_.columns, file_.rows), file_.size);
+    run.structure = model::make_sheet(file_.columns, file_.rows, file_.size);
     apply(curve->found.design.design, run.structure);
     run.theta = curve->found.design.design.theta;
     run.goal = std::move(curve);

@@ -6,6 +6,7 @@
 
 #include "app/goals/display/display_pictures.hpp"
 #include "app/run/run.hpp"
+#include "targets/display/panel_levels.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -10,6 +10,7 @@
 #include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/physics_settings.hpp"
 #include "app/run/stopwatch.hpp"
+#include "targets/display/panel_levels.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -99,7 +100,7 @@ class DisplayScene final : public Scene {
     display->options = search_of(file_, elasticity(), options);
     check_memory({file_.goal.columns, file_.goal.rows}, options.threads,
                  display->options.starts * static_cast<int>(file_.axes.size()), memory_of_machine());
-    run.structure = make_structure(model::rectangle(file_.goal.columns, file_.goal.rows), file_.size);
+    run.structure = model::make_sheet(file_.goal.columns, file_.goal.rows, file_.size);
     display->tolerances = tolerances_of(file_);
     display->goal = file_.goal;
     display->channel = file_.channel;

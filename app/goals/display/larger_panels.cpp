@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "targets/display/panel_levels.hpp"
+
 namespace kinetix::app {
 namespace {
 
@@ -25,7 +27,7 @@ std::vector<targets::PanelSize> larger_sizes(targets::PanelSize asked) {
 bool shows(const DisplayFile& file, const targets::DisplayGoal& goal, const optim::DisplayOptions& options,
            const std::function<void(const std::string&, double)>& progress) {
   const targets::PanelSize size = {goal.columns, goal.rows};
-  const model::Structure panel = make_structure(model::rectangle(size[0], size[1]), file.size);
+  const model::Structure panel = model::make_sheet(size[0], size[1], file.size);
   const auto told = [&](const std::string&, double done) {
     if (progress) progress(fmt::format("{} x {}", size[0], size[1]), done);
   };
@@ -34,12 +36,6 @@ bool shows(const DisplayFile& file, const targets::DisplayGoal& goal, const opti
 }
 
 }  // namespace
-
-std::vector<double> levels_of(const targets::DisplayGoal& goal, const model::Structure& panel) {
-  std::vector<double> levels;
-  for (const model::Cell& cell : panel.cells) levels.push_back(goal.level(cell.i, cell.j));
-  return levels;
-}
 
 std::vector<std::string> violations(const DisplayFile& file, const targets::DisplayScore& score, double rank,
                                     const std::string& who) {

@@ -25,7 +25,4 @@ std::vector<std::string> violations(const DisplayFile& file, const targets::Disp
 LargerPanels search_larger_panels(const DisplayFile& file, const optim::DisplayOptions& options,
                                   const std::function<void(const std::string&, double)>& progress);
 
-/// The level of each of the panel's cells, [0, 1].
-std::vector<double> levels_of(const targets::DisplayGoal& goal, const model::Structure& panel);
-
 }  // namespace kinetix::app

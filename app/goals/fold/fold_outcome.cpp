@@ -22,9 +22,9 @@ Json faces_json(const FoldOutcome& fold) {
   const optim::FoldedNet& net = fold.design.folded;
   Json faces = Json::array();
   for (std::size_t f = 0; f < net.net.faces.size(); ++f) {
-    const targets::PlacedFace& placed = net.layout.faces[f];
+    const model::CellRectangle& placed = net.layout.faces[f];
     faces.push_back({{"name", net.net.faces[f].name},
-                     {"cell", {placed.i, placed.j}},
+                     {"cell", label(placed.low)},
                      {"cells", {placed.width, placed.height}},
                      {"rms", net.error.face_rms[f]}});
     if (fold.physics) faces.back()["rms_physics"] = fold.physics->face_rms[f];
@@ -35,13 +35,12 @@ Json faces_json(const FoldOutcome& fold) {
 Json crease_json(const FoldOutcome& fold, std::size_t c) {
   const optim::FoldedNet& net = fold.design.folded;
   const targets::PlacedCrease& placed = net.layout.creases[c];
-  const bool along_x = placed.axis == model::Axis::x;
   Json out = {{"name", crease_name(net.net, net.net.creases[c])},
               {"faces", {net.net.creases[c].first, net.net.creases[c].second}},
-              {"axis", along_x ? "x" : "y"},
-              {"cell", {placed.i, placed.j}},
-              {"cells", {along_x ? placed.columns : placed.length, along_x ? placed.length : placed.columns}},
-              {"columns", placed.columns},
+              {"axis", placed.axis == model::Axis::x ? "x" : "y"},
+              {"cell", label(placed.cells.low)},
+              {"cells", {placed.cells.width, placed.cells.height}},
+              {"columns", placed.columns()},
               {"angle_deg", to_degrees(net.net.creases[c].angle)},
               {"fold_deg", to_degrees(net.error.fold[c])},
               {"tilt_deg", to_degrees(net.tilt[c])}};
@@ -62,7 +61,8 @@ std::array<double, 3> box_edges(const FoldOutcome& fold) {
   const double pitch = net.structure.size.edge_mm * std::cos(net.theta);
   std::array<double, 3> edges;
   for (int k = 0; k < 3; ++k)
-    edges[k] = pitch * ((*fold.goal.box)[k] + 2 * targets::edge_inset(pi / 2, net.layout.creases[0].columns));
+    edges[k] =
+        pitch * ((*fold.goal.box)[k] + 2 * targets::edge_inset(pi / 2, net.layout.creases[0].columns()));
   return edges;
 }
 
@@ -82,8 +82,8 @@ std::string in_words(const targets::FoldNet& net, const targets::FoldError& erro
 std::string columns_in_words(const targets::NetLayout& layout) {
   int least = targets::max_crease_columns, most = 0;
   for (const targets::PlacedCrease& crease : layout.creases) {
-    least = std::min(least, crease.columns);
-    most = std::max(most, crease.columns);
+    least = std::min(least, crease.columns());
+    most = std::max(most, crease.columns());
   }
   if (least >= most) return fmt::format("{} {}", most, most == 1 ? "column" : "columns");
   return fmt::format("{} to {} columns", least, most);

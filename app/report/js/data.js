@@ -120,17 +120,17 @@ function kindOf(raw) {
 }
 
 /** How the folded shape is best seen: goals say so; a design alone is a strip, a panel or a net. */
-function viewFor(kind, raw, balance) {
+function viewFor(kind, raw, equilibrium) {
   if (kind) return kind.view;
   const {family} = dictionary(raw.plan);
-  if (family === "F1" || balance?.planar) return "top";
+  if (family === "F1" || equilibrium?.planar) return "top";
   return family !== "none" ? "side" : "slant";
 }
 
 function readResult(raw) {
   const structure = readStructure(dictionary(raw.structure));
   const metrics = dictionary(raw.metrics), tolerance = dictionary(raw.tolerance);
-  const optimiser = dictionary(raw.optimiser), balance = readBalance(raw.equilibrium);
+  const optimiser = dictionary(raw.optimiser), equilibrium = readEquilibrium(raw.equilibrium);
   const kind = kindOf(raw), states = readStates(raw.states, structure);
   return {
     raw,
@@ -141,8 +141,8 @@ function readResult(raw) {
     tolerance,
     optimiser,
     name: typeof raw.name === "string" && raw.name ? raw.name : "Unnamed result",
-    view: viewFor(kind, raw, balance),
-    balance,
+    view: viewFor(kind, raw, equilibrium),
+    equilibrium,
     stable: readStable(raw.equilibrium, structure),
     states: kind?.place?.(raw, states) ?? states,
     verdict: readVerdict(metrics, tolerance),

@@ -32,7 +32,7 @@ function designVerdict(data) {
 /** {mark, tone, title, text} */
 function verdict(data) {
   if (data.kind) return data.kind.verdict(data);
-  return data.balance ? balanceVerdict(data) : designVerdict(data);
+  return data.equilibrium ? equilibriumVerdict(data) : designVerdict(data);
 }
 
 function keyNumber(name, value, note) {
@@ -67,10 +67,10 @@ function angleNumber(metrics) {
 }
 
 function timeNumber(data) {
-  if (data.balance && finite(data.timing.balance) !== null)
+  if (data.equilibrium && finite(data.timing.balance) !== null)
     return keyNumber(
         "Time to trace the path", duration(data.timing.balance),
-        count(data.balance.path.length - 1, "step", "steps"));
+        count(data.equilibrium.path.length - 1, "step", "steps"));
   const seconds = finite(data.timing.optimise);
   if (seconds === null || !data.raw.target) return null;
   const tries = finite(data.optimiser.evaluations);
@@ -81,7 +81,7 @@ function keyNumbers(data) {
   const {verify_rms: verify, hinge_gap_max: gap} = data.metrics;
   const numbers = [
     ...(data.kind?.numbers(data) ?? []),
-    ...balanceNumbers(data),
+    ...equilibriumNumbers(data),
     finite(verify) !== null &&
         keyNumber(
             "Physics against model", millimetres(verify * data.structure.cell),

@@ -83,9 +83,9 @@ function planGroup(data) {
       why.length ? html("ul", {class: "why"}, why.map((line) => html("li", {}, line))) : null);
 }
 
-function stiffnessGroup({balance}) {
-  if (!balance) return null;
-  const {k_point: point, k_turn: turn, reach_mm: reach, k_contact: contact} = balance.stiffness;
+function stiffnessGroup({equilibrium}) {
+  if (!equilibrium) return null;
+  const {k_point: point, k_turn: turn, reach_mm: reach, k_contact: contact} = equilibrium.stiffness;
   return group("Hinges and walls", facts([
                  ["Stretch of a point", finite(point) === null ? null : `${neat(point)} N/mm`],
                  ["Rotation", finite(turn) === null ? null : `${neat(turn)} N mm/rad`],

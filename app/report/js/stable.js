@@ -28,9 +28,9 @@ function readStable(raw, structure) {
 }
 
 /** Marks of the stable states and barriers on the chart of the energy. */
-function stableMarks(axes, {balance, stable}) {
+function stableMarks(axes, {equilibrium, stable}) {
   if (stable.states.length < 2) return [];
-  const at = ({drive, energy}) => [axes.X(driveShown(balance, drive)), axes.Y(energy)];
+  const at = ({drive, energy}) => [axes.X(driveShown(equilibrium, drive)), axes.Y(energy)];
   const inside = (mark) => mark.drive !== null && at(mark)[0] >= axes.area.left - 1 &&
       at(mark)[0] <= axes.area.right + 1;
   const state = (mark) => {
@@ -73,11 +73,11 @@ function drawStable(data, index, width) {
 }
 
 function stableFigure(data, state, index) {
-  const {balance} = data;
+  const {equilibrium} = data;
   const facts = [
     `energy ${force(state.energy, "N\u00a0mm")}`,
     state.theta === null ? null : `\u03b8 ${degrees(toDegrees(state.theta))}`,
-    state.drive === null ? null : driveWords(balance, state.drive),
+    state.drive === null ? null : driveWords(equilibrium, state.drive),
     state.gap === null ? null : `hinge gap ${millimetres(state.gap * data.structure.cell)}`,
   ];
   return html(

@@ -72,6 +72,18 @@ std::vector<int> bodies_within(const Structure& structure, const std::optional<G
   return held;
 }
 
+/// All but the bodies and hinges that it drives.
+LinkageDrive settings_of(const Drive& drive) {
+  LinkageDrive out;
+  out.kind = drive.kind;
+  out.axis = drive.axis;
+  out.compression = drive.compression;
+  out.branch = drive.branch;
+  out.sense = drive.wall.from.sense();
+  out.angle = drive.angle;
+  return out;
+}
+
 Structure between(const Structure& before, const Structure& after, double part) {
   if (part >= 1) return after;
   Structure out = after;
@@ -123,10 +135,7 @@ Drive net_drive(const Structure& structure, const Classification& kind, double t
 
 }  // namespace
 
-double Drive::theta() const {
-  if (kind == Kind::plates) return branch * 2 * std::asin(std::sqrt(compression / 2));
-  return -wall.from.sense() * angle / 2;
-}
+double Drive::theta() const { return settings_of(*this).theta(); }
 
 Drive drive_to(const Structure& structure, double theta) {
   if (!(std::abs(theta) < pi / 2))
@@ -148,13 +157,7 @@ void validate(const Drive& drive, const Structure& structure) {
 LinkageDrive Drive::on(const Structure& structure) const {
   validate(*this, structure);
   validate_hinges(structure);
-  LinkageDrive out;
-  out.kind = kind;
-  out.axis = axis;
-  out.compression = compression;
-  out.branch = branch;
-  out.sense = wall.from.sense();
-  out.angle = angle;
+  LinkageDrive out = settings_of(*this);
   if (kind == Kind::hinge) {
     out.hinge = *structure.hinge_at(wall);
     return out;
@@ -179,7 +182,7 @@ Drive hinge_drive_to(const Wall& wall, double theta) {
   Drive drive;
   drive.kind = Drive::Kind::hinge;
   drive.wall = wall;
-  drive.angle = -2 * wall.from.sense() * theta;
+  drive.angle = turn_at_theta(wall.from.sense(), theta);
   return drive;
 }
 

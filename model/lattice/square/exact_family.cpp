@@ -19,7 +19,7 @@ void apply(const ExactDesign<double>& design, Structure& structure) {
 }
 
 Structure sheet_of(const ExactDesign<double>& design, const CellSize& size) {
-  Structure sheet = make_structure(rectangle(design.columns(), design.rows()), size);
+  Structure sheet = make_sheet(design.columns(), design.rows(), size);
   apply(design, sheet);
   return sheet;
 }

@@ -8,12 +8,10 @@
 #include "model/lattice/square/crease.hpp"
 #include "model/lattice/square/exact_family.hpp"
 #include "model/lattice/square/net.hpp"
+#include "model/linkage/probe_thetas.hpp"
 
 namespace kinetix::model {
 namespace {
-
-// Rad, near flat, halfway and far on: a hinge that fits at one of them by chance does not fit at all three.
-constexpr double probe_thetas[] = {0.2, 0.5, 0.9};
 
 /// Tilt and class-A fraction that most walls of a crease have.
 struct CreaseParameters {

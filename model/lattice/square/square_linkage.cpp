@@ -63,8 +63,7 @@ Structure::operator Linkage() const {
   Linkage out;
   out.size = size;
   out.bodies.reserve(bodies.size());
-  for (const Vertex& v : bodies)
-    out.bodies.push_back({{static_cast<double>(v.i), static_cast<double>(v.j), 0.0}, v.sense()});
+  for (const Vertex& v : bodies) out.bodies.push_back({rest_place(v), v.sense()});
   out.hinges.reserve(hinges.size());
   out.plates.reserve(2 * hinges.size());
   for (const Hinge& hinge : hinges) {

@@ -15,7 +15,6 @@ namespace {
 
 // Cells: a mistyped size gives a message before the memory is gone.
 constexpr std::size_t max_cells = 1'000'000;
-constexpr double vertical = 1e-9;  // rad from z: far above rounding, far below any tilt that is meant
 // Vertices: few cells far apart are refused too, since exact families are computed on the whole lattice.
 constexpr std::int64_t max_lattice_vertices = 4'000'000;
 
@@ -95,6 +94,12 @@ std::string to_string(const Wall& wall) {
   return "[" + to_string(wall.from) + ", " + to_string(wall.to()) + "]";
 }
 
+std::vector<int> label(Vertex v) { return {v.i, v.j}; }
+
+std::vector<int> label(const Cell& c) { return {c.i, c.j}; }
+
+Eigen::Vector3d rest_place(Vertex v) { return {static_cast<double>(v.i), static_cast<double>(v.j), 0.0}; }
+
 std::vector<Cell> rectangle(int columns, int rows) {
   std::vector<Cell> cells;
   cells.reserve(static_cast<std::size_t>(columns) * rows);
@@ -130,6 +135,14 @@ Structure make_structure(std::vector<Cell> cells, const CellSize& size) {
   check_connected(s);
   return s;
 }
+
+Structure make_sheet(int columns, int rows, const CellSize& size) {
+  return make_structure(rectangle(columns, rows), size);
+}
+
+std::vector<int> body_label(const Structure& structure, int body) { return label(structure.bodies[body]); }
+
+std::vector<int> cell_label(const Structure& structure, int cell) { return label(structure.cells[cell]); }
 
 std::optional<int> Structure::body_at(Vertex v) const {
   const auto it = std::lower_bound(bodies.begin(), bodies.end(), v);
@@ -177,9 +190,7 @@ Eigen::Vector3d hinge_axis(Axis axis, const HingeParameters& p) {
   return std::cos(p.alpha) * edge_direction(axis) + std::sin(p.alpha) * wall_up(axis, p.beta);
 }
 
-bool is_vertical(const Hinge& hinge) {
-  return hinge_axis(hinge.wall.axis, hinge.parameters).head<2>().norm() <= vertical;
-}
+bool is_vertical(const Hinge& hinge) { return is_vertical(hinge_axis(hinge.wall.axis, hinge.parameters)); }
 
 bool all_vertical(const Structure& structure) {
   return std::all_of(structure.hinges.begin(), structure.hinges.end(),

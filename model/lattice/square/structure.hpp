@@ -49,6 +49,13 @@ std::string to_string(Vertex vertex);
 std::string to_string(const Cell& cell);
 std::string to_string(const Wall& wall);
 
+/// The same as integers, as they stand in result.json: {i, j}.
+std::vector<int> label(Vertex vertex);
+std::vector<int> label(const Cell& cell);
+
+/// Where a vertex lies at rest, cell edges.
+Eigen::Vector3d rest_place(Vertex vertex);
+
 struct Hinge {
   Wall wall;
   int lower = 0;  ///< index of the body on wall.from
@@ -92,6 +99,12 @@ Structure make_structure(std::vector<Cell> cells, const CellSize& size);
 
 /// columns x rows cells from (0, 0), sorted. @pre both are at least 1
 std::vector<Cell> rectangle(int columns, int rows);
+/// The structure of these cells. @throws InvalidInput as make_structure
+Structure make_sheet(int columns, int rows, const CellSize& size);
+
+/// What results call a body and a cell, by their indices: as many integers as the lattice needs.
+std::vector<int> body_label(const Structure& structure, int body);
+std::vector<int> cell_label(const Structure& structure, int cell);
 
 /// @throws InvalidInput, naming wall and value, for hinge parameters outside their ranges (NaN included)
 void validate_hinges(const Structure& structure);

@@ -1,7 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "model/elastic/branch.hpp"
+#include "model/elastic/closed_form.hpp"
 #include "model/elastic/equilibrium_path.hpp"
+#include "model/elastic/newton.hpp"
 #include "tests/support/elastic_runs.hpp"
 #include "tests/support/paper_scenes.hpp"
 
@@ -18,7 +19,7 @@ constexpr double degree = radians_per_degree;  // rad, so that angles below read
 bool folds(const Structure& s, double theta, const Elasticity& elasticity) {
   const ExactMotion exact = exact_motion(s);
   ElasticSystem system(s, elasticity, drive_to(s, theta).on(s), false, false);
-  State state = *Branch(system, exact, theta, 1).exact_state(theta);
+  State state = *ClosedForm(system, exact).at(theta);
   TangentStiffness tangent(system.dofs());
   const NewtonResult result = minimise(system, theta, {}, state, tangent);
   return result.converged && result.stable && from_closed_form(s, state, theta) <= 1e-2;
@@ -37,7 +38,7 @@ Structure bending_by_half_a_degree(int cells) {
   return alternating(cells, 1, {.beta = 0.5 * degree}, basic_unit);
 }
 
-EquilibriumPath followed(const Structure& s, double k_turn, int side = 1) {
+EquilibriumPath traced(const Structure& s, double k_turn, int side = 1) {
   EquilibriumPathOptions options = without_contact();
   options.side = side;
   return trace_equilibrium(driven(s, drive_to(s, 30 * degree)), {.k_turn = k_turn}, options);
@@ -46,7 +47,7 @@ EquilibriumPath followed(const Structure& s, double k_turn, int side = 1) {
 TEST(SlenderStrips, ShorterThanTheirTippingLengthFollowTheClosedForm) {
   const Structure s = bending_by_half_a_degree(1000);
   EXPECT_GT(tipping_length({.k_turn = 0.01}), 1000);
-  const EquilibriumPath path = followed(s, 0.01);
+  const EquilibriumPath path = traced(s, 0.01);
   ASSERT_EQ(path.stop, EquilibriumPath::Stop::reached) << path.why;
   EXPECT_LE(from_closed_form(s, path), 1e-3);
   ASSERT_TRUE(first_event(path, Kind::bifurcation));
@@ -57,7 +58,7 @@ TEST(SlenderStrips, LongerOnesTipOverToTheSideAskedForAndTellWhy) {
   const Structure s = bending_by_half_a_degree(60);
   double energy = 0, up = 0;
   for (const int side : {1, -1}) {
-    const EquilibriumPath path = followed(s, 10, side);
+    const EquilibriumPath path = traced(s, 10, side);
     ASSERT_EQ(path.stop, EquilibriumPath::Stop::reached) << path.why;
     EXPECT_TRUE(path.steps.back().stable);
     EXPECT_NE(path.why.find("off the closed form since theta"), std::string::npos) << path.why;

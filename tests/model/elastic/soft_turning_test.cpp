@@ -1,9 +1,10 @@
 #include <gtest/gtest.h>
 
+#include "model/closure/closure_drive.hpp"
 #include "model/elastic/drive_load.hpp"
 #include "model/elastic/equilibrium_path.hpp"
-#include "model/elastic/limit_points.hpp"
 #include "model/elastic/path_direction.hpp"
+#include "model/elastic/turning_points.hpp"
 #include "tests/support/elastic_runs.hpp"
 #include "tests/support/random_designs.hpp"
 
@@ -78,8 +79,11 @@ TEST(SoftTurning, BetweenPlatesFoldsToTheSideAsked) {
         trace_equilibrium(driven(s, plates_drive(axis, sign * asked_theta)), elasticity, without_contact());
     ASSERT_EQ(path.stop, Stop::reached) << path.why;
     EXPECT_TRUE(path.steps.back().stable);
-    // The springs pull the sheet off its closed form in proportion to their stiffness, and to its size squared.
-    EXPECT_LE(from_closed_form(s, path), 5 * ratio * (10 + cells * cells) + 1e-12);
+    // The springs pull the sheet off its closed form in proportion to their stiffness and its size squared.
+    const double slack = 5 * ratio * (10 + cells * cells) + 1e-12;
+    EXPECT_LE(from_closed_form(s, path), slack);
+    // Bodies of halved walls stand in the same places on both sides: how they turn tells which it is.
+    EXPECT_LE(turn_distance(s, path.state, fold(classify(s), s, path.theta)), 20 * slack);
     const double force = plates_force(s, elasticity, sign * asked_theta, 10.0 * cells);
     EXPECT_NEAR(path.steps.back().load, force, 1e-5 * force);
     for (const PathEvent& event : path.events) EXPECT_EQ(event.kind, Kind::bifurcation) << event.what;
@@ -107,6 +111,19 @@ TEST(SoftTurning, OfLargeCellsAndStiffPinsFoldsToTheSideAsked) {
         EXPECT_LE(from_closed_form(s, path), 1e-6)
             << cells << " cells of " << edge_mm << " mm, sign " << sign;
       }
+}
+
+/// Each cell may fold to a side of its own, whatever the springs.
+TEST(SoftTurning, OfTwoCellsThatShareACornerFoldsBothToTheSideAsked) {
+  const Structure s = make_structure({{0, 0}, {1, 1}}, {});
+  for (const double k_turn : {1.0, 0.1, 1e-3, 1e-7})
+    for (const int sign : {1, -1}) {
+      const EquilibriumPath path = trace_equilibrium(driven(s, plates_drive(Axis::y, sign * asked_theta)),
+                                                     {.k_turn = k_turn}, without_contact());
+      ASSERT_EQ(path.stop, Stop::reached) << path.why;
+      EXPECT_LE(turn_distance(s, path.state, fold(classify(s), s, path.theta)), 0.02)
+          << k_turn << ", " << sign;
+    }
 }
 
 /// Fifty columns that turn by 180 deg in all.

@@ -54,7 +54,7 @@ TEST(StableStates, OfATwistUnitAreFlatAndTheTwistOfEquationSix) {
     const EnergyBarrier& barrier = found.barriers[0];
     EXPECT_EQ(barrier.from, 0);
     EXPECT_EQ(barrier.to, 1);
-    EXPECT_TRUE(barrier.balanced);
+    EXPECT_TRUE(barrier.load_vanishes);
     EXPECT_GT(barrier.energy, 1e4 * found.states[1].energy);
     EXPECT_LT(barrier.energy, last) << "the less the hinges lean, the lower";
     last = barrier.energy;
@@ -101,7 +101,7 @@ TEST(StableStates, OfATwistUnitAreTheSameUnderPlatesBehindAHigherBarrier) {
   EXPECT_THAT(by_plates.states[1].how, HasSubstr("released at theta -30 deg"));
   EXPECT_LE(aligned_distance(s, by_plates.states[1].state, by_hinge.states[1].state).rms, 1e-7);
   EXPECT_GT(by_plates.barriers.at(0).energy, by_hinge.barriers.at(0).energy);
-  EXPECT_TRUE(by_plates.barriers[0].balanced);
+  EXPECT_TRUE(by_plates.barriers[0].load_vanishes);
 }
 
 TEST(StableStates, OfAStripOfTwistingUnitsHaveEveryOtherUnitTwisted) {
@@ -111,7 +111,7 @@ TEST(StableStates, OfAStripOfTwistingUnitsHaveEveryOtherUnitTwisted) {
   ASSERT_EQ(found.states.size(), 2u);
   EXPECT_NEAR(found.states[1].theta, 45 * degree, 1e-5);
   EXPECT_LE(found.states[1].gaps.max, 1e-7);
-  EXPECT_TRUE(found.barriers.at(0).balanced);
+  EXPECT_TRUE(found.barriers.at(0).load_vanishes);
 }
 
 TEST(StableStates, AReleaseThatDoesNotComeToRestSaysSo) {
@@ -121,50 +121,6 @@ TEST(StableStates, AReleaseThatDoesNotComeToRestSaysSo) {
   EXPECT_EQ(found.states.size(), 1u);
   EXPECT_THAT(found.unresolved, ElementsAre(HasSubstr("no stable state after 2 iterations, force ")));
   EXPECT_THAT(found.barriers, IsEmpty());
-}
-
-EquilibriumStep at(double drive, double load, double energy) {
-  EquilibriumStep step;
-  step.theta = step.drive = drive;
-  step.load = load;
-  step.energy = energy;
-  return step;
-}
-
-/// Maximum or minimum, and the drive before and after.
-using Turn = std::tuple<bool, double, double>;
-
-std::vector<Turn> turns(const std::vector<EquilibriumStep>& steps) {
-  EnergyTurns seen{LinkageDrive{}};
-  for (const EquilibriumStep& step : steps) seen.see(step, {});
-  std::vector<Turn> found;
-  for (const EnergyTurn& turn : seen.turns())
-    found.emplace_back(turn.maximum, turn.before.step.drive, turn.after.step.drive);
-  return found;
-}
-
-TEST(EnergyTurns, AreWhereTheLoadChangesItsSign) {
-  const std::vector<EquilibriumStep> up_down_up = {at(0, 0, 0), at(1, 2, 1), at(2, -1, 2), at(3, -2, 1),
-                                                   at(4, 1, 1)};
-  EXPECT_THAT(turns(up_down_up), ElementsAre(Turn{true, 1, 2}, Turn{false, 3, 4}));
-  const std::vector<EquilibriumStep> backwards = {at(0, 0, 0), at(-1, -2, 1), at(-2, 1, 2)};
-  EXPECT_THAT(turns(backwards), ElementsAre(Turn{true, -1, -2}));
-  EXPECT_THAT(turns({at(0, 0, 0), at(1, 1, 1), at(2, 2, 3)}), IsEmpty());
-}
-
-TEST(EnergyTurns, AJumpDownBetweenRisingEnergiesIsAMaximumAndAMinimum) {
-  EXPECT_THAT(turns({at(0, 0, 0), at(1, 1, 1), at(2, 1, 0.5), at(3, 1, 1.5)}),
-              ElementsAre(Turn{true, 1, 2}, Turn{false, 1, 2}));
-}
-
-TEST(EnergySummit, OfAJumpIsTheStateBeforeItAndNotBalanced) {
-  const Structure s = twist_unit(60 * degree);
-  const EnergyTurn jump{true, {at(0.1, 1, 5), rest_state(s)}, {at(0.2, 1, 2), rest_state(s)}};
-  const EnergyBarrier barrier = energy_summit(s, loose, search_drives(s, 1)[0].on(s), {}, jump);
-  EXPECT_EQ(barrier.energy, 5);
-  EXPECT_EQ(barrier.theta, 0.1);
-  EXPECT_EQ(barrier.drive, 0.1);
-  EXPECT_FALSE(barrier.balanced);
 }
 
 }  // namespace

@@ -66,7 +66,7 @@ TEST(FitFold, TakesNoTiltsThatMakeWallsTouchWhenFlat) {
 TEST(FitFold, SpreadsASteeperFoldOverMoreColumns) {
   const FoldDesign design = fit_fold(net_goal(pair_of_faces(150 * degree)), options());
   ASSERT_TRUE(design.folds);
-  EXPECT_GE(design.folded.layout.creases[0].columns, 3);
+  EXPECT_GE(design.folded.layout.creases[0].columns(), 3);
   EXPECT_NEAR(design.folded.error.fold[0], 150 * degree, 1e-12);
 }
 
@@ -79,8 +79,8 @@ TEST(FitFold, FoldsToTheAskedSideOnEverySideOfAFace) {
       EXPECT_NEAR(design.folded.error.fold[0], angle * degree, 1e-12);
       EXPECT_LE(design.folded.error.rms, 1e-13);
       const model::State state = fold_net(design.folded.tree, design.folded.structure, design.folded.theta);
-      const double height = state[*design.folded.structure.body_at(
-                                      {design.folded.layout.faces[1].i, design.folded.layout.faces[1].j})]
+      const double height = state[*design.folded.structure.body_at({design.folded.layout.faces[1].low.i,
+                                                                    design.folded.layout.faces[1].low.j})]
                                 .p.z();
       EXPECT_GT(height * angle, 0) << "positive folds towards +z";
     }
@@ -89,7 +89,7 @@ TEST(FitFold, FoldsToTheAskedSideOnEverySideOfAFace) {
 TEST(FitFold, LaysAFlatCreaseFlat) {
   const FoldDesign design = fit_fold(net_goal(pair_of_faces(0)), options());
   ASSERT_TRUE(design.folds);
-  EXPECT_EQ(design.folded.layout.creases[0].columns, 1);
+  EXPECT_EQ(design.folded.layout.creases[0].columns(), 1);
   EXPECT_EQ(design.folded.tilt[0], 0);
 }
 

@@ -41,6 +41,22 @@ TEST(Structure, RectangleHasOneBodyAVertexAndOneHingeAWall) {
   EXPECT_EQ(s.hinges.size(), 7u * 5u + 8u * 4u);
 }
 
+TEST(Structure, SheetIsTheStructureOfARectangle) {
+  const Structure a = make_sheet(4, 3, {20, 1, 5}), b = make_structure(rectangle(4, 3), {20, 1, 5});
+  EXPECT_EQ(a.cells, b.cells);
+  EXPECT_EQ(a.bodies, b.bodies);
+  EXPECT_EQ(a.size.edge_mm, 20);
+}
+
+TEST(Structure, LabelsBodiesAndCellsByColumnAndRow) {
+  const Structure s = make_structure({{1, 0}, {1, 1}, {2, 1}}, {});
+  for (int b = 0; b < static_cast<int>(s.bodies.size()); ++b)
+    EXPECT_THAT(body_label(s, b), ElementsAre(s.bodies[b].i, s.bodies[b].j));
+  EXPECT_THAT(cell_label(s, 0), ElementsAre(1, 0));
+  EXPECT_THAT(cell_label(s, 2), ElementsAre(2, 1));
+  EXPECT_EQ(rest_place({2, 1}), Eigen::Vector3d(2, 1, 0));
+}
+
 TEST(Structure, DoesNotDependOnTheOrderOfItsCells) {
   const Structure a = make_structure({{0, 0}, {1, 0}, {1, 1}}, {}),
                   b = make_structure({{1, 1}, {0, 0}, {1, 0}}, {});

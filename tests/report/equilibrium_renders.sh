@@ -1,5 +1,5 @@
 #!/bin/sh
-# balance_renders.sh KINETIX_OPT: the report of an equilibrium, with and without a physics run, drawn in a browser.
+# equilibrium_renders.sh KINETIX_OPT: the report of an equilibrium, with and without a physics run, drawn in a browser.
 set -eu
 . "$(dirname "$0")/browser.sh"
 program=$1
@@ -37,4 +37,4 @@ drawn load 'barrier A–B'
 drawn load 'load peaks'
 drawn stable 'aria-label="Stable state B"'
 drawn stable 'Between A and B the energy rises to'
-echo "balance_renders: all sections are drawn"
+echo "equilibrium_renders: all sections are drawn"

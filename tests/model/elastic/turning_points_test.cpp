@@ -1,4 +1,4 @@
-#include "model/elastic/limit_points.hpp"
+#include "model/elastic/turning_points.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -78,6 +78,51 @@ TEST(LimitPoints, OfATwistUnitAreOnBothSidesOfItsBarrier) {
   EXPECT_GT(events[0].at.theta, -pi / 8);
   EXPECT_LT(events[1].at.theta, -pi / 8);
   EXPECT_LT(events[0].at.load * events[1].at.load, 0);
+}
+
+EquilibriumStep at(double drive, double load, double energy) {
+  EquilibriumStep step;
+  step.theta = step.drive = drive;
+  step.load = load;
+  step.energy = energy;
+  return step;
+}
+
+/// Maximum or minimum, and the drive before and after.
+using Turn = std::tuple<bool, double, double>;
+
+std::vector<Turn> turns(const std::vector<EquilibriumStep>& steps) {
+  EnergyTurns seen{LinkageDrive{}};
+  for (const EquilibriumStep& step : steps) seen.see(step, {});
+  std::vector<Turn> found;
+  for (const EnergyTurn& turn : seen.turns())
+    found.emplace_back(turn.maximum, turn.before.step.drive, turn.after.step.drive);
+  return found;
+}
+
+TEST(EnergyTurns, AreWhereTheLoadChangesItsSign) {
+  const std::vector<EquilibriumStep> up_down_up = {at(0, 0, 0), at(1, 2, 1), at(2, -1, 2), at(3, -2, 1),
+                                                   at(4, 1, 1)};
+  EXPECT_THAT(turns(up_down_up), ElementsAre(Turn{true, 1, 2}, Turn{false, 3, 4}));
+  const std::vector<EquilibriumStep> backwards = {at(0, 0, 0), at(-1, -2, 1), at(-2, 1, 2)};
+  EXPECT_THAT(turns(backwards), ElementsAre(Turn{true, -1, -2}));
+  EXPECT_THAT(turns({at(0, 0, 0), at(1, 1, 1), at(2, 2, 3)}), IsEmpty());
+}
+
+TEST(EnergyTurns, AJumpDownBetweenRisingEnergiesIsAMaximumAndAMinimum) {
+  EXPECT_THAT(turns({at(0, 0, 0), at(1, 1, 1), at(2, 1, 0.5), at(3, 1, 1.5)}),
+              ElementsAre(Turn{true, 1, 2}, Turn{false, 1, 2}));
+}
+
+TEST(EnergySummit, OfAJumpIsTheStateBeforeItWhereTheLoadDoesNotVanish) {
+  const CellTuple unit{.A_in = {pi / 2, pi / 3, pi / 2, pi / 3}};
+  const Structure s = tiled(1, 1, unit, unit);
+  const EnergyTurn jump{true, {at(0.1, 1, 5), rest_state(s)}, {at(0.2, 1, 2), rest_state(s)}};
+  const EnergyBarrier barrier = energy_summit(s, {.k_turn = 1e-5}, search_drives(s, 1)[0].on(s), {}, jump);
+  EXPECT_EQ(barrier.energy, 5);
+  EXPECT_EQ(barrier.theta, 0.1);
+  EXPECT_EQ(barrier.drive, 0.1);
+  EXPECT_FALSE(barrier.load_vanishes);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ function readEnergies(raw) {
 }
 
 /** The section `equilibrium` of a result, or null. */
-function readBalance(raw) {
+function readEquilibrium(raw) {
   const path = list(raw?.path).filter((step) => finite(step?.drive) !== null && finite(step.load) !== null);
   if (!path.length) return null;
   const events =
@@ -50,29 +50,29 @@ function force(value, unit) {
   return `${figures(value)}${SPACE}${unit}`;
 }
 
-function driveWords(balance, drive) {
-  return balance.byPlates ? `${percent(drive)} compression` : `${degrees(toDegrees(drive))} rotation`;
+function driveWords(equilibrium, drive) {
+  return equilibrium.byPlates ? `${percent(drive)} compression` : `${degrees(toDegrees(drive))} rotation`;
 }
 
 /** Of the drive, as its axis shows it: percent, or degrees. */
-function driveShown(balance, drive) {
-  return balance.byPlates ? 100 * drive : toDegrees(drive);
+function driveShown(equilibrium, drive) {
+  return equilibrium.byPlates ? 100 * drive : toDegrees(drive);
 }
 
 /** {mark, tone, title, text} */
-function balanceVerdict(data) {
-  const {balance} = data, load = force(balance.last.load, balance.unit);
-  const reached = balance.stop === "reached";
-  const held = `${balance.byPlates ? "The plates press with" : "The driven hinge holds"} ${load} at ${
-      driveWords(
-          balance, balance.last.drive)}; the hinges store ${force(balance.last.energy_Nmm, "N\u00a0mm")}.`;
+function equilibriumVerdict(data) {
+  const {equilibrium} = data, load = force(equilibrium.last.load, equilibrium.unit);
+  const reached = equilibrium.stop === "reached";
+  const held = `${equilibrium.byPlates ? "The plates press with" : "The driven hinge holds"} ${load} at ${
+      driveWords(equilibrium, equilibrium.last.drive)}; the hinges store ${
+      force(equilibrium.last.energy_Nmm, "N\u00a0mm")}.`;
   const {verified} = data.verdict, hasRun = Boolean(data.physics.status);
   if (!reached)
     return {
       mark: "\u2715",
       tone: "bad",
-      title: `The drive ${STOPS[balance.stop] ?? words(balance.stop)}`,
-      text: `${held} It says: ${balance.why}`
+      title: `The drive ${STOPS[equilibrium.stop] ?? words(equilibrium.stop)}`,
+      text: `${held} It says: ${equilibrium.why}`
     };
   if (hasRun && verified === false)
     return {
@@ -89,21 +89,22 @@ function balanceVerdict(data) {
   };
 }
 
-function balanceNumbers(data) {
-  const {balance, metrics} = data;
-  if (!balance) return [];
-  const sum = (part) => balance.energies.reduce((total, e) => total + (e[part] ?? 0), 0);
-  const stretch = sum("stretch"), turn = sum("turn"), rest = balance.last.energy_Nmm - stretch - turn;
+function equilibriumNumbers(data) {
+  const {equilibrium, metrics} = data;
+  if (!equilibrium) return [];
+  const sum = (part) => equilibrium.energies.reduce((total, e) => total + (e[part] ?? 0), 0);
+  const stretch = sum("stretch"), turn = sum("turn"), rest = equilibrium.last.energy_Nmm - stretch - turn;
   const shares =
       [[stretch, "stretch"], [turn, "rotation"], [rest, "walls pressed together"]]
-          .map(([value, name]) => [Math.round(100 * value / balance.last.energy_Nmm), name])
+          .map(([value, name]) => [Math.round(100 * value / equilibrium.last.energy_Nmm), name])
           .filter(([share]) => share > 0)
           .map(([share, name]) => `${share}${SPACE}% ${name}`);
   return [
     keyNumber(
-        balance.byPlates ? "Force on the plates" : "Moment of the drive",
-        force(balance.last.load, balance.unit), `at ${driveWords(balance, balance.last.drive)}`),
-    keyNumber("Energy", force(balance.last.energy_Nmm, "N\u00a0mm"), shares.join(", ")),
+        equilibrium.byPlates ? "Force on the plates" : "Moment of the drive",
+        force(equilibrium.last.load, equilibrium.unit),
+        `at ${driveWords(equilibrium, equilibrium.last.drive)}`),
+    keyNumber("Energy", force(equilibrium.last.energy_Nmm, "N\u00a0mm"), shares.join(", ")),
     finite(metrics.exact_rms) !== null &&
         keyNumber(
             "From the exact motion", millimetres(metrics.exact_rms * data.structure.cell),
@@ -143,8 +144,8 @@ function eventMarks(axes, events, at) {
 }
 
 function alongDrive(data, width, key, label, name) {
-  const {balance} = data, values = balance.path.map((step) => finite(step[key]) ?? 0);
-  const drives = balance.path.map((step) => driveShown(balance, step.drive));
+  const {equilibrium} = data, values = equilibrium.path.map((step) => finite(step[key]) ?? 0);
+  const drives = equilibrium.path.map((step) => driveShown(equilibrium, step.drive));
   const top = Math.max(0, ...values), bottom = Math.min(0, ...values);
   const axes = plot({
     width,
@@ -152,28 +153,28 @@ function alongDrive(data, width, key, label, name) {
     label: name,
     x: {
       range: [Math.min(0, ...drives), Math.max(...drives, 1e-9)],
-      label: balance.byPlates ? "compression of the plates, %" : "rotation of the driven hinge, degrees"
+      label: equilibrium.byPlates ? "compression of the plates, %" : "rotation of the driven hinge, degrees"
     },
     y: {range: [bottom - (bottom < 0 ? 0.06 : 0) * (top - bottom), top + 0.14 * (top - bottom || 1)], label},
     left: 66
   });
-  const points = balance.path.map((step, k) => [axes.X(drives[k]), axes.Y(values[k])]);
+  const points = equilibrium.path.map((step, k) => [axes.X(drives[k]), axes.Y(values[k])]);
   const loose =
-      balance.path.map((step, k) => (step.stable === false && k > 0 ? points[k] : null)).filter(Boolean);
+      equilibrium.path.map((step, k) => (step.stable === false && k > 0 ? points[k] : null)).filter(Boolean);
   axes.root.append(
       svg("path", {class: "zero", d: path([[axes.area.left, axes.Y(0)], [axes.area.right, axes.Y(0)]])}),
       svg("path", {class: "model", d: path(points)}),
       ...points.map(([cx, cy]) => svg("circle", {class: "step", cx, cy, r: 2})),
       ...loose.map(([cx, cy]) => svg("circle", {class: "loose", cx, cy, r: 4})));
-  return {axes, at: (event, value) => [axes.X(driveShown(balance, event.drive)), axes.Y(value)]};
+  return {axes, at: (event, value) => [axes.X(driveShown(equilibrium, event.drive)), axes.Y(value)]};
 }
 
 function drawLoad(data, width) {
   const {axes, at} = alongDrive(
       data, width, "load",
-      `${data.balance.byPlates ? "force on the plates" : "moment of the drive"}, ${data.balance.unit}`,
+      `${data.equilibrium.byPlates ? "force on the plates" : "moment of the drive"}, ${data.equilibrium.unit}`,
       "Load along the drive");
-  axes.root.append(...eventMarks(axes, data.balance.events, (event) => at(event, event.load)));
+  axes.root.append(...eventMarks(axes, data.equilibrium.events, (event) => at(event, event.load)));
   return axes.root;
 }
 
@@ -185,39 +186,39 @@ function drawEnergy(data, width) {
   const {axes, at} = alongDrive(
       data, width, "energy_Nmm", "energy of hinges and contacts, N\u00a0mm", "Energy along the drive");
   axes.root.append(
-      ...eventMarks(axes, data.balance.events, (event) => at(event, energyAt(data.balance, event))),
+      ...eventMarks(axes, data.equilibrium.events, (event) => at(event, energyAt(data.equilibrium, event))),
       ...stableMarks(axes, data));
   return axes.root;
 }
 
-function eventTable({balance}) {
-  if (!balance.events.length)
+function eventTable({equilibrium}) {
+  if (!equilibrium.events.length)
     return html("p", {class: "note"}, "Nothing happened on the way: one smooth branch.");
   const row = (event, k) => ({
     cells: [
-      String(k + 1), eventName(event), driveWords(balance, event.drive),
-      degrees(toDegrees(event.theta_rad)), force(event.load, balance.unit), event.what ?? ""
+      String(k + 1), eventName(event), driveWords(equilibrium, event.drive),
+      degrees(toDegrees(event.theta_rad)), force(event.load, equilibrium.unit), event.what ?? ""
     ]
   });
   return html(
       "div", {class: "scroll"},
       table(
-          ["", "event", "at", "\u03b8", "load", "what happened"], balance.events.map(row),
+          ["", "event", "at", "\u03b8", "load", "what happened"], equilibrium.events.map(row),
           "Events along the drive"));
 }
 
 function loadSection(data) {
-  const {balance} = data;
-  if (balance.path.length < 2) return missing("The sheet stays flat: there is no path to show.");
+  const {equilibrium} = data;
+  if (equilibrium.path.length < 2) return missing("The sheet stays flat: there is no path to show.");
   return [
     html(
         "p", {class: "lead"},
-        `From flat to ${driveWords(balance, balance.last.drive)} in ${
-            count(balance.path.length - 1, "step", "steps")}, ` +
+        `From flat to ${driveWords(equilibrium, equilibrium.last.drive)} in ${
+            count(equilibrium.path.length - 1, "step", "steps")}, ` +
             `each an equilibrium (dots). Numbers mark the events in the table.`),
     responsive((width) => drawLoad(data, width)),
     responsive((width) => drawEnergy(data, width)),
-    balance.path.slice(1).some((step) => step.stable === false) ?
+    equilibrium.path.slice(1).some((step) => step.stable === false) ?
         legend(["loose-key", "not stable: a small push would take it elsewhere"]) :
         null,
     eventTable(data),
@@ -231,8 +232,8 @@ function heatColour(share) {
 }
 
 function drawHeat(data, part, width) {
-  const {structure, states, balance} = data;
-  const values = balance.energies.map((e) => e[part] ?? 0), most = Math.max(...values, 0);
+  const {structure, states, equilibrium} = data;
+  const values = equilibrium.energies.map((e) => e[part] ?? 0), most = Math.max(...values, 0);
   const line =
       structure.hinges.map((hinge) => [structure.bodies[hinge.a].rest, structure.bodies[hinge.b].rest]);
   const margin = {left: 14, right: 14, top: 14, bottom: 64};
@@ -262,20 +263,21 @@ function drawHeat(data, part, width) {
 }
 
 function heatFigure(data, part, title, note) {
-  const sum = data.balance.energies.reduce((total, e) => total + (e[part] ?? 0), 0);
+  const sum = data.equilibrium.energies.reduce((total, e) => total + (e[part] ?? 0), 0);
   return html(
       "div", {class: "part"}, html("h3", {}, `${title}: ${force(sum, "N\u00a0mm")} in all`),
       responsive((width) => drawHeat(data, part, width)), html("p", {class: "note"}, note));
 }
 
 function energySection(data) {
-  const {balance, structure} = data;
-  if (balance.energies.length !== structure.hinges.length || !data.states.flat)
+  const {equilibrium, structure} = data;
+  if (equilibrium.energies.length !== structure.hinges.length || !data.states.flat)
     return missing("The energy of each hinge was not recorded.");
   return [
     html(
         "p", {class: "lead"},
-        "The flat layout from above, every hinge coloured by the energy it holds in the last state. Each picture has its own scale."),
+        "The flat layout from above, every hinge coloured by the energy it holds in the last state. " +
+            "Each picture has its own scale."),
     html(
         "div", {class: structure.columns > 3 * Math.max(1, structure.rows) ? "heats long" : "heats"},
         heatFigure(

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <compare>
+#include <string>
+#include <vector>
+
+#include "model/lattice/square/structure.hpp"
+
+namespace kinetix::model {
+
+/// A side of a rectangle of cells: the way to what lies beside it.
+enum class Side { left, right, bottom, top };
+
+std::string to_string(Side side);
+Side opposite(Side side);
+/// Axis that leads across a side: x for left and right.
+Axis across(Side side);
+/// Whether it lies towards higher columns or rows: right and top.
+bool is_upper(Side side);
+
+/// The cells [i, i + width) x [j, j + height), `low` being (i, j). Its vertices are those of its cells: up to
+/// both ends. It may lie anywhere, also at negative indices.
+struct CellRectangle {
+  Cell low;
+  int width = 0, height = 0;  ///< cells along x and y
+
+  auto operator<=>(const CellRectangle&) const = default;
+
+  int extent(Axis axis) const { return axis == Axis::x ? width : height; }  ///< cells
+  bool is_empty() const { return width < 1 || height < 1; }
+
+  /// The same moved beyond a side of another one: `gap` cells lie between them, and its lower end along that
+  /// side is `shift` cells above the other's.
+  CellRectangle beside(const CellRectangle& other, Side side, int gap, int shift = 0) const;
+  /// The same as it lies for someone to whom `origin` is cell (0, 0).
+  CellRectangle seen_from(const Cell& origin) const;
+  /// Turned by 90 deg about vertex (0, 0), from x to y.
+  CellRectangle turned() const;
+  /// Mirrored in the y-axis: x becomes -x.
+  CellRectangle mirrored() const;
+
+  std::vector<Cell> cells() const;               ///< sorted; @pre not empty
+  std::vector<Vertex> vertices() const;          ///< sorted
+  std::vector<Vertex> rows_of_vertices() const;  ///< row by row, i counting within a row
+  /// Its vertices but the first and last line across the axis, line by line along it.
+  std::vector<Vertex> vertices_between_ends(Axis axis) const;
+  /// The walls of its cells that point along the axis, column by column for x and row by row for y: those
+  /// that tilt where its cells bend about fold lines across the axis.
+  std::vector<Wall> walls_along(Axis axis) const;
+  /// The lower one of the two corners on a side.
+  Vertex corner(Side side) const;
+  /// The vertex nearest to its middle; of several, that of the lowest column and row.
+  Vertex middle() const;
+};
+
+/// The cells between a side of one rectangle and another that lies beyond it, where the two face each other.
+/// Empty where they do not.
+CellRectangle gap_between(const CellRectangle& from, Side side, const CellRectangle& to);
+/// Whether they have a vertex in common.
+bool touch(const CellRectangle& a, const CellRectangle& b);
+/// The smallest one that holds them all. @pre at least one
+CellRectangle bounds(const std::vector<CellRectangle>& rectangles);
+
+/// Bodies on its vertices, row by row: vertex (low.i + i, low.j + j) at j * (width + 1) + i.
+/// @pre the structure has all its cells
+std::vector<int> bodies_of(const CellRectangle& rectangle, const Structure& structure);
+/// The one on its middle().
+int middle_body(const CellRectangle& rectangle, const Structure& structure);
+
+}  // namespace kinetix::model
