@@ -83,7 +83,7 @@ RedrawingFit redrawing_of(const PlanarStructure& structure) {
   return fit;
 }
 
-void apply(const Redrawing& y, PlanarStructure& structure) {
+void place_hinges(const Redrawing& y, PlanarStructure& structure) {
   for (int e = 0; e < static_cast<int>(structure.hinges.size()); ++e) {
     const auto [from, to] = structure.graph.edges[e];
     const Vector2d along = structure.graph.along(e);

@@ -43,7 +43,7 @@ struct RedrawingFit {
 RedrawingFit redrawing_of(const PlanarStructure& structure);
 
 /// Puts the hinges where y has them; alpha and beta stay.
-void apply(const Redrawing& y, PlanarStructure& structure);
+void place_hinges(const Redrawing& y, PlanarStructure& structure);
 
 /// State at theta, mm. Class A turns by theta, class B by -theta.
 State fold(const PlanarStructure& structure, const Redrawing& y, double theta);

@@ -1,0 +1,192 @@
+#include "model/lattice/planar/planar_motion.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "model/base/invalid_input.hpp"
+#include "model/closure/mobility.hpp"
+#include "model/lattice/planar/planar_lattices.hpp"
+#include "model/lattice/square/classify.hpp"
+#include "tests/support/random_designs.hpp"
+
+namespace kinetix::model {
+namespace {
+
+using Eigen::Vector2d;
+
+struct NamedGraph {
+  const char* name;
+  PlanarGraph graph;
+  std::size_t bodies, hinges, cells;
+};
+
+/// Squares whose inner corners are moved at random by up to 0.3 of a wall.
+PlanarGraph random_quads(int columns, int rows, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> by(-0.3, 0.3);
+  PlanarGraph graph = square_graph(columns, rows);
+  for (Vector2d& p : graph.vertices) p += Vector2d(by(random), by(random));
+  return graph;
+}
+
+std::vector<NamedGraph> graphs() {
+  const auto disc = [](const Vector2d& p) { return (p - Vector2d(6, 6)).norm() <= 6; };
+  return {{"squares", square_graph(7, 5), 48, 82, 35},
+          {"disc of squares", trimmed(square_graph(12, 12), disc), 109, 196, 88},
+          {"rhombi", rhombus_graph(6, 4, 1.1), 35, 58, 24},
+          {"random quads", random_quads(6, 6, 1), 49, 84, 36},
+          {"honeycomb", honeycomb_graph(5, 4), 58, 77, 20},
+          {"bricks", brick_graph(5, 4), 58, 77, 20},
+          {"octagons", octagon_graph(4, 3), 62, 79, 18}};
+}
+
+/// A redrawing with |s| and |2 o| of up to about `size`.
+Redrawing random_redrawing(const PlanarStructure& s, double size, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> by(-size / 3, size / 3);
+  Redrawing y(s.graph.vertices.size());
+  for (Vector2d& p : y) p = {by(random), by(random)};
+  return y;
+}
+
+TEST(PlanarGraph, OfLatticesHasTheirBodiesHingesAndCells) {
+  for (const NamedGraph& g : graphs()) {
+    const PlanarStructure s = make_planar_structure(g.graph, {});
+    EXPECT_EQ(s.graph.vertices.size(), g.bodies) << g.name;
+    EXPECT_EQ(s.hinges.size(), g.hinges) << g.name;
+    EXPECT_EQ(s.faces.size(), g.cells) << g.name;
+    EXPECT_EQ(g.bodies + g.cells, g.hinges + 1) << g.name << ": Euler's formula";
+    for (const GraphEdge& e : s.graph.edges) EXPECT_EQ(s.senses[e.from], -s.senses[e.to]) << g.name;
+  }
+}
+
+TEST(PlanarMotion, OfAnyRedrawingClosesEveryHinge) {
+  for (const NamedGraph& g : graphs()) {
+    PlanarStructure s = make_planar_structure(g.graph, {});
+    const Redrawing y = random_redrawing(s, 0.5, 3);
+    place_hinges(y, s);
+    const Linkage linkage = s;
+    for (const double theta : {-1.2, -0.3, 0.1, 0.7, 1.5}) {
+      EXPECT_LE(hinge_gaps(linkage, fold(s, y, theta)).max, 1e-14) << g.name;
+      EXPECT_LE(hinge_gaps(linkage, fold(s, y, theta)).axis_max, 1e-14) << g.name;
+    }
+    const ExactMotion motion = exact_motion(s);
+    ASSERT_TRUE(motion) << g.name << ": " << motion.why;
+    EXPECT_LE(aligned_distance(linkage, motion.at(0.4), fold(s, y, 0.4)).max, 1e-13) << g.name;
+  }
+}
+
+TEST(PlanarMotion, TurnsAndScalesWallsAsItsRedrawingSays) {
+  PlanarStructure s = make_planar_structure(octagon_graph(3, 3), {});
+  const Redrawing y = random_redrawing(s, 0.5, 5);
+  constexpr double theta = 0.6;
+  const State state = fold(s, y, theta);
+  for (int e = 0; e < static_cast<int>(s.graph.edges.size()); ++e) {
+    const auto [turn, scale] = change_of(s, y, e);
+    const Vector2d before = s.graph.along(e);
+    const Vector2d after =
+        (state[s.graph.edges[e].to].p - state[s.graph.edges[e].from].p).head<2>() / s.size.edge_mm;
+    const double along = std::cos(theta) - 2 * scale * std::sin(theta), across = turn * std::sin(theta);
+    EXPECT_NEAR(after.dot(before), along * before.squaredNorm(), 1e-13);
+    EXPECT_NEAR(before.x() * after.y() - before.y() * after.x(), across * before.squaredNorm(), 1e-13);
+  }
+}
+
+TEST(PlanarMotion, HasF1AsItsSpecialCase) {
+  std::mt19937 random(7);
+  for (int round = 0; round < 5; ++round) {
+    const auto design = testing::random_design(Family::F1, 4, 3, random);
+    const Structure squares = testing::structure_of(design);
+    PlanarStructure s = make_planar_structure(square_graph(4, 3), squares.size);
+    for (int e = 0; e < static_cast<int>(s.hinges.size()); ++e) {
+      const auto vertex = [&](int v) {
+        const Vector2d& p = s.graph.vertices[v];
+        return Vertex{static_cast<int>(std::lround(p.x())), static_cast<int>(std::lround(p.y()))};
+      };
+      const Vertex from = vertex(s.graph.edges[e].from), to = vertex(s.graph.edges[e].to);
+      const Wall wall{from, from.i == to.i ? Axis::y : Axis::x};
+      s.hinges[e].t = squares.hinges[*squares.hinge_at(wall)].parameters.t;
+    }
+    const ExactMotion motion = exact_motion(s);
+    ASSERT_TRUE(motion) << motion.why;
+    const State expected = fold(classify(squares), squares, 0.5), found = motion.at(0.5);
+    for (std::size_t v = 0; v < found.size(); ++v) {
+      const Vector2d& p = s.graph.vertices[v];
+      const int body =
+          *squares.body_at({static_cast<int>(std::lround(p.x())), static_cast<int>(std::lround(p.y()))});
+      const Eigen::Vector3d off = found[v].p - expected[body].p - (found[0].p - expected[0].p);
+      EXPECT_LE(off.norm(), 1e-12);
+    }
+  }
+}
+
+TEST(PlanarMotion, NamesAFaceThatDoesNotClose) {
+  PlanarStructure s = make_planar_structure(honeycomb_graph(3, 3), {});
+  s.hinges[4].t = 0.6;
+  const ExactMotion motion = exact_motion(s);
+  EXPECT_FALSE(motion);
+  EXPECT_THAT(motion.why, ::testing::HasSubstr("does not close: it is off by 0.2 cell edges"));
+  s.hinges[4] = {.beta = 0.1};
+  EXPECT_THAT(exact_motion(s).why, ::testing::HasSubstr("does not stand upright"));
+}
+
+// A square panel has one way to move, whatever its offsets; a plain honeycomb 4 n - 1.
+TEST(PlanarMotion, HasTheMobilityOfItsLattice) {
+  struct Case {
+    PlanarGraph graph;
+    int dofs;
+  };
+  for (const auto& [graph, dofs] : {Case{square_graph(4, 4), 1}, Case{rhombus_graph(4, 3, 1.2), 1},
+                                    Case{random_quads(4, 4, 2), 1}, Case{honeycomb_graph(3, 3), 11}}) {
+    PlanarStructure s = make_planar_structure(graph, {});
+    place_hinges(random_redrawing(s, 0.3, 11), s);
+    const Mobility m = mobility(s, exact_motion(s));
+    EXPECT_EQ(m.verdict, Verdict::mobile) << m.why;
+    EXPECT_EQ(m.dofs_along, dofs);
+  }
+}
+
+void expect_refused(const PlanarGraph& graph, const std::string& what) {
+  try {
+    make_planar_structure(graph, {});
+    ADD_FAILURE() << "not refused: " << what;
+  } catch (const InvalidInput& e) {
+    EXPECT_THAT(e.reason(), ::testing::HasSubstr(what));
+  }
+}
+
+TEST(PlanarGraph, SaysWhatIsWrongWithADrawing) {
+  const std::vector<Vector2d> square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  const std::vector<GraphEdge> rim = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+  const auto with = [&](GraphEdge e) {
+    auto edges = rim;
+    edges.push_back(e);
+    return edges;
+  };
+  expect_refused({{{0, 0}, {1, 0}, {0, 1}}, {{0, 1}, {1, 2}, {2, 0}}},
+                 "the face of vertices 0, 1, 2 has 3 walls");
+  expect_refused({square, with({0, 2})}, "has 3 walls");
+  expect_refused({square, {{0, 2}, {1, 3}, {0, 1}}},
+                 "the wall from vertex 0 to 2 crosses the wall from vertex 1 to 3");
+  expect_refused({square, with({1, 0})}, "is there twice");
+  expect_refused({square, with({2, 2})}, "has no length");
+  expect_refused({square, with({2, 4})}, "vertices go from 0 to 3");
+  expect_refused({{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 0}, {0.5, 2}}, with({4, 5})},
+                 "vertex 4 at (0.5, 0) lies on the wall from vertex 0 to 1; split that wall there");
+  expect_refused({{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {5, 5}, {6, 5}}, with({4, 5})}, "do not hang together");
+  expect_refused({{{0, 0}, {NAN, 0}}, {{0, 1}}}, "no finite number");
+  expect_refused({{{0, 0}}, {}}, "at least two vertices");
+}
+
+// A wall that ends inside a cell is walked there and back: the cell is what is round it.
+TEST(PlanarGraph, LeavesWallsThatEndInACellOutOfItsLoop) {
+  const PlanarGraph graph{{{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 1}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 4}}};
+  const auto faces = bounded_faces(graph);
+  ASSERT_EQ(faces.size(), 1u);
+  EXPECT_EQ(faces[0].vertices.size(), 4u);
+}
+
+}  // namespace
+}  // namespace kinetix::model
