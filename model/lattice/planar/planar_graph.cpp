@@ -15,8 +15,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Times the mean length of a wall: closer than this, vertices are one and a vertex lies on a wall. Coordinates in files
-// have six digits or more.
+// Times the mean length of a wall: closer than this, vertices are one and a vertex lies on a wall.
+// Coordinates in files have six digits or more.
 constexpr double touching = 1e-6;
 
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }

@@ -25,7 +25,8 @@ struct GraphFace {
   std::vector<int> edges;  ///< edge k joins vertices k and k + 1, the last one the last to the first
 };
 
-/// The bounded faces of a drawing, each once. A wall that ends in the face is walked there and back, and left out.
+/// The bounded faces of a drawing, each once. A wall that ends in the face is walked there and back, and left
+/// out.
 /// @pre no edges cross, none has length zero
 std::vector<GraphFace> bounded_faces(const PlanarGraph& graph);
 
@@ -34,8 +35,8 @@ std::vector<GraphFace> bounded_faces(const PlanarGraph& graph);
 std::vector<int> senses(const PlanarGraph& graph, const std::vector<GraphFace>& faces);
 
 /// @throws InvalidInput, naming edges and vertices, for fewer than two vertices, an edge of length zero or to a vertex
-/// that does not exist, one that is listed twice, edges that cross or touch other than at their ends, vertices that
-/// coincide, coordinates that are not finite, or a graph in more than one piece
+/// that does not exist, one that is listed twice, edges that cross or touch other than at their ends,
+/// vertices that coincide, coordinates that are not finite, or a graph in more than one piece
 void validate(const PlanarGraph& graph);
 
 }  // namespace kinetix::model

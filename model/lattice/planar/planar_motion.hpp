@@ -10,10 +10,10 @@
 
 namespace kinetix::model {
 
-/// A second drawing of a graph, y, that says how its structure moves: X(theta) = cos(theta) x + i sin(theta) y, with x
-/// the graph's own vertices and i the turn by 90 deg (kinematics.md section 5). Any y is the exact motion of exactly one
-/// choice of hinge points: with e an edge from class A to class B and y_B - y_A = (s + 2 i o) e, its hinge sits at
-/// t = (1 + s) / 2 from A and o |e| across. Cell edges.
+/// A second drawing of a graph, y, that says how its structure moves: X(theta) = cos(theta) x + i sin(theta)
+/// y, with x the graph's own vertices and i the turn by 90 deg (kinematics.md section 5). Any y is the exact
+/// motion of exactly one choice of hinge points: with e an edge from class A to class B and y_B - y_A = (s +
+/// 2 i o) e, its hinge sits at t = (1 + s) / 2 from A and o |e| across. Cell edges.
 using Redrawing = std::vector<Eigen::Vector2d>;
 
 /// What y does to an edge from its first vertex to its second: by how much it turns and scales the wall.
@@ -29,8 +29,8 @@ struct WallChange {
 Eigen::Vector2d redrawn(const PlanarStructure& structure, int edge);
 WallChange change_of(const PlanarStructure& structure, const Redrawing& y, int edge);
 
-/// The redrawing of a structure whose hinges are upright; y of the first vertex is 0. Where walking round a face does
-/// not lead back, that face and by how much.
+/// The redrawing of a structure whose hinges are upright; y of the first vertex is 0. Where walking round a
+/// face does not lead back, that face and by how much.
 struct RedrawingFit {
   Redrawing y;
   double misfit = 0;    ///< largest of a face, cell edges

@@ -9,8 +9,8 @@
 
 namespace kinetix::model {
 
-/// The design parameters of a hinge on a wall of any direction e, from its first vertex to its second. The defaults are
-/// the basic planar hinge.
+/// The design parameters of a hinge on a wall of any direction e, from its first vertex to its second. The
+/// defaults are the basic planar hinge.
 struct WallHinge {
   double t = 0.5;         ///< fraction of the wall from its first vertex, in (0, 1)
   double alpha = pi / 2;  ///< angle of the hinge axis from e in the plane of the wall, rad, in (0, pi)
@@ -18,8 +18,8 @@ struct WallHinge {
   double offset = 0;      ///< of the hinge point across the wall, towards z x e, cell edges
 };
 
-/// A structure of rigid walls on any planar graph whose faces are even (kinematics.md section 5): one body for each
-/// vertex, one hinge for each edge, a cell for each bounded face.
+/// A structure of rigid walls on any planar graph whose faces are even (kinematics.md section 5): one body
+/// for each vertex, one hinge for each edge, a cell for each bounded face.
 struct PlanarStructure {
   CellSize size;  ///< edge_mm: the unit of the graph's coordinates
   PlanarGraph graph;
@@ -30,7 +30,8 @@ struct PlanarStructure {
   operator Linkage() const;
 };
 
-/// All hinges basic. @throws InvalidInput for what validate and senses refuse, and sizes that are not positive
+/// All hinges basic. @throws InvalidInput for what validate and senses refuse, and sizes that are not
+/// positive
 PlanarStructure make_planar_structure(PlanarGraph graph, const CellSize& size);
 
 /// @throws InvalidInput, naming wall and value, for hinge parameters outside their ranges (NaN included)
