@@ -22,7 +22,7 @@ struct PlanarGraph {
 /// A bounded face: the loop of walls round it, counter-clockwise.
 struct GraphFace {
   std::vector<int> vertices;
-  std::vector<int> edges;  ///< edge k joins vertices k and k + 1, the last one the last to the first
+  std::vector<int> edges;  ///< edge k joins vertices k and k + 1, the last edge the last vertex to the first
 };
 
 /// The bounded faces of a drawing, each once. A wall that ends in the face is walked there and back, and left

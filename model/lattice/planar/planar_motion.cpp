@@ -46,13 +46,12 @@ Vector2d redrawn(const PlanarStructure& structure, int edge) {
   return structure.senses[structure.graph.edges[edge].from] * part;
 }
 
+// From class B to class A both the edge and its redrawing change sign: their quotient stays.
 WallChange change_of(const PlanarStructure& structure, const Redrawing& y, int edge) {
   const auto [from, to] = structure.graph.edges[edge];
-  const Vector2d along = structure.graph.along(edge), part = structure.senses[from] * (y[to] - y[from]);
+  const Vector2d along = structure.graph.along(edge), part = y[to] - y[from];
   const double square = along.squaredNorm();
-  // Walked from class B, both e and y_B - y_A change sign: their quotient stays.
-  const double sign = structure.senses[from];
-  return {sign * part.dot(along) / square, sign * turned_by_90(along).dot(part) / (2 * square)};
+  return {part.dot(along) / square, turned_by_90(along).dot(part) / (2 * square)};
 }
 
 RedrawingFit redrawing_of(const PlanarStructure& structure) {

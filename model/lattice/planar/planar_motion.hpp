@@ -16,13 +16,13 @@ namespace kinetix::model {
 /// 2 i o) e, its hinge sits at t = (1 + s) / 2 from A and o |e| across. Cell edges.
 using Redrawing = std::vector<Eigen::Vector2d>;
 
-/// What y does to an edge from its first vertex to its second: by how much it turns and scales the wall.
+/// What y does to a wall, whichever way it is walked.
 struct WallChange {
-  double s =
-      0;  ///< 2 t_A - 1 with t_A the hinge's fraction from class A: the wall turns by atan(s tan(theta))
-  double o =
-      0;  ///< offset over the wall's length, towards z x e of the edge as walked from class A to class B: the
-          ///< wall scales by cos(theta) - 2 o sin(theta)
+  /// 2 t_A - 1 with t_A the hinge's fraction from class A: the wall turns by atan(s tan(theta)) (where o = 0).
+  double s = 0;
+  /// Offset over the wall's length, towards z x e of the edge from class A to class B: the wall scales by
+  /// cos(theta) - 2 o sin(theta).
+  double o = 0;
 };
 
 /// y_to - y_from of an edge with this hinge, cell edges.
