@@ -53,7 +53,8 @@ examples:
   kinetix-opt verify out/design.yaml                      the physics run alone
 
 exit codes:
-  0 done   1 internal error   2 bad input   3 target missed or not reached   4 physics run disagrees or failed)";
+  0 done   1 internal error   2 bad input   3 target missed or not reached
+  4 physics run disagrees or failed)";
 
 int run(int argc, char** argv) {
   CommandOptions options;

@@ -34,7 +34,7 @@ std::vector<GraphFace> bounded_faces(const PlanarGraph& graph);
 /// @throws InvalidInput for a loop of an odd number of walls, naming the face and its vertices
 std::vector<int> senses(const PlanarGraph& graph, const std::vector<GraphFace>& faces);
 
-/// @throws InvalidInput, naming edges and vertices, for fewer than two vertices, an edge of length zero or to a vertex
+/// @throws InvalidInput, naming edges and vertices, for fewer than two vertices, an edge of length zero or to one
 /// that does not exist, one that is listed twice, edges that cross or touch other than at their ends,
 /// vertices that coincide, coordinates that are not finite, or a graph in more than one piece
 void validate(const PlanarGraph& graph);

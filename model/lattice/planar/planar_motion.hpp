@@ -18,7 +18,7 @@ using Redrawing = std::vector<Eigen::Vector2d>;
 
 /// What y does to a wall, whichever way it is walked.
 struct WallChange {
-  /// 2 t_A - 1 with t_A the hinge's fraction from class A: the wall turns by atan(s tan(theta)) (where o = 0).
+  /// 2 t_A - 1 with t_A the hinge's fraction from class A: it turns by atan(s tan(theta)) (where o = 0).
   double s = 0;
   /// Offset over the wall's length, towards z x e of the edge from class A to class B: the wall scales by
   /// cos(theta) - 2 o sin(theta).

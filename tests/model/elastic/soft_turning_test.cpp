@@ -8,8 +8,8 @@
 #include "tests/support/elastic_runs.hpp"
 #include "tests/support/random_designs.hpp"
 
-/// Sheets that move exactly, with hinges that turn almost freely. Their state and the load that it bears are known in
-/// closed form, and both signs of theta cost the same: nothing but what was asked tells the sides apart.
+/// Sheets that move exactly, with hinges that turn almost freely. Their state and the load that it bears are
+/// known in closed form, and both signs of theta cost the same: nothing but what was asked tells the sides apart.
 namespace kinetix::model {
 namespace {
 
