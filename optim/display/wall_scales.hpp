@@ -8,7 +8,8 @@ namespace kinetix::optim {
 
 /// How far the walls of a planar structure shall scale, and what its hinges allow.
 struct WallScales {
-  /// Of each wall 2 o (kinematics.md section 5), dimensionless: at theta it is scaled by cos(theta) - 2 o sin(theta).
+  /// Of each wall 2 o (kinematics.md section 5), dimensionless: at theta it is scaled by cos(theta) - 2 o
+  /// sin(theta).
   std::vector<double> wish;
   double offset = 0.08;               ///< largest |o|, over a wall's length, (0, 0.5)
   double shift = 0.6;                 ///< largest |s| = |2 t - 1|, (0, 1)
@@ -23,8 +24,8 @@ struct WallScales {
   void validate(const model::PlanarStructure& structure) const;
 };
 
-/// Wishes for a picture: the walls of a cell of level 1 as large as `offset` allows, of level 0 as small; a wall
-/// between two cells takes their mean. @param levels of the structure's faces, [0, 1]
+/// Wishes for a picture: the walls of a cell of level 1 as large as `offset` allows, of level 0 as small; a
+/// wall between two cells takes their mean. @param levels of the structure's faces, [0, 1]
 std::vector<double> wishes_of(const std::vector<double>& levels, const model::PlanarStructure& structure,
                               double offset);
 
@@ -38,9 +39,9 @@ struct ScaledWalls {
   bool converged = false;  ///< bounds hold, and another iteration would change s and 2 o by less than 1e-6
 };
 
-/// Minimises the sum of (2 o - wish)^2 over all redrawings y, each of which is an exact motion with all hinges closed,
-/// under |s| <= shift and |o| <= offset: a convex problem. By alternating directions (Boyd et al. 2011, section 5.2)
-/// between the walls, each by itself, and a Laplacian of the graph, factorised once.
+/// Minimises the sum of (2 o - wish)^2 over all redrawings y, each of which is an exact motion with all
+/// hinges closed, under |s| <= shift and |o| <= offset: a convex problem. By alternating directions (Boyd et
+/// al. 2011, section 5.2) between the walls, each by itself, and a Laplacian of the graph, factorised once.
 ScaledWalls scale_walls(const model::PlanarStructure& structure, const WallScales& scales);
 
 }  // namespace kinetix::optim
