@@ -1,0 +1,221 @@
+#include "optim/display/wall_scales.hpp"
+
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include "model/base/invalid_input.hpp"
+
+namespace kinetix::optim {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::VectorXcd;
+using Eigen::VectorXd;
+
+constexpr int most_iterations = 20'000;  // ten times what pictures of 100 x 100 cells take
+constexpr double settled = 1e-6;         // of s and 2 o: a micron on a wall of a metre
+// Over-relaxation of alternating directions: 1.5 to 1.8 is usual (Boyd et al. 2011, section 3.4.3).
+constexpr double relaxation = 1.6;
+
+/// One part of y, real or imaginary, where some vertices share a value but for a known difference.
+class Part {
+ public:
+  Part(int vertices, const std::vector<std::vector<int>>& equal, double drop)
+      : of_vertex_(vertices), ahead_(vertices) {
+    ahead_.setZero();
+    std::vector<int> group(vertices, -1);
+    for (std::size_t k = 0; k < equal.size(); ++k)
+      for (const int v : equal[k]) group[v] = static_cast<int>(k);
+    std::vector<int> of_group(equal.size(), -1);
+    for (int v = 0; v < vertices; ++v) {
+      if (group[v] < 0) {
+        of_vertex_[v] = count_++;
+        continue;
+      }
+      const bool is_tied = drop != 0 && group[v] + 1 == static_cast<int>(equal.size());
+      int& unknown = of_group[is_tied ? 0 : group[v]];
+      if (unknown < 0) unknown = count_++;
+      of_vertex_[v] = unknown;
+      if (is_tied) ahead_[v] = -drop;
+    }
+  }
+
+  /// @param weights of the edges
+  void factorise(const model::PlanarGraph& graph, const VectorXd& weights) {
+    std::vector<Eigen::Triplet<double>> entries, whole;
+    entries.emplace_back(of_vertex_[0], of_vertex_[0],
+                         1.0);  // holds vertex 0, where no force acts on the whole
+    for (std::size_t e = 0; e < graph.edges.size(); ++e) {
+      const std::array<int, 2> ends = {graph.edges[e].from, graph.edges[e].to};
+      for (const int a : ends)
+        for (const int b : ends) {
+          const double entry = (a == b ? 1 : -1) * weights[static_cast<Eigen::Index>(e)];
+          entries.emplace_back(of_vertex_[a], of_vertex_[b], entry);
+          whole.emplace_back(a, b, entry);
+        }
+    }
+    Eigen::SparseMatrix<double> matrix(count_, count_), laplacian(ahead_.size(), ahead_.size());
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    laplacian.setFromTriplets(whole.begin(), whole.end());
+    factor_.compute(matrix);
+    known_ = laplacian * ahead_;
+  }
+
+  VectorXd solve(const VectorXd& forces) const {
+    VectorXd reduced = VectorXd::Zero(count_);
+    for (Eigen::Index v = 0; v < forces.size(); ++v) reduced[of_vertex_[v]] += forces[v] - known_[v];
+    const VectorXd found = factor_.solve(reduced);
+    VectorXd out = ahead_;
+    for (Eigen::Index v = 0; v < out.size(); ++v) out[v] += found[of_vertex_[v]];
+    return out;
+  }
+
+ private:
+  std::vector<int> of_vertex_;  ///< its unknown
+  VectorXd ahead_;              ///< of its unknown's value
+  int count_ = 0;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;
+  VectorXd known_;
+};
+
+/// s + 2 i o of all walls from y, and the y that fits given ones best.
+class Walls {
+ public:
+  Walls(const model::PlanarStructure& s, const WallScales& scales)
+      : graph_(s.graph),
+        edges_(static_cast<Eigen::Index>(s.graph.edges.size())),
+        real_(count(), scales.axis == model::Axis::y ? scales.straight : none, scales.drop),
+        imaginary_(count(), scales.axis == model::Axis::x ? scales.straight : none, scales.drop) {
+    VectorXd weights(edges_.size());
+    for (Eigen::Index e = 0; e < edges_.size(); ++e) {
+      const Eigen::Vector2d along = graph_.along(static_cast<int>(e));
+      edges_[e] = {along.x(), along.y()};
+      weights[e] = 1 / along.squaredNorm();
+    }
+    real_.factorise(graph_, weights);
+    imaginary_.factorise(graph_, weights);
+  }
+
+  VectorXcd changes(const VectorXcd& y) const {
+    VectorXcd out(edges_.size());
+    for (Eigen::Index e = 0; e < out.size(); ++e) {
+      const auto [from, to] = graph_.edges[static_cast<std::size_t>(e)];
+      out[e] = (y[to] - y[from]) / edges_[e];
+    }
+    return out;
+  }
+
+  VectorXcd nearest(const VectorXcd& changes) const {
+    VectorXcd forces = VectorXcd::Zero(count());
+    for (Eigen::Index e = 0; e < edges_.size(); ++e) {
+      const auto [from, to] = graph_.edges[static_cast<std::size_t>(e)];
+      const Complex force = changes[e] / std::conj(edges_[e]);
+      forces[to] += force;
+      forces[from] -= force;
+    }
+    VectorXcd y(count());
+    y.real() = real_.solve(forces.real());
+    y.imag() = imaginary_.solve(forces.imag());
+    return y;
+  }
+
+ private:
+  int count() const { return static_cast<int>(graph_.vertices.size()); }
+  inline static const std::vector<std::vector<int>> none = {};
+
+  const model::PlanarGraph& graph_;
+  VectorXcd edges_;
+  Part real_, imaginary_;
+};
+
+/// Each wall by itself: the change within bounds that is best for the wish and for `near`.
+VectorXcd best_by_themselves(const VectorXcd& near, const WallScales& scales) {
+  VectorXcd out(near.size());
+  for (Eigen::Index e = 0; e < out.size(); ++e) {
+    const double wish = scales.wish[static_cast<std::size_t>(e)];
+    out[e] = {std::clamp(near[e].real(), -scales.shift, scales.shift),
+              std::clamp((near[e].imag() + wish) / 2, -2 * scales.offset, 2 * scales.offset)};
+  }
+  return out;
+}
+
+double largest(const VectorXcd& v) { return v.size() == 0 ? 0 : v.cwiseAbs().maxCoeff(); }
+
+/// y within its bounds to the last bit, by making all of it a little smaller, and what it does.
+void finish(const Walls& walls, const WallScales& scales, VectorXcd y, ScaledWalls& found) {
+  VectorXcd changes = walls.changes(y);
+  const double shift = changes.real().cwiseAbs().maxCoeff(),
+               offset = changes.imag().cwiseAbs().maxCoeff() / 2;
+  const double excess = std::max({1.0, shift / scales.shift, offset / scales.offset});
+  y = (y.array() - y[0]) / excess;
+  changes /= excess;
+  found.shift = shift / excess;
+  found.offset = offset / excess;
+  const Eigen::Map<const VectorXd> wish(scales.wish.data(), static_cast<Eigen::Index>(scales.wish.size()));
+  found.distance = std::sqrt((changes.imag() - wish).squaredNorm() / static_cast<double>(wish.size()));
+  for (Eigen::Index v = 0; v < y.size(); ++v) found.y.push_back({y[v].real(), y[v].imag()});
+}
+
+void check(const char* field, double value, bool fine, const char* allowed) {
+  if (!fine) throw InvalidInput(std::string(field) + " is " + number_text(value) + ", must be " + allowed);
+}
+
+}  // namespace
+
+void WallScales::validate(const model::PlanarStructure& structure) const {
+  check("offset", offset, offset > 0 && offset < 0.5, "in (0, 0.5) of a wall's length");
+  check("shift", shift, shift > 0 && shift < 1, "in (0, 1)");
+  check("drop", drop, std::isfinite(drop), "a finite number of cell edges");
+  if (wish.size() != structure.graph.edges.size()) throw InvalidInput("wish must have a value for each wall");
+  for (const double w : wish) check("wish", w, std::isfinite(w), "finite");
+  std::vector<bool> used(structure.graph.vertices.size(), false);
+  for (const auto& row : straight)
+    for (const int v : row) {
+      const bool fits = v >= 0 && v < static_cast<int>(used.size()) && !used[v];
+      if (!fits)
+        throw InvalidInput("straight names vertex " + std::to_string(v) + " twice, or it does not exist");
+      used[v] = true;
+    }
+}
+
+std::vector<double> wishes_of(const std::vector<double>& levels, const model::PlanarStructure& structure,
+                              double offset) {
+  std::vector<double> sum(structure.graph.edges.size(), 0), wish(sum.size(), 0);
+  std::vector<int> beside(sum.size(), 0);
+  for (std::size_t f = 0; f < structure.faces.size(); ++f)
+    for (const int e : structure.faces[f].edges) {
+      sum[e] += levels[f];
+      ++beside[e];
+    }
+  for (std::size_t e = 0; e < wish.size(); ++e)
+    if (beside[e] > 0) wish[e] = -(2 * sum[e] / beside[e] - 1) * 2 * offset;
+  return wish;
+}
+
+ScaledWalls scale_walls(const model::PlanarStructure& structure, const WallScales& scales) {
+  scales.validate(structure);
+  const Walls walls(structure, scales);
+  const auto edges = static_cast<Eigen::Index>(structure.graph.edges.size());
+  VectorXcd split = VectorXcd::Zero(edges), dual = VectorXcd::Zero(edges), y;
+  ScaledWalls found;
+  while (!found.converged && found.iterations < most_iterations) {
+    ++found.iterations;
+    y = walls.nearest(split - dual);
+    const VectorXcd joint = walls.changes(y);
+    const VectorXcd relaxed = relaxation * joint + (1 - relaxation) * split + dual;
+    const VectorXcd next = best_by_themselves(relaxed, scales);
+    dual = relaxed - next;
+    found.converged = largest(joint - next) <= settled && largest(next - split) <= settled;
+    split = next;
+  }
+  finish(walls, scales, std::move(y), found);
+  return found;
+}
+
+}  // namespace kinetix::optim
