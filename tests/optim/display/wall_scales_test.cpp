@@ -131,7 +131,7 @@ TEST(ScaleWalls, FindsTheOptimum) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> by(-1, 1);
   const PlanarStructure s = model::make_planar_structure(model::honeycomb_graph(4, 3), {});
-  WallScales scales{.offset = 0.06, .shift = 0.3};
+  WallScales scales{.wish = {}, .offset = 0.06, .shift = 0.3};
   for (std::size_t e = 0; e < s.graph.edges.size(); ++e) scales.wish.push_back(0.2 * by(random));
   const ScaledWalls found = scale_walls(s, scales);
   ASSERT_TRUE(found.converged);
