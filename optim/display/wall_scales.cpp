@@ -19,7 +19,7 @@ using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
 constexpr int most_splits = 20'000;  // ten times what pictures of 100 x 100 cells take
-constexpr double settled = 1e-6;         // of s and 2 o: a micron on a wall of a metre
+constexpr double settled = 1e-6;     // of s and 2 o: a micron on a wall of a metre
 // Over-relaxation of alternating directions: 1.5 to 1.8 is usual (Boyd et al. 2011, section 3.4.3).
 constexpr double relaxation = 1.6;
 

@@ -33,7 +33,7 @@ std::vector<double> wishes_of(const std::vector<double>& levels, const model::Pl
 struct ScaledWalls {
   model::Redrawing y;
   double distance = 0;  ///< rms of 2 o from the wish, dimensionless
-  double offset = 0;    ///< largest |o| in fact, over a wall's length
+  double offset = 0;    ///< largest |o| in fact, ratio to a wall's length
   double shift = 0;     ///< largest |s| in fact
   int iterations = 0;
   bool converged = false;  ///< bounds hold, and another iteration would change s and 2 o by less than 1e-6

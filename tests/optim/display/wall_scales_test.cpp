@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector2d;
 using model::PlanarStructure;
 
-constexpr double theta = 33 * radians_per_degree;
+constexpr double theta = 33 * radians_per_degree;  // rad: the fold that kinematics.md measures pictures at
 
 std::vector<std::string> letter_t() {
   std::vector<std::string> rows = {"000000000000"};
