@@ -21,7 +21,7 @@ PROMISED = set()
 # Fewer than this in the whole repository mean that the patterns below find nothing, not that all is well.
 LEAST_CITATIONS, LEAST_LINKS = 40, 40
 
-CITATION = re.compile(r"(?<![\w$/}.-])((?:[\w.-]+/)*[\w-]+\.md)\b(?!\.\w)(?:,? section (\d+))?")
+CITATION = re.compile(r"(?<![\w$/}.-])((?:[\w.-]+/)*[\w-]+\.md)\b(?:,? section (\d+))?")
 LINK = re.compile(r"!?\[(?:[^\[\]]|!?\[[^\]]*\]\([^)]*\))*\]\(([^)\s]+)\)")
 HEADING = re.compile(r"^#+ +(.*)$", re.MULTILINE)
 FENCE = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)

@@ -32,7 +32,7 @@ int main(int argc, char** argv) {
     root = std::string(argc > 1 ? argv[1] : ".") + "/";
     for (const auto& schema : kinetix::app::file_schemas()) write(schema_file(schema.name), schema.text);
     const auto text = [](const std::string& name) { return text_of(schema_file(name)); };
-    write("docs/formats.md", kinetix::app::formats_page(text_of("app/formats/page.md.in"), text));
+    write("docs/formats.md", kinetix::app::formats_page(text_of("app/formats/page.in"), text));
   } catch (const kinetix::InvalidInput& e) {
     std::cerr << e.what() << "\n";
     return 1;

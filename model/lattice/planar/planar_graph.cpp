@@ -189,13 +189,17 @@ void check_one_piece(const PlanarGraph& graph) {
                          name(graph, v));
 }
 
-std::string list_of(const std::vector<int>& vertices) {
-  std::string text;
-  for (const int v : vertices) text += (text.empty() ? "" : ", ") + std::to_string(v);
-  return text;
+}  // namespace
+
+std::string to_string(const GraphEdge& edge) {
+  return "[" + std::to_string(edge.from) + ", " + std::to_string(edge.to) + "]";
 }
 
-}  // namespace
+std::string to_string(const GraphFace& face) {
+  std::string text;
+  for (const int v : face.vertices) text += (text.empty() ? "" : ", ") + std::to_string(v);
+  return "the face of vertices " + text;
+}
 
 std::vector<GraphFace> bounded_faces(const PlanarGraph& graph) {
   const Walks walks(graph);
@@ -222,7 +226,7 @@ std::vector<int> senses(const PlanarGraph& graph, const std::vector<GraphFace>& 
   for (const GraphFace& face : faces)
     if (face.vertices.size() % 2 != 0)
       throw InvalidInput(
-          "the face of vertices " + list_of(face.vertices) + " has " + std::to_string(face.vertices.size()) +
+          to_string(face) + " has " + std::to_string(face.vertices.size()) +
           " walls: bodies turn to one side and to the other in turn, which takes an even number");
   std::vector<std::vector<int>> neighbours(graph.vertices.size());
   for (const GraphEdge& e : graph.edges) {

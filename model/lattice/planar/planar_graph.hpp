@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 #include <vector>
 
 namespace kinetix::model {
@@ -24,6 +25,11 @@ struct GraphFace {
   std::vector<int> vertices;
   std::vector<int> edges;  ///< edge k joins vertices k and k + 1, the last edge the last vertex to the first
 };
+
+/// "[from, to]", as messages name a wall.
+std::string to_string(const GraphEdge& edge);
+/// As messages name it: by its vertices.
+std::string to_string(const GraphFace& face);
 
 /// The bounded faces of a drawing, each once. A wall that ends in the face is walked there and back, and left
 /// out.

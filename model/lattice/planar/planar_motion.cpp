@@ -23,12 +23,6 @@ double misfit_of(const PlanarStructure& s, const GraphFace& face) {
   return sum.norm();
 }
 
-std::string list_of(const std::vector<int>& vertices) {
-  std::string text;
-  for (const int v : vertices) text += (text.empty() ? "" : ", ") + std::to_string(v);
-  return text;
-}
-
 /// The first hinge whose axis does not stand upright; -1 where all do.
 int first_inclined(const PlanarStructure& s) {
   const Linkage linkage = s;
@@ -106,13 +100,15 @@ State fold(const PlanarStructure& structure, const Redrawing& y, double theta) {
 
 ExactMotion exact_motion(const PlanarStructure& structure) {
   if (const int hinge = first_inclined(structure); hinge >= 0)
-    return {{}, "none", "the hinge on wall " + wall_name(structure, hinge) + " does not stand upright"};
+    return {{},
+            "none",
+            "the hinge on wall " + to_string(structure.graph.edges[hinge]) + " does not stand upright"};
   RedrawingFit fit = redrawing_of(structure);
   if (!fit.is_closed())
     return {{},
             "none",
-            "the face of vertices " + list_of(structure.faces[fit.worst_face].vertices) +
-                " does not close: it is off by " + number_text(fit.misfit) + " cell edges times sin(theta)"};
+            to_string(structure.faces[fit.worst_face]) + " does not close: it is off by " +
+                number_text(fit.misfit) + " cell edges times sin(theta)"};
   return {[structure, y = std::move(fit.y)](double theta) { return fold(structure, y, theta); }, "planar",
           "upright hinges that close every face: a parallel redrawing"};
 }

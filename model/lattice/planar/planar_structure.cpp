@@ -62,7 +62,7 @@ void add_plates(const PlanarStructure& s, int index, std::vector<Plate>& plates)
 void check(const PlanarStructure& s, int hinge, const char* name, double value, double low, double high,
            const char* allowed) {
   if (value > low && value < high) return;
-  throw InvalidInput(std::string(name) + " of the hinge on wall " + wall_name(s, hinge) + " is " +
+  throw InvalidInput(std::string(name) + " of the hinge on wall " + to_string(s.graph.edges[hinge]) + " is " +
                      number_text(value) + ", must be in " + allowed);
 }
 
@@ -75,11 +75,6 @@ void check_size(const CellSize& size) {
 }
 
 }  // namespace
-
-std::string wall_name(const PlanarStructure& structure, int hinge) {
-  const GraphEdge& e = structure.graph.edges[hinge];
-  return "[" + std::to_string(e.from) + ", " + std::to_string(e.to) + "]";
-}
 
 PlanarStructure make_planar_structure(PlanarGraph graph, const CellSize& size) {
   check_size(size);
@@ -114,9 +109,7 @@ PlanarStructure::operator Linkage() const {
     add_plates(*this, h, out.plates);
   }
   for (const GraphFace& face : faces) out.cells.push_back({face.vertices, face.edges});
-  out.wall_name = [edges = graph.edges](int hinge) {
-    return "[" + std::to_string(edges[hinge].from) + ", " + std::to_string(edges[hinge].to) + "]";
-  };
+  out.wall_name = [edges = graph.edges](int hinge) { return to_string(edges[hinge]); };
   out.vertex_name = [](int body) { return std::to_string(body); };
   return out;
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "model/base/angle.hpp"
@@ -36,8 +35,5 @@ PlanarStructure make_planar_structure(PlanarGraph graph, const CellSize& size);
 
 /// @throws InvalidInput, naming wall and value, for hinge parameters outside their ranges (NaN included)
 void validate_hinges(const PlanarStructure& structure);
-
-/// "[from, to]": the vertices of a wall.
-std::string wall_name(const PlanarStructure& structure, int hinge);
 
 }  // namespace kinetix::model

@@ -33,7 +33,7 @@ std::string schema_text(const std::string& name) {
 }
 
 TEST(FormatsPage, IsWhatTheTablesSay) {
-  const std::string page = formats_page(read_file(source + "/app/formats/page.md.in"), schema_text);
+  const std::string page = formats_page(read_file(source + "/app/formats/page.in"), schema_text);
   EXPECT_EQ(read_file(source + "/docs/formats.md"), page) << "write it anew by `make docs`";
 }
 
