@@ -6,8 +6,8 @@
 
 #include "benchmarks/figure.hpp"
 #include "benchmarks/stopwatch.hpp"
-#include "model/lattice/planar/planar_lattices.hpp"
 #include "optim/display/wall_scales.hpp"
+#include "tests/support/planar_graphs.hpp"
 
 namespace kinetix::bench {
 namespace {
@@ -17,46 +17,27 @@ using model::PlanarGraph;
 using model::PlanarStructure;
 using model::Redrawing;
 
-constexpr unsigned seed = 1;  // any: another gives the same orders of magnitude
+constexpr double spread = 0.5;  // of s and 2 o: hinges anywhere about the middle of their walls
+constexpr unsigned seed = 1;    // any: another gives the same orders of magnitude
 
 struct NamedGraph {
   const char* name;
   PlanarGraph graph;
 };
 
-/// Squares whose corners are moved at random by up to 0.3 of a wall both ways.
-PlanarGraph random_quads(int cells) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> by(-0.3, 0.3);
-  PlanarGraph graph = model::square_graph(cells, cells);
-  for (Vector2d& p : graph.vertices) p += Vector2d(by(random), by(random));
-  return graph;
-}
-
 std::vector<NamedGraph> graphs(int cells) {
-  const Vector2d middle = Vector2d::Constant(cells / 2.0);
-  const auto disc = [&](const Vector2d& p) { return (p - middle).norm() <= cells / 2.0; };
   return {{"squares", model::square_graph(cells, cells)},
-          {"disc of squares", trimmed(model::square_graph(cells, cells), disc)},
+          {"disc of squares", testing::disc_of_squares(cells)},
           {"rhombi of 70 deg", model::rhombus_graph(cells, cells, 70 * radians_per_degree)},
-          {"random quads", random_quads(cells)},
+          {"random quads", testing::random_quads(cells, seed)},
           {"honeycomb", model::honeycomb_graph(cells, cells)},
           {"bricks", model::brick_graph(cells, cells)},
           {"octagons and squares", model::octagon_graph(cells, cells)}};
 }
 
-/// Hinges anywhere about the middle of their walls: s and 2 o of up to about a half.
-Redrawing random_redrawing(const PlanarStructure& s) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> by(-0.17, 0.17);
-  Redrawing y(s.graph.vertices.size());
-  for (Vector2d& p : y) p = {by(random), by(random)};
-  return y;
-}
-
 /// Largest hinge gap from flat to 86 deg, cell edges.
 double largest_gap(PlanarStructure& s) {
-  place_hinges(random_redrawing(s), s);
+  place_hinges(testing::random_redrawing(s, spread, seed), s);
   const model::ExactMotion motion = exact_motion(s);
   if (!motion) return INFINITY;
   const model::Linkage linkage = s;
@@ -82,7 +63,7 @@ std::vector<Figure> closure_figures() {
 
 std::vector<Figure> time_figures() {
   PlanarStructure s = model::make_planar_structure(model::honeycomb_graph(100, 100), {});
-  place_hinges(random_redrawing(s), s);
+  place_hinges(testing::random_redrawing(s, spread, seed), s);
   const double check = median_seconds(5, 1, [&] { exact_motion(s); });
   const Redrawing y = redrawing_of(s).y;
   const double state = median_seconds(9, 3, [&] { fold(s, y, 0.5); });
@@ -111,11 +92,8 @@ Figure picture_figure(const std::string& kind, int cells, double most_seconds) {
     for (const int v : face.vertices) middle += s.graph.vertices[v] / (4.0 * cells);
     levels.push_back(level(kind, middle.x(), middle.y(), random));
   }
-  optim::WallScales scales{.wish = optim::wishes_of(levels, s, 0.08)};
-  scales.straight.resize(2);
-  for (int v = 0; v < static_cast<int>(s.graph.vertices.size()); ++v)
-    for (const int end : {0, 1})
-      if (std::abs(s.graph.vertices[v].y() - end * cells) < 0.5) scales.straight[end].push_back(v);
+  const optim::WallScales scales{.wish = optim::wishes_of(levels, s, 0.08),
+                                 .straight = testing::rim_rows(s.graph)};
   optim::ScaledWalls found;
   const double time = median_seconds(3, 1, [&] { found = scale_walls(s, scales); });
   return {fmt::format("planar, {} of {} x {} cells, rows straight: search", kind, cells, cells),

@@ -26,4 +26,8 @@ std::string number_text(double number) {
 InvalidInput::InvalidInput(const std::string& what_is_wrong, Place place)
     : std::runtime_error(message(place, what_is_wrong)), place_(std::move(place)), reason_(what_is_wrong) {}
 
+void require(const std::string& field, double value, bool fine, const std::string& allowed) {
+  if (!fine) throw InvalidInput(field + " is " + number_text(value) + ", must be " + allowed);
+}
+
 }  // namespace kinetix

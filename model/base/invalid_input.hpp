@@ -31,4 +31,7 @@ class InvalidInput : public std::runtime_error {
   std::string reason_;
 };
 
+/// @throws InvalidInput "FIELD is VALUE, must be ALLOWED" unless `fine`: ask so that NaN is not
+void require(const std::string& field, double value, bool fine, const std::string& allowed);
+
 }  // namespace kinetix

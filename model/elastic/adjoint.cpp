@@ -159,13 +159,8 @@ class Adjoint {
   /// Unknowns and the drive's force under the constraint that the hinge's turn is the drive's.
   void solve_driven(const VectorXd& by_state, double load) {
     const DofMap& dofs = system_.dofs();
-    const RestHinge& hinge = system_.hinges()[driven_];
-    const Vector12 turn = system_.driven_turn(state_).gradient;
-    VectorXd all = VectorXd::Zero(dofs.coordinates());
-    all.segment<6>(6 * hinge.lower) = turn.head<6>();
-    all.segment<6>(6 * hinge.upper) = turn.tail<6>();
-    const VectorXd along = dofs.restrict(all), free = tangent_.solve(dofs.restrict(by_state)),
-                   driven = tangent_.solve(along);
+    const VectorXd along = dofs.restrict(system_.driven_gradient(state_)),
+                   free = tangent_.solve(dofs.restrict(by_state)), driven = tangent_.solve(along);
     force_ = -system_.load(state_, theta_);
     const double share = (free.dot(along) + load) / driven.dot(along);
     lambda_ = dofs.extend(free - share * driven);

@@ -81,7 +81,8 @@ bool ClosedForm::is_near(const State& state, double theta) const {
 
 bool ClosedForm::is_mirrored(const State& state, double theta) const {
   if (system_.driven_hinge() >= 0 || system_.drive().grips_part) return false;
-  return is_near(state, -theta) && *distance(state, -theta) < *distance(state, theta);
+  const auto from_mirror = distance(state, -theta);
+  return from_mirror && *from_mirror <= near_closed_form && *from_mirror < *distance(state, theta);
 }
 
 }  // namespace kinetix::model

@@ -14,10 +14,7 @@ double drive_speed(const ElasticSystem& system, const State& state, double theta
                    const Eigen::VectorXd& along) {
   if (system.driven_hinge() < 0)
     return system.drive_rate(theta) * system.travel() / system.structure().size.edge_mm;
-  const RestHinge& hinge = system.hinges()[system.driven_hinge()];
-  const Vector12 turn = system.driven_turn(state).gradient;
-  return turn.head<6>().dot(along.segment<6>(6 * hinge.lower)) +
-         turn.tail<6>().dot(along.segment<6>(6 * hinge.upper));
+  return system.driven_gradient(state).dot(along);
 }
 
 }  // namespace

@@ -115,6 +115,13 @@ Element ElasticSystem::driven_turn(const State& state) const {
   return RelativeTurn(hinge, state[hinge.lower], state[hinge.upper]).element();
 }
 
+Eigen::VectorXd ElasticSystem::driven_gradient(const State& state) const {
+  const RestHinge& hinge = structure_.hinges[drive_.hinge];
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(dofs_.coordinates());
+  add(all, hinge.lower, hinge.upper, driven_turn(state).gradient);
+  return all;
+}
+
 double ElasticSystem::elastic_energy(const State& state) const {
   double sum = 0;
   for (const RestHinge& h : structure_.hinges)

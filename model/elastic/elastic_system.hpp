@@ -60,6 +60,8 @@ class ElasticSystem {
   double drive_miss(const State& state, double theta) const;
   /// A driven hinge: element of its turn.
   Element driven_turn(const State& state) const;
+  /// The gradient of its turn by all coordinates, rad by rad and by cell edges. @pre a hinge is driven
+  Eigen::VectorXd driven_gradient(const State& state) const;
   /// Takes over the force that the miss has called up. @return whether that was more than `tolerance`, rad
   bool update_multiplier(const State& state, double theta, double tolerance);
   double multiplier() const { return multiplier_; }

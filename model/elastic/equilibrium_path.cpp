@@ -4,23 +4,16 @@
 #include "model/elastic/path_tracer.hpp"
 
 namespace kinetix::model {
-namespace {
-
-void check(const char* field, double value, bool fine, const char* allowed) {
-  if (!fine) throw InvalidInput(std::string(field) + " is " + number_text(value) + ", must be " + allowed);
-}
-
-}  // namespace
 
 void EquilibriumPathOptions::validate() const {
-  check("side", side, side == 1 || side == -1, "1 or -1");
-  check("first_step", first_step, first_step > 0 && first_step <= 0.5, "in (0, 0.5] rad");
-  check("longest_step", longest_step, longest_step > 0 && longest_step <= 0.5, "in (0, 0.5] rad");
-  check("longest_step_touching", longest_step_touching,
-        longest_step_touching > 0 && longest_step_touching <= 0.5, "in (0, 0.5] rad");
-  check("least_step", least_step, least_step > 0 && least_step <= first_step, "in (0, first_step] rad");
-  check("longest_jump", longest_jump, longest_jump > 0, "positive");
-  check("gap_limit", gap_limit, gap_limit > 0, "positive");
+  require("side", side, side == 1 || side == -1, "1 or -1");
+  require("first_step", first_step, first_step > 0 && first_step <= 0.5, "in (0, 0.5] rad");
+  require("longest_step", longest_step, longest_step > 0 && longest_step <= 0.5, "in (0, 0.5] rad");
+  require("longest_step_touching", longest_step_touching,
+          longest_step_touching > 0 && longest_step_touching <= 0.5, "in (0, 0.5] rad");
+  require("least_step", least_step, least_step > 0 && least_step <= first_step, "in (0, first_step] rad");
+  require("longest_jump", longest_jump, longest_jump > 0, "positive");
+  require("gap_limit", gap_limit, gap_limit > 0, "positive");
 }
 
 EquilibriumPath trace_equilibrium(const DrivenLinkage& driven, const Elasticity& elasticity,

@@ -12,7 +12,7 @@ PathTracer::PathTracer(const DrivenLinkage& driven, const Elasticity& elasticity
       closed_form_(system_.elastic, driven.exact),
       head_(system_, closed_form_),
       solver_(system_, closed_form_, options),
-      check_(system_, closed_form_, options.longest_jump),
+      check_(system_, options.longest_jump),
       length_(options, driven.drive.theta()),
       record_(system_, head_, options, frame) {}
 

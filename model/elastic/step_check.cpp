@@ -22,7 +22,7 @@ StepFaults StepCheck::faults(const State& before, const State& prediction, const
   faults.jump = turn_distance(system_.elastic.structure(), prediction, trial.state);
   faults.jumped = !trial.descent && faults.jump > longest_jump_;
   faults.tunnelled = !trial.descent && system_.elastic.passed_through(before, trial.state);
-  faults.mirrored = closed_form_.is_mirrored(trial.state, trial.theta);
+  faults.mirrored = trial.mirrored;
   return faults;
 }
 

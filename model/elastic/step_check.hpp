@@ -26,9 +26,9 @@ struct PermittedStep {
 /// Whether a path may step to a trial state.
 class StepCheck {
  public:
-  /// @param longest_jump of a hinge, rad  The others are kept by reference.
-  StepCheck(const MeasuredSystem& system, const ClosedForm& closed_form, double longest_jump)
-      : system_(system), closed_form_(closed_form), longest_jump_(longest_jump) {}
+  /// @param system kept by reference  @param longest_jump of a hinge, rad
+  StepCheck(const MeasuredSystem& system, double longest_jump)
+      : system_(system), longest_jump_(longest_jump) {}
 
   /// None where the trial is no equilibrium. @param before the state that the path has come to
   StepFaults faults(const State& before, const State& prediction, const Trial& trial) const;
@@ -43,7 +43,6 @@ class StepCheck {
   bool keeps_energy(const EquilibriumStep& before, const EquilibriumStep& after) const;
 
   const MeasuredSystem& system_;
-  const ClosedForm& closed_form_;
   const double longest_jump_;  ///< rad
 };
 

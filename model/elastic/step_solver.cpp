@@ -27,8 +27,8 @@ Trial StepSolver::find(const NextStep& next, const PathHead& head, State predict
   const bool left_flat = head.theta() == 0 && turns_softly(system_.elastic) && leave_head(next, head, trial);
   if (!left_flat) search(first_options(next), head.has_tangent(), trial);
   leave_saddles(next, trial);
-  if (trial.newton.converged && closed_form_.is_mirrored(trial.state, trial.theta))
-    leave_head(next, head, trial);
+  trial.mirrored = is_mirrored(trial);
+  if (trial.mirrored && leave_head(next, head, trial)) trial.mirrored = is_mirrored(trial);
   return trial;
 }
 
@@ -54,6 +54,10 @@ NewtonOptions StepSolver::first_options(const NextStep& next) const {
 void StepSolver::search(const NewtonOptions& options, bool factorised, Trial& trial) {
   trial.newton = minimise(system_.elastic, trial.theta, options, trial.state, system_.tangent, factorised);
   trial.iterations += trial.newton.iterations;
+}
+
+bool StepSolver::is_mirrored(const Trial& trial) const {
+  return trial.newton.converged && closed_form_.is_mirrored(trial.state, trial.theta);
 }
 
 bool StepSolver::leave_head(const NextStep& next, const PathHead& head, Trial& trial) {

@@ -26,6 +26,7 @@ class StepSolver {
   /// The same with less patience where a shorter step may still be tried.
   NewtonOptions first_options(const NextStep& next) const;
   void search(const NewtonOptions& options, bool factorised, Trial& trial);
+  bool is_mirrored(const Trial& trial) const;
   /// From the last state of the path, carried on to theta, down to the side of the drive. Flat between plates
   /// bears no load that counts beside rounding where hinges turn softly, and hardly any elsewhere: minimising
   /// the energy from there may leave the side to chance. @return whether that state was unstable, and left

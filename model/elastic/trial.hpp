@@ -15,6 +15,7 @@ struct Trial {
   int iterations = 0;  ///< of all of its searches
   /// How an unstable equilibrium was left to get there, if one was: the last change of branch.
   std::optional<Branch::Descent> descent;
+  bool mirrored = false;  ///< it is in equilibrium on the side that was not asked for (ClosedForm)
 };
 
 }  // namespace kinetix::model

@@ -162,18 +162,14 @@ void finish(const Walls& walls, const WallScales& scales, VectorXcd y, ScaledWal
   for (Eigen::Index v = 0; v < y.size(); ++v) found.y.push_back({y[v].real(), y[v].imag()});
 }
 
-void check(const char* field, double value, bool fine, const char* allowed) {
-  if (!fine) throw InvalidInput(std::string(field) + " is " + number_text(value) + ", must be " + allowed);
-}
-
 }  // namespace
 
 void WallScales::validate(const model::PlanarStructure& structure) const {
-  check("offset", offset, offset > 0 && offset < 0.5, "in (0, 0.5) of a wall's length");
-  check("shift", shift, shift > 0 && shift < 1, "in (0, 1)");
-  check("drop", drop, std::isfinite(drop), "a finite number of cell edges");
+  require("offset", offset, offset > 0 && offset < 0.5, "in (0, 0.5) of a wall's length");
+  require("shift", shift, shift > 0 && shift < 1, "in (0, 1)");
+  require("drop", drop, std::isfinite(drop), "a finite number of cell edges");
   if (wish.size() != structure.graph.edges.size()) throw InvalidInput("wish must have a value for each wall");
-  for (const double w : wish) check("wish", w, std::isfinite(w), "finite");
+  for (const double w : wish) require("wish", w, std::isfinite(w), "finite");
   std::vector<bool> used(structure.graph.vertices.size(), false);
   for (const auto& row : straight)
     for (const int v : row) {

@@ -205,14 +205,6 @@ TEST(DriveLoad, IsTheForceOnWhatIsDriven) {
   }
 }
 
-/// How fast the driven hinge turns along a direction.
-double driven_turn_rate(const Settled& at, const Eigen::VectorXd& along) {
-  const RestHinge& hinge = at.system.hinges()[at.system.driven_hinge()];
-  const Vector12 turn = at.system.driven_turn(at.state).gradient;
-  return turn.head<6>().dot(along.segment<6>(6 * hinge.lower)) +
-         turn.tail<6>().dot(along.segment<6>(6 * hinge.upper));
-}
-
 /// A driven hinge gives way by the structure's stiffness over that of its grip: its own turn sets the scale.
 TEST(PathDirection, IsThatBetweenTwoStatesOfThePath) {
   const Structure s = bending_sheet(4);
@@ -224,7 +216,7 @@ TEST(PathDirection, IsThatBetweenTwoStatesOfThePath) {
     Settled at(s, drive(theta), 20);
     Eigen::VectorXd along =
         path_direction(at.system, at.state, theta, theta, at.tangent) + at.system.place_rate(theta);
-    if (!plates) along *= at.system.drive_rate(theta) / driven_turn_rate(at, along);
+    if (!plates) along *= at.system.drive_rate(theta) / at.system.driven_gradient(at.state).dot(along);
     const Settled before(s, drive(theta - step), 20), after(s, drive(theta + step), 20);
     for (std::size_t b = 0; b < at.state.size(); ++b) {
       const Eigen::Vector3d moved = (after.state[b].p - before.state[b].p) / (2 * step * s.size.edge_mm);

@@ -7,13 +7,16 @@
 
 #include "model/base/invalid_input.hpp"
 #include "model/closure/mobility.hpp"
-#include "model/lattice/planar/planar_lattices.hpp"
+#include "targets/display/display_score.hpp"
+#include "tests/support/planar_graphs.hpp"
 
 namespace kinetix::optim {
 namespace {
 
 using Eigen::Vector2d;
 using model::PlanarStructure;
+using targets::DisplayScore;
+using testing::rim_rows;
 
 constexpr double theta = 33 * radians_per_degree;  // rad: the fold that kinematics.md measures pictures at
 
@@ -37,16 +40,6 @@ std::vector<double> levels_of(const PlanarStructure& s, const std::vector<std::s
   return levels;
 }
 
-/// The lowest and the highest row of vertices.
-std::vector<std::vector<int>> rim_rows(const PlanarStructure& s, double height) {
-  std::vector<std::vector<int>> rows(2);
-  for (int v = 0; v < static_cast<int>(s.graph.vertices.size()); ++v) {
-    if (s.graph.vertices[v].y() < 0.5) rows[0].push_back(v);
-    if (s.graph.vertices[v].y() > height - 0.5) rows[1].push_back(v);
-  }
-  return rows;
-}
-
 std::vector<double> areas(const PlanarStructure& s, const model::State& state) {
   std::vector<double> areas;
   for (const model::GraphFace& face : s.faces) {
@@ -61,25 +54,6 @@ std::vector<double> areas(const PlanarStructure& s, const model::State& state) {
   return areas;
 }
 
-struct Contrast {
-  double ratio = 0;  ///< mean area of the picture's cells over that of the rest
-  double auc = 0;
-};
-
-Contrast contrast(const std::vector<double>& areas, const std::vector<double>& levels) {
-  double on = 0, off = 0, pairs = 0, right = 0, count_on = 0, count_off = 0;
-  for (std::size_t a = 0; a < areas.size(); ++a) {
-    (levels[a] > 0.5 ? on : off) += areas[a];
-    (levels[a] > 0.5 ? count_on : count_off) += 1;
-    for (std::size_t b = 0; b < areas.size(); ++b)
-      if (levels[a] > 0.5 && levels[b] < 0.5) {
-        pairs += 1;
-        right += areas[a] > areas[b] ? 1 : areas[a] == areas[b] ? 0.5 : 0;
-      }
-  }
-  return {on / count_on / (off / count_off), right / pairs};
-}
-
 TEST(ScaleWalls, MakesALetterTOfClosedHingesAlone) {
   PlanarStructure s = model::make_planar_structure(model::square_graph(12, 12), {});
   const std::vector<double> levels = levels_of(s, letter_t());
@@ -91,7 +65,7 @@ TEST(ScaleWalls, MakesALetterTOfClosedHingesAlone) {
   for (const auto& [offset, straight, ratio] :
        {Case{0.04, true, 1.14}, Case{0.08, true, 1.26}, Case{0.08, false, 1.39}}) {
     WallScales scales{.wish = wishes_of(levels, s, offset), .offset = offset};
-    if (straight) scales.straight = rim_rows(s, 12);
+    if (straight) scales.straight = rim_rows(s.graph);
     const ScaledWalls found = scale_walls(s, scales);
     EXPECT_TRUE(found.converged) << found.iterations;
     EXPECT_LE(found.offset, offset * (1 + 1e-15));
@@ -101,14 +75,14 @@ TEST(ScaleWalls, MakesALetterTOfClosedHingesAlone) {
     const model::Linkage linkage = s;
     for (const double at : {-0.4, 0.2, theta, 0.7})
       EXPECT_LE(hinge_gaps(linkage, fold(s, found.y, at)).max, 1e-13);
-    const Contrast seen = contrast(areas(s, fold(s, found.y, theta)), levels);
-    EXPECT_GE(seen.ratio, ratio - 0.02) << offset << ", straight " << straight;
+    const DisplayScore seen = targets::display_score(areas(s, fold(s, found.y, theta)), levels);
+    EXPECT_GE(seen.letter / seen.rest, ratio - 0.02) << offset << ", straight " << straight;
     EXPECT_EQ(seen.auc, 1) << offset << ", straight " << straight;
-    const Contrast flat = contrast(areas(s, rest_state(linkage)), levels);
-    EXPECT_NEAR(flat.ratio, 1, 1e-12);
+    const DisplayScore flat = targets::display_score(areas(s, rest_state(linkage)), levels);
+    EXPECT_NEAR(flat.letter / flat.rest, 1, 1e-12);
     RecordProperty("iterations", found.iterations);
     if (!straight) continue;
-    const auto rows = rim_rows(s, 12);
+    const auto rows = rim_rows(s.graph);
     for (const double at : {0.2, theta})
       for (const auto& row : rows)
         for (const int v : row)
@@ -120,7 +94,7 @@ TEST(ScaleWalls, LeavesOneWayToMove) {
   PlanarStructure s = model::make_planar_structure(model::square_graph(6, 6), {});
   const std::vector<double> levels =
       levels_of(s, {"000000", "011110", "001100", "001100", "001100", "000000"});
-  place_hinges(scale_walls(s, {.wish = wishes_of(levels, s, 0.08), .straight = rim_rows(s, 6)}).y, s);
+  place_hinges(scale_walls(s, {.wish = wishes_of(levels, s, 0.08), .straight = rim_rows(s.graph)}).y, s);
   const model::Mobility m = mobility(s, exact_motion(s));
   EXPECT_EQ(m.verdict, model::Verdict::mobile) << m.why;
   EXPECT_EQ(m.dofs_along, 1);
@@ -160,7 +134,7 @@ TEST(ScaleWalls, FindsTheOptimum) {
 
 TEST(ScaleWalls, DropsTheLastRowByWhatIsAsked) {
   const PlanarStructure s = model::make_planar_structure(model::square_graph(6, 5), {});
-  const auto rows = rim_rows(s, 5);
+  const auto rows = rim_rows(s.graph);
   const ScaledWalls found =
       scale_walls(s, {.wish = std::vector<double>(s.graph.edges.size(), 0.0), .straight = rows, .drop = 0.3});
   ASSERT_TRUE(found.converged);

@@ -7,14 +7,17 @@
 
 #include "model/base/invalid_input.hpp"
 #include "model/closure/mobility.hpp"
-#include "model/lattice/planar/planar_lattices.hpp"
 #include "model/lattice/square/classify.hpp"
+#include "tests/support/planar_graphs.hpp"
 #include "tests/support/random_designs.hpp"
 
 namespace kinetix::model {
 namespace {
 
 using Eigen::Vector2d;
+using testing::disc_of_squares;
+using testing::random_quads;
+using testing::random_redrawing;
 
 struct NamedGraph {
   const char* name;
@@ -22,33 +25,14 @@ struct NamedGraph {
   std::size_t bodies, hinges, cells;
 };
 
-/// Squares whose inner corners are moved at random by up to 0.3 of a wall.
-PlanarGraph random_quads(int columns, int rows, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> by(-0.3, 0.3);
-  PlanarGraph graph = square_graph(columns, rows);
-  for (Vector2d& p : graph.vertices) p += Vector2d(by(random), by(random));
-  return graph;
-}
-
 std::vector<NamedGraph> graphs() {
-  const auto disc = [](const Vector2d& p) { return (p - Vector2d(6, 6)).norm() <= 6; };
   return {{"squares", square_graph(7, 5), 48, 82, 35},
-          {"disc of squares", trimmed(square_graph(12, 12), disc), 109, 196, 88},
+          {"disc of squares", disc_of_squares(12), 109, 196, 88},
           {"rhombi", rhombus_graph(6, 4, 1.1), 35, 58, 24},
-          {"random quads", random_quads(6, 6, 1), 49, 84, 36},
+          {"random quads", random_quads(6, 1), 49, 84, 36},
           {"honeycomb", honeycomb_graph(5, 4), 58, 77, 20},
           {"bricks", brick_graph(5, 4), 58, 77, 20},
           {"octagons", octagon_graph(4, 3), 62, 79, 18}};
-}
-
-/// A redrawing with |s| and |2 o| of up to about `size`.
-Redrawing random_redrawing(const PlanarStructure& s, double size, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> by(-size / 3, size / 3);
-  Redrawing y(s.graph.vertices.size());
-  for (Vector2d& p : y) p = {by(random), by(random)};
-  return y;
 }
 
 TEST(PlanarGraph, OfLatticesHasTheirBodiesHingesAndCells) {
@@ -139,7 +123,7 @@ TEST(PlanarMotion, HasTheMobilityOfItsLattice) {
     int dofs;
   };
   for (const auto& [graph, dofs] : {Case{square_graph(4, 4), 1}, Case{rhombus_graph(4, 3, 1.2), 1},
-                                    Case{random_quads(4, 4, 2), 1}, Case{honeycomb_graph(3, 3), 11}}) {
+                                    Case{random_quads(4, 2), 1}, Case{honeycomb_graph(3, 3), 11}}) {
     PlanarStructure s = make_planar_structure(graph, {});
     place_hinges(random_redrawing(s, 0.3, 11), s);
     const Mobility m = mobility(s, exact_motion(s));
