@@ -13,7 +13,7 @@
 #include "app/pipeline/pipeline.hpp"
 #include "app/result/result_json.hpp"
 #include "app/run/stopwatch.hpp"
-#include "app/sweep/sweep_plan.hpp"
+#include "app/sweep/plan/sweep_plan.hpp"
 #include "model/base/invalid_input.hpp"
 #include "targets/document/document.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "app/files/design_file.hpp"
 #include "app/goals/registry.hpp"
-#include "app/sweep/doe_file.hpp"
+#include "app/sweep/plan/doe_file.hpp"
 
 namespace kinetix::app {
 

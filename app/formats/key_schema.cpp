@@ -7,7 +7,7 @@
 #include "app/files/design_file.hpp"
 #include "app/formats/key_text.hpp"
 #include "app/goals/registry.hpp"
-#include "app/sweep/doe_file.hpp"
+#include "app/sweep/plan/doe_file.hpp"
 
 namespace kinetix::app {
 namespace {

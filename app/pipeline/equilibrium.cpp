@@ -10,7 +10,7 @@
 #include "app/pipeline/design_drive.hpp"
 #include "app/pipeline/exact_state.hpp"
 #include "model/base/invalid_input.hpp"
-#include "model/elastic/turning_points.hpp"
+#include "model/elastic/path/turning_points.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -9,7 +9,7 @@
 #include "app/run/goal_outcome.hpp"
 #include "app/run/plan.hpp"
 #include "model/elastic/equilibrium_comparison.hpp"
-#include "model/elastic/stable_states.hpp"
+#include "model/elastic/path/stable_states.hpp"
 #include "model/lattice/square/drive.hpp"
 #include "sim/compression_run.hpp"
 

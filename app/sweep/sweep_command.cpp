@@ -7,11 +7,11 @@
 
 #include "app/io/atomic_file.hpp"
 #include "app/report/report.hpp"
-#include "app/sweep/ranks.hpp"
-#include "app/sweep/sweep_csv.hpp"
-#include "app/sweep/sweep_json.hpp"
 #include "app/sweep/sweep_progress.hpp"
 #include "app/sweep/sweep_run.hpp"
+#include "app/sweep/table/sweep_csv.hpp"
+#include "app/sweep/table/sweep_json.hpp"
+#include "app/sweep/workers/ranks.hpp"
 
 namespace kinetix::app {
 namespace {

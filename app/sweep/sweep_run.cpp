@@ -7,8 +7,8 @@
 #include <mutex>
 #include <thread>
 
-#include "app/sweep/process_pool.hpp"
-#include "app/sweep/work_queue.hpp"
+#include "app/sweep/workers/process_pool.hpp"
+#include "app/sweep/workers/work_queue.hpp"
 
 namespace kinetix::app {
 namespace {

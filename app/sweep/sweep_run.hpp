@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/sweep/ranks.hpp"
-#include "app/sweep/sweep_table.hpp"
+#include "app/sweep/table/sweep_table.hpp"
+#include "app/sweep/workers/ranks.hpp"
 
 namespace kinetix::app {
 

@@ -3,7 +3,7 @@
 #include "benchmarks/figure.hpp"
 #include "benchmarks/stopwatch.hpp"
 #include "model/elastic/equilibrium_comparison.hpp"
-#include "model/elastic/equilibrium_path.hpp"
+#include "model/elastic/path/equilibrium_path.hpp"
 #include "sim/compression_run.hpp"
 #include "tests/support/elastic_runs.hpp"
 #include "tests/support/paper_scenes.hpp"

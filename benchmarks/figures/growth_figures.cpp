@@ -6,7 +6,7 @@
 #include "benchmarks/figure.hpp"
 #include "benchmarks/scenes.hpp"
 #include "benchmarks/stopwatch.hpp"
-#include "model/elastic/equilibrium_path.hpp"
+#include "model/elastic/path/equilibrium_path.hpp"
 #include "model/lattice/square/drive.hpp"
 #include "sim/compression_run.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "benchmarks/figure.hpp"
-#include "model/elastic/stable_states.hpp"
+#include "model/elastic/path/stable_states.hpp"
 #include "model/lattice/square/cell_tuple.hpp"
 #include "model/lattice/square/drive.hpp"
 #include "model/lattice/square/unit_laws.hpp"

@@ -7,7 +7,7 @@
 #include <random>
 #include <thread>
 
-#include "app/sweep/evaluator.hpp"
+#include "app/sweep/evaluators/evaluator.hpp"
 #include "benchmarks/figure.hpp"
 #include "benchmarks/stopwatch.hpp"
 #include "tests/app/program.hpp"

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "model/elastic/equilibrium_path.hpp"
+#include "model/elastic/path/equilibrium_path.hpp"
 #include "model/lattice/square/classify.hpp"
 #include "model/lattice/square/drive.hpp"
 

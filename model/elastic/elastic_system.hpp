@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "model/elastic/contact_energy.hpp"
+#include "model/elastic/contact/contact_energy.hpp"
 #include "model/elastic/tangent_stiffness.hpp"
 #include "model/hinge/hinge_energy.hpp"
 #include "model/linkage/linkage_drive.hpp"

@@ -2,7 +2,7 @@
 
 #include "model/closure/closure_drive.hpp"
 #include "model/elastic/adjoint.hpp"
-#include "model/elastic/equilibrium_path.hpp"
+#include "model/elastic/path/equilibrium_path.hpp"
 
 namespace kinetix::optim {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "model/elastic/equilibrium_path.hpp"
+#include "model/elastic/path/equilibrium_path.hpp"
 #include "model/lattice/square/classify.hpp"
 #include "model/lattice/square/drive.hpp"
 #include "model/lattice/square/unit_laws.hpp"

@@ -13,7 +13,7 @@
 #include "app/goals/registry.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "app/result/result_json.hpp"
-#include "app/sweep/metric.hpp"
+#include "app/sweep/plan/metric.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 /// The parts that width_goal.cpp and areas_export.cpp add to this program, one file and one line each:

@@ -4,9 +4,9 @@
 #include <csignal>
 
 #include "app/io/sha256.hpp"
-#include "app/sweep/process_pool.hpp"
-#include "app/sweep/work_message.hpp"
-#include "app/sweep/work_queue.hpp"
+#include "app/sweep/workers/process_pool.hpp"
+#include "app/sweep/workers/work_message.hpp"
+#include "app/sweep/workers/work_queue.hpp"
 #include "targets/document/edit_document.hpp"
 #include "tests/app/sweep/sweep.hpp"
 #include "tests/support/bad_input.hpp"

@@ -6,7 +6,7 @@
 #include "model/closure/closure_solver.hpp"
 #include "model/closure/mobility.hpp"
 #include "model/contact/wall_contact.hpp"
-#include "model/elastic/equilibrium_path.hpp"
+#include "model/elastic/path/equilibrium_path.hpp"
 #include "model/elastic/tangent_stiffness.hpp"
 #include "tests/support/elastic_runs.hpp"
 #include "tests/support/paper_scenes.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "model/elastic/equilibrium_path.hpp"
+#include "model/elastic/path/equilibrium_path.hpp"
 #include "model/hinge/hinge_energy.hpp"
 #include "model/lattice/square/drive.hpp"
 #include "tests/support/derivatives.hpp"

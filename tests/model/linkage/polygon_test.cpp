@@ -7,7 +7,7 @@
 #include "model/closure/closure.hpp"
 #include "model/closure/mobility.hpp"
 #include "model/contact/wall_contact.hpp"
-#include "model/elastic/equilibrium_path.hpp"
+#include "model/elastic/path/equilibrium_path.hpp"
 #include "model/opening/cell_opening.hpp"
 
 namespace kinetix::model {

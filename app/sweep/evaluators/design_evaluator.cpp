@@ -1,0 +1,165 @@
+#include "app/sweep/evaluators/design_evaluator.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "app/pipeline/design_drive.hpp"
+#include "app/pipeline/equilibrium.hpp"
+#include "app/pipeline/exact_state.hpp"
+#include "app/pipeline/physics_settings.hpp"
+#include "app/result/equilibrium_summary.hpp"
+#include "model/elastic/path/near_equilibrium.hpp"
+#include "model/lattice/square/classify.hpp"
+
+namespace kinetix::app {
+namespace {
+
+constexpr double verify_tolerance = 0.02;  // cell edges, as that of `verify`
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+Run equilibrium_run(const DesignFile& design) {
+  Run run;
+  run.hinge = design.hinge;
+  run.side = design.side;
+  run.structure = design.structure;
+  run.plan.family = classify(design.structure);
+  run.plan.model = Model::equilibrium;
+  run.plan.planar = all_vertical(design.structure);
+  // As many frames as `simulate` has: they decide the steps of the path.
+  add_equilibrium(run, drive_of(design), elasticity_of(design), motion_states, {});
+  return run;
+}
+
+/// The closed form of a design's drive; empty where no family fits.
+model::State exact_state(const DesignFile& design, double& theta) {
+  const model::Classification family = classify(design.structure);
+  if (family.family == model::Family::none) return {};
+  theta = theta_of(drive_of(design), family, design.structure);
+  return fold(family, design.structure, theta);
+}
+
+}  // namespace
+
+DesignEvaluator::DesignEvaluator(const SweepPlan& plan) : plan_(plan), maker_(plan) {
+  const bool compares = std::any_of(plan.responses.begin(), plan.responses.end(),
+                                    [](const Metric& metric) { return metric.needs_nominal; });
+  if (compares || plan.doe.from_base) find_nominal();
+}
+
+/// A sweep that starts from the base's state takes it from the closed form where there is one: there its
+/// branch is that of the design, whatever a load from flat would choose.
+void DesignEvaluator::find_nominal() {
+  const DesignFile& base = *plan_.base.design;
+  SampleRow row;
+  if (plan_.doe.from_base && classify(base.structure).family != model::Family::none)
+    see_equilibrium(
+        base, equilibrium_at_closed_form(driven(base.structure, drive_of(base)), elasticity_of(base)), row);
+  else if (plan_.doe.from_base)
+    compute_equilibrium(base, row);
+  else
+    compute(base, row);
+  if (row.status != SampleStatus::ok)
+    throw InvalidInput("the base's own state, which samples are compared with, was not found: " + row.reason,
+                       {plan_.doe.base});
+  nominal_ = *seen_.state;
+}
+
+void DesignEvaluator::evaluate(SampleRow& row) {
+  maker_.make(row.factors);
+  compute(maker_.design(), row);
+  for (std::size_t k = 0; k < plan_.responses.size(); ++k) row.responses[k] = plan_.responses[k].of(seen_);
+}
+
+void DesignEvaluator::compute(const DesignFile& design, SampleRow& row) {
+  seen_ = {.structure = &design.structure,
+           .theta = design.theta,
+           .nominal = &nominal_,
+           .goal = plan_.goal.goal.get()};
+  switch (plan_.doe.model) {
+    case Model::exact:
+      return compute_exact(design);
+    case Model::equilibrium:
+      return plan_.doe.from_base ? compute_near_base(design, row) : compute_equilibrium(design, row);
+    case Model::bullet:
+      return compute_physics(design, row);
+  }
+}
+
+/// Rectangles are folded in place; the order of their bodies is that of the lattice.
+const model::State& DesignEvaluator::sheet_state(const DesignFile& design) {
+  sheet_.theta = design.theta;
+  if (is_whole_sheet(sheet_, design.structure))
+    fold(sheet_, design.structure.size.edge_mm, state_);
+  else
+    state_ = fold(sheet_, design.structure);
+  return state_;
+}
+
+void DesignEvaluator::compute_exact(const DesignFile& design) {
+  if (!design.drive && model::SheetReader(design.structure).read(design.structure, sheet_)) {
+    seen_.state = &sheet_state(design);
+    return;
+  }
+  const model::Classification family = classify(design.structure);
+  if (family.family == model::Family::none) throw InvalidInput(family.why);
+  seen_.theta = design.drive ? theta_of(drive_of(design), family, design.structure) : design.theta;
+  state_ = fold(family, design.structure, seen_.theta);
+  seen_.state = &state_;
+}
+
+void DesignEvaluator::compute_equilibrium(const DesignFile& design, SampleRow& row) {
+  run_ = equilibrium_run(design);
+  seen_.theta = run_.theta;
+  seen_.state = &run_.states.front().poses;
+  seen_.equilibrium = &*run_.equilibrium;
+  if (run_.equilibrium->reached()) return;
+  row.status = SampleStatus::missed;
+  row.reason = in_words(run_.equilibrium->path.stop) + ": " + run_.equilibrium->path.why;
+}
+
+void DesignEvaluator::compute_near_base(const DesignFile& design, SampleRow& row) {
+  see_equilibrium(
+      design,
+      follow_change(nominal_, changing(plan_.base.design->structure, design.structure, drive_of(design)),
+                    elasticity_of(design)),
+      row);
+}
+
+void DesignEvaluator::see_equilibrium(const DesignFile& design, model::EquilibriumPath path, SampleRow& row) {
+  run_ = {};
+  run_.equilibrium = Equilibrium{elasticity_of(design), drive_of(design), std::move(path), {}, {}};
+  const model::EquilibriumPath& found = run_.equilibrium->path;
+  if (found.steps.empty()) throw InvalidInput(found.why);
+  seen_.structure = &design.structure;
+  seen_.theta = found.theta;
+  seen_.state = &found.state;
+  seen_.equilibrium = &*run_.equilibrium;
+  if (found.stop == model::EquilibriumPath::Stop::reached) return;
+  row.status = SampleStatus::missed;
+  row.reason = found.why;
+}
+
+void DesignEvaluator::compute_physics(const DesignFile& design, SampleRow& row) {
+  model::State reference;
+  if (design.hinge.model == HingeSection::Model::elastic) {
+    run_ = equilibrium_run(design);
+    if (run_.equilibrium->reached()) reference = run_.states.front().poses;
+    seen_.theta = run_.theta;
+  } else {
+    reference = exact_state(design, seen_.theta);
+  }
+  physics_ = run_compression(design.structure, drive_of(design).on(design.structure),
+                             physics_of(design, all_vertical(design.structure)));
+  if (physics_.status != sim::PhysicsResult::Status::settled)
+    throw InvalidInput("physics run " + to_string(physics_.status) + ": " + physics_.why);
+  seen_.state = &physics_.state;
+  seen_.physics = &physics_;
+  seen_.from_model = reference.empty() ? model::StateDistance{nan, nan}
+                                       : aligned_distance(design.structure, physics_.state, reference);
+  if (reference.empty() || seen_.from_model.rms <= verify_tolerance) return;
+  row.status = SampleStatus::disagrees;
+  row.reason = "the physics run settled in another state than the model";
+}
+
+}  // namespace kinetix::app

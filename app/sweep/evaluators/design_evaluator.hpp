@@ -1,0 +1,37 @@
+#pragma once
+
+#include "app/run/run.hpp"
+#include "app/sweep/evaluators/evaluator.hpp"
+#include "model/lattice/square/sheet_reader.hpp"
+
+namespace kinetix::app {
+
+/// Forward runs of a design by the sweep's model, as `simulate` makes them, without writing anything.
+class DesignEvaluator final : public Evaluator {
+ public:
+  explicit DesignEvaluator(const SweepPlan& plan);
+  void evaluate(SampleRow& row) override;
+
+ private:
+  void compute(const DesignFile& design, SampleRow& row);
+  void compute_exact(const DesignFile& design);
+  void compute_equilibrium(const DesignFile& design, SampleRow& row);
+  void compute_near_base(const DesignFile& design, SampleRow& row);
+  void see_equilibrium(const DesignFile& design, model::EquilibriumPath path, SampleRow& row);
+  void find_nominal();
+  void compute_physics(const DesignFile& design, SampleRow& row);
+  const model::State& sheet_state(const DesignFile& design);
+
+  const SweepPlan& plan_;
+  SampleMaker maker_;
+  model::State nominal_;  ///< the base's own, where a response needs it
+
+  // of the current sample
+  Observation seen_;
+  model::State state_;
+  model::ExactDesign<double> sheet_;
+  Run run_;
+  sim::PhysicsResult physics_;
+};
+
+}  // namespace kinetix::app

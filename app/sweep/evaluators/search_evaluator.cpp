@@ -1,0 +1,42 @@
+#include "app/sweep/evaluators/search_evaluator.hpp"
+
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include "app/pipeline/pipeline.hpp"
+#include "app/result/result_json.hpp"
+
+namespace kinetix::app {
+namespace {
+
+/// The model's state, and the physics run's where there is one.
+const NamedState* shown_state(const Run& run, bool physics) {
+  const NamedState* shown = nullptr;
+  for (const NamedState& state : run.states)
+    if (state.name == "target" && (!shown || (physics && state.model == "bullet"))) shown = &state;
+  return shown;
+}
+
+}  // namespace
+
+void SearchEvaluator::evaluate(SampleRow& row) {
+  maker_.make(row.factors);
+  const bool physics = plan_.doe.model == Model::bullet;
+  const Run run =
+      run_scene(*maker_.target().goal, {.threads = 1, .seed = plan_.seed, .verify = physics, .progress = {}});
+  const auto metrics = metrics_json(run);
+  Observation seen{.structure = &run.structure, .theta = run.theta, .metrics = &metrics};
+  const NamedState* state = shown_state(run, physics);
+  if (!state) throw std::runtime_error("the search ended without a state");
+  seen.state = &state->poses;
+  for (std::size_t k = 0; k < plan_.responses.size(); ++k) row.responses[k] = plan_.responses[k].of(seen);
+  if (!run.goal->met()) {
+    row.status = SampleStatus::missed;
+    row.reason = fmt::format("{}", fmt::join(run.goal->violations, "; "));
+  } else if (run.verification && !run.verification->agrees) {
+    row.status = SampleStatus::disagrees;
+    row.reason = "the physics run does not agree with the model";
+  }
+}
+
+}  // namespace kinetix::app

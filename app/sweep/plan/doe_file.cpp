@@ -1,0 +1,266 @@
+#include "app/sweep/plan/doe_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "app/files/file_header.hpp"
+#include "optim/doe/sampling.hpp"
+
+namespace kinetix::app {
+namespace {
+
+namespace value = targets::value;
+using targets::needed;
+using targets::otherwise;
+
+constexpr int most_levels = 1'000'000;  // of one factor; their product is limited by itself
+// What the key `model` may say.
+constexpr targets::Word<Model> models[] = {
+    {"exact", Model::exact}, {"equilibrium", Model::equilibrium}, {"bullet", Model::bullet}};
+/// Whether samples start from the base's own state.
+constexpr targets::Word<bool> starts[] = {{"flat", false}, {"base", true}};
+/// What the key `method.kind` may say.
+constexpr targets::Word<DoeMethod::Kind> methods[] = {{"factorial", DoeMethod::Kind::factorial},
+                                                      {"lhs", DoeMethod::Kind::lhs},
+                                                      {"sobol", DoeMethod::Kind::sobol},
+                                                      {"saltelli", DoeMethod::Kind::saltelli},
+                                                      {"monte_carlo", DoeMethod::Kind::monte_carlo},
+                                                      {"one_at_a_time", DoeMethod::Kind::one_at_a_time},
+                                                      {"morris", DoeMethod::Kind::morris}};
+
+const targets::KeyTable& method_keys() {
+  static const optim::SamplingOptions usual{};
+  static const targets::KeyTable keys({
+      {"kind", value::choice(methods), needed, "how samples are laid out ([methods](#methods-of-a-sweep))"},
+      {"samples", value::integer(1, static_cast<int>(most_samples)),
+       targets::by_default(static_cast<double>(usual.samples)),
+       "how many; of `saltelli` the base N of N (d + 2) rows for d factors, of `morris` the number of "
+       "trajectories; `factorial` and `one_at_a_time` do not use it"},
+      {"levels", value::integer(2, most_levels),
+       targets::by_default(static_cast<double>(optim::Factor{}.levels)),
+       "levels of a grid, of factors that give none of their own"},
+      {"seed", value::integer(0, std::numeric_limits<int>::max()), targets::by_default(0.0),
+       "of the random numbers; `--seed` goes before it"},
+  });
+  return keys;
+}
+
+const targets::KeyTable& path_keys() {
+  static const targets::KeyTable keys({
+      {"path", value::text("path"), needed, "of one or more numbers of the base"},
+      {"times", value::number(), targets::by_default(FactorPath{}.times), "what the factor is multiplied by"},
+      {"plus", value::number(), targets::by_default(FactorPath{}.plus), "what is added to it then"},
+  });
+  return keys;
+}
+
+const targets::KeyTable& normal_keys() {
+  static const targets::KeyTable keys({
+      {"mean", value::number(), needed, "of the normal distribution"},
+      {"sd", value::number(targets::above(0)), needed, "its standard deviation"},
+  });
+  return keys;
+}
+
+const targets::KeyTable& factor_keys() {
+  const targets::ValueType path = value::either({value::text("path"), value::map(path_keys())});
+  static const targets::KeyTable keys(
+      {
+          {"path",
+           value::either({value::text("path"), value::map(path_keys()),
+                          value::list(path, "a list of these, which vary together")}),
+           needed, "the numbers of the base that vary ([paths](#paths-of-factors))"},
+          {"name", value::text("heading"), otherwise("the first path"), "heading of the factor's column"},
+          {"range", value::range({}), {}, "evenly spread values between two ends"},
+          {"levels", value::integer(2, most_levels), otherwise("`method.levels`"),
+           "levels of a grid; not with `values`"},
+          {"normal", value::map(normal_keys()), {}, "normally distributed values"},
+          {"values", value::list(value::number(), "a list of numbers"), {}, "these values and no others"},
+          {"each", value::boolean(), targets::by_default("false"),
+           "every number that the path matches is a factor of its own"},
+          {"add", value::boolean(), targets::by_default("false"), "values are added to the base's own"},
+      },
+      {{"range", "normal", "values"}});
+  return keys;
+}
+
+std::string path_beside(const targets::Node& node, const std::string& what) {
+  const std::filesystem::path path = node.text(what);
+  return path.is_absolute() ? path.string() : (std::filesystem::path(node.folder()) / path).string();
+}
+
+Model read_model(const targets::Section& root) {
+  Model model = Model::exact;
+  root.read("model", model, models);
+  return model;
+}
+
+bool read_start(const targets::Section& root, Model model) {
+  const auto node = root.optional("start");
+  if (!node) return false;
+  if (model != Model::equilibrium) throw node->error("goes with `model: equilibrium`, which follows a load");
+  return read_word(*node, starts);
+}
+
+std::int64_t read_count(const targets::Node& node) {
+  const double count = node.number(targets::from_to(1, static_cast<double>(most_samples), "samples"));
+  if (count != std::floor(count)) throw node.error("is not a whole number of samples");
+  return static_cast<std::int64_t>(count);
+}
+
+DoeMethod read_method(const targets::Section& root) {
+  DoeMethod method{.node = root.required("method", "e.g. `method: {kind: sobol, samples: 1024}`")};
+  const targets::Section section = root.section("method");
+  section.read_needed("kind", "factorial, lhs, sobol, saltelli, monte_carlo, one_at_a_time or morris",
+                      method.kind, methods);
+  if (const auto samples = section.optional("samples")) method.samples = read_count(*samples);
+  section.read("levels", method.levels);
+  int seed = 0;
+  section.read("seed", seed);
+  method.seed = static_cast<std::uint64_t>(seed);
+  return method;
+}
+
+FactorPath read_path(const targets::Node& node) {
+  if (node.kind() != targets::Node::Kind::map)
+    return {node.located([&] { return targets::parse_path(node.text("a path into the base file")); })};
+  const targets::Section section(node, path_keys());
+  FactorPath path = read_path(section.required("path", "a path into the base file"));
+  section.read("times", path.times);
+  section.read("plus", path.plus);
+  if (path.times == 0) throw node.error("`times: 0` leaves nothing of the factor");
+  return path;
+}
+
+std::vector<FactorPath> read_paths(const targets::Section& factor) {
+  const targets::Node node =
+      factor.required("path", "a path into the base file, e.g. `path: design.theta_deg`");
+  if (node.kind() != targets::Node::Kind::list) return {read_path(node)};
+  std::vector<FactorPath> paths;
+  for (const targets::Node& entry : node.list("paths into the base file")) paths.push_back(read_path(entry));
+  if (paths.empty()) throw node.error("is empty; give at least one path");
+  return paths;
+}
+
+std::vector<double> read_list(const targets::Node& node) {
+  std::vector<double> values;
+  for (const targets::Node& entry : node.list("a list of numbers")) values.push_back(entry.number());
+  if (values.empty()) throw node.error("is empty; give at least one number");
+  return values;
+}
+
+FactorValues read_values(const targets::Section& factor) {
+  FactorValues values;
+  const auto range = factor.optional("range"), normal = factor.optional("normal"),
+             list = factor.optional("values");
+  if (range.has_value() + normal.has_value() + list.has_value() != 1)
+    throw factor.error(
+        "needs exactly one of `range: [lower, upper]`, `normal: {mean: m, sd: s}` and `values: [...]`");
+  if (const auto levels = factor.optional("levels")) {
+    if (list) throw levels->error("a list of values has as many levels as values; leave this out");
+    factor.read("levels", values.levels);
+  }
+  if (range) {
+    const auto [lower, upper] = range->range({});
+    values.lower = lower;
+    values.upper = upper;
+  } else if (normal) {
+    values.kind = FactorValues::Kind::normal;
+    const targets::Section section = factor.section("normal");
+    section.read_needed("mean", "the mean of the normal distribution", values.mean);
+    section.read_needed("sd", "the standard deviation, above 0", values.sd);
+  } else {
+    values.kind = FactorValues::Kind::list;
+    values.list = read_list(*list);
+  }
+  return values;
+}
+
+DoeFactor read_factor(const targets::Node& node) {
+  const targets::Section section(node, factor_keys());
+  DoeFactor factor{.name = {}, .paths = read_paths(section), .values = read_values(section), .node = node};
+  factor.name = to_string(factor.paths[0].path);
+  if (const auto name = section.optional("name"))
+    factor.name = name->text("a heading for the factor's column");
+  section.read("each", factor.each);
+  section.read("add", factor.add);
+  if (factor.each && factor.paths.size() > 1)
+    throw node.error("`each: true` goes with one path, not with several that vary together");
+  return factor;
+}
+
+std::vector<DoeFactor> read_factors(const targets::Section& root) {
+  const targets::Node node =
+      root.required("factors", "e.g. `- {path: design.theta_deg, range: [5, 40], levels: 8}`");
+  std::vector<DoeFactor> factors;
+  for (const targets::Node& entry : node.list("a list of factors")) factors.push_back(read_factor(entry));
+  if (factors.empty()) throw node.error("is empty; a sweep needs at least one factor");
+  return factors;
+}
+
+std::vector<targets::Node> read_responses(const targets::Section& root) {
+  const targets::Node node =
+      root.required("responses", "the metrics to record, e.g. `responses: [area_ratio]`");
+  std::vector<targets::Node> responses = node.list("a list of metrics");
+  if (responses.empty()) throw node.error("is empty; a sweep needs at least one response");
+  std::vector<std::string> names;
+  for (const targets::Node& entry : responses) {
+    names.push_back(entry.text("the name of a metric"));
+    if (std::count(names.begin(), names.end(), names.back()) > 1) throw entry.error("is given twice");
+  }
+  return responses;
+}
+
+void check_kind_of_file(const targets::Node& root) {
+  if (root.kind() == targets::Node::Kind::map && !root.optional("factors")) {
+    if (root.optional("design")) throw root.error("this is a design, not a design of experiments");
+    if (root.optional("target")) throw root.error("this is a target, not a design of experiments");
+  }
+}
+
+}  // namespace
+
+const targets::KeyTable& doe_keys() {
+  static const targets::KeyTable keys = file_keys({
+      {"base", value::text("path of a design.yaml or a target.yaml"), needed,
+       "what is varied: every sample runs a design forwards, or searches for a target"},
+      {"goal", value::text("path of a target.yaml"), otherwise("responses that need one are refused"),
+       "the curve that `shape_rms` and `shape_max` of designs are measured against"},
+      {"model", value::choice(models), targets::by_default("exact"),
+       "what computes a sample: `exact` the closed form, `equilibrium` elastic hinges, `bullet` the physics "
+       "run"},
+      {"start", value::choice(starts), targets::by_default("flat"),
+       "of `model: equilibrium`: follow the load from flat, or settle from the base's own state at the end "
+       "of "
+       "its drive, for small errors"},
+      {"method", value::map(method_keys()), needed, "how samples are laid out"},
+      {"factors", value::list(value::map(factor_keys()), "a list of factors"), needed, "what varies"},
+      {"responses", value::list(value::text("metric"), "a list of metrics"), needed,
+       "what is recorded ([metrics](#responses-of-a-sweep))"},
+  });
+  return keys;
+}
+
+DoeFile read_doe(const std::string& file) {
+  const targets::Node node = targets::read_document(file);
+  check_kind_of_file(node);
+  const targets::Section root(node, doe_keys());
+  check_version(root);
+  constexpr const char* a_base = "the path of a design.yaml or a target.yaml";
+  DoeFile doe{.name = read_name(root),
+              .base = path_beside(root.required("base", a_base), a_base),
+              .goal = {},
+              .model = read_model(root),
+              .method = read_method(root),
+              .factors = read_factors(root),
+              .responses = read_responses(root),
+              .root = node};
+  doe.from_base = read_start(root, doe.model);
+  if (const auto goal = root.optional("goal"))
+    doe.goal = path_beside(*goal, "the path of a target to measure against");
+  return doe;
+}
+
+}  // namespace kinetix::app

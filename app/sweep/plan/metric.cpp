@@ -1,0 +1,193 @@
+#include "app/sweep/plan/metric.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "app/goals/registry.hpp"
+#include "app/sweep/plan/pose_metrics.hpp"
+#include "model/base/invalid_input.hpp"
+#include "targets/document/document_path.hpp"
+#include "targets/document/wording.hpp"
+
+namespace kinetix::app {
+namespace {
+
+using O = Observation;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+double moved_mm(const O& o, double model::StateDistance::*part) {
+  return aligned_distance(*o.structure, *o.state, *o.nominal).*part * o.structure->size.edge_mm;
+}
+
+const model::EquilibriumStep& last(const O& o) { return o.equilibrium->path.steps.back(); }
+
+template <class Value>
+double largest(const O& o, Value value) {
+  double most = -std::numeric_limits<double>::infinity();
+  for (const model::EquilibriumStep& step : o.equilibrium->path.steps) most = std::max(most, value(step));
+  return most;
+}
+
+/// Energy at the summit that a release from flat must pass to come to the next stable state.
+double barrier(const O& o) {
+  const auto& barriers = o.equilibrium->stable.barriers;
+  return barriers.empty() ? nan : barriers.front().energy;
+}
+
+const std::vector<Metric>& pose_metrics() {
+  static const std::vector<Metric> metrics = {
+      {"theta_deg", [](const O& o) { return to_degrees(o.theta); }},
+      {"end_mm", [](const O& o) { return end_point(*o.structure, *o.state).norm(); }},
+      {"end_x_mm", [](const O& o) { return end_point(*o.structure, *o.state).x(); }},
+      {"end_y_mm", [](const O& o) { return end_point(*o.structure, *o.state).y(); }},
+      {"end_z_mm", [](const O& o) { return end_point(*o.structure, *o.state).z(); }},
+      {"turn_deg", [](const O& o) { return to_degrees(total_turn(*o.structure, *o.state)); }},
+      {"area_ratio", [](const O& o) { return area_ratio(*o.structure, *o.state); }},
+      {"fold_deg", [](const O& o) { return to_degrees(fold_angle(*o.structure, *o.state)); }},
+      {"cell_angle_deg", [](const O& o) { return to_degrees(cell_angle(*o.structure, *o.state)); }},
+      {"lean_max_deg", [](const O& o) { return to_degrees(largest_lean(*o.structure, *o.state)); }},
+      {"size_x_mm", [](const O& o) { return extent(*o.state).x(); }},
+      {"size_y_mm", [](const O& o) { return extent(*o.state).y(); }},
+      {"size_z_mm", [](const O& o) { return extent(*o.state).z(); }},
+      {"hinge_gap_max", [](const O& o) { return hinge_gaps(*o.structure, *o.state).max; }},
+      {"hinge_gap_rms", [](const O& o) { return hinge_gaps(*o.structure, *o.state).rms; }},
+      {"moved_rms_mm", [](const O& o) { return moved_mm(o, &model::StateDistance::rms); }, true},
+      {"moved_max_mm", [](const O& o) { return moved_mm(o, &model::StateDistance::max); }, true},
+  };
+  return metrics;
+}
+
+std::vector<Metric> goal_metrics(const GoalKind& goal) {
+  std::vector<Metric> metrics;
+  for (const GoalMeasure& measure : goal.measures)
+    metrics.push_back({std::string(measure.name),
+                       [of = measure.of](const O& o) { return of(*o.goal, *o.structure, *o.state); }});
+  return metrics;
+}
+
+const std::vector<Metric>& equilibrium_metrics() {
+  static const std::vector<Metric> metrics = {
+      {"reached", [](const O& o) { return o.equilibrium->reached() ? 1.0 : 0.0; }},
+      {"compression",
+       [](const O& o) {
+         return o.equilibrium->drive.kind == model::Drive::Kind::plates ? last(o).drive : nan;
+       }},
+      {"drive_rad",
+       [](const O& o) {
+         return o.equilibrium->drive.kind == model::Drive::Kind::hinge ? last(o).drive : nan;
+       }},
+      {"load_N",
+       [](const O& o) {
+         return o.equilibrium->drive.kind == model::Drive::Kind::plates ? last(o).load : nan;
+       }},
+      {"load_Nmm",
+       [](const O& o) {
+         return o.equilibrium->drive.kind == model::Drive::Kind::hinge ? last(o).load : nan;
+       }},
+      {"energy_Nmm", [](const O& o) { return last(o).energy; }},
+      {"load_peak",
+       [](const O& o) {
+         return largest(o, [](const model::EquilibriumStep& s) { return std::abs(s.load); });
+       }},
+      {"energy_peak_Nmm",
+       [](const O& o) { return largest(o, [](const model::EquilibriumStep& s) { return s.energy; }); }},
+      {"gap_peak",
+       [](const O& o) { return largest(o, [](const model::EquilibriumStep& s) { return s.gap; }); }},
+      {"barrier_Nmm", barrier},
+      {"stable_states", [](const O& o) { return static_cast<double>(o.equilibrium->stable.states.size()); }},
+      {"exact_rms",
+       [](const O& o) { return o.equilibrium->from_exact ? o.equilibrium->from_exact->rms : nan; }},
+      {"exact_max",
+       [](const O& o) { return o.equilibrium->from_exact ? o.equilibrium->from_exact->max : nan; }},
+  };
+  return metrics;
+}
+
+const std::vector<Metric>& physics_metrics() {
+  static const std::vector<Metric> metrics = {
+      {"verify_rms", [](const O& o) { return o.from_model.rms; }},
+      {"verify_max", [](const O& o) { return o.from_model.max; }},
+      {"hinge_axis_max_rad", [](const O& o) { return o.physics->gaps.axis_max; }},
+      {"unrest", [](const O& o) { return o.physics->residual_motion; }},
+  };
+  return metrics;
+}
+
+/// Keys of `metrics` that searches write, of all kinds and models.
+std::vector<std::string> search_names() {
+  std::vector<std::string> names = {"theta_rad", "theta_limit_rad", "met"};
+  for (const GoalKind* kind : goal_kinds())
+    for (const GoalMetric& metric : kind->metrics) names.emplace_back(metric.name);
+  for (const char* name : {"reached", "compression", "load_N", "energy_Nmm", "hinge_gap_max", "hinge_gap_rms",
+                           "verify_rms", "verify_max", "hinge_axis_max_rad", "verified"})
+    names.emplace_back(name);
+  return names;
+}
+
+/// Kinds whose goals measure any state by a number of this name.
+std::vector<std::string_view> kinds_that_measure(std::string_view name) {
+  std::vector<std::string_view> kinds;
+  for (const GoalKind* kind : goal_kinds())
+    for (const GoalMeasure& measure : kind->measures)
+      if (measure.name == name) kinds.push_back(kind->name);
+  return kinds;
+}
+
+double json_number(const nlohmann::ordered_json& metrics, const targets::DocumentPath& path) {
+  const nlohmann::ordered_json* at = &metrics;
+  for (const targets::PathStep& step : path) {
+    if (step.key.empty()
+            ? !at->is_array() || step.position < 0 || static_cast<std::size_t>(step.position) >= at->size()
+            : !at->is_object() || !at->contains(step.key))
+      return nan;
+    at = step.key.empty() ? &(*at)[static_cast<std::size_t>(step.position)] : &(*at)[step.key];
+  }
+  if (at->is_boolean()) return at->get<bool>() ? 1 : 0;
+  return at->is_number() ? at->get<double>() : nan;
+}
+
+std::vector<Metric> metrics_of(const MetricContext& context) {
+  std::vector<Metric> all = pose_metrics();
+  const auto add = [&](const std::vector<Metric>& more) { all.insert(all.end(), more.begin(), more.end()); };
+  if (context.searches) return all;
+  if (context.goal) add(goal_metrics(*context.goal));
+  if (context.model == Model::equilibrium) add(equilibrium_metrics());
+  if (context.model == Model::bullet) add(physics_metrics());
+  return all;
+}
+
+}  // namespace
+
+std::vector<std::string> metric_names(const MetricContext& context) {
+  std::vector<std::string> names;
+  if (context.searches) names = search_names();
+  for (const Metric& metric : metrics_of(context))
+    if (std::find(names.begin(), names.end(), metric.name) == names.end()) names.push_back(metric.name);
+  return names;
+}
+
+Metric find_metric(const std::string& name, const MetricContext& context) {
+  if (context.searches) {
+    const targets::DocumentPath path = targets::parse_path(name);
+    const auto known = search_names();
+    if (std::find(known.begin(), known.end(), path[0].key) != known.end())
+      return {name, [path](const O& o) { return json_number(*o.metrics, path); }};
+  }
+  for (const Metric& metric : metrics_of(context))
+    if (metric.name == name) return metric;
+  const auto names = metric_names(context);
+  const std::vector<std::string_view> views(names.begin(), names.end());
+  const auto kinds = kinds_that_measure(name);
+  if (!context.goal && !context.searches && !kinds.empty())
+    throw InvalidInput(fmt::format("{} needs `goal: FILE.yaml`, the {} target to measure against",
+                                   targets::in_ticks(name), fmt::join(kinds, " or ")));
+  throw InvalidInput(targets::in_ticks(name) + " is not a metric of this model" +
+                     targets::did_you_mean(name, views) + "; allowed: " + targets::joined(views));
+}
+
+}  // namespace kinetix::app

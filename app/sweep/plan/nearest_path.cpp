@@ -1,0 +1,76 @@
+#include "app/sweep/plan/nearest_path.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <set>
+
+#include "targets/document/wording.hpp"
+
+namespace kinetix::app {
+namespace {
+
+constexpr std::size_t longest_compared = 200;  // bytes: bounds the time of a comparison
+
+/// With every position as `[*]`: names that differ in a number alone are one.
+std::string pattern(targets::DocumentPath path) {
+  for (targets::PathStep& step : path)
+    if (step.key.empty()) step.position = targets::PathStep::every;
+  return to_string(path);
+}
+
+bool has_hinges(const SweepBase& base) {
+  const auto design = base.root.optional("design");
+  return design && design->optional("hinges");
+}
+
+std::set<std::string> patterns(const SweepBase& base, const targets::DocumentEditor& editor) {
+  std::set<std::string> names;
+  const auto add = [&](const std::string& name) {
+    if (name != "kinetix" && name.find(".wall[") == std::string::npos)
+      names.insert(pattern(targets::parse_path(name)));
+  };
+  for (const std::string& name : editor.numbers()) add(name);
+  for (const std::string& name : optional_keys(base)) add(name);
+  if (!base.design) return names;
+  for (const char* group : {"walls", "columns", "rows", "hinges"})
+    for (const char* key : {"t", "t_mm", "alpha_deg", "beta_deg"})
+      if (group != std::string("hinges") || has_hinges(base)) add(fmt::format("design.{}[*].{}", group, key));
+  return names;
+}
+
+}  // namespace
+
+std::vector<std::string> optional_keys(const SweepBase& base) {
+  std::vector<std::string> keys = {
+      "structure.cell_mm",  "structure.wall_mm.thickness", "structure.wall_mm.height", "physics.step_s",
+      "physics.iterations", "physics.error_reduction",     "physics.reach_mm"};
+  const auto add = [&](const auto& more) { keys.insert(keys.end(), more.begin(), more.end()); };
+  if (base.design)
+    add(std::vector{"hinge.k_point", "hinge.k_turn", "hinge.reach_mm", "hinge.k_contact",
+                    "design.theta_deg"});
+  if (!base.target) return keys;
+  add(std::vector{"tolerance.shape", "tolerance.verify", "solver.starts", "solver.max_evaluations"});
+  add(base.target->kind->keys);
+  return keys;
+}
+
+std::string no_such_path(const SweepBase& base, const targets::DocumentEditor& editor,
+                         const targets::DocumentPath& path) {
+  const std::string asked = pattern(path);
+  std::string nearest;
+  int least = std::numeric_limits<int>::max();
+  for (const std::string& name : patterns(base, editor)) {
+    if (name == asked)
+      return fmt::format("`{}` has no such entry; positions count from 0, and `[*]` takes all of them",
+                         to_string(path));
+    const int distance = targets::spelling_distance(asked.substr(0, longest_compared), name);
+    if (distance >= least) continue;
+    least = distance;
+    nearest = name;
+  }
+  return fmt::format("the base has no number at {}; the nearest is `{}`", targets::in_ticks(to_string(path)),
+                     nearest);
+}
+
+}  // namespace kinetix::app

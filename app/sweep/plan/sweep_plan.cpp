@@ -1,0 +1,281 @@
+#include "app/sweep/plan/sweep_plan.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "app/goals/read_target.hpp"
+#include "app/goals/registry.hpp"
+#include "app/sweep/plan/sample_maker.hpp"
+#include "model/lattice/square/classify.hpp"
+#include "targets/document/wording.hpp"
+
+namespace kinetix::app {
+namespace {
+
+constexpr std::size_t most_columns = 1900;  // SQLite allows a table 2000
+
+optim::SamplingMethod method_of(DoeMethod::Kind kind) {
+  switch (kind) {
+    case DoeMethod::Kind::factorial:
+      return optim::SamplingMethod::factorial;
+    case DoeMethod::Kind::lhs:
+      return optim::SamplingMethod::lhs;
+    case DoeMethod::Kind::sobol:
+      return optim::SamplingMethod::sobol;
+    case DoeMethod::Kind::saltelli:
+      return optim::SamplingMethod::saltelli;
+    case DoeMethod::Kind::monte_carlo:
+      return optim::SamplingMethod::monte_carlo;
+    case DoeMethod::Kind::one_at_a_time:
+      return optim::SamplingMethod::one_at_a_time;
+    case DoeMethod::Kind::morris:
+      break;
+  }
+  return optim::SamplingMethod::morris;
+}
+
+optim::Factor as_factor(const DoeFile& doe, const DoeFactor& from, const std::string& name) {
+  optim::Factor factor{.name = name,
+                       .distribution = optim::UniformRange{from.values.lower, from.values.upper}};
+  if (from.values.kind == FactorValues::Kind::normal)
+    factor.distribution = optim::NormalSpread{.mean = from.values.mean, .sd = from.values.sd};
+  if (from.values.kind == FactorValues::Kind::list) factor.distribution = optim::ValueList{from.values.list};
+  if (from.values.levels > 0)
+    factor.levels = from.values.levels;
+  else if (doe.method.levels)
+    factor.levels = *doe.method.levels;
+  from.node.located([&] { factor.validate(); });
+  return factor;
+}
+
+/// Factors as columns of the table, and what each writes.
+struct Columns {
+  std::vector<optim::Factor> factors;
+  std::vector<Edit> edits;
+  std::vector<targets::Node> nodes;  ///< by factor, for messages
+  std::vector<double> bases;         ///< by factor: the base's own value, NaN where there is not one
+};
+
+/// The value of a factor that leaves the base as it is; NaN where there is none.
+double neutral(const SweepBase& base, const targets::DocumentEditor& document, const DoeFactor& factor,
+               const std::vector<Edit>& edits) {
+  if (factor.add) return 0;
+  double value = std::nan("");
+  for (const Edit& edit : edits) {
+    const auto own = base_value(base, document, edit);
+    const double needed = own ? (*own - edit.plus) / edit.times : std::nan("");
+    if (!std::isnan(value) && !(std::abs(needed - value) <= 1e-12)) return std::nan("");
+    value = needed;
+  }
+  return value;
+}
+
+void add_column(Columns& columns, const SweepBase& base, const targets::DocumentEditor& document,
+                const DoeFile& doe, const DoeFactor& factor, const std::string& name,
+                std::vector<Edit> edits) {
+  for (Edit& edit : edits) {
+    edit.factor = static_cast<int>(columns.factors.size());
+    if (!factor.add) continue;
+    const auto own = base_value(base, document, edit);
+    if (!own) throw factor.node.error("`add: true` adds to a number of the base, which leaves this one out");
+    edit.base = *own;
+  }
+  columns.bases.push_back(neutral(base, document, factor, edits));
+  columns.factors.push_back(as_factor(doe, factor, name));
+  columns.nodes.push_back(factor.node);
+  columns.edits.insert(columns.edits.end(), edits.begin(), edits.end());
+}
+
+void add_factor(Columns& columns, const SweepBase& base, targets::DocumentEditor& document,
+                const DoeFile& doe, const DoeFactor& factor) {
+  std::vector<Edit> together;
+  for (const FactorPath& path : factor.paths)
+    factor.node.located([&] {
+      for (Match& match : find_matches(base, document, path.path)) {
+        for (Edit& edit : match.edits) {
+          edit.times = path.times;
+          edit.plus = path.plus;
+        }
+        if (factor.each)
+          add_column(columns, base, document, doe, factor, match.path, std::move(match.edits));
+        else
+          together.insert(together.end(), match.edits.begin(), match.edits.end());
+      }
+    });
+  if (!factor.each) add_column(columns, base, document, doe, factor, factor.name, std::move(together));
+}
+
+void check_names(const Columns& columns) {
+  for (std::size_t k = 0; k < columns.factors.size(); ++k)
+    for (const char* reserved : {"sample", "status", "reason"})
+      if (targets::lower_case(columns.factors[k].name) == reserved)
+        throw columns.nodes[k].error("a column of the table is called so already; give another `name`");
+  for (std::size_t k = 0; k < columns.factors.size(); ++k)
+    for (std::size_t n = 0; n < k; ++n)
+      if (targets::lower_case(columns.factors[n].name) == targets::lower_case(columns.factors[k].name))
+        throw columns.nodes[k].error("two factors are called " + targets::in_ticks(columns.factors[k].name) +
+                                     "; give one a `name`");
+}
+
+/// Whether a sample's bodies or its drive would not be the base's.
+bool moves_goal(const targets::DocumentEditor& document, const Edit& edit) {
+  if (edit.kind == Edit::Kind::theta_deg) return true;
+  if (edit.kind != Edit::Kind::document) return false;
+  const std::string path = document.path(edit.index);
+  return path.starts_with("structure.cell") || path.starts_with("drive.");
+}
+
+/// What would make an edit without effect, or ambiguous.
+void check_edits(const DoeFile& doe, const Columns& columns, const SweepBase& base,
+                 const targets::DocumentEditor& document) {
+  std::vector<std::pair<Edit::Kind, int>> written;
+  for (const Edit& edit : columns.edits) {
+    const targets::Node& node = columns.nodes[edit.factor];
+    if (edit.kind == Edit::Kind::theta_deg && base.design->drive)
+      throw node.error("the base's `drive` decides theta; vary the drive, or leave it out of the base");
+    if (doe.from_base && moves_goal(document, edit))
+      throw node.error(
+          "cannot change while samples start from the base's state; vary hinges and stiffnesses, or "
+          "leave out `start: base`");
+    const auto kind = edit.kind == Edit::Kind::t_mm ? Edit::Kind::t : edit.kind;
+    if (std::find(written.begin(), written.end(), std::pair{kind, edit.index}) != written.end())
+      throw node.error("writes a number of the base that a factor writes already");
+    written.emplace_back(kind, edit.index);
+    const bool structural = edit.kind != Edit::Kind::document && edit.kind != Edit::Kind::theta_deg;
+    for (const Edit& other : columns.edits)
+      if (structural && other.kind == Edit::Kind::document &&
+          document.path(other.index).starts_with("structure.cells"))
+        throw node.error("hinges cannot be varied one by one while `structure.cells` changes");
+  }
+}
+
+optim::SamplePlan make_samples(const DoeFile& doe, const Columns& columns, std::uint64_t seed) {
+  optim::SamplingOptions options{.method = method_of(doe.method.kind), .seed = seed, .base = {}};
+  if (doe.method.samples) options.samples = static_cast<std::uint64_t>(*doe.method.samples);
+  if (doe.method.kind == DoeMethod::Kind::one_at_a_time) {
+    for (std::size_t k = 0; k < columns.factors.size(); ++k)
+      options.base.push_back(std::isnan(columns.bases[k]) ? quantile(columns.factors[k], 0.5)
+                                                          : columns.bases[k]);
+  }
+  optim::SamplePlan samples =
+      doe.method.node.located([&] { return optim::SamplePlan(columns.factors, options); });
+  if (samples.size() > static_cast<std::uint64_t>(most_samples))
+    throw doe.method.node.error(fmt::format("{:.3g} samples are too many; at most {}",
+                                            static_cast<double>(samples.size()), most_samples));
+  return samples;
+}
+
+std::vector<Metric> find_responses(const DoeFile& doe, const SweepBase& base, const Target& goal) {
+  const MetricContext context{doe.model, base.target.has_value(), goal.kind};
+  std::vector<Metric> responses;
+  for (const targets::Node& node : doe.responses)
+    responses.push_back(node.located([&] { return find_metric(node.text("a metric"), context); }));
+  return responses;
+}
+
+void check_columns(const DoeFile& doe, const Columns& columns, const std::vector<Metric>& responses) {
+  for (std::size_t r = 0; r < responses.size(); ++r)
+    for (const optim::Factor& factor : columns.factors)
+      if (targets::lower_case(factor.name) == targets::lower_case(responses[r].name))
+        throw doe.responses[r].error("is the name of a factor too; give that one a `name`");
+  if (columns.factors.size() + responses.size() > most_columns)
+    throw doe.root.error(fmt::format("{} factors and {} responses are more than a table can hold; at most {}",
+                                     columns.factors.size(), responses.size(), most_columns));
+}
+
+void check_model(const DoeFile& doe, const SweepBase& base) {
+  if (base.design || doe.model == Model::bullet || doe.model == base.target->kind->model) return;
+  throw doe.root.error(fmt::format("a {} is searched with `model: {}` (or `bullet`, with the physics run)",
+                                   base.target->kind->name, to_string(base.target->kind->model)));
+}
+
+/// A goal that tells how far any state is from it.
+Target read_goal(const std::string& file) {
+  Target goal = read_target(file);
+  if (!goal.kind->measures.empty()) return goal;
+  std::vector<std::string_view> kinds;
+  for (const GoalKind* kind : goal_kinds())
+    if (!kind->measures.empty()) kinds.push_back(kind->name);
+  throw InvalidInput(fmt::format("the target is not a {}", fmt::join(kinds, " or ")),
+                     {file, 0, 0, "target.kind"});
+}
+
+/// The ends of what a factor may be; of a normal distribution its middle.
+std::vector<double> extremes(const optim::Factor& factor) {
+  if (const auto* range = std::get_if<optim::UniformRange>(&factor.distribution))
+    return {range->lower, range->upper};
+  if (const auto* list = std::get_if<optim::ValueList>(&factor.distribution)) {
+    const auto [least, most] = std::minmax_element(list->values.begin(), list->values.end());
+    return {*least, *most};
+  }
+  return {std::get<optim::NormalSpread>(factor.distribution).mean};
+}
+
+void check_values(const SweepPlan& plan, const Columns& columns) {
+  SampleMaker maker(plan);
+  std::vector<double> values;
+  for (const optim::Factor& factor : columns.factors) values.push_back(quantile(factor, 0.5));
+  for (std::size_t k = 0; k < columns.factors.size(); ++k)
+    for (const double value : extremes(columns.factors[k])) {
+      const double middle = std::exchange(values[k], value);
+      try {
+        maker.make(values);
+      } catch (const InvalidInput& e) {
+        throw columns.nodes[k].error(fmt::format("{} = {:.6g}: {}{}", columns.factors[k].name, value,
+                                                 e.place().key.empty() ? "" : e.place().key + ": ",
+                                                 e.reason()));
+      }
+      values[k] = middle;
+    }
+}
+
+/// Samples that no closed form fits are failures; a sweep of nothing else is a mistake.
+void check_exact(const SweepPlan& plan) {
+  if (plan.searches() || plan.doe.model != Model::exact) return;
+  SampleMaker maker(plan);
+  std::string why;
+  for (const std::int64_t sample : {std::int64_t{0}, plan.size() / 2, plan.size() - 1}) {
+    try {
+      maker.make(plan.samples.sample(static_cast<std::uint64_t>(sample)));
+    } catch (const InvalidInput&) {
+      continue;
+    }
+    const model::Classification family = classify(maker.design().structure);
+    if (family.family != model::Family::none) return;
+    why = family.why;
+  }
+  if (!why.empty())
+    throw plan.doe.root.error(why + "; use `model: equilibrium` or `bullet`, which need no exact family");
+}
+
+}  // namespace
+
+bool SweepPlan::edits_document() const {
+  return std::any_of(edits.begin(), edits.end(),
+                     [](const Edit& edit) { return edit.kind == Edit::Kind::document; });
+}
+
+SweepPlan make_sweep_plan(const std::string& file, std::optional<std::uint64_t> seed) {
+  DoeFile doe = read_doe(file);
+  SweepBase base = read_base(doe.base);
+  check_model(doe, base);
+  targets::DocumentEditor document(base.root);
+  Columns columns;
+  for (const DoeFactor& factor : doe.factors) add_factor(columns, base, document, doe, factor);
+  check_names(columns);
+  check_edits(doe, columns, base, document);
+  Target goal = doe.goal ? read_goal(*doe.goal) : Target{};
+  std::vector<Metric> responses = find_responses(doe, base, goal);
+  check_columns(doe, columns, responses);
+  const std::uint64_t used = seed.value_or(doe.method.seed);
+  optim::SamplePlan samples = make_samples(doe, columns, used);
+  SweepPlan plan{std::move(doe),     std::move(base),      std::move(document), columns.edits,
+                 std::move(samples), std::move(responses), std::move(goal),     used};
+  check_values(plan, columns);
+  check_exact(plan);
+  return plan;
+}
+
+}  // namespace kinetix::app

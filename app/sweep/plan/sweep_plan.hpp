@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "app/sweep/plan/edit.hpp"
+#include "app/sweep/plan/metric.hpp"
+#include "optim/doe/sampling.hpp"
+
+namespace kinetix::app {
+
+/// A design of experiments that has met its base: every path found, every value in range.
+struct SweepPlan {
+  DoeFile doe;
+  SweepBase base;
+  targets::DocumentEditor document;  ///< the base's, with the keys that factors add
+  std::vector<Edit> edits;           ///< what a sample writes, by column of the samples' factors
+  optim::SamplePlan samples;
+  std::vector<Metric> responses;
+  Target goal;  ///< to measure samples against; nothing without one
+  std::uint64_t seed = 0;
+
+  std::int64_t size() const { return static_cast<std::int64_t>(samples.size()); }
+  bool searches() const { return base.target.has_value(); }
+  /// Whether the document is read anew for every sample.
+  bool edits_document() const;
+  /// Whether samples may run on several threads of a process: what is only the project's own code may.
+  bool is_thread_safe() const { return !searches() && doe.model != Model::bullet; }
+};
+
+/// @param seed nothing: the file's own
+/// @throws InvalidInput for paths that name nothing, responses that there are not, values that the base's
+/// format does not allow at the ends of a factor's range, too many samples, a base that the model does not
+/// fit
+SweepPlan make_sweep_plan(const std::string& file, std::optional<std::uint64_t> seed);
+
+}  // namespace kinetix::app

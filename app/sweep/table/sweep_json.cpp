@@ -1,0 +1,188 @@
+#include "app/sweep/table/sweep_json.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "optim/doe/analysis.hpp"
+
+namespace kinetix::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Method = optim::SamplingMethod;
+
+constexpr std::int64_t most_scatter = 2000;        // points: more only cover each other in the report
+constexpr std::size_t most_failures = 100;         // listed one by one: more hide what they have in common
+constexpr std::int64_t most_numbers = 40'000'000;  // of factors and responses, in memory at once: 320 MB
+
+/// The table as the analysis takes it.
+struct Numbers {
+  Eigen::MatrixXd factors;
+  std::vector<std::vector<double>> responses;
+};
+
+Numbers numbers_of(const SweepPlan& plan, const SweepTable& table) {
+  Numbers numbers;
+  numbers.factors.resize(plan.size(), static_cast<Eigen::Index>(plan.samples.factors().size()));
+  numbers.responses.assign(plan.responses.size(), std::vector<double>(static_cast<std::size_t>(plan.size())));
+  table.read([&](const SampleRow& row) {
+    for (std::size_t f = 0; f < row.factors.size(); ++f)
+      numbers.factors(row.sample, static_cast<Eigen::Index>(f)) = row.factors[f];
+    for (std::size_t r = 0; r < row.responses.size(); ++r)
+      numbers.responses[r][static_cast<std::size_t>(row.sample)] = row.responses[r];
+  });
+  return numbers;
+}
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json estimate_json(const optim::Estimate& e) { return {number(e.value), number(e.lower), number(e.upper)}; }
+
+Json factor_json(const optim::Factor& factor) {
+  Json out = {{"name", factor.name}};
+  if (const auto* range = std::get_if<optim::UniformRange>(&factor.distribution))
+    out["range"] = {range->lower, range->upper};
+  else if (const auto* normal = std::get_if<optim::NormalSpread>(&factor.distribution))
+    out["normal"] = {{"mean", normal->mean}, {"sd", normal->sd}};
+  else
+    out["values"] = std::get<optim::ValueList>(factor.distribution).values;
+  return out;
+}
+
+Json spread_json(std::vector<double> values) {
+  std::erase_if(values, [](double v) { return !std::isfinite(v); });
+  if (values.empty()) return {{"count", 0}};
+  std::sort(values.begin(), values.end());
+  const auto count = static_cast<double>(values.size());
+  double sum = 0, squares = 0;
+  for (const double v : values) sum += v;
+  for (const double v : values) squares += (v - sum / count) * (v - sum / count);
+  const auto at = [&](double share) { return values[static_cast<std::size_t>(share * (count - 1))]; };
+  return {{"count", values.size()},  {"mean", sum / count},  {"sd", number(std::sqrt(squares / (count - 1)))},
+          {"least", values.front()}, {"p05", at(0.05)},      {"median", at(0.5)},
+          {"p95", at(0.95)},         {"most", values.back()}};
+}
+
+Json main_effect_json(const optim::MainEffect& effect) {
+  Json levels = Json::array();
+  for (const optim::EffectLevel& level : effect.levels)
+    levels.push_back({{"range", {level.lower, level.upper}},
+                      {"mean", number(level.mean)},
+                      {"error", number(level.standard_error)},
+                      {"used", level.used},
+                      {"failed", level.failed}});
+  return {{"levels", levels}, {"binned", effect.binned}, {"variance_share", number(effect.variance_share)}};
+}
+
+Json main_effects_json(Method method, const Numbers& numbers, const std::vector<double>& response) {
+  const auto effects = method == Method::one_at_a_time
+                           ? optim::one_at_a_time_effects(numbers.factors, response)
+                           : optim::main_effects(numbers.factors, response);
+  Json out = Json::array();
+  for (const optim::MainEffect& effect : effects) out.push_back(main_effect_json(effect));
+  return out;
+}
+
+Json linear_json(const optim::LinearModel& model) {
+  Json factors = Json::array();
+  for (const optim::LinearEffect& e : model.factors)
+    factors.push_back({{"correlation", number(e.correlation)},
+                       {"rank_correlation", number(e.rank_correlation)},
+                       {"slope", number(e.slope)},
+                       {"slope_error", number(e.slope_error)},
+                       {"standardised", number(e.standardised)}});
+  return {{"r_squared", number(model.r_squared)},
+          {"used", model.used},
+          {"failed", model.failed},
+          {"factors", factors}};
+}
+
+Json sobol_json(const optim::SobolIndices& indices) {
+  Json out = Json::array();
+  for (const optim::SobolIndex& index : indices.factors)
+    out.push_back({{"first", estimate_json(index.first)}, {"total", estimate_json(index.total)}});
+  return out;
+}
+
+Json morris_json(const std::vector<optim::MorrisEffect>& effects) {
+  Json out = Json::array();
+  for (const optim::MorrisEffect& e : effects)
+    out.push_back({{"mu", estimate_json(e.mu)},
+                   {"mu_star", estimate_json(e.mu_star)},
+                   {"sigma", estimate_json(e.sigma)}});
+  return out;
+}
+
+Json response_json(const SweepPlan& plan, const Numbers& numbers, std::size_t r) {
+  const Method method = plan.samples.options().method;
+  const std::vector<double>& response = numbers.responses[r];
+  const optim::ConfidenceOptions confidence{.seed = plan.seed};
+  Json out = {{"name", plan.responses[r].name}, {"spread", spread_json(response)}};
+  out["main_effects"] = main_effects_json(method, numbers, response);
+  if (method == Method::saltelli)
+    out["sobol"] = sobol_json(sobol_indices(response, static_cast<int>(numbers.factors.cols()), confidence));
+  else if (method == Method::morris)
+    out["morris"] = morris_json(morris_effects(numbers.factors, response, confidence));
+  else if (method != Method::one_at_a_time)
+    out["linear"] = linear_json(optim::linear_effects(numbers.factors, response));
+  return out;
+}
+
+Json scatter_json(const SweepPlan& plan, const Numbers& numbers) {
+  Json rows = Json::array();
+  const std::int64_t step = std::max<std::int64_t>(1, (plan.size() + most_scatter - 1) / most_scatter);
+  for (std::int64_t sample = 0; sample < plan.size(); sample += step) {
+    Json row = Json::array();
+    for (Eigen::Index f = 0; f < numbers.factors.cols(); ++f) row.push_back(numbers.factors(sample, f));
+    for (const auto& response : numbers.responses)
+      row.push_back(number(response[static_cast<std::size_t>(sample)]));
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+void add_counts(Json& out, const SweepTable& table) {
+  Json failures = Json::array();
+  std::array<std::int64_t, 4> counts{};
+  table.read([&](const SampleRow& row) {
+    ++counts[static_cast<std::size_t>(row.status)];
+    if (row.status == SampleStatus::ok || failures.size() >= most_failures) return;
+    failures.push_back({{"sample", row.sample},
+                        {"status", to_string(row.status)},
+                        {"factors", row.factors},
+                        {"reason", row.reason}});
+  });
+  out["counts"] = Json::object();
+  for (const auto status :
+       {SampleStatus::ok, SampleStatus::missed, SampleStatus::disagrees, SampleStatus::failed})
+    out["counts"][to_string(status)] = counts[static_cast<std::size_t>(status)];
+  out["failures"] = std::move(failures);
+}
+
+}  // namespace
+
+Json sweep_json(const SweepPlan& plan, const SweepIdentity& identity, const SweepTable& table) {
+  Json out;
+  for (const auto& [key, value] : identity)
+    if (key != "factors" && key != "responses") out[key] = value;
+  out["samples"] = plan.size();
+  out["seed"] = plan.seed;
+  out["factors"] = Json::array();
+  for (const optim::Factor& factor : plan.samples.factors()) out["factors"].push_back(factor_json(factor));
+  add_counts(out, table);
+  out["responses"] = Json::array();
+  const auto columns = static_cast<std::int64_t>(plan.samples.factors().size() + plan.responses.size());
+  if (plan.size() * columns > most_numbers) {
+    out["not_analysed"] =
+        "the table is too large to be analysed in memory; samples.csv and sweep.sqlite hold it all";
+    return out;
+  }
+  const Numbers numbers = numbers_of(plan, table);
+  for (std::size_t r = 0; r < plan.responses.size(); ++r)
+    out["responses"].push_back(response_json(plan, numbers, r));
+  out["scatter"] = scatter_json(plan, numbers);
+  return out;
+}
+
+}  // namespace kinetix::app

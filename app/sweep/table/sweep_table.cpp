@@ -1,0 +1,220 @@
+#include "app/sweep/table/sweep_table.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sqlite3.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <limits>
+
+namespace kinetix::app {
+namespace {
+
+constexpr int busy_ms = 5000;  // a reader may hold the file for a moment
+
+/// A statement that is finished with its scope.
+class Statement {
+ public:
+  Statement(sqlite3* database, const std::string& sql) {
+    sqlite3_prepare_v2(database, sql.c_str(), -1, &statement_, nullptr);
+  }
+  ~Statement() { sqlite3_finalize(statement_); }
+  Statement(const Statement&) = delete;
+  Statement& operator=(const Statement&) = delete;
+
+  explicit operator bool() const { return statement_ != nullptr; }
+  bool step() { return (code_ = sqlite3_step(statement_)) == SQLITE_ROW; }
+  bool ended() const { return code_ == SQLITE_DONE; }
+  std::string text(int column) const {
+    const auto* bytes = reinterpret_cast<const char*>(sqlite3_column_text(statement_, column));
+    return bytes ? std::string(bytes, sqlite3_column_bytes(statement_, column)) : std::string();
+  }
+  double number(int column) const {
+    if (sqlite3_column_type(statement_, column) == SQLITE_NULL)
+      return std::numeric_limits<double>::quiet_NaN();
+    return sqlite3_column_double(statement_, column);
+  }
+  std::int64_t integer(int column) const { return sqlite3_column_int64(statement_, column); }
+  void bind(int place, const std::string& text) {
+    sqlite3_bind_text(statement_, place, text.data(), static_cast<int>(text.size()), SQLITE_TRANSIENT);
+  }
+
+ private:
+  sqlite3_stmt* statement_ = nullptr;
+  int code_ = SQLITE_OK;
+};
+
+std::string quoted(const std::string& name) {
+  std::string text = "\"";
+  for (const char c : name) text += c == '"' ? "\"\"" : std::string(1, c);
+  return text + "\"";
+}
+
+std::string columns_of(const SweepPlan& plan) {
+  std::string text = "sample INTEGER PRIMARY KEY";
+  for (const optim::Factor& factor : plan.samples.factors()) text += ", " + quoted(factor.name) + " REAL";
+  for (const Metric& metric : plan.responses) text += ", " + quoted(metric.name) + " REAL";
+  return text + ", status TEXT NOT NULL, reason TEXT NOT NULL";
+}
+
+SampleStatus status_of(const std::string& word) {
+  for (const auto status : {SampleStatus::ok, SampleStatus::missed, SampleStatus::disagrees})
+    if (to_string(status) == word) return status;
+  return SampleStatus::failed;
+}
+
+}  // namespace
+
+/// Of the folder itself: gone with the program, however that ends.
+struct SweepTable::Lock {
+  explicit Lock(const std::string& folder)
+      : descriptor(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    if (descriptor < 0 || flock(descriptor, LOCK_EX | LOCK_NB) == 0) return;
+    close(descriptor);
+    throw InvalidInput("another program is writing a sweep into this folder; wait for it, or give another -o",
+                       {folder});
+  }
+  ~Lock() {
+    if (descriptor >= 0) close(descriptor);
+  }
+  Lock(const Lock&) = delete;
+  Lock& operator=(const Lock&) = delete;
+
+  int descriptor;
+};
+
+SweepTable::SweepTable(const std::string& folder, const SweepPlan& plan, const SweepIdentity& identity,
+                       bool resume)
+    : file_(folder + "/sweep.sqlite"),
+      lock_(std::make_unique<Lock>(folder)),
+      factors_(plan.samples.factors().size()),
+      responses_(plan.responses.size()) {
+  try {
+    if (sqlite3_open(file_.c_str(), &database_) != SQLITE_OK) fail();
+    sqlite3_busy_timeout(database_, busy_ms);
+    run("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
+    const bool is_there = Statement(database_, "SELECT 1 FROM sqlite_master WHERE name = 'meta'").step();
+    if (is_there) check(identity);
+    if (is_there) find_done(plan.size());
+    if (is_there && !resume)
+      throw InvalidInput(fmt::format("already exists, with {} of {} samples; continue with --resume, or give "
+                                     "another -o",
+                                     count_, plan.size()),
+                         {file_});
+    if (!is_there) create(plan, identity);
+    std::string places = "?";
+    for (std::size_t k = 0; k < factors_ + responses_ + 2; ++k) places += ",?";
+    const std::string sql = "INSERT INTO samples VALUES(" + places + ")";
+    if (sqlite3_prepare_v2(database_, sql.c_str(), -1, &insert_, nullptr) != SQLITE_OK) fail();
+  } catch (...) {
+    sqlite3_close(database_);
+    throw;
+  }
+}
+
+SweepTable::~SweepTable() {
+  sqlite3_finalize(insert_);
+  sqlite3_close(database_);
+}
+
+void SweepTable::fail() const {
+  const int code = sqlite3_errcode(database_);
+  if (code == SQLITE_FULL || code == SQLITE_IOERR)
+    throw InvalidInput(fmt::format("cannot be written ({}); the {} samples before are safe: make room, then "
+                                   "continue with --resume",
+                                   sqlite3_errmsg(database_), count_),
+                       {file_});
+  if (code == SQLITE_NOTADB || code == SQLITE_CORRUPT)
+    throw InvalidInput("is not the table of a sweep", {file_});
+  throw InvalidInput(sqlite3_errmsg(database_), {file_});
+}
+
+void SweepTable::run(const std::string& sql) const {
+  if (sqlite3_exec(database_, sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) fail();
+}
+
+void SweepTable::create(const SweepPlan& plan, const SweepIdentity& identity) {
+  run("BEGIN; CREATE TABLE samples(" + columns_of(plan) +
+      "); CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL)");
+  for (const auto& [key, value] : identity) {
+    Statement insert(database_, "INSERT INTO meta VALUES(?, ?)");
+    insert.bind(1, key);
+    insert.bind(2, value);
+    insert.step();
+    if (!insert.ended()) fail();
+  }
+  run("COMMIT");
+  done_.assign(static_cast<std::size_t>(plan.size()), false);
+}
+
+void SweepTable::check(const SweepIdentity& identity) const {
+  SweepIdentity there;
+  Statement all(database_, "SELECT key, value FROM meta");
+  while (all && all.step()) there.emplace_back(all.text(0), all.text(1));
+  const std::string what = difference(there, identity);
+  if (!what.empty())
+    throw InvalidInput("is the table of another sweep: " + what + " is not the same; give another -o",
+                       {file_});
+}
+
+void SweepTable::find_done(std::int64_t samples) {
+  done_.assign(static_cast<std::size_t>(samples), false);
+  Statement all(database_, "SELECT sample FROM samples");
+  while (all && all.step()) {
+    const std::int64_t sample = all.integer(0);
+    if (sample < 0 || sample >= samples) throw InvalidInput("holds samples that this sweep has not", {file_});
+    done_[static_cast<std::size_t>(sample)] = true;
+    ++count_;
+  }
+  if (!all.ended()) fail();
+}
+
+void SweepTable::insert(const SampleRow& row) {
+  sqlite3_reset(insert_);
+  int place = 1;
+  const auto bind = [&](double value) {
+    if (std::isfinite(value))
+      sqlite3_bind_double(insert_, place++, value);
+    else
+      sqlite3_bind_null(insert_, place++);
+  };
+  const auto bind_text = [&](const std::string& text) {
+    sqlite3_bind_text(insert_, place++, text.data(), static_cast<int>(text.size()), SQLITE_TRANSIENT);
+  };
+  sqlite3_bind_int64(insert_, place++, row.sample);
+  for (const double value : row.factors) bind(value);
+  for (const double value : row.responses) bind(value);
+  bind_text(to_string(row.status));
+  bind_text(row.reason);
+  if (sqlite3_step(insert_) != SQLITE_DONE) fail();
+}
+
+void SweepTable::add(const std::vector<SampleRow>& rows) {
+  run("BEGIN IMMEDIATE");
+  for (const SampleRow& row : rows) insert(row);
+  sqlite3_reset(insert_);
+  run("COMMIT");
+  for (const SampleRow& row : rows) done_[static_cast<std::size_t>(row.sample)] = true;
+  count_ += static_cast<std::int64_t>(rows.size());
+}
+
+void SweepTable::read(const std::function<void(const SampleRow&)>& see) const {
+  Statement all(database_, "SELECT * FROM samples ORDER BY sample");
+  SampleRow row;
+  row.factors.resize(factors_);
+  row.responses.resize(responses_);
+  while (all && all.step()) {
+    int column = 0;
+    row.sample = all.integer(column++);
+    for (double& value : row.factors) value = all.number(column++);
+    for (double& value : row.responses) value = all.number(column++);
+    row.status = status_of(all.text(column++));
+    row.reason = all.text(column);
+    see(row);
+  }
+  if (!all.ended()) fail();
+}
+
+}  // namespace kinetix::app

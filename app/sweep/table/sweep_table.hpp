@@ -1,0 +1,63 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/sweep/evaluators/sample_row.hpp"
+#include "app/sweep/table/identity.hpp"
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace kinetix::app {
+
+/// The table of a sweep, FOLDER/sweep.sqlite (SQLite 3, write-ahead log):
+///
+///     samples(sample INTEGER PRIMARY KEY, <one REAL a factor>, <one REAL a response>,
+///             status TEXT, reason TEXT)
+///     meta(key TEXT PRIMARY KEY, value TEXT)          -- SweepIdentity
+///
+/// Columns are called as the factors and responses are. A number that there is not is NULL. One writer;
+/// others may read at any time.
+class SweepTable {
+ public:
+  /// Opens the table of this sweep, or makes it. The folder stays locked while this lives.
+  /// @throws InvalidInput where another program writes there, where a table is there already and `resume` is
+  /// not asked for, where it belongs to another sweep, and where the file system says no
+  SweepTable(const std::string& folder, const SweepPlan& plan, const SweepIdentity& identity, bool resume);
+  ~SweepTable();
+  SweepTable(const SweepTable&) = delete;
+  SweepTable& operator=(const SweepTable&) = delete;
+
+  /// Which samples are there.
+  const std::vector<bool>& done() const { return done_; }
+  std::int64_t count() const { return count_; }
+
+  /// Adds rows, all or none, on the disk when this returns. @throws InvalidInput where the disk is full
+  void add(const std::vector<SampleRow>& rows);
+
+  /// Every row in the order of samples.
+  void read(const std::function<void(const SampleRow&)>& see) const;
+
+ private:
+  struct Lock;
+
+  void create(const SweepPlan& plan, const SweepIdentity& identity);
+  void check(const SweepIdentity& identity) const;
+  void find_done(std::int64_t samples);
+  void insert(const SampleRow& row);
+  void run(const std::string& sql) const;
+  [[noreturn]] void fail() const;
+
+  std::string file_;
+  std::unique_ptr<Lock> lock_;
+  sqlite3* database_ = nullptr;
+  sqlite3_stmt* insert_ = nullptr;
+  std::size_t factors_ = 0, responses_ = 0;
+  std::vector<bool> done_;
+  std::int64_t count_ = 0;
+};
+
+}  // namespace kinetix::app

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "model/elastic/contact/contact_search.hpp"
+#include "model/hinge/element.hpp"
+
+namespace kinetix::model {
+
+/// Contact of walls of thickness w, energies in units of k_point edge^2, stiffnesses of k_point: wall tip
+/// points against the boxes of the other half walls, with the energy 1/2 contact depth^2 a point (shared
+/// between the points along a wall tip edge in space). The depth is that to the nearest of the two sides, the
+/// end and (in space) top and bottom: linear in the carried point. As in the physics run, the two halves of
+/// one wall and plates of one body pass through each other, and so do plates that touch in the flat state.
+/// Crossing edges without a wall tip point inside are not seen.
+class ContactModel {
+ public:
+  /// @param planar one point a wall tip corner, at the height of the neutral plane; else three along its edge
+  ContactModel(const Linkage& structure, bool planar);
+
+  const std::optional<WallPair>& overlap_at_rest() const { return search_.overlap_at_rest(); }
+  const std::vector<Contact>& find(const State& state) { return search_.find(state); }
+  bool passed_through(const State& before, const State& after) {
+    return search_.passed_through(before, after);
+  }
+
+  int body(int plate) const { return all().plates[plate].body; }
+  static int hinge(int plate) { return plate / 2; }
+
+  /// a is the body of the point, b that of the box.
+  Element element(const Contact& contact, double stiffness, const State& state) const;
+  double energy(const std::vector<Contact>& contacts, double stiffness) const;
+
+  /// How the gradient of a contact's energy changes with t and beta of the two hinges: columns t, beta of
+  /// contact.plate's hinge, then of contact.other's.
+  Eigen::Matrix<double, 12, 4> rates(const Contact& contact, double stiffness, const State& state) const;
+  /// And with the stiffness.
+  Vector12 stiffness_rate(const Contact& contact, const State& state) const;
+  /// Derivative of depth by the same four.
+  Eigen::Vector4d depth_rates(const Contact& contact, const State& state) const;
+
+ private:
+  struct Gap;
+
+  const ContactPlates& all() const { return search_.all(); }
+  Gap gap(const Contact& contact, const State& state) const;
+  Eigen::Vector4d gap_rates(const Gap& gap, const Contact& contact, const State& state) const;
+
+  ContactSearch search_;
+  double weight_;  ///< of a point, against those along the same wall tip edge
+};
+
+}  // namespace kinetix::model

@@ -1,0 +1,194 @@
+#include "model/elastic/contact/contact_search.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace kinetix::model {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+// Cell edges: wider lists more pairs, narrower must be searched anew more often.
+constexpr double near_margin = 0.3;
+constexpr double passing_margin = 0.5;  // cell edges: what was further away may have gone round the end
+constexpr double flat = 1e-9;  // of the trace of the spread: a flat sheet has none across, and no inverse
+
+/// The displacement gradient that fits the shifts between two states best, least squares.
+Matrix3d homogeneous_strain(const State& from, const State& to) {
+  Vector3d middle = Vector3d::Zero(), shift = Vector3d::Zero();
+  for (std::size_t b = 0; b < from.size(); ++b) {
+    middle += from[b].p;
+    shift += to[b].p - from[b].p;
+  }
+  middle /= static_cast<double>(from.size());
+  shift /= static_cast<double>(from.size());
+  Matrix3d spread = Matrix3d::Zero(), mixed = Matrix3d::Zero();
+  for (std::size_t b = 0; b < from.size(); ++b) {
+    const Vector3d at = from[b].p - middle;
+    spread += at * at.transpose();
+    mixed += (to[b].p - from[b].p - shift) * at.transpose();
+  }
+  spread.diagonal().array() += flat * spread.trace();
+  return mixed * spread.inverse();
+}
+
+bool is_same(const State& a, const State& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const Pose& x, const Pose& y) { return x.p == y.p && x.R == y.R; });
+}
+
+}  // namespace
+
+ContactSearch::ContactSearch(const Linkage& structure, bool planar)
+    : all_(contact_plates(structure, planar)),
+      points_per_plate_(all_.points_per_plate()),
+      placed_points_(all_.plates.size() * points_per_plate_),
+      placed_boxes_(all_.plates.size()) {
+  WallContact at_rest(structure);
+  const auto& touching = at_rest.touching_at_rest();
+  for (const WallPair& pair : touching) excluded_.emplace_back(pair.first, pair.second);
+  const auto overlapping = at_rest.overlapping(rest_state(structure), touching);
+  if (!overlapping.empty()) overlap_at_rest_ = overlapping.front();
+}
+
+void ContactSearch::place(int plate_index, const State& state) {
+  const ContactPlate& plate = all_.plates[plate_index];
+  const Pose& pose = state[plate.body];
+  const Vector3d origin = pose.p / all_.edge_mm;
+  for (int k = 0; k < points_per_plate_; ++k)
+    placed_points_[plate_index * points_per_plate_ + k] = origin + pose.R * plate.points[k];
+  placed_boxes_[plate_index] = {origin, pose.R * plate.edge, pose.R * plate.normal, pose.R * plate.up};
+}
+
+void ContactSearch::place(const State& state) {
+  for (int plate = 0; plate < static_cast<int>(all_.plates.size()); ++plate) place(plate, state);
+}
+
+/// Far enough for a point to have come into a box that it was a margin away from. What the bodies share, a
+/// homogeneous strain, brings plates closer by a part of their distance; each body's own motion adds to it.
+/// No point of a plate is further than 1.2 edges from its vertex.
+bool ContactSearch::has_moved(const State& state) const {
+  if (near_state_.size() != state.size()) return true;
+  const double reach = 1.2 * (all_.planar ? 1.0 : std::max(1.0, all_.half_height));
+  const Matrix3d strain = homogeneous_strain(near_state_, state);
+  const Vector3d shift = state[0].p - near_state_[0].p - strain * near_state_[0].p;
+  const double allowed = (near_margin - strain.norm() * (2 * reach + near_margin)) / 2;
+  for (std::size_t b = 0; b < state.size(); ++b) {
+    const Vector3d own = state[b].p - near_state_[b].p - strain * near_state_[b].p - shift;
+    const double turn = (state[b].R - near_state_[b].R).norm() / std::sqrt(2.0);
+    if (!(own.norm() / all_.edge_mm + reach * turn <= allowed)) return true;
+  }
+  return false;
+}
+
+bool ContactSearch::is_within(const Vector3d& point, int other, double margin) const {
+  const Box& box = placed_boxes_[other];
+  const Vector3d y = point - box.origin;
+  const double along = y.dot(box.edge);
+  if (!(along > -margin) || !(along < all_.plates[other].length + margin)) return false;
+  if (!(std::abs(y.dot(box.normal)) < all_.half_thickness + margin)) return false;
+  return all_.planar || std::abs(y.dot(box.up)) <= all_.half_height + margin;
+}
+
+std::vector<ContactSearch::Pair> ContactSearch::pairs_within(double margin) {
+  Eigen::Matrix3Xd centers(3, all_.plates.size());
+  double longest = 0;
+  for (std::size_t k = 0; k < all_.plates.size(); ++k) {
+    centers.col(k) = placed_boxes_[k].origin + all_.plates[k].length / 2 * placed_boxes_[k].edge;
+    longest = std::max(longest, all_.plates[k].length);
+  }
+  std::vector<Pair> pairs;
+  const double wall_tip = all_.wall_tip_radius();
+  const auto add = [&](int plate, int other) {
+    const Box& box = placed_boxes_[plate];
+    if (!is_within(box.origin + all_.plates[plate].length * box.edge, other, margin + wall_tip)) return;
+    for (int k = 0; k < points_per_plate_; ++k)
+      if (is_within(placed_points_[plate * points_per_plate_ + k], other, margin) && may_touch(plate, other))
+        pairs.push_back({plate * points_per_plate_ + k, other});
+  };
+  for (const auto& [first, second] : finder_.find(centers, longest + 2 * wall_tip + margin)) {
+    const double reach = (all_.plates[first].length + all_.plates[second].length) / 2 + 2 * wall_tip + margin;
+    if ((centers.col(first) - centers.col(second)).squaredNorm() >= reach * reach) continue;
+    add(first, second);
+    add(second, first);
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+bool ContactSearch::may_touch(int plate, int other) const {
+  const bool one_body = all_.plates[plate].body == all_.plates[other].body, one_wall = plate / 2 == other / 2;
+  const std::pair<int, int> pair = std::minmax({plate, other});
+  return !one_body && !one_wall && !std::binary_search(excluded_.begin(), excluded_.end(), pair);
+}
+
+void ContactSearch::add_if_inside(int point, int other) {
+  if (!is_within(placed_points_[point], other, 0)) return;
+  const Box& box = placed_boxes_[other];
+  const Vector3d y = placed_points_[point] - box.origin;
+  const double across = y.dot(box.normal), high = y.dot(box.up);
+  const double to_end = all_.plates[other].length - y.dot(box.edge),
+               to_rim = all_.half_height - std::abs(high);
+  Contact contact{point / points_per_plate_, point % points_per_plate_, other,
+                  across > 0 ? Face::side_plus : Face::side_minus, all_.half_thickness - std::abs(across)};
+  if (to_end < contact.depth) {
+    contact.depth = to_end;
+    contact.face = Face::wall_tip_end;
+  }
+  if (!all_.planar && to_rim < contact.depth) {
+    contact.depth = to_rim;
+    contact.face = high > 0 ? Face::top : Face::bottom;
+  }
+  if (contact.depth > 0) found_.push_back(contact);
+}
+
+void ContactSearch::update_near(const State& state) {
+  place(state);
+  near_ = pairs_within(near_margin);
+  near_state_ = state;
+  std::vector<char> is_near(all_.plates.size());
+  for (const Pair& pair : near_) is_near[pair.point / points_per_plate_] = is_near[pair.other] = true;
+  near_plates_.clear();
+  for (int plate = 0; plate < static_cast<int>(all_.plates.size()); ++plate)
+    if (is_near[plate]) near_plates_.push_back(plate);
+}
+
+const std::vector<Contact>& ContactSearch::find(const State& state) {
+  if (is_same(state, found_state_)) return found_;
+  found_.clear();
+  found_state_ = state;
+  if (!is_finite(state)) return found_;
+  if (has_moved(state))
+    update_near(state);
+  else
+    for (const int plate : near_plates_) place(plate, state);
+  for (const Pair& pair : near_) add_if_inside(pair.point, pair.other);
+  return found_;
+}
+
+int ContactSearch::side_of(int point, int other) const {
+  const Box& box = placed_boxes_[other];
+  const Vector3d y = placed_points_[point] - box.origin;
+  const double along = y.dot(box.edge), across = y.dot(box.normal);
+  const double to_end = all_.plates[other].length - along;
+  if (!(along > 0) || !(to_end > std::max(0.0, all_.half_thickness - std::abs(across)))) return 0;
+  if (!all_.planar && !(std::abs(y.dot(box.up)) <= all_.half_height)) return 0;
+  return across > 0 ? 1 : -1;
+}
+
+bool ContactSearch::passed_through(const State& before, const State& after) {
+  const bool kept = !has_moved(before) && !has_moved(after);
+  place(before);
+  const std::vector<Pair> near = kept ? near_ : pairs_within(passing_margin);
+  std::vector<int> sides;
+  sides.reserve(near.size());
+  for (const Pair& pair : near) sides.push_back(side_of(pair.point, pair.other));
+  place(after);
+  for (std::size_t k = 0; k < near.size(); ++k)
+    if (sides[k] * side_of(near[k].point, near[k].other) < 0) return true;
+  return false;
+}
+
+}  // namespace kinetix::model

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "model/contact/near_pairs.hpp"
+#include "model/contact/wall_contact.hpp"
+#include "model/elastic/contact/contact_plates.hpp"
+
+namespace kinetix::model {
+
+/// A point of one half wall's wall tip (its end at the hinge) pressed into another half wall through one
+/// face.
+struct Contact {
+  int plate = 0, point = 0;     ///< half wall (as half_walls() counts them) and which of its points
+  int other = 0;                ///< half wall it is in,
+  Face face = Face::side_plus;  ///< and the face that is nearest to it
+  double depth = 0;             ///< cell edges, > 0
+  bool operator==(const Contact& c) const {
+    return plate == c.plate && point == c.point && other == c.other && face == c.face;
+  }
+};
+
+/// Finds wall tip points inside the boxes of other half walls. The two halves of one wall, plates of one body
+/// and plates that touch in the flat state are not looked at. Pairs that are near are kept from call to call
+/// until the structure has moved by more than a margin: what is found does not depend on it.
+class ContactSearch {
+ public:
+  ContactSearch(const Linkage& structure, bool planar);
+
+  const ContactPlates& all() const { return all_; }
+  /// Two half walls that overlap in the flat state: nothing that could be built.
+  const std::optional<WallPair>& overlap_at_rest() const { return overlap_at_rest_; }
+
+  /// Points in contact, in a fixed order. Empty for poses that are not finite.
+  const std::vector<Contact>& find(const State& state);
+
+  /// Whether a point went from one side of a half wall to the other, beside it in both states and within half
+  /// a cell edge of it before: then it did not go round its end, and the step between the states was too long
+  /// for contact to stop it. @pre both states are finite
+  bool passed_through(const State& before, const State& after);
+
+ private:
+  struct Pair {
+    int point, other;
+    auto operator<=>(const Pair&) const = default;
+  };
+  /// Origin and directions of a plate's box, cell edges.
+  struct Box {
+    Eigen::Vector3d origin, edge, normal, up;
+  };
+
+  void place(int plate, const State& state);
+  void place(const State& state);
+  bool has_moved(const State& state) const;
+  void update_near(const State& state);
+  /// Points that are in a box grown by a margin, cell edges, in the state last placed. Sorted.
+  std::vector<Pair> pairs_within(double margin);
+  bool may_touch(int plate, int other) const;
+  /// +1 or -1: on which side of a half wall a point is; 0 where it is not beside it, or inside and
+  /// nearer to its end.
+  int side_of(int point, int other) const;
+  bool is_within(const Eigen::Vector3d& point, int other, double margin) const;
+  void add_if_inside(int point, int other);
+
+  ContactPlates all_;
+  int points_per_plate_;
+  std::vector<std::pair<int, int>> excluded_;  ///< touch at rest; sorted
+  std::optional<WallPair> overlap_at_rest_;
+  std::vector<Eigen::Vector3d> placed_points_;  ///< in the state last placed
+  std::vector<Box> placed_boxes_;
+  std::vector<Pair> near_;        ///< (point, plate), sorted
+  std::vector<int> near_plates_;  ///< those in near_
+  State near_state_;
+  std::vector<Contact> found_;
+  State found_state_;
+  NearPairs finder_;
+};
+
+}  // namespace kinetix::model

@@ -1,0 +1,88 @@
+#include "model/elastic/path/closed_form.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "model/closure/closure_drive.hpp"
+
+namespace kinetix::model {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr double near_closed_form = 0.01;  // rad of a hinge: up to here, a path keeps to the closed form
+
+Vector3d centre(const State& state, const std::vector<int>& bodies) {
+  Vector3d sum = Vector3d::Zero();
+  for (const int body : bodies) sum += state[body].p;
+  return sum / static_cast<double>(bodies.size());
+}
+
+void move_all(State& state, const Matrix3d& rotation, const Vector3d& translation) {
+  for (Pose& pose : state) {
+    pose.R = rotation * pose.R;
+    pose.p = rotation * pose.p + translation;
+  }
+}
+
+/// The rotation that takes the plates' normal to their axis and lifts the pin's upright as far as it then
+/// can.
+Matrix3d upright(const Vector3d& normal, const Vector3d& axis, const Pose& pin) {
+  const Matrix3d rotation = Eigen::Quaterniond::FromTwoVectors(normal, axis).toRotationMatrix();
+  const Vector3d up = rotation * pin.R.col(2), across = axis.cross(Vector3d::UnitZ());
+  return Eigen::AngleAxisd(std::atan2(up.dot(across), up.z()), across.cross(Vector3d::UnitZ())) * rotation;
+}
+
+}  // namespace
+
+std::optional<State> ClosedForm::at(double theta) const {
+  if (!exact_) return {};
+  State state = exact_.at(theta);
+  const State rest = rest_state(system_.structure());
+  if (system_.driven_hinge() >= 0) {
+    hold_by_hinge(state, rest);
+    return state;
+  }
+  hold_by_plates(state, rest);
+  system_.place(theta, state);
+  return state;
+}
+
+void ClosedForm::hold_by_hinge(State& state, const State& rest) const {
+  const int held = system_.hinges()[system_.driven_hinge()].lower;
+  const Matrix3d rotation = rest[held].R * state[held].R.transpose();
+  move_all(state, rotation, rest[held].p - rotation * state[held].p);
+}
+
+void ClosedForm::hold_by_plates(State& state, const State& rest) const {
+  const GrippedRows& rows = system_.gripped();
+  const Vector3d axis = edge_direction(system_.drive().axis);
+  const int pin = rows[0][rows[0].size() / 2];
+  move_all(state, upright(planes_of(rows, state).normal, axis, state[pin]), Vector3d::Zero());
+  Vector3d translation = rest[pin].p - state[pin].p;
+  const double middle = (centre(rest, rows[0]) + centre(rest, rows[1])).dot(axis) / 2;
+  translation +=
+      (middle - (centre(state, rows[0]) + centre(state, rows[1])).dot(axis) / 2 - translation.dot(axis)) *
+      axis;
+  move_all(state, Matrix3d::Identity(), translation);
+}
+
+std::optional<double> ClosedForm::distance(const State& state, double theta) const {
+  const auto exact = at(theta);
+  if (!exact) return {};
+  return turn_distance(system_.structure(), state, *exact);
+}
+
+bool ClosedForm::is_near(const State& state, double theta) const {
+  const auto off = distance(state, theta);
+  return off && *off <= near_closed_form;
+}
+
+bool ClosedForm::is_mirrored(const State& state, double theta) const {
+  if (system_.driven_hinge() >= 0 || system_.drive().grips_part) return false;
+  const auto from_mirror = distance(state, -theta);
+  return from_mirror && *from_mirror <= near_closed_form && *from_mirror < *distance(state, theta);
+}
+
+}  // namespace kinetix::model

@@ -1,0 +1,27 @@
+#include "model/elastic/path/equilibrium_path.hpp"
+
+#include "model/base/invalid_input.hpp"
+#include "model/elastic/path/path_tracer.hpp"
+
+namespace kinetix::model {
+
+void EquilibriumPathOptions::validate() const {
+  require("side", side, side == 1 || side == -1, "1 or -1");
+  require("first_step", first_step, first_step > 0 && first_step <= 0.5, "in (0, 0.5] rad");
+  require("longest_step", longest_step, longest_step > 0 && longest_step <= 0.5, "in (0, 0.5] rad");
+  require("longest_step_touching", longest_step_touching,
+          longest_step_touching > 0 && longest_step_touching <= 0.5, "in (0, 0.5] rad");
+  require("least_step", least_step, least_step > 0 && least_step <= first_step, "in (0, first_step] rad");
+  require("longest_jump", longest_jump, longest_jump > 0, "positive");
+  require("gap_limit", gap_limit, gap_limit > 0, "positive");
+}
+
+EquilibriumPath trace_equilibrium(const DrivenLinkage& driven, const Elasticity& elasticity,
+                                  const EquilibriumPathOptions& options,
+                                  const std::function<void(const EquilibriumStep&, const State&)>& frame) {
+  options.validate();
+  elasticity.validate();
+  return PathTracer(driven, elasticity, options, frame).run();
+}
+
+}  // namespace kinetix::model

@@ -1,0 +1,89 @@
+#include "model/elastic/path/path_events.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "model/base/invalid_input.hpp"
+
+namespace kinetix::model {
+namespace {
+
+using Kind = PathEvent::Kind;
+using Descent = Branch::Descent;
+
+constexpr double steep = 30;  // times the steepest slope of the load before contact: walls carry it
+
+std::string words(Descent descent, bool on_closed_form) {
+  switch (descent) {
+    case Descent::closed_form:
+      return on_closed_form ? "exact mode" : "exact mode, to less energy off the closed form";
+    case Descent::off_closed_form:
+      return "lowest mode, since the closed form is unstable too";
+    default:
+      return "lowest mode";
+  }
+}
+
+}  // namespace
+
+std::optional<double> LockWatch::see(const EquilibriumStep& before, const EquilibriumStep& after) {
+  const double change = after.drive - before.drive;
+  if (change == 0) return {};
+  const double slope = (after.load - before.load) / change;
+  if (after.contacts == 0) free_slope_ = std::max(free_slope_, std::abs(slope));
+  if (locked_ || after.contacts == 0 || before.contacts == 0 || !(slope > steep * free_slope_)) return {};
+  locked_ = true;
+  return slope / free_slope_;
+}
+
+void PathEvents::see(const EquilibriumStep& before, const EquilibriumStep& after, const State& state,
+                     const Arrival& arrival) {
+  const auto happened = [&](Kind kind, std::string what) { add(kind, after, before.theta, std::move(what)); };
+  if (arrival.descent) {
+    off_closed_form_since_ = arrival.descent == Descent::off_closed_form ? after.theta : NAN;
+    happened(Kind::bifurcation, "the equilibrium turned unstable: left along the " +
+                                    words(*arrival.descent, arrival.on_closed_form));
+  }
+  if (arrival.snapped) happened(Kind::snap, "jumped to another state at nearly the same drive");
+  if (before.contacts == 0 && after.contacts > 0) happened(Kind::contact, touching(system_.contacts(state)));
+  if (before.contacts > 0 && after.contacts == 0) happened(Kind::release, "walls no longer touch");
+  if (const auto times = lock_.see(before, after))
+    happened(Kind::lock, "walls carry the drive: the load rises " + number_text(std::round(*times)) +
+                             " times as steeply as without contact");
+}
+
+void PathEvents::end_locked(const EquilibriumStep& last, const std::vector<Contact>& contacts,
+                            const std::string& why) {
+  if (last.contacts == 0) add(Kind::contact, last, last.theta, touching(contacts));
+  if (!lock_.has_locked()) add(Kind::lock, last, last.theta, why);
+}
+
+void PathEvents::add(Kind kind, const EquilibriumStep& at, double since, std::string what) {
+  events_.push_back({kind, at, since, std::move(what)});
+}
+
+std::string PathEvents::touching(const std::vector<Contact>& contacts) const {
+  if (contacts.empty()) return "walls touch";
+  const auto wall = [&](int plate) { return system_.structure().wall_name(ContactModel::hinge(plate)); };
+  return "walls " + wall(contacts.front().plate) + " and " + wall(contacts.front().other) + " touch";
+}
+
+std::string to_string(PathEvent::Kind kind) {
+  switch (kind) {
+    case Kind::bifurcation:
+      return "bifurcation";
+    case Kind::snap:
+      return "snap";
+    case Kind::limit_point:
+      return "limit point";
+    case Kind::contact:
+      return "contact";
+    case Kind::release:
+      return "release";
+    case Kind::lock:
+      break;
+  }
+  return "lock";
+}
+
+}  // namespace kinetix::model

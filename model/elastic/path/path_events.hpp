@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/elastic/path/branch.hpp"
+#include "model/elastic/path/equilibrium_path.hpp"
+
+namespace kinetix::model {
+
+/// Notices that walls carry the drive: the load rises far more steeply with it than it did without contact.
+class LockWatch {
+ public:
+  /// @return how many times as steeply, on the first step between states in contact that shows it
+  std::optional<double> see(const EquilibriumStep& before, const EquilibriumStep& after);
+  bool has_locked() const { return locked_; }
+
+ private:
+  double free_slope_ = 0;  ///< steepest slope of the load before contact: units of load by those of the drive
+  bool locked_ = false;
+};
+
+/// How a path came to its last state.
+struct Arrival {
+  std::optional<Branch::Descent> descent;  ///< from an unstable equilibrium, if from one
+  bool snapped = false;                    ///< to another state at nearly the same drive
+  bool on_closed_form = false;             ///< it lies there
+};
+
+/// Tells from the steps of a path what a user should know of.
+class PathEvents {
+ public:
+  /// Keeps it by reference.
+  explicit PathEvents(const ElasticSystem& system) : system_(system) {}
+
+  /// @param state that of `after`
+  void see(const EquilibriumStep& before, const EquilibriumStep& after, const State& state,
+           const Arrival& arrival);
+  /// The path ends at `last`, locked by walls. @param contacts of the state beyond that could not be taken
+  /// @param why in words
+  void end_locked(const EquilibriumStep& last, const std::vector<Contact>& contacts, const std::string& why);
+
+  const std::vector<PathEvent>& events() const { return events_; }
+  /// Theta since when the path is off the closed form for that being unstable, rad; NaN where it is not.
+  double off_closed_form_since() const { return off_closed_form_since_; }
+
+ private:
+  void add(PathEvent::Kind kind, const EquilibriumStep& at, double since, std::string what);
+  std::string touching(const std::vector<Contact>& contacts) const;
+
+  const ElasticSystem& system_;
+  std::vector<PathEvent> events_;
+  LockWatch lock_;
+  double off_closed_form_since_ = NAN;  ///< rad
+};
+
+}  // namespace kinetix::model

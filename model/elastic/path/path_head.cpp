@@ -1,0 +1,45 @@
+#include "model/elastic/path/path_head.hpp"
+
+#include <utility>
+
+namespace kinetix::model {
+
+PathHead::PathHead(MeasuredSystem& system, const ClosedForm& closed_form)
+    : system_(system),
+      closed_form_(closed_form),
+      predictor_(system.elastic),
+      state_(rest_state(system.elastic.structure())) {
+  restore_tangent();
+  const bool is_left_by_bifurcation = system.between_plates() && !system.elastic.drive().grips_part;
+  on_closed_form_ = !is_left_by_bifurcation && closed_form_.is_near(state_, theta_);
+}
+
+State PathHead::predicted(double theta) {
+  const ElasticSystem& elastic = system_.elastic;
+  State state = state_;
+  if (has_tangent_)
+    state = predictor_.predict(state_, theta_, theta, system_.tangent);
+  else
+    elastic.place(theta, state);
+  if (!on_closed_form_) return state;
+  State exact = *closed_form_.at(theta);
+  return elastic.energy(exact, theta) < elastic.energy(state, theta) ? exact : state;
+}
+
+void PathHead::move_to(Trial trial, bool snapped) {
+  if (trial.descent || snapped)
+    predictor_.restart();
+  else
+    predictor_.move_on(theta_);
+  state_ = std::move(trial.state);
+  theta_ = trial.theta;
+  on_closed_form_ = (on_closed_form_ || trial.descent) && closed_form_.is_near(state_, theta_);
+  has_tangent_ = trial.newton.stable;
+}
+
+void PathHead::restore_tangent() {
+  system_.elastic.linearise(state_, theta_, system_.tangent);
+  has_tangent_ = system_.tangent.factorise(0);
+}
+
+}  // namespace kinetix::model

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "model/elastic/path/measured_system.hpp"
+#include "model/elastic/path/predictor.hpp"
+#include "model/elastic/path/trial.hpp"
+
+namespace kinetix::model {
+
+/// The state that a path has come to, and the prediction of the next one.
+class PathHead {
+ public:
+  /// Flat. All parameters are kept by reference.
+  PathHead(MeasuredSystem& system, const ClosedForm& closed_form);
+
+  const State& state() const { return state_; }
+  double theta() const { return theta_; }  ///< rad
+  /// Whether the system's tangent is that of the state, factorised: not where the state is unstable.
+  bool has_tangent() const { return has_tangent_; }
+  /// Whether the path has come along the closed form.
+  bool on_closed_form() const { return on_closed_form_; }
+
+  /// Along the tangent, or the closed form while the path keeps to it: that leads through singular points.
+  State predicted(double theta);
+  /// Of the last prediction, 1 or 2.
+  int prediction_order() const { return predictor_.order(); }
+
+  /// @param snapped to another state: what is known of the path's direction is lost, as by a descent
+  void move_to(Trial trial, bool snapped);
+  /// After a trial that was not taken.
+  void restore_tangent();
+
+ private:
+  MeasuredSystem& system_;
+  const ClosedForm& closed_form_;
+  Predictor predictor_;
+  State state_;
+  double theta_ = 0;  ///< rad
+  bool has_tangent_ = false, on_closed_form_ = false;
+};
+
+}  // namespace kinetix::model

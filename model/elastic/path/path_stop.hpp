@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+
+#include "model/elastic/path/measured_system.hpp"
+#include "model/elastic/path/step_check.hpp"
+
+namespace kinetix::model {
+
+/// Why the last step that a path tried was not taken.
+struct Refusal {
+  StepFaults faults;
+  NewtonResult newton;            ///< that led there
+  std::vector<Contact> contacts;  ///< of the state that was not taken
+
+  /// What the path ends with if there is no shorter step: `locked` where walls have to do with it.
+  /// @param last step that was taken
+  EquilibriumPath::Stop stop(const EquilibriumStep& last) const;
+};
+
+/// In a sentence, why and where a path stopped.
+/// @param path its stop, gaps and steps are known  @param refusal of its next step, if that is why
+/// @param off_closed_form_since as in PathEvents
+std::string stop_reason(const EquilibriumPath& path, const MeasuredSystem& system, double gap_limit,
+                        const Refusal& refusal, double off_closed_form_since);
+
+}  // namespace kinetix::model

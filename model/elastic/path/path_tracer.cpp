@@ -1,0 +1,62 @@
+#include "model/elastic/path/path_tracer.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace kinetix::model {
+
+PathTracer::PathTracer(const DrivenLinkage& driven, const Elasticity& elasticity,
+                       const EquilibriumPathOptions& options,
+                       const std::function<void(const EquilibriumStep&, const State&)>& frame)
+    : system_(driven.linkage, elasticity, driven.drive, options),
+      closed_form_(system_.elastic, driven.exact),
+      head_(system_, closed_form_),
+      solver_(system_, closed_form_, options),
+      check_(system_, options.longest_jump),
+      length_(options, driven.drive.theta()),
+      record_(system_, head_, options, frame) {}
+
+EquilibriumPath PathTracer::run() {
+  const double goal = system_.elastic.drive().theta();
+  while (head_.theta() != goal) {
+    const NextStep next = length_.next(head_.theta());
+    const bool taken = advance(next);
+    if (!taken && next.is_shortest) return record_.finished(refusal_.stop(record_.last()), refusal_);
+    if (taken && record_.is_overstretched())
+      return record_.finished(EquilibriumPath::Stop::overstretched, refusal_);
+  }
+  return record_.finished(EquilibriumPath::Stop::reached, refusal_);
+}
+
+bool PathTracer::advance(const NextStep& next) {
+  const double multiplier = system_.elastic.multiplier();
+  const State prediction = head_.predicted(next.theta);
+  Trial trial = solver_.find(next, head_, prediction);
+  record_.count(trial.iterations);
+  const StepFaults faults = check_.faults(head_.state(), prediction, trial);
+  if (const auto permitted = check_.permitted(next, record_.last(), trial, faults)) {
+    take(std::move(trial), *permitted, faults.jump);
+    return true;
+  }
+  refuse(trial, faults);
+  system_.elastic.set_multiplier(multiplier);
+  head_.restore_tangent();
+  return false;
+}
+
+void PathTracer::take(Trial trial, const PermittedStep& permitted, double jump) {
+  const auto descent = trial.descent;
+  const bool new_branch = descent || permitted.snapped;
+  const double growth = new_branch ? 1 : length_.growth(jump, head_.prediction_order());
+  head_.move_to(std::move(trial), permitted.snapped);
+  record_.add(permitted.step, {descent, permitted.snapped, head_.on_closed_form()});
+  length_.change(growth, permitted.step.contacts > 0);
+}
+
+void PathTracer::refuse(const Trial& trial, const StepFaults& faults) {
+  const bool far_off = faults.jumped || faults.tunnelled;
+  length_.shorten(length_.growth(far_off ? faults.jump : NAN, head_.prediction_order()));
+  refusal_ = {faults, trial.newton, system_.elastic.contacts(trial.state)};
+}
+
+}  // namespace kinetix::model

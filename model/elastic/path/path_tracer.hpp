@@ -1,0 +1,37 @@
+#pragma once
+
+#include "model/elastic/path/path_record.hpp"
+#include "model/elastic/path/step_check.hpp"
+#include "model/elastic/path/step_length.hpp"
+#include "model/elastic/path/step_solver.hpp"
+
+namespace kinetix::model {
+
+/// Traces an equilibrium path from flat: each step is predicted, solved for and checked, and the next one is
+/// as long as that went well. See trace_equilibrium for what it takes and gives.
+class PathTracer {
+ public:
+  /// All parameters are kept by reference.
+  PathTracer(const DrivenLinkage& driven, const Elasticity& elasticity, const EquilibriumPathOptions& options,
+             const std::function<void(const EquilibriumStep&, const State&)>& frame);
+
+  /// Once.
+  EquilibriumPath run();
+
+ private:
+  /// One step. @return whether it was taken
+  bool advance(const NextStep& next);
+  void take(Trial trial, const PermittedStep& permitted, double jump);
+  void refuse(const Trial& trial, const StepFaults& faults);
+
+  MeasuredSystem system_;
+  const ClosedForm closed_form_;
+  PathHead head_;
+  StepSolver solver_;
+  const StepCheck check_;
+  StepLength length_;
+  PathRecord record_;
+  Refusal refusal_;  ///< of the last step that was not taken
+};
+
+}  // namespace kinetix::model

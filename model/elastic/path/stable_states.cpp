@@ -1,0 +1,188 @@
+#include "model/elastic/path/stable_states.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <sstream>
+
+#include "model/base/angle.hpp"
+#include "model/closure/closure_drive.hpp"
+#include "model/elastic/lowest_mode.hpp"
+
+namespace kinetix::model {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr double different = 1e-3;  // rad of a hinge: releases that end closer found the same state
+constexpr int most_saddles = 5;     // in a row after a release: after so many it counts as unresolved
+// Rad, cell edges: enough to leave the saddle, too little for another valley.
+constexpr double off_saddle = 1e-2;
+
+double mean_theta(const Linkage& structure, const State& state) {
+  const auto& hinges = structure.hinges;
+  const bool some_upright =
+      std::any_of(hinges.begin(), hinges.end(), [](const RestHinge& h) { return is_vertical(h); });
+  double sum = 0;
+  int count = 0;
+  for (int h = 0; h < static_cast<int>(hinges.size()); ++h) {
+    if (some_upright && !is_vertical(hinges[h])) continue;
+    sum -= structure.bodies[hinges[h].lower].sense * hinge_turn(structure, state, h) / 2;
+    ++count;
+  }
+  return sum / count;
+}
+
+std::string released_at(const EquilibriumStep& step) {
+  std::ostringstream out;
+  out << "released at theta " << std::round(10 * to_degrees(step.theta)) / 10 << " deg of the drive";
+  return out.str();
+}
+
+/// A structure that nothing drives.
+class Release {
+ public:
+  Release(const Linkage& structure, const Elasticity& elasticity, const StableStateOptions& options)
+      : system_(structure, elasticity, options.path.planar.value_or(all_vertical(structure)),
+                options.path.contact),
+        tangent_(system_.dofs()),
+        newton_(options.path.newton),
+        unit_(energy_unit(elasticity, structure.size.edge_mm)) {
+    newton_.max_iterations = options.max_iterations;
+  }
+
+  /// Where it comes to rest, or in words why it does not.
+  std::optional<StableState> from(const DrivenState& start, std::string& why) {
+    State state = start.state;
+    NewtonResult result = minimise(system_, 0, newton_, state, tangent_);
+    for (int k = 0; k < most_saddles && result.converged && !result.stable && leave(state); ++k)
+      result = minimise(system_, 0, newton_, state, tangent_);
+    if (!result.converged || !result.stable) {
+      std::ostringstream out;
+      out << released_at(start.step) << ": no stable state after " << result.iterations
+          << " iterations, force " << result.force << " left";
+      why = out.str();
+      return {};
+    }
+    return described(std::move(state), released_at(start.step));
+  }
+
+  StableState described(State state, std::string how) const {
+    const Linkage& structure = system_.structure();
+    StableState found;
+    found.energy = system_.elastic_energy(state) * unit_;
+    found.theta = mean_theta(structure, state);
+    found.gaps = hinge_gaps(structure, state);
+    found.state = std::move(state);
+    found.how = std::move(how);
+    return found;
+  }
+
+ private:
+  bool leave(State& state) {
+    const LowestMode mode = lowest_mode(tangent_);
+    if (!mode.converged || !(mode.value < 0)) return false;
+    const VectorXd along = system_.dofs().extend(mode.direction);
+    state = system_.retract(state, off_saddle / system_.length(state, along) * along);
+    return true;
+  }
+
+  ElasticSystem system_;
+  TangentStiffness tangent_;
+  NewtonOptions newton_;
+  double unit_;
+};
+
+/// Joins the states along all paths.
+class Collector {
+ public:
+  Collector(const Linkage& structure, const Elasticity& elasticity, const StableStateOptions& options)
+      : structure_(structure),
+        elasticity_(elasticity),
+        path_options_(options.path),
+        release_(structure, elasticity, options) {
+    found_.states.push_back(release_.described(rest_state(structure), "flat"));
+  }
+
+  void add(const EnergyTurns& path) {
+    int at = 0;
+    std::optional<EnergyTurn> top;
+    const auto arrive = [&](const DrivenState& start) {
+      const int next = settle(start);
+      if (next >= 0 && next != at && top) add_barrier(path.drive(), *top, at, next);
+      if (next >= 0) at = next;
+      top.reset();
+    };
+    for (const EnergyTurn& turn : path.turns()) {
+      if (!turn.maximum)
+        arrive(lower(turn));
+      else if (!top || turn.before.step.energy > top->before.step.energy)
+        top = turn;
+    }
+    if (path.ends_falling()) arrive(path.last());
+  }
+
+  StableStates found() { return std::move(found_); }
+
+ private:
+  static const DrivenState& lower(const EnergyTurn& turn) {
+    return turn.before.step.energy < turn.after.step.energy ? turn.before : turn.after;
+  }
+
+  /// Index of the state that a release leads to, new or known; -1 where it leads nowhere.
+  int settle(const DrivenState& start) {
+    std::string why;
+    auto state = release_.from(start, why);
+    if (!state) {
+      found_.unresolved.push_back(why);
+      return -1;
+    }
+    const auto same = std::find_if(found_.states.begin(), found_.states.end(), [&](const StableState& known) {
+      return turn_distance(structure_, known.state, state->state) <= different;
+    });
+    const auto index = same - found_.states.begin();
+    if (same == found_.states.end()) found_.states.push_back(std::move(*state));
+    return static_cast<int>(index);
+  }
+
+  void add_barrier(const LinkageDrive& drive, const EnergyTurn& top, int from, int to) {
+    EnergyBarrier barrier = energy_summit(structure_, elasticity_, drive, path_options_, top);
+    barrier.from = std::min(from, to);
+    barrier.to = std::max(from, to);
+    const auto known =
+        std::find_if(found_.barriers.begin(), found_.barriers.end(),
+                     [&](const EnergyBarrier& b) { return b.from == barrier.from && b.to == barrier.to; });
+    if (known == found_.barriers.end())
+      found_.barriers.push_back(barrier);
+    else if (barrier.energy < known->energy)
+      *known = barrier;
+  }
+
+  const Linkage& structure_;
+  const Elasticity& elasticity_;
+  const EquilibriumPathOptions& path_options_;
+  Release release_;
+  StableStates found_;
+};
+
+}  // namespace
+
+StableStates stable_states(const Linkage& structure, const Elasticity& elasticity,
+                           const std::vector<EnergyTurns>& paths, const StableStateOptions& options) {
+  Collector collector(structure, elasticity, options);
+  for (const EnergyTurns& path : paths) collector.add(path);
+  return collector.found();
+}
+
+StableStates find_stable_states(const std::vector<DrivenLinkage>& drives, const Elasticity& elasticity,
+                                const StableStateOptions& options) {
+  std::vector<EnergyTurns> paths;
+  for (const DrivenLinkage& driven : drives) {
+    EnergyTurns& path = paths.emplace_back(driven.drive);
+    trace_equilibrium(driven, elasticity, options.path,
+                      [&](const EquilibriumStep& step, const State& state) { path.see(step, state); });
+  }
+  return stable_states(drives.front().linkage, elasticity, paths, options);
+}
+
+}  // namespace kinetix::model

@@ -1,0 +1,47 @@
+#include "model/elastic/path/step_length.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kinetix::model {
+namespace {
+
+constexpr double most_growth = 2;      // times the last step: one small error promises no more
+constexpr double least_growth = 0.25;  // times the last step: a large error tells little about how much less
+constexpr double aimed_jump = 0.4;     // of longest_jump: near 1, more steps fail; near 0, more are needed
+constexpr double least_jump = 1e-12;   // rad: below is rounding, and the most growth is reached long before
+constexpr double rounding = 1e-9;      // of a step or of what is left of the path: less is no step
+
+}  // namespace
+
+StepLength::StepLength(const EquilibriumPathOptions& options, double goal)
+    : options_(options), goal_(goal), step_(std::min(options.first_step, std::abs(goal))) {}
+
+NextStep StepLength::next(double from) const {
+  const double left = std::abs(goal_ - from);
+  NextStep next;
+  next.theta = step_ >= left * (1 - rounding) ? goal_ : from + std::copysign(step_, goal_);
+  next.length = std::abs(next.theta - from);
+  next.to_goal = next.theta == goal_;
+  next.is_shortest = step_ <= options_.least_step || step_ < rounding * left;
+  next.is_short = next.is_shortest || next.length <= options_.longest_step_touching * (1 + rounding);
+  return next;
+}
+
+double StepLength::growth(double jump, int order) const {
+  if (!std::isfinite(jump)) return least_growth;
+  const double room = aimed_jump * options_.longest_jump / std::max(jump, least_jump);
+  return std::clamp(std::pow(room, 1.0 / (order + 1)), least_growth, most_growth);
+}
+
+void StepLength::change(double growth, bool touching) {
+  const double longest =
+      touching ? std::min(options_.longest_step, options_.longest_step_touching) : options_.longest_step;
+  step_ = std::clamp(step_ * growth, options_.least_step, longest);
+}
+
+void StepLength::shorten(double growth) {
+  step_ = std::max(step_ * std::min(0.5, growth), options_.least_step);
+}
+
+}  // namespace kinetix::model

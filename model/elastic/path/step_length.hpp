@@ -1,0 +1,38 @@
+#pragma once
+
+#include "model/elastic/path/equilibrium_path.hpp"
+
+namespace kinetix::model {
+
+/// Where a path tries to go next.
+struct NextStep {
+  double theta = 0;   ///< rad
+  double length = 0;  ///< of the step, rad
+  bool to_goal = false;
+  bool is_short = false;     ///< so short that a jump to another state is taken, and walls may begin to touch
+  bool is_shortest = false;  ///< no shorter one will be tried
+};
+
+/// Steps of theta that adapt to how well they are predicted.
+class StepLength {
+ public:
+  /// @param goal theta, rad  @param options are kept by reference
+  StepLength(const EquilibriumPathOptions& options, double goal);
+
+  NextStep next(double from) const;
+  /// Factor for the next step so that a hinge will turn by less than longest_jump beyond the prediction.
+  /// @param jump by what it did now, rad; NaN where that is not known  @param order of the prediction: its
+  /// error grows with the step to one power more
+  double growth(double jump, int order) const;
+  /// After a step that was taken. @param touching walls touch behind it
+  void change(double growth, bool touching);
+  /// After one that was not: to a half at most.
+  void shorten(double growth);
+
+ private:
+  const EquilibriumPathOptions& options_;
+  const double goal_;
+  double step_;  ///< rad, > 0
+};
+
+}  // namespace kinetix::model

@@ -1,0 +1,141 @@
+#include "model/elastic/path/turning_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "model/elastic/path/measured_system.hpp"
+
+namespace kinetix::model {
+namespace {
+
+constexpr double accuracy = 1e-7;    // rad of theta: the energy at a maximum is off by its square alone
+constexpr double vanishing = 1e-4;   // of the larger load at both ends: more is left where the path jumps
+constexpr int most_equilibria = 60;  // equilibria: bisection alone comes from 1 rad to the accuracy with 24
+
+class Summit {
+ public:
+  Summit(const Linkage& structure, const Elasticity& elasticity, const LinkageDrive& drive,
+         const EquilibriumPathOptions& options)
+      : system_(structure, elasticity, drive, options), newton_(options.newton) {}
+
+  /// Regula falsi with the Illinois rule.
+  EnergyBarrier of(const EnergyTurn& turn) {
+    Side low{turn.before, turn.before.step.load}, high{turn.after, turn.after.step.load};
+    const double scale = std::max(std::abs(low.load), std::abs(high.load));
+    EnergyBarrier best = barrier(low.at.step.energy > high.at.step.energy ? low.at.step : high.at.step);
+    if ((low.load > 0) == (high.load > 0)) return best;
+    for (int k = 0; k < most_equilibria; ++k) {
+      const double theta = (low.theta() * high.load - high.theta() * low.load) / (high.load - low.load);
+      const double from_low = std::abs(theta - low.theta()), from_high = std::abs(theta - high.theta());
+      const auto next = equilibrium(theta, from_low < from_high ? low.at.state : high.at.state);
+      if (!next) return best;
+      if (next->step.energy > best.energy) best = barrier(next->step);
+      if (std::min(from_low, from_high) <= accuracy) {
+        best.load_vanishes = std::abs(next->step.load) <= vanishing * scale;
+        return best;
+      }
+      const bool is_low = (next->step.load > 0) == (low.load > 0);
+      replace(is_low ? low : high, is_low ? high : low, *next);
+    }
+    return best;
+  }
+
+ private:
+  struct Side {
+    DrivenState at;
+    double load;
+    bool kept = false;  ///< the other side moved last
+    double theta() const { return at.step.theta; }
+  };
+
+  static void replace(Side& side, Side& other, DrivenState next) {
+    if (other.kept) other.load /= 2;
+    other.kept = true;
+    const double load = next.step.load;
+    side = {std::move(next), load, false};
+  }
+
+  static EnergyBarrier barrier(const EquilibriumStep& step) {
+    return {0, 0, step.energy, step.theta, step.drive, false};
+  }
+
+  std::optional<DrivenState> equilibrium(double theta, State state) {
+    system_.elastic.place(theta, state);
+    const NewtonResult newton = minimise(system_.elastic, theta, newton_, state, system_.tangent);
+    if (!newton.converged) return {};
+    const EquilibriumStep step = system_.measured(state, theta, newton.stable);
+    return DrivenState{step, std::move(state)};
+  }
+
+  MeasuredSystem system_;
+  const NewtonOptions& newton_;
+};
+
+using Loads = std::vector<double>;
+
+bool is_peak(const Loads& loads, std::size_t k) {
+  return loads[k] > loads[k - 1] && loads[k] >= loads[k + 1];
+}
+
+/// How far the load falls from `k` on, before it is above loads[k] or ends.
+template <class Iterator>
+double fall(double from, Iterator begin, Iterator end) {
+  double lowest = from;
+  for (auto it = begin; it != end && *it <= from; ++it) lowest = std::min(lowest, *it);
+  return from - lowest;
+}
+
+double prominence_of(const Loads& loads, std::size_t k) {
+  const auto after = loads.begin() + static_cast<std::ptrdiff_t>(k) + 1;
+  const auto before = loads.rbegin() + static_cast<std::ptrdiff_t>(loads.size() - k);
+  return std::min(fall(loads[k], after, loads.end()), fall(loads[k], before, loads.rend()));
+}
+
+Loads signed_loads(const EquilibriumPath& path, double sign) {
+  Loads loads;
+  for (const EquilibriumStep& step : path.steps) loads.push_back(sign * step.load);
+  return loads;
+}
+
+}  // namespace
+
+void EnergyTurns::see(const EquilibriumStep& step, const State& state) {
+  DrivenState now{step, state};
+  if (std::exchange(started_, true)) {
+    const double slope = step.load * (step.drive - last_.step.drive);
+    const bool fell = step.energy < last_.step.energy;
+    if (slope_ > 0 && (slope < 0 || fell)) turns_.push_back({true, last_, now});
+    if (slope > 0 && (slope_ < 0 || (slope_ > 0 && fell))) turns_.push_back({false, last_, now});
+    slope_ = slope;
+  }
+  last_ = std::move(now);
+}
+
+EnergyBarrier energy_summit(const Linkage& structure, const Elasticity& elasticity, const LinkageDrive& drive,
+                            const EquilibriumPathOptions& options, const EnergyTurn& turn) {
+  return Summit(structure, elasticity, drive, options).of(turn);
+}
+
+std::vector<PathEvent> limit_points(const EquilibriumPath& path, double prominence) {
+  const Loads loads = signed_loads(path, 1), mirrored = signed_loads(path, -1);
+  const auto [low, high] = std::minmax_element(loads.begin(), loads.end());
+  std::vector<PathEvent> found;
+  for (std::size_t k = 1; k + 1 < loads.size(); ++k)
+    for (const Loads* side : {&loads, &mirrored})
+      if (is_peak(*side, k) && prominence_of(*side, k) >= prominence * (*high - *low))
+        found.push_back({PathEvent::Kind::limit_point, path.steps[k], path.steps[k - 1].theta,
+                         side == &loads ? "the load reached a maximum" : "the load reached a minimum"});
+  return found;
+}
+
+void add_limit_points(EquilibriumPath& path) {
+  const std::vector<PathEvent> limits = limit_points(path);
+  path.events.insert(path.events.end(), limits.begin(), limits.end());
+  std::stable_sort(path.events.begin(), path.events.end(), [](const PathEvent& a, const PathEvent& b) {
+    return std::abs(a.at.theta) < std::abs(b.at.theta);
+  });
+}
+
+}  // namespace kinetix::model

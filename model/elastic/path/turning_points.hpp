@@ -1,0 +1,72 @@
+#pragma once
+
+#include <vector>
+
+#include "model/elastic/path/equilibrium_path.hpp"
+
+/// Turning points of an equilibrium path: of its energy, where the drive's load changes sign, and of its
+/// load.
+namespace kinetix::model {
+
+/// An equilibrium on a driven path.
+struct DrivenState {
+  EquilibriumStep step;
+  State state;
+};
+
+/// Two states in a row between which the energy of a driven path turns: from rising to falling, or back. A
+/// jump down between two states with rising energy is one of each.
+struct EnergyTurn {
+  bool maximum = false;
+  DrivenState before, after;
+};
+
+/// What a search for stable states keeps of a path: where its energy turns, and its end. Give see() to
+/// trace_equilibrium as `frame`; the slope comes from the load, so that no turn hides between two states.
+class EnergyTurns {
+ public:
+  explicit EnergyTurns(const LinkageDrive& drive) : drive_(drive) {}
+
+  void see(const EquilibriumStep& step, const State& state);
+
+  const LinkageDrive& drive() const { return drive_; }
+  const std::vector<EnergyTurn>& turns() const { return turns_; }
+  /// @pre a state was seen
+  const DrivenState& last() const { return last_; }
+  /// Whether the energy still falls at the end.
+  bool ends_falling() const { return slope_ < 0; }
+
+ private:
+  LinkageDrive drive_;
+  std::vector<EnergyTurn> turns_;
+  DrivenState last_;
+  bool started_ = false;
+  double slope_ = 0;  ///< sign of the energy's change along the path at its end
+};
+
+/// What keeps two stable states apart: the largest energy on the driven path from one to the other.
+struct EnergyBarrier {
+  int from = 0, to = 0;  ///< in StableStates::states, from < to
+  double energy = 0;     ///< N mm
+  double theta = 0;      ///< fold parameter of the drive there, rad
+  double drive = 0;      ///< its coordinate there, as in EquilibriumStep: fraction or rad
+  /// Whether the drive's load vanishes there (with a driven hinge, a saddle of the energy); otherwise the
+  /// path jumped down from there.
+  bool load_vanishes = false;
+};
+
+/// The top of a maximum on the path of `drive`: where its load vanishes, within 1e-7 rad of theta, found from
+/// equilibria between the turn's two states. `from` and `to` are left open.
+/// @pre turn.maximum; structure, elasticity, drive and options those of the path
+EnergyBarrier energy_summit(const Linkage& structure, const Elasticity& elasticity, const LinkageDrive& drive,
+                            const EquilibriumPathOptions& options, const EnergyTurn& turn);
+
+/// The steps of a path at which its load has a maximum or a minimum, as events in the order of the path; the
+/// ends do not count. A maximum stands out where the load falls on both sides of it, before it rises above it
+/// again, by at least `prominence` times the span of all loads; a minimum likewise.
+std::vector<PathEvent> limit_points(const EquilibriumPath& path, double prominence = 0.02);
+
+/// Adds them to the path's events, which stay in the order of the path.
+void add_limit_points(EquilibriumPath& path);
+
+}  // namespace kinetix::model

@@ -1,0 +1,209 @@
+#include "model/elastic/contact/contact_energy.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <random>
+
+#include "model/closure/closure.hpp"
+#include "model/contact/wall_contact.hpp"
+#include "tests/support/derivatives.hpp"
+#include "tests/support/elastic_runs.hpp"
+#include "tests/support/random_elastic.hpp"
+
+namespace kinetix::model {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using namespace testing;
+
+// Of a contact, over k_point: not 1, so that a factor that is left out shows.
+constexpr double stiffness = 7;
+
+struct Touching {
+  Structure structure;
+  State state;
+  bool planar;
+  std::vector<Contact> contacts;
+};
+
+/// Panels with thick walls, shaken until some of them press into each other.
+std::vector<Touching> touching_panels() {
+  std::mt19937 random(1);
+  std::vector<Touching> panels;
+  for (int trial = 0; trial < 20; ++trial) {
+    const bool planar = trial % 2 == 0;
+    Structure s = random_panel(2, 2, random, planar);
+    s.size.thickness_mm = 4;
+    const State state = shaken(s, rest_state(s), 0.35, random, planar);
+    std::vector<Contact> contacts = ContactModel(s, planar).find(state);
+    panels.push_back({std::move(s), state, planar, std::move(contacts)});
+  }
+  return panels;
+}
+
+/// Calls check(panel, contact) for every contact of all panels: there are many, and through every kind of
+/// face.
+template <class Check>
+void for_each_contact(const Check& check) {
+  int count = 0;
+  std::vector<int> through(5);
+  for (const Touching& panel : touching_panels())
+    for (const Contact& c : panel.contacts) {
+      check(panel, c);
+      ++count;
+      ++through[static_cast<int>(c.face)];
+    }
+  EXPECT_GE(count, 40);
+  for (int face = 0; face < 5; ++face) EXPECT_GT(through[face], 0) << "face " << face;
+}
+
+State moved_pair(const Touching& panel, const ContactModel& walls, const Contact& c, const VectorXd& x) {
+  VectorXd twists = VectorXd::Zero(6 * panel.state.size());
+  twists.segment<6>(6 * walls.body(c.plate)) = x.head<6>();
+  twists.segment<6>(6 * walls.body(c.other)) = x.tail<6>();
+  return moved(panel.structure, panel.state, twists);
+}
+
+TEST(ContactEnergy, GradientAndHessianMatchCentralDifferences) {
+  for_each_contact([](const Touching& panel, const Contact& c) {
+    const ContactModel walls(panel.structure, panel.planar);
+    const auto energy = [&](const VectorXd& x) {
+      return VectorXd::Constant(1, walls.element(c, stiffness, moved_pair(panel, walls, c, x)).energy);
+    };
+    const auto gradient = [&](const VectorXd& x) -> VectorXd {
+      return numeric_jacobian(energy, x).transpose();
+    };
+    const Element e = walls.element(c, stiffness, panel.state);
+    const VectorXd zero = VectorXd::Zero(12);
+    expect_jacobian(energy, zero, e.gradient.transpose());
+    expect_jacobian(gradient, zero, e.hessian, 1e-6, 3e-3);
+    EXPECT_NEAR(walls.energy({c}, stiffness), e.energy, 1e-14);
+  });
+}
+
+/// t and beta of the two hinges of a contact changed by q.
+Structure redesigned(Structure s, const Contact& c, const VectorXd& q) {
+  for (const int k : {0, 1}) {
+    HingeParameters& p = s.hinges[ContactModel::hinge(k == 0 ? c.plate : c.other)].parameters;
+    p.t += q[2 * k];
+    p.beta += q[2 * k + 1];
+  }
+  return s;
+}
+
+TEST(ContactEnergy, RatesByTheTwoHingesMatchCentralDifferences) {
+  for_each_contact([](const Touching& panel, const Contact& c) {
+    const ContactModel walls(panel.structure, panel.planar);
+    const auto depth_and_gradient = [&](const VectorXd& q) -> VectorXd {
+      const ContactModel changed(redesigned(panel.structure, c, q), panel.planar);
+      const Element e = changed.element(c, stiffness, panel.state);
+      const double depth = c.depth * std::sqrt(e.energy / walls.energy({c}, stiffness));
+      return (VectorXd(13) << depth, e.gradient).finished();
+    };
+    Eigen::Matrix<double, 13, 4> rates;
+    rates << walls.depth_rates(c, panel.state).transpose(), walls.rates(c, stiffness, panel.state);
+    const double step = std::min(1e-3, c.depth / 10);
+    expect_jacobian(depth_and_gradient, VectorXd::Zero(4), rates, 1e-7, step);
+  });
+}
+
+TEST(ContactEnergy, GrowsInProportionToTheStiffness) {
+  for_each_contact([](const Touching& panel, const Contact& c) {
+    const ContactModel walls(panel.structure, panel.planar);
+    const Vector12 gradient = walls.element(c, stiffness, panel.state).gradient;
+    EXPECT_LE((stiffness * walls.stiffness_rate(c, panel.state) - gradient).norm(), 1e-14 * gradient.norm());
+  });
+}
+
+TEST(ContactEnergy, IsThatOfTheStructureWhereverItIs) {
+  const Eigen::Matrix3d R = Eigen::AngleAxisd(1.1, Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
+  for (const Touching& panel : touching_panels()) {
+    State turned = panel.state;
+    for (Pose& pose : turned) pose = {R * pose.R, R * pose.p + Vector3d(3, -40, 17)};
+    ContactModel walls(panel.structure, panel.planar);
+    const std::vector<Contact> contacts = walls.find(turned);
+    EXPECT_EQ(contacts, panel.contacts);
+    const double energy = walls.energy(panel.contacts, stiffness);
+    EXPECT_NEAR(walls.energy(contacts, stiffness), energy, 1e-12 * energy);
+  }
+}
+
+TEST(ContactEnergy, IsZeroFlatAndUntilTheClosedFormCloses) {
+  Structure s = make_structure(rectangle(3, 3), {10, 2, 6});
+  const double closing = closing_theta(s.size);
+  for (const bool planar : {true, false}) {
+    ContactModel walls(s, planar);
+    EXPECT_TRUE(walls.find(rest_state(s)).empty());
+    for (const double side : {1.0, -1.0}) {
+      EXPECT_TRUE(walls.find(fold(classify(s), s, side * (closing - 1e-6))).empty());
+      EXPECT_FALSE(walls.find(fold(classify(s), s, side * (closing + 1e-6))).empty());
+    }
+  }
+}
+
+TEST(ContactEnergy, OnlyWallsThatOverlapTouch) {
+  for_each_contact([](const Touching& panel, const Contact& c) {
+    const auto overlapping = WallContact(panel.structure).overlapping(panel.state);
+    const WallPair pair{std::min(c.plate, c.other), std::max(c.plate, c.other)};
+    EXPECT_TRUE(std::find(overlapping.begin(), overlapping.end(), pair) != overlapping.end());
+  });
+}
+
+TEST(ContactEnergy, AStateThatIsNotFiniteTouchesNothing) {
+  const Touching panel = touching_panels().front();
+  State broken = panel.state;
+  broken[1].p.x() = NAN;
+  EXPECT_TRUE(ContactModel(panel.structure, panel.planar).find(broken).empty());
+}
+
+TEST(ContactEnergy, RememberedCandidatesGiveWhatAFreshModelFinds) {
+  std::mt19937 random(2);
+  for (const bool planar : {true, false}) {
+    Structure s = random_panel(5, 4, random, planar);
+    s.size.thickness_mm = 4;
+    ContactModel walls(s, planar);
+    State state = shaken(s, rest_state(s), 0.2, random, planar);
+    int found = 0;
+    for (int step = 0; step < 200; ++step) {
+      state = shaken(s, state, step % 20 == 0 ? 0.1 : 0.01, random, planar);
+      const auto remembered = walls.find(state), fresh = ContactModel(s, planar).find(state);
+      ASSERT_EQ(remembered, fresh);
+      for (std::size_t k = 0; k < fresh.size(); ++k) EXPECT_EQ(remembered[k].depth, fresh[k].depth);
+      found += static_cast<int>(fresh.size());
+    }
+    EXPECT_GE(found, 200);
+  }
+}
+
+/// All bodies of a strip far apart, but for one whose wall tip hangs `high` above the middle of another's
+/// x-wall, `along` from that one's vertex, cell edges.
+State hanging(const Structure& s, double along, double high) {
+  const double L = s.size.edge_mm;
+  State state(s.bodies.size());
+  for (std::size_t b = 0; b < state.size(); ++b)
+    state[b].p = 10 * L * Vector3d(0, static_cast<double>(b + 1), 0);
+  state[*s.body_at({0, 0})].p.setZero();
+  state[*s.body_at({2, 1})].p = L * Vector3d(along, 0.5 + high, 0);
+  return state;
+}
+
+TEST(ContactEnergy, APointThatJumpsAcrossAWallHasPassedThrough) {
+  const Structure s = make_structure(rectangle(3, 1), {});
+  for (const bool planar : {true, false}) {
+    ContactModel walls(s, planar);
+    for (const double high : {0.05, 0.12, 0.2, 0.4}) {
+      SCOPED_TRACE(high);
+      EXPECT_TRUE(walls.find(hanging(s, 0.3, high)).empty());
+      EXPECT_TRUE(walls.passed_through(hanging(s, 0.3, high), hanging(s, 0.3, -high)));
+      EXPECT_TRUE(walls.passed_through(hanging(s, 0.3, -high), hanging(s, 0.2, high)));
+      EXPECT_FALSE(walls.passed_through(hanging(s, 0.3, high), hanging(s, 0.3, high / 2)));
+      EXPECT_FALSE(walls.passed_through(hanging(s, 0.3, high), hanging(s, 0.7, -high)));
+      EXPECT_FALSE(walls.passed_through(hanging(s, 0.7, high), hanging(s, 0.7, -high)));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace kinetix::model
