@@ -18,6 +18,8 @@ using model::SharedWalls;
 const targets::Bounds fraction = targets::between(0, 1);
 const targets::Bounds in_plane = targets::between(0, 180, "degrees");
 const targets::Bounds tilt = targets::between(-90, 90, "degrees");
+// Half a wall to either side: beyond it the hinge would be nearer to another wall.
+const targets::Bounds offset = targets::between(-0.5, 0.5, "cell edges");
 
 }  // namespace
 
@@ -31,6 +33,10 @@ const targets::KeyTable& hinge_entry_keys() {
        "angle of the hinge's axis to the wall's edge, in the plane of the wall"},
       {"beta_deg", value::angle(tilt), targets::by_default_deg(basic.beta),
        "how far the wall leans from upright, and its hinge with it"},
+      {"offset_mm", value::length(offset), targets::by_default(basic.offset),
+       "how far the hinge sits off the middle of the wall, to the left as seen from its lower vertex "
+       "(towards "
+       "z x e)"},
   });
   return keys;
 }
@@ -133,11 +139,14 @@ void read_pattern(const targets::Section& design, model::Structure& structure) {
   pattern.node().located([&] { apply_pattern(structure, even, odd, shared); });
 }
 
-model::HingeParameters read_parameters(const targets::Section& hinge) {
+model::HingeParameters read_parameters(const targets::Section& hinge, double edge_mm) {
   model::HingeParameters p;
   hinge.read("t", p.t);
   hinge.read("alpha_deg", p.alpha);
   hinge.read("beta_deg", p.beta);
+  double offset_mm = 0;
+  hinge.read_length("offset_mm", offset_mm, edge_mm);
+  p.offset = offset_mm / edge_mm;
   return p;
 }
 
@@ -153,7 +162,7 @@ void read_hinges(const targets::Section& design, model::Structure& structure) {
       throw node.error("the wall " + to_string(structure.hinges[k].wall) + " is named twice, first in line " +
                        std::to_string(line_of[k]) + "; name it once");
     line_of[k] = node.place().line;
-    structure.hinges[k].parameters = read_parameters(hinge);
+    structure.hinges[k].parameters = read_parameters(hinge, structure.size.edge_mm);
   }
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/files/design_file.hpp"
 #include "app/files/structure_section.hpp"
@@ -32,17 +33,30 @@ std::string structure_text(const model::Structure& structure) {
 
 bool is_basic(const model::HingeParameters& p) {
   const model::HingeParameters basic;
-  return p.t == basic.t && p.alpha == basic.alpha && p.beta == basic.beta;
+  return p.t == basic.t && p.alpha == basic.alpha && p.beta == basic.beta && p.offset == basic.offset;
+}
+
+/// The length in mm that is read as this number of cell edges; the nearest where rounding leaves none.
+double mm_of(double cells, double edge_mm) {
+  const double mm = cells * edge_mm;
+  for (const double near : {mm, std::nextafter(mm, 0), std::nextafter(mm, 2 * mm)})
+    if (near / edge_mm == cells) return near;
+  return mm;
+}
+
+std::string offset_text(double offset, double edge_mm) {
+  return offset == 0 ? "" : ", offset_mm: " + targets::shortest_text(mm_of(offset, edge_mm));
 }
 
 std::string hinges_text(const model::Structure& structure) {
   std::string text;
   for (const model::Hinge& hinge : structure.hinges)
     if (!is_basic(hinge.parameters))
-      text += fmt::format("    - {{wall: {}, t: {}, alpha_deg: {}, beta_deg: {}}}\n", text_of(hinge.wall),
+      text += fmt::format("    - {{wall: {}, t: {}, alpha_deg: {}, beta_deg: {}{}}}\n", text_of(hinge.wall),
                           targets::shortest_text(hinge.parameters.t),
                           targets::degrees_text(hinge.parameters.alpha),
-                          targets::degrees_text(hinge.parameters.beta));
+                          targets::degrees_text(hinge.parameters.beta),
+                          offset_text(hinge.parameters.offset, structure.size.edge_mm));
   if (text.empty()) return {};
   return "  hinges:  # walls that are not named have t: 0.5, alpha_deg: 90, beta_deg: 0\n" + text;
 }

@@ -86,25 +86,17 @@ std::string grey_png(const Eigen::ArrayXXd& picture) {
   return png_of(surface.get());
 }
 
-void draw_walls(const model::Structure& panel, const model::State& state, double grey, cairo_t* pen) {
+void draw_walls(const model::Linkage& panel, const model::State& state, double grey, cairo_t* pen) {
   cairo_set_source_rgb(pen, grey, grey, grey);
   cairo_set_line_width(pen, panel.size.thickness_mm);
   cairo_set_line_cap(pen, CAIRO_LINE_CAP_ROUND);
-  for (const model::Hinge& hinge : panel.hinges)
-    for (const bool lower : {true, false}) {
-      const Vector2d vertex = state[lower ? hinge.lower : hinge.upper].p.head<2>();
-      const Vector2d wall_tip = wall_tip_point(panel, state, hinge, lower);
-      cairo_move_to(pen, vertex.x(), vertex.y());
-      cairo_line_to(pen, wall_tip.x(), wall_tip.y());
-    }
+  for (const model::Plate& plate : panel.plates) {
+    const model::Pose& pose = state[plate.body];
+    const Eigen::Vector3d wall_tip = pose.p + panel.size.edge_mm * plate.length * (pose.R * plate.edge);
+    cairo_move_to(pen, pose.p.x(), pose.p.y());
+    cairo_line_to(pen, wall_tip.x(), wall_tip.y());
+  }
   cairo_stroke(pen);
-}
-
-Vector2d wall_tip_point(const model::Structure& panel, const model::State& state, const model::Hinge& hinge,
-                        bool lower) {
-  const int body = lower ? hinge.lower : hinge.upper;
-  const Eigen::Vector3d arm = panel.hinge_point(hinge) - panel.rest_position(body);
-  return (state[body].p + state[body].R * arm).head<2>();
 }
 
 }  // namespace kinetix::app

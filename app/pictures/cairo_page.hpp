@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "model/lattice/square/structure.hpp"
+#include "model/linkage/linkage.hpp"
 #include "model/linkage/state.hpp"
 
 namespace kinetix::app {
@@ -58,10 +58,6 @@ std::string grey_png(const Eigen::ArrayXXd& picture);
 /// All in one stroke: where two overlap, such as the wall tips of a hinge, no pixel of their rims is
 /// covered twice.
 /// @param grey 0 black, 1 white
-void draw_walls(const model::Structure& panel, const model::State& state, double grey, cairo_t* pen);
-
-/// Where the wall tip of one half of a hinge's wall is, mm.
-Eigen::Vector2d wall_tip_point(const model::Structure& panel, const model::State& state,
-                               const model::Hinge& hinge, bool lower);
+void draw_walls(const model::Linkage& panel, const model::State& state, double grey, cairo_t* pen);
 
 }  // namespace kinetix::app

@@ -25,22 +25,27 @@ constexpr double darkest = 0.02, brightest = 0.98;
 // Fractions of the blurred outline: it falls to a half at the panel's edge; where it is near 1 the rim
 // has no effect.
 constexpr double inside = 0.5, deep_inside = 0.98;
+// Of the light: an eye takes differences of a fiftieth for none.
+constexpr double least_range = 0.02;
 
-/// Openings white on black; their walls black on top if asked.
-Grey drawn(const model::Structure& panel, const model::State& state, const PictureFrame& frame, double scale,
+/// Light through a panel: openings white, walls and all around black. Where the walls are to be white too, they
+/// are at least `seam` px wide: no seam between two openings lets the black through.
+constexpr double seam = 2;
+Grey drawn(const model::Linkage& panel, const model::State& state, const PictureFrame& frame, double scale,
            bool walls) {
   CairoImage image(frame, scale);
   cairo_t* pen = image.pen();
   cairo_set_source_rgb(pen, 1, 1, 1);
   const double edge = panel.size.edge_mm;
-  const model::Linkage linkage = panel;
-  for (const model::LinkageCell& cell : linkage.cells) {
-    for (const Eigen::Vector2d& corner : opening(linkage, state, cell).outline())
+  for (const model::LinkageCell& cell : panel.cells) {
+    for (const Eigen::Vector2d& corner : opening(panel, state, cell).outline())
       cairo_line_to(pen, edge * corner.x(), edge * corner.y());
     cairo_close_path(pen);
     cairo_fill(pen);
   }
-  draw_walls(panel, state, walls ? 0 : 1, pen);
+  model::Linkage drawn_panel = panel;
+  if (!walls) drawn_panel.size.thickness_mm = std::max(panel.size.thickness_mm, seam / scale);
+  draw_walls(drawn_panel, state, walls ? 0 : 1, pen);
   return image.grey();
 }
 
@@ -81,20 +86,28 @@ Grey stretched(const Grey& light, const Grey& outline) {
   const auto at = [&](double part) {
     return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
   };
-  const double low = at(darkest), range = std::max(at(brightest) - low, 1e-9);
+  const double low = at(darkest), range = std::max(at(brightest) - low, least_range);
   return (outline >= inside).select(((light - low) / range).max(0).min(1), 0);
+}
+
+/// Less the mean of what surrounds each pixel inside the panel.
+Grey against_surroundings(const Grey& light, const Grey& outline, double deviation) {
+  const Grey within = (outline >= inside).select(Grey::Ones(light.rows(), light.cols()), 0);
+  return light - blurred(light * within, deviation) / blurred(within, deviation).max(1e-6);
 }
 
 }  // namespace
 
-std::string far_view(const model::Structure& panel, const model::State& state,
-                     const FarViewOptions& options) {
+std::string far_view(const model::Linkage& panel, const model::State& state, const FarViewOptions& options) {
   const PictureFrame frame = picture_frame(state, margin_in_cells * panel.size.edge_mm);
   const double scale = options.pixels_per_cell / panel.size.edge_mm;
   const double deviation = options.blur_in_cells * options.pixels_per_cell;
   const Grey light = blurred(drawn(panel, state, frame, scale, true), deviation),
              whole = blurred(drawn(panel, state, frame, scale, false), deviation);
-  return grey_png(1 - stretched(light / whole.max(1e-6), whole));
+  Grey seen = light / whole.max(1e-6);
+  if (options.surroundings_in_cells > 0)
+    seen = against_surroundings(seen, whole, options.surroundings_in_cells * options.pixels_per_cell);
+  return grey_png(1 - stretched(seen, whole));
 }
 
 }  // namespace kinetix::app

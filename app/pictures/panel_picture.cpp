@@ -20,25 +20,28 @@ constexpr double pale = 0.75;                // grey of the walls, 0 to 1, befor
 constexpr double points_per_mm = 72 / 25.4;  // cairo's SVG counts in points, 72 an inch
 
 /// Blue towards the wall's lower end, grey in the middle, red towards its upper end.
-void draw_hinges(const model::Structure& panel, const model::State& state, cairo_t* pen) {
-  for (const model::Hinge& hinge : panel.hinges) {
-    const double off = std::clamp((hinge.parameters.t - 0.5) / most_off_centre, -1.0, 1.0);
+void draw_hinges(const model::Linkage& panel, const model::State& state, cairo_t* pen) {
+  const double L = panel.size.edge_mm;
+  for (std::size_t h = 0; h < panel.hinges.size(); ++h) {
+    const model::RestHinge& hinge = panel.hinges[h];
+    const double lower = panel.plates[2 * h].length, whole = lower + panel.plates[2 * h + 1].length;
+    const double off = std::clamp((lower / whole - 0.5) / most_off_centre, -1.0, 1.0);
     const double strong = std::abs(off), low = 0.55 * (1 - strong);
     cairo_set_source_rgb(pen, off > 0 ? low + 0.85 * strong : low, low, off < 0 ? low + 0.85 * strong : low);
-    const Eigen::Vector2d at = wall_tip_point(panel, state, hinge, true);
-    cairo_arc(pen, at.x(), at.y(), dot_in_edges * panel.size.edge_mm, 0, 2 * pi);
+    const Eigen::Vector3d at = state[hinge.lower].p + L * (state[hinge.lower].R * hinge.lower_arm);
+    cairo_arc(pen, at.x(), at.y(), dot_in_edges * L, 0, 2 * pi);
     cairo_fill(pen);
   }
 }
 
-void draw(const model::Structure& panel, const model::State& state, bool hinges, cairo_t* pen) {
+void draw(const model::Linkage& panel, const model::State& state, bool hinges, cairo_t* pen) {
   cairo_set_source_rgb(pen, 1, 1, 1);
   cairo_paint(pen);
   draw_walls(panel, state, hinges ? pale : 0, pen);
   if (hinges) draw_hinges(panel, state, pen);
 }
 
-std::string svg(const model::Structure& panel, const model::State& state, bool hinges,
+std::string svg(const model::Linkage& panel, const model::State& state, bool hinges,
                 const PictureFrame& frame) {
   std::string text;
   const Eigen::Vector2d size = points_per_mm * frame.size();
@@ -55,7 +58,7 @@ std::string svg(const model::Structure& panel, const model::State& state, bool h
 
 }  // namespace
 
-std::string panel_picture(const model::Structure& panel, const model::State& state,
+std::string panel_picture(const model::Linkage& panel, const model::State& state,
                           const PictureOptions& options) {
   const PictureFrame frame = picture_frame(state, panel.size.edge_mm / 2);
   if (options.format == PictureFormat::svg) return svg(panel, state, options.hinges, frame);

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "model/lattice/square/structure.hpp"
+#include "model/linkage/linkage.hpp"
 #include "model/linkage/state.hpp"
 
 namespace kinetix::app {
@@ -18,7 +18,7 @@ struct PictureOptions {
 /// A panel in a state as one would photograph the print from above: walls black on white, to scale, upright
 /// as the structure's y. @return the file's content, with a margin of half a cell all round
 /// @throws std::runtime_error where the picture cannot be drawn, such as for a state that is not finite
-std::string panel_picture(const model::Structure& panel, const model::State& state,
+std::string panel_picture(const model::Linkage& panel, const model::State& state,
                           const PictureOptions& options);
 
 }  // namespace kinetix::app

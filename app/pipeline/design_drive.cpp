@@ -21,7 +21,7 @@ class DriveMiss {
   DriveMiss(const model::Drive& drive, const model::Classification& family, const model::Structure& structure)
       : drive_(drive), family_(family), structure_(structure) {
     if (drive.kind == model::Drive::Kind::hinge) hinge_ = *structure.hinge_at(drive.wall);
-    const model::GrippedRows rim = gripped_bodies(structure, drive_.axis);
+    const model::GrippedRows rim = gripped_bodies(structure, drive_.axis, drive_.grip);
     first_ = rim[0].front();
     last_ = rim[1].front();
   }
@@ -50,16 +50,31 @@ double bisect(const DriveMiss& miss, double a, double b) {
   return (a + b) / 2;
 }
 
+const char* name_of(model::Axis axis) { return axis == model::Axis::x ? "x" : "y"; }
+
+/// The closed form leaves rows free that plates would hold straight.
+void refuse_rows_that_curve(const model::Drive& drive, const model::Classification& family,
+                            const model::Structure& structure) {
+  if (drive.kind != model::Drive::Kind::plates || family.family != model::Family::planar) return;
+  const model::GrippedRows rows = gripped_bodies(structure, drive.axis, drive.grip);
+  if (keeps_rows_straight(family.redrawing, drive.axis, rows)) return;
+  throw InvalidInput(
+      fmt::format("plates normal to {0} would hold rows straight that curve in this panel's exact "
+                  "motion; allowed: kind: hinge, or --model equilibrium",
+                  name_of(drive.axis)),
+      {"", 0, 0, "drive.axis"});
+}
+
 /// Between plates normal to the direction in which it bends, a sheet can roll: its theta is not determined.
 void refuse_plates_that_tilt(const model::Drive& drive, const model::Classification& family) {
   const model::Axis bends_along = family.transposed ? model::Axis::y : model::Axis::x;
   if (drive.kind != model::Drive::Kind::plates || family.family == model::Family::F1 ||
-      drive.axis != bends_along)
+      family.family == model::Family::planar || drive.axis != bends_along)
     return;
   throw InvalidInput(
       fmt::format("this sheet bends along {0} and would roll between plates normal to {0}; allowed: {1}, "
                   "or kind: hinge",
-                  bends_along == model::Axis::x ? "x" : "y", bends_along == model::Axis::x ? "y" : "x"),
+                  name_of(bends_along), bends_along == model::Axis::x ? "y" : "x"),
       {"", 0, 0, "drive.axis"});
 }
 
@@ -82,11 +97,13 @@ model::Drive drive_of(const DesignFile& design) {
 double theta_of(const model::Drive& drive, const model::Classification& family,
                 const model::Structure& structure) {
   const bool plates = drive.kind == model::Drive::Kind::plates;
-  if (plates && (drive.grip || family.family == model::Family::F4)) {
+  if (plates && family.family != model::Family::planar &&
+      (drive.grip || family.family == model::Family::F4)) {
     require_kept_rows(structure, family, drive.axis, drive.grip);
     return drive.theta();
   }
   refuse_plates_that_tilt(drive, family);
+  refuse_rows_that_curve(drive, family, structure);
   const DriveMiss miss(drive, family, structure);
   const bool backwards = plates ? drive.branch < 0 : drive.theta() < 0;
   const double step = (backwards ? -widest : widest) / scan_steps;

@@ -40,6 +40,7 @@ Json structure_json(const model::Structure& s, double reach_mm) {
                       {"t", h.parameters.t},
                       {"alpha_rad", h.parameters.alpha},
                       {"beta_rad", h.parameters.beta},
+                      {"offset_mm", h.parameters.offset * s.size.edge_mm},
                       {"point_mm", numbers(s.hinge_point(h))},
                       {"axis", numbers(hinge_axis(h.wall.axis, h.parameters))},
                       {"reach_mm", reach_mm}});

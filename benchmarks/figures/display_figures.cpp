@@ -18,6 +18,9 @@ app::Run shown(targets::DisplayGoal goal, bool verify = true,
                optim::Channel channel = optim::Channel::aperture) {
   app::DisplayFile file;
   file.channel = channel;
+  file.offset = 0;
+  file.compression = app::compression_on_walls;
+  file.t = app::t_on_walls;
   file.name = "display";
   file.goal = std::move(goal);
   app::RunOptions options;

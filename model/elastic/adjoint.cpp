@@ -51,7 +51,7 @@ class Adjoint {
 
   double theta_rate() const { return by_theta_; }
 
-  StiffnessRates add_hinges(Eigen::Matrix3Xd& out) const {
+  StiffnessRates add_hinges(Eigen::Matrix4Xd& out) const {
     StiffnessRates sum;
     const double edge_mm = system_.structure().size.edge_mm;
     for (std::size_t h = 0; h < system_.hinges().size(); ++h) {
@@ -66,7 +66,7 @@ class Adjoint {
     return sum;
   }
 
-  void add_drive(Eigen::Matrix3Xd& out) const {
+  void add_drive(Eigen::Matrix4Xd& out) const {
     if (driven_ < 0) return;
     const RestHinge& hinge = system_.hinges()[driven_];
     const TurnRates rates =
@@ -75,7 +75,7 @@ class Adjoint {
   }
 
   /// @return f by the relative stiffness of contact
-  double add_contacts(Eigen::Matrix3Xd& out) const {
+  double add_contacts(Eigen::Matrix4Xd& out) const {
     const ContactModel& walls = system_.walls();
     const double k = system_.stiffness().contact;
     double sum = 0;
@@ -195,7 +195,7 @@ Sensitivity sensitivity(const ElasticSystem& system, const Elasticity& elasticit
                 gradient.energy * energy_unit);
 
   Sensitivity out;
-  out.hinges.setZero(3, system.hinges().size());
+  out.hinges.setZero(4, system.hinges().size());
   StiffnessRates by = adjoint.add_hinges(out.hinges);
   by.contact = adjoint.add_contacts(out.hinges);
   adjoint.add_drive(out.hinges);

@@ -13,12 +13,13 @@ struct EquilibriumGradient {
 
 /// The derivatives of f where the structure is in equilibrium again after each change.
 struct Sensitivity {
-  Eigen::Matrix3Xd hinges;  ///< column h: by t, alpha (rad), beta (rad) of hinge h
-  double theta = 0;         ///< by the drive's fold parameter, rad
-  double k_point = 0;       ///< by the fields of Elasticity, N/mm
-  double k_turn = 0;        ///< N mm/rad
-  double reach_mm = 0;      ///< mm
-  double k_contact = 0;     ///< N/mm
+  Eigen::Matrix4Xd
+      hinges;            ///< column h: by t (fraction), alpha, beta (rad) and offset (cell edges) of hinge h
+  double theta = 0;      ///< by the drive's fold parameter, rad
+  double k_point = 0;    ///< by the fields of Elasticity, N/mm
+  double k_turn = 0;     ///< N mm/rad
+  double reach_mm = 0;   ///< mm
+  double k_contact = 0;  ///< N/mm
 };
 
 /// By the adjoint: H lambda = df/dx over the unknowns, df/dp = -lambda . dg/dp, with g the gradient and H the

@@ -118,6 +118,8 @@ HingeRates hinge_rates(const RestHinge& hinge, const Stiffness& k, const Pose& l
   rates.along.design = spring.stiffness * (angle_along * turns.turn + spring.stretch * turns.along);
   rates.energy.design[0] += by_point.energy.dot(hinge.edge);
   rates.along.design[0] += by_point.along.dot(hinge.edge);
+  rates.energy.design[3] += by_point.energy.dot(hinge.across);
+  rates.along.design[3] += by_point.along.dot(hinge.across);
   rates.energy.turn = spring.energy_k;
   rates.along.turn = spring.moment_k * angle_along;
   if (!(k.reach > 0)) return rates;

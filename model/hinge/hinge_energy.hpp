@@ -26,9 +26,9 @@ Vector12 hinge_gradient(const RestHinge& hinge, const Stiffness& stiffness, cons
 
 /// Derivatives of a number that belongs to a hinge by its design and stiffness.
 struct HingeRate {
-  Eigen::Vector3d design = Eigen::Vector3d::Zero();  ///< by t (fraction), alpha, beta (rad)
-  double turn = 0;                                   ///< by Stiffness::turn, per k_point edge^2
-  double reach = 0;                                  ///< by Stiffness::reach, per cell edge
+  DesignRates design = DesignRates::Zero();
+  double turn = 0;   ///< by Stiffness::turn, per k_point edge^2
+  double reach = 0;  ///< by Stiffness::reach, per cell edge
 };
 
 struct HingeRates {

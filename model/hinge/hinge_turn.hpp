@@ -32,10 +32,11 @@ class RelativeTurn {
   Eigen::Matrix3d upper_;
 };
 
-/// How that turn (rad), and its derivative along given twists, change with t, alpha and beta (t: not at all).
+/// How that turn (rad), and its derivative along given twists, change with the hinge's parameters: with alpha
+/// and beta alone.
 struct TurnRates {
-  Eigen::Vector3d turn = Eigen::Vector3d::Zero();
-  Eigen::Vector3d along = Eigen::Vector3d::Zero();
+  DesignRates turn = DesignRates::Zero();
+  DesignRates along = DesignRates::Zero();
 };
 
 /// @param against turn of the upper body against the lower one, in the upper body's frame, rad

@@ -2,12 +2,15 @@
 
 #include <Eigen/Core>
 
+#include "model/linkage/hinge_parameters.hpp"
+
 namespace kinetix::model {
 
 /// A hinge in the rest frames of its two bodies, lengths in cell edges.
 struct RestHinge {
   int lower = 0, upper = 0;   ///< bodies
   Eigen::Vector3d edge;       ///< from the lower to the upper body's vertex: the derivative of both arms by t
+  Eigen::Vector3d across;     ///< unit, z x edge: their derivative by the offset
   Eigen::Vector3d lower_arm;  ///< from the lower body's vertex to the hinge point
   Eigen::Vector3d upper_arm;
   Eigen::Vector3d axis;        ///< unit vector

@@ -15,61 +15,7 @@ using Eigen::VectorXd;
 /// stays within.
 constexpr double begins = 0.92;
 
-double turn_in_plane(const model::Pose& pose) { return std::atan2(pose.R(1, 0), pose.R(0, 0)); }
-
-model::CellReading rotation_reading(const model::Linkage& structure, const model::State& state,
-                                    const model::LinkageCell& cell) {
-  const std::size_t count = cell.bodies.size();
-  const auto share = static_cast<double>(count);
-  model::CellReading reading(count);
-  for (std::size_t k = 0; k < count; ++k) {
-    const int sense = structure.bodies[cell.bodies[k]].sense;
-    reading.value += sense * turn_in_plane(state[cell.bodies[k]]) / share;
-    reading.bodies(0, k) = sense / share;
-  }
-  return reading;
-}
-
 }  // namespace
-
-std::string to_string(Channel channel) {
-  switch (channel) {
-    case Channel::area:
-      return "area";
-    case Channel::rotation:
-      return "rotation";
-    case Channel::aperture:
-      break;
-  }
-  return "aperture";
-}
-
-double channel_value(Channel channel, const model::Linkage& structure, const model::State& state,
-                     const model::LinkageCell& cell) {
-  if (channel == Channel::aperture) return aperture(opening(structure, state, cell));
-  return channel_reading(channel, structure, state, cell).value;
-}
-
-std::vector<double> channel_values(Channel channel, const model::Linkage& structure,
-                                   const model::State& state) {
-  std::vector<double> values;
-  for (const model::LinkageCell& cell : structure.cells)
-    values.push_back(channel_value(channel, structure, state, cell));
-  return values;
-}
-
-model::CellReading channel_reading(Channel channel, const model::Linkage& structure,
-                                   const model::State& state, const model::LinkageCell& cell) {
-  switch (channel) {
-    case Channel::area:
-      return area_reading(opening(structure, state, cell));
-    case Channel::rotation:
-      return rotation_reading(structure, state, cell);
-    case Channel::aperture:
-      break;
-  }
-  return soft_aperture(opening(structure, state, cell));
-}
 
 DisplayProblem::DisplayProblem(PanelEquilibrium& equilibrium, const DisplayVariables& variables,
                                Channel channel, Cost cost, double stretch, double weight, Settling settling)
@@ -95,8 +41,7 @@ bool DisplayProblem::evaluate(const VectorXd& x, double& f, VectorXd* gradient) 
 }
 
 bool DisplayProblem::weigh(double& f, VectorXd* gradient) {
-  Slopes slopes{VectorXd::Zero(6 * static_cast<Eigen::Index>(equilibrium_.state().size())),
-                VectorXd::Zero(static_cast<Eigen::Index>(equilibrium_.panel().hinges.size()))};
+  model::PanelSlopes slopes(equilibrium_.panel());
   f = add_picture(slopes) + add_stretch(slopes);
   if (!gradient) return std::isfinite(f);
   auto by = equilibrium_.slopes(slopes.state);
@@ -106,25 +51,15 @@ bool DisplayProblem::weigh(double& f, VectorXd* gradient) {
   return std::isfinite(f) && gradient->allFinite();
 }
 
-double DisplayProblem::add_picture(Slopes& slopes) const {
+double DisplayProblem::add_picture(model::PanelSlopes& slopes) const {
   const model::Linkage panel = equilibrium_.panel();
-  std::vector<model::CellReading> readings;
-  std::vector<double> values;
-  for (const model::LinkageCell& cell : panel.cells) {
-    readings.push_back(channel_reading(channel_, panel, equilibrium_.state(), cell));
-    values.push_back(readings.back().value);
-  }
-  const WeighedReadings weighed = cost_(values);
-  for (std::size_t k = 0; k < readings.size(); ++k)
-    for (std::size_t m = 0; m < panel.cells[k].bodies.size(); ++m) {
-      const Eigen::Index body = 6 * panel.cells[k].bodies[m];
-      slopes.state.segment<3>(body + 2) += weighed.slope[k] * readings[k].bodies.col(m);
-      slopes.t[panel.cells[k].hinges[m]] += weighed.slope[k] * readings[k].t[m];
-    }
+  const SmoothChannel readings(channel_, panel, equilibrium_.state());
+  const WeighedReadings weighed = cost_(readings.values());
+  readings.add_slopes(weighed.slope, slopes);
   return weighed.cost;
 }
 
-double DisplayProblem::add_stretch(Slopes& slopes) const {
+double DisplayProblem::add_stretch(model::PanelSlopes& slopes) const {
   const model::Linkage panel = equilibrium_.panel();
   double cost = 0;
   for (std::size_t h = 0; h < panel.hinges.size(); ++h) {

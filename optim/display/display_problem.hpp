@@ -3,31 +3,12 @@
 #include <functional>
 #include <limits>
 
-#include "model/opening/soft_aperture.hpp"
+#include "optim/display/channel.hpp"
 #include "optim/display/display_cost.hpp"
 #include "optim/display/display_variables.hpp"
 #include "optim/solvers/scalar_solver.hpp"
 
 namespace kinetix::optim {
-
-/// What a display is read by: one number a cell (formats.md).
-enum class Channel {
-  aperture,  ///< largest inscribed circle of the opening, diameter in cell edges
-  area,      ///< of the opening, cell edges squared
-  rotation,  ///< mean turn of the cell's bodies, each in the sense it turns in a basic sheet, rad
-};
-
-std::string to_string(Channel channel);
-
-/// The channel of one cell by its definition, in the unit that Channel says.
-double channel_value(Channel channel, const model::Linkage& structure, const model::State& state,
-                     const model::LinkageCell& cell);
-/// Of all cells, in the order of structure.cells; in the same unit.
-std::vector<double> channel_values(Channel channel, const model::Linkage& structure,
-                                   const model::State& state);
-/// A smooth stand-in with derivatives: the same number but for the aperture, soft_aperture().
-model::CellReading channel_reading(Channel channel, const model::Linkage& structure,
-                                   const model::State& state, const model::LinkageCell& cell);
 
 /// The search for a panel that shows a picture: a cost of the readings plus what hinges stretch beyond a
 /// limit.
@@ -55,12 +36,8 @@ class DisplayProblem : public ScalarProblem {
   /// Cost and gradient of the equilibrium found.
   bool weigh(double& f, Eigen::VectorXd* gradient);
 
-  struct Slopes {
-    Eigen::VectorXd state;  ///< 6 a body
-    Eigen::VectorXd t;      ///< where the bodies stay
-  };
-  double add_picture(Slopes& slopes) const;
-  double add_stretch(Slopes& slopes) const;
+  double add_picture(model::PanelSlopes& slopes) const;
+  double add_stretch(model::PanelSlopes& slopes) const;
 
   PanelEquilibrium& equilibrium_;
   const DisplayVariables& variables_;

@@ -28,7 +28,8 @@ struct DisplayOptions {
 
 /// A panel and how it shows its picture at the drive's goal.
 struct DisplayView {
-  Eigen::VectorXd t;  ///< of each hinge, in (0, 1)
+  Eigen::VectorXd t;       ///< of each hinge, in (0, 1)
+  Eigen::VectorXd offset;  ///< of each hinge, cell edges; empty: all 0
   model::Drive plates;
   model::State state;           ///< mm
   std::vector<double> channel;  ///< of each cell, by definition, in the channel's unit

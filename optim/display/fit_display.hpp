@@ -1,10 +1,12 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "optim/display/display_search.hpp"
+#include "optim/display/scaled_display.hpp"
 
 namespace kinetix::optim {
 
@@ -24,7 +26,16 @@ struct DisplayDesign {
   SolveStatus status = SolveStatus::failed;
   std::string why;
   int evaluations = 0, paths_from_flat = 0;
+  std::optional<ScaledDisplay> scaled = {};  ///< of a search by the scales of walls
 };
+
+/// One search by the scales of walls along each axis, of which the clearest is taken. The view's state is the
+/// exact one: no hinge stretches.
+/// @param axes normals of the plates, at least one; that of the options has no effect
+/// @param panel, levels as for fit_display   @throws InvalidInput for options out of range
+DisplayDesign fit_scaled_display(const model::Structure& panel, const std::vector<double>& levels,
+                                 Channel channel, const std::vector<model::Axis>& axes,
+                                 const ScaledDisplayOptions& options);
 
 /// The panel as it is: taken to its equilibrium from flat, and read.
 DisplayView view_display(const model::Structure& panel, const std::vector<double>& levels,

@@ -17,8 +17,8 @@ struct WallScales {
   /// Vertices that stay on one line across the axis, as plates grip them; each vertex in one row at most.
   std::vector<std::vector<int>> straight = {};
   double drop =
-      0;  ///< by how much the last row comes nearer to the first in the redrawing, cell edges: plates then
-          ///< drive theta to its positive side
+      0;  ///< the last row comes nearer to the first by drop sin(theta), cell edges, beside cos(theta):
+          ///< plates then drive theta to its positive side
 
   /// @throws InvalidInput, naming the field, its value and its range
   void validate(const model::PlanarStructure& structure) const;

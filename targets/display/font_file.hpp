@@ -1,13 +1,18 @@
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "model/base/invalid_input.hpp"
 
 namespace kinetix::targets {
 
-/// Bold, since wide strokes need the fewest cells; of the package fonts-dejavu-core.
+/// Of the package fonts-dejavu-core. Bold, since wide strokes need the fewest cells.
 inline constexpr const char* default_font = "DejaVu Sans Bold";
+/// Those that a letter is drawn in unless the file names one: the first whose strokes the panel keeps. Serifs
+/// make letters easier to read from a distance, an I above all, and need more cells.
+inline constexpr std::array<const char*, 3> fonts_by_default = {"DejaVu Serif", "DejaVu Serif Bold",
+                                                                default_font};
 
 /// An installed outline font.
 struct FontFile {

@@ -47,4 +47,15 @@ DisplayGoal glyph_goal(const std::string& text, const FontFile& font, int column
   return shown(letter, {columns, rows});
 }
 
+DisplayGoal glyph_goal(const std::string& text, int columns, int rows) {
+  for (std::size_t k = 0; k + 1 < fonts_by_default.size(); ++k) {
+    try {
+      DisplayGoal goal = glyph_goal(text, find_font(fonts_by_default[k]), columns, rows);
+      if (goal.whole) return goal;
+    } catch (const InvalidInput&) {  // the last font says what is wrong
+    }
+  }
+  return glyph_goal(text, find_font(fonts_by_default.back()), columns, rows);
+}
+
 }  // namespace kinetix::targets

@@ -30,4 +30,7 @@ inline constexpr double max_glyph_stretch = 1.5;
 /// a larger panel helps the message names it
 DisplayGoal glyph_goal(const std::string& text, const FontFile& font, int columns, int rows);
 
+/// In the first of fonts_by_default whose strokes the panel keeps, else in the last of them.
+DisplayGoal glyph_goal(const std::string& text, int columns, int rows);
+
 }  // namespace kinetix::targets

@@ -29,10 +29,11 @@ DisplayGoal read_glyph(const Section& target, const Node& glyph, const std::opti
   target.node().reject_unknown_keys(display_target_keys().only("glyph").names());
   const std::string text = glyph.text("a letter or a short word");
   const auto font_key = target.optional("font");
-  const std::string name = font_key ? font_key->text("the name of an installed font") : default_font;
-  const FontFile font = font_key.value_or(glyph).located([&] { return find_font(name); });
   const int columns = default_cells_a_character * characters(text, 0, text.size());
   const auto [width, height] = size.value_or(PanelSize{columns, default_cells_a_character});
+  if (!font_key) return glyph.located([&] { return glyph_goal(text, width, height); });
+  const std::string name = font_key->text("the name of an installed font");
+  const FontFile font = font_key->located([&] { return find_font(name); });
   return glyph.located([&] { return glyph_goal(text, font, width, height); });
 }
 
@@ -74,8 +75,10 @@ const KeyTable& display_target_keys() {
       {
           goal_kind_key("display"),
           {"glyph", value::text("a letter or a short word"), {}, "what to show, in a font"},
-          {"font", value::text("name of an installed font"), by_default(default_font), "of the glyph",
-           "glyph"},
+          {"font", value::text("name of an installed font"),
+           otherwise("of DejaVu Serif, DejaVu Serif Bold and DejaVu Sans Bold the first whose strokes the "
+                     "panel keeps"),
+           "of the glyph", "glyph"},
           {"image", value::text("path of a PNG, PBM or PGM file"), {}, "what to show, as a picture"},
           {"levels", value::choice(levels_words), by_default("2"),
            "of the image: letter and rest, or levels of grey", "image"},
@@ -85,7 +88,8 @@ const KeyTable& display_target_keys() {
            value::list(value::text("0 and 1 a cell"), "rows such as `[\"0110\", \"1001\"]`"),
            {},
            "what to show, cell by cell: 1 is letter, top row first"},
-          {"channel", value::choice({"aperture", "area", "rotation"}), by_default("aperture"),
+          {"channel", value::choice({"light", "aperture", "area", "rotation"}),
+           otherwise("`light`; `aperture` where `variables.offset_mm` is 0"),
            "what of a cell the picture is read by ([definitions](#channels-of-a-display))"},
       },
       {{"glyph", "image", "rows"}});

@@ -58,21 +58,22 @@ inline Equilibrium equilibrium(const model::Structure& structure, const model::E
   return b;
 }
 
-/// All parameters, one group after the other: t, then alpha, then beta of all hinges and theta, by their
+/// All parameters, one group after the other: t, then alpha, beta and offset of all hinges, and theta, by their
 /// change; k_point, k_turn, reach_mm, k_contact by their relative change.
 inline std::vector<Eigen::Index> parameter_groups(const Equilibrium& b) {
   const auto hinges = static_cast<Eigen::Index>(b.structure.hinges.size());
-  return {hinges, hinges, hinges, 1, 1, 1, 1, 1};
+  return {hinges, hinges, hinges, hinges, 1, 1, 1, 1, 1};
 }
 
-inline Eigen::Index parameter_count(const Equilibrium& b) { return 3 * b.structure.hinges.size() + 5; }
+inline Eigen::Index parameter_count(const Equilibrium& b) { return 4 * b.structure.hinges.size() + 5; }
 
 /// The equilibrium found anew from `from` after its parameters have changed.
 inline Equilibrium changed(const Equilibrium& from, const Eigen::VectorXd& q) {
   Equilibrium b = from;
   Eigen::Index k = 0;
   for (double model::HingeParameters::*field :
-       {&model::HingeParameters::t, &model::HingeParameters::alpha, &model::HingeParameters::beta})
+       {&model::HingeParameters::t, &model::HingeParameters::alpha, &model::HingeParameters::beta,
+        &model::HingeParameters::offset})
     for (model::Hinge& hinge : b.structure.hinges) hinge.parameters.*field += q[k++];
   b.theta += q[k++];
   for (double model::Elasticity::*field : {&model::Elasticity::k_point, &model::Elasticity::k_turn,
@@ -86,7 +87,7 @@ inline Equilibrium changed(const Equilibrium& from, const Eigen::VectorXd& q) {
 inline Eigen::RowVectorXd packed(const Equilibrium& b, const model::Sensitivity& s) {
   Eigen::RowVectorXd out(parameter_count(b));
   const model::Elasticity& e = b.elasticity;
-  out << s.hinges.row(0), s.hinges.row(1), s.hinges.row(2), s.theta, s.k_point * e.k_point,
+  out << s.hinges.row(0), s.hinges.row(1), s.hinges.row(2), s.hinges.row(3), s.theta, s.k_point * e.k_point,
       s.k_turn * e.k_turn, s.reach_mm * e.reach_mm, s.k_contact * e.k_contact;
   return out;
 }
@@ -216,7 +217,11 @@ inline std::string to_string(const EquilibriumCase& c) {
 inline Equilibrium random_equilibrium(const EquilibriumCase& c) {
   std::mt19937 random(c.seed);
   model::Structure s = random_panel(3, 2, random, c.planar);
-  for (model::Hinge& hinge : s.hinges) hinge.parameters.t = 0.5 + (hinge.parameters.t - 0.5) / 2;
+  for (std::size_t k = 0; k < s.hinges.size(); ++k) {
+    model::HingeParameters& p = s.hinges[k].parameters;
+    p.t = 0.5 + (p.t - 0.5) / 2;
+    p.offset = (c.touching ? 0.01 : 0.05) * std::cos(static_cast<double>(k));
+  }
   if (c.touching) s.size.thickness_mm = 4.8;
   const double theta = c.touching ? 0.45 : 0.35;
   const model::Drive drive =

@@ -32,6 +32,7 @@ inline model::RestHinge rest_hinge(const Polygon& polygon, int k) {
   hinge.lower = k;
   hinge.upper = (k + 1) % polygon.walls();
   hinge.edge = flat(polygon.wall(k));
+  hinge.across = Eigen::Vector3d::UnitZ().cross(hinge.edge.normalized());
   hinge.lower_arm = polygon.t(k) * hinge.edge;
   hinge.upper_arm = (polygon.t(k) - 1) * hinge.edge;
   hinge.axis = Eigen::Vector3d::UnitZ();

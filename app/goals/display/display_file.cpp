@@ -22,11 +22,14 @@ constexpr targets::Bounds allowed_compression = {0, 0.5, false, true};
 // Of tolerances in cell edges: 0 cannot be met, and an error of a whole cell is no agreement.
 constexpr targets::Bounds part_of_one = {0, 1, false, true};
 // Those that use gradients of a single cost, the default first.
+const targets::Bounds allowed_offset = {0, 0.5, true, false, "mm (below half of cell_mm)"};
 const std::vector<optim::SolverName> fitting_solvers = {optim::SolverName::mma, optim::SolverName::ccsa,
                                                         optim::SolverName::slsqp};
 // What the keys `channel` and `axis` may say.
-constexpr targets::Word<Channel> channels[] = {
-    {"aperture", Channel::aperture}, {"area", Channel::area}, {"rotation", Channel::rotation}};
+constexpr targets::Word<Channel> channels[] = {{"light", Channel::light},
+                                               {"aperture", Channel::aperture},
+                                               {"area", Channel::area},
+                                               {"rotation", Channel::rotation}};
 constexpr targets::Word<Axis> axes[] = {{"x", Axis::x}, {"y", Axis::y}};
 
 targets::KeyTable structure_keys() {
@@ -39,14 +42,14 @@ targets::KeyTable drive_keys(const DisplayFile& usual) {
       {"kind", value::choice({"plates"}), targets::by_default("plates"), "two plates press on the rim"},
       {"axis", value::choice(axes), targets::by_default("y"), "normal of the plates"},
       {"compression", value::number(allowed_compression), targets::by_default(usual.compression),
-       "1 less the final over the initial distance of the plates"},
+       "1 less the final over the initial distance of the plates; 0.12 where `variables.offset_mm` is 0"},
   });
 }
 
 targets::KeyTable t_keys(const DisplayFile& usual) {
   return targets::KeyTable({
       {"range", value::range({0, 1, false, false}), targets::by_default(usual.t),
-       "where hinges may sit on their walls"},
+       "where hinges may sit along their walls; `[0.08, 0.92]` where `variables.offset_mm` is 0"},
       {"corner_mm", value::length(targets::from_to(0, 0.45, "mm (up to 0.45 cells)")),
        targets::by_default(0.0), "least distance of a hinge from the ends of its wall"},
       symmetry_key(),
@@ -57,6 +60,12 @@ targets::KeyTable variables_keys(const DisplayFile& usual) {
   const targets::KeyTable compression({{"range", value::range(allowed_compression), targets::needed,
                                         "where to search; the search starts from `drive.compression`"}});
   return targets::KeyTable({
+      {"offset_mm", value::length(allowed_offset),
+       targets::otherwise(
+           "0.08 `cell_mm`; 0 with a `solver`, a `t.symmetry`, or a `channel` other than `light`"),
+       "largest offset of a hinge across its wall: such hinges show a picture without stretching; 0: hinges "
+       "on "
+       "their walls, which have to stretch"},
       {"t", value::map(t_keys(usual)), {}, "the positions of the hinges"},
       {"compression", value::map(compression), targets::otherwise("`drive.compression`, not searched"),
        "how far the panel is compressed"},
@@ -83,11 +92,34 @@ std::optional<targets::Node> under(const targets::Section& root, std::string_vie
   return root.section(section).optional(key);
 }
 
+targets::Section t_section(const targets::Section& root) { return root.section("variables").section("t"); }
+
+/// Whether a file asks for what only hinges on their walls have.
+bool asks_for_walls(const targets::Section& root, const DisplayFile& file) {
+  return root.optional("solver") || file.channel != Channel::light || file.symmetry != optim::Symmetry::none;
+}
+
+/// Before all whose defaults depend on it.
+void read_offset(const targets::Section& root, DisplayFile& file) {
+  std::optional<double> offset_mm;
+  root.section("variables").read_length("offset_mm", offset_mm, file.size.edge_mm);
+  if (offset_mm)
+    file.offset = *offset_mm / file.size.edge_mm;
+  else if (asks_for_walls(root, file))
+    file.offset = 0;
+  if (file.offset > 0) return;
+  if (!under(root, "target", "channel")) file.channel = channel_on_walls;
+  file.compression = compression_on_walls;
+  file.t = t_on_walls;
+}
+
 void read_goal(const targets::Section& root, DisplayFile& file) {
   const targets::Section structure = root.section("structure");
   file.goal = read_display(root.required("target", ""), structure.optional("cells"));
-  root.section("target").read("channel", file.channel, channels);
   file.size = read_size(structure, default_cell_mm);
+  root.section("target").read("channel", file.channel, channels);
+  file.symmetry = read_symmetry(t_section(root), file.goal.columns, file.goal.rows);
+  read_offset(root, file);
 }
 
 void read_drive(const targets::Section& root, DisplayFile& file) {
@@ -95,6 +127,16 @@ void read_drive(const targets::Section& root, DisplayFile& file) {
   if (const auto node = section.optional("kind")) node->one_of({"plates"});
   section.read("axis", file.axes.front(), axes);
   section.read("compression", file.compression);
+}
+
+/// Walls are scaled alike in all of the panel: nothing of it is mirrored, and hinges sit to both sides.
+void check_scaled_t(const targets::Section& t, const DisplayFile& file) {
+  if (!(file.offset > 0)) return;
+  const auto range = t.optional("range");
+  if (!(file.t[0] < 0.5 && file.t[1] > 0.5))
+    throw range->error("must hold 0.5 inside where hinges may have offsets (variables.offset_mm)");
+  if (file.symmetry != optim::Symmetry::none)
+    throw t.optional("symmetry")->error("is for hinges on their walls; give variables.offset_mm: 0, or none");
 }
 
 void read_t(const targets::Section& t, DisplayFile& file) {
@@ -106,7 +148,7 @@ void read_t(const targets::Section& t, DisplayFile& file) {
     file.t = {std::max(file.t[0], least), std::min(file.t[1], 1 - least)};
     if (!(file.t[0] < file.t[1])) throw t.optional("corner_mm")->error("leaves nothing of variables.t.range");
   }
-  file.symmetry = read_symmetry(t, file.goal.columns, file.goal.rows);
+  check_scaled_t(t, file);
 }
 
 void read_compression(const targets::Section& root, const targets::Section& compression, DisplayFile& file) {
@@ -139,7 +181,7 @@ void read_axes(const targets::Section& root, const targets::Node& list, DisplayF
 
 void read_variables(const targets::Section& root, DisplayFile& file) {
   const targets::Section section = root.section("variables");
-  read_t(section.section("t"), file);
+  read_t(t_section(root), file);
   read_compression(root, section.section("compression"), file);
   if (const auto node = section.optional("axis")) read_axes(root, *node, file);
 }
@@ -156,6 +198,11 @@ void read_tolerance(const targets::Section& root, DisplayFile& file) {
 
 void read_search(const targets::Section& root, DisplayFile& file) {
   file.solver = read_solver(root);
+  if (const auto solver = root.optional("solver"); solver && file.offset > 0)
+    throw solver->key_error(
+        "is for hinges on their walls (variables.offset_mm: 0); the scales of walls are a convex problem "
+        "with "
+        "one answer");
   if (!file.solver.name) return;
   if (std::find(fitting_solvers.begin(), fitting_solvers.end(), *file.solver.name) == fitting_solvers.end())
     throw under(root, "solver", "name")

@@ -16,26 +16,30 @@ namespace kinetix::app {
 
 /// A target.yaml of kind display, as asked for or by default. `kinetix: 1` and a `target` are enough.
 ///
-///     target: {kind: display, glyph: T, channel: aperture}      # or image, or rows: read_display.hpp
+///     target: {kind: display, glyph: T, channel: light}         # or image, or rows: read_display.hpp
 ///     drive: {axis: y, compression: 0.12}                       # of the plates
 ///     variables:
-///       t: {range: [0.08, 0.92], corner_mm: 1, symmetry: none}
+///       offset_mm: 0.8                                          # of hinges across their walls
+///       t: {range: [0.2, 0.8], corner_mm: 1, symmetry: none}
 ///       compression: {range: [0.05, 0.2]}                       # searched for, from drive.compression
 ///       axis: [x, y]                                            # each is tried, the best taken
 ///     tolerance: {stretch: 0.12, auc: 0.97, contrast: 3, verify: 0.05}
 struct DisplayFile {
   std::string name;
   targets::DisplayGoal goal;
-  optim::Channel channel = optim::Channel::aperture;
+  optim::Channel channel = optim::Channel::light;
   model::CellSize size = {};  ///< structure.cell_mm (default 10), structure.wall_mm
   std::vector<model::Axis> axes = {
       model::Axis::y};  ///< drive.axis or variables.axis: normals of the plates to try
   /// drive.compression: fraction by which the plates come closer, (0, 0.5], within the range if there is one
-  double compression = 0.12;
+  double compression = 0.185;
   /// variables.compression.range, within (0, 0.5], likewise a fraction of the first distance
   std::optional<std::array<double, 2>> compression_range = {};
   /// variables.t.range, fractions of a wall, (0, 1), no nearer to a corner than corner_mm
-  std::array<double, 2> t = {0.08, 0.92};
+  std::array<double, 2> t = {0.2, 0.8};
+  /// variables.offset_mm over cell_mm: largest of a hinge across its wall, cell edges, [0, 0.5). 0: hinges on
+  /// their walls, which have to stretch.
+  double offset = 0.08;
   optim::Symmetry symmetry = optim::Symmetry::none;  ///< variables.t.symmetry
   double stretch = 0.12;  ///< tolerance.stretch: most of a hinge, cell edges, (0, 1]
   double auc = 0.97;      ///< tolerance.auc: least, (0.5, 1]; rank correlation for grey goals
@@ -45,6 +49,14 @@ struct DisplayFile {
   SolverSection solver = {};  ///< mma, ccsa or slsqp; starts for each axis
   PhysicsSection physics = {};
 };
+
+// Defaults of searches with hinges on their walls, as the paper's displays are: local texture, which is read
+// cell by cell.
+inline constexpr optim::Channel channel_on_walls = optim::Channel::aperture;
+// Fraction of the plates' distance: where a letter's cells differ most before walls meet.
+inline constexpr double compression_on_walls = 0.12;
+// Fractions of a wall: beyond, the shorter half is no longer than a wall is thick.
+inline constexpr std::array<double, 2> t_on_walls = {0.08, 0.92};
 
 /// Every key of a target.yaml of kind display.
 const targets::KeyTable& display_keys();

@@ -51,6 +51,12 @@ Json display_json(const DisplayOutcome& display, const model::Structure& panel) 
               {"starts", starts_json(display.design)},
               {"reasons", display.violations},
               {"reasons_physics", display.physics_violations}};
+  if (const auto& scaled = display.design.scaled)
+    out["scaled"] = {{"offset_mm", scaled->offset * panel.size.edge_mm},
+                     {"theta_rad", scaled->theta},
+                     {"walls_meet", !scaled->clear},
+                     {"rounds", scaled->rounds},
+                     {"exact", score_json(display.exact)}};
   if (display.physics) out["physics"] = score_json(*display.physics);
   if (const auto needed = display.needed()) {
     out["needed_cells"] = *needed;
@@ -61,7 +67,7 @@ Json display_json(const DisplayOutcome& display, const model::Structure& panel) 
 }
 
 Json optimiser_json(const DisplayOutcome& display) {
-  return {{"solver", to_string(display.options.solver.name)},
+  return {{"solver", display.solver()},
           {"starts", display.design.starts.size()},
           {"evaluations", display.design.evaluations},
           {"status", to_string(display.design.status)},
@@ -70,6 +76,10 @@ Json optimiser_json(const DisplayOutcome& display) {
 }
 
 }  // namespace
+
+std::string DisplayOutcome::solver() const {
+  return design.scaled ? "alternating directions" : to_string(options.solver.name);
+}
 
 Json DisplayOutcome::target_json() const { return {{"kind", "display"}, {"rows", goal.row_texts()}}; }
 
@@ -104,8 +114,8 @@ std::vector<SummaryLine> DisplayOutcome::summary_lines(const Run& run) const {
                                  fmt::format("{:.3f}, contrast {:.1f}", design.starts[0].view.score.auc,
                                              design.starts[0].view.score.contrast)});
   lines.push_back(
-      {"search", fmt::format("{:.2f} s, {}, {} evaluations, {}", run.timings.optimise,
-                             to_string(options.solver.name), design.evaluations, to_string(design.status))});
+      {"search", fmt::format("{:.2f} s, {}, {} {}, {}", run.timings.optimise, solver(), design.evaluations,
+                             design.scaled ? "iterations" : "evaluations", to_string(design.status))});
   if (physics) lines.push_back({"seen", "in the physics run: " + in_words(*this, *physics)});
   for (const std::string& why : physics_violations) lines.push_back({"why", why});
   return lines;

@@ -24,11 +24,14 @@ class DisplayOutcome final : public GoalOutcome {
   optim::Channel channel = optim::Channel::aperture;
   optim::DisplayOptions options;
   optim::DisplayDesign design;
-  LargerPanels larger;                    ///< searched where this one is not clear enough
-  double larger_panels_s = 0;             ///< seconds that took
-  DisplayReading before, after;           ///< flat, and the equilibrium under the plates
+  LargerPanels larger;           ///< searched where this one is not clear enough
+  double larger_panels_s = 0;    ///< seconds that took
+  DisplayReading before, after;  ///< flat, and the equilibrium under the plates
+  DisplayReading exact;          ///< of a search by the scales of walls: its state, without any strain
   std::optional<DisplayReading> physics;  ///< the settled physics run
 
+  /// What found the design, in words.
+  std::string solver() const;
   /// The smallest panel known to show the picture, where this one does not.
   std::optional<targets::PanelSize> needed() const { return goal.whole ? larger.enough : goal.needed; }
 

@@ -6,6 +6,7 @@
 #include "app/goals/display/display_kind.hpp"
 #include "app/goals/display/display_outcome.hpp"
 #include "app/goals/display/panel_memory.hpp"
+#include "app/goals/display/search_panel.hpp"
 #include "app/pipeline/equilibrium.hpp"
 #include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/physics_settings.hpp"
@@ -14,33 +15,6 @@
 
 namespace kinetix::app {
 namespace {
-
-model::Drive plates_of(const DisplayFile& file) {
-  model::Drive drive;
-  drive.kind = model::Drive::Kind::plates;
-  drive.axis = file.axes.front();
-  drive.compression = file.compression;
-  return drive;
-}
-
-optim::DisplayOptions search_of(const DisplayFile& file, const model::Elasticity& elasticity,
-                                const RunOptions& run) {
-  optim::DisplayOptions options;
-  options.channel = file.channel;
-  options.plates = plates_of(file);
-  options.axes = file.axes;
-  options.compression = file.compression_range;
-  options.elasticity = elasticity;
-  options.stretch = file.stretch;
-  options.t = file.t;
-  options.symmetry = file.symmetry;
-  options.starts = file.solver.starts.value_or(options.starts);
-  options.threads = run.threads;
-  options.seed = run.seed;
-  options.solver.name = file.solver.name.value_or(options.solver.name);
-  options.solver.max_evaluations = file.solver.max_evaluations.value_or(options.solver.max_evaluations);
-  return options;
-}
 
 std::string lost_strokes(const targets::DisplayGoal& goal) {
   const std::string what = "strokes or gaps are thinner than a cell, so that parts of the picture are lost: ";
@@ -97,15 +71,15 @@ class DisplayScene final : public Scene {
 
   void solve(Run& run, const RunOptions& options) const override {
     auto display = std::make_unique<DisplayOutcome>();
-    display->options = search_of(file_, elasticity(), options);
-    check_memory({file_.goal.columns, file_.goal.rows}, options.threads,
-                 display->options.starts * static_cast<int>(file_.axes.size()), memory_of_machine());
+    display->options = search_options(file_, elasticity(), options);
+    if (!(file_.offset > 0))
+      check_memory({file_.goal.columns, file_.goal.rows}, options.threads,
+                   display->options.starts * static_cast<int>(file_.axes.size()), memory_of_machine());
     run.structure = model::make_sheet(file_.goal.columns, file_.goal.rows, file_.size);
     display->tolerances = tolerances_of(file_);
     display->goal = file_.goal;
     display->channel = file_.channel;
-    display->design =
-        fit_display(run.structure, levels_of(file_.goal, run.structure), display->options, options.progress);
+    display->design = search_panel(file_, file_.goal, run.structure, display->options, options.progress);
     describe(run, display->design.view);
     run.goal = std::move(display);
   }
@@ -115,6 +89,9 @@ class DisplayScene final : public Scene {
     add_equilibrium(run, display.design.view.plates, elasticity(), motion_states, options.progress);
     display.before = reading(run.structure, rest_state(run.structure));
     display.after = reading(run.structure, run.states.front().poses);
+    if (!display.design.scaled) return;
+    display.exact = reading(run.structure, display.design.view.state);
+    display.design.view.stretch = run.states.front().gaps.max;
   }
 
   void judge(Run& run, const RunOptions& options) const override {
@@ -153,8 +130,7 @@ class DisplayScene final : public Scene {
     if (!view.balanced) view.plates = plates_of(file_);
     run.drive = DriveSection{.axis = view.plates.axis, .compression = view.plates.compression};
     if (!view.balanced) return;
-    for (std::size_t h = 0; h < run.structure.hinges.size(); ++h)
-      run.structure.hinges[h].parameters.t = view.t[static_cast<Eigen::Index>(h)];
+    place_hinges(view, run.structure);
   }
 
   DisplayReading reading(const model::Structure& panel, const model::State& state) const {

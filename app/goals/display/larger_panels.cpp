@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "targets/display/panel_levels.hpp"
+#include "app/goals/display/search_panel.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -31,7 +31,7 @@ bool shows(const DisplayFile& file, const targets::DisplayGoal& goal, const opti
   const auto told = [&](const std::string&, double done) {
     if (progress) progress(fmt::format("{} x {}", size[0], size[1]), done);
   };
-  const optim::DisplayView view = fit_display(panel, levels_of(goal, panel), options, told).view;
+  const optim::DisplayView view = search_panel(file, goal, panel, options, told).view;
   return view.balanced && view.stretch <= file.stretch && violations(file, view.score, view.rank, "").empty();
 }
 

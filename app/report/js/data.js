@@ -35,6 +35,7 @@ function readHinge(raw, bodies) {
     point,
     axis,
     beta: finite(raw.beta_rad) ?? 0,
+    offset: finite(raw.offset_mm) ?? 0,
     alpha: finite(raw.alpha_rad) ?? Math.PI / 2,
     column: Math.min(from.i, to.i),
     row: Math.min(from.j, to.j),
@@ -123,7 +124,7 @@ function kindOf(raw) {
 function viewFor(kind, raw, equilibrium) {
   if (kind) return kind.view;
   const {family} = dictionary(raw.plan);
-  if (family === "F1" || equilibrium?.planar) return "top";
+  if (family === "F1" || family === "planar" || equilibrium?.planar) return "top";
   return family !== "none" ? "side" : "slant";
 }
 

@@ -22,6 +22,11 @@ function carried(pose, rest, point) {
   return add(pose.p, turned(pose.q, subtract(point, rest)));
 }
 
+/** Where the two half walls of a hinge meet at rest. */
+function wallTip(structure, hinge) {
+  return hinge.offset ? mix(structure.bodies[hinge.a].rest, structure.bodies[hinge.b].rest, hinge.t) : hinge.point;
+}
+
 /** The two half walls of a hinge at rest: one plate per body, cut along the hinge axis. */
 function halfWalls(structure, hinge) {
   const from = structure.bodies[hinge.a].rest, to = structure.bodies[hinge.b].rest;
@@ -30,14 +35,14 @@ function halfWalls(structure, hinge) {
   const axis = hinge.axis ?? add(scale(e, Math.cos(hinge.alpha)), scale(up, Math.sin(hinge.alpha)));
   const rise = dot(axis, up);
   const cut = Math.abs(rise) < 0.05 ? up : scale(axis, 1 / rise);
-  const half = structure.height / 2;
+  const half = structure.height / 2, tip = wallTip(structure, hinge);
   const plate = (body, corner) => ({
     body,
     hinge,
     corners: [
       add(corner, scale(up, -half)),
-      add(hinge.point, scale(cut, -half)),
-      add(hinge.point, scale(cut, half)),
+      add(tip, scale(cut, -half)),
+      add(tip, scale(cut, half)),
       add(corner, scale(up, half)),
     ],
     side: scale(cross(e, up), structure.thickness / 2),

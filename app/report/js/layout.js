@@ -156,6 +156,12 @@ function slantWords({hinges}) {
   return slant > 1e-4 ? `; hinge axes lean within their walls by up to ${degrees(toDegrees(slant))}` : "";
 }
 
+/** Hinges beside the middle of their walls. */
+function offsetWords({hinges}) {
+  const most = Math.max(0, ...hinges.map((hinge) => Math.abs(hinge.offset)));
+  return most > 1e-6 ? `; hinges sit up to ${millimetres(most)} off the middle of their walls` : "";
+}
+
 function layoutSection(data) {
   const {structure} = data;
   if (!structure.hinges.length || !data.states.flat) return missing("This result holds no structure.");
@@ -182,7 +188,7 @@ function layoutSection(data) {
              legend(["rim", "wall, upright"], ["dot plain", "hinge"]),
     html(
         "p", {class: "note"},
-        !tilted ? `All walls stand upright${slantWords(structure)}. Above each column its number.` :
+        !tilted ? `All walls stand upright${slantWords(structure)}${offsetWords(structure)}. Above each column its number.` :
                   "Above each column its number, below it the tilt of its front wall" +
                 (structure.rows > 0 ? "; from row to row the sign alternates." : ".")),
   ];

@@ -5,6 +5,7 @@ const FAMILIES = {
   F2: "F2, cylindrical sheet: bends along one direction, moves exactly",
   F3: "F3, tilted rows: as F2, with the cross walls tilted too",
   F4: "F4, net of strips that share bodies",
+  planar: "planar sheet: all hinges upright, every cell closes on a path of its own",
   none: "none: no exact motion, the hinges have to stretch",
 };
 

@@ -59,9 +59,10 @@ function copyBySelection(text) {
 function hingesAsText({hinges}) {
   const number = (value) => String(Number(value.toFixed(4)));
   const line =
-      (h) => [h.along, h.column, h.row, number(h.t), number(toDegrees(h.alpha)), number(toDegrees(h.beta))]
+      (h) => [h.along, h.column, h.row, number(h.t), number(toDegrees(h.alpha)), number(toDegrees(h.beta)),
+              number(h.offset)]
                  .join("\t");
-  return ["wall_along\tcolumn\trow\tt\talpha_deg\tbeta_deg", ...hinges.map(line)].join("\n") + "\n";
+  return ["wall_along\tcolumn\trow\tt\talpha_deg\tbeta_deg\toffset_mm", ...hinges.map(line)].join("\n") + "\n";
 }
 
 function copyButton(label, text) {

@@ -17,8 +17,11 @@ namespace {
 using Kind = Edit::Kind;
 
 // Keys of a hinge that a path may end with.
-constexpr std::pair<const char*, Kind> hinge_keys[] = {
-    {"t", Kind::t}, {"t_mm", Kind::t_mm}, {"alpha_deg", Kind::alpha_deg}, {"beta_deg", Kind::beta_deg}};
+constexpr std::pair<const char*, Kind> hinge_keys[] = {{"t", Kind::t},
+                                                       {"t_mm", Kind::t_mm},
+                                                       {"alpha_deg", Kind::alpha_deg},
+                                                       {"beta_deg", Kind::beta_deg},
+                                                       {"offset_mm", Kind::offset_mm}};
 
 std::optional<Kind> hinge_key(const std::string& key) {
   for (const auto& [name, kind] : hinge_keys)
@@ -56,7 +59,7 @@ std::vector<Match> lines(const model::Structure& structure, const targets::Docum
     Match match{entry(path, line), {}};
     for (const int k : hinges_on_line(structure, axis, line)) {
       const model::Wall& wall = structure.hinges[k].wall;
-      const bool by_class = kind == Kind::t || kind == Kind::t_mm;
+      const bool by_class = kind == Kind::t || kind == Kind::t_mm || kind == Kind::offset_mm;
       match.edits.push_back({kind, k, by_class ? starts_in_class_b(wall) : alternation(wall) < 0});
     }
     if (!match.edits.empty()) matches.push_back(std::move(match));
@@ -103,8 +106,10 @@ bool is_optional_key(const SweepBase& base, const targets::DocumentPath& path) {
 const targets::Bounds& bounds_of(Kind kind) {
   static const targets::Bounds fraction = targets::between(0, 1),
                                in_plane = targets::between(0, 180, "degrees"),
-                               tilt = targets::between(-90, 90, "degrees");
+                               tilt = targets::between(-90, 90, "degrees"),
+                               offset = targets::between(-0.5, 0.5, "cell edges");
   if (kind == Kind::t || kind == Kind::t_mm) return fraction;
+  if (kind == Kind::offset_mm) return offset;
   return kind == Kind::alpha_deg ? in_plane : tilt;
 }
 
@@ -133,13 +138,15 @@ std::optional<double> base_value(const SweepBase& base, const targets::DocumentE
       return (edit.flipped ? 1 - p.t : p.t) * design.structure.size.edge_mm;
     case Kind::alpha_deg:
       return to_degrees(edit.flipped ? pi - p.alpha : p.alpha);
+    case Kind::offset_mm:
+      return (edit.flipped ? -p.offset : p.offset) * design.structure.size.edge_mm;
     default:
       return to_degrees(edit.flipped ? -p.beta : p.beta);
   }
 }
 
 void apply(const Edit& edit, double value, DesignFile& design) {
-  if (edit.kind == Kind::t_mm) value /= design.structure.size.edge_mm;
+  if (edit.kind == Kind::t_mm || edit.kind == Kind::offset_mm) value /= design.structure.size.edge_mm;
   const targets::Bounds& bounds = bounds_of(edit.kind);
   if (!bounds.contains(value))
     throw InvalidInput(fmt::format("{} is out of range; allowed: {}", value, bounds.describe()));
@@ -154,6 +161,9 @@ void apply(const Edit& edit, double value, DesignFile& design) {
       break;
     case Kind::beta_deg:
       p.beta = edit.flipped ? -targets::radians_of(value) : targets::radians_of(value);
+      break;
+    case Kind::offset_mm:
+      p.offset = edit.flipped ? -value : value;
       break;
     default:
       p.t = edit.flipped ? 1 - value : value;

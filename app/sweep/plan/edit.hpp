@@ -12,11 +12,11 @@ namespace kinetix::app {
 
 /// One number of the base that a factor writes.
 struct Edit {
-  enum class Kind { document, theta_deg, t, t_mm, alpha_deg, beta_deg };
+  enum class Kind { document, theta_deg, t, t_mm, alpha_deg, beta_deg, offset_mm };
 
   Kind kind = Kind::document;
   int index = 0;  ///< item of the document, or hinge of the structure
-  /// t -> 1 - t, alpha -> 180 - alpha, beta -> -beta: what the alternation over a sheet requires.
+  /// t -> 1 - t, alpha -> 180 - alpha, beta -> -beta, offset -> -offset: what the alternation over a sheet requires.
   bool flipped = false;
   int factor = 0;              ///< column of the factor
   double times = 1, plus = 0;  ///< as of FactorPath; plus in units of the edit's key
@@ -36,10 +36,10 @@ struct Match {
 /// What a factor's path may name beside the numbers that a file holds:
 /// - keys that a file may leave out, such as `hinge.k_point`;
 /// - `design.walls[k]`: hinge k of the structure (in result.json's order), `t`, `t_mm`, `alpha_deg`,
-/// `beta_deg`;
+/// `beta_deg`, `offset_mm`;
 /// - `design.columns[c]`: x-walls of a column of cells, `design.rows[r]`: y-walls of a row, as the exact
 /// families
-///   alternate them: t is the part of the class-A vertex, tilts change their sign from wall to wall;
+///   alternate them: t is the part of the class-A vertex, tilts and offsets change their sign from wall to wall;
 /// - `design.hinges[n].t_mm`: t times cell_mm.
 /// @param editor a copy of the base's document; keys that the file leaves out are added to it
 /// @throws InvalidInput without a place for a path that names nothing, with the nearest that does

@@ -34,7 +34,7 @@ std::set<std::string> patterns(const SweepBase& base, const targets::DocumentEdi
   for (const std::string& name : optional_keys(base)) add(name);
   if (!base.design) return names;
   for (const char* group : {"walls", "columns", "rows", "hinges"})
-    for (const char* key : {"t", "t_mm", "alpha_deg", "beta_deg"})
+    for (const char* key : {"t", "t_mm", "alpha_deg", "beta_deg", "offset_mm"})
       if (group != std::string("hinges") || has_hinges(base)) add(fmt::format("design.{}[*].{}", group, key));
   return names;
 }

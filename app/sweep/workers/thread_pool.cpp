@@ -1,8 +1,5 @@
 #include "app/sweep/workers/thread_pool.hpp"
 
-#include <omp.h>
-
-#include <atomic>
 #include <exception>
 #include <mutex>
 #include <utility>
@@ -10,6 +7,7 @@
 #include "app/run/stopwatch.hpp"
 #include "app/sweep/evaluators/evaluator.hpp"
 #include "app/sweep/workers/work_queue.hpp"
+#include "optim/solvers/parallel_runs.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -76,8 +74,7 @@ void work(const SweepPlan& plan, SharedSource& source) noexcept {
 
 void run_on_threads(const SweepPlan& plan, int threads, const WorkSource& source) {
   SharedSource shared(source);
-#pragma omp parallel num_threads(threads)
-  work(plan, shared);
+  optim::run_in_parallel(threads, threads, [&](int) { work(plan, shared); });
   shared.rethrow();
 }
 

@@ -34,7 +34,7 @@ int first_inclined(const PlanarStructure& s) {
 }  // namespace
 
 Vector2d redrawn(const PlanarStructure& structure, int edge) {
-  const WallHinge& hinge = structure.hinges[edge];
+  const HingeParameters& hinge = structure.hinges[edge];
   const Vector2d along = structure.graph.along(edge);
   const Vector2d part = (2 * hinge.t - 1) * along + 2 * hinge.offset * turned_by_90(along.normalized());
   return structure.senses[structure.graph.edges[edge].from] * part;
@@ -69,9 +69,10 @@ RedrawingFit redrawing_of(const PlanarStructure& structure) {
     }
   for (int f = 0; f < static_cast<int>(structure.faces.size()); ++f) {
     const double misfit = misfit_of(structure, structure.faces[f]);
-    if (misfit <= fit.misfit) continue;  // NaN goes on
+    if (misfit <= fit.misfit) continue;
     fit.misfit = misfit;
     fit.worst_face = f;
+    if (std::isnan(misfit)) break;
   }
   return fit;
 }
@@ -86,14 +87,20 @@ void place_hinges(const Redrawing& y, PlanarStructure& structure) {
   }
 }
 
+Pose redrawn_pose(const Vector2d& x, const Vector2d& y, int sense, double theta) {
+  const double c = std::cos(theta), s = std::sin(theta);
+  const Vector2d at = c * x + s * turned_by_90(y);
+  Pose pose;
+  pose.p = {at.x(), at.y(), 0};
+  pose.R << c, -sense * s, 0, sense * s, c, 0, 0, 0, 1;
+  return pose;
+}
+
 State fold(const PlanarStructure& structure, const Redrawing& y, double theta) {
-  const double c = std::cos(theta), s = std::sin(theta), mm = structure.size.edge_mm;
   State state(y.size());
   for (std::size_t v = 0; v < y.size(); ++v) {
-    const Vector2d at = mm * (c * structure.graph.vertices[v] + s * turned_by_90(y[v]));
-    const double turn = structure.senses[v] * s;
-    state[v].p = {at.x(), at.y(), 0};
-    state[v].R << c, -turn, 0, turn, c, 0, 0, 0, 1;
+    state[v] = redrawn_pose(structure.graph.vertices[v], y[v], structure.senses[v], theta);
+    state[v].p *= structure.size.edge_mm;
   }
   return state;
 }

@@ -45,6 +45,10 @@ RedrawingFit redrawing_of(const PlanarStructure& structure);
 /// Puts the hinges where y has them; alpha and beta stay.
 void place_hinges(const Redrawing& y, PlanarStructure& structure);
 
+/// A vertex's place at theta in the cell edges of x and y, and its turn.
+/// @param x, y of the vertex in both drawings, cell edges   @param sense +1 (class A) or -1
+Pose redrawn_pose(const Eigen::Vector2d& x, const Eigen::Vector2d& y, int sense, double theta);
+
 /// State at theta, mm. Class A turns by theta, class B by -theta.
 State fold(const PlanarStructure& structure, const Redrawing& y, double theta);
 

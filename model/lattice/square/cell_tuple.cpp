@@ -18,7 +18,7 @@ bool agree(const HingeParameters& a, const HingeParameters& b) {
 }
 
 HingeParameters mean(const HingeParameters& a, const HingeParameters& b) {
-  return {(a.t + b.t) / 2, (a.alpha + b.alpha) / 2, (a.beta + b.beta) / 2};
+  return {.t = (a.t + b.t) / 2, .alpha = (a.alpha + b.alpha) / 2, .beta = (a.beta + b.beta) / 2};
 }
 
 InvalidInput conflict(const Structure& s, int first, int second) {
@@ -30,8 +30,8 @@ InvalidInput conflict(const Structure& s, int first, int second) {
 
 HingeParameters CellTuple::wall(int k) const {
   const bool reversed = k >= 2;
-  if (reversed) return {1 - P[k], pi - A_in[k], -A_out[k]};
-  return {P[k], A_in[k], A_out[k]};
+  if (reversed) return {.t = 1 - P[k], .alpha = pi - A_in[k], .beta = -A_out[k]};
+  return {.t = P[k], .alpha = A_in[k], .beta = A_out[k]};
 }
 
 void apply_pattern(Structure& s, const CellTuple& even, const CellTuple& odd, SharedWalls shared) {

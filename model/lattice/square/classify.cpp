@@ -63,6 +63,7 @@ class Rule {
     const HingeParameters& p = hinge.parameters;
     const bool along_x = hinge.wall.axis == Axis::x;
     if (!same(p.alpha, pi / 2)) return "exact motion needs alpha = 90 deg";
+    if (!same(p.offset, 0)) return off_the_wall;
     if (const char* rule = broken_rule(family_, hinge.wall.axis, p.t, p.beta, tolerance_)) return rule;
     if (!same(p.beta, asked.beta))
       return along_x ? "all tilts of a column must be equal, with the sign alternating from row to row"
@@ -91,6 +92,7 @@ std::string description(Family family, bool transposed) {
       return "F3: rows tilted alike, every column bends" + along;
     case Family::F4:
       return "F4: flat panels joined by creases along x and along y: net";
+    case Family::planar:
     case Family::none:
       break;
   }
@@ -130,7 +132,8 @@ Attempt attempt(Family family, const Structure& structure, const Structure& shee
   return result;
 }
 
-/// Mirror image with x and y exchanged. A tilt changes its sign, a fraction and an in-plane angle do not.
+/// Mirror image with x and y exchanged. Tilt and offset change their signs, a fraction and an in-plane angle
+/// do not.
 Structure transposed(const Structure& s) {
   std::vector<Cell> cells;
   for (const Cell& c : s.cells) cells.push_back({c.j, c.i});
@@ -139,8 +142,14 @@ Structure transposed(const Structure& s) {
     HingeParameters& p = out.hinges[*out.hinge_at(swapped(h.wall))].parameters;
     p = h.parameters;
     p.beta = -p.beta;
+    p.offset = -p.offset;
   }
   return out;
+}
+
+bool has_offsets(const Structure& s) {
+  return std::any_of(s.hinges.begin(), s.hinges.end(),
+                     [](const Hinge& hinge) { return hinge.parameters.offset != 0; });
 }
 
 Pose swapped(const Pose& pose) {
@@ -161,6 +170,8 @@ std::string to_string(Family family) {
       return "F3";
     case Family::F4:
       return "F4";
+    case Family::planar:
+      return "planar";
     case Family::none:
       break;
   }
@@ -174,18 +185,24 @@ Classification classify(const Structure& structure, double tolerance) {
     const auto design = suggested_design(sheet);
     for (const Family family : {Family::F1, Family::F2, Family::F3}) {
       Attempt a = attempt(family, structure, sheet, along_y, design, tolerance);
-      if (a.broken == 0) return {family, along_y, design, {}, -1, description(family, along_y)};
+      if (a.broken == 0) return {family, along_y, design, {}, {}, -1, description(family, along_y)};
       if (best.family == Family::none || a.broken < best.broken) best = std::move(a);
     }
   }
   NetCheck net = check_net(structure, tolerance);
   if (net.broken == 0)
-    return {Family::F4, false, {}, make_net_tree(structure), -1, description(Family::F4, false)};
+    return {Family::F4, false, {}, make_net_tree(structure), {}, -1, description(Family::F4, false)};
+  if (all_vertical(structure)) {
+    PlanarSheet sheet = planar_motion(structure);
+    if (!sheet.y.empty()) return {Family::planar, false, {}, {}, std::move(sheet.y), -1, sheet.why};
+    if (has_offsets(structure)) return {Family::none, false, {}, {}, {}, sheet.hinge, sheet.why};
+  }
   if (net.broken < best.broken)
     best = {Family::F4, false, net.broken, net.breaking_hinge, std::move(net.rule)};
   const std::string where = "wall " + to_string(structure.hinges[best.first_broken].wall);
   return {Family::none,
           false,
+          {},
           {},
           {},
           best.first_broken,
@@ -194,6 +211,7 @@ Classification classify(const Structure& structure, double tolerance) {
 
 State fold(const Classification& classification, const Structure& structure, double theta) {
   if (classification.family == Family::F4) return fold_net(classification.tree, structure, theta);
+  if (classification.family == Family::planar) return fold(classification.redrawing, structure, theta);
   auto design = classification.design;
   design.theta = classification.transposed ? -theta : theta;
   if (!classification.transposed) return fold(design, structure);

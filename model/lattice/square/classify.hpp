@@ -5,6 +5,7 @@
 #include "model/lattice/square/exact_family.hpp"
 #include "model/lattice/square/family_rules.hpp"
 #include "model/lattice/square/net.hpp"
+#include "model/lattice/square/planar_sheet.hpp"
 #include "model/lattice/square/structure.hpp"
 #include "model/linkage/exact_motion.hpp"
 
@@ -19,11 +20,13 @@ struct Classification {
   bool transposed = false;
   ExactDesign<double> design;  ///< theta 0, of F1, F2 and F3; empty otherwise
   NetTree tree;                ///< of F4
+  Redrawing redrawing;         ///< of planar sheets that are not F1, of each body
   int breaking_hinge = -1;     ///< for Family::none: index of the first hinge that breaks the rule
   std::string why;             ///< one sentence, naming the family's rule or the hinge that breaks it
 };
 
-/// Tests the rules of kinematics.md section 2 hinge by hinge, F1, F2 and F3 along x, then along y, then F4.
+/// Tests the rules of kinematics.md section 2 hinge by hinge, F1, F2 and F3 along x, then along y, then F4;
+/// then, where all hinges stand upright, whether every face closes as on any planar graph (section 5).
 /// Columns and rows are taken as most of their hinges have them. For Family::none the breaking hinge is that
 /// of the family that holds for the most hinges. A family tells that the structure moves exactly; how freely,
 /// is for mobility() to say: panels joined at one vertex alone also move by themselves.

@@ -49,6 +49,7 @@ bool pins_face_each_other(const Structure& structure, Axis axis) {
 /// Whether the rows of vertices along the rim stay straight lines or plane curves while the sheet folds.
 bool keeps_its_rim_flat(const Classification& kind, const Structure& structure) {
   if (kind.family == Family::none) return is_rectangle(structure);
+  if (kind.family == Family::planar) return false;
   if (kind.family != Family::F1 && !pins_face_each_other(structure, kind.transposed ? Axis::x : Axis::y))
     return false;
   return std::all_of(kind.design.t.begin(), kind.design.t.end(), is_half);
@@ -60,6 +61,22 @@ Drive plate_drive(Axis axis, double theta) {
   drive.compression = 2 * std::pow(std::sin(theta / 2), 2);  // 1 - cos(theta) without its rounding
   drive.branch = theta < 0 ? -1 : 1;
   return drive;
+}
+
+/// Plates whose rows stay straight, parallel and closer than flat; along y if both directions have them.
+std::optional<Drive> planar_plates(const Structure& structure, const Classification& kind, double theta) {
+  const State state = fold(kind, structure, theta);
+  for (const Axis axis : {Axis::y, Axis::x}) {
+    const GrippedRows rows = gripped_bodies(structure, axis);
+    if (!keeps_rows_straight(kind.redrawing, axis, rows)) continue;
+    const int d = axis == Axis::x ? 0 : 1;
+    const auto distance = [&](const auto& place) { return place(rows[1].front()) - place(rows[0].front()); };
+    const double rest = distance([&](int b) { return structure.rest_position(b)[d]; });
+    Drive drive = plate_drive(axis, theta);
+    drive.compression = 1 - distance([&](int b) { return state[b].p[d]; }) / rest;
+    if (drive.compression >= 0) return drive;
+  }
+  return std::nullopt;
 }
 
 /// @param half_turn of its hinge: theta where it is vertical
@@ -91,7 +108,7 @@ Structure between(const Structure& before, const Structure& after, double part) 
   for (std::size_t k = 0; k < out.hinges.size(); ++k) {
     const HingeParameters& a = before.hinges[k].parameters;
     HingeParameters& p = out.hinges[k].parameters;
-    p = {mix(a.t, p.t), mix(a.alpha, p.alpha), mix(a.beta, p.beta)};
+    p = {mix(a.t, p.t), mix(a.alpha, p.alpha), mix(a.beta, p.beta), mix(a.offset, p.offset)};
   }
   return out;
 }
@@ -142,6 +159,8 @@ Drive drive_to(const Structure& structure, double theta) {
     throw InvalidInput("theta is " + number_text(theta) + " rad, must be in (-pi/2, pi/2)");
   const Classification kind = classify(structure);
   if (kind.family == Family::F4) return net_drive(structure, kind, theta);
+  if (kind.family == Family::planar)
+    if (const auto plates = planar_plates(structure, kind, theta)) return *plates;
   const auto hinge = std::find_if(structure.hinges.begin(), structure.hinges.end(),
                                   [](const Hinge& h) { return is_vertical(h); });
   if (hinge != structure.hinges.end() && !keeps_its_rim_flat(kind, structure))

@@ -7,6 +7,7 @@
 
 #include "model/lattice/square/crease.hpp"
 #include "model/lattice/square/exact_family.hpp"
+#include "model/lattice/square/family_rules.hpp"
 #include "model/lattice/square/net.hpp"
 #include "model/linkage/probe_thetas.hpp"
 
@@ -51,6 +52,7 @@ class Rules {
     const int crease = creases_.of_hinge[index];
     const CreaseParameters& own = parameters_[crease];
     if (!same(hinge.parameters.alpha, pi / 2)) return "exact motion needs alpha = 90 deg";
+    if (!same(hinge.parameters.offset, 0)) return off_the_wall;
     if (!same(tilt_of(hinge), own.tilt))
       return "all tilts of a crease must be equal, with the sign alternating along it";
     if (!same(fraction_of(hinge), own.t))

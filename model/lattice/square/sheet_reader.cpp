@@ -53,7 +53,7 @@ bool SheetReader::read(const Structure& structure, ExactDesign<double>& design, 
     const HingeParameters& p = hinge.parameters;
     const bool along_x = hinge.wall.axis == Axis::x, odd = ((along_x ? j : i) & 1) == 1;
     const bool same =
-        std::abs(p.alpha - pi / 2) <= tolerance &&
+        std::abs(p.alpha - pi / 2) <= tolerance && std::abs(p.offset) <= tolerance &&
         agrees(along_x ? design.beta[i] : design.gamma, odd ? -p.beta : p.beta, tolerance) &&
         agrees(along_x ? design.t[i] : design.s[j], fraction_from_lower(p.t, hinge.wall.from), tolerance);
     if (!same) return false;

@@ -1,30 +1,13 @@
-#include <cmath>
 #include <memory>
 
 #include "model/lattice/square/structure.hpp"
+#include "model/linkage/wall.hpp"
 
 namespace kinetix::model {
 namespace {
 
-/// Both plates of a wall: that of the lower body, then that of the upper one.
-void add_plates(const Hinge& hinge, int index, std::vector<Plate>& plates) {
-  const auto& [t, alpha, beta] = hinge.parameters;
-  Plate plate;
-  plate.body = hinge.lower;
-  plate.hinge = index;
-  plate.edge = edge_direction(hinge.wall.axis);
-  plate.up = wall_up(hinge.wall.axis, beta);
-  plate.up_beta = wall_up(hinge.wall.axis, beta + pi / 2);
-  plate.length = t;
-  plate.length_t = 1;
-  plate.slant = std::cos(alpha) / std::sin(alpha);
-  plates.push_back(plate);
-  plate.body = hinge.upper;
-  plate.edge = -plate.edge;
-  plate.length = 1 - t;
-  plate.length_t = -1;
-  plate.slant = -plate.slant;
-  plates.push_back(plate);
+HingedWall hinged_wall(const Hinge& hinge) {
+  return {hinge.lower, hinge.upper, edge_direction(hinge.wall.axis), hinge.parameters};
 }
 
 /// What messages call hinges and bodies.
@@ -44,20 +27,7 @@ void name_parts(const Structure& s, Linkage& linkage) {
 
 }  // namespace
 
-RestHinge rest_hinge(const Hinge& hinge) {
-  const auto& [t, alpha, beta] = hinge.parameters;
-  const Axis axis = hinge.wall.axis;
-  RestHinge out;
-  out.lower = hinge.lower;
-  out.upper = hinge.upper;
-  out.edge = edge_direction(axis);
-  out.lower_arm = t * out.edge;
-  out.upper_arm = (t - 1) * out.edge;
-  out.axis = hinge_axis(axis, hinge.parameters);
-  out.axis_alpha = -std::sin(alpha) * out.edge + std::cos(alpha) * wall_up(axis, beta);
-  out.axis_beta = std::sin(alpha) * wall_up(axis, beta + pi / 2);
-  return out;
-}
+RestHinge rest_hinge(const Hinge& hinge) { return rest_hinge(hinged_wall(hinge)); }
 
 Structure::operator Linkage() const {
   Linkage out;
@@ -67,9 +37,9 @@ Structure::operator Linkage() const {
   out.hinges.reserve(hinges.size());
   out.plates.reserve(2 * hinges.size());
   for (const Hinge& hinge : hinges) {
-    const int index = static_cast<int>(out.hinges.size());
+    for (const Plate& plate : plates(hinged_wall(hinge), static_cast<int>(out.hinges.size())))
+      out.plates.push_back(plate);
     out.hinges.push_back(rest_hinge(hinge));
-    add_plates(hinge, index, out.plates);
   }
   out.cells.reserve(cell_members.size());
   for (const CellHinges& cell : cell_members)

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "model/base/invalid_input.hpp"
+#include "model/linkage/wall.hpp"
 
 namespace kinetix::model {
 namespace {
@@ -168,7 +169,7 @@ Eigen::Vector3d Structure::rest_position(int body) const {
 }
 
 Eigen::Vector3d Structure::hinge_point(const Hinge& hinge) const {
-  return rest_position(hinge.lower) + hinge.parameters.t * size.edge_mm * edge_direction(hinge.wall.axis);
+  return rest_position(hinge.lower) + size.edge_mm * rest_hinge(hinge).lower_arm;
 }
 
 void validate_hinges(const Structure& structure) {
@@ -177,17 +178,14 @@ void validate_hinges(const Structure& structure) {
     check_between(hinge, "t", p.t, 0, 1, "(0, 1)");
     check_between(hinge, "alpha", p.alpha, 0, pi, "(0, pi)");
     check_between(hinge, "beta", p.beta, -pi / 2, pi / 2, "(-pi/2, pi/2)");
+    check_between(hinge, "offset", p.offset, -0.5, 0.5, "(-0.5, 0.5) cell edges");
   }
 }
 
-Eigen::Vector3d wall_up(Axis axis, double beta) {
-  const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
-  const Eigen::Vector3d e_cross_z = axis == Axis::x ? Eigen::Vector3d(0, -1, 0) : Eigen::Vector3d(1, 0, 0);
-  return std::cos(beta) * z + std::sin(beta) * e_cross_z;
-}
+Eigen::Vector3d wall_up(Axis axis, double beta) { return wall_up(edge_direction(axis), beta); }
 
 Eigen::Vector3d hinge_axis(Axis axis, const HingeParameters& p) {
-  return std::cos(p.alpha) * edge_direction(axis) + std::sin(p.alpha) * wall_up(axis, p.beta);
+  return hinge_axis(edge_direction(axis), p);
 }
 
 bool is_vertical(const Hinge& hinge) { return is_vertical(hinge_axis(hinge.wall.axis, hinge.parameters)); }

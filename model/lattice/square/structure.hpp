@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "model/base/angle.hpp"
 #include "model/linkage/axis.hpp"
+#include "model/linkage/hinge_parameters.hpp"
 #include "model/linkage/linkage.hpp"
 
 namespace kinetix::model {
@@ -37,13 +37,6 @@ struct Wall {
   Vertex to() const { return axis == Axis::x ? Vertex{from.i + 1, from.j} : Vertex{from.i, from.j + 1}; }
 };
 
-/// The three design parameters of one hinge. The defaults are the basic planar hinge.
-struct HingeParameters {
-  double t = 0.5;         ///< fraction of the wall from its lower-index vertex, in (0, 1)
-  double alpha = pi / 2;  ///< in-plane angle from the edge vector, rad, in (0, pi)
-  double beta = 0.0;      ///< out-of-plane tilt of the wall, rad, in (-pi/2, pi/2)
-};
-
 /// "[i, j]", and "[[i, j], [i, j]]" for a wall: as they stand in a file.
 std::string to_string(Vertex vertex);
 std::string to_string(const Cell& cell);
@@ -60,7 +53,7 @@ struct Hinge {
   Wall wall;
   int lower = 0;  ///< index of the body on wall.from
   int upper = 0;  ///< index of the body on wall.to()
-  HingeParameters parameters;
+  HingeParameters parameters = {};
 };
 
 /// Walls counter-clockwise from the bottom-left corner: bottom, right, top, left.
@@ -112,13 +105,13 @@ void validate_hinges(const Structure& structure);
 /// Row of a vertex along an axis: its column i for x, its row j for y.
 inline int row_along(Axis axis, Vertex v) { return axis == Axis::x ? v.i : v.j; }
 
-/// Up-direction w(beta) = cos(beta) z + sin(beta) (e x z) of a wall plate at rest, unit length; beta in rad.
+/// Up-direction of a wall plate at rest, unit length; beta in rad. More in model/linkage/wall.hpp.
 Eigen::Vector3d wall_up(Axis axis, double beta);
 /// Whether the hinge axis stands along z at rest, to 1e-9 rad.
 bool is_vertical(const Hinge& hinge);
 /// Then the structure moves in the plane.
 bool all_vertical(const Structure& structure);
-/// Hinge axis d = cos(alpha) e + sin(alpha) w(beta) at rest, unit length.
+/// Hinge axis at rest, unit length.
 Eigen::Vector3d hinge_axis(Axis axis, const HingeParameters& parameters);
 
 }  // namespace kinetix::model

@@ -42,13 +42,32 @@ void expect_same(const DesignFile& a, const DesignFile& b) {
   for (std::size_t k = 0; k < a.structure.hinges.size(); ++k) {
     const model::HingeParameters &p = a.structure.hinges[k].parameters, &q = b.structure.hinges[k].parameters;
     EXPECT_EQ(a.structure.hinges[k].wall, b.structure.hinges[k].wall);
-    EXPECT_TRUE(p.t == q.t && p.alpha == q.alpha && p.beta == q.beta) << "hinge " << k;
+    EXPECT_TRUE(p.t == q.t && p.alpha == q.alpha && p.beta == q.beta && p.offset == q.offset)
+        << "hinge " << k;
   }
   EXPECT_EQ(a.theta, b.theta);
   EXPECT_EQ(a.drive, b.drive);
   EXPECT_EQ(a.side, b.side);
   EXPECT_EQ(a.hinge, b.hinge);
   EXPECT_EQ(a.physics, b.physics);
+}
+
+TEST(DesignFile, HoldsOffsetsInMillimetres) {
+  const DesignFile file = read(strip + "design: {hinges: [{wall: [[0, 0], [1, 0]], offset_mm: -0.7}]}\n");
+  const model::HingeParameters& p = hinge_of(file, {{0, 0}, model::Axis::x});
+  EXPECT_DOUBLE_EQ(p.offset, -0.07);
+  // Across the wall towards z x e: a wall along x has it in y.
+  EXPECT_LE((file.structure.hinge_point(file.structure.hinges[0]) - Eigen::Vector3d(5, -0.7, 0)).norm(),
+            1e-15);
+  expect_same(file, read(design_text(file)));
+}
+
+TEST(DesignFile, KeepsAnyOffsetThatIsANumberOfMillimetres) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> by(-4, 4);
+  DesignFile file = read("kinetix: 1\nname: sheet\nstructure: {cells: [6, 3], cell_mm: 8.3}\n");
+  for (model::Hinge& hinge : file.structure.hinges) hinge.parameters.offset = by(random) / 8.3;
+  expect_same(file, read(design_text(file)));
 }
 
 TEST(DesignFile, NeedsNoMoreThanAStructure) {

@@ -118,13 +118,19 @@ TEST(TargetFile, ReadsTheTargetsThatShip) {
 }
 
 TEST(TargetFile, ReadsTheDisplaysThatShip) {
-  for (const char* name : {"letter_t", "circle"}) {
+  const auto read = [](const std::string& name) {
     const DisplayFile file =
         read_display_target(std::string(KINETIX_SOURCE) + "/targets/shapes/" + name + ".yaml");
     EXPECT_EQ(file.name, name);
     EXPECT_TRUE(file.goal.is_binary());
-    EXPECT_EQ(file.compression, 0.12);
-  }
+    return file;
+  };
+  EXPECT_EQ(read("letter_t").compression, 0.185);
+  EXPECT_EQ(read("letter_t").channel, optim::Channel::light);
+  EXPECT_EQ(read("letter_t").offset, 0.08);
+  EXPECT_EQ(read("circle").compression, 0.12);
+  EXPECT_EQ(read("circle").channel, optim::Channel::aperture);
+  EXPECT_EQ(read("circle").offset, 0);
 }
 
 TEST(TargetFile, ReadsEveryKeyOfADisplay) {
@@ -165,7 +171,7 @@ TEST(TargetFile, ReadsCompressionAndDirectionAsVariables) {
   const DisplayFile both = read("variables: {compression: {range: [0.15, 0.2]}, axis: [x, y]}\n");
   EXPECT_EQ(both.axes, (std::vector{model::Axis::x, model::Axis::y}));
   EXPECT_EQ(both.compression_range, (std::array{0.15, 0.2}));
-  EXPECT_EQ(both.compression, 0.15);
+  EXPECT_EQ(both.compression, 0.185);
   const DisplayFile start =
       read("drive: {compression: 0.18}\nvariables: {compression: {range: [0.15, 0.2]}, axis: [y]}\n");
   EXPECT_EQ(start.compression, 0.18);
@@ -180,11 +186,11 @@ TEST(TargetFile, SaysWhatIsWrongWithADisplay) {
        2,
        44,
        "target.channel",
-       {"aperture, area, rotation"}},
+       {"light, aperture, area, rotation"}},
       {t + "structure: {cells: [1, 1]}\n", 3, 21, "structure.cells[0]", {"2 to 1000"}},
       {t + "drive: {compression: 0.6}\n", 3, 22, "drive.compression", {"above 0 and at most 0.5"}},
       {t + "drive: {axis: z}\n", 3, 15, "drive.axis", {"x, y"}},
-      {t + "variables: {beta: {}}\n", 3, 13, "variables.beta", {"allowed: t"}},
+      {t + "variables: {beta: {}}\n", 3, 13, "variables.beta", {"allowed: offset_mm, t"}},
       {t + "variables: {compression: {}}\n", 3, 26, "variables.compression", {"`range` is missing"}},
       {t + "variables: {compression: {range: [0, 0.2]}}\n",
        3,

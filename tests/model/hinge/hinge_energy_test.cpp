@@ -34,10 +34,18 @@ Element element_of(const Structure& s, const State& state, const Hinge& hinge) {
 }
 
 /// With t, alpha and beta changed by the first three entries.
+/// Hinges beside their walls, each by another distance.
+Structure with_offsets(Structure s) {
+  for (std::size_t k = 0; k < s.hinges.size(); ++k)
+    s.hinges[k].parameters.offset = 0.1 * std::cos(1.0 + static_cast<double>(k));
+  return s;
+}
+
 RestHinge redesigned(Hinge hinge, const Eigen::VectorXd& by) {
   hinge.parameters.t += by[0];
   hinge.parameters.alpha += by[1];
   hinge.parameters.beta += by[2];
+  hinge.parameters.offset += by[3];
   return rest_hinge(hinge);
 }
 
@@ -78,7 +86,7 @@ TEST(HingeEnergy, IsThatOfTwoPointSpringsAndATurningSpring) {
 TEST(HingeEnergy, GradientAndHessianMatchCentralDifferences) {
   std::mt19937 random(2);
   for (int trial = 0; trial < 20; ++trial) {
-    const Structure s = random_panel(1, 1, random);
+    const Structure s = with_offsets(random_panel(1, 1, random));
     const State state = shaken(s, rest_state(s), 0.5, random);
     for (const Hinge& hinge : s.hinges) {
       const auto energy = [&](const Vector12& x) {
@@ -100,23 +108,23 @@ TEST(HingeEnergy, GradientAndHessianMatchCentralDifferences) {
 TEST(HingeEnergy, RatesByDesignAndStiffnessMatchCentralDifferences) {
   std::mt19937 random(3);
   for (int trial = 0; trial < 20; ++trial) {
-    const Structure s = random_panel(1, 1, random);
+    const Structure s = with_offsets(random_panel(1, 1, random));
     const State state = shaken(s, rest_state(s), 0.5, random);
     for (const Hinge& hinge : s.hinges) {
       const auto energy_and_gradient = [&](const Eigen::VectorXd& q) -> Eigen::VectorXd {
         const RestHinge h = redesigned(hinge, q);
-        const Element e = hinge_element(h, {stiff.turn + q[3], stiff.reach + q[4], stiff.contact},
+        const Element e = hinge_element(h, {stiff.turn + q[4], stiff.reach + q[5], stiff.contact},
                                         state[h.lower], state[h.upper], s.size.edge_mm);
         return (Eigen::VectorXd(13) << e.energy, e.gradient).finished();
       };
-      Eigen::Matrix<double, 13, 5> all;
+      Eigen::Matrix<double, 13, 6> all;
       for (int k = 0; k < 12; ++k) {
         const auto [energy, along] = hinge_rates(rest_hinge(hinge), stiff, state[hinge.lower],
                                                  state[hinge.upper], s.size.edge_mm, Vector12::Unit(k));
         all.row(0) << energy.design.transpose(), energy.turn, energy.reach;
         all.row(1 + k) << along.design.transpose(), along.turn, along.reach;
       }
-      expect_jacobian(energy_and_gradient, Eigen::VectorXd::Zero(5), all);
+      expect_jacobian(energy_and_gradient, Eigen::VectorXd::Zero(6), all);
     }
   }
 }
@@ -124,7 +132,7 @@ TEST(HingeEnergy, RatesByDesignAndStiffnessMatchCentralDifferences) {
 TEST(HingeTurnElement, IsTheTurnOfTheHingeWithItsDerivatives) {
   std::mt19937 random(4);
   for (int trial = 0; trial < 20; ++trial) {
-    const Structure s = random_panel(1, 1, random);
+    const Structure s = with_offsets(random_panel(1, 1, random));
     const State state = shaken(s, rest_state(s), 0.5, random);
     for (std::size_t k = 0; k < s.hinges.size(); ++k) {
       const Hinge& hinge = s.hinges[k];
@@ -142,7 +150,7 @@ TEST(HingeTurnElement, IsTheTurnOfTheHingeWithItsDerivatives) {
 TEST(HingeTurnElement, RatesByDesignMatchCentralDifferences) {
   std::mt19937 random(5);
   for (int trial = 0; trial < 20; ++trial) {
-    const Structure s = random_panel(1, 1, random);
+    const Structure s = with_offsets(random_panel(1, 1, random));
     const State state = shaken(s, rest_state(s), 0.5, random);
     for (const Hinge& hinge : s.hinges) {
       const auto turn_and_gradient = [&](const Eigen::VectorXd& q) -> Eigen::VectorXd {
@@ -150,14 +158,14 @@ TEST(HingeTurnElement, RatesByDesignMatchCentralDifferences) {
         const Element e = RelativeTurn(h, state[h.lower], state[h.upper]).element();
         return (Eigen::VectorXd(13) << e.energy, e.gradient).finished();
       };
-      Eigen::Matrix<double, 13, 3> all;
+      Eigen::Matrix<double, 13, 4> all;
       for (int k = 0; k < 12; ++k) {
         const TurnRates rates =
             turn_rates(rest_hinge(hinge), state[hinge.lower], state[hinge.upper], Vector12::Unit(k));
         all.row(0) = rates.turn.transpose();
         all.row(1 + k) = rates.along.transpose();
       }
-      expect_jacobian(turn_and_gradient, Eigen::VectorXd::Zero(3), all);
+      expect_jacobian(turn_and_gradient, Eigen::VectorXd::Zero(4), all);
     }
   }
 }

@@ -35,7 +35,7 @@ TEST(ReadDisplay, GivesTenByTenCellsToALetterAndTenColumnsToEachOfAWord) {
   const DisplayGoal letter = read("{kind: display, glyph: T}");
   EXPECT_EQ(letter.columns, 10);
   EXPECT_EQ(letter.rows, 10);
-  EXPECT_EQ(letter.levels, glyph_goal("T", find_font("DejaVu Sans Bold"), 10, 10).levels);
+  EXPECT_EQ(letter.levels, glyph_goal("T", find_font("DejaVu Serif"), 10, 10).levels);
   const DisplayGoal word = read("{kind: display, glyph: \"\xC3\x96l\"}");
   EXPECT_EQ(word.columns, 20);
   EXPECT_EQ(word.rows, 10);

@@ -47,7 +47,7 @@ function panelFromAbove(structure, state, view, pale) {
   const to = ([x, y]) => [(x - view.low[0]) * view.scale, (view.high[1] - y) * view.scale];
   const d = structure.hinges.flatMap(
       (hinge) => [hinge.a, hinge.b].map(
-          (body) => path([to(state.poses[body].p), to(carried(state.poses[body], structure.bodies[body].rest, hinge.point))])));
+          (body) => path([to(state.poses[body].p), to(carried(state.poses[body], structure.bodies[body].rest, wallTip(structure, hinge)))])));
   return svg("path", {
     d: d.join(""), fill: "none", stroke: pale ? "#c8c8c8" : "#111", "stroke-linecap": "round",
     "stroke-width": Math.max(0.6, structure.thickness * view.scale).toFixed(2)

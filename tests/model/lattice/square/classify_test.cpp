@@ -1,10 +1,12 @@
 #include "model/lattice/square/classify.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <complex>
 #include <limits>
+#include <random>
 
 #include "model/lattice/square/cell_tuple.hpp"
 #include "tests/support/random_designs.hpp"
@@ -209,7 +211,60 @@ TEST(Classify, NumbersThatAreNotFiniteBreakEveryRule) {
   EXPECT_EQ(classify(s).family, Family::none);
 }
 
+/// A sheet whose hinges sit where a random redrawing of its vertices has them.
+Structure redrawn_sheet(std::vector<Cell> cells, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> by(-0.2, 0.2);
+  Structure s = make_structure(std::move(cells), {});
+  PlanarStructure planar = planar_structure(s);
+  Redrawing y(s.bodies.size());
+  for (Eigen::Vector2d& p : y) p = {by(random), by(random)};
+  place_hinges(y, planar);
+  for (std::size_t h = 0; h < s.hinges.size(); ++h) s.hinges[h].parameters = planar.hinges[h];
+  return s;
+}
+
+std::vector<Cell> ring() {
+  std::vector<Cell> cells;
+  for (const Cell& c : rectangle(4, 4))
+    if (c.i == 0 || c.j == 0 || c.i == 3 || c.j == 3) cells.push_back(c);
+  return cells;
+}
+
+TEST(Classify, UprightHingesAnywhereThatCloseEveryFaceArePlanar) {
+  for (const auto& cells : {rectangle(5, 4), ring()}) {
+    const Structure s = redrawn_sheet(cells, 3);
+    const Classification kind = classify(s);
+    ASSERT_EQ(kind.family, Family::planar) << kind.why;
+    for (const double theta : {-0.6, 0.2, 1.1})
+      EXPECT_LE(hinge_gaps(s, fold(kind, s, theta)).max, 1e-14) << theta;
+  }
+}
+
+TEST(Classify, NamesTheCellOrTheHoleThatDoesNotClose) {
+  Structure s = redrawn_sheet(rectangle(5, 4), 3);
+  s.hinges[*s.hinge_at({{0, 0}, Axis::x})].parameters.offset += 0.01;
+  EXPECT_THAT(classify(s).why,
+              ::testing::HasSubstr("the cell from [0, 0] to [1, 1] does not close: it is off by 0.02"));
+  EXPECT_EQ(classify(s).family, Family::none);
+
+  const Structure open = make_structure(ring(), {});
+  const PlanarStructure planar = planar_structure(open);
+  ASSERT_EQ(planar.faces.size(), open.cells.size() + 1);
+  EXPECT_EQ(planar.faces.back().edges.size(), 8u);
+}
+
+TEST(Classify, OffsetsNeedUprightHinges) {
+  Structure s = make_structure(rectangle(4, 1), {});
+  for (Hinge& h : s.hinges)
+    if (h.wall.axis == Axis::x) h.parameters.beta = h.wall.from.j == 0 ? 0.3 : -0.3;
+  ASSERT_EQ(classify(s).family, Family::F2);
+  s.hinges[0].parameters.offset = 0.05;
+  EXPECT_THAT(classify(s).why, ::testing::HasSubstr("(offset) need upright hinges"));
+}
+
 TEST(Classify, FamiliesHaveTheirNames) {
+  EXPECT_EQ(to_string(Family::planar), "planar");
   EXPECT_EQ(to_string(Family::F1), "F1");
   EXPECT_EQ(to_string(Family::F2), "F2");
   EXPECT_EQ(to_string(Family::F3), "F3");

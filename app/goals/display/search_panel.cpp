@@ -1,0 +1,64 @@
+#include "app/goals/display/search_panel.hpp"
+
+#include "targets/display/panel_levels.hpp"
+
+namespace kinetix::app {
+namespace {
+
+optim::ScaledDisplayOptions scaled_options(const DisplayFile& file) {
+  optim::ScaledDisplayOptions options;
+  options.compression = file.compression_range.value_or(std::array{file.compression, file.compression});
+  options.offset = file.offset;
+  options.t = file.t;
+  return options;
+}
+
+}  // namespace
+
+model::Drive plates_of(const DisplayFile& file) {
+  model::Drive drive;
+  drive.kind = model::Drive::Kind::plates;
+  drive.axis = file.axes.front();
+  drive.compression = file.compression;
+  return drive;
+}
+
+optim::DisplayOptions search_options(const DisplayFile& file, const model::Elasticity& elasticity,
+                                     const RunOptions& run) {
+  optim::DisplayOptions options;
+  options.channel = file.channel;
+  options.plates = plates_of(file);
+  options.axes = file.axes;
+  options.compression = file.compression_range;
+  options.elasticity = elasticity;
+  options.stretch = file.stretch;
+  options.t = file.t;
+  options.symmetry = file.symmetry;
+  options.starts = file.solver.starts.value_or(options.starts);
+  options.threads = run.threads;
+  options.seed = run.seed;
+  options.solver.name = file.solver.name.value_or(options.solver.name);
+  options.solver.max_evaluations = file.solver.max_evaluations.value_or(options.solver.max_evaluations);
+  return options;
+}
+
+optim::DisplayDesign search_panel(const DisplayFile& file, const targets::DisplayGoal& goal,
+                                  const model::Structure& panel, const optim::DisplayOptions& options,
+                                  const std::function<void(const std::string&, double)>& progress) {
+  const std::vector<double> levels = levels_of(goal, panel);
+  if (file.offset > 0)
+    return fit_scaled_display(panel, levels, file.channel, file.axes, scaled_options(file));
+  return fit_display(panel, levels, options, progress);
+}
+
+// Offsets as they come back from a file, where they are in mm.
+void place_hinges(const optim::DisplayView& view, model::Structure& panel) {
+  const double mm = panel.size.edge_mm;
+  for (Eigen::Index h = 0; h < view.t.size(); ++h) {
+    model::HingeParameters& p = panel.hinges[static_cast<std::size_t>(h)].parameters;
+    p.t = view.t[h];
+    if (view.offset.size() > 0) p.offset = view.offset[h] * mm / mm;
+  }
+}
+
+}  // namespace kinetix::app

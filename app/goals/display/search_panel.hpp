@@ -1,0 +1,30 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "app/goals/display/display_file.hpp"
+#include "app/run/run_options.hpp"
+#include "model/lattice/square/drive.hpp"
+#include "optim/display/fit_display.hpp"
+
+namespace kinetix::app {
+
+/// The plates that a file asks for; where a search may change them, where it starts.
+model::Drive plates_of(const DisplayFile& file);
+
+/// Of a search with hinges on their walls.
+optim::DisplayOptions search_options(const DisplayFile& file, const model::Elasticity& elasticity,
+                                     const RunOptions& run);
+
+/// The search that a file asks for: by the scales of walls where hinges may have offsets, else by stretching.
+/// @param goal the file's, or the same picture on another panel
+/// @param panel of the goal's cells   @param progress words and the share done
+optim::DisplayDesign search_panel(const DisplayFile& file, const targets::DisplayGoal& goal,
+                                  const model::Structure& panel, const optim::DisplayOptions& options,
+                                  const std::function<void(const std::string&, double)>& progress);
+
+/// Puts the hinges of a panel where a search left them.
+void place_hinges(const optim::DisplayView& view, model::Structure& panel);
+
+}  // namespace kinetix::app

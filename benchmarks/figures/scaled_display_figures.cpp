@@ -1,0 +1,150 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "app/goals/display/display_kind.hpp"
+#include "app/goals/display/display_outcome.hpp"
+#include "app/pictures/far_view.hpp"
+#include "app/pipeline/pipeline.hpp"
+#include "benchmarks/figure.hpp"
+#include "benchmarks/stopwatch.hpp"
+#include "targets/display/glyph_goal.hpp"
+#include "targets/display/panel_levels.hpp"
+#include "tests/support/recogniser.hpp"
+
+namespace kinetix::bench {
+namespace {
+
+constexpr int side = 12;      // cells: what a capital needs to keep its serifs
+constexpr unsigned seed = 1;  // any: another gives bits as hard
+
+app::Run shown(targets::DisplayGoal goal, double offset, bool verify) {
+  app::DisplayFile file;
+  file.name = "display";
+  file.goal = std::move(goal);
+  file.offset = offset;
+  app::RunOptions options;
+  options.verify = verify;
+  return run_scene(*make_scene(file), options);
+}
+
+const app::DisplayOutcome& display_of(const app::Run& run) {
+  return app::outcome_of<app::DisplayOutcome>(run);
+}
+
+double load_of(const app::Run& run) { return std::abs(run.equilibrium->path.steps.back().load); }
+
+/// What the letters that kinematics.md names come to.
+struct Letters {
+  double exact_gap = 0, light = 1, area = 1, ratio = INFINITY, free = INFINITY;
+  double physics_light = 1, load = 0, stretch_mm = 0, seconds = 0;
+};
+
+void add(const app::Run& run, Letters& all) {
+  const app::DisplayOutcome& display = display_of(run);
+  const std::vector<double> levels = levels_of(display.goal, run.structure);
+  const model::State& exact = display.design.view.state;
+  const auto area =
+      targets::display_score(channel_values(optim::Channel::area, run.structure, exact), levels);
+  all.exact_gap = std::max(all.exact_gap, hinge_gaps(run.structure, exact).max);
+  all.light = std::min(all.light, display.exact.score.auc);
+  all.area = std::min(all.area, area.auc);
+  all.ratio = std::min(all.ratio, area.letter / area.rest);
+  all.free = std::min(all.free, run.plan.free_range->positive.theta);
+  all.physics_light = std::min(all.physics_light, display.physics ? display.physics->score.auc : 0);
+  all.load = std::max(all.load, load_of(run));
+  all.stretch_mm = std::max(all.stretch_mm, run.verification->physics.gaps.max * run.structure.size.edge_mm);
+  all.seconds = std::max(all.seconds, run.timings.optimise);
+}
+
+std::vector<Figure> letters() {
+  Letters all, thin;
+  for (const char* text : {"T", "B", "E", "S", "R", "Q"}) {
+    add(shown(targets::glyph_goal(text, side, side), 0.08, true), all);
+    add(shown(targets::glyph_goal(text, side, side), 0.04, true), thin);
+  }
+  const std::string scene = "T, B, E, S, R, Q, 12 x 12 cells, rows straight, ";
+  constexpr double apart = 36 * radians_per_degree;  // that walls shall stay apart to
+  return {{scene + "offset <= 0.8 mm: exact state",
+           "closed to 1e-12, auc of light and area >= 0.99, area ratio >= 1.25, walls apart to 36 deg",
+           fmt::format("closed to {:.0e}, auc {:.3f} and {:.3f}, ratio {:.3f}, walls apart to {:.1f} deg",
+                       all.exact_gap, all.light, all.area, all.ratio, to_degrees(all.free)),
+           all.exact_gap <= 1e-12 && all.light >= 0.99 && all.area >= 0.99 && all.ratio >= 1.25 &&
+               all.free >= apart},
+          {scene + "between plates in the physics run, k_point 1000, k_turn 0.1",
+           "auc of light >= 0.97, load <= 10 N, stretch <= 0.01 mm",
+           fmt::format("auc {:.3f}, load {:.2f} N, stretch {:.5f} mm", all.physics_light, all.load,
+                       all.stretch_mm),
+           all.physics_light >= 0.97 && all.load <= 10 && all.stretch_mm <= 0.01},
+          {scene + "offset <= 0.4 mm (a film at a face of the wall)", "auc of light >= 0.98",
+           fmt::format("auc {:.3f}", thin.light), thin.light >= 0.98},
+          {scene + "longest search", "<= 0.2 s", fmt::format("{:.3f} s", all.seconds), all.seconds <= 0.2}};
+}
+
+Figure capitals() {
+  std::string read, misread, before;
+  for (char c = 'A'; c <= 'Z'; ++c) {
+    const std::string text(1, c);
+    const app::Run run = shown(targets::glyph_goal(text, side, side), 0.08, false);
+    const auto seen = [&](const model::State& state) {
+      return testing::read_capitals(app::far_view(run.structure, state));
+    };
+    (seen(run.states.front().poses) == text ? read : misread) += c;
+    if (seen(rest_state(run.structure)) == text) before += c;
+  }
+  return {"26 capitals, 12 x 12 cells, default settings: read from a distance by tesseract",
+          ">= 24 after compression, none before",
+          fmt::format("{} (not {}), {} before", read.size(), misread.empty() ? "-" : misread, before.size()),
+          read.size() >= 24 && before.empty()};
+}
+
+Figure bits() {
+  constexpr int cells = 29;
+  std::mt19937 random(seed);
+  std::vector<double> levels;
+  for (int k = 0; k < cells * cells; ++k) levels.push_back(static_cast<double>(random() % 2));
+  const app::Run run = shown(targets::make_goal({cells, cells}, levels), 0.08, false);
+  return {"random bits, 29 x 29 cells: search", "<= 1 s",
+          fmt::format("{:.3f} s, auc of light {:.3f}", run.timings.optimise, display_of(run).exact.score.auc),
+          run.timings.optimise <= 1};
+}
+
+Figure greys(const std::string& name, int cells, double most_seconds, double least_rank,
+             double (*level)(double x, double y)) {
+  std::vector<double> levels;
+  for (int j = 0; j < cells; ++j)
+    for (int i = 0; i < cells; ++i) levels.push_back(level((i + 0.5) / cells, (j + 0.5) / cells));
+  const model::Structure panel = model::make_sheet(cells, cells, {});
+  const targets::DisplayGoal goal = targets::make_goal({cells, cells}, levels);
+  optim::DisplayDesign found;
+  const double time = seconds([&] {
+    found = fit_scaled_display(panel, levels_of(goal, panel), optim::Channel::light, {model::Axis::y}, {});
+  });
+  return {fmt::format("{}, {} x {} cells", name, cells, cells),
+          fmt::format("rank correlation of light >= {}, <= {} s", least_rank, most_seconds),
+          fmt::format("{:.3f}, {:.2f} s", found.view.rank, time),
+          found.view.rank >= least_rank && time <= most_seconds};
+}
+
+/// Smooth, with detail of a tenth of the picture: what a photograph has.
+double photograph(double x, double y) {
+  return std::clamp(0.5 * (x + y) + 0.3 * std::sin(15 * x) * std::sin(15 * y), 0.0, 1.0);
+}
+
+}  // namespace
+
+std::vector<Figure> scaled_display_figures() {
+  std::vector<Figure> figures = letters();
+  figures.push_back(capitals());
+  figures.push_back(bits());
+  figures.push_back(greys("grey ramp", 40, 10, 0.98, [](double x, double) { return x; }));
+  figures.push_back(greys("photograph", 40, 10, 0.9, photograph));
+  figures.push_back(greys("photograph", 100, 10, 0.9, photograph));
+  return figures;
+}
+
+}  // namespace kinetix::bench

@@ -1,0 +1,204 @@
+#include "model/opening/blurred_light.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "model/base/angle.hpp"
+#include "model/opening/cell_opening.hpp"
+#include "model/opening/soft_aperture.hpp"
+
+namespace kinetix::model {
+namespace {
+
+using Eigen::Vector2d;
+
+// Standard deviations: the tail beyond is 2e-9.
+constexpr double most_deviations = 6;
+constexpr double far = most_deviations * BlurredLight::deviation;
+
+/// Density at x of a Gaussian of deviation 1 about 0.
+double bell(double x) { return std::exp(-x * x / 2) / std::sqrt(2 * pi); }
+
+/// Part of that Gaussian that lies between two places.
+double share(double from, double to) {
+  constexpr double root_half = 1 / std::numbers::sqrt2;
+  return 0.5 * (std::erf(to * root_half) - std::erf(from * root_half));
+}
+
+/// The blurred shadow of a rectangle, and its derivatives, per cell edge.
+struct Shadow {
+  double value = 0;
+  double by_along = 0, by_across = 0;  ///< by the place it is read at
+  double by_length = 0;
+};
+
+/// @param along, across place in the rectangle's frame: from its start, and from its middle line; all lengths
+/// in cell edges
+Shadow shadow_of(double along, double across, double length, double half_thickness) {
+  constexpr double unit = 1 / BlurredLight::deviation;
+  const double start = -along * unit, end = (length - along) * unit, low = (-half_thickness - across) * unit,
+               high = (half_thickness - across) * unit;
+  const double lengthwise = share(start, end), crosswise = share(low, high);
+  return {lengthwise * crosswise, (bell(start) - bell(end)) * unit * crosswise,
+          lengthwise * (bell(low) - bell(high)) * unit, bell(end) * unit * crosswise};
+}
+
+/// What a blot of area 1 covers at a distance.
+double cover_of(const Vector2d& offset) {
+  constexpr double square = BlurredLight::deviation * BlurredLight::deviation;
+  return std::exp(-offset.squaredNorm() / (2 * square)) / (2 * pi * square);
+}
+
+/// Points by the squares of a grid that they lie in.
+class Bins {
+ public:
+  /// @param width of a square, > 0
+  Bins(const std::vector<Vector2d>& points, double width) : width_(width) {
+    Vector2d high = low_ = points[0];
+    for (const Vector2d& p : points) {
+      low_ = low_.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+    columns_ = column(high.x()) + 1;
+    rows_ = row(high.y()) + 1;
+    bins_.resize(static_cast<std::size_t>(columns_) * rows_);
+    for (std::size_t k = 0; k < points.size(); ++k)
+      bins_[static_cast<std::size_t>(row(points[k].y())) * columns_ + column(points[k].x())].push_back(
+          static_cast<int>(k));
+  }
+
+  /// Calls visit(index) for all points within the distance of a place, and some beyond.
+  template <class Visit>
+  void near(const Vector2d& at, double distance, const Visit& visit) const {
+    const int left = std::max(0, column(at.x() - distance)),
+              right = std::min(columns_ - 1, column(at.x() + distance)),
+              top = std::min(rows_ - 1, row(at.y() + distance));
+    for (int j = std::max(0, row(at.y() - distance)); j <= top; ++j)
+      for (int i = left; i <= right; ++i)
+        for (const int k : bins_[static_cast<std::size_t>(j) * columns_ + i]) visit(k);
+  }
+
+ private:
+  int column(double x) const { return static_cast<int>(std::floor((x - low_.x()) / width_)); }
+  int row(double y) const { return static_cast<int>(std::floor((y - low_.y()) / width_)); }
+
+  double width_;
+  Vector2d low_;
+  int columns_ = 0, rows_ = 0;
+  std::vector<std::vector<int>> bins_;
+};
+
+bool all_finite(const std::vector<Vector2d>& points) {
+  return std::all_of(points.begin(), points.end(), [](const Vector2d& p) { return p.allFinite(); });
+}
+
+Vector2d across(const Vector2d& along) { return {-along.y(), along.x()}; }
+
+}  // namespace
+
+PanelSlopes::PanelSlopes(const Linkage& panel)
+    : state(Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(panel.bodies.size()))),
+      t(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(panel.hinges.size()))) {}
+
+BlurredLight::BlurredLight(const Linkage& panel, const State& state)
+    : BlurredLight(panel, state, Unscaled{}) {
+  const State rest = rest_state(panel);
+  const std::vector<Reading> flat = BlurredLight(panel, rest, Unscaled{}).readings_;
+  const auto middle = std::max_element(flat.begin(), flat.end(),
+                                       [](const Reading& a, const Reading& b) { return a.cover < b.cover; });
+  for (std::size_t c = 0; c < flat.size(); ++c) {
+    scale_[c] = middle->shadow / middle->cover * flat[c].cover / flat[c].shadow;
+    light_[c] = 1 - scale_[c] * readings_[c].shadow / readings_[c].cover;
+  }
+}
+
+BlurredLight::BlurredLight(const Linkage& panel, const State& state, Unscaled)
+    : panel_(panel),
+      state_(state),
+      half_thickness_(panel.size.thickness_mm / panel.size.edge_mm / 2),
+      readings_(panel.cells.size()),
+      scale_(panel.cells.size(), 1.0),
+      light_(panel.cells.size(), std::numeric_limits<double>::quiet_NaN()) {
+  const double L = panel.size.edge_mm;
+  for (const Plate& p : panel.plates)
+    strips_.push_back({state[p.body].p.head<2>() / L, (state[p.body].R * p.edge).head<2>(), p.length});
+  for (const LinkageCell& cell : panel.cells) {
+    Vector2d sum = Vector2d::Zero();
+    for (const int b : cell.bodies) sum += state[b].p.head<2>() / L;
+    blots_.push_back({sum / static_cast<double>(cell.bodies.size()), area(opening(panel, state, cell))});
+  }
+  read();
+}
+
+void BlurredLight::read() {
+  std::vector<Vector2d> walls, cells;
+  double longest = 0;
+  for (const Strip& strip : strips_) {
+    walls.push_back(strip.from + strip.length / 2 * strip.along);
+    longest = std::max(longest, strip.length);
+  }
+  for (const Blot& blot : blots_) cells.push_back(blot.middle);
+  if (!all_finite(walls) || !all_finite(cells)) return;
+  const Bins wall_bins(walls, deviation), cell_bins(cells, deviation);
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    Reading& r = readings_[c];
+    wall_bins.near(cells[c], far + longest / 2, [&](int k) {
+      const Vector2d to = cells[c] - strips_[k].from;
+      r.strips.push_back(k);
+      r.shadow += shadow_of(to.dot(strips_[k].along), to.dot(across(strips_[k].along)), strips_[k].length,
+                            half_thickness_)
+                      .value;
+    });
+    cell_bins.near(cells[c], far, [&](int k) {
+      r.blots.push_back(k);
+      r.cover += blots_[k].area * cover_of(cells[c] - cells[k]);
+    });
+  }
+}
+
+void BlurredLight::add_slopes(const Eigen::VectorXd& by_value, PanelSlopes& slopes) const {
+  for (int c = 0; c < static_cast<int>(readings_.size()); ++c) {
+    const Reading& r = readings_[c];
+    const double by_shadow = -by_value[c] * scale_[c] / r.cover, by_cover = -by_shadow * r.shadow / r.cover;
+    for (const int k : r.strips) add_strip_slopes(c, k, by_shadow, slopes);
+    for (const int k : r.blots) add_blot_slopes(c, k, by_cover, slopes);
+  }
+}
+
+void BlurredLight::add_strip_slopes(int cell, int strip, double by_shadow, PanelSlopes& slopes) const {
+  const Strip& s = strips_[strip];
+  const Plate& plate = panel_.plates[strip];
+  const Vector2d to = blots_[cell].middle - s.from;
+  const double u = to.dot(s.along), v = to.dot(across(s.along));
+  const Shadow shadow = shadow_of(u, v, s.length, half_thickness_);
+  const Vector2d by_place = by_shadow * (shadow.by_along * s.along + shadow.by_across * across(s.along));
+  add_middle(cell, by_place, slopes);
+  const Eigen::Index body = 6 * plate.body;
+  slopes.state[body + 2] += by_shadow * (shadow.by_along * v - shadow.by_across * u);
+  slopes.state.segment<2>(body + 3) -= by_place;
+  slopes.t[plate.hinge] += by_shadow * shadow.by_length * plate.length_t;
+}
+
+void BlurredLight::add_blot_slopes(int cell, int blot, double by_cover, PanelSlopes& slopes) const {
+  const Vector2d offset = blots_[cell].middle - blots_[blot].middle;
+  const double cover = cover_of(offset);
+  const Vector2d by_place = -by_cover * blots_[blot].area * cover / (deviation * deviation) * offset;
+  add_middle(cell, by_place, slopes);
+  add_middle(blot, -by_place, slopes);
+  const LinkageCell& members = panel_.cells[blot];
+  const CellReading by_area = area_reading(opening(panel_, state_, members));
+  for (std::size_t k = 0; k < members.bodies.size(); ++k) {
+    slopes.state.segment<3>(6 * members.bodies[k] + 2) += by_cover * cover * by_area.bodies.col(k);
+    slopes.t[members.hinges[k]] += by_cover * cover * by_area.t[k];
+  }
+}
+
+void BlurredLight::add_middle(int cell, const Vector2d& by_middle, PanelSlopes& slopes) const {
+  const std::vector<int>& bodies = panel_.cells[cell].bodies;
+  for (const int b : bodies)
+    slopes.state.segment<2>(6 * b + 3) += by_middle / static_cast<double>(bodies.size());
+}
+
+}  // namespace kinetix::model

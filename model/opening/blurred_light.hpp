@@ -1,0 +1,74 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "model/linkage/state.hpp"
+
+namespace kinetix::model {
+
+/// Derivatives of a number that panels in the plane are read by.
+struct PanelSlopes {
+  Eigen::VectorXd state;  ///< 6 a body: turn about z (rad) at 2, shifts along x and y (cell edges) at 3 and 4
+  Eigen::VectorXd t;      ///< by t of each hinge (fraction of the wall), where the bodies stay
+
+  explicit PanelSlopes(const Linkage& panel);
+};
+
+/// The light through a planar panel before a lamp as an eye sees it from a distance, at the middle of every
+/// cell: 1 less the shadow of its walls over what the panel covers, both blurred. Dimensionless, 1 where no
+/// wall stands near.
+///
+/// A half wall casts the shadow of a rectangle, whose Gaussian blur is a product of error functions; where
+/// walls meet they count twice. A cell covers as much as its area in one point does when it is blurred: even
+/// to 0.2 % inside panels whose cells are at most 0.85 cell edges apart. Cells near the rim have nothing on one
+/// side: their shadow counts in proportion to what it is in the flat panel, of which all cells are read alike.
+class BlurredLight {
+ public:
+  /// Cell edges, standard deviation of the blur.
+  static constexpr double deviation = 0.5;
+
+  /// Both are kept, and have to outlive this.
+  BlurredLight(const Linkage& panel, const State& state);
+
+  /// Of each cell, in the order of panel.cells; all NaN where the state is not finite.
+  const std::vector<double>& values() const { return light_; }
+  /// Adds the derivatives of a function of the values. @param by_value its derivative by each of them
+  void add_slopes(const Eigen::VectorXd& by_value, PanelSlopes& slopes) const;
+
+ private:
+  struct Unscaled {};  ///< marks the constructor that leaves the rim as it is
+
+  /// A half wall in the plane.
+  struct Strip {
+    Eigen::Vector2d from, along;  ///< cell edges; along: unit
+    double length = 0;            ///< cell edges
+  };
+  struct Blot {
+    Eigen::Vector2d middle;  ///< cell edges
+    double area = 0;         ///< cell edges squared
+  };
+  struct Reading {
+    double shadow = 0, cover = 0;    ///< dimensionless
+    std::vector<int> strips, blots;  ///< those that it comes from
+  };
+
+  /// Shadow and cover alone.
+  BlurredLight(const Linkage& panel, const State& state, Unscaled);
+  void read();
+  void add_strip_slopes(int cell, int strip, double by_shadow, PanelSlopes& slopes) const;
+  void add_blot_slopes(int cell, int blot, double by_cover, PanelSlopes& slopes) const;
+  /// Of a function's derivative by the middle of a cell, per cell edge.
+  void add_middle(int cell, const Eigen::Vector2d& by_middle, PanelSlopes& slopes) const;
+
+  const Linkage& panel_;
+  const State& state_;
+  double half_thickness_ = 0;  ///< cell edges
+  std::vector<Strip> strips_;
+  std::vector<Blot> blots_;
+  std::vector<Reading> readings_;
+  std::vector<double> scale_;  ///< of each cell's shadow over its cover
+  std::vector<double> light_;
+};
+
+}  // namespace kinetix::model

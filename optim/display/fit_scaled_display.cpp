@@ -1,0 +1,67 @@
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "model/lattice/square/planar_sheet.hpp"
+#include "optim/display/fit_display.hpp"
+
+namespace kinetix::optim {
+namespace {
+
+DisplayView view_of(const model::Structure& basic, const std::vector<double>& levels, Channel channel,
+                    model::Axis axis, const ScaledDisplay& scaled) {
+  model::Structure panel = basic;
+  place_hinges(scaled.y, panel);
+  DisplayView view;
+  view.t.resize(static_cast<Eigen::Index>(panel.hinges.size()));
+  view.offset.resize(view.t.size());
+  for (Eigen::Index h = 0; h < view.t.size(); ++h) {
+    view.t[h] = panel.hinges[h].parameters.t;
+    view.offset[h] = panel.hinges[h].parameters.offset;
+  }
+  view.plates.axis = axis;
+  view.plates.compression = scaled.compression;
+  view.state = fold(scaled.y, panel, scaled.theta);
+  view.channel = channel_values(channel, panel, view.state);
+  view.score = targets::display_score(view.channel, levels);
+  view.rank = targets::rank_correlation(view.channel, levels);
+  view.stretch = hinge_gaps(panel, view.state).max;
+  view.balanced = true;
+  return view;
+}
+
+std::string words(const ScaledDisplay& s) {
+  std::string text = "scales of walls, a convex problem: " +
+                     std::string(s.converged ? "optimal" : "not converged after many iterations");
+  if (s.rounds > 1)
+    text += "; " + std::to_string(s.rounds) + " rounds, each with less turning, so that walls stay apart";
+  if (!s.clear) text += "; walls meet on the way all the same";
+  return text;
+}
+
+}  // namespace
+
+DisplayDesign fit_scaled_display(const model::Structure& panel, const std::vector<double>& levels,
+                                 Channel channel, const std::vector<model::Axis>& axes,
+                                 const ScaledDisplayOptions& options) {
+  const PictureCost picture(levels);
+  DisplayDesign best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const model::Axis axis : axes) {
+    ScaledDisplayOptions along = options;
+    along.axis = axis;
+    ScaledDisplay scaled = scale_display(panel, levels, along);
+    DisplayView view = view_of(panel, levels, channel, axis, scaled);
+    best.evaluations += scaled.iterations;
+    const double haze = picture.for_contrast(view.channel).cost;
+    if (best.scaled && !(haze < least)) continue;
+    least = haze;
+    best.view = std::move(view);
+    best.status = scaled.converged ? SolveStatus::converged : SolveStatus::evaluation_limit;
+    best.why = words(scaled);
+    best.scaled = std::move(scaled);
+  }
+  return best;
+}
+
+}  // namespace kinetix::optim

@@ -1,0 +1,103 @@
+#include "optim/display/scaled_display.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/base/invalid_input.hpp"
+#include "model/contact/wall_contact.hpp"
+#include "model/lattice/square/lines.hpp"
+#include "model/lattice/square/planar_sheet.hpp"
+#include "optim/display/wall_scales.hpp"
+
+namespace kinetix::optim {
+namespace {
+
+// Part of the height: a larger drop would be seen in a small panel.
+constexpr double most_drop = 1.0 / 80;
+// Of the bound on turning, from round to round; seven of them leave a third of it.
+constexpr double less_turning = 0.85;
+constexpr int most_clearance_rounds = 7;
+// rad: walls shall stay apart a little further than the plates press.
+constexpr double spare = 2 * radians_per_degree;
+
+double shift_of(const std::array<double, 2>& t) { return 2 * std::min(0.5 - t[0], t[1] - 0.5); }
+
+void validate(const ScaledDisplayOptions& o) {
+  require("compression", o.compression[0], o.compression[0] > 0 && o.compression[0] <= o.compression[1],
+          "above 0, and no more than the upper end");
+  require("compression", o.compression[1], o.compression[1] <= 0.5, "at most 0.5");
+  require("offset", o.offset, o.offset > 0 && o.offset < 0.5, "in (0, 0.5) cell edges");
+  require("t", o.t[0], o.t[0] > 0 && o.t[0] < 0.5, "in (0, 0.5)");
+  require("t", o.t[1], o.t[1] > 0.5 && o.t[1] < 1, "in (0.5, 1)");
+  require("drop", o.drop, o.drop >= 0 && std::isfinite(o.drop), "at least 0");
+}
+
+/// Of the last row, cell edges (WallScales::drop): a little less than asked, since bounds come first.
+double drop_of(const model::Redrawing& y, const model::GrippedRows& rows, model::Axis axis) {
+  const Eigen::Vector2d by = y[rows[1].front()] - y[rows[0].front()];
+  return axis == model::Axis::x ? by.y() : -by.x();
+}
+
+/// theta at which walls first meet, looked for up to a little more than `theta`, rad.
+model::ThetaLimit clearance(model::Structure panel, const model::Redrawing& y, double theta) {
+  place_hinges(y, panel);
+  const auto fold_to = [&](double at, model::State& state) { state = fold(y, panel, at); };
+  model::ThetaRangeOptions options;
+  options.limit = theta + spare;
+  return theta_range(panel, fold_to, options).positive;
+}
+
+}  // namespace
+
+// H cos(theta) - drop sin(theta) = R cos(theta + phi), with R = hypot(H, drop) and tan(phi) = drop / H.
+double theta_of_compression(double compression, double drop, double height) {
+  return std::acos((1 - compression) * height / std::hypot(height, drop)) - std::atan2(drop, height);
+}
+
+double compression_at(double theta, double drop, double height) {
+  return 1 - (height * std::cos(theta) - drop * std::sin(theta)) / height;
+}
+
+ScaledDisplay scale_display(const model::Structure& panel, const std::vector<double>& levels,
+                            const ScaledDisplayOptions& options) {
+  validate(options);
+  const model::PlanarStructure planar = planar_structure(panel);
+  const double height = line_count(panel, options.axis);
+  const auto [least, most] = options.compression;
+  const model::GrippedRows rows = gripped_bodies(panel, options.axis);
+  WallScales scales{.wish = wishes_of(levels, planar, options.offset),
+                    .offset = options.offset,
+                    .shift = shift_of(options.t),
+                    .axis = options.axis,
+                    .straight = {rows[0], rows[1]},
+                    .drop = std::min(options.drop, most_drop * height)};
+  ScaledDisplay found;
+  double drop = 0, goal = 0;
+  do {
+    const ScaledWalls walls = scale_walls(planar, scales);
+    found.y = walls.y;
+    found.offset = walls.offset;
+    found.shift = walls.shift;
+    found.converged = walls.converged;
+    found.iterations += walls.iterations;
+    drop = drop_of(found.y, rows, options.axis);
+    goal = theta_of_compression(most, drop, height);
+    const model::ThetaLimit limit = clearance(panel, found.y, goal);
+    found.clear = !limit.touches;
+    found.clear_to = limit.theta;
+    scales.shift *= less_turning;
+  } while (++found.rounds < most_clearance_rounds && !found.clear);
+  const double reached = found.clear ? goal : std::min(goal, found.clear_to - spare);
+  found.compression = found.clear ? most : std::max(least, compression_at(reached, drop, height));
+  found.theta = theta_of_compression(found.compression, drop, height);
+  found.clear = found.theta < found.clear_to;
+  return found;
+}
+
+void place_hinges(const model::Redrawing& y, model::Structure& panel) {
+  model::PlanarStructure planar = planar_structure(panel);
+  place_hinges(y, planar);
+  for (std::size_t h = 0; h < panel.hinges.size(); ++h) panel.hinges[h].parameters = planar.hinges[h];
+}
+
+}  // namespace kinetix::optim

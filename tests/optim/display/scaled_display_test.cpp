@@ -1,0 +1,135 @@
+#include "optim/display/scaled_display.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "model/base/invalid_input.hpp"
+#include "model/closure/mobility.hpp"
+#include "model/contact/wall_contact.hpp"
+#include "model/lattice/square/classify.hpp"
+#include "optim/display/fit_display.hpp"
+#include "targets/display/glyph_goal.hpp"
+#include "targets/display/panel_levels.hpp"
+
+namespace kinetix::optim {
+namespace {
+
+using targets::DisplayScore;
+
+// mm: walls as thick as those of the displays that ship.
+constexpr model::CellSize size = {10, 0.8, 6};
+
+targets::DisplayGoal letter(const std::string& text, int cells) {
+  return glyph_goal(text, targets::find_font(targets::default_font), cells, cells);
+}
+
+// The figures of kinematics.md section 5, for the capitals that it names.
+TEST(ScaledDisplay, ShowsLettersWithAllHingesClosedAndWallsApart) {
+  for (const char* text : {"T", "B", "E", "S", "R", "Q"}) {
+    SCOPED_TRACE(text);
+    const targets::DisplayGoal goal = letter(text, 12);
+    model::Structure panel = model::make_sheet(12, 12, size);
+    const std::vector<double> levels = levels_of(goal, panel);
+    const ScaledDisplay found = scale_display(panel, levels, {});
+    EXPECT_TRUE(found.converged);
+    EXPECT_TRUE(found.clear);
+    EXPECT_LE(found.offset, 0.08 * (1 + 1e-15));
+    place_hinges(found.y, panel);
+    validate_hinges(panel);
+
+    const model::Classification kind = classify(panel);
+    EXPECT_EQ(kind.family, model::Family::planar) << kind.why;
+    const model::State state = fold(kind, panel, found.theta);
+    EXPECT_LE(hinge_gaps(panel, state).max, 1e-12);
+    const DisplayScore light = targets::display_score(channel_values(Channel::light, panel, state), levels),
+                       area = targets::display_score(channel_values(Channel::area, panel, state), levels),
+                       flat = targets::display_score(channel_values(Channel::light, panel, rest_state(panel)),
+                                                     levels);
+    EXPECT_EQ(light.auc, 1);
+    EXPECT_GE(area.auc, 0.99);
+    EXPECT_GE(area.letter / area.rest, 1.25);
+    EXPECT_EQ(flat.contrast, 0);
+    constexpr double apart = 36 * radians_per_degree;
+    EXPECT_GE(model::theta_range(panel, exact_motion(panel), {.limit = apart}).positive.theta, apart);
+
+    // Plates find their rows straight, and as near as asked.
+    const model::GrippedRows rows = gripped_bodies(panel, model::Axis::y);
+    for (const auto& row : rows)
+      for (const int b : row) EXPECT_NEAR(state[b].p.y(), state[row.front()].p.y(), 1e-11);
+    EXPECT_NEAR(state[rows[1][0]].p.y() - state[rows[0][0]].p.y(), 120 * (1 - found.compression), 1e-10);
+  }
+}
+
+TEST(ScaledDisplay, LeavesOneWayToMove) {
+  model::Structure panel = model::make_sheet(8, 8, size);
+  place_hinges(scale_display(panel, levels_of(letter("T", 8), panel), {}).y, panel);
+  EXPECT_EQ(model::mobility(panel, exact_motion(panel)).dofs_along, 1);
+}
+
+TEST(ScaledDisplay, WorksBetweenPlatesOfEitherDirection) {
+  model::Structure panel = model::make_sheet(10, 10, size);
+  const std::vector<double> levels = levels_of(letter("L", 10), panel);
+  for (const model::Axis axis : {model::Axis::x, model::Axis::y}) {
+    const ScaledDisplay found = scale_display(panel, levels, {.axis = axis});
+    place_hinges(found.y, panel);
+    const model::State state = fold(found.y, panel, found.theta);
+    const model::GrippedRows rows = gripped_bodies(panel, axis);
+    const int d = axis == model::Axis::x ? 0 : 1;
+    for (const auto& row : rows)
+      for (const int b : row) EXPECT_NEAR(state[b].p[d], state[row.front()].p[d], 1e-11);
+    EXPECT_NEAR(state[rows[1][0]].p[d] - state[rows[0][0]].p[d], 100 * (1 - found.compression), 1e-10);
+    EXPECT_EQ(targets::display_score(channel_values(Channel::light, panel, state), levels).auc, 1);
+  }
+}
+
+TEST(ScaledDisplay, ComesAsFarAsWallsStayApart) {
+  const model::Structure panel = model::make_sheet(8, 8, {10, 2, 6});
+  const std::vector<double> levels = levels_of(letter("T", 8), panel);
+  const ScaledDisplay found = scale_display(panel, levels, {.compression = {0.1, 0.3}});
+  EXPECT_GT(found.rounds, 1);
+  EXPECT_LT(found.compression, 0.3);
+  EXPECT_GE(found.compression, 0.1);
+  EXPECT_TRUE(found.clear);
+  EXPECT_LT(found.theta, found.clear_to);
+}
+
+TEST(ScaledDisplay, TheDirectionThatShowsMostIsTaken) {
+  const model::Structure panel = model::make_sheet(10, 10, size);
+  const std::vector<double> levels = levels_of(letter("E", 10), panel);
+  const auto contrast = [&](const std::vector<model::Axis>& axes) {
+    return fit_scaled_display(panel, levels, Channel::light, axes, {}).view.score.contrast;
+  };
+  EXPECT_EQ(contrast({model::Axis::x, model::Axis::y}),
+            std::max(contrast({model::Axis::x}), contrast({model::Axis::y})));
+}
+
+TEST(ScaledDisplay, CompressionAndThetaBelongTogether) {
+  for (const double compression : {0.01, 0.12, 0.3, 0.5})
+    for (const double drop : {0.0, 0.15, 1.0})
+      EXPECT_NEAR(compression_at(theta_of_compression(compression, drop, 12), drop, 12), compression, 1e-14);
+  EXPECT_NEAR(theta_of_compression(0.5, 0, 7), std::acos(0.5), 1e-15);
+}
+
+TEST(ScaledDisplay, RefusesOptionsThatCannotBe) {
+  const model::Structure panel = model::make_sheet(3, 3, size);
+  const std::vector<double> levels = {0, 0, 0, 0, 1, 0, 0, 0, 0};
+  const auto refused = [&](const ScaledDisplayOptions& options, const char* what) {
+    try {
+      scale_display(panel, levels, options);
+      ADD_FAILURE() << what;
+    } catch (const InvalidInput& e) {
+      EXPECT_THAT(e.reason(), ::testing::HasSubstr(what));
+    }
+  };
+  refused({.compression = {0, 0.1}}, "compression is 0");
+  refused({.compression = {0.1, 0.6}}, "compression is 0.6");
+  refused({.offset = 0}, "offset is 0");
+  refused({.offset = NAN}, "offset is nan");
+  refused({.t = {0.5, 0.8}}, "t is 0.5");
+  refused({.drop = -1}, "drop is -1");
+}
+
+}  // namespace
+}  // namespace kinetix::optim
