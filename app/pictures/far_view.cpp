@@ -27,10 +27,10 @@ constexpr double darkest = 0.02, brightest = 0.98;
 constexpr double inside = 0.5, deep_inside = 0.98;
 // Of the light: an eye takes differences of a fiftieth for none.
 constexpr double least_range = 0.02;
-
-/// Light through a panel: openings white, walls and all around black. Where the walls are to be white too, they
-/// are at least `seam` px wide: no seam between two openings lets the black through.
+// px, least width of white walls: no seam between two openings lets the black through.
 constexpr double seam = 2;
+
+/// Light through a panel: openings white, walls and all around black, or the walls white too.
 Grey drawn(const model::Linkage& panel, const model::State& state, const PictureFrame& frame, double scale,
            bool walls) {
   CairoImage image(frame, scale);

@@ -159,12 +159,14 @@ void BlurredLight::read() {
 }
 
 void BlurredLight::add_slopes(const Eigen::VectorXd& by_value, PanelSlopes& slopes) const {
+  std::vector<double> by_area(blots_.size(), 0.0);
   for (int c = 0; c < static_cast<int>(readings_.size()); ++c) {
     const Reading& r = readings_[c];
     const double by_shadow = -by_value[c] * scale_[c] / r.cover, by_cover = -by_shadow * r.shadow / r.cover;
     for (const int k : r.strips) add_strip_slopes(c, k, by_shadow, slopes);
-    for (const int k : r.blots) add_blot_slopes(c, k, by_cover, slopes);
+    for (const int k : r.blots) by_area[k] += add_blot_slopes(c, k, by_cover, slopes);
   }
+  for (std::size_t c = 0; c < blots_.size(); ++c) add_area(static_cast<int>(c), by_area[c], slopes);
 }
 
 void BlurredLight::add_strip_slopes(int cell, int strip, double by_shadow, PanelSlopes& slopes) const {
@@ -181,17 +183,21 @@ void BlurredLight::add_strip_slopes(int cell, int strip, double by_shadow, Panel
   slopes.t[plate.hinge] += by_shadow * shadow.by_length * plate.length_t;
 }
 
-void BlurredLight::add_blot_slopes(int cell, int blot, double by_cover, PanelSlopes& slopes) const {
+double BlurredLight::add_blot_slopes(int cell, int blot, double by_cover, PanelSlopes& slopes) const {
   const Vector2d offset = blots_[cell].middle - blots_[blot].middle;
   const double cover = cover_of(offset);
   const Vector2d by_place = -by_cover * blots_[blot].area * cover / (deviation * deviation) * offset;
   add_middle(cell, by_place, slopes);
   add_middle(blot, -by_place, slopes);
-  const LinkageCell& members = panel_.cells[blot];
-  const CellReading by_area = area_reading(opening(panel_, state_, members));
+  return by_cover * cover;
+}
+
+void BlurredLight::add_area(int cell, double by_area, PanelSlopes& slopes) const {
+  const LinkageCell& members = panel_.cells[cell];
+  const CellReading area = area_reading(opening(panel_, state_, members));
   for (std::size_t k = 0; k < members.bodies.size(); ++k) {
-    slopes.state.segment<3>(6 * members.bodies[k] + 2) += by_cover * cover * by_area.bodies.col(k);
-    slopes.t[members.hinges[k]] += by_cover * cover * by_area.t[k];
+    slopes.state.segment<3>(6 * members.bodies[k] + 2) += by_area * area.bodies.col(k);
+    slopes.t[members.hinges[k]] += by_area * area.t[k];
   }
 }
 

@@ -57,7 +57,9 @@ class BlurredLight {
   BlurredLight(const Linkage& panel, const State& state, Unscaled);
   void read();
   void add_strip_slopes(int cell, int strip, double by_shadow, PanelSlopes& slopes) const;
-  void add_blot_slopes(int cell, int blot, double by_cover, PanelSlopes& slopes) const;
+  /// All but what comes through the blot's area. @return the derivative by that area, per cell edge squared
+  double add_blot_slopes(int cell, int blot, double by_cover, PanelSlopes& slopes) const;
+  void add_area(int cell, double by_area, PanelSlopes& slopes) const;
   /// Of a function's derivative by the middle of a cell, per cell edge.
   void add_middle(int cell, const Eigen::Vector2d& by_middle, PanelSlopes& slopes) const;
 
