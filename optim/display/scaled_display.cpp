@@ -94,10 +94,4 @@ ScaledDisplay scale_display(const model::Structure& panel, const std::vector<dou
   return found;
 }
 
-void place_hinges(const model::Redrawing& y, model::Structure& panel) {
-  model::PlanarStructure planar = planar_structure(panel);
-  place_hinges(y, planar);
-  for (std::size_t h = 0; h < panel.hinges.size(); ++h) panel.hinges[h].parameters = planar.hinges[h];
-}
-
 }  // namespace kinetix::optim

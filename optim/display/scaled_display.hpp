@@ -48,7 +48,4 @@ double compression_at(double theta, double drop, double height);
 ScaledDisplay scale_display(const model::Structure& panel, const std::vector<double>& levels,
                             const ScaledDisplayOptions& options);
 
-/// Puts the hinges of the panel where y has them, upright.
-void place_hinges(const model::Redrawing& y, model::Structure& panel);
-
 }  // namespace kinetix::optim

@@ -77,13 +77,16 @@ RedrawingFit redrawing_of(const PlanarStructure& structure) {
   return fit;
 }
 
+void place_hinge(const Vector2d& edge, const Vector2d& redrawn, int sense, HingeParameters& hinge) {
+  const Vector2d part = sense * redrawn;
+  hinge.t = (1 + part.dot(edge) / edge.squaredNorm()) / 2;
+  hinge.offset = turned_by_90(edge.normalized()).dot(part) / 2;
+}
+
 void place_hinges(const Redrawing& y, PlanarStructure& structure) {
   for (int e = 0; e < static_cast<int>(structure.hinges.size()); ++e) {
     const auto [from, to] = structure.graph.edges[e];
-    const Vector2d along = structure.graph.along(e);
-    const Vector2d part = structure.senses[from] * (y[to] - y[from]);
-    structure.hinges[e].t = (1 + part.dot(along) / along.squaredNorm()) / 2;
-    structure.hinges[e].offset = turned_by_90(along.normalized()).dot(part) / 2;
+    place_hinge(structure.graph.along(e), y[to] - y[from], structure.senses[from], structure.hinges[e]);
   }
 }
 

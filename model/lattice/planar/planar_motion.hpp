@@ -42,7 +42,12 @@ struct RedrawingFit {
 };
 RedrawingFit redrawing_of(const PlanarStructure& structure);
 
-/// Puts the hinges where y has them; alpha and beta stay.
+/// Puts the hinge of a wall where y has it; alpha and beta stay.
+/// @param edge, redrawn of the wall in both drawings, from its first vertex to its second, cell edges
+/// @param sense of the first vertex
+void place_hinge(const Eigen::Vector2d& edge, const Eigen::Vector2d& redrawn, int sense,
+                 HingeParameters& hinge);
+/// Puts all of them there.
 void place_hinges(const Redrawing& y, PlanarStructure& structure);
 
 /// A vertex's place at theta in the cell edges of x and y, and its turn.

@@ -57,6 +57,12 @@ PlanarSheet planar_motion(const Structure& sheet) {
               number_text(fit.misfit) + " cell edges times sin(theta)"};
 }
 
+void place_hinges(const Redrawing& y, Structure& sheet) {
+  for (Hinge& hinge : sheet.hinges)
+    place_hinge(edge_direction(hinge.wall.axis).head<2>(), y[hinge.upper] - y[hinge.lower],
+                hinge.wall.from.sense(), hinge.parameters);
+}
+
 // Along x a body is at cos(theta) x - sin(theta) y_y, along y at cos(theta) y + sin(theta) y_x.
 bool keeps_rows_straight(const Redrawing& y, Axis axis, const GrippedRows& rows) {
   const int part = axis == Axis::x ? 1 : 0;

@@ -22,6 +22,9 @@ struct PlanarSheet {
 /// @pre all hinges stand upright
 PlanarSheet planar_motion(const Structure& sheet);
 
+/// Puts the hinges of a sheet where y, of each body, has them; alpha and beta stay.
+void place_hinges(const Redrawing& y, Structure& sheet);
+
 /// Whether rows of bodies that are straight lines across the axis at rest stay so all along the motion.
 bool keeps_rows_straight(const Redrawing& y, Axis axis, const GrippedRows& rows);
 

@@ -216,11 +216,9 @@ Structure redrawn_sheet(std::vector<Cell> cells, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> by(-0.2, 0.2);
   Structure s = make_structure(std::move(cells), {});
-  PlanarStructure planar = planar_structure(s);
   Redrawing y(s.bodies.size());
   for (Eigen::Vector2d& p : y) p = {by(random), by(random)};
-  place_hinges(y, planar);
-  for (std::size_t h = 0; h < s.hinges.size(); ++h) s.hinges[h].parameters = planar.hinges[h];
+  place_hinges(y, s);
   return s;
 }
 
