@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "app/files/file_header.hpp"
-#include "app/files/structure_section.hpp"
+#include "app/files/lattice_section.hpp"
 #include "app/files/wall_node.hpp"
 #include "model/lattice/square/cell_tuple.hpp"
 
@@ -43,9 +43,6 @@ const targets::KeyTable& hinge_entry_keys() {
 
 namespace {
 
-/// mm: a cell that a hand takes hold of.
-constexpr double default_cell_mm = 10;
-
 // What the key `shared` may say.
 constexpr targets::Word<SharedWalls> ways_to_share[] = {{"average", SharedWalls::average},
                                                         {"must_agree", SharedWalls::must_agree}};
@@ -77,14 +74,6 @@ targets::KeyTable pattern_keys() {
   });
 }
 
-targets::KeyTable structure_keys() {
-  return targets::KeyTable({
-      cells_key(targets::needed, "the cells of the sheet"),
-      cell_mm_key(targets::by_default(default_cell_mm)),
-      wall_mm_key(),
-  });
-}
-
 targets::KeyTable state_keys() {
   return targets::KeyTable({
       {"theta_deg", value::angle(tilt), targets::by_default_deg(0), "the state to show; 0 is flat"},
@@ -104,12 +93,8 @@ void check_kind_of_file(const targets::Node& root) {
     throw root.error("this is a target, not a design; search it first with `kinetix-opt TARGET.yaml`");
 }
 
-model::Structure read_structure(const targets::Section& root) {
-  root.required("structure", "e.g. `structure: {cells: [6, 1], cell_mm: 10}`");
-  const targets::Section section = root.section("structure");
-  const targets::Node cells = section.required("cells", "[columns, rows], or a list of cells [[i, j], ...]");
-  const model::CellSize size = read_size(section, default_cell_mm);
-  return cells.located([&] { return make_structure(read_cells(cells), size); });
+model::Sheet read_structure(const targets::Section& root) {
+  return read_sheet(root.required("structure", "e.g. `structure: {cells: [6, 1], cell_mm: 10}`"));
 }
 
 std::array<double, 4> read_four(const targets::Section& tuple, const char* key,
@@ -130,13 +115,17 @@ model::CellTuple read_tuple(const targets::Section& section) {
   return tuple;
 }
 
-void read_pattern(const targets::Section& design, model::Structure& structure) {
+void read_pattern(const targets::Section& design, model::Sheet& sheet) {
   const targets::Section pattern = design.section("pattern");
   if (!pattern.given()) return;
+  model::Structure* squares = sheet.squares();
+  if (!squares)
+    throw pattern.node().key_error("tuples of four are of cells of four walls: not with lattice: " +
+                                   lattice_name(sheet) + "; name single `hinges`");
   const model::CellTuple even = read_tuple(pattern.section("even")), odd = read_tuple(pattern.section("odd"));
   SharedWalls shared = SharedWalls::must_agree;
   pattern.read("shared", shared, ways_to_share);
-  pattern.node().located([&] { apply_pattern(structure, even, odd, shared); });
+  pattern.node().located([&] { apply_pattern(*squares, even, odd, shared); });
 }
 
 model::HingeParameters read_parameters(const targets::Section& hinge, double edge_mm) {
@@ -150,23 +139,24 @@ model::HingeParameters read_parameters(const targets::Section& hinge, double edg
   return p;
 }
 
-void read_hinges(const targets::Section& design, model::Structure& structure) {
+void read_hinges(const targets::Section& design, model::Sheet& structure) {
   const auto list = design.optional("hinges");
   if (!list) return;
-  std::vector<int> line_of(structure.hinges.size(), 0);
+  const WallReader walls(structure);
+  std::vector<int> line_of(static_cast<std::size_t>(structure.hinges()), 0);
   for (const targets::Node& node :
        list->list("a list of hinges, e.g. `- {wall: [[0, 0], [1, 0]], beta_deg: 30}`")) {
     const targets::Section hinge(node, hinge_entry_keys());
-    const int k = read_hinge_index(hinge, structure);
+    const int k = walls.hinge_of(hinge);
     if (line_of[k] > 0)
-      throw node.error("the wall " + to_string(structure.hinges[k].wall) + " is named twice, first in line " +
+      throw node.error("the wall " + wall_name(structure, k) + " is named twice, first in line " +
                        std::to_string(line_of[k]) + "; name it once");
     line_of[k] = node.place().line;
-    structure.hinges[k].parameters = read_parameters(hinge, structure.size.edge_mm);
+    structure.hinge(k) = read_parameters(hinge, structure.size().edge_mm);
   }
 }
 
-double read_state(const targets::Section& root, model::Structure& structure) {
+double read_state(const targets::Section& root, model::Sheet& structure) {
   const targets::Section design = root.section("design");
   read_pattern(design, structure);
   read_hinges(design, structure);
@@ -183,7 +173,7 @@ DesignFile read_design(const std::string& path) {
 
 const targets::KeyTable& design_keys() {
   static const targets::KeyTable keys = file_keys({
-      {"structure", value::map(structure_keys()), targets::needed, "the flat sheet"},
+      lattice_structure_key(),
       {"design", value::map(state_keys()), {}, "where every hinge sits and how it is tilted"},
       drive_key(),
       {"hinge", value::map(hinge_keys()), {}, "what the hinges are made of"},
@@ -200,9 +190,9 @@ DesignFile read_design(const targets::Node& node) {
   file.theta = read_state(root, file.structure);
   file.drive = read_drive_section(root, file.structure);
   file.side = read_side(root);
-  file.hinge = read_hinge_section(root, file.structure.size.edge_mm);
+  file.hinge = read_hinge_section(root, file.structure.size().edge_mm);
   const auto physics = file.hinge.model == HingeSection::Model::elastic ? read_elastic_physics : read_physics;
-  file.physics = physics(root, file.structure.size.edge_mm);
+  file.physics = physics(root, file.structure.size().edge_mm);
   return file;
 }
 

@@ -6,7 +6,7 @@
 #include "app/files/drive_section.hpp"
 #include "app/files/hinge_section.hpp"
 #include "app/files/physics_section.hpp"
-#include "model/lattice/square/structure.hpp"
+#include "model/sheet/sheet.hpp"
 #include "targets/document/section.hpp"
 
 namespace kinetix::app {
@@ -17,7 +17,7 @@ const targets::KeyTable& hinge_entry_keys();
 /// A design.yaml. Angles in radians, lengths in mm.
 struct DesignFile {
   std::string name;                        ///< default: the file's name without its ending
-  model::Structure structure;              ///< with the parameters of every hinge
+  model::Sheet structure;                  ///< with the parameters of every hinge
   double theta = 0;                        ///< the state to show, rad, within (-pi/2, pi/2); default flat
   std::optional<DriveSection> drive = {};  ///< nothing: to theta
   int side = 1;  ///< `side` of the drive: which way to leave a bifurcation that it leaves open, 1 or -1

@@ -4,64 +4,33 @@
 #include <cmath>
 
 #include "app/files/design_file.hpp"
-#include "app/files/structure_section.hpp"
+#include "app/files/lattice_section.hpp"
 
 namespace kinetix::app {
 namespace {
-
-std::string text_of(const model::Wall& wall) {
-  return fmt::format("[[{}, {}], [{}, {}]]", wall.from.i, wall.from.j, wall.to().i, wall.to().j);
-}
-
-std::string cells_text(const std::vector<model::Cell>& cells) {
-  const auto sides = as_rectangle(cells);
-  if (sides && cells[0] == model::Cell{0, 0}) return fmt::format("[{}, {}]", (*sides)[0], (*sides)[1]);
-  std::string text = "[";
-  for (std::size_t k = 0; k < cells.size(); ++k) {
-    if (k > 0) text += k % 10 == 0 ? ",\n          " : ", ";
-    text += fmt::format("[{}, {}]", cells[k].i, cells[k].j);
-  }
-  return text + "]";
-}
-
-std::string structure_text(const model::Structure& structure) {
-  const model::CellSize& size = structure.size;
-  return fmt::format("structure:\n  cells: {}\n  cell_mm: {}\n  wall_mm: {{thickness: {}, height: {}}}\n",
-                     cells_text(structure.cells), targets::shortest_text(size.edge_mm),
-                     targets::shortest_text(size.thickness_mm), targets::shortest_text(size.height_mm));
-}
 
 bool is_basic(const model::HingeParameters& p) {
   const model::HingeParameters basic;
   return p.t == basic.t && p.alpha == basic.alpha && p.beta == basic.beta && p.offset == basic.offset;
 }
 
-/// The length in mm that is read as this number of cell edges; the nearest where rounding leaves none.
-double mm_of(double cells, double edge_mm) {
-  const double mm = cells * edge_mm;
-  for (const double near : {mm, std::nextafter(mm, 0), std::nextafter(mm, 2 * mm)})
-    if (near / edge_mm == cells) return near;
-  return mm;
-}
-
 std::string offset_text(double offset, double edge_mm) {
   return offset == 0 ? "" : ", offset_mm: " + targets::shortest_text(mm_of(offset, edge_mm));
 }
 
-std::string hinges_text(const model::Structure& structure) {
+std::string hinges_text(const model::Sheet& structure) {
   std::string text;
-  for (const model::Hinge& hinge : structure.hinges)
-    if (!is_basic(hinge.parameters))
-      text += fmt::format("    - {{wall: {}, t: {}, alpha_deg: {}, beta_deg: {}{}}}\n", text_of(hinge.wall),
-                          targets::shortest_text(hinge.parameters.t),
-                          targets::degrees_text(hinge.parameters.alpha),
-                          targets::degrees_text(hinge.parameters.beta),
-                          offset_text(hinge.parameters.offset, structure.size.edge_mm));
+  for (int h = 0; h < structure.hinges(); ++h)
+    if (const model::HingeParameters& hinge = structure.hinge(h); !is_basic(hinge))
+      text +=
+          fmt::format("    - {{wall: {}, t: {}, alpha_deg: {}, beta_deg: {}{}}}\n", wall_name(structure, h),
+                      targets::shortest_text(hinge.t), targets::degrees_text(hinge.alpha),
+                      targets::degrees_text(hinge.beta), offset_text(hinge.offset, structure.size().edge_mm));
   if (text.empty()) return {};
   return "  hinges:  # walls that are not named have t: 0.5, alpha_deg: 90, beta_deg: 0\n" + text;
 }
 
-std::string drive_text(const std::optional<DriveSection>& drive, int side) {
+std::string drive_text(const model::Sheet& structure, const std::optional<DriveSection>& drive, int side) {
   const std::string aside = side == 1 ? "" : fmt::format("side: {}", side);
   const std::string end = (aside.empty() ? "" : ", " + aside) + "}\n";
   if (!drive) return aside.empty() ? "" : "drive: {" + aside + "}\n";
@@ -71,7 +40,7 @@ std::string drive_text(const std::optional<DriveSection>& drive, int side) {
                        drive->branch ? fmt::format(", branch: {}", *drive->branch) : "",
                        drive->grip ? ", grip: " + to_string(*drive->grip) : "") +
            end;
-  return fmt::format("drive: {{kind: hinge, wall: {}, angle_deg: {}", text_of(drive->wall),
+  return fmt::format("drive: {{kind: hinge, wall: {}, angle_deg: {}", wall_name(structure, drive->hinge),
                      targets::degrees_text(drive->angle)) +
          end;
 }
@@ -106,8 +75,8 @@ std::string physics_text(const PhysicsSection& physics) {
 std::string design_text(const DesignFile& design) {
   return fmt::format("kinetix: 1\nname: \"{}\"\n", design.name) + structure_text(design.structure) +
          fmt::format("design:\n  theta_deg: {}\n", targets::degrees_text(design.theta)) +
-         hinges_text(design.structure) + drive_text(design.drive, design.side) + hinge_text(design.hinge) +
-         physics_text(design.physics);
+         hinges_text(design.structure) + drive_text(design.structure, design.drive, design.side) +
+         hinge_text(design.hinge) + physics_text(design.physics);
 }
 
 }  // namespace kinetix::app

@@ -29,11 +29,15 @@ model::Grip read_corners(const targets::Node& node) {
   return {read_vertex(corners[0]), read_vertex(corners[1])};
 }
 
-model::Grip read_grip(const targets::Node& node, model::Axis axis, const model::Structure& structure) {
+model::Grip read_grip(const targets::Node& node, model::Axis axis, const model::Sheet& structure) {
+  const model::Structure* squares = structure.squares();
+  if (!squares)
+    throw node.key_error("a part to grip is a rectangle of squares: not with lattice: " +
+                         lattice_name(structure) + "; plates grip the rim");
   const model::Grip grip = read_corners(node);
   node.located([&] {
-    validate(grip, axis, structure);
-    require_kept_rows(structure, classify(structure), axis, grip);
+    validate(grip, axis, *squares);
+    require_kept_rows(*squares, classify(*squares), axis, grip);
   });
   return grip;
 }
@@ -72,7 +76,7 @@ bool is_side_alone(const targets::Node& drive) {
   return true;
 }
 
-DriveSection read_plates(const targets::Node& node, const model::Structure& structure) {
+DriveSection read_plates(const targets::Node& node, const model::Sheet& structure) {
   const targets::KeyTable keys = drive_keys().only("plates");
   const targets::Section section(node, keys);
   DriveSection drive;
@@ -83,11 +87,11 @@ DriveSection read_plates(const targets::Node& node, const model::Structure& stru
   return drive;
 }
 
-DriveSection read_hinge(const targets::Node& node, const model::Structure& structure) {
+DriveSection read_hinge(const targets::Node& node, const model::Sheet& structure) {
   const targets::KeyTable keys = drive_keys().only("hinge");
   const targets::Section section(node, keys);
   DriveSection drive{.kind = Kind::hinge};
-  drive.wall = structure.hinges[read_hinge_index(section, structure)].wall;
+  drive.hinge = WallReader(structure).hinge_of(section);
   section.read_needed("angle_deg", turn.describe(), drive.angle);
   return drive;
 }
@@ -99,8 +103,7 @@ targets::Key drive_key() {
           targets::otherwise("to `design.theta_deg`"), "how the structure is moved; `side` may stand alone"};
 }
 
-std::optional<DriveSection> read_drive_section(const targets::Section& root,
-                                               const model::Structure& structure) {
+std::optional<DriveSection> read_drive_section(const targets::Section& root, const model::Sheet& structure) {
   const auto node = root.optional("drive");
   if (!node) return std::nullopt;
   if (is_side_alone(*node)) {

@@ -1,6 +1,7 @@
 #include "app/files/structure_section.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace kinetix::app {
@@ -92,6 +93,13 @@ model::CellSize read_size(const targets::Section& structure, double fallback_edg
   wall.read_length("thickness", size.thickness_mm, edge_mm);
   wall.read("height", size.height_mm);
   return size;
+}
+
+double mm_of(double cells, double edge_mm) {
+  const double mm = cells * edge_mm;
+  for (const double near : {mm, std::nextafter(mm, 0), std::nextafter(mm, 2 * mm)})
+    if (near / edge_mm == cells) return near;
+  return mm;
 }
 
 }  // namespace kinetix::app

@@ -31,4 +31,7 @@ std::optional<std::array<int, 2>> as_rectangle(const std::vector<model::Cell>& c
 /// @throws InvalidInput for lengths out of range, or a wall thicker than half the cell edge
 model::CellSize read_size(const targets::Section& structure, double fallback_edge_mm);
 
+/// The length in mm that is read as this number of cell edges; the nearest where rounding leaves none.
+double mm_of(double cells, double edge_mm);
+
 }  // namespace kinetix::app

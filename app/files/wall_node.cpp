@@ -3,7 +3,8 @@
 namespace kinetix::app {
 namespace {
 
-constexpr int highest_index = 10'000;  // of a vertex: the far end of the longest side that `cells` allows
+constexpr int highest_number = 4'000'000;  // of a vertex of a lattice that numbers them
+constexpr int highest_index = 10'000;      // of a vertex: the far end of the longest side that `cells` allows
 
 model::Wall read_wall(const targets::Section& owner) {
   const targets::Node node = owner.required("wall", "its two vertices, e.g. `wall: [[0, 0], [1, 0]]`");
@@ -21,6 +22,25 @@ model::Wall read_wall(const targets::Section& owner) {
                    " are not neighbours; a wall is one step along x or y, e.g. [[0, 0], [1, 0]]");
 }
 
+int square_hinge(const targets::Section& owner, const model::Structure& structure) {
+  const model::Wall wall = read_wall(owner);
+  if (const auto hinge = structure.hinge_at(wall)) return *hinge;
+  throw owner.required("wall", "")
+      .error("the structure has no wall " + to_string(wall) + "; a wall is a side of one of structure.cells");
+}
+
+int numbered_hinge(const targets::Section& owner, const model::Sheet& sheet,
+                   const std::map<std::pair<int, int>, int>& hinge_between) {
+  const targets::Node node = owner.required("wall", "the numbers of its two vertices, e.g. `wall: [0, 1]`");
+  const auto ends = node.list_of(2, "the numbers of two vertices, e.g. [0, 1]");
+  const int last = sheet.bodies() - 1, from = ends[0].integer(0, last), to = ends[1].integer(0, last);
+  if (const auto hinge = hinge_between.find({from, to}); hinge != hinge_between.end()) return hinge->second;
+  if (const auto hinge = hinge_between.find({to, from}); hinge != hinge_between.end())
+    throw node.error("runs the other way; write " + wall_name(sheet, hinge->second) +
+                     ", and count t, alpha, beta and the offset from vertex " + std::to_string(to));
+  throw node.error("no wall joins vertices " + std::to_string(from) + " and " + std::to_string(to));
+}
+
 }  // namespace
 
 targets::ValueType vertex_type() {
@@ -28,8 +48,15 @@ targets::ValueType vertex_type() {
 }
 
 targets::Key wall_key(std::string with) {
-  return {"wall", targets::value::list(vertex_type(), "`[[i, j], [i, j]]`", 2, 2), targets::needed,
-          "the wall: its lower or left vertex, then the next one along x or y", std::move(with)};
+  return {
+      "wall",
+      targets::value::either(
+          {targets::value::list(vertex_type(), "`[[i, j], [i, j]]`", 2, 2),
+           targets::value::list(targets::value::integer(0, highest_number), "`[number, number]`", 2, 2)}),
+      targets::needed,
+      "the wall: of squares its lower or left vertex, then the next one along x or y; of other lattices the "
+      "numbers of its two vertices, as in result.json",
+      std::move(with)};
 }
 
 model::Vertex read_vertex(const targets::Node& node) {
@@ -37,11 +64,17 @@ model::Vertex read_vertex(const targets::Node& node) {
   return {ij[0].integer(0, highest_index), ij[1].integer(0, highest_index)};
 }
 
-int read_hinge_index(const targets::Section& owner, const model::Structure& structure) {
-  const model::Wall wall = read_wall(owner);
-  if (const auto hinge = structure.hinge_at(wall)) return *hinge;
-  throw owner.required("wall", "")
-      .error("the structure has no wall " + to_string(wall) + "; a wall is a side of one of structure.cells");
+WallReader::WallReader(const model::Sheet& sheet) : sheet_(sheet) {
+  if (sheet.squares()) return;
+  for (int h = 0; h < sheet.hinges(); ++h) {
+    const model::HingedWall wall = sheet.wall(h);
+    hinge_between_.emplace(std::pair(wall.lower, wall.upper), h);
+  }
+}
+
+int WallReader::hinge_of(const targets::Section& owner) const {
+  return sheet_.squares() ? square_hinge(owner, *sheet_.squares())
+                          : numbered_hinge(owner, sheet_, hinge_between_);
 }
 
 }  // namespace kinetix::app

@@ -1,6 +1,8 @@
 #pragma once
 
-#include "model/lattice/square/structure.hpp"
+#include <map>
+
+#include "model/sheet/sheet.hpp"
 #include "targets/document/section.hpp"
 
 namespace kinetix::app {
@@ -9,12 +11,24 @@ targets::ValueType vertex_type();
 /// The key `wall`. @param with the alternative that it goes with
 targets::Key wall_key(std::string with = {});
 
-/// A vertex [i, j], of the structure or not.
+/// A vertex [i, j] of squares, of the structure or not.
 model::Vertex read_vertex(const targets::Node& node);
 
-/// Index of the hinge on the wall that `owner` names by its key `wall`.
-/// @throws InvalidInput for a wall that the structure does not have, or that does not run from its lower to
-/// its upper vertex
-int read_hinge_index(const targets::Section& owner, const model::Structure& structure);
+/// Finds the walls that a file names by their two vertices: [[i, j], [i, j]] of squares, [number, number] of any
+/// other lattice.
+class WallReader {
+ public:
+  /// @param sheet must outlive it
+  explicit WallReader(const model::Sheet& sheet);
+
+  /// Index of the hinge on the wall that `owner` names by its key `wall`.
+  /// @throws InvalidInput for a wall that the structure does not have, or that does not run from its lower to
+  /// its upper vertex
+  int hinge_of(const targets::Section& owner) const;
+
+ private:
+  const model::Sheet& sheet_;
+  std::map<std::pair<int, int>, int> hinge_between_;  ///< of lattices whose vertices are numbers
+};
 
 }  // namespace kinetix::app

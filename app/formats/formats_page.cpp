@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -21,6 +22,7 @@ using Kind = targets::ValueType::Kind;
 struct Rows {
   std::string text;
   std::set<std::string> paths;
+  std::map<std::string, std::vector<std::string>> words = {};  ///< of choices, those of all ways of their map
 };
 
 void add_map(Rows& rows, const std::string& prefix, const targets::KeyTable& keys);
@@ -30,14 +32,30 @@ std::string meaning_of(const std::string& path, const targets::Key& key) {
   return key.meaning;
 }
 
+/// A choice says in each way of a map which words lead there: the page shows them all.
+void add_words(Rows& rows, const std::string& prefix, const std::vector<targets::ValueType>& ways) {
+  for (const targets::ValueType& way : ways) {
+    if (way.kind != Kind::map) continue;
+    for (const targets::Key& key : way.keys->keys()) {
+      if (key.type.kind != Kind::choice) continue;
+      std::vector<std::string>& words = rows.words[prefix + key.name];
+      for (const std::string& word : key.type.words)
+        if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
+    }
+  }
+}
+
 /// The maps that a value may hold, and what stands between its key and theirs.
 void add_inner_maps(Rows& rows, const std::string& path, const targets::ValueType& type) {
   if (type.kind == Kind::map && type.keys->title().empty()) add_map(rows, path + ".", *type.keys);
+  if (type.kind == Kind::either) add_words(rows, path + ".", type.parts);
   for (const targets::ValueType& part : type.parts)
     add_inner_maps(rows, type.kind == Kind::list ? path + "[]" : path, part);
 }
 
-std::string linked_type(const targets::ValueType& type) {
+std::string linked_type(const Rows& rows, const std::string& path, targets::ValueType type) {
+  if (const auto words = rows.words.find(path); words != rows.words.end() && type.kind == Kind::choice)
+    type.words = words->second;
   if (type.kind != Kind::map || type.keys->title().empty()) return type_text(type);
   return fmt::format("section, [see below](#{})", anchor(type.keys->title()));
 }
@@ -46,7 +64,7 @@ void add_map(Rows& rows, const std::string& prefix, const targets::KeyTable& key
   for (const targets::Key& key : keys.keys()) {
     const std::string path = prefix + key.name;
     if (!rows.paths.insert(path).second) continue;
-    rows.text += fmt::format("| `{}` | {} | {} | {} |\n", path, linked_type(key.type),
+    rows.text += fmt::format("| `{}` | {} | {} | {} |\n", path, linked_type(rows, path, key.type),
                              default_text(key, keys.alternatives()), meaning_of(path, key));
     add_inner_maps(rows, path, key.type);
   }

@@ -41,12 +41,11 @@ class DesignScene final : public Scene {
   void add_state(Run& run, const RunOptions& options) const override {
     if (run.plan.model == Model::equilibrium)
       return add_equilibrium(run, drive_of(design_), elasticity_of(design_), motion_states, options.progress);
-    const bool exact = run.plan.family.family != model::Family::none;
-    if (!exact && model_ == Model::exact)
-      throw InvalidInput(run.plan.family.why +
+    if (!run.plan.exact && model_ == Model::exact)
+      throw InvalidInput(run.plan.exact.why +
                          "; use --model equilibrium or bullet, which need no exact family");
-    if (!exact) return;
-    add_exact_state(run, theta_of(drive_of(design_), run.plan.family, run.structure));
+    if (!run.plan.exact) return;
+    add_exact_state(run, run.plan.exact.theta_of(drive_of(design_)));
     add_exact_frames(run);
   }
 

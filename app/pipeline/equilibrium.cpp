@@ -66,9 +66,9 @@ model::EquilibriumPathOptions options_of(const Run& run, double goal, int frames
 }
 
 /// The drive, as far as the path came.
-model::Drive reached_drive(const Equilibrium& equilibrium) {
-  model::Drive drive = equilibrium.drive;
-  (drive.kind == model::Drive::Kind::plates ? drive.compression : drive.angle) =
+model::LinkageDrive reached_drive(const Equilibrium& equilibrium) {
+  model::LinkageDrive drive = equilibrium.drive;
+  (drive.kind == model::LinkageDrive::Kind::plates ? drive.compression : drive.angle) =
       equilibrium.path.steps.back().drive;
   return drive;
 }
@@ -77,12 +77,12 @@ model::Drive reached_drive(const Equilibrium& equilibrium) {
 void add_exact(Run& run) {
   Equilibrium& equilibrium = *run.equilibrium;
   try {
-    const double theta = theta_of(reached_drive(equilibrium), run.plan.family, run.structure);
-    model::State exact = fold(run.plan.family, run.structure, theta);
+    const double theta = run.plan.exact.theta_of(reached_drive(equilibrium));
+    model::State exact = run.plan.exact.at(theta);
     equilibrium.from_exact = aligned_distance(run.structure, equilibrium.path.state, exact);
     const model::HingeGaps gaps = hinge_gaps(run.structure, exact);
     run.states.push_back({"target", to_string(Model::exact), theta, std::move(exact), gaps});
-    run.fidelity.push_back(exact_fidelity(run.plan.family, run.structure, theta));
+    run.fidelity.push_back(exact_fidelity(run.plan.exact, run.structure, theta));
   } catch (const InvalidInput& e) {
     run.plan.why.push_back("no closed form to compare with: " + e.reason());
   }
@@ -104,13 +104,13 @@ void add_fidelity(Run& run, double seconds) {
 
 }  // namespace
 
-void add_equilibrium(Run& run, const model::Drive& drive, const model::Elasticity& elasticity, int frames,
-                     const Progress& progress) {
+void add_equilibrium(Run& run, const model::LinkageDrive& drive, const model::Elasticity& elasticity,
+                     int frames, const Progress& progress) {
   run.plan.why.push_back(stiffness_sentence(run, elasticity));
   const double goal = drive.theta();
   const model::EquilibriumPathOptions path_options = options_of(run, goal, frames);
   FrameKeeper keeper(goal, frames);
-  model::EnergyTurns turns(drive.on(run.structure));
+  model::EnergyTurns turns(drive);
   const auto see = [&](const model::EquilibriumStep& step, const model::State& state) {
     keeper.see(step.theta, state);
     turns.see(step, state);
@@ -118,14 +118,14 @@ void add_equilibrium(Run& run, const model::Drive& drive, const model::Elasticit
   };
   const auto start = std::chrono::steady_clock::now();
   model::EquilibriumPath path =
-      trace_equilibrium(driven(run.structure, drive), elasticity, path_options, see);
+      trace_equilibrium({run.structure, drive, run.plan.exact}, elasticity, path_options, see);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   add_limit_points(path);
   run.theta = path.theta;
   run.states.push_back({"target", to_string(Model::equilibrium), path.theta, path.state, path.gaps});
   model::StableStates stable = stable_states(run.structure, elasticity, {turns}, {.path = path_options});
   run.equilibrium = Equilibrium{elasticity, drive, std::move(path), std::move(stable), {}};
-  if (run.plan.family.family != model::Family::none) add_exact(run);
+  if (run.plan.exact) add_exact(run);
   add_fidelity(run, seconds);
   add_frames(run, keeper.even(run.theta, frames));
 }

@@ -10,7 +10,7 @@ namespace kinetix::app {
 /// of the same drive where there is one, frames of the motion, rows of the speed-against-error table,
 /// sentences of the plan. Sets run.theta to where the path ended.
 /// @param frames about how many states of the motion to keep, flat and last included, >= 2
-void add_equilibrium(Run& run, const model::Drive& drive, const model::Elasticity& elasticity, int frames,
-                     const Progress& progress);
+void add_equilibrium(Run& run, const model::LinkageDrive& drive, const model::Elasticity& elasticity,
+                     int frames, const Progress& progress);
 
 }  // namespace kinetix::app

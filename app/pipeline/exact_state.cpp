@@ -10,7 +10,7 @@ namespace {
 constexpr int timed_calls = 200;  // enough for the clock to resolve the mean, microseconds for small sheets
 
 void add(Run& run, const std::string& name, double theta) {
-  model::State state = fold(run.plan.family, run.structure, theta);
+  model::State state = run.plan.exact.at(theta);
   const model::HingeGaps gaps = hinge_gaps(run.structure, state);
   run.states.push_back({name, to_string(Model::exact), theta, std::move(state), gaps});
 }
@@ -20,18 +20,17 @@ void add(Run& run, const std::string& name, double theta) {
 void add_exact_state(Run& run, double theta) {
   run.theta = theta;
   add(run, "target", theta);
-  run.fidelity.push_back(exact_fidelity(run.plan.family, run.structure, theta));
+  run.fidelity.push_back(exact_fidelity(run.plan.exact, run.structure, theta));
 }
 
 void add_exact_frames(Run& run) {
   for (int k = 0; k < motion_states; ++k) add(run, "frame", run.theta * k / (motion_states - 1));
 }
 
-Fidelity exact_fidelity(const model::Classification& family, const model::Structure& structure,
-                        double theta) {
+Fidelity exact_fidelity(const model::ExactMotion& exact, const model::Linkage& structure, double theta) {
   model::State state;
   Stopwatch watch;
-  for (int k = 0; k < timed_calls; ++k) state = fold(family, structure, theta);
+  for (int k = 0; k < timed_calls; ++k) state = exact.at(theta);
   const double seconds = watch.lap() / timed_calls;
   return {to_string(Model::exact), seconds, hinge_gaps(structure, state).max, "its own hinge closure"};
 }

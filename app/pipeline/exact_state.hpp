@@ -17,6 +17,6 @@ void add_exact_frames(Run& run);
 
 /// Row of the table for the exact model: time of one state, s, largest hinge gap, cell edges, as its error.
 /// @param theta rad
-Fidelity exact_fidelity(const model::Classification& family, const model::Structure& structure, double theta);
+Fidelity exact_fidelity(const model::ExactMotion& exact, const model::Linkage& structure, double theta);
 
 }  // namespace kinetix::app

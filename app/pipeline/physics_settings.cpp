@@ -40,11 +40,11 @@ sim::PhysicsOptions physics_options(const PhysicsSection& section, double edge_m
 }
 
 model::Elasticity elasticity_of(const DesignFile& design) {
-  return elasticity_of(design.hinge, design.physics, design.structure.size.edge_mm);
+  return elasticity_of(design.hinge, design.physics, design.structure.size().edge_mm);
 }
 
 sim::PhysicsOptions physics_of(const DesignFile& design, bool planar) {
-  const double edge = design.structure.size.edge_mm;
+  const double edge = design.structure.size().edge_mm;
   if (design.hinge.model == HingeSection::Model::elastic)
     return elastic_physics(elasticity_of(design), design.physics, edge, planar);
   sim::PhysicsOptions physics = physics_options(design.physics, edge);

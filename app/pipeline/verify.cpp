@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "model/lattice/square/classify.hpp"
+
 namespace kinetix::app {
 namespace {
 
@@ -19,12 +21,12 @@ sim::PhysicsOptions with_steps(sim::PhysicsOptions options, double factor) {
 }
 
 /// A net never strains, and its ribs are long: joints that yield let their ends sway far behind.
-sim::PhysicsOptions suited_to(const model::Classification& family, sim::PhysicsOptions options) {
-  if (family.family == model::Family::F4 && !options.elastic) options.joint_stiffness = stiff_joints;
+sim::PhysicsOptions suited_to(const model::ExactMotion& exact, sim::PhysicsOptions options) {
+  if (exact.name == to_string(model::Family::F4) && !options.elastic) options.joint_stiffness = stiff_joints;
   return options;
 }
 
-model::StateDistance distance(const model::Structure& structure, const sim::PhysicsResult& physics,
+model::StateDistance distance(const model::Linkage& structure, const sim::PhysicsResult& physics,
                               const model::State& reference) {
   if (!std::isfinite(physics.gaps.max)) return {nan, nan};
   return aligned_distance(structure, physics.state, reference);
@@ -35,9 +37,9 @@ std::optional<model::EquilibriumComparison> equilibria(const Run& run, const Ver
                                                        const model::State& reference) {
   if (!is_settled(v) || !v.compared || !run.equilibrium) return std::nullopt;
   const Equilibrium& equilibrium = *run.equilibrium;
-  return compare_equilibria({run.structure, equilibrium.elasticity, equilibrium.drive.on(run.structure),
-                             v.options.planar, v.options.contact},
-                            v.physics.state, reference, run.verify_tolerance);
+  return compare_equilibria(
+      {run.structure, equilibrium.elasticity, equilibrium.drive, v.options.planar, v.options.contact},
+      v.physics.state, reference, run.verify_tolerance);
 }
 
 void add_fidelity(Run& run, const std::string& model, const sim::PhysicsResult& physics,
@@ -52,10 +54,8 @@ void add_rows(Run& run, const Verification& v, const PhysicsTask& task) {
   add_fidelity(run, "bullet", v.physics, task.reference);
   for (const double factor : {4.0, 16.0})
     if (v.options.step_s * factor <= longest_step_s)
-      add_fidelity(
-          run, fmt::format("bullet, {} x step", factor),
-          run_compression(run.structure, task.drive.on(run.structure), with_steps(v.options, factor)),
-          task.reference);
+      add_fidelity(run, fmt::format("bullet, {} x step", factor),
+                   run_compression(run.structure, task.drive, with_steps(v.options, factor)), task.reference);
 }
 
 }  // namespace
@@ -66,10 +66,10 @@ bool is_settled(const Verification& verification) {
 
 void verify(Run& run, const PhysicsTask& task, const Progress& progress) {
   Verification v;
-  v.options = suited_to(run.plan.family, task.options);
+  v.options = suited_to(run.plan.exact, task.options);
   sim::PhysicsObserver observer;
   if (progress) observer.progress = [&](double done) { progress("physics run", done); };
-  v.physics = run_compression(run.structure, task.drive.on(run.structure), v.options, observer);
+  v.physics = run_compression(run.structure, task.drive, v.options, observer);
   v.compared = !task.reference.empty();
   v.distance = is_settled(v) && v.compared ? distance(run.structure, v.physics, task.reference)
                                            : model::StateDistance{nan, nan};

@@ -8,7 +8,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 bool by_plates(const Equilibrium& equilibrium) {
-  return equilibrium.drive.kind == model::Drive::Kind::plates;
+  return equilibrium.drive.kind == model::LinkageDrive::Kind::plates;
 }
 
 Json step_json(const model::EquilibriumStep& step, bool plates) {

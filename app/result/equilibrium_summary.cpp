@@ -13,7 +13,7 @@ constexpr std::size_t most_events = 12, most_states = 6;
 double degrees(double angle) { return angle / radians_per_degree; }
 
 bool by_plates(const Equilibrium& equilibrium) {
-  return equilibrium.drive.kind == model::Drive::Kind::plates;
+  return equilibrium.drive.kind == model::LinkageDrive::Kind::plates;
 }
 
 std::string load_text(const Equilibrium& equilibrium, const model::EquilibriumStep& step) {
@@ -39,9 +39,9 @@ std::string energy_text(const model::EquilibriumPath& path) {
 std::string stretch_text(const Run& run) {
   const model::HingeGaps& gaps = run.equilibrium->path.gaps;
   std::string text =
-      fmt::format("largest {:.2e} cell edges ({:.3g} mm)", gaps.max, gaps.max * run.structure.size.edge_mm);
+      fmt::format("largest {:.2e} cell edges ({:.3g} mm)", gaps.max, gaps.max * run.structure.size().edge_mm);
   if (gaps.worst_hinge >= 0 && gaps.max > 0)
-    text += ", on wall " + to_string(run.structure.hinges[gaps.worst_hinge].wall);
+    text += ", on wall " + wall_name(run.structure, gaps.worst_hinge);
   return text;
 }
 

@@ -18,10 +18,10 @@ Json numbers(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 Json plan_json(const Run& run) {
   const Plan& plan = run.plan;
-  Json out = {{"family", to_string(plan.family.family)},
+  Json out = {{"family", plan.exact.name},
               {"model", to_string(plan.model)},
-              {"bodies", run.structure.bodies.size()},
-              {"hinges", run.structure.hinges.size()},
+              {"bodies", run.structure.bodies()},
+              {"hinges", run.structure.hinges()},
               {"why", plan.why}};
   if (const auto& m = plan.mobility)
     out["mobility"] = {{"verdict", to_string(m->verdict)},
@@ -31,25 +31,30 @@ Json plan_json(const Run& run) {
   return out;
 }
 
-Json structure_json(const model::Structure& s, double reach_mm) {
+Json hinge_json(const model::Sheet& s, int index, double reach_mm) {
+  const model::HingedWall wall = s.wall(index);
+  const model::RestHinge hinge = rest_hinge(wall);
+  const double edge_mm = s.size().edge_mm;
+  return {{"bodies", {wall.lower, wall.upper}},
+          {"t", wall.hinge.t},
+          {"alpha_rad", wall.hinge.alpha},
+          {"beta_rad", wall.hinge.beta},
+          {"offset_mm", wall.hinge.offset * edge_mm},
+          {"point_mm", numbers(s.rest_position(wall.lower) + edge_mm * hinge.lower_arm)},
+          {"axis", numbers(hinge.axis)},
+          {"reach_mm", reach_mm}};
+}
+
+Json structure_json(const model::Sheet& s, double reach_mm) {
   Json bodies = Json::array(), hinges = Json::array(), cells = Json::array();
-  for (int b = 0; b < static_cast<int>(s.bodies.size()); ++b)
+  for (int b = 0; b < s.bodies(); ++b)
     bodies.push_back({{"vertex", body_label(s, b)}, {"position_mm", numbers(s.rest_position(b))}});
-  for (const model::Hinge& h : s.hinges)
-    hinges.push_back({{"bodies", {h.lower, h.upper}},
-                      {"t", h.parameters.t},
-                      {"alpha_rad", h.parameters.alpha},
-                      {"beta_rad", h.parameters.beta},
-                      {"offset_mm", h.parameters.offset * s.size.edge_mm},
-                      {"point_mm", numbers(s.hinge_point(h))},
-                      {"axis", numbers(hinge_axis(h.wall.axis, h.parameters))},
-                      {"reach_mm", reach_mm}});
-  for (int c = 0; c < static_cast<int>(s.cells.size()); ++c)
-    cells.push_back({{"cell", cell_label(s, c)},
-                     {"bodies", s.cell_members[c].bodies},
-                     {"hinges", s.cell_members[c].hinges}});
-  return {{"cell_mm", s.size.edge_mm},
-          {"wall_mm", {{"thickness", s.size.thickness_mm}, {"height", s.size.height_mm}}},
+  for (int h = 0; h < s.hinges(); ++h) hinges.push_back(hinge_json(s, h, reach_mm));
+  for (int c = 0; c < s.cells(); ++c)
+    cells.push_back({{"cell", cell_label(s, c)}, {"bodies", s.cell_bodies(c)}, {"hinges", s.cell_hinges(c)}});
+  return {{"lattice", lattice_name(s)},
+          {"cell_mm", s.size().edge_mm},
+          {"wall_mm", {{"thickness", s.size().thickness_mm}, {"height", s.size().height_mm}}},
           {"bodies", bodies},
           {"hinges", hinges},
           {"cells", cells}};
@@ -103,7 +108,7 @@ Json metrics_json(const Run& run) {
 }
 
 Json result_json(const Run& run) {
-  const double edge = run.structure.size.edge_mm;
+  const double edge = run.structure.size().edge_mm;
   const double reach = run.equilibrium    ? run.equilibrium->elasticity.reach_mm
                        : run.verification ? run.verification->options.reach * edge
                                           : sim::PhysicsOptions{}.reach * edge;

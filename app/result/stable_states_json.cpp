@@ -16,26 +16,29 @@ Eigen::Vector3d middle(const std::vector<int>& bodies, const model::State& state
   return sum / static_cast<double>(bodies.size());
 }
 
-double compression(const model::Structure& structure, const model::Drive& drive, const model::State& state) {
-  const model::GrippedRows rows = gripped_bodies(structure, drive.axis, drive.grip);
+double compression(const model::Linkage& structure, const model::LinkageDrive& drive,
+                   const model::State& state) {
+  const model::GrippedRows& rows = drive.gripped;
   const auto apart = [&](const model::State& s) { return (middle(rows[1], s) - middle(rows[0], s)).norm(); };
   return 1 - apart(state) / apart(rest_state(structure));
 }
 
 /// Where the drive would be in a state that it does not hold.
-double drive_in(const model::Structure& structure, const model::Drive& drive, const model::State& state) {
-  if (drive.kind == model::Drive::Kind::plates) return compression(structure, drive, state);
-  return hinge_turn(structure, state, *structure.hinge_at(drive.wall));
+double drive_in(const model::Linkage& structure, const model::LinkageDrive& drive,
+                const model::State& state) {
+  if (drive.kind == model::LinkageDrive::Kind::plates) return compression(structure, drive, state);
+  return hinge_turn(structure, state, drive.hinge);
 }
 
 }  // namespace
 
 void add_stable_states(const Run& run, Json& equilibrium) {
   const model::StableStates& stable = run.equilibrium->stable;
+  const model::Linkage structure = run.structure;
   Json states = Json::array(), barriers = Json::array();
   for (const model::StableState& s : stable.states)
     states.push_back({{"theta_rad", s.theta},
-                      {"drive", drive_in(run.structure, run.equilibrium->drive, s.state)},
+                      {"drive", drive_in(structure, run.equilibrium->drive, s.state)},
                       {"energy_Nmm", s.energy},
                       {"hinge_gap_max", s.gaps.max},
                       {"how", s.how},

@@ -12,10 +12,9 @@ std::string line(const std::string& label, const std::string& text) {
   return fmt::format("  {:<10} {}\n", label, text);
 }
 
-double largest_tilt(const model::Structure& structure) {
+double largest_tilt(const model::Sheet& structure) {
   double largest = 0;
-  for (const model::Hinge& hinge : structure.hinges)
-    largest = std::max(largest, std::abs(hinge.parameters.beta));
+  for (int h = 0; h < structure.hinges(); ++h) largest = std::max(largest, std::abs(structure.hinge(h).beta));
   return largest;
 }
 
@@ -47,9 +46,12 @@ std::string physics_lines(const Run& run) {
 }  // namespace
 
 std::string summary(const Run& run) {
-  std::string text = fmt::format("{}: {} bodies, {} hinges\n", run.name, run.structure.bodies.size(),
-                                 run.structure.hinges.size());
-  text += line("plan", run.plan.family.why);
+  std::string text =
+      fmt::format("{}: {} bodies, {} hinges\n", run.name, run.structure.bodies(), run.structure.hinges());
+  text += line("plan", run.plan.exact.why);
+  if (run.plan.is_floppy())
+    text += line("FLOPPY", fmt::format("it moves in {} independent ways; see `why` in result.json",
+                                       run.plan.mobility->dofs_along));
   text += line("fold", fmt::format("theta {:.2f} deg, tilts up to {:.2f} deg", degrees(run.theta),
                                    degrees(largest_tilt(run.structure))));
   text += contact_line(run);

@@ -21,7 +21,7 @@ struct GoalMetric {
 /// has one.
 struct GoalMeasure {
   std::string_view name;
-  double (*of)(const Scene& goal, const model::Structure& structure, const model::State& state);
+  double (*of)(const Scene& goal, const model::Sheet& structure, const model::State& state);
 };
 
 /// A kind of goal: how targets of it are read, and what else the program has to know of all of them.

@@ -1,12 +1,10 @@
 #include "app/run/midline.hpp"
 
-#include "model/lattice/square/lines.hpp"
-
 namespace kinetix::app {
 
 using Eigen::Vector2d;
 
-std::vector<Vector2d> column_midline(const model::Structure& structure, const model::State& state) {
+std::vector<Vector2d> column_midline(const model::Sheet& structure, const model::State& state) {
   std::vector<Vector2d> points;
   for (const std::vector<int>& column : body_columns(structure)) {
     Vector2d sum = Vector2d::Zero();

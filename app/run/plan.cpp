@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "model/sheet/sheet_motion.hpp"
+
 namespace kinetix::app {
 namespace {
 
@@ -17,15 +19,26 @@ std::string wall_sentence(const model::ThetaRange& range) {
   return fmt::format("walls touch at theta {:.2f} deg", degrees);
 }
 
-std::string model_sentence(const Plan& plan, const model::Structure& structure) {
+std::string model_sentence(const Plan& plan, const model::Linkage& structure) {
   if (plan.model == Model::exact)
     return "states come from the closed form; the physics run alone sees contact";
   if (plan.model == Model::bullet) return "the state comes from the physics run";
   const auto leaning = std::find_if_not(structure.hinges.begin(), structure.hinges.end(),
-                                        [](const model::Hinge& hinge) { return is_vertical(hinge); });
+                                        [](const model::RestHinge& hinge) { return is_vertical(hinge); });
   return "states are equilibria of rigid bodies, elastic hinges and walls in contact, followed from flat; " +
-         (plan.planar ? "planar: all hinges stand upright"
-                      : "spatial: the hinge on wall " + to_string(leaning->wall) + " leans");
+         (plan.planar
+              ? "planar: all hinges stand upright"
+              : "spatial: the hinge on wall " +
+                    structure.wall_name(static_cast<int>(leaning - structure.hinges.begin())) + " leans");
+}
+
+/// Between plates a structure with several freedoms takes its softest way, which is not the closed form's.
+std::string floppy_sentence(const Plan& plan) {
+  return fmt::format(
+      "FLOPPY: it moves in {} independent ways, and a drive of one of them leaves the others to the springs "
+      "and "
+      "to chance; close it with `structure: {{rim: closed}}`, or walls across cells",
+      plan.mobility->dofs_along);
 }
 
 }  // namespace
@@ -42,22 +55,23 @@ std::string to_string(Model model) {
   return "bullet";
 }
 
-Plan make_plan(const model::Structure& structure, std::optional<Model> model) {
+Plan make_plan(const model::Sheet& sheet, std::optional<Model> model) {
   Plan plan;
-  plan.family = classify(structure);
-  plan.model = model.value_or(plan.family.family == model::Family::none ? Model::bullet : Model::exact);
+  const model::Linkage structure = sheet;
+  plan.exact = exact_motion(sheet);
+  plan.model = model.value_or(plan.exact ? Model::exact : Model::bullet);
   plan.planar = all_vertical(structure);
-  plan.why.push_back(plan.family.why);
-  const model::ExactMotion exact = exact_motion(structure, plan.family);
+  plan.why.push_back(plan.exact.why);
   if (structure.bodies.size() <= most_bodies_for_rank) {
-    plan.mobility = mobility(structure, exact);
+    plan.mobility = mobility(structure, plan.exact);
     plan.why.push_back("mobility: " + plan.mobility->why);
+    if (plan.is_floppy()) plan.why.push_back(floppy_sentence(plan));
   } else {
     plan.why.push_back(
         fmt::format("mobility: numeric rank not computed above {} bodies", most_bodies_for_rank));
   }
-  if (plan.family.family != model::Family::none) {
-    plan.free_range = theta_range(structure, exact);
+  if (plan.exact) {
+    plan.free_range = theta_range(structure, plan.exact);
     plan.why.push_back(wall_sentence(*plan.free_range));
   }
   plan.why.push_back(model_sentence(plan, structure));

@@ -6,8 +6,8 @@
 
 #include "model/closure/mobility.hpp"
 #include "model/contact/wall_contact.hpp"
-#include "model/lattice/square/classify.hpp"
-#include "model/lattice/square/structure.hpp"
+#include "model/linkage/exact_motion.hpp"
+#include "model/sheet/sheet.hpp"
 
 namespace kinetix::app {
 
@@ -18,16 +18,19 @@ std::string to_string(Model model);
 
 /// What a scene needs to compute, decided before anything is computed.
 struct Plan {
-  model::Classification family;
+  model::ExactMotion exact;  ///< of its family; without a motion where there is none
   Model model = Model::exact;
   bool planar = false;  ///< all hinges stand upright: an equilibrium stays in the plane z = 0
   std::optional<model::Mobility> mobility;  ///< empty for structures too large to be worth it
   std::optional<model::ThetaRange>
       free_range;                ///< theta without walls touching; empty outside the exact families
   std::vector<std::string> why;  ///< one sentence per decision
+
+  /// Whether it is known to move in more than one way.
+  bool is_floppy() const { return mobility && mobility->dofs_along > 1; }
 };
 
 /// @param model nothing: exact where a family fits, else bullet
-Plan make_plan(const model::Structure& structure, std::optional<Model> model = {});
+Plan make_plan(const model::Sheet& structure, std::optional<Model> model = {});
 
 }  // namespace kinetix::app

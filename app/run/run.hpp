@@ -10,7 +10,6 @@
 #include "app/run/plan.hpp"
 #include "model/elastic/equilibrium_comparison.hpp"
 #include "model/elastic/path/stable_states.hpp"
-#include "model/lattice/square/drive.hpp"
 #include "sim/compression_run.hpp"
 
 namespace kinetix::app {
@@ -46,7 +45,7 @@ struct Verification {
 /// The equilibrium of elastic hinges that a drive leads to.
 struct Equilibrium {
   model::Elasticity elasticity;
-  model::Drive drive;
+  model::LinkageDrive drive;
   model::EquilibriumPath path;
   model::StableStates stable;  ///< that a release on the way leads to
   std::optional<model::StateDistance>
@@ -63,7 +62,7 @@ struct Timings {
 struct Run {
   std::string name;
   std::uint64_t seed = 0;
-  model::Structure structure;
+  model::Sheet structure;
   Plan plan;
   double theta = 0;                   ///< rad, of the state shown
   std::unique_ptr<GoalOutcome> goal;  ///< nothing for a design, which was not searched for

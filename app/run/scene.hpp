@@ -8,7 +8,7 @@ namespace kinetix::app {
 /// What the physics engine is to run, and what its last state is compared with.
 struct PhysicsTask {
   model::State reference;  ///< of the same drive by the run's model; empty where no model knows one
-  model::Drive drive;
+  model::LinkageDrive drive;
   sim::PhysicsOptions options;
 };
 

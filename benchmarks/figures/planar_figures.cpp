@@ -28,11 +28,12 @@ struct NamedGraph {
 std::vector<NamedGraph> graphs(int cells) {
   return {{"squares", model::square_graph(cells, cells)},
           {"disc of squares", testing::disc_of_squares(cells)},
-          {"rhombi of 70 deg", model::rhombus_graph(cells, cells, 70 * radians_per_degree)},
+          {"rhombi of 70 deg",
+           model::lattice_graph(model::rhombus_lattice, cells, cells, 70 * radians_per_degree)},
           {"random quads", testing::random_quads(cells, seed)},
-          {"honeycomb", model::honeycomb_graph(cells, cells)},
-          {"bricks", model::brick_graph(cells, cells)},
-          {"octagons and squares", model::octagon_graph(cells, cells)}};
+          {"honeycomb", model::lattice_graph(model::honeycomb_lattice, cells, cells)},
+          {"bricks", model::lattice_graph(model::brick_lattice, cells, cells)},
+          {"octagons and squares", model::lattice_graph(model::octagon_lattice, cells, cells)}};
 }
 
 /// Largest hinge gap from flat to 86 deg, cell edges.
@@ -62,7 +63,8 @@ std::vector<Figure> closure_figures() {
 }
 
 std::vector<Figure> time_figures() {
-  PlanarStructure s = model::make_planar_structure(model::honeycomb_graph(100, 100), {});
+  PlanarStructure s =
+      model::make_planar_structure(model::lattice_graph(model::honeycomb_lattice, 100, 100), {});
   place_hinges(testing::random_redrawing(s, spread, seed), s);
   const double check = median_seconds(5, 1, [&] { exact_motion(s); });
   const Redrawing y = redrawing_of(s).y;

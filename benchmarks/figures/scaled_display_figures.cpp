@@ -46,10 +46,10 @@ struct Letters {
 
 void add(const app::Run& run, Letters& all) {
   const app::DisplayOutcome& display = display_of(run);
-  const std::vector<double> levels = levels_of(display.goal, run.structure);
+  const std::vector<double> levels = levels_of(display.goal, *run.structure.squares());
   const model::State& exact = display.design.view.state;
   const auto area =
-      targets::display_score(channel_values(optim::Channel::area, run.structure, exact), levels);
+      targets::display_score(channel_values(optim::Channel::area, *run.structure.squares(), exact), levels);
   all.exact_gap = std::max(all.exact_gap, hinge_gaps(run.structure, exact).max);
   all.light = std::min(all.light, display.exact.score.auc);
   all.area = std::min(all.area, area.auc);
@@ -57,7 +57,8 @@ void add(const app::Run& run, Letters& all) {
   all.free = std::min(all.free, run.plan.free_range->positive.theta);
   all.physics_light = std::min(all.physics_light, display.physics ? display.physics->score.auc : 0);
   all.load = std::max(all.load, load_of(run));
-  all.stretch_mm = std::max(all.stretch_mm, run.verification->physics.gaps.max * run.structure.size.edge_mm);
+  all.stretch_mm =
+      std::max(all.stretch_mm, run.verification->physics.gaps.max * run.structure.size().edge_mm);
   all.seconds = std::max(all.seconds, run.timings.optimise);
 }
 

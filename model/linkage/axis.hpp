@@ -12,4 +12,7 @@ inline Eigen::Vector3d edge_direction(Axis axis) {
   return axis == Axis::x ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
 }
 
+/// Its name in files and messages: "x" or "y".
+inline const char* to_string(Axis axis) { return axis == Axis::x ? "x" : "y"; }
+
 }  // namespace kinetix::model

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <random>
 
-#include "model/lattice/planar/planar_lattices.hpp"
+#include "model/lattice/planar/lattices/brick.hpp"
+#include "model/lattice/planar/lattices/honeycomb.hpp"
+#include "model/lattice/planar/lattices/octagon.hpp"
+#include "model/lattice/planar/lattices/rhombus.hpp"
 #include "model/lattice/planar/planar_motion.hpp"
 
 /// Drawings and motions of planar structures for tests and figures.

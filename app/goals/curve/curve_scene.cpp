@@ -7,6 +7,7 @@
 #include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/physics_settings.hpp"
 #include "app/run/midline.hpp"
+#include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -68,8 +69,7 @@ class CurveScene final : public Scene {
     curve->solver = search.solver;
     curve->found = fit_free_curve(file_.curve, variables_of(file_), file_.size, search);
     curve->violations = violations(curve->found, file_.shape_tolerance);
-    run.structure = model::make_sheet(file_.columns, file_.rows, file_.size);
-    apply(curve->found.design.design, run.structure);
+    run.structure = sheet_of(curve->found.design.design, file_.size);
     run.theta = curve->found.design.design.theta;
     run.goal = std::move(curve);
   }
@@ -92,7 +92,7 @@ class CurveScene final : public Scene {
 };
 
 template <double targets::CurveError::*part>
-double measured(const Scene& goal, const model::Structure& structure, const model::State& state) {
+double measured(const Scene& goal, const model::Sheet& structure, const model::State& state) {
   return curve_error(column_midline(structure, state), dynamic_cast<const CurveScene&>(goal).curve()).*part;
 }
 

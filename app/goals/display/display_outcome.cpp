@@ -84,7 +84,7 @@ std::string DisplayOutcome::solver() const {
 Json DisplayOutcome::target_json() const { return {{"kind", "display"}, {"rows", goal.row_texts()}}; }
 
 void DisplayOutcome::add_sections(const Run& run, Json& result) const {
-  result["display"] = display_json(*this, run.structure);
+  result["display"] = display_json(*this, *run.structure.squares());
   result["timing_s"]["larger_panels"] = larger_panels_s;
   result["optimiser"] = optimiser_json(*this);
 }

@@ -10,7 +10,7 @@ namespace kinetix::app {
 namespace {
 
 /// As SVG and as PNG.
-void add_panel(std::vector<NamedContent>& files, const std::string& name, const model::Structure& panel,
+void add_panel(std::vector<NamedContent>& files, const std::string& name, const model::Linkage& panel,
                const model::State& state, bool hinges = false) {
   for (const PictureFormat format : {PictureFormat::svg, PictureFormat::png})
     files.push_back({name + (format == PictureFormat::svg ? ".svg" : ".png"),

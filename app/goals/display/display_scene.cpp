@@ -75,22 +75,25 @@ class DisplayScene final : public Scene {
     if (!(file_.offset > 0))
       check_memory({file_.goal.columns, file_.goal.rows}, options.threads,
                    display->options.starts * static_cast<int>(file_.axes.size()), memory_of_machine());
-    run.structure = model::make_sheet(file_.goal.columns, file_.goal.rows, file_.size);
+    model::Structure panel = model::make_sheet(file_.goal.columns, file_.goal.rows, file_.size);
     display->tolerances = tolerances_of(file_);
     display->goal = file_.goal;
     display->channel = file_.channel;
-    display->design = search_panel(file_, file_.goal, run.structure, display->options, options.progress);
+    display->design = search_panel(file_, file_.goal, panel, display->options, options.progress);
     describe(run, display->design.view);
+    if (display->design.view.balanced) place_hinges(display->design.view, panel);
+    run.structure = std::move(panel);
     run.goal = std::move(display);
   }
 
   void add_state(Run& run, const RunOptions& options) const override {
     auto& display = outcome_of<DisplayOutcome>(run);
-    add_equilibrium(run, display.design.view.plates, elasticity(), motion_states, options.progress);
-    display.before = reading(run.structure, rest_state(run.structure));
-    display.after = reading(run.structure, run.states.front().poses);
+    add_equilibrium(run, display.design.view.plates.on(*run.structure.squares()), elasticity(), motion_states,
+                    options.progress);
+    display.before = reading(*run.structure.squares(), rest_state(run.structure));
+    display.after = reading(*run.structure.squares(), run.states.front().poses);
     if (!display.design.scaled) return;
-    display.exact = reading(run.structure, display.design.view.state);
+    display.exact = reading(*run.structure.squares(), display.design.view.state);
     display.design.view.stretch = run.states.front().gaps.max;
   }
 
@@ -105,13 +108,13 @@ class DisplayScene final : public Scene {
 
   std::optional<PhysicsTask> physics_task(const Run& run) const override {
     if (!run.equilibrium->reached()) return std::nullopt;
-    return PhysicsTask{run.states.front().poses, outcome_of<DisplayOutcome>(run).design.view.plates,
+    return PhysicsTask{run.states.front().poses, run.equilibrium->drive,
                        elastic_physics(elasticity(), file_.physics, file_.size.edge_mm, run.plan.planar)};
   }
 
   void judge_physics(Run& run) const override {
     auto& display = outcome_of<DisplayOutcome>(run);
-    display.physics = reading(run.structure, run.verification->physics.state);
+    display.physics = reading(*run.structure.squares(), run.verification->physics.state);
     display.physics_violations =
         violations(file_, display.physics->score, display.physics->rank, "physics run");
   }
@@ -129,8 +132,6 @@ class DisplayScene final : public Scene {
     run.verify_tolerance = file_.verify;
     if (!view.balanced) view.plates = plates_of(file_);
     run.drive = DriveSection{.axis = view.plates.axis, .compression = view.plates.compression};
-    if (!view.balanced) return;
-    place_hinges(view, run.structure);
   }
 
   DisplayReading reading(const model::Structure& panel, const model::State& state) const {

@@ -9,6 +9,7 @@
 #include "app/goals/fold/fold_outcome.hpp"
 #include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/physics_settings.hpp"
+#include "model/sheet/sheet_motion.hpp"
 #include "targets/document/number.hpp"
 
 namespace kinetix::app {
@@ -73,7 +74,7 @@ class FoldScene final : public Scene {
     auto& found = outcome_of<FoldOutcome>(run);
     const optim::FoldedNet& net = found.design.folded;
     found.physics =
-        fold_error(net.net, net.layout, run.structure, run.verification->physics.state, run.theta);
+        fold_error(net.net, net.layout, net.structure, run.verification->physics.state, run.theta);
     found.physics_violations = violations(file_, net.net, *found.physics, "physics run");
   }
 

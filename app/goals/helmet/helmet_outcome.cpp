@@ -147,8 +147,8 @@ Json HelmetOutcome::target_json() const {
   return {{"kind", "helmet"}, {"spine_mm", polyline(head, design.layout.spine)}, {"sections_mm", sections}};
 }
 
-void HelmetOutcome::add_sections(const Run& run, Json& result) const {
-  result["helmet"] = helmet_json(*this, run.structure);
+void HelmetOutcome::add_sections(const Run&, Json& result) const {
+  result["helmet"] = helmet_json(*this, design.fishbone.structure);
   result["optimiser"] = optimiser_json(design.search);
 }
 

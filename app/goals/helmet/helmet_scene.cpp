@@ -6,6 +6,7 @@
 #include "app/goals/helmet/helmet_outcome.hpp"
 #include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/physics_settings.hpp"
+#include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -84,7 +85,7 @@ class HelmetScene final : public Scene {
     const model::State& folded = outcome_of<HelmetOutcome>(run).design.state;
     run.states.push_back({"target", to_string(Model::exact), run.theta, in_mesh(file_.head, folded),
                           hinge_gaps(run.structure, folded)});
-    run.fidelity.push_back(exact_fidelity(run.plan.family, run.structure, run.theta));
+    run.fidelity.push_back(exact_fidelity(run.plan.exact, run.structure, run.theta));
   }
 
   void judge(Run& run, const RunOptions&) const override {

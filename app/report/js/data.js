@@ -14,22 +14,24 @@ function numberRows(value, length) {
       (row) => list(row).length >= length && row.slice(0, length).every((v) => finite(v) !== null));
 }
 
+/** A vertex is [i, j] in a lattice of squares and [number] in any other. */
 function readBody(raw) {
-  const [i = 0, j = 0] = list(raw?.vertex);
-  return {i, j, rest: numberRows([raw?.position_mm], 3)[0] ?? null};
+  const vertex = list(raw?.vertex), [i = 0, j = 0] = vertex;
+  return {i, j, isSquare: vertex.length === 2, number: i, rest: numberRows([raw?.position_mm], 3)[0] ?? null};
 }
 
 function readHinge(raw, bodies) {
   const [a, b] = list(raw?.bodies);
   const from = bodies[a], to = bodies[b];
   if (!from?.rest || !to?.rest) return null;
-  const along = from.j === to.j ? "x" : "y";
+  const along = !from.isSquare ? null : from.j === to.j ? "x" : "y";
   const t = finite(raw.t) ?? 0.5;
   const point = numberRows([raw.point_mm], 3)[0] ?? mix(from.rest, to.rest, t);
   const axis = numberRows([raw.axis], 3)[0] ?? null;
   return {
     a,
     b,
+    ends: [from.number, to.number],
     along,
     t,
     point,
@@ -40,6 +42,12 @@ function readHinge(raw, bodies) {
     column: Math.min(from.i, to.i),
     row: Math.min(from.j, to.j),
   };
+}
+
+/** A wall as a reader finds it. */
+function wallWords({along, column, row, ends}) {
+  return along ? `column ${column}, row ${row}, wall along ${along}` :
+                 `wall from vertex ${ends[0]} to ${ends[1]}`;
 }
 
 /** The first index and how many there are up to the last. */
@@ -59,6 +67,9 @@ function readStructure(raw) {
   const rows = hinges.filter((h) => h.along === "y").map((h) => h.row);
   return {
     cell,
+    lattice: raw.lattice ?? "square",
+    cells: list(raw.cells).length,
+    isSquare: bodies.every((body) => body.isSquare),
     bodies,
     hinges,
     ...span("Column", "columns", columns),

@@ -244,8 +244,7 @@ function drawHeat(data, part, width) {
     return svg(
         "circle", {class: "heat", cx, cy, r, fill: heatColour(most > 0 ? values[k] / most : 0)},
         svg("title", {},
-            `column ${hinge.column}, row ${hinge.row}, wall along ${hinge.along}: ${
-                figures(values[k])} N mm`));
+            `${wallWords(hinge)}: ${figures(values[k])} N mm`));
   };
   const bar = Math.min(200, width - 120), x0 = (width - bar) / 2, y0 = map.height - 34, steps = 30;
   return drawing(

@@ -35,9 +35,10 @@ function flatWalls(structure, flat, to, hinges) {
 }
 
 /** The way the top edge leans: w = cos(beta) z + sin(beta) (e x z). */
-function leanOf(hinge) {
-  const sign = Math.sign(hinge.beta);
-  return hinge.along === "x" ? [0, -sign] : [sign, 0];
+function leanOf(structure, hinge) {
+  const from = structure.bodies[hinge.a].rest, to = structure.bodies[hinge.b].rest;
+  const [x, y] = subtract(to, from), length = Math.hypot(x, y) || 1, sign = Math.sign(hinge.beta);
+  return [sign * y / length, -sign * x / length];
 }
 
 function arrow([x, y], [dx, dy], length, fillColour) {
@@ -48,16 +49,15 @@ function arrow([x, y], [dx, dy], length, fillColour) {
       svg("path", {d: path([tip, add(back, wing), subtract(back, wing)], true), fill: fillColour}));
 }
 
-function hingeMark(hinge, to, cellPx, largest) {
+function hingeMark(structure, hinge, to, cellPx, largest) {
   const at = to(hinge.point), fillColour = tiltColour(hinge.beta, largest);
   const radius = Math.max(3.5, Math.min(6, cellPx * 0.09));
   const tilted = Math.abs(hinge.beta) > 1e-4;
   return svg(
       "g", {},
       svg("title", {},
-          `column ${hinge.column}, row ${hinge.row}, wall along ${hinge.along}: tilt ${
-              degrees(toDegrees(hinge.beta))}, hinge at ${figures(hinge.t, 2)} of the wall`),
-      tilted ? arrow(at, leanOf(hinge), cellPx * 0.34, fillColour) : null,
+          `${wallWords(hinge)}: tilt ${degrees(toDegrees(hinge.beta))}, hinge at ${figures(hinge.t, 2)} of the wall`),
+      tilted ? arrow(at, leanOf(structure, hinge), cellPx * 0.34, fillColour) : null,
       svg("circle", {class: "hinge", cx: at[0], cy: at[1], r: radius, fill: fillColour}));
 }
 
@@ -86,11 +86,22 @@ function flatLine(data, line, wrap, largest) {
   return drawing(
       side * 2 + (last - first) * wrap.cellPx, height, `Flat layout, columns ${first} to ${last - 1}`,
       flatWalls(structure, data.states.flat, to, inside),
-      inside.map((hinge) => hingeMark(hinge, to, wrap.cellPx, largest)),
+      inside.map((hinge) => hingeMark(structure, hinge, to, wrap.cellPx, largest)),
       Array.from({length: last - first}, (_, k) => label(first + k)));
 }
 
+/** Where no columns can be counted: the whole sheet at once. */
+function drawWhole(data, width) {
+  const {structure} = data, margin = {left: 16, right: 16, top: 16, bottom: 16};
+  const {to, height, perMm} = mapOf(structure.bodies.map((body) => body.rest), width, margin);
+  const largest = largestTilt(structure);
+  return drawing(
+      width, height, "Flat layout", flatWalls(structure, data.states.flat, to, structure.hinges),
+      structure.hinges.map((hinge) => hingeMark(structure, hinge, to, structure.cell * perMm, largest)));
+}
+
 function drawLayout(data, width) {
+  if (!data.structure.isSquare) return drawWhole(data, Math.min(width, 720));
   const wrap = wrapped(data.structure.columns, width - 32), largest = largestTilt(data.structure);
   const lines = Array.from({length: wrap.lines}, (_, line) => flatLine(data, line, wrap, largest));
   return html("div", {class: "lines"}, lines);
@@ -162,24 +173,34 @@ function offsetWords({hinges}) {
   return most > 1e-6 ? `; hinges sit up to ${millimetres(most)} off the middle of their walls` : "";
 }
 
+const LATTICE_WORDS = {graph: "cells of a drawing"};
+
+function sizeWords(structure) {
+  const side = (k) => {
+    const places = structure.bodies.map((body) => body.rest[k]);
+    return millimetres(Math.max(...places) - Math.min(...places));
+  };
+  const cells = structure.isSquare ?
+      `${structure.columns} \u00d7 ${structure.rows} cells of ${millimetres(structure.cell)}` :
+      `${structure.cells} ${LATTICE_WORDS[structure.lattice] ?? `cells of a ${structure.lattice} lattice`}, ` +
+          `cell edge ${millimetres(structure.cell)}`;
+  return `${cells}, ${side(0)} \u00d7 ${side(1)}`;
+}
+
 function layoutSection(data) {
   const {structure} = data;
   if (!structure.hinges.length || !data.states.flat) return missing("This result holds no structure.");
-  const long = structure.columns * structure.cell, wide = structure.rows * structure.cell;
   const wallText =
       `walls ${millimetres(structure.thickness)} thick and ${millimetres(structure.height)} high` +
       (structure.wallAssumed ? " (assumed for the picture)" : "");
   const largest = largestTilt(structure), tilted = largest > 1e-4;
   const keys = responsive(
       () => html(
-          "div", {class: "keys"}, tiltScale(largest), structure.columns > 0 ? drawEndView(structure) : null));
+          "div", {class: "keys"}, tiltScale(largest), structure.isSquare && structure.columns > 0 ? drawEndView(structure) : null));
   return [
     html(
         "p", {class: "lead"},
-        `Printed flat: ${structure.columns} \u00d7 ${structure.rows} cells of ${
-            millimetres(structure.cell)}, ` +
-            `${millimetres(long)} \u00d7 ${millimetres(wide)}, ${
-                wallText}. Front is at the bottom of the picture.`),
+        `Printed flat: ${sizeWords(structure)}, ${wallText}. Front is at the bottom of the picture.`),
     responsive((width) => drawLayout(data, width)),
     tilted ? keys : null,
     tilted ? legend(
@@ -188,8 +209,11 @@ function layoutSection(data) {
              legend(["rim", "wall, upright"], ["dot plain", "hinge"]),
     html(
         "p", {class: "note"},
-        !tilted ? `All walls stand upright${slantWords(structure)}${offsetWords(structure)}. Above each column its number.` :
+        !tilted ? `All walls stand upright${slantWords(structure)}${offsetWords(structure)}.` +
+                (structure.isSquare ? " Above each column its number." : "") :
+            structure.isSquare ?
                   "Above each column its number, below it the tilt of its front wall" +
-                (structure.rows > 0 ? "; from row to row the sign alternates." : ".")),
+                (structure.rows > 0 ? "; from row to row the sign alternates." : ".") :
+                  "Point at a hinge for its numbers."),
   ];
 }

@@ -58,11 +58,13 @@ function copyBySelection(text) {
 /** Every hinge of the sheet, for those who build it elsewhere. */
 function hingesAsText({hinges}) {
   const number = (value) => String(Number(value.toFixed(4)));
+  const isSquare = hinges.every((h) => h.along);
   const line =
-      (h) => [h.along, h.column, h.row, number(h.t), number(toDegrees(h.alpha)), number(toDegrees(h.beta)),
+      (h) => [...(isSquare ? [h.along, h.column, h.row] : h.ends), number(h.t), number(toDegrees(h.alpha)), number(toDegrees(h.beta)),
               number(h.offset)]
                  .join("\t");
-  return ["wall_along\tcolumn\trow\tt\talpha_deg\tbeta_deg\toffset_mm", ...hinges.map(line)].join("\n") + "\n";
+  const wall = isSquare ? "wall_along\tcolumn\trow" : "from_vertex\tto_vertex";
+  return [wall + "\tt\talpha_deg\tbeta_deg\toffset_mm", ...hinges.map(line)].join("\n") + "\n";
 }
 
 function copyButton(label, text) {

@@ -9,7 +9,7 @@
 #include "app/pipeline/physics_settings.hpp"
 #include "app/result/equilibrium_summary.hpp"
 #include "model/elastic/path/near_equilibrium.hpp"
-#include "model/lattice/square/classify.hpp"
+#include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -23,9 +23,9 @@ Run equilibrium_run(const DesignFile& design) {
   run.hinge = design.hinge;
   run.side = design.side;
   run.structure = design.structure;
-  run.plan.family = classify(design.structure);
+  run.plan.exact = exact_motion(design.structure);
   run.plan.model = Model::equilibrium;
-  run.plan.planar = all_vertical(design.structure);
+  run.plan.planar = all_vertical(model::Linkage(design.structure));
   // As many frames as `simulate` has: they decide the steps of the path.
   add_equilibrium(run, drive_of(design), elasticity_of(design), motion_states, {});
   return run;
@@ -33,10 +33,10 @@ Run equilibrium_run(const DesignFile& design) {
 
 /// The closed form of a design's drive; empty where no family fits.
 model::State exact_state(const DesignFile& design, double& theta) {
-  const model::Classification family = classify(design.structure);
-  if (family.family == model::Family::none) return {};
-  theta = theta_of(drive_of(design), family, design.structure);
-  return fold(family, design.structure, theta);
+  const model::ExactMotion exact = exact_motion(design.structure);
+  if (!exact) return {};
+  theta = exact.theta_of(drive_of(design));
+  return exact.at(theta);
 }
 
 }  // namespace
@@ -52,9 +52,10 @@ DesignEvaluator::DesignEvaluator(const SweepPlan& plan) : plan_(plan), maker_(pl
 void DesignEvaluator::find_nominal() {
   const DesignFile& base = *plan_.base.design;
   SampleRow row;
-  if (plan_.doe.from_base && classify(base.structure).family != model::Family::none)
+  const model::ExactMotion exact = plan_.doe.from_base ? exact_motion(base.structure) : model::ExactMotion{};
+  if (exact)
     see_equilibrium(
-        base, equilibrium_at_closed_form(driven(base.structure, drive_of(base)), elasticity_of(base)), row);
+        base, equilibrium_at_closed_form({base.structure, drive_of(base), exact}, elasticity_of(base)), row);
   else if (plan_.doe.from_base)
     compute_equilibrium(base, row);
   else
@@ -87,24 +88,25 @@ void DesignEvaluator::compute(const DesignFile& design, SampleRow& row) {
 }
 
 /// Rectangles are folded in place; the order of their bodies is that of the lattice.
-const model::State& DesignEvaluator::sheet_state(const DesignFile& design) {
-  sheet_.theta = design.theta;
-  if (is_whole_sheet(sheet_, design.structure))
-    fold(sheet_, design.structure.size.edge_mm, state_);
+const model::State& DesignEvaluator::sheet_state(const model::Structure& squares, double theta) {
+  sheet_.theta = theta;
+  if (is_whole_sheet(sheet_, squares))
+    fold(sheet_, squares.size.edge_mm, state_);
   else
-    state_ = fold(sheet_, design.structure);
+    state_ = fold(sheet_, squares);
   return state_;
 }
 
 void DesignEvaluator::compute_exact(const DesignFile& design) {
-  if (!design.drive && model::SheetReader(design.structure).read(design.structure, sheet_)) {
-    seen_.state = &sheet_state(design);
+  const model::Structure* squares = design.structure.squares();
+  if (squares && !design.drive && model::SheetReader(*squares).read(*squares, sheet_)) {
+    seen_.state = &sheet_state(*squares, design.theta);
     return;
   }
-  const model::Classification family = classify(design.structure);
-  if (family.family == model::Family::none) throw InvalidInput(family.why);
-  seen_.theta = design.drive ? theta_of(drive_of(design), family, design.structure) : design.theta;
-  state_ = fold(family, design.structure, seen_.theta);
+  const model::ExactMotion exact = exact_motion(design.structure);
+  if (!exact) throw InvalidInput(exact.why);
+  seen_.theta = design.drive ? exact.theta_of(drive_of(design)) : design.theta;
+  state_ = exact.at(seen_.theta);
   seen_.state = &state_;
 }
 
@@ -149,8 +151,8 @@ void DesignEvaluator::compute_physics(const DesignFile& design, SampleRow& row) 
   } else {
     reference = exact_state(design, seen_.theta);
   }
-  physics_ = run_compression(design.structure, drive_of(design).on(design.structure),
-                             physics_of(design, all_vertical(design.structure)));
+  physics_ = run_compression(design.structure, drive_of(design),
+                             physics_of(design, all_vertical(model::Linkage(design.structure))));
   if (physics_.status != sim::PhysicsResult::Status::settled)
     throw InvalidInput("physics run " + to_string(physics_.status) + ": " + physics_.why);
   seen_.state = &physics_.state;

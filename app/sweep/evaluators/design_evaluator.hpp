@@ -20,7 +20,7 @@ class DesignEvaluator final : public Evaluator {
   void see_equilibrium(const DesignFile& design, model::EquilibriumPath path, SampleRow& row);
   void find_nominal();
   void compute_physics(const DesignFile& design, SampleRow& row);
-  const model::State& sheet_state(const DesignFile& design);
+  const model::State& sheet_state(const model::Structure& squares, double theta);
 
   const SweepPlan& plan_;
   SampleMaker maker_;

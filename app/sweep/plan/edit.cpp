@@ -43,9 +43,9 @@ std::string entry(const targets::DocumentPath& path, int position) {
   return fmt::format("design.{}[{}].{}", path[1].key, position, path[3].key);
 }
 
-std::vector<Match> walls(const model::Structure& structure, const targets::DocumentPath& path) {
+std::vector<Match> walls(const model::Sheet& structure, const targets::DocumentPath& path) {
   std::vector<Match> matches;
-  for (int k = 0; k < static_cast<int>(structure.hinges.size()); ++k)
+  for (int k = 0; k < structure.hinges(); ++k)
     if (selects(path[2], k)) matches.push_back({entry(path, k), {{*hinge_key(path[3].key), k}}});
   return matches;
 }
@@ -75,11 +75,11 @@ std::vector<Match> named_hinges(const SweepBase& base, const targets::DocumentPa
   const auto list = section ? section->optional("hinges") : std::nullopt;
   std::vector<Match> matches;
   if (!list) return matches;
+  const WallReader walls(base.design->structure);
   const auto entries = list->list("hinges");
   for (int n = 0; n < static_cast<int>(entries.size()); ++n) {
     if (!selects(path[2], n)) continue;
-    const int hinge =
-        read_hinge_index(targets::Section(entries[n], hinge_entry_keys()), base.design->structure);
+    const int hinge = walls.hinge_of(targets::Section(entries[n], hinge_entry_keys()));
     matches.push_back({entry(path, n), {{*hinge_key(path[3].key), hinge}}});
   }
   return matches;
@@ -87,11 +87,12 @@ std::vector<Match> named_hinges(const SweepBase& base, const targets::DocumentPa
 
 std::vector<Match> structural(const SweepBase& base, const targets::DocumentPath& path) {
   if (!base.design) return {};
-  const model::Structure& structure = base.design->structure;
+  const model::Sheet& structure = base.design->structure;
   if (path == targets::parse_path("design.theta_deg")) return {{"design.theta_deg", {{Kind::theta_deg}}}};
   if (is_hinge_path(path, "walls")) return walls(structure, path);
-  if (is_hinge_path(path, "columns")) return lines(structure, path, model::Axis::x);
-  if (is_hinge_path(path, "rows")) return lines(structure, path, model::Axis::y);
+  const model::Structure* squares = structure.squares();
+  if (squares && is_hinge_path(path, "columns")) return lines(*squares, path, model::Axis::x);
+  if (squares && is_hinge_path(path, "rows")) return lines(*squares, path, model::Axis::y);
   if (is_hinge_path(path, "hinges")) return named_hinges(base, path);
   return {};
 }
@@ -130,23 +131,23 @@ std::optional<double> base_value(const SweepBase& base, const targets::DocumentE
   if (edit.kind == Kind::document) return editor.number(edit.index);
   const DesignFile& design = *base.design;
   if (edit.kind == Kind::theta_deg) return to_degrees(design.theta);
-  const model::HingeParameters& p = design.structure.hinges[edit.index].parameters;
+  const model::HingeParameters& p = design.structure.hinge(edit.index);
   switch (edit.kind) {
     case Kind::t:
       return edit.flipped ? 1 - p.t : p.t;
     case Kind::t_mm:
-      return (edit.flipped ? 1 - p.t : p.t) * design.structure.size.edge_mm;
+      return (edit.flipped ? 1 - p.t : p.t) * design.structure.size().edge_mm;
     case Kind::alpha_deg:
       return to_degrees(edit.flipped ? pi - p.alpha : p.alpha);
     case Kind::offset_mm:
-      return (edit.flipped ? -p.offset : p.offset) * design.structure.size.edge_mm;
+      return (edit.flipped ? -p.offset : p.offset) * design.structure.size().edge_mm;
     default:
       return to_degrees(edit.flipped ? -p.beta : p.beta);
   }
 }
 
 void apply(const Edit& edit, double value, DesignFile& design) {
-  if (edit.kind == Kind::t_mm || edit.kind == Kind::offset_mm) value /= design.structure.size.edge_mm;
+  if (edit.kind == Kind::t_mm || edit.kind == Kind::offset_mm) value /= design.structure.size().edge_mm;
   const targets::Bounds& bounds = bounds_of(edit.kind);
   if (!bounds.contains(value))
     throw InvalidInput(fmt::format("{} is out of range; allowed: {}", value, bounds.describe()));
@@ -154,7 +155,7 @@ void apply(const Edit& edit, double value, DesignFile& design) {
     design.theta = targets::radians_of(value);
     return;
   }
-  model::HingeParameters& p = design.structure.hinges[edit.index].parameters;
+  model::HingeParameters& p = design.structure.hinge(edit.index);
   switch (edit.kind) {
     case Kind::alpha_deg:
       p.alpha = edit.flipped ? pi - targets::radians_of(value) : targets::radians_of(value);

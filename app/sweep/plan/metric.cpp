@@ -21,7 +21,7 @@ using O = Observation;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 double moved_mm(const O& o, double model::StateDistance::*part) {
-  return aligned_distance(*o.structure, *o.state, *o.nominal).*part * o.structure->size.edge_mm;
+  return aligned_distance(*o.structure, *o.state, *o.nominal).*part * o.structure->size().edge_mm;
 }
 
 const model::EquilibriumStep& last(const O& o) { return o.equilibrium->path.steps.back(); }
@@ -75,19 +75,19 @@ const std::vector<Metric>& equilibrium_metrics() {
       {"reached", [](const O& o) { return o.equilibrium->reached() ? 1.0 : 0.0; }},
       {"compression",
        [](const O& o) {
-         return o.equilibrium->drive.kind == model::Drive::Kind::plates ? last(o).drive : nan;
+         return o.equilibrium->drive.kind == model::LinkageDrive::Kind::plates ? last(o).drive : nan;
        }},
       {"drive_rad",
        [](const O& o) {
-         return o.equilibrium->drive.kind == model::Drive::Kind::hinge ? last(o).drive : nan;
+         return o.equilibrium->drive.kind == model::LinkageDrive::Kind::hinge ? last(o).drive : nan;
        }},
       {"load_N",
        [](const O& o) {
-         return o.equilibrium->drive.kind == model::Drive::Kind::plates ? last(o).load : nan;
+         return o.equilibrium->drive.kind == model::LinkageDrive::Kind::plates ? last(o).load : nan;
        }},
       {"load_Nmm",
        [](const O& o) {
-         return o.equilibrium->drive.kind == model::Drive::Kind::hinge ? last(o).load : nan;
+         return o.equilibrium->drive.kind == model::LinkageDrive::Kind::hinge ? last(o).load : nan;
        }},
       {"energy_Nmm", [](const O& o) { return last(o).energy; }},
       {"load_peak",

@@ -12,7 +12,7 @@ namespace kinetix::app {
 
 /// What a response is computed from: the state of one sample, and whatever its model knows of it.
 struct Observation {
-  const model::Structure* structure = nullptr;
+  const model::Sheet* structure = nullptr;
   const model::State* state = nullptr;
   double theta = 0;                             ///< rad
   const model::State* nominal = nullptr;        ///< the base's own state

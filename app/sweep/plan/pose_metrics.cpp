@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <span>
 
 #include "app/run/midline.hpp"
 #include "model/base/larger.hpp"
@@ -12,21 +13,31 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Normal of the four bodies of a cell, as long as the area between them.
-Vector3d area_vector(const model::CellHinges& cell, const model::State& state) {
-  const auto& b = cell.bodies;
-  return 0.5 * (state[b[2]].p - state[b[0]].p).cross(state[b[3]].p - state[b[1]].p);
+/// Normal of the polygon of a cell's bodies, as long as its area.
+Vector3d area_vector(std::span<const int> bodies, const model::State& state) {
+  const Vector3d& first = state[bodies[0]].p;
+  Vector3d twice = Vector3d::Zero();
+  for (std::size_t k = 2; k < bodies.size(); ++k)
+    twice += (state[bodies[k - 1]].p - first).cross(state[bodies[k]].p - first);
+  return 0.5 * twice;
+}
+
+/// Area of all cells; in mm2.
+double area(const model::Sheet& structure, const model::State& state) {
+  double sum = 0;
+  for (int c = 0; c < structure.cells(); ++c) sum += area_vector(structure.cell_bodies(c), state).norm();
+  return sum;
 }
 
 double angle_between(const Vector3d& a, const Vector3d& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
 }  // namespace
 
-Vector3d end_point(const model::Structure&, const model::State& state) {
+Vector3d end_point(const model::Sheet&, const model::State& state) {
   return state.back().p - state.front().p;
 }
 
-double total_turn(const model::Structure& structure, const model::State& state) {
+double total_turn(const model::Sheet& structure, const model::State& state) {
   const auto points = column_midline(structure, state);
   double turn = 0;
   for (std::size_t k = 2; k < points.size(); ++k) {
@@ -36,27 +47,27 @@ double total_turn(const model::Structure& structure, const model::State& state) 
   return turn;
 }
 
-double area_ratio(const model::Structure& structure, const model::State& state) {
-  double area = 0;
-  for (const model::CellHinges& cell : structure.cell_members) area += area_vector(cell, state).norm();
-  const double edge = structure.size.edge_mm;
-  return area / (static_cast<double>(structure.cells.size()) * edge * edge);
+double area_ratio(const model::Sheet& structure, const model::State& state) {
+  if (!structure.squares()) return area(structure, state) / area(structure, rest_state(structure));
+  const double edge = structure.size().edge_mm;
+  return area(structure, state) / (static_cast<double>(structure.cells()) * edge * edge);
 }
 
-double fold_angle(const model::Structure& structure, const model::State& state) {
-  return angle_between(area_vector(structure.cell_members.front(), state),
-                       area_vector(structure.cell_members.back(), state));
+double fold_angle(const model::Sheet& structure, const model::State& state) {
+  return angle_between(area_vector(structure.cell_bodies(0), state),
+                       area_vector(structure.cell_bodies(structure.cells() - 1), state));
 }
 
-double cell_angle(const model::Structure& structure, const model::State& state) {
-  const auto& b = structure.cell_members.front().bodies;
-  return angle_between(state[b[1]].p - state[b[0]].p, state[b[3]].p - state[b[0]].p);
+double cell_angle(const model::Sheet& structure, const model::State& state) {
+  const std::span<const int> b = structure.cell_bodies(0);
+  return angle_between(state[b[1]].p - state[b[0]].p, state[b.back()].p - state[b[0]].p);
 }
 
-double largest_lean(const model::Structure& structure, const model::State& state) {
+double largest_lean(const model::Sheet& structure, const model::State& state) {
   double largest = 0;
-  for (const model::Hinge& hinge : structure.hinges) {
-    largest = larger(largest, angle_between(state[hinge.lower].R.col(2), state[hinge.upper].R.col(2)));
+  for (int h = 0; h < structure.hinges(); ++h) {
+    const model::HingedWall wall = structure.wall(h);
+    largest = larger(largest, angle_between(state[wall.lower].R.col(2), state[wall.upper].R.col(2)));
   }
   return largest;
 }

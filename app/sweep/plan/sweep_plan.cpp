@@ -8,7 +8,7 @@
 #include "app/goals/read_target.hpp"
 #include "app/goals/registry.hpp"
 #include "app/sweep/plan/sample_maker.hpp"
-#include "model/lattice/square/classify.hpp"
+#include "model/sheet/sheet_motion.hpp"
 #include "targets/document/wording.hpp"
 
 namespace kinetix::app {
@@ -242,9 +242,9 @@ void check_exact(const SweepPlan& plan) {
     } catch (const InvalidInput&) {
       continue;
     }
-    const model::Classification family = classify(maker.design().structure);
-    if (family.family != model::Family::none) return;
-    why = family.why;
+    const model::ExactMotion exact = exact_motion(maker.design().structure);
+    if (exact) return;
+    why = exact.why;
   }
   if (!why.empty())
     throw plan.doe.root.error(why + "; use `model: equilibrium` or `bullet`, which need no exact family");

@@ -84,6 +84,30 @@ std::vector<int> without_dead_ends(const std::vector<int>& loop) {
   return kept;
 }
 
+/// Every walk once, in the loops that they make.
+std::vector<std::vector<int>> loops(const Walks& walks) {
+  std::vector<bool> walked(walks.count(), false);
+  std::vector<std::vector<int>> all;
+  for (int first = 0; first < walks.count(); ++first) {
+    if (walked[first]) continue;
+    all.emplace_back();
+    for (int walk = first; !walked[walk]; walk = walks.next(walk)) {
+      walked[walk] = true;
+      all.back().push_back(walk);
+    }
+  }
+  return all;
+}
+
+GraphFace face_of(const Walks& walks, const std::vector<int>& loop) {
+  GraphFace face;
+  for (const int walk : loop) {
+    face.vertices.push_back(walks.start(walk));
+    face.edges.push_back(walk / 2);
+  }
+  return face;
+}
+
 double twice_area(const PlanarGraph& graph, const std::vector<int>& vertices) {
   double sum = 0;
   for (std::size_t k = 0; k < vertices.size(); ++k)
@@ -203,23 +227,28 @@ std::string to_string(const GraphFace& face) {
 
 std::vector<GraphFace> bounded_faces(const PlanarGraph& graph) {
   const Walks walks(graph);
-  std::vector<bool> walked(walks.count(), false);
   std::vector<GraphFace> faces;
-  for (int first = 0; first < walks.count(); ++first) {
-    if (walked[first]) continue;
-    std::vector<int> loop;
-    for (int walk = first; !walked[walk]; walk = walks.next(walk)) {
-      walked[walk] = true;
-      loop.push_back(walk);
-    }
-    GraphFace face;
-    for (const int walk : without_dead_ends(loop)) {
-      face.vertices.push_back(walks.start(walk));
-      face.edges.push_back(walk / 2);
-    }
+  for (const std::vector<int>& loop : loops(walks)) {
+    GraphFace face = face_of(walks, without_dead_ends(loop));
     if (twice_area(graph, face.vertices) > 0) faces.push_back(std::move(face));
   }
   return faces;
+}
+
+GraphFace outer_rim(const PlanarGraph& graph) {
+  const Walks walks(graph);
+  GraphFace rim;
+  double least = 0;
+  for (std::vector<int> loop : loops(walks)) {
+    std::reverse(loop.begin(), loop.end());
+    for (int& walk : loop) walk ^= 1;
+    GraphFace face = face_of(walks, loop);
+    const double area = twice_area(graph, face.vertices);
+    if (area < least) continue;
+    least = area;
+    rim = std::move(face);
+  }
+  return rim;
 }
 
 std::vector<int> senses(const PlanarGraph& graph, const std::vector<GraphFace>& faces) {

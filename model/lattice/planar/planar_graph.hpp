@@ -36,6 +36,10 @@ std::string to_string(const GraphFace& face);
 /// @pre no edges cross, none has length zero
 std::vector<GraphFace> bounded_faces(const PlanarGraph& graph);
 
+/// The walk round the outside, counter-clockwise, by vertices and edges as of a face: edge k joins vertices k and
+/// k + 1. What stands out as a single wall is walked there and back.
+GraphFace outer_rim(const PlanarGraph& graph);
+
 /// +1 (class A) or -1 for each vertex, different at both ends of every edge; the first vertex has +1.
 /// @throws InvalidInput for a loop of an odd number of walls, naming the face and its vertices
 std::vector<int> senses(const PlanarGraph& graph, const std::vector<GraphFace>& faces);

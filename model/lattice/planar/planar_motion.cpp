@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "model/base/invalid_input.hpp"
+#include "model/closure/drive_theta.hpp"
+#include "model/lattice/planar/planar_drive.hpp"
 
 namespace kinetix::model {
 namespace {
@@ -112,15 +114,21 @@ ExactMotion exact_motion(const PlanarStructure& structure) {
   if (const int hinge = first_inclined(structure); hinge >= 0)
     return {{},
             "none",
-            "the hinge on wall " + to_string(structure.graph.edges[hinge]) + " does not stand upright"};
+            "no exact family: the hinge on wall " + to_string(structure.graph.edges[hinge]) +
+                " does not stand upright"};
   RedrawingFit fit = redrawing_of(structure);
   if (!fit.is_closed())
     return {{},
             "none",
-            to_string(structure.faces[fit.worst_face]) + " does not close: it is off by " +
-                number_text(fit.misfit) + " cell edges times sin(theta)"};
-  return {[structure, y = std::move(fit.y)](double theta) { return fold(structure, y, theta); }, "planar",
-          "upright hinges that close every face: a parallel redrawing"};
+            "no exact family: " + to_string(structure.faces[fit.worst_face]) +
+                " does not close: it is off by " + number_text(fit.misfit) + " cell edges times sin(theta)"};
+  const auto at = [structure, y = fit.y](double theta) { return fold(structure, y, theta); };
+  const auto theta = [structure, at, y = fit.y](const LinkageDrive& drive) {
+    refuse_rows_that_curve(drive, y);
+    return theta_of(drive, structure, at);
+  };
+  return {at, "planar", "planar: all axes vertical, every face closes: each body on a path of its own",
+          theta};
 }
 
 }  // namespace kinetix::model

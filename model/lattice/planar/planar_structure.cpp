@@ -1,19 +1,14 @@
 #include "model/lattice/planar/planar_structure.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "model/base/invalid_input.hpp"
-#include "model/linkage/wall.hpp"
 
 namespace kinetix::model {
 namespace {
-
-/// From the first vertex of its edge.
-HingedWall hinged_wall(const PlanarStructure& s, int index) {
-  const Eigen::Vector2d edge = s.graph.along(index);
-  return {s.graph.edges[index].from, s.graph.edges[index].to, {edge.x(), edge.y(), 0}, s.hinges[index]};
-}
 
 void check(const PlanarStructure& s, int hinge, const char* name, double value, double low, double high,
            const char* allowed) {
@@ -30,6 +25,37 @@ void check_size(const CellSize& size) {
       throw InvalidInput(std::string(name) + " must be a positive length in mm");
 }
 
+/// The middle of a polygon's corners, to a hundredth of a wall: no two cells have the same.
+std::pair<long, long> middle_of(const std::vector<Eigen::Vector2d>& corners) {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (const Eigen::Vector2d& corner : corners) sum += corner;
+  sum *= 100.0 / static_cast<double>(corners.size());
+  return {std::lround(sum.x()), std::lround(sum.y())};
+}
+
+/// Faces with the cells of the sheet first, in their order.
+std::vector<GraphFace> cells_first(const PlanarGraph& graph, std::vector<GraphFace> faces,
+                                   const LatticeSheet& sheet) {
+  std::map<std::pair<long, long>, int> cell_at;
+  for (const auto& [i, j] : sheet.cells) {
+    const auto middle = middle_of(sheet.lattice->corners(i, j, sheet.angle));
+    if (!cell_at.try_emplace(middle, static_cast<int>(cell_at.size())).second)
+      throw InvalidInput("cell [" + std::to_string(i) + ", " + std::to_string(j) + "] is given twice");
+  }
+  const auto rank = [&](const GraphFace& face) {
+    std::vector<Eigen::Vector2d> corners;
+    for (const int v : face.vertices) corners.push_back(graph.vertices[v]);
+    const auto cell = cell_at.find(middle_of(corners));
+    return cell == cell_at.end() ? static_cast<int>(cell_at.size()) : cell->second;
+  };
+  std::vector<std::pair<int, int>> order;
+  for (int f = 0; f < static_cast<int>(faces.size()); ++f) order.emplace_back(rank(faces[f]), f);
+  std::sort(order.begin(), order.end());
+  std::vector<GraphFace> sorted;
+  for (const auto& [cell, f] : order) sorted.push_back(std::move(faces[f]));
+  return sorted;
+}
+
 }  // namespace
 
 PlanarStructure make_planar_structure(PlanarGraph graph, const CellSize& size) {
@@ -42,6 +68,25 @@ PlanarStructure make_planar_structure(PlanarGraph graph, const CellSize& size) {
   s.senses = senses(s.graph, s.faces);
   s.hinges.resize(s.graph.edges.size());
   return s;
+}
+
+PlanarStructure make_planar_structure(LatticeSheet sheet, const CellSize& size) {
+  if (sheet.cells.empty()) throw InvalidInput("a sheet needs at least one cell");
+  PlanarStructure s = make_planar_structure(lattice_graph(sheet), size);
+  s.faces = cells_first(s.graph, std::move(s.faces), sheet);
+  s.drawn = std::move(sheet);
+  return s;
+}
+
+std::optional<int> PlanarStructure::hinge_between(int a, int b) const {
+  for (int h = 0; h < static_cast<int>(graph.edges.size()); ++h)
+    if (graph.edges[h] == GraphEdge{a, b} || graph.edges[h] == GraphEdge{b, a}) return h;
+  return std::nullopt;
+}
+
+HingedWall hinged_wall(const PlanarStructure& s, int hinge) {
+  const Eigen::Vector2d edge = s.graph.along(hinge);
+  return {s.graph.edges[hinge].from, s.graph.edges[hinge].to, {edge.x(), edge.y(), 0}, s.hinges[hinge]};
 }
 
 void validate_hinges(const PlanarStructure& s) {

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
-#include "model/lattice/planar/planar_graph.hpp"
+#include "model/lattice/planar/planar_lattice.hpp"
 #include "model/linkage/hinge_parameters.hpp"
 #include "model/linkage/linkage.hpp"
+#include "model/linkage/wall.hpp"
 
 namespace kinetix::model {
 
@@ -16,6 +18,10 @@ struct PlanarStructure {
   std::vector<GraphFace> faces;
   std::vector<int> senses;              ///< +1 (class A) or -1, of each vertex
   std::vector<HingeParameters> hinges;  ///< of each edge
+  LatticeSheet drawn = {};  ///< its first faces are these cells, in their order; no lattice: drawn by hand
+
+  /// Of the edge between two vertices, whichever way.
+  std::optional<int> hinge_between(int a, int b) const;
 
   operator Linkage() const;
 };
@@ -23,6 +29,11 @@ struct PlanarStructure {
 /// All hinges basic. @throws InvalidInput for what validate and senses refuse, and sizes that are not
 /// positive
 PlanarStructure make_planar_structure(PlanarGraph graph, const CellSize& size);
+/// @throws InvalidInput likewise, and for cells that are given twice or do not hang together by walls
+PlanarStructure make_planar_structure(LatticeSheet sheet, const CellSize& size);
+
+/// From the first vertex of its edge.
+HingedWall hinged_wall(const PlanarStructure& structure, int hinge);
 
 /// @throws InvalidInput, naming wall and value, for hinge parameters outside their ranges (NaN included)
 void validate_hinges(const PlanarStructure& structure);

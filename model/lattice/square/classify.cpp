@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "model/lattice/square/net_rules.hpp"
+#include "model/lattice/square/square_theta.hpp"
 
 namespace kinetix::model {
 namespace {
@@ -224,8 +225,9 @@ State fold(const Classification& classification, const Structure& structure, dou
 
 ExactMotion exact_motion(const Structure& structure, const Classification& kind) {
   ExactMotion motion{{}, to_string(kind.family), kind.why};
-  if (kind.family != Family::none)
-    motion.at = [structure, kind](double theta) { return fold(kind, structure, theta); };
+  if (kind.family == Family::none) return motion;
+  motion.at = [structure, kind](double theta) { return fold(kind, structure, theta); };
+  motion.theta_of = [structure, kind](const LinkageDrive& drive) { return theta_of(drive, kind, structure); };
   return motion;
 }
 

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "model/base/invalid_input.hpp"
+#include "model/lattice/planar/planar_drive.hpp"
 #include "model/lattice/square/classify.hpp"
 #include "model/lattice/square/net_grip.hpp"
 
@@ -98,18 +99,6 @@ LinkageDrive settings_of(const Drive& drive) {
   out.branch = drive.branch;
   out.sense = drive.wall.from.sense();
   out.angle = drive.angle;
-  return out;
-}
-
-Structure between(const Structure& before, const Structure& after, double part) {
-  if (part >= 1) return after;
-  Structure out = after;
-  const auto mix = [part](double a, double b) { return a + part * (b - a); };
-  for (std::size_t k = 0; k < out.hinges.size(); ++k) {
-    const HingeParameters& a = before.hinges[k].parameters;
-    HingeParameters& p = out.hinges[k].parameters;
-    p = {mix(a.t, p.t), mix(a.alpha, p.alpha), mix(a.beta, p.beta), mix(a.offset, p.offset)};
-  }
   return out;
 }
 
@@ -210,11 +199,6 @@ std::vector<Drive> search_drives(const Structure& structure, double theta) {
                                     [](const Hinge& hinge) { return is_vertical(hinge); });
   const Wall wall = (upright == structure.hinges.end() ? structure.hinges.begin() : upright)->wall;
   return {hinge_drive_to(wall, theta), hinge_drive_to(wall, -theta)};
-}
-
-std::function<DrivenLinkage(double)> changing(const Structure& before, const Structure& after,
-                                              const Drive& drive) {
-  return [=](double part) { return driven(between(before, after, part), drive); };
 }
 
 }  // namespace kinetix::model

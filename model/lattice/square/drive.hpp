@@ -62,11 +62,6 @@ Drive hinge_drive_to(const Wall& wall, double theta);
 /// theta and to -theta. @param theta rad, (0, pi/2)
 std::vector<Drive> search_drives(const Structure& structure, double theta);
 
-/// A structure under its drive while its hinges change bit by bit from those of `before` to those of `after`:
-/// part 0 to part 1. @pre both have the same cells and sizes
-std::function<DrivenLinkage(double part)> changing(const Structure& before, const Structure& after,
-                                                   const Drive& drive);
-
 /// The drive that takes an exactly mobile structure to fold angle theta. Plates normal to the direction in
 /// which its rows are stacked (y; x where the sheet folds along y) if its rim stays flat and is not ragged,
 /// or if it is a rectangle without an exact family; for other sheets the first vertical hinge, by twice

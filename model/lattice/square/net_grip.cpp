@@ -129,11 +129,16 @@ std::optional<NetGrip> find_net_grip(const Structure& structure) {
 
 void require_kept_rows(const Structure& structure, const Classification& kind, Axis axis,
                        const std::optional<Grip>& grip) {
+  require_kept_rows(structure, kind, axis, gripped_bodies(structure, axis, grip),
+                    grip ? to_string(*grip) : "this net");
+}
+
+void require_kept_rows(const Structure& structure, const Classification& kind, Axis axis,
+                       const GrippedRows& rows, const std::string& what) {
   if (kind.family == Family::none) return;
   const auto fold_to = [&](double theta) { return fold(kind, structure, theta); };
-  if (keeps_between_plates(structure, gripped_bodies(structure, axis, grip), fold_to)) return;
-  throw InvalidInput("plates normal to " + std::string(axis == Axis::x ? "x" : "y") + " cannot hold " +
-                         (grip ? "the rim of " + to_string(*grip) : "the rim of this net") +
+  if (keeps_between_plates(structure, rows, fold_to)) return;
+  throw InvalidInput("plates normal to " + std::string(to_string(axis)) + " cannot hold the rim of " + what +
                          ": its first and last row of vertices do not stay in two parallel planes, "
                          "cos(theta) times as far apart as "
                          "flat, as it folds; "

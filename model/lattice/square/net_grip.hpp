@@ -23,5 +23,8 @@ std::optional<NetGrip> find_net_grip(const Structure& structure);
 /// (keeps_between_plates). Of other structures nothing is said.
 void require_kept_rows(const Structure& structure, const Classification& kind, Axis axis,
                        const std::optional<Grip>& grip);
+/// @param rows that the plates hold   @param what of the structure they are the rim of, for the message
+void require_kept_rows(const Structure& structure, const Classification& kind, Axis axis,
+                       const GrippedRows& rows, const std::string& what);
 
 }  // namespace kinetix::model

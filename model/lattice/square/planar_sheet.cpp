@@ -63,17 +63,6 @@ void place_hinges(const Redrawing& y, Structure& sheet) {
                 hinge.wall.from.sense(), hinge.parameters);
 }
 
-// Along x a body is at cos(theta) x - sin(theta) y_y, along y at cos(theta) y + sin(theta) y_x.
-bool keeps_rows_straight(const Redrawing& y, Axis axis, const GrippedRows& rows) {
-  const int part = axis == Axis::x ? 1 : 0;
-  const auto is_straight = [&](const std::vector<int>& row) {
-    return std::all_of(row.begin(), row.end(), [&](int b) {
-      return std::abs(y[b][part] - y[row.front()][part]) <= RedrawingFit::closed;
-    });
-  };
-  return is_straight(rows[0]) && is_straight(rows[1]);
-}
-
 State fold(const Redrawing& y, const Structure& sheet, double theta) {
   State state(y.size());
   for (std::size_t b = 0; b < y.size(); ++b) {

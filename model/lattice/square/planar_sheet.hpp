@@ -4,7 +4,6 @@
 
 #include "model/lattice/planar/planar_motion.hpp"
 #include "model/lattice/square/structure.hpp"
-#include "model/linkage/gripped_rows.hpp"
 
 namespace kinetix::model {
 
@@ -24,9 +23,6 @@ PlanarSheet planar_motion(const Structure& sheet);
 
 /// Puts the hinges of a sheet where y, of each body, has them; alpha and beta stay.
 void place_hinges(const Redrawing& y, Structure& sheet);
-
-/// Whether rows of bodies that are straight lines across the axis at rest stay so all along the motion.
-bool keeps_rows_straight(const Redrawing& y, Axis axis, const GrippedRows& rows);
 
 /// State at theta, mm. @param y of each body
 State fold(const Redrawing& y, const Structure& sheet, double theta);

@@ -6,10 +6,6 @@
 namespace kinetix::model {
 namespace {
 
-HingedWall hinged_wall(const Hinge& hinge) {
-  return {hinge.lower, hinge.upper, edge_direction(hinge.wall.axis), hinge.parameters};
-}
-
 /// What messages call hinges and bodies.
 struct Names {
   std::vector<Wall> walls;
@@ -26,6 +22,10 @@ void name_parts(const Structure& s, Linkage& linkage) {
 }
 
 }  // namespace
+
+HingedWall hinged_wall(const Hinge& hinge) {
+  return {hinge.lower, hinge.upper, edge_direction(hinge.wall.axis), hinge.parameters};
+}
 
 RestHinge rest_hinge(const Hinge& hinge) { return rest_hinge(hinged_wall(hinge)); }
 

@@ -10,6 +10,7 @@
 #include "model/linkage/axis.hpp"
 #include "model/linkage/hinge_parameters.hpp"
 #include "model/linkage/linkage.hpp"
+#include "model/linkage/wall.hpp"
 
 namespace kinetix::model {
 
@@ -82,6 +83,7 @@ struct Structure {
   operator Linkage() const;
 };
 
+HingedWall hinged_wall(const Hinge& hinge);
 RestHinge rest_hinge(const Hinge& hinge);
 
 /// All hinges basic. @throws InvalidInput for no cells, a repeated cell, a negative index, sizes that are not

@@ -29,19 +29,21 @@ DesignFile read(const std::string& text) {
 }
 
 const model::HingeParameters& hinge_of(const DesignFile& file, const model::Wall& wall) {
-  return file.structure.hinges[*file.structure.hinge_at(wall)].parameters;
+  const model::Structure& squares = *file.structure.squares();
+  return squares.hinges[*squares.hinge_at(wall)].parameters;
 }
 
 void expect_same(const DesignFile& a, const DesignFile& b) {
   EXPECT_EQ(a.name, b.name);
-  EXPECT_EQ(a.structure.cells, b.structure.cells);
-  EXPECT_EQ(a.structure.size.edge_mm, b.structure.size.edge_mm);
-  EXPECT_EQ(a.structure.size.thickness_mm, b.structure.size.thickness_mm);
-  EXPECT_EQ(a.structure.size.height_mm, b.structure.size.height_mm);
-  ASSERT_EQ(a.structure.hinges.size(), b.structure.hinges.size());
-  for (std::size_t k = 0; k < a.structure.hinges.size(); ++k) {
-    const model::HingeParameters &p = a.structure.hinges[k].parameters, &q = b.structure.hinges[k].parameters;
-    EXPECT_EQ(a.structure.hinges[k].wall, b.structure.hinges[k].wall);
+  EXPECT_EQ(a.structure.squares()->cells, b.structure.squares()->cells);
+  EXPECT_EQ(a.structure.squares()->size.edge_mm, b.structure.squares()->size.edge_mm);
+  EXPECT_EQ(a.structure.squares()->size.thickness_mm, b.structure.squares()->size.thickness_mm);
+  EXPECT_EQ(a.structure.squares()->size.height_mm, b.structure.squares()->size.height_mm);
+  ASSERT_EQ(a.structure.squares()->hinges.size(), b.structure.squares()->hinges.size());
+  for (std::size_t k = 0; k < a.structure.squares()->hinges.size(); ++k) {
+    const model::HingeParameters &p = a.structure.squares()->hinges[k].parameters,
+                                 &q = b.structure.squares()->hinges[k].parameters;
+    EXPECT_EQ(a.structure.squares()->hinges[k].wall, b.structure.squares()->hinges[k].wall);
     EXPECT_TRUE(p.t == q.t && p.alpha == q.alpha && p.beta == q.beta && p.offset == q.offset)
         << "hinge " << k;
   }
@@ -57,7 +59,9 @@ TEST(DesignFile, HoldsOffsetsInMillimetres) {
   const model::HingeParameters& p = hinge_of(file, {{0, 0}, model::Axis::x});
   EXPECT_DOUBLE_EQ(p.offset, -0.07);
   // Across the wall towards z x e: a wall along x has it in y.
-  EXPECT_LE((file.structure.hinge_point(file.structure.hinges[0]) - Eigen::Vector3d(5, -0.7, 0)).norm(),
+  EXPECT_LE((file.structure.squares()->hinge_point(file.structure.squares()->hinges[0]) -
+             Eigen::Vector3d(5, -0.7, 0))
+                .norm(),
             1e-15);
   expect_same(file, read(design_text(file)));
 }
@@ -66,19 +70,19 @@ TEST(DesignFile, KeepsAnyOffsetThatIsANumberOfMillimetres) {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> by(-4, 4);
   DesignFile file = read("kinetix: 1\nname: sheet\nstructure: {cells: [6, 3], cell_mm: 8.3}\n");
-  for (model::Hinge& hinge : file.structure.hinges) hinge.parameters.offset = by(random) / 8.3;
+  for (model::Hinge& hinge : file.structure.squares()->hinges) hinge.parameters.offset = by(random) / 8.3;
   expect_same(file, read(design_text(file)));
 }
 
 TEST(DesignFile, NeedsNoMoreThanAStructure) {
   const DesignFile file = read("kinetix: 1\nstructure: {cells: [6, 1]}\n");
   EXPECT_EQ(file.name, "sheet");
-  EXPECT_EQ(file.structure.cells.size(), 6u);
-  EXPECT_EQ(file.structure.size.edge_mm, 10);
+  EXPECT_EQ(file.structure.squares()->cells.size(), 6u);
+  EXPECT_EQ(file.structure.squares()->size.edge_mm, 10);
   EXPECT_EQ(file.theta, 0);
   EXPECT_FALSE(file.drive);
   EXPECT_EQ(file.hinge, HingeSection{});
-  for (const model::Hinge& hinge : file.structure.hinges) EXPECT_EQ(hinge.parameters.beta, 0);
+  for (const model::Hinge& hinge : file.structure.squares()->hinges) EXPECT_EQ(hinge.parameters.beta, 0);
 }
 
 TEST(DesignFile, TakesEverySection) {
@@ -99,7 +103,7 @@ TEST(DesignFile, TakesEverySection) {
   EXPECT_EQ(hinge_of(file, {{3, 0}, model::Axis::y}).alpha, pi / 2);
   ASSERT_TRUE(file.drive);
   EXPECT_EQ(file.drive->kind, DriveSection::Kind::hinge);
-  EXPECT_EQ(file.drive->wall, (model::Wall{{0, 0}, model::Axis::y}));
+  EXPECT_EQ(file.drive->hinge, file.structure.squares()->hinge_at({{0, 0}, model::Axis::y}));
   EXPECT_DOUBLE_EQ(file.drive->angle, -40 * radians_per_degree);
   EXPECT_EQ(file.hinge, (HingeSection{HingeSection::Model::elastic, 500, 0.2, 3.0}));
   EXPECT_EQ(file.physics.iterations, 50);
@@ -164,14 +168,14 @@ TEST(DesignFile, SurvivesWritingAndReadingBitForBit) {
     DesignFile file{
         .name = "round-" + std::to_string(round),
         .structure = structure_of(design, {edge, 0.4 * edge * unit(random) + 1e-3, 9 * unit(random) + 0.1})};
-    for (model::Hinge& hinge : file.structure.hinges) hinge.parameters.alpha = 0.01 + 3 * unit(random);
+    for (int h = 0; h < file.structure.hinges(); ++h) file.structure.hinge(h).alpha = 0.01 + 3 * unit(random);
     file.theta = design.theta;
     if (round % 3 == 1)
       file.drive = DriveSection{
           .kind = DriveSection::Kind::plates, .axis = model::Axis::x, .compression = unit(random)};
     if (round % 3 == 2)
       file.drive = DriveSection{.kind = DriveSection::Kind::hinge,
-                                .wall = file.structure.hinges.back().wall,
+                                .hinge = file.structure.hinges() - 1,
                                 .angle = 6 * unit(random) - 3};
     if (file.drive && round % 4 < 2 && file.drive->kind == DriveSection::Kind::plates)
       file.drive->branch = round % 8 < 4 ? 1 : -1;
@@ -208,7 +212,7 @@ TEST(DesignFile, WritesOnlyWhatDiffersFromTheBasicHinge) {
             "  hinges:  # walls that are not named have t: 0.5, alpha_deg: 90, beta_deg: 0\n"
             "    - {wall: [[0, 0], [1, 0]], t: 0.5, alpha_deg: 90, beta_deg: 54.7356}\n"
             "hinge: {model: rotary, k_point: 1000, k_turn: 0.1}\n");
-  file.structure.hinges[0].parameters.beta = -0.0;
+  file.structure.squares()->hinges[0].parameters.beta = -0.0;
   EXPECT_THAT(design_text(file), Not(HasSubstr("hinges")));
 }
 

@@ -165,8 +165,16 @@ std::vector<Json> files_of(const std::string& list) {
             sweep(R"({"path": {"path": "a"}, "range": [0, 1]})"),
             sweep(R"({"path": "a", "normal": {"mean": 0, "sd": 1}})"),
             sweep(R"({"path": "a", "values": [1]})")};
+  const auto of_structure = [](const Json& structure) {
+    return Json{{"kinetix", 1}, {"structure", structure}};
+  };
   return {design(R"({"kind": "plates", "compression": 0.1})"),
-          design(R"({"kind": "hinge", "wall": [[0, 0], [1, 0]], "angle_deg": 10})")};
+          design(R"({"kind": "hinge", "wall": [[0, 0], [1, 0]], "angle_deg": 10})"),
+          of_structure({{"lattice", "rhombus"}, {"cells", {2, 2}}}),
+          of_structure({{"lattice", "graph"}, {"drawing", KINETIX_SOURCE "/targets/shapes/rosette.dxf"}}),
+          of_structure({{"lattice", "graph"},
+                        {"vertices_mm", Json::parse("[[0, 0], [10, 0], [10, 10], [0, 10]]")},
+                        {"walls", Json::parse("[[0, 1], [1, 2], [2, 3], [3, 0]]")}})};
 }
 
 struct PlacedKey {

@@ -6,15 +6,14 @@
 namespace kinetix::app {
 namespace {
 
-double area(const model::CellHinges& cell, const model::State& state) {
-  const auto& b = cell.bodies;
+double area(std::span<const int> b, const model::State& state) {
   return 0.5 * (state[b[2]].p - state[b[0]].p).cross(state[b[3]].p - state[b[1]].p).norm();
 }
 
 std::vector<NamedContent> write(const Run& run) {
   std::string text;
-  for (const model::CellHinges& cell : run.structure.cell_members)
-    text += std::to_string(area(cell, run.states.front().poses)) + "\n";
+  for (int c = 0; c < run.structure.cells(); ++c)
+    text += std::to_string(area(run.structure.cell_bodies(c), run.states.front().poses)) + "\n";
   return {{"areas/flat.txt", text}};
 }
 

@@ -11,13 +11,14 @@
 #include "app/exports/write_results.hpp"
 #include "app/goals/read_target.hpp"
 #include "app/goals/registry.hpp"
+#include "app/pipeline/design_scene.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "app/result/result_json.hpp"
 #include "app/sweep/plan/metric.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-/// The parts that width_goal.cpp and areas_export.cpp add to this program, one file and one line each:
-/// nothing else in the project knows of them.
+/// The parts that width_goal.cpp, areas_export.cpp and window_lattice.cpp add to this program, one file and one
+/// line each: nothing else in the project knows of them.
 namespace kinetix::app {
 namespace {
 
@@ -95,6 +96,24 @@ TEST(NewExporter, WritesItsFileBesideTheOthers) {
   EXPECT_LT(area, 100);
   for (const char* name : {"design.yaml", "report.html"})
     EXPECT_TRUE(std::filesystem::exists(folder.path(name))) << name;
+}
+
+TEST(NewLattice, GoesFromItsFileToResultJson) {
+  TemporaryFolder folder;
+  const std::string file = folder.write(
+      "panel.yaml",
+      "kinetix: 1\nstructure: {lattice: window, cells: [3, 2], cell_mm: 12}\ndesign: {theta_deg: 20}\n");
+  app::Run run = run_scene(*make_scene(read_design(file), Model::exact), {});
+  write_results(run, folder.path("."));
+  const auto json = written(folder, "result.json");
+  EXPECT_EQ(json["structure"]["lattice"], "window");
+  EXPECT_EQ(json["structure"]["cells"][5]["cell"], nlohmann::json::parse("[2, 1]"));
+  EXPECT_EQ(json["structure"]["cells"][5]["bodies"].size(), 6u);
+  EXPECT_EQ(json["plan"]["family"], "planar");
+  EXPECT_LE(json["states"][0]["hinge_gap_max"].get<double>(), 1e-12);
+  const DesignFile again = read_design(folder.path("design.yaml"));
+  EXPECT_EQ(lattice_name(again.structure), "window");
+  EXPECT_EQ(again.structure.hinges(), run.structure.hinges());
 }
 
 }  // namespace

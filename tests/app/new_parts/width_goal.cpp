@@ -7,6 +7,7 @@
 #include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/physics_settings.hpp"
 #include "app/run/midline.hpp"
+#include "model/sheet/sheet_motion.hpp"
 
 /// A kind of goal in one file: a strip of one row of upright cells that folds to a width.
 ///
@@ -45,7 +46,7 @@ struct WidthOutcome final : GoalOutcome {
   }
 };
 
-double width(const model::Structure& structure, const model::State& state) {
+double width(const model::Sheet& structure, const model::State& state) {
   const auto line = column_midline(structure, state);
   return (line.back() - line.front()).norm();
 }
@@ -61,12 +62,12 @@ struct WidthScene final : Scene {
   std::string name() const override { return name_; }
 
   void solve(Run& run, const RunOptions&) const override {
-    run.structure = make_structure(model::rectangle(cells_, 1), {cell_mm_, 0.08 * cell_mm_, 0.6 * cell_mm_});
-    const model::Classification family = classify(run.structure);
+    run.structure = model::make_sheet(cells_, 1, {cell_mm_, 0.08 * cell_mm_, 0.6 * cell_mm_});
+    const model::ExactMotion exact = exact_motion(run.structure);
     double narrow = widest_theta, wide = 0;
     for (int k = 0; k < 60; ++k) {
       run.theta = (narrow + wide) / 2;
-      (width(run.structure, fold(family, run.structure, run.theta)) > width_mm_ ? wide : narrow) = run.theta;
+      (width(run.structure, exact.at(run.theta)) > width_mm_ ? wide : narrow) = run.theta;
     }
     auto outcome = std::make_unique<WidthOutcome>();
     outcome->asked_mm = width_mm_;

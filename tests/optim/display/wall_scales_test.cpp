@@ -104,7 +104,8 @@ TEST(ScaleWalls, LeavesOneWayToMove) {
 TEST(ScaleWalls, FindsTheOptimum) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> by(-1, 1);
-  const PlanarStructure s = model::make_planar_structure(model::honeycomb_graph(4, 3), {});
+  const PlanarStructure s =
+      model::make_planar_structure(model::lattice_graph(model::honeycomb_lattice, 4, 3), {});
   WallScales scales{.wish = {}, .offset = 0.06, .shift = 0.3};
   for (std::size_t e = 0; e < s.graph.edges.size(); ++e) scales.wish.push_back(0.2 * by(random));
   const ScaledWalls found = scale_walls(s, scales);

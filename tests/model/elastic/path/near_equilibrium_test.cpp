@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "model/lattice/square/classify.hpp"
+#include "model/sheet/sheet_motion.hpp"
 #include "tests/support/elastic_runs.hpp"
 #include "tests/support/random_designs.hpp"
 
@@ -48,7 +49,8 @@ TEST(NearEquilibrium, OfChangedHingesIsTheSameAsFromTheirOwnClosedForm) {
   const Structure before = bent(0.4), after = bent(0.55);
   const Elasticity e{.k_turn = 1e-2};
   const EquilibriumPath start = equilibrium_at_closed_form(driven(before, by_hinge(before)), e);
-  const EquilibriumPath changed = follow_change(start.state, changing(before, after, by_hinge(after)), e);
+  const EquilibriumPath changed =
+      follow_change(start.state, changing(before, after, by_hinge(after).on(after)), e);
   const EquilibriumPath own = equilibrium_at_closed_form(driven(after, by_hinge(after)), e);
   ASSERT_EQ(changed.stop, Stop::reached) << changed.why;
   ASSERT_EQ(own.stop, Stop::reached) << own.why;

@@ -28,11 +28,11 @@ struct NamedGraph {
 std::vector<NamedGraph> graphs() {
   return {{"squares", square_graph(7, 5), 48, 82, 35},
           {"disc of squares", disc_of_squares(12), 109, 196, 88},
-          {"rhombi", rhombus_graph(6, 4, 1.1), 35, 58, 24},
+          {"rhombi", lattice_graph(model::rhombus_lattice, 6, 4, 1.1), 35, 58, 24},
           {"random quads", random_quads(6, 1), 49, 84, 36},
-          {"honeycomb", honeycomb_graph(5, 4), 58, 77, 20},
-          {"bricks", brick_graph(5, 4), 58, 77, 20},
-          {"octagons", octagon_graph(4, 3), 62, 79, 18}};
+          {"honeycomb", lattice_graph(model::honeycomb_lattice, 5, 4), 58, 77, 20},
+          {"bricks", lattice_graph(model::brick_lattice, 5, 4), 58, 77, 20},
+          {"octagons", lattice_graph(model::octagon_lattice, 4, 3), 62, 79, 18}};
 }
 
 TEST(PlanarGraph, OfLatticesHasTheirBodiesHingesAndCells) {
@@ -63,7 +63,7 @@ TEST(PlanarMotion, OfAnyRedrawingClosesEveryHinge) {
 }
 
 TEST(PlanarMotion, TurnsAndScalesWallsAsItsRedrawingSays) {
-  PlanarStructure s = make_planar_structure(octagon_graph(3, 3), {});
+  PlanarStructure s = make_planar_structure(lattice_graph(model::octagon_lattice, 3, 3), {});
   const Redrawing y = random_redrawing(s, 0.5, 5);
   constexpr double theta = 0.6;
   const State state = fold(s, y, theta);
@@ -107,7 +107,7 @@ TEST(PlanarMotion, HasF1AsItsSpecialCase) {
 }
 
 TEST(PlanarMotion, NamesAFaceThatDoesNotClose) {
-  PlanarStructure s = make_planar_structure(honeycomb_graph(3, 3), {});
+  PlanarStructure s = make_planar_structure(lattice_graph(model::honeycomb_lattice, 3, 3), {});
   s.hinges[4].t = 0.6;
   const ExactMotion motion = exact_motion(s);
   EXPECT_FALSE(motion);
@@ -122,8 +122,9 @@ TEST(PlanarMotion, HasTheMobilityOfItsLattice) {
     PlanarGraph graph;
     int dofs;
   };
-  for (const auto& [graph, dofs] : {Case{square_graph(4, 4), 1}, Case{rhombus_graph(4, 3, 1.2), 1},
-                                    Case{random_quads(4, 2), 1}, Case{honeycomb_graph(3, 3), 11}}) {
+  for (const auto& [graph, dofs] :
+       {Case{square_graph(4, 4), 1}, Case{lattice_graph(model::rhombus_lattice, 4, 3, 1.2), 1},
+        Case{random_quads(4, 2), 1}, Case{lattice_graph(model::honeycomb_lattice, 3, 3), 11}}) {
     PlanarStructure s = make_planar_structure(graph, {});
     place_hinges(random_redrawing(s, 0.3, 11), s);
     const Mobility m = mobility(s, exact_motion(s));

@@ -1,4 +1,4 @@
-#include "model/lattice/planar/planar_lattices.hpp"
+#include "model/lattice/planar/planar_lattice.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include <set>
 #include <utility>
 
-#include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/base/union_find.hpp"
+#include "model/lattice/planar/closed_rim.hpp"
 
 namespace kinetix::model {
 namespace {
@@ -64,30 +64,6 @@ class Drawing {
   std::set<std::pair<int, int>> walls_;
 };
 
-template <class Corners>
-PlanarGraph tiled(int columns, int rows, const Corners& corners) {
-  Drawing drawing;
-  for (int j = 0; j < rows; ++j)
-    for (int i = 0; i < columns; ++i) drawing.add_cell(corners(i, j));
-  return drawing.graph();
-}
-
-std::vector<Vector2d> moved(std::vector<Vector2d> corners, const Vector2d& by) {
-  for (Vector2d& p : corners) p += by;
-  return corners;
-}
-
-/// Regular polygon with walls of length 1, its first corner at `first` from its middle, rad.
-std::vector<Vector2d> polygon(int walls, double first) {
-  const double radius = 0.5 / std::sin(pi / walls);
-  std::vector<Vector2d> corners;
-  for (int k = 0; k < walls; ++k) {
-    const double angle = first + 2 * pi * k / walls;
-    corners.push_back(radius * Vector2d(std::cos(angle), std::sin(angle)));
-  }
-  return corners;
-}
-
 /// The graph of the walls of some faces.
 PlanarGraph of_faces(const PlanarGraph& graph, const std::vector<const GraphFace*>& faces) {
   Drawing drawing;
@@ -120,33 +96,21 @@ std::vector<const GraphFace*> largest_piece(const PlanarGraph& graph,
 
 }  // namespace
 
-PlanarGraph square_graph(int columns, int rows) { return rhombus_graph(columns, rows, pi / 2); }
-
-PlanarGraph rhombus_graph(int columns, int rows, double angle) {
-  const Vector2d along(1, 0), across(std::cos(angle), std::sin(angle));
-  return tiled(columns, rows, [&](int i, int j) {
-    return moved({{0, 0}, along, along + across, across}, i * along + j * across);
-  });
+std::vector<LatticeCell> lattice_cells(int columns, int rows) {
+  std::vector<LatticeCell> cells;
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < columns; ++i) cells.push_back({i, j});
+  return cells;
 }
 
-PlanarGraph honeycomb_graph(int columns, int rows) {
-  const double width = std::sqrt(3.0);
-  return tiled(columns, rows, [&](int i, int j) {
-    return moved(polygon(6, pi / 2), Vector2d(width * (i + 0.5 * (j % 2)), 1.5 * j));
-  });
+PlanarGraph lattice_graph(const LatticeSheet& sheet) {
+  Drawing drawing;
+  for (const auto& [i, j] : sheet.cells) drawing.add_cell(sheet.lattice->corners(i, j, sheet.angle));
+  return sheet.closed_rim ? closed_rim(drawing.graph()) : drawing.graph();
 }
 
-PlanarGraph brick_graph(int columns, int rows) {
-  return tiled(columns, rows, [](int i, int j) {
-    return moved({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {1, 1}, {0, 1}}, Vector2d(2 * i + j % 2, j));
-  });
-}
-
-PlanarGraph octagon_graph(int columns, int rows) {
-  const double pitch = 1 + std::sqrt(2.0);
-  return tiled(columns, rows, [&](int i, int j) {
-    return moved(polygon(8, pi / 8), {pitch * i, pitch * j});
-  });
+PlanarGraph lattice_graph(const PlanarLattice& lattice, int columns, int rows, double angle) {
+  return lattice_graph({&lattice, lattice_cells(columns, rows), angle});
 }
 
 PlanarGraph trimmed(const PlanarGraph& graph, const std::function<bool(const Vector2d&)>& inside) {

@@ -1,0 +1,247 @@
+#include "app/files/lattice_section.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "model/lattice/planar/closed_rim.hpp"
+#include "model/lattice/planar/lattices/registry.hpp"
+#include "targets/drawing/read_drawing.hpp"
+
+namespace kinetix::app {
+namespace {
+
+namespace value = targets::value;
+using model::PlanarLattice;
+
+constexpr double default_cell_mm = 10;     // mm: a cell that a hand takes hold of
+constexpr int max_vertices = 1'000'000;    // as many bodies as the largest sheet of squares has cells
+constexpr const char* squares = "square";  // `lattice` of model/lattice/square
+constexpr const char* by_hand = "graph";   // and of what is drawn by hand
+constexpr const char* rims[] = {"open", "closed"};
+// Of a rhombus, degrees: flatter ones have walls that touch their neighbours'.
+const targets::Bounds angles = targets::from_to(30, 150, "degrees");
+
+std::vector<std::string> regular_names() {
+  std::vector<std::string> names;
+  for (const PlanarLattice* lattice : model::planar_lattices()) names.emplace_back(lattice->name);
+  return names;
+}
+
+std::vector<std::string> lattice_names() {
+  std::vector<std::string> names = regular_names();
+  names.insert(names.begin(), squares);
+  names.emplace_back(by_hand);
+  return names;
+}
+
+std::string lattice_meaning() {
+  std::string text = "the lattice of the sheet: `square`";
+  for (const PlanarLattice* lattice : model::planar_lattices())
+    text += fmt::format("; `{}`, {}", lattice->name, lattice->meaning);
+  return text + "; `graph`, walls of a drawing or a list";
+}
+
+targets::ValueType numbers_2() { return value::list(value::number(), "`[x, y]`", 2, 2); }
+
+targets::Node cells_of(const targets::Section& structure) {
+  return structure.required("cells", "[columns, rows], or a list of cells [[i, j], ...]");
+}
+
+bool read_rim(const targets::Section& structure) {
+  const auto node = structure.optional("rim");
+  return node && node->one_of({std::begin(rims), std::end(rims)}) == 1;
+}
+
+model::Sheet read_squares(const targets::Section& structure) {
+  const targets::Node cells = cells_of(structure);
+  const model::CellSize size = read_size(structure, default_cell_mm);
+  return cells.located([&] { return make_structure(read_cells(cells), size); });
+}
+
+model::Sheet read_regular(const targets::Section& structure, const PlanarLattice& lattice) {
+  if (const auto angle = structure.optional("angle_deg"); angle && !lattice.takes_angle)
+    throw angle->key_error(fmt::format("cells of lattice: {} have one shape only", lattice.name));
+  const targets::Node cells = cells_of(structure);
+  model::LatticeSheet sheet;
+  sheet.lattice = &lattice;
+  for (const model::Cell& cell : read_cells(cells)) sheet.cells.push_back({cell.i, cell.j});
+  structure.read("angle_deg", sheet.angle);
+  sheet.closed_rim = read_rim(structure);
+  const model::CellSize size = read_size(structure, default_cell_mm);
+  return cells.located([&] { return make_planar_structure(std::move(sheet), size); });
+}
+
+Eigen::Vector2d read_point(const targets::Node& node) {
+  const auto xy = node.list_of(2, "a point [x, y] in mm");
+  return {xy[0].number(), xy[1].number()};
+}
+
+/// As written in the file, mm.
+model::PlanarGraph read_walls(const targets::Section& structure) {
+  model::PlanarGraph graph;
+  const targets::Node points = structure.required("vertices_mm", "points [[x, y], ...] in mm");
+  for (const targets::Node& point : points.list("points [[x, y], ...]"))
+    graph.vertices.push_back(read_point(point));
+  const int last = static_cast<int>(graph.vertices.size()) - 1;
+  for (const targets::Node& wall : structure.required("walls", "pairs of vertices [[0, 1], ...]")
+                                       .list("pairs of vertices [[0, 1], ...]")) {
+    const auto ends = wall.list_of(2, "two vertices by their numbers, e.g. [0, 1]");
+    graph.edges.push_back({ends[0].integer(0, last), ends[1].integer(0, last)});
+  }
+  return graph;
+}
+
+double mean_length(const model::PlanarGraph& graph) {
+  double sum = 0;
+  for (int e = 0; e < static_cast<int>(graph.edges.size()); ++e) sum += graph.along(e).norm();
+  return sum / static_cast<double>(std::max<std::size_t>(1, graph.edges.size()));
+}
+
+model::Sheet read_graph(const targets::Section& structure) {
+  const auto drawing = structure.knows("drawing")
+                           ? std::optional(structure.required("drawing", "path of a DXF or SVG file"))
+                           : std::nullopt;
+  const targets::Node place = drawing ? *drawing : structure.node();
+  model::PlanarGraph graph = drawing ? targets::read_drawing(*drawing) : read_walls(structure);
+  if (read_rim(structure)) graph = place.located([&] { return closed_rim(graph); });
+  const model::CellSize size = read_size(structure, mean_length(graph));
+  for (Eigen::Vector2d& vertex : graph.vertices) vertex /= size.edge_mm;
+  return place.located([&] { return make_planar_structure(std::move(graph), size); });
+}
+
+std::string cells_text(const std::vector<model::Cell>& cells) {
+  const auto sides = as_rectangle(cells);
+  if (sides && *std::min_element(cells.begin(), cells.end()) == model::Cell{0, 0})
+    return fmt::format("[{}, {}]", (*sides)[0], (*sides)[1]);
+  std::string text = "[";
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    if (k > 0) text += k % 10 == 0 ? ",\n          " : ", ";
+    text += fmt::format("[{}, {}]", cells[k].i, cells[k].j);
+  }
+  return text + "]";
+}
+
+std::string drawn_text(const model::PlanarStructure& planar) {
+  const model::LatticeSheet& drawn = planar.drawn;
+  std::vector<model::Cell> cells;
+  for (const auto& [i, j] : drawn.cells) cells.push_back({i, j});
+  std::string text = fmt::format("  lattice: {}\n  cells: {}\n", drawn.lattice->name, cells_text(cells));
+  if (drawn.lattice->takes_angle) text += "  angle_deg: " + targets::degrees_text(drawn.angle) + "\n";
+  return text + (drawn.closed_rim ? "  rim: closed\n" : "");
+}
+
+/// The length in mm that is read as this number of cell edges; the nearest where rounding leaves none.
+std::string graph_text(const model::PlanarStructure& planar) {
+  const double edge = planar.size.edge_mm;
+  std::string text = "  lattice: graph\n  vertices_mm: [";
+  for (std::size_t v = 0; v < planar.graph.vertices.size(); ++v) {
+    const Eigen::Vector2d& at = planar.graph.vertices[v];
+    text +=
+        fmt::format("{}[{}, {}]",
+                    v == 0       ? ""
+                    : v % 6 == 0 ? ",\n    "
+                                 : ", ",
+                    targets::shortest_text(mm_of(at.x(), edge)), targets::shortest_text(mm_of(at.y(), edge)));
+  }
+  text += "]\n  walls: [";
+  for (std::size_t e = 0; e < planar.graph.edges.size(); ++e)
+    text += (e == 0 ? "" : e % 10 == 0 ? ",\n    " : ", ") + to_string(planar.graph.edges[e]);
+  return text + "]\n";
+}
+
+std::string cells_or_walls(const model::Sheet& sheet) {
+  if (const model::Structure* s = sheet.squares()) return "  cells: " + cells_text(s->cells) + "\n";
+  return sheet.planar()->drawn.lattice ? drawn_text(*sheet.planar()) : graph_text(*sheet.planar());
+}
+
+targets::Key lattice_key(std::vector<std::string> words, targets::Default fallback) {
+  return {"lattice", value::choice(std::move(words)), std::move(fallback), lattice_meaning()};
+}
+
+targets::Key rim_key() {
+  return {"rim", value::choice(std::vector<std::string>(std::begin(rims), std::end(rims))),
+          targets::by_default("open"),
+          "`closed` adds cells in the notches of the rim, and walls across cells where these do not do, "
+          "until one "
+          "freedom is left"};
+}
+
+targets::Key any_cells_key() { return cells_key(targets::needed, "the cells of the sheet"); }
+
+const targets::KeyTable& square_keys() {
+  static const targets::KeyTable keys({lattice_key({squares}, targets::by_default(squares)), any_cells_key(),
+                                       cell_mm_key(targets::by_default(default_cell_mm)), wall_mm_key()});
+  return keys;
+}
+
+const targets::KeyTable& regular_keys() {
+  static const targets::KeyTable keys({
+      lattice_key(regular_names(), targets::needed),
+      any_cells_key(),
+      {"angle_deg", value::angle(angles), targets::by_default_deg(model::LatticeSheet{}.angle),
+       "of `rhombus`: between walls along the rows and across them"},
+      rim_key(),
+      cell_mm_key(targets::by_default(default_cell_mm)),
+      wall_mm_key(),
+  });
+  return keys;
+}
+
+const targets::KeyTable& drawing_keys() {
+  static const targets::KeyTable keys({
+      lattice_key({by_hand}, targets::needed),
+      {"drawing", value::text("path of a DXF or SVG file, from the folder of the design"), targets::needed,
+       "of `graph`: its lines are the walls, in mm"},
+      rim_key(),
+      cell_mm_key(targets::otherwise("the mean length of the walls")),
+      wall_mm_key(),
+  });
+  return keys;
+}
+
+const targets::KeyTable& graph_keys() {
+  static const targets::KeyTable keys({
+      lattice_key({by_hand}, targets::needed),
+      {"vertices_mm", value::list(numbers_2(), "`[[x, y], ...]`", 2, max_vertices), targets::needed,
+       "of `graph` without a drawing: where walls meet"},
+      {"walls",
+       value::list(value::list(value::integer(0, max_vertices - 1), "`[from, to]`", 2, 2),
+                   "`[[from, to], ...]`"),
+       targets::needed, "of `graph` without a drawing: each by the numbers of its two vertices, from 0"},
+      rim_key(),
+      cell_mm_key(targets::otherwise("the mean length of the walls")),
+      wall_mm_key(),
+  });
+  return keys;
+}
+
+}  // namespace
+
+targets::Key lattice_structure_key() {
+  return {"structure",
+          value::either({value::map(square_keys()), value::map(regular_keys()), value::map(drawing_keys()),
+                         value::map(graph_keys())}),
+          targets::needed, "the flat sheet: squares, another regular lattice, a drawing, or a list of walls"};
+}
+
+model::Sheet read_sheet(const targets::Node& structure) {
+  const auto lattice = structure.optional("lattice");
+  const std::vector<std::string> names = lattice_names();
+  const std::size_t choice = lattice ? lattice->one_of({names.begin(), names.end()}) : 0;
+  if (names[choice] == squares) return read_squares(targets::Section(structure, square_keys()));
+  if (names[choice] != by_hand)
+    return read_regular(targets::Section(structure, regular_keys()), *model::planar_lattices()[choice - 1]);
+  const bool is_drawn = structure.optional("drawing") || !structure.optional("vertices_mm");
+  return read_graph(targets::Section(structure, is_drawn ? drawing_keys() : graph_keys()));
+}
+
+std::string structure_text(const model::Sheet& sheet) {
+  const model::CellSize& size = sheet.size();
+  return "structure:\n" + cells_or_walls(sheet) +
+         fmt::format("  cell_mm: {}\n  wall_mm: {{thickness: {}, height: {}}}\n",
+                     targets::shortest_text(size.edge_mm), targets::shortest_text(size.thickness_mm),
+                     targets::shortest_text(size.height_mm));
+}
+
+}  // namespace kinetix::app

@@ -1,0 +1,186 @@
+#include "model/lattice/planar/closed_rim.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "model/base/angle.hpp"
+
+namespace kinetix::model {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double open_corner = 175 * pi / 180;   // rad: a wider corner outside is a straight rim, not a notch
+constexpr double narrow_corner = 40 * pi / 180;  // rad: in a narrower one new walls would touch the old ones
+constexpr double apart =
+    0.3;  // wall lengths: nearer, bodies of new and old vertices would meet when they turn
+
+double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+double distance(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
+  const Vector2d along = b - a;
+  return (p - a - std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0) * along).norm();
+}
+
+/// Vertices along the rim that a new cell takes in, counter-clockwise, and the new vertex if it needs one.
+struct Notch {
+  std::vector<int> rim;
+  bool has_corner = false;
+  Vector2d corner = Vector2d::Zero();
+  double sharpness = 0;  ///< rad, of the corner outside: the smallest is filled first
+};
+
+/// The rim of a graph, and the notches in it.
+class Rim {
+ public:
+  explicit Rim(const PlanarGraph& graph) : graph_(graph), rim_(outer_rim(graph).vertices) {
+    for (const GraphEdge& e : graph.edges)
+      mean_ += graph.along(static_cast<int>(&e - graph.edges.data())).norm();
+    mean_ /= static_cast<double>(graph.edges.size());
+  }
+
+  /// Those that can be filled, of three walls first, then sharpest first.
+  std::vector<Notch> notches() const {
+    std::vector<Notch> found;
+    for (int k = 0; k < size(); ++k) {
+      if (!is_notch(k)) continue;
+      if (Notch wide = of_three_walls(k); !wide.rim.empty()) found.push_back(std::move(wide));
+      if (Notch corner = of_two_walls(k); !corner.rim.empty()) found.push_back(std::move(corner));
+    }
+    std::stable_sort(found.begin(), found.end(), [](const Notch& a, const Notch& b) {
+      return std::pair(a.has_corner, std::round(a.sharpness * 1e6)) <
+             std::pair(b.has_corner, std::round(b.sharpness * 1e6));
+    });
+    return found;
+  }
+
+ private:
+  int size() const { return static_cast<int>(rim_.size()); }
+  int at(int k) const { return rim_[(k % size() + size()) % size()]; }
+  const Vector2d& place(int k) const { return graph_.vertices[at(k)]; }
+
+  /// Angle outside, rad, in (0, 2 pi).
+  double outside(int k) const {
+    const Vector2d back = place(k - 1) - place(k), on = place(k + 1) - place(k);
+    const double angle = std::atan2(cross(back, on), back.dot(on));
+    return angle < 0 ? angle + 2 * pi : angle;
+  }
+
+  bool is_notch(int k) const {
+    const double angle = outside(k);
+    return angle > narrow_corner && angle < open_corner;
+  }
+
+  Notch of_three_walls(int k) const {
+    if (!is_notch(k + 1)) return {};
+    const Vector2d &from = place(k - 1), &to = place(k + 2);
+    const double length = (to - from).norm();
+    if (length < mean_ / 2 || length > 2.5 * mean_ || !is_free(from, to)) return {};
+    return {{at(k - 1), at(k), at(k + 1), at(k + 2)}, false, {}, outside(k)};
+  }
+
+  Notch of_two_walls(int k) const {
+    const Vector2d corner = place(k - 1) + place(k + 1) - place(k);
+    for (int j = 0; j < size(); ++j)
+      if (distance(corner, place(j), place(j + 1)) < apart * mean_) return {};
+    if (!is_free(place(k - 1), corner) || !is_free(corner, place(k + 1))) return {};
+    return {{at(k - 1), at(k), at(k + 1)}, true, corner, outside(k)};
+  }
+
+  /// Whether a wall between these places stays off the rim but for its ends.
+  bool is_free(const Vector2d& a, const Vector2d& b) const {
+    for (int j = 0; j < size(); ++j) {
+      const Vector2d &p = place(j), &q = place(j + 1);
+      for (const Vector2d& end : {p})
+        if (end != a && end != b && distance(end, a, b) < apart * mean_) return false;
+      if (p == a || p == b || q == a || q == b) continue;
+      if ((cross(b - a, p - a) > 0) != (cross(b - a, q - a) > 0) &&
+          (cross(q - p, a - p) > 0) != (cross(q - p, b - p) > 0))
+        return false;
+    }
+    return true;
+  }
+
+  const PlanarGraph& graph_;
+  std::vector<int> rim_;
+  double mean_ = 0;  ///< length of a wall
+};
+
+void fill(const Notch& notch, PlanarGraph& graph) {
+  const int from = notch.rim.front(), to = notch.rim.back();
+  if (!notch.has_corner) {
+    graph.edges.push_back({from, to});
+    return;
+  }
+  const int corner = static_cast<int>(graph.vertices.size());
+  graph.vertices.push_back(notch.corner);
+  graph.edges.push_back({from, corner});
+  graph.edges.push_back({to, corner});
+}
+
+/// Fills notches that have no vertex in common, until the graph has one freedom. @return whether there were any
+bool fill_notches(PlanarGraph& graph) {
+  const std::vector<Notch> notches = Rim(graph).notches();
+  std::vector<bool> is_used(graph.vertices.size(), false);
+  bool filled = false;
+  for (const Notch& notch : notches) {
+    if (counted_freedoms(graph) <= 1) break;
+    const auto used = [&](int v) { return is_used[v]; };
+    const auto inner = notch.rim.begin() + 1, end = notch.rim.end() - 1;
+    if (std::any_of(inner, end, used) || (used(notch.rim.front()) && used(notch.rim.back()))) continue;
+    for (const int v : notch.rim) is_used[v] = true;
+    fill(notch, graph);
+    filled = true;
+  }
+  return filled;
+}
+
+/// A wall between opposite corners of a cell, the shortest there is; nothing where it would leave the cell.
+std::optional<GraphEdge> bar(const PlanarGraph& graph, const GraphFace& face) {
+  const int count = static_cast<int>(face.vertices.size());
+  const auto place = [&](int k) { return graph.vertices[face.vertices[k % count]]; };
+  for (int k = 0; k < count; ++k)
+    if (cross(place(k + 1) - place(k), place(k + 2) - place(k + 1)) < -1e-9) return std::nullopt;
+  std::optional<GraphEdge> best;
+  double shortest = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < count; ++k) {
+    const double length = (place(k + 3) - place(k)).norm();
+    if (length > shortest - 1e-9) continue;
+    shortest = length;
+    best = {face.vertices[k], face.vertices[(k + 3) % count]};
+  }
+  return best;
+}
+
+/// Walls across cells of six and more walls, those along the rim first.
+void add_bars(PlanarGraph& graph) {
+  std::vector<bool> on_rim(graph.edges.size(), false);
+  for (const int e : outer_rim(graph).edges) on_rim[e] = true;
+  std::vector<GraphFace> faces = bounded_faces(graph);
+  std::stable_partition(faces.begin(), faces.end(), [&](const GraphFace& face) {
+    return std::any_of(face.edges.begin(), face.edges.end(), [&](int e) { return on_rim[e]; });
+  });
+  for (const GraphFace& face : faces) {
+    if (counted_freedoms(graph) <= 1) return;
+    if (face.vertices.size() < 6) continue;
+    if (const auto wall = bar(graph, face)) graph.edges.push_back(*wall);
+  }
+}
+
+}  // namespace
+
+int counted_freedoms(const PlanarGraph& graph) {
+  return 3 * static_cast<int>(graph.vertices.size()) - 2 * static_cast<int>(graph.edges.size()) - 3;
+}
+
+PlanarGraph closed_rim(PlanarGraph graph) {
+  while (counted_freedoms(graph) > 1 && fill_notches(graph)) {
+  }
+  if (counted_freedoms(graph) > 1) add_bars(graph);
+  return graph;
+}
+
+}  // namespace kinetix::model

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "model/lattice/planar/planar_graph.hpp"
+
+namespace kinetix::model {
+
+/// How many ways a structure on the graph moves in the plane beyond its rigid motions, by counting bodies and
+/// hinges: 3 V - 2 E - 3. Less than it really moves where walls repeat each other, as in squares; for a graph
+/// that it finds floppy it is right.
+int counted_freedoms(const PlanarGraph& graph);
+
+/// Cells along the rim that take a floppy lattice its freedoms but one (kinematics.md section 5): a wall across
+/// the mouth of a notch of three walls, a parallelogram into the corner of a notch of two, the sharpest ones
+/// first; and where notches run out, a wall across cells of six and more walls, along the rim. All faces stay
+/// even. As it was where it has one freedom or less, and as far as it goes where nothing more can be added.
+PlanarGraph closed_rim(PlanarGraph graph);
+
+}  // namespace kinetix::model

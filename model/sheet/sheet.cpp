@@ -1,0 +1,128 @@
+#include "model/sheet/sheet.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "model/lattice/square/lines.hpp"
+
+namespace kinetix::model {
+namespace {
+
+constexpr double one_column = 1e-9;  // cell edges: vertices of one column are as far from it by rounding
+
+/// One function for each lattice.
+template <class... F>
+struct Each : F... {
+  using F::operator()...;
+};
+template <class... F>
+Each(F...) -> Each<F...>;
+
+std::vector<std::vector<int>> columns_of(const PlanarStructure& s) {
+  std::vector<int> order(s.graph.vertices.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto place = [&](int v) {
+    return std::pair(std::round(s.graph.vertices[v].x() / one_column), s.graph.vertices[v].y());
+  };
+  std::sort(order.begin(), order.end(), [&](int a, int b) { return place(a) < place(b); });
+  std::vector<std::vector<int>> columns;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    if (k == 0 || place(order[k]).first != place(order[k - 1]).first) columns.emplace_back();
+    columns.back().push_back(order[k]);
+  }
+  return columns;
+}
+
+}  // namespace
+
+const CellSize& Sheet::size() const {
+  return std::visit([](const auto& s) -> const CellSize& { return s.size; }, of_);
+}
+
+int Sheet::bodies() const {
+  return std::visit(Each{[](const Structure& s) { return static_cast<int>(s.bodies.size()); },
+                         [](const PlanarStructure& s) { return static_cast<int>(s.graph.vertices.size()); }},
+                    of_);
+}
+
+int Sheet::hinges() const {
+  return std::visit([](const auto& s) { return static_cast<int>(s.hinges.size()); }, of_);
+}
+
+int Sheet::cells() const {
+  return std::visit(Each{[](const Structure& s) { return static_cast<int>(s.cells.size()); },
+                         [](const PlanarStructure& s) { return static_cast<int>(s.faces.size()); }},
+                    of_);
+}
+
+const HingeParameters& Sheet::hinge(int index) const {
+  if (const Structure* s = squares()) return s->hinges[index].parameters;
+  return planar()->hinges[index];
+}
+
+HingeParameters& Sheet::hinge(int index) {
+  if (Structure* s = squares()) return s->hinges[index].parameters;
+  return planar()->hinges[index];
+}
+
+HingedWall Sheet::wall(int hinge) const {
+  return std::visit(Each{[hinge](const Structure& s) { return hinged_wall(s.hinges[hinge]); },
+                         [hinge](const PlanarStructure& s) { return hinged_wall(s, hinge); }},
+                    of_);
+}
+
+std::span<const int> Sheet::cell_bodies(int cell) const {
+  if (const Structure* s = squares()) return s->cell_members[cell].bodies;
+  return planar()->faces[cell].vertices;
+}
+
+std::span<const int> Sheet::cell_hinges(int cell) const {
+  if (const Structure* s = squares()) return s->cell_members[cell].hinges;
+  return planar()->faces[cell].edges;
+}
+
+Eigen::Vector3d Sheet::rest_position(int body) const {
+  if (const Structure* s = squares()) return s->rest_position(body);
+  const Eigen::Vector2d at = size().edge_mm * planar()->graph.vertices[body];
+  return {at.x(), at.y(), 0};
+}
+
+Sheet::operator Linkage() const {
+  return std::visit([](const auto& s) -> Linkage { return s; }, of_);
+}
+
+std::string lattice_name(const Sheet& sheet) {
+  if (sheet.squares()) return "square";
+  const PlanarLattice* lattice = sheet.planar()->drawn.lattice;
+  return lattice ? std::string(lattice->name) : "graph";
+}
+
+std::vector<int> body_label(const Sheet& sheet, int body) {
+  if (const Structure* s = sheet.squares()) return body_label(*s, body);
+  return {body};
+}
+
+std::vector<int> cell_label(const Sheet& sheet, int cell) {
+  if (const Structure* s = sheet.squares()) return cell_label(*s, cell);
+  const auto& drawn = sheet.planar()->drawn.cells;
+  if (cell >= static_cast<int>(drawn.size())) return {cell};
+  return {drawn[cell][0], drawn[cell][1]};
+}
+
+std::string wall_name(const Sheet& sheet, int hinge) {
+  if (const Structure* s = sheet.squares()) return to_string(s->hinges[hinge].wall);
+  return to_string(sheet.planar()->graph.edges[hinge]);
+}
+
+std::vector<std::vector<int>> body_columns(const Sheet& sheet) {
+  if (const Structure* s = sheet.squares()) return body_columns(*s);
+  return columns_of(*sheet.planar());
+}
+
+void validate_hinges(const Sheet& sheet) {
+  if (const Structure* s = sheet.squares()) return validate_hinges(*s);
+  validate_hinges(*sheet.planar());
+}
+
+}  // namespace kinetix::model

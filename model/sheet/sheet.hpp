@@ -1,0 +1,59 @@
+#pragma once
+
+#include <span>
+#include <variant>
+
+#include "model/lattice/planar/planar_structure.hpp"
+#include "model/lattice/square/structure.hpp"
+
+namespace kinetix::model {
+
+/// A flat sheet of any lattice with the parameters of its hinges: what files, results and sweeps handle. Bodies,
+/// hinges and cells are counted from 0, in the order of the linkage that it makes.
+class Sheet {
+ public:
+  Sheet() = default;
+  Sheet(Structure squares) : of_(std::move(squares)) {}
+  Sheet(PlanarStructure planar) : of_(std::move(planar)) {}
+
+  const CellSize& size() const;
+  int bodies() const;
+  int hinges() const;
+  int cells() const;
+
+  const HingeParameters& hinge(int index) const;
+  HingeParameters& hinge(int index);
+  HingedWall wall(int hinge) const;
+  /// Of a cell, counter-clockwise: bodies, and the hinges that join each to the next.
+  std::span<const int> cell_bodies(int cell) const;
+  std::span<const int> cell_hinges(int cell) const;
+  Eigen::Vector3d rest_position(int body) const;  ///< mm
+
+  operator Linkage() const;
+
+  /// What only one lattice has; nothing of any other.
+  const Structure* squares() const { return std::get_if<Structure>(&of_); }
+  Structure* squares() { return std::get_if<Structure>(&of_); }
+  const PlanarStructure* planar() const { return std::get_if<PlanarStructure>(&of_); }
+  PlanarStructure* planar() { return std::get_if<PlanarStructure>(&of_); }
+
+ private:
+  std::variant<Structure, PlanarStructure> of_;
+};
+
+/// "square", the name of the lattice that it is drawn by, or "graph".
+std::string lattice_name(const Sheet& sheet);
+
+/// What results call a body and a cell: as many integers as the lattice needs.
+std::vector<int> body_label(const Sheet& sheet, int body);
+std::vector<int> cell_label(const Sheet& sheet, int cell);
+/// A wall by its two vertices, as files have it.
+std::string wall_name(const Sheet& sheet, int hinge);
+
+/// Bodies that lie on one line along y at rest, from the left; in a line from below.
+std::vector<std::vector<int>> body_columns(const Sheet& sheet);
+
+/// @throws InvalidInput, naming wall and value, for hinge parameters outside their ranges (NaN included)
+void validate_hinges(const Sheet& sheet);
+
+}  // namespace kinetix::model

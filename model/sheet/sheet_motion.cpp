@@ -1,0 +1,66 @@
+#include "model/sheet/sheet_motion.hpp"
+
+#include "model/base/invalid_input.hpp"
+#include "model/lattice/planar/planar_drive.hpp"
+#include "model/lattice/planar/planar_motion.hpp"
+#include "model/lattice/square/classify.hpp"
+#include "model/lattice/square/drive.hpp"
+
+namespace kinetix::model {
+namespace {
+
+Drive square_drive(const Structure& sheet, const SheetDrive& drive) {
+  Drive out;
+  out.kind = drive.kind;
+  out.axis = drive.axis;
+  out.compression = drive.compression;
+  out.branch = drive.branch;
+  out.grip = drive.grip;
+  if (drive.kind == LinkageDrive::Kind::hinge) out.wall = sheet.hinges.at(drive.hinge).wall;
+  out.angle = drive.angle;
+  return out;
+}
+
+LinkageDrive planar_drive(const PlanarStructure& sheet, const SheetDrive& drive) {
+  if (drive.kind == LinkageDrive::Kind::hinge) return hinge_drive(sheet, drive.hinge, drive.angle);
+  return plate_drive(sheet, drive.axis, drive.compression, drive.branch);
+}
+
+Sheet between(const Sheet& before, const Sheet& after, double part) {
+  if (part >= 1) return after;
+  Sheet out = after;
+  const auto mix = [part](double a, double b) { return a + part * (b - a); };
+  for (int k = 0; k < out.hinges(); ++k) {
+    const HingeParameters& a = before.hinge(k);
+    HingeParameters& p = out.hinge(k);
+    p = {mix(a.t, p.t), mix(a.alpha, p.alpha), mix(a.beta, p.beta), mix(a.offset, p.offset)};
+  }
+  return out;
+}
+
+}  // namespace
+
+ExactMotion exact_motion(const Sheet& sheet) {
+  if (const Structure* squares = sheet.squares()) return exact_motion(*squares);
+  return exact_motion(*sheet.planar());
+}
+
+LinkageDrive drive_on(const Sheet& sheet, const SheetDrive& drive) {
+  if (const Structure* squares = sheet.squares()) return square_drive(*squares, drive).on(*squares);
+  return planar_drive(*sheet.planar(), drive);
+}
+
+LinkageDrive drive_to(const Sheet& sheet, double theta) {
+  if (const Structure* squares = sheet.squares()) return drive_to(*squares, theta).on(*squares);
+  return drive_to(*sheet.planar(), theta);
+}
+
+std::function<DrivenLinkage(double)> changing(const Sheet& before, const Sheet& after,
+                                              const LinkageDrive& drive) {
+  return [=](double part) {
+    const Sheet sheet = between(before, after, part);
+    return DrivenLinkage{sheet, drive, exact_motion(sheet)};
+  };
+}
+
+}  // namespace kinetix::model

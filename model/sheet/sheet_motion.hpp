@@ -1,0 +1,38 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "model/lattice/square/grip.hpp"
+#include "model/linkage/exact_motion.hpp"
+#include "model/sheet/sheet.hpp"
+
+namespace kinetix::model {
+
+/// The closed form of a sheet, by the rules of its lattice.
+ExactMotion exact_motion(const Sheet& sheet);
+
+/// How a sheet is driven, as files say it (see LinkageDrive).
+struct SheetDrive {
+  LinkageDrive::Kind kind = LinkageDrive::Kind::plates;
+  Axis axis = Axis::y;            ///< plates: their normal
+  double compression = 0;         ///< plates: 1 - final / initial distance, in [0, 1)
+  int branch = 1;                 ///< plates: 1 or -1, the sign of theta
+  std::optional<Grip> grip = {};  ///< plates: the part of squares that they grip; nothing: the rim
+  int hinge = -1;                 ///< hinge: the driven one
+  double angle = 0;               ///< hinge: its turn, rad, in (-pi, pi)
+};
+
+/// The drive by bodies and hinges.
+/// @throws InvalidInput for values out of range, and plates that find nothing to hold
+LinkageDrive drive_on(const Sheet& sheet, const SheetDrive& drive);
+
+/// The drive that takes a sheet to theta, rad, in (-pi/2, pi/2), as its lattice likes it best.
+LinkageDrive drive_to(const Sheet& sheet, double theta);
+
+/// A sheet under its drive while its hinges change bit by bit from those of `before` to those of `after`: part 0
+/// to part 1. @pre both have the same cells and sizes
+std::function<DrivenLinkage(double part)> changing(const Sheet& before, const Sheet& after,
+                                                   const LinkageDrive& drive);
+
+}  // namespace kinetix::model

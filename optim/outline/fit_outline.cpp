@@ -1,0 +1,208 @@
+#include "optim/outline/fit_outline.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "model/base/invalid_input.hpp"
+#include "model/contact/wall_contact.hpp"
+
+namespace kinetix::optim {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double less_turning = 0.8;   // of walls that met, from round to round; ten of them leave a tenth
+constexpr double less_scaling = 0.93;  // and of their offsets: cells that shrink close sooner
+constexpr int most_clearance_rounds = 14;                 // these leave a twentieth of the turning
+constexpr double spare = 0.3 * radians_per_degree;        // rad: walls stay apart a little further than asked
+constexpr double met_early[] = {0.4, 0.6, 0.75, 0.9, 1};  // of theta: where walls are looked at on the way
+constexpr double at_bound = 0.98;                         // of it: as good as there
+
+void validate(const OutlineOptions& o) {
+  require("theta", o.theta[0], o.theta[0] > 0 && o.theta[0] <= o.theta[1],
+          "above 0, and not above the upper end");
+  require("theta", o.theta[1], o.theta[1] < pi / 2, "below pi/2 rad");
+  require("offset", o.offset, o.offset >= 0 && o.offset < 0.5, "in [0, 0.5) cell edges");
+  require("t", o.t[0], o.t[0] > 0 && o.t[0] < 0.5, "in (0, 0.5)");
+  require("t", o.t[1], o.t[1] > 0.5 && o.t[1] < 1, "in (0.5, 1)");
+  require("thetas", o.thetas, o.thetas >= 1, "at least 1");
+  if (o.scale) require("scale", *o.scale, *o.scale > 0 && std::isfinite(*o.scale), "above 0 mm");
+}
+
+std::vector<Vector2d> corners(const std::vector<int>& rim, const std::vector<Vector2d>& places,
+                              double scale) {
+  std::vector<Vector2d> out;
+  for (const int v : rim) out.push_back(scale * places[v]);
+  return out;
+}
+
+double area(const std::vector<Vector2d>& polygon) {
+  double twice = 0;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Vector2d &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+    twice += a.x() * b.y() - a.y() * b.x();
+  }
+  return twice / 2;
+}
+
+/// The search at one theta.
+class Search {
+ public:
+  Search(const model::PlanarStructure& panel, const targets::Outline& folded, const targets::Outline* flat,
+         const OutlineOptions& options, double theta)
+      : panel_(panel), options_(options) {
+    problem_.panel = &panel_;
+    problem_.rim = outer_rim(panel.graph).vertices;
+    problem_.folded = &folded;
+    problem_.flat = flat;
+    problem_.flat_scale = panel.size.edge_mm;
+    problem_.theta = theta;
+    problem_.scale = options.scale;
+    const double shift = 2 * std::min(0.5 - options.t[0], options.t[1] - 0.5);
+    problem_.bounds.shift.assign(panel.graph.edges.size(), shift);
+    limit_.assign(panel.graph.edges.size(), options.offset);
+  }
+
+  OutlineDesign run() {
+    start();
+    OutlineDesign found;
+    bool spread = true;
+    do {
+      bound_offsets();
+      found.rounds += improve(problem_, shape_, spread, memory_).rounds;
+      spread = false;
+      take(found);
+      const std::set<int> met = walls_that_meet(found);
+      found.clear = met.empty();
+      for (const int e : met) {
+        problem_.bounds.shift[e] *= less_turning;
+        limit_[e] *= less_scaling;
+      }
+    } while (!found.clear && ++found.clearance_rounds < most_clearance_rounds);
+    judge(found);
+    return found;
+  }
+
+ private:
+  void start() {
+    shape_.flat = panel_.graph.vertices;
+    const double c = std::cos(problem_.theta);
+    const double size = area(corners(problem_.rim, shape_.flat, c));
+    shape_.scale = options_.scale.value_or(std::sqrt(problem_.folded->area() / size));
+    if (problem_.flat) suit_flat();
+    for (const Vector2d& x : shape_.flat) shape_.folded.push_back(c * x);
+    centre(shape_.folded, problem_.folded->middle() / shape_.scale);
+  }
+
+  /// As large as its outline, and on it.
+  void suit_flat() {
+    const double size = area(corners(problem_.rim, shape_.flat, problem_.flat_scale));
+    const double factor = std::sqrt(problem_.flat->area() / size);
+    for (Vector2d& x : shape_.flat) x *= factor;
+    centre(shape_.flat, problem_.flat->middle() / problem_.flat_scale);
+  }
+
+  static void centre(std::vector<Vector2d>& places, const Vector2d& at) {
+    Vector2d low = places[0], high = places[0];
+    for (const Vector2d& p : places) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+    for (Vector2d& p : places) p += at - (low + high) / 2;
+  }
+
+  void bound_offsets() {
+    problem_.bounds.offset.clear();
+    for (const model::GraphEdge& e : panel_.graph.edges)
+      problem_.bounds.offset.push_back(std::min(
+          limit_[problem_.bounds.offset.size()] / (shape_.flat[e.to] - shape_.flat[e.from]).norm(), 0.49));
+  }
+
+  /// The panel as it stands, within its bounds to the last bit by making y a little smaller.
+  void take(OutlineDesign& found) {
+    found.panel = panel_;
+    found.panel.graph.vertices = shape_.flat;
+    if (problem_.flat) found.panel.drawn = {};
+    found.y = redrawing_of(shape_, problem_.theta);
+    double excess = 1;
+    for (int e = 0; e < static_cast<int>(panel_.graph.edges.size()); ++e) {
+      const model::WallChange change = change_of(found.panel, found.y, e);
+      excess = std::max({excess, std::abs(change.s) / problem_.bounds.shift[e],
+                         problem_.bounds.offset[e] > 0 ? std::abs(change.o) / problem_.bounds.offset[e] : 1});
+    }
+    for (Vector2d& y : found.y) y /= excess;
+    place_hinges(found.y, found.panel);
+    if (options_.offset == 0)
+      for (model::HingeParameters& hinge : found.panel.hinges) hinge.offset = 0;
+    found.theta = problem_.theta;
+    found.scale = shape_.scale;
+  }
+
+  std::set<int> walls_that_meet(const OutlineDesign& found) const {
+    const model::Linkage linkage = found.panel;
+    model::WallContact contact(linkage);
+    std::set<int> met;
+    for (const double part : met_early) {
+      const double theta = part == 1 ? problem_.theta + spare : part * problem_.theta;
+      for (const model::WallPair& pair : contact.overlapping(fold(found.panel, found.y, theta)))
+        for (const int plate : {pair.first, pair.second}) met.insert(plate / 2);
+    }
+    return met;
+  }
+
+  void judge(OutlineDesign& found) const {
+    const model::State state = fold(found.panel, found.y, problem_.theta);
+    std::vector<Vector2d> rim;
+    for (const int v : problem_.rim) rim.push_back(shape_.scale / panel_.size.edge_mm * state[v].p.head<2>());
+    const Vector2d shift = shape_.scale * shape_.folded[problem_.rim[0]] - rim[0];
+    for (Vector2d& p : rim) p += shift;
+    found.error = outline_error(*problem_.folded, rim);
+    if (problem_.flat)
+      found.flat = outline_error(*problem_.flat, corners(problem_.rim, shape_.flat, problem_.flat_scale));
+    const int walls = static_cast<int>(panel_.graph.edges.size());
+    for (int e = 0; e < walls; ++e) {
+      const model::WallChange change = change_of(found.panel, found.y, e);
+      found.shift = std::max(found.shift, std::abs(change.s));
+      found.offset = std::max(found.offset, std::abs(found.panel.hinges[e].offset));
+      found.at_bounds_shift += std::abs(change.s) >= at_bound * problem_.bounds.shift[e];
+      found.at_bounds_offset += std::abs(change.o) >= at_bound * problem_.bounds.offset[e];
+    }
+    found.at_bounds_shift /= walls;
+    found.at_bounds_offset /= walls;
+  }
+
+  const model::PlanarStructure& panel_;
+  const OutlineOptions& options_;
+  OutlineProblem problem_;
+  OutlineShape shape_;
+  std::vector<double> limit_;  ///< of the offset of each wall, cell edges
+  BoxLeastSquaresMemory memory_;
+};
+
+bool is_better(const OutlineDesign& a, const OutlineDesign& b) {
+  if (a.clear != b.clear) return a.clear;
+  return a.error.rms + a.flat.rms < b.error.rms + b.flat.rms;
+}
+
+}  // namespace
+
+OutlineDesign fit_outline(const model::PlanarStructure& panel, const targets::Outline& folded,
+                          const targets::Outline* flat, const OutlineOptions& options,
+                          const std::function<void(double)>& progress) {
+  validate(options);
+  OutlineDesign best;
+  int rounds = 0;
+  for (int k = 0; k < options.thetas; ++k) {
+    const double part = options.thetas == 1 ? 0 : static_cast<double>(k) / (options.thetas - 1);
+    const double theta = options.theta[1] + part * (options.theta[0] - options.theta[1]);
+    OutlineDesign found = Search(panel, folded, flat, options, theta).run();
+    rounds += found.rounds;
+    if (k == 0 || is_better(found, best)) best = std::move(found);
+    if (progress) progress((k + 1.0) / options.thetas);
+  }
+  best.rounds = rounds;
+  return best;
+}
+
+}  // namespace kinetix::optim

@@ -1,0 +1,322 @@
+#include "optim/outline/outline_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+
+#include "optim/solvers/box_least_squares.hpp"
+
+namespace kinetix::optim {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+
+constexpr int most_rounds = 80;         // three times what outlines of 40 x 40 cells take
+constexpr int rounds_of_spreading = 4;  // in which rim vertices go to their places along the outline
+constexpr double settled = 5e-4;        // cell edges: a hundredth of what a print shows
+// Weights against 1 of the distance from the outline, each a length or a ratio of lengths.
+constexpr double first_slide = 0.5, least_slide = 0.02;  // of sliding along it, less from round to round
+constexpr double less_slide = 0.7;                       // its factor from round to round
+constexpr double plain_walls = 2e-3;                     // of walls that turn or scale
+constexpr double even_cells = 3e-2;  // of flat vertices off the middle of their neighbours
+constexpr double small_step = 1e-3;  // of moving at all
+// Of flat walls where they are free, cell edges: beyond, cells have no room or plates are all wall.
+constexpr double shortest = 0.6, longest = 1.6;
+// Of two walls of a flat cell that follow each other: the sine of the turn between them, so that cells stay
+// convex and their corners open.
+constexpr double least_turn = 0.35;
+
+// Of one convex problem: points on the outline move from round to round, so that only the last one is worth more.
+constexpr BoxLeastSquaresOptions on_the_way = {1e-4, 100}, at_the_end = {1e-6, 2000};
+
+Complex complex(const Vector2d& v) { return {v.x(), v.y()}; }
+
+/// Rows of a sparse matrix with their bounds or right-hand sides.
+class Rows {
+ public:
+  void add(Index column, double value) { entries_.emplace_back(count_, column, value); }
+  /// Adds the real or imaginary part of factor * (a complex unknown at `column`).
+  void add_real(Index column, Complex factor) {
+    add(column, factor.real());
+    add(column + 1, -factor.imag());
+  }
+  void add_imaginary(Index column, Complex factor) {
+    add(column, factor.imag());
+    add(column + 1, factor.real());
+  }
+  void end(double low, double high) {
+    low_.push_back(low);
+    high_.push_back(high);
+    ++count_;
+  }
+  void end(double value) { end(value, value); }
+
+  Eigen::SparseMatrix<double> matrix(Index columns) const {
+    Eigen::SparseMatrix<double> out(count_, columns);
+    out.setFromTriplets(entries_.begin(), entries_.end());
+    return out;
+  }
+  VectorXd low() const { return Eigen::Map<const VectorXd>(low_.data(), count_); }
+  VectorXd high() const { return Eigen::Map<const VectorXd>(high_.data(), count_); }
+
+ private:
+  std::vector<Eigen::Triplet<double>> entries_;
+  std::vector<double> low_, high_;
+  Index count_ = 0;
+};
+
+/// Where unknowns stand: X, then x where it is free, then 1 / scale where that is.
+struct Columns {
+  Index vertices = 0;
+  bool flat_is_free = false, scale_is_free = false;
+
+  Index folded(int v) const { return 2 * v; }
+  Index flat(int v) const { return 2 * (vertices + v); }
+  Index scale() const { return (flat_is_free ? 4 : 2) * vertices; }
+  Index count() const { return scale() + (scale_is_free ? 1 : 0); }
+};
+
+/// One convex problem: targets on the outlines, and bounds by walls as they stand.
+class Round {
+ public:
+  Round(const OutlineProblem& problem, const OutlineShape& shape, int number)
+      : p_(problem), shape_(shape), number_(number) {
+    columns_ = {static_cast<Index>(shape.flat.size()), problem.flat != nullptr, !problem.scale.has_value()};
+    slide_ = std::max(least_slide, first_slide * std::pow(less_slide, number));
+  }
+
+  BoxLeastSquares problem() {
+    add_rims();
+    for (int e = 0; e < static_cast<int>(p_.panel->graph.edges.size()); ++e) add_wall(e);
+    if (columns_.flat_is_free) add_flat_cells();
+    BoxLeastSquares out;
+    out.A = costs_.matrix(columns_.count());
+    out.b = costs_.low();
+    out.C = bounds_.matrix(columns_.count());
+    out.lower = bounds_.low();
+    out.upper = bounds_.high();
+    out.damping = small_step * small_step;
+    out.from = unknowns();
+    return out;
+  }
+
+  /// @return largest move of a vertex, cell edges
+  double take(const VectorXd& u, OutlineShape& shape) const {
+    double moved = 0;
+    for (int v = 0; v < static_cast<int>(shape.folded.size()); ++v) {
+      const Vector2d folded = u.segment<2>(columns_.folded(v));
+      moved = std::max(moved, (folded - shape.folded[v]).norm());
+      shape.folded[v] = folded;
+      if (!columns_.flat_is_free) continue;
+      const Vector2d flat = u.segment<2>(columns_.flat(v));
+      moved = std::max(moved, (flat - shape.flat[v]).norm());
+      shape.flat[v] = flat;
+    }
+    if (columns_.scale_is_free) shape.scale = 1 / u[columns_.scale()];
+    return moved;
+  }
+
+ private:
+  VectorXd unknowns() const {
+    VectorXd u(columns_.count());
+    for (int v = 0; v < static_cast<int>(shape_.flat.size()); ++v) {
+      u.segment<2>(columns_.folded(v)) = shape_.folded[v];
+      if (columns_.flat_is_free) u.segment<2>(columns_.flat(v)) = shape_.flat[v];
+    }
+    if (columns_.scale_is_free) u[columns_.scale()] = 1 / shape_.scale;
+    return u;
+  }
+
+  /// A rim vertex to a point of an outline: across it in full, along it a little. @param scale mm a cell edge
+  void add_target(Index column, const Vector2d& point, const Vector2d& normal, double scale, bool free) {
+    const Vector2d along(-normal.y(), normal.x());
+    for (const auto& [direction, weight] : {std::pair(normal, 1.0), std::pair(along, slide_)}) {
+      costs_.add(column, weight * direction.x());
+      costs_.add(column + 1, weight * direction.y());
+      const double place = weight * direction.dot(point);
+      if (free) costs_.add(columns_.scale(), -place);
+      costs_.end(free ? 0 : place / scale);
+    }
+  }
+
+  void add_rim(const targets::Outline& outline, const std::vector<Vector2d>& places, double scale,
+               bool is_flat) {
+    const bool free = !is_flat && columns_.scale_is_free;
+    std::vector<Vector2d> rim;
+    for (const int v : p_.rim) rim.push_back(scale * places[v]);
+    const bool spreads = number_ < rounds_of_spreading;
+    const std::vector<Vector2d> spread = spreads ? spread_along(outline, rim) : rim;
+    for (std::size_t k = 0; k < rim.size(); ++k) {
+      const targets::Outline::Nearest at = outline.nearest(spread[k]);
+      const Index column = is_flat ? columns_.flat(p_.rim[k]) : columns_.folded(p_.rim[k]);
+      add_target(column, at.point, at.normal, scale, free);
+    }
+  }
+
+  void add_rims() {
+    add_rim(*p_.folded, shape_.folded, shape_.scale, false);
+    if (p_.flat) add_rim(*p_.flat, shape_.flat, p_.flat_scale, true);
+  }
+
+  Complex edge(const std::vector<Vector2d>& places, int e) const {
+    const auto [from, to] = p_.panel->graph.edges[e];
+    return complex(places[to] - places[from]);
+  }
+
+  /// The ratio r = X_e / x_e, to first order where x is free: (X_e - r x_e) / x_e + r as they stand.
+  void add_ratio(Rows& rows, int e, double weight, bool real) {
+    const auto [from, to] = p_.panel->graph.edges[e];
+    const Complex inverse = weight / edge(shape_.flat, e);
+    const Complex ratio = edge(shape_.folded, e) / edge(shape_.flat, e);
+    const auto part = [&](Index column, Complex factor) {
+      real ? rows.add_real(column, factor) : rows.add_imaginary(column, factor);
+    };
+    part(columns_.folded(to), inverse);
+    part(columns_.folded(from), -inverse);
+    if (!columns_.flat_is_free) return;
+    part(columns_.flat(to), -ratio * inverse);
+    part(columns_.flat(from), ratio * inverse);
+  }
+
+  void add_wall(int e) {
+    const double c = std::cos(p_.theta), s = std::sin(p_.theta);
+    const Complex known =
+        columns_.flat_is_free ? edge(shape_.folded, e) / edge(shape_.flat, e) : Complex(0, 0);
+    const double offset = 2 * p_.bounds.offset[e], shift = p_.bounds.shift[e];
+    const double middle = (c - known.real()) / s, turn = -known.imag() / s;
+    add_ratio(bounds_, e, 1 / s, true);
+    bounds_.end(middle - offset, middle + offset);
+    add_ratio(bounds_, e, 1 / s, false);
+    bounds_.end(turn - shift, turn + shift);
+    add_ratio(costs_, e, plain_walls / s, true);
+    costs_.end(plain_walls * middle);
+    add_ratio(costs_, e, plain_walls / s, false);
+    costs_.end(plain_walls * turn);
+  }
+
+  void add_flat_cells() {
+    const model::PlanarGraph& graph = p_.panel->graph;
+    for (int e = 0; e < static_cast<int>(graph.edges.size()); ++e) {
+      const Vector2d along = shape_.flat[graph.edges[e].to] - shape_.flat[graph.edges[e].from];
+      add_difference(bounds_, graph.edges[e].from, graph.edges[e].to, along.normalized());
+      bounds_.end(shortest, longest);
+    }
+    for (const model::GraphFace& face : p_.panel->faces) add_convexity(face);
+    add_even_cells();
+  }
+
+  /// direction . (x_to - x_from)
+  void add_difference(Rows& rows, int from, int to, const Vector2d& direction) {
+    for (int k = 0; k < 2; ++k) {
+      rows.add(columns_.flat(to) + k, direction[k]);
+      rows.add(columns_.flat(from) + k, -direction[k]);
+    }
+  }
+
+  void add_convexity(const model::GraphFace& face) {
+    const std::size_t count = face.vertices.size();
+    for (std::size_t k = 0; k < count; ++k) {
+      const int a = face.vertices[k], b = face.vertices[(k + 1) % count], c = face.vertices[(k + 2) % count];
+      const Vector2d in = shape_.flat[b] - shape_.flat[a], out = shape_.flat[c] - shape_.flat[b];
+      const double turn = in.x() * out.y() - in.y() * out.x();
+      add_difference(bounds_, a, b, {out.y(), -out.x()});
+      add_difference(bounds_, b, c, {-in.y(), in.x()});
+      bounds_.end(turn + least_turn * (count > 4 ? 0.5 : 1), std::numeric_limits<double>::infinity());
+    }
+  }
+
+  void add_even_cells() {
+    std::vector<std::vector<int>> near(shape_.flat.size());
+    for (const model::GraphEdge& e : p_.panel->graph.edges) {
+      near[e.from].push_back(e.to);
+      near[e.to].push_back(e.from);
+    }
+    std::vector<bool> on_rim(near.size(), false);
+    for (const int v : p_.rim) on_rim[v] = true;
+    for (int v = 0; v < static_cast<int>(near.size()); ++v)
+      for (int k = 0; k < 2 && !on_rim[v]; ++k) {
+        costs_.add(columns_.flat(v) + k, even_cells);
+        for (const int n : near[v])
+          costs_.add(columns_.flat(n) + k, -even_cells / static_cast<double>(near[v].size()));
+        costs_.end(0);
+      }
+  }
+
+  const OutlineProblem& p_;
+  const OutlineShape& shape_;
+  int number_;
+  Columns columns_;
+  double slide_ = 0;
+  Rows costs_, bounds_;
+};
+
+/// Length of a polygon up to each corner, and of the whole.
+std::vector<double> lengths_along(const std::vector<Vector2d>& polygon) {
+  std::vector<double> along = {0};
+  for (std::size_t k = 0; k < polygon.size(); ++k)
+    along.push_back(along.back() + (polygon[(k + 1) % polygon.size()] - polygon[k]).norm());
+  return along;
+}
+
+}  // namespace
+
+std::vector<Vector2d> spread_along(const targets::Outline& outline, const std::vector<Vector2d>& rim) {
+  constexpr int shifts_a_vertex = 4;
+  const std::vector<double> along = lengths_along(rim);
+  Vector2d middle = Vector2d::Zero();
+  for (const Vector2d& p : rim) middle += p / static_cast<double>(rim.size());
+  const auto spread = [&](double shift) {
+    std::vector<Vector2d> out;
+    for (std::size_t k = 0; k < rim.size(); ++k)
+      out.push_back(outline.at(outline.perimeter() * (along[k] / along.back() + shift)));
+    return out;
+  };
+  std::vector<Vector2d> best;
+  double least = std::numeric_limits<double>::infinity();
+  const int count = shifts_a_vertex * static_cast<int>(rim.size());
+  for (int k = 0; k < count; ++k) {
+    std::vector<Vector2d> places = spread(static_cast<double>(k) / count);
+    double sum = 0;
+    for (std::size_t v = 0; v < rim.size(); ++v)
+      sum += (places[v] - outline.middle() - (rim[v] - middle)).squaredNorm();
+    if (!(sum < least)) continue;
+    least = sum;
+    best = std::move(places);
+  }
+  return best;
+}
+
+OutlineProgress improve(const OutlineProblem& problem, OutlineShape& shape, bool spread,
+                        BoxLeastSquaresMemory& memory) {
+  OutlineProgress progress;
+  const int first = spread ? 0 : rounds_of_spreading;
+  const auto solve = [&](const BoxLeastSquaresOptions& options) {
+    Round round(problem, shape, first + progress.rounds++);
+    BoxLeastSquaresResult found = solve_box_least_squares(round.problem(), options, &memory);
+    progress.moved = round.take(found.u, shape);
+    progress.iterations += found.iterations;
+    memory = std::move(found.memory);
+  };
+  do solve(on_the_way);
+  while (progress.rounds < most_rounds &&
+         (first + progress.rounds <= rounds_of_spreading || progress.moved > settled));
+  solve(at_the_end);
+  return progress;
+}
+
+model::Redrawing redrawing_of(const OutlineShape& shape, double theta) {
+  const double c = std::cos(theta), s = std::sin(theta);
+  model::Redrawing y;
+  for (std::size_t v = 0; v < shape.flat.size(); ++v) {
+    const Vector2d turned = (shape.folded[v] - c * shape.flat[v]) / s;  // i y
+    y.push_back({turned.y(), -turned.x()});
+  }
+  for (std::size_t v = y.size(); v-- > 0;) y[v] -= y[0];
+  return y;
+}
+
+}  // namespace kinetix::optim

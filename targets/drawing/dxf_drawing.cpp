@@ -1,0 +1,181 @@
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <string_view>
+
+#include "model/base/invalid_input.hpp"
+#include "targets/document/number.hpp"
+#include "targets/drawing/drawing.hpp"
+
+namespace kinetix::targets {
+namespace {
+
+using Eigen::Vector2d;
+
+/// A pair of lines of a text DXF: a group code that says what the value is.
+struct Group {
+  int code = 0;
+  std::string_view value;
+  int line = 0;  ///< of the value, from 1
+};
+
+InvalidInput wrong(const Group& group, const std::string& what) {
+  return InvalidInput(what, {"", group.line, 1});
+}
+
+double number_of(const Group& group) {
+  try {
+    return parse_number(group.value);
+  } catch (const InvalidInput& e) {
+    throw wrong(group, e.reason());
+  }
+}
+
+int integer_of(const Group& group) {
+  constexpr int most = 1'000'000;  // flags and units are small
+  try {
+    return parse_integer(group.value, -most, most);
+  } catch (const InvalidInput& e) {
+    throw wrong(group, e.reason());
+  }
+}
+
+class Groups {
+ public:
+  explicit Groups(std::string_view text) : text_(text) {}
+
+  std::optional<Group> next() {
+    if (rest().empty()) return std::nullopt;
+    Group code{0, line(), line_};
+    Group group{integer_of(code), line(), line_};
+    return group;
+  }
+
+ private:
+  std::string_view rest() {
+    while (!text_.empty() && (text_.back() == '\n' || text_.back() == '\r' || text_.back() == ' '))
+      text_.remove_suffix(1);
+    return text_;
+  }
+  std::string_view line() {
+    const std::size_t end = text_.find('\n');
+    std::string_view out = text_.substr(0, end);
+    text_.remove_prefix(end == std::string_view::npos ? text_.size() : end + 1);
+    ++line_;
+    const std::size_t first = out.find_first_not_of(" \t\r");
+    if (first == std::string_view::npos) return {};
+    return out.substr(first, out.find_last_not_of(" \t\r") + 1 - first);
+  }
+
+  std::string_view text_;
+  int line_ = 0;
+};
+
+/// Millimetres of a unit of $INSUNITS. 0 says that the drawing has none: mm, as laser cutters take it.
+double unit_mm(const Group& unit) {
+  static const std::map<int, double> known = {{0, 1}, {1, 25.4}, {2, 304.8}, {4, 1}, {5, 10}, {6, 1000}};
+  const auto found = known.find(integer_of(unit));
+  if (found != known.end()) return found->second;
+  throw wrong(unit, "the unit $INSUNITS " + std::string(unit.value) +
+                        " is not read; allowed: mm, cm, m, inches, feet");
+}
+
+/// Takes the entities one after the other.
+class Entities {
+ public:
+  void take(const Group& group) {
+    if (group.code == 0) return begin(group);
+    if (name_ == "LINE") return take_line(group);
+    if (name_ == "LWPOLYLINE" || name_ == "VERTEX") return take_vertex(group);
+    if (name_ == "POLYLINE" && group.code == 70) is_closed_ = (integer_of(group) & 1) != 0;
+  }
+
+  Drawing drawing(double mm) {
+    end_polyline();
+    for (DrawnLine& line : lines_)
+      for (Vector2d& end : line) end *= mm;
+    return std::move(lines_);
+  }
+
+ private:
+  void begin(const Group& group) {
+    static const std::set<std::string_view> curved = {"ARC", "CIRCLE", "ELLIPSE", "SPLINE"};
+    if (curved.contains(group.value))
+      throw wrong(group, "walls are straight: " + std::string(group.value) +
+                             " is not read; allowed are LINE, LWPOLYLINE and POLYLINE");
+    if (group.value == "INSERT") throw wrong(group, "a block is inserted here; explode it into lines");
+    end_line();
+    const bool goes_on = group.value == "VERTEX";
+    if (!goes_on) end_polyline();
+    name_ = group.value;
+  }
+
+  void take_line(const Group& group) {
+    for (int k = 0; k < 4; ++k)
+      if (group.code == (std::array{10, 20, 11, 21})[k]) line_[k] = number_of(group);
+  }
+
+  void take_vertex(const Group& group) {
+    if (group.code == 10) points_.emplace_back(number_of(group), 0);
+    if (group.code == 20 && !points_.empty()) points_.back().y() = number_of(group);
+    if (group.code == 42 && number_of(group) != 0)
+      throw wrong(group, "walls are straight: this polyline has an arc (a bulge)");
+    if (group.code == 70 && name_ == "LWPOLYLINE") is_closed_ = (integer_of(group) & 1) != 0;
+  }
+
+  void end_line() {
+    if (name_ == "LINE") lines_.push_back({Vector2d(line_[0], line_[1]), Vector2d(line_[2], line_[3])});
+    line_ = {};
+  }
+
+  void end_polyline() {
+    end_line();
+    for (std::size_t k = 1; k < points_.size(); ++k) lines_.push_back({points_[k - 1], points_[k]});
+    if (is_closed_ && points_.size() > 2) lines_.push_back({points_.back(), points_.front()});
+    points_.clear();
+    is_closed_ = false;
+    name_ = {};
+  }
+
+  Drawing lines_;
+  std::string_view name_;            ///< of the entity that is open
+  std::array<double, 4> line_ = {};  ///< x, y of both ends
+  std::vector<Vector2d> points_;
+  bool is_closed_ = false;
+};
+
+}  // namespace
+
+// DXF in its text form is pairs of lines, a group code and a value. Of Debian's readers one may not be passed on
+// together with parts under the Apache licence, and the other takes damaged files for sound ones.
+Drawing parse_dxf(const std::string& text) {
+  if (text.starts_with("AutoCAD Binary DXF")) throw InvalidInput("is a binary DXF; save it as text (ASCII)");
+  Groups groups(text);
+  Entities entities;
+  std::string_view section, variable;
+  double mm = 1;
+  bool is_dxf = false, names_section = false;
+  while (const auto group = groups.next()) {
+    if (group->code == 0 &&
+        (group->value == "SECTION" || group->value == "ENDSEC" || group->value == "EOF")) {
+      if (section == "ENTITIES") entities.take({0, "END", group->line});
+      section = {};
+      names_section = group->value == "SECTION";
+      is_dxf = true;
+    } else if (names_section && group->code == 2) {
+      section = group->value;
+      names_section = false;
+    } else if (section == "ENTITIES") {
+      entities.take(*group);
+    } else if (section == "HEADER") {
+      if (group->code == 9) variable = group->value;
+      if (group->code == 70 && variable == "$INSUNITS") mm = unit_mm(*group);
+    }
+  }
+  if (!is_dxf) throw InvalidInput("is no DXF file");
+  return entities.drawing(mm);
+}
+
+}  // namespace kinetix::targets

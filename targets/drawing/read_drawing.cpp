@@ -1,0 +1,109 @@
+#include "targets/drawing/read_drawing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <numeric>
+#include <set>
+#include <utility>
+
+#include "targets/document/text_file.hpp"
+
+namespace kinetix::targets {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double same_place = 1e-3;  // of the mean line: CAD files keep three decimals or more of a mm
+
+double mean_length(const Drawing& drawing) {
+  double sum = 0;
+  for (const auto& [a, b] : drawing) sum += (b - a).norm();
+  return sum / static_cast<double>(drawing.size());
+}
+
+/// Numbers places that are near each other alike.
+class Places {
+ public:
+  explicit Places(double near) : near_(near) {}
+
+  int number(const Vector2d& p) {
+    const auto [i, j] = square(p);
+    for (long a = i - 1; a <= i + 1; ++a)
+      for (long b = j - 1; b <= j + 1; ++b)
+        for (const int known : at_[{a, b}])
+          if ((points_[known] - p).norm() <= near_) return known;
+    at_[{i, j}].push_back(static_cast<int>(points_.size()));
+    points_.push_back(p);
+    return static_cast<int>(points_.size()) - 1;
+  }
+
+  const std::vector<Vector2d>& points() const { return points_; }
+
+ private:
+  std::pair<long, long> square(const Vector2d& p) const {
+    return {std::lround(std::floor(p.x() / near_)), std::lround(std::floor(p.y() / near_))};
+  }
+
+  double near_;
+  std::vector<Vector2d> points_;
+  std::map<std::pair<long, long>, std::vector<int>> at_;
+};
+
+/// From below, and from the left where places are as high as each other.
+std::vector<int> reading_order(const std::vector<Vector2d>& points, double near) {
+  std::vector<int> order(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto key = [&](int v) { return std::pair(std::round(points[v].y() / near / 2), points[v].x()); };
+  std::sort(order.begin(), order.end(), [&](int a, int b) { return key(a) < key(b); });
+  return order;
+}
+
+std::string lower_case(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+}  // namespace
+
+model::PlanarGraph walls_of(const Drawing& drawing) {
+  const double near = same_place * mean_length(drawing);
+  Places places(near);
+  std::vector<std::pair<int, int>> lines;
+  for (const auto& [a, b] : drawing) {
+    const int from = places.number(a), to = places.number(b);
+    lines.emplace_back(from, to);
+  }
+  model::PlanarGraph graph;
+  std::vector<int> rank(places.points().size());
+  for (const int v : reading_order(places.points(), near)) {
+    rank[v] = static_cast<int>(graph.vertices.size());
+    graph.vertices.push_back(places.points()[v]);
+  }
+  std::set<std::pair<int, int>> walls;
+  for (const auto& [a, b] : lines)
+    if (a != b) walls.insert(std::minmax(rank[a], rank[b]));
+  for (const auto& [a, b] : walls) graph.edges.push_back({a, b});
+  return graph;
+}
+
+model::PlanarGraph read_drawing(const Node& path) {
+  const std::string wanted = "path of a DXF or SVG file";
+  const std::filesystem::path file = std::filesystem::path(path.folder()) / path.text(wanted);
+  const std::string ending = lower_case(file.extension().string());
+  if (ending != ".dxf" && ending != ".svg")
+    throw path.error("is no drawing that is read; allowed: a file that ends in .dxf or .svg");
+  try {
+    const std::string text = read_bytes(file.string(), max_drawing_bytes);
+    const Drawing drawing = ending == ".dxf" ? parse_dxf(text) : parse_svg(text);
+    if (drawing.empty()) throw InvalidInput("has no straight lines; draw each wall as one");
+    if (drawing.size() > max_drawn_lines) throw InvalidInput("has more than a million lines");
+    return walls_of(drawing);
+  } catch (const InvalidInput& e) {
+    if (!e.place().file.empty()) throw;
+    throw InvalidInput(e.reason(), {file.string(), e.place().line, e.place().column});
+  }
+}
+
+}  // namespace kinetix::targets
