@@ -48,9 +48,9 @@ targets::Node cells_of(const targets::Section& structure) {
   return structure.required("cells", "[columns, rows], or a list of cells [[i, j], ...]");
 }
 
-bool read_rim(const targets::Section& structure) {
+bool read_rim(const targets::Section& structure, bool closed = false) {
   const auto node = structure.optional("rim");
-  return node && node->one_of({std::begin(rims), std::end(rims)}) == 1;
+  return !node ? closed : node->one_of({std::begin(rims), std::end(rims)}) == 1;
 }
 
 model::Sheet read_squares(const targets::Section& structure) {
@@ -159,12 +159,17 @@ targets::Key lattice_key(std::vector<std::string> words, targets::Default fallba
   return {"lattice", value::choice(std::move(words)), std::move(fallback), lattice_meaning()};
 }
 
-targets::Key rim_key() {
+targets::Key rim_key(bool closed = false) {
   return {"rim", value::choice(std::vector<std::string>(std::begin(rims), std::end(rims))),
-          targets::by_default("open"),
+          closed ? targets::otherwise("closed") : targets::by_default("open"),
           "`closed` adds cells in the notches of the rim, and walls across cells where these do not do, "
           "until one "
           "freedom is left"};
+}
+
+targets::Key angle_key() {
+  return {"angle_deg", value::angle(angles), targets::by_default_deg(model::LatticeSheet{}.angle),
+          "of `rhombus`: between walls along the rows and across them"};
 }
 
 targets::Key any_cells_key() { return cells_key(targets::needed, "the cells of the sheet"); }
@@ -179,8 +184,7 @@ const targets::KeyTable& regular_keys() {
   static const targets::KeyTable keys({
       lattice_key(regular_names(), targets::needed),
       any_cells_key(),
-      {"angle_deg", value::angle(angles), targets::by_default_deg(model::LatticeSheet{}.angle),
-       "of `rhombus`: between walls along the rows and across them"},
+      angle_key(),
       rim_key(),
       cell_mm_key(targets::by_default(default_cell_mm)),
       wall_mm_key(),
@@ -217,6 +221,40 @@ const targets::KeyTable& graph_keys() {
 }
 
 }  // namespace
+
+std::string LatticeChoice::name() const { return lattice ? std::string(lattice->name) : squares; }
+
+std::vector<targets::Key> lattice_choice_keys(bool closed) {
+  std::vector<std::string> words = regular_names();
+  words.insert(words.begin(), squares);
+  return {lattice_key(std::move(words), targets::by_default(squares)), angle_key(), rim_key(closed)};
+}
+
+LatticeChoice read_lattice_choice(const targets::Section& structure, bool closed) {
+  std::vector<std::string> names = regular_names();
+  names.insert(names.begin(), squares);
+  LatticeChoice choice;
+  if (const auto node = structure.optional("lattice"))
+    if (const std::size_t k = node->one_of({names.begin(), names.end()}); k > 0)
+      choice.lattice = model::planar_lattices()[k - 1];
+  if (const auto angle = structure.optional("angle_deg");
+      angle && !(choice.lattice && choice.lattice->takes_angle))
+    throw angle->key_error(fmt::format("cells of lattice: {} have one shape only", choice.name()));
+  if (const auto rim = structure.optional("rim"); rim && !choice.lattice)
+    throw rim->key_error("a panel of squares needs no closed rim: it has one freedom");
+  structure.read("angle_deg", choice.angle);
+  choice.closed_rim = choice.lattice && read_rim(structure, closed);
+  return choice;
+}
+
+model::Sheet make_sheet(const LatticeChoice& choice, const std::vector<model::LatticeCell>& cells,
+                        const model::CellSize& size) {
+  if (choice.lattice)
+    return make_planar_structure({choice.lattice, cells, choice.angle, choice.closed_rim}, size);
+  std::vector<model::Cell> squares_of;
+  for (const auto& [i, j] : cells) squares_of.push_back({i, j});
+  return make_structure(std::move(squares_of), size);
+}
 
 targets::Key lattice_structure_key() {
   return {"structure",

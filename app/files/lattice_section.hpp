@@ -18,4 +18,22 @@ model::Sheet read_sheet(const targets::Node& structure);
 /// The section's text, from which read_sheet draws the same sheet.
 std::string structure_text(const model::Sheet& sheet);
 
+/// A lattice as a goal asks for it, without its cells.
+struct LatticeChoice {
+  const model::PlanarLattice* lattice = nullptr;  ///< nothing: squares
+  double angle = model::LatticeSheet{}.angle;     ///< rad, of lattices that take one
+  bool closed_rim = false;                        ///< not of squares
+
+  std::string name() const;
+};
+
+/// Its keys: `lattice`, `angle_deg`, `rim`. @param closed whether the rim is closed where the file says nothing
+std::vector<targets::Key> lattice_choice_keys(bool closed);
+/// @throws InvalidInput for an unknown lattice, and an angle or a rim that it does not take
+LatticeChoice read_lattice_choice(const targets::Section& structure, bool closed);
+
+/// The flat sheet of some cells of it, all hinges basic. @throws InvalidInput as read_sheet
+model::Sheet make_sheet(const LatticeChoice& choice, const std::vector<model::LatticeCell>& cells,
+                        const model::CellSize& size);
+
 }  // namespace kinetix::app

@@ -1,17 +1,12 @@
 #include "app/goals/read_target.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
 
 #include "app/files/file_header.hpp"
 #include "app/goals/registry.hpp"
 
 namespace kinetix::app {
 namespace {
-
-constexpr std::string_view planned_kinds[] = {"outline"};  // named by the format, not read yet
 
 std::vector<std::string_view> names() {
   std::vector<std::string_view> all;
@@ -48,15 +43,7 @@ targets::Node goal_of(const targets::Node& root) {
 }
 
 const GoalKind& kind_of(const targets::Node& root) {
-  const targets::Node node = goal_of(root).required("kind", kind_hint());
-  const auto known = names();
-  std::vector<std::string_view> all = known;
-  for (const std::string_view planned : planned_kinds)
-    if (std::find(known.begin(), known.end(), planned) == known.end()) all.push_back(planned);
-  const std::size_t choice = node.one_of(all);
-  if (choice < known.size()) return *goal_kinds()[choice];
-  throw node.error(fmt::format("kind {} is not supported by this version; supported: {}", all[choice],
-                               fmt::join(known, ", ")));
+  return *goal_kinds()[goal_of(root).required("kind", kind_hint()).one_of(names())];
 }
 
 }  // namespace

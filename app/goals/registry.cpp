@@ -4,16 +4,19 @@
 #include "app/goals/display/display_kind.hpp"
 #include "app/goals/fold/fold_kind.hpp"
 #include "app/goals/helmet/helmet_kind.hpp"
+#include "app/goals/outline/outline_kind.hpp"
 
 namespace kinetix::app {
 namespace {
 
 std::vector<const GoalKind*>& kinds() {
   static std::vector<const GoalKind*> all = {
-      &curve_kind,
-      &display_kind,
-      &fold_kind,
-      &helmet_kind,
+      // One a line.
+      &curve_kind,    //
+      &display_kind,  //
+      &fold_kind,     //
+      &helmet_kind,   //
+      &outline_kind,
   };
   return all;
 }

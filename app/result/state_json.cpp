@@ -22,4 +22,10 @@ Json poses_json(const model::State& state) {
   return poses;
 }
 
+Json points_json(const std::vector<Eigen::Vector2d>& points) {
+  Json out = Json::array();
+  for (const auto& p : points) out.push_back({p.x(), p.y()});
+  return out;
+}
+
 }  // namespace kinetix::app

@@ -9,4 +9,7 @@ namespace kinetix::app {
 /// The poses of a state as result.json has them.
 nlohmann::ordered_json poses_json(const model::State& state);
 
+/// [[x, y], ...], as a list.
+nlohmann::ordered_json points_json(const std::vector<Eigen::Vector2d>& points);
+
 }  // namespace kinetix::app

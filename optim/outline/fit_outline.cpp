@@ -17,7 +17,8 @@ constexpr double less_scaling = 0.93;  // and of their offsets: cells that shrin
 constexpr int most_clearance_rounds = 14;                 // these leave a twentieth of the turning
 constexpr double spare = 0.3 * radians_per_degree;        // rad: walls stay apart a little further than asked
 constexpr double met_early[] = {0.4, 0.6, 0.75, 0.9, 1};  // of theta: where walls are looked at on the way
-constexpr double at_bound = 0.98;                         // of it: as good as there
+constexpr int halvings = 2;        // of the way from the best theta to the least one at which walls met
+constexpr double at_bound = 0.98;  // of it: as good as there
 
 void validate(const OutlineOptions& o) {
   require("theta", o.theta[0], o.theta[0] > 0 && o.theta[0] <= o.theta[1],
@@ -157,6 +158,7 @@ class Search {
     for (const int v : problem_.rim) rim.push_back(shape_.scale / panel_.size.edge_mm * state[v].p.head<2>());
     const Vector2d shift = shape_.scale * shape_.folded[problem_.rim[0]] - rim[0];
     for (Vector2d& p : rim) p += shift;
+    found.origin = -shift / shape_.scale;
     found.error = outline_error(*problem_.folded, rim);
     if (problem_.flat)
       found.flat = outline_error(*problem_.flat, corners(problem_.rim, shape_.flat, problem_.flat_scale));
@@ -192,15 +194,21 @@ OutlineDesign fit_outline(const model::PlanarStructure& panel, const targets::Ou
                           const std::function<void(double)>& progress) {
   validate(options);
   OutlineDesign best;
-  int rounds = 0;
-  for (int k = 0; k < options.thetas; ++k) {
-    const double part = options.thetas == 1 ? 0 : static_cast<double>(k) / (options.thetas - 1);
-    const double theta = options.theta[1] + part * (options.theta[0] - options.theta[1]);
+  double blocked = 0;  // least theta at which walls met
+  int rounds = 0, tried = 0;
+  const auto try_theta = [&](double theta) {
     OutlineDesign found = Search(panel, folded, flat, options, theta).run();
     rounds += found.rounds;
-    if (k == 0 || is_better(found, best)) best = std::move(found);
-    if (progress) progress((k + 1.0) / options.thetas);
+    if (!found.clear && (blocked == 0 || theta < blocked)) blocked = theta;
+    if (tried++ == 0 || is_better(found, best)) best = std::move(found);
+    if (progress) progress(static_cast<double>(tried) / (options.thetas + halvings));
+  };
+  for (int k = 0; k < options.thetas; ++k) {
+    const double part = options.thetas == 1 ? 0 : static_cast<double>(k) / (options.thetas - 1);
+    try_theta(options.theta[1] + part * (options.theta[0] - options.theta[1]));
   }
+  for (int k = 0; k < halvings && options.thetas > 1 && best.clear && best.theta < blocked; ++k)
+    try_theta((best.theta + blocked) / 2);
   best.rounds = rounds;
   return best;
 }

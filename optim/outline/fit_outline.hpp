@@ -21,15 +21,17 @@ struct OutlineDesign {
   model::Redrawing y;            ///< of each vertex
   double theta = 0;              ///< rad
   double scale = 1;              ///< mm of the outline a cell edge
-  targets::OutlineError error;   ///< of the rim's vertices at theta
-  targets::OutlineError flat;    ///< likewise at rest, where that is prescribed
-  double offset = 0;             ///< largest |offset|, cell edges
-  double shift = 0;              ///< largest |2 t - 1|, ratio
-  double at_bounds_offset = 0;   ///< share of the walls whose offset is as large as is allowed, [0, 1]
-  double at_bounds_shift = 0;    ///< likewise of 2 t - 1, [0, 1]; walls that met have a lower bound
-  bool clear = false;            ///< no walls meet on the way
-  int rounds = 0;                ///< convex problems solved, in all
-  int clearance_rounds = 0;      ///< at this theta, with less turning of the walls that met
+  /// Where the outline's origin lies in the frame of the states that y gives, at theta, cell edges.
+  Eigen::Vector2d origin = Eigen::Vector2d::Zero();
+  targets::OutlineError error;  ///< of the rim's vertices at theta
+  targets::OutlineError flat;   ///< likewise at rest, where that is prescribed
+  double offset = 0;            ///< largest |offset|, cell edges
+  double shift = 0;             ///< largest |2 t - 1|, ratio
+  double at_bounds_offset = 0;  ///< share of the walls whose offset is as large as is allowed, [0, 1]
+  double at_bounds_shift = 0;   ///< likewise of 2 t - 1, [0, 1]; walls that met have a lower bound
+  bool clear = false;           ///< no walls meet on the way
+  int rounds = 0;               ///< convex problems solved, in all
+  int clearance_rounds = 0;     ///< at this theta, with less turning of the walls that met
 };
 
 /// Fits the rim at theta. Every panel on the way is an exact motion with all hinges closed; where walls would meet

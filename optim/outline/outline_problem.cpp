@@ -4,7 +4,9 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <map>
 
+#include "model/base/angle.hpp"
 #include "optim/solvers/box_least_squares.hpp"
 
 namespace kinetix::optim {
@@ -15,20 +17,24 @@ using Eigen::Index;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 
-constexpr int most_rounds = 80;         // three times what outlines of 40 x 40 cells take
+constexpr int most_rounds = 30;         // the rim then slides by hundredths of a cell
+constexpr int most_rounds_again = 8;    // where only some bounds have changed
 constexpr int rounds_of_spreading = 4;  // in which rim vertices go to their places along the outline
 constexpr double settled = 5e-4;        // cell edges: a hundredth of what a print shows
 // Weights against 1 of the distance from the outline, each a length or a ratio of lengths.
 constexpr double first_slide = 0.5, least_slide = 0.02;  // of sliding along it, less from round to round
 constexpr double less_slide = 0.7;                       // its factor from round to round
 constexpr double plain_walls = 2e-3;                     // of walls that turn or scale
-constexpr double even_cells = 3e-2;  // of flat vertices off the middle of their neighbours
+constexpr double even_cells = 0.2;   // of flat vertices off the middle of their neighbours
 constexpr double small_step = 1e-3;  // of moving at all
 // Of flat walls where they are free, cell edges: beyond, cells have no room or plates are all wall.
-constexpr double shortest = 0.6, longest = 1.6;
+constexpr double shortest = 0.7, longest = 1.4;
+constexpr double sharp =
+    30 * pi / 180;                   // rad: a corner of an outline that a vertex of the rim is to stand on
+constexpr double corner_pull = 0.3;  // weight along the outline of a vertex that is to stand on a corner
 // Of two walls of a flat cell that follow each other: the sine of the turn between them, so that cells stay
 // convex and their corners open.
-constexpr double least_turn = 0.35;
+constexpr double least_turn = 0.5;
 
 // Of one convex problem: points on the outline move from round to round, so that only the last one is worth more.
 constexpr BoxLeastSquaresOptions on_the_way = {1e-4, 100}, at_the_end = {1e-6, 2000};
@@ -131,16 +137,30 @@ class Round {
     return u;
   }
 
-  /// A rim vertex to a point of an outline: across it in full, along it a little. @param scale mm a cell edge
-  void add_target(Index column, const Vector2d& point, const Vector2d& normal, double scale, bool free) {
-    const Vector2d along(-normal.y(), normal.x());
-    for (const auto& [direction, weight] : {std::pair(normal, 1.0), std::pair(along, slide_)}) {
+  /// A rim vertex to a point of an outline: across it in full, along it as far as `slide` says.
+  /// @param scale mm a cell edge
+  void add_target(Index column, const targets::Outline::Nearest& at, double slide, double scale, bool free) {
+    const Vector2d along(-at.normal.y(), at.normal.x());
+    for (const auto& [direction, weight] : {std::pair(at.normal, 1.0), std::pair(along, slide)}) {
       costs_.add(column, weight * direction.x());
       costs_.add(column + 1, weight * direction.y());
-      const double place = weight * direction.dot(point);
+      const double place = weight * direction.dot(at.point);
       if (free) costs_.add(columns_.scale(), -place);
       costs_.end(free ? 0 : place / scale);
     }
+  }
+
+  /// A vertex for each sharp corner of the outline, the nearest one: index in the rim, and the corner.
+  static std::map<int, Vector2d> held_corners(const targets::Outline& outline,
+                                              const std::vector<Vector2d>& rim) {
+    std::map<int, Vector2d> held;
+    for (const Vector2d& corner : outline.corners(sharp)) {
+      const auto nearer = [&](const Vector2d& a, const Vector2d& b) {
+        return (a - corner).squaredNorm() < (b - corner).squaredNorm();
+      };
+      held.emplace(static_cast<int>(std::min_element(rim.begin(), rim.end(), nearer) - rim.begin()), corner);
+    }
+    return held;
   }
 
   void add_rim(const targets::Outline& outline, const std::vector<Vector2d>& places, double scale,
@@ -148,12 +168,14 @@ class Round {
     const bool free = !is_flat && columns_.scale_is_free;
     std::vector<Vector2d> rim;
     for (const int v : p_.rim) rim.push_back(scale * places[v]);
-    const bool spreads = number_ < rounds_of_spreading;
-    const std::vector<Vector2d> spread = spreads ? spread_along(outline, rim) : rim;
-    for (std::size_t k = 0; k < rim.size(); ++k) {
-      const targets::Outline::Nearest at = outline.nearest(spread[k]);
+    if (number_ < rounds_of_spreading) rim = spread_along(outline, rim);
+    const std::map<int, Vector2d> held = held_corners(outline, rim);
+    for (int k = 0; k < static_cast<int>(rim.size()); ++k) {
+      const auto corner = held.find(k);
+      targets::Outline::Nearest at = outline.nearest(rim[k]);
+      if (corner != held.end()) at.point = corner->second;
       const Index column = is_flat ? columns_.flat(p_.rim[k]) : columns_.folded(p_.rim[k]);
-      add_target(column, at.point, at.normal, scale, free);
+      add_target(column, at, corner == held.end() ? slide_ : is_flat ? 1 : corner_pull, scale, free);
     }
   }
 
@@ -293,7 +315,7 @@ std::vector<Vector2d> spread_along(const targets::Outline& outline, const std::v
 OutlineProgress improve(const OutlineProblem& problem, OutlineShape& shape, bool spread,
                         BoxLeastSquaresMemory& memory) {
   OutlineProgress progress;
-  const int first = spread ? 0 : rounds_of_spreading;
+  const int first = spread ? 0 : rounds_of_spreading, most = spread ? most_rounds : most_rounds_again;
   const auto solve = [&](const BoxLeastSquaresOptions& options) {
     Round round(problem, shape, first + progress.rounds++);
     BoxLeastSquaresResult found = solve_box_least_squares(round.problem(), options, &memory);
@@ -302,7 +324,7 @@ OutlineProgress improve(const OutlineProblem& problem, OutlineShape& shape, bool
     memory = std::move(found.memory);
   };
   do solve(on_the_way);
-  while (progress.rounds < most_rounds &&
+  while (progress.rounds < most &&
          (first + progress.rounds <= rounds_of_spreading || progress.moved > settled));
   solve(at_the_end);
   return progress;

@@ -82,4 +82,15 @@ bool Outline::contains(const Vector2d& p) const {
   return inside;
 }
 
+std::vector<Vector2d> Outline::corners(double turn) const {
+  std::vector<Vector2d> out;
+  const std::size_t count = points_.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    const Vector2d in = points_[k] - points_[(k + count - 1) % count],
+                   on = points_[(k + 1) % count] - points_[k];
+    if (std::abs(std::atan2(cross(in, on), in.dot(on))) > turn) out.push_back(points_[k]);
+  }
+  return out;
+}
+
 }  // namespace kinetix::targets

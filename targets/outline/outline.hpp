@@ -34,6 +34,9 @@ class Outline {
 
   bool contains(const Eigen::Vector2d& p) const;
 
+  /// Points at which it turns by more than this, rad, to either side.
+  std::vector<Eigen::Vector2d> corners(double turn) const;
+
  private:
   std::vector<Eigen::Vector2d> points_;
   std::vector<double> arc_;  ///< at each point, and of the whole, mm

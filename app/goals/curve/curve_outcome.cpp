@@ -5,18 +5,13 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/result/state_json.hpp"
 #include "app/run/run.hpp"
 
 namespace kinetix::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json points(const std::vector<Eigen::Vector2d>& polyline) {
-  Json out = Json::array();
-  for (const auto& p : polyline) out.push_back({p.x(), p.y()});
-  return out;
-}
 
 Json error_json(const targets::CurveError& error) {
   Json out = Json::array();
@@ -37,9 +32,12 @@ Json turns_json(const optim::CurveReach& reach) {
 
 Json curve_json(const CurveOutcome& curve) {
   const optim::CurveDesign& found = curve.found.design;
-  return {{"folded_mm", points(found.midline_mm)}, {"goal_mm", points(found.error.goal_mm)},
-          {"error", error_json(found.error)},      {"scale_mm", found.error.scale_mm},
-          {"turn", turns_json(found.reach)},       {"reasons", curve.violations}};
+  return {{"folded_mm", points_json(found.midline_mm)},
+          {"goal_mm", points_json(found.error.goal_mm)},
+          {"error", error_json(found.error)},
+          {"scale_mm", found.error.scale_mm},
+          {"turn", turns_json(found.reach)},
+          {"reasons", curve.violations}};
 }
 
 Json optimiser_json(const CurveOutcome& curve) {
@@ -73,7 +71,7 @@ std::string verdict(const CurveOutcome& curve) {
 
 }  // namespace
 
-Json CurveOutcome::target_json() const { return {{"kind", "curve"}, {"points_mm", points(target_mm)}}; }
+Json CurveOutcome::target_json() const { return {{"kind", "curve"}, {"points_mm", points_json(target_mm)}}; }
 
 void CurveOutcome::add_sections(const Run&, Json& result) const {
   result["curve"] = curve_json(*this);

@@ -38,7 +38,7 @@ function shownPlates(data, state) {
 function wallShapes(data, state, view) {
   return shownPlates(data, state)
       .map(
-          (plate) => ({plate, depth: view.depth(mean(plate.corners)), outline: outline(plate, view.project)}))
+          (plate) => ({plate, depth: view.depth(mean(plate.corners)), polygon: outline(plate, view.project)}))
       .sort((a, b) => b.depth - a.depth);
 }
 
@@ -100,7 +100,7 @@ function drawFolded(data, width) {
                                       {left: 16, right: 16, top: 16, bottom: 16};
   const walls = wallShapes(data, data.states.model, view), lines = curveLines(data, view);
   const map =
-      mapOf([...walls.flatMap((wall) => wall.outline), ...lines.goal, ...lines.physics], width, margin);
+      mapOf([...walls.flatMap((wall) => wall.polygon), ...lines.goal, ...lines.physics], width, margin);
   const line = (name, width) => svg("path", {
     class: name,
     d: path(lines[name].map(map.to)),
@@ -112,7 +112,7 @@ function drawFolded(data, width) {
       seenFromSide(data) ? "The folded strip seen from the side, over the target curve" : "The folded sheet",
       seenFromSide(data) ? mmAxes(map, width, margin) : null,
       svg("g", {class: "head"}, (data.goal?.backdrop ?? []).map((points) => svg("path", {d: path(points.map(view.project).map(map.to))}))),
-      svg("g", {class: "walls"}, walls.map((wall) => svg("path", {d: path(wall.outline.map(map.to), true)}))),
+      svg("g", {class: "walls"}, walls.map((wall) => svg("path", {d: path(wall.polygon.map(map.to), true)}))),
       line("goal", goalWidth), line("model"), line("physics"));
 }
 

@@ -15,4 +15,5 @@ const GOALS = [
   displayGoal,
   foldGoal,
   helmetGoal,
+  outlineGoal,
 ];

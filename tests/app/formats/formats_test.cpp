@@ -90,6 +90,7 @@ TEST(FileSchema, RefusesWhatTheProgramRefuses) {
       {"target", curve},
       {"target", "kinetix: 2\n" + curve},
       {"target", "kinetix: 1\ntarget: {kind: outline}"},
+      {"target", "kinetix: 1\ntarget: {kind: outline, points: [[0, 0], [1, 0]], structure: {cells: [2]}}"},
       {"target", "kinetix: 1\ntarget: {points: [[0, 0], [1, 1]]}"},
       {"target", "kinetix: 1\n" + curve + "\nsomething: 1"},
       {"target", "kinetix: 1\n" + curve + "\nhinge: {k_turn: 1}"},
@@ -159,6 +160,11 @@ std::vector<Json> files_of(const std::string& list) {
             target(R"({"kind": "fold", "net": {"faces": [{"name": "a", "cells": [2, 2]},
                        {"name": "b", "cells": [2, 2]}],
                        "creases": [{"faces": ["a", "b"], "side": "top", "angle_deg": 90}]}})")};
+  if (list == "target outline")
+    return {target(R"({"kind": "outline", "points": [[0, 0], [60, 0], [60, 40]]})"),
+            Json{{"kinetix", 1},
+                 {"target", Json::parse(R"({"kind": "outline", "points": [[0, 0], [60, 0], [60, 40]]})")},
+                 {"structure", {{"lattice", "rhombus"}}}}};
   if (list == "target helmet") return {target(R"({"kind": "helmet", "mesh": "headform.obj"})")};
   if (list == "doe")
     return {sweep(R"({"path": [{"path": "a"}], "range": [0, 1]})"),

@@ -1,0 +1,145 @@
+#include "app/goals/outline/outline_file.hpp"
+
+#include <algorithm>
+
+#include "app/files/file_header.hpp"
+#include "targets/outline/read_outline.hpp"
+
+namespace kinetix::app {
+namespace {
+
+namespace value = targets::value;
+
+constexpr double default_offset = 0.08;  // cell edges: a film at the face of a wall of a sixth of the edge
+// Cells: the search for a thousand takes about a second, for this many a minute.
+constexpr int most_cells = 10'000;
+// What `trim` may say.
+constexpr targets::Word<bool> trims[] = {{"outline", true}, {"none", false}};
+// Of an offset, cell edges: half a wall to either side.
+const targets::Bounds offset = {0, 0.5, true, false, "cell edges"};
+// Of theta, degrees: at 45 basic cells are closed.
+const targets::Bounds fold = targets::between(0, 45, "degrees");
+const targets::Bounds fraction = targets::between(0, 1);
+const targets::Bounds part_of_one = {0, 1, false, true};
+
+targets::KeyTable structure_keys(const OutlineFile& usual) {
+  std::vector<targets::Key> keys = lattice_choice_keys(true);
+  keys.insert(
+      keys.begin() + 1,
+      cells_key(targets::by_default({static_cast<double>(usual.columns), static_cast<double>(usual.rows)}),
+                "[columns, rows] of the panel, or of the rectangle that it is cut from"));
+  keys.push_back(
+      {"trim", value::choice(trims),
+       targets::otherwise("`none` where `cells` or `target.flat` is given, else `outline`"),
+       "`outline`: the flat panel is cut to the outline's shape; `none`: a whole rectangle of cells"});
+  keys.push_back(
+      cell_mm_key(targets::otherwise("gives the pressed panel the outline's own size; where it is given, the "
+                                     "outline is as large as the panel makes it")));
+  keys.push_back(wall_mm_key());
+  return targets::KeyTable(std::move(keys));
+}
+
+targets::KeyTable variables_keys(const OutlineFile& usual) {
+  const targets::KeyTable t(
+      {{"range", value::range(fraction), targets::by_default(usual.t),
+        "where hinges may sit on their walls; the side that is nearer to 0.5 counts for both"}});
+  const targets::KeyTable theta(
+      {{"range_deg", value::angle_range(fold), targets::by_default_deg(usual.theta[0], usual.theta[1]),
+        "turn of the bodies in the pressed state: several within the range are tried"}});
+  return targets::KeyTable({
+      {"offset_mm", value::length(offset), targets::otherwise("0.08 of `cell_mm`"),
+       "how far hinges may sit off the middle of their walls, to either side"},
+      {"t", value::map(t), {}, "where hinges sit on their walls"},
+      {"theta", value::map(theta), {}, "how far the panel is pressed"},
+  });
+}
+
+targets::KeyTable tolerance_keys(const OutlineFile& usual) {
+  return targets::KeyTable({
+      {"shape", value::number(part_of_one), targets::by_default(usual.shape_tolerance),
+       "most of [outline_rms](#outline_rms-and-iou), over the diagonal of the outline's bounding box"},
+      {"iou", value::number(part_of_one), targets::by_default(usual.iou_tolerance),
+       "least of [iou](#outline_rms-and-iou)"},
+      {"verify", value::number(part_of_one), targets::by_default(usual.verify_tolerance),
+       "most of [verify_rms](#verify_rms-and-verify_max), cell edges"},
+  });
+}
+
+void read_cells_of(const targets::Section& structure, OutlineFile& file) {
+  const auto node = structure.optional("cells");
+  file.trims = !node && !file.flat;
+  structure.read("trim", file.trims, trims);
+  if (!node) return;
+  const auto sides = as_rectangle(read_cells(*node));
+  if (!sides) throw node->error("the cells of an outline must fill a rectangle; give [columns, rows]");
+  if ((*sides)[0] * (*sides)[1] > most_cells)
+    throw node->error("more cells than a search can fit; at most 10000");
+  file.columns = (*sides)[0];
+  file.rows = (*sides)[1];
+}
+
+void read_structure(const targets::Section& root, OutlineFile& file) {
+  const targets::Section structure = root.section("structure");
+  file.lattice = read_lattice_choice(structure, true);
+  read_cells_of(structure, file);
+  structure.read("cell_mm", file.cell_mm);
+  const targets::Section wall = structure.section("wall_mm");
+  wall.read_length("thickness", file.thickness_mm, file.cell_mm.value_or(file.folded.diagonal()));
+  wall.read("height", file.height_mm);
+  if (file.flat && file.trims)
+    throw root.section("structure")
+        .error("a panel whose flat outline is prescribed is not trimmed; leave `trim` out");
+}
+
+void read_variables(const targets::Section& root, OutlineFile& file) {
+  const targets::Section variables = root.section("variables");
+  variables.read_length("offset_mm", file.offset_mm, file.cell_mm.value_or(file.folded.diagonal()));
+  const targets::Section t = variables.section("t");
+  t.read("range", file.t);
+  if (!(file.t[0] < 0.5 && file.t[1] > 0.5))
+    throw t.required("range", "[lower, upper]").error("must hold 0.5, where hinges start");
+  variables.section("theta").read("range_deg", file.theta);
+}
+
+}  // namespace
+
+model::CellSize OutlineFile::size(double edge_mm) const {
+  model::CellSize size = default_size(edge_mm);
+  size.thickness_mm = thickness_mm.value_or(size.thickness_mm);
+  size.height_mm = height_mm.value_or(size.height_mm);
+  return size;
+}
+
+double OutlineFile::offset(double edge_mm) const { return offset_mm ? *offset_mm / edge_mm : default_offset; }
+
+const targets::KeyTable& outline_keys() {
+  static const OutlineFile usual{.name = {}, .folded = targets::Outline({{0, 0}, {1, 0}, {0, 1}})};
+  static const targets::KeyTable keys = file_keys({
+      {"target", value::map(targets::outline_target_keys()), targets::needed, "the goal"},
+      {"structure", value::map(structure_keys(usual)), {}, "the flat panel"},
+      {"variables", value::map(variables_keys(usual)), {}, "what the search may change, and how far"},
+      {"tolerance", value::map(tolerance_keys(usual)), {}, "when the goal is met"},
+      {"physics", value::map(physics_keys()), {}, "settings of the physics run"},
+  });
+  return keys;
+}
+
+OutlineFile read_outline_file(const targets::Node& node) {
+  const targets::Section root(node, outline_keys());
+  check_version(root);
+  const targets::Section target = root.section("target");
+  OutlineFile file{.name = read_name(root),
+                   .folded = targets::read_outline(target.required(
+                       "points", "the path of a CSV file or a list of points [[x, y], ...] in mm"))};
+  if (const auto flat = target.optional("flat")) file.flat = targets::read_outline(*flat);
+  read_structure(root, file);
+  read_variables(root, file);
+  const targets::Section tolerance = root.section("tolerance");
+  tolerance.read("shape", file.shape_tolerance);
+  tolerance.read("iou", file.iou_tolerance);
+  tolerance.read("verify", file.verify_tolerance);
+  file.physics = read_physics(root, file.cell_mm.value_or(file.folded.diagonal() / file.columns));
+  return file;
+}
+
+}  // namespace kinetix::app

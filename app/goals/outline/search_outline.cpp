@@ -1,0 +1,131 @@
+#include "app/goals/outline/search_outline.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/base/invalid_input.hpp"
+#include "model/lattice/planar/lattices/rhombus.hpp"
+#include "model/lattice/square/planar_sheet.hpp"
+#include "optim/outline/trimmed_cells.hpp"
+#include "optim/solvers/parallel_runs.hpp"
+
+namespace kinetix::app {
+namespace {
+
+using model::LatticeCell;
+using Cells = std::vector<LatticeCell>;
+
+constexpr int most_tried_cells = 1500;  // above, one cut alone is tried: a search takes seconds
+constexpr double same_size = 1e-3;      // ratio: walls and offsets in mm are then those of the search
+
+model::PlanarStructure planar_of(const model::Sheet& sheet) {
+  if (const model::Structure* squares = sheet.squares()) return planar_structure(*squares);
+  return *sheet.planar();
+}
+
+class OutlineSearch {
+ public:
+  OutlineSearch(const OutlineFile& file, const RunOptions& run) : file_(file), run_(run) {}
+
+  FoundOutline find() {
+    FoundOutline found;
+    const Cells cells = file_.trims ? best_cut(found.cuts) : model::lattice_cells(file_.columns, file_.rows);
+    double edge_mm = edge_of(cells);
+    for (int pass = 0; pass < 3; ++pass) {
+      found.sheet = make_sheet(file_.lattice, cells, file_.size(edge_mm));
+      found.design = fit(planar_of(found.sheet), options_of(edge_mm));
+      const double came_out = file_.flat || file_.cell_mm ? edge_mm : found.design.scale;
+      if (std::abs(came_out / edge_mm - 1) <= same_size) break;
+      edge_mm = came_out;
+    }
+    place(edge_mm, cells, found);
+    return found;
+  }
+
+ private:
+  optim::OutlineOptions options_of(double edge_mm) const {
+    optim::OutlineOptions options;
+    options.theta = file_.theta;
+    options.offset = file_.offset(edge_mm);
+    options.t = file_.t;
+    return options;
+  }
+
+  optim::OutlineDesign fit(const model::PlanarStructure& panel, const optim::OutlineOptions& options) const {
+    const auto progress = [this](double done) {
+      if (run_.progress) run_.progress("search", done);
+    };
+    return fit_outline(panel, file_.folded, file_.flat ? &*file_.flat : nullptr, options, progress);
+  }
+
+  /// Of the panel that these cells make, as long as nothing is known but areas.
+  double edge_of(const Cells& cells) const {
+    if (file_.cell_mm) return *file_.cell_mm;
+    const model::PlanarStructure panel = planar_of(make_sheet(file_.lattice, cells, {1, 0.1, 1}));
+    double twice = 0;
+    for (const model::GraphFace& face : panel.faces)
+      for (std::size_t k = 0; k < face.vertices.size(); ++k) {
+        const Eigen::Vector2d &a = panel.graph.vertices[face.vertices[k]],
+                              &b = panel.graph.vertices[face.vertices[(k + 1) % face.vertices.size()]];
+        twice += a.x() * b.y() - a.y() * b.x();
+      }
+    if (file_.flat) return std::sqrt(2 * file_.flat->area() / twice);
+    return std::sqrt(2 * file_.folded.area() / twice) / std::cos(file_.theta[1]);
+  }
+
+  /// Each is fitted at the largest theta alone.
+  Cells best_cut(int& count) const {
+    const auto& [lattice, angle] = file_.lattice.lattice
+                                       ? std::pair(file_.lattice.lattice, file_.lattice.angle)
+                                       : std::pair(&model::rhombus_lattice, pi / 2);
+    std::vector<Cells> cuts = optim::trimmed_cells(*lattice, angle, file_.columns, file_.rows, file_.folded);
+    if (cuts.empty())
+      throw InvalidInput("no cells of the lattice lie within the outline; give more `structure.cells`");
+    if (file_.columns * file_.rows > most_tried_cells) cuts.resize(1);
+    count = static_cast<int>(cuts.size());
+    std::vector<double> misses(cuts.size());
+    optim::run_in_parallel(count, run_.threads, [&](int k) { misses[k] = miss_of(cuts[k]); });
+    return cuts[std::min_element(misses.begin(), misses.end()) - misses.begin()];
+  }
+
+  double miss_of(const Cells& cells) const {
+    const double edge_mm = edge_of(cells);
+    optim::OutlineOptions options = options_of(edge_mm);
+    options.theta[0] = options.theta[1];
+    options.thetas = 1;
+    const model::PlanarStructure panel = planar_of(make_sheet(file_.lattice, cells, file_.size(edge_mm)));
+    const optim::OutlineDesign design = fit_outline(panel, file_.folded, nullptr, options);
+    const double shared = std::isfinite(design.error.iou) ? design.error.iou : 0;
+    return design.error.rms / file_.shape_tolerance +
+           (1 - shared) / (1 - std::min(0.99, file_.iou_tolerance)) + (design.clear ? 0 : 10);
+  }
+
+  /// The hinges into the sheet, as they come back from a file, where offsets are in mm.
+  void place(double edge_mm, const Cells& cells, FoundOutline& found) const {
+    const model::CellSize size = file_.size(edge_mm);
+    const auto in_mm = [edge_mm](double offset) { return offset * edge_mm / edge_mm; };
+    if (file_.flat) {
+      model::PlanarStructure panel = found.design.panel;
+      panel.size = size;
+      found.sheet = std::move(panel);
+    } else {
+      found.sheet = make_sheet(file_.lattice, cells, size);
+    }
+    for (int h = 0; h < found.sheet.hinges(); ++h) {
+      model::HingeParameters& hinge = found.sheet.hinge(h);
+      hinge = found.design.panel.hinges[h];
+      hinge.offset = in_mm(hinge.offset);
+    }
+  }
+
+  const OutlineFile& file_;
+  const RunOptions& run_;
+};
+
+}  // namespace
+
+FoundOutline search_outline(const OutlineFile& file, const RunOptions& options) {
+  return OutlineSearch(file, options).find();
+}
+
+}  // namespace kinetix::app

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "app/goals/outline/outline_file.hpp"
+#include "app/run/run_options.hpp"
+#include "optim/outline/fit_outline.hpp"
+
+namespace kinetix::app {
+
+/// The panel that a search came to.
+struct FoundOutline {
+  model::Sheet sheet;  ///< with its hinges, and its size in mm
+  optim::OutlineDesign design;
+  int cuts = 0;  ///< of the lattice that were tried; 0: the panel is a whole rectangle
+};
+
+/// The search that a file asks for: of the cuts of the lattice that look like the outline the one that comes
+/// nearest to it, then hinges and theta.
+/// @throws InvalidInput for a panel that its sizes do not allow
+FoundOutline search_outline(const OutlineFile& file, const RunOptions& options);
+
+}  // namespace kinetix::app
