@@ -2,16 +2,19 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/exports/data_uri.hpp"
 #include "app/report/report.hpp"
 #include "app/result/result_json.hpp"
 
 namespace kinetix::app {
 namespace {
 
-/// How long it takes to write the page is not known while it is written.
+/// The result with the pictures that belong into the page itself. How long it takes to write the page is not known while it is written.
 std::vector<NamedContent> write(const Run& run) {
   nlohmann::ordered_json shown = result_json(run);
   shown["timing_s"].erase("write");
+  if (run.goal)
+    for (const auto& [name, png] : run.goal->shown_pictures(run)) shown["pictures"][name] = data_uri(png);
   return {{"report.html", report_html(shown.dump())}};
 }
 

@@ -107,7 +107,8 @@ std::string far_view(const model::Linkage& panel, const model::State& state, con
   Grey seen = light / whole.max(1e-6);
   if (options.surroundings_in_cells > 0)
     seen = against_surroundings(seen, whole, options.surroundings_in_cells * options.pixels_per_cell);
-  return grey_png(1 - stretched(seen, whole));
+  const Grey shown = stretched(seen, whole);
+  return grey_png(options.bright_is_ink ? Grey(1 - shown) : (whole >= inside).select(shown, 1));
 }
 
 }  // namespace kinetix::app

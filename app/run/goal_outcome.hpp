@@ -41,6 +41,8 @@ class GoalOutcome {
   virtual void add_metrics(nlohmann::ordered_json& metrics) const = 0;
   virtual std::vector<SummaryLine> summary_lines(const Run& run) const = 0;
   virtual std::vector<NamedContent> pictures(const Run&) const { return {}; }
+  /// PNG files that the report itself shows.
+  virtual std::vector<NamedContent> shown_pictures(const Run&) const { return {}; }
 
  protected:
   GoalOutcome() = default;

@@ -31,6 +31,8 @@ struct DisplayGoal {
   /// In [0, 1], 1 = letter, 0 = the rest; cell (i, j) at j * columns + i, i to the right and j upwards, as
   /// the cells of a structure: the top row of a picture has the largest j.
   std::vector<double> levels;
+  /// Whether light parts of the picture are the letter: then what is bright is to be seen bright, not as ink.
+  bool inverted = false;
   /// Whether the cells keep parts, holes and strokes of the picture they are taken from (whole_picture.hpp);
   /// true for goals of grey levels, and for rows, which are the picture.
   bool whole = true;

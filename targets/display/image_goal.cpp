@@ -14,7 +14,8 @@ PanelSize default_size(const Picture& picture) {
   return {default_image_columns, static_cast<int>(std::max(rows, 1.0))};
 }
 
-DisplayGoal shown(const std::shared_ptr<const Picture>& picture, PanelSize size, ImageLevels levels) {
+DisplayGoal shown(const std::shared_ptr<const Picture>& picture, PanelSize size, ImageLevels levels,
+                  bool inverted) {
   check_panel(size);
   const auto window = [&](PanelSize) { return frame(*picture); };
   DisplayGoal goal = levels == ImageLevels::two
@@ -22,7 +23,8 @@ DisplayGoal shown(const std::shared_ptr<const Picture>& picture, PanelSize size,
                          : make_goal(size, ink_coverage(*picture, frame(*picture), size));
   if (levels == ImageLevels::two) compare_with(*picture, window, goal);
   check_contrast(goal);
-  goal.redrawn = [=](PanelSize other) { return shown(picture, other, levels); };
+  goal.inverted = inverted;
+  goal.redrawn = [=](PanelSize other) { return shown(picture, other, levels, inverted); };
   return goal;
 }
 
@@ -31,7 +33,7 @@ DisplayGoal shown(const std::shared_ptr<const Picture>& picture, PanelSize size,
 DisplayGoal image_goal(const std::string& file, std::optional<PanelSize> size, ImageLevels levels,
                        bool invert) {
   const auto picture = std::make_shared<const Picture>(read_image(file, levels, invert));
-  return shown(picture, size.value_or(default_size(*picture)), levels);
+  return shown(picture, size.value_or(default_size(*picture)), levels, invert);
 }
 
 }  // namespace kinetix::targets

@@ -123,4 +123,6 @@ std::vector<SummaryLine> DisplayOutcome::summary_lines(const Run& run) const {
 
 std::vector<NamedContent> DisplayOutcome::pictures(const Run& run) const { return display_pictures(run); }
 
+std::vector<NamedContent> DisplayOutcome::shown_pictures(const Run& run) const { return far_pictures(run); }
+
 }  // namespace kinetix::app

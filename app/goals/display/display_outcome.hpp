@@ -43,6 +43,7 @@ class DisplayOutcome final : public GoalOutcome {
   void add_metrics(nlohmann::ordered_json& metrics) const override;
   std::vector<SummaryLine> summary_lines(const Run& run) const override;
   std::vector<NamedContent> pictures(const Run& run) const override;
+  std::vector<NamedContent> shown_pictures(const Run& run) const override;
 };
 
 }  // namespace kinetix::app

@@ -2,12 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/goals/display/display_outcome.hpp"
-#include "app/pictures/far_view.hpp"
 #include "app/pictures/panel_picture.hpp"
 
 namespace kinetix::app {
 namespace {
+
+constexpr int large_panel = 40;     // cells: smaller ones hold a letter or two, larger ones pictures
+constexpr int pixels_of_large = 6;  // px a cell: 600 for a hundred cells
+constexpr double cells_a_blur =
+    80;  // cells of a side for each cell of blur: a QR code of 100 cells is read best at 1 to 1.33
+constexpr double surroundings = 12;  // cells: three modules of a QR code of four cells a module
 
 /// As SVG and as PNG.
 void add_panel(std::vector<NamedContent>& files, const std::string& name, const model::Linkage& panel,
@@ -34,12 +41,28 @@ std::vector<NamedContent> display_pictures(const Run& run) {
   add_panel(files, "before", run.structure, flat);
   add_panel(files, "hinges", run.structure, flat, true);
   add_panel(files, "after", run.structure, after);
-  files.push_back({"afar_before.png", far_view(run.structure, flat)});
-  files.push_back({"afar_after.png", far_view(run.structure, after)});
+  for (NamedContent& file : far_pictures(run)) files.push_back(std::move(file));
   if (outcome_of<DisplayOutcome>(run).physics)
     add_panel(files, "physics", run.structure, run.verification->physics.state);
   add_frames(files, run);
   return files;
+}
+
+FarViewOptions far_view_options(const targets::DisplayGoal& goal) {
+  const int side = std::min(goal.columns, goal.rows);
+  FarViewOptions options;
+  options.bright_is_ink = !goal.inverted;
+  if (side < large_panel) return options;
+  options.pixels_per_cell = pixels_of_large;
+  options.blur_in_cells = std::max(options.blur_in_cells, side / cells_a_blur);
+  options.surroundings_in_cells = surroundings;
+  return options;
+}
+
+std::vector<NamedContent> far_pictures(const Run& run) {
+  const FarViewOptions options = far_view_options(outcome_of<DisplayOutcome>(run).goal);
+  return {{"afar_before.png", far_view(run.structure, rest_state(run.structure), options)},
+          {"afar_after.png", far_view(run.structure, run.states.front().poses, options)}};
 }
 
 }  // namespace kinetix::app

@@ -77,6 +77,18 @@ function pictureBox(label, note, draw) {
   return html("figure", {class: "shot"}, responsive(draw), html("figcaption", {}, html("strong", {}, label), " ", note));
 }
 
+/** What an eye sees from afar, as the program drew it. */
+function farViews(data) {
+  const pictures = dictionary(data.raw.pictures);
+  const view = (name, label, note) => typeof pictures[name] === "string" && html(
+      "figure", {class: "shot"}, html("img", {src: pictures[name], alt: label}),
+      html("figcaption", {}, html("strong", {}, label), " ", note));
+  return [
+    view("afar_before.png", "Before, from afar", "light through the flat panel, too far away to see its walls"),
+    view("afar_after.png", "After, from afar", "light through the compressed panel, likewise"),
+  ].filter(Boolean);
+}
+
 function displaySection(data) {
   const {structure, states, goal: display} = data;
   const shown = [states.flat, states.model, states.physics].filter(Boolean);
@@ -93,7 +105,8 @@ function displaySection(data) {
                            display.physics ? readingWords(display, display.physics) : "not settled"),
                       shot(states.flat, "Where the hinges are",
                            "grey: in the middle of the wall; blue: towards its lower or left end; red: towards the other",
-                           true)),
+                           true),
+                      farViews(data)),
       html("p", {}, `Compressed along ${display.axis} by ${percent(display.compression)}. The largest stretch of a ` +
                         `hinge is ${figures(display.stretch)} cell edges.`),
       neededPanel(display), startsTable(display));
