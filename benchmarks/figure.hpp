@@ -23,6 +23,8 @@ std::vector<Figure> elastic_physics_figures();
 std::vector<Figure> display_figures();
 std::vector<Figure> planar_figures();
 std::vector<Figure> scaled_display_figures();
+std::vector<Figure> qr_code_figures();
+std::vector<Figure> outline_figures();
 std::vector<Figure> fold_figures();
 std::vector<Figure> helmet_figures();
 std::vector<Figure> growth_figures();

@@ -46,10 +46,10 @@ struct Letters {
 
 void add(const app::Run& run, Letters& all) {
   const app::DisplayOutcome& display = display_of(run);
-  const std::vector<double> levels = levels_of(display.goal, *run.structure.squares());
+  const std::vector<double> levels = levels_of(display.goal, run.structure);
   const model::State& exact = display.design.view.state;
   const auto area =
-      targets::display_score(channel_values(optim::Channel::area, *run.structure.squares(), exact), levels);
+      targets::display_score(channel_values(optim::Channel::area, run.structure, exact), levels);
   all.exact_gap = std::max(all.exact_gap, hinge_gaps(run.structure, exact).max);
   all.light = std::min(all.light, display.exact.score.auc);
   all.area = std::min(all.area, area.auc);

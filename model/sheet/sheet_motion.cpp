@@ -5,6 +5,7 @@
 #include "model/lattice/planar/planar_motion.hpp"
 #include "model/lattice/square/classify.hpp"
 #include "model/lattice/square/drive.hpp"
+#include "model/lattice/square/planar_sheet.hpp"
 
 namespace kinetix::model {
 namespace {
@@ -39,6 +40,16 @@ Sheet between(const Sheet& before, const Sheet& after, double part) {
 }
 
 }  // namespace
+
+PlanarStructure planar_structure(const Sheet& sheet) {
+  if (const Structure* squares = sheet.squares()) return planar_structure(*squares);
+  return *sheet.planar();
+}
+
+void place_hinges(const Redrawing& y, Sheet& sheet) {
+  if (Structure* squares = sheet.squares()) return place_hinges(y, *squares);
+  place_hinges(y, *sheet.planar());
+}
 
 ExactMotion exact_motion(const Sheet& sheet) {
   if (const Structure* squares = sheet.squares()) return exact_motion(*squares);

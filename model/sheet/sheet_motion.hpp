@@ -9,6 +9,11 @@
 
 namespace kinetix::model {
 
+/// The sheet as a structure on a planar graph: bodies and hinges in the same order, cells first.
+PlanarStructure planar_structure(const Sheet& sheet);
+/// Puts the hinges of a sheet where y, of each body, has them; alpha and beta stay.
+void place_hinges(const std::vector<Eigen::Vector2d>& y, Sheet& sheet);
+
 /// The closed form of a sheet, by the rules of its lattice.
 ExactMotion exact_motion(const Sheet& sheet);
 

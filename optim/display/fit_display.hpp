@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "model/sheet/sheet.hpp"
 #include "optim/display/display_search.hpp"
 #include "optim/display/scaled_display.hpp"
 
@@ -33,7 +34,7 @@ struct DisplayDesign {
 /// exact one: no hinge stretches.
 /// @param axes normals of the plates, at least one; that of the options has no effect
 /// @param panel, levels as for fit_display   @throws InvalidInput for options out of range
-DisplayDesign fit_scaled_display(const model::Structure& panel, const std::vector<double>& levels,
+DisplayDesign fit_scaled_display(const model::Sheet& panel, const std::vector<double>& levels,
                                  Channel channel, const std::vector<model::Axis>& axes,
                                  const ScaledDisplayOptions& options);
 

@@ -2,27 +2,28 @@
 #include <string>
 #include <utility>
 
-#include "model/lattice/square/planar_sheet.hpp"
+#include "model/sheet/sheet_motion.hpp"
 #include "optim/display/fit_display.hpp"
 
 namespace kinetix::optim {
 namespace {
 
-DisplayView view_of(const model::Structure& basic, const std::vector<double>& levels, Channel channel,
+DisplayView view_of(const model::Sheet& basic, const std::vector<double>& levels, Channel channel,
                     model::Axis axis, const ScaledDisplay& scaled) {
-  model::Structure panel = basic;
+  model::Sheet panel = basic;
   place_hinges(scaled.y, panel);
   DisplayView view;
-  view.t.resize(static_cast<Eigen::Index>(panel.hinges.size()));
+  view.t.resize(panel.hinges());
   view.offset.resize(view.t.size());
-  for (Eigen::Index h = 0; h < view.t.size(); ++h) {
-    view.t[h] = panel.hinges[h].parameters.t;
-    view.offset[h] = panel.hinges[h].parameters.offset;
+  for (int h = 0; h < panel.hinges(); ++h) {
+    view.t[h] = panel.hinge(h).t;
+    view.offset[h] = panel.hinge(h).offset;
   }
   view.plates.axis = axis;
   view.plates.compression = scaled.compression;
-  view.state = fold(scaled.y, panel, scaled.theta);
+  view.state = fold(planar_structure(panel), scaled.y, scaled.theta);
   view.channel = channel_values(channel, panel, view.state);
+  view.channel.resize(levels.size());
   view.score = targets::display_score(view.channel, levels);
   view.rank = targets::rank_correlation(view.channel, levels);
   view.stretch = hinge_gaps(panel, view.state).max;
@@ -41,7 +42,7 @@ std::string words(const ScaledDisplay& s) {
 
 }  // namespace
 
-DisplayDesign fit_scaled_display(const model::Structure& panel, const std::vector<double>& levels,
+DisplayDesign fit_scaled_display(const model::Sheet& panel, const std::vector<double>& levels,
                                  Channel channel, const std::vector<model::Axis>& axes,
                                  const ScaledDisplayOptions& options) {
   const PictureCost picture(levels);
@@ -50,7 +51,7 @@ DisplayDesign fit_scaled_display(const model::Structure& panel, const std::vecto
   for (const model::Axis axis : axes) {
     ScaledDisplayOptions along = options;
     along.axis = axis;
-    ScaledDisplay scaled = scale_display(panel, levels, along);
+    ScaledDisplay scaled = scale_display(planar_structure(panel), levels, along);
     DisplayView view = view_of(panel, levels, channel, axis, scaled);
     best.evaluations += scaled.iterations;
     const double haze = picture.for_contrast(view.channel).cost;

@@ -5,8 +5,7 @@
 
 #include "model/base/invalid_input.hpp"
 #include "model/contact/wall_contact.hpp"
-#include "model/lattice/square/lines.hpp"
-#include "model/lattice/square/planar_sheet.hpp"
+#include "model/lattice/planar/planar_drive.hpp"
 #include "optim/display/wall_scales.hpp"
 
 namespace kinetix::optim {
@@ -19,6 +18,8 @@ constexpr double less_turning = 0.85;
 constexpr int most_clearance_rounds = 7;
 // rad: walls shall stay apart a little further than the plates press.
 constexpr double spare = 2 * radians_per_degree;
+
+constexpr double no_level = 0.5;  // a level, [0, 1], that asks walls neither to grow nor to shrink
 
 double shift_of(const std::array<double, 2>& t) { return 2 * std::min(0.5 - t[0], t[1] - 0.5); }
 
@@ -38,10 +39,16 @@ double drop_of(const model::Redrawing& y, const model::GrippedRows& rows, model:
   return axis == model::Axis::x ? by.y() : -by.x();
 }
 
+/// Distance of the rows at rest, cell edges.
+double height_of(const model::PlanarStructure& panel, const model::GrippedRows& rows, model::Axis axis) {
+  const int along = axis == model::Axis::x ? 0 : 1;
+  return panel.graph.vertices[rows[1].front()][along] - panel.graph.vertices[rows[0].front()][along];
+}
+
 /// theta at which walls first meet, looked for up to a little more than `theta`, rad.
-model::ThetaLimit clearance(model::Structure panel, const model::Redrawing& y, double theta) {
+model::ThetaLimit clearance(model::PlanarStructure panel, const model::Redrawing& y, double theta) {
   place_hinges(y, panel);
-  const auto fold_to = [&](double at, model::State& state) { state = fold(y, panel, at); };
+  const auto fold_to = [&](double at, model::State& state) { state = fold(panel, y, at); };
   model::ThetaRangeOptions options;
   options.limit = theta + spare;
   return theta_range(panel, fold_to, options).positive;
@@ -58,14 +65,15 @@ double compression_at(double theta, double drop, double height) {
   return 1 - (height * std::cos(theta) - drop * std::sin(theta)) / height;
 }
 
-ScaledDisplay scale_display(const model::Structure& panel, const std::vector<double>& levels,
+ScaledDisplay scale_display(const model::PlanarStructure& panel, const std::vector<double>& levels,
                             const ScaledDisplayOptions& options) {
   validate(options);
-  const model::PlanarStructure planar = planar_structure(panel);
-  const double height = line_count(panel, options.axis);
+  const model::GrippedRows rows = rim_rows(panel, options.axis);
+  const double height = height_of(panel, rows, options.axis);
   const auto [least, most] = options.compression;
-  const model::GrippedRows rows = gripped_bodies(panel, options.axis);
-  WallScales scales{.wish = wishes_of(levels, planar, options.offset),
+  std::vector<double> of_faces = levels;
+  of_faces.resize(panel.faces.size(), no_level);
+  WallScales scales{.wish = wishes_of(of_faces, panel, options.offset),
                     .offset = options.offset,
                     .shift = shift_of(options.t),
                     .axis = options.axis,
@@ -74,7 +82,7 @@ ScaledDisplay scale_display(const model::Structure& panel, const std::vector<dou
   ScaledDisplay found;
   double drop = 0, goal = 0;
   do {
-    const ScaledWalls walls = scale_walls(planar, scales);
+    const ScaledWalls walls = scale_walls(panel, scales);
     found.y = walls.y;
     found.offset = walls.offset;
     found.shift = walls.shift;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "model/lattice/planar/planar_motion.hpp"
-#include "model/lattice/square/structure.hpp"
+#include "model/linkage/axis.hpp"
 
 namespace kinetix::optim {
 
@@ -42,10 +42,10 @@ double compression_at(double theta, double drop, double height);
 
 /// Scales walls of cells with high levels up, those of others down (scale_walls), rows at the plates straight.
 /// Where walls would meet before the goal, again with less turning.
-/// @param panel fills a rectangle; where its hinges sit has no effect   @param levels of each of its cells,
-/// [0, 1], not all the same
-/// @throws InvalidInput for options out of range
-ScaledDisplay scale_display(const model::Structure& panel, const std::vector<double>& levels,
+/// @param panel where its hinges sit has no effect   @param levels of its first cells, [0, 1], not all the same;
+/// those after them have none and keep their size
+/// @throws InvalidInput for options out of range, and a panel that plates would touch at one vertex alone
+ScaledDisplay scale_display(const model::PlanarStructure& panel, const std::vector<double>& levels,
                             const ScaledDisplayOptions& options);
 
 }  // namespace kinetix::optim

@@ -2,9 +2,11 @@
 
 namespace kinetix::targets {
 
-std::vector<double> levels_of(const DisplayGoal& goal, const model::Structure& panel) {
+std::vector<double> levels_of(const DisplayGoal& goal, const model::Sheet& panel) {
   std::vector<double> levels;
-  for (const model::Cell& cell : panel.cells) levels.push_back(goal.level(cell.i, cell.j));
+  for (int c = 0; c < panel.cells(); ++c)
+    if (const std::vector<int> at = cell_label(panel, c); at.size() == 2)
+      levels.push_back(goal.level(at[0], at[1]));
   return levels;
 }
 

@@ -2,12 +2,14 @@
 
 #include <vector>
 
-#include "model/lattice/square/structure.hpp"
+#include "model/sheet/sheet.hpp"
 #include "targets/display/display_goal.hpp"
 
 namespace kinetix::targets {
 
-/// The level of each of the panel's cells, [0, 1]. @pre the panel has the goal's columns and rows of cells
-std::vector<double> levels_of(const DisplayGoal& goal, const model::Structure& panel);
+/// Level of each cell that the picture has one for: of all cells of a panel of squares; of another lattice, of
+/// those that it is drawn by, which come before the cells of a closed rim and those between.
+/// @pre the panel has the goal's columns and rows
+std::vector<double> levels_of(const DisplayGoal& goal, const model::Sheet& panel);
 
 }  // namespace kinetix::targets

@@ -33,8 +33,11 @@ constexpr targets::Word<Channel> channels[] = {{"light", Channel::light},
 constexpr targets::Word<Axis> axes[] = {{"x", Axis::x}, {"y", Axis::y}};
 
 targets::KeyTable structure_keys() {
-  return targets::KeyTable(
-      {targets::panel_cells_key(), cell_mm_key(targets::by_default(default_cell_mm)), wall_mm_key()});
+  std::vector<targets::Key> keys = lattice_choice_keys(true);
+  keys.insert(keys.begin() + 1, targets::panel_cells_key());
+  keys.push_back(cell_mm_key(targets::by_default(default_cell_mm)));
+  keys.push_back(wall_mm_key());
+  return targets::KeyTable(std::move(keys));
 }
 
 targets::KeyTable drive_keys(const DisplayFile& usual) {
@@ -108,6 +111,13 @@ void read_offset(const targets::Section& root, DisplayFile& file) {
   else if (asks_for_walls(root, file))
     file.offset = 0;
   if (file.offset > 0) return;
+  if (file.lattice.lattice)
+    throw root.section("structure")
+        .required("lattice", "")
+        .error(
+            "hinges on their walls show pictures on squares alone; give `variables: {offset_mm: ...}` above "
+            "0 and no "
+            "`solver`, or leave `lattice` out");
   if (!under(root, "target", "channel")) file.channel = channel_on_walls;
   file.compression = compression_on_walls;
   file.t = t_on_walls;
@@ -117,6 +127,7 @@ void read_goal(const targets::Section& root, DisplayFile& file) {
   const targets::Section structure = root.section("structure");
   file.goal = read_display(root.required("target", ""), structure.optional("cells"));
   file.size = read_size(structure, default_cell_mm);
+  file.lattice = read_lattice_choice(structure, true);
   root.section("target").read("channel", file.channel, channels);
   file.symmetry = read_symmetry(t_section(root), file.goal.columns, file.goal.rows);
   read_offset(root, file);

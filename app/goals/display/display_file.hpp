@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/files/hinge_section.hpp"
+#include "app/files/lattice_section.hpp"
 #include "app/files/physics_section.hpp"
 #include "app/files/solver_section.hpp"
 #include "model/lattice/square/structure.hpp"
@@ -28,7 +29,8 @@ struct DisplayFile {
   std::string name;
   targets::DisplayGoal goal;
   optim::Channel channel = optim::Channel::light;
-  model::CellSize size = {};  ///< structure.cell_mm (default 10), structure.wall_mm
+  model::CellSize size = {};   ///< structure.cell_mm (default 10), structure.wall_mm
+  LatticeChoice lattice = {};  ///< structure.lattice, angle_deg, rim; others than squares with offsets alone
   std::vector<model::Axis> axes = {
       model::Axis::y};  ///< drive.axis or variables.axis: normals of the plates to try
   /// drive.compression: fraction by which the plates come closer, (0, 0.5], within the range if there is one

@@ -39,7 +39,7 @@ Json starts_json(const optim::DisplayDesign& design) {
   return starts;
 }
 
-Json display_json(const DisplayOutcome& display, const model::Structure& panel) {
+Json display_json(const DisplayOutcome& display, const model::Sheet& panel) {
   const model::Drive& plates = display.design.view.plates;
   Json out = {{"channel", to_string(display.channel)},
               {"axis", plates.axis == model::Axis::x ? "x" : "y"},
@@ -52,7 +52,7 @@ Json display_json(const DisplayOutcome& display, const model::Structure& panel) 
               {"reasons", display.violations},
               {"reasons_physics", display.physics_violations}};
   if (const auto& scaled = display.design.scaled)
-    out["scaled"] = {{"offset_mm", scaled->offset * panel.size.edge_mm},
+    out["scaled"] = {{"offset_mm", scaled->offset * panel.size().edge_mm},
                      {"theta_rad", scaled->theta},
                      {"walls_meet", !scaled->clear},
                      {"rounds", scaled->rounds},
@@ -84,7 +84,7 @@ std::string DisplayOutcome::solver() const {
 Json DisplayOutcome::target_json() const { return {{"kind", "display"}, {"rows", goal.row_texts()}}; }
 
 void DisplayOutcome::add_sections(const Run& run, Json& result) const {
-  result["display"] = display_json(*this, *run.structure.squares());
+  result["display"] = display_json(*this, run.structure);
   result["timing_s"]["larger_panels"] = larger_panels_s;
   result["optimiser"] = optimiser_json(*this);
 }

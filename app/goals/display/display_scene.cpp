@@ -11,6 +11,7 @@
 #include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/physics_settings.hpp"
 #include "app/run/stopwatch.hpp"
+#include "model/sheet/sheet_motion.hpp"
 #include "targets/display/panel_levels.hpp"
 
 namespace kinetix::app {
@@ -62,6 +63,10 @@ std::vector<std::string> all_violations(const DisplayFile& file, const DisplayOu
   return why;
 }
 
+model::LinkageDrive plates_on(const model::Sheet& panel, const model::Drive& plates) {
+  return drive_on(panel, {.axis = plates.axis, .compression = plates.compression, .branch = plates.branch});
+}
+
 class DisplayScene final : public Scene {
  public:
   explicit DisplayScene(DisplayFile file) : file_(std::move(file)) {}
@@ -75,7 +80,7 @@ class DisplayScene final : public Scene {
     if (!(file_.offset > 0))
       check_memory({file_.goal.columns, file_.goal.rows}, options.threads,
                    display->options.starts * static_cast<int>(file_.axes.size()), memory_of_machine());
-    model::Structure panel = model::make_sheet(file_.goal.columns, file_.goal.rows, file_.size);
+    model::Sheet panel = make_panel(file_, {file_.goal.columns, file_.goal.rows});
     display->tolerances = tolerances_of(file_);
     display->goal = file_.goal;
     display->channel = file_.channel;
@@ -88,12 +93,12 @@ class DisplayScene final : public Scene {
 
   void add_state(Run& run, const RunOptions& options) const override {
     auto& display = outcome_of<DisplayOutcome>(run);
-    add_equilibrium(run, display.design.view.plates.on(*run.structure.squares()), elasticity(), motion_states,
+    add_equilibrium(run, plates_on(run.structure, display.design.view.plates), elasticity(), motion_states,
                     options.progress);
-    display.before = reading(*run.structure.squares(), rest_state(run.structure));
-    display.after = reading(*run.structure.squares(), run.states.front().poses);
+    display.before = reading(run.structure, rest_state(run.structure));
+    display.after = reading(run.structure, run.states.front().poses);
     if (!display.design.scaled) return;
-    display.exact = reading(*run.structure.squares(), display.design.view.state);
+    display.exact = reading(run.structure, display.design.view.state);
     display.design.view.stretch = run.states.front().gaps.max;
   }
 
@@ -114,7 +119,7 @@ class DisplayScene final : public Scene {
 
   void judge_physics(Run& run) const override {
     auto& display = outcome_of<DisplayOutcome>(run);
-    display.physics = reading(*run.structure.squares(), run.verification->physics.state);
+    display.physics = reading(run.structure, run.verification->physics.state);
     display.physics_violations =
         violations(file_, display.physics->score, display.physics->rank, "physics run");
   }
@@ -134,10 +139,11 @@ class DisplayScene final : public Scene {
     run.drive = DriveSection{.axis = view.plates.axis, .compression = view.plates.compression};
   }
 
-  DisplayReading reading(const model::Structure& panel, const model::State& state) const {
+  DisplayReading reading(const model::Sheet& panel, const model::State& state) const {
     const std::vector<double> levels = levels_of(file_.goal, panel);
     DisplayReading out;
     out.channel = channel_values(file_.channel, panel, state);
+    out.channel.resize(levels.size());
     out.score = targets::display_score(out.channel, levels);
     out.rank = targets::rank_correlation(out.channel, levels);
     return out;

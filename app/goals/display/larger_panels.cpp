@@ -27,7 +27,7 @@ std::vector<targets::PanelSize> larger_sizes(targets::PanelSize asked) {
 bool shows(const DisplayFile& file, const targets::DisplayGoal& goal, const optim::DisplayOptions& options,
            const std::function<void(const std::string&, double)>& progress) {
   const targets::PanelSize size = {goal.columns, goal.rows};
-  const model::Structure panel = model::make_sheet(size[0], size[1], file.size);
+  const model::Sheet panel = make_panel(file, size);
   const auto told = [&](const std::string&, double done) {
     if (progress) progress(fmt::format("{} x {}", size[0], size[1]), done);
   };

@@ -43,22 +43,26 @@ optim::DisplayOptions search_options(const DisplayFile& file, const model::Elast
 }
 
 optim::DisplayDesign search_panel(const DisplayFile& file, const targets::DisplayGoal& goal,
-                                  const model::Structure& panel, const optim::DisplayOptions& options,
+                                  const model::Sheet& panel, const optim::DisplayOptions& options,
                                   const std::function<void(const std::string&, double)>& progress) {
   const std::vector<double> levels = levels_of(goal, panel);
   if (file.offset > 0)
     return fit_scaled_display(panel, levels, file.channel, file.axes, scaled_options(file));
-  return fit_display(panel, levels, options, progress);
+  return fit_display(*panel.squares(), levels, options, progress);
 }
 
 // Offsets as they come back from a file, where they are in mm.
-void place_hinges(const optim::DisplayView& view, model::Structure& panel) {
-  const double mm = panel.size.edge_mm;
-  for (Eigen::Index h = 0; h < view.t.size(); ++h) {
-    model::HingeParameters& p = panel.hinges[static_cast<std::size_t>(h)].parameters;
+void place_hinges(const optim::DisplayView& view, model::Sheet& panel) {
+  const double mm = panel.size().edge_mm;
+  for (int h = 0; h < panel.hinges(); ++h) {
+    model::HingeParameters& p = panel.hinge(h);
     p.t = view.t[h];
     if (view.offset.size() > 0) p.offset = view.offset[h] * mm / mm;
   }
+}
+
+model::Sheet make_panel(const DisplayFile& file, targets::PanelSize size) {
+  return make_sheet(file.lattice, model::lattice_cells(size[0], size[1]), file.size);
 }
 
 }  // namespace kinetix::app

@@ -21,10 +21,13 @@ optim::DisplayOptions search_options(const DisplayFile& file, const model::Elast
 /// @param goal the file's, or the same picture on another panel
 /// @param panel of the goal's cells   @param progress words and the share done
 optim::DisplayDesign search_panel(const DisplayFile& file, const targets::DisplayGoal& goal,
-                                  const model::Structure& panel, const optim::DisplayOptions& options,
+                                  const model::Sheet& panel, const optim::DisplayOptions& options,
                                   const std::function<void(const std::string&, double)>& progress);
 
 /// Puts the hinges of a panel where a search left them.
-void place_hinges(const optim::DisplayView& view, model::Structure& panel);
+void place_hinges(const optim::DisplayView& view, model::Sheet& panel);
+
+/// The flat panel of a file with this many cells, all hinges basic.
+model::Sheet make_panel(const DisplayFile& file, targets::PanelSize size);
 
 }  // namespace kinetix::app

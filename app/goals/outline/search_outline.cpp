@@ -5,7 +5,7 @@
 
 #include "model/base/invalid_input.hpp"
 #include "model/lattice/planar/lattices/rhombus.hpp"
-#include "model/lattice/square/planar_sheet.hpp"
+#include "model/sheet/sheet_motion.hpp"
 #include "optim/outline/trimmed_cells.hpp"
 #include "optim/solvers/parallel_runs.hpp"
 
@@ -18,11 +18,6 @@ using Cells = std::vector<LatticeCell>;
 constexpr int most_tried_cells = 1500;  // above, one cut alone is tried: a search takes seconds
 constexpr double same_size = 1e-3;      // ratio: walls and offsets in mm are then those of the search
 
-model::PlanarStructure planar_of(const model::Sheet& sheet) {
-  if (const model::Structure* squares = sheet.squares()) return planar_structure(*squares);
-  return *sheet.planar();
-}
-
 class OutlineSearch {
  public:
   OutlineSearch(const OutlineFile& file, const RunOptions& run) : file_(file), run_(run) {}
@@ -33,7 +28,7 @@ class OutlineSearch {
     double edge_mm = edge_of(cells);
     for (int pass = 0; pass < 3; ++pass) {
       found.sheet = make_sheet(file_.lattice, cells, file_.size(edge_mm));
-      found.design = fit(planar_of(found.sheet), options_of(edge_mm));
+      found.design = fit(planar_structure(found.sheet), options_of(edge_mm));
       const double came_out = file_.flat || file_.cell_mm ? edge_mm : found.design.scale;
       if (std::abs(came_out / edge_mm - 1) <= same_size) break;
       edge_mm = came_out;
@@ -61,7 +56,7 @@ class OutlineSearch {
   /// Of the panel that these cells make, as long as nothing is known but areas.
   double edge_of(const Cells& cells) const {
     if (file_.cell_mm) return *file_.cell_mm;
-    const model::PlanarStructure panel = planar_of(make_sheet(file_.lattice, cells, {1, 0.1, 1}));
+    const model::PlanarStructure panel = planar_structure(make_sheet(file_.lattice, cells, {1, 0.1, 1}));
     double twice = 0;
     for (const model::GraphFace& face : panel.faces)
       for (std::size_t k = 0; k < face.vertices.size(); ++k) {
@@ -93,7 +88,8 @@ class OutlineSearch {
     optim::OutlineOptions options = options_of(edge_mm);
     options.theta[0] = options.theta[1];
     options.thetas = 1;
-    const model::PlanarStructure panel = planar_of(make_sheet(file_.lattice, cells, file_.size(edge_mm)));
+    const model::PlanarStructure panel =
+        planar_structure(make_sheet(file_.lattice, cells, file_.size(edge_mm)));
     const optim::OutlineDesign design = fit_outline(panel, file_.folded, nullptr, options);
     const double shared = std::isfinite(design.error.iou) ? design.error.iou : 0;
     return design.error.rms / file_.shape_tolerance +

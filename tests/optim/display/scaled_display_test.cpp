@@ -32,7 +32,7 @@ TEST(ScaledDisplay, ShowsLettersWithAllHingesClosedAndWallsApart) {
     const targets::DisplayGoal goal = letter(text, 12);
     model::Structure panel = model::make_sheet(12, 12, size);
     const std::vector<double> levels = levels_of(goal, panel);
-    const ScaledDisplay found = scale_display(panel, levels, {});
+    const ScaledDisplay found = scale_display(planar_structure(panel), levels, {});
     EXPECT_TRUE(found.converged);
     EXPECT_TRUE(found.clear);
     EXPECT_LE(found.offset, 0.08 * (1 + 1e-15));
@@ -64,7 +64,7 @@ TEST(ScaledDisplay, ShowsLettersWithAllHingesClosedAndWallsApart) {
 
 TEST(ScaledDisplay, LeavesOneWayToMove) {
   model::Structure panel = model::make_sheet(8, 8, size);
-  place_hinges(scale_display(panel, levels_of(letter("T", 8), panel), {}).y, panel);
+  place_hinges(scale_display(planar_structure(panel), levels_of(letter("T", 8), panel), {}).y, panel);
   EXPECT_EQ(model::mobility(panel, exact_motion(panel)).dofs_along, 1);
 }
 
@@ -72,7 +72,7 @@ TEST(ScaledDisplay, WorksBetweenPlatesOfEitherDirection) {
   model::Structure panel = model::make_sheet(10, 10, size);
   const std::vector<double> levels = levels_of(letter("L", 10), panel);
   for (const model::Axis axis : {model::Axis::x, model::Axis::y}) {
-    const ScaledDisplay found = scale_display(panel, levels, {.axis = axis});
+    const ScaledDisplay found = scale_display(planar_structure(panel), levels, {.axis = axis});
     place_hinges(found.y, panel);
     const model::State state = fold(found.y, panel, found.theta);
     const model::GrippedRows rows = gripped_bodies(panel, axis);
@@ -87,7 +87,7 @@ TEST(ScaledDisplay, WorksBetweenPlatesOfEitherDirection) {
 TEST(ScaledDisplay, ComesAsFarAsWallsStayApart) {
   const model::Structure panel = model::make_sheet(8, 8, {10, 2, 6});
   const std::vector<double> levels = levels_of(letter("T", 8), panel);
-  const ScaledDisplay found = scale_display(panel, levels, {.compression = {0.1, 0.3}});
+  const ScaledDisplay found = scale_display(planar_structure(panel), levels, {.compression = {0.1, 0.3}});
   EXPECT_GT(found.rounds, 1);
   EXPECT_LT(found.compression, 0.3);
   EXPECT_GE(found.compression, 0.1);
@@ -117,7 +117,7 @@ TEST(ScaledDisplay, RefusesOptionsThatCannotBe) {
   const std::vector<double> levels = {0, 0, 0, 0, 1, 0, 0, 0, 0};
   const auto refused = [&](const ScaledDisplayOptions& options, const char* what) {
     try {
-      scale_display(panel, levels, options);
+      scale_display(planar_structure(panel), levels, options);
       ADD_FAILURE() << what;
     } catch (const InvalidInput& e) {
       EXPECT_THAT(e.reason(), ::testing::HasSubstr(what));

@@ -1,0 +1,81 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "app/goals/display/display_kind.hpp"
+#include "app/goals/display/display_outcome.hpp"
+#include "app/goals/display/display_pictures.hpp"
+#include "app/pipeline/pipeline.hpp"
+#include "benchmarks/figure.hpp"
+#include "targets/display/image_goal.hpp"
+#include "tests/support/qr_reader.hpp"
+
+namespace kinetix::bench {
+namespace {
+
+constexpr int modules = 25;  // of a code of version 1 with a margin of two modules
+// Any five that a code of version 1 holds.
+constexpr const char* texts[] = {"KINETIX", "HELLO WORLD", "HTTP://KX.IO/42", "0123456789", "FOLD ME"};
+
+struct Reading {
+  int exact = 0, pressed = 0, before = 0;
+  double seconds = 0, load = 0;
+};
+
+Reading read(const std::string& text, int cells_a_module, bool balances) {
+  const testing::TemporaryFolder folder;
+  const int side = modules * cells_a_module;
+  app::DisplayFile file;
+  file.name = "code";
+  file.goal = targets::image_goal(testing::draw_qr_code(text, folder.path("code.png")),
+                                  targets::PanelSize{side, side}, targets::ImageLevels::two, true);
+  file.offset = 0.06;
+  const auto scene = make_scene(file);
+  app::Run run;
+  app::RunOptions options;
+  options.verify = false;
+  if (balances)
+    run = run_scene(*scene, options);
+  else
+    scene->solve(run, options);
+  const app::FarViewOptions view = app::far_view_options(file.goal);
+  const auto seen = [&](const model::State& state) {
+    return testing::read_qr_code(far_view(run.structure, state, view)) == text;
+  };
+  const auto& display = app::outcome_of<app::DisplayOutcome>(run);
+  Reading out;
+  out.exact = seen(display.design.view.state);
+  out.before = seen(rest_state(run.structure));
+  out.seconds = run.timings.optimise;
+  if (!balances) return out;
+  out.pressed = seen(run.states.front().poses);
+  out.load = run.equilibrium->path.steps.back().load;
+  return out;
+}
+
+}  // namespace
+
+std::vector<Figure> qr_code_figures() {
+  Reading all;
+  for (const char* text : texts) {
+    const Reading one = read(text, 4, true);
+    all.exact += one.exact;
+    all.pressed += one.pressed;
+    all.before += one.before;
+    all.seconds = std::max(all.seconds, one.seconds);
+    all.load = std::max(all.load, one.load);
+  }
+  int at_three = 0;
+  for (const char* text : texts) at_three += read(text, 3, false).exact;
+  return {{"QR codes of version 1, four cells a module (100 x 100), offset <= 0.06 cells, five texts",
+           "read by zbar from the exact state and from the equilibrium, not before; search <= 10 s",
+           fmt::format("{} and {} of 5 read, {} before; search {:.1f} s, {:.1f} N", all.exact, all.pressed,
+                       all.before, all.seconds, all.load),
+           all.exact == 5 && all.pressed == 5 && all.before == 0 && all.seconds <= 10},
+          {"the same, three cells a module (75 x 75)", "tried",
+           fmt::format("{} of 5 read from the exact state", at_three), true}};
+}
+
+}  // namespace kinetix::bench

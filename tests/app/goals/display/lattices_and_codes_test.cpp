@@ -1,0 +1,69 @@
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/exports/write_results.hpp"
+#include "app/goals/display/display_outcome.hpp"
+#include "app/goals/display/display_pictures.hpp"
+#include "app/goals/display/search_panel.hpp"
+#include "app/goals/read_target.hpp"
+#include "app/pipeline/pipeline.hpp"
+#include "tests/support/qr_reader.hpp"
+
+namespace kinetix::app {
+namespace {
+
+using testing::TemporaryFolder;
+
+RunOptions quick(bool verify = false) {
+  RunOptions options;
+  options.verify = verify;
+  return options;
+}
+
+DisplayFile shipped(const std::string& name) {
+  return read_display_file(targets::read_document(std::string(KINETIX_SOURCE) + "/targets/shapes/" + name));
+}
+
+/// The equilibrium is read by the benchmark, which has the time.
+TEST(QrCode, IsReadFromTheExactStateOfAPlainGridAndNotBefore) {
+  const DisplayFile file = shipped("qr_code.yaml");
+  const model::Sheet panel = make_panel(file, {file.goal.columns, file.goal.rows});
+  const optim::DisplayDesign found = search_panel(file, file.goal, panel, {}, {});
+  ASSERT_TRUE(found.scaled && found.scaled->clear);
+  EXPECT_LE(found.scaled->offset, 0.06 + 1e-12);
+  EXPECT_LE(found.view.stretch, 1e-12);
+  const FarViewOptions options = far_view_options(file.goal);
+  EXPECT_EQ(testing::read_qr_code(far_view(panel, found.view.state, options)), "KINETIX");
+  EXPECT_EQ(testing::read_qr_code(far_view(panel, rest_state(panel), options)), "");
+}
+
+TEST(DisplayOnHexagons, ShowsItsLetterBetweenPlates) {
+  app::Run run =
+      run_scene(*read_target(std::string(KINETIX_SOURCE) + "/targets/shapes/honeycomb_t.yaml").goal, {});
+  ASSERT_TRUE(run.goal->met()) << run.goal->violations.front();
+  EXPECT_TRUE(run.verification->agrees);
+  EXPECT_EQ(model::lattice_name(run.structure), "honeycomb");
+  EXPECT_EQ(run.plan.mobility->dofs_along, 1);
+  const auto& display = outcome_of<DisplayOutcome>(run);
+  EXPECT_EQ(display.after.channel.size(), 144u) << "the cells of the picture, not those of the rim";
+  EXPECT_GE(display.physics->score.auc, 0.97);
+  TemporaryFolder folder;
+  const auto result = write_results(run, folder.path("."));
+  EXPECT_EQ(result["display"]["levels"].size(), 144u);
+  EXPECT_GT(result["structure"]["cells"].size(), 144u);
+  EXPECT_EQ(read_design(folder.path("design.yaml")).structure.hinges(), run.structure.hinges());
+}
+
+TEST(FarViewInReports, IsPartOfThePage) {
+  app::Run run =
+      run_scene(*read_target(std::string(KINETIX_SOURCE) + "/targets/shapes/letter_t.yaml").goal, quick());
+  TemporaryFolder folder;
+  write_results(run, folder.path("."));
+  const std::string page = testing::read_file(folder.path("report.html"));
+  EXPECT_THAT(page, ::testing::HasSubstr("\"afar_after.png\":\"data:image/png;base64,iVBORw0KGgo"));
+  EXPECT_THAT(page, ::testing::HasSubstr("img-src data:"));
+}
+
+}  // namespace
+}  // namespace kinetix::app

@@ -1,0 +1,182 @@
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/exports/write_results.hpp"
+#include "app/goals/read_target.hpp"
+#include "app/pipeline/pipeline.hpp"
+#include "model/contact/wall_contact.hpp"
+#include "model/sheet/sheet_motion.hpp"
+#include "tests/support/bad_input.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace kinetix::app {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::TemporaryFolder;
+
+RunOptions quick(bool verify = false) {
+  RunOptions options;
+  options.verify = verify;
+  return options;
+}
+
+RunOptions on_threads(int threads) {
+  RunOptions options = quick();
+  options.threads = threads;
+  return options;
+}
+
+std::string ring(int points, double across, double high) {
+  std::string text = "[";
+  for (int k = 0; k < points; ++k)
+    text += (k ? ", [" : "[") + std::to_string(across * std::cos(2 * pi * k / points)) + ", " +
+            std::to_string(high * std::sin(2 * pi * k / points)) + "]";
+  return text + "]";
+}
+
+std::string target(const std::string& points, const std::string& rest = "") {
+  return "kinetix: 1\ntarget: {kind: outline, points: " + points + "}\n" + rest;
+}
+
+app::Run run_of(const std::string& text, bool verify) {
+  TemporaryFolder folder;
+  return run_scene(*read_target(folder.write("rim.yaml", text)).goal, quick(verify));
+}
+
+nlohmann::json written(app::Run& run) {
+  TemporaryFolder folder;
+  return write_results(run, folder.path("."));
+}
+
+/// The figures of the table that the search is judged by, measured from the poses alone.
+double rms_from_circle(const nlohmann::json& result) {
+  std::vector<Eigen::Vector2d> rim;
+  for (const int body : result["outline"]["rim"]) {
+    const auto& p = result["states"][0]["poses"][body]["position_mm"];
+    rim.push_back({p[0].get<double>(), p[1].get<double>()});
+  }
+  // Circle by linear least squares: |p|^2 = 2 c p + (r^2 - c^2).
+  Eigen::MatrixXd rows(rim.size(), 3);
+  Eigen::VectorXd squares(rim.size());
+  for (std::size_t k = 0; k < rim.size(); ++k) {
+    rows.row(static_cast<Eigen::Index>(k)) << 2 * rim[k].x(), 2 * rim[k].y(), 1;
+    squares[static_cast<Eigen::Index>(k)] = rim[k].squaredNorm();
+  }
+  const Eigen::Vector3d fit = (rows.transpose() * rows).ldlt().solve(rows.transpose() * squares);
+  const double radius = std::sqrt(fit[2] + fit.head<2>().squaredNorm());
+  double sum = 0;
+  for (const Eigen::Vector2d& p : rim) sum += std::pow((p - fit.head<2>()).norm() - radius, 2);
+  return std::sqrt(sum / static_cast<double>(rim.size())) / (2 * std::sqrt(2.0) * radius);
+}
+
+TEST(Outline, OfASquarePanelIsADiscWhenItIsPressed) {
+  app::Run run =
+      run_of(target(ring(120, 60, 60),
+                    "structure: {cells: [12, 12], cell_mm: 10, wall_mm: {thickness: 0.8, height: 6}}\n"
+                    "variables: {offset_mm: 0.8, theta: {range_deg: [30, 40]}}\ntolerance: {shape: 0.01}\n"),
+             true);
+  ASSERT_TRUE(run.goal->met()) << run.goal->violations.front();
+  EXPECT_TRUE(run.verification->agrees);
+  const auto result = written(run);
+  EXPECT_LE(result["metrics"]["outline_rms"].get<double>(), 0.01);
+  EXPECT_NEAR(result["metrics"]["outline_rms"].get<double>(), rms_from_circle(result), 1e-3);
+  EXPECT_LE(result["metrics"]["outline_rms_physics"].get<double>(), 0.01);
+  EXPECT_LE(result["outline"]["offset_mm"].get<double>(), 0.8 + 1e-12);
+  EXPECT_LE(result["metrics"]["theta_rad"].get<double>(), 40 * radians_per_degree + 1e-12);
+}
+
+TEST(Outline, KeepsWallsApartAndHingesClosedAllTheWay) {
+  app::Run run = run_of(target(ring(100, 60, 60), "structure: {cells: [8, 8]}\n"), false);
+  const model::ExactMotion exact = exact_motion(run.structure);
+  ASSERT_TRUE(exact);
+  model::WallContact contact(run.structure);
+  for (const double part : {0.2, 0.5, 0.8, 1.0}) {
+    const model::State state = exact.at(part * run.theta);
+    EXPECT_LE(hinge_gaps(run.structure, state).max, 1e-12);
+    EXPECT_TRUE(contact.overlapping(state).empty()) << part;
+  }
+}
+
+TEST(Outline, CutsTheLatticeToShapeWhereNoCellsAreGiven) {
+  app::Run run = run_of(target(ring(150, 90, 60)), false);
+  ASSERT_TRUE(run.goal->met()) << run.goal->violations.front();
+  const auto result = written(run);
+  EXPECT_GT(result["outline"]["cuts"], 1);
+  EXPECT_GE(result["metrics"]["iou"].get<double>(), 0.95);
+  EXPECT_NEAR(result["outline"]["size"].get<double>(), 1, 2e-3) << "as large as drawn";
+}
+
+TEST(Outline, TakesHexagonsWithAClosedRim) {
+  app::Run run = run_of(target(ring(100, 60, 60), "structure: {lattice: honeycomb, cells: [6, 6]}\n"), false);
+  EXPECT_EQ(model::lattice_name(run.structure), "honeycomb");
+  EXPECT_EQ(run.plan.mobility->dofs_along, 1);
+  EXPECT_LE(written(run)["metrics"]["outline_rms"].get<double>(), 0.03);
+}
+
+TEST(Outline, MayBePrescribedFlatAndPressed) {
+  app::Run run =
+      run_of("kinetix: 1\ntarget: {kind: outline, points: " + ring(100, 60, 60) +
+                 ", flat: [[-60, -60], [60, -60], [60, 60], [-60, 60]]}\nstructure: {cells: [8, 8]}\n",
+             false);
+  const auto result = written(run);
+  EXPECT_LE(result["metrics"]["outline_rms"].get<double>(), 0.015);
+  EXPECT_LE(result["metrics"]["flat_rms"].get<double>(), 0.015);
+  EXPECT_EQ(result["structure"]["lattice"], "graph");
+  EXPECT_LE(result["states"][0]["hinge_gap_max"].get<double>(), 1e-12);
+  EXPECT_EQ(run.plan.mobility->dofs_along, 1);
+}
+
+TEST(Outline, IsTheSameForAnyNumberOfThreads) {
+  const auto offsets = [](int threads) {
+    TemporaryFolder folder;
+    const app::Run run =
+        run_scene(*read_target(folder.write("rim.yaml", target(ring(60, 60, 50)))).goal, on_threads(threads));
+    std::vector<double> all;
+    for (int h = 0; h < run.structure.hinges(); ++h) all.push_back(run.structure.hinge(h).offset);
+    return all;
+  };
+  EXPECT_EQ(offsets(1), offsets(2));
+}
+
+TEST(Outline, SaysWhatHoldsARimBack) {
+  app::Run run = run_of(target(ring(100, 120, 40), "structure: {cells: [6, 6]}\n"), false);
+  EXPECT_FALSE(run.goal->met());
+  EXPECT_THAT(run.goal->violations.front(), HasSubstr("off the outline"));
+  std::string lines;
+  for (const auto& [label, words] : run.goal->summary_lines(run)) lines += label + ": " + words + "\n";
+  EXPECT_THAT(lines, HasSubstr("of the walls have the largest offset"));
+}
+
+TEST(Outline, RefusesWhatIsNone) {
+  const testing::BadInput bad[] = {
+      {target("[[0, 0], [10, 10], [10, 0], [0, 10]]"), 2, 52, "target.points[2]", {"crosses itself"}},
+      {target("[[0, 0], [10, 0]]"), 2, 33, "target.points", {"at least 3 points"}},
+      {target(ring(8, 60, 60), "structure: {cells: [[0, 0], [1, 1]]}\n"),
+       3,
+       20,
+       "structure.cells",
+       {"rectangle"}},
+      {target(ring(8, 60, 60), "structure: {rim: closed}\n"), 3, 13, "structure.rim", {"one freedom"}},
+      {target(ring(8, 60, 60), "variables: {t: {range: [0.6, 0.9]}}\n"),
+       3,
+       24,
+       "variables.t.range",
+       {"must hold 0.5"}},
+      {target(ring(8, 60, 60), "variables: {theta: {range_deg: [20, 60]}}\n"),
+       3,
+       37,
+       "variables.theta.range_deg[1]",
+       {"below 45"}},
+  };
+  for (const testing::BadInput& input : bad) {
+    TemporaryFolder folder;
+    const std::string file = folder.write("rim.yaml", input.text);
+    testing::expect_refused(input, file, [&] { read_target(file); });
+  }
+}
+
+}  // namespace
+}  // namespace kinetix::app
