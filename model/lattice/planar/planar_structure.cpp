@@ -25,7 +25,8 @@ void check_size(const CellSize& size) {
       throw InvalidInput(std::string(name) + " must be a positive length in mm");
 }
 
-/// The middle of a polygon's corners, to a hundredth of a wall: no two cells have the same.
+/// The middle of a polygon's corners, to a hundredth of a wall, give or take one for rounding: cells are farther
+/// apart.
 std::pair<long, long> middle_of(const std::vector<Eigen::Vector2d>& corners) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   for (const Eigen::Vector2d& corner : corners) sum += corner;
@@ -45,8 +46,11 @@ std::vector<GraphFace> cells_first(const PlanarGraph& graph, std::vector<GraphFa
   const auto rank = [&](const GraphFace& face) {
     std::vector<Eigen::Vector2d> corners;
     for (const int v : face.vertices) corners.push_back(graph.vertices[v]);
-    const auto cell = cell_at.find(middle_of(corners));
-    return cell == cell_at.end() ? static_cast<int>(cell_at.size()) : cell->second;
+    const auto [x, y] = middle_of(corners);
+    for (const long i : {x - 1, x, x + 1})
+      for (const long j : {y - 1, y, y + 1})
+        if (const auto cell = cell_at.find({i, j}); cell != cell_at.end()) return cell->second;
+    return static_cast<int>(cell_at.size());
   };
   std::vector<std::pair<int, int>> order;
   for (int f = 0; f < static_cast<int>(faces.size()); ++f) order.emplace_back(rank(faces[f]), f);
