@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "model/base/invalid_input.hpp"
+#include "model/base/union_find.hpp"
 
 namespace kinetix::model {
 namespace {
@@ -60,6 +61,24 @@ std::vector<GraphFace> cells_first(const PlanarGraph& graph, std::vector<GraphFa
   return sorted;
 }
 
+void check_hang_together(const PlanarStructure& s, const std::vector<LatticeCell>& cells) {
+  UnionFind pieces(s.faces.size());
+  std::vector<int> face_at(s.graph.edges.size(), -1);
+  for (int f = 0; f < static_cast<int>(s.faces.size()); ++f)
+    for (const int e : s.faces[f].edges) {
+      if (face_at[e] >= 0) pieces.unite(face_at[e], f);
+      face_at[e] = f;
+    }
+  const auto name = [&](std::size_t c) {
+    return "[" + std::to_string(cells[c][0]) + ", " + std::to_string(cells[c][1]) + "]";
+  };
+  for (std::size_t c = 1; c < cells.size(); ++c)
+    if (pieces.find(static_cast<int>(c)) != pieces.find(0))
+      throw InvalidInput("cells " + name(0) + " and " + name(c) +
+                         " do not hang together by walls; a vertex alone "
+                         "lets them turn against each other");
+}
+
 }  // namespace
 
 PlanarStructure make_planar_structure(PlanarGraph graph, const CellSize& size) {
@@ -78,6 +97,7 @@ PlanarStructure make_planar_structure(LatticeSheet sheet, const CellSize& size) 
   if (sheet.cells.empty()) throw InvalidInput("a sheet needs at least one cell");
   PlanarStructure s = make_planar_structure(lattice_graph(sheet), size);
   s.faces = cells_first(s.graph, std::move(s.faces), sheet);
+  check_hang_together(s, sheet.cells);
   s.drawn = std::move(sheet);
   return s;
 }
