@@ -154,6 +154,7 @@ void read_hinges(const targets::Section& design, model::Sheet& structure) {
     line_of[k] = node.place().line;
     structure.hinge(k) = read_parameters(hinge, structure.size().edge_mm);
   }
+  list->located([&] { validate_hinges(structure); });
 }
 
 double read_state(const targets::Section& root, model::Sheet& structure) {

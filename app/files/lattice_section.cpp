@@ -104,15 +104,18 @@ model::Sheet read_graph(const targets::Section& structure) {
                            : std::nullopt;
   const targets::Node place = drawing ? *drawing : structure.node();
   model::PlanarGraph graph = drawing ? targets::read_drawing(*drawing) : read_walls(structure);
-  if (read_rim(structure)) graph = place.located([&] { return closed_rim(graph); });
+  place.located([&] { validate(graph); });
+  if (read_rim(structure)) graph = closed_rim(std::move(graph));
   const model::CellSize size = read_size(structure, mean_length(graph));
   for (Eigen::Vector2d& vertex : graph.vertices) vertex /= size.edge_mm;
   return place.located([&] { return make_planar_structure(std::move(graph), size); });
 }
 
-std::string cells_text(const std::vector<model::Cell>& cells) {
+/// @param in_order whether the order of the cells tells: then only that of a rectangle is written as one
+std::string cells_text(const std::vector<model::Cell>& cells, bool in_order) {
   const auto sides = as_rectangle(cells);
-  if (sides && *std::min_element(cells.begin(), cells.end()) == model::Cell{0, 0})
+  const bool starts_at_0 = *std::min_element(cells.begin(), cells.end()) == model::Cell{0, 0};
+  if (sides && (in_order ? cells == model::rectangle((*sides)[0], (*sides)[1]) : starts_at_0))
     return fmt::format("[{}, {}]", (*sides)[0], (*sides)[1]);
   std::string text = "[";
   for (std::size_t k = 0; k < cells.size(); ++k) {
@@ -126,7 +129,8 @@ std::string drawn_text(const model::PlanarStructure& planar) {
   const model::LatticeSheet& drawn = planar.drawn;
   std::vector<model::Cell> cells;
   for (const auto& [i, j] : drawn.cells) cells.push_back({i, j});
-  std::string text = fmt::format("  lattice: {}\n  cells: {}\n", drawn.lattice->name, cells_text(cells));
+  std::string text =
+      fmt::format("  lattice: {}\n  cells: {}\n", drawn.lattice->name, cells_text(cells, true));
   if (drawn.lattice->takes_angle) text += "  angle_deg: " + targets::degrees_text(drawn.angle) + "\n";
   return text + (drawn.closed_rim ? "  rim: closed\n" : "");
 }
@@ -151,7 +155,7 @@ std::string graph_text(const model::PlanarStructure& planar) {
 }
 
 std::string cells_or_walls(const model::Sheet& sheet) {
-  if (const model::Structure* s = sheet.squares()) return "  cells: " + cells_text(s->cells) + "\n";
+  if (const model::Structure* s = sheet.squares()) return "  cells: " + cells_text(s->cells, false) + "\n";
   return sheet.planar()->drawn.lattice ? drawn_text(*sheet.planar()) : graph_text(*sheet.planar());
 }
 

@@ -12,6 +12,7 @@ import cell
 import crease_law
 import first_design
 import hinge
+import lattices
 import nets
 import planar
 import sheets
@@ -24,6 +25,7 @@ FIGURES = {
     "nets.svg": nets.write,
     "crease_law.svg": crease_law.write,
     "hinge.svg": hinge.write,
+    "lattices.svg": lattices.write,
     "wave.svg": first_design.write,
 }
 

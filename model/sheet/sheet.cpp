@@ -22,15 +22,16 @@ Each(F...) -> Each<F...>;
 std::vector<std::vector<int>> columns_of(const PlanarStructure& s) {
   std::vector<int> order(s.graph.vertices.size());
   std::iota(order.begin(), order.end(), 0);
-  const auto place = [&](int v) {
-    return std::pair(std::round(s.graph.vertices[v].x() / one_column), s.graph.vertices[v].y());
-  };
-  std::sort(order.begin(), order.end(), [&](int a, int b) { return place(a) < place(b); });
+  const auto x = [&](int v) { return s.graph.vertices[v].x(); };
+  const auto y = [&](int v) { return s.graph.vertices[v].y(); };
+  std::sort(order.begin(), order.end(), [&](int a, int b) { return x(a) < x(b); });
   std::vector<std::vector<int>> columns;
   for (std::size_t k = 0; k < order.size(); ++k) {
-    if (k == 0 || place(order[k]).first != place(order[k - 1]).first) columns.emplace_back();
+    if (k == 0 || x(order[k]) - x(order[k - 1]) > one_column) columns.emplace_back();
     columns.back().push_back(order[k]);
   }
+  for (std::vector<int>& column : columns)
+    std::sort(column.begin(), column.end(), [&](int a, int b) { return y(a) < y(b); });
   return columns;
 }
 

@@ -17,11 +17,16 @@ constexpr double first_penalty = 1;  // ratio to the costs, where both have rows
 constexpr int between_looks = 25;  // iterations from one look at the penalty to the next: a factor costs some
 constexpr double out_of_balance = 5;  // ratio of the two misses that asks for another penalty
 
+bool is_finite(const SparseMatrix<double>& matrix) {
+  return std::isfinite(matrix.squaredNorm());  // NaN and infinity stay what they are in a sum of squares
+}
+
 void validate(const BoxLeastSquares& p) {
   const bool fits = p.A.cols() == p.C.cols() && p.A.cols() == p.from.size() && p.A.rows() == p.b.size() &&
                     p.C.rows() == p.lower.size() && p.C.rows() == p.upper.size();
   if (!fits) throw InvalidInput("box least squares: sizes do not fit");
-  if (!p.b.allFinite() || !p.from.allFinite() || !(p.lower.array() <= p.upper.array()).all())
+  const bool finite = p.b.allFinite() && p.from.allFinite() && is_finite(p.A) && is_finite(p.C);
+  if (!finite || !(p.lower.array() <= p.upper.array()).all())
     throw InvalidInput("box least squares: numbers must be finite, and lower bounds not above upper ones");
   require("damping", p.damping, p.damping > 0, "above 0");
 }

@@ -83,7 +83,8 @@ void check_crossing(const std::vector<Vector2d>& points) {
           throw InvalidCurve("the curve turns back on itself at point " + number(joint), joint);
       } else if (touch(points[a], points[a + 1], points[k], points[k + 1])) {
         throw InvalidCurve("the curve crosses itself: segment " + number(first) + "-" + number(first + 1) +
-                               " meets segment " + number(second) + "-" + number(second + 1),
+                               " meets segment " + number(second) + "-" +
+                               number(closed && second == segments - 1 ? 0 : second + 1),
                            std::min(second, segments - (closed ? 1 : 0)));
       }
     }

@@ -1,5 +1,6 @@
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -82,6 +83,8 @@ double unit_mm(const Group& unit) {
                         " is not read; allowed: mm, cm, m, inches, feet");
 }
 
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();  // a coordinate that has not come yet
+
 /// Takes the entities one after the other.
 class Entities {
  public:
@@ -89,11 +92,10 @@ class Entities {
     if (group.code == 0) return begin(group);
     if (name_ == "LINE") return take_line(group);
     if (name_ == "LWPOLYLINE" || name_ == "VERTEX") return take_vertex(group);
-    if (name_ == "POLYLINE" && group.code == 70) is_closed_ = (integer_of(group) & 1) != 0;
+    if (name_ == "POLYLINE") take_flags(group);
   }
 
   Drawing drawing(double mm) {
-    end_polyline();
     for (DrawnLine& line : lines_)
       for (Vector2d& end : line) end *= mm;
     return std::move(lines_);
@@ -107,8 +109,7 @@ class Entities {
                              " is not read; allowed are LINE, LWPOLYLINE and POLYLINE");
     if (group.value == "INSERT") throw wrong(group, "a block is inserted here; explode it into lines");
     end_line();
-    const bool goes_on = group.value == "VERTEX";
-    if (!goes_on) end_polyline();
+    if (group.value != "VERTEX") end_polyline();
     name_ = group.value;
   }
 
@@ -118,30 +119,43 @@ class Entities {
   }
 
   void take_vertex(const Group& group) {
-    if (group.code == 10) points_.emplace_back(number_of(group), 0);
+    if (group.code == 10) points_.emplace_back(number_of(group), missing);
     if (group.code == 20 && !points_.empty()) points_.back().y() = number_of(group);
     if (group.code == 42 && number_of(group) != 0)
       throw wrong(group, "walls are straight: this polyline has an arc (a bulge)");
-    if (group.code == 70 && name_ == "LWPOLYLINE") is_closed_ = (integer_of(group) & 1) != 0;
+    if (name_ == "LWPOLYLINE") take_flags(group);
+  }
+
+  void take_flags(const Group& group) {
+    constexpr int closed = 1, smooth_or_mesh = 2 | 4 | 16 | 64;
+    if (group.code == 230 && number_of(group) < 0)
+      throw wrong(group, "this polyline is drawn from below (extrusion along -z); flatten the drawing");
+    if (group.code != 70) return;
+    if ((integer_of(group) & smooth_or_mesh) != 0)
+      throw wrong(group, "walls are straight: this polyline is a smooth curve or a mesh");
+    is_closed_ = (integer_of(group) & closed) != 0;
   }
 
   void end_line() {
-    if (name_ == "LINE") lines_.push_back({Vector2d(line_[0], line_[1]), Vector2d(line_[2], line_[3])});
-    line_ = {};
+    if (name_ == "LINE") add({line_[0], line_[1]}, {line_[2], line_[3]});
+    line_.fill(missing);
+  }
+
+  void add(const Vector2d& a, const Vector2d& b) {
+    if (!a.allFinite() || !b.allFinite()) throw InvalidInput("has a line without one of its coordinates");
+    lines_.push_back({a, b});
   }
 
   void end_polyline() {
-    end_line();
-    for (std::size_t k = 1; k < points_.size(); ++k) lines_.push_back({points_[k - 1], points_[k]});
-    if (is_closed_ && points_.size() > 2) lines_.push_back({points_.back(), points_.front()});
+    for (std::size_t k = 1; k < points_.size(); ++k) add(points_[k - 1], points_[k]);
+    if (is_closed_ && points_.size() > 2) add(points_.back(), points_.front());
     points_.clear();
     is_closed_ = false;
-    name_ = {};
   }
 
   Drawing lines_;
-  std::string_view name_;            ///< of the entity that is open
-  std::array<double, 4> line_ = {};  ///< x, y of both ends
+  std::string_view name_;                                              ///< of the entity that is open
+  std::array<double, 4> line_ = {missing, missing, missing, missing};  ///< x, y of both ends
   std::vector<Vector2d> points_;
   bool is_closed_ = false;
 };
@@ -156,7 +170,7 @@ Drawing parse_dxf(const std::string& text) {
   Entities entities;
   std::string_view section, variable;
   double mm = 1;
-  bool is_dxf = false, names_section = false;
+  bool is_dxf = false, names_section = false, is_whole = false;
   while (const auto group = groups.next()) {
     if (group->code == 0 &&
         (group->value == "SECTION" || group->value == "ENDSEC" || group->value == "EOF")) {
@@ -164,6 +178,7 @@ Drawing parse_dxf(const std::string& text) {
       section = {};
       names_section = group->value == "SECTION";
       is_dxf = true;
+      is_whole = group->value == "EOF";
     } else if (names_section && group->code == 2) {
       section = group->value;
       names_section = false;
@@ -175,6 +190,7 @@ Drawing parse_dxf(const std::string& text) {
     }
   }
   if (!is_dxf) throw InvalidInput("is no DXF file");
+  if (!is_whole) throw InvalidInput("is cut off: a DXF file ends with EOF");
   return entities.drawing(mm);
 }
 

@@ -15,7 +15,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double same_place = 1e-3;  // of the mean line: CAD files keep three decimals or more of a mm
+constexpr double max_drawn_mm = 1e6;  // mm: a kilometre is larger than any sheet
+constexpr double same_place = 1e-3;   // of the mean line: CAD files keep three decimals or more of a mm
 
 double mean_length(const Drawing& drawing) {
   double sum = 0;
@@ -30,8 +31,8 @@ class Places {
 
   int number(const Vector2d& p) {
     const auto [i, j] = square(p);
-    for (long a = i - 1; a <= i + 1; ++a)
-      for (long b = j - 1; b <= j + 1; ++b)
+    for (const double a : {i - 1, i, i + 1})
+      for (const double b : {j - 1, j, j + 1})
         for (const int known : at_[{a, b}])
           if ((points_[known] - p).norm() <= near_) return known;
     at_[{i, j}].push_back(static_cast<int>(points_.size()));
@@ -42,13 +43,13 @@ class Places {
   const std::vector<Vector2d>& points() const { return points_; }
 
  private:
-  std::pair<long, long> square(const Vector2d& p) const {
-    return {std::lround(std::floor(p.x() / near_)), std::lround(std::floor(p.y() / near_))};
+  std::pair<double, double> square(const Vector2d& p) const {
+    return {std::floor(p.x() / near_), std::floor(p.y() / near_)};
   }
 
   double near_;
   std::vector<Vector2d> points_;
-  std::map<std::pair<long, long>, std::vector<int>> at_;
+  std::map<std::pair<double, double>, std::vector<int>> at_;
 };
 
 /// From below, and from the left where places are as high as each other.
@@ -58,6 +59,17 @@ std::vector<int> reading_order(const std::vector<Vector2d>& points, double near)
   const auto key = [&](int v) { return std::pair(std::round(points[v].y() / near / 2), points[v].x()); };
   std::sort(order.begin(), order.end(), [&](int a, int b) { return key(a) < key(b); });
   return order;
+}
+
+/// @throws InvalidInput
+void check(const Drawing& drawing) {
+  if (drawing.size() > max_drawn_lines) throw InvalidInput("has more than a million lines");
+  for (const DrawnLine& line : drawing)
+    for (const Vector2d& end : line)
+      if (!(end.cwiseAbs().maxCoeff() <= max_drawn_mm))
+        throw InvalidInput("has a line that ends more than a kilometre from 0; is its unit right?");
+  if (drawing.empty() || !(mean_length(drawing) > 0))
+    throw InvalidInput("has no straight lines; draw each wall as one");
 }
 
 std::string lower_case(std::string text) {
@@ -97,8 +109,7 @@ model::PlanarGraph read_drawing(const Node& path) {
   try {
     const std::string text = read_bytes(file.string(), max_drawing_bytes);
     const Drawing drawing = ending == ".dxf" ? parse_dxf(text) : parse_svg(text);
-    if (drawing.empty()) throw InvalidInput("has no straight lines; draw each wall as one");
-    if (drawing.size() > max_drawn_lines) throw InvalidInput("has more than a million lines");
+    check(drawing);
     return walls_of(drawing);
   } catch (const InvalidInput& e) {
     if (!e.place().file.empty()) throw;

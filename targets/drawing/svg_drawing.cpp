@@ -1,4 +1,5 @@
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -17,6 +18,8 @@ using Eigen::Vector2d;
 
 // mm of a user unit where the file says no more, by https://www.w3.org/TR/css-values-3/#absolute-lengths
 constexpr double pixel_mm = 25.4 / 96;
+
+constexpr int deepest = 1000;  // groups in each other: drawings have some ten
 
 /// Numbers and words of an attribute, one after the other.
 class Scanner {
@@ -40,6 +43,11 @@ class Scanner {
     std::size_t end = 0;
     while (end < text_.size() && std::isalpha(static_cast<unsigned char>(text_[end]))) ++end;
     return take(end);
+  }
+  /// Takes this word if it comes next.
+  void word(std::string_view wanted) {
+    skip();
+    if (text_.starts_with(wanted)) text_.remove_prefix(wanted.size());
   }
   double number() {
     skip();
@@ -122,7 +130,9 @@ Affine2d transform_of(const pugi::xml_node& node) {
 /// Lines of one element after the other, in mm.
 class Reader {
  public:
-  void read(const pugi::xml_node& node, const Affine2d& above) {
+  void read(const pugi::xml_node& node, const Affine2d& above, int depth = 0) {
+    if (depth > deepest)
+      throw InvalidInput("has groups more than " + std::to_string(deepest) + " levels deep");
     const std::string_view name = local_name(node);
     if (name == "defs" || name == "symbol" || name == "clipPath" || name == "mask") return;
     const Affine2d at = above * transform_of(node);
@@ -138,7 +148,7 @@ class Reader {
       throw InvalidInput(
           "has a " + std::string(name) +
           "; walls are straight: allowed are line, polyline, polygon, rect and straight paths");
-    for (const pugi::xml_node& child : node.children()) read(child, at);
+    for (const pugi::xml_node& child : node.children()) read(child, at, depth + 1);
   }
 
   Drawing take() { return std::move(lines_); }
@@ -152,7 +162,13 @@ class Reader {
 
   static double number(const pugi::xml_node& node, const char* key) {
     const std::string_view text = node.attribute(key).value();
-    return text.empty() ? 0 : Scanner(text).number();
+    if (text.empty()) return 0;
+    Scanner scan(text);
+    const double value = scan.number();
+    scan.word("px");
+    if (!scan.at_end())
+      throw InvalidInput("has the length `" + std::string(text) + "`; allowed: user units, without a unit");
+    return value;
   }
 
   void add(const Affine2d& at, const Vector2d& a, const Vector2d& b) { lines_.push_back({at * a, at * b}); }
@@ -167,6 +183,8 @@ class Reader {
 
   void add_rectangle(const Affine2d& at, const pugi::xml_node& node) {
     const Vector2d low(number(node, "x"), number(node, "y"));
+    if (number(node, "rx") > 0 || number(node, "ry") > 0)
+      throw InvalidInput("has a rect with round corners; walls are straight");
     const Vector2d wide(number(node, "width"), 0), high(0, number(node, "height"));
     const Vector2d corners[] = {low, low + wide, low + wide + high, low + high};
     for (int k = 0; k < 4; ++k) add(at, corners[k], corners[(k + 1) % 4]);
@@ -177,7 +195,11 @@ class Reader {
     Vector2d now(0, 0), start(0, 0);
     char command = 0;
     while (!scan.at_end()) {
-      if (const char next = scan.letter()) command = next;
+      const char next = scan.letter();
+      const bool is_new = next != 0;
+      if (command == 0 && std::toupper(static_cast<unsigned char>(next)) != 'M')
+        throw InvalidInput("has a path that begins with no M");
+      if (is_new) command = next;
       const bool relative = std::islower(static_cast<unsigned char>(command));
       const Vector2d from = relative ? now : Vector2d(0, 0);
       Vector2d to = now;
@@ -197,6 +219,7 @@ class Reader {
           break;
         case 'Z':
           to = start;
+          if (!is_new) throw InvalidInput("has numbers after the command `Z` of a path");
           break;
         default:
           throw InvalidInput(std::string("has a path with the command `") + command +
@@ -221,7 +244,8 @@ std::optional<double> length_mm(const pugi::xml_attribute& attribute) {
   if (unit == "cm") return 10 * value;
   if (unit == "in") return 25.4 * value;
   if (unit == "pt") return 25.4 / 72 * value;
-  return pixel_mm * value;
+  if (unit.empty() || unit == "px") return pixel_mm * value;
+  throw InvalidInput("has a size in `" + std::string(unit) + "`; allowed: mm, cm, in, pt, px");
 }
 
 /// From user units to mm, y upwards.
@@ -235,6 +259,10 @@ Affine2d page(const pugi::xml_node& svg) {
     if (width && size.x() > 0) mm_x = *width / size.x();
     mm_y = height && size.y() > 0 ? *height / size.y() : mm_x;
     if (!width) mm_x = mm_y;
+    // By https://www.w3.org/TR/SVG11/coords.html#PreserveAspectRatioAttribute
+    const std::string_view aspect = svg.attribute("preserveAspectRatio").value();
+    const bool is_cut = aspect.ends_with("slice");
+    if (aspect != "none") mm_x = mm_y = is_cut ? std::max(mm_x, mm_y) : std::min(mm_x, mm_y);
   }
   Affine2d out = Affine2d::Identity();
   out.scale(Vector2d(mm_x, -mm_y));

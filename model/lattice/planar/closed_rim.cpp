@@ -1,12 +1,14 @@
 #include "model/lattice/planar/closed_rim.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
 
 #include "model/base/angle.hpp"
+#include "model/lattice/planar/wall_freedoms.hpp"
 
 namespace kinetix::model {
 namespace {
@@ -25,6 +27,25 @@ double distance(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
   return (p - a - std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0) * along).norm();
 }
 
+double mean_length(const PlanarGraph& graph) {
+  double sum = 0;
+  for (int e = 0; e < static_cast<int>(graph.edges.size()); ++e) sum += graph.along(e).norm();
+  return sum / static_cast<double>(graph.edges.size());
+}
+
+using Segment = std::array<Vector2d, 2>;
+
+/// Whether two walls keep `room` from each other, but for an end that they share.
+bool keep_off(const Segment& a, const Segment& b, double room) {
+  const auto is_end = [](const Vector2d& p, const Segment& wall) { return p == wall[0] || p == wall[1]; };
+  for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)})
+    for (const Vector2d& end : one)
+      if (!is_end(end, other) && distance(end, other[0], other[1]) < room) return false;
+  if (is_end(a[0], b) || is_end(a[1], b)) return true;
+  return (cross(a[1] - a[0], b[0] - a[0]) > 0) == (cross(a[1] - a[0], b[1] - a[0]) > 0) ||
+         (cross(b[1] - b[0], a[0] - b[0]) > 0) == (cross(b[1] - b[0], a[1] - b[0]) > 0);
+}
+
 /// Vertices along the rim that a new cell takes in, counter-clockwise, and the new vertex if it needs one.
 struct Notch {
   std::vector<int> rim;
@@ -36,11 +57,8 @@ struct Notch {
 /// The rim of a graph, and the notches in it.
 class Rim {
  public:
-  explicit Rim(const PlanarGraph& graph) : graph_(graph), rim_(outer_rim(graph).vertices) {
-    for (const GraphEdge& e : graph.edges)
-      mean_ += graph.along(static_cast<int>(&e - graph.edges.data())).norm();
-    mean_ /= static_cast<double>(graph.edges.size());
-  }
+  explicit Rim(const PlanarGraph& graph)
+      : graph_(graph), rim_(outer_rim(graph).vertices), mean_(mean_length(graph)) {}
 
   /// Those that can be filled, of three walls first, then sharpest first.
   std::vector<Notch> notches() const {
@@ -92,54 +110,72 @@ class Rim {
 
   /// Whether a wall between these places stays off the rim but for its ends.
   bool is_free(const Vector2d& a, const Vector2d& b) const {
-    for (int j = 0; j < size(); ++j) {
-      const Vector2d &p = place(j), &q = place(j + 1);
-      for (const Vector2d& end : {p})
-        if (end != a && end != b && distance(end, a, b) < apart * mean_) return false;
-      if (p == a || p == b || q == a || q == b) continue;
-      if ((cross(b - a, p - a) > 0) != (cross(b - a, q - a) > 0) &&
-          (cross(q - p, a - p) > 0) != (cross(q - p, b - p) > 0))
-        return false;
-    }
+    for (int j = 0; j < size(); ++j)
+      if (!keep_off({a, b}, {place(j), place(j + 1)}, apart * mean_)) return false;
     return true;
   }
 
   const PlanarGraph& graph_;
   std::vector<int> rim_;
-  double mean_ = 0;  ///< length of a wall
+  double mean_;  ///< length of a wall
 };
 
-void fill(const Notch& notch, PlanarGraph& graph) {
+/// Walls that close the notch. @param corner number of its new vertex
+std::vector<GraphEdge> walls_of(const Notch& notch, int corner) {
   const int from = notch.rim.front(), to = notch.rim.back();
-  if (!notch.has_corner) {
-    graph.edges.push_back({from, to});
-    return;
+  if (!notch.has_corner) return {{from, to}};
+  return {{from, corner}, {to, corner}};
+}
+
+/// A graph that grows, and what is left of its freedoms.
+struct Growing {
+  PlanarGraph graph;
+  WallFreedoms freedoms;
+};
+
+/// Closes the notch where that takes a freedom, off all walls of the graph from `first` on. @return whether it did
+bool fill(const Notch& notch, std::size_t first, double room, Growing& sheet) {
+  Growing next = sheet;
+  if (notch.has_corner) {
+    next.graph.vertices.push_back(notch.corner);
+    next.freedoms.add_vertex();
   }
-  const int corner = static_cast<int>(graph.vertices.size());
-  graph.vertices.push_back(notch.corner);
-  graph.edges.push_back({from, corner});
-  graph.edges.push_back({to, corner});
+  const auto segment = [&](const GraphEdge& e) {
+    return Segment{next.graph.vertices[e.from], next.graph.vertices[e.to]};
+  };
+  for (const GraphEdge& wall : walls_of(notch, static_cast<int>(sheet.graph.vertices.size()))) {
+    for (std::size_t e = first; e < sheet.graph.edges.size(); ++e)
+      if (!keep_off(segment(wall), segment(sheet.graph.edges[e]), room)) return false;
+    next.graph.edges.push_back(wall);
+    next.freedoms.add_wall(wall);
+  }
+  if (next.freedoms.count() >= sheet.freedoms.count()) return false;
+  sheet = std::move(next);
+  return true;
 }
 
 /// Fills notches that have no vertex in common, until the graph has one freedom. @return whether there were any
-bool fill_notches(PlanarGraph& graph) {
-  const std::vector<Notch> notches = Rim(graph).notches();
-  std::vector<bool> is_used(graph.vertices.size(), false);
+bool fill_notches(Growing& sheet) {
+  const std::vector<Notch> notches = Rim(sheet.graph).notches();
+  const std::size_t walls = sheet.graph.edges.size();
+  const double room = apart * mean_length(sheet.graph);
+  std::vector<bool> is_used(sheet.graph.vertices.size(), false);
   bool filled = false;
   for (const Notch& notch : notches) {
-    if (counted_freedoms(graph) <= 1) break;
+    if (sheet.freedoms.count() <= 1) break;
     const auto used = [&](int v) { return is_used[v]; };
     const auto inner = notch.rim.begin() + 1, end = notch.rim.end() - 1;
     if (std::any_of(inner, end, used) || (used(notch.rim.front()) && used(notch.rim.back()))) continue;
+    if (!fill(notch, walls, room, sheet)) continue;
     for (const int v : notch.rim) is_used[v] = true;
-    fill(notch, graph);
     filled = true;
   }
   return filled;
 }
 
-/// A wall between opposite corners of a cell, the shortest there is; nothing where it would leave the cell.
-std::optional<GraphEdge> bar(const PlanarGraph& graph, const GraphFace& face) {
+/// A wall between corners of a cell three walls apart, the shortest there is that stays off the others; nothing
+/// where it would leave the cell.
+std::optional<GraphEdge> bar(const PlanarGraph& graph, const GraphFace& face, double room) {
   const int count = static_cast<int>(face.vertices.size());
   const auto place = [&](int k) { return graph.vertices[face.vertices[k % count]]; };
   for (int k = 0; k < count; ++k)
@@ -148,15 +184,21 @@ std::optional<GraphEdge> bar(const PlanarGraph& graph, const GraphFace& face) {
   double shortest = std::numeric_limits<double>::infinity();
   for (int k = 0; k < count; ++k) {
     const double length = (place(k + 3) - place(k)).norm();
-    if (length > shortest - 1e-9) continue;
+    bool is_free = true;
+    for (int j = 0; j < count; ++j)
+      is_free = is_free && keep_off({place(k), place(k + 3)}, {place(j), place(j + 1)}, room);
+    if (length > shortest - 1e-9 || !is_free) continue;
     shortest = length;
     best = {face.vertices[k], face.vertices[(k + 3) % count]};
   }
   return best;
 }
 
-/// Walls across cells of six and more walls, those along the rim first.
-void add_bars(PlanarGraph& graph) {
+/// Walls across cells of six and more walls, those along the rim first. @return whether there were any
+bool add_bars(Growing& sheet) {
+  PlanarGraph& graph = sheet.graph;
+  const double room = apart * mean_length(graph);
+  bool added = false;
   std::vector<bool> on_rim(graph.edges.size(), false);
   for (const int e : outer_rim(graph).edges) on_rim[e] = true;
   std::vector<GraphFace> faces = bounded_faces(graph);
@@ -164,10 +206,14 @@ void add_bars(PlanarGraph& graph) {
     return std::any_of(face.edges.begin(), face.edges.end(), [&](int e) { return on_rim[e]; });
   });
   for (const GraphFace& face : faces) {
-    if (counted_freedoms(graph) <= 1) return;
+    if (sheet.freedoms.count() <= 1) break;
     if (face.vertices.size() < 6) continue;
-    if (const auto wall = bar(graph, face)) graph.edges.push_back(*wall);
+    const auto wall = bar(graph, face, room);
+    if (!wall || sheet.freedoms.add_wall(*wall) == 0) continue;
+    graph.edges.push_back(*wall);
+    added = true;
   }
+  return added;
 }
 
 }  // namespace
@@ -177,10 +223,13 @@ int counted_freedoms(const PlanarGraph& graph) {
 }
 
 PlanarGraph closed_rim(PlanarGraph graph) {
-  while (counted_freedoms(graph) > 1 && fill_notches(graph)) {
+  if (counted_freedoms(graph) <= 1) return graph;
+  Growing sheet{graph, WallFreedoms(graph)};
+  while (sheet.freedoms.count() > 1 && fill_notches(sheet)) {
   }
-  if (counted_freedoms(graph) > 1) add_bars(graph);
-  return graph;
+  while (sheet.freedoms.count() > 1 && add_bars(sheet)) {
+  }
+  return sheet.graph;
 }
 
 }  // namespace kinetix::model

@@ -5,8 +5,8 @@
 namespace kinetix::model {
 
 /// How many ways a structure on the graph moves in the plane beyond its rigid motions, by counting bodies and
-/// hinges: 3 V - 2 E - 3. Less than it really moves where walls repeat each other, as in squares; for a graph
-/// that it finds floppy it is right.
+/// hinges: 3 V - 2 E - 3. Less than it really moves where walls repeat each other, as in squares, which
+/// WallFreedoms counts right.
 int counted_freedoms(const PlanarGraph& graph);
 
 /// Cells along the rim that take a floppy lattice its freedoms but one (kinematics.md section 5): a wall across

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "model/base/invalid_input.hpp"
+#include "model/base/union_find.hpp"
 
 namespace kinetix::model {
 namespace {
@@ -25,7 +26,8 @@ void check_size(const CellSize& size) {
       throw InvalidInput(std::string(name) + " must be a positive length in mm");
 }
 
-/// The middle of a polygon's corners, to a hundredth of a wall: no two cells have the same.
+/// The middle of a polygon's corners, to a hundredth of a wall, give or take one for rounding: cells are farther
+/// apart.
 std::pair<long, long> middle_of(const std::vector<Eigen::Vector2d>& corners) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   for (const Eigen::Vector2d& corner : corners) sum += corner;
@@ -45,8 +47,11 @@ std::vector<GraphFace> cells_first(const PlanarGraph& graph, std::vector<GraphFa
   const auto rank = [&](const GraphFace& face) {
     std::vector<Eigen::Vector2d> corners;
     for (const int v : face.vertices) corners.push_back(graph.vertices[v]);
-    const auto cell = cell_at.find(middle_of(corners));
-    return cell == cell_at.end() ? static_cast<int>(cell_at.size()) : cell->second;
+    const auto [x, y] = middle_of(corners);
+    for (const long i : {x - 1, x, x + 1})
+      for (const long j : {y - 1, y, y + 1})
+        if (const auto cell = cell_at.find({i, j}); cell != cell_at.end()) return cell->second;
+    return static_cast<int>(cell_at.size());
   };
   std::vector<std::pair<int, int>> order;
   for (int f = 0; f < static_cast<int>(faces.size()); ++f) order.emplace_back(rank(faces[f]), f);
@@ -54,6 +59,24 @@ std::vector<GraphFace> cells_first(const PlanarGraph& graph, std::vector<GraphFa
   std::vector<GraphFace> sorted;
   for (const auto& [cell, f] : order) sorted.push_back(std::move(faces[f]));
   return sorted;
+}
+
+void check_hang_together(const PlanarStructure& s, const std::vector<LatticeCell>& cells) {
+  UnionFind pieces(s.faces.size());
+  std::vector<int> face_at(s.graph.edges.size(), -1);
+  for (int f = 0; f < static_cast<int>(s.faces.size()); ++f)
+    for (const int e : s.faces[f].edges) {
+      if (face_at[e] >= 0) pieces.unite(face_at[e], f);
+      face_at[e] = f;
+    }
+  const auto name = [&](std::size_t c) {
+    return "[" + std::to_string(cells[c][0]) + ", " + std::to_string(cells[c][1]) + "]";
+  };
+  for (std::size_t c = 1; c < cells.size(); ++c)
+    if (pieces.find(static_cast<int>(c)) != pieces.find(0))
+      throw InvalidInput("cells " + name(0) + " and " + name(c) +
+                         " do not hang together by walls; a vertex alone "
+                         "lets them turn against each other");
 }
 
 }  // namespace
@@ -74,6 +97,7 @@ PlanarStructure make_planar_structure(LatticeSheet sheet, const CellSize& size) 
   if (sheet.cells.empty()) throw InvalidInput("a sheet needs at least one cell");
   PlanarStructure s = make_planar_structure(lattice_graph(sheet), size);
   s.faces = cells_first(s.graph, std::move(s.faces), sheet);
+  check_hang_together(s, sheet.cells);
   s.drawn = std::move(sheet);
   return s;
 }

@@ -237,5 +237,42 @@ TEST(SweepContent, SchemaRefusesWhatItShould) {
   EXPECT_THAT(schema_errors(analysis, "sweep"), HasSubstr("failed"));
 }
 
+// One hinge of a honeycomb off its middle leaves no exact motion, so that the hinges strain.
+TEST(SweepContent, TurnsTheKnobsOfAHoneycombByTheNumbersOfItsWalls) {
+  const Scratch scratch;
+  const auto design = [](double t, double theta) {
+    return fmt::format(
+        "kinetix: 1\nstructure: {{lattice: honeycomb, cells: [2, 2], rim: closed}}\n"
+        "design: {{theta_deg: {1}, hinges: [{{wall: WALL, t: {0}}}]}}\nhinge: {{model: elastic}}\n",
+        t, theta);
+  };
+  const auto named = [](std::string text, const std::string& wall) {
+    return text.replace(text.find("WALL"), 4, wall);
+  };
+  const Json walls = simulated(scratch, named(design(0.5, 10), "[0, 3]"), "exact")["structure"]["hinges"];
+  const std::string wall = walls[3]["bodies"].dump();
+  scratch.write("comb.yaml", named(design(0.5, 10), wall));
+  scratch.write(
+      "doe.yaml",
+      "kinetix: 1\nname: swept\nbase: comb.yaml\nmodel: equilibrium\nmethod: {kind: factorial}\nfactors:\n"
+      "  - {path: \"design.walls[3].t\", values: [0.5, 0.52]}\n"
+      "  - {path: design.theta_deg, values: [5, 10]}\nresponses: [energy_Nmm, theta_deg]\n");
+  const Outcome run =
+      kinetix_opt("sweep " + (scratch / "doe.yaml").string() + " -o " + (scratch / "out").string());
+  ASSERT_EQ(run.code, 0) << run.err;
+  const Csv csv = read_csv(scratch / "out");
+  ASSERT_EQ(csv.rows.size(), 4u);
+  std::size_t row = 0;
+  for (const double t : {0.5, 0.52})
+    for (const double theta : {5, 10}) {
+      const Json alone = simulated(scratch, named(design(t, theta), wall), "equilibrium");
+      EXPECT_EQ(csv.number(row, "design.walls[3].t"), t);
+      EXPECT_NEAR(csv.number(row, "energy_Nmm"), alone["metrics"]["energy_Nmm"],
+                  1e-6 * alone["metrics"]["energy_Nmm"].get<double>());
+      ++row;
+    }
+  EXPECT_GT(csv.number(2, "energy_Nmm"), 1.001 * csv.number(0, "energy_Nmm"));
+}
+
 }  // namespace
 }  // namespace kinetix::testing

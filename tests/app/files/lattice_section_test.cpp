@@ -1,0 +1,303 @@
+#include "app/files/lattice_section.hpp"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <random>
+
+#include "app/files/design_file.hpp"
+#include "model/lattice/planar/closed_rim.hpp"
+#include "tests/support/bad_input.hpp"
+#include "tests/support/planar_graphs.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace kinetix::app {
+namespace {
+
+using testing::BadInput;
+using testing::expect_refused;
+using testing::TemporaryFolder;
+
+// Two squares side by side, and a DXF file with the same.
+const std::string two_squares =
+    "vertices_mm: [[0, 0], [10, 0], [20, 0], [0, 10], [10, 10], [20, 10]],\n"
+    "  walls: [[0, 1], [1, 2], [3, 4], [4, 5], [0, 3], [1, 4], [2, 5]]";
+
+std::string structure(const std::string& keys) { return "kinetix: 1\nstructure: {" + keys + "}\n"; }
+
+std::string line(double x0, double y0, double x1, double y1) {
+  std::ostringstream text;
+  text << "0\nLINE\n10\n" << x0 << "\n20\n" << y0 << "\n11\n" << x1 << "\n21\n" << y1 << "\n";
+  return text.str();
+}
+
+std::string dxf(const std::string& entities) {
+  return "0\nSECTION\n2\nENTITIES\n" + entities + "0\nENDSEC\n0\nEOF\n";
+}
+
+const std::string drawn_squares =
+    dxf(line(0, 0, 10, 0) + line(10, 0, 20, 0) + line(0, 10, 10, 10) + line(10, 10, 20, 10) +
+        line(0, 0, 0, 10) + line(10, 0, 10, 10) + line(20, 0, 20, 10));
+
+DesignFile read(const std::string& text) {
+  const TemporaryFolder folder;
+  folder.write("squares.dxf", drawn_squares);
+  return read_design(folder.write("sheet.yaml", text));
+}
+
+void expect_same(const DesignFile& a, const DesignFile& b) {
+  const model::Sheet &s = a.structure, &r = b.structure;
+  EXPECT_EQ(lattice_name(s), lattice_name(r));
+  EXPECT_EQ(s.size().edge_mm, r.size().edge_mm);
+  EXPECT_EQ(s.size().thickness_mm, r.size().thickness_mm);
+  EXPECT_EQ(s.size().height_mm, r.size().height_mm);
+  ASSERT_EQ(s.bodies(), r.bodies());
+  ASSERT_EQ(s.hinges(), r.hinges());
+  ASSERT_EQ(s.cells(), r.cells());
+  for (int v = 0; v < s.bodies(); ++v) EXPECT_EQ(s.rest_position(v), r.rest_position(v)) << v;
+  for (int c = 0; c < s.cells(); ++c) {
+    EXPECT_EQ(cell_label(s, c), cell_label(r, c));
+    EXPECT_TRUE(std::ranges::equal(s.cell_bodies(c), r.cell_bodies(c))) << c;
+  }
+  for (int h = 0; h < s.hinges(); ++h) {
+    const model::HingeParameters &p = s.hinge(h), &q = r.hinge(h);
+    EXPECT_EQ(wall_name(s, h), wall_name(r, h));
+    EXPECT_TRUE(p.t == q.t && p.alpha == q.alpha && p.beta == q.beta && p.offset == q.offset) << h;
+  }
+  EXPECT_EQ(a.theta, b.theta);
+  EXPECT_EQ(a.drive, b.drive);
+}
+
+// A file of each kind: what its keys may say.
+const std::string sheets[] = {
+    "lattice: square, cells: [4, 3], cell_mm: 8.3",
+    "lattice: honeycomb, cells: [4, 3]",
+    "lattice: honeycomb, cells: [5, 4], rim: closed, cell_mm: 7.7, wall_mm: {thickness: 0.3, height: 3}",
+    "lattice: honeycomb, cells: [[1, 0], [0, 0], [0, 1], [2, 1], [2, 0], [0, 2], [1, 2]]",
+    "lattice: honeycomb, cells: [[1, 0], [0, 0]]",
+    "lattice: brick, cells: [3, 4], rim: closed",
+    "lattice: brick, cells: [[3, 1], [3, 2], [4, 2]], rim: open",
+    "lattice: rhombus, cells: [4, 5]",
+    "lattice: rhombus, cells: [5, 5], angle_deg: 75.52248781407008",
+    "lattice: rhombus, cells: [[0, 0], [1, 0], [1, 1]], angle_deg: 117.3",
+    "lattice: octagon, cells: [3, 3], cell_mm: 0.37",
+    "lattice: octagon, cells: [4, 2], rim: closed",
+    "lattice: graph, " + two_squares,
+    "lattice: graph, " + two_squares + ", cell_mm: 3.3, wall_mm: {thickness: 0.1}",
+    "lattice: graph, drawing: squares.dxf",
+};
+
+TEST(LatticeSection, SurvivesWritingAndReadingBitForBit) {
+  std::mt19937 random(21);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (const std::string& keys : sheets)
+    for (int round = 0; round < 8; ++round) {
+      SCOPED_TRACE(keys + " seed 21 round " + std::to_string(round));
+      DesignFile file = read(structure(keys));
+      const double edge = file.structure.size().edge_mm;
+      for (int h = 0; h < file.structure.hinges(); ++h)
+        if (random() % 3)
+          file.structure.hinge(h) = {0.01 + 0.98 * unit(random), 0.1 + 2.9 * unit(random), unit(random) - 0.5,
+                                     0.5 * edge * (unit(random) - 0.5) / edge};
+      for (int h = 0; h < file.structure.hinges(); ++h)  // offsets that a file can have: a number of mm
+        file.structure.hinge(h).offset = std::round(1e6 * file.structure.hinge(h).offset * edge) / 1e6 / edge;
+      file.theta = unit(random) - 0.5;
+      if (round % 2)
+        file.drive = DriveSection{.kind = DriveSection::Kind::hinge,
+                                  .hinge = file.structure.hinges() - 1,
+                                  .angle = 2 * unit(random) - 1};
+      expect_same(read(design_text(file)), file);
+    }
+}
+
+TEST(LatticeSection, KeepsVerticesOfAnyDrawingBitForBit) {
+  std::mt19937 random(22);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int round = 0; round < 20; ++round) {
+    const double edge = 0.1 + 30 * unit(random);
+    model::PlanarGraph graph = testing::random_quads(4, round);
+    for (Eigen::Vector2d& p : graph.vertices) p = (p * 17.3 + Eigen::Vector2d(-30, 5)) / edge;
+    DesignFile file{.name = "drawn", .structure = make_planar_structure(graph, {edge, edge / 10, edge})};
+    const DesignFile once = read(design_text(file));
+    expect_same(read(design_text(once)), once);
+    for (int v = 0; v < file.structure.bodies(); ++v)
+      EXPECT_LE((once.structure.rest_position(v) - file.structure.rest_position(v)).norm(), 1e-13);
+  }
+}
+
+TEST(LatticeSection, DrawsTheSameByListAndByDrawing) {
+  const DesignFile listed = read(structure("lattice: graph, " + two_squares)),
+                   drawn = read(structure("lattice: graph, drawing: squares.dxf"));
+  EXPECT_EQ(drawn.structure.size().edge_mm, 10) << "the mean length of the walls";
+  ASSERT_EQ(drawn.structure.bodies(), 6);
+  for (int v = 0; v < 6; ++v) EXPECT_EQ(drawn.structure.rest_position(v), listed.structure.rest_position(v));
+  EXPECT_EQ(drawn.structure.cells(), 2);
+}
+
+TEST(LatticeSection, DrawsRegularLatticesAsTheModelDoes) {
+  const DesignFile file = read(structure("lattice: honeycomb, cells: [4, 3], rim: closed, cell_mm: 20") +
+                               "design: {hinges: [{wall: [0, 4], t: 0.25, offset_mm: 3}]}\n");
+  const model::PlanarGraph graph = closed_rim(lattice_graph(model::honeycomb_lattice, 4, 3));
+  ASSERT_EQ(file.structure.bodies(), static_cast<int>(graph.vertices.size()));
+  EXPECT_EQ(file.structure.planar()->graph.edges, graph.edges);
+  EXPECT_EQ(file.structure.size().edge_mm, 20);
+  EXPECT_EQ(file.structure.hinge(0).t, 0.25);
+  EXPECT_DOUBLE_EQ(file.structure.hinge(0).offset, 0.15);
+  EXPECT_NEAR(
+      read(structure("lattice: rhombus, cells: [1, 1], angle_deg: 90")).structure.rest_position(3).x(), 10,
+      1e-12);
+}
+
+TEST(LatticeSection, ClosesTheRimOfADrawing) {
+  const std::string hexagon =
+      "vertices_mm: [[2, 0], [1, 1.7], [-1, 1.7], [-2, 0], [-1, -1.7], [1, -1.7]],\n"
+      "  walls: [[0, 1], [1, 2], [2, 3], [3, 4], [4, 5], [5, 0]]";
+  EXPECT_EQ(read(structure("lattice: graph, " + hexagon)).structure.hinges(), 6);
+  const DesignFile closed = read(structure("lattice: graph, " + hexagon + ", rim: closed"));
+  EXPECT_EQ(closed.structure.hinges(), 7);
+  EXPECT_EQ(closed.structure.cells(), 2);
+  expect_same(read(design_text(closed)), closed);
+}
+
+TEST(LatticeSection, SaysWhereAndWhatIsAllowed) {
+  const std::string honeycomb = structure("lattice: honeycomb, cells: [3, 3]");
+  const auto graph = [](const std::string& vertices, const std::string& walls) {
+    return structure("lattice: graph, vertices_mm: [" + vertices + "], walls: [" + walls + "]");
+  };
+  const std::string square = "[0, 0], [9, 0], [9, 9], [0, 9]", round = "[0, 1], [1, 2], [2, 3], [3, 0]";
+  const auto drawing = [](const std::string& file) { return structure("lattice: graph, drawing: " + file); };
+  const std::vector<BadInput> cases = {
+      {structure("lattice: honeycom, cells: [3, 3]"),
+       2,
+       22,
+       "structure.lattice",
+       {"did you mean `honeycomb`?"}},
+      {structure("lattice: kagome, cells: [3, 3]"),
+       2,
+       22,
+       "structure.lattice",
+       {"square, honeycomb, brick, rhombus, octagon, graph"}},
+      {graph("[0, 0], [9, 0], [0, 9]", "[0, 1], [1, 2], [2, 0]"),
+       2,
+       12,
+       "structure",
+       {"the face of vertices 0, 1, 2 has 3 walls", "an even number"}},
+      {graph(square, "[0, 2], [1, 3], [0, 1]"),
+       2,
+       12,
+       "structure",
+       {"from vertex 0 to 2 crosses the wall from vertex 1 to 3"}},
+      {graph(square, round + ", [2, 2]"), 2, 12, "structure", {"from vertex 2 to 2 has no length"}},
+      {graph(square + ", [0, 0]", round + ", [0, 4]"), 2, 12, "structure", {"has no length"}},
+      {graph(square, round + ", [1, 0]"), 2, 12, "structure", {"from vertex 1 to 0 is there twice"}},
+      {graph(square, "[0, 1], [2, 3]"), 2, 12, "structure", {"do not hang together"}},
+      {graph(square + ", [4.5, 0], [4.5, -3]", round + ", [4, 5]"),
+       2,
+       12,
+       "structure",
+       {"vertex 4", "lies on the wall from vertex 0 to 1"}},
+      {graph(square, ""), 2, 12, "structure", {"a wall between them"}},
+      {graph(square, "[0, 4]"), 2, 88, "structure.walls[0][1]", {"0 to 3"}},
+      {graph("[0, 0, 0], [1, 0]", "[0, 1]"), 2, 43, "structure.vertices_mm[0]", {"a point [x, y] in mm"}},
+      {structure("lattice: graph, vertices_mm: [[0, 0], [1, 0]]"),
+       2,
+       12,
+       "structure",
+       {"`walls` is missing"}},
+      {structure("lattice: graph"), 2, 12, "structure", {"`drawing` is missing", "DXF or SVG"}},
+      {drawing("squares.dxf, walls: [[0, 1]]"), 2, 51, "structure.walls", {"allowed"}},
+      {drawing("panel.pdf"), 2, 38, "structure.drawing", {".dxf or .svg"}},
+      {drawing("triangle.dxf"), 2, 38, "structure.drawing", {"has 3 walls"}},
+      {structure("lattice: honeycomb, cells: [3, 3], angle_deg: 60"),
+       2,
+       48,
+       "structure.angle_deg",
+       {"cells of lattice: honeycomb have one shape only"}},
+      {structure("lattice: rhombus, cells: [3, 3], angle_deg: 20"),
+       2,
+       57,
+       "structure.angle_deg",
+       {"30 to 150"}},
+      {structure("cells: [3, 3], rim: closed"), 2, 28, "structure.rim", {"allowed: lattice, cells"}},
+      {structure("lattice: square, cells: [3, 3], rim: closed"), 2, 45, "structure.rim", {"allowed"}},
+      {structure("lattice: honeycomb, cells: [3, 3], rim: shut"), 2, 53, "structure.rim", {"open, closed"}},
+      {structure("lattice: honeycomb"), 2, 12, "structure", {"`cells` is missing"}},
+      {structure("lattice: honeycomb, cells: [[0, 0], [1, 0], [0, 0]]"),
+       2,
+       57,
+       "structure.cells[2]",
+       {"cell [0, 0] is given twice"}},
+      {structure("lattice: rhombus, cells: [[0, 0], [1, 1]]"),
+       2,
+       38,
+       "structure.cells",
+       {"cells [0, 0] and [1, 1]", "hang together by walls"}},
+      {structure("lattice: honeycomb, cells: [[0, 0], [3, 3]]"), 2, 40, "structure.cells", {"hang together"}},
+      {honeycomb + "design: {pattern: {even: {P: [0.5, 0.5, 0.5, 0.5]}}}\n",
+       3,
+       10,
+       "design.pattern",
+       {"cells of four walls", "honeycomb"}},
+      {honeycomb + "drive: {kind: plates, compression: 0.1, grip: [[0, 0], [1, 1]]}\n",
+       3,
+       41,
+       "drive.grip",
+       {"rectangle of squares", "plates grip the rim"}},
+      {honeycomb + "design: {hinges: [{wall: [3, 0]}]}\n",
+       3,
+       26,
+       "design.hinges[0].wall",
+       {"runs the other way; write [0, 3]"}},
+      {honeycomb + "design: {hinges: [{wall: [0, 1]}]}\n",
+       3,
+       26,
+       "design.hinges[0].wall",
+       {"no wall joins vertices 0 and 1"}},
+      {honeycomb + "design: {hinges: [{wall: [0, 99]}]}\n", 3, 30, "design.hinges[0].wall[1]", {"0 to 29"}},
+      {honeycomb + "design: {hinges: [{wall: [[0, 0], [1, 0]]}]}\n", 3, 27, "design.hinges[0].wall[0]", {}},
+      {honeycomb + "design: {hinges: [{wall: [0, 3]}, {wall: [0, 3]}]}\n",
+       3,
+       35,
+       "design.hinges[1]",
+       {"named twice, first in line 3"}},
+      {honeycomb + "drive: {kind: hinge, wall: [0, 1], angle_deg: 20}\n",
+       3,
+       28,
+       "drive.wall",
+       {"no wall joins"}},
+      {structure("cell_mm: 10, lattice: graph, vertices_mm: [[0, 0], [3, 0], [3, 15], [0, 15]],\n"
+                 "  walls: [[0, 1], [1, 2], [2, 3], [3, 0]]") +
+           "design: {hinges: [{wall: [0, 1], offset_mm: 2}]}\n",
+       4,
+       18,
+       "design.hinges",
+       {"offset of the hinge on wall [0, 1] is 0.2", "half the wall's length"}},
+  };
+  const TemporaryFolder folder;
+  folder.write("squares.dxf", drawn_squares);
+  folder.write("triangle.dxf", dxf(line(0, 0, 9, 0) + line(9, 0, 0, 9) + line(0, 9, 0, 0)));
+  for (const BadInput& bad : cases) {
+    const std::string file = folder.write("sheet.yaml", bad.text);
+    expect_refused(bad, file, [&] { read_design(file); });
+  }
+}
+
+TEST(LatticeSection, NamesTheDrawingThatItCannotRead) {
+  const TemporaryFolder folder;
+  folder.write("arc.dxf", dxf("0\nARC\n10\n0\n20\n0\n40\n5\n"));
+  folder.write("circle.svg", "<svg><circle r='5'/></svg>");
+  folder.write("curved.svg", "<svg><path d='M0 0 Q1 1 2 0'/></svg>");
+  const std::pair<BadInput, std::string> cases[] = {
+      {{"arc.dxf", 6, 1, "", {"walls are straight: ARC is not read"}}, "arc.dxf"},
+      {{"circle.svg", 0, 0, "", {"has a circle; walls are straight"}}, "circle.svg"},
+      {{"curved.svg", 0, 0, "", {"the command `Q`"}}, "curved.svg"},
+      {{"nothing.dxf", 0, 0, "", {"no such file"}}, "nothing.dxf"},
+  };
+  for (const auto& [bad, name] : cases) {
+    const std::string file = folder.write("sheet.yaml", structure("lattice: graph, drawing: " + name));
+    expect_refused(bad, folder.path(name), [&] { read_design(file); });
+  }
+}
+
+}  // namespace
+}  // namespace kinetix::app
