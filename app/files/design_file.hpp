@@ -39,7 +39,8 @@ DesignFile read_design(const std::string& file);
 DesignFile read_design(const targets::Node& root);
 
 /// The file's text. read_design gives the same design back, bit for bit: angles are in degrees with as many
-/// digits as that takes. (An offset that is no number of mm over cell_mm loses its last bit.) Only hinges that differ from the basic one are named.
+/// digits as that takes. (An offset that is no number of mm over cell_mm loses its last bit.) Only hinges that differ
+/// from the basic one are named.
 /// @pre finite numbers within the ranges that read_design allows, and a name that it allows
 std::string design_text(const DesignFile& design);
 

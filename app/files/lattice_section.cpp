@@ -21,6 +21,8 @@ constexpr const char* by_hand = "graph";   // and of what is drawn by hand
 constexpr const char* rims[] = {"open", "closed"};
 // Of a rhombus, degrees: flatter ones have walls that touch their neighbours'.
 const targets::Bounds angles = targets::from_to(30, 150, "degrees");
+// Of a vertex: a kilometre is larger than any sheet.
+const targets::Bounds places = targets::from_to(-1e6, 1e6, "mm");
 
 std::vector<std::string> regular_names() {
   std::vector<std::string> names;
@@ -42,7 +44,7 @@ std::string lattice_meaning() {
   return text + "; `graph`, walls of a drawing or a list";
 }
 
-targets::ValueType numbers_2() { return value::list(value::number(), "`[x, y]`", 2, 2); }
+targets::ValueType numbers_2() { return value::list(value::number(places), "`[x, y]`", 2, 2); }
 
 targets::Node cells_of(const targets::Section& structure) {
   return structure.required("cells", "[columns, rows], or a list of cells [[i, j], ...]");
@@ -74,7 +76,7 @@ model::Sheet read_regular(const targets::Section& structure, const PlanarLattice
 
 Eigen::Vector2d read_point(const targets::Node& node) {
   const auto xy = node.list_of(2, "a point [x, y] in mm");
-  return {xy[0].number(), xy[1].number()};
+  return {xy[0].number(places), xy[1].number(places)};
 }
 
 /// As written in the file, mm.

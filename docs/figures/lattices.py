@@ -1,4 +1,4 @@
-"""Lattices other than squares, flat and folded: basic hinges, so X(theta) = cos(theta) x (kinematics.md section 5)."""
+"""Lattices other than squares, flat and folded. Hinges are basic: X(theta) = cos(theta) x (kinematics.md section 5)."""
 from math import cos, pi, radians, sin, sqrt
 
 from svg import CLASS_A, CLASS_B, MUTED, Page

@@ -20,13 +20,13 @@ inline constexpr std::size_t max_drawn_lines = 1'000'000;
 
 /// LINE, LWPOLYLINE and POLYLINE entities of a DXF file, in its unit ($INSUNITS; mm where it names none).
 /// @throws InvalidInput without a place for curves (arcs, circles, splines, bulges), blocks that are inserted,
-/// and units that are no length
+/// polylines seen from below, units that are no length, lines without a coordinate, and a file that is cut off
 Drawing parse_dxf(const std::string& text);
 
 /// line, polyline, polygon, rect and path elements of an SVG file, with their transforms. A user unit is
 /// width / viewBox where the file says so in mm, cm or inches, else a pixel of 1/96 inch.
-/// @throws InvalidInput without a place for what is no SVG file, for curves (circle, ellipse, curved path
-/// commands), and for numbers that it cannot read
+/// @throws InvalidInput without a place for what is no SVG file, for curves (circle, ellipse, round corners,
+/// curved path commands), for numbers and units that it cannot read, and for groups without end in each other
 Drawing parse_svg(const std::string& text);
 
 }  // namespace kinetix::targets

@@ -19,7 +19,7 @@ using Eigen::Vector2d;
 // mm of a user unit where the file says no more, by https://www.w3.org/TR/css-values-3/#absolute-lengths
 constexpr double pixel_mm = 25.4 / 96;
 
-constexpr int deepest = 1000;  // groups in each other: drawings have some ten
+constexpr int deepest = 100;  // groups in each other: drawings have some ten
 
 /// Numbers and words of an attribute, one after the other.
 class Scanner {

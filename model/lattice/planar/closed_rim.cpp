@@ -133,7 +133,8 @@ struct Growing {
   WallFreedoms freedoms;
 };
 
-/// Closes the notch where that takes a freedom, off all walls of the graph from `first` on. @return whether it did
+/// Closes the notch where that takes a freedom, off all walls of the graph from `first` on.
+/// @return whether it did
 bool fill(const Notch& notch, std::size_t first, double room, Growing& sheet) {
   Growing next = sheet;
   if (notch.has_corner) {

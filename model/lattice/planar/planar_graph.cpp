@@ -141,15 +141,24 @@ class NearEdges {
   }
 
  private:
-  /// All squares of the box round an edge, and a margin.
+  /// All squares that an edge passes, and a margin.
   template <class Visit>
   void for_squares(int edge, const Visit& visit) const {
-    const Vector2d a = graph_.vertices[graph_.edges[edge].from], b = graph_.vertices[graph_.edges[edge].to];
-    const Vector2d margin = Vector2d::Constant(2 * touching * mean_);
-    const Vector2d low = (a.cwiseMin(b) - margin) / mean_, high = (a.cwiseMax(b) + margin) / mean_;
-    for (long i = std::lround(std::floor(low.x())); i <= std::lround(std::floor(high.x())); ++i)
-      for (long j = std::lround(std::floor(low.y())); j <= std::lround(std::floor(high.y())); ++j)
+    Vector2d a = graph_.vertices[graph_.edges[edge].from] / mean_,
+             b = graph_.vertices[graph_.edges[edge].to] / mean_;
+    if (a.x() > b.x()) std::swap(a, b);
+    constexpr double margin = 2 * touching;
+    const auto square = [](double place) { return std::lround(std::floor(place)); };
+    const auto y_at = [&](double x) {
+      return a.x() == b.x() ? b.y()
+                            : a.y() + std::clamp((x - a.x()) / (b.x() - a.x()), 0.0, 1.0) * (b.y() - a.y());
+    };
+    for (long i = square(a.x() - margin); i <= square(b.x() + margin); ++i) {
+      const double x = static_cast<double>(i), from = a.x() == b.x() ? a.y() : y_at(x - margin),
+                   to = y_at(x + 1 + margin);
+      for (long j = square(std::min(from, to) - margin); j <= square(std::max(from, to) + margin); ++j)
         visit({i, j});
+    }
   }
 
   const PlanarGraph& graph_;

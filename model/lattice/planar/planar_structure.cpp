@@ -26,8 +26,8 @@ void check_size(const CellSize& size) {
       throw InvalidInput(std::string(name) + " must be a positive length in mm");
 }
 
-/// The middle of a polygon's corners, to a hundredth of a wall, give or take one for rounding: cells are farther
-/// apart.
+/// The middle of a polygon's corners, to a hundredth of a wall, give or take one for rounding: cells are
+/// farther apart.
 std::pair<long, long> middle_of(const std::vector<Eigen::Vector2d>& corners) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   for (const Eigen::Vector2d& corner : corners) sum += corner;

@@ -18,7 +18,7 @@ using testing::BadInput;
 using testing::expect_refused;
 using testing::TemporaryFolder;
 
-// Two squares side by side, and a DXF file with the same.
+// Two squares side by side.
 const std::string two_squares =
     "vertices_mm: [[0, 0], [10, 0], [20, 0], [0, 10], [10, 10], [20, 10]],\n"
     "  walls: [[0, 1], [1, 2], [3, 4], [4, 5], [0, 3], [1, 4], [2, 5]]";
@@ -35,6 +35,7 @@ std::string dxf(const std::string& entities) {
   return "0\nSECTION\n2\nENTITIES\n" + entities + "0\nENDSEC\n0\nEOF\n";
 }
 
+// The same as a drawing.
 const std::string drawn_squares =
     dxf(line(0, 0, 10, 0) + line(10, 0, 20, 0) + line(0, 10, 10, 10) + line(10, 10, 20, 10) +
         line(0, 0, 0, 10) + line(10, 0, 10, 10) + line(20, 0, 20, 10));
@@ -199,6 +200,7 @@ TEST(LatticeSection, SaysWhereAndWhatIsAllowed) {
       {graph(square, ""), 2, 12, "structure", {"a wall between them"}},
       {graph(square, "[0, 4]"), 2, 88, "structure.walls[0][1]", {"0 to 3"}},
       {graph("[0, 0, 0], [1, 0]", "[0, 1]"), 2, 43, "structure.vertices_mm[0]", {"a point [x, y] in mm"}},
+      {graph("[0, 0], [2e6, 0]", "[0, 1]"), 2, 52, "structure.vertices_mm[1][0]", {"-1000000 to 1000000"}},
       {structure("lattice: graph, vertices_mm: [[0, 0], [1, 0]]"),
        2,
        12,

@@ -14,7 +14,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double infinity = std::numeric_limits<double>::infinity();  // a bound that never holds
 
 Eigen::SparseMatrix<double> identity(int size) {
   return MatrixXd(MatrixXd::Identity(size, size)).sparseView();

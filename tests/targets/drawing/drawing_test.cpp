@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 using testing::refusal;
 using testing::TemporaryFolder;
 
-constexpr double pixel_mm = 25.4 / 96;
+constexpr double pixel_mm = 25.4 / 96;  // mm of a CSS pixel: an inch has 96
 
 std::string dxf(const std::string& entities, const std::string& header = "") {
   return (header.empty() ? "" : "0\nSECTION\n2\nHEADER\n" + header + "0\nENDSEC\n") +
@@ -50,6 +50,7 @@ void expect_lines(const Drawing& found, const std::vector<std::array<double, 4>>
         EXPECT_NEAR(found[k][end][i], expected[k][2 * end + i], 1e-9) << "line " << k << ", end " << end;
 }
 
+// Of a closed polyline: its flags and corners.
 const std::string square = "70\n1\n10\n0\n20\n0\n10\n2\n20\n0\n10\n2\n20\n2\n10\n0\n20\n2\n";
 
 TEST(DxfDrawing, HasTheLinesOfItsEntities) {
@@ -123,6 +124,7 @@ TEST(DxfDrawing, RefusesPolylinesSeenFromBelow) {
               HasSubstr("from below"));
 }
 
+// Every kind of entity once, so that damage may fall on each.
 const std::string small_dxf =
     dxf("0\nLWPOLYLINE\n90\n4\n" + square + line(0, 0, -1, -1) +
             "0\nPOLYLINE\n70\n1\n0\nVERTEX\n10\n4\n20\n4\n" + "0\nVERTEX\n10\n5\n20\n4\n0\nSEQEND\n",
@@ -244,6 +246,7 @@ TEST(SvgDrawing, LeavesDefinitionsAlone) {
                {{0, 0, 1, 0}});
 }
 
+// Likewise every element and transform.
 const std::string small_svg =
     svg("<g transform='translate(1 2) rotate(30) matrix(1 0 0 1 2 3)'><line x1='1' y1='2' x2='3' y2='4'/>"
         "<polyline points='0,0 1,0 1,1'/><rect x='1' y='2' width='3' height='4'/><path d='m1 1 2 0 0 "

@@ -68,6 +68,7 @@ TEST(Outline, HasPointsByArcLengthRoundAndRound) {
   for (const auto& [s, expected] : at) EXPECT_LE((outline.at(s) - expected).norm(), 1e-12) << s;
 }
 
+// Along an outline of some 100 mm: a hundredth of a mm from one to the next.
 constexpr int samples = 20'000;
 
 /// Of many points along the outline.

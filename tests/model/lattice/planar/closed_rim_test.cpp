@@ -12,7 +12,9 @@ namespace {
 
 using Eigen::Vector2d;
 
+// Columns and rows: even and odd, more of the one and of the other.
 constexpr std::pair<int, int> sizes[] = {{2, 2}, {3, 2}, {2, 3}, {3, 3}, {4, 4}, {5, 3}, {6, 6}};
+// Lattices that have more than one freedom as they are.
 constexpr const PlanarLattice* floppy[] = {&honeycomb_lattice, &brick_lattice, &octagon_lattice};
 
 std::string name(const PlanarLattice& lattice, int columns, int rows) {

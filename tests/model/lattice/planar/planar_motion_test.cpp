@@ -165,6 +165,27 @@ TEST(PlanarGraph, SaysWhatIsWrongWithADrawing) {
   expect_refused({{{0, 0}}, {}}, "at least two vertices");
 }
 
+// Walls are compared where they pass near each other, however long one of them is.
+TEST(PlanarGraph, TakesALongWallAmongManyShortOnes) {
+  PlanarGraph graph = square_graph(60, 60);
+  const int last = static_cast<int>(graph.vertices.size()) - 1;
+  for (const double slope : {1.0, 0.3, 4.0, 0.0}) {
+    graph.vertices.push_back(graph.vertices[last] + 1e4 * Vector2d(1, slope));
+    graph.edges.push_back({last, static_cast<int>(graph.vertices.size()) - 1});
+  }
+  graph.vertices.push_back(graph.vertices[last] + Vector2d(0, 1e4));
+  graph.edges.push_back({last, static_cast<int>(graph.vertices.size()) - 1});
+  EXPECT_NO_THROW(validate(graph));
+  for (const double slope : {0.7, 0.01, 50.0}) {
+    PlanarGraph crossed = graph;
+    crossed.vertices.push_back(graph.vertices[0] + 3e3 * Vector2d(-1, -slope));
+    crossed.vertices.push_back(graph.vertices[last] + Vector2d(20, 20 * slope));
+    const int from = static_cast<int>(graph.vertices.size());
+    crossed.edges.push_back({from, from + 1});
+    EXPECT_THROW(validate(crossed), InvalidInput) << slope;
+  }
+}
+
 // A wall that ends inside a cell is walked there and back: the cell is what is round it.
 TEST(PlanarGraph, LeavesWallsThatEndInACellOutOfItsLoop) {
   const PlanarGraph graph{{{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 1}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 4}}};
