@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/pictures/panel_picture.hpp"
 #include "app/result/state_json.hpp"
 #include "app/run/run.hpp"
 
@@ -104,6 +105,16 @@ std::vector<SummaryLine> OutlineOutcome::summary_lines(const Run& run) const {
       {"search", fmt::format("{:.2f} s, {} convex problems{}", run.timings.optimise, design.rounds,
                              cuts > 0 ? fmt::format(", {} cuts of the lattice", cuts) : "")});
   return lines;
+}
+
+std::vector<NamedContent> OutlineOutcome::pictures(const Run& run) const {
+  std::vector<NamedContent> files;
+  const model::State flat = rest_state(run.structure);
+  for (const auto& [name, state] : {std::pair("flat", &flat), std::pair("pressed", &run.states.front().poses)})
+    for (const PictureFormat format : {PictureFormat::svg, PictureFormat::png})
+      files.push_back({std::string(name) + (format == PictureFormat::svg ? ".svg" : ".png"),
+                       panel_picture(run.structure, *state, {.format = format})});
+  return files;
 }
 
 std::vector<std::string> violations(const OutlineFile& file, const targets::OutlineError& error,

@@ -28,6 +28,8 @@ class OutlineOutcome final : public GoalOutcome {
   void add_sections(const Run& run, nlohmann::ordered_json& result) const override;
   void add_metrics(nlohmann::ordered_json& metrics) const override;
   std::vector<SummaryLine> summary_lines(const Run& run) const override;
+  /// The panel from above, flat and pressed, as SVG and as PNG.
+  std::vector<NamedContent> pictures(const Run& run) const override;
 };
 
 /// What a state lacks, in words. @param who "model" or "physics run"
