@@ -67,6 +67,12 @@ model::LinkageDrive plates_on(const model::Sheet& panel, const model::Drive& pla
   return drive_on(panel, {.axis = plates.axis, .compression = plates.compression, .branch = plates.branch});
 }
 
+/// Whether a physics run is not worth its time: a step costs seconds, and there are thousands.
+bool is_too_large(const Run& run) {
+  constexpr int most_bodies = 5000;  // an hour on one core, about
+  return run.structure.bodies() > most_bodies;
+}
+
 class DisplayScene final : public Scene {
  public:
   explicit DisplayScene(DisplayFile file) : file_(std::move(file)) {}
@@ -95,6 +101,10 @@ class DisplayScene final : public Scene {
     auto& display = outcome_of<DisplayOutcome>(run);
     add_equilibrium(run, plates_on(run.structure, display.design.view.plates), elasticity(), motion_states,
                     options.progress);
+    if (is_too_large(run))
+      run.plan.why.push_back(fmt::format(
+          "no physics run: {} bodies would take hours; `verify` makes one of design.yaml all the same",
+          run.structure.bodies()));
     display.before = reading(run.structure, rest_state(run.structure));
     display.after = reading(run.structure, run.states.front().poses);
     if (!display.design.scaled) return;
@@ -112,7 +122,7 @@ class DisplayScene final : public Scene {
   }
 
   std::optional<PhysicsTask> physics_task(const Run& run) const override {
-    if (!run.equilibrium->reached()) return std::nullopt;
+    if (!run.equilibrium->reached() || is_too_large(run)) return std::nullopt;
     return PhysicsTask{run.states.front().poses, run.equilibrium->drive,
                        elastic_physics(elasticity(), file_.physics, file_.size.edge_mm, run.plan.planar)};
   }

@@ -110,7 +110,8 @@ std::vector<SummaryLine> OutlineOutcome::summary_lines(const Run& run) const {
 std::vector<NamedContent> OutlineOutcome::pictures(const Run& run) const {
   std::vector<NamedContent> files;
   const model::State flat = rest_state(run.structure);
-  for (const auto& [name, state] : {std::pair("flat", &flat), std::pair("pressed", &run.states.front().poses)})
+  for (const auto& [name, state] :
+       {std::pair("flat", &flat), std::pair("pressed", &run.states.front().poses)})
     for (const PictureFormat format : {PictureFormat::svg, PictureFormat::png})
       files.push_back({std::string(name) + (format == PictureFormat::svg ? ".svg" : ".png"),
                        panel_picture(run.structure, *state, {.format = format})});

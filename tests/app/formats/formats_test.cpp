@@ -154,6 +154,9 @@ std::vector<Json> files_of(const std::string& list) {
   image["target"]["image"] = image_file();
   if (list == "target display")
     return {target(R"({"kind": "display", "glyph": "T"})"), image,
+            Json{{"kinetix", 1},
+                 {"target", Json::parse(R"({"kind": "display", "glyph": "T"})")},
+                 {"structure", {{"lattice", "rhombus"}}}},
             target(R"({"kind": "display", "rows": ["0110", "0110", "0000"]})")};
   if (list == "target fold")
     return {target(R"({"kind": "fold", "box": [2, 2, 2]})"),

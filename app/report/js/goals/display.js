@@ -77,15 +77,15 @@ function pictureBox(label, note, draw) {
   return html("figure", {class: "shot"}, responsive(draw), html("figcaption", {}, html("strong", {}, label), " ", note));
 }
 
-/** What an eye sees from afar, as the program drew it. */
+/** What an eye sees from a distance, as the program drew it. */
 function farViews(data) {
   const pictures = dictionary(data.raw.pictures);
   const view = (name, label, note) => typeof pictures[name] === "string" && html(
       "figure", {class: "shot"}, html("img", {src: pictures[name], alt: label}),
       html("figcaption", {}, html("strong", {}, label), " ", note));
   return [
-    view("afar_before.png", "Before, from afar", "light through the flat panel, too far away to see its walls"),
-    view("afar_after.png", "After, from afar", "light through the compressed panel, likewise"),
+    view("afar_before.png", "Before, from a distance", "light through the flat panel, too far away to see its walls"),
+    view("afar_after.png", "After, from a distance", "light through the compressed panel, likewise"),
   ].filter(Boolean);
 }
 
