@@ -39,6 +39,21 @@ Json starts_json(const optim::DisplayDesign& design) {
   return starts;
 }
 
+Json front_json(const std::vector<FrontPoint>& front, double edge_mm) {
+  Json out = Json::array();
+  for (const FrontPoint& p : front)
+    out.push_back({{"offset_mm", p.offset * edge_mm},
+                   {"own", p.is_own},
+                   {"reached", p.reached},
+                   {"auc", p.score.auc},
+                   {"rank", p.rank},
+                   {"letter", p.score.letter},
+                   {"rest", p.score.rest},
+                   {"load_N", p.load},
+                   {"stretch_mm", p.stretch * edge_mm}});
+  return out;
+}
+
 Json display_json(const DisplayOutcome& display, const model::Sheet& panel) {
   const model::Drive& plates = display.design.view.plates;
   Json out = {{"channel", to_string(display.channel)},
@@ -57,6 +72,7 @@ Json display_json(const DisplayOutcome& display, const model::Sheet& panel) {
                      {"walls_meet", !scaled->clear},
                      {"rounds", scaled->rounds},
                      {"exact", score_json(display.exact)}};
+  if (!display.front.empty()) out["front"] = front_json(display.front, panel.size().edge_mm);
   if (display.physics) out["physics"] = score_json(*display.physics);
   if (const auto needed = display.needed()) {
     out["needed_cells"] = *needed;

@@ -17,6 +17,17 @@ struct DisplayReading {
   double rank = 0;  ///< rank correlation of channel and levels, [-1, 1]
 };
 
+/// What the panel would show, between the same plates, with another bound on the offsets.
+struct FrontPoint {
+  double offset = 0;     ///< largest of a hinge, cell edges
+  bool is_own = false;   ///< whether it is the file's
+  bool reached = false;  ///< whether the equilibrium came to the plates' goal
+  targets::DisplayScore score;
+  double rank = 0;     ///< rank correlation of channel and levels, [-1, 1]
+  double load = 0;     ///< on the plates, N
+  double stretch = 0;  ///< largest gap of a hinge, cell edges
+};
+
 /// What a search for a display contributes to a result.
 class DisplayOutcome final : public GoalOutcome {
  public:
@@ -29,6 +40,7 @@ class DisplayOutcome final : public GoalOutcome {
   DisplayReading before, after;  ///< flat, and the equilibrium under the plates
   DisplayReading exact;          ///< of a search by the scales of walls: its state, without any strain
   std::optional<DisplayReading> physics;  ///< the settled physics run
+  std::vector<FrontPoint> front;          ///< of small panels that were searched by the scales of walls
 
   /// What found the design, in words.
   std::string solver() const;

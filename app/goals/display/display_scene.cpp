@@ -5,6 +5,7 @@
 
 #include "app/goals/display/display_kind.hpp"
 #include "app/goals/display/display_outcome.hpp"
+#include "app/goals/display/legibility_front.hpp"
 #include "app/goals/display/panel_memory.hpp"
 #include "app/goals/display/search_panel.hpp"
 #include "app/pipeline/equilibrium.hpp"
@@ -67,6 +68,9 @@ model::LinkageDrive plates_on(const model::Sheet& panel, const model::Drive& pla
   return drive_on(panel, {.axis = plates.axis, .compression = plates.compression, .branch = plates.branch});
 }
 
+// Beyond, the searches with other offsets would take longer than the one that was asked for.
+constexpr int most_cells_of_front = 400;
+
 /// Whether a physics run is not worth its time: a step costs seconds, and there are thousands.
 bool is_too_large(const Run& run) {
   constexpr int most_bodies = 5000;  // an hour on one core, about
@@ -118,6 +122,8 @@ class DisplayScene final : public Scene {
     if (wants_more_cells(file_, display))
       display.larger = search_larger_panels(file_, display.options, options.progress);
     display.larger_panels_s = watch.lap();
+    if (options.verify && display.design.scaled && run.structure.cells() <= most_cells_of_front)
+      display.front = legibility_front(file_, elasticity(), display.options, options.progress);
     display.violations = all_violations(file_, display);
   }
 

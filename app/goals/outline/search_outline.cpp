@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "model/base/invalid_input.hpp"
 #include "model/lattice/planar/lattices/rhombus.hpp"
@@ -79,8 +80,17 @@ class OutlineSearch {
     if (file_.columns * file_.rows > most_tried_cells) cuts.resize(1);
     count = static_cast<int>(cuts.size());
     std::vector<double> misses(cuts.size());
-    optim::run_in_parallel(count, run_.threads, [&](int k) { misses[k] = miss_of(cuts[k]); });
+    optim::run_in_parallel(count, run_.threads, [&](int k) { misses[k] = miss_or_none(cuts[k]); });
     return cuts[std::min_element(misses.begin(), misses.end()) - misses.begin()];
+  }
+
+  /// Infinite for a cut that makes no panel.
+  double miss_or_none(const Cells& cells) const {
+    try {
+      return miss_of(cells);
+    } catch (const InvalidInput&) {
+      return std::numeric_limits<double>::infinity();
+    }
   }
 
   double miss_of(const Cells& cells) const {

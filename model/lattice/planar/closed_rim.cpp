@@ -133,9 +133,16 @@ struct Growing {
   WallFreedoms freedoms;
 };
 
-/// Closes the notch where that takes a freedom, off all walls of the graph from `first` on.
+/// How many vertices and walls a graph had before some were added.
+struct Before {
+  std::size_t vertices = 0, walls = 0;
+};
+
+/// Closes the notch where that takes a freedom, off all vertices and walls that were added since.
 /// @return whether it did
-bool fill(const Notch& notch, std::size_t first, double room, Growing& sheet) {
+bool fill(const Notch& notch, const Before& before, double room, Growing& sheet) {
+  for (std::size_t v = before.vertices; notch.has_corner && v < sheet.graph.vertices.size(); ++v)
+    if ((sheet.graph.vertices[v] - notch.corner).norm() < room) return false;
   Growing next = sheet;
   if (notch.has_corner) {
     next.graph.vertices.push_back(notch.corner);
@@ -145,7 +152,7 @@ bool fill(const Notch& notch, std::size_t first, double room, Growing& sheet) {
     return Segment{next.graph.vertices[e.from], next.graph.vertices[e.to]};
   };
   for (const GraphEdge& wall : walls_of(notch, static_cast<int>(sheet.graph.vertices.size()))) {
-    for (std::size_t e = first; e < sheet.graph.edges.size(); ++e)
+    for (std::size_t e = before.walls; e < sheet.graph.edges.size(); ++e)
       if (!keep_off(segment(wall), segment(sheet.graph.edges[e]), room)) return false;
     next.graph.edges.push_back(wall);
     next.freedoms.add_wall(wall);
@@ -158,7 +165,7 @@ bool fill(const Notch& notch, std::size_t first, double room, Growing& sheet) {
 /// Fills notches that have no vertex in common, until the graph has one freedom. @return whether there were any
 bool fill_notches(Growing& sheet) {
   const std::vector<Notch> notches = Rim(sheet.graph).notches();
-  const std::size_t walls = sheet.graph.edges.size();
+  const Before before = {sheet.graph.vertices.size(), sheet.graph.edges.size()};
   const double room = apart * mean_length(sheet.graph);
   std::vector<bool> is_used(sheet.graph.vertices.size(), false);
   bool filled = false;
@@ -167,7 +174,7 @@ bool fill_notches(Growing& sheet) {
     const auto used = [&](int v) { return is_used[v]; };
     const auto inner = notch.rim.begin() + 1, end = notch.rim.end() - 1;
     if (std::any_of(inner, end, used) || (used(notch.rim.front()) && used(notch.rim.back()))) continue;
-    if (!fill(notch, walls, room, sheet)) continue;
+    if (!fill(notch, before, room, sheet)) continue;
     for (const int v : notch.rim) is_used[v] = true;
     filled = true;
   }

@@ -15,6 +15,7 @@ function readDisplay(raw) {
     physicsReasons: words(raw.reasons_physics), axis: raw.axis === "x" ? "x" : "y",
     compression: finite(raw.compression),
     needed: list(raw.needed_cells).filter((side) => finite(side) !== null),
+    front: list(raw.front).filter((point) => finite(point?.offset_mm) !== null),
     neededFor: raw.needed_for === "contrast" ? "contrast" : "strokes",
   };
 }
@@ -109,7 +110,25 @@ function displaySection(data) {
                       farViews(data)),
       html("p", {}, `Compressed along ${display.axis} by ${percent(display.compression)}. The largest stretch of a ` +
                         `hinge is ${figures(display.stretch)} cell edges.`),
-      neededPanel(display), startsTable(display));
+      frontTable(display), neededPanel(display), startsTable(display));
+}
+
+/** What hinges further off their walls would buy. */
+function frontTable(display) {
+  if (display.front.length < 2) return null;
+  const grey = isGrey(display);
+  const row = (point) => ({
+    mark: point.own === true ? "best" : null,
+    cells: [
+      `${millimetres(point.offset_mm)}${point.own === true ? " (this one)" : ""}`, figures(grey ? point.rank : point.auc, 3),
+      grey ? "" : percent((point.letter - point.rest) / point.rest), point.reached === true ? `${figures(point.load_N, 2)} N` : "not reached",
+      millimetres(point.stretch_mm)
+    ]
+  });
+  return html("div", {},
+              html("p", {}, "What larger or smaller offsets of the hinges would show between the same plates:"),
+              table(["offset, at most", grey ? "rank correlation" : "AUC", grey ? "" : "letter brighter than the rest by", "force", "stretch, largest"],
+                    display.front.map(row), "Legibility against offset, force and stretch"));
 }
 
 /** How large a panel would have to be; what this one lacks is said at the top. */

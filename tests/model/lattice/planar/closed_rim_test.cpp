@@ -129,5 +129,14 @@ TEST(ClosedRim, PutsNoWallAlongTheSideOfACell) {
   EXPECT_NO_THROW(make_planar_structure(closed_rim(graph), {}));
 }
 
+/// A cut that faces itself across a gap of one brick, into which two corners would both put a vertex.
+TEST(ClosedRim, PutsNoTwoVerticesInOnePlace) {
+  const std::vector<LatticeCell> star = {{1, 0}, {3, 0}, {1, 1}, {2, 1}, {1, 2}, {2, 2}, {0, 3}, {1, 3},
+                                         {2, 3}, {0, 4}, {1, 4}, {2, 4}, {3, 4}, {1, 5}, {2, 5}, {2, 6}};
+  const PlanarGraph closed = lattice_graph({&brick_lattice, star, 0, true});
+  EXPECT_NO_THROW(validate(closed));
+  EXPECT_EQ(counted_freedoms(closed), 1);
+}
+
 }  // namespace
 }  // namespace kinetix::model
