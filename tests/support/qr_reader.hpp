@@ -31,8 +31,8 @@ inline std::string read_qr_code(const std::string& png) {
   PIX* const grey = pixConvertTo8(picture, 0);
   const std::string file = folder.path("seen.png");
   std::string text;
-  for (const float size : {0.5F, 0.4F, 0.33F, 0.3F, 0.25F})
-    for (const int threshold : {128, 140, 153, 115}) {
+  for (const float size : {0.5F, 0.45F, 0.4F, 0.36F, 0.33F, 0.3F, 0.28F, 0.25F})
+    for (const int threshold : {128, 140, 153, 115, 105}) {
       if (!text.empty()) continue;
       PIX* far = pixScale(grey, size, size);
       PIX* ink = pixThresholdToBinary(far, threshold);
