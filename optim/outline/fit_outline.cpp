@@ -12,9 +12,9 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double less_turning = 0.8;   // of walls that met, from round to round; ten of them leave a tenth
-constexpr double less_scaling = 0.93;  // and of their offsets: cells that shrink close sooner
-constexpr int most_clearance_rounds = 14;                 // these leave a twentieth of the turning
+constexpr double less_turning = 0.8;      // of walls that met, from round to round; ten of them leave a tenth
+constexpr double less_scaling = 0.93;     // and of their offsets: cells that shrink close sooner
+constexpr int most_clearance_rounds = 9;  // these leave an eighth of the turning
 constexpr double spare = 0.3 * radians_per_degree;        // rad: walls stay apart a little further than asked
 constexpr double met_early[] = {0.4, 0.6, 0.75, 0.9, 1};  // of theta: where walls are looked at on the way
 constexpr int halvings = 2;        // of the way from the best theta to the least one at which walls met
@@ -144,10 +144,15 @@ class Search {
     const model::Linkage linkage = found.panel;
     model::WallContact contact(linkage);
     std::set<int> met;
+    const auto add = [&](const std::vector<model::WallPair>& pairs) {
+      for (const model::WallPair& pair : pairs)
+        for (const int plate : {pair.first, pair.second}) met.insert(plate / 2);
+    };
+    // Sharp corners of a flat panel that is free have walls that touch where hinges are near them.
+    if (problem_.flat) add(contact.touching_at_rest());
     for (const double part : met_early) {
       const double theta = part == 1 ? problem_.theta + spare : part * problem_.theta;
-      for (const model::WallPair& pair : contact.overlapping(fold(found.panel, found.y, theta)))
-        for (const int plate : {pair.first, pair.second}) met.insert(plate / 2);
+      add(contact.overlapping(fold(found.panel, found.y, theta)));
     }
     return met;
   }
@@ -203,9 +208,12 @@ OutlineDesign fit_outline(const model::PlanarStructure& panel, const targets::Ou
     if (tried++ == 0 || is_better(found, best)) best = std::move(found);
     if (progress) progress(static_cast<double>(tried) / (options.thetas + halvings));
   };
+  // From the largest down: the further a panel is pressed the more a rim can change, until walls meet.
   for (int k = 0; k < options.thetas; ++k) {
     const double part = options.thetas == 1 ? 0 : static_cast<double>(k) / (options.thetas - 1);
-    try_theta(options.theta[1] + part * (options.theta[0] - options.theta[1]));
+    const double theta = options.theta[1] + part * (options.theta[0] - options.theta[1]);
+    try_theta(theta);
+    if (best.clear && best.theta > theta) break;
   }
   for (int k = 0; k < halvings && options.thetas > 1 && best.clear && best.theta < blocked; ++k)
     try_theta((best.theta + blocked) / 2);

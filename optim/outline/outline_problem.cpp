@@ -37,7 +37,7 @@ constexpr double corner_pull = 0.3;  // weight along the outline of a vertex tha
 constexpr double least_turn = 0.5;
 
 // Of one convex problem: points on the outline move from round to round, so that only the last one is worth more.
-constexpr BoxLeastSquaresOptions on_the_way = {1e-4, 100}, at_the_end = {1e-6, 2000};
+constexpr BoxLeastSquaresOptions on_the_way = {1e-4, 50}, at_the_end = {1e-6, 2000};
 
 Complex complex(const Vector2d& v) { return {v.x(), v.y()}; }
 

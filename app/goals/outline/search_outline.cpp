@@ -31,14 +31,22 @@ class OutlineSearch {
       found.sheet = make_sheet(file_.lattice, cells, file_.size(edge_mm));
       found.design = fit(planar_structure(found.sheet), options_of(edge_mm));
       const double came_out = file_.flat || file_.cell_mm ? edge_mm : found.design.scale;
-      if (std::abs(came_out / edge_mm - 1) <= same_size) break;
+      const bool is_same = same_in_edges(edge_mm, came_out);
       edge_mm = came_out;
+      if (is_same) break;
     }
     place(edge_mm, cells, found);
     return found;
   }
 
  private:
+  /// Whether walls and offsets have the same ratio to both cell edges, so that a search would find the same.
+  bool same_in_edges(double a, double b) const {
+    const auto near = [](double x, double y) { return std::abs(x - y) <= same_size * std::abs(x); };
+    return near(file_.size(a).thickness_mm / a, file_.size(b).thickness_mm / b) &&
+           near(file_.offset(a), file_.offset(b));
+  }
+
   optim::OutlineOptions options_of(double edge_mm) const {
     optim::OutlineOptions options;
     options.theta = file_.theta;
