@@ -162,8 +162,8 @@ class Entities {
 
 }  // namespace
 
-// DXF in its text form is pairs of lines, a group code and a value. Of Debian's readers one may not be passed on
-// together with parts under the Apache licence, and the other takes damaged files for sound ones.
+// DXF in its text form is pairs of lines, a group code and a value. Of Debian's readers one is under version 2 of the
+// GPL alone, which does not go together with parts under the Apache licence; the other has had no release since 2011.
 Drawing parse_dxf(const std::string& text) {
   if (text.starts_with("AutoCAD Binary DXF")) throw InvalidInput("is a binary DXF; save it as text (ASCII)");
   Groups groups(text);
