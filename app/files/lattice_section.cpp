@@ -30,9 +30,15 @@ std::vector<std::string> regular_names() {
   return names;
 }
 
-std::vector<std::string> lattice_names() {
+/// Those that cells are counted of.
+std::vector<std::string> names_with_cells() {
   std::vector<std::string> names = regular_names();
   names.insert(names.begin(), squares);
+  return names;
+}
+
+std::vector<std::string> lattice_names() {
+  std::vector<std::string> names = names_with_cells();
   names.emplace_back(by_hand);
   return names;
 }
@@ -50,7 +56,7 @@ targets::Node cells_of(const targets::Section& structure) {
   return structure.required("cells", "[columns, rows], or a list of cells [[i, j], ...]");
 }
 
-bool read_rim(const targets::Section& structure, bool closed = false) {
+bool read_rim(const targets::Section& structure, bool closed) {
   const auto node = structure.optional("rim");
   return !node ? closed : node->one_of({std::begin(rims), std::end(rims)}) == 1;
 }
@@ -61,17 +67,13 @@ model::Sheet read_squares(const targets::Section& structure) {
   return cells.located([&] { return make_structure(read_cells(cells), size); });
 }
 
-model::Sheet read_regular(const targets::Section& structure, const PlanarLattice& lattice) {
-  if (const auto angle = structure.optional("angle_deg"); angle && !lattice.takes_angle)
-    throw angle->key_error(fmt::format("cells of lattice: {} have one shape only", lattice.name));
+model::Sheet read_regular(const targets::Section& structure) {
+  const LatticeChoice choice = read_lattice_choice(structure, false);
   const targets::Node cells = cells_of(structure);
-  model::LatticeSheet sheet;
-  sheet.lattice = &lattice;
-  for (const model::Cell& cell : read_cells(cells)) sheet.cells.push_back({cell.i, cell.j});
-  structure.read("angle_deg", sheet.angle);
-  sheet.closed_rim = read_rim(structure);
+  std::vector<model::LatticeCell> drawn;
+  for (const model::Cell& cell : read_cells(cells)) drawn.push_back({cell.i, cell.j});
   const model::CellSize size = read_size(structure, default_cell_mm);
-  return cells.located([&] { return make_planar_structure(std::move(sheet), size); });
+  return cells.located([&] { return make_sheet(choice, drawn, size); });
 }
 
 Eigen::Vector2d read_point(const targets::Node& node) {
@@ -107,7 +109,7 @@ model::Sheet read_graph(const targets::Section& structure) {
   const targets::Node place = drawing ? *drawing : structure.node();
   model::PlanarGraph graph = drawing ? targets::read_drawing(*drawing) : read_walls(structure);
   place.located([&] { validate(graph); });
-  if (read_rim(structure)) graph = closed_rim(std::move(graph));
+  if (read_rim(structure, false)) graph = closed_rim(std::move(graph));
   const model::CellSize size = read_size(structure, mean_length(graph));
   for (Eigen::Vector2d& vertex : graph.vertices) vertex /= size.edge_mm;
   return place.located([&] { return make_planar_structure(std::move(graph), size); });
@@ -137,7 +139,6 @@ std::string drawn_text(const model::PlanarStructure& planar) {
   return text + (drawn.closed_rim ? "  rim: closed\n" : "");
 }
 
-/// The length in mm that is read as this number of cell edges; the nearest where rounding leaves none.
 std::string graph_text(const model::PlanarStructure& planar) {
   const double edge = planar.size.edge_mm;
   std::string text = "  lattice: graph\n  vertices_mm: [";
@@ -169,8 +170,7 @@ targets::Key rim_key(bool closed = false) {
   return {"rim", value::choice(std::vector<std::string>(std::begin(rims), std::end(rims))),
           closed ? targets::otherwise("closed") : targets::by_default("open"),
           "`closed` adds cells in the notches of the rim, and walls across cells where these do not do, "
-          "until one "
-          "freedom is left"};
+          "until one freedom is left"};
 }
 
 targets::Key angle_key() {
@@ -231,14 +231,11 @@ const targets::KeyTable& graph_keys() {
 std::string LatticeChoice::name() const { return lattice ? std::string(lattice->name) : squares; }
 
 std::vector<targets::Key> lattice_choice_keys(bool closed) {
-  std::vector<std::string> words = regular_names();
-  words.insert(words.begin(), squares);
-  return {lattice_key(std::move(words), targets::by_default(squares)), angle_key(), rim_key(closed)};
+  return {lattice_key(names_with_cells(), targets::by_default(squares)), angle_key(), rim_key(closed)};
 }
 
 LatticeChoice read_lattice_choice(const targets::Section& structure, bool closed) {
-  std::vector<std::string> names = regular_names();
-  names.insert(names.begin(), squares);
+  const std::vector<std::string> names = names_with_cells();
   LatticeChoice choice;
   if (const auto node = structure.optional("lattice"))
     if (const std::size_t k = node->one_of({names.begin(), names.end()}); k > 0)
@@ -274,8 +271,7 @@ model::Sheet read_sheet(const targets::Node& structure) {
   const std::vector<std::string> names = lattice_names();
   const std::size_t choice = lattice ? lattice->one_of({names.begin(), names.end()}) : 0;
   if (names[choice] == squares) return read_squares(targets::Section(structure, square_keys()));
-  if (names[choice] != by_hand)
-    return read_regular(targets::Section(structure, regular_keys()), *model::planar_lattices()[choice - 1]);
+  if (names[choice] != by_hand) return read_regular(targets::Section(structure, regular_keys()));
   const bool is_drawn = structure.optional("drawing") || !structure.optional("vertices_mm");
   return read_graph(targets::Section(structure, is_drawn ? drawing_keys() : graph_keys()));
 }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "targets/curve/polyline_checks.hpp"
+#include "targets/curve/polyline_closest_point.hpp"
 
 namespace kinetix::targets {
 namespace {
@@ -54,7 +55,7 @@ Outline::Nearest Outline::nearest(const Vector2d& p) const {
   std::size_t side = 0;
   for (std::size_t k = 0; k < points_.size(); ++k) {
     const Vector2d &a = points_[k], along = points_[(k + 1) % points_.size()] - a;
-    const double at = std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    const double at = fraction_along(a, along, p);
     const double square = (p - a - at * along).squaredNorm();
     if (!(square < best)) continue;
     best = square;

@@ -64,10 +64,6 @@ std::vector<std::string> all_violations(const DisplayFile& file, const DisplayOu
   return why;
 }
 
-model::LinkageDrive plates_on(const model::Sheet& panel, const model::Drive& plates) {
-  return drive_on(panel, {.axis = plates.axis, .compression = plates.compression, .branch = plates.branch});
-}
-
 // Beyond, the searches with other offsets would take longer than the one that was asked for.
 constexpr int most_cells_of_front = 400;
 
@@ -109,10 +105,10 @@ class DisplayScene final : public Scene {
       run.plan.why.push_back(fmt::format(
           "no physics run: {} bodies would take hours; `verify` makes one of design.yaml all the same",
           run.structure.bodies()));
-    display.before = reading(run.structure, rest_state(run.structure));
-    display.after = reading(run.structure, run.states.front().poses);
+    display.before = read_panel(file_, run.structure, rest_state(run.structure));
+    display.after = read_panel(file_, run.structure, run.states.front().poses);
     if (!display.design.scaled) return;
-    display.exact = reading(run.structure, display.design.view.state);
+    display.exact = read_panel(file_, run.structure, display.design.view.state);
     display.design.view.stretch = run.states.front().gaps.max;
   }
 
@@ -123,7 +119,8 @@ class DisplayScene final : public Scene {
       display.larger = search_larger_panels(file_, display.options, options.progress);
     display.larger_panels_s = watch.lap();
     if (options.verify && display.design.scaled && run.structure.cells() <= most_cells_of_front)
-      display.front = legibility_front(file_, elasticity(), display.options, options.progress);
+      display.front = legibility_front(file_, front_point(file_.offset, display.after, run.equilibrium->path),
+                                       elasticity(), display.options, options.progress);
     display.violations = all_violations(file_, display);
   }
 
@@ -135,7 +132,7 @@ class DisplayScene final : public Scene {
 
   void judge_physics(Run& run) const override {
     auto& display = outcome_of<DisplayOutcome>(run);
-    display.physics = reading(run.structure, run.verification->physics.state);
+    display.physics = read_panel(file_, run.structure, run.verification->physics.state);
     display.physics_violations =
         violations(file_, display.physics->score, display.physics->rank, "physics run");
   }
@@ -153,16 +150,6 @@ class DisplayScene final : public Scene {
     run.verify_tolerance = file_.verify;
     if (!view.balanced) view.plates = plates_of(file_);
     run.drive = DriveSection{.axis = view.plates.axis, .compression = view.plates.compression};
-  }
-
-  DisplayReading reading(const model::Sheet& panel, const model::State& state) const {
-    const std::vector<double> levels = levels_of(file_.goal, panel);
-    DisplayReading out;
-    out.channel = channel_values(file_.channel, panel, state);
-    out.channel.resize(levels.size());
-    out.score = targets::display_score(out.channel, levels);
-    out.rank = targets::rank_correlation(out.channel, levels);
-    return out;
   }
 
   DisplayFile file_;

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <iterator>
 
 #include "app/goals/display/search_panel.hpp"
-#include "model/elastic/path/equilibrium_path.hpp"
 #include "model/sheet/sheet_motion.hpp"
-#include "targets/display/panel_levels.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -21,43 +19,41 @@ FrontPoint point_of(const DisplayFile& file, const model::Elasticity& elasticity
   model::Sheet panel = make_panel(file, {file.goal.columns, file.goal.rows});
   const optim::DisplayView view = search_panel(file, file.goal, panel, options, {}).view;
   place_hinges(view, panel);
-  const model::LinkageDrive drive = drive_on(
-      panel,
-      {.axis = view.plates.axis, .compression = view.plates.compression, .branch = view.plates.branch});
   model::EquilibriumPathOptions path_options;
   path_options.planar = true;
-  const model::EquilibriumPath path =
-      trace_equilibrium({panel, drive, exact_motion(panel)}, elasticity, path_options);
-  const std::vector<double> levels = levels_of(file.goal, panel);
-  std::vector<double> channel = channel_values(file.channel, panel, path.state);
-  channel.resize(levels.size());
+  const model::EquilibriumPath path = trace_equilibrium(
+      {panel, plates_on(panel, view.plates), exact_motion(panel)}, elasticity, path_options);
+  return front_point(file.offset, read_panel(file, panel, path.state), path);
+}
+
+}  // namespace
+
+FrontPoint front_point(double offset, const DisplayReading& seen, const model::EquilibriumPath& path) {
   FrontPoint point;
-  point.offset = file.offset;
+  point.offset = offset;
   point.reached = path.stop == model::EquilibriumPath::Stop::reached;
-  point.score = targets::display_score(channel, levels);
-  point.rank = targets::rank_correlation(channel, levels);
+  point.score = seen.score;
+  point.rank = seen.rank;
   point.load = path.steps.back().load;
   point.stretch = path.gaps.max;
   return point;
 }
 
-}  // namespace
-
-std::vector<FrontPoint> legibility_front(const DisplayFile& file, const model::Elasticity& elasticity,
+std::vector<FrontPoint> legibility_front(const DisplayFile& file, const FrontPoint& own,
+                                         const model::Elasticity& elasticity,
                                          const optim::DisplayOptions& options,
                                          const std::function<void(const std::string&, double)>& progress) {
-  std::set<double> offsets = {file.offset};
-  for (const double offset : tried)
-    if (std::abs(offset - file.offset) > same) offsets.insert(offset);
-  std::vector<FrontPoint> front;
-  for (const double offset : offsets) {
-    if (progress)
-      progress("other offsets", static_cast<double>(front.size()) / static_cast<double>(offsets.size()));
+  std::vector<FrontPoint> front = {own};
+  front.back().is_own = true;
+  for (const double offset : tried) {
+    if (std::abs(offset - file.offset) <= same) continue;
+    if (progress) progress("other offsets", static_cast<double>(front.size() - 1) / std::size(tried));
     DisplayFile other = file;
     other.offset = offset;
     front.push_back(point_of(other, elasticity, options));
-    front.back().is_own = offset == file.offset;
   }
+  std::sort(front.begin(), front.end(),
+            [](const FrontPoint& a, const FrontPoint& b) { return a.offset < b.offset; });
   return front;
 }
 

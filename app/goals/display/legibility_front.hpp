@@ -4,14 +4,19 @@
 
 #include "app/goals/display/display_file.hpp"
 #include "app/goals/display/display_outcome.hpp"
+#include "model/elastic/path/equilibrium_path.hpp"
 #include "model/hinge/elasticity.hpp"
 
 namespace kinetix::app {
 
-/// What a picture gains by hinges that may sit further off their walls, and what it costs: a search and an
-/// equilibrium between the plates for each of a few offsets, the file's own among them, in ascending order.
-/// @param progress words and the share done
-std::vector<FrontPoint> legibility_front(const DisplayFile& file, const model::Elasticity& elasticity,
+/// @param offset largest of a hinge, cell edges   @param seen at the end of the path
+FrontPoint front_point(double offset, const DisplayReading& seen, const model::EquilibriumPath& path);
+
+/// What a picture gains by hinges that may sit further off their walls, and what it costs: the file's own panel, and
+/// a search and an equilibrium between the plates for each of a few other offsets, in ascending order.
+/// @param own of the file   @param progress words and the share done
+std::vector<FrontPoint> legibility_front(const DisplayFile& file, const FrontPoint& own,
+                                         const model::Elasticity& elasticity,
                                          const optim::DisplayOptions& options,
                                          const std::function<void(const std::string&, double)>& progress);
 

@@ -1,5 +1,6 @@
 #include "app/goals/display/search_panel.hpp"
 
+#include "model/sheet/sheet_motion.hpp"
 #include "targets/display/panel_levels.hpp"
 
 namespace kinetix::app {
@@ -59,6 +60,20 @@ void place_hinges(const optim::DisplayView& view, model::Sheet& panel) {
     p.t = view.t[h];
     if (view.offset.size() > 0) p.offset = view.offset[h] * mm / mm;
   }
+}
+
+DisplayReading read_panel(const DisplayFile& file, const model::Sheet& panel, const model::State& state) {
+  const std::vector<double> levels = levels_of(file.goal, panel);
+  DisplayReading out;
+  out.channel = channel_values(file.channel, panel, state);
+  out.channel.resize(levels.size());
+  out.score = targets::display_score(out.channel, levels);
+  out.rank = targets::rank_correlation(out.channel, levels);
+  return out;
+}
+
+model::LinkageDrive plates_on(const model::Sheet& panel, const model::Drive& plates) {
+  return drive_on(panel, {.axis = plates.axis, .compression = plates.compression, .branch = plates.branch});
 }
 
 model::Sheet make_panel(const DisplayFile& file, targets::PanelSize size) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/goals/display/display_file.hpp"
+#include "app/goals/display/display_outcome.hpp"
 #include "app/run/run_options.hpp"
 #include "model/lattice/square/drive.hpp"
 #include "optim/display/fit_display.hpp"
@@ -26,6 +27,11 @@ optim::DisplayDesign search_panel(const DisplayFile& file, const targets::Displa
 
 /// Puts the hinges of a panel where a search left them.
 void place_hinges(const optim::DisplayView& view, model::Sheet& panel);
+
+/// What a state of the file's panel shows.
+DisplayReading read_panel(const DisplayFile& file, const model::Sheet& panel, const model::State& state);
+/// The plates of a search by the panel's bodies.
+model::LinkageDrive plates_on(const model::Sheet& panel, const model::Drive& plates);
 
 /// The flat panel of a file with this many cells, all hinges basic.
 model::Sheet make_panel(const DisplayFile& file, targets::PanelSize size);

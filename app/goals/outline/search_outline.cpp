@@ -28,8 +28,8 @@ class OutlineSearch {
     const Cells cells = file_.trims ? best_cut(found.cuts) : model::lattice_cells(file_.columns, file_.rows);
     double edge_mm = edge_of(cells);
     for (int pass = 0; pass < 3; ++pass) {
-      found.sheet = make_sheet(file_.lattice, cells, file_.size(edge_mm));
-      found.design = fit(planar_structure(found.sheet), options_of(edge_mm));
+      found.design =
+          fit(planar_structure(make_sheet(file_.lattice, cells, file_.size(edge_mm))), options_of(edge_mm));
       const double came_out = file_.flat || file_.cell_mm ? edge_mm : found.design.scale;
       const bool is_same = same_in_edges(edge_mm, came_out);
       edge_mm = came_out;

@@ -94,7 +94,7 @@ LinkageDrive hinge_drive(const PlanarStructure& structure, int hinge, double ang
 
 LinkageDrive drive_to(const PlanarStructure& structure, double theta) {
   require("theta", theta, std::abs(theta) < pi / 2, "in (-pi/2, pi/2) rad");
-  if (const RedrawingFit fit = redrawing_of(structure); exact_motion(structure))
+  if (const RedrawingFit fit = redrawing_of(structure); fit.is_closed() && all_vertical(structure))
     for (const Axis axis : {Axis::y, Axis::x}) {
       const GrippedRows rows = outermost_rows(structure, axis);
       if (!can_grip(rows) || !keeps_rows_straight(fit.y, axis, rows)) continue;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "model/lattice/square/net_rules.hpp"
 #include "model/lattice/square/square_theta.hpp"
@@ -226,8 +227,10 @@ State fold(const Classification& classification, const Structure& structure, dou
 ExactMotion exact_motion(const Structure& structure, const Classification& kind) {
   ExactMotion motion{{}, to_string(kind.family), kind.why};
   if (kind.family == Family::none) return motion;
-  motion.at = [structure, kind](double theta) { return fold(kind, structure, theta); };
-  motion.theta_of = [structure, kind](const LinkageDrive& drive) { return theta_of(drive, kind, structure); };
+  const auto sheet = std::make_shared<const Structure>(structure);
+  const auto of = std::make_shared<const Classification>(kind);
+  motion.at = [=](double theta) { return fold(*of, *sheet, theta); };
+  motion.theta_of = [=](const LinkageDrive& drive) { return theta_of(drive, *of, *sheet); };
   return motion;
 }
 
