@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "model/lattice/planar/exact_designs.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::app {
@@ -30,6 +32,19 @@ std::string model_sentence(const Plan& plan, const model::Linkage& structure) {
               ? "planar: all hinges stand upright"
               : "spatial: the hinge on wall " +
                     structure.wall_name(static_cast<int>(leaning - structure.hinges.begin())) + " leans");
+}
+
+/// How much choice upright hinges on their walls have, or how far they are from having a choice.
+std::string designs_sentence(const model::PlanarStructure& planar, bool is_exact) {
+  const int numbers = model::ExactDesigns(planar).dimension();
+  if (is_exact)
+    return fmt::format("{} numbers may choose the t of its {} hinges, and every cell still closes", numbers,
+                       planar.hinges.size());
+  const model::PlanarStructure nearest = nearest_exact(planar);
+  double change = 0;
+  for (std::size_t h = 0; h < planar.hinges.size(); ++h)
+    change = std::max(change, std::abs(nearest.hinges[h].t - planar.hinges[h].t));
+  return fmt::format("every cell would close if each t moved by {:.2g} or less", change);
 }
 
 /// Between plates a structure with several freedoms takes its softest way, which is not the closed form's.
@@ -62,6 +77,8 @@ Plan make_plan(const model::Sheet& sheet, std::optional<Model> model) {
   plan.model = model.value_or(plan.exact ? Model::exact : Model::bullet);
   plan.planar = all_vertical(structure);
   plan.why.push_back(plan.exact.why);
+  if (plan.planar && (sheet.planar() || !plan.exact))
+    plan.why.push_back(designs_sentence(planar_structure(sheet), static_cast<bool>(plan.exact)));
   if (structure.bodies.size() <= most_bodies_for_rank) {
     plan.mobility = mobility(structure, plan.exact);
     plan.why.push_back("mobility: " + plan.mobility->why);

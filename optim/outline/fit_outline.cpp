@@ -28,7 +28,6 @@ void validate(const OutlineOptions& o) {
   require("t", o.t[0], o.t[0] > 0 && o.t[0] < 0.5, "in (0, 0.5)");
   require("t", o.t[1], o.t[1] > 0.5 && o.t[1] < 1, "in (0.5, 1)");
   require("thetas", o.thetas, o.thetas >= 1, "at least 1");
-  if (o.scale) require("scale", *o.scale, *o.scale > 0 && std::isfinite(*o.scale), "above 0 mm");
 }
 
 std::vector<Vector2d> corners(const std::vector<int>& rim, const std::vector<Vector2d>& places,
@@ -59,7 +58,6 @@ class Search {
     problem_.flat = flat;
     problem_.flat_scale = panel.size.edge_mm;
     problem_.theta = theta;
-    problem_.scale = options.scale;
     const double shift = 2 * std::min(0.5 - options.t[0], options.t[1] - 0.5);
     problem_.bounds.shift.assign(panel.graph.edges.size(), shift);
     limit_.assign(panel.graph.edges.size(), options.offset);
@@ -90,7 +88,7 @@ class Search {
     shape_.flat = panel_.graph.vertices;
     const double c = std::cos(problem_.theta);
     const double size = area(corners(problem_.rim, shape_.flat, c));
-    shape_.scale = options_.scale.value_or(std::sqrt(problem_.folded->area() / size));
+    shape_.scale = std::sqrt(problem_.folded->area() / size);
     if (problem_.flat) suit_flat();
     for (const Vector2d& x : shape_.flat) shape_.folded.push_back(c * x);
     centre(shape_.folded, problem_.folded->middle() / shape_.scale);

@@ -11,7 +11,6 @@ struct OutlineOptions {
   std::array<double, 2> theta = {0.35, 0.70};  ///< range, rad, within (0, pi/2)
   double offset = 0.08;                        ///< largest |offset| of a hinge, cell edges, [0, 0.5)
   std::array<double, 2> t = {0.12, 0.88};      ///< range; the side that is nearer to 0.5 counts for both
-  std::optional<double> scale = {};            ///< mm of the outline a cell edge; nothing: what suits it best
   int thetas = 4;                              ///< tried between the ends of its range, >= 1
 };
 

@@ -75,15 +75,15 @@ class Rows {
   Index count_ = 0;
 };
 
-/// Where unknowns stand: X, then x where it is free, then 1 / scale where that is.
+/// Where unknowns stand: X, then x where it is free, then 1 / scale.
 struct Columns {
   Index vertices = 0;
-  bool flat_is_free = false, scale_is_free = false;
+  bool flat_is_free = false;
 
   Index folded(int v) const { return 2 * v; }
   Index flat(int v) const { return 2 * (vertices + v); }
   Index scale() const { return (flat_is_free ? 4 : 2) * vertices; }
-  Index count() const { return scale() + (scale_is_free ? 1 : 0); }
+  Index count() const { return scale() + 1; }
 };
 
 /// One convex problem: targets on the outlines, and bounds by walls as they stand.
@@ -91,7 +91,7 @@ class Round {
  public:
   Round(const OutlineProblem& problem, const OutlineShape& shape, int number)
       : p_(problem), shape_(shape), number_(number) {
-    columns_ = {static_cast<Index>(shape.flat.size()), problem.flat != nullptr, !problem.scale.has_value()};
+    columns_ = {static_cast<Index>(shape.flat.size()), problem.flat != nullptr};
     slide_ = std::max(least_slide, first_slide * std::pow(less_slide, number));
   }
 
@@ -122,7 +122,7 @@ class Round {
       moved = std::max(moved, (flat - shape.flat[v]).norm());
       shape.flat[v] = flat;
     }
-    if (columns_.scale_is_free) shape.scale = 1 / u[columns_.scale()];
+    shape.scale = 1 / u[columns_.scale()];
     return moved;
   }
 
@@ -133,7 +133,7 @@ class Round {
       u.segment<2>(columns_.folded(v)) = shape_.folded[v];
       if (columns_.flat_is_free) u.segment<2>(columns_.flat(v)) = shape_.flat[v];
     }
-    if (columns_.scale_is_free) u[columns_.scale()] = 1 / shape_.scale;
+    u[columns_.scale()] = 1 / shape_.scale;
     return u;
   }
 
@@ -165,7 +165,7 @@ class Round {
 
   void add_rim(const targets::Outline& outline, const std::vector<Vector2d>& places, double scale,
                bool is_flat) {
-    const bool free = !is_flat && columns_.scale_is_free;
+    const bool free = !is_flat;
     std::vector<Vector2d> rim;
     for (const int v : p_.rim) rim.push_back(scale * places[v]);
     if (number_ < rounds_of_spreading) rim = spread_along(outline, rim);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <vector>
 
 #include "model/lattice/planar/planar_motion.hpp"
@@ -32,7 +31,6 @@ struct OutlineProblem {
   const targets::Outline* flat = nullptr;         ///< of the rim at rest; nothing: x is as it is
   double flat_scale = 1;                          ///< mm of it a cell edge
   double theta = 0;                               ///< rad, in (0, pi/2)
-  std::optional<double> scale = {};  ///< mm of the folded outline a cell edge; nothing: what suits it best
   WallBounds bounds;
 };
 

@@ -26,6 +26,11 @@ struct GraphFace {
   std::vector<int> edges;  ///< edge k joins vertices k and k + 1, the last edge the last vertex to the first
 };
 
+/// +1 where the loop takes its wall k from that wall's first vertex to its second, -1 where the other way.
+inline int walked(const PlanarGraph& graph, const GraphFace& face, std::size_t k) {
+  return graph.edges[face.edges[k]].from == face.vertices[k] ? 1 : -1;
+}
+
 /// "[from, to]", as messages name a wall.
 std::string to_string(const GraphEdge& edge);
 /// As messages name it: by its vertices.

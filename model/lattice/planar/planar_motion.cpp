@@ -15,16 +15,6 @@ using Eigen::Vector2d;
 
 Vector2d turned_by_90(const Vector2d& v) { return {-v.y(), v.x()}; }
 
-/// Sum of redrawn walls round a face, cell edges.
-double misfit_of(const PlanarStructure& s, const GraphFace& face) {
-  Vector2d sum = Vector2d::Zero();
-  for (std::size_t k = 0; k < face.edges.size(); ++k) {
-    const bool forward = s.graph.edges[face.edges[k]].from == face.vertices[k];
-    sum += (forward ? 1 : -1) * redrawn(s, face.edges[k]);
-  }
-  return sum.norm();
-}
-
 /// The first hinge whose axis does not stand upright; -1 where all do.
 int first_inclined(const PlanarStructure& s) {
   const Linkage linkage = s;
@@ -40,6 +30,13 @@ Vector2d redrawn(const PlanarStructure& structure, int edge) {
   const Vector2d along = structure.graph.along(edge);
   const Vector2d part = (2 * hinge.t - 1) * along + 2 * hinge.offset * turned_by_90(along.normalized());
   return structure.senses[structure.graph.edges[edge].from] * part;
+}
+
+Vector2d redrawn_sum(const PlanarStructure& structure, const GraphFace& face) {
+  Vector2d sum = Vector2d::Zero();
+  for (std::size_t k = 0; k < face.edges.size(); ++k)
+    sum += walked(structure.graph, face, k) * redrawn(structure, face.edges[k]);
+  return sum;
 }
 
 // From class B to class A both the edge and its redrawing change sign: their quotient stays.
@@ -70,7 +67,7 @@ RedrawingFit redrawing_of(const PlanarStructure& structure) {
       open.push_back(next);
     }
   for (int f = 0; f < static_cast<int>(structure.faces.size()); ++f) {
-    const double misfit = misfit_of(structure, structure.faces[f]);
+    const double misfit = redrawn_sum(structure, structure.faces[f]).norm();
     if (misfit <= fit.misfit) continue;
     fit.misfit = misfit;
     fit.worst_face = f;

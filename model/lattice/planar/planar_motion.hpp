@@ -27,6 +27,8 @@ struct WallChange {
 
 /// y_to - y_from of an edge with this hinge, cell edges.
 Eigen::Vector2d redrawn(const PlanarStructure& structure, int edge);
+/// The sum of that along the loop round a face: 0 where the face closes.
+Eigen::Vector2d redrawn_sum(const PlanarStructure& structure, const GraphFace& face);
 WallChange change_of(const PlanarStructure& structure, const Redrawing& y, int edge);
 
 /// The redrawing of a structure whose hinges are upright; y of the first vertex is 0. Where walking round a

@@ -102,12 +102,6 @@ PlanarStructure make_planar_structure(LatticeSheet sheet, const CellSize& size) 
   return s;
 }
 
-std::optional<int> PlanarStructure::hinge_between(int a, int b) const {
-  for (int h = 0; h < static_cast<int>(graph.edges.size()); ++h)
-    if (graph.edges[h] == GraphEdge{a, b} || graph.edges[h] == GraphEdge{b, a}) return h;
-  return std::nullopt;
-}
-
 HingedWall hinged_wall(const PlanarStructure& s, int hinge) {
   const Eigen::Vector2d edge = s.graph.along(hinge);
   return {s.graph.edges[hinge].from, s.graph.edges[hinge].to, {edge.x(), edge.y(), 0}, s.hinges[hinge]};

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "model/lattice/planar/planar_lattice.hpp"
@@ -19,9 +18,6 @@ struct PlanarStructure {
   std::vector<int> senses;              ///< +1 (class A) or -1, of each vertex
   std::vector<HingeParameters> hinges;  ///< of each edge
   LatticeSheet drawn = {};  ///< its first faces are these cells, in their order; no lattice: drawn by hand
-
-  /// Of the edge between two vertices, whichever way.
-  std::optional<int> hinge_between(int a, int b) const;
 
   operator Linkage() const;
 };
