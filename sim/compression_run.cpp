@@ -24,6 +24,12 @@ using Clock = std::chrono::steady_clock;
 
 int steps_in(double seconds, double step_s) { return static_cast<int>(std::ceil(seconds / step_s - 1e-9)); }
 
+std::vector<model::Twist> first_motion(const model::Linkage& structure, const PhysicsOptions& options) {
+  std::vector<model::Twist> motion = start_motion(structure);
+  disturb(motion, options.disturbance, options.disturbance_seed, options.planar);
+  return motion;
+}
+
 class Run {
  public:
   Run(const model::Linkage& structure, const model::LinkageDrive& drive, const PhysicsOptions& options,
@@ -37,7 +43,7 @@ class Run {
         all_steps_(drive_steps_ + steps_in(options.settle_seconds, options.step_s)),
         rate_(theta_ / (drive_steps_ * options.step_s)),
         damping_(std::exp(-options.settle_damping * options.step_s)),
-        start_(start_motion(structure)),
+        start_(first_motion(structure, options)),
         world_(structure, drive, options) {}
 
   PhysicsResult run() {

@@ -42,6 +42,7 @@ void PhysicsOptions::validate() const {
   positive("error_reduction", error_reduction, 1);
   positive("reach", reach, 10);
   positive("part_inertia", part_inertia, 100);
+  not_negative("disturbance", disturbance, 1);
   positive("drive_seconds", drive_seconds, 1000);
   not_negative("settle_seconds", settle_seconds, 1000);
   not_negative("settle_unrest", settle_residual_motion, 0.1);

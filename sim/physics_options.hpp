@@ -23,13 +23,17 @@ struct PhysicsOptions {
                                   ///< can close do close whatever it is; above 1e4, structures that must
                                   ///< strain (no exact family) tear near flat
   double error_reduction = 0.95;  ///< part of a hinge's gap removed per step, in (0, 1]
-  double reach = 0.18;           ///< half distance of a hinge's two constraint points, in (0, 10]: 0.3 of the
-                                 ///< wall height at its default size
-  double part_inertia = 0.1;     ///< of every part about every axis, over mass and edge squared, in (0, 100]
-  double drive_seconds = 1.0;    ///< simulated time in which the drive moves, s, in (0, 1000]
-  double settle_seconds = 1.0;   ///< simulated time after the drive before giving up, s, in [0, 1000]
-  double settle_damping = 50.0;  ///< rate at which all speeds die away while settling, 1/s, in [0, 1e6]
-  double settle_speed = 1e-8;    ///< settled when every hinge turns more slowly, rad/s, > 0
+  double reach = 0.18;        ///< half distance of a hinge's two constraint points, in (0, 10]: 0.3 of the
+                              ///< wall height at its default size
+  double part_inertia = 0.1;  ///< of every part about every axis, over mass and edge squared, in (0, 100]
+  /// How far the first motion of every part is thrown off at random, over its own spin: up to this in every
+  /// direction. What comes out should not depend on it. In [0, 1]
+  double disturbance = 0;
+  unsigned disturbance_seed = 0;  ///< the same seed throws the same parts the same way
+  double drive_seconds = 1.0;     ///< simulated time in which the drive moves, s, in (0, 1000]
+  double settle_seconds = 1.0;    ///< simulated time after the drive before giving up, s, in [0, 1000]
+  double settle_damping = 50.0;   ///< rate at which all speeds die away while settling, 1/s, in [0, 1e6]
+  double settle_speed = 1e-8;     ///< settled when every hinge turns more slowly, rad/s, > 0
   /// Elastic hinges instead of rigid rotary ones, as the equilibrium model has them; their reach replaces
   /// `reach`. Needs the direct solver. Only ratios of stiffnesses matter for where the run settles. The scale
   /// is the run's: k_point is 1000 part masses / step_s^2, whence it settles in as many steps whatever step_s

@@ -1,6 +1,7 @@
 #include "sim/start_motion.hpp"
 
 #include <Eigen/Cholesky>
+#include <random>
 
 #include "model/closure/null_space.hpp"
 
@@ -56,6 +57,17 @@ std::vector<model::Twist> start_motion(const model::Linkage& structure) {
   for (std::size_t b = 0; b < structure.bodies.size(); ++b)
     twists.push_back({motion.segment<3>(6 * b) / share, motion.segment<3>(6 * b + 3) / share});
   return twists;
+}
+
+// From the generator's bits, since the distributions of the standard differ between libraries.
+void disturb(std::vector<model::Twist>& motion, double by, unsigned seed, bool planar) {
+  std::mt19937 random(seed);
+  const auto part = [&] { return by * (2 * static_cast<double>(random()) / std::mt19937::max() - 1); };
+  for (model::Twist& twist : motion) {
+    const Eigen::Vector3d turn(part(), part(), part()), shift(part(), part(), part());
+    twist.omega += planar ? Eigen::Vector3d(0, 0, turn.z()) : turn;
+    twist.v += planar ? Eigen::Vector3d(shift.x(), shift.y(), 0) : shift;
+  }
 }
 
 }  // namespace kinetix::sim

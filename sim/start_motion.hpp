@@ -14,4 +14,8 @@ namespace kinetix::sim {
 /// near them
 std::vector<model::Twist> start_motion(const model::Linkage& structure);
 
+/// Adds a random motion to each body's: up to `by` in each direction, rad and cell edges. Planar: turns about z and
+/// shifts in the plane alone. The same seed adds the same.
+void disturb(std::vector<model::Twist>& motion, double by, unsigned seed, bool planar);
+
 }  // namespace kinetix::sim

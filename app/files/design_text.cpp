@@ -66,6 +66,8 @@ std::string physics_text(const PhysicsSection& physics) {
   add("step_s", physics.step_s);
   add("iterations", physics.iterations);
   add("error_reduction", physics.error_reduction);
+  add("disturbance", physics.disturbance);
+  add("disturbance_seed", physics.disturbance_seed);
   add("reach_mm", physics.reach_mm);
   return text.empty() ? "" : "physics: {" + text + "}\n";
 }

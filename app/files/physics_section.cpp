@@ -1,5 +1,7 @@
 #include "app/files/physics_section.hpp"
 
+#include <limits>
+
 namespace kinetix::app {
 namespace {
 
@@ -33,6 +35,11 @@ const targets::KeyTable& physics_keys() {
           {"error_reduction", value::number({0, 1, false, true}),
            targets::otherwise(targets::shortest_text(usual.error_reduction)),
            "part of a hinge's gap removed per step; not with elastic hinges, which follow their stiffnesses"},
+          {"disturbance", value::number(targets::from_to(0, 1)), targets::by_default(usual.disturbance),
+           "how far the first motion of every part is thrown off at random, over its spin: whether the run "
+           "still ends where it should"},
+          {"disturbance_seed", value::integer(0, std::numeric_limits<int>::max()), targets::by_default(0.0),
+           "another number throws the parts another way"},
           {"reach_mm", value::length(targets::from_to(0.01, 10, "mm (0.01 to 10 cells)")),
            targets::otherwise("`hinge.reach_mm` of elastic hinges; else " +
                               targets::shortest_text(usual.reach) + " cells"),
@@ -49,6 +56,8 @@ PhysicsSection read_physics(const targets::Section& root, double edge_mm) {
   section.read("step_s", physics.step_s);
   section.read("iterations", physics.iterations);
   section.read("error_reduction", physics.error_reduction);
+  section.read("disturbance", physics.disturbance, targets::from_to(0, 1));
+  section.read("disturbance_seed", physics.disturbance_seed);
   check_reach(root, section);
   section.read_length("reach_mm", physics.reach_mm, edge_mm);
   return physics;

@@ -42,5 +42,26 @@ TEST(StartMotion, IsBareSpinsWhereNothingMoves) {
   }
 }
 
+TEST(StartMotion, IsThrownOffTheSameWayByTheSameSeed) {
+  std::vector<model::Twist> once(50), again(50), other(50), flat(50), none(50);
+  disturb(once, 0.3, 1, false);
+  disturb(again, 0.3, 1, false);
+  disturb(other, 0.3, 2, false);
+  disturb(flat, 0.3, 1, true);
+  disturb(none, 0, 1, false);
+  double largest = 0;
+  for (std::size_t b = 0; b < once.size(); ++b) {
+    EXPECT_EQ(once[b].omega, again[b].omega);
+    EXPECT_EQ(once[b].v, again[b].v);
+    EXPECT_NE(once[b].omega, other[b].omega);
+    EXPECT_EQ(flat[b].omega, Eigen::Vector3d(0, 0, once[b].omega.z()));
+    EXPECT_EQ(flat[b].v, Eigen::Vector3d(once[b].v.x(), once[b].v.y(), 0));
+    EXPECT_EQ(none[b].omega, Eigen::Vector3d::Zero());
+    largest = std::max(largest, once[b].v.lpNorm<Eigen::Infinity>());
+  }
+  EXPECT_LE(largest, 0.3);
+  EXPECT_GE(largest, 0.28) << "of 150 numbers";
+}
+
 }  // namespace
 }  // namespace kinetix::sim
