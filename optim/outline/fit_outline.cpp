@@ -12,12 +12,16 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double less_turning = 0.8;      // of walls that met, from round to round; ten of them leave a tenth
-constexpr double less_scaling = 0.93;     // and of their offsets: cells that shrink close sooner
-constexpr int most_clearance_rounds = 9;  // these leave an eighth of the turning
+constexpr double less_turning = 0.8;   // of walls that met, from round to round
+constexpr double less_scaling = 0.93;  // and of their offsets: cells that shrink close sooner
+constexpr double less_uneven = 0.8;  // and, where the flat panel is free, of the powers by which walls differ
+// Rounds: these leave an eighth of the turning. A free flat panel has more ways to give room.
+constexpr int most_clearance_rounds = 9, most_of_free_panels = 12;
+// Cell edges, of flat walls where they are free: beyond, cells have no room or plates are all wall.
+constexpr double longest = 1.4;
 constexpr double spare = 0.3 * radians_per_degree;        // rad: walls stay apart a little further than asked
 constexpr double met_early[] = {0.4, 0.6, 0.75, 0.9, 1};  // of theta: where walls are looked at on the way
-constexpr int halvings = 2;        // of the way from the best theta to the least one at which walls met
+constexpr int halvings = 2;        // of the way from the best theta to the next larger one that was tried
 constexpr double at_bound = 0.98;  // of it: as good as there
 
 void validate(const OutlineOptions& o) {
@@ -61,6 +65,7 @@ class Search {
     const double shift = 2 * std::min(0.5 - options.t[0], options.t[1] - 0.5);
     problem_.bounds.shift.assign(panel.graph.edges.size(), shift);
     limit_.assign(panel.graph.edges.size(), options.offset);
+    if (flat) problem_.bounds.stretch.assign(panel.graph.edges.size(), longest);
   }
 
   OutlineDesign run() {
@@ -74,11 +79,9 @@ class Search {
       take(found);
       const std::set<int> met = walls_that_meet(found);
       found.clear = met.empty();
-      for (const int e : met) {
-        problem_.bounds.shift[e] *= less_turning;
-        limit_[e] *= less_scaling;
-      }
-    } while (!found.clear && ++found.clearance_rounds < most_clearance_rounds);
+      tighten(met);
+    } while (!found.clear &&
+             ++found.clearance_rounds < (problem_.flat ? most_of_free_panels : most_clearance_rounds));
     judge(found);
     return found;
   }
@@ -155,6 +158,25 @@ class Search {
     return met;
   }
 
+  /// Narrow cells close soonest: beside the walls that met, those round their cells come nearer to one length, by
+  /// the flat panel where it is free, else by scaling less.
+  void tighten(const std::set<int>& met) {
+    for (const int e : met) problem_.bounds.shift[e] *= less_turning;
+    const std::set<int> round = round_cells_of(met);
+    for (const int e : problem_.flat ? met : round) limit_[e] *= less_scaling;
+    if (!problem_.flat) return;
+    for (const int e : round) problem_.bounds.stretch[e] = std::pow(problem_.bounds.stretch[e], less_uneven);
+  }
+
+  /// The walls round the cells that these walls bound.
+  std::set<int> round_cells_of(const std::set<int>& met) const {
+    std::set<int> walls;
+    for (const model::GraphFace& face : panel_.faces)
+      if (std::any_of(face.edges.begin(), face.edges.end(), [&](int e) { return met.contains(e); }))
+        walls.insert(face.edges.begin(), face.edges.end());
+    return walls;
+  }
+
   void judge(OutlineDesign& found) const {
     const model::State state = fold(found.panel, found.y, problem_.theta);
     std::vector<Vector2d> rim;
@@ -197,14 +219,14 @@ OutlineDesign fit_outline(const model::PlanarStructure& panel, const targets::Ou
                           const std::function<void(double)>& progress) {
   validate(options);
   OutlineDesign best;
-  double blocked = 0;  // least theta at which walls met
-  int rounds = 0, tried = 0;
+  std::set<double> tried;
+  int rounds = 0;
   const auto try_theta = [&](double theta) {
     OutlineDesign found = Search(panel, folded, flat, options, theta).run();
     rounds += found.rounds;
-    if (!found.clear && (blocked == 0 || theta < blocked)) blocked = theta;
-    if (tried++ == 0 || is_better(found, best)) best = std::move(found);
-    if (progress) progress(static_cast<double>(tried) / (options.thetas + halvings));
+    if (tried.empty() || is_better(found, best)) best = std::move(found);
+    tried.insert(theta);
+    if (progress) progress(static_cast<double>(tried.size()) / (options.thetas + halvings));
   };
   // From the largest down: the further a panel is pressed the more a rim can change, until walls meet.
   for (int k = 0; k < options.thetas; ++k) {
@@ -213,8 +235,8 @@ OutlineDesign fit_outline(const model::PlanarStructure& panel, const targets::Ou
     try_theta(theta);
     if (best.clear && best.theta > theta) break;
   }
-  for (int k = 0; k < halvings && options.thetas > 1 && best.clear && best.theta < blocked; ++k)
-    try_theta((best.theta + blocked) / 2);
+  for (int k = 0; k < halvings && best.clear && best.theta < *tried.rbegin(); ++k)
+    try_theta((best.theta + *tried.upper_bound(best.theta)) / 2);
   best.rounds = rounds;
   return best;
 }

@@ -27,8 +27,6 @@ constexpr double less_slide = 0.7;                       // its factor from roun
 constexpr double plain_walls = 2e-3;                     // of walls that turn or scale
 constexpr double even_cells = 0.2;   // of flat vertices off the middle of their neighbours
 constexpr double small_step = 1e-3;  // of moving at all
-// Of flat walls where they are free, cell edges: beyond, cells have no room or plates are all wall.
-constexpr double shortest = 0.7, longest = 1.4;
 constexpr double sharp =
     30 * pi / 180;                   // rad: a corner of an outline that a vertex of the rim is to stand on
 constexpr double corner_pull = 0.3;  // weight along the outline of a vertex that is to stand on a corner
@@ -225,7 +223,7 @@ class Round {
     for (int e = 0; e < static_cast<int>(graph.edges.size()); ++e) {
       const Vector2d along = shape_.flat[graph.edges[e].to] - shape_.flat[graph.edges[e].from];
       add_difference(bounds_, graph.edges[e].from, graph.edges[e].to, along.normalized());
-      bounds_.end(shortest, longest);
+      bounds_.end(1 / p_.bounds.stretch[e], p_.bounds.stretch[e]);
     }
     for (const model::GraphFace& face : p_.panel->faces) add_convexity(face);
     add_even_cells();

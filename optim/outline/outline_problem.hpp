@@ -13,6 +13,8 @@ namespace kinetix::optim {
 struct WallBounds {
   std::vector<double> shift;   ///< of each wall: largest |s| = |2 t - 1|, in (0, 1)
   std::vector<double> offset;  ///< likewise largest |offset| over the wall's length, in [0, 0.5)
+  /// Where the flat panel is free: largest factor between its length and a cell edge, either way, above 1.
+  std::vector<double> stretch;
 };
 
 /// A panel while its rim is fitted to an outline. At theta its vertices are at X = cos(theta) x + i sin(theta) y
