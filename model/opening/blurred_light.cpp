@@ -100,7 +100,8 @@ Vector2d across(const Vector2d& along) { return {-along.y(), along.x()}; }
 
 PanelSlopes::PanelSlopes(const Linkage& panel)
     : state(Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(panel.bodies.size()))),
-      t(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(panel.hinges.size()))) {}
+      t(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(panel.hinges.size()))),
+      offset(t) {}
 
 BlurredLight::BlurredLight(const Linkage& panel, const State& state)
     : BlurredLight(panel, state, Unscaled{}) {

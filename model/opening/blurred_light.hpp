@@ -11,6 +11,7 @@ namespace kinetix::model {
 struct PanelSlopes {
   Eigen::VectorXd state;  ///< 6 a body: turn about z (rad) at 2, shifts along x and y (cell edges) at 3 and 4
   Eigen::VectorXd t;      ///< by t of each hinge (fraction of the wall), where the bodies stay
+  Eigen::VectorXd offset;  ///< likewise by its offset (cell edges), which moves no wall
 
   explicit PanelSlopes(const Linkage& panel);
 };

@@ -47,6 +47,7 @@ bool DisplayProblem::weigh(double& f, VectorXd* gradient) {
   auto by = equilibrium_.slopes(slopes.state);
   if (!by) return false;
   by->t += slopes.t;
+  by->offset += slopes.offset;
   *gradient = variables_.gather(*by);
   return std::isfinite(f) && gradient->allFinite();
 }
@@ -54,7 +55,10 @@ bool DisplayProblem::weigh(double& f, VectorXd* gradient) {
 double DisplayProblem::add_picture(model::PanelSlopes& slopes) const {
   const model::Linkage panel = equilibrium_.panel();
   const SmoothChannel readings(channel_, panel, equilibrium_.state());
-  const WeighedReadings weighed = cost_(readings.values());
+  WeighedReadings weighed = cost_(readings.values());
+  const Eigen::Index rated = weighed.slope.size();  // cells after these are holes, which show nothing
+  weighed.slope.conservativeResize(static_cast<Eigen::Index>(readings.values().size()));
+  weighed.slope.tail(weighed.slope.size() - rated).setZero();
   readings.add_slopes(weighed.slope, slopes);
   return weighed.cost;
 }
@@ -75,6 +79,7 @@ double DisplayProblem::add_stretch(model::PanelSlopes& slopes) const {
     slopes.state.segment<3>(6 * hinge.upper) -= upper_arm.cross(pull);
     slopes.state.segment<3>(6 * hinge.upper + 3) -= pull;
     slopes.t[h] += pull.dot(lower.R * hinge.edge - upper.R * hinge.edge);
+    slopes.offset[h] += pull.dot(lower.R * hinge.across - upper.R * hinge.across);
   }
   return cost;
 }

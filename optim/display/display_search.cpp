@@ -30,6 +30,10 @@ model::Drive along(model::Drive plates, model::Axis axis) {
   return plates;
 }
 
+HingeTies ties_of(const model::Sheet& panel, const DisplayOptions& options) {
+  return options.offset > 0 ? untied(panel.hinges()) : hinge_ties(*panel.squares(), options.symmetry);
+}
+
 /// Of the uniform-scaling cells in start k.
 double rule_of_start(int k, double rule_k) {
   const double strength = k % starts_by_rule >= 2 && k < starts_by_rule ? half : 1;
@@ -50,16 +54,18 @@ bool is_better(const DisplayView& a, const DisplayView& b, const PictureCost& pi
 
 }  // namespace
 
-DisplayView view_from_flat(PanelEquilibrium& equilibrium, const VectorXd& t,
+DisplayView view_from_flat(PanelEquilibrium& equilibrium, const VectorXd& t, const VectorXd& offset,
                            const std::vector<double>& levels, Channel channel) {
   DisplayView view;
   view.t = t;
+  view.offset = offset;
   view.plates = equilibrium.plates();
   equilibrium.forget();
-  if (!equilibrium.settle(t)) return view;
+  if (!equilibrium.settle(t, offset)) return view;
   view.balanced = true;
   view.state = equilibrium.state();
   view.channel = channel_values(channel, equilibrium.panel(), view.state);
+  view.channel.resize(levels.size());
   view.score = targets::display_score(view.channel, levels);
   view.rank = targets::rank_correlation(view.channel, levels);
   view.stretch = hinge_gaps(equilibrium.panel(), view.state).max;
@@ -74,16 +80,20 @@ int best_view(const std::vector<DisplayView>& views, const std::vector<double>& 
   return best;
 }
 
-DisplaySearch::DisplaySearch(const model::Structure& panel, const std::vector<double>& levels,
+DisplaySearch::DisplaySearch(const model::Sheet& panel, const std::vector<double>& levels,
                              const DisplayOptions& options, model::Axis axis)
     : levels_(levels),
       options_(options),
       picture_(levels),
-      variables_{hinge_ties(panel, options.symmetry), options.t, options.compression},
+      variables_{ties_of(panel, options), options.t, options.compression, options.offset},
       equilibrium_(panel, options.elasticity, along(options.plates, axis)) {}
 
+VectorXd DisplaySearch::start(const DisplayView& view) const {
+  return variables_.nearest(view.t, view.plates.compression, view.offset);
+}
+
 VectorXd DisplaySearch::start(int k) const {
-  VectorXd t = rule_display(equilibrium_.panel(), levels_, rule_of_start(k, options_.rule_k));
+  VectorXd t = rule_display(*equilibrium_.panel().squares(), levels_, rule_of_start(k, options_.rule_k));
   std::mt19937_64 random(options_.seed + static_cast<std::uint64_t>(k));
   std::uniform_real_distribution<double> shift(-most_shift, most_shift);
   if (k >= starts_by_rule)
@@ -99,7 +109,7 @@ std::string DisplaySearch::name_of_start(int k) const {
 
 DisplayView DisplaySearch::view(const VectorXd& x) {
   equilibrium_.press(variables_.compression_of(x).value_or(equilibrium_.plates().compression));
-  return view_from_flat(equilibrium_, variables_.t_of(x), levels_, options_.channel);
+  return view_from_flat(equilibrium_, variables_.t_of(x), variables_.offset_of(x), levels_, options_.channel);
 }
 
 ScalarResult DisplaySearch::separate(const VectorXd& x) {

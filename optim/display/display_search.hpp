@@ -18,6 +18,7 @@ struct DisplayOptions {
   double separation = 0.16;  ///< of letter and rest that the search first aims at, in the channel's unit
   double stretch = 0.12;     ///< most that a hinge may stretch, cell edges
   std::array<double, 2> t = {0.08, 0.92};  ///< range, within (0, 1)
+  double offset = 0;  ///< largest |offset| of a hinge, cell edges, [0, 0.5); above 0 each hinge is by itself
   Symmetry symmetry = Symmetry::none;
   double rule_k = 0.15;    ///< fraction k of the uniform-scaling cells that the search starts from, (0, 1)
   int starts = 4;          ///< for each axis, >= 1
@@ -46,9 +47,10 @@ struct SharpenedDisplay {
   std::string why;
 };
 
-/// The panel's equilibrium with these t (fractions of the walls), found anew from flat, and what it shows.
+/// The panel's equilibrium with these t (fractions of the walls) and offsets (cell edges; empty: they stay), found
+/// anew from flat, and what it shows.
 DisplayView view_from_flat(PanelEquilibrium& equilibrium, const Eigen::VectorXd& t,
-                           const std::vector<double>& levels, Channel channel);
+                           const Eigen::VectorXd& offset, const std::vector<double>& levels, Channel channel);
 
 /// Which of the views is to be taken: of those that keep the limit of stretch the one that shows its picture
 /// most clearly, else the one that stretches least; -1 where none is in equilibrium. @param stretch that
@@ -59,10 +61,12 @@ int best_view(const std::vector<DisplayView>& views, const std::vector<double>& 
 class DisplaySearch {
  public:
   /// The references are kept.
-  DisplaySearch(const model::Structure& panel, const std::vector<double>& levels,
-                const DisplayOptions& options, model::Axis axis);
+  DisplaySearch(const model::Sheet& panel, const std::vector<double>& levels, const DisplayOptions& options,
+                model::Axis axis);
 
-  /// Where start k begins: from the paper's rule, by one choice of the checkerboard and the other; then from
+  /// Where a panel that was found otherwise begins: its hinges, within bounds.
+  Eigen::VectorXd start(const DisplayView& view) const;
+  /// Where start k of a sheet of squares begins: from the paper's rule, by one choice of the checkerboard and the other; then from
   /// the same half as strong; all others from the rule shifted at random.
   Eigen::VectorXd start(int k) const;
   std::string name_of_start(int k) const;

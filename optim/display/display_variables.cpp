@@ -1,27 +1,34 @@
 #include "optim/display/display_variables.hpp"
 
 namespace kinetix::optim {
-namespace {
 
 using Eigen::VectorXd;
 
-VectorXd joined(const VectorXd& of_ties, const std::optional<double>& last) {
-  if (!last) return of_ties;
-  VectorXd x(of_ties.size() + 1);
-  x << of_ties, *last;
+VectorXd DisplayVariables::joined(const VectorXd& of_ties, double of_compression,
+                                  const VectorXd& of_offsets) const {
+  const Eigen::Index middle = compression ? 1 : 0, last = offset > 0 ? of_offsets.size() : 0;
+  VectorXd x(ties.variables + middle + last);
+  x.head(ties.variables) = of_ties;
+  if (compression) x[ties.variables] = of_compression;
+  x.tail(last) = of_offsets.head(last);
   return x;
 }
 
-}  // namespace
-
 VectorXd DisplayVariables::bounds(int side) const {
-  return joined(VectorXd::Constant(ties.variables, t[side]),
-                compression ? std::optional((*compression)[side]) : std::nullopt);
+  return joined(
+      VectorXd::Constant(ties.variables, t[side]), compression ? (*compression)[side] : 0,
+      VectorXd::Constant(static_cast<Eigen::Index>(ties.variable.size()), side == 0 ? -offset : offset));
 }
 
-VectorXd DisplayVariables::nearest(const VectorXd& of_hinges, double pressed) const {
-  const VectorXd x = joined(ties.nearest(of_hinges), compression ? std::optional(pressed) : std::nullopt);
+VectorXd DisplayVariables::nearest(const VectorXd& of_hinges, double pressed, const VectorXd& off) const {
+  const VectorXd zero = VectorXd::Zero(static_cast<Eigen::Index>(ties.variable.size()));
+  const VectorXd x = joined(ties.nearest(of_hinges), pressed, off.size() > 0 ? off : zero);
   return x.cwiseMax(lower()).cwiseMin(upper());
+}
+
+VectorXd DisplayVariables::offset_of(const VectorXd& x) const {
+  if (!(offset > 0)) return {};
+  return x.tail(static_cast<Eigen::Index>(ties.variable.size()));
 }
 
 std::optional<double> DisplayVariables::compression_of(const VectorXd& x) const {
@@ -31,11 +38,11 @@ std::optional<double> DisplayVariables::compression_of(const VectorXd& x) const 
 
 bool DisplayVariables::settle(PanelEquilibrium& equilibrium, const VectorXd& x) const {
   if (compression) equilibrium.press(*compression_of(x));
-  return equilibrium.settle(t_of(x));
+  return equilibrium.settle(t_of(x), offset_of(x));
 }
 
 VectorXd DisplayVariables::gather(const PanelEquilibrium::Slopes& slopes) const {
-  return joined(ties.gather(slopes.t), compression ? std::optional(slopes.compression) : std::nullopt);
+  return joined(ties.gather(slopes.t), slopes.compression, slopes.offset);
 }
 
 }  // namespace kinetix::optim

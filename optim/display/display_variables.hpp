@@ -9,27 +9,33 @@
 namespace kinetix::optim {
 
 /// What a search for a display may change, as one vector x: the variables of the hinges' ties, then the
-/// compression where it has a range.
+/// compression where it has a range, then the offset of each hinge where they may have any.
 struct DisplayVariables {
   HingeTies ties;
   std::array<double, 2> t = {0.08, 0.92};            ///< range, within (0, 1)
   std::optional<std::array<double, 2>> compression;  ///< range, within (0, 0.5]
+  double offset = 0;  ///< largest |offset| of a hinge, cell edges; 0: they stay
 
   Eigen::VectorXd lower() const { return bounds(0); }
   Eigen::VectorXd upper() const { return bounds(1); }
-  /// x nearest to the given t of each hinge, within bounds.
-  Eigen::VectorXd nearest(const Eigen::VectorXd& t, double compression) const;
+  /// x nearest to the given t of each hinge and, where they may have any, its offsets (cell edges), within bounds.
+  Eigen::VectorXd nearest(const Eigen::VectorXd& t, double compression,
+                          const Eigen::VectorXd& offset = {}) const;
 
   Eigen::VectorXd t_of(const Eigen::VectorXd& x) const { return ties.expand(x.head(ties.variables)); }
+  /// Of each hinge, cell edges; empty where they are none of x.
+  Eigen::VectorXd offset_of(const Eigen::VectorXd& x) const;
   /// Nothing where it is none of x.
   std::optional<double> compression_of(const Eigen::VectorXd& x) const;
   /// Brings the panel to its equilibrium at x. @return as PanelEquilibrium::settle
   bool settle(PanelEquilibrium& equilibrium, const Eigen::VectorXd& x) const;
-  /// By x, from derivatives by the t of each hinge and by the compression.
+  /// By x, from derivatives by t and offset of each hinge and by the compression.
   Eigen::VectorXd gather(const PanelEquilibrium::Slopes& slopes) const;
 
  private:
   Eigen::VectorXd bounds(int side) const;
+  Eigen::VectorXd joined(const Eigen::VectorXd& of_ties, double of_compression,
+                         const Eigen::VectorXd& of_offsets) const;
 };
 
 }  // namespace kinetix::optim

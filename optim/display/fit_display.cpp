@@ -166,7 +166,7 @@ DisplayView view_display(const model::Structure& panel, const std::vector<double
   PanelEquilibrium equilibrium(panel, options.elasticity, options.plates);
   VectorXd t(static_cast<Eigen::Index>(panel.hinges.size()));
   for (std::size_t h = 0; h < panel.hinges.size(); ++h) t[h] = panel.hinges[h].parameters.t;
-  return view_from_flat(equilibrium, t, levels, options.channel);
+  return view_from_flat(equilibrium, t, {}, levels, options.channel);
 }
 
 DisplayDesign fit_display(const model::Structure& panel, const std::vector<double>& levels,

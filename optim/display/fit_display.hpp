@@ -28,6 +28,7 @@ struct DisplayDesign {
   std::string why;
   int evaluations = 0, paths_from_flat = 0;
   std::optional<ScaledDisplay> scaled = {};  ///< of a search by the scales of walls
+  bool refined = false;                      ///< whether its view strains hinges on purpose
 };
 
 /// One search by the scales of walls along each axis, of which the clearest is taken. The view's state is the
@@ -37,6 +38,14 @@ struct DisplayDesign {
 DisplayDesign fit_scaled_display(const model::Sheet& panel, const std::vector<double>& levels,
                                  Channel channel, const std::vector<model::Axis>& axes,
                                  const ScaledDisplayOptions& options);
+
+/// Strains a design of fit_scaled_display() on purpose: t, offsets and, where it has a range, the compression are
+/// led towards the highest contrast of the equilibrium between the plates, while no hinge stretches by more than
+/// options.stretch. What comes out takes the view's place where it is clearer than the equilibrium of the design as it
+/// was.
+/// @param options its offset is the largest of a hinge, above 0; start, axes and symmetry have no effect
+void refine_display(const model::Sheet& panel, const std::vector<double>& levels,
+                    const DisplayOptions& options, DisplayDesign& design);
 
 /// The panel as it is: taken to its equilibrium from flat, and read.
 DisplayView view_display(const model::Structure& panel, const std::vector<double>& levels,

@@ -65,4 +65,23 @@ DisplayDesign fit_scaled_display(const model::Sheet& panel, const std::vector<do
   return best;
 }
 
+void refine_display(const model::Sheet& panel, const std::vector<double>& levels,
+                    const DisplayOptions& options, DisplayDesign& design) {
+  DisplayOptions along = options;
+  along.plates = design.view.plates;
+  DisplaySearch search(panel, levels, along, along.plates.axis);
+  const Eigen::VectorXd start = search.start(design.view);
+  SharpenedDisplay sharpened = search.sharpen(start);
+  design.evaluations += search.evaluations();
+  std::vector<DisplayView> views = {search.view(start)};
+  for (DisplayView& view : sharpened.views) views.push_back(std::move(view));
+  const int best = best_view(views, levels, options.stretch);
+  design.refined = best > 0;
+  design.why +=
+      design.refined ? "; then strained on purpose: " + sharpened.why : "; strain makes it no clearer";
+  if (!design.refined) return;
+  design.view = std::move(views[best]);
+  design.status = sharpened.status;
+}
+
 }  // namespace kinetix::optim

@@ -1,6 +1,7 @@
 #include "optim/display/hinge_ties.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "model/lattice/square/symmetry.hpp"
@@ -50,6 +51,15 @@ HingeTies hinge_ties(const model::Structure& panel, Symmetry symmetry) {
     const int variable = reversed ? HingeTies::centred : ties.variables++;
     for (const std::size_t member : orbit) ties.variable[member] = variable;
   }
+  return ties;
+}
+
+HingeTies untied(int hinges) {
+  HingeTies ties;
+  ties.variable.resize(static_cast<std::size_t>(hinges));
+  std::iota(ties.variable.begin(), ties.variable.end(), 0);
+  ties.reversed.assign(ties.variable.size(), false);
+  ties.variables = hinges;
   return ties;
 }
 

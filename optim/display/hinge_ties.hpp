@@ -23,6 +23,8 @@ struct HingeTies {
   Eigen::VectorXd nearest(const Eigen::VectorXd& t) const;
 };
 
+/// Each hinge by itself.
+HingeTies untied(int hinges);
 /// @pre the cells fill a rectangle; a square for rotate_4
 HingeTies hinge_ties(const model::Structure& panel, Symmetry symmetry);
 

@@ -3,6 +3,7 @@
 #include "model/closure/closure_drive.hpp"
 #include "model/elastic/adjoint.hpp"
 #include "model/elastic/path/equilibrium_path.hpp"
+#include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::optim {
 namespace {
@@ -12,26 +13,34 @@ constexpr int most_iterations = 40;  // of Newton's method: after more, the path
 
 }  // namespace
 
-PanelEquilibrium::PanelEquilibrium(model::Structure panel, const model::Elasticity& elasticity,
+PanelEquilibrium::PanelEquilibrium(model::Sheet panel, const model::Elasticity& elasticity,
                                    const model::Drive& plates)
     : panel_(std::move(panel)), elasticity_(elasticity), drive_(plates) {
-  const model::ElasticSystem refuses_overlap(panel_, elasticity_, drive_.on(panel_), true, true);
+  const model::ElasticSystem refuses_overlap(panel_, elasticity_, plates_on_panel(), true, true);
 }
 
-bool PanelEquilibrium::settle(const Eigen::VectorXd& t) {
-  for (std::size_t h = 0; h < panel_.hinges.size(); ++h) panel_.hinges[h].parameters.t = t[h];
+model::LinkageDrive PanelEquilibrium::plates_on_panel() const {
+  return drive_on(panel_, {.axis = drive_.axis, .compression = drive_.compression, .branch = drive_.branch});
+}
+
+bool PanelEquilibrium::settle(const Eigen::VectorXd& t, const Eigen::VectorXd& offset) {
+  for (int h = 0; h < panel_.hinges(); ++h) {
+    panel_.hinge(h).t = t[h];
+    if (offset.size() > 0) panel_.hinge(h).offset = offset[h];
+  }
   return settle_nearby() || settle_from_flat();
 }
 
 bool PanelEquilibrium::settle_nearby() {
   if (kept_.empty()) return false;
-  model::ElasticSystem system(panel_, elasticity_, drive_.on(panel_), true, true);
+  model::ElasticSystem system(panel_, elasticity_, plates_on_panel(), true, true);
   model::TangentStiffness tangent(system.dofs());
   model::NewtonOptions options;
   options.max_iterations = most_iterations;
   model::State state = kept_;
-  system.place(drive_.theta(), state);
-  const model::NewtonResult result = minimise(system, drive_.theta(), options, state, tangent);
+  const double theta = system.drive().theta();
+  system.place(theta, state);
+  const model::NewtonResult result = minimise(system, theta, options, state, tangent);
   if (!result.converged || !result.stable || !(turn_distance(panel_, kept_, state) <= nearby)) return false;
   state_ = std::move(state);
   return true;
@@ -41,22 +50,24 @@ bool PanelEquilibrium::settle_from_flat() {
   ++paths_;
   model::EquilibriumPathOptions options;
   options.planar = true;
-  model::EquilibriumPath path = trace_equilibrium(driven(panel_, drive_), elasticity_, options);
+  model::EquilibriumPath path =
+      trace_equilibrium({panel_, plates_on_panel(), exact_motion(panel_)}, elasticity_, options);
   if (path.stop != model::EquilibriumPath::Stop::reached || !path.steps.back().stable) return false;
   state_ = std::move(path.state);
   return true;
 }
 
 std::optional<PanelEquilibrium::Slopes> PanelEquilibrium::slopes(const Eigen::VectorXd& by_state) {
-  const model::ElasticSystem system(panel_, elasticity_, drive_.on(panel_), true, true);
+  const model::ElasticSystem system(panel_, elasticity_, plates_on_panel(), true, true);
   model::TangentStiffness tangent(system.dofs());
-  const double theta = drive_.theta();
+  const double theta = system.drive().theta();
   system.linearise(state_, theta, tangent);
   if (!tangent.factorise(0)) return std::nullopt;
   model::EquilibriumGradient gradient;
   gradient.state = by_state;
   const model::Sensitivity by = sensitivity(system, elasticity_, state_, theta, tangent, gradient);
-  return Slopes{by.hinges.row(0).transpose(), by.theta / system.drive_rate(theta)};
+  return Slopes{by.hinges.row(0).transpose(), by.hinges.row(3).transpose(),
+                by.theta / system.drive_rate(theta)};
 }
 
 }  // namespace kinetix::optim

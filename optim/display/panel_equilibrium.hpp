@@ -4,21 +4,22 @@
 
 #include "model/elastic/elastic_system.hpp"
 #include "model/lattice/square/drive.hpp"
+#include "model/sheet/sheet.hpp"
 
 namespace kinetix::optim {
 
 /// A planar panel with elastic hinges between plates, its walls in contact, that is in equilibrium again
-/// after each change of where its hinges sit on their walls and of how far the plates press: from the
+/// after each change of where its hinges sit and of how far the plates press: from the
 /// equilibrium before where that leads to one nearby, else along the path from flat.
 class PanelEquilibrium {
  public:
   /// @pre all hinges stand upright; elasticity and drive are valid, the drive is one of plates
   /// @throws InvalidInput for walls that overlap in the flat state
-  PanelEquilibrium(model::Structure panel, const model::Elasticity& elasticity, const model::Drive& plates);
+  PanelEquilibrium(model::Sheet panel, const model::Elasticity& elasticity, const model::Drive& plates);
 
-  /// @param t of every hinge, in (0, 1)   @return whether a stable equilibrium at the drive's goal was found;
+  /// @param t of every hinge, in (0, 1)   @param offset of every hinge, cell edges; empty: they stay   @return whether a stable equilibrium at the drive's goal was found;
   /// the state stays as it was where not
-  bool settle(const Eigen::VectorXd& t);
+  bool settle(const Eigen::VectorXd& t, const Eigen::VectorXd& offset = {});
   /// How far the plates are to press from the next settle() on, (0, 1).
   void press(double compression) { drive_.compression = compression; }
   /// The next settle() starts from the state as it is. What it comes to depends on the state kept, not on
@@ -27,18 +28,19 @@ class PanelEquilibrium {
   /// The next settle() starts from flat.
   void forget() { kept_.clear(); }
 
-  const model::Structure& panel() const { return panel_; }
+  const model::Sheet& panel() const { return panel_; }
   const model::Drive& plates() const { return drive_; }
   /// @pre settle() returned true
   const model::State& state() const { return state_; }  ///< mm
 
   struct Slopes {
     Eigen::VectorXd t;       ///< one entry a hinge, per unit of t (a fraction)
+    Eigen::VectorXd offset;  ///< one entry a hinge, per cell edge
     double compression = 0;  ///< per unit of compression (a fraction)
   };
   /// The derivatives of a function of the state, by the adjoint. @param by_state 6 a body, as
-  /// EquilibriumGradient::state   @return without what the function has of t directly, which is the caller's
-  /// to add. Nothing where the equilibrium is singular
+  /// EquilibriumGradient::state   @return without what the function has of the hinges directly, which is the
+  /// caller's to add. Nothing where the equilibrium is singular
   std::optional<Slopes> slopes(const Eigen::VectorXd& by_state);
 
   int paths_from_flat() const { return paths_; }
@@ -46,8 +48,9 @@ class PanelEquilibrium {
  private:
   bool settle_nearby();
   bool settle_from_flat();
+  model::LinkageDrive plates_on_panel() const;
 
-  model::Structure panel_;
+  model::Sheet panel_;
   model::Elasticity elasticity_;
   model::Drive drive_;
   model::State state_, kept_;

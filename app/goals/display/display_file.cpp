@@ -69,6 +69,10 @@ targets::KeyTable variables_keys(const DisplayFile& usual) {
        "largest offset of a hinge across its wall: such hinges show a picture without stretching; 0: hinges "
        "on "
        "their walls, which have to stretch"},
+      {"stretch_mm", value::length(allowed_offset), targets::by_default(0.0),
+       "most that hinges with offsets may stretch on purpose: a clearer picture for more force and a longer "
+       "search; "
+       "0: none at all"},
       {"t", value::map(t_keys(usual)), {}, "the positions of the hinges"},
       {"compression", value::map(compression), targets::otherwise("`drive.compression`, not searched"),
        "how far the panel is compressed"},
@@ -110,7 +114,14 @@ void read_offset(const targets::Section& root, DisplayFile& file) {
     file.offset = *offset_mm / file.size.edge_mm;
   else if (asks_for_walls(root, file))
     file.offset = 0;
+  std::optional<double> stretch_mm;
+  root.section("variables").read_length("stretch_mm", stretch_mm, file.size.edge_mm);
+  if (stretch_mm) file.strain = *stretch_mm / file.size.edge_mm;
   if (file.offset > 0) return;
+  if (stretch_mm)
+    throw root.section("variables")
+        .optional("stretch_mm")
+        ->key_error("is for hinges with offsets; those on their walls stretch by up to tolerance.stretch");
   if (file.lattice.lattice)
     throw root.section("structure")
         .required("lattice", "")

@@ -21,6 +21,7 @@ namespace kinetix::app {
 ///     drive: {axis: y, compression: 0.12}                       # of the plates
 ///     variables:
 ///       offset_mm: 0.8                                          # of hinges across their walls
+///       stretch_mm: 0.05                                        # of hinges, on purpose
 ///       t: {range: [0.2, 0.8], corner_mm: 1, symmetry: none}
 ///       compression: {range: [0.05, 0.2]}                       # searched for, from drive.compression
 ///       axis: [x, y]                                            # each is tried, the best taken
@@ -42,6 +43,8 @@ struct DisplayFile {
   /// variables.offset_mm over cell_mm: largest of a hinge across its wall, cell edges, [0, 0.5). 0: hinges on
   /// their walls, which have to stretch.
   double offset = 0.08;
+  /// variables.stretch_mm over cell_mm: most that hinges with offsets may stretch on purpose, cell edges, [0, 0.5).
+  double strain = 0;
   optim::Symmetry symmetry = optim::Symmetry::none;  ///< variables.t.symmetry
   double stretch = 0.12;  ///< tolerance.stretch: most of a hinge, cell edges, (0, 1]
   double auc = 0.97;      ///< tolerance.auc: least, (0.5, 1]; rank correlation for grey goals

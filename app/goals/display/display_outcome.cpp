@@ -46,6 +46,7 @@ Json front_json(const std::vector<FrontPoint>& front, double edge_mm) {
                    {"own", p.is_own},
                    {"reached", p.reached},
                    {"auc", p.score.auc},
+                   {"contrast", p.score.contrast},
                    {"rank", p.rank},
                    {"letter", p.score.letter},
                    {"rest", p.score.rest},
@@ -70,6 +71,7 @@ Json display_json(const DisplayOutcome& display, const model::Sheet& panel) {
     out["scaled"] = {{"offset_mm", scaled->offset * panel.size().edge_mm},
                      {"theta_rad", scaled->theta},
                      {"walls_meet", !scaled->clear},
+                     {"strained", display.design.refined},
                      {"rounds", scaled->rounds},
                      {"exact", score_json(display.exact)}};
   if (!display.front.empty()) out["front"] = front_json(display.front, panel.size().edge_mm);
@@ -132,6 +134,7 @@ std::vector<SummaryLine> DisplayOutcome::summary_lines(const Run& run) const {
   lines.push_back(
       {"search", fmt::format("{:.2f} s, {}, {} {}, {}", run.timings.optimise, solver(), design.evaluations,
                              design.scaled ? "iterations" : "evaluations", to_string(design.status))});
+  if (design.refined) lines.push_back({"strain", "on purpose: without it " + in_words(*this, exact)});
   if (physics) lines.push_back({"seen", "in the physics run: " + in_words(*this, *physics)});
   for (const std::string& why : physics_violations) lines.push_back({"why", why});
   return lines;

@@ -91,6 +91,12 @@ class DisplayScene final : public Scene {
     display->goal = file_.goal;
     display->channel = file_.channel;
     display->design = search_panel(file_, file_.goal, panel, display->options, options.progress);
+    if (display->design.scaled) {
+      const optim::DisplayView& exact = display->design.view;
+      display->exact = {exact.channel, exact.score, exact.rank};
+      if (file_.strain > 0)
+        refine_panel(file_, display->goal, panel, display->options, display->design, options.progress);
+    }
     describe(run, display->design.view);
     if (display->design.view.balanced) place_hinges(display->design.view, panel);
     run.structure = std::move(panel);
@@ -108,7 +114,6 @@ class DisplayScene final : public Scene {
     display.before = read_panel(file_, run.structure, rest_state(run.structure));
     display.after = read_panel(file_, run.structure, run.states.front().poses);
     if (!display.design.scaled) return;
-    display.exact = read_panel(file_, run.structure, display.design.view.state);
     display.design.view.stretch = run.states.front().gaps.max;
   }
 

@@ -46,14 +46,14 @@ std::vector<FrontPoint> legibility_front(const DisplayFile& file, const FrontPoi
   std::vector<FrontPoint> front = {own};
   front.back().is_own = true;
   for (const double offset : tried) {
-    if (std::abs(offset - file.offset) <= same) continue;
+    if (std::abs(offset - file.offset) <= same && !(file.strain > 0)) continue;
     if (progress) progress("other offsets", static_cast<double>(front.size() - 1) / std::size(tried));
     DisplayFile other = file;
     other.offset = offset;
     front.push_back(point_of(other, elasticity, options));
   }
-  std::sort(front.begin(), front.end(),
-            [](const FrontPoint& a, const FrontPoint& b) { return a.offset < b.offset; });
+  std::stable_sort(front.begin(), front.end(),
+                   [](const FrontPoint& a, const FrontPoint& b) { return a.offset < b.offset; });
   return front;
 }
 

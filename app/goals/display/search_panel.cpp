@@ -52,6 +52,16 @@ optim::DisplayDesign search_panel(const DisplayFile& file, const targets::Displa
   return fit_display(*panel.squares(), levels, options, progress);
 }
 
+void refine_panel(const DisplayFile& file, const targets::DisplayGoal& goal, const model::Sheet& panel,
+                  optim::DisplayOptions options, optim::DisplayDesign& design,
+                  const std::function<void(const std::string&, double)>& progress) {
+  if (progress) progress("strain on purpose", 0);
+  options.offset = file.offset;
+  options.stretch = file.strain;
+  refine_display(panel, levels_of(goal, panel), options, design);
+  if (progress) progress("strain on purpose", 1);
+}
+
 // Offsets as they come back from a file, where they are in mm.
 void place_hinges(const optim::DisplayView& view, model::Sheet& panel) {
   const double mm = panel.size().edge_mm;

@@ -25,6 +25,11 @@ optim::DisplayDesign search_panel(const DisplayFile& file, const targets::Displa
                                   const model::Sheet& panel, const optim::DisplayOptions& options,
                                   const std::function<void(const std::string&, double)>& progress);
 
+/// Strains a panel that was found by the scales of walls as far as the file allows (optim::refine_display).
+void refine_panel(const DisplayFile& file, const targets::DisplayGoal& goal, const model::Sheet& panel,
+                  optim::DisplayOptions options, optim::DisplayDesign& design,
+                  const std::function<void(const std::string&, double)>& progress);
+
 /// Puts the hinges of a panel where a search left them.
 void place_hinges(const optim::DisplayView& view, model::Sheet& panel);
 

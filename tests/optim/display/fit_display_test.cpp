@@ -6,6 +6,7 @@
 #include <random>
 
 #include "model/base/invalid_input.hpp"
+#include "model/lattice/planar/lattices/honeycomb.hpp"
 #include "tests/support/derivatives.hpp"
 #include "tests/support/paper_scenes.hpp"
 
@@ -130,6 +131,65 @@ TEST(DisplayProblem, DerivativesMatchCentralDifferencesWithWallsInContact) {
     };
     testing::expect_jacobian(value, x, gradient.transpose(), 1e-6, 1e-5);
   }
+}
+
+TEST(DisplayProblem, DerivativesByOffsetsMatchCentralDifferences) {
+  for (const bool honeycomb : {false, true}) {
+    model::Sheet panel = model::make_sheet(4, 4, {});
+    if (honeycomb) {
+      model::LatticeSheet sheet{&model::honeycomb_lattice, model::lattice_cells(3, 3)};
+      sheet.closed_rim = true;
+      panel = make_planar_structure(sheet, {});
+    }
+    std::vector<double> levels(honeycomb ? 9 : 16, 0.0);
+    for (std::size_t c = 0; c < levels.size(); c += 3) levels[c] = 1;
+    DisplayVariables variables{untied(panel.hinges()), {0.2, 0.8}, {{0.05, 0.2}}};
+    variables.offset = 0.1;
+    model::Drive plates = pressed(0.1).plates;
+    if (honeycomb) plates.axis = model::Axis::x;
+    PanelEquilibrium equilibrium(panel, {}, plates);
+    const PictureCost picture(levels);
+    DisplayProblem problem(
+        equilibrium, variables, Channel::light,
+        [&](const auto& readings) { return picture.for_separation(readings, 0.1); }, 0.002, 1.0);
+    VectorXd x(variables.lower().size());
+    for (Eigen::Index k = 0; k < x.size(); ++k) x[k] = std::sin(static_cast<double>(3 * k));
+    x.head(panel.hinges()) = 0.02 * x.head(panel.hinges()).array() + 0.5;
+    x[panel.hinges()] = 0.1;
+    x.tail(panel.hinges()) *= 0.02;
+    double f = 0;
+    VectorXd gradient;
+    ASSERT_TRUE(problem.evaluate(x, f, &gradient)) << honeycomb;
+    EXPECT_GT(gradient.tail(panel.hinges()).norm(), 1e-4);
+    const auto value = [&](const VectorXd& at) {
+      double cost = 0;
+      EXPECT_TRUE(problem.evaluate(at, cost, nullptr));
+      return VectorXd::Constant(1, cost);
+    };
+    testing::expect_jacobian(value, x, gradient.transpose(), 1e-6, 1e-5);
+  }
+}
+
+TEST(RefineDisplay, BuysContrastByALittleStrain) {
+  const model::Sheet panel = model::make_sheet(8, 8, {10, 0.8, 6});
+  const std::vector<double> levels = letter_t(*panel.squares(), 8);
+  DisplayOptions options;
+  options.channel = Channel::light;
+  options.offset = 0.08;
+  options.stretch = 0.004;
+  options.t = {0.2, 0.8};
+  options.solver.max_evaluations = 40;
+  const DisplayDesign exact = fit_scaled_display(panel, levels, Channel::light, {model::Axis::y}, {});
+  DisplayDesign strained = exact;
+  refine_display(panel, levels, options, strained);
+  ASSERT_TRUE(strained.refined) << strained.why;
+  EXPECT_GE(strained.view.score.contrast, 1.2 * exact.view.score.contrast);
+  EXPECT_EQ(strained.view.score.auc, 1);
+  EXPECT_LE(strained.view.stretch, options.stretch);
+  EXPECT_GE(strained.view.stretch, 1e-4) << "it was not for nothing";
+  EXPECT_LE(strained.view.offset.lpNorm<Eigen::Infinity>(), options.offset);
+  EXPECT_GE(strained.view.t.minCoeff(), 0.2);
+  EXPECT_LE(strained.view.t.maxCoeff(), 0.8);
 }
 
 TEST(FitDisplay, ShowsALetterThatTheRuleAloneBlurs) {

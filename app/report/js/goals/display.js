@@ -121,13 +121,13 @@ function frontTable(display) {
     mark: point.own === true ? "best" : null,
     cells: [
       `${millimetres(point.offset_mm)}${point.own === true ? " (this one)" : ""}`, figures(grey ? point.rank : point.auc, 3),
-      grey ? "" : percent((point.letter - point.rest) / point.rest), point.reached === true ? `${figures(point.load_N, 2)} N` : "not reached",
+      ...(grey ? [] : [figures(point.contrast, 2), percent((point.letter - point.rest) / point.rest)]), point.reached === true ? `${figures(point.load_N, 2)} N` : "not reached",
       millimetres(point.stretch_mm)
     ]
   });
   return html("div", {},
               html("p", {}, "What larger or smaller offsets of the hinges would show between the same plates:"),
-              table(["offset, at most", grey ? "rank correlation" : "AUC", grey ? "" : "letter brighter than the rest by", "force", "stretch, largest"],
+              table(["offset, at most", grey ? "rank correlation" : "AUC", ...(grey ? [] : ["contrast", "letter brighter than the rest by"]), "force", "stretch, largest"],
                     display.front.map(row), "Legibility against offset, force and stretch"));
 }
 
