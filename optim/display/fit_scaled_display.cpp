@@ -78,7 +78,8 @@ void refine_display(const model::Sheet& panel, const std::vector<double>& levels
   const int best = best_view(views, levels, options.stretch);
   design.refined = best > 0;
   design.why +=
-      design.refined ? "; then strained on purpose: " + sharpened.why : "; strain makes it no clearer";
+      (design.refined ? "; then strained on purpose: " : "; strained on purpose it came out no clearer: ") +
+                sharpened.why;
   if (!design.refined) return;
   design.view = std::move(views[best]);
   design.status = sharpened.status;
