@@ -13,9 +13,9 @@ struct PhysicsSection {
   std::optional<int> iterations;          ///< of the solver per step, 1 to 100000
   std::optional<double> error_reduction;  ///< part of a hinge's gap removed per step, (0, 1]
   std::optional<double> reach_mm;  ///< half distance of a hinge's two constraint points, (0, 10] cell edges
-  std::optional<double> disturbance;                  ///< of the first motion, over the parts' spin, [0, 1]
-  std::optional<int> disturbance_seed;                ///< >= 0
   std::optional<sim::PhysicsOptions::Solver> solver;  ///< direct or sweeps
+  std::optional<double> disturbance = {};             ///< of the first motion, over the parts' spin, [0, 1]
+  std::optional<int> disturbance_seed = {};           ///< >= 0
 
   bool operator==(const PhysicsSection&) const = default;
 };

@@ -32,15 +32,15 @@ PictureCost::PictureCost(std::vector<double> levels)
 
 double PictureCost::mean(const std::vector<double>& readings) const {
   double sum = 0;
-  for (std::size_t k = 0; k < readings.size(); ++k) sum += weights_[k] * readings[k];
+  for (std::size_t k = 0; k < weights_.size(); ++k) sum += weights_[k] * readings[k];
   return sum;
 }
 
 WeighedReadings PictureCost::for_separation(const std::vector<double>& readings, double separation) const {
   const double middle = mean(readings);
   WeighedReadings out;
-  out.slope.resize(static_cast<Eigen::Index>(readings.size()));
-  for (std::size_t k = 0; k < readings.size(); ++k) {
+  out.slope = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(readings.size()));
+  for (std::size_t k = 0; k < weights_.size(); ++k) {
     const double residual = readings[k] - middle - separation * centred_[k];
     out.cost += weights_[k] * residual * residual;
     out.slope[k] = 2 * weights_[k] * residual;
@@ -50,7 +50,7 @@ WeighedReadings PictureCost::for_separation(const std::vector<double>& readings,
 
 WeighedReadings PictureCost::for_contrast(const std::vector<double>& readings) const {
   double slope = 0;
-  for (std::size_t k = 0; k < readings.size(); ++k)
+  for (std::size_t k = 0; k < weights_.size(); ++k)
     slope += weights_[k] * centred_[k] * readings[k] / spread_;
   WeighedReadings out = for_separation(readings, slope);
   if (!(slope > 0)) {
@@ -59,7 +59,7 @@ WeighedReadings PictureCost::for_contrast(const std::vector<double>& readings) c
   }
   const double variance = out.cost + perfect;
   out.cost = std::log(variance) - 2 * std::log(slope);
-  for (std::size_t k = 0; k < readings.size(); ++k)
+  for (std::size_t k = 0; k < weights_.size(); ++k)
     out.slope[k] = out.slope[k] / variance - 2 / slope * weights_[k] * centred_[k] / spread_;
   return out;
 }

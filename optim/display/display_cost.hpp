@@ -13,7 +13,8 @@ struct WeighedReadings {
 
 /// How badly the readings of a channel, one a cell, show a picture of given levels. Readings are split into
 /// mean + slope * (level - mean level) + residual by least squares with the weights of the cells, half of all
-/// to the letter and half to the rest in a picture of two levels.
+/// to the letter and half to the rest in a picture of two levels. Cells after those that have levels, the holes of a
+/// panel, have no part in it: their slope is 0.
 class PictureCost {
  public:
   /// @pre levels in [0, 1], not all the same

@@ -55,10 +55,7 @@ bool DisplayProblem::weigh(double& f, VectorXd* gradient) {
 double DisplayProblem::add_picture(model::PanelSlopes& slopes) const {
   const model::Linkage panel = equilibrium_.panel();
   const SmoothChannel readings(channel_, panel, equilibrium_.state());
-  WeighedReadings weighed = cost_(readings.values());
-  const Eigen::Index rated = weighed.slope.size();  // cells after these are holes, which show nothing
-  weighed.slope.conservativeResize(static_cast<Eigen::Index>(readings.values().size()));
-  weighed.slope.tail(weighed.slope.size() - rated).setZero();
+  const WeighedReadings weighed = cost_(readings.values());
   readings.add_slopes(weighed.slope, slopes);
   return weighed.cost;
 }

@@ -92,6 +92,11 @@ VectorXd DisplaySearch::start(const DisplayView& view) const {
   return variables_.nearest(view.t, view.plates.compression, view.offset);
 }
 
+void DisplaySearch::stay_near(const VectorXd& x, double reach) {
+  variables_.middle = x;
+  variables_.reach = reach;
+}
+
 VectorXd DisplaySearch::start(int k) const {
   VectorXd t = rule_display(*equilibrium_.panel().squares(), levels_, rule_of_start(k, options_.rule_k));
   std::mt19937_64 random(options_.seed + static_cast<std::uint64_t>(k));

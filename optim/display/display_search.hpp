@@ -66,6 +66,8 @@ class DisplaySearch {
 
   /// Where a panel that was found otherwise begins: its hinges, within bounds.
   Eigen::VectorXd start(const DisplayView& view) const;
+  /// From here on the search keeps near to x: no entry changes by more than `reach`, in its own unit.
+  void stay_near(const Eigen::VectorXd& x, double reach);
   /// Where start k of a sheet of squares begins: from the paper's rule, by one choice of the checkerboard and the other; then from
   /// the same half as strong; all others from the rule shifted at random.
   Eigen::VectorXd start(int k) const;

@@ -15,9 +15,13 @@ VectorXd DisplayVariables::joined(const VectorXd& of_ties, double of_compression
 }
 
 VectorXd DisplayVariables::bounds(int side) const {
-  return joined(
-      VectorXd::Constant(ties.variables, t[side]), compression ? (*compression)[side] : 0,
-      VectorXd::Constant(static_cast<Eigen::Index>(ties.variable.size()), side == 0 ? -offset : offset));
+  const double most = side == 0 ? -offset : offset;
+  const VectorXd widest =
+      joined(VectorXd::Constant(ties.variables, t[side]), compression ? (*compression)[side] : 0,
+             VectorXd::Constant(static_cast<Eigen::Index>(ties.variable.size()), most));
+  if (middle.size() == 0) return widest;
+  return side == 0 ? VectorXd(widest.array().max(middle.array() - reach))
+                   : VectorXd(widest.array().min(middle.array() + reach));
 }
 
 VectorXd DisplayVariables::nearest(const VectorXd& of_hinges, double pressed, const VectorXd& off) const {

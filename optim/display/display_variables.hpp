@@ -14,7 +14,9 @@ struct DisplayVariables {
   HingeTies ties;
   std::array<double, 2> t = {0.08, 0.92};            ///< range, within (0, 1)
   std::optional<std::array<double, 2>> compression;  ///< range, within (0, 0.5]
-  double offset = 0;  ///< largest |offset| of a hinge, cell edges; 0: they stay
+  double offset = 0;            ///< largest |offset| of a hinge, cell edges; 0: they stay
+  Eigen::VectorXd middle = {};  ///< x that all others keep near to; empty: no matter how far
+  double reach = 0;             ///< how near: largest change of an entry, in its own unit
 
   Eigen::VectorXd lower() const { return bounds(0); }
   Eigen::VectorXd upper() const { return bounds(1); }

@@ -14,6 +14,7 @@ using Eigen::Vector2d;
 
 constexpr double less_turning = 0.8;   // of walls that met, from round to round
 constexpr double less_scaling = 0.93;  // and of their offsets: cells that shrink close sooner
+constexpr double less_beside = 0.98;   // and of the offsets of the other walls round their cells
 constexpr double less_uneven = 0.8;  // and, where the flat panel is free, of the powers by which walls differ
 // Rounds: these leave an eighth of the turning. A free flat panel has more ways to give room.
 constexpr int most_clearance_rounds = 9, most_of_free_panels = 12;
@@ -159,11 +160,11 @@ class Search {
   }
 
   /// Narrow cells close soonest: beside the walls that met, those round their cells come nearer to one length, by
-  /// the flat panel where it is free, else by scaling less.
+  /// scaling less, and by the flat panel where it is free.
   void tighten(const std::set<int>& met) {
     for (const int e : met) problem_.bounds.shift[e] *= less_turning;
     const std::set<int> round = round_cells_of(met);
-    for (const int e : problem_.flat ? met : round) limit_[e] *= less_scaling;
+    for (const int e : round) limit_[e] *= met.contains(e) ? less_scaling : less_beside;
     if (!problem_.flat) return;
     for (const int e : round) problem_.bounds.stretch[e] = std::pow(problem_.bounds.stretch[e], less_uneven);
   }

@@ -109,6 +109,21 @@ TEST(PictureCost, ContrastIsThatOfTheScore) {
               targets::display_score(readings, levels).contrast, 1e-9);
 }
 
+TEST(PictureCost, LeavesHolesOut) {
+  const PictureCost picture({1, 0, 0, 1});
+  const std::vector<double> readings = {0.9, 0.2, 0.3, 0.7};
+  std::vector<double> with_holes = readings;
+  with_holes.insert(with_holes.end(), {7, 1e300});
+  for (const bool contrast : {false, true}) {
+    const auto weigh = [&](const std::vector<double>& of) {
+      return contrast ? picture.for_contrast(of) : picture.for_separation(of, 0.2);
+    };
+    EXPECT_EQ(weigh(with_holes).cost, weigh(readings).cost);
+    EXPECT_EQ(weigh(with_holes).slope.head(4), weigh(readings).slope);
+    EXPECT_EQ(weigh(with_holes).slope.tail(2), VectorXd::Zero(2));
+  }
+}
+
 TEST(DisplayProblem, DerivativesMatchCentralDifferencesWithWallsInContact) {
   const model::Structure panel = make_structure(model::rectangle(5, 5), {});
   const std::vector<double> levels = letter_t(panel, 5);
