@@ -1,0 +1,83 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "model/lattice/planar/planar_motion.hpp"
+
+/// Planar structures with a crease, for tests.
+namespace kinetix::testing {
+
+/// Of the hinges of a crease, rad: steep enough that the law is not linear.
+constexpr double crease_tilt = 30 * radians_per_degree;
+
+/// A structure whose hinges along one line lean (kinematics.md section 6).
+struct Creased {
+  model::PlanarStructure structure;
+  double at = 0;  ///< of the crease, which runs along x: y at rest, cell edges
+  std::vector<int> hinges;
+};
+
+inline std::vector<int> walls_across(const model::PlanarGraph& graph, double y) {
+  std::vector<int> walls;
+  for (int e = 0; e < static_cast<int>(graph.edges.size()); ++e)
+    if ((graph.vertices[graph.edges[e].from].y() - y) * (graph.vertices[graph.edges[e].to].y() - y) < 0)
+      walls.push_back(e);
+  return walls;
+}
+
+/// A crease across the walls that it meets halfway: their hinges lean along it, one class to either side.
+inline Creased creased(const model::PlanarGraph& graph) {
+  Creased out{make_planar_structure(graph, {}), 0, {}};
+  model::PlanarStructure& s = out.structure;
+  const auto is_upright = [&](int e) { return std::abs(s.graph.along(e).x()) < 1e-9; };
+  for (int e = 0; e < static_cast<int>(s.graph.edges.size()); ++e) {
+    if (!is_upright(e)) continue;
+    const double middle =
+        (s.graph.vertices[s.graph.edges[e].from] + s.graph.vertices[s.graph.edges[e].to]).y() / 2;
+    const auto is_halved = [&](int wall) {
+      const auto [from, to] = s.graph.edges[wall];
+      return is_upright(wall) &&
+             std::abs((s.graph.vertices[from] + s.graph.vertices[to]).y() / 2 - middle) < 1e-9;
+    };
+    const std::vector<int> walls = walls_across(s.graph, middle);
+    if (walls.size() <= out.hinges.size() || !std::all_of(walls.begin(), walls.end(), is_halved)) continue;
+    out.hinges = walls;
+    out.at = middle;
+  }
+  for (const int e : out.hinges) {
+    const auto [from, to] = s.graph.edges[e];
+    const int lower = s.graph.vertices[from].y() < s.graph.vertices[to].y() ? from : to;
+    const int up =
+        s.graph.along(e).y() > 0 ? 1 : -1;  // beta leans to the right of the wall from its first vertex
+    s.hinges[e].beta = s.senses[lower] * up * crease_tilt;
+  }
+  return out;
+}
+
+/// The planar state, its upper part turned about the crease by rho.
+inline model::State folded(const Creased& c, double theta, double rho) {
+  model::State state =
+      fold(c.structure, model::Redrawing(c.structure.graph.vertices.size(), Eigen::Vector2d::Zero()), theta);
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(rho, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  const Eigen::Vector3d line(0, c.at * std::cos(theta) * c.structure.size.edge_mm, 0);
+  for (std::size_t v = 0; v < state.size(); ++v) {
+    if (c.structure.graph.vertices[v].y() < c.at) continue;
+    state[v].p = line + turn * (state[v].p - line);
+    state[v].R = turn * state[v].R;
+  }
+  return state;
+}
+
+/// By the law of creases (kinematics.md section 6), rad.
+inline double fold_angle(double theta) { return 2 * std::atan(std::tan(crease_tilt) * std::sin(theta)); }
+
+/// Of the state that it folds to, whichever way is up.
+inline double from_folded(const Creased& c, const model::State& state, double theta) {
+  const double rho = fold_angle(theta);
+  return std::min(aligned_distance(c.structure, state, folded(c, theta, rho)).rms,
+                  aligned_distance(c.structure, state, folded(c, theta, -rho)).rms);
+}
+
+}  // namespace kinetix::testing
