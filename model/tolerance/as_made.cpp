@@ -1,0 +1,143 @@
+#include "model/tolerance/as_made.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace kinetix::model {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr double quantile_95 = 1.6448536269514722;  // of the normal distribution
+
+/// Mixtures of points, and what of them rigid motion of the whole cannot take away.
+class Points {
+ public:
+  Points(const std::vector<ObservedPoint>& points, bool aligned) : points_(points) {
+    if (!aligned) return;
+    MatrixXd rigid(size(), 6);
+    Vector3d middle = Vector3d::Zero();
+    for (const ObservedPoint& p : points) middle += p.place / static_cast<double>(points.size());
+    for (Eigen::Index k = 0; k < size(); ++k)
+      rigid.row(k) << points[k].normal.transpose(),
+          (points[k].place - middle).cross(points[k].normal).transpose();
+    rigid.rightCols<3>() /= std::max(rigid.rightCols<3>().norm(), 1e-300);
+    const Eigen::ColPivHouseholderQR<MatrixXd> qr(rigid);
+    rigid_ = MatrixXd(qr.householderQ() * MatrixXd::Identity(size(), qr.rank()));
+  }
+
+  Eigen::Index size() const { return static_cast<Eigen::Index>(points_.size()); }
+  VectorXd misses() const {
+    VectorXd out(size());
+    for (Eigen::Index k = 0; k < size(); ++k) out[k] = points_[k].miss_mm;
+    return out;
+  }
+
+  /// A mixture as a function of the state, mm by all coordinates.
+  VectorXd by_state(VectorXd mixture, std::size_t bodies, double edge_mm) const {
+    if (rigid_.cols() > 0) mixture -= rigid_ * (rigid_.transpose() * mixture);
+    VectorXd out = VectorXd::Zero(6 * static_cast<Eigen::Index>(bodies));
+    for (Eigen::Index k = 0; k < size(); ++k)
+      for (const int body : points_[k].bodies)
+        out.segment<3>(6 * body + 3) +=
+            mixture[k] * edge_mm / static_cast<double>(points_[k].bodies.size()) * points_[k].normal;
+    return out;
+  }
+
+ private:
+  const std::vector<ObservedPoint>& points_;
+  MatrixXd rigid_;  ///< orthonormal: what rigid motions do to the misses
+};
+
+/// All points by themselves, or random mixtures of them with entries +-1.
+std::vector<VectorXd> mixtures(Eigen::Index points, const AsMadeOptions& options) {
+  std::vector<VectorXd> out;
+  if (points <= options.probes) {
+    for (Eigen::Index k = 0; k < points; ++k) out.push_back(VectorXd::Unit(points, k));
+    return out;
+  }
+  std::mt19937 random(options.seed);
+  for (int k = 0; k < options.probes; ++k) {
+    VectorXd z(points);
+    for (double& entry : z) entry = random() % 2 == 0 ? 1 : -1;
+    out.push_back(std::move(z));
+  }
+  return out;
+}
+
+/// Traces of the covariance C of all points' misses, mm^2 and mm^4.
+struct Moments {
+  double trace = 0, trace_of_square = 0;
+};
+
+/// @param rows of the points themselves, C = rows rows^T
+Moments moments_of_points(const MatrixXd& rows) {
+  return {rows.squaredNorm(), (rows * rows.transpose()).squaredNorm()};
+}
+
+/// @param rows of random mixtures: z C z is the trace on average, (z C z')^2 that of the square
+Moments moments_of_mixtures(const MatrixXd& rows) {
+  const MatrixXd products = rows * rows.transpose();
+  const auto count = static_cast<double>(rows.rows());
+  return {products.trace() / count,
+          (products.squaredNorm() - products.diagonal().squaredNorm()) / (count * (count - 1))};
+}
+
+/// Of a gamma distribution.
+double quantile(double mean, double variance) {
+  if (!(variance > 0)) return mean;
+  const double ninth = variance / (9 * mean * mean);
+  return mean * std::pow(std::max(0.0, 1 - ninth + quantile_95 * std::sqrt(ninth)), 3);
+}
+
+std::vector<ScatterSource> sources_of(const VectorXd& variances) {
+  std::vector<ScatterSource> out;
+  const double sum = variances.sum();
+  for (Eigen::Index k = 0; k < variances.size(); ++k)
+    if (variances[k] > 0)
+      out.push_back({static_cast<int>(k / 4), static_cast<int>(k % 4), variances[k] / sum});
+  std::stable_sort(out.begin(), out.end(),
+                   [](const ScatterSource& a, const ScatterSource& b) { return a.share > b.share; });
+  return out;
+}
+
+}  // namespace
+
+AsMade as_made(const ElasticSystem& system, const Elasticity& elasticity, const State& state, double theta,
+               const TangentStiffness& tangent, const std::vector<ObservedPoint>& observed,
+               const HingeScatter& scatter, const AsMadeOptions& options) {
+  const Points points(observed, options.aligned);
+  const Eigen::Index hinges = static_cast<Eigen::Index>(system.hinges().size());
+  const double edge_mm = system.structure().size.edge_mm;
+  // What a mixture of misses does by every hinge's parameters, one standard deviation each.
+  const auto row = [&](const VectorXd& mixture) -> VectorXd {
+    EquilibriumGradient gradient;
+    gradient.state = points.by_state(mixture, state.size(), edge_mm);
+    Eigen::Matrix4Xd by = sensitivity(system, elasticity, state, theta, tangent, gradient).hinges;
+    by = scatter.values().asDiagonal() * by;
+    return by.reshaped();
+  };
+  const std::vector<VectorXd> mixed = mixtures(points.size(), options);
+  MatrixXd rows(static_cast<Eigen::Index>(mixed.size()), 4 * hinges);
+  for (std::size_t k = 0; k < mixed.size(); ++k) rows.row(static_cast<Eigen::Index>(k)) = row(mixed[k]);
+  const bool is_each = points.size() <= options.probes;
+  const Moments moments = is_each ? moments_of_points(rows) : moments_of_mixtures(rows);
+
+  const VectorXd misses = points.misses();
+  const double along_misses = misses.isZero(0) ? 0 : row(misses).squaredNorm();
+  const auto count = static_cast<double>(points.size());
+  const double mean = (misses.squaredNorm() + moments.trace) / count,
+               variance = (2 * moments.trace_of_square + 4 * along_misses) / (count * count);
+  AsMade out;
+  out.designed_mm = std::sqrt(misses.squaredNorm() / count);
+  out.rms_mm = std::sqrt(mean);
+  out.p95_mm = std::sqrt(quantile(mean, variance));
+  out.sources = sources_of(rows.colwise().squaredNorm().transpose());
+  return out;
+}
+
+}  // namespace kinetix::model

@@ -1,0 +1,146 @@
+#include "model/tolerance/as_made.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "model/lattice/square/lines.hpp"
+#include "tests/support/elastic_equilibrium.hpp"
+
+namespace kinetix::model {
+namespace {
+
+using namespace testing;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+AsMade of_equilibrium(const Equilibrium& b, const std::vector<ObservedPoint>& points,
+                      const HingeScatter& scatter, const AsMadeOptions& options = {}) {
+  ElasticSystem system(b.structure, b.elasticity, b.drive.on(b.structure), b.planar, true);
+  system.set_multiplier(b.multiplier);
+  TangentStiffness tangent(system.dofs());
+  system.linearise(b.state, b.theta, tangent);
+  EXPECT_TRUE(tangent.factorise(0));
+  return as_made(system, b.elasticity, b.state, b.theta, tangent, points, scatter, options);
+}
+
+/// A bent sheet, its first wall turned.
+Equilibrium bent(int columns, int rows) {
+  Structure s = make_structure(rectangle(columns, rows), {10, 0.8, 6});
+  for (Hinge& hinge : s.hinges)
+    if (hinge.wall.axis == Axis::x)
+      hinge.parameters.beta = (starts_in_class_b(hinge.wall) ? -0.2 : 0.2) * (1 + 0.1 * hinge.wall.from.i);
+  Equilibrium b = equilibrium(s, {}, hinge_drive({{0, 0}, Axis::y}, 0.35), false);
+  EXPECT_TRUE(b.found);
+  return b;
+}
+
+/// Every body, seen along a direction of its own.
+std::vector<ObservedPoint> every_body(const Equilibrium& b, double miss_mm) {
+  std::vector<ObservedPoint> points;
+  for (int k = 0; k < static_cast<int>(b.state.size()); ++k)
+    points.push_back(
+        {{k}, b.state[k].p, Vector3d(std::sin(k), 0.3, std::cos(k)).normalized(), miss_mm * std::sin(5 * k)});
+  return points;
+}
+
+/// The change of all hinges in one print, as changed() takes it.
+VectorXd printed(const Equilibrium& b, const HingeScatter& scatter, std::mt19937& random) {
+  std::normal_distribution<double> normal(0, 1);
+  VectorXd q = VectorXd::Zero(parameter_count(b));
+  const auto hinges = static_cast<Eigen::Index>(b.structure.hinges.size());
+  for (int part = 0; part < 4; ++part)
+    for (Eigen::Index h = 0; h < hinges; ++h) q[part * hinges + h] = scatter.values()[part] * normal(random);
+  return q;
+}
+
+/// Rms over the points of a state against those of the design, after the best small rigid motion.
+double distance(const std::vector<ObservedPoint>& points, const State& state, bool aligned) {
+  const auto count = static_cast<Eigen::Index>(points.size());
+  VectorXd miss(count);
+  Eigen::MatrixXd rigid(count, 6);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const ObservedPoint& p = points[k];
+    miss[k] = p.miss_mm + p.normal.dot(state[p.bodies[0]].p - p.place);
+    rigid.row(k) << p.normal.transpose(), p.place.cross(p.normal).transpose();
+  }
+  VectorXd designed(count);
+  for (Eigen::Index k = 0; k < count; ++k) designed[k] = points[k].miss_mm;
+  VectorXd moved = miss - designed;
+  if (aligned) moved -= rigid * rigid.completeOrthogonalDecomposition().solve(moved);
+  return (designed + moved).norm() / std::sqrt(static_cast<double>(count));
+}
+
+TEST(AsMade, IsWhatManyPrintsComeTo) {
+  const Equilibrium b = bent(4, 3);
+  const HingeScatter scatter{0.004, 0.003, 0.004, 0.002};
+  for (const bool aligned : {true, false}) {
+    const std::vector<ObservedPoint> points = every_body(b, aligned ? 0.02 : 0.0);
+    AsMadeOptions options;
+    options.aligned = aligned;
+    const AsMade made = of_equilibrium(b, points, scatter, options);
+    std::mt19937 random(11);
+    constexpr int prints = 1000;  // the mean of squares is then known to about 3 %
+    std::vector<double> distances;
+    double squares = 0;
+    for (int k = 0; k < prints; ++k) {
+      const Equilibrium print = changed(b, printed(b, scatter, random));
+      ASSERT_TRUE(print.found);
+      distances.push_back(distance(points, print.state, aligned));
+      squares += distances.back() * distances.back() / prints;
+    }
+    std::sort(distances.begin(), distances.end());
+    EXPECT_NEAR(made.rms_mm, std::sqrt(squares), 0.04 * made.rms_mm) << aligned;
+    EXPECT_NEAR(made.p95_mm, distances[prints * 95 / 100], 0.06 * made.p95_mm) << aligned;
+    EXPECT_GT(made.rms_mm, 1.2 * made.designed_mm) << "the errors count";
+  }
+}
+
+TEST(AsMade, MixturesStandForAllPoints) {
+  const Equilibrium b = bent(4, 3);
+  const std::vector<ObservedPoint> points = every_body(b, 0.1);
+  const HingeScatter scatter{0.004, 0, 0.004, 0};
+  AsMadeOptions few;
+  few.probes = static_cast<int>(points.size()) - 1;
+  const AsMade each = of_equilibrium(b, points, scatter), mixed = of_equilibrium(b, points, scatter, few);
+  EXPECT_EQ(mixed.designed_mm, each.designed_mm);
+  EXPECT_NEAR(mixed.rms_mm, each.rms_mm, 0.25 * each.rms_mm) << "19 mixtures only";
+  double shares = 0;
+  for (const ScatterSource& source : mixed.sources) shares += source.share;
+  EXPECT_NEAR(shares, 1, 1e-12);
+}
+
+TEST(AsMade, NamesWhatCountsMost) {
+  const Equilibrium b = bent(3, 2);
+  const std::vector<ObservedPoint> points = every_body(b, 0);
+  const AsMade made = of_equilibrium(b, points, {0, 0, 0.01, 0});
+  ASSERT_EQ(made.sources.size(), b.structure.hinges.size());
+  // Each tilt by itself, by differences.
+  const auto hinges = static_cast<Eigen::Index>(b.structure.hinges.size());
+  VectorXd squares(hinges);
+  for (Eigen::Index h = 0; h < hinges; ++h) {
+    VectorXd q = VectorXd::Zero(parameter_count(b));
+    q[2 * hinges + h] = 1e-5;
+    const double up = distance(points, changed(b, q).state, true);
+    squares[h] = up * up;
+  }
+  for (std::size_t k = 0; k < made.sources.size(); ++k) {
+    EXPECT_EQ(made.sources[k].parameter, 2);
+    EXPECT_NEAR(made.sources[k].share, squares[made.sources[k].hinge] / squares.sum(), 1e-3);
+    EXPECT_LE(made.sources[k].share, made.sources[k > 0 ? k - 1 : 0].share);
+  }
+}
+
+TEST(AsMade, OfExactPrintsIsTheDesign) {
+  const Equilibrium b = bent(2, 2);
+  const AsMade made = of_equilibrium(b, every_body(b, 0.2), {});
+  EXPECT_EQ(made.rms_mm, made.designed_mm);
+  EXPECT_EQ(made.p95_mm, made.designed_mm);
+  EXPECT_TRUE(made.sources.empty());
+  EXPECT_GT(made.designed_mm, 0.05);
+}
+
+}  // namespace
+}  // namespace kinetix::model
