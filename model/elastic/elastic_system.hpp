@@ -14,7 +14,8 @@ namespace kinetix::model {
 /// Energies are in units of k_point edge^2, gradients by the bodies' twists as in model/closure/closure.hpp.
 class ElasticSystem {
  public:
-  /// @param planar bodies move in the plane z = 0 only   @pre elasticity and drive are valid
+  /// @param planar bodies move in the plane z = 0 only   @pre elasticity and drive are valid; the elasticity
+  /// has one stiffness for all hinges, or one for each
   /// @throws InvalidInput, with contact, for walls that overlap in the flat state
   ElasticSystem(Linkage structure, const Elasticity& elasticity, LinkageDrive drive, bool planar,
                 bool contact);
