@@ -22,7 +22,7 @@ TEST(ElasticLaw, ThePhysicsRunPullsWithTheMomentAndStiffnessOfTheLaw) {
   const model::Linkage cell = model::make_structure(model::rectangle(1, 1), {});
   const model::State state = exact_motion(model::make_structure(model::rectangle(1, 1), {})).at(theta);
   const model::Stiffness cubic{.turn = k, .law = std::make_shared<CubicHinge>()};
-  const std::vector<Eigen::Vector3d> still(state.size(), Eigen::Vector3d::Zero());
+  const std::vector<model::Twist> still(state.size());
   const std::vector<VelocityRow> rows = ElasticHinges(cell, cubic).rows(state, still, step);
   const double turn = 2 * theta;
   for (std::size_t h = 0; h < cell.hinges.size(); ++h) {
