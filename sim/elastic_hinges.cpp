@@ -49,6 +49,7 @@ VelocityRow brake(int body, const Vector3d& direction, double weight, const Vect
 
 ElasticHinges::ElasticHinges(const model::Linkage& structure, const model::Stiffness& stiffness)
     : structure_(structure), stiffness_(stiffness) {
+  stiffness.check_count(structure.hinges.size());
   for (int h = 0; h < static_cast<int>(structure.hinges.size()); ++h)
     springs_.push_back({{h, 0}, stiffness.of(h).law, stiffness.of(h).turn});
 }

@@ -17,6 +17,7 @@ namespace kinetix::sim {
 class ElasticHinges {
  public:
   /// Springs relaxed at flat. @param structure must outlive this
+  /// @throws InvalidInput for stiffnesses by hinge of another number than there are hinges
   ElasticHinges(const model::Linkage& structure, const model::Stiffness& stiffness);
 
   /// From now on, one hinge is driven to an angle. @param angle rad, (-pi, pi)

@@ -12,7 +12,7 @@ namespace kinetix::sim {
 /// The directions of a hinge's own frame where its two bodies stand: half way between what each of them
 /// carries of the wall's direction (made perpendicular to the axis) and of the axis. Unit vectors.
 struct HingeDirections {
-  Eigen::Vector3d wall, axis;
+  Eigen::Vector3d wall, axis;  ///< dimensionless
 };
 HingeDirections hinge_directions(const model::RestHinge& hinge, const model::Pose& lower,
                                  const model::Pose& upper);

@@ -10,7 +10,7 @@ using Eigen::VectorXd;
 
 /// Of each hinge, by axial, shear, along, turn and reach of its Stiffness.
 using StiffnessRates = Eigen::Matrix<double, 5, Eigen::Dynamic>;
-constexpr int turn_row = 3, reach_row = 4;
+constexpr int turn_row = 3, reach_row = 4;  // of those five
 
 Eigen::Matrix<double, 5, 1> stacked(const HingeRate& rate) {
   Eigen::Matrix<double, 5, 1> out;

@@ -15,6 +15,7 @@ namespace {
 /// Bodies that turn about upright axes only keep them parallel: there is no mismatch to reach for.
 Stiffness acting(const Elasticity& elasticity, const Linkage& structure, bool planar) {
   Stiffness stiffness = relative(elasticity, structure.size.edge_mm);
+  stiffness.check_count(structure.hinges.size());
   if (!planar || !all_vertical(structure)) return stiffness;
   stiffness.reach = 0;
   for (Stiffness& hinge : stiffness.each) hinge.reach = 0;

@@ -14,9 +14,9 @@ namespace kinetix::model {
 /// Energies are in units of k_point edge^2, gradients by the bodies' twists as in model/closure/closure.hpp.
 class ElasticSystem {
  public:
-  /// @param planar bodies move in the plane z = 0 only   @pre elasticity and drive are valid; the elasticity
-  /// has one stiffness for all hinges, or one for each
-  /// @throws InvalidInput, with contact, for walls that overlap in the flat state
+  /// @param planar bodies move in the plane z = 0 only   @pre elasticity and drive are valid
+  /// @throws InvalidInput for an elasticity with neither one stiffness for all hinges nor one for each, and, with
+  /// contact, for walls that overlap in the flat state
   ElasticSystem(Linkage structure, const Elasticity& elasticity, LinkageDrive drive, bool planar,
                 bool contact);
   /// One that nothing drives: theta has no meaning, and rigid motion is held at one body.

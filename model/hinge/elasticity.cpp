@@ -39,6 +39,13 @@ double Stiffness::least_turn() const {
 
 double energy_unit(const Elasticity& e, double edge_mm) { return e.k_point * edge_mm * edge_mm; }
 
+void Stiffness::check_count(std::size_t hinges) const {
+  if (each.empty() || each.size() == hinges) return;
+  std::ostringstream message;
+  message << "each has " << each.size() << " entries, must be empty or have " << hinges << ", one a hinge";
+  throw InvalidInput(message.str());
+}
+
 namespace {
 
 /// One hinge in the units of another k_point.

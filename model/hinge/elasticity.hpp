@@ -73,6 +73,8 @@ struct Stiffness {
   const Stiffness& of(std::size_t hinge) const { return each.empty() ? *this : each[hinge]; }
   /// The least of all hinges.
   double least_turn() const;
+  /// @throws InvalidInput unless there is one for all hinges, or one each
+  void check_count(std::size_t hinges) const;
 };
 
 /// The stiffnesses as ratios, for a cell edge in mm.

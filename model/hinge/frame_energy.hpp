@@ -12,8 +12,8 @@ Eigen::Vector3d wall_direction_rate(const RestHinge& hinge, const Eigen::Vector3
 
 /// First-order changes of a mismatch, of the direction w, and of both where what the bodies carry changes.
 struct DirectedChange {
-  Eigen::Vector3d gap = Eigen::Vector3d::Zero();
-  Eigen::Vector3d w = Eigen::Vector3d::Zero();
+  Eigen::Vector3d gap = Eigen::Vector3d::Zero();  ///< cell edges or dimensionless, as the mismatch
+  Eigen::Vector3d w = Eigen::Vector3d::Zero();    ///< dimensionless
 };
 
 /// The square of a mismatch's part along a direction half way between what the two bodies carry of it,

@@ -20,7 +20,7 @@ MadeHinge block(double L, double t, double h, double nu, double E = 1) {
           .height_mm = h};
 }
 
-const CellSize cell{20, 2, 8};
+const CellSize cell{20, 2, 8};  // mm: larger than the hinges below
 
 /// Timoshenko's beam between ends that stay parallel, with 5/6 of a rectangle in shear (0.86 here).
 TEST(MadeHinge, OfAMaterialThatDoesNotContractIsATimoshenkoBeam) {
