@@ -17,6 +17,7 @@
 #include "model/lattice/square/structure.hpp"
 #include "model/lattice/square/unit_laws.hpp"
 #include "model/linkage/state.hpp"
+#include "model/matter/made_hinge.hpp"
 #include "model/opening/cell_opening.hpp"
 #include "optim/curve/fit_curve.hpp"
 #include "optim/display/fit_display.hpp"
@@ -79,10 +80,16 @@ using model::Verdict;
 /// @name Equilibrium of elastic hinges, walls in contact
 /// @{
 using model::Elasticity;
+using model::elasticity_of;
 using model::EquilibriumPath;
 using model::EquilibriumPathOptions;
 using model::EquilibriumStep;
+using model::find_material;
 using model::find_stable_states;
+using model::HingeKind;
+using model::HingeStiffness;
+using model::MadeHinge;
+using model::Material;
 using model::PathEvent;
 using model::search_drives;
 using model::trace_equilibrium;

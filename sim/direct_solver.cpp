@@ -46,8 +46,9 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
   btScalar solveGroupCacheFriendlyIterations(btCollisionObject**, int, btPersistentManifold** manifolds,
                                              int count, btTypedConstraint**, int,
                                              const btContactSolverInfo& info, btIDebugDraw*) override {
-    if (m_tmpSolverNonContactConstraintPool.size() == 0) return 0;
     number_parts();
+    const bool jointless = m_tmpSolverNonContactConstraintPool.size() == 0 && !settings_.elastic;
+    if (bodies_.empty() || jointless) return 0;
     factorise_joints(info.m_timeStep);
     Eigen::VectorXd velocities = system_.velocities();
     share_contacts(manifolds, count);
@@ -115,12 +116,12 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
 
   void append_elastic(double step) {
     model::State state(bodies_.size());
-    std::vector<Eigen::Vector3d> speeds(bodies_.size());
+    std::vector<model::Twist> speeds(bodies_.size());
     std::vector<int> part_of_body(bodies_.size());
     for (std::size_t p = 0; p < bodies_.size(); ++p) {
       const btRigidBody& body = *m_tmpSolverBodyPool[bodies_[p]].m_originalBody;
       state[body.getUserIndex()] = pose_of(body.getWorldTransform(), settings_.edge_mm);
-      speeds[body.getUserIndex()] = eigen(body.getAngularVelocity());
+      speeds[body.getUserIndex()] = {eigen(body.getAngularVelocity()), eigen(body.getLinearVelocity())};
       part_of_body[body.getUserIndex()] = static_cast<int>(p);
     }
     for (VelocityRow row : settings_.elastic->rows(state, speeds, step)) {

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "model/closure/closure.hpp"
+#include "sim/framed_points.hpp"
 
 namespace kinetix::sim {
 namespace {
@@ -16,19 +17,24 @@ Matrix3d turned(const Vector3d& force, const Vector3d& arm) {
   return 0.5 * (product + product.transpose()) - product.trace() * Matrix3d::Identity();
 }
 
-/// By body: what the points' forces oppose to turns, over the stiffness of a point.
+/// By body: what the points' forces oppose to turns, over k_point.
 std::vector<Matrix3d> turning_stiffness(const model::Linkage& structure, const model::State& state,
-                                        double reach) {
+                                        const model::Stiffness& stiffness) {
   std::vector<Matrix3d> sums(state.size(), Matrix3d::Zero());
   const Eigen::VectorXd misfit = closure_residual(structure, state);
-  Eigen::Index row = 0;
-  for (const model::RestHinge& hinge : structure.hinges) {
-    const Vector3d force = 2 * misfit.segment<3>(row),
-                   moment = 2 * reach * reach * misfit.segment<3>(row + 3);
+  for (std::size_t h = 0; h < structure.hinges.size(); ++h) {
+    const model::RestHinge& hinge = structure.hinges[h];
+    const model::Stiffness& k = stiffness.of(h);
     const Matrix3d &lower = state[hinge.lower].R, &upper = state[hinge.upper].R;
+    Vector3d point = misfit.segment<3>(6 * h), axis = misfit.segment<3>(6 * h + 3);
+    if (!k.ratios.are_one()) {
+      const HingeDirections at = hinge_directions(hinge, state[hinge.lower], state[hinge.upper]);
+      point = pull(k.ratios, at, point);
+      axis = pull(k.ratios, at, axis);
+    }
+    const Vector3d force = 2 * point, moment = 2 * k.reach * k.reach * axis;
     sums[hinge.lower] += turned(force, lower * hinge.lower_arm) + turned(moment, lower * hinge.axis);
     sums[hinge.upper] -= turned(force, upper * hinge.upper_arm) + turned(moment, upper * hinge.axis);
-    row += 6;
   }
   return sums;
 }
@@ -43,8 +49,9 @@ VelocityRow brake(int body, const Vector3d& direction, double weight, const Vect
 
 ElasticHinges::ElasticHinges(const model::Linkage& structure, const model::Stiffness& stiffness)
     : structure_(structure), stiffness_(stiffness) {
+  stiffness.check_count(structure.hinges.size());
   for (int h = 0; h < static_cast<int>(structure.hinges.size()); ++h)
-    springs_.push_back({{h, 0}, stiffness.law, stiffness.turn});
+    springs_.push_back({{h, 0}, stiffness.of(h).law, stiffness.of(h).turn});
 }
 
 void ElasticHinges::drive_to(int hinge, double angle, double weight) {
@@ -57,7 +64,7 @@ void ElasticHinges::relax_at(const std::vector<double>& angles) {
 }
 
 VelocityRow ElasticHinges::row(const Spring& spring, const model::State& state,
-                               const std::vector<Vector3d>& speeds, double step) const {
+                               const std::vector<model::Twist>& speeds, double step) const {
   const model::RestHinge& hinge = structure_.hinges[spring.goal.hinge];
   std::vector<Eigen::Triplet<double>> entries;
   append_drive_gradient(spring.goal, structure_, state, 0, entries);
@@ -67,22 +74,26 @@ VelocityRow ElasticHinges::row(const Spring& spring, const model::State& state,
   VelocityRow row{hinge.lower, hinge.upper, Vector6::Zero(), Vector6::Zero(), 0, response.stiffness};
   row.first.tail<3>() = -gradient;
   row.second.tail<3>() = gradient;
-  row.target = -response.stretch / step - gradient.dot(speeds[hinge.upper] - speeds[hinge.lower]);
+  row.target = -response.stretch / step - gradient.dot(speeds[hinge.upper].omega - speeds[hinge.lower].omega);
   return row;
 }
 
-std::vector<VelocityRow> ElasticHinges::rows(const model::State& state, const std::vector<Vector3d>& speeds,
-                                             double step) const {
+std::vector<VelocityRow> ElasticHinges::rows(const model::State& state,
+                                             const std::vector<model::Twist>& speeds, double step) const {
   std::vector<VelocityRow> rows;
   rows.reserve(springs_.size() + 3 * state.size());
   for (const Spring& spring : springs_) rows.push_back(row(spring, state, speeds, step));
-  const std::vector<Matrix3d> stiffness = turning_stiffness(structure_, state, stiffness_.reach);
+  const std::vector<Matrix3d> stiffness = turning_stiffness(structure_, state, stiffness_);
   for (std::size_t b = 0; b < state.size(); ++b) {
     const Eigen::SelfAdjointEigenSolver<Matrix3d> modes(stiffness[b]);
     for (int k = 0; k < 3; ++k)
       rows.push_back(
-          brake(static_cast<int>(b), modes.eigenvectors().col(k), modes.eigenvalues()[k], speeds[b]));
+          brake(static_cast<int>(b), modes.eigenvectors().col(k), modes.eigenvalues()[k], speeds[b].omega));
   }
+  for (std::size_t h = 0; h < structure_.hinges.size(); ++h)
+    if (!stiffness_.of(h).ratios.are_one())
+      append_framed_points(structure_.hinges[h], stiffness_.of(h), structure_.size.edge_mm, state, speeds,
+                           step, rows);
   return rows;
 }
 

@@ -24,10 +24,18 @@ void not_negative(const char* field, double value, double largest) {
   throw InvalidInput(fmt::format("physics.{} is {}, must be in [0, {}]", field, value, largest));
 }
 
-void check(const model::Stiffness& elastic, PhysicsOptions::Solver solver) {
+void check(const model::Stiffness& elastic) {
   positive("elastic.turn", elastic.turn);
   positive("elastic.reach", elastic.reach, 10);
   positive("elastic.contact", elastic.contact);
+  positive("elastic.ratios.axial", elastic.ratios.axial);
+  positive("elastic.ratios.shear", elastic.ratios.shear);
+  positive("elastic.ratios.along", elastic.ratios.along);
+}
+
+void check(const model::Stiffness& elastic, PhysicsOptions::Solver solver) {
+  check(elastic);
+  for (const model::Stiffness& hinge : elastic.each) check(hinge);
   if (solver != PhysicsOptions::Solver::direct)
     throw InvalidInput("physics.elastic needs the direct solver: sweeps know rigid hinges only");
 }

@@ -104,12 +104,17 @@ struct World::Engine {
     for (const auto& body : parts.bodies()) world.addRigidBody(body.get(), group, group);
   }
 
+  /// Points that pull by the directions of their hinge's frame are the direct solver's own.
   void add_hinges() {
     const auto& bodies = parts.bodies();
-    for (const model::RestHinge& hinge : structure.hinges)
+    for (std::size_t h = 0; h < structure.hinges.size(); ++h) {
+      const model::RestHinge& hinge = structure.hinges[h];
+      const model::Stiffness* const k = options.elastic ? &options.elastic->of(h) : nullptr;
+      if (k && !k->ratios.are_one()) continue;
       for (Joint& point : hinge_points(hinge_frames(hinge), *bodies[hinge.lower], *bodies[hinge.upper],
-                                       options.reach, options.error_reduction))
+                                       k ? k->reach : options.reach, options.error_reduction))
         add_in_order(world, *joints.emplace_back(std::move(point)));
+    }
   }
 
   void add_drive() {

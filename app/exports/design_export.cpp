@@ -12,6 +12,7 @@ DesignFile design_of(const Run& run) {
   design.theta = run.equilibrium ? run.equilibrium->drive.theta() : run.theta;
   design.physics = run.physics;
   design.hinge = run.hinge;
+  design.own_hinges = run.own_hinges;
   design.drive = run.drive;
   design.side = run.side;
   return design;

@@ -37,6 +37,10 @@ const targets::KeyTable& hinge_entry_keys() {
        "how far the hinge sits off the middle of the wall, to the left as seen from its lower vertex "
        "(towards "
        "z x e)"},
+      {"hinge",
+       value::map(single_hinge_keys()),
+       {},
+       "what the hinge of this wall is made of, where it is not what `hinge` says of all"},
   });
   return keys;
 }
@@ -139,7 +143,8 @@ model::HingeParameters read_parameters(const targets::Section& hinge, double edg
   return p;
 }
 
-void read_hinges(const targets::Section& design, model::Sheet& structure) {
+void read_hinges(const targets::Section& design, DesignFile& file) {
+  model::Sheet& structure = file.structure;
   const auto list = design.optional("hinges");
   if (!list) return;
   const WallReader walls(structure);
@@ -153,17 +158,28 @@ void read_hinges(const targets::Section& design, model::Sheet& structure) {
                        std::to_string(line_of[k]) + "; name it once");
     line_of[k] = node.place().line;
     structure.hinge(k) = read_parameters(hinge, structure.size().edge_mm);
+    if (const targets::Section own = hinge.section("hinge"); own.given())
+      file.own_hinges[k] = read_single_hinge(own, structure.size());
   }
   list->located([&] { validate_hinges(structure); });
 }
 
-double read_state(const targets::Section& root, model::Sheet& structure) {
+void read_state(const targets::Section& root, DesignFile& file) {
   const targets::Section design = root.section("design");
-  read_pattern(design, structure);
-  read_hinges(design, structure);
-  double theta = 0;
-  design.read("theta_deg", theta);
-  return theta;
+  read_pattern(design, file.structure);
+  read_hinges(design, file);
+  design.read("theta_deg", file.theta);
+}
+
+/// Where single walls say how stiff their hinges are, all of them give.
+HingeSection read_common_hinge(const targets::Section& root, const DesignFile& file) {
+  HingeSection hinge = read_hinge_section(root, file.structure.size());
+  if (!file.own_hinges.empty() && !root.section("hinge").optional("model"))
+    hinge.model = HingeSection::Model::elastic;
+  if (hinge.model == HingeSection::Model::elastic && !(hinge.k_turn > 0))
+    throw root.section("hinge").optional("k_turn")->error(
+        "0 is out of range where hinges are elastic; allowed: a number above 0, in N mm/rad");
+  return hinge;
 }
 
 }  // namespace
@@ -188,10 +204,10 @@ DesignFile read_design(const targets::Node& node) {
   const targets::Section root(node, design_keys());
   check_version(root);
   DesignFile file{.name = read_name(root), .structure = read_structure(root)};
-  file.theta = read_state(root, file.structure);
+  read_state(root, file);
   file.drive = read_drive_section(root, file.structure);
   file.side = read_side(root);
-  file.hinge = read_hinge_section(root, file.structure.size().edge_mm);
+  file.hinge = read_common_hinge(root, file);
   const auto physics = file.hinge.model == HingeSection::Model::elastic ? read_elastic_physics : read_physics;
   file.physics = physics(root, file.structure.size().edge_mm);
   return file;

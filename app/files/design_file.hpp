@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 
@@ -22,6 +23,8 @@ struct DesignFile {
   std::optional<DriveSection> drive = {};  ///< nothing: to theta
   int side = 1;  ///< `side` of the drive: which way to leave a bifurcation that it leaves open, 1 or -1
   HingeSection hinge = {};
+  std::map<int, HingeSection> own_hinges =
+      {};  ///< of walls whose hinge is another one, by index of the hinge
   PhysicsSection physics = {};
 };
 

@@ -18,14 +18,21 @@ std::string offset_text(double offset, double edge_mm) {
   return offset == 0 ? "" : ", offset_mm: " + targets::shortest_text(mm_of(offset, edge_mm));
 }
 
-std::string hinges_text(const model::Sheet& structure) {
+std::string own_hinge_text(const DesignFile& design, int hinge) {
+  const auto own = design.own_hinges.find(hinge);
+  return own == design.own_hinges.end() ? "" : ", hinge: {" + hinge_text(own->second) + "}";
+}
+
+std::string hinges_text(const DesignFile& design) {
+  const model::Sheet& structure = design.structure;
   std::string text;
   for (int h = 0; h < structure.hinges(); ++h)
-    if (const model::HingeParameters& hinge = structure.hinge(h); !is_basic(hinge))
-      text +=
-          fmt::format("    - {{wall: {}, t: {}, alpha_deg: {}, beta_deg: {}{}}}\n", wall_name(structure, h),
-                      targets::shortest_text(hinge.t), targets::degrees_text(hinge.alpha),
-                      targets::degrees_text(hinge.beta), offset_text(hinge.offset, structure.size().edge_mm));
+    if (const model::HingeParameters& hinge = structure.hinge(h);
+        !is_basic(hinge) || design.own_hinges.contains(h))
+      text += fmt::format("    - {{wall: {}, t: {}, alpha_deg: {}, beta_deg: {}{}{}}}\n",
+                          wall_name(structure, h), targets::shortest_text(hinge.t),
+                          targets::degrees_text(hinge.alpha), targets::degrees_text(hinge.beta),
+                          offset_text(hinge.offset, structure.size().edge_mm), own_hinge_text(design, h));
   if (text.empty()) return {};
   return "  hinges:  # walls that are not named have t: 0.5, alpha_deg: 90, beta_deg: 0\n" + text;
 }
@@ -45,13 +52,11 @@ std::string drive_text(const model::Sheet& structure, const std::optional<DriveS
          end;
 }
 
-std::string hinge_text(const HingeSection& hinge) {
-  const std::string reach = hinge.reach_mm ? ", reach_mm: " + targets::shortest_text(*hinge.reach_mm) : "";
+std::string hinge_section_text(const HingeSection& hinge) {
   const std::string contact =
       hinge.k_contact ? ", k_contact: " + targets::shortest_text(*hinge.k_contact) : "";
-  return fmt::format("hinge: {{model: {}, k_point: {}, k_turn: {}{}{}}}\n",
-                     hinge.model == HingeSection::Model::rotary ? "rotary" : "elastic",
-                     targets::shortest_text(hinge.k_point), targets::shortest_text(hinge.k_turn), reach,
+  return fmt::format("hinge: {{model: {}, {}{}}}\n",
+                     hinge.model == HingeSection::Model::rotary ? "rotary" : "elastic", hinge_text(hinge),
                      contact);
 }
 
@@ -77,8 +82,8 @@ std::string physics_text(const PhysicsSection& physics) {
 std::string design_text(const DesignFile& design) {
   return fmt::format("kinetix: 1\nname: \"{}\"\n", design.name) + structure_text(design.structure) +
          fmt::format("design:\n  theta_deg: {}\n", targets::degrees_text(design.theta)) +
-         hinges_text(design.structure) + drive_text(design.structure, design.drive, design.side) +
-         hinge_text(design.hinge) + physics_text(design.physics);
+         hinges_text(design) + drive_text(design.structure, design.drive, design.side) +
+         hinge_section_text(design.hinge) + physics_text(design.physics);
 }
 
 }  // namespace kinetix::app

@@ -1,49 +1,255 @@
 #include "app/files/hinge_section.hpp"
 
+#include <fmt/format.h>
+
+#include "targets/document/wording.hpp"
+
 namespace kinetix::app {
 namespace {
 
 namespace value = targets::value;
 using Model = HingeSection::Model;
+using model::HingeKind;
 
 // What the key `model` may say.
 constexpr targets::Word<Model> models[] = {{"rotary", Model::rotary}, {"elastic", Model::elastic}};
+// And the key `kind`.
+constexpr targets::Word<HingeKind> kinds[] = {
+    {"pin", HingeKind::pin}, {"block", HingeKind::block}, {"film", HingeKind::film}};
 
-std::vector<targets::Key> keys_with(targets::Key model) {
+constexpr double default_clearance_mm = 0.3;  // mm a side: of FDM, the widest that is in general use
+constexpr const char* default_pin = "pa12";   // a material that rods are printed of
+// Of a made hinge: N/mm and mm are far from these ends.
+const targets::Bounds modulus = targets::from_to(1e-6, 1e7, "MPa");
+const targets::Bounds poisson = {0, 0.5, true, false, {}};
+const targets::Bounds strain = {0, 10, false, true, {}};
+
+std::vector<std::string> material_names() {
+  std::vector<std::string> names;
+  for (const model::Material& material : model::materials()) names.push_back(material.name);
+  return names;
+}
+
+const targets::KeyTable& material_keys() {
+  static const targets::KeyTable keys({
+      {"E_mpa", value::number(modulus), targets::needed, "Young's modulus"},
+      {"nu", value::number(poisson), targets::needed, "Poisson's ratio"},
+      {"strain_max", value::number(strain), targets::needed, "the strain that it bears again and again"},
+  });
+  return keys;
+}
+
+const targets::KeyTable& stiffness_keys() {
+  const auto newtons = value::number(targets::above(0, "N/mm"));
+  static const targets::KeyTable keys({
+      {"axial", newtons, targets::needed, "along the wall, across the hinge's axis"},
+      {"shear", newtons, targets::needed, "across the wall and the axis"},
+      {"along", newtons, targets::needed, "along the axis"},
+      {"turn", value::number(targets::above(0, "N mm/rad")), targets::needed, "about the axis"},
+  });
+  return keys;
+}
+
+std::string material_meaning() {
+  std::string text = "what a made hinge consists of:";
+  for (const model::Material& m : model::materials())
+    text += fmt::format("{} `{}` {:g} MPa, nu {:g}, strain {:g}",
+                        &m == &model::materials().front() ? "" : ";", m.name, m.E_mpa, m.nu, m.strain_max);
+  return text + "; or one of your own";
+}
+
+std::vector<targets::Key> stiffness_and_shape() {
   static const HingeSection usual{};
   return {
-      std::move(model),
       {"k_point", value::number(targets::above(0, "N/mm")), targets::by_default(usual.k_point),
-       "stiffness against pulling the two halves of a wall apart, in every direction"},
+       "stiffness of each of two points on the axis, `reach_mm` to either side, against pulling the two "
+       "halves of a "
+       "wall apart, in every direction: N is `k: {axial: 2 N, shear: 2 N, along: 2 N}`"},
       {"k_turn", value::number(targets::at_least(0, "N mm/rad")), targets::by_default(usual.k_turn),
        "stiffness against turning; above 0 where hinges are elastic"},
+      {"k",
+       value::map(stiffness_keys()),
+       {},
+       "stiffness of the whole hinge by the directions of its own frame, instead of `k_point` and `k_turn`"},
       {"reach_mm", value::length(targets::from_to(0.01, 10, "mm (0.01 to 10 cells)")),
-       targets::otherwise("0.18 cells"),
+       targets::otherwise("0.18 cells; of a made hinge its height over the root of 12"),
        "half distance of the two points at which a hinge holds its bodies together: what makes it resist "
        "tilting"},
-      {"k_contact", value::number(targets::above(0, "N/mm")), targets::otherwise("10 `k_point`"),
-       "stiffness of two walls pressed together"},
+      {"kind",
+       value::choice(kinds),
+       {},
+       "how the hinge is made, from which its stiffness follows ([hinges](hinges.md)): `pin`, a rod in "
+       "knuckles with "
+       "play; `block`, soft material in the gap between the halves of the wall; `film`, a thin film over the "
+       "gap"},
+      {"material", value::either({value::choice(material_names()), value::map(material_keys())}),
+       targets::otherwise("needed; of a pin `" + std::string(default_pin) + "`"), material_meaning()},
+      {"gap_mm", value::length(targets::between(0, 1, "mm (below the cell edge)")),
+       targets::otherwise("needed by blocks and films"), "length of a block or film along the wall"},
+      {"thickness_mm", value::number(targets::above(0, "mm")),
+       targets::otherwise("the wall's; needed by films"), "of a block or film, at most the wall's"},
+      {"height_mm", value::number(targets::above(0, "mm")), targets::otherwise("the wall's"),
+       "of the hinge along its axis, at most the wall's"},
+      {"diameter_mm", value::length(targets::between(0, 0.5, "mm (below half a cell)")),
+       targets::otherwise("needed by pins"), "of the rod of a pin; its knuckle must fit into half a cell"},
+      {"clearance_mm", value::length({0, 0.5, true, false, "mm (below half a cell)"}),
+       targets::by_default(default_clearance_mm), "of a pin, between rod and bore, a side"},
   };
 }
 
-HingeSection read_section(const targets::Section& root, double edge_mm, HingeSection hinge) {
-  const targets::Section section = root.section("hinge");
-  if (const auto node = section.optional("model")) hinge.model = read_word(*node, models);
+std::vector<targets::Key> keys_with(targets::Key model) {
+  std::vector<targets::Key> keys = stiffness_and_shape();
+  keys.insert(keys.begin(), std::move(model));
+  keys.push_back(
+      {"k_contact", value::number(targets::above(0, "N/mm")),
+       targets::otherwise("10 `k_point`, or 5 times the largest stiffness of `k` or of a made hinge"),
+       "stiffness of two walls pressed together"});
+  return keys;
+}
+
+/// Which of the ways to give a hinge a file takes.
+void check_one_way(const targets::Section& section) {
+  const auto refuse = [&](const char* way, std::initializer_list<const char*> others) {
+    if (!section.optional(way)) return;
+    for (const char* key : others)
+      if (const auto node = section.optional(key))
+        throw node->key_error(
+            fmt::format("and hinge.{} are two ways to say how stiff a hinge is; give one of them", way));
+  };
+  refuse("kind", {"k_point", "k_turn", "k", "reach_mm"});
+  refuse("k", {"k_point", "k_turn"});
+  if (section.optional("kind")) return;
+  for (const char* key : {"material", "gap_mm", "thickness_mm", "height_mm", "diameter_mm", "clearance_mm"})
+    if (const auto node = section.optional(key))
+      throw node->key_error("is of a made hinge; give `kind: pin`, `block` or `film` as well");
+}
+
+model::HingeStiffness read_stiffness(const targets::Section& section) {
+  model::HingeStiffness k;
+  section.read_needed("axial", "a stiffness in N/mm", k.axial);
+  section.read_needed("shear", "a stiffness in N/mm", k.shear);
+  section.read_needed("along", "a stiffness in N/mm", k.along);
+  section.read_needed("turn", "a stiffness in N mm/rad", k.turn);
+  return k;
+}
+
+model::Material read_material(const targets::Node& node) {
+  if (node.kind() != targets::Node::Kind::map) {
+    const std::vector<std::string> names = material_names();
+    return model::materials()[node.one_of({names.begin(), names.end()})];
+  }
+  const targets::Section own(node, material_keys());
+  model::Material material{.name = ""};
+  own.read_needed("E_mpa", "a modulus in MPa", material.E_mpa);
+  own.read_needed("nu", "Poisson's ratio", material.nu);
+  own.read_needed("strain_max", "a strain", material.strain_max);
+  return material;
+}
+
+/// @throws InvalidInput for a key that belongs to another kind
+void check_kind(const targets::Section& section, HingeKind kind) {
+  const bool pin = kind == HingeKind::pin;
+  for (const char* key : {"gap_mm", "thickness_mm", "diameter_mm", "clearance_mm"})
+    if (const auto node = section.optional(key);
+        node && pin != (key == std::string("diameter_mm") || key == std::string("clearance_mm")))
+      throw node->key_error(pin ? "is of blocks and films, not of pins"
+                                : "is of pins, not of blocks and films");
+}
+
+/// A length that the section must hold.
+void read_length_of(const targets::Section& section, const char* key, double& value, double edge_mm) {
+  section.node().required(key, "a length in mm");
+  section.read_length(key, value, edge_mm);
+}
+
+void read_beam(const targets::Section& section, const model::CellSize& size, model::MadeHinge& hinge) {
+  read_length_of(section, "gap_mm", hinge.gap_mm, size.edge_mm);
+  if (hinge.kind == HingeKind::film) section.node().required("thickness_mm", "a length in mm");
+  hinge.thickness_mm = size.thickness_mm;
+  section.read("thickness_mm", hinge.thickness_mm, {0, size.thickness_mm, false, true, "mm (the wall's)"});
+}
+
+void read_pin(const targets::Section& section, const model::CellSize& size, model::MadeHinge& hinge) {
+  hinge.clearance_mm = default_clearance_mm;
+  section.read_length("clearance_mm", hinge.clearance_mm, size.edge_mm);
+  read_length_of(section, "diameter_mm", hinge.diameter_mm, size.edge_mm);
+}
+
+model::MadeHinge read_made(const targets::Section& section, const model::CellSize& size) {
+  model::MadeHinge hinge;
+  section.read("kind", hinge.kind, kinds);
+  check_kind(section, hinge.kind);
+  if (const auto material = section.optional("material"))
+    hinge.material = read_material(*material);
+  else if (hinge.kind == HingeKind::pin)
+    hinge.material = *model::find_material(default_pin);
+  else
+    section.node().required("material", "a name or {E_mpa: ..., nu: ..., strain_max: ...}");
+  hinge.height_mm = size.height_mm;
+  section.read("height_mm", hinge.height_mm, {0, size.height_mm, false, true, "mm (the wall's)"});
+  (hinge.kind == HingeKind::pin ? read_pin : read_beam)(section, size, hinge);
+  const char* const length = hinge.kind == HingeKind::pin ? "diameter_mm" : "gap_mm";
+  section.optional(length)->located([&] { validate(hinge, size); });
+  return hinge;
+}
+
+/// All but the model.
+HingeSection read_stiffness_or_shape(const targets::Section& section, const model::CellSize& size,
+                                     HingeSection hinge) {
+  check_one_way(section);
   section.read("k_point", hinge.k_point);
   section.read(
       "k_turn", hinge.k_turn,
       hinge.model == Model::elastic ? targets::above(0, "N mm/rad") : targets::at_least(0, "N mm/rad"));
-  section.read_length("reach_mm", hinge.reach_mm, edge_mm);
+  section.read_length("reach_mm", hinge.reach_mm, size.edge_mm);
+  if (section.optional("k")) hinge.k = read_stiffness(section.section("k"));
+  if (section.optional("kind")) hinge.made = read_made(section, size);
+  return hinge;
+}
+
+HingeSection read_section(const targets::Section& root, const model::CellSize& size, HingeSection hinge) {
+  const targets::Section section = root.section("hinge");
+  if (section.optional("kind") || section.optional("k")) hinge.model = Model::elastic;
+  if (const auto node = section.optional("model")) hinge.model = read_word(*node, models);
+  hinge = read_stiffness_or_shape(section, size, hinge);
   section.read("k_contact", hinge.k_contact);
   return hinge;
 }
 
+std::string text(double number) { return targets::shortest_text(number); }
+
+std::string material_text(const model::Material& m) {
+  if (!m.name.empty()) return m.name;
+  return fmt::format("{{E_mpa: {}, nu: {}, strain_max: {}}}", text(m.E_mpa), text(m.nu), text(m.strain_max));
+}
+
+std::string made_text(const model::MadeHinge& h) {
+  const char* const kind = h.kind == HingeKind::pin ? "pin" : h.kind == HingeKind::block ? "block" : "film";
+  const std::string start = fmt::format("kind: {}, material: {}, ", kind, material_text(h.material));
+  const std::string shape =
+      h.kind == HingeKind::pin
+          ? fmt::format("diameter_mm: {}, clearance_mm: {}", text(h.diameter_mm), text(h.clearance_mm))
+          : fmt::format("gap_mm: {}, thickness_mm: {}", text(h.gap_mm), text(h.thickness_mm));
+  return start + shape + ", height_mm: " + text(h.height_mm);
+}
+
+std::string stiffness_text(const HingeSection& hinge) {
+  if (!hinge.k) return fmt::format("k_point: {}, k_turn: {}", text(hinge.k_point), text(hinge.k_turn));
+  return fmt::format("k: {{axial: {}, shear: {}, along: {}, turn: {}}}", text(hinge.k->axial),
+                     text(hinge.k->shear), text(hinge.k->along), text(hinge.k->turn));
+}
+
 }  // namespace
+
+std::optional<model::HingeStiffness> framed_stiffness(const HingeSection& hinge) {
+  return hinge.made ? stiffness(*hinge.made) : hinge.k;
+}
 
 const targets::KeyTable& hinge_keys() {
   static const targets::KeyTable keys(
       keys_with(
-          {"model", value::choice(models), targets::by_default("rotary"),
+          {"model", value::choice(models),
+           targets::otherwise("`rotary`; `elastic` with `k` or `kind`, here or at a wall"),
            "`rotary`: joints that cannot stretch; `elastic`: joints that give by the stiffnesses below"}),
       {}, "Section hinge");
   return keys;
@@ -54,16 +260,30 @@ targets::KeyTable elastic_hinge_keys() {
                                       "joints that give by the stiffnesses below"}));
 }
 
-HingeSection read_hinge_section(const targets::Section& root, double edge_mm) {
-  return read_section(root, edge_mm, {});
+const targets::KeyTable& single_hinge_keys() {
+  static const targets::KeyTable keys(stiffness_and_shape());
+  return keys;
 }
 
-HingeSection read_elastic_hinge_section(const targets::Section& root, double edge_mm) {
-  const HingeSection hinge = read_section(root, edge_mm, {.model = Model::elastic, .reach_mm = {}});
+HingeSection read_hinge_section(const targets::Section& root, const model::CellSize& size) {
+  return read_section(root, size, {});
+}
+
+HingeSection read_elastic_hinge_section(const targets::Section& root, const model::CellSize& size) {
+  const HingeSection hinge = read_section(root, size, {.model = Model::elastic, .reach_mm = {}});
   if (hinge.model == Model::rotary)
     throw root.section("hinge").optional("model")->error(
         "`rotary` hinges cannot stretch, which the picture needs; allowed for a display: elastic");
   return hinge;
+}
+
+HingeSection read_single_hinge(const targets::Section& section, const model::CellSize& size) {
+  return read_stiffness_or_shape(section, size, {.model = Model::elastic, .reach_mm = {}});
+}
+
+std::string hinge_text(const HingeSection& hinge) {
+  const std::string reach = hinge.reach_mm ? ", reach_mm: " + text(*hinge.reach_mm) : "";
+  return hinge.made ? made_text(*hinge.made) : stiffness_text(hinge) + reach;
 }
 
 }  // namespace kinetix::app

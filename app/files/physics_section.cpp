@@ -13,8 +13,11 @@ constexpr targets::Word<Solver> solvers[] = {{"direct", Solver::direct}, {"sweep
 
 void check_reach(const targets::Section& root, const targets::Section& physics) {
   const auto hinge = root.node().optional("hinge");
-  if (physics.optional("reach_mm") && hinge && hinge->optional("reach_mm"))
-    throw physics.optional("reach_mm")->key_error("and hinge.reach_mm say the same thing; give one of them");
+  if (!physics.optional("reach_mm") || !hinge) return;
+  for (const char* key : {"reach_mm", "kind"})
+    if (hinge->optional(key))
+      throw physics.optional("reach_mm")
+          ->key_error("and hinge." + std::string(key) + " say the same thing; give one of them");
 }
 
 }  // namespace

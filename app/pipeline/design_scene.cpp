@@ -32,6 +32,7 @@ class DesignScene final : public Scene {
   void solve(Run& run, const RunOptions&) const override {
     run.physics = design_.physics;
     run.hinge = design_.hinge;
+    run.own_hinges = design_.own_hinges;
     run.drive = design_.drive;
     run.side = design_.side;
     run.structure = design_.structure;

@@ -52,8 +52,16 @@ std::string stiffness_sentence(const Run& run, const model::Elasticity& e) {
   const char* start = run.hinge.model == HingeSection::Model::rotary
                           ? "the design's hinges are rotary; for this model they are taken as elastic: "
                           : "elastic hinges: ";
-  return fmt::format("{}k_point {:g} N/mm, k_turn {:g} N mm/rad, reach_mm {:g}, k_contact {:g} N/mm", start,
-                     e.k_point, e.k_turn, e.reach_mm, e.k_contact);
+  const std::string others =
+      run.own_hinges.empty() ? "" : fmt::format("; {} of their own", run.own_hinges.size());
+  const std::string end =
+      fmt::format(", reach_mm {:g}, k_contact {:g} N/mm{}", e.reach_mm, e.k_contact, others);
+  if (const auto k = framed_stiffness(run.hinge))
+    return fmt::format(
+        "{}{:g} N/mm along the wall, {:g} across it, {:g} along the axis, {:g} N mm/rad about it{}", start,
+        k->axial, k->shear, k->along, k->turn, end);
+  return fmt::format("{}k_point {:g} N/mm, k_turn {:g} N mm/rad{}", start,
+                     run.own_hinges.empty() ? e.k_point : run.hinge.k_point, e.k_turn, end);
 }
 
 model::EquilibriumPathOptions options_of(const Run& run, double goal, int frames) {

@@ -1,5 +1,7 @@
 #include "app/pipeline/physics_settings.hpp"
 
+#include <algorithm>
+
 #include "model/base/invalid_input.hpp"
 
 namespace kinetix::app {
@@ -13,10 +15,20 @@ model::Elasticity elasticity_of(const HingeSection& hinge, const PhysicsSection&
   if (!(hinge.k_turn > 0))
     throw InvalidInput("0 is out of range for the elastic model; allowed: a number above 0, in N mm/rad",
                        {"", 0, 0, "hinge.k_turn"});
-  return {.k_point = hinge.k_point,
-          .k_turn = hinge.k_turn,
-          .reach_mm = hinge.reach_mm.value_or(physics_options(physics, edge_mm).reach * edge_mm),
-          .k_contact = hinge.k_contact.value_or(10 * hinge.k_point)};
+  const double reach = reach_mm(hinge, physics, edge_mm);
+  const auto framed = framed_stiffness(hinge);
+  model::Elasticity e = framed ? elasticity_of(*framed, reach)
+                               : model::Elasticity{.k_point = hinge.k_point,
+                                                   .k_turn = hinge.k_turn,
+                                                   .reach_mm = reach,
+                                                   .k_contact = 10 * hinge.k_point};
+  e.k_contact = hinge.k_contact.value_or(e.k_contact);
+  return e;
+}
+
+double reach_mm(const HingeSection& hinge, const PhysicsSection& physics, double edge_mm) {
+  if (hinge.made) return model::reach_mm(*hinge.made);
+  return hinge.reach_mm.value_or(physics_options(physics, edge_mm).reach * edge_mm);
 }
 
 sim::PhysicsOptions elastic_physics(const model::Elasticity& elasticity, const PhysicsSection& section,
@@ -41,8 +53,25 @@ sim::PhysicsOptions physics_options(const PhysicsSection& section, double edge_m
   return options;
 }
 
+namespace {
+
+/// One for each hinge, in units of the stiffest.
+model::Elasticity by_hinge(const DesignFile& design, const model::Elasticity& common) {
+  model::Elasticity whole = common;
+  whole.each.assign(static_cast<std::size_t>(design.structure.hinges()), common);
+  for (const auto& [h, own] : design.own_hinges)
+    whole.each[h] = elasticity_of(own, design.physics, design.structure.size().edge_mm);
+  for (const model::Elasticity& hinge : whole.each) whole.k_point = std::max(whole.k_point, hinge.k_point);
+  whole.k_contact = design.hinge.k_contact.value_or(10 * whole.k_point);
+  return whole;
+}
+
+}  // namespace
+
 model::Elasticity elasticity_of(const DesignFile& design) {
-  return elasticity_of(design.hinge, design.physics, design.structure.size().edge_mm);
+  const model::Elasticity common =
+      elasticity_of(design.hinge, design.physics, design.structure.size().edge_mm);
+  return design.own_hinges.empty() ? common : by_hinge(design, common);
 }
 
 sim::PhysicsOptions physics_of(const DesignFile& design, bool planar) {
@@ -50,7 +79,8 @@ sim::PhysicsOptions physics_of(const DesignFile& design, bool planar) {
   if (design.hinge.model == HingeSection::Model::elastic)
     return elastic_physics(elasticity_of(design), design.physics, edge, planar);
   sim::PhysicsOptions physics = physics_options(design.physics, edge);
-  if (design.hinge.reach_mm) physics.reach = *design.hinge.reach_mm / edge;
+  if (design.hinge.reach_mm || design.hinge.made)
+    physics.reach = reach_mm(design.hinge, design.physics, edge) / edge;
   return physics;
 }
 

@@ -9,6 +9,8 @@ namespace kinetix::app {
 /// What hinges are made of. Rotary hinges are taken as elastic with the same numbers, which are the defaults
 /// unless the file gives others; reach: that of the physics run. @throws InvalidInput for k_turn 0
 model::Elasticity elasticity_of(const HingeSection& hinge, const PhysicsSection& physics, double edge_mm);
+/// Half distance of the two points of a hinge: as made, as given, or as the physics run has it. mm
+double reach_mm(const HingeSection& hinge, const PhysicsSection& physics, double edge_mm);
 
 /// Settings of the physics run: defaults, with what the file gives. @param edge_mm cell edge
 sim::PhysicsOptions physics_options(const PhysicsSection& section, double edge_mm);

@@ -34,22 +34,26 @@ Json equilibrium_json(const Equilibrium& equilibrium) {
   const model::EquilibriumPath& path = equilibrium.path;
   const model::Elasticity& e = equilibrium.elasticity;
   Json steps = Json::array(), events = Json::array(), energies = Json::array();
+  Json stiffness = {
+      {"k_point", e.k_point}, {"k_turn", e.k_turn}, {"reach_mm", e.reach_mm}, {"k_contact", e.k_contact}};
+  if (e.each.empty() && !e.ratios.are_one()) {
+    const model::HingeStiffness k = stiffness_of(e);
+    stiffness.update({{"axial", k.axial}, {"shear", k.shear}, {"along", k.along}});
+  }
   for (const model::EquilibriumStep& step : path.steps)
     steps.push_back(step_json(step, by_plates(equilibrium)));
   for (const model::PathEvent& event : path.events) events.push_back(event_json(event));
   for (const model::HingeEnergy& energy : path.hinge_energies)
     energies.push_back({{"stretch", energy.stretch}, {"turn", energy.turn}});
-  return {
-      {"stop", to_string(path.stop)},
-      {"why", path.why},
-      {"planar", path.planar},
-      {"goal_rad", equilibrium.drive.theta()},
-      {"iterations", path.iterations},
-      {"stiffness",
-       {{"k_point", e.k_point}, {"k_turn", e.k_turn}, {"reach_mm", e.reach_mm}, {"k_contact", e.k_contact}}},
-      {"path", steps},
-      {"events", events},
-      {"hinge_energy_Nmm", energies}};
+  return {{"stop", to_string(path.stop)},
+          {"why", path.why},
+          {"planar", path.planar},
+          {"goal_rad", equilibrium.drive.theta()},
+          {"iterations", path.iterations},
+          {"stiffness", stiffness},
+          {"path", steps},
+          {"events", events},
+          {"hinge_energy_Nmm", energies}};
 }
 
 void add_equilibrium_metrics(const Equilibrium& equilibrium, Json& metrics) {

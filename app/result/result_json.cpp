@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/result/equilibrium_json.hpp"
+#include "app/result/made_hinges.hpp"
 #include "app/result/physics_json.hpp"
 #include "app/result/stable_states_json.hpp"
 #include "app/result/state_json.hpp"
@@ -31,25 +32,46 @@ Json plan_json(const Run& run) {
   return out;
 }
 
-Json hinge_json(const model::Sheet& s, int index, double reach_mm) {
+Json stiffness_json(const model::HingeStiffness& k) {
+  return {{"axial", k.axial}, {"shear", k.shear}, {"along", k.along}, {"turn", k.turn}};
+}
+
+/// As the file has it: of all hinges, or of this one.
+const HingeSection& hinge_of(const Run& run, int index) {
+  const auto own = run.own_hinges.find(index);
+  return own == run.own_hinges.end() ? run.hinge : own->second;
+}
+
+/// @param usual_mm reach of hinges that are all alike
+double reach_of(const Run& run, int index, double usual_mm) {
+  if (run.equilibrium) return run.equilibrium->elasticity.of(index).reach_mm;
+  const HingeSection& hinge = hinge_of(run, index);
+  return hinge.made ? model::reach_mm(*hinge.made) : hinge.reach_mm.value_or(usual_mm);
+}
+
+Json hinge_json(const Run& run, int index, double usual_reach_mm) {
+  const model::Sheet& s = run.structure;
   const model::HingedWall wall = s.wall(index);
   const model::RestHinge hinge = rest_hinge(wall);
   const double edge_mm = s.size().edge_mm;
-  return {{"bodies", {wall.lower, wall.upper}},
-          {"t", wall.hinge.t},
-          {"alpha_rad", wall.hinge.alpha},
-          {"beta_rad", wall.hinge.beta},
-          {"offset_mm", wall.hinge.offset * edge_mm},
-          {"point_mm", numbers(s.rest_position(wall.lower) + edge_mm * hinge.lower_arm)},
-          {"axis", numbers(hinge.axis)},
-          {"reach_mm", reach_mm}};
+  Json out = {{"bodies", {wall.lower, wall.upper}},
+              {"t", wall.hinge.t},
+              {"alpha_rad", wall.hinge.alpha},
+              {"beta_rad", wall.hinge.beta},
+              {"offset_mm", wall.hinge.offset * edge_mm},
+              {"point_mm", numbers(s.rest_position(wall.lower) + edge_mm * hinge.lower_arm)},
+              {"axis", numbers(hinge.axis)},
+              {"reach_mm", reach_of(run, index, usual_reach_mm)}};
+  if (const auto k = framed_stiffness(hinge_of(run, index))) out["k"] = stiffness_json(*k);
+  return out;
 }
 
-Json structure_json(const model::Sheet& s, double reach_mm) {
+Json structure_json(const Run& run, double reach_mm) {
+  const model::Sheet& s = run.structure;
   Json bodies = Json::array(), hinges = Json::array(), cells = Json::array();
   for (int b = 0; b < s.bodies(); ++b)
     bodies.push_back({{"vertex", body_label(s, b)}, {"position_mm", numbers(s.rest_position(b))}});
-  for (int h = 0; h < s.hinges(); ++h) hinges.push_back(hinge_json(s, h, reach_mm));
+  for (int h = 0; h < s.hinges(); ++h) hinges.push_back(hinge_json(run, h, reach_mm));
   for (int c = 0; c < s.cells(); ++c)
     cells.push_back({{"cell", cell_label(s, c)}, {"bodies", s.cell_bodies(c)}, {"hinges", s.cell_hinges(c)}});
   return {{"lattice", lattice_name(s)},
@@ -97,6 +119,7 @@ Json metrics_json(const Run& run) {
   }
   if (run.goal) run.goal->add_metrics(metrics);
   if (run.equilibrium) add_equilibrium_metrics(*run.equilibrium, metrics);
+  if (const auto strain = largest_strain(run)) metrics["strain_max"] = *strain;
   if (run.verification) {
     metrics["verify_rms"] = run.verification->distance.rms;
     metrics["verify_max"] = run.verification->distance.max;
@@ -120,7 +143,7 @@ Json result_json(const Run& run) {
               {"seed", run.seed},
               {"target", run.goal ? run.goal->target_json() : Json(nullptr)},
               {"plan", plan_json(run)},
-              {"structure", structure_json(run.structure, reach)},
+              {"structure", structure_json(run, reach)},
               {"states", states},
               {"metrics", metrics_json(run)},
               {"tolerance", tolerance_json(run)},

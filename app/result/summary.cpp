@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "app/result/equilibrium_summary.hpp"
+#include "app/result/made_hinges.hpp"
 #include "app/result/result_json.hpp"
 
 namespace kinetix::app {
@@ -55,6 +56,7 @@ std::string summary(const Run& run) {
   text += line("fold", fmt::format("theta {:.2f} deg, tilts up to {:.2f} deg", degrees(run.theta),
                                    degrees(largest_tilt(run.structure))));
   text += contact_line(run);
+  for (const auto& [label, words] : made_hinge_lines(run)) text += line(label, words);
   if (run.goal)
     for (const auto& [label, words] : run.goal->summary_lines(run)) text += line(label, words);
   if (run.equilibrium)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -67,8 +68,9 @@ struct Run {
   double theta = 0;                   ///< rad, of the state shown
   std::unique_ptr<GoalOutcome> goal;  ///< nothing for a design, which was not searched for
   std::vector<NamedState> states;
-  PhysicsSection physics;  ///< these four as the file asked
+  PhysicsSection physics;  ///< these five as the file asked
   HingeSection hinge;
+  std::map<int, HingeSection> own_hinges;
   std::optional<DriveSection> drive;
   int side = 1;
   std::optional<Equilibrium> equilibrium;

@@ -8,10 +8,15 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// f by the relative stiffnesses.
-struct StiffnessRates {
-  double turn = 0, reach = 0, contact = 0;
-};
+/// Of each hinge, by axial, shear, along, turn and reach of its Stiffness.
+using StiffnessRates = Eigen::Matrix<double, 5, Eigen::Dynamic>;
+constexpr int turn_row = 3, reach_row = 4;  // of those five
+
+Eigen::Matrix<double, 5, 1> stacked(const HingeRate& rate) {
+  Eigen::Matrix<double, 5, 1> out;
+  out << rate.ratios.axial, rate.ratios.shear, rate.ratios.along, rate.turn, rate.reach;
+  return out;
+}
 
 /// A body held about one axis and free about two: a small turn about both is not the sum of the two turns.
 struct HalfHeld {
@@ -52,18 +57,17 @@ class Adjoint {
   double theta_rate() const { return by_theta_; }
 
   StiffnessRates add_hinges(Eigen::Matrix4Xd& out) const {
-    StiffnessRates sum;
+    StiffnessRates rates(5, system_.hinges().size());
     const double edge_mm = system_.structure().size.edge_mm;
     for (std::size_t h = 0; h < system_.hinges().size(); ++h) {
       const RestHinge& hinge = system_.hinges()[h];
       const auto [by_energy, along] =
-          hinge_rates(hinge, system_.stiffness(), state_[hinge.lower], state_[hinge.upper], edge_mm,
+          hinge_rates(hinge, system_.stiffness().of(h), state_[hinge.lower], state_[hinge.upper], edge_mm,
                       pair(hinge.lower, hinge.upper));
       out.col(h) += energy_ * by_energy.design - along.design;
-      sum.turn += energy_ * by_energy.turn - along.turn;
-      sum.reach += energy_ * by_energy.reach - along.reach;
+      rates.col(h) = energy_ * stacked(by_energy) - stacked(along);
     }
-    return sum;
+    return rates;
   }
 
   void add_drive(Eigen::Matrix4Xd& out) const {
@@ -111,9 +115,12 @@ class Adjoint {
       if (b == body) sum += element().gradient.template segment<3>(6);
     };
     const double edge_mm = system_.structure().size.edge_mm;
-    for (const RestHinge& h : system_.hinges())
-      add(h.lower, h.upper,
-          [&] { return hinge_element(h, system_.stiffness(), state_[h.lower], state_[h.upper], edge_mm); });
+    for (std::size_t k = 0; k < system_.hinges().size(); ++k) {
+      const RestHinge& h = system_.hinges()[k];
+      add(h.lower, h.upper, [&] {
+        return hinge_element(h, system_.stiffness().of(k), state_[h.lower], state_[h.upper], edge_mm);
+      });
+    }
     const ContactModel& walls = system_.walls();
     for (const Contact& c : contacts_)
       add(walls.body(c.plate), walls.body(c.other),
@@ -196,17 +203,26 @@ Sensitivity sensitivity(const ElasticSystem& system, const Elasticity& elasticit
 
   Sensitivity out;
   out.hinges.setZero(4, system.hinges().size());
-  StiffnessRates by = adjoint.add_hinges(out.hinges);
-  by.contact = adjoint.add_contacts(out.hinges);
+  out.stiffness = adjoint.add_hinges(out.hinges);
+  const double by_contact = adjoint.add_contacts(out.hinges);
   adjoint.add_drive(out.hinges);
   out.theta = adjoint.theta_rate();
-  out.k_turn = by.turn / energy_unit;
-  out.reach_mm = by.reach / L;
-  out.k_contact = by.contact / elasticity.k_point;
-  double by_unit = -by.turn * system.stiffness().turn - by.contact * system.stiffness().contact;
+  double by_unit = -by_contact * system.stiffness().contact;
+  double by_turn = 0, by_reach = 0;
+  for (Eigen::Index h = 0; h < out.stiffness.cols(); ++h) {
+    by_turn += out.stiffness(turn_row, h);
+    by_reach += out.stiffness(reach_row, h);
+    by_unit -= out.stiffness(turn_row, h) * system.stiffness().of(h).turn;
+  }
+  out.k_turn = by_turn / energy_unit;
+  out.reach_mm = by_reach / L;
+  out.k_contact = by_contact / elasticity.k_point;
   if (gradient.load != 0) by_unit += gradient.load * load_unit * system.load(state, theta);
   if (gradient.energy != 0) by_unit += gradient.energy * energy_unit * system.elastic_energy(state);
   out.k_point = by_unit / elasticity.k_point;
+  out.stiffness.topRows<3>() /= 2 * elasticity.k_point;
+  out.stiffness.row(turn_row) /= energy_unit;
+  out.stiffness.row(reach_row) /= L;
   return out;
 }
 

@@ -14,12 +14,16 @@ struct EquilibriumGradient {
 /// The derivatives of f where the structure is in equilibrium again after each change.
 struct Sensitivity {
   Eigen::Matrix4Xd
-      hinges;            ///< column h: by t (fraction), alpha, beta (rad) and offset (cell edges) of hinge h
-  double theta = 0;      ///< by the drive's fold parameter, rad
-  double k_point = 0;    ///< by the fields of Elasticity, N/mm
-  double k_turn = 0;     ///< N mm/rad
-  double reach_mm = 0;   ///< mm
+      hinges;        ///< column h: by t (fraction), alpha, beta (rad) and offset (cell edges) of hinge h
+  double theta = 0;  ///< by the drive's fold parameter, rad
+  double k_point =
+      0;  ///< by the fields of Elasticity, N/mm; by hinge: all change by one factor, times k_point
+  double k_turn = 0;     ///< N mm/rad, of all hinges
+  double reach_mm = 0;   ///< mm, of all hinges
   double k_contact = 0;  ///< N/mm
+  /// Column h: by the axial, shear and along of hinge h's own HingeStiffness (N/mm), by its k_turn (N mm/rad)
+  /// and reach (mm).
+  Eigen::Matrix<double, 5, Eigen::Dynamic> stiffness;
 };
 
 /// By the adjoint: H lambda = df/dx over the unknowns, df/dp = -lambda . dg/dp, with g the gradient and H the

@@ -15,7 +15,10 @@ namespace {
 /// Bodies that turn about upright axes only keep them parallel: there is no mismatch to reach for.
 Stiffness acting(const Elasticity& elasticity, const Linkage& structure, bool planar) {
   Stiffness stiffness = relative(elasticity, structure.size.edge_mm);
-  if (planar && all_vertical(structure)) stiffness.reach = 0;
+  stiffness.check_count(structure.hinges.size());
+  if (!planar || !all_vertical(structure)) return stiffness;
+  stiffness.reach = 0;
+  for (Stiffness& hinge : stiffness.each) hinge.reach = 0;
   return stiffness;
 }
 
@@ -124,8 +127,10 @@ Eigen::VectorXd ElasticSystem::driven_gradient(const State& state) const {
 
 double ElasticSystem::elastic_energy(const State& state) const {
   double sum = 0;
-  for (const RestHinge& h : structure_.hinges)
-    sum += hinge_energy(h, stiffness_, state[h.lower], state[h.upper], structure_.size.edge_mm).total();
+  for (std::size_t k = 0; k < structure_.hinges.size(); ++k) {
+    const RestHinge& h = structure_.hinges[k];
+    sum += hinge_energy(h, stiffness_.of(k), state[h.lower], state[h.upper], structure_.size.edge_mm).total();
+  }
   return sum + walls_.energy(contacts(state), stiffness_.contact);
 }
 
@@ -152,9 +157,11 @@ void ElasticSystem::visit_drive(const State& state, double theta, const Visit& v
 
 Eigen::VectorXd ElasticSystem::elastic_gradient(const State& state) const {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(dofs_.coordinates());
-  for (const RestHinge& h : structure_.hinges)
+  for (std::size_t k = 0; k < structure_.hinges.size(); ++k) {
+    const RestHinge& h = structure_.hinges[k];
     add(sum, h.lower, h.upper,
-        hinge_gradient(h, stiffness_, state[h.lower], state[h.upper], structure_.size.edge_mm));
+        hinge_gradient(h, stiffness_.of(k), state[h.lower], state[h.upper], structure_.size.edge_mm));
+  }
   visit_contacts(state, [&](int a, int b, const Element& e) { add(sum, a, b, e.gradient); });
   return sum;
 }
@@ -172,9 +179,11 @@ Eigen::VectorXd ElasticSystem::linearise(const State& state, double theta, Tange
     add(sum, a, b, e.gradient);
     tangent.add(a, b, e);
   };
-  for (const RestHinge& h : structure_.hinges)
+  for (std::size_t k = 0; k < structure_.hinges.size(); ++k) {
+    const RestHinge& h = structure_.hinges[k];
     take(h.lower, h.upper,
-         hinge_element(h, stiffness_, state[h.lower], state[h.upper], structure_.size.edge_mm));
+         hinge_element(h, stiffness_.of(k), state[h.lower], state[h.upper], structure_.size.edge_mm));
+  }
   visit_contacts(state, take);
   visit_drive(state, theta, take);
   return sum;

@@ -15,7 +15,8 @@ namespace kinetix::model {
 class ElasticSystem {
  public:
   /// @param planar bodies move in the plane z = 0 only   @pre elasticity and drive are valid
-  /// @throws InvalidInput, with contact, for walls that overlap in the flat state
+  /// @throws InvalidInput for an elasticity with neither one stiffness for all hinges nor one for each, and, with
+  /// contact, for walls that overlap in the flat state
   ElasticSystem(Linkage structure, const Elasticity& elasticity, LinkageDrive drive, bool planar,
                 bool contact);
   /// One that nothing drives: theta has no meaning, and rigid motion is held at one body.

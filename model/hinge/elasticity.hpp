@@ -1,8 +1,32 @@
 #pragma once
 
+#include <vector>
+
 #include "model/hinge/hinge_law.hpp"
 
 namespace kinetix::model {
+
+/// What a hinge resists with in its own frame: across its axis along the wall, across axis and wall, along its
+/// axis, each of both its points together; and to turning about its axis.
+struct HingeStiffness {
+  double axial = 2000;  ///< along the wall, N/mm
+  double shear = 2000;  ///< across the wall and the axis, N/mm
+  double along = 2000;  ///< along the axis, N/mm
+  double turn = 0.1;    ///< about the axis, N mm/rad
+
+  bool operator==(const HingeStiffness&) const = default;
+};
+
+/// The stiffnesses of a hinge against stretching over those of two springs k_point, 2 k_point.
+struct PointRatios {
+  double axial = 1;  ///< fields as in HingeStiffness
+  double shear = 1;
+  double along = 1;
+
+  /// Whether the hinge is just those two springs.
+  bool are_one() const { return axial == 1 && shear == 1 && along == 1; }
+  bool operator==(const PointRatios&) const = default;
+};
 
 /// What the hinges and walls of a structure are made of. The energy of a hinge (kinematics.md section 3) is
 ///
@@ -10,13 +34,26 @@ namespace kinetix::model {
 ///
 /// with dp, dd the mismatch of hinge point and unit hinge axis as its two bodies carry them: that of two
 /// springs of stiffness k_point at the hinge point +- reach along the axis, plus a turning spring that is
-/// relaxed in the flat state. The same numbers describe the hinge in the physics run.
+/// relaxed in the flat state. Where `ratios` are not 1, |g|^2 of dp and of dd is replaced by
+///
+///     shear |g|^2 + (axial - shear) (g . a)^2 + (along - shear) (g . c)^2
+///
+/// with a and c unit vectors half way between what the two bodies carry: a the direction of the wall made
+/// perpendicular to the axis at rest, c the axis. They mean nothing where the bodies have turned against each
+/// other by half a turn. The same numbers describe the hinge in the physics run.
 struct Elasticity {
   double k_point = 1000;                                 ///< of each of the two points, N/mm
   double k_turn = 0.1;                                   ///< N mm/rad
   double reach_mm = 1.8;                                 ///< half distance of the two points, mm
   double k_contact = 1e4;                                ///< of two walls pressed into each other, N/mm
   std::shared_ptr<const HingeLaw> law = linear_hinge();  ///< of the turn, by k_turn; not null
+  PointRatios ratios = {};                               ///< over 2 k_point
+  /// By hinge, where not all are alike; else empty. Then this object's own k_point is the unit of energies,
+  /// its k_contact that of all walls, and the rest of it is not used. Their own `each` are empty.
+  std::vector<Elasticity> each = {};
+
+  /// That of a hinge.
+  const Elasticity& of(std::size_t hinge) const { return each.empty() ? *this : each[hinge]; }
 
   /// All are positive, from 1e-30 to 1e30: their ratios and products stay numbers.
   /// @throws InvalidInput, naming the field, its value and its range
@@ -29,10 +66,24 @@ struct Stiffness {
   double reach = 0.18;  ///< cell edges; 0: axes are parallel whatever the bodies do
   double contact = 10;  ///< k_contact, in units of k_point
   std::shared_ptr<const HingeLaw> law = linear_hinge();
+  PointRatios ratios = {};
+  std::vector<Stiffness> each = {};  ///< by hinge, where not all are alike, over the k_point of the whole
+
+  /// That of a hinge; its contact is the whole's.
+  const Stiffness& of(std::size_t hinge) const { return each.empty() ? *this : each[hinge]; }
+  /// The least of all hinges.
+  double least_turn() const;
+  /// @throws InvalidInput unless there is one for all hinges, or one each
+  void check_count(std::size_t hinges) const;
 };
 
 /// The stiffnesses as ratios, for a cell edge in mm.
 Stiffness relative(const Elasticity& elasticity, double edge_mm);
+/// A hinge by the stiffnesses of its own frame: k_point is half the largest of them, N/mm, and k_contact ten
+/// times that.
+Elasticity elasticity_of(const HingeStiffness& stiffness, double reach_mm);
+/// The other way round; `each` does not count.
+HingeStiffness stiffness_of(const Elasticity& elasticity);
 /// k_point edge^2, N mm.
 double energy_unit(const Elasticity& elasticity, double edge_mm);
 

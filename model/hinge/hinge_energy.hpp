@@ -27,8 +27,9 @@ Vector12 hinge_gradient(const RestHinge& hinge, const Stiffness& stiffness, cons
 /// Derivatives of a number that belongs to a hinge by its design and stiffness.
 struct HingeRate {
   DesignRates design = DesignRates::Zero();
-  double turn = 0;   ///< by Stiffness::turn, per k_point edge^2
-  double reach = 0;  ///< by Stiffness::reach, per cell edge
+  double turn = 0;                 ///< by Stiffness::turn, per k_point edge^2
+  double reach = 0;                ///< by Stiffness::reach, per cell edge
+  PointRatios ratios = {0, 0, 0};  ///< by Stiffness::ratios
 };
 
 struct HingeRates {

@@ -23,8 +23,8 @@ struct Pair {
   model::EquilibriumComparison comparison;
 };
 
-Pair both(const model::Structure& s, const model::Drive& drive, bool contact = true) {
-  const model::Elasticity elasticity;
+Pair both(const model::Structure& s, const model::Drive& drive, bool contact = true,
+          const model::Elasticity& elasticity = {}) {
   model::EquilibriumPathOptions path_options;
   path_options.contact = contact;
   path_options.longest_step = path_options.first_step = 0.01;
@@ -80,6 +80,39 @@ TEST(ElasticAgreement, OfSheetsInSpaceBetweenPlates) {
       EXPECT_LE(pair.comparison.distance.rms, 1e-4);
       EXPECT_GT(pair.comparison.energy, 100);
     }
+}
+
+// A block of rubber and a pin, N/mm and N mm/rad: softer across the wall than along it; along its rod least of
+// all.
+const model::HingeStiffness block{2000, 500, 700, 0.1}, pin{2000, 1900, 300, 0.1};
+constexpr double reach_mm = 1.8;
+
+/// One of the two at each hinge, in turn.
+model::Elasticity alternating_kinds(const model::Structure& s) {
+  model::Elasticity whole = elasticity_of(block, reach_mm);
+  for (std::size_t h = 0; h < s.hinges.size(); ++h)
+    whole.each.push_back(elasticity_of(h % 2 == 0 ? block : pin, reach_mm));
+  return whole;
+}
+
+/// @param isotropic least distance from where hinges that are as stiff in all directions take it
+void expect_framed_agreement(const model::Structure& s, const model::Drive& drive, double isotropic) {
+  const Pair plain = both(s, drive, false);
+  for (const model::Elasticity& elasticity :
+       {elasticity_of(block, reach_mm), elasticity_of(pin, reach_mm), alternating_kinds(s)}) {
+    const Pair pair = both(s, drive, false, elasticity);
+    EXPECT_LE(pair.comparison.distance.rms, 1e-4);
+    EXPECT_GE(aligned_distance(s, pair.run.state, plain.run.state).rms, isotropic);
+  }
+}
+
+TEST(ElasticAgreement, OfFramedHingesOnABentSheet) {
+  expect_framed_agreement(alternating(8, 8, twisting_unit, basic_unit),
+                          plates_drive(model::Axis::y, 35 * degree), 1e-3);
+}
+
+TEST(ElasticAgreement, OfFramedHingesOnATwistingStrip) {
+  expect_framed_agreement(twisting_strip(), hinge_drive({{5, 0}, model::Axis::y}, 20 * degree), 1e-3);
 }
 
 }  // namespace

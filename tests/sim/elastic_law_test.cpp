@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "model/base/invalid_input.hpp"
+#include "model/elastic/elastic_system.hpp"
 #include "model/lattice/square/classify.hpp"
 #include "sim/elastic_hinges.hpp"
 #include "sim/equilibrium.hpp"
@@ -22,7 +24,7 @@ TEST(ElasticLaw, ThePhysicsRunPullsWithTheMomentAndStiffnessOfTheLaw) {
   const model::Linkage cell = model::make_structure(model::rectangle(1, 1), {});
   const model::State state = exact_motion(model::make_structure(model::rectangle(1, 1), {})).at(theta);
   const model::Stiffness cubic{.turn = k, .law = std::make_shared<CubicHinge>()};
-  const std::vector<Eigen::Vector3d> still(state.size(), Eigen::Vector3d::Zero());
+  const std::vector<model::Twist> still(state.size());
   const std::vector<VelocityRow> rows = ElasticHinges(cell, cubic).rows(state, still, step);
   const double turn = 2 * theta;
   for (std::size_t h = 0; h < cell.hinges.size(); ++h) {
@@ -30,6 +32,19 @@ TEST(ElasticLaw, ThePhysicsRunPullsWithTheMomentAndStiffnessOfTheLaw) {
     EXPECT_NEAR(std::abs(rows[h].weight * rows[h].target * step), k * turn * turn * turn, 1e-12);
   }
   EXPECT_NEAR(largest_hinge_force(cell, state, cubic), k * turn * turn * turn, 1e-12);
+}
+
+TEST(ElasticLaw, IsOneForAllHingesOrOneForEach) {
+  const model::Linkage cell = model::make_structure(model::rectangle(1, 1), {});
+  model::Elasticity elasticity;
+  for (const std::size_t count : {0u, 4u}) {
+    elasticity.each.assign(count, model::Elasticity{});
+    EXPECT_NO_THROW(ElasticHinges(cell, relative(elasticity, 10)));
+    EXPECT_NO_THROW(model::ElasticSystem(cell, elasticity, true, false));
+  }
+  elasticity.each.resize(3);
+  EXPECT_THROW(ElasticHinges(cell, relative(elasticity, 10)), InvalidInput);
+  EXPECT_THROW(model::ElasticSystem(cell, elasticity, true, false), InvalidInput);
 }
 
 }  // namespace

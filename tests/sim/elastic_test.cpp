@@ -101,6 +101,22 @@ TEST(ElasticRun, EquilibriaTheTurningSpringsOfOneCellAgainstItsPoints) {
     }
 }
 
+/// Likewise with the stiffness along the wall: the other two do not come in.
+TEST(ElasticRun, PressesTheWallsOfOneCellByTheirAxialStiffness) {
+  const model::Structure cell = make_structure(model::rectangle(1, 1), {});
+  for (const double axial : {1.0, 0.5, 0.2}) {
+    PhysicsOptions options = elastic(1e-3);
+    options.elastic->ratios = {axial, 0.4, 0.7};
+    options.planar = true;
+    model::Drive drive;
+    drive.compression = 0.1;
+    const PhysicsResult result = run_compression(cell, drive.on(cell), options);
+    ASSERT_EQ(result.status, Status::settled) << result.why;
+    const double theta = std::asin(result.state[0].R(1, 0));
+    EXPECT_NEAR(std::cos(theta), 0.9 + 4 * 1e-3 / axial * theta / std::sin(theta), 1e-5);
+  }
+}
+
 TEST(ElasticRun, LeavesACellStraightThatIsPressedTooLittleToBuckle) {
   const model::Structure cell = make_structure(model::rectangle(1, 1), {});
   PhysicsOptions options = elastic(5e-3);
@@ -210,6 +226,9 @@ TEST(ElasticRun, RefusesSweepsAndWhatIsNotAStiffness) {
     rejects([&](PhysicsOptions& o) { o.elastic->turn = bad; }, "elastic.turn");
     rejects([&](PhysicsOptions& o) { o.elastic->reach = bad; }, "elastic.reach");
     rejects([&](PhysicsOptions& o) { o.elastic->contact = bad; }, "elastic.contact");
+    rejects([&](PhysicsOptions& o) { o.elastic->ratios.axial = bad; }, "elastic.ratios.axial");
+    rejects([&](PhysicsOptions& o) { o.elastic->ratios.shear = bad; }, "elastic.ratios.shear");
+    rejects([&](PhysicsOptions& o) { o.elastic->ratios.along = bad; }, "elastic.ratios.along");
     rejects([&](PhysicsOptions& o) { o.settle_force = bad; }, "settle_force");
     rejects([&](PhysicsOptions& o) { o.stretch_limit = bad; }, "stretch_limit");
   }

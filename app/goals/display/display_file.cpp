@@ -264,7 +264,7 @@ DisplayFile read_display_file(const targets::Node& node) {
   read_variables(root, file);
   read_tolerance(root, file);
   read_search(root, file);
-  file.hinge = read_elastic_hinge_section(root, file.size.edge_mm);
+  file.hinge = read_elastic_hinge_section(root, file.size);
   file.physics = read_elastic_physics(root, file.size.edge_mm);
   return file;
 }

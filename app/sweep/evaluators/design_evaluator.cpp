@@ -21,6 +21,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 Run equilibrium_run(const DesignFile& design) {
   Run run;
   run.hinge = design.hinge;
+  run.own_hinges = design.own_hinges;
   run.side = design.side;
   run.structure = design.structure;
   run.plan.exact = exact_motion(design.structure);

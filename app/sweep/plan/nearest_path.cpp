@@ -48,7 +48,7 @@ std::vector<std::string> optional_keys(const SweepBase& base) {
   const auto add = [&](const auto& more) { keys.insert(keys.end(), more.begin(), more.end()); };
   if (base.design)
     add(std::vector{"hinge.k_point", "hinge.k_turn", "hinge.reach_mm", "hinge.k_contact",
-                    "design.theta_deg"});
+                    "hinge.thickness_mm", "hinge.height_mm", "hinge.clearance_mm", "design.theta_deg"});
   if (!base.target) return keys;
   add(std::vector{"tolerance.shape", "tolerance.verify", "solver.starts", "solver.max_evaluations"});
   add(base.target->kind->keys);

@@ -19,7 +19,7 @@ double drive_speed(const ElasticSystem& system, const State& state, double theta
 
 }  // namespace
 
-bool turns_softly(const ElasticSystem& system) { return system.stiffness().turn < soft_turning; }
+bool turns_softly(const ElasticSystem& system) { return system.stiffness().least_turn() < soft_turning; }
 
 double load_along_path(const ElasticSystem& system, const State& state, double theta,
                        const TangentStiffness& tangent) {

@@ -26,8 +26,9 @@ EquilibriumStep MeasuredSystem::measured(const State& state, double theta, bool 
 
 std::vector<HingeEnergy> MeasuredSystem::hinge_energies(const State& state) const {
   std::vector<HingeEnergy> energies;
-  for (const RestHinge& h : elastic.hinges()) {
-    const HingeEnergy e = hinge_energy(h, elastic.stiffness(), state[h.lower], state[h.upper],
+  for (std::size_t k = 0; k < elastic.hinges().size(); ++k) {
+    const RestHinge& h = elastic.hinges()[k];
+    const HingeEnergy e = hinge_energy(h, elastic.stiffness().of(k), state[h.lower], state[h.upper],
                                        elastic.structure().size.edge_mm);
     energies.push_back({e.stretch * unit, e.turn * unit});
   }

@@ -51,7 +51,61 @@ void expect_same(const DesignFile& a, const DesignFile& b) {
   EXPECT_EQ(a.drive, b.drive);
   EXPECT_EQ(a.side, b.side);
   EXPECT_EQ(a.hinge, b.hinge);
+  EXPECT_EQ(a.own_hinges, b.own_hinges);
   EXPECT_EQ(a.physics, b.physics);
+}
+
+TEST(DesignFile, TakesHingesAsTheyAreMade) {
+  const DesignFile file =
+      read(strip +
+           "hinge: {kind: block, material: tango, gap_mm: 1}\n"
+           "design: {hinges: [{wall: [[0, 0], [1, 0]], hinge: {kind: film, material: {E_mpa: "
+           "900, nu: 0.3, strain_max: 0.05}, gap_mm: 3, thickness_mm: 0.4, height_mm: 5}}, "
+           "{wall: [[1, 0], [2, 0]], hinge: {kind: pin, diameter_mm: 1}}, {wall: [[2, 0], [3, "
+           "0]], hinge: {k: {axial: 3, shear: 1, along: 2, turn: 0.1}, reach_mm: 2}}]}\n");
+  EXPECT_EQ(file.hinge.model, HingeSection::Model::elastic);
+  const model::MadeHinge block{.kind = model::HingeKind::block,
+                               .material = *model::find_material("tango"),
+                               .gap_mm = 1,
+                               .thickness_mm = 1,
+                               .height_mm = 6};
+  EXPECT_EQ(file.hinge.made, block);
+  EXPECT_EQ(framed_stiffness(file.hinge), stiffness(block));
+  ASSERT_EQ(file.own_hinges.size(), 3u);
+  const auto own = [&](int i) -> const HingeSection& {
+    return file.own_hinges.at(*file.structure.squares()->hinge_at({{i, 0}, model::Axis::x}));
+  };
+  EXPECT_EQ(own(0).made->kind, model::HingeKind::film);
+  EXPECT_EQ(own(0).made->material, (model::Material{"", 900, 0.3, 0.05}));
+  EXPECT_EQ(own(0).made->height_mm, 5);
+  EXPECT_EQ(own(1).made->material.name, "pa12");
+  EXPECT_EQ(own(1).made->clearance_mm, 0.3);
+  EXPECT_EQ(own(2).k, (model::HingeStiffness{3, 1, 2, 0.1}));
+  EXPECT_EQ(own(2).reach_mm, 2);
+  expect_same(read(design_text(file)), file);
+}
+
+TEST(DesignFile, WritesHingesAsMadeBitForBit) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(0.1, 0.9);
+  for (int round = 0; round < 30; ++round) {
+    DesignFile file = read(strip + "name: made\n");
+    const auto beam = [&](model::HingeKind kind) {
+      return model::MadeHinge{.kind = kind,
+                              .material = {"", 100 * unit(random), unit(random) / 2, unit(random)},
+                              .gap_mm = 1 + unit(random),
+                              .thickness_mm = 0.8 * unit(random),
+                              .height_mm = 6 * unit(random)};
+    };
+    file.hinge.model = HingeSection::Model::elastic;
+    file.hinge.made = beam(model::HingeKind::block);
+    if (round % 2 == 0) file.hinge.k_contact = unit(random);
+    file.own_hinges[3].model = file.own_hinges[5].model = HingeSection::Model::elastic;
+    file.own_hinges[3].made = beam(model::HingeKind::film);
+    file.own_hinges[5].k = model::HingeStiffness{unit(random), unit(random), unit(random), unit(random)};
+    file.own_hinges[5].reach_mm = unit(random);
+    expect_same(read(design_text(file)), file);
+  }
 }
 
 TEST(DesignFile, HoldsOffsetsInMillimetres) {
@@ -294,6 +348,109 @@ TEST(DesignFile, SaysWhereAndWhatIsAllowed) {
       {strip + "hinge: {model: elastic, k_turn: 0}\n", 3, 33, "hinge.k_turn", {"above 0, in N mm/rad"}},
       {strip + "hinge: {model: elastic, k_point: -5}\n", 3, 34, "hinge.k_point", {"above 0, in N/mm"}},
       {strip + "hinge: {k_contact: 0}\n", 3, 20, "hinge.k_contact", {"above 0, in N/mm"}},
+      {strip + "hinge: {kind: blok}\n", 3, 15, "hinge.kind", {"pin, block, film", "did you mean `block`?"}},
+      {strip + "hinge: {kind: block, gap_mm: 1}\n", 3, 8, "hinge", {"`material` is missing", "E_mpa"}},
+      {strip + "hinge: {kind: block, material: tangoo, gap_mm: 1}\n",
+       3,
+       32,
+       "hinge.material",
+       {"did you mean `tango`?", "tpu95a"}},
+      {strip + "hinge: {kind: block, material: {E_mpa: -2, nu: 0.4, strain_max: 1}, gap_mm: 1}\n",
+       3,
+       40,
+       "hinge.material.E_mpa",
+       {"1e-06", "MPa"}},
+      {strip + "hinge: {kind: block, material: {E_mpa: 2, nu: 0.5, strain_max: 1}, gap_mm: 1}\n",
+       3,
+       47,
+       "hinge.material.nu",
+       {"below 0.5"}},
+      {strip + "hinge: {kind: block, material: {E_mpa: 2, nu: 0.4}, gap_mm: 1}\n",
+       3,
+       32,
+       "hinge.material",
+       {"`strain_max` is missing"}},
+      {strip + "hinge: {kind: block, material: tango}\n", 3, 8, "hinge", {"`gap_mm` is missing"}},
+      {strip + "hinge: {kind: block, material: tango, gap_mm: 11}\n", 3, 47, "hinge.gap_mm", {"below 10"}},
+      {strip + "hinge: {kind: block, material: tango, gap_mm: 0.2}\n",
+       3,
+       47,
+       "hinge.gap_mm",
+       {"half of the hinge's thickness"}},
+      {strip + "hinge: {kind: block, material: tango, gap_mm: 1, thickness_mm: 1.1}\n",
+       3,
+       64,
+       "hinge.thickness_mm",
+       {"at most 1", "the wall's"}},
+      {strip + "hinge: {kind: block, material: tango, gap_mm: 1, height_mm: 7}\n",
+       3,
+       61,
+       "hinge.height_mm",
+       {"at most 6"}},
+      {strip + "hinge: {kind: block, material: tango, gap_mm: 1, diameter_mm: 1}\n",
+       3,
+       50,
+       "hinge.diameter_mm",
+       {"is of pins"}},
+      {strip + "hinge: {kind: film, material: pp, gap_mm: 1}\n",
+       3,
+       8,
+       "hinge",
+       {"`thickness_mm` is missing"}},
+      {strip + "hinge: {kind: pin}\n", 3, 8, "hinge", {"`diameter_mm` is missing"}},
+      {strip + "hinge: {kind: pin, diameter_mm: 1, gap_mm: 1}\n",
+       3,
+       36,
+       "hinge.gap_mm",
+       {"is of blocks and films"}},
+      {strip + "hinge: {kind: pin, diameter_mm: 3}\n",
+       3,
+       33,
+       "hinge.diameter_mm",
+       {"at most 2.8 mm", "half a cell edge"}},
+      {strip + "hinge: {kind: pin, diameter_mm: 3, clearance_mm: -0.1}\n",
+       3,
+       50,
+       "hinge.clearance_mm",
+       {"at least 0"}},
+      {strip + "hinge: {gap_mm: 1}\n", 3, 9, "hinge.gap_mm", {"made hinge", "kind: pin"}},
+      {strip + "hinge: {kind: pin, diameter_mm: 1, k_point: 10}\n",
+       3,
+       36,
+       "hinge.k_point",
+       {"two ways", "hinge.kind"}},
+      {strip + "hinge: {kind: pin, diameter_mm: 1, k_turn: 1}\n",
+       3,
+       36,
+       "hinge.k_turn",
+       {"give one of them"}},
+      {strip + "hinge: {kind: pin, diameter_mm: 1, reach_mm: 1}\n",
+       3,
+       36,
+       "hinge.reach_mm",
+       {"give one of them"}},
+      {strip + "hinge: {k: {axial: 1, shear: 1, along: 1, turn: 1}, k_turn: 1}\n",
+       3,
+       53,
+       "hinge.k_turn",
+       {"two ways", "hinge.k "}},
+      {strip + "hinge: {k: {axial: 1, shear: 0, along: 1, turn: 1}}\n",
+       3,
+       30,
+       "hinge.k.shear",
+       {"above 0, in N/mm"}},
+      {strip + "hinge: {k: {axial: 1, shear: 1, along: 1}}\n", 3, 12, "hinge.k", {"`turn` is missing"}},
+      {strip + "hinge: {kind: pin, diameter_mm: 1}\nphysics: {reach_mm: 2}\n",
+       4,
+       11,
+       "physics.reach_mm",
+       {"hinge.kind", "give one of them"}},
+      {with("hinge: {model: rotary}"), 3, 52, first + ".hinge.model", {"unknown"}},
+      {with("hinge: {kind: block, material: tango, gap_mm: 1, k_turn: 2}"),
+       3,
+       93,
+       first + ".hinge.k_turn",
+       {"two ways"}},
       {strip + "hinge: {k_contract: 9}\n", 3, 9, "hinge.k_contract", {"did you mean `k_contact`?"}},
       {strip + "drive: {kind: plates, compression: 0.1, branch: 2}\n", 3, 49, "drive.branch", {"1, -1"}},
       {tee + "drive: {kind: plates, compression: 0.1, grip: [[0, 0], [3, 2]]}\n",

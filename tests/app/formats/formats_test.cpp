@@ -152,8 +152,23 @@ std::vector<Json> files_of(const std::string& list) {
   if (list == "target curve") return {target(R"({"kind": "curve", "points": [[0, 0], [60, 0], [60, 40]]})")};
   Json image = target(R"({"kind": "display"})");
   image["target"]["image"] = image_file();
+  // Hinges by directions, and as made, of the whole and of a single wall.
+  const Json framed = Json::parse(R"({"k": {"axial": 3, "shear": 1, "along": 2, "turn": 0.1}})");
+  const Json block = Json::parse(R"({"kind": "block", "gap_mm": 1,
+      "material": {"E_mpa": 1, "nu": 0.4, "strain_max": 0.5}})");
+  const Json pin = Json::parse(R"({"kind": "pin", "diameter_mm": 1})");
+  const auto hinged = [](Json file, const Json& hinge) {
+    file["hinge"] = hinge;
+    if (file.contains("design")) file["design"]["hinges"][0]["hinge"] = hinge;
+    return file;
+  };
+  const Json letter = target(R"({"kind": "display", "glyph": "T"})");
   if (list == "target display")
-    return {target(R"({"kind": "display", "glyph": "T"})"), image,
+    return {hinged(letter, framed),
+            hinged(letter, block),
+            hinged(letter, pin),
+            target(R"({"kind": "display", "glyph": "T"})"),
+            image,
             Json{{"kinetix", 1},
                  {"target", Json::parse(R"({"kind": "display", "glyph": "T"})")},
                  {"structure", {{"lattice", "rhombus"}}}},
@@ -177,7 +192,11 @@ std::vector<Json> files_of(const std::string& list) {
   const auto of_structure = [](const Json& structure) {
     return Json{{"kinetix", 1}, {"structure", structure}};
   };
-  return {design(R"({"kind": "plates", "compression": 0.1})"),
+  const Json pressed = design(R"({"kind": "plates", "compression": 0.1})");
+  return {pressed,
+          hinged(pressed, framed),
+          hinged(pressed, block),
+          hinged(pressed, pin),
           design(R"({"kind": "hinge", "wall": [[0, 0], [1, 0]], "angle_deg": 10})"),
           of_structure({{"lattice", "rhombus"}, {"cells", {2, 2}}}),
           of_structure({{"lattice", "graph"}, {"drawing", KINETIX_SOURCE "/targets/shapes/rosette.dxf"}}),

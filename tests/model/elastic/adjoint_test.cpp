@@ -70,5 +70,88 @@ TEST(Adjoint, OfNothingIsZeroAndOfNaNIsNaN) {
   }
 }
 
+/// A hinge of every wall by its own number, with frames of three stiffnesses.
+Elasticity by_hinge(Elasticity whole, std::size_t hinges) {
+  for (std::size_t h = 0; h < hinges; ++h) {
+    const double wave = std::cos(1.0 + static_cast<double>(h));
+    Elasticity own = elasticity_of({2000 + 500 * wave, 800 - 200 * wave, 1200, 20 + 5 * wave}, 3 + wave);
+    own.k_contact = whole.k_contact;
+    whole.each.push_back(own);
+  }
+  return whole;
+}
+
+Equilibrium by_hinge(Equilibrium b) {
+  b.elasticity = by_hinge(b.elasticity, b.structure.hinges.size());
+  settle(b);
+  return b;
+}
+
+TEST(Adjoint, OfHingesOfTheirOwnIsTheCentralDifferenceOfEquilibriaFoundAnew) {
+  for (const EquilibriumCase& c : equilibrium_cases(1)) {
+    SCOPED_TRACE(to_string(c));
+    const Equilibrium b = by_hinge(random_equilibrium(c));
+    ASSERT_TRUE(b.found);
+    for (const StateFunction& f : state_functions()) {
+      SCOPED_TRACE(f.name);
+      const Sensitivity s = of_equilibrium(b, f.gradient(b));
+      const auto hinges = static_cast<Eigen::Index>(b.structure.hinges.size());
+      Eigen::RowVectorXd expected(5 * hinges), found(5 * hinges);
+      const auto changed = [&](Eigen::Index h, int k, double by) {
+        Equilibrium at = b;
+        Elasticity& own = at.elasticity.each[h];
+        HingeStiffness stiffness = stiffness_of(own);
+        double* const fields[] = {&stiffness.axial, &stiffness.shear, &stiffness.along, &stiffness.turn,
+                                  &own.reach_mm};
+        *fields[k] *= 1 + by;
+        own = elasticity_of(stiffness, own.reach_mm);
+        settle(at);
+        return f.value(at);
+      };
+      for (Eigen::Index h = 0; h < hinges; ++h) {
+        const Elasticity& own = b.elasticity.each[h];
+        const HingeStiffness k = stiffness_of(own);
+        const double values[] = {k.axial, k.shear, k.along, k.turn, own.reach_mm};
+        for (int r = 0; r < 5; ++r) {
+          expected[5 * h + r] = testing::numeric_jacobian(
+              [&](const Eigen::VectorXd& q) { return Eigen::VectorXd::Constant(1, changed(h, r, q[0])); },
+              Eigen::VectorXd::Zero(1), c.touching ? 1e-4 : 1e-3)(0, 0);
+          found[5 * h + r] = s.stiffness(r, h) * values[r];
+        }
+      }
+      EXPECT_LE((found - expected).norm(), 1e-6 * expected.norm());
+    }
+  }
+}
+
+TEST(Adjoint, OfFramedHingesByDesignIsTheCentralDifferenceOfEquilibriaFoundAnew) {
+  for (const EquilibriumCase& c : equilibrium_cases(2)) {
+    SCOPED_TRACE(to_string(c));
+    Equilibrium b = random_equilibrium(c);
+    b.elasticity.ratios = {1, 0.3, 0.5};
+    settle(b);
+    ASSERT_TRUE(b.found);
+    const Differenced differences = differenced_jacobian(b);
+    if (!differences.same_contacts) continue;
+    EXPECT_LE(relative_difference_by_groups(adjoint_jacobian(b), differences.jacobian, parameter_groups(b)),
+              1e-6);
+  }
+}
+
+/// Twice as stiff in all directions is k_point twice as large.
+TEST(Adjoint, ByTheDirectionsOfAllHingesTogetherIsThatByKPoint) {
+  for (const EquilibriumCase& c : equilibrium_cases(1)) {
+    SCOPED_TRACE(to_string(c));
+    const Equilibrium b = random_equilibrium(c);
+    for (const StateFunction& f : state_functions()) {
+      const Sensitivity s = of_equilibrium(b, f.gradient(b));
+      const HingeStiffness k = stiffness_of(b.elasticity);
+      const Eigen::Vector3d all(k.axial, k.shear, k.along);
+      const double sum = (s.stiffness.topRows<3>().transpose() * all).sum();
+      EXPECT_NEAR(sum, s.k_point * b.elasticity.k_point, 1e-9 * (std::abs(sum) + 1e-3)) << f.name;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace kinetix::model

@@ -20,6 +20,11 @@ using testing::shaken;
 // Turn (over k_point edge^2), reach (cell edges) and contact (over k_point): all of the order of one, so
 // that no part of the energy hides an error in another.
 const Stiffness stiff{0.3, 0.4, 10};
+/// The same number in all directions, and other ones in each: a block, and a pin that slides on its rod.
+const std::vector<Stiffness> kinds{stiff,
+                                   {.turn = 0.3, .reach = 0.4, .ratios = {1, 0.3, 0.5}},
+                                   {.turn = 0.3, .reach = 0.4, .ratios = {0.9, 1, 0.2}},
+                                   {.turn = 0.3, .reach = 0, .ratios = {1, 0.3, 0.5}}};
 
 /// The twists of the two bodies of a hinge, written into those of all.
 State moved_pair(const Structure& s, const State& state, const Hinge& hinge, const Vector12& x) {
@@ -29,8 +34,8 @@ State moved_pair(const Structure& s, const State& state, const Hinge& hinge, con
   return moved(s, state, twists);
 }
 
-Element element_of(const Structure& s, const State& state, const Hinge& hinge) {
-  return hinge_element(rest_hinge(hinge), stiff, state[hinge.lower], state[hinge.upper], s.size.edge_mm);
+Element element_of(const Structure& s, const State& state, const Hinge& hinge, const Stiffness& k) {
+  return hinge_element(rest_hinge(hinge), k, state[hinge.lower], state[hinge.upper], s.size.edge_mm);
 }
 
 /// With t, alpha and beta changed by the first three entries.
@@ -58,9 +63,23 @@ Eigen::VectorXd numeric_gradient(const std::function<double(const Vector12&)>& f
       .transpose();
 }
 
+/// Half of what a point pulls with by each direction of the hinge's frame, which stands half way between the
+/// two bodies. @param gap cell edges
+double spring_energy(const Stiffness& k, const Eigen::Vector3d& gap, const Eigen::Matrix3d& lower,
+                     const Eigen::Matrix3d& upper, const Hinge& hinge) {
+  const Eigen::Vector3d c0 = hinge_axis(hinge.wall.axis, hinge.parameters),
+                        e = edge_direction(hinge.wall.axis), a0 = (e - e.dot(c0) * c0).normalized();
+  const Eigen::Vector3d a = (lower * a0 + upper * a0).normalized(),
+                        c = (lower * c0 + upper * c0).normalized();
+  const double along_a = gap.dot(a), along_c = gap.dot(c);
+  return 0.5 * (k.ratios.shear * gap.squaredNorm() + (k.ratios.axial - k.ratios.shear) * along_a * along_a +
+                (k.ratios.along - k.ratios.shear) * along_c * along_c);
+}
+
 TEST(HingeEnergy, IsThatOfTwoPointSpringsAndATurningSpring) {
   std::mt19937 random(1);
   for (int trial = 0; trial < 20; ++trial) {
+    const Stiffness& stiff = kinds[trial % kinds.size()];
     const Structure s = random_panel(2, 2, random);
     const State state = shaken(s, rest_state(s), 0.4, random);
     for (const Hinge& hinge : s.hinges) {
@@ -71,10 +90,12 @@ TEST(HingeEnergy, IsThatOfTwoPointSpringsAndATurningSpring) {
       };
       double springs = 0;
       for (const double side : {-1.0, 1.0})
-        springs += 0.5 * (carried(hinge.lower, side) - carried(hinge.upper, side)).squaredNorm();
+        springs +=
+            spring_energy(stiff, (carried(hinge.lower, side) - carried(hinge.upper, side)) / s.size.edge_mm,
+                          state[hinge.lower].R, state[hinge.upper].R, hinge);
       const double turn = hinge_turn(s, state, static_cast<int>(&hinge - s.hinges.data()));
-      const double expected = springs / (s.size.edge_mm * s.size.edge_mm) + 0.5 * stiff.turn * turn * turn;
-      EXPECT_NEAR(element_of(s, state, hinge).energy, expected, 1e-13 * (1 + expected));
+      const double expected = springs + 0.5 * stiff.turn * turn * turn;
+      EXPECT_NEAR(element_of(s, state, hinge, stiff).energy, expected, 1e-13 * (1 + expected));
       EXPECT_NEAR(
           hinge_energy(rest_hinge(hinge), stiff, state[hinge.lower], state[hinge.upper], s.size.edge_mm)
               .total(),
@@ -85,14 +106,15 @@ TEST(HingeEnergy, IsThatOfTwoPointSpringsAndATurningSpring) {
 
 TEST(HingeEnergy, GradientAndHessianMatchCentralDifferences) {
   std::mt19937 random(2);
-  for (int trial = 0; trial < 20; ++trial) {
+  for (int trial = 0; trial < 40; ++trial) {
+    const Stiffness& stiff = kinds[trial % kinds.size()];
     const Structure s = with_offsets(random_panel(1, 1, random));
     const State state = shaken(s, rest_state(s), 0.5, random);
     for (const Hinge& hinge : s.hinges) {
       const auto energy = [&](const Vector12& x) {
-        return element_of(s, moved_pair(s, state, hinge, x), hinge).energy;
+        return element_of(s, moved_pair(s, state, hinge, x), hinge, stiff).energy;
       };
-      const Element e = element_of(s, state, hinge);
+      const Element e = element_of(s, state, hinge, stiff);
       const Vector12 alone =
           hinge_gradient(rest_hinge(hinge), stiff, state[hinge.lower], state[hinge.upper], s.size.edge_mm);
       EXPECT_LE((alone - e.gradient).norm(), 1e-14 * (1 + e.gradient.norm()));
@@ -107,25 +129,47 @@ TEST(HingeEnergy, GradientAndHessianMatchCentralDifferences) {
 
 TEST(HingeEnergy, RatesByDesignAndStiffnessMatchCentralDifferences) {
   std::mt19937 random(3);
-  for (int trial = 0; trial < 20; ++trial) {
+  for (int trial = 0; trial < 40; ++trial) {
+    const Stiffness& stiff = kinds[trial % kinds.size()];
     const Structure s = with_offsets(random_panel(1, 1, random));
     const State state = shaken(s, rest_state(s), 0.5, random);
     for (const Hinge& hinge : s.hinges) {
       const auto energy_and_gradient = [&](const Eigen::VectorXd& q) -> Eigen::VectorXd {
         const RestHinge h = redesigned(hinge, q);
-        const Element e = hinge_element(h, {stiff.turn + q[4], stiff.reach + q[5], stiff.contact},
-                                        state[h.lower], state[h.upper], s.size.edge_mm);
+        const Stiffness k{
+            .turn = stiff.turn + q[4],
+            .reach = stiff.reach + q[5],
+            .ratios = {stiff.ratios.axial + q[6], stiff.ratios.shear + q[7], stiff.ratios.along + q[8]}};
+        const Element e = hinge_element(h, k, state[h.lower], state[h.upper], s.size.edge_mm);
         return (Eigen::VectorXd(13) << e.energy, e.gradient).finished();
       };
-      Eigen::Matrix<double, 13, 6> all;
+      Eigen::Matrix<double, 13, 9> all;
       for (int k = 0; k < 12; ++k) {
         const auto [energy, along] = hinge_rates(rest_hinge(hinge), stiff, state[hinge.lower],
                                                  state[hinge.upper], s.size.edge_mm, Vector12::Unit(k));
-        all.row(0) << energy.design.transpose(), energy.turn, energy.reach;
-        all.row(1 + k) << along.design.transpose(), along.turn, along.reach;
+        const auto row = [](const HingeRate& r) {
+          Eigen::Matrix<double, 1, 9> all_of_it;
+          all_of_it << r.design.transpose(), r.turn, r.reach, r.ratios.axial, r.ratios.shear, r.ratios.along;
+          return all_of_it;
+        };
+        all.row(0) = row(energy);
+        all.row(1 + k) = row(along);
       }
-      expect_jacobian(energy_and_gradient, Eigen::VectorXd::Zero(6), all);
+      if (stiff.reach == 0) continue;  // its rates by design hold; a reach below 0 has no energy to compare
+      expect_jacobian(energy_and_gradient, Eigen::VectorXd::Zero(9), all);
     }
+  }
+}
+
+TEST(HingeEnergy, OfAFrameWithEqualStiffnessesIsThatOfTwoSpringsTimesAsStiff) {
+  std::mt19937 random(6);
+  const Stiffness once{.turn = 1e-9, .reach = 0.4}, thrice{.turn = 3e-9, .reach = 0.4, .ratios = {3, 3, 3}};
+  const Structure s = with_offsets(random_panel(1, 1, random));
+  const State state = shaken(s, rest_state(s), 0.5, random);
+  for (const Hinge& hinge : s.hinges) {
+    const Element a = element_of(s, state, hinge, once), b = element_of(s, state, hinge, thrice);
+    EXPECT_NEAR(b.energy, 3 * a.energy, 1e-14);
+    EXPECT_LE((b.hessian - 3 * a.hessian).norm(), 1e-13);
   }
 }
 

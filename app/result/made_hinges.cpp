@@ -1,0 +1,81 @@
+#include "app/result/made_hinges.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/closure/closure_drive.hpp"
+
+namespace kinetix::app {
+namespace {
+
+/// A block or film in the state shown.
+struct Turned {
+  int hinge;
+  const model::MadeHinge* made;
+  double turn;  ///< rad, without sign
+};
+
+const HingeSection& section_of(const Run& run, int hinge) {
+  const auto own = run.own_hinges.find(hinge);
+  return own == run.own_hinges.end() ? run.hinge : own->second;
+}
+
+std::vector<Turned> turned_hinges(const Run& run) {
+  std::vector<Turned> all;
+  if (run.states.empty() || !(run.hinge.made || !run.own_hinges.empty())) return all;
+  const model::Linkage linkage(run.structure);
+  for (int h = 0; h < run.structure.hinges(); ++h) {
+    const auto& made = section_of(run, h).made;
+    if (!made || made->kind == model::HingeKind::pin) continue;
+    all.push_back({h, &*made, std::abs(hinge_turn(linkage, run.states.front().poses, h))});
+  }
+  return all;
+}
+
+double strain_share(const Turned& t) { return strain(*t.made, t.turn) / t.made->material.strain_max; }
+
+double corner_turn(const Run& run, const Turned& t) {
+  const model::CellSize size = run.structure.size();
+  return contact_turn(*t.made, size.thickness_mm, run.structure.hinge(t.hinge).offset * size.edge_mm);
+}
+
+/// The one with the largest value, if that is above 1.
+template <class Value>
+const Turned* worst(const std::vector<Turned>& all, const Value& value) {
+  const auto at = std::max_element(all.begin(), all.end(),
+                                   [&](const Turned& a, const Turned& b) { return value(a) < value(b); });
+  return at != all.end() && value(*at) > 1 ? &*at : nullptr;
+}
+
+}  // namespace
+
+std::optional<double> largest_strain(const Run& run) {
+  const std::vector<Turned> all = turned_hinges(run);
+  if (all.empty()) return std::nullopt;
+  double largest = 0;
+  for (const Turned& t : all) largest = std::max(largest, strain(*t.made, t.turn));
+  return largest;
+}
+
+std::vector<std::pair<std::string, std::string>> made_hinge_lines(const Run& run) {
+  std::vector<std::pair<std::string, std::string>> lines;
+  const std::vector<Turned> all = turned_hinges(run);
+  if (const Turned* t = worst(all, strain_share))
+    lines.emplace_back(
+        "STRAINED", fmt::format("the hinge of wall {} by {:.2f}; its material bears {:g}: a longer gap or a "
+                                "thinner hinge strains less",
+                                wall_name(run.structure, t->hinge), strain(*t->made, t->turn),
+                                t->made->material.strain_max));
+  const auto corners = [&](const Turned& t) { return t.turn / corner_turn(run, t); };
+  if (const Turned* t = worst(all, corners))
+    lines.emplace_back(
+        "CORNERS", fmt::format("of the two halves of wall {} meet where it has turned by {:.1f} deg; "
+                               "here by {:.1f}: a longer gap lets it turn further",
+                               wall_name(run.structure, t->hinge), corner_turn(run, *t) / radians_per_degree,
+                               t->turn / radians_per_degree));
+  return lines;
+}
+
+}  // namespace kinetix::app

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/run/run.hpp"
+
+namespace kinetix::app {
+
+/// The largest strain of blocks and films in the state shown.
+/// @return nothing where no hinge is made as one, or there is no state
+std::optional<double> largest_strain(const Run& run);
+
+/// Label and words for the terminal: a hinge that is strained by more than its material bears, and a wall whose
+/// two halves meet over the gap before the state is reached; the worst of each kind, none where all is well.
+std::vector<std::pair<std::string, std::string>> made_hinge_lines(const Run& run);
+
+}  // namespace kinetix::app

@@ -1,0 +1,146 @@
+#include "model/matter/made_hinge.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "model/base/angle.hpp"
+#include "model/base/invalid_input.hpp"
+
+namespace kinetix::model {
+namespace {
+
+constexpr double pin_turn = 0.1;    // N mm/rad: friction 0.3 at a radius of 1.5 mm under 0.2 N
+constexpr double least_wall = 0.8;  // mm: of FDM, SLA and SLS alike (docs/hinges.md section 3)
+// Of gap over thickness: blocks that are shorter swell sideways, which no formula here has.
+constexpr double least_slenderness = 0.5;
+constexpr double rod_shear =
+    0.9;  // part of a round section that counts in shear (Cowper 1966, nu 0.3 to 0.5)
+
+double in_series(double a, double b) { return 1 / (1 / a + 1 / b); }
+
+/// What is left of E' beside the free edges at the top and bottom of a hinge. @param by of L / h, fitted
+double between_edges(const MadeHinge& b, double by) {
+  return 1 - b.material.nu * b.material.nu * (1 - std::exp(-by * b.gap_mm / b.height_mm));
+}
+
+/// E' by the length that the held ends leave, MPa/mm. @param by of nu^3 t, fitted
+double over_length(const MadeHinge& b, double by) {
+  const double nu = b.material.nu;
+  const double length = b.gap_mm / b.thickness_mm - by * nu * nu * nu;
+  return b.material.E_mpa / (1 - nu * nu) / (length * b.thickness_mm);
+}
+
+/// Shear and, its ends held parallel, bending of stiffness k_turn. @param section part of it that counts
+double beam_shear(const MadeHinge& b, double section, double k_turn) {
+  const double area = b.thickness_mm * b.height_mm;
+  return in_series(section * shear_modulus(b.material) * area / b.gap_mm,
+                   12 * k_turn / (b.gap_mm * b.gap_mm));
+}
+
+HingeStiffness beam(const MadeHinge& b) {
+  const double t = b.thickness_mm, h = b.height_mm, nu = b.material.nu;
+  HingeStiffness k;
+  k.axial = t * h * over_length(b, 2) * between_edges(b, 1.7);
+  k.turn = h * t * t * t / 12 * over_length(b, 0.88) * between_edges(b, 0.75);
+  k.shear = beam_shear(b, 0.86 + 0.4 * nu * nu, k.turn);
+  k.along = beam_shear(b, 1 - 0.14 * (1 - std::exp(-3.2 * b.gap_mm / h)), k.axial * h * h / 12);
+  return k;
+}
+
+HingeStiffness rod(const MadeHinge& p) {
+  const double d = p.diameter_mm, h = p.height_mm, area = pi / 4 * d * d, I = pi / 64 * d * d * d * d;
+  const double bending = 192 * p.material.E_mpa * I / (h * h * h),
+               shear = 4 * rod_shear * shear_modulus(p.material) * area / h;
+  const double across = in_series(bending, shear);
+  return {across, across, across, pin_turn};
+}
+
+[[noreturn]] void refuse(const char* field, double value, const std::string& allowed) {
+  std::ostringstream message;
+  message << field << " is " << value << ", must be " << allowed;
+  throw InvalidInput(message.str());
+}
+
+std::string number_text(double value) {
+  std::ostringstream out;
+  out << value;
+  return out.str();
+}
+
+void check_up_to(const char* field, double value, double most, const char* what) {
+  if (value > 0 && value <= most) return;
+  refuse(field, value, "above 0 and at most " + number_text(most) + ", " + what);
+}
+
+void check(const Material& m) {
+  if (!(m.E_mpa >= 1e-6 && m.E_mpa <= 1e7)) refuse("E_mpa", m.E_mpa, "from 1e-6 to 1e7, MPa");
+  if (!(m.nu >= 0 && m.nu < 0.5)) refuse("nu", m.nu, "at least 0 and below 0.5");
+  if (!(m.strain_max > 0 && m.strain_max <= 10)) refuse("strain_max", m.strain_max, "above 0 and at most 10");
+}
+
+void check_beam(const MadeHinge& b, const CellSize& size) {
+  if (!(b.gap_mm > 0 && b.gap_mm < size.edge_mm))
+    refuse("gap_mm", b.gap_mm, "above 0 and below the cell edge, " + number_text(size.edge_mm) + " mm");
+  check_up_to("thickness_mm", b.thickness_mm, size.thickness_mm, "the thickness of the wall");
+  if (!(b.gap_mm >= least_slenderness * b.thickness_mm))
+    refuse(
+        "gap_mm", b.gap_mm,
+        "at least half of the hinge's thickness, " + number_text(least_slenderness * b.thickness_mm) + " mm");
+}
+
+void check_pin(const MadeHinge& p, const CellSize& size) {
+  if (!(p.clearance_mm >= 0 && p.clearance_mm < size.edge_mm))
+    refuse("clearance_mm", p.clearance_mm, "at least 0 and below the cell edge");
+  if (!(p.diameter_mm > 0)) refuse("diameter_mm", p.diameter_mm, "above 0");
+  if (knuckle_mm(p) <= size.edge_mm / 2) return;
+  refuse("diameter_mm", p.diameter_mm,
+         "at most " + number_text(size.edge_mm / 2 - (knuckle_mm(p) - p.diameter_mm)) +
+             " mm: with its clearance and walls of 0.8 mm the knuckle fits into half a cell edge");
+}
+
+}  // namespace
+
+HingeStiffness stiffness(const MadeHinge& hinge) {
+  return hinge.kind == HingeKind::pin ? rod(hinge) : beam(hinge);
+}
+
+double reach_mm(const MadeHinge& hinge) { return hinge.height_mm / std::sqrt(12.0); }
+
+double strain(const MadeHinge& b, double turn) {
+  return b.kind == HingeKind::pin ? 0 : std::abs(turn) * b.thickness_mm / (2 * b.gap_mm);
+}
+
+double largest_turn(const MadeHinge& b) {
+  if (b.kind == HingeKind::pin) return pi;
+  return std::min(pi, 2 * b.gap_mm * b.material.strain_max / b.thickness_mm);
+}
+
+double contact_turn(const MadeHinge& b, double wall_thickness_mm, double offset_mm) {
+  if (b.kind == HingeKind::pin) return pi;
+  return 2 * std::atan2(b.gap_mm, wall_thickness_mm + 2 * std::abs(offset_mm));
+}
+
+double play_mm(const MadeHinge& hinge) { return hinge.kind == HingeKind::pin ? hinge.clearance_mm : 0; }
+
+double tilt_play(const MadeHinge& hinge) { return std::atan2(2 * play_mm(hinge), hinge.height_mm); }
+
+double largest_offset_mm(const MadeHinge& hinge, double wall_thickness_mm) {
+  const double needs = hinge.kind == HingeKind::pin ? knuckle_mm(hinge) : hinge.thickness_mm;
+  return std::max(0.0, (wall_thickness_mm - needs) / 2);
+}
+
+double knuckle_mm(const MadeHinge& p) { return p.diameter_mm + 2 * (p.clearance_mm + least_wall); }
+
+Elasticity elasticity_of(const MadeHinge& hinge) { return elasticity_of(stiffness(hinge), reach_mm(hinge)); }
+
+void validate(const MadeHinge& hinge, const CellSize& size) {
+  check(hinge.material);
+  check_up_to("height_mm", hinge.height_mm, size.height_mm, "the height of the wall");
+  if (hinge.kind == HingeKind::pin)
+    check_pin(hinge, size);
+  else
+    check_beam(hinge, size);
+}
+
+}  // namespace kinetix::model

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kinetix::model {
+
+/// A material of hinges, linear and isotropic: moduli of printed plastics and rubbers scatter by 30 % and more.
+struct Material {
+  std::string name = {};    ///< as files say it; empty for a user's own
+  double E_mpa = 1;         ///< Young's modulus, MPa, > 0
+  double nu = 0.45;         ///< Poisson's ratio, [0, 0.5)
+  double strain_max = 0.5;  ///< that it bears again and again, > 0
+  std::string source = {};  ///< where the numbers come from
+
+  bool operator==(const Material& other) const {
+    return name == other.name && E_mpa == other.E_mpa && nu == other.nu && strain_max == other.strain_max;
+  }
+};
+
+/// Those that have a name.
+const std::vector<Material>& materials();
+/// @return null for a name that none has
+const Material* find_material(std::string_view name);
+
+/// Of an isotropic material, MPa.
+inline double shear_modulus(const Material& m) { return m.E_mpa / (2 * (1 + m.nu)); }
+
+}  // namespace kinetix::model

@@ -1,0 +1,104 @@
+#include "model/matter/process.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+#include "model/base/invalid_input.hpp"
+
+namespace kinetix::model {
+namespace {
+
+void check(const char* field, double value, double most) {
+  if (value >= 0 && value <= most) return;
+  std::ostringstream message;
+  message << field << " is " << value << ", must be from 0 to " << most;
+  throw InvalidInput(message.str());
+}
+
+class Problems {
+ public:
+  Problems(const Process& process, double edge_mm) : process_(process), edge_mm_(edge_mm) {}
+
+  /// @param asked, least mm
+  void compare(const char* what, double asked, double least) {
+    if (asked >= least) return;
+    std::ostringstream text;
+    text << what << " of " << asked << " mm is less than " << process_.name << " prints, " << least << " mm";
+    all_.push_back({text.str(), edge_mm_ * least / asked});
+  }
+
+  std::vector<PrintProblem> all() && { return std::move(all_); }
+
+ private:
+  const Process& process_;
+  const double edge_mm_;
+  std::vector<PrintProblem> all_;
+};
+
+}  // namespace
+
+const std::vector<Process>& processes() {
+  static const std::vector<Process> all{{"polyjet",
+                                         0.05,
+                                         0.05,
+                                         0.6,
+                                         1,
+                                         {0.05, 0.25, 0.02},
+                                         "Ou et al. 2018, sections 5.1 and 7: 0.05 to 0.25 mm printed, 0.03 "
+                                         "fuses; errors of the order of a layer "
+                                         "and a droplet"},
+                                        {"fdm",
+                                         0.3,
+                                         0.4,
+                                         0.8,
+                                         3,
+                                         {0.15, 0.5, 0.1},
+                                         "practice with nozzles of 0.4 mm and layers of 0.2 mm, two of which "
+                                         "keep apart upright; sources differ by a "
+                                         "factor of two"},
+                                        {"sla",
+                                         0.25,
+                                         0.25,
+                                         0.8,
+                                         1,
+                                         {0.1, 0.5, 0.05},
+                                         "guides of printing services; 0.125 mm is the least clearance"},
+                                        {"sls",
+                                         0.3,
+                                         0.3,
+                                         0.8,
+                                         1.5,
+                                         {0.15, 0.5, 0.1},
+                                         "guides of printing services: clearances of 0.3 to 0.7 mm"}};
+  return all;
+}
+
+const Process* find_process(std::string_view name) {
+  for (const Process& process : processes())
+    if (process.name == name) return &process;
+  return nullptr;
+}
+
+void validate(const PrintError& sd) {
+  check("t_mm", sd.t_mm, 10);
+  check("tilt_deg", sd.tilt_deg, 45);
+  check("clearance_mm", sd.clearance_mm, 10);
+}
+
+std::vector<PrintProblem> print_problems(const Process& p, const CellSize& size, const MadeHinge& hinge) {
+  Problems problems(p, size.edge_mm);
+  problems.compare("a wall", size.thickness_mm, p.least_wall_mm);
+  if (hinge.kind != HingeKind::pin) return std::move(problems).all();
+  problems.compare("a rod", hinge.diameter_mm, p.least_pin_mm);
+  problems.compare("a clearance", hinge.clearance_mm, p.clearance_mm);
+  return std::move(problems).all();
+}
+
+double least_cell_mm(const Process& process, const CellSize& size, const MadeHinge& hinge) {
+  double least = size.edge_mm;
+  for (const PrintProblem& problem : print_problems(process, size, hinge))
+    least = std::max(least, problem.cell_mm);
+  return least;
+}
+
+}  // namespace kinetix::model

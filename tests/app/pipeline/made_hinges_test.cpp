@@ -1,0 +1,114 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "model/base/angle.hpp"
+#include "model/matter/made_hinge.hpp"
+#include "tests/app/program.hpp"
+#include "tests/app/schema_errors.hpp"
+
+/// Designs whose hinges are given as they are made, from the file to the result.
+namespace kinetix::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using Json = nlohmann::json;
+
+std::string design_with(const std::string& hinge, const std::string& of_walls = "[]", double theta_deg = 20) {
+  return "kinetix: 1\nname: made\nstructure: {cells: [4, 3], cell_mm: 10}\ndesign:\n  theta_deg: " +
+         std::to_string(theta_deg) + "\n  hinges: " + of_walls + "\nhinge: {" + hinge + "}\n";
+}
+
+struct Simulated {
+  Json result;
+  std::string out, design;
+};
+
+Simulated verified(const std::string& text) {
+  const Scratch scratch;
+  const std::string file = scratch.write("made.yaml", text);
+  const Outcome run = kinetix_opt("verify " + file + " --quiet -o " + (scratch / "out").string());
+  EXPECT_EQ(run.code, 0) << run.out << run.err;
+  const Simulated s{Json::parse(text_of(scratch / "out/result.json")), run.out,
+                    text_of(scratch / "out/design.yaml")};
+  EXPECT_EQ(schema_errors(s.result), "");
+  return s;
+}
+
+model::HingeStiffness k_of(const Json& result, std::size_t hinge) {
+  const Json& k = result["structure"]["hinges"][hinge]["k"];
+  return {k["axial"], k["shear"], k["along"], k["turn"]};
+}
+
+/// The walls of a basic panel between plates turn by 2 theta: their springs store 2 k_turn theta^2 each.
+TEST(MadeHinges, FoldAPanelWithTheStiffnessOfTheirShape) {
+  const model::MadeHinge block{.kind = model::HingeKind::block,
+                               .material = *model::find_material("tango"),
+                               .gap_mm = 1,
+                               .thickness_mm = 1,
+                               .height_mm = 6};
+  const Simulated s = verified(design_with("kind: block, material: tango, gap_mm: 1"));
+  const model::HingeStiffness k = stiffness(block);
+  EXPECT_EQ(k_of(s.result, 0), k);
+  EXPECT_DOUBLE_EQ(s.result["structure"]["hinges"][0]["reach_mm"], std::sqrt(3.0));
+  EXPECT_LE(s.result["metrics"]["verify_rms"], 1e-4);
+  const double theta = 20 * radians_per_degree, springs = 31 * 2 * k.turn * theta * theta;
+  EXPECT_NEAR(s.result["metrics"]["energy_Nmm"], springs, 0.1 * springs);
+  EXPECT_NEAR(s.result["metrics"]["strain_max"], strain(block, 2 * theta), 0.05);
+  EXPECT_THAT(s.out, Not(HasSubstr("STRAINED")));
+}
+
+TEST(MadeHinges, OfEveryKindAgreeWithThePhysicsRun) {
+  for (const char* hinge : {"kind: film, material: pp, gap_mm: 3, thickness_mm: 0.4",
+                            "kind: pin, diameter_mm: 2, clearance_mm: 0.2",
+                            "k: {axial: 6.7, shear: 1.1, along: 1.6, turn: 0.33}, reach_mm: 1.73"}) {
+    SCOPED_TRACE(hinge);
+    const Simulated s = verified(design_with(hinge));
+    EXPECT_TRUE(s.result["metrics"]["verified"]);
+    EXPECT_TRUE(s.result["structure"]["hinges"][0].contains("k"));
+  }
+}
+
+TEST(MadeHinges, OfSingleWallsAreWrittenBesideTheOthers) {
+  const std::string film = "{kind: film, material: pp, gap_mm: 3, thickness_mm: 0.4}";
+  const Simulated s =
+      verified(design_with("kind: pin, diameter_mm: 2", "[{wall: [[0, 0], [1, 0]], hinge: " + film + "}]"));
+  EXPECT_THAT(s.design, HasSubstr("kind: film, material: pp, gap_mm: 3"));
+  std::vector<double> turns;
+  for (const Json& hinge : s.result["structure"]["hinges"]) turns.push_back(hinge["k"]["turn"]);
+  EXPECT_EQ(std::count(turns.begin(), turns.end(), 0.1), static_cast<long>(turns.size()) - 1);
+  EXPECT_NEAR(turns[0], 16.05, 0.01);
+}
+
+TEST(MadeHinges, SayWhatTheyCannotBear) {
+  const Simulated s =
+      verified(design_with("kind: film, material: pa12, gap_mm: 1, thickness_mm: 0.4", "[]", 30));
+  EXPECT_THAT(s.out, HasSubstr("STRAINED"));
+  EXPECT_THAT(s.out, HasSubstr("its material bears 0.04"));
+  const Simulated corners =
+      verified(design_with("kind: film, material: tango, gap_mm: 0.4, thickness_mm: 0.1", "[]", 30));
+  EXPECT_THAT(corners.out, HasSubstr("CORNERS"));
+  EXPECT_THAT(corners.out, HasSubstr("43.6 deg"));  // 2 atan(0.4 / 1)
+}
+
+TEST(MadeHinges, ThatCannotBeMadeAreRefusedInOneLine) {
+  for (const char* bad :
+       {"kind: block, material: tangoo, gap_mm: 1", "kind: block, material: tango, gap_mm: 12",
+        "kind: pin, diameter_mm: 4", "kind: pin, diameter_mm: 1, k_point: 10",
+        "kind: block, material: {E_mpa: 1, nu: 0.5, strain_max: 1}, gap_mm: 1"}) {
+    SCOPED_TRACE(bad);
+    const Scratch scratch;
+    const std::string file = scratch.write("bad.yaml", design_with(bad));
+    const Outcome run = kinetix_opt("simulate " + file + " --quiet -o " + (scratch / "out").string());
+    EXPECT_EQ(run.code, 2);
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    EXPECT_THAT(run.err, HasSubstr("bad.yaml:7:"));
+    EXPECT_FALSE(fs::exists(scratch / "out"));
+  }
+}
+
+}  // namespace
+}  // namespace kinetix::testing

@@ -1,0 +1,162 @@
+#include "model/matter/made_hinge.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "model/base/angle.hpp"
+#include "tests/support/bad_input.hpp"
+
+namespace kinetix::model {
+namespace {
+
+using testing::refusal;
+
+MadeHinge block(double L, double t, double h, double nu, double E = 1) {
+  return {.kind = HingeKind::block,
+          .material = {.E_mpa = E, .nu = nu},
+          .gap_mm = L,
+          .thickness_mm = t,
+          .height_mm = h};
+}
+
+const CellSize cell{20, 2, 8};  // mm: larger than the hinges below
+
+/// Timoshenko's beam between ends that stay parallel, with 5/6 of a rectangle in shear (0.86 here).
+TEST(MadeHinge, OfAMaterialThatDoesNotContractIsATimoshenkoBeam) {
+  for (const double L : {1.0, 2.0, 4.0})
+    for (const double h : {5.0, 10.0}) {
+      const double E = 3, t = 1, G = E / 2, I = h / 12, I_high = h * h * h / 12;
+      const HingeStiffness k = stiffness(block(L, t, h, 0, E));
+      EXPECT_NEAR(k.axial, E * h / L, 1e-12);
+      EXPECT_NEAR(k.turn, E * I / L, 1e-12);
+      const double shear = 1 / (L / (G * h * 5 / 6) + L * L * L / (12 * E * I)),
+                   along = 1 / (L / (G * h * 5 / 6) + L * L * L / (12 * E * I_high));
+      EXPECT_NEAR(k.shear, shear, 0.03 * shear);
+      EXPECT_NEAR(k.along, along, (L / h > 0.3 ? 0.08 : 0.2) * along);  // short ones shear evenly
+    }
+}
+
+/// Of a long and much higher strip the ends and edges do not count: a plate in cylindrical bending.
+TEST(MadeHinge, OfALongHighFilmIsAPlateInCylindricalBending) {
+  const double E = 1300, nu = 0.42, L = 3, t = 0.03, h = 3000;
+  const HingeStiffness k = stiffness(block(L, t, h, nu, E));
+  const double plate = E / (1 - nu * nu);
+  EXPECT_NEAR(k.axial, plate * t * h / L, 3e-3 * k.axial);
+  EXPECT_NEAR(k.turn, plate * h * t * t * t / 12 / L, 3e-3 * k.turn);
+  EXPECT_NEAR(k.shear, plate * h * t * t * t / (L * L * L), 3e-3 * k.shear);
+}
+
+TEST(MadeHinge, StiffnessGrowsAsTheModulusAndWithTheSize) {
+  const HingeStiffness one = stiffness(block(1, 0.8, 6, 0.45)), stiff = stiffness(block(1, 0.8, 6, 0.45, 26)),
+                       large = stiffness(block(2, 1.6, 12, 0.45));
+  EXPECT_NEAR(stiff.axial, 26 * one.axial, 1e-12 * stiff.axial);
+  EXPECT_NEAR(stiff.turn, 26 * one.turn, 1e-12 * stiff.turn);
+  EXPECT_NEAR(large.axial, 2 * one.axial, 1e-12);
+  EXPECT_NEAR(large.shear, 2 * one.shear, 1e-12);
+  EXPECT_NEAR(large.along, 2 * one.along, 1e-12);
+  EXPECT_NEAR(large.turn, 8 * one.turn, 1e-12);
+}
+
+/// A rod between two knuckles of its own length each end held: deflection F h^3 / (192 E I) + F h / (4 k G A).
+TEST(MadeHinge, APinIsARodThatIsHeldAtBothEnds) {
+  const MadeHinge pin{.kind = HingeKind::pin,
+                      .material = *find_material("pa12"),
+                      .height_mm = 6,
+                      .diameter_mm = 3,
+                      .clearance_mm = 0.3};
+  const double E = 1700, I = pi * 81 / 64, A = pi * 9 / 4, G = 1700 / 2.8;
+  const double deflection = 216 / (192 * E * I) + 6 / (4 * 0.9 * G * A);
+  const HingeStiffness k = stiffness(pin);
+  EXPECT_NEAR(k.axial * deflection, 1, 1e-12);
+  EXPECT_EQ(k.axial, k.shear);
+  EXPECT_GT(k.axial, 1e3);  // N/mm: from 1e3 to 1e4 is what printed pins have
+  EXPECT_LT(k.axial, 1e4);
+  EXPECT_DOUBLE_EQ(play_mm(pin), 0.3);
+  EXPECT_DOUBLE_EQ(tilt_play(pin), std::atan(0.1));
+  EXPECT_EQ(strain(pin, 1), 0);
+  EXPECT_EQ(contact_turn(pin, 0.8, 0), pi);
+}
+
+TEST(MadeHinge, StrainsAndTouchesByItsProportions) {
+  const MadeHinge b = block(1.5, 1, 6, 0.45);
+  EXPECT_DOUBLE_EQ(strain(b, 0.6), 0.2);
+  EXPECT_DOUBLE_EQ(strain(b, -0.6), 0.2);
+  EXPECT_NEAR(strain(b, largest_turn(b)), b.material.strain_max, 1e-15);
+  EXPECT_NEAR(std::tan(contact_turn(b, 1, 0) / 2), 1.5, 1e-14);
+  EXPECT_NEAR(std::tan(contact_turn(b, 2, 0.5) / 2), 0.5, 1e-14);
+  EXPECT_DOUBLE_EQ(largest_turn(block(30, 1, 6, 0.45)), pi);
+}
+
+TEST(MadeHinge, SitsWithinTheFacesOfItsWall) {
+  EXPECT_DOUBLE_EQ(largest_offset_mm(block(1, 0.4, 6, 0.4), 2), 0.8);
+  EXPECT_EQ(largest_offset_mm(block(1, 2, 6, 0.4), 2), 0);
+  const MadeHinge pin{.kind = HingeKind::pin, .height_mm = 6, .diameter_mm = 1, .clearance_mm = 0.2};
+  EXPECT_DOUBLE_EQ(largest_offset_mm(pin, 5), 1);
+  EXPECT_EQ(largest_offset_mm(pin, 1), 0);
+}
+
+TEST(MadeHinge, HoldsATiltedWallAsItsWholeHeightDoes) {
+  const MadeHinge b = block(1, 0.8, 6, 0.45);
+  const Elasticity e = elasticity_of(b);
+  const HingeStiffness k = stiffness(b), back = stiffness_of(e);
+  EXPECT_NEAR(e.reach_mm * e.reach_mm, 36.0 / 12, 1e-14);
+  EXPECT_NEAR(back.axial, k.axial, 1e-14 * k.axial);
+  EXPECT_NEAR(back.shear, k.shear, 1e-14 * k.shear);
+  EXPECT_NEAR(back.along, k.along, 1e-14 * k.along);
+  EXPECT_EQ(back.turn, k.turn);
+}
+
+TEST(MadeHinge, NamesAFieldThatCannotBeMade) {
+  const auto refused = [](auto change) {
+    MadeHinge hinge = block(3, 1, 6, 0.45);
+    change(hinge);
+    return refusal([&] { validate(hinge, cell); });
+  };
+  EXPECT_EQ(refused([](MadeHinge&) {}), "");
+  using ::testing::HasSubstr;
+  for (const double bad : {std::nan(""), 0.0, -1.0}) {
+    EXPECT_THAT(refused([&](MadeHinge& h) { h.gap_mm = bad; }), HasSubstr("gap_mm"));
+    EXPECT_THAT(refused([&](MadeHinge& h) { h.thickness_mm = bad; }), HasSubstr("thickness_mm"));
+    EXPECT_THAT(refused([&](MadeHinge& h) { h.height_mm = bad; }), HasSubstr("height_mm"));
+    EXPECT_THAT(refused([&](MadeHinge& h) { h.material.E_mpa = bad; }), HasSubstr("E_mpa"));
+    EXPECT_THAT(refused([&](MadeHinge& h) { h.material.strain_max = bad; }), HasSubstr("strain_max"));
+  }
+  for (const double bad : {std::nan(""), 0.5, -0.1})
+    EXPECT_THAT(refused([&](MadeHinge& h) { h.material.nu = bad; }), HasSubstr("nu is"));
+  EXPECT_THAT(refused([](MadeHinge& h) { h.gap_mm = 20; }), HasSubstr("below the cell edge, 20 mm"));
+  EXPECT_THAT(refused([](MadeHinge& h) { h.gap_mm = 0.4; }), HasSubstr("half of the hinge's thickness"));
+  EXPECT_THAT(refused([](MadeHinge& h) { h.thickness_mm = 2.1; }), HasSubstr("the thickness of the wall"));
+  EXPECT_THAT(refused([](MadeHinge& h) { h.height_mm = 8.1; }), HasSubstr("the height of the wall"));
+  const auto pin = [](MadeHinge& h) {
+    h.kind = HingeKind::pin;
+    h.clearance_mm = 0.3;
+  };
+  EXPECT_THAT(refused([&](MadeHinge& h) {
+                pin(h);
+                h.diameter_mm = 8;
+              }),
+              HasSubstr("at most 7.8 mm"));
+  EXPECT_THAT(refused([&](MadeHinge& h) {
+                pin(h);
+                h.diameter_mm = std::nan("");
+              }),
+              HasSubstr("diameter_mm"));
+}
+
+TEST(Materials, AreFoundByTheirNames) {
+  for (const Material& material : materials()) {
+    EXPECT_EQ(find_material(material.name), &material);
+    EXPECT_FALSE(material.source.empty());
+    EXPECT_EQ(refusal([&] {
+                MadeHinge hinge = block(3, 1, 6, 0.45);
+                hinge.material = material;
+                validate(hinge, cell);
+              }),
+              "");
+  }
+  EXPECT_EQ(find_material("steel"), nullptr);
+}
+
+}  // namespace
+}  // namespace kinetix::model
