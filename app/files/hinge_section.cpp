@@ -91,7 +91,8 @@ std::vector<targets::Key> stiffness_and_shape() {
       {"height_mm", value::number(targets::above(0, "mm")), targets::otherwise("the wall's"),
        "of the hinge along its axis, at most the wall's"},
       {"diameter_mm", value::length(targets::between(0, 0.5, "mm (below half a cell)")),
-       targets::otherwise("needed by pins"), "of the rod of a pin; its knuckle must fit into half a cell"},
+       targets::otherwise("needed by pins"),
+       "of the rod of a pin; its knuckle, 1.6 mm and two clearances wider, is at most 0.7 cells"},
       {"clearance_mm", value::length({0, 0.5, true, false, "mm (below half a cell)"}),
        targets::by_default(default_clearance_mm), "of a pin, between rod and bore, a side"},
   };

@@ -41,6 +41,25 @@ double corner_turn(const Run& run, const Turned& t) {
   return contact_turn(*t.made, size.thickness_mm, run.structure.hinge(t.hinge).offset * size.edge_mm);
 }
 
+/// The made hinge that lies farthest beyond where its kind can be made, pins among them.
+std::optional<std::pair<std::string, std::string>> offset_line(const Run& run) {
+  const model::CellSize size = run.structure.size();
+  std::optional<std::pair<std::string, std::string>> line;
+  double worst = 1e-9 * size.edge_mm;  // mm: rounding of a file's digits
+  for (int h = 0; h < run.structure.hinges(); ++h) {
+    const auto& made = section_of(run, h).made;
+    if (!made) continue;
+    const double offset = std::abs(run.structure.hinge(h).offset) * size.edge_mm;
+    const double most = largest_offset_mm(*made, size.thickness_mm);
+    if (!(offset - most > worst)) continue;
+    worst = offset - most;
+    line = {"OFFSET",
+            fmt::format("of the hinge of wall {} is {:.2f} mm; made so in this wall it can be {:.2f} at most",
+                        wall_name(run.structure, h), offset, most)};
+  }
+  return line;
+}
+
 /// The one with the largest value, if that is above 1.
 template <class Value>
 const Turned* worst(const std::vector<Turned>& all, const Value& value) {
@@ -75,6 +94,7 @@ std::vector<std::pair<std::string, std::string>> made_hinge_lines(const Run& run
                                "here by {:.1f}: a longer gap lets it turn further",
                                wall_name(run.structure, t->hinge), corner_turn(run, *t) / radians_per_degree,
                                t->turn / radians_per_degree));
+  if (const auto offset = offset_line(run)) lines.push_back(*offset);
   return lines;
 }
 

@@ -13,8 +13,9 @@ namespace kinetix::app {
 /// @return nothing where no hinge is made as one, or there is no state
 std::optional<double> largest_strain(const Run& run);
 
-/// Label and words for the terminal: a hinge that is strained by more than its material bears, and a wall whose
-/// two halves meet over the gap before the state is reached; the worst of each kind, none where all is well.
+/// Label and words for the terminal: a hinge that is strained by more than its material bears, a wall whose two
+/// halves meet over the gap before the state is reached, and a hinge farther off the middle of its wall than its
+/// kind can be made; the worst of each, none where all is well.
 std::vector<std::pair<std::string, std::string>> made_hinge_lines(const Run& run);
 
 }  // namespace kinetix::app

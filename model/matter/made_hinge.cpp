@@ -93,10 +93,12 @@ void check_pin(const MadeHinge& p, const CellSize& size) {
   if (!(p.clearance_mm >= 0 && p.clearance_mm < size.edge_mm))
     refuse("clearance_mm", p.clearance_mm, "at least 0 and below the cell edge");
   if (!(p.diameter_mm > 0)) refuse("diameter_mm", p.diameter_mm, "above 0");
-  if (knuckle_mm(p) <= size.edge_mm / 2) return;
+  const double room = size.edge_mm / std::sqrt(2.0);
+  if (knuckle_mm(p) <= room) return;
   refuse("diameter_mm", p.diameter_mm,
-         "at most " + number_text(size.edge_mm / 2 - (knuckle_mm(p) - p.diameter_mm)) +
-             " mm: with its clearance and walls of 0.8 mm the knuckle fits into half a cell edge");
+         "at most " + number_text(room - (knuckle_mm(p) - p.diameter_mm)) +
+             " mm: with its clearance and walls of 0.8 mm, two knuckles of one body then stand beside each "
+             "other");
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ double knuckle_mm(const MadeHinge& pin);
 Elasticity elasticity_of(const MadeHinge& hinge);
 
 /// @throws InvalidInput, naming the field as files do, its value and its range: also for a gap as long as a cell's
-/// edge, a hinge thicker or higher than its wall, a knuckle wider than half a cell
+/// edge, a hinge thicker or higher than its wall, a knuckle wider than edge / sqrt(2), where two in the middle of walls at a right angle meet
 void validate(const MadeHinge& hinge, const CellSize& size);
 
 }  // namespace kinetix::model

@@ -94,10 +94,25 @@ TEST(MadeHinges, SayWhatTheyCannotBear) {
   EXPECT_THAT(corners.out, HasSubstr("43.6 deg"));  // 2 atan(0.4 / 1)
 }
 
+TEST(MadeHinges, SayWhereTheyAreTooFarOffTheirWall) {
+  const std::string off =
+      "[{wall: [[0, 0], [1, 0]], offset_mm: 0.4}, {wall: [[0, 1], [1, 1]], offset_mm: 0.3}]";
+  const auto words = [&](const std::string& hinge) {
+    const Scratch scratch;
+    const std::string file = scratch.write("off.yaml", design_with(hinge, off, 5));
+    return kinetix_opt("simulate " + file + " --model equilibrium --quiet -o " + (scratch / "out").string())
+        .out;
+  };
+  EXPECT_THAT(words("kind: film, material: tango, gap_mm: 2, thickness_mm: 0.3"),
+              HasSubstr("[[0, 0], [1, 0]] is 0.40 mm; made so in this wall it can be 0.35 at most"));
+  EXPECT_THAT(words("kind: film, material: tango, gap_mm: 2, thickness_mm: 0.2"), Not(HasSubstr("OFFSET")));
+  EXPECT_THAT(words("kind: pin, diameter_mm: 1"), HasSubstr("0.00 at most"));
+}
+
 TEST(MadeHinges, ThatCannotBeMadeAreRefusedInOneLine) {
   for (const char* bad :
        {"kind: block, material: tangoo, gap_mm: 1", "kind: block, material: tango, gap_mm: 12",
-        "kind: pin, diameter_mm: 4", "kind: pin, diameter_mm: 1, k_point: 10",
+        "kind: pin, diameter_mm: 4.9", "kind: pin, diameter_mm: 1, k_point: 10",
         "kind: block, material: {E_mpa: 1, nu: 0.5, strain_max: 1}, gap_mm: 1"}) {
     SCOPED_TRACE(bad);
     const Scratch scratch;

@@ -134,9 +134,9 @@ TEST(MadeHinge, NamesAFieldThatCannotBeMade) {
   };
   EXPECT_THAT(refused([&](MadeHinge& h) {
                 pin(h);
-                h.diameter_mm = 8;
+                h.diameter_mm = 12;
               }),
-              HasSubstr("at most 7.8 mm"));
+              HasSubstr("at most 11.9421 mm"));
   EXPECT_THAT(refused([&](MadeHinge& h) {
                 pin(h);
                 h.diameter_mm = std::nan("");
