@@ -1,5 +1,6 @@
 #include "app/pipeline/pipeline.hpp"
 
+#include "app/pipeline/as_made.hpp"
 #include "app/pipeline/verify.hpp"
 #include "app/run/stopwatch.hpp"
 
@@ -17,6 +18,10 @@ Run run_scene(const Scene& scene, const RunOptions& options) {
   scene.add_state(run, options);
   run.timings.equilibrium = watch.lap();
   scene.judge(run, options);
+  if (const auto judged = scene.judged_points(run)) {
+    run.printed = as_made(run, judged->drive, judged->points);
+    if (run.printed) run.printed->tolerance_mm = judged->tolerance_mm;
+  }
   watch.lap();
   if (options.verify)
     if (const auto task = scene.physics_task(run)) {

@@ -1,4 +1,5 @@
 #include "app/result/result_json.hpp"
+#include "app/result/as_made_json.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -119,6 +120,10 @@ Json metrics_json(const Run& run) {
   }
   if (run.goal) run.goal->add_metrics(metrics);
   if (run.equilibrium) add_equilibrium_metrics(*run.equilibrium, metrics);
+  if (run.printed) {
+    metrics["as_made_rms_mm"] = run.printed->made.rms_mm;
+    metrics["as_made_p95_mm"] = run.printed->made.p95_mm;
+  }
   if (const auto strain = largest_strain(run)) metrics["strain_max"] = *strain;
   if (run.verification) {
     metrics["verify_rms"] = run.verification->distance.rms;
@@ -160,6 +165,7 @@ Json result_json(const Run& run) {
     add_stable_states(run, out["equilibrium"]);
     out["timing_s"]["balance"] = run.timings.equilibrium;
   }
+  if (run.printed) out["as_made"] = as_made_json(run);
   if (run.verification) out["physics"] = physics_json(*run.verification);
   return out;
 }

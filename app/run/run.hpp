@@ -11,6 +11,8 @@
 #include "app/run/plan.hpp"
 #include "model/elastic/equilibrium_comparison.hpp"
 #include "model/elastic/path/stable_states.hpp"
+#include "model/matter/process.hpp"
+#include "model/tolerance/as_made.hpp"
 #include "sim/compression_run.hpp"
 
 namespace kinetix::app {
@@ -55,6 +57,15 @@ struct Equilibrium {
   bool reached() const { return path.stop == model::EquilibriumPath::Stop::reached; }
 };
 
+/// What prints of a result come to.
+struct PrintedGoal {
+  model::AsMade made;
+  double tolerance_mm = 0;  ///< of the goal
+  double seconds = 0;       ///< that it took to know
+
+  bool holds() const { return made.p95_mm <= tolerance_mm; }
+};
+
 struct Timings {
   double load = 0, plan = 0, optimise = 0, equilibrium = 0, verify = 0, write = 0;  ///< seconds
 };
@@ -70,11 +81,13 @@ struct Run {
   std::vector<NamedState> states;
   PhysicsSection physics;  ///< these five as the file asked
   HingeSection hinge;
+  model::Process process = model::processes().front();
   std::map<int, HingeSection> own_hinges;
   std::optional<DriveSection> drive;
   int side = 1;
   std::optional<Equilibrium> equilibrium;
   std::optional<Verification> verification;
+  std::optional<PrintedGoal> printed;  ///< of goals that are judged by distances
   std::vector<Fidelity> fidelity;
   double verify_tolerance = 0.02;  ///< of verification->distance.rms, cell edges
   Timings timings;

@@ -30,6 +30,14 @@ class Scene {
   virtual void add_state(Run& run, const RunOptions& options) const = 0;
   /// Says what the state lacks of the goal.
   virtual void judge(Run&, const RunOptions&) const {}
+  /// The points by which the goal is judged, and the drive that holds the first state: what prints come to.
+  struct Judged {
+    model::LinkageDrive drive;
+    std::vector<model::ObservedPoint> points;
+    double tolerance_mm = 0;  ///< of their rms
+  };
+  /// Nothing of goals that are not judged by distances. @pre judged
+  virtual std::optional<Judged> judged_points(const Run&) const { return std::nullopt; }
   /// Nothing where a physics run is not worth its time.
   virtual std::optional<PhysicsTask> physics_task(const Run& run) const = 0;
   /// Says what the settled physics run lacks of the goal.

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "app/files/file_header.hpp"
+#include "app/files/process_section.hpp"
 #include "app/files/structure_section.hpp"
 #include "app/files/variables_section.hpp"
 #include "optim/solvers/multi_start.hpp"
@@ -158,6 +159,7 @@ const targets::KeyTable& curve_keys() {
        {},
        "how the search is run"},
       {"physics", value::map(physics_keys()), {}, "settings of the physics run"},
+      process_key(),
   });
   return keys;
 }
@@ -170,6 +172,7 @@ CurveFile read_curve_file(const targets::Node& node) {
   read_variables(root, file);
   read_tolerance(root, file);
   file.solver = read_solver(root);
+  file.process = read_process(root);
   file.physics = read_physics(root, file.size.edge_mm);
   return file;
 }

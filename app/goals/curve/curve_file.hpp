@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/files/physics_section.hpp"
+#include "app/files/process_section.hpp"
 #include "app/files/solver_section.hpp"
 #include "model/lattice/square/structure.hpp"
 #include "targets/curve/curve.hpp"
@@ -34,6 +35,7 @@ struct CurveFile {
 
   SolverSection solver = {};
   PhysicsSection physics = {};
+  model::Process process = model::processes().front();
 };
 
 /// Every key of a target.yaml of kind curve.

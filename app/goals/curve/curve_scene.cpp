@@ -8,6 +8,7 @@
 #include "app/pipeline/physics_settings.hpp"
 #include "app/run/midline.hpp"
 #include "model/sheet/sheet_motion.hpp"
+#include "targets/curve/polyline_tree.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -59,6 +60,7 @@ class CurveScene final : public Scene {
 
   void solve(Run& run, const RunOptions& options) const override {
     run.physics = file_.physics;
+    run.process = file_.process;
     run.verify_tolerance = file_.verify_tolerance;
     const optim::MultiStartOptions search = search_of(file_, options);
     if (options.progress) options.progress("search", 0);
@@ -78,6 +80,24 @@ class CurveScene final : public Scene {
     const std::vector<std::string>& notes = outcome_of<CurveOutcome>(run).found.notes;
     run.plan.why.insert(run.plan.why.end(), notes.begin(), notes.end());
     add_exact_state(run, run.theta);
+  }
+
+  /// Each column's place against the goal as it was laid over the midline.
+  std::optional<Judged> judged_points(const Run& run) const override {
+    const targets::CurveError& error = outcome_of<CurveOutcome>(run).found.design.error;
+    const targets::PolylineTree goal(error.goal_mm);
+    const model::State& state = run.states.front().poses;
+    const std::vector<Eigen::Vector2d> midline = column_midline(run.structure, state);
+    const std::vector<std::vector<int>> columns = body_columns(run.structure);
+    Judged out{drive_to(run.structure, run.theta), {}, file_.shape_tolerance * error.scale_mm};
+    for (std::size_t k = 0; k < midline.size(); ++k) {
+      const targets::ClosestPoint at = goal.nearest(midline[k]);
+      out.points.push_back({columns[k],
+                            {midline[k].x(), state[columns[k][0]].p.y(), midline[k].y()},
+                            {at.normal.x(), 0, at.normal.y()},
+                            at.distance});
+    }
+    return out;
   }
 
   std::optional<PhysicsTask> physics_task(const Run& run) const override {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/files/file_header.hpp"
+#include "app/files/process_section.hpp"
 #include "targets/outline/read_outline.hpp"
 
 namespace kinetix::app {
@@ -120,6 +121,7 @@ const targets::KeyTable& outline_keys() {
       {"variables", value::map(variables_keys(usual)), {}, "what the search may change, and how far"},
       {"tolerance", value::map(tolerance_keys(usual)), {}, "when the goal is met"},
       {"physics", value::map(physics_keys()), {}, "settings of the physics run"},
+      process_key(),
   });
   return keys;
 }
@@ -138,6 +140,7 @@ OutlineFile read_outline_file(const targets::Node& node) {
   tolerance.read("shape", file.shape_tolerance);
   tolerance.read("iou", file.iou_tolerance);
   tolerance.read("verify", file.verify_tolerance);
+  file.process = read_process(root);
   file.physics = read_physics(root, file.cell_mm.value_or(file.folded.diagonal() / file.columns));
   return file;
 }

@@ -6,6 +6,7 @@
 
 #include "app/files/lattice_section.hpp"
 #include "app/files/physics_section.hpp"
+#include "app/files/process_section.hpp"
 #include "targets/outline/outline.hpp"
 
 namespace kinetix::app {
@@ -34,6 +35,7 @@ struct OutlineFile {
   double iou_tolerance = 0.95;     ///< least intersection over union, (0, 1]
   double verify_tolerance = 0.02;  ///< of verify_rms, cell edges, (0, 1]
   PhysicsSection physics = {};
+  model::Process process = model::processes().front();
 
   /// The panel's size where a cell edge has this length, mm.
   model::CellSize size(double edge_mm) const;

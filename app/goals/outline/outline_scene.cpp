@@ -15,6 +15,7 @@ class OutlineScene final : public Scene {
 
   void solve(Run& run, const RunOptions& options) const override {
     run.physics = file_.physics;
+    run.process = file_.process;
     run.verify_tolerance = file_.verify_tolerance;
     auto outline = std::make_unique<OutlineOutcome>(file_);
     outline->tolerances = {{"shape", file_.shape_tolerance}, {"iou", file_.iou_tolerance}};
@@ -35,6 +36,20 @@ class OutlineScene final : public Scene {
   }
 
   void add_state(Run& run, const RunOptions&) const override { add_exact_state(run, run.theta); }
+
+  /// Each vertex of the rim.
+  std::optional<Judged> judged_points(const Run& run) const override {
+    const auto& outline = outcome_of<OutlineOutcome>(run);
+    const targets::Outline goal(outline.placed(run.structure.size().edge_mm));
+    Judged out{drive_to(run.structure, run.theta), {}, file_.shape_tolerance * goal.diagonal()};
+    for (const int body : outline.rim) {
+      const Eigen::Vector3d& place = run.states.front().poses[body].p;
+      const targets::Outline::Nearest at = goal.nearest(place.head<2>());
+      out.points.push_back(
+          {{body}, place, {at.normal.x(), at.normal.y(), 0}, at.normal.dot(place.head<2>() - at.point)});
+    }
+    return out;
+  }
 
   std::optional<PhysicsTask> physics_task(const Run& run) const override {
     return PhysicsTask{run.states.front().poses, drive_to(run.structure, run.theta),

@@ -126,6 +126,13 @@ function readVerdict(metrics, tolerance) {
   };
 }
 
+/** What prints of it come to; null where that is not known. */
+function readAsMade(raw) {
+  if (!raw || finite(raw.p95_mm) === null) return null;
+  const sources = list(raw.sources).filter((source) => finite(source?.share) !== null);
+  return {process: String(raw.process), rms: raw.rms_mm, p95: raw.p95_mm, tolerance: raw.tolerance_mm, holds: raw.holds === true, sources};
+}
+
 /** The kind of goal that was searched for; null for a design. Results that name no kind are of the first. */
 function kindOf(raw) {
   return GOALS.find(({name}) => raw[name]) ?? (raw.target ? GOALS[0] : null);
@@ -158,6 +165,7 @@ function readResult(raw) {
     stable: readStable(raw.equilibrium, structure),
     states: kind?.place?.(raw, states) ?? states,
     verdict: readVerdict(metrics, tolerance),
+    asMade: readAsMade(raw.as_made),
     runs: list(optimiser.runs).map(readRun),
     fidelity: list(raw.fidelity).filter((entry) => entry && typeof entry === "object"),
     timing: dictionary(raw.timing_s),

@@ -29,9 +29,27 @@ function designVerdict(data) {
   };
 }
 
+/** What prints come to, where that is known: a sentence. */
+function asMadeWords({asMade, structure}) {
+  if (!asMade) return null;
+  const source = asMade.sources[0];
+  const most = source === undefined ? "" : ` Most of it comes from ${parameterWords[source.parameter] ?? source.parameter} of hinge ` +
+          `${source.hinge} (${percent(source.share)}).`;
+  return `Printed by ${asMade.process}, it ends up ${millimetres(asMade.rms)} from the goal (rms over its points and over ` +
+      `prints); 95 of 100 prints stay within ${millimetres(asMade.p95)}, and ${millimetres(asMade.tolerance)} are allowed.` + most;
+}
+
+const parameterWords = {t: "the place", alpha: "the direction", beta: "the tilt", offset: "the offset"};
+
+/** Green only where prints hold as well. */
+function madeVerdict(found, {asMade}) {
+  if (found.tone !== "good" || !asMade || asMade.holds) return found;
+  return {...found, mark: "!", tone: "unsure", title: found.title + ", but not every print will hold"};
+}
+
 /** {mark, tone, title, text} */
 function verdict(data) {
-  if (data.kind) return data.kind.verdict(data);
+  if (data.kind) return madeVerdict(data.kind.verdict(data), data);
   return data.equilibrium ? equilibriumVerdict(data) : designVerdict(data);
 }
 
@@ -107,6 +125,7 @@ function headline(data) {
           "div", {class: "verdict " + tone}, html("span", {class: "mark", "aria-hidden": "true"}, mark),
           html(
               "div", {}, html("h2", {}, title), html("p", {}, text),
+              data.asMade ? html("p", {class: "made"}, asMadeWords(data)) : null,
               reasons(data).map((reason) => html("p", {class: "why"}, reason)))),
       keyNumbers(data), data.kind?.showsItself ? null : foldedPicture(data));
 }

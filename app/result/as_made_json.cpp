@@ -1,0 +1,58 @@
+#include "app/result/as_made_json.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace kinetix::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t most_sources = 10;  // that a person would look at
+constexpr const char* parameters[] = {"t", "alpha", "beta", "offset"};
+constexpr const char* in_words[] = {"the place", "the direction", "the tilt", "the offset"};
+
+}  // namespace
+
+Json as_made_json(const Run& run) {
+  const model::AsMade& made = run.printed->made;
+  Json sources = Json::array();
+  for (std::size_t k = 0; k < std::min(made.sources.size(), most_sources); ++k)
+    sources.push_back({{"hinge", made.sources[k].hinge},
+                       {"parameter", parameters[made.sources[k].parameter]},
+                       {"share", made.sources[k].share}});
+  return {{"process", run.process.name},
+          {"sd",
+           {{"t_mm", run.process.sd.t_mm},
+            {"tilt_deg", run.process.sd.tilt_deg},
+            {"clearance_mm", run.process.sd.clearance_mm}}},
+          {"designed_mm", made.designed_mm},
+          {"rms_mm", made.rms_mm},
+          {"p95_mm", made.p95_mm},
+          {"tolerance_mm", run.printed->tolerance_mm},
+          {"holds", run.printed->holds()},
+          {"sources", sources},
+          {"seconds", run.printed->seconds}};
+}
+
+std::vector<SummaryLine> as_made_lines(const Run& run) {
+  if (!run.printed) return {};
+  const model::AsMade& made = run.printed->made;
+  std::vector<SummaryLine> lines = {
+      {"as made",
+       fmt::format(
+           "printed by {}: {:.2f} mm off (rms), 95 of 100 prints within {:.2f} mm; {:.2f} mm are allowed: {}",
+           run.process.name, made.rms_mm, made.p95_mm, run.printed->tolerance_mm,
+           run.printed->holds() ? "holds" : "NOT EVERY PRINT HOLDS")}};
+  if (!made.sources.empty()) {
+    const model::ScatterSource& most = made.sources.front();
+    lines.push_back(
+        {"", fmt::format("most by {} of the hinge on wall {}, {:.0f} % of what errors do",
+                         in_words[most.parameter], wall_name(run.structure, most.hinge), 100 * most.share)});
+  }
+  return lines;
+}
+
+}  // namespace kinetix::app
