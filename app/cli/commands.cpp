@@ -26,7 +26,7 @@ std::string folder_of(const CommandOptions& options, const std::string& name, co
 }
 
 RunOptions run_options(const CommandOptions& options, Console& console) {
-  return {options.threads, options.seed, options.verify, console.progress()};
+  return {options.threads, options.seed, options.verify, console.progress(), options.prints};
 }
 
 /// Bad input that is found after reading gets the file's name.

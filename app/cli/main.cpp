@@ -71,6 +71,10 @@ int run(int argc, char** argv) {
   add_output(app, options);
   app.add_flag_callback(
       "--no-verify", [&] { options.verify = false; }, "skip the physics run");
+  app.add_option("--monte-carlo", options.prints,
+                 "brings so many prints with errors to their equilibrium, to confirm")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000000));
   app.add_option("TARGET.yaml", options.file, "goal shape, structure and bounds")->type_name("");
 
   CLI::App* verify =

@@ -17,6 +17,7 @@ struct CommandOptions {
   bool json = false;
   bool quiet = false;
   bool verify = true;
+  int prints = 0;  ///< of a target: to confirm what prints come to
   int threads = 0;
   std::uint64_t seed = 0;
   bool seed_given = false;

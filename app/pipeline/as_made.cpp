@@ -1,12 +1,19 @@
 #include "app/pipeline/as_made.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/pipeline/physics_settings.hpp"
 #include "app/run/stopwatch.hpp"
+#include "model/elastic/newton.hpp"
 
 namespace kinetix::app {
 namespace {
+
+// Prints that are brought to their equilibrium in any case: what is true to first order alone may be far off where
+// cells that do not close bulge. Enough to see that, and a fraction of a second of work.
+constexpr int least_prints = 20;
+constexpr int most_bodies_to_confirm = 400;  // beyond, they take longer than the search
 
 /// A pin rests anywhere in its bore: evenly within the clearance, along the wall as across it.
 double play_sd(const HingeSection& hinge) { return hinge.made ? play_mm(*hinge.made) / std::sqrt(3.0) : 0; }
@@ -20,21 +27,39 @@ model::HingeScatter scatter_of(const Run& run) {
   return scatter;
 }
 
+model::Linkage printed(model::Sheet sheet, const Eigen::Matrix4Xd& errors) {
+  for (int h = 0; h < static_cast<int>(errors.cols()); ++h) {
+    model::HingeParameters& hinge = sheet.hinge(h);
+    hinge.t += errors(0, h);
+    hinge.alpha += errors(1, h);
+    hinge.beta += errors(2, h);
+    hinge.offset += errors(3, h);
+  }
+  return sheet;
+}
+
 }  // namespace
 
 std::optional<PrintedGoal> as_made(const Run& run, const model::LinkageDrive& drive,
-                                   const std::vector<model::ObservedPoint>& points) {
+                                   const std::vector<model::ObservedPoint>& points, int prints) {
   if (points.empty() || run.states.empty()) return std::nullopt;
   Stopwatch watch;
-  const model::State& state = run.states.front().poses;
+  model::State state = run.states.front().poses;
   const model::Elasticity elasticity = elasticity_of(run.hinge, run.physics, run.structure.size().edge_mm);
-  const model::ElasticSystem system(run.structure, elasticity, drive, false, false);
+  model::ElasticSystem system(run.structure, elasticity, drive, false, false);
   model::TangentStiffness tangent(system.dofs());
-  system.linearise(state, drive.theta(), tangent);
+  const double theta = drive.theta();
+  system.place(theta, state);
+  if (const auto settled = minimise(system, theta, {}, state, tangent); !settled.converged || !settled.stable)
+    return std::nullopt;
+  system.linearise(state, theta, tangent);
   if (!tangent.factorise(0)) return std::nullopt;
   PrintedGoal out;
-  out.made = as_made(system, elasticity, state, drive.theta(), tangent, points, scatter_of(run));
+  out.made = as_made(system, elasticity, state, theta, tangent, points, scatter_of(run));
   out.seconds = watch.lap();
+  if (prints > 0 || run.structure.bodies() <= most_bodies_to_confirm)
+    out.runs = print_runs([&](const Eigen::Matrix4Xd& errors) { return printed(run.structure, errors); },
+                          elasticity, drive, state, points, scatter_of(run), std::max(prints, least_prints));
   return out;
 }
 

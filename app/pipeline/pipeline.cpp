@@ -19,8 +19,13 @@ Run run_scene(const Scene& scene, const RunOptions& options) {
   run.timings.equilibrium = watch.lap();
   scene.judge(run, options);
   if (const auto judged = scene.judged_points(run)) {
-    run.printed = as_made(run, judged->drive, judged->points);
-    if (run.printed) run.printed->tolerance_mm = judged->tolerance_mm;
+    run.printed = as_made(run, judged->drive, judged->points, options.prints);
+    if (run.printed)
+      run.printed->tolerance_mm = judged->tolerance_mm;
+    else
+      run.plan.why.push_back(
+          "what prints come to is not known: elastic hinges have no stable state near the design under its "
+          "drive");
   }
   watch.lap();
   if (options.verify)

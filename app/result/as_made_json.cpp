@@ -14,6 +14,15 @@ constexpr std::size_t most_sources = 10;  // that a person would look at
 constexpr const char* parameters[] = {"t", "alpha", "beta", "offset"};
 constexpr const char* in_words[] = {"the place", "the direction", "the tilt", "the offset"};
 
+std::string prints_words(const PrintedGoal& printed) {
+  const model::PrintRuns& runs = *printed.runs;
+  std::string text =
+      fmt::format("{} prints in the elastic model: {:.2f} mm off (rms), 95 of 100 within {:.2f} mm",
+                  runs.prints, runs.rms_mm, runs.p95_mm);
+  if (runs.failed > 0) text += fmt::format("; {} more found no equilibrium near the design", runs.failed);
+  return text + (printed.is_confirmed() ? "" : ": FIRST ORDER DOES NOT HOLD");
+}
+
 }  // namespace
 
 Json as_made_json(const Run& run) {
@@ -23,18 +32,25 @@ Json as_made_json(const Run& run) {
     sources.push_back({{"hinge", made.sources[k].hinge},
                        {"parameter", parameters[made.sources[k].parameter]},
                        {"share", made.sources[k].share}});
-  return {{"process", run.process.name},
-          {"sd",
-           {{"t_mm", run.process.sd.t_mm},
-            {"tilt_deg", run.process.sd.tilt_deg},
-            {"clearance_mm", run.process.sd.clearance_mm}}},
-          {"designed_mm", made.designed_mm},
-          {"rms_mm", made.rms_mm},
-          {"p95_mm", made.p95_mm},
-          {"tolerance_mm", run.printed->tolerance_mm},
-          {"holds", run.printed->holds()},
-          {"sources", sources},
-          {"seconds", run.printed->seconds}};
+  Json out = {{"process", run.process.name},
+              {"sd",
+               {{"t_mm", run.process.sd.t_mm},
+                {"tilt_deg", run.process.sd.tilt_deg},
+                {"clearance_mm", run.process.sd.clearance_mm}}},
+              {"designed_mm", made.designed_mm},
+              {"rms_mm", made.rms_mm},
+              {"p95_mm", made.p95_mm},
+              {"tolerance_mm", run.printed->tolerance_mm},
+              {"holds", run.printed->holds()},
+              {"confirmed", run.printed->is_confirmed()},
+              {"sources", sources},
+              {"seconds", run.printed->seconds}};
+  if (const auto& runs = run.printed->runs)
+    out["prints"] = {{"count", runs->prints},
+                     {"failed", runs->failed},
+                     {"rms_mm", runs->rms_mm},
+                     {"p95_mm", runs->p95_mm}};
+  return out;
 }
 
 std::vector<SummaryLine> as_made_lines(const Run& run) {
@@ -49,9 +65,10 @@ std::vector<SummaryLine> as_made_lines(const Run& run) {
   if (!made.sources.empty()) {
     const model::ScatterSource& most = made.sources.front();
     lines.push_back(
-        {"", fmt::format("most by {} of the hinge on wall {}, {:.0f} % of what errors do",
+        {"", fmt::format("largest single source: {} of the hinge on wall {}, {:.0f} % of what errors do",
                          in_words[most.parameter], wall_name(run.structure, most.hinge), 100 * most.share)});
   }
+  if (run.printed->runs) lines.push_back({"", prints_words(*run.printed)});
   return lines;
 }
 

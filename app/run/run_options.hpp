@@ -14,7 +14,9 @@ struct RunOptions {
   int threads = 0;  ///< 0 = all cores
   std::uint64_t seed = 0;
   bool verify = true;  ///< run the physics engine
-  Progress progress;
+  Progress progress = {};
+  int prints =
+      0;  ///< with errors, brought to their equilibrium to confirm what is said of them, 0 to 1000000
 };
 
 }  // namespace kinetix::app

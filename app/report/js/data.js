@@ -130,7 +130,8 @@ function readVerdict(metrics, tolerance) {
 function readAsMade(raw) {
   if (!raw || finite(raw.p95_mm) === null) return null;
   const sources = list(raw.sources).filter((source) => finite(source?.share) !== null);
-  return {process: String(raw.process), rms: raw.rms_mm, p95: raw.p95_mm, tolerance: raw.tolerance_mm, holds: raw.holds === true, sources};
+  return {process: String(raw.process), rms: raw.rms_mm, p95: raw.p95_mm, tolerance: raw.tolerance_mm, holds: raw.holds === true,
+    confirmed: raw.confirmed !== false, prints: dictionary(raw.prints), sources};
 }
 
 /** The kind of goal that was searched for; null for a design. Results that name no kind are of the first. */

@@ -33,10 +33,16 @@ function designVerdict(data) {
 function asMadeWords({asMade, structure}) {
   if (!asMade) return null;
   const source = asMade.sources[0];
-  const most = source === undefined ? "" : ` Most of it comes from ${parameterWords[source.parameter] ?? source.parameter} of hinge ` +
-          `${source.hinge} (${percent(source.share)}).`;
+  const most = source === undefined ? "" : ` The largest single source is ${parameterWords[source.parameter] ?? source.parameter} of hinge ` +
+          `${source.hinge} (${percent(source.share)} of what errors do).`;
   return `Printed by ${asMade.process}, it ends up ${millimetres(asMade.rms)} from the goal (rms over its points and over ` +
-      `prints); 95 of 100 prints stay within ${millimetres(asMade.p95)}, and ${millimetres(asMade.tolerance)} are allowed.` + most;
+      `prints); 95 of 100 prints stay within ${millimetres(asMade.p95)}, and ${millimetres(asMade.tolerance)} are allowed.` + most +
+      (asMade.confirmed ? "" : " That is to first order, and does not hold here: " + printsWords(asMade.prints));
+}
+
+function printsWords({count, failed, rms_mm: rms, p95_mm: p95}) {
+  const lost = failed > 0 ? `, and ${failed} more found no equilibrium near the design` : "";
+  return `${count} prints in the elastic model came out ${millimetres(rms)} off, 95 of 100 within ${millimetres(p95)}${lost}.`;
 }
 
 const parameterWords = {t: "the place", alpha: "the direction", beta: "the tilt", offset: "the offset"};

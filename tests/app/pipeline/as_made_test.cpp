@@ -46,6 +46,21 @@ TEST(AsMadeResult, SaysWhatPrintsComeTo) {
   EXPECT_EQ(made["sources"].size(), 10u);
 }
 
+TEST(AsMadeResult, IsConfirmedByPrints) {
+  const Scratch scratch;
+  const std::string folder = scratch / "out";
+  const Outcome run =
+      kinetix_opt(scratch.write("arc.yaml", arc) + " -o " + folder + " --no-verify --monte-carlo 500");
+  ASSERT_EQ(run.code, 0) << run.out << run.err;
+  EXPECT_THAT(run.out, HasSubstr("500 prints in the elastic model"));
+  const Json result = Json::parse(text_of(folder + "/result.json"));
+  EXPECT_EQ(schema_errors(result), "");
+  const Json& made = result["as_made"];
+  EXPECT_EQ(made["prints"]["failed"], 0);
+  EXPECT_NEAR(made["prints"]["rms_mm"], made["rms_mm"].get<double>(), 0.1 * made["rms_mm"].get<double>());
+  EXPECT_NEAR(made["prints"]["p95_mm"], made["p95_mm"].get<double>(), 0.1 * made["p95_mm"].get<double>());
+}
+
 // To first order what errors add grows with their square.
 TEST(AsMadeResult, GrowsWithTheErrorsOfTheProcess) {
   const Scratch scratch;

@@ -1,0 +1,122 @@
+#include "model/tolerance/print_runs.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "model/elastic/newton.hpp"
+
+namespace kinetix::model {
+namespace {
+
+using Eigen::Matrix4Xd;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+/// Errors of print after print, normal by Box and Muller: the standard's distributions differ between libraries.
+class Errors {
+ public:
+  Errors(const HingeScatter& scatter, Eigen::Index hinges, unsigned seed)
+      : sd_(scatter.values()), hinges_(hinges), random_(seed) {}
+
+  Matrix4Xd next() {
+    Matrix4Xd errors(4, hinges_);
+    for (double& entry : errors.reshaped()) entry = normal();
+    return sd_.asDiagonal() * errors;
+  }
+
+ private:
+  double even() {
+    return (static_cast<double>(random_()) + 1) / (static_cast<double>(std::mt19937::max()) + 2);
+  }
+  double normal() {
+    const double radius = std::sqrt(-2 * std::log(even()));
+    return radius * std::cos(2 * std::numbers::pi * even());
+  }
+
+  const Eigen::Vector4d sd_;
+  const Eigen::Index hinges_;
+  std::mt19937 random_;
+};
+
+Vector3d mean_place(const ObservedPoint& point, const State& state) {
+  Vector3d sum = Vector3d::Zero();
+  for (const int body : point.bodies) sum += state[body].p;
+  return sum / static_cast<double>(point.bodies.size());
+}
+
+/// Rms distance of a print's points from the goal, after the best small rigid motion of what errors moved. mm
+class Distance {
+ public:
+  Distance(const std::vector<ObservedPoint>& points, const State& design, bool aligned)
+      : points_(points),
+        design_(design),
+        rigid_(static_cast<Eigen::Index>(points.size()), 6),
+        aligned_(aligned) {
+    for (std::size_t k = 0; k < points.size(); ++k)
+      rigid_.row(static_cast<Eigen::Index>(k)) << points[k].normal.transpose(),
+          points[k].place.cross(points[k].normal).transpose();
+    fit_.compute(rigid_);
+  }
+
+  double operator()(const State& print) const {
+    VectorXd designed(rigid_.rows()), moved(rigid_.rows());
+    for (std::size_t k = 0; k < points_.size(); ++k) {
+      const auto row = static_cast<Eigen::Index>(k);
+      designed[row] = points_[k].miss_mm;
+      moved[row] = points_[k].normal.dot(mean_place(points_[k], print) - mean_place(points_[k], design_));
+    }
+    if (aligned_) moved -= rigid_ * fit_.solve(moved);
+    return (designed + moved).norm() / std::sqrt(static_cast<double>(points_.size()));
+  }
+
+ private:
+  const std::vector<ObservedPoint>& points_;
+  const State& design_;
+  MatrixXd rigid_;
+  Eigen::CompleteOrthogonalDecomposition<MatrixXd> fit_;
+  bool aligned_;
+};
+
+/// @return whether a stable equilibrium was found from the state given
+bool settle(Linkage structure, const Elasticity& elasticity, const LinkageDrive& drive, State& state) {
+  ElasticSystem system(std::move(structure), elasticity, drive, false, false);
+  system.place(drive.theta(), state);
+  TangentStiffness tangent(system.dofs());
+  const NewtonResult result = minimise(system, drive.theta(), {}, state, tangent);
+  return result.converged && result.stable;
+}
+
+}  // namespace
+
+PrintRuns print_runs(const PrintedLinkage& printed, const Elasticity& elasticity, const LinkageDrive& drive,
+                     const State& state, const std::vector<ObservedPoint>& points,
+                     const HingeScatter& scatter, int count, const AsMadeOptions& options) {
+  State design = state;
+  Linkage exact = printed({});
+  const auto hinges = static_cast<Eigen::Index>(exact.hinges.size());
+  settle(std::move(exact), elasticity, drive, design);
+  const Distance distance(points, design, options.aligned);
+  Errors errors(scatter, hinges, options.seed);
+  std::vector<double> distances;
+  for (int k = 0; k < count; ++k) {
+    State print = design;
+    if (settle(printed(errors.next()), elasticity, drive, print)) distances.push_back(distance(print));
+  }
+  std::sort(distances.begin(), distances.end());
+  PrintRuns out;
+  out.prints = static_cast<int>(distances.size());
+  out.failed = count - out.prints;
+  out.rms_mm = out.p95_mm = std::nan("");
+  if (distances.empty()) return out;
+  double squares = 0;
+  for (const double d : distances) squares += d * d;
+  out.rms_mm = std::sqrt(squares / out.prints);
+  out.p95_mm = distances[static_cast<std::size_t>(0.95 * (out.prints - 1))];
+  return out;
+}
+
+}  // namespace kinetix::model

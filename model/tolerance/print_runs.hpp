@@ -1,0 +1,27 @@
+#pragma once
+
+#include <functional>
+
+#include "model/tolerance/as_made.hpp"
+
+namespace kinetix::model {
+
+/// What a number of prints came to, each brought to its equilibrium anew: what as_made() says to first order.
+struct PrintRuns {
+  int prints = 0;     ///< those that settled near the design
+  int failed = 0;     ///< all others
+  double rms_mm = 0;  ///< root of the mean square over those that settled; NaN where none did
+  double p95_mm = 0;  ///< 95 of 100 of them keep it
+};
+
+/// A structure with its hinges off by so much: a column a hinge, t (fraction), alpha, beta (rad), offset (cell edges). No
+/// columns: the design itself.
+using PrintedLinkage = std::function<Linkage(const Eigen::Matrix4Xd& errors)>;
+
+/// @param state of the design, in equilibrium or nearly so under the drive
+/// @param count > 0   @param options its probes have no effect   The same seed gives the same prints.
+PrintRuns print_runs(const PrintedLinkage& printed, const Elasticity& elasticity, const LinkageDrive& drive,
+                     const State& state, const std::vector<ObservedPoint>& points,
+                     const HingeScatter& scatter, int count, const AsMadeOptions& options = {});
+
+}  // namespace kinetix::model
