@@ -10,13 +10,14 @@ namespace {
 
 constexpr std::size_t longest_quote = 40;  // bytes: keeps a message on a line or two, whatever the file holds
 
-constexpr std::size_t longest_unit = 4;  // letters after the underline of a key: mm, deg, mpa, seconds are s
+// After the underline of a key, and what one may write instead.
+constexpr std::string_view units[] = {"mm", "deg", "rad", "mpa", "s"};
 
 /// `theta` for `theta_deg`: a unit forgotten or added is as near as one wrong letter.
 bool differs_by_suffix(std::string_view a, std::string_view b) {
   if (a.size() > b.size()) std::swap(a, b);
-  return !a.empty() && b.starts_with(a) && b.size() > a.size() && b[a.size()] == '_' &&
-         b.size() - a.size() <= 1 + longest_unit;
+  if (a.empty() || !b.starts_with(a) || b.size() == a.size() || b[a.size()] != '_') return false;
+  return std::find(std::begin(units), std::end(units), b.substr(a.size() + 1)) != std::end(units);
 }
 
 }  // namespace
