@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "app/pipeline/physics_settings.hpp"
-#include "app/run/stopwatch.hpp"
 #include "model/elastic/newton.hpp"
 
 namespace kinetix::app {
@@ -43,7 +42,6 @@ model::Linkage printed(model::Sheet sheet, const Eigen::Matrix4Xd& errors) {
 std::optional<PrintedGoal> as_made(const Run& run, const model::LinkageDrive& drive,
                                    const std::vector<model::ObservedPoint>& points, int prints) {
   if (points.empty() || run.states.empty()) return std::nullopt;
-  Stopwatch watch;
   model::State state = run.states.front().poses;
   const model::Elasticity elasticity = elasticity_of(run.hinge, run.physics, run.structure.size().edge_mm);
   model::ElasticSystem system(run.structure, elasticity, drive, false, false);
@@ -56,7 +54,6 @@ std::optional<PrintedGoal> as_made(const Run& run, const model::LinkageDrive& dr
   if (!tangent.factorise(0)) return std::nullopt;
   PrintedGoal out;
   out.made = as_made(system, elasticity, state, theta, tangent, points, scatter_of(run));
-  out.seconds = watch.lap();
   if (prints > 0 || run.structure.bodies() <= most_bodies_to_confirm)
     out.runs = print_runs([&](const Eigen::Matrix4Xd& errors) { return printed(run.structure, errors); },
                           elasticity, drive, state, points, scatter_of(run), std::max(prints, least_prints));

@@ -18,6 +18,7 @@ Run run_scene(const Scene& scene, const RunOptions& options) {
   scene.add_state(run, options);
   run.timings.equilibrium = watch.lap();
   scene.judge(run, options);
+  watch.lap();
   if (const auto judged = scene.judged_points(run)) {
     run.printed = as_made(run, judged->drive, judged->points, options.prints);
     if (run.printed)
@@ -27,7 +28,7 @@ Run run_scene(const Scene& scene, const RunOptions& options) {
           "what prints come to is not known: elastic hinges have no stable state near the design under its "
           "drive");
   }
-  watch.lap();
+  run.timings.as_made = watch.lap();
   if (options.verify)
     if (const auto task = scene.physics_task(run)) {
       verify(run, *task, options.progress);

@@ -43,8 +43,7 @@ Json as_made_json(const Run& run) {
               {"tolerance_mm", run.printed->tolerance_mm},
               {"holds", run.printed->holds()},
               {"confirmed", run.printed->is_confirmed()},
-              {"sources", sources},
-              {"seconds", run.printed->seconds}};
+              {"sources", sources}};
   if (const auto& runs = run.printed->runs)
     out["prints"] = {{"count", runs->prints},
                      {"failed", runs->failed},

@@ -165,7 +165,10 @@ Json result_json(const Run& run) {
     add_stable_states(run, out["equilibrium"]);
     out["timing_s"]["balance"] = run.timings.equilibrium;
   }
-  if (run.printed) out["as_made"] = as_made_json(run);
+  if (run.printed) {
+    out["as_made"] = as_made_json(run);
+    out["timing_s"]["as_made"] = run.timings.as_made;
+  }
   if (run.verification) out["physics"] = physics_json(*run.verification);
   return out;
 }

@@ -62,7 +62,6 @@ struct Equilibrium {
 struct PrintedGoal {
   model::AsMade made;
   double tolerance_mm = 0;                    ///< of the goal
-  double seconds = 0;                         ///< that it took to know
   std::optional<model::PrintRuns> runs = {};  ///< that confirm it, or do not
 
   /// To first order, and in the prints that were looked at.
@@ -77,7 +76,7 @@ struct PrintedGoal {
 };
 
 struct Timings {
-  double load = 0, plan = 0, optimise = 0, equilibrium = 0, verify = 0, write = 0;  ///< seconds
+  double load = 0, plan = 0, optimise = 0, equilibrium = 0, as_made = 0, verify = 0, write = 0;  ///< seconds
 };
 
 /// Everything one call of the program knows at its end: what result.json and the report show.
