@@ -22,7 +22,7 @@ FrontPoint point_of(const DisplayFile& file, const model::Elasticity& elasticity
   model::EquilibriumPathOptions path_options;
   path_options.planar = true;
   const model::EquilibriumPath path = trace_equilibrium(
-      {panel, plates_on(panel, view.plates), exact_motion(panel)}, elasticity, path_options);
+      {panel, drive_on(panel, view), exact_motion(panel)}, elasticity, path_options);
   return front_point(file.offset, read_panel(file, panel, path.state), path);
 }
 
