@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/files/drive_section.hpp"
 #include "app/files/file_header.hpp"
 #include "app/files/structure_section.hpp"
 #include "app/files/wall_node.hpp"
@@ -57,6 +58,7 @@ targets::KeyTable drive_keys(const DisplayFile& usual) {
           {"compression", value::number(allowed_compression), targets::by_default(usual.compression),
            "1 less the final over the initial distance of the plates; 0.12 where `variables.offset_mm` is 0",
            "plates"},
+          press_key(),
           {"angle_deg", value::angle(allowed_turn), targets::by_default_deg(usual.angle),
            "turn of the hinge, to the side that shows the picture", "hinge"},
           wall_key("hinge", targets::otherwise("a wall in the middle of the panel that is hardly scaled")),
@@ -185,6 +187,7 @@ void read_drive(const targets::Section& root, DisplayFile& file) {
     section.node().reject_unknown_keys(drive_keys(file).only(by_hinge ? "hinge" : "plates").names());
   section.read("axis", file.axes.front(), axes);
   section.read("compression", file.compression);
+  section.read("press", file.press);
   section.read("angle_deg", file.angle);
   if (by_hinge) read_driven_hinge(root, section, file);
 }

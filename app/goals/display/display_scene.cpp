@@ -154,11 +154,13 @@ class DisplayScene final : public Scene {
     run.hinge.model = HingeSection::Model::elastic;
     run.verify_tolerance = file_.verify;
     if (!view.balanced) view.plates = plates_of(file_);
+    view.plates.press = file_.press;
     if (view.turn)
       run.drive = DriveSection{
           .kind = DriveSection::Kind::hinge, .hinge = view.turn->hinge, .angle = view.turn->angle};
     else
-      run.drive = DriveSection{.axis = view.plates.axis, .compression = view.plates.compression};
+      run.drive = DriveSection{
+          .axis = view.plates.axis, .compression = view.plates.compression, .press = view.plates.press};
   }
 
   DisplayFile file_;

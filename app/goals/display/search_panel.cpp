@@ -24,6 +24,7 @@ model::Drive plates_of(const DisplayFile& file) {
   drive.kind = model::Drive::Kind::plates;
   drive.axis = file.axes.front();
   drive.compression = file.compression;
+  drive.press = file.press;
   return drive;
 }
 
@@ -93,7 +94,8 @@ model::LinkageDrive drive_on(const model::Sheet& panel, const optim::DisplayView
   const model::Drive& plates = view.plates;
   return drive_on(panel, model::SheetDrive{.axis = plates.axis,
                                            .compression = plates.compression,
-                                           .branch = plates.branch});
+                                           .branch = plates.branch,
+                                           .press = plates.press});
 }
 
 model::Sheet make_panel(const DisplayFile& file, targets::PanelSize size) {
