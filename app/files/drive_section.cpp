@@ -102,8 +102,8 @@ DriveSection read_hinge(const targets::Node& node, const model::Sheet& structure
 
 targets::Key press_key() {
   return {"press", value::boolean(), targets::by_default("false"),
-          "`true`: the plates of the physics run push the vertices of their rows and do not hold them, which takes "
-          "elastic hinges; the model holds them all the same",
+          "`true`: plates push the vertices of their rows and do not hold them, so that vertices may leave their "
+          "plate; only with elastic hinges (`--model equilibrium`, or a physics run of them)",
           "plates"};
 }
 

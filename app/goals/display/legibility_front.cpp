@@ -17,7 +17,8 @@ constexpr double same = 1e-9;  // cell edges
 FrontPoint point_of(const DisplayFile& file, const model::Elasticity& elasticity,
                     const optim::DisplayOptions& options) {
   model::Sheet panel = make_panel(file, {file.goal.columns, file.goal.rows});
-  const optim::DisplayView view = search_panel(file, file.goal, panel, options, {}).view;
+  optim::DisplayView view = search_panel(file, file.goal, panel, options, {}).view;
+  view.plates.press = file.press;
   place_hinges(view, panel);
   model::EquilibriumPathOptions path_options;
   path_options.planar = true;

@@ -24,7 +24,6 @@ model::Drive plates_of(const DisplayFile& file) {
   drive.kind = model::Drive::Kind::plates;
   drive.axis = file.axes.front();
   drive.compression = file.compression;
-  drive.press = file.press;
   return drive;
 }
 

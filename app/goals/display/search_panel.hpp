@@ -11,7 +11,7 @@
 
 namespace kinetix::app {
 
-/// The plates that a file asks for; where a search may change them, where it starts.
+/// The plates that a file asks for; where a search may change them, where it starts. Searches take them to grip.
 model::Drive plates_of(const DisplayFile& file);
 
 /// Of a search with hinges on their walls.
