@@ -23,13 +23,13 @@ class Plates final : public Actuator {
  public:
   Plates(const model::Linkage& structure, const model::LinkageDrive& drive, const Bodies& bodies,
          double error_reduction)
-      : axis_(drive.axis) {
+      : axis_(drive.axis), press_(drive.press) {
     for (int side = 0; side < 2; ++side) {
       const std::vector<int>& row = drive.gripped[side];
       rows_[side] = structure.bodies[row.front()].position[coordinate()];
       for (const int b : row) {
         const Pin pin = b == row[row.size() / 2] ? Pin::keyed : Pin::sliding;
-        joints_.push_back(slot(axis_, pin, plates_[side], *bodies[b], error_reduction));
+        add(side, pin, *bodies[b], error_reduction);
         if (side == 0 && pin == Pin::keyed) keep_from_spinning(*bodies[b]);
       }
     }
@@ -38,6 +38,7 @@ class Plates final : public Actuator {
   std::vector<btGeneric6DofSpring2Constraint*> joints() const override {
     std::vector<btGeneric6DofSpring2Constraint*> joints;
     for (const Joint& joint : joints_) joints.push_back(joint.get());
+    for (const Joint& key : keys_) joints.push_back(key.get());
     return joints;
   }
 
@@ -55,13 +56,27 @@ class Plates final : public Actuator {
     for (const Joint& joint : joints_) {
       const btVector3 plate = joint->getRigidBodyA().getWorldTransform().getOrigin();
       const btVector3 body = joint->getRigidBodyB().getWorldTransform().getOrigin();
-      largest = larger(largest, std::abs(body[coordinate()] - plate[coordinate()]));
+      const double off = body[coordinate()] - plate[coordinate()];
+      largest = larger(largest, press_ ? -inward(side_of(*joint)) * off : std::abs(off));
     }
     return largest;
   }
 
  private:
   int coordinate() const { return axis_ == model::Axis::x ? 0 : 1; }
+
+  /// Sign along the axis.
+  static double inward(int side) { return side == 0 ? 1 : -1; }
+  int side_of(btGeneric6DofSpring2Constraint& joint) const {
+    return &joint.getRigidBodyA() == &plates_[0] ? 0 : 1;
+  }
+
+  void add(int side, Pin pin, btRigidBody& body, double error_reduction) {
+    btRigidBody& plate = plates_[side];
+    if (!press_) return joints_.push_back(slot(axis_, pin, plate, body, error_reduction));
+    joints_.push_back(pusher(inward(side) * edge_direction(axis_), plate, body, error_reduction));
+    if (pin == Pin::keyed) keys_.push_back(height_lock(plate, body, error_reduction));
+  }
 
   void keep_from_spinning(btRigidBody& body) const {
     btVector3 free = body.getAngularFactor();
@@ -70,9 +85,11 @@ class Plates final : public Actuator {
   }
 
   model::Axis axis_;
+  bool press_;
   std::array<double, 2> rows_{};  ///< cell edges
   std::array<btRigidBody, 2> plates_{btRigidBody(0, nullptr, nullptr), btRigidBody(0, nullptr, nullptr)};
-  std::vector<Joint> joints_;
+  std::vector<Joint> joints_;  ///< of each body with its plate
+  std::vector<Joint> keys_;    ///< plates that press: to the plane z = 0
 };
 
 class DrivenHinge final : public Actuator {

@@ -19,7 +19,8 @@ class Actuator {
   virtual std::vector<btGeneric6DofSpring2Constraint*> joints() const = 0;
   /// @param theta of the drive, with sign, rad
   virtual void move_to(double theta) = 0;
-  /// Distance from where it should be: cell edges for plates, rad for a hinge; NaN if a body's place is.
+  /// Distance from where it should be: cell edges for plates, rad for a hinge; NaN if a body's place is. Of plates
+  /// that press how far a body lies behind its plate.
   virtual double gap() const = 0;
 };
 

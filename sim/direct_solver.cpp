@@ -1,5 +1,6 @@
 #include "sim/direct_solver.hpp"
 
+#include <BulletDynamics/ConstraintSolver/btGeneric6DofSpring2Constraint.h>
 #include <BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
@@ -7,6 +8,7 @@
 
 #include "sim/bullet_math.hpp"
 #include "sim/elastic_hinges.hpp"
+#include "sim/joints.hpp"
 #include "sim/row_system.hpp"
 #include "sim/wall_tip_edges.hpp"
 
@@ -27,6 +29,15 @@ Eigen::Matrix3d world_inertia(const btRigidBody& body) {
   const Eigen::Matrix3d R = eigen(body.getWorldTransform().getBasis());
   return R * principal.asDiagonal() * R.transpose();
 }
+
+// Solutions of a step: of rows that only push those that do change hardly ever from step to step.
+constexpr int most_solutions = 20;
+
+/// A row that only pushes its second part.
+struct Push {
+  std::size_t row = 0;
+  Eigen::Vector3d inward;  ///< the way that it pushes, unit vector
+};
 
 struct Contact {
   Eigen::VectorXd response;  ///< of all parts to a unit impulse
@@ -49,10 +60,15 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
     number_parts();
     const bool jointless = m_tmpSolverNonContactConstraintPool.size() == 0 && !settings_.elastic;
     if (bodies_.empty() || jointless) return 0;
-    factorise_joints(info.m_timeStep);
-    Eigen::VectorXd velocities = system_.velocities();
     share_contacts(manifolds, count);
-    solve_contacts(velocities, info.m_numIterations);
+    collect_rows(info.m_timeStep);
+    Eigen::VectorXd velocities;
+    for (int k = 0; k < most_solutions; ++k) {
+      factorise_joints(info.m_timeStep);
+      velocities = system_.velocities();
+      solve_contacts(velocities, info.m_numIterations);
+      if (!let_go(velocities)) break;
+    }
     apply(velocities);
     return 0;
   }
@@ -87,12 +103,43 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
             a < 0 || b < 0 ? settings_.grip : 1};
   }
 
-  void factorise_joints(double step) {
+  void collect_rows(double step) {
     rows_.clear();
+    pushes_.clear();
     for (int k = 0; k < m_tmpSolverNonContactConstraintPool.size(); ++k)
       if (m_tmpSolverNonContactConstraintPool[k].m_jacDiagABInv > 0)
-        rows_.push_back(row_of(m_tmpSolverNonContactConstraintPool[k]));
+        append_joint(m_tmpSolverNonContactConstraintPool[k]);
+    if (pushing_.size() != pushes_.size()) pushing_.assign(pushes_.size(), true);
     if (settings_.elastic) append_elastic(step);
+  }
+
+  // What the engine calls a contact point is a joint in a row of a joint.
+  void append_joint(const btSolverConstraint& c) {
+    const auto& joint = *static_cast<const btTypedConstraint*>(c.m_originalContactPoint);
+    if (is_one_sided(joint))
+      pushes_.push_back({rows_.size(), eigen(static_cast<const btGeneric6DofSpring2Constraint&>(joint)
+                                                 .getCalculatedTransformA()
+                                                 .getBasis()
+                                                 .getColumn(0))});
+    rows_.push_back(row_of(c));
+  }
+
+  /// Keeps the rows that push, or would have to. @param v what the step came to   @return whether others did before
+  bool let_go(const Eigen::VectorXd& v) {
+    bool changed = false;
+    for (std::size_t k = 0; k < pushes_.size(); ++k) {
+      const VelocityRow& row = rows_[pushes_[k].row];
+      const double push = (row.target - along(row, v)) * row.second.head<3>().dot(pushes_[k].inward);
+      const bool pushes = push > 0;
+      changed = changed || pushing_[k] != pushes;
+      pushing_[k] = pushes;
+    }
+    return changed;
+  }
+
+  void factorise_joints(double step) {
+    for (std::size_t k = 0; k < pushes_.size(); ++k)
+      rows_[pushes_[k].row].weight = pushing_[k] ? settings_.grip : 0;
     const bool solvable = system_.factorise(masses_, rows_, settings_.joint_stiffness);
     if (settings_.elastic && !(solvable && longest_move() * step <= longest_step)) factorise_what_resists();
   }
@@ -195,6 +242,8 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
   std::vector<VelocityRow> rows_;
   PointCounts sharing_;  ///< by point: how many share its contact
   RowSystem system_;
+  std::vector<Push> pushes_;
+  std::vector<bool> pushing_;  ///< of each of them, at the last step and at this one
 };
 
 }  // namespace

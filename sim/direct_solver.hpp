@@ -22,6 +22,9 @@ struct DirectSolverSettings {
 /// joints to it. Contacts are frictionless, and yield a little before the joints do: where a drive presses
 /// parts into each other, they overlap, and the structure stays whole.
 ///
+/// A joint that only pushes (is_one_sided) is one of the equations as long as its force pushes, and is let go where it
+/// would pull: the equations are solved again until each does what it should.
+///
 /// Elastic hinges are the same equations with the equations of their turning springs added: a row whose
 /// target closes its gap within one step h, at stiffness s over the parts' masses, is an undamped spring of
 /// stiffness s / h^2 integrated by implicit Euler, so at rest forces balance as those springs' do. Where

@@ -10,6 +10,8 @@ namespace {
 
 // Numbers of the engine's axes: three linear ones, then three angular ones.
 constexpr int linear_x = 0, linear_y = 1, angular_x = 3;
+// A mark of ours on a constraint, which the engine leaves alone; no other of ours has one.
+constexpr int one_sided = 1;
 
 btVector3 bullet(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
@@ -78,6 +80,24 @@ Joint slot(model::Axis axis, Pin pin, btRigidBody& plate, btRigidBody& body, dou
   Joint joint = free_joint(plate, body, here, here);
   lock(*joint, linear_x, error_reduction);
   if (pin == Pin::keyed) lock(*joint, linear_y, error_reduction);
+  return joint;
+}
+
+Joint pusher(const Eigen::Vector3d& inward, btRigidBody& plate, btRigidBody& body, double error_reduction) {
+  const btTransform here = frame(inward, Eigen::Vector3d::UnitZ(), Eigen::Vector3d::Zero());
+  Joint joint = free_joint(plate, body, here, here);
+  lock(*joint, linear_x, error_reduction);
+  joint->setUserConstraintType(one_sided);
+  return joint;
+}
+
+bool is_one_sided(const btTypedConstraint& joint) { return joint.getUserConstraintType() == one_sided; }
+
+Joint height_lock(btRigidBody& plate, btRigidBody& body, double error_reduction) {
+  const btTransform here =
+      frame(Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitX(), Eigen::Vector3d::Zero());
+  Joint joint = free_joint(plate, body, here, here);
+  lock(*joint, linear_x, error_reduction);
   return joint;
 }
 

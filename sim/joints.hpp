@@ -7,6 +7,7 @@
 #include "model/linkage/linkage.hpp"
 
 class btGeneric6DofSpring2Constraint;
+class btTypedConstraint;
 class btRigidBody;
 
 namespace kinetix::sim {
@@ -48,6 +49,14 @@ enum class Pin { sliding, keyed };
 /// Pin in a slot: keeps the origin of `body` in the plane normal to `axis` through the origin of `plate`,
 /// free to slide in the plane (unless keyed) and to turn.
 Joint slot(model::Axis axis, Pin pin, btRigidBody& plate, btRigidBody& body, double error_reduction);
+
+/// A plate that pushes the origin of `body` along `inward`, away from itself, and does not pull it back. The engine
+/// knows only joints that do both: it is for the direct solver to let go (is_one_sided).
+Joint pusher(const Eigen::Vector3d& inward, btRigidBody& plate, btRigidBody& body, double error_reduction);
+/// Whether a joint only pushes its second body along the first axis of its frame on the first one.
+bool is_one_sided(const btTypedConstraint& joint);
+/// Keeps the origin of `body` in the plane z = 0 of `plate`.
+Joint height_lock(btRigidBody& plate, btRigidBody& body, double error_reduction);
 
 /// Middle Euler angle of the joint's frames, rad, in [-pi/2, pi/2].
 double middle_euler_angle(btGeneric6DofSpring2Constraint& joint);

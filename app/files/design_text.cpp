@@ -42,10 +42,11 @@ std::string drive_text(const model::Sheet& structure, const std::optional<DriveS
   const std::string end = (aside.empty() ? "" : ", " + aside) + "}\n";
   if (!drive) return aside.empty() ? "" : "drive: {" + aside + "}\n";
   if (drive->kind == DriveSection::Kind::plates)
-    return fmt::format("drive: {{kind: plates, axis: {}, compression: {}{}{}",
+    return fmt::format("drive: {{kind: plates, axis: {}, compression: {}{}{}{}",
                        drive->axis == model::Axis::x ? "x" : "y", targets::shortest_text(drive->compression),
                        drive->branch ? fmt::format(", branch: {}", *drive->branch) : "",
-                       drive->grip ? ", grip: " + to_string(*drive->grip) : "") +
+                       drive->grip ? ", grip: " + to_string(*drive->grip) : "",
+                       drive->press ? ", press: true" : "") +
            end;
   return fmt::format("drive: {{kind: hinge, wall: {}, angle_deg: {}", wall_name(structure, drive->hinge),
                      targets::degrees_text(drive->angle)) +

@@ -54,6 +54,7 @@ const targets::KeyTable& drive_keys() {
           {"grip", value::list(vertex_type(), "`[[i0, j0], [i1, j1]]`", 2, 2),
            targets::otherwise("the rim; of a net its base or spine"),
            "the part that the plates grip: its lower left and upper right vertex", "plates"},
+          press_key(),
           wall_key("hinge"),
           {"angle_deg", value::angle(turn), targets::needed,
            "turn of the wall's half at its upper vertex against that at its lower one", "hinge"},
@@ -83,6 +84,7 @@ DriveSection read_plates(const targets::Node& node, const model::Sheet& structur
   section.read("axis", drive.axis, axes);
   section.read_needed("compression", "a number above 0 and below 1", drive.compression);
   section.read("branch", drive.branch, signs);
+  section.read("press", drive.press);
   if (const auto grip = section.optional("grip")) drive.grip = read_grip(*grip, drive.axis, structure);
   return drive;
 }
@@ -97,6 +99,13 @@ DriveSection read_hinge(const targets::Node& node, const model::Sheet& structure
 }
 
 }  // namespace
+
+targets::Key press_key() {
+  return {"press", value::boolean(), targets::by_default("false"),
+          "`true`: plates push the vertices of their rows and do not hold them, so that vertices may leave their "
+          "plate; only with elastic hinges (`--model equilibrium`, or a physics run of them)",
+          "plates"};
+}
 
 targets::Key drive_key() {
   return {"drive", value::either({value::map(drive_keys()), value::map(side_alone_keys())}),

@@ -18,12 +18,15 @@ struct DriveSection {
   double compression = 0;             ///< plates: 1 - final / initial distance, (0, 1)
   std::optional<int> branch = {};     ///< plates: sign of theta, 1 or -1; nothing: that of the design's theta
   std::optional<model::Grip> grip = {};  ///< plates: the part that they grip; nothing: the rim
+  bool press = false;                    ///< plates: push their rows and never pull them
   int hinge = -1;                        ///< hinge: the driven one
   double angle = 0;  ///< hinge: turn of the wall's half at its upper vertex, rad, within (-pi, pi)
 
   bool operator==(const DriveSection&) const = default;
 };
 
+/// The key `press` of plates.
+targets::Key press_key();
 /// The `drive:` key of a design.
 targets::Key drive_key();
 

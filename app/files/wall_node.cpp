@@ -6,8 +6,7 @@ namespace {
 constexpr int highest_number = 4'000'000;  // of a vertex of a lattice that numbers them
 constexpr int highest_index = 10'000;      // of a vertex: the far end of the longest side that `cells` allows
 
-model::Wall read_wall(const targets::Section& owner) {
-  const targets::Node node = owner.required("wall", "its two vertices, e.g. `wall: [[0, 0], [1, 0]]`");
+model::Wall read_wall(const targets::Node& node) {
   const auto ends = node.list_of(2, "two vertices, e.g. [[0, 0], [1, 0]]");
   const model::Vertex from = read_vertex(ends[0]), to = read_vertex(ends[1]);
   for (const model::Axis axis : {model::Axis::x, model::Axis::y}) {
@@ -22,16 +21,15 @@ model::Wall read_wall(const targets::Section& owner) {
                    " are not neighbours; a wall is one step along x or y, e.g. [[0, 0], [1, 0]]");
 }
 
-int square_hinge(const targets::Section& owner, const model::Structure& structure) {
-  const model::Wall wall = read_wall(owner);
+int square_hinge(const targets::Node& node, const model::Structure& structure) {
+  const model::Wall wall = read_wall(node);
   if (const auto hinge = structure.hinge_at(wall)) return *hinge;
-  throw owner.required("wall", "")
-      .error("the structure has no wall " + to_string(wall) + "; a wall is a side of one of structure.cells");
+  throw node.error("the structure has no wall " + to_string(wall) +
+                   "; a wall is a side of one of structure.cells");
 }
 
-int numbered_hinge(const targets::Section& owner, const model::Sheet& sheet,
+int numbered_hinge(const targets::Node& node, const model::Sheet& sheet,
                    const std::map<std::pair<int, int>, int>& hinge_between) {
-  const targets::Node node = owner.required("wall", "the numbers of its two vertices, e.g. `wall: [0, 1]`");
   const auto ends = node.list_of(2, "the numbers of two vertices, e.g. [0, 1]");
   const int last = sheet.bodies() - 1, from = ends[0].integer(0, last), to = ends[1].integer(0, last);
   if (const auto hinge = hinge_between.find({from, to}); hinge != hinge_between.end()) return hinge->second;
@@ -47,13 +45,13 @@ targets::ValueType vertex_type() {
   return targets::value::list(targets::value::integer(0, highest_index), "`[i, j]`", 2, 2);
 }
 
-targets::Key wall_key(std::string with) {
+targets::Key wall_key(std::string with, targets::Default fallback) {
   return {
       "wall",
       targets::value::either(
           {targets::value::list(vertex_type(), "`[[i, j], [i, j]]`", 2, 2),
            targets::value::list(targets::value::integer(0, highest_number), "`[number, number]`", 2, 2)}),
-      targets::needed,
+      std::move(fallback),
       "the wall: of squares its lower or left vertex, then the next one along x or y; of other lattices the "
       "numbers of its two vertices, as in result.json",
       std::move(with)};
@@ -72,9 +70,15 @@ WallReader::WallReader(const model::Sheet& sheet) : sheet_(sheet) {
   }
 }
 
+int WallReader::hinge_of(const targets::Node& wall) const {
+  return sheet_.squares() ? square_hinge(wall, *sheet_.squares())
+                          : numbered_hinge(wall, sheet_, hinge_between_);
+}
+
 int WallReader::hinge_of(const targets::Section& owner) const {
-  return sheet_.squares() ? square_hinge(owner, *sheet_.squares())
-                          : numbered_hinge(owner, sheet_, hinge_between_);
+  return hinge_of(owner.required("wall", sheet_.squares()
+                                             ? "its two vertices, e.g. `wall: [[0, 0], [1, 0]]`"
+                                             : "the numbers of its two vertices, e.g. `wall: [0, 1]`"));
 }
 
 }  // namespace kinetix::app

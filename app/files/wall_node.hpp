@@ -9,7 +9,7 @@ namespace kinetix::app {
 
 targets::ValueType vertex_type();
 /// The key `wall`. @param with the alternative that it goes with
-targets::Key wall_key(std::string with = {});
+targets::Key wall_key(std::string with = {}, targets::Default fallback = targets::needed);
 
 /// A vertex [i, j] of squares, of the structure or not.
 model::Vertex read_vertex(const targets::Node& node);
@@ -21,9 +21,11 @@ class WallReader {
   /// @param sheet must outlive it
   explicit WallReader(const model::Sheet& sheet);
 
-  /// Index of the hinge on the wall that `owner` names by its key `wall`.
+  /// Index of the hinge on the wall that `wall` names by its two vertices.
   /// @throws InvalidInput for a wall that the structure does not have, or that does not run from its lower to
   /// its upper vertex
+  int hinge_of(const targets::Node& wall) const;
+  /// The same of the key `wall` of `owner`, which must be given.
   int hinge_of(const targets::Section& owner) const;
 
  private:

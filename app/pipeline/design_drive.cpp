@@ -12,6 +12,7 @@ model::LinkageDrive drive_of(const DesignFile& design) {
   drive.compression = design.drive->compression;
   drive.branch = design.drive->branch.value_or(design.theta < 0 ? -1 : 1);
   drive.grip = design.drive->grip;
+  drive.press = design.drive->press;
   drive.hinge = design.drive->hinge;
   drive.angle = design.drive->angle;
   return drive_on(design.structure, drive);

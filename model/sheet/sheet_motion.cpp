@@ -17,6 +17,7 @@ Drive square_drive(const Structure& sheet, const SheetDrive& drive) {
   out.compression = drive.compression;
   out.branch = drive.branch;
   out.grip = drive.grip;
+  out.press = drive.press;
   if (drive.kind == LinkageDrive::Kind::hinge) out.wall = sheet.hinges.at(drive.hinge).wall;
   out.angle = drive.angle;
   return out;
@@ -24,7 +25,9 @@ Drive square_drive(const Structure& sheet, const SheetDrive& drive) {
 
 LinkageDrive planar_drive(const PlanarStructure& sheet, const SheetDrive& drive) {
   if (drive.kind == LinkageDrive::Kind::hinge) return hinge_drive(sheet, drive.hinge, drive.angle);
-  return plate_drive(sheet, drive.axis, drive.compression, drive.branch);
+  LinkageDrive out = plate_drive(sheet, drive.axis, drive.compression, drive.branch);
+  out.press = drive.press;
+  return out;
 }
 
 Sheet between(const Sheet& before, const Sheet& after, double part) {

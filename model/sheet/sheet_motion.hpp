@@ -24,6 +24,7 @@ struct SheetDrive {
   double compression = 0;         ///< plates: 1 - final / initial distance, in [0, 1)
   int branch = 1;                 ///< plates: 1 or -1, the sign of theta
   std::optional<Grip> grip = {};  ///< plates: the part of squares that they grip; nothing: the rim
+  bool press = false;             ///< plates: push their rows and never pull them
   int hinge = -1;                 ///< hinge: the driven one
   double angle = 0;               ///< hinge: its turn, rad, in (-pi, pi)
 };

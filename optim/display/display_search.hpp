@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "model/closure/closure_drive.hpp"
 #include "optim/display/display_problem.hpp"
 #include "targets/display/display_score.hpp"
 
@@ -32,7 +34,8 @@ struct DisplayView {
   Eigen::VectorXd t;       ///< of each hinge, in (0, 1)
   Eigen::VectorXd offset;  ///< of each hinge, cell edges; empty: all 0
   model::Drive plates;
-  model::State state;           ///< mm
+  std::optional<model::HingeTurn> turn = {};  ///< of a driven hinge, in place of plates
+  model::State state;                         ///< mm
   std::vector<double> channel;  ///< of each cell, by definition, in the channel's unit
   targets::DisplayScore score;
   double rank = 0;        ///< rank correlation of channel and levels, -1 to 1

@@ -33,7 +33,7 @@ struct DisplayDesign {
 
 /// One search by the scales of walls along each axis, of which the clearest is taken. The view's state is the
 /// exact one: no hinge stretches.
-/// @param axes normals of the plates, at least one; that of the options has no effect
+/// @param axes normals of the plates, at least one; that of the options has no effect. One where a hinge is driven
 /// @param panel, levels as for fit_display   @throws InvalidInput for options out of range
 DisplayDesign fit_scaled_display(const model::Sheet& panel, const std::vector<double>& levels,
                                  Channel channel, const std::vector<model::Axis>& axes,

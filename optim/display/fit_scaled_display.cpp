@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "model/sheet/sheet_motion.hpp"
+#include "optim/display/driven_hinge.hpp"
 #include "optim/display/fit_display.hpp"
 
 namespace kinetix::optim {
@@ -13,7 +14,7 @@ namespace {
 constexpr double reaches[] = {0.04, 0.01};
 
 DisplayView view_of(const model::Sheet& basic, const std::vector<double>& levels, Channel channel,
-                    model::Axis axis, const ScaledDisplay& scaled) {
+                    const ScaledDisplayOptions& options, const ScaledDisplay& scaled) {
   model::Sheet panel = basic;
   place_hinges(scaled.y, panel);
   DisplayView view;
@@ -23,9 +24,12 @@ DisplayView view_of(const model::Sheet& basic, const std::vector<double>& levels
     view.t[h] = panel.hinge(h).t;
     view.offset[h] = panel.hinge(h).offset;
   }
-  view.plates.axis = axis;
+  view.plates.axis = options.axis;
   view.plates.compression = scaled.compression;
-  view.state = fold(planar_structure(panel), scaled.y, scaled.theta);
+  const model::PlanarStructure planar = planar_structure(panel);
+  if (options.free_to)
+    view.turn = turn_to(planar, options.hinge ? *options.hinge : middle_hinge(planar, scaled.y), scaled.theta);
+  view.state = fold(planar, scaled.y, scaled.theta);
   view.channel = channel_values(channel, panel, view.state);
   view.channel.resize(levels.size());
   view.score = targets::display_score(view.channel, levels);
@@ -56,7 +60,7 @@ DisplayDesign fit_scaled_display(const model::Sheet& panel, const std::vector<do
     ScaledDisplayOptions along = options;
     along.axis = axis;
     ScaledDisplay scaled = scale_display(planar_structure(panel), levels, along);
-    DisplayView view = view_of(panel, levels, channel, axis, scaled);
+    DisplayView view = view_of(panel, levels, channel, along, scaled);
     best.evaluations += scaled.iterations;
     const double haze = picture.for_contrast(view.channel).cost;
     if (best.scaled && !(haze < least)) continue;

@@ -31,6 +31,7 @@ void validate(const ScaledDisplayOptions& o) {
   require("t", o.t[0], o.t[0] > 0 && o.t[0] < 0.5, "in (0, 0.5)");
   require("t", o.t[1], o.t[1] > 0.5 && o.t[1] < 1, "in (0.5, 1)");
   require("drop", o.drop, o.drop >= 0 && std::isfinite(o.drop), "at least 0");
+  if (o.free_to) require("free_to", *o.free_to, *o.free_to > 0 && *o.free_to < pi / 2, "in (0, pi/2) rad");
 }
 
 /// Of the last row, cell edges (WallScales::drop): a little less than asked, since bounds come first.
@@ -54,6 +55,68 @@ model::ThetaLimit clearance(model::PlanarStructure panel, const model::Redrawing
   return theta_range(panel, fold_to, options).positive;
 }
 
+/// The wishes and bounds of a panel, all rows free.
+WallScales free_scales(const model::PlanarStructure& panel, std::vector<double> levels,
+                       const ScaledDisplayOptions& options) {
+  levels.resize(panel.faces.size(), no_level);
+  return {.wish = wishes_of(levels, panel, options.offset),
+          .offset = options.offset,
+          .shift = shift_of(options.t)};
+}
+
+/// Once more, with less and less turning, until walls stay apart. @param goal theta, rad, of a redrawing
+/// @return the goal of the last one
+template <class Goal>
+double scale_until_apart(const model::PlanarStructure& panel, WallScales scales, const Goal& goal,
+                         ScaledDisplay& found) {
+  double theta = 0;
+  do {
+    const ScaledWalls walls = scale_walls(panel, scales);
+    found.y = walls.y;
+    found.offset = walls.offset;
+    found.shift = walls.shift;
+    found.converged = walls.converged;
+    found.iterations += walls.iterations;
+    theta = goal(found.y);
+    const model::ThetaLimit limit = clearance(panel, found.y, theta);
+    found.clear = !limit.touches;
+    found.clear_to = limit.theta;
+    scales.shift *= less_turning;
+  } while (++found.rounds < most_clearance_rounds && !found.clear);
+  return theta;
+}
+
+ScaledDisplay scale_between_plates(const model::PlanarStructure& panel, const std::vector<double>& levels,
+                                   const ScaledDisplayOptions& options) {
+  const model::GrippedRows rows = rim_rows(panel, options.axis);
+  const double height = height_of(panel, rows, options.axis);
+  const auto [least, most] = options.compression;
+  WallScales scales = free_scales(panel, levels, options);
+  scales.axis = options.axis;
+  scales.straight = {rows[0], rows[1]};
+  scales.drop = std::min(options.drop, most_drop * height);
+  ScaledDisplay found;
+  const auto theta_at_most = [&, most = most](const model::Redrawing& y) {
+    return theta_of_compression(most, drop_of(y, rows, options.axis), height);
+  };
+  const double goal = scale_until_apart(panel, scales, theta_at_most, found);
+  const double drop = drop_of(found.y, rows, options.axis);
+  const double reached = found.clear ? goal : std::min(goal, found.clear_to - spare);
+  found.compression = found.clear ? most : std::max(least, compression_at(reached, drop, height));
+  found.theta = theta_of_compression(found.compression, drop, height);
+  found.clear = found.theta < found.clear_to;
+  return found;
+}
+
+ScaledDisplay scale_free(const model::PlanarStructure& panel, const std::vector<double>& levels,
+                         const ScaledDisplayOptions& options) {
+  ScaledDisplay found;
+  found.theta = scale_until_apart(
+      panel, free_scales(panel, levels, options), [&](const model::Redrawing&) { return *options.free_to; }, found);
+  found.clear = found.theta < found.clear_to;
+  return found;
+}
+
 }  // namespace
 
 // H cos(theta) - drop sin(theta) = R cos(theta + phi), with R = hypot(H, drop) and tan(phi) = drop / H.
@@ -68,38 +131,7 @@ double compression_at(double theta, double drop, double height) {
 ScaledDisplay scale_display(const model::PlanarStructure& panel, const std::vector<double>& levels,
                             const ScaledDisplayOptions& options) {
   validate(options);
-  const model::GrippedRows rows = rim_rows(panel, options.axis);
-  const double height = height_of(panel, rows, options.axis);
-  const auto [least, most] = options.compression;
-  std::vector<double> of_faces = levels;
-  of_faces.resize(panel.faces.size(), no_level);
-  WallScales scales{.wish = wishes_of(of_faces, panel, options.offset),
-                    .offset = options.offset,
-                    .shift = shift_of(options.t),
-                    .axis = options.axis,
-                    .straight = {rows[0], rows[1]},
-                    .drop = std::min(options.drop, most_drop * height)};
-  ScaledDisplay found;
-  double drop = 0, goal = 0;
-  do {
-    const ScaledWalls walls = scale_walls(panel, scales);
-    found.y = walls.y;
-    found.offset = walls.offset;
-    found.shift = walls.shift;
-    found.converged = walls.converged;
-    found.iterations += walls.iterations;
-    drop = drop_of(found.y, rows, options.axis);
-    goal = theta_of_compression(most, drop, height);
-    const model::ThetaLimit limit = clearance(panel, found.y, goal);
-    found.clear = !limit.touches;
-    found.clear_to = limit.theta;
-    scales.shift *= less_turning;
-  } while (++found.rounds < most_clearance_rounds && !found.clear);
-  const double reached = found.clear ? goal : std::min(goal, found.clear_to - spare);
-  found.compression = found.clear ? most : std::max(least, compression_at(reached, drop, height));
-  found.theta = theta_of_compression(found.compression, drop, height);
-  found.clear = found.theta < found.clear_to;
-  return found;
+  return options.free_to ? scale_free(panel, levels, options) : scale_between_plates(panel, levels, options);
 }
 
 }  // namespace kinetix::optim

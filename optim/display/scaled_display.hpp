@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "model/lattice/planar/planar_motion.hpp"
@@ -18,12 +19,16 @@ struct ScaledDisplayOptions {
   /// Of the last row in the redrawing (WallScales::drop), cell edges, >= 0; at most an eightieth of the panel's
   /// height is used.
   double drop = 0.15;
+  /// theta, rad, (0, pi/2), to which a driven hinge takes the panel: no plates, no straight rows, and what is
+  /// said of plates above has no effect. Nothing: plates.
+  std::optional<double> free_to = {};
+  std::optional<int> hinge = {};  ///< the driven one; nothing: middle_hinge()
 };
 
-/// A panel that came out, at the plates' goal.
+/// A panel that came out, at the drive's goal.
 struct ScaledDisplay {
   model::Redrawing y;      ///< of each body
-  double compression = 0;  ///< by the plates, fraction of their distance at rest
+  double compression = 0;  ///< by the plates, fraction of their distance at rest; 0 where a hinge is driven
   double theta = 0;        ///< rad, there
   double offset = 0;       ///< largest |offset|, cell edges
   double shift = 0;        ///< largest |2 t - 1|, ratio
@@ -40,11 +45,12 @@ double theta_of_compression(double compression, double drop, double height);
 /// And back.
 double compression_at(double theta, double drop, double height);
 
-/// Scales walls of cells with high levels up, those of others down (scale_walls), rows at the plates straight.
+/// Scales walls of cells with high levels up, those of others down (scale_walls), rows at the plates straight or,
+/// where a hinge is driven, all of them free: then cells of the picture grow by more against the others.
 /// Where walls would meet before the goal, again with less turning.
 /// @param panel where its hinges sit has no effect   @param levels of its first cells, [0, 1], not all the same;
 /// those after them have none and keep their size
-/// @throws InvalidInput for options out of range, and a panel that plates would touch at one vertex alone
+/// @throws InvalidInput for options out of range, and a panel that its plates would touch at one vertex alone
 ScaledDisplay scale_display(const model::PlanarStructure& panel, const std::vector<double>& levels,
                             const ScaledDisplayOptions& options);
 

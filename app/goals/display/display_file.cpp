@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "app/files/drive_section.hpp"
 #include "app/files/file_header.hpp"
 #include "app/files/structure_section.hpp"
+#include "app/files/wall_node.hpp"
+#include "app/goals/display/search_panel.hpp"
 #include "optim/display/display_search.hpp"
 #include "targets/display/read_display.hpp"
 
@@ -15,6 +19,7 @@ namespace {
 namespace value = targets::value;
 using model::Axis;
 using optim::Channel;
+using DriveKind = model::LinkageDrive::Kind;
 
 constexpr double default_cell_mm = 10;  // a cell that a hand takes hold of, as in a design
 // Of the plates' first distance, a fraction: a basic sheet has closed at 1 - cos 45 deg = 0.29 already.
@@ -25,12 +30,15 @@ constexpr targets::Bounds part_of_one = {0, 1, false, true};
 const targets::Bounds allowed_offset = {0, 0.5, true, false, "mm (below half of cell_mm)"};
 const std::vector<optim::SolverName> fitting_solvers = {optim::SolverName::mma, optim::SolverName::ccsa,
                                                         optim::SolverName::slsqp};
-// What the keys `channel` and `axis` may say.
+// Of a driven hinge, degrees: as far as plates may go, 2 theta at a compression of 0.5.
+const targets::Bounds allowed_turn = {0, 120, false, true, "degrees"};
+// What the keys `channel`, `axis` and `kind` may say.
 constexpr targets::Word<Channel> channels[] = {{"light", Channel::light},
                                                {"aperture", Channel::aperture},
                                                {"area", Channel::area},
                                                {"rotation", Channel::rotation}};
 constexpr targets::Word<Axis> axes[] = {{"x", Axis::x}, {"y", Axis::y}};
+constexpr targets::Word<DriveKind> drives[] = {{"plates", DriveKind::plates}, {"hinge", DriveKind::hinge}};
 
 targets::KeyTable structure_keys() {
   std::vector<targets::Key> keys = lattice_choice_keys(true);
@@ -41,12 +49,21 @@ targets::KeyTable structure_keys() {
 }
 
 targets::KeyTable drive_keys(const DisplayFile& usual) {
-  return targets::KeyTable({
-      {"kind", value::choice({"plates"}), targets::by_default("plates"), "two plates press on the rim"},
-      {"axis", value::choice(axes), targets::by_default("y"), "normal of the plates"},
-      {"compression", value::number(allowed_compression), targets::by_default(usual.compression),
-       "1 less the final over the initial distance of the plates; 0.12 where `variables.offset_mm` is 0"},
-  });
+  return targets::KeyTable(
+      {
+          {"kind", value::choice(drives), targets::by_default("plates"),
+           "`plates`: two of them press on the rim, whose rows stay straight; `hinge`: one hinge is turned and all "
+           "rows are free, which shows a clearer picture"},
+          {"axis", value::choice(axes), targets::by_default("y"), "normal of the plates", "plates"},
+          {"compression", value::number(allowed_compression), targets::by_default(usual.compression),
+           "1 less the final over the initial distance of the plates; 0.12 where `variables.offset_mm` is 0",
+           "plates"},
+          press_key(),
+          {"angle_deg", value::angle(allowed_turn), targets::by_default_deg(usual.angle),
+           "turn of the hinge, to the side that shows the picture", "hinge"},
+          wall_key("hinge", targets::otherwise("a wall in the middle of the panel that is hardly scaled")),
+      },
+      {{"plates", "hinge"}, "kind"});
 }
 
 targets::KeyTable t_keys(const DisplayFile& usual) {
@@ -144,11 +161,35 @@ void read_goal(const targets::Section& root, DisplayFile& file) {
   read_offset(root, file);
 }
 
+/// What takes plates, of all that a file may ask for.
+void refuse_what_takes_plates(const targets::Section& root, const targets::Section& drive, const DisplayFile& file) {
+  const targets::Section variables = root.section("variables");
+  for (const char* key : {"compression", "axis", "stretch_mm"})
+    if (const auto node = variables.optional(key))
+      throw node->key_error("is for plates; a driven hinge goes to drive.angle_deg and strains nothing");
+  if (!(file.offset > 0))
+    throw drive.optional("kind")->error(
+        "hinges on their walls have to stretch, which takes plates; give `variables: {offset_mm: ...}` above 0 "
+        "and no `solver`, or kind: plates");
+}
+
+void read_driven_hinge(const targets::Section& root, const targets::Section& drive, DisplayFile& file) {
+  refuse_what_takes_plates(root, drive, file);
+  if (const auto wall = drive.optional("wall"))
+    file.driven_hinge = WallReader(make_panel(file, {file.goal.columns, file.goal.rows})).hinge_of(*wall);
+}
+
 void read_drive(const targets::Section& root, DisplayFile& file) {
   const targets::Section section = root.section("drive");
-  if (const auto node = section.optional("kind")) node->one_of({"plates"});
+  section.read("kind", file.drive, drives);
+  const bool by_hinge = file.drive == DriveKind::hinge;
+  if (section.given())
+    section.node().reject_unknown_keys(drive_keys(file).only(by_hinge ? "hinge" : "plates").names());
   section.read("axis", file.axes.front(), axes);
   section.read("compression", file.compression);
+  section.read("press", file.press);
+  section.read("angle_deg", file.angle);
+  if (by_hinge) read_driven_hinge(root, section, file);
 }
 
 /// Walls are scaled alike in all of the panel: nothing of it is mirrored, and hinges sit to both sides.
@@ -233,6 +274,8 @@ void read_search(const targets::Section& root, DisplayFile& file) {
 }
 
 }  // namespace
+
+double turn_of_compression(double compression) { return 2 * std::acos(1 - compression); }
 
 const targets::KeyTable& display_keys() {
   static const DisplayFile usual{};

@@ -10,15 +10,20 @@
 #include "app/files/physics_section.hpp"
 #include "app/files/solver_section.hpp"
 #include "model/lattice/square/structure.hpp"
+#include "model/linkage/linkage_drive.hpp"
 #include "optim/display/display_problem.hpp"
 #include "targets/display/display_goal.hpp"
 
 namespace kinetix::app {
 
+/// Turn of a hinge, rad, where plates have come closer by `compression`, (0, 0.5], between straight rows: 2 theta.
+double turn_of_compression(double compression);
+
 /// A target.yaml of kind display, as asked for or by default. `kinetix: 1` and a `target` are enough.
 ///
 ///     target: {kind: display, glyph: T, channel: light}         # or image, or rows: read_display.hpp
-///     drive: {axis: y, compression: 0.12}                       # of the plates
+///     drive: {axis: y, compression: 0.12}                       # of the plates, or
+///     drive: {kind: hinge, angle_deg: 70}                       # of a hinge, all rows free
 ///     variables:
 ///       offset_mm: 0.8                                          # of hinges across their walls
 ///       stretch_mm: 0.05                                        # of hinges, on purpose
@@ -32,10 +37,15 @@ struct DisplayFile {
   optim::Channel channel = optim::Channel::light;
   model::CellSize size = {};   ///< structure.cell_mm (default 10), structure.wall_mm
   LatticeChoice lattice = {};  ///< structure.lattice, angle_deg, rim; others than squares with offsets alone
+  model::LinkageDrive::Kind drive = model::LinkageDrive::Kind::plates;  ///< drive.kind
   std::vector<model::Axis> axes = {
       model::Axis::y};  ///< drive.axis or variables.axis: normals of the plates to try
   /// drive.compression: fraction by which the plates come closer, (0, 0.5], within the range if there is one
   double compression = 0.185;
+  /// drive.angle_deg: turn of the driven hinge to whichever side shows the picture, rad, (0, 2 pi / 3]
+  double angle = turn_of_compression(0.185);
+  std::optional<int> driven_hinge = {};  ///< drive.wall: the driven one; nothing: one in the middle (middle_hinge)
+  bool press = false;             ///< drive.press: plates that push and do not hold
   /// variables.compression.range, within (0, 0.5], likewise a fraction of the first distance
   std::optional<std::array<double, 2>> compression_range = {};
   /// variables.t.range, fractions of a wall, (0, 1), no nearer to a corner than corner_mm

@@ -39,7 +39,8 @@ Json starts_json(const optim::DisplayDesign& design) {
   return starts;
 }
 
-Json front_json(const std::vector<FrontPoint>& front, double edge_mm) {
+/// @param load its key
+Json front_json(const std::vector<FrontPoint>& front, const char* load, double edge_mm) {
   Json out = Json::array();
   for (const FrontPoint& p : front)
     out.push_back({{"offset_mm", p.offset * edge_mm},
@@ -50,23 +51,31 @@ Json front_json(const std::vector<FrontPoint>& front, double edge_mm) {
                    {"rank", p.rank},
                    {"letter", p.score.letter},
                    {"rest", p.score.rest},
-                   {"load_N", p.load},
+                   {load, p.load},
                    {"stretch_mm", p.stretch * edge_mm}});
   return out;
 }
 
+void add_drive(const optim::DisplayView& view, Json& display) {
+  if (view.turn) {
+    display["hinge"] = view.turn->hinge;
+    display["angle_rad"] = view.turn->angle;
+    return;
+  }
+  display["axis"] = view.plates.axis == model::Axis::x ? "x" : "y";
+  display["compression"] = view.plates.compression;
+}
+
 Json display_json(const DisplayOutcome& display, const model::Sheet& panel) {
-  const model::Drive& plates = display.design.view.plates;
-  Json out = {{"channel", to_string(display.channel)},
-              {"axis", plates.axis == model::Axis::x ? "x" : "y"},
-              {"compression", plates.compression},
-              {"levels", levels_of(display.goal, panel)},
-              {"before", score_json(display.before)},
-              {"after", score_json(display.after)},
-              {"stretch_max", display.design.view.stretch},
-              {"starts", starts_json(display.design)},
-              {"reasons", display.violations},
-              {"reasons_physics", display.physics_violations}};
+  Json out = {{"channel", to_string(display.channel)}};
+  add_drive(display.design.view, out);
+  out["levels"] = levels_of(display.goal, panel);
+  out["before"] = score_json(display.before);
+  out["after"] = score_json(display.after);
+  out["stretch_max"] = display.design.view.stretch;
+  out["starts"] = starts_json(display.design);
+  out["reasons"] = display.violations;
+  out["reasons_physics"] = display.physics_violations;
   if (const auto& scaled = display.design.scaled)
     out["scaled"] = {{"offset_mm", scaled->offset * panel.size().edge_mm},
                      {"theta_rad", scaled->theta},
@@ -74,7 +83,8 @@ Json display_json(const DisplayOutcome& display, const model::Sheet& panel) {
                      {"strained", display.design.refined},
                      {"rounds", scaled->rounds},
                      {"exact", score_json(display.exact)}};
-  if (!display.front.empty()) out["front"] = front_json(display.front, panel.size().edge_mm);
+  const char* load = display.design.view.turn ? "load_Nmm" : "load_N";
+  if (!display.front.empty()) out["front"] = front_json(display.front, load, panel.size().edge_mm);
   if (display.physics) out["physics"] = score_json(*display.physics);
   if (const auto needed = display.needed()) {
     out["needed_cells"] = *needed;

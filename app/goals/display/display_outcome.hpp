@@ -17,14 +17,14 @@ struct DisplayReading {
   double rank = 0;  ///< rank correlation of channel and levels, [-1, 1]
 };
 
-/// What the panel would show, between the same plates, with another bound on the offsets.
+/// What the panel would show, under the same drive, with another bound on the offsets.
 struct FrontPoint {
   double offset = 0;     ///< largest of a hinge, cell edges
   bool is_own = false;   ///< whether it is the file's
-  bool reached = false;  ///< whether the equilibrium came to the plates' goal
+  bool reached = false;  ///< whether the equilibrium came to the drive's goal
   targets::DisplayScore score;
   double rank = 0;     ///< rank correlation of channel and levels, [-1, 1]
-  double load = 0;     ///< on the plates, N
+  double load = 0;     ///< on the plates, N; of a driven hinge N mm
   double stretch = 0;  ///< largest gap of a hinge, cell edges
 };
 

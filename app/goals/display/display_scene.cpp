@@ -105,7 +105,7 @@ class DisplayScene final : public Scene {
 
   void add_state(Run& run, const RunOptions& options) const override {
     auto& display = outcome_of<DisplayOutcome>(run);
-    add_equilibrium(run, plates_on(run.structure, display.design.view.plates), elasticity(), motion_states,
+    add_equilibrium(run, drive_on(run.structure, display.design.view), elasticity(), motion_states,
                     options.progress);
     if (is_too_large(run))
       run.plan.why.push_back(fmt::format(
@@ -154,7 +154,13 @@ class DisplayScene final : public Scene {
     run.hinge.model = HingeSection::Model::elastic;
     run.verify_tolerance = file_.verify;
     if (!view.balanced) view.plates = plates_of(file_);
-    run.drive = DriveSection{.axis = view.plates.axis, .compression = view.plates.compression};
+    view.plates.press = file_.press;
+    if (view.turn)
+      run.drive = DriveSection{
+          .kind = DriveSection::Kind::hinge, .hinge = view.turn->hinge, .angle = view.turn->angle};
+    else
+      run.drive = DriveSection{
+          .axis = view.plates.axis, .compression = view.plates.compression, .press = view.plates.press};
   }
 
   DisplayFile file_;

@@ -55,11 +55,13 @@ LargerPanels search_larger_panels(const DisplayFile& file, const optim::DisplayO
                                   const std::function<void(const std::string&, double)>& progress) {
   LargerPanels larger;
   if (!file.goal.redrawn) return larger;
+  DisplayFile alike = file;
+  alike.driven_hinge.reset();  // of the panel that was asked for
   for (const targets::PanelSize size : larger_sizes({file.goal.columns, file.goal.rows})) {
     const targets::DisplayGoal goal = file.goal.redrawn(size);
     if (!goal.whole || (options.symmetry == optim::Symmetry::rotate_4 && size[0] != size[1])) continue;
     larger.tried.push_back(size);
-    if (!shows(file, goal, options, progress)) continue;
+    if (!shows(alike, goal, options, progress)) continue;
     larger.enough = size;
     break;
   }

@@ -17,12 +17,13 @@ constexpr double same = 1e-9;  // cell edges
 FrontPoint point_of(const DisplayFile& file, const model::Elasticity& elasticity,
                     const optim::DisplayOptions& options) {
   model::Sheet panel = make_panel(file, {file.goal.columns, file.goal.rows});
-  const optim::DisplayView view = search_panel(file, file.goal, panel, options, {}).view;
+  optim::DisplayView view = search_panel(file, file.goal, panel, options, {}).view;
+  view.plates.press = file.press;
   place_hinges(view, panel);
   model::EquilibriumPathOptions path_options;
   path_options.planar = true;
   const model::EquilibriumPath path = trace_equilibrium(
-      {panel, plates_on(panel, view.plates), exact_motion(panel)}, elasticity, path_options);
+      {panel, drive_on(panel, view), exact_motion(panel)}, elasticity, path_options);
   return front_point(file.offset, read_panel(file, panel, path.state), path);
 }
 

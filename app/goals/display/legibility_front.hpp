@@ -13,7 +13,7 @@ namespace kinetix::app {
 FrontPoint front_point(double offset, const DisplayReading& seen, const model::EquilibriumPath& path);
 
 /// What a picture gains by hinges that may sit further off their walls, and what it costs: the file's own panel, and
-/// a search and an equilibrium between the plates for each of a few other offsets, in ascending order. None of the
+/// a search and an equilibrium under the same drive for each of a few other offsets, in ascending order. None of the
 /// others strains its hinges on purpose; where the file's own does, the same offset without strain is among them.
 /// @param own of the file   @param progress words and the share done
 std::vector<FrontPoint> legibility_front(const DisplayFile& file, const FrontPoint& own,

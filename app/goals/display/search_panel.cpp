@@ -11,6 +11,9 @@ optim::ScaledDisplayOptions scaled_options(const DisplayFile& file) {
   options.compression = file.compression_range.value_or(std::array{file.compression, file.compression});
   options.offset = file.offset;
   options.t = file.t;
+  if (file.drive == model::LinkageDrive::Kind::plates) return options;
+  options.free_to = file.angle / 2;
+  options.hinge = file.driven_hinge;
   return options;
 }
 
@@ -82,8 +85,16 @@ DisplayReading read_panel(const DisplayFile& file, const model::Sheet& panel, co
   return out;
 }
 
-model::LinkageDrive plates_on(const model::Sheet& panel, const model::Drive& plates) {
-  return drive_on(panel, {.axis = plates.axis, .compression = plates.compression, .branch = plates.branch});
+model::LinkageDrive drive_on(const model::Sheet& panel, const optim::DisplayView& view) {
+  if (view.turn)
+    return drive_on(panel, model::SheetDrive{.kind = model::LinkageDrive::Kind::hinge,
+                                             .hinge = view.turn->hinge,
+                                             .angle = view.turn->angle});
+  const model::Drive& plates = view.plates;
+  return drive_on(panel, model::SheetDrive{.axis = plates.axis,
+                                           .compression = plates.compression,
+                                           .branch = plates.branch,
+                                           .press = plates.press});
 }
 
 model::Sheet make_panel(const DisplayFile& file, targets::PanelSize size) {

@@ -11,7 +11,7 @@
 
 namespace kinetix::app {
 
-/// The plates that a file asks for; where a search may change them, where it starts.
+/// The plates that a file asks for; where a search may change them, where it starts. Searches take them to grip.
 model::Drive plates_of(const DisplayFile& file);
 
 /// Of a search with hinges on their walls.
@@ -35,8 +35,8 @@ void place_hinges(const optim::DisplayView& view, model::Sheet& panel);
 
 /// What a state of the file's panel shows.
 DisplayReading read_panel(const DisplayFile& file, const model::Sheet& panel, const model::State& state);
-/// The plates of a search by the panel's bodies.
-model::LinkageDrive plates_on(const model::Sheet& panel, const model::Drive& plates);
+/// What moves a panel that was found, by its bodies and hinges.
+model::LinkageDrive drive_on(const model::Sheet& panel, const optim::DisplayView& view);
 
 /// The flat panel of a file with this many cells, all hinges basic.
 model::Sheet make_panel(const DisplayFile& file, targets::PanelSize size);

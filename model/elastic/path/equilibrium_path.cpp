@@ -2,6 +2,7 @@
 
 #include "model/base/invalid_input.hpp"
 #include "model/elastic/path/path_tracer.hpp"
+#include "model/elastic/path/pressed_path.hpp"
 
 namespace kinetix::model {
 
@@ -21,6 +22,7 @@ EquilibriumPath trace_equilibrium(const DrivenLinkage& driven, const Elasticity&
                                   const std::function<void(const EquilibriumStep&, const State&)>& frame) {
   options.validate();
   elasticity.validate();
+  if (driven.drive.press) return trace_pressed(driven, elasticity, options, frame);
   return PathTracer(driven, elasticity, options, frame).run();
 }
 

@@ -85,7 +85,7 @@ std::string to_string(EquilibriumPath::Stop stop);
 /// closed form is stable and has less energy, else along the lowest mode, to the side of the drive's sign
 /// where that direction turns the checkerboard, else to `side`. A net between plates that grip a part of it
 /// leans to one side from the first: it is taken to the closed form of the drive's sign as soon as that has
-/// less energy.
+/// less energy. Plates that press are given the bodies alone that they push at the goal (trace_pressed).
 /// @param frame sees every state taken
 /// @throws InvalidInput for options, stiffnesses or a drive out of range
 EquilibriumPath trace_equilibrium(

@@ -97,6 +97,7 @@ LinkageDrive settings_of(const Drive& drive) {
   out.axis = drive.axis;
   out.compression = drive.compression;
   out.branch = drive.branch;
+  out.press = drive.press;
   out.sense = drive.wall.from.sense();
   out.angle = drive.angle;
   return out;

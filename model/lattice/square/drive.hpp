@@ -40,6 +40,7 @@ struct Drive {
       0.0;         ///< plates: 1 - final / initial distance of the plates, in [0, 1); 1 - cos(theta)
   int branch = 1;  ///< plates: +1 or -1, the sign of theta
   std::optional<Grip> grip = {};  ///< plates: what they grip; nothing: the rim of the structure
+  bool press = false;             ///< plates: push their rows and never pull them (LinkageDrive::press)
   Wall wall;                      ///< hinge: the driven wall
   double angle = 0.0;  ///< hinge: turn of wall.to() against wall.from about the hinge axis, rad, in
                        ///< (-pi, pi). A basic hinge has -2 theta where wall.from is class A.

@@ -13,7 +13,7 @@ function readDisplay(raw) {
     before: reading(raw.before), after: reading(raw.after), physics: reading(raw.physics),
     stretch: finite(raw.stretch_max), starts: list(raw.starts), reasons: words(raw.reasons),
     physicsReasons: words(raw.reasons_physics), axis: raw.axis === "x" ? "x" : "y",
-    compression: finite(raw.compression),
+    compression: finite(raw.compression), angle: finite(raw.angle_rad),
     needed: list(raw.needed_cells).filter((side) => finite(side) !== null),
     front: list(raw.front).filter((point) => finite(point?.offset_mm) !== null),
     neededFor: raw.needed_for === "contrast" ? "contrast" : "strokes",
@@ -108,9 +108,15 @@ function displaySection(data) {
                            "grey: in the middle of the wall; blue: towards its lower or left end; red: towards the other",
                            true),
                       farViews(data)),
-      html("p", {}, `Compressed along ${display.axis} by ${percent(display.compression)}. The largest stretch of a ` +
-                        `hinge is ${figures(display.stretch)} cell edges.`),
+      html("p", {}, (display.angle === null ?
+                         `Compressed along ${display.axis} by ${percent(display.compression)}.` :
+                         `Moved by one hinge, turned by ${figures(Math.abs(display.angle) * 180 / Math.PI, 3)} degrees; no plates hold its rows.`) +
+                        ` The largest stretch of a hinge is ${figures(display.stretch)} cell edges.`),
       frontTable(display), neededPanel(display), startsTable(display));
+}
+
+function force(point) {
+  return finite(point.load_Nmm) === null ? `${figures(point.load_N, 2)} N` : `${figures(Math.abs(point.load_Nmm), 2)} N mm`;
 }
 
 /** What hinges further off their walls would buy. */
@@ -121,12 +127,12 @@ function frontTable(display) {
     mark: point.own === true ? "best" : null,
     cells: [
       `${millimetres(point.offset_mm)}${point.own === true ? " (this one)" : ""}`, figures(grey ? point.rank : point.auc, 3),
-      ...(grey ? [] : [figures(point.contrast, 2), percent((point.letter - point.rest) / point.rest)]), point.reached === true ? `${figures(point.load_N, 2)} N` : "not reached",
+      ...(grey ? [] : [figures(point.contrast, 2), percent((point.letter - point.rest) / point.rest)]), point.reached === true ? force(point) : "not reached",
       millimetres(point.stretch_mm)
     ]
   });
   return html("div", {},
-              html("p", {}, "What larger or smaller offsets of the hinges would show between the same plates:"),
+              html("p", {}, "What larger or smaller offsets of the hinges would show under the same drive:"),
               table(["offset, at most", grey ? "rank correlation" : "AUC", ...(grey ? [] : ["contrast", "letter brighter than the rest by"]), "force", "stretch, largest"],
                     display.front.map(row), "Legibility against offset, force and stretch"));
 }
