@@ -36,6 +36,12 @@ std::string energy_text(const model::EquilibriumPath& path) {
                      sum.stretch, sum.turn, std::max(0.0, total - sum.total()));
 }
 
+std::string press_text(const Equilibrium& equilibrium) {
+  const model::GrippedRows& rows = equilibrium.drive.gripped;
+  return fmt::format("press without gripping: {} of {} bodies of their rows are let go",
+                     equilibrium.path.let_go, rows[0].size() + rows[1].size());
+}
+
 std::string stretch_text(const Run& run) {
   const model::HingeGaps& gaps = run.equilibrium->path.gaps;
   std::string text =
@@ -71,6 +77,7 @@ std::vector<std::array<std::string, 2>> equilibrium_lines(const Run& run) {
   if (!equilibrium.reached()) lines.push_back({"STOPPED", in_words(path.stop) + ": " + path.why});
   lines.push_back({"load", load_text(equilibrium, last) + " at " + drive_text(equilibrium, last) +
                                (equilibrium.reached() ? ": the drive reached its goal" : "")});
+  if (equilibrium.drive.press && equilibrium.reached()) lines.push_back({"plates", press_text(equilibrium)});
   lines.push_back({"energy", energy_text(path)});
   lines.push_back({"stretch", stretch_text(run)});
   for (std::size_t k = 0; k < std::min(most_events, path.events.size()); ++k) {

@@ -75,6 +75,7 @@ struct EquilibriumPath {
   std::vector<HingeEnergy> hinge_energies;  ///< N mm, of each hinge in the last state
   int iterations = 0;                       ///< of Newton's method in all
   double multiplier = 0;                    ///< of the driven hinge, k_point edge^2
+  int let_go = 0;  ///< plates that press: bodies of their rows that they do not push at the goal
 };
 
 std::string to_string(EquilibriumPath::Stop stop);
@@ -85,7 +86,7 @@ std::string to_string(EquilibriumPath::Stop stop);
 /// closed form is stable and has less energy, else along the lowest mode, to the side of the drive's sign
 /// where that direction turns the checkerboard, else to `side`. A net between plates that grip a part of it
 /// leans to one side from the first: it is taken to the closed form of the drive's sign as soon as that has
-/// less energy. Plates that press are given the bodies alone that they push at the goal (trace_pressed).
+/// less energy. Plates that press let go at the goal of what they would have to pull (trace_pressed).
 /// @param frame sees every state taken
 /// @throws InvalidInput for options, stiffnesses or a drive out of range
 EquilibriumPath trace_equilibrium(

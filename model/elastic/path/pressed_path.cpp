@@ -4,11 +4,14 @@
 #include <cmath>
 #include <utility>
 
+#include "model/elastic/path/measured_system.hpp"
+#include "model/elastic/path/near_equilibrium.hpp"
+
 namespace kinetix::model {
 namespace {
 
-// Of active sets: rows of 13 to 21 bodies take two to four.
-constexpr int most_paths = 20;
+// Of active sets: where hinges hardly stretch, rows of 13 bodies take two to four, all changes at once.
+constexpr int most_rounds = 100, rounds_with_all = 5;
 // Part of the largest force of a plate on a body: a smaller pull is what Newton's method leaves.
 constexpr double no_pull = 1e-6;
 // Cell edges: a body that is no further behind its plate is on it, but for rounding.
@@ -50,61 +53,98 @@ double largest_force(const Pushing& plates, const GrippedRows& held) {
   return largest;
 }
 
+/// A body of a row that plates pull, or that lies behind its plate.
+struct Wrong {
+  int side = 0, body = 0;
+  bool behind = false;
+  double by = 0;  ///< k_point edge, or cell edges
+};
+
+std::vector<Wrong> all_wrong(const GrippedRows& rows, const ElasticSystem& system, const State& state,
+                             double theta) {
+  const Pushing plates = pushing(rows, system, state, theta);
+  const GrippedRows& held = system.gripped();
+  const double pull = no_pull * largest_force(plates, held);
+  std::vector<Wrong> out;
+  for (const int side : {0, 1})
+    for (const int body : rows[side]) {
+      const bool is_held = std::find(held[side].begin(), held[side].end(), body) != held[side].end();
+      const Wrong wrong{side, body, !is_held,
+                        is_held ? -plates.force(side, body) : plates.behind(side, body)};
+      if (wrong.by > (is_held ? pull : on_plate)) out.push_back(wrong);
+    }
+  return out;
+}
+
+/// Bodies behind their plate come first: what they take up changes who pulls.
+Wrong worst_of(const std::vector<Wrong>& wrong) {
+  return *std::max_element(wrong.begin(), wrong.end(), [](const Wrong& a, const Wrong& b) {
+    return std::pair(a.behind, a.by) < std::pair(b.behind, b.by);
+  });
+}
+
+void mend(const GrippedRows& rows, const Wrong& wrong, GrippedRows& held) {
+  GrippedRows mended;
+  for (const int side : {0, 1})
+    for (const int body : rows[side]) {
+      const bool is_it = side == wrong.side && body == wrong.body;
+      const bool is_held = std::find(held[side].begin(), held[side].end(), body) != held[side].end();
+      if (is_it ? wrong.behind : is_held) mended[side].push_back(body);
+    }
+  held = std::move(mended);
+}
+
 EquilibriumPath not_found(EquilibriumPath path, const std::string& why) {
   path.stop = EquilibriumPath::Stop::not_converged;
   path.why = "plates that press without gripping: " + why;
   return path;
 }
 
-using Seen = std::vector<std::pair<EquilibriumStep, State>>;
+int bodies_of(const GrippedRows& rows) { return static_cast<int>(rows[0].size() + rows[1].size()); }
 
-EquilibriumPath trace_seen(const DrivenLinkage& driven, const Elasticity& elasticity,
-                           const EquilibriumPathOptions& options, Seen& seen) {
-  seen.clear();
-  return trace_equilibrium(
-      driven, elasticity, options,
-      [&](const EquilibriumStep& step, const State& state) { seen.emplace_back(step, state); });
+/// The equilibrium next to a state, once plates hold other bodies than in it.
+EquilibriumPath settled_again(const DrivenLinkage& now, const Elasticity& elasticity,
+                              const EquilibriumPathOptions& options, State state, double theta) {
+  ElasticSystem(now.linkage, elasticity, now.drive, *options.planar, options.contact).place(theta, state);
+  return follow_change(state, [&](double) { return now; }, elasticity, options);
+}
+
+/// A path whose end gives way to another one.
+void replace_end(EquilibriumPath& path, const DrivenLinkage& now, const Elasticity& elasticity,
+                 const EquilibriumPathOptions& options, EquilibriumPath end) {
+  path.steps.back() = end.steps.back();
+  path.gaps = end.gaps;
+  path.iterations += end.iterations;
+  path.hinge_energies =
+      MeasuredSystem(now.linkage, elasticity, now.drive, options).hinge_energies(end.state);
+  path.state = std::move(end.state);
 }
 
 }  // namespace
-
-GrippedRows pushed_rows(const GrippedRows& rows, const ElasticSystem& system, const State& state,
-                        double theta) {
-  const Pushing plates = pushing(rows, system, state, theta);
-  const GrippedRows& held = system.gripped();
-  const double least = -no_pull * largest_force(plates, held);
-  GrippedRows out;
-  for (const int side : {0, 1})
-    for (const int body : rows[side]) {
-      const bool is_held = std::find(held[side].begin(), held[side].end(), body) != held[side].end();
-      const bool is_pushed =
-          is_held ? plates.force(side, body) >= least : plates.behind(side, body) > on_plate;
-      if (is_pushed) out[side].push_back(body);
-    }
-  return out;
-}
 
 EquilibriumPath trace_pressed(const DrivenLinkage& driven, const Elasticity& elasticity,
                               const EquilibriumPathOptions& options,
                               const std::function<void(const EquilibriumStep&, const State&)>& frame) {
   DrivenLinkage now = driven;
   now.drive.press = false;
-  Seen seen;
-  EquilibriumPath path;
-  for (int k = 0; k < most_paths; ++k) {
-    path = trace_seen(now, elasticity, options, seen);
+  EquilibriumPath path = trace_equilibrium(now, elasticity, options, frame);
+  if (path.stop != EquilibriumPath::Stop::reached) return path;
+  EquilibriumPathOptions same = options;
+  same.planar = path.planar;
+  for (int k = 0; k < most_rounds; ++k) {
     const ElasticSystem system(now.linkage, elasticity, now.drive, path.planar, options.contact);
-    GrippedRows pushed = pushed_rows(driven.drive.gripped, system, path.state, path.theta);
-    if (path.stop != EquilibriumPath::Stop::reached || pushed == now.drive.gripped) {
-      for (const auto& [step, state] : seen)
-        if (frame) frame(step, state);
-      return path;
-    }
-    if (pushed[0].size() < 2 || pushed[1].size() < 2)
-      return not_found(std::move(path), "at most one body of a row is pushed, so that the structure would turn");
-    now.drive.gripped = std::move(pushed);
+    std::vector<Wrong> wrong = all_wrong(driven.drive.gripped, system, path.state, path.theta);
+    path.let_go = bodies_of(driven.drive.gripped) - bodies_of(now.drive.gripped);
+    if (wrong.empty()) return path;
+    if (k >= rounds_with_all) wrong = {worst_of(wrong)};
+    for (const Wrong& one : wrong) mend(driven.drive.gripped, one, now.drive.gripped);
+    if (now.drive.gripped[0].size() < 2 || now.drive.gripped[1].size() < 2)
+      return not_found(std::move(path), "they push at most one body of a row, so that the structure would turn");
+    EquilibriumPath next = settled_again(now, elasticity, same, path.state, path.theta);
+    if (next.stop != EquilibriumPath::Stop::reached) return not_found(std::move(path), next.why);
+    replace_end(path, now, elasticity, same, std::move(next));
   }
-  return not_found(std::move(path), "no bodies were found that the plates push and never pull");
+  return not_found(std::move(path), "no bodies were found that they push and never pull");
 }
 
 }  // namespace kinetix::model

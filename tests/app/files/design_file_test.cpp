@@ -167,6 +167,8 @@ TEST(DesignFile, DrivesByPlatesAlongYUnlessToldOtherwise) {
   EXPECT_EQ(read(strip + "drive: {kind: plates, compression: 0.15}").drive,
             (DriveSection{.kind = DriveSection::Kind::plates, .axis = model::Axis::y, .compression = 0.15}));
   EXPECT_EQ(read(strip + "drive: {kind: plates, axis: x, compression: 0.15}").drive->axis, model::Axis::x);
+  EXPECT_FALSE(read(strip + "drive: {kind: plates, compression: 0.15}").drive->press);
+  EXPECT_TRUE(read(strip + "drive: {kind: plates, compression: 0.15, press: true}").drive->press);
 }
 
 // A long row of cells on a bar of three, with a crease: plates can hold some parts of it.
@@ -233,6 +235,7 @@ TEST(DesignFile, SurvivesWritingAndReadingBitForBit) {
                                 .angle = 6 * unit(random) - 3};
     if (file.drive && round % 4 < 2 && file.drive->kind == DriveSection::Kind::plates)
       file.drive->branch = round % 8 < 4 ? 1 : -1;
+    if (file.drive && file.drive->kind == DriveSection::Kind::plates) file.drive->press = round % 5 < 2;
     file.side = round % 7 < 3 ? -1 : 1;
     if (round % 2)
       file.hinge = {HingeSection::Model::elastic, 1000 * unit(random), unit(random), edge * unit(random)};
@@ -326,6 +329,7 @@ TEST(DesignFile, SaysWhereAndWhatIsAllowed) {
       {strip + "drive: {kind: plate}\n", 3, 15, "drive.kind", {"did you mean `plates`?"}},
       {strip + "drive: {kind: plates}\n", 3, 8, "drive", {"`compression` is missing", "below 1"}},
       {strip + "drive: {kind: plates, compression: 15 %}\n", 3, 36, "drive.compression", {"below 1"}},
+      {strip + "drive: {kind: plates, compression: 0.1, press: 1}\n", 3, 48, "drive.press", {"true"}},
       {strip + "drive: {kind: plates, angle_deg: 3}\n",
        3,
        23,

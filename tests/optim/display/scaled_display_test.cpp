@@ -62,10 +62,36 @@ TEST(ScaledDisplay, ShowsLettersWithAllHingesClosedAndWallsApart) {
   }
 }
 
+// The ratios that kinematics.md section 5 gives for straight and for free rows.
+TEST(ScaledDisplay, ShowsLettersMoreClearlyWhereRowsAreFree) {
+  for (const char* text : {"T", "B", "E", "S", "R", "Q"}) {
+    SCOPED_TRACE(text);
+    model::Structure panel = model::make_sheet(12, 12, size);
+    const std::vector<double> levels = levels_of(letter(text, 12), panel);
+    constexpr double theta = 35 * radians_per_degree;
+    const ScaledDisplay found = scale_display(planar_structure(panel), levels, {.free_to = theta});
+    EXPECT_TRUE(found.converged);
+    EXPECT_TRUE(found.clear);
+    EXPECT_EQ(found.theta, theta);
+    EXPECT_EQ(found.compression, 0);
+    EXPECT_LE(found.offset, 0.08 * (1 + 1e-15));
+    place_hinges(found.y, panel);
+    const model::State state = fold(found.y, panel, theta);
+    EXPECT_LE(hinge_gaps(panel, state).max, 1e-12);
+    const DisplayScore light = targets::display_score(channel_values(Channel::light, panel, state), levels),
+                       area = targets::display_score(channel_values(Channel::area, panel, state), levels);
+    EXPECT_GE(light.auc, 0.98);
+    EXPECT_GE(area.auc, 0.99);
+    EXPECT_GE(area.letter / area.rest, 1.38);
+  }
+}
+
 TEST(ScaledDisplay, LeavesOneWayToMove) {
-  model::Structure panel = model::make_sheet(8, 8, size);
-  place_hinges(scale_display(planar_structure(panel), levels_of(letter("T", 8), panel), {}).y, panel);
-  EXPECT_EQ(model::mobility(panel, exact_motion(panel)).dofs_along, 1);
+  for (const ScaledDisplayOptions& options : {ScaledDisplayOptions{}, ScaledDisplayOptions{.free_to = 0.6}}) {
+    model::Structure panel = model::make_sheet(8, 8, size);
+    place_hinges(scale_display(planar_structure(panel), levels_of(letter("T", 8), panel), options).y, panel);
+    EXPECT_EQ(model::mobility(panel, exact_motion(panel)).dofs_along, 1);
+  }
 }
 
 TEST(ScaledDisplay, WorksBetweenPlatesOfEitherDirection) {
@@ -129,6 +155,9 @@ TEST(ScaledDisplay, RefusesOptionsThatCannotBe) {
   refused({.offset = NAN}, "offset is nan");
   refused({.t = {0.5, 0.8}}, "t is 0.5");
   refused({.drop = -1}, "drop is -1");
+  refused({.free_to = 0}, "free_to is 0");
+  refused({.free_to = 2}, "free_to is 2");
+  refused({.free_to = NAN}, "free_to is nan");
 }
 
 }  // namespace
