@@ -175,8 +175,9 @@ PhysicsResult run_compression(const model::Linkage& structure, const model::Link
                               const PhysicsOptions& options, const PhysicsObserver& observer) {
   options.validate();
   if (drive.press && !options.elastic)
-    throw InvalidInput("true needs elastic hinges: nothing else would press a sheet against plates that do not hold it",
-                       {"", 0, 0, "drive.press"});
+    throw InvalidInput(
+        "true needs elastic hinges: nothing else would press a sheet against plates that do not hold it",
+        {"", 0, 0, "drive.press"});
   if (observer.frame && !(observer.frame_interval_s > 0))
     throw InvalidInput(fmt::format("frame_interval_s is {}, must be positive", observer.frame_interval_s));
   return Run(structure, drive, options, observer).run();

@@ -94,8 +94,7 @@ Joint pusher(const Eigen::Vector3d& inward, btRigidBody& plate, btRigidBody& bod
 bool is_one_sided(const btTypedConstraint& joint) { return joint.getUserConstraintType() == one_sided; }
 
 Joint height_lock(btRigidBody& plate, btRigidBody& body, double error_reduction) {
-  const btTransform here =
-      frame(Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitX(), Eigen::Vector3d::Zero());
+  const btTransform here = frame(Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitX(), Eigen::Vector3d::Zero());
   Joint joint = free_joint(plate, body, here, here);
   lock(*joint, linear_x, error_reduction);
   return joint;

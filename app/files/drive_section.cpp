@@ -101,10 +101,11 @@ DriveSection read_hinge(const targets::Node& node, const model::Sheet& structure
 }  // namespace
 
 targets::Key press_key() {
-  return {"press", value::boolean(), targets::by_default("false"),
-          "`true`: plates push the vertices of their rows and do not hold them, so that vertices may leave their "
-          "plate; only with elastic hinges (`--model equilibrium`, or a physics run of them)",
-          "plates"};
+  return {
+      "press", value::boolean(), targets::by_default("false"),
+      "`true`: plates push the vertices of their rows and do not hold them, so that vertices may leave their "
+      "plate; only with elastic hinges (`--model equilibrium`, or a physics run of them)",
+      "plates"};
 }
 
 targets::Key drive_key() {

@@ -133,9 +133,10 @@ Figure free_rows() {
   }
   return {"T, B, E, S, R, Q, 12 x 12 cells, rows free, offset <= 0.8 mm: one hinge driven, physics run",
           "area ratio >= 1.35, auc of light >= 0.97 (asked: clearer than with straight rows)",
-          fmt::format("ratio {:.3f}, auc {:.3f} (area {:.3f}), {:.1f} N mm, stretch {:.5f} mm, bodies within {:.1e} "
-                      "cell edges of the model",
-                      all.ratio, all.physics_light, all.area, all.load, all.stretch_mm, farthest),
+          fmt::format(
+              "ratio {:.3f}, auc {:.3f} (area {:.3f}), {:.1f} N mm, stretch {:.5f} mm, bodies within {:.1e} "
+              "cell edges of the model",
+              all.ratio, all.physics_light, all.area, all.load, all.stretch_mm, farthest),
           all.ratio >= 1.35 && all.physics_light >= 0.97 && farthest <= 1e-3};
 }
 
@@ -151,12 +152,15 @@ Figure pressed() {
     farthest = std::max(farthest, run.verification->distance.max);
     let_go = std::max(let_go, run.equilibrium->path.let_go);
   }
-  return {"T, B, E, S, R, Q, 12 x 12 cells, rows straight, between plates that press without gripping: physics run",
-          "all on the right side, auc of light >= 0.97",
-          fmt::format("{} of 6, auc {:.3f}, load {:.2f} N, up to {} of 26 vertices let go, bodies within {:.1e} cell "
-                      "edges of the model",
-                      agree, all.physics_light, all.load, let_go, farthest),
-          agree == 6 && all.physics_light >= 0.97};
+  return {
+      "T, B, E, S, R, Q, 12 x 12 cells, rows straight, between plates that press without gripping: physics "
+      "run",
+      "all on the right side, auc of light >= 0.97",
+      fmt::format(
+          "{} of 6, auc {:.3f}, load {:.2f} N, up to {} of 26 vertices let go, bodies within {:.1e} cell "
+          "edges of the model",
+          agree, all.physics_light, all.load, let_go, farthest),
+      agree == 6 && all.physics_light >= 0.97};
 }
 
 /// What a little strain on purpose buys.

@@ -30,7 +30,7 @@ struct LinkageDrive {
   double compression = 0;  ///< plates: 1 - final / initial distance, in [0, 1)
   int branch = 1;          ///< plates: +1 or -1, the sign of theta
   GrippedRows gripped;  ///< plates: bodies of the first and of the second one; of one coordinate each at rest
-  bool press = false;  ///< plates: push what `gripped` names, and let it go where they would have to pull
+  bool press = false;   ///< plates: push what `gripped` names, and let it go where they would have to pull
   bool grips_part = false;  ///< plates: a part of the structure, not its whole rim
   std::vector<int> held;    ///< plates: all bodies of that part, or of the structure; ascending
   int hinge = -1;           ///< hinge: the driven one

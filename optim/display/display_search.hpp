@@ -36,7 +36,7 @@ struct DisplayView {
   model::Drive plates;
   std::optional<model::HingeTurn> turn = {};  ///< of a driven hinge, in place of plates
   model::State state;                         ///< mm
-  std::vector<double> channel;  ///< of each cell, by definition, in the channel's unit
+  std::vector<double> channel;                ///< of each cell, by definition, in the channel's unit
   targets::DisplayScore score;
   double rank = 0;        ///< rank correlation of channel and levels, -1 to 1
   double stretch = 0;     ///< largest of a hinge, cell edges

@@ -28,7 +28,8 @@ DisplayView view_of(const model::Sheet& basic, const std::vector<double>& levels
   view.plates.compression = scaled.compression;
   const model::PlanarStructure planar = planar_structure(panel);
   if (options.free_to)
-    view.turn = turn_to(planar, options.hinge ? *options.hinge : middle_hinge(planar, scaled.y), scaled.theta);
+    view.turn =
+        turn_to(planar, options.hinge ? *options.hinge : middle_hinge(planar, scaled.y), scaled.theta);
   view.state = fold(planar, scaled.y, scaled.theta);
   view.channel = channel_values(channel, panel, view.state);
   view.channel.resize(levels.size());

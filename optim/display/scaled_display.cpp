@@ -112,7 +112,8 @@ ScaledDisplay scale_free(const model::PlanarStructure& panel, const std::vector<
                          const ScaledDisplayOptions& options) {
   ScaledDisplay found;
   found.theta = scale_until_apart(
-      panel, free_scales(panel, levels, options), [&](const model::Redrawing&) { return *options.free_to; }, found);
+      panel, free_scales(panel, levels, options), [&](const model::Redrawing&) { return *options.free_to; },
+      found);
   found.clear = found.theta < found.clear_to;
   return found;
 }

@@ -52,7 +52,8 @@ targets::KeyTable drive_keys(const DisplayFile& usual) {
   return targets::KeyTable(
       {
           {"kind", value::choice(drives), targets::by_default("plates"),
-           "`plates`: two of them press on the rim, whose rows stay straight; `hinge`: one hinge is turned and all "
+           "`plates`: two of them press on the rim, whose rows stay straight; `hinge`: one hinge is turned "
+           "and all "
            "rows are free, which shows a clearer picture"},
           {"axis", value::choice(axes), targets::by_default("y"), "normal of the plates", "plates"},
           {"compression", value::number(allowed_compression), targets::by_default(usual.compression),
@@ -162,14 +163,16 @@ void read_goal(const targets::Section& root, DisplayFile& file) {
 }
 
 /// What takes plates, of all that a file may ask for.
-void refuse_what_takes_plates(const targets::Section& root, const targets::Section& drive, const DisplayFile& file) {
+void refuse_what_takes_plates(const targets::Section& root, const targets::Section& drive,
+                              const DisplayFile& file) {
   const targets::Section variables = root.section("variables");
   for (const char* key : {"compression", "axis", "stretch_mm"})
     if (const auto node = variables.optional(key))
       throw node->key_error("is for plates; a driven hinge goes to drive.angle_deg and strains nothing");
   if (!(file.offset > 0))
     throw drive.optional("kind")->error(
-        "hinges on their walls have to stretch, which takes plates; give `variables: {offset_mm: ...}` above 0 "
+        "hinges on their walls have to stretch, which takes plates; give `variables: {offset_mm: ...}` above "
+        "0 "
         "and no `solver`, or kind: plates");
 }
 

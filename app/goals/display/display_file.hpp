@@ -44,8 +44,9 @@ struct DisplayFile {
   double compression = 0.185;
   /// drive.angle_deg: turn of the driven hinge to whichever side shows the picture, rad, (0, 2 pi / 3]
   double angle = turn_of_compression(0.185);
-  std::optional<int> driven_hinge = {};  ///< drive.wall: the driven one; nothing: one in the middle (middle_hinge)
-  bool press = false;             ///< drive.press: plates that push and do not hold
+  std::optional<int> driven_hinge =
+      {};              ///< drive.wall: the driven one; nothing: one in the middle (middle_hinge)
+  bool press = false;  ///< drive.press: plates that push and do not hold
   /// variables.compression.range, within (0, 0.5], likewise a fraction of the first distance
   std::optional<std::array<double, 2>> compression_range = {};
   /// variables.t.range, fractions of a wall, (0, 1), no nearer to a corner than corner_mm

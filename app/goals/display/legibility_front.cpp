@@ -22,8 +22,8 @@ FrontPoint point_of(const DisplayFile& file, const model::Elasticity& elasticity
   place_hinges(view, panel);
   model::EquilibriumPathOptions path_options;
   path_options.planar = true;
-  const model::EquilibriumPath path = trace_equilibrium(
-      {panel, drive_on(panel, view), exact_motion(panel)}, elasticity, path_options);
+  const model::EquilibriumPath path =
+      trace_equilibrium({panel, drive_on(panel, view), exact_motion(panel)}, elasticity, path_options);
   return front_point(file.offset, read_panel(file, panel, path.state), path);
 }
 

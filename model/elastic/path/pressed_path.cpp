@@ -106,7 +106,8 @@ int bodies_of(const GrippedRows& rows) { return static_cast<int>(rows[0].size() 
 EquilibriumPath settled_again(const DrivenLinkage& now, const Elasticity& elasticity,
                               const EquilibriumPathOptions& options, State state, double theta) {
   ElasticSystem(now.linkage, elasticity, now.drive, *options.planar, options.contact).place(theta, state);
-  return follow_change(state, [&](double) { return now; }, elasticity, options);
+  return follow_change(
+      state, [&](double) { return now; }, elasticity, options);
 }
 
 /// A path whose end gives way to another one.
@@ -115,8 +116,7 @@ void replace_end(EquilibriumPath& path, const DrivenLinkage& now, const Elastici
   path.steps.back() = end.steps.back();
   path.gaps = end.gaps;
   path.iterations += end.iterations;
-  path.hinge_energies =
-      MeasuredSystem(now.linkage, elasticity, now.drive, options).hinge_energies(end.state);
+  path.hinge_energies = MeasuredSystem(now.linkage, elasticity, now.drive, options).hinge_energies(end.state);
   path.state = std::move(end.state);
 }
 
@@ -139,7 +139,8 @@ EquilibriumPath trace_pressed(const DrivenLinkage& driven, const Elasticity& ela
     if (k >= rounds_with_all) wrong = {worst_of(wrong)};
     for (const Wrong& one : wrong) mend(driven.drive.gripped, one, now.drive.gripped);
     if (now.drive.gripped[0].size() < 2 || now.drive.gripped[1].size() < 2)
-      return not_found(std::move(path), "they push at most one body of a row, so that the structure would turn");
+      return not_found(std::move(path),
+                       "they push at most one body of a row, so that the structure would turn");
     EquilibriumPath next = settled_again(now, elasticity, same, path.state, path.theta);
     if (next.stop != EquilibriumPath::Stop::reached) return not_found(std::move(path), next.why);
     replace_end(path, now, elasticity, same, std::move(next));

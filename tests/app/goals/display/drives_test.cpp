@@ -28,8 +28,8 @@ tolerance: {contrast: 1}
 TEST(DisplayDrive, OfAHingeLeavesRowsFree) {
   const Scratch scratch;
   const std::string folder = scratch / "out";
-  const Outcome run = kinetix_opt(scratch.write("corner.yaml", corner + "drive: {kind: hinge, angle_deg: 60}\n") +
-                                  " -o " + folder);
+  const Outcome run = kinetix_opt(
+      scratch.write("corner.yaml", corner + "drive: {kind: hinge, angle_deg: 60}\n") + " -o " + folder);
   EXPECT_EQ(run.code, 0) << run.out << run.err;
   EXPECT_THAT(run.out, HasSubstr("N mm at hinge angle"));
   const Json result = Json::parse(text_of(folder + "/result.json"));
@@ -97,7 +97,8 @@ TEST(DisplayDrive, RefusesWhatDoesNotGoTogether) {
       {corner + "drive: {kind: hinge}\nvariables: {offset_mm: 0}\n", 4, 15, "drive.kind", {"takes plates"}},
   };
   for (const BadInput& bad : cases)
-    expect_refused(bad, "bad.yaml", [&] { app::read_display_file(targets::parse_document(bad.text, "bad.yaml")); });
+    expect_refused(bad, "bad.yaml",
+                   [&] { app::read_display_file(targets::parse_document(bad.text, "bad.yaml")); });
 }
 
 TEST(DisplayDrive, PlatesThatPressTakeElasticHinges) {
@@ -107,7 +108,8 @@ structure: {cells: [3, 3], cell_mm: 10}
 design: {theta_deg: 20}
 drive: {kind: plates, compression: 0.06, press: true}
 )";
-  const Outcome run = kinetix_opt("verify " + scratch.write("loose.yaml", text) + " -o " + scratch.path() + "/out");
+  const Outcome run =
+      kinetix_opt("verify " + scratch.write("loose.yaml", text) + " -o " + scratch.path() + "/out");
   EXPECT_EQ(run.code, 2) << run.out;
   EXPECT_THAT(run.err, HasSubstr("loose.yaml:4:42: drive.press: true needs elastic hinges"));
 }
