@@ -44,24 +44,27 @@ double parted(const Pressed& p, int side, int body) {
   return (side == 0 ? 1 : -1) * (p.run.state[body].p[axis] - plate) / p.sheet.size.edge_mm;
 }
 
+// The plates' joints in the engine yield by about 1e-5 cell edges under the forces of this panel, which are kN.
+constexpr double yields = 1e-4;
+
 // The paper's rule, which strains its hinges: gripped, some bodies of the rows are pulled.
 TEST(Press, LetsBodiesLeaveTheirPlateAndAgreesWithTheEquilibrium) {
   const model::Structure panel = letter_panel(0.15, 6);
   const Pressed found = pressed(panel, model::Axis::y, 20 * degree, true);
   ASSERT_EQ(found.run.status, Status::settled) << found.run.why;
   ASSERT_EQ(found.path.stop, model::EquilibriumPath::Stop::reached) << found.path.why;
-  EXPECT_LE(aligned_distance(panel, found.run.state, found.path.state).max, 1e-5);
+  EXPECT_LE(aligned_distance(panel, found.run.state, found.path.state).max, yields);
 
   int away = 0, rest = 0;
   for (const int side : {0, 1})
     for (const int body : found.drive.gripped[side]) {
       const double by = parted(found, side, body);
-      EXPECT_GE(by, -1e-5) << side << " " << body;
+      EXPECT_GE(by, -yields) << "side " << side << ", body " << body;
       ++(by > 1e-3 ? away : rest);
     }
   EXPECT_GE(away, 1);
   EXPECT_GE(rest, 4);
-  EXPECT_LE(found.run.drive_gap, 1e-5);
+  EXPECT_LE(found.run.drive_gap, yields);
 
   const Pressed gripped = pressed(panel, model::Axis::y, 20 * degree, false);
   EXPECT_GT(aligned_distance(panel, found.run.state, gripped.run.state).max, 1e-3);

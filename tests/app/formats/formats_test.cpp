@@ -172,6 +172,9 @@ std::vector<Json> files_of(const std::string& list) {
             Json{{"kinetix", 1},
                  {"target", Json::parse(R"({"kind": "display", "glyph": "T"})")},
                  {"structure", {{"lattice", "rhombus"}}}},
+            Json{{"kinetix", 1},
+                 {"target", Json::parse(R"({"kind": "display", "glyph": "T"})")},
+                 {"drive", {{"kind", "hinge"}}}},
             target(R"({"kind": "display", "rows": ["0110", "0110", "0000"]})")};
   if (list == "target fold")
     return {target(R"({"kind": "fold", "box": [2, 2, 2]})"),
