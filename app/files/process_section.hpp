@@ -9,7 +9,11 @@ namespace kinetix::app {
 targets::Key process_key();
 
 /// The first process, as the paper prints, where the file names none.
-/// @param root the whole document
+/// @param root the whole document   @param made its hinges, where it says how they are made
+/// @throws InvalidInput also where the file names a process that cannot print the sheet
+model::Process read_process(const targets::Section& root, const model::CellSize& size,
+                            const std::optional<model::MadeHinge>& made);
+/// The same of a file that does not say yet how large the sheet is.
 model::Process read_process(const targets::Section& root);
 
 }  // namespace kinetix::app

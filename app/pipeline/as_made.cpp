@@ -17,6 +17,8 @@ constexpr int most_bodies_to_confirm = 400;  // beyond, they take longer than th
 /// A pin rests anywhere in its bore: evenly within the clearance, along the wall as across it.
 double play_sd(const HingeSection& hinge) { return hinge.made ? play_mm(*hinge.made) / std::sqrt(3.0) : 0; }
 
+}  // namespace
+
 model::HingeScatter scatter_of(const Run& run) {
   const double edge = run.structure.size().edge_mm, play = play_sd(run.hinge) / edge;
   model::HingeScatter scatter;
@@ -26,7 +28,7 @@ model::HingeScatter scatter_of(const Run& run) {
   return scatter;
 }
 
-model::Linkage printed(model::Sheet sheet, const Eigen::Matrix4Xd& errors) {
+model::Sheet printed_sheet(model::Sheet sheet, const Eigen::Matrix4Xd& errors) {
   for (int h = 0; h < static_cast<int>(errors.cols()); ++h) {
     model::HingeParameters& hinge = sheet.hinge(h);
     hinge.t += errors(0, h);
@@ -37,12 +39,10 @@ model::Linkage printed(model::Sheet sheet, const Eigen::Matrix4Xd& errors) {
   return sheet;
 }
 
-}  // namespace
-
-std::optional<PrintedGoal> as_made(const Run& run, const model::LinkageDrive& drive,
-                                   const std::vector<model::ObservedPoint>& points, int prints) {
-  if (points.empty() || run.states.empty()) return std::nullopt;
-  model::State state = run.states.front().poses;
+std::optional<PrintedGoal> expected_of_prints(const Run& run, const model::LinkageDrive& drive,
+                                              model::State state,
+                                              const std::vector<model::ObservedPoint>& points) {
+  if (points.empty()) return std::nullopt;
   const model::Elasticity elasticity = elasticity_of(run.hinge, run.physics, run.structure.size().edge_mm);
   model::ElasticSystem system(run.structure, elasticity, drive, false, false);
   model::TangentStiffness tangent(system.dofs());
@@ -53,10 +53,20 @@ std::optional<PrintedGoal> as_made(const Run& run, const model::LinkageDrive& dr
   system.linearise(state, theta, tangent);
   if (!tangent.factorise(0)) return std::nullopt;
   PrintedGoal out;
+  out.can_be_printed =
+      print_problems(run.process, run.structure.size(), run.hinge.made.value_or(model::MadeHinge{})).empty();
   out.made = as_made(system, elasticity, state, theta, tangent, points, scatter_of(run));
-  if (prints > 0 || run.structure.bodies() <= most_bodies_to_confirm)
-    out.runs = print_runs([&](const Eigen::Matrix4Xd& errors) { return printed(run.structure, errors); },
-                          elasticity, drive, state, points, scatter_of(run), std::max(prints, least_prints));
+  return out;
+}
+
+std::optional<PrintedGoal> as_made(const Run& run, const model::LinkageDrive& drive, const model::State& state,
+                                   const std::vector<model::ObservedPoint>& points, int prints) {
+  std::optional<PrintedGoal> out = expected_of_prints(run, drive, state, points);
+  if (out && (prints > 0 || run.structure.bodies() <= most_bodies_to_confirm))
+    out->runs = print_runs(
+        [&](const Eigen::Matrix4Xd& errors) { return printed_sheet(run.structure, errors); },
+        elasticity_of(run.hinge, run.physics, run.structure.size().edge_mm), drive, state, points,
+        scatter_of(run), std::max(prints, least_prints));
   return out;
 }
 

@@ -4,12 +4,22 @@
 
 namespace kinetix::app {
 
-/// What prints of the run's first state come to, with hinges as stiff as the file says (or by default) and the
+/// What the run's process, and the play of its pins, do to each hinge.
+model::HingeScatter scatter_of(const Run& run);
+/// A sheet whose hinges are off by so much (model::PrintedLinkage).
+model::Sheet printed_sheet(model::Sheet sheet, const Eigen::Matrix4Xd& errors);
+
+/// What prints are expected to come to, to first order: as as_made(), without a print.
+std::optional<PrintedGoal> expected_of_prints(const Run& run, const model::LinkageDrive& drive,
+                                              model::State state,
+                                              const std::vector<model::ObservedPoint>& points);
+
+/// What prints of a state of the run's structure come to, with hinges as stiff as the file says (or by default) and the
 /// process's errors: the place of hinges, the tilt of walls, and half of what a pin's clearance leaves open.
-/// @param drive that holds the state   @param points by which the goal is judged
+/// @param drive that holds the state, in equilibrium or nearly so   @param points by which the goal is judged
 /// @param prints so many are brought to their equilibrium as well, to confirm it; a few in any case, but for large sheets
 /// @return nothing without points, or where the state is not stable under that drive
-std::optional<PrintedGoal> as_made(const Run& run, const model::LinkageDrive& drive,
+std::optional<PrintedGoal> as_made(const Run& run, const model::LinkageDrive& drive, const model::State& state,
                                    const std::vector<model::ObservedPoint>& points, int prints);
 
 }  // namespace kinetix::app

@@ -1,10 +1,39 @@
 #include "app/pipeline/pipeline.hpp"
 
 #include "app/pipeline/as_made.hpp"
+#include "app/pipeline/matter.hpp"
+#include "app/pipeline/physics_settings.hpp"
 #include "app/pipeline/verify.hpp"
 #include "app/run/stopwatch.hpp"
+#include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::app {
+namespace {
+
+/// What prints come to, of goals that are judged by distances.
+void judge_prints(Run& run, const Scene& scene, int prints) {
+  if (!run.goal || run.states.empty() || (run.matter && !run.equilibrium)) return;
+  const model::State state = run.matter ? run.equilibrium->path.state : scene.own_state(run);
+  const auto judged = scene.judged(run, run.structure, run.theta, state);
+  if (!judged) return;
+  run.printed = as_made(run, drive_to(run.structure, run.theta), state, judged->points, prints);
+  if (run.printed)
+    run.printed->tolerance_mm = judged->tolerance_mm;
+  else
+    run.plan.why.push_back(
+        "what prints come to is not known: elastic hinges have no stable state near the design under its "
+        "drive");
+}
+
+std::optional<PhysicsTask> physics_task(const Run& run, const Scene& scene) {
+  if (!run.matter || !run.equilibrium) return scene.physics_task(run);
+  if (!run.equilibrium->reached()) return std::nullopt;
+  return PhysicsTask{run.equilibrium->path.state, run.equilibrium->drive,
+                     elastic_physics(run.equilibrium->elasticity, run.physics, run.structure.size().edge_mm,
+                                     run.plan.planar)};
+}
+
+}  // namespace
 
 Run run_scene(const Scene& scene, const RunOptions& options) {
   Run run;
@@ -19,25 +48,19 @@ Run run_scene(const Scene& scene, const RunOptions& options) {
   run.timings.equilibrium = watch.lap();
   scene.judge(run, options);
   watch.lap();
-  if (const auto judged = scene.judged_points(run)) {
-    run.printed = as_made(run, judged->drive, judged->points, options.prints);
-    if (run.printed)
-      run.printed->tolerance_mm = judged->tolerance_mm;
-    else
-      run.plan.why.push_back(
-          "what prints come to is not known: elastic hinges have no stable state near the design under its "
-          "drive");
-  }
+  if (is_of_matter(scene, run)) settle_in_matter(run, scene, options);
+  run.timings.matter = watch.lap();
+  judge_prints(run, scene, options.prints);
   run.timings.as_made = watch.lap();
   if (options.verify)
-    if (const auto task = scene.physics_task(run)) {
+    if (const auto task = physics_task(run, scene)) {
       verify(run, *task, options.progress);
       if (is_settled(*run.verification)) scene.judge_physics(run);
       if (run.goal && run.goal->violations.empty())  // of a state that misses its goal, physics says so too
         run.verification->agrees &= run.goal->physics_violations.empty();
       run.timings.verify = watch.lap();
     }
-  scene.add_frames(run);
+  if (!run.matter) scene.add_frames(run);
   return run;
 }
 

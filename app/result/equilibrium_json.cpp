@@ -1,6 +1,9 @@
 #include "app/result/equilibrium_json.hpp"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
+
+#include "app/result/effort.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -28,6 +31,14 @@ Json event_json(const model::PathEvent& event) {
           {"drive", event.at.drive},       {"load", event.at.load},       {"what", event.what}};
 }
 
+/// Its magnitude, N or N mm: what who drives it has to bear.
+double largest_load(const model::EquilibriumPath& path) {
+  double largest = 0;
+  for (const model::EquilibriumStep& step : path.steps)
+    if (!(std::abs(step.load) <= largest)) largest = std::abs(step.load);
+  return largest;
+}
+
 }  // namespace
 
 Json equilibrium_json(const Equilibrium& equilibrium) {
@@ -45,8 +56,10 @@ Json equilibrium_json(const Equilibrium& equilibrium) {
   for (const model::PathEvent& event : path.events) events.push_back(event_json(event));
   for (const model::HingeEnergy& energy : path.hinge_energies)
     energies.push_back({{"stretch", energy.stretch}, {"turn", energy.turn}});
+  const double load = largest_load(path);
   return {{"stop", to_string(path.stop)},
           {"why", path.why},
+          {"effort", by_plates(equilibrium) ? effort_of_force(load) : effort_of_moment(load)},
           {"planar", path.planar},
           {"goal_rad", equilibrium.drive.theta()},
           {"iterations", path.iterations},
@@ -61,6 +74,7 @@ void add_equilibrium_metrics(const Equilibrium& equilibrium, Json& metrics) {
   metrics["reached"] = equilibrium.reached();
   metrics[by_plates(equilibrium) ? "compression" : "drive_rad"] = last.drive;
   metrics[by_plates(equilibrium) ? "load_N" : "load_Nmm"] = last.load;
+  if (by_plates(equilibrium)) metrics["force_N"] = largest_load(equilibrium.path);
   metrics["energy_Nmm"] = last.energy;
   metrics["hinge_gap_max"] = equilibrium.path.gaps.max;
   metrics["hinge_gap_rms"] = equilibrium.path.gaps.rms;

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+
+#include "app/result/effort.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -18,6 +21,16 @@ bool by_plates(const Equilibrium& equilibrium) {
 
 std::string load_text(const Equilibrium& equilibrium, const model::EquilibriumStep& step) {
   return fmt::format("{:.4g} {}", step.load, by_plates(equilibrium) ? "N" : "N mm");
+}
+
+/// Of the largest load on the way, which who drives it has to bear.
+std::string effort_text(const Equilibrium& equilibrium) {
+  const auto largest =
+      std::max_element(equilibrium.path.steps.begin(), equilibrium.path.steps.end(),
+                       [](const auto& a, const auto& b) { return std::abs(a.load) < std::abs(b.load); });
+  return fmt::format("{}: a matter for {}", load_text(equilibrium, *largest),
+                     by_plates(equilibrium) ? effort_of_force(largest->load)
+                                            : effort_of_moment(largest->load));
 }
 
 std::string drive_text(const Equilibrium& equilibrium, const model::EquilibriumStep& step) {
@@ -77,6 +90,7 @@ std::vector<std::array<std::string, 2>> equilibrium_lines(const Run& run) {
   if (!equilibrium.reached()) lines.push_back({"STOPPED", in_words(path.stop) + ": " + path.why});
   lines.push_back({"load", load_text(equilibrium, last) + " at " + drive_text(equilibrium, last) +
                                (equilibrium.reached() ? ": the drive reached its goal" : "")});
+  lines.push_back({"effort", "at most " + effort_text(equilibrium)});
   if (equilibrium.drive.press && equilibrium.reached()) lines.push_back({"plates", press_text(equilibrium)});
   lines.push_back({"energy", energy_text(path)});
   lines.push_back({"stretch", stretch_text(run)});

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "model/closure/closure_drive.hpp"
+#include "model/matter/hinge_strain.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -14,7 +15,8 @@ namespace {
 struct Turned {
   int hinge;
   const model::MadeHinge* made;
-  double turn;  ///< rad, without sign
+  double turn;    ///< rad, without sign
+  double strain;  ///< by bending and stretching
 };
 
 const HingeSection& section_of(const Run& run, int hinge) {
@@ -29,12 +31,13 @@ std::vector<Turned> turned_hinges(const Run& run) {
   for (int h = 0; h < run.structure.hinges(); ++h) {
     const auto& made = section_of(run, h).made;
     if (!made || made->kind == model::HingeKind::pin) continue;
-    all.push_back({h, &*made, std::abs(hinge_turn(linkage, run.states.front().poses, h))});
+    const model::State& state = run.states.front().poses;
+    all.push_back({h, &*made, std::abs(hinge_turn(linkage, state, h)), hinge_strain(*made, linkage, state, h)});
   }
   return all;
 }
 
-double strain_share(const Turned& t) { return strain(*t.made, t.turn) / t.made->material.strain_max; }
+double strain_share(const Turned& t) { return t.strain / t.made->material.strain_max; }
 
 double corner_turn(const Run& run, const Turned& t) {
   const model::CellSize size = run.structure.size();
@@ -74,18 +77,32 @@ std::optional<double> largest_strain(const Run& run) {
   const std::vector<Turned> all = turned_hinges(run);
   if (all.empty()) return std::nullopt;
   double largest = 0;
-  for (const Turned& t : all) largest = std::max(largest, strain(*t.made, t.turn));
+  for (const Turned& t : all) largest = std::max(largest, t.strain);
   return largest;
 }
 
+namespace {
+
+/// What the process cannot print of the sheet, of which a goal's process is known.
+void add_print_lines(const Run& run, std::vector<std::pair<std::string, std::string>>& lines) {
+  if (!run.goal) return;
+  const model::MadeHinge made = run.hinge.made.value_or(model::MadeHinge{});
+  for (const model::PrintProblem& problem : print_problems(run.process, run.structure.size(), made))
+    lines.emplace_back("PRINT", fmt::format("{}; with the same proportions a cell_mm of {:.3g} could be",
+                                            problem.what, problem.cell_mm));
+}
+
+}  // namespace
+
 std::vector<std::pair<std::string, std::string>> made_hinge_lines(const Run& run) {
   std::vector<std::pair<std::string, std::string>> lines;
+  add_print_lines(run, lines);
   const std::vector<Turned> all = turned_hinges(run);
   if (const Turned* t = worst(all, strain_share))
     lines.emplace_back(
         "STRAINED", fmt::format("the hinge of wall {} by {:.2f}; its material bears {:g}: a longer gap or a "
                                 "thinner hinge strains less",
-                                wall_name(run.structure, t->hinge), strain(*t->made, t->turn),
+                                wall_name(run.structure, t->hinge), t->strain,
                                 t->made->material.strain_max));
   const auto corners = [&](const Turned& t) { return t.turn / corner_turn(run, t); };
   if (const Turned* t = worst(all, corners))

@@ -6,6 +6,7 @@
 
 #include "app/result/equilibrium_json.hpp"
 #include "app/result/made_hinges.hpp"
+#include "app/result/matter_json.hpp"
 #include "app/result/physics_json.hpp"
 #include "app/result/stable_states_json.hpp"
 #include "app/result/state_json.hpp"
@@ -120,6 +121,7 @@ Json metrics_json(const Run& run) {
   }
   if (run.goal) run.goal->add_metrics(metrics);
   if (run.equilibrium) add_equilibrium_metrics(*run.equilibrium, metrics);
+  if (run.equilibrium) metrics["stretch_max_mm"] = run.equilibrium->path.gaps.max * run.structure.size().edge_mm;
   if (run.printed) {
     metrics["as_made_rms_mm"] = run.printed->made.rms_mm;
     metrics["as_made_p95_mm"] = run.printed->made.p95_mm;
@@ -164,6 +166,10 @@ Json result_json(const Run& run) {
     out["equilibrium"] = equilibrium_json(*run.equilibrium);
     add_stable_states(run, out["equilibrium"]);
     out["timing_s"]["balance"] = run.timings.equilibrium;
+  }
+  if (run.matter) {
+    out["matter"] = matter_json(*run.matter);
+    out["timing_s"]["matter"] = run.timings.matter;
   }
   if (run.printed) {
     out["as_made"] = as_made_json(run);

@@ -3,6 +3,7 @@
 #include "app/result/as_made_json.hpp"
 #include "app/result/equilibrium_summary.hpp"
 #include "app/result/made_hinges.hpp"
+#include "app/result/matter_json.hpp"
 #include "app/result/result_json.hpp"
 
 namespace kinetix::app {
@@ -60,6 +61,7 @@ std::string summary(const Run& run) {
   for (const auto& [label, words] : made_hinge_lines(run)) text += line(label, words);
   if (run.goal)
     for (const auto& [label, words] : run.goal->summary_lines(run)) text += line(label, words);
+  for (const auto& [label, words] : matter_lines(run)) text += line(label, words);
   for (const auto& [label, words] : as_made_lines(run)) text += line(label, words);
   if (run.equilibrium)
     for (const auto& [label, words] : equilibrium_lines(run)) text += line(label, words);

@@ -58,15 +58,28 @@ struct Equilibrium {
   bool reached() const { return path.stop == model::EquilibriumPath::Stop::reached; }
 };
 
+/// What became of a goal that was met exactly once its hinges are elastic.
+struct MatterResult {
+  double exact_mm = 0;   ///< rms from the goal of the exact state
+  double before_mm = 0;  ///< of the equilibrium of that design; NaN where none was found
+  double after_mm = 0;   ///< of the design that makes up for it, which the run shows; NaN likewise
+  double tolerance_mm = 0;
+  double largest_change = 0;  ///< of a tilt, rad
+  double theta_change = 0;    ///< rad
+  int rounds = 0;             ///< steps that the search for it tried
+  std::string why;            ///< it ended, or there is no equilibrium
+};
+
 /// What prints of a result come to.
 struct PrintedGoal {
   model::AsMade made;
   double tolerance_mm = 0;                    ///< of the goal
   std::optional<model::PrintRuns> runs = {};  ///< that confirm it, or do not
+  bool can_be_printed = true;                 ///< by the process
 
   /// To first order, and in the prints that were looked at.
   bool holds() const {
-    return made.p95_mm <= tolerance_mm && (!runs || (runs->failed == 0 && runs->p95_mm <= tolerance_mm));
+    return can_be_printed && made.p95_mm <= tolerance_mm && (!runs || (runs->failed == 0 && runs->p95_mm <= tolerance_mm));
   }
   /// Whether first order comes near to the prints that were looked at; true where there are none.
   bool is_confirmed() const {
@@ -76,7 +89,7 @@ struct PrintedGoal {
 };
 
 struct Timings {
-  double load = 0, plan = 0, optimise = 0, equilibrium = 0, as_made = 0, verify = 0, write = 0;  ///< seconds
+  double load = 0, plan = 0, optimise = 0, equilibrium = 0, matter = 0, as_made = 0, verify = 0, write = 0;  ///< seconds
 };
 
 /// Everything one call of the program knows at its end: what result.json and the report show.
@@ -96,6 +109,7 @@ struct Run {
   int side = 1;
   std::optional<Equilibrium> equilibrium;
   std::optional<Verification> verification;
+  std::optional<MatterResult> matter;  ///< of goals of exact families whose hinges are elastic
   std::optional<PrintedGoal> printed;  ///< of goals that are judged by distances
   std::vector<Fidelity> fidelity;
   double verify_tolerance = 0.02;  ///< of verification->distance.rms, cell edges

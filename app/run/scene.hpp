@@ -30,14 +30,25 @@ class Scene {
   virtual void add_state(Run& run, const RunOptions& options) const = 0;
   /// Says what the state lacks of the goal.
   virtual void judge(Run&, const RunOptions&) const {}
-  /// The points by which the goal is judged, and the drive that holds the first state: what prints come to.
+  /// The points by which the goal is judged, and what their rms may be.
   struct Judged {
-    model::LinkageDrive drive;
     std::vector<model::ObservedPoint> points;
-    double tolerance_mm = 0;  ///< of their rms
+    double tolerance_mm = 0;
   };
-  /// Nothing of goals that are not judged by distances. @pre judged
-  virtual std::optional<Judged> judged_points(const Run&) const { return std::nullopt; }
+  /// How far a state is from the goal. Nothing of goals that are not judged by distances.
+  /// @param sheet that the state is of: the run's, or one with other hinges
+  /// @param theta of the drive, rad   @param state anywhere in space; points are in its own frame. @pre solved
+  virtual std::optional<Judged> judged(const Run&, const model::Sheet& /*sheet*/, double /*theta*/,
+                                       const model::State& /*state*/) const {
+    return std::nullopt;
+  }
+  /// Says what the equilibrium of elastic hinges lacks of a goal that was searched for exactly, in place of what
+  /// the exact state lacks.
+  virtual void judge_matter(Run&, const model::State&) const {}
+  /// The same state where results show it.
+  virtual model::State shown(const Run&, const model::State& state) const { return state; }
+  /// The state in which the model holds the structure, not yet where results show it. @pre state added
+  virtual model::State own_state(const Run& run) const { return run.states.front().poses; }
   /// Nothing where a physics run is not worth its time.
   virtual std::optional<PhysicsTask> physics_task(const Run& run) const = 0;
   /// Says what the settled physics run lacks of the goal.

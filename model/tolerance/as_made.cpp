@@ -1,6 +1,5 @@
 #include "model/tolerance/as_made.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -9,49 +8,9 @@ namespace kinetix::model {
 namespace {
 
 using Eigen::MatrixXd;
-using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr double quantile_95 = 1.6448536269514722;  // of the normal distribution
-
-/// Mixtures of points, and what of them rigid motion of the whole cannot take away.
-class Points {
- public:
-  Points(const std::vector<ObservedPoint>& points, bool aligned) : points_(points) {
-    if (!aligned) return;
-    MatrixXd rigid(size(), 6);
-    Vector3d middle = Vector3d::Zero();
-    for (const ObservedPoint& p : points) middle += p.place / static_cast<double>(points.size());
-    for (Eigen::Index k = 0; k < size(); ++k)
-      rigid.row(k) << points[k].normal.transpose(),
-          (points[k].place - middle).cross(points[k].normal).transpose();
-    rigid.rightCols<3>() /= std::max(rigid.rightCols<3>().norm(), 1e-300);
-    const Eigen::ColPivHouseholderQR<MatrixXd> qr(rigid);
-    rigid_ = MatrixXd(qr.householderQ() * MatrixXd::Identity(size(), qr.rank()));
-  }
-
-  Eigen::Index size() const { return static_cast<Eigen::Index>(points_.size()); }
-  VectorXd misses() const {
-    VectorXd out(size());
-    for (Eigen::Index k = 0; k < size(); ++k) out[k] = points_[k].miss_mm;
-    return out;
-  }
-
-  /// A mixture as a function of the state, mm by all coordinates.
-  VectorXd by_state(VectorXd mixture, std::size_t bodies, double edge_mm) const {
-    if (rigid_.cols() > 0) mixture -= rigid_ * (rigid_.transpose() * mixture);
-    VectorXd out = VectorXd::Zero(6 * static_cast<Eigen::Index>(bodies));
-    for (Eigen::Index k = 0; k < size(); ++k)
-      for (const int body : points_[k].bodies)
-        out.segment<3>(6 * body + 3) +=
-            mixture[k] * edge_mm / static_cast<double>(points_[k].bodies.size()) * points_[k].normal;
-    return out;
-  }
-
- private:
-  const std::vector<ObservedPoint>& points_;
-  MatrixXd rigid_;  ///< orthonormal: what rigid motions do to the misses
-};
 
 /// All points by themselves, or random mixtures of them with entries +-1.
 std::vector<VectorXd> mixtures(Eigen::Index points, const AsMadeOptions& options) {
@@ -110,7 +69,7 @@ std::vector<ScatterSource> sources_of(const VectorXd& variances) {
 AsMade as_made(const ElasticSystem& system, const Elasticity& elasticity, const State& state, double theta,
                const TangentStiffness& tangent, const std::vector<ObservedPoint>& observed,
                const HingeScatter& scatter, const AsMadeOptions& options) {
-  const Points points(observed, options.aligned);
+  const ObservedPoints points(observed, options.aligned);
   const Eigen::Index hinges = static_cast<Eigen::Index>(system.hinges().size());
   const double edge_mm = system.structure().size.edge_mm;
   // What a mixture of misses does by every hinge's parameters, one standard deviation each.

@@ -2,17 +2,9 @@
 
 #include <vector>
 
-#include "model/elastic/adjoint.hpp"
+#include "model/tolerance/observed_points.hpp"
 
 namespace kinetix::model {
-
-/// A point by which a state is judged: the mean of some bodies' points, seen along one direction.
-struct ObservedPoint {
-  std::vector<int> bodies;  ///< at least one
-  Eigen::Vector3d place;    ///< in the state, mm
-  Eigen::Vector3d normal;   ///< unit vector along which its distance from the goal counts
-  double miss_mm = 0;       ///< that distance in the state as designed, along the normal
-};
 
 /// Standard deviations of what is printed from what was designed, from hinge to hinge, all by themselves.
 struct HingeScatter {

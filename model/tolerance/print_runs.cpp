@@ -51,23 +51,20 @@ Vector3d mean_place(const ObservedPoint& point, const State& state) {
 /// Rms distance of a print's points from the goal, after the best small rigid motion of what errors moved. mm
 class Distance {
  public:
-  Distance(const std::vector<ObservedPoint>& points, const State& design, bool aligned)
-      : points_(points),
-        design_(design),
-        rigid_(static_cast<Eigen::Index>(points.size()), 6),
-        aligned_(aligned) {
+  Distance(const std::vector<ObservedPoint>& points, bool aligned)
+      : points_(points), rigid_(static_cast<Eigen::Index>(points.size()), 6), aligned_(aligned) {
     for (std::size_t k = 0; k < points.size(); ++k)
       rigid_.row(static_cast<Eigen::Index>(k)) << points[k].normal.transpose(),
           points[k].place.cross(points[k].normal).transpose();
     fit_.compute(rigid_);
   }
 
-  double operator()(const State& print) const {
+  double operator()(const State& design, const State& print) const {
     VectorXd designed(rigid_.rows()), moved(rigid_.rows());
     for (std::size_t k = 0; k < points_.size(); ++k) {
       const auto row = static_cast<Eigen::Index>(k);
       designed[row] = points_[k].miss_mm;
-      moved[row] = points_[k].normal.dot(mean_place(points_[k], print) - mean_place(points_[k], design_));
+      moved[row] = points_[k].normal.dot(mean_place(points_[k], print) - mean_place(points_[k], design));
     }
     if (aligned_) moved -= rigid_ * fit_.solve(moved);
     return (designed + moved).norm() / std::sqrt(static_cast<double>(points_.size()));
@@ -75,7 +72,6 @@ class Distance {
 
  private:
   const std::vector<ObservedPoint>& points_;
-  const State& design_;
   MatrixXd rigid_;
   Eigen::CompleteOrthogonalDecomposition<MatrixXd> fit_;
   bool aligned_;
@@ -92,24 +88,37 @@ bool settle(Linkage structure, const Elasticity& elasticity, const LinkageDrive&
 
 }  // namespace
 
-PrintRuns print_runs(const PrintedLinkage& printed, const Elasticity& elasticity, const LinkageDrive& drive,
-                     const State& state, const std::vector<ObservedPoint>& points,
-                     const HingeScatter& scatter, int count, const AsMadeOptions& options) {
+int visit_prints(const PrintedLinkage& printed, const Elasticity& elasticity, const LinkageDrive& drive,
+                 const State& state, const HingeScatter& scatter, int count, unsigned seed,
+                 const std::function<void(const State&, const State&, const Matrix4Xd&)>& visit) {
   State design = state;
   Linkage exact = printed({});
   const auto hinges = static_cast<Eigen::Index>(exact.hinges.size());
   settle(std::move(exact), elasticity, drive, design);
-  const Distance distance(points, design, options.aligned);
-  Errors errors(scatter, hinges, options.seed);
-  std::vector<double> distances;
+  Errors errors(scatter, hinges, seed);
+  int failed = 0;
   for (int k = 0; k < count; ++k) {
     State print = design;
-    if (settle(printed(errors.next()), elasticity, drive, print)) distances.push_back(distance(print));
+    const Matrix4Xd own = errors.next();
+    if (settle(printed(own), elasticity, drive, print))
+      visit(design, print, own);
+    else
+      ++failed;
   }
-  std::sort(distances.begin(), distances.end());
+  return failed;
+}
+
+PrintRuns print_runs(const PrintedLinkage& printed, const Elasticity& elasticity, const LinkageDrive& drive,
+                     const State& state, const std::vector<ObservedPoint>& points,
+                     const HingeScatter& scatter, int count, const AsMadeOptions& options) {
+  const Distance distance(points, options.aligned);
+  std::vector<double> distances;
   PrintRuns out;
+  out.failed = visit_prints(
+      printed, elasticity, drive, state, scatter, count, options.seed,
+      [&](const State& design, const State& print, const Matrix4Xd&) { distances.push_back(distance(design, print)); });
+  std::sort(distances.begin(), distances.end());
   out.prints = static_cast<int>(distances.size());
-  out.failed = count - out.prints;
   out.rms_mm = out.p95_mm = std::nan("");
   if (distances.empty()) return out;
   double squares = 0;

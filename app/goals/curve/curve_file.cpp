@@ -71,6 +71,8 @@ void read_structure(const targets::Section& root, CurveFile& file) {
   const auto sides = read_sides(structure);
   if (sides) std::tie(file.columns, file.rows) = std::pair{(*sides)[0], (*sides)[1]};
   const auto cell_mm = structure.optional("cell_mm");
+  file.free_size = !cell_mm;
+  file.free_walls = !structure.optional("wall_mm");
   file.size = read_size(structure, cell_mm ? 1.0 : default_edge(root, length, file.columns));
   if (!cell_mm) return;
   check_cell_against_curve(*cell_mm, file.size.edge_mm, length);
@@ -146,7 +148,7 @@ targets::KeyTable tolerance_keys(const CurveFile& usual) {
 }  // namespace
 
 const targets::KeyTable& curve_keys() {
-  static const CurveFile usual{.name = {}, .curve = targets::Curve({{0, 0}, {1, 0}, {2, 0}})};
+  static const CurveFile usual(targets::Curve({{0, 0}, {1, 0}, {2, 0}}));
   static const optim::MultiStartOptions search{};
   static const targets::KeyTable keys = file_keys({
       {"target", value::map(targets::curve_target_keys()), targets::needed, "the goal"},
@@ -158,8 +160,12 @@ const targets::KeyTable& curve_keys() {
            solver_keys(optim::all_solvers(), search.starts, search.solver.max_evaluations, "per start")),
        {},
        "how the search is run"},
+      {"hinge", value::map(hinge_keys()), {}, "what the hinges are made of"},
       {"physics", value::map(physics_keys()), {}, "settings of the physics run"},
       process_key(),
+      {"robust", value::boolean(), targets::by_default("false"),
+       "of the designs that meet the goal, the one whose [prints](hinges.md#4-as-made) come nearest to it, over "
+       "theta and, where `structure.cell_mm` is left out, over numbers of columns"},
   });
   return keys;
 }
@@ -167,13 +173,17 @@ const targets::KeyTable& curve_keys() {
 CurveFile read_curve_file(const targets::Node& node) {
   const targets::Section root(node, curve_keys());
   check_version(root);
-  CurveFile file{.name = read_name(root), .curve = read_goal(root)};
+  const std::string name = read_name(root);
+  CurveFile file(read_goal(root));
+  file.name = name;
   read_structure(root, file);
   read_variables(root, file);
   read_tolerance(root, file);
   file.solver = read_solver(root);
-  file.process = read_process(root);
+  root.read("robust", file.robust);
   file.physics = read_physics(root, file.size.edge_mm);
+  file.hinge = read_hinge_section(root, file.size);
+  file.process = read_process(root, file.size, file.hinge.made);
   return file;
 }
 

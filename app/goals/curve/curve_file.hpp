@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "app/files/hinge_section.hpp"
 #include "app/files/physics_section.hpp"
 #include "app/files/process_section.hpp"
 #include "app/files/solver_section.hpp"
@@ -18,6 +19,8 @@ namespace kinetix::app {
 /// the number of columns follows from it in the same way. Walls follow default_size
 /// (app/files/structure_section.hpp).
 struct CurveFile {
+  explicit CurveFile(targets::Curve goal) : curve(std::move(goal)) {}
+
   std::string name;      ///< default: the file's name without its ending
   targets::Curve curve;  ///< target.points
 
@@ -35,6 +38,10 @@ struct CurveFile {
 
   SolverSection solver = {};
   PhysicsSection physics = {};
+  HingeSection hinge = {};
+  bool robust = false;     ///< of designs within the tolerance, the one whose prints come nearest
+  bool free_size = false;  ///< structure.cell_mm was left out: cells follow from the curve's length
+  bool free_walls = true;  ///< structure.wall_mm was left out: walls follow from the cells
   model::Process process = model::processes().front();
 };
 

@@ -30,6 +30,22 @@ Json turns_json(const optim::CurveReach& reach) {
   return out;
 }
 
+Json robust_json(const RobustCurve& robust) {
+  Json out = Json::array();
+  for (std::size_t k = 0; k < robust.tried.size(); ++k) {
+    const CurveCandidate& one = robust.tried[k];
+    out.push_back({{"columns", one.columns},
+                   {"cell_mm", one.cell_mm},
+                   {"theta_rad", one.theta},
+                   {"shape_rms", one.shape_rms},
+                   {"as_made_rms_mm", one.as_made_mm},
+                   {"as_made_p95_mm", one.as_made_p95},
+                   {"allowed", one.is_allowed},
+                   {"chosen", k == robust.chosen}});
+  }
+  return out;
+}
+
 Json curve_json(const CurveOutcome& curve) {
   const optim::CurveDesign& found = curve.found.design;
   return {{"folded_mm", points_json(found.midline_mm)},
@@ -63,6 +79,15 @@ Json optimiser_json(const CurveOutcome& curve) {
           {"runs", runs}};
 }
 
+std::string robust_text(const RobustCurve& robust) {
+  const CurveCandidate &best = robust.tried[robust.chosen], &plain = robust.tried.front();
+  return fmt::format(
+      "{} columns at theta {:.1f} deg, of {} strips tried: prints are expected {:.3g} mm off; of the design with the "
+      "least error of its own, {} columns at {:.1f} deg, {:.3g} mm",
+      best.columns, best.theta / radians_per_degree, robust.tried.size(), best.as_made_mm, plain.columns,
+      plain.theta / radians_per_degree, plain.as_made_mm);
+}
+
 std::string verdict(const CurveOutcome& curve) {
   if (curve.met()) return "within tolerance";
   const bool close = curve.found.design.error.rms <= curve.shape_tolerance;
@@ -75,6 +100,7 @@ Json CurveOutcome::target_json() const { return {{"kind", "curve"}, {"points_mm"
 
 void CurveOutcome::add_sections(const Run&, Json& result) const {
   result["curve"] = curve_json(*this);
+  if (robust) result["curve"]["robust"] = robust_json(*robust);
   result["optimiser"] = optimiser_json(*this);
 }
 
@@ -91,6 +117,7 @@ std::vector<SummaryLine> CurveOutcome::summary_lines(const Run& run) const {
       {"shape", fmt::format("rms {:.2e} of the goal's diagonal ({:.3f} mm), largest {:.3f} mm: {}", error.rms,
                             error.rms * error.scale_mm, error.max * error.scale_mm, verdict(*this))});
   for (const std::string& why : violations) lines.push_back({"why", why});
+  if (robust) lines.push_back({"robust", robust_text(*robust)});
   const optim::SolveResult& best = found.design.search.runs[found.design.chosen];
   lines.push_back(
       {"search", fmt::format("{:.3f} s, {} from {} starts, {}", run.timings.optimise, to_string(solver.name),

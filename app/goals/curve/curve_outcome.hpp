@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/goals/curve/robust_curve.hpp"
 #include "app/run/goal_outcome.hpp"
 #include "optim/curve/fit_curve.hpp"
 
@@ -10,6 +11,7 @@ class CurveOutcome final : public GoalOutcome {
  public:
   std::vector<Eigen::Vector2d> target_mm;  ///< as given
   optim::FreeCurveDesign found;
+  std::optional<RobustCurve> robust;  ///< where `found` was chosen by what its prints come to
   optim::SolverOptions solver;
   double shape_tolerance = 0.01;  ///< of found.design.error.rms, over the diagonal of the goal
 

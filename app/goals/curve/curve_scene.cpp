@@ -4,36 +4,15 @@
 
 #include "app/goals/curve/curve_kind.hpp"
 #include "app/goals/curve/curve_outcome.hpp"
+#include "app/goals/curve/curve_points.hpp"
+#include "app/goals/curve/curve_search.hpp"
 #include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/physics_settings.hpp"
 #include "app/run/midline.hpp"
 #include "model/sheet/sheet_motion.hpp"
-#include "targets/curve/polyline_tree.hpp"
 
 namespace kinetix::app {
 namespace {
-
-optim::CurveVariables variables_of(const CurveFile& file) {
-  optim::CurveVariables v;
-  v.columns = file.columns;
-  v.rows = file.rows;
-  v.cell_mm = file.size.edge_mm;
-  v.beta = file.beta;
-  v.theta = file.theta;
-  v.per = file.per;
-  v.symmetry = file.symmetry;
-  return v;
-}
-
-optim::MultiStartOptions search_of(const CurveFile& file, const RunOptions& options) {
-  optim::MultiStartOptions search;
-  search.threads = options.threads;
-  search.seed = options.seed;
-  search.starts = file.solver.starts.value_or(search.starts);
-  search.solver.name = file.solver.name.value_or(search.solver.name);
-  search.solver.max_evaluations = file.solver.max_evaluations.value_or(search.solver.max_evaluations);
-  return search;
-}
 
 std::vector<std::string> violations(const optim::FreeCurveDesign& found, double tolerance) {
   std::vector<std::string> why;
@@ -60,18 +39,25 @@ class CurveScene final : public Scene {
 
   void solve(Run& run, const RunOptions& options) const override {
     run.physics = file_.physics;
+    run.hinge = file_.hinge;
     run.process = file_.process;
     run.verify_tolerance = file_.verify_tolerance;
-    const optim::MultiStartOptions search = search_of(file_, options);
+    const optim::MultiStartOptions search = curve_search(file_, options);
     if (options.progress) options.progress("search", 0);
     auto curve = std::make_unique<CurveOutcome>();
     curve->tolerances = {{"shape", file_.shape_tolerance}};
     curve->shape_tolerance = file_.shape_tolerance;
     curve->target_mm = file_.curve.points();
     curve->solver = search.solver;
-    curve->found = fit_free_curve(file_.curve, variables_of(file_), file_.size, search);
+    curve->found = fit_free_curve(file_.curve, curve_variables(file_), file_.size, search);
+    model::CellSize size = file_.size;
+    if (file_.robust) {
+      curve->robust = robust_curve(file_, curve->found, search, options);
+      curve->found = curve->robust->found;
+      size = curve->robust->size;
+    }
     curve->violations = violations(curve->found, file_.shape_tolerance);
-    run.structure = sheet_of(curve->found.design.design, file_.size);
+    run.structure = sheet_of(curve->found.design.design, size);
     run.theta = curve->found.design.design.theta;
     run.goal = std::move(curve);
   }
@@ -83,21 +69,23 @@ class CurveScene final : public Scene {
   }
 
   /// Each column's place against the goal as it was laid over the midline.
-  std::optional<Judged> judged_points(const Run& run) const override {
-    const targets::CurveError& error = outcome_of<CurveOutcome>(run).found.design.error;
-    const targets::PolylineTree goal(error.goal_mm);
-    const model::State& state = run.states.front().poses;
-    const std::vector<Eigen::Vector2d> midline = column_midline(run.structure, state);
-    const std::vector<std::vector<int>> columns = body_columns(run.structure);
-    Judged out{drive_to(run.structure, run.theta), {}, file_.shape_tolerance * error.scale_mm};
-    for (std::size_t k = 0; k < midline.size(); ++k) {
-      const targets::ClosestPoint at = goal.nearest(midline[k]);
-      out.points.push_back({columns[k],
-                            {midline[k].x(), state[columns[k][0]].p.y(), midline[k].y()},
-                            {at.normal.x(), 0, at.normal.y()},
-                            at.distance});
-    }
-    return out;
+  std::optional<Judged> judged(const Run&, const model::Sheet& sheet, double,
+                               const model::State& state) const override {
+    const targets::CurveError error = curve_error(column_midline(sheet, state), file_.curve);
+    return Judged{curve_points(file_.curve, sheet, state), file_.shape_tolerance * error.scale_mm};
+  }
+
+  /// How elastic hinges keep the goal.
+  void judge_matter(Run& run, const model::State& state) const override {
+    const targets::CurveError error = curve_error(column_midline(run.structure, state), file_.curve);
+    auto& curve = outcome_of<CurveOutcome>(run);
+    curve.violations.clear();
+    if (!(error.rms <= file_.shape_tolerance))
+      curve.violations.push_back(fmt::format(
+          "equilibrium: rms {:.3g} of the goal's diagonal; at most {:g} is allowed", error.rms,
+          file_.shape_tolerance));
+    if (!curve.found.walls_are_free)
+      curve.violations.push_back(curve.found.notes.back() + ": use lower or thinner walls, or larger cells");
   }
 
   std::optional<PhysicsTask> physics_task(const Run& run) const override {

@@ -7,6 +7,7 @@
 
 #include "app/files/drive_section.hpp"
 #include "app/files/file_header.hpp"
+#include "app/files/process_section.hpp"
 #include "app/files/structure_section.hpp"
 #include "app/files/wall_node.hpp"
 #include "app/goals/display/search_panel.hpp"
@@ -107,6 +108,9 @@ targets::KeyTable tolerance_keys(const DisplayFile& usual) {
        "least [auc](#contrast-and-auc); of greys the rank correlation"},
       {"contrast", value::number(targets::at_least(0)), targets::by_default(usual.contrast),
        "least [contrast](#contrast-and-auc), of pictures with two levels"},
+      {"force_N", value::number(targets::above(0, "N")), {}, "most that the plates may take; the panel is pressed less where it has to be"},
+      {"strain", value::number({0, 10, false, true, {}}), targets::otherwise("what the material of `hinge` bears; none without `hinge.kind`"),
+       "most that a hinge made as a block or film may be strained, likewise"},
       {"verify", value::number(part_of_one), targets::by_default(usual.verify),
        "most of [verify_rms](#verify_rms-and-verify_max), cell edges"},
   });
@@ -124,10 +128,24 @@ bool asks_for_walls(const targets::Section& root, const DisplayFile& file) {
   return root.optional("solver") || file.channel != Channel::light || file.symmetry != optim::Symmetry::none;
 }
 
+/// A made hinge can sit so far off the middle of its wall and no further.
+void limit_offset(const targets::Section& root, DisplayFile& file) {
+  if (!file.hinge.made) return;
+  const double most_mm = largest_offset_mm(*file.hinge.made, file.size.thickness_mm);
+  file.offset = std::min(file.offset, most_mm / file.size.edge_mm);
+  const auto node = root.section("variables").optional("offset_mm");
+  std::optional<double> asked_mm;
+  root.section("variables").read_length("offset_mm", asked_mm, file.size.edge_mm);
+  if (asked_mm && *asked_mm > most_mm * (1 + 1e-9))  // rounding of a file's digits
+    throw node->error(fmt::format("a hinge made so in walls of {:g} mm can sit at most {:.3g} mm off their middle",
+                                  file.size.thickness_mm, most_mm));
+}
+
 /// Before all whose defaults depend on it.
 void read_offset(const targets::Section& root, DisplayFile& file) {
   std::optional<double> offset_mm;
   root.section("variables").read_length("offset_mm", offset_mm, file.size.edge_mm);
+  limit_offset(root, file);
   if (offset_mm)
     file.offset = *offset_mm / file.size.edge_mm;
   else if (asks_for_walls(root, file))
@@ -157,6 +175,8 @@ void read_goal(const targets::Section& root, DisplayFile& file) {
   file.goal = read_display(root.required("target", ""), structure.optional("cells"));
   file.size = read_size(structure, default_cell_mm);
   file.lattice = read_lattice_choice(structure, true);
+  file.hinge = read_elastic_hinge_section(root, file.size);
+  file.process = read_process(root, file.size, file.hinge.made);
   root.section("target").read("channel", file.channel, channels);
   file.symmetry = read_symmetry(t_section(root), file.goal.columns, file.goal.rows);
   read_offset(root, file);
@@ -252,6 +272,17 @@ void read_variables(const targets::Section& root, DisplayFile& file) {
   if (const auto node = section.optional("axis")) read_axes(root, *node, file);
 }
 
+void read_limits(const targets::Section& section, DisplayFile& file) {
+  section.read("force_N", file.force_N);
+  if (const auto force = section.optional("force_N"); force && file.drive == DriveKind::hinge)
+    throw force->key_error("is for plates; a driven hinge has a moment");
+  const bool bends = file.hinge.made && file.hinge.made->kind != model::HingeKind::pin;
+  if (bends) file.most_strain = file.hinge.made->material.strain_max;
+  section.read("strain", file.most_strain);
+  if (const auto strain = section.optional("strain"); strain && !bends)
+    throw strain->key_error("is of hinges made as blocks or films; give hinge.kind as well");
+}
+
 void read_tolerance(const targets::Section& root, DisplayFile& file) {
   const targets::Section section = root.section("tolerance");
   section.read("stretch", file.stretch);
@@ -260,6 +291,7 @@ void read_tolerance(const targets::Section& root, DisplayFile& file) {
     throw contrast->key_error("is for pictures of two levels; greys are judged by tolerance.auc alone");
   section.read("contrast", file.contrast);
   section.read("verify", file.verify);
+  read_limits(section, file);
 }
 
 void read_search(const targets::Section& root, DisplayFile& file) {
@@ -281,7 +313,7 @@ void read_search(const targets::Section& root, DisplayFile& file) {
 double turn_of_compression(double compression) { return 2 * std::acos(1 - compression); }
 
 const targets::KeyTable& display_keys() {
-  static const DisplayFile usual{};
+  static const DisplayFile usual = DisplayFile();
   static const optim::DisplayOptions search{};
   static const targets::KeyTable keys = file_keys({
       {"target", value::map(targets::display_target_keys()), targets::needed, "the goal"},
@@ -296,6 +328,7 @@ const targets::KeyTable& display_keys() {
        {},
        "how the search is run; starts are counted per direction"},
       {"physics", value::map(physics_keys()), {}, "settings of the physics run"},
+      process_key(),
   });
   return keys;
 }
@@ -310,7 +343,6 @@ DisplayFile read_display_file(const targets::Node& node) {
   read_variables(root, file);
   read_tolerance(root, file);
   read_search(root, file);
-  file.hinge = read_elastic_hinge_section(root, file.size);
   file.physics = read_elastic_physics(root, file.size.edge_mm);
   return file;
 }

@@ -66,6 +66,40 @@ void add_drive(const optim::DisplayView& view, Json& display) {
   display["compression"] = view.plates.compression;
 }
 
+Json loads_json(const PanelLoads& loads) {
+  return {{"compression", loads.compression},
+          {"force_N", loads.force_N},
+          {"strain", loads.strain},
+          {"auc", loads.auc},
+          {"contrast", loads.contrast}};
+}
+
+Json printed_json(const PrintedDisplay& printed) {
+  const auto numbers = [](const optim::AsMadeDisplay& made) {
+    return Json{{"contrast", made.contrast}, {"contrast_p95", made.contrast_p95}, {"auc", made.auc}};
+  };
+  return {{"expected", numbers(printed.expected)},
+          {"prints", numbers(printed.seen)},
+          {"count", printed.prints},
+          {"failed", printed.failed}};
+}
+
+std::string printed_text(const DisplayOutcome& display, const Run& run) {
+  const PrintedDisplay& printed = *display.printed;
+  std::string text = fmt::format(
+      "printed by {}: contrast {:.1f}, above {:.1f} in 95 of 100 prints, auc {:.3f}; {} prints in the model: {:.1f}, "
+      "{:.1f}, {:.3f}",
+      run.process.name, printed.expected.contrast, printed.expected.contrast_p95, printed.expected.auc,
+      printed.prints, printed.seen.contrast, printed.seen.contrast_p95, printed.seen.auc);
+  if (printed.failed > 0) text += fmt::format("; {} more found no equilibrium near the design", printed.failed);
+  return text;
+}
+
+std::string loads_text(const PanelLoads& loads) {
+  return fmt::format("compressed by {:.1f} %: {:.3g} N, strain {:.2f}, auc {:.3f}, contrast {:.1f}",
+                     100 * loads.compression, loads.force_N, loads.strain, loads.auc, loads.contrast);
+}
+
 Json display_json(const DisplayOutcome& display, const model::Sheet& panel) {
   Json out = {{"channel", to_string(display.channel)}};
   add_drive(display.design.view, out);
@@ -83,6 +117,9 @@ Json display_json(const DisplayOutcome& display, const model::Sheet& panel) {
                      {"strained", display.design.refined},
                      {"rounds", scaled->rounds},
                      {"exact", score_json(display.exact)}};
+  if (display.printed) out["printed"] = printed_json(*display.printed);
+  if (display.loads) out["loads"] = loads_json(*display.loads);
+  if (display.unlimited) out["unlimited"] = loads_json(*display.unlimited);
   const char* load = display.design.view.turn ? "load_Nmm" : "load_N";
   if (!display.front.empty()) out["front"] = front_json(display.front, load, panel.size().edge_mm);
   if (display.physics) out["physics"] = score_json(*display.physics);
@@ -144,6 +181,9 @@ std::vector<SummaryLine> DisplayOutcome::summary_lines(const Run& run) const {
   lines.push_back(
       {"search", fmt::format("{:.2f} s, {}, {} {}, {}", run.timings.optimise, solver(), design.evaluations,
                              design.scaled ? "iterations" : "evaluations", to_string(design.status))});
+  if (printed) lines.push_back({"as made", printed_text(*this, run)});
+  if (loads) lines.push_back({"limits", loads_text(*loads)});
+  if (unlimited) lines.push_back({"", "without them " + loads_text(*unlimited)});
   if (design.refined) lines.push_back({"strain", "on purpose: without it " + in_words(*this, exact)});
   if (physics) lines.push_back({"seen", "in the physics run: " + in_words(*this, *physics)});
   for (const std::string& why : physics_violations) lines.push_back({"why", why});

@@ -5,6 +5,7 @@
 
 #include "app/goals/display/larger_panels.hpp"
 #include "app/run/goal_outcome.hpp"
+#include "optim/display/as_made_display.hpp"
 #include "optim/display/fit_display.hpp"
 #include "targets/display/display_goal.hpp"
 
@@ -28,6 +29,22 @@ struct FrontPoint {
   double stretch = 0;  ///< largest gap of a hinge, cell edges
 };
 
+/// What a panel asks of who presses it and of its hinges, and what it shows.
+struct PanelLoads {
+  bool reached = false;    ///< whether there is an equilibrium
+  double compression = 0;  ///< fraction of the plates' distance
+  double force_N = 0;      ///< largest on the way
+  double strain = 0;       ///< largest of a hinge that is made as a block or film
+  double auc = 0, contrast = 0;
+};
+
+/// What prints of a panel show.
+struct PrintedDisplay {
+  optim::AsMadeDisplay expected;    ///< to first order
+  optim::AsMadeDisplay seen;        ///< in prints that were brought to their equilibrium
+  int prints = 0, failed = 0;       ///< of those: that settled near the design, and that did not
+};
+
 /// What a search for a display contributes to a result.
 class DisplayOutcome final : public GoalOutcome {
  public:
@@ -40,6 +57,9 @@ class DisplayOutcome final : public GoalOutcome {
   DisplayReading before, after;  ///< flat, and the equilibrium under the plates
   DisplayReading exact;          ///< of a search by the scales of walls: its state, without any strain
   std::optional<DisplayReading> physics;  ///< the settled physics run
+  std::optional<PanelLoads> loads;        ///< of a panel with limits
+  std::optional<PanelLoads> unlimited;    ///< what it would be without them, where they made a difference
+  std::optional<PrintedDisplay> printed;  ///< of pictures of two levels
   std::vector<FrontPoint> front;          ///< of small panels that were searched by the scales of walls
 
   /// What found the design, in words.

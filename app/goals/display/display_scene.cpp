@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "app/goals/display/display_kind.hpp"
+#include "app/goals/display/display_limits.hpp"
+#include "app/goals/display/display_prints.hpp"
 #include "app/goals/display/display_outcome.hpp"
 #include "app/goals/display/legibility_front.hpp"
 #include "app/goals/display/panel_memory.hpp"
@@ -59,6 +61,8 @@ std::vector<std::string> all_violations(const DisplayFile& file, const DisplayOu
   if (!(display.design.view.stretch <= file.stretch))
     why.push_back(fmt::format("a hinge stretches by {:.3f} cell edges; at most {:.3f} is allowed",
                               display.design.view.stretch, file.stretch));
+  if (display.loads)
+    for (const std::string& limit : limit_violations(file, *display.loads)) why.push_back(limit);
   if (!display.goal.whole) why.push_back(lost_strokes(display.goal));
   if (!display.larger.tried.empty()) why.push_back(about_larger(display.larger));
   return why;
@@ -90,7 +94,12 @@ class DisplayScene final : public Scene {
     display->tolerances = tolerances_of(file_);
     display->goal = file_.goal;
     display->channel = file_.channel;
-    display->design = search_panel(file_, file_.goal, panel, display->options, options.progress);
+    const auto search = [&](const DisplayFile& file) {
+      return search_panel(file, file_.goal, panel, search_options(file, elasticity(), options),
+                          options.progress);
+    };
+    display->design = search(file_);
+    keep_limits(file_, elasticity(), *display, panel, search);
     if (display->design.scaled) {
       const optim::DisplayView& exact = display->design.view;
       display->exact = {exact.channel, exact.score, exact.rank};
@@ -126,6 +135,8 @@ class DisplayScene final : public Scene {
     if (options.verify && display.design.scaled && run.structure.cells() <= most_cells_of_front)
       display.front = legibility_front(file_, front_point(file_.offset, display.after, run.equilibrium->path),
                                        elasticity(), display.options, options.progress);
+    if (options.progress) options.progress("prints", 0);
+    display.printed = display_prints(file_, run, options.prints);
     display.violations = all_violations(file_, display);
   }
 
@@ -151,6 +162,7 @@ class DisplayScene final : public Scene {
   void describe(Run& run, optim::DisplayView& view) const {
     run.physics = file_.physics;
     run.hinge = file_.hinge;
+    run.process = file_.process;
     run.hinge.model = HingeSection::Model::elastic;
     run.verify_tolerance = file_.verify;
     if (!view.balanced) view.plates = plates_of(file_);

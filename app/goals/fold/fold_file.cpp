@@ -55,7 +55,9 @@ const targets::KeyTable& fold_keys() {
        {},
        "what the search may change, and how far"},
       {"tolerance", value::map(tolerance_keys(usual)), {}, "when the goal is met"},
+      {"hinge", value::map(hinge_keys()), {}, "what the hinges are made of"},
       {"physics", value::map(physics_keys()), {}, "settings of the physics run"},
+      process_key(),
   });
   return keys;
 }
@@ -72,6 +74,8 @@ FoldFile read_fold_file(const targets::Node& node) {
   file.theta = variables.theta;
   read_tolerance(root, file);
   file.physics = read_physics(root, file.size.edge_mm);
+  file.hinge = read_hinge_section(root, file.size);
+  file.process = read_process(root, file.size, file.hinge.made);
   return file;
 }
 

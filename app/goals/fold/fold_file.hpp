@@ -2,7 +2,9 @@
 
 #include <string>
 
+#include "app/files/hinge_section.hpp"
 #include "app/files/physics_section.hpp"
+#include "app/files/process_section.hpp"
 #include "model/lattice/square/structure.hpp"
 #include "optim/solvers/variables.hpp"
 #include "targets/fold/fold_goal.hpp"
@@ -27,6 +29,8 @@ struct FoldFile {
   double shape_tolerance = 0.02;                        ///< of face_rms, over the edge of a face, (0, 1]
   double verify_tolerance = 0.02;                       ///< of verify_rms, cell edges, (0, 1]
   PhysicsSection physics = {};
+  HingeSection hinge = {};
+  model::Process process = model::processes().front();
 };
 
 /// Every key of a target.yaml of kind fold.

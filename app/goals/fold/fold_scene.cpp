@@ -47,6 +47,8 @@ class FoldScene final : public Scene {
 
   void solve(Run& run, const RunOptions& options) const override {
     run.physics = file_.physics;
+    run.hinge = file_.hinge;
+    run.process = file_.process;
     run.verify_tolerance = file_.verify_tolerance;
     auto found = std::make_unique<FoldOutcome>();
     found->tolerances = {{"angle_deg", std::stod(targets::degrees_text(file_.angle_tolerance))},
@@ -63,6 +65,26 @@ class FoldScene final : public Scene {
 
   void add_state(Run& run, const RunOptions&) const override { add_exact_state(run, run.theta); }
 
+  /// Each vertex of a face, in all directions.
+  std::optional<Judged> judged(const Run& run, const model::Sheet& sheet, double theta,
+                               const model::State& state) const override {
+    const optim::FoldedNet& net = outcome_of<FoldOutcome>(run).design.folded;
+    if (!run.goal->met() || !is_finite(state)) return std::nullopt;
+    double sides = 0;  // cells
+    for (const model::CellRectangle& face : net.layout.faces)
+      sides += (face.width + face.height) / 2.0 / static_cast<double>(net.layout.faces.size());
+    const double weight = std::sqrt(3.0);  // the rms is that of vertices in space, not of their coordinates
+    Judged out{{}, file_.shape_tolerance * sides * sheet.size().edge_mm * std::cos(theta)};
+    for (const targets::IdealVertex& v :
+         ideal_vertices(net.net, net.layout, *sheet.squares(), state, theta))
+      for (int k = 0; k < 3; ++k)
+        out.points.push_back({{v.body},
+                              state[v.body].p,
+                              weight * Eigen::Vector3d::Unit(k),
+                              weight * (state[v.body].p - v.place)[k]});
+    return out;
+  }
+
   std::optional<PhysicsTask> physics_task(const Run& run) const override {
     if (!run.goal->met()) return std::nullopt;
     return PhysicsTask{run.states.front().poses, drive_to(run.structure, run.theta),
@@ -76,6 +98,14 @@ class FoldScene final : public Scene {
     found.physics =
         fold_error(net.net, net.layout, net.structure, run.verification->physics.state, run.theta);
     found.physics_violations = violations(file_, net.net, *found.physics, "physics run");
+  }
+
+  /// How elastic hinges keep the goal.
+  void judge_matter(Run& run, const model::State& state) const override {
+    auto& found = outcome_of<FoldOutcome>(run);
+    const optim::FoldedNet& net = found.design.folded;
+    const targets::FoldError error = fold_error(net.net, net.layout, net.structure, state, run.theta);
+    found.violations = violations(file_, net.net, error, "equilibrium");
   }
 
   void add_frames(Run& run) const override { add_exact_frames(run); }

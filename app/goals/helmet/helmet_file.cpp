@@ -111,7 +111,9 @@ const targets::KeyTable& helmet_keys() {
        value::map(solver_keys({optim::SolverName::ceres}, {}, helmet_evaluations, "of the search")),
        {},
        "how the search is run"},
+      {"hinge", value::map(hinge_keys()), {}, "what the hinges are made of"},
       {"physics", value::map(physics_keys()), {}, "settings of the physics run"},
+      process_key(),
   });
   return keys;
 }
@@ -129,6 +131,8 @@ HelmetFile read_helmet_file(const targets::Node& node) {
   check_solver(root);
   file.solver = read_solver(root);
   file.physics = read_physics(root, file.spec.size.edge_mm);
+  file.hinge = read_hinge_section(root, file.spec.size);
+  file.process = read_process(root, file.spec.size, file.hinge.made);
   return file;
 }
 

@@ -2,7 +2,9 @@
 
 #include <string>
 
+#include "app/files/hinge_section.hpp"
 #include "app/files/physics_section.hpp"
+#include "app/files/process_section.hpp"
 #include "app/files/solver_section.hpp"
 #include "optim/helmet/helmet_layout.hpp"
 #include "targets/helmet/head.hpp"
@@ -29,6 +31,8 @@ struct HelmetFile {
   double verify = usual_verify;  ///< tolerance.verify: of verify_rms, cell edges, (0, 1]
   SolverSection solver = {};     ///< ceres, no starts
   PhysicsSection physics = {};
+  HingeSection hinge = {};
+  model::Process process = model::processes().front();
 };
 
 /// Most evaluations of the one search there is: second-order steps need few.

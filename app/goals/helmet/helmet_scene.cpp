@@ -71,6 +71,8 @@ class HelmetScene final : public Scene {
 
   void solve(Run& run, const RunOptions& options) const override {
     run.physics = file_.physics;
+    run.hinge = file_.hinge;
+    run.process = file_.process;
     run.verify_tolerance = file_.verify;
     if (options.progress) options.progress("search", 0);
     auto helmet = std::make_unique<HelmetOutcome>(
@@ -97,6 +99,29 @@ class HelmetScene final : public Scene {
     helmet.uniform = fit_uniform_helmet(helmet.design, file_.head.dome, crown, file_.spec, search_of(file_));
   }
 
+  /// Every body, from head plus clearance.
+  std::optional<Judged> judged(const Run& run, const model::Sheet&, double,
+                               const model::State& state) const override {
+    const model::State on_head = aligned(state, own_state(run));
+    Judged out{{}, file_.rms_mm};
+    for (int body = 0; body < static_cast<int>(state.size()); ++body) {
+      const targets::ClosestMeshPoint at = file_.head.dome.closest(on_head[body].p);
+      const Eigen::Matrix3d back = state[body].R * on_head[body].R.transpose();
+      out.points.push_back(
+          {{body}, state[body].p, back * at.normal, at.distance - file_.spec.clearance_mm});
+    }
+    return out;
+  }
+
+  /// On the head.
+  model::State shown(const Run& run, const model::State& state) const override {
+    return in_mesh(file_.head, aligned(state, own_state(run)));
+  }
+
+  model::State own_state(const Run& run) const override {
+    return outcome_of<HelmetOutcome>(run).design.state;
+  }
+
   std::optional<PhysicsTask> physics_task(const Run& run) const override {
     return PhysicsTask{outcome_of<HelmetOutcome>(run).design.state, drive_to(run.structure, run.theta),
                        physics_options(file_.physics, file_.spec.size.edge_mm)};
@@ -110,6 +135,18 @@ class HelmetScene final : public Scene {
         optim::helmet_error(helmet.design.fishbone, on_head, file_.head.dome, file_.spec.clearance_mm);
     helmet.physics_inside = walls_inside(run.structure, on_head, file_.head.scan);
     helmet.physics_violations = violations(file_, *helmet.physics, helmet.physics_inside, "physics run");
+  }
+
+  /// How elastic hinges keep the goal.
+  void judge_matter(Run& run, const model::State& state) const override {
+    auto& helmet = outcome_of<HelmetOutcome>(run);
+    const model::State on_head = aligned(state, helmet.design.state);
+    const optim::HelmetError error =
+        optim::helmet_error(helmet.design.fishbone, on_head, file_.head.dome, file_.spec.clearance_mm);
+    helmet.violations =
+        violations(file_, error, walls_inside(run.structure, on_head, file_.head.scan), "equilibrium");
+    append(helmet.violations, helmet.design.collisions);
+    append(helmet.violations, collisions(run));
   }
 
   void add_frames(Run& run) const override {

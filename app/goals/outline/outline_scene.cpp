@@ -38,15 +38,20 @@ class OutlineScene final : public Scene {
   void add_state(Run& run, const RunOptions&) const override { add_exact_state(run, run.theta); }
 
   /// Each vertex of the rim.
-  std::optional<Judged> judged_points(const Run& run) const override {
+  std::optional<Judged> judged(const Run& run, const model::Sheet&, double,
+                               const model::State& state) const override {
     const auto& outline = outcome_of<OutlineOutcome>(run);
+    const model::ExactMotion exact = exact_motion(run.structure);
     const targets::Outline goal(outline.placed(run.structure.size().edge_mm));
-    Judged out{drive_to(run.structure, run.theta), {}, file_.shape_tolerance * goal.diagonal()};
+    const model::State placed = aligned(state, exact.at(run.theta));
+    Judged out{{}, file_.shape_tolerance * goal.diagonal()};
     for (const int body : outline.rim) {
-      const Eigen::Vector3d& place = run.states.front().poses[body].p;
+      const Eigen::Vector3d& place = placed[body].p;
       const targets::Outline::Nearest at = goal.nearest(place.head<2>());
+      const Eigen::Matrix3d back = state[body].R * placed[body].R.transpose();
+      const Eigen::Vector3d normal(at.normal.x(), at.normal.y(), 0);
       out.points.push_back(
-          {{body}, place, {at.normal.x(), at.normal.y(), 0}, at.normal.dot(place.head<2>() - at.point)});
+          {{body}, state[body].p, back * normal, at.normal.dot(place.head<2>() - at.point)});
     }
     return out;
   }

@@ -134,6 +134,13 @@ function readAsMade(raw) {
     confirmed: raw.confirmed !== false, prints: dictionary(raw.prints), sources};
 }
 
+/** A goal that was met exactly, once its hinges are elastic; null where they are not. */
+function readMatter(raw) {
+  if (!raw || typeof raw !== "object") return null;
+  return {before: finite(raw.before_mm), after: finite(raw.after_mm), tolerance: finite(raw.tolerance_mm),
+    change: toDegrees(raw.largest_change_rad), why: typeof raw.why === "string" ? raw.why : ""};
+}
+
 /** The kind of goal that was searched for; null for a design. Results that name no kind are of the first. */
 function kindOf(raw) {
   return GOALS.find(({name}) => raw[name]) ?? (raw.target ? GOALS[0] : null);
@@ -167,6 +174,7 @@ function readResult(raw) {
     states: kind?.place?.(raw, states) ?? states,
     verdict: readVerdict(metrics, tolerance),
     asMade: readAsMade(raw.as_made),
+    matter: readMatter(raw.matter),
     runs: list(optimiser.runs).map(readRun),
     fidelity: list(raw.fidelity).filter((entry) => entry && typeof entry === "object"),
     timing: dictionary(raw.timing_s),

@@ -40,6 +40,15 @@ function asMadeWords({asMade, structure}) {
       (asMade.confirmed ? "" : " That is to first order, and does not hold here: " + printsWords(asMade.prints));
 }
 
+/** What elastic hinges make of a goal that was met exactly: a sentence. */
+function matterWords({matter}) {
+  if (!matter) return null;
+  if (matter.after === null) return `With hinges as elastic as they are made it finds no equilibrium: ${matter.why}.`;
+  return `With hinges as elastic as they are made, the exact design would end up ${millimetres(matter.before)} from the goal ` +
+      `(rms). This one makes up for it, with tilts changed by up to ${degrees(matter.change)}, and ends up ` +
+      `${millimetres(matter.after)} from it; ${millimetres(matter.tolerance)} are allowed.`;
+}
+
 function printsWords({count, failed, rms_mm: rms, p95_mm: p95}) {
   const lost = failed > 0 ? `, and ${failed} more found no equilibrium near the design` : "";
   return `${count} prints in the elastic model came out ${millimetres(rms)} off, 95 of 100 within ${millimetres(p95)}${lost}.`;
@@ -131,6 +140,7 @@ function headline(data) {
           "div", {class: "verdict " + tone}, html("span", {class: "mark", "aria-hidden": "true"}, mark),
           html(
               "div", {}, html("h2", {}, title), html("p", {}, text),
+              data.matter ? html("p", {class: "made"}, matterWords(data)) : null,
               data.asMade ? html("p", {class: "made"}, asMadeWords(data)) : null,
               reasons(data).map((reason) => html("p", {class: "why"}, reason)))),
       keyNumbers(data), data.kind?.showsItself ? null : foldedPicture(data));

@@ -9,6 +9,7 @@ function readCurve(raw, target) {
     error: numberRows(raw.error, 2),
     scale: finite(raw.scale_mm),
     turn: turn.map((t) => ({column: t.column, needed: t.needed_deg, allowed: finite(t.allowed_deg)})),
+    robust: list(raw.robust).filter((one) => finite(one?.as_made_rms_mm) !== null && finite(one?.shape_rms) !== null),
     reasons: list(raw.reasons).filter((reason) => typeof reason === "string"),
   };
 }
@@ -254,8 +255,49 @@ function turnFigure(data) {
           showsLimits(turn) && ["turn-limit", "most that the tilt range allows"]));
 }
 
+/** Those that no other one beats in both errors. */
+function frontOf(tried) {
+  const sorted = [...tried].sort((a, b) => a.shape_rms - b.shape_rms);
+  let least = Infinity;
+  return sorted.filter((one) => one.as_made_rms_mm < least && ((least = one.as_made_rms_mm), true));
+}
+
+function drawRobust(data, width) {
+  const {robust, scale} = data.goal, off = (one) => one.shape_rms * scale;
+  const near = robust.filter((one) => one.allowed || one === robust[0]);
+  const axes = plot({
+    width,
+    label: "Error of the design and of its prints",
+    x: {range: padded([0, ...near.map(off)]), label: "error of the design, mm rms"},
+    y: {range: padded([0, ...near.map((one) => one.as_made_rms_mm)]), label: "expected of prints, mm rms"}
+  });
+  const dot = (one) => svg("circle", {
+    cx: axes.X(off(one)), cy: axes.Y(one.as_made_rms_mm), r: one.chosen ? 6 : 3.5,
+    class: one.chosen ? "tried chosen" : one === robust[0] ? "tried plain" : "tried"
+  }, svg("title", {}, `${one.columns} columns, theta ${degrees(toDegrees(one.theta_rad))}`));
+  axes.root.append(svg("path", {class: "model", d: path(frontOf(near).map((one) => [axes.X(off(one)), axes.Y(one.as_made_rms_mm)]))}),
+                   ...near.map(dot));
+  return axes.root;
+}
+
+/** What a design that is made for its prints gives up, and what it gains. */
+function robustFigure(data) {
+  const {robust} = data.goal;
+  if (!robust.length || data.goal.scale === null) return null;
+  const chosen = robust.find((one) => one.chosen), plain = robust[0];
+  const named = (one) => `${one.columns} columns of ${millimetres(one.cell_mm)} at ${degrees(toDegrees(one.theta_rad))}`;
+  return html(
+      "div", {class: "part"}, html("h3", {}, "Designs and their prints"),
+      html("p", {class: "lead"}, chosen && chosen !== plain ?
+          `Prints of ${named(chosen)} are expected ${millimetres(chosen.as_made_rms_mm)} off; of the design with the least error of ` +
+              `its own, ${named(plain)}, ${millimetres(plain.as_made_rms_mm)}.` :
+          "No other strip that was tried promises better prints than the one with the least error of its own."),
+      responsive((width) => drawRobust(data, width)),
+      legend(["tried", "strips that meet the goal"], ["tried plain", "least error of its own"], ["tried chosen", "this one"]));
+}
+
 function errorSection(data) {
-  return [errorFigure(data), turnFigure(data)];
+  return [errorFigure(data), robustFigure(data), turnFigure(data)];
 }
 
 const curveGoal = {

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "model/sheet/sheet.hpp"
+#include "model/tolerance/observed_points.hpp"
+#include "targets/curve/curve.hpp"
+
+namespace kinetix::app {
+
+/// Each column of bodies against the curve as it is laid over their midline. mm
+std::vector<model::ObservedPoint> curve_points(const targets::Curve& curve, const model::Sheet& sheet,
+                                               const model::State& state);
+
+}  // namespace kinetix::app

@@ -1,0 +1,104 @@
+#include "app/goals/curve/robust_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/goals/curve/curve_points.hpp"
+#include "app/goals/curve/curve_search.hpp"
+#include "app/files/structure_section.hpp"
+#include "app/pipeline/as_made.hpp"
+#include "model/sheet/sheet_motion.hpp"
+
+namespace kinetix::app {
+namespace {
+
+// What is tried of theta: its whole range, in equal steps.
+constexpr int thetas = 9;
+// And of columns, over those of the file: fewer columns have fewer hinges to err, and follow the curve less well.
+constexpr double column_shares[] = {1, 0.8, 0.65, 0.5, 0.4, 0.3, 0.25};
+constexpr int least_columns = 4;
+// rad: as narrow as a range may be; theta is what is tried.
+constexpr double narrow = 1e-3;
+
+struct Tried {
+  CurveFile file;
+  optim::FreeCurveDesign found;
+  CurveCandidate candidate;
+};
+
+CurveCandidate judged(const CurveFile& file, const optim::FreeCurveDesign& found) {
+  const optim::CurveDesign& design = found.design;
+  CurveCandidate out{.columns = file.columns,
+                     .cell_mm = file.size.edge_mm,
+                     .theta = design.design.theta,
+                     .shape_rms = design.error.rms,
+                     .as_made_mm = std::nan(""),
+                     .as_made_p95 = std::nan("")};
+  Run run;
+  run.structure = sheet_of(design.design, file.size);
+  run.hinge = file.hinge;
+  run.process = file.process;
+  run.physics = file.physics;
+  const model::State state = exact_motion(run.structure).at(out.theta);
+  const auto printed = expected_of_prints(run, drive_to(run.structure, out.theta), state,
+                                          curve_points(file.curve, run.structure, state));
+  if (printed) std::tie(out.as_made_mm, out.as_made_p95) = std::pair{printed->made.rms_mm, printed->made.p95_mm};
+  out.is_allowed = printed && printed->can_be_printed && found.walls_are_free &&
+                   design.error.rms <= file.shape_tolerance;
+  return out;
+}
+
+Tried tried(const CurveFile& file, const optim::MultiStartOptions& search) {
+  Tried out{file, fit_free_curve(file.curve, curve_variables(file), file.size, search), {}};
+  out.candidate = judged(file, out.found);
+  return out;
+}
+
+/// The file with theta given, and cells that give the strip the curve's length.
+CurveFile with(CurveFile file, int columns, double theta) {
+  file.columns = columns;
+  file.theta = {theta - narrow / 2, theta + narrow / 2};
+  if (!file.free_size) return file;
+  const double edge = file.curve.length() / (columns * std::cos(theta));
+  if (file.free_walls) file.size = default_size(edge);
+  file.size.edge_mm = edge;
+  return file;
+}
+
+std::vector<int> columns_of(const CurveFile& file) {
+  if (!file.free_size) return {file.columns};
+  std::vector<int> all;
+  for (const double share : column_shares) {
+    const int columns = std::max(least_columns, static_cast<int>(std::lround(share * file.columns)));
+    if (all.empty() || columns != all.back()) all.push_back(columns);
+  }
+  return all;
+}
+
+}  // namespace
+
+RobustCurve robust_curve(const CurveFile& file, const optim::FreeCurveDesign& plain,
+                         const optim::MultiStartOptions& search, const RunOptions& options) {
+  RobustCurve out{plain, file.size, {judged(file, plain)}, 0};
+  const std::vector<int> columns = columns_of(file);
+  const double rounds = static_cast<double>(columns.size()) * thetas;
+  for (const int count : columns)
+    for (int k = 0; k < thetas; ++k) {
+      if (options.progress) options.progress("robust search", static_cast<double>(out.tried.size() - 1) / rounds);
+      const double theta = file.theta.lower + narrow +
+                           (file.theta.upper - file.theta.lower - 2 * narrow) * k / (thetas - 1);
+      Tried next = tried(with(file, count, theta), search);
+      out.tried.push_back(next.candidate);
+      const CurveCandidate& best = out.tried[out.chosen];
+      const bool is_better = next.candidate.is_allowed &&
+                             (!best.is_allowed || next.candidate.as_made_mm < best.as_made_mm);
+      if (!is_better) continue;
+      out.found = std::move(next.found);
+      out.size = next.file.size;
+      out.chosen = out.tried.size() - 1;
+    }
+  return out;
+}
+
+}  // namespace kinetix::app

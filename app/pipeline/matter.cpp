@@ -1,0 +1,98 @@
+#include "app/pipeline/matter.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "app/pipeline/equilibrium.hpp"
+#include "app/pipeline/exact_state.hpp"
+#include "app/pipeline/physics_settings.hpp"
+#include "model/sheet/sheet_motion.hpp"
+#include "optim/matter/compensate.hpp"
+
+namespace kinetix::app {
+namespace {
+
+// Of the tolerance: an equilibrium that is so near its goal is not improved any further.
+constexpr double near_enough = 0.01;
+// Cell edges: the equilibrium that a path from flat ends in is that of the search, but for rounding.
+constexpr double same_state = 1e-6;
+
+double rms_mm(const Scene::Judged& judged) {
+  return model::ObservedPoints(judged.points, true).rms_mm();
+}
+
+optim::MatterGoal goal_of(const Run& run, const Scene& scene) {
+  optim::MatterGoal goal;
+  goal.observe = [&run, &scene, theta = run.theta](const model::Sheet& sheet, const model::State& state) {
+    const auto judged = scene.judged(run, sheet, theta, state);
+    return judged ? judged->points : std::vector<model::ObservedPoint>{};
+  };
+  goal.drive = [](const model::Sheet& sheet, double theta) { return drive_to(sheet, theta); };
+  return goal;
+}
+
+model::EquilibriumPath path_to(const Run& run, const model::Elasticity& elasticity) {
+  model::EquilibriumPathOptions options;
+  options.planar = run.plan.planar;
+  return trace_equilibrium({run.structure, drive_to(run.structure, run.theta), run.plan.exact}, elasticity,
+                           options);
+}
+
+void miss(Run& run, const std::string& why) {
+  run.matter->why = why;
+  run.goal->violations.push_back("equilibrium of the elastic hinges: " + why);
+}
+
+/// The design that was found, in place of the exact one, and its path from flat.
+void show(Run& run, const Scene& scene, const optim::InMatter& found, const model::Elasticity& elasticity,
+          const RunOptions& options) {
+  std::vector<std::string> why = std::move(run.plan.why);
+  run.structure = found.sheet;
+  run.theta = found.theta;
+  run.plan = make_plan(run.structure, Model::equilibrium);
+  run.plan.why.insert(run.plan.why.begin(), why.begin(), why.end());
+  run.states.clear();
+  run.fidelity.clear();
+  add_equilibrium(run, drive_to(run.structure, run.theta), elasticity, motion_states, options.progress);
+  for (NamedState& state : run.states) state.poses = scene.shown(run, state.poses);
+}
+
+}  // namespace
+
+bool is_of_matter(const Scene& scene, const Run& run) {
+  return run.goal && run.hinge.model == HingeSection::Model::elastic && scene.model() != Model::equilibrium;
+}
+
+void settle_in_matter(Run& run, const Scene& scene, const RunOptions& options) {
+  const auto exact = scene.judged(run, run.structure, run.theta, scene.own_state(run));
+  if (!exact) return;
+  if (options.progress) options.progress("hinges in matter", 0);
+  const model::Elasticity elasticity = elasticity_of(run.hinge, run.physics, run.structure.size().edge_mm);
+  run.matter = MatterResult{};
+  run.matter->exact_mm = rms_mm(*exact);
+  run.matter->before_mm = run.matter->after_mm = std::nan("");
+  run.matter->tolerance_mm = exact->tolerance_mm;
+  const model::EquilibriumPath path = path_to(run, elasticity);
+  if (path.stop != model::EquilibriumPath::Stop::reached) return miss(run, path.why);
+  optim::CompensationOptions search;
+  search.enough_mm = near_enough * exact->tolerance_mm;
+  const optim::Compensation found =
+      compensate({run.structure, run.theta, path.state}, elasticity, goal_of(run, scene), search);
+  MatterResult& matter = *run.matter;
+  matter.before_mm = found.before.rms_mm;
+  matter.after_mm = found.after.rms_mm;
+  matter.largest_change = found.largest_change;
+  matter.theta_change = found.after.theta - found.before.theta;
+  matter.rounds = found.rounds;
+  matter.why = found.why;
+  show(run, scene, found.after, elasticity, options);
+  const model::EquilibriumPath& shown = run.equilibrium->path;
+  if (!run.equilibrium->reached()) return miss(run, shown.why);
+  scene.judge_matter(run, shown.state);
+  if (!(aligned_distance(run.structure, shown.state, found.after.state).max <= same_state))
+    miss(run, "the path from flat ends in another equilibrium than the one near the goal");
+}
+
+}  // namespace kinetix::app

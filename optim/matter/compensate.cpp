@@ -1,0 +1,185 @@
+#include "optim/matter/compensate.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "model/elastic/path/near_equilibrium.hpp"
+#include "model/sheet/sheet_motion.hpp"
+#include "optim/matter/tilt_ties.hpp"
+
+namespace kinetix::optim {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// Over the largest entry of the normal equations' diagonal: the first step is nearly that of Gauss and Newton.
+constexpr double first_damping = 1e-4, least_damping = 1e-12, most_damping = 1e6;
+constexpr double easier = 0.1, harder = 10;  // what damping is multiplied by after a step that helps or does not
+constexpr double longest_step = 0.08;        // rad, of any variable: derivatives mean little further off
+constexpr double least_gain = 1e-3;          // part of the rms: a step that gains less ends the search
+
+/// Tilts of all ties, then theta. rad
+class Variables {
+ public:
+  Variables(const model::Sheet& sheet, const CompensationOptions& options)
+      : sheet_(sheet), ties_(tilt_ties(sheet)), options_(options) {}
+
+  Eigen::Index size() const { return static_cast<Eigen::Index>(ties_.size()) + 1; }
+  VectorXd start(double theta) const {
+    VectorXd x(size());
+    for (std::size_t k = 0; k < ties_.size(); ++k) x[static_cast<Eigen::Index>(k)] = ties_[k].tilt;
+    x[size() - 1] = theta;
+    return x;
+  }
+  model::Sheet sheet(const VectorXd& x) const {
+    return with_tilts(sheet_, ties_, std::vector<double>(x.data(), x.data() + ties_.size()));
+  }
+  double theta(const VectorXd& x) const { return x[size() - 1]; }
+
+  /// The derivative of a miss by the variables.
+  VectorXd rates(const model::Sensitivity& by) const {
+    VectorXd out(size());
+    for (std::size_t k = 0; k < ties_.size(); ++k) {
+      double sum = 0;
+      for (std::size_t h = 0; h < ties_[k].hinges.size(); ++h)
+        sum += ties_[k].signs[h] * by.hinges(2, ties_[k].hinges[h]);
+      out[static_cast<Eigen::Index>(k)] = sum;
+    }
+    out[size() - 1] = by.theta;
+    return out;
+  }
+
+  /// The nearest that is allowed; theta keeps its sign.
+  VectorXd within(VectorXd x, double theta) const {
+    for (Eigen::Index k = 0; k + 1 < size(); ++k) x[k] = std::clamp(x[k], -options_.tilt, options_.tilt);
+    const double sign = theta < 0 ? -1 : 1;
+    double& last = x[size() - 1];
+    last = sign * std::clamp(sign * last, options_.least_theta, options_.most_theta);
+    return x;
+  }
+
+ private:
+  const model::Sheet sheet_;
+  const std::vector<TiltTie> ties_;
+  const CompensationOptions options_;
+};
+
+class Search {
+ public:
+  Search(const InMatter& start, const model::Elasticity& elasticity, const MatterGoal& goal,
+         const CompensationOptions& options)
+      : elasticity_(elasticity), goal_(goal), options_(options), variables_(start.sheet, options) {
+    path_.contact = options.contact;
+  }
+
+  Compensation run(InMatter at) {
+    Compensation out;
+    at.rms_mm = rms(at);
+    out.before = at;
+    VectorXd x = variables_.start(at.theta);
+    const VectorXd first = x;
+    double damping = first_damping;
+    while (out.why.empty()) {
+      if (at.rms_mm <= options_.enough_mm) out.why = "it meets the goal";
+      else if (out.rounds >= options_.rounds) out.why = "as many steps as are allowed";
+      else step(at, x, damping, out);
+    }
+    out.largest_change =
+        variables_.size() > 1 ? (x - first).head(variables_.size() - 1).cwiseAbs().maxCoeff() : 0;
+    out.after = std::move(at);
+    return out;
+  }
+
+ private:
+  /// Tries steps with more and more damping until one helps, or none does.
+  void step(InMatter& at, VectorXd& x, double& damping, Compensation& out) {
+    VectorXd slope;
+    MatrixXd curvature;
+    if (!linearise(at, slope, curvature)) {
+      out.why = "the equilibrium is at a limit: its derivatives are not known";
+      return;
+    }
+    const double scale = curvature.diagonal().maxCoeff();
+    for (; damping <= most_damping && out.rounds < options_.rounds; damping *= harder) {
+      ++out.rounds;
+      MatrixXd damped = curvature;
+      damped.diagonal().array() += damping * scale;
+      const VectorXd full = damped.ldlt().solve(slope);
+      const double part = std::min(1.0, longest_step / std::max(full.cwiseAbs().maxCoeff(), 1e-300));
+      const VectorXd tried = variables_.within(x - part * full, at.theta);
+      const std::optional<InMatter> next = follow(at, x, tried);
+      if (!next || !(next->rms_mm < at.rms_mm)) continue;
+      const double gain = at.rms_mm - next->rms_mm;
+      const bool is_last = !(gain > least_gain * at.rms_mm);
+      at = *next;
+      x = tried;
+      damping = std::max(damping * easier, least_damping);
+      if (is_last) out.why = "no step gains a thousandth any more";
+      return;
+    }
+    if (out.rounds < options_.rounds) out.why = "no step comes nearer";
+  }
+
+  /// Slope and curvature of half the sum of squared misses.
+  bool linearise(const InMatter& at, VectorXd& slope, MatrixXd& curvature) const {
+    const model::LinkageDrive drive = goal_.drive(at.sheet, at.theta);
+    model::ElasticSystem system(at.sheet, elasticity_, drive, false, options_.contact);
+    model::State state = at.state;
+    model::TangentStiffness tangent(system.dofs());
+    const auto settled = minimise(system, at.theta, {}, state, tangent);
+    if (!settled.converged || !settled.stable) return false;
+    system.linearise(state, at.theta, tangent);
+    if (!tangent.factorise(0)) return false;
+    const std::vector<model::ObservedPoint> observed = goal_.observe(at.sheet, state);
+    const model::ObservedPoints points(observed, true);
+    const VectorXd misses = points.aligned_misses();
+    slope = VectorXd::Zero(variables_.size());
+    curvature = MatrixXd::Zero(variables_.size(), variables_.size());
+    for (Eigen::Index k = 0; k < points.size(); ++k) {
+      model::EquilibriumGradient one;
+      one.state = points.by_state(VectorXd::Unit(points.size(), k), state.size(), at.sheet.size().edge_mm);
+      const VectorXd row =
+          variables_.rates(sensitivity(system, elasticity_, state, at.theta, tangent, one));
+      slope += misses[k] * row;
+      curvature.selfadjointView<Eigen::Lower>().rankUpdate(row);
+    }
+    curvature = curvature.selfadjointView<Eigen::Lower>();
+    return slope.allFinite() && curvature.allFinite() && curvature.diagonal().maxCoeff() > 0;
+  }
+
+  /// The equilibrium that a state turns into while tilts and theta change.
+  std::optional<InMatter> follow(const InMatter& at, const VectorXd& from, const VectorXd& to) const {
+    const auto changed = [&](double part) {
+      const VectorXd x = from + part * (to - from);
+      const model::Sheet sheet = variables_.sheet(x);
+      return model::DrivenLinkage{sheet, goal_.drive(sheet, variables_.theta(x)), {}};
+    };
+    const model::EquilibriumPath path = follow_change(at.state, changed, elasticity_, path_);
+    if (path.stop != model::EquilibriumPath::Stop::reached) return std::nullopt;
+    InMatter out{variables_.sheet(to), variables_.theta(to), path.state};
+    out.rms_mm = rms(out);
+    return std::isfinite(out.rms_mm) ? std::optional(out) : std::nullopt;
+  }
+
+  double rms(const InMatter& at) const {
+    const std::vector<model::ObservedPoint> observed = goal_.observe(at.sheet, at.state);
+    return model::ObservedPoints(observed, true).rms_mm();
+  }
+
+  const model::Elasticity& elasticity_;
+  const MatterGoal& goal_;
+  const CompensationOptions options_;
+  const Variables variables_;
+  model::EquilibriumPathOptions path_;
+};
+
+}  // namespace
+
+Compensation compensate(const InMatter& start, const model::Elasticity& elasticity, const MatterGoal& goal,
+                        const CompensationOptions& options) {
+  return Search(start, elasticity, goal, options).run(start);
+}
+
+}  // namespace kinetix::optim

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "model/elastic/path/equilibrium_path.hpp"
+#include "model/sheet/sheet.hpp"
+#include "model/tolerance/observed_points.hpp"
+
+namespace kinetix::optim {
+
+/// A goal that equilibria are brought to.
+struct MatterGoal {
+  /// How far the points of a state are from it, in the state's own frame. None: it cannot be said.
+  std::function<std::vector<model::ObservedPoint>(const model::Sheet&, const model::State&)> observe;
+  /// The drive that takes a sheet to theta, rad.
+  std::function<model::LinkageDrive(const model::Sheet&, double theta)> drive;
+};
+
+struct CompensationOptions {
+  double enough_mm = 0;                         ///< an rms at which the search ends, >= 0
+  double tilt = 75 * radians_per_degree;        ///< of any hinge at most, rad, in (0, pi/2)
+  double least_theta = 2 * radians_per_degree;  ///< rad
+  double most_theta = 44 * radians_per_degree;  ///< rad
+  int rounds = 30;                              ///< of steps tried, >= 0
+  bool contact = true;                          ///< walls push each other away
+};
+
+/// A sheet in equilibrium with its drive.
+struct InMatter {
+  model::Sheet sheet;
+  double theta = 0;  ///< rad, of the drive
+  model::State state;
+  double rms_mm = 0;  ///< from the goal, after the best rigid motion
+};
+
+struct Compensation {
+  InMatter before, after;
+  double largest_change = 0;  ///< of a tilt, rad
+  int rounds = 0;             ///< steps tried
+  std::string why;            ///< it ended
+};
+
+/// Brings the equilibrium of a sheet of elastic hinges onto its goal: springs hold a fold back and blocks stretch, so
+/// that a design which meets its goal exactly misses it in matter. Tilts (tied, optim/matter/tilt_ties.hpp) and theta
+/// change by Gauss and Newton's steps, damped as by Levenberg and Marquardt, with the derivatives of the adjoint; the
+/// equilibrium is followed from step to step.
+/// @param start in equilibrium   @throws InvalidInput for an elasticity out of range
+Compensation compensate(const InMatter& start, const model::Elasticity& elasticity, const MatterGoal& goal,
+                        const CompensationOptions& options = {});
+
+}  // namespace kinetix::optim

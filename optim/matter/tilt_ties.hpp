@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "model/sheet/sheet.hpp"
+
+namespace kinetix::optim {
+
+/// Hinges whose tilts are equal in size and belong together: a column of a strip, or a crease. What the exact
+/// families ask of tilts holds as long as these stay equal.
+struct TiltTie {
+  std::vector<int> hinges;
+  std::vector<int> signs;  ///< of each hinge's tilt, 1 or -1
+  double tilt = 0;         ///< its size, rad, > 0
+};
+
+/// Walls of one direction, with tilts of one size, whose middles lie on one line across them. Hinges that stand
+/// upright belong to none.
+std::vector<TiltTie> tilt_ties(const model::Sheet& sheet);
+
+/// The sheet with other tilts, rad, one of each tie.
+model::Sheet with_tilts(model::Sheet sheet, const std::vector<TiltTie>& ties,
+                        const std::vector<double>& tilts);
+
+}  // namespace kinetix::optim
