@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "app/result/equilibrium_json.hpp"
+
 namespace kinetix::app {
 namespace {
 
@@ -12,17 +14,32 @@ constexpr std::size_t most_events = 12, most_states = 6;
 
 double degrees(double angle) { return angle / radians_per_degree; }
 
-bool by_plates(const Equilibrium& equilibrium) {
-  return equilibrium.drive.kind == model::LinkageDrive::Kind::plates;
-}
+using Kind = model::LinkageDrive::Kind;
 
 std::string load_text(const Equilibrium& equilibrium, const model::EquilibriumStep& step) {
-  return fmt::format("{:.4g} {}", step.load, by_plates(equilibrium) ? "N" : "N mm");
+  return fmt::format("{:.4g} {}", step.load, equilibrium.drive.load_unit());
 }
 
 std::string drive_text(const Equilibrium& equilibrium, const model::EquilibriumStep& step) {
-  return by_plates(equilibrium) ? fmt::format("compression {:.4g}", step.drive)
-                                : fmt::format("hinge angle {:.4g} deg", degrees(step.drive));
+  switch (equilibrium.drive.kind) {
+    case Kind::plates:
+      return fmt::format("compression {:.4g}", step.drive);
+    case Kind::hinge:
+      return fmt::format("hinge angle {:.4g} deg", degrees(step.drive));
+    case Kind::cord:
+      return fmt::format("cord shortened by {:.4g} mm", step.drive);
+    case Kind::shape_memory:
+      break;
+  }
+  return fmt::format("springs' rest angle {:.4g} deg", degrees(step.drive));
+}
+
+/// What the load is, where its unit does not say it.
+std::string load_words(const Equilibrium& equilibrium) {
+  if (equilibrium.drive.pulls_cord()) return "tension ";
+  if (!equilibrium.drive.heats_springs()) return "";
+  return fmt::format("{:.4g} N mm from each of {} springs, together ", mean_moment(equilibrium),
+                     equilibrium.drive.springs.size());
 }
 
 std::string energy_text(const model::EquilibriumPath& path) {
@@ -32,8 +49,11 @@ std::string energy_text(const model::EquilibriumPath& path) {
     sum.turn += energy.turn;
   }
   const double total = path.steps.back().energy;
-  return fmt::format("{:.4g} N mm ({:.4g} in stretch, {:.4g} in rotation, {:.2g} in contact)", total,
-                     sum.stretch, sum.turn, std::max(0.0, total - sum.total()));
+  const double contact = std::max(0.0, total - sum.total() - path.spring_energy);
+  const std::string springs =
+      path.spring_energy > 0 ? fmt::format(", {:.4g} in the drive's springs", path.spring_energy) : "";
+  return fmt::format("{:.4g} N mm ({:.4g} in stretch, {:.4g} in rotation, {:.2g} in contact{})", total, sum.stretch,
+                     sum.turn, contact, springs);
 }
 
 std::string press_text(const Equilibrium& equilibrium) {
@@ -75,7 +95,7 @@ std::vector<std::array<std::string, 2>> equilibrium_lines(const Run& run) {
   const model::EquilibriumStep& last = path.steps.back();
   std::vector<std::array<std::string, 2>> lines;
   if (!equilibrium.reached()) lines.push_back({"STOPPED", in_words(path.stop) + ": " + path.why});
-  lines.push_back({"load", load_text(equilibrium, last) + " at " + drive_text(equilibrium, last) +
+  lines.push_back({"load", load_words(equilibrium) + load_text(equilibrium, last) + " at " + drive_text(equilibrium, last) +
                                (equilibrium.reached() ? ": the drive reached its goal" : "")});
   if (equilibrium.drive.press && equilibrium.reached()) lines.push_back({"plates", press_text(equilibrium)});
   lines.push_back({"energy", energy_text(path)});
