@@ -145,13 +145,41 @@ class DrivenSpring final : public Actuator {
   double angle_ = 0;
 };
 
+/// Springs of shape memory, which ask for no place of their own: there is no gap.
+class HeatedSprings final : public Actuator {
+ public:
+  HeatedSprings(const model::Linkage& structure, const model::LinkageDrive& drive, double weight,
+                ElasticHinges& elastic)
+      : structure_(structure), hinges_(drive.springs), weight_(weight), elastic_(elastic) {
+    move_to(0);
+  }
+
+  std::vector<btGeneric6DofSpring2Constraint*> joints() const override { return {}; }
+
+  void move_to(double theta) override {
+    std::vector<double> angles;
+    for (const int h : hinges_)
+      angles.push_back(model::turn_at_theta(structure_.bodies[structure_.hinges[h].lower].sense, theta));
+    elastic_.add_springs(hinges_, angles, weight_);
+  }
+
+  double gap() const override { return 0; }
+
+ private:
+  const model::Linkage& structure_;
+  const std::vector<int> hinges_;
+  const double weight_;
+  ElasticHinges& elastic_;
+};
+
 }  // namespace
 
 std::unique_ptr<Actuator> make_actuator(const model::Linkage& structure, const model::LinkageDrive& drive,
                                         const Bodies& bodies, double error_reduction,
-                                        ElasticHinges* elastic) {
+                                        ElasticHinges* elastic, double spring_weight) {
   if (drive.kind == model::LinkageDrive::Kind::plates)
     return std::make_unique<Plates>(structure, drive, bodies, error_reduction);
+  if (drive.heats_springs()) return std::make_unique<HeatedSprings>(structure, drive, spring_weight, *elastic);
   if (elastic) return std::make_unique<DrivenSpring>(structure, drive.hinge, bodies, *elastic);
   return std::make_unique<DrivenHinge>(structure.hinges[drive.hinge], drive.sense, bodies, error_reduction);
 }

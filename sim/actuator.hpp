@@ -28,8 +28,10 @@ class Actuator {
 /// @param error_reduction part of a gap removed per step, (0, 1]
 /// @param elastic null for rigid hinges; else a driven hinge is driven through them, and they must outlive
 /// the actuator, as must the structure
+/// @param spring_weight shape memory: of each spring over the stiffness of a hinge point, as Stiffness::turn
+/// @pre not a cord; shape memory has elastic hinges
 std::unique_ptr<Actuator> make_actuator(const model::Linkage& structure, const model::LinkageDrive& drive,
                                         const std::vector<std::unique_ptr<btRigidBody>>& bodies,
-                                        double error_reduction, ElasticHinges* elastic = nullptr);
+                                        double error_reduction, ElasticHinges* elastic = nullptr, double spring_weight = 0);
 
 }  // namespace kinetix::sim

@@ -169,6 +169,14 @@ class Run {
   int last_frame_ = -1;
 };
 
+void refuse_unknown(const model::LinkageDrive& drive, const PhysicsOptions& options) {
+  const Place at{"", 0, 0, "drive.kind"};
+  if (drive.pulls_cord())
+    throw InvalidInput("the physics run has no cord; allowed: plates, hinge, shape_memory, or --model equilibrium", at);
+  if (drive.heats_springs() && !options.elastic)
+    throw InvalidInput("shape_memory needs elastic hinges in the physics run: give `hinge: {model: elastic}`", at);
+}
+
 }  // namespace
 
 PhysicsResult run_compression(const model::Linkage& structure, const model::LinkageDrive& drive,
@@ -178,6 +186,7 @@ PhysicsResult run_compression(const model::Linkage& structure, const model::Link
     throw InvalidInput(
         "true needs elastic hinges: nothing else would press a sheet against plates that do not hold it",
         {"", 0, 0, "drive.press"});
+  refuse_unknown(drive, options);
   if (observer.frame && !(observer.frame_interval_s > 0))
     throw InvalidInput(fmt::format("frame_interval_s is {}, must be positive", observer.frame_interval_s));
   return Run(structure, drive, options, observer).run();

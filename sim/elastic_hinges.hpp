@@ -24,6 +24,10 @@ class ElasticHinges {
   /// @param weight over that of a hinge point
   void drive_to(int hinge, double angle, double weight);
 
+  /// From now on, hinges have one more spring each. @param weight of every one, as Stiffness::turn
+  /// @param angles at which they rest, rad, (-pi, pi); as many as hinges
+  void add_springs(const std::vector<int>& hinges, const std::vector<double>& angles, double weight);
+
   /// Sets where each hinge's turning spring is relaxed. @param angles by hinge, rad, (-pi, pi)
   void relax_at(const std::vector<double>& angles);
 
@@ -32,7 +36,7 @@ class ElasticHinges {
   /// would oppose to a turn of their arms, as far as they oppose it.
   /// @param state mm; @param speeds of the bodies, rad/s and cell edges/s; @param step s
   /// @return equations on changes of speed, a and b being bodies of the structure or -1; the same a and b in
-  /// the same order at every call after the first drive_to
+  /// the same order at every call after the first drive_to or add_springs
   std::vector<VelocityRow> rows(const model::State& state, const std::vector<model::Twist>& speeds,
                                 double step) const;
 
@@ -48,7 +52,7 @@ class ElasticHinges {
 
   const model::Linkage& structure_;
   const model::Stiffness stiffness_;
-  std::vector<Spring> springs_;  ///< by hinge, then the drive
+  std::vector<Spring> springs_;  ///< by hinge, then those of the drive
 };
 
 }  // namespace kinetix::sim

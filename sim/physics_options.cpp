@@ -61,6 +61,7 @@ void PhysicsOptions::validate() const {
                                    step_s, drive_seconds + settle_seconds));
   positive("settle_speed", settle_speed);
   if (elastic) check(*elastic, solver);
+  not_negative("spring_turn", spring_turn, no_limit);
   positive("settle_force", settle_force);
   positive("stretch_limit", stretch_limit);
   positive("gap_limit", gap_limit);

@@ -119,7 +119,7 @@ struct World::Engine {
 
   void add_drive() {
     actuator = make_actuator(structure, drive, parts.bodies(), options.error_reduction,
-                             elastic ? &*elastic : nullptr);
+                             elastic ? &*elastic : nullptr, options.spring_turn);
     for (auto* joint : actuator->joints()) add_in_order(world, *joint);
   }
 

@@ -15,6 +15,10 @@ model::LinkageDrive drive_of(const DesignFile& design) {
   drive.press = design.drive->press;
   drive.hinge = design.drive->hinge;
   drive.angle = design.drive->angle;
+  drive.through = design.drive->through;
+  drive.shorten_mm = design.drive->shorten_mm;
+  drive.springs = design.drive->springs;
+  drive.k_turn = design.drive->k_turn;
   return drive_on(design.structure, drive);
 }
 

@@ -10,6 +10,8 @@
 #include "app/pipeline/design_drive.hpp"
 #include "app/pipeline/exact_state.hpp"
 #include "model/base/invalid_input.hpp"
+#include "model/closure/drive_theta.hpp"
+#include "model/elastic/exact_theta.hpp"
 #include "model/elastic/path/turning_points.hpp"
 
 namespace kinetix::app {
@@ -76,8 +78,10 @@ model::EquilibriumPathOptions options_of(const Run& run, double goal, int frames
 /// The drive, as far as the path came.
 model::LinkageDrive reached_drive(const Equilibrium& equilibrium) {
   model::LinkageDrive drive = equilibrium.drive;
-  (drive.kind == model::LinkageDrive::Kind::plates ? drive.compression : drive.angle) =
-      equilibrium.path.steps.back().drive;
+  double& coordinate = drive.pulls_cord()                                  ? drive.shorten_mm
+                       : drive.kind == model::LinkageDrive::Kind::plates ? drive.compression
+                                                                         : drive.angle;
+  coordinate = equilibrium.path.steps.back().drive;
   return drive;
 }
 
@@ -85,7 +89,8 @@ model::LinkageDrive reached_drive(const Equilibrium& equilibrium) {
 void add_exact(Run& run) {
   Equilibrium& equilibrium = *run.equilibrium;
   try {
-    const double theta = run.plan.exact.theta_of(reached_drive(equilibrium));
+    const double theta =
+        exact_theta({run.structure, reached_drive(equilibrium), run.plan.exact}, equilibrium.elasticity);
     model::State exact = run.plan.exact.at(theta);
     equilibrium.from_exact = aligned_distance(run.structure, equilibrium.path.state, exact);
     const model::HingeGaps gaps = hinge_gaps(run.structure, exact);
@@ -94,6 +99,11 @@ void add_exact(Run& run) {
   } catch (const InvalidInput& e) {
     run.plan.why.push_back("no closed form to compare with: " + e.reason());
   }
+}
+
+/// Theta of the state that a path came to: of a cord and springs, the drive's own is another.
+double theta_of(const Run& run, const model::LinkageDrive& drive, const model::EquilibriumPath& path) {
+  return drive.pulls_cord() || drive.heats_springs() ? model::mean_theta(run.structure, path.state) : path.theta;
 }
 
 void add_frames(Run& run, const std::vector<NamedState>& frames) {
@@ -129,13 +139,14 @@ void add_equilibrium(Run& run, const model::LinkageDrive& drive, const model::El
       trace_equilibrium({run.structure, drive, run.plan.exact}, elasticity, path_options, see);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   add_limit_points(path);
-  run.theta = path.theta;
-  run.states.push_back({"target", to_string(Model::equilibrium), path.theta, path.state, path.gaps});
+  const double last = path.theta;
+  run.theta = theta_of(run, drive, path);
+  run.states.push_back({"target", to_string(Model::equilibrium), run.theta, path.state, path.gaps});
   model::StableStates stable = stable_states(run.structure, elasticity, {turns}, {.path = path_options});
   run.equilibrium = Equilibrium{elasticity, drive, std::move(path), std::move(stable), {}};
   if (run.plan.exact) add_exact(run);
   add_fidelity(run, seconds);
-  add_frames(run, keeper.even(run.theta, frames));
+  add_frames(run, keeper.even(last, frames));
 }
 
 }  // namespace kinetix::app

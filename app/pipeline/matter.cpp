@@ -19,6 +19,10 @@ constexpr double near_enough = 0.01;
 // Cell edges: the equilibrium that a path from flat ends in is that of the search, but for rounding.
 constexpr double same_state = 1e-6;
 
+model::SheetDrive springs(const Run& run, double theta) {
+  return {.kind = model::LinkageDrive::Kind::shape_memory, .angle = 2 * theta, .k_turn = run.goal_drive.k_turn};
+}
+
 double rms_mm(const Scene::Judged& judged) {
   return model::ObservedPoints(judged.points, true).rms_mm();
 }
@@ -29,14 +33,14 @@ optim::MatterGoal goal_of(const Run& run, const Scene& scene) {
     const auto judged = scene.judged(run, sheet, theta, state);
     return judged ? judged->points : std::vector<model::ObservedPoint>{};
   };
-  goal.drive = [](const model::Sheet& sheet, double theta) { return drive_to(sheet, theta); };
+  goal.drive = [&run](const model::Sheet& sheet, double theta) { return goal_drive(run, sheet, theta); };
   return goal;
 }
 
 model::EquilibriumPath path_to(const Run& run, const model::Elasticity& elasticity) {
   model::EquilibriumPathOptions options;
   options.planar = run.plan.planar;
-  return trace_equilibrium({run.structure, drive_to(run.structure, run.theta), run.plan.exact}, elasticity,
+  return trace_equilibrium({run.structure, goal_drive(run, run.structure, run.theta), run.plan.exact}, elasticity,
                            options);
 }
 
@@ -55,11 +59,24 @@ void show(Run& run, const Scene& scene, const optim::InMatter& found, const mode
   run.plan.why.insert(run.plan.why.begin(), why.begin(), why.end());
   run.states.clear();
   run.fidelity.clear();
-  add_equilibrium(run, drive_to(run.structure, run.theta), elasticity, motion_states, options.progress);
+  run.drive = goal_drive_section(run);
+  add_equilibrium(run, goal_drive(run, run.structure, run.theta), elasticity, motion_states, options.progress);
   for (NamedState& state : run.states) state.poses = scene.shown(run, state.poses);
 }
 
 }  // namespace
+
+model::LinkageDrive goal_drive(const Run& run, const model::Sheet& sheet, double theta) {
+  return run.goal_drive.kind == GoalDrive::Kind::usual ? drive_to(sheet, theta)
+                                                       : drive_on(sheet, springs(run, theta));
+}
+
+std::optional<DriveSection> goal_drive_section(const Run& run) {
+  if (run.goal_drive.kind == GoalDrive::Kind::usual) return std::nullopt;
+  return DriveSection{.kind = DriveSection::Kind::shape_memory,
+                      .angle = 2 * run.theta,
+                      .k_turn = run.goal_drive.k_turn};
+}
 
 bool is_of_matter(const Scene& scene, const Run& run) {
   return run.goal && run.hinge.model == HingeSection::Model::elastic && scene.model() != Model::equilibrium;

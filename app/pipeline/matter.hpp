@@ -7,6 +7,11 @@ namespace kinetix::app {
 /// Whether the goal was searched for by closed form and its file says what elastic hinges are made of.
 bool is_of_matter(const Scene& scene, const Run& run);
 
+/// The drive of the run's goal that takes a sheet to theta, rad, and the same as design.yaml has it: nothing where the
+/// file need not say it.
+model::LinkageDrive goal_drive(const Run& run, const model::Sheet& sheet, double theta);
+std::optional<DriveSection> goal_drive_section(const Run& run);
+
 /// Takes a design that meets its goal exactly to the equilibrium of its elastic hinges, from flat by its drive, and
 /// brings that onto the goal (optim/matter/compensate.hpp). The run then shows the equilibrium of the new design, as
 /// the path from flat comes to it. Without an equilibrium the exact state stays, and the goal says why it is not met.

@@ -76,8 +76,12 @@ model::Elasticity elasticity_of(const DesignFile& design) {
 
 sim::PhysicsOptions physics_of(const DesignFile& design, bool planar) {
   const double edge = design.structure.size().edge_mm;
-  if (design.hinge.model == HingeSection::Model::elastic)
-    return elastic_physics(elasticity_of(design), design.physics, edge, planar);
+  if (design.hinge.model == HingeSection::Model::elastic) {
+    const model::Elasticity elasticity = elasticity_of(design);
+    sim::PhysicsOptions elastic = elastic_physics(elasticity, design.physics, edge, planar);
+    if (design.drive) elastic.spring_turn = design.drive->k_turn / energy_unit(elasticity, edge);
+    return elastic;
+  }
   sim::PhysicsOptions physics = physics_options(design.physics, edge);
   if (design.hinge.reach_mm || design.hinge.made)
     physics.reach = reach_mm(design.hinge, design.physics, edge) / edge;

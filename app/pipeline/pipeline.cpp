@@ -16,7 +16,7 @@ void judge_prints(Run& run, const Scene& scene, int prints) {
   const model::State state = run.matter ? run.equilibrium->path.state : scene.own_state(run);
   const auto judged = scene.judged(run, run.structure, run.theta, state);
   if (!judged) return;
-  run.printed = as_made(run, drive_to(run.structure, run.theta), state, judged->points, prints);
+  run.printed = as_made(run, run.matter ? run.equilibrium->drive : drive_to(run.structure, run.theta), state, judged->points, prints);
   if (run.printed)
     run.printed->tolerance_mm = judged->tolerance_mm;
   else

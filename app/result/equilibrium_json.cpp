@@ -10,16 +10,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-bool by_plates(const Equilibrium& equilibrium) {
-  return equilibrium.drive.kind == model::LinkageDrive::Kind::plates;
+/// Of the drive's coordinate among the metrics.
+const char* coordinate_name(const model::LinkageDrive& drive) {
+  if (drive.pulls_cord()) return "shortened_mm";
+  return drive.kind == model::LinkageDrive::Kind::plates ? "compression" : "drive_rad";
 }
 
-Json step_json(const model::EquilibriumStep& step, bool plates) {
+Json step_json(const model::EquilibriumStep& step, const model::LinkageDrive& drive) {
   return {{"theta_rad", step.theta},
           {"drive", step.drive},
-          {"drive_unit", plates ? "compression" : "rad"},
+          {"drive_unit", drive.coordinate_unit()},
           {"load", step.load},
-          {"load_unit", plates ? "N" : "N mm"},
+          {"load_unit", drive.load_unit()},
           {"energy_Nmm", step.energy},
           {"gap", step.gap},
           {"contacts", step.contacts},
@@ -39,7 +41,17 @@ double largest_load(const model::EquilibriumPath& path) {
   return largest;
 }
 
+std::string effort_of(const Equilibrium& equilibrium) {
+  if (equilibrium.drive.heats_springs()) return effort_of_springs;
+  const double load = largest_load(equilibrium.path);
+  return equilibrium.drive.has_force() ? effort_of_force(load) : effort_of_moment(load);
+}
+
 }  // namespace
+
+double mean_moment(const Equilibrium& equilibrium) {
+  return equilibrium.path.steps.back().load / static_cast<double>(equilibrium.drive.springs.size());
+}
 
 Json equilibrium_json(const Equilibrium& equilibrium) {
   const model::EquilibriumPath& path = equilibrium.path;
@@ -52,14 +64,13 @@ Json equilibrium_json(const Equilibrium& equilibrium) {
     stiffness.update({{"axial", k.axial}, {"shear", k.shear}, {"along", k.along}});
   }
   for (const model::EquilibriumStep& step : path.steps)
-    steps.push_back(step_json(step, by_plates(equilibrium)));
+    steps.push_back(step_json(step, equilibrium.drive));
   for (const model::PathEvent& event : path.events) events.push_back(event_json(event));
   for (const model::HingeEnergy& energy : path.hinge_energies)
     energies.push_back({{"stretch", energy.stretch}, {"turn", energy.turn}});
-  const double load = largest_load(path);
-  return {{"stop", to_string(path.stop)},
+  Json json = {{"stop", to_string(path.stop)},
           {"why", path.why},
-          {"effort", by_plates(equilibrium) ? effort_of_force(load) : effort_of_moment(load)},
+          {"effort", effort_of(equilibrium)},
           {"planar", path.planar},
           {"goal_rad", equilibrium.drive.theta()},
           {"iterations", path.iterations},
@@ -67,14 +78,20 @@ Json equilibrium_json(const Equilibrium& equilibrium) {
           {"path", steps},
           {"events", events},
           {"hinge_energy_Nmm", energies}};
+  if (equilibrium.drive.heats_springs())
+    json["shape_memory"] = {{"springs", equilibrium.drive.springs.size()},
+                            {"k_turn", equilibrium.drive.k_spring},
+                            {"energy_Nmm", path.spring_energy},
+                            {"moment_mean_Nmm", mean_moment(equilibrium)}};
+  return json;
 }
 
 void add_equilibrium_metrics(const Equilibrium& equilibrium, Json& metrics) {
   const model::EquilibriumStep& last = equilibrium.path.steps.back();
   metrics["reached"] = equilibrium.reached();
-  metrics[by_plates(equilibrium) ? "compression" : "drive_rad"] = last.drive;
-  metrics[by_plates(equilibrium) ? "load_N" : "load_Nmm"] = last.load;
-  if (by_plates(equilibrium)) metrics["force_N"] = largest_load(equilibrium.path);
+  metrics[coordinate_name(equilibrium.drive)] = last.drive;
+  metrics[equilibrium.drive.has_force() ? "load_N" : "load_Nmm"] = last.load;
+  if (equilibrium.drive.has_force()) metrics["force_N"] = largest_load(equilibrium.path);
   metrics["energy_Nmm"] = last.energy;
   metrics["hinge_gap_max"] = equilibrium.path.gaps.max;
   metrics["hinge_gap_rms"] = equilibrium.path.gaps.rms;

@@ -7,6 +7,8 @@
 
 #include "app/result/effort.hpp"
 
+#include "app/result/equilibrium_json.hpp"
+
 namespace kinetix::app {
 namespace {
 
@@ -15,12 +17,10 @@ constexpr std::size_t most_events = 12, most_states = 6;
 
 double degrees(double angle) { return angle / radians_per_degree; }
 
-bool by_plates(const Equilibrium& equilibrium) {
-  return equilibrium.drive.kind == model::LinkageDrive::Kind::plates;
-}
+using Kind = model::LinkageDrive::Kind;
 
 std::string load_text(const Equilibrium& equilibrium, const model::EquilibriumStep& step) {
-  return fmt::format("{:.4g} {}", step.load, by_plates(equilibrium) ? "N" : "N mm");
+  return fmt::format("{:.4g} {}", step.load, equilibrium.drive.load_unit());
 }
 
 /// Of the largest load on the way, which who drives it has to bear.
@@ -29,13 +29,30 @@ std::string effort_text(const Equilibrium& equilibrium) {
       std::max_element(equilibrium.path.steps.begin(), equilibrium.path.steps.end(),
                        [](const auto& a, const auto& b) { return std::abs(a.load) < std::abs(b.load); });
   return fmt::format("{}: a matter for {}", load_text(equilibrium, *largest),
-                     by_plates(equilibrium) ? effort_of_force(largest->load)
-                                            : effort_of_moment(largest->load));
+                     equilibrium.drive.has_force() ? effort_of_force(largest->load)
+                                                   : effort_of_moment(largest->load));
 }
 
 std::string drive_text(const Equilibrium& equilibrium, const model::EquilibriumStep& step) {
-  return by_plates(equilibrium) ? fmt::format("compression {:.4g}", step.drive)
-                                : fmt::format("hinge angle {:.4g} deg", degrees(step.drive));
+  switch (equilibrium.drive.kind) {
+    case Kind::plates:
+      return fmt::format("compression {:.4g}", step.drive);
+    case Kind::hinge:
+      return fmt::format("hinge angle {:.4g} deg", degrees(step.drive));
+    case Kind::cord:
+      return fmt::format("cord shortened by {:.4g} mm", step.drive);
+    case Kind::shape_memory:
+      break;
+  }
+  return fmt::format("springs' rest angle {:.4g} deg", degrees(step.drive));
+}
+
+/// What the load is, where its unit does not say it.
+std::string load_words(const Equilibrium& equilibrium) {
+  if (equilibrium.drive.pulls_cord()) return "tension ";
+  if (!equilibrium.drive.heats_springs()) return "";
+  return fmt::format("{:.4g} N mm from each of {} springs, together ", mean_moment(equilibrium),
+                     equilibrium.drive.springs.size());
 }
 
 std::string energy_text(const model::EquilibriumPath& path) {
@@ -45,8 +62,11 @@ std::string energy_text(const model::EquilibriumPath& path) {
     sum.turn += energy.turn;
   }
   const double total = path.steps.back().energy;
-  return fmt::format("{:.4g} N mm ({:.4g} in stretch, {:.4g} in rotation, {:.2g} in contact)", total,
-                     sum.stretch, sum.turn, std::max(0.0, total - sum.total()));
+  const double contact = std::max(0.0, total - sum.total() - path.spring_energy);
+  const std::string springs =
+      path.spring_energy > 0 ? fmt::format(", {:.4g} in the drive's springs", path.spring_energy) : "";
+  return fmt::format("{:.4g} N mm ({:.4g} in stretch, {:.4g} in rotation, {:.2g} in contact{})", total, sum.stretch,
+                     sum.turn, contact, springs);
 }
 
 std::string press_text(const Equilibrium& equilibrium) {
@@ -88,9 +108,10 @@ std::vector<std::array<std::string, 2>> equilibrium_lines(const Run& run) {
   const model::EquilibriumStep& last = path.steps.back();
   std::vector<std::array<std::string, 2>> lines;
   if (!equilibrium.reached()) lines.push_back({"STOPPED", in_words(path.stop) + ": " + path.why});
-  lines.push_back({"load", load_text(equilibrium, last) + " at " + drive_text(equilibrium, last) +
+  lines.push_back({"load", load_words(equilibrium) + load_text(equilibrium, last) + " at " + drive_text(equilibrium, last) +
                                (equilibrium.reached() ? ": the drive reached its goal" : "")});
-  lines.push_back({"effort", "at most " + effort_text(equilibrium)});
+  if (!equilibrium.drive.heats_springs())
+    lines.push_back({"effort", "at most " + effort_text(equilibrium)});
   if (equilibrium.drive.press && equilibrium.reached()) lines.push_back({"plates", press_text(equilibrium)});
   lines.push_back({"energy", energy_text(path)});
   lines.push_back({"stretch", stretch_text(run)});

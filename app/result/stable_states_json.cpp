@@ -4,6 +4,8 @@
 
 #include "app/result/state_json.hpp"
 #include "model/closure/closure_drive.hpp"
+#include "model/closure/drive_theta.hpp"
+#include "model/linkage/actuators.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -27,6 +29,8 @@ double compression(const model::Linkage& structure, const model::LinkageDrive& d
 double drive_in(const model::Linkage& structure, const model::LinkageDrive& drive,
                 const model::State& state) {
   if (drive.kind == model::LinkageDrive::Kind::plates) return compression(structure, drive, state);
+  if (drive.pulls_cord()) return drive.rest_mm - cord_length(structure, drive.through, state);
+  if (drive.heats_springs()) return 2 * mean_theta(structure, state);
   return hinge_turn(structure, state, drive.hinge);
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/files/design_file.hpp"
+#include "app/files/goal_drive.hpp"
 #include "app/run/goal_outcome.hpp"
 #include "app/run/plan.hpp"
 #include "model/elastic/equilibrium_comparison.hpp"
@@ -104,6 +105,7 @@ struct Run {
   PhysicsSection physics;  ///< these five as the file asked
   HingeSection hinge;
   model::Process process = model::processes().front();
+  GoalDrive goal_drive;  ///< of goals of exact families
   std::map<int, HingeSection> own_hinges;
   std::optional<DriveSection> drive;
   int side = 1;

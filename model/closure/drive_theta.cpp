@@ -1,8 +1,12 @@
 #include "model/closure/drive_theta.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/closure/closure_drive.hpp"
+#include "model/linkage/actuators.hpp"
 
 namespace kinetix::model {
 namespace {
@@ -33,6 +37,53 @@ class DriveMiss {
   const std::function<State(double)>& fold_;
 };
 
+constexpr double growth = 1.25;  // of a bracket of theta: close roots of a cord's length are further apart
+constexpr double beyond = 1e-6;  // of theta: by so much past it, a straight cord is surely shorter
+constexpr int most_secants = 100;  // of a bracket: bisection alone needs 50
+
+/// How much longer a cord is than asked, cell edges, along one side of flat.
+class CordMiss {
+ public:
+  CordMiss(const LinkageDrive& drive, const Linkage& linkage, const std::function<State(double)>& fold, int side)
+      : drive_(drive), linkage_(linkage), fold_(fold), side_(side) {}
+
+  /// @param size of theta, rad
+  double operator()(double size) const {
+    const double length = cord_length(linkage_, drive_.through, fold_(side_ * size));
+    return (length - drive_.rest_mm + drive_.shorten_mm) / linkage_.size.edge_mm;
+  }
+
+ private:
+  const LinkageDrive& drive_;
+  const Linkage& linkage_;
+  const std::function<State(double)>& fold_;
+  int side_;
+};
+
+/// Regula falsi with the Illinois rule between a (above 0) and b (not above).
+double root_between(const CordMiss& miss, double a, double b) {
+  double at_a = miss(a), at_b = miss(b);
+  for (int k = 0; k < most_secants && at_b != 0; ++k) {
+    const double middle = (a * at_b - b * at_a) / (at_b - at_a);
+    if (!(middle > std::min(a, b) && middle < std::max(a, b))) break;
+    const double now = miss(middle);
+    if ((now > 0) == (at_b > 0))
+      at_a /= 2;
+    else
+      a = b, at_a = at_b;
+    b = middle, at_b = now;
+  }
+  return b;
+}
+
+/// The size of theta on one side, if any.
+std::optional<double> cord_root(const CordMiss& miss, double straight) {
+  double before = 0;
+  for (double size = straight * (1 + beyond); size <= widest; before = size, size *= growth)
+    if (miss(size) <= 0) return root_between(miss, before, size);
+  return miss(widest) <= 0 ? std::optional(root_between(miss, before, widest)) : std::nullopt;
+}
+
 double bisect(const DriveMiss& miss, double a, double b) {
   const bool rising = miss(b) > 0;
   for (int k = 0; k < halvings; ++k) {
@@ -45,6 +96,11 @@ double bisect(const DriveMiss& miss, double a, double b) {
 }  // namespace
 
 double theta_of(const LinkageDrive& drive, const Linkage& linkage, const std::function<State(double)>& fold) {
+  if (drive.heats_springs()) return drive.theta();
+  if (drive.pulls_cord()) {
+    if (const auto theta = theta_of_cord(drive, linkage, fold)) return *theta;
+    throw InvalidInput("drive: no theta up to 89.9 deg makes this structure's cord so short");
+  }
   const DriveMiss miss(drive, linkage, fold);
   const bool backwards = drive.kind == LinkageDrive::Kind::plates ? drive.branch < 0 : drive.theta() < 0;
   const double step = (backwards ? -widest : widest) / scan_steps;
@@ -56,6 +112,31 @@ double theta_of(const LinkageDrive& drive, const Linkage& linkage, const std::fu
     before = now;
   }
   throw InvalidInput("drive: no theta up to 89.9 deg gives this structure what the drive asks for");
+}
+
+std::optional<double> theta_of_cord(const LinkageDrive& drive, const Linkage& linkage,
+                                    const std::function<State(double)>& fold) {
+  const double straight = std::abs(drive.theta());
+  if (straight == 0) return 0;
+  const auto own = cord_root({drive, linkage, fold, drive.branch}, straight),
+             other = cord_root({drive, linkage, fold, -drive.branch}, straight);
+  const bool takes_other = other && (!own || *other < *own * (1 - beyond));
+  if (takes_other) return -drive.branch * *other;
+  return own ? std::optional(drive.branch * *own) : std::nullopt;
+}
+
+double mean_theta(const Linkage& linkage, const State& state) {
+  const auto& hinges = linkage.hinges;
+  const bool some_upright =
+      std::any_of(hinges.begin(), hinges.end(), [](const RestHinge& h) { return is_vertical(h); });
+  double sum = 0;
+  int count = 0;
+  for (int h = 0; h < static_cast<int>(hinges.size()); ++h) {
+    if (some_upright && !is_vertical(hinges[h])) continue;
+    sum -= linkage.bodies[hinges[h].lower].sense * hinge_turn(linkage, state, h) / 2;
+    ++count;
+  }
+  return sum / count;
 }
 
 }  // namespace kinetix::model

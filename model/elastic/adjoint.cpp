@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <array>
+#include <cmath>
 
 namespace kinetix::model {
 namespace {
@@ -42,14 +43,15 @@ class Adjoint {
         state_(state),
         theta_(theta),
         tangent_(tangent),
-        driven_(system.driven_hinge()),
         contacts_(system.contacts(state)) {}
 
   /// @param load, energy  in the system's units
   void solve(const VectorXd& by_state, double load, double energy) {
     energy_ = energy;
-    if (driven_ >= 0)
+    if (system_.holds_coordinate())
       solve_driven(by_state, load);
+    else if (system_.drive().heats_springs())
+      solve_springs(by_state, load);
     else
       solve_plates(by_state, load);
   }
@@ -71,11 +73,28 @@ class Adjoint {
   }
 
   void add_drive(Eigen::Matrix4Xd& out) const {
-    if (driven_ < 0) return;
-    const RestHinge& hinge = system_.hinges()[driven_];
-    const TurnRates rates =
-        turn_rates(hinge, state_[hinge.lower], state_[hinge.upper], pair(hinge.lower, hinge.upper));
-    out.col(driven_) -= force_ * rates.along + turn_ * rates.turn;
+    if (system_.drive().pulls_cord()) return add_cord(out);
+    const int driven = system_.driven_hinge();
+    if (driven < 0) return;
+    const TurnRates rates = rates_of_turn(driven);
+    out.col(driven) -= force_ * rates.along + turn_ * rates.turn;
+  }
+
+  /// @return f by the relative stiffness of the springs
+  double add_springs(Eigen::Matrix4Xd& out) const {
+    double sum = 0;
+    const double k = system_.k_spring();
+    for (const int h : system_.drive().springs) {
+      const RestHinge& hinge = system_.hinges()[h];
+      const int sense = system_.structure().bodies[hinge.lower].sense;
+      const Element turn = RelativeTurn(hinge, state_[hinge.lower], state_[hinge.upper]).element();
+      const double off = turn.energy - system_.spring_rest(h, theta_);
+      const double along = turn.gradient.dot(pair(hinge.lower, hinge.upper));
+      const TurnRates rates = rates_of_turn(h);
+      out.col(h) += k * ((energy_ * off - along + load_ * sense) * rates.turn - off * rates.along);
+      sum += (0.5 * energy_ * off - along + load_ * sense) * off;
+    }
+    return sum;
   }
 
   /// @return f by the relative stiffness of contact
@@ -102,6 +121,25 @@ class Adjoint {
   }
 
  private:
+  TurnRates rates_of_turn(int h) const {
+    const RestHinge& hinge = system_.hinges()[h];
+    return turn_rates(hinge, state_[hinge.lower], state_[hinge.upper], pair(hinge.lower, hinge.upper));
+  }
+
+  /// Of what is held, the flat length times cos(theta) less the length: by t and offset of the hinges on the cord.
+  void add_cord(Eigen::Matrix4Xd& out) const {
+    const Linkage& s = system_.structure();
+    const std::vector<int>& through = system_.drive().through;
+    const CordRates now = cord_rates(s, through, state_, lambda_),
+                    flat = cord_rates(s, through, rest_state(s), VectorXd::Zero(lambda_.size()));
+    const PointRates held = std::cos(theta_) * flat.length - now.length;
+    for (std::size_t k = 0; k < through.size(); ++k) {
+      const Eigen::Vector2d by = force_ * now.along.col(k) - turn_ * held.col(k);
+      out(0, through[k]) += by[0];
+      out(3, through[k]) += by[1];
+    }
+  }
+
   Vector12 pair(int a, int b) const {
     Vector12 out;
     out << lambda_.segment<6>(6 * a), lambda_.segment<6>(6 * b);
@@ -163,7 +201,18 @@ class Adjoint {
     lambda_ += pressed;
   }
 
-  /// Unknowns and the drive's force under the constraint that the hinge's turn is the drive's.
+  /// The load is the derivative of the energy by the drive's coordinate, twice theta.
+  void solve_springs(VectorXd by_state, double load) {
+    const DofMap& dofs = system_.dofs();
+    const VectorXd gradient = system_.spring_gradient(state_);
+    by_state += load * gradient;
+    lambda_ = dofs.extend(tangent_.solve(dofs.restrict(by_state)));
+    load_ = load;
+    const double own = load * system_.k_spring() * static_cast<double>(system_.drive().springs.size());
+    by_theta_ = system_.drive_rate(theta_) * (own - lambda_.dot(gradient) + energy_ * system_.load(state_, theta_));
+  }
+
+  /// Unknowns and the drive's force under the constraint that what it holds (a hinge's turn, a cord) is the drive's.
   void solve_driven(const VectorXd& by_state, double load) {
     const DofMap& dofs = system_.dofs();
     const VectorXd along = dofs.restrict(system_.driven_gradient(state_)),
@@ -172,19 +221,19 @@ class Adjoint {
     const double share = (free.dot(along) + load) / driven.dot(along);
     lambda_ = dofs.extend(free - share * driven);
     turn_ = share - ElasticSystem::grip * load - energy_ * force_;
-    by_theta_ = turn_ * system_.drive_rate(theta_);
+    by_theta_ = turn_ * system_.driven_rate(theta_);
   }
 
   const ElasticSystem& system_;
   const State& state_;
   const double theta_;
   const TangentStiffness& tangent_;
-  const int driven_;
   const std::vector<Contact> contacts_;
   double energy_ = 0;
   VectorXd lambda_;   ///< over all coordinates
-  double turn_ = 0;   ///< the multiplier of the driven hinge's turn
-  double force_ = 0;  ///< moment about the driven hinge
+  double turn_ = 0;   ///< the multiplier of what is held: the driven hinge's turn, or the cord
+  double force_ = 0;  ///< that holds it: less the load
+  double load_ = 0;   ///< springs: f by their load
   double by_theta_ = 0;
 };
 
@@ -194,7 +243,7 @@ Sensitivity sensitivity(const ElasticSystem& system, const Elasticity& elasticit
                         double theta, const TangentStiffness& tangent, const EquilibriumGradient& gradient) {
   const double L = system.structure().size.edge_mm;
   const double force_unit = elasticity.k_point * L, energy_unit = force_unit * L;
-  const double load_unit = system.driven_hinge() < 0 ? force_unit : energy_unit;
+  const double load_unit = system.drive().has_force() ? force_unit : energy_unit;
   const VectorXd none = VectorXd::Zero(system.dofs().coordinates());
 
   Adjoint adjoint(system, state, theta, tangent);
@@ -206,8 +255,9 @@ Sensitivity sensitivity(const ElasticSystem& system, const Elasticity& elasticit
   out.stiffness = adjoint.add_hinges(out.hinges);
   const double by_contact = adjoint.add_contacts(out.hinges);
   adjoint.add_drive(out.hinges);
+  const double by_spring = adjoint.add_springs(out.hinges);
   out.theta = adjoint.theta_rate();
-  double by_unit = -by_contact * system.stiffness().contact;
+  double by_unit = -by_contact * system.stiffness().contact - by_spring * system.k_spring();
   double by_turn = 0, by_reach = 0;
   for (Eigen::Index h = 0; h < out.stiffness.cols(); ++h) {
     by_turn += out.stiffness(turn_row, h);
@@ -217,8 +267,9 @@ Sensitivity sensitivity(const ElasticSystem& system, const Elasticity& elasticit
   out.k_turn = by_turn / energy_unit;
   out.reach_mm = by_reach / L;
   out.k_contact = by_contact / elasticity.k_point;
+  out.k_spring = by_spring / energy_unit;
   if (gradient.load != 0) by_unit += gradient.load * load_unit * system.load(state, theta);
-  if (gradient.energy != 0) by_unit += gradient.energy * energy_unit * system.elastic_energy(state);
+  if (gradient.energy != 0) by_unit += gradient.energy * energy_unit * system.stored_energy(state, theta);
   out.k_point = by_unit / elasticity.k_point;
   out.stiffness.topRows<3>() /= 2 * elasticity.k_point;
   out.stiffness.row(turn_row) /= energy_unit;

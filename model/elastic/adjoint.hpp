@@ -7,8 +7,8 @@ namespace kinetix::model {
 /// A scalar function f of an equilibrium, by its derivatives there. What f does not depend on is left out.
 struct EquilibriumGradient {
   Eigen::VectorXd state;  ///< by all coordinates: 6 a body, turn (rad) then shift (cell edges); empty: none
-  double load = 0;        ///< by the drive's load, per N for plates, per N mm for a driven hinge
-  double energy = 0;      ///< by the elastic energy, per N mm
+  double load = 0;        ///< by the drive's load, per N for plates and a cord, per N mm for a driven hinge and springs
+  double energy = 0;      ///< by the stored energy, per N mm
 };
 
 /// The derivatives of f where the structure is in equilibrium again after each change.
@@ -21,16 +21,17 @@ struct Sensitivity {
   double k_turn = 0;     ///< N mm/rad, of all hinges
   double reach_mm = 0;   ///< mm, of all hinges
   double k_contact = 0;  ///< N/mm
+  double k_spring = 0;   ///< by that of a shape-memory drive, N mm/rad, of all its springs
   /// Column h: by the axial, shear and along of hinge h's own HingeStiffness (N/mm), by its k_turn (N mm/rad)
   /// and reach (mm).
   Eigen::Matrix<double, 5, Eigen::Dynamic> stiffness;
 };
 
 /// By the adjoint: H lambda = df/dx over the unknowns, df/dp = -lambda . dg/dp, with g the gradient and H the
-/// Hessian of the energy; for a driven hinge bordered by its turn. One back-substitution whatever the number
-/// of parameters, two for a driven hinge; three between plates in space, where the turn at which the whole is
+/// Hessian of the energy; for a driven hinge bordered by its turn, for a cord by its length. One back-substitution whatever
+/// the number of parameters, two for a driven hinge and a cord; three between plates in space, where the turn at which the whole is
 /// held may meet a moment. Points in contact stay in contact: where one just touches, the derivative is
-/// one-sided. What f has of a parameter directly is the caller's to add.
+/// one-sided. Theta of the drive stays: a cord is cos(theta) times as long as in the flat state. What f has of a parameter directly is the caller's to add.
 /// @param elasticity that of the system
 /// @param state in equilibrium at theta, with the system's multiplier
 /// @param tangent linearised at state and factorised without a shift, which succeeded. minimise() may leave

@@ -49,12 +49,17 @@ Eigen::VectorXd DofMap::extend(const Eigen::VectorXd& unknowns) const {
   return out;
 }
 
+int held_body(const Linkage& structure, const LinkageDrive& drive) {
+  if (drive.kind == LinkageDrive::Kind::hinge) return structure.hinges[drive.hinge].lower;
+  return static_cast<int>(structure.bodies.size() / 2);
+}
+
 DofMap make_dof_map(const Linkage& structure, const LinkageDrive& drive, bool planar) {
   Held held = planes(structure, planar);
   if (drive.kind == LinkageDrive::Kind::plates)
     hold_plates(drive, held);
   else
-    held[structure.hinges[drive.hinge].lower].fill(true);
+    held[held_body(structure, drive)].fill(true);
   return numbered(held);
 }
 

@@ -8,6 +8,7 @@
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/elastic/retract.hpp"
+#include "model/linkage/actuators.hpp"
 
 namespace kinetix::model {
 namespace {
@@ -45,7 +46,9 @@ ElasticSystem::ElasticSystem(Linkage structure, const Elasticity& elasticity, Li
       drive_(std::move(drive)),
       contact_(contact),
       dofs_(make_dof_map(structure_, drive_, planar)),
-      walls_(structure_, planar) {
+      walls_(structure_, planar),
+      k_spring_(drive_.k_spring / energy_unit(elasticity, structure_.size.edge_mm)),
+      cord_rest_(drive_.rest_mm / structure_.size.edge_mm) {
   if (contact) refuse_overlap(structure_, walls_);
 }
 
@@ -109,6 +112,8 @@ Eigen::VectorXd ElasticSystem::place_rate(double theta) const {
 }
 
 double ElasticSystem::drive_miss(const State& state, double theta) const {
+  if (drive_.pulls_cord())
+    return cord_rest_ * std::cos(theta) - cord_length(structure_, drive_.through, state) / structure_.size.edge_mm;
   if (drive_.hinge < 0) return 0;
   return std::remainder(driven_turn(state).energy - turn_at(theta), 2 * pi);
 }
@@ -118,7 +123,38 @@ Element ElasticSystem::driven_turn(const State& state) const {
   return RelativeTurn(hinge, state[hinge.lower], state[hinge.upper]).element();
 }
 
+RelativeTurn ElasticSystem::turn_of(int hinge, const State& state) const {
+  const RestHinge& h = structure_.hinges[hinge];
+  return {h, state[h.lower], state[h.upper]};
+}
+
+double ElasticSystem::spring_rest(int hinge, double theta) const {
+  return turn_at_theta(sense_of(hinge), theta);
+}
+
+double ElasticSystem::spring_energy(const State& state, double theta) const {
+  double sum = 0;
+  for (const int h : drive_.springs) {
+    const double off = turn_of(h, state).angle() - spring_rest(h, theta);
+    sum += 0.5 * k_spring_ * off * off;
+  }
+  return sum;
+}
+
+double ElasticSystem::stored_energy(const State& state, double theta) const {
+  return elastic_energy(state) + spring_energy(state, theta);
+}
+
+Eigen::VectorXd ElasticSystem::spring_gradient(const State& state) const {
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(dofs_.coordinates());
+  for (const int h : drive_.springs)
+    add(all, structure_.hinges[h].lower, structure_.hinges[h].upper,
+        sense_of(h) * k_spring_ * turn_of(h, state).element().gradient);
+  return all;
+}
+
 Eigen::VectorXd ElasticSystem::driven_gradient(const State& state) const {
+  if (drive_.pulls_cord()) return -cord_gradient(structure_, drive_.through, state);
   const RestHinge& hinge = structure_.hinges[drive_.hinge];
   Eigen::VectorXd all = Eigen::VectorXd::Zero(dofs_.coordinates());
   add(all, hinge.lower, hinge.upper, driven_turn(state).gradient);
@@ -136,7 +172,7 @@ double ElasticSystem::elastic_energy(const State& state) const {
 
 double ElasticSystem::energy(const State& state, double theta) const {
   const double miss = drive_miss(state, theta);
-  return elastic_energy(state) + multiplier_ * miss + 0.5 * grip * miss * miss;
+  return stored_energy(state, theta) + multiplier_ * miss + 0.5 * grip * miss * miss;
 }
 
 template <class Visit>
@@ -147,12 +183,30 @@ void ElasticSystem::visit_contacts(const State& state, const Visit& visit) const
 
 template <class Visit>
 void ElasticSystem::visit_drive(const State& state, double theta, const Visit& visit) const {
-  if (drive_.hinge < 0) return;
-  Element turn = driven_turn(state);
-  const double miss = drive_miss(state, theta), force = multiplier_ + grip * miss;
-  turn.hessian = force * turn.hessian + grip * turn.gradient * turn.gradient.transpose();
-  turn.gradient *= force;
-  visit(structure_.hinges[drive_.hinge].lower, structure_.hinges[drive_.hinge].upper, turn);
+  const auto visit_turn = [&](int hinge, Element turn, double force, double stiffness) {
+    turn.hessian = force * turn.hessian + stiffness * turn.gradient * turn.gradient.transpose();
+    turn.gradient *= force;
+    visit(structure_.hinges[hinge].lower, structure_.hinges[hinge].upper, turn);
+  };
+  if (drive_.hinge >= 0)
+    visit_turn(drive_.hinge, driven_turn(state), multiplier_ + grip * drive_miss(state, theta), grip);
+  for (const int h : drive_.springs) {
+    const Element turn = turn_of(h, state).element();
+    visit_turn(h, turn, k_spring_ * (turn.energy - spring_rest(h, theta)), k_spring_);
+  }
+}
+
+CordElement ElasticSystem::held_cord(const State& state, double theta) const {
+  CordElement cord = cord_element(structure_, drive_.through, state);
+  const double force = multiplier_ + grip * drive_miss(state, theta);
+  cord.hessian = grip * cord.gradient * cord.gradient.transpose() - force * cord.hessian;
+  cord.gradient *= -force;
+  return cord;
+}
+
+void ElasticSystem::add_to(Eigen::VectorXd& sum, const CordElement& cord) const {
+  for (std::size_t k = 0; k < cord.bodies.size(); ++k)
+    sum.segment<6>(6 * cord.bodies[k]) += cord.gradient.segment<6>(6 * static_cast<Eigen::Index>(k));
 }
 
 Eigen::VectorXd ElasticSystem::elastic_gradient(const State& state) const {
@@ -169,6 +223,8 @@ Eigen::VectorXd ElasticSystem::elastic_gradient(const State& state) const {
 Eigen::VectorXd ElasticSystem::gradient(const State& state, double theta) const {
   Eigen::VectorXd sum = elastic_gradient(state);
   visit_drive(state, theta, [&](int a, int b, const Element& e) { add(sum, a, b, e.gradient); });
+  if (drive_.pulls_cord())
+    sum -= (multiplier_ + grip * drive_miss(state, theta)) * cord_gradient(structure_, drive_.through, state);
   return sum;
 }
 
@@ -186,6 +242,10 @@ Eigen::VectorXd ElasticSystem::linearise(const State& state, double theta, Tange
   }
   visit_contacts(state, take);
   visit_drive(state, theta, take);
+  if (!drive_.pulls_cord()) return sum;
+  const CordElement cord = held_cord(state, theta);
+  add_to(sum, cord);
+  tangent.add(cord.bodies, cord.hessian);
   return sum;
 }
 
@@ -197,7 +257,8 @@ bool ElasticSystem::update_multiplier(const State& state, double theta, double t
 }
 
 double ElasticSystem::load(const State& state, double theta) const {
-  if (drive_.hinge >= 0) return -(multiplier_ + grip * drive_miss(state, theta));
+  if (holds_coordinate()) return -(multiplier_ + grip * drive_miss(state, theta));
+  if (drive_.heats_springs()) return spring_load(state, theta);
   const Eigen::VectorXd g = gradient(state, theta);
   const int coordinate = 3 + axis();
   double force = 0;
@@ -205,16 +266,32 @@ double ElasticSystem::load(const State& state, double theta) const {
   return force;
 }
 
+double ElasticSystem::spring_load(const State& state, double theta) const {
+  double sum = 0;
+  for (const int h : drive_.springs)
+    sum += k_spring_ * sense_of(h) * (turn_of(h, state).angle() - spring_rest(h, theta));
+  return sum;
+}
+
 double ElasticSystem::drive_coordinate(double theta) const {
+  if (drive_.pulls_cord()) return drive_.rest_mm * (1 - std::cos(theta));
+  if (drive_.heats_springs()) return 2 * theta;
   return drive_.hinge >= 0 ? turn_at(theta) : 1 - std::cos(theta);
 }
 
 double ElasticSystem::travel() const {
+  if (drive_.pulls_cord() || drive_.heats_springs()) return 1;
   return drive_.hinge >= 0 ? 1 : structure_.size.edge_mm * (row(1) - row(0));
 }
 
 double ElasticSystem::drive_rate(double theta) const {
+  if (drive_.pulls_cord()) return drive_.rest_mm * std::sin(theta);
+  if (drive_.heats_springs()) return 2;
   return drive_.hinge >= 0 ? turn_at(1) : std::sin(theta);
+}
+
+double ElasticSystem::driven_rate(double theta) const {
+  return drive_.pulls_cord() ? cord_rest_ * std::sin(theta) : turn_at(1);
 }
 
 }  // namespace kinetix::model

@@ -57,10 +57,10 @@ EquilibriumComparison compare_equilibria(const EquilibriumScene& scene, const St
   const double unit = energy_unit(scene.elasticity, s.size.edge_mm);
   EquilibriumComparison c;
   c.distance = aligned_distance(s, state, reference);
-  c.reference_energy = unit * system.elastic_energy(reference);
+  c.reference_energy = unit * system.stored_energy(reference, scene.drive.theta());
   if (const auto equilibrium = nearest_equilibrium(system, scene.drive.theta(), state)) {
     c.from_equilibrium = aligned_distance(s, state, *equilibrium);
-    c.energy = unit * system.elastic_energy(*equilibrium);
+    c.energy = unit * system.stored_energy(*equilibrium, scene.drive.theta());
     const bool near = c.from_equilibrium.rms <= tolerance;
     const bool other = aligned_distance(s, *equilibrium, reference).rms > tolerance;
     if (near && other) c.outcome = Outcome::another_branch;

@@ -22,6 +22,9 @@ class TangentStiffness {
   void clear();
   /// @param a, b the element's bodies, different
   void add(int a, int b, const Element& element);
+  /// Second derivatives by the coordinates of several bodies, six a body, together.
+  /// @param bodies ascending, different
+  void add(const std::vector<int>& bodies, const Eigen::MatrixXd& hessian);
 
   /// Factorises the matrix plus `shift` times the identity. @return whether that is positive definite
   bool factorise(double shift);

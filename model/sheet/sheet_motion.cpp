@@ -6,6 +6,7 @@
 #include "model/lattice/square/classify.hpp"
 #include "model/lattice/square/drive.hpp"
 #include "model/lattice/square/planar_sheet.hpp"
+#include "model/linkage/actuators.hpp"
 
 namespace kinetix::model {
 namespace {
@@ -28,6 +29,14 @@ LinkageDrive planar_drive(const PlanarStructure& sheet, const SheetDrive& drive)
   LinkageDrive out = plate_drive(sheet, drive.axis, drive.compression, drive.branch);
   out.press = drive.press;
   return out;
+}
+
+/// Of any lattice alike.
+LinkageDrive drive_on_hinges(const Sheet& sheet, const SheetDrive& drive) {
+  validate_hinges(sheet);
+  return drive.kind == LinkageDrive::Kind::cord
+             ? cord_drive(sheet, drive.through, drive.shorten_mm, drive.branch)
+             : shape_memory_drive(sheet, drive.springs, drive.k_turn, drive.angle);
 }
 
 Sheet between(const Sheet& before, const Sheet& after, double part) {
@@ -60,6 +69,8 @@ ExactMotion exact_motion(const Sheet& sheet) {
 }
 
 LinkageDrive drive_on(const Sheet& sheet, const SheetDrive& drive) {
+  if (drive.kind == LinkageDrive::Kind::cord || drive.kind == LinkageDrive::Kind::shape_memory)
+    return drive_on_hinges(sheet, drive);
   if (const Structure* squares = sheet.squares()) return square_drive(*squares, drive).on(*squares);
   return planar_drive(*sheet.planar(), drive);
 }

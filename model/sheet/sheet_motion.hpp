@@ -22,15 +22,19 @@ struct SheetDrive {
   LinkageDrive::Kind kind = LinkageDrive::Kind::plates;
   Axis axis = Axis::y;            ///< plates: their normal
   double compression = 0;         ///< plates: 1 - final / initial distance, in [0, 1)
-  int branch = 1;                 ///< plates: 1 or -1, the sign of theta
+  int branch = 1;                 ///< plates, cord: 1 or -1, the sign of theta
   std::optional<Grip> grip = {};  ///< plates: the part of squares that they grip; nothing: the rim
   bool press = false;             ///< plates: push their rows and never pull them
   int hinge = -1;                 ///< hinge: the driven one
-  double angle = 0;               ///< hinge: its turn, rad, in (-pi, pi)
+  double angle = 0;               ///< hinge: its turn; shape memory: twice theta of its springs; rad, in (-pi, pi)
+  std::vector<int> through = {};  ///< cord: the hinges through which it runs
+  double shorten_mm = 0;          ///< cord
+  std::vector<int> springs = {};  ///< shape memory: the hinges that have one; empty: all
+  double k_turn = 0;              ///< shape memory: of each spring, N mm/rad
 };
 
 /// The drive by bodies and hinges.
-/// @throws InvalidInput for values out of range, and plates that find nothing to hold
+/// @throws InvalidInput for values out of range, plates that find nothing to hold, and a cord that nothing shortens
 LinkageDrive drive_on(const Sheet& sheet, const SheetDrive& drive);
 
 /// The drive that takes a sheet to theta, rad, in (-pi/2, pi/2), as its lattice likes it best.

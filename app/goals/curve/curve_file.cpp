@@ -161,6 +161,7 @@ const targets::KeyTable& curve_keys() {
        {},
        "how the search is run"},
       {"hinge", value::map(hinge_keys()), {}, "what the hinges are made of"},
+      goal_drive_key(),
       {"physics", value::map(physics_keys()), {}, "settings of the physics run"},
       process_key(),
       {"robust", value::boolean(), targets::by_default("false"),
@@ -183,6 +184,7 @@ CurveFile read_curve_file(const targets::Node& node) {
   root.read("robust", file.robust);
   file.physics = read_physics(root, file.size.edge_mm);
   file.hinge = read_hinge_section(root, file.size);
+  file.drive = read_goal_drive(root);
   file.process = read_process(root, file.size, file.hinge.made);
   return file;
 }

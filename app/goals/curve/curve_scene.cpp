@@ -40,6 +40,7 @@ class CurveScene final : public Scene {
   void solve(Run& run, const RunOptions& options) const override {
     run.physics = file_.physics;
     run.hinge = file_.hinge;
+    run.goal_drive = file_.drive;
     run.process = file_.process;
     run.verify_tolerance = file_.verify_tolerance;
     const optim::MultiStartOptions search = curve_search(file_, options);

@@ -56,6 +56,7 @@ const targets::KeyTable& fold_keys() {
        "what the search may change, and how far"},
       {"tolerance", value::map(tolerance_keys(usual)), {}, "when the goal is met"},
       {"hinge", value::map(hinge_keys()), {}, "what the hinges are made of"},
+      goal_drive_key(),
       {"physics", value::map(physics_keys()), {}, "settings of the physics run"},
       process_key(),
   });
@@ -75,6 +76,7 @@ FoldFile read_fold_file(const targets::Node& node) {
   read_tolerance(root, file);
   file.physics = read_physics(root, file.size.edge_mm);
   file.hinge = read_hinge_section(root, file.size);
+  file.drive = read_goal_drive(root);
   file.process = read_process(root, file.size, file.hinge.made);
   return file;
 }

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "app/files/goal_drive.hpp"
 #include "app/files/hinge_section.hpp"
 #include "app/files/physics_section.hpp"
 #include "app/files/process_section.hpp"
@@ -30,6 +31,7 @@ struct FoldFile {
   double verify_tolerance = 0.02;                       ///< of verify_rms, cell edges, (0, 1]
   PhysicsSection physics = {};
   HingeSection hinge = {};
+  GoalDrive drive = {};  ///< where hinges are elastic
   model::Process process = model::processes().front();
 };
 

@@ -48,6 +48,7 @@ class FoldScene final : public Scene {
   void solve(Run& run, const RunOptions& options) const override {
     run.physics = file_.physics;
     run.hinge = file_.hinge;
+    run.goal_drive = file_.drive;
     run.process = file_.process;
     run.verify_tolerance = file_.verify_tolerance;
     auto found = std::make_unique<FoldOutcome>();

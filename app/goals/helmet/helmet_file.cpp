@@ -112,6 +112,7 @@ const targets::KeyTable& helmet_keys() {
        {},
        "how the search is run"},
       {"hinge", value::map(hinge_keys()), {}, "what the hinges are made of"},
+      goal_drive_key(),
       {"physics", value::map(physics_keys()), {}, "settings of the physics run"},
       process_key(),
   });
@@ -132,6 +133,7 @@ HelmetFile read_helmet_file(const targets::Node& node) {
   file.solver = read_solver(root);
   file.physics = read_physics(root, file.spec.size.edge_mm);
   file.hinge = read_hinge_section(root, file.spec.size);
+  file.drive = read_goal_drive(root);
   file.process = read_process(root, file.spec.size, file.hinge.made);
   return file;
 }

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "app/files/goal_drive.hpp"
 #include "app/files/hinge_section.hpp"
 #include "app/files/physics_section.hpp"
 #include "app/files/process_section.hpp"
@@ -32,6 +33,7 @@ struct HelmetFile {
   SolverSection solver = {};     ///< ceres, no starts
   PhysicsSection physics = {};
   HingeSection hinge = {};
+  GoalDrive drive = {};  ///< where hinges are elastic
   model::Process process = model::processes().front();
 };
 

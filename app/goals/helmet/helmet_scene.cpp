@@ -72,6 +72,7 @@ class HelmetScene final : public Scene {
   void solve(Run& run, const RunOptions& options) const override {
     run.physics = file_.physics;
     run.hinge = file_.hinge;
+    run.goal_drive = file_.drive;
     run.process = file_.process;
     run.verify_tolerance = file_.verify;
     if (options.progress) options.progress("search", 0);

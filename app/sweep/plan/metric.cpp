@@ -79,15 +79,16 @@ const std::vector<Metric>& equilibrium_metrics() {
        }},
       {"drive_rad",
        [](const O& o) {
-         return o.equilibrium->drive.kind == model::LinkageDrive::Kind::hinge ? last(o).drive : nan;
+         return o.equilibrium->drive.has_force() ? nan : last(o).drive;
        }},
+      {"shortened_mm", [](const O& o) { return o.equilibrium->drive.pulls_cord() ? last(o).drive : nan; }},
       {"load_N",
        [](const O& o) {
-         return o.equilibrium->drive.kind == model::LinkageDrive::Kind::plates ? last(o).load : nan;
+         return o.equilibrium->drive.has_force() ? last(o).load : nan;
        }},
       {"load_Nmm",
        [](const O& o) {
-         return o.equilibrium->drive.kind == model::LinkageDrive::Kind::hinge ? last(o).load : nan;
+         return o.equilibrium->drive.has_force() ? nan : last(o).load;
        }},
       {"energy_Nmm", [](const O& o) { return last(o).energy; }},
       {"load_peak",

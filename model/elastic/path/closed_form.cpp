@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "model/closure/closure_drive.hpp"
+#include "model/closure/drive_theta.hpp"
 
 namespace kinetix::model {
 namespace {
@@ -37,11 +38,13 @@ Matrix3d upright(const Vector3d& normal, const Vector3d& axis, const Pose& pin) 
 }  // namespace
 
 std::optional<State> ClosedForm::at(double theta) const {
-  if (!exact_) return {};
-  State state = exact_.at(theta);
+  if (!exact_ || system_.drive().heats_springs()) return {};
+  const auto folded = system_.drive().pulls_cord() ? cord_theta(theta) : theta;
+  if (!folded) return {};
+  State state = exact_.at(*folded);
   const State rest = rest_state(system_.structure());
-  if (system_.driven_hinge() >= 0) {
-    hold_by_hinge(state, rest);
+  if (system_.holds_coordinate()) {
+    hold_by_body(state, rest);
     return state;
   }
   hold_by_plates(state, rest);
@@ -49,8 +52,15 @@ std::optional<State> ClosedForm::at(double theta) const {
   return state;
 }
 
-void ClosedForm::hold_by_hinge(State& state, const State& rest) const {
-  const int held = system_.hinges()[system_.driven_hinge()].lower;
+std::optional<double> ClosedForm::cord_theta(double theta) const {
+  LinkageDrive drive = system_.drive();
+  drive.branch = theta < 0 ? -1 : 1;
+  drive.shorten_mm = system_.drive_coordinate(theta);
+  return theta_of_cord(drive, system_.structure(), exact_.at);
+}
+
+void ClosedForm::hold_by_body(State& state, const State& rest) const {
+  const int held = held_body(system_.structure(), system_.drive());
   const Matrix3d rotation = rest[held].R * state[held].R.transpose();
   move_all(state, rotation, rest[held].p - rotation * state[held].p);
 }
@@ -80,7 +90,7 @@ bool ClosedForm::is_near(const State& state, double theta) const {
 }
 
 bool ClosedForm::is_mirrored(const State& state, double theta) const {
-  if (system_.driven_hinge() >= 0 || system_.drive().grips_part) return false;
+  if (system_.drive().kind != LinkageDrive::Kind::plates || system_.drive().grips_part) return false;
   const auto from_mirror = distance(state, -theta);
   return from_mirror && *from_mirror <= near_closed_form && *from_mirror < *distance(state, theta);
 }

@@ -8,7 +8,8 @@
 namespace kinetix::model {
 
 /// The closed form of an elastic system's linkage, where there is one, in the place where the drive holds it:
-/// plates face each other, the lower body of a driven hinge rests.
+/// plates face each other, the body at which another drive is held rests. Of shape memory there is none: how far its springs
+/// fold a sheet is for its hinges to say.
 class ClosedForm {
  public:
   /// Both are kept by reference.
@@ -25,7 +26,9 @@ class ClosedForm {
   bool is_mirrored(const State& state, double theta) const;
 
  private:
-  void hold_by_hinge(State& state, const State& rest) const;
+  /// Theta, rad, at which the closed form has the cord as long as the drive has it at its own theta.
+  std::optional<double> cord_theta(double theta) const;
+  void hold_by_body(State& state, const State& rest) const;
   void hold_by_plates(State& state, const State& rest) const;
 
   const ElasticSystem& system_;

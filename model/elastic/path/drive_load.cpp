@@ -12,7 +12,7 @@ constexpr double soft_turning = 5e-7;
 /// How fast the drive's coordinate goes along a direction: cell edges or rad, by rad of theta.
 double drive_speed(const ElasticSystem& system, const State& state, double theta,
                    const Eigen::VectorXd& along) {
-  if (system.driven_hinge() < 0)
+  if (!system.holds_coordinate())
     return system.drive_rate(theta) * system.travel() / system.structure().size.edge_mm;
   return system.driven_gradient(state).dot(along);
 }
@@ -30,7 +30,7 @@ double load_along_path(const ElasticSystem& system, const State& state, double t
 
 double drive_load(const ElasticSystem& system, const State& state, double theta,
                   const TangentStiffness& tangent, bool stable) {
-  const bool has_path = stable && theta != 0;
+  const bool has_path = stable && theta != 0 && !system.drive().heats_springs();
   return has_path && turns_softly(system) ? load_along_path(system, state, theta, tangent)
                                           : system.load(state, theta);
 }

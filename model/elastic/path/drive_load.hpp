@@ -16,7 +16,8 @@ bool turns_softly(const ElasticSystem& system);
 double load_along_path(const ElasticSystem& system, const State& state, double theta,
                        const TangentStiffness& tangent);
 
-/// The load of an equilibrium: along the path where hinges turn softly, else the force on what is driven.
+/// The load of an equilibrium: along the path where hinges turn softly, else the force on what is driven. That of springs
+/// comes from their turns, which rounding leaves alone.
 /// @param state in equilibrium at theta, rad
 /// @param tangent of it; used where `stable`: then it is factorised
 double drive_load(const ElasticSystem& system, const State& state, double theta,

@@ -28,12 +28,16 @@ struct EquilibriumPathOptions {
   void validate() const;
 };
 
-/// One state of an equilibrium path. Forces N or, for a driven hinge, N mm; energies N mm.
+/// One state of an equilibrium path. Forces N or, for a driven hinge and springs, N mm; energies N mm.
 struct EquilibriumStep {
-  double theta = 0;  ///< fold parameter of the drive, rad
-  double drive = 0;  ///< compression of the plates, a fraction, or turn of the driven hinge, rad
-  double load = 0;  ///< energy by drive: positive where the structure resists. Force on the plates, or moment
-  double energy = 0;
+  double theta = 0;  ///< fold parameter of the drive, rad: of a cord and springs not always the sheet's (mean_theta)
+  /// Compression of the plates, a fraction; turn of the driven hinge, rad; shortening of the cord, mm; turn at which springs
+  /// rest, rad.
+  double drive = 0;
+  /// Energy by drive: positive where the structure resists. Force on the plates, tension of the cord, moment about the
+  /// driven hinge, or the sum of the moments of all springs.
+  double load = 0;
+  double energy = 0;  ///< of hinges, contacts and the drive's springs
   double gap = 0;    ///< largest of a hinge, cell edges
   int contacts = 0;  ///< points in contact
   bool stable = true;
@@ -48,6 +52,7 @@ struct PathEvent {
     contact,      ///< walls began to touch
     release,      ///< the last of them parted
     lock,         ///< walls carry the drive: the load rises steeply with it
+    slack,        ///< a cord would have to push: it goes slack, and the structure goes on by itself
   };
   Kind kind = Kind::bifurcation;
   EquilibriumStep at;  ///< the first state behind it
@@ -74,7 +79,8 @@ struct EquilibriumPath {
   std::vector<PathEvent> events;
   std::vector<HingeEnergy> hinge_energies;  ///< N mm, of each hinge in the last state
   int iterations = 0;                       ///< of Newton's method in all
-  double multiplier = 0;                    ///< of the driven hinge, k_point edge^2
+  double multiplier = 0;     ///< of the driven hinge, k_point edge^2, or the cord, k_point edge
+  double spring_energy = 0;  ///< N mm, of a shape-memory drive's springs in the last state
   int let_go = 0;  ///< plates that press: bodies of their rows that they do not push at the goal
 };
 

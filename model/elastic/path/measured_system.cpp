@@ -12,12 +12,12 @@ MeasuredSystem::MeasuredSystem(const Linkage& linkage, const Elasticity& elastic
       tangent(elastic.dofs()) {}
 
 EquilibriumStep MeasuredSystem::measured(const State& state, double theta, bool stable) const {
-  const double load_unit = between_plates() ? unit / elastic.structure().size.edge_mm : unit;
+  const double load_unit = elastic.drive().has_force() ? unit / elastic.structure().size.edge_mm : unit;
   EquilibriumStep step;
   step.theta = theta;
   step.drive = elastic.drive_coordinate(theta);
   step.load = drive_load(elastic, state, theta, tangent, stable) * load_unit;
-  step.energy = elastic.elastic_energy(state) * unit;
+  step.energy = elastic.stored_energy(state, theta) * unit;
   step.gap = hinge_gaps(elastic.structure(), state).max;
   step.contacts = static_cast<int>(elastic.contacts(state).size());
   step.stable = stable;

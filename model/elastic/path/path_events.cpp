@@ -12,6 +12,8 @@ using Kind = PathEvent::Kind;
 using Descent = Branch::Descent;
 
 constexpr double steep = 30;  // times the steepest slope of the load before contact: walls carry it
+// Of the largest tension on the way: less than this below 0 is what Newton's method leaves.
+constexpr double no_push = 1e-6;
 
 std::string words(Descent descent, bool on_closed_form) {
   switch (descent) {
@@ -36,6 +38,12 @@ std::optional<double> LockWatch::see(const EquilibriumStep& before, const Equili
   return slope / free_slope_;
 }
 
+bool SlackWatch::see(const EquilibriumStep& step) {
+  largest_ = std::max(largest_, std::abs(step.load));
+  const bool was_slack = std::exchange(slack_, step.load < -no_push * largest_);
+  return slack_ && !was_slack;
+}
+
 void PathEvents::see(const EquilibriumStep& before, const EquilibriumStep& after, const State& state,
                      const Arrival& arrival) {
   const auto happened = [&](Kind kind, std::string what) { add(kind, after, before.theta, std::move(what)); };
@@ -47,6 +55,8 @@ void PathEvents::see(const EquilibriumStep& before, const EquilibriumStep& after
   if (arrival.snapped) happened(Kind::snap, "jumped to another state at nearly the same drive");
   if (before.contacts == 0 && after.contacts > 0) happened(Kind::contact, touching(system_.contacts(state)));
   if (before.contacts > 0 && after.contacts == 0) happened(Kind::release, "walls no longer touch");
+  if (system_.drive().pulls_cord() && slack_.see(after))
+    happened(Kind::slack, "the cord would have to push, which it cannot: it goes slack, and the structure goes on by itself");
   if (const auto times = lock_.see(before, after))
     happened(Kind::lock, "walls carry the drive: the load rises " + number_text(std::round(*times)) +
                              " times as steeply as without contact");
@@ -80,6 +90,8 @@ std::string to_string(PathEvent::Kind kind) {
       return "contact";
     case Kind::release:
       return "release";
+    case Kind::slack:
+      return "slack";
     case Kind::lock:
       break;
   }

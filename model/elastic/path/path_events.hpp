@@ -22,6 +22,17 @@ class LockWatch {
   bool locked_ = false;
 };
 
+/// Notices that a cord would have to push.
+class SlackWatch {
+ public:
+  /// @return whether it is the first step in a row at which it would
+  bool see(const EquilibriumStep& step);
+
+ private:
+  double largest_ = 0;  ///< load on the way, N
+  bool slack_ = false;
+};
+
 /// How a path came to its last state.
 struct Arrival {
   std::optional<Branch::Descent> descent;  ///< from an unstable equilibrium, if from one
@@ -53,6 +64,7 @@ class PathEvents {
   const ElasticSystem& system_;
   std::vector<PathEvent> events_;
   LockWatch lock_;
+  SlackWatch slack_;
   double off_closed_form_since_ = NAN;  ///< rad
 };
 

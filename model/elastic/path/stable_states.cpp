@@ -7,6 +7,7 @@
 
 #include "model/base/angle.hpp"
 #include "model/closure/closure_drive.hpp"
+#include "model/closure/drive_theta.hpp"
 #include "model/elastic/lowest_mode.hpp"
 
 namespace kinetix::model {
@@ -18,20 +19,6 @@ constexpr double different = 1e-3;  // rad of a hinge: releases that end closer 
 constexpr int most_saddles = 5;     // in a row after a release: after so many it counts as unresolved
 // Rad, cell edges: enough to leave the saddle, too little for another valley.
 constexpr double off_saddle = 1e-2;
-
-double mean_theta(const Linkage& structure, const State& state) {
-  const auto& hinges = structure.hinges;
-  const bool some_upright =
-      std::any_of(hinges.begin(), hinges.end(), [](const RestHinge& h) { return is_vertical(h); });
-  double sum = 0;
-  int count = 0;
-  for (int h = 0; h < static_cast<int>(hinges.size()); ++h) {
-    if (some_upright && !is_vertical(hinges[h])) continue;
-    sum -= structure.bodies[hinges[h].lower].sense * hinge_turn(structure, state, h) / 2;
-    ++count;
-  }
-  return sum / count;
-}
 
 std::string released_at(const EquilibriumStep& step) {
   std::ostringstream out;

@@ -61,7 +61,7 @@ bool StepSolver::is_mirrored(const Trial& trial) const {
 }
 
 bool StepSolver::leave_head(const NextStep& next, const PathHead& head, Trial& trial) {
-  if (!system_.between_plates() || head.on_closed_form()) return false;
+  if (!system_.leaves_flat_to_a_side() || head.on_closed_form()) return false;
   const ElasticSystem& elastic = system_.elastic;
   State carried = head.state();
   elastic.place(next.theta, carried);
