@@ -13,6 +13,8 @@ namespace {
 // cells that do not close bulge. Enough to see that, and a fraction of a second of work.
 constexpr int least_prints = 20;
 constexpr int most_bodies_to_confirm = 400;  // beyond, they take longer than the search
+// Cell edges, rms: an equilibrium further from the state of the design is another one.
+constexpr double near_design = 2;
 
 /// A pin rests anywhere in its bore: evenly within the clearance, along the wall as across it.
 double play_sd(const HingeSection& hinge) { return hinge.made ? play_mm(*hinge.made) / std::sqrt(3.0) : 0; }
@@ -40,16 +42,18 @@ model::Sheet printed_sheet(model::Sheet sheet, const Eigen::Matrix4Xd& errors) {
 }
 
 std::optional<PrintedGoal> expected_of_prints(const Run& run, const model::LinkageDrive& drive,
-                                              model::State state,
+                                              const model::State& design,
                                               const std::vector<model::ObservedPoint>& points) {
   if (points.empty()) return std::nullopt;
+  model::State state = design;
   const model::Elasticity elasticity = elasticity_of(run.hinge, run.physics, run.structure.size().edge_mm);
-  model::ElasticSystem system(run.structure, elasticity, drive, false, false);
+  model::ElasticSystem system(run.structure, elasticity, drive, run.plan.planar, false);
   model::TangentStiffness tangent(system.dofs());
   const double theta = drive.theta();
   system.place(theta, state);
   if (const auto settled = minimise(system, theta, {}, state, tangent); !settled.converged || !settled.stable)
     return std::nullopt;
+  if (!(aligned_distance(run.structure, state, design).rms <= near_design)) return std::nullopt;
   system.linearise(state, theta, tangent);
   if (!tangent.factorise(0)) return std::nullopt;
   PrintedGoal out;
@@ -66,7 +70,7 @@ std::optional<PrintedGoal> as_made(const Run& run, const model::LinkageDrive& dr
     out->runs = print_runs(
         [&](const Eigen::Matrix4Xd& errors) { return printed_sheet(run.structure, errors); },
         elasticity_of(run.hinge, run.physics, run.structure.size().edge_mm), drive, state, points,
-        scatter_of(run), std::max(prints, least_prints));
+        scatter_of(run), std::max(prints, least_prints), {.planar = run.plan.planar});
   return out;
 }
 

@@ -11,7 +11,7 @@ model::Sheet printed_sheet(model::Sheet sheet, const Eigen::Matrix4Xd& errors);
 
 /// What prints are expected to come to, to first order: as as_made(), without a print.
 std::optional<PrintedGoal> expected_of_prints(const Run& run, const model::LinkageDrive& drive,
-                                              model::State state,
+                                              const model::State& design,
                                               const std::vector<model::ObservedPoint>& points);
 
 /// What prints of a state of the run's structure come to, with hinges as stiff as the file says (or by default) and the

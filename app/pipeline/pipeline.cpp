@@ -28,9 +28,12 @@ void judge_prints(Run& run, const Scene& scene, int prints) {
 std::optional<PhysicsTask> physics_task(const Run& run, const Scene& scene) {
   if (!run.matter || !run.equilibrium) return scene.physics_task(run);
   if (!run.equilibrium->reached()) return std::nullopt;
-  return PhysicsTask{run.equilibrium->path.state, run.equilibrium->drive,
-                     elastic_physics(run.equilibrium->elasticity, run.physics, run.structure.size().edge_mm,
-                                     run.plan.planar)};
+  const Equilibrium& equilibrium = *run.equilibrium;
+  const double edge = run.structure.size().edge_mm;
+  sim::PhysicsOptions options =
+      elastic_physics(equilibrium.elasticity, run.physics, edge, run.plan.planar);
+  options.spring_turn = run.goal_drive.k_turn / energy_unit(equilibrium.elasticity, edge);
+  return PhysicsTask{equilibrium.path.state, equilibrium.drive, options};
 }
 
 }  // namespace

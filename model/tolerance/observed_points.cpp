@@ -30,7 +30,7 @@ VectorXd ObservedPoints::misses() const {
 }
 
 double ObservedPoints::rms_mm() const {
-  return aligned_misses().norm() / std::sqrt(static_cast<double>(size()));
+  return misses().norm() / std::sqrt(static_cast<double>(size()));
 }
 
 VectorXd ObservedPoints::by_state(const VectorXd& mixture, std::size_t bodies, double edge_mm) const {

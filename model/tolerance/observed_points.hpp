@@ -25,7 +25,7 @@ class ObservedPoints {
   Eigen::VectorXd misses() const;
   /// After that motion; as given where they are not aligned. mm
   Eigen::VectorXd aligned_misses() const { return without_motion(misses()); }
-  /// Root mean square of those, mm.
+  /// Root mean square of the misses as they were given, mm.
   double rms_mm() const;
   /// A mixture of misses, its rigid part left out, as a function of the state: mm by all coordinates, 6 a body.
   Eigen::VectorXd by_state(const Eigen::VectorXd& mixture, std::size_t bodies, double edge_mm) const;

@@ -78,8 +78,9 @@ class Distance {
 };
 
 /// @return whether a stable equilibrium was found from the state given
-bool settle(Linkage structure, const Elasticity& elasticity, const LinkageDrive& drive, State& state) {
-  ElasticSystem system(std::move(structure), elasticity, drive, false, false);
+bool settle(Linkage structure, const Elasticity& elasticity, const LinkageDrive& drive, bool planar,
+            State& state) {
+  ElasticSystem system(std::move(structure), elasticity, drive, planar, false);
   system.place(drive.theta(), state);
   TangentStiffness tangent(system.dofs());
   const NewtonResult result = minimise(system, drive.theta(), {}, state, tangent);
@@ -89,18 +90,18 @@ bool settle(Linkage structure, const Elasticity& elasticity, const LinkageDrive&
 }  // namespace
 
 int visit_prints(const PrintedLinkage& printed, const Elasticity& elasticity, const LinkageDrive& drive,
-                 const State& state, const HingeScatter& scatter, int count, unsigned seed,
+                 const State& state, const HingeScatter& scatter, int count, const AsMadeOptions& options,
                  const std::function<void(const State&, const State&, const Matrix4Xd&)>& visit) {
   State design = state;
   Linkage exact = printed({});
   const auto hinges = static_cast<Eigen::Index>(exact.hinges.size());
-  settle(std::move(exact), elasticity, drive, design);
-  Errors errors(scatter, hinges, seed);
+  settle(std::move(exact), elasticity, drive, options.planar, design);
+  Errors errors(scatter, hinges, options.seed);
   int failed = 0;
   for (int k = 0; k < count; ++k) {
     State print = design;
     const Matrix4Xd own = errors.next();
-    if (settle(printed(own), elasticity, drive, print))
+    if (settle(printed(own), elasticity, drive, options.planar, print))
       visit(design, print, own);
     else
       ++failed;
@@ -115,7 +116,7 @@ PrintRuns print_runs(const PrintedLinkage& printed, const Elasticity& elasticity
   std::vector<double> distances;
   PrintRuns out;
   out.failed = visit_prints(
-      printed, elasticity, drive, state, scatter, count, options.seed,
+      printed, elasticity, drive, state, scatter, count, options,
       [&](const State& design, const State& print, const Matrix4Xd&) { distances.push_back(distance(design, print)); });
   std::sort(distances.begin(), distances.end());
   out.prints = static_cast<int>(distances.size());

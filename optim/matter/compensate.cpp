@@ -18,7 +18,7 @@ using Eigen::VectorXd;
 constexpr double first_damping = 1e-4, least_damping = 1e-12, most_damping = 1e6;
 constexpr double easier = 0.1, harder = 10;  // what damping is multiplied by after a step that helps or does not
 constexpr double longest_step = 0.08;        // rad, of any variable: derivatives mean little further off
-constexpr double least_gain = 1e-3;          // part of the rms: a step that gains less ends the search
+constexpr double least_gain = 0.02;          // part of the rms: a step that gains less ends the search
 
 /// Tilts of all ties, then theta. rad
 class Variables {
@@ -116,7 +116,7 @@ class Search {
       at = *next;
       x = tried;
       damping = std::max(damping * easier, least_damping);
-      if (is_last) out.why = "no step gains a thousandth any more";
+      if (is_last) out.why = "steps gain little any more";
       return;
     }
     if (out.rounds < options_.rounds) out.why = "no step comes nearer";

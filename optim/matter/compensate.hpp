@@ -31,7 +31,7 @@ struct InMatter {
   model::Sheet sheet;
   double theta = 0;  ///< rad, of the drive
   model::State state;
-  double rms_mm = 0;  ///< from the goal, after the best rigid motion
+  double rms_mm = 0;  ///< from the goal
 };
 
 struct Compensation {

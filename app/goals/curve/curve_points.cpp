@@ -7,17 +7,19 @@
 namespace kinetix::app {
 
 std::vector<model::ObservedPoint> curve_points(const targets::Curve& curve, const model::Sheet& sheet,
-                                               const model::State& state) {
-  const std::vector<Eigen::Vector2d> midline = column_midline(sheet, state);
+                                               const model::State& state, const model::State& upright) {
+  const model::State placed = aligned(state, upright);
+  const Eigen::Matrix3d back = state.front().R * placed.front().R.transpose();
+  const Eigen::Vector3d origin = state.front().p - back * placed.front().p;
+  const std::vector<Eigen::Vector2d> midline = column_midline(sheet, placed);
   const targets::PolylineTree goal(curve_error(midline, curve).goal_mm);
   const std::vector<std::vector<int>> columns = body_columns(sheet);
   std::vector<model::ObservedPoint> points;
   for (std::size_t k = 0; k < midline.size(); ++k) {
     const targets::ClosestPoint at = goal.nearest(midline[k]);
-    points.push_back({columns[k],
-                      {midline[k].x(), state[columns[k][0]].p.y(), midline[k].y()},
-                      {at.normal.x(), 0, at.normal.y()},
-                      at.distance});
+    const Eigen::Vector3d place(midline[k].x(), placed[columns[k][0]].p.y(), midline[k].y()),
+        normal(at.normal.x(), 0, at.normal.y());
+    points.push_back({columns[k], back * place + origin, back * normal, at.distance});
   }
   return points;
 }

@@ -67,19 +67,27 @@ class CurveScene final : public Scene {
     const std::vector<std::string>& notes = outcome_of<CurveOutcome>(run).found.notes;
     run.plan.why.insert(run.plan.why.end(), notes.begin(), notes.end());
     add_exact_state(run, run.theta);
+    outcome_of<CurveOutcome>(run).exact = run.states.front().poses;
+  }
+
+  /// As the goal is drawn: the strip's width along y.
+  model::State shown(const Run& run, const model::State& state) const override {
+    return aligned(state, outcome_of<CurveOutcome>(run).exact);
   }
 
   /// Each column's place against the goal as it was laid over the midline.
-  std::optional<Judged> judged(const Run&, const model::Sheet& sheet, double,
+  std::optional<Judged> judged(const Run& run, const model::Sheet& sheet, double,
                                const model::State& state) const override {
-    const targets::CurveError error = curve_error(column_midline(sheet, state), file_.curve);
-    return Judged{curve_points(file_.curve, sheet, state), file_.shape_tolerance * error.scale_mm};
+    const CurveOutcome& curve = outcome_of<CurveOutcome>(run);
+    return Judged{curve_points(file_.curve, sheet, state, curve.exact),
+                  file_.shape_tolerance * curve.found.design.error.scale_mm};
   }
 
   /// How elastic hinges keep the goal.
   void judge_matter(Run& run, const model::State& state) const override {
-    const targets::CurveError error = curve_error(column_midline(run.structure, state), file_.curve);
     auto& curve = outcome_of<CurveOutcome>(run);
+    const model::State upright = aligned(state, curve.exact);
+    const targets::CurveError error = curve_error(column_midline(run.structure, upright), file_.curve);
     curve.violations.clear();
     if (!(error.rms <= file_.shape_tolerance))
       curve.violations.push_back(fmt::format(

@@ -8,6 +8,8 @@
 #include "app/goals/curve/curve_search.hpp"
 #include "app/files/structure_section.hpp"
 #include "app/pipeline/as_made.hpp"
+#include "app/pipeline/matter.hpp"
+#include "model/contact/wall_contact.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::app {
@@ -16,10 +18,14 @@ namespace {
 // What is tried of theta: its whole range, in equal steps.
 constexpr int thetas = 9;
 // And of columns, over those of the file: fewer columns have fewer hinges to err, and follow the curve less well.
-constexpr double column_shares[] = {1, 0.8, 0.65, 0.5, 0.4, 0.3, 0.25};
+constexpr double column_shares[] = {1, 0.8, 0.65, 0.5};
+// Of each strip's search: the plain one, of more, has found that they come to the same.
+constexpr int starts = 2;
 constexpr int least_columns = 4;
 // rad: as narrow as a range may be; theta is what is tried.
 constexpr double narrow = 1e-3;
+// rad below the theta at which basic cells of these walls close.
+constexpr double below_closing = 0.02;
 
 struct Tried {
   CurveFile file;
@@ -38,21 +44,29 @@ CurveCandidate judged(const CurveFile& file, const optim::FreeCurveDesign& found
   Run run;
   run.structure = sheet_of(design.design, file.size);
   run.hinge = file.hinge;
+  run.goal_drive = file.drive;
   run.process = file.process;
   run.physics = file.physics;
   const model::State state = exact_motion(run.structure).at(out.theta);
-  const auto printed = expected_of_prints(run, drive_to(run.structure, out.theta), state,
-                                          curve_points(file.curve, run.structure, state));
+  const auto printed = expected_of_prints(run, goal_drive(run, run.structure, out.theta), state,
+                                          curve_points(file.curve, run.structure, state, state));
   if (printed) std::tie(out.as_made_mm, out.as_made_p95) = std::pair{printed->made.rms_mm, printed->made.p95_mm};
   out.is_allowed = printed && printed->can_be_printed && found.walls_are_free &&
                    design.error.rms <= file.shape_tolerance;
   return out;
 }
 
-Tried tried(const CurveFile& file, const optim::MultiStartOptions& search) {
+Tried tried(const CurveFile& file, optim::MultiStartOptions search) {
+  search.starts = std::min(search.starts, starts);
   Tried out{file, fit_free_curve(file.curve, curve_variables(file), file.size, search), {}};
   out.candidate = judged(file, out.found);
   return out;
+}
+
+/// k-th of the values of theta that are tried, rad.
+double theta_at(const CurveFile& file, int k) {
+  const double upper = std::min(file.theta.upper, closing_theta(file.size) - below_closing);
+  return file.theta.lower + narrow + (upper - file.theta.lower - 2 * narrow) * k / (thetas - 1);
 }
 
 /// The file with theta given, and cells that give the strip the curve's length.
@@ -86,9 +100,7 @@ RobustCurve robust_curve(const CurveFile& file, const optim::FreeCurveDesign& pl
   for (const int count : columns)
     for (int k = 0; k < thetas; ++k) {
       if (options.progress) options.progress("robust search", static_cast<double>(out.tried.size() - 1) / rounds);
-      const double theta = file.theta.lower + narrow +
-                           (file.theta.upper - file.theta.lower - 2 * narrow) * k / (thetas - 1);
-      Tried next = tried(with(file, count, theta), search);
+      Tried next = tried(with(file, count, theta_at(file, k)), search);
       out.tried.push_back(next.candidate);
       const CurveCandidate& best = out.tried[out.chosen];
       const bool is_better = next.candidate.is_allowed &&

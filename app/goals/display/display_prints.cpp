@@ -61,7 +61,7 @@ void add_prints(const DisplayFile& file, const Run& run, const model::HingeScatt
   };
   out.failed = visit_prints([&](const Eigen::Matrix4Xd& errors) { return printed_sheet(run.structure, errors); },
                             run.equilibrium->elasticity, run.equilibrium->drive,
-                            state, scatter, count, model::AsMadeOptions{}.seed, seen);
+                            state, scatter, count, {.planar = true}, seen);
   out.prints = static_cast<int>(contrasts.size());
   if (contrasts.empty()) return;
   std::sort(contrasts.begin(), contrasts.end());

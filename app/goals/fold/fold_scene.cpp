@@ -70,7 +70,7 @@ class FoldScene final : public Scene {
   std::optional<Judged> judged(const Run& run, const model::Sheet& sheet, double theta,
                                const model::State& state) const override {
     const optim::FoldedNet& net = outcome_of<FoldOutcome>(run).design.folded;
-    if (!run.goal->met() || !is_finite(state)) return std::nullopt;
+    if (!outcome_of<FoldOutcome>(run).design.folds || !is_finite(state)) return std::nullopt;
     double sides = 0;  // cells
     for (const model::CellRectangle& face : net.layout.faces)
       sides += (face.width + face.height) / 2.0 / static_cast<double>(net.layout.faces.size());
