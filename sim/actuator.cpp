@@ -175,11 +175,12 @@ class HeatedSprings final : public Actuator {
 }  // namespace
 
 std::unique_ptr<Actuator> make_actuator(const model::Linkage& structure, const model::LinkageDrive& drive,
-                                        const Bodies& bodies, double error_reduction,
-                                        ElasticHinges* elastic, double spring_weight) {
+                                        const Bodies& bodies, double error_reduction, ElasticHinges* elastic,
+                                        double spring_weight) {
   if (drive.kind == model::LinkageDrive::Kind::plates)
     return std::make_unique<Plates>(structure, drive, bodies, error_reduction);
-  if (drive.heats_springs()) return std::make_unique<HeatedSprings>(structure, drive, spring_weight, *elastic);
+  if (drive.heats_springs())
+    return std::make_unique<HeatedSprings>(structure, drive, spring_weight, *elastic);
   if (elastic) return std::make_unique<DrivenSpring>(structure, drive.hinge, bodies, *elastic);
   return std::make_unique<DrivenHinge>(structure.hinges[drive.hinge], drive.sense, bodies, error_reduction);
 }

@@ -32,6 +32,7 @@ class Actuator {
 /// @pre not a cord; shape memory has elastic hinges
 std::unique_ptr<Actuator> make_actuator(const model::Linkage& structure, const model::LinkageDrive& drive,
                                         const std::vector<std::unique_ptr<btRigidBody>>& bodies,
-                                        double error_reduction, ElasticHinges* elastic = nullptr, double spring_weight = 0);
+                                        double error_reduction, ElasticHinges* elastic = nullptr,
+                                        double spring_weight = 0);
 
 }  // namespace kinetix::sim

@@ -172,9 +172,11 @@ class Run {
 void refuse_unknown(const model::LinkageDrive& drive, const PhysicsOptions& options) {
   const Place at{"", 0, 0, "drive.kind"};
   if (drive.pulls_cord())
-    throw InvalidInput("the physics run has no cord; allowed: plates, hinge, shape_memory, or --model equilibrium", at);
+    throw InvalidInput(
+        "the physics run has no cord; allowed: plates, hinge, shape_memory, or --model equilibrium", at);
   if (drive.heats_springs() && !options.elastic)
-    throw InvalidInput("shape_memory needs elastic hinges in the physics run: give `hinge: {model: elastic}`", at);
+    throw InvalidInput("shape_memory needs elastic hinges in the physics run: give `hinge: {model: elastic}`",
+                       at);
 }
 
 }  // namespace

@@ -63,14 +63,15 @@ std::optional<PrintedGoal> expected_of_prints(const Run& run, const model::Linka
   return out;
 }
 
-std::optional<PrintedGoal> as_made(const Run& run, const model::LinkageDrive& drive, const model::State& state,
-                                   const std::vector<model::ObservedPoint>& points, int prints) {
+std::optional<PrintedGoal> as_made(const Run& run, const model::LinkageDrive& drive,
+                                   const model::State& state, const std::vector<model::ObservedPoint>& points,
+                                   int prints) {
   std::optional<PrintedGoal> out = expected_of_prints(run, drive, state, points);
   if (out && (prints > 0 || run.structure.bodies() <= most_bodies_to_confirm))
-    out->runs = print_runs(
-        [&](const Eigen::Matrix4Xd& errors) { return printed_sheet(run.structure, errors); },
-        elasticity_of(run.hinge, run.physics, run.structure.size().edge_mm), drive, state, points,
-        scatter_of(run), std::max(prints, least_prints), {.planar = run.plan.planar});
+    out->runs =
+        print_runs([&](const Eigen::Matrix4Xd& errors) { return printed_sheet(run.structure, errors); },
+                   elasticity_of(run.hinge, run.physics, run.structure.size().edge_mm), drive, state, points,
+                   scatter_of(run), std::max(prints, least_prints), {.planar = run.plan.planar});
   return out;
 }
 

@@ -19,7 +19,8 @@ std::optional<PrintedGoal> expected_of_prints(const Run& run, const model::Linka
 /// @param drive that holds the state, in equilibrium or nearly so   @param points by which the goal is judged
 /// @param prints so many are brought to their equilibrium as well, to confirm it; a few in any case, but for large sheets
 /// @return nothing without points, or where the state is not stable under that drive
-std::optional<PrintedGoal> as_made(const Run& run, const model::LinkageDrive& drive, const model::State& state,
-                                   const std::vector<model::ObservedPoint>& points, int prints);
+std::optional<PrintedGoal> as_made(const Run& run, const model::LinkageDrive& drive,
+                                   const model::State& state, const std::vector<model::ObservedPoint>& points,
+                                   int prints);
 
 }  // namespace kinetix::app

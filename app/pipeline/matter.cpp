@@ -20,12 +20,11 @@ constexpr double near_enough = 0.05;
 constexpr double same_state = 1e-6;
 
 model::SheetDrive springs(const Run& run, double theta) {
-  return {.kind = model::LinkageDrive::Kind::shape_memory, .angle = 2 * theta, .k_turn = run.goal_drive.k_turn};
+  return {
+      .kind = model::LinkageDrive::Kind::shape_memory, .angle = 2 * theta, .k_turn = run.goal_drive.k_turn};
 }
 
-double rms_mm(const Scene::Judged& judged) {
-  return model::ObservedPoints(judged.points, true).rms_mm();
-}
+double rms_mm(const Scene::Judged& judged) { return model::ObservedPoints(judged.points, true).rms_mm(); }
 
 optim::MatterGoal goal_of(const Run& run, const Scene& scene) {
   optim::MatterGoal goal;
@@ -40,8 +39,8 @@ optim::MatterGoal goal_of(const Run& run, const Scene& scene) {
 model::EquilibriumPath path_to(const Run& run, const model::Elasticity& elasticity) {
   model::EquilibriumPathOptions options;
   options.planar = run.plan.planar;
-  return trace_equilibrium({run.structure, goal_drive(run, run.structure, run.theta), run.plan.exact}, elasticity,
-                           options);
+  return trace_equilibrium({run.structure, goal_drive(run, run.structure, run.theta), run.plan.exact},
+                           elasticity, options);
 }
 
 void miss(Run& run, const std::string& why) {
@@ -60,7 +59,8 @@ void show(Run& run, const Scene& scene, const optim::InMatter& found, const mode
   run.states.clear();
   run.fidelity.clear();
   run.drive = goal_drive_section(run);
-  add_equilibrium(run, goal_drive(run, run.structure, run.theta), elasticity, motion_states, options.progress);
+  add_equilibrium(run, goal_drive(run, run.structure, run.theta), elasticity, motion_states,
+                  options.progress);
   for (NamedState& state : run.states) state.poses = scene.shown(run, state.poses);
 }
 
@@ -73,9 +73,8 @@ model::LinkageDrive goal_drive(const Run& run, const model::Sheet& sheet, double
 
 std::optional<DriveSection> goal_drive_section(const Run& run) {
   if (run.goal_drive.kind == GoalDrive::Kind::usual) return std::nullopt;
-  return DriveSection{.kind = DriveSection::Kind::shape_memory,
-                      .angle = 2 * run.theta,
-                      .k_turn = run.goal_drive.k_turn};
+  return DriveSection{
+      .kind = DriveSection::Kind::shape_memory, .angle = 2 * run.theta, .k_turn = run.goal_drive.k_turn};
 }
 
 bool is_of_matter(const Scene& scene, const Run& run) {
@@ -110,7 +109,8 @@ void settle_in_matter(Run& run, const Scene& scene, const RunOptions& options) {
   scene.judge_matter(run, shown.state);
   if (!run.goal->met() && run.goal_drive.kind == GoalDrive::Kind::usual)
     run.goal->violations.push_back(
-        "plates and single hinges let soft hinges lean or buckle sooner than they fold them: try `drive: {kind: "
+        "plates and single hinges let soft hinges lean or buckle sooner than they fold them: try `drive: "
+        "{kind: "
         "shape_memory, k_turn: ...}`, springs in all hinges, or stiffer hinges");
   if (!(aligned_distance(run.structure, shown.state, found.after.state).max <= same_state))
     miss(run, "the path from flat ends in another equilibrium than the one near the goal");

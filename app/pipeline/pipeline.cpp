@@ -16,7 +16,8 @@ void judge_prints(Run& run, const Scene& scene, int prints) {
   const model::State state = run.matter ? run.equilibrium->path.state : scene.own_state(run);
   const auto judged = scene.judged(run, run.structure, run.theta, state);
   if (!judged) return;
-  run.printed = as_made(run, run.matter ? run.equilibrium->drive : drive_to(run.structure, run.theta), state, judged->points, prints);
+  run.printed = as_made(run, run.matter ? run.equilibrium->drive : drive_to(run.structure, run.theta), state,
+                        judged->points, prints);
   if (run.printed)
     run.printed->tolerance_mm = judged->tolerance_mm;
   else
@@ -30,8 +31,7 @@ std::optional<PhysicsTask> physics_task(const Run& run, const Scene& scene) {
   if (!run.equilibrium->reached()) return std::nullopt;
   const Equilibrium& equilibrium = *run.equilibrium;
   const double edge = run.structure.size().edge_mm;
-  sim::PhysicsOptions options =
-      elastic_physics(equilibrium.elasticity, run.physics, edge, run.plan.planar);
+  sim::PhysicsOptions options = elastic_physics(equilibrium.elasticity, run.physics, edge, run.plan.planar);
   options.spring_turn = run.goal_drive.k_turn / energy_unit(equilibrium.elasticity, edge);
   return PhysicsTask{equilibrium.path.state, equilibrium.drive, options};
 }

@@ -28,9 +28,9 @@ std::string effort_text(const Equilibrium& equilibrium) {
   const auto largest =
       std::max_element(equilibrium.path.steps.begin(), equilibrium.path.steps.end(),
                        [](const auto& a, const auto& b) { return std::abs(a.load) < std::abs(b.load); });
-  return fmt::format("{}: a matter for {}", load_text(equilibrium, *largest),
-                     equilibrium.drive.has_force() ? effort_of_force(largest->load)
-                                                   : effort_of_moment(largest->load));
+  return fmt::format(
+      "{}: a matter for {}", load_text(equilibrium, *largest),
+      equilibrium.drive.has_force() ? effort_of_force(largest->load) : effort_of_moment(largest->load));
 }
 
 std::string drive_text(const Equilibrium& equilibrium, const model::EquilibriumStep& step) {
@@ -65,8 +65,8 @@ std::string energy_text(const model::EquilibriumPath& path) {
   const double contact = std::max(0.0, total - sum.total() - path.spring_energy);
   const std::string springs =
       path.spring_energy > 0 ? fmt::format(", {:.4g} in the drive's springs", path.spring_energy) : "";
-  return fmt::format("{:.4g} N mm ({:.4g} in stretch, {:.4g} in rotation, {:.2g} in contact{})", total, sum.stretch,
-                     sum.turn, contact, springs);
+  return fmt::format("{:.4g} N mm ({:.4g} in stretch, {:.4g} in rotation, {:.2g} in contact{})", total,
+                     sum.stretch, sum.turn, contact, springs);
 }
 
 std::string press_text(const Equilibrium& equilibrium) {
@@ -108,10 +108,10 @@ std::vector<std::array<std::string, 2>> equilibrium_lines(const Run& run) {
   const model::EquilibriumStep& last = path.steps.back();
   std::vector<std::array<std::string, 2>> lines;
   if (!equilibrium.reached()) lines.push_back({"STOPPED", in_words(path.stop) + ": " + path.why});
-  lines.push_back({"load", load_words(equilibrium) + load_text(equilibrium, last) + " at " + drive_text(equilibrium, last) +
+  lines.push_back({"load", load_words(equilibrium) + load_text(equilibrium, last) + " at " +
+                               drive_text(equilibrium, last) +
                                (equilibrium.reached() ? ": the drive reached its goal" : "")});
-  if (!equilibrium.drive.heats_springs())
-    lines.push_back({"effort", "at most " + effort_text(equilibrium)});
+  if (!equilibrium.drive.heats_springs()) lines.push_back({"effort", "at most " + effort_text(equilibrium)});
   if (equilibrium.drive.press && equilibrium.reached()) lines.push_back({"plates", press_text(equilibrium)});
   lines.push_back({"energy", energy_text(path)});
   lines.push_back({"stretch", stretch_text(run)});

@@ -32,7 +32,8 @@ std::vector<Turned> turned_hinges(const Run& run) {
     const auto& made = section_of(run, h).made;
     if (!made || made->kind == model::HingeKind::pin) continue;
     const model::State& state = run.states.front().poses;
-    all.push_back({h, &*made, std::abs(hinge_turn(linkage, state, h)), hinge_strain(*made, linkage, state, h)});
+    all.push_back(
+        {h, &*made, std::abs(hinge_turn(linkage, state, h)), hinge_strain(*made, linkage, state, h)});
   }
   return all;
 }
@@ -102,8 +103,7 @@ std::vector<std::pair<std::string, std::string>> made_hinge_lines(const Run& run
     lines.emplace_back(
         "STRAINED", fmt::format("the hinge of wall {} by {:.2f}; its material bears {:g}: a longer gap or a "
                                 "thinner hinge strains less",
-                                wall_name(run.structure, t->hinge), t->strain,
-                                t->made->material.strain_max));
+                                wall_name(run.structure, t->hinge), t->strain, t->made->material.strain_max));
   const auto corners = [&](const Turned& t) { return t.turn / corner_turn(run, t); };
   if (const Turned* t = worst(all, corners))
     lines.emplace_back(

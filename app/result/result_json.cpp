@@ -121,7 +121,8 @@ Json metrics_json(const Run& run) {
   }
   if (run.goal) run.goal->add_metrics(metrics);
   if (run.equilibrium) add_equilibrium_metrics(*run.equilibrium, metrics);
-  if (run.equilibrium) metrics["stretch_max_mm"] = run.equilibrium->path.gaps.max * run.structure.size().edge_mm;
+  if (run.equilibrium)
+    metrics["stretch_max_mm"] = run.equilibrium->path.gaps.max * run.structure.size().edge_mm;
   if (run.printed) {
     metrics["as_made_rms_mm"] = run.printed->made.rms_mm;
     metrics["as_made_p95_mm"] = run.printed->made.p95_mm;

@@ -80,7 +80,8 @@ struct PrintedGoal {
 
   /// To first order, and in the prints that were looked at.
   bool holds() const {
-    return can_be_printed && made.p95_mm <= tolerance_mm && (!runs || (runs->failed == 0 && runs->p95_mm <= tolerance_mm));
+    return can_be_printed && made.p95_mm <= tolerance_mm &&
+           (!runs || (runs->failed == 0 && runs->p95_mm <= tolerance_mm));
   }
   /// Whether first order comes near to the prints that were looked at; true where there are none.
   bool is_confirmed() const {
@@ -90,7 +91,8 @@ struct PrintedGoal {
 };
 
 struct Timings {
-  double load = 0, plan = 0, optimise = 0, equilibrium = 0, matter = 0, as_made = 0, verify = 0, write = 0;  ///< seconds
+  double load = 0, plan = 0, optimise = 0, equilibrium = 0, matter = 0, as_made = 0, verify = 0,
+         write = 0;  ///< seconds
 };
 
 /// Everything one call of the program knows at its end: what result.json and the report show.

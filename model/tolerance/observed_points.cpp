@@ -29,9 +29,7 @@ VectorXd ObservedPoints::misses() const {
   return out;
 }
 
-double ObservedPoints::rms_mm() const {
-  return misses().norm() / std::sqrt(static_cast<double>(size()));
-}
+double ObservedPoints::rms_mm() const { return misses().norm() / std::sqrt(static_cast<double>(size())); }
 
 VectorXd ObservedPoints::by_state(const VectorXd& mixture, std::size_t bodies, double edge_mm) const {
   const VectorXd weights = without_motion(mixture);

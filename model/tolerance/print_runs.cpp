@@ -115,9 +115,10 @@ PrintRuns print_runs(const PrintedLinkage& printed, const Elasticity& elasticity
   const Distance distance(points, options.aligned);
   std::vector<double> distances;
   PrintRuns out;
-  out.failed = visit_prints(
-      printed, elasticity, drive, state, scatter, count, options,
-      [&](const State& design, const State& print, const Matrix4Xd&) { distances.push_back(distance(design, print)); });
+  out.failed = visit_prints(printed, elasticity, drive, state, scatter, count, options,
+                            [&](const State& design, const State& print, const Matrix4Xd&) {
+                              distances.push_back(distance(design, print));
+                            });
   std::sort(distances.begin(), distances.end());
   out.prints = static_cast<int>(distances.size());
   out.rms_mm = out.p95_mm = std::nan("");

@@ -6,7 +6,6 @@
 
 #include "model/elastic/path/near_equilibrium.hpp"
 #include "model/sheet/sheet_motion.hpp"
-#include "optim/matter/tilt_ties.hpp"
 
 namespace kinetix::optim {
 namespace {
@@ -16,9 +15,10 @@ using Eigen::VectorXd;
 
 // Over the largest entry of the normal equations' diagonal: the first step is nearly that of Gauss and Newton.
 constexpr double first_damping = 1e-4, least_damping = 1e-12, most_damping = 1e6;
-constexpr double easier = 0.1, harder = 10;  // what damping is multiplied by after a step that helps or does not
-constexpr double longest_step = 0.08;        // rad, of any variable: derivatives mean little further off
-constexpr double least_gain = 0.02;          // part of the rms: a step that gains less ends the search
+constexpr double easier = 0.1,
+                 harder = 10;          // what damping is multiplied by after a step that helps or does not
+constexpr double longest_step = 0.08;  // rad, of any variable: derivatives mean little further off
+constexpr double least_gain = 0.02;    // part of the rms: a step that gains less ends the search
 
 /// Tilts of all ties, then theta. rad
 class Variables {
@@ -26,6 +26,7 @@ class Variables {
   Variables(const model::Sheet& sheet, const CompensationOptions& options)
       : sheet_(sheet), ties_(tilt_ties(sheet)), options_(options) {}
 
+  const std::vector<TiltTie>& ties() const { return ties_; }
   Eigen::Index size() const { return static_cast<Eigen::Index>(ties_.size()) + 1; }
   VectorXd start(double theta) const {
     VectorXd x(size());
@@ -37,19 +38,6 @@ class Variables {
     return with_tilts(sheet_, ties_, std::vector<double>(x.data(), x.data() + ties_.size()));
   }
   double theta(const VectorXd& x) const { return x[size() - 1]; }
-
-  /// The derivative of a miss by the variables.
-  VectorXd rates(const model::Sensitivity& by) const {
-    VectorXd out(size());
-    for (std::size_t k = 0; k < ties_.size(); ++k) {
-      double sum = 0;
-      for (std::size_t h = 0; h < ties_[k].hinges.size(); ++h)
-        sum += ties_[k].signs[h] * by.hinges(2, ties_[k].hinges[h]);
-      out[static_cast<Eigen::Index>(k)] = sum;
-    }
-    out[size() - 1] = by.theta;
-    return out;
-  }
 
   /// The nearest that is allowed; theta keeps its sign.
   VectorXd within(VectorXd x, double theta) const {
@@ -65,6 +53,19 @@ class Variables {
   const std::vector<TiltTie> ties_;
   const CompensationOptions options_;
 };
+
+/// The derivative of a function of the state by the tilts of all ties and by theta.
+VectorXd by_variables(const std::vector<TiltTie>& ties, const model::Sensitivity& by) {
+  VectorXd out(static_cast<Eigen::Index>(ties.size()) + 1);
+  for (std::size_t k = 0; k < ties.size(); ++k) {
+    double sum = 0;
+    for (std::size_t h = 0; h < ties[k].hinges.size(); ++h)
+      sum += ties[k].signs[h] * by.hinges(2, ties[k].hinges[h]);
+    out[static_cast<Eigen::Index>(k)] = sum;
+  }
+  out[out.size() - 1] = by.theta;
+  return out;
+}
 
 class Search {
  public:
@@ -82,9 +83,12 @@ class Search {
     const VectorXd first = x;
     double damping = first_damping;
     while (out.why.empty()) {
-      if (at.rms_mm <= options_.enough_mm) out.why = "it meets the goal";
-      else if (out.rounds >= options_.rounds) out.why = "as many steps as are allowed";
-      else step(at, x, damping, out);
+      if (at.rms_mm <= options_.enough_mm)
+        out.why = "it meets the goal";
+      else if (out.rounds >= options_.rounds)
+        out.why = "as many steps as are allowed";
+      else
+        step(at, x, damping, out);
     }
     out.largest_change =
         variables_.size() > 1 ? (x - first).head(variables_.size() - 1).cwiseAbs().maxCoeff() : 0;
@@ -95,12 +99,13 @@ class Search {
  private:
   /// Tries steps with more and more damping until one helps, or none does.
   void step(InMatter& at, VectorXd& x, double& damping, Compensation& out) {
-    VectorXd slope;
-    MatrixXd curvature;
-    if (!linearise(at, slope, curvature)) {
+    const auto rates = miss_rates(at, variables_.ties(), elasticity_, goal_, options_.contact);
+    if (!rates) {
       out.why = "the equilibrium is at a limit: its derivatives are not known";
       return;
     }
+    const VectorXd slope = rates->rates.transpose() * rates->misses;
+    const MatrixXd curvature = rates->rates.transpose() * rates->rates;
     const double scale = curvature.diagonal().maxCoeff();
     for (; damping <= most_damping && out.rounds < options_.rounds; damping *= harder) {
       ++out.rounds;
@@ -120,33 +125,6 @@ class Search {
       return;
     }
     if (out.rounds < options_.rounds) out.why = "no step comes nearer";
-  }
-
-  /// Slope and curvature of half the sum of squared misses.
-  bool linearise(const InMatter& at, VectorXd& slope, MatrixXd& curvature) const {
-    const model::LinkageDrive drive = goal_.drive(at.sheet, at.theta);
-    model::ElasticSystem system(at.sheet, elasticity_, drive, false, options_.contact);
-    model::State state = at.state;
-    model::TangentStiffness tangent(system.dofs());
-    const auto settled = minimise(system, at.theta, {}, state, tangent);
-    if (!settled.converged || !settled.stable) return false;
-    system.linearise(state, at.theta, tangent);
-    if (!tangent.factorise(0)) return false;
-    const std::vector<model::ObservedPoint> observed = goal_.observe(at.sheet, state);
-    const model::ObservedPoints points(observed, true);
-    const VectorXd misses = points.aligned_misses();
-    slope = VectorXd::Zero(variables_.size());
-    curvature = MatrixXd::Zero(variables_.size(), variables_.size());
-    for (Eigen::Index k = 0; k < points.size(); ++k) {
-      model::EquilibriumGradient one;
-      one.state = points.by_state(VectorXd::Unit(points.size(), k), state.size(), at.sheet.size().edge_mm);
-      const VectorXd row =
-          variables_.rates(sensitivity(system, elasticity_, state, at.theta, tangent, one));
-      slope += misses[k] * row;
-      curvature.selfadjointView<Eigen::Lower>().rankUpdate(row);
-    }
-    curvature = curvature.selfadjointView<Eigen::Lower>();
-    return slope.allFinite() && curvature.allFinite() && curvature.diagonal().maxCoeff() > 0;
   }
 
   /// The equilibrium that a state turns into while tilts and theta change.
@@ -176,6 +154,29 @@ class Search {
 };
 
 }  // namespace
+
+std::optional<MissRates> miss_rates(const InMatter& at, const std::vector<TiltTie>& ties,
+                                    const model::Elasticity& elasticity, const MatterGoal& goal,
+                                    bool contact) {
+  model::ElasticSystem system(at.sheet, elasticity, goal.drive(at.sheet, at.theta), false, contact);
+  model::State state = at.state;
+  model::TangentStiffness tangent(system.dofs());
+  const auto settled = minimise(system, at.theta, {}, state, tangent);
+  if (!settled.converged || !settled.stable) return std::nullopt;
+  system.linearise(state, at.theta, tangent);
+  if (!tangent.factorise(0)) return std::nullopt;
+  const std::vector<model::ObservedPoint> observed = goal.observe(at.sheet, state);
+  const model::ObservedPoints points(observed, true);
+  MissRates out{points.aligned_misses(), MatrixXd(points.size(), static_cast<Eigen::Index>(ties.size()) + 1)};
+  for (Eigen::Index k = 0; k < points.size(); ++k) {
+    model::EquilibriumGradient one;
+    one.state = points.by_state(VectorXd::Unit(points.size(), k), state.size(), at.sheet.size().edge_mm);
+    out.rates.row(k) =
+        by_variables(ties, sensitivity(system, elasticity, state, at.theta, tangent, one)).transpose();
+  }
+  const bool usable = out.misses.allFinite() && out.rates.allFinite() && !out.rates.isZero(0);
+  return usable ? std::optional(std::move(out)) : std::nullopt;
+}
 
 Compensation compensate(const InMatter& start, const model::Elasticity& elasticity, const MatterGoal& goal,
                         const CompensationOptions& options) {

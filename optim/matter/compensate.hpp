@@ -1,11 +1,14 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "model/elastic/path/equilibrium_path.hpp"
+#include "model/linkage/linkage_drive.hpp"
 #include "model/sheet/sheet.hpp"
 #include "model/tolerance/observed_points.hpp"
+#include "optim/matter/tilt_ties.hpp"
 
 namespace kinetix::optim {
 
@@ -40,6 +43,17 @@ struct Compensation {
   int rounds = 0;             ///< steps tried
   std::string why;            ///< it ended
 };
+
+/// The misses of an equilibrium and how they change.
+struct MissRates {
+  Eigen::VectorXd misses;  ///< of each point, mm, what a rigid motion takes away left out
+  Eigen::MatrixXd rates;   ///< a row a point: by the tilt of each tie, last by theta; mm/rad
+};
+
+/// By the adjoint. @param at in equilibrium   @return nothing at a limit of the equilibrium
+std::optional<MissRates> miss_rates(const InMatter& at, const std::vector<TiltTie>& ties,
+                                    const model::Elasticity& elasticity, const MatterGoal& goal,
+                                    bool contact);
 
 /// Brings the equilibrium of a sheet of elastic hinges onto its goal: springs hold a fold back and blocks stretch, so
 /// that a design which meets its goal exactly misses it in matter. Tilts (tied, optim/matter/tilt_ties.hpp) and theta

@@ -165,7 +165,8 @@ const targets::KeyTable& curve_keys() {
       {"physics", value::map(physics_keys()), {}, "settings of the physics run"},
       process_key(),
       {"robust", value::boolean(), targets::by_default("false"),
-       "of the designs that meet the goal, the one whose [prints](hinges.md#4-as-made) come nearest to it, over "
+       "of the designs that meet the goal, the one whose [prints](hinges.md#4-as-made) come nearest to it, "
+       "over "
        "theta and, where `structure.cell_mm` is left out, over numbers of columns"},
   });
   return keys;

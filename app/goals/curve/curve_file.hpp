@@ -40,7 +40,7 @@ struct CurveFile {
   SolverSection solver = {};
   PhysicsSection physics = {};
   HingeSection hinge = {};
-  GoalDrive drive = {};  ///< where hinges are elastic
+  GoalDrive drive = {};    ///< where hinges are elastic
   bool robust = false;     ///< of designs within the tolerance, the one whose prints come nearest
   bool free_size = false;  ///< structure.cell_mm was left out: cells follow from the curve's length
   bool free_walls = true;  ///< structure.wall_mm was left out: walls follow from the cells

@@ -82,7 +82,8 @@ Json optimiser_json(const CurveOutcome& curve) {
 std::string robust_text(const RobustCurve& robust) {
   const CurveCandidate &best = robust.tried[robust.chosen], &plain = robust.tried.front();
   return fmt::format(
-      "{} columns at theta {:.1f} deg, of {} strips tried: prints are expected {:.3g} mm off; of the design with the "
+      "{} columns at theta {:.1f} deg, of {} strips tried: prints are expected {:.3g} mm off; of the design "
+      "with the "
       "least error of its own, {} columns at {:.1f} deg, {:.3g} mm",
       best.columns, best.theta / radians_per_degree, robust.tried.size(), best.as_made_mm, plain.columns,
       plain.theta / radians_per_degree, plain.as_made_mm);

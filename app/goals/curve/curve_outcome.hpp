@@ -12,7 +12,7 @@ class CurveOutcome final : public GoalOutcome {
   std::vector<Eigen::Vector2d> target_mm;  ///< as given
   optim::FreeCurveDesign found;
   std::optional<RobustCurve> robust;  ///< where `found` was chosen by what its prints come to
-  model::State exact;  ///< in which the model holds the strip, upright along y
+  model::State exact;                 ///< in which the model holds the strip, upright along y
   optim::SolverOptions solver;
   double shape_tolerance = 0.01;  ///< of found.design.error.rms, over the diagonal of the goal
 

@@ -90,9 +90,9 @@ class CurveScene final : public Scene {
     const targets::CurveError error = curve_error(column_midline(run.structure, upright), file_.curve);
     curve.violations.clear();
     if (!(error.rms <= file_.shape_tolerance))
-      curve.violations.push_back(fmt::format(
-          "equilibrium: rms {:.3g} of the goal's diagonal; at most {:g} is allowed", error.rms,
-          file_.shape_tolerance));
+      curve.violations.push_back(
+          fmt::format("equilibrium: rms {:.3g} of the goal's diagonal; at most {:g} is allowed", error.rms,
+                      file_.shape_tolerance));
     if (!curve.found.walls_are_free)
       curve.violations.push_back(curve.found.notes.back() + ": use lower or thinner walls, or larger cells");
   }

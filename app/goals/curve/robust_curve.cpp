@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "app/files/structure_section.hpp"
 #include "app/goals/curve/curve_points.hpp"
 #include "app/goals/curve/curve_search.hpp"
-#include "app/files/structure_section.hpp"
 #include "app/pipeline/as_made.hpp"
 #include "app/pipeline/matter.hpp"
 #include "model/contact/wall_contact.hpp"
@@ -50,9 +50,10 @@ CurveCandidate judged(const CurveFile& file, const optim::FreeCurveDesign& found
   const model::State state = exact_motion(run.structure).at(out.theta);
   const auto printed = expected_of_prints(run, goal_drive(run, run.structure, out.theta), state,
                                           curve_points(file.curve, run.structure, state, state));
-  if (printed) std::tie(out.as_made_mm, out.as_made_p95) = std::pair{printed->made.rms_mm, printed->made.p95_mm};
-  out.is_allowed = printed && printed->can_be_printed && found.walls_are_free &&
-                   design.error.rms <= file.shape_tolerance;
+  if (printed)
+    std::tie(out.as_made_mm, out.as_made_p95) = std::pair{printed->made.rms_mm, printed->made.p95_mm};
+  out.is_allowed =
+      printed && printed->can_be_printed && found.walls_are_free && design.error.rms <= file.shape_tolerance;
   return out;
 }
 
@@ -99,12 +100,13 @@ RobustCurve robust_curve(const CurveFile& file, const optim::FreeCurveDesign& pl
   const double rounds = static_cast<double>(columns.size()) * thetas;
   for (const int count : columns)
     for (int k = 0; k < thetas; ++k) {
-      if (options.progress) options.progress("robust search", static_cast<double>(out.tried.size() - 1) / rounds);
+      if (options.progress)
+        options.progress("robust search", static_cast<double>(out.tried.size() - 1) / rounds);
       Tried next = tried(with(file, count, theta_at(file, k)), search);
       out.tried.push_back(next.candidate);
       const CurveCandidate& best = out.tried[out.chosen];
-      const bool is_better = next.candidate.is_allowed &&
-                             (!best.is_allowed || next.candidate.as_made_mm < best.as_made_mm);
+      const bool is_better =
+          next.candidate.is_allowed && (!best.is_allowed || next.candidate.as_made_mm < best.as_made_mm);
       if (!is_better) continue;
       out.found = std::move(next.found);
       out.size = next.file.size;

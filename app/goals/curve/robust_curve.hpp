@@ -20,10 +20,10 @@ struct CurveCandidate {
 
 /// Strips from which a robust search chooses.
 struct RobustCurve {
-  optim::FreeCurveDesign found;           ///< the one chosen
-  model::CellSize size;                   ///< of its cells
-  std::vector<CurveCandidate> tried;      ///< first the plain search's
-  std::size_t chosen = 0;                 ///< in tried
+  optim::FreeCurveDesign found;       ///< the one chosen
+  model::CellSize size;               ///< of its cells
+  std::vector<CurveCandidate> tried;  ///< first the plain search's
+  std::size_t chosen = 0;             ///< in tried
 };
 
 /// The strip whose prints come nearest to the curve, to first order, among those whose design meets it: over theta,

@@ -108,8 +108,12 @@ targets::KeyTable tolerance_keys(const DisplayFile& usual) {
        "least [auc](#contrast-and-auc); of greys the rank correlation"},
       {"contrast", value::number(targets::at_least(0)), targets::by_default(usual.contrast),
        "least [contrast](#contrast-and-auc), of pictures with two levels"},
-      {"force_N", value::number(targets::above(0, "N")), {}, "most that the plates may take; the panel is pressed less where it has to be"},
-      {"strain", value::number({0, 10, false, true, {}}), targets::otherwise("what the material of `hinge` bears; none without `hinge.kind`"),
+      {"force_N",
+       value::number(targets::above(0, "N")),
+       {},
+       "most that the plates may take; the panel is pressed less where it has to be"},
+      {"strain", value::number({0, 10, false, true, {}}),
+       targets::otherwise("what the material of `hinge` bears; none without `hinge.kind`"),
        "most that a hinge made as a block or film may be strained, likewise"},
       {"verify", value::number(part_of_one), targets::by_default(usual.verify),
        "most of [verify_rms](#verify_rms-and-verify_max), cell edges"},
@@ -137,8 +141,9 @@ void limit_offset(const targets::Section& root, DisplayFile& file) {
   std::optional<double> asked_mm;
   root.section("variables").read_length("offset_mm", asked_mm, file.size.edge_mm);
   if (asked_mm && *asked_mm > most_mm * (1 + 1e-9))  // rounding of a file's digits
-    throw node->error(fmt::format("a hinge made so in walls of {:g} mm can sit at most {:.3g} mm off their middle",
-                                  file.size.thickness_mm, most_mm));
+    throw node->error(
+        fmt::format("a hinge made so in walls of {:g} mm can sit at most {:.3g} mm off their middle",
+                    file.size.thickness_mm, most_mm));
 }
 
 /// Before all whose defaults depend on it.

@@ -83,13 +83,15 @@ void keep_limits(const DisplayFile& file, const model::Elasticity& elasticity, D
 std::vector<std::string> limit_violations(const DisplayFile& file, const PanelLoads& loads) {
   std::vector<std::string> why;
   if (file.force_N && !(loads.force_N <= *file.force_N))
-    why.push_back(fmt::format("the plates take {:.3g} N; at most {:g} N is allowed, and less compression "
-                              "does not keep that either",
-                              loads.force_N, *file.force_N));
+    why.push_back(
+        fmt::format("the plates take {:.3g} N; at most {:g} N is allowed, and less compression "
+                    "does not keep that either",
+                    loads.force_N, *file.force_N));
   if (file.most_strain && !(loads.strain <= *file.most_strain))
-    why.push_back(fmt::format("a hinge is strained by {:.2f}; at most {:g} is allowed, and less compression "
-                              "does not keep that either: a longer gap or a thinner hinge strains less",
-                              loads.strain, *file.most_strain));
+    why.push_back(
+        fmt::format("a hinge is strained by {:.2f}; at most {:g} is allowed, and less compression "
+                    "does not keep that either: a longer gap or a thinner hinge strains less",
+                    loads.strain, *file.most_strain));
   return why;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/goals/display/display_outcome.hpp"
 #include "app/goals/display/display_file.hpp"
+#include "app/goals/display/display_outcome.hpp"
 
 namespace kinetix::app {
 

@@ -87,11 +87,13 @@ Json printed_json(const PrintedDisplay& printed) {
 std::string printed_text(const DisplayOutcome& display, const Run& run) {
   const PrintedDisplay& printed = *display.printed;
   std::string text = fmt::format(
-      "printed by {}: contrast {:.1f}, above {:.1f} in 95 of 100 prints, auc {:.3f}; {} prints in the model: {:.1f}, "
+      "printed by {}: contrast {:.1f}, above {:.1f} in 95 of 100 prints, auc {:.3f}; {} prints in the model: "
+      "{:.1f}, "
       "{:.1f}, {:.3f}",
       run.process.name, printed.expected.contrast, printed.expected.contrast_p95, printed.expected.auc,
       printed.prints, printed.seen.contrast, printed.seen.contrast_p95, printed.seen.auc);
-  if (printed.failed > 0) text += fmt::format("; {} more found no equilibrium near the design", printed.failed);
+  if (printed.failed > 0)
+    text += fmt::format("; {} more found no equilibrium near the design", printed.failed);
   return text;
 }
 

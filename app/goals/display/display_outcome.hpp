@@ -40,9 +40,9 @@ struct PanelLoads {
 
 /// What prints of a panel show.
 struct PrintedDisplay {
-  optim::AsMadeDisplay expected;    ///< to first order
-  optim::AsMadeDisplay seen;        ///< in prints that were brought to their equilibrium
-  int prints = 0, failed = 0;       ///< of those: that settled near the design, and that did not
+  optim::AsMadeDisplay expected;  ///< to first order
+  optim::AsMadeDisplay seen;      ///< in prints that were brought to their equilibrium
+  int prints = 0, failed = 0;     ///< of those: that settled near the design, and that did not
 };
 
 /// What a search for a display contributes to a result.

@@ -59,9 +59,9 @@ void add_prints(const DisplayFile& file, const Run& run, const model::HingeScatt
     contrasts.push_back(score.contrast);
     auc += score.auc;
   };
-  out.failed = visit_prints([&](const Eigen::Matrix4Xd& errors) { return printed_sheet(run.structure, errors); },
-                            run.equilibrium->elasticity, run.equilibrium->drive,
-                            state, scatter, count, {.planar = true}, seen);
+  out.failed = visit_prints(
+      [&](const Eigen::Matrix4Xd& errors) { return printed_sheet(run.structure, errors); },
+      run.equilibrium->elasticity, run.equilibrium->drive, state, scatter, count, {.planar = true}, seen);
   out.prints = static_cast<int>(contrasts.size());
   if (contrasts.empty()) return;
   std::sort(contrasts.begin(), contrasts.end());

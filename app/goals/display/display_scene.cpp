@@ -5,8 +5,8 @@
 
 #include "app/goals/display/display_kind.hpp"
 #include "app/goals/display/display_limits.hpp"
-#include "app/goals/display/display_prints.hpp"
 #include "app/goals/display/display_outcome.hpp"
+#include "app/goals/display/display_prints.hpp"
 #include "app/goals/display/legibility_front.hpp"
 #include "app/goals/display/panel_memory.hpp"
 #include "app/goals/display/search_panel.hpp"

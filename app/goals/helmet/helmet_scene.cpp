@@ -108,8 +108,7 @@ class HelmetScene final : public Scene {
     for (int body = 0; body < static_cast<int>(state.size()); ++body) {
       const targets::ClosestMeshPoint at = file_.head.dome.closest(on_head[body].p);
       const Eigen::Matrix3d back = state[body].R * on_head[body].R.transpose();
-      out.points.push_back(
-          {{body}, state[body].p, back * at.normal, at.distance - file_.spec.clearance_mm});
+      out.points.push_back({{body}, state[body].p, back * at.normal, at.distance - file_.spec.clearance_mm});
     }
     return out;
   }

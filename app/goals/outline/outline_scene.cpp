@@ -50,8 +50,7 @@ class OutlineScene final : public Scene {
       const targets::Outline::Nearest at = goal.nearest(place.head<2>());
       const Eigen::Matrix3d back = state[body].R * placed[body].R.transpose();
       const Eigen::Vector3d normal(at.normal.x(), at.normal.y(), 0);
-      out.points.push_back(
-          {{body}, state[body].p, back * normal, at.normal.dot(place.head<2>() - at.point)});
+      out.points.push_back({{body}, state[body].p, back * normal, at.normal.dot(place.head<2>() - at.point)});
     }
     return out;
   }

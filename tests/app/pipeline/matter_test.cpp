@@ -1,0 +1,167 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "tests/app/program.hpp"
+#include "tests/app/schema_errors.hpp"
+
+/// Goals whose hinges are made of something.
+namespace kinetix::testing {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using Json = nlohmann::json;
+
+const std::string arc = R"(kinetix: 1
+name: arc
+target: {kind: curve, points: [[0, 0], [30, 12], [60, 16], [90, 12], [120, 0]]}
+structure: {cells: [12, 1]}
+)";
+const std::string rubber = "hinge: {kind: block, material: tango, gap_mm: 1}\n",
+                  springs = "drive: {kind: shape_memory, k_turn: 5}\n";
+
+struct Finished {
+  int code;
+  std::string out, err;
+  Json result;
+};
+
+Finished finished(const Scratch& scratch, const std::string& text, const std::string& more = "") {
+  const std::string folder = scratch / "out";
+  const Outcome run = kinetix_opt(scratch.write("goal.yaml", text) + " -o " + folder + more);
+  Finished out{run.code, run.out, run.err, {}};
+  if (run.code == 0 || run.code == 3) out.result = Json::parse(text_of(folder + "/result.json"));
+  return out;
+}
+
+TEST(Matter, MakesUpForSoftHingesOfACurve) {
+  const Scratch scratch;
+  const Finished run = finished(scratch, arc + rubber + springs);
+  ASSERT_EQ(run.code, 0) << run.out << run.err;
+  EXPECT_EQ(schema_errors(run.result), "");
+  const Json& matter = run.result["matter"];
+  EXPECT_GT(matter["before_mm"], 10 * matter["after_mm"].get<double>());
+  EXPECT_LE(matter["after_mm"], matter["tolerance_mm"]);
+  EXPECT_LE(run.result["metrics"]["verify_rms"], 1e-4);
+  EXPECT_EQ(run.result["states"][0]["model"], "equilibrium");
+  EXPECT_NEAR(run.result["as_made"]["designed_mm"], matter["after_mm"], 1e-6);
+  EXPECT_THAT(run.out, HasSubstr("with its hinges as made"));
+
+  // The design by itself comes to the same state.
+  const std::string folder = scratch / "out";
+  const Outcome again = kinetix_opt("verify " + folder + "/design.yaml -o " + scratch.path() + "/again");
+  EXPECT_EQ(again.code, 0) << again.out << again.err;
+  EXPECT_THAT(text_of(folder + "/design.yaml"),
+              AllOf(HasSubstr("material: tango"), HasSubstr("shape_memory")));
+}
+
+TEST(Matter, SaysWhereASheetLeansInsteadOfFolding) {
+  const Scratch scratch;
+  const Finished run = finished(scratch, R"(kinetix: 1
+target: {kind: curve, points: [[0, 0], [60, 24], [120, 32], [180, 24], [240, 0]]}
+structure: {cells: [32, 1]}
+)" + rubber,
+                                " --no-verify");
+  ASSERT_EQ(run.code, 3) << run.out << run.err;
+  EXPECT_THAT(run.out, HasSubstr("try `drive: {kind: shape_memory"));
+}
+
+TEST(Matter, MakesUpForSoftHingesOfABox) {
+  const Scratch scratch;
+  const Finished run =
+      finished(scratch, "kinetix: 1\ntarget: {kind: fold, box: [3, 3, 3]}\ntolerance: {angle_deg: 1}\n" +
+                            rubber + springs);
+  ASSERT_EQ(run.code, 0) << run.out << run.err;
+  EXPECT_EQ(schema_errors(run.result), "");
+  const Json& matter = run.result["matter"];
+  EXPECT_GT(matter["before_mm"], 10 * matter["after_mm"].get<double>());
+  EXPECT_LE(run.result["metrics"]["verify_rms"], 1e-4);
+  EXPECT_LE(run.result["metrics"]["fold_miss_physics_deg"], 1);
+}
+
+TEST(Matter, ARobustCurveHasBetterPrints) {
+  const Scratch scratch;
+  const std::string curve =
+      "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [30, 12], [60, 16], [90, 12], [120, 0]]}\n"
+      "structure: {cells: [20, 1]}\n";
+  const Finished plain = finished(scratch, curve + rubber + springs, " --no-verify"),
+                 robust = finished(scratch, curve + rubber + springs + "robust: true\n", " --no-verify");
+  ASSERT_EQ(plain.code, 0) << plain.out << plain.err;
+  ASSERT_EQ(robust.code, 0) << robust.out << robust.err;
+  EXPECT_EQ(schema_errors(robust.result), "");
+  EXPECT_LE(robust.result["metrics"]["as_made_rms_mm"],
+            0.5 * plain.result["metrics"]["as_made_rms_mm"].get<double>());
+  EXPECT_LE(robust.result["metrics"]["shape_rms"], 0.01);
+  int chosen = 0;
+  for (const Json& one : robust.result["curve"]["robust"]) chosen += one["chosen"].get<bool>();
+  EXPECT_EQ(chosen, 1);
+  EXPECT_THAT(robust.out, HasSubstr("strips tried"));
+}
+
+const std::string letter = R"(kinetix: 1
+target: {kind: display, glyph: T}
+structure: {cells: [8, 8], cell_mm: 20, wall_mm: {thickness: 2, height: 8}}
+hinge: {kind: block, material: tango, gap_mm: 2, thickness_mm: 1.2}
+)";
+
+TEST(Matter, ADisplayKeepsItsLimits) {
+  const Scratch scratch;
+  const Finished run = finished(scratch, letter + "tolerance: {strain: 0.25, force_N: 20, contrast: 1}\n");
+  ASSERT_EQ(run.code, 0) << run.out << run.err;
+  EXPECT_EQ(schema_errors(run.result), "");
+  const Json& display = run.result["display"];
+  EXPECT_LE(display["loads"]["strain"], 0.25);
+  EXPECT_GE(display["loads"]["strain"], 0.2) << "no less than it need be";
+  EXPECT_LE(run.result["metrics"]["strain_max"], 0.25);
+  EXPECT_LE(run.result["metrics"]["force_N"], 20);
+  EXPECT_GT(display["unlimited"]["strain"], 0.25);
+  EXPECT_LT(display["compression"], 0.185);
+  EXPECT_THAT(run.out, HasSubstr("without them compressed by 18.5 %"));
+}
+
+TEST(Matter, PrintsOfADisplayAreAsExpected) {
+  const Scratch scratch;
+  const Finished run = finished(scratch, letter + "tolerance: {strain: 0.25, contrast: 1}\n",
+                                " --no-verify --monte-carlo 300");
+  ASSERT_EQ(run.code, 0) << run.out << run.err;
+  const Json &expected = run.result["display"]["printed"]["expected"],
+             &prints = run.result["display"]["printed"]["prints"];
+  EXPECT_EQ(run.result["display"]["printed"]["failed"], 0);
+  EXPECT_NEAR(expected["contrast"], prints["contrast"], 0.1 * prints["contrast"].get<double>());
+  EXPECT_NEAR(expected["contrast_p95"], prints["contrast_p95"], 0.1 * prints["contrast"].get<double>());
+  EXPECT_NEAR(expected["auc"], prints["auc"], 0.01);
+}
+
+TEST(Matter, RefusesWhatCannotBeMade) {
+  const struct {
+    std::string text;
+    const char* message;
+  } cases[] = {
+      {arc + "hinge: {kind: pin, diameter_mm: 3, clearance_mm: 0.1}\nprocess: fdm\n",
+       "goal.yaml:6:10: process: a clearance of 0.1 mm is less than fdm prints, 0.3 mm"},
+      {"kinetix: 1\ntarget: {kind: fold, box: [2, 2, 2]}\nstructure: {cell_mm: 5}\nprocess: sla\n",
+       "goal.yaml:4:10: process: a wall of 0.5 mm is less than sla prints, 0.8 mm; with the same proportions "
+       "a "
+       "cell_mm of 8"},
+      {letter + "variables: {offset_mm: 0.5}\n",
+       "variables.offset_mm: a hinge made so in walls of 2 mm can sit at most 0.4 mm off their middle"},
+      {letter + "drive: {kind: hinge}\ntolerance: {force_N: 3}\n", "tolerance.force_N: is for plates"},
+      {"kinetix: 1\ntarget: {kind: display, glyph: T}\ntolerance: {strain: 0.3}\n",
+       "tolerance.strain: is of hinges made as blocks or films"},
+      {arc + rubber + "drive: {kind: usual, k_turn: 5}\n", "drive.k_turn"},
+      {arc + rubber + "drive: {kind: shape_memory}\n", "`k_turn` is missing"},
+      {arc + rubber + "drive: {kind: heat}\n", "usual, shape_memory"},
+  };
+  for (const auto& [text, message] : cases) {
+    const Scratch scratch;
+    const Finished run = finished(scratch, text);
+    EXPECT_EQ(run.code, 2) << message;
+    EXPECT_THAT(run.err, HasSubstr(message));
+  }
+}
+
+}  // namespace
+}  // namespace kinetix::testing
