@@ -28,6 +28,16 @@ Json event_json(const model::PathEvent& event) {
           {"drive", event.at.drive},       {"load", event.at.load},       {"what", event.what}};
 }
 
+/// What hinges have that are more than two springs k_point.
+void add_directions(const model::Elasticity& e, Json& stiffness) {
+  const model::HingeStiffness k = stiffness_of(e);
+  if (!e.ratios.are_one() || !e.tilt.are_by_reach())
+    stiffness.update({{"axial", k.axial}, {"shear", k.shear}, {"along", k.along}});
+  if (k.rock) stiffness["rock"] = *k.rock;
+  if (k.twist) stiffness["twist"] = *k.twist;
+  if (e.play_mm > 0) stiffness["play_mm"] = e.play_mm;
+}
+
 }  // namespace
 
 Json equilibrium_json(const Equilibrium& equilibrium) {
@@ -36,10 +46,7 @@ Json equilibrium_json(const Equilibrium& equilibrium) {
   Json steps = Json::array(), events = Json::array(), energies = Json::array();
   Json stiffness = {
       {"k_point", e.k_point}, {"k_turn", e.k_turn}, {"reach_mm", e.reach_mm}, {"k_contact", e.k_contact}};
-  if (e.each.empty() && !e.ratios.are_one()) {
-    const model::HingeStiffness k = stiffness_of(e);
-    stiffness.update({{"axial", k.axial}, {"shear", k.shear}, {"along", k.along}});
-  }
+  if (e.each.empty()) add_directions(e, stiffness);
   for (const model::EquilibriumStep& step : path.steps)
     steps.push_back(step_json(step, by_plates(equilibrium)));
   for (const model::PathEvent& event : path.events) events.push_back(event_json(event));
