@@ -49,7 +49,8 @@ const targets::KeyTable& stiffness_keys() {
       {"turn", moments, targets::needed, "about the axis"},
       {"rock", moments, targets::otherwise("axial times `reach_mm` squared"),
        "about the direction across the wall and the axis"},
-      {"twist", moments, targets::otherwise("shear times `reach_mm` squared"), "about the wall's own direction"},
+      {"twist", moments, targets::otherwise("shear times `reach_mm` squared"),
+       "about the wall's own direction"},
   });
   return keys;
 }
@@ -100,7 +101,8 @@ std::vector<targets::Key> stiffness_and_shape() {
       {"clearance_mm", value::length({0, 0.5, true, false, "mm (below half a cell)"}),
        targets::by_default(default_clearance_mm), "of a pin, between rod and bore, a side"},
       {"play", value::boolean(), targets::by_default("false"),
-       "whether a pin moves freely within its clearance, a dead band in which nothing resists: sheets are then "
+       "whether a pin moves freely within its clearance, a dead band in which nothing resists: sheets are "
+       "then "
        "loose, and their equilibrium is any of many"},
   };
 }
@@ -127,7 +129,8 @@ void check_one_way(const targets::Section& section) {
   refuse("kind", {"k_point", "k_turn", "k", "reach_mm"});
   refuse("k", {"k_point", "k_turn"});
   if (section.optional("kind")) return;
-  for (const char* key : {"material", "gap_mm", "thickness_mm", "height_mm", "diameter_mm", "clearance_mm", "play"})
+  for (const char* key :
+       {"material", "gap_mm", "thickness_mm", "height_mm", "diameter_mm", "clearance_mm", "play"})
     if (const auto node = section.optional(key))
       throw node->key_error("is of a made hinge; give `kind: pin`, `block` or `film` as well");
 }

@@ -59,7 +59,8 @@ std::string axes() {
     svg += line(plot_x(play), top, plot_x(play), bottom, "stroke=\"#d8dde2\" stroke-dasharray=\"3,3\"");
   svg += label(8, 16, "start",
                "energy barrier between flat and twisted, N mm; circles: the play that the geometry needs");
-  return svg + label(right, bottom + 42, "end", "play of the pins, mm a side; dashed: as printed in the paper");
+  return svg +
+         label(right, bottom + 42, "end", "play of the pins, mm a side; dashed: as printed in the paper");
 }
 
 /// To where the barrier is gone.
@@ -80,8 +81,8 @@ std::string legend() {
   std::string svg;
   double y = top + 16;
   for (const Curve& c : curves) {
-    svg += line(right - 90, y, right - 66, y,
-                fmt::format("stroke=\"{}\" stroke-width=\"2\"", c.colour).c_str());
+    svg +=
+        line(right - 90, y, right - 66, y, fmt::format("stroke=\"{}\" stroke-width=\"2\"", c.colour).c_str());
     svg += label(right - 60, y + 4, "start", fmt::format("alpha {:g}°", c.alpha));
     y += 18;
   }
@@ -98,10 +99,10 @@ Figure gone_where_geometry_says() {
     worst = std::isnan(error) ? INFINITY : std::max(worst, error);
     needed.push_back(play);
   }
-  return {"the paper's twist unit, 30 mm, with play in its pins, alpha 60, 70, 75, 80 deg: play from which its "
-          "barrier is gone, against the least that its geometry needs",
-          "<= 1 %", fmt::format("{:.2f} %; {} mm a side", 100 * worst, numbers(needed, "{:.3f}")),
-          worst <= 0.01};
+  return {
+      "the paper's twist unit, 30 mm, with play in its pins, alpha 60, 70, 75, 80 deg: play from which its "
+      "barrier is gone, against the least that its geometry needs",
+      "<= 1 %", fmt::format("{:.2f} %; {} mm a side", 100 * worst, numbers(needed, "{:.3f}")), worst <= 0.01};
 }
 
 Figure barriers_of_the_printed_plays() {
@@ -114,8 +115,7 @@ Figure barriers_of_the_printed_plays() {
     energies.push_back(energy);
   }
   return {"the same at alpha 75 deg with the plays that the paper printed, 0.05 to 0.25 mm: energy barrier",
-          "falls with play, as its resistance did",
-          numbers(energies, "{:.3f}") + " N mm", falls};
+          "falls with play, as its resistance did", numbers(energies, "{:.3f}") + " N mm", falls};
 }
 
 }  // namespace

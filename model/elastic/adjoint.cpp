@@ -14,7 +14,8 @@ constexpr int turn_row = 3, reach_row = 4, rock_row = 5, twist_row = 6;  // of t
 
 Eigen::Matrix<double, 7, 1> stacked(const HingeRate& rate) {
   Eigen::Matrix<double, 7, 1> out;
-  out << rate.ratios.axial, rate.ratios.shear, rate.ratios.along, rate.turn, rate.reach, rate.rock, rate.twist;
+  out << rate.ratios.axial, rate.ratios.shear, rate.ratios.along, rate.turn, rate.reach, rate.rock,
+      rate.twist;
   return out;
 }
 

@@ -28,7 +28,8 @@ void check_play(const Elasticity& e) {
   if (!(e.play_mm >= 0 && e.play_mm <= e.reach_mm))
     refuse_play(e.play_mm, "must be from 0 to the reach, which is " + std::to_string(e.reach_mm) + " mm");
   if (e.play_mm > 0 && !(e.ratios.axial == e.ratios.shear && e.tilt.are_by_reach()))
-    refuse_play(e.play_mm, "which only a hinge can have that is alike along and across its wall and tilts by its reach");
+    refuse_play(e.play_mm,
+                "which only a hinge can have that is alike along and across its wall and tilts by its reach");
 }
 
 }  // namespace
@@ -118,8 +119,8 @@ Elasticity elasticity_of(const HingeStiffness& k, double reach_mm) {
 
 HingeStiffness stiffness_of(const Elasticity& e) {
   const double both = 2 * e.k_point;
-  return {both * e.ratios.axial, both * e.ratios.shear, both * e.ratios.along,
-          e.k_turn,              e.tilt.rock,           e.tilt.twist};
+  return {both * e.ratios.axial, both * e.ratios.shear, both * e.ratios.along, e.k_turn,
+          e.tilt.rock,           e.tilt.twist};
 }
 
 }  // namespace kinetix::model

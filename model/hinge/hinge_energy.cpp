@@ -72,8 +72,7 @@ HingeEnergy hinge_energy(const RestHinge& hinge, const Stiffness& k, const Pose&
   if (k.play > 0) return {play_energy(hinge, k, lower, upper, edge_mm), turn};
   if (!k.framed() && !k.tilts()) return {point.gap.squaredNorm(), turn};
   const Mismatch axis = axis_mismatch(hinge, lower, upper);
-  const double stretch =
-      k.ratios.shear * point.gap.squaredNorm() + k.twist_weight() * axis.gap.squaredNorm();
+  const double stretch = k.ratios.shear * point.gap.squaredNorm() + k.twist_weight() * axis.gap.squaredNorm();
   if (!k.framed()) return {stretch, turn};
   return {stretch + FrameTerms(hinge, k, lower, upper, point, axis).energy(), turn};
 }

@@ -54,11 +54,11 @@ class PlayedPoint {
     e.energy += energy();
     e.gradient += across_weight_ * (across_.first * across + 0.5 * played_loose * whole.gradient) +
                   along_weight_ * beyond_.first * part.gradient;
-    e.hessian += across_weight_ * (across_.second * across * across.transpose() +
-                                   across_.first * (whole.hessian - part.hessian) +
-                                   0.5 * played_loose * whole.hessian);
-    e.hessian += along_weight_ * (beyond_.second * part.gradient * part.gradient.transpose() +
-                                  beyond_.first * part.hessian);
+    e.hessian += across_weight_ *
+                 (across_.second * across * across.transpose() +
+                  across_.first * (whole.hessian - part.hessian) + 0.5 * played_loose * whole.hessian);
+    e.hessian += along_weight_ *
+                 (beyond_.second * part.gradient * part.gradient.transpose() + beyond_.first * part.hessian);
   }
 
   /// @param along the change along the twists

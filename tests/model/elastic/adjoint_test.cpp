@@ -105,8 +105,12 @@ TEST(Adjoint, OfHingesOfTheirOwnIsTheCentralDifferenceOfEquilibriaFoundAnew) {
         Equilibrium at = b;
         Elasticity& own = at.elasticity.each[h];
         HingeStiffness stiffness = stiffness_of(own);
-        double* const fields[] = {&stiffness.axial, &stiffness.shear, &stiffness.along, &stiffness.turn,
-                                  &own.reach_mm,    &stiffness.rock.emplace(stiffness.rock.value_or(0)),
+        double* const fields[] = {&stiffness.axial,
+                                  &stiffness.shear,
+                                  &stiffness.along,
+                                  &stiffness.turn,
+                                  &own.reach_mm,
+                                  &stiffness.rock.emplace(stiffness.rock.value_or(0)),
                                   &stiffness.twist.emplace(stiffness.twist.value_or(0))};
         *fields[k] *= 1 + by;
         if (*stiffness.rock == 0) stiffness.rock.reset();
@@ -118,8 +122,8 @@ TEST(Adjoint, OfHingesOfTheirOwnIsTheCentralDifferenceOfEquilibriaFoundAnew) {
       for (Eigen::Index h = 0; h < hinges; ++h) {
         const Elasticity& own = b.elasticity.each[h];
         const HingeStiffness k = stiffness_of(own);
-        const double values[] = {k.axial,     k.shear, k.along, k.turn, own.reach_mm, k.rock.value_or(0),
-                                 k.twist.value_or(0)};
+        const double values[] = {
+            k.axial, k.shear, k.along, k.turn, own.reach_mm, k.rock.value_or(0), k.twist.value_or(0)};
         for (int r = 0; r < 7; ++r) {
           expected[7 * h + r] = testing::numeric_jacobian(
               [&](const Eigen::VectorXd& q) { return Eigen::VectorXd::Constant(1, changed(h, r, q[0])); },

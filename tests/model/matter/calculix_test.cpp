@@ -122,8 +122,9 @@ struct Case {
 
 TEST(MadeHinge, IsAsStiffAsCalculixFindsABlockOfItsSize) {
   if (!has_calculix()) GTEST_SKIP() << "CalculiX is not installed: apt-get install calculix-ccx";
-  for (const Case& c : {Case{0.6, 5, 0.45}, Case{1, 5, 0.45}, Case{1, 10, 0.48}, Case{1, 5, 0.48}, Case{1.25, 7.5, 0.45},
-                        Case{1.5, 5, 0.3}, Case{2, 5, 0.4}, Case{4, 5, 0.45}, Case{4, 10, 0.3}, Case{4, 7.5, 0.48}}) {
+  for (const Case& c :
+       {Case{0.6, 5, 0.45}, Case{1, 5, 0.45}, Case{1, 10, 0.48}, Case{1, 5, 0.48}, Case{1.25, 7.5, 0.45},
+        Case{1.5, 5, 0.3}, Case{2, 5, 0.4}, Case{4, 5, 0.45}, Case{4, 10, 0.3}, Case{4, 7.5, 0.48}}) {
     SCOPED_TRACE(::testing::Message() << "L/t " << c.slenderness << ", h/t " << c.height << ", nu " << c.nu);
     const double t = 0.8;
     const MadeHinge block{.kind = HingeKind::block,
