@@ -15,6 +15,7 @@ struct Figure {
 
 std::vector<Figure> model_figures();
 std::vector<Figure> stable_state_figures();
+std::vector<Figure> play_figures();
 std::vector<Figure> elastic_figures();
 std::vector<Figure> equilibrium_path_figures();
 std::vector<Figure> search_figures();
@@ -41,6 +42,9 @@ std::string solver_table();
 
 /// SVG picture: energy barrier of the twist unit against its in-plane hinge angle.
 std::string barrier_plot();
+
+/// SVG picture: the same of the paper's twist unit against the play of its pins.
+std::string play_plot();
 
 /// Markdown table and SVG picture: speed against error of every method on every scene.
 std::string speed_error_section();

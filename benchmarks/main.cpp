@@ -45,6 +45,7 @@ constexpr Group groups[] = {{"model", kinetix::bench::model_figures},
                             {"elastic", kinetix::bench::elastic_figures},
                             {"load_path", kinetix::bench::equilibrium_path_figures},
                             {"stable_state", kinetix::bench::stable_state_figures},
+                            {"play", kinetix::bench::play_figures},
                             {"search", kinetix::bench::search_figures},
                             {"physics", kinetix::bench::physics_figures},
                             {"elastic_physics", kinetix::bench::elastic_physics_figures},
@@ -74,6 +75,7 @@ struct Extra {
 
 // What else a group writes: pictures and sections of the page.
 constexpr Extra extras[] = {{"stable_state", "twist_barrier.svg", kinetix::bench::barrier_plot},
+                            {"play", "play_barrier.svg", kinetix::bench::play_plot},
                             {"physics", "solvers", kinetix::bench::solver_table},
                             {"speed_error", "speed error", kinetix::bench::speed_error_section},
                             {"speed_error", "speed_error.svg", kinetix::bench::speed_error_picture}};

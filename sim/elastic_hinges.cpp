@@ -21,18 +21,12 @@ Matrix3d turned(const Vector3d& force, const Vector3d& arm) {
 std::vector<Matrix3d> turning_stiffness(const model::Linkage& structure, const model::State& state,
                                         const model::Stiffness& stiffness) {
   std::vector<Matrix3d> sums(state.size(), Matrix3d::Zero());
-  const Eigen::VectorXd misfit = closure_residual(structure, state);
   for (std::size_t h = 0; h < structure.hinges.size(); ++h) {
     const model::RestHinge& hinge = structure.hinges[h];
     const model::Stiffness& k = stiffness.of(h);
     const Matrix3d &lower = state[hinge.lower].R, &upper = state[hinge.upper].R;
-    Vector3d point = misfit.segment<3>(6 * h), axis = misfit.segment<3>(6 * h + 3);
-    if (!k.ratios.are_one()) {
-      const HingeDirections at = hinge_directions(hinge, state[hinge.lower], state[hinge.upper]);
-      point = pull(k.ratios, at, point);
-      axis = pull(k.ratios, at, axis);
-    }
-    const Vector3d force = 2 * point, moment = 2 * k.reach * k.reach * axis;
+    const auto [force, moment] =
+        hinge_pull(hinge, k, state[hinge.lower], state[hinge.upper], structure.size.edge_mm);
     sums[hinge.lower] += turned(force, lower * hinge.lower_arm) + turned(moment, lower * hinge.axis);
     sums[hinge.upper] -= turned(force, upper * hinge.upper_arm) + turned(moment, upper * hinge.axis);
   }
@@ -98,7 +92,7 @@ std::vector<VelocityRow> ElasticHinges::rows(const model::State& state,
           brake(static_cast<int>(b), modes.eigenvectors().col(k), modes.eigenvalues()[k], speeds[b].omega));
   }
   for (std::size_t h = 0; h < structure_.hinges.size(); ++h)
-    if (!stiffness_.of(h).ratios.are_one())
+    if (stiffness_.of(h).framed())
       append_framed_points(structure_.hinges[h], stiffness_.of(h), structure_.size.edge_mm, state, speeds,
                            step, rows);
   return rows;

@@ -31,6 +31,9 @@ void check(const model::Stiffness& elastic) {
   positive("elastic.ratios.axial", elastic.ratios.axial);
   positive("elastic.ratios.shear", elastic.ratios.shear);
   positive("elastic.ratios.along", elastic.ratios.along);
+  if (elastic.tilt.rock) positive("elastic.tilt.rock", *elastic.tilt.rock);
+  if (elastic.tilt.twist) positive("elastic.tilt.twist", *elastic.tilt.twist);
+  not_negative("elastic.play", elastic.play, elastic.reach);
 }
 
 void check(const model::Stiffness& elastic, PhysicsOptions::Solver solver) {

@@ -110,7 +110,7 @@ struct World::Engine {
     for (std::size_t h = 0; h < structure.hinges.size(); ++h) {
       const model::RestHinge& hinge = structure.hinges[h];
       const model::Stiffness* const k = options.elastic ? &options.elastic->of(h) : nullptr;
-      if (k && !k->ratios.are_one()) continue;
+      if (k && k->framed()) continue;
       for (Joint& point : hinge_points(hinge_frames(hinge), *bodies[hinge.lower], *bodies[hinge.upper],
                                        k ? k->reach : options.reach, options.error_reduction))
         add_in_order(world, *joints.emplace_back(std::move(point)));

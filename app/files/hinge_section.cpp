@@ -40,12 +40,17 @@ const targets::KeyTable& material_keys() {
 }
 
 const targets::KeyTable& stiffness_keys() {
-  const auto newtons = value::number(targets::above(0, "N/mm"));
+  const auto newtons = value::number(targets::above(0, "N/mm")),
+             moments = value::number(targets::above(0, "N mm/rad"));
   static const targets::KeyTable keys({
       {"axial", newtons, targets::needed, "along the wall, across the hinge's axis"},
       {"shear", newtons, targets::needed, "across the wall and the axis"},
       {"along", newtons, targets::needed, "along the axis"},
-      {"turn", value::number(targets::above(0, "N mm/rad")), targets::needed, "about the axis"},
+      {"turn", moments, targets::needed, "about the axis"},
+      {"rock", moments, targets::otherwise("axial times `reach_mm` squared"),
+       "about the direction across the wall and the axis"},
+      {"twist", moments, targets::otherwise("shear times `reach_mm` squared"),
+       "about the wall's own direction"},
   });
   return keys;
 }
@@ -95,6 +100,10 @@ std::vector<targets::Key> stiffness_and_shape() {
        "of the rod of a pin; its knuckle, 1.6 mm and two clearances wider, is at most 0.7 cells"},
       {"clearance_mm", value::length({0, 0.5, true, false, "mm (below half a cell)"}),
        targets::by_default(default_clearance_mm), "of a pin, between rod and bore, a side"},
+      {"play", value::boolean(), targets::by_default("false"),
+       "whether a pin moves freely within its clearance, a dead band in which nothing resists: sheets are "
+       "then "
+       "loose, and their equilibrium is any of many"},
   };
 }
 
@@ -120,7 +129,8 @@ void check_one_way(const targets::Section& section) {
   refuse("kind", {"k_point", "k_turn", "k", "reach_mm"});
   refuse("k", {"k_point", "k_turn"});
   if (section.optional("kind")) return;
-  for (const char* key : {"material", "gap_mm", "thickness_mm", "height_mm", "diameter_mm", "clearance_mm"})
+  for (const char* key :
+       {"material", "gap_mm", "thickness_mm", "height_mm", "diameter_mm", "clearance_mm", "play"})
     if (const auto node = section.optional(key))
       throw node->key_error("is of a made hinge; give `kind: pin`, `block` or `film` as well");
 }
@@ -131,6 +141,8 @@ model::HingeStiffness read_stiffness(const targets::Section& section) {
   section.read_needed("shear", "a stiffness in N/mm", k.shear);
   section.read_needed("along", "a stiffness in N/mm", k.along);
   section.read_needed("turn", "a stiffness in N mm/rad", k.turn);
+  section.read("rock", k.rock);
+  section.read("twist", k.twist);
   return k;
 }
 
@@ -149,12 +161,14 @@ model::Material read_material(const targets::Node& node) {
 
 /// @throws InvalidInput for a key that belongs to another kind
 void check_kind(const targets::Section& section, HingeKind kind) {
-  const bool pin = kind == HingeKind::pin;
-  for (const char* key : {"gap_mm", "thickness_mm", "diameter_mm", "clearance_mm"})
-    if (const auto node = section.optional(key);
-        node && pin != (key == std::string("diameter_mm") || key == std::string("clearance_mm")))
-      throw node->key_error(pin ? "is of blocks and films, not of pins"
-                                : "is of pins, not of blocks and films");
+  const auto refuse = [&](std::initializer_list<const char*> keys, const char* why) {
+    for (const char* key : keys)
+      if (const auto node = section.optional(key)) throw node->key_error(why);
+  };
+  if (kind == HingeKind::pin)
+    refuse({"gap_mm", "thickness_mm"}, "is of blocks and films, not of pins");
+  else
+    refuse({"diameter_mm", "clearance_mm", "play"}, "is of pins, not of blocks and films");
 }
 
 /// A length that the section must hold.
@@ -174,6 +188,7 @@ void read_pin(const targets::Section& section, const model::CellSize& size, mode
   hinge.clearance_mm = default_clearance_mm;
   section.read_length("clearance_mm", hinge.clearance_mm, size.edge_mm);
   read_length_of(section, "diameter_mm", hinge.diameter_mm, size.edge_mm);
+  section.read("play", hinge.with_play);
 }
 
 model::MadeHinge read_made(const targets::Section& section, const model::CellSize& size) {
@@ -231,13 +246,17 @@ std::string made_text(const model::MadeHinge& h) {
       h.kind == HingeKind::pin
           ? fmt::format("diameter_mm: {}, clearance_mm: {}", text(h.diameter_mm), text(h.clearance_mm))
           : fmt::format("gap_mm: {}, thickness_mm: {}", text(h.gap_mm), text(h.thickness_mm));
-  return start + shape + ", height_mm: " + text(h.height_mm);
+  return start + shape + ", height_mm: " + text(h.height_mm) + (h.with_play ? ", play: true" : "");
 }
 
 std::string stiffness_text(const HingeSection& hinge) {
   if (!hinge.k) return fmt::format("k_point: {}, k_turn: {}", text(hinge.k_point), text(hinge.k_turn));
-  return fmt::format("k: {{axial: {}, shear: {}, along: {}, turn: {}}}", text(hinge.k->axial),
-                     text(hinge.k->shear), text(hinge.k->along), text(hinge.k->turn));
+  const model::HingeStiffness& k = *hinge.k;
+  const auto tilt = [](const char* key, const std::optional<double>& own) {
+    return own ? fmt::format(", {}: {}", key, text(*own)) : std::string();
+  };
+  return fmt::format("k: {{axial: {}, shear: {}, along: {}, turn: {}{}{}}}", text(k.axial), text(k.shear),
+                     text(k.along), text(k.turn), tilt("rock", k.rock), tilt("twist", k.twist));
 }
 
 }  // namespace

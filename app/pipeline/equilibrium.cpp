@@ -56,8 +56,9 @@ std::string stiffness_sentence(const Run& run, const model::Elasticity& e) {
                           : "elastic hinges: ";
   const std::string others =
       run.own_hinges.empty() ? "" : fmt::format("; {} of their own", run.own_hinges.size());
+  const std::string play = e.play_mm > 0 ? fmt::format(", play {:g} mm", e.play_mm) : "";
   const std::string end =
-      fmt::format(", reach_mm {:g}, k_contact {:g} N/mm{}", e.reach_mm, e.k_contact, others);
+      fmt::format(", reach_mm {:g}, k_contact {:g} N/mm{}{}", e.reach_mm, e.k_contact, play, others);
   if (const auto k = framed_stiffness(run.hinge))
     return fmt::format(
         "{}{:g} N/mm along the wall, {:g} across it, {:g} along the axis, {:g} N mm/rad about it{}", start,

@@ -22,6 +22,7 @@ model::Elasticity elasticity_of(const HingeSection& hinge, const PhysicsSection&
                                                    .k_turn = hinge.k_turn,
                                                    .reach_mm = reach,
                                                    .k_contact = 10 * hinge.k_point};
+  if (hinge.made && hinge.made->with_play) e.play_mm = play_mm(*hinge.made);
   e.k_contact = hinge.k_contact.value_or(e.k_contact);
   return e;
 }

@@ -47,6 +47,16 @@ std::string effort_of(const Equilibrium& equilibrium) {
   return equilibrium.drive.has_force() ? effort_of_force(load) : effort_of_moment(load);
 }
 
+/// What hinges have that are more than two springs k_point.
+void add_directions(const model::Elasticity& e, Json& stiffness) {
+  const model::HingeStiffness k = stiffness_of(e);
+  if (!e.ratios.are_one() || !e.tilt.are_by_reach())
+    stiffness.update({{"axial", k.axial}, {"shear", k.shear}, {"along", k.along}});
+  if (k.rock) stiffness["rock"] = *k.rock;
+  if (k.twist) stiffness["twist"] = *k.twist;
+  if (e.play_mm > 0) stiffness["play_mm"] = e.play_mm;
+}
+
 }  // namespace
 
 double mean_moment(const Equilibrium& equilibrium) {
@@ -59,10 +69,7 @@ Json equilibrium_json(const Equilibrium& equilibrium) {
   Json steps = Json::array(), events = Json::array(), energies = Json::array();
   Json stiffness = {
       {"k_point", e.k_point}, {"k_turn", e.k_turn}, {"reach_mm", e.reach_mm}, {"k_contact", e.k_contact}};
-  if (e.each.empty() && !e.ratios.are_one()) {
-    const model::HingeStiffness k = stiffness_of(e);
-    stiffness.update({{"axial", k.axial}, {"shear", k.shear}, {"along", k.along}});
-  }
+  if (e.each.empty()) add_directions(e, stiffness);
   for (const model::EquilibriumStep& step : path.steps) steps.push_back(step_json(step, equilibrium.drive));
   for (const model::PathEvent& event : path.events) events.push_back(event_json(event));
   for (const model::HingeEnergy& energy : path.hinge_energies)

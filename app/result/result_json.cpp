@@ -35,7 +35,10 @@ Json plan_json(const Run& run) {
 }
 
 Json stiffness_json(const model::HingeStiffness& k) {
-  return {{"axial", k.axial}, {"shear", k.shear}, {"along", k.along}, {"turn", k.turn}};
+  Json out = {{"axial", k.axial}, {"shear", k.shear}, {"along", k.along}, {"turn", k.turn}};
+  if (k.rock) out["rock"] = *k.rock;
+  if (k.twist) out["twist"] = *k.twist;
+  return out;
 }
 
 /// As the file has it: of all hinges, or of this one.

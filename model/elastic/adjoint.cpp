@@ -9,13 +9,14 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// Of each hinge, by axial, shear, along, turn and reach of its Stiffness.
-using StiffnessRates = Eigen::Matrix<double, 5, Eigen::Dynamic>;
-constexpr int turn_row = 3, reach_row = 4;  // of those five
+/// Of each hinge, by axial, shear, along, turn, reach, rock and twist of its Stiffness.
+using StiffnessRates = Eigen::Matrix<double, 7, Eigen::Dynamic>;
+constexpr int turn_row = 3, reach_row = 4, rock_row = 5, twist_row = 6;  // of those seven
 
-Eigen::Matrix<double, 5, 1> stacked(const HingeRate& rate) {
-  Eigen::Matrix<double, 5, 1> out;
-  out << rate.ratios.axial, rate.ratios.shear, rate.ratios.along, rate.turn, rate.reach;
+Eigen::Matrix<double, 7, 1> stacked(const HingeRate& rate) {
+  Eigen::Matrix<double, 7, 1> out;
+  out << rate.ratios.axial, rate.ratios.shear, rate.ratios.along, rate.turn, rate.reach, rate.rock,
+      rate.twist;
   return out;
 }
 
@@ -55,7 +56,7 @@ class Adjoint {
   double theta_rate() const { return by_theta_; }
 
   StiffnessRates add_hinges(Eigen::Matrix4Xd& out) const {
-    StiffnessRates rates(5, system_.hinges().size());
+    StiffnessRates rates(7, system_.hinges().size());
     const double edge_mm = system_.structure().size.edge_mm;
     for (std::size_t h = 0; h < system_.hinges().size(); ++h) {
       const RestHinge& hinge = system_.hinges()[h];
@@ -259,7 +260,9 @@ Sensitivity sensitivity(const ElasticSystem& system, const Elasticity& elasticit
   for (Eigen::Index h = 0; h < out.stiffness.cols(); ++h) {
     by_turn += out.stiffness(turn_row, h);
     by_reach += out.stiffness(reach_row, h);
-    by_unit -= out.stiffness(turn_row, h) * system.stiffness().of(h).turn;
+    const Stiffness& k = system.stiffness().of(h);
+    by_unit -= out.stiffness(turn_row, h) * k.turn + out.stiffness(rock_row, h) * k.tilt.rock.value_or(0) +
+               out.stiffness(twist_row, h) * k.tilt.twist.value_or(0);
   }
   out.k_turn = by_turn / energy_unit;
   out.reach_mm = by_reach / L;
@@ -269,7 +272,7 @@ Sensitivity sensitivity(const ElasticSystem& system, const Elasticity& elasticit
   if (gradient.energy != 0) by_unit += gradient.energy * energy_unit * system.stored_energy(state, theta);
   out.k_point = by_unit / elasticity.k_point;
   out.stiffness.topRows<3>() /= 2 * elasticity.k_point;
-  out.stiffness.row(turn_row) /= energy_unit;
+  for (const int row : {turn_row, rock_row, twist_row}) out.stiffness.row(row) /= energy_unit;
   out.stiffness.row(reach_row) /= L;
   return out;
 }

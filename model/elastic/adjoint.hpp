@@ -24,8 +24,8 @@ struct Sensitivity {
   double k_contact = 0;  ///< N/mm
   double k_spring = 0;   ///< by that of a shape-memory drive, N mm/rad, of all its springs
   /// Column h: by the axial, shear and along of hinge h's own HingeStiffness (N/mm), by its k_turn (N mm/rad)
-  /// and reach (mm).
-  Eigen::Matrix<double, 5, Eigen::Dynamic> stiffness;
+  /// and reach (mm), by its rock and twist (N mm/rad; 0 of what it leaves to its reach). By play there is none.
+  Eigen::Matrix<double, 7, Eigen::Dynamic> stiffness;
 };
 
 /// By the adjoint: H lambda = df/dx over the unknowns, df/dp = -lambda . dg/dp, with g the gradient and H the

@@ -18,8 +18,8 @@ Stiffness acting(const Elasticity& elasticity, const Linkage& structure, bool pl
   Stiffness stiffness = relative(elasticity, structure.size.edge_mm);
   stiffness.check_count(structure.hinges.size());
   if (!planar || !all_vertical(structure)) return stiffness;
-  stiffness.reach = 0;
-  for (Stiffness& hinge : stiffness.each) hinge.reach = 0;
+  stiffness.drop_tilt();
+  for (Stiffness& hinge : stiffness.each) hinge.drop_tilt();
   return stiffness;
 }
 

@@ -18,6 +18,20 @@ void check_positive(const char* field, double value) {
   throw InvalidInput(message.str());
 }
 
+[[noreturn]] void refuse_play(double play_mm, const std::string& allowed) {
+  std::ostringstream message;
+  message << "play_mm is " << play_mm << ", " << allowed;
+  throw InvalidInput(message.str());
+}
+
+void check_play(const Elasticity& e) {
+  if (!(e.play_mm >= 0 && e.play_mm <= e.reach_mm))
+    refuse_play(e.play_mm, "must be from 0 to the reach, which is " + std::to_string(e.reach_mm) + " mm");
+  if (e.play_mm > 0 && !(e.ratios.axial == e.ratios.shear && e.tilt.are_by_reach()))
+    refuse_play(e.play_mm,
+                "which only a hinge can have that is alike along and across its wall and tilts by its reach");
+}
+
 }  // namespace
 
 void Elasticity::validate() const {
@@ -28,6 +42,9 @@ void Elasticity::validate() const {
   check_positive("ratios.axial", ratios.axial);
   check_positive("ratios.shear", ratios.shear);
   check_positive("ratios.along", ratios.along);
+  if (tilt.rock) check_positive("tilt.rock", *tilt.rock);
+  if (tilt.twist) check_positive("tilt.twist", *tilt.twist);
+  check_play(*this);
   for (const Elasticity& hinge : each) hinge.validate();
 }
 
@@ -35,6 +52,20 @@ double Stiffness::least_turn() const {
   double least = each.empty() ? turn : each.front().turn;
   for (const Stiffness& hinge : each) least = std::min(least, hinge.turn);
   return least;
+}
+
+double Stiffness::twist_weight() const {
+  return tilt.twist ? *tilt.twist / 2 : ratios.shear * (reach * reach);
+}
+
+double Stiffness::rock_beyond_twist() const {
+  if (tilt.are_by_reach()) return (ratios.axial - ratios.shear) * (reach * reach);
+  return (tilt.rock ? *tilt.rock / 2 : ratios.axial * (reach * reach)) - twist_weight();
+}
+
+void Stiffness::drop_tilt() {
+  reach = 0;
+  tilt = {};
 }
 
 double energy_unit(const Elasticity& e, double edge_mm) { return e.k_point * edge_mm * edge_mm; }
@@ -50,12 +81,18 @@ namespace {
 
 /// One hinge in the units of another k_point.
 Stiffness relative_to(double k_point, const Elasticity& e, double edge_mm) {
-  const double k = e.k_point / k_point;
-  return {.turn = e.k_turn / (k_point * edge_mm * edge_mm),
+  const double k = e.k_point / k_point, unit = k_point * edge_mm * edge_mm;
+  const auto over_unit = [&](const std::optional<double>& tilt) -> std::optional<double> {
+    if (!tilt) return {};
+    return *tilt / unit;
+  };
+  return {.turn = e.k_turn / unit,
           .reach = e.reach_mm / edge_mm,
           .contact = e.k_contact / k_point,
           .law = e.law,
-          .ratios = {e.ratios.axial * k, e.ratios.shear * k, e.ratios.along * k}};
+          .ratios = {e.ratios.axial * k, e.ratios.shear * k, e.ratios.along * k},
+          .tilt = {over_unit(e.tilt.rock), over_unit(e.tilt.twist)},
+          .play = e.play_mm / edge_mm};
 }
 
 }  // namespace
@@ -76,12 +113,14 @@ Elasticity elasticity_of(const HingeStiffness& k, double reach_mm) {
           .k_turn = k.turn,
           .reach_mm = reach_mm,
           .k_contact = 5 * largest,
-          .ratios = {k.axial / largest, k.shear / largest, k.along / largest}};
+          .ratios = {k.axial / largest, k.shear / largest, k.along / largest},
+          .tilt = {k.rock, k.twist}};
 }
 
 HingeStiffness stiffness_of(const Elasticity& e) {
   const double both = 2 * e.k_point;
-  return {both * e.ratios.axial, both * e.ratios.shear, both * e.ratios.along, e.k_turn};
+  return {both * e.ratios.axial, both * e.ratios.shear, both * e.ratios.along, e.k_turn,
+          e.tilt.rock,           e.tilt.twist};
 }
 
 }  // namespace kinetix::model

@@ -5,47 +5,14 @@
 #include <cmath>
 
 #include "model/hinge/frame_energy.hpp"
-#include "model/linkage/hinge_mismatch.hpp"
+#include "model/hinge/hinge_changes.hpp"
+#include "model/hinge/mismatch_energy.hpp"
+#include "model/hinge/play_energy.hpp"
 
 namespace kinetix::model {
 namespace {
 
-using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-void add_turning(const Mismatch& m, double weight, Element& e) {
-  const Matrix3d a = cross_matrix(m.lower), b = cross_matrix(m.upper);
-  e.energy += weight * m.gap.squaredNorm();
-  e.gradient.segment<3>(0) += 2 * weight * m.lower.cross(m.gap);
-  e.gradient.segment<3>(6) -= 2 * weight * m.upper.cross(m.gap);
-  e.hessian.block<3, 3>(0, 0) += 2 * weight * (turning_hessian(m.gap, m.lower) - a * a);
-  e.hessian.block<3, 3>(6, 6) -= 2 * weight * (turning_hessian(m.gap, m.upper) + b * b);
-  const Matrix3d coupling = 2 * weight * (a * b);
-  e.hessian.block<3, 3>(0, 6) += coupling;
-  e.hessian.block<3, 3>(6, 0) += coupling.transpose();
-}
-
-/// The terms of a point mismatch with the shifts of the bodies.
-void add_shifts(const Mismatch& m, double weight, Element& e) {
-  const double twice = 2 * weight;
-  const Matrix3d a = twice * cross_matrix(m.lower), b = twice * cross_matrix(m.upper);
-  e.gradient.segment<3>(3) += twice * m.gap;
-  e.gradient.segment<3>(9) -= twice * m.gap;
-  e.hessian.block<3, 3>(0, 3) += a;
-  e.hessian.block<3, 3>(3, 0) -= a;
-  e.hessian.block<3, 3>(0, 9) -= a;
-  e.hessian.block<3, 3>(9, 0) += a;
-  e.hessian.block<3, 3>(6, 3) -= b;
-  e.hessian.block<3, 3>(3, 6) += b;
-  e.hessian.block<3, 3>(6, 9) += b;
-  e.hessian.block<3, 3>(9, 6) -= b;
-  for (int k = 0; k < 3; ++k) {
-    e.hessian(3 + k, 3 + k) += twice;
-    e.hessian(9 + k, 9 + k) += twice;
-    e.hessian(3 + k, 9 + k) -= twice;
-    e.hessian(9 + k, 3 + k) -= twice;
-  }
-}
 
 /// |gap|^2 and its derivative along twists, both by the rest vector that the two bodies carry.
 struct Pull {
@@ -68,28 +35,28 @@ class FrameTerms {
              const Mismatch& point, const Mismatch& axis)
       : axial(k.ratios.axial - k.ratios.shear),
         along(k.ratios.along - k.ratios.shear),
-        tilt(k.reach * k.reach),
+        rock(k.rock_beyond_twist()),
         wall(wall_direction(hinge)),
         point_axial(point, wall, lower, upper),
         point_along(point, hinge.axis, lower, upper),
         axis_axial(axis, wall, lower, upper) {}
 
   double energy() const {
-    return axial * (point_axial.value() + tilt * axis_axial.value()) + along * point_along.value();
+    return axial * point_axial.value() + rock * axis_axial.value() + along * point_along.value();
   }
   Vector12 gradient() const {
     Vector12 g = axial * point_axial.gradient(true) + along * point_along.gradient(true);
-    if (tilt > 0) g += axial * tilt * axis_axial.gradient(false);
+    if (rock != 0) g += rock * axis_axial.gradient(false);
     return g;
   }
   void add_to(Element& e) const {
     point_axial.add_to(e, axial, true);
     point_along.add_to(e, along, true);
-    if (tilt > 0) axis_axial.add_to(e, axial * tilt, false);
+    if (rock != 0) axis_axial.add_to(e, rock, false);
   }
 
   const double axial, along;  ///< beyond shear, of PointRatios
-  const double tilt;          ///< reach squared, cell edges squared
+  const double rock;          ///< beyond twist, Stiffness::rock_beyond_twist
 
   const Vector3d wall;  ///< at rest
   const DirectedSquare point_axial, point_along, axis_axial;
@@ -102,25 +69,37 @@ HingeEnergy hinge_energy(const RestHinge& hinge, const Stiffness& k, const Pose&
   const Mismatch point = point_mismatch(hinge, lower, upper, edge_mm);
   const double angle = RelativeTurn(hinge, lower, upper).angle();
   const double turn = k.law->at(angle, k.turn).energy;
-  if (k.ratios.are_one() && !(k.reach > 0)) return {point.gap.squaredNorm(), turn};
+  if (k.play > 0) return {play_energy(hinge, k, lower, upper, edge_mm), turn};
+  if (!k.framed() && !k.tilts()) return {point.gap.squaredNorm(), turn};
   const Mismatch axis = axis_mismatch(hinge, lower, upper);
-  const double stretch = point.gap.squaredNorm() + k.reach * k.reach * axis.gap.squaredNorm();
-  if (k.ratios.are_one()) return {stretch, turn};
-  return {k.ratios.shear * stretch + FrameTerms(hinge, k, lower, upper, point, axis).energy(), turn};
+  const double stretch = k.ratios.shear * point.gap.squaredNorm() + k.twist_weight() * axis.gap.squaredNorm();
+  if (!k.framed()) return {stretch, turn};
+  return {stretch + FrameTerms(hinge, k, lower, upper, point, axis).energy(), turn};
 }
+
+namespace {
+
+/// Of a hinge without play.
+void add_stretch(const RestHinge& hinge, const Stiffness& k, const Pose& lower, const Pose& upper,
+                 double edge_mm, Element& e) {
+  const Mismatch point = point_mismatch(hinge, lower, upper, edge_mm);
+  add_turning(point, k.ratios.shear, e);
+  add_shifts(point, k.ratios.shear, e);
+  if (!k.tilts() && !k.framed()) return;
+  const Mismatch axis = axis_mismatch(hinge, lower, upper);
+  if (k.tilts()) add_turning(axis, k.twist_weight(), e);
+  if (k.framed()) FrameTerms(hinge, k, lower, upper, point, axis).add_to(e);
+}
+
+}  // namespace
 
 Element hinge_element(const RestHinge& hinge, const Stiffness& k, const Pose& lower, const Pose& upper,
                       double edge_mm) {
   Element e;
-  const Mismatch point = point_mismatch(hinge, lower, upper, edge_mm);
-  add_turning(point, k.ratios.shear, e);
-  add_shifts(point, k.ratios.shear, e);
-  const bool framed = !k.ratios.are_one();
-  if (k.reach > 0 || framed) {
-    const Mismatch axis = axis_mismatch(hinge, lower, upper);
-    if (k.reach > 0) add_turning(axis, k.ratios.shear * (k.reach * k.reach), e);
-    if (framed) FrameTerms(hinge, k, lower, upper, point, axis).add_to(e);
-  }
+  if (k.play > 0)
+    add_play(hinge, k, lower, upper, edge_mm, e);
+  else
+    add_stretch(hinge, k, lower, upper, edge_mm, e);
   const Element turn = RelativeTurn(hinge, lower, upper).element();
   const TurnResponse spring = k.law->at(turn.energy, k.turn);
   e.energy += spring.energy;
@@ -131,54 +110,24 @@ Element hinge_element(const RestHinge& hinge, const Stiffness& k, const Pose& lo
 
 Vector12 hinge_gradient(const RestHinge& hinge, const Stiffness& k, const Pose& lower, const Pose& upper,
                         double edge_mm) {
+  if (k.play > 0) return hinge_element(hinge, k, lower, upper, edge_mm).gradient;
   const Mismatch point = point_mismatch(hinge, lower, upper, edge_mm);
   const RelativeTurn turn(hinge, lower, upper);
   const Vector3d moment = k.law->at(turn.angle(), k.turn).moment() * turn.rate_in_space();
   const double twice = 2 * k.ratios.shear;
-  const bool framed = !k.ratios.are_one();
   Vector12 g;
   g << twice * point.lower.cross(point.gap) - moment, twice * point.gap,
       moment - twice * point.upper.cross(point.gap), -twice * point.gap;
-  if (!(k.reach > 0) && !framed) return g;
+  if (!k.tilts() && !k.framed()) return g;
   const Mismatch axis = axis_mismatch(hinge, lower, upper);
-  const double weight = twice * k.reach * k.reach;
+  const double weight = 2 * k.twist_weight();
   g.segment<3>(0) += weight * axis.lower.cross(axis.gap);
   g.segment<3>(6) -= weight * axis.upper.cross(axis.gap);
-  if (framed) g += FrameTerms(hinge, k, lower, upper, point, axis).gradient();
+  if (k.framed()) g += FrameTerms(hinge, k, lower, upper, point, axis).gradient();
   return g;
 }
 
 namespace {
-
-/// How the mismatches and the frame of a hinge change: along twists of its two bodies, by what they carry, and
-/// by both.
-class HingeChanges {
- public:
-  HingeChanges(const Pose& lower, const Pose& upper, const Vector12& along)
-      : lower_(lower.R),
-        upper_(upper.R),
-        lower_turn_(along.segment<3>(0)),
-        upper_turn_(along.segment<3>(6)),
-        shift_(along.segment<3>(3) - along.segment<3>(9)) {}
-
-  DirectedChange along(const Mismatch& m, const Vector3d& w0, bool shifts) const {
-    Vector3d gap = lower_turn_.cross(m.lower) - upper_turn_.cross(m.upper);
-    if (shifts) gap += shift_;
-    return {gap, lower_turn_.cross(lower_ * w0) + upper_turn_.cross(upper_ * w0)};
-  }
-  /// @param rest change of the vector between which the mismatch is, `w` that of w0
-  DirectedChange by(const Vector3d& rest, const Vector3d& w) const {
-    return {lower_ * rest - upper_ * rest, lower_ * w + upper_ * w};
-  }
-  DirectedChange both(const Vector3d& rest, const Vector3d& w) const {
-    return {lower_turn_.cross(lower_ * rest) - upper_turn_.cross(upper_ * rest),
-            lower_turn_.cross(lower_ * w) + upper_turn_.cross(upper_ * w)};
-  }
-
- private:
-  const Eigen::Matrix3d &lower_, &upper_;
-  const Vector3d lower_turn_, upper_turn_, shift_;
-};
 
 /// A DirectedSquare, its derivative along twists, and how both change by the design.
 struct SquareRates {
@@ -204,7 +153,7 @@ void add(double weight, const SquareRates& square, HingeRates& rates) {
   rates.along.design += weight * square.along_design;
 }
 
-/// What FrameTerms has of the rates. On entry, ratios.shear is that of all directions alike.
+/// What FrameTerms has of the rates. On entry, ratios.shear and twist are those of all directions alike.
 void add_frame_rates(const RestHinge& h, const Stiffness& k, const Pose& lower, const Pose& upper,
                      const Mismatch& point, const Mismatch& axis, const Vector12& along, HingeRates& rates) {
   const FrameTerms frame(h, k, lower, upper, point, axis);
@@ -219,66 +168,99 @@ void add_frame_rates(const RestHinge& h, const Stiffness& k, const Pose& lower, 
                                                arms, axes),
                     tilt = square_rates(frame.axis_axial, changes.along(axis, wall, false), changes, axes,
                                         walls);
-  if (!k.ratios.are_one()) {
+  if (k.framed()) {
     add(frame.axial, point_axial, rates);
     add(frame.along, point_along, rates);
-    add(frame.axial * frame.tilt, tilt, rates);
+    add(frame.rock, tilt, rates);
   }
-  if (!k.ratios.are_one() && k.reach > 0) {
-    rates.energy.reach += 2 * k.reach * frame.axial * tilt.value;
-    rates.along.reach += 2 * k.reach * frame.axial * tilt.along;
+  const auto add_ratios = [](double by_axial, double by_along, double rock, HingeRate& rate) {
+    rate.ratios = {by_axial, rate.ratios.shear - by_axial - by_along, by_along};
+    rate.rock = rock / 2;
+    rate.twist -= rock / 2;
+  };
+  add_ratios(point_axial.value, point_along.value, tilt.value, rates.energy);
+  add_ratios(point_axial.along, point_along.along, tilt.along, rates.along);
+}
+
+/// From rates by rock and twist to those by what they are made of: by the reach and the stiffnesses of the
+/// points where the hinge has none of its own.
+void share_tilt(const Stiffness& k, HingeRate& rate) {
+  const double squared = k.reach * k.reach;
+  if (!k.tilt.rock) {
+    rate.ratios.axial += 2 * squared * rate.rock;
+    if (k.reach > 0) rate.reach += 4 * k.reach * k.ratios.axial * rate.rock;
+    rate.rock = 0;
   }
-  const double axial = point_axial.value + frame.tilt * tilt.value,
-               axial_along = point_axial.along + frame.tilt * tilt.along;
-  rates.energy.ratios = {axial, rates.energy.ratios.shear - axial - point_along.value, point_along.value};
-  rates.along.ratios = {axial_along, rates.along.ratios.shear - axial_along - point_along.along,
-                        point_along.along};
+  if (!k.tilt.twist) {
+    rate.ratios.shear += 2 * squared * rate.twist;
+    if (k.reach > 0) rate.reach += 4 * k.reach * k.ratios.shear * rate.twist;
+    rate.twist = 0;
+  }
 }
 
 }  // namespace
 
-HingeRates hinge_rates(const RestHinge& hinge, const Stiffness& k, const Pose& lower, const Pose& upper,
-                       double edge_mm, const Vector12& along) {
+namespace {
+
+/// Those of the turning spring.
+HingeRates spring_rates(const RestHinge& hinge, const Stiffness& k, const Pose& lower, const Pose& upper,
+                        const Vector12& along) {
+  const Vector3d against = upper.R.transpose() * (along.segment<3>(6) - along.segment<3>(0));
+  const RelativeTurn turn(hinge, lower, upper);
+  const double angle_along = turn.rate().dot(against);
+  const TurnResponse spring = k.law->at(turn.angle(), k.turn);
+  const TurnRates turns = turn_rates(hinge, turn, against);
+  HingeRates rates;
+  rates.energy.design = spring.moment() * turns.turn;
+  rates.along.design = spring.stiffness * (angle_along * turns.turn + spring.stretch * turns.along);
+  rates.energy.turn = spring.energy_k;
+  rates.along.turn = spring.moment_k * angle_along;
+  return rates;
+}
+
+/// Those of the stretch of a hinge without play.
+void add_stretch_rates(const RestHinge& hinge, const Stiffness& k, const Pose& lower, const Pose& upper,
+                       double edge_mm, const Vector12& along, HingeRates& rates) {
   const Vector3d lower_turn = along.segment<3>(0), upper_turn = along.segment<3>(6),
-                 shift = along.segment<3>(3) - along.segment<3>(9),
-                 against = upper.R.transpose() * (upper_turn - lower_turn);
+                 shift = along.segment<3>(3) - along.segment<3>(9);
   const auto drift = [&](const Mismatch& m) -> Vector3d {
     return lower_turn.cross(m.lower) - upper_turn.cross(m.upper);
   };
   const Mismatch point = point_mismatch(hinge, lower, upper, edge_mm);
   const Vector3d point_drift = drift(point) + shift;
   const Pull by_point = pull(point, lower, upper, lower_turn, upper_turn, point_drift);
-  const RelativeTurn turn(hinge, lower, upper);
-  const double angle_along = turn.rate().dot(against);
-  const TurnResponse spring = k.law->at(turn.angle(), k.turn);
-  const TurnRates turns = turn_rates(hinge, turn, against);
   const double shear = k.ratios.shear;
-
-  HingeRates rates;
-  rates.energy.design = spring.moment() * turns.turn;
-  rates.along.design = spring.stiffness * (angle_along * turns.turn + spring.stretch * turns.along);
   rates.energy.design[0] += shear * by_point.energy.dot(hinge.edge);
   rates.along.design[0] += shear * by_point.along.dot(hinge.edge);
   rates.energy.design[3] += shear * by_point.energy.dot(hinge.across);
   rates.along.design[3] += shear * by_point.along.dot(hinge.across);
-  rates.energy.turn = spring.energy_k;
-  rates.along.turn = spring.moment_k * angle_along;
 
   const Mismatch axis = axis_mismatch(hinge, lower, upper);
   const Vector3d axis_drift = drift(axis);
   const Pull by_axis = pull(axis, lower, upper, lower_turn, upper_turn, axis_drift);
-  const double weight = shear * (k.reach * k.reach);
+  const double weight = k.twist_weight();
   rates.energy.design[1] += weight * by_axis.energy.dot(hinge.axis_alpha);
   rates.energy.design[2] += weight * by_axis.energy.dot(hinge.axis_beta);
   rates.along.design[1] += weight * by_axis.along.dot(hinge.axis_alpha);
   rates.along.design[2] += weight * by_axis.along.dot(hinge.axis_beta);
-  if (k.reach > 0) {
-    rates.energy.reach = 2 * shear * k.reach * axis.gap.squaredNorm();
-    rates.along.reach = 4 * shear * k.reach * axis.gap.dot(axis_drift);
-  }
-  rates.energy.ratios.shear = point.gap.squaredNorm() + k.reach * k.reach * axis.gap.squaredNorm();
-  rates.along.ratios.shear = 2 * (point.gap.dot(point_drift) + k.reach * k.reach * axis.gap.dot(axis_drift));
+  rates.energy.ratios.shear = point.gap.squaredNorm();
+  rates.along.ratios.shear = 2 * point.gap.dot(point_drift);
+  rates.energy.twist = axis.gap.squaredNorm() / 2;
+  rates.along.twist = axis.gap.dot(axis_drift);
   add_frame_rates(hinge, k, lower, upper, point, axis, along, rates);
+  share_tilt(k, rates.energy);
+  share_tilt(k, rates.along);
+}
+
+}  // namespace
+
+HingeRates hinge_rates(const RestHinge& hinge, const Stiffness& k, const Pose& lower, const Pose& upper,
+                       double edge_mm, const Vector12& along) {
+  HingeRates rates = spring_rates(hinge, k, lower, upper, along);
+  if (k.play > 0)
+    add_play_rates(hinge, k, lower, upper, edge_mm, along, rates);
+  else
+    add_stretch_rates(hinge, k, lower, upper, edge_mm, along, rates);
   return rates;
 }
 

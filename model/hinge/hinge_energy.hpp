@@ -30,6 +30,7 @@ struct HingeRate {
   double turn = 0;                 ///< by Stiffness::turn, per k_point edge^2
   double reach = 0;                ///< by Stiffness::reach, per cell edge
   PointRatios ratios = {0, 0, 0};  ///< by Stiffness::ratios
+  double rock = 0, twist = 0;      ///< by Stiffness::tilt, per k_point edge^2; 0 of what that does not give
 };
 
 struct HingeRates {

@@ -38,6 +38,13 @@ double beam_shear(const MadeHinge& b, double section, double k_turn) {
                    12 * k_turn / (b.gap_mm * b.gap_mm));
 }
 
+/// Of a thin rectangular section over a length that both ends keep flat, beyond what its shear does at a lever.
+double torsion(const MadeHinge& b) {
+  const double t = b.thickness_mm, h = b.height_mm;
+  const double section = h * t * t * t / 3 * (1 - 0.63 * t / h);
+  return 1.2 * (1 - std::exp(-0.4 * b.gap_mm / t)) * shear_modulus(b.material) * section / b.gap_mm;
+}
+
 HingeStiffness beam(const MadeHinge& b) {
   const double t = b.thickness_mm, h = b.height_mm, nu = b.material.nu;
   HingeStiffness k;
@@ -45,6 +52,8 @@ HingeStiffness beam(const MadeHinge& b) {
   k.turn = h * t * t * t / 12 * over_length(b, 0.88) * between_edges(b, 0.75);
   k.shear = beam_shear(b, 0.86 + 0.4 * nu * nu, k.turn);
   k.along = beam_shear(b, 1 - 0.14 * (1 - std::exp(-3.2 * b.gap_mm / h)), k.axial * h * h / 12);
+  k.rock = t * h * h * h / 12 * over_length(b, 2) * between_edges(b, 3 * 1.7);
+  k.twist = k.shear * h * h / 12 + torsion(b);
   return k;
 }
 
@@ -53,7 +62,7 @@ HingeStiffness rod(const MadeHinge& p) {
   const double bending = 192 * p.material.E_mpa * I / (h * h * h),
                shear = 4 * rod_shear * shear_modulus(p.material) * area / h;
   const double across = in_series(bending, shear);
-  return {across, across, across, pin_turn};
+  return {.axial = across, .shear = across, .along = across, .turn = pin_turn};
 }
 
 [[noreturn]] void refuse(const char* field, double value, const std::string& allowed) {
@@ -92,6 +101,8 @@ void check_beam(const MadeHinge& b, const CellSize& size) {
 void check_pin(const MadeHinge& p, const CellSize& size) {
   if (!(p.clearance_mm >= 0 && p.clearance_mm < size.edge_mm))
     refuse("clearance_mm", p.clearance_mm, "at least 0 and below the cell edge");
+  if (p.with_play && !(p.clearance_mm <= p.height_mm / 2))
+    refuse("clearance_mm", p.clearance_mm, "at most half of the height of a pin with play");
   if (!(p.diameter_mm > 0)) refuse("diameter_mm", p.diameter_mm, "above 0");
   const double room = size.edge_mm / std::sqrt(2.0);
   if (knuckle_mm(p) <= room) return;
@@ -107,7 +118,9 @@ HingeStiffness stiffness(const MadeHinge& hinge) {
   return hinge.kind == HingeKind::pin ? rod(hinge) : beam(hinge);
 }
 
-double reach_mm(const MadeHinge& hinge) { return hinge.height_mm / std::sqrt(12.0); }
+double reach_mm(const MadeHinge& hinge) {
+  return hinge.with_play ? hinge.height_mm / 2 : hinge.height_mm / std::sqrt(12.0);
+}
 
 double strain(const MadeHinge& b, double turn) {
   return b.kind == HingeKind::pin ? 0 : std::abs(turn) * b.thickness_mm / (2 * b.gap_mm);
@@ -134,7 +147,11 @@ double largest_offset_mm(const MadeHinge& hinge, double wall_thickness_mm) {
 
 double knuckle_mm(const MadeHinge& p) { return p.diameter_mm + 2 * (p.clearance_mm + least_wall); }
 
-Elasticity elasticity_of(const MadeHinge& hinge) { return elasticity_of(stiffness(hinge), reach_mm(hinge)); }
+Elasticity elasticity_of(const MadeHinge& hinge) {
+  Elasticity e = elasticity_of(stiffness(hinge), reach_mm(hinge));
+  if (hinge.with_play) e.play_mm = play_mm(hinge);
+  return e;
+}
 
 void validate(const MadeHinge& hinge, const CellSize& size) {
   check(hinge.material);

@@ -23,6 +23,7 @@ struct MadeHinge {
   double height_mm = 0;     ///< h, > 0; of a pin the length that bears
   double diameter_mm = 0;   ///< pin: of the rod, > 0
   double clearance_mm = 0;  ///< pin: a side, between rod and bore, >= 0
+  bool with_play = false;   ///< pin: whether its equilibrium has that play
 
   bool operator==(const MadeHinge&) const = default;
 };
@@ -39,16 +40,21 @@ struct MadeHinge {
 /// - shear across the wall counts 0.86 + 0.4 nu^2 of the section, along the axis 1 - 0.14 (1 - exp(-3.2 L / h)).
 ///
 /// The numbers are fits to CalculiX, and within 2 % (axial, turn), 8 % (shear) and 4 % (along) of it for L / t from
-/// 1 to 4, h / t from 5 to 10 and nu to 0.48; down to L / t = 0.6, too. Rocking, by reach_mm(), is within 12 %. The
-/// twist about the wall's own direction is within 12 % for L / t to 1.5; above, a block resists it more than its two
-/// points do, 1.2 to 2.2 times at L / t = 4.
+/// 1 to 4, h / t from 5 to 10 and nu to 0.48; down to L / t = 0.6, too. Rocking and twist have a correction each over
+/// what a pull and a shear with the lever of the height give:
+/// - rocking pulls most at the edges, and has three times the share of the edges in its section: 1 - exp(-5.1 L / h);
+/// - twist has besides the torsion of a thin rectangle, G h t^3 / 3 (1 - 0.63 t / h) / L, times 1.2 (1 - exp(-0.4 L /
+///   t)): 1.2 is the mean square of its rate over the squared mean where the ends do not warp and the rate follows a
+///   bent beam's slope; a short block hardly twists inside.
+/// They are within 8 % and 3 %.
 ///
 /// A pin is a rod held in knuckles at both ends and pulled across in the middle, bending and shear in series; its
 /// shoulders are taken to hold along the axis as much. About the axis it has friction only: 0.1 N mm/rad, of a
-/// rod of 3 mm that is pulled by 0.2 N. Play is not in it (play_mm).
+/// rod of 3 mm that is pulled by 0.2 N. Play is not in it: elasticity_of has it where the hinge is with_play.
 HingeStiffness stiffness(const MadeHinge& hinge);
 
-/// Half distance of two points on the axis that hold a tilted hinge as its whole height does: h / sqrt(12).
+/// Half distance of two points on the axis that hold a tilted hinge as its whole height does: h / sqrt(12). Of a pin
+/// with play h / 2, where its rod leaves the bore: there it meets it when it tilts by tilt_play().
 double reach_mm(const MadeHinge& hinge);
 
 /// Largest strain where a block or film of even curvature has turned, t |turn| / (2 L); 0 of a pin. @param turn rad

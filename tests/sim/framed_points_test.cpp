@@ -49,6 +49,27 @@ TEST(FramedPoints, PullAsTheEnergyOfTheEquilibriumModelFalls) {
   }
 }
 
+TEST(FramedPoints, OfTiltsOfTheirOwnAndOfPinsWithPlayPullAsTheEnergyFallsToo) {
+  std::mt19937 random(2);
+  const std::vector<model::Stiffness> stiff{
+      {.turn = 1e-14, .reach = 0.4, .tilt = {0.5, 0.2}},
+      {.turn = 1e-14, .reach = 0.4, .ratios = {1, 0.3, 0.5}, .tilt = {0.1, {}}},
+      {.turn = 1e-14, .reach = 0.4, .ratios = {0.8, 0.8, 0.5}, .play = 0.1},
+      {.turn = 1e-14, .reach = 0.4, .play = 0.01}};
+  for (int trial = 0; trial < 20; ++trial) {
+    const model::Structure s = testing::random_panel(1, 1, random);
+    const model::State state = testing::shaken(s, model::rest_state(s), 0.5, random);
+    for (const model::Stiffness& k : stiff)
+      for (const model::Hinge& hinge : s.hinges) {
+        const model::RestHinge h = rest_hinge(hinge);
+        const model::Vector12 fall = -hinge_gradient(h, k, state[h.lower], state[h.upper], s.size.edge_mm);
+        EXPECT_LE((pull_of(h, k, s.size.edge_mm, state) - fall).norm(), 1e-11 * (1 + fall.norm()));
+        const HingePull pull = hinge_pull(h, k, state[h.lower], state[h.upper], s.size.edge_mm);
+        EXPECT_LE((pull.point + fall.segment<3>(3)).norm(), 1e-11 * (1 + fall.norm()));
+      }
+  }
+}
+
 /// Two bodies that are moved apart by g pull each other with 2 k g, and tilted by a small angle about the wall
 /// or across it with 2 k reach^2 sin(angle): of two springs k.
 TEST(FramedPoints, PullTwoBodiesByTheStiffnessOfEachDirection) {

@@ -61,8 +61,8 @@ TEST(DesignFile, TakesHingesAsTheyAreMade) {
            "hinge: {kind: block, material: tango, gap_mm: 1}\n"
            "design: {hinges: [{wall: [[0, 0], [1, 0]], hinge: {kind: film, material: {E_mpa: "
            "900, nu: 0.3, strain_max: 0.05}, gap_mm: 3, thickness_mm: 0.4, height_mm: 5}}, "
-           "{wall: [[1, 0], [2, 0]], hinge: {kind: pin, diameter_mm: 1}}, {wall: [[2, 0], [3, "
-           "0]], hinge: {k: {axial: 3, shear: 1, along: 2, turn: 0.1}, reach_mm: 2}}]}\n");
+           "{wall: [[1, 0], [2, 0]], hinge: {kind: pin, diameter_mm: 1, play: true}}, {wall: [[2, 0], [3, "
+           "0]], hinge: {k: {axial: 3, shear: 1, along: 2, turn: 0.1, rock: 5, twist: 4}, reach_mm: 2}}]}\n");
   EXPECT_EQ(file.hinge.model, HingeSection::Model::elastic);
   const model::MadeHinge block{.kind = model::HingeKind::block,
                                .material = *model::find_material("tango"),
@@ -80,7 +80,8 @@ TEST(DesignFile, TakesHingesAsTheyAreMade) {
   EXPECT_EQ(own(0).made->height_mm, 5);
   EXPECT_EQ(own(1).made->material.name, "pa12");
   EXPECT_EQ(own(1).made->clearance_mm, 0.3);
-  EXPECT_EQ(own(2).k, (model::HingeStiffness{3, 1, 2, 0.1}));
+  EXPECT_TRUE(own(1).made->with_play);
+  EXPECT_EQ(own(2).k, (model::HingeStiffness{3, 1, 2, 0.1, 5, 4}));
   EXPECT_EQ(own(2).reach_mm, 2);
   expect_same(read(design_text(file)), file);
 }
@@ -103,6 +104,8 @@ TEST(DesignFile, WritesHingesAsMadeBitForBit) {
     file.own_hinges[3].model = file.own_hinges[5].model = HingeSection::Model::elastic;
     file.own_hinges[3].made = beam(model::HingeKind::film);
     file.own_hinges[5].k = model::HingeStiffness{unit(random), unit(random), unit(random), unit(random)};
+    if (round % 3 == 0) file.own_hinges[5].k->rock = unit(random);
+    if (round % 4 == 0) file.own_hinges[5].k->twist = unit(random);
     file.own_hinges[5].reach_mm = unit(random);
     expect_same(read(design_text(file)), file);
   }
@@ -417,6 +420,27 @@ TEST(DesignFile, SaysWhereAndWhatIsAllowed) {
        50,
        "hinge.clearance_mm",
        {"at least 0"}},
+      {strip + "hinge: {k: {axial: 1, shear: 1, along: 1, turn: 1, rock: 0}}\n",
+       3,
+       58,
+       "hinge.k.rock",
+       {"above 0"}},
+      {strip + "hinge: {k: {axial: 1, shear: 1, along: 1, turn: 1, twist: -1}}\n",
+       3,
+       59,
+       "hinge.k.twist",
+       {"above 0"}},
+      {strip + "hinge: {kind: block, material: tango, gap_mm: 1, play: true}\n",
+       3,
+       50,
+       "hinge.play",
+       {"is of pins"}},
+      {strip + "hinge: {play: true}\n", 3, 9, "hinge.play", {"made hinge", "kind: pin"}},
+      {strip + "hinge: {kind: pin, diameter_mm: 1, clearance_mm: 0.3, height_mm: 0.5, play: true}\n",
+       3,
+       33,
+       "hinge.diameter_mm",
+       {"at most half of the height"}},
       {strip + "hinge: {gap_mm: 1}\n", 3, 9, "hinge.gap_mm", {"made hinge", "kind: pin"}},
       {strip + "hinge: {kind: pin, diameter_mm: 1, k_point: 10}\n",
        3,

@@ -40,7 +40,10 @@ Simulated verified(const std::string& text) {
 
 model::HingeStiffness k_of(const Json& result, std::size_t hinge) {
   const Json& k = result["structure"]["hinges"][hinge]["k"];
-  return {k["axial"], k["shear"], k["along"], k["turn"]};
+  model::HingeStiffness out{k["axial"], k["shear"], k["along"], k["turn"]};
+  if (k.contains("rock")) out.rock = k["rock"].get<double>();
+  if (k.contains("twist")) out.twist = k["twist"].get<double>();
+  return out;
 }
 
 /// The walls of a basic panel between plates turn by 2 theta: their springs store 2 k_turn theta^2 each.
@@ -64,7 +67,8 @@ TEST(MadeHinges, FoldAPanelWithTheStiffnessOfTheirShape) {
 TEST(MadeHinges, OfEveryKindAgreeWithThePhysicsRun) {
   for (const char* hinge : {"kind: film, material: pp, gap_mm: 3, thickness_mm: 0.4",
                             "kind: pin, diameter_mm: 2, clearance_mm: 0.2",
-                            "k: {axial: 6.7, shear: 1.1, along: 1.6, turn: 0.33}, reach_mm: 1.73"}) {
+                            "k: {axial: 6.7, shear: 1.1, along: 1.6, turn: 0.33}, reach_mm: 1.73",
+                            "k: {axial: 6.7, shear: 1.1, along: 1.6, turn: 0.33, rock: 18, twist: 5}"}) {
     SCOPED_TRACE(hinge);
     const Simulated s = verified(design_with(hinge));
     EXPECT_TRUE(s.result["metrics"]["verified"]);

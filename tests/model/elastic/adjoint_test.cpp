@@ -70,11 +70,15 @@ TEST(Adjoint, OfNothingIsZeroAndOfNaNIsNaN) {
   }
 }
 
-/// A hinge of every wall by its own number, with frames of three stiffnesses.
+/// A hinge of every wall by its own number, with frames of three stiffnesses, and every third with tilt stiffnesses of
+/// its own.
 Elasticity by_hinge(Elasticity whole, std::size_t hinges) {
   for (std::size_t h = 0; h < hinges; ++h) {
     const double wave = std::cos(1.0 + static_cast<double>(h));
-    Elasticity own = elasticity_of({2000 + 500 * wave, 800 - 200 * wave, 1200, 20 + 5 * wave}, 3 + wave);
+    HingeStiffness k{2000 + 500 * wave, 800 - 200 * wave, 1200, 20 + 5 * wave};
+    if (h % 3 == 1) k.rock = 9000 + 3000 * wave;
+    if (h % 3 != 0) k.twist = 12000 - 3000 * wave;
+    Elasticity own = elasticity_of(k, 3 + wave);
     own.k_contact = whole.k_contact;
     whole.each.push_back(own);
   }
@@ -96,14 +100,21 @@ TEST(Adjoint, OfHingesOfTheirOwnIsTheCentralDifferenceOfEquilibriaFoundAnew) {
       SCOPED_TRACE(f.name);
       const Sensitivity s = of_equilibrium(b, f.gradient(b));
       const auto hinges = static_cast<Eigen::Index>(b.structure.hinges.size());
-      Eigen::RowVectorXd expected(5 * hinges), found(5 * hinges);
+      Eigen::RowVectorXd expected(7 * hinges), found(7 * hinges);
       const auto changed = [&](Eigen::Index h, int k, double by) {
         Equilibrium at = b;
         Elasticity& own = at.elasticity.each[h];
         HingeStiffness stiffness = stiffness_of(own);
-        double* const fields[] = {&stiffness.axial, &stiffness.shear, &stiffness.along, &stiffness.turn,
-                                  &own.reach_mm};
+        double* const fields[] = {&stiffness.axial,
+                                  &stiffness.shear,
+                                  &stiffness.along,
+                                  &stiffness.turn,
+                                  &own.reach_mm,
+                                  &stiffness.rock.emplace(stiffness.rock.value_or(0)),
+                                  &stiffness.twist.emplace(stiffness.twist.value_or(0))};
         *fields[k] *= 1 + by;
+        if (*stiffness.rock == 0) stiffness.rock.reset();
+        if (*stiffness.twist == 0) stiffness.twist.reset();
         own = elasticity_of(stiffness, own.reach_mm);
         settle(at);
         return f.value(at);
@@ -111,12 +122,13 @@ TEST(Adjoint, OfHingesOfTheirOwnIsTheCentralDifferenceOfEquilibriaFoundAnew) {
       for (Eigen::Index h = 0; h < hinges; ++h) {
         const Elasticity& own = b.elasticity.each[h];
         const HingeStiffness k = stiffness_of(own);
-        const double values[] = {k.axial, k.shear, k.along, k.turn, own.reach_mm};
-        for (int r = 0; r < 5; ++r) {
-          expected[5 * h + r] = testing::numeric_jacobian(
+        const double values[] = {
+            k.axial, k.shear, k.along, k.turn, own.reach_mm, k.rock.value_or(0), k.twist.value_or(0)};
+        for (int r = 0; r < 7; ++r) {
+          expected[7 * h + r] = testing::numeric_jacobian(
               [&](const Eigen::VectorXd& q) { return Eigen::VectorXd::Constant(1, changed(h, r, q[0])); },
               Eigen::VectorXd::Zero(1), c.touching ? 1e-4 : 1e-3)(0, 0);
-          found[5 * h + r] = s.stiffness(r, h) * values[r];
+          found[7 * h + r] = s.stiffness(r, h) * values[r];
         }
       }
       EXPECT_LE((found - expected).norm(), 1e-6 * expected.norm());

@@ -7,6 +7,7 @@
 
 #include "model/closure/closure.hpp"
 #include "model/closure/closure_drive.hpp"
+#include "model/hinge/play_energy.hpp"
 #include "tests/support/derivatives.hpp"
 #include "tests/support/random_elastic.hpp"
 
@@ -24,7 +25,17 @@ const Stiffness stiff{0.3, 0.4, 10};
 const std::vector<Stiffness> kinds{stiff,
                                    {.turn = 0.3, .reach = 0.4, .ratios = {1, 0.3, 0.5}},
                                    {.turn = 0.3, .reach = 0.4, .ratios = {0.9, 1, 0.2}},
-                                   {.turn = 0.3, .reach = 0, .ratios = {1, 0.3, 0.5}}};
+                                   {.turn = 0.3, .reach = 0, .ratios = {1, 0.3, 0.5}},
+                                   {.turn = 0.3, .reach = 0.4, .tilt = {0.5, 0.2}},
+                                   {.turn = 0.3, .reach = 0.4, .ratios = {1, 0.3, 0.5}, .tilt = {0.1, {}}},
+                                   {.turn = 0.3, .reach = 0.4, .ratios = {1, 0.3, 0.5}, .tilt = {{}, 0.7}},
+                                   {.turn = 0.3, .reach = 0.4, .ratios = {0.8, 0.8, 0.5}, .play = 0.2},
+                                   {.turn = 0.3, .reach = 0.4, .ratios = {1, 1, 1}, .play = 0.02}};
+
+std::optional<double> plus(const std::optional<double>& tilt, double by) {
+  if (!tilt) return {};
+  return *tilt + by;
+}
 
 /// The twists of the two bodies of a hinge, written into those of all.
 State moved_pair(const Structure& s, const State& state, const Hinge& hinge, const Vector12& x) {
@@ -79,7 +90,7 @@ double spring_energy(const Stiffness& k, const Eigen::Vector3d& gap, const Eigen
 TEST(HingeEnergy, IsThatOfTwoPointSpringsAndATurningSpring) {
   std::mt19937 random(1);
   for (int trial = 0; trial < 20; ++trial) {
-    const Stiffness& stiff = kinds[trial % kinds.size()];
+    const Stiffness& stiff = kinds[trial % 4];  // the others have no springs at two points
     const Structure s = random_panel(2, 2, random);
     const State state = shaken(s, rest_state(s), 0.4, random);
     for (const Hinge& hinge : s.hinges) {
@@ -139,26 +150,84 @@ TEST(HingeEnergy, RatesByDesignAndStiffnessMatchCentralDifferences) {
         const Stiffness k{
             .turn = stiff.turn + q[4],
             .reach = stiff.reach + q[5],
-            .ratios = {stiff.ratios.axial + q[6], stiff.ratios.shear + q[7], stiff.ratios.along + q[8]}};
+            .ratios = {stiff.ratios.axial + q[6], stiff.ratios.shear + q[7], stiff.ratios.along + q[8]},
+            .tilt = {plus(stiff.tilt.rock, q[9]), plus(stiff.tilt.twist, q[10])},
+            .play = stiff.play};
         const Element e = hinge_element(h, k, state[h.lower], state[h.upper], s.size.edge_mm);
         return (Eigen::VectorXd(13) << e.energy, e.gradient).finished();
       };
-      Eigen::Matrix<double, 13, 9> all;
+      Eigen::Matrix<double, 13, 11> all;
       for (int k = 0; k < 12; ++k) {
         const auto [energy, along] = hinge_rates(rest_hinge(hinge), stiff, state[hinge.lower],
                                                  state[hinge.upper], s.size.edge_mm, Vector12::Unit(k));
         const auto row = [](const HingeRate& r) {
-          Eigen::Matrix<double, 1, 9> all_of_it;
-          all_of_it << r.design.transpose(), r.turn, r.reach, r.ratios.axial, r.ratios.shear, r.ratios.along;
+          Eigen::Matrix<double, 1, 11> all_of_it;
+          all_of_it << r.design.transpose(), r.turn, r.reach, r.ratios.axial, r.ratios.shear, r.ratios.along,
+              r.rock, r.twist;
           return all_of_it;
         };
         all.row(0) = row(energy);
         all.row(1 + k) = row(along);
       }
       if (stiff.reach == 0) continue;  // its rates by design hold; a reach below 0 has no energy to compare
-      expect_jacobian(energy_and_gradient, Eigen::VectorXd::Zero(9), all);
+      expect_jacobian(energy_and_gradient, Eigen::VectorXd::Zero(11), all);
     }
   }
+}
+
+/// One hinge of a flat cell whose upper body is moved, without its turning spring. The wall runs along x, its axis
+/// stands along z.
+double energy_of_moved(const Stiffness& k, const Eigen::Vector3d& shift, const Eigen::Vector3d& turn) {
+  const Structure s = make_structure(rectangle(1, 1), {});
+  const RestHinge h = rest_hinge(s.hinges[*s.hinge_at({{0, 0}, Axis::x})]);
+  State state = rest_state(s);
+  Pose& upper = state[h.upper];
+  if (turn.norm() > 0) upper.R = Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
+  upper.p += s.size.edge_mm * (shift + h.upper_arm - upper.R * h.upper_arm);
+  return hinge_energy(h, k, state[h.lower], upper, s.size.edge_mm).stretch;
+}
+
+TEST(HingeEnergy, RocksAndTwistsByStiffnessesOfItsOwn) {
+  const Stiffness k{.reach = 0.4, .ratios = {1, 0.3, 0.5}, .tilt = {0.5, 0.2}};
+  const double turn = 1e-3;  // rad: the sine's error is a millionth
+  using Eigen::Vector3d;
+  EXPECT_NEAR(energy_of_moved(k, Vector3d::Zero(), turn * Vector3d::UnitY()), 0.25 * turn * turn, 1e-12);
+  EXPECT_NEAR(energy_of_moved(k, Vector3d::Zero(), turn * Vector3d::UnitX()), 0.1 * turn * turn, 1e-12);
+  const Stiffness by_reach{.reach = 0.4, .ratios = {1, 0.3, 0.5}},
+      given{.reach = 0.4, .ratios = {1, 0.3, 0.5}, .tilt = {2 * 0.16, 2 * 0.16 * 0.3}};
+  const Vector3d any(0.01, -0.02, 0.03), about(0.2, 0.3, -0.1);
+  EXPECT_NEAR(energy_of_moved(given, any, about), energy_of_moved(by_reach, any, about), 1e-16);
+}
+
+TEST(HingeEnergy, OfAPinWithPlayBeginsBeyondIt) {
+  const Stiffness k{.reach = 0.4, .ratios = {0.8, 0.8, 0.5}, .play = 0.02};
+  const double loose = played_loose * 0.8;
+  using Eigen::Vector3d;
+  for (const Vector3d& way : {Vector3d(1, 0, 0), Vector3d(0.6, -0.8, 0), Vector3d(0, 1, 0)}) {
+    EXPECT_LE(energy_of_moved(k, 0.018 * way, Vector3d::Zero()), loose * 0.02 * 0.02);
+    EXPECT_NEAR(energy_of_moved(k, 0.05 * way, Vector3d::Zero()), 0.8 * (0.03 * 0.03 + 2e-3 * 2e-3 / 12),
+                loose * 0.05 * 0.05 + 1e-15);
+  }
+  EXPECT_NEAR(energy_of_moved(k, 0.05 * Vector3d::UnitZ(), Vector3d::Zero()),
+              0.5 * (0.03 * 0.03 + 2e-3 * 2e-3 / 12), loose * 0.05 * 0.05 + 1e-15);
+  // Two points tilt by asin(play / reach): before it nothing holds the axis, behind it their reach does.
+  const double free = std::asin(0.9 * 0.02 / 0.4), held = std::asin(0.05 / 0.4);
+  EXPECT_LE(energy_of_moved(k, Vector3d::Zero(), free * Vector3d::UnitX()), loose * 0.02 * 0.02);
+  EXPECT_GT(energy_of_moved(k, Vector3d::Zero(), held * Vector3d::UnitX()), 0.7 * 0.03 * 0.03);
+}
+
+TEST(HingeEnergy, PlayHasARoundedCornerWithContinuousForceAndStiffness) {
+  for (const double play : {1e-3, 0.02, 0.3})
+    for (int k = 0; k <= 400; ++k) {
+      const double d = k / 201.0 * play;  // never at a corner
+      const PlayResponse r = play_response(d, play);
+      testing::expect_jacobian(
+          [&](const Eigen::VectorXd& x) {
+            const PlayResponse at = play_response(d + play * x[0], play);
+            return Eigen::Vector2d(at.energy / (play * play), at.force / play);
+          },
+          Eigen::VectorXd::Zero(1), Eigen::Vector2d(r.force / play, r.stiffness), 1e-4, 1e-5);
+    }
 }
 
 TEST(HingeEnergy, OfAFrameWithEqualStiffnessesIsThatOfTwoSpringsTimesAsStiff) {

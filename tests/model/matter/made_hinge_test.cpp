@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "model/base/angle.hpp"
+#include "model/base/invalid_input.hpp"
 #include "tests/support/bad_input.hpp"
 
 namespace kinetix::model {
@@ -105,6 +106,44 @@ TEST(MadeHinge, HoldsATiltedWallAsItsWholeHeightDoes) {
   EXPECT_NEAR(back.shear, k.shear, 1e-14 * k.shear);
   EXPECT_NEAR(back.along, k.along, 1e-14 * k.along);
   EXPECT_EQ(back.turn, k.turn);
+  EXPECT_EQ(back.rock, k.rock);
+  EXPECT_EQ(back.twist, k.twist);
+}
+
+TEST(MadeHinge, TiltsAsABeamWhereItIsLongAndItsMaterialDoesNotContract) {
+  const double L = 4, t = 0.4, h = 6, E = 2, G = E / 2;  // nu = 0: no correction of ends or edges
+  const HingeStiffness k = stiffness(block(L, t, h, 0, E));
+  EXPECT_NEAR(k.rock.value(), E * t * h * h * h / 12 / L, 1e-12);
+  const double torsion = G * h * t * t * t / 3 * (1 - 0.63 * t / h) / L;
+  EXPECT_NEAR((k.twist.value() - k.shear * h * h / 12) / torsion, 1.2, 0.03);
+}
+
+TEST(MadeHinge, OfAPinWithPlayBearsWhereItsRodLeavesTheBore) {
+  MadeHinge pin{.kind = HingeKind::pin,
+                .material = {.E_mpa = 1700, .nu = 0.4, .strain_max = 0.1},
+                .height_mm = 6,
+                .diameter_mm = 1,
+                .clearance_mm = 0.2};
+  EXPECT_EQ(elasticity_of(pin).play_mm, 0);
+  pin.with_play = true;
+  const Elasticity e = elasticity_of(pin);
+  e.validate();
+  EXPECT_EQ(e.play_mm, 0.2);
+  EXPECT_NEAR(std::atan(e.play_mm / e.reach_mm), tilt_play(pin), 1e-15);
+}
+
+TEST(MadeHinge, PlayIsOfHingesThatAreRound) {
+  const auto refuses = [](Elasticity e) {
+    e.play_mm = e.play_mm == 0 ? 0.2 : e.play_mm;
+    EXPECT_THROW(e.validate(), InvalidInput);
+  };
+  refuses({.ratios = {1, 0.5, 1}});
+  refuses({.tilt = {.rock = 3}});
+  for (const double bad : {-0.1, 2.0, double(NAN), double(INFINITY)}) refuses({.play_mm = bad});
+  for (const double bad : {-1.0, 0.0, double(NAN), double(INFINITY)}) {
+    EXPECT_THROW((Elasticity{.tilt = {.rock = bad}}.validate()), InvalidInput);
+    EXPECT_THROW((Elasticity{.tilt = {.twist = bad}}.validate()), InvalidInput);
+  }
 }
 
 TEST(MadeHinge, NamesAFieldThatCannotBeMade) {
