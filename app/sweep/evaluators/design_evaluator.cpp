@@ -106,7 +106,7 @@ void DesignEvaluator::compute_exact(const DesignFile& design) {
   }
   const model::ExactMotion exact = exact_motion(design.structure);
   if (!exact) throw InvalidInput(exact.why);
-  seen_.theta = design.drive ? exact_theta({design.structure, drive_of(design), exact}, elasticity_of(design)) : design.theta;
+  seen_.theta = design.drive ? exact_theta_of(design, exact) : design.theta;
   state_ = exact.at(seen_.theta);
   seen_.state = &state_;
 }
