@@ -4,13 +4,16 @@
 
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/console/console.hpp"
 #include "app/exports/write_results.hpp"
 #include "app/goals/read_target.hpp"
 #include "app/io/atomic_file.hpp"
 #include "app/pipeline/design_scene.hpp"
+#include "app/pipeline/drive_trials.hpp"
 #include "app/pipeline/pipeline.hpp"
+#include "app/result/drive_trials_summary.hpp"
 #include "app/result/result_json.hpp"
 #include "app/run/stopwatch.hpp"
 #include "app/sweep/plan/sweep_plan.hpp"
@@ -68,14 +71,43 @@ int run_and_write(const CommandOptions& options, const Scene& scene, const std::
   return exit_code(run);
 }
 
-int run_design(const CommandOptions& options, Model model, const std::string& suffix) {
-  Stopwatch watch;
+/// The design, to another theta where the command line gives one.
+DesignFile design_of(const CommandOptions& options) {
   DesignFile design = read_design(options.file);
   if (options.theta_given) {
     design.theta = options.theta_deg * radians_per_degree;
     design.drive.reset();
   }
-  return run_and_write(options, *make_scene(std::move(design), model), suffix, watch);
+  return design;
+}
+
+DriveTrials located_trials(const CommandOptions& options, const DesignFile& design) {
+  Console console(options.quiet);
+  try {
+    return try_drives(design, console.progress());
+  } catch (const InvalidInput& e) {
+    throw InvalidInput(e.reason(), {options.file, 0, 0, e.place().key});
+  }
+}
+
+int compare_drives(const CommandOptions& options) {
+  if (options.model != "equilibrium")
+    throw InvalidInput("--drives compares forces of elastic hinges: give --model equilibrium as well");
+  std::optional<OutputFolder> folder;
+  if (options.folder_given) folder.emplace(options.folder);
+  const DriveTrials trials = located_trials(options, design_of(options));
+  const std::string json = drive_trials_json(trials).dump(1) + "\n";
+  if (folder) {
+    write_file(folder->path() + "/drives.json", json);
+    folder->keep();
+  }
+  std::cout << (options.json ? json : summary(trials));
+  return trials.least_force < 0 ? target_missed : done;
+}
+
+int run_design(const CommandOptions& options, Model model, const std::string& suffix) {
+  Stopwatch watch;
+  return run_and_write(options, *make_scene(design_of(options), model), suffix, watch);
 }
 
 }  // namespace
@@ -88,6 +120,7 @@ int optimise_command(const CommandOptions& options) {
 int verify_command(const CommandOptions& options) { return run_design(options, Model::bullet, "_verified"); }
 
 int simulate_command(const CommandOptions& options) {
+  if (options.drives) return compare_drives(options);
   const Model model = options.model == "bullet"        ? Model::bullet
                       : options.model == "equilibrium" ? Model::equilibrium
                                                        : Model::exact;

@@ -50,6 +50,7 @@ examples:
   kinetix-opt targets/shapes/helmet_rib.yaml -o out       search, verify, write out/report.html
   kinetix-opt simulate out/design.yaml --theta-deg 20     the same design, half folded
   kinetix-opt simulate panel.yaml --model equilibrium     elastic hinges: force, energy, snaps, contact
+  kinetix-opt simulate panel.yaml --model equilibrium --drives   where to push with least force
   kinetix-opt verify out/design.yaml                      the physics run alone
 
 exit codes:
@@ -98,6 +99,9 @@ int run(int argc, char** argv) {
   CLI::Option* theta =
       simulate->add_option("--theta-deg", options.theta_deg, "fold angle instead of the design's own")
           ->check(CLI::Range(-89.0, 89.0));
+  simulate->add_flag("--drives", options.drives,
+                     "tries plates, single hinges and cords to the same theta with --model equilibrium, and says which "
+                     "needs the least force; writes nothing but drives.json into -o DIR");
 
   try {
     app.parse(argc, argv);

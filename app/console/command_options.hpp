@@ -24,6 +24,7 @@ struct CommandOptions {
   std::string model = "exact";  ///< of simulate: exact, equilibrium or bullet
   double theta_deg = 0;         ///< of simulate, deg
   bool theta_given = false;
+  bool drives = false;  ///< of simulate: tries drives instead of the design's own
   bool resume = false;  ///< of sweep
 };
 

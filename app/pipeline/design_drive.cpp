@@ -1,5 +1,7 @@
 #include "app/pipeline/design_drive.hpp"
 
+#include "app/pipeline/physics_settings.hpp"
+#include "model/elastic/exact_theta.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::app {
@@ -20,6 +22,12 @@ model::LinkageDrive drive_of(const DesignFile& design) {
   drive.springs = design.drive->springs;
   drive.k_turn = design.drive->k_turn;
   return drive_on(design.structure, drive);
+}
+
+double exact_theta_of(const DesignFile& design, const model::ExactMotion& exact) {
+  const model::LinkageDrive drive = drive_of(design);
+  if (!drive.heats_springs()) return exact.theta_of(drive);
+  return exact_theta({design.structure, drive, exact}, elasticity_of(design));
 }
 
 }  // namespace kinetix::app

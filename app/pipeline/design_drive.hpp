@@ -1,11 +1,15 @@
 #pragma once
 
 #include "app/files/design_file.hpp"
-#include "model/linkage/linkage_drive.hpp"
+#include "model/linkage/exact_motion.hpp"
 
 namespace kinetix::app {
 
 /// The drive of a design: as its file says, or to its theta.
 model::LinkageDrive drive_of(const DesignFile& design);
+
+/// Theta to which that takes a design along its closed form, rad: of springs by their stiffness and that of the hinges.
+/// @pre exact
+double exact_theta_of(const DesignFile& design, const model::ExactMotion& exact);
 
 }  // namespace kinetix::app

@@ -7,7 +7,6 @@
 #include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/physics_settings.hpp"
 #include "model/base/invalid_input.hpp"
-#include "model/elastic/exact_theta.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -47,7 +46,7 @@ class DesignScene final : public Scene {
       throw InvalidInput(run.plan.exact.why +
                          "; use --model equilibrium or bullet, which need no exact family");
     if (!run.plan.exact) return;
-    add_exact_state(run, exact_theta(run));
+    add_exact_state(run, exact_theta_of(design_, run.plan.exact));
     add_exact_frames(run);
   }
 
@@ -57,12 +56,6 @@ class DesignScene final : public Scene {
   }
 
  private:
-  double exact_theta(const Run& run) const {
-    const model::LinkageDrive drive = drive_of(design_);
-    if (!drive.heats_springs()) return run.plan.exact.theta_of(drive);
-    return model::exact_theta({run.structure, drive, run.plan.exact}, elasticity_of(design_));
-  }
-
   DesignFile design_;
   Model model_;
 };

@@ -49,7 +49,8 @@ std::string drive_text(const Equilibrium& equilibrium, const model::EquilibriumS
 
 /// What the load is, where its unit does not say it.
 std::string load_words(const Equilibrium& equilibrium) {
-  if (equilibrium.drive.pulls_cord()) return "tension ";
+  if (equilibrium.drive.pulls_cord())
+    return equilibrium.path.steps.back().load < 0 ? "the cord is slack, it would have to push: tension " : "tension ";
   if (!equilibrium.drive.heats_springs()) return "";
   return fmt::format("{:.4g} N mm from each of {} springs, together ", mean_moment(equilibrium),
                      equilibrium.drive.springs.size());

@@ -50,6 +50,8 @@ struct LinkageDrive {
   /// straight one is cos(theta) times as long; of shape memory that at which its springs rest, which the sheet comes to
   /// as far as its hinges let it.
   double theta() const;
+  /// The same drive as far as another theta(), rad, of which plates and a cord take the sign as their branch.
+  LinkageDrive to(double theta) const;
   bool pulls_cord() const { return kind == Kind::cord; }
   bool heats_springs() const { return kind == Kind::shape_memory; }
   /// Whether its load is a force, N, or a moment, N mm.

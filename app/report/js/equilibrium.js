@@ -6,6 +6,7 @@ const EVENT_NAMES = {
   contact: "walls touch",
   release: "walls part",
   lock: "walls lock",
+  slack: "the cord goes slack",
 };
 
 /** A limit point is a maximum or a minimum, as its sentence says. */
@@ -25,6 +26,47 @@ function readEnergies(raw) {
   return list(raw).map((e) => ({stretch: finite(e?.stretch), turn: finite(e?.turn)}));
 }
 
+/** What each kind of drive does, what its load is, and its coordinate on an axis. */
+const DRIVES = {
+  plates: {
+    holds: "The plates press with",
+    load: "force on the plates",
+    axis: "compression of the plates, %",
+    words: (drive) => `${percent(drive)} compression`,
+    shown: (drive) => 100 * drive,
+  },
+  hinge: {
+    holds: "The driven hinge holds",
+    load: "moment of the drive",
+    axis: "rotation of the driven hinge, degrees",
+    words: (drive) => `${degrees(toDegrees(drive))} rotation`,
+    shown: toDegrees,
+  },
+  cord: {
+    holds: "The cord pulls with",
+    load: "tension of the cord",
+    axis: "shortening of the cord, mm",
+    words: (drive) => `${figures(drive)}${SPACE}mm less cord`,
+    shown: (drive) => drive,
+  },
+  springs: {
+    holds: "The hot springs hold together",
+    load: "moments of all springs",
+    axis: "angle at which the springs rest, degrees",
+    words: (drive) => `${degrees(toDegrees(drive))} rest angle`,
+    shown: toDegrees,
+  },
+};
+
+function driveKind(unit, springs) {
+  if (springs) return DRIVES.springs;
+  return unit === "rad" ? DRIVES.hinge : unit === "mm" ? DRIVES.cord : DRIVES.plates;
+}
+
+function capital(text) {
+  return text[0].toUpperCase() + text.slice(1);
+}
+
 /** The section `equilibrium` of a result, or null. */
 function readEquilibrium(raw) {
   const path = list(raw?.path).filter((step) => finite(step?.drive) !== null && finite(step.load) !== null);
@@ -37,7 +79,7 @@ function readEquilibrium(raw) {
     stop: raw.stop,
     why: typeof raw.why === "string" ? raw.why : "",
     planar: raw.planar === true,
-    byPlates: path[0].drive_unit !== "rad",
+    drive: driveKind(path[0].drive_unit, raw.shape_memory),
     unit: path[0].load_unit === "N mm" ? "N\u00a0mm" : "N",
     last: path[path.length - 1],
     goal: finite(raw.goal_rad),
@@ -51,19 +93,19 @@ function force(value, unit) {
 }
 
 function driveWords(equilibrium, drive) {
-  return equilibrium.byPlates ? `${percent(drive)} compression` : `${degrees(toDegrees(drive))} rotation`;
+  return equilibrium.drive.words(drive);
 }
 
-/** Of the drive, as its axis shows it: percent, or degrees. */
+/** Of the drive, as its axis shows it: percent, mm, or degrees. */
 function driveShown(equilibrium, drive) {
-  return equilibrium.byPlates ? 100 * drive : toDegrees(drive);
+  return equilibrium.drive.shown(drive);
 }
 
 /** {mark, tone, title, text} */
 function equilibriumVerdict(data) {
   const {equilibrium} = data, load = force(equilibrium.last.load, equilibrium.unit);
   const reached = equilibrium.stop === "reached";
-  const held = `${equilibrium.byPlates ? "The plates press with" : "The driven hinge holds"} ${load} at ${
+  const held = `${equilibrium.drive.holds} ${load} at ${
       driveWords(equilibrium, equilibrium.last.drive)}; the hinges store ${
       force(equilibrium.last.energy_Nmm, "N\u00a0mm")}.`;
   const {verified} = data.verdict, hasRun = Boolean(data.physics.status);
@@ -101,8 +143,7 @@ function equilibriumNumbers(data) {
           .map(([share, name]) => `${share}${SPACE}% ${name}`);
   return [
     keyNumber(
-        equilibrium.byPlates ? "Force on the plates" : "Moment of the drive",
-        force(equilibrium.last.load, equilibrium.unit),
+        capital(equilibrium.drive.load), force(equilibrium.last.load, equilibrium.unit),
         `at ${driveWords(equilibrium, equilibrium.last.drive)}`),
     keyNumber("Energy", force(equilibrium.last.energy_Nmm, "N\u00a0mm"), shares.join(", ")),
     finite(metrics.exact_rms) !== null &&
@@ -153,7 +194,7 @@ function alongDrive(data, width, key, label, name) {
     label: name,
     x: {
       range: [Math.min(0, ...drives), Math.max(...drives, 1e-9)],
-      label: equilibrium.byPlates ? "compression of the plates, %" : "rotation of the driven hinge, degrees"
+      label: equilibrium.drive.axis
     },
     y: {range: [bottom - (bottom < 0 ? 0.06 : 0) * (top - bottom), top + 0.14 * (top - bottom || 1)], label},
     left: 66
@@ -171,9 +212,7 @@ function alongDrive(data, width, key, label, name) {
 
 function drawLoad(data, width) {
   const {axes, at} = alongDrive(
-      data, width, "load",
-      `${data.equilibrium.byPlates ? "force on the plates" : "moment of the drive"}, ${data.equilibrium.unit}`,
-      "Load along the drive");
+      data, width, "load", `${data.equilibrium.drive.load}, ${data.equilibrium.unit}`, "Load along the drive");
   axes.root.append(...eventMarks(axes, data.equilibrium.events, (event) => at(event, event.load)));
   return axes.root;
 }

@@ -8,7 +8,6 @@
 #include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/physics_settings.hpp"
 #include "app/result/equilibrium_summary.hpp"
-#include "model/elastic/exact_theta.hpp"
 #include "model/elastic/path/near_equilibrium.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
@@ -107,8 +106,7 @@ void DesignEvaluator::compute_exact(const DesignFile& design) {
   }
   const model::ExactMotion exact = exact_motion(design.structure);
   if (!exact) throw InvalidInput(exact.why);
-  seen_.theta = design.drive ? exact_theta({design.structure, drive_of(design), exact}, elasticity_of(design))
-                             : design.theta;
+  seen_.theta = design.drive ? exact_theta_of(design, exact) : design.theta;
   state_ = exact.at(seen_.theta);
   seen_.state = &state_;
 }

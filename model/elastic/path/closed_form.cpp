@@ -53,10 +53,7 @@ std::optional<State> ClosedForm::at(double theta) const {
 }
 
 std::optional<double> ClosedForm::cord_theta(double theta) const {
-  LinkageDrive drive = system_.drive();
-  drive.branch = theta < 0 ? -1 : 1;
-  drive.shorten_mm = system_.drive_coordinate(theta);
-  return theta_of_cord(drive, system_.structure(), exact_.at);
+  return theta_of_cord(system_.drive().to(theta), system_.structure(), exact_.at);
 }
 
 void ClosedForm::hold_by_body(State& state, const State& rest) const {

@@ -1,0 +1,97 @@
+#include "app/pipeline/drive_trials.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/pipeline/design_drive.hpp"
+#include "app/pipeline/physics_settings.hpp"
+#include "model/base/invalid_input.hpp"
+#include "model/closure/drive_theta.hpp"
+#include "model/sheet/sheet_motion.hpp"
+#include "model/sheet/trial_drives.hpp"
+
+namespace kinetix::app {
+namespace {
+
+/// Of its drive where it gives one, else its own, rad.
+double theta_of(const DesignFile& design, const model::ExactMotion& exact) {
+  double theta = design.theta;
+  if (design.drive) theta = exact ? exact_theta_of(design, exact) : drive_of(design).theta();
+  if (theta != 0) return theta;
+  throw InvalidInput("the design folds nowhere; give design.theta_deg, a drive or --theta-deg",
+                     {"", 0, 0, "design.theta_deg"});
+}
+
+/// By trapezoids: loads of a path lie close.
+double work_along(const model::EquilibriumPath& path, double travel) {
+  double sum = 0;
+  for (std::size_t k = 1; k < path.steps.size(); ++k) {
+    const model::EquilibriumStep &a = path.steps[k - 1], &b = path.steps[k];
+    sum += (b.drive - a.drive) * travel * (a.load + b.load) / 2;
+  }
+  return sum;
+}
+
+/// What a unit of the drive's coordinate is: mm, or 1 rad.
+double travel_of(const model::Linkage& linkage, const model::LinkageDrive& drive) {
+  if (drive.kind != model::LinkageDrive::Kind::plates) return 1;
+  const int d = drive.axis == model::Axis::x ? 0 : 1;
+  return linkage.rest_position(drive.gripped[1].front())[d] - linkage.rest_position(drive.gripped[0].front())[d];
+}
+
+constexpr double same_theta = 5e-3;  // of theta: work goes with its square, and is known to 1 %
+constexpr int most_rounds = 8;       // of a drive; each comes nearer by what the sheet lags behind the drive, squared
+constexpr double widest = 1.55;      // rad: no drive asks for a right angle
+
+/// Follows a drive, and again as much further as it fell short of theta.
+void drive_to(double theta, const model::Linkage& linkage, const model::ExactMotion& exact,
+              const model::Elasticity& elasticity, DriveTrial& trial) {
+  for (int k = 0; k < most_rounds; ++k) {
+    trial.path = trace_equilibrium({linkage, trial.drive, exact}, elasticity);
+    trial.theta = mean_theta(linkage, trial.path.state);
+    trial.at_goal = std::abs(trial.theta - theta) <= same_theta * std::abs(theta);
+    const double next = trial.drive.theta() * theta / trial.theta;
+    if (trial.at_goal || !trial.reached() || !(trial.theta * theta > 0) || !(std::abs(next) < widest)) return;
+    trial.drive = trial.drive.to(next);
+  }
+}
+
+void follow(double theta, const model::Linkage& linkage, const model::ExactMotion& exact,
+            const model::Elasticity& elasticity, DriveTrial& trial) {
+  drive_to(theta, linkage, exact, elasticity, trial);
+  for (const model::EquilibriumStep& step : trial.path.steps)
+    trial.load_peak = std::max(trial.load_peak, std::abs(step.load));
+  trial.force_N = trial.drive.has_force() ? trial.load_peak : trial.load_peak / linkage.size.edge_mm;
+  trial.work_Nmm = work_along(trial.path, travel_of(linkage, trial.drive));
+  for (const model::PathEvent& event : trial.path.events)
+    trial.snaps += event.kind == model::PathEvent::Kind::snap;
+}
+
+int least(const std::vector<DriveTrial>& trials, double DriveTrial::*number) {
+  int best = -1;
+  for (int k = 0; k < static_cast<int>(trials.size()); ++k)
+    if (trials[k].holds() && (best < 0 || trials[k].*number < trials[best].*number)) best = k;
+  return best;
+}
+
+}  // namespace
+
+DriveTrials try_drives(const DesignFile& design, const Progress& progress) {
+  const model::Linkage linkage = design.structure;
+  const model::ExactMotion exact = exact_motion(design.structure);
+  const model::Elasticity elasticity = elasticity_of(design);
+  DriveTrials out{design.name, theta_of(design, exact), linkage.size.edge_mm, {}};
+  const std::vector<model::TrialDrive> drives = trial_drives(design.structure, exact, out.theta);
+  for (const model::TrialDrive& drive : drives) {
+    if (progress) progress("drives", static_cast<double>(out.trials.size()) / static_cast<double>(drives.size()));
+    DriveTrial& trial = out.trials.emplace_back(DriveTrial{.name = drive.name, .why_not = drive.why_not});
+    if (!drive.drive) continue;
+    trial.drive = *drive.drive;
+    follow(out.theta, linkage, exact, elasticity, trial);
+  }
+  out.least_force = least(out.trials, &DriveTrial::force_N);
+  out.least_work = least(out.trials, &DriveTrial::work_Nmm);
+  return out;
+}
+
+}  // namespace kinetix::app
