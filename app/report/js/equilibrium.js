@@ -85,6 +85,7 @@ function readEquilibrium(raw) {
     goal: finite(raw.goal_rad),
     stiffness: dictionary(raw.stiffness),
     energies: readEnergies(raw.hinge_energy_Nmm),
+    springs: finite(raw.shape_memory?.energy_Nmm) ?? 0,
   };
 }
 
@@ -135,9 +136,10 @@ function equilibriumNumbers(data) {
   const {equilibrium, metrics} = data;
   if (!equilibrium) return [];
   const sum = (part) => equilibrium.energies.reduce((total, e) => total + (e[part] ?? 0), 0);
-  const stretch = sum("stretch"), turn = sum("turn"), rest = equilibrium.last.energy_Nmm - stretch - turn;
+  const stretch = sum("stretch"), turn = sum("turn"), 
+        rest = equilibrium.last.energy_Nmm - stretch - turn - equilibrium.springs;
   const shares =
-      [[stretch, "stretch"], [turn, "rotation"], [rest, "walls pressed together"]]
+      [[stretch, "stretch"], [turn, "rotation"], [equilibrium.springs, "the drive\u2019s springs"], [rest, "walls pressed together"]]
           .map(([value, name]) => [Math.round(100 * value / equilibrium.last.energy_Nmm), name])
           .filter(([share]) => share > 0)
           .map(([share, name]) => `${share}${SPACE}% ${name}`);
