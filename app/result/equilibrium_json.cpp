@@ -63,7 +63,7 @@ Json equilibrium_json(const Equilibrium& equilibrium) {
   if (equilibrium.drive.heats_springs())
     json["shape_memory"] = {{"springs", equilibrium.drive.springs.size()},
                             {"k_turn", equilibrium.drive.k_spring},
-                            {"energy_Nmm", path.spring_energy},
+                            {"energy_Nmm", path.steps.back().springs},
                             {"moment_mean_Nmm", mean_moment(equilibrium)}};
   return json;
 }

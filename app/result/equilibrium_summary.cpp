@@ -50,9 +50,9 @@ std::string energy_text(const model::EquilibriumPath& path) {
     sum.turn += energy.turn;
   }
   const double total = path.steps.back().energy;
-  const double contact = std::max(0.0, total - sum.total() - path.spring_energy);
+  const double contact = std::max(0.0, total - sum.total() - path.steps.back().springs);
   const std::string springs =
-      path.spring_energy > 0 ? fmt::format(", {:.4g} in the drive's springs", path.spring_energy) : "";
+      path.steps.back().springs > 0 ? fmt::format(", {:.4g} in the drive's springs", path.steps.back().springs) : "";
   return fmt::format("{:.4g} N mm ({:.4g} in stretch, {:.4g} in rotation, {:.2g} in contact{})", total, sum.stretch,
                      sum.turn, contact, springs);
 }

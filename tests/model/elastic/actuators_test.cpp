@@ -138,7 +138,7 @@ TEST(ShapeMemory, FoldsAnExactSheetAsFarAsTheHingesYield) {
   EXPECT_NEAR(last.drive, angle, 1e-12);
   EXPECT_NEAR(last.energy, hinges * k * angle * angle / 2, 1e-9 * last.energy);
   EXPECT_NEAR(last.load, hinges * k * angle, 1e-9 * last.load);
-  EXPECT_NEAR(path.spring_energy, hinges * k_spring / 2 * std::pow(angle - turn, 2), 1e-9 * last.energy);
+  EXPECT_NEAR(last.springs, hinges * k_spring / 2 * std::pow(angle - turn, 2), 1e-9 * last.energy);
   EXPECT_TRUE(path.events.empty());
 }
 
@@ -219,6 +219,34 @@ TEST(Cord, ThatWouldHaveToPushIsSaidToGoSlack) {
   ASSERT_NE(slack, nullptr);
   EXPECT_LT(slack->at.load, 0);
   EXPECT_GT(slack->at.drive, 8);
+}
+
+/// Over the barrier of a cell that twists, whoever takes it there.
+TEST(Drives, OfAllKindsFindTheSameStableStatesAndBarrier) {
+  CellTuple twist;
+  twist.A_in = {pi / 2, twist_alpha, pi / 2, twist_alpha};
+  const Structure s = tiled(1, 1, twist, {}, {20, 0.4, 8});
+  Elasticity soft;
+  soft.k_turn = 1e-3;
+  StableStateOptions options;
+  options.path = without_contact();  // walls in contact make several minima of the one
+  const LinkageDrive hinge = testing::hinge_drive({{0, 0}, Axis::y}, -40 * degree).on(s);
+  const StableStates by_hinge = find_stable_states({{s, hinge, {}}}, soft, options);
+  ASSERT_EQ(by_hinge.states.size(), 2u);
+  ASSERT_EQ(by_hinge.barriers.size(), 1u);
+  const LinkageDrive cord = cord_drive(s, across_row(s, 0, 1), 14);
+  const LinkageDrive springs = shape_memory_drive(s, {}, 20, -90 * degree);
+  for (const LinkageDrive& drive : {cord, springs}) {
+    const StableStates found = find_stable_states({{s, drive, {}}}, soft, options);
+    SCOPED_TRACE(drive.coordinate_unit());
+    ASSERT_EQ(found.states.size(), 2u);
+    ASSERT_EQ(found.barriers.size(), 1u);
+    // Of springs, the highest state on the way counts: one or another of them.
+    const double exactness = drive.heats_springs() ? 0.05 : 1e-6;
+    EXPECT_NEAR(found.barriers[0].energy, by_hinge.barriers[0].energy, exactness * by_hinge.barriers[0].energy);
+    EXPECT_NEAR(found.states[1].energy, by_hinge.states[1].energy, 1e-6 * by_hinge.states[1].energy);
+    EXPECT_LE(aligned_distance(s, found.states[1].state, by_hinge.states[1].state).rms, 1e-6);
+  }
 }
 
 TEST(Cord, ThatNothingShortensIsRefused) {
