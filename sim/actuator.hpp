@@ -34,7 +34,7 @@ class Actuator {
 /// @pre shape memory has elastic hinges
 std::unique_ptr<Actuator> make_actuator(const model::Linkage& structure, const model::LinkageDrive& drive,
                                         const std::vector<std::unique_ptr<btRigidBody>>& bodies,
-                                        double error_reduction, ElasticHinges* elastic = nullptr, double spring_weight = 0,
-                                        Cord* cord = nullptr);
+                                        double error_reduction, ElasticHinges* elastic = nullptr,
+                                        double spring_weight = 0, Cord* cord = nullptr);
 
 }  // namespace kinetix::sim

@@ -172,9 +172,11 @@ class Run {
 void refuse_unknown(const model::LinkageDrive& drive, const PhysicsOptions& options) {
   const Place at{"", 0, 0, "drive.kind"};
   if (drive.pulls_cord() && options.solver != PhysicsOptions::Solver::direct)
-    throw InvalidInput("a cord needs the direct solver of the physics run: sweeps know joints between two parts only", at);
+    throw InvalidInput(
+        "a cord needs the direct solver of the physics run: sweeps know joints between two parts only", at);
   if (drive.heats_springs() && !options.elastic)
-    throw InvalidInput("shape_memory needs elastic hinges in the physics run: give `hinge: {model: elastic}`", at);
+    throw InvalidInput("shape_memory needs elastic hinges in the physics run: give `hinge: {model: elastic}`",
+                       at);
 }
 
 }  // namespace

@@ -59,7 +59,8 @@ void ElasticHinges::drive_to(int hinge, double angle, double weight) {
   springs_.push_back({{hinge, angle}, model::linear_hinge(), weight});
 }
 
-void ElasticHinges::add_springs(const std::vector<int>& hinges, const std::vector<double>& angles, double weight) {
+void ElasticHinges::add_springs(const std::vector<int>& hinges, const std::vector<double>& angles,
+                                double weight) {
   springs_.resize(structure_.hinges.size());
   for (std::size_t k = 0; k < hinges.size(); ++k)
     springs_.push_back({{hinges[k], angles[k]}, model::linear_hinge(), weight});

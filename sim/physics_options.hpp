@@ -43,7 +43,7 @@ struct PhysicsOptions {
   /// force over elastic.contact. Plates and a driven hinge yield 1e4 times less than a hinge point does,
   /// where the equilibrium model's do not yield at all: a difference of about 1e-4 of the hinges' gaps.
   std::optional<model::Stiffness> elastic;
-  double spring_turn = 0;  ///< shape memory: stiffness of each spring, in the unit of elastic->turn; >= 0
+  double spring_turn = 0;      ///< shape memory: stiffness of each spring, in the unit of elastic->turn; >= 0
   double settle_force = 1e-7;  ///< elastic: settled when no part is pushed by more than this over the largest
                                ///< force in a hinge, > 0
   /// Elastic: settled, too, when in the last 200 steps before the time is up no part moved by more than this

@@ -79,7 +79,8 @@ struct World::Engine {
         options(in_force(o)),
         elastic(make_elastic()),
         cord(make_cord()),
-        solver(make_solver(options, structure.size.edge_mm, elastic ? &*elastic : nullptr, cord ? &*cord : nullptr)),
+        solver(make_solver(options, structure.size.edge_mm, elastic ? &*elastic : nullptr,
+                           cord ? &*cord : nullptr)),
         world(&dispatcher, &broadphase, solver.get(), &configuration),
         parts(structure, options) {
     world.setGravity({0, 0, 0});

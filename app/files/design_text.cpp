@@ -44,14 +44,14 @@ std::string walls_text(const model::Sheet& structure, const std::vector<int>& hi
 }
 
 std::string cord_text(const model::Sheet& structure, const DriveSection& cord) {
-  return fmt::format("drive: {{kind: cord, through: {}, shorten_mm: {}{}", walls_text(structure, cord.through),
-                     targets::shortest_text(cord.shorten_mm),
+  return fmt::format("drive: {{kind: cord, through: {}, shorten_mm: {}{}",
+                     walls_text(structure, cord.through), targets::shortest_text(cord.shorten_mm),
                      cord.branch ? fmt::format(", branch: {}", *cord.branch) : "");
 }
 
 std::string shape_memory_text(const model::Sheet& structure, const DriveSection& drive) {
-  return fmt::format("drive: {{kind: shape_memory, angle_deg: {}, k_turn: {}{}", targets::degrees_text(drive.angle),
-                     targets::shortest_text(drive.k_turn),
+  return fmt::format("drive: {{kind: shape_memory, angle_deg: {}, k_turn: {}{}",
+                     targets::degrees_text(drive.angle), targets::shortest_text(drive.k_turn),
                      drive.springs.empty() ? "" : ", walls: " + walls_text(structure, drive.springs));
 }
 

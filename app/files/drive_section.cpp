@@ -30,13 +30,15 @@ targets::Key side_key() {
 
 targets::Key branch_key(const char* with) {
   return {"branch", value::choice(signs), targets::otherwise("that of `design.theta_deg`"),
-          std::string(with) == "cord" ? "sign of theta where the cord pulls to both sides alike" : "sign of theta", with};
+          std::string(with) == "cord" ? "sign of theta where the cord pulls to both sides alike"
+                                      : "sign of theta",
+          with};
 }
 
 targets::Key walls_key(const char* name, std::size_t shortest, targets::Default fallback, const char* meaning,
                        const char* with) {
-  return {name, value::list(wall_key().type, "list of walls, each by its two vertices", shortest), std::move(fallback),
-          meaning, with};
+  return {name, value::list(wall_key().type, "list of walls, each by its two vertices", shortest),
+          std::move(fallback), meaning, with};
 }
 
 model::Grip read_corners(const targets::Node& node) {
@@ -73,19 +75,22 @@ const targets::KeyTable& drive_keys() {
           {"angle_deg", value::angle(turn), targets::needed,
            "turn of the wall's half at its upper vertex against that at its lower one", "hinge"},
           walls_key("through", 2, targets::needed,
-                    "the walls through whose hinge points the cord runs, in its order; two that share a vertex keep their "
+                    "the walls through whose hinge points the cord runs, in its order; two that share a "
+                    "vertex keep their "
                     "distance, whatever the sheet does",
                     "cord"),
           {"shorten_mm", value::number(targets::above(0, "mm (below the cord's length)")), targets::needed,
            "by how much the whole cord gets shorter; it pulls and never pushes", "cord"},
           branch_key("cord"),
           {"angle_deg", value::angle(turn), targets::needed,
-           "turn at which the hot springs rest: that of a hinge at theta = `angle_deg` / 2 in the sense of the "
+           "turn at which the hot springs rest: that of a hinge at theta = `angle_deg` / 2 in the sense of "
+           "the "
            "checkerboard",
            "shape_memory"},
           {"k_turn", value::number(targets::above(0, "N mm/rad")), targets::needed,
            "stiffness of the spring in each hinge, besides that of the hinge", "shape_memory"},
-          walls_key("walls", 1, targets::otherwise("all"), "the walls whose hinges have such a spring", "shape_memory"),
+          walls_key("walls", 1, targets::otherwise("all"), "the walls whose hinges have such a spring",
+                    "shape_memory"),
           side_key(),
       },
       {{"plates", "hinge", "cord", "shape_memory"}, "kind"});
@@ -155,9 +160,8 @@ DriveSection read_shape_memory(const targets::Node& node, const model::Sheet& st
   DriveSection drive{.kind = Kind::shape_memory};
   section.read_needed("angle_deg", turn.describe(), drive.angle);
   section.read_needed("k_turn", "a stiffness in N mm/rad, above 0", drive.k_turn);
-  section.optional("k_turn")->located([&] {
-    model::shape_memory_drive(structure, {}, drive.k_turn, drive.angle);
-  });
+  section.optional("k_turn")->located(
+      [&] { model::shape_memory_drive(structure, {}, drive.k_turn, drive.angle); });
   if (const auto walls = section.optional("walls")) {
     drive.springs = read_walls(*walls, structure);
     walls->located([&] { model::shape_memory_drive(structure, drive.springs, drive.k_turn, drive.angle); });
@@ -201,7 +205,8 @@ std::optional<DriveSection> read_drive_section(const targets::Section& root, con
     targets::Section(*node, side_alone_keys());
     return std::nullopt;
   }
-  return read_drive(read_word(node->required("kind", "plates, hinge, cord or shape_memory"), kinds), *node, structure);
+  return read_drive(read_word(node->required("kind", "plates, hinge, cord or shape_memory"), kinds), *node,
+                    structure);
 }
 
 int read_side(const targets::Section& root) {

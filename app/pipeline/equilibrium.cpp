@@ -78,7 +78,7 @@ model::EquilibriumPathOptions options_of(const Run& run, double goal, int frames
 /// The drive, as far as the path came.
 model::LinkageDrive reached_drive(const Equilibrium& equilibrium) {
   model::LinkageDrive drive = equilibrium.drive;
-  double& coordinate = drive.pulls_cord()                                  ? drive.shorten_mm
+  double& coordinate = drive.pulls_cord()                                ? drive.shorten_mm
                        : drive.kind == model::LinkageDrive::Kind::plates ? drive.compression
                                                                          : drive.angle;
   coordinate = equilibrium.path.steps.back().drive;
@@ -103,7 +103,8 @@ void add_exact(Run& run) {
 
 /// Theta of the state that a path came to: of a cord and springs, the drive's own is another.
 double theta_of(const Run& run, const model::LinkageDrive& drive, const model::EquilibriumPath& path) {
-  return drive.pulls_cord() || drive.heats_springs() ? model::mean_theta(run.structure, path.state) : path.theta;
+  return drive.pulls_cord() || drive.heats_springs() ? model::mean_theta(run.structure, path.state)
+                                                     : path.theta;
 }
 
 void add_frames(Run& run, const std::vector<NamedState>& frames) {

@@ -46,20 +46,19 @@ Json equilibrium_json(const Equilibrium& equilibrium) {
     const model::HingeStiffness k = stiffness_of(e);
     stiffness.update({{"axial", k.axial}, {"shear", k.shear}, {"along", k.along}});
   }
-  for (const model::EquilibriumStep& step : path.steps)
-    steps.push_back(step_json(step, equilibrium.drive));
+  for (const model::EquilibriumStep& step : path.steps) steps.push_back(step_json(step, equilibrium.drive));
   for (const model::PathEvent& event : path.events) events.push_back(event_json(event));
   for (const model::HingeEnergy& energy : path.hinge_energies)
     energies.push_back({{"stretch", energy.stretch}, {"turn", energy.turn}});
   Json json = {{"stop", to_string(path.stop)},
-          {"why", path.why},
-          {"planar", path.planar},
-          {"goal_rad", equilibrium.drive.theta()},
-          {"iterations", path.iterations},
-          {"stiffness", stiffness},
-          {"path", steps},
-          {"events", events},
-          {"hinge_energy_Nmm", energies}};
+               {"why", path.why},
+               {"planar", path.planar},
+               {"goal_rad", equilibrium.drive.theta()},
+               {"iterations", path.iterations},
+               {"stiffness", stiffness},
+               {"path", steps},
+               {"events", events},
+               {"hinge_energy_Nmm", energies}};
   if (equilibrium.drive.heats_springs())
     json["shape_memory"] = {{"springs", equilibrium.drive.springs.size()},
                             {"k_turn", equilibrium.drive.k_spring},

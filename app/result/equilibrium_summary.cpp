@@ -37,7 +37,8 @@ std::string drive_text(const Equilibrium& equilibrium, const model::EquilibriumS
 /// What the load is, where its unit does not say it.
 std::string load_words(const Equilibrium& equilibrium) {
   if (equilibrium.drive.pulls_cord())
-    return equilibrium.path.steps.back().load < 0 ? "the cord is slack, it would have to push: tension " : "tension ";
+    return equilibrium.path.steps.back().load < 0 ? "the cord is slack, it would have to push: tension "
+                                                  : "tension ";
   if (!equilibrium.drive.heats_springs()) return "";
   return fmt::format("{:.4g} N mm from each of {} springs, together ", mean_moment(equilibrium),
                      equilibrium.drive.springs.size());
@@ -51,10 +52,11 @@ std::string energy_text(const model::EquilibriumPath& path) {
   }
   const double total = path.steps.back().energy;
   const double contact = std::max(0.0, total - sum.total() - path.steps.back().springs);
-  const std::string springs =
-      path.steps.back().springs > 0 ? fmt::format(", {:.4g} in the drive's springs", path.steps.back().springs) : "";
-  return fmt::format("{:.4g} N mm ({:.4g} in stretch, {:.4g} in rotation, {:.2g} in contact{})", total, sum.stretch,
-                     sum.turn, contact, springs);
+  const std::string springs = path.steps.back().springs > 0
+                                  ? fmt::format(", {:.4g} in the drive's springs", path.steps.back().springs)
+                                  : "";
+  return fmt::format("{:.4g} N mm ({:.4g} in stretch, {:.4g} in rotation, {:.2g} in contact{})", total,
+                     sum.stretch, sum.turn, contact, springs);
 }
 
 std::string press_text(const Equilibrium& equilibrium) {
@@ -96,7 +98,8 @@ std::vector<std::array<std::string, 2>> equilibrium_lines(const Run& run) {
   const model::EquilibriumStep& last = path.steps.back();
   std::vector<std::array<std::string, 2>> lines;
   if (!equilibrium.reached()) lines.push_back({"STOPPED", in_words(path.stop) + ": " + path.why});
-  lines.push_back({"load", load_words(equilibrium) + load_text(equilibrium, last) + " at " + drive_text(equilibrium, last) +
+  lines.push_back({"load", load_words(equilibrium) + load_text(equilibrium, last) + " at " +
+                               drive_text(equilibrium, last) +
                                (equilibrium.reached() ? ": the drive reached its goal" : "")});
   if (equilibrium.drive.press && equilibrium.reached()) lines.push_back({"plates", press_text(equilibrium)});
   lines.push_back({"energy", energy_text(path)});

@@ -21,14 +21,16 @@ Figure against_equilibrium(const std::string& name, const model::Structure& stru
   model::EquilibriumPathOptions fine;
   fine.longest_step = fine.first_step = 0.01;
   model::EquilibriumPath path;
-  const double time = seconds([&] { path = trace_equilibrium({structure, drive, exact_motion(structure)}, elasticity, fine); });
+  const double time = seconds([&] {
+    path = trace_equilibrium({structure, drive, exact_motion(structure)}, elasticity, fine);
+  });
   sim::PhysicsOptions options;
   options.elastic = relative(elasticity, structure.size.edge_mm);
   options.planar = path.planar;
   options.spring_turn = drive.k_spring / energy_unit(elasticity, structure.size.edge_mm);
   const sim::PhysicsResult physics = run_compression(structure, drive, options);
-  const model::EquilibriumComparison c = compare_equilibria(
-      {structure, elasticity, drive, path.planar, true}, physics.state, path.state, limit);
+  const model::EquilibriumComparison c =
+      compare_equilibria({structure, elasticity, drive, path.planar, true}, physics.state, path.state, limit);
   const bool reached = path.stop == model::EquilibriumPath::Stop::reached,
              settled = physics.status == sim::PhysicsResult::Status::settled;
   return {name + ": equilibrium against Bullet, same stiffness", "verify_rms <= 1e-2",
@@ -49,8 +51,9 @@ Figure by_cord(double shorten_mm) {
   const model::Structure s = testing::alternating(4, 4, testing::twisting_unit, testing::basic_unit);
   std::vector<int> through;
   for (int i = 0; i <= 4; ++i) through.push_back(*s.hinge_at({{i, 1}, model::Axis::y}));
-  return against_equilibrium(fmt::format("twist sheet, 4 x 4, a cord across a row shortened by {} mm", shorten_mm), s,
-                             cord_drive(s, through, shorten_mm));
+  return against_equilibrium(
+      fmt::format("twist sheet, 4 x 4, a cord across a row shortened by {} mm", shorten_mm), s,
+      cord_drive(s, through, shorten_mm));
 }
 
 Figure by_shape_memory(double degrees) {

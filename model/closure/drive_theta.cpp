@@ -37,14 +37,15 @@ class DriveMiss {
   const std::function<State(double)>& fold_;
 };
 
-constexpr double growth = 1.25;  // of a bracket of theta: close roots of a cord's length are further apart
-constexpr double beyond = 1e-6;  // of theta: by so much past it, a straight cord is surely shorter
+constexpr double growth = 1.25;    // of a bracket of theta: close roots of a cord's length are further apart
+constexpr double beyond = 1e-6;    // of theta: by so much past it, a straight cord is surely shorter
 constexpr int most_secants = 100;  // of a bracket: bisection alone needs 50
 
 /// How much longer a cord is than asked, cell edges, along one side of flat.
 class CordMiss {
  public:
-  CordMiss(const LinkageDrive& drive, const Linkage& linkage, const std::function<State(double)>& fold, int side)
+  CordMiss(const LinkageDrive& drive, const Linkage& linkage, const std::function<State(double)>& fold,
+           int side)
       : drive_(drive), linkage_(linkage), fold_(fold), side_(side) {}
 
   /// @param size of theta, rad

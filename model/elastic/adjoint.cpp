@@ -39,11 +39,7 @@ HalfHeld half_held(const DofMap& dofs) {
 class Adjoint {
  public:
   Adjoint(const ElasticSystem& system, const State& state, double theta, const TangentStiffness& tangent)
-      : system_(system),
-        state_(state),
-        theta_(theta),
-        tangent_(tangent),
-        contacts_(system.contacts(state)) {}
+      : system_(system), state_(state), theta_(theta), tangent_(tangent), contacts_(system.contacts(state)) {}
 
   /// @param load, energy  in the system's units
   void solve(const VectorXd& by_state, double load, double energy) {
@@ -209,7 +205,8 @@ class Adjoint {
     lambda_ = dofs.extend(tangent_.solve(dofs.restrict(by_state)));
     load_ = load;
     const double own = load * system_.k_spring() * static_cast<double>(system_.drive().springs.size());
-    by_theta_ = system_.drive_rate(theta_) * (own - lambda_.dot(gradient) + energy_ * system_.load(state_, theta_));
+    by_theta_ =
+        system_.drive_rate(theta_) * (own - lambda_.dot(gradient) + energy_ * system_.load(state_, theta_));
   }
 
   /// Unknowns and the drive's force under the constraint that what it holds (a hinge's turn, a cord) is the drive's.

@@ -7,8 +7,9 @@ namespace kinetix::model {
 /// A scalar function f of an equilibrium, by its derivatives there. What f does not depend on is left out.
 struct EquilibriumGradient {
   Eigen::VectorXd state;  ///< by all coordinates: 6 a body, turn (rad) then shift (cell edges); empty: none
-  double load = 0;        ///< by the drive's load, per N for plates and a cord, per N mm for a driven hinge and springs
-  double energy = 0;      ///< by the stored energy, per N mm
+  double load =
+      0;  ///< by the drive's load, per N for plates and a cord, per N mm for a driven hinge and springs
+  double energy = 0;  ///< by the stored energy, per N mm
 };
 
 /// The derivatives of f where the structure is in equilibrium again after each change.

@@ -31,8 +31,9 @@ Piece piece_along(const Vector3d& vector) {
 std::vector<Piece> pieces_of(const Linkage& linkage, const std::vector<int>& through, const State& state) {
   std::vector<Piece> pieces;
   for (std::size_t k = 1; k < through.size(); ++k)
-    pieces.push_back(piece_along(
-        (hinge_point(linkage, through[k], state) - hinge_point(linkage, through[k - 1], state)) / linkage.size.edge_mm));
+    pieces.push_back(
+        piece_along((hinge_point(linkage, through[k], state) - hinge_point(linkage, through[k - 1], state)) /
+                    linkage.size.edge_mm));
   return pieces;
 }
 
@@ -94,7 +95,8 @@ struct PointChange {
   Vector3d point, along;
 };
 
-PointChange point_change(const RestHinge& h, const Vector3d& rest, const State& state, const Eigen::VectorXd& twists) {
+PointChange point_change(const RestHinge& h, const Vector3d& rest, const State& state,
+                         const Eigen::VectorXd& twists) {
   const Vector3d lower = state[h.lower].R * rest, upper = state[h.upper].R * rest;
   const Vector3d lower_turn = twists.segment<3>(6 * h.lower), upper_turn = twists.segment<3>(6 * h.upper);
   return {(lower + upper) / 2, (lower_turn.cross(lower) + upper_turn.cross(upper)) / 2};
@@ -132,7 +134,8 @@ CordRates cord_rates(const Linkage& linkage, const std::vector<int>& through, co
   for (Eigen::Index k = 0; k < count; ++k) {
     const RestHinge& h = linkage.hinges[through[k]];
     const Vector3d here = point_along(h, state, twists);
-    Vector3d pull = Vector3d::Zero(), turned = Vector3d::Zero();  // derivative of the length by the point, and its change
+    Vector3d pull = Vector3d::Zero(),
+             turned = Vector3d::Zero();  // derivative of the length by the point, and its change
     const auto take = [&](const Piece& piece, double sign, int other) {
       pull += sign * piece.direction;
       turned += piece.curvature * (here - point_along(linkage.hinges[through[other]], state, twists));

@@ -113,7 +113,8 @@ Eigen::VectorXd ElasticSystem::place_rate(double theta) const {
 
 double ElasticSystem::drive_miss(const State& state, double theta) const {
   if (drive_.pulls_cord())
-    return cord_rest_ * std::cos(theta) - cord_length(structure_, drive_.through, state) / structure_.size.edge_mm;
+    return cord_rest_ * std::cos(theta) -
+           cord_length(structure_, drive_.through, state) / structure_.size.edge_mm;
   if (drive_.hinge < 0) return 0;
   return std::remainder(driven_turn(state).energy - turn_at(theta), 2 * pi);
 }

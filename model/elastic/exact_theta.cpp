@@ -9,15 +9,16 @@
 namespace kinetix::model {
 namespace {
 
-constexpr int scan_steps = 100;              // from flat to where springs rest, to find the first minimum
-constexpr double widest = 89.9 * pi / 180;   // rad; at 90 deg every cell is closed
-constexpr double accuracy = 1e-8;            // rad: nearer to a minimum, energies differ by rounding alone
+constexpr int scan_steps = 100;             // from flat to where springs rest, to find the first minimum
+constexpr double widest = 89.9 * pi / 180;  // rad; at 90 deg every cell is closed
+constexpr double accuracy = 1e-8;           // rad: nearer to a minimum, energies differ by rounding alone
 const double golden = (std::sqrt(5.0) - 1) / 2;
 
 /// Energy of hinges and springs along the closed form, N mm.
 class FoldEnergy {
  public:
-  FoldEnergy(const DrivenLinkage& driven, const Elasticity& elasticity) : driven_(driven), elasticity_(elasticity) {}
+  FoldEnergy(const DrivenLinkage& driven, const Elasticity& elasticity)
+      : driven_(driven), elasticity_(elasticity) {}
 
   double operator()(double theta) const {
     const Linkage& linkage = driven_.linkage;

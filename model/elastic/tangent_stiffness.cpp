@@ -73,8 +73,7 @@ void TangentStiffness::add(int a, int b, const Element& e) {
 
 void TangentStiffness::add(const std::vector<int>& bodies, const Eigen::MatrixXd& hessian) {
   for (int i = 0; i < static_cast<int>(bodies.size()); ++i)
-    for (int j = 0; j <= i; ++j)
-      blocks_[block_of(bodies[i], bodies[j])] += hessian.block<6, 6>(6 * i, 6 * j);
+    for (int j = 0; j <= i; ++j) blocks_[block_of(bodies[i], bodies[j])] += hessian.block<6, 6>(6 * i, 6 * j);
 }
 
 void TangentStiffness::lay_out() {

@@ -20,7 +20,9 @@ bool can_shorten(const Linkage& linkage, const std::vector<int>& through) {
   return false;
 }
 
-[[noreturn]] void refuse_cord(const std::string& why) { throw InvalidInput(why, {"", 0, 0, "drive.through"}); }
+[[noreturn]] void refuse_cord(const std::string& why) {
+  throw InvalidInput(why, {"", 0, 0, "drive.through"});
+}
 
 void check_cord(const Linkage& linkage, const std::vector<int>& through) {
   if (through.size() < 2) refuse_cord("a cord runs through the hinges of at least two walls");
@@ -29,8 +31,10 @@ void check_cord(const Linkage& linkage, const std::vector<int>& through) {
       refuse_cord("wall " + linkage.wall_name(through[k]) + " is named twice in a row");
   if (!can_shorten(linkage, through))
     refuse_cord(
-        "each two neighbouring walls share a vertex, whose rigid body carries both hinge points: no drive shortens this "
-        "cord; name walls that face each other, e.g. [[[0, 0], [0, 1]], [[1, 0], [1, 1]], ...], or every other one");
+        "each two neighbouring walls share a vertex, whose rigid body carries both hinge points: no drive "
+        "shortens this "
+        "cord; name walls that face each other, e.g. [[[0, 0], [0, 1]], [[1, 0], [1, 1]], ...], or every "
+        "other one");
 }
 
 }  // namespace
@@ -48,7 +52,8 @@ double cord_length(const Linkage& linkage, const std::vector<int>& through, cons
   return sum;
 }
 
-LinkageDrive cord_drive(const Linkage& linkage, const std::vector<int>& through, double shorten_mm, int branch) {
+LinkageDrive cord_drive(const Linkage& linkage, const std::vector<int>& through, double shorten_mm,
+                        int branch) {
   check_cord(linkage, through);
   require("drive.branch", branch, branch == 1 || branch == -1, "1 or -1");
   LinkageDrive drive;
@@ -58,12 +63,14 @@ LinkageDrive cord_drive(const Linkage& linkage, const std::vector<int>& through,
   drive.rest_mm = cord_length(linkage, through, rest_state(linkage));
   drive.shorten_mm = shorten_mm;
   if (shorten_mm >= 0 && shorten_mm < drive.rest_mm) return drive;
-  throw InvalidInput(number_text(shorten_mm) + " is out of range; allowed: a number from 0 and below the cord's length, " +
+  throw InvalidInput(number_text(shorten_mm) +
+                         " is out of range; allowed: a number from 0 and below the cord's length, " +
                          number_text(drive.rest_mm) + " mm",
                      {"", 0, 0, "drive.shorten_mm"});
 }
 
-LinkageDrive shape_memory_drive(const Linkage& linkage, std::vector<int> hinges, double k_turn, double angle) {
+LinkageDrive shape_memory_drive(const Linkage& linkage, std::vector<int> hinges, double k_turn,
+                                double angle) {
   require("drive.k_turn", k_turn, k_turn >= 1e-30 && k_turn <= 1e30, "positive, from 1e-30 to 1e30 N mm/rad");
   require("drive.angle", angle, std::abs(angle) < pi, "in (-pi, pi) rad");
   if (hinges.empty()) {

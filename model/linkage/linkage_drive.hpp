@@ -38,7 +38,8 @@ struct LinkageDrive {
   std::vector<int> held;    ///< plates: all bodies of that part, or of the structure; ascending
   int hinge = -1;           ///< hinge: the driven one
   int sense = 1;            ///< hinge: of its lower body
-  double angle = 0;         ///< hinge: its turn; shape memory: twice the theta at which springs rest; rad, in (-pi, pi)
+  double angle =
+      0;  ///< hinge: its turn; shape memory: twice the theta at which springs rest; rad, in (-pi, pi)
   std::vector<int> through;  ///< cord: the hinges through whose points it runs, in its order
   double rest_mm = 0;        ///< cord: its length in the flat state
   double shorten_mm = 0;     ///< cord: by how much, in [0, rest_mm)

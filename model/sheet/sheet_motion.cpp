@@ -33,7 +33,8 @@ LinkageDrive planar_drive(const PlanarStructure& sheet, const SheetDrive& drive)
   return out;
 }
 
-constexpr double probe = 0.01;      // rad: so near flat, a cord that pulls to a side is shorter by a hundredth of a cell
+constexpr double probe =
+    0.01;  // rad: so near flat, a cord that pulls to a side is shorter by a hundredth of a cell
 constexpr double as_short = 1e-9;  // of the cord: both sides are alike, but for rounding
 
 /// The side of flat to which a cord pulls from the first where the sheet moves exactly; else, and where both are alike, the

@@ -26,7 +26,7 @@ struct SheetDrive {
   std::optional<Grip> grip = {};  ///< plates: the part of squares that they grip; nothing: the rim
   bool press = false;             ///< plates: push their rows and never pull them
   int hinge = -1;                 ///< hinge: the driven one
-  double angle = 0;               ///< hinge: its turn; shape memory: twice theta of its springs; rad, in (-pi, pi)
+  double angle = 0;  ///< hinge: its turn; shape memory: twice theta of its springs; rad, in (-pi, pi)
   std::vector<int> through = {};  ///< cord: the hinges through which it runs
   double shorten_mm = 0;          ///< cord
   std::vector<int> springs = {};  ///< shape memory: the hinges that have one; empty: all

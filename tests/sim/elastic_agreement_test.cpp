@@ -118,7 +118,8 @@ TEST(ElasticAgreement, OfFramedHingesOnATwistingStrip) {
 }
 
 /// Springs of shape memory in the hinges of a sheet, heated in both. @return rms distance, cell edges
-double heated_distance(const model::Structure& s, const std::vector<int>& hinges, double k_spring, double angle) {
+double heated_distance(const model::Structure& s, const std::vector<int>& hinges, double k_spring,
+                       double angle) {
   const model::Elasticity elasticity;
   const model::LinkageDrive drive = shape_memory_drive(s, hinges, k_spring, angle);
   const model::EquilibriumPath path =
@@ -166,8 +167,8 @@ std::vector<int> across(const model::Structure& s, int row, int columns) {
 }
 
 TEST(ElasticAgreement, OfACordInSheetsThatMoveExactlyAndThatStrain) {
-  const model::Structure basic = model::make_sheet(4, 3, {10, 0.8, 6}), strained = alternating(4, 4, twisting_unit, basic_unit),
-                         bent = bending_strip();
+  const model::Structure basic = model::make_sheet(4, 3, {10, 0.8, 6}),
+                         strained = alternating(4, 4, twisting_unit, basic_unit), bent = bending_strip();
   EXPECT_LE(corded_distance(basic, across(basic, 1, 4), 4), 1e-4);
   EXPECT_LE(corded_distance(bent, across(bent, 0, 8), 4), 1e-3);
   EXPECT_LE(corded_distance(strained, across(strained, 1, 4), 5), 1e-3);

@@ -77,19 +77,10 @@ const std::vector<Metric>& equilibrium_metrics() {
        [](const O& o) {
          return o.equilibrium->drive.kind == model::LinkageDrive::Kind::plates ? last(o).drive : nan;
        }},
-      {"drive_rad",
-       [](const O& o) {
-         return o.equilibrium->drive.has_force() ? nan : last(o).drive;
-       }},
+      {"drive_rad", [](const O& o) { return o.equilibrium->drive.has_force() ? nan : last(o).drive; }},
       {"shortened_mm", [](const O& o) { return o.equilibrium->drive.pulls_cord() ? last(o).drive : nan; }},
-      {"load_N",
-       [](const O& o) {
-         return o.equilibrium->drive.has_force() ? last(o).load : nan;
-       }},
-      {"load_Nmm",
-       [](const O& o) {
-         return o.equilibrium->drive.has_force() ? nan : last(o).load;
-       }},
+      {"load_N", [](const O& o) { return o.equilibrium->drive.has_force() ? last(o).load : nan; }},
+      {"load_Nmm", [](const O& o) { return o.equilibrium->drive.has_force() ? nan : last(o).load; }},
       {"energy_Nmm", [](const O& o) { return last(o).energy; }},
       {"load_peak",
        [](const O& o) {

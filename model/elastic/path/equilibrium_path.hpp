@@ -30,7 +30,8 @@ struct EquilibriumPathOptions {
 
 /// One state of an equilibrium path. Forces N or, for a driven hinge and springs, N mm; energies N mm.
 struct EquilibriumStep {
-  double theta = 0;  ///< fold parameter of the drive, rad: of a cord and springs not always the sheet's (mean_theta)
+  double theta =
+      0;  ///< fold parameter of the drive, rad: of a cord and springs not always the sheet's (mean_theta)
   /// Compression of the plates, a fraction; turn of the driven hinge, rad; shortening of the cord, mm; turn at which springs
   /// rest, rad.
   double drive = 0;
@@ -39,8 +40,8 @@ struct EquilibriumStep {
   double load = 0;
   double energy = 0;   ///< of hinges, contacts and the drive's springs
   double springs = 0;  ///< of that, in the springs of a shape-memory drive
-  double gap = 0;    ///< largest of a hinge, cell edges
-  int contacts = 0;  ///< points in contact
+  double gap = 0;      ///< largest of a hinge, cell edges
+  int contacts = 0;    ///< points in contact
   bool stable = true;
 
   /// What is left when the drive is gone, N mm: of hinges and contacts.
@@ -84,7 +85,7 @@ struct EquilibriumPath {
   std::vector<HingeEnergy> hinge_energies;  ///< N mm, of each hinge in the last state
   int iterations = 0;                       ///< of Newton's method in all
   double multiplier = 0;  ///< of the driven hinge, k_point edge^2, or the cord, k_point edge
-  int let_go = 0;  ///< plates that press: bodies of their rows that they do not push at the goal
+  int let_go = 0;         ///< plates that press: bodies of their rows that they do not push at the goal
 };
 
 std::string to_string(EquilibriumPath::Stop stop);

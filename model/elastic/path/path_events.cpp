@@ -56,7 +56,9 @@ void PathEvents::see(const EquilibriumStep& before, const EquilibriumStep& after
   if (before.contacts == 0 && after.contacts > 0) happened(Kind::contact, touching(system_.contacts(state)));
   if (before.contacts > 0 && after.contacts == 0) happened(Kind::release, "walls no longer touch");
   if (system_.drive().pulls_cord() && slack_.see(after))
-    happened(Kind::slack, "the cord would have to push, which it cannot: it goes slack, and the structure goes on by itself");
+    happened(
+        Kind::slack,
+        "the cord would have to push, which it cannot: it goes slack, and the structure goes on by itself");
   if (const auto times = lock_.see(before, after))
     happened(Kind::lock, "walls carry the drive: the load rises " + number_text(std::round(*times)) +
                              " times as steeply as without contact");

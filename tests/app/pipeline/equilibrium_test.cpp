@@ -198,13 +198,15 @@ TEST(Equilibrium, OfACordHasTheTensionThatDoesTheWork) {
   EXPECT_EQ(result["equilibrium"]["path"][0]["load_unit"], "N");
 
   const std::string again = (scratch / "design.yaml").string();
-  const Outcome exact = kinetix_opt("simulate " + again + " --model exact --json --quiet -o " + scratch.path());
+  const Outcome exact =
+      kinetix_opt("simulate " + again + " --model exact --json --quiet -o " + scratch.path());
   EXPECT_NEAR(Json::parse(exact.out)["metrics"]["theta_rad"], theta, 1e-9) << exact.err;
   const Outcome physics =
       kinetix_opt("verify " + scratch.write("d.yaml", corded) + " --json --quiet -o " + scratch.path());
   EXPECT_EQ(physics.code, 0) << physics.err;
   EXPECT_LE(Json::parse(physics.out)["metrics"]["verify_rms"], 1e-3);
-  const Outcome swept = kinetix_opt("verify " + scratch.write("s.yaml", rigid_cord) + " --quiet -o " + (scratch / "p").string());
+  const Outcome swept = kinetix_opt("verify " + scratch.write("s.yaml", rigid_cord) + " --quiet -o " +
+                                    (scratch / "p").string());
   EXPECT_EQ(swept.code, 2);
   EXPECT_THAT(swept.err, HasSubstr("drive.kind: a cord needs the direct solver"));
   EXPECT_FALSE(fs::exists(scratch / "p"));
@@ -215,7 +217,8 @@ TEST(Equilibrium, OfShapeMemoryStopsWhereMomentsAreEqualAndAgreesWithThePhysicsR
   const std::string design =
       "kinetix: 1\nstructure: {cells: [3, 2], cell_mm: 10}\nhinge: {model: elastic, k_turn: 1}\n"
       "drive: {kind: shape_memory, angle_deg: 60, k_turn: 5}\n";
-  const Outcome run = kinetix_opt("verify " + scratch.write("d.yaml", design) + " --json --quiet -o " + scratch.path());
+  const Outcome run =
+      kinetix_opt("verify " + scratch.write("d.yaml", design) + " --json --quiet -o " + scratch.path());
   EXPECT_EQ(run.code, 0) << run.err;
   const Json result = Json::parse(run.out);
   EXPECT_EQ(schema_errors(result), "");
@@ -230,16 +233,19 @@ TEST(Equilibrium, OfShapeMemoryStopsWhereMomentsAreEqualAndAgreesWithThePhysicsR
   EXPECT_NEAR(springs["moment_mean_Nmm"], 5.0 / 6 * angle, 1e-9);
   EXPECT_NEAR(springs["energy_Nmm"], hinges * 2.5 * std::pow(angle / 6, 2), 1e-6);
 
-  const std::string rotary = "kinetix: 1\nstructure: {cells: [3, 2]}\ndrive: {kind: shape_memory, angle_deg: 60, k_turn: 5}\n";
-  const Outcome refused = kinetix_opt("verify " + scratch.write("r.yaml", rotary) + " --quiet -o " + (scratch / "p").string());
+  const std::string rotary =
+      "kinetix: 1\nstructure: {cells: [3, 2]}\ndrive: {kind: shape_memory, angle_deg: 60, k_turn: 5}\n";
+  const Outcome refused =
+      kinetix_opt("verify " + scratch.write("r.yaml", rotary) + " --quiet -o " + (scratch / "p").string());
   EXPECT_EQ(refused.code, 2);
   EXPECT_THAT(refused.err, HasSubstr("drive.kind: shape_memory needs elastic hinges"));
 }
 
 TEST(Equilibrium, TriesDrivesToTheSameThetaAndSaysWhichNeedsTheLeastForce) {
   const Scratch scratch;
-  const std::string design = scratch.write(
-      "d.yaml", "kinetix: 1\nstructure: {cells: [4, 4], cell_mm: 10}\ndesign: {theta_deg: 25}\nhinge: {model: elastic}\n");
+  const std::string design = scratch.write("d.yaml",
+                                           "kinetix: 1\nstructure: {cells: [4, 4], cell_mm: 10}\ndesign: "
+                                           "{theta_deg: 25}\nhinge: {model: elastic}\n");
   const std::string command = "simulate " + design + " --model equilibrium --drives --quiet ";
   const Outcome table = kinetix_opt(command);
   EXPECT_EQ(table.code, 0) << table.err;
@@ -248,7 +254,8 @@ TEST(Equilibrium, TriesDrivesToTheSameThetaAndSaysWhichNeedsTheLeastForce) {
   const Outcome run = kinetix_opt(command + "--json -o " + scratch.path());
   const Json found = Json::parse(run.out);
   EXPECT_EQ(found, Json::parse(text_of(scratch / "drives.json")));
-  const double theta = 25 * radians_per_degree, hinges = 40, energy = hinges * 0.5 * 0.1 * std::pow(2 * theta, 2);
+  const double theta = 25 * radians_per_degree, hinges = 40,
+               energy = hinges * 0.5 * 0.1 * std::pow(2 * theta, 2);
   ASSERT_EQ(found["drives"].size(), 6u);
   for (const Json& drive : found["drives"]) {
     EXPECT_EQ(drive["at_goal"], true) << drive;
@@ -265,8 +272,9 @@ TEST(Equilibrium, TriesDrivesToTheSameThetaAndSaysWhichNeedsTheLeastForce) {
   const Outcome exact = kinetix_opt("simulate " + design + " --drives --quiet");
   EXPECT_EQ(exact.code, 2);
   EXPECT_THAT(exact.err, HasSubstr("--model equilibrium"));
-  const Outcome flat = kinetix_opt("simulate " + scratch.write("f.yaml", "kinetix: 1\nstructure: {cells: [4, 4]}\n") +
-                                   " --model equilibrium --drives --quiet");
+  const Outcome flat =
+      kinetix_opt("simulate " + scratch.write("f.yaml", "kinetix: 1\nstructure: {cells: [4, 4]}\n") +
+                  " --model equilibrium --drives --quiet");
   EXPECT_EQ(flat.code, 2);
   EXPECT_THAT(flat.err, HasSubstr("folds nowhere"));
 }
@@ -415,8 +423,10 @@ TEST(Equilibrium, WritesNoNumberThatIsNotFiniteHoweverFarItIsDriven) {
         "drive: {kind: plates, compression: 0.3}\nhinge: {model: elastic, k_contact: 1e-30}",
         "drive: {kind: hinge, wall: [[0, 0], [1, 0]], angle_deg: 179.9}\nhinge: {model: elastic}",
         "drive: {kind: plates, compression: 1e-300}\nhinge: {model: elastic}",
-        "drive: {kind: cord, through: [[[0, 0], [0, 1]], [[3, 0], [3, 1]]], shorten_mm: 29.9}\nhinge: {model: elastic}",
-        "drive: {kind: cord, through: [[[0, 0], [0, 1]], [[2, 0], [2, 1]]], shorten_mm: 1e-300}\nhinge: {model: elastic}",
+        "drive: {kind: cord, through: [[[0, 0], [0, 1]], [[3, 0], [3, 1]]], shorten_mm: 29.9}\nhinge: "
+        "{model: elastic}",
+        "drive: {kind: cord, through: [[[0, 0], [0, 1]], [[2, 0], [2, 1]]], shorten_mm: 1e-300}\nhinge: "
+        "{model: elastic}",
         "drive: {kind: shape_memory, angle_deg: 179.9, k_turn: 1e20}\nhinge: {model: elastic}",
         "drive: {kind: shape_memory, angle_deg: 1e-300, k_turn: 1e-30}\nhinge: {model: elastic}",
         "drive: {kind: plates, compression: 0.2}\nhinge: {model: elastic, k_turn: 1e30, k_point: 1e-28}",
