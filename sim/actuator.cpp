@@ -11,6 +11,7 @@
 #include "model/base/larger.hpp"
 #include "model/closure/closure_drive.hpp"
 #include "sim/bullet_math.hpp"
+#include "sim/cord.hpp"
 #include "sim/elastic_hinges.hpp"
 #include "sim/joints.hpp"
 
@@ -172,13 +173,39 @@ class HeatedSprings final : public Actuator {
   ElasticHinges& elastic_;
 };
 
+class PulledCord final : public Actuator {
+ public:
+  PulledCord(const model::Linkage& structure, double rest_mm, const Bodies& bodies, Cord& cord)
+      : edge_mm_(structure.size.edge_mm),
+        rest_(rest_mm / structure.size.edge_mm),
+        bodies_(bodies),
+        cord_(cord) {}
+
+  std::vector<btGeneric6DofSpring2Constraint*> joints() const override { return {}; }
+  void move_to(double theta) override { cord_.shorten_to(rest_ * std::cos(theta)); }
+
+  /// A slack cord is short enough.
+  double gap() const override {
+    model::State state(bodies_.size());
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+      state[b] = pose_of(bodies_[b]->getWorldTransform(), edge_mm_);
+    return larger(0, cord_.excess(state));
+  }
+
+ private:
+  const double edge_mm_, rest_;  ///< of the cord: cell edges
+  const Bodies& bodies_;
+  Cord& cord_;
+};
+
 }  // namespace
 
 std::unique_ptr<Actuator> make_actuator(const model::Linkage& structure, const model::LinkageDrive& drive,
                                         const Bodies& bodies, double error_reduction, ElasticHinges* elastic,
-                                        double spring_weight) {
+                                        double spring_weight, Cord* cord) {
   if (drive.kind == model::LinkageDrive::Kind::plates)
     return std::make_unique<Plates>(structure, drive, bodies, error_reduction);
+  if (cord) return std::make_unique<PulledCord>(structure, drive.rest_mm, bodies, *cord);
   if (drive.heats_springs())
     return std::make_unique<HeatedSprings>(structure, drive, spring_weight, *elastic);
   if (elastic) return std::make_unique<DrivenSpring>(structure, drive.hinge, bodies, *elastic);

@@ -10,6 +10,7 @@ class btRigidBody;
 
 namespace kinetix::sim {
 
+class Cord;
 class ElasticHinges;
 
 /// A drive in the engine: its joints, and what moves them.
@@ -29,10 +30,11 @@ class Actuator {
 /// @param elastic null for rigid hinges; else a driven hinge is driven through them, and they must outlive
 /// the actuator, as must the structure
 /// @param spring_weight shape memory: of each spring over the stiffness of a hinge point, as Stiffness::turn
-/// @pre not a cord; shape memory has elastic hinges
+/// @param cord that of a drive that pulls one; must outlive the actuator
+/// @pre shape memory has elastic hinges
 std::unique_ptr<Actuator> make_actuator(const model::Linkage& structure, const model::LinkageDrive& drive,
                                         const std::vector<std::unique_ptr<btRigidBody>>& bodies,
                                         double error_reduction, ElasticHinges* elastic = nullptr,
-                                        double spring_weight = 0);
+                                        double spring_weight = 0, Cord* cord = nullptr);
 
 }  // namespace kinetix::sim

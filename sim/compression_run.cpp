@@ -171,9 +171,9 @@ class Run {
 
 void refuse_unknown(const model::LinkageDrive& drive, const PhysicsOptions& options) {
   const Place at{"", 0, 0, "drive.kind"};
-  if (drive.pulls_cord())
+  if (drive.pulls_cord() && options.solver != PhysicsOptions::Solver::direct)
     throw InvalidInput(
-        "the physics run has no cord; allowed: plates, hinge, shape_memory, or --model equilibrium", at);
+        "a cord needs the direct solver of the physics run: sweeps know joints between two parts only", at);
   if (drive.heats_springs() && !options.elastic)
     throw InvalidInput("shape_memory needs elastic hinges in the physics run: give `hinge: {model: elastic}`",
                        at);

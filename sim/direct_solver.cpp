@@ -5,8 +5,10 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "sim/bullet_math.hpp"
+#include "sim/cord.hpp"
 #include "sim/elastic_hinges.hpp"
 #include "sim/joints.hpp"
 #include "sim/row_system.hpp"
@@ -48,6 +50,21 @@ struct Contact {
   VelocityRow row;
 };
 
+/// A cord taut or slack, by the parts.
+struct Pull {
+  Eigen::VectorXd direction, response;
+  double mobility = 0;  ///< speed of shortening by a unit impulse
+  double target = 0;    ///< change of that speed which is asked for
+  double impulse = 0;
+};
+
+/// Bodies of the structure as the engine has them at the start of a step.
+struct Motion {
+  model::State state;
+  std::vector<model::Twist> speeds;
+  std::vector<int> part_of_body;
+};
+
 class DirectSolver final : public btSequentialImpulseConstraintSolver {
  public:
   explicit DirectSolver(const DirectSolverSettings& settings)
@@ -66,7 +83,7 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
     for (int k = 0; k < most_solutions; ++k) {
       factorise_joints(info.m_timeStep);
       velocities = system_.velocities();
-      solve_contacts(velocities, info.m_numIterations);
+      solve_contacts(velocities, info.m_numIterations, info.m_timeStep);
       if (!let_go(velocities)) break;
     }
     apply(velocities);
@@ -161,21 +178,25 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
     system_.factorise(masses_, rows_, settings_.joint_stiffness);
   }
 
-  void append_elastic(double step) {
-    model::State state(bodies_.size());
-    std::vector<model::Twist> speeds(bodies_.size());
-    std::vector<int> part_of_body(bodies_.size());
+  Motion motion() const {
+    Motion now{model::State(bodies_.size()), std::vector<model::Twist>(bodies_.size()),
+               std::vector<int>(bodies_.size())};
     for (std::size_t p = 0; p < bodies_.size(); ++p) {
       const btRigidBody& body = *m_tmpSolverBodyPool[bodies_[p]].m_originalBody;
-      state[body.getUserIndex()] = pose_of(body.getWorldTransform(), settings_.edge_mm);
-      speeds[body.getUserIndex()] = {eigen(body.getAngularVelocity()), eigen(body.getLinearVelocity())};
-      part_of_body[body.getUserIndex()] = static_cast<int>(p);
+      now.state[body.getUserIndex()] = pose_of(body.getWorldTransform(), settings_.edge_mm);
+      now.speeds[body.getUserIndex()] = {eigen(body.getAngularVelocity()), eigen(body.getLinearVelocity())};
+      now.part_of_body[body.getUserIndex()] = static_cast<int>(p);
     }
-    for (VelocityRow row : settings_.elastic->rows(state, speeds, step)) {
-      row.a = part_of_body[row.a];
+    return now;
+  }
+
+  void append_elastic(double step) {
+    const Motion now = motion();
+    for (VelocityRow row : settings_.elastic->rows(now.state, now.speeds, step)) {
+      row.a = now.part_of_body[row.a];
       row.first = row.first.cwiseProduct(dofs_[row.a]);
       if (row.b >= 0) {
-        row.b = part_of_body[row.b];
+        row.b = now.part_of_body[row.b];
         row.second = row.second.cwiseProduct(dofs_[row.b]);
       }
       rows_.push_back(row);
@@ -206,13 +227,42 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
     return contact;
   }
 
-  void solve_contacts(Eigen::VectorXd& velocities, int sweeps) const {
+  Pull pull_of(const Cord& cord, double step) const {
+    const Motion now = motion();
+    const Eigen::VectorXd pull = cord.pull(now.state);
+    Pull out;
+    out.direction = Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(masses_.size()));
+    out.target = cord.excess(now.state) / step;
+    for (std::size_t b = 0; b < now.state.size(); ++b) {
+      const int part = now.part_of_body[b];
+      const Vector6 own = pull.segment<6>(6 * static_cast<Eigen::Index>(b)).cwiseProduct(dofs_[part]);
+      out.direction.segment<6>(6 * part) = own;
+      out.target -= own.head<3>().dot(now.speeds[b].v) + own.tail<3>().dot(now.speeds[b].omega);
+    }
+    out.response = system_.response(out.direction);
+    out.mobility = out.direction.dot(out.response);
+    return out;
+  }
+
+  /// @return how much it changes the speed of shortening
+  double tighten(Pull& pull, Eigen::VectorXd& velocities) const {
+    const double compliance = 1 / (settings_.grip * settings_.joint_stiffness);
+    const double miss = pull.target - pull.direction.dot(velocities) - compliance * pull.impulse;
+    const double step = std::max(-pull.impulse, miss / (pull.mobility + compliance));
+    pull.impulse += step;
+    velocities += step * pull.response;
+    return std::abs(step) * pull.mobility;
+  }
+
+  void solve_contacts(Eigen::VectorXd& velocities, int sweeps, double time_step) const {
     std::vector<Contact> contacts;
+    std::optional<Pull> cord;
+    if (settings_.cord) cord = pull_of(*settings_.cord, time_step);
     for (int k = 0; k < m_tmpSolverContactConstraintPool.size(); ++k)
       if (m_tmpSolverContactConstraintPool[k].m_jacDiagABInv > 0)
         contacts.push_back(contact_of(m_tmpSolverContactConstraintPool[k]));
     for (int sweep = 0; sweep < sweeps; ++sweep) {
-      double change = 0;
+      double change = cord ? tighten(*cord, velocities) : 0;
       for (Contact& c : contacts) {
         const double miss = c.target - along(c.row, velocities) - c.compliance * c.impulse;
         const double step = std::max(-c.impulse, miss / (c.mobility + c.compliance));

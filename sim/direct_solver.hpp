@@ -6,6 +6,7 @@ class btConstraintSolver;
 
 namespace kinetix::sim {
 
+class Cord;
 class ElasticHinges;
 
 struct DirectSolverSettings {
@@ -13,14 +14,18 @@ struct DirectSolverSettings {
   double grip = 100;             ///< how many times stiffer than a hinge a joint to the ground is
   double contact_softness = 10;  ///< how many times softer than a hinge a contact is: with elastic hinges
                                  ///< all points of a wall tip edge together, else every point
-  double edge_mm = 1;            ///< cell edge of the structure of `elastic`
+  double edge_mm = 1;            ///< cell edge of the structure of `elastic` and `cord`
   const ElasticHinges* elastic = nullptr;  ///< null for none; must outlive the solver
+  const Cord* cord = nullptr;              ///< likewise
 };
 
 /// A solver for the engine that meets all joint equations of a step at once (RowSystem), and takes
 /// the contacts alone one after the other: every contact impulse is applied together with the answer of all
 /// joints to it. Contacts are frictionless, and yield a little before the joints do: where a drive presses
 /// parts into each other, they overlap, and the structure stays whole.
+///
+/// A cord is taken with the contacts: one impulse on all its bodies, which only pulls. It yields as much as a joint to the
+/// ground.
 ///
 /// A joint that only pushes (is_one_sided) is one of the equations as long as its force pushes, and is let go where it
 /// would pull: the equations are solved again until each does what it should.
@@ -31,7 +36,7 @@ struct DirectSolverSettings {
 /// a step with all that turns with the bodies has no least energy, or takes a part far, only what resists is
 /// kept.
 /// @pre a body that may not move along or turn about every axis has the same inertia about each;
-/// with elastic hinges, the bodies' user indices are their indices in the structure
+/// with elastic hinges and cords, the bodies' user indices are their indices in the structure
 std::unique_ptr<btConstraintSolver> make_direct_solver(const DirectSolverSettings& settings);
 
 }  // namespace kinetix::sim

@@ -7,6 +7,7 @@
 
 #include "sim/actuator.hpp"
 #include "sim/bullet_math.hpp"
+#include "sim/cord.hpp"
 #include "sim/direct_solver.hpp"
 #include "sim/elastic_hinges.hpp"
 #include "sim/joint_order.hpp"
@@ -32,12 +33,12 @@ constexpr double largest_lean = 1.5;
 constexpr double elastic_grip = 1e4;
 
 std::unique_ptr<btConstraintSolver> make_solver(const PhysicsOptions& options, double edge_mm,
-                                                const ElasticHinges* elastic) {
+                                                const ElasticHinges* elastic, const Cord* cord) {
   if (options.solver == PhysicsOptions::Solver::sweeps) return make_sequential_impulses();
-  DirectSolverSettings settings{.joint_stiffness = options.joint_stiffness, .elastic = elastic};
+  DirectSolverSettings settings{.joint_stiffness = options.joint_stiffness, .elastic = elastic, .cord = cord};
+  settings.edge_mm = edge_mm;
   if (options.elastic) {
     settings.grip = elastic_grip;
-    settings.edge_mm = edge_mm;
     settings.contact_softness = 1 / options.elastic->contact;
   }
   return make_direct_solver(settings);
@@ -63,6 +64,7 @@ struct World::Engine {
   btCollisionDispatcher dispatcher{&configuration};
   btDbvtBroadphase broadphase;
   std::optional<ElasticHinges> elastic;
+  std::optional<Cord> cord;
   std::unique_ptr<btConstraintSolver> solver;
   btDiscreteDynamicsWorld world;
 
@@ -76,7 +78,9 @@ struct World::Engine {
         drive(d),
         options(in_force(o)),
         elastic(make_elastic()),
-        solver(make_solver(options, structure.size.edge_mm, elastic ? &*elastic : nullptr)),
+        cord(make_cord()),
+        solver(make_solver(options, structure.size.edge_mm, elastic ? &*elastic : nullptr,
+                           cord ? &*cord : nullptr)),
         world(&dispatcher, &broadphase, solver.get(), &configuration),
         parts(structure, options) {
     world.setGravity({0, 0, 0});
@@ -99,6 +103,11 @@ struct World::Engine {
     return ElasticHinges(structure, *options.elastic);
   }
 
+  std::optional<Cord> make_cord() const {
+    if (!drive.pulls_cord()) return std::nullopt;
+    return Cord(structure, drive.through);
+  }
+
   void add_bodies() {
     const int group = options.contact ? 1 : 0;
     for (const auto& body : parts.bodies()) world.addRigidBody(body.get(), group, group);
@@ -119,7 +128,7 @@ struct World::Engine {
 
   void add_drive() {
     actuator = make_actuator(structure, drive, parts.bodies(), options.error_reduction,
-                             elastic ? &*elastic : nullptr, options.spring_turn);
+                             elastic ? &*elastic : nullptr, options.spring_turn, cord ? &*cord : nullptr);
     for (auto* joint : actuator->joints()) add_in_order(world, *joint);
   }
 

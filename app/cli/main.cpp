@@ -99,9 +99,10 @@ int run(int argc, char** argv) {
   CLI::Option* theta =
       simulate->add_option("--theta-deg", options.theta_deg, "fold angle instead of the design's own")
           ->check(CLI::Range(-89.0, 89.0));
-  simulate->add_flag("--drives", options.drives,
-                     "tries plates, single hinges and cords to the same theta with --model equilibrium, and says which "
-                     "needs the least force; writes nothing but drives.json into -o DIR");
+  simulate->add_flag(
+      "--drives", options.drives,
+      "tries plates, single hinges and cords to the same theta with --model equilibrium, and says which "
+      "needs the least force; writes nothing but drives.json into -o DIR");
 
   try {
     app.parse(argc, argv);

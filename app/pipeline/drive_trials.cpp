@@ -36,12 +36,14 @@ double work_along(const model::EquilibriumPath& path, double travel) {
 double travel_of(const model::Linkage& linkage, const model::LinkageDrive& drive) {
   if (drive.kind != model::LinkageDrive::Kind::plates) return 1;
   const int d = drive.axis == model::Axis::x ? 0 : 1;
-  return linkage.rest_position(drive.gripped[1].front())[d] - linkage.rest_position(drive.gripped[0].front())[d];
+  return linkage.rest_position(drive.gripped[1].front())[d] -
+         linkage.rest_position(drive.gripped[0].front())[d];
 }
 
 constexpr double same_theta = 5e-3;  // of theta: work goes with its square, and is known to 1 %
-constexpr int most_rounds = 8;       // of a drive; each comes nearer by what the sheet lags behind the drive, squared
-constexpr double widest = 1.55;      // rad: no drive asks for a right angle
+constexpr int most_rounds =
+    8;  // of a drive; each comes nearer by what the sheet lags behind the drive, squared
+constexpr double widest = 1.55;  // rad: no drive asks for a right angle
 
 /// Follows a drive, and again as much further as it fell short of theta.
 void drive_to(double theta, const model::Linkage& linkage, const model::ExactMotion& exact,
@@ -83,7 +85,8 @@ DriveTrials try_drives(const DesignFile& design, const Progress& progress) {
   DriveTrials out{design.name, theta_of(design, exact), linkage.size.edge_mm, {}};
   const std::vector<model::TrialDrive> drives = trial_drives(design.structure, exact, out.theta);
   for (const model::TrialDrive& drive : drives) {
-    if (progress) progress("drives", static_cast<double>(out.trials.size()) / static_cast<double>(drives.size()));
+    if (progress)
+      progress("drives", static_cast<double>(out.trials.size()) / static_cast<double>(drives.size()));
     DriveTrial& trial = out.trials.emplace_back(DriveTrial{.name = drive.name, .why_not = drive.why_not});
     if (!drive.drive) continue;
     trial.drive = *drive.drive;

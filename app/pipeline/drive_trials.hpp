@@ -18,7 +18,8 @@ struct DriveTrial {
   double theta = 0;      ///< mean of the sheet's hinges at the end, rad
   double load_peak = 0;  ///< largest on the way, N or N mm
   double force_N = 0;    ///< the same as a force: a moment by its lever, one cell edge
-  double work_Nmm = 0;   ///< of the load along the path: what a slow drive puts in, less what it gets back
+  double work_Nmm =
+      0;  ///< N mm, of the load along the path: what a slow drive puts in, less what it gets back
   int snaps = 0;
 
   /// Whether that is the theta it was meant to come to: drives are driven on, or less far, until it is.

@@ -26,7 +26,8 @@ std::string path_text(const DriveTrial& trial) {
 }
 
 std::string trial_line(const DriveTrial& trial, std::size_t width) {
-  if (!trial.why_not.empty()) return fmt::format("  {:<{}}  not tried: {}\n", trial.name, width, trial.why_not);
+  if (!trial.why_not.empty())
+    return fmt::format("  {:<{}}  not tried: {}\n", trial.name, width, trial.why_not);
   const model::EquilibriumStep& last = trial.path.steps.back();
   return fmt::format("  {:<{}}  {:>10} {:<4}  {:>10}  {:>10}  {:>10}  {:>6.1f}  {}\n", trial.name, width,
                      fmt::format("{:.4g}", trial.load_peak), trial.drive.load_unit(),
@@ -80,9 +81,10 @@ Json name_of(const DriveTrials& all, int trial) {
 std::string summary(const DriveTrials& all) {
   std::size_t width = 5;  // of the heading
   for (const DriveTrial& trial : all.trials) width = std::max(width, trial.name.size());
-  std::string text =
-      fmt::format("{}: drives to theta {:.2f} deg, slowly; moments count as forces at a lever of one cell edge, {:g} mm\n",
-                  all.name, to_degrees(all.theta), all.lever_mm);
+  std::string text = fmt::format(
+      "{}: drives to theta {:.2f} deg, slowly; moments count as forces at a lever of one cell edge, {:g} "
+      "mm\n",
+      all.name, to_degrees(all.theta), all.lever_mm);
   text += fmt::format("  {:<{}}  {:>15}  {:>10}  {:>10}  {:>10}  {:>6}  {}\n", "drive", width, "largest load",
                       "as force N", "work N mm", "energy", "theta", "path and end");
   for (const DriveTrial& trial : all.trials) text += trial_line(trial, width);

@@ -69,14 +69,16 @@ Json equilibrium_json(const Equilibrium& equilibrium) {
   Json steps = Json::array(), events = Json::array(), energies = Json::array();
   Json stiffness = {
       {"k_point", e.k_point}, {"k_turn", e.k_turn}, {"reach_mm", e.reach_mm}, {"k_contact", e.k_contact}};
-  if (e.each.empty()) add_directions(e, stiffness);
+  if (e.each.empty() && !e.ratios.are_one()) {
+    const model::HingeStiffness k = stiffness_of(e);
+    stiffness.update({{"axial", k.axial}, {"shear", k.shear}, {"along", k.along}});
+  }
   for (const model::EquilibriumStep& step : path.steps) steps.push_back(step_json(step, equilibrium.drive));
   for (const model::PathEvent& event : path.events) events.push_back(event_json(event));
   for (const model::HingeEnergy& energy : path.hinge_energies)
     energies.push_back({{"stretch", energy.stretch}, {"turn", energy.turn}});
   Json json = {{"stop", to_string(path.stop)},
                {"why", path.why},
-               {"effort", effort_of(equilibrium)},
                {"planar", path.planar},
                {"goal_rad", equilibrium.drive.theta()},
                {"iterations", path.iterations},
@@ -87,7 +89,7 @@ Json equilibrium_json(const Equilibrium& equilibrium) {
   if (equilibrium.drive.heats_springs())
     json["shape_memory"] = {{"springs", equilibrium.drive.springs.size()},
                             {"k_turn", equilibrium.drive.k_spring},
-                            {"energy_Nmm", path.spring_energy},
+                            {"energy_Nmm", path.steps.back().springs},
                             {"moment_mean_Nmm", mean_moment(equilibrium)}};
   return json;
 }

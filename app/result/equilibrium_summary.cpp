@@ -50,7 +50,8 @@ std::string drive_text(const Equilibrium& equilibrium, const model::EquilibriumS
 /// What the load is, where its unit does not say it.
 std::string load_words(const Equilibrium& equilibrium) {
   if (equilibrium.drive.pulls_cord())
-    return equilibrium.path.steps.back().load < 0 ? "the cord is slack, it would have to push: tension " : "tension ";
+    return equilibrium.path.steps.back().load < 0 ? "the cord is slack, it would have to push: tension "
+                                                  : "tension ";
   if (!equilibrium.drive.heats_springs()) return "";
   return fmt::format("{:.4g} N mm from each of {} springs, together ", mean_moment(equilibrium),
                      equilibrium.drive.springs.size());
@@ -63,9 +64,10 @@ std::string energy_text(const model::EquilibriumPath& path) {
     sum.turn += energy.turn;
   }
   const double total = path.steps.back().energy;
-  const double contact = std::max(0.0, total - sum.total() - path.spring_energy);
-  const std::string springs =
-      path.spring_energy > 0 ? fmt::format(", {:.4g} in the drive's springs", path.spring_energy) : "";
+  const double contact = std::max(0.0, total - sum.total() - path.steps.back().springs);
+  const std::string springs = path.steps.back().springs > 0
+                                  ? fmt::format(", {:.4g} in the drive's springs", path.steps.back().springs)
+                                  : "";
   return fmt::format("{:.4g} N mm ({:.4g} in stretch, {:.4g} in rotation, {:.2g} in contact{})", total,
                      sum.stretch, sum.turn, contact, springs);
 }

@@ -4,6 +4,7 @@
 #include "benchmarks/stopwatch.hpp"
 #include "model/elastic/equilibrium_comparison.hpp"
 #include "model/elastic/path/equilibrium_path.hpp"
+#include "model/linkage/actuators.hpp"
 #include "sim/compression_run.hpp"
 #include "tests/support/elastic_runs.hpp"
 #include "tests/support/paper_scenes.hpp"
@@ -15,18 +16,21 @@ namespace {
 constexpr double limit = 1e-2;
 
 Figure against_equilibrium(const std::string& name, const model::Structure& structure,
-                           const model::Drive& drive) {
+                           const model::LinkageDrive& drive) {
   const model::Elasticity elasticity;
   model::EquilibriumPathOptions fine;
   fine.longest_step = fine.first_step = 0.01;
   model::EquilibriumPath path;
-  const double time = seconds([&] { path = trace_equilibrium(driven(structure, drive), elasticity, fine); });
+  const double time = seconds([&] {
+    path = trace_equilibrium({structure, drive, exact_motion(structure)}, elasticity, fine);
+  });
   sim::PhysicsOptions options;
   options.elastic = relative(elasticity, structure.size.edge_mm);
   options.planar = path.planar;
-  const sim::PhysicsResult physics = run_compression(structure, drive.on(structure), options);
-  const model::EquilibriumComparison c = compare_equilibria(
-      {structure, elasticity, drive.on(structure), path.planar, true}, physics.state, path.state, limit);
+  options.spring_turn = drive.k_spring / energy_unit(elasticity, structure.size.edge_mm);
+  const sim::PhysicsResult physics = run_compression(structure, drive, options);
+  const model::EquilibriumComparison c =
+      compare_equilibria({structure, elasticity, drive, path.planar, true}, physics.state, path.state, limit);
   const bool reached = path.stop == model::EquilibriumPath::Stop::reached,
              settled = physics.status == sim::PhysicsResult::Status::settled;
   return {name + ": equilibrium against Bullet, same stiffness", "verify_rms <= 1e-2",
@@ -35,6 +39,28 @@ Figure against_equilibrium(const std::string& name, const model::Structure& stru
                       to_string(c.outcome), c.distance.rms, c.distance.max, path.steps.back().contacts, time,
                       to_string(path.stop), physics.seconds, to_string(physics.status)),
           reached && settled && c.distance.rms <= limit};
+}
+
+Figure against_equilibrium(const std::string& name, const model::Structure& structure,
+                           const model::Drive& drive) {
+  return against_equilibrium(name, structure, drive.on(structure));
+}
+
+/// Columns that twist beside basic ones: hinges strain.
+Figure by_cord(double shorten_mm) {
+  const model::Structure s = testing::alternating(4, 4, testing::twisting_unit, testing::basic_unit);
+  std::vector<int> through;
+  for (int i = 0; i <= 4; ++i) through.push_back(*s.hinge_at({{i, 1}, model::Axis::y}));
+  return against_equilibrium(
+      fmt::format("twist sheet, 4 x 4, a cord across a row shortened by {} mm", shorten_mm), s,
+      cord_drive(s, through, shorten_mm));
+}
+
+Figure by_shape_memory(double degrees) {
+  const model::Structure s = testing::alternating(4, 4, testing::twisting_unit, testing::basic_unit);
+  return against_equilibrium(
+      fmt::format("twist sheet, 4 x 4, shape memory of 20 N mm/rad in every hinge to {} deg", degrees), s,
+      shape_memory_drive(s, {}, 20, degrees * radians_per_degree));
 }
 
 model::Drive pressed(double compression) {
@@ -57,6 +83,8 @@ std::vector<Figure> elastic_physics_figures() {
         testing::twisting_strip(), testing::hinge_drive({{5, 0}, model::Axis::y}, theta * degree)));
   figures.push_back(against_equilibrium("gradient panel, 8 x 8, theta 20 deg", testing::gradient_panel(),
                                         testing::plates_drive(model::Axis::x, 20 * degree)));
+  figures.push_back(by_cord(5));
+  figures.push_back(by_shape_memory(40));
   return figures;
 }
 

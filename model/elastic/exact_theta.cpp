@@ -12,7 +12,7 @@ namespace {
 constexpr int scan_steps = 100;             // from flat to where springs rest, to find the first minimum
 constexpr double widest = 89.9 * pi / 180;  // rad; at 90 deg every cell is closed
 constexpr double accuracy = 1e-8;           // rad: nearer to a minimum, energies differ by rounding alone
-const double golden = (std::sqrt(5.0) - 1) / 2;
+const double golden = (std::sqrt(5.0) - 1) / 2;  // part of a bracket: leaves the same parts next time
 
 /// Energy of hinges and springs along the closed form, N mm.
 class FoldEnergy {

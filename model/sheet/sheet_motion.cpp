@@ -1,5 +1,7 @@
 #include "model/sheet/sheet_motion.hpp"
 
+#include <cmath>
+
 #include "model/base/invalid_input.hpp"
 #include "model/lattice/planar/planar_drive.hpp"
 #include "model/lattice/planar/planar_motion.hpp"
@@ -31,11 +33,32 @@ LinkageDrive planar_drive(const PlanarStructure& sheet, const SheetDrive& drive)
   return out;
 }
 
+constexpr double probe =
+    0.01;  // rad: so near flat, a cord that pulls to a side is shorter by a hundredth of a cell
+constexpr double as_short = 1e-9;  // of the cord: both sides are alike, but for rounding
+
+/// The side of flat to which a cord pulls from the first where the sheet moves exactly; else, and where both are alike, the
+/// drive's own.
+int side_of(const Sheet& sheet, const LinkageDrive& cord) {
+  const ExactMotion exact = exact_motion(sheet);
+  if (!exact) return cord.branch;
+  const double forth = cord_length(sheet, cord.through, exact.at(probe)),
+               back = cord_length(sheet, cord.through, exact.at(-probe));
+  if (std::abs(forth - back) <= as_short * cord.rest_mm) return cord.branch;
+  return forth < back ? 1 : -1;
+}
+
+LinkageDrive pull(const Sheet& sheet, const SheetDrive& drive) {
+  LinkageDrive cord = cord_drive(sheet, drive.through, drive.shorten_mm, drive.branch);
+  cord.branch = side_of(sheet, cord);
+  return cord;
+}
+
 /// Of any lattice alike.
 LinkageDrive drive_on_hinges(const Sheet& sheet, const SheetDrive& drive) {
   validate_hinges(sheet);
   return drive.kind == LinkageDrive::Kind::cord
-             ? cord_drive(sheet, drive.through, drive.shorten_mm, drive.branch)
+             ? pull(sheet, drive)
              : shape_memory_drive(sheet, drive.springs, drive.k_turn, drive.angle);
 }
 

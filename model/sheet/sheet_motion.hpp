@@ -33,7 +33,7 @@ struct SheetDrive {
   double k_turn = 0;              ///< shape memory: of each spring, N mm/rad
 };
 
-/// The drive by bodies and hinges.
+/// The drive by bodies and hinges. A cord that pulls an exactly moving sheet to one side of flat goes there.
 /// @throws InvalidInput for values out of range, plates that find nothing to hold, and a cord that nothing shortens
 LinkageDrive drive_on(const Sheet& sheet, const SheetDrive& drive);
 

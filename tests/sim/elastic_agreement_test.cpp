@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include "model/base/invalid_input.hpp"
 #include "model/elastic/equilibrium_comparison.hpp"
 #include "model/elastic/path/equilibrium_path.hpp"
+#include "model/linkage/actuators.hpp"
 #include "sim/compression_run.hpp"
 #include "tests/support/elastic_runs.hpp"
 #include "tests/support/paper_scenes.hpp"
@@ -113,6 +115,70 @@ TEST(ElasticAgreement, OfFramedHingesOnABentSheet) {
 
 TEST(ElasticAgreement, OfFramedHingesOnATwistingStrip) {
   expect_framed_agreement(twisting_strip(), hinge_drive({{5, 0}, model::Axis::y}, 20 * degree), 1e-3);
+}
+
+/// Springs of shape memory in the hinges of a sheet, heated in both. @return rms distance, cell edges
+double heated_distance(const model::Structure& s, const std::vector<int>& hinges, double k_spring,
+                       double angle) {
+  const model::Elasticity elasticity;
+  const model::LinkageDrive drive = shape_memory_drive(s, hinges, k_spring, angle);
+  const model::EquilibriumPath path =
+      trace_equilibrium({s, drive, exact_motion(s)}, elasticity, without_contact());
+  EXPECT_EQ(path.stop, model::EquilibriumPath::Stop::reached) << path.why;
+  PhysicsOptions options;
+  options.elastic = relative(elasticity, s.size.edge_mm);
+  options.spring_turn = k_spring / energy_unit(elasticity, s.size.edge_mm);
+  options.planar = path.planar;
+  options.contact = false;
+  const PhysicsResult run = run_compression(s, drive, options);
+  EXPECT_EQ(run.status, Status::settled) << run.why;
+  return aligned_distance(s, run.state, path.state).rms;
+}
+
+TEST(ElasticAgreement, OfHeatedSpringsInSheetsThatMoveExactlyAndThatStrain) {
+  EXPECT_LE(heated_distance(gradient_panel(), {}, 2, 30 * degree), 1e-5);
+  EXPECT_LE(heated_distance(bending_strip(), {}, 2, 40 * degree), 1e-5);
+  EXPECT_LE(heated_distance(alternating(4, 4, twisting_unit, basic_unit), {}, 20, 40 * degree), 1e-4);
+  EXPECT_LE(heated_distance(alternating(4, 4, twisting_unit, basic_unit), {0, 5, 9}, 20, 40 * degree), 1e-4);
+}
+
+/// @return rms distance of a sheet that a cord folds in both, cell edges
+double corded_distance(const model::Structure& s, const std::vector<int>& through, double shorten_mm) {
+  const model::Elasticity elasticity;
+  const model::LinkageDrive drive = cord_drive(s, through, shorten_mm);
+  const model::EquilibriumPath path =
+      trace_equilibrium({s, drive, exact_motion(s)}, elasticity, without_contact());
+  EXPECT_EQ(path.stop, model::EquilibriumPath::Stop::reached) << path.why;
+  PhysicsOptions options;
+  options.elastic = relative(elasticity, s.size.edge_mm);
+  options.planar = path.planar;
+  options.contact = false;
+  const PhysicsResult run = run_compression(s, drive, options);
+  EXPECT_EQ(run.status, Status::settled) << run.why;
+  EXPECT_LE(run.drive_gap, 1e-3);
+  return aligned_distance(s, run.state, path.state).rms;
+}
+
+/// Through the walls across a row of cells.
+std::vector<int> across(const model::Structure& s, int row, int columns) {
+  std::vector<int> through;
+  for (int i = 0; i <= columns; ++i) through.push_back(*s.hinge_at({{i, row}, model::Axis::y}));
+  return through;
+}
+
+TEST(ElasticAgreement, OfACordInSheetsThatMoveExactlyAndThatStrain) {
+  const model::Structure basic = model::make_sheet(4, 3, {10, 0.8, 6}),
+                         strained = alternating(4, 4, twisting_unit, basic_unit), bent = bending_strip();
+  EXPECT_LE(corded_distance(basic, across(basic, 1, 4), 4), 1e-4);
+  EXPECT_LE(corded_distance(bent, across(bent, 0, 8), 4), 1e-3);
+  EXPECT_LE(corded_distance(strained, across(strained, 1, 4), 5), 1e-3);
+}
+
+TEST(ElasticAgreement, ACordIsRefusedBySweepsInOneSentence) {
+  const model::Structure s = twisting_strip();
+  PhysicsOptions options;
+  options.solver = PhysicsOptions::Solver::sweeps;
+  EXPECT_THROW(run_compression(s, cord_drive(s, across(s, 0, 4), 1), options), InvalidInput);
 }
 
 }  // namespace

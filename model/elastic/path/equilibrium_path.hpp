@@ -38,10 +38,14 @@ struct EquilibriumStep {
   /// Energy by drive: positive where the structure resists. Force on the plates, tension of the cord, moment about the
   /// driven hinge, or the sum of the moments of all springs.
   double load = 0;
-  double energy = 0;  ///< of hinges, contacts and the drive's springs
-  double gap = 0;     ///< largest of a hinge, cell edges
-  int contacts = 0;   ///< points in contact
+  double energy = 0;   ///< of hinges, contacts and the drive's springs
+  double springs = 0;  ///< of that, in the springs of a shape-memory drive
+  double gap = 0;      ///< largest of a hinge, cell edges
+  int contacts = 0;    ///< points in contact
   bool stable = true;
+
+  /// What is left when the drive is gone, N mm: of hinges and contacts.
+  double kept_energy() const { return energy - springs; }
 };
 
 /// Something a user should know of, and the load at which it happened.
@@ -80,9 +84,8 @@ struct EquilibriumPath {
   std::vector<PathEvent> events;
   std::vector<HingeEnergy> hinge_energies;  ///< N mm, of each hinge in the last state
   int iterations = 0;                       ///< of Newton's method in all
-  double multiplier = 0;     ///< of the driven hinge, k_point edge^2, or the cord, k_point edge
-  double spring_energy = 0;  ///< N mm, of a shape-memory drive's springs in the last state
-  int let_go = 0;            ///< plates that press: bodies of their rows that they do not push at the goal
+  double multiplier = 0;  ///< of the driven hinge, k_point edge^2, or the cord, k_point edge
+  int let_go = 0;         ///< plates that press: bodies of their rows that they do not push at the goal
 };
 
 std::string to_string(EquilibriumPath::Stop stop);

@@ -18,6 +18,7 @@ EquilibriumStep MeasuredSystem::measured(const State& state, double theta, bool 
   step.drive = elastic.drive_coordinate(theta);
   step.load = drive_load(elastic, state, theta, tangent, stable) * load_unit;
   step.energy = elastic.stored_energy(state, theta) * unit;
+  step.springs = elastic.spring_energy(state, theta) * unit;
   step.gap = hinge_gaps(elastic.structure(), state).max;
   step.contacts = static_cast<int>(elastic.contacts(state).size());
   step.stable = stable;

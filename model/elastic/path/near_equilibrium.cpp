@@ -21,7 +21,6 @@ EquilibriumPath settled(MeasuredSystem& system, const NewtonOptions& options, co
   path.steps.push_back(system.measured(path.state, path.theta, newton.stable));
   path.gaps = hinge_gaps(system.elastic.structure(), path.state);
   path.multiplier = system.elastic.multiplier();
-  path.spring_energy = system.elastic.spring_energy(path.state, path.theta) * system.unit;
   if (newton.converged && newton.stable) return path;
   path.stop = EquilibriumPath::Stop::not_converged;
   path.why = newton.converged ? "the equilibrium next to the given state is unstable"

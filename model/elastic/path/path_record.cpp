@@ -33,7 +33,6 @@ EquilibriumPath PathRecord::finished(EquilibriumPath::Stop stop, const Refusal& 
   path_.events = events_.events();
   path_.hinge_energies = system_.hinge_energies(path_.state);
   path_.multiplier = system_.elastic.multiplier();
-  path_.spring_energy = system_.elastic.spring_energy(path_.state, path_.theta) * system_.unit;
   return std::move(path_);
 }
 

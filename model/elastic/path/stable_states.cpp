@@ -103,7 +103,7 @@ class Collector {
     for (const EnergyTurn& turn : path.turns()) {
       if (!turn.maximum)
         arrive(lower(turn));
-      else if (!top || turn.before.step.energy > top->before.step.energy)
+      else if (!top || turn.before.step.kept_energy() > top->before.step.kept_energy())
         top = turn;
     }
     if (path.ends_falling()) arrive(path.last());
@@ -113,7 +113,7 @@ class Collector {
 
  private:
   static const DrivenState& lower(const EnergyTurn& turn) {
-    return turn.before.step.energy < turn.after.step.energy ? turn.before : turn.after;
+    return turn.before.step.kept_energy() < turn.after.step.kept_energy() ? turn.before : turn.after;
   }
 
   /// Index of the state that a release leads to, new or known; -1 where it leads nowhere.

@@ -16,6 +16,8 @@ constexpr double strayed = 2;   // times longest_jump: so far from a prediction 
 // Rad: longer steps must start convex and end soon; if not, halving is cheaper.
 constexpr double careful_from = 0.01;
 constexpr int careful_iterations = 15;  // of Newton's method, for such a step
+// Of Newton's method, for the shortest step of springs: they hold no place, so that a snap goes as far as a release does.
+constexpr int snap_iterations = 400;
 constexpr int most_saddles = 5;  // left in a row at one theta: after more, there is no equilibrium to take
 
 }  // namespace
@@ -36,6 +38,8 @@ Trial StepSolver::find(const NextStep& next, const PathHead& head, State predict
 NewtonOptions StepSolver::newton_options(const NextStep& next, bool may_stray) const {
   NewtonOptions options = options_.newton;
   if (!may_stray) options.most_moved = strayed * options_.longest_jump;
+  if (next.is_shortest && system_.elastic.drive().heats_springs())
+    options.max_iterations = std::max(options.max_iterations, snap_iterations);
   if (next.to_goal) return options;
   options.step_tolerance = std::max(options.step_tolerance, rough);
   options.energy_tolerance = level;

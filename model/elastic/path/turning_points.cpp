@@ -24,8 +24,9 @@ class Summit {
   EnergyBarrier of(const EnergyTurn& turn) {
     Side low{turn.before, turn.before.step.load}, high{turn.after, turn.after.step.load};
     const double scale = std::max(std::abs(low.load), std::abs(high.load));
-    EnergyBarrier best = barrier(low.at.step.energy > high.at.step.energy ? low.at.step : high.at.step);
-    if ((low.load > 0) == (high.load > 0)) return best;
+    EnergyBarrier best =
+        barrier(low.at.step.kept_energy() > high.at.step.kept_energy() ? low.at.step : high.at.step);
+    if (system_.elastic.drive().heats_springs() || (low.load > 0) == (high.load > 0)) return best;
     for (int k = 0; k < most_equilibria; ++k) {
       const double theta = (low.theta() * high.load - high.theta() * low.load) / (high.load - low.load);
       const double from_low = std::abs(theta - low.theta()), from_high = std::abs(theta - high.theta());
@@ -58,7 +59,7 @@ class Summit {
   }
 
   static EnergyBarrier barrier(const EquilibriumStep& step) {
-    return {0, 0, step.energy, step.theta, step.drive, false};
+    return {0, 0, step.kept_energy(), step.theta, step.drive, false};
   }
 
   std::optional<DrivenState> equilibrium(double theta, State state) {
@@ -104,8 +105,9 @@ Loads signed_loads(const EquilibriumPath& path, double sign) {
 void EnergyTurns::see(const EquilibriumStep& step, const State& state) {
   DrivenState now{step, state};
   if (std::exchange(started_, true)) {
-    const double slope = step.load * (step.drive - last_.step.drive);
-    const bool fell = step.energy < last_.step.energy;
+    const double change = step.kept_energy() - last_.step.kept_energy();
+    const double slope = drive_.heats_springs() ? change : step.load * (step.drive - last_.step.drive);
+    const bool fell = change < 0;
     if (slope_ > 0 && (slope < 0 || fell)) turns_.push_back({true, last_, now});
     if (slope > 0 && (slope_ < 0 || (slope_ > 0 && fell))) turns_.push_back({false, last_, now});
     slope_ = slope;

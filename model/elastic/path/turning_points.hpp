@@ -22,7 +22,9 @@ struct EnergyTurn {
 };
 
 /// What a search for stable states keeps of a path: where its energy turns, and its end. Give see() to
-/// trace_equilibrium as `frame`; the slope comes from the load, so that no turn hides between two states.
+/// trace_equilibrium as `frame`; the slope comes from the load, so that no turn hides between two states. Springs of shape
+/// memory are no part of what keeps a state once they are cold: of these drives the energy of hinges and contacts alone
+/// counts, and its slope is that between two states.
 class EnergyTurns {
  public:
   explicit EnergyTurns(const LinkageDrive& drive) : drive_(drive) {}
@@ -55,7 +57,8 @@ struct EnergyBarrier {
   bool load_vanishes = false;
 };
 
-/// The top of a maximum on the path of `drive`: where its load vanishes, within 1e-7 rad of theta, found from
+/// The top of a maximum on the path of `drive`; of shape memory, in the energy of hinges and contacts, the higher one of the
+/// turn's two states. Else: where its load vanishes, within 1e-7 rad of theta, found from
 /// equilibria between the turn's two states. `from` and `to` are left open.
 /// @pre turn.maximum; structure, elasticity, drive and options those of the path
 EnergyBarrier energy_summit(const Linkage& structure, const Elasticity& elasticity, const LinkageDrive& drive,

@@ -164,6 +164,121 @@ TEST(Equilibrium, TakesTheOtherSignOfThetaAndADrivenHinge) {
   EXPECT_NEAR(of_hinge, energy, 1e-3 * energy);
 }
 
+/// Four cells in a row, the middle of three rows, each of 10 mm.
+const std::string corded = R"(kinetix: 1
+name: corded
+structure: {cells: [4, 3], cell_mm: 10}
+drive:
+  kind: cord
+  through: [[[0, 1], [0, 2]], [[1, 1], [1, 2]], [[2, 1], [2, 2]], [[3, 1], [3, 2]], [[4, 1], [4, 2]]]
+  shorten_mm: 4
+hinge: {model: elastic, k_turn: 0.2}
+)";
+
+// Rigid hinges, which the solver `sweeps` takes.
+const std::string rigid_cord =
+    "kinetix: 1\nstructure: {cells: [2, 1]}\nphysics: {solver: sweeps}\n"
+    "drive: {kind: cord, through: [[[0, 0], [0, 1]], [[2, 0], [2, 1]]], shorten_mm: 1}\n";
+
+TEST(Equilibrium, OfACordHasTheTensionThatDoesTheWork) {
+  const Scratch scratch;
+  const Outcome run = equilibrium(scratch, corded);
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("N at cord shortened by 4 mm: the drive reached its goal"));
+  const Json result = Json::parse(text_of(scratch / "result.json"));
+  EXPECT_EQ(schema_errors(result), "");
+  const Json& metrics = result["metrics"];
+  EXPECT_NEAR(metrics["shortened_mm"], 4, 1e-9);
+  const double theta = std::acos(0.9), hinges = 31;
+  EXPECT_NEAR(metrics["theta_rad"], theta, 1e-3);
+  EXPECT_NEAR(metrics["energy_Nmm"], hinges * 0.5 * 0.2 * std::pow(2 * theta, 2), 5e-3);
+  EXPECT_NEAR(metrics["load_N"], hinges * 4 * 0.2 * theta / (40 * std::sin(theta)), 2e-3);
+  EXPECT_LE(metrics["exact_rms"], 1e-3);
+  EXPECT_EQ(result["equilibrium"]["path"][0]["drive_unit"], "mm");
+  EXPECT_EQ(result["equilibrium"]["path"][0]["load_unit"], "N");
+
+  const std::string again = (scratch / "design.yaml").string();
+  const Outcome exact =
+      kinetix_opt("simulate " + again + " --model exact --json --quiet -o " + scratch.path());
+  EXPECT_NEAR(Json::parse(exact.out)["metrics"]["theta_rad"], theta, 1e-9) << exact.err;
+  const Outcome physics =
+      kinetix_opt("verify " + scratch.write("d.yaml", corded) + " --json --quiet -o " + scratch.path());
+  EXPECT_EQ(physics.code, 0) << physics.err;
+  EXPECT_LE(Json::parse(physics.out)["metrics"]["verify_rms"], 1e-3);
+  const Outcome swept = kinetix_opt("verify " + scratch.write("s.yaml", rigid_cord) + " --quiet -o " +
+                                    (scratch / "p").string());
+  EXPECT_EQ(swept.code, 2);
+  EXPECT_THAT(swept.err, HasSubstr("drive.kind: a cord needs the direct solver"));
+  EXPECT_FALSE(fs::exists(scratch / "p"));
+}
+
+TEST(Equilibrium, OfShapeMemoryStopsWhereMomentsAreEqualAndAgreesWithThePhysicsRun) {
+  const Scratch scratch;
+  const std::string design =
+      "kinetix: 1\nstructure: {cells: [3, 2], cell_mm: 10}\nhinge: {model: elastic, k_turn: 1}\n"
+      "drive: {kind: shape_memory, angle_deg: 60, k_turn: 5}\n";
+  const Outcome run =
+      kinetix_opt("verify " + scratch.write("d.yaml", design) + " --json --quiet -o " + scratch.path());
+  EXPECT_EQ(run.code, 0) << run.err;
+  const Json result = Json::parse(run.out);
+  EXPECT_EQ(schema_errors(result), "");
+  const double angle = 60 * radians_per_degree, hinges = 17;
+  EXPECT_NEAR(result["metrics"]["theta_rad"], angle / 2 * 5 / 6, 1e-9);
+  EXPECT_NEAR(result["metrics"]["energy_Nmm"], hinges * 5.0 / 6 * angle * angle / 2, 1e-6);
+  EXPECT_NEAR(result["metrics"]["load_Nmm"], hinges * 5.0 / 6 * angle, 1e-6);
+  EXPECT_LE(result["metrics"]["exact_rms"], 1e-6);
+  EXPECT_LE(result["metrics"]["verify_rms"], 1e-6);
+  const Json& springs = result["equilibrium"]["shape_memory"];
+  EXPECT_EQ(springs["springs"], hinges);
+  EXPECT_NEAR(springs["moment_mean_Nmm"], 5.0 / 6 * angle, 1e-9);
+  EXPECT_NEAR(springs["energy_Nmm"], hinges * 2.5 * std::pow(angle / 6, 2), 1e-6);
+
+  const std::string rotary =
+      "kinetix: 1\nstructure: {cells: [3, 2]}\ndrive: {kind: shape_memory, angle_deg: 60, k_turn: 5}\n";
+  const Outcome refused =
+      kinetix_opt("verify " + scratch.write("r.yaml", rotary) + " --quiet -o " + (scratch / "p").string());
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("drive.kind: shape_memory needs elastic hinges"));
+}
+
+TEST(Equilibrium, TriesDrivesToTheSameThetaAndSaysWhichNeedsTheLeastForce) {
+  const Scratch scratch;
+  const std::string design = scratch.write("d.yaml",
+                                           "kinetix: 1\nstructure: {cells: [4, 4], cell_mm: 10}\ndesign: "
+                                           "{theta_deg: 25}\nhinge: {model: elastic}\n");
+  const std::string command = "simulate " + design + " --model equilibrium --drives --quiet ";
+  const Outcome table = kinetix_opt(command);
+  EXPECT_EQ(table.code, 0) << table.err;
+  EXPECT_THAT(table.out, HasSubstr("cord along the middle row"));
+  EXPECT_THAT(table.out, HasSubstr("least force"));
+  const Outcome run = kinetix_opt(command + "--json -o " + scratch.path());
+  const Json found = Json::parse(run.out);
+  EXPECT_EQ(found, Json::parse(text_of(scratch / "drives.json")));
+  const double theta = 25 * radians_per_degree, hinges = 40,
+               energy = hinges * 0.5 * 0.1 * std::pow(2 * theta, 2);
+  ASSERT_EQ(found["drives"].size(), 6u);
+  for (const Json& drive : found["drives"]) {
+    EXPECT_EQ(drive["at_goal"], true) << drive;
+    EXPECT_EQ(drive["stable"], true);
+    EXPECT_EQ(drive["snaps"], 0);
+    EXPECT_NEAR(drive["theta_rad"], theta, 5e-3 * theta);
+    EXPECT_NEAR(drive["energy_Nmm"], energy, 0.02 * energy) << drive;
+    EXPECT_NEAR(drive["work_Nmm"], energy, 0.02 * energy) << drive;
+  }
+  const double moment = found["drives"][2]["load_peak"];
+  EXPECT_NEAR(moment, hinges * 0.1 * 2 * theta, 0.02 * moment) << "of one hinge, which turns all others";
+  EXPECT_NEAR(found["drives"][2]["force_N"], moment / 10, 1e-12);
+
+  const Outcome exact = kinetix_opt("simulate " + design + " --drives --quiet");
+  EXPECT_EQ(exact.code, 2);
+  EXPECT_THAT(exact.err, HasSubstr("--model equilibrium"));
+  const Outcome flat =
+      kinetix_opt("simulate " + scratch.write("f.yaml", "kinetix: 1\nstructure: {cells: [4, 4]}\n") +
+                  " --model equilibrium --drives --quiet");
+  EXPECT_EQ(flat.code, 2);
+  EXPECT_THAT(flat.err, HasSubstr("folds nowhere"));
+}
+
 TEST(Equilibrium, OfRotaryHingesSaysThatItTakesThemAsElastic) {
   const Scratch scratch;
   const std::string start = "kinetix: 1\nstructure: {cells: [2, 2], cell_mm: 20}\ndesign: {theta_deg: 10}\n";
@@ -308,6 +423,12 @@ TEST(Equilibrium, WritesNoNumberThatIsNotFiniteHoweverFarItIsDriven) {
         "drive: {kind: plates, compression: 0.3}\nhinge: {model: elastic, k_contact: 1e-30}",
         "drive: {kind: hinge, wall: [[0, 0], [1, 0]], angle_deg: 179.9}\nhinge: {model: elastic}",
         "drive: {kind: plates, compression: 1e-300}\nhinge: {model: elastic}",
+        "drive: {kind: cord, through: [[[0, 0], [0, 1]], [[3, 0], [3, 1]]], shorten_mm: 29.9}\nhinge: "
+        "{model: elastic}",
+        "drive: {kind: cord, through: [[[0, 0], [0, 1]], [[2, 0], [2, 1]]], shorten_mm: 1e-300}\nhinge: "
+        "{model: elastic}",
+        "drive: {kind: shape_memory, angle_deg: 179.9, k_turn: 1e20}\nhinge: {model: elastic}",
+        "drive: {kind: shape_memory, angle_deg: 1e-300, k_turn: 1e-30}\nhinge: {model: elastic}",
         "drive: {kind: plates, compression: 0.2}\nhinge: {model: elastic, k_turn: 1e30, k_point: 1e-28}",
         "drive: {kind: plates, compression: 0.2}\nhinge: {model: elastic, k_turn: 1e-30, k_point: 1e28}"}) {
     const Scratch scratch;

@@ -34,7 +34,8 @@ std::vector<int> across_row(const Structure& s, int row, int columns) {
 /// A cord that goes up, across and back, through a hinge twice.
 std::vector<int> winding(const Structure& s) {
   const auto at = [&](int i, int j, Axis axis) { return *s.hinge_at({{i, j}, axis}); };
-  return {at(0, 0, Axis::x), at(1, 0, Axis::y), at(0, 1, Axis::x), at(2, 1, Axis::y), at(1, 0, Axis::y), at(2, 2, Axis::x)};
+  return {at(0, 0, Axis::x), at(1, 0, Axis::y), at(0, 1, Axis::x),
+          at(2, 1, Axis::y), at(1, 0, Axis::y), at(2, 2, Axis::x)};
 }
 
 Structure basic_sheet(int columns, int rows) { return make_sheet(columns, rows, {10, 0.8, 6}); }
@@ -66,7 +67,8 @@ TEST(CordElement, HasTheCentralDifferencesOfItsLengthAsDerivatives) {
       expect_jacobian(length, zeros(state), gradient.transpose());
       // Of the gradient along the twists: by second differences of the length, since turns do not add up.
       const auto along = [&](const VectorXd& x) -> VectorXd {
-        return numeric_jacobian([&](const VectorXd& y) { return length(x + y); }, zeros(state), 3e-3).transpose();
+        return numeric_jacobian([&](const VectorXd& y) { return length(x + y); }, zeros(state), 3e-3)
+            .transpose();
       };
       expect_jacobian(along, zeros(state), spread(cord, state.size()), 1e-5, 3e-3);
     }
@@ -116,7 +118,9 @@ TEST(ShapeMemory, LoadIsTheDerivativeOfTheEnergyByTheDriveAndTheirsByTheStateAre
   const auto by_theta = [&](const VectorXd& x) { return VectorXd::Constant(1, system.energy(state, x[0])); };
   expect_jacobian(by_theta, VectorXd::Constant(1, 0.3),
                   VectorXd::Constant(1, system.load(state, 0.3) * system.drive_rate(0.3)));
-  const auto load = [&](const VectorXd& x) { return VectorXd::Constant(1, system.load(moved(s, state, x), 0.3)); };
+  const auto load = [&](const VectorXd& x) {
+    return VectorXd::Constant(1, system.load(moved(s, state, x), 0.3));
+  };
   expect_jacobian(load, zeros(state), system.spring_gradient(state).transpose());
 }
 
@@ -138,7 +142,7 @@ TEST(ShapeMemory, FoldsAnExactSheetAsFarAsTheHingesYield) {
   EXPECT_NEAR(last.drive, angle, 1e-12);
   EXPECT_NEAR(last.energy, hinges * k * angle * angle / 2, 1e-9 * last.energy);
   EXPECT_NEAR(last.load, hinges * k * angle, 1e-9 * last.load);
-  EXPECT_NEAR(path.spring_energy, hinges * k_spring / 2 * std::pow(angle - turn, 2), 1e-9 * last.energy);
+  EXPECT_NEAR(last.springs, hinges * k_spring / 2 * std::pow(angle - turn, 2), 1e-9 * last.energy);
   EXPECT_TRUE(path.events.empty());
 }
 
@@ -178,7 +182,8 @@ TEST(Cord, FoldsAnExactSheetByTheTensionThatDoesTheWork) {
 TEST(Cord, AcrossAnOddNumberOfCellsPullsToTheSideThatIsShorter) {
   const Structure s = basic_sheet(1, 2);
   const double theta = 20 * degree, L = s.size.edge_mm;
-  const LinkageDrive drive = cord_drive(s, across_row(s, 0, 1), L * (1 - std::cos(theta) + std::sin(theta)), 1);
+  const LinkageDrive drive =
+      cord_drive(s, across_row(s, 0, 1), L * (1 - std::cos(theta) + std::sin(theta)), 1);
   const ExactMotion exact = exact_motion(s);
   const double found = exact.theta_of(drive);
   EXPECT_NEAR(std::abs(found), theta, 1e-9);
@@ -197,7 +202,8 @@ TEST(Cord, WorkOfTheTensionIsTheEnergyOfASheetThatStrains) {
   EXPECT_EQ(path.stop, Stop::reached) << path.why;
   double work = path.steps[1].energy;
   for (std::size_t k = 2; k < path.steps.size(); ++k)
-    work += (path.steps[k].drive - path.steps[k - 1].drive) * (path.steps[k].load + path.steps[k - 1].load) / 2;
+    work +=
+        (path.steps[k].drive - path.steps[k - 1].drive) * (path.steps[k].load + path.steps[k - 1].load) / 2;
   EXPECT_NEAR(work, path.steps.back().energy, 5e-3 * work);
 }
 
@@ -219,6 +225,49 @@ TEST(Cord, ThatWouldHaveToPushIsSaidToGoSlack) {
   ASSERT_NE(slack, nullptr);
   EXPECT_LT(slack->at.load, 0);
   EXPECT_GT(slack->at.drive, 8);
+}
+
+/// Over the barrier of a cell that twists, whoever takes it there.
+TEST(Drives, OfAllKindsFindTheSameStableStatesAndBarrier) {
+  CellTuple twist;
+  twist.A_in = {pi / 2, twist_alpha, pi / 2, twist_alpha};
+  const Structure s = tiled(1, 1, twist, {}, {20, 0.4, 8});
+  Elasticity soft;
+  soft.k_turn = 1e-3;
+  StableStateOptions options;
+  options.path = without_contact();  // walls in contact make several minima of the one
+  const LinkageDrive hinge = testing::hinge_drive({{0, 0}, Axis::y}, -40 * degree).on(s);
+  const StableStates by_hinge = find_stable_states({{s, hinge, {}}}, soft, options);
+  ASSERT_EQ(by_hinge.states.size(), 2u);
+  ASSERT_EQ(by_hinge.barriers.size(), 1u);
+  const LinkageDrive cord = cord_drive(s, across_row(s, 0, 1), 14);
+  const LinkageDrive springs = shape_memory_drive(s, {}, 100, -90 * degree);
+  for (const LinkageDrive& drive : {cord, springs}) {
+    const StableStates found = find_stable_states({{s, drive, {}}}, soft, options);
+    SCOPED_TRACE(drive.coordinate_unit());
+    ASSERT_EQ(found.states.size(), 2u);
+    ASSERT_EQ(found.barriers.size(), 1u);
+    // Of springs, the highest state on the way counts: one or another of them.
+    const double exactness = drive.heats_springs() ? 0.01 : 1e-6;
+    EXPECT_NEAR(found.barriers[0].energy, by_hinge.barriers[0].energy,
+                exactness * by_hinge.barriers[0].energy);
+    EXPECT_NEAR(found.states[1].energy, by_hinge.states[1].energy, 1e-6 * by_hinge.states[1].energy);
+    EXPECT_LE(aligned_distance(s, found.states[1].state, by_hinge.states[1].state).rms, 1e-6);
+  }
+}
+
+/// Soft springs let go of a cell that twists: at some heat it snaps through, and is said to.
+TEST(ShapeMemory, SnapsThroughWhereItsSpringsAreSoft) {
+  CellTuple twist;
+  twist.A_in = {pi / 2, twist_alpha, pi / 2, twist_alpha};
+  const Structure s = tiled(1, 1, twist, {}, {20, 0.4, 8});
+  Elasticity soft;
+  soft.k_turn = 1e-3;
+  const LinkageDrive drive = shape_memory_drive(s, {}, 20, -90 * degree);
+  const EquilibriumPath path = trace_equilibrium({s, drive, {}}, soft, without_contact());
+  EXPECT_EQ(path.stop, Stop::reached) << path.why;
+  EXPECT_NE(first_event(path, PathEvent::Kind::snap), nullptr);
+  EXPECT_NEAR(mean_theta(s, path.state), -45 * degree, 1 * degree);
 }
 
 TEST(Cord, ThatNothingShortensIsRefused) {
@@ -355,7 +404,9 @@ void expect_adjoint(const Held& b) {
   const VectorXd zero = VectorXd::Zero(4 * hinges + 4);
   const Eigen::MatrixXd numeric =
       numeric_jacobian([&](const VectorXd& q) { return values(changed(b, q)); }, zero, 1e-3);
-  EXPECT_LE(relative_difference_by_groups(by_adjoint(b), numeric, {hinges, hinges, hinges, hinges, 1, 1, 1, 1}), 1e-6);
+  EXPECT_LE(
+      relative_difference_by_groups(by_adjoint(b), numeric, {hinges, hinges, hinges, hinges, 1, 1, 1, 1}),
+      1e-6);
 }
 
 TEST(CordAdjoint, IsTheCentralDifferenceOfEquilibriaFoundAnew) {
@@ -382,7 +433,8 @@ TEST(ShapeMemoryAdjoint, IsTheCentralDifferenceOfEquilibriaFoundAnew) {
       return values(at);
     };
     const VectorXd numeric = numeric_jacobian(by_k, VectorXd::Constant(1, 50), 0.1).col(0);
-    for (int k = 0; k < 3; ++k) EXPECT_NEAR(by_spring[k], numeric[k], 1e-6 * std::abs(numeric[k]) + 1e-9) << k;
+    for (int k = 0; k < 3; ++k)
+      EXPECT_NEAR(by_spring[k], numeric[k], 1e-6 * std::abs(numeric[k]) + 1e-9) << k;
   }
 }
 
