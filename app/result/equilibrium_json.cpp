@@ -69,16 +69,14 @@ Json equilibrium_json(const Equilibrium& equilibrium) {
   Json steps = Json::array(), events = Json::array(), energies = Json::array();
   Json stiffness = {
       {"k_point", e.k_point}, {"k_turn", e.k_turn}, {"reach_mm", e.reach_mm}, {"k_contact", e.k_contact}};
-  if (e.each.empty() && !e.ratios.are_one()) {
-    const model::HingeStiffness k = stiffness_of(e);
-    stiffness.update({{"axial", k.axial}, {"shear", k.shear}, {"along", k.along}});
-  }
+  if (e.each.empty()) add_directions(e, stiffness);
   for (const model::EquilibriumStep& step : path.steps) steps.push_back(step_json(step, equilibrium.drive));
   for (const model::PathEvent& event : path.events) events.push_back(event_json(event));
   for (const model::HingeEnergy& energy : path.hinge_energies)
     energies.push_back({{"stretch", energy.stretch}, {"turn", energy.turn}});
   Json json = {{"stop", to_string(path.stop)},
                {"why", path.why},
+               {"effort", effort_of(equilibrium)},
                {"planar", path.planar},
                {"goal_rad", equilibrium.drive.theta()},
                {"iterations", path.iterations},
