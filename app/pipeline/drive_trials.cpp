@@ -87,7 +87,9 @@ DriveTrials try_drives(const DesignFile& design, const Progress& progress) {
   for (const model::TrialDrive& drive : drives) {
     if (progress)
       progress("drives", static_cast<double>(out.trials.size()) / static_cast<double>(drives.size()));
-    DriveTrial& trial = out.trials.emplace_back(DriveTrial{.name = drive.name, .why_not = drive.why_not});
+    DriveTrial& trial = out.trials.emplace_back();
+    trial.name = drive.name;
+    trial.why_not = drive.why_not;
     if (!drive.drive) continue;
     trial.drive = *drive.drive;
     follow(out.theta, linkage, exact, elasticity, trial);
