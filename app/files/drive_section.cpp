@@ -135,6 +135,7 @@ std::vector<int> read_walls(const targets::Node& node, const model::Sheet& struc
   const WallReader walls(structure);
   std::vector<int> hinges;
   for (const targets::Node& wall : node.list("a list of walls")) hinges.push_back(walls.hinge_of(wall));
+  if (hinges.empty()) throw node.error("names no wall; allowed: at least one");
   return hinges;
 }
 

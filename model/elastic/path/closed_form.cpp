@@ -87,7 +87,7 @@ bool ClosedForm::is_near(const State& state, double theta) const {
 }
 
 bool ClosedForm::is_mirrored(const State& state, double theta) const {
-  if (system_.drive().kind != LinkageDrive::Kind::plates || system_.drive().grips_part) return false;
+  if (system_.driven_hinge() >= 0 || system_.drive().grips_part) return false;
   const auto from_mirror = distance(state, -theta);
   return from_mirror && *from_mirror <= near_closed_form && *from_mirror < *distance(state, theta);
 }

@@ -21,7 +21,7 @@ class ClosedForm {
   std::optional<double> distance(const State& state, double theta) const;
   /// Whether that is at most 0.01 rad. @return false where there is no closed form
   bool is_near(const State& state, double theta) const;
-  /// Whether a sheet between plates, which force it to one side as little as to the other, lies on the closed
+  /// Whether a sheet between plates or on a cord, which force it to one side as little as to the other, lies on the closed
   /// form of the side that theta does not ask for.
   bool is_mirrored(const State& state, double theta) const;
 

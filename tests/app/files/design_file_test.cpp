@@ -431,7 +431,7 @@ TEST(DesignFile, SaysWhereAndWhatIsAllowed) {
        3,
        62,
        "drive.walls",
-       {}},
+       {"at least one"}},
       {strip + "drive: {kind: shape_memory, angle_deg: 40, k_turn: 5, walls: [[[0, 0], [0, 1]], [[0, 0], [0, "
                "1]]]}\n",
        3,

@@ -15,6 +15,8 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using Json = nlohmann::json;
 
+const double degree = std::acos(-1) / 180;  // rad, so that angles below read in degrees
+
 // Small and planar, so that it is quick.
 constexpr const char* panel = R"(kinetix: 1
 name: panel
@@ -222,7 +224,7 @@ TEST(Equilibrium, OfShapeMemoryStopsWhereMomentsAreEqualAndAgreesWithThePhysicsR
   EXPECT_EQ(run.code, 0) << run.err;
   const Json result = Json::parse(run.out);
   EXPECT_EQ(schema_errors(result), "");
-  const double angle = 60 * radians_per_degree, hinges = 17;
+  const double angle = 60 * degree, hinges = 17;
   EXPECT_NEAR(result["metrics"]["theta_rad"], angle / 2 * 5 / 6, 1e-9);
   EXPECT_NEAR(result["metrics"]["energy_Nmm"], hinges * 5.0 / 6 * angle * angle / 2, 1e-6);
   EXPECT_NEAR(result["metrics"]["load_Nmm"], hinges * 5.0 / 6 * angle, 1e-6);
@@ -254,8 +256,7 @@ TEST(Equilibrium, TriesDrivesToTheSameThetaAndSaysWhichNeedsTheLeastForce) {
   const Outcome run = kinetix_opt(command + "--json -o " + scratch.path());
   const Json found = Json::parse(run.out);
   EXPECT_EQ(found, Json::parse(text_of(scratch / "drives.json")));
-  const double theta = 25 * radians_per_degree, hinges = 40,
-               energy = hinges * 0.5 * 0.1 * std::pow(2 * theta, 2);
+  const double theta = 25 * degree, hinges = 40, energy = hinges * 0.5 * 0.1 * std::pow(2 * theta, 2);
   ASSERT_EQ(found["drives"].size(), 6u);
   for (const Json& drive : found["drives"]) {
     EXPECT_EQ(drive["at_goal"], true) << drive;
