@@ -67,6 +67,7 @@ TEST(MadeHinges, FoldAPanelWithTheStiffnessOfTheirShape) {
 TEST(MadeHinges, OfEveryKindAgreeWithThePhysicsRun) {
   for (const char* hinge : {"kind: film, material: pp, gap_mm: 3, thickness_mm: 0.4",
                             "kind: pin, diameter_mm: 2, clearance_mm: 0.2",
+                            "kind: pin, diameter_mm: 1, clearance_mm: 0.1, play: true",
                             "k: {axial: 6.7, shear: 1.1, along: 1.6, turn: 0.33}, reach_mm: 1.73",
                             "k: {axial: 6.7, shear: 1.1, along: 1.6, turn: 0.33, rock: 18, twist: 5}"}) {
     SCOPED_TRACE(hinge);
