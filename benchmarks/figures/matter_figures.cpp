@@ -12,7 +12,7 @@
 namespace kinetix::bench {
 namespace {
 
-constexpr int prints = 2000;       // that confirm what first order says
+constexpr int prints = 2000;        // that confirm what first order says
 constexpr int helmet_prints = 200;  // of 844 bodies each: the rms of so many is known to 5 %
 
 const std::string springs = "drive: {kind: shape_memory, k_turn: 5}\n",
@@ -29,13 +29,16 @@ app::Run run_of(const std::string& text, int count, bool verify) {
   return run_scene(*app::read_target(root).goal, options);
 }
 
-const std::string rib = "target: {kind: curve, points: helmet_rib.csv}\n",
-                  cube = "target: {kind: fold, box: [4, 4, 4]}\ntolerance: {angle_deg: 1}\n",
-                  head = "target: {kind: helmet, mesh: headform.obj, ribs: 8, coverage_mm: 90, clearance_mm: 5}\n"
-                         "structure: {cell_mm: 6}\n",
-                  soft_t = "target: {kind: display, glyph: T}\n"
-                           "structure: {cells: [10, 10], cell_mm: 20, wall_mm: {thickness: 2, height: 8}}\n"
-                           "hinge: {kind: block, material: tango, gap_mm: 2, thickness_mm: 1.2}\n";
+const std::string
+    rib = "target: {kind: curve, points: helmet_rib.csv}\n",
+    cube = "target: {kind: fold, box: [4, 4, 4]}\ntolerance: {angle_deg: 1}\n",
+    head =
+        "target: {kind: helmet, mesh: headform.obj, ribs: 8, coverage_mm: 90, clearance_mm: 5}\n"
+        "structure: {cell_mm: 6}\n",
+    soft_t =
+        "target: {kind: display, glyph: T}\n"
+        "structure: {cells: [10, 10], cell_mm: 20, wall_mm: {thickness: 2, height: 8}}\n"
+        "hinge: {kind: block, material: tango, gap_mm: 2, thickness_mm: 1.2}\n";
 
 /// What first order says of prints over what they come to, less 1.
 double off_by(double said, double seen) { return std::abs(said / seen - 1); }
@@ -45,17 +48,19 @@ Figure confirmed(const std::string& what, const std::string& text, int count) {
   if (!run.printed || !run.printed->runs) return {what, "within 10 %", "not known", false};
   const model::AsMade& made = run.printed->made;
   const model::PrintRuns& seen = *run.printed->runs;
-  return {what, "within 10 %",
-          fmt::format("rms {:.3f} mm to first order, {:.3f} mm in {} prints ({:.1f} %); 95 of 100 within {:.3f} "
-                      "and {:.3f} mm",
-                      made.rms_mm, seen.rms_mm, seen.prints, 100 * off_by(made.rms_mm, seen.rms_mm), made.p95_mm,
-                      seen.p95_mm),
-          seen.failed == 0 && off_by(made.rms_mm, seen.rms_mm) <= 0.1};
+  return {
+      what, "within 10 %",
+      fmt::format("rms {:.3f} mm to first order, {:.3f} mm in {} prints ({:.1f} %); 95 of 100 within {:.3f} "
+                  "and {:.3f} mm",
+                  made.rms_mm, seen.rms_mm, seen.prints, 100 * off_by(made.rms_mm, seen.rms_mm), made.p95_mm,
+                  seen.p95_mm),
+      seen.failed == 0 && off_by(made.rms_mm, seen.rms_mm) <= 0.1};
 }
 
 std::vector<Figure> first_order() {
   std::vector<Figure> figures = {
-      confirmed("as made, helmet rib of 40 columns, rubber hinges and springs of shape memory: first order against prints",
+      confirmed("as made, helmet rib of 40 columns, rubber hinges and springs of shape memory: first order "
+                "against prints",
                 rib + rubber + springs, prints),
       confirmed("the same of the cube of 4 x 4 x 4 cells", cube + rubber + springs, prints),
       confirmed("the same of the helmet of 844 bodies", head + rubber + springs, helmet_prints)};
@@ -63,11 +68,12 @@ std::vector<Figure> first_order() {
   const auto& printed = app::outcome_of<app::DisplayOutcome>(run).printed;
   figures.push_back(
       {"the same of a letter T, 10 x 10 cells: contrast", "within 10 %",
-       fmt::format("{:.2f} to first order, {:.2f} in {} prints; above {:.2f} and {:.2f} in 95 of 100; auc {:.3f} "
-                   "and {:.3f}",
-                   printed->expected.contrast, printed->seen.contrast, printed->prints,
-                   printed->expected.contrast_p95, printed->seen.contrast_p95, printed->expected.auc,
-                   printed->seen.auc),
+       fmt::format(
+           "{:.2f} to first order, {:.2f} in {} prints; above {:.2f} and {:.2f} in 95 of 100; auc {:.3f} "
+           "and {:.3f}",
+           printed->expected.contrast, printed->seen.contrast, printed->prints,
+           printed->expected.contrast_p95, printed->seen.contrast_p95, printed->expected.auc,
+           printed->seen.auc),
        printed->failed == 0 && off_by(printed->expected.contrast, printed->seen.contrast) <= 0.1 &&
            off_by(printed->expected.contrast_p95, printed->seen.contrast_p95) <= 0.1});
   return figures;
@@ -84,18 +90,20 @@ std::vector<Figure> compensation() {
   const app::MatterResult& m = *soft.matter;
   const app::Run robust = run_of(rib + rubber + springs + "robust: true\n", 0, true);
   const double plain = soft.printed->made.rms_mm, better = robust.printed->made.rms_mm;
-  return {{"helmet rib of rubber hinges and springs of shape memory: error of the equilibrium, before and after",
-           ">= 10 times smaller, or within tolerance",
-           fmt::format("{:.3g} mm, {:.3g} mm ({:.0f} times), {:.3g} mm allowed; physics run within {:.1e} cell edges",
-                       m.before_mm, m.after_mm, m.before_mm / m.after_mm, m.tolerance_mm,
-                       soft.verification->distance.rms),
-           soft.goal->met() && soft.verification->agrees && m.after_mm * 10 <= m.before_mm},
-          {"the same, what prints come to: time of the whole run", "<= 20 %",
-           fmt::format("{:.1f} %, with twenty prints", 100 * share_of_time(soft)), share_of_time(soft) <= 0.2},
-          {"the same, robust: as made against the plain search, design within tolerance", "<= 0.5",
-           fmt::format("{:.3f} mm, {:.3f} mm ({:.2f}); design {:.3f} mm off in matter; search {:.1f} s", better, plain,
-                       better / plain, robust.matter->after_mm, robust.timings.optimise),
-           robust.goal->met() && robust.verification->agrees && better <= 0.5 * plain}};
+  return {
+      {"helmet rib of rubber hinges and springs of shape memory: error of the equilibrium, before and after",
+       ">= 10 times smaller, or within tolerance",
+       fmt::format(
+           "{:.3g} mm, {:.3g} mm ({:.0f} times), {:.3g} mm allowed; physics run within {:.1e} cell edges",
+           m.before_mm, m.after_mm, m.before_mm / m.after_mm, m.tolerance_mm,
+           soft.verification->distance.rms),
+       soft.goal->met() && soft.verification->agrees && m.after_mm * 10 <= m.before_mm},
+      {"the same, what prints come to: time of the whole run", "<= 20 %",
+       fmt::format("{:.1f} %, with twenty prints", 100 * share_of_time(soft)), share_of_time(soft) <= 0.2},
+      {"the same, robust: as made against the plain search, design within tolerance", "<= 0.5",
+       fmt::format("{:.3f} mm, {:.3f} mm ({:.2f}); design {:.3f} mm off in matter; search {:.1f} s", better,
+                   plain, better / plain, robust.matter->after_mm, robust.timings.optimise),
+       robust.goal->met() && robust.verification->agrees && better <= 0.5 * plain}};
 }
 
 std::vector<Figure> limits() {
@@ -103,9 +111,10 @@ std::vector<Figure> limits() {
   const auto& display = app::outcome_of<app::DisplayOutcome>(run);
   const app::PanelLoads& loads = *display.loads;
   const std::string without =
-      display.unlimited ? fmt::format("; without limits {:.1f} N, strain {:.2f}, auc {:.3f}", display.unlimited->force_N,
-                                      display.unlimited->strain, display.unlimited->auc)
-                        : std::string("; limits cost nothing");
+      display.unlimited
+          ? fmt::format("; without limits {:.1f} N, strain {:.2f}, auc {:.3f}", display.unlimited->force_N,
+                        display.unlimited->strain, display.unlimited->auc)
+          : std::string("; limits cost nothing");
   const double seen = display.physics ? display.physics->score.auc : 0;
   return {{"letter T, 10 x 10 cells of 20 mm, rubber blocks of 2 x 1.2 mm, at most 50 N and strain 0.3",
            "auc >= 0.98 in model and physics run",
