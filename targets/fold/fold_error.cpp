@@ -129,11 +129,11 @@ int open_crease(const FoldNet& net, const NetLayout& layout) {
   return -1;
 }
 
-std::vector<IdealVertex> ideal_vertices(const FoldNet& net, const NetLayout& layout,
-                                        const model::Structure& structure, const model::State& state,
-                                        double theta) {
+std::vector<IdealPoint> ideal_vertices(const FoldNet& net, const NetLayout& layout,
+                                       const model::Structure& structure, const model::State& state,
+                                       double theta) {
   const std::vector<Matrix3Xd> ideal = ideal_faces(net, layout, structure.size.edge_mm * std::cos(theta));
-  std::vector<IdealVertex> vertices;
+  std::vector<IdealPoint> vertices;
   for (std::size_t f = 0; f < ideal.size(); ++f) {
     const std::vector<int> bodies = bodies_of(layout.faces[f], structure);
     for (std::size_t k = 0; k < bodies.size(); ++k)
@@ -145,7 +145,7 @@ std::vector<IdealVertex> ideal_vertices(const FoldNet& net, const NetLayout& lay
     to.col(static_cast<Eigen::Index>(k)) = state[vertices[k].body].p;
   }
   const Eigen::Matrix4d motion = Eigen::umeyama(from, to, false);
-  for (IdealVertex& v : vertices)
+  for (IdealPoint& v : vertices)
     v.place = motion.topLeftCorner<3, 3>() * v.place + motion.topRightCorner<3, 1>();
   return vertices;
 }

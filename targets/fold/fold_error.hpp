@@ -29,16 +29,16 @@ struct FoldError {
 };
 
 /// Where a vertex of a face would be on the ideal solid, mm.
-struct IdealVertex {
+struct IdealPoint {
   int body = 0;
   Eigen::Vector3d place = Eigen::Vector3d::Zero();
 };
 
 /// The ideal solid laid over a state by the best proper rigid motion of all faces together.
 /// @param theta fold parameter, rad, which gives the pitch of the ideal faces   @pre the state is finite
-std::vector<IdealVertex> ideal_vertices(const FoldNet& net, const NetLayout& layout,
-                                        const model::Structure& structure, const model::State& state,
-                                        double theta);
+std::vector<IdealPoint> ideal_vertices(const FoldNet& net, const NetLayout& layout,
+                                       const model::Structure& structure, const model::State& state,
+                                       double theta);
 
 /// The solid is aligned with all faces together by a proper rigid motion. NaN in the state gives NaN.
 /// @param theta fold parameter, rad, which gives the pitch of the ideal faces

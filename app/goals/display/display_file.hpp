@@ -63,7 +63,7 @@ struct DisplayFile {
   double contrast = 3;    ///< tolerance.contrast: least d', dimensionless, of goals with two levels, >= 0
   std::optional<double> force_N = {};  ///< tolerance.force_N: most on the plates, N, > 0
   std::optional<double> most_strain =
-      {};                ///< tolerance.strain: of a made hinge, (0, 10]; its material's by default
+      {};                ///< tolerance.strain: of a made hinge, ratio, (0, 10]; its material's by default
   double verify = 0.05;  ///< tolerance.verify: of verify_rms, cell edges, (0, 1]
   HingeSection hinge = {};
   model::Process process = model::processes().front();

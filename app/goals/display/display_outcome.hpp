@@ -34,8 +34,9 @@ struct PanelLoads {
   bool reached = false;    ///< whether there is an equilibrium
   double compression = 0;  ///< fraction of the plates' distance
   double force_N = 0;      ///< largest on the way
-  double strain = 0;       ///< largest of a hinge that is made as a block or film
-  double auc = 0, contrast = 0;
+  double strain = 0;       ///< largest of a hinge that is made as a block or film, ratio
+  double auc = 0;          ///< ratio, [0, 1]
+  double contrast = 0;     ///< d', dimensionless
 };
 
 /// What prints of a panel show.

@@ -76,7 +76,7 @@ class FoldScene final : public Scene {
       sides += (face.width + face.height) / 2.0 / static_cast<double>(net.layout.faces.size());
     const double weight = std::sqrt(3.0);  // the rms is that of vertices in space, not of their coordinates
     Judged out{{}, file_.shape_tolerance * sides * sheet.size().edge_mm * std::cos(theta)};
-    for (const targets::IdealVertex& v : ideal_vertices(net.net, net.layout, *sheet.squares(), state, theta))
+    for (const targets::IdealPoint& v : ideal_vertices(net.net, net.layout, *sheet.squares(), state, theta))
       for (int k = 0; k < 3; ++k)
         out.points.push_back({{v.body},
                               state[v.body].p,

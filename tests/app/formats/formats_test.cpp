@@ -93,7 +93,7 @@ TEST(FileSchema, RefusesWhatTheProgramRefuses) {
       {"target", "kinetix: 1\ntarget: {kind: outline, points: [[0, 0], [1, 0]], structure: {cells: [2]}}"},
       {"target", "kinetix: 1\ntarget: {points: [[0, 0], [1, 1]]}"},
       {"target", "kinetix: 1\n" + curve + "\nsomething: 1"},
-      {"target", "kinetix: 1\n" + curve + "\nhinge: {k_turn: 1}"},
+      {"target", "kinetix: 1\n" + curve + "\nhinge: {k_turn: -1}"},
       {"target", "kinetix: 1\n" + curve + "\ntolerance: {shape: 2}"},
       {"target", "kinetix: 1\n" + curve + "\ntolerance: {shape: \"0.1\"}"},
       {"target", "kinetix: 1\n" + curve + "\nsolver: {starts: 1.5}"},
@@ -149,7 +149,6 @@ std::vector<Json> files_of(const std::string& list) {
     file["factors"] = Json::array({Json::parse(factor)});
     return file;
   };
-  if (list == "target curve") return {target(R"({"kind": "curve", "points": [[0, 0], [60, 0], [60, 40]]})")};
   Json image = target(R"({"kind": "display"})");
   image["target"]["image"] = image_file();
   // Hinges by directions, and as made, of the whole and of a single wall.
@@ -162,6 +161,21 @@ std::vector<Json> files_of(const std::string& list) {
     if (file.contains("design")) file["design"]["hinges"][0]["hinge"] = hinge;
     return file;
   };
+  // A goal by itself, with each kind of hinge, and moved by springs.
+  const auto made = [&](const Json& goal) {
+    Json heated = goal;
+    heated["drive"] = {{"kind", "shape_memory"}, {"k_turn", 1}};
+    return std::vector<Json>{goal, hinged(goal, framed), hinged(goal, block), hinged(goal, pin), heated};
+  };
+  if (list == "target curve") {
+    // Without and with cells so large that they can be printed, and have pins.
+    Json curve = target(R"({"kind": "curve", "points": [[0, 0], [60, 0], [60, 40]]})");
+    const Json small = curve;
+    curve["structure"] = {{"cell_mm", 10}};
+    std::vector<Json> curves = made(curve);
+    curves.push_back(small);
+    return curves;
+  }
   const Json letter = target(R"({"kind": "display", "glyph": "T"})");
   if (list == "target display")
     return {hinged(letter, framed),
@@ -176,17 +190,19 @@ std::vector<Json> files_of(const std::string& list) {
                  {"target", Json::parse(R"({"kind": "display", "glyph": "T"})")},
                  {"drive", {{"kind", "hinge"}}}},
             target(R"({"kind": "display", "rows": ["0110", "0110", "0000"]})")};
-  if (list == "target fold")
-    return {target(R"({"kind": "fold", "box": [2, 2, 2]})"),
-            target(R"({"kind": "fold", "net": {"faces": [{"name": "a", "cells": [2, 2]},
+  if (list == "target fold") {
+    std::vector<Json> folds = made(target(R"({"kind": "fold", "box": [2, 2, 2]})"));
+    folds.push_back(target(R"({"kind": "fold", "net": {"faces": [{"name": "a", "cells": [2, 2]},
                        {"name": "b", "cells": [2, 2]}],
-                       "creases": [{"faces": ["a", "b"], "side": "top", "angle_deg": 90}]}})")};
+                       "creases": [{"faces": ["a", "b"], "side": "top", "angle_deg": 90}]}})"));
+    return folds;
+  }
   if (list == "target outline")
     return {target(R"({"kind": "outline", "points": [[0, 0], [60, 0], [60, 40]]})"),
             Json{{"kinetix", 1},
                  {"target", Json::parse(R"({"kind": "outline", "points": [[0, 0], [60, 0], [60, 40]]})")},
                  {"structure", {{"lattice", "rhombus"}}}}};
-  if (list == "target helmet") return {target(R"({"kind": "helmet", "mesh": "headform.obj"})")};
+  if (list == "target helmet") return made(target(R"({"kind": "helmet", "mesh": "headform.obj"})"));
   if (list == "doe")
     return {sweep(R"({"path": [{"path": "a"}], "range": [0, 1]})"),
             sweep(R"({"path": {"path": "a"}, "range": [0, 1]})"),

@@ -60,7 +60,9 @@ TEST(MadeHinges, FoldAPanelWithTheStiffnessOfTheirShape) {
   EXPECT_LE(s.result["metrics"]["verify_rms"], 1e-4);
   const double theta = 20 * radians_per_degree, springs = 31 * 2 * k.turn * theta * theta;
   EXPECT_NEAR(s.result["metrics"]["energy_Nmm"], springs, 0.1 * springs);
-  EXPECT_NEAR(s.result["metrics"]["strain_max"], strain(block, 2 * theta), 0.05);
+  // Bending, and at most as much again by what plates pull the blocks apart.
+  EXPECT_GE(s.result["metrics"]["strain_max"], strain(block, 2 * theta) - 0.02);
+  EXPECT_LE(s.result["metrics"]["strain_max"], 2 * strain(block, 2 * theta));
   EXPECT_THAT(s.out, Not(HasSubstr("STRAINED")));
 }
 

@@ -10,6 +10,7 @@
 namespace kinetix::optim {
 namespace {
 
+// Counts: enough that one cell or error alone does not decide.
 constexpr int cells = 60, errors = 40;
 
 struct Panel {

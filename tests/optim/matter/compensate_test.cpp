@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double theta = 0.5;  // rad
+constexpr double theta = 0.5;  // rad: so far that what springs hold back is easily seen
 
 /// A strip of one row whose columns bend alike, by the tilts of their walls along x.
 model::Sheet bent_strip(int columns, double tilt) {
