@@ -16,8 +16,11 @@ constexpr int most_bodies_to_confirm = 400;  // beyond, they take longer than th
 // Cell edges, rms: an equilibrium further from the state of the design is another one.
 constexpr double near_design = 2;
 
-/// A pin rests anywhere in its bore: evenly within the clearance, along the wall as across it.
-double play_sd(const HingeSection& hinge) { return hinge.made ? play_mm(*hinge.made) / std::sqrt(3.0) : 0; }
+/// A pin rests anywhere in its bore: evenly within the clearance, along the wall as across it. Where the equilibrium
+/// itself has that play, it is not counted again.
+double play_sd(const HingeSection& hinge) {
+  return hinge.made && !hinge.made->with_play ? play_mm(*hinge.made) / std::sqrt(3.0) : 0;
+}
 
 }  // namespace
 
