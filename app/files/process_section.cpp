@@ -78,11 +78,11 @@ model::Process read_process(const targets::Section& root, const model::CellSize&
   const model::Process process = read_process(root);
   const auto node = root.optional("process");
   if (!node) return process;
-  const auto problems = print_problems(process, size, made.value_or(model::MadeHinge{}));
+  const auto problems = print_problems(process, size, made);
   if (problems.empty()) return process;
   throw node->error(problems.front().what +
                     fmt::format("; with the same proportions a cell_mm of {:.3g} could be",
-                                least_cell_mm(process, size, made.value_or(model::MadeHinge{}))));
+                                least_cell_mm(process, size, made)));
 }
 
 }  // namespace kinetix::app

@@ -9,9 +9,6 @@
 namespace kinetix::app {
 namespace {
 
-// Prints that are brought to their equilibrium in any case: what is true to first order alone may be far off where
-// cells that do not close bulge. Enough to see that, and a fraction of a second of work.
-constexpr int least_prints = 20;
 constexpr int most_bodies_to_confirm = 400;  // beyond, they take longer than the search
 // Cell edges, rms: an equilibrium further from the state of the design is another one.
 constexpr double near_design = 2;
@@ -54,14 +51,10 @@ std::optional<PrintedGoal> expected_of_prints(const Run& run, const model::Linka
   model::TangentStiffness tangent(system.dofs());
   const double theta = drive.theta();
   system.place(theta, state);
-  if (const auto settled = minimise(system, theta, {}, state, tangent); !settled.converged || !settled.stable)
-    return std::nullopt;
+  if (!settle(system, theta, state, tangent)) return std::nullopt;
   if (!(aligned_distance(run.structure, state, design).rms <= near_design)) return std::nullopt;
-  system.linearise(state, theta, tangent);
-  if (!tangent.factorise(0)) return std::nullopt;
   PrintedGoal out;
-  out.can_be_printed =
-      print_problems(run.process, run.structure.size(), run.hinge.made.value_or(model::MadeHinge{})).empty();
+  out.can_be_printed = print_problems(run.process, run.structure.size(), run.hinge.made).empty();
   out.made = as_made(system, elasticity, state, theta, tangent, points, scatter_of(run));
   return out;
 }

@@ -4,6 +4,10 @@
 
 namespace kinetix::app {
 
+/// Prints that are brought to their equilibrium in any case: what is true to first order alone may be far off where
+/// cells that do not close bulge. Enough to see that, and a fraction of a second of work.
+inline constexpr int least_prints = 20;
+
 /// What the run's process, and the play of its pins, do to each hinge.
 model::HingeScatter scatter_of(const Run& run);
 /// A sheet whose hinges are off by so much (model::PrintedLinkage).

@@ -61,8 +61,7 @@ void drive_to(double theta, const model::Linkage& linkage, const model::ExactMot
 void follow(double theta, const model::Linkage& linkage, const model::ExactMotion& exact,
             const model::Elasticity& elasticity, DriveTrial& trial) {
   drive_to(theta, linkage, exact, elasticity, trial);
-  for (const model::EquilibriumStep& step : trial.path.steps)
-    trial.load_peak = std::max(trial.load_peak, std::abs(step.load));
+  trial.load_peak = largest_load(trial.path);
   trial.force_N = trial.drive.has_force() ? trial.load_peak : trial.load_peak / linkage.size.edge_mm;
   trial.work_Nmm = work_along(trial.path, travel_of(linkage, trial.drive));
   for (const model::PathEvent& event : trial.path.events)

@@ -33,12 +33,13 @@ double reach_mm(const HingeSection& hinge, const PhysicsSection& physics, double
 }
 
 sim::PhysicsOptions elastic_physics(const model::Elasticity& elasticity, const PhysicsSection& section,
-                                    double edge_mm, bool planar) {
+                                    double edge_mm, bool planar, double k_spring) {
   sim::PhysicsOptions options = physics_options(section, edge_mm);
   options.elastic = relative(elasticity, edge_mm);
   options.reach = options.elastic->reach;
   options.planar = planar;
   options.settle_residual_motion = settle_residual_motion;
+  options.spring_turn = k_spring / energy_unit(elasticity, edge_mm);
   return options;
 }
 
@@ -78,10 +79,8 @@ model::Elasticity elasticity_of(const DesignFile& design) {
 sim::PhysicsOptions physics_of(const DesignFile& design, bool planar) {
   const double edge = design.structure.size().edge_mm;
   if (design.hinge.model == HingeSection::Model::elastic) {
-    const model::Elasticity elasticity = elasticity_of(design);
-    sim::PhysicsOptions elastic = elastic_physics(elasticity, design.physics, edge, planar);
-    if (design.drive) elastic.spring_turn = design.drive->k_turn / energy_unit(elasticity, edge);
-    return elastic;
+    const double k_spring = design.drive ? design.drive->k_turn : 0;
+    return elastic_physics(elasticity_of(design), design.physics, edge, planar, k_spring);
   }
   sim::PhysicsOptions physics = physics_options(design.physics, edge);
   if (design.hinge.reach_mm || design.hinge.made)

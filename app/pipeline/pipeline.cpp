@@ -30,9 +30,9 @@ std::optional<PhysicsTask> physics_task(const Run& run, const Scene& scene) {
   if (!run.matter || !run.equilibrium) return scene.physics_task(run);
   if (!run.equilibrium->reached()) return std::nullopt;
   const Equilibrium& equilibrium = *run.equilibrium;
-  const double edge = run.structure.size().edge_mm;
-  sim::PhysicsOptions options = elastic_physics(equilibrium.elasticity, run.physics, edge, run.plan.planar);
-  options.spring_turn = run.goal_drive.k_turn / energy_unit(equilibrium.elasticity, edge);
+  const sim::PhysicsOptions options =
+      elastic_physics(equilibrium.elasticity, run.physics, run.structure.size().edge_mm, run.plan.planar,
+                      equilibrium.drive.k_spring);
   return PhysicsTask{equilibrium.path.state, equilibrium.drive, options};
 }
 

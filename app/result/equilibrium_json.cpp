@@ -1,6 +1,5 @@
 #include "app/result/equilibrium_json.hpp"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/result/effort.hpp"
@@ -31,20 +30,6 @@ Json step_json(const model::EquilibriumStep& step, const model::LinkageDrive& dr
 Json event_json(const model::PathEvent& event) {
   return {{"kind", to_string(event.kind)}, {"theta_rad", event.at.theta}, {"since_rad", event.since},
           {"drive", event.at.drive},       {"load", event.at.load},       {"what", event.what}};
-}
-
-/// Its magnitude, N or N mm: what who drives it has to bear.
-double largest_load(const model::EquilibriumPath& path) {
-  double largest = 0;
-  for (const model::EquilibriumStep& step : path.steps)
-    if (!(std::abs(step.load) <= largest)) largest = std::abs(step.load);
-  return largest;
-}
-
-std::string effort_of(const Equilibrium& equilibrium) {
-  if (equilibrium.drive.heats_springs()) return effort_of_springs;
-  const double load = largest_load(equilibrium.path);
-  return equilibrium.drive.has_force() ? effort_of_force(load) : effort_of_moment(load);
 }
 
 /// What hinges have that are more than two springs k_point.

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "app/result/effort.hpp"
-
 #include "app/result/equilibrium_json.hpp"
 
 namespace kinetix::app {
@@ -23,14 +22,9 @@ std::string load_text(const Equilibrium& equilibrium, const model::EquilibriumSt
   return fmt::format("{:.4g} {}", step.load, equilibrium.drive.load_unit());
 }
 
-/// Of the largest load on the way, which who drives it has to bear.
 std::string effort_text(const Equilibrium& equilibrium) {
-  const auto largest =
-      std::max_element(equilibrium.path.steps.begin(), equilibrium.path.steps.end(),
-                       [](const auto& a, const auto& b) { return std::abs(a.load) < std::abs(b.load); });
-  return fmt::format(
-      "{}: a matter for {}", load_text(equilibrium, *largest),
-      equilibrium.drive.has_force() ? effort_of_force(largest->load) : effort_of_moment(largest->load));
+  return fmt::format("{:.4g} {}: a matter for {}", largest_load(equilibrium.path),
+                     equilibrium.drive.load_unit(), effort_of(equilibrium));
 }
 
 std::string drive_text(const Equilibrium& equilibrium, const model::EquilibriumStep& step) {

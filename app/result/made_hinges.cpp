@@ -72,6 +72,14 @@ const Turned* worst(const std::vector<Turned>& all, const Value& value) {
   return at != all.end() && value(*at) > 1 ? &*at : nullptr;
 }
 
+/// What the process cannot print of the sheet, of which a goal's process is known.
+void add_print_lines(const Run& run, std::vector<std::pair<std::string, std::string>>& lines) {
+  if (!run.goal) return;
+  for (const model::PrintProblem& problem : print_problems(run.process, run.structure.size(), run.hinge.made))
+    lines.emplace_back("PRINT", fmt::format("{}; with the same proportions a cell_mm of {:.3g} could be",
+                                            problem.what, problem.cell_mm));
+}
+
 }  // namespace
 
 std::optional<double> largest_strain(const Run& run) {
@@ -81,19 +89,6 @@ std::optional<double> largest_strain(const Run& run) {
   for (const Turned& t : all) largest = std::max(largest, t.strain);
   return largest;
 }
-
-namespace {
-
-/// What the process cannot print of the sheet, of which a goal's process is known.
-void add_print_lines(const Run& run, std::vector<std::pair<std::string, std::string>>& lines) {
-  if (!run.goal) return;
-  const model::MadeHinge made = run.hinge.made.value_or(model::MadeHinge{});
-  for (const model::PrintProblem& problem : print_problems(run.process, run.structure.size(), made))
-    lines.emplace_back("PRINT", fmt::format("{}; with the same proportions a cell_mm of {:.3g} could be",
-                                            problem.what, problem.cell_mm));
-}
-
-}  // namespace
 
 std::vector<std::pair<std::string, std::string>> made_hinge_lines(const Run& run) {
   std::vector<std::pair<std::string, std::string>> lines;

@@ -200,4 +200,11 @@ NewtonResult minimise(ElasticSystem& system, double theta, const NewtonOptions& 
   return Newton(system, theta, options, state, tangent).run(factorised);
 }
 
+bool settle(ElasticSystem& system, double theta, State& state, TangentStiffness& tangent) {
+  const NewtonResult settled = minimise(system, theta, {}, state, tangent);
+  if (!settled.converged || !settled.stable) return false;
+  system.linearise(state, theta, tangent);
+  return tangent.factorise(0);
+}
+
 }  // namespace kinetix::model

@@ -39,4 +39,8 @@ struct NewtonResult {
 NewtonResult minimise(ElasticSystem& system, double theta, const NewtonOptions& options, State& state,
                       TangentStiffness& tangent, bool factorised = false);
 
+/// Likewise, and makes `tangent` ready for sensitivity(): linearised at the state found and factorised there.
+/// @return false where no stable equilibrium is found
+bool settle(ElasticSystem& system, double theta, State& state, TangentStiffness& tangent);
+
 }  // namespace kinetix::model

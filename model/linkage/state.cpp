@@ -64,20 +64,25 @@ StateDistance aligned_distance(const Linkage& structure, const State& state, con
     const double nan = std::numeric_limits<double>::quiet_NaN();
     return {nan, nan};
   }
-  const Eigen::Matrix4d motion = Eigen::umeyama(from, to, false);
-  const Eigen::Matrix3Xd moved =
-      (motion.topLeftCorner<3, 3>() * from).colwise() + motion.topRightCorner<3, 1>();
+  const Pose motion = motion_onto(state, reference);
+  const Eigen::Matrix3Xd moved = (motion.R * from).colwise() + motion.p;
   const Eigen::VectorXd squared = (moved - to).colwise().squaredNorm();
   const double edge = structure.size.edge_mm;
   return {std::sqrt(squared.mean()) / edge, std::sqrt(squared.maxCoeff()) / edge};
 }
 
-State aligned(const State& state, const State& reference) {
+Pose motion_onto(const State& state, const State& reference) {
   const Eigen::Matrix4d motion = Eigen::umeyama(positions(state), positions(reference), false);
-  const Eigen::Matrix3d turn = motion.topLeftCorner<3, 3>();
-  State out = state;
-  for (Pose& pose : out) pose = {turn * pose.R, turn * pose.p + motion.topRightCorner<3, 1>()};
-  return out;
+  return {motion.topLeftCorner<3, 3>(), motion.topRightCorner<3, 1>()};
+}
+
+State moved(State state, const Pose& motion) {
+  for (Pose& pose : state) pose = {motion.R * pose.R, motion.R * pose.p + motion.p};
+  return state;
+}
+
+State aligned(const State& state, const State& reference) {
+  return moved(state, motion_onto(state, reference));
 }
 
 }  // namespace kinetix::model

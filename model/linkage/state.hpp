@@ -51,7 +51,11 @@ struct StateDistance {
 /// Proper rigid alignment (Umeyama without scaling). NaN in either state gives NaN.
 StateDistance aligned_distance(const Linkage& structure, const State& state, const State& reference);
 
-/// `state` after that rigid motion. @pre both are finite
+/// That rigid motion, x -> R x + p, mm. @pre both are finite
+Pose motion_onto(const State& state, const State& reference);
+/// All bodies of a state, moved by it as one.
+State moved(State state, const Pose& motion);
+/// `state` after its motion onto a reference. @pre both are finite
 State aligned(const State& state, const State& reference);
 
 }  // namespace kinetix::model

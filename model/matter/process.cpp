@@ -85,16 +85,17 @@ void validate(const PrintError& sd) {
   check("clearance_mm", sd.clearance_mm, 10);
 }
 
-std::vector<PrintProblem> print_problems(const Process& p, const CellSize& size, const MadeHinge& hinge) {
+std::vector<PrintProblem> print_problems(const Process& p, const CellSize& size,
+                                         const std::optional<MadeHinge>& hinge) {
   Problems problems(p, size.edge_mm);
   problems.compare("a wall", size.thickness_mm, p.least_wall_mm);
-  if (hinge.kind != HingeKind::pin) return std::move(problems).all();
-  problems.compare("a rod", hinge.diameter_mm, p.least_pin_mm);
-  problems.compare("a clearance", hinge.clearance_mm, p.clearance_mm);
+  if (!hinge || hinge->kind != HingeKind::pin) return std::move(problems).all();
+  problems.compare("a rod", hinge->diameter_mm, p.least_pin_mm);
+  problems.compare("a clearance", hinge->clearance_mm, p.clearance_mm);
   return std::move(problems).all();
 }
 
-double least_cell_mm(const Process& process, const CellSize& size, const MadeHinge& hinge) {
+double least_cell_mm(const Process& process, const CellSize& size, const std::optional<MadeHinge>& hinge) {
   double least = size.edge_mm;
   for (const PrintProblem& problem : print_problems(process, size, hinge))
     least = std::max(least, problem.cell_mm);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -51,12 +52,12 @@ struct PrintProblem {
 };
 
 /// Walls, rods and clearances that are too small. Blocks and films are not judged: how thin they can be is up to
-/// the line or droplet of the printer.
+/// the line or droplet of the printer. @param hinge none: of a sheet whose hinges have no made shape yet
 std::vector<PrintProblem> print_problems(const Process& process, const CellSize& size,
-                                         const MadeHinge& hinge);
+                                         const std::optional<MadeHinge>& hinge);
 
 /// The least cell edge at which the sheet could be printed were all of it larger, mm: the edge itself where it can
 /// be as it is.
-double least_cell_mm(const Process& process, const CellSize& size, const MadeHinge& hinge);
+double least_cell_mm(const Process& process, const CellSize& size, const std::optional<MadeHinge>& hinge);
 
 }  // namespace kinetix::model

@@ -10,7 +10,6 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double quantile_95 = 1.6448536269514722;  // of the normal distribution
 
 /// All points by themselves, or random mixtures of them with entries +-1.
 std::vector<VectorXd> mixtures(Eigen::Index points, const AsMadeOptions& options) {

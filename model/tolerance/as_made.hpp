@@ -23,6 +23,9 @@ struct ScatterSource {
   double share = 0;   ///< of the variance, [0, 1]
 };
 
+/// Of the normal distribution: 95 of 100 are below.
+inline constexpr double quantile_95 = 1.6448536269514722;
+
 /// How far from its goal a structure ends up that is printed with errors, over many prints.
 struct AsMade {
   double designed_mm = 0;              ///< rms over the points of the design itself

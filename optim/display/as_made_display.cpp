@@ -2,13 +2,13 @@
 
 #include <cmath>
 
+#include "model/tolerance/as_made.hpp"
+
 namespace kinetix::optim {
 namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr double quantile_95 = 1.6448536269514722;  // of the normal distribution
 
 /// The cells of the letter or the rest: their mean, and the variance about it.
 struct Group {
@@ -66,7 +66,7 @@ AsMadeDisplay as_made_display(const std::vector<double>& readings, const std::ve
   AsMadeDisplay out;
   out.contrast = apart / std::sqrt(variance);
   const double sd = std::hypot(apart_sd / std::sqrt(variance), out.contrast * variance_sd / (2 * variance));
-  out.contrast_p95 = out.contrast - quantile_95 * sd;
+  out.contrast_p95 = out.contrast - model::quantile_95 * sd;
   out.auc = expected_auc(readings, letter, rest, rates);
   return out;
 }

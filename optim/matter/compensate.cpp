@@ -161,10 +161,7 @@ std::optional<MissRates> miss_rates(const InMatter& at, const std::vector<TiltTi
   model::ElasticSystem system(at.sheet, elasticity, goal.drive(at.sheet, at.theta), false, contact);
   model::State state = at.state;
   model::TangentStiffness tangent(system.dofs());
-  const auto settled = minimise(system, at.theta, {}, state, tangent);
-  if (!settled.converged || !settled.stable) return std::nullopt;
-  system.linearise(state, at.theta, tangent);
-  if (!tangent.factorise(0)) return std::nullopt;
+  if (!settle(system, at.theta, state, tangent)) return std::nullopt;
   const std::vector<model::ObservedPoint> observed = goal.observe(at.sheet, state);
   const model::ObservedPoints points(observed, true);
   MissRates out{points.aligned_misses(), MatrixXd(points.size(), static_cast<Eigen::Index>(ties.size()) + 1)};

@@ -47,8 +47,7 @@ PanelLoads panel_loads(const DisplayFile& file, const model::Sheet& basic, const
   PanelLoads loads;
   loads.reached = path.stop == model::EquilibriumPath::Stop::reached;
   loads.compression = view.plates.compression;
-  for (const model::EquilibriumStep& step : path.steps)
-    loads.force_N = std::max(loads.force_N, std::abs(step.load));
+  loads.force_N = largest_load(path);
   const model::Linkage linkage(panel);
   for (int h = 0; file.hinge.made && h < panel.hinges(); ++h)
     loads.strain = std::max(loads.strain, hinge_strain(*file.hinge.made, linkage, path.state, h));

@@ -16,8 +16,6 @@ using Eigen::VectorXd;
 
 // Beyond, the derivatives of all cells take longer than the search.
 constexpr int most_cells = 400;
-// Prints that are brought to their equilibrium in any case: they show where first order is not enough.
-constexpr int least_prints = 20;
 
 /// Readings of all cells by every hinge's t, alpha, beta and offset, times its standard deviation.
 std::optional<MatrixXd> rates(const DisplayFile& file, const Run& run, const model::HingeScatter& scatter,
@@ -27,10 +25,7 @@ std::optional<MatrixXd> rates(const DisplayFile& file, const Run& run, const mod
   model::ElasticSystem system(run.structure, equilibrium.elasticity, equilibrium.drive, true, true);
   system.set_multiplier(equilibrium.path.multiplier);
   model::TangentStiffness tangent(system.dofs());
-  if (const auto settled = minimise(system, theta, {}, state, tangent); !settled.converged || !settled.stable)
-    return std::nullopt;
-  system.linearise(state, theta, tangent);
-  if (!tangent.factorise(0)) return std::nullopt;
+  if (!settle(system, theta, state, tangent)) return std::nullopt;
   const model::Linkage panel(run.structure);
   const optim::SmoothChannel channel(file.channel, panel, state);
   readings = channel.values();

@@ -103,12 +103,15 @@ class HelmetScene final : public Scene {
   /// Every body, from head plus clearance.
   std::optional<Judged> judged(const Run& run, const model::Sheet&, double,
                                const model::State& state) const override {
-    const model::State on_head = aligned(state, own_state(run));
+    const model::Pose motion = motion_onto(state, own_state(run));
+    const model::State on_head = moved(state, motion);
     Judged out{{}, file_.rms_mm};
     for (int body = 0; body < static_cast<int>(state.size()); ++body) {
       const targets::ClosestMeshPoint at = file_.head.dome.closest(on_head[body].p);
-      const Eigen::Matrix3d back = state[body].R * on_head[body].R.transpose();
-      out.points.push_back({{body}, state[body].p, back * at.normal, at.distance - file_.spec.clearance_mm});
+      out.points.push_back({{body},
+                            state[body].p,
+                            motion.R.transpose() * at.normal,
+                            at.distance - file_.spec.clearance_mm});
     }
     return out;
   }

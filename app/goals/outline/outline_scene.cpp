@@ -41,16 +41,15 @@ class OutlineScene final : public Scene {
   std::optional<Judged> judged(const Run& run, const model::Sheet&, double,
                                const model::State& state) const override {
     const auto& outline = outcome_of<OutlineOutcome>(run);
-    const model::ExactMotion exact = exact_motion(run.structure);
     const targets::Outline goal(outline.placed(run.structure.size().edge_mm));
-    const model::State placed = aligned(state, exact.at(run.theta));
+    const model::Pose motion = motion_onto(state, run.plan.exact.at(run.theta));
+    const model::State placed = moved(state, motion);
     Judged out{{}, file_.shape_tolerance * goal.diagonal()};
     for (const int body : outline.rim) {
       const Eigen::Vector3d& place = placed[body].p;
       const targets::Outline::Nearest at = goal.nearest(place.head<2>());
-      const Eigen::Matrix3d back = state[body].R * placed[body].R.transpose();
       const Eigen::Vector3d normal(at.normal.x(), at.normal.y(), 0);
-      out.points.push_back({{body}, state[body].p, back * normal, at.normal.dot(place.head<2>() - at.point)});
+      out.points.push_back({{body}, state[body].p, motion.R.transpose() * normal, at.normal.dot(place.head<2>() - at.point)});
     }
     return out;
   }

@@ -1,5 +1,7 @@
 #include "model/elastic/path/equilibrium_path.hpp"
 
+#include <cmath>
+
 #include "model/base/invalid_input.hpp"
 #include "model/elastic/path/path_tracer.hpp"
 #include "model/elastic/path/pressed_path.hpp"
@@ -15,6 +17,13 @@ void EquilibriumPathOptions::validate() const {
   require("least_step", least_step, least_step > 0 && least_step <= first_step, "in (0, first_step] rad");
   require("longest_jump", longest_jump, longest_jump > 0, "positive");
   require("gap_limit", gap_limit, gap_limit > 0, "positive");
+}
+
+double largest_load(const EquilibriumPath& path) {
+  double largest = 0;
+  for (const EquilibriumStep& step : path.steps)
+    if (!(std::abs(step.load) <= largest)) largest = std::abs(step.load);
+  return largest;
 }
 
 EquilibriumPath trace_equilibrium(const DrivenLinkage& driven, const Elasticity& elasticity,

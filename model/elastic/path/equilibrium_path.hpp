@@ -90,6 +90,9 @@ struct EquilibriumPath {
 
 std::string to_string(EquilibriumPath::Stop stop);
 
+/// Magnitude of the largest load on the way, N or N mm: what who drives the sheet has to bear. NaN where one is.
+double largest_load(const EquilibriumPath& path);
+
 /// Traces the equilibrium path of rigid bodies with elastic hinges from flat to the drive's goal, in adaptive
 /// steps of theta, by prediction along the tangent and Newton's method. Weightless. Where an equilibrium
 /// turns unstable (flat under plates, for one) the path leaves it along the exact mode of a family where the

@@ -207,11 +207,15 @@ TEST(Cord, WorkOfTheTensionIsTheEnergyOfASheetThatStrains) {
   EXPECT_NEAR(work, path.steps.back().energy, 5e-3 * work);
 }
 
-/// A cell that twists: once it is over its barrier, it goes on by itself.
-TEST(Cord, ThatWouldHaveToPushIsSaidToGoSlack) {
+Structure twisting_cell() {
   CellTuple twist;
   twist.A_in = {pi / 2, twist_alpha, pi / 2, twist_alpha};
-  const Structure s = tiled(1, 1, twist, {}, {20, 0.4, 8});
+  return tiled(1, 1, twist, {}, {20, 0.4, 8});
+}
+
+/// Once it is over its barrier, it goes on by itself.
+TEST(Cord, ThatWouldHaveToPushIsSaidToGoSlack) {
+  const Structure s = twisting_cell();
   Elasticity soft;
   soft.k_turn = 1e-3;
   const auto traced = [&](double shorten_mm) {
@@ -229,9 +233,7 @@ TEST(Cord, ThatWouldHaveToPushIsSaidToGoSlack) {
 
 /// Over the barrier of a cell that twists, whoever takes it there.
 TEST(Drives, OfAllKindsFindTheSameStableStatesAndBarrier) {
-  CellTuple twist;
-  twist.A_in = {pi / 2, twist_alpha, pi / 2, twist_alpha};
-  const Structure s = tiled(1, 1, twist, {}, {20, 0.4, 8});
+  const Structure s = twisting_cell();
   Elasticity soft;
   soft.k_turn = 1e-3;
   StableStateOptions options;
@@ -258,9 +260,7 @@ TEST(Drives, OfAllKindsFindTheSameStableStatesAndBarrier) {
 
 /// Soft springs let go of a cell that twists: at some heat it snaps through, and is said to.
 TEST(ShapeMemory, SnapsThroughWhereItsSpringsAreSoft) {
-  CellTuple twist;
-  twist.A_in = {pi / 2, twist_alpha, pi / 2, twist_alpha};
-  const Structure s = tiled(1, 1, twist, {}, {20, 0.4, 8});
+  const Structure s = twisting_cell();
   Elasticity soft;
   soft.k_turn = 1e-3;
   const LinkageDrive drive = shape_memory_drive(s, {}, 20, -90 * degree);
