@@ -36,11 +36,33 @@ optim::MatterGoal goal_of(const Run& run, const Scene& scene) {
   return goal;
 }
 
-model::EquilibriumPath path_to(const Run& run, const model::Elasticity& elasticity) {
+/// Of springs theta is where they rest, which is further than the sheet comes: it has the bounds of any sheet.
+optim::CompensationOptions bounded(const TurnBounds& bounds, const GoalDrive& drive) {
+  optim::CompensationOptions options;
+  options.tilt = bounds.tilt;
+  if (drive.kind == GoalDrive::Kind::shape_memory) return options;
+  options.least_theta = bounds.theta.lower;
+  options.most_theta = bounds.theta.upper;
+  return options;
+}
+
+model::EquilibriumPath path_to(const Run& run, const model::Sheet& sheet, double theta,
+                               const model::Elasticity& elasticity) {
   model::EquilibriumPathOptions options;
   options.planar = run.plan.planar;
-  return trace_equilibrium({run.structure, goal_drive(run, run.structure, run.theta), run.plan.exact},
-                           elasticity, options);
+  return trace_equilibrium({sheet, goal_drive(run, sheet, theta), exact_motion(sheet)}, elasticity, options);
+}
+
+/// @param path of the exact design, which came to its goal
+optim::Compensation made_up_for(const Run& run, const Scene& scene, const model::EquilibriumPath& path,
+                                const model::Elasticity& elasticity, double tolerance_mm) {
+  optim::CompensationOptions search = bounded(scene.turn_bounds(), run.goal_drive);
+  search.enough_mm = near_enough * tolerance_mm;
+  return compensate({run.structure, run.theta, path.state}, elasticity, goal_of(run, scene), search);
+}
+
+model::Elasticity elasticity_of(const Run& run) {
+  return elasticity_of(run.hinge, run.physics, run.structure.size().edge_mm);
 }
 
 void miss(Run& run, const std::string& why) {
@@ -81,21 +103,29 @@ bool is_of_matter(const Scene& scene, const Run& run) {
   return run.goal && run.hinge.model == HingeSection::Model::elastic && scene.model() != Model::equilibrium;
 }
 
+MatterPath path_in_matter(const Run& run, const Scene& scene) {
+  const model::Elasticity elasticity = elasticity_of(run);
+  MatterPath out{run.structure, run.theta, goal_drive(run, run.structure, run.theta),
+                 path_to(run, run.structure, run.theta, elasticity)};
+  const auto exact = scene.judged(run, run.structure, run.theta, run.plan.exact.at(run.theta));
+  if (!exact || out.path.stop != model::EquilibriumPath::Stop::reached) return out;
+  const optim::InMatter after = made_up_for(run, scene, out.path, elasticity, exact->tolerance_mm).after;
+  return {after.sheet, after.theta, goal_drive(run, after.sheet, after.theta),
+          path_to(run, after.sheet, after.theta, elasticity)};
+}
+
 void settle_in_matter(Run& run, const Scene& scene, const RunOptions& options) {
   const auto exact = scene.judged(run, run.structure, run.theta, scene.own_state(run));
   if (!exact) return;
   if (options.progress) options.progress("hinges in matter", 0);
-  const model::Elasticity elasticity = elasticity_of(run.hinge, run.physics, run.structure.size().edge_mm);
+  const model::Elasticity elasticity = elasticity_of(run);
   run.matter = MatterResult{};
   run.matter->exact_mm = rms_mm(*exact);
   run.matter->before_mm = run.matter->after_mm = std::nan("");
   run.matter->tolerance_mm = exact->tolerance_mm;
-  const model::EquilibriumPath path = path_to(run, elasticity);
+  const model::EquilibriumPath path = path_to(run, run.structure, run.theta, elasticity);
   if (path.stop != model::EquilibriumPath::Stop::reached) return miss(run, path.why);
-  optim::CompensationOptions search;
-  search.enough_mm = near_enough * exact->tolerance_mm;
-  const optim::Compensation found =
-      compensate({run.structure, run.theta, path.state}, elasticity, goal_of(run, scene), search);
+  const optim::Compensation found = made_up_for(run, scene, path, elasticity, exact->tolerance_mm);
   MatterResult& matter = *run.matter;
   matter.before_mm = found.before.rms_mm;
   matter.after_mm = found.after.rms_mm;
@@ -109,9 +139,8 @@ void settle_in_matter(Run& run, const Scene& scene, const RunOptions& options) {
   scene.judge_matter(run, shown.state);
   if (!run.goal->met() && run.goal_drive.kind == GoalDrive::Kind::usual)
     run.goal->violations.push_back(
-        "plates and single hinges let soft hinges lean or buckle sooner than they fold them: try `drive: "
-        "{kind: "
-        "shape_memory, k_turn: ...}`, springs in all hinges, or stiffer hinges");
+        "plates and single hinges let soft hinges lean or buckle sooner than they fold them: try "
+        "`drive: {kind: shape_memory, k_turn: ...}`, springs in all hinges, or stiffer hinges");
   if (!(aligned_distance(run.structure, shown.state, found.after.state).max <= same_state))
     miss(run, "the path from flat ends in another equilibrium than the one near the goal");
 }

@@ -12,6 +12,18 @@ bool is_of_matter(const Scene& scene, const Run& run);
 model::LinkageDrive goal_drive(const Run& run, const model::Sheet& sheet, double theta);
 std::optional<DriveSection> goal_drive_section(const Run& run);
 
+/// A design that makes up for its elastic hinges, and its path from flat.
+struct MatterPath {
+  model::Sheet sheet;
+  double theta = 0;  ///< rad, of its drive
+  model::LinkageDrive drive;
+  model::EquilibriumPath path;
+};
+
+/// Of the exact design of a run, which stays as it is. Where that has no equilibrium the path ends before its goal.
+/// @pre solved, planned, is_of_matter
+MatterPath path_in_matter(const Run& run, const Scene& scene);
+
 /// Takes a design that meets its goal exactly to the equilibrium of its elastic hinges, from flat by its drive, and
 /// brings that onto the goal (optim/matter/compensate.hpp). The run then shows the equilibrium of the new design, as
 /// the path from flat comes to it. Without an equilibrium the exact state stays, and the goal says why it is not met.

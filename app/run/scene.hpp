@@ -2,6 +2,7 @@
 
 #include "app/run/run.hpp"
 #include "app/run/run_options.hpp"
+#include "optim/solvers/variables.hpp"
 
 namespace kinetix::app {
 
@@ -10,6 +11,12 @@ struct PhysicsTask {
   model::State reference;  ///< of the same drive by the run's model; empty where no model knows one
   model::LinkageDrive drive;
   sim::PhysicsOptions options;
+};
+
+/// What a file allows tilts and theta to be.
+struct TurnBounds {
+  double tilt = 75 * radians_per_degree;  ///< of either sign, rad, (0, pi/2)
+  optim::AngleRange theta{2 * radians_per_degree, 44 * radians_per_degree};  ///< rad, (0, pi/2)
 };
 
 /// What the pipeline runs: the goal of a target, or a design. Each stage adds what it finds to the run.
@@ -42,6 +49,8 @@ class Scene {
                                        const model::State& /*state*/) const {
     return std::nullopt;
   }
+  /// How far tilts and theta may go to make up for elastic hinges: what the file allows its search.
+  virtual TurnBounds turn_bounds() const { return {}; }
   /// Says what the equilibrium of elastic hinges lacks of a goal that was searched for exactly, in place of what
   /// the exact state lacks.
   virtual void judge_matter(Run&, const model::State&) const {}

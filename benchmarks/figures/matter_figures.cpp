@@ -110,17 +110,17 @@ std::vector<Figure> limits() {
   const app::Run run = run_of(soft_t + "tolerance: {force_N: 50, strain: 0.3}\n", 0, true);
   const auto& display = app::outcome_of<app::DisplayOutcome>(run);
   const app::PanelLoads& loads = *display.loads;
-  const std::string without =
-      display.unlimited
-          ? fmt::format("; without limits {:.1f} N, strain {:.2f}, auc {:.3f}", display.unlimited->force_N,
-                        display.unlimited->strain, display.unlimited->auc)
-          : std::string("; limits cost nothing");
+  const std::string without = display.unlimited
+                                  ? fmt::format("; without limits {:.1f} N, strain {:.2f}, auc {:.3f}",
+                                                display.unlimited->hinges.force_N,
+                                                display.unlimited->hinges.strain, display.unlimited->auc)
+                                  : std::string("; limits cost nothing");
   const double seen = display.physics ? display.physics->score.auc : 0;
   return {{"letter T, 10 x 10 cells of 20 mm, rubber blocks of 2 x 1.2 mm, at most 50 N and strain 0.3",
            "auc >= 0.98 in model and physics run",
-           fmt::format("auc {:.3f} and {:.3f}, {:.1f} N, strain {:.2f}{}", loads.auc, seen, loads.force_N,
-                       loads.strain, without),
-           loads.auc >= 0.98 && seen >= 0.98 && loads.force_N <= 50 && loads.strain <= 0.3 &&
+           fmt::format("auc {:.3f} and {:.3f}, {:.1f} N, strain {:.2f}{}", loads.auc, seen,
+                       loads.hinges.force_N, loads.hinges.strain, without),
+           loads.auc >= 0.98 && seen >= 0.98 && loads.hinges.force_N <= 50 && loads.hinges.strain <= 0.3 &&
                run.verification->agrees},
           {"the same: search with limits", "<= 10 s", fmt::format("{:.2f} s", run.timings.optimise),
            run.timings.optimise <= 10},

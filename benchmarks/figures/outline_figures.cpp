@@ -109,7 +109,9 @@ Figure shape(const std::string& name, const Points& goal) {
   constexpr double least_iou = 0.95;
   double best_rms = INFINITY;
   const auto try_lattice = [&](const model::PlanarLattice* lattice, int cells) {
-    app::OutlineFile file{.name = "outline", .folded = targets::Outline(goal)};
+    app::OutlineFile file;
+    file.name = "outline";
+    file.folded = targets::Outline(goal);
     file.lattice.lattice = lattice;
     file.lattice.closed_rim = lattice != nullptr;
     file.columns = file.rows = cells;

@@ -10,7 +10,6 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-
 /// All points by themselves, or random mixtures of them with entries +-1.
 std::vector<VectorXd> mixtures(Eigen::Index points, const AsMadeOptions& options) {
   std::vector<VectorXd> out;

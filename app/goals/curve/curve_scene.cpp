@@ -83,6 +83,10 @@ class CurveScene final : public Scene {
                   file_.shape_tolerance * curve.found.design.error.scale_mm};
   }
 
+  TurnBounds turn_bounds() const override {
+    return {std::max(std::abs(file_.beta.lower), std::abs(file_.beta.upper)), file_.theta};
+  }
+
   /// How elastic hinges keep the goal.
   void judge_matter(Run& run, const model::State& state) const override {
     auto& curve = outcome_of<CurveOutcome>(run);

@@ -101,23 +101,21 @@ targets::KeyTable variables_keys(const DisplayFile& usual) {
 }
 
 targets::KeyTable tolerance_keys(const DisplayFile& usual) {
-  return targets::KeyTable({
+  std::vector<targets::Key> keys = {
       {"stretch", value::number(part_of_one), targets::by_default(usual.stretch),
        "most that a hinge may stretch, cell edges"},
       {"auc", value::number({0.5, 1, false, true}), targets::by_default(usual.auc),
        "least [auc](#contrast-and-auc); of greys the rank correlation"},
       {"contrast", value::number(targets::at_least(0)), targets::by_default(usual.contrast),
        "least [contrast](#contrast-and-auc), of pictures with two levels"},
-      {"force_N",
-       value::number(targets::above(0, "N")),
-       {},
-       "most that the plates may take; the panel is pressed less where it has to be"},
-      {"strain", value::number({0, 10, false, true, {}}),
-       targets::otherwise("what the material of `hinge` bears; none without `hinge.kind`"),
-       "most that a hinge made as a block or film may be strained, likewise"},
       {"verify", value::number(part_of_one), targets::by_default(usual.verify),
        "most of [verify_rms](#verify_rms-and-verify_max), cell edges"},
-  });
+  };
+  const auto limits =
+      hinge_limit_keys("the panel is pressed less where it has to be",
+                       targets::otherwise("what the material of `hinge` bears; none without `hinge.kind`"));
+  keys.insert(keys.end() - 1, limits.begin(), limits.end());
+  return targets::KeyTable(std::move(keys));
 }
 
 std::optional<targets::Node> under(const targets::Section& root, std::string_view section,
@@ -278,14 +276,11 @@ void read_variables(const targets::Section& root, DisplayFile& file) {
 }
 
 void read_limits(const targets::Section& section, DisplayFile& file) {
-  section.read("force_N", file.force_N);
+  file.limits = read_hinge_limits(section, file.hinge);
+  if (const auto& made = file.hinge.made; made && made->kind != model::HingeKind::pin && !file.limits.strain)
+    file.limits.strain = made->material.strain_max;
   if (const auto force = section.optional("force_N"); force && file.drive == DriveKind::hinge)
     throw force->key_error("is for plates; a driven hinge has a moment");
-  const bool bends = file.hinge.made && file.hinge.made->kind != model::HingeKind::pin;
-  if (bends) file.most_strain = file.hinge.made->material.strain_max;
-  section.read("strain", file.most_strain);
-  if (const auto strain = section.optional("strain"); strain && !bends)
-    throw strain->key_error("is of hinges made as blocks or films; give hinge.kind as well");
 }
 
 void read_tolerance(const targets::Section& root, DisplayFile& file) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/hinge_section.hpp"
+#include "app/files/hinge_limits.hpp"
 #include "app/files/lattice_section.hpp"
 #include "app/files/physics_section.hpp"
 #include "app/files/process_section.hpp"
@@ -61,9 +61,7 @@ struct DisplayFile {
   double stretch = 0.12;  ///< tolerance.stretch: most of a hinge, cell edges, (0, 1]
   double auc = 0.97;      ///< tolerance.auc: least, (0.5, 1]; rank correlation for grey goals
   double contrast = 3;    ///< tolerance.contrast: least d', dimensionless, of goals with two levels, >= 0
-  std::optional<double> force_N = {};  ///< tolerance.force_N: most on the plates, N, > 0
-  std::optional<double> most_strain =
-      {};                ///< tolerance.strain: of a made hinge, ratio, (0, 10]; its material's by default
+  HingeLimits limits = {};
   double verify = 0.05;  ///< tolerance.verify: of verify_rms, cell edges, (0, 1]
   HingeSection hinge = {};
   model::Process process = model::processes().front();

@@ -14,7 +14,4 @@ PanelLoads panel_loads(const DisplayFile& file, const model::Sheet& panel, const
 void keep_limits(const DisplayFile& file, const model::Elasticity& elasticity, DisplayOutcome& display,
                  model::Sheet& panel, const std::function<optim::DisplayDesign(const DisplayFile&)>& search);
 
-/// What of the limits is not kept, in words.
-std::vector<std::string> limit_violations(const DisplayFile& file, const PanelLoads& loads);
-
 }  // namespace kinetix::app

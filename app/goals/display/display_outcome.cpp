@@ -68,8 +68,8 @@ void add_drive(const optim::DisplayView& view, Json& display) {
 
 Json loads_json(const PanelLoads& loads) {
   return {{"compression", loads.compression},
-          {"force_N", loads.force_N},
-          {"strain", loads.strain},
+          {"force_N", loads.hinges.force_N},
+          {"strain", loads.hinges.strain},
           {"auc", loads.auc},
           {"contrast", loads.contrast}};
 }
@@ -99,7 +99,8 @@ std::string printed_text(const DisplayOutcome& display, const Run& run) {
 
 std::string loads_text(const PanelLoads& loads) {
   return fmt::format("compressed by {:.1f} %: {:.3g} N, strain {:.2f}, auc {:.3f}, contrast {:.1f}",
-                     100 * loads.compression, loads.force_N, loads.strain, loads.auc, loads.contrast);
+                     100 * loads.compression, loads.hinges.force_N, loads.hinges.strain, loads.auc,
+                     loads.contrast);
 }
 
 Json display_json(const DisplayOutcome& display, const model::Sheet& panel) {

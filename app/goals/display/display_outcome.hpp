@@ -5,6 +5,7 @@
 
 #include "app/goals/display/larger_panels.hpp"
 #include "app/run/goal_outcome.hpp"
+#include "app/run/hinge_loads.hpp"
 #include "optim/display/as_made_display.hpp"
 #include "optim/display/fit_display.hpp"
 #include "targets/display/display_goal.hpp"
@@ -31,10 +32,8 @@ struct FrontPoint {
 
 /// What a panel asks of who presses it and of its hinges, and what it shows.
 struct PanelLoads {
-  bool reached = false;    ///< whether there is an equilibrium
+  HingeLoads hinges;
   double compression = 0;  ///< fraction of the plates' distance
-  double force_N = 0;      ///< largest on the way
-  double strain = 0;       ///< largest of a hinge that is made as a block or film, ratio
   double auc = 0;          ///< ratio, [0, 1]
   double contrast = 0;     ///< d', dimensionless
 };

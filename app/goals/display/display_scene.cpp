@@ -12,6 +12,7 @@
 #include "app/goals/display/search_panel.hpp"
 #include "app/pipeline/equilibrium.hpp"
 #include "app/pipeline/exact_state.hpp"
+#include "app/pipeline/hinge_loads.hpp"
 #include "app/pipeline/physics_settings.hpp"
 #include "app/run/stopwatch.hpp"
 #include "model/sheet/sheet_motion.hpp"
@@ -62,7 +63,8 @@ std::vector<std::string> all_violations(const DisplayFile& file, const DisplayOu
     why.push_back(fmt::format("a hinge stretches by {:.3f} cell edges; at most {:.3f} is allowed",
                               display.design.view.stretch, file.stretch));
   if (display.loads)
-    for (const std::string& limit : limit_violations(file, *display.loads)) why.push_back(limit);
+    for (const std::string& limit : violations(file.limits, display.loads->hinges, "less compression"))
+      why.push_back(limit);
   if (!display.goal.whole) why.push_back(lost_strokes(display.goal));
   if (!display.larger.tried.empty()) why.push_back(about_larger(display.larger));
   return why;

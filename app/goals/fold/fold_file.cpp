@@ -18,14 +18,17 @@ targets::KeyTable structure_keys() {
 
 targets::KeyTable tolerance_keys(const FoldFile& usual) {
   const targets::Bounds part_of_one = {0, 1, false, true};
-  return targets::KeyTable({
+  std::vector<targets::Key> keys = {
       {"angle_deg", value::angle({0, 90, false, true, "degrees"}),
        targets::by_default_deg(usual.angle_tolerance), "most that the fold of a crease may be off"},
       {"shape", value::number(part_of_one), targets::by_default(usual.shape_tolerance),
        "most of [face_rms](#face_rms), over the edge of a face"},
       {"verify", value::number(part_of_one), targets::by_default(usual.verify_tolerance),
        "most of [verify_rms](#verify_rms-and-verify_max), cell edges"},
-  });
+  };
+  const auto limits = hinge_limit_keys("the net folds at a smaller theta where it has to");
+  keys.insert(keys.end() - 1, limits.begin(), limits.end());
+  return targets::KeyTable(std::move(keys));
 }
 
 void read_structure(const targets::Section& root, FoldFile& file) {
@@ -36,11 +39,20 @@ void read_structure(const targets::Section& root, FoldFile& file) {
   file.size = read_size(root.section("structure"), default_cell_mm);
 }
 
+void check_force_limit(const targets::Node& force, const FoldFile& file) {
+  if (file.hinge.model != HingeSection::Model::elastic)
+    throw force.key_error("is of elastic hinges; give `hinge` as well");
+  if (file.drive.kind == GoalDrive::Kind::shape_memory)
+    throw force.key_error("is for a drive from outside; springs in the hinges need none");
+}
+
 void read_tolerance(const targets::Section& root, FoldFile& file) {
   const targets::Section section = root.section("tolerance");
   section.read("angle_deg", file.angle_tolerance);
   section.read("shape", file.shape_tolerance);
   section.read("verify", file.verify_tolerance);
+  file.limits = read_hinge_limits(section, file.hinge);
+  if (const auto force = section.optional("force_N")) check_force_limit(*force, file);
 }
 
 }  // namespace
@@ -73,10 +85,10 @@ FoldFile read_fold_file(const targets::Node& node) {
   const NetVariables variables = read_net_variables(root, file.size, {file.tilt, file.theta});
   file.tilt = variables.tilt;
   file.theta = variables.theta;
-  read_tolerance(root, file);
   file.physics = read_physics(root, file.size.edge_mm);
   file.hinge = read_hinge_section(root, file.size);
   file.drive = read_goal_drive(root);
+  read_tolerance(root, file);
   file.process = read_process(root, file.size, file.hinge.made);
   return file;
 }

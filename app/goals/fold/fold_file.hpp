@@ -3,7 +3,7 @@
 #include <string>
 
 #include "app/files/goal_drive.hpp"
-#include "app/files/hinge_section.hpp"
+#include "app/files/hinge_limits.hpp"
 #include "app/files/physics_section.hpp"
 #include "app/files/process_section.hpp"
 #include "model/lattice/square/structure.hpp"
@@ -29,6 +29,7 @@ struct FoldFile {
   double angle_tolerance = 0.1 * radians_per_degree;    ///< of a crease, rad, (0, 90] deg
   double shape_tolerance = 0.02;                        ///< of face_rms, over the edge of a face, (0, 1]
   double verify_tolerance = 0.02;                       ///< of verify_rms, cell edges, (0, 1]
+  HingeLimits limits = {};                              ///< tolerance.force_N and tolerance.strain
   PhysicsSection physics = {};
   HingeSection hinge = {};
   GoalDrive drive = {};  ///< where hinges are elastic

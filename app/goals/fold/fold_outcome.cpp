@@ -95,6 +95,15 @@ Json creases_json(const FoldOutcome& fold) {
   return out;
 }
 
+Json loads_json(const FoldLoads& loads) {
+  return {{"theta_rad", loads.theta}, {"force_N", loads.hinges.force_N}, {"strain", loads.hinges.strain}};
+}
+
+std::string loads_text(const FoldLoads& loads) {
+  return fmt::format("at theta {:.1f} deg: {:.3g} N, strain {:.2f}", to_degrees(loads.theta),
+                     loads.hinges.force_N, loads.hinges.strain);
+}
+
 Json fold_json(const FoldOutcome& fold) {
   Json out = {{"faces", faces_json(fold)},
               {"creases", creases_json(fold)},
@@ -104,6 +113,8 @@ Json fold_json(const FoldOutcome& fold) {
               {"reasons", fold.violations},
               {"reasons_physics", fold.physics_violations}};
   if (fold.goal.box) out["edges_mm"] = box_edges(fold);
+  if (fold.loads) out["loads"] = loads_json(*fold.loads);
+  if (fold.unlimited) out["unlimited"] = loads_json(*fold.unlimited);
   return out;
 }
 
@@ -161,6 +172,8 @@ std::vector<SummaryLine> FoldOutcome::summary_lines(const Run& run) const {
                                       columns_in_words(net.layout), design.net + 1, goal.nets.size())});
   lines.push_back(
       {"search", fmt::format("{:.3f} s, {} motions examined", run.timings.optimise, design.evaluations)});
+  if (loads) lines.push_back({"limits", loads_text(*loads)});
+  if (unlimited) lines.push_back({"", "without them " + loads_text(*unlimited)});
   if (physics) lines.push_back({"folded", "in the physics run: " + in_words(net.net, *physics)});
   for (const std::string& why : physics_violations) lines.push_back({"why", why});
   return lines;

@@ -3,15 +3,24 @@
 #include <optional>
 
 #include "app/run/goal_outcome.hpp"
+#include "app/run/hinge_loads.hpp"
 #include "optim/fold/fit_fold.hpp"
 
 namespace kinetix::app {
+
+/// What a net asks of its drive and its hinges.
+struct FoldLoads {
+  double theta = 0;  ///< rad
+  HingeLoads hinges;
+};
 
 /// What a search for a fold contributes to a result.
 class FoldOutcome final : public GoalOutcome {
  public:
   targets::FoldGoal goal;
   optim::FoldDesign design;
+  std::optional<FoldLoads> loads;      ///< where the file limits them
+  std::optional<FoldLoads> unlimited;  ///< what it would be without limits, where they made a difference
   std::optional<targets::FoldError> physics;  ///< of the settled physics run
 
   /// The net that was folded, as faces and creases; the box where one was asked for.

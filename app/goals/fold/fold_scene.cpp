@@ -6,8 +6,10 @@
 #include <utility>
 
 #include "app/goals/fold/fold_kind.hpp"
+#include "app/goals/fold/fold_limits.hpp"
 #include "app/goals/fold/fold_outcome.hpp"
 #include "app/pipeline/exact_state.hpp"
+#include "app/pipeline/hinge_loads.hpp"
 #include "app/pipeline/physics_settings.hpp"
 #include "model/sheet/sheet_motion.hpp"
 #include "targets/document/number.hpp"
@@ -56,6 +58,12 @@ class FoldScene final : public Scene {
                          {"shape", file_.shape_tolerance}};
     found->goal = file_.goal;
     found->design = fit_fold(file_.goal, search_of(file_), options.progress);
+    const auto search = [this](double largest_theta) {
+      optim::FoldOptions narrowed = search_of(file_);
+      narrowed.theta.upper = largest_theta;
+      return fit_fold(file_.goal, narrowed);
+    };
+    keep_limits(file_, run, *this, *found, search, options.progress);
     const optim::FoldedNet& net = found->design.folded;
     found->violations =
         found->design.folds ? violations(file_, net.net, net.error, "model") : found->design.obstacles;
@@ -100,12 +108,20 @@ class FoldScene final : public Scene {
     found.physics_violations = violations(file_, net.net, *found.physics, "physics run");
   }
 
+  TurnBounds turn_bounds() const override { return {file_.tilt, file_.theta}; }
+
   /// How elastic hinges keep the goal.
   void judge_matter(Run& run, const model::State& state) const override {
     auto& found = outcome_of<FoldOutcome>(run);
     const optim::FoldedNet& net = found.design.folded;
     const targets::FoldError error = fold_error(net.net, net.layout, net.structure, state, run.theta);
     found.violations = violations(file_, net.net, error, "equilibrium");
+    if (!found.loads) return;
+    const HingeLoads loads =
+        hinge_loads(run.equilibrium->path, run.equilibrium->drive, run.structure, run.hinge);
+    found.loads = FoldLoads{run.theta, loads};
+    for (const std::string& why : app::violations(file_.limits, loads, "a smaller theta"))
+      found.violations.push_back(why);
   }
 
   void add_frames(Run& run) const override { add_exact_frames(run); }

@@ -108,13 +108,13 @@ class HelmetScene final : public Scene {
     Judged out{{}, file_.rms_mm};
     for (int body = 0; body < static_cast<int>(state.size()); ++body) {
       const targets::ClosestMeshPoint at = file_.head.dome.closest(on_head[body].p);
-      out.points.push_back({{body},
-                            state[body].p,
-                            motion.R.transpose() * at.normal,
-                            at.distance - file_.spec.clearance_mm});
+      out.points.push_back(
+          {{body}, state[body].p, motion.R.transpose() * at.normal, at.distance - file_.spec.clearance_mm});
     }
     return out;
   }
+
+  TurnBounds turn_bounds() const override { return {file_.spec.tilt, file_.spec.theta}; }
 
   /// On the head.
   model::State shown(const Run& run, const model::State& state) const override {

@@ -102,6 +102,22 @@ void read_variables(const targets::Section& root, OutlineFile& file) {
   variables.section("theta").read("range_deg", file.theta);
 }
 
+/// How large hinges are for their cells must be known before the search.
+void read_hinges(const targets::Section& root, OutlineFile& file) {
+  if (const auto hinge = root.optional("hinge"); hinge && !file.cell_mm)
+    throw hinge->key_error(
+        "needs structure.cell_mm: a hinge has its size, and a panel as large as the outline "
+        "finds its cells' only by the search");
+  file.drive = read_goal_drive(root);
+  if (!file.cell_mm) {
+    file.process = read_process(root);
+    return;
+  }
+  const model::CellSize size = file.size(*file.cell_mm);
+  file.hinge = read_hinge_section(root, size);
+  file.process = read_process(root, size, file.hinge.made);
+}
+
 }  // namespace
 
 model::CellSize OutlineFile::size(double edge_mm) const {
@@ -114,12 +130,14 @@ model::CellSize OutlineFile::size(double edge_mm) const {
 double OutlineFile::offset(double edge_mm) const { return offset_mm ? *offset_mm / edge_mm : default_offset; }
 
 const targets::KeyTable& outline_keys() {
-  static const OutlineFile usual{.name = {}, .folded = targets::Outline({{0, 0}, {1, 0}, {0, 1}})};
+  static const OutlineFile usual;
   static const targets::KeyTable keys = file_keys({
       {"target", value::map(targets::outline_target_keys()), targets::needed, "the goal"},
       {"structure", value::map(structure_keys(usual)), {}, "the flat panel"},
       {"variables", value::map(variables_keys(usual)), {}, "what the search may change, and how far"},
       {"tolerance", value::map(tolerance_keys(usual)), {}, "when the goal is met"},
+      {"hinge", value::map(hinge_keys()), {}, "what the hinges are made of; needs `structure.cell_mm`"},
+      goal_drive_key(),
       {"physics", value::map(physics_keys()), {}, "settings of the physics run"},
       process_key(),
   });
@@ -130,9 +148,10 @@ OutlineFile read_outline_file(const targets::Node& node) {
   const targets::Section root(node, outline_keys());
   check_version(root);
   const targets::Section target = root.section("target");
-  OutlineFile file{.name = read_name(root),
-                   .folded = targets::read_outline(target.required(
-                       "points", "the path of a CSV file or a list of points [[x, y], ...] in mm"))};
+  OutlineFile file;
+  file.name = read_name(root);
+  file.folded = targets::read_outline(
+      target.required("points", "the path of a CSV file or a list of points [[x, y], ...] in mm"));
   if (const auto flat = target.optional("flat")) file.flat = targets::read_outline(*flat);
   read_structure(root, file);
   read_variables(root, file);
@@ -140,7 +159,7 @@ OutlineFile read_outline_file(const targets::Node& node) {
   tolerance.read("shape", file.shape_tolerance);
   tolerance.read("iou", file.iou_tolerance);
   tolerance.read("verify", file.verify_tolerance);
-  file.process = read_process(root);
+  read_hinges(root, file);
   file.physics = read_physics(root, file.cell_mm.value_or(file.folded.diagonal() / file.columns));
   return file;
 }

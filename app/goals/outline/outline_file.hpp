@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "app/files/goal_drive.hpp"
+#include "app/files/hinge_section.hpp"
 #include "app/files/lattice_section.hpp"
 #include "app/files/physics_section.hpp"
 #include "app/files/process_section.hpp"
@@ -20,21 +22,23 @@ namespace kinetix::app {
 ///     tolerance: {shape: 0.015, iou: 0.95, verify: 0.02}
 struct OutlineFile {
   std::string name;
-  targets::Outline folded;                    ///< target.points
-  std::optional<targets::Outline> flat = {};  ///< target.flat
-  LatticeChoice lattice = {};                 ///< structure.lattice, angle_deg, rim (closed by default)
-  int columns = 12, rows = 12;                ///< structure.cells, or of the rectangle that is trimmed; >= 1
-  bool trims = true;                          ///< structure.trim: cut to the outline when flat
-  std::optional<double> cell_mm = {};         ///< nothing: the panel gets the outline's own size
-  std::optional<double> thickness_mm = {};    ///< structure.wall_mm
-  std::optional<double> height_mm = {};       ///< likewise
-  std::optional<double> offset_mm = {};       ///< variables.offset_mm; nothing: 0.08 cells
-  std::array<double, 2> t = {0.12, 0.88};     ///< variables.t.range, fractions of a wall
+  targets::Outline folded{{{0, 0}, {1, 0}, {0, 1}}};  ///< target.points
+  std::optional<targets::Outline> flat = {};          ///< target.flat
+  LatticeChoice lattice = {};               ///< structure.lattice, angle_deg, rim (closed by default)
+  int columns = 12, rows = 12;              ///< structure.cells, or of the rectangle that is trimmed; >= 1
+  bool trims = true;                        ///< structure.trim: cut to the outline when flat
+  std::optional<double> cell_mm = {};       ///< nothing: the panel gets the outline's own size
+  std::optional<double> thickness_mm = {};  ///< structure.wall_mm
+  std::optional<double> height_mm = {};     ///< likewise
+  std::optional<double> offset_mm = {};     ///< variables.offset_mm; nothing: 0.08 cells
+  std::array<double, 2> t = {0.12, 0.88};   ///< variables.t.range, fractions of a wall
   std::array<double, 2> theta = {0.35, 0.6981};  ///< variables.theta.range_deg, rad, within (0, 45) deg
   double shape_tolerance = 0.015;  ///< of the rim's vertices, over the outline's diagonal, (0, 1]
   double iou_tolerance = 0.95;     ///< least intersection over union, (0, 1]
   double verify_tolerance = 0.02;  ///< of verify_rms, cell edges, (0, 1]
   PhysicsSection physics = {};
+  HingeSection hinge = {};  ///< of a panel whose cell_mm is given
+  GoalDrive drive = {};     ///< where hinges are elastic
   model::Process process = model::processes().front();
 
   /// The panel's size where a cell edge has this length, mm.

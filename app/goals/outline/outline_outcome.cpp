@@ -58,6 +58,7 @@ void OutlineOutcome::add_sections(const Run& run, Json& result) const {
                   {"reasons", violations},
                   {"reasons_physics", physics_violations}};
   if (file.flat) section["flat"] = error_json(design.flat);
+  if (matter) section["equilibrium"] = error_json(*matter);
   if (physics) section["physics"] = error_json(*physics);
   result["outline"] = section;
   result["optimiser"] = {{"solver", "alternating directions"},
@@ -69,9 +70,9 @@ void OutlineOutcome::add_sections(const Run& run, Json& result) const {
 }
 
 void OutlineOutcome::add_metrics(Json& metrics) const {
-  metrics["outline_rms"] = design.error.rms;
-  metrics["outline_max"] = design.error.max;
-  metrics["iou"] = design.error.iou;
+  metrics["outline_rms"] = error().rms;
+  metrics["outline_max"] = error().max;
+  metrics["iou"] = error().iou;
   if (file.flat) {
     metrics["flat_rms"] = design.flat.rms;
     metrics["flat_iou"] = design.flat.iou;
@@ -87,11 +88,11 @@ std::vector<SummaryLine> OutlineOutcome::summary_lines(const Run& run) const {
   const double edge = run.structure.size().edge_mm;
   std::vector<SummaryLine> lines;
   lines.push_back(
-      {"outline", fmt::format("rim {:.2f} % of the diagonal off the outline (rms, {:.3f} mm), area {:.1f} % "
-                              "shared, {}: {}",
-                              100 * design.error.rms, design.error.rms * size(edge) * file.folded.diagonal(),
-                              100 * design.error.iou, size_words(size(edge)),
-                              met() ? "within tolerance" : "MISSES THE TOLERANCE")});
+      {"outline",
+       fmt::format("rim {:.2f} % of the diagonal off the outline (rms, {:.3f} mm), area {:.1f} % "
+                   "shared, {}: {}",
+                   100 * error().rms, error().rms * size(edge) * file.folded.diagonal(), 100 * error().iou,
+                   size_words(size(edge)), met() ? "within tolerance" : "MISSES THE TOLERANCE")});
   if (file.flat)
     lines.push_back(
         {"flat", fmt::format("rim {:.2f} % of the diagonal off its outline (rms), area {:.1f} % shared",

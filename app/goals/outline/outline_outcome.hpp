@@ -16,10 +16,14 @@ class OutlineOutcome final : public GoalOutcome {
   optim::OutlineDesign design;
   int cuts = 0;                                  ///< of the lattice that were tried
   std::vector<int> rim;                          ///< bodies round the outside, counter-clockwise
+  model::State exact;                            ///< without any strain: where results show the panel
+  std::optional<targets::OutlineError> matter;   ///< of the equilibrium of elastic hinges
   std::optional<targets::OutlineError> physics;  ///< of the settled physics run
 
   /// Points of the outline where the panel in the model's state should lie on it, mm.
   std::vector<Eigen::Vector2d> placed(double edge_mm) const;
+  /// Of the state that results show.
+  const targets::OutlineError& error() const { return matter ? *matter : design.error; }
   /// mm of the panel a mm of the outline: 1 where the panel comes out as large as drawn.
   double size(double edge_mm) const { return edge_mm / design.scale; }
 

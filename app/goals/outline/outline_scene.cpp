@@ -7,6 +7,25 @@
 namespace kinetix::app {
 namespace {
 
+/// Of a state anywhere in space, laid over the exact one.
+targets::OutlineError error_of(const OutlineOutcome& outline, const model::State& state, double edge_mm) {
+  const model::State placed = aligned(state, outline.exact);
+  std::vector<Eigen::Vector2d> rim;
+  for (const int body : outline.rim) rim.push_back(placed[body].p.head<2>());
+  return outline_error(targets::Outline(outline.placed(edge_mm)), rim);
+}
+
+/// @param who the state is of that results show
+std::vector<std::string> all_violations(const OutlineFile& file, const OutlineOutcome& outline,
+                                        const std::string& who) {
+  std::vector<std::string> why = violations(file, outline.error(), who);
+  if (file.flat)
+    for (const std::string& lacks : violations(file, outline.design.flat, "flat")) why.push_back(lacks);
+  if (!outline.design.clear)
+    why.push_back("walls meet before the panel is pressed so far: use thinner walls or a smaller theta");
+  return why;
+}
+
 class OutlineScene final : public Scene {
  public:
   explicit OutlineScene(OutlineFile file) : file_(std::move(file)) {}
@@ -15,6 +34,8 @@ class OutlineScene final : public Scene {
 
   void solve(Run& run, const RunOptions& options) const override {
     run.physics = file_.physics;
+    run.hinge = file_.hinge;
+    run.goal_drive = file_.drive;
     run.process = file_.process;
     run.verify_tolerance = file_.verify_tolerance;
     auto outline = std::make_unique<OutlineOutcome>(file_);
@@ -23,35 +44,47 @@ class OutlineScene final : public Scene {
     outline->design = std::move(found.design);
     outline->cuts = found.cuts;
     outline->rim = outer_rim(outline->design.panel.graph).vertices;
-    outline->violations = violations(file_, outline->design.error, "model");
-    if (file_.flat)
-      for (const std::string& why : violations(file_, outline->design.flat, "flat"))
-        outline->violations.push_back(why);
-    if (!outline->design.clear)
-      outline->violations.push_back(
-          "walls meet before the panel is pressed so far: use thinner walls or a smaller theta");
+    outline->violations = all_violations(file_, *outline, "model");
     run.structure = std::move(found.sheet);
     run.theta = outline->design.theta;
     run.goal = std::move(outline);
   }
 
-  void add_state(Run& run, const RunOptions&) const override { add_exact_state(run, run.theta); }
+  void add_state(Run& run, const RunOptions&) const override {
+    add_exact_state(run, run.theta);
+    outcome_of<OutlineOutcome>(run).exact = run.states.front().poses;
+  }
+
+  /// In the place of the exact state.
+  model::State shown(const Run& run, const model::State& state) const override {
+    return aligned(state, outcome_of<OutlineOutcome>(run).exact);
+  }
 
   /// Each vertex of the rim.
   std::optional<Judged> judged(const Run& run, const model::Sheet&, double,
                                const model::State& state) const override {
     const auto& outline = outcome_of<OutlineOutcome>(run);
     const targets::Outline goal(outline.placed(run.structure.size().edge_mm));
-    const model::Pose motion = motion_onto(state, run.plan.exact.at(run.theta));
+    const model::Pose motion = motion_onto(state, outline.exact);
     const model::State placed = moved(state, motion);
     Judged out{{}, file_.shape_tolerance * goal.diagonal()};
     for (const int body : outline.rim) {
       const Eigen::Vector3d& place = placed[body].p;
       const targets::Outline::Nearest at = goal.nearest(place.head<2>());
       const Eigen::Vector3d normal(at.normal.x(), at.normal.y(), 0);
-      out.points.push_back({{body}, state[body].p, motion.R.transpose() * normal, at.normal.dot(place.head<2>() - at.point)});
+      out.points.push_back(
+          {{body}, state[body].p, motion.R.transpose() * normal, at.normal.dot(place.head<2>() - at.point)});
     }
     return out;
+  }
+
+  TurnBounds turn_bounds() const override { return {.theta = {file_.theta[0], file_.theta[1]}}; }
+
+  /// How elastic hinges keep the goal.
+  void judge_matter(Run& run, const model::State& state) const override {
+    auto& outline = outcome_of<OutlineOutcome>(run);
+    outline.matter = error_of(outline, state, run.structure.size().edge_mm);
+    outline.violations = all_violations(file_, outline, "equilibrium");
   }
 
   std::optional<PhysicsTask> physics_task(const Run& run) const override {
@@ -59,14 +92,9 @@ class OutlineScene final : public Scene {
                        physics_options(file_.physics, run.structure.size().edge_mm)};
   }
 
-  /// In the place of the model's state: the run's own frame floats.
   void judge_physics(Run& run) const override {
     auto& outline = outcome_of<OutlineOutcome>(run);
-    const double edge = run.structure.size().edge_mm;
-    const model::State placed = aligned(run.verification->physics.state, run.states.front().poses);
-    std::vector<Eigen::Vector2d> rim;
-    for (const int body : outline.rim) rim.push_back(placed[body].p.head<2>());
-    outline.physics = outline_error(targets::Outline(outline.placed(edge)), rim);
+    outline.physics = error_of(outline, run.verification->physics.state, run.structure.size().edge_mm);
     outline.physics_violations = violations(file_, *outline.physics, "physics run");
   }
 

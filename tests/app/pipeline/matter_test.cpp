@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "model/base/angle.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/schema_errors.hpp"
 
@@ -80,6 +81,74 @@ TEST(Matter, MakesUpForSoftHingesOfABox) {
   EXPECT_GT(matter["before_mm"], 10 * matter["after_mm"].get<double>());
   EXPECT_LE(run.result["metrics"]["verify_rms"], 1e-4);
   EXPECT_LE(run.result["metrics"]["fold_miss_physics_deg"], 1);
+}
+
+const std::string small_box = R"(kinetix: 1
+target: {kind: fold, box: [2, 2, 2]}
+structure: {cell_mm: 20}
+hinge: {kind: block, material: tango, gap_mm: 2, thickness_mm: 0.8}
+)";
+
+TEST(Matter, AFoldKeepsItsLimits) {
+  const Scratch scratch;
+  const Finished run =
+      finished(scratch, small_box + springs + "tolerance: {angle_deg: 1, strain: 0.3}\n", " --no-verify");
+  ASSERT_EQ(run.code, 0) << run.out << run.err;
+  EXPECT_EQ(schema_errors(run.result), "");
+  EXPECT_LE(run.result["metrics"]["strain_max"], 0.3);
+  EXPECT_LE(run.result["fold"]["loads"]["strain"], 0.3);
+  EXPECT_GT(run.result["fold"]["unlimited"]["strain"], 0.3);
+  EXPECT_THAT(run.out, HasSubstr("without them at theta"));
+}
+
+TEST(Matter, LimitsOfAFoldMustFitItsDrive) {
+  const Scratch scratch;
+  EXPECT_THAT(finished(scratch, small_box + springs + "tolerance: {force_N: 3}\n").err,
+              HasSubstr("goal.yaml:6:13: tolerance.force_N: is for a drive from outside"));
+  EXPECT_THAT(
+      finished(scratch, "kinetix: 1\ntarget: {kind: fold, box: [2, 2, 2]}\ntolerance: {force_N: 3}\n").err,
+      HasSubstr("tolerance.force_N: is of elastic hinges; give `hinge` as well"));
+}
+
+const std::string soft_disc = R"(kinetix: 1
+target: {kind: outline, points: [[20, 0], [14.1, 14.1], [0, 20], [-14.1, 14.1], [-20, 0], [-14.1, -14.1], [0, -20], [14.1, -14.1]]}
+structure: {cells: [6, 6], cell_mm: 10, wall_mm: {thickness: 1.6, height: 8}}
+variables: {offset_mm: 0.4, theta: {range_deg: [20, 25]}}
+tolerance: {shape: 0.05, iou: 0.8}
+)";
+
+TEST(Matter, AnOutlineIsJudgedInItsHinges) {
+  const Scratch scratch;
+  const Finished run = finished(
+      scratch,
+      soft_disc + "hinge: {kind: block, material: tango, gap_mm: 1.2, thickness_mm: 0.8}\n" + springs);
+  ASSERT_EQ(run.code, 0) << run.out << run.err;
+  EXPECT_EQ(schema_errors(run.result), "");
+  const Json& metrics = run.result["metrics"];
+  EXPECT_NEAR(metrics["outline_rms"], run.result["outline"]["exact"]["rms"].get<double>(), 0.01);
+  EXPECT_EQ(metrics["outline_rms"], run.result["outline"]["equilibrium"]["rms"]);
+  EXPECT_NEAR(metrics["outline_rms_physics"], metrics["outline_rms"].get<double>(), 1e-4);
+  EXPECT_GT(run.result["matter"]["before_mm"], run.result["matter"]["after_mm"]);
+}
+
+TEST(Matter, AnOutlineWithHingesNeedsItsCells) {
+  const Scratch scratch;
+  EXPECT_THAT(
+      finished(scratch,
+               "kinetix: 1\ntarget: {kind: outline, points: [[0, 0], [9, 0], [9, 9], [0, 9]]}\n" + rubber)
+          .err,
+      HasSubstr("goal.yaml:3:1: hinge: needs structure.cell_mm"));
+}
+
+TEST(Matter, TiltsStayWithinTheFilesRange) {
+  const Scratch scratch;
+  const Finished run = finished(
+      scratch, arc + rubber + springs + "variables: {beta: {range_deg: [-14, 14]}}\n", " --no-verify");
+  ASSERT_TRUE(run.code == 0 || run.code == 3) << run.out << run.err;
+  double largest = 0;
+  for (const Json& hinge : run.result["structure"]["hinges"])
+    largest = std::max(largest, std::abs(hinge["beta_rad"].get<double>()));
+  EXPECT_LE(largest, 14.001 * radians_per_degree);
 }
 
 TEST(Matter, ARobustCurveHasBetterPrints) {

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "app/goals/fold/fold_file.hpp"
+#include "app/goals/fold/fold_outcome.hpp"
+#include "app/run/scene.hpp"
+
+namespace kinetix::app {
+
+/// Folds at a smaller theta, with steeper tilts, until drive and hinges bear no more than the limits of the file, and
+/// keeps what they bore without them. Where no theta will do, the design stays as it was.
+/// @param run whose hinge, drive and physics are those of the file   @param scene that the run is of
+/// @param search finds the design for a largest theta, rad
+void keep_limits(const FoldFile& file, const Run& run, const Scene& scene, FoldOutcome& fold,
+                 const std::function<optim::FoldDesign(double)>& search, const Progress& progress);
+
+}  // namespace kinetix::app

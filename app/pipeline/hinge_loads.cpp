@@ -1,0 +1,46 @@
+#include "app/pipeline/hinge_loads.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/matter/hinge_strain.hpp"
+
+namespace kinetix::app {
+
+HingeLoads hinge_loads(const model::EquilibriumPath& path, const model::LinkageDrive& drive,
+                       const model::Linkage& linkage, const HingeSection& hinge) {
+  HingeLoads loads;
+  loads.reached = path.stop == model::EquilibriumPath::Stop::reached;
+  if (!drive.heats_springs())
+    loads.force_N = largest_load(path) / (drive.has_force() ? 1 : linkage.size.edge_mm);
+  for (int h = 0; hinge.made && h < static_cast<int>(linkage.hinges.size()); ++h)
+    loads.strain = std::max(loads.strain, hinge_strain(*hinge.made, linkage, path.state, h));
+  return loads;
+}
+
+double share_of(const HingeLimits& limits, const HingeLoads& loads) {
+  if (!loads.reached) return INFINITY;
+  double share = 0;
+  if (limits.force_N) share = std::max(share, loads.force_N / *limits.force_N);
+  if (limits.strain) share = std::max(share, loads.strain / *limits.strain);
+  return share;
+}
+
+std::vector<std::string> violations(const HingeLimits& limits, const HingeLoads& loads,
+                                    const std::string& instead) {
+  std::vector<std::string> why;
+  if (limits.force_N && !(loads.force_N <= *limits.force_N))
+    why.push_back(
+        fmt::format("the drive takes {:.3g} N; at most {:g} N is allowed, and {} does not keep that",
+                    loads.force_N, *limits.force_N, instead));
+  if (limits.strain && !(loads.strain <= *limits.strain))
+    why.push_back(
+        fmt::format("a hinge is strained by {:.2f}; at most {:g} is allowed, and {} does not keep that: a "
+                    "longer gap or a thinner hinge strains less",
+                    loads.strain, *limits.strain, instead));
+  return why;
+}
+
+}  // namespace kinetix::app
