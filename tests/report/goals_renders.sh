@@ -31,6 +31,18 @@ drawn fold '<th scope="col">Required</th>'
 holds 'allowed 0.3'
 holds 'allowed 0.03'
 
+cat >"$work/soft.yaml" <<'END'
+kinetix: 1
+target: {kind: display, glyph: T}
+structure: {cells: [8, 8], cell_mm: 20, wall_mm: {thickness: 2, height: 8}}
+hinge: {kind: block, material: tango, gap_mm: 2, thickness_mm: 1.2}
+tolerance: {strain: 0.25}
+END
+search soft
+drawn display 'within the limits'
+drawn display 'without them'
+drawn display 'looked at in the elastic model'
+
 cat >"$work/cap.yaml" <<END
 kinetix: 1
 target: {kind: helmet, mesh: $shapes/headform.obj, ribs: 3, coverage_mm: 70}

@@ -4,6 +4,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
 
@@ -53,6 +54,17 @@ TEST(Report, KeepsMarkupInTheDataInert) {
   EXPECT_EQ(occurrences(page, "<script"), 2);
   EXPECT_EQ(occurrences(page, "</script"), 2);
   EXPECT_EQ(page.find("<!--"), std::string::npos);
+}
+
+/// All scripts share one scope: the later of two functions would silently take the place of the other.
+TEST(Report, NamesEveryFunctionOnce) {
+  const std::string page = report_html("{}");
+  const std::regex function("\nfunction (\\w+)\\(");
+  std::map<std::string, int> named;
+  for (auto at = std::sregex_iterator(page.begin(), page.end(), function); at != std::sregex_iterator(); ++at)
+    ++named[(*at)[1]];
+  EXPECT_GT(named.size(), 100u);
+  for (const auto& [name, times] : named) EXPECT_EQ(times, 1) << name;
 }
 
 TEST(Report, LeavesNoPlaceholder) {

@@ -4,8 +4,12 @@ function list(value) {
   return Array.isArray(value) ? value : [];
 }
 
+function someDictionary(value) {
+  return value && typeof value === "object" && !Array.isArray(value) ? value : null;
+}
+
 function dictionary(value) {
-  return value && typeof value === "object" && !Array.isArray(value) ? value : {};
+  return someDictionary(value) ?? {};
 }
 
 /** Rows of numbers of a given length; rows that hold anything else are dropped. */

@@ -15,6 +15,7 @@ function readDisplay(raw) {
     physicsReasons: words(raw.reasons_physics), axis: raw.axis === "x" ? "x" : "y",
     compression: finite(raw.compression), angle: finite(raw.angle_rad),
     needed: list(raw.needed_cells).filter((side) => finite(side) !== null),
+    loads: someDictionary(raw.loads), unlimited: someDictionary(raw.unlimited), printed: someDictionary(raw.printed),
     front: list(raw.front).filter((point) => finite(point?.offset_mm) !== null),
     neededFor: raw.needed_for === "contrast" ? "contrast" : "strokes",
   };
@@ -112,11 +113,34 @@ function displaySection(data) {
                          `Compressed along ${display.axis} by ${percent(display.compression)}.` :
                          `Moved by one hinge, turned by ${figures(Math.abs(display.angle) * 180 / Math.PI, 3)} degrees; no plates hold its rows.`) +
                         ` The largest stretch of a hinge is ${figures(display.stretch)} cell edges.`),
-      frontTable(display), neededPanel(display), startsTable(display));
+      limitsTable(display), printsTable(display), frontTable(display), neededPanel(display), startsTable(display));
 }
 
-function force(point) {
+function loadOf(point) {
   return finite(point.load_Nmm) === null ? `${figures(point.load_N, 2)} N` : `${figures(Math.abs(point.load_Nmm), 2)} N mm`;
+}
+
+/** What limits of force and strain cost. */
+function limitsTable(display) {
+  if (!display.loads) return null;
+  const row = (name, loads) => ({cells: [
+    name, percent(loads.compression), `${figures(loads.force_N, 2)} N`, figures(loads.strain, 2), figures(loads.auc, 3), figures(loads.contrast, 2)
+  ]});
+  const rows = [row(display.unlimited ? "within the limits" : "this panel, which keeps the limits", display.loads)];
+  if (display.unlimited) rows.push(row("without them", display.unlimited));
+  return html("div", {class: "scroll"},
+              table(["", "compressed by", "force, largest", "strain, largest", "AUC", "contrast"], rows, "Limits of force and strain"));
+}
+
+/** What prints with the errors of their process show. */
+function printsTable(display) {
+  if (!display.printed) return null;
+  const {expected, prints} = display.printed;
+  const row = (name, made) => ({cells: [name, figures(made?.contrast, 2), figures(made?.contrast_p95, 2), figures(made?.auc, 3)]});
+  return html("div", {class: "scroll"},
+              table(["prints", "contrast, mean", "contrast that 95 of 100 keep", "AUC"],
+                    [row("expected, to first order", expected), row(`${display.printed.count} looked at in the elastic model`, prints)],
+                    "What prints show"));
 }
 
 /** What hinges further off their walls would buy. */
@@ -127,7 +151,7 @@ function frontTable(display) {
     mark: point.own === true ? "best" : null,
     cells: [
       `${millimetres(point.offset_mm)}${point.own === true ? " (this one)" : ""}`, figures(grey ? point.rank : point.auc, 3),
-      ...(grey ? [] : [figures(point.contrast, 2), percent((point.letter - point.rest) / point.rest)]), point.reached === true ? force(point) : "not reached",
+      ...(grey ? [] : [figures(point.contrast, 2), percent((point.letter - point.rest) / point.rest)]), point.reached === true ? loadOf(point) : "not reached",
       millimetres(point.stretch_mm)
     ]
   });

@@ -15,6 +15,7 @@ function readFold(raw) {
       model: finite(crease?.fold_deg), physics: finite(crease?.fold_physics_deg), tilt: finite(crease?.tilt_deg)
     })),
     edges: numberRows([raw.edges_mm], 3)[0] ?? null,
+    loads: someDictionary(raw.loads), unlimited: someDictionary(raw.unlimited),
     unfoldings: finite(raw.unfoldings), unfolding: finite(raw.unfolding),
     attempts: list(raw.attempts).filter((attempt) => attempt && typeof attempt === "object"),
     reasons: words(raw.reasons), physicsReasons: words(raw.reasons_physics),
@@ -92,6 +93,14 @@ function attemptTable({attempts}) {
       })), "Attempts"));
 }
 
+function foldLimits({loads, unlimited}) {
+  if (!loads) return null;
+  const row = (name, at) => ({cells: [name, degrees(toDegrees(at.theta_rad)), `${figures(at.force_N, 2)} N`, figures(at.strain, 2)]});
+  const rows = [row(unlimited ? "within the limits" : "this net, which keeps the limits", loads)];
+  if (unlimited) rows.push(row("without them", unlimited));
+  return html("div", {class: "scroll"}, table(["", "theta", "force, largest", "strain, largest"], rows, "Limits of force and strain"));
+}
+
 function foldSection({goal: fold, structure}) {
   const edges = fold.edges ? ` The ideal solid has edges of ${fold.edges.map(millimetres).join(" \u00d7 ")}.` : "";
   return html(
@@ -101,7 +110,7 @@ function foldSection({goal: fold, structure}) {
                millimetres(structure.cell)}, unfolding ${(fold.unfolding ?? 0) + 1} of ${fold.unfoldings ?? 1}.${edges}`),
       html("figure", {class: "picture", id: "net"}, responsive((width) => drawNet(fold, width)),
            html("figcaption", {}, "Seen from above, flat. Coloured cells bend by the angle written on them; positive angles rise towards the reader.")),
-      html("div", {class: "scroll"}, creaseTable(fold)), attemptTable(fold));
+      html("div", {class: "scroll"}, creaseTable(fold)), foldLimits(fold), attemptTable(fold));
 }
 
 const foldGoal = {
