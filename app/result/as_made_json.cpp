@@ -68,6 +68,11 @@ std::vector<SummaryLine> as_made_lines(const Run& run) {
                          in_words[most.parameter], wall_name(run.structure, most.hinge), 100 * most.share)});
   }
   if (run.printed->runs) lines.push_back({"", prints_words(*run.printed)});
+  if (run.hinge.model == HingeSection::Model::rotary)
+    lines.push_back(
+        {"", fmt::format("taken for pins of {:g} N/mm, as the file does not say what its hinges are: "
+                         "`hinge: {{kind: block, ...}}` tells what soft ones come to",
+                         run.hinge.k_point)});
   return lines;
 }
 

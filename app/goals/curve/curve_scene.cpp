@@ -91,7 +91,8 @@ class CurveScene final : public Scene {
   void judge_matter(Run& run, const model::State& state) const override {
     auto& curve = outcome_of<CurveOutcome>(run);
     const model::State upright = aligned(state, curve.exact);
-    const targets::CurveError error = curve_error(column_midline(run.structure, upright), file_.curve);
+    targets::CurveError& error = curve.found.design.error;
+    error = curve_error(column_midline(run.structure, upright), file_.curve);
     curve.violations.clear();
     if (!(error.rms <= file_.shape_tolerance))
       curve.violations.push_back(

@@ -41,6 +41,14 @@ std::vector<std::string> violations(const FoldFile& file, const targets::FoldNet
   return why;
 }
 
+/// Size of the tilts along a crease, rad: those that make up for elastic hinges differ a little.
+double mean_tilt(const model::Sheet& net, const targets::PlacedCrease& crease) {
+  double sum = 0;
+  const std::vector<model::Wall> walls = bending_walls(crease);
+  for (const model::Wall& wall : walls) sum += std::abs(net.hinge(*net.squares()->hinge_at(wall)).beta);
+  return sum / static_cast<double>(walls.size());
+}
+
 class FoldScene final : public Scene {
  public:
   explicit FoldScene(FoldFile file) : file_(std::move(file)) {}
@@ -113,9 +121,11 @@ class FoldScene final : public Scene {
   /// How elastic hinges keep the goal.
   void judge_matter(Run& run, const model::State& state) const override {
     auto& found = outcome_of<FoldOutcome>(run);
-    const optim::FoldedNet& net = found.design.folded;
-    const targets::FoldError error = fold_error(net.net, net.layout, net.structure, state, run.theta);
-    found.violations = violations(file_, net.net, error, "equilibrium");
+    optim::FoldedNet& net = found.design.folded;
+    net.error = fold_error(net.net, net.layout, net.structure, state, run.theta);
+    for (std::size_t c = 0; c < net.tilt.size(); ++c)
+      net.tilt[c] = mean_tilt(run.structure, net.layout.creases[c]);
+    found.violations = violations(file_, net.net, net.error, "equilibrium");
     if (!found.loads) return;
     const HingeLoads loads =
         hinge_loads(run.equilibrium->path, run.equilibrium->drive, run.structure, run.hinge);

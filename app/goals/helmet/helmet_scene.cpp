@@ -144,10 +144,10 @@ class HelmetScene final : public Scene {
   void judge_matter(Run& run, const model::State& state) const override {
     auto& helmet = outcome_of<HelmetOutcome>(run);
     const model::State on_head = aligned(state, helmet.design.state);
-    const optim::HelmetError error =
+    helmet.design.error =
         optim::helmet_error(helmet.design.fishbone, on_head, file_.head.dome, file_.spec.clearance_mm);
-    helmet.violations =
-        violations(file_, error, walls_inside(run.structure, on_head, file_.head.scan), "equilibrium");
+    helmet.inside = walls_inside(run.structure, on_head, file_.head.scan);
+    helmet.violations = violations(file_, helmet.design.error, helmet.inside, "equilibrium");
     append(helmet.violations, helmet.design.collisions);
     append(helmet.violations, collisions(run));
   }
