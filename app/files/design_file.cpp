@@ -1,5 +1,7 @@
 #include "app/files/design_file.hpp"
 
+#include <fmt/format.h>
+
 #include <vector>
 
 #include "app/files/file_header.hpp"
@@ -182,6 +184,22 @@ HingeSection read_common_hinge(const targets::Section& root, const DesignFile& f
   return hinge;
 }
 
+/// Walls of a graph have lengths of their own; the cell's edge, against which gaps are read, is their mean.
+void check_gaps(const targets::Section& root, const DesignFile& file) {
+  for (int h = 0; h < file.structure.hinges(); ++h) {
+    const auto own = file.own_hinges.find(h);
+    const auto& made = (own == file.own_hinges.end() ? file.hinge : own->second).made;
+    if (!made || made->kind == model::HingeKind::pin) continue;
+    const model::HingedWall wall = file.structure.wall(h);
+    const double length =
+        (file.structure.rest_position(wall.upper) - file.structure.rest_position(wall.lower)).norm();
+    if (made->gap_mm < length) continue;
+    const auto at = own == file.own_hinges.end() ? root.optional("hinge") : root.optional("design");
+    throw at->error(fmt::format("a gap of {:g} mm is longer than wall {}, {:.4g} mm; allowed: below that",
+                                made->gap_mm, wall_name(file.structure, h), length));
+  }
+}
+
 }  // namespace
 
 DesignFile read_design(const std::string& path) {
@@ -208,6 +226,7 @@ DesignFile read_design(const targets::Node& node) {
   file.drive = read_drive_section(root, file.structure);
   file.side = read_side(root);
   file.hinge = read_common_hinge(root, file);
+  check_gaps(root, file);
   const auto physics = file.hinge.model == HingeSection::Model::elastic ? read_elastic_physics : read_physics;
   file.physics = physics(root, file.structure.size().edge_mm);
   return file;

@@ -135,6 +135,21 @@ TEST(LatticeSection, DrawsTheSameByListAndByDrawing) {
   EXPECT_EQ(drawn.structure.cells(), 2);
 }
 
+TEST(LatticeSection, RefusesAGapThatIsLongerThanItsOwnWall) {
+  const std::string oblong = structure(
+      "lattice: graph, vertices_mm: [[0, 0], [20, 0], [0, 5], [20, 5]], walls: [[0, 1], [2, 3], [0, 2], [1, "
+      "3]]");
+  const std::string hinge = "hinge: {kind: block, material: tango, thickness_mm: 0.5, height_mm: 4, gap_mm: ";
+  EXPECT_EQ(read(oblong + hinge + "4.9}\n").hinge.made->gap_mm, 4.9);
+  try {
+    read(oblong + hinge + "6}\n");
+    FAIL() << "no error";
+  } catch (const InvalidInput& error) {
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("a gap of 6 mm is longer than wall"));
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("5 mm; allowed: below that"));
+  }
+}
+
 TEST(LatticeSection, DrawsRegularLatticesAsTheModelDoes) {
   const DesignFile file = read(structure("lattice: honeycomb, cells: [4, 3], rim: closed, cell_mm: 20") +
                                "design: {hinges: [{wall: [0, 4], t: 0.25, offset_mm: 3}]}\n");
