@@ -5,7 +5,8 @@ namespace kinetix::model {
 const std::vector<Material>& materials() {
   static const std::vector<Material> all{
       {"tango", 1, 0.48, 0.5,
-       "PolyJet rubber of Shore 27 A: E from the hardness by Gent's relation, strain half of that at break"},
+       "PolyJet rubber of Shore 27 A: E from the hardness by Gent's relation; strain well below that at "
+       "break, for notches and repeated bending"},
       {"tpu95a", 26, 0.48, 0.5,
        "TPU filament of Shore 95 A: data sheets give 26 to 50 MPa, yield at half its length"},
       {"pp", 1300, 0.42, 0.1, "polypropylene film: data sheets of sheet and film; strain at yield"},
