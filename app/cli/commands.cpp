@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "app/cli/open_report.hpp"
 #include "app/console/console.hpp"
 #include "app/exports/write_results.hpp"
 #include "app/goals/read_target.hpp"
@@ -29,7 +30,8 @@ std::string folder_of(const CommandOptions& options, const std::string& name, co
 }
 
 RunOptions run_options(const CommandOptions& options, Console& console) {
-  return {options.threads, options.seed, options.verify, console.progress(), options.prints};
+  return {options.threads,    options.seed,   options.verify,
+          console.progress(), options.prints, options.fidelity};
 }
 
 /// Bad input that is found after reading gets the file's name.
@@ -68,6 +70,7 @@ int run_and_write(const CommandOptions& options, const Scene& scene, const std::
   const auto json = write_results(run, folder.path());
   folder.keep();
   print(run, json, folder.path(), options.json);
+  if (options.open) open_report(folder.path() + "/report.html");
   return exit_code(run);
 }
 

@@ -1,7 +1,10 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
+#include <string_view>
 
 #include "app/cli/commands.hpp"
+#include "app/cli/error_report.hpp"
 #include "app/io/atomic_file.hpp"
 #include "app/sweep/sweep_command.hpp"
 #include "app/version.hpp"
@@ -38,6 +41,7 @@ void add_output(CLI::App& app, CommandOptions& options) {
          "folder for result.json, design.yaml and report.html (default results/NAME, with _verified, "
          "_exact, _equilibrium or _bullet for a design)")
       ->type_name("DIR");
+  app.add_flag("--open", options.open, "shows the report in the browser");
 }
 
 void add_file(CLI::App& app, CommandOptions& options, const std::string& name, const std::string& what) {
@@ -57,6 +61,12 @@ exit codes:
   0 done   1 internal error   2 bad input   3 target missed or not reached
   4 physics run disagrees or failed)";
 
+/// Also of a command line that cannot be read.
+bool asks_for_json(int argc, char** argv) {
+  return std::any_of(argv + 1, argv + argc,
+                     [](const char* word) { return std::string_view(word) == "--json"; });
+}
+
 int run(int argc, char** argv) {
   CommandOptions options;
   CLI::App app(
@@ -72,6 +82,8 @@ int run(int argc, char** argv) {
   add_output(app, options);
   app.add_flag_callback(
       "--no-verify", [&] { options.verify = false; }, "skip the physics run");
+  app.add_flag("--fidelity", options.fidelity,
+               "physics runs of coarser steps too, for the report's table of speed against error");
   app.add_option("--monte-carlo", options.prints,
                  "brings so many prints with errors to their equilibrium, to confirm")
       ->type_name("N")
@@ -87,6 +99,8 @@ int run(int argc, char** argv) {
     add_file(*command, options, command == check ? "FILE.yaml" : "DESIGN.yaml", "the file to read");
     add_common(*command, options);
     if (command != check) add_output(*command, options);
+    if (command == verify)
+      command->add_flag("--fidelity", options.fidelity, "runs of coarser steps too, for speed against error");
   }
   add_file(*sweep, options, "DOE.yaml", "the sweep: base, factors, method, responses");
   add_common(*sweep, options);
@@ -107,7 +121,9 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? kinetix::app::done : kinetix::app::bad_input;
+    if (app.exit(e) == 0) return kinetix::app::done;
+    if (asks_for_json(argc, argv)) kinetix::app::print_error(e.what(), kinetix::app::bad_input);
+    return kinetix::app::bad_input;
   }
   options.theta_given = theta->count() > 0;
   if (verify->parsed()) return kinetix::app::verify_command(options);
@@ -124,6 +140,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  const bool as_json = asks_for_json(argc, argv);
   try {
     kinetix::app::remove_parts_when_interrupted();
     const int code = run(argc, argv);
@@ -132,10 +149,12 @@ int main(int argc, char** argv) {
     std::cerr << "standard output cannot be written\n";
     return kinetix::app::internal_error;
   } catch (const kinetix::InvalidInput& e) {
-    std::cerr << e.what() << "\n";
+    kinetix::app::report_error(e, as_json);
     return kinetix::app::bad_input;
   } catch (const std::exception& e) {
-    std::cerr << "internal error: " << e.what() << "\n";
+    const std::string message = std::string("internal error: ") + e.what();
+    std::cerr << message << "\n";
+    if (as_json) kinetix::app::print_error(message, kinetix::app::internal_error);
     return kinetix::app::internal_error;
   }
 }

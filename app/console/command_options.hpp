@@ -17,7 +17,9 @@ struct CommandOptions {
   bool json = false;
   bool quiet = false;
   bool verify = true;
-  int prints = 0;  ///< of a target: to confirm what prints come to
+  bool fidelity = false;  ///< of a target and verify: physics runs of coarser steps too
+  bool open = false;      ///< shows the report when it is written
+  int prints = 0;         ///< of a target: to confirm what prints come to
   int threads = 0;
   std::uint64_t seed = 0;
   bool seed_given = false;

@@ -4,10 +4,16 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include <algorithm>
+
+#include "app/console/duration_text.hpp"
+
 namespace kinetix::app {
 namespace {
 
-constexpr int bar_width = 30;  // characters: leaves room for stage and note on a line of 80
+constexpr int bar_width = 30;                // characters: leaves room for stage and note on a line of 80
+constexpr std::chrono::seconds interval{1};  // after which silence makes people wonder
+constexpr double least_done = 0.02;          // a share: from less nobody can tell what is left
 
 spdlog::logger& log() {
   static const auto logger = [] {
@@ -20,33 +26,84 @@ spdlog::logger& log() {
 
 }  // namespace
 
-Console::Console(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1) {}
+Console::Console(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1) {
+  if (!quiet_) heart_ = std::thread([this] { beat(); });
+}
 
-Console::~Console() { clear_line(); }
+Console::~Console() {
+  {
+    const std::lock_guard lock(mutex_);
+    ends_ = true;
+    clear_line();
+  }
+  end_.notify_one();
+  if (heart_.joinable()) heart_.join();
+}
+
+void Console::beat() {
+  std::unique_lock lock(mutex_);
+  while (!end_.wait_for(lock, interval / 4, [this] { return ends_; }))
+    if (!stage_.empty() && Clock::now() >= next_) show();
+}
+
+/// What is left, from how long the part that is done took.
+std::string Console::note(double seconds) const {
+  if (!note_.empty()) return note_;
+  std::string text = duration_text(seconds);
+  if (done_ > least_done && done_ < 1)
+    text += ", about " + duration_text(seconds * (1 - done_) / done_) + " left";
+  return text;
+}
+
+void Console::show() {
+  next_ = Clock::now() + interval;
+  const double seconds = std::chrono::duration<double>(Clock::now() - since_).count();
+  if (terminal_)
+    show_bar(seconds);
+  else if (done_ >= 0)
+    log().info("{} ... {:.0f} %, {}", stage_, 100 * done_, note(seconds));
+  else
+    log().info("{} ... {}", stage_, note(seconds));
+}
+
+void Console::show_bar(double seconds) {
+  on_screen_ = true;
+  if (done_ < 0) {
+    fmt::print(stderr, "\r{:<18} {}\033[K", stage_, note(seconds));
+  } else {
+    const int filled = bar_width * shown_percent_ / 100;
+    fmt::print(stderr, "\r{:<18} [{:#<{}}{:.<{}}] {:3d} % {}\033[K", stage_, "", filled, "",
+               bar_width - filled, shown_percent_, note(seconds));
+  }
+  std::fflush(stderr);
+}
 
 void Console::clear_line() {
-  if (terminal_ && shown_percent_ >= 0) fmt::print(stderr, "\r\033[K");
-  shown_percent_ = -1;
+  if (on_screen_) fmt::print(stderr, "\r\033[K");
+  on_screen_ = false;
 }
 
 void Console::stage(const std::string& name, double done, const std::string& note) {
   if (quiet_) return;
-  if (name != stage_) {
+  const std::lock_guard lock(mutex_);
+  const bool is_new = name != stage_;
+  if (is_new) {
     clear_line();
     stage_ = name;
+    since_ = Clock::now();
+    next_ = since_ + interval;
     if (!terminal_) log().info("{} ...", name);
   }
-  const int percent = static_cast<int>(100 * done);
-  if (!terminal_ || done < 0 || (percent == shown_percent_ && note == note_)) return;
+  const int percent = done < 0 ? -1 : static_cast<int>(100 * std::min(done, 1.0));
+  const bool changes = is_new || percent != shown_percent_ || note != note_;
+  done_ = done;
   shown_percent_ = percent;
   note_ = note;
-  const int filled = bar_width * percent / 100;
-  fmt::print(stderr, "\r{:<12} [{:#<{}}{:.<{}}] {:3d} % {}\033[K", name, "", filled, "", bar_width - filled,
-             percent, note);
-  std::fflush(stderr);
+  if (terminal_ && changes) show();
 }
 
 void Console::error(const std::string& message) {
+  const std::lock_guard lock(mutex_);
   clear_line();
   log().error("{}", message);
 }

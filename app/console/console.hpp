@@ -1,30 +1,50 @@
 #pragma once
 
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
 #include <string>
+#include <thread>
 
 #include "app/run/run_options.hpp"
 
 namespace kinetix::app {
 
-/// Progress on stderr: a bar where stderr is a terminal, one line per stage where it is not, nothing when
-/// quiet.
+/// Progress on stderr: a bar where stderr is a terminal, lines where it is not, nothing when quiet. A stage that takes
+/// longer than a second says so every second: how long it has been going on, and how much of it is done and left where
+/// that is known. Calls may come from any thread.
 class Console {
  public:
   explicit Console(bool quiet);
   ~Console();
+  Console(const Console&) = delete;
+  Console& operator=(const Console&) = delete;
 
   /// @param done share of the stage, 0 to 1 (negative: not known)
-  /// @param note stands behind the bar of a terminal, e.g. the time left
+  /// @param note stands at the end, in the place of the time left
   void stage(const std::string& name, double done, const std::string& note = {});
   void error(const std::string& message);
   Progress progress();
 
  private:
+  using Clock = std::chrono::steady_clock;
+
+  void beat();
+  void show();
+  void show_bar(double seconds);
+  std::string note(double seconds) const;
   void clear_line();
 
-  bool quiet_, terminal_;
+  const bool quiet_, terminal_;
+  std::mutex mutex_;  ///< of all below
+  std::condition_variable end_;
+  bool ends_ = false;
+  bool on_screen_ = false;  ///< a bar
   int shown_percent_ = -1;
+  double done_ = -1;
+  Clock::time_point since_, next_;  ///< the stage began; its next word is due
   std::string stage_, note_;
+  std::thread heart_;
 };
 
 }  // namespace kinetix::app

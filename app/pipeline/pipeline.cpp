@@ -11,19 +11,19 @@ namespace kinetix::app {
 namespace {
 
 /// What prints come to, of goals that are judged by distances.
-void judge_prints(Run& run, const Scene& scene, int prints) {
+void judge_prints(Run& run, const Scene& scene, const RunOptions& options) {
   if (!run.goal || run.states.empty() || (run.matter && !run.equilibrium)) return;
   const model::State state = run.matter ? run.equilibrium->path.state : scene.own_state(run);
   const auto judged = scene.judged(run, run.structure, run.theta, state);
   if (!judged) return;
+  if (options.progress) options.progress("prints", -1);
   run.printed = as_made(run, run.matter ? run.equilibrium->drive : drive_to(run.structure, run.theta), state,
-                        judged->points, prints);
+                        judged->points, options.prints);
   if (run.printed)
     run.printed->tolerance_mm = judged->tolerance_mm;
   else
-    run.plan.why.push_back(
-        "what prints come to is not known: elastic hinges have no stable state near the design under its "
-        "drive");
+    run.prints_unknown = "elastic hinges have no stable state near the design under its drive";
+  if (!run.printed) run.plan.why.push_back("what prints come to is not known: " + run.prints_unknown);
 }
 
 std::optional<PhysicsTask> physics_task(const Run& run, const Scene& scene) {
@@ -53,11 +53,11 @@ Run run_scene(const Scene& scene, const RunOptions& options) {
   watch.lap();
   if (is_of_matter(scene, run)) settle_in_matter(run, scene, options);
   run.timings.matter = watch.lap();
-  judge_prints(run, scene, options.prints);
+  judge_prints(run, scene, options);
   run.timings.as_made = watch.lap();
   if (options.verify)
     if (const auto task = physics_task(run, scene)) {
-      verify(run, *task, options.progress);
+      verify(run, *task, options);
       if (is_settled(*run.verification)) scene.judge_physics(run);
       if (run.goal && run.goal->violations.empty())  // of a state that misses its goal, physics says so too
         run.verification->agrees &= run.goal->physics_violations.empty();

@@ -49,9 +49,9 @@ void add_fidelity(Run& run, const std::string& model, const sim::PhysicsResult& 
       {model + " (" + to_string(physics.status) + ")", physics.seconds, rms, to_string(run.plan.model)});
 }
 
-/// The run's own, and those of quick runs of coarser steps.
-void add_rows(Run& run, const Verification& v, const PhysicsTask& task) {
-  add_fidelity(run, "bullet", v.physics, task.reference);
+/// Of quick runs of coarser steps.
+void add_coarser(Run& run, const Verification& v, const PhysicsTask& task, const Progress& progress) {
+  if (progress) progress("speed against error", -1);
   for (const double factor : {4.0, 16.0})
     if (v.options.step_s * factor <= longest_step_s)
       add_fidelity(run, fmt::format("bullet, {} x step", factor),
@@ -64,11 +64,11 @@ bool is_settled(const Verification& verification) {
   return verification.physics.status == sim::PhysicsResult::Status::settled;
 }
 
-void verify(Run& run, const PhysicsTask& task, const Progress& progress) {
+void verify(Run& run, const PhysicsTask& task, const RunOptions& options) {
   Verification v;
   v.options = suited_to(run.plan.exact, task.options);
   sim::PhysicsObserver observer;
-  if (progress) observer.progress = [&](double done) { progress("physics run", done); };
+  if (options.progress) observer.progress = [&](double done) { options.progress("physics run", done); };
   v.physics = run_compression(run.structure, task.drive, v.options, observer);
   v.compared = !task.reference.empty();
   v.distance = is_settled(v) && v.compared ? distance(run.structure, v.physics, task.reference)
@@ -76,7 +76,8 @@ void verify(Run& run, const PhysicsTask& task, const Progress& progress) {
   v.agrees = is_settled(v) && (!v.compared || v.distance.rms <= run.verify_tolerance);
   v.equilibrium = equilibria(run, v, task.reference);
   run.states.push_back({"target", to_string(Model::bullet), run.theta, v.physics.state, v.physics.gaps});
-  if (v.compared) add_rows(run, v, task);
+  if (v.compared) add_fidelity(run, "bullet", v.physics, task.reference);
+  if (v.compared && options.fidelity) add_coarser(run, v, task, options.progress);
   run.verification = std::move(v);
 }
 

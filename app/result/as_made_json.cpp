@@ -53,6 +53,8 @@ Json as_made_json(const Run& run) {
 }
 
 std::vector<SummaryLine> as_made_lines(const Run& run) {
+  if (!run.prints_unknown.empty())
+    return {{"as made", "what prints come to is not known: " + run.prints_unknown}};
   if (!run.printed) return {};
   const model::AsMade& made = run.printed->made;
   std::vector<SummaryLine> lines = {

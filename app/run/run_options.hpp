@@ -17,6 +17,7 @@ struct RunOptions {
   Progress progress = {};
   int prints =
       0;  ///< with errors, brought to their equilibrium to confirm what is said of them, 0 to 1000000
+  bool fidelity = false;  ///< physics runs of coarser steps too, for the table of speed against error
 };
 
 }  // namespace kinetix::app

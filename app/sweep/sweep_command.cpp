@@ -5,6 +5,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "app/console/duration_text.hpp"
 #include "app/io/atomic_file.hpp"
 #include "app/report/report.hpp"
 #include "app/sweep/sweep_progress.hpp"

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "app/console/duration_text.hpp"
+
 namespace kinetix::app {
 namespace {
 
@@ -22,14 +24,6 @@ void SweepProgress::show(std::int64_t count) {
   const double left = static_cast<double>(total_ - count) / rate;
   console_.stage("sweep", static_cast<double>(count) / static_cast<double>(total_),
                  fmt::format("{} of {}, {:.3g} a second, {} left", count, total_, rate, duration_text(left)));
-}
-
-std::string duration_text(double seconds) {
-  const auto whole = static_cast<long>(seconds);
-  if (seconds < 10) return fmt::format("{:.2g} s", seconds);
-  if (whole < 60) return fmt::format("{} s", whole);
-  if (whole < 3600) return fmt::format("{} min {} s", whole / 60, whole % 60);
-  return fmt::format("{} h {} min", whole / 3600, whole / 60 % 60);
 }
 
 }  // namespace kinetix::app

@@ -23,7 +23,4 @@ class SweepProgress {
   double seconds_ = 0, next_ = 0;
 };
 
-/// "12.3 s", "4 min 10 s", "3 h 20 min"
-std::string duration_text(double seconds);
-
 }  // namespace kinetix::app

@@ -11,11 +11,14 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/console/console.hpp"
 #include "tests/app/schema_errors.hpp"
 
 namespace kinetix::testing {
 namespace {
 
+using ::testing::AllOf;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
@@ -316,6 +319,69 @@ TEST(Program, RefusesAMissingFileAFolderAndAnUnwritableOutput) {
   EXPECT_THAT(run.err, HasSubstr("below"));
   EXPECT_EQ(kinetix_opt(target + " --threads -3").code, 2);
   EXPECT_EQ(kinetix_opt("--nonsense").code, 2);
+}
+
+TEST(Program, ErrorsAreJsonWhereJsonIsAsked) {
+  const Scratch scratch;
+  const std::string target = scratch.write("bow.yaml", std::string(bow) + "tolerance: {shap: 1}\n");
+  const Outcome run = kinetix_opt(target + " --json -o " + (scratch / "out").string());
+  EXPECT_EQ(run.code, 2);
+  const Json error = Json::parse(run.out)["error"];
+  EXPECT_EQ(error["exit_code"], 2);
+  EXPECT_EQ(error["file"], target);
+  EXPECT_EQ(error["line"], 5);
+  EXPECT_EQ(error["column"], 13);
+  EXPECT_EQ(error["message"].get<std::string>() + "\n", run.err);
+  EXPECT_THAT(run.err, EndsWith(error["reason"].get<std::string>() + "\n"));
+
+  const Outcome unknown = kinetix_opt(target + " --json --jsom");
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_THAT(Json::parse(unknown.out)["error"]["message"].get<std::string>(), HasSubstr("--jsom"));
+}
+
+TEST(Program, RunsOfCoarserStepsComeWhenAsked) {
+  const Scratch scratch;
+  const std::string target = scratch.write("bow.yaml", bow), folder = scratch / "out";
+  const auto rows = [&](const std::string& more) {
+    EXPECT_EQ(kinetix_opt(target + " -o " + folder + more).code, 0);
+    return Json::parse(text_of(folder + "/result.json"))["fidelity"].size();
+  };
+  EXPECT_EQ(rows(""), 2u) << "the closed form and its one physics run";
+  EXPECT_EQ(rows(" --fidelity"), 4u);
+}
+
+TEST(Program, ShowsTheReportWhenAsked) {
+  const Scratch scratch;
+  const std::string opened = scratch / "opened";
+  fs::permissions(scratch.write("xdg-open", "#!/bin/sh\nprintf %s \"$1\" >" + opened + ".part\nmv " + opened +
+                                                ".part " + opened + "\n"),
+                  fs::perms::owner_all);
+  const std::string folder = scratch / "out", path = std::getenv("PATH");
+  setenv("PATH", (scratch.path() + ":" + path).c_str(), 1);
+  const Outcome run = kinetix_opt(scratch.write("bow.yaml", bow) + " --no-verify --open -o " + folder);
+  setenv("PATH", path.c_str(), 1);
+  EXPECT_EQ(run.code, 0) << run.err;
+  for (int k = 0; k < 500 && !fs::exists(opened); ++k) usleep(10'000);
+  EXPECT_EQ(text_of(opened), folder + "/report.html");
+}
+
+/// Lines where stderr is no terminal.
+TEST(Console, SaysEverySecondHowFarAStageIs) {
+  ::testing::internal::CaptureStderr();
+  {
+    app::Console console(false);
+    console.stage("folding", 0.4);
+    usleep(2'600'000);
+    console.stage("writing", -1);
+  }
+  {
+    app::Console quiet(true);
+    quiet.stage("silence", 0.5);
+  }
+  const std::string said = ::testing::internal::GetCapturedStderr();
+  EXPECT_THAT(said,
+              AllOf(HasSubstr("folding ...\nfolding ... 40 %, 1"), HasSubstr("left\nfolding ... 40 %, 2"),
+                    HasSubstr("\nwriting ...\n"), Not(HasSubstr("silence"))));
 }
 
 }  // namespace

@@ -1,0 +1,36 @@
+#include "app/cli/error_report.hpp"
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/console/command_options.hpp"
+
+namespace kinetix::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void print(const Json& error) {
+  constexpr auto replace = Json::error_handler_t::replace;  // a file's name may hold bytes that are no UTF-8
+  std::cout << Json{{"error", error}}.dump(1, ' ', false, replace) << std::endl;
+}
+
+}  // namespace
+
+void report_error(const InvalidInput& error, bool as_json) {
+  std::cerr << error.what() << "\n";
+  if (!as_json) return;
+  const Place& place = error.place();
+  Json json = {{"exit_code", bad_input}, {"message", error.what()}, {"reason", error.reason()}};
+  if (!place.file.empty()) json["file"] = place.file;
+  if (place.line > 0) json["line"] = place.line;
+  if (place.column > 0) json["column"] = place.column;
+  if (!place.key.empty()) json["key"] = place.key;
+  print(json);
+}
+
+void print_error(const std::string& message, int exit_code) {
+  print({{"exit_code", exit_code}, {"message", message}});
+}
+
+}  // namespace kinetix::app

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "model/base/invalid_input.hpp"
+
+namespace kinetix::app {
+
+/// One line on stderr; where JSON was asked for, the same as a document on stdout:
+/// `{"error": {"exit_code", "message", "file", "line", "column", "key", "reason"}}`, place as far as it is known.
+void report_error(const InvalidInput& error, bool as_json);
+/// That document alone, of an error that stands on stderr already.
+void print_error(const std::string& message, int exit_code);
+
+}  // namespace kinetix::app
