@@ -52,7 +52,7 @@ class Run {
     measure();
     show();
     bool settled = false, failed = failed_on_the_way();
-    while (result_.steps < all_steps_ && !settled && !failed) {
+    while (result_.steps < all_steps_ && !settled && !failed && !observer_.stop.stop_requested()) {
       step();
       failed = failed_on_the_way();
       settled = !failed && result_.steps >= drive_steps_ && (is_at_rest() || stays_in_place());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <stop_token>
 
 #include "model/linkage/linkage_drive.hpp"
 #include "sim/physics_options.hpp"
@@ -13,6 +14,7 @@ struct PhysicsObserver {
   std::function<void(double done)> progress;  ///< share of the run, rising from 0 to 1
   std::function<void(double simulated_s, const model::State& mm)>
       frame;                       ///< from the flat state to the last one
+  std::stop_token stop = {};       ///< where it asks to, the run ends as one whose time is up
   double frame_interval_s = 0.02;  ///< simulated time between frames, > 0
 };
 

@@ -8,6 +8,7 @@
 
 #include "app/cli/open_report.hpp"
 #include "app/console/console.hpp"
+#include "app/console/stopper.hpp"
 #include "app/exports/write_results.hpp"
 #include "app/goals/read_target.hpp"
 #include "app/io/atomic_file.hpp"
@@ -29,9 +30,14 @@ std::string folder_of(const CommandOptions& options, const std::string& name, co
   return options.folder_given ? options.folder : "results/" + name + suffix;
 }
 
-RunOptions run_options(const CommandOptions& options, Console& console) {
-  return {options.threads,    options.seed,   options.verify,
-          console.progress(), options.prints, options.fidelity};
+RunOptions run_options(const CommandOptions& options, Console& console, const Stopper& stopper) {
+  return {.threads = options.threads,
+          .seed = options.seed,
+          .verify = options.verify,
+          .progress = console.progress(),
+          .prints = options.prints,
+          .stop = stopper.token(),
+          .fidelity = options.fidelity};
 }
 
 /// Bad input that is found after reading gets the file's name.
@@ -65,7 +71,8 @@ int run_and_write(const CommandOptions& options, const Scene& scene, const std::
   OutputFolder folder(folder_of(options, scene.name(), suffix));
   const double load = watch.lap();
   Console console(options.quiet);
-  Run run = located(options.file, scene, run_options(options, console));
+  const Stopper stopper(options.time_limit_s);
+  Run run = located(options.file, scene, run_options(options, console, stopper));
   run.timings.load = load;
   const auto json = write_results(run, folder.path());
   folder.keep();

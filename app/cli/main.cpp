@@ -82,6 +82,10 @@ int run(int argc, char** argv) {
   add_output(app, options);
   app.add_flag_callback(
       "--no-verify", [&] { options.verify = false; }, "skip the physics run");
+  app.add_option("--time-limit", options.time_limit_s,
+                 "stops then and keeps the best so far, as the first Ctrl-C does")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(1e-3, 1e9));
   app.add_flag("--fidelity", options.fidelity,
                "physics runs of coarser steps too, for the report's table of speed against error");
   app.add_option("--monte-carlo", options.prints,

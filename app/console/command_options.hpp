@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace kinetix::app {
@@ -17,9 +18,10 @@ struct CommandOptions {
   bool json = false;
   bool quiet = false;
   bool verify = true;
-  bool fidelity = false;  ///< of a target and verify: physics runs of coarser steps too
-  bool open = false;      ///< shows the report when it is written
-  int prints = 0;         ///< of a target: to confirm what prints come to
+  bool fidelity = false;               ///< of a target and verify: physics runs of coarser steps too
+  std::optional<double> time_limit_s;  ///< of a target: the best so far is kept
+  bool open = false;                   ///< shows the report when it is written
+  int prints = 0;                      ///< of a target: to confirm what prints come to
   int threads = 0;
   std::uint64_t seed = 0;
   bool seed_given = false;

@@ -55,9 +55,11 @@ model::EquilibriumPath path_to(const Run& run, const model::Sheet& sheet, double
 
 /// @param path of the exact design, which came to its goal
 optim::Compensation made_up_for(const Run& run, const Scene& scene, const model::EquilibriumPath& path,
-                                const model::Elasticity& elasticity, double tolerance_mm) {
+                                const model::Elasticity& elasticity, double tolerance_mm,
+                                const std::stop_token& stop) {
   optim::CompensationOptions search = bounded(scene.turn_bounds(), run.goal_drive);
   search.enough_mm = near_enough * tolerance_mm;
+  search.stop = stop;
   return compensate({run.structure, run.theta, path.state}, elasticity, goal_of(run, scene), search);
 }
 
@@ -103,13 +105,14 @@ bool is_of_matter(const Scene& scene, const Run& run) {
   return run.goal && run.hinge.model == HingeSection::Model::elastic && scene.model() != Model::equilibrium;
 }
 
-MatterPath path_in_matter(const Run& run, const Scene& scene) {
+MatterPath path_in_matter(const Run& run, const Scene& scene, const std::stop_token& stop) {
   const model::Elasticity elasticity = elasticity_of(run);
   MatterPath out{run.structure, run.theta, goal_drive(run, run.structure, run.theta),
                  path_to(run, run.structure, run.theta, elasticity)};
   const auto exact = scene.judged(run, run.structure, run.theta, run.plan.exact.at(run.theta));
   if (!exact || out.path.stop != model::EquilibriumPath::Stop::reached) return out;
-  const optim::InMatter after = made_up_for(run, scene, out.path, elasticity, exact->tolerance_mm).after;
+  const optim::InMatter after =
+      made_up_for(run, scene, out.path, elasticity, exact->tolerance_mm, stop).after;
   return {after.sheet, after.theta, goal_drive(run, after.sheet, after.theta),
           path_to(run, after.sheet, after.theta, elasticity)};
 }
@@ -125,7 +128,8 @@ void settle_in_matter(Run& run, const Scene& scene, const RunOptions& options) {
   run.matter->tolerance_mm = exact->tolerance_mm;
   const model::EquilibriumPath path = path_to(run, run.structure, run.theta, elasticity);
   if (path.stop != model::EquilibriumPath::Stop::reached) return miss(run, path.why);
-  const optim::Compensation found = made_up_for(run, scene, path, elasticity, exact->tolerance_mm);
+  const optim::Compensation found =
+      made_up_for(run, scene, path, elasticity, exact->tolerance_mm, options.stop);
   MatterResult& matter = *run.matter;
   matter.before_mm = found.before.rms_mm;
   matter.after_mm = found.after.rms_mm;

@@ -15,7 +15,7 @@ void judge_prints(Run& run, const Scene& scene, const RunOptions& options) {
   if (!run.goal || run.states.empty() || (run.matter && !run.equilibrium)) return;
   const model::State state = run.matter ? run.equilibrium->path.state : scene.own_state(run);
   const auto judged = scene.judged(run, run.structure, run.theta, state);
-  if (!judged) return;
+  if (!judged || options.stop.stop_requested()) return;
   if (options.progress) options.progress("prints", -1);
   run.printed = as_made(run, run.matter ? run.equilibrium->drive : drive_to(run.structure, run.theta), state,
                         judged->points, options.prints);
@@ -55,14 +55,16 @@ Run run_scene(const Scene& scene, const RunOptions& options) {
   run.timings.matter = watch.lap();
   judge_prints(run, scene, options);
   run.timings.as_made = watch.lap();
-  if (options.verify)
+  if (options.verify && !options.stop.stop_requested())
     if (const auto task = physics_task(run, scene)) {
       verify(run, *task, options);
-      if (is_settled(*run.verification)) scene.judge_physics(run);
-      if (run.goal && run.goal->violations.empty())  // of a state that misses its goal, physics says so too
+      if (run.verification && is_settled(*run.verification)) scene.judge_physics(run);
+      if (run.verification && run.goal &&
+          run.goal->violations.empty())  // of a state that misses its goal, physics says so too
         run.verification->agrees &= run.goal->physics_violations.empty();
       run.timings.verify = watch.lap();
     }
+  run.stopped = options.stop.stop_requested();
   if (!run.matter) scene.add_frames(run);
   return run;
 }

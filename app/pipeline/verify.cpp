@@ -68,8 +68,10 @@ void verify(Run& run, const PhysicsTask& task, const RunOptions& options) {
   Verification v;
   v.options = suited_to(run.plan.exact, task.options);
   sim::PhysicsObserver observer;
+  observer.stop = options.stop;
   if (options.progress) observer.progress = [&](double done) { options.progress("physics run", done); };
   v.physics = run_compression(run.structure, task.drive, v.options, observer);
+  if (options.stop.stop_requested() && !is_settled(v)) return;
   v.compared = !task.reference.empty();
   v.distance = is_settled(v) && v.compared ? distance(run.structure, v.physics, task.reference)
                                            : model::StateDistance{nan, nan};

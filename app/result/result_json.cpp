@@ -179,6 +179,7 @@ Json result_json(const Run& run) {
     out["as_made"] = as_made_json(run);
     out["timing_s"]["as_made"] = run.timings.as_made;
   }
+  if (run.stopped) out["stopped"] = true;
   if (run.verification) out["physics"] = physics_json(*run.verification);
   return out;
 }

@@ -59,6 +59,8 @@ std::string summary(const Run& run) {
                                    degrees(largest_tilt(run.structure))));
   text += contact_line(run);
   for (const auto& [label, words] : made_hinge_lines(run)) text += line(label, words);
+  if (run.stopped)
+    text += line("STOPPED", "before its end: this is the best so far, and only what was known of it");
   if (run.goal)
     for (const auto& [label, words] : run.goal->summary_lines(run)) text += line(label, words);
   for (const auto& [label, words] : matter_lines(run)) text += line(label, words);

@@ -115,6 +115,7 @@ struct Run {
   std::optional<Verification> verification;
   std::optional<MatterResult> matter;  ///< of goals of exact families whose hinges are elastic
   std::optional<PrintedGoal> printed;  ///< of goals that are judged by distances
+  bool stopped = false;                ///< the best so far, when it was told to stop
   std::string prints_unknown;          ///< why there is none of such a goal
   std::vector<Fidelity> fidelity;
   double verify_tolerance = 0.02;  ///< of verification->distance.rms, cell edges

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <stop_token>
 #include <string>
 
 namespace kinetix::app {
@@ -17,6 +18,8 @@ struct RunOptions {
   Progress progress = {};
   int prints =
       0;  ///< with errors, brought to their equilibrium to confirm what is said of them, 0 to 1000000
+  /// Where it asks to, searches end with the best so far, and what only judges or checks it is left out.
+  std::stop_token stop = {};
   bool fidelity = false;  ///< physics runs of coarser steps too, for the table of speed against error
 };
 

@@ -85,6 +85,8 @@ class Search {
     while (out.why.empty()) {
       if (at.rms_mm <= options_.enough_mm)
         out.why = "it meets the goal";
+      else if (options_.stop.stop_requested())
+        out.why = "stopped";
       else if (out.rounds >= options_.rounds)
         out.why = "as many steps as are allowed";
       else

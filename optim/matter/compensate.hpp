@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 
 #include "model/elastic/path/equilibrium_path.hpp"
@@ -27,6 +28,7 @@ struct CompensationOptions {
   double most_theta = 44 * radians_per_degree;  ///< rad
   int rounds = 30;                              ///< of steps tried, >= 0
   bool contact = true;                          ///< walls push each other away
+  std::stop_token stop = {};                    ///< where it asks to, the best so far is the answer
 };
 
 /// A sheet in equilibrium with its drive.

@@ -63,6 +63,7 @@ class Search {
     problem_.flat = flat;
     problem_.flat_scale = panel.size.edge_mm;
     problem_.theta = theta;
+    problem_.stop = options.stop;
     const double shift = 2 * std::min(0.5 - options.t[0], options.t[1] - 0.5);
     problem_.bounds.shift.assign(panel.graph.edges.size(), shift);
     limit_.assign(panel.graph.edges.size(), options.offset);
@@ -81,7 +82,7 @@ class Search {
       const std::set<int> met = walls_that_meet(found);
       found.clear = met.empty();
       tighten(met);
-    } while (!found.clear &&
+    } while (!found.clear && !problem_.stop.stop_requested() &&
              ++found.clearance_rounds < (problem_.flat ? most_of_free_panels : most_clearance_rounds));
     judge(found);
     return found;
@@ -234,10 +235,12 @@ OutlineDesign fit_outline(const model::PlanarStructure& panel, const targets::Ou
     const double part = options.thetas == 1 ? 0 : static_cast<double>(k) / (options.thetas - 1);
     const double theta = options.theta[1] + part * (options.theta[0] - options.theta[1]);
     try_theta(theta);
-    if (best.clear && best.theta > theta) break;
+    if (options.stop.stop_requested() || (best.clear && best.theta > theta)) break;
   }
-  for (int k = 0; k < halvings && best.clear && best.theta < *tried.rbegin(); ++k)
+  for (int k = 0; k < halvings && best.clear && best.theta < *tried.rbegin(); ++k) {
+    if (options.stop.stop_requested()) break;
     try_theta((best.theta + *tried.upper_bound(best.theta)) / 2);
+  }
   best.rounds = rounds;
   return best;
 }

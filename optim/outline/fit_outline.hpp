@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <stop_token>
 
 #include "optim/outline/outline_problem.hpp"
 
@@ -12,6 +13,7 @@ struct OutlineOptions {
   double offset = 0.08;                        ///< largest |offset| of a hinge, cell edges, [0, 0.5)
   std::array<double, 2> t = {0.12, 0.88};      ///< range; the side that is nearer to 0.5 counts for both
   int thetas = 4;                              ///< tried between the ends of its range, >= 1
+  std::stop_token stop = {};                   ///< where it asks to, the best so far is the answer
 };
 
 /// A panel that came out.

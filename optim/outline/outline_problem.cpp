@@ -322,7 +322,7 @@ OutlineProgress improve(const OutlineProblem& problem, OutlineShape& shape, bool
     memory = std::move(found.memory);
   };
   do solve(on_the_way);
-  while (progress.rounds < most &&
+  while (progress.rounds < most && !problem.stop.stop_requested() &&
          (first + progress.rounds <= rounds_of_spreading || progress.moved > settled));
   solve(at_the_end);
   return progress;

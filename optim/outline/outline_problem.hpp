@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <stop_token>
 #include <vector>
 
 #include "model/lattice/planar/planar_motion.hpp"
@@ -34,6 +35,7 @@ struct OutlineProblem {
   double flat_scale = 1;                          ///< mm of it a cell edge
   double theta = 0;                               ///< rad, in (0, pi/2)
   WallBounds bounds;
+  std::stop_token stop = {};  ///< where it asks to, nothing more is brought nearer
 };
 
 /// Brings the rim nearer to the outlines: nearest points are taken anew, and a convex problem is solved, until

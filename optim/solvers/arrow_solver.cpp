@@ -122,15 +122,17 @@ class BlockCost final : public ceres::CostFunction {
 
 class StopAtLimit final : public ceres::IterationCallback {
  public:
-  StopAtLimit(const Evaluation& evaluation, int most) : evaluation_(evaluation), most_(most) {}
+  StopAtLimit(const Evaluation& evaluation, const SolverOptions& options)
+      : evaluation_(evaluation), options_(options) {}
   ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
-    return reached() ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+    return reached() || options_.stop.stop_requested() ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
+                                                       : ceres::SOLVER_CONTINUE;
   }
-  bool reached() const { return evaluation_.evaluations() >= most_; }
+  bool reached() const { return evaluation_.evaluations() >= options_.max_evaluations; }
 
  private:
   const Evaluation& evaluation_;
-  int most_;
+  const SolverOptions& options_;
 };
 
 /// Variables from..from + size - 1 of x, one parameter block of Ceres.
@@ -216,10 +218,11 @@ SolveResult solve_holding(const ArrowProblem& problem, VectorXd x, const SolverO
   ceres::Solver::Options ceres_settings = settings(options);
   ceres_settings.linear_solver_ordering = std::make_shared<ceres::ParameterBlockOrdering>();
   add_blocks(ceres_problem, problem, evaluation, x, held, *ceres_settings.linear_solver_ordering);
-  StopAtLimit stop(evaluation, options.max_evaluations);
+  StopAtLimit stop(evaluation, options);
   ceres_settings.callbacks.push_back(&stop);
   ceres::Solver::Summary summary;
   ceres::Solve(ceres_settings, &ceres_problem, &summary);
+  if (options.stop.stop_requested()) return evaluation.finish(SolveStatus::stopped, "stopped");
   if (stop.reached() || summary.termination_type == ceres::NO_CONVERGENCE)
     return evaluation.finish(SolveStatus::evaluation_limit, "evaluation limit");
   const bool converged = summary.termination_type == ceres::CONVERGENCE;
@@ -263,6 +266,7 @@ SolveResult solve(const ArrowProblem& problem, const VectorXd& start, const Solv
       solve_holding(problem, start.cwiseMax(problem.lower()).cwiseMin(problem.upper()), options, {});
   std::set<int> held;
   for (int round = 0; round < most_rounds && std::isfinite(result.residual_norm); ++round) {
+    if (options.stop.stop_requested()) break;
     std::set<int> pressed = pressed_on_bounds(problem, result.x);
     if (pressed == held) break;
     held = std::move(pressed);

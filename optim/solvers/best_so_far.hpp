@@ -34,13 +34,18 @@ class BestSoFar {
 
   bool target_reached() const { return options_.target > 0 && result_.residual_norm <= options_.target; }
   bool out_of_evaluations() const { return result_.evaluations >= options_.max_evaluations; }
-  bool should_stop() const { return target_reached() || out_of_evaluations(); }
+  bool told_to_stop() const { return options_.stop.stop_requested(); }
+  bool should_stop() const { return target_reached() || out_of_evaluations() || told_to_stop(); }
 
-  /// @param status, why as the solver has them; the target, an exception, and a search without a single
+  /// @param status, why as the solver has them; a stop, the target, an exception, and a search without a single
   /// value go before
   SolveResult finish(SolveStatus status, std::string why) {
     result_.status = status;
     result_.why = std::move(why);
+    if (told_to_stop()) {
+      result_.status = SolveStatus::stopped;
+      result_.why = "stopped";
+    }
     if (!std::isfinite(result_.residual_norm) && result_.evaluations > 0) {
       result_.status = SolveStatus::cannot_evaluate;
       result_.why = "the problem cannot be evaluated at any point tried";

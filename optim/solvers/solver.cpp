@@ -60,6 +60,8 @@ std::string to_string(SolveStatus status) {
       return "converged";
     case SolveStatus::target_reached:
       return "target reached";
+    case SolveStatus::stopped:
+      return "stopped";
     case SolveStatus::evaluation_limit:
       return "evaluation limit";
     case SolveStatus::stalled:

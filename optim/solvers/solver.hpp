@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct SolverOptions {
   int max_evaluations = 500;  ///< of the residual, >= 1
   double tolerance = 1e-5;    ///< relative change of the cost at which a search may stop, (0, 1)
   unsigned long seed = 0;     ///< of the methods that draw random points
+  std::stop_token stop = {};  ///< where it asks to, the search ends with the best so far
   double target = 0;  ///< stop as soon as |r| is at most this, in units of the problem, >= 0 and finite
 
   /// @throws InvalidInput naming field, value and rule
@@ -32,6 +34,7 @@ enum class SolveStatus {
   converged,
   target_reached,
   evaluation_limit,
+  stopped,          ///< from outside
   stalled,          ///< rounding errors stopped the progress
   cannot_evaluate,  ///< the problem has no finite value where the solver needs one
   failed,           ///< the solver refused the problem, or the problem threw

@@ -17,6 +17,7 @@ optim::CurveVariables curve_variables(const CurveFile& file) {
 optim::MultiStartOptions curve_search(const CurveFile& file, const RunOptions& options) {
   optim::MultiStartOptions search;
   search.threads = options.threads;
+  search.solver.stop = options.stop;
   search.seed = options.seed;
   search.starts = file.solver.starts.value_or(search.starts);
   search.solver.name = file.solver.name.value_or(search.solver.name);

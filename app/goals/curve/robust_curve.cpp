@@ -99,7 +99,7 @@ RobustCurve robust_curve(const CurveFile& file, const optim::FreeCurveDesign& pl
   const std::vector<int> columns = columns_of(file);
   const double rounds = static_cast<double>(columns.size()) * thetas;
   for (const int count : columns)
-    for (int k = 0; k < thetas; ++k) {
+    for (int k = 0; k < thetas && !options.stop.stop_requested(); ++k) {
       if (options.progress)
         options.progress("robust search", static_cast<double>(out.tried.size() - 1) / rounds);
       Tried next = tried(with(file, count, theta_at(file, k)), search);

@@ -131,14 +131,15 @@ class DisplayScene final : public Scene {
   void judge(Run& run, const RunOptions& options) const override {
     auto& display = outcome_of<DisplayOutcome>(run);
     Stopwatch watch;
-    if (wants_more_cells(file_, display))
+    const bool stopped = options.stop.stop_requested();
+    if (!stopped && wants_more_cells(file_, display))
       display.larger = search_larger_panels(file_, display.options, options.progress);
     display.larger_panels_s = watch.lap();
-    if (options.verify && display.design.scaled && run.structure.cells() <= most_cells_of_front)
+    if (!stopped && options.verify && display.design.scaled && run.structure.cells() <= most_cells_of_front)
       display.front = legibility_front(file_, front_point(file_.offset, display.after, run.equilibrium->path),
                                        elasticity(), display.options, options.progress);
-    if (options.progress) options.progress("prints", 0);
-    display.printed = display_prints(file_, run, options.prints);
+    if (options.progress && !stopped) options.progress("prints", 0);
+    if (!stopped) display.printed = display_prints(file_, run, options.prints);
     display.violations = all_violations(file_, display);
   }
 

@@ -41,6 +41,7 @@ optim::DisplayOptions search_options(const DisplayFile& file, const model::Elast
   options.starts = file.solver.starts.value_or(options.starts);
   options.threads = run.threads;
   options.seed = run.seed;
+  options.solver.stop = run.stop;
   options.solver.name = file.solver.name.value_or(options.solver.name);
   options.solver.max_evaluations = file.solver.max_evaluations.value_or(options.solver.max_evaluations);
   return options;

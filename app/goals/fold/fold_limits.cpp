@@ -13,7 +13,8 @@ constexpr int halvings = 5;  // of the range of theta, to a degree: a fold's loa
 constexpr double in_hand = 0.99;
 
 /// Of the design that makes up for its elastic hinges.
-FoldLoads loads_of(const Run& run, const Scene& scene, const optim::FoldDesign& design) {
+FoldLoads loads_of(const Run& run, const Scene& scene, const optim::FoldDesign& design,
+                   const std::stop_token& stop) {
   Run trial;
   trial.hinge = run.hinge;
   trial.physics = run.physics;
@@ -24,28 +25,28 @@ FoldLoads loads_of(const Run& run, const Scene& scene, const optim::FoldDesign& 
   auto fold = std::make_unique<FoldOutcome>();
   fold->design = design;
   trial.goal = std::move(fold);
-  const MatterPath found = path_in_matter(trial, scene);
+  const MatterPath found = path_in_matter(trial, scene, stop);
   return {found.theta, hinge_loads(found.path, found.drive, found.sheet, run.hinge)};
 }
 
 }  // namespace
 
 void keep_limits(const FoldFile& file, const Run& run, const Scene& scene, FoldOutcome& fold,
-                 const std::function<optim::FoldDesign(double)>& search, const Progress& progress) {
+                 const std::function<optim::FoldDesign(double)>& search, const RunOptions& options) {
   if (!file.limits.any() || !fold.design.folds) return;
-  fold.loads = loads_of(run, scene, fold.design);
+  fold.loads = loads_of(run, scene, fold.design, options.stop);
   if (share_of(file.limits, fold.loads->hinges) <= in_hand) return;
   fold.unlimited = fold.loads;
   double kept = file.theta.lower, too_much = fold.design.folded.theta;
-  for (int k = 0; k < halvings; ++k) {
-    if (progress) progress("limits", static_cast<double>(k) / halvings);
+  for (int k = 0; k < halvings && !options.stop.stop_requested(); ++k) {
+    if (options.progress) options.progress("limits", static_cast<double>(k) / halvings);
     const double theta = (kept + too_much) / 2;
     optim::FoldDesign design = search(theta);
     if (!design.folds) {
       kept = theta;
       continue;
     }
-    const FoldLoads loads = loads_of(run, scene, design);
+    const FoldLoads loads = loads_of(run, scene, design, options.stop);
     const bool keeps = share_of(file.limits, loads.hinges) <= in_hand;
     (keeps ? kept : too_much) = theta;
     if (!keeps) continue;

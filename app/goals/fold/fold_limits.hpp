@@ -11,6 +11,6 @@ namespace kinetix::app {
 /// @param run whose hinge, drive and physics are those of the file   @param scene that the run is of
 /// @param search finds the design for a largest theta, rad
 void keep_limits(const FoldFile& file, const Run& run, const Scene& scene, FoldOutcome& fold,
-                 const std::function<optim::FoldDesign(double)>& search, const Progress& progress);
+                 const std::function<optim::FoldDesign(double)>& search, const RunOptions& options);
 
 }  // namespace kinetix::app

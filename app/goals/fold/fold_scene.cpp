@@ -71,7 +71,7 @@ class FoldScene final : public Scene {
       narrowed.theta.upper = largest_theta;
       return fit_fold(file_.goal, narrowed);
     };
-    keep_limits(file_, run, *this, *found, search, options.progress);
+    keep_limits(file_, run, *this, *found, search, options);
     const optim::FoldedNet& net = found->design.folded;
     found->violations =
         found->design.folds ? violations(file_, net.net, net.error, "model") : found->design.obstacles;

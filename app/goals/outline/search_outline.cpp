@@ -52,6 +52,7 @@ class OutlineSearch {
     options.theta = file_.theta;
     options.offset = file_.offset(edge_mm);
     options.t = file_.t;
+    options.stop = run_.stop;
     return options;
   }
 

@@ -365,6 +365,35 @@ TEST(Program, ShowsTheReportWhenAsked) {
   EXPECT_EQ(text_of(opened), folder + "/report.html");
 }
 
+/// Sixty candidates would take half a minute.
+constexpr const char* long_search = R"(kinetix: 1
+target: {kind: outline, points: [[30, 0], [0, 30], [-30, 0], [0, -30]]}
+structure: {cells: [36, 36]}
+)";
+
+TEST(Program, KeepsTheBestSoFarWhenItsTimeIsUp) {
+  const Scratch scratch;
+  const std::string folder = scratch / "out";
+  const Outcome run = kinetix_opt(scratch.write("long.yaml", long_search) + " --time-limit 0.5 -o " + folder);
+  EXPECT_EQ(run.code, 3) << run.out << run.err;
+  EXPECT_THAT(run.err, HasSubstr("the time is up: keeping the best so far"));
+  EXPECT_THAT(run.out, HasSubstr("STOPPED"));
+  const Json result = Json::parse(text_of(folder + "/result.json"));
+  EXPECT_EQ(schema_errors(result), "");
+  EXPECT_EQ(result["stopped"], true);
+  EXPECT_FALSE(result.contains("physics"));
+  EXPECT_TRUE(fs::exists(folder + "/design.yaml"));
+}
+
+TEST(Program, KeepsTheBestSoFarAtCtrlC) {
+  const Scratch scratch;
+  const std::string folder = scratch / "out";
+  const Outcome run =
+      kinetix_opt(scratch.write("long.yaml", long_search) + " -o " + folder, "timeout -s INT 1 ");
+  EXPECT_THAT(run.err, HasSubstr("interrupted: keeping the best so far"));
+  EXPECT_EQ(Json::parse(text_of(folder + "/result.json"))["stopped"], true);
+}
+
 /// Lines where stderr is no terminal.
 TEST(Console, SaysEverySecondHowFarAStageIs) {
   ::testing::internal::CaptureStderr();
