@@ -97,15 +97,18 @@ HingeEnd pin_end(const HingePrint& hinge, const CellSize& size, double axis_acro
   HingeEnd end;
   end.wall_end = std::max(radius, corners) + p.clearance_mm;
   end.axis_across = axis_across;
+  end.knuckle_radius = radius;
   end.outline = knuckle_outline(end.wall_end, half_wall, axis_across, radius, sides);
   const double half = p.height_mm / 2, eye = eye_share * (half - hinge.axial_clearance_mm);
   const Vector2d axis(0, axis_across);
   if (fork) {
     end.lugs = {{-half, -eye - hinge.axial_clearance_mm}, {eye + hinge.axial_clearance_mm, half}};
     end.rod = circle(axis, rod, sides);
+    end.rod_radius = rod;
   } else {
     end.lugs = {{-eye, eye}};
-    end.bore = circle(axis, (rod + p.clearance_mm) / std::cos(pi / sides), sides);
+    end.bore_radius = rod + p.clearance_mm;
+    end.bore = circle(axis, end.bore_radius / std::cos(pi / sides), sides);
   }
   return end;
 }

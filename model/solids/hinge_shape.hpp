@@ -26,6 +26,8 @@ struct HingeEnd {
   std::vector<Lug> lugs = {};                 ///< upwards
   std::vector<Eigen::Vector2d> bore = {};     ///< through all lugs, (m, n), mm, round the axis; empty: none
   std::vector<Eigen::Vector2d> rod = {};  ///< from the first lug to the second, likewise; empty: none
+  /// The circles about the axis that outline, bore and rod are polygons of, mm; 0: none.
+  double knuckle_radius = 0, bore_radius = 0, rod_radius = 0;
 };
 
 /// How a hinge is made by a process.
