@@ -16,11 +16,11 @@ using Eigen::Vector3d;
 constexpr double metres = 1e-3;          // per mm: MuJoCo's scenes count in metres, kilograms and seconds
 constexpr double density = 1200;         // kg/m^3: of PLA and of the resins of PolyJet and SLA, 1150 to 1250
 constexpr double quickness = 30;         // rad/s: of the actuator: the sheet follows its control within 0.1 s
-constexpr double stiffer = 1000;         // times what hinges hold back: the actuator gives by a thousandth of the fold
-constexpr double step_s = 2e-3;          // s
+constexpr double stiffer = 10;           // times what hinges hold back, at least: so that no mode but the fold gives way
+constexpr double resolved = 0.2;         // of a period over 2 pi: the longest step in which the actuator is stable
+constexpr double step_s = 2e-3;          // s: of MuJoCo's own default
 constexpr double loop_step = 2.5;        // times step_s: in which gaps of loops close
 constexpr double least_mass = 1e-12;     // kg: below it the actuator would have nothing to move
-constexpr double least_inertia = 1e-14;  // kg m^2: below it MuJoCo takes a joint for massless
 
 std::string text(const Vector3d& v) { return fmt::format("{:.10g} {:.10g} {:.10g}", v.x(), v.y(), v.z()); }
 
@@ -83,7 +83,7 @@ class MujocoFile {
         "<option timestep=\"{:g}\" gravity=\"0 0 0\" integrator=\"implicit\" iterations=\"50\"/>\n"
         "<default>\n<geom contype=\"0\" conaffinity=\"0\" rgba=\"0.85 0.85 0.82 1\"/>\n"
         "<equality solref=\"{:g} 1\" solimp=\"0.99 0.999 0.001\"/>\n</default>\n",
-        sheet_.name, rows() + 100, stack(), step_s, loop_step * step_s);
+        sheet_.name, rows() + 100, stack(), step(), loop_step * step());
     add_assets();
     out_ += "<worldbody>\n<light pos=\"0 0 1\" dir=\"0 0 -1\" directional=\"true\"/>\n";
     add_body(root_);
@@ -174,15 +174,13 @@ class MujocoFile {
 
   void add_joint(int b) {
     const int h = links_[b].hinge;
-    const model::MadeHinge& made = sheet_.hinges[h].made;
-    const double stiffness = made.kind == model::HingeKind::pin ? 0 : model::stiffness(made).turn * metres;
     out_ += fmt::format("<joint name=\"j{}\" type=\"hinge\" pos=\"{}\" axis=\"{}\" stiffness=\"{:.6g}\" damping=\"{:.6g}\"/>\n", h,
-                        kinetix::app::text(hinge_point(h, b)), kinetix::app::text(sheet_.linkage.hinges[h].axis), stiffness,
+                        kinetix::app::text(hinge_point(h, b)), kinetix::app::text(sheet_.linkage.hinges[h].axis), stiffness(h),
                         damping());
   }
 
   /// N m s/rad: what brings the whole sheet to rest as fast as its actuator moves it, shared by all joints.
-  double damping() const { return turned_ > 0 ? 2 * moved_mass() * quickness / turned_ : 0; }
+  double damping() const { return turned_ > 0 ? 2 * std::sqrt(moved_mass() * (gain() + held())) / turned_ : 0; }
 
   /// kg m^2: twice the energy of the sheet that folds within a second.
   double moved_mass() const {
@@ -212,19 +210,33 @@ class MujocoFile {
     out_ += "</equality>\n";
   }
 
+  /// N m/rad; a pin turns freely.
+  double stiffness(int h) const {
+    const model::MadeHinge& made = sheet_.hinges[h].made;
+    return made.kind == model::HingeKind::pin ? 0 : model::stiffness(made).turn * metres;
+  }
+  /// N m: by the hinges of the tree at the fold, over their part of the tendon.
+  double held() const {
+    double sum = 0;
+    for (int h = 0; h < static_cast<int>(turns_.size()); ++h) sum += stiffness(h) * turns_[h] * turns_[h];
+    return sum;
+  }
+  /// N m.
+  double gain() const { return std::max(moved_mass() * quickness * quickness, stiffer * held()); }
+  /// s.
+  double step() const {
+    return turned_ > 0 ? std::min(step_s, resolved * std::sqrt(moved_mass() / (gain() + held()))) : step_s;
+  }
+
   /// All hinges of the tree by one tendon that is 1 longer when each has turned as far as the fold turns it.
   void add_actuator() {
     out_ += "<tendon>\n<fixed name=\"fold\">\n";
-    double held = 0;
-    for (int h = 0; h < static_cast<int>(turns_.size()); ++h) {
-      if (turns_[h] == 0) continue;
-      out_ += fmt::format("<joint joint=\"j{}\" coef=\"{:.10g}\"/>\n", h, turns_[h] / turned_);
-      if (sheet_.hinges[h].made.kind != model::HingeKind::pin)
-        held += model::stiffness(sheet_.hinges[h].made).turn * metres * turns_[h] * turns_[h];
-    }
-    const double kp = std::max(moved_mass() * quickness * quickness, stiffer * held);
-    out_ += fmt::format("</fixed>\n</tendon>\n<actuator>\n<position name=\"fold\" tendon=\"fold\" kp=\"{:.6g}\" ctrllimited=\"true\" "
-                        "ctrlrange=\"0 1\"/>\n</actuator>\n", kp);
+    for (int h = 0; h < static_cast<int>(turns_.size()); ++h)
+      if (turns_[h] != 0) out_ += fmt::format("<joint joint=\"j{}\" coef=\"{:.10g}\"/>\n", h, turns_[h] / turned_);
+    // It pushes as much harder as the hinges hold back at the fold: there its length is exactly what was asked for.
+    out_ += fmt::format("</fixed>\n</tendon>\n<actuator>\n<general name=\"fold\" tendon=\"fold\" gainprm=\"{:.10g}\" "
+                        "biastype=\"affine\" biasprm=\"0 {:.10g} 0\" ctrllimited=\"true\" ctrlrange=\"0 1\"/>\n</actuator>\n",
+                        gain() + held(), -gain());
   }
 
   const PrintSheet& sheet_;

@@ -52,8 +52,9 @@ Json distance_json(const PrintSheet& sheet, const LeastDistance& d) {
 std::string hinge_words(const PrintSheet& sheet) {
   const model::MadeHinge& h = sheet.hinges.front().made;
   if (h.kind == model::HingeKind::pin)
-    return fmt::format("pins: rod {:g} mm, clearance {:g} mm a side, {:g} mm along the axis, knuckle {:.2f} mm",
-                       h.diameter_mm, h.clearance_mm, sheet.hinges.front().axial_clearance_mm, knuckle_mm(h));
+    return fmt::format("pins: rod {:g} x {:g} mm, clearance {:g} mm a side, {:g} mm along the axis, knuckle {:.2f} mm",
+                       h.diameter_mm, h.height_mm, h.clearance_mm, sheet.hinges.front().axial_clearance_mm,
+                       h.diameter_mm + 2 * (h.clearance_mm + sheet.hinges.front().knuckle_wall_mm));
   return fmt::format("{}s of {}: gap {:g} mm, thickness {:g} mm, height {:g} mm", name_of(h.kind),
                      h.material.name.empty() ? "your material" : h.material.name, h.gap_mm, h.thickness_mm, h.height_mm);
 }
