@@ -48,11 +48,12 @@ Ring ring_of(const Polygon& polygon) {
 }
 
 std::vector<Ring> united(const std::vector<Points>& shadows) {
+  using namespace bp::operators;
   bp::polygon_set_data<int> set;
   for (const Points& shadow : shadows) {
     bp::polygon_data<int> polygon;
     bp::set_points(polygon, shadow.begin(), shadow.end());
-    set.insert(polygon);
+    set += polygon;
   }
   std::vector<bp::polygon_with_holes_data<int>> polygons;
   set.get(polygons);

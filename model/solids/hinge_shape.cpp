@@ -69,8 +69,11 @@ Outline knuckle_outline(double wall_end, double half_wall, double axis_across, d
     const Vector2d d = p - axis;
     return std::atan2(d.y(), d.x());
   };
-  const double first = angle_of(low), last = angle_of(high);
-  for (int k = -sides / 2; k <= sides / 2; ++k) {
+  // The wall's end is to the left of the axis; above or below it both its corners are to one side.
+  double first = angle_of(low), last = angle_of(high);
+  if (first > 0) first -= 2 * pi;
+  if (last < 0) last += 2 * pi;
+  for (int k = -sides; k <= sides; ++k) {
     const double angle = 2 * pi * k / sides;
     if (!(angle > first && angle < last)) continue;
     const Vector2d p = leaves(around, axis, {std::cos(angle), std::sin(angle)});
