@@ -46,9 +46,7 @@ void add_file(CLI::App& app, CommandOptions& options, const std::string& name, c
 }
 
 void add_export(CLI::App& app, CommandOptions& options, kinetix::app::PrintRequest& request) {
-  app.add_option("DESIGN.yaml|DIR", request.source, "a design, or the folder of a result")
-      ->required()
-      ->type_name("");
+  app.add_option("DESIGN.yaml|DIR", request.source, "a design, or the folder of a result")->type_name("");
   add_common(app, options);
   add_output(app, options);
   app.add_option("--format", request.formats, kinetix::app::format_help())
@@ -60,6 +58,8 @@ void add_export(CLI::App& app, CommandOptions& options, kinetix::app::PrintReque
   app.add_option("--hinge", request.hinge,
                  "pin, block or film, where the design does not say how its hinges are made (default pin)")
       ->type_name("KIND");
+  app.add_flag("--coupon", request.coupon,
+               "instead of a design, pins with gaps of 0.1 to 0.6 mm: prints tell which ones turn");
   app.add_option_function<std::string>(
          "--state", [&request](const std::string& state) { request.folded = state == "folded"; },
          "flat (default), as it is printed, or folded")
@@ -126,8 +126,7 @@ int run(int argc, char** argv) {
       "tries plates, single hinges and cords to the same theta with --model equilibrium, and says which "
       "needs the least force; writes nothing but drives.json into -o DIR");
 
-  CLI::App* print =
-      app.add_subcommand("export", "write a design for printers, CAD and simulators");
+  CLI::App* print = app.add_subcommand("export", "write a design for printers, CAD and simulators");
   kinetix::app::PrintRequest request;
   add_export(*print, options, request);
 

@@ -11,8 +11,10 @@ using Eigen::Vector2d;
 constexpr double number_share = 0.12;  // of the cell edge: height of a hinge's number
 
 std::string polyline(const std::vector<Vector2d>& ring, const char* layer) {
-  std::string out = fmt::format("0\nPOLYLINE\n8\n{}\n66\n1\n70\n1\n10\n0\n20\n0\n30\n0\n", layer);  // 70: closed
-  for (const Vector2d& p : ring) out += fmt::format("0\nVERTEX\n8\n{}\n10\n{:.5f}\n20\n{:.5f}\n30\n0\n", layer, p.x(), p.y());
+  std::string out =
+      fmt::format("0\nPOLYLINE\n8\n{}\n66\n1\n70\n1\n10\n0\n20\n0\n30\n0\n", layer);  // 70: closed
+  for (const Vector2d& p : ring)
+    out += fmt::format("0\nVERTEX\n8\n{}\n10\n{:.5f}\n20\n{:.5f}\n30\n0\n", layer, p.x(), p.y());
   return out + fmt::format("0\nSEQEND\n8\n{}\n", layer);
 }
 
@@ -28,8 +30,8 @@ std::string header(const SheetDrawing& drawing) {
 }
 
 std::string dxf(const PrintSheet& sheet, const SheetDrawing& drawing) {
-  std::string out = header(drawing) + "0\nSECTION\n2\nTABLES\n0\nTABLE\n2\nLAYER\n70\n4\n" + layer("BODIES", 7) +
-                    layer("SOFT", 5) + layer("RODS", 3) + layer("NUMBERS", 1) +
+  std::string out = header(drawing) + "0\nSECTION\n2\nTABLES\n0\nTABLE\n2\nLAYER\n70\n4\n" +
+                    layer("BODIES", 7) + layer("SOFT", 5) + layer("RODS", 3) + layer("NUMBERS", 1) +
                     "0\nENDTAB\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n";
   for (const SheetDrawing::Part& part : drawing.bodies)
     for (const auto& ring : part.rings) out += polyline(ring, "BODIES");
@@ -37,9 +39,11 @@ std::string dxf(const PrintSheet& sheet, const SheetDrawing& drawing) {
     for (const auto& ring : part.rings) out += polyline(ring, "SOFT");
   for (const SheetDrawing::Hinge& hinge : drawing.hinges) {
     if (hinge.rod_radius > 0)
-      out += fmt::format("0\nCIRCLE\n8\nRODS\n10\n{:.5f}\n20\n{:.5f}\n30\n0\n40\n{:.5f}\n", hinge.place.x(), hinge.place.y(), hinge.rod_radius);
-    out += fmt::format("0\nTEXT\n8\nNUMBERS\n10\n{:.5f}\n20\n{:.5f}\n30\n0\n40\n{:.4f}\n1\n{}\n", hinge.place.x(), hinge.place.y(),
-                       number_share * sheet.linkage.size.edge_mm, hinge.number);
+      out += fmt::format("0\nCIRCLE\n8\nRODS\n10\n{:.5f}\n20\n{:.5f}\n30\n0\n40\n{:.5f}\n", hinge.place.x(),
+                         hinge.place.y(), hinge.rod_radius);
+    out += fmt::format("0\nTEXT\n8\nNUMBERS\n10\n{:.5f}\n20\n{:.5f}\n30\n0\n40\n{:.4f}\n1\n{}\n",
+                       hinge.place.x(), hinge.place.y(), number_share * sheet.linkage.size.edge_mm,
+                       hinge.number);
   }
   return out + "0\nENDSEC\n0\nEOF\n";
 }

@@ -16,14 +16,16 @@ constexpr double growth = 1.3;        // from one tried cell edge to the next, u
 // Of a pin's height over the wall's, tried in this order: the higher, the stiffer.
 constexpr double height_shares[] = {1, 0.8, 0.6, 0.4};
 
-std::string words(const PrintSheet& sheet, const FoldClearance& clearance) {
+std::string words(const PrintSheet& sheet, const PathClearance& clearance) {
   const LeastDistance& least = clearance.least();
   constexpr double degrees = 180 / pi;
   return fmt::format(
-      "bodies {} and {} {} at theta {:.1f} deg of {:.1f}, near [{:.1f}, {:.1f}, {:.1f}] mm, where {:g} mm were asked",
+      "bodies {} and {} {} at theta {:.1f} deg of {:.1f}, near [{:.1f}, {:.1f}, {:.1f}] mm, where {:g} mm "
+      "were asked",
       sheet.linkage.vertex_name(least.first), sheet.linkage.vertex_name(least.second),
-      least.mm > 0 ? fmt::format("come to within {:.3f} mm", least.mm) : "run into each other", least.theta * degrees,
-      sheet.thetas.back() * degrees, least.place.x(), least.place.y(), least.place.z(), clearance.asked_mm);
+      least.mm > 0 ? fmt::format("come to within {:.3f} mm", least.mm) : "run into each other",
+      least.theta * degrees, sheet.thetas.back() * degrees, least.place.x(), least.place.y(), least.place.z(),
+      clearance.asked_mm);
 }
 
 /// A sheet that can be printed, or why there is none.
@@ -32,10 +34,11 @@ struct Attempt {
   std::string reason;
 };
 
-Attempt attempt(const DesignFile& design, const model::Process& process, const PrintChoice& choice, bool folded) {
+Attempt attempt(const DesignFile& design, const model::Process& process, const PrintChoice& choice,
+                bool folded) {
   try {
     PrintSheet sheet = make_print_sheet(design, process, choice);
-    const FoldClearance clearance = fold_clearance(sheet);
+    const PathClearance clearance = path_clearance(sheet);
     if (is_kept(clearance)) return {PreparedPrint{{std::move(sheet), folded}, clearance}, ""};
     return {std::nullopt, words(sheet, clearance)};
   } catch (const InvalidInput& e) {
@@ -46,9 +49,11 @@ Attempt attempt(const DesignFile& design, const model::Process& process, const P
 bool has_leaning_hinges(const DesignFile& design) { return !all_vertical(model::Linkage(design.structure)); }
 
 /// With pins as high as leave room, where the design does not say how high. The reason is that of the highest.
-Attempt best_attempt(const DesignFile& design, const model::Process& process, PrintChoice choice, bool folded) {
+Attempt best_attempt(const DesignFile& design, const model::Process& process, PrintChoice choice,
+                     bool folded) {
   Attempt first = attempt(design, process, choice, folded);
-  if (first.print || choice.kind != model::HingeKind::pin || !leaves_hinges_open(design) || !has_leaning_hinges(design))
+  if (first.print || choice.kind != model::HingeKind::pin || !leaves_hinges_open(design) ||
+      !has_leaning_hinges(design))
     return first;
   for (const double share : height_shares) {
     if (share == choice.height_share) continue;

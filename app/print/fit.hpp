@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "app/print/fold_clearance.hpp"
+#include "app/print/path_clearance.hpp"
 #include "app/print/print_format.hpp"
 
 namespace kinetix::app {
@@ -10,7 +10,7 @@ namespace kinetix::app {
 /// A sheet that can be printed and folds.
 struct PreparedPrint {
   PrintJob job;
-  FoldClearance clearance;
+  PathClearance clearance;
 };
 
 /// Pins that the design leaves open are as high as leaves room on the way.

@@ -14,14 +14,14 @@ static_assert(std::endian::native == std::endian::little, "glb is little-endian"
 using GltfJson = nlohmann::ordered_json;
 
 // Of glTF 2.0.
-constexpr int gltf_float = 5126;                     // type of a component
-constexpr int gltf_uint = 5125;                      // likewise
-constexpr int gltf_ushort = 5123;                    // likewise
-constexpr std::uint32_t gltf_magic = 0x46546C67;     // "glTF"
-constexpr std::uint32_t json_chunk = 0x4E4F534A;     // "JSON"
-constexpr std::uint32_t binary_chunk = 0x004E4942;   // "BIN"
-constexpr double seconds = 4;                        // s: of the motion from flat to the fold
-constexpr double metres = 1e-3;                      // per mm: glTF counts in metres
+constexpr int gltf_float = 5126;                    // type of a component
+constexpr int gltf_uint = 5125;                     // likewise
+constexpr int gltf_ushort = 5123;                   // likewise
+constexpr std::uint32_t gltf_magic = 0x46546C67;    // "glTF"
+constexpr std::uint32_t json_chunk = 0x4E4F534A;    // "JSON"
+constexpr std::uint32_t binary_chunk = 0x004E4942;  // "BIN"
+constexpr double seconds = 4;                       // s: of the motion from flat to the fold
+constexpr double metres = 1e-3;                     // per mm: glTF counts in metres
 
 /// The binary part and what describes it.
 class Buffer {
@@ -29,7 +29,8 @@ class Buffer {
   template <class Number>
   int add(const std::vector<Number>& numbers, const char* type, int width, int component) {
     while (bytes_.size() % 4 != 0) bytes_ += '\0';
-    views_.push_back({{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", numbers.size() * sizeof(Number)}});
+    views_.push_back(
+        {{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", numbers.size() * sizeof(Number)}});
     bytes_.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number));
     accessors_.push_back({{"bufferView", views_.size() - 1},
                           {"componentType", component},
@@ -107,7 +108,8 @@ class Scene3 {
 
   std::string glb() && {
     gltf_ = {{"asset", {{"version", "2.0"}, {"generator", "kinetix"}}}, {"scene", 0}};
-    gltf_["materials"] = GltfJson::array({material("hard", {0.85, 0.85, 0.82, 1}), material("soft", {0.18, 0.44, 0.72, 1})});
+    gltf_["materials"] =
+        GltfJson::array({material("hard", {0.85, 0.85, 0.82, 1}), material("soft", {0.18, 0.44, 0.72, 1})});
     add_bodies();
     if (sheet_.has_soft()) add_soft();
     add_root();
@@ -121,7 +123,8 @@ class Scene3 {
  private:
   static GltfJson material(const char* name, const std::vector<double>& colour) {
     return {{"name", name},
-            {"pbrMetallicRoughness", {{"baseColorFactor", colour}, {"metallicFactor", 0}, {"roughnessFactor", 0.8}}}};
+            {"pbrMetallicRoughness",
+             {{"baseColorFactor", colour}, {"metallicFactor", 0}, {"roughnessFactor", 0.8}}}};
   }
 
   void add_bodies() {
@@ -142,7 +145,9 @@ class Scene3 {
     if (!is_new) return known->second;
     const int points = buffer_.add_ranged(known->first, "VEC3", 3);
     const int triangles = buffer_.add(corners(solid), "SCALAR", 1, gltf_uint);
-    meshes_.push_back({{"primitives", GltfJson::array({{{"attributes", {{"POSITION", points}}}, {"indices", triangles}, {"material", 0}}})}});
+    meshes_.push_back({{"primitives", GltfJson::array({{{"attributes", {{"POSITION", points}}},
+                                                        {"indices", triangles},
+                                                        {"material", 0}}})}});
     return known->second;
   }
 
@@ -157,20 +162,27 @@ class Scene3 {
       append(placed_soft(sheet_, rest, h), all);
       const model::RestHinge& hinge = sheet_.linkage.hinges[h];
       for (std::size_t k = 0; k < points; ++k)
-        joints.insert(joints.end(), {static_cast<std::uint16_t>(k < points / 2 ? hinge.lower : hinge.upper), 0, 0, 0});
+        joints.insert(joints.end(),
+                      {static_cast<std::uint16_t>(k < points / 2 ? hinge.lower : hinge.upper), 0, 0, 0});
     }
     std::vector<float> weights(joints.size(), 0.0F), inverse;
     for (std::size_t k = 0; k < weights.size(); k += 4) weights[k] = 1;
     for (const model::Pose& pose : rest)
-      for (const double x : {1., 0., 0., 0., 0., 1., 0., 0., 0., 0., 1., 0., -pose.p.x(), -pose.p.y(), -pose.p.z(), 1.})
+      for (const double x :
+           {1., 0., 0., 0., 0., 1., 0., 0., 0., 0., 1., 0., -pose.p.x(), -pose.p.y(), -pose.p.z(), 1.})
         inverse.push_back(static_cast<float>(x));
     const int points = buffer_.add_ranged(positions(all), "VEC3", 3),
-              joint = buffer_.add(joints, "VEC4", 4, gltf_ushort), weight = buffer_.add(weights, "VEC4", 4, gltf_float),
+              joint = buffer_.add(joints, "VEC4", 4, gltf_ushort),
+              weight = buffer_.add(weights, "VEC4", 4, gltf_float),
               triangles = buffer_.add(corners(all), "SCALAR", 1, gltf_uint);
-    meshes_.push_back({{"primitives", GltfJson::array({{{"attributes", {{"POSITION", points}, {"JOINTS_0", joint}, {"WEIGHTS_0", weight}}},
-                                                        {"indices", triangles},
-                                                        {"material", 1}}})}});
-    gltf_["skins"] = GltfJson::array({{{"joints", children_}, {"inverseBindMatrices", buffer_.add(inverse, "MAT4", 16, gltf_float)}}});
+    meshes_.push_back(
+        {{"primitives",
+          GltfJson::array(
+              {{{"attributes", {{"POSITION", points}, {"JOINTS_0", joint}, {"WEIGHTS_0", weight}}},
+                {"indices", triangles},
+                {"material", 1}}})}});
+    gltf_["skins"] = GltfJson::array(
+        {{{"joints", children_}, {"inverseBindMatrices", buffer_.add(inverse, "MAT4", 16, gltf_float)}}});
     nodes_.push_back({{"name", "hinges"}, {"mesh", meshes_.size() - 1}, {"skin", 0}});
     loose_ = static_cast<int>(nodes_.size()) - 1;
   }
@@ -190,7 +202,8 @@ class Scene3 {
   void add_motion() {
     std::vector<float> times;
     for (std::size_t k = 0; k < sheet_.path.size(); ++k)
-      times.push_back(static_cast<float>(seconds * static_cast<double>(k) / static_cast<double>(sheet_.path.size() - 1)));
+      times.push_back(
+          static_cast<float>(seconds * static_cast<double>(k) / static_cast<double>(sheet_.path.size() - 1)));
     const int time = buffer_.add_ranged(times, "SCALAR", 1);
     GltfJson samplers = GltfJson::array(), channels = GltfJson::array();
     const auto add = [&](int body, const char* path, int output) {
@@ -201,7 +214,8 @@ class Scene3 {
       add(b, "translation", buffer_.add(translations(sheet_, b), "VEC3", 3, gltf_float));
       add(b, "rotation", buffer_.add(rotations(sheet_, b), "VEC4", 4, gltf_float));
     }
-    gltf_["animations"] = GltfJson::array({{{"name", "fold"}, {"samplers", samplers}, {"channels", channels}}});
+    gltf_["animations"] =
+        GltfJson::array({{{"name", "folding"}, {"samplers", samplers}, {"channels", channels}}});
   }
 
   std::string packed() const {

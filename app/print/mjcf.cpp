@@ -13,14 +13,15 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double metres = 1e-3;          // per mm: MuJoCo's scenes count in metres, kilograms and seconds
-constexpr double density = 1200;         // kg/m^3: of PLA and of the resins of PolyJet and SLA, 1150 to 1250
-constexpr double quickness = 30;         // rad/s: of the actuator: the sheet follows its control within 0.1 s
-constexpr double stiffer = 10;           // times what hinges hold back, at least: so that no mode but the fold gives way
-constexpr double resolved = 0.2;         // of a period over 2 pi: the longest step in which the actuator is stable
-constexpr double step_s = 2e-3;          // s: of MuJoCo's own default
-constexpr double loop_step = 2.5;        // times step_s: in which gaps of loops close
-constexpr double least_mass = 1e-12;     // kg: below it the actuator would have nothing to move
+constexpr double metres = 1e-3;   // per mm: MuJoCo's scenes count in metres, kilograms and seconds
+constexpr double density = 1200;  // kg/m^3: of PLA and of the resins of PolyJet and SLA, 1150 to 1250
+constexpr double quickness = 30;  // rad/s: of the actuator: the sheet follows its control within 0.1 s
+constexpr double stiffer =
+    10;  // times what hinges hold back, at least: so that no mode but the fold gives way
+constexpr double resolved = 0.2;   // of a period over 2 pi: the longest step in which the actuator is stable
+constexpr double step_s = 2e-3;    // s: of MuJoCo's own default
+constexpr double loop_step = 2.5;  // times step_s: in which gaps of loops close
+constexpr double least_mass = 1e-12;  // kg: below it the actuator would have nothing to move
 
 std::string text(const Vector3d& v) { return fmt::format("{:.10g} {:.10g} {:.10g}", v.x(), v.y(), v.z()); }
 
@@ -36,7 +37,8 @@ int middle_body(const PrintSheet& sheet) {
   for (int b = 0; b < n; ++b) middle += sheet.linkage.rest_position(b) / n;
   int nearest = 0;
   for (int b = 1; b < n; ++b)
-    if ((sheet.linkage.rest_position(b) - middle).norm() < (sheet.linkage.rest_position(nearest) - middle).norm() - 1e-9)
+    if ((sheet.linkage.rest_position(b) - middle).norm() <
+        (sheet.linkage.rest_position(nearest) - middle).norm() - 1e-9)
       nearest = b;
   return nearest;
 }
@@ -67,7 +69,10 @@ std::vector<TreeLink> tree_of(const PrintSheet& sheet, int root) {
 class MujocoFile {
  public:
   explicit MujocoFile(const PrintSheet& sheet)
-      : sheet_(sheet), root_(middle_body(sheet)), links_(tree_of(sheet, root_)), masses_(sheet.bodies.size()) {
+      : sheet_(sheet),
+        root_(middle_body(sheet)),
+        links_(tree_of(sheet, root_)),
+        masses_(sheet.bodies.size()) {
     for (int b = 0; b < static_cast<int>(masses_.size()); ++b) masses_[b] = mass_of(b);
     for (int h = 0; h < static_cast<int>(sheet.hinges.size()); ++h)
       if (!sheet.soft[h].points.empty())
@@ -147,7 +152,9 @@ class MujocoFile {
       const auto pieces = convex_pieces(sheet_.bodies[b]);
       for (std::size_t k = 0; k < pieces.size(); ++k) {
         out_ += fmt::format("<mesh name=\"m{}_{}\" vertex=\"", b, k);
-        for (const Vector3d& p : pieces[k].corners) fmt::format_to(std::back_inserter(out_), "{:.7g} {:.7g} {:.7g} ", metres * p.x(), metres * p.y(), metres * p.z());
+        for (const Vector3d& p : pieces[k].corners)
+          fmt::format_to(std::back_inserter(out_), "{:.7g} {:.7g} {:.7g} ", metres * p.x(), metres * p.y(),
+                         metres * p.z());
         out_ += "\"/>\n";
       }
     }
@@ -157,30 +164,38 @@ class MujocoFile {
   void add_body(int b) {
     const TreeLink& link = links_[b];
     const Vector3d from = link.parent < 0 ? Vector3d::Zero() : sheet_.linkage.rest_position(link.parent);
-    out_ += fmt::format("<body name=\"b{}\" pos=\"{}\">\n", b, kinetix::app::text(metres * (sheet_.linkage.rest_position(b) - from)));
+    out_ += fmt::format("<body name=\"b{}\" pos=\"{}\">\n", b,
+                        kinetix::app::text(metres * (sheet_.linkage.rest_position(b) - from)));
     add_inertia(masses_[b]);
     if (link.hinge >= 0) add_joint(b);
     const std::size_t pieces = sheet_.meshes[b].points.empty() ? 0 : convex_pieces(sheet_.bodies[b]).size();
-    for (std::size_t k = 0; k < pieces; ++k) out_ += fmt::format("<geom type=\"mesh\" mesh=\"m{}_{}\"/>\n", b, k);
+    for (std::size_t k = 0; k < pieces; ++k)
+      out_ += fmt::format("<geom type=\"mesh\" mesh=\"m{}_{}\"/>\n", b, k);
     for (const int child : link.children) add_body(child);
     out_ += "</body>\n";
   }
 
   void add_inertia(const Mass& m) {
     const Eigen::Matrix3d& I = m.inertia;
-    out_ += fmt::format("<inertial pos=\"{}\" mass=\"{:.12g}\" fullinertia=\"{:.12g} {:.12g} {:.12g} {:.12g} {:.12g} {:.12g}\"/>\n",
-                        kinetix::app::text(m.center), m.kg, I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2));
+    out_ += fmt::format(
+        "<inertial pos=\"{}\" mass=\"{:.12g}\" fullinertia=\"{:.12g} {:.12g} {:.12g} {:.12g} {:.12g} "
+        "{:.12g}\"/>\n",
+        kinetix::app::text(m.center), m.kg, I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2));
   }
 
   void add_joint(int b) {
     const int h = links_[b].hinge;
-    out_ += fmt::format("<joint name=\"j{}\" type=\"hinge\" pos=\"{}\" axis=\"{}\" stiffness=\"{:.6g}\" damping=\"{:.6g}\"/>\n", h,
-                        kinetix::app::text(hinge_point(h, b)), kinetix::app::text(sheet_.linkage.hinges[h].axis), stiffness(h),
-                        damping());
+    out_ += fmt::format(
+        "<joint name=\"j{}\" type=\"hinge\" pos=\"{}\" axis=\"{}\" stiffness=\"{:.6g}\" "
+        "damping=\"{:.6g}\"/>\n",
+        h, kinetix::app::text(hinge_point(h, b)), kinetix::app::text(sheet_.linkage.hinges[h].axis),
+        stiffness(h), damping());
   }
 
   /// N m s/rad: what brings the whole sheet to rest as fast as its actuator moves it, shared by all joints.
-  double damping() const { return turned_ > 0 ? 2 * std::sqrt(moved_mass() * (gain() + held())) / turned_ : 0; }
+  double damping() const {
+    return turned_ > 0 ? 2 * std::sqrt(moved_mass() * (gain() + held())) / turned_ : 0;
+  }
 
   /// kg m^2: twice the energy of the sheet that folds within a second.
   double moved_mass() const {
@@ -204,8 +219,9 @@ class MujocoFile {
       const model::RestHinge& hinge = sheet_.linkage.hinges[h];
       const double reach = metres * reach_mm(sheet_.hinges[h].made);
       for (const double side : {-1.0, 1.0})
-        out_ += fmt::format("<connect body1=\"b{}\" body2=\"b{}\" anchor=\"{}\"/>\n", hinge.lower, hinge.upper,
-                            kinetix::app::text(hinge_point(h, hinge.lower) + side * reach * hinge.axis));
+        out_ +=
+            fmt::format("<connect body1=\"b{}\" body2=\"b{}\" anchor=\"{}\"/>\n", hinge.lower, hinge.upper,
+                        kinetix::app::text(hinge_point(h, hinge.lower) + side * reach * hinge.axis));
     }
     out_ += "</equality>\n";
   }
@@ -232,11 +248,13 @@ class MujocoFile {
   void add_actuator() {
     out_ += "<tendon>\n<fixed name=\"fold\">\n";
     for (int h = 0; h < static_cast<int>(turns_.size()); ++h)
-      if (turns_[h] != 0) out_ += fmt::format("<joint joint=\"j{}\" coef=\"{:.10g}\"/>\n", h, turns_[h] / turned_);
+      if (turns_[h] != 0)
+        out_ += fmt::format("<joint joint=\"j{}\" coef=\"{:.10g}\"/>\n", h, turns_[h] / turned_);
     // It pushes as much harder as the hinges hold back at the fold: there its length is exactly what was asked for.
-    out_ += fmt::format("</fixed>\n</tendon>\n<actuator>\n<general name=\"fold\" tendon=\"fold\" gainprm=\"{:.10g}\" "
-                        "biastype=\"affine\" biasprm=\"0 {:.10g} 0\" ctrllimited=\"true\" ctrlrange=\"0 1\"/>\n</actuator>\n",
-                        gain() + held(), -gain());
+    out_ += fmt::format(
+        "</fixed>\n</tendon>\n<actuator>\n<general name=\"fold\" tendon=\"fold\" gainprm=\"{:.10g}\" "
+        "biastype=\"affine\" biasprm=\"0 {:.10g} 0\" ctrllimited=\"true\" ctrlrange=\"0 1\"/>\n</actuator>\n",
+        gain() + held(), -gain());
   }
 
   const PrintSheet& sheet_;

@@ -20,8 +20,8 @@ const PrintFormat& print_format(std::string_view name) {
     names.push_back(format->name);
   }
   names.push_back("all");
-  throw InvalidInput("--format: unknown format " + targets::in_ticks(name) + targets::did_you_mean(name, names) +
-                     "; allowed: " + targets::joined(names));
+  throw InvalidInput("--format: unknown format " + targets::in_ticks(name) +
+                     targets::did_you_mean(name, names) + "; allowed: " + targets::joined(names));
 }
 
 }  // namespace kinetix::app

@@ -14,13 +14,16 @@ namespace {
 
 using model::HingeKind;
 
-constexpr double slender = 1.25;      // length of a block over its thickness: below it no formula of its stiffness holds
-constexpr double corner_room = 1.1;   // of the length at which the corners of a wall would meet
-constexpr double film_mm = 0.4;       // thickness of a film: one line of a nozzle, and a strain of 0.1 over 3 mm and 90 degrees
-constexpr double widest_turn = 2.8;   // rad: at half a turn corners meet however long the gap
-constexpr double tenth = 10;          // gaps are whole tenths of a mm
+constexpr double slender =
+    1.25;  // length of a block over its thickness: below it no formula of its stiffness holds
+constexpr double corner_room = 1.1;  // of the length at which the corners of a wall would meet
+constexpr double film_mm =
+    0.4;  // thickness of a film: one line of a nozzle, and a strain of 0.1 over 3 mm and 90 degrees
+constexpr double widest_turn = 2.8;  // rad: at half a turn corners meet however long the gap
+constexpr double tenth = 10;         // gaps are whole tenths of a mm
 
-model::CellSize resized(const model::CellSize& size, const PrintChoice& choice, const model::Process& process) {
+model::CellSize resized(const model::CellSize& size, const PrintChoice& choice,
+                        const model::Process& process) {
   if (!(choice.edge_mm > 0)) return size;
   return {choice.edge_mm, std::max(size.thickness_mm, process.least_wall_mm), size.height_mm};
 }
@@ -39,7 +42,8 @@ double turn_of(const model::RestHinge& hinge, const model::State& state) {
 }
 
 /// A hinge that the design does not describe.
-model::MadeHinge default_hinge(const PrintChoice& choice, const model::Process& process, const model::CellSize& size) {
+model::MadeHinge default_hinge(const PrintChoice& choice, const model::Process& process,
+                               const model::CellSize& size) {
   model::MadeHinge hinge;
   hinge.kind = choice.kind;
   hinge.height_mm = size.height_mm;
@@ -64,7 +68,8 @@ double needed_gap(const model::MadeHinge& hinge, double wall_mm, double offset, 
   return std::max({slender * hinge.thickness_mm, corners, strain});
 }
 
-void check_process(const model::Process& process, const model::CellSize& size, const model::MadeHinge& hinge) {
+void check_process(const model::Process& process, const model::CellSize& size,
+                   const model::MadeHinge& hinge) {
   const auto problems = print_problems(process, size, hinge);
   if (!problems.empty()) throw InvalidInput(problems.front().what);
 }
@@ -83,7 +88,7 @@ class Maker {
       throw InvalidInput("the design has no hinges: there is nothing to fold, and nothing to print");
     find_path();
     choose_hinges();
-    make_solids();
+    make_solids(sheet_);
     return std::move(sheet_);
   }
 
@@ -132,21 +137,12 @@ class Maker {
       const model::MadeHinge made = section.made.value_or(open);
       check_process(sheet_.process, sheet_.linkage.size, made);
       validate(made, sheet_.linkage.size);
-      sheet_.hinges.push_back({.made = made,
-                               .axial_clearance_mm = std::max(made.clearance_mm, sheet_.process.upright_clearance_mm),
-                               .knuckle_wall_mm = sheet_.process.least_wall_mm,
-                               .turn = std::min(turn(h), widest_turn)});
+      sheet_.hinges.push_back(
+          {.made = made,
+           .axial_clearance_mm = std::max(made.clearance_mm, sheet_.process.upright_clearance_mm),
+           .knuckle_wall_mm = sheet_.process.least_wall_mm,
+           .turn = std::min(turn(h), widest_turn)});
     }
-  }
-
-  void make_solids() {
-    sheet_.bodies = body_solids(sheet_.linkage, [&](int h) -> const model::HingePrint& { return sheet_.hinges[h]; });
-    for (const model::BodySolid& body : sheet_.bodies)
-      sheet_.meshes.push_back(body.arms.empty() ? model::Polyhedron{} : body_mesh(body));
-    for (int h = 0; h < hinges(); ++h)
-      sheet_.soft.push_back(sheet_.hinges[h].made.kind == HingeKind::pin
-                                ? model::Polyhedron{}
-                                : soft_solid(sheet_.linkage, h, sheet_.hinges[h]));
   }
 
   const DesignFile& design_;
@@ -158,15 +154,28 @@ class Maker {
 }  // namespace
 
 bool PrintSheet::has_soft() const {
-  return std::any_of(soft.begin(), soft.end(), [](const model::Polyhedron& part) { return !part.points.empty(); });
+  return std::any_of(soft.begin(), soft.end(),
+                     [](const model::Polyhedron& part) { return !part.points.empty(); });
 }
 
 HingeKind PrintSheet::kind() const {
   const auto of = [&](HingeKind kind) {
-    return std::count_if(hinges.begin(), hinges.end(), [&](const model::HingePrint& h) { return h.made.kind == kind; });
+    return std::count_if(hinges.begin(), hinges.end(),
+                         [&](const model::HingePrint& h) { return h.made.kind == kind; });
   };
   return std::max({HingeKind::pin, HingeKind::block, HingeKind::film},
                   [&](HingeKind a, HingeKind b) { return of(a) < of(b); });
+}
+
+void make_solids(PrintSheet& sheet) {
+  sheet.bodies =
+      body_solids(sheet.linkage, [&](int h) -> const model::HingePrint& { return sheet.hinges[h]; });
+  for (const model::BodySolid& body : sheet.bodies)
+    sheet.meshes.push_back(body.arms.empty() ? model::Polyhedron{} : body_mesh(body));
+  for (int h = 0; h < static_cast<int>(sheet.hinges.size()); ++h)
+    sheet.soft.push_back(sheet.hinges[h].made.kind == HingeKind::pin
+                             ? model::Polyhedron{}
+                             : soft_solid(sheet.linkage, h, sheet.hinges[h]));
 }
 
 bool leaves_hinges_open(const DesignFile& design) {
@@ -175,7 +184,8 @@ bool leaves_hinges_open(const DesignFile& design) {
                      [](const auto& own) { return !own.second.made; });
 }
 
-PrintSheet make_print_sheet(const DesignFile& design, const model::Process& process, const PrintChoice& choice) {
+PrintSheet make_print_sheet(const DesignFile& design, const model::Process& process,
+                            const PrintChoice& choice) {
   return Maker(design, process, choice).made();
 }
 
@@ -187,7 +197,8 @@ model::Polyhedron placed_body(const PrintSheet& sheet, const model::State& state
 
 model::Polyhedron placed_soft(const PrintSheet& sheet, const model::State& state, int hinge) {
   const model::RestHinge& rest = sheet.linkage.hinges[hinge];
-  const Eigen::Vector3d between = sheet.linkage.rest_position(rest.lower) - sheet.linkage.rest_position(rest.upper);
+  const Eigen::Vector3d between =
+      sheet.linkage.rest_position(rest.lower) - sheet.linkage.rest_position(rest.upper);
   model::Polyhedron out = sheet.soft[hinge];
   const std::size_t half = out.points.size() / 2;
   for (std::size_t k = 0; k < out.points.size(); ++k) {

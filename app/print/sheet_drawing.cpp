@@ -60,7 +60,8 @@ std::vector<Ring> united(const std::vector<Points>& shadows) {
   std::vector<Ring> rings;
   for (const auto& polygon : polygons) {
     rings.push_back(ring_of(polygon));
-    for (auto hole = polygon.begin_holes(); hole != polygon.end_holes(); ++hole) rings.push_back(ring_of(*hole));
+    for (auto hole = polygon.begin_holes(); hole != polygon.end_holes(); ++hole)
+      rings.push_back(ring_of(*hole));
   }
   return rings;
 }
@@ -91,7 +92,8 @@ SheetDrawing sheet_drawing(const PrintSheet& sheet) {
     const Eigen::Vector3d lower = sheet.linkage.rest_position(hinge.lower),
                           place = lower + sheet.linkage.size.edge_mm * hinge.lower_arm;
     if (!sheet.soft[h].points.empty())
-      drawing.soft.push_back({"hinge " + sheet.linkage.wall_name(h), united({shadow(sheet.soft[h].points, lower)})});
+      drawing.soft.push_back(
+          {"hinge " + sheet.linkage.wall_name(h), united({shadow(sheet.soft[h].points, lower)})});
     const bool pin = sheet.hinges[h].made.kind == model::HingeKind::pin;
     drawing.hinges.push_back({h + 1, place.head<2>(), pin ? sheet.hinges[h].made.diameter_mm / 2 : 0});
   }

@@ -15,7 +15,7 @@ struct SheetDrawing {
     std::vector<std::vector<Eigen::Vector2d>> rings;  ///< outlines counter-clockwise, holes clockwise, mm
   };
   struct Hinge {
-    int number = 0;  ///< from 1, the hinge's position in the design plus one
+    int number = 0;         ///< from 1, the hinge's position in the design plus one
     Eigen::Vector2d place;  ///< mm
     double rod_radius = 0;  ///< of a pin, mm; 0: none
   };

@@ -1,3 +1,4 @@
+#include <unistd.h>
 #include <APIHeaderSection_MakeHeader.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
@@ -10,19 +11,15 @@
 #include <GC_MakeArcOfCircle.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
-#include <Quantity_Color.hxx>
 #include <STEPCAFControl_Writer.hxx>
-#include <ShapeUpgrade_UnifySameDomain.hxx>
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <XCAFApp_Application.hxx>
-#include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 #include <gp_Circ.hxx>
-#include <unistd.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -72,7 +69,8 @@ TopoDS_Shape plate(const ArmSolid& arm) {
   const double half = arm.size.thickness_mm / 2, high = arm.size.height_mm / 2;
   for (const double s : {-high, high})
     for (const double n : {-half, half}) points.push_back(arm.point({-arm.end.wall_end, n}, s));
-  return polyhedron(points, {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}});
+  return polyhedron(points,
+                    {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}});
 }
 
 TopoDS_Wire circle_wire(const ArmSolid& arm, double radius, double s) {
@@ -92,9 +90,10 @@ Vector2d touching(const Vector2d& from, const Vector2d& axis, double radius, dou
 /// From the wall's corners tangents to the knuckle's circle.
 TopoDS_Wire knuckle_wire(const ArmSolid& arm, double s) {
   const model::HingeEnd& end = arm.end;
-  const Vector2d axis(0, end.axis_across), low = end.outline.front(), high = end.outline.back(),
-                 first = touching(low, axis, end.knuckle_radius, 1), last = touching(high, axis, end.knuckle_radius, -1),
-                 outermost = axis + Vector2d(end.knuckle_radius, 0);
+  const Vector2d axis(0, end.axis_across), low = end.section.front(), high = end.section.back(),
+                                           first = touching(low, axis, end.knuckle_radius, 1),
+                                           last = touching(high, axis, end.knuckle_radius, -1),
+                                           outermost = axis + Vector2d(end.knuckle_radius, 0);
   const auto at = [&](const Vector2d& p) { return to_occt(arm.point(p, s)); };
   BRepBuilderAPI_MakeWire wire;
   wire.Add(BRepBuilderAPI_MakeEdge(at(low), at(first)));
@@ -104,16 +103,16 @@ TopoDS_Wire knuckle_wire(const ArmSolid& arm, double s) {
   return wire;
 }
 
-TopoDS_Wire outline_wire(const ArmSolid& arm, double s) {
+TopoDS_Wire section_wire(const ArmSolid& arm, double s) {
   if (arm.end.knuckle_radius > 0) return knuckle_wire(arm, s);
   BRepBuilderAPI_MakePolygon wire;
-  for (const Vector2d& p : arm.end.outline) wire.Add(to_occt(arm.point(p, s)));
+  for (const Vector2d& p : arm.end.section) wire.Add(to_occt(arm.point(p, s)));
   wire.Close();
   return wire;
 }
 
 TopoDS_Shape lug(const ArmSolid& arm, const model::HingeEnd::Lug& at) {
-  BRepBuilderAPI_MakeFace face(outline_wire(arm, at.from), true);
+  BRepBuilderAPI_MakeFace face(section_wire(arm, at.from), true);
   if (arm.end.bore_radius > 0)
     face.Add(TopoDS::Wire(circle_wire(arm, arm.end.bore_radius, at.from).Reversed()));
   return BRepPrimAPI_MakePrism(face.Face(), vector_of((at.to - at.from) * arm.axis));
@@ -121,8 +120,9 @@ TopoDS_Shape lug(const ArmSolid& arm, const model::HingeEnd::Lug& at) {
 
 TopoDS_Shape rod(const ArmSolid& arm) {
   const double from = arm.end.lugs.front().to, to = arm.end.lugs.back().from;
-  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(circle_wire(arm, arm.end.rod_radius, from), true).Face(),
-                               vector_of((to - from) * arm.axis));
+  return BRepPrimAPI_MakePrism(
+      BRepBuilderAPI_MakeFace(circle_wire(arm, arm.end.rod_radius, from), true).Face(),
+      vector_of((to - from) * arm.axis));
 }
 
 /// Of pieces that share faces or parts of them.
@@ -171,8 +171,8 @@ TopoDS_Shape block_of(const model::Polyhedron& block, bool stretched) {
 TopLoc_Location location_of(const model::Pose& pose) {
   const Eigen::Matrix3d& R = pose.R;
   gp_Trsf t;
-  t.SetValues(R(0, 0), R(0, 1), R(0, 2), pose.p.x(), R(1, 0), R(1, 1), R(1, 2), pose.p.y(), R(2, 0), R(2, 1), R(2, 2),
-              pose.p.z());
+  t.SetValues(R(0, 0), R(0, 1), R(0, 2), pose.p.x(), R(1, 0), R(1, 1), R(1, 2), pose.p.y(), R(2, 0), R(2, 1),
+              R(2, 2), pose.p.z());
   return t;
 }
 
@@ -186,7 +186,6 @@ class Assembly {
   explicit Assembly(const PrintJob& job) : job_(job) {
     XCAFApp_Application::GetApplication()->NewDocument("MDTV-XCAF", document_);
     shapes_ = XCAFDoc_DocumentTool::ShapeTool(document_->Main());
-    colours_ = XCAFDoc_DocumentTool::ColorTool(document_->Main());
     root_ = shapes_->NewShape();
     set_name(root_, job.sheet.name);
   }
@@ -201,18 +200,20 @@ class Assembly {
         add(body_label(b), location_of(job_.state()[b]), "body " + sheet.linkage.vertex_name(b));
     for (int h = 0; h < static_cast<int>(sheet.soft.size()); ++h)
       if (!sheet.soft[h].points.empty())
-        add(shape_label(block_of(placed_soft(sheet, job_.state(), h), job_.folded), "hinge", Quantity_NOC_STEELBLUE), {},
+        add(shape_label(block_of(placed_soft(sheet, job_.state(), h), job_.folded), "hinge"), {},
             "hinge " + sheet.linkage.wall_name(h));
     shapes_->UpdateAssemblies();
   }
 
   void write(const std::string& file) {
     STEPCAFControl_Writer writer;
+    writer.SetColorMode(false);  // it would write colours in an order that differs from run to run
     if (!writer.Transfer(document_)) throw std::runtime_error("STEP: the sheet cannot be translated");
     APIHeaderSection_MakeHeader header(writer.ChangeWriter().Model());
     header.SetTimeStamp(new TCollection_HAsciiString("1970-01-01T00:00:00"));  // the same bytes each time
     header.SetName(new TCollection_HAsciiString(job_.sheet.name.c_str()));
-    if (writer.Write(file.c_str()) != IFSelect_RetDone) throw std::runtime_error("STEP: the file cannot be written");
+    if (writer.Write(file.c_str()) != IFSelect_RetDone)
+      throw std::runtime_error("STEP: the file cannot be written");
   }
 
  private:
@@ -220,10 +221,9 @@ class Assembly {
     set_name(shapes_->AddComponent(root_, shape, where), name);
   }
 
-  TDF_Label shape_label(const TopoDS_Shape& shape, const std::string& name, Quantity_NameOfColor colour) {
+  TDF_Label shape_label(const TopoDS_Shape& shape, const std::string& name) {
     const TDF_Label label = shapes_->AddShape(shape, false);
     set_name(label, name);
-    colours_->SetColor(label, Quantity_Color(colour), XCAFDoc_ColorGen);
     return label;
   }
 
@@ -234,13 +234,12 @@ class Assembly {
     const auto known = bodies_.find(key);
     if (known != bodies_.end()) return known->second;
     const std::string name = "type " + std::to_string(bodies_.size() + 1);
-    return bodies_[key] = shape_label(brep_of(job_.sheet.bodies[body]), name, Quantity_NOC_GRAY85);
+    return bodies_[key] = shape_label(brep_of(job_.sheet.bodies[body]), name);
   }
 
   const PrintJob& job_;
   Handle(TDocStd_Document) document_;
   Handle(XCAFDoc_ShapeTool) shapes_;
-  Handle(XCAFDoc_ColorTool) colours_;
   TDF_Label root_;
   std::map<std::vector<double>, TDF_Label> bodies_;
 };

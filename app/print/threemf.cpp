@@ -25,7 +25,12 @@ constexpr const char* relationships = R"(<?xml version="1.0" encoding="UTF-8"?>
 
 std::string escaped(const std::string& text) {
   std::string out;
-  for (const char c : text) out += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : c == '"' ? "&quot;" : std::string(1, c);
+  for (const char c : text)
+    out += c == '<'   ? "&lt;"
+           : c == '>' ? "&gt;"
+           : c == '&' ? "&amp;"
+           : c == '"' ? "&quot;"
+                      : std::string(1, c);
   return out;
 }
 
@@ -36,7 +41,8 @@ struct Range {
   std::size_t first, count;
 };
 
-std::string model_xml(const std::string& name, const model::Polyhedron& all, const std::vector<Range>& ranges) {
+std::string model_xml(const std::string& name, const model::Polyhedron& all,
+                      const std::vector<Range>& ranges) {
   std::string out = fmt::format(R"(<?xml version="1.0" encoding="UTF-8"?>
 <model unit="millimeter" xml:lang="en" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">
  <metadata name="Title">{}</metadata>
@@ -58,21 +64,27 @@ std::string model_xml(const std::string& name, const model::Polyhedron& all, con
   for (const Range& range : ranges)
     for (std::size_t k = range.first; k < range.first + range.count; ++k) {
       const auto& [a, b, c] = all.triangles[k];
-      fmt::format_to(end, "<triangle v1=\"{}\" v2=\"{}\" v3=\"{}\" pid=\"1\" p1=\"{}\"/>\n", a, b, c, range.material);
+      fmt::format_to(end, "<triangle v1=\"{}\" v2=\"{}\" v3=\"{}\" pid=\"1\" p1=\"{}\"/>\n", a, b, c,
+                     range.material);
     }
-  return out + "    </triangles>\n   </mesh>\n  </object>\n </resources>\n <build>\n  <item objectid=\"2\"/>\n </build>\n</model>\n";
+  return out +
+         "    </triangles>\n   </mesh>\n  </object>\n </resources>\n <build>\n  <item objectid=\"2\"/>\n "
+         "</build>\n</model>\n";
 }
 
 /// What PrusaSlicer reads: the ranges as volumes, each with its extruder.
 std::string slicer_config(const std::string& name, const std::vector<Range>& ranges) {
-  std::string out = fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<config>\n <object id=\"2\" instances_count=\"1\">\n"
-                                "  <metadata type=\"object\" key=\"name\" value=\"{}\"/>\n", escaped(name));
+  std::string out = fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<config>\n <object id=\"2\" instances_count=\"1\">\n"
+      "  <metadata type=\"object\" key=\"name\" value=\"{}\"/>\n",
+      escaped(name));
   for (const Range& range : ranges)
-    out += fmt::format("  <volume firstid=\"{}\" lastid=\"{}\">\n"
-                       "   <metadata type=\"volume\" key=\"name\" value=\"{}\"/>\n"
-                       "   <metadata type=\"volume\" key=\"volume_type\" value=\"ModelPart\"/>\n"
-                       "   <metadata type=\"volume\" key=\"extruder\" value=\"{}\"/>\n  </volume>\n",
-                       range.first, range.first + range.count - 1, range.name, range.material + 1);
+    out += fmt::format(
+        "  <volume firstid=\"{}\" lastid=\"{}\">\n"
+        "   <metadata type=\"volume\" key=\"name\" value=\"{}\"/>\n"
+        "   <metadata type=\"volume\" key=\"volume_type\" value=\"ModelPart\"/>\n"
+        "   <metadata type=\"volume\" key=\"extruder\" value=\"{}\"/>\n  </volume>\n",
+        range.first, range.first + range.count - 1, range.name, range.material + 1);
   return out + " </object>\n</config>\n";
 }
 

@@ -20,7 +20,8 @@ void add(zip_t* archive, const NamedContent& file) {
   check(source != nullptr, "no memory");
   const zip_int64_t index = zip_file_add(archive, file.name.c_str(), source, ZIP_FL_ENC_UTF_8);
   check(index >= 0, "a file cannot be added");
-  check(zip_file_set_dostime(archive, static_cast<zip_uint64_t>(index), 0, first_day, 0) == 0, "a file's time cannot be set");
+  check(zip_file_set_dostime(archive, static_cast<zip_uint64_t>(index), 0, first_day, 0) == 0,
+        "a file's time cannot be set");
 }
 
 std::string content_of(zip_source_t* source) {

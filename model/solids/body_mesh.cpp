@@ -74,10 +74,10 @@ class ArmMesh {
       if (!is_lug(levels_[k])) mesh_.add_face({low_[k], high_[k], high_[k + 1], low_[k + 1]});
   }
 
-  Indices outline_at(double s) {
+  Indices section_at(double s) {
     Indices out{low_[level(s)]};
-    for (std::size_t k = 1; k + 1 < end_.outline.size(); ++k)
-      out.push_back(mesh_.add_point(arm_.point(end_.outline[k], s)));
+    for (std::size_t k = 1; k + 1 < end_.section.size(); ++k)
+      out.push_back(mesh_.add_point(arm_.point(end_.section[k], s)));
     out.push_back(high_[level(s)]);
     return out;
   }
@@ -88,7 +88,7 @@ class ArmMesh {
   }
 
   void add_lug(const HingeEnd::Lug& lug) {
-    const Indices below = outline_at(lug.from), above = outline_at(lug.to);
+    const Indices below = section_at(lug.from), above = section_at(lug.to);
     for (std::size_t k = 0; k + 1 < below.size(); ++k)
       mesh_.add_face({below[k], below[k + 1], above[k + 1], above[k]});
     const bool is_first = &lug == &end_.lugs.front();
@@ -109,20 +109,21 @@ class ArmMesh {
       mesh_.add_face({below[(k + 1) % n], below[k], above[k], above[(k + 1) % n]});
   }
 
-  void add_cap(const Indices& outline, const Indices& ring, double s, bool upwards) {
-    std::vector<std::array<int, 3>> triangles = ring.empty() ? fan(outline, s) : between(outline, ring);
+  void add_cap(const Indices& section, const Indices& ring, double s, bool upwards) {
+    std::vector<std::array<int, 3>> triangles = ring.empty() ? fan(section, s) : between(section, ring);
     for (auto& t : triangles) {
       if (!upwards) std::swap(t[0], t[1]);
       mesh_.triangles.push_back(t);
     }
   }
 
-  std::vector<std::array<int, 3>> fan(const Indices& outline, double s) {
-    if (outline.size() == 4) return {{outline[0], outline[1], outline[2]}, {outline[0], outline[2], outline[3]}};
+  std::vector<std::array<int, 3>> fan(const Indices& section, double s) {
+    if (section.size() == 4)
+      return {{section[0], section[1], section[2]}, {section[0], section[2], section[3]}};
     const int middle = mesh_.add_point(arm_.point({0, end_.axis_across}, s));
     std::vector<std::array<int, 3>> out;
-    for (std::size_t k = 0; k < outline.size(); ++k)
-      out.push_back({middle, outline[k], outline[(k + 1) % outline.size()]});
+    for (std::size_t k = 0; k < section.size(); ++k)
+      out.push_back({middle, section[k], section[(k + 1) % section.size()]});
     return out;
   }
 
@@ -140,8 +141,8 @@ class ArmMesh {
     return out;
   }
 
-  std::vector<std::array<int, 3>> between(const Indices& outline, const Indices& ring) const {
-    const Indices out = by_angle(outline), in = by_angle(ring);
+  std::vector<std::array<int, 3>> between(const Indices& section, const Indices& ring) const {
+    const Indices out = by_angle(section), in = by_angle(ring);
     const std::size_t n = out.size(), m = in.size();
     std::vector<std::array<int, 3>> triangles;
     std::size_t i = 0, j = 0;

@@ -81,7 +81,8 @@ ConvexHull junction_of(const std::vector<ArmSolid>& arms) {
     for (const Vector3d& corner : arm.start_corners()) points.push_back(corner);
   if (arms.size() == 1)  // a dead end
     for (const Vector3d& corner : arms.front().start_corners())
-      points.push_back(corner - (arms.front().start + arms.front().size.thickness_mm / 2) * arms.front().edge);
+      points.push_back(corner -
+                       (arms.front().start + arms.front().size.thickness_mm / 2) * arms.front().edge);
   return convex_hull(points);
 }
 
@@ -114,13 +115,15 @@ std::vector<BodySolid> body_solids(const Linkage& linkage, const HingePrints& hi
 
 Polyhedron soft_solid(const Linkage& linkage, int hinge, const HingePrint& print) {
   const ArmSolid lower = arm_of(linkage, linkage.plates[2 * hinge], print);
-  const double across = print.made.thickness_mm / 2, high = print.made.height_mm / 2, gap = print.made.gap_mm / 2;
+  const double across = print.made.thickness_mm / 2, high = print.made.height_mm / 2,
+               gap = print.made.gap_mm / 2;
   Polyhedron block;
   for (const double m : {-gap, gap})
     for (const double s : {-high, high})
       for (const double n : {-across, across})
         block.add_point(lower.point({m, lower.end.axis_across + n}, s));
-  for (const std::vector<int>& face : {std::vector{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}})
+  for (const std::vector<int>& face :
+       {std::vector{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}})
     block.add_face(face);
   return block;
 }

@@ -14,13 +14,13 @@ namespace kinetix::model {
 /// A half wall with its end at the hinge, relative to the body's rest position, mm.
 struct ArmSolid {
   int hinge = 0;
-  bool fork = false;                                    ///< of a pin
-  Eigen::Vector3d edge, up;                             ///< unit vectors, of the plate
-  Eigen::Vector3d normal;                               ///< unit vector, across the plate: n of HingeEnd
-  Eigen::Vector3d towards_axis;                         ///< unit vector: m of HingeEnd
-  Eigen::Vector3d axis;                                 ///< unit vector: s of HingeEnd
-  Eigen::Vector3d origin;                               ///< of m, n and s, mm: on the plate's middle line
-  double start = 0;                                     ///< where the plate leaves the junction, along the edge, mm
+  bool fork = false;             ///< of a pin
+  Eigen::Vector3d edge, up;      ///< unit vectors, of the plate
+  Eigen::Vector3d normal;        ///< unit vector, across the plate: n of HingeEnd
+  Eigen::Vector3d towards_axis;  ///< unit vector: m of HingeEnd
+  Eigen::Vector3d axis;          ///< unit vector: s of HingeEnd
+  Eigen::Vector3d origin;        ///< of m, n and s, mm: on the plate's middle line
+  double start = 0;              ///< where the plate leaves the junction, along the edge, mm
   CellSize size;
   HingeEnd end;
 

@@ -22,7 +22,8 @@ std::vector<Vector3d> distinct(const std::vector<Vector3d>& points) {
 }
 
 /// Points in the plane, where all others are below it; else nothing.
-std::vector<int> points_of_face(const std::vector<Vector3d>& points, const Vector3d& at, const Vector3d& normal) {
+std::vector<int> points_of_face(const std::vector<Vector3d>& points, const Vector3d& at,
+                                const Vector3d& normal) {
   std::vector<int> in;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const double above = normal.dot(points[k] - at);
@@ -32,23 +33,29 @@ std::vector<int> points_of_face(const std::vector<Vector3d>& points, const Vecto
   return in;
 }
 
-/// In their order round the normal, without those between two others.
-std::vector<int> in_order(const std::vector<Vector3d>& points, std::vector<int> in, const Vector3d& normal) {
-  Vector3d middle = Vector3d::Zero();
-  for (const int k : in) middle += points[k] / static_cast<double>(in.size());
-  const Vector3d u = (points[in.front()] - middle).normalized(), v = normal.cross(u);
-  const auto angle = [&](int k) {
-    return std::atan2(v.dot(points[k] - middle), u.dot(points[k] - middle));
+/// Those that are corners of their hull in the plane, counter-clockwise round the normal (Andrew's monotone chain).
+std::vector<int> corners_of_face(const std::vector<Vector3d>& points, std::vector<int> in,
+                                 const Vector3d& normal) {
+  const Vector3d u = (points[in[1]] - points[in[0]]).normalized(), v = normal.cross(u);
+  const auto before = [&](int a, int b) {
+    const double apart = u.dot(points[a] - points[b]);
+    return apart < -same_mm || (apart <= same_mm && v.dot(points[a] - points[b]) < 0);
   };
-  std::sort(in.begin(), in.end(), [&](int a, int b) { return angle(a) < angle(b); });
-  std::vector<int> corners;
-  for (std::size_t k = 0; k < in.size(); ++k) {
-    const Vector3d &before = points[in[(k + in.size() - 1) % in.size()]], &here = points[in[k]],
-                   &after = points[in[(k + 1) % in.size()]];
-    const Vector3d along = (after - before).normalized();
-    if (along.cross(here - before).norm() > same_mm) corners.push_back(in[k]);
-  }
-  return corners;
+  const auto turns_left = [&](int a, int b, int c) {
+    const Vector3d first = points[b] - points[a], second = points[c] - points[a];
+    return normal.dot(first.cross(second)) > same_mm * second.norm();
+  };
+  std::sort(in.begin(), in.end(), before);
+  std::vector<int> out;
+  const auto add = [&](int p, std::size_t first) {
+    while (out.size() >= first + 2 && !turns_left(out[out.size() - 2], out.back(), p)) out.pop_back();
+    out.push_back(p);
+  };
+  for (const int p : in) add(p, 0);
+  const std::size_t lower = out.size() - 1;
+  for (auto p = in.rbegin() + 1; p != in.rend(); ++p) add(*p, lower);
+  out.pop_back();
+  return out;
 }
 
 /// Faces with the same corners are one.
@@ -81,7 +88,7 @@ class Faces {
       const Vector3d normal = side * cross.normalized();
       const std::vector<int> in = points_of_face(points_, points_[a], normal);
       if (in.size() < 3) continue;
-      const std::vector<int> face = in_order(points_, in, normal);
+      const std::vector<int> face = corners_of_face(points_, in, normal);
       if (!is_known(faces_, face)) faces_.push_back(face);
     }
   }

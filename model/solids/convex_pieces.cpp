@@ -7,10 +7,10 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Points = std::vector<Vector3d>;
 
-Points prism(const ArmSolid& arm, const std::vector<Vector2d>& outline, double from, double to) {
+Points prism(const ArmSolid& arm, const std::vector<Vector2d>& section, double from, double to) {
   Points points;
   for (const double s : {from, to})
-    for (const Vector2d& p : outline) points.push_back(arm.point(p, s));
+    for (const Vector2d& p : section) points.push_back(arm.point(p, s));
   return points;
 }
 
@@ -30,7 +30,7 @@ std::vector<ConvexPiece> convex_pieces(const BodySolid& body) {
     const HingeEnd& end = arm.end;
     pieces.push_back({plate(arm), arm.hinge});
     for (const HingeEnd::Lug& lug : end.lugs)
-      pieces.push_back({prism(arm, end.outline, lug.from, lug.to), arm.hinge});
+      pieces.push_back({prism(arm, end.section, lug.from, lug.to), arm.hinge});
     if (!end.rod.empty())
       pieces.push_back({prism(arm, end.rod, end.lugs.front().to, end.lugs.back().from), arm.hinge, true});
   }

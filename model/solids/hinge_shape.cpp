@@ -11,8 +11,8 @@ namespace {
 using Eigen::Vector2d;
 using Outline = std::vector<Vector2d>;
 
-constexpr int least_sides = 12;    // of a circle: fewer look like none
-constexpr double same_mm = 1e-6;   // mm: corners nearer than that are one
+constexpr int least_sides = 12;   // of a circle: fewer look like none
+constexpr double same_mm = 1e-6;  // mm: corners nearer than that are one
 // Of a pin's height that its eye takes: the fork's two knuckles share the rest, so that each end of the rod bears as
 // much as half of the middle.
 constexpr double eye_share = 0.5;
@@ -58,7 +58,7 @@ Vector2d leaves(const Outline& polygon, const Vector2d& from, const Vector2d& to
 }
 
 /// The hull of knuckle and wall end, with a corner at each angle of the knuckle's own.
-Outline knuckle_outline(double wall_end, double half_wall, double axis_across, double radius, int sides) {
+Outline knuckle_section(double wall_end, double half_wall, double axis_across, double radius, int sides) {
   const Vector2d axis(0, axis_across), low(-wall_end, -half_wall), high(-wall_end, half_wall);
   Outline corners = circle(axis, radius, sides);
   corners.push_back(low);
@@ -101,7 +101,7 @@ HingeEnd pin_end(const HingePrint& hinge, const CellSize& size, double axis_acro
   end.wall_end = std::max(radius, corners) + p.clearance_mm;
   end.axis_across = axis_across;
   end.knuckle_radius = radius;
-  end.outline = knuckle_outline(end.wall_end, half_wall, axis_across, radius, sides);
+  end.section = knuckle_section(end.wall_end, half_wall, axis_across, radius, sides);
   const double half = p.height_mm / 2, eye = eye_share * (half - hinge.axial_clearance_mm);
   const Vector2d axis(0, axis_across);
   if (fork) {
@@ -128,7 +128,7 @@ HingeEnd block_end(const HingePrint& hinge, const CellSize& size, double axis_ac
     end.wall_end = half_gap;
     return end;
   }
-  end.outline = {{-end.wall_end, -half_wall},
+  end.section = {{-end.wall_end, -half_wall},
                  {-half_gap, std::min(low, -half_wall)},
                  {-half_gap, std::max(high, half_wall)},
                  {-end.wall_end, half_wall}};

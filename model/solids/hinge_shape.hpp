@@ -12,7 +12,7 @@ namespace kinetix::model {
 /// axis and square to it, n across the wall, s along the axis. m is 0 on the axis, n in the middle of the wall, s
 /// halfway up. mm
 ///
-/// The wall's plate ends square to m at -wall_end. From there lugs go on, which all have the same outline, each over
+/// The wall's plate ends square to m at -wall_end. From there lugs go on, which all have the same section, each over
 /// a stretch of the axis.
 struct HingeEnd {
   /// A stretch of the axis over which the end goes on beyond the plate.
@@ -20,13 +20,14 @@ struct HingeEnd {
     double from = 0, to = 0;  ///< of s, mm
   };
 
-  double wall_end = 0;                        ///< of the plate, before the axis, > 0, mm
-  double axis_across = 0;                     ///< n of the axis, mm
-  std::vector<Eigen::Vector2d> outline = {};  ///< convex, (m, n), mm: from (-wall_end, -T/2) round to (-wall_end, T/2)
-  std::vector<Lug> lugs = {};                 ///< upwards
-  std::vector<Eigen::Vector2d> bore = {};     ///< through all lugs, (m, n), mm, round the axis; empty: none
-  std::vector<Eigen::Vector2d> rod = {};  ///< from the first lug to the second, likewise; empty: none
-  /// The circles about the axis that outline, bore and rod are polygons of, mm; 0: none.
+  double wall_end = 0;     ///< of the plate, before the axis, > 0, mm
+  double axis_across = 0;  ///< n of the axis, mm
+  std::vector<Eigen::Vector2d> section =
+      {};                      ///< convex, (m, n), mm: from (-wall_end, -T/2) round to (-wall_end, T/2)
+  std::vector<Lug> lugs = {};  ///< upwards
+  std::vector<Eigen::Vector2d> bore = {};  ///< through all lugs, (m, n), mm, round the axis; empty: none
+  std::vector<Eigen::Vector2d> rod = {};   ///< from the first lug to the second, likewise; empty: none
+  /// The circles about the axis that section, bore and rod are polygons of, mm; 0: none.
   double knuckle_radius = 0, bore_radius = 0, rod_radius = 0;
 };
 

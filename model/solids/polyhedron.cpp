@@ -52,8 +52,8 @@ MassProperties mass_properties(const Polyhedron& solid) {
     const double volume = a.dot(b.cross(c)) / 6;  // of the tetrahedron from the origin
     out.volume_mm3 += volume;
     first += volume / 4 * sum;
-    second += volume / 20 *
-              (sum * sum.transpose() + a * a.transpose() + b * b.transpose() + c * c.transpose());
+    second +=
+        volume / 20 * (sum * sum.transpose() + a * a.transpose() + b * b.transpose() + c * c.transpose());
   }
   const Vector3d center = first / out.volume_mm3;
   second -= out.volume_mm3 * center * center.transpose();

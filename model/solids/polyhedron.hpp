@@ -25,7 +25,7 @@ void append(const Polyhedron& part, Polyhedron& whole);
 
 /// Of a solid of density 1, by the divergence theorem over its triangles: exact for the triangles as they are.
 struct MassProperties {
-  double volume_mm3 = 0;
+  double volume_mm3 = 0;                              ///< in mm^3
   Eigen::Vector3d center = Eigen::Vector3d::Zero();   ///< mm
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< about the center, mm^5
 };

@@ -22,8 +22,8 @@ std::unique_ptr<mjModel, decltype(&mj_deleteModel)> loaded(const std::string& xm
   mj_makeEmptyFileVFS(files.get(), "scene.xml", static_cast<int>(xml.size()));
   std::memcpy(files->filedata[0], xml.data(), xml.size());
   char text[1000] = "";
-  std::unique_ptr<mjModel, decltype(&mj_deleteModel)> model(mj_loadXML("scene.xml", files.get(), text, sizeof text),
-                                                            &mj_deleteModel);
+  std::unique_ptr<mjModel, decltype(&mj_deleteModel)> model(
+      mj_loadXML("scene.xml", files.get(), text, sizeof text), &mj_deleteModel);
   mj_deleteVFS(files.get());
   error = text;
   return model;

@@ -8,9 +8,9 @@ namespace kinetix::testing {
 
 /// What MuJoCo makes of a scene whose actuator goes slowly from 0 to 1.
 struct MujocoVerdict {
-  std::string error;                        ///< why it does not load, or what it warned of; empty: nothing
+  std::string error;  ///< why it does not load, or what it warned of; empty: nothing
   double mass_kg = 0;
-  std::vector<Eigen::Vector3d> positions;   ///< of the bodies b0, b1, ... at the end, m
+  std::vector<Eigen::Vector3d> positions;  ///< of the bodies b0, b1, ... at the end, m
 };
 
 /// @param fold_seconds in which the actuator moves, simulated

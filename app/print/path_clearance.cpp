@@ -1,4 +1,4 @@
-#include "app/print/fold_clearance.hpp"
+#include "app/print/path_clearance.hpp"
 
 #include <BulletCollision/CollisionShapes/btConvexHullShape.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpa2.h>
@@ -47,7 +47,7 @@ class Distances {
   }
 
   /// In one state.
-  void measure(double theta, const model::State& state, FoldClearance& least) const {
+  void measure(double theta, const model::State& state, PathClearance& least) const {
     Eigen::Matrix3Xd centers(3, shapes_.size());
     for (std::size_t k = 0; k < shapes_.size(); ++k)
       centers.col(k) = state[shapes_[k].body].R * shapes_[k].center + state[shapes_[k].body].p;
@@ -59,7 +59,8 @@ class Distances {
           (centers.col(a) - centers.col(b)).norm() - shapes_[a].radius - shapes_[b].radius;
       if (at_least < known.mm) compare(shapes_[a], shapes_[b], theta, state, known);
     }
-    for (int h = 0; h < static_cast<int>(sheet_.hinges.size()); ++h) compare_bore(h, theta, state, least.in_hinges);
+    for (int h = 0; h < static_cast<int>(sheet_.hinges.size()); ++h)
+      compare_bore(h, theta, state, least.in_hinges);
   }
 
  private:
@@ -80,12 +81,14 @@ class Distances {
     return hinged_.count(std::minmax(shapes_[a].body, shapes_[b].body)) > 0;
   }
 
-  static void compare(const Shape& a, const Shape& b, double theta, const model::State& state, LeastDistance& known) {
+  static void compare(const Shape& a, const Shape& b, double theta, const model::State& state,
+                      LeastDistance& known) {
     btGjkEpaSolver2::sResults result;
     const btTransform at_a = to_bullet(state[a.body]), at_b = to_bullet(state[b.body]);
     const btVector3 guess = at_b * to_bullet(b.center) - at_a * to_bullet(a.center);
     const bool known_apart = btGjkEpaSolver2::Distance(a.hull.get(), at_a, b.hull.get(), at_b, guess, result);
-    if (!known_apart && !btGjkEpaSolver2::Penetration(a.hull.get(), at_a, b.hull.get(), at_b, guess, result, false))
+    if (!known_apart &&
+        !btGjkEpaSolver2::Penetration(a.hull.get(), at_a, b.hull.get(), at_b, guess, result, false))
       result.distance = 0;  // they touch
     if (!(result.distance < known.mm)) return;
     known = {result.distance, a.body, b.body, theta,
@@ -127,21 +130,22 @@ void take_less(const LeastDistance& other, LeastDistance& known) {
 
 }  // namespace
 
-FoldClearance fold_clearance(const PrintSheet& sheet) {
-  FoldClearance none{asked_of(sheet), {}, {}};
+PathClearance path_clearance(const PrintSheet& sheet) {
+  PathClearance none{asked_of(sheet), {}, {}};
   none.in_hinges.mm = none.elsewhere.mm = nothing_mm;
   const Distances distances(sheet);
-  std::vector<FoldClearance> by_state(sheet.path.size(), none);
+  std::vector<PathClearance> by_state(sheet.path.size(), none);
 #pragma omp parallel for schedule(dynamic)
-  for (std::size_t k = 0; k < sheet.path.size(); ++k) distances.measure(sheet.thetas[k], sheet.path[k], by_state[k]);
-  for (const FoldClearance& state : by_state) {
+  for (std::size_t k = 0; k < sheet.path.size(); ++k)
+    distances.measure(sheet.thetas[k], sheet.path[k], by_state[k]);
+  for (const PathClearance& state : by_state) {
     take_less(state.in_hinges, none.in_hinges);
     take_less(state.elsewhere, none.elsewhere);
   }
   return none;
 }
 
-bool is_kept(const FoldClearance& clearance) {
+bool is_kept(const PathClearance& clearance) {
   const double least = clearance.asked_mm > 0 ? clearance.asked_mm - polygon_mm : 0;
   return clearance.least().mm >= least;
 }
