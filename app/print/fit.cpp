@@ -14,7 +14,7 @@ constexpr double largest_scale = 16;  // times the sheet: beyond it nobody print
 constexpr double step_mm = 0.5;       // mm: cell edges are proposed in whole steps
 constexpr double growth = 1.3;        // from one tried cell edge to the next, until one does
 // Of a pin's height over the wall's, tried in this order: the higher, the stiffer.
-constexpr double height_shares[] = {1, 0.8, 0.6, 0.4};
+constexpr double lower_shares[] = {0.8, 0.6, 0.4};
 
 std::string words(const PrintSheet& sheet, const PathClearance& clearance) {
   const LeastDistance& least = clearance.least();
@@ -48,18 +48,31 @@ Attempt attempt(const DesignFile& design, const model::Process& process, const P
 
 bool has_leaning_hinges(const DesignFile& design) { return !all_vertical(model::Linkage(design.structure)); }
 
-/// With pins as high as leave room, where the design does not say how high. The reason is that of the highest.
-Attempt best_attempt(const DesignFile& design, const model::Process& process, PrintChoice choice,
+/// What else can be tried with hinges that the design leaves open: leaning pins that are less high, blocks and films each
+/// as long as it needs.
+std::vector<PrintChoice> others(const DesignFile& design, const PrintChoice& choice) {
+  std::vector<PrintChoice> all;
+  if (!leaves_hinges_open(design)) return all;
+  if (choice.kind != model::HingeKind::pin) {
+    all.push_back(choice);
+    all.back().alike = false;
+  } else if (has_leaning_hinges(design)) {
+    for (const double share : lower_shares) {
+      all.push_back(choice);
+      all.back().height_share = share;
+    }
+  }
+  return all;
+}
+
+/// By the first choice that leaves room. The reason is that of the choice itself.
+Attempt best_attempt(const DesignFile& design, const model::Process& process, const PrintChoice& choice,
                      bool folded) {
   Attempt first = attempt(design, process, choice, folded);
-  if (first.print || choice.kind != model::HingeKind::pin || !leaves_hinges_open(design) ||
-      !has_leaning_hinges(design))
-    return first;
-  for (const double share : height_shares) {
-    if (share == choice.height_share) continue;
-    choice.height_share = share;
-    Attempt lower = attempt(design, process, choice, folded);
-    if (lower.print) return lower;
+  if (first.print) return first;
+  for (const PrintChoice& other : others(design, choice)) {
+    Attempt found = attempt(design, process, other, folded);
+    if (found.print) return found;
   }
   return first;
 }

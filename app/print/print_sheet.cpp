@@ -116,25 +116,29 @@ class Maker {
 
   double turn(int hinge) const { return turn_of(sheet_.linkage.hinges[hinge], sheet_.path.back()); }
 
-  /// As long at every wall as the one that turns furthest needs.
-  model::MadeHinge open_hinge() const {
+  /// Of a block or film, mm, in tenths of them.
+  double gap_mm(const model::MadeHinge& hinge, int h) const {
     const model::CellSize& size = sheet_.linkage.size;
-    model::MadeHinge hinge = default_hinge(choice_, sheet_.process, size);
-    if (hinge.kind == HingeKind::pin) return hinge;
-    for (int h = 0; h < hinges(); ++h) {
-      const double offset = structure_.hinge(h).offset * size.edge_mm;
-      hinge.gap_mm = std::max(hinge.gap_mm, needed_gap(hinge, size.thickness_mm, offset, turn(h)));
-    }
-    hinge.gap_mm = std::ceil(tenth * hinge.gap_mm) / tenth;
-    return hinge;
+    const double offset = structure_.hinge(h).offset * size.edge_mm;
+    return std::ceil(tenth * needed_gap(hinge, size.thickness_mm, offset, turn(h))) / tenth;
+  }
+
+  std::vector<model::MadeHinge> open_hinges() const {
+    std::vector<model::MadeHinge> all(hinges(), default_hinge(choice_, sheet_.process, sheet_.linkage.size));
+    if (choice_.kind == HingeKind::pin) return all;
+    double longest = 0;
+    for (int h = 0; h < hinges(); ++h) longest = std::max(longest, all[h].gap_mm = gap_mm(all[h], h));
+    if (choice_.alike)
+      for (model::MadeHinge& hinge : all) hinge.gap_mm = longest;
+    return all;
   }
 
   void choose_hinges() {
-    const model::MadeHinge open = open_hinge();
+    const std::vector<model::MadeHinge> open = open_hinges();
     for (int h = 0; h < hinges(); ++h) {
       const auto own = design_.own_hinges.find(h);
       const HingeSection& section = own == design_.own_hinges.end() ? design_.hinge : own->second;
-      const model::MadeHinge made = section.made.value_or(open);
+      const model::MadeHinge made = section.made.value_or(open[h]);
       check_process(sheet_.process, sheet_.linkage.size, made);
       validate(made, sheet_.linkage.size);
       sheet_.hinges.push_back(

@@ -39,7 +39,8 @@ inline constexpr int path_steps = 20;  // that contracts of the figures ask for
 struct PrintChoice {
   model::HingeKind kind = model::HingeKind::pin;
   double height_share =
-      1;  ///< of a pin's height over the wall's: lower ones leave room where walls lean, (0, 1]
+      1;              ///< of a pin's height over the wall's: lower ones leave room where walls lean, (0, 1]
+  bool alike = true;  ///< blocks and films as long everywhere as the longest; else each as long as it needs
   double edge_mm =
       0;  ///< cell edge instead of the design's, mm; 0: the design's. Walls stay, as thick as the process needs
 };

@@ -12,8 +12,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double vertical = 1e-12;   // of 1 - cos: rounding of walls that are meant to stand
-constexpr double free_share = 0.05;  // of a wall's thickness: sections of tilted walls do not touch
+constexpr double same_mm = 1e-9;  // mm: rounding of corners that are meant to be one
+constexpr double touching_mm =
+    1e-6;  // mm: sections that near to each other's corners would be one face of the junction
+constexpr double free_share = 0.05;  // of a wall's thickness: between sections that share no corners
 constexpr double least_plate = 0.1;  // of a wall's thickness: shorter plates are none
 constexpr int rounds = 60;           // of finding where plates leave: each halves what is left
 
@@ -36,11 +38,6 @@ ArmSolid arm_of(const Linkage& linkage, const Plate& plate, const HingePrint& pr
   return arm;
 }
 
-bool all_upright(const std::vector<ArmSolid>& arms) {
-  return std::all_of(arms.begin(), arms.end(),
-                     [](const ArmSolid& arm) { return 1 - std::abs(arm.up.z()) <= vertical; });
-}
-
 /// How far the others' sections reach along an arm's edge.
 double reached(const std::vector<ArmSolid>& arms, std::size_t along, double free) {
   double most = arms[along].size.thickness_mm / 2;
@@ -51,11 +48,33 @@ double reached(const std::vector<ArmSolid>& arms, std::size_t along, double free
   return most;
 }
 
-/// Moves the sections out until each is the outermost along its own edge.
-void find_starts(std::vector<ArmSolid>& arms) {
-  const double free = all_upright(arms) ? 0 : free_share * arms.front().size.thickness_mm;
+void move_starts(std::vector<ArmSolid>& arms, double free) {
   for (int round = 0; round < rounds; ++round)
     for (std::size_t k = 0; k < arms.size(); ++k) arms[k].start = reached(arms, k, free);
+}
+
+/// Whether a corner of another section is in the plane of an arm's own, and none of its corners.
+bool is_touched(const ArmSolid& arm, const ArmSolid& other) {
+  const std::vector<Vector3d> own = arm.start_corners(), others = other.start_corners();
+  return std::any_of(others.begin(), others.end(), [&](const Vector3d& corner) {
+    const bool is_own = std::any_of(own.begin(), own.end(),
+                                    [&](const Vector3d& p) { return (p - corner).norm() <= same_mm; });
+    return !is_own && arm.edge.dot(corner) >= arm.start - touching_mm;
+  });
+}
+
+bool any_touched(const std::vector<ArmSolid>& arms) {
+  for (const ArmSolid& arm : arms)
+    for (const ArmSolid& other : arms)
+      if (&arm != &other && is_touched(arm, other)) return true;
+  return false;
+}
+
+/// Moves the sections out until each is the outermost along its own edge: as near as they may be where they share
+/// corners, as upright walls at equal angles do, else a little apart.
+void find_starts(std::vector<ArmSolid>& arms) {
+  move_starts(arms, 0);
+  if (any_touched(arms)) move_starts(arms, free_share * arms.front().size.thickness_mm);
 }
 
 /// Where the plate's end at the hinge is nearest to the vertex, along the edge.

@@ -6,6 +6,7 @@
 
 #include "model/base/invalid_input.hpp"
 #include "model/lattice/square/structure.hpp"
+#include "model/linkage/wall.hpp"
 #include "model/sheet/sheet.hpp"
 #include "model/solids/body_solid.hpp"
 
@@ -134,6 +135,30 @@ TEST(BodySolid, OfRandomLeaningHingesIsClosedAndAsLargeAsItsPieces) {
         }
         EXPECT_NEAR(volume_mm3(mesh) / pieces, 1, 1e-9) << "seed " << seed;
       }
+}
+
+/// Upright walls at uneven angles, as drawings have them.
+TEST(BodySolid, OfWallsAtAnyAnglesIsClosed) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> between(0.7, 2.2);
+  for (int trial = 0; trial < 200; ++trial) {
+    Linkage star;
+    star.size = {20, 0.8, 6};
+    star.wall_name = star.vertex_name = [](int) { return std::string("one"); };
+    star.bodies.push_back({Eigen::Vector3d::Zero(), 1});
+    double angle = 0;
+    while ((angle += between(random)) < 2 * M_PI - 0.7) {
+      HingedWall wall;
+      wall.upper = static_cast<int>(star.bodies.size());
+      wall.edge = {std::cos(angle), std::sin(angle), 0};
+      star.bodies.push_back({wall.edge, -1});
+      for (const Plate& plate : plates(wall, static_cast<int>(star.hinges.size())))
+        star.plates.push_back(plate);
+      star.hinges.push_back(rest_hinge(wall));
+    }
+    for (const BodySolid& body : solids(star, pin()))
+      EXPECT_TRUE(is_closed(body_mesh(body))) << "trial " << trial;
+  }
 }
 
 TEST(PinEnd, KeepsItsClearanceBetweenThePolygonsOfRodAndBore) {
