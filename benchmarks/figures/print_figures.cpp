@@ -58,10 +58,15 @@ Figure timed(const std::string& what, const app::PrintJob& job, const std::vecto
   return {what, fmt::format("{:g} s", asked_s), fmt::format("{:.2f} s", took), took <= asked_s};
 }
 
-/// Time to make the solids, check the way to the fold, and write. A cell edge is taken at which it can be made.
+/// With cells so large that it can be made, from an edge on in whole mm.
 app::PreparedPrint prepared_larger(DesignFile design, double edge_mm, model::HingeKind kind) {
-  if (auto* squares = design.structure.squares()) squares->size.edge_mm = edge_mm;
-  return app::prepared(design, model::processes().front(), {.kind = kind}, false);
+  constexpr double largest_mm = 60;  // mm: beyond it something else is wrong
+  for (;; edge_mm += 1) try {
+      if (auto* squares = design.structure.squares()) squares->size.edge_mm = edge_mm;
+      return app::prepared(design, model::processes().front(), {.kind = kind}, false);
+    } catch (const InvalidInput&) {
+      if (edge_mm > largest_mm) throw;
+    }
 }
 
 }  // namespace
@@ -84,12 +89,12 @@ std::vector<Figure> print_figures() {
        fmt::format("{:+.4f} mm", tally.least_left), tally.least_left >= -enough_mm}};
   const DesignFile letter = searched("letter_t"), helmet = searched("headform");
   app::PreparedPrint t;
-  const double solids = seconds([&] { t = prepared_larger(letter, 10.5, model::HingeKind::block); });
+  const double solids = seconds([&] { t = prepared_larger(letter, 10, model::HingeKind::block); });
   figures.push_back(
       {"letter T, blocks: solids and the way to the fold", "-", fmt::format("{:.2f} s", solids), true});
   figures.push_back(timed("letter T, blocks: stl, 3mf, glb", t.job, {"stl", "3mf", "glb"}, 3));
   figures.push_back(timed("letter T, blocks: step", t.job, {"step"}, 15));
-  const app::PreparedPrint pinned_t = prepared_larger(letter, 31, model::HingeKind::pin);
+  const app::PreparedPrint pinned_t = prepared_larger(letter, 36, model::HingeKind::pin);
   figures.push_back(timed("letter T, pins: stl, 3mf, glb", pinned_t.job, {"stl", "3mf", "glb"}, 3));
   figures.push_back(timed("letter T, pins: step", pinned_t.job, {"step"}, 15));
   const double all = seconds(
