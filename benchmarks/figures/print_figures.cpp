@@ -46,7 +46,7 @@ void try_all(const DesignFile& design, Tally& tally) {
         tally.least_left = std::min(tally.least_left, print.clearance.least().mm - print.clearance.asked_mm);
       } catch (const InvalidInput& e) {
         ++tally.refused;
-        tally.without_size += std::string(e.what()).find("would do") == std::string::npos;
+        tally.without_size += std::string(e.what()).find("a cell_mm of") == std::string::npos;
       }
 }
 
