@@ -6,6 +6,7 @@
 #include "app/cli/commands.hpp"
 #include "app/cli/error_report.hpp"
 #include "app/io/atomic_file.hpp"
+#include "app/print/export_command.hpp"
 #include "app/sweep/sweep_command.hpp"
 #include "app/version.hpp"
 #include "model/base/invalid_input.hpp"
@@ -46,6 +47,27 @@ void add_output(CLI::App& app, CommandOptions& options) {
 
 void add_file(CLI::App& app, CommandOptions& options, const std::string& name, const std::string& what) {
   app.add_option(name, options.file, what)->required()->type_name("");
+}
+
+void add_export(CLI::App& app, CommandOptions& options, kinetix::app::PrintRequest& request) {
+  app.add_option("DESIGN.yaml|DIR", request.source, "a design, or the folder of a result")->type_name("");
+  add_common(app, options);
+  add_output(app, options);
+  app.add_option("--format", request.formats, kinetix::app::format_help())
+      ->required()
+      ->delimiter(',')
+      ->type_name("NAME");
+  app.add_option("--process", request.process, "polyjet, fdm, sla or sls: what it can print is checked")
+      ->type_name("NAME");
+  app.add_option("--hinge", request.hinge,
+                 "pin, block or film, where the design does not say how its hinges are made (default pin)")
+      ->type_name("KIND");
+  app.add_flag("--coupon", request.coupon,
+               "instead of a design, pins with gaps of 0.1 to 0.6 mm: prints tell which ones turn");
+  app.add_option_function<std::string>(
+         "--state", [&request](const std::string& state) { request.folded = state == "folded"; },
+         "flat (default), as it is printed, or folded")
+      ->check(CLI::IsMember({"flat", "folded"}));
 }
 
 // What --help ends with.
@@ -122,6 +144,10 @@ int run(int argc, char** argv) {
       "tries plates, single hinges and cords to the same theta with --model equilibrium, and says which "
       "needs the least force; writes nothing but drives.json into -o DIR");
 
+  CLI::App* print = app.add_subcommand("export", "write a design for printers, CAD and simulators");
+  kinetix::app::PrintRequest request;
+  add_export(*print, options, request);
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
@@ -133,6 +159,7 @@ int run(int argc, char** argv) {
   if (verify->parsed()) return kinetix::app::verify_command(options);
   if (simulate->parsed()) return kinetix::app::simulate_command(options);
   if (sweep->parsed()) return kinetix::app::sweep_command(options);
+  if (print->parsed()) return kinetix::app::export_command(options, request);
   if (check->parsed()) return kinetix::app::check_command(options);
   if (options.file.empty()) {
     std::cerr << app.help();

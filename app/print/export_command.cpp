@@ -1,0 +1,130 @@
+#include "app/print/export_command.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "app/io/atomic_file.hpp"
+#include "app/print/coupon.hpp"
+#include "app/print/fit.hpp"
+#include "app/print/print_report.hpp"
+#include "model/base/angle.hpp"
+#include "model/base/invalid_input.hpp"
+#include "targets/document/wording.hpp"
+
+namespace kinetix::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string design_file(const std::string& source) {
+  if (!fs::is_directory(source)) return source;
+  const fs::path inside = fs::path(source) / "design.yaml";
+  if (fs::exists(inside)) return inside.string();
+  throw InvalidInput(source + ": no design.yaml in this folder; give a design, or the folder of a result");
+}
+
+/// The entry of that name. @param allowed as (name, value)
+template <class Value>
+Value named(const char* option, const std::string& name,
+            const std::vector<std::pair<std::string_view, Value>>& allowed) {
+  std::vector<std::string_view> names;
+  for (const auto& [known, value] : allowed) {
+    if (known == name) return value;
+    names.push_back(known);
+  }
+  throw InvalidInput(fmt::format("{}: unknown {} {}{}; allowed: {}", option, option + 2,
+                                 targets::in_ticks(name), targets::did_you_mean(name, names),
+                                 targets::joined(names)));
+}
+
+const model::Process& process_of(const PrintRequest& request) {
+  std::vector<std::pair<std::string_view, const model::Process*>> all;
+  for (const model::Process& process : model::processes()) all.emplace_back(process.name, &process);
+  return *named("--process", request.process, all);
+}
+
+model::HingeKind kind_of(const PrintRequest& request) {
+  if (request.hinge.empty()) return model::HingeKind::pin;
+  return named<model::HingeKind>(
+      "--hinge", request.hinge,
+      {{"pin", model::HingeKind::pin}, {"block", model::HingeKind::block}, {"film", model::HingeKind::film}});
+}
+
+std::vector<const PrintFormat*> formats_of(const PrintRequest& request) {
+  std::vector<const PrintFormat*> out;
+  for (const std::string& name : request.formats) {
+    if (name == "all") return print_formats();
+    out.push_back(&print_format(name));
+  }
+  return out;
+}
+
+/// What is to be made: a design, or a coupon.
+struct Source {
+  std::string file;
+  std::optional<DesignFile> design;
+
+  std::string name() const { return design ? design->name : "coupon"; }
+
+  PreparedPrint prepared_for(const model::Process& process, model::HingeKind kind, bool folded) const {
+    if (!design) {
+      PrintJob job{make_coupon(process), folded};
+      const PathClearance clearance = path_clearance(job.sheet);
+      return {std::move(job), clearance};
+    }
+    try {
+      return prepared(*design, process, {.kind = kind}, folded);
+    } catch (const InvalidInput& e) {
+      throw InvalidInput(e.reason(), {file, 0, 0, e.place().key});
+    }
+  }
+};
+
+Source source_of(const PrintRequest& request) {
+  if (request.coupon == request.source.empty()) {
+    if (request.coupon) return {};
+    const std::string file = design_file(request.source);
+    return {file, read_design(file)};
+  }
+  throw InvalidInput("export needs a design, the folder of a result, or --coupon, and one of them only");
+}
+
+}  // namespace
+
+std::string format_help() {
+  std::string text;
+  for (const PrintFormat* format : print_formats())
+    text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", format->name, format->meaning);
+  return text + "; all: every one; several, with commas between them";
+}
+
+int export_command(const CommandOptions& options, const PrintRequest& request) {
+  const auto formats = formats_of(request);
+  const model::Process& process = process_of(request);
+  const Source source = source_of(request);
+  OutputFolder folder(options.folder_given ? options.folder : "results/" + source.name() + "_print");
+  const PreparedPrint print = source.prepared_for(process, kind_of(request), request.folded);
+  FileSet files(folder.path());
+  std::string names;
+  for (const PrintFormat* format : formats)
+    for (const auto& [name, content] : format->write(print.job)) {
+      files.add(name, content);
+      names += (names.empty() ? "" : ", ") + name;
+    }
+  const std::string json = print_json(print.job, print.clearance).dump(1) + "\n";
+  const std::string text = print_text(print.job, print.clearance);
+  files.add("print.json", json);
+  files.add("print.txt", text);
+  files.commit();
+  folder.keep();
+  std::cout << (options.json ? json
+                             : text + fmt::format("{:<12} {}: {}, print.json, print.txt\n", "written",
+                                                  folder.path(), names));
+  return done;
+}
+
+}  // namespace kinetix::app

@@ -1,0 +1,111 @@
+#include "app/print/fit.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "model/base/angle.hpp"
+#include "model/base/invalid_input.hpp"
+
+namespace kinetix::app {
+namespace {
+
+constexpr double largest_scale = 16;  // times the sheet: beyond it nobody prints what was asked for
+constexpr double step_mm = 0.5;       // mm: cell edges are proposed in whole steps
+constexpr double growth = 1.3;        // from one tried cell edge to the next, until one does
+// Of a pin's height over the wall's, tried in this order: the higher, the stiffer.
+constexpr double lower_shares[] = {0.8, 0.6, 0.4};
+
+std::string words(const PrintSheet& sheet, const PathClearance& clearance) {
+  const LeastDistance& least = clearance.least();
+  constexpr double degrees = 180 / pi;
+  return fmt::format(
+      "bodies {} and {} {} at theta {:.1f} deg of {:.1f}, near [{:.1f}, {:.1f}, {:.1f}] mm, where {:g} mm "
+      "were asked",
+      sheet.linkage.vertex_name(least.first), sheet.linkage.vertex_name(least.second),
+      least.mm > 0 ? fmt::format("come to within {:.3f} mm", least.mm) : "run into each other",
+      least.theta * degrees, sheet.thetas.back() * degrees, least.place.x(), least.place.y(), least.place.z(),
+      clearance.asked_mm);
+}
+
+/// A sheet that can be printed, or why there is none.
+struct Attempt {
+  std::optional<PreparedPrint> print;
+  std::string reason;
+};
+
+Attempt attempt(const DesignFile& design, const model::Process& process, const PrintChoice& choice,
+                bool folded) {
+  try {
+    PrintSheet sheet = make_print_sheet(design, process, choice);
+    const PathClearance clearance = path_clearance(sheet);
+    if (is_kept(clearance)) return {PreparedPrint{{std::move(sheet), folded}, clearance}, ""};
+    return {std::nullopt, words(sheet, clearance)};
+  } catch (const InvalidInput& e) {
+    return {std::nullopt, e.reason()};
+  }
+}
+
+bool has_leaning_hinges(const DesignFile& design) { return !all_vertical(model::Linkage(design.structure)); }
+
+/// What else can be tried with hinges that the design leaves open: leaning pins that are less high, blocks and films each
+/// as long as it needs.
+std::vector<PrintChoice> others(const DesignFile& design, const PrintChoice& choice) {
+  std::vector<PrintChoice> all;
+  if (!leaves_hinges_open(design)) return all;
+  if (choice.kind != model::HingeKind::pin) {
+    all.push_back(choice);
+    all.back().alike = false;
+  } else if (has_leaning_hinges(design)) {
+    for (const double share : lower_shares) {
+      all.push_back(choice);
+      all.back().height_share = share;
+    }
+  }
+  return all;
+}
+
+/// By the first choice that leaves room. The reason is that of the choice itself.
+Attempt best_attempt(const DesignFile& design, const model::Process& process, const PrintChoice& choice,
+                     bool folded) {
+  Attempt first = attempt(design, process, choice, folded);
+  if (first.print) return first;
+  for (const PrintChoice& other : others(design, choice)) {
+    Attempt found = attempt(design, process, other, folded);
+    if (found.print) return found;
+  }
+  return first;
+}
+
+/// "; with walls of 0.8 x 6 mm a cell_mm of 12.5 would do". A cell edge a step smaller would not, and most that are
+/// larger do.
+std::string would_do(const DesignFile& design, const model::Process& process, PrintChoice choice) {
+  const model::CellSize& size = design.structure.size();
+  const auto fits = [&](double steps) {
+    choice.edge_mm = steps * step_mm;
+    return best_attempt(design, process, choice, false).print.has_value();
+  };
+  double low = std::floor(size.edge_mm / step_mm), high = low + 1;  // steps
+  while (!fits(high)) {
+    low = high;
+    high = std::ceil(high * growth);
+    if (high * step_mm > largest_scale * size.edge_mm) return "; no larger cell would do either";
+  }
+  while (high - low > 1) {
+    const double middle = std::floor((low + high) / 2);
+    (fits(middle) ? high : low) = middle;
+  }
+  return fmt::format("; with walls of {:g} x {:g} mm a cell_mm of {:g} would do",
+                     std::max(size.thickness_mm, process.least_wall_mm), size.height_mm, high * step_mm);
+}
+
+}  // namespace
+
+PreparedPrint prepared(const DesignFile& design, const model::Process& process, const PrintChoice& choice,
+                       bool folded) {
+  Attempt found = best_attempt(design, process, choice, folded);
+  if (found.print) return std::move(*found.print);
+  throw InvalidInput(found.reason + would_do(design, process, choice));
+}
+
+}  // namespace kinetix::app

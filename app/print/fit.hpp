@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+
+#include "app/print/path_clearance.hpp"
+#include "app/print/print_format.hpp"
+
+namespace kinetix::app {
+
+/// A sheet that can be printed and folds.
+struct PreparedPrint {
+  PrintJob job;
+  PathClearance clearance;
+};
+
+/// Pins that the design leaves open are as high as leaves room on the way.
+/// @throws InvalidInput, naming the cell edge that would do, for a sheet that the process cannot print, whose hinges
+/// overlap a junction, or whose solids come nearer to each other on the way to the fold than they may
+PreparedPrint prepared(const DesignFile& design, const model::Process& process, const PrintChoice& choice,
+                       bool folded);
+
+}  // namespace kinetix::app

@@ -1,0 +1,137 @@
+#include "app/print/print_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/print/parts.hpp"
+#include "model/base/angle.hpp"
+
+namespace kinetix::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double degrees = 180 / pi;  // per rad, for people
+constexpr double steep_deg = 45;      // degrees from upright: what FDM prints without support
+
+const char* name_of(model::HingeKind kind) {
+  return kind == model::HingeKind::pin ? "pin" : kind == model::HingeKind::block ? "block" : "film";
+}
+
+Json vector_json(const Eigen::Vector3d& v) { return Json::array({v.x(), v.y(), v.z()}); }
+
+Eigen::Vector3d bounds(const model::Polyhedron& solid) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& p : solid.points) box.extend(p);
+  return box.sizes();
+}
+
+int count_bodies(const PrintSheet& sheet) {
+  return static_cast<int>(std::count_if(sheet.meshes.begin(), sheet.meshes.end(),
+                                        [](const model::Polyhedron& m) { return !m.points.empty(); }));
+}
+
+/// Largest angle of a hinge axis from upright when the sheet is flat, degrees.
+double steepest_deg(const PrintSheet& sheet) {
+  double least = 1;
+  for (const model::RestHinge& hinge : sheet.linkage.hinges)
+    least = std::min(least, std::abs(hinge.axis.z()));
+  return std::acos(least) * degrees;
+}
+
+Json distance_json(const PrintSheet& sheet, const LeastDistance& d) {
+  if (d.first < 0) return nullptr;
+  return {{"mm", d.mm},
+          {"theta_deg", d.theta * degrees},
+          {"bodies", {sheet.linkage.vertex_name(d.first), sheet.linkage.vertex_name(d.second)}},
+          {"place_mm", vector_json(d.place)}};
+}
+
+std::string hinge_words(const PrintSheet& sheet) {
+  const model::MadeHinge& h = sheet.hinges.front().made;
+  if (h.kind == model::HingeKind::pin)
+    return fmt::format(
+        "pins: rod {:g} x {:g} mm, clearance {:g} mm a side, {:g} mm along the axis, knuckle {:.2f} mm",
+        h.diameter_mm, h.height_mm, h.clearance_mm, sheet.hinges.front().axial_clearance_mm,
+        h.diameter_mm + 2 * (h.clearance_mm + sheet.hinges.front().knuckle_wall_mm));
+  return fmt::format("{}s of {}: gap {:g} mm, thickness {:g} mm, height {:g} mm", name_of(h.kind),
+                     h.material.name.empty() ? "your material" : h.material.name, h.gap_mm, h.thickness_mm,
+                     h.height_mm);
+}
+
+}  // namespace
+
+std::vector<std::string> print_warnings(const PrintJob& job, const PathClearance& clearance) {
+  std::vector<std::string> out = job.sheet.warnings;
+  if (!job.sheet.why_no_path.empty())
+    out.push_back("the way to the fold was not checked: " + job.sheet.why_no_path);
+  const double steep = steepest_deg(job.sheet);
+  if (steep > steep_deg)
+    out.push_back(fmt::format("hinges lean {:.1f} degrees from upright: more than {:g} need support in FDM",
+                              steep, steep_deg));
+  (void)clearance;
+  return out;
+}
+
+Json print_json(const PrintJob& job, const PathClearance& clearance) {
+  const PrintSheet& sheet = job.sheet;
+  const model::Polyhedron hard = hard_part(job), soft = soft_part(job);
+  const model::MadeHinge& made = sheet.hinges.front().made;
+  const model::HingeStiffness k = stiffness(made);
+  model::Polyhedron all = hard;
+  append(soft, all);
+  return {
+      {"schema", "kinetix-print/1"},
+      {"name", sheet.name},
+      {"process", sheet.process.name},
+      {"state", job.folded ? "folded" : "flat"},
+      {"hinge", name_of(sheet.kind())},
+      {"bodies", count_bodies(sheet)},
+      {"hinges", sheet.hinges.size()},
+      {"volume_mm3", {{"hard", volume_mm3(hard)}, {"soft", soft.points.empty() ? 0.0 : volume_mm3(soft)}}},
+      {"clearance_mm", made.kind == model::HingeKind::pin ? made.clearance_mm : 0.0},
+      {"bounds_mm", vector_json(bounds(all))},
+      {"k", {{"axial", k.axial}, {"shear", k.shear}, {"along", k.along}, {"turn", k.turn}}},
+      {"path",
+       {{"states", sheet.path.size()},
+        {"theta_deg", sheet.thetas.back() * degrees},
+        {"asked_mm", clearance.asked_mm},
+        {"in_hinges", distance_json(sheet, clearance.in_hinges)},
+        {"elsewhere", distance_json(sheet, clearance.elsewhere)}}},
+      {"warnings", print_warnings(job, clearance)}};
+}
+
+std::string print_text(const PrintJob& job, const PathClearance& clearance) {
+  const PrintSheet& sheet = job.sheet;
+  model::Polyhedron all = hard_part(job);
+  append(soft_part(job), all);
+  const Eigen::Vector3d size = bounds(all);
+  std::string out = fmt::format("{}\n\n", sheet.name);
+  const auto line = [&](const char* label, const std::string& text) {
+    out += fmt::format("{:<12} {}\n", label, text);
+  };
+  line("process", sheet.process.name);
+  line("pieces", fmt::format("{} bodies, {} hinges, {:.1f} x {:.1f} x {:.1f} mm", count_bodies(sheet),
+                             sheet.hinges.size(), size.x(), size.y(), size.z()));
+  line("hinges", hinge_words(sheet));
+  line("orientation", "flat on the bed, as it is in the files");
+  const double steep = steepest_deg(sheet);
+  line("supports", steep <= steep_deg
+                       ? "none"
+                       : fmt::format("under walls that lean more than {:g} degrees: up to {:.1f} here",
+                                     steep_deg, steep));
+  if (sheet.kind() == model::HingeKind::pin)
+    line("gaps", "no elephant foot, no horizontal expansion, gap closing radius below half of the clearance");
+  const LeastDistance& least = clearance.least();
+  if (least.first >= 0)
+    line("fold",
+         fmt::format("{:.3f} mm stay between solids from flat to {:.1f} degrees, least at {:.1f} degrees",
+                     least.mm, sheet.thetas.back() * degrees, least.theta * degrees));
+  for (const std::string& warning : print_warnings(job, clearance)) line("note", warning);
+  return out;
+}
+
+}  // namespace kinetix::app

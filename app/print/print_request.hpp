@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace kinetix::app {
+
+/// What `kinetix-opt export` is asked for, as its command line has it.
+struct PrintRequest {
+  std::string source;                ///< a design, or the folder of a result
+  std::vector<std::string> formats;  ///< by name; "all": every one
+  std::string process = "polyjet";   ///< by name
+  std::string hinge;                 ///< pin, block or film where the design does not say; empty: pin
+  bool folded = false;               ///< the state of the design instead of flat
+  bool coupon = false;               ///< a test piece for hinges instead of the design
+};
+
+}  // namespace kinetix::app

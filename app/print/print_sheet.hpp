@@ -1,0 +1,65 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/files/design_file.hpp"
+#include "model/linkage/exact_motion.hpp"
+#include "model/matter/process.hpp"
+#include "model/solids/body_solid.hpp"
+
+namespace kinetix::app {
+
+/// A sheet as it is made: its solids, flat, and how it folds. Lengths in mm, angles in rad.
+struct PrintSheet {
+  std::string name;
+  model::Linkage linkage;
+  model::Process process;
+  std::vector<model::HingePrint> hinges;  ///< by index of the wall
+  std::vector<model::BodySolid> bodies;   ///< relative to their rest positions, mm
+  std::vector<model::Polyhedron> meshes;  ///< of the bodies, likewise
+  std::vector<model::Polyhedron>
+      soft;  ///< blocks and films by hinge, relative to the lower body's rest position, mm; of a pin empty
+  std::vector<model::State>
+      path;  ///< from flat to the fold, at even steps of theta; flat alone where no motion is known
+  std::vector<double> thetas;              ///< of the path, rad
+  std::string why_no_path = {};            ///< where it is flat alone
+  std::vector<std::string> warnings = {};  ///< what its user should know
+
+  bool has_soft() const;
+  /// That of most hinges' kind: of a sheet without hinges a pin.
+  model::HingeKind kind() const;
+};
+
+/// Steps of the path from flat to the fold.
+inline constexpr int path_steps = 20;  // that contracts of the figures ask for
+
+/// How hinges are made that the design does not describe, and how large the sheet is.
+struct PrintChoice {
+  model::HingeKind kind = model::HingeKind::pin;
+  double height_share =
+      1;              ///< of a pin's height over the wall's: lower ones leave room where walls lean, (0, 1]
+  bool alike = true;  ///< blocks and films as long everywhere as the longest; else each as long as it needs
+  double edge_mm =
+      0;  ///< cell edge instead of the design's, mm; 0: the design's. Walls stay, as thick as the process needs
+};
+
+/// Whether the design leaves the kind of some hinge open.
+bool leaves_hinges_open(const DesignFile& design);
+
+/// Hinges that the design leaves open have a rod and clearance as small as the process prints them, or are blocks of
+/// rubber or films as long as the fold needs.
+/// @throws InvalidInput for what the process cannot print, hinges that overlap a junction, and a sheet without hinges
+PrintSheet make_print_sheet(const DesignFile& design, const model::Process& process,
+                            const PrintChoice& choice);
+
+/// Bodies, meshes and blocks of a sheet whose linkage and hinges are known. @throws InvalidInput as above
+void make_solids(PrintSheet& sheet);
+
+/// A body's or a block's mesh in a state of the path. @param state an element of path, or the rest state
+model::Polyhedron placed_body(const PrintSheet& sheet, const model::State& state, int body);
+/// Each end of a block goes with its own wall.
+model::Polyhedron placed_soft(const PrintSheet& sheet, const model::State& state, int hinge);
+
+}  // namespace kinetix::app

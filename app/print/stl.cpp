@@ -1,0 +1,51 @@
+#include <Eigen/Geometry>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+
+#include "app/print/formats.hpp"
+#include "app/print/parts.hpp"
+
+namespace kinetix::app {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "binary STL is little-endian");
+
+constexpr std::size_t header_bytes = 80;    // of binary STL
+constexpr std::size_t triangle_bytes = 50;  // normal, three corners and two bytes without a meaning
+
+void add_vector(const Eigen::Vector3f& v, std::string& out) {
+  out.append(reinterpret_cast<const char*>(v.data()), 3 * sizeof(float));
+}
+
+std::string stl(const std::string& name, const model::Polyhedron& solid) {
+  std::string out = "kinetix " + name;  // never "solid", by which readers know text
+  out.resize(header_bytes, ' ');
+  out.reserve(header_bytes + 4 + triangle_bytes * solid.triangles.size());
+  const auto count = static_cast<std::uint32_t>(solid.triangles.size());
+  out.append(reinterpret_cast<const char*>(&count), sizeof count);
+  for (const auto& [a, b, c] : solid.triangles) {
+    const Eigen::Vector3d &p = solid.points[a], &q = solid.points[b], &r = solid.points[c];
+    add_vector((q - p).cross(r - p).normalized().cast<float>(), out);
+    for (const Eigen::Vector3d* corner : {&p, &q, &r}) add_vector(corner->cast<float>(), out);
+    out.append(2, '\0');
+  }
+  return out;
+}
+
+std::vector<NamedContent> write(const PrintJob& job) {
+  const model::Polyhedron hard = hard_part(job), soft = soft_part(job);
+  std::vector<NamedContent> files{{"hard.stl", stl(job.sheet.name + " hard", hard)}};
+  model::Polyhedron all = hard;
+  append(soft, all);
+  files.push_back({"all.stl", stl(job.sheet.name, all)});
+  if (!soft.points.empty()) files.push_back({"soft.stl", stl(job.sheet.name + " soft", soft)});
+  return files;
+}
+
+}  // namespace
+
+// Name, meaning and how it is written: stl.
+const PrintFormat stl_format = {"stl", "triangles for any slicer", write};
+
+}  // namespace kinetix::app

@@ -1,0 +1,117 @@
+#include <cairo-pdf.h>
+#include <fmt/format.h>
+
+#include <memory>
+#include <stdexcept>
+
+#include "app/print/formats.hpp"
+#include "app/print/sheet_drawing.hpp"
+
+namespace kinetix::app {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double line_mm = 0.1;              // mm: as laser cutters and pens draw
+constexpr double number_share = 0.12;        // of the cell edge: height of a hinge's number
+constexpr double points_per_mm = 72 / 25.4;  // the unit of PDF
+
+std::string path_of(const SheetDrawing& drawing, const SheetDrawing::Part& part) {
+  std::string out;
+  for (const auto& ring : part.rings) {
+    for (std::size_t k = 0; k < ring.size(); ++k)
+      out += fmt::format("{}{:.5g} {:.5g}", k == 0 ? "M" : "L", ring[k].x() - drawing.low.x(),
+                         drawing.high.y() - ring[k].y());
+    out += "Z";
+  }
+  return out;
+}
+
+std::string group(const SheetDrawing& drawing, const char* name, const char* fill,
+                  const std::vector<SheetDrawing::Part>& parts) {
+  std::string out =
+      fmt::format("<g id=\"{}\" fill=\"{}\" fill-rule=\"evenodd\" stroke=\"black\" stroke-width=\"{:g}\">\n",
+                  name, fill, line_mm);
+  for (const SheetDrawing::Part& part : parts)
+    out += fmt::format("<path d=\"{}\"><title>{}</title></path>\n", path_of(drawing, part), part.name);
+  return out + "</g>\n";
+}
+
+/// 1:1, its box that of the parts.
+std::string svg(const PrintSheet& sheet, const SheetDrawing& drawing) {
+  const Vector2d size = drawing.high - drawing.low;
+  std::string out = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.6g}mm\" height=\"{1:.6g}mm\" viewBox=\"0 0 "
+      "{0:.6g} {1:.6g}\">\n",
+      size.x(), size.y());
+  out +=
+      group(drawing, "bodies", "#d9d9d4", drawing.bodies) + group(drawing, "soft", "#2e6fb7", drawing.soft);
+  out += fmt::format(
+      "<g id=\"numbers\" fill=\"#c03030\" font-family=\"sans-serif\" font-size=\"{:.4g}\" "
+      "text-anchor=\"middle\">\n",
+      number_share * sheet.linkage.size.edge_mm);
+  for (const SheetDrawing::Hinge& hinge : drawing.hinges)
+    out += fmt::format("<text x=\"{:.5g}\" y=\"{:.5g}\">{}</text>\n", hinge.place.x() - drawing.low.x(),
+                       drawing.high.y() - hinge.place.y(), hinge.number);
+  return out + "</g>\n</svg>\n";
+}
+
+cairo_status_t collect(void* text, const unsigned char* data, unsigned length) {
+  static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(data), length);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+void draw(cairo_t* page, const SheetDrawing& drawing, const std::vector<SheetDrawing::Part>& parts,
+          double grey) {
+  for (const SheetDrawing::Part& part : parts) {
+    for (const auto& ring : part.rings) {
+      for (const Vector2d& p : ring) cairo_line_to(page, p.x() - drawing.low.x(), drawing.high.y() - p.y());
+      cairo_close_path(page);
+    }
+    cairo_set_source_rgb(page, grey, grey, grey);
+    cairo_fill_preserve(page);
+    cairo_set_source_rgb(page, 0, 0, 0);
+    cairo_stroke(page);
+  }
+}
+
+/// The same drawing, one page as large as it.
+std::string pdf(const PrintSheet& sheet, const SheetDrawing& drawing) {
+  const Vector2d size = points_per_mm * (drawing.high - drawing.low);
+  std::string out;
+  const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface(
+      cairo_pdf_surface_create_for_stream(collect, &out, size.x(), size.y()), &cairo_surface_destroy);
+  cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE,
+                                 "2000-01-01T00:00:00Z");  // the same bytes each time
+  const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> page(cairo_create(surface.get()), &cairo_destroy);
+  cairo_scale(page.get(), points_per_mm, points_per_mm);
+  cairo_set_line_width(page.get(), line_mm);
+  cairo_set_fill_rule(page.get(), CAIRO_FILL_RULE_EVEN_ODD);
+  draw(page.get(), drawing, drawing.bodies, 0.85);
+  draw(page.get(), drawing, drawing.soft, 0.5);
+  cairo_select_font_face(page.get(), "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_set_font_size(page.get(), number_share * sheet.linkage.size.edge_mm);
+  cairo_set_source_rgb(page.get(), 0.75, 0.2, 0.2);
+  for (const SheetDrawing::Hinge& hinge : drawing.hinges) {
+    cairo_move_to(page.get(), hinge.place.x() - drawing.low.x(), drawing.high.y() - hinge.place.y());
+    cairo_show_text(page.get(), std::to_string(hinge.number).c_str());
+  }
+  cairo_show_page(page.get());
+  cairo_surface_finish(surface.get());
+  if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS)
+    throw std::runtime_error("PDF: the page cannot be drawn");
+  return out;
+}
+
+std::vector<NamedContent> write(const PrintJob& job) {
+  const SheetDrawing drawing = sheet_drawing(job.sheet);
+  return {{job.sheet.name + ".svg", svg(job.sheet, drawing)},
+          {job.sheet.name + ".pdf", pdf(job.sheet, drawing)}};
+}
+
+}  // namespace
+
+// Name, meaning and how it is written: svg.
+const PrintFormat svg_format = {"svg", "a drawing 1:1 with numbered hinges, and the same as PDF", write};
+
+}  // namespace kinetix::app

@@ -1,0 +1,109 @@
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "app/print/formats.hpp"
+#include "app/print/parts.hpp"
+#include "app/print/zip_text.hpp"
+
+namespace kinetix::app {
+namespace {
+
+constexpr const char* content_types = R"(<?xml version="1.0" encoding="UTF-8"?>
+<Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types">
+ <Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/>
+ <Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/>
+ <Default Extension="config" ContentType="text/xml"/>
+</Types>
+)";
+
+constexpr const char* relationships = R"(<?xml version="1.0" encoding="UTF-8"?>
+<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">
+ <Relationship Target="/3D/3dmodel.model" Id="rel-1" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/>
+</Relationships>
+)";
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text)
+    out += c == '<'   ? "&lt;"
+           : c == '>' ? "&gt;"
+           : c == '&' ? "&amp;"
+           : c == '"' ? "&quot;"
+                      : std::string(1, c);
+  return out;
+}
+
+/// Triangles of one material, as they follow each other in the file's one mesh.
+struct Range {
+  std::string name;
+  int material;  // position in the file's list
+  std::size_t first, count;
+};
+
+std::string model_xml(const std::string& name, const model::Polyhedron& all,
+                      const std::vector<Range>& ranges) {
+  std::string out = fmt::format(R"(<?xml version="1.0" encoding="UTF-8"?>
+<model unit="millimeter" xml:lang="en" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">
+ <metadata name="Title">{}</metadata>
+ <metadata name="Application">kinetix</metadata>
+ <resources>
+  <basematerials id="1">
+   <base name="hard" displaycolor="#D8D8D2FF"/>
+   <base name="soft" displaycolor="#2E6FB7FF"/>
+  </basematerials>
+  <object id="2" type="model" name="{}" pid="1" pindex="0">
+   <mesh>
+    <vertices>
+)",
+                                escaped(name), escaped(name));
+  const auto end = std::back_inserter(out);
+  for (const Eigen::Vector3d& p : all.points)
+    fmt::format_to(end, "<vertex x=\"{:.7g}\" y=\"{:.7g}\" z=\"{:.7g}\"/>\n", p.x(), p.y(), p.z());
+  out += "    </vertices>\n    <triangles>\n";
+  for (const Range& range : ranges)
+    for (std::size_t k = range.first; k < range.first + range.count; ++k) {
+      const auto& [a, b, c] = all.triangles[k];
+      fmt::format_to(end, "<triangle v1=\"{}\" v2=\"{}\" v3=\"{}\" pid=\"1\" p1=\"{}\"/>\n", a, b, c,
+                     range.material);
+    }
+  return out +
+         "    </triangles>\n   </mesh>\n  </object>\n </resources>\n <build>\n  <item objectid=\"2\"/>\n "
+         "</build>\n</model>\n";
+}
+
+/// What PrusaSlicer reads: the ranges as volumes, each with its extruder.
+std::string slicer_config(const std::string& name, const std::vector<Range>& ranges) {
+  std::string out = fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<config>\n <object id=\"2\" instances_count=\"1\">\n"
+      "  <metadata type=\"object\" key=\"name\" value=\"{}\"/>\n",
+      escaped(name));
+  for (const Range& range : ranges)
+    out += fmt::format(
+        "  <volume firstid=\"{}\" lastid=\"{}\">\n"
+        "   <metadata type=\"volume\" key=\"name\" value=\"{}\"/>\n"
+        "   <metadata type=\"volume\" key=\"volume_type\" value=\"ModelPart\"/>\n"
+        "   <metadata type=\"volume\" key=\"extruder\" value=\"{}\"/>\n  </volume>\n",
+        range.first, range.first + range.count - 1, range.name, range.material + 1);
+  return out + " </object>\n</config>\n";
+}
+
+std::vector<NamedContent> write(const PrintJob& job) {
+  model::Polyhedron all = hard_part(job);
+  const model::Polyhedron soft = soft_part(job);
+  std::vector<Range> ranges{{"hard", 0, 0, all.triangles.size()}};
+  if (!soft.triangles.empty()) ranges.push_back({"soft", 1, all.triangles.size(), soft.triangles.size()});
+  append(soft, all);
+  const std::string& name = job.sheet.name;
+  return {{name + ".3mf", zip_text({{"[Content_Types].xml", content_types},
+                                    {"_rels/.rels", relationships},
+                                    {"3D/3dmodel.model", model_xml(name, all, ranges)},
+                                    {"Metadata/Slic3r_PE_model.config", slicer_config(name, ranges)}})}};
+}
+
+}  // namespace
+
+// Name, meaning and how it is written: 3mf.
+const PrintFormat threemf_format = {"3mf", "slicers, with both materials", write};
+
+}  // namespace kinetix::app

@@ -1,0 +1,205 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "model/solids/body_solid.hpp"
+
+namespace kinetix::model {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Indices = std::vector<int>;
+
+/// Heights at which something begins or ends, upwards.
+std::vector<double> levels_of(const ArmSolid& arm) {
+  std::vector<double> levels{-arm.size.height_mm / 2, arm.size.height_mm / 2};
+  for (const HingeEnd::Lug& lug : arm.end.lugs) {
+    levels.push_back(lug.from);
+    levels.push_back(lug.to);
+  }
+  std::sort(levels.begin(), levels.end());
+  levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
+  return levels;
+}
+
+Indices reversed(Indices face) {
+  std::reverse(face.begin(), face.end());
+  return face;
+}
+
+/// An arm's surface from the corners where it leaves the junction.
+class ArmMesh {
+ public:
+  ArmMesh(const ArmSolid& arm, const Indices& start, Polyhedron& mesh)
+      : arm_(arm), end_(arm.end), start_(start), mesh_(mesh), levels_(levels_of(arm)) {}
+
+  void add() {
+    const double half = arm_.size.thickness_mm / 2;
+    for (const double s : levels_) {
+      low_.push_back(mesh_.add_point(arm_.point({-end_.wall_end, -half}, s)));
+      high_.push_back(mesh_.add_point(arm_.point({-end_.wall_end, half}, s)));
+    }
+    add_plate();
+    add_wall_end();
+    for (const HingeEnd::Lug& lug : end_.lugs) add_lug(lug);
+    if (!end_.rod.empty()) add_sides(reversed(rings_[1]), reversed(rings_[2]));
+  }
+
+ private:
+  int level(double s) const {
+    return static_cast<int>(std::find(levels_.begin(), levels_.end(), s) - levels_.begin());
+  }
+  bool is_lug(double from) const {
+    return std::any_of(end_.lugs.begin(), end_.lugs.end(),
+                       [&](const HingeEnd::Lug& lug) { return lug.from <= from && from < lug.to; });
+  }
+
+  void add_plate() {
+    mesh_.add_face({start_[0], start_[1], high_.front(), low_.front()});
+    mesh_.add_face({start_[2], low_.back(), high_.back(), start_[3]});
+    Indices side{start_[0]};
+    side.insert(side.end(), low_.begin(), low_.end());
+    side.push_back(start_[2]);
+    mesh_.add_face(side);
+    side = {start_[3]};
+    side.insert(side.end(), high_.rbegin(), high_.rend());
+    side.push_back(start_[1]);
+    mesh_.add_face(side);
+  }
+
+  void add_wall_end() {
+    for (std::size_t k = 0; k + 1 < levels_.size(); ++k)
+      if (!is_lug(levels_[k])) mesh_.add_face({low_[k], high_[k], high_[k + 1], low_[k + 1]});
+  }
+
+  Indices section_at(double s) {
+    Indices out{low_[level(s)]};
+    for (std::size_t k = 1; k + 1 < end_.section.size(); ++k)
+      out.push_back(mesh_.add_point(arm_.point(end_.section[k], s)));
+    out.push_back(high_[level(s)]);
+    return out;
+  }
+  Indices ring_at(const std::vector<Vector2d>& ring, double s) {
+    Indices out;
+    for (const Vector2d& p : ring) out.push_back(mesh_.add_point(arm_.point(p, s)));
+    return out;
+  }
+
+  void add_lug(const HingeEnd::Lug& lug) {
+    const Indices below = section_at(lug.from), above = section_at(lug.to);
+    for (std::size_t k = 0; k + 1 < below.size(); ++k)
+      mesh_.add_face({below[k], below[k + 1], above[k + 1], above[k]});
+    const bool is_first = &lug == &end_.lugs.front();
+    const auto& ring = end_.rod.empty() ? end_.bore : end_.rod;
+    const bool holed_below = !end_.bore.empty() || (!end_.rod.empty() && !is_first),
+               holed_above = !end_.bore.empty() || (!end_.rod.empty() && is_first);
+    rings_.push_back(holed_below ? ring_at(ring, lug.from) : Indices{});
+    add_cap(below, rings_.back(), lug.from, false);
+    rings_.push_back(holed_above ? ring_at(ring, lug.to) : Indices{});
+    add_cap(above, rings_.back(), lug.to, true);
+    if (!end_.bore.empty()) add_sides(rings_[0], rings_[1]);
+  }
+
+  /// The wall of a hole whose two rims run counter-clockwise seen from above.
+  void add_sides(const Indices& below, const Indices& above) {
+    const std::size_t n = below.size();
+    for (std::size_t k = 0; k < n; ++k)
+      mesh_.add_face({below[(k + 1) % n], below[k], above[k], above[(k + 1) % n]});
+  }
+
+  void add_cap(const Indices& section, const Indices& ring, double s, bool upwards) {
+    std::vector<std::array<int, 3>> triangles = ring.empty() ? fan(section, s) : between(section, ring);
+    for (auto& t : triangles) {
+      if (!upwards) std::swap(t[0], t[1]);
+      mesh_.triangles.push_back(t);
+    }
+  }
+
+  std::vector<std::array<int, 3>> fan(const Indices& section, double s) {
+    if (section.size() == 4)
+      return {{section[0], section[1], section[2]}, {section[0], section[2], section[3]}};
+    const int middle = mesh_.add_point(arm_.point({0, end_.axis_across}, s));
+    std::vector<std::array<int, 3>> out;
+    for (std::size_t k = 0; k < section.size(); ++k)
+      out.push_back({middle, section[k], section[(k + 1) % section.size()]});
+    return out;
+  }
+
+  /// Both lines sorted by their angle about the axis, from -pi on.
+  Indices by_angle(const Indices& line) const {
+    const auto angle = [&](int k) {
+      const Vector3d d = mesh_.points[k] - arm_.origin;
+      return std::atan2(arm_.normal.dot(d) - end_.axis_across, arm_.towards_axis.dot(d));
+    };
+    std::size_t first = 0;
+    for (std::size_t k = 1; k < line.size(); ++k)
+      if (angle(line[k]) < angle(line[first])) first = k;
+    Indices out(line);
+    std::rotate(out.begin(), out.begin() + first, out.end());
+    return out;
+  }
+
+  std::vector<std::array<int, 3>> between(const Indices& section, const Indices& ring) const {
+    const Indices out = by_angle(section), in = by_angle(ring);
+    const std::size_t n = out.size(), m = in.size();
+    std::vector<std::array<int, 3>> triangles;
+    std::size_t i = 0, j = 0;
+    while (i < n || j < m) {
+      // Whichever leaves the shorter line across.
+      const int a = out[i % n], b = in[j % m], a_next = out[(i + 1) % n], b_next = in[(j + 1) % m];
+      const bool outer = j == m || (i < n && distance(a_next, b) <= distance(a, b_next));
+      triangles.push_back(outer ? std::array{b, a, a_next} : std::array{b, a, b_next});
+      ++(outer ? i : j);
+    }
+    return triangles;
+  }
+  double distance(int a, int b) const { return (mesh_.points[a] - mesh_.points[b]).norm(); }
+
+  const ArmSolid& arm_;
+  const HingeEnd& end_;
+  const Indices& start_;
+  Polyhedron& mesh_;
+  const std::vector<double> levels_;
+  Indices low_, high_;          // of the plate's end, a corner a level
+  std::vector<Indices> rings_;  // below and above each lug; empty where there is none
+};
+
+/// The junction's corner at a point.
+int corner_at(const std::vector<Vector3d>& corners, const Vector3d& point) {
+  const auto nearer = [&](const Vector3d& a, const Vector3d& b) {
+    return (a - point).squaredNorm() < (b - point).squaredNorm();
+  };
+  return static_cast<int>(std::min_element(corners.begin(), corners.end(), nearer) - corners.begin());
+}
+
+Indices start_of(const ArmSolid& arm, const std::vector<Vector3d>& corners) {
+  Indices start;
+  for (const Vector3d& corner : arm.start_corners()) start.push_back(corner_at(corners, corner));
+  return start;
+}
+
+bool same_corners(Indices a, Indices b) {
+  std::sort(a.begin(), a.end());
+  std::sort(b.begin(), b.end());
+  return a == b;
+}
+
+}  // namespace
+
+Polyhedron body_mesh(const BodySolid& body) {
+  Polyhedron mesh;
+  mesh.points = body.junction.corners;
+  std::vector<Indices> starts, faces = body.junction.faces;
+  for (const ArmSolid& arm : body.arms) starts.push_back(start_of(arm, body.junction.corners));
+  for (const Indices& start : starts)
+    std::erase_if(faces, [&](const Indices& face) { return same_corners(face, start); });
+  if (faces.size() + starts.size() != body.junction.faces.size())
+    throw std::logic_error("a wall does not leave its junction through a face of it");
+  for (const Indices& face : faces) mesh.add_face(face);
+  for (std::size_t k = 0; k < body.arms.size(); ++k) ArmMesh(body.arms[k], starts[k], mesh).add();
+  return mesh;
+}
+
+}  // namespace kinetix::model

@@ -1,0 +1,150 @@
+#include "model/solids/body_solid.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "model/base/invalid_input.hpp"
+
+namespace kinetix::model {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double same_mm = 1e-9;  // mm: rounding of corners that are meant to be one
+constexpr double touching_mm =
+    1e-6;  // mm: sections that near to each other's corners would be one face of the junction
+constexpr double free_share = 0.05;  // of a wall's thickness: between sections that share no corners
+constexpr double least_plate = 0.1;  // of a wall's thickness: shorter plates are none
+constexpr int rounds = 60;           // of finding where plates leave: each halves what is left
+
+ArmSolid arm_of(const Linkage& linkage, const Plate& plate, const HingePrint& print) {
+  const RestHinge& hinge = linkage.hinges[plate.hinge];
+  const double L = linkage.size.edge_mm;
+  ArmSolid arm;
+  arm.hinge = plate.hinge;
+  arm.fork = linkage.bodies[plate.body].sense > 0;
+  arm.size = linkage.size;
+  arm.edge = plate.edge;
+  arm.up = plate.up;
+  arm.axis = hinge.axis.dot(plate.up) < 0 ? -hinge.axis : hinge.axis;
+  arm.towards_axis = (plate.edge - plate.edge.dot(arm.axis) * arm.axis).normalized();
+  arm.normal = arm.axis.cross(arm.towards_axis);
+  const Vector3d p = L * (plate.body == hinge.lower ? hinge.lower_arm : hinge.upper_arm);
+  const Vector3d halfway = p - p.dot(plate.up) / arm.axis.dot(plate.up) * arm.axis;
+  arm.origin = halfway.dot(plate.edge) * plate.edge;
+  arm.end = hinge_end(print, linkage.size, halfway.dot(arm.normal), arm.fork);
+  return arm;
+}
+
+/// How far the others' sections reach along an arm's edge.
+double reached(const std::vector<ArmSolid>& arms, std::size_t along, double free) {
+  double most = arms[along].size.thickness_mm / 2;
+  for (std::size_t k = 0; k < arms.size(); ++k)
+    if (k != along)
+      for (const Vector3d& corner : arms[k].start_corners())
+        most = std::max(most, arms[along].edge.dot(corner) + free);
+  return most;
+}
+
+void move_starts(std::vector<ArmSolid>& arms, double free) {
+  for (int round = 0; round < rounds; ++round)
+    for (std::size_t k = 0; k < arms.size(); ++k) arms[k].start = reached(arms, k, free);
+}
+
+/// Whether a corner of another section is in the plane of an arm's own, and none of its corners.
+bool is_touched(const ArmSolid& arm, const ArmSolid& other) {
+  const std::vector<Vector3d> own = arm.start_corners(), others = other.start_corners();
+  return std::any_of(others.begin(), others.end(), [&](const Vector3d& corner) {
+    const bool is_own = std::any_of(own.begin(), own.end(),
+                                    [&](const Vector3d& p) { return (p - corner).norm() <= same_mm; });
+    return !is_own && arm.edge.dot(corner) >= arm.start - touching_mm;
+  });
+}
+
+bool any_touched(const std::vector<ArmSolid>& arms) {
+  for (const ArmSolid& arm : arms)
+    for (const ArmSolid& other : arms)
+      if (&arm != &other && is_touched(arm, other)) return true;
+  return false;
+}
+
+/// Moves the sections out until each is the outermost along its own edge: as near as they may be where they share
+/// corners, as upright walls at equal angles do, else a little apart.
+void find_starts(std::vector<ArmSolid>& arms) {
+  move_starts(arms, 0);
+  if (any_touched(arms)) move_starts(arms, free_share * arms.front().size.thickness_mm);
+}
+
+/// Where the plate's end at the hinge is nearest to the vertex, along the edge.
+double nearest_end(const ArmSolid& arm) {
+  const double half = arm.size.height_mm / 2;
+  return std::min(arm.edge.dot(arm.point({-arm.end.wall_end, 0}, -half)),
+                  arm.edge.dot(arm.point({-arm.end.wall_end, 0}, half)));
+}
+
+void check_room(const Linkage& linkage, int body, const ArmSolid& arm) {
+  const double room = nearest_end(arm) - arm.start, least = least_plate * arm.size.thickness_mm;
+  if (room >= least) return;
+  std::ostringstream message;
+  message << "the hinge of wall " << linkage.wall_name(arm.hinge) << " overlaps the junction at vertex "
+          << linkage.vertex_name(body) << ": its plate would have to be " << least - room
+          << " mm longer (move t towards 0.5, or take a larger cell or a smaller hinge)";
+  throw InvalidInput(message.str());
+}
+
+ConvexHull junction_of(const std::vector<ArmSolid>& arms) {
+  std::vector<Vector3d> points;
+  for (const ArmSolid& arm : arms)
+    for (const Vector3d& corner : arm.start_corners()) points.push_back(corner);
+  if (arms.size() == 1)  // a dead end
+    for (const Vector3d& corner : arms.front().start_corners())
+      points.push_back(corner -
+                       (arms.front().start + arms.front().size.thickness_mm / 2) * arms.front().edge);
+  return convex_hull(points);
+}
+
+}  // namespace
+
+Vector3d ArmSolid::point(const Eigen::Vector2d& at, double s) const {
+  return origin + at.x() * towards_axis + at.y() * normal + s * axis;
+}
+
+std::vector<Vector3d> ArmSolid::start_corners() const {
+  const double half = size.thickness_mm / 2, high = size.height_mm / 2;
+  std::vector<Vector3d> out;
+  for (const double w : {-high, high})
+    for (const double n : {-half, half}) out.push_back(start * edge + n * normal + w * up);
+  return out;
+}
+
+std::vector<BodySolid> body_solids(const Linkage& linkage, const HingePrints& hinges) {
+  std::vector<BodySolid> bodies(linkage.bodies.size());
+  for (const Plate& plate : linkage.plates)
+    bodies[plate.body].arms.push_back(arm_of(linkage, plate, hinges(plate.hinge)));
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (bodies[b].arms.empty()) continue;
+    find_starts(bodies[b].arms);
+    for (const ArmSolid& arm : bodies[b].arms) check_room(linkage, static_cast<int>(b), arm);
+    bodies[b].junction = junction_of(bodies[b].arms);
+  }
+  return bodies;
+}
+
+Polyhedron soft_solid(const Linkage& linkage, int hinge, const HingePrint& print) {
+  const ArmSolid lower = arm_of(linkage, linkage.plates[2 * hinge], print);
+  const double across = print.made.thickness_mm / 2, high = print.made.height_mm / 2,
+               gap = print.made.gap_mm / 2;
+  Polyhedron block;
+  for (const double m : {-gap, gap})
+    for (const double s : {-high, high})
+      for (const double n : {-across, across})
+        block.add_point(lower.point({m, lower.end.axis_across + n}, s));
+  for (const std::vector<int>& face :
+       {std::vector{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}})
+    block.add_face(face);
+  return block;
+}
+
+}  // namespace kinetix::model

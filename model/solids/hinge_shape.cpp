@@ -1,0 +1,144 @@
+#include "model/solids/hinge_shape.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/base/angle.hpp"
+
+namespace kinetix::model {
+namespace {
+
+using Eigen::Vector2d;
+using Outline = std::vector<Vector2d>;
+
+constexpr int least_sides = 12;   // of a circle: fewer look like none
+constexpr double same_mm = 1e-6;  // mm: corners nearer than that are one
+// Of a pin's height that its eye takes: the fork's two knuckles share the rest, so that each end of the rod bears as
+// much as half of the middle.
+constexpr double eye_share = 0.5;
+
+Outline circle(const Vector2d& center, double radius, int sides) {
+  Outline points;
+  for (int k = 0; k < sides; ++k) {
+    const double angle = 2 * pi * k / sides;
+    points.push_back(center + radius * Vector2d(std::cos(angle), std::sin(angle)));
+  }
+  return points;
+}
+
+double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// Counter-clockwise (Andrew's monotone chain).
+Outline hull(Outline points) {
+  std::sort(points.begin(), points.end(), [](const Vector2d& a, const Vector2d& b) {
+    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+  });
+  Outline out;
+  const auto add = [&](const Vector2d& p, std::size_t first) {
+    while (out.size() >= first + 2 && cross(out.back() - out[out.size() - 2], p - out.back()) <= 0)
+      out.pop_back();
+    out.push_back(p);
+  };
+  for (const Vector2d& p : points) add(p, 0);
+  const std::size_t lower = out.size() - 1;
+  for (auto p = points.rbegin() + 1; p != points.rend(); ++p) add(*p, lower);
+  out.pop_back();
+  return out;
+}
+
+/// Where a ray from inside leaves a convex polygon.
+Vector2d leaves(const Outline& polygon, const Vector2d& from, const Vector2d& towards) {
+  double nearest = INFINITY;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Vector2d &a = polygon[k], side = polygon[(k + 1) % polygon.size()] - a;
+    const double outwards = cross(towards, side);
+    if (outwards > 0) nearest = std::min(nearest, cross(a - from, side) / outwards);
+  }
+  return from + nearest * towards;
+}
+
+/// The hull of knuckle and wall end, with a corner at each angle of the knuckle's own.
+Outline knuckle_section(double wall_end, double half_wall, double axis_across, double radius, int sides) {
+  const Vector2d axis(0, axis_across), low(-wall_end, -half_wall), high(-wall_end, half_wall);
+  Outline corners = circle(axis, radius, sides);
+  corners.push_back(low);
+  corners.push_back(high);
+  const Outline around = hull(corners);
+  Outline out{low};
+  const auto angle_of = [&](const Vector2d& p) {
+    const Vector2d d = p - axis;
+    return std::atan2(d.y(), d.x());
+  };
+  // The wall's end is to the left of the axis; above or below it both its corners are to one side.
+  double first = angle_of(low), last = angle_of(high);
+  if (first > 0) first -= 2 * pi;
+  if (last < 0) last += 2 * pi;
+  for (int k = -sides; k <= sides; ++k) {
+    const double angle = 2 * pi * k / sides;
+    if (!(angle > first && angle < last)) continue;
+    const Vector2d p = leaves(around, axis, {std::cos(angle), std::sin(angle)});
+    if ((p - low).norm() > same_mm && (p - high).norm() > same_mm) out.push_back(p);
+  }
+  out.push_back(high);
+  return out;
+}
+
+}  // namespace
+
+int circle_sides(double radius_mm, double tolerance_mm) {
+  const double half = std::acos(std::max(0.0, 1 - tolerance_mm / radius_mm));
+  const int fours = static_cast<int>(std::ceil(pi / half / 4));
+  return std::max(least_sides, 4 * fours);
+}
+
+HingeEnd pin_end(const HingePrint& hinge, const CellSize& size, double axis_across, bool fork) {
+  const MadeHinge& p = hinge.made;
+  const double rod = p.diameter_mm / 2, half_wall = size.thickness_mm / 2,
+               radius = rod + p.clearance_mm + hinge.knuckle_wall_mm,
+               corners = (half_wall + std::abs(axis_across)) * std::tan(hinge.turn / 2);
+  const int sides = circle_sides(radius, hinge.tolerance_mm);
+  HingeEnd end;
+  end.wall_end = std::max(radius, corners) + p.clearance_mm;
+  end.axis_across = axis_across;
+  end.knuckle_radius = radius;
+  end.section = knuckle_section(end.wall_end, half_wall, axis_across, radius, sides);
+  const double half = p.height_mm / 2, eye = eye_share * (half - hinge.axial_clearance_mm);
+  const Vector2d axis(0, axis_across);
+  if (fork) {
+    end.lugs = {{-half, -eye - hinge.axial_clearance_mm}, {eye + hinge.axial_clearance_mm, half}};
+    end.rod = circle(axis, rod, sides);
+    end.rod_radius = rod;
+  } else {
+    end.lugs = {{-eye, eye}};
+    end.bore_radius = rod + p.clearance_mm;
+    end.bore = circle(axis, end.bore_radius / std::cos(pi / sides), sides);
+  }
+  return end;
+}
+
+HingeEnd block_end(const HingePrint& hinge, const CellSize& size, double axis_across) {
+  const double half_wall = size.thickness_mm / 2, half_gap = hinge.made.gap_mm / 2,
+               low = axis_across - hinge.made.thickness_mm / 2,
+               high = axis_across + hinge.made.thickness_mm / 2;
+  const double beyond = std::max({0.0, high - half_wall, -half_wall - low});
+  HingeEnd end;
+  end.wall_end = half_gap + beyond;
+  end.axis_across = axis_across;
+  if (!(beyond > same_mm)) {
+    end.wall_end = half_gap;
+    return end;
+  }
+  end.section = {{-end.wall_end, -half_wall},
+                 {-half_gap, std::min(low, -half_wall)},
+                 {-half_gap, std::max(high, half_wall)},
+                 {-end.wall_end, half_wall}};
+  end.lugs = {{-size.height_mm / 2, size.height_mm / 2}};
+  return end;
+}
+
+HingeEnd hinge_end(const HingePrint& hinge, const CellSize& size, double axis_across, bool fork) {
+  return hinge.made.kind == HingeKind::pin ? pin_end(hinge, size, axis_across, fork)
+                                           : block_end(hinge, size, axis_across);
+}
+
+}  // namespace kinetix::model

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "model/linkage/cell_size.hpp"
+#include "model/matter/made_hinge.hpp"
+
+namespace kinetix::model {
+
+/// What one half of a wall ends in at its hinge, in the hinge's own directions: m from the half wall towards the
+/// axis and square to it, n across the wall, s along the axis. m is 0 on the axis, n in the middle of the wall, s
+/// halfway up. mm
+///
+/// The wall's plate ends square to m at -wall_end. From there lugs go on, which all have the same section, each over
+/// a stretch of the axis.
+struct HingeEnd {
+  /// A stretch of the axis over which the end goes on beyond the plate.
+  struct Lug {
+    double from = 0, to = 0;  ///< of s, mm
+  };
+
+  double wall_end = 0;     ///< of the plate, before the axis, > 0, mm
+  double axis_across = 0;  ///< n of the axis, mm
+  std::vector<Eigen::Vector2d> section =
+      {};                      ///< convex, (m, n), mm: from (-wall_end, -T/2) round to (-wall_end, T/2)
+  std::vector<Lug> lugs = {};  ///< upwards
+  std::vector<Eigen::Vector2d> bore = {};  ///< through all lugs, (m, n), mm, round the axis; empty: none
+  std::vector<Eigen::Vector2d> rod = {};   ///< from the first lug to the second, likewise; empty: none
+  /// The circles about the axis that section, bore and rod are polygons of, mm; 0: none.
+  double knuckle_radius = 0, bore_radius = 0, rod_radius = 0;
+};
+
+/// How a hinge is made by a process.
+struct HingePrint {
+  MadeHinge made;
+  double axial_clearance_mm = 0;  ///< of a pin, between its knuckles along the axis, mm, >= 0
+  double knuckle_wall_mm = 0.8;   ///< of a pin, round its bore, mm, > 0
+  double turn = 0;                ///< by which its halves turn against each other at most, rad, [0, pi)
+  double tolerance_mm = 0.01;     ///< by which a polygon may differ from its circle, mm, > 0
+};
+
+/// Both ends of a pin: a fork of two knuckles with the rod between them, and an eye between these that turns on it.
+/// Rod and bore are polygons whose gap is nowhere less than the clearance: the rod's corners and the middles of the
+/// bore's sides are on their circles. A plate ends its clearance before the other's knuckles, and before its corners would
+/// meet the other's at the largest turn.
+/// @param axis_across of the wall's middle, mm   @param fork whether it is the fork
+HingeEnd pin_end(const HingePrint& hinge, const CellSize& size, double axis_across, bool fork);
+
+/// An end of a wall at a block or film, half its gap before the axis. Where the block sits beyond the wall's face, a
+/// foot at 45 degrees carries it.
+HingeEnd block_end(const HingePrint& hinge, const CellSize& size, double axis_across);
+
+/// By the hinge's kind.
+HingeEnd hinge_end(const HingePrint& hinge, const CellSize& size, double axis_across, bool fork);
+
+/// Number of sides of a regular polygon whose corners are on a circle and whose sides leave it by at most the
+/// tolerance: a multiple of four, at least 12.
+int circle_sides(double radius_mm, double tolerance_mm);
+
+}  // namespace kinetix::model

@@ -1,0 +1,129 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "app/print/fit.hpp"
+#include "tests/app/program.hpp"
+
+namespace kinetix::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using Json = nlohmann::json;
+
+constexpr const char* panel = R"(kinetix: 1
+structure: {cells: [3, 2], cell_mm: 12, wall_mm: {thickness: 0.8, height: 6}}
+design: {theta_deg: 20}
+)";
+
+Outcome exported(const Scratch& scratch, const std::string& design, const std::string& options) {
+  return kinetix_opt("export " + scratch.write("panel.yaml", design) + " -o " + std::string(scratch / "out") +
+                     " " + options);
+}
+
+/// A refusal: one line, exit code 2, nothing written.
+void expect_refused(const std::string& design, const std::string& options, const std::string& says) {
+  const Scratch scratch;
+  const Outcome run = exported(scratch, design, options);
+  EXPECT_EQ(run.code, 2) << run.out << run.err;
+  EXPECT_THAT(run.err, HasSubstr(says));
+  EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+  EXPECT_FALSE(fs::exists(scratch / "out")) << says;
+}
+
+TEST(Export, WritesTheSameBytesAgain) {
+  const Scratch scratch;
+  std::vector<std::string> bytes[2];
+  for (auto& files : bytes) {
+    const Outcome run = exported(scratch, panel, "--format all --process sla");
+    ASSERT_EQ(run.code, 0) << run.err;
+    for (const char* name : {"all.stl", "hard.stl", "panel.3mf", "panel.step", "panel.svg", "panel.pdf",
+                             "panel.dxf", "panel.xml", "panel.glb", "print.json", "print.txt"})
+      files.push_back(text_of(scratch / (std::string("out/") + name)));
+  }
+  for (std::size_t k = 0; k < bytes[0].size(); ++k) {
+    EXPECT_FALSE(bytes[0][k].empty()) << k;
+    EXPECT_TRUE(bytes[0][k] == bytes[1][k]) << k;
+  }
+}
+
+double volume_of_stl(const std::string& bytes) {
+  double volume = 0;
+  for (std::size_t at = 84; at + 50 <= bytes.size(); at += 50) {
+    float n[12];
+    std::memcpy(n, bytes.data() + at, sizeof n);
+    const Eigen::Vector3d a(n[3], n[4], n[5]), b(n[6], n[7], n[8]), c(n[9], n[10], n[11]);
+    volume += a.dot(b.cross(c)) / 6;
+  }
+  return volume;
+}
+
+TEST(Export, SaysTheVolumesOfItsFiles) {
+  const Scratch scratch;
+  ASSERT_EQ(exported(scratch, panel, "--format stl --hinge block").code, 0);
+  const Json json = Json::parse(text_of(scratch / "out/print.json"));
+  EXPECT_EQ(json["schema"], "kinetix-print/1");
+  EXPECT_EQ(json["bodies"], 12);
+  EXPECT_EQ(json["hinges"], 17);
+  const double hard = volume_of_stl(text_of(scratch / "out/hard.stl")),
+               soft = volume_of_stl(text_of(scratch / "out/soft.stl")),
+               all = volume_of_stl(text_of(scratch / "out/all.stl"));
+  EXPECT_NEAR(hard / double(json["volume_mm3"]["hard"]), 1, 1e-6);
+  EXPECT_NEAR(soft / double(json["volume_mm3"]["soft"]), 1, 1e-6);
+  EXPECT_NEAR((hard + soft) / all, 1, 1e-6);
+}
+
+TEST(Export, RefusesWhatItCannotMake) {
+  expect_refused(panel, "--format stepp", "unknown format `stepp` (did you mean `step`?)");
+  expect_refused(panel, "--format stl --process fdmm", "unknown process `fdmm` (did you mean `fdm`?)");
+  expect_refused(panel, "--format stl --hinge peg", "unknown hinge `peg`");
+  const std::string thin = std::string(panel).replace(std::string(panel).find("0.8"), 3, "0.5");
+  expect_refused(thin, "--format stl --process fdm", "a wall of 0.5 mm is less than fdm prints, 0.8 mm");
+  expect_refused(std::string(panel) + "hinge: {kind: pin, diameter_mm: 1, clearance_mm: 0.05}\n",
+                 "--format stl --process sla", "a clearance of 0.05 mm is less than sla prints, 0.25 mm");
+  expect_refused(std::string(panel) + "hinge: {kind: pin, diameter_mm: 1, clearance_mm: 0.4}\n",
+                 "--format stl --process fdm", "a rod of 1 mm is less than fdm prints, 3 mm");
+}
+
+TEST(Export, RefusesAHingeOnAJunctionAndSaysWhichCellWouldDo) {
+  std::string design = panel;
+  design.replace(design.find("{theta_deg: 20}"), 15,
+                 "{theta_deg: 20, hinges: [{wall: [[0, 0], [1, 0]], t: 0.1}, {wall: [[0, 1], [1, 1]], t: "
+                 "0.9}, {wall: [[0, 2], [1, 2]], t: 0.1}]}");
+  expect_refused(design, "--format stl", "overlaps the junction at vertex [0, 0]");
+  expect_refused(design, "--format stl", " would do");
+}
+
+TEST(Export, RefusesThetaAtWhichKnucklesMeet) {
+  const std::string design =
+      std::string(panel).replace(std::string(panel).find("theta_deg: 20"), 13, "theta_deg: 38");
+  expect_refused(design, "--format stl", "run into each other at theta");
+}
+
+TEST(Export, RefusesAFolderThatCannotBeWritten) {
+  const Scratch scratch;
+  const std::string file = scratch.write("file", "");
+  const Outcome run =
+      kinetix_opt("export " + scratch.write("panel.yaml", panel) + " --format stl -o " + file + "/out");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+}
+
+/// Opposite knuckles of a basic cell come to L (cos theta - sin theta) of each other, less their own width.
+TEST(PathClearance, IsThatOfTheClosedFormInABasicPanel) {
+  const Scratch scratch;
+  const app::PreparedPrint print = app::prepared(app::read_design(scratch.write("panel.yaml", panel)),
+                                                 *model::find_process("sla"), {}, false);
+  const double theta = 20 * M_PI / 180, knuckle = 1 + 2 * (0.25 + 0.8),
+               tolerance = 0.02;  // polygons for circles
+  EXPECT_NEAR(print.clearance.elsewhere.mm, 12 * (std::cos(theta) - std::sin(theta)) - knuckle, tolerance);
+  EXPECT_NEAR(print.clearance.elsewhere.theta, theta, 1e-12);
+  EXPECT_NEAR(print.clearance.in_hinges.mm, 0.25, 1e-9);
+}
+
+}  // namespace
+}  // namespace kinetix::testing

@@ -1,0 +1,234 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "app/print/fit.hpp"
+#include "app/print/parts.hpp"
+#include "model/linkage/state.hpp"
+#include "tests/app/print/mujoco_judge.hpp"
+#include "tests/app/print/slices.hpp"
+#include "tests/app/print/step_judge.hpp"
+#include "tests/app/program.hpp"
+
+namespace kinetix::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using Json = nlohmann::json;
+
+/// What a program prints, both streams. Fails where it is not there: a judge that is missing has not judged.
+std::string said_by(const std::string& command) {
+  std::string out;
+  FILE* pipe = popen((command + " 2>&1").c_str(), "r");
+  char text[4096];
+  while (const std::size_t n = std::fread(text, 1, sizeof text, pipe)) out.append(text, n);
+  const int status = pclose(pipe);
+  EXPECT_EQ(WEXITSTATUS(status), 0) << command << "\n" << out;
+  return out;
+}
+
+double number_after(const std::string& text, const std::string& pattern) {
+  std::smatch match;
+  if (!std::regex_search(text, match, std::regex(pattern + R"(\s*([-+0-9.eE]+))"))) return NAN;
+  return std::stod(match[1]);
+}
+
+/// A shipped target, searched once and exported.
+struct Exported {
+  std::string target, hinge, process;
+  Scratch scratch;
+  app::PreparedPrint print;
+
+  Exported(const std::string& target_, const std::string& hinge_, const std::string& process_,
+           const std::string& formats)
+      : target(target_), hinge(hinge_), process(process_) {
+    const Outcome found = kinetix_opt(std::string(KINETIX_SOURCE "/targets/shapes/") + target +
+                                      ".yaml --no-verify --quiet -o " + std::string(scratch / "found"));
+    EXPECT_EQ(found.code, 0) << found.err;
+    const Outcome run =
+        kinetix_opt("export " + std::string(scratch / "found") + " --format " + formats + " --process " +
+                    process + " --hinge " + hinge + " -o " + std::string(scratch / "out"));
+    EXPECT_EQ(run.code, 0) << run.err;
+    print = app::prepared(app::read_design(scratch / "found/design.yaml"), *model::find_process(process),
+                          {.kind = hinge == "pin" ? model::HingeKind::pin : model::HingeKind::block}, false);
+  }
+
+  std::string file(const std::string& name) const { return scratch / ("out/" + name); }
+  std::string of(const std::string& ending) const { return file(target + ending); }
+  Json json() const { return Json::parse(text_of(file("print.json"))); }
+  int bodies() const { return json()["bodies"]; }
+  int blocks() const { return hinge == "pin" ? 0 : static_cast<int>(json()["hinges"]); }
+};
+
+const Exported& pinned() {
+  static const Exported rib("helmet_rib", "pin", "polyjet", "all");
+  return rib;
+}
+const Exported& blocked() {
+  static const Exported rib("helmet_rib", "block", "polyjet", "all");
+  return rib;
+}
+const Exported& pinned_cube() {
+  static const Exported cube("cube", "pin", "sla", "stl,3mf,dxf,svg,mjcf");  // STEP alone takes 15 s
+  return cube;
+}
+
+class Judges : public ::testing::TestWithParam<const Exported& (*)()> {
+ protected:
+  const Exported& given() const { return GetParam()(); }
+};
+
+TEST_P(Judges, AdmeshFindsNothingToRepair) {
+  for (const char* name : {"all.stl", "hard.stl"}) {
+    const std::string said = said_by("admesh " + given().file(name));
+    for (const char* what : {"Degenerate facets", "Edges fixed", "Facets removed", "Facets added",
+                             "Facets reversed", "Backwards edges", "Normals fixed"})
+      EXPECT_EQ(number_after(said, std::string(what) + R"(\s*:)"), 0) << name << ": " << what << "\n" << said;
+    // Of the file as it is, before admesh repairs it: all facets with three neighbours.
+    std::smatch columns;
+    ASSERT_TRUE(
+        std::regex_search(said, columns, std::regex(R"(Facets with 3 disconnected edges\s*:\s*(\d+))")))
+        << said;
+    EXPECT_EQ(columns[1], "0");
+    const int parts = given().bodies() + (std::string(name) == "all.stl" ? given().blocks() : 0);
+    EXPECT_EQ(number_after(said, R"(Number of parts\s*:)"), parts) << name;
+  }
+}
+
+TEST_P(Judges, CgalFindsNoTwoFacesThatCross) {
+  for (const char* name : {"hard.stl", "soft.stl"}) {
+    if (!fs::exists(given().file(name))) continue;
+    const std::string said = said_by(std::string(KINETIX_SELF_CROSSING) + " " + given().file(name));
+    EXPECT_THAT(said, HasSubstr("manifold 1\nclosed 1\ncrossing 0")) << name;
+  }
+}
+
+TEST_P(Judges, PrusaSlicerSeesEveryBodyAndTheirVolume) {
+  const std::string said = said_by("prusa-slicer --info " + given().of(".3mf"));
+  EXPECT_THAT(said, HasSubstr("manifold = yes"));
+  EXPECT_EQ(number_after(said, "number_of_parts ="), given().bodies() + given().blocks());
+  const Json volume = given().json()["volume_mm3"];
+  const double own = double(volume["hard"]) + double(volume["soft"]);
+  EXPECT_NEAR(number_after(said, "volume =") / own, 1, 1e-4) << "PrusaSlicer counts in floats";
+}
+
+/// Of those that were written as STEP.
+class StepReader : public Judges {};
+
+TEST_P(StepReader, FindsAsManyValidSolidsAsThereAreParts) {
+  const StepVerdict step = read_step(given().of(".step"));
+  EXPECT_TRUE(step.valid);
+  EXPECT_EQ(step.solids, given().bodies() + given().blocks());
+  // The same solids by another method: polygons in place of circles, so fine that they make no difference.
+  const app::PrintSheet& sheet = given().print.job.sheet;
+  std::vector<model::HingePrint> fine = sheet.hinges;
+  for (model::HingePrint& hinge : fine) hinge.tolerance_mm = 1e-5;
+  double own = 0;
+  for (const model::BodySolid& body :
+       body_solids(sheet.linkage, [&](int h) -> const model::HingePrint& { return fine[h]; }))
+    own += volume_mm3(body_mesh(body));
+  for (const model::Polyhedron& block : sheet.soft)
+    if (!block.points.empty()) own += volume_mm3(block);
+  EXPECT_NEAR(step.volume_mm3 / own, 1, 1e-4);
+}
+
+TEST_P(Judges, MujocoFoldsItToTheExactShape) {
+  const MujocoVerdict verdict = fold_in_mujoco(text_of(given().of(".xml")), 1, 1.2);
+  EXPECT_EQ(verdict.error, "");
+  const Json volume = given().json()["volume_mm3"];
+  const double own = 1.2e-6 * (double(volume["hard"]) + double(volume["soft"]));  // kg, of 1200 kg/m^3
+  EXPECT_NEAR(verdict.mass_kg / own, 1, 1e-6);
+  const app::PrintSheet& sheet = given().print.job.sheet;
+  model::State settled = sheet.path.back();
+  ASSERT_EQ(verdict.positions.size(), settled.size());
+  for (std::size_t b = 0; b < settled.size(); ++b) settled[b].p = 1e3 * verdict.positions[b];
+  EXPECT_LE(aligned_distance(sheet.linkage, settled, sheet.path.back()).max, 0.05);
+}
+
+TEST_P(Judges, EzdxfAndRsvgReadTheDrawings) {
+  const std::string said =
+      said_by("/usr/bin/python3 -c \"import ezdxf; d = ezdxf.readfile('" + given().of(".dxf") +
+              "'); print('errors', len(d.audit().errors), 'unit', d.header['\\$INSUNITS'], 'numbers', "
+              "len(d.modelspace().query('TEXT')), 'open', sum(not p.is_closed for p in "
+              "d.modelspace().query('POLYLINE')), 'outlines', len(d.modelspace().query('POLYLINE')))\"");
+  const int parts = given().bodies() + given().blocks();
+  EXPECT_THAT(said, HasSubstr("errors 0 unit 4 numbers " + std::to_string(int(given().json()["hinges"])) +
+                              " open 0"));
+  EXPECT_GE(number_after(said, "outlines"), parts);
+  const std::string png = given().scratch / "drawing.png";
+  said_by("rsvg-convert " + given().of(".svg") + " -o " + png);
+  EXPECT_GT(fs::file_size(png), 1000U);
+}
+
+std::string name_of(const ::testing::TestParamInfo<const Exported& (*)()>& run) {
+  return run.index == 0 ? "PinnedRib" : run.index == 1 ? "BlockedRib" : "PinnedCube";
+}
+INSTANTIATE_TEST_SUITE_P(Of, Judges, ::testing::Values(pinned, blocked, pinned_cube), name_of);
+INSTANTIATE_TEST_SUITE_P(Of, StepReader, ::testing::Values(pinned, blocked), name_of);
+
+/// Slices of a file as a printer of pixels of 0.05 mm gets them. @param width, height of its bed, mm
+std::string slices_of(const Scratch& scratch, const std::string& file, int width, int height) {
+  const std::string settings = scratch.write(
+      "sla.ini", fmt::format("bed_shape = 0x0,{0}x0,{0}x{1},0x{1}\ndisplay_width = {0}\ndisplay_height = "
+                             "{1}\ndisplay_pixels_x = {2}\ndisplay_pixels_y = {3}\n",
+                             width, height, 20 * width, 20 * height) +
+                     R"(printer_technology = SLA
+display_mirror_x = 0
+display_mirror_y = 0
+display_orientation = landscape
+layer_height = 0.1
+initial_layer_height = 0.1
+faded_layers = 3
+supports_enable = 0
+pad_enable = 0
+elefant_foot_compensation = 0
+)");
+  const std::string out = scratch / "slices.sl1";
+  said_by("prusa-slicer --export-sla --load " + settings + " " + file + " -o " + out);
+  return out;
+}
+
+/// @param panel cells and sizes
+void expect_bodies_in_slices(const std::string& structure, const std::string& process, int bodies) {
+  const Scratch scratch;
+  const std::string design =
+      scratch.write("panel.yaml", "kinetix: 1\nstructure: " + structure + "\ndesign: {theta_deg: 15}\n");
+  const Outcome run = kinetix_opt("export " + design + " --format stl --process " + process + " -o " +
+                                  std::string(scratch / "out"));
+  ASSERT_EQ(run.code, 0) << run.err;
+  const std::string slices = slices_of(scratch, scratch / "out/hard.stl", 80, 70);
+  EXPECT_EQ(printed_pieces(slices), bodies);
+  EXPECT_EQ(printed_pieces(slices, 1), bodies) << "swollen by 0.05 mm a side";
+}
+
+TEST(Slices, OfPinsFallIntoTheBodiesAndStillDoWhenSwollen) {
+  expect_bodies_in_slices("{cells: [5, 4], cell_mm: 10}", "sla", 30);
+  expect_bodies_in_slices("{cells: [4, 3], cell_mm: 16}", "fdm", 20);
+}
+
+TEST(Slices, OfACouponFuseWhereTheGapIsNarrow) {
+  const Scratch scratch;
+  const Outcome run =
+      kinetix_opt("export --coupon --format stl --process sla -o " + std::string(scratch / "out"));
+  ASSERT_EQ(run.code, 0) << run.err;
+  const std::string slices = slices_of(scratch, scratch / "out/hard.stl", 250, 60);
+  EXPECT_EQ(printed_pieces(slices), 36) << "the slicer closes gaps of less than 0.098 mm";
+  // Swollen by 0.1 mm a side, gaps of 0.1 mm fuse in all three rows, and none that is wider than both sides, a pixel and
+  // the step of a layer of 0.1 mm on the slope together: 0.25 mm upright, 0.31 mm at 30 degrees, 0.42 mm at 60.
+  const int swollen = printed_pieces(slices, 2);
+  EXPECT_LE(swollen, 36 - 3);
+  EXPECT_GE(swollen, 36 - (2 + 3 + 4));
+}
+
+TEST(Slices, OfABlockedRibAreOnePiece) {
+  const Scratch scratch;
+  EXPECT_EQ(printed_pieces(slices_of(scratch, blocked().file("all.stl"), 400, 20)), 1);
+}
+
+}  // namespace
+}  // namespace kinetix::testing

@@ -1,0 +1,123 @@
+#include "tests/app/print/slices.hpp"
+
+#include <leptonica/allheaders.h>
+#include <zip.h>
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+#include <vector>
+
+namespace kinetix::testing {
+namespace {
+
+/// White pixels of a row, [from, to).
+struct PixelRun {
+  int row, from, to, piece;
+};
+
+class Pieces {
+ public:
+  int add() {
+    parent_.push_back(static_cast<int>(parent_.size()));
+    return parent_.back();
+  }
+  int root(int k) {
+    while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
+    return k;
+  }
+  void join(int a, int b) { parent_[root(a)] = root(b); }
+  int count() {
+    int n = 0;
+    for (int k = 0; k < static_cast<int>(parent_.size()); ++k) n += root(k) == k;
+    return n;
+  }
+
+ private:
+  std::vector<int> parent_;
+};
+
+std::vector<PixelRun> runs_of(PIX* image, Pieces& pieces) {
+  std::vector<PixelRun> runs;
+  const int width = pixGetWidth(image), height = pixGetHeight(image), words = pixGetWpl(image);
+  for (int y = 0; y < height; ++y) {
+    const l_uint32* line = pixGetData(image) + static_cast<long>(y) * words;
+    for (int x = 0; x < width;) {
+      if (x % 32 == 0 && line[x / 32] == 0) {
+        x += 32;
+        continue;
+      }
+      if (!GET_DATA_BIT(line, x)) {
+        ++x;
+        continue;
+      }
+      const int from = x;
+      while (x < width && GET_DATA_BIT(line, x)) ++x;
+      runs.push_back({y, from, x, pieces.add()});
+    }
+  }
+  return runs;
+}
+
+/// Runs of one row above or below the other.
+void join(const std::vector<PixelRun>& a, const std::vector<PixelRun>& b, int row_step, Pieces& pieces) {
+  std::size_t first = 0;
+  for (const PixelRun& run : a) {
+    while (first < b.size() && (b[first].row < run.row + row_step ||
+                                (b[first].row == run.row + row_step && b[first].to <= run.from)))
+      ++first;
+    for (std::size_t k = first; k < b.size() && b[k].row == run.row + row_step && b[k].from < run.to; ++k)
+      pieces.join(run.piece, b[k].piece);
+  }
+}
+
+std::vector<std::string> layer_names(zip_t* archive) {
+  std::vector<std::string> names;
+  for (zip_int64_t k = 0; k < zip_get_num_entries(archive, 0); ++k) {
+    const std::string name = zip_get_name(archive, static_cast<zip_uint64_t>(k), 0);
+    if (name.size() > 4 && name.find('/') == std::string::npos && name.substr(name.size() - 4) == ".png")
+      names.push_back(name);
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+PIX* layer(zip_t* archive, const std::string& name, int swelling_px) {
+  zip_stat_t status;
+  zip_stat(archive, name.c_str(), 0, &status);
+  std::string png(status.size, '\0');
+  zip_file_t* file = zip_fopen(archive, name.c_str(), 0);
+  zip_fread(file, png.data(), png.size());
+  zip_fclose(file);
+  PIX* grey = pixReadMem(reinterpret_cast<const l_uint8*>(png.data()), png.size());
+  PIX* eight = pixConvertTo8(grey, 0);
+  PIX* dark = pixThresholdToBinary(eight, 128);  // 1 where black
+  PIX* light = pixInvert(nullptr, dark);
+  for (PIX* image : {grey, eight, dark}) pixDestroy(&image);
+  if (swelling_px == 0) return light;
+  PIX* swollen = pixDilateBrick(nullptr, light, 2 * swelling_px + 1, 2 * swelling_px + 1);
+  pixDestroy(&light);
+  return swollen;
+}
+
+}  // namespace
+
+int printed_pieces(const std::string& name, int swelling_px) {
+  int error = 0;
+  zip_t* archive = zip_open(name.c_str(), ZIP_RDONLY, &error);
+  if (archive == nullptr) throw std::runtime_error("no slices in " + name);
+  Pieces pieces;
+  std::vector<PixelRun> below;
+  for (const std::string& file : layer_names(archive)) {
+    PIX* image = layer(archive, file, swelling_px);
+    std::vector<PixelRun> runs = runs_of(image, pieces);
+    pixDestroy(&image);
+    join(runs, runs, 1, pieces);
+    join(runs, below, 0, pieces);
+    below = std::move(runs);
+  }
+  zip_close(archive);
+  return pieces.count();
+}
+
+}  // namespace kinetix::testing

@@ -1,0 +1,193 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <random>
+
+#include "model/base/invalid_input.hpp"
+#include "model/lattice/square/structure.hpp"
+#include "model/linkage/wall.hpp"
+#include "model/sheet/sheet.hpp"
+#include "model/solids/body_solid.hpp"
+
+namespace kinetix::model {
+namespace {
+
+const CellSize size{10, 0.8, 6};  // mm, those of the shipped cube
+
+HingePrint block() {
+  MadeHinge hinge;
+  hinge.kind = HingeKind::block;
+  hinge.gap_mm = 1;
+  hinge.thickness_mm = size.thickness_mm;
+  hinge.height_mm = size.height_mm;
+  return {.made = hinge};
+}
+
+HingePrint pin() {
+  MadeHinge hinge;
+  hinge.kind = HingeKind::pin;
+  hinge.diameter_mm = 1;
+  hinge.clearance_mm = 0.1;
+  hinge.height_mm = size.height_mm;
+  return {.made = hinge, .axial_clearance_mm = 0.2};
+}
+
+std::vector<BodySolid> solids(const Linkage& linkage, const HingePrint& print) {
+  return body_solids(linkage, [&](int) -> const HingePrint& { return print; });
+}
+
+/// A sheet whose hinges lie, lean and are turned in their walls as the seed has it, within what leaves room.
+Linkage random_sheet(int seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> t(0.4, 0.6), alpha(1.3, 1.8), beta(-0.5, 0.5), offset(-0.05, 0.05);
+  Sheet sheet = make_sheet(3, 2, {15, 0.8, 6});
+  for (int h = 0; h < sheet.hinges(); ++h)
+    sheet.hinge(h) = {t(random), alpha(random), beta(random), offset(random)};
+  return sheet;
+}
+
+TEST(ConvexHull, OfABoxAndPointsOnItHasItsSixFaces) {
+  std::vector<Eigen::Vector3d> points{{0.5, 0, 0}, {0.5, 0.5, 1}, {0.2, 0.3, 0.4}, {1, 1, 1}};
+  for (const double x : {0., 1.})
+    for (const double y : {0., 1.})
+      for (const double z : {0., 1.}) points.emplace_back(x, y, z);
+  const ConvexHull hull = convex_hull(points);
+  EXPECT_EQ(hull.faces.size(), 6U);
+  Polyhedron solid{hull.corners, {}};
+  for (const auto& face : hull.faces) {
+    EXPECT_EQ(face.size(), 4U);
+    solid.add_face(face);
+  }
+  EXPECT_TRUE(is_closed(solid));
+  EXPECT_NEAR(volume_mm3(solid), 1, 1e-15);
+}
+
+TEST(MassProperties, AreThoseOfTheBoxInClosedForm) {
+  std::vector<Eigen::Vector3d> points;
+  const Eigen::Vector3d middle(3, -4, 5), sides(1, 2, 3);
+  for (const double x : {-0.5, 0.5})
+    for (const double y : {-0.5, 0.5})
+      for (const double z : {-0.5, 0.5})
+        points.push_back(middle + Eigen::Vector3d(x, y, z).cwiseProduct(sides));
+  const ConvexHull hull = convex_hull(points);
+  Polyhedron box{hull.corners, {}};
+  for (const auto& face : hull.faces) box.add_face(face);
+  const MassProperties m = mass_properties(box);
+  EXPECT_NEAR(m.volume_mm3, 6, 1e-13);
+  EXPECT_LE((m.center - middle).norm(), 1e-13);
+  const Eigen::Vector3d expected = 6.0 / 12 * Eigen::Vector3d(4 + 9, 1 + 9, 1 + 4);
+  EXPECT_LE((m.inertia - Eigen::Matrix3d(expected.asDiagonal())).norm(), 1e-12);
+}
+
+TEST(BodySolid, OfAnUprightCrossHasTheVolumeOfItsPlates) {
+  const Linkage sheet = Sheet(make_sheet(2, 2, size));
+  const auto bodies = solids(sheet, block());
+  const double arm = 10 / 2. - 0.8 / 2 - 1 / 2.;  // from the post to the gap
+  EXPECT_NEAR(volume_mm3(body_mesh(bodies[4])), 6 * (0.8 * 0.8 + 4 * arm * 0.8), 1e-10)
+      << "the middle vertex";
+  EXPECT_NEAR(volume_mm3(soft_solid(sheet, 0, block())), 1 * 0.8 * 6, 1e-12);
+}
+
+TEST(BodySolid, AtAPinHasTheVolumeOfPlatesKnucklesAndRods) {
+  HingePrint fine = pin();
+  fine.tolerance_mm = 1e-6;
+  const Linkage sheet = Sheet(make_sheet(2, 2, size));
+  const double R = 0.5 + 0.1 + 0.8, g = R + 0.1, half = 0.4;
+  // Before the circle: two triangles from the wall's corners to where tangents touch, the wedge between and the circle's rest.
+  const double d = std::hypot(g, half), touch = std::acos(R / d), corner = std::atan2(half, g);
+  const double knuckle = R * R * (M_PI - touch - corner) + R * std::sqrt(d * d - R * R) + g * half;
+  const double arm = 5 - 0.4 - g, plates = 6 * (0.8 * 0.8 + 4 * arm * 0.8);
+  const double eye = 3 - 0.2, cheeks = 6 - eye - 0.4;
+  double fork_body = plates + 4 * (cheeks * knuckle + (eye + 0.4) * M_PI * 0.25),
+         eye_body = plates + 4 * eye * (knuckle - M_PI * 0.36);
+  if (sheet.bodies[4].sense < 0) std::swap(fork_body, eye_body);
+  EXPECT_NEAR(volume_mm3(body_mesh(solids(sheet, fine)[4])) / fork_body, 1, 1e-5);
+}
+
+TEST(BodySolid, OfRandomLeaningHingesIsClosedAndAsLargeAsItsPieces) {
+  for (int seed = 1; seed <= 5; ++seed)
+    for (const HingePrint& print : {pin(), block()})
+      for (const BodySolid& body : solids(random_sheet(seed), print)) {
+        const Polyhedron mesh = body_mesh(body);
+        EXPECT_TRUE(is_closed(mesh)) << "seed " << seed;
+        double pieces = 0;
+        for (const ConvexPiece& piece : convex_pieces(body)) {
+          if (piece.corners.size() > 20) continue;  // knuckles and rods: too many corners for this hull
+          const ConvexHull hull = convex_hull(piece.corners);
+          Polyhedron solid{hull.corners, {}};
+          for (const auto& face : hull.faces) solid.add_face(face);
+          pieces += volume_mm3(solid);
+        }
+        for (const ArmSolid& arm : body.arms) {
+          if (arm.end.knuckle_radius == 0) continue;
+          const auto area = [](const std::vector<Eigen::Vector2d>& p) {
+            double twice = 0;
+            for (std::size_t k = 0; k < p.size(); ++k) {
+              const Eigen::Vector2d &a = p[k], &b = p[(k + 1) % p.size()];
+              twice += a.x() * b.y() - a.y() * b.x();
+            }
+            return twice / 2;
+          };
+          for (const HingeEnd::Lug& lug : arm.end.lugs)
+            pieces += (lug.to - lug.from) * (area(arm.end.section) - area(arm.end.bore));
+          if (!arm.end.rod.empty()) pieces += (arm.end.lugs[1].from - arm.end.lugs[0].to) * area(arm.end.rod);
+        }
+        EXPECT_NEAR(volume_mm3(mesh) / pieces, 1, 1e-9) << "seed " << seed;
+      }
+}
+
+/// Upright walls at uneven angles, as drawings have them.
+TEST(BodySolid, OfWallsAtAnyAnglesIsClosed) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> between(0.7, 2.2);
+  for (int trial = 0; trial < 200; ++trial) {
+    Linkage star;
+    star.size = {20, 0.8, 6};
+    star.wall_name = star.vertex_name = [](int) { return std::string("one"); };
+    star.bodies.push_back({Eigen::Vector3d::Zero(), 1});
+    double angle = 0;
+    while ((angle += between(random)) < 2 * M_PI - 0.7) {
+      HingedWall wall;
+      wall.upper = static_cast<int>(star.bodies.size());
+      wall.edge = {std::cos(angle), std::sin(angle), 0};
+      star.bodies.push_back({wall.edge, -1});
+      for (const Plate& plate : plates(wall, static_cast<int>(star.hinges.size())))
+        star.plates.push_back(plate);
+      star.hinges.push_back(rest_hinge(wall));
+    }
+    for (const BodySolid& body : solids(star, pin()))
+      EXPECT_TRUE(is_closed(body_mesh(body))) << "trial " << trial;
+  }
+}
+
+TEST(PinEnd, KeepsItsClearanceBetweenThePolygonsOfRodAndBore) {
+  for (const double offset : {0.0, 0.3, 0.9, -1.4}) {
+    const HingeEnd fork = pin_end(pin(), size, offset, true), eye = pin_end(pin(), size, offset, false);
+    ASSERT_EQ(fork.rod.size(), eye.bore.size());
+    double least = 1;
+    for (const Eigen::Vector2d& p : fork.rod)
+      for (std::size_t k = 0; k < eye.bore.size(); ++k) {
+        const Eigen::Vector2d &a = eye.bore[k], side = eye.bore[(k + 1) % eye.bore.size()] - a;
+        least = std::min(least, (side.x() * (p - a).y() - side.y() * (p - a).x()) / side.norm());
+      }
+    EXPECT_GE(least, 0.1 - 1e-12);
+    EXPECT_LE(least, 0.11);
+    // The knuckle goes all the way round, wherever the axis is.
+    double furthest = 0;
+    for (const Eigen::Vector2d& p : fork.section) furthest = std::max(furthest, p.x());
+    EXPECT_NEAR(furthest, 1.4, 1e-9) << offset;
+    EXPECT_NEAR(fork.lugs[0].to, -eye.lugs[0].to - 0.2, 1e-12);
+  }
+}
+
+TEST(BodySolid, RefusesAHingeThatOverlapsItsJunction) {
+  Sheet sheet = make_sheet(2, 2, size);
+  sheet.hinge(0).t = 0.15;
+  EXPECT_THROW(solids(sheet, pin()), InvalidInput);
+  sheet.hinge(0).t = 0.5;
+  EXPECT_NO_THROW(solids(sheet, pin()));
+}
+
+}  // namespace
+}  // namespace kinetix::model
