@@ -10,9 +10,11 @@
 #include "app/print/fit.hpp"
 #include "app/print/parts.hpp"
 #include "model/linkage/state.hpp"
+#include "tests/app/print/gltf_judge.hpp"
 #include "tests/app/print/mujoco_judge.hpp"
 #include "tests/app/print/slices.hpp"
 #include "tests/app/print/step_judge.hpp"
+#include "tests/app/print/threemf_judge.hpp"
 #include "tests/app/program.hpp"
 
 namespace kinetix::testing {
@@ -117,10 +119,56 @@ TEST_P(Judges, PrusaSlicerSeesEveryBodyAndTheirVolume) {
   EXPECT_NEAR(number_after(said, "volume =") / own, 1, 1e-4) << "PrusaSlicer counts in floats";
 }
 
-/// Of those that were written as STEP.
-class StepReader : public Judges {};
+TEST_P(Judges, Lib3mfReadsOneManifoldObjectWithoutWarning) {
+  const ThreemfVerdict verdict = read_threemf(given().of(".3mf"));
+  EXPECT_TRUE(verdict.is_read);
+  EXPECT_EQ(verdict.warnings, 0);
+  EXPECT_EQ(verdict.objects, 1);
+  EXPECT_TRUE(verdict.manifold);
+  EXPECT_GE(verdict.triangles, 12 * given().bodies());
+}
 
-TEST_P(StepReader, FindsAsManyValidSolidsAsThereAreParts) {
+/// Hard and soft from an extruder each, as much as their volumes.
+TEST(Extruders, GetFilamentInTheRatioOfTheVolumes) {
+  const std::string settings = blocked().scratch.write("extruders.ini", R"(bed_shape = 0x0,400x0,400x400,0x400
+nozzle_diameter = 0.4,0.4
+filament_diameter = 1.75,1.75
+extrusion_multiplier = 1,1
+temperature = 200,200
+first_layer_temperature = 200,200
+layer_height = 0.2
+first_layer_height = 0.2
+fill_density = 100%
+fill_pattern = rectilinear
+perimeters = 1
+skirts = 0
+brim_width = 0
+wipe_tower = 0
+)");
+  const std::string code = blocked().scratch / "rib.gcode";
+  said_by("prusa-slicer --export-gcode --load " + settings + " " + blocked().of(".3mf") + " -o " + code);
+  std::smatch used;
+  const std::string text = text_of(code);
+  ASSERT_TRUE(std::regex_search(text, used, std::regex(R"(; filament used \[mm\] = ([\d.]+), ([\d.]+))")));
+  const Json volume = blocked().json()["volume_mm3"];
+  const double asked = double(volume["hard"]) / double(volume["soft"]);
+  EXPECT_NEAR(std::stod(used[1]) / std::stod(used[2]) / asked, 1, 0.1);
+}
+
+/// Of those that were written in all formats.
+class AllFormats : public Judges {};
+
+TEST_P(AllFormats, AssimpFindsEveryBodyAndItsMotion) {
+  const GltfVerdict verdict = read_gltf(given().of(".glb"));
+  EXPECT_EQ(verdict.error, "");
+  EXPECT_EQ(verdict.nodes_with_meshes, given().bodies() + (given().blocks() > 0)) << "blocks are one mesh";
+  EXPECT_GE(verdict.meshes, given().bodies());
+  EXPECT_EQ(verdict.animations, 1);
+  EXPECT_GE(verdict.moved_nodes, given().bodies() - 1);
+  EXPECT_GT(verdict.seconds, 0.5);
+}
+
+TEST_P(AllFormats, FindsAsManyValidSolidsAsThereAreParts) {
   const StepVerdict step = read_step(given().of(".step"));
   EXPECT_TRUE(step.valid);
   EXPECT_EQ(step.solids, given().bodies() + given().blocks());
@@ -169,7 +217,7 @@ std::string name_of(const ::testing::TestParamInfo<const Exported& (*)()>& run) 
   return run.index == 0 ? "PinnedRib" : run.index == 1 ? "BlockedRib" : "PinnedCube";
 }
 INSTANTIATE_TEST_SUITE_P(Of, Judges, ::testing::Values(pinned, blocked, pinned_cube), name_of);
-INSTANTIATE_TEST_SUITE_P(Of, StepReader, ::testing::Values(pinned, blocked), name_of);
+INSTANTIATE_TEST_SUITE_P(Of, AllFormats, ::testing::Values(pinned, blocked), name_of);
 
 /// Slices of a file as a printer of pixels of 0.05 mm gets them. @param width, height of its bed, mm
 std::string slices_of(const Scratch& scratch, const std::string& file, int width, int height) {
