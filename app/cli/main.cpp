@@ -32,18 +32,24 @@ void add_common(CLI::App& app, CommandOptions& options) {
       ->type_name("UINT");
 }
 
-void add_output(CLI::App& app, CommandOptions& options) {
+void add_output(CLI::App& app, CommandOptions& options, const std::string& what) {
   app.add_option_function<std::string>(
          "-o",
          [&options](const std::string& folder) {
            options.folder = folder;
            options.folder_given = true;
          },
-         "folder for result.json, design.yaml and report.html (default results/NAME, with _verified, "
-         "_exact, _equilibrium or _bullet for a design)")
+         what)
       ->type_name("DIR");
+}
+
+void add_open(CLI::App& app, CommandOptions& options) {
   app.add_flag("--open", options.open, "shows the report in the browser");
 }
+
+constexpr const char* results_folder =
+    "folder for result.json, design.yaml and report.html (default results/NAME, with _verified, _exact, "
+    "_equilibrium or _bullet for a design)";
 
 void add_file(CLI::App& app, CommandOptions& options, const std::string& name, const std::string& what) {
   app.add_option(name, options.file, what)->required()->type_name("");
@@ -52,7 +58,7 @@ void add_file(CLI::App& app, CommandOptions& options, const std::string& name, c
 void add_export(CLI::App& app, CommandOptions& options, kinetix::app::PrintRequest& request) {
   app.add_option("DESIGN.yaml|DIR", request.source, "a design, or the folder of a result")->type_name("");
   add_common(app, options);
-  add_output(app, options);
+  add_output(app, options, "folder for the files (default results/NAME_print)");
   app.add_option("--format", request.formats, kinetix::app::format_help())
       ->required()
       ->delimiter(',')
@@ -78,6 +84,7 @@ examples:
   kinetix-opt simulate panel.yaml --model equilibrium     elastic hinges: force, energy, snaps, contact
   kinetix-opt simulate panel.yaml --model equilibrium --drives   where to push with least force
   kinetix-opt verify out/design.yaml                      the physics run alone
+  kinetix-opt export out --format 3mf --process fdm       files for the printer
 
 exit codes:
   0 done   1 internal error   2 bad input   3 target missed or not reached
@@ -101,7 +108,8 @@ int run(int argc, char** argv) {
   app.get_formatter()->column_width(34);
 
   add_common(app, options);
-  add_output(app, options);
+  add_output(app, options, results_folder);
+  add_open(app, options);
   app.add_flag_callback(
       "--no-verify", [&] { options.verify = false; }, "skip the physics run");
   app.add_option("--time-limit", options.time_limit_s,
@@ -124,13 +132,15 @@ int run(int argc, char** argv) {
   for (CLI::App* command : {verify, simulate, check}) {
     add_file(*command, options, command == check ? "FILE.yaml" : "DESIGN.yaml", "the file to read");
     add_common(*command, options);
-    if (command != check) add_output(*command, options);
+    if (command == check) continue;
+    add_output(*command, options, results_folder);
+    add_open(*command, options);
     if (command == verify)
       command->add_flag("--fidelity", options.fidelity, "runs of coarser steps too, for speed against error");
   }
   add_file(*sweep, options, "DOE.yaml", "the sweep: base, factors, method, responses");
   add_common(*sweep, options);
-  add_output(*sweep, options);
+  add_output(*sweep, options, "folder for the table and report.html (default results/NAME)");
   sweep->add_flag("--resume", options.resume, "continue the sweep whose table is in DIR");
   simulate
       ->add_option("--model", options.model,

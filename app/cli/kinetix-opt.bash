@@ -1,0 +1,35 @@
+# Completion of kinetix-opt for bash. Files come where no option fits.
+_kinetix_opt() {
+  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} command= k
+  local common="--help --json --quiet --threads --seed"
+  for ((k = 1; k < COMP_CWORD; ++k)); do
+    case ${COMP_WORDS[k]} in
+      verify | simulate | sweep | check | export) command=${COMP_WORDS[k]}; break ;;
+    esac
+  done
+  case $before in
+    --model) COMPREPLY=($(compgen -W "exact equilibrium bullet" -- "$word")); return ;;
+    --format) COMPREPLY=($(compgen -W "stl 3mf step svg dxf mjcf glb all" -- "$word")); return ;;
+    --process) COMPREPLY=($(compgen -W "polyjet fdm sla sls" -- "$word")); return ;;
+    --hinge) COMPREPLY=($(compgen -W "pin block film" -- "$word")); return ;;
+    --state) COMPREPLY=($(compgen -W "flat folded" -- "$word")); return ;;
+    -o) COMPREPLY=($(compgen -d -- "$word")); return ;;
+    --threads | --seed | --time-limit | --monte-carlo | --theta-deg) return ;;
+  esac
+  local options
+  case $command in
+    verify) options="$common -o --open --fidelity" ;;
+    simulate) options="$common -o --open --model --theta-deg --drives" ;;
+    sweep) options="$common -o --resume" ;;
+    check) options="$common" ;;
+    export) options="$common -o --format --process --hinge --coupon --state" ;;
+    *) options="$common --version -o --open --no-verify --time-limit --fidelity --monte-carlo" ;;
+  esac
+  if [[ $word == -* ]]; then
+    COMPREPLY=($(compgen -W "$options" -- "$word"))
+  else
+    COMPREPLY=($(compgen -f -- "$word"))
+    [[ -z $command ]] && COMPREPLY+=($(compgen -W "verify simulate sweep check export" -- "$word"))
+  fi
+}
+complete -o filenames -F _kinetix_opt kinetix-opt
