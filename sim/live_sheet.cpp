@@ -25,9 +25,10 @@ constexpr double shortest_way =
     1e-6;                      // likewise: a sheet that cannot go so far without gaining energy stands
 constexpr double fall = 10;    // cell edges / s^2: weight shows within a second and does not tear hinges
 constexpr double newton = 30;  // part mass edge / s^2: a push of 1 N where hinges are rigid
-constexpr double flat_theta = 0.01;  // rad: below, a hand that presses finds no lever arm
-constexpr double flat_push = 0.5;    // rad / s^2 that then turns the parts to the side of positive theta
-constexpr double widest_gap = 0.5;   // cell edges, of a hinge: the sheet would not have held
+constexpr double flat_theta = 0.01;     // rad: below, a hand that presses finds no lever arm
+constexpr double flat_push = 0.5;       // rad / s^2 that then turns the parts to the side of positive theta
+constexpr double resting_speed = 1e-4;  // cell edges/s or rad/s: nobody sees it
+constexpr double widest_gap = 0.5;      // cell edges, of a hinge: the sheet would not have held
 constexpr double elastic_stiffness =
     1000;  // of a hinge point, part masses / step^2 (PhysicsOptions::elastic)
 
@@ -104,7 +105,21 @@ void LiveSheet::drive_to(const model::LinkageDrive& drive, const model::State& r
   theta_ = mean_theta(structure_, state_);
   drive_ = drive;
   state_ = aligned(state_, reference);
+  stand_between_plates();
   rebuild();
+}
+
+/// Plates close in on the middle of the flat sheet, and hold a body of each row at its height.
+void LiveSheet::stand_between_plates() {
+  if (drive_->kind != model::LinkageDrive::Kind::plates) return;
+  const int along = drive_->axis == model::Axis::x ? 0 : 1;
+  Vector3d shift = Vector3d::Zero();
+  for (const std::vector<int>& row : drive_->gripped) {
+    const int middle = row[row.size() / 2];
+    shift[along] += 0.5 * (structure_.rest_position(middle) - state_[middle].p)[along];
+    shift.z() -= 0.5 * state_[middle].p.z();
+  }
+  for (model::Pose& pose : state_) pose.p += shift;
 }
 
 void LiveSheet::step() {
@@ -177,6 +192,8 @@ double LiveSheet::force_unit() const {
   const double k = elastic_stiffness / (options_.step_s * options_.step_s);
   return k_point_ * structure_.size.edge_mm / k;
 }
+
+bool LiveSheet::is_at_rest() const { return !is_pulled() && world_->parts().fastest() < resting_speed; }
 
 double LiveSheet::hand_force_N() const {
   if (!is_dragged() || !options_.elastic) return std::numeric_limits<double>::quiet_NaN();

@@ -50,6 +50,8 @@ class LiveSheet {
   double seconds() const { return seconds_; }           ///< simulated
   bool is_driven() const { return drive_.has_value(); }
   bool is_dragged() const;
+  /// Nothing pulls, pushes or drives it, and no part moves by more than 1e-4 cell edges or rad a second.
+  bool is_at_rest() const;
   /// Of the dragging hand, N; NaN where it does not drag, or hinges are rigid.
   double hand_force_N() const;
   /// In elastic hinges, N mm; NaN where they are rigid.
@@ -64,6 +66,7 @@ class LiveSheet {
   };
 
   void rebuild();
+  void stand_between_plates();
   void advance_drive();
   void apply_forces();
   void leave_flat();
