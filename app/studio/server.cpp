@@ -11,6 +11,7 @@
 #include <csignal>
 #include <deque>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "model/base/invalid_input.hpp"
@@ -29,6 +30,7 @@ constexpr std::size_t most_clients = 8;             // pages: more than one pers
 constexpr int most_connections = 64;                // of a browser, while it loads
 constexpr std::size_t largest_message = 768 << 10;  // bytes: a picture or a scan in base64
 constexpr std::size_t largest_request = 8 << 10;    // bytes of an HTTP header
+constexpr std::size_t longest_ack = 100;            // bytes of a text that may be an acknowledgement
 constexpr int most_in_flight = 2;                   // frames that a page has not acknowledged
 constexpr std::size_t most_texts_waiting = 1000;    // for a page that does not read
 constexpr std::chrono::seconds patience{5};         // with a request, and with a first message
@@ -90,16 +92,15 @@ class Page : public std::enable_shared_from_this<Page> {
 
   /// @param known whether the request had the token   @param protocol to be named in the answer, or empty
   void start(const Request& request, bool known, const std::string& protocol) {
-    known_ = known;
     socket_.read_message_max(largest_message);
     socket_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
     socket_.set_option(websocket::stream_base::decorator([protocol](websocket::response_type& response) {
       if (!protocol.empty()) response.set(http::field::sec_websocket_protocol, protocol);
     }));
-    socket_.async_accept(request, [self = shared_from_this()](error_code error) {
+    socket_.async_accept(request, [self = shared_from_this(), known](error_code error) {
       if (error) return self->leave();
-      if (self->known_) self->welcome();
-      if (!self->known_) self->wait_for_token();
+      if (known) self->welcome();
+      if (!known) self->wait_for_token();
       self->read();
     });
   }
@@ -162,11 +163,13 @@ class Page : public std::enable_shared_from_this<Page> {
 
   /// Frames are acknowledged all the time: this alone is read here.
   bool acknowledges(const std::string& text) {
-    long long number = 0;
-    if (std::sscanf(text.c_str(), R"({"type":"ack","frame":%lld})", &number) != 1 &&
-        std::sscanf(text.c_str(), R"({"type": "ack", "frame": %lld})", &number) != 1)
-      return false;
-    while (!flying_.empty() && flying_.front() <= number) flying_.pop_front();
+    if (text.size() > longest_ack) return false;
+    const auto message = nlohmann::json::parse(text, nullptr, false);
+    if (!message.is_object() || message.value("type", nlohmann::json()) != "ack") return false;
+    const auto frame = message.value("frame", nlohmann::json());
+    if (!frame.is_number()) return false;
+    while (!flying_.empty() && static_cast<double>(flying_.front()) <= frame.get<double>())
+      flying_.pop_front();
     write();
     return true;
   }
@@ -203,7 +206,8 @@ class Page : public std::enable_shared_from_this<Page> {
   websocket::stream<tcp::socket> socket_;
   const int client_;
   asio::steady_timer timer_;
-  bool known_ = false, closed_ = false, writing_ = false;
+  bool known_ = false;  ///< it said the token, and the handshake is through
+  bool closed_ = false, writing_ = false;
   beast::flat_buffer buffer_;
   std::string out_;
   std::deque<std::string> texts_;

@@ -11,9 +11,10 @@ namespace {
 
 constexpr double same = 1e-12;  // rad or cell edges: less is no change
 
+/// One of them, so that as few as can be have to change.
 double middle(std::vector<double> values) {
   std::sort(values.begin(), values.end());
-  return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
+  return values[values.size() / 2];
 }
 
 double change(const HingeParameters& a, const HingeParameters& b) {
