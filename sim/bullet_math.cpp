@@ -17,4 +17,12 @@ model::Pose pose_of(const btTransform& transform, double edge_mm) {
   return {eigen(transform.getBasis()), edge_mm * eigen(transform.getOrigin())};
 }
 
+btTransform transform_of(const model::Pose& mm, double edge_mm) {
+  const auto& R = mm.R;
+  const Eigen::Vector3d p = mm.p / edge_mm;
+  return btTransform(
+      btMatrix3x3(R(0, 0), R(0, 1), R(0, 2), R(1, 0), R(1, 1), R(1, 2), R(2, 0), R(2, 1), R(2, 2)),
+      btVector3(p.x(), p.y(), p.z()));
+}
+
 }  // namespace kinetix::sim

@@ -12,5 +12,7 @@ Eigen::Vector3d eigen(const btVector3& v);
 Eigen::Matrix3d eigen(const btMatrix3x3& m);
 /// @param transform in cell edges   @return in mm
 model::Pose pose_of(const btTransform& transform, double edge_mm);
+/// And back.
+btTransform transform_of(const model::Pose& mm, double edge_mm);
 
 }  // namespace kinetix::sim

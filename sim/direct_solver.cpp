@@ -10,6 +10,7 @@
 #include "sim/bullet_math.hpp"
 #include "sim/cord.hpp"
 #include "sim/elastic_hinges.hpp"
+#include "sim/hand.hpp"
 #include "sim/joints.hpp"
 #include "sim/row_system.hpp"
 #include "sim/wall_tip_edges.hpp"
@@ -86,6 +87,7 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
       solve_contacts(velocities, info.m_numIterations, info.m_timeStep);
       if (!let_go(velocities)) break;
     }
+    if (settings_.longest_way) shorten(velocities, *settings_.longest_way / info.m_timeStep);
     apply(velocities);
     return 0;
   }
@@ -127,7 +129,7 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
       if (m_tmpSolverNonContactConstraintPool[k].m_jacDiagABInv > 0)
         append_joint(m_tmpSolverNonContactConstraintPool[k]);
     if (pushing_.size() != pushes_.size()) pushing_.assign(pushes_.size(), true);
-    if (settings_.elastic) append_elastic(step);
+    if (settings_.elastic || has_hand()) append_own(step);
   }
 
   // What the engine calls a contact point is a joint in a row of a joint.
@@ -162,15 +164,28 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
   }
 
   /// Largest speed or turning speed after the step, were there no contacts.
-  double longest_move() const {
-    const Eigen::VectorXd change = system_.velocities();
+  double longest_move() const { return fastest_after(system_.velocities()); }
+
+  double fastest_after(const Eigen::VectorXd& change) const {
     double longest = 0;
-    for (std::size_t p = 0; p < bodies_.size(); ++p) {
-      const btRigidBody& body = *m_tmpSolverBodyPool[bodies_[p]].m_originalBody;
-      const Vector6 speed = stacked(body.getLinearVelocity(), body.getAngularVelocity());
-      longest = std::max(longest, (speed + change.segment<6>(6 * p)).cwiseAbs().maxCoeff());
-    }
+    for (std::size_t p = 0; p < bodies_.size(); ++p)
+      longest = std::max(longest, (speed_of(p) + change.segment<6>(6 * p)).cwiseAbs().maxCoeff());
     return longest;
+  }
+
+  Vector6 speed_of(std::size_t part) const {
+    const btRigidBody& body = *m_tmpSolverBodyPool[bodies_[part]].m_originalBody;
+    return stacked(body.getLinearVelocity(), body.getAngularVelocity());
+  }
+
+  /// Changes of speed after which nothing is faster than that.
+  void shorten(Eigen::VectorXd& change, double fastest) const {
+    const double factor = fastest / fastest_after(change);
+    if (!(factor < 1)) return;
+    for (std::size_t p = 0; p < bodies_.size(); ++p) {
+      const Vector6 before = speed_of(p);
+      change.segment<6>(6 * p) = factor * (before + change.segment<6>(6 * p)) - before;
+    }
   }
 
   void factorise_what_resists() {
@@ -190,9 +205,18 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
     return now;
   }
 
-  void append_elastic(double step) {
+  bool has_hand() const { return settings_.hand && !settings_.hand->is_empty(); }
+
+  /// The rows that are not the engine's.
+  void append_own(double step) {
     const Motion now = motion();
-    for (VelocityRow row : settings_.elastic->rows(now.state, now.speeds, step)) {
+    if (settings_.elastic) append(settings_.elastic->rows(now.state, now.speeds, step), now);
+    if (has_hand()) append(settings_.hand->rows(now.state, now.speeds, step), now);
+  }
+
+  /// @param rows by the bodies of the structure
+  void append(const std::vector<VelocityRow>& rows, const Motion& now) {
+    for (VelocityRow row : rows) {
       row.a = now.part_of_body[row.a];
       row.first = row.first.cwiseProduct(dofs_[row.a]);
       if (row.b >= 0) {

@@ -8,15 +8,19 @@ namespace kinetix::sim {
 
 class Cord;
 class ElasticHinges;
+class Hand;
 
 struct DirectSolverSettings {
   double joint_stiffness = 1e4;  ///< as PhysicsOptions has it, over the parts' masses
   double grip = 100;             ///< how many times stiffer than a hinge a joint to the ground is
   double contact_softness = 10;  ///< how many times softer than a hinge a contact is: with elastic hinges
                                  ///< all points of a wall tip edge together, else every point
-  double edge_mm = 1;            ///< cell edge of the structure of `elastic` and `cord`
+  double edge_mm = 1;            ///< cell edge of the structure of `elastic`, `cord` and `hand`
   const ElasticHinges* elastic = nullptr;  ///< null for none; must outlive the solver
   const Cord* cord = nullptr;              ///< likewise
+  const Hand* hand = nullptr;              ///< likewise
+  /// Longest way of a part in a step, cell edges or rad: all speeds are cut down alike to keep it. Null: any.
+  const double* longest_way = nullptr;
 };
 
 /// A solver for the engine that meets all joint equations of a step at once (RowSystem), and takes
@@ -36,7 +40,7 @@ struct DirectSolverSettings {
 /// a step with all that turns with the bodies has no least energy, or takes a part far, only what resists is
 /// kept.
 /// @pre a body that may not move along or turn about every axis has the same inertia about each;
-/// with elastic hinges and cords, the bodies' user indices are their indices in the structure
+/// with elastic hinges, cords and hands, the bodies' user indices are their indices in the structure
 std::unique_ptr<btConstraintSolver> make_direct_solver(const DirectSolverSettings& settings);
 
 }  // namespace kinetix::sim

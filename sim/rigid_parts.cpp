@@ -72,6 +72,16 @@ void RigidParts::damp(double factor) {
   }
 }
 
+void RigidParts::place(const model::State& state) {
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const btTransform place = transform_of(state[b], structure_.size.edge_mm);
+    bodies_[b]->setWorldTransform(place);
+    bodies_[b]->setInterpolationWorldTransform(place);
+    bodies_[b]->setLinearVelocity({0, 0, 0});
+    bodies_[b]->setAngularVelocity({0, 0, 0});
+  }
+}
+
 model::State RigidParts::state() const {
   model::State state;
   state.reserve(bodies_.size());

@@ -35,6 +35,9 @@ class RigidParts {
   /// Multiplies all speeds. @param factor in [0, 1]
   void damp(double factor);
 
+  /// Puts all bodies there, at rest. @param state mm
+  void place(const model::State& state);
+
   model::State state() const;  ///< mm
   /// Linear and angular, of each body, edges/s and rad/s.
   std::vector<Vector6> speeds() const;

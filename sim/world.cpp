@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sim/actuator.hpp"
 #include "sim/bullet_math.hpp"
 #include "sim/cord.hpp"
 #include "sim/direct_solver.hpp"
 #include "sim/elastic_hinges.hpp"
+#include "sim/hand.hpp"
 #include "sim/joint_order.hpp"
 #include "sim/joints.hpp"
 #include "sim/part_shape.hpp"
@@ -33,9 +35,12 @@ constexpr double largest_lean = 1.5;
 constexpr double elastic_grip = 1e4;
 
 std::unique_ptr<btConstraintSolver> make_solver(const PhysicsOptions& options, double edge_mm,
-                                                const ElasticHinges* elastic, const Cord* cord) {
+                                                const ElasticHinges* elastic, const Cord* cord,
+                                                const Hand& hand, const double& longest_way) {
   if (options.solver == PhysicsOptions::Solver::sweeps) return make_sequential_impulses();
   DirectSolverSettings settings{.joint_stiffness = options.joint_stiffness, .elastic = elastic, .cord = cord};
+  settings.hand = &hand;
+  settings.longest_way = &longest_way;
   settings.edge_mm = edge_mm;
   if (options.elastic) {
     settings.grip = elastic_grip;
@@ -57,7 +62,7 @@ PhysicsOptions in_force(PhysicsOptions options) {
 
 struct World::Engine {
   const model::Linkage structure;
-  const model::LinkageDrive drive;
+  const std::optional<model::LinkageDrive> drive;
   const PhysicsOptions options;
 
   btDefaultCollisionConfiguration configuration;
@@ -65,6 +70,8 @@ struct World::Engine {
   btDbvtBroadphase broadphase;
   std::optional<ElasticHinges> elastic;
   std::optional<Cord> cord;
+  Hand hand;
+  double longest_way = std::numeric_limits<double>::infinity();
   std::unique_ptr<btConstraintSolver> solver;
   btDiscreteDynamicsWorld world;
 
@@ -73,14 +80,15 @@ struct World::Engine {
   std::unique_ptr<Actuator> actuator;
   std::vector<Vector6> speeds_before;  ///< the last step
 
-  Engine(const model::Linkage& s, const model::LinkageDrive& d, const PhysicsOptions& o)
+  Engine(const model::Linkage& s, const std::optional<model::LinkageDrive>& d, const PhysicsOptions& o)
       : structure(s),
         drive(d),
         options(in_force(o)),
         elastic(make_elastic()),
         cord(make_cord()),
+        hand(options.joint_stiffness, structure.size.edge_mm),
         solver(make_solver(options, structure.size.edge_mm, elastic ? &*elastic : nullptr,
-                           cord ? &*cord : nullptr)),
+                           cord ? &*cord : nullptr, hand, longest_way)),
         world(&dispatcher, &broadphase, solver.get(), &configuration),
         parts(structure, options) {
     world.setGravity({0, 0, 0});
@@ -90,7 +98,7 @@ struct World::Engine {
     skip_walls_of_one_hinge();
     add_bodies();
     add_hinges();
-    add_drive();
+    if (drive) add_drive();
   }
 
   ~Engine() {
@@ -104,8 +112,8 @@ struct World::Engine {
   }
 
   std::optional<Cord> make_cord() const {
-    if (!drive.pulls_cord()) return std::nullopt;
-    return Cord(structure, drive.through);
+    if (!drive || !drive->pulls_cord()) return std::nullopt;
+    return Cord(structure, drive->through);
   }
 
   void add_bodies() {
@@ -127,7 +135,7 @@ struct World::Engine {
   }
 
   void add_drive() {
-    actuator = make_actuator(structure, drive, parts.bodies(), options.error_reduction,
+    actuator = make_actuator(structure, *drive, parts.bodies(), options.error_reduction,
                              elastic ? &*elastic : nullptr, options.spring_turn, cord ? &*cord : nullptr);
     for (auto* joint : actuator->joints()) add_in_order(world, *joint);
   }
@@ -138,11 +146,14 @@ struct World::Engine {
   }
 };
 
-World::World(const model::Linkage& structure, const model::LinkageDrive& drive, const PhysicsOptions& options)
+World::World(const model::Linkage& structure, const std::optional<model::LinkageDrive>& drive,
+             const PhysicsOptions& options)
     : engine_(std::make_unique<Engine>(structure, drive, options)) {}
 
 World::~World() = default;
 
+Hand& World::hand() { return engine_->hand; }
+void World::limit_way(double longest) { engine_->longest_way = longest; }
 RigidParts& World::parts() { return engine_->parts; }
 const RigidParts& World::parts() const { return engine_->parts; }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "model/linkage/linkage_drive.hpp"
@@ -9,21 +10,29 @@
 
 namespace kinetix::sim {
 
+class Hand;
 class RigidParts;
 
 /// A structure as rigid parts, hinges and a drive in the engine. Half walls collide without friction, except
 /// the two that share a hinge.
 class World {
  public:
-  World(const model::Linkage& structure, const model::LinkageDrive& drive, const PhysicsOptions& options);
+  /// @param drive nothing: none, and the structure floats freely
+  World(const model::Linkage& structure, const std::optional<model::LinkageDrive>& drive,
+        const PhysicsOptions& options);
   ~World();
 
+  /// Hands that pull and hold; needs the direct solver, as does the next.
+  Hand& hand();
+  /// From now on no part goes further in a step, cell edges or rad.
+  void limit_way(double longest);
   RigidParts& parts();
   const RigidParts& parts() const;
 
   /// Elastic hinges: shifts the rest of their turning springs to where a motion from flat takes them.
   /// @param amount of the motion, by which its rates are multiplied
   void relax_along(const std::vector<model::Twist>& motion, double amount);
+  /// @pre there is a drive: here, and for its gap
   /// Sets where the drive is to be at the end of the next step. @param theta rad, with sign
   void set_drive(double theta);
   void step();

@@ -7,6 +7,7 @@
 #include "app/cli/error_report.hpp"
 #include "app/io/atomic_file.hpp"
 #include "app/print/export_command.hpp"
+#include "app/studio/view_command.hpp"
 #include "app/sweep/sweep_command.hpp"
 #include "app/version.hpp"
 #include "model/base/invalid_input.hpp"
@@ -76,6 +77,18 @@ void add_export(CLI::App& app, CommandOptions& options, kinetix::app::PrintReque
       ->check(CLI::IsMember({"flat", "folded"}));
 }
 
+void add_view(CLI::App& app, CommandOptions& options, kinetix::app::ViewRequest& request) {
+  app.add_option("DIR|DESIGN.yaml|TARGET.yaml", request.source,
+                 "the folder of a result, a design, or a target to search for; nothing: a template")
+      ->type_name("");
+  add_common(app, options);
+  app.add_flag_callback(
+      "--no-open", [&request] { request.opens_page = false; }, "prints the address and opens no browser");
+  app.add_option("--port", request.port, "of 127.0.0.1; 0 (default): any that is free")
+      ->type_name("PORT")
+      ->check(CLI::Range(0, 65535));
+}
+
 // What --help ends with.
 constexpr const char* footer = R"(
 examples:
@@ -85,6 +98,7 @@ examples:
   kinetix-opt simulate panel.yaml --model equilibrium --drives   where to push with least force
   kinetix-opt verify out/design.yaml                      the physics run alone
   kinetix-opt export out --format 3mf --process fdm       files for the printer
+  kinetix-opt view out                                    the studio, in the browser
 
 exit codes:
   0 done   1 internal error   2 bad input   3 target missed or not reached
@@ -158,6 +172,11 @@ int run(int argc, char** argv) {
   kinetix::app::PrintRequest request;
   add_export(*print, options, request);
 
+  CLI::App* view =
+      app.add_subcommand("view", "open the studio in the browser: press, drag, change, search, export");
+  kinetix::app::ViewRequest shown;
+  add_view(*view, options, shown);
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
@@ -170,6 +189,7 @@ int run(int argc, char** argv) {
   if (simulate->parsed()) return kinetix::app::simulate_command(options);
   if (sweep->parsed()) return kinetix::app::sweep_command(options);
   if (print->parsed()) return kinetix::app::export_command(options, request);
+  if (view->parsed()) return kinetix::app::view_command(options, shown);
   if (check->parsed()) return kinetix::app::check_command(options);
   if (options.file.empty()) {
     std::cerr << app.help();

@@ -102,28 +102,46 @@ std::string format_help() {
   return text + "; all: every one; several, with commas between them";
 }
 
-int export_command(const CommandOptions& options, const PrintRequest& request) {
+namespace {
+
+Exported exported(const Source& source, const PrintRequest& request, const std::string& where) {
   const auto formats = formats_of(request);
   const model::Process& process = process_of(request);
-  const Source source = source_of(request);
-  OutputFolder folder(options.folder_given ? options.folder : "results/" + source.name() + "_print");
+  OutputFolder folder(where);
   const PreparedPrint print = source.prepared_for(process, kind_of(request), request.folded);
   FileSet files(folder.path());
-  std::string names;
+  Exported out{folder.path(),
+               {},
+               print_json(print.job, print.clearance).dump(1) + "\n",
+               print_text(print.job, print.clearance)};
+  const auto add = [&](const std::string& name, const std::string& content) {
+    files.add(name, content);
+    out.files.push_back(name);
+  };
   for (const PrintFormat* format : formats)
-    for (const auto& [name, content] : format->write(print.job)) {
-      files.add(name, content);
-      names += (names.empty() ? "" : ", ") + name;
-    }
-  const std::string json = print_json(print.job, print.clearance).dump(1) + "\n";
-  const std::string text = print_text(print.job, print.clearance);
-  files.add("print.json", json);
-  files.add("print.txt", text);
+    for (const auto& [name, content] : format->write(print.job)) add(name, content);
+  add("print.json", out.json);
+  add("print.txt", out.text);
   files.commit();
   folder.keep();
-  std::cout << (options.json ? json
-                             : text + fmt::format("{:<12} {}: {}, print.json, print.txt\n", "written",
-                                                  folder.path(), names));
+  return out;
+}
+
+}  // namespace
+
+Exported export_design(const DesignFile& design, const PrintRequest& request, const std::string& folder) {
+  return exported({"", design}, request, folder);
+}
+
+int export_command(const CommandOptions& options, const PrintRequest& request) {
+  formats_of(request);
+  process_of(request);
+  const Source source = source_of(request);
+  const Exported out = exported(
+      source, request, options.folder_given ? options.folder : "results/" + source.name() + "_print");
+  std::cout << (options.json ? out.json
+                             : out.text + fmt::format("{:<12} {}: {}\n", "written", out.folder,
+                                                      fmt::join(out.files, ", ")));
   return done;
 }
 

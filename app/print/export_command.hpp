@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/console/command_options.hpp"
+#include "app/files/design_file.hpp"
 #include "app/print/print_request.hpp"
 
 namespace kinetix::app {
@@ -8,6 +9,16 @@ namespace kinetix::app {
 /// `kinetix-opt export DESIGN.yaml|DIR --format NAME`: files for slicers, CAD and simulators, all of them or none.
 /// @return the exit code. @throws InvalidInput for what cannot be made, or not by the process
 int export_command(const CommandOptions& options, const PrintRequest& request);
+
+/// What an export has written.
+struct Exported {
+  std::string folder;
+  std::vector<std::string> files;  ///< names in the folder
+  std::string json, text;          ///< print.json and print.txt
+};
+
+/// The same of a design in memory. @param folder for the files
+Exported export_design(const DesignFile& design, const PrintRequest& request, const std::string& folder);
 
 /// What the help says of --format.
 std::string format_help();

@@ -71,22 +71,6 @@ Json hinge_json(const Run& run, int index, double usual_reach_mm) {
   return out;
 }
 
-Json structure_json(const Run& run, double reach_mm) {
-  const model::Sheet& s = run.structure;
-  Json bodies = Json::array(), hinges = Json::array(), cells = Json::array();
-  for (int b = 0; b < s.bodies(); ++b)
-    bodies.push_back({{"vertex", body_label(s, b)}, {"position_mm", numbers(s.rest_position(b))}});
-  for (int h = 0; h < s.hinges(); ++h) hinges.push_back(hinge_json(run, h, reach_mm));
-  for (int c = 0; c < s.cells(); ++c)
-    cells.push_back({{"cell", cell_label(s, c)}, {"bodies", s.cell_bodies(c)}, {"hinges", s.cell_hinges(c)}});
-  return {{"lattice", lattice_name(s)},
-          {"cell_mm", s.size().edge_mm},
-          {"wall_mm", {{"thickness", s.size().thickness_mm}, {"height", s.size().height_mm}}},
-          {"bodies", bodies},
-          {"hinges", hinges},
-          {"cells", cells}};
-}
-
 Json state_json(const NamedState& state) {
   return {{"name", state.name},
           {"model", state.model},
@@ -114,6 +98,22 @@ Json fidelity_json(const std::vector<Fidelity>& rows) {
 }
 
 }  // namespace
+
+Json structure_json(const Run& run, double reach_mm) {
+  const model::Sheet& s = run.structure;
+  Json bodies = Json::array(), hinges = Json::array(), cells = Json::array();
+  for (int b = 0; b < s.bodies(); ++b)
+    bodies.push_back({{"vertex", body_label(s, b)}, {"position_mm", numbers(s.rest_position(b))}});
+  for (int h = 0; h < s.hinges(); ++h) hinges.push_back(hinge_json(run, h, reach_mm));
+  for (int c = 0; c < s.cells(); ++c)
+    cells.push_back({{"cell", cell_label(s, c)}, {"bodies", s.cell_bodies(c)}, {"hinges", s.cell_hinges(c)}});
+  return {{"lattice", lattice_name(s)},
+          {"cell_mm", s.size().edge_mm},
+          {"wall_mm", {{"thickness", s.size().thickness_mm}, {"height", s.size().height_mm}}},
+          {"bodies", bodies},
+          {"hinges", hinges},
+          {"cells", cells}};
+}
 
 Json metrics_json(const Run& run) {
   Json metrics = {{"theta_rad", run.theta}};

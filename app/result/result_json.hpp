@@ -15,4 +15,7 @@ nlohmann::ordered_json metrics_json(const Run& run);
 /// The few lines of it that a person reads on stdout.
 std::string summary(const Run& run);
 
+/// The section `structure` alone. @param reach_mm of hinges that do not say theirs
+nlohmann::ordered_json structure_json(const Run& run, double reach_mm);
+
 }  // namespace kinetix::app

@@ -1,0 +1,151 @@
+#include "app/studio/design_edits.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/files/structure_section.hpp"
+#include "model/base/invalid_input.hpp"
+#include "model/lattice/square/crease.hpp"
+
+namespace kinetix::app::studio {
+namespace {
+
+constexpr int most_cells_a_side = 200;  // what a page can show at 15 frames a second
+
+const targets::KeyTable& only_hinge() {
+  static const targets::KeyTable keys(
+      {{"hinge", targets::value::map(hinge_keys()), {}, "what the hinges are made of"}});
+  return keys;
+}
+
+std::vector<int> hinges_of(const Message& message, int count) {
+  if (message.has("indices")) return message.integers("indices", 0, count - 1);
+  return {message.integer("index", 0, count - 1)};
+}
+
+void change(model::HingeParameters& hinge, const Message& message, double edge_mm) {
+  if (message.has("t")) hinge.t = message.number("t", 0, 1);
+  if (message.has("alpha_deg")) hinge.alpha = message.number("alpha_deg", 0, 180) * radians_per_degree;
+  if (message.has("beta_deg")) hinge.beta = message.number("beta_deg", -90, 90) * radians_per_degree;
+  if (message.has("offset_mm")) hinge.offset = message.number("offset_mm", -edge_mm, edge_mm) / edge_mm;
+}
+
+const model::Structure& squares_of(const DesignFile& design) {
+  if (const model::Structure* squares = design.structure.squares()) return *squares;
+  throw InvalidInput("cells can be painted on a sheet of squares only");
+}
+
+/// The hinge of a wall, or else of one in the same crease: a sheet that grows along its creases stays what it is.
+std::optional<int> model_of(const model::Structure& structure, const model::Wall& wall) {
+  if (const auto same = structure.hinge_at(wall)) return same;
+  model::Wall other = wall;
+  int& line = wall.axis == model::Axis::x ? other.from.j : other.from.i;
+  for (line = 0; line <= most_cells_a_side; ++line)
+    if (const auto found = structure.hinge_at(other)) return found;
+  return std::nullopt;
+}
+
+/// As the hinge of one wall is on another wall across the same crease: tilts alternate along it, and so do the halves.
+model::HingeParameters copied(const model::Hinge& hinge, const model::Wall& wall) {
+  model::HingeParameters out = hinge.parameters;
+  if (alternation(wall) != alternation(hinge.wall)) out.beta = -out.beta;
+  if (wall.from.is_class_a() != hinge.wall.from.is_class_a()) {
+    out.t = 1 - out.t;
+    out.alpha = pi - out.alpha;
+  }
+  return out;
+}
+
+/// Those cells with the hinges of the walls that the design has, too; new ones are as others in their crease.
+DesignFile with_cells(DesignFile design, std::vector<model::Cell> cells, const model::CellSize& size) {
+  const model::Structure before = squares_of(design);
+  model::Structure after = model::make_structure(std::move(cells), size);
+  std::map<int, HingeSection> own;
+  for (std::size_t h = 0; h < after.hinges.size(); ++h)
+    if (const auto old = model_of(before, after.hinges[h].wall)) {
+      after.hinges[h].parameters = copied(before.hinges[*old], after.hinges[h].wall);
+      const auto section = design.own_hinges.find(*old);
+      if (section != design.own_hinges.end()) own[static_cast<int>(h)] = section->second;
+    }
+  design.structure = std::move(after);
+  design.own_hinges = std::move(own);
+  design.drive.reset();
+  return design;
+}
+
+std::array<int, 2> extent(const model::Structure& structure) {
+  std::array<int, 2> most = {0, 0};
+  for (const model::Cell& cell : structure.cells)
+    most = {std::max(most[0], cell.i + 1), std::max(most[1], cell.j + 1)};
+  return most;
+}
+
+std::string kind_text(const Message& message) {
+  const std::string kind = message.text("kind");
+  for (const char* known : {"pin", "block", "film"})
+    if (kind == known) return kind;
+  throw InvalidInput("kind: must be stiff, pin, block or film");
+}
+
+/// What a made hinge must say of its size, where the page does not: a block a little longer than thick, where its
+/// stiffness is well known; a film of two lines of a nozzle over twice that way; a rod as thick as its wall.
+std::string sizes_text(const Message& message, const model::CellSize& size) {
+  const std::string kind = message.text("kind");
+  if (kind == "pin") return fmt::format(", diameter_mm: {:.3g}", std::max(1.0, size.thickness_mm));
+  const double gap = message.has("gap_mm") ? message.number("gap_mm", 0.01, size.edge_mm)
+                     : kind == "block"     ? 1.25 * size.thickness_mm
+                                           : 2 * size.thickness_mm;
+  const std::string thickness = kind == "film" ? ", thickness_mm: 0.4" : "";
+  return fmt::format(", gap_mm: {:.3g}{}", gap, thickness);
+}
+
+}  // namespace
+
+DesignFile with_hinges(DesignFile design, const Message& message) {
+  for (const int h : hinges_of(message, design.structure.hinges()))
+    change(design.structure.hinge(h), message, design.structure.size().edge_mm);
+  validate_hinges(design.structure);
+  return design;
+}
+
+DesignFile with_cell(DesignFile design, const Message& message) {
+  const std::vector<int> at = message.integers("cell", 0, most_cells_a_side - 1);
+  if (at.size() != 2) throw InvalidInput("cell: must be [i, j]");
+  const model::Cell cell{at[0], at[1]};
+  std::vector<model::Cell> cells = squares_of(design).cells;
+  std::erase(cells, cell);
+  if (message.boolean("on")) cells.push_back(cell);
+  const model::CellSize size = design.structure.size();
+  return with_cells(std::move(design), std::move(cells), size);
+}
+
+DesignFile with_sheet(DesignFile design, const Message& message) {
+  const model::Structure& squares = squares_of(design);
+  auto [columns, rows] = extent(squares);
+  const bool redrawn = message.has("columns") || message.has("rows");
+  if (message.has("columns")) columns = message.integer("columns", 1, most_cells_a_side);
+  if (message.has("rows")) rows = message.integer("rows", 1, most_cells_a_side);
+  model::CellSize size = squares.size;
+  if (message.has("cell_mm")) size = default_size(message.number("cell_mm", 0.1, 1000));
+  if (message.has("thickness_mm")) size.thickness_mm = message.number("thickness_mm", 0.01, 100);
+  if (message.has("height_mm")) size.height_mm = message.number("height_mm", 0.01, 1000);
+  std::vector<model::Cell> cells = redrawn ? model::rectangle(columns, rows) : squares.cells;
+  return with_cells(std::move(design), std::move(cells), size);
+}
+
+DesignFile with_made_hinges(DesignFile design, const Message& message) {
+  design.own_hinges.clear();
+  if (message.text("kind") == "stiff") {
+    design.hinge = {};
+    return design;
+  }
+  std::string entries = "kind: " + kind_text(message) + sizes_text(message, design.structure.size());
+  if (message.has("material")) entries += ", material: " + message.text("material");
+  const std::string text = fmt::format("hinge: {{{}}}\n", entries);
+  const targets::Section document(targets::parse_document(text, "the studio"), only_hinge());
+  design.hinge = read_hinge_section(document, design.structure.size());
+  return design;
+}
+
+}  // namespace kinetix::app::studio

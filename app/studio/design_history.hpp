@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "app/files/design_file.hpp"
+
+namespace kinetix::app::studio {
+
+/// A design and those that it came from.
+class DesignHistory {
+ public:
+  explicit DesignHistory(DesignFile first) : designs_{std::move(first)} {}
+
+  const DesignFile& current() const { return designs_[at_]; }
+  /// The next design, in the place of those that were undone.
+  void add(DesignFile design);
+  bool can_undo() const { return at_ > 0; }
+  bool can_redo() const { return at_ + 1 < designs_.size(); }
+  void undo() { at_ -= can_undo() ? 1 : 0; }
+  void redo() { at_ += can_redo() ? 1 : 0; }
+  void mark_saved() { saved_ = static_cast<int>(at_); }
+  bool is_saved() const { return saved_ == static_cast<int>(at_); }
+
+ private:
+  std::vector<DesignFile> designs_;
+  std::size_t at_ = 0;
+  int saved_ = 0;  ///< index of the one that is on the disk; -1: none of these
+};
+
+}  // namespace kinetix::app::studio

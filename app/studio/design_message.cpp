@@ -1,0 +1,75 @@
+#include "app/studio/design_message.hpp"
+
+#include "app/print/formats.hpp"
+#include "app/result/result_json.hpp"
+#include "app/studio/templates.hpp"
+#include "app/version.hpp"
+#include "model/matter/material.hpp"
+#include "model/matter/process.hpp"
+
+namespace kinetix::app::studio {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json hinge_json(const HingeSection& hinge) {
+  if (!hinge.made) return {{"kind", "stiff"}, {"text", hinge_text(hinge)}};
+  const char* kinds[] = {"pin", "block", "film"};
+  return {{"kind", kinds[static_cast<int>(hinge.made->kind)]},
+          {"material", hinge.made->material.name},
+          {"text", hinge_text(hinge)}};
+}
+
+/// What results say of the sheet.
+Json sheet_json(const DesignFile& design) {
+  Run run;
+  run.structure = design.structure;
+  run.hinge = design.hinge;
+  run.own_hinges = design.own_hinges;
+  const double edge = design.structure.size().edge_mm;
+  return structure_json(run, design.hinge.reach_mm.value_or(sim::PhysicsOptions{}.reach * edge));
+}
+
+Json numbers(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+}  // namespace
+
+Json hello_message(const std::string& name) {
+  Json out = {{"type", "hello"}, {"version", version}, {"name", name}};
+  for (const Template& one : templates())
+    out["templates"].push_back({{"name", one.name}, {"about", one.about}});
+  for (const model::Process& process : model::processes()) out["processes"].push_back(process.name);
+  for (const model::Material& material : model::materials()) out["materials"].push_back(material.name);
+  for (const PrintFormat* format : print_formats())
+    out["formats"].push_back({{"name", format->name}, {"about", format->meaning}});
+  return out;
+}
+
+Json design_message(const DesignFile& design, const Moving& moving) {
+  return {{"type", "design"},
+          {"name", design.name},
+          {"structure", sheet_json(design)},
+          {"theta_rad", design.theta},
+          {"theta_range_rad", {moving.least_theta, moving.most_theta}},
+          {"exact", static_cast<bool>(moving.exact)},
+          {"family", moving.exact.name},
+          {"why", moving.exact.why},
+          {"breaking", moving.nearest ? moving.nearest->changed : std::vector<int>{}},
+          {"hinge", hinge_json(design.hinge)},
+          {"flat_mm", numbers(flat_size(moving.linkage))},
+          {"goal", nullptr}};
+}
+
+Json state_message(const Player& player) {
+  const char* modes[] = {"exact", "equilibrium", "bullet"};
+  return {{"type", "state"},
+          {"mode", modes[static_cast<int>(player.mode())]},
+          {"paused", player.paused()},
+          {"gravity", player.gravity()},
+          {"springs", player.springs()},
+          {"speed", player.speed()},
+          {"fixed", player.fixed()},
+          {"driven", player.driven()}};
+}
+
+}  // namespace kinetix::app::studio

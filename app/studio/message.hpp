@@ -1,0 +1,39 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kinetix::app::studio {
+
+/// A command of the page, read strictly: every getter throws InvalidInput that names the key and what is allowed.
+class Message {
+ public:
+  /// @throws InvalidInput for text that is no JSON object with a `type`, or whose `id` is no positive number
+  explicit Message(std::string_view text);
+
+  const std::string& type() const { return type_; }
+  double id() const { return id_; }  ///< 0: none
+
+  bool has(const char* key) const { return body_.contains(key); }
+  double number(const char* key, double least, double most) const;
+  int integer(const char* key, int least, int most) const;
+  bool boolean(const char* key) const;
+  std::string text(const char* key) const;
+  Eigen::Vector3d point(const char* key) const;  ///< mm
+  std::vector<int> integers(const char* key, int least, int most) const;
+  std::vector<std::string> texts(const char* key) const;
+  /// Of a map from names to texts.
+  std::vector<std::pair<std::string, std::string>> named_texts(const char* key) const;
+
+ private:
+  const nlohmann::json& at(const char* key, const char* what) const;
+
+  nlohmann::json body_;
+  std::string type_;
+  double id_ = 0;
+};
+
+}  // namespace kinetix::app::studio

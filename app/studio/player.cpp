@@ -1,0 +1,172 @@
+#include "app/studio/player.hpp"
+
+#include <algorithm>
+
+#include "model/base/invalid_input.hpp"
+#include "model/closure/drive_theta.hpp"
+#include "model/sheet/sheet_motion.hpp"
+
+namespace kinetix::app::studio {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double step_s = 1.0 / 240;  // of the engine
+constexpr double most_owed_s = 0.1;   // simulated: a slow engine shows slow motion, it does not catch up
+// Of computing between two frames: 20 of them a second are shown however slow the engine is.
+constexpr std::chrono::milliseconds busy{30};
+constexpr double folded = 0.01;  // rad of theta: nearer to flat there is nothing to hold
+
+}  // namespace
+
+Player::Player(const DesignFile& design) : force_N_(nan), energy_Nmm_(nan) {
+  springs_ = design.hinge.model == HingeSection::Model::elastic;
+  load(design);
+  fold_to(design.theta);
+}
+
+void Player::load(const DesignFile& design) {
+  const double theta = theta_;
+  const bool plays_on = mode_ == Mode::bullet;
+  live_.reset();
+  design_ = design;
+  moving_ = std::make_unique<Moving>(design_);
+  fixed_.clear();
+  theta_ = theta;
+  mode_ = wanted_ == Mode::exact && !moving_->exact ? Mode::equilibrium : wanted_;
+  state_ = moving_->exact ? moving_->exact.at(theta_) : rest_state(moving_->linkage);
+  force_N_ = energy_Nmm_ = nan;
+  if (plays_on) enter_engine();
+}
+
+void Player::enter(Mode mode) {
+  if (mode == Mode::exact && !moving_->exact)
+    throw InvalidInput("exact: this design does not move exactly: " + moving_->exact.why);
+  wanted_ = mode;
+  if (mode == mode_) return;
+  theta_ = theta();
+  force_N_ = energy_Nmm_ = nan;
+  live_.reset();
+  mode_ = mode;
+  if (mode == Mode::exact) state_ = moving_->exact.at(theta_);
+  if (mode == Mode::bullet) enter_engine();
+}
+
+void Player::enter_engine() {
+  const double at = model::mean_theta(moving_->linkage, state_);
+  live_ = live_sheet(design_, moving_->linkage, springs());
+  live_->set_gravity(gravity_);
+  live_->place(state_);
+  for (const int body : fixed_) live_->fix(body, true);
+  owed_s_ = 0;
+  played_ = Clock::now();
+  if (springs() && std::abs(at) > folded) drive_engine(at);
+}
+
+void Player::drive_engine(double theta) {
+  const model::State reference = moving_->exact ? moving_->exact.at(this->theta()) : state_;
+  live_->drive_to(model::drive_to(design_.structure, theta), reference);
+}
+
+sim::LiveSheet& Player::engine() {
+  if (live_) return *live_;
+  throw InvalidInput("this needs the physics: mode bullet");
+}
+
+void Player::fold_to(double theta) {
+  if (mode_ == Mode::bullet) return drive_engine(theta);
+  theta_ = theta;
+  if (mode_ == Mode::exact) state_ = moving_->exact.at(theta_);
+}
+
+void Player::show_equilibrium(const model::State& state, double theta, double force_N, double energy_Nmm) {
+  if (mode_ != Mode::equilibrium) return;
+  state_ = state;
+  theta_ = theta;
+  force_N_ = force_N;
+  energy_Nmm_ = energy_Nmm;
+}
+
+void Player::drag(int body, const Eigen::Vector3d& at, const Eigen::Vector3d& to) {
+  if (mode_ == Mode::bullet) return live_->drag(body, at, to);
+  if (!moving_->exact)
+    throw InvalidInput("drag: the design has no exact way to follow; use the physics, or the fold slider");
+  fold_to(nearest_theta(*moving_, theta_, body, at, to));
+}
+
+void Player::push(int body, const Eigen::Vector3d& at, double force_N) {
+  const model::Linkage& linkage = moving_->linkage;
+  const Eigen::Vector3d arm = at - linkage.rest_position(body);
+  const model::Plate* nearest = nullptr;
+  double least = 0;
+  for (const model::Plate& plate : linkage.plates) {
+    if (plate.body != body) continue;
+    const double along = arm.dot(plate.edge);
+    if (!nearest || along > least) nearest = &plate, least = along;
+  }
+  if (!nearest) throw InvalidInput("body: has no plate to push on");
+  engine().push(body, at, force_N * nearest->edge.cross(nearest->up));
+}
+
+void Player::fix(int body, bool on) {
+  if (on)
+    fixed_.insert(body);
+  else
+    fixed_.erase(body);
+  if (live_) live_->fix(body, on);
+}
+
+void Player::release() {
+  if (live_) live_->release();
+}
+
+void Player::reset() {
+  fixed_.clear();
+  theta_ = 0;
+  state_ = rest_state(moving_->linkage);
+  force_N_ = energy_Nmm_ = nan;
+  if (mode_ == Mode::exact) state_ = moving_->exact.at(0);
+  if (live_) enter_engine();
+}
+
+void Player::set_gravity(bool on) {
+  gravity_ = on;
+  if (live_) live_->set_gravity(on);
+}
+
+void Player::set_springs(bool on) {
+  springs_ = on;
+  if (live_) enter_engine();
+}
+
+void Player::step() {
+  engine().step();
+  state_ = live_->state();
+}
+
+bool Player::plays() const { return live_ && !paused_ && (gravity_ || !live_->is_at_rest()); }
+
+void Player::play() {
+  const Clock::time_point now = Clock::now();
+  const double passed = std::chrono::duration<double>(now - played_).count();
+  owed_s_ = std::min(owed_s_ + speed_ * passed, most_owed_s);
+  played_ = now;
+  if (!plays()) return;
+  for (; owed_s_ >= step_s && Clock::now() - now < busy; owed_s_ -= step_s) step();
+}
+
+double Player::theta() const {
+  return mode_ == Mode::bullet ? model::mean_theta(moving_->linkage, state_) : theta_;
+}
+
+Frame Player::frame() const {
+  Frame frame;
+  frame.mode = mode_;
+  frame.theta = theta();
+  frame.state = state_;
+  frame.force_N = live_ ? live_->hand_force_N() : force_N_;
+  frame.energy_Nmm = live_ ? live_->hinge_energy_Nmm() : energy_Nmm_;
+  frame.seconds = live_ ? live_->seconds() : 0;
+  return frame;
+}
+
+}  // namespace kinetix::app::studio

@@ -1,0 +1,363 @@
+#include "app/studio/server.hpp"
+
+#include <utility>
+
+// Boost.Asio of 1.74 forgets <utility>.
+#include <boost/asio.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/http.hpp>
+#include <boost/beast/websocket.hpp>
+#include <chrono>
+#include <csignal>
+#include <deque>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "model/base/invalid_input.hpp"
+
+namespace kinetix::app::studio {
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = beast::http;
+namespace websocket = beast::websocket;
+using boost::system::error_code;
+using tcp = asio::ip::tcp;
+
+constexpr std::size_t most_clients = 8;             // pages: more than one person opens
+constexpr int most_connections = 64;                // of a browser, while it loads
+constexpr std::size_t largest_message = 768 << 10;  // bytes: a picture or a scan in base64
+constexpr std::size_t largest_request = 8 << 10;    // bytes of an HTTP header
+constexpr std::size_t longest_ack = 100;            // bytes of a text that may be an acknowledgement
+constexpr int most_in_flight = 2;                   // frames that a page has not acknowledged
+constexpr std::size_t most_texts_waiting = 1000;    // for a page that does not read
+constexpr std::chrono::seconds patience{5};         // with a request, and with a first message
+
+constexpr std::string_view policy =
+    "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; img-src 'self' data: "
+    "blob:; "
+    "media-src blob:; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+
+using Request = http::request<http::empty_body>;
+using Response = http::response<http::string_body>;
+
+/// In the same time whatever is wrong.
+bool same_secret(std::string_view a, std::string_view b) {
+  if (a.size() != b.size()) return false;
+  unsigned char differs = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) differs |= static_cast<unsigned char>(a[k] ^ b[k]);
+  return differs == 0;
+}
+
+std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }
+
+class Page;
+
+}  // namespace
+
+struct Server::Engine {
+  std::span<const WebFile> files;
+  std::string token;
+  Visitors visitors;
+  asio::io_context io{1};
+  tcp::acceptor acceptor{io};
+  asio::signal_set signals{io, SIGINT, SIGTERM};
+  std::map<int, std::shared_ptr<Page>> pages;
+  std::set<std::string> hosts;  ///< that we go by
+  int connections = 0;
+  int next_client = 1;
+  std::int64_t next_frame = 1;
+  std::shared_ptr<const Frame> newest;
+
+  void listen(std::uint16_t port);
+  void accept();
+  bool knows_host(std::string_view host) const { return hosts.count(std::string(host)) > 0; }
+  bool knows_origin(std::string_view origin) const {
+    constexpr std::string_view scheme = "http://";
+    return origin.substr(0, scheme.size()) == scheme && knows_host(origin.substr(scheme.size()));
+  }
+};
+
+namespace {
+
+using Engine = Server::Engine;
+
+/// A WebSocket with its page.
+class Page : public std::enable_shared_from_this<Page> {
+ public:
+  Page(Engine& engine, tcp::socket socket, int client)
+      : engine_(engine), socket_(std::move(socket)), client_(client), timer_(engine.io) {}
+
+  /// @param known whether the request had the token   @param protocol to be named in the answer, or empty
+  void start(const Request& request, bool known, const std::string& protocol) {
+    socket_.read_message_max(largest_message);
+    socket_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
+    socket_.set_option(websocket::stream_base::decorator([protocol](websocket::response_type& response) {
+      if (!protocol.empty()) response.set(http::field::sec_websocket_protocol, protocol);
+    }));
+    socket_.async_accept(request, [self = shared_from_this(), known](error_code error) {
+      if (error) return self->leave();
+      if (known) self->welcome();
+      if (!known) self->wait_for_token();
+      self->read();
+    });
+  }
+
+  void tell(std::string text) {
+    if (!known_) return;
+    texts_.push_back(std::move(text));
+    if (texts_.size() > most_texts_waiting) return close();
+    write();
+  }
+
+  void show() {
+    if (!known_) return;
+    unseen_ = true;
+    write();
+  }
+
+  void close() {
+    if (closed_) return;
+    closed_ = true;
+    error_code ignored;
+    beast::get_lowest_layer(socket_).close(ignored);
+    leave();
+  }
+
+ private:
+  void wait_for_token() {
+    timer_.expires_after(patience);
+    timer_.async_wait([self = shared_from_this()](error_code error) {
+      if (!error && !self->known_) self->close();
+    });
+  }
+
+  void welcome() {
+    known_ = true;
+    timer_.cancel();
+    engine_.visitors.come(client_);
+    if (engine_.newest) show();
+  }
+
+  void read() {
+    socket_.async_read(buffer_, [self = shared_from_this()](error_code error, std::size_t) {
+      if (error) return self->leave();
+      self->hear();
+    });
+  }
+
+  void hear() {
+    const std::string text = beast::buffers_to_string(buffer_.data());
+    buffer_.consume(buffer_.size());
+    if (!known_ && !same_secret(text, engine_.token)) return close();
+    if (!known_)
+      welcome();
+    else if (!socket_.got_text())
+      tell(R"({"type": "error", "message": "commands are texts"})");
+    else if (!acknowledges(text))
+      engine_.visitors.say(client_, text);
+    if (!closed_) read();
+  }
+
+  /// Frames are acknowledged all the time: this alone is read here.
+  bool acknowledges(const std::string& text) {
+    if (text.size() > longest_ack) return false;
+    const auto message = nlohmann::json::parse(text, nullptr, false);
+    if (!message.is_object() || message.value("type", nlohmann::json()) != "ack") return false;
+    const auto frame = message.value("frame", nlohmann::json());
+    if (!frame.is_number()) return false;
+    while (!flying_.empty() && static_cast<double>(flying_.front()) <= frame.get<double>())
+      flying_.pop_front();
+    write();
+    return true;
+  }
+
+  void write() {
+    if (writing_ || closed_) return;
+    if (!texts_.empty()) {
+      out_ = std::move(texts_.front());
+      texts_.pop_front();
+      socket_.text(true);
+    } else if (unseen_ && flying_.size() < most_in_flight) {
+      unseen_ = false;
+      flying_.push_back(engine_.next_frame);
+      out_ = frame_bytes(*engine_.newest, engine_.next_frame++, client_);
+      socket_.binary(true);
+    } else {
+      return;
+    }
+    writing_ = true;
+    socket_.async_write(asio::buffer(out_), [self = shared_from_this()](error_code error, std::size_t) {
+      self->writing_ = false;
+      if (error) return self->leave();
+      self->write();
+    });
+  }
+
+  void leave() {
+    closed_ = true;
+    timer_.cancel();
+    engine_.pages.erase(client_);
+  }
+
+  Engine& engine_;
+  websocket::stream<tcp::socket> socket_;
+  const int client_;
+  asio::steady_timer timer_;
+  bool known_ = false;  ///< it said the token, and the handshake is through
+  bool closed_ = false, writing_ = false;
+  beast::flat_buffer buffer_;
+  std::string out_;
+  std::deque<std::string> texts_;
+  bool unseen_ = false;              ///< the newest frame
+  std::deque<std::int64_t> flying_;  ///< frames that were sent and not acknowledged
+};
+
+/// A connection before it is a WebSocket.
+class Connection : public std::enable_shared_from_this<Connection> {
+ public:
+  Connection(Engine& engine, tcp::socket socket) : engine_(engine), stream_(std::move(socket)) {
+    ++engine_.connections;
+  }
+  ~Connection() { --engine_.connections; }
+
+  void read() {
+    parser_.emplace();
+    parser_->header_limit(largest_request);
+    parser_->body_limit(0);
+    stream_.expires_after(patience);
+    http::async_read(stream_, buffer_, *parser_, [self = shared_from_this()](error_code error, std::size_t) {
+      if (!error) self->answer(self->parser_->release());
+    });
+  }
+
+ private:
+  void answer(const Request& request) {
+    if (!engine_.knows_host(view(request[http::field::host])))
+      return respond(request, http::status::forbidden, "this server has another name\n");
+    if (websocket::is_upgrade(request)) return upgrade(request);
+    if (request.method() != http::verb::get && request.method() != http::verb::head)
+      return respond(request, http::status::method_not_allowed, "GET and HEAD only\n");
+    const std::string_view path = view(request.target()).substr(0, request.target().find('?'));
+    for (const WebFile& file : engine_.files)
+      if (file.path == path) return respond(request, http::status::ok, file.content, file.type);
+    respond(request, http::status::not_found, "there is no such file\n");
+  }
+
+  void upgrade(const Request& request) {
+    const std::string_view target = view(request.target()), token = engine_.token;
+    const auto origin = request.find(http::field::origin);
+    if (origin != request.end() && !engine_.knows_origin(view(origin->value())))
+      return respond(request, http::status::forbidden, "pages of other servers are not let in\n");
+    constexpr std::string_view place = "/session";
+    if (target.substr(0, place.size()) != place)
+      return respond(request, http::status::not_found, "the WebSocket is /session\n");
+    if (engine_.pages.size() >= most_clients)
+      return respond(request, http::status::service_unavailable, "eight pages are open already\n");
+    std::string_view given = target.substr(place.size());
+    if (given.substr(0, 1) == "/") given.remove_prefix(1);
+    if (given.substr(0, 7) == "?token=") given.remove_prefix(7);
+    const std::string protocol(view(request[http::field::sec_websocket_protocol]));
+    const bool by_protocol = same_secret(protocol, token), by_address = same_secret(given, token);
+    if (!by_protocol && !by_address && !(given.empty() && protocol.empty()))
+      return respond(request, http::status::forbidden, "the token is another one\n");
+    stream_.expires_never();
+    const int client = engine_.next_client++;
+    const auto page = std::make_shared<Page>(engine_, stream_.release_socket(), client);
+    engine_.pages[client] = page;
+    page->start(request, by_protocol || by_address, by_protocol ? protocol : "");
+  }
+
+  void respond(const Request& request, http::status status, std::string_view content,
+               std::string_view type = "text/plain; charset=utf-8") {
+    response_ = Response(status, request.version());
+    response_.set(http::field::content_type, beast::string_view(type.data(), type.size()));
+    response_.set(http::field::cache_control, "no-store");
+    response_.set("Content-Security-Policy", beast::string_view(policy.data(), policy.size()));
+    response_.set("X-Content-Type-Options", "nosniff");
+    response_.set("Referrer-Policy", "no-referrer");
+    response_.set("Cross-Origin-Resource-Policy", "same-origin");
+    response_.body() = request.method() == http::verb::head ? "" : std::string(content);
+    response_.content_length(content.size());
+    response_.keep_alive(request.keep_alive() && status == http::status::ok);
+    http::async_write(stream_, response_, [self = shared_from_this()](error_code error, std::size_t) {
+      if (!error && self->response_.keep_alive()) return self->read();
+      error_code ignored;
+      self->stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
+    });
+  }
+
+  Engine& engine_;
+  beast::tcp_stream stream_;
+  beast::flat_buffer buffer_;
+  std::optional<http::request_parser<http::empty_body>> parser_;
+  Response response_;
+};
+
+}  // namespace
+
+void Server::Engine::listen(std::uint16_t port) {
+  error_code error;
+  const tcp::endpoint here(asio::ip::address_v4::loopback(), port);
+  acceptor.open(here.protocol(), error);
+  if (!error) acceptor.set_option(asio::socket_base::reuse_address(true), error);
+  if (!error) acceptor.bind(here, error);
+  if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
+  if (error) throw InvalidInput("port " + std::to_string(port) + " of 127.0.0.1: " + error.message());
+  const std::string at = ":" + std::to_string(acceptor.local_endpoint().port());
+  hosts = {"127.0.0.1" + at, "localhost" + at};
+}
+
+void Server::Engine::accept() {
+  acceptor.async_accept([this](error_code error, tcp::socket socket) {
+    if (error == asio::error::operation_aborted) return;
+    if (!error && connections < most_connections) {
+      error_code ignored;
+      socket.set_option(tcp::no_delay(true), ignored);
+      std::make_shared<Connection>(*this, std::move(socket))->read();
+    }
+    accept();
+  });
+}
+
+Server::Server(std::span<const WebFile> files, std::string token, std::uint16_t port, Visitors visitors)
+    : engine_(std::make_unique<Engine>()) {
+  engine_->files = files;
+  engine_->token = std::move(token);
+  engine_->visitors = std::move(visitors);
+  engine_->listen(port);
+}
+
+Server::~Server() = default;
+
+std::uint16_t Server::port() const { return engine_->acceptor.local_endpoint().port(); }
+
+void Server::run() {
+  engine_->signals.async_wait([this](error_code error, int) {
+    if (!error) engine_->io.stop();
+  });
+  engine_->accept();
+  engine_->io.run();
+}
+
+void Server::stop() { engine_->io.stop(); }
+
+void Server::tell(int client, std::string text) {
+  asio::post(engine_->io, [this, client, text = std::move(text)] {
+    const auto pages = engine_->pages;
+    for (const auto& [number, page] : pages)
+      if (client < 0 || client == number) page->tell(text);
+  });
+}
+
+void Server::show(std::shared_ptr<const Frame> frame) {
+  asio::post(engine_->io, [this, frame = std::move(frame)] {
+    engine_->newest = frame;
+    const auto pages = engine_->pages;
+    for (const auto& [number, page] : pages) page->show();
+  });
+}
+
+}  // namespace kinetix::app::studio

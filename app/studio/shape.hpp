@@ -1,0 +1,37 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "app/files/design_file.hpp"
+#include "app/studio/frame.hpp"
+#include "model/linkage/exact_motion.hpp"
+#include "model/sheet/nearest_design.hpp"
+#include "sim/live_sheet.hpp"
+
+namespace kinetix::app::studio {
+
+/// A design with what is known of its motion.
+struct Moving {
+  explicit Moving(const DesignFile& design);
+
+  model::Linkage linkage;
+  model::ExactMotion exact;
+  std::optional<model::NearestDesign> nearest;  ///< where it does not move exactly, and one is known
+  double least_theta = 0, most_theta = 0;       ///< rad, where no walls touch on the exact way
+};
+
+/// theta, rad, within the range, at which the point `at` of a body (rest place, mm) comes nearest to `to` (mm) on the
+/// exact way, found from a theta near to it. @pre moving.exact
+double nearest_theta(const Moving& moving, double from, int body, const Eigen::Vector3d& at,
+                     const Eigen::Vector3d& to);
+
+/// A design in the engine, ready to be played with, flat. @param springs hinges as elastic as the design says
+/// @param linkage of the design; must outlive it
+std::unique_ptr<sim::LiveSheet> live_sheet(const DesignFile& design, const model::Linkage& linkage,
+                                           bool springs);
+
+/// Extent of the flat sheet with its walls, mm.
+Eigen::Vector3d flat_size(const model::Linkage& linkage);
+
+}  // namespace kinetix::app::studio

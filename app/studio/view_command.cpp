@@ -1,0 +1,78 @@
+#include "app/studio/view_command.hpp"
+
+#include <filesystem>
+#include <iostream>
+#include <random>
+
+#include "app/cli/open_report.hpp"
+#include "app/goals/read_target.hpp"
+#include "app/studio/server.hpp"
+#include "app/studio/session.hpp"
+#include "app/studio/templates.hpp"
+#include "app/viewer/assets.hpp"
+#include "targets/document/document.hpp"
+
+namespace kinetix::app {
+namespace {
+
+namespace fs = std::filesystem;
+using studio::Opened;
+
+Opened opened_file(const std::string& file) {
+  const targets::Node root = targets::read_document(file, max_design_bytes);
+  if (!root.optional("target")) return {read_design(root), file, "", 0, 0};
+  const std::string name = read_target(root).goal->name();
+  return {studio::template_design("panel"), "results/" + name + "/design.yaml", file, 0, 0};
+}
+
+Opened opened_source(const std::string& source) {
+  if (source.empty()) return {studio::template_design("panel"), "results/studio/design.yaml", "", 0, 0};
+  if (!fs::is_directory(source)) return opened_file(source);
+  const fs::path inside = fs::path(source) / "design.yaml";
+  if (fs::exists(inside)) return opened_file(inside.string());
+  throw InvalidInput(source +
+                     ": no design.yaml in this folder; give a design, a target, or the folder of a result");
+}
+
+/// 128 bits that nobody can guess, as hexadecimal digits.
+std::string random_token() {
+  std::random_device device;
+  std::string token;
+  for (int k = 0; k < 32; ++k) token += "0123456789abcdef"[device() % 16];
+  return token;
+}
+
+std::vector<studio::WebFile> web_files() {
+  std::vector<studio::WebFile> files;
+  for (const Asset& asset : studio_assets()) files.push_back({asset.path, asset.type, asset.content});
+  if (files.empty())
+    throw InvalidInput("this program was built without the studio: its pages need npm when it is built");
+  return files;
+}
+
+}  // namespace
+
+int view_command(const CommandOptions& options, const ViewRequest& request) {
+  const std::vector<studio::WebFile> files = web_files();
+  Opened opened = opened_source(request.source);
+  opened.threads = options.threads;
+  opened.seed = options.seed;
+  const std::string token = random_token();
+  studio::Session* to = nullptr;
+  studio::Server server(files, token, static_cast<std::uint16_t>(request.port),
+                        {[&](int client) { to->greet(client); },
+                         [&](int client, std::string text) { to->post(client, std::move(text)); }});
+  studio::Session session(
+      std::move(opened),
+      {[&](int client, std::string text) { server.tell(client, std::move(text)); },
+       [&](std::shared_ptr<const studio::Frame> frame) { server.show(std::move(frame)); }});
+  to = &session;
+  std::jthread worker([&](const std::stop_token& stop) { session.run(stop); });
+  const std::string address = "http://127.0.0.1:" + std::to_string(server.port()) + "/#" + token;
+  std::cout << address << std::endl;
+  if (request.opens_page) open_report(address);
+  server.run();
+  return done;
+}
+
+}  // namespace kinetix::app

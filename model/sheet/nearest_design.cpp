@@ -1,0 +1,98 @@
+#include "model/sheet/nearest_design.hpp"
+
+#include <algorithm>
+
+#include "model/lattice/planar/exact_designs.hpp"
+#include "model/lattice/square/crease.hpp"
+#include "model/sheet/sheet_motion.hpp"
+
+namespace kinetix::model {
+namespace {
+
+constexpr double same = 1e-12;  // rad or cell edges: less is no change
+
+/// One of them, so that as few as can be have to change.
+double middle(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+double change(const HingeParameters& a, const HingeParameters& b) {
+  const Eigen::Vector4d d(a.t - b.t, a.alpha - b.alpha, a.beta - b.beta, a.offset - b.offset);
+  return d.squaredNorm();
+}
+
+NearestDesign compared(Sheet sheet, const Sheet& with) {
+  NearestDesign out{std::move(sheet), {}};
+  for (int h = 0; h < with.hinges(); ++h)
+    if (change(out.sheet.hinge(h), with.hinge(h)) > same * same) out.changed.push_back(h);
+  return out;
+}
+
+double distance(const Sheet& a, const Sheet& b) {
+  double sum = 0;
+  for (int h = 0; h < a.hinges(); ++h) sum += change(a.hinge(h), b.hinge(h));
+  return sum;
+}
+
+/// The fraction of a wall that belongs to its body of class A, and back.
+double from_class_a(const Hinge& hinge, double t) { return hinge.wall.from.is_class_a() ? t : 1 - t; }
+
+/// The walls across one crease, all with the same tilt; upright ones with the hinge at the same place.
+void align(Structure& structure, const Crease& crease, bool tilted) {
+  std::vector<double> tilts, places;
+  for (const int h : crease.hinges) {
+    const Hinge& hinge = structure.hinges[h];
+    tilts.push_back(alternation(hinge.wall) * hinge.parameters.beta);
+    places.push_back(from_class_a(hinge, hinge.parameters.t));
+  }
+  const double tilt = tilted ? middle(std::move(tilts)) : 0, t = middle(std::move(places));
+  set_tilt(structure, crease, tilt);
+  if (tilt != 0) return;
+  for (const int h : crease.hinges) structure.hinges[h].parameters.t = from_class_a(structure.hinges[h], t);
+}
+
+enum class Tilted { both, along_x, along_y };
+
+/// @param centred where the walls that do not tilt have their hinges in the middle
+Structure aligned(Structure structure, Tilted which, bool centred) {
+  for (const Crease& crease : find_creases(structure).list) {
+    const bool along_x = crease.axis == Axis::x;
+    const bool tilted = which == Tilted::both || (which == Tilted::along_x) == along_x;
+    align(structure, crease, tilted);
+    if (!tilted && centred) set_tilt(structure, crease, 0);
+  }
+  return structure;
+}
+
+Sheet upright(Sheet sheet) {
+  for (int h = 0; h < sheet.hinges(); ++h) {
+    sheet.hinge(h).alpha = pi / 2;
+    sheet.hinge(h).beta = 0;
+  }
+  const PlanarStructure closed = nearest_exact(planar_structure(sheet));
+  for (int h = 0; h < sheet.hinges(); ++h) sheet.hinge(h) = closed.hinges[h];
+  return sheet;
+}
+
+std::vector<Sheet> candidates(const Sheet& sheet) {
+  std::vector<Sheet> all;
+  if (const Structure* squares = sheet.squares())
+    for (const Tilted which : {Tilted::both, Tilted::along_x, Tilted::along_y})
+      for (const bool centred : {false, true}) all.push_back(aligned(*squares, which, centred));
+  all.push_back(upright(sheet));
+  return all;
+}
+
+}  // namespace
+
+std::optional<NearestDesign> nearest_design(const Sheet& sheet) {
+  if (exact_motion(sheet)) return NearestDesign{sheet, {}};
+  std::vector<Sheet> all = candidates(sheet);
+  std::erase_if(all, [](const Sheet& one) { return !exact_motion(one); });
+  if (all.empty()) return std::nullopt;
+  const auto nearer = [&](const Sheet& a, const Sheet& b) { return distance(a, sheet) < distance(b, sheet); };
+  return compared(*std::min_element(all.begin(), all.end(), nearer), sheet);
+}
+
+}  // namespace kinetix::model

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "model/sheet/sheet.hpp"
+
+namespace kinetix::model {
+
+/// A design of the same cells that moves exactly, and what it changes.
+struct NearestDesign {
+  Sheet sheet;
+  std::vector<int> changed;  ///< hinges, ascending: they break the rule
+};
+
+/// Of some exact designs that are near the one that changes hinges least (sum of squares, of tilts and angles in rad, of
+/// t and offsets in cell edges): every crease with one tilt, the middle one of its walls; the creases along x alone, or
+/// along y alone; on upright hinges the places that close every cell. The sheet itself where it moves exactly.
+/// @return nothing where none of these does, which lattices of other than squares with leaning hinges have
+std::optional<NearestDesign> nearest_design(const Sheet& sheet);
+
+}  // namespace kinetix::model

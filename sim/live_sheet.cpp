@@ -1,0 +1,230 @@
+#include "sim/live_sheet.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "model/closure/drive_theta.hpp"
+#include "model/hinge/hinge_energy.hpp"
+#include "sim/hand.hpp"
+#include "sim/rigid_parts.hpp"
+#include "sim/world.hpp"
+
+namespace kinetix::sim {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double hand_stiffness =
+    300;                       // part mass / s^2, a part of the sheet: it follows within a tenth of a second
+constexpr double damping = 4;  // 1/s, of all speeds: a sheet that is let go stands still after a second
+constexpr double drive_speed = 1;  // rad of theta a second: a fold takes about one
+constexpr double longest_way =
+    0.1;  // cell edges or rad a step: further on, what was linearised tells nothing
+constexpr double shortest_way =
+    1e-6;                      // likewise: a sheet that cannot go so far without gaining energy stands
+constexpr double fall = 10;    // cell edges / s^2: weight shows within a second and does not tear hinges
+constexpr double newton = 30;  // part mass edge / s^2: a push of 1 N where hinges are rigid
+constexpr double flat_theta = 0.01;     // rad: below, a hand that presses finds no lever arm
+constexpr double flat_push = 0.5;       // rad / s^2 that then turns the parts to the side of positive theta
+constexpr double resting_speed = 1e-4;  // cell edges/s or rad/s: nobody sees it
+constexpr double widest_gap = 0.5;      // cell edges, of a hinge: the sheet would not have held
+constexpr double elastic_stiffness =
+    1000;  // of a hinge point, part masses / step^2 (PhysicsOptions::elastic)
+
+Vector3d in_rest_frame(const model::Linkage& structure, int body, const Vector3d& at) {
+  return (at - structure.rest_position(body)) / structure.size.edge_mm;
+}
+
+}  // namespace
+
+LiveSheet::LiveSheet(const model::Linkage& structure, const PhysicsOptions& options, double k_point_N_mm)
+    : structure_(structure),
+      options_(options),
+      k_point_(k_point_N_mm),
+      way_(longest_way),
+      state_(rest_state(structure)) {
+  rebuild();
+}
+
+LiveSheet::~LiveSheet() = default;
+
+void LiveSheet::rebuild() {
+  std::vector<Hold> holds;
+  if (world_) holds = world_->hand().holds;
+  world_ = std::make_unique<World>(structure_, drive_, options_);
+  world_->parts().place(state_);
+  for (Hold& hold : holds) hold.place = state_[hold.body];
+  world_->hand().holds = std::move(holds);
+  if (drive_) world_->set_drive(theta_);
+  world_->limit_way(way_);
+}
+
+void LiveSheet::place(const model::State& state) {
+  state_ = state;
+  push_.reset();
+  drive_.reset();
+  rebuild();
+}
+
+void LiveSheet::drag(int body, const Vector3d& at, const Vector3d& to) {
+  if (drive_) release();
+  const double parts = static_cast<double>(structure_.bodies.size());
+  world_->hand().grasp =
+      Grasp{body, in_rest_frame(structure_, body, at), to / structure_.size.edge_mm, hand_stiffness * parts};
+}
+
+void LiveSheet::push(int body, const Vector3d& at, const Vector3d& force_N) {
+  if (drive_) release();
+  push_ = Push{body, in_rest_frame(structure_, body, at), force_N / force_unit()};
+}
+
+void LiveSheet::release() {
+  world_->hand().grasp.reset();
+  push_.reset();
+  if (!drive_) return;
+  drive_.reset();
+  rebuild();
+}
+
+void LiveSheet::fix(int body, bool fixed) {
+  std::vector<Hold>& holds = world_->hand().holds;
+  std::erase_if(holds, [body](const Hold& hold) { return hold.body == body; });
+  if (fixed) holds.push_back({body, state_[body]});
+}
+
+bool LiveSheet::is_fixed(int body) const {
+  const auto& holds = world_->hand().holds;
+  return std::any_of(holds.begin(), holds.end(), [body](const Hold& hold) { return hold.body == body; });
+}
+
+bool LiveSheet::is_dragged() const { return world_->hand().grasp.has_value(); }
+
+void LiveSheet::drive_to(const model::LinkageDrive& drive, const model::State& reference) {
+  push_.reset();
+  theta_ = mean_theta(structure_, state_);
+  drive_ = drive;
+  state_ = aligned(state_, reference);
+  stand_between_plates();
+  rebuild();
+}
+
+/// Plates close in on the middle of the flat sheet, and hold a body of each row at its height.
+void LiveSheet::stand_between_plates() {
+  if (drive_->kind != model::LinkageDrive::Kind::plates) return;
+  const int along = drive_->axis == model::Axis::x ? 0 : 1;
+  Vector3d shift = Vector3d::Zero();
+  for (const std::vector<int>& row : drive_->gripped) {
+    const int middle = row[row.size() / 2];
+    shift[along] += 0.5 * (structure_.rest_position(middle) - state_[middle].p)[along];
+    shift.z() -= 0.5 * state_[middle].p.z();
+  }
+  for (model::Pose& pose : state_) pose.p += shift;
+}
+
+void LiveSheet::step() {
+  const double before = energy();
+  if (drive_) advance_drive();
+  apply_forces();
+  leave_flat();
+  world_->step();
+  world_->parts().damp(std::exp(-damping * options_.step_s));
+  accept(before);
+  seconds_ += options_.step_s;
+}
+
+void LiveSheet::advance_drive() {
+  const double way = drive_speed * options_.step_s;
+  theta_ += std::clamp(drive_->theta() - theta_, -way, way);
+  world_->set_drive(theta_);
+}
+
+void LiveSheet::apply_forces() {
+  std::vector<model::Twist> kicks(state_.size());
+  if (gravity_)
+    for (model::Twist& kick : kicks) kick.v.z() -= fall;
+  if (push_) {
+    const Eigen::Matrix3d& R = state_[push_->body].R;
+    const Vector3d force = R * push_->force;
+    kicks[push_->body].v += force / RigidParts::mass;
+    kicks[push_->body].omega += (R * push_->arm).cross(force) / (RigidParts::mass * options_.part_inertia);
+  }
+  if (gravity_ || push_) world_->parts().start(kicks, options_.step_s);
+}
+
+/// The flat state is a dead point: forces in its plane have no lever arm.
+void LiveSheet::leave_flat() {
+  if (!is_pulled()) return;
+  const double theta = mean_theta(structure_, state_), goal = drive_ ? drive_->theta() : 1;
+  if (std::abs(theta) < flat_theta && goal != 0)
+    world_->parts().push((theta < 0 || goal < 0 ? -1 : 1) * flat_push * options_.step_s);
+}
+
+bool LiveSheet::holds(const model::State& next) const {
+  return hinge_gaps(structure_, next).max <= widest_gap;
+}
+
+/// Takes the new state over, or stays where hinges would have broken, numbers overflowed, or energy came from nowhere:
+/// then the next step is shorter.
+void LiveSheet::accept(double before) {
+  model::State next = world_->parts().state();
+  const bool grows = !is_pulled() && !(potential_energy(next) <= before);
+  if (grows || !holds(next)) {
+    world_->parts().place(state_);
+    way_ = std::max(way_ / 4, shortest_way);
+  } else {
+    state_ = std::move(next);
+    way_ = std::min(2 * way_, longest_way);
+    if (!is_pulled()) keep_energy(before);
+  }
+  world_->limit_way(way_);
+}
+
+void LiveSheet::keep_energy(double before) {
+  const double kinetic = world_->parts().kinetic_energy(), excess = energy() - before;
+  if (!(excess > 0)) return;
+  world_->parts().damp(kinetic > excess ? std::sqrt((kinetic - excess) / kinetic) : 0);
+}
+
+/// Of 1 N: part mass edge / s^2, the other way round.
+double LiveSheet::force_unit() const {
+  if (!options_.elastic) return 1 / newton;
+  const double k = elastic_stiffness / (options_.step_s * options_.step_s);
+  return k_point_ * structure_.size.edge_mm / k;
+}
+
+bool LiveSheet::is_at_rest() const { return !is_pulled() && world_->parts().fastest() < resting_speed; }
+
+double LiveSheet::hand_force_N() const {
+  if (!is_dragged() || !options_.elastic) return std::numeric_limits<double>::quiet_NaN();
+  return force_unit() * world_->hand().pull(state_).norm();
+}
+
+double LiveSheet::potential(const model::State& state) const {
+  if (!options_.elastic) return 0;
+  double sum = 0;
+  for (std::size_t h = 0; h < structure_.hinges.size(); ++h) {
+    const model::RestHinge& hinge = structure_.hinges[h];
+    sum += model::hinge_energy(hinge, options_.elastic->of(h), state[hinge.lower], state[hinge.upper],
+                               structure_.size.edge_mm)
+               .total();
+  }
+  return sum;
+}
+
+double LiveSheet::hinge_energy_Nmm() const {
+  if (!options_.elastic) return std::numeric_limits<double>::quiet_NaN();
+  return potential(state_) * k_point_ * structure_.size.edge_mm * structure_.size.edge_mm;
+}
+
+double LiveSheet::potential_energy(const model::State& state) const {
+  const double k = elastic_stiffness / (options_.step_s * options_.step_s);
+  double weight = 0;
+  if (gravity_)
+    for (const model::Pose& pose : state) weight += fall * RigidParts::mass * pose.p.z();
+  return k * potential(state) + weight / structure_.size.edge_mm;
+}
+
+double LiveSheet::energy() const { return world_->parts().kinetic_energy() + potential_energy(state_); }
+
+}  // namespace kinetix::sim

@@ -1,0 +1,60 @@
+#include "app/studio/message.hpp"
+
+#include "app/studio/base64.hpp"
+#include "app/studio/frame.hpp"
+#include "model/base/invalid_input.hpp"
+
+namespace kinetix::testing {
+namespace {
+
+using app::studio::from_base64;
+using app::studio::Message;
+
+TEST(StudioMessage, IsReadStrictly) {
+  const Message message(R"({"type": "x", "id": 7, "n": 2, "to": [1, 2.5, -3], "all": [3, 1]})");
+  EXPECT_EQ(message.type(), "x");
+  EXPECT_EQ(message.id(), 7);
+  EXPECT_EQ(message.integer("n", 0, 5), 2);
+  EXPECT_EQ(message.point("to"), Eigen::Vector3d(1, 2.5, -3));
+  EXPECT_EQ(message.integers("all", 1, 3), (std::vector<int>{3, 1}));
+  EXPECT_THROW(message.integer("n", 3, 5), InvalidInput);
+  EXPECT_THROW(message.integers("all", 2, 3), InvalidInput);
+  EXPECT_THROW(message.boolean("n"), InvalidInput);
+  EXPECT_THROW(message.number("missing", 0, 1), InvalidInput);
+  EXPECT_THROW(Message("[1]"), InvalidInput);
+  EXPECT_THROW(Message(R"({"id": 1})"), InvalidInput);
+}
+
+TEST(StudioMessage, HoldsFilesAsBase64) {
+  EXPECT_EQ(from_base64(""), "");
+  EXPECT_EQ(from_base64("S2luZXRpeA=="), "Kinetix");
+  EXPECT_EQ(from_base64("AAECA/8="), std::string("\x00\x01\x02\x03\xff", 5));
+  for (const char* wrong : {"A", "AB=C", "A===", "====", "Zm9v Zm9", "Zm9*"})
+    EXPECT_THROW(from_base64(wrong), InvalidInput) << wrong;
+}
+
+TEST(StudioFrame, HoldsTenNumbersAndSevenABody) {
+  app::studio::Frame frame;
+  frame.revision = 3;
+  frame.theta = 0.5;
+  frame.mode = app::studio::Mode::bullet;
+  frame.heard[2] = 9;
+  frame.state.resize(2);
+  frame.state[1].p = {1, 2, 3};
+  frame.state[1].R = Eigen::AngleAxisd(0.4, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  const std::string bytes = frame_bytes(frame, 5, 2);
+  std::vector<double> numbers(bytes.size() / 8);
+  std::copy_n(bytes.data(), bytes.size(), reinterpret_cast<char*>(numbers.data()));
+  ASSERT_EQ(numbers.size(), 24u);
+  EXPECT_EQ(std::vector<double>(numbers.begin(), numbers.begin() + 6),
+            (std::vector<double>{1, 5, 3, 0.5, 0, 9}));
+  EXPECT_TRUE(std::isnan(numbers[6]));
+  EXPECT_EQ(numbers[8], 2);
+  EXPECT_EQ(numbers[9], 2);
+  EXPECT_EQ(numbers[17], 1);
+  EXPECT_NEAR(numbers[20], std::cos(0.2), 1e-15);
+  EXPECT_NEAR(numbers[23], std::sin(0.2), 1e-15);
+}
+
+}  // namespace
+}  // namespace kinetix::testing

@@ -1,0 +1,212 @@
+#include "app/studio/session.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "app/studio/templates.hpp"
+#include "model/sheet/sheet_motion.hpp"
+#include "tests/app/studio/client.hpp"
+#include "tests/app/studio/studio.hpp"
+
+namespace kinetix::testing {
+namespace {
+
+using nlohmann::json;
+
+/// Largest difference of places, mm, and of turns, of a frame from a state.
+double difference(const Received& frame, const model::State& state) {
+  double largest = 0;
+  for (std::size_t b = 0; b < state.size(); ++b) {
+    const std::vector<double> v = frame.pose(static_cast<int>(b));
+    const Eigen::Quaterniond q(v[3], v[4], v[5], v[6]);
+    largest = std::max({largest, (Eigen::Vector3d(v[0], v[1], v[2]) - state[b].p).norm(),
+                        (q.toRotationMatrix() - state[b].R).norm()});
+  }
+  return largest;
+}
+
+model::State state_of(const Received& frame) {
+  model::State state(static_cast<std::size_t>(frame.head(9)));
+  for (std::size_t b = 0; b < state.size(); ++b) {
+    const std::vector<double> v = frame.pose(static_cast<int>(b));
+    state[b].p = {v[0], v[1], v[2]};
+    state[b].R = Eigen::Quaterniond(v[3], v[4], v[5], v[6]).toRotationMatrix();
+  }
+  return state;
+}
+
+class Studio : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(client.open(studio.token));
+    design = client.text("design");
+  }
+
+  app::DesignFile file = app::studio::template_design("strip");
+  OpenStudio studio{file};
+  Client client{studio.port()};
+  json design;
+};
+
+TEST_F(Studio, FoldsAlongTheClosedForm) {
+  for (const double deg : {20.0, -31.0, 0.0, 40.0}) {
+    const Received frame = client.ask({{"type", "theta"}, {"deg", deg}});
+    EXPECT_LT(difference(frame, exact_motion(file.structure).at(deg * radians_per_degree)), 1e-12);
+    EXPECT_NEAR(frame.head(3), deg * radians_per_degree, 1e-15);
+  }
+}
+
+TEST_F(Studio, FollowsAHandAlongTheClosedForm) {
+  const int last = file.structure.bodies() - 1;
+  const Eigen::Vector3d to = exact_motion(file.structure).at(0.2)[last].p;
+  client.ask({{"type", "theta"}, {"deg", 5}});
+  const Received frame = client.ask({{"type", "drag"}, {"body", last}, {"to", {to.x(), to.y(), to.z()}}});
+  EXPECT_NEAR(frame.head(3), 0.2, 1e-6);
+}
+
+TEST_F(Studio, KeepsTheShapeWhenItsModelChanges) {
+  const Received exact = client.ask({{"type", "theta"}, {"deg", 25}});
+  const Received balanced = client.ask({{"type", "mode"}, {"mode", "equilibrium"}});
+  const Received played = client.ask({{"type", "mode"}, {"mode", "bullet"}});
+  const model::Linkage linkage = file.structure;
+  EXPECT_EQ(balanced.head(8), 1);
+  EXPECT_GT(balanced.head(6), 0);
+  EXPECT_LT(aligned_distance(linkage, state_of(balanced), state_of(exact)).max, 0.01);
+  EXPECT_EQ(played.head(8), 2);
+  EXPECT_LT(aligned_distance(linkage, state_of(played), state_of(balanced)).max, 0.01);
+}
+
+TEST_F(Studio, MarksWhatBreaksTheMotionAndMendsIt) {
+  client.ask({{"type", "theta"}, {"deg", 20}});
+  client.ask({{"type", "hinge"}, {"index", 2}, {"beta_deg", 33}});
+  client.send(R"({"type": "undo"})");
+  json told = client.text("design");
+  EXPECT_TRUE(told["exact"]);
+  client.send(R"({"type": "redo"})");
+  told = client.text("design");
+  EXPECT_FALSE(told["exact"]);
+  EXPECT_EQ(told["breaking"].size(), 1u);
+  client.send(R"({"type": "nearest"})");
+  told = client.text("design");
+  EXPECT_TRUE(told["exact"]);
+  EXPECT_EQ(client.text("state")["mode"], "exact");
+}
+
+TEST_F(Studio, ShowsAnEditedColumnAsItsSavedDesignFolds) {
+  client.ask({{"type", "theta"}, {"deg", 30}});
+  std::vector<int> column;
+  for (int h = 0; h < file.structure.hinges(); ++h) {
+    const model::Hinge& hinge = file.structure.squares()->hinges[h];
+    if (hinge.wall.axis == model::Axis::x && hinge.wall.from.i == 3) column.push_back(h);
+  }
+  ASSERT_EQ(column.size(), 2u);
+  const bool first_is_lower = file.structure.squares()->hinges[column[0]].wall.from.j == 0;
+  client.ask({{"type", "hinge"}, {"index", column[first_is_lower ? 0 : 1]}, {"beta_deg", -12}});
+  const Received frame =
+      client.ask({{"type", "hinge"}, {"index", column[first_is_lower ? 1 : 0]}, {"beta_deg", 12}});
+  EXPECT_EQ(frame.head(8), 0);
+  client.send(R"({"type": "save"})");
+  const std::string path = client.text("saved")["path"];
+  const app::DesignFile saved = app::read_design(path);
+  EXPECT_LT(difference(frame, exact_motion(saved.structure).at(saved.theta)), 1e-9);
+}
+
+TEST_F(Studio, GrowsAlongItsCreases) {
+  client.send(R"({"type": "sheet", "columns": 6, "rows": 4})");
+  const json told = client.text("design");
+  EXPECT_TRUE(told["exact"]);
+  EXPECT_EQ(told["family"], "F2");
+  EXPECT_EQ(told["structure"]["bodies"].size(), 35u);
+}
+
+TEST_F(Studio, PaintsCellsAndMakesHinges) {
+  client.send(R"({"type": "paint", "cell": [5, 1], "on": true})");
+  EXPECT_EQ(client.text("design")["structure"]["cells"].size(), 13u);
+  client.send(R"({"type": "made", "kind": "block", "material": "tango"})");
+  EXPECT_EQ(client.text("design")["hinge"]["kind"], "block");
+  client.send(R"({"type": "made", "kind": "pin"})");
+  EXPECT_EQ(client.text("design")["hinge"]["kind"], "pin");
+  client.send(R"({"type": "made", "kind": "stiff"})");
+  EXPECT_EQ(client.text("design")["hinge"]["kind"], "stiff");
+}
+
+TEST_F(Studio, WakesUpToThePresent) {
+  client.ask({{"type", "mode"}, {"mode", "bullet"}});
+  client.send(R"({"type": "gravity", "on": true})");
+  client.text("state");
+  std::vector<Received> late;
+  for (int k = 0; k < 2; ++k) late.push_back(client.receive());
+  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  while (!(late.back().frame.empty() && late.back().closed))
+    late.push_back(client.receive(std::chrono::milliseconds(50)));
+  late.pop_back();
+  ASSERT_FALSE(late.empty());
+  client.acknowledge(late.back());
+  const Received now = client.receive();
+  ASSERT_FALSE(now.closed);
+  EXPECT_GT(now.head(4), late.back().head(4) + 0.5);
+}
+
+TEST_F(Studio, ExportsFilesForThePrinter) {
+  client.send(R"({"type": "export", "formats": ["stl"], "process": "polyjet"})");
+  const json out = client.text("exported");
+  EXPECT_THAT(out["files"].get<std::vector<std::string>>(), ::testing::Contains("all.stl"));
+  EXPECT_TRUE(std::filesystem::exists(out["folder"].get<std::string>() + "/all.stl"));
+}
+
+constexpr const char* target = R"(kinetix: 1
+name: hook
+target: {kind: curve, points: arc.csv}
+structure: {cells: [14, 1], cell_mm: 10}
+)";
+
+std::string base64(const std::string& text) {
+  std::string padded = text;
+  while (padded.size() % 3 != 0) padded += '\n';
+  std::string out;
+  constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  for (std::size_t k = 0; k < padded.size(); k += 3) {
+    const unsigned bits = static_cast<unsigned char>(padded[k]) << 16 |
+                          static_cast<unsigned char>(padded[k + 1]) << 8 |
+                          static_cast<unsigned char>(padded[k + 2]);
+    for (int shift = 18; shift >= 0; shift -= 6) out += digits[bits >> shift & 63];
+  }
+  return out;
+}
+
+std::string arc() {
+  std::string csv = "x,z\n";
+  for (int k = 0; k <= 30; ++k)
+    csv += fmt::format("{:.4f},{:.4f}\n", 80 * std::sin(k * 0.05), 80 - 80 * std::cos(k * 0.05));
+  return csv;
+}
+
+TEST_F(Studio, SearchesForAGoalAndTakesItsDesign) {
+  client.send(json{{"type", "search"}, {"target", target}, {"files", {{"arc.csv", base64(arc())}}}}.dump());
+  const json result = client.text("result");
+  ASSERT_TRUE(result.is_object());
+  EXPECT_TRUE(result["met"]) << result["summary"];
+  EXPECT_EQ(result["result"]["name"], "hook");
+  Client other(studio.port());
+  ASSERT_TRUE(other.open(studio.token));
+  EXPECT_EQ(other.text("design")["name"], "hook");
+}
+
+TEST_F(Studio, KeepsItsHeadWhenPlayedWithAtRandom) {
+  client.ask({{"type", "mode"}, {"mode", "bullet"}});
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> place(-80, 80);
+  for (int k = 0; k < 40; ++k) {
+    const int body = static_cast<int>(random() % file.structure.bodies());
+    const Received frame =
+        client.ask({{"type", "drag"}, {"body", body}, {"to", {place(random), place(random), place(random)}}});
+    ASSERT_TRUE(is_finite(state_of(frame)));
+    if (k % 5 == 0) client.ask({{"type", "fix"}, {"body", body}, {"fixed", k % 10 == 0}});
+    if (k % 4 == 0) client.ask({{"type", "release"}});
+  }
+}
+
+}  // namespace
+}  // namespace kinetix::testing

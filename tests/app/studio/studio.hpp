@@ -1,0 +1,50 @@
+#pragma once
+
+#include <thread>
+
+#include "app/studio/server.hpp"
+#include "app/studio/session.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace kinetix::testing {
+
+/// A studio that is open, with its server and session, as `view` opens it.
+class OpenStudio {
+ public:
+  explicit OpenStudio(app::DesignFile design, const std::string& target_file = "")
+      : server(files(), token, 0,
+               {[this](int client) { session->greet(client); },
+                [this](int client, std::string text) { session->post(client, std::move(text)); }}) {
+    session = std::make_unique<app::studio::Session>(
+        app::studio::Opened{std::move(design), folder.path("design.yaml"), target_file, 2, 0},
+        app::studio::Outlet{
+            [this](int client, std::string text) { server.tell(client, std::move(text)); },
+            [this](std::shared_ptr<const app::studio::Frame> frame) { server.show(std::move(frame)); }});
+    worker = std::jthread([this](const std::stop_token& stop) { session->run(stop); });
+    listener = std::thread([this] { server.run(); });
+  }
+  ~OpenStudio() {
+    server.stop();
+    listener.join();
+    worker.request_stop();
+    worker.join();
+    session.reset();
+  }
+  OpenStudio(const OpenStudio&) = delete;
+
+  std::uint16_t port() const { return server.port(); }
+
+  static std::span<const app::studio::WebFile> files() {
+    static const app::studio::WebFile all[] = {{"/", "text/html", "<!DOCTYPE html>"}};
+    return all;
+  }
+
+  const std::string token = "0123456789abcdef0123456789abcdef";
+  TemporaryFolder folder;
+  app::studio::Server server;
+  std::unique_ptr<app::studio::Session> session;
+  std::jthread worker;
+  std::thread listener;
+};
+
+}  // namespace kinetix::testing

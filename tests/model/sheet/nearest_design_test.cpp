@@ -1,0 +1,66 @@
+#include "model/sheet/nearest_design.hpp"
+
+#include "model/lattice/square/exact_family.hpp"
+#include "model/sheet/sheet_motion.hpp"
+#include "tests/support/random_designs.hpp"
+
+namespace kinetix::testing {
+namespace {
+
+using model::Sheet;
+
+Sheet strip_of(const std::vector<double>& tilts, int rows) {
+  auto design = model::ExactDesign<double>::basic(static_cast<int>(tilts.size()), rows);
+  design.beta = tilts;
+  return sheet_of(design, {10, 0.8, 6});
+}
+
+TEST(NearestDesign, IsTheSheetItselfWhereItMoves) {
+  const auto nearest = nearest_design(strip_of({0.3, -0.3, 0.2}, 2));
+  ASSERT_TRUE(nearest);
+  EXPECT_TRUE(nearest->changed.empty());
+}
+
+TEST(NearestDesign, TakesBackTheOneTiltThatBreaksTheRule) {
+  const Sheet sheet = strip_of({0.3, -0.3, 0.2}, 2);
+  for (int h = 0; h < sheet.hinges(); ++h) {
+    SCOPED_TRACE(h);
+    Sheet broken = sheet;
+    broken.hinge(h).beta += 0.1;
+    ASSERT_FALSE(exact_motion(broken));
+    const auto nearest = nearest_design(broken);
+    ASSERT_TRUE(nearest);
+    EXPECT_EQ(nearest->changed, std::vector<int>{h});
+    EXPECT_NEAR(nearest->sheet.hinge(h).beta, sheet.hinge(h).beta, 1e-15);
+  }
+}
+
+TEST(NearestDesign, MovesUprightHingesAsLittleAsTheCellsAsk) {
+  Sheet broken = strip_of({0, 0, 0}, 3);
+  broken.hinge(0).t = 0.6;
+  const auto nearest = nearest_design(broken);
+  ASSERT_TRUE(nearest);
+  EXPECT_TRUE(exact_motion(nearest->sheet));
+  double change = 0;
+  for (int h = 0; h < broken.hinges(); ++h)
+    change += std::pow(nearest->sheet.hinge(h).t - broken.hinge(h).t, 2);
+  EXPECT_LT(change, 0.01);
+  EXPECT_FALSE(nearest->changed.empty());
+}
+
+TEST(NearestDesign, LeavesCreasesAlongOneDirectionWhereTheyCross) {
+  Sheet crossed = strip_of({0.3, -0.3, 0.3}, 3);
+  for (int h = 0; h < crossed.hinges(); ++h)
+    if (crossed.squares()->hinges[h].wall.axis == model::Axis::y) crossed.hinge(h).beta = 0.05;
+  ASSERT_FALSE(exact_motion(crossed));
+  const auto nearest = nearest_design(crossed);
+  ASSERT_TRUE(nearest);
+  for (int h = 0; h < crossed.hinges(); ++h) {
+    if (crossed.squares()->hinges[h].wall.axis == model::Axis::x) {
+      EXPECT_EQ(nearest->sheet.hinge(h).beta, crossed.hinge(h).beta);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace kinetix::testing
