@@ -1,0 +1,14 @@
+// Bundles the scripts: node build.mjs SOURCES OUTPUT, from a folder that holds node_modules.
+import {build} from "esbuild";
+import path from "node:path";
+
+const [sources, output] = process.argv.slice(2);
+// Code of Debian 12's Chromium and of phones that are some years old.
+const common = {bundle: true, minify: true, target: ["es2021"], legalComments: "none", nodePaths: [path.resolve("node_modules")]};
+// Licences ask for their notice in every copy.
+const notice = "/* three.js, (c) 2010-2025 three.js authors, MIT licence: https://threejs.org/license */";
+
+await build({...common, entryPoints: [`${sources}/src/report_scene.js`], format: "iife", globalName: "KinetixScene", banner: {js: notice},
+  outfile: `${output}/scene.js`});
+await build({...common, entryPoints: [`${sources}/src/studio/main.js`], format: "iife", banner: {js: notice}, outfile: `${output}/studio.js`});
+await build({...common, entryPoints: [`${sources}/studio.css`], outfile: `${output}/studio.css`});

@@ -1,0 +1,108 @@
+// A camera that goes round a point: by pointer, wheel, two fingers and keys. z is up; angles in rad, lengths in mm.
+import * as THREE from "three";
+
+const TURN = 0.008;       // rad a pixel
+const KEY_TURN = 0.12;    // rad a press
+const ZOOM = 1.15;        // a press of a key
+const HIGHEST = Math.PI / 2 - 0.001;
+export const VIEWS = {slant: [-0.6, 0.45], front: [0, 0.02], side: [Math.PI / 2, 0.02], top: [0, HIGHEST]};
+
+export class Orbit {
+  /** @param changed is called when the view has changed   @param isTaken whether another tool has this pointer event */
+  constructor(camera, element, changed, isTaken = () => false) {
+    Object.assign(this, {camera, element, changed, isTaken, centre: new THREE.Vector3(), pointers: new Map()});
+    [this.azimuth, this.elevation] = VIEWS.slant;
+    this.distance = 300;
+    this.listen();
+  }
+
+  view(name) {
+    [this.azimuth, this.elevation] = VIEWS[name];
+    this.apply();
+  }
+
+  /** Sees a ball whole. */
+  fit(centre, radius) {
+    const {fov, aspect} = this.camera, narrow = Math.min(1, aspect);
+    this.centre.copy(centre);
+    this.radius = Math.max(radius, 1e-3);
+    this.distance = (1.04 * this.radius) / Math.sin((0.5 * fov * Math.PI) / 180) / Math.max(0.35, narrow);
+    this.apply();
+  }
+
+  apply() {
+    const {camera, centre, azimuth, elevation, distance} = this, flat = Math.cos(elevation);
+    camera.position.set(Math.sin(azimuth) * flat, -Math.cos(azimuth) * flat, Math.sin(elevation)).multiplyScalar(distance).add(centre);
+    camera.up.set(0, 0, 1);
+    camera.lookAt(centre);
+    camera.near = Math.max(0.01 * distance, distance - 6 * (this.radius ?? distance));
+    camera.far = distance + 12 * (this.radius ?? distance);
+    camera.updateProjectionMatrix();
+    camera.updateMatrixWorld();
+    this.changed();
+  }
+
+  turn(dx, dy) {
+    this.azimuth -= dx;
+    this.elevation = Math.max(-HIGHEST, Math.min(HIGHEST, this.elevation + dy));
+    this.apply();
+  }
+
+  zoom(factor) {
+    this.distance = Math.max(0.1 * (this.radius ?? 10), Math.min(20 * (this.radius ?? 1000), this.distance * factor));
+    this.apply();
+  }
+
+  /** By pixels on screen. */
+  pan(dx, dy) {
+    const mmPerPixel = (2 * this.distance * Math.tan((0.5 * this.camera.fov * Math.PI) / 180)) / (this.element.clientHeight || 1);
+    const right = new THREE.Vector3().setFromMatrixColumn(this.camera.matrixWorld, 0);
+    const up = new THREE.Vector3().setFromMatrixColumn(this.camera.matrixWorld, 1);
+    this.centre.addScaledVector(right, -dx * mmPerPixel).addScaledVector(up, dy * mmPerPixel);
+    this.apply();
+  }
+
+  listen() {
+    const {element} = this;
+    element.addEventListener("pointerdown", (event) => this.down(event));
+    element.addEventListener("pointermove", (event) => this.move(event));
+    for (const end of ["pointerup", "pointercancel"]) element.addEventListener(end, (event) => this.pointers.delete(event.pointerId));
+    element.addEventListener("wheel", (event) => {
+      event.preventDefault();
+      this.zoom(Math.exp(0.0012 * event.deltaY * (event.deltaMode === 1 ? 30 : 1)));
+    }, {passive: false});
+    element.addEventListener("contextmenu", (event) => event.preventDefault());
+  }
+
+  down(event) {
+    if (this.isTaken(event)) return;
+    this.element.setPointerCapture(event.pointerId);
+    this.pointers.set(event.pointerId, [event.clientX, event.clientY]);
+  }
+
+  move(event) {
+    const before = this.pointers.get(event.pointerId);
+    if (!before) return;
+    const dx = event.clientX - before[0], dy = event.clientY - before[1], spread = this.spread();
+    this.pointers.set(event.pointerId, [event.clientX, event.clientY]);
+    if (this.pointers.size === 1) return event.buttons & 6 || event.ctrlKey ? this.pan(dx, dy) : this.turn(TURN * dx, TURN * dy);
+    this.pan(dx / 2, dy / 2);
+    if (spread > 0 && this.spread() > 0) this.zoom(spread / this.spread());
+  }
+
+  spread() {
+    const [a, b] = [...this.pointers.values()];
+    return a && b ? Math.hypot(a[0] - b[0], a[1] - b[1]) : 0;
+  }
+
+  /** Arrows turn, with Shift they shift; + and - zoom. Says whether the key was one of them. */
+  key(event) {
+    const way = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]}[event.key];
+    if (way && event.shiftKey) this.pan(30 * way[0], 30 * way[1]);
+    else if (way) this.turn(-KEY_TURN * way[0], -KEY_TURN * way[1]);
+    else if (event.key === "+" || event.key === "=") this.zoom(1 / ZOOM);
+    else if (event.key === "-") this.zoom(ZOOM);
+    else return false;
+    return true;
+  }
+}

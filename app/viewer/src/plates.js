@@ -1,0 +1,73 @@
+// Walls as plates: two half walls a hinge, each of one body, at rest. Lengths in mm.
+
+const add = (a, b) => a.map((v, k) => v + b[k]);
+const minus = (a, b) => a.map((v, k) => v - b[k]);
+const scaled = (a, s) => a.map((v) => v * s);
+const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const mix = (a, b, t) => a.map((v, k) => v + t * (b[k] - v));
+const unit = (a) => scaled(a, 1 / (Math.hypot(...a) || 1));
+const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+
+const STEEPEST_CUT = 0.05;  // of an axis that hardly rises over its wall: the cut is then made upright
+const OPENING = 0.03;       // of a cell edge, between the halves of a wall: so that a hinge can be seen
+
+/** Thickness and height of walls; results of old programs say neither. */
+export function wallSize(structure) {
+  const {thickness, height} = structure.wall_mm ?? {};
+  return {thickness: thickness ?? 0.08 * structure.cell_mm, height: height ?? 0.6 * structure.cell_mm};
+}
+
+/** The half walls of one hinge: corners from the vertex's bottom round to its top, and half the thickness across. */
+function halfWalls(structure, hinge, index, size) {
+  const rest = hinge.bodies.map((body) => structure.bodies[body].position_mm);
+  const e = unit(minus(rest[1], rest[0])), z = [0, 0, 1];
+  const up = add(scaled(z, Math.cos(hinge.beta_rad)), scaled(cross(e, z), Math.sin(hinge.beta_rad)));
+  const rise = dot(hinge.axis, up);
+  const cut = Math.abs(rise) < STEEPEST_CUT ? up : scaled(hinge.axis, 1 / rise);
+  const tip = hinge.offset_mm ? mix(rest[0], rest[1], hinge.t) : hinge.point_mm, half = size.height / 2;
+  const open = scaled(e, 0.5 * OPENING * structure.cell_mm);
+  return [0, 1].map((end) => {
+    const from = rest[end], to = end === 0 ? minus(tip, open) : add(tip, open);
+    const corners = [[from, up, -half], [to, cut, -half], [to, cut, half], [from, up, half]];
+    return {
+      body: hinge.bodies[end],
+      hinge: index,
+      corners: corners.map(([point, way, by]) => minus(add(point, scaled(way, by)), from)),
+      side: scaled(cross(e, up), size.thickness / 2),
+    };
+  });
+}
+
+/** All half walls; corners are relative to the rest position of their body. */
+export function platesOf(structure) {
+  const size = wallSize(structure);
+  return structure.hinges.flatMap((hinge, index) => halfWalls(structure, hinge, index, size));
+}
+
+const FACES = [[0, 1, 2, 3, 1], [7, 6, 5, 4, -1], [0, 4, 5, 1, 0], [1, 5, 6, 2, 0], [2, 6, 7, 3, 0], [3, 7, 4, 0, 0]];
+const EDGES = [[0, 1], [1, 2], [2, 3], [4, 5], [5, 6], [6, 7], [1, 5], [2, 6]];
+
+/** Positions, normals, bodies and triangles of all plates for one buffer geometry; 24 corners a plate. */
+export function mesh(plates) {
+  const position = new Float32Array(plates.length * 72), normal = new Float32Array(plates.length * 72);
+  const body = new Float32Array(plates.length * 24), index = new Uint32Array(plates.length * 36);
+  const lines = new Float32Array(plates.length * EDGES.length * 6), lineBody = new Float32Array(plates.length * EDGES.length * 2);
+  plates.forEach((plate, n) => {
+    const solid = [...plate.corners.map((c) => add(c, plate.side)), ...plate.corners.map((c) => minus(c, plate.side))];
+    FACES.forEach((face, f) => {
+      const corners = face.slice(0, 4).map((k) => solid[k]), at = 24 * n + 4 * f;
+      const across = unit(cross(minus(corners[1], corners[0]), minus(corners[3], corners[0])));
+      const outward = dot(across, minus(corners[0], centre(solid))) < 0 ? scaled(across, -1) : across;
+      corners.forEach((corner, k) => position.set(corner, 3 * (at + k)) ?? normal.set(outward, 3 * (at + k)));
+      body.fill(plate.body, at, at + 4);
+      index.set([0, 1, 2, 0, 2, 3].map((k) => at + k), 36 * n + 6 * f);
+    });
+    EDGES.forEach(([a, b], k) => lines.set([...solid[a], ...solid[b]], 6 * (EDGES.length * n + k)));
+    lineBody.fill(plate.body, EDGES.length * 2 * n, EDGES.length * 2 * (n + 1));
+  });
+  return {position, normal, body, index, lines, lineBody};
+}
+
+function centre(points) {
+  return scaled(points.reduce(add), 1 / points.length);
+}

@@ -1,0 +1,5 @@
+// What the report takes: the global KinetixScene.
+export {exactMotion} from "./fold.js";
+export {storedMotion} from "./interpolate.js";
+export {canRecord, record, saveAs} from "./recording.js";
+export {Scene} from "./scene.js";

@@ -1,0 +1,316 @@
+// The view of a sheet in space, for the report and the studio. Poses are 7 numbers a body (x, y, z in mm, w, x, y, z).
+import * as THREE from "three";
+import {cssColour, heat} from "./colours.js";
+import {Orbit} from "./orbit.js";
+import {Picker} from "./picking.js";
+import {mesh, platesOf} from "./plates.js";
+import {fillPoses, posed, poseTexture} from "./posed_material.js";
+import {standing, standOf} from "./standing.js";
+import {turned} from "./quaternion.js";
+
+const SLOW_FRAME = 90;      // ms; above it the picture is drawn with fewer pixels
+const FEWEST_PIXELS = 0.6;  // a CSS pixel
+
+export class Scene {
+  /** @param canvas in a box of its own   @param options {isTaken} */
+  constructor(canvas, {isTaken} = {}) {
+    this.canvas = canvas;
+    this.renderer = new THREE.WebGLRenderer({canvas, antialias: true, alpha: true, preserveDrawingBuffer: false});
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.type = THREE.PCFSoftShadowMap;
+    this.world = new THREE.Scene();
+    this.camera = new THREE.PerspectiveCamera(28, 1, 1, 1000);
+    this.thing = new THREE.Group();
+    this.thing.matrixAutoUpdate = false;
+    this.goal = new THREE.Group();
+    this.marks = new THREE.Group();
+    this.thing.add(this.goal, this.marks);
+    this.world.add(this.thing);
+    this.light();
+    this.orbit = new Orbit(this.camera, canvas, () => this.redraw(), isTaken);
+    this.pixels = Math.min(2, window.devicePixelRatio || 1);
+    this.listeners = [];
+    this.held = null;
+    this.tints = new Map();
+    new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
+    window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.recolour());
+    this.resize();
+  }
+
+  light() {
+    this.sky = new THREE.HemisphereLight(0xffffff, 0x9aa4ae, 1.9);
+    this.sky.position.set(0, 0, 1);
+    this.sun = new THREE.DirectionalLight(0xffffff, 2.1);
+    this.sun.castShadow = true;
+    this.sun.shadow.mapSize.set(1024, 1024);
+    this.sun.shadow.radius = 6;
+    this.ground = new THREE.Mesh(new THREE.PlaneGeometry(1, 1), new THREE.ShadowMaterial({opacity: 0.22, depthWrite: false}));
+    this.ground.receiveShadow = true;
+    this.world.add(this.sky, this.sun, this.sun.target, this.ground);
+  }
+
+  /** Another sheet; the view stays where it can. @param structure as in result.json */
+  setStructure(structure, {fit = true} = {}) {
+    for (const old of [this.solid, this.lines]) old?.geometry.dispose(), old?.removeFromParent();
+    this.texture?.dispose();
+    this.structure = structure;
+    this.plates = platesOf(structure);
+    this.rest = structure.bodies.map(({position_mm}) => position_mm);
+    const parts = mesh(this.plates);
+    this.picker = new Picker(this.plates, parts.position, parts.index);
+    this.texture = poseTexture(structure.bodies.length);
+    this.solid = this.solidOf(parts);
+    this.lines = this.linesOf(parts);
+    this.thing.add(this.solid, this.lines);
+    this.poses = Float64Array.from(this.rest.flatMap((p) => [...p, 1, 0, 0, 0]));
+    this.size = 0.5 * Math.max(...this.rest.map((p) => Math.hypot(...p.map((v, k) => v - this.rest[0][k]))), structure.cell_mm);
+    this.held = null;
+    this.tints.clear();
+    this.recolour();
+    this.show(this.poses);
+    if (fit) this.fit();
+  }
+
+  solidOf({position, normal, body, index}) {
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute("position", new THREE.BufferAttribute(position, 3));
+    geometry.setAttribute("normal", new THREE.BufferAttribute(normal, 3));
+    geometry.setAttribute("body", new THREE.BufferAttribute(body, 1));
+    geometry.setAttribute("color", new THREE.BufferAttribute(new Float32Array(position.length), 3));
+    geometry.setIndex(new THREE.BufferAttribute(index, 1));
+    // Faces step back a little, so that the edges are not half hidden in them.
+    const material = new THREE.MeshLambertMaterial({vertexColors: true, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1});
+    const solid = new THREE.Mesh(geometry, posed(material, this.texture));
+    solid.customDepthMaterial = posed(new THREE.MeshDepthMaterial({depthPacking: THREE.RGBADepthPacking}), this.texture);
+    solid.frustumCulled = false;
+    solid.castShadow = true;
+    return solid;
+  }
+
+  linesOf({lines, lineBody}) {
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute("position", new THREE.BufferAttribute(lines, 3));
+    geometry.setAttribute("body", new THREE.BufferAttribute(lineBody, 1));
+    const out = new THREE.LineSegments(geometry, posed(new THREE.LineBasicMaterial({transparent: true, opacity: 0.55}), this.texture));
+    out.frustumCulled = false;
+    return out;
+  }
+
+  /** How the thing stands is read from these poses, folded for best; without them it stands as its frame has it. */
+  standBy(poses) {
+    this.stand = poses ? standOf(poses, this.rest) : null;
+  }
+
+  /** Poses of all bodies. @param settle whether it is turned to stand; else it stays turned as it was */
+  show(poses, {settle = true} = {}) {
+    this.poses = poses;
+    fillPoses(this.texture, poses);
+    if (settle || !this.held) this.held = this.stand ? standing(this.stand, poses) : [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+    const [x, y, up] = this.held, m = this.thing.matrix;
+    const box = this.boxOf(poses), middle = [0, 1].map((k) => 0.5 * (box.low[k] + box.high[k]));
+    if (settle || !this.shift) this.shift = [-middle[0], -middle[1], -box.low[2]];
+    m.set(...x, this.shift[0], ...y, this.shift[1], ...up, this.shift[2], 0, 0, 0, 1);
+    this.thing.matrixWorldNeedsUpdate = true;
+    this.height = box.high[2] - box.low[2];
+    this.placeLight(box);
+    this.redraw();
+  }
+
+  /** Of the vertices as they stand, wide enough for the walls. */
+  boxOf(poses) {
+    const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity], {held} = this;
+    const half = 0.5 * (this.structure.wall_mm?.height ?? 0.6 * this.structure.cell_mm);
+    for (let k = 0; k < poses.length; k += 7) {
+      const normal = turned([poses[k + 3], poses[k + 4], poses[k + 5], poses[k + 6]], [0, 0, half]);
+      for (let row = 0; row < 3; ++row) {
+        const [a, b, c] = held[row], at = a * poses[k] + b * poses[k + 1] + c * poses[k + 2];
+        const more = Math.abs(a * normal[0] + b * normal[1] + c * normal[2]);
+        if (at - more < low[row]) low[row] = at - more;
+        if (at + more > high[row]) high[row] = at + more;
+      }
+    }
+    return {low, high};
+  }
+
+  placeLight(box) {
+    const reach = 1.25 * Math.max(this.size, 0.5 * Math.hypot(box.high[0] - box.low[0], box.high[1] - box.low[1]), this.height);
+    this.sun.position.set(-0.35 * reach, -0.45 * reach, 2.2 * reach);
+    Object.assign(this.sun.shadow.camera, {left: -reach, right: reach, top: reach, bottom: -reach, near: 0.1 * reach, far: 4.5 * reach});
+    this.sun.shadow.camera.updateProjectionMatrix();
+    this.ground.scale.set(8 * reach, 8 * reach, 1);
+    this.ground.position.z = -0.002 * reach;
+  }
+
+  fit() {
+    const box = this.boxOf(this.poses), size = box.high.map((v, k) => v - box.low[k]);
+    this.orbit.fit(new THREE.Vector3(0, 0, 0.5 * size[2]), 0.5 * Math.hypot(...size));
+  }
+
+  // ---- colours
+
+  recolour() {
+    if (!this.solid) return;
+    this.palette = {plate: cssColour("plate"), bad: cssColour("bad"), chosen: cssColour("accent"), fixed: cssColour("fixed")};
+    this.lines.material.color.copy(cssColour("plate-edge"));
+    const dark = cssColour("paper").getHSL({}).l < 0.5;
+    this.ground.material.opacity = dark ? 0.55 : 0.22;
+    this.sky.groundColor.set(dark ? 0x39424c : 0x9aa4ae);
+    this.paint();
+  }
+
+  /** Numbers from 0 to 1 of every hinge (or of every body), or null for plain walls. */
+  setHeat(values, of = "hinge") {
+    this.heat = values ? {values, of} : null;
+    this.paint();
+  }
+
+  /** Hinges by what they are: {bad: [..], chosen: [..]}, bodies: {fixed: [..]}. */
+  setMarked(marks) {
+    this.marked = marks;
+    this.paint();
+  }
+
+  colourOf({hinge, body}, sets) {
+    if (sets.chosen.has(hinge)) return this.palette.chosen;
+    if (sets.bad.has(hinge)) return this.palette.bad;
+    if (sets.fixed.has(body)) return this.palette.fixed;
+    if (!this.heat) return this.palette.plate;
+    return heat(this.heat.values[this.heat.of === "hinge" ? hinge : body] ?? 0);
+  }
+
+  paint() {
+    if (!this.solid) return;
+    const {bad = [], chosen = [], fixed = []} = this.marked ?? {}, sets = {bad: new Set(bad), chosen: new Set(chosen), fixed: new Set(fixed)};
+    const colour = this.solid.geometry.attributes.color;
+    this.plates.forEach((plate, n) => {
+      const {r, g, b} = this.colourOf(plate, sets);
+      for (let k = 72 * n; k < 72 * (n + 1); k += 3) colour.array[k] = r, colour.array[k + 1] = g, colour.array[k + 2] = b;
+    });
+    colour.needsUpdate = true;
+    this.redraw();
+  }
+
+  // ---- what lies beside it
+
+  /** The goal as a ghost, in the frame of the poses: {lines: [[[x, y, z]]], points: [[x, y, z]], triangles: [[a, b, c]]}. */
+  setGoal(goal) {
+    this.goal.clear();
+    const colour = cssColour("goal"), at = (points) => new THREE.BufferGeometry().setAttribute("position", new THREE.Float32BufferAttribute(points.flat(), 3));
+    for (const line of goal?.lines ?? []) this.goal.add(new THREE.Line(at(line), new THREE.LineBasicMaterial({color: colour})));
+    if (goal?.points?.length) this.goal.add(new THREE.Points(at(goal.points), new THREE.PointsMaterial({color: colour, size: 3, sizeAttenuation: false})));
+    if (goal?.triangles?.length) {
+      const material = new THREE.MeshLambertMaterial({color: colour, transparent: true, opacity: 0.25, side: THREE.DoubleSide, depthWrite: false});
+      const geometry = at(goal.triangles.flat());
+      geometry.computeVertexNormals();
+      this.goal.add(new THREE.Mesh(geometry, material));
+    }
+    if (goal?.picture) this.goal.add(picture(goal.picture, this.structure));
+    this.redraw();
+  }
+
+  /** A thread from a point of the thing to the hand; null takes it away. In the frame of the poses. */
+  setThread(from, to) {
+    this.marks.clear();
+    if (from && to) {
+      const geometry = new THREE.BufferGeometry().setAttribute("position", new THREE.Float32BufferAttribute([...from, ...to], 3));
+      const line = new THREE.Line(geometry, new THREE.LineBasicMaterial({color: cssColour("accent"), depthTest: false}));
+      const dots = new THREE.Points(geometry, new THREE.PointsMaterial({color: cssColour("accent"), size: 9, sizeAttenuation: false, depthTest: false}));
+      line.frustumCulled = dots.frustumCulled = false;
+      this.marks.add(line, dots);
+    }
+    this.redraw();
+  }
+
+  // ---- pointing
+
+  /** A ray through a point of the page, in the frame of the poses. */
+  ray(clientX, clientY) {
+    const box = this.canvas.getBoundingClientRect();
+    const at = new THREE.Vector2((2 * (clientX - box.left)) / box.width - 1, 1 - (2 * (clientY - box.top)) / box.height);
+    const caster = new THREE.Raycaster();
+    caster.setFromCamera(at, this.camera);
+    const back = this.thing.matrix.clone().invert(), {origin, direction} = caster.ray;
+    return {origin: origin.clone().applyMatrix4(back).toArray(), way: direction.clone().transformDirection(back).toArray()};
+  }
+
+  /** {body, hinge, at (in the rest frame), point} under a point of the page, or null. */
+  pick(clientX, clientY) {
+    const {origin, way} = this.ray(clientX, clientY), found = this.picker?.pick(origin, way, this.poses);
+    if (!found) return null;
+    const at = found.local.map((v, k) => v + this.rest[found.body][k]);
+    return {body: found.body, hinge: found.hinge, at, point: origin.map((v, k) => v + found.distance * way[k])};
+  }
+
+  /** Where the point `at` (rest frame) of a body is now. */
+  carried(body, at) {
+    const arm = turned([...this.poses.subarray(7 * body + 3, 7 * body + 7)], at.map((v, k) => v - this.rest[body][k]));
+    return arm.map((v, k) => v + this.poses[7 * body + k]);
+  }
+
+  /** The point under the pointer in the plane through `point` that faces the viewer, in the frame of the poses. */
+  facing(clientX, clientY, point) {
+    const {origin, way} = this.ray(clientX, clientY), back = this.thing.matrix.clone().invert();
+    const normal = this.camera.getWorldDirection(new THREE.Vector3()).transformDirection(back).toArray();
+    const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    const along = dot(point.map((v, k) => v - origin[k]), normal) / dot(way, normal);
+    return origin.map((v, k) => v + along * way[k]);
+  }
+
+  /** The place on the page of a point in the frame of the poses. */
+  onPage(point) {
+    const box = this.canvas.getBoundingClientRect(), at = new THREE.Vector3(...point).applyMatrix4(this.thing.matrix).project(this.camera);
+    return [box.left + (0.5 + 0.5 * at.x) * box.width, box.top + (0.5 - 0.5 * at.y) * box.height];
+  }
+
+  // ---- drawing
+
+  resize() {
+    const box = this.canvas.parentElement, width = Math.max(1, box.clientWidth), height = Math.max(1, box.clientHeight);
+    this.renderer.setPixelRatio(this.pixels);
+    this.renderer.setSize(width, height, false);
+    const before = this.camera.aspect;
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    if (Math.abs(before - this.camera.aspect) > 0.3 && this.solid) this.fit();
+    this.redraw();
+  }
+
+  redraw() {
+    if (this.asked) return;
+    this.asked = requestAnimationFrame((now) => this.draw(now));
+  }
+
+  draw(now) {
+    this.asked = 0;
+    this.renderer.render(this.world, this.camera);
+    const gap = now - (this.drawn ?? 0);
+    this.drawn = now;
+    this.frames = (this.frames ?? 0) + 1;
+    if (gap < 1000) this.keepPace(gap);
+  }
+
+  /** A slow machine gets fewer pixels. */
+  keepPace(gap) {
+    this.pace = 0.8 * (this.pace ?? gap) + 0.2 * gap;
+    if (this.pace < SLOW_FRAME || this.pixels <= FEWEST_PIXELS) return;
+    this.pixels = Math.max(FEWEST_PIXELS, 0.8 * this.pixels);
+    this.pace = 0;
+    this.resize();
+  }
+
+  /** The view as a PNG. */
+  picture() {
+    this.renderer.render(this.world, this.camera);
+    return new Promise((resolve) => this.canvas.toBlob(resolve, "image/png"));
+  }
+}
+
+/** A picture under the flat sheet. @param source an image or canvas */
+function picture(source, structure) {
+  const texture = new THREE.CanvasTexture(source), places = structure.bodies.map(({position_mm}) => position_mm);
+  const low = [0, 1].map((k) => Math.min(...places.map((p) => p[k]))), high = [0, 1].map((k) => Math.max(...places.map((p) => p[k])));
+  const material = new THREE.MeshBasicMaterial({map: texture, transparent: true, opacity: 0.35, side: THREE.DoubleSide, depthWrite: false});
+  const plane = new THREE.Mesh(new THREE.PlaneGeometry(high[0] - low[0], high[1] - low[1]), material);
+  plane.position.set(0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1]), 0);
+  return plane;
+}

@@ -1,0 +1,56 @@
+// How people hold the thing: a box on its base, an arch on its ends, a dome with its opening down, a panel flat.
+import {turned} from "./quaternion.js";
+
+const SAME_FACE = Math.cos(0.05);  // rad; panels within it lie in one plane
+const FACE_SHARE = 0.15;           // of all bodies: from there a flat part is one that the thing can stand on
+
+const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+const scaled = (a, s) => a.map((v) => v * s);
+const minus = (a, b) => a.map((v, k) => v - b[k]);
+const mean = (points) => scaled(points.reduce((a, b) => a.map((v, k) => v + b[k]), [0, 0, 0]), 1 / points.length);
+
+/** Direction `axis` of every body, and its place. */
+function directions(poses, axis) {
+  return Array.from({length: poses.length / 7}, (_, k) => turned(poses.subarray(7 * k + 3, 7 * k + 7), axis));
+}
+const places = (poses) => Array.from({length: poses.length / 7}, (_, k) => [...poses.subarray(7 * k, 7 * k + 3)]);
+
+/** Bodies of the largest flat part; among equal ones, of that in the middle of the sheet. */
+function baseFace(normals, rest) {
+  const groups = [], middle = mean(rest);
+  normals.forEach((normal, k) => {
+    const group = groups.find((each) => dot(each.normal, normal) > SAME_FACE);
+    if (group) group.bodies.push(k);
+    else groups.push({normal, bodies: [k]});
+  });
+  const off = ({bodies}) => Math.hypot(...minus(mean(bodies.map((k) => rest[k])), middle));
+  const most = Math.max(...groups.map(({bodies}) => bodies.length));
+  const [best] = groups.filter(({bodies}) => bodies.length > 0.9 * most).sort((a, b) => off(a) - off(b));
+  return most < FACE_SHARE * normals.length || groups.length > normals.length / 4 ? null : best.bodies;
+}
+
+/** Bodies that what stands up is read from, and whether their upper side is to look down. */
+export function standOf(poses, rest) {
+  const normals = directions(poses, [0, 0, 1]), points = places(poses), face = baseFace(normals, rest);
+  const bodies = face ?? normals.map((_, k) => k), up = mean(bodies.map((k) => normals[k]));
+  const about = mean(points), base = mean(bodies.map((k) => points[k]));
+  if (face) return {bodies, flipped: dot(minus(about, base), up) < -1e-6};
+  const rise = points.reduce((sum, p, k) => sum + dot(minus(p, about), up) * (dot(normals[k], up) - dot(up, up)), 0);
+  return {bodies, flipped: rise < 0};
+}
+
+/** Rows of the rotation that makes it stand: carried x, across, up. */
+export function standing({bodies, flipped}, poses) {
+  const at = (axis) => mean(bodies.map((k) => turned(poses.subarray(7 * k + 3, 7 * k + 7), axis)));
+  const sign = flipped ? -1 : 1;
+  const up = normalised(scaled(at([0, 0, 1]), sign), [0, 0, sign]);
+  const along = at([1, 0, 0]), level = minus(along, scaled(up, dot(along, up)));
+  const x = normalised(level, Math.abs(up[0]) < 0.9 ? cross(cross(up, [1, 0, 0]), up) : cross(cross(up, [0, 1, 0]), up));
+  return [x, cross(up, x), up];
+}
+
+function normalised(v, otherwise) {
+  const size = Math.hypot(...v);
+  return size > 1e-6 ? scaled(v, 1 / size) : scaled(otherwise, 1 / Math.hypot(...otherwise));
+}

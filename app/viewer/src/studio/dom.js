@@ -1,0 +1,51 @@
+// Elements of the page. Text goes in as text, never as markup.
+
+export const $ = (id) => document.getElementById(id);
+
+export function element(tag, attributes = {}, ...children) {
+  return filled(document.createElement(tag), attributes, children);
+}
+
+export function svg(tag, attributes = {}, ...children) {
+  return filled(document.createElementNS("http://www.w3.org/2000/svg", tag), attributes, children);
+}
+
+function filled(node, attributes, children) {
+  for (const [key, value] of Object.entries(attributes))
+    if (typeof value === "function") node.addEventListener(key, value);
+    else if (value !== null && value !== undefined && value !== false) node.setAttribute(key, value === true ? "" : value);
+  node.append(...children.flat().filter((child) => child !== null && child !== undefined));
+  return node;
+}
+
+export function show(node, on) {
+  node.hidden = !on;
+}
+
+/** A number for people: `digits` after the point at most, without trailing zeros; a dash where there is none. */
+export function neat(value, digits = 3) {
+  return Number.isFinite(value) ? String(Number(value.toFixed(digits))).replace("-", "\u2212") : "\u2013";
+}
+
+/** A number for an input field. */
+export function typed(value, digits = 4) {
+  return Number.isFinite(value) ? String(Number(value.toFixed(digits))) : "";
+}
+
+/** What a person should read: bad news stays until it is closed. */
+export function say(text, good = false) {
+  const box = $("messages");
+  if ([...box.children].some((line) => line.firstChild.textContent === text)) return;
+  const line = element("p", {class: good ? "good" : null}, element("span", {}, text));
+  line.append(element("button", {type: "button", "aria-label": "Close this message", click: () => line.remove()}, "Close"));
+  box.append(line);
+  while (box.children.length > 4) box.firstChild.remove();
+  if (good) setTimeout(() => line.remove(), 8000);
+}
+
+export function status(text) {
+  $("status").textContent = text;
+}
+
+export const degrees = (radians) => (radians * 180) / Math.PI;
+export const radians = (degrees) => (degrees * Math.PI) / 180;

@@ -1,0 +1,167 @@
+// What to become: a kind of goal, its numbers, its file; the search and its verdict.
+import {$, element, neat, say, show, status} from "./dom.js";
+import {DrawingPad} from "./drawing_pad.js";
+import * as target from "./target_text.js";
+
+const number = (name, text, value, {unit = "", min = 1, max = 1000, step = "any"} = {}) => ({name, text, value, unit, min, max, step});
+const LARGEST_FILE = 500e3;  // bytes: the program takes messages up to about 700 kB, and base64 adds a third
+
+/** Each kind: what is asked for, and the text that follows. `drop` are endings of files it takes. */
+const KINDS = {
+  bracelet: {title: "Bracelet", fields: [number("round_mm", "wrist", 170, {unit: "mm round", min: 60, max: 600}), number("columns", "columns", 24, {min: 8, max: 120, step: 1}),
+    number("rows", "rows", 3, {max: 12, step: 1}), number("height_mm", "walls", 6, {unit: "mm high", max: 40})], text: target.bracelet},
+  curve: {title: "Curve", about: "Draw the side view of the folded strip.", pad: true, drop: ".csv", fields: [number("width_mm", "field", 200, {unit: "mm wide", min: 20, max: 3000}),
+    number("columns", "columns", 40, {min: 4, max: 200, step: 1}), number("rows", "rows", 1, {max: 12, step: 1})],
+    text: (v) => (v.name ? target.curveFile(v) : target.curve(v))},
+  letter: {title: "Letter", fields: [{name: "glyph", text: "letter or word", value: "A", kind: "text"}, number("cells", "cells a letter", 10, {min: 6, max: 40, step: 1}),
+    number("cell_mm", "cell", 10, {unit: "mm"})], text: target.letter},
+  image: {title: "Picture", about: "A PNG; its dark parts show when the panel is pressed.", drop: ".png,.pbm,.pgm", needsFile: true,
+    fields: [number("cell_mm", "cell", 10, {unit: "mm"}), {name: "invert", text: "light parts show", kind: "checkbox", value: false}], text: target.image},
+  box: {title: "Box", fields: [number("a", "length", 80, {unit: "mm"}), number("b", "width", 40, {unit: "mm"}), number("c", "height", 40, {unit: "mm"}),
+    {name: "open", text: "open at", kind: "select", value: "", choices: [["", "nowhere"], ["top", "top"], ["front", "front"], ["left", "left"]]}],
+    text: ({a, b, c, open}) => target.box({size_mm: [a, b, c], open})},
+  outline: {title: "Outline", about: "Draw the rim that the panel is to have when it is pressed.", pad: true, closed: true, drop: ".csv",
+    fields: [number("width_mm", "field", 200, {unit: "mm wide", min: 20, max: 3000})], text: target.outline},
+  helmet: {title: "Helmet", about: "A mesh of a head: OBJ, STL or PLY.", drop: ".obj,.stl,.ply", needsFile: true, fields: [number("ribs", "ribs", 8, {max: 60, step: 1}),
+    number("clearance_mm", "room to the head", 5, {unit: "mm", min: 0, max: 100}), {name: "units", text: "mesh is in", kind: "select", value: "mm", choices: [["mm", "mm"], ["cm", "cm"], ["m", "m"], ["in", "inches"]]}],
+    text: target.helmet},
+  file: {title: "File", about: "A target file (YAML) as it is.", drop: ".yaml,.yml", needsFile: true, fields: [], text: ({content}) => content ?? ""},
+};
+
+export class GoalPanel {
+  constructor(state) {
+    Object.assign(this, {state, connection: state.connection, files: {}});
+    $("kinds").append(...Object.entries(KINDS).map(([name, {title}], k) => element("label", {},
+      element("input", {type: "radio", name: "kind", value: name, checked: k === 0, change: () => this.choose(name)}), element("span", {}, title))));
+    this.listen();
+    this.choose("bracelet");
+    state.on("program", () => this.showProgram());
+    state.on("progress", () => this.showProgress());
+    state.on("result", () => this.showResult());
+  }
+
+  listen() {
+    $("goal").addEventListener("input", () => this.compose());
+    $("goal").addEventListener("submit", (event) => event.preventDefault());
+    $("search").addEventListener("click", () => this.search());
+    $("stop").addEventListener("click", () => this.connection.send("stop").catch(() => {}));
+  }
+
+  choose(name) {
+    this.kind = KINDS[name];
+    this.file = this.pad = null;
+    this.files = {};
+    $("goal").replaceChildren(...[this.kind.about && element("p", {class: "note"}, this.kind.about), this.kind.pad && this.padOf(), this.kind.drop && this.dropOf(),
+      ...this.kind.fields.map((field) => this.fieldOf(field))].filter(Boolean));
+    this.pad?.paint();
+    this.compose();
+  }
+
+  padOf() {
+    const canvas = element("canvas", {class: "pad", tabindex: 0, role: "application", "aria-label":
+        "Field to draw in. Arrow keys move a mark, Enter sets a point, Backspace takes the last one away."});
+    this.pad = new DrawingPad(canvas, this.kind.fields[0].value, () => this.drawn(), this.kind.closed);
+    return canvas;
+  }
+
+  drawn() {
+    this.file = null;
+    this.files = {};
+    this.compose();
+    this.state.goalLine = this.pad.points;
+  }
+
+  dropOf() {
+    const input = element("input", {type: "file", accept: this.kind.drop, "aria-label": `Choose a file (${this.kind.drop})`, change: () => this.take(input.files[0])});
+    const label = element("span", {class: "note"}, `${this.kind.pad ? "or drop" : "Drop"} a file here (${this.kind.drop.replaceAll(",", ", ")})`);
+    const over = (on) => (event) => event.preventDefault() ?? box.classList.toggle("over", on);
+    const box = element("div", {class: "drop", dragover: over(true), dragleave: over(false),
+      drop: (event) => (over(false)(event), this.take(event.dataTransfer.files[0]))}, label, input);
+    this.dropLabel = label;
+    return box;
+  }
+
+  async take(file) {
+    if (!file) return;
+    if (file.size > LARGEST_FILE) return say(`${file.name} is larger than ${LARGEST_FILE / 1000} kB: name it in a target file and start the studio with that.`);
+    const bytes = new Uint8Array(await file.arrayBuffer()), name = file.name.replace(/[^\w.-]/g, "_");
+    this.file = {name, content: this.kind === KINDS.file ? new TextDecoder().decode(bytes) : undefined};
+    this.files = this.kind === KINDS.file ? {} : {[name]: base64(bytes)};
+    this.dropLabel.textContent = `${file.name}, ${neat(file.size / 1000, 1)} kB`;
+    this.compose();
+  }
+
+  fieldOf({name, text, value, unit, kind = "number", choices, ...limits}) {
+    if (kind === "select") return element("label", {class: "row"}, text, element("select", {name}, choices.map(([key, words]) => element("option", {value: key}, words))));
+    const input = element("input", {name, type: kind, ...limits, ...(kind === "checkbox" ? {} : {value}), ...(kind === "text" ? {maxlength: 12, size: 8} : {})});
+    return element("label", {class: "row"}, text, unit ? element("span", {class: "unit"}, input, ` ${unit}`) : input);
+  }
+
+  values() {
+    const values = {};
+    for (const field of this.kind.fields) {
+      const input = $("goal").elements[field.name];
+      values[field.name] = field.kind === "checkbox" ? input.checked : field.kind ? input.value : Number(input.value);
+    }
+    if (this.pad && values.width_mm > 0) this.pad.width_mm = values.width_mm;
+    if (this.pad && this.pad.line.length > 2) values.points = this.pad.points;
+    return {...values, ...this.file};
+  }
+
+  /** What is still missing, or null. */
+  missing(values) {
+    if (!$("goal").checkValidity()) return "A number is out of its range.";
+    if (this.kind.needsFile && !this.file) return "Choose a file first.";
+    if (this.kind.pad && !values.points && !this.file) return "Draw a line first, or choose a file.";
+    return null;
+  }
+
+  compose() {
+    const values = this.values(), missing = this.missing(values);
+    $("target_text").value = missing ? "" : this.kind.text(values);
+    $("search").disabled = Boolean(this.state.program.searching);
+    return missing;
+  }
+
+  async search() {
+    const typed = $("target_text").value, missing = typed.trim() ? null : this.compose();
+    if (missing) return $("goal").reportValidity() && say(missing);
+    show($("found"), false);
+    this.state.remember();
+    const keys = {target: $("target_text").value, ...(Object.keys(this.files).length ? {files: this.files} : {})};
+    await this.connection.send("search", keys).catch(() => {});
+  }
+
+  showProgram() {
+    const {searching} = this.state.program;
+    $("search").disabled = Boolean(searching);
+    show($("stop"), searching);
+    show($("progress"), searching);
+    if (searching && !this.wasSearching) $("progress_text").textContent = "searching\u2026";
+    if (searching && !this.wasSearching) $("progress_bar").removeAttribute("value");
+    this.wasSearching = searching;
+  }
+
+  showProgress() {
+    const {text, done, left_s, job} = this.state.progress;
+    if (job !== "search") return status(text);
+    if (done === null) $("progress_bar").removeAttribute("value");
+    else $("progress_bar").value = done;
+    $("progress_text").textContent = text + (left_s > 1 ? `, about ${Math.ceil(left_s)} s left` : "");
+  }
+
+  showResult() {
+    const {met, stopped, summary} = this.state.result;
+    show($("found"), true);
+    $("found_title").textContent = met ? "Found: it meets the goal" : stopped ? "Stopped: the best so far" : "Not met: this is the nearest";
+    $("found_title").className = met ? "good" : "bad";
+    $("found_text").textContent = summary ?? "";
+    status($("found_title").textContent);
+  }
+}
+
+function base64(bytes) {
+  let text = "";
+  for (let k = 0; k < bytes.length; k += 8192) text += String.fromCharCode(...bytes.subarray(k, k + 8192));
+  return btoa(text);
+}

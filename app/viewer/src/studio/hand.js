@@ -1,0 +1,139 @@
+// Pointer and keys on the scene: drag, fix, push, select. The view's own camera has what these tools leave.
+import {$, say, status} from "./dom.js";
+
+const CLICK_PX = 5;        // a pointer that moved less has clicked
+const KEY_STEP = 0.25;     // of a cell edge a press, when a body is dragged by keys
+
+export class Hand {
+  constructor(state, scene) {
+    Object.assign(this, {state, scene, connection: state.connection, body: null, held: null});
+    const canvas = scene.canvas;
+    canvas.addEventListener("pointerdown", (event) => this.down(event));
+    canvas.addEventListener("pointermove", (event) => this.move(event));
+    canvas.addEventListener("pointerup", (event) => this.up(event));
+    canvas.addEventListener("pointercancel", () => this.letGo());
+  }
+
+  get tool() {
+    return document.querySelector('input[name="tool"]:checked').value;
+  }
+
+  /** Whether a pointer's press belongs to a tool and not to the camera. */
+  takes(event) {
+    if (event.button !== 0) return false;
+    const wants = event.shiftKey ? "drag" : this.tool;
+    return (wants === "drag" || wants === "push") && this.scene.pick(event.clientX, event.clientY) !== null;
+  }
+
+  down(event) {
+    this.start = [event.clientX, event.clientY];
+    const tool = event.shiftKey ? "drag" : this.tool;
+    if (event.button !== 0 || (tool !== "drag" && tool !== "push")) return;
+    const found = this.scene.pick(event.clientX, event.clientY);
+    if (!found) return;
+    this.scene.canvas.setPointerCapture(event.pointerId);
+    this.held = {...found, tool, pointer: event.pointerId};
+    this.choose(found.body);
+    if (tool === "push") this.push(found);
+  }
+
+  async push({body, at}) {
+    if (!(await this.inPhysics("Pushing"))) return;
+    const force = Number($("push_force").value) || 1;
+    this.connection.send("push", {body, at, force_N: force}).catch(() => {});
+    status(`pushing body ${body} with ${force} N`);
+  }
+
+  move(event) {
+    if (!this.held || this.held.pointer !== event.pointerId || this.held.tool !== "drag") return;
+    const to = this.scene.facing(event.clientX, event.clientY, this.held.point);
+    this.held.to = to;
+    this.connection.latest("drag", {body: this.held.body, at: this.held.at, to});
+    this.thread();
+  }
+
+  thread() {
+    if (this.held?.to) this.scene.setThread(this.scene.carried(this.held.body, this.held.at), this.held.to);
+    else this.scene.setThread(null);
+  }
+
+  up(event) {
+    const moved = this.start && Math.hypot(event.clientX - this.start[0], event.clientY - this.start[1]) > CLICK_PX;
+    if (this.held) this.letGo();
+    if (event.button === 0 && this.start && !moved) this.click(event);
+    this.start = null;
+  }
+
+  /** Ends what the hand does; the thing stays where it is or springs back, as the mode has it. */
+  letGo() {
+    this.held = null;
+    this.scene.setThread(null);
+    this.connection.forget("drag");
+    return this.connection.send("release").catch(() => {});
+  }
+
+  click(event) {
+    const found = this.scene.pick(event.clientX, event.clientY);
+    if (this.tool === "fix" && found) return this.fix(found.body);
+    if (this.tool !== "select" && this.tool !== "turn") return;
+    if (!found) return this.state.choose([]);
+    this.choose(found.body);
+    const add = event.ctrlKey || event.metaKey, {chosen} = this.state;
+    this.state.choose(add ? [...new Set([...chosen, found.hinge])] : [found.hinge]);
+  }
+
+  choose(body) {
+    this.body = body;
+  }
+
+  async fix(body) {
+    if (!(await this.inPhysics("Fixing"))) return;
+    const fixed = !this.state.program.fixed?.includes(body);
+    await this.connection.send("fix", {body, fixed}).catch(() => {});
+    status(`body ${body} is ${fixed ? "fixed" : "free"}`);
+  }
+
+  /** Tools of the engine take one there. */
+  async inPhysics(what) {
+    if (this.state.program.mode === "bullet") return true;
+    try {
+      await this.connection.send("mode", {mode: "bullet"});
+      status(`${what} takes the physics: switched to it`);
+      return true;
+    } catch (error) {
+      say(error.message);
+      return false;
+    }
+  }
+
+  /** N, B choose a body; I J K L U O drag it; X fixes it. Says whether the key was one of them. */
+  key(event) {
+    if (event.ctrlKey || event.metaKey || event.altKey) return false;
+    const count = this.state.design?.structure.bodies.length ?? 0, key = event.key.toLowerCase();
+    if (key === "n" || key === "b") return this.nextBody(key === "n" ? 1 : -1, count);
+    if (key === "x" && this.body !== null) return this.fix(this.body), true;
+    const way = {j: [-1, 0, 0], l: [1, 0, 0], u: [0, 1, 0], o: [0, -1, 0], i: [0, 0, -1], k: [0, 0, 1]}[key];
+    if (!way || this.body === null) return false;
+    this.dragBy(key === "i" ? [0, 0, 1] : key === "k" ? [0, 0, -1] : way);
+    return true;
+  }
+
+  nextBody(by, count) {
+    if (!count) return false;
+    this.choose(((this.body ?? (by > 0 ? -1 : count)) + by + count) % count);
+    const {structure} = this.state.design, hinge = structure.hinges.findIndex(({bodies}) => bodies.includes(this.body));
+    this.state.choose(hinge < 0 ? [] : [hinge]);
+    status(`body ${this.body} of ${count}`);
+    return true;
+  }
+
+  /** By the directions that one sees it stand in. */
+  dragBy([x, y, z]) {
+    const at = this.state.design.structure.bodies[this.body].position_mm, step = KEY_STEP * this.state.design.structure.cell_mm;
+    if (!this.held || this.held.tool !== "keys") this.held = {body: this.body, at, tool: "keys", to: this.scene.carried(this.body, at)};
+    const [a, b, c] = this.scene.held;
+    this.held.to = this.held.to.map((v, k) => v + step * (x * a[k] + y * b[k] + z * c[k]));
+    this.connection.latest("drag", {body: this.body, at, to: this.held.to});
+    this.thread();
+  }
+}

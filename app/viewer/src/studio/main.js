@@ -1,0 +1,220 @@
+// The studio's page: puts the parts together.
+import {exactMotion} from "../fold.js";
+import {canRecord, record, saveAs} from "../recording.js";
+import {Scene} from "../scene.js";
+import {Connection} from "./connection.js";
+import {DesignPanel} from "./design_panel.js";
+import {$, degrees, radians, say, show, status} from "./dom.js";
+import {ghostOf} from "./ghost.js";
+import {GoalPanel} from "./goal_panel.js";
+import {Hand} from "./hand.js";
+import {MakePanel} from "./make_panel.js";
+import {MotionBar} from "./motion_bar.js";
+import {PageState} from "./page_state.js";
+import {tabs} from "./tabs.js";
+
+const STAND_THETA = radians(20);  // how an exact sheet stands is read from its shape there at least
+
+const connection = new Connection(location.hash.slice(1)), state = new PageState(connection);
+let hand = null;
+const scene = new Scene($("scene"), {isTaken: (event) => hand?.takes(event) ?? false});
+hand = new Hand(state, scene);
+const bar = new MotionBar(state);
+new DesignPanel(state);
+new GoalPanel(state);
+new MakePanel(state);
+tabs(document.querySelector('[role="tablist"]'));
+
+// ---- what the program tells
+
+for (const type of ["hello", "progress", "exported"])
+  connection.on(type, (message) => {
+    state[type] = message;
+    state.changed(type);
+  });
+connection.on("state", (message) => {
+  state.program = message;
+  state.changed("program");
+});
+connection.on("design", (design) => {
+  const first = !state.design, same = !first && sameSheet(state.design, design);
+  if (!same) state.found = null;
+  state.design = design;
+  if (!same) newSheet(design, first);
+  state.changed("design");
+  marks();
+});
+connection.on("result", (message) => {
+  state.result = message;
+  state.found = message.result;
+  scene.setGoal(ghostOf(state.design, state.found));
+  state.changed("result");
+});
+connection.on("frame", (frame) => {
+  const {design} = state;
+  if (!design || frame.bodies !== design.structure.bodies.length || frame.revision !== design.revision) return;
+  const wasIn = state.frame?.mode;
+  state.frame = frame;
+  if (!scene.stand || (wasIn !== frame.mode && frame.mode !== "bullet")) stand(frame);
+  scene.show(frame.poses, {settle: frame.mode !== "bullet" && !hand.held});
+  hand.thread();
+  if (state.fitting) state.fitting = false, scene.fit();
+  state.changed("frame");
+});
+connection.on("error", ({message}) => say(message));
+connection.on("saved", ({path}) => say(`Saved: ${path}`, true));
+connection.on("closed", () => state.design && say("The program has ended or was stopped. This page looks for it again."));
+connection.on("open", () => $("messages").replaceChildren());
+
+function sameSheet(a, b) {
+  const {structure: p} = a, {structure: q} = b;
+  return JSON.stringify([p.bodies, p.hinges, p.wall_mm]) === JSON.stringify([q.bodies, q.hinges, q.wall_mm]);
+}
+
+function newSheet(design, first) {
+  const before = scene.rest?.length, size = scene.size;
+  scene.setStructure(design.structure, {fit: false});
+  scene.stand = null;
+  state.motion = design.exact ? exactMotion(design.structure, design.family) : null;
+  state.fitting = first || before !== scene.rest.length || Math.abs(size - scene.size) > 0.05 * size;
+  scene.setGoal(ghostOf(design, state.found));
+}
+
+/** Exact sheets by their shape well folded, so that they do not turn over on the way; others by how they are. */
+function stand(frame) {
+  const theta = Math.max(Math.abs(frame.theta) || 0, STAND_THETA) * (frame.theta < 0 ? -1 : 1);
+  scene.standBy(state.motion ? state.motion(Math.min(theta, state.design.theta_range_rad?.[1] || theta)) : frame.poses);
+}
+
+// ---- colours
+
+/** How far each hinge has turned, as a share of the largest turn. */
+function turns() {
+  const {structure} = state.design, {poses} = scene;
+  const turn = structure.hinges.map(({bodies: [a, b]}) => {
+    const dot = [3, 4, 5, 6].reduce((sum, k) => sum + poses[7 * a + k] * poses[7 * b + k], 0);
+    return 2 * Math.acos(Math.min(1, Math.abs(dot)));
+  });
+  const most = Math.max(...turn, 1e-9);
+  return turn.map((value) => value / most);
+}
+
+function marks() {
+  if (!state.design) return;
+  const {structure, breaking = []} = state.design, choice = $("colour").value;
+  scene.setMarked({bad: breaking, chosen: state.chosen, fixed: state.program.fixed ?? []});
+  const tilts = structure.hinges.map(({beta_rad}) => Math.abs(beta_rad)), most = Math.max(...tilts, 1e-9), bad = new Set(breaking);
+  scene.setHeat({tilt: tilts.map((v) => v / most), turn: choice === "turn" ? turns() : null, error: structure.hinges.map((_, k) => (bad.has(k) ? 1 : 0))}[choice] ?? null);
+}
+state.on("chosen", marks);
+state.on("program", marks);
+$("colour").addEventListener("change", marks);
+state.on("frame", () => $("colour").value === "turn" && scene.setHeat(turns()));
+
+// ---- before and after
+
+let beforeScene = null;
+state.remember = () => {
+  if (state.design && state.frame) state.before = {design: state.design, poses: state.frame.poses.slice(), goal: ghostOf(state.design, state.found)};
+};
+function compare(on) {
+  if (on && !state.before) return status("nothing to compare with yet: search, or keep this design as before");
+  $("compare").setAttribute("aria-pressed", String(on));
+  show($("before_view"), on);
+  show($("caption_now"), on);
+  if (!on) return;
+  beforeScene ??= new Scene($("before"));
+  beforeScene.setStructure(state.before.design.structure);
+  beforeScene.standBy(state.before.poses);
+  beforeScene.show(state.before.poses);
+  beforeScene.resize();
+  beforeScene.fit();
+}
+$("compare").addEventListener("click", () => compare($("compare").getAttribute("aria-pressed") !== "true"));
+$("remember").addEventListener("click", () => {
+  state.remember();
+  status("kept: Compare shows it beside what comes");
+});
+
+// ---- buttons and keys
+
+const send = (type) => connection.send(type).catch(() => {});
+for (const type of ["undo", "redo", "save"]) $(type).addEventListener("click", () => send(type));
+$("release").addEventListener("click", () => hand.letGo());
+for (const button of document.querySelectorAll("[data-view]")) button.addEventListener("click", () => scene.orbit.view(button.dataset.view));
+for (const input of document.querySelectorAll('input[name="tool"]')) input.addEventListener("change", () => ($("stage").dataset.tool = input.value));
+$("fit").addEventListener("click", () => scene.fit());
+$("full").addEventListener("click", () => (document.fullscreenElement ? document.exitFullscreen() : $("stage").requestFullscreen?.()));
+$("photo").addEventListener("click", async () => saveAs(await scene.picture(), `${state.design?.name ?? "kinetix"}.png`));
+
+let film = null;
+show($("film"), canRecord($("scene")));
+$("film").addEventListener("click", async () => {
+  const running = film;
+  film = running ? null : record($("scene"));
+  $("film").textContent = running ? "Film" : "Stop film";
+  $("film").setAttribute("aria-pressed", String(!running));
+  if (running) saveAs(await running(), `${state.design?.name ?? "kinetix"}.webm`);
+});
+
+function shortcut(event) {
+  const key = event.key.toLowerCase();
+  if (!(event.ctrlKey || event.metaKey)) return false;
+  const type = key === "s" ? "save" : key === "y" || (key === "z" && event.shiftKey) ? "redo" : key === "z" ? "undo" : null;
+  if (type) send(type);
+  return type !== null;
+}
+
+function foldBy(deg) {
+  const next = Math.max(Number($("theta").min), Math.min(Number($("theta").max), Number($("theta").value) + deg));
+  $("theta").value = next;
+  bar.fold(next);
+}
+
+function sceneKey(event) {
+  if (scene.orbit.key(event) || hand.key(event)) return true;
+  if (event.ctrlKey || event.metaKey || event.altKey) return false;
+  const act = {f: () => scene.fit(), " ": () => bar.play(!bar.playing), p: () => $("pause").click(), "[": () => foldBy(-1), "]": () => foldBy(1)}[event.key.toLowerCase()];
+  act?.();
+  return Boolean(act);
+}
+
+document.addEventListener("keydown", (event) => {
+  const typing = event.target.closest?.("input, textarea, select") && !["range", "radio", "checkbox"].includes(event.target.type);
+  if (event.key === "Escape") hand.letGo();
+  if ((!typing && shortcut(event)) || (event.target === scene.canvas && sceneKey(event))) event.preventDefault();
+});
+window.addEventListener("error", ({message}) => say(`This page went wrong: ${message}`));
+for (const [when, paper] of [["beforeprint", true], ["afterprint", false]])
+  window.addEventListener(when, () => {
+    if (paper) document.documentElement.dataset.theme = "light";
+    else delete document.documentElement.dataset.theme;
+    scene.recolour();
+    scene.resize();
+    scene.draw(performance.now());
+  });
+
+// ---- for tests and scripts (docs/studio.md section 2)
+
+let ready;
+window.kinetix = {
+  ready: new Promise((resolve) => (ready = resolve)),
+  get bodies() { return state.design?.structure.bodies.length ?? 0; },
+  get design() { return state.design; },
+  get state() { return state.program; },
+  get frame() { return state.frame; },
+  poses: () => Array.from({length: state.frame?.bodies ?? 0}, (_, k) => [...state.frame.poses.subarray(7 * k, 7 * k + 7)]),
+  theta: () => degrees(state.frame?.theta ?? NaN),
+  send: (type, keys) => connection.send(type, keys),
+  mode: (mode) => connection.send("mode", {mode}),
+  setTheta: (deg) => connection.send("theta", {deg}),
+  drag: (body, to) => connection.send("drag", {body, to}),
+  release: () => connection.send("release"),
+  fix: (body, fixed) => connection.send("fix", {body, fixed}),
+  setHinge: (index, keys) => connection.send("hinge", {index, ...keys}),
+  onPage: (body) => scene.onPage([...state.frame.poses.subarray(7 * body, 7 * body + 3)]),
+  get frames() { return scene.frames; },
+  scene,
+};
+state.on("frame", () => ready(), {once: true});
+connection.open();

@@ -1,0 +1,97 @@
+// Mode, fold slider, play, and what only the engine can do.
+import {$, degrees, neat, radians, show} from "./dom.js";
+
+const PERIOD_S = 5;  // of one way there and back by the play button
+
+export class MotionBar {
+  constructor(state) {
+    Object.assign(this, {state, connection: state.connection});
+    for (const input of document.querySelectorAll('input[name="mode"]')) input.addEventListener("change", () => this.setMode(input.value));
+    $("theta").addEventListener("input", () => this.fold(Number($("theta").value)));
+    $("play").addEventListener("click", () => this.play(!this.playing));
+    this.listen();
+    state.on("program", () => this.showProgram());
+    state.on("design", () => this.showDesign());
+    state.on("frame", () => this.showFrame());
+  }
+
+  listen() {
+    const {connection} = this, send = (type, keys) => connection.send(type, keys).catch(() => {});
+    $("pause").addEventListener("click", () => send("pause", {on: !this.state.program.paused}));
+    $("step").addEventListener("click", () => send("step"));
+    $("gravity").addEventListener("change", () => send("gravity", {on: $("gravity").checked}));
+    $("springs").addEventListener("change", () => send("springs", {on: $("springs").checked}));
+    $("speed").addEventListener("change", () => send("speed", {factor: Number($("speed").value)}));
+    $("snap").addEventListener("click", () => send("snap"));
+    $("reset").addEventListener("click", () => this.play(false) ?? send("reset"));
+  }
+
+  setMode(mode) {
+    this.play(false);
+    return this.connection.send("mode", {mode}).catch(() => this.showProgram());
+  }
+
+  fold(deg) {
+    this.asked = performance.now();
+    this.connection.latest("theta", {deg});
+    this.label(deg);
+  }
+
+  label(deg) {
+    $("theta").setAttribute("aria-valuetext", `${neat(deg, 1)} degrees`);
+  }
+
+  play(on) {
+    if (Boolean(on) === Boolean(this.playing)) return;
+    this.playing = on;
+    $("play").textContent = on ? "Stop" : "Play";
+    $("play").setAttribute("aria-pressed", String(on));
+    if (!on) return cancelAnimationFrame(this.timer);
+    const {min, max, value} = $("theta"), low = Number(min), high = Number(max);
+    const share = Math.max(0, Math.min(1, (Number(value) - low) / (high - low || 1)));
+    let start = performance.now() - (1000 * PERIOD_S * Math.acos(1 - 2 * share)) / (2 * Math.PI);
+    const still = window.matchMedia("(prefers-reduced-motion: reduce)").matches ? 3 : 1;
+    const tick = (now) => {
+      if (!this.playing) return;
+      const deg = low + (high - low) * 0.5 * (1 - Math.cos((2 * Math.PI * (now - start)) / (1000 * PERIOD_S * still)));
+      $("theta").value = deg;
+      this.fold(deg);
+      this.timer = requestAnimationFrame(tick);
+    };
+    this.timer = requestAnimationFrame(tick);
+  }
+
+  showProgram() {
+    const {program} = this.state;
+    for (const input of document.querySelectorAll('input[name="mode"]')) input.checked = input.value === program.mode;
+    show($("live"), program.mode === "bullet");
+    show($("elastic"), program.mode === "equilibrium");
+    $("pause").setAttribute("aria-pressed", String(Boolean(program.paused)));
+    $("step").disabled = !program.paused;
+    $("gravity").checked = program.gravity;
+    $("springs").checked = program.springs;
+    const nearest = [...$("speed").options].reduce((a, b) => (Math.abs(b.value - program.speed) < Math.abs(a.value - program.speed) ? b : a));
+    $("speed").value = nearest.value;
+  }
+
+  showDesign() {
+    const {design} = this.state, [low, high] = design.theta_range_rad ?? [0, radians(40)];
+    $("theta").min = Math.max(-89, Math.ceil(10 * degrees(Math.min(0, low))) / 10) || 0;
+    $("theta").max = Math.min(89, Math.floor(10 * degrees(high > 0 ? high : radians(40))) / 10);
+    const exact = document.querySelector('input[name="mode"][value="exact"]');
+    exact.disabled = !design.exact;
+    exact.parentElement.title = design.exact ? "The closed form: no strain, no force" : "This design does not move exactly";
+  }
+
+  showFrame() {
+    const {frame} = this.state, deg = degrees(frame.theta);
+    $("reading_theta").textContent = Number.isFinite(deg) ? `${neat(deg, 1)}\u00b0` : "\u2013";
+    $("reading_force").textContent = Number.isFinite(frame.force) ? `${neat(frame.force, 3)} N` : "\u2013";
+    $("reading_energy").textContent = Number.isFinite(frame.energy) ? `${neat(frame.energy, 3)} N mm` : "\u2013";
+    const busy = this.playing || document.activeElement === $("theta") && performance.now() - (this.asked ?? 0) < 800;
+    if (!busy && Number.isFinite(deg)) {
+      $("theta").value = deg;
+      this.label(deg);
+    }
+  }
+}
