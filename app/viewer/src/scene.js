@@ -10,6 +10,7 @@ import {turned} from "./quaternion.js";
 
 const SLOW_FRAME = 90;      // ms; above it the picture is drawn with fewer pixels
 const FEWEST_PIXELS = 0.6;  // a CSS pixel
+const STILL = 300;          // ms without a change: then all pixels are drawn once
 
 export class Scene {
   /** @param canvas in a box of its own   @param options {isTaken} */
@@ -28,7 +29,7 @@ export class Scene {
     this.world.add(this.thing);
     this.light();
     this.orbit = new Orbit(this.camera, canvas, () => this.redraw(), isTaken);
-    this.pixels = Math.min(2, window.devicePixelRatio || 1);
+    this.pixels = this.mostPixels = Math.min(2, window.devicePixelRatio || 1);
     this.listeners = [];
     this.held = null;
     this.tints = new Map();
@@ -282,20 +283,33 @@ export class Scene {
 
   draw(now) {
     this.asked = 0;
+    if (this.fewPixels) this.setPixels(this.fewPixels), this.fewPixels = 0;
     this.renderer.render(this.world, this.camera);
-    const gap = now - (this.drawn ?? 0);
-    this.drawn = now;
     this.frames = (this.frames ?? 0) + 1;
-    if (gap < 1000) this.keepPace(gap);
+    requestAnimationFrame((next) => this.keepPace(next - now));
+    clearTimeout(this.still);
+    if (this.pixels < this.mostPixels) this.still = setTimeout(() => this.drawSharp(), STILL);
+  }
+
+  /** A picture that stands still is drawn with all pixels that the screen has. */
+  drawSharp() {
+    const few = this.pixels;
+    this.setPixels(this.mostPixels);
+    this.renderer.render(this.world, this.camera);
+    this.fewPixels = few;
+  }
+
+  setPixels(pixels) {
+    this.pixels = pixels;
+    this.renderer.setPixelRatio(pixels);
   }
 
   /** A slow machine gets fewer pixels. */
   keepPace(gap) {
-    this.pace = 0.8 * (this.pace ?? gap) + 0.2 * gap;
-    if (this.pace < SLOW_FRAME || this.pixels <= FEWEST_PIXELS) return;
-    this.pixels = Math.max(FEWEST_PIXELS, 0.8 * this.pixels);
+    this.pace = 0.8 * (this.pace ?? 0) + 0.2 * gap;
+    if (this.pace < SLOW_FRAME || this.fewPixels || this.pixels <= FEWEST_PIXELS) return;
+    this.fewPixels = Math.max(FEWEST_PIXELS, 0.8 * this.pixels);
     this.pace = 0;
-    this.resize();
   }
 
   /** The view as a PNG. */

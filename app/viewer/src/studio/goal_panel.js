@@ -94,7 +94,7 @@ export class GoalPanel {
   fieldOf({name, text, value, unit, kind = "number", choices, ...limits}) {
     if (kind === "select") return element("label", {class: "row"}, text, element("select", {name}, choices.map(([key, words]) => element("option", {value: key}, words))));
     const input = element("input", {name, type: kind, ...limits, ...(kind === "checkbox" ? {} : {value}), ...(kind === "text" ? {maxlength: 12, size: 8} : {})});
-    return element("label", {class: "row"}, text, unit ? element("span", {class: "unit"}, input, ` ${unit}`) : input);
+    return element("label", {class: "row"}, text, kind === "number" ? element("span", {class: "unit"}, input, unit) : input);
   }
 
   values() {

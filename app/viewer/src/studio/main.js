@@ -141,7 +141,7 @@ $("remember").addEventListener("click", () => {
 const send = (type) => connection.send(type).catch(() => {});
 for (const type of ["undo", "redo", "save"]) $(type).addEventListener("click", () => send(type));
 $("release").addEventListener("click", () => hand.letGo());
-for (const button of document.querySelectorAll("[data-view]")) button.addEventListener("click", () => scene.orbit.view(button.dataset.view));
+$("view").addEventListener("change", () => scene.orbit.view($("view").value));
 for (const input of document.querySelectorAll('input[name="tool"]')) input.addEventListener("change", () => ($("stage").dataset.tool = input.value));
 $("fit").addEventListener("click", () => scene.fit());
 $("full").addEventListener("click", () => (document.fullscreenElement ? document.exitFullscreen() : $("stage").requestFullscreen?.()));
