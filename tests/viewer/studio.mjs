@@ -33,7 +33,7 @@ export async function open(chrome, address, {width = 1280, height = 800, media =
   await page.setViewport({width, height});
   if (media.length) await page.emulateMediaFeatures(media);
   await page.goto(address);
-  await page.waitForFunction(() => window.kinetix?.ready, {timeout: 30000});
+  await page.waitForFunction(() => Boolean(window.kinetix), {timeout: 30000});
   await page.evaluate(() => window.kinetix.ready);
   return {page, complaints};
 }

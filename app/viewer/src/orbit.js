@@ -23,6 +23,7 @@ export class Orbit {
 
   /** Sees a ball whole. */
   fit(centre, radius) {
+    this.follows = true;
     const {fov, aspect} = this.camera, narrow = Math.min(1, aspect);
     this.centre.copy(centre);
     this.radius = Math.max(radius, 1e-3);
@@ -49,12 +50,14 @@ export class Orbit {
   }
 
   zoom(factor) {
+    this.follows = false;
     this.distance = Math.max(0.1 * (this.radius ?? 10), Math.min(20 * (this.radius ?? 1000), this.distance * factor));
     this.apply();
   }
 
   /** By pixels on screen. */
   pan(dx, dy) {
+    this.follows = false;
     const mmPerPixel = (2 * this.distance * Math.tan((0.5 * this.camera.fov * Math.PI) / 180)) / (this.element.clientHeight || 1);
     const right = new THREE.Vector3().setFromMatrixColumn(this.camera.matrixWorld, 0);
     const up = new THREE.Vector3().setFromMatrixColumn(this.camera.matrixWorld, 1);

@@ -18,8 +18,9 @@ function toTriangle(origin, way, a, b, c) {
 }
 
 export class Picker {
-  constructor(plates, position, index) {
-    Object.assign(this, {plates, position, index, ofBody: new Map(), reach: new Map()});
+  /** @param parts of mesh() */
+  constructor(plates, {position, index, indices}) {
+    Object.assign(this, {plates, position, index, indices, ofBody: new Map(), reach: new Map()});
     plates.forEach((plate, n) => {
       this.ofBody.set(plate.body, [...(this.ofBody.get(plate.body) ?? []), n]);
       const far = Math.max(...plate.corners.map((c) => Math.hypot(...c))) + Math.hypot(...plate.side);
@@ -39,7 +40,7 @@ export class Picker {
       if (Math.hypot(...cross(from, way)) > this.reach.get(body)) continue;
       const back = conjugate([...poses.subarray(7 * body + 3, 7 * body + 7)]), o = turned(back, from), w = turned(back, way);
       for (const n of plates)
-        for (let k = 36 * n; k < 36 * (n + 1); k += 3) {
+        for (let k = this.indices * n; k < this.indices * (n + 1); k += 3) {
           const distance = toTriangle(o, w, ...[0, 1, 2].map((c) => this.corner(this.index[k + c])));
           if (distance < (best?.distance ?? Infinity))
             best = {body, hinge: this.plates[n].hinge, local: o.map((v, c) => v + distance * w[c]), distance};

@@ -44,28 +44,37 @@ export function platesOf(structure) {
   return structure.hinges.flatMap((hinge, index) => halfWalls(structure, hinge, index, size));
 }
 
-const FACES = [[0, 1, 2, 3, 1], [7, 6, 5, 4, -1], [0, 4, 5, 1, 0], [1, 5, 6, 2, 0], [2, 6, 7, 3, 0], [3, 7, 4, 0, 0]];
-const EDGES = [[0, 1], [1, 2], [2, 3], [4, 5], [5, 6], [6, 7], [1, 5], [2, 6]];
+// The face at the vertex is left out: it is inside its neighbours.
+const FACES = [[0, 1, 2, 3], [7, 6, 5, 4], [0, 4, 5, 1], [1, 5, 6, 2], [2, 6, 7, 3]];
+const CORNERS = 4 * FACES.length, INDICES = 6 * FACES.length;
 
-/** Positions, normals, bodies and triangles of all plates for one buffer geometry; 24 corners a plate. */
+/** Distances of a corner of a face from its four sides: linear over the face, so that its rim can be drawn on it. */
+function rims(corners) {
+  const toSide = (p, a, b) => Math.hypot(...cross(minus(p, a), unit(minus(b, a))));
+  return corners.map((p) => corners.map((a, k) => toSide(p, a, corners[(k + 1) % 4])));
+}
+
+/** Positions, normals, bodies, rims and triangles of all plates for one buffer geometry, outsides counter-clockwise. */
 export function mesh(plates) {
-  const position = new Float32Array(plates.length * 72), normal = new Float32Array(plates.length * 72);
-  const body = new Float32Array(plates.length * 24), index = new Uint32Array(plates.length * 36);
-  const lines = new Float32Array(plates.length * EDGES.length * 6), lineBody = new Float32Array(plates.length * EDGES.length * 2);
+  const count = plates.length * CORNERS;
+  const position = new Float32Array(3 * count), normal = new Float32Array(3 * count), rim = new Float32Array(4 * count);
+  const body = new Float32Array(count), index = new Uint32Array(plates.length * INDICES);
   plates.forEach((plate, n) => {
-    const solid = [...plate.corners.map((c) => add(c, plate.side)), ...plate.corners.map((c) => minus(c, plate.side))];
+    const solid = [...plate.corners.map((c) => add(c, plate.side)), ...plate.corners.map((c) => minus(c, plate.side))], middle = centre(solid);
     FACES.forEach((face, f) => {
-      const corners = face.slice(0, 4).map((k) => solid[k]), at = 24 * n + 4 * f;
-      const across = unit(cross(minus(corners[1], corners[0]), minus(corners[3], corners[0])));
-      const outward = dot(across, minus(corners[0], centre(solid))) < 0 ? scaled(across, -1) : across;
-      corners.forEach((corner, k) => position.set(corner, 3 * (at + k)) ?? normal.set(outward, 3 * (at + k)));
+      const corners = face.map((k) => solid[k]), at = CORNERS * n + 4 * f;
+      const across = unit(cross(minus(corners[1], corners[0]), minus(corners[3], corners[0]))), inward = dot(across, minus(corners[0], middle)) < 0;
+      const outward = inward ? scaled(across, -1) : across, far = rims(corners);
+      corners.forEach((corner, k) => {
+        position.set(corner, 3 * (at + k));
+        normal.set(outward, 3 * (at + k));
+        rim.set(far[k], 4 * (at + k));
+      });
       body.fill(plate.body, at, at + 4);
-      index.set([0, 1, 2, 0, 2, 3].map((k) => at + k), 36 * n + 6 * f);
+      index.set((inward ? [0, 2, 1, 0, 3, 2] : [0, 1, 2, 0, 2, 3]).map((k) => at + k), INDICES * n + 6 * f);
     });
-    EDGES.forEach(([a, b], k) => lines.set([...solid[a], ...solid[b]], 6 * (EDGES.length * n + k)));
-    lineBody.fill(plate.body, EDGES.length * 2 * n, EDGES.length * 2 * (n + 1));
   });
-  return {position, normal, body, index, lines, lineBody};
+  return {position, normal, body, rim, index, corners: CORNERS, indices: INDICES};
 }
 
 function centre(points) {

@@ -5,10 +5,18 @@ import * as THREE from "three";
 const DECLARE = `
   attribute float body;
   uniform sampler2D poses;
-  vec3 turnedBy(vec4 q, vec3 v) { vec3 t = 2.0 * cross(q.yzw, v); return v + q.x * t + cross(q.yzw, t); }
-  vec4 posePart(int part) { int at = 2 * int(body + 0.5) + part; int width = textureSize(poses, 0).x;
-    return texelFetch(poses, ivec2(at % width, at / width), 0); }
+  vec4 bodyTurn; vec3 bodyPlace;
+  void fetchPose() {
+    int at = 2 * int(body + 0.5), width = textureSize(poses, 0).x;
+    ivec2 place = ivec2(at % width, at / width);
+    bodyPlace = texelFetch(poses, place, 0).xyz;
+    bodyTurn = texelFetch(poses, place + ivec2(1, 0), 0);
+  }
+  vec3 turnedByBody(vec3 v) { vec3 t = 2.0 * cross(bodyTurn.yzw, v); return v + bodyTurn.x * t + cross(bodyTurn.yzw, t); }
 `;
+
+// Rims of faces are drawn by their fragments: lines of their own would cost more than all faces.
+const RIM_PX = "1.1";
 
 /** Two texels a body: place, then quaternion. */
 export function poseTexture(bodies) {
@@ -27,13 +35,25 @@ export function fillPoses(texture, poses) {
   texture.needsUpdate = true;
 }
 
-/** The same material, moved by those poses. */
-export function posed(material, texture) {
+/** The same material, moved by those poses. @param rim {value: colour} of the rims of faces, or nothing */
+export function posed(material, texture, rim) {
   material.onBeforeCompile = (shader) => {
     shader.uniforms.poses = {value: texture};
     shader.vertexShader = DECLARE + shader.vertexShader
-      .replace("#include <beginnormal_vertex>", "vec3 objectNormal = turnedBy(posePart(1), normal);")
-      .replace("#include <begin_vertex>", "vec3 transformed = turnedBy(posePart(1), position) + posePart(0).xyz;");
+      .replace("void main() {", "void main() { fetchPose();")
+      .replace("#include <beginnormal_vertex>", "vec3 objectNormal = turnedByBody(normal);")
+      .replace("#include <begin_vertex>", "vec3 transformed = turnedByBody(position) + bodyPlace;");
+    if (rim) drawRims(shader, rim);
   };
+  material.customProgramCacheKey = () => `posed ${Boolean(rim)}`;
   return material;
+}
+
+function drawRims(shader, rim) {
+  shader.uniforms.rimColour = rim;
+  shader.vertexShader = "attribute vec4 rim; varying vec4 toSides;\n" + shader.vertexShader.replace("fetchPose();", "fetchPose(); toSides = rim;");
+  shader.fragmentShader = "uniform vec3 rimColour; varying vec4 toSides;\n" + shader.fragmentShader.replace("#include <opaque_fragment>", `
+    float side = min(min(toSides.x, toSides.y), min(toSides.z, toSides.w)), pixel = max(length(vec2(dFdx(side), dFdy(side))), 1e-6);
+    outgoingLight = mix(rimColour, outgoingLight, 0.35 + 0.65 * smoothstep(0.0, ${RIM_PX}, side / pixel));
+    #include <opaque_fragment>`);
 }

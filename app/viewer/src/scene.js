@@ -3,6 +3,7 @@ import * as THREE from "three";
 import {cssColour, heat} from "./colours.js";
 import {Orbit} from "./orbit.js";
 import {Picker} from "./picking.js";
+import {Openings} from "./openings.js";
 import {mesh, platesOf} from "./plates.js";
 import {fillPoses, posed, poseTexture} from "./posed_material.js";
 import {standing, standOf} from "./standing.js";
@@ -10,41 +11,44 @@ import {turned} from "./quaternion.js";
 
 const SLOW_FRAME = 90;      // ms; above it the picture is drawn with fewer pixels
 const FEWEST_PIXELS = 0.6;  // a CSS pixel
+const SHADOW_EVERY = 3;     // frames in motion: its pass costs as much as all else
 const STILL = 300;          // ms without a change: then all pixels are drawn once
 
 export class Scene {
   /** @param canvas in a box of its own   @param options {isTaken} */
   constructor(canvas, {isTaken} = {}) {
     this.canvas = canvas;
-    this.renderer = new THREE.WebGLRenderer({canvas, antialias: true, alpha: true, preserveDrawingBuffer: false});
+    this.renderer = new THREE.WebGLRenderer({canvas, antialias: !drawsInSoftware(), alpha: true});
     this.renderer.shadowMap.enabled = true;
-    this.renderer.shadowMap.type = THREE.PCFSoftShadowMap;
+    this.renderer.shadowMap.autoUpdate = false;
+    this.renderer.shadowMap.type = THREE.VSMShadowMap;
     this.world = new THREE.Scene();
     this.camera = new THREE.PerspectiveCamera(28, 1, 1, 1000);
     this.thing = new THREE.Group();
     this.thing.matrixAutoUpdate = false;
     this.goal = new THREE.Group();
     this.marks = new THREE.Group();
-    this.thing.add(this.goal, this.marks);
+    this.openings = new Openings();
+    this.thing.add(this.goal, this.marks, this.openings.object);
     this.world.add(this.thing);
     this.light();
     this.orbit = new Orbit(this.camera, canvas, () => this.redraw(), isTaken);
     this.pixels = this.mostPixels = Math.min(2, window.devicePixelRatio || 1);
-    this.listeners = [];
     this.held = null;
-    this.tints = new Map();
+    this.rim = {value: new THREE.Color()};
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
     window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.recolour());
     this.resize();
   }
 
   light() {
-    this.sky = new THREE.HemisphereLight(0xffffff, 0x9aa4ae, 1.9);
+    this.sky = new THREE.HemisphereLight(0xffffff, 0xb4bcc6, 2);
     this.sky.position.set(0, 0, 1);
     this.sun = new THREE.DirectionalLight(0xffffff, 2.1);
     this.sun.castShadow = true;
-    this.sun.shadow.mapSize.set(1024, 1024);
-    this.sun.shadow.radius = 6;
+    this.sun.shadow.mapSize.set(512, 512);
+    this.sun.shadow.radius = 3;
+    this.sun.shadow.blurSamples = 6;
     this.ground = new THREE.Mesh(new THREE.PlaneGeometry(1, 1), new THREE.ShadowMaterial({opacity: 0.22, depthWrite: false}));
     this.ground.receiveShadow = true;
     this.world.add(this.sky, this.sun, this.sun.target, this.ground);
@@ -52,49 +56,41 @@ export class Scene {
 
   /** Another sheet; the view stays where it can. @param structure as in result.json */
   setStructure(structure, {fit = true} = {}) {
-    for (const old of [this.solid, this.lines]) old?.geometry.dispose(), old?.removeFromParent();
+    this.solid?.geometry.dispose();
+    this.solid?.removeFromParent();
     this.texture?.dispose();
     this.structure = structure;
     this.plates = platesOf(structure);
     this.rest = structure.bodies.map(({position_mm}) => position_mm);
     const parts = mesh(this.plates);
-    this.picker = new Picker(this.plates, parts.position, parts.index);
+    this.picker = new Picker(this.plates, parts);
     this.texture = poseTexture(structure.bodies.length);
+    this.corners = parts.corners;
     this.solid = this.solidOf(parts);
-    this.lines = this.linesOf(parts);
-    this.thing.add(this.solid, this.lines);
+    this.thing.add(this.solid);
+    this.openings.setStructure(structure);
     this.poses = Float64Array.from(this.rest.flatMap((p) => [...p, 1, 0, 0, 0]));
     this.size = 0.5 * Math.max(...this.rest.map((p) => Math.hypot(...p.map((v, k) => v - this.rest[0][k]))), structure.cell_mm);
     this.held = null;
-    this.tints.clear();
     this.recolour();
     this.show(this.poses);
     if (fit) this.fit();
   }
 
-  solidOf({position, normal, body, index}) {
+  solidOf({position, normal, body, rim, index}) {
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute("position", new THREE.BufferAttribute(position, 3));
     geometry.setAttribute("normal", new THREE.BufferAttribute(normal, 3));
     geometry.setAttribute("body", new THREE.BufferAttribute(body, 1));
+    geometry.setAttribute("rim", new THREE.BufferAttribute(rim, 4));
     geometry.setAttribute("color", new THREE.BufferAttribute(new Float32Array(position.length), 3));
     geometry.setIndex(new THREE.BufferAttribute(index, 1));
-    // Faces step back a little, so that the edges are not half hidden in them.
-    const material = new THREE.MeshLambertMaterial({vertexColors: true, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1});
-    const solid = new THREE.Mesh(geometry, posed(material, this.texture));
+    const material = new THREE.MeshLambertMaterial({vertexColors: true});
+    const solid = new THREE.Mesh(geometry, posed(material, this.texture, this.rim));
     solid.customDepthMaterial = posed(new THREE.MeshDepthMaterial({depthPacking: THREE.RGBADepthPacking}), this.texture);
     solid.frustumCulled = false;
     solid.castShadow = true;
     return solid;
-  }
-
-  linesOf({lines, lineBody}) {
-    const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute("position", new THREE.BufferAttribute(lines, 3));
-    geometry.setAttribute("body", new THREE.BufferAttribute(lineBody, 1));
-    const out = new THREE.LineSegments(geometry, posed(new THREE.LineBasicMaterial({transparent: true, opacity: 0.55}), this.texture));
-    out.frustumCulled = false;
-    return out;
   }
 
   /** How the thing stands is read from these poses, folded for best; without them it stands as its frame has it. */
@@ -106,6 +102,7 @@ export class Scene {
   show(poses, {settle = true} = {}) {
     this.poses = poses;
     fillPoses(this.texture, poses);
+    this.openings.show(poses);
     if (settle || !this.held) this.held = this.stand ? standing(this.stand, poses) : [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
     const [x, y, up] = this.held, m = this.thing.matrix;
     const box = this.boxOf(poses), middle = [0, 1].map((k) => 0.5 * (box.low[k] + box.high[k]));
@@ -114,6 +111,8 @@ export class Scene {
     this.thing.matrixWorldNeedsUpdate = true;
     this.height = box.high[2] - box.low[2];
     this.placeLight(box);
+    this.moved = true;
+    if (this.orbit.follows && settle) this.fit(box);
     this.redraw();
   }
 
@@ -138,13 +137,14 @@ export class Scene {
     this.sun.position.set(-0.35 * reach, -0.45 * reach, 2.2 * reach);
     Object.assign(this.sun.shadow.camera, {left: -reach, right: reach, top: reach, bottom: -reach, near: 0.1 * reach, far: 4.5 * reach});
     this.sun.shadow.camera.updateProjectionMatrix();
-    this.ground.scale.set(8 * reach, 8 * reach, 1);
+    this.ground.scale.set(2.6 * reach, 2.6 * reach, 1);
     this.ground.position.z = -0.002 * reach;
   }
 
-  fit() {
-    const box = this.boxOf(this.poses), size = box.high.map((v, k) => v - box.low[k]);
-    this.orbit.fit(new THREE.Vector3(0, 0, 0.5 * size[2]), 0.5 * Math.hypot(...size));
+  /** Sees it whole, and goes on doing so until somebody zooms or shifts. */
+  fit(box = this.boxOf(this.poses)) {
+    const size = box.high.map((v, k) => v - box.low[k]);
+    this.orbit.fit(new THREE.Vector3(0, 0, 0.5 * size[2]), Math.max(0.5 * Math.hypot(...size), 0.6 * this.size));
   }
 
   // ---- colours
@@ -152,10 +152,10 @@ export class Scene {
   recolour() {
     if (!this.solid) return;
     this.palette = {plate: cssColour("plate"), bad: cssColour("bad"), chosen: cssColour("accent"), fixed: cssColour("fixed")};
-    this.lines.material.color.copy(cssColour("plate-edge"));
+    this.rim.value.copy(cssColour("plate-edge"));
     const dark = cssColour("paper").getHSL({}).l < 0.5;
     this.ground.material.opacity = dark ? 0.55 : 0.22;
-    this.sky.groundColor.set(dark ? 0x39424c : 0x9aa4ae);
+    this.sky.groundColor.set(dark ? 0x4a545f : 0xb4bcc6);
     this.paint();
   }
 
@@ -163,6 +163,14 @@ export class Scene {
   setHeat(values, of = "hinge") {
     this.heat = values ? {values, of} : null;
     this.paint();
+  }
+
+  /** Whether cells shine by how far they are open. */
+  setShining(on) {
+    this.openings.object.visible = on;
+    this.ground.visible = !on;
+    this.openings.show(this.poses);
+    this.redraw();
   }
 
   /** Hinges by what they are: {bad: [..], chosen: [..]}, bodies: {fixed: [..]}. */
@@ -185,7 +193,7 @@ export class Scene {
     const colour = this.solid.geometry.attributes.color;
     this.plates.forEach((plate, n) => {
       const {r, g, b} = this.colourOf(plate, sets);
-      for (let k = 72 * n; k < 72 * (n + 1); k += 3) colour.array[k] = r, colour.array[k + 1] = g, colour.array[k + 2] = b;
+      for (let k = 3 * this.corners * n; k < 3 * this.corners * (n + 1); k += 3) colour.array[k] = r, colour.array[k + 1] = g, colour.array[k + 2] = b;
     });
     colour.needsUpdate = true;
     this.redraw();
@@ -284,19 +292,26 @@ export class Scene {
   draw(now) {
     this.asked = 0;
     if (this.fewPixels) this.setPixels(this.fewPixels), this.fewPixels = 0;
-    this.renderer.render(this.world, this.camera);
     this.frames = (this.frames ?? 0) + 1;
+    if (this.frames % SHADOW_EVERY === 0) this.castShadow();
+    this.renderer.render(this.world, this.camera);
     requestAnimationFrame((next) => this.keepPace(next - now));
     clearTimeout(this.still);
-    if (this.pixels < this.mostPixels) this.still = setTimeout(() => this.drawSharp(), STILL);
+    this.still = setTimeout(() => this.drawSharp(), STILL);
+  }
+
+  castShadow() {
+    this.renderer.shadowMap.needsUpdate = this.moved;
+    this.moved = false;
   }
 
   /** A picture that stands still is drawn with all pixels that the screen has. */
   drawSharp() {
-    const few = this.pixels;
-    this.setPixels(this.mostPixels);
+    if (!this.moved && this.pixels === this.mostPixels) return;
+    this.fewPixels = this.pixels === this.mostPixels ? 0 : this.pixels;
+    if (this.fewPixels) this.setPixels(this.mostPixels);
+    this.castShadow();
     this.renderer.render(this.world, this.camera);
-    this.fewPixels = few;
   }
 
   setPixels(pixels) {
@@ -314,9 +329,18 @@ export class Scene {
 
   /** The view as a PNG. */
   picture() {
+    this.castShadow();
     this.renderer.render(this.world, this.camera);
     return new Promise((resolve) => this.canvas.toBlob(resolve, "image/png"));
   }
+}
+
+/** Whether there is no graphics card: edges are then left a little rougher. */
+function drawsInSoftware() {
+  const context = document.createElement("canvas").getContext("webgl2"), names = context?.getExtension("WEBGL_debug_renderer_info");
+  const name = names ? context.getParameter(names.UNMASKED_RENDERER_WEBGL) : "";
+  context?.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|software|basic render/i.test(name);
 }
 
 /** A picture under the flat sheet. @param source an image or canvas */

@@ -2,7 +2,8 @@
 import {turned} from "./quaternion.js";
 
 const SAME_FACE = Math.cos(0.05);  // rad; panels within it lie in one plane
-const FACE_SHARE = 0.15;           // of all bodies: from there a flat part is one that the thing can stand on
+const FACE_SHARE = 0.09;           // of all bodies: from there a flat part is one that the thing can stand on
+const LEAST_FACE = 6;              // bodies
 
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
@@ -27,7 +28,7 @@ function baseFace(normals, rest) {
   const off = ({bodies}) => Math.hypot(...minus(mean(bodies.map((k) => rest[k])), middle));
   const most = Math.max(...groups.map(({bodies}) => bodies.length));
   const [best] = groups.filter(({bodies}) => bodies.length > 0.9 * most).sort((a, b) => off(a) - off(b));
-  return most < FACE_SHARE * normals.length || groups.length > normals.length / 4 ? null : best.bodies;
+  return most < Math.max(LEAST_FACE, FACE_SHARE * normals.length) ? null : best.bodies;
 }
 
 /** Bodies that what stands up is read from, and whether their upper side is to look down. */

@@ -48,6 +48,7 @@ connection.on("result", (message) => {
   state.result = message;
   state.found = message.result;
   scene.setGoal(ghostOf(state.design, state.found));
+  lookAt(message.result);
   state.changed("result");
 });
 connection.on("frame", (frame) => {
@@ -65,6 +66,17 @@ connection.on("error", ({message}) => say(message));
 connection.on("saved", ({path}) => say(`Saved: ${path}`, true));
 connection.on("closed", () => state.design && say("The program has ended or was stopped. This page looks for it again."));
 connection.on("open", () => $("messages").replaceChildren());
+
+/** Pictures and outlines are seen from above, everything else at a slant. */
+function lookAt(result) {
+  const view = result?.display || result?.outline ? "top" : "slant";
+  $("view").value = view;
+  scene.orbit.view(view);
+  if (result?.display) $("colour").value = "light";
+  else if ($("colour").value === "light") $("colour").value = "plain";
+  marks();
+  state.fitting = true;
+}
 
 function sameSheet(a, b) {
   const {structure: p} = a, {structure: q} = b;
@@ -102,6 +114,7 @@ function turns() {
 function marks() {
   if (!state.design) return;
   const {structure, breaking = []} = state.design, choice = $("colour").value;
+  scene.setShining(choice === "light");
   scene.setMarked({bad: breaking, chosen: state.chosen, fixed: state.program.fixed ?? []});
   const tilts = structure.hinges.map(({beta_rad}) => Math.abs(beta_rad)), most = Math.max(...tilts, 1e-9), bad = new Set(breaking);
   scene.setHeat({tilt: tilts.map((v) => v / most), turn: choice === "turn" ? turns() : null, error: structure.hinges.map((_, k) => (bad.has(k) ? 1 : 0))}[choice] ?? null);
