@@ -49,7 +49,7 @@ packages: $(ALL_PACKAGES)
 
 build/.installed/%: packages/%.txt
 	@mkdir -p $(@D)
-	@missing=$$(grep -v '^#' $< | xargs -n 1 sh -c 'dpkg -s "$$0" >/dev/null 2>&1 || echo "$$0"'); \
+	@missing=$$(grep -v '^#' $< | xargs -n 1 sh -c 'command -v "$$0" >/dev/null || dpkg -s "$$0" >/dev/null 2>&1 || echo "$$0"'); \
 	if [ -n "$$missing" ]; then \
 	  $(SUDO) apt-get update -qq && \
 	  $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $$missing; \

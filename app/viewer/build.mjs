@@ -6,7 +6,7 @@ const [sources, output] = process.argv.slice(2);
 // Code of Debian 12's Chromium and of phones that are some years old.
 const common = {bundle: true, minify: true, target: ["es2021"], legalComments: "none", nodePaths: [path.resolve("node_modules")]};
 // Licences ask for their notice in every copy.
-const notice = "/* three.js, (c) 2010-2025 three.js authors, MIT licence: https://threejs.org/license */";
+const notice = "/* @license three.js, Copyright 2010-2025 Three.js Authors, SPDX-License-Identifier: MIT */";
 
 await build({...common, entryPoints: [`${sources}/src/report_scene.js`], format: "iife", globalName: "KinetixScene", banner: {js: notice},
   outfile: `${output}/scene.js`});

@@ -35,11 +35,12 @@ document.documentElement.dataset.used = "true";
 draw() {
   cp "$1" "$work/report.html"
   echo "$use_controls" >>"$work/report.html"
-  chromium --headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking \
+  chromium --headless --no-sandbox --disable-gpu --enable-unsafe-swiftshader --disable-quic --no-first-run --disable-background-networking \
     --disable-component-update --disable-sync --user-data-dir="$work/profile" --enable-logging=stderr --v=0 \
     --window-size=1000,2000 --dump-dom "file://$work/report.html" >"$work/dom" 2>"$work/log" ||
     fail "chromium ended with an error: $(tail -5 "$work/log")"
-  ! grep CONSOLE "$work/log" || fail "the browser's console is not silent"
+  # What drivers remark on reading pictures back, and that a script may not fill the screen, is the tests' own doing.
+  ! grep CONSOLE "$work/log" | grep -vE 'GL Driver Message|software WebGL|requestFullscreen' || fail "the browser's console is not silent"
   holds 'data-ready="true"'
   holds 'data-used="true"'
   grep -qF 'data-faults=""' "$work/dom" || fail "$(grep -o 'data-faults="[^"]*"' "$work/dom")"

@@ -1,4 +1,4 @@
-// Section 3: the folded sheet in space on a canvas, painted from back to front.
+// The folded sheet in space on a canvas, painted from back to front: where there is no scene (scene_view.js).
 
 const SCALE_BAR_PX = 46;
 const VIEWS = {
@@ -228,6 +228,7 @@ function controls(scene, motion, repaint) {
 function spaceSection(data) {
   const {motion, physics} = stopsOf(data);
   if (!motion.length || !data.structure.hinges.length) return missing("This result holds no state to draw.");
+  if (data.states.model && hasScene()) return sceneSection(data);
   const stops = physics ? [...motion, physics] : motion;
   const scene = {stops, stop: motion.length - 1, azimuth: VIEWS.Slant[0], elevation: VIEWS.Slant[1]};
   const canvas = html("canvas", {

@@ -1,0 +1,143 @@
+// The folded sheet in space as one can turn, play and take pictures of it: where the page holds the script of the scene
+// and the browser draws in three dimensions. view3d.js is for all others.
+
+const NEAR_GOAL = 0.06;  // rad of theta: farther from the goal it is not drawn
+const PLAY_S = 5;        // seconds of one way there and back
+
+function hasScene() {
+  if (typeof KinetixScene === "undefined") return false;
+  const context = document.createElement("canvas").getContext("webgl2");
+  context?.getExtension("WEBGL_lose_context")?.loseContext();
+  return context !== null;
+}
+
+function numbersOf(state) {
+  return Float64Array.from(state.poses.flatMap((pose) => [...pose.p, ...pose.q]));
+}
+
+/** {poses(theta), from, to (rad), words}: by the closed form, or between the states that are stored. */
+function motionOf(data) {
+  const {model, frames, flat} = data.states, {family} = data.plan, to = model.theta ?? 0;
+  const exact = family !== "none" && model.model === "exact" && to !== 0 ? KinetixScene.exactMotion(data.raw.structure, family) : null;
+  if (exact) return {poses: exact, from: 0, to, words: "The slider computes every position from the closed form of the sheet."};
+  const stored = [...frames, ...(model.theta === null ? [] : [model])].map((state) => ({theta: state.theta, poses: numbersOf(state)}));
+  if (flat && !(stored[0]?.theta < 1e-6)) stored.unshift({theta: 0, poses: numbersOf(flat)});
+  const known = stored.sort((a, b) => a.theta - b.theta).filter((state, k) => k === 0 || state.theta > stored[k - 1].theta);
+  if (known.length < 2) return {poses: () => numbersOf(model), from: to, to, words: "One computed state."};
+  return {poses: KinetixScene.storedMotion(known), from: known[0].theta, to: known[known.length - 1].theta,
+    words: `The slider goes through ${known.length} computed states, and straight from each to the next.`};
+}
+
+/** Takes points of the frame of the results to that of the motion: they share body 0. */
+function intoMotion(state, poses) {
+  const {p, q} = state.poses[0], back = [q[0], -q[1], -q[2], -q[3]];
+  return (point) => add(turned([...poses.slice(3, 7)], turned(back, subtract(point, p))), [...poses.slice(0, 3)]);
+}
+
+/** The goal beside the folded sheet: a ribbon under a strip, the lines of a head. */
+function goalOf(data, motion) {
+  const {model} = data.states, to = intoMotion(model, motion.poses(motion.to)), goal = seenFromSide(data) ? data.goal?.goal ?? [] : [];
+  const lines = (data.goal?.backdrop ?? []).map((line) => line.map(to));
+  if (goal.length < 2) return {lines};
+  const ys = model.poses.map((pose) => pose.p[1]), more = 0.75 * data.structure.cell;
+  const [front, back] = [Math.min(...ys) - more, Math.max(...ys) + more].map((y) => goal.map(([x, z]) => to([x, y, z])));
+  const triangles = goal.slice(1).flatMap((_, k) => [[front[k], front[k + 1], back[k + 1]], [front[k], back[k + 1], back[k]]]);
+  return {lines: [...lines, front, back], triangles};
+}
+
+/** Results hold lengths and angles of every hinge; what old ones lack is filled in. */
+function fullStructure(data) {
+  const {raw, structure} = data;
+  return {...raw.structure, wall_mm: {thickness: structure.thickness, height: structure.height}};
+}
+
+class SceneView {
+  constructor(data) {
+    this.data = data;
+    this.motion = motionOf(data);
+    this.theta = this.motion.to;
+    this.canvas = html("canvas", {tabindex: 0, role: "img", "aria-label":
+        "The folded sheet in space; drag or use the arrow keys to turn it, Shift and arrow keys to shift it, plus and minus to zoom"});
+    this.stage = html("div", {class: "stage"}, this.canvas);
+    this.scene = new KinetixScene.Scene(this.canvas);
+    this.scene.setStructure(fullStructure(data), {fit: false});
+    this.scene.standBy(this.motion.poses(this.motion.to));
+    this.scene.setGoal(goalOf(data, this.motion));
+    this.scene.orbit.view(data.view === "top" ? "top" : "slant");
+    this.canvas.addEventListener("keydown", (event) => {
+      if (!this.scene.orbit.key(event)) return;
+      event.preventDefault();
+      this.scene.draw(performance.now());
+    });
+    this.show(this.theta);
+  }
+
+  show(theta) {
+    this.theta = theta;
+    this.scene.goal.visible = Math.abs(theta - this.motion.to) < NEAR_GOAL;
+    this.scene.show(this.motion.poses(theta));
+    if (this.slider) this.slider.value = theta;
+    if (this.readout) this.readout.textContent = `\u03b8 ${degrees(toDegrees(theta))}`;
+  }
+
+  showPhysics(on) {
+    if (this.slider) this.slider.disabled = on;
+    if (!on) return this.show(this.theta);
+    this.scene.goal.visible = false;
+    this.scene.show(numbersOf(this.data.states.physics));
+  }
+
+  play(on) {
+    this.playing = on;
+    this.button.textContent = on ? "Stop" : "Play";
+    const {from, to} = this.motion, share = Math.max(0, Math.min(1, (this.theta - from) / (to - from || 1)));
+    const start = performance.now() - (1000 * PLAY_S * Math.acos(1 - 2 * share)) / (2 * Math.PI);
+    const tick = (now) => {
+      if (!this.playing) return;
+      this.show(from + (to - from) * 0.5 * (1 - Math.cos((2 * Math.PI * (now - start)) / (1000 * PLAY_S))));
+      requestAnimationFrame(tick);
+    };
+    if (on) requestAnimationFrame(tick);
+  }
+
+  async film(button) {
+    const running = this.filming;
+    this.filming = running ? null : KinetixScene.record(this.canvas);
+    button.textContent = running ? "Film" : "Stop film";
+    if (running) KinetixScene.saveAs(await running(), `${this.data.name}.webm`);
+  }
+
+  buttons() {
+    const {scene} = this, button = (text, click) => html("button", {type: "button", click}, text);
+    const views = ["top", "front", "side", "slant"].map((name) => button(name[0].toUpperCase() + name.slice(1), () => scene.orbit.view(name)));
+    const picture = button("Picture", async () => KinetixScene.saveAs(await scene.picture(), `${this.data.name}.png`));
+    const full = button("Full screen", () => (document.fullscreenElement ? document.exitFullscreen() : this.stage.requestFullscreen?.())?.catch(() => {}));
+    const film = KinetixScene.canRecord(this.canvas) ? button("Film", () => this.film(film)) : null;
+    return html("div", {class: "buttons"}, views, button("Fit", () => scene.fit()), full, picture, film);
+  }
+
+  controls() {
+    const {from, to} = this.motion, moves = Math.abs(to - from) > 1e-9;
+    if (moves) {
+      const steps = {min: Math.min(from, to), max: Math.max(from, to), step: "any", value: this.theta};
+      this.slider = html("input", {type: "range", ...steps, "aria-label": "Fold angle", input: () => this.show(Number(this.slider.value))});
+      this.readout = html("output", {}, `\u03b8 ${degrees(toDegrees(this.theta))}`);
+      this.button = html("button", {type: "button", click: () => this.play(!this.playing)}, "Play");
+    }
+    const fold = moves ? html("label", {class: "slider"}, "flat", this.slider, "folded ", this.readout) : null;
+    const physics = this.data.states.physics ? html("fieldset", {}, choice("source", "model", true, () => this.showPhysics(false)),
+        choice("source", "physics run", false, () => this.showPhysics(true))) : null;
+    return html("div", {class: "controls"}, physics, this.button, fold, this.buttons());
+  }
+}
+
+function sceneSection(data) {
+  const view = new SceneView(data), controls = view.controls();
+  const box = responsive(() => {
+    requestAnimationFrame(() => view.scene.resize());
+    view.scene.recolour();
+    if (view.stage.isConnected) view.scene.resize(), view.scene.draw(performance.now());
+    return view.stage;
+  });
+  return [controls, box, html("p", {class: "note on-screen"}, `Drag to turn it, wheel or pinch to zoom. ${view.motion.words}`)];
+}
