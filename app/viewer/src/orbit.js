@@ -4,6 +4,7 @@ import * as THREE from "three";
 const TURN = 0.008;       // rad a pixel
 const KEY_TURN = 0.12;    // rad a press
 const ZOOM = 1.15;        // a press of a key
+const ROOM = 0.86;        // of the picture is filled by what is shown
 const HIGHEST = Math.PI / 2 - 0.001;
 export const VIEWS = {slant: [-0.6, 0.45], front: [0, 0.02], side: [Math.PI / 2, 0.02], top: [0, HIGHEST]};
 
@@ -18,17 +19,29 @@ export class Orbit {
 
   view(name) {
     [this.azimuth, this.elevation] = VIEWS[name];
+    this.turned();
+  }
+
+  /** Sees a box whole, {low, high}, from wherever it looks, and goes on doing so until somebody zooms or shifts. */
+  fit({low, high}, least = 0) {
+    Object.assign(this, {follows: true, box: {low, high}, least});
+    this.centre.set(...low.map((v, k) => 0.5 * (v + high[k])));
+    this.radius = Math.max(1e-3, least, 0.5 * Math.hypot(...low.map((v, k) => high[k] - v)));
+    this.distance = this.distanceOf(low.map((v, k) => 0.5 * (high[k] - v)));
     this.apply();
   }
 
-  /** Sees a ball whole. */
-  fit(centre, radius) {
-    this.follows = true;
-    const {fov, aspect} = this.camera, narrow = Math.min(1, aspect);
-    this.centre.copy(centre);
-    this.radius = Math.max(radius, 1e-3);
-    this.distance = (1.04 * this.radius) / Math.sin((0.5 * fov * Math.PI) / 180) / Math.max(0.35, narrow);
-    this.apply();
+  /** From which a box with those half sizes fills the picture. */
+  distanceOf(half) {
+    const {azimuth: a, elevation: e, camera} = this, tall = ROOM * Math.tan((0.5 * camera.fov * Math.PI) / 180), wide = tall * camera.aspect;
+    const right = [Math.cos(a), Math.sin(a), 0], near = [Math.sin(a) * Math.cos(e), -Math.cos(a) * Math.cos(e), Math.sin(e)];
+    const up = [-Math.sin(a) * Math.sin(e), Math.cos(a) * Math.sin(e), Math.cos(e)];
+    let most = this.least / tall;
+    for (let corner = 0; corner < 8; ++corner) {
+      const at = half.map((v, k) => (corner & (1 << k) ? v : -v)), along = (way) => at[0] * way[0] + at[1] * way[1] + at[2] * way[2];
+      most = Math.max(most, Math.max(Math.abs(along(up)) / tall, Math.abs(along(right)) / wide) + along(near));
+    }
+    return most;
   }
 
   apply() {
@@ -46,7 +59,12 @@ export class Orbit {
   turn(dx, dy) {
     this.azimuth -= dx;
     this.elevation = Math.max(-HIGHEST, Math.min(HIGHEST, this.elevation + dy));
-    this.apply();
+    this.turned();
+  }
+
+  turned() {
+    if (this.follows) this.fit(this.box, this.least);
+    else this.apply();
   }
 
   zoom(factor) {

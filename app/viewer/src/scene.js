@@ -12,6 +12,7 @@ import {turned} from "./quaternion.js";
 const SLOW_FRAME = 90;      // ms; above it the picture is drawn with fewer pixels
 const FEWEST_PIXELS = 0.6;  // a CSS pixel
 const SHADOW_EVERY = 3;     // frames in motion: its pass costs as much as all else
+const SMALLEST = 0.35;      // of the flat sheet's half diagonal: what folds up smaller is not drawn larger
 const STILL = 300;          // ms without a change: then all pixels are drawn once
 
 export class Scene {
@@ -137,14 +138,13 @@ export class Scene {
     this.sun.position.set(-0.35 * reach, -0.45 * reach, 2.2 * reach);
     Object.assign(this.sun.shadow.camera, {left: -reach, right: reach, top: reach, bottom: -reach, near: 0.1 * reach, far: 4.5 * reach});
     this.sun.shadow.camera.updateProjectionMatrix();
-    this.ground.scale.set(2.6 * reach, 2.6 * reach, 1);
+    this.ground.scale.set(2.1 * reach, 2.1 * reach, 1);
     this.ground.position.z = -0.002 * reach;
   }
 
-  /** Sees it whole, and goes on doing so until somebody zooms or shifts. */
-  fit(box = this.boxOf(this.poses)) {
-    const size = box.high.map((v, k) => v - box.low[k]);
-    this.orbit.fit(new THREE.Vector3(0, 0, 0.5 * size[2]), Math.max(0.5 * Math.hypot(...size), 0.6 * this.size));
+  fit({low, high} = this.boxOf(this.poses)) {
+    const [x, y, z] = this.shift;
+    this.orbit.fit({low: [low[0] + x, low[1] + y, low[2] + z], high: [high[0] + x, high[1] + y, high[2] + z]}, SMALLEST * this.size);
   }
 
   // ---- colours
