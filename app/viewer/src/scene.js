@@ -50,7 +50,7 @@ export class Scene {
     this.sun.shadow.mapSize.set(512, 512);
     this.sun.shadow.radius = 3;
     this.sun.shadow.blurSamples = 6;
-    this.ground = new THREE.Mesh(new THREE.PlaneGeometry(1, 1), new THREE.ShadowMaterial({opacity: 0.22, depthWrite: false}));
+    this.ground = new THREE.Mesh(new THREE.PlaneGeometry(1, 1), clearWhereLit(new THREE.ShadowMaterial({opacity: 0.22, depthWrite: false})));
     this.ground.receiveShadow = true;
     this.world.add(this.sky, this.sun, this.sun.target, this.ground);
   }
@@ -333,6 +333,14 @@ export class Scene {
     this.renderer.render(this.world, this.camera);
     return new Promise((resolve) => this.canvas.toBlob(resolve, "image/png"));
   }
+}
+
+/** Soft shadows leave a breath of grey on lit ground, whose rim would show. */
+function clearWhereLit(material) {
+  material.onBeforeCompile = (shader) => {
+    shader.fragmentShader = shader.fragmentShader.replace("1.0 - getShadowMask()", "smoothstep(0.06, 1.0, 1.0 - getShadowMask())");
+  };
+  return material;
 }
 
 /** Whether there is no graphics card: edges are then left a little rougher. */
