@@ -12,8 +12,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-SKIPPED = {".git", "build", "results", "__pycache__"}
-CODE = {".hpp", ".cpp", ".in", ".py", ".cmake", ".sh", ".js", ".html", ".css", ""}
+SKIPPED = {".git", "build", "results", "__pycache__", "node_modules"}
+CODE = {".hpp", ".cpp", ".in", ".py", ".cmake", ".sh", ".js", ".mjs", ".html", ".css", ""}
 TEXTS = CODE | {".md", ".txt", ".yaml", ".json"}
 SELF = "tests/project/check_docs.py"  # cites pages that do not exist, to see that it notices
 # Pages and folders that are cited already and still to be written. One that exists must not stand here.

@@ -39,12 +39,12 @@ TEST(Report, HoldsTheWholeResult) {
 
 TEST(Report, RefersToNothingOutsideItself) {
   const std::string page = report_html("{}");
-  for (const char* pattern : {R"(\b(src|href)\s*=\s*["'])", R"(<link)", R"(@import)", R"(\burl\()", R"(\bimport\b)",
-                              R"(\bfetch\()", R"(XMLHttpRequest)"})
+  for (const char* pattern : {R"(\b(src|href)\s*=\s*["'])", R"(<link)", R"(@import)", R"(\burl\()",
+                              R"(\bimport\b)", R"(\bfetch\()", R"(XMLHttpRequest)"})
     EXPECT_FALSE(std::regex_search(page, std::regex(pattern, std::regex::icase))) << pattern;
   // The addresses left are the names of the namespaces of SVG and HTML.
-  EXPECT_EQ(occurrences(page, "http://"),
-            occurrences(page, "http://www.w3.org/2000/svg") + occurrences(page, "http://www.w3.org/1999/xhtml"));
+  EXPECT_EQ(occurrences(page, "http://"), occurrences(page, "http://www.w3.org/2000/svg") +
+                                              occurrences(page, "http://www.w3.org/1999/xhtml"));
   EXPECT_EQ(occurrences(page, "https://"), 0);
 }
 
