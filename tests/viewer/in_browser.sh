@@ -12,7 +12,7 @@ cp "$here"/*.mjs "$1"
 cd "$1"
 if ! cmp -s "$here/package-lock.json" node_modules/.lock; then
   cp "$here/package.json" "$here/package-lock.json" .
-  npm ci --ignore-scripts --no-audit --no-fund --loglevel=error >/dev/null 2>&1 || skip "npm reaches no packages"
+  npm ci --ignore-scripts --no-audit --no-fund --loglevel=error --fetch-retries=1 --fetch-retry-mintimeout=1000 >/dev/null 2>&1 || skip "npm reaches no packages"
   cp "$here/package-lock.json" node_modules/.lock
 fi
 exec "$(command -v node || command -v nodejs)" --test "$3.test.mjs"

@@ -11,6 +11,7 @@ import {Hand} from "./hand.js";
 import {MakePanel} from "./make_panel.js";
 import {MotionBar} from "./motion_bar.js";
 import {PageState} from "./page_state.js";
+import {PathChart} from "./path_chart.js";
 import {tabs} from "./tabs.js";
 
 const STAND_THETA = radians(20);  // how an exact sheet stands is read from its shape there at least
@@ -23,11 +24,12 @@ const bar = new MotionBar(state);
 new DesignPanel(state);
 new GoalPanel(state);
 new MakePanel(state);
+new PathChart(state);
 tabs(document.querySelector('[role="tablist"]'));
 
 // ---- what the program tells
 
-for (const type of ["hello", "progress", "exported"])
+for (const type of ["hello", "progress", "exported", "path"])
   connection.on(type, (message) => {
     state[type] = message;
     state.changed(type);
