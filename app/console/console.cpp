@@ -1,5 +1,6 @@
 #include "app/console/console.hpp"
 
+#include <pthread.h>
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
@@ -15,6 +16,16 @@ constexpr int bar_width = 30;                // characters: leaves room for stag
 constexpr std::chrono::seconds interval{1};  // after which silence makes people wonder
 constexpr double least_done = 0.02;          // a share: from less nobody can tell what is left
 
+/// Held while a heart writes, and while this process forks: a child inherits every lock of the memory allocator and of
+/// the stream as it stood, and the thread that would have opened it is not in the child.
+std::mutex& forks() {
+  static std::mutex mutex;
+  static const int registered =
+      pthread_atfork([] { forks().lock(); }, [] { forks().unlock(); }, [] { forks().unlock(); });
+  static_cast<void>(registered);
+  return mutex;
+}
+
 spdlog::logger& log() {
   static const auto logger = [] {
     auto made = spdlog::stderr_logger_mt("kinetix");
@@ -27,6 +38,7 @@ spdlog::logger& log() {
 }  // namespace
 
 Console::Console(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1) {
+  forks();
   if (!quiet_) heart_ = std::thread([this] { beat(); });
 }
 
@@ -43,7 +55,10 @@ Console::~Console() {
 void Console::beat() {
   std::unique_lock lock(mutex_);
   while (!end_.wait_for(lock, interval / 4, [this] { return ends_; }))
-    if (!stage_.empty() && Clock::now() >= next_) show();
+    if (!stage_.empty() && Clock::now() >= next_) {
+      const std::lock_guard alone(forks());
+      show();
+    }
 }
 
 /// What is left, from how long the part that is done took.

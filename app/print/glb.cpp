@@ -96,7 +96,8 @@ std::vector<float> rotations(const PrintSheet& sheet, int body) {
   for (const model::State& state : sheet.path) {
     Eigen::Quaterniond q(state[body].R);
     if (q.dot(before) < 0) q.coeffs() *= -1;
-    for (const double x : q.normalized().coeffs()) out.push_back(static_cast<float>(x));
+    q.normalize();
+    for (const double x : q.coeffs()) out.push_back(static_cast<float>(x));
     before = q;
   }
   return out;
