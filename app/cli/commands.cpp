@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "app/cli/open_report.hpp"
 #include "app/console/console.hpp"
+#include "app/console/open_report.hpp"
 #include "app/console/stopper.hpp"
 #include "app/exports/write_results.hpp"
 #include "app/goals/read_target.hpp"

@@ -4,7 +4,7 @@ _kinetix_opt() {
   local common="--help --json --quiet --threads --seed"
   for ((k = 1; k < COMP_CWORD; ++k)); do
     case ${COMP_WORDS[k]} in
-      verify | simulate | sweep | check | export) command=${COMP_WORDS[k]}; break ;;
+      verify | simulate | sweep | check | export | view) command=${COMP_WORDS[k]}; break ;;
     esac
   done
   case $before in
@@ -14,7 +14,7 @@ _kinetix_opt() {
     --hinge) COMPREPLY=($(compgen -W "pin block film" -- "$word")); return ;;
     --state) COMPREPLY=($(compgen -W "flat folded" -- "$word")); return ;;
     -o) COMPREPLY=($(compgen -d -- "$word")); return ;;
-    --threads | --seed | --time-limit | --monte-carlo | --theta-deg) return ;;
+    --threads | --seed | --time-limit | --monte-carlo | --theta-deg | --port) return ;;
   esac
   local options
   case $command in
@@ -23,13 +23,14 @@ _kinetix_opt() {
     sweep) options="$common -o --resume" ;;
     check) options="$common" ;;
     export) options="$common -o --format --process --hinge --coupon --state" ;;
+    view) options="$common --no-open --port" ;;
     *) options="$common --version -o --open --no-verify --time-limit --fidelity --monte-carlo" ;;
   esac
   if [[ $word == -* ]]; then
     COMPREPLY=($(compgen -W "$options" -- "$word"))
   else
     COMPREPLY=($(compgen -f -- "$word"))
-    [[ -z $command ]] && COMPREPLY+=($(compgen -W "verify simulate sweep check export" -- "$word"))
+    [[ -z $command ]] && COMPREPLY+=($(compgen -W "verify simulate sweep check export view" -- "$word"))
   fi
 }
 complete -o filenames -F _kinetix_opt kinetix-opt

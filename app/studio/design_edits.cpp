@@ -6,7 +6,7 @@
 
 #include "app/files/structure_section.hpp"
 #include "model/base/invalid_input.hpp"
-#include "model/lattice/square/crease.hpp"
+#include "model/lattice/square/redrawn.hpp"
 
 namespace kinetix::app::studio {
 namespace {
@@ -36,49 +36,17 @@ const model::Structure& squares_of(const DesignFile& design) {
   throw InvalidInput("cells can be painted on a sheet of squares only");
 }
 
-/// The hinge of a wall, or else of one in the same crease: a sheet that grows along its creases stays what it is.
-std::optional<int> model_of(const model::Structure& structure, const model::Wall& wall) {
-  if (const auto same = structure.hinge_at(wall)) return same;
-  model::Wall other = wall;
-  int& line = wall.axis == model::Axis::x ? other.from.j : other.from.i;
-  for (line = 0; line <= most_cells_a_side; ++line)
-    if (const auto found = structure.hinge_at(other)) return found;
-  return std::nullopt;
-}
-
-/// As the hinge of one wall is on another wall across the same crease: tilts alternate along it, and so do the halves.
-model::HingeParameters copied(const model::Hinge& hinge, const model::Wall& wall) {
-  model::HingeParameters out = hinge.parameters;
-  if (alternation(wall) != alternation(hinge.wall)) out.beta = -out.beta;
-  if (wall.from.is_class_a() != hinge.wall.from.is_class_a()) {
-    out.t = 1 - out.t;
-    out.alpha = pi - out.alpha;
-  }
-  return out;
-}
-
-/// Those cells with the hinges of the walls that the design has, too; new ones are as others in their crease.
 DesignFile with_cells(DesignFile design, std::vector<model::Cell> cells, const model::CellSize& size) {
-  const model::Structure before = squares_of(design);
-  model::Structure after = model::make_structure(std::move(cells), size);
+  auto [structure, from] = model::redrawn(squares_of(design), std::move(cells), size);
   std::map<int, HingeSection> own;
-  for (std::size_t h = 0; h < after.hinges.size(); ++h)
-    if (const auto old = model_of(before, after.hinges[h].wall)) {
-      after.hinges[h].parameters = copied(before.hinges[*old], after.hinges[h].wall);
-      const auto section = design.own_hinges.find(*old);
-      if (section != design.own_hinges.end()) own[static_cast<int>(h)] = section->second;
-    }
-  design.structure = std::move(after);
+  for (std::size_t h = 0; h < from.size(); ++h)
+    if (const auto section = from[h] ? design.own_hinges.find(*from[h]) : design.own_hinges.end();
+        section != design.own_hinges.end())
+      own[static_cast<int>(h)] = section->second;
+  design.structure = std::move(structure);
   design.own_hinges = std::move(own);
   design.drive.reset();
   return design;
-}
-
-std::array<int, 2> extent(const model::Structure& structure) {
-  std::array<int, 2> most = {0, 0};
-  for (const model::Cell& cell : structure.cells)
-    most = {std::max(most[0], cell.i + 1), std::max(most[1], cell.j + 1)};
-  return most;
 }
 
 std::string kind_text(const Message& message) {
@@ -112,25 +80,23 @@ DesignFile with_hinges(DesignFile design, const Message& message) {
 DesignFile with_cell(DesignFile design, const Message& message) {
   const std::vector<int> at = message.integers("cell", 0, most_cells_a_side - 1);
   if (at.size() != 2) throw InvalidInput("cell: must be [i, j]");
-  const model::Cell cell{at[0], at[1]};
-  std::vector<model::Cell> cells = squares_of(design).cells;
-  std::erase(cells, cell);
-  if (message.boolean("on")) cells.push_back(cell);
+  std::vector<model::Cell> cells =
+      model::with_cell(squares_of(design), {at[0], at[1]}, message.boolean("on"));
   const model::CellSize size = design.structure.size();
   return with_cells(std::move(design), std::move(cells), size);
 }
 
 DesignFile with_sheet(DesignFile design, const Message& message) {
   const model::Structure& squares = squares_of(design);
-  auto [columns, rows] = extent(squares);
-  const bool redrawn = message.has("columns") || message.has("rows");
-  if (message.has("columns")) columns = message.integer("columns", 1, most_cells_a_side);
-  if (message.has("rows")) rows = message.integer("rows", 1, most_cells_a_side);
+  std::array<int, 2> extent = model::extent(squares);
+  const bool is_new = message.has("columns") || message.has("rows");
+  if (message.has("columns")) extent[0] = message.integer("columns", 1, most_cells_a_side);
+  if (message.has("rows")) extent[1] = message.integer("rows", 1, most_cells_a_side);
   model::CellSize size = squares.size;
   if (message.has("cell_mm")) size = default_size(message.number("cell_mm", 0.1, 1000));
   if (message.has("thickness_mm")) size.thickness_mm = message.number("thickness_mm", 0.01, 100);
   if (message.has("height_mm")) size.height_mm = message.number("height_mm", 0.01, 1000);
-  std::vector<model::Cell> cells = redrawn ? model::rectangle(columns, rows) : squares.cells;
+  std::vector<model::Cell> cells = is_new ? model::full_sheet(extent) : squares.cells;
   return with_cells(std::move(design), std::move(cells), size);
 }
 

@@ -16,11 +16,11 @@ struct Frame {
   int revision = 0;  ///< of the design that it belongs to
   Mode mode = Mode::exact;
   double theta = std::numeric_limits<double>::quiet_NaN();  ///< rad; NaN here and below: there is none
-  double seconds = 0;                                       ///< simulated
+  double seconds = 0;                                       ///< s, simulated
   double force_N = std::numeric_limits<double>::quiet_NaN();
-  double energy_Nmm = std::numeric_limits<double>::quiet_NaN();
-  model::State state;           ///< mm
-  std::map<int, double> heard;  ///< by client: id of its last command whose effect this shows
+  double energy_Nmm = std::numeric_limits<double>::quiet_NaN();  ///< N mm
+  model::State state;                                            ///< mm
+  std::map<int, double> heard;  ///< by client: the number of its last command whose effect this shows
 };
 
 /// The message of a frame, little-endian. @param number of the frame, which the client acknowledges

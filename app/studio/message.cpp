@@ -9,8 +9,8 @@
 namespace kinetix::app::studio {
 namespace {
 
-constexpr double farthest_mm = 1e6;  // a point a kilometre off is a slip of the mouse
-constexpr std::size_t most_entries = 100000;
+constexpr double farthest_mm = 1e6;           // a point a kilometre off is a slip of the mouse
+constexpr std::size_t most_entries = 100000;  // of a list, 1: more than any sheet has hinges
 
 InvalidInput wrong(const char* key, const std::string& allowed) {
   return InvalidInput(fmt::format("{}: must be {}", key, allowed));

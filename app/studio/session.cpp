@@ -30,7 +30,7 @@ constexpr double steepest_deg = 89;  // theta, as --theta-deg has it
 constexpr std::chrono::milliseconds between_plays{
     8};  // while the engine runs: twice as often as frames are seen
 constexpr std::chrono::milliseconds between_words{500};  // of a search, on screen
-constexpr double largest_push_N = 1000;
+constexpr double largest_push_N = 1000;                  // more than a person pushes with
 
 /// Thrown out of long work that nobody waits for any more.
 struct Stopped {};

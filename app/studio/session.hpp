@@ -14,7 +14,7 @@
 
 namespace kinetix::app::studio {
 
-inline constexpr int everybody = -1;  ///< all clients
+inline constexpr int everybody = -1;  ///< in the place of a client's number: all of them
 
 /// Where a session speaks to its pages. Calls come from several threads.
 struct Outlet {

@@ -32,10 +32,10 @@ DesignFile shear() {
   return design_of("shear", squares);
 }
 
-DesignFile fold() {
+DesignFile crease() {
   Squares squares = Squares::basic(9, 4);
   squares.beta[4] = 45 * radians_per_degree;
-  return design_of("fold", squares);
+  return design_of("crease", squares);
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ const std::vector<Template>& templates() {
       {"panel", "shrinks in both directions", panel},
       {"strip", "curls up", strip},
       {"shear", "leans over as it shrinks", shear},
-      {"fold", "folds along one crease", fold},
+      {"crease", "folds along one crease", crease},
   };
   return all;
 }

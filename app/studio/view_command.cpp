@@ -4,7 +4,7 @@
 #include <iostream>
 #include <random>
 
-#include "app/cli/open_report.hpp"
+#include "app/console/open_report.hpp"
 #include "app/goals/read_target.hpp"
 #include "app/studio/server.hpp"
 #include "app/studio/session.hpp"

@@ -4,6 +4,7 @@
 
 #include "model/lattice/planar/exact_designs.hpp"
 #include "model/lattice/square/crease.hpp"
+#include "model/lattice/square/redrawn.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::model {
@@ -35,21 +36,21 @@ double distance(const Sheet& a, const Sheet& b) {
   return sum;
 }
 
-/// The fraction of a wall that belongs to its body of class A, and back.
-double from_class_a(const Hinge& hinge, double t) { return hinge.wall.from.is_class_a() ? t : 1 - t; }
-
 /// The walls across one crease, all with the same tilt; upright ones with the hinge at the same place.
 void align(Structure& structure, const Crease& crease, bool tilted) {
+  Hinge first = structure.hinges[crease.hinges.front()];
   std::vector<double> tilts, places;
   for (const int h : crease.hinges) {
     const Hinge& hinge = structure.hinges[h];
     tilts.push_back(alternation(hinge.wall) * hinge.parameters.beta);
-    places.push_back(from_class_a(hinge, hinge.parameters.t));
+    places.push_back(carried_to(first.wall, hinge).t);
   }
-  const double tilt = tilted ? middle(std::move(tilts)) : 0, t = middle(std::move(places));
+  const double tilt = tilted ? middle(std::move(tilts)) : 0;
   set_tilt(structure, crease, tilt);
   if (tilt != 0) return;
-  for (const int h : crease.hinges) structure.hinges[h].parameters.t = from_class_a(structure.hinges[h], t);
+  first.parameters.t = middle(std::move(places));
+  for (const int h : crease.hinges)
+    structure.hinges[h].parameters.t = carried_to(structure.hinges[h].wall, first).t;
 }
 
 enum class Tilted { both, along_x, along_y };

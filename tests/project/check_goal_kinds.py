@@ -6,11 +6,15 @@ import sys
 
 root = pathlib.Path(sys.argv[1])
 kinds = sorted(path.name for path in (root / "app/goals").iterdir() if path.is_dir())
-registries = {"app/goals/registry.cpp", "app/report/js/goals.js"}
+registries = {"app/goals/registry.cpp", "app/report/js/goals.js", "app/viewer/src/studio/goals.js"}
+
+
+def own_pages(kind):
+    return f"app/report/js/goals/{kind}.js", f"app/viewer/src/studio/goals/{kind}.js"
 
 
 def is_own(file, kind):
-    return file.startswith(f"app/goals/{kind}/") or file == f"app/report/js/goals/{kind}.js"
+    return file.startswith(f"app/goals/{kind}/") or file in own_pages(kind)
 
 
 def namings(kind):
@@ -22,7 +26,7 @@ def namings(kind):
 
 wrong = []
 for kind in kinds:
-    for folder in (f"targets/{kind}", f"optim/{kind}", f"app/report/js/goals/{kind}.js"):
+    for folder in (f"targets/{kind}", f"optim/{kind}", *own_pages(kind)):
         if not (root / folder).exists():
             wrong.append(f"{folder} is not there")
     for registry in registries:

@@ -1,37 +1,14 @@
 // What to become: a kind of goal, its numbers, its file; the search and its verdict.
 import {$, element, neat, say, show, status} from "./dom.js";
 import {DrawingPad} from "./drawing_pad.js";
-import * as target from "./target_text.js";
+import {CARDS} from "./goals.js";
 
-const number = (name, text, value, {unit = "", min = 1, max = 1000, step = "any"} = {}) => ({name, text, value, unit, min, max, step});
 const LARGEST_FILE = 500e3;  // bytes: the program takes messages up to about 700 kB, and base64 adds a third
-
-/** Each kind: what is asked for, and the text that follows. `drop` are endings of files it takes. */
-const KINDS = {
-  bracelet: {title: "Bracelet", fields: [number("round_mm", "wrist", 170, {unit: "mm round", min: 60, max: 600}), number("columns", "columns", 24, {min: 8, max: 120, step: 1}),
-    number("rows", "rows", 3, {max: 12, step: 1}), number("height_mm", "walls", 6, {unit: "mm high", max: 40})], text: target.bracelet},
-  curve: {title: "Curve", about: "Draw the side view of the folded strip.", pad: true, drop: ".csv", fields: [number("width_mm", "field", 200, {unit: "mm wide", min: 20, max: 3000}),
-    number("columns", "columns", 40, {min: 4, max: 200, step: 1}), number("rows", "rows", 1, {max: 12, step: 1})],
-    text: (v) => (v.name ? target.curveFile(v) : target.curve(v))},
-  letter: {title: "Letter", fields: [{name: "glyph", text: "letter or word", value: "A", kind: "text"}, number("cells", "cells a letter", 10, {min: 6, max: 40, step: 1}),
-    number("cell_mm", "cell", 10, {unit: "mm"})], text: target.letter},
-  image: {title: "Picture", about: "A PNG; its dark parts show when the panel is pressed.", drop: ".png,.pbm,.pgm", needsFile: true,
-    fields: [number("cell_mm", "cell", 10, {unit: "mm"}), {name: "invert", text: "light parts show", kind: "checkbox", value: false}], text: target.image},
-  box: {title: "Box", fields: [number("a", "length", 80, {unit: "mm"}), number("b", "width", 40, {unit: "mm"}), number("c", "height", 40, {unit: "mm"}),
-    {name: "open", text: "open at", kind: "select", value: "", choices: [["", "nowhere"], ["top", "top"], ["front", "front"], ["left", "left"]]}],
-    text: ({a, b, c, open}) => target.box({size_mm: [a, b, c], open})},
-  outline: {title: "Outline", about: "Draw the rim that the panel is to have when it is pressed.", pad: true, closed: true, drop: ".csv",
-    fields: [number("width_mm", "field", 200, {unit: "mm wide", min: 20, max: 3000})], text: target.outline},
-  helmet: {title: "Helmet", about: "A mesh of a head: OBJ, STL or PLY.", drop: ".obj,.stl,.ply", needsFile: true, fields: [number("ribs", "ribs", 8, {max: 60, step: 1}),
-    number("clearance_mm", "room to the head", 5, {unit: "mm", min: 0, max: 100}), {name: "units", text: "mesh is in", kind: "select", value: "mm", choices: [["mm", "mm"], ["cm", "cm"], ["m", "m"], ["in", "inches"]]}],
-    text: target.helmet},
-  file: {title: "File", about: "A target file (YAML) as it is.", drop: ".yaml,.yml", needsFile: true, fields: [], text: ({content}) => content ?? ""},
-};
 
 export class GoalPanel {
   constructor(state) {
     Object.assign(this, {state, connection: state.connection, files: {}});
-    $("kinds").append(...Object.entries(KINDS).map(([name, {title}], k) => element("label", {},
+    $("kinds").append(...Object.entries(CARDS).map(([name, {title}], k) => element("label", {},
       element("input", {type: "radio", name: "kind", value: name, checked: k === 0, change: () => this.choose(name)}), element("span", {}, title))));
     this.listen();
     this.choose("bracelet");
@@ -48,7 +25,7 @@ export class GoalPanel {
   }
 
   choose(name) {
-    this.kind = KINDS[name];
+    this.kind = CARDS[name];
     this.file = this.pad = null;
     this.files = {};
     $("goal").replaceChildren(...[this.kind.about && element("p", {class: "note"}, this.kind.about), this.kind.pad && this.padOf(), this.kind.drop && this.dropOf(),
@@ -85,8 +62,8 @@ export class GoalPanel {
     if (!file) return;
     if (file.size > LARGEST_FILE) return say(`${file.name} is larger than ${LARGEST_FILE / 1000} kB: name it in a target file and start the studio with that.`);
     const bytes = new Uint8Array(await file.arrayBuffer()), name = file.name.replace(/[^\w.-]/g, "_");
-    this.file = {name, content: this.kind === KINDS.file ? new TextDecoder().decode(bytes) : undefined};
-    this.files = this.kind === KINDS.file ? {} : {[name]: base64(bytes)};
+    this.file = {name, content: this.kind === CARDS.file ? new TextDecoder().decode(bytes) : undefined};
+    this.files = this.kind === CARDS.file ? {} : {[name]: base64(bytes)};
     this.dropLabel.textContent = `${file.name}, ${neat(file.size / 1000, 1)} kB`;
     this.compose();
   }

@@ -5,8 +5,8 @@ import {Scene} from "../scene.js";
 import {Connection} from "./connection.js";
 import {DesignPanel} from "./design_panel.js";
 import {$, degrees, radians, say, show, status} from "./dom.js";
-import {ghostOf} from "./ghost.js";
 import {GoalPanel} from "./goal_panel.js";
+import {ghostOf, goalOf} from "./goals.js";
 import {Hand} from "./hand.js";
 import {MakePanel} from "./make_panel.js";
 import {MotionBar} from "./motion_bar.js";
@@ -71,10 +71,10 @@ connection.on("open", () => $("messages").replaceChildren());
 
 /** Pictures and outlines are seen from above, everything else at a slant. */
 function lookAt(result) {
-  const view = result?.display || result?.outline ? "top" : "slant";
+  const {view = "slant", light = false} = goalOf(result) ?? {};
   $("view").value = view;
   scene.orbit.view(view);
-  if (result?.display) $("colour").value = "light";
+  if (light) $("colour").value = "light";
   else if ($("colour").value === "light") $("colour").value = "plain";
   marks();
   state.fitting = true;

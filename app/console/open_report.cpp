@@ -1,4 +1,4 @@
-#include "app/cli/open_report.hpp"
+#include "app/console/open_report.hpp"
 
 #include <spawn.h>
 

@@ -1,0 +1,47 @@
+// A strip that bends into a curve: one round a wrist, or one that is drawn.
+import {field, inQuotes, number, pairs, targetFile} from "./target_file.js";
+
+const GAP_DEG = 50;  // of a bracelet: where the wrist goes in
+const POINTS = 72;   // of its circle: one every 4 degrees
+
+/** Points along an open circle round a wrist; the wall's outer half lies outside. */
+export function braceletPoints(round_mm, height_mm, gap_deg = GAP_DEG) {
+  const radius = round_mm / (2 * Math.PI) + height_mm / 2, start = -90 + gap_deg / 2;
+  return Array.from({length: POINTS + 1}, (_, k) => {
+    const angle = ((start + ((360 - gap_deg) * k) / POINTS) * Math.PI) / 180;
+    return [radius * Math.cos(angle), radius * Math.sin(angle)];
+  });
+}
+
+function bracelet({round_mm, columns, rows, height_mm}) {
+  const points = braceletPoints(round_mm, height_mm), length = Math.PI * (round_mm / Math.PI + height_mm) * (1 - GAP_DEG / 360);
+  const thickness = number(Math.min(1.2, 0.1 * (length / columns)));
+  return targetFile("bracelet", `{kind: curve, points: ${pairs(points)}}`,
+    [`structure: {cells: [${columns}, ${rows}], wall_mm: {thickness: ${thickness}, height: ${number(height_mm)}}}`]);
+}
+
+const drawn = ({name, points, columns, rows}) => targetFile("curve", `{kind: curve, points: ${name ? inQuotes(name) : pairs(points)}}`,
+  [`structure: {cells: [${columns}, ${rows}]}`]);
+
+/** The curve over the whole width of the strip and a little more, so that it shows on both sides. */
+function ribbon(goal, ys, more) {
+  const [front, back] = [Math.min(...ys) - more, Math.max(...ys) + more].map((y) => goal.map(([x, z]) => [x, y, z]));
+  const triangles = goal.slice(1).flatMap((_, k) => [[front[k], front[k + 1], back[k + 1]], [front[k], back[k + 1], back[k]]]);
+  return {lines: [front, back], triangles};
+}
+
+export const curveGoal = {
+  name: "curve",
+  cards: {
+    bracelet: {title: "Bracelet", fields: [field("round_mm", "wrist", 170, {unit: "mm round", min: 60, max: 600}), field("columns", "columns", 24, {min: 8, max: 120, step: 1}),
+      field("rows", "rows", 3, {max: 12, step: 1}), field("height_mm", "walls", 6, {unit: "mm high", max: 40})], text: bracelet},
+    curve: {title: "Curve", about: "Draw the side view of the folded strip.", pad: true, drop: ".csv", fields: [field("width_mm", "field", 200, {unit: "mm wide", min: 20, max: 3000}),
+      field("columns", "columns", 40, {min: 4, max: 200, step: 1}), field("rows", "rows", 1, {max: 12, step: 1})], text: drawn},
+  },
+  ghost({goal_mm}, design, result) {
+    if (!Array.isArray(goal_mm) || goal_mm.length < 2) return null;
+    // Where the strip is folded, it is narrower than flat.
+    const state = result.states?.find(({name}) => name === "target"), ys = (state?.poses ?? design.structure.bodies).map(({position_mm}) => position_mm[1]);
+    return ribbon(goal_mm, ys, 0.75 * design.structure.cell_mm);
+  },
+};

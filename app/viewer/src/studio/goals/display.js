@@ -1,0 +1,23 @@
+// A letter or a picture that shows when the panel is pressed.
+import {field, inQuotes, number, targetFile} from "./target_file.js";
+
+function letter({glyph, cells, cell_mm}) {
+  const plain = glyph.replace(/[^A-Za-z0-9]/g, "") || "letter";
+  return targetFile(plain, `{kind: display, glyph: ${inQuotes(glyph)}}`,
+    [`structure: {cells: [${cells * Math.max(1, [...glyph].length)}, ${cells}], cell_mm: ${number(cell_mm)}}`]);
+}
+
+const picture = ({name, cell_mm, invert}) => targetFile("picture", `{kind: display, image: ${inQuotes(name)}${invert ? ", invert: true" : ""}}`,
+  [`structure: {cell_mm: ${number(cell_mm)}}`]);
+
+export const displayGoal = {
+  name: "display",
+  view: "top",
+  light: true,
+  cards: {
+    letter: {title: "Letter", fields: [{name: "glyph", text: "letter or word", value: "A", kind: "text"}, field("cells", "cells a letter", 10, {min: 6, max: 40, step: 1}),
+      field("cell_mm", "cell", 10, {unit: "mm"})], text: letter},
+    image: {title: "Picture", about: "A PNG; its dark parts show when the panel is pressed.", drop: ".png,.pbm,.pgm", needsFile: true,
+      fields: [field("cell_mm", "cell", 10, {unit: "mm"}), {name: "invert", text: "light parts show", kind: "checkbox", value: false}], text: picture},
+  },
+};
