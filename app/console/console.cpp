@@ -39,7 +39,12 @@ spdlog::logger& log() {
 
 Console::Console(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1) {
   forks();
-  if (!quiet_) heart_ = std::thread([this] { beat(); });
+  if (quiet_) return;
+  heart_ = std::thread([this] {
+    awake_.count_down();
+    beat();
+  });
+  awake_.wait();
 }
 
 Console::~Console() {

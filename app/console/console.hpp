@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <latch>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -44,6 +45,7 @@ class Console {
   double done_ = -1;
   Clock::time_point since_, next_;  ///< the stage began; its next word is due
   std::string stage_, note_;
+  std::latch awake_{1};  ///< the heart's thread has begun: beginnings take memory, too
   std::thread heart_;
 };
 

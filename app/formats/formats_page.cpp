@@ -63,7 +63,7 @@ std::string linked_type(const Rows& rows, const std::string& path, targets::Valu
 void add_map(Rows& rows, const std::string& prefix, const targets::KeyTable& keys) {
   for (const targets::Key& key : keys.keys()) {
     const std::string path = prefix + key.name;
-    if (!rows.paths.insert(path + " " + key.with).second) continue;
+    if (!rows.paths.insert(path + " " + fmt::format("{}", fmt::join(key.with.names, " "))).second) continue;
     rows.text += fmt::format("| `{}` | {} | {} | {} |\n", path, linked_type(rows, path, key.type),
                              default_text(key, keys.alternatives()), meaning_of(path, key));
     add_inner_maps(rows, path, key.type);

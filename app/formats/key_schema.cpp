@@ -83,13 +83,21 @@ Json plain_map_schema(const targets::KeyTable& keys) {
   return schema;
 }
 
+/// At least one of these keys must be given, too.
+Json any_of(const std::vector<std::string>& names) {
+  if (names.size() == 1) return Json(names);
+  Json schema;
+  for (const std::string& name : names) schema["anyOf"].push_back({{"required", Json::array({name})}});
+  return schema;
+}
+
 /// One of several keys must be given, and others go with one of them alone.
 Json map_with_choice_of_keys(const targets::KeyTable& keys) {
   Json schema = plain_map_schema(keys);
   for (const std::string& name : keys.alternatives().names)
     schema["oneOf"].push_back({{"required", Json::array({name})}});
   for (const targets::Key& key : keys.keys())
-    if (!key.with.empty()) schema["dependencies"][key.name] = Json::array({key.with});
+    if (!key.with.all()) schema["dependencies"][key.name] = any_of(key.with.names);
   return schema;
 }
 

@@ -100,9 +100,11 @@ std::string default_text(const targets::Key& key, const targets::Alternatives& w
   std::string text = key.fallback.text;
   if (key.fallback.kind == targets::Default::Kind::needed) text = "needed";
   if (key.fallback.kind == targets::Default::Kind::literal) text = in_ticks(text);
-  if (key.with.empty()) return text;
-  const std::string with = ways.chosen_by.empty() ? key.with : ways.chosen_by + ": " + key.with;
-  return fmt::format("{}{}with {}", text, text.empty() ? "" : ", ", in_ticks(with));
+  if (key.with.all()) return text;
+  std::vector<std::string> with = key.with.names;
+  if (!ways.chosen_by.empty())
+    for (std::string& word : with) word = ways.chosen_by + ": " + word;
+  return fmt::format("{}{}with {}", text, text.empty() ? "" : ", ", listed(with, " or "));
 }
 
 std::string plain_text(const targets::Key& key) {

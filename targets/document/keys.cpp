@@ -96,11 +96,19 @@ bool KeyTable::is_alternative(std::string_view name) const {
   return alternatives_.chosen_by.empty() && std::find(names.begin(), names.end(), name) != names.end();
 }
 
+namespace {
+
+bool is_one_of(const std::vector<std::string>& words, std::string_view word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+}  // namespace
+
 KeyTable KeyTable::only(std::string_view alternative) const {
   std::vector<Key> kept;
   for (const Key& key : keys_)
     if (key.name == alternative ||
-        (!is_alternative(key.name) && (key.with.empty() || key.with == alternative)))
+        (!is_alternative(key.name) && (key.with.all() || is_one_of(key.with.names, alternative))))
       kept.push_back(key);
   for (Key& key : kept)
     if (key.name == alternatives_.chosen_by) key.type.words = {std::string(alternative)};

@@ -88,13 +88,25 @@ Default by_default_deg(double lower_radians, double upper_radians);
 /// @param text Markdown: a rule instead of a value
 Default otherwise(std::string text);
 
+/// Alternatives of a map (`Alternatives` below) that a key goes with; none named: all.
+struct With {
+  With() = default;
+  With(const char* name) : names{name} {}             // NOLINT: tables read better
+  With(std::string name) : names{std::move(name)} {}  // NOLINT
+  With(std::initializer_list<std::string> all) : names(all) {}
+
+  bool all() const { return names.empty(); }
+
+  std::vector<std::string> names;
+};
+
 /// One key of a map.
 struct Key {
   std::string name;
   ValueType type;
   Default fallback;
-  std::string meaning;    ///< what it says, in Markdown; units are the type's
-  std::string with = {};  ///< the alternative that it goes with; empty: with all
+  std::string meaning;  ///< what it says, in Markdown; units are the type's
+  With with = {};       ///< the alternatives that it goes with
 };
 
 /// The key `kind` of a target's own table.

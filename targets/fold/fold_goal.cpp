@@ -14,7 +14,7 @@ FoldGoal box_goal(const std::array<int, 3>& edges, std::optional<int> open, int 
     if (edge < 1 || edge > max_face_side)
       throw InvalidInput("an edge of the box is " + std::to_string(edge) + " cells long; allowed: 1 to " +
                          std::to_string(max_face_side));
-  FoldGoal goal{edges, open, box_unfoldings(edges, open)};
+  FoldGoal goal{edges, {}, open, box_unfoldings(edges, open)};
   for (FoldNet& net : goal.nets)
     for (FoldCrease& crease : net.creases) crease.columns = columns;
   return goal;
@@ -28,7 +28,7 @@ FoldGoal net_goal(FoldNet net) {
   if (open >= 0)
     throw InvalidInput("the ring of faces with crease " + in_ticks(crease_name(net, net.creases[open])) +
                        " does not close when it folds; creases in one line need the same angle");
-  return {{}, {}, {std::move(net)}};
+  return {{}, {}, {}, {std::move(net)}};
 }
 
 }  // namespace kinetix::targets

@@ -9,9 +9,10 @@ namespace kinetix::targets {
 
 /// What is to fold: a box in any of its unfoldings, or one net.
 struct FoldGoal {
-  std::optional<std::array<int, 3>> box = {};  ///< edges in cells
-  std::optional<int> open = {};                ///< the box's face that is left out, by box_face_names
-  std::vector<FoldNet> nets;                   ///< to try in this order; one where a net was asked for
+  std::optional<std::array<int, 3>> box = {};        ///< edges in cells
+  std::optional<std::array<double, 3>> box_mm = {};  ///< edges of the folded box that were asked for, in mm
+  std::optional<int> open = {};                      ///< the box's face that is left out, by box_face_names
+  std::vector<FoldNet> nets;                         ///< to try in this order; one where a net was asked for
 };
 
 /// @param columns bending columns of each crease; 0: for the search to choose

@@ -6,9 +6,12 @@ namespace kinetix::targets {
 namespace {
 
 // The end of messages about a target that gives no shape, or two.
-constexpr const char* wanted_shape = "`box: [a, b, c]` or `net: {faces: [...], creases: [...]}`";
+constexpr const char* wanted_shape =
+    "`box: [a, b, c]`, `box_mm: [a, b, c]` or `net: {faces: [...], creases: [...]}`";
 constexpr std::size_t longest_face_name = 40;  // bytes: names stand in messages and in the report
-constexpr int max_faces = 100;                 // in a net: a limit so that a wrong file is refused at once
+constexpr int most_box_cells = 4000;           // of all faces: searched in a minute or two
+const Bounds box_edge_mm = from_to(1, 10'000, "mm");  // mm: what a printer can make, and ten metres
+constexpr int max_faces = 100;  // in a net: a limit so that a wrong file is refused at once
 
 std::vector<std::string_view> as_views(const std::vector<std::string>& names) {
   return {names.begin(), names.end()};
@@ -51,15 +54,42 @@ KeyTable net_keys() {
   });
 }
 
+std::optional<int> read_open_face(const Section& target) {
+  const auto open = target.optional("open");
+  if (!open) return std::nullopt;
+  return static_cast<int>(open->one_of(as_views(box_face_names())));
+}
+
+/// Lengths that are thousands of cells are likelier mm.
+void check_cells(const Node& box, const std::array<int, 3>& e) {
+  const int cells = 2 * (e[0] * e[1] + e[1] * e[2] + e[2] * e[0]);
+  const auto text = [&](const char* between) {
+    return std::to_string(e[0]) + between + std::to_string(e[1]) + between + std::to_string(e[2]);
+  };
+  if (cells > most_box_cells)
+    throw box.error("a box of " + text(" x ") + " cells has " + std::to_string(cells) +
+                    " cells, more than the " + std::to_string(most_box_cells) +
+                    " that a search can fold; if these are mm, give box_mm: [" + text(", ") + "]");
+}
+
 FoldGoal read_box(const Section& target, const Node& box, int columns) {
   target.node().reject_unknown_keys(fold_target_keys().only("box").names());
   const auto sides = box.list_of(3, "[a, b, c], edge lengths in cells");
   std::array<int, 3> edges;
   for (int k = 0; k < 3; ++k) edges[k] = sides[k].integer(1, max_face_side);
-  const auto open = target.optional("open");
-  const auto face =
-      open ? std::optional(static_cast<int>(open->one_of(as_views(box_face_names())))) : std::nullopt;
+  check_cells(box, edges);
+  const auto face = read_open_face(target);
   return box.located([&] { return box_goal(edges, face, columns); });
+}
+
+FoldGoal read_box_mm(const Section& target, const Node& box, int columns) {
+  target.node().reject_unknown_keys(fold_target_keys().only("box_mm").names());
+  const auto sides = box.list_of(3, "[a, b, c], edge lengths in mm");
+  std::array<double, 3> edges_mm;
+  for (int k = 0; k < 3; ++k) edges_mm[k] = sides[k].number(box_edge_mm);
+  FoldGoal goal = box_goal({1, 1, 1}, read_open_face(target), columns);
+  goal.box_mm = edges_mm;
+  return goal;
 }
 
 FoldFace read_face(const Node& entry) {
@@ -125,23 +155,34 @@ const KeyTable& fold_target_keys() {
            value::list(value::integer(1, max_face_side), "`[a, b, c]`, cells", 3, 3),
            {},
            "edge lengths along x, y and z: the bottom has a x b cells. Every unfolding of it is tried"},
-          {"open", value::choice(box_face_names()), otherwise("the box is closed"), "the face to leave out",
-           "box"},
+          {"box_mm",
+           value::list(value::number(box_edge_mm), "`[a, b, c]`, mm", 3, 3),
+           {},
+           "edge lengths in mm along x, y and z of the box when it is folded: cells and, where "
+           "`structure.cell_mm` is left "
+           "out, their size are chosen so that it comes nearest"},
+          {"open",
+           value::choice(box_face_names()),
+           otherwise("the box is closed"),
+           "the face to leave out",
+           {"box", "box_mm"}},
           {"net", value::map(net_keys()), {}, "faces that lie side by side, joined by creases"},
           {"crease_columns", value::integer(1, max_crease_columns), otherwise("the search chooses"),
            "columns of cells that every crease bends over"},
       },
-      {{"box", "net"}});
+      {{"box", "box_mm", "net"}});
   return keys;
 }
 
 FoldGoal read_fold(const Node& node) {
   const Section target(node, fold_target_keys());
-  const auto box = target.optional("box"), net = target.optional("net");
-  if (!box && !net) throw target.error(std::string("says nothing to fold; give ") + wanted_shape);
-  if (box && net) throw target.error(std::string("gives both a box and a net; give only ") + wanted_shape);
+  const auto box = target.optional("box"), box_mm = target.optional("box_mm"), net = target.optional("net");
+  if (!box && !box_mm && !net) throw target.error(std::string("says nothing to fold; give ") + wanted_shape);
+  if (box.has_value() + box_mm.has_value() + net.has_value() > 1)
+    throw target.error(std::string("gives more than one shape; give only ") + wanted_shape);
   int columns = 0;
   target.read("crease_columns", columns);
+  if (box_mm) return read_box_mm(target, *box_mm, columns);
   return box ? read_box(target, *box, columns) : read_net(target, columns);
 }
 

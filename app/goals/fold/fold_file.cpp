@@ -3,6 +3,7 @@
 #include "app/files/file_header.hpp"
 #include "app/files/structure_section.hpp"
 #include "app/files/variables_section.hpp"
+#include "optim/fold/fit_box.hpp"
 #include "targets/fold/read_fold.hpp"
 
 namespace kinetix::app {
@@ -23,6 +24,8 @@ targets::KeyTable tolerance_keys(const FoldFile& usual) {
        targets::by_default_deg(usual.angle_tolerance), "most that the fold of a crease may be off"},
       {"shape", value::number(part_of_one), targets::by_default(usual.shape_tolerance),
        "most of [face_rms](#face_rms), over the edge of a face"},
+      {"size", value::number(part_of_one), targets::by_default(usual.size_tolerance),
+       "most that an edge of the folded box may differ from `target.box_mm`, over its length"},
       {"verify", value::number(part_of_one), targets::by_default(usual.verify_tolerance),
        "most of [verify_rms](#verify_rms-and-verify_max), cell edges"},
   };
@@ -39,6 +42,24 @@ void read_structure(const targets::Section& root, FoldFile& file) {
   file.size = read_size(root.section("structure"), default_cell_mm);
 }
 
+/// Cells and their edge for a box of given size.
+void choose_cells(const targets::Section& root, FoldFile& file) {
+  const targets::Node target = root.required("target", "");
+  const targets::Section structure = root.section("structure");
+  optim::BoxOptions options;
+  options.asked_mm = *file.goal.box_mm;
+  options.open = file.goal.open;
+  options.crease_columns = file.goal.nets.front().creases.front().columns;
+  if (structure.optional("cell_mm")) options.edge_mm = file.size.edge_mm;
+  options.fold.tilt = file.tilt;
+  options.fold.theta = file.theta;
+  options.size = [&](double edge_mm) { return read_size(structure, edge_mm); };
+  const optim::BoxInCells box = target.located([&] { return fit_box(options); });
+  file.size = options.size(box.edge_mm);
+  file.goal = targets::box_goal(box.edges, options.open, options.crease_columns);
+  file.goal.box_mm = options.asked_mm;
+}
+
 void check_force_limit(const targets::Node& force, const FoldFile& file) {
   if (file.hinge.model != HingeSection::Model::elastic)
     throw force.key_error("is of elastic hinges; give `hinge` as well");
@@ -50,6 +71,7 @@ void read_tolerance(const targets::Section& root, FoldFile& file) {
   const targets::Section section = root.section("tolerance");
   section.read("angle_deg", file.angle_tolerance);
   section.read("shape", file.shape_tolerance);
+  section.read("size", file.size_tolerance);
   section.read("verify", file.verify_tolerance);
   file.limits = read_hinge_limits(section, file.hinge);
   if (const auto force = section.optional("force_N")) check_force_limit(*force, file);
@@ -85,6 +107,7 @@ FoldFile read_fold_file(const targets::Node& node) {
   const NetVariables variables = read_net_variables(root, file.size, {file.tilt, file.theta});
   file.tilt = variables.tilt;
   file.theta = variables.theta;
+  if (file.goal.box_mm) choose_cells(root, file);
   file.physics = read_physics(root, file.size.edge_mm);
   file.hinge = read_hinge_section(root, file.size);
   file.drive = read_goal_drive(root);

@@ -14,7 +14,7 @@ namespace kinetix::app {
 
 /// A target.yaml of kind fold, as asked for or by default. `kinetix: 1` and a `target` are enough.
 ///
-///     target: {kind: fold, box: [4, 4, 4]}                     # or net: targets/fold/read_fold.hpp
+///     target: {kind: fold, box: [4, 4, 4]}                     # or box_mm, or net: targets/fold/read_fold.hpp
 ///     structure: {cell_mm: 10, wall_mm: {thickness: 0.8, height: 6}}
 ///     variables: {beta: {range_deg: [-60, 60]}, theta: {range_deg: [2, 44]}}
 ///     tolerance: {angle_deg: 0.1, shape: 0.02, verify: 0.02}
@@ -28,6 +28,7 @@ struct FoldFile {
                              44 * radians_per_degree};  ///< rad, variables.theta, within (0, 45) deg
   double angle_tolerance = 0.1 * radians_per_degree;    ///< of a crease, rad, (0, 90] deg
   double shape_tolerance = 0.02;                        ///< of face_rms, over the edge of a face, (0, 1]
+  double size_tolerance = 0.02;                         ///< of edges, over goal.box_mm, (0, 1]
   double verify_tolerance = 0.02;                       ///< of verify_rms, cell edges, (0, 1]
   HingeLimits limits = {};                              ///< tolerance.force_N and tolerance.strain
   PhysicsSection physics = {};

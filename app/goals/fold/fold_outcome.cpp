@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/run/run.hpp"
+#include "optim/fold/fit_box.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -55,17 +56,6 @@ Json attempts_json(const optim::FoldDesign& design) {
   return out;
 }
 
-/// Edges of the ideal box: faces of a, b and c pitches, and what the creases add at both ends.
-std::array<double, 3> box_edges(const FoldOutcome& fold) {
-  const optim::FoldedNet& net = fold.design.folded;
-  const double pitch = net.structure.size.edge_mm * std::cos(net.theta);
-  std::array<double, 3> edges;
-  for (int k = 0; k < 3; ++k)
-    edges[k] =
-        pitch * ((*fold.goal.box)[k] + 2 * targets::edge_inset(pi / 2, net.layout.creases[0].columns()));
-  return edges;
-}
-
 double largest_miss(const targets::FoldNet& net, const targets::FoldError& error) {
   double most = 0;
   for (std::size_t c = 0; c < net.creases.size(); ++c)
@@ -87,6 +77,16 @@ std::string columns_in_words(const targets::NetLayout& layout) {
   }
   if (least >= most) return fmt::format("{} {}", most, most == 1 ? "column" : "columns");
   return fmt::format("{} to {} columns", least, most);
+}
+
+std::string size_text(const FoldOutcome& fold) {
+  const auto mm = fold.edges_mm();
+  std::string text = fmt::format("{:.1f} x {:.1f} x {:.1f} mm when it is closed", mm[0], mm[1], mm[2]);
+  const auto& asked = fold.goal.box_mm;
+  if (asked)
+    text += fmt::format(", of {:g} x {:g} x {:g} mm: {:.1f} % off at most", (*asked)[0], (*asked)[1],
+                        (*asked)[2], 100 * optim::size_miss(mm, *asked));
+  return text;
 }
 
 Json creases_json(const FoldOutcome& fold) {
@@ -112,7 +112,7 @@ Json fold_json(const FoldOutcome& fold) {
               {"attempts", attempts_json(fold.design)},
               {"reasons", fold.violations},
               {"reasons_physics", fold.physics_violations}};
-  if (fold.goal.box) out["edges_mm"] = box_edges(fold);
+  if (fold.goal.box) out["edges_mm"] = fold.edges_mm();
   if (fold.loads) out["loads"] = loads_json(*fold.loads);
   if (fold.unlimited) out["unlimited"] = loads_json(*fold.unlimited);
   return out;
@@ -129,10 +129,16 @@ Json optimiser_json(const optim::FoldDesign& design) {
 
 }  // namespace
 
+std::array<double, 3> FoldOutcome::edges_mm() const {
+  const optim::FoldedNet& net = design.folded;
+  return optim::folded_box(*goal.box, net.structure.size.edge_mm, net.theta, net.layout.creases[0].columns());
+}
+
 Json FoldOutcome::target_json() const {
   const targets::FoldNet& net = design.folded.net;
   Json out = {{"kind", "fold"}};
   if (goal.box) out["box"] = *goal.box;
+  if (goal.box_mm) out["box_mm"] = *goal.box_mm;
   if (goal.open) out["open"] = targets::box_face_names()[*goal.open];
   out["faces"] = Json::array();
   for (const targets::FoldFace& face : net.faces)
@@ -170,6 +176,7 @@ std::vector<SummaryLine> FoldOutcome::summary_lines(const Run& run) const {
   for (const std::string& why : violations) lines.push_back({"why", why});
   lines.push_back({"net", fmt::format("{} faces, {} per crease, unfolding {} of {}", net.net.faces.size(),
                                       columns_in_words(net.layout), design.net + 1, goal.nets.size())});
+  if (goal.box) lines.push_back({"size", size_text(*this)});
   lines.push_back(
       {"search", fmt::format("{:.3f} s, {} motions examined", run.timings.optimise, design.evaluations)});
   if (loads) lines.push_back({"limits", loads_text(*loads)});

@@ -23,6 +23,9 @@ class FoldOutcome final : public GoalOutcome {
   std::optional<FoldLoads> unlimited;  ///< what it would be without limits, where they made a difference
   std::optional<targets::FoldError> physics;  ///< of the settled physics run
 
+  /// Edges of the ideal box, mm: faces, and what the creases add at both ends. @pre goal.box
+  std::array<double, 3> edges_mm() const;
+
   /// The net that was folded, as faces and creases; the box where one was asked for.
   nlohmann::ordered_json target_json() const override;
   /// Adds `fold` (faces and creases on the lattice with their angles and errors, unfoldings tried, reasons)

@@ -12,6 +12,7 @@
 #include "app/pipeline/hinge_loads.hpp"
 #include "app/pipeline/physics_settings.hpp"
 #include "model/sheet/sheet_motion.hpp"
+#include "optim/fold/fit_box.hpp"
 #include "targets/document/number.hpp"
 
 namespace kinetix::app {
@@ -64,6 +65,7 @@ class FoldScene final : public Scene {
     auto found = std::make_unique<FoldOutcome>();
     found->tolerances = {{"angle_deg", std::stod(targets::degrees_text(file_.angle_tolerance))},
                          {"shape", file_.shape_tolerance}};
+    if (file_.goal.box_mm) found->tolerances.push_back({"size", file_.size_tolerance});
     found->goal = file_.goal;
     found->design = fit_fold(file_.goal, search_of(file_), options.progress);
     const auto search = [this](double largest_theta) {
@@ -75,6 +77,7 @@ class FoldScene final : public Scene {
     const optim::FoldedNet& net = found->design.folded;
     found->violations =
         found->design.folds ? violations(file_, net.net, net.error, "model") : found->design.obstacles;
+    check_size(*found);
     run.structure = net.structure;
     run.theta = net.theta;
     run.goal = std::move(found);
@@ -126,6 +129,7 @@ class FoldScene final : public Scene {
     for (std::size_t c = 0; c < net.tilt.size(); ++c)
       net.tilt[c] = mean_tilt(run.structure, net.layout.creases[c]);
     found.violations = violations(file_, net.net, net.error, "equilibrium");
+    check_size(found);
     if (!found.loads) return;
     const HingeLoads loads =
         hinge_loads(run.equilibrium->path, run.equilibrium->drive, run.structure, run.hinge);
@@ -137,6 +141,16 @@ class FoldScene final : public Scene {
   void add_frames(Run& run) const override { add_exact_frames(run); }
 
  private:
+  void check_size(FoldOutcome& found) const {
+    if (!found.goal.box_mm || !found.design.folds) return;
+    const double miss = optim::size_miss(found.edges_mm(), *found.goal.box_mm);
+    if (!(miss <= file_.size_tolerance))
+      found.violations.push_back(fmt::format(
+          "an edge of the box is {:.1f} % longer or shorter than asked for; at most {:.1f} % is allowed: use "
+          "smaller cells, or leave out structure.cell_mm",
+          100 * miss, 100 * file_.size_tolerance));
+  }
+
   FoldFile file_;
 };
 

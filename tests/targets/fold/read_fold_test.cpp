@@ -39,6 +39,12 @@ TEST(ReadFold, LeavesOutTheOpenFace) {
   EXPECT_EQ(goal.nets[0].faces.size(), 5u);
 }
 
+TEST(ReadFold, TakesABoxInMillimetres) {
+  const FoldGoal goal = read("{kind: fold, box_mm: [120, 80.5, 40], open: top}");
+  EXPECT_EQ(goal.box_mm, (std::array{120.0, 80.5, 40.0}));
+  EXPECT_EQ(goal.open, 1);
+}
+
 TEST(ReadFold, TakesANetWithAnglesOfBothSigns) {
   const FoldGoal goal = read(net(base_a + base_b + a_c));
   ASSERT_EQ(goal.nets.size(), 1u);
@@ -64,8 +70,10 @@ TEST(ReadFold, RefusesARingThatOpensWhenItFolds) {
 TEST(ReadFold, RefusesWhatIsNoFold) {
   const BadInput cases[] = {
       {"{kind: fold}", 1, 9, "target", {"`box: [a, b, c]`"}},
-      {"{kind: fold, box: [4, 4, 4], net: {}}", 1, 9, "target", {"both a box and a net"}},
+      {"{kind: fold, box: [4, 4, 4], net: {}}", 1, 9, "target", {"more than one shape"}},
       {"{kind: fold, box: [4, 0, 4]}", 1, 31, "target.box[1]", {"0", "1"}},
+      {"{kind: fold, box: [120, 80, 40]}", 1, 27, "target.box", {"35200 cells", "box_mm: [120, 80, 40]"}},
+      {"{kind: fold, box_mm: [120, 0, 40]}", 1, 36, "target.box_mm[1]", {"1", "mm"}},
       {"{kind: fold, box: [4, 4]}", 1, 27, "target.box", {"edge lengths"}},
       {"{kind: fold, box: [4, 4, 4], open: lid}", 1, 44, "target.open", {"`lid`", "top"}},
       {net("{faces: [base, d], side: top, angle_deg: 90}"), 3, 16, "target.net.creases[0].faces[1]", {"`d`"}},

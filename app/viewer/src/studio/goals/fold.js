@@ -1,26 +1,7 @@
 // A box that folds up.
 import {field, number, targetFile} from "./target_file.js";
 
-const CELLS = 4;        // along the shortest edge, about
-const MOST_CELLS = 40;  // along the longest one
-
-/** Cells of a box and their edge, so that its size in mm is met best. */
-export function boxCells(size_mm) {
-  const shortest = Math.min(...size_mm), most = Math.max(...size_mm);
-  let best = null;
-  for (let count = 1; count <= 2 * CELLS; ++count) {
-    const edge = shortest / count, cells = size_mm.map((v) => Math.max(1, Math.round(v / edge)));
-    if (most / edge > MOST_CELLS && best) break;
-    const miss = Math.max(...size_mm.map((v, k) => Math.abs(cells[k] * edge - v) / v)) + 0.01 * Math.abs(count - CELLS);
-    if (!best || miss < best.miss) best = {cells, edge, miss};
-  }
-  return best;
-}
-
-function box({a, b, c, open}) {
-  const {cells, edge} = boxCells([a, b, c]);
-  return targetFile("box", `{kind: fold, box: [${cells.join(", ")}]${open ? `, open: ${open}` : ""}}`, [`structure: {cell_mm: ${number(edge)}}`]);
-}
+const box = ({a, b, c, open}) => targetFile("box", `{kind: fold, box_mm: [${[a, b, c].map(number).join(", ")}]${open ? `, open: ${open}` : ""}}`);
 
 export const foldGoal = {
   name: "fold",
