@@ -69,7 +69,7 @@ void Console::beat() {
 /// What is left, from how long the part that is done took.
 std::string Console::note(double seconds) const {
   if (!note_.empty()) return note_;
-  std::string text = duration_text(seconds);
+  std::string text = (so_far_.empty() ? "" : so_far_ + ", ") + duration_text(seconds);
   if (done_ > least_done && done_ < 1)
     text += ", about " + duration_text(seconds * (1 - done_) / done_) + " left";
   return text;
@@ -103,7 +103,8 @@ void Console::clear_line() {
   on_screen_ = false;
 }
 
-void Console::stage(const std::string& name, double done, const std::string& note) {
+void Console::stage(const std::string& name, double done, const std::string& note,
+                    const std::string& so_far) {
   if (quiet_) return;
   const std::lock_guard lock(mutex_);
   const bool is_new = name != stage_;
@@ -115,10 +116,11 @@ void Console::stage(const std::string& name, double done, const std::string& not
     if (!terminal_) log().info("{} ...", name);
   }
   const int percent = done < 0 ? -1 : static_cast<int>(100 * std::min(done, 1.0));
-  const bool changes = is_new || percent != shown_percent_ || note != note_;
+  const bool changes = is_new || percent != shown_percent_ || note != note_ || so_far != so_far_;
   done_ = done;
   shown_percent_ = percent;
   note_ = note;
+  so_far_ = so_far;
   if (terminal_ && changes) show();
 }
 
@@ -129,7 +131,9 @@ void Console::error(const std::string& message) {
 }
 
 Progress Console::progress() {
-  return [this](const std::string& name, double done) { stage(name, done); };
+  return [this](const std::string& name, double done, const std::string& so_far) {
+    stage(name, done, {}, so_far);
+  };
 }
 
 }  // namespace kinetix::app

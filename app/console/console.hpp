@@ -22,8 +22,9 @@ class Console {
   Console& operator=(const Console&) = delete;
 
   /// @param done share of the stage, 0 to 1 (negative: not known)
-  /// @param note stands at the end, in the place of the time left
-  void stage(const std::string& name, double done, const std::string& note = {});
+  /// @param note stands at the end, in the place of the time left   @param so_far in words, before the time
+  void stage(const std::string& name, double done, const std::string& note = {},
+             const std::string& so_far = {});
   void error(const std::string& message);
   Progress progress();
 
@@ -44,7 +45,7 @@ class Console {
   int shown_percent_ = -1;
   double done_ = -1;
   Clock::time_point since_, next_;  ///< the stage began; its next word is due
-  std::string stage_, note_;
+  std::string stage_, note_, so_far_;
   std::latch awake_{1};  ///< the heart's thread has begun: beginnings take memory, too
   std::thread heart_;
 };

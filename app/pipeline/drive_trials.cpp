@@ -84,8 +84,7 @@ DriveTrials try_drives(const DesignFile& design, const Progress& progress) {
   DriveTrials out{design.name, theta_of(design, exact), linkage.size.edge_mm, {}};
   const std::vector<model::TrialDrive> drives = trial_drives(design.structure, exact, out.theta);
   for (const model::TrialDrive& drive : drives) {
-    if (progress)
-      progress("drives", static_cast<double>(out.trials.size()) / static_cast<double>(drives.size()));
+    progress("drives", static_cast<double>(out.trials.size()) / static_cast<double>(drives.size()));
     DriveTrial& trial = out.trials.emplace_back();
     trial.name = drive.name;
     trial.why_not = drive.why_not;

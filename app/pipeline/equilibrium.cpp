@@ -134,7 +134,7 @@ void add_equilibrium(Run& run, const model::LinkageDrive& drive, const model::El
   const auto see = [&](const model::EquilibriumStep& step, const model::State& state) {
     keeper.see(step.theta, state);
     turns.see(step, state);
-    if (progress) progress("equilibrium path", goal == 0 ? 1 : step.theta / goal);
+    progress("equilibrium path", goal == 0 ? 1 : step.theta / goal);
   };
   const auto start = std::chrono::steady_clock::now();
   model::EquilibriumPath path =

@@ -120,7 +120,7 @@ MatterPath path_in_matter(const Run& run, const Scene& scene, const std::stop_to
 void settle_in_matter(Run& run, const Scene& scene, const RunOptions& options) {
   const auto exact = scene.judged(run, run.structure, run.theta, scene.own_state(run));
   if (!exact) return;
-  if (options.progress) options.progress("hinges in matter", 0);
+  options.progress("hinges in matter", 0);
   const model::Elasticity elasticity = elasticity_of(run);
   run.matter = MatterResult{};
   run.matter->exact_mm = rms_mm(*exact);

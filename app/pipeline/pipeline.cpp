@@ -16,7 +16,7 @@ void judge_prints(Run& run, const Scene& scene, const RunOptions& options) {
   const model::State state = run.matter ? run.equilibrium->path.state : scene.own_state(run);
   const auto judged = scene.judged(run, run.structure, run.theta, state);
   if (!judged || options.stop.stop_requested()) return;
-  if (options.progress) options.progress("prints", -1);
+  options.progress("prints", -1);
   run.printed = as_made(run, run.matter ? run.equilibrium->drive : drive_to(run.structure, run.theta), state,
                         judged->points, options.prints);
   if (run.printed)

@@ -51,7 +51,7 @@ void add_fidelity(Run& run, const std::string& model, const sim::PhysicsResult& 
 
 /// Of quick runs of coarser steps.
 void add_coarser(Run& run, const Verification& v, const PhysicsTask& task, const Progress& progress) {
-  if (progress) progress("speed against error", -1);
+  progress("speed against error", -1);
   for (const double factor : {4.0, 16.0})
     if (v.options.step_s * factor <= longest_step_s)
       add_fidelity(run, fmt::format("bullet, {} x step", factor),
@@ -69,7 +69,7 @@ void verify(Run& run, const PhysicsTask& task, const RunOptions& options) {
   v.options = suited_to(run.plan.exact, task.options);
   sim::PhysicsObserver observer;
   observer.stop = options.stop;
-  if (options.progress) observer.progress = [&](double done) { options.progress("physics run", done); };
+  observer.progress = [&](double done) { options.progress("physics run", done); };
   v.physics = run_compression(run.structure, task.drive, v.options, observer);
   if (options.stop.stop_requested() && !is_settled(v)) return;
   v.compared = !task.reference.empty();

@@ -1,14 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <stop_token>
 #include <string>
 
-namespace kinetix::app {
+#include "model/base/progress.hpp"
 
-/// Words about what is going on, and the share done of the current stage, 0 to 1 (negative: not known).
-using Progress = std::function<void(const std::string& stage, double done)>;
+namespace kinetix::app {
 
 /// What the command line adds to a file.
 struct RunOptions {

@@ -392,7 +392,7 @@ void Session::search_for(const std::string& file, std::shared_ptr<void> keeps) {
     std::mutex words;
     const auto start = SteadyClock::now();
     SteadyClock::time_point stage_start = start, next = start;
-    const auto progress = [&](const std::string& stage, double done) {
+    const auto progress = [&](const std::string& stage, double done, const std::string& so_far) {
       const std::lock_guard lock(words);
       if (stage != stage_shown) {
         stage_shown = stage;
@@ -400,8 +400,11 @@ void Session::search_for(const std::string& file, std::shared_ptr<void> keeps) {
       }
       if (SteadyClock::now() < next) return;
       next = SteadyClock::now() + between_words;
-      Json out = {
-          {"type", "progress"}, {"job", "search"}, {"text", stage}, {"done", nullptr}, {"left_s", nullptr}};
+      Json out = {{"type", "progress"},
+                  {"job", "search"},
+                  {"text", so_far.empty() ? stage : stage + ": " + so_far},
+                  {"done", nullptr},
+                  {"left_s", nullptr}};
       if (done >= 0) out["done"] = done;
       if (done > 0) out["left_s"] = seconds_since(stage_start) * (1 - done) / done;
       tell(out);

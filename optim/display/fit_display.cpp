@@ -1,5 +1,7 @@
 #include "optim/display/fit_display.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <exception>
@@ -17,18 +19,16 @@ using Eigen::VectorXd;
 
 constexpr int most_finalists = 2;  // starts that go on: each takes up to four searches more
 
-using Progress = std::function<void(const std::string&, double)>;
-
 /// Tells the share of the runs that are through.
 class ProgressOfRuns {
  public:
   ProgressOfRuns(const Progress& progress, int runs) : progress_(progress), runs_(runs) {
-    if (progress_) progress_("search", 0);
+    progress_("search", 0);
   }
   void one_more() {
-    if (!progress_) return;
     const std::lock_guard lock(mutex_);
-    progress_("search", static_cast<double>(++done_) / runs_);
+    ++done_;
+    progress_("search", static_cast<double>(done_) / runs_, fmt::format("run {} of {}", done_, runs_));
   }
 
  private:

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "model/base/progress.hpp"
 #include "model/sheet/sheet.hpp"
 #include "optim/display/display_search.hpp"
 #include "optim/display/scaled_display.hpp"
@@ -59,7 +59,6 @@ DisplayView view_display(const model::Structure& panel, const std::vector<double
 /// @param progress words and the share done
 /// @throws InvalidInput for options or a panel that cannot be
 DisplayDesign fit_display(const model::Structure& panel, const std::vector<double>& levels,
-                          const DisplayOptions& options,
-                          const std::function<void(const std::string&, double)>& progress = {});
+                          const DisplayOptions& options, const Progress& progress = {});
 
 }  // namespace kinetix::optim

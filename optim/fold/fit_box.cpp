@@ -14,13 +14,15 @@ namespace {
 
 using Lengths = std::array<double, 3>;
 
-constexpr int usual_columns = 2;                   // of a right angle: one makes walls meet early
-constexpr double usual_theta = 26 * radians_per_degree;  // rad, until a search has found one: that of most boxes
-constexpr int fewest = 3, most = 10;   // cells along the shortest edge: fewer are no face, more nobody wants to print
-constexpr double good = 0.019;         // a miss over the edge that more cells need not mend: 0.8 mm of 40
-constexpr int telling = 4;             // cells along an edge: walls meet at creases, however wide the faces are
-constexpr int rounds = 6;              // cells and theta depend on each other: two or three settle
-constexpr double settled = 1e-9;       // change of the cell edge over itself
+constexpr int usual_columns = 2;  // of a right angle: one makes walls meet early
+constexpr double usual_theta =
+    26 * radians_per_degree;  // rad, until a search has found one: that of most boxes
+constexpr int fewest = 3,
+              most = 10;  // cells along the shortest edge: fewer are no face, more nobody wants to print
+constexpr double good = 0.019;    // a miss over the edge that more cells need not mend: 0.8 mm of 40
+constexpr int telling = 4;        // cells along an edge: walls meet at creases, however wide the faces are
+constexpr int rounds = 6;         // cells and theta depend on each other: two or three settle
+constexpr double settled = 1e-9;  // change of the cell edge over itself
 
 /// Lengths of the edges in pitches.
 Lengths pitches(const std::array<int, 3>& edges, double inset) {
@@ -42,7 +44,8 @@ double best_pitch(const Lengths& asked_mm, const Lengths& pitches) {
 /// Cells nearest to the edges, at a pitch in mm.
 std::array<int, 3> cells_at(const Lengths& asked_mm, double pitch, double inset) {
   std::array<int, 3> out;
-  for (int k = 0; k < 3; ++k) out[k] = std::max(1, static_cast<int>(std::lround(asked_mm[k] / pitch - 2 * inset)));
+  for (int k = 0; k < 3; ++k)
+    out[k] = std::max(1, static_cast<int>(std::lround(asked_mm[k] / pitch - 2 * inset)));
   return out;
 }
 
@@ -64,9 +67,10 @@ std::array<int, 3> nearest_cells(const Lengths& asked_mm, double inset) {
     if (miss < least) std::tie(least, best) = std::pair{miss, cells};
   }
   if (!std::isfinite(least))
-    throw InvalidInput(fmt::format("the longest edge of the box would take more than {} cells; its edges may differ by a "
-                                   "factor of {} at most",
-                                   targets::max_face_side, targets::max_face_side / fewest));
+    throw InvalidInput(
+        fmt::format("the longest edge of the box would take more than {} cells; its edges may differ by a "
+                    "factor of {} at most",
+                    targets::max_face_side, targets::max_face_side / fewest));
   return best;
 }
 
@@ -82,7 +86,8 @@ class BoxSearch {
       const BoxInCells before = now_;
       if (!look()) break;
       choose();
-      if (now_.edges == before.edges && std::abs(now_.edge_mm - before.edge_mm) <= settled * now_.edge_mm) break;
+      if (now_.edges == before.edges && std::abs(now_.edge_mm - before.edge_mm) <= settled * now_.edge_mm)
+        break;
     }
     return now_;
   }
@@ -107,7 +112,8 @@ class BoxSearch {
     for (int& edge : edges) edge = std::min(edge, telling);
     FoldOptions fold = options_.fold;
     fold.size = options_.size(now_.edge_mm);
-    const FoldDesign design = fit_fold(targets::box_goal(edges, options_.open, options_.crease_columns), fold);
+    const FoldDesign design =
+        fit_fold(targets::box_goal(edges, options_.open, options_.crease_columns), fold);
     if (!design.folds) return false;
     theta_ = design.folded.theta;
     columns_ = design.folded.layout.creases[0].columns();

@@ -24,11 +24,11 @@ double size_miss(const std::array<double, 3>& mm, const std::array<double, 3>& a
 std::array<double, 3> folded_box(const std::array<int, 3>& edges, double edge_mm, double theta, int columns);
 
 struct BoxOptions {
-  std::array<double, 3> asked_mm = {};    ///< > 0
-  std::optional<int> open = {};           ///< the face left out, by box_face_names
-  int crease_columns = 0;                 ///< 0: for the search to choose
-  std::optional<double> edge_mm = {};     ///< of a cell, where it is given
-  FoldOptions fold = {};                  ///< its size is set here
+  std::array<double, 3> asked_mm = {};                  ///< > 0
+  std::optional<int> open = {};                         ///< the face left out, by box_face_names
+  int crease_columns = 0;                               ///< 0: for the search to choose
+  std::optional<double> edge_mm = {};                   ///< of a cell, where it is given
+  FoldOptions fold = {};                                ///< its size is set here
   std::function<model::CellSize(double edge_mm)> size;  ///< walls that go with a cell edge
 };
 

@@ -61,8 +61,7 @@ struct Obstacle {
 
 class Search {
  public:
-  Search(const targets::FoldGoal& goal, const FoldOptions& options,
-         const std::function<void(const std::string&, double)>& progress)
+  Search(const targets::FoldGoal& goal, const FoldOptions& options, const Progress& progress)
       : goal_(goal), options_(options), progress_(progress) {
     upper_ = std::min(options.theta.upper, closing_theta(options.size) - margin_of_closing);
   }
@@ -83,7 +82,7 @@ class Search {
   void try_all(int finer) {
     const int count = static_cast<int>(goal_.nets.size());
     for (int k = 0; k < count; ++k) {
-      if (progress_) progress_("unfoldings", static_cast<double>(k) / count);
+      progress_("unfoldings", static_cast<double>(k) / count);
       const std::vector<int> columns = columns_of(goal_.nets[k], finer);
       const std::optional<Obstacle> obstacle = try_net(k, columns);
       design_.attempts.push_back({k, columns, obstacle ? obstacle->why : ""});
@@ -237,7 +236,7 @@ class Search {
 
   const targets::FoldGoal& goal_;
   const FoldOptions& options_;
-  const std::function<void(const std::string&, double)>& progress_;
+  const Progress& progress_;
   double upper_ = 0;
   FoldDesign design_;
 };
@@ -255,8 +254,7 @@ void FoldOptions::validate() const {
     throw InvalidInput(fmt::format("clearance is {} cell edges, must be in [0, 0.5)", clearance));
 }
 
-FoldDesign fit_fold(const targets::FoldGoal& goal, const FoldOptions& options,
-                    const std::function<void(const std::string&, double)>& progress) {
+FoldDesign fit_fold(const targets::FoldGoal& goal, const FoldOptions& options, const Progress& progress) {
   options.validate();
   return Search(goal, options, progress).run();
 }

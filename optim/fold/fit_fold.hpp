@@ -1,9 +1,9 @@
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
+#include "model/base/progress.hpp"
 #include "optim/fold/folded_net.hpp"
 #include "optim/solvers/variables.hpp"
 #include "targets/fold/fold_goal.hpp"
@@ -44,7 +44,6 @@ struct FoldDesign {
 /// faces are in the way, the next unfolding.
 /// @param progress words and the share done
 /// @throws InvalidInput for options that do not validate
-FoldDesign fit_fold(const targets::FoldGoal& goal, const FoldOptions& options,
-                    const std::function<void(const std::string&, double)>& progress = {});
+FoldDesign fit_fold(const targets::FoldGoal& goal, const FoldOptions& options, const Progress& progress = {});
 
 }  // namespace kinetix::optim

@@ -1,5 +1,7 @@
 #include "optim/outline/fit_outline.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -218,7 +220,7 @@ bool is_better(const OutlineDesign& a, const OutlineDesign& b) {
 
 OutlineDesign fit_outline(const model::PlanarStructure& panel, const targets::Outline& folded,
                           const targets::Outline* flat, const OutlineOptions& options,
-                          const std::function<void(double)>& progress) {
+                          const Progress& progress) {
   validate(options);
   OutlineDesign best;
   std::set<double> tried;
@@ -228,7 +230,9 @@ OutlineDesign fit_outline(const model::PlanarStructure& panel, const targets::Ou
     rounds += found.rounds;
     if (tried.empty() || is_better(found, best)) best = std::move(found);
     tried.insert(theta);
-    if (progress) progress(static_cast<double>(tried.size()) / (options.thetas + halvings));
+    progress("search", static_cast<double>(tried.size()) / (options.thetas + halvings),
+             fmt::format("theta {} of at most {}, best {:.2g} of the diagonal off", tried.size(),
+                         options.thetas + halvings, best.error.rms));
   };
   // From the largest down: the further a panel is pressed the more a rim can change, until walls meet.
   for (int k = 0; k < options.thetas; ++k) {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <functional>
 #include <stop_token>
 
+#include "model/base/progress.hpp"
 #include "optim/outline/outline_problem.hpp"
 
 namespace kinetix::optim {
@@ -42,6 +42,6 @@ struct OutlineDesign {
 /// @throws InvalidInput for options out of range
 OutlineDesign fit_outline(const model::PlanarStructure& panel, const targets::Outline& folded,
                           const targets::Outline* flat, const OutlineOptions& options,
-                          const std::function<void(double done)>& progress = {});
+                          const Progress& progress = {});
 
 }  // namespace kinetix::optim

@@ -1,6 +1,8 @@
 #include "optim/solvers/multi_start.hpp"
 
+#include <algorithm>
 #include <limits>
+#include <mutex>
 
 #include "model/base/invalid_input.hpp"
 #include "optim/solvers/parallel_runs.hpp"
@@ -41,8 +43,16 @@ MultiStartResult multi_start(const LeastSquaresProblem& problem, const StartMake
   options.validate();
   MultiStartResult result;
   result.runs.resize(options.starts);
-  run_in_parallel(options.starts, options.threads,
-                  [&](int k) { result.runs[k] = run_one(problem, make_start, k, options); });
+  std::mutex telling;
+  int ended = 0;
+  double least = std::numeric_limits<double>::infinity();
+  run_in_parallel(options.starts, options.threads, [&](int k) {
+    result.runs[k] = run_one(problem, make_start, k, options);
+    if (!options.ended) return;
+    const std::lock_guard lock(telling);
+    least = std::min(least, result.runs[k].residual_norm);
+    options.ended(++ended, least);
+  });
   for (int k = 1; k < options.starts; ++k)
     if (result.runs[k].residual_norm < result.best_run().residual_norm) result.best = k;
   return result;

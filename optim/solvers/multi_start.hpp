@@ -12,6 +12,8 @@ struct MultiStartOptions {
   int threads = 0;  ///< >= 0; 0 = all cores. Never more than there are starts
   std::uint64_t seed = 0;
   SolverOptions solver;
+  /// Hears after each start how many have ended, and the least |r| so far; one call at a time.
+  std::function<void(int ended, double least)> ended = {};
 
   /// @throws InvalidInput naming field, value and rule
   void validate() const;

@@ -8,8 +8,8 @@ namespace {
 // The end of messages about a target that gives no shape, or two.
 constexpr const char* wanted_shape =
     "`box: [a, b, c]`, `box_mm: [a, b, c]` or `net: {faces: [...], creases: [...]}`";
-constexpr std::size_t longest_face_name = 40;  // bytes: names stand in messages and in the report
-constexpr int most_box_cells = 4000;           // of all faces: searched in a minute or two
+constexpr std::size_t longest_face_name = 40;         // bytes: names stand in messages and in the report
+constexpr int most_box_cells = 4000;                  // of all faces: searched in a minute or two
 const Bounds box_edge_mm = from_to(1, 10'000, "mm");  // mm: what a printer can make, and ten metres
 constexpr int max_faces = 100;  // in a net: a limit so that a wrong file is refused at once
 

@@ -26,10 +26,29 @@ constexpr double default_theta = 30 * radians_per_degree;
 // through a lens.
 constexpr double smallest_default_cell_mm = 0.1;
 
+constexpr double half_a_cell = 0.5;     // cell edges: the sheet's own grain
+constexpr double share_of_rise = 0.05;  // of how far a curve strays: 1.2 mm of an arch of 25 mm
+constexpr double least_shape_tolerance =
+    0.001;  // of the diagonal: nearly straight strips need not be straighter
+
 targets::Curve read_goal(const targets::Section& root) {
   const targets::Section target = root.section("target");
   return read_curve(
       target.required("points", "the path of a CSV file or a list of points [[x, z], ...] in mm"));
+}
+
+/// How far the curve strays from the straight line between its ends, mm; of a closed one how large it is.
+double rise(const targets::Curve& curve) {
+  const Eigen::Vector2d from = curve.points().front(), chord = curve.points().back() - from;
+  const bool is_closed = chord.norm() < 1e-9 * curve.diagonal();
+  double most = 0;
+  for (const Eigen::Vector2d& p : curve.points()) {
+    const Eigen::Vector2d to = p - from;
+    const double beside =
+        is_closed ? to.norm() : std::abs(chord.x() * to.y() - chord.y() * to.x()) / chord.norm();
+    most = std::max(most, beside);
+  }
+  return most;
 }
 
 std::string length_text(double mm) { return fmt::format("{:.6g} mm", mm); }
@@ -107,7 +126,16 @@ void read_variables(const targets::Section& root, CurveFile& file) {
   file.theta = read_theta(root, file.size, file.theta);
 }
 
+/// The smallest of what a miss is seen by: the curve's size, its cells, and how far it strays from a straight line.
+double usual_shape_tolerance(const CurveFile& file) {
+  const double diagonal = file.curve.diagonal();
+  const double seen =
+      std::min(half_a_cell * file.size.edge_mm / diagonal, share_of_rise * rise(file.curve) / diagonal);
+  return std::clamp(seen, least_shape_tolerance, file.shape_tolerance);
+}
+
 void read_tolerance(const targets::Section& root, CurveFile& file) {
+  file.shape_tolerance = usual_shape_tolerance(file);
   const targets::Section section = root.section("tolerance");
   section.read("shape", file.shape_tolerance);
   section.read("verify", file.verify_tolerance);
@@ -138,7 +166,10 @@ targets::KeyTable variables_keys(const CurveFile& usual) {
 targets::KeyTable tolerance_keys(const CurveFile& usual) {
   const targets::Bounds part_of_one = {0, 1, false, true};
   return targets::KeyTable({
-      {"shape", value::number(part_of_one), targets::by_default(usual.shape_tolerance),
+      {"shape", value::number(part_of_one),
+       targets::otherwise(
+           "0.01; less for a flat curve (a twentieth of its rise over its chord), or small cells (half of "
+           "one), but at least 0.001"),
        "most of [shape_rms](#shape_rms-and-shape_max), over the diagonal of the curve's bounding box"},
       {"verify", value::number(part_of_one), targets::by_default(usual.verify_tolerance),
        "most of [verify_rms](#verify_rms-and-verify_max), cell edges"},

@@ -44,7 +44,7 @@ class CurveScene final : public Scene {
     run.process = file_.process;
     run.verify_tolerance = file_.verify_tolerance;
     const optim::MultiStartOptions search = curve_search(file_, options);
-    if (options.progress) options.progress("search", 0);
+    options.progress("search", 0);
     auto curve = std::make_unique<CurveOutcome>();
     curve->tolerances = {{"shape", file_.shape_tolerance}};
     curve->shape_tolerance = file_.shape_tolerance;

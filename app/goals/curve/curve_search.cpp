@@ -1,5 +1,7 @@
 #include "app/goals/curve/curve_search.hpp"
 
+#include <fmt/format.h>
+
 namespace kinetix::app {
 
 optim::CurveVariables curve_variables(const CurveFile& file) {
@@ -22,6 +24,11 @@ optim::MultiStartOptions curve_search(const CurveFile& file, const RunOptions& o
   search.starts = file.solver.starts.value_or(search.starts);
   search.solver.name = file.solver.name.value_or(search.solver.name);
   search.solver.max_evaluations = file.solver.max_evaluations.value_or(search.solver.max_evaluations);
+  search.ended = [progress = options.progress, starts = search.starts, mm = file.curve.diagonal()](
+                     int ended, double least) {
+    progress("search", static_cast<double>(ended) / starts,
+             fmt::format("start {} of {}, best {:.2g} mm off", ended, starts, least * mm));
+  };
   return search;
 }
 

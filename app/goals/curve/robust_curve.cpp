@@ -1,5 +1,7 @@
 #include "app/goals/curve/robust_curve.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -98,11 +100,14 @@ RobustCurve robust_curve(const CurveFile& file, const optim::FreeCurveDesign& pl
   RobustCurve out{plain, file.size, {judged(file, plain)}, 0};
   const std::vector<int> columns = columns_of(file);
   const double rounds = static_cast<double>(columns.size()) * thetas;
+  optim::MultiStartOptions quiet = search;
+  quiet.ended = {};
   for (const int count : columns)
     for (int k = 0; k < thetas && !options.stop.stop_requested(); ++k) {
-      if (options.progress)
-        options.progress("robust search", static_cast<double>(out.tried.size() - 1) / rounds);
-      Tried next = tried(with(file, count, theta_at(file, k)), search);
+      options.progress("robust search", static_cast<double>(out.tried.size() - 1) / rounds,
+                       fmt::format("design {} of {:.0f}, prints of the best {:.2g} mm off", out.tried.size(),
+                                   rounds, out.tried[out.chosen].as_made_mm));
+      Tried next = tried(with(file, count, theta_at(file, k)), quiet);
       out.tried.push_back(next.candidate);
       const CurveCandidate& best = out.tried[out.chosen];
       const bool is_better =

@@ -138,7 +138,7 @@ class DisplayScene final : public Scene {
     if (!stopped && options.verify && display.design.scaled && run.structure.cells() <= most_cells_of_front)
       display.front = legibility_front(file_, front_point(file_.offset, display.after, run.equilibrium->path),
                                        elasticity(), display.options, options.progress);
-    if (options.progress && !stopped) options.progress("prints", 0);
+    if (!stopped) options.progress("prints", 0);
     if (!stopped) display.printed = display_prints(file_, run, options.prints);
     display.violations = all_violations(file_, display);
   }

@@ -25,11 +25,11 @@ std::vector<targets::PanelSize> larger_sizes(targets::PanelSize asked) {
 }
 
 bool shows(const DisplayFile& file, const targets::DisplayGoal& goal, const optim::DisplayOptions& options,
-           const std::function<void(const std::string&, double)>& progress) {
+           const Progress& progress) {
   const targets::PanelSize size = {goal.columns, goal.rows};
   const model::Sheet panel = make_panel(file, size);
-  const auto told = [&](const std::string&, double done) {
-    if (progress) progress(fmt::format("{} x {}", size[0], size[1]), done);
+  const auto told = [&](const std::string&, double done, const std::string& so_far) {
+    progress(fmt::format("{} x {}", size[0], size[1]), done, so_far);
   };
   const optim::DisplayView view = search_panel(file, goal, panel, options, told).view;
   return view.balanced && view.stretch <= file.stretch && violations(file, view.score, view.rank, "").empty();
@@ -52,7 +52,7 @@ std::vector<std::string> violations(const DisplayFile& file, const targets::Disp
 }
 
 LargerPanels search_larger_panels(const DisplayFile& file, const optim::DisplayOptions& options,
-                                  const std::function<void(const std::string&, double)>& progress) {
+                                  const Progress& progress) {
   LargerPanels larger;
   if (!file.goal.redrawn) return larger;
   DisplayFile alike = file;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/goals/display/display_file.hpp"
+#include "model/base/progress.hpp"
 #include "optim/display/fit_display.hpp"
 
 namespace kinetix::app {
@@ -23,6 +24,6 @@ std::vector<std::string> violations(const DisplayFile& file, const targets::Disp
 /// picture. None for goals that cannot be redrawn.
 /// @param progress hears of the panel searched, and the share done, 0 to 1
 LargerPanels search_larger_panels(const DisplayFile& file, const optim::DisplayOptions& options,
-                                  const std::function<void(const std::string&, double)>& progress);
+                                  const Progress& progress);
 
 }  // namespace kinetix::app

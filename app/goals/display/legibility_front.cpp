@@ -42,13 +42,12 @@ FrontPoint front_point(double offset, const DisplayReading& seen, const model::E
 
 std::vector<FrontPoint> legibility_front(const DisplayFile& file, const FrontPoint& own,
                                          const model::Elasticity& elasticity,
-                                         const optim::DisplayOptions& options,
-                                         const std::function<void(const std::string&, double)>& progress) {
+                                         const optim::DisplayOptions& options, const Progress& progress) {
   std::vector<FrontPoint> front = {own};
   front.back().is_own = true;
   for (const double offset : tried) {
     if (std::abs(offset - file.offset) <= same && !(file.strain > 0)) continue;
-    if (progress) progress("other offsets", static_cast<double>(front.size() - 1) / std::size(tried));
+    progress("other offsets", static_cast<double>(front.size() - 1) / std::size(tried));
     DisplayFile other = file;
     other.offset = offset;
     front.push_back(point_of(other, elasticity, options));

@@ -4,6 +4,7 @@
 
 #include "app/goals/display/display_file.hpp"
 #include "app/goals/display/display_outcome.hpp"
+#include "model/base/progress.hpp"
 #include "model/elastic/path/equilibrium_path.hpp"
 #include "model/hinge/elasticity.hpp"
 
@@ -18,7 +19,6 @@ FrontPoint front_point(double offset, const DisplayReading& seen, const model::E
 /// @param own of the file   @param progress words and the share done
 std::vector<FrontPoint> legibility_front(const DisplayFile& file, const FrontPoint& own,
                                          const model::Elasticity& elasticity,
-                                         const optim::DisplayOptions& options,
-                                         const std::function<void(const std::string&, double)>& progress);
+                                         const optim::DisplayOptions& options, const Progress& progress);
 
 }  // namespace kinetix::app

@@ -49,7 +49,7 @@ optim::DisplayOptions search_options(const DisplayFile& file, const model::Elast
 
 optim::DisplayDesign search_panel(const DisplayFile& file, const targets::DisplayGoal& goal,
                                   const model::Sheet& panel, const optim::DisplayOptions& options,
-                                  const std::function<void(const std::string&, double)>& progress) {
+                                  const Progress& progress) {
   const std::vector<double> levels = levels_of(goal, panel);
   if (file.offset > 0)
     return fit_scaled_display(panel, levels, file.channel, file.axes, scaled_options(file));
@@ -57,13 +57,12 @@ optim::DisplayDesign search_panel(const DisplayFile& file, const targets::Displa
 }
 
 void refine_panel(const DisplayFile& file, const targets::DisplayGoal& goal, const model::Sheet& panel,
-                  optim::DisplayOptions options, optim::DisplayDesign& design,
-                  const std::function<void(const std::string&, double)>& progress) {
-  if (progress) progress("strain on purpose", 0);
+                  optim::DisplayOptions options, optim::DisplayDesign& design, const Progress& progress) {
+  progress("strain on purpose", 0);
   options.offset = file.offset;
   options.stretch = file.strain;
   refine_display(panel, levels_of(goal, panel), options, design);
-  if (progress) progress("strain on purpose", 1);
+  progress("strain on purpose", 1);
 }
 
 // Offsets as they come back from a file, where they are in mm.

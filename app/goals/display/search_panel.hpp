@@ -1,11 +1,11 @@
 #pragma once
 
-#include <functional>
 #include <string>
 
 #include "app/goals/display/display_file.hpp"
 #include "app/goals/display/display_outcome.hpp"
 #include "app/run/run_options.hpp"
+#include "model/base/progress.hpp"
 #include "model/lattice/square/drive.hpp"
 #include "optim/display/fit_display.hpp"
 
@@ -23,12 +23,11 @@ optim::DisplayOptions search_options(const DisplayFile& file, const model::Elast
 /// @param panel of the goal's cells   @param progress words and the share done
 optim::DisplayDesign search_panel(const DisplayFile& file, const targets::DisplayGoal& goal,
                                   const model::Sheet& panel, const optim::DisplayOptions& options,
-                                  const std::function<void(const std::string&, double)>& progress);
+                                  const Progress& progress);
 
 /// Strains a panel that was found by the scales of walls as far as the file allows (optim::refine_display).
 void refine_panel(const DisplayFile& file, const targets::DisplayGoal& goal, const model::Sheet& panel,
-                  optim::DisplayOptions options, optim::DisplayDesign& design,
-                  const std::function<void(const std::string&, double)>& progress);
+                  optim::DisplayOptions options, optim::DisplayDesign& design, const Progress& progress);
 
 /// Puts the hinges of a panel where a search left them.
 void place_hinges(const optim::DisplayView& view, model::Sheet& panel);

@@ -39,7 +39,7 @@ void keep_limits(const FoldFile& file, const Run& run, const Scene& scene, FoldO
   fold.unlimited = fold.loads;
   double kept = file.theta.lower, too_much = fold.design.folded.theta;
   for (int k = 0; k < halvings && !options.stop.stop_requested(); ++k) {
-    if (options.progress) options.progress("limits", static_cast<double>(k) / halvings);
+    options.progress("limits", static_cast<double>(k) / halvings);
     const double theta = (kept + too_much) / 2;
     optim::FoldDesign design = search(theta);
     if (!design.folds) {

@@ -1,5 +1,7 @@
 #include "app/goals/helmet/helmet_file.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,10 +16,12 @@ namespace {
 
 namespace value = targets::value;
 
-constexpr double default_cell_mm = 6;  // a tenth of a head's radius: ribs can follow its curves
-constexpr int most_ribs = 200;         // one every other millimetre of a head: a limit on what is read
-constexpr double least_cell_mm = 1;    // of cells, and between ribs: smaller ones make too many cells
-constexpr double most_cell_mm = 60;    // about a head's radius: larger cells cannot follow it
+constexpr double half_a_cell = 0.5;             // cell edges: the sheet's own grain
+constexpr double share_of_coverage = 1.0 / 30;  // of how far the head is covered: 3 mm of the usual 90
+constexpr double default_cell_mm = 6;           // a tenth of a head's radius: ribs can follow its curves
+constexpr int most_ribs = 200;       // one every other millimetre of a head: a limit on what is read
+constexpr double least_cell_mm = 1;  // of cells, and between ribs: smaller ones make too many cells
+constexpr double most_cell_mm = 60;  // about a head's radius: larger cells cannot follow it
 
 targets::KeyTable target_keys(const optim::HelmetSpec& usual) {
   std::vector<targets::Key> keys = targets::head_keys();
@@ -41,9 +45,14 @@ targets::KeyTable structure_keys() {
 
 targets::KeyTable tolerance_keys() {
   return targets::KeyTable({
-      {"rms_mm", value::number(targets::above(0, "mm")), targets::by_default(HelmetFile::usual_rms_mm),
+      {"rms_mm", value::number(targets::above(0, "mm")),
+       targets::otherwise(
+           fmt::format("{:g}; less with a smaller `max_mm` by default", HelmetFile::usual_rms_mm)),
        "most of the [distance](#distances-of-a-helmet) from head plus clearance, root mean square"},
-      {"max_mm", value::number(targets::above(0, "mm")), targets::by_default(HelmetFile::usual_max_mm),
+      {"max_mm", value::number(targets::above(0, "mm")),
+       targets::otherwise(
+           fmt::format("{:g}, or half a cell, or a thirtieth of `target.coverage_mm` where that is less",
+                       HelmetFile::usual_max_mm)),
        "likewise, the largest"},
       {"verify", value::number({0, 1, false, true}), targets::by_default(HelmetFile::usual_verify),
        "most of [verify_rms](#verify_rms-and-verify_max), cell edges"},
@@ -76,7 +85,15 @@ void read_variables(const targets::Section& root, optim::HelmetSpec& spec) {
   spec.start_theta = std::clamp(spec.start_theta, spec.theta.lower, spec.theta.upper);
 }
 
+/// As large a miss as can be let pass on a man's head, less on a doll's and where cells are small.
+double usual_max_mm(const HelmetFile& file) {
+  return std::min({HelmetFile::usual_max_mm, half_a_cell * file.spec.size.edge_mm,
+                   share_of_coverage * file.head.coverage_mm});
+}
+
 void read_tolerance(const targets::Section& root, HelmetFile& file) {
+  file.max_mm = usual_max_mm(file);
+  file.rms_mm = HelmetFile::usual_rms_mm * file.max_mm / HelmetFile::usual_max_mm;
   const targets::Section section = root.section("tolerance");
   section.read("rms_mm", file.rms_mm);
   section.read("max_mm", file.max_mm);

@@ -75,7 +75,7 @@ class HelmetScene final : public Scene {
     run.goal_drive = file_.drive;
     run.process = file_.process;
     run.verify_tolerance = file_.verify;
-    if (options.progress) options.progress("search", 0);
+    options.progress("search", 0);
     auto helmet = std::make_unique<HelmetOutcome>(
         file_.head, file_.spec, fit_helmet(file_.head.dome, crown, file_.spec, search_of(file_)));
     helmet->tolerances = {{"rms_mm", file_.rms_mm}, {"max_mm", file_.max_mm}};

@@ -57,10 +57,7 @@ class OutlineSearch {
   }
 
   optim::OutlineDesign fit(const model::PlanarStructure& panel, const optim::OutlineOptions& options) const {
-    const auto progress = [this](double done) {
-      if (run_.progress) run_.progress("search", done);
-    };
-    return fit_outline(panel, file_.folded, file_.flat ? &*file_.flat : nullptr, options, progress);
+    return fit_outline(panel, file_.folded, file_.flat ? &*file_.flat : nullptr, options, run_.progress);
   }
 
   /// Of the panel that these cells make, as long as nothing is known but areas.

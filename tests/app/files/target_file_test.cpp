@@ -5,9 +5,11 @@
 
 #include "app/goals/curve/curve_file.hpp"
 #include "app/goals/display/display_file.hpp"
+#include "app/goals/helmet/helmet_file.hpp"
 #include "app/goals/read_target.hpp"
 #include "tests/support/bad_input.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/targets/heads.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -36,6 +38,34 @@ DisplayFile read_display_target(const std::string& file) {
   const targets::Node root = targets::read_document(file);
   EXPECT_EQ(read_target(root).kind->name, "display");
   return read_display_file(root);
+}
+
+TEST(TargetFile, IsStricterWithFlatCurvesAndWithSmallCells) {
+  const auto tolerance = [](const std::string& points, const std::string& rest = {}) {
+    return read("kinetix: 1\ntarget: {kind: curve, points: " + points + "}\n" + rest).shape_tolerance;
+  };
+  EXPECT_EQ(tolerance("[[0, 0], [100, 50], [200, 0]]"), 0.01);
+  const double flat = std::hypot(300, 25);
+  EXPECT_DOUBLE_EQ(tolerance("[[0, 0], [150, 25], [300, 0]]") * flat, 1.25) << "a twentieth of 25 mm";
+  EXPECT_DOUBLE_EQ(
+      tolerance("[[0, 0], [100, 50], [200, 0]]", "structure: {cell_mm: 1}\n") * std::hypot(200, 50), 0.5);
+  EXPECT_EQ(tolerance("[[0, 0], [150, 0], [300, 0]]"), 0.001) << "straight";
+  EXPECT_EQ(tolerance("[[0, 0], [150, 25], [300, 0]]", "tolerance: {shape: 0.05}\n"), 0.05);
+}
+
+TEST(TargetFile, IsStricterWithHelmetsOfSmallCells) {
+  TemporaryFolder folder;
+  folder.write("head.obj", testing::obj_text(testing::ellipsoid({76, 98, 112})));
+  const auto file = [&](double cell_mm) {
+    const std::string text =
+        "kinetix: 1\ntarget: {kind: helmet, mesh: head.obj, ribs: 3, coverage_mm: 70}\n"
+        "structure: {cell_mm: " +
+        std::to_string(cell_mm) + "}\n";
+    return read_helmet_file(targets::read_document(folder.write("cap.yaml", text)));
+  };
+  EXPECT_NEAR(file(24).max_mm, 70.0 / 30, 1e-12) << "a thirtieth of the coverage";
+  EXPECT_NEAR(file(4).max_mm, 2, 1e-12) << "half a cell";
+  EXPECT_NEAR(file(4).rms_mm, 0.8 * 2 / 3, 1e-12);
 }
 
 TEST(TargetFile, NeedsNoMoreThanAVersionAndATarget) {

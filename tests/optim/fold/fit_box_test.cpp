@@ -15,7 +15,8 @@ BoxOptions box(const std::array<double, 3>& mm) {
 }
 
 TEST(FitBox, ComesWithinTwoPerCentOfBoxesOfManyProportions) {
-  for (const auto& mm : {std::array{120.0, 80.0, 40.0}, {57.0, 57.0, 57.0}, {97.0, 61.0, 23.0}, {30.0, 90.0, 45.0}}) {
+  for (const auto& mm :
+       {std::array{120.0, 80.0, 40.0}, {57.0, 57.0, 57.0}, {97.0, 61.0, 23.0}, {30.0, 90.0, 45.0}}) {
     const BoxInCells found = fit_box(box(mm));
     EXPECT_LE(size_miss(found.folded_mm, mm), 0.02) << mm[0];
   }
@@ -43,13 +44,12 @@ TEST(FitBox, KeepsACellEdgeThatIsGiven) {
 
 TEST(FitBox, AFoldedEdgeIsItsFaceInPitchesAndTwoInsets) {
   const double pitch = 10 * std::cos(0.5);
-  EXPECT_NEAR(folded_box({4, 2, 1}, 10, 0.5, 1)[0], 5 * pitch, 1e-12) << "one column: half a pitch at either end";
+  EXPECT_NEAR(folded_box({4, 2, 1}, 10, 0.5, 1)[0], 5 * pitch, 1e-12)
+      << "one column: half a pitch at either end";
   EXPECT_NEAR(folded_box({4, 2, 1}, 10, 0.5, 2)[2], (1 + 1 / std::tan(pi / 8)) * pitch, 1e-12);
 }
 
-TEST(FitBox, RefusesABoxOfTooUnlikeEdges) {
-  EXPECT_THROW(fit_box(box({1, 500, 30})), InvalidInput);
-}
+TEST(FitBox, RefusesABoxOfTooUnlikeEdges) { EXPECT_THROW(fit_box(box({1, 500, 30})), InvalidInput); }
 
 }  // namespace
 }  // namespace kinetix::optim

@@ -221,6 +221,25 @@ TEST(MultiStart, AnswersTheSameForAnyNumberOfThreads) {
   }
 }
 
+TEST(MultiStart, TellsOfEveryStartAndTheLeastSoFar) {
+  const StartMaker starts = [](int k, std::uint64_t) { return Eigen::Vector2d(-1.9 + 0.3 * k, 0.2 * k); };
+  for (const int threads : {1, 3}) {
+    std::vector<int> counts;
+    std::vector<double> least;
+    MultiStartOptions options;
+    options.starts = 6;
+    options.threads = threads;
+    options.ended = [&](int ended, double best) {
+      counts.push_back(ended);
+      least.push_back(best);
+    };
+    const MultiStartResult result = multi_start(Valley(), starts, options);
+    EXPECT_EQ(counts, (std::vector{1, 2, 3, 4, 5, 6}));
+    EXPECT_TRUE(std::is_sorted(least.rbegin(), least.rend()));
+    EXPECT_EQ(least.back(), result.best_run().residual_norm);
+  }
+}
+
 TEST(MultiStart, TheRandomMethodToo) {
   const StartMaker start = [](int, std::uint64_t) { return Eigen::Vector2d(-1.2, 1); };
   MultiStartOptions options;

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <concepts>
+#include <functional>
+#include <string>
+#include <utility>
+
+namespace kinetix {
+
+/// Hears how far something long has come: its stage, the share of it that is done, 0 to 1 (negative: not known), and in
+/// words what it has so far. Calls may come from any thread. Without a hearer, words fall away.
+class Progress {
+ public:
+  using Hearer = std::function<void(const std::string& stage, double done, const std::string& so_far)>;
+
+  Progress() = default;
+  template <std::convertible_to<Hearer> Function>
+    requires(!std::same_as<Function, Progress>)
+  Progress(Function hearer) : hearer_(std::move(hearer)) {}  // NOLINT: lambdas are given as they are
+
+  void operator()(const std::string& stage, double done, const std::string& so_far = {}) const {
+    if (hearer_) hearer_(stage, done, so_far);
+  }
+
+ private:
+  Hearer hearer_;
+};
+
+}  // namespace kinetix
