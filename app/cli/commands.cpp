@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "app/cli/checked_file.hpp"
 #include "app/console/console.hpp"
 #include "app/console/open_report.hpp"
 #include "app/console/stopper.hpp"
@@ -138,21 +139,8 @@ int simulate_command(const CommandOptions& options) {
 }
 
 int check_command(const CommandOptions& options) {
-  const targets::Node root = targets::read_document(options.file, max_design_bytes);
-  const bool is_sweep = root.optional("factors").has_value(), is_target = root.optional("target").has_value();
-  const std::string name = is_sweep    ? make_sweep_plan(options.file, {}).doe.name
-                           : is_target ? read_target(root).goal->name()
-                                       : read_design(root).name;
-  const char* kind = is_sweep ? "sweep" : is_target ? "target" : "design";
-  if (options.json)
-    std::cout << nlohmann::ordered_json{{"file", options.file},
-                                        {"kind", kind},
-                                        {"name", name},
-                                        {"valid", true}}
-                     .dump(1)
-              << "\n";
-  else
-    std::cout << fmt::format("{}: valid {} '{}'\n", options.file, kind, name);
+  const CheckedFile checked = check_file(options.file);
+  std::cout << (options.json ? checked.json().dump(1) + "\n" : checked.text());
   return done;
 }
 

@@ -7,6 +7,7 @@
 #include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/physics_settings.hpp"
 #include "model/base/invalid_input.hpp"
+#include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -15,6 +16,14 @@ namespace {
 model::State reference_of(const Run& run) {
   const bool on_the_way = run.equilibrium && !run.equilibrium->reached();
   return run.states.empty() || on_the_way ? model::State{} : run.states.front().poses;
+}
+
+/// Of the box around the walls' middles in the closed form, and walls around them.
+std::optional<Eigen::Vector3d> folded_size(const model::ExactMotion& motion, const DesignFile& design) {
+  Eigen::AlignedBox3d box;
+  for (const model::Pose& pose : motion.at(exact_theta_of(design, motion))) box.extend(pose.p);
+  if (box.isEmpty() || !box.sizes().allFinite()) return std::nullopt;
+  return box.sizes() + Eigen::Vector3d::Constant(design.structure.size().thickness_mm);
 }
 
 class DesignScene final : public Scene {
@@ -27,6 +36,13 @@ class DesignScene final : public Scene {
     const bool elastic = design_.hinge.model == HingeSection::Model::elastic;
     const bool balances = model_ == Model::equilibrium || (model_ == Model::bullet && elastic);
     return balances ? std::optional(Model::equilibrium) : std::nullopt;
+  }
+
+  Forecast forecast() const override {
+    Forecast out{design_.structure};
+    out.has_physics = model_ == Model::bullet;
+    if (const auto motion = exact_motion(design_.structure)) out.folded_mm = folded_size(motion, design_);
+    return out;
   }
 
   void solve(Run& run, const RunOptions&) const override {

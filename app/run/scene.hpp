@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/run/forecast.hpp"
 #include "app/run/run.hpp"
 #include "app/run/run_options.hpp"
 #include "optim/solvers/variables.hpp"
@@ -28,6 +29,9 @@ class Scene {
   virtual std::string name() const = 0;
   /// The model that the states come from. Nothing: exact where a family fits, else bullet.
   virtual std::optional<Model> model() const { return {}; }
+
+  /// What can be said without a search.
+  virtual Forecast forecast() const = 0;
 
   /// Sets the structure, theta, and what the file asks of hinges, drive and physics. Searches for them
   /// where there is a goal, and sets run.goal. @throws InvalidInput for a target that leaves nothing to

@@ -2,6 +2,7 @@
 
 #include "app/print/formats.hpp"
 #include "app/result/result_json.hpp"
+#include "app/run/forecast.hpp"
 #include "app/studio/templates.hpp"
 #include "app/version.hpp"
 #include "model/matter/material.hpp"

@@ -56,13 +56,4 @@ std::unique_ptr<sim::LiveSheet> live_sheet(const DesignFile& design, const model
   return std::make_unique<sim::LiveSheet>(linkage, options, k_point);
 }
 
-Eigen::Vector3d flat_size(const model::Linkage& linkage) {
-  Eigen::AlignedBox3d box;
-  for (const model::LinkageBody& body : linkage.bodies) box.extend(linkage.size.edge_mm * body.position);
-  const double half = 0.5 * linkage.size.thickness_mm;
-  Eigen::Vector3d size = box.sizes() + Eigen::Vector3d(2 * half, 2 * half, 0);
-  size.z() = linkage.size.height_mm;
-  return size;
-}
-
 }  // namespace kinetix::app::studio

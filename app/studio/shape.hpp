@@ -31,7 +31,4 @@ double nearest_theta(const Moving& moving, double from, int body, const Eigen::V
 std::unique_ptr<sim::LiveSheet> live_sheet(const DesignFile& design, const model::Linkage& linkage,
                                            bool springs);
 
-/// Extent of the flat sheet with its walls, mm.
-Eigen::Vector3d flat_size(const model::Linkage& linkage);
-
 }  // namespace kinetix::app::studio

@@ -15,8 +15,8 @@ class Progress {
 
   Progress() = default;
   template <std::convertible_to<Hearer> Function>
-    requires(!std::same_as<Function, Progress>)
-  Progress(Function hearer) : hearer_(std::move(hearer)) {}  // NOLINT: lambdas are given as they are
+  requires(!std::same_as<Function, Progress>) Progress(Function hearer)
+      : hearer_(std::move(hearer)) {}  // NOLINT: lambdas are given as they are
 
   void operator()(const std::string& stage, double done, const std::string& so_far = {}) const {
     if (hearer_) hearer_(stage, done, so_far);

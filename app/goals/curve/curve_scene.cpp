@@ -14,6 +14,10 @@
 namespace kinetix::app {
 namespace {
 
+// Measured: s a start of 40 columns; it grows with their square.
+constexpr double seconds_a_start = 0.005;
+constexpr double robust_designs = 45;  // searches that a robust design takes, about
+
 std::vector<std::string> violations(const optim::FreeCurveDesign& found, double tolerance) {
   std::vector<std::string> why;
   const double rms = found.design.error.rms;
@@ -36,6 +40,18 @@ class CurveScene final : public Scene {
 
   const targets::Curve& curve() const { return file_.curve; }
   std::string name() const override { return file_.name; }
+
+  Forecast forecast() const override {
+    Forecast out{sheet_of(model::ExactDesign<double>::basic(file_.columns, file_.rows), file_.size)};
+    Eigen::AlignedBox2d box;
+    for (const Eigen::Vector2d& point : file_.curve.points()) box.extend(point);
+    out.folded_mm = {box.sizes().x(), file_.rows * file_.size.edge_mm, box.sizes().y()};
+    const double columns = file_.columns / 40.0;
+    out.search_s =
+        seconds_a_start * file_.solver.starts.value_or(optim::MultiStartOptions{}.starts) * columns * columns;
+    if (file_.robust) out.search_s *= robust_designs;
+    return out;
+  }
 
   void solve(Run& run, const RunOptions& options) const override {
     run.physics = file_.physics;

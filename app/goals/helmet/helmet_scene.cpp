@@ -63,11 +63,21 @@ void append(std::vector<std::string>& to, const std::vector<std::string>& more) 
   to.insert(to.end(), more.begin(), more.end());
 }
 
+constexpr double seconds_a_body = 3e-4;  // s of search, measured
+
 class HelmetScene final : public Scene {
  public:
   explicit HelmetScene(HelmetFile file) : file_(std::move(file)) {}
 
   std::string name() const override { return file_.name; }
+
+  Forecast forecast() const override {
+    const optim::HelmetLayout layout = plan_helmet(file_.head.dome, crown, file_.spec);
+    Forecast out{make_fishbone(layout.spine_and_ribs, file_.spec.size).structure};
+    out.search_s = seconds_a_body * out.sheet.bodies();
+    out.notes = layout.notes;
+    return out;
+  }
 
   void solve(Run& run, const RunOptions& options) const override {
     run.physics = file_.physics;

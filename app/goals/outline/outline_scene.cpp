@@ -26,11 +26,27 @@ std::vector<std::string> all_violations(const OutlineFile& file, const OutlineOu
   return why;
 }
 
+// Measured, s: where the folded outline alone is asked for, and where the flat one is, too.
+constexpr double seconds_a_wall = 0.005, seconds_a_wall_of_both = 0.02;
+
 class OutlineScene final : public Scene {
  public:
   explicit OutlineScene(OutlineFile file) : file_(std::move(file)) {}
 
   std::string name() const override { return file_.name; }
+
+  /// Of the panel before it is cut.
+  Forecast forecast() const override {
+    Eigen::AlignedBox2d box;
+    for (const Eigen::Vector2d& point : file_.folded.points()) box.extend(point);
+    const double edge_mm =
+        file_.cell_mm.value_or(box.sizes().maxCoeff() / std::max(file_.columns, file_.rows));
+    Forecast out{
+        make_sheet(file_.lattice, model::lattice_cells(file_.columns, file_.rows), file_.size(edge_mm))};
+    if (!file_.cell_mm) out.folded_mm = {box.sizes().x(), box.sizes().y(), out.sheet.size().height_mm};
+    out.search_s = out.sheet.hinges() * (file_.flat ? seconds_a_wall_of_both : seconds_a_wall);
+    return out;
+  }
 
   void solve(Run& run, const RunOptions& options) const override {
     run.physics = file_.physics;

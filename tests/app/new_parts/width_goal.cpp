@@ -61,8 +61,14 @@ struct WidthScene final : Scene {
 
   std::string name() const override { return name_; }
 
+  model::Sheet sheet() const {
+    return model::make_sheet(cells_, 1, {cell_mm_, 0.08 * cell_mm_, 0.6 * cell_mm_});
+  }
+
+  Forecast forecast() const override { return {sheet()}; }
+
   void solve(Run& run, const RunOptions&) const override {
-    run.structure = model::make_sheet(cells_, 1, {cell_mm_, 0.08 * cell_mm_, 0.6 * cell_mm_});
+    run.structure = sheet();
     const model::ExactMotion exact = exact_motion(run.structure);
     double narrow = widest_theta, wide = 0;
     for (int k = 0; k < 60; ++k) {

@@ -1,0 +1,86 @@
+#include "app/cli/checked_file.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/goals/read_target.hpp"
+#include "app/pipeline/design_scene.hpp"
+#include "app/sweep/plan/sweep_plan.hpp"
+
+namespace kinetix::app {
+namespace {
+
+std::string size_text(const Eigen::Vector3d& mm) {
+  return fmt::format("{:.1f} x {:.1f} x {:.1f} mm", mm.x(), mm.y(), mm.z());
+}
+
+std::string line(const char* name, const std::string& text) { return fmt::format("  {:<10} {}\n", name, text); }
+
+double physics_of(const Forecast& f) { return f.has_physics ? physics_seconds(f.sheet) : 0; }
+
+std::string time_text(const Forecast& f) {
+  const double physics = physics_of(f);
+  const double memory_mb = memory_needed(f.sheet) / 1e6;
+  std::string parts;
+  if (f.search_s + physics >= 1)
+    parts = fmt::format(" (search {}, physics run {})", about(f.search_s), f.has_physics ? about(physics) : "none");
+  return fmt::format("{}{}, {:.0f} MB of memory", about(f.search_s + physics), parts, memory_mb);
+}
+
+std::string text_of(const Forecast& f) {
+  std::string out = line("sheet", fmt::format("{} bodies, {} hinges; flat {}, cells of {:.4g} mm, walls {:.3g} mm thick",
+                                              f.sheet.bodies(), f.sheet.hinges(), size_text(flat_size(f.sheet)),
+                                              f.sheet.size().edge_mm, f.sheet.size().thickness_mm));
+  if (f.folded_mm) out += line("folded", "about " + size_text(*f.folded_mm));
+  out += line("takes", time_text(f));
+  for (const std::string& note : f.notes) out += line("note", note);
+  return out;
+}
+
+nlohmann::ordered_json numbers(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+nlohmann::ordered_json json_of(const Forecast& f) {
+  nlohmann::ordered_json out = {{"bodies", f.sheet.bodies()},
+                                {"hinges", f.sheet.hinges()},
+                                {"flat_mm", numbers(flat_size(f.sheet))},
+                                {"folded_mm", nullptr},
+                                {"search_s", f.search_s},
+                                {"physics_s", physics_of(f)},
+                                {"memory_bytes", memory_needed(f.sheet)},
+                                {"notes", f.notes}};
+  if (f.folded_mm) out["folded_mm"] = numbers(*f.folded_mm);
+  return out;
+}
+
+}  // namespace
+
+std::string CheckedFile::text() const {
+  std::string out = fmt::format("{}: valid {} '{}'\n", file, kind, name);
+  if (forecast) out += text_of(*forecast);
+  if (kind == "sweep") out += line("samples", fmt::format("{:.0f}", samples));
+  return out;
+}
+
+nlohmann::ordered_json CheckedFile::json() const {
+  nlohmann::ordered_json out = {{"file", file}, {"kind", kind}, {"name", name}, {"valid", true}};
+  if (forecast) out["expected"] = json_of(*forecast);
+  if (kind == "sweep") out["samples"] = samples;
+  return out;
+}
+
+CheckedFile check_file(const std::string& file) {
+  const targets::Node root = targets::read_document(file, max_design_bytes);
+  if (root.optional("factors")) {
+    const SweepPlan plan = make_sweep_plan(file, {});
+    return {.file = file, .kind = "sweep", .name = plan.doe.name, .samples = static_cast<double>(plan.size())};
+  }
+  if (root.optional("target")) {
+    const Target target = read_target(root);
+    return {file, "target", target.goal->name(), target.goal->forecast()};
+  }
+  const auto scene = make_scene(read_design(root), Model::bullet);
+  return {file, "design", scene->name(), scene->forecast()};
+}
+
+}  // namespace kinetix::app

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+#include "app/run/forecast.hpp"
+
+namespace kinetix::app {
+
+/// What `check` has to say of a file that is valid.
+struct CheckedFile {
+  std::string file;
+  std::string kind;  ///< target, design or sweep
+  std::string name;
+  std::optional<Forecast> forecast = {};  ///< not of sweeps
+  double samples = 0;                     ///< of sweeps
+
+  std::string text() const;
+  nlohmann::ordered_json json() const;
+};
+
+/// @throws InvalidInput for whatever the formats do not allow
+CheckedFile check_file(const std::string& file);
+
+}  // namespace kinetix::app

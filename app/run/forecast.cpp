@@ -1,0 +1,48 @@
+#include "app/run/forecast.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace kinetix::app {
+namespace {
+
+// Medians over the shapes of targets/shapes, whose physics runs take 0.4 to 16 s.
+constexpr double seconds_a_loop = 0.018;
+constexpr double bytes_of_program = 55e6, bytes_a_body = 65e3;
+
+/// 20 of 23.4.
+double one_digit(double x) {
+  const double unit = std::pow(10, std::floor(std::log10(x)));
+  return unit * std::round(x / unit);
+}
+
+}  // namespace
+
+Eigen::Vector3d flat_size(const model::Linkage& linkage) {
+  Eigen::AlignedBox3d box;
+  for (const model::LinkageBody& body : linkage.bodies) box.extend(linkage.size.edge_mm * body.position);
+  const double half = 0.5 * linkage.size.thickness_mm;
+  Eigen::Vector3d size = box.sizes() + Eigen::Vector3d(2 * half, 2 * half, 0);
+  size.z() = linkage.size.height_mm;
+  return size;
+}
+
+double physics_seconds(const model::Linkage& linkage) {
+  const double loops = static_cast<double>(linkage.hinges.size()) - static_cast<double>(linkage.bodies.size()) + 1;
+  return seconds_a_loop * std::max(loops, 1.0);
+}
+
+double memory_needed(const model::Linkage& linkage) {
+  return bytes_of_program + bytes_a_body * static_cast<double>(linkage.bodies.size());
+}
+
+std::string about(double seconds) {
+  if (seconds < 1) return "less than a second";
+  if (seconds < 100) return fmt::format("about {:g} s", one_digit(seconds));
+  if (seconds < 100 * 60) return fmt::format("about {:g} minutes", one_digit(seconds / 60));
+  return fmt::format("about {:g} hours", one_digit(seconds / 3600));
+}
+
+}  // namespace kinetix::app

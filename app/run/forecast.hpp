@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/sheet/sheet.hpp"
+
+namespace kinetix::app {
+
+/// What is known of a run beforehand.
+struct Forecast {
+  model::Sheet sheet;                           ///< as it will be, or nearly: hinges are still to be found
+  std::optional<Eigen::Vector3d> folded_mm = {};  ///< edges of the box around the folded thing, where they are known
+  double search_s = 0;                          ///< about; within a factor of three on one core of 2020
+  bool has_physics = true;
+  std::vector<std::string> notes = {};          ///< what is likely to go wrong, and what would help
+};
+
+/// Edges of the box around the flat sheet, mm.
+Eigen::Vector3d flat_size(const model::Linkage& linkage);
+
+/// About how long a physics run takes, s, on one core of 2020; measured on sheets of 80 to 900 bodies, within a factor of
+/// two. A loop of hinges is what costs: one a cell.
+double physics_seconds(const model::Linkage& linkage);
+
+/// About how much memory a run takes, bytes, measured likewise.
+double memory_needed(const model::Linkage& linkage);
+
+/// "about 2 s", "about 5 minutes": as exactly as an estimate is. @param seconds >= 0
+std::string about(double seconds);
+
+}  // namespace kinetix::app
