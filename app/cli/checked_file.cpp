@@ -15,7 +15,9 @@ std::string size_text(const Eigen::Vector3d& mm) {
   return fmt::format("{:.1f} x {:.1f} x {:.1f} mm", mm.x(), mm.y(), mm.z());
 }
 
-std::string line(const char* name, const std::string& text) { return fmt::format("  {:<10} {}\n", name, text); }
+std::string line(const char* name, const std::string& text) {
+  return fmt::format("  {:<10} {}\n", name, text);
+}
 
 double physics_of(const Forecast& f) { return f.has_physics ? physics_seconds(f.sheet) : 0; }
 
@@ -24,14 +26,16 @@ std::string time_text(const Forecast& f) {
   const double memory_mb = memory_needed(f.sheet) / 1e6;
   std::string parts;
   if (f.search_s + physics >= 1)
-    parts = fmt::format(" (search {}, physics run {})", about(f.search_s), f.has_physics ? about(physics) : "none");
+    parts = fmt::format(" (search {}, physics run {})", about(f.search_s),
+                        f.has_physics ? about(physics) : "none");
   return fmt::format("{}{}, {:.0f} MB of memory", about(f.search_s + physics), parts, memory_mb);
 }
 
 std::string text_of(const Forecast& f) {
-  std::string out = line("sheet", fmt::format("{} bodies, {} hinges; flat {}, cells of {:.4g} mm, walls {:.3g} mm thick",
-                                              f.sheet.bodies(), f.sheet.hinges(), size_text(flat_size(f.sheet)),
-                                              f.sheet.size().edge_mm, f.sheet.size().thickness_mm));
+  std::string out =
+      line("sheet", fmt::format("{} bodies, {} hinges; flat {}, cells of {:.4g} mm, walls {:.3g} mm thick",
+                                f.sheet.bodies(), f.sheet.hinges(), size_text(flat_size(f.sheet)),
+                                f.sheet.size().edge_mm, f.sheet.size().thickness_mm));
   if (f.folded_mm) out += line("folded", "about " + size_text(*f.folded_mm));
   out += line("takes", time_text(f));
   for (const std::string& note : f.notes) out += line("note", note);
@@ -73,7 +77,8 @@ CheckedFile check_file(const std::string& file) {
   const targets::Node root = targets::read_document(file, max_design_bytes);
   if (root.optional("factors")) {
     const SweepPlan plan = make_sweep_plan(file, {});
-    return {.file = file, .kind = "sweep", .name = plan.doe.name, .samples = static_cast<double>(plan.size())};
+    return {
+        .file = file, .kind = "sweep", .name = plan.doe.name, .samples = static_cast<double>(plan.size())};
   }
   if (root.optional("target")) {
     const Target target = read_target(root);

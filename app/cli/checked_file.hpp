@@ -14,7 +14,7 @@ struct CheckedFile {
   std::string kind;  ///< target, design or sweep
   std::string name;
   std::optional<Forecast> forecast = {};  ///< not of sweeps
-  double samples = 0;                     ///< of sweeps
+  double samples = 0;                     ///< number of them, of sweeps
 
   std::string text() const;
   nlohmann::ordered_json json() const;

@@ -3,8 +3,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/exports/data_uri.hpp"
+#include "app/report/light_result.hpp"
 #include "app/report/report.hpp"
 #include "app/result/result_json.hpp"
+#include "app/viewer/assets.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -15,7 +17,7 @@ std::vector<NamedContent> write(const Run& run) {
   shown["timing_s"].erase("write");
   if (run.goal)
     for (const auto& [name, png] : run.goal->shown_pictures(run)) shown["pictures"][name] = data_uri(png);
-  return {{"report.html", report_html(shown.dump())}};
+  return {{"report.html", report_html(light_result(std::move(shown), !scene_script().empty()).dump())}};
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 set(js "(() => {\n\"use strict\";\n")
 foreach(script IN LISTS SCRIPTS)
   file(READ ${script} text)
+  string(REGEX REPLACE "\n +" "\n" text "${text}")  # indentation is an eighth of the page's own part
   string(APPEND js "${text}\n")
 endforeach()
 string(APPEND js "})();")

@@ -8,23 +8,38 @@ const isTiltedDesign = (data) => !data.kind && largestTilt(data.structure) > 1e-
 const hasFidelity = (data) => Boolean(data.raw.target) || data.fidelity.length > 0;
 
 /** id, title, content, and when it has anything to say. */
+const SPACE_SECTION = ["space", "Turn it, fold it", spaceSection];
 const GENERAL_SECTIONS = [
   ["load", "Load and energy along the drive", loadSection, hasEquilibrium],
   ["stable", "Stable states", stableSection, hasStable],
-  ["energy", "Where the energy is", energySection, hasEquilibrium],
   ["layout", "Flat layout", layoutSection, hasLayout],
-  ["space", "Folded shape in 3D", spaceSection, always],
 ];
 const CLOSING_SECTIONS = [
   ["tilts", "Tilts per column", tiltSection, isTiltedDesign],
+];
+/** Folded away: for whoever wants to know how it was found, and how sure it is. */
+const DETAILS = [
+  ["words", "The verdict in numbers", wordsSection, always],
+  ["energy", "Where the energy is", energySection, hasEquilibrium],
+  ["search", "Convergence of the search", searchSection, ({runs}) => runs.length > 0],
   ["fidelity", "Speed against error", fidelitySection, hasFidelity],
   ["plan", "Plan and provenance", planSection, always],
 ];
 
+function needed(data, sections) {
+  return sections.filter(([, , , isNeeded]) => isNeeded(data));
+}
+
 function sectionsOf(data) {
   const {firstSections = [], lastSections = []} = data.kind ?? {};
-  const needed = (sections) => sections.filter(([, , , isNeeded]) => isNeeded(data));
-  return [...firstSections, ...needed(GENERAL_SECTIONS), ...lastSections, ...needed(CLOSING_SECTIONS)];
+  return [SPACE_SECTION, ...firstSections, ...needed(data, GENERAL_SECTIONS), ...lastSections, ...needed(data, CLOSING_SECTIONS)];
+}
+
+/** Figures within are drawn when they are first seen. */
+function details(data) {
+  const box = html("details", {id: "details", toggle: () => drawAll(true)}, html("summary", {}, "Details: numbers, search, speed against error, origin"));
+  for (const [id, title, make] of needed(data, DETAILS)) box.append(section(id, title, guarded(() => make(data))));
+  return box;
 }
 
 const PRINT_WIDTH = 680;
@@ -36,8 +51,9 @@ function section(id, title, content) {
 function build(data) {
   document.title = `${data.name} \u2013 KinetiX design report`;
   const page = document.getElementById("report");
-  page.append(guarded(() => headline(data)) ?? html("h1", {}, data.name));
+  page.append(guarded(() => firstScreen(data)) ?? html("h1", {}, data.name));
   for (const [id, title, make] of sectionsOf(data)) page.append(section(id, title, guarded(() => make(data))));
+  page.append(details(data));
   drawAll();
 }
 

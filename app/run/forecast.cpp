@@ -30,7 +30,8 @@ Eigen::Vector3d flat_size(const model::Linkage& linkage) {
 }
 
 double physics_seconds(const model::Linkage& linkage) {
-  const double loops = static_cast<double>(linkage.hinges.size()) - static_cast<double>(linkage.bodies.size()) + 1;
+  const double loops =
+      static_cast<double>(linkage.hinges.size()) - static_cast<double>(linkage.bodies.size()) + 1;
   return seconds_a_loop * std::max(loops, 1.0);
 }
 

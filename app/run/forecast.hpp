@@ -11,11 +11,12 @@ namespace kinetix::app {
 
 /// What is known of a run beforehand.
 struct Forecast {
-  model::Sheet sheet;                           ///< as it will be, or nearly: hinges are still to be found
-  std::optional<Eigen::Vector3d> folded_mm = {};  ///< edges of the box around the folded thing, where they are known
-  double search_s = 0;                          ///< about; within a factor of three on one core of 2020
+  model::Sheet sheet;  ///< as it will be, or nearly: hinges are still to be found
+  std::optional<Eigen::Vector3d> folded_mm =
+      {};               ///< edges of the box around the folded thing, where they are known
+  double search_s = 0;  ///< about; within a factor of three on one core of 2020
   bool has_physics = true;
-  std::vector<std::string> notes = {};          ///< what is likely to go wrong, and what would help
+  std::vector<std::string> notes = {};  ///< what is likely to go wrong, and what would help
 };
 
 /// Edges of the box around the flat sheet, mm.

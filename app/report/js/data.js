@@ -84,7 +84,9 @@ function readStructure(raw) {
   };
 }
 
+/** As result.json has it, or a row of seven numbers as the page has it. */
 function readPose(raw) {
+  if (Array.isArray(raw)) return numberRows([raw], 7).length ? {p: raw.slice(0, 3), q: raw.slice(3, 7)} : null;
   const p = numberRows([raw?.position_mm], 3)[0];
   const q = numberRows([raw?.quaternion_wxyz], 4)[0];
   return p && q ? {p, q} : null;
@@ -92,7 +94,7 @@ function readPose(raw) {
 
 /** A state with one sound pose per body, or null. */
 function readState(raw, structure) {
-  const poses = list(raw?.poses).map(readPose);
+  const poses = list(raw?.rows ?? raw?.poses).map(readPose);
   const sound = poses.length > 0 && poses.length === structure.bodies.length && poses.every(Boolean);
   return sound ? {name: raw.name, model: raw.model, theta: finite(raw.theta_rad), poses} : null;
 }

@@ -44,7 +44,7 @@ function wallShapes(data, state, view) {
 
 /** Keeps the physics run's own shape, but lays it on the model: its frame may have drifted. */
 function physicsLine(data, modelLine) {
-  if (!data.states.physics) return [];
+  if (!data.states.physics || data.verdict.verified === false) return [];
   const flat = (p) => [p[0], p[2]];
   const line = midline(data.structure, data.states.physics).map(flat);
   return line.length > 1 && line.length === modelLine.length ? line.map(planeMotion(line, modelLine).move) :
@@ -121,13 +121,13 @@ function foldedPicture(data) {
   if (!data.structure.hinges.length) return missing("This result holds no structure to draw.");
   const hasGoal = seenFromSide(data) && data.goal?.goal?.length > 1;
   return html(
-      "figure", {id: "folded", class: "picture"}, responsive((width) => drawFolded(data, width)),
+      "figure", {class: "picture"}, responsive((width) => drawFolded(data, width)),
       html(
           "figcaption", {},
           legend(
               hasGoal && ["goal", "target curve"], data.kind?.backdropKey, ["wall", "walls, folded (model)"],
               seenFromSide(data) && ["model", "midline of the model"],
-              seenFromSide(data) && data.states.physics && ["physics", "midline of the physics run"]),
+              seenFromSide(data) && data.states.physics && data.verdict.verified !== false && ["physics", "midline of the physics run"]),
           seenFromSide(data) ? "Seen from the side, true proportions. " +
                   "The midline runs through the middle of the strip\u2019s width and height." :
                                data.view === "top" ? "Seen from above, compressed." : "Seen at a slant from above."));

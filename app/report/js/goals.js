@@ -7,7 +7,8 @@
 //   backdropKey   [class, words] of the backdrop in a legend (optional)
 //   verdict       {mark, tone, title, text}
 //   numbers       key numbers for the top of the page
-//   showsItself   its own section takes the place of the folded picture (optional)
+//   standing      (data, width, most height) -> the picture of the first screen in place of walls (optional)
+//   facts         more rows [name, words] of the first screen (optional)
 //   hasNoLayout   its own section takes the place of the flat layout (optional)
 //   firstSections, lastSections   [id, title, content], before and after what all results have
 const GOALS = [

@@ -1,4 +1,4 @@
-// Section 1: the verdict in plain words and the key numbers.
+// The verdict in plain words, and the key numbers.
 
 function physicsWords(data) {
   const {verify_rms: rms} = data.metrics, allowed = data.tolerance.verify;
@@ -131,17 +131,12 @@ function reasons({goal}) {
   return [...(goal?.reasons ?? []), ...(goal?.physicsReasons ?? [])];
 }
 
-function headline(data) {
-  const {mark, tone, title, text} = verdict(data);
-  return html(
-      "header", {id: "headline"}, html("p", {class: "eyebrow"}, "KinetiX design report"),
-      html("h1", {}, data.name),
-      html(
-          "div", {class: "verdict " + tone}, html("span", {class: "mark", "aria-hidden": "true"}, mark),
-          html(
-              "div", {}, html("h2", {}, title), html("p", {}, text),
-              data.matter ? html("p", {class: "made"}, matterWords(data)) : null,
-              data.asMade ? html("p", {class: "made"}, asMadeWords(data)) : null,
-              reasons(data).map((reason) => html("p", {class: "why"}, reason)))),
-      keyNumbers(data), data.kind?.showsItself ? null : foldedPicture(data));
+/** The verdict in full, and all key numbers. */
+function wordsSection(data) {
+  return [
+    html("p", {}, verdict(data).text),
+    data.matter ? html("p", {}, matterWords(data)) : null,
+    data.asMade ? html("p", {}, asMadeWords(data)) : null,
+    keyNumbers(data),
+  ];
 }

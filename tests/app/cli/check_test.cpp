@@ -20,7 +20,8 @@ Json checked(const std::string& text) {
 /// What the search finds of the same file.
 Json found(const std::string& text) {
   const Scratch scratch;
-  kinetix_opt(std::string(scratch.write("in.yaml", text)) + " --no-verify -o " + std::string(scratch / "out"));
+  kinetix_opt(std::string(scratch.write("in.yaml", text)) + " --no-verify -o " +
+              std::string(scratch / "out"));
   return Json::parse(text_of(scratch / "out/result.json"));
 }
 
@@ -46,13 +47,14 @@ TEST(Check, TellsBeforehandWhatTheRunWillHave) {
 TEST(Check, TellsTheSizeOfAFoldedBox) {
   const Json expected = checked(targets[3])["expected"], edges = found(targets[3])["fold"]["edges_mm"];
   for (int k = 0; k < 3; ++k)
-    EXPECT_NEAR(expected["folded_mm"][k].get<double>(), edges[k].get<double>(), 0.03 * edges[k].get<double>());
+    EXPECT_NEAR(expected["folded_mm"][k].get<double>(), edges[k].get<double>(),
+                0.03 * edges[k].get<double>());
 }
 
 TEST(Check, SaysInWordsWhichStrokesAreLost) {
   const Scratch scratch;
-  const std::string file = scratch.write(
-      "w.yaml", "kinetix: 1\ntarget: {kind: display, glyph: W}\nstructure: {cells: [6, 6]}\n");
+  const std::string file =
+      scratch.write("w.yaml", "kinetix: 1\ntarget: {kind: display, glyph: W}\nstructure: {cells: [6, 6]}\n");
   const Outcome run = kinetix_opt("check " + file);
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("thinner than a cell"));
@@ -61,7 +63,8 @@ TEST(Check, SaysInWordsWhichStrokesAreLost) {
 
 TEST(Check, CountsTheSamplesOfASweep) {
   const Scratch scratch;
-  const Outcome run = kinetix_opt(std::string("check ") + KINETIX_SOURCE + "/targets/sweeps/eq3_area.yaml --json");
+  const Outcome run =
+      kinetix_opt(std::string("check ") + KINETIX_SOURCE + "/targets/sweeps/eq3_area.yaml --json");
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(Json::parse(run.out)["samples"], 97);
 }

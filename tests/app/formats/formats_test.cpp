@@ -192,6 +192,7 @@ std::vector<Json> files_of(const std::string& list) {
             target(R"({"kind": "display", "rows": ["0110", "0110", "0000"]})")};
   if (list == "target fold") {
     std::vector<Json> folds = made(target(R"({"kind": "fold", "box": [2, 2, 2]})"));
+    folds.push_back(target(R"({"kind": "fold", "box_mm": [40, 30, 30]})"));
     folds.push_back(target(R"({"kind": "fold", "net": {"faces": [{"name": "a", "cells": [2, 2]},
                        {"name": "b", "cells": [2, 2]}],
                        "creases": [{"faces": ["a", "b"], "side": "top", "angle_deg": 90}]}})"));

@@ -94,33 +94,17 @@ function worstError(error) {
   return error.reduce((worst, point) => (Math.abs(point[1]) > Math.abs(worst[1]) ? point : worst));
 }
 
-function errorRange(data, zoomed) {
+function errorRange(data) {
   const most = Math.abs(worstError(data.goal.error)[1]) || 1e-6;
-  const band = lengthOf(data, data.tolerance.shape);
-  const reach = band === null || zoomed ? most * 1.35 : Math.max(1.35 * most, 1.15 * band);
-  return [-reach, reach];
+  return [-1.35 * most, 1.35 * most];
 }
 
-function toleranceBand(axes, band, range, labelLeft) {
-  if (band === null) return [];
-  const top = Math.min(band, range[1]), {left, right} = axes.area;
-  const edge = (value) =>
-      svg("path", {class: "limit", d: path([[left, axes.Y(value)], [right, axes.Y(value)]])});
-  const fillBand =
-      svg("rect",
-          {class: "band", x: left, width: right - left, y: axes.Y(top), height: axes.Y(-top) - axes.Y(top)});
-  if (band > range[1]) return [fillBand];
-  const labelAt = axes.Y(band) + (axes.Y(0) - axes.Y(band) > 30 ? 15 : -6);
-  return [
-    fillBand, edge(band), edge(-band),
-    svg("text", {
-      class: "remark",
-      x: labelLeft ? left + 6 : right - 6,
-      y: labelAt,
-      "text-anchor": labelLeft ? "start" : "end"
-    },
-        `allowed rms \u00b1${millimetres(band)}`)
-  ];
+/** What the rms is, and what it may be: a number, since single places may be farther off. */
+function rmsRemark(axes, data, labelLeft) {
+  const rms = lengthOf(data, data.metrics.shape_rms), allowed = lengthOf(data, data.tolerance.shape), {left, right, top} = axes.area;
+  if (rms === null) return [];
+  const text = `rms ${millimetres(rms)}` + (allowed === null ? "" : `; allowed ${millimetres(allowed)}`);
+  return [svg("text", {class: "remark", x: labelLeft ? left + 6 : right - 6, y: top + 14, "text-anchor": labelLeft ? "start" : "end"}, text)];
 }
 
 function worstMark(axes, [arc, distance]) {
@@ -135,8 +119,8 @@ function worstMark(axes, [arc, distance]) {
           `largest: ${millimetres(Math.abs(distance))}`));
 }
 
-function drawError(data, width, zoomed) {
-  const {error} = data.goal, range = errorRange(data, zoomed);
+function drawError(data, width) {
+  const {error} = data.goal, range = errorRange(data);
   const axes = plot({
     width,
     label: "Distance from the target along the strip",
@@ -145,38 +129,18 @@ function drawError(data, width, zoomed) {
   });
   const worst = worstError(error), labelLeft = axes.X(worst[0]) > (axes.area.left + axes.area.right) / 2;
   axes.root.append(
-      ...toleranceBand(axes, lengthOf(data, data.tolerance.shape), range, labelLeft),
+      ...rmsRemark(axes, data, labelLeft),
       svg("path", {class: "goal-line", d: path([[axes.area.left, axes.Y(0)], [axes.area.right, axes.Y(0)]])}),
       svg("path", {class: "model", d: path(error.map(([arc, distance]) => [axes.X(arc), axes.Y(distance)]))}),
       worstMark(axes, worst));
   return axes.root;
 }
 
-function zoomButton(state, box) {
-  const label = () => (state.zoomed ? "Show the allowed band" : "Zoom to the error");
-  const button = html("button", {type: "button"}, label());
-  button.addEventListener("click", () => {
-    state.zoomed = !state.zoomed;
-    button.textContent = label();
-    redraw(box());
-  });
-  return button;
-}
-
 function errorFigure(data) {
   if (data.goal.error.length < 2) return missing("The distance along the curve was not recorded.");
-  const state = {zoomed: false};
-  const box = responsive((width) => drawError(data, width, state.zoomed));
-  const band = lengthOf(data, data.tolerance.shape), most = Math.abs(worstError(data.goal.error)[1]);
   return html(
-      "div", {class: "part"},
-      html(
-          "div", {class: "row"}, html("h3", {}, "Distance from the target"),
-          band > 2 * most ? zoomButton(state, () => box) : null),
-      box,
-      legend(
-          ["goal-line", "target (distance 0)"], ["model", "folded strip (model)"],
-          band !== null && ["band", "allowed rms error"]),
+      "div", {class: "part"}, html("h3", {}, "Distance from the target"), responsive((width) => drawError(data, width)),
+      legend(["goal-line", "target (distance 0)"], ["model", "folded strip (model)"]),
       html("p", {class: "note"}, "The sign tells on which side of the target curve the strip runs."));
 }
 
@@ -306,9 +270,13 @@ const curveGoal = {
   view: "side",
   verdict: curveVerdict,
   numbers: shapeNumbers,
+  facts: (data) => {
+    const rms = lengthOf(data, data.metrics.shape_rms), most = lengthOf(data, data.metrics.shape_max);
+    return [["Shape", rms !== null && `${millimetres(rms)} from the curve (rms)` + (most === null ? "" : `, ${millimetres(most)} at worst`)]];
+  },
+  firstSections: [["folded", "Over the curve", foldedPicture]],
   lastSections: [
     ["errors", "Error along the curve", errorSection],
     ["tilts", "Tilts per column", tiltSection],
-    ["search", "Convergence of the search", searchSection],
   ],
 };

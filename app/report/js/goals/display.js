@@ -39,9 +39,93 @@ function displayVerdict(data) {
   if (verified === false)
     return {mark: "!", tone: "bad", title: "The model shows the picture, but the physics run " + failing(data),
             text: model + run};
-  const title = verified ? "The picture shows, and the physics run agrees" : "The picture shows in the model";
+  const cells = rightSideWords(rightSide(display, display.physics ?? display.after)), shows = cells ? `The picture shows: ${cells}` : "The picture shows";
+  const title = verified ? `${shows}, and the physics run agrees` : `${shows}, in the model`;
   return {mark: "\u2713", tone: verified ? "good" : "unsure", title,
           text: model + (run || " It was not checked by a physics run.")};
+}
+
+/** How many cells of a picture in two levels show on their side of the middle between letter and rest. */
+function rightSide(display, reading) {
+  if (!reading || isGrey(display) || reading.cells.length !== display.levels.length || reading.letter === null) return null;
+  const middle = (reading.letter + reading.rest) / 2, up = reading.letter > reading.rest;
+  const right = reading.cells.filter((value, k) => value !== null && (value > middle) === (up === (display.levels[k] === 1))).length;
+  return {right, all: display.levels.length};
+}
+
+function rightSideWords(counted) {
+  if (!counted) return null;
+  const {right, all} = counted;
+  return right === all ? `all ${all} cells on the right side` : `${right} of ${all} cells on the right side`;
+}
+
+/** Vertices and hinge points round a cell, in turn. */
+function cellOutline({structure, raw}, {bodies, hinges}, state) {
+  return list(bodies).flatMap((body, k) => {
+    const {rest} = structure.bodies[body], pose = state.poses[body];
+    return [pose.p, carried(pose, rest, raw.structure.hinges[hinges[k]].point_mm)];
+  });
+}
+
+function areaOf(points) {
+  return Math.abs(0.5 * points.reduce((sum, [x, y], k) => {
+    const [u, v] = points[(k + 1) % points.length];
+    return sum + x * v - y * u;
+  }, 0));
+}
+
+/** Each cell as a lamp behind the panel shows it: [outline, brightness from 0 to 1]. */
+function litCells(data, state) {
+  const cells = list(data.raw.structure?.cells), outlines = cells.map((cell) => cellOutline(data, cell, state));
+  const open = outlines.map((points, k) => areaOf(points) / (areaOf(cellOutline(data, cells[k], data.states.flat)) || 1));
+  const sorted = [...open].sort((a, b) => a - b), low = sorted[Math.floor(0.02 * sorted.length)] ?? 0;
+  const high = Math.max(sorted[Math.floor(0.98 * sorted.length)] ?? 1, low + 1e-3);
+  return outlines.map((points, k) => [points, Math.max(0, Math.min(1, (open[k] - low) / (high - low)))]);
+}
+
+const DARK_CELL = [41, 38, 33], LIT_CELL = [255, 222, 115];  // sRGB of cells before a lamp
+
+function cellColour(bright) {
+  return `rgb(${DARK_CELL.map((dark, k) => Math.round(dark + bright * (LIT_CELL[k] - dark))).join(",")})`;
+}
+
+/** The panel before a lamp, seen from near. */
+function drawLit(data, width, most) {
+  const cells = litCells(data, data.states.model), {to, height} = fitted(cells.flatMap(([points]) => points), width, most);
+  const walls = plates(data.structure).map((plate) => carriedPlate(data.structure, data.states.model, plate));
+  return drawing(
+      width, height, "The pressed panel before a lamp",
+      svg("g", {}, cells.map(([points, bright]) => svg("path", {d: path(points.map(to), true), style: `fill:${cellColour(bright)}`}))),
+      svg("g", {class: "lit-walls"}, walls.map((plate) => svg("path", {d: path(topRim(plate).map(to), true)}))));
+}
+
+const ARC_MINUTE = 2.9e-4;                 // rad, what an eye tells apart
+const FARTHEST_M = 60, USUAL_CELLS = 1;    // of the slider; cells that blur into one at its first place
+
+/** The panel as it looks from a distance that a slider sets: blurred by an arc minute, and lit up to what the eye takes. */
+function distanceView(data) {
+  const {goal: display, structure, states} = data, shown = [states.flat, states.model].filter(Boolean);
+  const near = Math.min(FARTHEST_M, Math.round((USUAL_CELLS * structure.cell) / (1000 * ARC_MINUTE)));
+  const {letter, rest} = display.after, middle = (letter + rest) / 2, spread = Math.abs(letter - rest);
+  let view = null;
+  const box = responsive((width) => {
+    view = panelView(structure, shown, width);
+    return drawing(view.width, view.height, "The pressed panel from a distance", svg("rect", {width: view.width, height: view.height, fill: "#fff"}),
+                   panelFromAbove(structure, states.model, view, false));
+  });
+  box.classList.add("far");
+  const words = html("output", {}), slider = html("input", {type: "range", min: 0, max: FARTHEST_M, step: 1, value: near, "aria-label": "Distance in metres"});
+  const look = () => {
+    const metres = Number(slider.value), blur = 1000 * metres * ARC_MINUTE * (view?.scale ?? 1), far = metres * 1000 * ARC_MINUTE > 0.4 * structure.cell;
+    box.style.filter = `blur(${blur.toFixed(2)}px)` + (far && spread > 0 ? ` brightness(${(0.5 / middle).toFixed(3)}) contrast(${Math.min(12, 0.5 / spread).toFixed(2)})` : "");
+    words.textContent = `${metres} m`;
+  };
+  slider.addEventListener("input", look);
+  requestAnimationFrame(() => requestAnimationFrame(look));
+  return html(
+      "figure", {class: "shot", id: "distance"}, html("div", {class: "far-frame"}, box),
+      html("div", {class: "controls"}, html("label", {class: "slider"}, "from", slider, words)),
+      html("figcaption", {}, html("strong", {}, "From a distance"), " walls blur by an arc minute; where cells blur, contrast is drawn as the eye adapts to it"));
 }
 
 /** A panel from above, to the scale of `view`. */
@@ -102,7 +186,8 @@ function displaySection(data) {
   return html(
       "div", {}, html("div", {class: "shots"},
                       shot(states.flat, "Before", display.before ? readingWords(display, display.before) : ""),
-                      shot(states.model, "After compression", readingWords(display, display.after)),
+                      shot(states.model, "After compression", rightSideWords(rightSide(display, display.after)) ?? readingWords(display, display.after)),
+                      states.model && display.after?.letter !== null ? distanceView(data) : null,
                       shot(states.physics, "After, in the physics run",
                            display.physics ? readingWords(display, display.physics) : "not settled"),
                       shot(states.flat, "Where the hinges are",
@@ -202,6 +287,8 @@ const displayGoal = {
   view: "top",
   verdict: displayVerdict,
   numbers: displayNumbers,
-  showsItself: true,
+  standing: drawLit,
+  facts: ({goal: display}) => [["Picture", display.after && `${rightSideWords(rightSide(display, display.after)) ?? readingWords(display, display.after)}; ` +
+    (isGrey(display) ? "in greys" : `contrast ${figures(display.after.contrast, 2)}`)]],
   firstSections: [["display", "What the panel shows", displaySection]],
 };

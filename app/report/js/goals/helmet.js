@@ -133,6 +133,8 @@ const helmetGoal = {
     ["distance_rms_mm", "Distance, rms", "mm, of the bodies from head plus clearance", "rms_mm"],
     ["distance_max_mm", "Distance, largest", "mm, likewise", "max_mm"],
   ]),
+  facts: ({metrics}) => [["Fit", finite(metrics.distance_rms_mm) !== null &&
+    `${millimetres(metrics.distance_rms_mm)} from head plus clearance (rms), ${millimetres(metrics.distance_max_mm)} at worst`]],
   firstSections: [["helmet", "How it fits the head", helmetSection]],
   hasNoLayout: true,
 };
