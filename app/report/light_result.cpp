@@ -12,9 +12,10 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t bytes_a_pose = 52;        // of a row, as text
 constexpr std::size_t bytes_of_frames = 60000;  // a page of 637 bodies then stays under 1.2 MB
-constexpr int digits_of_numbers = 7, digits_of_colours = 4;  // significant ones: of what is read, of what is coloured
-constexpr double nothing = 1e-15;  // of any unit in a result: the rounding of a number about 1
-constexpr double mm = 1e-4, part = 1e-6;         // to which places and quaternions are shown
+constexpr int digits_of_numbers = 6,
+              digits_of_colours = 4;      // significant ones: of what is read, of what is coloured
+constexpr double nothing = 1e-15;         // of any unit in a result: the rounding of a number about 1
+constexpr double mm = 1e-4, part = 1e-6;  // to which places and quaternions are shown
 
 double with_digits(double x, int digits) {
   if (std::abs(x) < nothing) return 0;
@@ -55,7 +56,8 @@ void thin_frames(Json& states, bool none) {
   std::size_t count = 0, seen = 0;
   for (const Json& state : states) count += state["name"] == "frame";
   const std::size_t bodies = states.empty() ? 0 : states[0]["poses"].size();
-  const std::size_t most = std::max<std::size_t>(2, bytes_of_frames / (bytes_a_pose * std::max<std::size_t>(bodies, 1)));
+  const std::size_t most =
+      std::max<std::size_t>(2, bytes_of_frames / (bytes_a_pose * std::max<std::size_t>(bodies, 1)));
   const std::size_t every = (count + most - 1) / most;
   for (Json& state : states) {
     const bool is_frame = state["name"] == "frame";
@@ -78,7 +80,8 @@ Json light_result(Json result, bool has_scene) {
   Json states = std::move(result["states"]);
   result["states"] = nullptr;
   for (Json& hinge : result["structure"]["hinges"]) hinge.erase("reach_mm");
-  if (const auto equilibrium = result.find("equilibrium"); equilibrium != result.end() && equilibrium->is_object()) {
+  if (const auto equilibrium = result.find("equilibrium");
+      equilibrium != result.end() && equilibrium->is_object()) {
     for (Json& state : (*equilibrium)["stable_states"]) make_rows(state);
     round_numbers((*equilibrium)["hinge_energy_Nmm"], digits_of_colours);
   }
