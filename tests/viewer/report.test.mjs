@@ -12,6 +12,19 @@ let chrome;
 before(async () => (chrome = await browser()));
 after(() => chrome?.close());
 
+/** What a reader sees before scrolling: the picture, the sheet, one verdict, sizes. */
+async function firstScreen(page) {
+  return page.evaluate(() => {
+    const low = (selector) => Math.max(...[...document.querySelectorAll(selector)].map((node) => node.getBoundingClientRect().bottom));
+    return {
+      pictures: document.querySelectorAll(".first-shots svg").length, shapes: document.querySelectorAll(".first-shots svg path").length,
+      facts: Object.fromEntries([...document.querySelectorAll(".first-facts div")].map((row) => [row.children[0].textContent, row.children[1].textContent])),
+      verdict: document.querySelector(".verdict h2").textContent, bottom: low(".first-shots, .first-facts"), details: document.getElementById("details").open,
+      closed: document.querySelector("#details #plan").checkVisibility(), wide: document.documentElement.scrollWidth - window.innerWidth,
+    };
+  });
+}
+
 async function report(name) {
   const out = path.join(home, name);
   await run(path.join(SHAPES, `${name}.yaml`), "--no-verify", "-o", out);
@@ -38,6 +51,54 @@ const steps = (page) => page.evaluate(async () => {
   return {median: times[15], most: times[30]};
 });
 
+test("the first screen shows the thing, its sheet, one sentence and sizes; details fold away", async () => {
+  for (const [name, fact] of [["helmet_rib", "Shape"], ["letter_t", "Picture"], ["cube", "Solid"], ["disc", "Flat"]]) {
+    const {page, complaints} = await report(name), seen = await firstScreen(page);
+    assert.equal(seen.pictures, 2, name);
+    assert.ok(seen.shapes > 100, `${name}: ${seen.shapes} shapes`);
+    assert.ok(seen.bottom < 800, `${name}: ends at ${seen.bottom}`);
+    for (const key of ["Flat", "Folded", "Sheet", fact]) assert.match(seen.facts[key], /\d/, `${name}: ${key}`);
+    assert.ok(seen.verdict.length > 10);
+    assert.equal(seen.details, false);
+    assert.equal(seen.closed, false);
+    await page.setViewport({width: 390, height: 800});
+    await wait(200);
+    assert.ok((await firstScreen(page)).wide <= 0, `${name}: fits a narrow screen`);
+    assert.deepEqual(complaints, []);
+    await page.close();
+  }
+});
+
+test("a letter: cells on the right side, and a slider of distance that blurs them", async () => {
+  const {page} = await report("letter_t");
+  assert.match(await page.$eval(".verdict h2", (title) => title.textContent), /all 100 cells on the right side/);
+  const blur = (metres) => page.evaluate((value) => {
+    const slider = document.querySelector("#distance input");
+    slider.value = value;
+    slider.dispatchEvent(new Event("input"));
+    return Number(document.querySelector("#distance .far").style.filter.match(/blur\(([\d.]+)px/)[1]);
+  }, metres);
+  const [near, far] = [await blur(0), await blur(50)];
+  assert.equal(near, 0);
+  assert.ok(far > 10, `${far} px`);
+  await page.close();
+});
+
+test("a helmet: a tilt for every cell, and its layout at 1:1 on pages of A4", async () => {
+  const {page} = await report("headform");
+  await page.evaluate(() => document.querySelectorAll("#helmet details").forEach((box) => (box.open = true)));
+  await page.waitForSelector("#helmet .page svg");
+  const mm = await page.evaluate(() => {
+    const hinges = document.querySelectorAll("#helmet .page:first-of-type circle"), frame = document.querySelector("#helmet .page svg").getBoundingClientRect();
+    return {width: frame.width / (96 / 25.4), hinges: hinges.length};
+  });
+  assert.ok(Math.abs(mm.width - 180) < 0.1, `${mm.width} mm`);
+  assert.ok(mm.hinges > 100);
+  const tilts = await page.$$eval('[aria-label="Tilts of the ribs"] td', (cells) => cells.filter((cell) => /\d/.test(cell.textContent)).length);
+  assert.ok(tilts > 300, `${tilts} tilts`);
+  await page.close();
+});
+
 test("a strip: its size, its slider and what it says", async () => {
   const {page, complaints, file} = await report("helmet_rib"), bytes = readFileSync(file).length;
   assert.ok(bytes < MOST_BYTES, `${bytes} bytes`);
@@ -49,7 +110,9 @@ test("a strip: its size, its slider and what it says", async () => {
 });
 
 test("a helmet of 844 bodies: a step of the slider takes at most 16 ms of script", async () => {
-  const {page, complaints} = await report("headform"), {median, most} = await steps(page);
+  const {page, complaints, file} = await report("headform"), {median, most} = await steps(page);
+  const bytes = readFileSync(file).length;
+  assert.ok(bytes < MOST_BYTES, `${bytes} bytes`);
   console.log(`a step: median ${median.toFixed(1)} ms, most ${most.toFixed(1)} ms`);
   assert.ok(median < MOST_MS, `${median} ms`);
   assert.deepEqual(complaints, []);

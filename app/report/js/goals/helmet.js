@@ -104,6 +104,25 @@ function ribTable({ribs}) {
   })), "Ribs");
 }
 
+/** Tilts of the cells of each rib, from the spine outwards, and of the spine from back to front. */
+function tiltTableOfHelmet({goal: {ribs}, raw, structure}) {
+  const at = new Map(list(dictionary(raw.structure).cells).map((cell, k) => [list(cell?.cell).join(), toDegrees(tiltOfCell(raw, k, structure.hinges))]));
+  const spine = ribs[0]?.cells ? [...at.keys()].map((key) => key.split(",").map(Number)) : [], inRibs = new Set(ribs.map(({row}) => row));
+  const column = spine.find(([, j]) => !inRibs.has(j))?.[0];
+  if (column === undefined) return null;
+  const text = (value) => (value === undefined ? "" : figures(value, 3));
+  const rows = [...new Set(spine.map(([i]) => i))].sort((a, b) => a - b).map((i) => ({
+    mark: i === column ? "best" : null,
+    cells: [i === column ? "spine" : String(i - column), ...ribs.map(({row}) => text(at.get(`${i},${row}`)))]
+  }));
+  const along = spine.filter(([i]) => i === column).sort((a, b) => a[1] - b[1]);
+  return html(
+      "details", {}, html("summary", {}, "Tilts of all cells, in degrees"),
+      html("div", {class: "scroll blocks"},
+           table(["cell beside the spine", ...ribs.map((_, k) => `rib ${k + 1}`)], rows, "Tilts of the ribs"),
+           table(["row of the spine", "tilt"], along.map(([i, j]) => ({cells: [String(j), text(at.get(`${i},${j}`))]})), "Tilts of the spine")));
+}
+
 function uniformTable({error, uniform}) {
   const row = (name, fit) => ({cells: [name, millimetres(fit.rms_mm), millimetres(fit.max_mm), millimetres(fit.rib_rms_mm)]});
   return table(["Helmet", "rms", "Largest", "Worst rib"], [
@@ -119,6 +138,7 @@ function helmetSection(data) {
       html("p", {class: "lead"},
            `${count(helmet.ribs.length, "rib", "ribs")}, ${millimetres(helmet.clearance)} over the head, down to ${millimetres(helmet.coverage)} below the crown.`),
       fitMaps(data), html("div", {class: "blocks"}, html("div", {class: "scroll"}, ribTable(helmet)), html("div", {class: "scroll"}, uniformTable(helmet))),
+      tiltTableOfHelmet(data), trueScale(data),
       helmet.notes.length ? html("ul", {class: "why"}, helmet.notes.map((note) => html("li", {}, note))) : null);
 }
 
