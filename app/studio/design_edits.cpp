@@ -49,6 +49,24 @@ DesignFile with_cells(DesignFile design, std::vector<model::Cell> cells, const m
   return design;
 }
 
+/// Gives what the message says to the first hinge, and to those on walls along the same axis as exact sheets have it:
+/// tilts of the other sign and the other half of the wall on every second one. Others get the same.
+void alternate(const model::Structure& squares, const std::vector<int>& hinges, const Message& message,
+               double edge_mm, model::Sheet& sheet) {
+  model::Hinge first = squares.hinges[hinges.front()];
+  change(first.parameters, message, edge_mm);
+  const std::vector<model::Hinge> before = squares.hinges;
+  for (const int h : hinges) {
+    const bool is_along = before[h].wall.axis == first.wall.axis;
+    const model::HingeParameters now = is_along ? carried_to(before[h].wall, first) : first.parameters;
+    model::HingeParameters& hinge = sheet.hinge(h);
+    if (message.has("t")) hinge.t = now.t;
+    if (message.has("alpha_deg")) hinge.alpha = now.alpha;
+    if (message.has("beta_deg")) hinge.beta = now.beta;
+    if (message.has("offset_mm")) hinge.offset = now.offset;
+  }
+}
+
 std::string kind_text(const Message& message) {
   const std::string kind = message.text("kind");
   for (const char* known : {"pin", "block", "film"})
@@ -71,8 +89,12 @@ std::string sizes_text(const Message& message, const model::CellSize& size) {
 }  // namespace
 
 DesignFile with_hinges(DesignFile design, const Message& message) {
-  for (const int h : hinges_of(message, design.structure.hinges()))
-    change(design.structure.hinge(h), message, design.structure.size().edge_mm);
+  const std::vector<int> hinges = hinges_of(message, design.structure.hinges());
+  const double edge_mm = design.structure.size().edge_mm;
+  if (message.has("alternate") && message.boolean("alternate"))
+    alternate(squares_of(design), hinges, message, edge_mm, design.structure);
+  else
+    for (const int h : hinges) change(design.structure.hinge(h), message, edge_mm);
   validate_hinges(design.structure);
   return design;
 }

@@ -90,10 +90,11 @@ std::vector<Sheet> candidates(const Sheet& sheet) {
 std::optional<NearestDesign> nearest_design(const Sheet& sheet) {
   if (exact_motion(sheet)) return NearestDesign{sheet, {}};
   std::vector<Sheet> all = candidates(sheet);
-  std::erase_if(all, [](const Sheet& one) { return !exact_motion(one); });
-  if (all.empty()) return std::nullopt;
   const auto nearer = [&](const Sheet& a, const Sheet& b) { return distance(a, sheet) < distance(b, sheet); };
-  return compared(*std::min_element(all.begin(), all.end(), nearer), sheet);
+  std::stable_sort(all.begin(), all.end(), nearer);
+  for (Sheet& one : all)
+    if (exact_motion(one)) return compared(std::move(one), sheet);
+  return std::nullopt;
 }
 
 }  // namespace kinetix::model

@@ -23,11 +23,10 @@ std::optional<int> like(const Structure& structure, const Wall& wall) {
 
 HingeParameters carried_to(const Wall& wall, const Hinge& hinge) {
   HingeParameters out = hinge.parameters;
-  if (alternation(wall) != alternation(hinge.wall)) out.beta = -out.beta;
-  if (wall.from.is_class_a() != hinge.wall.from.is_class_a()) {
-    out.t = 1 - out.t;
-    out.alpha = pi - out.alpha;
-  }
+  if (alternation(wall) == alternation(hinge.wall)) return out;
+  out.t = 1 - out.t;
+  out.alpha = pi - out.alpha;
+  out.beta = -out.beta;
   return out;
 }
 

@@ -50,6 +50,23 @@ class Studio : public ::testing::Test {
   json design;
 };
 
+TEST_F(Studio, AColumnIsTiltedInOneStepThatCanBeUndone) {
+  const model::Structure& squares = *file.structure.squares();
+  const int front = *squares.hinge_at({{3, 0}, model::Axis::x}),
+            back = *squares.hinge_at({{3, 1}, model::Axis::x});
+  const json edit = {{"type", "hinge"}, {"indices", {front, back}}, {"beta_deg", 12}, {"alternate", true}};
+  client.send(edit.dump());
+  const json tilted = client.text("design");
+  EXPECT_TRUE(tilted["exact"]);
+  const auto tilt = [&](const json& one, int hinge) {
+    return one["structure"]["hinges"][hinge]["beta_rad"].get<double>();
+  };
+  EXPECT_DOUBLE_EQ(tilt(tilted, front), 12 * radians_per_degree);
+  EXPECT_DOUBLE_EQ(tilt(tilted, back), -12 * radians_per_degree);
+  client.send(R"({"type": "undo"})");
+  EXPECT_EQ(client.text("design")["structure"], design["structure"]);
+}
+
 TEST_F(Studio, FoldsAlongTheClosedForm) {
   for (const double deg : {20.0, -31.0, 0.0, 40.0}) {
     const Received frame = client.ask({{"type", "theta"}, {"deg", deg}});

@@ -49,22 +49,11 @@ export class DesignPanel {
     }));
   }
 
-  /** +1 for hinges in step with the first chosen one along their crease, -1 for the others. */
-  signOf(index) {
-    const wall = this.state.wall(index), first = this.state.wall(this.state.chosen[0]);
-    if (!wall || !first || !$("alternate").checked || wall.along !== first.along) return 1;
-    const place = (w) => (w.along === "x" ? w.row : w.column);
-    return (place(wall) - place(first)) % 2 ? -1 : 1;
-  }
-
   /** Tilts alternate along a crease, and so do the halves of walls. */
-  async setHinges(name, value) {
-    if (!Number.isFinite(value) || !this.state.chosen.length) return;
-    const other = {t: 1 - value, beta_deg: -value, alpha_deg: 180 - value, offset_mm: value}[name];
-    for (const [sign, number] of [[1, value], [-1, other]]) {
-      const indices = this.state.chosen.filter((index) => this.signOf(index) === sign);
-      if (indices.length) await this.send("hinge", {indices, [name]: number});
-    }
+  setHinges(name, value) {
+    const {chosen: indices, squares} = this.state;
+    if (!Number.isFinite(value) || !indices.length) return;
+    this.send("hinge", {indices, [name]: value, ...(squares ? {alternate: $("alternate").checked} : {})});
   }
 
   showHello() {

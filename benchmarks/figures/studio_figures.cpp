@@ -1,0 +1,215 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "app/goals/read_target.hpp"
+#include "app/pipeline/pipeline.hpp"
+#include "benchmarks/figure.hpp"
+#include "benchmarks/stopwatch.hpp"
+#include "model/closure/drive_theta.hpp"
+#include "model/lattice/square/exact_family.hpp"
+#include "model/linkage/state.hpp"
+#include "model/sheet/sheet_motion.hpp"
+#include "sim/live_sheet.hpp"
+#include "tests/app/studio/client.hpp"
+#include "tests/app/studio/studio.hpp"
+
+namespace kinetix::bench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using testing::Client;
+using testing::OpenStudio;
+using testing::Received;
+
+const char* const shapes = KINETIX_SHAPES;
+constexpr int drags = 100;                   // of each series: enough for a 95th percentile
+constexpr double sleep_s = 10, watch_s = 5;  // how long a page sleeps, and is watched
+
+app::DesignFile searched(const std::string& name) {
+  const app::Run run =
+      run_scene(*app::read_target(std::string(shapes) + "/" + name + ".yaml").goal, {.verify = false});
+  app::DesignFile design;
+  design.name = run.name;
+  design.structure = run.structure;
+  design.theta = run.theta;
+  return design;
+}
+
+double now_s() { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); }
+
+double share(std::vector<double> values, double part) {
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
+}
+
+Figure within(const std::string& what, double most, double measured, const char* unit) {
+  return {what, fmt::format("at most {:g} {}", most, unit), fmt::format("{:.3g} {}", measured, unit),
+          measured <= most};
+}
+
+/// A page at the socket, in the live physics.
+struct Page {
+  explicit Page(const app::DesignFile& design) : studio(design), client(studio.port()) {
+    client.open(studio.token);
+    client.text("design");
+    last = client.ask({{"type", "mode"}, {"mode", "bullet"}});
+  }
+
+  Received drag(int body, const Eigen::Vector3d& to) {
+    return last = client.ask({{"type", "drag"}, {"body", body}, {"to", {to.x(), to.y(), to.z()}}});
+  }
+  Eigen::Vector3d place(int body) const {
+    return {last.pose(body)[0], last.pose(body)[1], last.pose(body)[2]};
+  }
+  Received frame() {
+    for (;;) {
+      Received next = client.receive();
+      if (next.closed) return next;
+      if (next.frame.empty()) continue;
+      client.acknowledge(next);
+      return last = next;
+    }
+  }
+
+  OpenStudio studio;
+  Client client;
+  Received last;
+};
+
+/// Frames and simulated seconds a second while a body is dragged to and fro.
+std::array<double, 2> pace(Page& page, int body) {
+  const Eigen::Vector3d from = page.place(body);
+  page.drag(body, from + Eigen::Vector3d(0, 5, 10));
+  const double start = now_s(), simulated = page.frame().head(4);
+  int frames = 0;
+  while (now_s() - start < watch_s) page.frame(), ++frames;
+  const double took = now_s() - start;
+  return {frames / took, (page.last.head(4) - simulated) / took};
+}
+
+void add_drags(std::vector<Figure>& figures, Page& page) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> way(-15, 15);  // mm
+  std::vector<double> waits;
+  const int bodies = static_cast<int>(page.last.head(9));
+  for (int k = 0; k < drags; ++k) {
+    const int body = static_cast<int>(random() % static_cast<unsigned>(bodies));
+    const Eigen::Vector3d to = page.place(body) + Eigen::Vector3d(way(random), way(random), way(random));
+    waits.push_back(1000 * seconds([&] { page.drag(body, to); }));
+  }
+  figures.push_back(within("rib of 82 bodies: drag to the first frame with its effect, median", 50,
+                           share(waits, 0.5), "ms"));
+  figures.push_back(within("likewise, 95 of 100", 100, share(waits, 0.95), "ms"));
+}
+
+/// A column gets a tilt.
+void add_edits(std::vector<Figure>& figures, Page& page, const model::Sheet& sheet) {
+  const model::Structure& structure = *sheet.squares();
+  const model::Wall front{{9, 0}, model::Axis::x}, back{{9, 1}, model::Axis::x};
+  std::vector<double> waits;
+  for (int k = 0; k < drags; ++k)
+    waits.push_back(1000 * seconds([&] {
+                      page.client.ask({{"type", "hinge"},
+                                       {"indices", {*structure.hinge_at(front), *structure.hinge_at(back)}},
+                                       {"beta_deg", 5 + 0.1 * k},
+                                       {"alternate", true}});
+                    }));
+  figures.push_back(within("edited tilt, 40 columns: new motion, 95 of 100", 100, share(waits, 0.95), "ms"));
+}
+
+/// Simulated seconds by which the first frame after a sleep lags behind the clock.
+double age_after_sleep(Page& page) {
+  page.drag(40, page.place(40) + Eigen::Vector3d(0, 0, 5));
+  const double start = now_s(), simulated = page.frame().head(4);
+  std::vector<Received> unread;
+  while (now_s() - start < sleep_s) {
+    const Received next = page.client.receive(std::chrono::milliseconds(200));
+    if (!next.frame.empty()) unread.push_back(next);
+  }
+  for (const Received& one : unread) page.client.acknowledge(one);
+  const Received first = page.frame();
+  return (now_s() - start) - (first.head(4) - simulated);
+}
+
+/// Random drags of a curled strip, seed by seed.
+struct Drags {
+  int runs = 0, not_finite = 0, grown = 0;
+  double off_family = 0;  ///< largest distance from the family, cell edges, two seconds after the last drag
+};
+
+Drags random_drags(int seeds, double each_s) {
+  auto strip = model::ExactDesign<double>::basic(8, 1);
+  for (int c = 0; c < 8; ++c) strip.beta[c] = (c % 2 == 0 ? 0.5 : -0.5);
+  const model::Structure structure = sheet_of(strip, {});
+  const model::Linkage linkage = structure;
+  sim::PhysicsOptions options;
+  options.step_s = 1.0 / 240;  // of the studio
+  options.iterations = 20;
+  Drags out;
+  for (; out.runs < seeds; ++out.runs) {
+    std::mt19937 random(static_cast<unsigned>(out.runs));
+    std::uniform_real_distribution<double> place(-60, 60);  // mm
+    sim::LiveSheet sheet(linkage, options, 1000);
+    bool finite = true, grows = false;
+    while (sheet.seconds() < each_s) {
+      const int body = static_cast<int>(random() % linkage.bodies.size());
+      sheet.drag(body, linkage.rest_position(body), {place(random), place(random), place(random)});
+      for (int k = 0; k < 96; ++k) sheet.step();
+      sheet.release();
+      double energy = sheet.energy();
+      for (int k = 0; k < 48; ++k) {
+        sheet.step();
+        grows |= !(sheet.energy() <= energy * (1 + 1e-9));
+        energy = sheet.energy();
+      }
+      finite &= is_finite(sheet.state());
+    }
+    for (int k = 0; k < 480; ++k) sheet.step();
+    out.not_finite += !finite;
+    out.grown += grows;
+    const model::State& state = sheet.state();
+    const double theta = mean_theta(linkage, state);
+    out.off_family =
+        std::max(out.off_family, aligned_distance(linkage, state, exact_motion(structure).at(theta)).max);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<Figure> studio_figures() {
+  std::vector<Figure> figures;
+  const app::DesignFile rib = searched("helmet_rib");
+  {
+    Page page(rib);
+    add_drags(figures, page);
+    const double real = pace(page, 80)[1];
+    figures.push_back({"rib: simulated seconds a second, with a drag on", "at least 1",
+                       fmt::format("{:.2f}", real), real >= 0.99});
+    figures.push_back(within("rib: age of the next frame after 10 s asleep", 100,
+                             1000 * std::max(0.0, age_after_sleep(page)), "ms"));
+  }
+  {
+    Page page(rib);
+    page.client.ask({{"type", "mode"}, {"mode", "exact"}});
+    add_edits(figures, page, rib.structure);
+  }
+  {
+    Page page(searched("headform"));
+    const double frames = pace(page, 400)[0];
+    figures.push_back({"helmet of 844 bodies: frames a second at the socket, with a drag on", "at least 20",
+                       fmt::format("{:.0f}", frames), frames >= 20});
+  }
+  const Drags played = random_drags(100, 60);
+  figures.push_back({"60 s of random drags, 100 seeds: runs with a NaN; that gain energy without a hand",
+                     "0; 0", fmt::format("{}; {}", played.not_finite, played.grown),
+                     played.not_finite + played.grown == 0});
+  figures.push_back(within("likewise: off the family 2 s after the last drag, largest", 1e-3,
+                           played.off_family, "cell edges"));
+  return figures;
+}
+
+}  // namespace kinetix::bench
