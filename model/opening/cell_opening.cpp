@@ -4,12 +4,12 @@
 #include <cmath>
 #include <queue>
 
+#include "model/base/polygon.hpp"
+
 namespace kinetix::model {
 namespace {
 
 using Eigen::Vector2d;
-
-double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// To the line from a to b, which may be one point.
 double distance_to(const Vector2d& a, const Vector2d& b, const Vector2d& point) {
@@ -111,12 +111,6 @@ double aperture(const Opening& opening, double precision) {
   return std::max(0.0, 2 * (best - opening.half_thickness));
 }
 
-double area(const Opening& opening) {
-  const std::vector<Vector2d> corners = opening.outline();
-  double twice = 0;
-  for (std::size_t k = 0, before = corners.size() - 1; k < corners.size(); before = k++)
-    twice += cross(corners[before], corners[k]);
-  return twice / 2;
-}
+double area(const Opening& opening) { return signed_area(opening.outline()); }
 
 }  // namespace kinetix::model

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "model/base/invalid_input.hpp"
+#include "model/base/polygon.hpp"
 #include "model/contact/wall_contact.hpp"
 
 namespace kinetix::optim {
@@ -42,15 +43,6 @@ std::vector<Vector2d> corners(const std::vector<int>& rim, const std::vector<Vec
   std::vector<Vector2d> out;
   for (const int v : rim) out.push_back(scale * places[v]);
   return out;
-}
-
-double area(const std::vector<Vector2d>& polygon) {
-  double twice = 0;
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const Vector2d &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
-    twice += a.x() * b.y() - a.y() * b.x();
-  }
-  return twice / 2;
 }
 
 /// The search at one theta.
@@ -94,7 +86,7 @@ class Search {
   void start() {
     shape_.flat = panel_.graph.vertices;
     const double c = std::cos(problem_.theta);
-    const double size = area(corners(problem_.rim, shape_.flat, c));
+    const double size = signed_area(corners(problem_.rim, shape_.flat, c));
     shape_.scale = std::sqrt(problem_.folded->area() / size);
     if (problem_.flat) suit_flat();
     for (const Vector2d& x : shape_.flat) shape_.folded.push_back(c * x);
@@ -103,7 +95,7 @@ class Search {
 
   /// As large as its outline, and on it.
   void suit_flat() {
-    const double size = area(corners(problem_.rim, shape_.flat, problem_.flat_scale));
+    const double size = signed_area(corners(problem_.rim, shape_.flat, problem_.flat_scale));
     const double factor = std::sqrt(problem_.flat->area() / size);
     for (Vector2d& x : shape_.flat) x *= factor;
     centre(shape_.flat, problem_.flat->middle() / problem_.flat_scale);

@@ -1,26 +1,10 @@
 #include <nlopt.hpp>
 
 #include "optim/solvers/best_so_far.hpp"
+#include "optim/solvers/nlopt_algorithm.hpp"
 
 namespace kinetix::optim {
 namespace {
-
-nlopt::algorithm algorithm(SolverName name) {
-  switch (name) {
-    case SolverName::slsqp:
-      return nlopt::LD_SLSQP;
-    case SolverName::mma:
-      return nlopt::LD_MMA;
-    case SolverName::ccsa:
-      return nlopt::LD_CCSAQ;
-    case SolverName::bobyqa:
-      return nlopt::LN_BOBYQA;
-    case SolverName::cobyla:
-      return nlopt::LN_COBYLA;
-    default:
-      return nlopt::GN_CRS2_LM;
-  }
-}
 
 /// Cost |r|^2 / 2 for NLopt. Some of its methods ignore the evaluation limit and hang on NaN: we stop them
 /// ourselves.
@@ -97,7 +81,8 @@ SolveStatus status_of(nlopt::result result) {
 SolveResult solve_with_nlopt(const LeastSquaresProblem& problem, const Eigen::VectorXd& start,
                              const SolverOptions& options) {
   BestSoFar best(problem, start, options);
-  nlopt::opt solver(algorithm(options.name), static_cast<unsigned>(start.size()));
+  nlopt::opt solver(static_cast<nlopt::algorithm>(nlopt_algorithm(options.name)),
+                    static_cast<unsigned>(start.size()));
   Objective objective{best, solver, {}, {}};
   try {
     // Unseeded, NLopt takes the time of day. Its generator belongs to the thread.

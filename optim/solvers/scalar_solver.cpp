@@ -6,6 +6,7 @@
 #include <nlopt.hpp>
 
 #include "model/base/invalid_input.hpp"
+#include "optim/solvers/nlopt_algorithm.hpp"
 
 namespace kinetix::optim {
 namespace {
@@ -15,17 +16,11 @@ using Eigen::VectorXd;
 // Points that cannot be evaluated: a method that has met so many will not find its way out.
 constexpr int most_failures = 20;
 
+/// Of the methods that use gradients and bounds.
 nlopt::algorithm algorithm(SolverName name) {
-  switch (name) {
-    case SolverName::slsqp:
-      return nlopt::LD_SLSQP;
-    case SolverName::mma:
-      return nlopt::LD_MMA;
-    case SolverName::ccsa:
-      return nlopt::LD_CCSAQ;
-    default:
-      throw InvalidInput("solver " + to_string(name) + " cannot minimise this cost; use mma, ccsa or slsqp");
-  }
+  if (name != SolverName::slsqp && name != SolverName::mma && name != SolverName::ccsa)
+    throw InvalidInput("solver " + to_string(name) + " cannot minimise this cost; use mma, ccsa or slsqp");
+  return static_cast<nlopt::algorithm>(nlopt_algorithm(name));
 }
 
 std::vector<double> values(const VectorXd& v) { return {v.data(), v.data() + v.size()}; }

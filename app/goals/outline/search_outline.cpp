@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "model/base/invalid_input.hpp"
+#include "model/base/polygon.hpp"
 #include "model/lattice/planar/lattices/rhombus.hpp"
 #include "model/sheet/sheet_motion.hpp"
 #include "optim/outline/trimmed_cells.hpp"
@@ -64,15 +65,12 @@ class OutlineSearch {
   double edge_of(const Cells& cells) const {
     if (file_.cell_mm) return *file_.cell_mm;
     const model::PlanarStructure panel = planar_structure(make_sheet(file_.lattice, cells, {1, 0.1, 1}));
-    double twice = 0;
+    double area = 0;
     for (const model::GraphFace& face : panel.faces)
-      for (std::size_t k = 0; k < face.vertices.size(); ++k) {
-        const Eigen::Vector2d &a = panel.graph.vertices[face.vertices[k]],
-                              &b = panel.graph.vertices[face.vertices[(k + 1) % face.vertices.size()]];
-        twice += a.x() * b.y() - a.y() * b.x();
-      }
-    if (file_.flat) return std::sqrt(2 * file_.flat->area() / twice);
-    return std::sqrt(2 * file_.folded.area() / twice) / std::cos(file_.theta[1]);
+      area += signed_area(face.vertices.size(),
+                          [&](std::size_t k) { return panel.graph.vertices[face.vertices[k]]; });
+    if (file_.flat) return std::sqrt(file_.flat->area() / area);
+    return std::sqrt(file_.folded.area() / area) / std::cos(file_.theta[1]);
   }
 
   /// Each is fitted at the largest theta alone.
