@@ -28,6 +28,7 @@ std::vector<Figure> qr_code_figures();
 std::vector<Figure> outline_figures();
 std::vector<Figure> matter_figures();
 std::vector<Figure> print_figures();
+std::vector<Figure> print_judge_figures();
 std::vector<Figure> studio_figures();
 std::vector<Figure> fold_figures();
 std::vector<Figure> helmet_figures();

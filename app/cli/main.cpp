@@ -66,9 +66,15 @@ void add_export(CLI::App& app, CommandOptions& options, kinetix::app::PrintReque
       ->type_name("NAME");
   app.add_option("--process", request.process, "polyjet, fdm, sla or sls: what it can print is checked")
       ->type_name("NAME");
-  app.add_option("--hinge", request.hinge,
-                 "pin, block or film, where the design does not say how its hinges are made (default pin)")
+  app.add_option(
+         "--hinge", request.hinge,
+         "pin, block or film, where the design does not say how its hinges are made (default: pins where "
+         "they fit, else blocks)")
       ->type_name("KIND");
+  app.add_option("--cell-mm", request.cell_mm,
+                 "makes the sheet with cells of this edge instead of its own; walls stay as thick and high")
+      ->type_name("MM")
+      ->check(CLI::Range(0.1, 1e4));
   app.add_flag("--coupon", request.coupon,
                "instead of a design, pins with gaps of 0.1 to 0.6 mm: prints tell which ones turn");
   app.add_option_function<std::string>(

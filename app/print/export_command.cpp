@@ -47,8 +47,9 @@ const model::Process& process_of(const PrintRequest& request) {
   return *named("--process", request.process, all);
 }
 
-model::HingeKind kind_of(const PrintRequest& request) {
-  if (request.hinge.empty()) return model::HingeKind::pin;
+/// None where pins are to be used if they fit.
+std::optional<model::HingeKind> kind_of(const PrintRequest& request) {
+  if (request.hinge.empty()) return std::nullopt;
   return named<model::HingeKind>(
       "--hinge", request.hinge,
       {{"pin", model::HingeKind::pin}, {"block", model::HingeKind::block}, {"film", model::HingeKind::film}});
@@ -70,14 +71,19 @@ struct Source {
 
   std::string name() const { return design ? design->name : "coupon"; }
 
-  PreparedPrint prepared_for(const model::Process& process, model::HingeKind kind, bool folded) const {
+  PreparedPrint prepared_for(const PrintRequest& request) const {
+    const model::Process& process = process_of(request);
     if (!design) {
-      PrintJob job{make_coupon(process), folded};
+      PrintJob job{make_coupon(process), request.folded};
       const PathClearance clearance = path_clearance(job.sheet);
       return {std::move(job), clearance};
     }
     try {
-      return prepared(*design, process, {.kind = kind}, folded);
+      const std::optional<model::HingeKind> kind = kind_of(request);
+      PrintChoice choice{.edge_mm = request.cell_mm};
+      if (!kind) return prepared_as_fits(*design, process, choice, request.folded);
+      choice.kind = *kind;
+      return prepared(*design, process, choice, request.folded);
     } catch (const InvalidInput& e) {
       throw InvalidInput(e.reason(), {file, 0, 0, e.place().key});
     }
@@ -106,9 +112,8 @@ namespace {
 
 Exported exported(const Source& source, const PrintRequest& request, const std::string& where) {
   const auto formats = formats_of(request);
-  const model::Process& process = process_of(request);
   OutputFolder folder(where);
-  const PreparedPrint print = source.prepared_for(process, kind_of(request), request.folded);
+  const PreparedPrint print = source.prepared_for(request);
   FileSet files(folder.path());
   Exported out{folder.path(),
                {},

@@ -10,9 +10,9 @@
 namespace kinetix::app {
 namespace {
 
-constexpr double largest_scale = 16;  // times the sheet: beyond it nobody prints what was asked for
-constexpr double step_mm = 0.5;       // mm: cell edges are proposed in whole steps
-constexpr double growth = 1.3;        // from one tried cell edge to the next, until one does
+constexpr double largest_scale = 100;  // times the sheet: beyond it no walls of millimetres would be any
+constexpr double step_mm = 0.5;        // mm: cell edges are proposed in whole steps
+constexpr double growth = 1.3;         // from one tried cell edge to the next, until one does
 // Of a pin's height over the wall's, tried in this order: the higher, the stiffer.
 constexpr double lower_shares[] = {0.8, 0.6, 0.4};
 
@@ -34,12 +34,19 @@ struct Attempt {
   std::string reason;
 };
 
-Attempt attempt(const DesignFile& design, const model::Process& process, const PrintChoice& choice,
-                bool folded) {
+/// What is to be printed, and how it folds.
+struct Order {
+  const DesignFile& design;
+  const model::Process& process;
+  bool folded;
+  FoldPath path = fold_path(design);
+};
+
+Attempt attempt(const Order& order, const PrintChoice& choice) {
   try {
-    PrintSheet sheet = make_print_sheet(design, process, choice);
+    PrintSheet sheet = make_print_sheet(order.design, order.path, order.process, choice);
     const PathClearance clearance = path_clearance(sheet);
-    if (is_kept(clearance)) return {PreparedPrint{{std::move(sheet), folded}, clearance}, ""};
+    if (is_kept(clearance)) return {PreparedPrint{{std::move(sheet), order.folded}, clearance}, ""};
     return {std::nullopt, words(sheet, clearance)};
   } catch (const InvalidInput& e) {
     return {std::nullopt, e.reason()};
@@ -66,46 +73,70 @@ std::vector<PrintChoice> others(const DesignFile& design, const PrintChoice& cho
 }
 
 /// By the first choice that leaves room. The reason is that of the choice itself.
-Attempt best_attempt(const DesignFile& design, const model::Process& process, const PrintChoice& choice,
-                     bool folded) {
-  Attempt first = attempt(design, process, choice, folded);
+Attempt best_attempt(const Order& order, const PrintChoice& choice) {
+  Attempt first = attempt(order, choice);
   if (first.print) return first;
-  for (const PrintChoice& other : others(design, choice)) {
-    Attempt found = attempt(design, process, other, folded);
+  for (const PrintChoice& other : others(order.design, choice)) {
+    Attempt found = attempt(order, other);
     if (found.print) return found;
   }
   return first;
 }
 
-/// "; with walls of 0.8 x 6 mm a cell_mm of 12.5 would do". A cell edge a step smaller would not, and most that are
-/// larger do.
-std::string would_do(const DesignFile& design, const model::Process& process, PrintChoice choice) {
-  const model::CellSize& size = design.structure.size();
+/// Cell edge that would do, mm; none up to largest_scale. One a step smaller would not, and most that are larger do.
+std::optional<double> enough_mm(const Order& order, PrintChoice choice) {
+  const model::CellSize& size = order.design.structure.size();
   const auto fits = [&](double steps) {
     choice.edge_mm = steps * step_mm;
-    return best_attempt(design, process, choice, false).print.has_value();
+    return best_attempt(order, choice).print.has_value();
   };
   double low = std::floor(size.edge_mm / step_mm), high = low + 1;  // steps
   while (!fits(high)) {
     low = high;
     high = std::ceil(high * growth);
-    if (high * step_mm > largest_scale * size.edge_mm) return "; no larger cell would do either";
+    if (high * step_mm > largest_scale * size.edge_mm) return std::nullopt;
   }
   while (high - low > 1) {
     const double middle = std::floor((low + high) / 2);
     (fits(middle) ? high : low) = middle;
   }
-  return fmt::format("; with walls of {:g} x {:g} mm a cell_mm of {:g} would do",
-                     std::max(size.thickness_mm, process.least_wall_mm), size.height_mm, high * step_mm);
+  return high * step_mm;
+}
+
+/// "; with walls of 0.8 x 6 mm a cell_mm of 12.5 would do (--cell-mm 12.5)"
+std::string would_do(const Order& order, const PrintChoice& choice) {
+  const std::optional<double> edge = enough_mm(order, choice);
+  if (!edge && !order.path.is_exact && choice.kind == model::HingeKind::pin)
+    return "; no larger cell would do either: its hinges stretch on the way, and pins cannot (--hinge block)";
+  if (!edge) return "; no larger cell would do either";
+  const model::CellSize& size = order.design.structure.size();
+  return fmt::format("; with walls of {:g} x {:g} mm a cell_mm of {:g} would do (--cell-mm {:g})",
+                     std::max(size.thickness_mm, order.process.least_wall_mm), size.height_mm, *edge, *edge);
 }
 
 }  // namespace
 
 PreparedPrint prepared(const DesignFile& design, const model::Process& process, const PrintChoice& choice,
                        bool folded) {
-  Attempt found = best_attempt(design, process, choice, folded);
+  const Order order{design, process, folded};
+  Attempt found = best_attempt(order, choice);
   if (found.print) return std::move(*found.print);
-  throw InvalidInput(found.reason + would_do(design, process, choice));
+  throw InvalidInput(found.reason + would_do(order, choice));
+}
+
+PreparedPrint prepared_as_fits(const DesignFile& design, const model::Process& process, PrintChoice choice,
+                               bool folded) {
+  const Order order{design, process, folded};
+  choice.kind = model::HingeKind::pin;
+  Attempt pins = best_attempt(order, choice);
+  if (pins.print) return std::move(*pins.print);
+  if (!leaves_hinges_open(design)) throw InvalidInput(pins.reason + would_do(order, choice));
+  choice.kind = model::HingeKind::block;
+  Attempt blocks = best_attempt(order, choice);
+  if (!blocks.print)
+    throw InvalidInput("neither pins nor blocks fit: with blocks " + blocks.reason + would_do(order, choice));
+  blocks.print->job.sheet.warnings.push_back("hinges are blocks, as pins do not fit: " + pins.reason);
+  return std::move(*blocks.print);
 }
 
 }  // namespace kinetix::app

@@ -19,4 +19,9 @@ struct PreparedPrint {
 PreparedPrint prepared(const DesignFile& design, const model::Process& process, const PrintChoice& choice,
                        bool folded);
 
+/// With pins where they fit, else with blocks, and a warning that says why. @param choice whose kind does not count
+/// @throws InvalidInput likewise, with what blocks would need
+PreparedPrint prepared_as_fits(const DesignFile& design, const model::Process& process, PrintChoice choice,
+                               bool folded);
+
 }  // namespace kinetix::app

@@ -68,6 +68,13 @@ std::vector<std::string> print_warnings(const PrintJob& job, const PathClearance
   std::vector<std::string> out = job.sheet.warnings;
   if (!job.sheet.why_no_path.empty())
     out.push_back("the way to the fold was not checked: " + job.sheet.why_no_path);
+  if (!job.sheet.is_path_exact && job.sheet.path.size() > 1)
+    out.push_back(
+        "the way to the fold was checked along the equilibrium of the design's hinges: it has no exact "
+        "motion");
+  if (job.sheet.has_soft() && !job.sheet.process.joins_two)
+    out.push_back(job.sheet.process.name +
+                  " prints one material: soft parts are a print of their own, to be glued to the walls");
   const double steep = steepest_deg(job.sheet);
   if (steep > steep_deg)
     out.push_back(fmt::format("hinges lean {:.1f} degrees from upright: more than {:g} need support in FDM",
@@ -126,7 +133,7 @@ std::string print_text(const PrintJob& job, const PathClearance& clearance) {
   if (sheet.kind() == model::HingeKind::pin)
     line("gaps", "no elephant foot, no horizontal expansion, gap closing radius below half of the clearance");
   const LeastDistance& least = clearance.least();
-  if (least.first >= 0)
+  if (least.first >= 0 && sheet.path.size() > 1)
     line("fold",
          fmt::format("{:.3f} mm stay between solids from flat to {:.1f} degrees, least at {:.1f} degrees",
                      least.mm, sheet.thetas.back() * degrees, least.theta * degrees));

@@ -10,9 +10,11 @@ struct PrintRequest {
   std::string source;                ///< a design, or the folder of a result
   std::vector<std::string> formats;  ///< by name; "all": every one
   std::string process = "polyjet";   ///< by name
-  std::string hinge;                 ///< pin, block or film where the design does not say; empty: pin
-  bool folded = false;               ///< the state of the design instead of flat
-  bool coupon = false;               ///< a test piece for hinges instead of the design
+  std::string
+      hinge;  ///< pin, block or film where the design does not say; empty: pins where they fit, else blocks
+  double cell_mm = 0;   ///< cell edge instead of the design's, mm; 0: the design's
+  bool folded = false;  ///< the state of the design instead of flat
+  bool coupon = false;  ///< a test piece for hinges instead of the design
 };
 
 }  // namespace kinetix::app

@@ -5,9 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/pipeline/design_drive.hpp"
 #include "model/base/invalid_input.hpp"
-#include "model/sheet/sheet_motion.hpp"
+#include "model/linkage/hinge_mismatch.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -16,7 +15,7 @@ using model::HingeKind;
 
 constexpr double slender =
     1.25;  // length of a block over its thickness: below it no formula of its stiffness holds
-constexpr double corner_room = 1.1;  // of the length at which the corners of a wall would meet
+constexpr double more_room = 1.1;  // of the length at which the corners of a wall would meet
 constexpr double film_mm =
     0.4;  // thickness of a film: one line of a nozzle, and a strain of 0.1 over 3 mm and 90 degrees
 constexpr double widest_turn = 2.8;  // rad: at half a turn corners meet however long the gap
@@ -34,11 +33,11 @@ model::Sheet resized(model::Sheet sheet, const PrintChoice& choice, const model:
   return sheet;
 }
 
-/// By which the two bodies of a hinge turn against each other from flat to a state, rad.
+/// By which the upper body of a hinge turns against the lower about the axis from flat to a state, rad.
 double turn_of(const model::RestHinge& hinge, const model::State& state) {
   const Eigen::Matrix3d turn = state[hinge.lower].R.transpose() * state[hinge.upper].R;
   const Eigen::Vector3d twice_sine(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1));
-  return std::atan2(twice_sine.norm(), turn.trace() - 1);
+  return std::copysign(std::atan2(twice_sine.norm(), turn.trace() - 1), twice_sine.dot(hinge.axis));
 }
 
 /// A hinge that the design does not describe.
@@ -55,16 +54,19 @@ model::MadeHinge default_hinge(const PrintChoice& choice, const model::Process& 
     return hinge;
   }
   const bool film = choice.kind == HingeKind::film;
-  hinge.material = *model::find_material(film ? "pp" : "tango");
+  hinge.material = *model::find_material(film ? "pp" : process.rubber);
   hinge.thickness_mm = film ? std::min(film_mm, size.thickness_mm) : size.thickness_mm;
   return hinge;
 }
 
-/// Of a block or film that is strained by a turn, and the corners of whose wall meet. @param offset of the axis, mm
-double needed_gap(const model::MadeHinge& hinge, double wall_mm, double offset, double turn) {
-  const double corners =
-                   corner_room * (wall_mm + 2 * std::abs(offset)) * std::tan(std::min(turn, widest_turn) / 2),
-               strain = turn * hinge.thickness_mm / (2 * hinge.material.strain_max);
+/// Of a block or film that is strained by a turn and a stretch, and the corners of whose wall or whose own meet.
+/// @param offset of the axis, mm   @param stretch by which its halves come apart, or run into each other, mm
+double needed_gap(const model::MadeHinge& hinge, double wall_mm, double offset, double turn, double stretch) {
+  const double bounded = std::clamp(turn, -widest_turn, widest_turn),
+               half = std::max(model::corner_room(wall_mm / 2, offset, bounded),
+                               model::corner_room(hinge.thickness_mm / 2, 0, bounded)),
+               corners = more_room * (2 * half + stretch),
+               strain = (std::abs(turn) * hinge.thickness_mm / 2 + stretch) / hinge.material.strain_max;
   return std::max({slender * hinge.thickness_mm, corners, strain});
 }
 
@@ -76,51 +78,47 @@ void check_process(const model::Process& process, const model::CellSize& size,
 
 class Maker {
  public:
-  Maker(const DesignFile& design, const model::Process& process, const PrintChoice& choice)
+  Maker(const DesignFile& design, const FoldPath& path, const model::Process& process,
+        const PrintChoice& choice)
       : design_(design), choice_(choice), structure_(resized(design.structure, choice, process)) {
     sheet_.name = design.name;
     sheet_.process = process;
     sheet_.linkage = structure_;
+    sheet_.path = with_edge(path.states, structure_.size().edge_mm);
+    sheet_.thetas = path.thetas;
+    sheet_.is_path_exact = path.is_exact;
+    sheet_.why_no_path = path.why_flat_alone;
   }
 
   PrintSheet made() && {
     if (sheet_.linkage.hinges.empty())
       throw InvalidInput("the design has no hinges: there is nothing to fold, and nothing to print");
-    find_path();
     choose_hinges();
     make_solids(sheet_);
     return std::move(sheet_);
   }
 
  private:
-  void find_path() {
-    const model::ExactMotion exact = exact_motion(structure_);
-    sheet_.path = {rest_state(sheet_.linkage)};
-    sheet_.thetas = {0};
-    if (!exact) {
-      sheet_.why_no_path = exact.why;
-      return;
-    }
-    const double theta = exact_theta_of(design_, exact);
-    if (theta == 0) {
-      sheet_.why_no_path = "the design's theta is 0";
-      return;
-    }
-    for (int k = 1; k <= path_steps; ++k) {
-      sheet_.thetas.push_back(theta * k / path_steps);
-      sheet_.path.push_back(exact.at(sheet_.thetas.back()));
-    }
-  }
-
   int hinges() const { return static_cast<int>(sheet_.linkage.hinges.size()); }
 
   double turn(int hinge) const { return turn_of(sheet_.linkage.hinges[hinge], sheet_.path.back()); }
+
+  /// Largest on the way, mm: none along an exact motion.
+  double stretch_mm(int h) const {
+    if (sheet_.is_path_exact) return 0;
+    const model::RestHinge& hinge = sheet_.linkage.hinges[h];
+    const double edge = sheet_.linkage.size.edge_mm;
+    double most = 0;  // cell edges
+    for (const model::State& state : sheet_.path)
+      most = std::max(most, point_mismatch(hinge, state[hinge.lower], state[hinge.upper], edge).gap.norm());
+    return most * edge;
+  }
 
   /// Of a block or film, mm, in tenths of them.
   double gap_mm(const model::MadeHinge& hinge, int h) const {
     const model::CellSize& size = sheet_.linkage.size;
     const double offset = structure_.hinge(h).offset * size.edge_mm;
-    return std::ceil(tenth * needed_gap(hinge, size.thickness_mm, offset, turn(h))) / tenth;
+    return std::ceil(tenth * needed_gap(hinge, size.thickness_mm, offset, turn(h), stretch_mm(h))) / tenth;
   }
 
   std::vector<model::MadeHinge> open_hinges() const {
@@ -145,7 +143,7 @@ class Maker {
           {.made = made,
            .axial_clearance_mm = std::max(made.clearance_mm, sheet_.process.upright_clearance_mm),
            .knuckle_wall_mm = sheet_.process.least_wall_mm,
-           .turn = std::min(turn(h), widest_turn)});
+           .turn = std::clamp(turn(h), -widest_turn, widest_turn)});
     }
   }
 
@@ -188,9 +186,9 @@ bool leaves_hinges_open(const DesignFile& design) {
                      [](const auto& own) { return !own.second.made; });
 }
 
-PrintSheet make_print_sheet(const DesignFile& design, const model::Process& process,
+PrintSheet make_print_sheet(const DesignFile& design, const FoldPath& path, const model::Process& process,
                             const PrintChoice& choice) {
-  return Maker(design, process, choice).made();
+  return Maker(design, path, process, choice).made();
 }
 
 model::Polyhedron placed_body(const PrintSheet& sheet, const model::State& state, int body) {

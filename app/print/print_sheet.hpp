@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/files/design_file.hpp"
+#include "app/print/fold_path.hpp"
 #include "model/linkage/exact_motion.hpp"
 #include "model/matter/process.hpp"
 #include "model/solids/body_solid.hpp"
@@ -21,19 +22,16 @@ struct PrintSheet {
   std::vector<model::Polyhedron> meshes;  ///< of the bodies, likewise
   std::vector<model::Polyhedron>
       soft;  ///< blocks and films by hinge, relative to the lower body's rest position, mm; of a pin empty
-  std::vector<model::State>
-      path;  ///< from flat to the fold, at even steps of theta; flat alone where no motion is known
-  std::vector<double> thetas;              ///< of the path, rad
-  std::string why_no_path = {};            ///< where it is flat alone
+  std::vector<model::State> path;  ///< from flat to the fold (FoldPath); flat alone where no motion is known
+  std::vector<double> thetas;      ///< of the path, rad
+  bool is_path_exact = true;       ///< else of the equilibrium under the design's drive
+  std::string why_no_path = {};    ///< where it is flat alone
   std::vector<std::string> warnings = {};  ///< what its user should know
 
   bool has_soft() const;
   /// That of most hinges' kind: of a sheet without hinges a pin.
   model::HingeKind kind() const;
 };
-
-/// Steps of the path from flat to the fold.
-inline constexpr int path_steps = 20;  // that contracts of the figures ask for
 
 /// How hinges are made that the design does not describe, and how large the sheet is.
 struct PrintChoice {
@@ -50,8 +48,9 @@ bool leaves_hinges_open(const DesignFile& design);
 
 /// Hinges that the design leaves open have a rod and clearance as small as the process prints them, or are blocks of
 /// rubber or films as long as the fold needs.
+/// @param path of the design
 /// @throws InvalidInput for what the process cannot print, hinges that overlap a junction, and a sheet without hinges
-PrintSheet make_print_sheet(const DesignFile& design, const model::Process& process,
+PrintSheet make_print_sheet(const DesignFile& design, const FoldPath& path, const model::Process& process,
                             const PrintChoice& choice);
 
 /// Bodies, meshes and blocks of a sheet whose linkage and hinges are known. @throws InvalidInput as above

@@ -153,6 +153,15 @@ Elasticity elasticity_of(const MadeHinge& hinge) {
   return e;
 }
 
+MadeHinge fitted(MadeHinge hinge, const CellSize& before, const CellSize& now) {
+  const auto fit = [](double& own, double wall, double new_wall) {
+    own = own == wall ? new_wall : std::min(own, new_wall);
+  };
+  fit(hinge.height_mm, before.height_mm, now.height_mm);
+  fit(hinge.thickness_mm, before.thickness_mm, now.thickness_mm);
+  return hinge;
+}
+
 void validate(const MadeHinge& hinge, const CellSize& size) {
   check(hinge.material);
   check_up_to("height_mm", hinge.height_mm, size.height_mm, "the height of the wall");

@@ -78,6 +78,9 @@ double largest_offset_mm(const MadeHinge& hinge, double wall_thickness_mm);
 /// Diameter of the knuckle around a pin: rod, clearance and the least wall that every process prints. mm
 double knuckle_mm(const MadeHinge& pin);
 
+/// The hinge for walls of another thickness and height: what was the wall's is the new wall's, and nothing is more.
+MadeHinge fitted(MadeHinge hinge, const CellSize& before, const CellSize& now);
+
 /// The hinge in the elastic model and the physics run.
 Elasticity elasticity_of(const MadeHinge& hinge);
 

@@ -46,7 +46,9 @@ const std::vector<Process>& processes() {
                                          {0.05, 0.25, 0.02},
                                          "Ou et al. 2018, sections 5.1 and 7: 0.05 to 0.25 mm printed, 0.03 "
                                          "fuses; errors of the order of a layer "
-                                         "and a droplet"},
+                                         "and a droplet",
+                                         "tango",
+                                         true},
                                         {"fdm",
                                          0.3,
                                          0.4,
@@ -55,21 +57,27 @@ const std::vector<Process>& processes() {
                                          {0.15, 0.5, 0.1},
                                          "practice with nozzles of 0.4 mm and layers of 0.2 mm, two of which "
                                          "keep apart upright; sources differ by a "
-                                         "factor of two"},
+                                         "factor of two",
+                                         "tpu95a",
+                                         true},
                                         {"sla",
                                          0.25,
                                          0.25,
                                          0.8,
                                          1,
                                          {0.1, 0.5, 0.05},
-                                         "guides of printing services; 0.125 mm is the least clearance"},
+                                         "guides of printing services; 0.125 mm is the least clearance",
+                                         "tango",
+                                         false},
                                         {"sls",
                                          0.3,
                                          0.3,
                                          0.8,
                                          1.5,
                                          {0.15, 0.5, 0.1},
-                                         "guides of printing services: clearances of 0.3 to 0.7 mm"}};
+                                         "guides of printing services: clearances of 0.3 to 0.7 mm",
+                                         "tpu95a",
+                                         false}};
   return all;
 }
 

@@ -120,7 +120,9 @@ class ArmMesh {
   std::vector<std::array<int, 3>> fan(const Indices& section, double s) {
     if (section.size() == 4)
       return {{section[0], section[1], section[2]}, {section[0], section[2], section[3]}};
-    const int middle = mesh_.add_point(arm_.point({0, end_.axis_across}, s));
+    Vector2d mean = Vector2d::Zero();
+    for (const Vector2d& p : end_.section) mean += p / static_cast<double>(end_.section.size());
+    const int middle = mesh_.add_point(arm_.point(mean, s));
     std::vector<std::array<int, 3>> out;
     for (std::size_t k = 0; k < section.size(); ++k)
       out.push_back({middle, section[k], section[(k + 1) % section.size()]});

@@ -34,7 +34,9 @@ ArmSolid arm_of(const Linkage& linkage, const Plate& plate, const HingePrint& pr
   const Vector3d p = L * (plate.body == hinge.lower ? hinge.lower_arm : hinge.upper_arm);
   const Vector3d halfway = p - p.dot(plate.up) / arm.axis.dot(plate.up) * arm.axis;
   arm.origin = halfway.dot(plate.edge) * plate.edge;
-  arm.end = hinge_end(print, linkage.size, halfway.dot(arm.normal), arm.fork);
+  HingePrint seen = print;
+  if ((plate.body == hinge.upper) != (hinge.axis.dot(plate.up) < 0)) seen.turn = -seen.turn;
+  arm.end = hinge_end(seen, linkage.size, halfway.dot(arm.normal), arm.fork);
   return arm;
 }
 

@@ -91,11 +91,16 @@ int circle_sides(double radius_mm, double tolerance_mm) {
   return std::max(least_sides, 4 * fours);
 }
 
+double corner_room(double half_wall, double axis_across, double turn) {
+  const double lever = half_wall - std::copysign(axis_across, axis_across * turn);
+  return std::max(0.0, lever) * std::tan(std::abs(turn) / 2);
+}
+
 HingeEnd pin_end(const HingePrint& hinge, const CellSize& size, double axis_across, bool fork) {
   const MadeHinge& p = hinge.made;
   const double rod = p.diameter_mm / 2, half_wall = size.thickness_mm / 2,
                radius = rod + p.clearance_mm + hinge.knuckle_wall_mm,
-               corners = (half_wall + std::abs(axis_across)) * std::tan(hinge.turn / 2);
+               corners = corner_room(half_wall, axis_across, hinge.turn);
   const int sides = circle_sides(radius, hinge.tolerance_mm);
   HingeEnd end;
   end.wall_end = std::max(radius, corners) + p.clearance_mm;
@@ -122,16 +127,17 @@ HingeEnd block_end(const HingePrint& hinge, const CellSize& size, double axis_ac
                high = axis_across + hinge.made.thickness_mm / 2;
   const double beyond = std::max({0.0, high - half_wall, -half_wall - low});
   HingeEnd end;
-  end.wall_end = half_gap + beyond;
+  end.wall_end = half_gap;
   end.axis_across = axis_across;
-  if (!(beyond > same_mm)) {
-    end.wall_end = half_gap;
-    return end;
-  }
-  end.section = {{-end.wall_end, -half_wall},
-                 {-half_gap, std::min(low, -half_wall)},
-                 {-half_gap, std::max(high, half_wall)},
-                 {-end.wall_end, half_wall}};
+  if (!(beyond > same_mm)) return end;
+  const double deep = std::min(beyond, size.thickness_mm), upright = beyond - deep;
+  end.wall_end = half_gap + deep;
+  end.section = {{-end.wall_end, -half_wall}};
+  if (upright > same_mm && low < -half_wall) end.section.emplace_back(-end.wall_end, -half_wall - upright);
+  end.section.emplace_back(-half_gap, std::min(low, -half_wall));
+  end.section.emplace_back(-half_gap, std::max(high, half_wall));
+  if (upright > same_mm && high > half_wall) end.section.emplace_back(-end.wall_end, half_wall + upright);
+  end.section.emplace_back(-end.wall_end, half_wall);
   end.lugs = {{-size.height_mm / 2, size.height_mm / 2}};
   return end;
 }

@@ -36,20 +36,24 @@ struct HingePrint {
   MadeHinge made;
   double axial_clearance_mm = 0;  ///< of a pin, between its knuckles along the axis, mm, >= 0
   double knuckle_wall_mm = 0.8;   ///< of a pin, round its bore, mm, > 0
-  double turn = 0;                ///< by which its halves turn against each other at most, rad, [0, pi)
-  double tolerance_mm = 0.01;     ///< by which a polygon may differ from its circle, mm, > 0
+  double turn = 0;  ///< of the upper half against the lower about the axis, the largest, rad, (-pi, pi)
+  double tolerance_mm = 0.01;  ///< by which a polygon may differ from its circle, mm, > 0
 };
 
 /// Both ends of a pin: a fork of two knuckles with the rod between them, and an eye between these that turns on it.
 /// Rod and bore are polygons whose gap is nowhere less than the clearance: the rod's corners and the middles of the
 /// bore's sides are on their circles. A plate ends its clearance before the other's knuckles, and before its corners would
-/// meet the other's at the largest turn.
-/// @param axis_across of the wall's middle, mm   @param fork whether it is the fork
+/// meet the other's at the largest turn: those on the side towards which the wall folds.
+/// @param hinge with the turn of the other end against this one about s   @param axis_across of the wall's middle, mm
+/// @param fork whether it is the fork
 HingeEnd pin_end(const HingePrint& hinge, const CellSize& size, double axis_across, bool fork);
 
 /// An end of a wall at a block or film, half its gap before the axis. Where the block sits beyond the wall's face, a
-/// foot at 45 degrees carries it.
+/// foot carries it, at 45 degrees as far as the wall is thick and from there on that deep.
 HingeEnd block_end(const HingePrint& hinge, const CellSize& size, double axis_across);
+
+/// Half the distance between a wall's two ends that its corners need so as not to meet, mm. @param turn as of pin_end
+double corner_room(double half_wall, double axis_across, double turn);
 
 /// By the hinge's kind.
 HingeEnd hinge_end(const HingePrint& hinge, const CellSize& size, double axis_across, bool fork);

@@ -72,6 +72,7 @@ class CurveScene final : public Scene {
       curve->robust = robust_curve(file_, curve->found, search, options);
       curve->found = curve->robust->found;
       size = curve->robust->size;
+      run.hinge = curve->robust->hinge;
     }
     curve->violations = violations(curve->found, file_.shape_tolerance);
     run.structure = sheet_of(curve->found.design.design, size);

@@ -78,8 +78,10 @@ CurveFile with(CurveFile file, int columns, double theta) {
   file.theta = {theta - narrow / 2, theta + narrow / 2};
   if (!file.free_size) return file;
   const double edge = file.curve.length() / (columns * std::cos(theta));
+  const model::CellSize before = file.size;
   if (file.free_walls) file.size = default_size(edge);
   file.size.edge_mm = edge;
+  if (file.hinge.made) file.hinge.made = fitted(*file.hinge.made, before, file.size);
   return file;
 }
 
@@ -97,7 +99,7 @@ std::vector<int> columns_of(const CurveFile& file) {
 
 RobustCurve robust_curve(const CurveFile& file, const optim::FreeCurveDesign& plain,
                          const optim::MultiStartOptions& search, const RunOptions& options) {
-  RobustCurve out{plain, file.size, {judged(file, plain)}, 0};
+  RobustCurve out{plain, file.size, file.hinge, {judged(file, plain)}, 0};
   const std::vector<int> columns = columns_of(file);
   const double rounds = static_cast<double>(columns.size()) * thetas;
   optim::MultiStartOptions quiet = search;
@@ -115,6 +117,7 @@ RobustCurve robust_curve(const CurveFile& file, const optim::FreeCurveDesign& pl
       if (!is_better) continue;
       out.found = std::move(next.found);
       out.size = next.file.size;
+      out.hinge = next.file.hinge;
       out.chosen = out.tried.size() - 1;
     }
   return out;

@@ -22,6 +22,7 @@ struct CurveCandidate {
 struct RobustCurve {
   optim::FreeCurveDesign found;       ///< the one chosen
   model::CellSize size;               ///< of its cells
+  HingeSection hinge;                 ///< of its walls
   std::vector<CurveCandidate> tried;  ///< first the plain search's
   std::size_t chosen = 0;             ///< in tried
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "app/print/fit.hpp"
 #include "tests/app/program.hpp"
@@ -94,14 +95,49 @@ TEST(Export, RefusesAHingeOnAJunctionAndSaysWhichCellWouldDo) {
   design.replace(design.find("{theta_deg: 20}"), 15,
                  "{theta_deg: 20, hinges: [{wall: [[0, 0], [1, 0]], t: 0.1}, {wall: [[0, 1], [1, 1]], t: "
                  "0.9}, {wall: [[0, 2], [1, 2]], t: 0.1}]}");
-  expect_refused(design, "--format stl", "overlaps the junction at vertex [0, 0]");
-  expect_refused(design, "--format stl", " would do");
+  expect_refused(design, "--format stl --hinge pin", "overlaps the junction at vertex [0, 0]");
+  const Scratch scratch;
+  const Outcome refused = exported(scratch, design, "--format stl --hinge pin");
+  std::smatch edge;
+  ASSERT_TRUE(std::regex_search(refused.err, edge, std::regex(R"(would do \(--cell-mm ([0-9.]+)\))")))
+      << refused.err;
+  EXPECT_EQ(exported(scratch, design, "--format stl --hinge pin --cell-mm " + edge.str(1)).code, 0);
+  const double less = std::stod(edge.str(1)) - 0.5;
+  EXPECT_EQ(exported(scratch, design, "--format stl --hinge pin --cell-mm " + std::to_string(less)).code, 2);
+}
+
+TEST(Export, MakesBlocksWherePinsDoNotFitAndSaysWhy) {
+  const std::string design =
+      std::string(panel).replace(std::string(panel).find("cell_mm: 12"), 11, "cell_mm: 8");
+  expect_refused(design, "--format stl --process fdm --hinge pin", "would do (--cell-mm ");
+  const Scratch scratch;
+  ASSERT_EQ(exported(scratch, design, "--format stl --process fdm").code, 0);
+  const Json json = Json::parse(text_of(scratch / "out/print.json"));
+  EXPECT_EQ(json["hinge"], "block");
+  EXPECT_THAT(std::string(json["warnings"][0]), HasSubstr("hinges are blocks, as pins do not fit: "));
+  EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("blocks of tpu95a"))
+      << "what FDM prints as rubber";
+}
+
+TEST(Export, OfADesignWithoutExactMotionIsCheckedAlongItsEquilibrium) {
+  const std::string design = R"(kinetix: 1
+structure: {cells: [2, 2], cell_mm: 20, wall_mm: {thickness: 0.8, height: 6}}
+design: {theta_deg: 15, hinges: [{wall: [[0, 0], [1, 0]], t: 0.45}, {wall: [[1, 1], [2, 1]], t: 0.42}]}
+hinge: {model: elastic, k_point: 100, k_turn: 0.1}
+drive: {kind: plates, axis: y, compression: 0.03}
+)";
+  const Scratch scratch;
+  ASSERT_EQ(exported(scratch, design, "--format stl --hinge block").code, 0);
+  const Json json = Json::parse(text_of(scratch / "out/print.json"));
+  EXPECT_GE(json["path"]["states"], 10);
+  EXPECT_NEAR(json["path"]["theta_deg"], std::acos(1 - 0.03) * 180 / M_PI, 1e-6);
+  EXPECT_THAT(json["warnings"].dump(), HasSubstr("along the equilibrium of the design's hinges"));
 }
 
 TEST(Export, RefusesThetaAtWhichKnucklesMeet) {
   const std::string design =
       std::string(panel).replace(std::string(panel).find("theta_deg: 20"), 13, "theta_deg: 38");
-  expect_refused(design, "--format stl", "run into each other at theta");
+  expect_refused(design, "--format stl --hinge pin", "run into each other at theta");
 }
 
 TEST(Export, RefusesAFolderThatCannotBeWritten) {

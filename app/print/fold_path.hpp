@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/files/design_file.hpp"
+#include "model/linkage/state.hpp"
+
+namespace kinetix::app {
+
+/// Steps of the path from flat to the fold.
+inline constexpr int path_steps = 20;  // that contracts of the figures ask for
+
+/// How a design comes from flat to its fold.
+struct FoldPath {
+  std::vector<double> thetas;        ///< rad, from 0 on
+  std::vector<model::State> states;  ///< for each of them; of a cell edge of 1 mm
+  bool is_exact = true;              ///< by the closed form; else by the equilibrium under the design's drive
+  std::string why_flat_alone = {};   ///< where it is flat alone
+};
+
+/// By the closed form at path_steps even steps; where there is none by the equilibrium of the design's elastic hinges
+/// under its drive, at steps at most as long.
+FoldPath fold_path(const DesignFile& design);
+
+/// Of another cell edge, mm: lengths grow with it, angles stay.
+std::vector<model::State> with_edge(std::vector<model::State> states, double edge_mm);
+
+}  // namespace kinetix::app

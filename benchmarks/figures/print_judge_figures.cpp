@@ -1,0 +1,144 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "benchmarks/figure.hpp"
+
+namespace kinetix::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+const char* const shapes = KINETIX_SHAPES;
+
+/// What a command prints, both streams.
+struct Said {
+  int code = 0;
+  std::string text;
+};
+
+Said said_by(const std::string& command) {
+  Said said;
+  FILE* pipe = popen((command + " 2>&1").c_str(), "r");
+  char text[4096];
+  while (const std::size_t n = std::fread(text, 1, sizeof text, pipe)) said.text.append(text, n);
+  said.code = WEXITSTATUS(pclose(pipe));
+  return said;
+}
+
+double number_after(const std::string& text, const std::string& pattern) {
+  std::smatch match;
+  if (!std::regex_search(text, match, std::regex(pattern + R"(\s*([-+0-9.eE]+))"))) return NAN;
+  return std::stod(match[1]);
+}
+
+/// Every shipped target, with each hinge and process, in cells as large as the program itself says they must be.
+struct Verdicts {
+  int exported = 0, larger = 0, refused = 0, unclean = 0, crossing = 0, misread = 0;
+  double volume = 0;  ///< largest difference of PrusaSlicer's volume from ours, over ours
+  std::string first_fault;
+
+  void fault(int& count, const std::string& what) {
+    ++count;
+    if (first_fault.empty()) first_fault = what;
+  }
+};
+
+bool is_clean(const std::string& admesh) {
+  std::smatch original;
+  if (!std::regex_search(admesh, original, std::regex(R"(Facets with 3 disconnected edges\s*:\s*(\d+))")) ||
+      original[1] != "0")
+    return false;
+  for (const char* what : {"Degenerate facets", "Edges fixed", "Facets removed", "Facets added",
+                           "Facets reversed", "Backwards edges", "Normals fixed"})
+    if (!(number_after(admesh, std::string(what) + R"(\s*:)") == 0)) return false;
+  return true;
+}
+
+void judge(const fs::path& folder, const std::string& name, Verdicts& verdicts) {
+  for (const char* part : {"hard.stl", "soft.stl"}) {
+    const std::string file = folder / part;
+    if (!fs::exists(file)) continue;
+    if (!is_clean(said_by("admesh " + file).text)) verdicts.fault(verdicts.unclean, name + ": admesh");
+    if (said_by(std::string(KINETIX_SELF_CROSSING) + " " + file)
+            .text.find("manifold 1\nclosed 1\ncrossing 0") == std::string::npos)
+      verdicts.fault(verdicts.crossing, name + ": CGAL");
+  }
+  const auto json = nlohmann::json::parse(said_by("cat " + std::string(folder / "print.json")).text);
+  const std::string info = said_by("prusa-slicer --info " + std::string(folder / "all.stl")).text;
+  const int parts = int(json["bodies"]) + (json["hinge"] == "pin" ? 0 : int(json["hinges"]));
+  if (info.find("manifold = yes") == std::string::npos || number_after(info, "number_of_parts =") != parts)
+    verdicts.fault(verdicts.misread, name + ": PrusaSlicer");
+  const double own = double(json["volume_mm3"]["hard"]) + double(json["volume_mm3"]["soft"]);
+  verdicts.volume = std::max(verdicts.volume, std::abs(number_after(info, "volume =") / own - 1));
+}
+
+/// At the design's size, else at the one that the refusal names.
+bool exports(const std::string& command, Verdicts& verdicts) {
+  Said run = said_by(command);
+  if (run.code == 0) return true;
+  std::smatch edge;
+  if (!std::regex_search(run.text, edge, std::regex(R"(--cell-mm ([0-9.]+))"))) return false;
+  ++verdicts.larger;
+  return said_by(command + " --cell-mm " + edge.str(1)).code == 0;
+}
+
+void judge_all_of(const fs::path& target, const fs::path& scratch, Verdicts& verdicts) {
+  const std::string name = target.stem(), found = scratch / name;
+  const std::string program = KINETIX_OPT;
+  const bool is_design =
+      said_by(program + " " + std::string(target) + " --no-verify --quiet -o " + found).code == 2;
+  const std::string source = is_design ? std::string(target) : found;
+  for (const char* hinge : {"pin", "block"})
+    for (const char* process : {"polyjet", "fdm", "sla"}) {
+      const fs::path folder = scratch / "print";
+      fs::remove_all(folder);
+      const std::string what = fmt::format("{}, {}, {}", name, hinge, process);
+      if (exports(fmt::format("{} export {} --format stl --hinge {} --process {} -o {}", program, source,
+                              hinge, process, folder.string()),
+                  verdicts)) {
+        ++verdicts.exported;
+        judge(folder, what, verdicts);
+      } else {
+        ++verdicts.refused;
+      }
+    }
+  fs::remove_all(found);
+}
+
+}  // namespace
+
+std::vector<Figure> print_judge_figures() {
+  const fs::path scratch = fs::temp_directory_path() / fmt::format("kinetix-judges-{}", getpid());
+  fs::create_directories(scratch);
+  Verdicts verdicts;
+  std::vector<fs::path> targets;
+  for (const auto& entry : fs::directory_iterator(shapes))
+    if (entry.path().extension() == ".yaml" && entry.path().stem() != "qr_code")
+      targets.push_back(entry.path());
+  std::sort(targets.begin(), targets.end());
+  for (const fs::path& target : targets) judge_all_of(target, scratch, verdicts);
+  fs::remove_all(scratch);
+  const auto none = [&](const std::string& what, int count) {
+    return Figure{what, "0", count == 0 ? "0" : fmt::format("{}, first {}", count, verdicts.first_fault),
+                  count == 0};
+  };
+  return {{fmt::format("{} targets x {{pin, block}} x {{polyjet, fdm, sla}}: exported", targets.size()),
+           "all but hinges that stretch, as pins",
+           fmt::format("{}, {} of them in larger cells; {} refused", verdicts.exported, verdicts.larger,
+                       verdicts.refused),
+           verdicts.exported > 0},
+          none("files that admesh would repair", verdicts.unclean),
+          none("files with faces that cross, by CGAL", verdicts.crossing),
+          none("sheets that PrusaSlicer does not see as manifold parts, as many as bodies and blocks",
+               verdicts.misread),
+          {"PrusaSlicer's volume (in floats) over ours, less 1", "at most 1e-4",
+           fmt::format("{:.1e}", verdicts.volume), verdicts.volume <= 1e-4}};
+}
+
+}  // namespace kinetix::bench
