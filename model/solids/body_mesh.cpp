@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "model/base/angle.hpp"
 #include "model/solids/body_solid.hpp"
 
 namespace kinetix::model {
@@ -129,35 +130,37 @@ class ArmMesh {
     return out;
   }
 
-  /// Both lines sorted by their angle about the axis, from -pi on.
+  double angle_of(int point) const {
+    const Vector3d d = mesh_.points[point] - arm_.origin;
+    return std::atan2(arm_.normal.dot(d) - end_.axis_across, arm_.towards_axis.dot(d));
+  }
+
+  /// A line about the axis, from -pi on.
   Indices by_angle(const Indices& line) const {
-    const auto angle = [&](int k) {
-      const Vector3d d = mesh_.points[k] - arm_.origin;
-      return std::atan2(arm_.normal.dot(d) - end_.axis_across, arm_.towards_axis.dot(d));
-    };
-    std::size_t first = 0;
-    for (std::size_t k = 1; k < line.size(); ++k)
-      if (angle(line[k]) < angle(line[first])) first = k;
     Indices out(line);
-    std::rotate(out.begin(), out.begin() + first, out.end());
+    const auto first =
+        std::min_element(out.begin(), out.end(), [&](int a, int b) { return angle_of(a) < angle_of(b); });
+    std::rotate(out.begin(), first, out.end());
     return out;
   }
 
+  /// The strip from a ring to the section about it. Both are seen whole from the axis, so taking their corners in the order of
+  /// their angles leaves no two triangles on each other.
   std::vector<std::array<int, 3>> between(const Indices& section, const Indices& ring) const {
     const Indices out = by_angle(section), in = by_angle(ring);
     const std::size_t n = out.size(), m = in.size();
+    const auto angle = [&](const Indices& line, std::size_t k) {
+      return k < line.size() ? angle_of(line[k]) : angle_of(line.front()) + 2 * pi;
+    };
     std::vector<std::array<int, 3>> triangles;
     std::size_t i = 0, j = 0;
     while (i < n || j < m) {
-      // Whichever leaves the shorter line across.
-      const int a = out[i % n], b = in[j % m], a_next = out[(i + 1) % n], b_next = in[(j + 1) % m];
-      const bool outer = j == m || (i < n && distance(a_next, b) <= distance(a, b_next));
-      triangles.push_back(outer ? std::array{b, a, a_next} : std::array{b, a, b_next});
+      const bool outer = j == m || (i < n && angle(out, i + 1) <= angle(in, j + 1));
+      triangles.push_back({in[j % m], out[i % n], outer ? out[(i + 1) % n] : in[(j + 1) % m]});
       ++(outer ? i : j);
     }
     return triangles;
   }
-  double distance(int a, int b) const { return (mesh_.points[a] - mesh_.points[b]).norm(); }
 
   const ArmSolid& arm_;
   const HingeEnd& end_;

@@ -13,6 +13,7 @@ using Outline = std::vector<Vector2d>;
 
 constexpr int least_sides = 12;   // of a circle: fewer look like none
 constexpr double same_mm = 1e-6;  // mm: corners nearer than that are one
+constexpr double step_mm = 1e-3;  // mm: lower steps are none: files hold places in floats
 // Of a pin's height that its eye takes: the fork's two knuckles share the rest, so that each end of the rod bears as
 // much as half of the middle.
 constexpr double eye_share = 0.5;
@@ -129,14 +130,15 @@ HingeEnd block_end(const HingePrint& hinge, const CellSize& size, double axis_ac
   HingeEnd end;
   end.wall_end = half_gap;
   end.axis_across = axis_across;
-  if (!(beyond > same_mm)) return end;
-  const double deep = std::min(beyond, size.thickness_mm), upright = beyond - deep;
+  if (!(beyond > step_mm)) return end;
+  const bool is_flat = beyond <= size.thickness_mm + step_mm;
+  const double deep = is_flat ? beyond : size.thickness_mm, upright = beyond - deep;
   end.wall_end = half_gap + deep;
   end.section = {{-end.wall_end, -half_wall}};
-  if (upright > same_mm && low < -half_wall) end.section.emplace_back(-end.wall_end, -half_wall - upright);
+  if (upright > 0 && low < -half_wall) end.section.emplace_back(-end.wall_end, -half_wall - upright);
   end.section.emplace_back(-half_gap, std::min(low, -half_wall));
   end.section.emplace_back(-half_gap, std::max(high, half_wall));
-  if (upright > same_mm && high > half_wall) end.section.emplace_back(-end.wall_end, half_wall + upright);
+  if (upright > 0 && high > half_wall) end.section.emplace_back(-end.wall_end, half_wall + upright);
   end.section.emplace_back(-end.wall_end, half_wall);
   end.lugs = {{-size.height_mm / 2, size.height_mm / 2}};
   return end;

@@ -138,6 +138,25 @@ TEST(BodySolid, OfRandomLeaningHingesIsClosedAndAsLargeAsItsPieces) {
 }
 
 /// Upright walls at uneven angles, as drawings have them.
+TEST(BodySolid, OfHingesFarBesideTheirWallsIsClosed) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> offset(-0.25, 0.25);
+  Sheet sheet = make_sheet(4, 4, {30, 0.8, 6});
+  for (int h = 0; h < sheet.hinges(); ++h) sheet.hinge(h).offset = offset(random);
+  for (const HingePrint& print : {pin(), block()})
+    for (const BodySolid& body : solids(sheet, print)) EXPECT_TRUE(is_closed(body_mesh(body)));
+}
+
+TEST(BlockEnd, TakesStepsThatFilesCannotHoldAsNone) {
+  HingePrint print = block();
+  const double flush = size.thickness_mm / 2 - print.made.thickness_mm / 2;
+  EXPECT_TRUE(block_end(print, size, flush + 5e-4).section.empty());
+  EXPECT_EQ(block_end(print, size, flush + 0.5).section.size(), 4U) << "a foot at 45 degrees";
+  EXPECT_EQ(block_end(print, size, flush + size.thickness_mm + 5e-4).section.size(), 4U);
+  EXPECT_EQ(block_end(print, size, flush + size.thickness_mm + 0.5).section.size(), 5U)
+      << "and upright above";
+}
+
 TEST(BodySolid, OfWallsAtAnyAnglesIsClosed) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> between(0.7, 2.2);
