@@ -25,9 +25,11 @@ std::string stl(const std::string& name, const model::Polyhedron& solid) {
   const auto count = static_cast<std::uint32_t>(solid.triangles.size());
   out.append(reinterpret_cast<const char*>(&count), sizeof count);
   for (const auto& [a, b, c] : solid.triangles) {
-    const Eigen::Vector3d &p = solid.points[a], &q = solid.points[b], &r = solid.points[c];
-    add_vector((q - p).cross(r - p).normalized().cast<float>(), out);
-    for (const Eigen::Vector3d* corner : {&p, &q, &r}) add_vector(corner->cast<float>(), out);
+    // The normal of the corners as they are written: of slender triangles that of the exact ones is another.
+    const Eigen::Vector3f p = solid.points[a].cast<float>(), q = solid.points[b].cast<float>(),
+                          r = solid.points[c].cast<float>();
+    add_vector((q - p).cast<double>().cross((r - p).cast<double>()).normalized().cast<float>(), out);
+    for (const Eigen::Vector3f* corner : {&p, &q, &r}) add_vector(*corner, out);
     out.append(2, '\0');
   }
   return out;

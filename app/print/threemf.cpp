@@ -58,8 +58,10 @@ std::string model_xml(const std::string& name, const model::Polyhedron& all,
 )",
                                 escaped(name), escaped(name));
   const auto end = std::back_inserter(out);
-  for (const Eigen::Vector3d& p : all.points)
-    fmt::format_to(end, "<vertex x=\"{:.7g}\" y=\"{:.7g}\" z=\"{:.7g}\"/>\n", p.x(), p.y(), p.z());
+  for (const Eigen::Vector3d& p : all.points) {
+    const Eigen::Vector3f corner = p.cast<float>();  // exactly: what hard_part and soft_part give
+    fmt::format_to(end, "<vertex x=\"{}\" y=\"{}\" z=\"{}\"/>\n", corner.x(), corner.y(), corner.z());
+  }
   out += "    </vertices>\n    <triangles>\n";
   for (const Range& range : ranges)
     for (std::size_t k = range.first; k < range.first + range.count; ++k) {

@@ -1,9 +1,9 @@
 #include "app/report/light_result.hpp"
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
+
+#include "app/report/round_numbers.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -14,22 +14,7 @@ constexpr std::size_t bytes_a_pose = 52;        // of a row, as text
 constexpr std::size_t bytes_of_frames = 60000;  // a page of 637 bodies then stays under 1.2 MB
 constexpr int digits_of_numbers = 6,
               digits_of_colours = 4;      // significant ones: of what is read, of what is coloured
-constexpr double nothing = 1e-15;         // of any unit in a result: the rounding of a number about 1
 constexpr double mm = 1e-4, part = 1e-6;  // to which places and quaternions are shown
-
-double with_digits(double x, int digits) {
-  if (std::abs(x) < nothing) return 0;
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*g", digits, x);
-  return std::strtod(text, nullptr);
-}
-
-void round_numbers(Json& value, int digits) {
-  if (value.is_number_float())
-    value = with_digits(value.get<double>(), digits);
-  else if (value.is_structured())
-    for (Json& child : value) round_numbers(child, digits);
-}
 
 /// Nearest multiple of 1 / per_unit; null where there is no number.
 Json rounded(const Json& x, double per_unit) {

@@ -1,183 +1,92 @@
-// The report of a sweep: what was varied, what it did to each response, and what failed.
+// The report of a sweep: the answer, what was varied, what it did to each response, and what failed.
 
-const MOST_PLOTS = 12;
-
-function shortName(name) {
-  return name.replace(/^design\./, "");
-}
-
-function valuesWords(factor) {
-  if (factor.range) return `${neat(factor.range[0])} to ${neat(factor.range[1])}`;
-  if (factor.normal) return `normal, mean ${neat(factor.normal.mean)}, sd ${neat(factor.normal.sd)}`;
-  const values = factor.values ?? [];
-  return values.length > 8 ?
-      `${values.length} values, ${neat(values[0])} to ${neat(values[values.length - 1])}` :
-      values.map(neat).join(", ");
-}
+const CARDS = 4;
 
 function verdictBox(data) {
-  const {counts} = data, bad = data.samples - counts.ok;
-  const title = bad === 0 ? `All ${data.samples} samples were computed` :
-                            `${bad} of ${data.samples} samples did not succeed`;
-  const text = `Model ${data.model}, ${words(data.method)}, ${
-                   count(data.factors.length, "factor", "factors")}, seed ${data.seed}.` +
-      (bad > 0 ?
-           ` ${counts.missed} missed, ${counts.disagrees} disagree, ${counts.failed} failed: listed below.` :
-           "");
+  const {counts} = data, bad = data.samples - counts.ok, first = data.responses[0];
+  const title = bad > 0 ? `${bad} of ${data.samples} samples did not succeed` :
+      first             ? answer(first) :
+                          `All ${data.samples} samples were computed`;
+  const lead = first ? leading(data, first) : null;
+  const why = lead ?
+      `Most of it goes with ${factorNamed(lead.family.name).words}: ${shareWords(lead.share)} of the variance${
+          direction(first, lead.family)}. ` :
+      "";
+  const done = bad > 0 ?
+      ` ${counts.missed} missed, ${counts.disagrees} disagree, ${counts.failed} failed: listed below.` :
+      ` All ${data.samples} samples were computed.`;
   return html(
       "div", {class: "verdict " + (bad === 0 ? "good" : "unsure")},
       html("div", {class: "mark"}, bad === 0 ? "\u2713" : "!"),
-      html("div", {}, html("h2", {}, title), html("p", {}, text)));
+      html(
+          "div", {}, html("h2", {}, title),
+          html(
+              "p", {},
+              `${why}Model ${data.model}, ${words(data.method)}, ${count(data.factors.length, "factor", "factors")}, seed ${
+                  data.seed}.${done}`)));
 }
 
+/** A number in large for each of the first responses. */
+function answerCards(data) {
+  const cards = data.responses.slice(0, CARDS).map((response) => {
+    const {words: said, unit} = named(response.name), s = response.spread, lead = leading(data, response);
+    const range = isConstant(response) ? "in every sample" : `${figures(s.p05)} to ${withUnit(figures(s.p95), unit)} in 90 of 100`;
+    return html(
+        "div", {class: "number"}, html("dt", {}, said),
+        html(
+            "dd", {}, html("strong", {}, withUnit(figures(s.median), unit)), html("span", {}, range),
+            lead ? html("span", {}, `mostly ${factorNamed(lead.family.name).words}`) : null));
+  });
+  return cards.length ? html("dl", {class: "numbers", style: `grid-template-columns: repeat(${cards.length}, 1fr)`}, cards) : null;
+}
+
+/** A row for each family, with its share of the variance of the responses that have one. */
 function factorTable(data) {
-  return html(
-      "div", {class: "scroll"},
-      table(["factor", "values"], data.factors.map((f) => ({cells: [f.name, valuesWords(f)]})), "factors"));
-}
-
-/** How much each factor matters for a response: [{label, value, low, high}], and what the numbers are. */
-function importance(response) {
-  const bars = (list, get) =>
-      list.map((entry, k) => ({k, value: get(entry)[0], low: get(entry)[1], high: get(entry)[2]}));
-  if (response.sobol)
+  const shown = data.responses.filter((response) => (response.families ?? []).some(Boolean) && !isConstant(response)).slice(0, CARDS);
+  const rows = data.families.map(({name, factors}, f) => {
+    const {words: said, unit} = factorNamed(name), first = data.factors[factors[0]];
     return {
-      what: "Sobol's total index, share of the variance",
-      bars: bars(response.sobol, (s) => s.total),
-      second: bars(response.sobol, (s) => s.first),
-      names: ["total", "by itself"]
+      cells: [
+        said, String(factors.length), valuesWords(first, unit),
+        ...shown.map((response) => shareWords(response.families[f]))
+      ]
     };
-  if (response.morris)
-    return {
-      what: "mean absolute elementary effect",
-      bars: bars(response.morris, (m) => m.mu_star),
-      second: bars(response.morris, (m) => m.sigma),
-      names: ["mean absolute effect", "standard deviation"]
-    };
-  const effects = response.main_effects ?? [];
-  if (effects.every((e) => finite(e.variance_share) === null)) {
-    const span = (e) => {
-      const means = e.levels.map((l) => l.mean).filter((m) => finite(m) !== null);
-      return [means.length ? Math.max(...means) - Math.min(...means) : null, null, null];
-    };
-    return {what: "largest change of the mean", bars: bars(effects, span)};
-  }
-  return {
-    what: "share of the variance that goes with the factor alone",
-    bars: bars(effects, (e) => [e.variance_share, null, null])
-  };
-}
-
-function byImportance(response, factors) {
-  const {bars} = importance(response);
-  return factors.map((_, k) => k).sort((a, b) => (bars[b]?.value ?? -1) - (bars[a]?.value ?? -1));
-}
-
-function whisker(axes, y, bar) {
-  if (finite(bar.low) === null || finite(bar.high) === null) return null;
-  return svg("path", {class: "turn-limit", d: path([[axes.X(bar.low), y], [axes.X(bar.high), y]])});
-}
-
-function drawImportance(data, response, width) {
-  const {what, bars, second} = importance(response);
-  const order = byImportance(response, data.factors).slice(0, 20);
-  const all =
-      [...bars, ...(second ?? [])].flatMap((b) => [b.value, b.low, b.high]).filter((v) => finite(v) !== null);
-  const range = [Math.min(0, ...all), Math.max(...all, 1e-12) * 1.05];
-  const step = second ? 34 : 24, height = 72 + step * order.length, left = Math.min(230, width * 0.4);
-  const axes = plot({
-    width,
-    height,
-    left,
-    label: `${what}, by factor`,
-    x: {range, label: what},
-    y: {range: [0, 1], label: "", ticks: []}
   });
-  order.forEach((k, row) => {
-    const top = 30 + step * row,
-          draw = (bar, y, thick, kind) => bar && finite(bar.value) !== null ?
-        [
-          svg("rect", {
-            class: kind,
-            x: Math.min(axes.X(0), axes.X(bar.value)),
-            y,
-            height: thick,
-            width: Math.max(Math.abs(axes.X(bar.value) - axes.X(0)), 0.5)
-          }),
-          whisker(axes, y + thick / 2, bar)
-        ] :
-        [];
-    const name = shortName(data.factors[k].name);
-    axes.root.append(
-        svg("text", {x: left - 8, y: top + step / 2, "text-anchor": "end"},
-            name.length > 30 ? name.slice(0, 29) + "\u2026" : name),
-        ...draw(bars[k], top + 2, second ? 12 : 15, "turn").filter(Boolean),
-        ...draw(second?.[k], top + 16, 9, "second").filter(Boolean));
-  });
-  return axes.root;
-}
-
-function levelX(level) {
-  return (level.range[0] + level.range[1]) / 2;
-}
-
-/** Samples as dots, the mean level by level as a line with two standard errors. */
-function drawEffect(data, r, k, width) {
-  const response = data.responses[r],
-        levels = (response.main_effects?.[k]?.levels ?? []).filter((l) => finite(l.mean) !== null);
-  const dots = (data.scatter ?? [])
-                   .map((row) => [row[k], row[data.factors.length + r]])
-                   .filter(([, y]) => finite(y) !== null);
-  const xs = [...dots.map(([x]) => x), ...levels.flatMap((l) => l.range)],
-        ys = [...dots.map(([, y]) => y), ...levels.map((l) => l.mean)];
-  if (xs.length === 0) return missing("No sample has this response.");
-  const range = (values) =>
-      values.reduce(([a, b], v) => [Math.min(a, v), Math.max(b, v)], [Infinity, -Infinity]);
-  const axes = plot({
-    width,
-    height: 230,
-    left: 70,
-    label: `${response.name} over ${data.factors[k].name}`,
-    x: {range: padded(range(xs), 0.03), label: shortName(data.factors[k].name)},
-    y: {range: padded(range(ys)), label: response.name}
-  });
-  axes.root.append(
-      svg("g", {class: "cloud"},
-          dots.map(([x, y]) => svg("circle", {cx: axes.X(x).toFixed(1), cy: axes.Y(y).toFixed(1), r: 1.6}))),
-      svg("path", {class: "model", d: path(levels.map((l) => [axes.X(levelX(l)), axes.Y(l.mean)]))}),
-      ...levels.map((l) => svg("circle", {class: "step", cx: axes.X(levelX(l)), cy: axes.Y(l.mean), r: 3})),
-      ...levels.filter((l) => finite(l.error) !== null)
-          .map((l) => svg("path", {
-                 class: "turn-limit",
-                 d: path([
-                   [axes.X(levelX(l)), axes.Y(l.mean - 2 * l.error)],
-                   [axes.X(levelX(l)), axes.Y(l.mean + 2 * l.error)]
-                 ])
-               })));
-  return axes.root;
+  const heads = ["factor", "how many", "values", ...shown.map((response) => named(response.name).words)];
+  return [
+    html("div", {class: "scroll"}, table(heads, rows, "factors")),
+    shown.length ?
+        html(
+            "p", {class: "note"},
+            "Last columns: share of the response's variance that goes with the factors of the row, with its 95 % interval. " +
+                "Of several factors together, what is in proportion to each; of one, any effect.") :
+        null
+  ];
 }
 
 function spreadTable(data) {
-  const heads = ["response", "mean", "sd", "least", "5 %", "median", "95 %", "most", "samples"];
-  const rows = data.responses.map(
-      ({name, spread: s}) => ({
-        cells: [
-          name, ...["mean", "sd", "least", "p05", "median", "p95", "most"].map((key) => figures(s[key], 4)),
-          String(s.count ?? 0)
-        ]
-      }));
+  const heads = ["response", "unit", "mean", "sd", "least", "5 %", "median", "95 %", "most", "samples"];
+  const rows = data.responses.map(({name, spread: s}) => {
+    const {words: said, unit} = named(name);
+    return {
+      cells: [
+        said, unit, ...["mean", "sd", "least", "p05", "median", "p95", "most"].map((key) => figures(s[key], 4)),
+        String(s.count ?? 0)
+      ]
+    };
+  });
   return html("div", {class: "scroll"}, table(heads, rows, "spread of the responses"));
 }
 
 function linearTable(data, response) {
   if (!response.linear || finite(response.linear.r_squared) === null) return null;
-  const order = byImportance(response, data.factors).slice(0, 20);
-  const rows = order.map((k) => {
-    const e = response.linear.factors[k];
+  const rows = response.plotted.map((k) => {
+    const e = response.linear.factors[k], {words: said, unit} = factorNamed(data.factors[k].name),
+          of = named(response.name).unit, per = [of, unit].some(Boolean) ? `${of || "1"} per ${unit || "1"}` : "";
     return {
       cells: [
-        data.factors[k].name, `${figures(e.slope)} \u00b1 ${figures(e.slope_error, 2)}`,
-        figures(e.standardised), figures(e.correlation), figures(e.rank_correlation)
+        said, `${figures(e.slope)} \u00b1 ${figures(e.slope_error, 2)}`, per, figures(e.standardised),
+        figures(e.correlation), figures(e.rank_correlation)
       ]
     };
   });
@@ -186,32 +95,49 @@ function linearTable(data, response) {
       html(
           "p", {class: "note"},
           `A plane through all samples explains ${percent(response.linear.r_squared)} of the variance.`),
-      table(["factor", "slope", "standardised", "correlation", "of ranks"], rows, "linear regression"));
+      table(["factor", "slope", "unit", "standardised", "correlation", "of ranks"], rows, "linear regression"));
+}
+
+/** The flat sheet for each family of walls. */
+function layouts(data, response) {
+  const families = familiesOnWalls(data).filter((family) => sensitivities(response, family).length > 0);
+  if (families.length === 0) return null;
+  const what = response.linear ? "correlation of the response with the wall's factor: one tint raises it, the other lowers it" :
+      response.sobol           ? "total index of the wall's factor" :
+                                 "mean elementary effect of the wall's factor";
+  return [
+    html("p", {class: "note"}, `On the flat sheet, ${what}. The stronger the colour, the more; with few samples part of it is chance.`),
+    html(
+        "div", {class: families.length > 1 && !isLong(data.layout) ? "groups" : ""},
+        families.map(
+            (family) => html(
+                "figure", {}, responsive((width) => drawOnLayout(data, response, family, width)),
+                html("figcaption", {}, factorNamed(family.name).words))))
+  ];
 }
 
 function responseSection(data, r) {
   const response = data.responses[r], {what, names} = importance(response);
-  const shown = byImportance(response, data.factors).slice(0, MOST_PLOTS),
-        left = data.factors.length - shown.length;
-  const several = data.factors.length > 1;
+  if (isConstant(response)) return html("p", {}, answer(response) + ".");
+  const several = data.factors.length > 1, left = data.factors.length - response.plotted.length;
   return [
-    several ? html(
-                  "p", {class: "note"},
-                  `Bars: ${what}${
-                      names ? `; thin: ${names[1]}` :
-                              ""}. Lines at their ends: 95 % intervals, where there are any.`) :
-                              null,
+    r > 0 ? html("p", {}, answer(response) + ".") : null,
+    responsive((width) => drawSpread(data, r, width)),
+    several ? html("p", {class: "note"}, data.families.length < data.factors.length && (response.families ?? []).some(Boolean) ?
+        "Bars: share of the variance that goes with each family of factors. Lines: 95 % intervals." :
+        `Bars: ${what}${names ? `; thin: ${names[1]}` : ""}. Lines at their ends: 95 % intervals, where there are any.`) : null,
     several ? responsive((width) => drawImportance(data, response, width)) : null,
+    layouts(data, response),
     html(
-        "p", {class: "note"},
-        "Dots: samples. Line: mean at each level of the factor, all else left to vary, with two standard errors." +
-            (left > 0 ?
-                 ` The ${MOST_PLOTS} factors that matter most are shown; ${left} more are in the table.` :
-                 "")),
-    html(
-        "div", {class: several ? "groups" : ""},
-        shown.map((k) => responsive((width) => drawEffect(data, r, k, width)))),
-    linearTable(data, response)
+        "details", {open: left > 0 ? null : ""}, html("summary", {}, "Single factors"),
+        html(
+            "p", {class: "note"},
+            "Dots: samples. Line: mean at each level of the factor, all else left to vary, with two standard errors." +
+                (left > 0 ? ` Of ${data.factors.length} factors those that seem to matter most; samples.csv has all.` : "")),
+        html(
+            "div", {class: several ? "groups" : ""},
+            response.plotted.map((k) => responsive((width) => drawEffect(data, r, k, width)))),
+        linearTable(data, response))
   ];
 }
 
@@ -219,24 +145,22 @@ function failureSection(data) {
   const rows = data.failures.map((f) => ({cells: [String(f.sample), f.status, f.reason]}));
   const bad = data.samples - data.counts.ok;
   return [
-    bad > rows.length ?
-        html("p", {class: "note"}, `The first ${rows.length} of ${bad}; all are in samples.csv.`) :
-        null,
+    bad > rows.length ? html("p", {class: "note"}, `The first ${rows.length} of ${bad}; all are in samples.csv.`) : null,
     html("div", {class: "scroll"}, table(["sample", "status", "reason"], rows, "failures"))
   ];
 }
 
 function provenanceSection(data) {
   const facts = [
-    ["program", `kinetix ${data.kinetix_version}`], ["seed", String(data.seed)],
-    ["sweep file", data.doe_sha256], ["base file", data.base_sha256], ["all files", data.files_sha256]
+    ["program", `kinetix ${data.kinetix_version}`], ["seed", String(data.seed)], ["sweep file", data.doe_sha256],
+    ["base file", data.base_sha256], ["all files", data.files_sha256]
   ];
-  return [
-    html(
-        "dl", {class: "facts"},
-        facts.map(([name, text]) => html("div", {}, html("dt", {}, name), html("dd", {}, text)))),
-    html("pre", {class: "scroll"}, data.doe ?? "")
-  ];
+  return html(
+      "details", {}, html("summary", {}, "Program, seed, files"),
+      html(
+          "dl", {class: "facts"},
+          facts.map(([name, text]) => html("div", {}, html("dt", {}, name), html("dd", {}, text)))),
+      html("pre", {class: "scroll"}, data.doe ?? ""));
 }
 
 function section(id, title, content) {
@@ -248,25 +172,27 @@ function build(data) {
   const page = document.getElementById("report");
   page.append(html(
       "header", {id: "headline"}, html("p", {class: "eyebrow"}, "KinetiX sweep"), html("h1", {}, data.name),
-      verdictBox(data)));
+      guarded(() => verdictBox(data)), guarded(() => answerCards(data))));
   page.append(section("factors", "What was varied", guarded(() => factorTable(data))));
   if (data.not_analysed) page.append(section("responses", "Responses", missing(data.not_analysed)));
-  if (data.responses.length)
-    page.append(section("responses", "Results", guarded(() => spreadTable(data))));
   data.responses.forEach(
       (response, r) =>
-          page.append(section(`response-${r}`, response.name, guarded(() => responseSection(data, r)))));
+          page.append(section(`response-${r}`, named(response.name).words, guarded(() => responseSection(data, r)))));
+  if (data.responses.length) page.append(section("responses", "All results", guarded(() => spreadTable(data))));
   if (data.failures.length)
     page.append(section("failures", "Samples that did not succeed", guarded(() => failureSection(data))));
-  page.append(section("provenance", "Provenance", guarded(() => provenanceSection(data))));
+  page.append(section("provenance", "Where it comes from", guarded(() => provenanceSection(data))));
+  for (const box of document.querySelectorAll("details")) box.addEventListener("toggle", () => drawAll());
   drawAll();
 }
 
 function prepareForPaper(printing) {
-  if (printing)
+  if (printing) {
     document.documentElement.dataset.theme = "light";
-  else
+    for (const box of document.querySelectorAll("details")) box.open = true;
+  } else {
     delete document.documentElement.dataset.theme;
+  }
   drawAll(true, printing ? 330 : 0);
 }
 

@@ -7,6 +7,7 @@
 
 #include "app/console/duration_text.hpp"
 #include "app/io/atomic_file.hpp"
+#include "app/report/light_sweep.hpp"
 #include "app/report/report.hpp"
 #include "app/sweep/sweep_progress.hpp"
 #include "app/sweep/sweep_run.hpp"
@@ -133,7 +134,7 @@ class Lead {
     work.computed = table_.count() - work.before;
     write_csv(folder_.path(), table_, plan_, identity_);
     const Json analysed = sweep_json(plan_, identity_, table_);
-    write_file(folder_.path() + "/report.html", sweep_html(analysed.dump()));
+    write_file(folder_.path() + "/report.html", sweep_html(light_sweep(analysed).dump()));
     write_file(folder_.path() + "/sweep.json", analysed.dump(1) + "\n");
     const Tally counts = tally(table_);
     if (options_.json)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "optim/doe/analysis.hpp"
 
@@ -15,6 +16,30 @@ using Method = optim::SamplingMethod;
 constexpr std::int64_t most_scatter = 2000;        // points: more only cover each other in the report
 constexpr std::size_t most_failures = 100;         // listed one by one: more hide what they have in common
 constexpr std::int64_t most_numbers = 40'000'000;  // of factors and responses, in memory at once: 320 MB
+
+/// Factors that differ in a number of their path alone.
+struct Family {
+  std::string name;  ///< of them, with [*] for the number
+  std::vector<std::size_t> factors;
+};
+
+std::vector<Family> families_of(const SweepPlan& plan) {
+  static const std::regex number(R"(\[\d+\])");
+  std::vector<Family> families;
+  const auto& factors = plan.samples.factors();
+  for (std::size_t f = 0; f < factors.size(); ++f) {
+    const std::string name = std::regex_replace(factors[f].name, number, "[*]");
+    const auto known =
+        std::find_if(families.begin(), families.end(), [&](const Family& x) { return x.name == name; });
+    if (known == families.end())
+      families.push_back({name, {f}});
+    else
+      known->factors.push_back(f);
+  }
+  for (Family& family : families)
+    if (family.factors.size() == 1) family.name = factors[family.factors.front()].name;
+  return families;
+}
 
 /// The table as the analysis takes it.
 struct Numbers {
@@ -114,6 +139,47 @@ Json morris_json(const std::vector<optim::MorrisEffect>& effects) {
   return out;
 }
 
+/// Share of the variance of each family: of a linear model, or its factors by themselves (Sobol); of one factor alone any
+/// effect. Null where the samples have no such share.
+Json family_shares_json(const std::vector<Family>& families, const Json& response) {
+  const auto share = [&](const Family& family) -> Json {
+    const std::size_t only = family.factors.front();
+    if (response.contains("sobol")) {
+      if (family.factors.size() == 1) return response["sobol"][only]["first"];
+      double sum = 0;
+      for (const std::size_t f : family.factors) {
+        const Json& first = response["sobol"][f]["first"][0];
+        if (!first.is_number()) return nullptr;
+        sum += first.get<double>();
+      }
+      return {sum, nullptr, nullptr};
+    }
+    if (!response.contains("linear")) return nullptr;
+    if (family.factors.size() == 1)
+      return {response["main_effects"][only]["variance_share"], nullptr, nullptr};
+    std::vector<double> correlations;
+    for (const std::size_t f : family.factors)
+      if (const Json& r = response["linear"]["factors"][f]["correlation"]; r.is_number())
+        correlations.push_back(r.get<double>());
+    return estimate_json(optim::linear_share(correlations, response["linear"]["used"].get<std::int64_t>()));
+  };
+  Json out = Json::array();
+  for (const Family& family : families) out.push_back(share(family));
+  return out;
+}
+
+/// The flat sheet from above: of each wall the two vertices that it joins, mm. Null where the base is a target.
+Json layout_json(const SweepPlan& plan) {
+  if (!plan.base.design) return nullptr;
+  const model::Linkage linkage = plan.base.design->structure;
+  Json walls = Json::array();
+  for (const model::RestHinge& hinge : linkage.hinges) {
+    const Eigen::Vector3d a = linkage.rest_position(hinge.lower), b = linkage.rest_position(hinge.upper);
+    walls.push_back({a.x(), a.y(), b.x(), b.y()});
+  }
+  return {{"walls_mm", std::move(walls)}};
+}
+
 Json response_json(const SweepPlan& plan, const Numbers& numbers, std::size_t r) {
   const Method method = plan.samples.options().method;
   const std::vector<double>& response = numbers.responses[r];
@@ -170,6 +236,11 @@ Json sweep_json(const SweepPlan& plan, const SweepIdentity& identity, const Swee
   out["seed"] = plan.seed;
   out["factors"] = Json::array();
   for (const optim::Factor& factor : plan.samples.factors()) out["factors"].push_back(factor_json(factor));
+  const std::vector<Family> families = families_of(plan);
+  out["families"] = Json::array();
+  for (const Family& family : families)
+    out["families"].push_back({{"name", family.name}, {"factors", family.factors}});
+  if (Json layout = layout_json(plan); !layout.is_null()) out["layout"] = std::move(layout);
   add_counts(out, table);
   out["responses"] = Json::array();
   const auto columns = static_cast<std::int64_t>(plan.samples.factors().size() + plan.responses.size());
@@ -181,6 +252,7 @@ Json sweep_json(const SweepPlan& plan, const SweepIdentity& identity, const Swee
   const Numbers numbers = numbers_of(plan, table);
   for (std::size_t r = 0; r < plan.responses.size(); ++r)
     out["responses"].push_back(response_json(plan, numbers, r));
+  for (Json& response : out["responses"]) response["families"] = family_shares_json(families, response);
   out["scatter"] = scatter_json(plan, numbers);
   return out;
 }

@@ -73,7 +73,7 @@ TEST(Export, SaysTheVolumesOfItsFiles) {
   const double hard = volume_of_stl(text_of(scratch / "out/hard.stl")),
                soft = volume_of_stl(text_of(scratch / "out/soft.stl")),
                all = volume_of_stl(text_of(scratch / "out/all.stl"));
-  EXPECT_NEAR(hard / double(json["volume_mm3"]["hard"]), 1, 1e-6);
+  EXPECT_NEAR(hard / double(json["volume_mm3"]["hard"]), 1, 1e-9);
   EXPECT_NEAR(soft / double(json["volume_mm3"]["soft"]), 1, 1e-6);
   EXPECT_NEAR((hard + soft) / all, 1, 1e-6);
 }

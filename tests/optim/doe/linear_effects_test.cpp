@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "optim/doe/analysis.hpp"
 #include "tests/optim/doe/test_functions.hpp"
 
@@ -84,6 +86,37 @@ TEST(LinearEffects, AreNotKnownForDependentFactorsOrTooFewRows) {
   EXPECT_TRUE(std::isnan(few.factors[0].slope));
   EXPECT_TRUE(std::isnan(linear_effects(twins, std::vector<double>(10, 0.1)).factors[0].correlation));
   EXPECT_EQ(linear_effects(twins, std::vector<double>(10, nan)).used, 0);
+}
+
+/// Responses of 80 factors, of which the first 20 have the share `share` together and the rest is noise.
+TEST(LinearShare, OfAFamilyIsRightInTheMeanWithMoreFactorsThanRowsAsWell) {
+  std::mt19937 random(11);
+  std::normal_distribution<double> normal;
+  constexpr int tables = 400, rows = 60, factors = 80, own = 20;
+  for (const double share : {0.0, 0.4, 0.9}) {
+    double sum = 0;
+    int held = 0;
+    for (int table = 0; table < tables; ++table) {
+      Eigen::MatrixXd x(rows, factors);
+      for (double& value : x.reshaped()) value = normal(random);
+      Eigen::VectorXd y = std::sqrt(share / own) * x.leftCols(own).rowwise().sum();
+      for (double& value : y) value += std::sqrt(1 - share) * normal(random);
+      const LinearModel model = linear_effects(x, std::vector<double>(y.begin(), y.end()));
+      std::vector<double> correlations;
+      for (int f = 0; f < own; ++f) correlations.push_back(model.factors[f].correlation);
+      const Estimate found = linear_share(correlations, model.used);
+      sum += found.value;
+      held += found.lower <= share && share <= found.upper;
+    }
+    EXPECT_NEAR(sum / tables, share, 3.0 / rows) << share;
+    EXPECT_GE(held, tables * 0.93) << share;
+  }
+}
+
+TEST(LinearShare, IsNotKnownOfNoRowsOrFactorsThatDoNotVary) {
+  EXPECT_TRUE(std::isnan(linear_share(std::vector<double>{0.5}, 2).value));
+  EXPECT_TRUE(std::isnan(linear_share(std::vector<double>{nan, nan}, 50).value));
+  EXPECT_NEAR(linear_share(std::vector<double>{1, nan}, 50).value, 1, 1e-14) << "a plane in one factor";
 }
 
 }  // namespace
