@@ -37,6 +37,17 @@ model::State state_of(const Received& frame) {
   return state;
 }
 
+/// The next stable state that is shown. Which there are is known a while after a path was followed.
+Received snapped(Client& client) {
+  for (int tries = 0; tries < 600; ++tries) {
+    const Received frame = client.ask({{"type", "snap"}});
+    if (!frame.frame.empty()) return frame;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  ADD_FAILURE() << "no stable state came to be known";
+  return {};
+}
+
 class Studio : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -136,6 +147,24 @@ TEST_F(Studio, GrowsAlongItsCreases) {
   EXPECT_TRUE(told["exact"]);
   EXPECT_EQ(told["family"], "F2");
   EXPECT_EQ(told["structure"]["bodies"].size(), 35u);
+}
+
+/// The twist unit of the paper has two stable states; both are reached, one after the other.
+TEST_F(Studio, SnapsFromOneStableStateToTheOther) {
+  OpenStudio twist{app::read_design(std::string(KINETIX_SOURCE) + "/targets/sweeps/twist.yaml")};
+  Client other{twist.port()};
+  ASSERT_TRUE(other.open(twist.token));
+  other.text("design");
+  other.ask({{"type", "mode"}, {"mode", "equilibrium"}});
+  other.send(R"({"type": "snap"})");
+  EXPECT_NE(other.text("error")["message"].get<std::string>().find("no other stable state is known"),
+            std::string::npos);
+  other.ask({{"type", "theta"}, {"deg", -43}});
+  const Received first = snapped(other), second = snapped(other), third = snapped(other);
+  const double a = std::abs(first.head(3)), b = std::abs(second.head(3));
+  EXPECT_LT(std::min(a, b), 0.05) << "flat";
+  EXPECT_GT(std::max(a, b), 0.5) << "over the barrier";
+  EXPECT_NEAR(std::abs(third.head(3)), a, 1e-9) << "and back";
 }
 
 TEST_F(Studio, PaintsCellsAndMakesHinges) {
