@@ -168,6 +168,16 @@ TEST_P(AllFormats, AssimpFindsEveryBodyAndItsMotion) {
   EXPECT_GT(verdict.seconds, 0.5);
 }
 
+TEST_P(AllFormats, BlenderOpensEveryBodyAndMovesAllButOne) {
+  const std::string said = said_by("blender -b --factory-startup --python " KINETIX_SOURCE
+                                   "/tests/app/print/blender_judge.py -- " +
+                                   given().of(".glb"));
+  EXPECT_EQ(number_after(said, "objects"), given().bodies() + (given().blocks() > 0)) << said;
+  EXPECT_GE(number_after(said, "moved"), given().bodies() - 1) << said;
+  EXPECT_EQ(number_after(said, "materials"), given().blocks() > 0 ? 2 : 1) << said;
+  EXPECT_GT(number_after(said, "last"), 12) << "half a second at 24 frames a second";
+}
+
 TEST_P(AllFormats, FindsAsManyValidSolidsAsThereAreParts) {
   const StepVerdict step = read_step(given().of(".step"));
   EXPECT_TRUE(step.valid);
