@@ -18,7 +18,8 @@ namespace {
 
 namespace value = targets::value;
 
-constexpr int max_columns = 1000;  // of cells: the tilt of each is a variable of the search
+constexpr int least_default_columns = 8;  // fewer are corners, not a curve
+constexpr int max_columns = 1000;         // of cells: the tilt of each is a variable of the search
 // rad, at which a strip gets the length of the curve where the file gives no cell edge: far enough from
 // both ends of the usual range of theta (2 to 44 deg) for the search to make the strip longer or shorter.
 constexpr double default_theta = 30 * radians_per_degree;
@@ -69,6 +70,13 @@ double default_edge(const targets::Section& root, double curve_mm, int columns) 
   return edge;
 }
 
+/// As many as the process can print with walls that follow default_size.
+int default_columns(double curve_mm, const model::Process& process, int usual) {
+  const double printed = curve_mm / (least_cell_mm(process, default_size(1), {}) * std::cos(default_theta));
+  return static_cast<int>(std::clamp(std::floor(printed), static_cast<double>(least_default_columns),
+                                     static_cast<double>(usual)));
+}
+
 /// Columns and rows of the cells that the file asks for; nothing where they are left out.
 std::optional<std::array<int, 2>> read_sides(const targets::Section& structure) {
   const auto node = structure.optional("cells");
@@ -92,6 +100,8 @@ void read_structure(const targets::Section& root, CurveFile& file) {
   const auto cell_mm = structure.optional("cell_mm");
   file.free_size = !cell_mm;
   file.free_walls = !structure.optional("wall_mm");
+  if (!sides && file.free_size && file.free_walls)
+    file.columns = default_columns(length, read_process(root), file.columns);
   file.size = read_size(structure, cell_mm ? 1.0 : default_edge(root, length, file.columns));
   if (!cell_mm) return;
   check_cell_against_curve(*cell_mm, file.size.edge_mm, length);
@@ -143,10 +153,12 @@ void read_tolerance(const targets::Section& root, CurveFile& file) {
 
 targets::KeyTable structure_keys(const CurveFile& usual) {
   return targets::KeyTable({
-      cells_key(
-          targets::by_default({static_cast<double>(usual.columns), static_cast<double>(usual.rows)}),
-          "the cells of the strip, a rectangle of at least 2 columns; where only `cell_mm` is given, as "
-          "many columns as make the strip as long as the curve"),
+      cells_key(targets::by_default({static_cast<double>(usual.columns), static_cast<double>(usual.rows)}),
+                "the cells of the strip, a rectangle of at least 2 columns; by default fewer, but at least "
+                "8, where the "
+                "process could not print the walls of so many; where only `cell_mm` is given, as many "
+                "columns as make the "
+                "strip as long as the curve"),
       cell_mm_key(targets::otherwise("gives the strip the curve's length at theta = 30 degrees")),
       wall_mm_key(),
   });

@@ -15,7 +15,8 @@ namespace kinetix::app {
 
 /// A target.yaml of kind curve, as asked for or by default. Angles in radians, lengths in mm.
 ///
-/// `kinetix: 1` and a `target` are enough. Left out, the structure is a strip [40, 1] whose cells give it the
+/// `kinetix: 1` and a `target` are enough. Left out, the structure is a strip [40, 1], or of fewer columns, at least 8, where
+/// the process could not print the walls of so many, whose cells give it the
 /// curve's length at theta = 30 deg: cell_mm = length / (columns cos 30 deg); where cell_mm alone is given,
 /// the number of columns follows from it in the same way. Walls follow default_size
 /// (app/files/structure_section.hpp).

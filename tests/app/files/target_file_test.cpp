@@ -68,13 +68,29 @@ TEST(TargetFile, IsStricterWithHelmetsOfSmallCells) {
   EXPECT_NEAR(file(4).rms_mm, 0.8 * 2 / 3, 1e-12);
 }
 
+/// 40 columns, but walls of a tenth of a cell that the process prints, and at least 8 columns.
+TEST(TargetFile, TakesAsManyColumnsAsItsProcessCanPrint) {
+  const auto columns = [](int length_mm, const std::string& more) {
+    return read("kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [" + std::to_string(length_mm / 2) +
+                ", 0], [" + std::to_string(length_mm / 2) + ", " + std::to_string(length_mm / 2) + "]]}\n" +
+                more)
+        .columns;
+  };
+  EXPECT_EQ(columns(400, ""), 40);
+  EXPECT_EQ(columns(100, ""), 19) << "0.6 mm by PolyJet";
+  EXPECT_EQ(columns(100, "process: fdm\n"), 14) << "0.8 mm";
+  EXPECT_EQ(columns(20, ""), 8);
+  EXPECT_EQ(columns(100, "structure: {wall_mm: {thickness: 0.6, height: 3}}\n"), 40) << "walls of its own";
+  EXPECT_EQ(columns(100, "structure: {cells: [25, 1]}\n"), 25);
+}
+
 TEST(TargetFile, NeedsNoMoreThanAVersionAndATarget) {
   const CurveFile file = read(target);
   EXPECT_EQ(file.name, "rib");
   EXPECT_EQ(file.curve.length(), 100);
-  EXPECT_EQ(file.columns, 40);
+  EXPECT_EQ(file.columns, 19);
   EXPECT_EQ(file.rows, 1);
-  EXPECT_DOUBLE_EQ(file.size.edge_mm * 40 * std::cos(30 * radians_per_degree), 100);
+  EXPECT_DOUBLE_EQ(file.size.edge_mm * 19 * std::cos(30 * radians_per_degree), 100);
   EXPECT_DOUBLE_EQ(file.size.thickness_mm, 0.1 * file.size.edge_mm);
   EXPECT_DOUBLE_EQ(file.size.height_mm, 0.6 * file.size.edge_mm);
   EXPECT_DOUBLE_EQ(file.beta.lower, -60 * radians_per_degree);
@@ -295,7 +311,7 @@ TEST(TargetFile, SaysWhereAndWhatIsAllowed) {
       {target + "name: a b\n", 3, 7, "name", {"letters, digits"}},
       {target + "name: ''\n", 3, 7, "name", {"is empty", "letters, digits"}},
       {target + "structure: {cell: 8}\n", 3, 13, "structure.cell", {"did you mean `cell_mm`?"}},
-      {target + "structure: {cells: [1, 40]}\n", 3, 20, "structure.cells", {"at least 2 columns", "[40, 1]"}},
+      {target + "structure: {cells: [1, 40]}\n", 3, 20, "structure.cells", {"at least 2 columns", "[19, 1]"}},
       {target + "structure: {cells: [40]}\n", 3, 20, "structure.cells", {"not a pair", "[columns, rows]"}},
       {target + "structure: {cells: 40}\n", 3, 20, "structure.cells", {"single value", "[columns, rows]"}},
       {target + "structure: {cells: []}\n", 3, 20, "structure.cells", {"is empty"}},
@@ -402,7 +418,7 @@ TEST(TargetFile, SaysWhereAndWhatIsAllowed) {
        "physics.iterations",
        {"whole number from 1 to 100000"}},
       {target + "physics: {error_reduction: 1.5}\n", 3, 28, "physics.error_reduction", {"at most 1"}},
-      {target + "physics: {reach_mm: 0}\n", 3, 21, "physics.reach_mm", {"from 0.0288", "in mm"}},
+      {target + "physics: {reach_mm: 0}\n", 3, 21, "physics.reach_mm", {"from 0.0607", "in mm"}},
   };
   TemporaryFolder folder;
   const std::string file = folder.path("rib.yaml");
