@@ -75,6 +75,13 @@ void add_export(CLI::App& app, CommandOptions& options, kinetix::app::PrintReque
                  "makes the sheet with cells of this edge instead of its own; walls stay as thick and high")
       ->type_name("MM")
       ->check(CLI::Range(0.1, 1e4));
+  app.add_option("--bed", request.bed_mm,
+                 "the printer's bed: a larger sheet is cut into tiles that join by hinges")
+      ->expected(2)
+      ->delimiter(',')
+      ->type_name("X,Y")
+      ->check(CLI::Range(1.0, 1e5));
+  app.add_flag("--loose-rods", request.loose_rods, "rods of pins as parts of their own, to be pushed in");
   app.add_flag("--coupon", request.coupon,
                "instead of a design, pins with gaps of 0.1 to 0.6 mm: prints tell which ones turn");
   app.add_option_function<std::string>(

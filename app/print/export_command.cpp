@@ -80,7 +80,8 @@ struct Source {
     }
     try {
       const std::optional<model::HingeKind> kind = kind_of(request);
-      PrintChoice choice{.edge_mm = request.cell_mm};
+      PrintChoice choice{.loose_rods = request.loose_rods, .edge_mm = request.cell_mm};
+      if (request.bed_mm.size() == 2) choice.bed_mm = {request.bed_mm[0], request.bed_mm[1]};
       if (!kind) return prepared_as_fits(*design, process, choice, request.folded);
       choice.kind = *kind;
       return prepared(*design, process, choice, request.folded);

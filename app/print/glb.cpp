@@ -136,7 +136,7 @@ class Scene3 {
                         {"translation", {pose.p.x(), pose.p.y(), pose.p.z()}},
                         {"rotation", {q.x(), q.y(), q.z(), q.w()}}});
       children_.push_back(b);
-      if (!sheet_.meshes[b].points.empty()) nodes_.back()["mesh"] = mesh_of(sheet_.meshes[b]);
+      if (!sheet_.meshes[b].points.empty()) nodes_.back()["mesh"] = mesh_of(sheet_.with_rods(b));
     }
   }
 

@@ -106,7 +106,7 @@ class MujocoFile {
   };
 
   Mass mass_of(int body) const {
-    const model::MassProperties m = mass_properties(sheet_.meshes[body]);
+    const model::MassProperties m = mass_properties(sheet_.with_rods(body));
     return {density * 1e-9 * m.volume_mm3, metres * m.center, density * 1e-15 * m.inertia};
   }
 

@@ -1,7 +1,15 @@
 #include "app/print/parts.hpp"
 
+#include <algorithm>
+#include <cmath>
+
+#include "model/base/angle.hpp"
+
 namespace kinetix::app {
 namespace {
+
+constexpr double apart = 2;   // diameters, from one lying rod to the next
+constexpr double gap_mm = 2;  // mm, from one column of lying rods to the next
 
 /// As files hold places: all formats, and the volume that is said of them, are of the same corners.
 model::Polyhedron in_floats(model::Polyhedron solid) {
@@ -9,6 +17,29 @@ model::Polyhedron in_floats(model::Polyhedron solid) {
   for (Eigen::Vector3d& p : solid.points)
     for (double& x : p) x = static_cast<float>(x);
   return solid;
+}
+
+/// Of a loose rod: its sections below and above by turns, as rod_solid has them.
+double length_of(const model::Polyhedron& rod) { return (rod.points[1] - rod.points[0]).norm(); }
+
+double radius_of(const model::Polyhedron& rod) {
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& p : rod.points) middle += p / static_cast<double>(rod.points.size());
+  const Eigen::Vector3d axis = (rod.points[1] - rod.points[0]).normalized(), arm = rod.points[0] - middle;
+  return (arm - arm.dot(axis) * axis).norm();
+}
+
+/// A rod lying along x, from (x, y, 0) on.
+model::Polyhedron lying(const model::Polyhedron& rod, double x, double y) {
+  const double length = length_of(rod), radius = radius_of(rod);
+  model::Polyhedron out = rod;
+  const std::size_t sides = rod.points.size() / 2;
+  for (std::size_t k = 0; k < rod.points.size(); ++k) {
+    const double angle = 2 * pi * static_cast<double>(k / 2) / static_cast<double>(sides);
+    out.points[k] = {x + (k % 2 == 0 ? 0 : length), y + radius * std::cos(angle),
+                     radius + radius * std::sin(angle)};
+  }
+  return out;
 }
 
 }  // namespace
@@ -24,6 +55,43 @@ model::Polyhedron soft_part(const PrintJob& job) {
   model::Polyhedron all;
   for (int h = 0; h < static_cast<int>(job.sheet.soft.size()); ++h)
     if (!job.sheet.soft[h].points.empty()) append(placed_soft(job.sheet, job.state(), h), all);
+  return in_floats(std::move(all));
+}
+
+TileParts tile_parts(const PrintJob& job, int tile) {
+  const PrintSheet& sheet = job.sheet;
+  const model::State& flat = sheet.path.front();
+  TileParts parts;
+  for (int b = 0; b < static_cast<int>(sheet.meshes.size()); ++b) {
+    if (sheet.tiles.of_body[b] != tile) continue;
+    model::Polyhedron body = sheet.meshes[b];
+    for (Eigen::Vector3d& p : body.points) p = flat[b].R * p + flat[b].p;
+    append(body, parts.hard);
+  }
+  for (int h = 0; h < static_cast<int>(sheet.soft.size()); ++h)
+    if (sheet.tiles.of_body[sheet.linkage.hinges[h].lower] == tile && !sheet.soft[h].points.empty())
+      append(placed_soft(sheet, flat, h), parts.soft);
+  return {in_floats(std::move(parts.hard)), in_floats(std::move(parts.soft))};
+}
+
+model::Polyhedron laid_out_rods(const PrintSheet& sheet) {
+  model::Polyhedron all;
+  double length = 0, width = 0;
+  for (const model::Polyhedron& rod : sheet.rods)
+    if (!rod.points.empty()) {
+      length = std::max(length, length_of(rod));
+      width = std::max(width, 2 * apart * radius_of(rod));
+    }
+  const int count = sheet.loose_rods();
+  if (count == 0) return all;
+  // As many in a column as make the field about square, like a bed.
+  const int rows = static_cast<int>(std::ceil(std::sqrt(count * (length + gap_mm) / width)));
+  int placed = 0;
+  for (const model::Polyhedron& rod : sheet.rods) {
+    if (rod.points.empty()) continue;
+    append(lying(rod, (placed / rows) * (length + gap_mm), (placed % rows) * width), all);
+    ++placed;
+  }
   return in_floats(std::move(all));
 }
 

@@ -50,6 +50,16 @@ Json distance_json(const PrintSheet& sheet, const LeastDistance& d) {
           {"place_mm", vector_json(d.place)}};
 }
 
+/// Of a sheet that is not cut yet.
+bool exceeds_bed(const PrintJob& job) {
+  const PrintSheet& sheet = job.sheet;
+  if (sheet.tiles.count() > 1) return false;
+  const Eigen::Vector3d size = bounds(hard_part(job));
+  const auto [narrow, wide] = std::minmax({sheet.process.bed_mm[0], sheet.process.bed_mm[1]});
+  const auto [small, large] = std::minmax({size.x(), size.y()});
+  return small > narrow || large > wide;
+}
+
 std::string hinge_words(const PrintSheet& sheet) {
   const model::MadeHinge& h = sheet.hinges.front().made;
   if (h.kind == model::HingeKind::pin)
@@ -75,6 +85,10 @@ std::vector<std::string> print_warnings(const PrintJob& job, const PathClearance
   if (job.sheet.has_soft() && !job.sheet.process.joins_two)
     out.push_back(job.sheet.process.name +
                   " prints one material: soft parts are a print of their own, to be glued to the walls");
+  if (!job.folded && exceeds_bed(job))
+    out.push_back(fmt::format(
+        "larger than the bed of a usual {0} printer, {1:g} x {2:g} mm: --bed {1:g},{2:g} cuts it into tiles",
+        job.sheet.process.name, job.sheet.process.bed_mm[0], job.sheet.process.bed_mm[1]));
   const double steep = steepest_deg(job.sheet);
   if (steep > steep_deg)
     out.push_back(fmt::format("hinges lean {:.1f} degrees from upright: more than {:g} need support in FDM",
@@ -101,6 +115,8 @@ Json print_json(const PrintJob& job, const PathClearance& clearance) {
       {"volume_mm3", {{"hard", volume_mm3(hard)}, {"soft", soft.points.empty() ? 0.0 : volume_mm3(soft)}}},
       {"clearance_mm", made.kind == model::HingeKind::pin ? made.clearance_mm : 0.0},
       {"bounds_mm", vector_json(bounds(all))},
+      {"loose_rods", sheet.loose_rods()},
+      {"tiles", {sheet.tiles.columns, sheet.tiles.rows}},
       {"k", {{"axial", k.axial}, {"shear", k.shear}, {"along", k.along}, {"turn", k.turn}}},
       {"path",
        {{"states", sheet.path.size()},
@@ -124,6 +140,13 @@ std::string print_text(const PrintJob& job, const PathClearance& clearance) {
   line("pieces", fmt::format("{} bodies, {} hinges, {:.1f} x {:.1f} x {:.1f} mm", count_bodies(sheet),
                              sheet.hinges.size(), size.x(), size.y(), size.z()));
   line("hinges", hinge_words(sheet));
+  if (sheet.tiles.count() > 1)
+    line("tiles", fmt::format("{} x {}, one bed each: {}", sheet.tiles.columns, sheet.tiles.rows,
+                              sheet.loose_rods() > 0 ? "push a rod through each hinge between two of them"
+                                                     : "glue the soft parts between two of them to both"));
+  if (sheet.loose_rods() > 0)
+    line("rods",
+         fmt::format("{} parts of their own, which hold by friction in the forks", sheet.loose_rods()));
   line("orientation", "flat on the bed, as it is in the files");
   const double steep = steepest_deg(sheet);
   line("supports", steep <= steep_deg

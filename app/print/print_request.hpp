@@ -12,9 +12,12 @@ struct PrintRequest {
   std::string process = "polyjet";   ///< by name
   std::string
       hinge;  ///< pin, block or film where the design does not say; empty: pins where they fit, else blocks
-  double cell_mm = 0;   ///< cell edge instead of the design's, mm; 0: the design's
-  bool folded = false;  ///< the state of the design instead of flat
-  bool coupon = false;  ///< a test piece for hinges instead of the design
+  double cell_mm = 0;  ///< cell edge instead of the design's, mm; 0: the design's
+  std::vector<double>
+      bed_mm;  ///< x and y of the printer's bed: a larger sheet is cut into tiles; empty: it is not
+  bool loose_rods = false;  ///< rods of pins as parts of their own
+  bool folded = false;      ///< the state of the design instead of flat
+  bool coupon = false;      ///< a test piece for hinges instead of the design
 };
 
 }  // namespace kinetix::app

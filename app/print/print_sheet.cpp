@@ -93,12 +93,38 @@ class Maker {
   PrintSheet made() && {
     if (sheet_.linkage.hinges.empty())
       throw InvalidInput("the design has no hinges: there is nothing to fold, and nothing to print");
+    cut();
     choose_hinges();
     make_solids(sheet_);
     return std::move(sheet_);
   }
 
  private:
+  void cut() {
+    const int bodies = static_cast<int>(sheet_.linkage.bodies.size());
+    sheet_.tiles.of_body.assign(bodies, 0);
+    if (!choice_.bed_mm) return;
+    std::vector<Eigen::Vector2d> places;
+    for (int b = 0; b < bodies; ++b) places.emplace_back(sheet_.linkage.rest_position(b).head<2>());
+    sheet_.tiles = cut_into_tiles(places, longest_wall_mm(), *choice_.bed_mm);
+  }
+
+  /// No half wall with its hinge is longer.
+  double longest_wall_mm() const {
+    double longest = 0;
+    for (const model::RestHinge& hinge : sheet_.linkage.hinges)
+      longest = std::max(
+          longest,
+          (sheet_.linkage.rest_position(hinge.upper) - sheet_.linkage.rest_position(hinge.lower)).norm());
+    return longest;
+  }
+
+  bool is_loose(int h, const model::MadeHinge& made) const {
+    const model::RestHinge& hinge = sheet_.linkage.hinges[h];
+    const std::vector<int>& tile = sheet_.tiles.of_body;
+    return made.kind == HingeKind::pin && (choice_.loose_rods || tile[hinge.lower] != tile[hinge.upper]);
+  }
+
   int hinges() const { return static_cast<int>(sheet_.linkage.hinges.size()); }
 
   double turn(int hinge) const { return turn_of(sheet_.linkage.hinges[hinge], sheet_.path.back()); }
@@ -143,7 +169,8 @@ class Maker {
           {.made = made,
            .axial_clearance_mm = std::max(made.clearance_mm, sheet_.process.upright_clearance_mm),
            .knuckle_wall_mm = sheet_.process.least_wall_mm,
-           .turn = std::clamp(turn(h), -widest_turn, widest_turn)});
+           .turn = std::clamp(turn(h), -widest_turn, widest_turn),
+           .loose = is_loose(h, made)});
     }
   }
 
@@ -160,6 +187,18 @@ bool PrintSheet::has_soft() const {
                      [](const model::Polyhedron& part) { return !part.points.empty(); });
 }
 
+int PrintSheet::loose_rods() const {
+  return static_cast<int>(std::count_if(rods.begin(), rods.end(),
+                                        [](const model::Polyhedron& rod) { return !rod.points.empty(); }));
+}
+
+model::Polyhedron PrintSheet::with_rods(int body) const {
+  model::Polyhedron all = meshes[body];
+  for (std::size_t h = 0; h < rods.size(); ++h)
+    if (linkage.hinges[h].lower == body && !rods[h].points.empty()) append(rods[h], all);
+  return all;
+}
+
 HingeKind PrintSheet::kind() const {
   const auto of = [&](HingeKind kind) {
     return std::count_if(hinges.begin(), hinges.end(),
@@ -174,6 +213,9 @@ void make_solids(PrintSheet& sheet) {
       body_solids(sheet.linkage, [&](int h) -> const model::HingePrint& { return sheet.hinges[h]; });
   for (const model::BodySolid& body : sheet.bodies)
     sheet.meshes.push_back(body.arms.empty() ? model::Polyhedron{} : body_mesh(body));
+  for (int h = 0; h < static_cast<int>(sheet.hinges.size()); ++h)
+    sheet.rods.push_back(sheet.hinges[h].loose ? rod_solid(sheet.linkage, h, sheet.hinges[h])
+                                               : model::Polyhedron{});
   for (int h = 0; h < static_cast<int>(sheet.hinges.size()); ++h)
     sheet.soft.push_back(sheet.hinges[h].made.kind == HingeKind::pin
                              ? model::Polyhedron{}
@@ -192,7 +234,7 @@ PrintSheet make_print_sheet(const DesignFile& design, const FoldPath& path, cons
 }
 
 model::Polyhedron placed_body(const PrintSheet& sheet, const model::State& state, int body) {
-  model::Polyhedron out = sheet.meshes[body];
+  model::Polyhedron out = sheet.with_rods(body);
   for (Eigen::Vector3d& p : out.points) p = state[body].R * p + state[body].p;
   return out;
 }

@@ -6,6 +6,7 @@
 
 #include "app/files/design_file.hpp"
 #include "app/print/fold_path.hpp"
+#include "app/print/tiles.hpp"
 #include "model/linkage/exact_motion.hpp"
 #include "model/matter/process.hpp"
 #include "model/solids/body_solid.hpp"
@@ -22,6 +23,9 @@ struct PrintSheet {
   std::vector<model::Polyhedron> meshes;  ///< of the bodies, likewise
   std::vector<model::Polyhedron>
       soft;  ///< blocks and films by hinge, relative to the lower body's rest position, mm; of a pin empty
+  std::vector<model::Polyhedron>
+      rods;          ///< of pins whose rod is a part of its own, by hinge, likewise; of all others empty
+  Tiles tiles = {};  ///< what is printed together
   std::vector<model::State> path;  ///< from flat to the fold (FoldPath); flat alone where no motion is known
   std::vector<double> thetas;      ///< of the path, rad
   bool is_path_exact = true;       ///< else of the equilibrium under the design's drive
@@ -29,6 +33,9 @@ struct PrintSheet {
   std::vector<std::string> warnings = {};  ///< what its user should know
 
   bool has_soft() const;
+  int loose_rods() const;
+  /// A body with the loose rods of its hinges that it carries (as the lower one), relative to its rest position.
+  model::Polyhedron with_rods(int body) const;
   /// That of most hinges' kind: of a sheet without hinges a pin.
   model::HingeKind kind() const;
 };
@@ -39,6 +46,8 @@ struct PrintChoice {
   double height_share =
       1;              ///< of a pin's height over the wall's: lower ones leave room where walls lean, (0, 1]
   bool alike = true;  ///< blocks and films as long everywhere as the longest; else each as long as it needs
+  bool loose_rods = false;  ///< rods of pins are parts of their own; else only where two tiles meet
+  std::optional<Eigen::Vector2d> bed_mm = {};  ///< of the printer: a larger sheet is cut into tiles
   double edge_mm =
       0;  ///< cell edge instead of the design's, mm; 0: the design's. Walls stay, as thick as the process needs
 };

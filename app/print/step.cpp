@@ -158,6 +158,20 @@ TopoDS_Shape brep_of(const model::BodySolid& body) {
   return solid;
 }
 
+/// A loose rod, relative to the lower body.
+TopoDS_Shape rod_of(const PrintSheet& sheet, int hinge) {
+  Vector3d at = Vector3d::Zero();
+  const std::vector<Vector3d>& corners = sheet.rods[hinge].points;
+  for (const Vector3d& corner : corners) at += corner / static_cast<double>(corners.size());
+  const Vector3d axis = sheet.linkage.hinges[hinge].axis;
+  const model::MadeHinge& made = sheet.hinges[hinge].made;
+  const gp_Ax2 frame(to_occt(at - made.height_mm / 2 * axis), gp_Dir(vector_of(axis)));
+  const TopoDS_Wire circle =
+      BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(gp_Circ(frame, made.diameter_mm / 2)));
+  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(circle, true).Face(),
+                               vector_of(made.height_mm * axis));
+}
+
 /// A block at rest has flat faces; one that was stretched is given by its triangles.
 TopoDS_Shape block_of(const model::Polyhedron& block, bool stretched) {
   if (!stretched)
@@ -198,6 +212,10 @@ class Assembly {
     for (int b = 0; b < static_cast<int>(sheet.bodies.size()); ++b)
       if (!sheet.meshes[b].points.empty())
         add(body_label(b), location_of(job_.state()[b]), "body " + sheet.linkage.vertex_name(b));
+    for (int h = 0; h < static_cast<int>(sheet.rods.size()); ++h)
+      if (!sheet.rods[h].points.empty())
+        add(shape_label(rod_of(sheet, h), "rod"), location_of(job_.state()[sheet.linkage.hinges[h].lower]),
+            "rod " + sheet.linkage.wall_name(h));
     for (int h = 0; h < static_cast<int>(sheet.soft.size()); ++h)
       if (!sheet.soft[h].points.empty())
         add(shape_label(block_of(placed_soft(sheet, job_.state(), h), job_.folded), "hinge"), {},

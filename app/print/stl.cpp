@@ -35,6 +35,14 @@ std::string stl(const std::string& name, const model::Polyhedron& solid) {
   return out;
 }
 
+void add_tile(const PrintJob& job, int tile, std::vector<NamedContent>& files) {
+  const TileParts parts = tile_parts(job, tile);
+  const std::string name = "tile_" + std::to_string(tile + 1);
+  files.push_back({name + ".stl", stl(job.sheet.name + " " + name, parts.hard)});
+  if (!parts.soft.points.empty())
+    files.push_back({name + "_soft.stl", stl(job.sheet.name + " " + name + " soft", parts.soft)});
+}
+
 std::vector<NamedContent> write(const PrintJob& job) {
   const model::Polyhedron hard = hard_part(job), soft = soft_part(job);
   std::vector<NamedContent> files{{"hard.stl", stl(job.sheet.name + " hard", hard)}};
@@ -42,6 +50,10 @@ std::vector<NamedContent> write(const PrintJob& job) {
   append(soft, all);
   files.push_back({"all.stl", stl(job.sheet.name, all)});
   if (!soft.points.empty()) files.push_back({"soft.stl", stl(job.sheet.name + " soft", soft)});
+  if (job.sheet.loose_rods() > 0)
+    files.push_back({"rods.stl", stl(job.sheet.name + " rods", laid_out_rods(job.sheet))});
+  if (job.sheet.tiles.count() > 1)
+    for (int tile = 0; tile < job.sheet.tiles.count(); ++tile) add_tile(job, tile, files);
   return files;
 }
 

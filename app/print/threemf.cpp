@@ -90,17 +90,26 @@ std::string slicer_config(const std::string& name, const std::vector<Range>& ran
   return out + " </object>\n</config>\n";
 }
 
-std::vector<NamedContent> write(const PrintJob& job) {
-  model::Polyhedron all = hard_part(job);
-  const model::Polyhedron soft = soft_part(job);
+NamedContent package(const std::string& name, model::Polyhedron all, const model::Polyhedron& soft) {
   std::vector<Range> ranges{{"hard", 0, 0, all.triangles.size()}};
   if (!soft.triangles.empty()) ranges.push_back({"soft", 1, all.triangles.size(), soft.triangles.size()});
   append(soft, all);
+  return {name + ".3mf", zip_text({{"[Content_Types].xml", content_types},
+                                   {"_rels/.rels", relationships},
+                                   {"3D/3dmodel.model", model_xml(name, all, ranges)},
+                                   {"Metadata/Slic3r_PE_model.config", slicer_config(name, ranges)}})};
+}
+
+std::vector<NamedContent> write(const PrintJob& job) {
   const std::string& name = job.sheet.name;
-  return {{name + ".3mf", zip_text({{"[Content_Types].xml", content_types},
-                                    {"_rels/.rels", relationships},
-                                    {"3D/3dmodel.model", model_xml(name, all, ranges)},
-                                    {"Metadata/Slic3r_PE_model.config", slicer_config(name, ranges)}})}};
+  std::vector<NamedContent> files{package(name, hard_part(job), soft_part(job))};
+  if (job.sheet.loose_rods() > 0) files.push_back(package(name + "_rods", laid_out_rods(job.sheet), {}));
+  if (job.sheet.tiles.count() > 1)
+    for (int tile = 0; tile < job.sheet.tiles.count(); ++tile) {
+      TileParts parts = tile_parts(job, tile);
+      files.push_back(package(name + "_tile_" + std::to_string(tile + 1), std::move(parts.hard), parts.soft));
+    }
+  return files;
 }
 
 }  // namespace

@@ -48,6 +48,7 @@ const std::vector<Process>& processes() {
                                          "fuses; errors of the order of a layer "
                                          "and a droplet",
                                          "tango",
+                                         {255, 252},
                                          true},
                                         {"fdm",
                                          0.3,
@@ -59,6 +60,7 @@ const std::vector<Process>& processes() {
                                          "keep apart upright; sources differ by a "
                                          "factor of two",
                                          "tpu95a",
+                                         {220, 220},
                                          true},
                                         {"sla",
                                          0.25,
@@ -68,6 +70,7 @@ const std::vector<Process>& processes() {
                                          {0.1, 0.5, 0.05},
                                          "guides of printing services; 0.125 mm is the least clearance",
                                          "tango",
+                                         {145, 145},
                                          false},
                                         {"sls",
                                          0.3,
@@ -77,6 +80,7 @@ const std::vector<Process>& processes() {
                                          {0.15, 0.5, 0.1},
                                          "guides of printing services: clearances of 0.3 to 0.7 mm",
                                          "tpu95a",
+                                         {165, 165},
                                          false}};
   return all;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,8 +29,9 @@ struct Process {
   double least_pin_mm = 0;  ///< diameter
   PrintError sd = {};
   std::string source = {};
-  std::string rubber = {};  ///< name of the material that its soft parts are made of
-  bool joins_two = false;   ///< hard and soft in one print; else soft parts are a print of their own
+  std::string rubber = {};            ///< name of the material that its soft parts are made of
+  std::array<double, 2> bed_mm = {};  ///< of a usual printer, x and y
+  bool joins_two = false;  ///< hard and soft in one print; else soft parts are a print of their own
 
   bool operator==(const Process& other) const {
     return name == other.name && clearance_mm == other.clearance_mm &&

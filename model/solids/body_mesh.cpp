@@ -100,7 +100,7 @@ class ArmMesh {
     add_cap(below, rings_.back(), lug.from, false);
     rings_.push_back(holed_above ? ring_at(ring, lug.to) : Indices{});
     add_cap(above, rings_.back(), lug.to, true);
-    if (!end_.bore.empty()) add_sides(rings_[0], rings_[1]);
+    if (!end_.bore.empty()) add_sides(rings_[rings_.size() - 2], rings_.back());
   }
 
   /// The wall of a hole whose two rims run counter-clockwise seen from above.

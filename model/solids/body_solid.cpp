@@ -149,4 +149,22 @@ Polyhedron soft_solid(const Linkage& linkage, int hinge, const HingePrint& print
   return block;
 }
 
+Polyhedron rod_solid(const Linkage& linkage, int hinge, const HingePrint& print) {
+  const ArmSolid lower = arm_of(linkage, linkage.plates[2 * hinge], print);
+  const double high = print.made.height_mm / 2;
+  Polyhedron rod;
+  std::vector<int> below, above;
+  for (const Eigen::Vector2d& p : rod_section(print)) {
+    const Eigen::Vector2d at = p + Eigen::Vector2d(0, lower.end.axis_across);
+    below.push_back(rod.add_point(lower.point(at, -high)));
+    above.push_back(rod.add_point(lower.point(at, high)));
+  }
+  const std::size_t n = below.size();
+  for (std::size_t k = 0; k < n; ++k)
+    rod.add_face({below[k], below[(k + 1) % n], above[(k + 1) % n], above[k]});
+  rod.add_face(above);
+  rod.add_face({below.rbegin(), below.rend()});
+  return rod;
+}
+
 }  // namespace kinetix::model

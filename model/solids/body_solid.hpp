@@ -63,4 +63,8 @@ std::vector<ConvexPiece> convex_pieces(const BodySolid& body);
 /// lower body's wall, its last four the upper's.
 Polyhedron soft_solid(const Linkage& linkage, int hinge, const HingePrint& print);
 
+/// The rod of a pin as a part of its own, as long as the pin is high, at rest, relative to the lower body's rest
+/// position, mm.
+Polyhedron rod_solid(const Linkage& linkage, int hinge, const HingePrint& print);
+
 }  // namespace kinetix::model

@@ -112,8 +112,13 @@ HingeEnd pin_end(const HingePrint& hinge, const CellSize& size, double axis_acro
   const Vector2d axis(0, axis_across);
   if (fork) {
     end.lugs = {{-half, -eye - hinge.axial_clearance_mm}, {eye + hinge.axial_clearance_mm, half}};
-    end.rod = circle(axis, rod, sides);
-    end.rod_radius = rod;
+    if (hinge.loose) {
+      end.bore_radius = rod;
+      end.bore = circle(axis, rod / std::cos(pi / sides), sides);
+    } else {
+      end.rod = circle(axis, rod, sides);
+      end.rod_radius = rod;
+    }
   } else {
     end.lugs = {{-eye, eye}};
     end.bore_radius = rod + p.clearance_mm;
@@ -142,6 +147,12 @@ HingeEnd block_end(const HingePrint& hinge, const CellSize& size, double axis_ac
   end.section.emplace_back(-end.wall_end, half_wall);
   end.lugs = {{-size.height_mm / 2, size.height_mm / 2}};
   return end;
+}
+
+std::vector<Vector2d> rod_section(const HingePrint& hinge) {
+  const double radius = hinge.made.diameter_mm / 2,
+               knuckle = radius + hinge.made.clearance_mm + hinge.knuckle_wall_mm;
+  return circle(Vector2d::Zero(), radius, circle_sides(knuckle, hinge.tolerance_mm));
 }
 
 HingeEnd hinge_end(const HingePrint& hinge, const CellSize& size, double axis_across, bool fork) {

@@ -36,7 +36,8 @@ struct HingePrint {
   MadeHinge made;
   double axial_clearance_mm = 0;  ///< of a pin, between its knuckles along the axis, mm, >= 0
   double knuckle_wall_mm = 0.8;   ///< of a pin, round its bore, mm, > 0
-  double turn = 0;  ///< of the upper half against the lower about the axis, the largest, rad, (-pi, pi)
+  double turn = 0;     ///< of the upper half against the lower about the axis, the largest, rad, (-pi, pi)
+  bool loose = false;  ///< a pin's rod is a part of its own, pushed into bores of the fork
   double tolerance_mm = 0.01;  ///< by which a polygon may differ from its circle, mm, > 0
 };
 
@@ -54,6 +55,9 @@ HingeEnd block_end(const HingePrint& hinge, const CellSize& size, double axis_ac
 
 /// Half the distance between a wall's two ends that its corners need so as not to meet, mm. @param turn as of pin_end
 double corner_room(double half_wall, double axis_across, double turn);
+
+/// Of a pin's rod about its axis, as many sides as its bores have, mm.
+std::vector<Eigen::Vector2d> rod_section(const HingePrint& hinge);
 
 /// By the hinge's kind.
 HingeEnd hinge_end(const HingePrint& hinge, const CellSize& size, double axis_across, bool fork);

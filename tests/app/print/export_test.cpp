@@ -63,6 +63,20 @@ double volume_of_stl(const std::string& bytes) {
   return volume;
 }
 
+/// Along x, mm.
+double width_of_stl(const std::string& bytes) {
+  float least = INFINITY, most = -INFINITY;
+  for (std::size_t at = 84; at + 50 <= bytes.size(); at += 50) {
+    float n[12];
+    std::memcpy(n, bytes.data() + at, sizeof n);
+    for (const int k : {3, 6, 9}) {
+      least = std::min(least, n[k]);
+      most = std::max(most, n[k]);
+    }
+  }
+  return most - least;
+}
+
 TEST(Export, SaysTheVolumesOfItsFiles) {
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, panel, "--format stl --hinge block").code, 0);
@@ -76,6 +90,51 @@ TEST(Export, SaysTheVolumesOfItsFiles) {
   EXPECT_NEAR(hard / double(json["volume_mm3"]["hard"]), 1, 1e-9);
   EXPECT_NEAR(soft / double(json["volume_mm3"]["soft"]), 1, 1e-6);
   EXPECT_NEAR((hard + soft) / all, 1, 1e-6);
+}
+
+/// Rods of their own hold as much as those that are part of a fork: bores and rods have the same circle but for polygons.
+TEST(Export, MakesLooseRodsThatFillTheBoresOfTheirForks) {
+  const Scratch captive, loose;
+  ASSERT_EQ(exported(captive, panel, "--format stl --hinge pin").code, 0);
+  ASSERT_EQ(exported(loose, panel, "--format stl --hinge pin --loose-rods").code, 0);
+  const Json one = Json::parse(text_of(captive / "out/print.json")),
+             other = Json::parse(text_of(loose / "out/print.json"));
+  EXPECT_EQ(one["loose_rods"], 0);
+  EXPECT_EQ(other["loose_rods"], other["hinges"]);
+  EXPECT_NEAR(double(other["volume_mm3"]["hard"]) / double(one["volume_mm3"]["hard"]), 1, 2e-3);
+  EXPECT_NEAR(volume_of_stl(text_of(loose / "out/rods.stl")), 17 * M_PI / 4 * 6, 0.02 * 17 * M_PI / 4 * 6)
+      << "17 rods of 1 x 6 mm, as polygons";
+  EXPECT_FALSE(fs::exists(captive / "out/rods.stl"));
+}
+
+TEST(Export, CutsALargeSheetIntoTilesThatTheBedHolds) {
+  const Scratch scratch;
+  ASSERT_EQ(exported(scratch, panel, "--format stl,3mf --hinge pin --bed 45,50").code, 0);
+  const Json json = Json::parse(text_of(scratch / "out/print.json"));
+  EXPECT_EQ(json["tiles"], Json::array({2, 1}));
+  EXPECT_EQ(json["loose_rods"], 3) << "between the two columns in the middle";
+  double tiles = 0;
+  for (const char* name : {"out/tile_1.stl", "out/tile_2.stl"}) {
+    const std::string bytes = text_of(scratch / name);
+    tiles += volume_of_stl(bytes);
+    EXPECT_LE(width_of_stl(bytes), 45);
+  }
+  tiles += volume_of_stl(text_of(scratch / "out/rods.stl"));
+  EXPECT_NEAR(tiles / double(json["volume_mm3"]["hard"]), 1, 1e-6);
+  for (const char* name : {"out/panel_tile_2.3mf", "out/panel_rods.3mf"})
+    EXPECT_TRUE(fs::exists(scratch / name));
+  expect_refused(panel, "--format stl --bed 20,20", "a bed of 20 x 20 mm does not hold a body");
+}
+
+TEST(Export, GluesBlocksBetweenTiles) {
+  const Scratch scratch;
+  ASSERT_EQ(exported(scratch, panel, "--format stl --hinge block --bed 45,50").code, 0);
+  const Json json = Json::parse(text_of(scratch / "out/print.json"));
+  double soft = 0;
+  for (const char* name : {"out/tile_1_soft.stl", "out/tile_2_soft.stl"})
+    soft += volume_of_stl(text_of(scratch / name));
+  EXPECT_NEAR(soft / double(json["volume_mm3"]["soft"]), 1, 1e-6);
+  EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("2 x 1, one bed each: glue the soft parts"));
 }
 
 TEST(Export, RefusesWhatItCannotMake) {

@@ -269,6 +269,34 @@ TEST(Slices, OfPinsFallIntoTheBodiesAndStillDoWhenSwollen) {
   expect_bodies_in_slices("{cells: [4, 3], cell_mm: 16}", "fdm", 20);
 }
 
+/// Both with their rods pushed in, and tile by tile.
+TEST(Slices, OfLooseRodsAreBodiesAndRods) {
+  const Scratch scratch;
+  const std::string design = scratch.write(
+      "panel.yaml", "kinetix: 1\nstructure: {cells: [4, 3], cell_mm: 16}\ndesign: {theta_deg: 15}\n");
+  const Outcome run =
+      kinetix_opt("export " + design + " --format stl,step --process fdm --hinge pin --bed 75,75 -o " +
+                  std::string(scratch / "out"));
+  ASSERT_EQ(run.code, 0) << run.err;
+  const Json json = Json::parse(text_of(scratch / "out/print.json"));
+  ASSERT_EQ(json["tiles"], Json::array({2, 2}));
+  const int rods = json["loose_rods"];
+  EXPECT_EQ(rods, 4 + 5) << "hinges across the lines between tiles";
+  const StepVerdict step = read_step(scratch / "out/panel.step");
+  EXPECT_TRUE(step.valid);
+  EXPECT_EQ(step.solids, 20 + rods);
+  int pieces = 0;
+  for (int tile = 1; tile <= 4; ++tile)
+    pieces += printed_pieces(slices_of(scratch, scratch / fmt::format("out/tile_{}.stl", tile), 80, 80));
+  EXPECT_EQ(pieces, 20);
+  EXPECT_EQ(printed_pieces(slices_of(scratch, scratch / "out/rods.stl", 80, 80)), rods);
+  for (const char* name : {"tile_1.stl", "rods.stl", "hard.stl"}) {
+    const std::string said = said_by("admesh " + std::string(scratch / "out") + "/" + name);
+    EXPECT_THAT(said, HasSubstr("Facets with 3 disconnected edges :     0")) << name << said;
+    EXPECT_EQ(number_after(said, R"(Normals fixed\s*:)"), 0) << name;
+  }
+}
+
 TEST(Slices, OfACouponFuseWhereTheGapIsNarrow) {
   const Scratch scratch;
   const Outcome run =
