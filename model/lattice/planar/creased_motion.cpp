@@ -161,14 +161,20 @@ FacetTree facet_tree(const PlanarCreases& creases) {
   return tree;
 }
 
-State fold(const PlanarStructure& s, const Redrawing& y, const PlanarCreases& creases, const FacetTree& tree,
-           double theta) {
+std::vector<Isometry3d> facet_frames(const PlanarStructure& s, const Redrawing& y,
+                                     const PlanarCreases& creases, const FacetTree& tree, double theta) {
   std::vector<Isometry3d> frames(creases.facets, Isometry3d::Identity());
   for (const auto& [facet, parent, c, side] : tree.links) {
     const PlanarCrease& crease = creases.list[c];
     const Vector3d point = hinge_path(s, y, crease.hinges.front()).at(theta) * s.size.edge_mm;
     frames[facet] = frames[parent] * turn_about(side * crease.line, point, theta);
   }
+  return frames;
+}
+
+State fold(const PlanarStructure& s, const Redrawing& y, const PlanarCreases& creases, const FacetTree& tree,
+           double theta) {
+  const std::vector<Isometry3d> frames = facet_frames(s, y, creases, tree, theta);
   State state = fold(s, y, theta);
   for (std::size_t v = 0; v < state.size(); ++v) {
     const Isometry3d& frame = frames[creases.facet_of[v]];

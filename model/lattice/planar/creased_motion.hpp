@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,11 @@ struct FacetTree {
   std::vector<Link> links;
 };
 FacetTree facet_tree(const PlanarCreases& creases);
+
+/// Where each facet goes as a whole, from the plane in which it moves without folds; mm.
+std::vector<Eigen::Isometry3d> facet_frames(const PlanarStructure& structure, const Redrawing& y,
+                                            const PlanarCreases& creases, const FacetTree& tree,
+                                            double theta);
 
 /// State at theta, mm. The facet of body 0 stays in the plane z = 0.
 /// @pre why_not_creased() finds nothing: otherwise hinges off the tree do not close
