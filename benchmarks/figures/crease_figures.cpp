@@ -51,6 +51,44 @@ Figure physics(const PlanarStructure& s) {
           fmt::format("{:.1e} ({}, {:.0f} s)", rms, to_string(run.status), time), rms <= 1e-2};
 }
 
+/// Found by the search; folded by the closed form and by the physics run.
+std::vector<Figure> solid(int index) {
+  const std::string& name = targets::solid_names()[index];
+  optim::SolidDesign design;
+  const double search = seconds([&] { design = fit_solid(targets::named_solid(index), 2, 0, {}); });
+  const auto miss = [&](const targets::SolidError& error) {
+    double most = 0;
+    for (std::size_t c = 0; c < design.net.creases.size(); ++c)
+      most = std::max(most, std::abs(to_degrees(error.fold[c] - design.net.creases[c].angle)));
+    return most;
+  };
+  const model::PlanarStructure& s = design.net.structure;
+  const bool is_free = !theta_range(s, exact_motion(s), {.limit = design.theta}).positive.touches;
+  sim::PhysicsOptions options;
+  options.joint_stiffness = 1e8;
+  const sim::PhysicsResult run = run_compression(s, drive_to(s, design.theta), options);
+  const double in_model = miss(design.error), in_run = miss(solid_error(design.net, run.state, design.theta));
+  return {{fmt::format("{} from a flat net: angles of its faces, no wall in the way", name), "<= 1e-6 deg",
+           fmt::format("{:.1e} deg, theta {:.0f} deg, {} a crease, walls {}, {:.1f} s", in_model,
+                       to_degrees(design.theta), design.net.columns, is_free ? "never meet" : "meet", search),
+           design.folds && is_free && in_model <= 1e-6},
+          {fmt::format("{} from a flat net: in the physics run, walls in contact", name), "<= 0.1 deg",
+           fmt::format("{:.1e} deg ({})", in_run, to_string(run.status)), in_run <= 0.1}};
+}
+
+/// By facets and creases that are found anew in the sheet.
+Figure patterns(int columns, int rows) {
+  std::mt19937 random(seed);
+  model::QuadMesh mesh = testing::random_mesh(columns, rows, spread, random).mesh;
+  const PlanarStructure s = origami_sheet(mesh, {}).structure;
+  const double gap = largest_gap(s);
+  const int freedoms = null_space(s, exact_motion(s).at(theta)).dofs();
+  return {fmt::format("random flat-foldable pattern of {} x {} facets as a creased sheet", columns, rows),
+          "<= 1e-11 cell edges, 1 way to move",
+          fmt::format("{:.1e}, {} ({} bodies)", gap, freedoms, s.senses.size()),
+          gap <= 1e-11 && freedoms == 1};
+}
+
 }  // namespace
 
 std::vector<Figure> crease_figures() {
