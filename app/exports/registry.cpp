@@ -1,7 +1,7 @@
 #include "app/exports/registry.hpp"
 
+#include "app/exports/crease_export.hpp"
 #include "app/exports/design_export.hpp"
-#include "app/exports/fold_export.hpp"
 #include "app/exports/pictures_export.hpp"
 #include "app/exports/report_export.hpp"
 
@@ -11,7 +11,7 @@ namespace {
 std::vector<const Exporter*>& all() {
   static std::vector<const Exporter*> list = {
       &design_export,
-      &fold_export,
+      &crease_export,
       &pictures_export,
       &report_export,
   };

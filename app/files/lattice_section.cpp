@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-#include "app/files/fold_pattern.hpp"
+#include "app/files/origami_file.hpp"
 #include "model/lattice/planar/closed_rim.hpp"
 #include "model/lattice/planar/lattices/registry.hpp"
 #include "targets/drawing/read_drawing.hpp"
@@ -124,12 +124,12 @@ constexpr double default_tilt = 50 * radians_per_degree;  // rad: folds by 78 de
 
 /// A FOLD file as a sheet whose creases are tilted.
 model::Sheet read_origami(const targets::Section& structure) {
-  const targets::Node path = structure.required("fold", "path of a FOLD file");
+  const targets::Node path = structure.required("origami", "path of a FOLD file");
   const std::filesystem::path file = std::filesystem::path(path.folder()) / path.text("path of a FOLD file");
   double tilt = default_tilt;
   if (const auto node = structure.optional("tilt_deg")) tilt = node->angle(pattern_tilts);
   const model::CellSize size = read_size(structure, default_cell_mm);
-  const FoldPattern pattern = read_fold_pattern(file.string());
+  const OrigamiFile pattern = read_origami_file(file.string());
   return path.located([&] { return origami_sheet(tilted(pattern, tilt), size).structure; });
 }
 
@@ -231,12 +231,12 @@ const targets::KeyTable& drawing_keys() {
 const targets::KeyTable& origami_keys() {
   static const targets::KeyTable keys({
       lattice_key({by_hand}, targets::needed),
-      {"fold", value::text("path of a FOLD file, from the folder of the design"), targets::needed,
+      {"origami", value::text("path of a FOLD file, from the folder of the design"), targets::needed,
        "of `graph`: a crease pattern of quadrilaterals in columns and rows that folds flat and rigidly; each "
        "gets 2 x 2 "
        "bodies, and its creases the tilts that fold them together"},
       {"tilt_deg", value::angle(pattern_tilts), targets::by_default_deg(default_tilt),
-       "of `fold`: tilt of the hinges of the creases that fold most"},
+       "of `origami`: tilt of the hinges of the creases that fold most"},
       cell_mm_key(targets::by_default(default_cell_mm)),
       wall_mm_key(),
   });
@@ -307,7 +307,7 @@ model::Sheet read_sheet(const targets::Node& structure) {
   const std::size_t choice = lattice ? lattice->one_of({names.begin(), names.end()}) : 0;
   if (names[choice] == squares) return read_squares(targets::Section(structure, square_keys()));
   if (names[choice] != by_hand) return read_regular(targets::Section(structure, regular_keys()));
-  if (structure.optional("fold")) return read_origami(targets::Section(structure, origami_keys()));
+  if (structure.optional("origami")) return read_origami(targets::Section(structure, origami_keys()));
   const bool is_drawn = structure.optional("drawing") || !structure.optional("vertices_mm");
   return read_graph(targets::Section(structure, is_drawn ? drawing_keys() : graph_keys()));
 }

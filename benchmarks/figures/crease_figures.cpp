@@ -2,15 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
+#include <utility>
 
 #include "benchmarks/figure.hpp"
 #include "benchmarks/stopwatch.hpp"
 #include "model/closure/null_space.hpp"
+#include "model/contact/wall_contact.hpp"
+#include "model/lattice/origami/origami_sheet.hpp"
 #include "model/lattice/planar/planar_drive.hpp"
+#include "optim/fold/fit_solid.hpp"
 #include "sim/compression_run.hpp"
 #include "tests/support/creased.hpp"
 #include "tests/support/miura.hpp"
 #include "tests/support/planar_graphs.hpp"
+#include "tests/support/random_mesh.hpp"
 
 namespace kinetix::bench {
 namespace {
@@ -39,6 +45,8 @@ Figure closure(const char* name, const PlanarStructure& s, double most) {
 constexpr double multiplier =
     0.9;                       // of the zigzags: plates of 60 deg stay apart from each other beyond theta 0.5
 constexpr double theta = 0.5;  // rad, of the physics run
+constexpr double spread = 0.05;  // of lengths and angles: random meshes of 12 x 12 facets still exist
+constexpr unsigned seed = 1;     // any: another gives the same orders of magnitude
 
 Figure physics(const PlanarStructure& s) {
   sim::PhysicsOptions options;
@@ -55,7 +63,7 @@ Figure physics(const PlanarStructure& s) {
 std::vector<Figure> solid(int index) {
   const std::string& name = targets::solid_names()[index];
   optim::SolidDesign design;
-  const double search = seconds([&] { design = fit_solid(targets::named_solid(index), 2, 0, {}); });
+  const double search = seconds([&] { design = optim::fit_solid(targets::named_solid(index), 2, 0, {}); });
   const auto miss = [&](const targets::SolidError& error) {
     double most = 0;
     for (std::size_t c = 0; c < design.net.creases.size(); ++c)
@@ -106,6 +114,9 @@ std::vector<Figure> crease_figures() {
   figures.push_back(
       {"Miura on 20 x 20 hexagons: ways to move", "1", fmt::format("{}", freedoms), freedoms == 1});
   figures.push_back(physics(miura));
+  for (const int facets : {4, 8, 12}) figures.push_back(patterns(facets, facets));
+  for (int k = 0; k < static_cast<int>(targets::solid_names().size()); ++k)
+    for (Figure& figure : solid(k)) figures.push_back(std::move(figure));
   return figures;
 }
 

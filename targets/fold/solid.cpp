@@ -38,7 +38,7 @@ std::vector<Vector3d> tetrahedron() {
 
 std::vector<Vector3d> octahedron() { return scaled(cyclic({1, 0, 0}), 1 / std::sqrt(2.0)); }
 
-const double golden = (1 + std::sqrt(5.0)) / 2;
+const double golden = (1 + std::sqrt(5.0)) / 2;  // 1: the golden ratio, of the coordinates of regular solids
 
 std::vector<Vector3d> icosahedron() { return scaled(cyclic({0, 1, golden}), 0.5); }
 

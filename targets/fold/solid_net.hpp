@@ -21,9 +21,10 @@ struct SolidFace {
 /// The fold between two faces, over strips of walls one after the other.
 struct SolidCrease {
   int first = 0, second = 0;
-  double angle = 0;                                 ///< rad, > 0: the faces rise
-  std::vector<std::vector<int>> hinges;             ///< of each column, one a wall across it
-  Eigen::Vector2d line = Eigen::Vector2d::UnitX();  ///< direction of its fold lines in the net
+  double angle = 0;                      ///< rad, > 0: the faces rise
+  std::vector<std::vector<int>> hinges;  ///< of each column, one a wall across it
+  Eigen::Vector2d line =
+      Eigen::Vector2d::UnitX();  ///< unit vector along its fold lines in the net, dimensionless
 };
 
 /// A solid cut open and laid flat as one sheet (kinematics.md section 6): faces of quadrilateral cells whose walls to the
@@ -51,7 +52,7 @@ std::vector<double> fold_solid(SolidNet& net, double theta);
 struct SolidError {
   std::vector<double> fold;      ///< angle of each crease, rad, by planes through the bodies of its faces
   std::vector<double> face_rms;  ///< of each face: bodies from the ideal solid over its edge
-  double rms = 0;                ///< of all
+  double rms = 0;                ///< over the edge of the solid, of the bodies of all faces
 };
 /// The solid, its edges cos(theta) times as long as the net's, is laid over all faces together. NaN gives NaN.
 SolidError solid_error(const SolidNet& net, const model::State& state, double theta);

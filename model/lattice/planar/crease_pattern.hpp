@@ -11,10 +11,11 @@ struct CreasePattern {
   struct Edge {
     int from = 0, to = 0;  ///< vertices
     int crease = -1;       ///< index in PlanarCreases::list; -1 at the rim
-    double fold = 0;       ///< multiplier, positive where the facets rise; 0 at the rim
+    double multiplier =
+        0;  ///< dimensionless: tangent of the tilt, positive where the facets rise; 0 at the rim
   };
   std::vector<Eigen::Vector2d> flat;    ///< of each vertex, mm
-  std::vector<Eigen::Vector3d> folded;  ///< likewise at theta; the facet of body 0 stays in the plane z = 0
+  std::vector<Eigen::Vector3d> folded;  ///< mm at theta; the facet of body 0 stays in the plane z = 0
   std::vector<Edge> edges;
   std::vector<std::vector<int>> facets;  ///< of the sheet, in their order: vertices, counter-clockwise
 };

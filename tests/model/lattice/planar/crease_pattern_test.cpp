@@ -30,7 +30,7 @@ void expect_folded_by_its_multipliers(const PlanarStructure& s, double theta) {
     ++inner;
     const PlanarCrease& crease = creases.list[edge.crease];
     EXPECT_NEAR(normals[crease.from].dot(normals[crease.to]),
-                std::cos(2 * std::atan(edge.fold * std::sin(theta))), 1e-12);
+                std::cos(2 * std::atan(edge.multiplier * std::sin(theta))), 1e-12);
   }
   EXPECT_EQ(inner, static_cast<int>(creases.list.size()));
   EXPECT_EQ(p.flat.size() + p.facets.size(), p.edges.size() + 1) << "Euler's formula";
@@ -60,7 +60,7 @@ TEST(CreasePattern, CountsValleysPositive) {
   EXPECT_GE(lowest, -1e-12);
   for (const CreasePattern::Edge& edge : p.edges)
     if (edge.crease >= 0) {
-      EXPECT_NEAR(edge.fold, 0.7, 1e-12);
+      EXPECT_NEAR(edge.multiplier, 0.7, 1e-12);
     }
 }
 

@@ -17,6 +17,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
+// rad: both sides of flat, near it and far on.
 constexpr double thetas[] = {-1.2, -0.5, 0.05, 0.4, 0.9, 1.4};
 
 void expect_closed(const PlanarStructure& s, const char* name, double gap = 1e-12) {

@@ -1,4 +1,4 @@
-#include "app/files/fold_pattern.hpp"
+#include "app/files/origami_file.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -223,9 +223,9 @@ class Reading {
       for (int i = 0; i <= grid_.columns(); ++i) raw_.at(i, j) = p.vertices[grid_.at(i, j)];
   }
 
-  FoldPattern run() {
+  OrigamiFile run() {
     find_multipliers();
-    FoldPattern out{model::march(boundary()).mesh, {}, 0};
+    OrigamiFile out{model::march(boundary()).mesh, {}, 0};
     lay_over(out);
     for (int j = 0; j <= grid_.rows(); ++j)
       for (int i = 0; i <= grid_.columns(); ++i) out.vertex_of.push_back(grid_.at(i, j));
@@ -319,7 +319,7 @@ class Reading {
   }
 
   /// Moves the marched mesh to where the file has it; corners stay those of the file.
-  void lay_over(FoldPattern& out) const {
+  void lay_over(OrigamiFile& out) const {
     const Vector2d along = (raw_.at(2, 1) - raw_.at(1, 1)).normalized();
     Eigen::Matrix2d R;
     R << along.x(), -along.y(), along.y(), along.x();
@@ -350,7 +350,7 @@ class Reading {
 
 }  // namespace
 
-FoldPattern parse_fold_pattern(const std::string& text, const std::string& file) {
+OrigamiFile parse_origami(const std::string& text, const std::string& file) {
   try {
     const Pattern pattern = read_pattern(frame_of(Json::parse(text)));
     check_degrees(pattern);
@@ -366,11 +366,11 @@ FoldPattern parse_fold_pattern(const std::string& text, const std::string& file)
   }
 }
 
-FoldPattern read_fold_pattern(const std::string& file) {
-  return parse_fold_pattern(targets::read_text_file(file, max_pattern_bytes), file);
+OrigamiFile read_origami_file(const std::string& file) {
+  return parse_origami(targets::read_text_file(file, max_pattern_bytes), file);
 }
 
-model::QuadMesh tilted(const FoldPattern& pattern, double tilt) {
+model::QuadMesh tilted(const OrigamiFile& pattern, double tilt) {
   model::QuadMesh mesh = pattern.mesh;
   for (auto* multipliers : {&mesh.rising, &mesh.level})
     for (double& c : *multipliers) c *= std::tan(tilt);

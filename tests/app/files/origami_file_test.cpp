@@ -1,4 +1,4 @@
-#include "app/files/fold_pattern.hpp"
+#include "app/files/origami_file.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -45,9 +45,9 @@ model::QuadMesh mesh_of(int columns, int rows, unsigned seed) {
   return testing::random_mesh(columns, rows, 0.1, random).mesh;
 }
 
-TEST(FoldPattern, OfSixDigitsBecomesASheetThatClosesToTheLast) {
+TEST(OrigamiFile, OfSixDigitsBecomesASheetThatClosesToTheLast) {
   for (const auto& [columns, rows] : {std::pair(2, 2), {5, 4}, {8, 8}}) {
-    const FoldPattern pattern = parse_fold_pattern(fold_text(mesh_of(columns, rows, 3), 6), "a.fold");
+    const OrigamiFile pattern = parse_origami(fold_text(mesh_of(columns, rows, 3), 6), "a.fold");
     EXPECT_LE(pattern.moved, 1e-4);
     const model::PlanarStructure s = origami_sheet(tilted(pattern, 0.8), {}).structure;
     EXPECT_EQ(s.graph.vertices.size(), 4u * columns * rows);
@@ -63,9 +63,9 @@ TEST(FoldPattern, OfSixDigitsBecomesASheetThatClosesToTheLast) {
 }
 
 // All multipliers but for a common factor, which a crease pattern leaves open.
-TEST(FoldPattern, FindsTheMultipliersThatThePatternWasDrawnWith) {
+TEST(OrigamiFile, FindsTheMultipliersThatThePatternWasDrawnWith) {
   const model::QuadMesh mesh = mesh_of(4, 3, 5);
-  const FoldPattern pattern = parse_fold_pattern(fold_text(mesh, 12), "a.fold");
+  const OrigamiFile pattern = parse_origami(fold_text(mesh, 12), "a.fold");
   const auto sorted = [](const model::QuadMesh& m) {
     std::vector<double> all = m.rising;
     all.insert(all.end(), m.level.begin(), m.level.end());
@@ -81,7 +81,7 @@ TEST(FoldPattern, FindsTheMultipliersThatThePatternWasDrawnWith) {
 
 void expect_refused(const std::string& text, const std::string& what) {
   try {
-    parse_fold_pattern(text, "a.fold");
+    parse_origami(text, "a.fold");
     ADD_FAILURE() << "not refused: " << what;
   } catch (const InvalidInput& e) {
     EXPECT_THAT(e.reason(), HasSubstr(what));
@@ -94,7 +94,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   return text;
 }
 
-TEST(FoldPattern, SaysWhichVertexFaceOrEdgeIsWrong) {
+TEST(OrigamiFile, SaysWhichVertexFaceOrEdgeIsWrong) {
   model::QuadMesh mesh = mesh_of(3, 3, 2);
   const std::string good = fold_text(mesh, 9);
   expect_refused("{", "is no JSON");
@@ -115,7 +115,7 @@ TEST(FoldPattern, SaysWhichVertexFaceOrEdgeIsWrong) {
 }
 
 // Four triangles in a ring round vertex 4 are refused as triangles; five quadrilaterals by the vertex between them.
-TEST(FoldPattern, NamesAnInnerVertexOfAnotherDegree) {
+TEST(OrigamiFile, NamesAnInnerVertexOfAnotherDegree) {
   std::string points = "[0, 0]", faces, edges;
   for (int k = 0; k < 5; ++k) {
     const double a = 2 * pi * k / 5, b = a + pi / 5;

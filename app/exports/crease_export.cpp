@@ -1,4 +1,4 @@
-#include "app/exports/fold_export.hpp"
+#include "app/exports/crease_export.hpp"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -12,13 +12,15 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Edge = model::CreasePattern::Edge;
 
+constexpr std::string_view file_name = "creases.fold";  // what the run leaves, in the folder of its results
+
 Json points_json(const auto& points) {
   Json out = Json::array();
   for (const auto& p : points) out.push_back(std::vector<double>(p.data(), p.data() + p.size()));
   return out;
 }
 
-std::string letter_of(const Edge& edge) { return edge.crease < 0 ? "B" : edge.fold > 0 ? "V" : "M"; }
+std::string letter_of(const Edge& edge) { return edge.crease < 0 ? "B" : edge.multiplier > 0 ? "V" : "M"; }
 
 /// deg; of an edge at the rim there is none.
 Json fold_angles(const model::CreasePattern& pattern, double theta) {
@@ -27,17 +29,17 @@ Json fold_angles(const model::CreasePattern& pattern, double theta) {
     if (edge.crease < 0)
       out.push_back(nullptr);
     else
-      out.push_back(to_degrees(2 * std::atan(edge.fold * std::sin(theta))));
+      out.push_back(to_degrees(2 * std::atan(edge.multiplier * std::sin(theta))));
   }
   return out;
 }
 
-std::vector<NamedContent> write_fold(const Run& run) {
+std::vector<NamedContent> write_creases(const Run& run) {
   const model::PlanarStructure* planar = run.structure.planar();
   if (!planar || run.plan.exact.name != model::creased_family) return {};
   try {
     const model::CreasePattern pattern = crease_pattern(*planar, redrawing_of(*planar).y, run.theta);
-    return {{"creases.fold", fold_file_text(pattern, run.theta, run.name)}};
+    return {{std::string(file_name), origami_text(pattern, run.theta, run.name)}};
   } catch (const InvalidInput&) {
     return {};  // facets that are no polygons have no place in such a file
   }
@@ -45,7 +47,7 @@ std::vector<NamedContent> write_fold(const Run& run) {
 
 }  // namespace
 
-std::string fold_file_text(const model::CreasePattern& pattern, double theta, const std::string& title) {
+std::string origami_text(const model::CreasePattern& pattern, double theta, const std::string& title) {
   Json edges = Json::array(), words = Json::array();
   for (const Edge& edge : pattern.edges) {
     edges.push_back({edge.from, edge.to});
@@ -72,7 +74,8 @@ std::string fold_file_text(const model::CreasePattern& pattern, double theta, co
   return file.dump(1) + "\n";
 }
 
-// Name, extensions, whether every run writes it, and how: creases.fold.
-const Exporter fold_export = {"fold", {"fold"}, false, write_fold};
+// Name, extensions, whether every run writes it, and how: the FOLD file.
+const Exporter crease_export = {
+    "creases", {file_name.substr(file_name.rfind('.') + 1)}, false, write_creases};
 
 }  // namespace kinetix::app

@@ -7,7 +7,7 @@
 namespace kinetix::app {
 
 /// A crease pattern of a FOLD file (the JSON of Demaine, Ku and Lang, 2016) as a mesh that folds exactly.
-struct FoldPattern {
+struct OrigamiFile {
   model::QuadMesh mesh;        ///< in the file's unit; multipliers of the steepest crease: 1
   std::vector<int> vertex_of;  ///< number in the file of each vertex of the mesh
   /// How far vertices were moved so that every vertex folds flat to the last digit, mean edges.
@@ -25,10 +25,10 @@ inline constexpr double most_moved = 1e-3;
 /// @throws InvalidInput, naming vertex, face or edge by its number in the file (from 0), for anything else: faces that are
 /// missing or no quadrilaterals, inner vertices of another degree than four, vertices that do not fold flat, creases
 /// whose mountains and valleys or whose fold multipliers do not go together
-FoldPattern parse_fold_pattern(const std::string& text, const std::string& file);
-FoldPattern read_fold_pattern(const std::string& file);
+OrigamiFile parse_origami(const std::string& text, const std::string& file);
+OrigamiFile read_origami_file(const std::string& file);
 
 /// The same with its steepest crease tilted by `tilt`, rad, (0, pi/2).
-model::QuadMesh tilted(const FoldPattern& pattern, double tilt);
+model::QuadMesh tilted(const OrigamiFile& pattern, double tilt);
 
 }  // namespace kinetix::app
