@@ -1,5 +1,6 @@
 #include "app/exports/registry.hpp"
 
+#include "app/exports/crease_export.hpp"
 #include "app/exports/design_export.hpp"
 #include "app/exports/pictures_export.hpp"
 #include "app/exports/report_export.hpp"
@@ -10,6 +11,7 @@ namespace {
 std::vector<const Exporter*>& all() {
   static std::vector<const Exporter*> list = {
       &design_export,
+      &crease_export,
       &pictures_export,
       &report_export,
   };

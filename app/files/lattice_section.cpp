@@ -4,6 +4,9 @@
 
 #include <algorithm>
 
+#include <filesystem>
+
+#include "app/files/origami_file.hpp"
 #include "model/lattice/planar/closed_rim.hpp"
 #include "model/lattice/planar/lattices/registry.hpp"
 #include "targets/drawing/read_drawing.hpp"
@@ -47,7 +50,7 @@ std::string lattice_meaning() {
   std::string text = "the lattice of the sheet: `square`";
   for (const PlanarLattice* lattice : model::planar_lattices())
     text += fmt::format("; `{}`, {}", lattice->name, lattice->meaning);
-  return text + "; `graph`, walls of a drawing or a list";
+  return text + "; `graph`, walls of a drawing, of a FOLD file or of a list";
 }
 
 targets::ValueType numbers_2() { return value::list(value::number(places), "`[x, y]`", 2, 2); }
@@ -113,6 +116,21 @@ model::Sheet read_graph(const targets::Section& structure) {
   const model::CellSize size = read_size(structure, mean_length(graph));
   for (Eigen::Vector2d& vertex : graph.vertices) vertex /= size.edge_mm;
   return place.located([&] { return make_planar_structure(std::move(graph), size); });
+}
+
+// Degrees, of the steepest crease: flat walls do not fold, and beyond 75 deg they lie on their sheet.
+const targets::Bounds pattern_tilts = targets::from_to(1, 75, "degrees");
+constexpr double default_tilt = 50 * radians_per_degree;  // rad: folds by 78 deg at theta 43 deg
+
+/// A FOLD file as a sheet whose creases are tilted.
+model::Sheet read_origami(const targets::Section& structure) {
+  const targets::Node path = structure.required("origami", "path of a FOLD file");
+  const std::filesystem::path file = std::filesystem::path(path.folder()) / path.text("path of a FOLD file");
+  double tilt = default_tilt;
+  if (const auto node = structure.optional("tilt_deg")) tilt = node->angle(pattern_tilts);
+  const model::CellSize size = read_size(structure, default_cell_mm);
+  const OrigamiFile pattern = read_origami_file(file.string());
+  return path.located([&] { return origami_sheet(tilted(pattern, tilt), size).structure; });
 }
 
 /// @param in_order whether the order of the cells tells: then only that of a rectangle is written as one
@@ -210,6 +228,21 @@ const targets::KeyTable& drawing_keys() {
   return keys;
 }
 
+const targets::KeyTable& origami_keys() {
+  static const targets::KeyTable keys({
+      lattice_key({by_hand}, targets::needed),
+      {"origami", value::text("path of a FOLD file, from the folder of the design"), targets::needed,
+       "of `graph`: a crease pattern of quadrilaterals in columns and rows that folds flat and rigidly; each "
+       "gets 2 x 2 "
+       "bodies, and its creases the tilts that fold them together"},
+      {"tilt_deg", value::angle(pattern_tilts), targets::by_default_deg(default_tilt),
+       "of `origami`: tilt of the hinges of the creases that fold most"},
+      cell_mm_key(targets::by_default(default_cell_mm)),
+      wall_mm_key(),
+  });
+  return keys;
+}
+
 const targets::KeyTable& graph_keys() {
   static const targets::KeyTable keys({
       lattice_key({by_hand}, targets::needed),
@@ -260,10 +293,12 @@ model::Sheet make_sheet(const LatticeChoice& choice, const std::vector<model::La
 }
 
 targets::Key lattice_structure_key() {
-  return {"structure",
-          value::either({value::map(square_keys()), value::map(regular_keys()), value::map(drawing_keys()),
-                         value::map(graph_keys())}),
-          targets::needed, "the flat sheet: squares, another regular lattice, a drawing, or a list of walls"};
+  return {
+      "structure",
+      value::either({value::map(square_keys()), value::map(regular_keys()), value::map(drawing_keys()),
+                     value::map(origami_keys()), value::map(graph_keys())}),
+      targets::needed,
+      "the flat sheet: squares, another regular lattice, a drawing, a crease pattern, or a list of walls"};
 }
 
 model::Sheet read_sheet(const targets::Node& structure) {
@@ -272,6 +307,7 @@ model::Sheet read_sheet(const targets::Node& structure) {
   const std::size_t choice = lattice ? lattice->one_of({names.begin(), names.end()}) : 0;
   if (names[choice] == squares) return read_squares(targets::Section(structure, square_keys()));
   if (names[choice] != by_hand) return read_regular(targets::Section(structure, regular_keys()));
+  if (structure.optional("origami")) return read_origami(targets::Section(structure, origami_keys()));
   const bool is_drawn = structure.optional("drawing") || !structure.optional("vertices_mm");
   return read_graph(targets::Section(structure, is_drawn ? drawing_keys() : graph_keys()));
 }

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
+#include "targets/fold/solid.hpp"
+
 namespace kinetix::targets {
 namespace {
 
 // The end of messages about a target that gives no shape, or two.
 constexpr const char* wanted_shape =
-    "`box: [a, b, c]`, `box_mm: [a, b, c]` or `net: {faces: [...], creases: [...]}`";
+    "`box: [a, b, c]`, `box_mm: [a, b, c]`, `net: {faces: [...], creases: [...]}` or `solid: icosahedron`";
 constexpr std::size_t longest_face_name = 40;         // bytes: names stand in messages and in the report
 constexpr int most_box_cells = 4000;                  // of all faces: searched in a minute or two
 const Bounds box_edge_mm = from_to(1, 10'000, "mm");  // mm: what a printer can make, and ten metres
@@ -145,6 +147,19 @@ FoldGoal read_net(const Section& target, int columns) {
   return node.node().located([&] { return net_goal(std::move(net)); });
 }
 
+// Cells of half a side: with one, a single hinge would join two faces, and each would move by itself.
+constexpr int least_solid_cells = 2;
+
+FoldGoal read_solid(const Section& target, const Node& solid, int columns) {
+  target.node().reject_unknown_keys(fold_target_keys().only("solid").names());
+  FoldGoal goal;
+  goal.solid = SolidGoal();
+  goal.solid->solid = static_cast<int>(solid.one_of(as_views(solid_names())));
+  goal.solid->columns = columns;
+  target.read("cells", goal.solid->cells);
+  return goal;
+}
+
 }  // namespace
 
 const KeyTable& fold_target_keys() {
@@ -167,21 +182,34 @@ const KeyTable& fold_target_keys() {
            "the face to leave out",
            {"box", "box_mm"}},
           {"net", value::map(net_keys()), {}, "faces that lie side by side, joined by creases"},
+          {"solid",
+           value::choice(solid_names()),
+           {},
+           "a solid of equal edges, cut open into one sheet whose creases run in as many directions as its "
+           "edges"},
+          {"cells",
+           value::integer(least_solid_cells, max_solid_cells),
+           by_default(SolidGoal{}.cells),
+           "of half a side of a face",
+           {"solid"}},
           {"crease_columns", value::integer(1, max_crease_columns), otherwise("the search chooses"),
            "columns of cells that every crease bends over"},
       },
-      {{"box", "box_mm", "net"}});
+      {{"box", "box_mm", "net", "solid"}});
   return keys;
 }
 
 FoldGoal read_fold(const Node& node) {
   const Section target(node, fold_target_keys());
-  const auto box = target.optional("box"), box_mm = target.optional("box_mm"), net = target.optional("net");
-  if (!box && !box_mm && !net) throw target.error(std::string("says nothing to fold; give ") + wanted_shape);
-  if (box.has_value() + box_mm.has_value() + net.has_value() > 1)
+  const auto box = target.optional("box"), box_mm = target.optional("box_mm"), net = target.optional("net"),
+             solid = target.optional("solid");
+  if (!box && !box_mm && !net && !solid)
+    throw target.error(std::string("says nothing to fold; give ") + wanted_shape);
+  if (box.has_value() + box_mm.has_value() + net.has_value() + solid.has_value() > 1)
     throw target.error(std::string("gives more than one shape; give only ") + wanted_shape);
   int columns = 0;
   target.read("crease_columns", columns);
+  if (solid) return read_solid(target, *solid, columns);
   if (box_mm) return read_box_mm(target, *box_mm, columns);
   return box ? read_box(target, *box, columns) : read_net(target, columns);
 }

@@ -18,6 +18,7 @@ const KeyTable& fold_target_keys();
 ///     The second face lies beyond that side (left, right, bottom, top) of the first; `shift: 1` moves it by
 ///     cells along the crease, `columns: 2` gives the crease's bending columns. Positive angles fold towards
 ///     +z.
+///   - `solid: icosahedron` (or another of solid_names()), optionally `cells: 2`, of half a side of a face.
 /// `crease_columns: 2` holds for every crease; left out, the search chooses.
 /// @throws InvalidInput for anything else, each at its place
 FoldGoal read_fold(const Node& target);

@@ -18,9 +18,9 @@ def is_own(file, kind):
 
 
 def namings(kind):
-    """Includes of its folders, its types, members and literals; a label of the summary is none."""
+    """Includes of its folders, its types, members and literals; a label of the summary and the ending of a file are none."""
     type_name = kind.capitalize()
-    return re.compile(rf"(?:goals|optim|targets)/{kind}/|\b{type_name}[A-Z]\w+|(?:\.|->){kind}\b(?! *\()|"
+    return re.compile(rf"(?:goals|optim|targets)/{kind}/|\b{type_name}[A-Z]\w+|(?:\.|->){kind}\b(?! *\(|\")|"
                       rf"(?<!line\()[\"']{kind}[\"']|\b{kind}(?:_kind|Goal|Section|Verdict)\b")
 
 

@@ -112,6 +112,9 @@ FoldFile read_fold_file(const targets::Node& node) {
   file.hinge = read_hinge_section(root, file.size);
   file.drive = read_goal_drive(root);
   read_tolerance(root, file);
+  if (file.goal.solid && file.limits.any())
+    throw root.required("tolerance", "")
+        .error("force_N and strain are kept for boxes and nets of squares; leave them out for a solid");
   file.process = read_process(root, file.size, file.hinge.made);
   return file;
 }

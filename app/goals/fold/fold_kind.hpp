@@ -8,6 +8,9 @@ namespace kinetix::app {
 /// A net that folds to a solid: the search, its closed form, and the physics run of its folding.
 std::unique_ptr<Scene> make_scene(FoldFile file);
 
+/// The same of a solid whose faces are no rectangles of squares. @pre file.goal.solid
+std::unique_ptr<Scene> make_solid_scene(FoldFile file);
+
 extern const GoalKind fold_kind;
 
 }  // namespace kinetix::app

@@ -188,7 +188,11 @@ std::unique_ptr<Scene> make_scene(FoldFile file) { return std::make_unique<FoldS
 const GoalKind fold_kind = {
     .name = "fold",
     .example = "target: {kind: fold, box: [4, 4, 4]}",
-    .read = [](const targets::Node& root) { return make_scene(read_fold_file(root)); },
+    .read =
+        [](const targets::Node& root) {
+          FoldFile file = read_fold_file(root);
+          return file.goal.solid ? make_solid_scene(std::move(file)) : make_scene(std::move(file));
+        },
     .table = fold_keys,
     .metrics = {
         {"fold_deg", "deg", "[fold of each crease](#face_rms), a list"},

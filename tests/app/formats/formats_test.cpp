@@ -193,6 +193,7 @@ std::vector<Json> files_of(const std::string& list) {
   if (list == "target fold") {
     std::vector<Json> folds = made(target(R"({"kind": "fold", "box": [2, 2, 2]})"));
     folds.push_back(target(R"({"kind": "fold", "box_mm": [40, 30, 30]})"));
+    folds.push_back(target(R"({"kind": "fold", "solid": "tetrahedron"})"));
     folds.push_back(target(R"({"kind": "fold", "net": {"faces": [{"name": "a", "cells": [2, 2]},
                        {"name": "b", "cells": [2, 2]}],
                        "creases": [{"faces": ["a", "b"], "side": "top", "angle_deg": 90}]}})"));
@@ -220,6 +221,7 @@ std::vector<Json> files_of(const std::string& list) {
           design(R"({"kind": "hinge", "wall": [[0, 0], [1, 0]], "angle_deg": 10})"),
           of_structure({{"lattice", "rhombus"}, {"cells", {2, 2}}}),
           of_structure({{"lattice", "graph"}, {"drawing", KINETIX_SOURCE "/targets/shapes/rosette.dxf"}}),
+          of_structure({{"lattice", "graph"}, {"origami", KINETIX_SOURCE "/targets/shapes/miura.fold"}}),
           of_structure({{"lattice", "graph"},
                         {"vertices_mm", Json::parse("[[0, 0], [10, 0], [10, 10], [0, 10]]")},
                         {"walls", Json::parse("[[0, 1], [1, 2], [2, 3], [3, 0]]")}})};

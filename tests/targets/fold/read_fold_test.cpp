@@ -121,5 +121,19 @@ TEST(ReadFold, RefusesCreasesThatNeedBothDirectionsInOneCell) {
     EXPECT_THAT(why, ::testing::HasSubstr(words));
 }
 
+TEST(ReadFold, TakesASolidByItsName) {
+  const FoldGoal goal = read("{kind: fold, solid: icosahedron, cells: 3, crease_columns: 2}");
+  ASSERT_TRUE(goal.solid);
+  EXPECT_EQ(goal.solid->solid, 2);
+  EXPECT_EQ(goal.solid->cells, 3);
+  EXPECT_EQ(goal.solid->columns, 2);
+  EXPECT_THAT(testing::refusal([] { read("{kind: fold, solid: cone}"); }),
+              ::testing::HasSubstr("icosahedron"));
+  EXPECT_THAT(testing::refusal([] { read("{kind: fold, solid: octahedron, cells: 1}"); }),
+              ::testing::HasSubstr("2 to 8"));
+  EXPECT_THAT(testing::refusal([] { read("{kind: fold, solid: octahedron, box: [1, 1, 1]}"); }),
+              ::testing::HasSubstr("more than one shape"));
+}
+
 }  // namespace
 }  // namespace kinetix::targets

@@ -6,7 +6,8 @@ function readFold(raw) {
   const place = (part) => ({
     name: String(part?.name ?? ""),
     at: numberRows([part?.cell], 2)[0] ?? [0, 0],
-    size: numberRows([part?.cells], 2)[0] ?? [0, 0]
+    size: numberRows([part?.cells], 2)[0] ?? [0, 0],
+    corners: numberRows(part?.corners, 2)
   });
   return {
     faces: list(raw.faces).map((face) => ({...place(face), rms: finite(face?.rms), physics: finite(face?.rms_physics)})),
@@ -44,8 +45,27 @@ function creaseColour(angle) {
   return colour(angle < 0 ? "tilt-minus" : angle > 0 ? "tilt-plus" : "tilt-none");
 }
 
+/** The net of a solid from above: faces and creases are polygons. */
+function drawSolidNet({faces, creases}, width) {
+  const box = extent([...faces, ...creases].flatMap(({corners}) => corners));
+  const px = Math.min(40, (width - 4) / box.size[0], 560 / box.size[1]);
+  const to = ([x, y]) => [2 + (x - box.low[0]) * px, 2 + (box.high[1] - y) * px];
+  const polygon = ({corners}, fill, ...inside) => svg("path", {d: path(corners.map(to)) + "Z", fill, stroke: colour("rim"), "stroke-width": 0.6}, ...inside);
+  const label = ({corners, name}) => {
+    const at = to([0, 1].map((k) => corners.reduce((sum, corner) => sum + corner[k], 0) / corners.length));
+    return svg("text", {x: at[0], y: at[1] + 4, "text-anchor": "middle", "font-size": 11, fill: colour("ink")}, name);
+  };
+  return drawing(
+      box.size[0] * px + 4, box.size[1] * px + 4, "The flat net with its creases",
+      faces.map((face) => polygon(face, colour("plate"))),
+      creases.map((crease) => polygon(crease, creaseColour(crease.asked),
+                                      svg("title", {}, `${crease.name}: ${degrees(crease.asked)}, hinges tilted by ${degrees(crease.tilt)}`))),
+      faces.map(label));
+}
+
 /** The net from above, a unit a cell. */
 function drawNet({faces, creases}, width) {
+  if (faces.some(({corners}) => corners.length)) return drawSolidNet({faces, creases}, width);
   const box = extent([...faces, ...creases].flatMap(({at, size}) => [at, add(at, size)]));
   const px = Math.min(40, (width - 4) / box.size[0], 560 / box.size[1]);
   const place = ({at, size}) => ({

@@ -1,0 +1,150 @@
+#include "app/goals/fold/solid_outcome.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/run/run.hpp"
+
+namespace kinetix::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string face_name(int face) { return std::to_string(face + 1); }
+
+Json degrees_json(const std::vector<double>& angles) {
+  Json out = Json::array();
+  for (const double angle : angles) out.push_back(to_degrees(angle));
+  return out;
+}
+
+double largest_miss(const targets::SolidNet& net, const targets::SolidError& error) {
+  double most = 0;
+  for (std::size_t c = 0; c < net.creases.size(); ++c)
+    most = std::max(most, std::abs(error.fold[c] - net.creases[c].angle));
+  return most;
+}
+
+Json places_json(const targets::SolidNet& net, const std::vector<int>& bodies) {
+  Json out = Json::array();
+  for (const int body : bodies)
+    out.push_back({net.structure.graph.vertices[body].x(), net.structure.graph.vertices[body].y()});
+  return out;
+}
+
+Json face_json(const SolidOutcome& found, std::size_t f) {
+  const targets::SolidNet& net = found.design.net;
+  std::vector<int> ends;
+  for (const auto& side : net.faces[f].sides) ends.insert(ends.end(), {side.front(), side.back()});
+  Json out = {{"name", face_name(static_cast<int>(f))},
+              {"corners", places_json(net, ends)},
+              {"rms", found.design.error.face_rms[f]}};
+  if (found.physics) out["rms_physics"] = found.physics->face_rms[f];
+  return out;
+}
+
+Json crease_json(const SolidOutcome& found, std::size_t c) {
+  const targets::SolidNet& net = found.design.net;
+  const targets::SolidCrease& crease = net.creases[c];
+  const auto& edges = net.structure.graph.edges;
+  const auto &near = crease.hinges.front(), &far = crease.hinges.back();
+  const std::vector<int> corners = {edges[near.front()].from, edges[near.back()].from, edges[far.back()].to,
+                                    edges[far.front()].to};
+  Json out = {{"name", crease_name(crease)},
+              {"faces", {crease.first, crease.second}},
+              {"corners", places_json(net, corners)},
+              {"columns", net.columns},
+              {"angle_deg", to_degrees(crease.angle)},
+              {"fold_deg", to_degrees(found.design.error.fold[c])},
+              {"tilt_deg", to_degrees(found.design.tilt[c])}};
+  if (found.physics) out["fold_physics_deg"] = to_degrees(found.physics->fold[c]);
+  return out;
+}
+
+Json fold_json(const SolidOutcome& found) {
+  Json out = {{"faces", Json::array()},
+              {"creases", Json::array()},
+              {"unfoldings", 1},
+              {"unfolding", 0},
+              {"attempts", Json::array()},
+              {"reasons", found.violations},
+              {"reasons_physics", found.physics_violations}};
+  for (std::size_t f = 0; f < found.design.net.faces.size(); ++f) out["faces"].push_back(face_json(found, f));
+  for (std::size_t c = 0; c < found.design.net.creases.size(); ++c)
+    out["creases"].push_back(crease_json(found, c));
+  for (const optim::SolidAttempt& attempt : found.design.attempts)
+    out["attempts"].push_back(
+        {{"unfolding", 0}, {"columns", std::vector<int>{attempt.columns}}, {"why", attempt.why}});
+  return out;
+}
+
+Json optimiser_json(const optim::SolidDesign& design) {
+  return {{"solver", "closed form"},
+          {"starts", design.attempts.size()},
+          {"evaluations", design.evaluations},
+          {"status", design.folds ? "converged" : "failed"},
+          {"why", design.folds ? "every crease reaches its angle at one theta, with no wall in the way"
+                               : "no number of columns tried folds freely"}};
+}
+
+}  // namespace
+
+std::string crease_name(const targets::SolidCrease& crease) {
+  return face_name(crease.first) + "-" + face_name(crease.second);
+}
+
+double SolidOutcome::edge_mm() const {
+  return design.net.edge * design.net.structure.size.edge_mm * std::cos(design.theta);
+}
+
+Json SolidOutcome::target_json() const {
+  Json out = {{"kind", "fold"}, {"solid", targets::solid_names()[goal.solid]}, {"cells", goal.cells}};
+  out["faces"] = Json::array();
+  for (std::size_t f = 0; f < design.net.faces.size(); ++f)
+    out["faces"].push_back({{"name", face_name(static_cast<int>(f))}});
+  out["creases"] = Json::array();
+  for (const targets::SolidCrease& crease : design.net.creases)
+    out["creases"].push_back({{"faces", {face_name(crease.first), face_name(crease.second)}},
+                              {"angle_deg", to_degrees(crease.angle)}});
+  return out;
+}
+
+void SolidOutcome::add_sections(const Run&, Json& result) const {
+  result["fold"] = fold_json(*this);
+  result["optimiser"] = optimiser_json(design);
+}
+
+void SolidOutcome::add_metrics(Json& metrics) const {
+  metrics["fold_deg"] = degrees_json(design.error.fold);
+  metrics["fold_miss_deg"] = to_degrees(largest_miss(design.net, design.error));
+  metrics["face_rms"] = design.error.rms;
+  metrics["met"] = met();
+  if (!physics) return;
+  metrics["fold_physics_deg"] = degrees_json(physics->fold);
+  metrics["fold_miss_physics_deg"] = to_degrees(largest_miss(design.net, *physics));
+  metrics["face_rms_physics"] = physics->rms;
+}
+
+std::vector<SummaryLine> SolidOutcome::summary_lines(const Run& run) const {
+  const auto in_words = [&](const targets::SolidError& error) {
+    return fmt::format("{} creases within {:.1e} deg, faces {:.1e} of their edge from the solid (rms)",
+                       design.net.creases.size(), to_degrees(largest_miss(design.net, error)), error.rms);
+  };
+  std::vector<SummaryLine> lines;
+  lines.push_back({"solid", in_words(design.error) + (met() ? "" : ": DOES NOT FOLD AS REQUIRED")});
+  for (const std::string& why : violations) lines.push_back({"why", why});
+  lines.push_back({"net", fmt::format("{} faces of {} cells a side, {} {} per crease",
+                                      design.net.faces.size(), 2 * goal.cells, design.net.columns,
+                                      design.net.columns == 1 ? "column" : "columns")});
+  lines.push_back({"size", fmt::format("edges of {:.1f} mm when it is closed", edge_mm())});
+  lines.push_back(
+      {"search", fmt::format("{:.3f} s, {} motions examined", run.timings.optimise, design.evaluations)});
+  if (physics) lines.push_back({"physics", in_words(*physics)});
+  for (const std::string& why : physics_violations) lines.push_back({"why", why});
+  return lines;
+}
+
+}  // namespace kinetix::app

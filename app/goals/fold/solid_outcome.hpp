@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+
+#include "app/run/goal_outcome.hpp"
+#include "optim/fold/fit_solid.hpp"
+#include "targets/fold/fold_goal.hpp"
+
+namespace kinetix::app {
+
+/// What a search for the net of a solid contributes to a result.
+class SolidOutcome final : public GoalOutcome {
+ public:
+  targets::SolidGoal goal;
+  optim::SolidDesign design;
+  std::optional<targets::SolidError> physics;  ///< of the settled physics run
+
+  /// Of the solid between the middles of its walls, mm, when it is closed.
+  double edge_mm() const;
+
+  nlohmann::ordered_json target_json() const override;
+  /// Adds `fold` (faces and creases as polygons of the flat net) and `optimiser`.
+  void add_sections(const Run& run, nlohmann::ordered_json& result) const override;
+  void add_metrics(nlohmann::ordered_json& metrics) const override;
+  std::vector<SummaryLine> summary_lines(const Run& run) const override;
+};
+
+/// "3-7", by the numbers of its faces.
+std::string crease_name(const targets::SolidCrease& crease);
+
+}  // namespace kinetix::app

@@ -1,0 +1,128 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "app/goals/fold/fold_kind.hpp"
+#include "app/goals/fold/solid_outcome.hpp"
+#include "app/pipeline/exact_state.hpp"
+#include "app/pipeline/physics_settings.hpp"
+#include "model/sheet/sheet_motion.hpp"
+#include "targets/document/number.hpp"
+
+namespace kinetix::app {
+namespace {
+
+optim::FoldOptions options_of(const FoldFile& file) {
+  optim::FoldOptions options;
+  options.size = file.size;
+  options.tilt = file.tilt;
+  options.theta = file.theta;
+  return options;
+}
+
+/// What a state lacks of what the file asks.
+std::vector<std::string> lacks(const FoldFile& file, const targets::SolidNet& net,
+                               const targets::SolidError& error, const std::string& who) {
+  std::vector<std::string> why;
+  for (std::size_t c = 0; c < net.creases.size(); ++c)
+    if (!(std::abs(error.fold[c] - net.creases[c].angle) <= file.angle_tolerance))
+      why.push_back(fmt::format("{}: crease `{}` folds by {:.2f} deg; {:.2f} deg is required", who,
+                                crease_name(net.creases[c]), to_degrees(error.fold[c]),
+                                to_degrees(net.creases[c].angle)));
+  if (!(error.rms <= file.shape_tolerance))
+    why.push_back(
+        fmt::format("{}: faces are off the solid by {:.3g} of their edge; at most {:.3g} is allowed", who,
+                    error.rms, file.shape_tolerance));
+  return why;
+}
+
+constexpr int usual_columns = 2;          // of a crease, what searches find for most solids
+constexpr double seconds_a_body = 0.005;  // measured: of a search of columns and theta
+
+class SolidScene final : public Scene {
+ public:
+  explicit SolidScene(FoldFile file) : file_(std::move(file)) {}
+
+  std::string name() const override { return file_.name; }
+
+  Forecast forecast() const override {
+    const targets::SolidGoal& goal = *file_.goal.solid;
+    const int columns = goal.columns > 0 ? goal.columns : usual_columns;
+    Forecast out{lay_out(targets::named_solid(goal.solid), goal.cells, columns, file_.size).structure};
+    out.search_s = out.sheet.bodies() * seconds_a_body;
+    return out;
+  }
+
+  void solve(Run& run, const RunOptions& options) const override {
+    run.physics = file_.physics;
+    run.hinge = file_.hinge;
+    run.goal_drive = file_.drive;
+    run.process = file_.process;
+    run.verify_tolerance = file_.verify_tolerance;
+    auto found = std::make_unique<SolidOutcome>();
+    found->tolerances = {{"angle_deg", std::stod(targets::degrees_text(file_.angle_tolerance))},
+                         {"shape", file_.shape_tolerance}};
+    found->goal = *file_.goal.solid;
+    found->design = fit_solid(targets::named_solid(found->goal.solid), found->goal.cells, found->goal.columns,
+                              options_of(file_), options.progress);
+    const optim::SolidDesign& design = found->design;
+    if (design.folds) found->violations = lacks(file_, design.net, design.error, "model");
+    for (const optim::SolidAttempt& attempt : design.attempts)
+      if (!design.folds) found->violations.push_back(attempt.why);
+    run.structure = design.net.structure;
+    run.theta = design.theta;
+    run.goal = std::move(found);
+  }
+
+  void add_state(Run& run, const RunOptions&) const override { add_exact_state(run, run.theta); }
+
+  /// Each vertex of a face, in all directions.
+  std::optional<Judged> judged(const Run& run, const model::Sheet& sheet, double theta,
+                               const model::State& state) const override {
+    const optim::SolidDesign& design = outcome_of<SolidOutcome>(run).design;
+    if (!design.folds || !is_finite(state)) return std::nullopt;
+    const double weight = std::sqrt(3.0);  // the rms is that of vertices in space, not of their coordinates
+    Judged out{{}, file_.shape_tolerance * design.net.edge * sheet.size().edge_mm * std::cos(theta)};
+    for (const auto& [body, place] : ideal_places(design.net, state, theta))
+      for (int k = 0; k < 3; ++k)
+        out.points.push_back(
+            {{body}, state[body].p, weight * Eigen::Vector3d::Unit(k), weight * (state[body].p - place)[k]});
+    return out;
+  }
+
+  std::optional<PhysicsTask> physics_task(const Run& run) const override {
+    if (!run.goal->met()) return std::nullopt;
+    return PhysicsTask{run.states.front().poses, drive_to(run.structure, run.theta),
+                       physics_options(file_.physics, file_.size.edge_mm)};
+  }
+
+  void judge_physics(Run& run) const override {
+    auto& found = outcome_of<SolidOutcome>(run);
+    found.physics = solid_error(found.design.net, run.verification->physics.state, run.theta);
+    found.physics_violations = lacks(file_, found.design.net, *found.physics, "physics run");
+  }
+
+  TurnBounds turn_bounds() const override { return {file_.tilt, file_.theta}; }
+
+  void judge_matter(Run& run, const model::State& state) const override {
+    auto& found = outcome_of<SolidOutcome>(run);
+    found.design.error = solid_error(found.design.net, state, run.theta);
+    found.violations = lacks(file_, found.design.net, found.design.error, "equilibrium");
+  }
+
+  void add_frames(Run& run) const override { add_exact_frames(run); }
+
+ private:
+  FoldFile file_;
+};
+
+}  // namespace
+
+std::unique_ptr<Scene> make_solid_scene(FoldFile file) {
+  return std::make_unique<SolidScene>(std::move(file));
+}
+
+}  // namespace kinetix::app

@@ -1,0 +1,121 @@
+#include "optim/fold/fit_solid.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/contact/wall_contact.hpp"
+#include "model/lattice/planar/planar_motion.hpp"
+
+namespace kinetix::optim {
+namespace {
+
+// Rad of theta between looks and between tries: walls that meet and part again within one are missed.
+constexpr double look_step = 1 * radians_per_degree;
+
+/// The same with thicker and higher walls.
+model::Linkage thickened(const model::PlanarStructure& structure, double clearance) {
+  model::Linkage out = structure;
+  out.size.thickness_mm += clearance * out.size.edge_mm;
+  out.size.height_mm += clearance * out.size.edge_mm;
+  return out;
+}
+
+class SolidSearch {
+ public:
+  SolidSearch(const targets::Solid& solid, int cells, const FoldOptions& options)
+      : solid_(solid), cells_(cells), options_(options) {}
+
+  /// @return why it does not fold; empty where it does
+  std::string try_columns(int columns) {
+    design_.net = lay_out(solid_, cells_, columns, options_.size);
+    double steepest = 0;
+    for (const auto& crease : design_.net.creases)
+      steepest = std::max(steepest, std::tan(crease.angle / columns / 2));
+    const double sine = steepest / std::tan(options_.tilt),
+                 least = std::max(options_.theta.lower, sine < 1 ? std::asin(sine) : pi / 2);
+    fold_at(options_.theta.upper);
+    if (!(least < options_.theta.upper))
+      return fmt::format(
+          "with {} a crease tilts of {:.1f} deg would be needed even at theta {:.1f} deg; at most {:.1f} deg "
+          "is allowed",
+          in_words(columns), to_degrees(std::atan(steepest / std::sin(options_.theta.upper))),
+          to_degrees(options_.theta.upper), to_degrees(options_.tilt));
+    return try_thetas(columns, least);
+  }
+
+  void finish() {
+    const model::ExactMotion motion = exact_motion(design_.net.structure);
+    design_.error = solid_error(design_.net, motion.at(design_.theta), design_.theta);
+  }
+
+  SolidDesign& design() { return design_; }
+
+ private:
+  static std::string in_words(int columns) {
+    return columns == 1 ? "one column" : fmt::format("{} columns", columns);
+  }
+
+  void fold_at(double theta) {
+    design_.theta = theta;
+    design_.tilt = fold_solid(design_.net, theta);
+  }
+
+  std::string try_thetas(int columns, double least) {
+    double farthest = 0, wanted = 0;
+    const int steps = static_cast<int>((options_.theta.upper - least) / look_step);
+    for (int k = 0; k <= steps; ++k) {
+      fold_at(options_.theta.upper - k * look_step);
+      const double free = free_to();
+      if (free >= design_.theta) return {};
+      if (wanted == 0 || free / design_.theta > farthest / wanted) farthest = free, wanted = design_.theta;
+    }
+    if (wanted != 0) fold_at(wanted);
+    return fmt::format(
+        "with {} a crease walls run into each other at theta {:.1f} deg; the fold needs {:.1f} deg",
+        in_words(columns), to_degrees(farthest), to_degrees(wanted));
+  }
+
+  /// The last look at which no wall is in the way, up to theta.
+  double free_to() {
+    ++design_.evaluations;
+    const model::Linkage thicker = thickened(design_.net.structure, options_.clearance);
+    model::WallContact contact(thicker);
+    if (!contact.touching_at_rest().empty()) return 0;
+    const model::ExactMotion motion = exact_motion(design_.net.structure);
+    const int steps = static_cast<int>(std::ceil(design_.theta / look_step));
+    double free = 0;
+    for (int k = 1; k <= steps; ++k) {
+      const double theta = k == steps ? design_.theta : design_.theta * k / steps;
+      if (!contact.overlapping(motion.at(theta)).empty()) return free;
+      free = theta;
+    }
+    return free;
+  }
+
+  const targets::Solid& solid_;
+  int cells_;
+  const FoldOptions& options_;
+  SolidDesign design_;
+};
+
+}  // namespace
+
+SolidDesign fit_solid(const targets::Solid& solid, int cells, int columns, const FoldOptions& options,
+                      const Progress& progress) {
+  options.validate();
+  SolidSearch search(solid, cells, options);
+  SolidDesign& design = search.design();
+  const int first = columns > 0 ? columns : 1, last = columns > 0 ? columns : most_solid_columns;
+  for (int k = first; k <= last && !design.folds; ++k) {
+    progress("columns", static_cast<double>(k - first) / (last - first + 1));
+    const std::string why = search.try_columns(k);
+    design.attempts.push_back({k, why});
+    design.folds = why.empty();
+  }
+  search.finish();
+  return std::move(design);
+}
+
+}  // namespace kinetix::optim

@@ -1,0 +1,137 @@
+#include "app/files/origami_file.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "model/closure/null_space.hpp"
+#include "model/lattice/planar/planar_motion.hpp"
+#include "tests/support/random_mesh.hpp"
+
+namespace kinetix::app {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// A mesh as a FOLD file of so many digits, its vertices numbered backwards.
+std::string fold_text(const model::QuadMesh& m, int digits) {
+  const auto number = [&](int i, int j) { return static_cast<int>(m.vertices.size() - 1 - m.vertex(i, j)); };
+  std::vector<std::string> points(m.vertices.size());
+  std::string faces, edges, words;
+  const auto edge = [&](int i, int j, int to_i, int to_j, double c) {
+    edges += fmt::format("{}[{}, {}]", edges.empty() ? "" : ", ", number(i, j), number(to_i, to_j));
+    words += fmt::format("{}\"{}\"", words.empty() ? "" : ", ", c > 0 ? "V" : c < 0 ? "M" : "B");
+  };
+  for (int j = 0; j <= m.rows; ++j)
+    for (int i = 0; i <= m.columns; ++i) {
+      points[number(i, j)] =
+          fmt::format("[{:.{}f}, {:.{}f}]", m.at(i, j).x(), digits, m.at(i, j).y(), digits);
+      if (i < m.columns) edge(i, j, i + 1, j, j > 0 && j < m.rows ? m.level[m.level_crease(i, j)] : 0);
+      if (j < m.rows) edge(i, j, i, j + 1, i > 0 && i < m.columns ? m.rising[m.rising_crease(i, j)] : 0);
+      if (i < m.columns && j < m.rows)
+        faces += fmt::format("{}[{}, {}, {}, {}]", faces.empty() ? "" : ", ", number(i, j), number(i + 1, j),
+                             number(i + 1, j + 1), number(i, j + 1));
+    }
+  return fmt::format(
+      "{{\"file_spec\": 1.1, \"vertices_coords\": [{}], \"faces_vertices\": [{}], \"edges_vertices\": [{}], "
+      "\"edges_assignment\": [{}]}}",
+      fmt::join(points, ", "), faces, edges, words);
+}
+
+model::QuadMesh mesh_of(int columns, int rows, unsigned seed) {
+  std::mt19937 random(seed);
+  return testing::random_mesh(columns, rows, 0.1, random).mesh;
+}
+
+TEST(OrigamiFile, OfSixDigitsBecomesASheetThatClosesToTheLast) {
+  for (const auto& [columns, rows] : {std::pair(2, 2), {5, 4}, {8, 8}}) {
+    const OrigamiFile pattern = parse_origami(fold_text(mesh_of(columns, rows, 3), 6), "a.fold");
+    EXPECT_LE(pattern.moved, 1e-4);
+    const model::PlanarStructure s = origami_sheet(tilted(pattern, 0.8), {}).structure;
+    EXPECT_EQ(s.graph.vertices.size(), 4u * columns * rows);
+    const model::ExactMotion motion = exact_motion(s);
+    ASSERT_TRUE(motion) << motion.why;
+    EXPECT_EQ(motion.name, "creased");
+    for (const double theta : {-0.7, 0.3, 0.9}) {
+      EXPECT_LE(hinge_gaps(s, motion.at(theta)).max, 1e-11);
+      EXPECT_LE(hinge_gaps(s, motion.at(theta)).axis_max, 1e-11);
+    }
+    EXPECT_EQ(null_space(s, motion.at(0.4)).dofs(), 1);
+  }
+}
+
+// All multipliers but for a common factor, which a crease pattern leaves open.
+TEST(OrigamiFile, FindsTheMultipliersThatThePatternWasDrawnWith) {
+  const model::QuadMesh mesh = mesh_of(4, 3, 5);
+  const OrigamiFile pattern = parse_origami(fold_text(mesh, 12), "a.fold");
+  const auto sorted = [](const model::QuadMesh& m) {
+    std::vector<double> all = m.rising;
+    all.insert(all.end(), m.level.begin(), m.level.end());
+    std::sort(all.begin(), all.end());
+    const double most = std::max(all.back(), -all.front());
+    for (double& c : all) c /= most;
+    return all;
+  };
+  const std::vector<double> found = sorted(pattern.mesh), drawn = sorted(mesh);
+  ASSERT_EQ(found.size(), drawn.size());
+  for (std::size_t k = 0; k < found.size(); ++k) EXPECT_NEAR(found[k], drawn[k], 1e-9);
+}
+
+void expect_refused(const std::string& text, const std::string& what) {
+  try {
+    parse_origami(text, "a.fold");
+    ADD_FAILURE() << "not refused: " << what;
+  } catch (const InvalidInput& e) {
+    EXPECT_THAT(e.reason(), HasSubstr(what));
+    EXPECT_EQ(e.place().file, "a.fold");
+  }
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  text.replace(text.find(what), what.size(), by);
+  return text;
+}
+
+TEST(OrigamiFile, SaysWhichVertexFaceOrEdgeIsWrong) {
+  model::QuadMesh mesh = mesh_of(3, 3, 2);
+  const std::string good = fold_text(mesh, 9);
+  expect_refused("{", "is no JSON");
+  expect_refused("[]", "its JSON is no object");
+  expect_refused(replaced(good, "faces_vertices", "faces"), "it has no `faces_vertices`");
+  expect_refused(replaced(good, "[15, 14, 10, 11]", "[15, 14, 10]"), "face 0 has 3 corners");
+  expect_refused(replaced(good, "[15, 14, 10, 11]", "[15, 14, 10, 99]"),
+                 "face 0 names a vertex that is not there");
+  mesh.at(1, 1) += Eigen::Vector2d(0.1, 0.05);
+  expect_refused(fold_text(mesh, 9),
+                 "vertex 10 is not flat-foldable: opposite angles between its creases add up to");
+  std::string unlike = good;
+  const std::size_t at = unlike.find("edges_assignment");
+  for (std::size_t k = at; k < unlike.size(); ++k)
+    if (unlike[k] == 'M') unlike[k] = 'V';
+  expect_refused(unlike, "does not fold: of its two pairs of opposite creases");
+  expect_refused(replaced(good, "\"V\"", "\"U\""), "is neither mountain nor valley");
+}
+
+// Four triangles in a ring round vertex 4 are refused as triangles; five quadrilaterals by the vertex between them.
+TEST(OrigamiFile, NamesAnInnerVertexOfAnotherDegree) {
+  std::string points = "[0, 0]", faces, edges;
+  for (int k = 0; k < 5; ++k) {
+    const double a = 2 * pi * k / 5, b = a + pi / 5;
+    points +=
+        fmt::format(", [{}, {}], [{}, {}]", std::cos(a), std::sin(a), 1.5 * std::cos(b), 1.5 * std::sin(b));
+    const int next = 2 * ((k + 1) % 5) + 1;
+    faces += fmt::format("{}[0, {}, {}, {}]", k ? ", " : "", 2 * k + 1, 2 * k + 2, next);
+    edges += fmt::format("{}[0, {}], [{}, {}], [{}, {}]", k ? ", " : "", 2 * k + 1, 2 * k + 1, 2 * k + 2,
+                         2 * k + 2, next);
+  }
+  expect_refused(
+      fmt::format("{{\"vertices_coords\": [{}], \"faces_vertices\": [{}], \"edges_vertices\": [{}], "
+                  "\"edges_foldAngle\": []}}",
+                  points, faces, edges),
+      "vertex 0 inside the pattern has 5 creases");
+}
+
+}  // namespace
+}  // namespace kinetix::app
