@@ -12,8 +12,8 @@ using Eigen::Vector2d;
 using Eigen::VectorXd;
 using Matrix = Eigen::SparseMatrix<double>;
 
-/// A row a wall, two columns a cell.
-Matrix conditions(const PlanarStructure& s) {
+/// A row a wall, two columns a cell, one a further condition.
+Matrix conditions(const PlanarStructure& s, const std::vector<WallCondition>& further) {
   std::vector<Eigen::Triplet<double>> entries;
   for (int f = 0; f < static_cast<int>(s.faces.size()); ++f)
     for (std::size_t k = 0; k < s.faces[f].edges.size(); ++k) {
@@ -22,7 +22,12 @@ Matrix conditions(const PlanarStructure& s) {
       entries.emplace_back(wall, 2 * f, along.x());
       entries.emplace_back(wall, 2 * f + 1, along.y());
     }
-  Matrix rates(static_cast<int>(s.hinges.size()), 2 * static_cast<int>(s.faces.size()));
+  int column = 2 * static_cast<int>(s.faces.size());
+  for (const WallCondition& condition : further) {
+    for (const auto& [wall, rate] : condition.parts) entries.emplace_back(wall, column, rate);
+    ++column;
+  }
+  Matrix rates(static_cast<int>(s.hinges.size()), column);
   rates.setFromTriplets(entries.begin(), entries.end());
   return rates;
 }
@@ -34,11 +39,11 @@ struct ExactDesigns::Factors {
   Eigen::SPQR<Matrix> qr;
 };
 
-ExactDesigns::ExactDesigns(const PlanarStructure& structure)
+ExactDesigns::ExactDesigns(const PlanarStructure& structure, const std::vector<WallCondition>& further)
     : walls_(static_cast<int>(structure.hinges.size())),
-      conditions_(2 * static_cast<int>(structure.faces.size())) {
+      conditions_(static_cast<int>(2 * structure.faces.size() + further.size())) {
   if (conditions_ == 0) return;
-  factors_ = std::make_shared<Factors>(conditions(structure));
+  factors_ = std::make_shared<Factors>(conditions(structure, further));
   rank_ = static_cast<int>(factors_->qr.rank());
 }
 
@@ -66,9 +71,11 @@ VectorXd ExactDesigns::smallest_change(const VectorXd& sums) const {
 }
 
 PlanarStructure nearest_exact(PlanarStructure s) {
-  VectorXd sums(2 * s.faces.size());
+  const std::vector<WallCondition> creases = straight_lines(s, find_creases(s));
+  VectorXd sums(2 * s.faces.size() + creases.size());
   for (std::size_t f = 0; f < s.faces.size(); ++f) sums.segment<2>(2 * f) = -redrawn_sum(s, s.faces[f]);
-  const VectorXd change = ExactDesigns(s).smallest_change(sums);
+  for (std::size_t c = 0; c < creases.size(); ++c) sums[2 * s.faces.size() + c] = creases[c].missing;
+  const VectorXd change = ExactDesigns(s, creases).smallest_change(sums);
   for (std::size_t h = 0; h < s.hinges.size(); ++h)
     s.hinges[h].t += s.senses[s.graph.edges[h].from] * change[h] / 2;
   return s;

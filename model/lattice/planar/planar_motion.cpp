@@ -6,6 +6,7 @@
 
 #include "model/base/invalid_input.hpp"
 #include "model/closure/drive_theta.hpp"
+#include "model/lattice/planar/creased_motion.hpp"
 #include "model/lattice/planar/planar_drive.hpp"
 
 namespace kinetix::model {
@@ -14,14 +15,6 @@ namespace {
 using Eigen::Vector2d;
 
 Vector2d turned_by_90(const Vector2d& v) { return {-v.y(), v.x()}; }
-
-/// The first hinge whose axis does not stand upright; -1 where all do.
-int first_inclined(const PlanarStructure& s) {
-  const Linkage linkage = s;
-  for (int h = 0; h < static_cast<int>(s.hinges.size()); ++h)
-    if (!is_vertical(linkage.hinges[h])) return h;
-  return -1;
-}
 
 }  // namespace
 
@@ -108,17 +101,13 @@ State fold(const PlanarStructure& structure, const Redrawing& y, double theta) {
 }
 
 ExactMotion exact_motion(const PlanarStructure& structure) {
-  if (const int hinge = first_inclined(structure); hinge >= 0)
-    return {{},
-            "none",
-            "no exact family: the hinge on wall " + to_string(structure.graph.edges[hinge]) +
-                " does not stand upright"};
   RedrawingFit fit = redrawing_of(structure);
   if (!fit.is_closed())
     return {{},
             "none",
             "no exact family: " + to_string(structure.faces[fit.worst_face]) +
                 " does not close: it is off by " + number_text(fit.misfit) + " cell edges times sin(theta)"};
+  if (!all_vertical(structure)) return creased_motion(structure, fit.y);
   const auto at = [structure, y = fit.y](double theta) { return fold(structure, y, theta); };
   const auto theta = [structure, at, y = fit.y](const LinkageDrive& drive) {
     refuse_rows_that_curve(drive, y);

@@ -59,7 +59,8 @@ Pose redrawn_pose(const Eigen::Vector2d& x, const Eigen::Vector2d& y, int sense,
 /// State at theta, mm. Class A turns by theta, class B by -theta.
 State fold(const PlanarStructure& structure, const Redrawing& y, double theta);
 
-/// The exact motion of upright hinges, or why there is none.
+/// The exact motion of upright hinges, or of facets of them that creases join (model/lattice/planar/creased_motion.hpp);
+/// or why there is none.
 ExactMotion exact_motion(const PlanarStructure& structure);
 
 }  // namespace kinetix::model

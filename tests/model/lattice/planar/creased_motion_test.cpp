@@ -1,0 +1,175 @@
+#include "model/lattice/planar/creased_motion.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "model/closure/mobility.hpp"
+#include "model/closure/null_space.hpp"
+#include "model/lattice/planar/exact_designs.hpp"
+#include "tests/support/creased.hpp"
+#include "tests/support/miura.hpp"
+#include "tests/support/planar_graphs.hpp"
+
+namespace kinetix::model {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr double thetas[] = {-1.2, -0.5, 0.05, 0.4, 0.9, 1.4};
+
+void expect_closed(const PlanarStructure& s, const char* name, double gap = 1e-12) {
+  const ExactMotion motion = exact_motion(s);
+  ASSERT_TRUE(motion) << name << ": " << motion.why;
+  EXPECT_EQ(motion.name, "creased") << name;
+  for (const double theta : thetas) {
+    const HingeGaps gaps = hinge_gaps(s, motion.at(theta));
+    EXPECT_LE(gaps.max, gap) << name << " at " << theta;
+    EXPECT_LE(gaps.axis_max, gap) << name << " at " << theta;
+  }
+}
+
+TEST(CreasedMotion, FoldsHoneycombsBricksAndOctagons) {
+  for (const auto& [name, lattice] : {std::pair("honeycomb", &honeycomb_lattice),
+                                      {"bricks", &brick_lattice},
+                                      {"octagons", &octagon_lattice}}) {
+    const testing::Creased c = testing::creased(lattice_graph(*lattice, 5, 4));
+    expect_closed(c.structure, name);
+    const ExactMotion motion = exact_motion(c.structure);
+    for (const double theta : thetas)
+      EXPECT_LE(testing::from_folded(c, motion.at(theta), theta), 1e-12) << name;
+  }
+}
+
+/// Walls along the columns of rhombi of angle g alternate s = -+cos(g) from row to row; those along rows are halved. Creases
+/// run along columns, in which walls are leant alike on both sides.
+PlanarStructure creased_rhombi(int columns, int rows, double angle) {
+  PlanarStructure s = make_planar_structure(lattice_graph(rhombus_lattice, columns, rows, angle), {});
+  const Eigen::Vector2d up(std::cos(angle), std::sin(angle));
+  for (int h = 0; h < static_cast<int>(s.hinges.size()); ++h) {
+    const auto [from, to] = s.graph.edges[h];
+    const Eigen::Vector2d& lower = s.graph.vertices[from];
+    const int row = static_cast<int>(std::lround(lower.y() / up.y())),
+              column = static_cast<int>(std::lround(lower.x() - row * up.x()));
+    if (s.graph.vertices[to].y() - lower.y() > 1e-9)
+      s.hinges[h].t = (1 + s.senses[from] * (row % 2 == 0 ? -1 : 1) * std::cos(angle)) / 2;
+    else if (column == 1 || column == 3)
+      set_fold(s, h, up, column == 1 ? 0.8 : -1.7);
+  }
+  return s;
+}
+
+TEST(CreasedMotion, FoldsRhombiWhoseColumnsAlternate) {
+  for (const double angle : {0.9, 1.2, 1.5, 1.9}) {
+    expect_closed(creased_rhombi(5, 4, angle), "rhombi");
+  }
+}
+
+/// Random quadrilaterals; the walls of every second column are mirrored in its middle.
+PlanarGraph mirrored_quads(int cells, unsigned seed) {
+  PlanarGraph graph = testing::random_quads(cells, seed);
+  const auto at = [&](int i, int j) -> Eigen::Vector2d& { return graph.vertices[j * (cells + 1) + i]; };
+  for (int j = 0; j <= cells; ++j)
+    for (int i = 1; i < cells; i += 2) at(i + 1, j) = {2 * i + 1 - at(i, j).x(), at(i, j).y()};
+  return graph;
+}
+
+TEST(CreasedMotion, FoldsRandomQuadsWithMirroredWalls) {
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    PlanarStructure s = make_planar_structure(mirrored_quads(6, seed), {});
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> multiplier(-2, 2);
+    for (const double middle : {1.5, 3.5}) {
+      const double c = multiplier(random);
+      for (int h = 0; h < static_cast<int>(s.hinges.size()); ++h) {
+        const auto [from, to] = s.graph.edges[h];
+        const Eigen::Vector2d sum = s.graph.vertices[from] + s.graph.vertices[to];
+        if (std::abs(sum.x() / 2 - middle) < 1e-9) set_fold(s, h, Eigen::Vector2d::UnitY(), c);
+      }
+    }
+    expect_closed(s, "quads");
+    EXPECT_EQ(mobility(s, exact_motion(s)).dofs_along, 1);
+  }
+}
+
+// Vertices of degree four, one in every hexagon.
+TEST(CreasedMotion, FoldsAMiuraSheetOfHexagons) {
+  for (const double angle : {50.5, 60.0, 67.6}) {
+    const PlanarStructure s = testing::miura_of_hexagons(5, 5, angle * radians_per_degree, 0.9);
+    expect_closed(s, "Miura");
+    const Mobility m = mobility(s, exact_motion(s));
+    EXPECT_EQ(m.verdict, Verdict::mobile) << m.why;
+    EXPECT_EQ(m.dofs_along, 1);
+  }
+}
+
+TEST(CreasedMotion, FoldsTwentyByTwentyHexagonsWithOneFreedom) {
+  const PlanarStructure s = testing::miura_of_hexagons(20, 20, pi / 3, 0.9);
+  expect_closed(s, "Miura", 1e-11);
+  EXPECT_EQ(null_space(s, exact_motion(s).at(0.4)).dofs(), 1);
+}
+
+/// The angle of two neighbouring zigzag creases' facets, against the closed form of the crease law.
+TEST(CreasedMotion, TurnsFacetsByTheMultiplierOfTheirCrease) {
+  const PlanarStructure s = testing::miura_of_hexagons(4, 4, pi / 3, 0.9);
+  const PlanarCreases creases = find_creases(s);
+  const State state = exact_motion(s).at(0.6);
+  for (int h = 0; h < static_cast<int>(s.hinges.size()); ++h) {
+    const auto [from, to] = s.graph.edges[h];
+    const double cosine = state[from].R.col(2).dot(state[to].R.col(2));
+    const double c = creases.of_hinge[h] < 0 ? 0 : creases.list[creases.of_hinge[h]].line.norm();
+    EXPECT_NEAR(cosine, std::cos(2 * std::atan(c * std::sin(0.6))), 1e-12);
+  }
+}
+
+// An angle between the straight creases and the zigzags that does not fit their multipliers.
+TEST(CreasedMotion, NamesTheFaceWhereCreasesDoNotMeetInAFlatFoldableVertex) {
+  PlanarStructure s = testing::miura_of_hexagons(4, 4, pi / 3, 0.9);
+  for (int h = 0; h < static_cast<int>(s.hinges.size()); ++h)
+    if (std::abs(s.graph.along(h).x()) < 1e-9) s.hinges[h].beta *= 1.1;
+  const ExactMotion motion = exact_motion(s);
+  EXPECT_FALSE(motion);
+  EXPECT_THAT(motion.why, HasSubstr("creases meet in the face of vertices"));
+  EXPECT_THAT(motion.why, HasSubstr("where no flat-foldable vertex of four creases is"));
+}
+
+TEST(CreasedMotion, NamesAHingeThatLeansAlone) {
+  PlanarStructure s = make_planar_structure(lattice_graph(honeycomb_lattice, 3, 3), {});
+  s.hinges[s.faces[4].edges[0]].beta = 0.3;
+  EXPECT_THAT(exact_motion(s).why, HasSubstr("upright hinges join what lies on both sides of it"));
+}
+
+TEST(CreasedMotion, ProposesTheNearestFractionsThatKeepACreaseStraight) {
+  testing::Creased c = testing::creased(lattice_graph(honeycomb_lattice, 5, 4));
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> by(-0.05, 0.05);
+  for (HingeParameters& hinge : c.structure.hinges) hinge.t += by(random);
+  PlanarStructure upright = c.structure;
+  for (HingeParameters& hinge : upright.hinges) hinge.beta = 0;
+  PlanarStructure closed = nearest_exact(upright);
+  for (std::size_t h = 0; h < closed.hinges.size(); ++h) closed.hinges[h].beta = c.structure.hinges[h].beta;
+  const ExactMotion crooked = exact_motion(closed);
+  ASSERT_FALSE(crooked);
+  EXPECT_THAT(crooked.why, HasSubstr("does not stay straight: the hinge on wall"));
+  EXPECT_THAT(crooked.why, HasSubstr("the nearest t that keep all creases straight"));
+  expect_closed(nearest_exact(closed), "straightened");
+}
+
+// The smallest change is at right angles to all changes that keep the conditions.
+TEST(CreasedMotion, ChangesFractionsByAsLittleAsCanBe) {
+  testing::Creased c = testing::creased(lattice_graph(honeycomb_lattice, 4, 4));
+  const PlanarStructure exact = c.structure;
+  const ExactDesigns designs(exact, straight_lines(exact, find_creases(exact)));
+  c.structure.hinges[3].t += 0.04;
+  c.structure.hinges[c.hinges[1]].t += 0.03;
+  const PlanarStructure near = nearest_exact(c.structure);
+  Eigen::VectorXd change(near.hinges.size());
+  for (Eigen::Index h = 0; h < change.size(); ++h)
+    change[h] = near.senses[near.graph.edges[h].from] * (near.hinges[h].t - c.structure.hinges[h].t);
+  EXPECT_GT(change.norm(), 0.01);
+  EXPECT_LE(designs.numbers(change).norm(), 1e-12);
+}
+
+}  // namespace
+}  // namespace kinetix::model
