@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "model/lattice/planar/creased_motion.hpp"
 #include "model/lattice/square/classify.hpp"
 
 namespace kinetix::app {
@@ -20,9 +21,10 @@ sim::PhysicsOptions with_steps(sim::PhysicsOptions options, double factor) {
   return options;
 }
 
-/// A net never strains, and its ribs are long: joints that yield let their ends sway far behind.
+/// A net or a creased sheet never strains, and its panels are long: joints that yield let their ends sway far behind.
 sim::PhysicsOptions suited_to(const model::ExactMotion& exact, sim::PhysicsOptions options) {
-  if (exact.name == to_string(model::Family::F4) && !options.elastic) options.joint_stiffness = stiff_joints;
+  const bool folds = exact.name == to_string(model::Family::F4) || exact.name == model::creased_family;
+  if (folds && !options.elastic) options.joint_stiffness = stiff_joints;
   return options;
 }
 

@@ -81,6 +81,8 @@ std::vector<Sheet> candidates(const Sheet& sheet) {
   if (const Structure* squares = sheet.squares())
     for (const Tilted which : {Tilted::both, Tilted::along_x, Tilted::along_y})
       for (const bool centred : {false, true}) all.push_back(aligned(*squares, which, centred));
+  else
+    all.push_back(nearest_exact(*sheet.planar()));
   all.push_back(upright(sheet));
   return all;
 }

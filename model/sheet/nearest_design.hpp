@@ -15,8 +15,9 @@ struct NearestDesign {
 
 /// Of some exact designs that are near the one that changes hinges least (sum of squares, of tilts and angles in rad, of
 /// t and offsets in cell edges): every crease with one tilt, the middle one of its walls; the creases along x alone, or
-/// along y alone; on upright hinges the places that close every cell. The sheet itself where it moves exactly.
-/// @return nothing where none of these does, which lattices of other than squares with leaning hinges have
+/// along y alone; on upright hinges the places that close every cell; on other lattices than squares those that close every
+/// cell and keep every crease straight. The sheet itself where it moves exactly.
+/// @return nothing where none of these does
 std::optional<NearestDesign> nearest_design(const Sheet& sheet);
 
 }  // namespace kinetix::model

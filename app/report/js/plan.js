@@ -6,6 +6,7 @@ const FAMILIES = {
   F3: "F3, tilted rows: as F2, with the cross walls tilted too",
   F4: "F4, net of strips that share bodies",
   planar: "planar sheet: all hinges upright, every cell closes on a path of its own",
+  creased: "creased sheet: planar panels, folded about lines that stay straight",
   none: "none: no exact motion, the hinges have to stretch",
 };
 

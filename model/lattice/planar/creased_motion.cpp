@@ -200,7 +200,7 @@ ExactMotion creased_motion(const PlanarStructure& structure, const Redrawing& y)
     refuse_rows_that_bend(drive, at);
     return theta_of(drive, structure, at);
   };
-  return {at, "creased",
+  return {at, creased_family,
           "creased: facets of upright hinges move as a planar structure, folded about the lines of " +
               std::to_string(creases.list.size()) + " creases, which stay straight",
           theta};

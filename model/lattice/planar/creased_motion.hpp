@@ -10,6 +10,9 @@ namespace kinetix::model {
 /// The exact motion of a planar structure with creases (kinematics.md section 6): each facet moves in its plane as
 /// the structure without creases would, and is turned as a whole about the lines of the creases that lead to it.
 
+/// As ExactMotion::name has it.
+inline constexpr const char* creased_family = "creased";
+
 /// Creases that lead from the facet of body 0 to every other, a facet after the one it comes from.
 struct FacetTree {
   struct Link {

@@ -2,7 +2,7 @@
 import {$, degrees, element, neat, say, show, status, typed} from "./dom.js";
 import {CellMap} from "./cell_map.js";
 
-const FAMILIES = {F1: "stays flat: scales and shears", F2: "bends in one direction", F3: "bends with zigzag rows", F4: "folds as a net", planar: "stays flat"};
+const FAMILIES = {F1: "stays flat: scales and shears", F2: "bends in one direction", F3: "bends with zigzag rows", F4: "folds as a net", planar: "stays flat", creased: "folds along its creases"};
 
 export class DesignPanel {
   constructor(state) {
