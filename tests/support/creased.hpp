@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/lattice/planar/planar_motion.hpp"
+#include "model/lattice/planar/lattices/rhombus.hpp"
+#include "model/lattice/planar/planar_crease.hpp"
+#include "tests/support/planar_graphs.hpp"
 
 /// Planar structures with a crease, for tests.
 namespace kinetix::testing {
@@ -78,6 +80,50 @@ inline double from_folded(const Creased& c, const model::State& state, double th
   const double rho = fold_angle(theta);
   return std::min(aligned_distance(c.structure, state, folded(c, theta, rho)).rms,
                   aligned_distance(c.structure, state, folded(c, theta, -rho)).rms);
+}
+
+/// Walls along the columns of rhombi of angle g alternate s = -+cos(g) from row to row; those along rows are halved. Creases
+/// run along columns, in which walls are leant alike on both sides.
+inline model::PlanarStructure creased_rhombi(int columns, int rows, double angle) {
+  model::PlanarStructure s =
+      make_planar_structure(lattice_graph(model::rhombus_lattice, columns, rows, angle), {});
+  const Eigen::Vector2d up(std::cos(angle), std::sin(angle));
+  for (int h = 0; h < static_cast<int>(s.hinges.size()); ++h) {
+    const auto [from, to] = s.graph.edges[h];
+    const Eigen::Vector2d& lower = s.graph.vertices[from];
+    const int row = static_cast<int>(std::lround(lower.y() / up.y())),
+              column = static_cast<int>(std::lround(lower.x() - row * up.x()));
+    if (s.graph.vertices[to].y() - lower.y() > 1e-9)
+      s.hinges[h].t = (1 + s.senses[from] * (row % 2 == 0 ? -1 : 1) * std::cos(angle)) / 2;
+    else if (column == 1 || column == 3)
+      set_fold(s, h, up, column == 1 ? 0.8 : -1.7);
+  }
+  return s;
+}
+
+/// Random quadrilaterals; the walls of every second column are mirrored in its middle.
+inline model::PlanarGraph mirrored_quads(int cells, unsigned seed) {
+  model::PlanarGraph graph = random_quads(cells, seed);
+  const auto at = [&](int i, int j) -> Eigen::Vector2d& { return graph.vertices[j * (cells + 1) + i]; };
+  for (int j = 0; j <= cells; ++j)
+    for (int i = 1; i < cells; i += 2) at(i + 1, j) = {2 * i + 1 - at(i, j).x(), at(i, j).y()};
+  return graph;
+}
+
+/// Those, with creases of random multipliers through all mirrored columns.
+inline model::PlanarStructure creased_quads(int cells, unsigned seed) {
+  model::PlanarStructure s = make_planar_structure(mirrored_quads(cells, seed), {});
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> multiplier(-2, 2);
+  for (double middle = 1.5; middle < cells; middle += 2) {
+    const double c = multiplier(random);
+    for (int h = 0; h < static_cast<int>(s.hinges.size()); ++h) {
+      const auto [from, to] = s.graph.edges[h];
+      const Eigen::Vector2d sum = s.graph.vertices[from] + s.graph.vertices[to];
+      if (std::abs(sum.x() / 2 - middle) < 1e-9) set_fold(s, h, Eigen::Vector2d::UnitY(), c);
+    }
+  }
+  return s;
 }
 
 }  // namespace kinetix::testing

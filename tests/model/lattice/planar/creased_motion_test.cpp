@@ -42,52 +42,15 @@ TEST(CreasedMotion, FoldsHoneycombsBricksAndOctagons) {
   }
 }
 
-/// Walls along the columns of rhombi of angle g alternate s = -+cos(g) from row to row; those along rows are halved. Creases
-/// run along columns, in which walls are leant alike on both sides.
-PlanarStructure creased_rhombi(int columns, int rows, double angle) {
-  PlanarStructure s = make_planar_structure(lattice_graph(rhombus_lattice, columns, rows, angle), {});
-  const Eigen::Vector2d up(std::cos(angle), std::sin(angle));
-  for (int h = 0; h < static_cast<int>(s.hinges.size()); ++h) {
-    const auto [from, to] = s.graph.edges[h];
-    const Eigen::Vector2d& lower = s.graph.vertices[from];
-    const int row = static_cast<int>(std::lround(lower.y() / up.y())),
-              column = static_cast<int>(std::lround(lower.x() - row * up.x()));
-    if (s.graph.vertices[to].y() - lower.y() > 1e-9)
-      s.hinges[h].t = (1 + s.senses[from] * (row % 2 == 0 ? -1 : 1) * std::cos(angle)) / 2;
-    else if (column == 1 || column == 3)
-      set_fold(s, h, up, column == 1 ? 0.8 : -1.7);
-  }
-  return s;
-}
-
 TEST(CreasedMotion, FoldsRhombiWhoseColumnsAlternate) {
   for (const double angle : {0.9, 1.2, 1.5, 1.9}) {
-    expect_closed(creased_rhombi(5, 4, angle), "rhombi");
+    expect_closed(testing::creased_rhombi(5, 4, angle), "rhombi");
   }
-}
-
-/// Random quadrilaterals; the walls of every second column are mirrored in its middle.
-PlanarGraph mirrored_quads(int cells, unsigned seed) {
-  PlanarGraph graph = testing::random_quads(cells, seed);
-  const auto at = [&](int i, int j) -> Eigen::Vector2d& { return graph.vertices[j * (cells + 1) + i]; };
-  for (int j = 0; j <= cells; ++j)
-    for (int i = 1; i < cells; i += 2) at(i + 1, j) = {2 * i + 1 - at(i, j).x(), at(i, j).y()};
-  return graph;
 }
 
 TEST(CreasedMotion, FoldsRandomQuadsWithMirroredWalls) {
   for (const unsigned seed : {1u, 2u, 3u}) {
-    PlanarStructure s = make_planar_structure(mirrored_quads(6, seed), {});
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<double> multiplier(-2, 2);
-    for (const double middle : {1.5, 3.5}) {
-      const double c = multiplier(random);
-      for (int h = 0; h < static_cast<int>(s.hinges.size()); ++h) {
-        const auto [from, to] = s.graph.edges[h];
-        const Eigen::Vector2d sum = s.graph.vertices[from] + s.graph.vertices[to];
-        if (std::abs(sum.x() / 2 - middle) < 1e-9) set_fold(s, h, Eigen::Vector2d::UnitY(), c);
-      }
-    }
+    const PlanarStructure s = testing::creased_quads(6, seed);
     expect_closed(s, "quads");
     EXPECT_EQ(mobility(s, exact_motion(s)).dofs_along, 1);
   }

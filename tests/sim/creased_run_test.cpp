@@ -1,0 +1,24 @@
+#include <gtest/gtest.h>
+
+#include "model/lattice/planar/planar_drive.hpp"
+#include "sim/compression_run.hpp"
+#include "tests/support/creased.hpp"
+#include "tests/support/miura.hpp"
+
+namespace kinetix::sim {
+namespace {
+
+/// Distance of the settled run from the closed form at theta, cell edges.
+double from_closed_form(const model::PlanarStructure& s, double theta, PhysicsOptions options) {
+  options.joint_stiffness = 1e8;
+  const PhysicsResult run = run_compression(s, drive_to(s, theta), options);
+  EXPECT_EQ(run.status, PhysicsResult::Status::settled) << run.why;
+  return aligned_distance(s, run.state, exact_motion(s).at(theta)).rms;
+}
+
+TEST(CreasedRun, FoldsAMiuraSheetOfHexagonsToItsClosedForm) {
+  EXPECT_LE(from_closed_form(testing::miura_of_hexagons(6, 6, pi / 3, 0.9), 0.5, {}), 1e-6);
+}
+
+}  // namespace
+}  // namespace kinetix::sim
