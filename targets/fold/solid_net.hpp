@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "model/lattice/planar/planar_structure.hpp"
+#include "model/linkage/state.hpp"
+#include "targets/fold/solid.hpp"
+
+namespace kinetix::targets {
+
+/// A face of a solid in its flat net: quadrilateral cells between its middle, the middles of its sides and its corners.
+struct SolidFace {
+  std::vector<int> bodies;             ///< ascending; the first is in the middle
+  std::vector<Eigen::Vector2d> ideal;  ///< of each body: its place on the flat face, cell edges
+  std::vector<std::vector<int>>
+      sides;  ///< of each side, from its first corner: bodies from which walls cross it
+};
+
+/// The fold between two faces, over strips of walls one after the other.
+struct SolidCrease {
+  int first = 0, second = 0;
+  double angle = 0;                                 ///< rad, > 0: the faces rise
+  std::vector<std::vector<int>> hinges;             ///< of each column, one a wall across it
+  Eigen::Vector2d line = Eigen::Vector2d::UnitX();  ///< direction of its fold lines in the net
+};
+
+/// A solid cut open and laid flat as one sheet (kinematics.md section 6): faces of quadrilateral cells whose walls to the
+/// next face stand at right angles to the fold lines and are halved by them. All hinges have t = 1/2, all stand
+/// upright before fold_solid().
+struct SolidNet {
+  Solid solid;
+  int columns = 1;  ///< of each crease
+  double edge = 0;  ///< of the solid that it folds to when its cells are as large as flat, cell edges
+  model::PlanarStructure structure;
+  std::vector<SolidFace> faces;
+  std::vector<SolidCrease> creases;
+};
+
+/// @param cells of half a side of a face, >= 1   @param columns fold lines of a crease, >= 1
+/// @throws InvalidInput for sizes that make_planar_structure refuses, or where no way to cut the solid open has been
+/// found that lays it flat without overlap
+SolidNet lay_out(const Solid& solid, int cells, int columns, const model::CellSize& size);
+
+/// Leans the hinges of all creases so that at theta they fold by their angles. @param theta rad, (0, pi/2)
+/// @return tilt of each crease, rad
+std::vector<double> fold_solid(SolidNet& net, double theta);
+
+/// How a state of a net keeps its solid.
+struct SolidError {
+  std::vector<double> fold;      ///< angle of each crease, rad, by planes through the bodies of its faces
+  std::vector<double> face_rms;  ///< of each face: bodies from the ideal solid over its edge
+  double rms = 0;                ///< of all
+};
+/// The solid, its edges cos(theta) times as long as the net's, is laid over all faces together. NaN gives NaN.
+SolidError solid_error(const SolidNet& net, const model::State& state, double theta);
+
+/// Places on the ideal solid of the bodies of all faces, laid over a state, mm. @pre the state is finite
+std::vector<std::pair<int, Eigen::Vector3d>> ideal_places(const SolidNet& net, const model::State& state,
+                                                          double theta);
+
+}  // namespace kinetix::targets
