@@ -15,10 +15,10 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double rim_weight =
-    0.007;  // of the rim's distances: they decide only where the layers leave a choice
 constexpr double first_rim_weight = 0.3;  // of the first steps, which size the sheet
-constexpr double slack = 1e-3;            // rad and mean edges: what least squares may pass a bound by
+constexpr double least_progress =
+    1e-5;                       // of the cost, a step: below, a sheet creeps along a valley for hundreds
+constexpr double slack = 1e-3;  // rad and mean edges: what least squares may pass a bound by
 
 MeshBounds bounds_of(const SurfaceOptions& options) {
   MeshBounds out = options.bounds;
@@ -74,24 +74,40 @@ void measure_mesh(SurfaceDesign& design) {
     for (const double c : *multipliers) design.tilt = std::max(design.tilt, std::atan(std::abs(c)));
 }
 
-bool is_within(const SurfaceDesign& design, const SurfaceOptions& options) {
-  const auto inside = [](const std::array<double, 2>& range, const std::array<double, 2>& bounds) {
-    return range[0] >= bounds[0] - slack && range[1] <= bounds[1] + slack;
-  };
+bool is_valid(const model::QuadMesh& mesh) {
   try {
-    validate(design.mesh);
+    validate(mesh);
+    return true;
   } catch (const InvalidInput&) {
     return false;
   }
-  return inside(design.sector, options.bounds.sector) && inside(design.edge, options.bounds.edge) &&
-         design.tilt <= options.tilt + slack;
+}
+
+bool is_within(const SurfaceDesign& design, const SurfaceOptions& options) {
+  const auto keeps = [](const std::array<double, 2>& range, const std::array<double, 2>& bounds) {
+    return range[0] >= bounds[0] - slack && range[1] <= bounds[1] + slack;
+  };
+  return design.valid && keeps(design.sector, options.bounds.sector) &&
+         keeps(design.edge, options.bounds.edge) && design.tilt <= options.tilt + slack;
 }
 
 /// A Miura sheet to start from, and how long first steps are.
 struct Trial {
   MiuraStart miura;
   double trust = 1e4;
+  double rim = 0.007;  ///< weight of the rim's distances: they decide where the layers leave a choice
 };
+
+constexpr double of_most_fold = 0.85;                   // of the largest that is allowed, at a start
+constexpr double from_sector = 3 * radians_per_degree;  // a start is so far within the bounds of sectors
+
+/// A start that keeps to bounds from the first.
+MiuraStart kept_inside(MiuraStart start, const SurfaceOptions& options) {
+  start.fold = std::min(start.fold, of_most_fold * bounds_of(options).multiplier);
+  const double least = std::max(options.bounds.sector[0], pi - options.bounds.sector[1]) + from_sector;
+  start.angle = std::min(std::max(start.angle, least), pi / 2 - from_sector);
+  return start;
+}
 
 /// One start, in stages.
 class Run {
@@ -100,11 +116,12 @@ class Run {
       : patch_(patch),
         options_(options),
         trust_(trial.trust),
-        start_(start_on(patch, options.columns, options.rows, trial.miura)) {}
+        rim_(trial.rim),
+        start_(start_on(patch, options.columns, options.rows, kept_inside(trial.miura, options))) {}
 
   SurfaceDesign find() {
     stage(first_rim_weight, options_.iterations / 5);
-    stage(rim_weight, options_.iterations);
+    stage(rim_, options_.iterations);
     return design();
   }
 
@@ -113,7 +130,7 @@ class Run {
     const SurfaceProblem problem(patch_, start_.variables, bounds_of(options_), rim);
     SolverOptions solver;
     solver.max_evaluations = std::max(1, iterations);
-    solver.tolerance = 1e-4;
+    solver.tolerance = least_progress;
     solver.stop = options_.stop;
     solver.trust_radius = trust_;
     start_.x = start_.x.cwiseMax(problem.lower()).cwiseMin(problem.upper());
@@ -134,6 +151,7 @@ class Run {
     out.layer = start_.x[v.layer()] * v.unit;
     out.error = error_of(patch_, out);
     measure_mesh(out);
+    out.valid = is_valid(out.mesh);
     out.within = is_within(out, options_);
     out.evaluations = evaluations_;
     return out;
@@ -141,7 +159,7 @@ class Run {
 
   const targets::SurfacePatch& patch_;
   const SurfaceOptions& options_;
-  double trust_;
+  double trust_, rim_;
   SurfaceStart start_;
   int evaluations_ = 0;
 };
@@ -149,10 +167,10 @@ class Run {
 /// Proportions that have led to the best sheets on caps, saddles and vases come first, then a grid about them.
 std::vector<Trial> trials() {
   constexpr double deg = radians_per_degree;
-  std::vector<Trial> out = {{{53 * deg, 1.5, -1, 1}, 1e4},  {{53 * deg, 1.5, 1, -1}, 1e4},
-                            {{57 * deg, 1.2, -1, 1}, 1e3},  {{57 * deg, 1.5, -1, 1}, 1e3},
-                            {{57 * deg, 1.5, 1, 1}, 1e4},   {{62 * deg, 1.5, 1, -1}, 1e3},
-                            {{57 * deg, 1.5, -1, -1}, 1e4}, {{62 * deg, 1.5, 1, 1}, 1e3}};
+  std::vector<Trial> out = {{{53 * deg, 1.5, -1, 1}, 1e4, 0.005}, {{53 * deg, 1.5, 1, -1}, 1e4, 0.005},
+                            {{57 * deg, 1.2, -1, 1}, 1e3, 0.02},  {{57 * deg, 1.5, -1, 1}, 1e3, 0.02},
+                            {{57 * deg, 1.5, 1, 1}, 1e4},         {{57 * deg, 1.5, -1, -1}, 1e4},
+                            {{62 * deg, 1.5, 1, -1}, 1e3, 0.02},  {{62 * deg, 1.5, -1, 1}, 1e2, 0.005}};
   for (const double trust : {1e4, 1e3})
     for (const double fold : {1.5, 1.2, 1.78})
       for (const double angle : {53.0, 57.0, 62.0, 70.0})
@@ -163,6 +181,7 @@ std::vector<Trial> trials() {
 
 bool is_better(const SurfaceDesign& a, const SurfaceDesign& b) {
   if (a.within != b.within) return a.within;
+  if (a.valid != b.valid) return a.valid;
   if (std::isnan(a.error.cover) != std::isnan(b.error.cover)) return std::isnan(b.error.cover);
   return a.error.rms < b.error.rms;
 }

@@ -38,6 +38,7 @@ struct SurfaceDesign {
   SurfaceError error;
   std::array<double, 2> sector = {}, edge = {};  ///< least and largest: rad, over the mean edge
   double tilt = 0;                               ///< largest of a hinge, rad
+  bool valid = false;                            ///< it folds flat, no facet turned over
   bool within = false;                           ///< bounds hold
   int start = 0, starts = 0, evaluations = 0;    ///< the best one, of how many, residuals in all
 };

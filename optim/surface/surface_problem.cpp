@@ -6,6 +6,20 @@
 #include <limits>
 
 namespace kinetix::optim {
+
+/// Appends residuals one after the other.
+template <class T>
+class Residuals {
+ public:
+  Residuals(T* at, double scale) : at_(at), scale_(scale) {}
+  void add(const T& value) { *at_++ = value * T(scale_); }
+  const T* end() const { return at_; }
+
+ private:
+  T* at_;
+  double scale_;
+};
+
 namespace {
 
 using Eigen::Vector2d;
@@ -19,6 +33,7 @@ using Dual = ceres::Jet<double, lanes>;
 
 constexpr double extent_weight = 3;  // of the sides' mean places beside a vertex's distance
 constexpr double bound_weight = 3;   // a rad or a mean edge of passing against a diagonal of distance
+constexpr double least_sine = 0.4;   // of a facet's corner: sharper ones leave no room for bodies at the rim
 constexpr double inside = 0.2 * radians_per_degree;  // rad: what least squares pass a bound by is less
 constexpr double inside_edge = 0.004;                // of the mean edge: likewise
 
@@ -63,19 +78,6 @@ std::vector<Vector3<T>> placed(const SurfaceVariables& v, const model::QuadMeshO
   return out;
 }
 
-/// Appends residuals one after the other.
-template <class T>
-class Residuals {
- public:
-  Residuals(T* at, double scale) : at_(at), scale_(scale) {}
-  void add(const T& value) { *at_++ = value * T(scale_); }
-  const T* end() const { return at_; }
-
- private:
-  T* at_;
-  double scale_;
-};
-
 template <class T>
 void add_sectors(const model::MarchedMesh<T>& marched, const MeshBounds& bounds, Residuals<T>& out) {
   for (const model::MarchVertex<T>& vertex : marched.inner)
@@ -119,6 +121,24 @@ void add_edges(const model::MarchedMesh<T>& marched, const MeshBounds& bounds, R
                                below<T>(length / mean, bounds.edge[0] + inside_edge)));
 }
 
+/// Facets stay convex: the sine of each corner is not less than that.
+template <class T>
+void add_corners(const model::QuadMeshOf<T>& m, Residuals<T>& out) {
+  using std::sqrt;
+  for (int j = 0; j < m.rows; ++j)
+    for (int i = 0; i < m.columns; ++i) {
+      const Eigen::Matrix<T, 2, 1> corners[] = {m.at(i, j), m.at(i + 1, j), m.at(i + 1, j + 1),
+                                                m.at(i, j + 1)};
+      for (int k = 0; k < 4; ++k) {
+        const Eigen::Matrix<T, 2, 1> in = corners[(k + 1) % 4] - corners[k];
+        const Eigen::Matrix<T, 2, 1> on = corners[(k + 2) % 4] - corners[(k + 1) % 4];
+        const T sine =
+            (in.x() * on.y() - in.y() * on.x()) / sqrt(in.squaredNorm() * on.squaredNorm() + T(1e-300));
+        out.add(T(bound_weight) * below(sine, least_sine));
+      }
+    }
+}
+
 int edges_of(int columns, int rows) { return columns * (rows + 1) + rows * (columns + 1); }
 
 }  // namespace
@@ -127,7 +147,7 @@ SurfaceProblem::SurfaceProblem(const targets::SurfacePatch& patch, const Surface
                                const MeshBounds& bounds, double rim)
     : patch_(patch), variables_(variables), bounds_(bounds), rim_(rim), diagonal_(patch.diagonal()) {
   const int n = variables.columns, r = variables.rows, p = n - 1, q = r - 1;
-  residuals_ = (n + 1) * (r + 1) + 2 * (n + 1) + 2 * (r + 1) + 4 + 2 * p * q + edges_of(n, r);
+  residuals_ = (n + 1) * (r + 1) + 2 * (n + 1) + 2 * (r + 1) + 4 + 2 * p * q + edges_of(n, r) + 4 * n * r;
   constexpr double none = std::numeric_limits<double>::infinity();
   lower_ = Eigen::VectorXd::Constant(variables.size(), -none);
   upper_ = Eigen::VectorXd::Constant(variables.size(), none);
@@ -154,6 +174,7 @@ void SurfaceProblem::fill(const T* x, T* r) const {
   add_extent(vertices, out);
   add_sectors(marched, bounds_, out);
   add_edges(marched, bounds_, out);
+  add_corners(mesh, out);
 }
 
 /// The sides of the sheet lie on the surface's sides in the mean.

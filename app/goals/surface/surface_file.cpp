@@ -52,7 +52,8 @@ targets::KeyTable variables_keys(const SurfaceFile& usual) {
       {"beta_deg", value::angle(tilts), targets::by_default_deg(usual.tilt),
        "largest tilt of a hinge, to either side"},
       {"sector_deg", value::angle_range(sectors), targets::by_default_deg(usual.sector[0], usual.sector[1]),
-       "angles between the creases of a vertex; below 50 and above 130 no bodies may fit round it"},
+       "angles between the creases of a vertex; below 50 and above 130 no bodies may fit round it, below 60 "
+       "and above 120 walls soon meet"},
       {"edge", value::range(edges), targets::by_default(usual.edge),
        "lengths of the facets' edges, over their mean"},
   });

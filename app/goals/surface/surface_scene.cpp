@@ -4,6 +4,7 @@
 #include "app/goals/surface/surface_outcome.hpp"
 #include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/physics_settings.hpp"
+#include "model/base/invalid_input.hpp"
 #include "model/lattice/origami/fold_mesh.hpp"
 #include "model/sheet/sheet_motion.hpp"
 #include "optim/surface/free_height.hpp"
@@ -103,6 +104,10 @@ class SurfaceScene final : public Scene {
     auto surface = std::make_unique<SurfaceOutcome>(file_);
     surface->tolerances = {{"shape", file_.shape_tolerance}, {"cover", file_.cover_tolerance}};
     surface->design = fit_surface(file_.patch, options_of(file_, options), options.progress);
+    if (!surface->design.valid)
+      throw InvalidInput(
+          "no sheet that folds flat was found for this surface; give more `structure.facets`, or more room "
+          "in `variables`");
     surface->diagonal_mm = file_.patch.diagonal();
     surface->curvature_missing = curvature_missing(file_.patch, surface->design);
     model::OrigamiSheet sheet = sheet_of(surface->design.mesh, file_);
