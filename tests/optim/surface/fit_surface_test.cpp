@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include "model/base/invalid_input.hpp"
 #include "model/lattice/origami/origami_sheet.hpp"
 #include "model/sheet/sheet_motion.hpp"

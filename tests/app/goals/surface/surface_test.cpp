@@ -24,7 +24,7 @@ TEST(SurfaceGoal, FoldsASheetOntoASaddle) {
   RunOptions options;
   options.verify = false;
   const Target target = read(folder, ", shape: saddle, rise: 0.15", "structure: {facets: [4, 4]}\n");
-  const Run run = run_scene(*target.goal, options);
+  const auto run = run_scene(*target.goal, options);
   const auto& outcome = outcome_of<SurfaceOutcome>(run);
   EXPECT_TRUE(outcome.design.within);
   EXPECT_EQ(run.plan.exact.name, "creased");
