@@ -25,7 +25,7 @@ struct SurfaceOptions {
 /// How a mesh lies on a surface.
 struct SurfaceError {
   double rms = 0;    ///< of all vertices from the two layers, over the diagonal
-  double max = 0;    ///< likewise the largest
+  double max = 0;    ///< likewise the largest, over the diagonal, ratio
   double cover = 0;  ///< area that mesh and surface share over the area of both, seen along z, [0, 1]
 };
 

@@ -12,8 +12,10 @@ struct MeshBounds {
   std::array<double, 2> sector = {50 * radians_per_degree,
                                   130 * radians_per_degree};  ///< rad: bodies fit round vertices
   std::array<double, 2> edge = {0.6, 1.5};                    ///< of the mean edge, > 0
-  double multiplier = 1.79;  ///< largest tan(rho / 2) of a crease: tan(largest tilt) sin(theta), > 0
-  double least_fold = 0.03;  ///< likewise the smallest: creases that do not fold at all determine nothing
+  double multiplier =
+      1.79;  ///< largest tan(rho / 2) of a crease: tan(largest tilt) sin(theta), dimensionless, > 0
+  double least_fold =
+      0.03;  ///< likewise the smallest, dimensionless: creases that do not fold at all determine nothing
 };
 
 /// A mesh folded onto a surface: residuals are the distances of its vertices from the surface's two layers, over the

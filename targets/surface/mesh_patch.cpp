@@ -119,6 +119,7 @@ void for_terms(const Visit& visit) {
   for (int i = 0; i <= degree; ++i)
     for (int j = 0; i + j <= degree; ++j) visit(term++, i, j);
 }
+// Of the polynomial: all products of degree up to that.
 constexpr int terms = (degree + 1) * (degree + 2) / 2;
 
 Height height_at(const Eigen::VectorXd& weight, const Vector2d& half, const Vector2d& at) {

@@ -18,11 +18,11 @@ constexpr Word<Shape> shapes[] = {{"cap", Shape::cap}, {"saddle", Shape::saddle}
 constexpr Word<LengthUnit> unit_words[] = {
     {"mm", LengthUnit::mm}, {"cm", LengthUnit::cm}, {"m", LengthUnit::m}, {"in", LengthUnit::inch}};
 
-const Bounds size = from_to(1, 5000, "mm");  // of surfaces: a fingertip to a room
-constexpr double usual_width = 100;          // mm: a sheet of it prints on any machine
-constexpr double usual_radius = 50;          // mm, of vases: a drinking glass
-constexpr double usual_height = 120;         // mm, of vases
-constexpr double usual_arc = 60 * radians_per_degree;
+const Bounds size = from_to(1, 5000, "mm");            // of surfaces: a fingertip to a room
+constexpr double usual_width = 100;                    // mm: a sheet of it prints on any machine
+constexpr double usual_radius = 50;                    // mm, of vases: a drinking glass
+constexpr double usual_height = 120;                   // mm, of vases
+constexpr double usual_arc = 60 * radians_per_degree;  // rad: as much as eight facets follow well
 constexpr double usual_rise = 0.3;  // a saddle whose corners are level and whose rims are as steep as 31 deg
 
 TriangleMesh in_mm(TriangleMesh mesh, LengthUnit unit) {

@@ -28,7 +28,7 @@ struct SurfacePatch {
 /// The place of a surface nearest to a point, from a start right below it.
 struct SurfaceFoot {
   Eigen::Vector2d at = Eigen::Vector2d::Zero();       ///< below the place, mm
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< of the surface there, upwards, unit
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< unit normal of the surface there, upwards
   double distance = 0;                                ///< along the normal, mm; > 0 above
 };
 SurfaceFoot foot_on(const SurfacePatch& patch, const Eigen::Vector3d& p);
@@ -38,8 +38,8 @@ std::array<double, 2> principal_curvatures(const Height& height);
 
 /// How strongly a surface curves, over a grid of places.
 struct SurfaceCurvature {
-  double most = 0;                                  ///< largest principal curvature, 1 / mm, >= 0
-  double total = 0;                                 ///< integral of the magnitude of Gauss's curvature, sr
+  double most = 0;   ///< largest principal curvature, 1 / mm, >= 0
+  double total = 0;  ///< integral of the magnitude of Gauss's curvature, dimensionless
   Eigen::Vector2d place = Eigen::Vector2d::Zero();  ///< of the largest, mm
 };
 SurfaceCurvature curvature_of(const SurfacePatch& patch);
