@@ -44,7 +44,7 @@ class StopWhenTold final : public ceres::IterationCallback {
 ceres::Solver::Options ceres_options(const SolverOptions& options) {
   ceres::Solver::Options out;
   out.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
-  out.initial_trust_region_radius = 1e8;
+  out.initial_trust_region_radius = options.trust_radius;
   out.max_num_iterations = options.max_evaluations;
   out.function_tolerance = options.tolerance;
   out.gradient_tolerance = 1e-15;

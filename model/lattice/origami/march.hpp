@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -21,6 +22,13 @@ struct MarchDataOf {
   std::vector<T> left_length;    ///< q - 1 likewise of the left column
   std::vector<T> west, east;     ///< q lengths each, from the outer inner vertices to the rim, > 0
   std::vector<T> south, north;   ///< p likewise
+  /// How far the corners lie off those of parallelograms: lower left, lower right, upper left, upper right.
+  std::array<Eigen::Matrix<T, 2, 1>, 4> corners = no_corners();
+
+  static std::array<Eigen::Matrix<T, 2, 1>, 4> no_corners() {
+    const Eigen::Matrix<T, 2, 1> zero(T(0), T(0));
+    return {zero, zero, zero, zero};
+  }
 };
 using MarchData = MarchDataOf<double>;
 
@@ -156,10 +164,10 @@ class March {
       m.at(i + 1, 0) = point(i, 0) + data_.south[i] * direction<T>(first.phi + T(pi) + first.b);
       m.at(i + 1, r) = point(i, q_ - 1) + data_.north[i] * direction<T>(last.phi + last.a);
     }
-    m.at(0, 0) = m.at(0, 1) + m.at(1, 0) - m.at(1, 1);
-    m.at(n, 0) = m.at(n, 1) + m.at(n - 1, 0) - m.at(n - 1, 1);
-    m.at(0, r) = m.at(0, r - 1) + m.at(1, r) - m.at(1, r - 1);
-    m.at(n, r) = m.at(n, r - 1) + m.at(n - 1, r) - m.at(n - 1, r - 1);
+    m.at(0, 0) = m.at(0, 1) + m.at(1, 0) - m.at(1, 1) + data_.corners[0];
+    m.at(n, 0) = m.at(n, 1) + m.at(n - 1, 0) - m.at(n - 1, 1) + data_.corners[1];
+    m.at(0, r) = m.at(0, r - 1) + m.at(1, r) - m.at(1, r - 1) + data_.corners[2];
+    m.at(n, r) = m.at(n, r - 1) + m.at(n - 1, r) - m.at(n - 1, r - 1) + data_.corners[3];
   }
 
   void add_multipliers() {
@@ -180,7 +188,8 @@ class March {
 }  // namespace march_detail
 
 /// The mesh that follows from its boundary data, the lower left inner vertex at the origin with its level crease along
-/// +x; corners complete parallelograms. Smooth in the data as long as no |level| passes a |rising|. It is what it is: where
+/// +x; corners complete parallelograms but for what the data shift
+/// them by. Smooth in the data as long as no |level| passes a |rising|. It is what it is: where
 /// the data lead to angles outside (0, pi) or lines that cross, validate() of the mesh says so.
 /// @pre at least one inner vertex, and lists of the sizes that MarchData says
 template <class T>

@@ -11,7 +11,7 @@ namespace kinetix::model {
 
 /// Where the bodies of a sheet stand on its mesh.
 struct OrigamiLayout {
-  /// Radius of the circle about an inner vertex on which its four bodies stand, over its shortest crease, (0, 0.36]:
+  /// Radius of the circle about an inner vertex on which its four bodies stand, as a ratio to its shortest crease, (0, 0.36]:
   /// beyond, hinges of neighbouring vertices would come too near each other.
   double radius = 0.36;
   double rim =

@@ -4,12 +4,14 @@ import {displayGoal} from "./goals/display.js";
 import {foldGoal} from "./goals/fold.js";
 import {helmetGoal} from "./goals/helmet.js";
 import {outlineGoal} from "./goals/outline.js";
+import {surfaceGoal} from "./goals/surface.js";
 
 const GOALS = [
   curveGoal,
   displayGoal,
   foldGoal,
   outlineGoal,
+  surfaceGoal,
   helmetGoal,
 ];
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
+#include <Eigen/Geometry>
 
 #include "model/base/invalid_input.hpp"
 #include "model/lattice/origami/fold_mesh.hpp"

@@ -1,0 +1,152 @@
+#include "app/goals/surface/surface_file.hpp"
+
+#include "app/files/file_header.hpp"
+#include "app/files/structure_section.hpp"
+#include "model/base/invalid_input.hpp"
+#include "targets/surface/read_surface.hpp"
+
+namespace kinetix::app {
+namespace {
+
+namespace value = targets::value;
+
+constexpr int most_facets = 24;  // a side: a search of as many takes minutes
+// Of a mean wall: thinner ones do not print, thicker and higher ones run into each other on curved sheets.
+constexpr double usual_thickness = 0.08, usual_height = 0.15;
+constexpr double most_curvature = 1;  // rad over a facet: a facet stands for so much of a turn at most
+const targets::Bounds part_of_one = {0, 1, false, true};
+const targets::Bounds share = {0, 1, true, true};
+const targets::Bounds tilts = targets::between(0, 85, "degrees");
+// Of theta: planar cells close at 45 deg.
+const targets::Bounds turns = targets::between(0, 45, "degrees");
+const targets::Bounds sectors = targets::between(0, 180, "degrees");
+const targets::Bounds edges = targets::between(0, 10);
+
+targets::KeyTable target_keys() {
+  std::vector<targets::Key> keys = targets::surface_keys();
+  keys.insert(keys.begin(), targets::goal_kind_key("surface"));
+  return targets::KeyTable(std::move(keys));
+}
+
+targets::KeyTable structure_keys() {
+  return targets::KeyTable({
+      {"facets", value::list(value::integer(2, most_facets), "`[columns, rows]`", 2, 2),
+       targets::by_default(std::array<double, 2>{8, 8}),
+       "flat pieces of the folded sheet, along x and y of the surface; each has 2 x 2 bodies"},
+      {"wall_mm",
+       value::map(targets::KeyTable({
+           {"thickness", value::number(targets::above(0, "mm")), targets::otherwise("0.08 of a mean wall"),
+            "of the walls"},
+           {"height", value::number(targets::above(0, "mm")), targets::otherwise("0.15 of a mean wall"),
+            "of the walls"},
+       })),
+       {},
+       "the walls; their lengths follow from the surface"},
+  });
+}
+
+targets::KeyTable variables_keys(const SurfaceFile& usual) {
+  return targets::KeyTable({
+      {"theta_deg", value::angle(turns), targets::by_default_deg(usual.theta),
+       "turn of the bodies on the surface"},
+      {"beta_deg", value::angle(tilts), targets::by_default_deg(usual.tilt),
+       "largest tilt of a hinge, to either side"},
+      {"sector_deg", value::angle_range(sectors), targets::by_default_deg(usual.sector[0], usual.sector[1]),
+       "angles between the creases of a vertex; below 50 and above 130 no bodies may fit round it, below 60 "
+       "and above 120 walls soon meet"},
+      {"edge", value::range(edges), targets::by_default(usual.edge),
+       "lengths of the facets' edges, over their mean"},
+  });
+}
+
+targets::KeyTable tolerance_keys(const SurfaceFile& usual) {
+  return targets::KeyTable({
+      {"shape", value::number(part_of_one), targets::by_default(usual.shape_tolerance),
+       "most of [surface_rms](#surface_rms), over the diagonal of the surface's box"},
+      {"cover", value::number(share), targets::by_default(usual.cover_tolerance),
+       "least of [cover](#surface_rms)"},
+      {"verify", value::number(part_of_one), targets::by_default(usual.verify_tolerance),
+       "most of [verify_rms](#verify_rms-and-verify_max), cell edges"},
+  });
+}
+
+void read_structure(const targets::Section& root, SurfaceFile& file) {
+  const targets::Section structure = root.section("structure");
+  if (const auto facets = structure.optional("facets")) {
+    const auto sides = facets->list_of(2, "[columns, rows]");
+    file.columns = sides[0].integer(2, most_facets);
+    file.rows = sides[1].integer(2, most_facets);
+  }
+  const targets::Section wall = structure.section("wall_mm");
+  wall.read("thickness", file.thickness_mm);
+  wall.read("height", file.height_mm);
+}
+
+void read_variables(const targets::Section& root, SurfaceFile& file) {
+  const targets::Section variables = root.section("variables");
+  variables.read("theta_deg", file.theta);
+  variables.read("beta_deg", file.tilt);
+  variables.read("sector_deg", file.sector);
+  variables.read("edge", file.edge);
+  if (const auto edge = variables.optional("edge"); edge && !(file.edge[0] < 1 && file.edge[1] > 1))
+    throw edge->error("must hold 1, the mean edge");
+  if (const auto sector = variables.optional("sector_deg");
+      sector && !(file.sector[0] < pi / 2 && file.sector[1] > pi / 2))
+    throw sector->error("must hold 90 deg");
+}
+
+void read_tolerance(const targets::Section& root, SurfaceFile& file) {
+  const targets::Section tolerance = root.section("tolerance");
+  tolerance.read("shape", file.shape_tolerance);
+  tolerance.read("cover", file.cover_tolerance);
+  tolerance.read("verify", file.verify_tolerance);
+}
+
+/// Facets are flat: one cannot stand for a turn of a rad.
+void check_curvature(const targets::Section& target, const SurfaceFile& file) {
+  const targets::SurfaceCurvature curvature = curvature_of(file.patch);
+  const double facet = 2 * std::max(file.patch.half.x() / file.columns, file.patch.half.y() / file.rows);
+  if (curvature.most * facet <= most_curvature) return;
+  throw target.error("the surface curves too much for its facets: near (" + number_text(curvature.place.x()) +
+                     ", " + number_text(curvature.place.y()) + ") mm its radius is " +
+                     number_text(1 / curvature.most) + " mm, a facet is " + number_text(facet) +
+                     " mm wide; allowed are radii of a facet's width; give more `structure.facets`");
+}
+
+}  // namespace
+
+model::CellSize SurfaceFile::size(double edge_mm) const {
+  return {edge_mm, thickness_mm.value_or(usual_thickness * edge_mm),
+          height_mm.value_or(usual_height * edge_mm)};
+}
+
+const targets::KeyTable& surface_file_keys() {
+  static const SurfaceFile usual;
+  static const targets::KeyTable keys = file_keys({
+      {"target", value::map(target_keys()), targets::needed, "the goal"},
+      {"structure", value::map(structure_keys()), {}, "the sheet"},
+      {"variables", value::map(variables_keys(usual)), {}, "how far the search may go"},
+      {"tolerance", value::map(tolerance_keys(usual)), {}, "when the goal is met"},
+      {"physics", value::map(physics_keys()), {}, "settings of the physics run"},
+      process_key(),
+  });
+  return keys;
+}
+
+SurfaceFile read_surface_file(const targets::Node& node) {
+  const targets::Section root(node, surface_file_keys());
+  check_version(root);
+  SurfaceFile file;
+  file.name = read_name(root);
+  const targets::Section target = root.section("target");
+  file.patch = targets::read_surface(target);
+  read_structure(root, file);
+  check_curvature(target, file);
+  read_variables(root, file);
+  read_tolerance(root, file);
+  file.process = read_process(root);
+  file.physics = read_physics(root, file.patch.diagonal() / (4 * std::max(file.columns, file.rows)));
+  return file;
+}
+
+}  // namespace kinetix::app

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "app/files/goal_drive.hpp"
+#include "app/files/hinge_section.hpp"
+#include "app/files/physics_section.hpp"
+#include "app/files/process_section.hpp"
+#include "model/base/angle.hpp"
+#include "targets/surface/surface_patch.hpp"
+
+namespace kinetix::app {
+
+/// A target.yaml of kind surface, as asked for or by default. Angles in radians, lengths in mm. `kinetix: 1` and a
+/// `target` are enough.
+///
+///     target: {kind: surface, shape: cap, width_mm: 100, arc_deg: 60}
+///     structure: {facets: [8, 8], wall_mm: {thickness: 0.4, height: 0.8}}
+///     variables: {beta_deg: 75, theta_deg: 14, sector_deg: [60, 120], edge: [0.75, 1.3]}
+///     tolerance: {shape: 0.015, verify: 0.02}
+struct SurfaceFile {
+  std::string name;
+  targets::SurfacePatch patch;
+  int columns = 8, rows = 8;                ///< structure.facets, each in [2, 24]
+  std::optional<double> thickness_mm = {};  ///< structure.wall_mm; nothing: 0.08 walls
+  std::optional<double> height_mm = {};     ///< likewise; nothing: 0.15 walls
+  double theta = 0.25;                      ///< variables.theta_deg, rad, (0, 0.7]
+  double tilt = 75 * radians_per_degree;    ///< variables.beta_deg, rad
+  std::array<double, 2> sector = {60 * radians_per_degree,
+                                  120 * radians_per_degree};  ///< variables.sector_deg
+  std::array<double, 2> edge = {0.75, 1.3};                   ///< variables.edge, of the mean edge
+  double shape_tolerance = 0.015;                             ///< of the vertices, over the diagonal, (0, 1]
+  double cover_tolerance = 0.75;                              ///< least share of the area, [0, 1]
+  double verify_tolerance = 0.02;                             ///< of verify_rms, cell edges, (0, 1]
+  PhysicsSection physics = {};
+  HingeSection hinge = {};
+  GoalDrive drive = {};
+  model::Process process = model::processes().front();
+
+  /// Of a sheet whose mean wall has this length, mm.
+  model::CellSize size(double edge_mm) const;
+};
+
+/// Every key of a target.yaml of kind surface.
+const targets::KeyTable& surface_file_keys();
+
+/// @param root a target whose kind is surface
+/// @throws InvalidInput for whatever formats.md does not allow, and a surface that curves too much for its facets
+SurfaceFile read_surface_file(const targets::Node& root);
+
+}  // namespace kinetix::app

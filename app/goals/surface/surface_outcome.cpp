@@ -1,0 +1,130 @@
+#include "app/goals/surface/surface_outcome.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/run/run.hpp"
+
+namespace kinetix::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int grid_lines = 9;    // of the surface in pictures, each way
+constexpr int grid_points = 25;  // on each line: they look smooth on a page
+
+Json point(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
+
+Json grid(const targets::SurfacePatch& patch) {
+  Json lines = Json::array();
+  for (const bool along_x : {true, false})
+    for (int k = 0; k < grid_lines; ++k) {
+      Json line = Json::array();
+      for (int p = 0; p < grid_points; ++p) {
+        const double across = 2.0 * k / (grid_lines - 1) - 1, along = 2.0 * p / (grid_points - 1) - 1;
+        const Eigen::Vector2d at = patch.half.cwiseProduct(along_x ? Eigen::Vector2d(along, across)
+                                                                   : Eigen::Vector2d(across, along));
+        line.push_back(point({at.x(), at.y(), patch.height(at).z}));
+      }
+      lines.push_back(line);
+    }
+  return lines;
+}
+
+Json degrees(const std::array<double, 2>& range) { return {to_degrees(range[0]), to_degrees(range[1])}; }
+
+}  // namespace
+
+Json SurfaceOutcome::target_json() const {
+  return {{"kind", "surface"},
+          {"name", file.patch.name},
+          {"size_mm", {2 * file.patch.half.x(), 2 * file.patch.half.y()}},
+          {"lines_mm", grid(file.patch)}};
+}
+
+void SurfaceOutcome::add_sections(const Run&, Json& result) const {
+  Json vertices = Json::array(), flat = Json::array();
+  for (const Eigen::Vector3d& vertex : design.vertices) vertices.push_back(point(vertex));
+  for (const Eigen::Vector2d& vertex : design.mesh.vertices) flat.push_back({vertex.x(), vertex.y()});
+  result["surface"] = {{"facets", {design.mesh.columns, design.mesh.rows}},
+                       {"lines_mm", grid(file.patch)},
+                       {"vertices_mm", vertices},
+                       {"flat_mm", flat},
+                       {"multipliers", {{"rising", design.mesh.rising}, {"level", design.mesh.level}}},
+                       {"diagonal_mm", diagonal_mm},
+                       {"layer_mm", design.layer},
+                       {"rms", design.error.rms},
+                       {"max", design.error.max},
+                       {"cover", design.error.cover},
+                       {"sector_deg", degrees(design.sector)},
+                       {"edge", design.edge},
+                       {"beta_deg", to_degrees(design.tilt)},
+                       {"free_height", free_height},
+                       {"walls_meet", !clear},
+                       {"curvature_missing", curvature_missing},
+                       {"reasons", violations}};
+  result["optimiser"] = {{"solver", "ceres"},
+                         {"starts", design.starts},
+                         {"evaluations", design.evaluations},
+                         {"status", design.within ? "converged" : "failed"},
+                         {"why", design.within ? "the best of all starts keeps to its bounds"
+                                               : "no start led to a mesh that keeps to its bounds"}};
+}
+
+void SurfaceOutcome::add_metrics(Json& metrics) const {
+  metrics["surface_rms"] = design.error.rms;
+  metrics["surface_max"] = design.error.max;
+  metrics["cover"] = design.error.cover;
+  metrics["free_height"] = free_height;
+  metrics["met"] = met();
+}
+
+std::vector<SummaryLine> SurfaceOutcome::summary_lines(const Run& run) const {
+  std::vector<SummaryLine> lines;
+  lines.push_back(
+      {"surface",
+       fmt::format(
+           "vertices {:.2f} % of the diagonal off its two layers (rms, {:.3f} mm), area {:.0f} % shared: {}",
+           100 * design.error.rms, design.error.rms * diagonal_mm, 100 * design.error.cover,
+           met() ? "within tolerance" : "MISSES THE TOLERANCE")});
+  for (const std::string& why : violations) lines.push_back({"why", why});
+  lines.push_back({"mesh", fmt::format("{} x {} facets, edges {:.2f} to {:.2f} of their mean, sectors {:.0f} "
+                                       "to {:.0f} deg, tilts up to {:.1f} deg",
+                                       design.mesh.columns, design.mesh.rows, design.edge[0], design.edge[1],
+                                       to_degrees(design.sector[0]), to_degrees(design.sector[1]),
+                                       to_degrees(design.tilt))});
+  const double edge = run.structure.size().edge_mm;
+  lines.push_back(
+      {"walls",
+       fmt::format("a mean wall is {:.2f} mm; {}", edge,
+                   free_height > 0 ? fmt::format("plates up to {:.2f} mm high never meet", free_height * edge)
+                                   : "plates of any height meet on the way")});
+  lines.push_back(
+      {"search", fmt::format("{:.2f} s, {} evaluations", run.timings.optimise, design.evaluations)});
+  return lines;
+}
+
+std::vector<std::string> violations(const SurfaceOutcome& o) {
+  std::vector<std::string> why;
+  const optim::SurfaceError& error = o.design.error;
+  if (!(error.rms <= o.file.shape_tolerance))
+    why.push_back(
+        fmt::format("model: the vertices are {:.2f} % of the diagonal off the surface; at most {:.2f} % is "
+                    "allowed; the sheet "
+                    "lacks {:.0f} % of its curvature",
+                    100 * error.rms, 100 * o.file.shape_tolerance, 100 * o.curvature_missing));
+  if (!(error.cover >= o.file.cover_tolerance))
+    why.push_back(fmt::format("model: {:.0f} % of the area is shared; at least {:.0f} % is asked",
+                              100 * error.cover, 100 * o.file.cover_tolerance));
+  if (!o.design.within)
+    why.push_back("no flat-foldable mesh within the bounds of its sectors, edges and tilts was found");
+  if (!o.clear)
+    why.push_back(
+        o.free_height > 0
+            ? fmt::format("walls meet on the way; plates up to {:.3f} walls high would not", o.free_height)
+            : "walls meet on the way whatever their height");
+  return why;
+}
+
+}  // namespace kinetix::app

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "app/goals/surface/surface_file.hpp"
+#include "app/run/goal_outcome.hpp"
+#include "model/lattice/origami/origami_sheet.hpp"
+#include "optim/surface/fit_surface.hpp"
+
+namespace kinetix::app {
+
+/// What a search for a surface contributes to a result. Met: vertices on the surface's layers within tolerance, bounds
+/// kept, no walls in the way.
+class SurfaceOutcome final : public GoalOutcome {
+ public:
+  explicit SurfaceOutcome(SurfaceFile asked) : file(std::move(asked)) {}
+
+  SurfaceFile file;
+  optim::SurfaceDesign design;
+  model::State exact;      ///< on the surface
+  double free_height = 0;  ///< largest height of plates with which no walls meet, cell edges
+  bool clear = false;      ///< none meet as they are
+  double diagonal_mm = 0;  ///< of the surface's box
+  double curvature_missing =
+      0;  ///< share of the surface's Gauss curvature that the sheet does not have, about the middle
+
+  nlohmann::ordered_json target_json() const override;
+  /// Adds `surface` (grid of the surface, vertices of the mesh, errors, what binds) and `optimiser`.
+  void add_sections(const Run& run, nlohmann::ordered_json& result) const override;
+  void add_metrics(nlohmann::ordered_json& metrics) const override;
+  std::vector<SummaryLine> summary_lines(const Run& run) const override;
+};
+
+/// What the design lacks, in sentences.
+std::vector<std::string> violations(const SurfaceOutcome& outcome);
+
+}  // namespace kinetix::app

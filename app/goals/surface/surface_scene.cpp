@@ -1,0 +1,165 @@
+#include <Eigen/Dense>
+
+#include "app/goals/surface/surface_kind.hpp"
+#include "app/goals/surface/surface_outcome.hpp"
+#include "app/pipeline/exact_state.hpp"
+#include "app/pipeline/physics_settings.hpp"
+#include "model/base/invalid_input.hpp"
+#include "model/lattice/origami/fold_mesh.hpp"
+#include "model/sheet/sheet_motion.hpp"
+#include "optim/surface/free_height.hpp"
+#include "optim/surface/surface_starts.hpp"
+
+namespace kinetix::app {
+namespace {
+
+optim::SurfaceOptions options_of(const SurfaceFile& file, const RunOptions& run) {
+  optim::SurfaceOptions out;
+  out.columns = file.columns;
+  out.rows = file.rows;
+  out.theta = file.theta;
+  out.tilt = file.tilt;
+  out.bounds.sector = file.sector;
+  out.bounds.edge = file.edge;
+  out.threads = run.threads;
+  out.stop = run.stop;
+  return out;
+}
+
+/// The mesh as a sheet of its size in mm: a mean wall has length 1 in cell edges.
+model::OrigamiSheet sheet_of(const model::QuadMesh& mesh, const SurfaceFile& file) {
+  const model::OrigamiSheet unit = origami_sheet(mesh, model::CellSize{});
+  const double edge_mm = mean_edge(mesh) / mean_edge(unit.mesh);
+  return origami_sheet(mesh, file.size(edge_mm));
+}
+
+/// Gauss's curvature of the paraboloid through points, over that of the same through the surface below them.
+double gauss_of(const std::vector<Eigen::Vector3d>& points) {
+  Eigen::MatrixXd A(points.size(), 6);
+  Eigen::VectorXd z(points.size());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const double x = points[k].x(), y = points[k].y();
+    A.row(static_cast<int>(k)) << 1, x, y, x * x, x * y, y * y;
+    z[static_cast<int>(k)] = points[k].z();
+  }
+  const Eigen::VectorXd c = A.colPivHouseholderQr().solve(z);
+  return 4 * c[3] * c[5] - c[4] * c[4];
+}
+
+double curvature_missing(const targets::SurfacePatch& patch, const optim::SurfaceDesign& design) {
+  std::vector<Eigen::Vector3d> have, asked;
+  for (int j = 0; j <= design.mesh.rows; ++j)
+    for (int i = 0; i <= design.mesh.columns; ++i) {
+      const Eigen::Vector3d& p = design.vertices[design.mesh.vertex(i, j)];
+      const targets::SurfaceFoot foot = foot_on(patch, p);
+      have.push_back(p - optim::layer_of(i) * design.layer * foot.normal);
+      asked.emplace_back(foot.at.x(), foot.at.y(), patch.height(foot.at).z);
+    }
+  return 1 - gauss_of(have) / gauss_of(asked);
+}
+
+/// The rigid motion, mm, of the sheet's exact state to where its vertices lie on the surface.
+model::Pose onto_surface(const model::OrigamiSheet& sheet, const optim::SurfaceDesign& design) {
+  model::QuadMesh mesh = sheet.mesh;
+  for (Eigen::Vector2d& vertex : mesh.vertices) vertex *= std::cos(design.theta);
+  const model::FoldedMesh folded = fold_facets(mesh, std::sin(design.theta));
+  const auto count = static_cast<Eigen::Index>(folded.vertices.size());
+  Eigen::Matrix3Xd from(3, count), to(3, count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    from.col(k) = sheet.structure.size.edge_mm * folded.vertices[k];
+    to.col(k) = design.vertices[k];
+  }
+  const Eigen::Matrix4d motion = Eigen::umeyama(from, to, false);
+  return {motion.topLeftCorner<3, 3>(), motion.topRightCorner<3, 1>()};
+}
+
+// Measured, s: a start's search, a vertex; it grows with the square of their number.
+constexpr double seconds_of_81 = 4;
+
+class SurfaceScene final : public Scene {
+ public:
+  explicit SurfaceScene(SurfaceFile file) : file_(std::move(file)) {}
+
+  std::string name() const override { return file_.name; }
+
+  Forecast forecast() const override {
+    const optim::SurfaceStart start = optim::start_on(file_.patch, file_.columns, file_.rows, {});
+    model::QuadMesh mesh = march(march_data(start.variables, start.x.data())).mesh;
+    for (Eigen::Vector2d& vertex : mesh.vertices) vertex /= std::cos(file_.theta);
+    Forecast out{sheet_of(mesh, file_).structure};
+    const double diagonal = file_.patch.diagonal();
+    const Eigen::Vector2d sides = 2 * file_.patch.half;
+    out.folded_mm = {sides.x(), sides.y(),
+                     std::sqrt(std::max(0.0, diagonal * diagonal - sides.squaredNorm()))};
+    out.search_s = seconds_of_81 * std::pow((file_.columns + 1) * (file_.rows + 1) / 81.0, 2);
+    return out;
+  }
+
+  void solve(Run& run, const RunOptions& options) const override {
+    run.physics = file_.physics;
+    run.hinge = file_.hinge;
+    run.goal_drive = file_.drive;
+    run.process = file_.process;
+    run.verify_tolerance = file_.verify_tolerance;
+    auto surface = std::make_unique<SurfaceOutcome>(file_);
+    surface->tolerances = {{"shape", file_.shape_tolerance}, {"cover", file_.cover_tolerance}};
+    surface->design = fit_surface(file_.patch, options_of(file_, options), options.progress);
+    if (!surface->design.valid)
+      throw InvalidInput(
+          "no sheet that folds flat was found for this surface; give more `structure.facets`, or more room "
+          "in `variables`");
+    surface->diagonal_mm = file_.patch.diagonal();
+    surface->curvature_missing = curvature_missing(file_.patch, surface->design);
+    model::OrigamiSheet sheet = sheet_of(surface->design.mesh, file_);
+    surface->free_height = optim::free_height(sheet, file_.theta);
+    surface->clear = optim::is_free(sheet, file_.theta);
+    surface->violations = violations(*surface);
+    surface->exact = moved(fold(sheet, file_.theta), onto_surface(sheet, surface->design));
+    run.structure = std::move(sheet.structure);
+    run.theta = file_.theta;
+    run.goal = std::move(surface);
+  }
+
+  void add_state(Run& run, const RunOptions&) const override {
+    add_exact_state(run, run.theta);
+    NamedState& state = run.states.front();
+    state.poses = shown(run, state.poses);
+  }
+
+  /// On the surface.
+  model::State shown(const Run& run, const model::State& state) const override {
+    return aligned(state, outcome_of<SurfaceOutcome>(run).exact);
+  }
+
+  std::optional<PhysicsTask> physics_task(const Run& run) const override {
+    return PhysicsTask{run.states.front().poses, drive_to(run.structure, run.theta),
+                       physics_options(file_.physics, run.structure.size().edge_mm)};
+  }
+
+  void add_frames(Run& run) const override { add_exact_frames(run); }
+
+ private:
+  SurfaceFile file_;
+};
+
+}  // namespace
+
+std::unique_ptr<Scene> make_scene(SurfaceFile file) {
+  return std::make_unique<SurfaceScene>(std::move(file));
+}
+
+// The kind for the registry (app/goals/registry.cpp), and its metrics with their units.
+const GoalKind surface_kind = {
+    .name = "surface",
+    .example = "target: {kind: surface, shape: cap}",
+    .read = [](const targets::Node& root) { return make_scene(read_surface_file(root)); },
+    .table = surface_file_keys,
+    .metrics = {
+        {"surface_rms", "",
+         "[vertices of the mesh from the surface's layers](#surface_rms), root mean square, over the "
+         "diagonal"},
+        {"surface_max", "", "likewise, the largest"},
+        {"cover", "", "[area that sheet and surface share](#surface_rms), over that of both"},
+        {"free_height", "", "largest height of plates, in mean walls, with which no walls meet on the way"}}};
+
+}  // namespace kinetix::app

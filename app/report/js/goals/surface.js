@@ -1,0 +1,84 @@
+// How near a sheet's vertices come to the two layers of a doubly curved surface, and how high its plates may be.
+
+function readSurface(raw) {
+  if (!raw || typeof raw !== "object") return null;
+  const words = (texts) => list(texts).filter((text) => typeof text === "string");
+  return {
+    backdrop: list(raw.lines_mm).map((line) => numberRows(line, 3)).filter((line) => line.length > 1),
+    facets: numberRows([raw.facets], 2)[0] ?? null, flat: numberRows(raw.flat_mm, 2), vertices: numberRows(raw.vertices_mm, 3),
+    diagonal: finite(raw.diagonal_mm), layer: finite(raw.layer_mm),
+    rms: finite(raw.rms), max: finite(raw.max), cover: finite(raw.cover),
+    sector: numberRows([raw.sector_deg], 2)[0] ?? null, edge: numberRows([raw.edge], 2)[0] ?? null, beta: finite(raw.beta_deg),
+    height: finite(raw.free_height), meets: raw.walls_meet === true, missing: finite(raw.curvature_missing),
+    reasons: words(raw.reasons), physicsReasons: [],
+  };
+}
+
+function surfaceVerdict(data) {
+  const {goal: surface, verdict: {met, verified}} = data;
+  const off = surface.diagonal === null || surface.rms === null ? "" :
+      `Its vertices lie ${millimetres(surface.rms * surface.diagonal)} (${percent(surface.rms)} of the diagonal) off the surface.`;
+  if (met === false) return {mark: "\u2715", tone: "bad", title: "The folded sheet misses its surface", text: off};
+  if (verified === false)
+    return {mark: "!", tone: "bad", title: "It takes its surface in the model, but the physics run " + failing(data), text: off};
+  return {
+    mark: "\u2713", tone: verified ? "good" : "unsure",
+    title: verified ? "The folded sheet takes its surface, and the physics run agrees" : "The folded sheet takes its surface in the model",
+    text: off + (verified ? "" : " It was not checked by a physics run."),
+  };
+}
+
+function surfaceNumbers(data) {
+  const {goal: surface, tolerance} = data;
+  if (surface.rms === null) return [];
+  const shown = surface.diagonal === null ? percent(surface.rms) : millimetres(surface.rms * surface.diagonal);
+  return [
+    keyNumber("Vertices from surface, rms", shown, `${percent(surface.rms)} of the diagonal; allowed ${percent(tolerance.shape)}`),
+    surface.cover !== null && keyNumber("Area shared", percent(surface.cover), `over the area of both; at least ${percent(tolerance.cover)}`),
+    surface.height !== null && keyNumber("Plates may be", `${figures(surface.height, 2)} walls high`, "before walls meet on the way"),
+  ];
+}
+
+// The crease pattern, flat.
+function creasePattern({facets, flat}) {
+  if (!facets || flat.length !== (facets[0] + 1) * (facets[1] + 1)) return null;
+  const xs = flat.map(([x]) => x), ys = flat.map(([, y]) => -y);
+  const left = Math.min(...xs), top = Math.min(...ys), width = Math.max(...xs) - left, height = Math.max(...ys) - top;
+  const at = (i, j) => { const [x, y] = flat[j * (facets[0] + 1) + i]; return `${figures(x - left, 5)},${figures(-y - top, 5)}`; };
+  const lines = [];
+  for (let i = 0; i <= facets[0]; i++) lines.push(Array.from({length: facets[1] + 1}, (_, j) => at(i, j)).join(" "));
+  for (let j = 0; j <= facets[1]; j++) lines.push(Array.from({length: facets[0] + 1}, (_, i) => at(i, j)).join(" "));
+  return svg("svg", {viewBox: `${-0.01 * width} ${-0.01 * height} ${1.02 * width} ${1.02 * height}`, class: "creases", role: "img",
+                     "aria-label": "crease pattern of the flat sheet"},
+             ...lines.map((points) => svg("polyline", {points, fill: "none", stroke: "currentColor", "stroke-width": 0.004 * width})));
+}
+
+function surfaceSection({goal: surface}) {
+  const rows = [];
+  const row = (name, value) => value && rows.push({cells: [name, value]});
+  const span = (range, digits, unit) => range && `${figures(range[0], digits)} to ${figures(range[1], digits)}${unit}`;
+  row("facets", surface.facets && `${surface.facets[0]} \u00d7 ${surface.facets[1]}`);
+  row("vertices off the surface, rms", surface.rms !== null && percent(surface.rms));
+  row("the farthest", surface.max !== null && percent(surface.max));
+  row("layers, apart", surface.layer !== null && millimetres(2 * Math.abs(surface.layer)));
+  row("edges, over their mean", span(surface.edge, 2, ""));
+  row("angles between creases", span(surface.sector, 3, "\u00b0"));
+  row("largest tilt", surface.beta !== null && `${figures(surface.beta, 3)}\u00b0`);
+  row("curvature missing about the middle", surface.missing !== null && percent(surface.missing));
+  return [
+    table(["what", "how much"], rows, "The mesh on its surface, in parts of the diagonal"),
+    creasePattern(surface),
+    html("p", {class: "note"}, "Every crease of this pattern folds at once, exactly: around each vertex opposite angles add up to 180\u00b0."),
+  ];
+}
+
+const surfaceGoal = {
+  name: "surface",
+  read: (raw) => readSurface(raw.surface),
+  view: "slant",
+  backdropKey: ["head", "surface asked for"],
+  verdict: surfaceVerdict,
+  numbers: surfaceNumbers,
+  firstSections: [["surface", "Mesh and surface", surfaceSection]],
+  lastSections: [],
+};

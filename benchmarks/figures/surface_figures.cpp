@@ -1,0 +1,113 @@
+#include <fmt/format.h>
+
+#include <chrono>
+#include <random>
+
+#include "benchmarks/figure.hpp"
+#include "model/base/angle.hpp"
+#include "model/lattice/origami/fold_mesh.hpp"
+#include "model/lattice/origami/march.hpp"
+#include "model/lattice/origami/origami_sheet.hpp"
+#include "optim/surface/fit_surface.hpp"
+#include "optim/surface/free_height.hpp"
+
+namespace kinetix::bench {
+namespace {
+
+using optim::SurfaceDesign;
+using optim::SurfaceOptions;
+
+constexpr double plate_height = 0.15, plate_thickness = 0.08;  // mean walls, as the issue asks
+
+struct Timed {
+  SurfaceDesign design;
+  double seconds = 0;
+};
+
+Timed fitted(const targets::SurfacePatch& patch, const SurfaceOptions& options) {
+  const auto from = std::chrono::steady_clock::now();
+  Timed out{fit_surface(patch, options)};
+  out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count();
+  return out;
+}
+
+SurfaceOptions options_of(int facets, std::array<double, 2> edge) {
+  SurfaceOptions options;
+  options.columns = options.rows = facets;
+  options.bounds.edge = edge;
+  return options;
+}
+
+Figure fit(const std::string& name, const targets::SurfacePatch& patch, const SurfaceOptions& options,
+           double most, double most_seconds) {
+  const auto [design, seconds] = fitted(patch, options);
+  return {
+      fmt::format("{}, {} x {} facets, edges {:g} to {:g} of the mean", name, options.columns, options.rows,
+                  options.bounds.edge[0], options.bounds.edge[1]),
+      fmt::format("rms of all vertices from the two layers over the diagonal <= {}, theta <= 0.5; <= {} s",
+                  most, most_seconds),
+      fmt::format("{:.2e}, largest {:.2e}, {:.0f} % of the area shared, sectors {:.0f} to {:.0f} deg, tilts "
+                  "to {:.0f} deg, {:.1f} s",
+                  design.error.rms, design.error.max, 100 * design.error.cover, to_degrees(design.sector[0]),
+                  to_degrees(design.sector[1]), to_degrees(design.tilt), seconds),
+      design.within && design.error.rms <= most && seconds <= most_seconds};
+}
+
+Figure real(const std::string& name, const targets::SurfacePatch& patch, SurfaceOptions options,
+            double sector) {
+  options.theta = 0.25;
+  options.bounds.sector = {sector * radians_per_degree, pi - sector * radians_per_degree};
+  const SurfaceDesign design = fitted(patch, options).design;
+  const double edge_mm = 10;
+  const model::OrigamiSheet sheet =
+      origami_sheet(design.mesh, {edge_mm, plate_thickness * edge_mm, plate_height * edge_mm});
+  const double height = optim::free_height(sheet, design.theta);
+  return {fmt::format("{} as a real sheet, 8 x 8 facets, walls {} thick, theta 0.25", name, plate_thickness),
+          fmt::format("plates of {} mean walls never meet on the way", plate_height),
+          fmt::format("plates up to {:.3f} never meet; rms {:.2e}, edges {:.2f} to {:.2f}", height,
+                      design.error.rms, design.edge[0], design.edge[1]),
+          design.within && height >= plate_height};
+}
+
+/// A Miura sheet whose march starts from data that differ by up to some percent.
+Figure random_meshes() {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  double gap = 0, hinges = 0;
+  int meshes = 0;
+  for (const int facets : {4, 8, 12, 20})
+    for (int trial = 0; trial < 40; ++trial) {
+      model::MarchData data = model::miura(facets, facets, 1.1, 1);
+      const double amount = 0.4 / facets;
+      for (auto* list : {&data.rising, &data.level, &data.bottom_length, &data.left_length})
+        for (double& value : *list) value *= std::exp(amount * unit(random));
+      for (double& angle : data.left_angle) angle += amount / 2 * unit(random);
+      try {
+        const model::OrigamiSheet sheet = origami_sheet(model::march(data).mesh, {});
+        ++meshes;
+        for (const double theta : {0.02, 0.5, 0.98}) {
+          gap = std::max(gap, fold_gap(sheet.mesh, theta));
+          hinges = std::max(hinges, hinge_gaps(sheet.structure, fold(sheet, theta)).max);
+        }
+      } catch (const std::exception&) {  // data that lead out of the range of a mesh
+      }
+    }
+  return {"random flat-foldable meshes to 20 x 20 facets", "closure <= 1e-11",
+          fmt::format("{} sheets: facets {:.0e}, hinges {:.0e}", meshes, gap, hinges),
+          meshes > 20 && std::max(gap, hinges) <= 1e-11};
+}
+
+}  // namespace
+
+std::vector<Figure> surface_figures() {
+  constexpr double deg = radians_per_degree;
+  return {random_meshes(),
+          fit("cap of 60 deg", targets::cap_patch(100, 60 * deg), options_of(8, {0.3, 3}), 5e-3, 5),
+          fit("cap of 60 deg", targets::cap_patch(100, 60 * deg), options_of(8, {0.6, 1.5}), 8e-3, 5),
+          fit("saddle 0.3", targets::saddle_patch(100, 0.3), options_of(8, {0.3, 3}), 8e-3, 5),
+          fit("vase", targets::vase_patch(120, 50, 10, 60 * deg), options_of(12, {0.3, 3}), 5e-3, 30),
+          real("cap of 40 deg", targets::cap_patch(100, 40 * deg), options_of(8, {0.75, 1.3}), 60),
+          real("saddle 0.15", targets::saddle_patch(100, 0.15), options_of(8, {0.75, 1.3}), 60)};
+}
+
+}  // namespace kinetix::bench

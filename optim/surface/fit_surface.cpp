@@ -1,0 +1,219 @@
+#include "optim/surface/fit_surface.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "model/base/invalid_input.hpp"
+#include "optim/solvers/parallel_runs.hpp"
+#include "optim/solvers/solver.hpp"
+#include "optim/surface/surface_starts.hpp"
+#include "targets/outline/outline.hpp"
+
+namespace kinetix::optim {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double first_rim_weight = 0.3;  // of the first steps, which size the sheet
+constexpr double least_progress =
+    1e-5;                       // of the cost, a step: below, a sheet creeps along a valley for hundreds
+constexpr double slack = 1e-3;  // rad and mean edges: what least squares may pass a bound by
+
+MeshBounds bounds_of(const SurfaceOptions& options) {
+  MeshBounds out = options.bounds;
+  out.multiplier = std::tan(options.tilt) * std::sin(options.theta);
+  return out;
+}
+
+double covered(const targets::SurfacePatch& patch, const model::QuadMesh& m,
+               const std::vector<Eigen::Vector3d>& vertices) {
+  std::vector<Vector2d> rim;
+  const auto add = [&](int i, int j) { rim.push_back(vertices[m.vertex(i, j)].head<2>()); };
+  for (int i = 0; i < m.columns; ++i) add(i, 0);
+  for (int j = 0; j < m.rows; ++j) add(m.columns, j);
+  for (int i = m.columns; i > 0; --i) add(i, m.rows);
+  for (int j = m.rows; j > 0; --j) add(0, j);
+  const double x = patch.half.x(), y = patch.half.y();
+  return outline_error(targets::Outline({{-x, -y}, {x, -y}, {x, y}, {-x, y}}), rim).iou;
+}
+
+SurfaceError error_of(const targets::SurfacePatch& patch, const SurfaceDesign& design) {
+  SurfaceError out;
+  const double diagonal = patch.diagonal();
+  double sum = 0;
+  for (int j = 0; j <= design.mesh.rows; ++j)
+    for (int i = 0; i <= design.mesh.columns; ++i) {
+      const Eigen::Vector3d& p = design.vertices[design.mesh.vertex(i, j)];
+      const double off = (foot_on(patch, p).distance - layer_of(i) * design.layer) / diagonal;
+      sum += off * off;
+      out.max = std::max(out.max, std::abs(off));
+    }
+  out.rms = std::sqrt(sum / static_cast<double>(design.vertices.size()));
+  out.cover = covered(patch, design.mesh, design.vertices);
+  return out;
+}
+
+void measure_mesh(SurfaceDesign& design) {
+  const model::QuadMesh& m = design.mesh;
+  const double mean = mean_edge(m);
+  design.sector = {pi, 0};
+  design.edge = {INFINITY, 0};
+  const auto spread = [](std::array<double, 2>& range, double value) {
+    range = {std::min(range[0], value), std::max(range[1], value)};
+  };
+  for (int j = 1; j < m.rows; ++j)
+    for (int i = 1; i < m.columns; ++i)
+      for (const double angle : sectors(m, i, j)) spread(design.sector, angle);
+  for (int j = 0; j <= m.rows; ++j)
+    for (int i = 0; i <= m.columns; ++i) {
+      if (i < m.columns) spread(design.edge, (m.at(i + 1, j) - m.at(i, j)).norm() / mean);
+      if (j < m.rows) spread(design.edge, (m.at(i, j + 1) - m.at(i, j)).norm() / mean);
+    }
+  for (const auto* multipliers : {&m.rising, &m.level})
+    for (const double c : *multipliers) design.tilt = std::max(design.tilt, std::atan(std::abs(c)));
+}
+
+bool is_valid(const model::QuadMesh& mesh) {
+  try {
+    validate(mesh);
+    return true;
+  } catch (const InvalidInput&) {
+    return false;
+  }
+}
+
+bool is_within(const SurfaceDesign& design, const SurfaceOptions& options) {
+  const auto keeps = [](const std::array<double, 2>& range, const std::array<double, 2>& bounds) {
+    return range[0] >= bounds[0] - slack && range[1] <= bounds[1] + slack;
+  };
+  return design.valid && keeps(design.sector, options.bounds.sector) &&
+         keeps(design.edge, options.bounds.edge) && design.tilt <= options.tilt + slack;
+}
+
+/// A Miura sheet to start from, and how long first steps are.
+struct Trial {
+  MiuraStart miura;
+  double trust = 1e4;
+  double rim = 0.007;  ///< weight of the rim's distances: they decide where the layers leave a choice
+};
+
+constexpr double of_most_fold = 0.85;                   // of the largest that is allowed, at a start
+constexpr double from_sector = 3 * radians_per_degree;  // a start is so far within the bounds of sectors
+
+/// A start that keeps to bounds from the first.
+MiuraStart kept_inside(MiuraStart start, const SurfaceOptions& options) {
+  start.fold = std::min(start.fold, of_most_fold * bounds_of(options).multiplier);
+  const double least = std::max(options.bounds.sector[0], pi - options.bounds.sector[1]) + from_sector;
+  start.angle = std::min(std::max(start.angle, least), pi / 2 - from_sector);
+  return start;
+}
+
+/// One start, in stages.
+class Run {
+ public:
+  Run(const targets::SurfacePatch& patch, const SurfaceOptions& options, const Trial& trial)
+      : patch_(patch),
+        options_(options),
+        trust_(trial.trust),
+        rim_(trial.rim),
+        start_(start_on(patch, options.columns, options.rows, kept_inside(trial.miura, options))) {}
+
+  SurfaceDesign find() {
+    stage(first_rim_weight, options_.iterations / 5);
+    stage(rim_, options_.iterations);
+    return design();
+  }
+
+ private:
+  void stage(double rim, int iterations) {
+    const SurfaceProblem problem(patch_, start_.variables, bounds_of(options_), rim);
+    SolverOptions solver;
+    solver.max_evaluations = std::max(1, iterations);
+    solver.tolerance = least_progress;
+    solver.stop = options_.stop;
+    solver.trust_radius = trust_;
+    start_.x = start_.x.cwiseMax(problem.lower()).cwiseMin(problem.upper());
+    const SolveResult found = solve(problem, start_.x, solver);
+    evaluations_ += found.evaluations;
+    start_.x = found.x;
+  }
+
+  SurfaceDesign design() const {
+    SurfaceDesign out;
+    const SurfaceVariables& v = start_.variables;
+    out.mesh = march(march_data(v, start_.x.data())).mesh;
+    for (auto* multipliers : {&out.mesh.rising, &out.mesh.level})
+      for (double& c : *multipliers) c /= std::sin(options_.theta);
+    for (Vector2d& vertex : out.mesh.vertices) vertex /= std::cos(options_.theta);
+    out.vertices = placed_vertices(v, start_.x);
+    out.theta = options_.theta;
+    out.layer = start_.x[v.layer()] * v.unit;
+    out.error = error_of(patch_, out);
+    measure_mesh(out);
+    out.valid = is_valid(out.mesh);
+    out.within = is_within(out, options_);
+    out.evaluations = evaluations_;
+    return out;
+  }
+
+  const targets::SurfacePatch& patch_;
+  const SurfaceOptions& options_;
+  double trust_, rim_;
+  SurfaceStart start_;
+  int evaluations_ = 0;
+};
+
+/// Proportions that have led to the best sheets on caps, saddles and vases come first, then a grid about them.
+std::vector<Trial> trials() {
+  constexpr double deg = radians_per_degree;
+  std::vector<Trial> out = {{{53 * deg, 1.5, -1, 1}, 1e4, 0.005}, {{53 * deg, 1.5, 1, -1}, 1e4, 0.005},
+                            {{57 * deg, 1.2, -1, 1}, 1e3, 0.02},  {{57 * deg, 1.5, -1, 1}, 1e3, 0.02},
+                            {{57 * deg, 1.5, 1, 1}, 1e4},         {{57 * deg, 1.5, -1, -1}, 1e4},
+                            {{62 * deg, 1.5, 1, -1}, 1e3, 0.02},  {{62 * deg, 1.5, -1, 1}, 1e2, 0.005}};
+  for (const double trust : {1e4, 1e3})
+    for (const double fold : {1.5, 1.2, 1.78})
+      for (const double angle : {53.0, 57.0, 62.0, 70.0})
+        for (const int side : {1, -1})
+          for (const int turn : {1, -1}) out.push_back({{angle * deg, fold, side, turn}, trust});
+  return out;
+}
+
+bool is_better(const SurfaceDesign& a, const SurfaceDesign& b) {
+  if (a.within != b.within) return a.within;
+  if (a.valid != b.valid) return a.valid;
+  if (std::isnan(a.error.cover) != std::isnan(b.error.cover)) return std::isnan(b.error.cover);
+  return a.error.rms < b.error.rms;
+}
+
+}  // namespace
+
+void SurfaceOptions::validate() const {
+  require("columns", columns, columns >= 2, "at least 2");
+  require("rows", rows, rows >= 2, "at least 2");
+  require("theta", theta, theta > 0 && theta < pi / 4, "in (0, pi/4) rad");
+  require("tilt", tilt, tilt > 0 && tilt < pi / 2, "in (0, pi/2) rad");
+  require("starts", starts, starts >= 1, "at least 1");
+  require("iterations", iterations, iterations >= 1, "at least 1");
+}
+
+SurfaceDesign fit_surface(const targets::SurfacePatch& patch, const SurfaceOptions& options,
+                          const Progress& progress) {
+  options.validate();
+  const std::vector<Trial> all = trials();
+  const int count = std::min<int>(options.starts, static_cast<int>(all.size()));
+  std::vector<SurfaceDesign> designs(count);
+  std::atomic<int> ended = 0;
+  run_in_parallel(count, options.threads, [&](int k) {
+    designs[k] = Run(patch, options, all[k]).find();
+    designs[k].start = k;
+    progress("search", static_cast<double>(++ended) / count);
+  });
+  SurfaceDesign best = *std::min_element(designs.begin(), designs.end(), is_better);
+  best.starts = count;
+  best.evaluations = 0;
+  for (const SurfaceDesign& design : designs) best.evaluations += design.evaluations;
+  return best;
+}
+
+}  // namespace kinetix::optim

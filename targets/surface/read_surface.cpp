@@ -1,0 +1,107 @@
+#include "targets/surface/read_surface.hpp"
+
+#include <filesystem>
+
+#include "model/base/angle.hpp"
+#include "model/base/invalid_input.hpp"
+#include "targets/helmet/head_pose.hpp"
+#include "targets/mesh/mesh_file.hpp"
+#include "targets/surface/mesh_patch.hpp"
+
+namespace kinetix::targets {
+namespace {
+
+enum class Shape { cap, saddle, vase };
+// What `shape` may say.
+constexpr Word<Shape> shapes[] = {{"cap", Shape::cap}, {"saddle", Shape::saddle}, {"vase", Shape::vase}};
+// What the key `units` may say.
+constexpr Word<LengthUnit> unit_words[] = {
+    {"mm", LengthUnit::mm}, {"cm", LengthUnit::cm}, {"m", LengthUnit::m}, {"in", LengthUnit::inch}};
+
+const Bounds size = from_to(1, 5000, "mm");            // of surfaces: a fingertip to a room
+constexpr double usual_width = 100;                    // mm: a sheet of it prints on any machine
+constexpr double usual_radius = 50;                    // mm, of vases: a drinking glass
+constexpr double usual_height = 120;                   // mm, of vases
+constexpr double usual_arc = 60 * radians_per_degree;  // rad: as much as eight facets follow well
+constexpr double usual_rise = 0.3;  // a saddle whose corners are level and whose rims are as steep as 31 deg
+
+TriangleMesh in_mm(TriangleMesh mesh, LengthUnit unit) {
+  for (Eigen::Vector3d& vertex : mesh.vertices) vertex *= mm_per(unit);
+  return mesh;
+}
+
+SurfacePatch read_mesh_surface(const Section& target, const Node& mesh) {
+  LengthUnit unit = LengthUnit::mm;
+  target.read("units", unit, unit_words);
+  const std::string name = mesh.text("the path of an OBJ, STL or PLY file");
+  try {
+    return mesh_patch(in_mm(read_mesh((std::filesystem::path(mesh.folder()) / name).string()), unit));
+  } catch (const InvalidInput& e) {
+    throw mesh.error(e.what());
+  }
+}
+
+void refuse(const Section& target, std::initializer_list<const char*> keys, const std::string& why) {
+  for (const char* key : keys)
+    if (const auto node = target.optional(key)) throw node->key_error(why);
+}
+
+SurfacePatch read_shape(const Section& target, Shape shape) {
+  double width = usual_width, arc = usual_arc, rise = usual_rise, radius = usual_radius,
+         height = usual_height;
+  target.read("width_mm", width);
+  target.read("arc_deg", arc);
+  target.read("rise", rise);
+  target.read("radius_mm", radius);
+  target.read("height_mm", height);
+  double swell = radius / 5;
+  target.read("swell_mm", swell);
+  if (shape != Shape::vase)
+    refuse(target, {"radius_mm", "height_mm", "swell_mm"}, "belongs to a vase; leave it out");
+  if (shape == Shape::vase) refuse(target, {"width_mm"}, "a vase has height_mm and radius_mm; leave it out");
+  if (shape != Shape::saddle) refuse(target, {"rise"}, "belongs to a saddle; leave it out");
+  if (shape == Shape::saddle) refuse(target, {"arc_deg"}, "a saddle has a rise; leave it out");
+  if (shape == Shape::cap) return cap_patch(width, arc);
+  if (shape == Shape::saddle) return saddle_patch(width, rise);
+  return vase_patch(height, radius, swell, arc);
+}
+
+}  // namespace
+
+std::vector<Key> surface_keys() {
+  return {
+      {"mesh", value::text("path of an OBJ, STL or PLY file"), otherwise("`shape` is given"),
+       "an open surface without holes; the sheet covers the rectangle in which it lies, or one of its area"},
+      {"units", value::choice(unit_words), by_default("mm"), "of the mesh"},
+      {"shape", value::choice(shapes), otherwise("`mesh` is given"),
+       "`cap`: of a sphere, over the square in its rim; `saddle`: z = rise (x\u00b2 \u2212 y\u00b2) / half "
+       "of the width; "
+       "`vase`: the front of one, with belly and neck"},
+      {"width_mm", value::number(size), by_default(usual_width), "of the square of a cap or saddle"},
+      {"arc_deg", value::angle(between(0, 140, "degrees")), by_default_deg(usual_arc),
+       "of a cap: what its surface turns by from corner to corner; of a vase: from rim to rim round its "
+       "axis, at most 120"},
+      {"rise", value::number({0, 1, false, true}), by_default(usual_rise),
+       "of a saddle: its height in the middle of a side, over half of its width"},
+      {"height_mm", value::number(size), by_default(usual_height), "of a vase, along its axis"},
+      {"radius_mm", value::number(size), by_default(usual_radius), "of a vase, in the middle of its height"},
+      {"swell_mm", value::number(from_to(0, 2500, "mm")), otherwise("a fifth of `radius_mm`"),
+       "of a vase: how much its belly is wider than its middle, and its neck narrower; at most half the "
+       "radius"},
+  };
+}
+
+SurfacePatch read_surface(const Section& target) {
+  const auto mesh = target.optional("mesh"), shape = target.optional("shape");
+  if (mesh && shape) throw shape->key_error("and target.mesh both say what the surface is; give one of them");
+  if (!mesh && !shape) throw target.error("needs a `mesh` or a `shape`: cap, saddle or vase");
+  if (mesh) {
+    refuse(target, {"width_mm", "arc_deg", "rise", "height_mm", "radius_mm", "swell_mm"},
+           "belongs to a shape; a mesh has its own size, leave it out");
+    return read_mesh_surface(target, *mesh);
+  }
+  refuse(target, {"units"}, "belongs to a mesh; shapes are in mm, leave it out");
+  return shape->located([&] { return read_shape(target, read_word(*shape, shapes)); });
+}
+
+}  // namespace kinetix::targets

@@ -1,0 +1,89 @@
+#include "targets/surface/surface_patch.hpp"
+
+#include <gtest/gtest.h>
+
+#include "model/base/angle.hpp"
+#include "model/base/invalid_input.hpp"
+#include "targets/surface/mesh_patch.hpp"
+#include "tests/support/derivatives.hpp"
+
+namespace kinetix::targets {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+TEST(SurfacePatch, HasTheDerivativesOfItsHeights) {
+  for (const SurfacePatch& patch : {cap_patch(2, 1.2), saddle_patch(2, 0.4), vase_patch(2.4, 1, 0.2, 1)})
+    for (const Vector2d& at : {Vector2d(0.1, 0.2), Vector2d(-0.6, 0.35)}) {
+      const auto height = [&](const Eigen::VectorXd& x) {
+        const Height h = patch.height(x);
+        return Eigen::Vector3d(h.z, h.slope.x(), h.slope.y());
+      };
+      Eigen::MatrixXd J(3, 2);
+      J << patch.height(at).slope.transpose(), patch.height(at).bending;
+      testing::expect_jacobian(height, at, J);
+    }
+}
+
+TEST(CapPatch, IsASphereThatTurnsByItsArcFromCornerToCorner) {
+  const double arc = 1, radius = std::sqrt(2.0) * 50 / std::sin(arc / 2);
+  const SurfacePatch cap = cap_patch(100, arc);
+  const auto [first, second] = principal_curvatures(cap.height({20, -10}));
+  EXPECT_NEAR(first, -1 / radius, 1e-12);
+  EXPECT_NEAR(second, -1 / radius, 1e-12);
+  const Vector3d at_corner = foot_on(cap, {50, 50, cap.height({50, 50}).z}).normal;
+  EXPECT_NEAR(std::acos(at_corner.z()), arc / 2, 1e-12);
+}
+
+TEST(SurfacePatch, MeasuresDistancesAlongNormals) {
+  const SurfacePatch saddle = saddle_patch(100, 0.3);
+  for (const Vector2d& at : {Vector2d(10, 20), Vector2d(-45, 30)}) {
+    const Height h = saddle.height(at);
+    const Vector3d normal = Vector3d(-h.slope.x(), -h.slope.y(), 1).normalized();
+    const SurfaceFoot foot = foot_on(saddle, Vector3d(at.x(), at.y(), h.z) + 5 * normal);
+    EXPECT_NEAR(foot.distance, 5, 1e-9);
+    EXPECT_NEAR((foot.at - at).norm(), 0, 1e-9);
+  }
+}
+
+TriangleMesh sampled(const SurfacePatch& patch, int n) {
+  TriangleMesh mesh;
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= n; ++i) {
+      const Vector2d at(patch.half.x() * (2.0 * i / n - 1), patch.half.y() * (2.0 * j / n - 1));
+      mesh.vertices.emplace_back(at.x(), at.y(), patch.height(at).z);
+    }
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      const int a = j * (n + 1) + i, b = a + 1, c = a + n + 1, d = c + 1;
+      mesh.triangles.push_back({a, b, d});
+      mesh.triangles.push_back({a, d, c});
+    }
+  return mesh;
+}
+
+TEST(MeshPatch, IsTheSurfaceThatItWasSampledFrom) {
+  const SurfacePatch cap = cap_patch(100, 1), mesh = mesh_patch(sampled(cap, 16));
+  EXPECT_NEAR(mesh.half.x(), 50, 1e-6);
+  EXPECT_NEAR(mesh.half.y(), 50, 1e-6);
+  const double shift = mesh.height({0, 0}).z - cap.height({0, 0}).z;
+  for (const Vector2d& at : {Vector2d(20, 10), Vector2d(-40, 45)})
+    EXPECT_NEAR(mesh.height(at).z - shift, cap.height(at).z, 0.01);
+}
+
+TEST(MeshPatch, RefusesWhatIsNoSingleOpenSmoothSurface) {
+  TriangleMesh closed;
+  closed.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  closed.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+  EXPECT_THROW(mesh_patch(closed), InvalidInput);
+  TriangleMesh holed = sampled(cap_patch(100, 1), 8);
+  holed.triangles.erase(holed.triangles.begin() + 60);
+  EXPECT_THROW(mesh_patch(holed), InvalidInput);
+  TriangleMesh rough = sampled(cap_patch(100, 1), 16);
+  for (std::size_t v = 0; v < rough.vertices.size(); v += 2) rough.vertices[v].z() += 8;
+  EXPECT_THROW(mesh_patch(rough), InvalidInput);
+}
+
+}  // namespace
+}  // namespace kinetix::targets
