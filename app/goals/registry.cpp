@@ -5,6 +5,7 @@
 #include "app/goals/fold/fold_kind.hpp"
 #include "app/goals/helmet/helmet_kind.hpp"
 #include "app/goals/outline/outline_kind.hpp"
+#include "app/goals/space_curve/space_curve_kind.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -16,7 +17,8 @@ std::vector<const GoalKind*>& kinds() {
       &display_kind,  //
       &fold_kind,     //
       &helmet_kind,   //
-      &outline_kind,
+      &outline_kind,  //
+      &space_curve_kind,
   };
   return all;
 }

@@ -17,4 +17,5 @@ const GOALS = [
   foldGoal,
   helmetGoal,
   outlineGoal,
+  space_curveGoal,
 ];

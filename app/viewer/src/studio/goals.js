@@ -4,12 +4,14 @@ import {displayGoal} from "./goals/display.js";
 import {foldGoal} from "./goals/fold.js";
 import {helmetGoal} from "./goals/helmet.js";
 import {outlineGoal} from "./goals/outline.js";
+import {space_curveGoal} from "./goals/space_curve.js";
 
 const GOALS = [
   curveGoal,
   displayGoal,
   foldGoal,
   outlineGoal,
+  space_curveGoal,
   helmetGoal,
 ];
 
