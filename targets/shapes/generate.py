@@ -80,7 +80,7 @@ def helix(radius=40.0, pitch=40.0, turns=2.0):
     return point
 
 
-def trefoil_arc(size=25.0, height=12.0, part=0.45):
+def trefoil_arc(size=25.0, height=9.0, part=0.45):
     """A part of a trefoil knot, from one inner turn to the next but one."""
     def point(f):
         u = 2 * math.pi * (0.02 + part * f)

@@ -4,6 +4,7 @@
 #include "app/goals/space_curve/space_curve_outcome.hpp"
 #include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/physics_settings.hpp"
+#include "model/lattice/square/drive.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::app {
@@ -11,6 +12,9 @@ namespace {
 
 // Measured: s for 96 columns; it grows with the third power of their number.
 constexpr double seconds_of_96 = 0.3;
+
+// Measured: simulated s in which the ends of a strip that is folded by its middle come to rest, a column.
+constexpr double settle_seconds_a_column = 0.06;
 
 /// @param who the state is of that results show
 std::vector<std::string> all_violations(const SpaceCurveOutcome& outcome, const std::string& who) {
@@ -105,8 +109,12 @@ class SpaceCurveScene final : public Scene {
   }
 
   std::optional<PhysicsTask> physics_task(const Run& run) const override {
-    return PhysicsTask{run.states.front().poses, drive_to(run.structure, run.theta),
-                       physics_options(file_.physics, run.structure.size().edge_mm)};
+    const model::Structure& strip = *run.structure.squares();
+    const model::Wall middle = {{file_.variables.columns / 2, 0}, model::Axis::y};
+    sim::PhysicsOptions options = physics_options(file_.physics, run.structure.size().edge_mm);
+    options.settle_seconds =
+        std::max(options.settle_seconds, settle_seconds_a_column * file_.variables.columns);
+    return PhysicsTask{run.states.front().poses, hinge_drive_to(middle, run.theta).on(strip), options};
   }
 
   void judge_physics(Run& run) const override {
