@@ -26,6 +26,7 @@ std::vector<Figure> planar_figures();
 std::vector<Figure> scaled_display_figures();
 std::vector<Figure> qr_code_figures();
 std::vector<Figure> outline_figures();
+std::vector<Figure> space_figures();
 std::vector<Figure> matter_figures();
 std::vector<Figure> print_figures();
 std::vector<Figure> print_judge_figures();

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "model/base/invalid_input.hpp"
+#include "model/lattice/sodalite/sodalite_hinge.hpp"
 
 namespace kinetix::model {
 namespace {
@@ -92,22 +93,6 @@ double alpha_of(const SodaliteStructure& s, int hinge) {
 Vector3d up_of(const SodaliteStructure& s, int hinge) {
   const Vector3d e = wall_of(s, hinge).normalized(), n = axis_of(rotor_of(s, hinge));
   return (n - n.dot(e) * e).normalized();
-}
-
-RestHinge rest_hinge_of(const SodaliteStructure& s, int hinge) {
-  const auto& [t, alpha, beta, offset] = s.hinges[hinge];
-  const Vector3d edge = wall_of(s, hinge), e = edge.normalized(), up = up_of(s, hinge);
-  RestHinge out;
-  out.lower = s.gussets[hinge / 2][hinge % 2];
-  out.upper = static_cast<int>(s.rotors.size()) + hinge / 2;
-  out.edge = edge;
-  out.across = up.cross(e);
-  out.lower_arm = t * edge;
-  out.upper_arm = (t - 1) * edge;
-  out.axis = axis_of(rotor_of(s, hinge));
-  out.axis_alpha = std::cos(alpha) * up - std::sin(alpha) * e;
-  out.axis_beta = -std::sin(alpha) * out.across;
-  return out;
 }
 
 void add_plates(const SodaliteStructure& s, int hinge, const RestHinge& at, std::vector<Plate>& plates) {
@@ -202,6 +187,22 @@ Place body_label(const SodaliteStructure& s, int body) {
 
 Vector3d sodalite_place(const SodaliteStructure& s, int body) { return in_edges(body_label(s, body)); }
 
+RestHinge rest_hinge(const SodaliteStructure& s, int hinge) {
+  const auto& [t, alpha, beta, offset] = s.hinges[hinge];
+  const Vector3d edge = wall_of(s, hinge), e = edge.normalized(), up = up_of(s, hinge);
+  RestHinge out;
+  out.lower = s.gussets[hinge / 2][hinge % 2];
+  out.upper = static_cast<int>(s.rotors.size()) + hinge / 2;
+  out.edge = edge;
+  out.across = up.cross(e);
+  out.lower_arm = t * edge;
+  out.upper_arm = (t - 1) * edge;
+  out.axis = axis_of(rotor_of(s, hinge));
+  out.axis_alpha = std::cos(alpha) * up - std::sin(alpha) * e;
+  out.axis_beta = -std::sin(alpha) * out.across;
+  return out;
+}
+
 HingedWall hinged_wall(const SodaliteStructure& s, int hinge) {
   return {s.gussets[hinge / 2][hinge % 2], static_cast<int>(s.rotors.size()) + hinge / 2, wall_of(s, hinge),
           s.hinges[hinge]};
@@ -230,7 +231,7 @@ SodaliteStructure::operator Linkage() const {
     out.bodies.push_back(body);
   }
   for (int h = 0; h < static_cast<int>(hinges.size()); ++h) {
-    out.hinges.push_back(rest_hinge_of(*this, h));
+    out.hinges.push_back(rest_hinge(*this, h));
     add_plates(*this, h, out.hinges.back(), out.plates);
   }
   for (std::size_t k = 0; k < rings.size(); ++k)
