@@ -28,6 +28,7 @@ std::vector<Figure> qr_code_figures();
 std::vector<Figure> outline_figures();
 std::vector<Figure> crease_figures();
 std::vector<Figure> surface_figures();
+std::vector<Figure> space_figures();
 std::vector<Figure> matter_figures();
 std::vector<Figure> print_figures();
 std::vector<Figure> print_judge_figures();

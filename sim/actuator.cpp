@@ -29,7 +29,9 @@ class Plates final : public Actuator {
       const std::vector<int>& row = drive.gripped[side];
       rows_[side] = structure.bodies[row.front()].position[coordinate()];
       for (const int b : row) {
-        const Pin pin = b == row[row.size() / 2] ? Pin::keyed : Pin::sliding;
+        // Of a block in space any rotor may have to spin or to slide; its other rigid motions meet no force.
+        const bool is_key = b == row[row.size() / 2] && !structure.bodies[b].spin;
+        const Pin pin = is_key ? Pin::keyed : Pin::sliding;
         add(side, pin, *bodies[b], error_reduction);
         if (side == 0 && pin == Pin::keyed) keep_from_spinning(*bodies[b]);
       }

@@ -49,8 +49,9 @@ RigidParts::~RigidParts() = default;
 
 void RigidParts::push(double rate) {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    const int sense = structure_.bodies[b].sense;
-    bodies_[b]->setAngularVelocity(bodies_[b]->getAngularVelocity() + btVector3(0, 0, sense * rate));
+    const Eigen::Vector3d spin = rate * structure_.bodies[b].first_turn();
+    bodies_[b]->setAngularVelocity(bodies_[b]->getAngularVelocity() +
+                                   btVector3(spin.x(), spin.y(), spin.z()));
   }
 }
 

@@ -13,7 +13,7 @@ constexpr double weight_of_the_rest = 1e-6;  // times that of the spins: decides
 
 std::vector<model::Twist> bare_spins(const model::Linkage& structure) {
   std::vector<model::Twist> twists(structure.bodies.size());
-  for (std::size_t b = 0; b < twists.size(); ++b) twists[b].omega.z() = structure.bodies[b].sense;
+  for (std::size_t b = 0; b < twists.size(); ++b) twists[b].omega = structure.bodies[b].first_turn();
   return twists;
 }
 
@@ -31,14 +31,15 @@ Eigen::MatrixXd all_motions(const model::Linkage& structure) {
   return motions;
 }
 
-/// Least squares for the wanted spins about z, with everything else kept small where the spins leave a
-/// choice.
+/// Least squares for the wanted spins (of bodies that turn about z the part about z), with everything else kept small where
+/// the spins leave a choice.
 Eigen::VectorXd nearest_motion(const model::Linkage& structure, const Eigen::MatrixXd& motions) {
   Eigen::VectorXd weight = Eigen::VectorXd::Constant(motions.rows(), weight_of_the_rest);
   Eigen::VectorXd wanted = Eigen::VectorXd::Zero(motions.rows());
   for (std::size_t b = 0; b < structure.bodies.size(); ++b) {
+    if (structure.bodies[b].spin) weight.segment<3>(6 * b).setOnes();
     weight[6 * b + 2] = 1;
-    wanted[6 * b + 2] = structure.bodies[b].sense;
+    wanted.segment<3>(6 * b) = structure.bodies[b].first_turn();
   }
   const Eigen::MatrixXd weighted = weight.asDiagonal() * motions;
   return motions * (motions.transpose() * weighted).ldlt().solve(weighted.transpose() * wanted);
@@ -48,10 +49,12 @@ Eigen::VectorXd nearest_motion(const model::Linkage& structure, const Eigen::Mat
 
 std::vector<model::Twist> start_motion(const model::Linkage& structure) {
   const Eigen::VectorXd motion = nearest_motion(structure, all_motions(structure));
-  double share = 0;
-  for (std::size_t b = 0; b < structure.bodies.size(); ++b)
-    share += structure.bodies[b].sense * motion[6 * b + 2];
-  share /= static_cast<double>(structure.bodies.size());
+  double share = 0, all = 0;
+  for (std::size_t b = 0; b < structure.bodies.size(); ++b) {
+    share += structure.bodies[b].first_turn().dot(motion.segment<3>(6 * b));
+    all += structure.bodies[b].first_turn().squaredNorm();
+  }
+  share /= all;
   if (!(share > least_share)) return bare_spins(structure);
   std::vector<model::Twist> twists;
   for (std::size_t b = 0; b < structure.bodies.size(); ++b)

@@ -9,14 +9,21 @@ namespace {
 
 using Status = PhysicsResult::Status;
 
+/// Sine of a turn about a direction, times its length.
+double turn_about(const Eigen::Vector3d& spin, const Eigen::Matrix3d& R) {
+  return 0.5 * spin.dot(Eigen::Vector3d(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1)));
+}
+
 /// Mean of sin(theta) over the bodies between the plates: how far they turned in the plane, class B counted
 /// backwards.
 double mean_turn(const model::Linkage& structure, const model::LinkageDrive& drive,
                  const model::State& state) {
   double sum = 0;
   for (const int b : drive.held) {
-    const double turn = drive.axis == model::Axis::y ? state[b].R(1, 0) : -state[b].R(0, 1);
-    sum += structure.bodies[b].sense * turn;
+    sum += structure.bodies[b].spin
+               ? turn_about(*structure.bodies[b].spin, state[b].R)
+               : structure.bodies[b].sense *
+                     (drive.axis == model::Axis::y ? state[b].R(1, 0) : -state[b].R(0, 1));
   }
   return sum / static_cast<double>(drive.held.size());
 }

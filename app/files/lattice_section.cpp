@@ -17,10 +17,16 @@ namespace {
 namespace value = targets::value;
 using model::PlanarLattice;
 
-constexpr double default_cell_mm = 10;     // mm: a cell that a hand takes hold of
-constexpr int max_vertices = 1'000'000;    // as many bodies as the largest sheet of squares has cells
-constexpr const char* squares = "square";  // `lattice` of model/lattice/square
-constexpr const char* by_hand = "graph";   // and of what is drawn by hand
+constexpr double default_cell_mm = 10;        // mm: a cell that a hand takes hold of
+constexpr int max_vertices = 1'000'000;       // as many bodies as the largest sheet of squares has cells
+constexpr const char* squares = "square";     // `lattice` of model/lattice/square
+constexpr const char* by_hand = "graph";      // and of what is drawn by hand
+constexpr const char* in_space = "sodalite";  // and of model/lattice/sodalite
+constexpr double default_gusset = 0.2;        // of an edge: arms of four fifths, gussets that a printer makes
+// Of a gusset, over the edge: shorter ones have both hinges in one place, longer ones leave rotors no arms.
+const targets::Bounds gussets = targets::from_to(0.02, 0.9);
+constexpr int most_cells_in_space = 14;  // along a direction: 14^3 cells have some 100 000 bodies
+constexpr double slender = 0.1;  // of an edge: walls of rotors pass each other up to a height of a fifth
 constexpr const char* rims[] = {"open", "closed"};
 // Of a rhombus, degrees: flatter ones have walls that touch their neighbours'.
 const targets::Bounds angles = targets::from_to(30, 150, "degrees");
@@ -43,6 +49,7 @@ std::vector<std::string> names_with_cells() {
 std::vector<std::string> lattice_names() {
   std::vector<std::string> names = names_with_cells();
   names.emplace_back(by_hand);
+  names.emplace_back(in_space);
   return names;
 }
 
@@ -50,7 +57,7 @@ std::string lattice_meaning() {
   std::string text = "the lattice of the sheet: `square`";
   for (const PlanarLattice* lattice : model::planar_lattices())
     text += fmt::format("; `{}`, {}", lattice->name, lattice->meaning);
-  return text + "; `graph`, walls of a drawing, of a FOLD file or of a list";
+  return text + "; `graph`, walls of a drawing, of a FOLD file or of a list; `sodalite`, rotors and gussets in space";
 }
 
 targets::ValueType numbers_2() { return value::list(value::number(places), "`[x, y]`", 2, 2); }
@@ -133,6 +140,18 @@ model::Sheet read_origami(const targets::Section& structure) {
   return path.located([&] { return origami_sheet(tilted(pattern, tilt), size).structure; });
 }
 
+model::Sheet read_block(const targets::Section& structure) {
+  const targets::Node cells = structure.required("cells", "[n, n, n], cubic cells along x, y and z");
+  std::array<int, 3> counts{};
+  const auto nodes = cells.list_of(3, "[n, n, n], cubic cells along x, y and z");
+  for (std::size_t d = 0; d < 3; ++d) counts[d] = nodes[d].integer(1, most_cells_in_space);
+  double gusset = default_gusset;
+  structure.read("gusset", gusset);
+  model::CellSize size = read_size(structure, default_cell_mm);
+  if (!structure.optional("wall_mm")) size.height_mm = size.thickness_mm = slender * size.edge_mm;
+  return cells.located([&] { return make_sodalite(counts, gusset, size); });
+}
+
 /// @param in_order whether the order of the cells tells: then only that of a rectangle is written as one
 std::string cells_text(const std::vector<model::Cell>& cells, bool in_order) {
   const auto sides = as_rectangle(cells);
@@ -176,6 +195,9 @@ std::string graph_text(const model::PlanarStructure& planar) {
 }
 
 std::string cells_or_walls(const model::Sheet& sheet) {
+  if (const model::SodaliteStructure* s = sheet.sodalite())
+    return fmt::format("  lattice: {}\n  cells: [{}, {}, {}]\n  gusset: {}\n", in_space, s->cells[0],
+                       s->cells[1], s->cells[2], targets::shortest_text(s->gusset));
   if (const model::Structure* s = sheet.squares()) return "  cells: " + cells_text(s->cells, false) + "\n";
   return sheet.planar()->drawn.lattice ? drawn_text(*sheet.planar()) : graph_text(*sheet.planar());
 }
@@ -210,6 +232,21 @@ const targets::KeyTable& regular_keys() {
       any_cells_key(),
       angle_key(),
       rim_key(),
+      cell_mm_key(targets::by_default(default_cell_mm)),
+      wall_mm_key(),
+  });
+  return keys;
+}
+
+const targets::KeyTable& block_keys() {
+  static const targets::KeyTable keys({
+      lattice_key({in_space}, targets::needed),
+      {"cells", value::list(value::integer(1, most_cells_in_space), "`[n, n, n]`", 3, 3), targets::needed,
+       "of `sodalite`: cubic cells along x, y and z"},
+      {"gusset", value::number(gussets), targets::by_default(default_gusset),
+       "of `sodalite`: length of a gusset, the piece between two rotors that never turns, over the edge; "
+       "hinges sit at "
+       "its ends"},
       cell_mm_key(targets::by_default(default_cell_mm)),
       wall_mm_key(),
   });
@@ -296,9 +333,10 @@ targets::Key lattice_structure_key() {
   return {
       "structure",
       value::either({value::map(square_keys()), value::map(regular_keys()), value::map(drawing_keys()),
-                     value::map(origami_keys()), value::map(graph_keys())}),
+                     value::map(origami_keys()), value::map(graph_keys()), value::map(block_keys())}),
       targets::needed,
-      "the flat sheet: squares, another regular lattice, a drawing, a crease pattern, or a list of walls"};
+      "the flat sheet: squares, another regular lattice, a drawing, a crease pattern, or a list of walls; or a lattice in "
+      "space"};
 }
 
 model::Sheet read_sheet(const targets::Node& structure) {
@@ -306,6 +344,7 @@ model::Sheet read_sheet(const targets::Node& structure) {
   const std::vector<std::string> names = lattice_names();
   const std::size_t choice = lattice ? lattice->one_of({names.begin(), names.end()}) : 0;
   if (names[choice] == squares) return read_squares(targets::Section(structure, square_keys()));
+  if (names[choice] == in_space) return read_block(targets::Section(structure, block_keys()));
   if (names[choice] != by_hand) return read_regular(targets::Section(structure, regular_keys()));
   if (structure.optional("origami")) return read_origami(targets::Section(structure, origami_keys()));
   const bool is_drawn = structure.optional("drawing") || !structure.optional("vertices_mm");

@@ -6,6 +6,7 @@
 #include "app/goals/helmet/helmet_kind.hpp"
 #include "app/goals/outline/outline_kind.hpp"
 #include "app/goals/surface/surface_kind.hpp"
+#include "app/goals/space_curve/space_curve_kind.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -19,6 +20,7 @@ std::vector<const GoalKind*>& kinds() {
       &helmet_kind,   //
       &outline_kind,  //
       &surface_kind,
+      &space_curve_kind,
   };
   return all;
 }

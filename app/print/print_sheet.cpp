@@ -29,6 +29,7 @@ model::CellSize resized(const model::CellSize& size, const PrintChoice& choice,
 
 model::Sheet resized(model::Sheet sheet, const PrintChoice& choice, const model::Process& process) {
   if (auto* squares = sheet.squares()) squares->size = resized(squares->size, choice, process);
+  if (auto* block = sheet.sodalite()) block->size = resized(block->size, choice, process);
   if (auto* planar = sheet.planar()) planar->size = resized(planar->size, choice, process);
   return sheet;
 }

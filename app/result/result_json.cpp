@@ -11,6 +11,7 @@
 #include "app/result/stable_states_json.hpp"
 #include "app/result/state_json.hpp"
 #include "app/version.hpp"
+#include "model/sheet/sheet_hinge.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -57,7 +58,7 @@ double reach_of(const Run& run, int index, double usual_mm) {
 Json hinge_json(const Run& run, int index, double usual_reach_mm) {
   const model::Sheet& s = run.structure;
   const model::HingedWall wall = s.wall(index);
-  const model::RestHinge hinge = rest_hinge(wall);
+  const model::RestHinge hinge = rest_hinge(s, index);
   const double edge_mm = s.size().edge_mm;
   Json out = {{"bodies", {wall.lower, wall.upper}},
               {"t", wall.hinge.t},

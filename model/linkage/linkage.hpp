@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,10 @@ struct LinkageBody {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of its vertex at rest, cell edges
   /// +1 or -1: which way it turns about z as theta grows from flat. The two bodies of a hinge differ.
   int sense = 1;
+  /// How it turns as theta grows from flat, rad per rad, where that is not `sense` about z.
+  std::optional<Eigen::Vector3d> spin = {};
+
+  Eigen::Vector3d first_turn() const { return spin ? *spin : Eigen::Vector3d(0, 0, sense); }
 };
 
 /// A loop of bodies, each joined to the next by a hinge and the last to the first. Of even length, since the

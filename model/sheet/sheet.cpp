@@ -19,11 +19,11 @@ struct Each : F... {
 template <class... F>
 Each(F...) -> Each<F...>;
 
-std::vector<std::vector<int>> columns_of(const PlanarStructure& s) {
-  std::vector<int> order(s.graph.vertices.size());
+std::vector<std::vector<int>> columns_of(const std::vector<Eigen::Vector2d>& places) {
+  std::vector<int> order(places.size());
   std::iota(order.begin(), order.end(), 0);
-  const auto x = [&](int v) { return s.graph.vertices[v].x(); };
-  const auto y = [&](int v) { return s.graph.vertices[v].y(); };
+  const auto x = [&](int v) { return places[v].x(); };
+  const auto y = [&](int v) { return places[v].y(); };
   std::sort(order.begin(), order.end(), [&](int a, int b) { return x(a) < x(b); });
   std::vector<std::vector<int>> columns;
   for (std::size_t k = 0; k < order.size(); ++k) {
@@ -42,9 +42,11 @@ const CellSize& Sheet::size() const {
 }
 
 int Sheet::bodies() const {
-  return std::visit(Each{[](const Structure& s) { return static_cast<int>(s.bodies.size()); },
-                         [](const PlanarStructure& s) { return static_cast<int>(s.graph.vertices.size()); }},
-                    of_);
+  return std::visit(
+      Each{[](const Structure& s) { return static_cast<int>(s.bodies.size()); },
+           [](const PlanarStructure& s) { return static_cast<int>(s.graph.vertices.size()); },
+           [](const SodaliteStructure& s) { return static_cast<int>(s.rotors.size() + s.gussets.size()); }},
+      of_);
 }
 
 int Sheet::hinges() const {
@@ -53,38 +55,44 @@ int Sheet::hinges() const {
 
 int Sheet::cells() const {
   return std::visit(Each{[](const Structure& s) { return static_cast<int>(s.cells.size()); },
-                         [](const PlanarStructure& s) { return static_cast<int>(s.faces.size()); }},
+                         [](const PlanarStructure& s) { return static_cast<int>(s.faces.size()); },
+                         [](const SodaliteStructure& s) { return static_cast<int>(s.rings.size()); }},
                     of_);
 }
 
 const HingeParameters& Sheet::hinge(int index) const {
   if (const Structure* s = squares()) return s->hinges[index].parameters;
+  if (const SodaliteStructure* s = sodalite()) return s->hinges[index];
   return planar()->hinges[index];
 }
 
 HingeParameters& Sheet::hinge(int index) {
   if (Structure* s = squares()) return s->hinges[index].parameters;
+  if (SodaliteStructure* s = sodalite()) return s->hinges[index];
   return planar()->hinges[index];
 }
 
 HingedWall Sheet::wall(int hinge) const {
   return std::visit(Each{[hinge](const Structure& s) { return hinged_wall(s.hinges[hinge]); },
-                         [hinge](const PlanarStructure& s) { return hinged_wall(s, hinge); }},
+                         [hinge](const auto& s) { return hinged_wall(s, hinge); }},
                     of_);
 }
 
 std::span<const int> Sheet::cell_bodies(int cell) const {
   if (const Structure* s = squares()) return s->cell_members[cell].bodies;
+  if (const SodaliteStructure* s = sodalite()) return s->ring_bodies[cell];
   return planar()->faces[cell].vertices;
 }
 
 std::span<const int> Sheet::cell_hinges(int cell) const {
   if (const Structure* s = squares()) return s->cell_members[cell].hinges;
+  if (const SodaliteStructure* s = sodalite()) return s->ring_hinges[cell];
   return planar()->faces[cell].edges;
 }
 
 Eigen::Vector3d Sheet::rest_position(int body) const {
   if (const Structure* s = squares()) return s->rest_position(body);
+  if (const SodaliteStructure* s = sodalite()) return size().edge_mm * sodalite_place(*s, body);
   const Eigen::Vector2d at = size().edge_mm * planar()->graph.vertices[body];
   return {at.x(), at.y(), 0};
 }
@@ -95,17 +103,23 @@ Sheet::operator Linkage() const {
 
 std::string lattice_name(const Sheet& sheet) {
   if (sheet.squares()) return "square";
+  if (sheet.sodalite()) return "sodalite";
   const PlanarLattice* lattice = sheet.planar()->drawn.lattice;
   return lattice ? std::string(lattice->name) : "graph";
 }
 
 std::vector<int> body_label(const Sheet& sheet, int body) {
   if (const Structure* s = sheet.squares()) return body_label(*s, body);
+  if (const SodaliteStructure* s = sheet.sodalite()) {
+    const std::array<int, 3> place = body_label(*s, body);
+    return {place.begin(), place.end()};
+  }
   return {body};
 }
 
 std::vector<int> cell_label(const Sheet& sheet, int cell) {
   if (const Structure* s = sheet.squares()) return cell_label(*s, cell);
+  if (sheet.sodalite()) return {cell};
   const auto& drawn = sheet.planar()->drawn.cells;
   if (cell >= static_cast<int>(drawn.size())) return {cell};
   return {drawn[cell][0], drawn[cell][1]};
@@ -113,16 +127,25 @@ std::vector<int> cell_label(const Sheet& sheet, int cell) {
 
 std::string wall_name(const Sheet& sheet, int hinge) {
   if (const Structure* s = sheet.squares()) return to_string(s->hinges[hinge].wall);
+  if (sheet.sodalite()) {
+    const HingedWall wall = sheet.wall(hinge);
+    return "[" + std::to_string(wall.lower) + ", " + std::to_string(wall.upper) + "]";
+  }
   return to_string(sheet.planar()->graph.edges[hinge]);
 }
 
 std::vector<std::vector<int>> body_columns(const Sheet& sheet) {
   if (const Structure* s = sheet.squares()) return body_columns(*s);
-  return columns_of(*sheet.planar());
+  if (const PlanarStructure* s = sheet.planar()) return columns_of(s->graph.vertices);
+  std::vector<Eigen::Vector2d> places;
+  for (int b = 0; b < sheet.bodies(); ++b)
+    places.push_back(sheet.rest_position(b).head<2>() / sheet.size().edge_mm);
+  return columns_of(places);
 }
 
 void validate_hinges(const Sheet& sheet) {
   if (const Structure* s = sheet.squares()) return validate_hinges(*s);
+  if (const SodaliteStructure* s = sheet.sodalite()) return validate_hinges(*s);
   validate_hinges(*sheet.planar());
 }
 

@@ -4,17 +4,19 @@
 #include <variant>
 
 #include "model/lattice/planar/planar_structure.hpp"
+#include "model/lattice/sodalite/sodalite.hpp"
 #include "model/lattice/square/structure.hpp"
 
 namespace kinetix::model {
 
-/// A flat sheet of any lattice with the parameters of its hinges: what files, results and sweeps handle. Bodies,
+/// A flat sheet of any lattice, or a block of one in space, with the parameters of its hinges: what files, results and sweeps handle. Bodies,
 /// hinges and cells are counted from 0, in the order of the linkage that it makes.
 class Sheet {
  public:
   Sheet() = default;
   Sheet(Structure squares) : of_(std::move(squares)) {}
   Sheet(PlanarStructure planar) : of_(std::move(planar)) {}
+  Sheet(SodaliteStructure block) : of_(std::move(block)) {}
 
   const CellSize& size() const;
   int bodies() const;
@@ -36,9 +38,11 @@ class Sheet {
   Structure* squares() { return std::get_if<Structure>(&of_); }
   const PlanarStructure* planar() const { return std::get_if<PlanarStructure>(&of_); }
   PlanarStructure* planar() { return std::get_if<PlanarStructure>(&of_); }
+  const SodaliteStructure* sodalite() const { return std::get_if<SodaliteStructure>(&of_); }
+  SodaliteStructure* sodalite() { return std::get_if<SodaliteStructure>(&of_); }
 
  private:
-  std::variant<Structure, PlanarStructure> of_;
+  std::variant<Structure, PlanarStructure, SodaliteStructure> of_;
 };
 
 /// "square", the name of the lattice that it is drawn by, or "graph".

@@ -33,6 +33,13 @@ LinkageDrive planar_drive(const PlanarStructure& sheet, const SheetDrive& drive)
   return out;
 }
 
+LinkageDrive block_drive(const SodaliteStructure& block, const SheetDrive& drive) {
+  if (drive.kind == LinkageDrive::Kind::hinge) return hinge_drive(block, drive.hinge, drive.angle);
+  LinkageDrive out = plate_drive(block, drive.axis, drive.compression, drive.branch);
+  out.press = drive.press;
+  return out;
+}
+
 constexpr double probe =
     0.01;  // rad: so near flat, a cord that pulls to a side is shorter by a hundredth of a cell
 constexpr double as_short = 1e-9;  // of the cord: both sides are alike, but for rounding
@@ -78,6 +85,7 @@ Sheet between(const Sheet& before, const Sheet& after, double part) {
 
 PlanarStructure planar_structure(const Sheet& sheet) {
   if (const Structure* squares = sheet.squares()) return planar_structure(*squares);
+  if (sheet.sodalite()) throw InvalidInput("a sodalite lattice is no planar sheet");
   return *sheet.planar();
 }
 
@@ -88,6 +96,7 @@ void place_hinges(const Redrawing& y, Sheet& sheet) {
 
 ExactMotion exact_motion(const Sheet& sheet) {
   if (const Structure* squares = sheet.squares()) return exact_motion(*squares);
+  if (const SodaliteStructure* block = sheet.sodalite()) return exact_motion(*block);
   return exact_motion(*sheet.planar());
 }
 
@@ -95,11 +104,13 @@ LinkageDrive drive_on(const Sheet& sheet, const SheetDrive& drive) {
   if (drive.kind == LinkageDrive::Kind::cord || drive.kind == LinkageDrive::Kind::shape_memory)
     return drive_on_hinges(sheet, drive);
   if (const Structure* squares = sheet.squares()) return square_drive(*squares, drive).on(*squares);
+  if (const SodaliteStructure* block = sheet.sodalite()) return block_drive(*block, drive);
   return planar_drive(*sheet.planar(), drive);
 }
 
 LinkageDrive drive_to(const Sheet& sheet, double theta) {
   if (const Structure* squares = sheet.squares()) return drive_to(*squares, theta).on(*squares);
+  if (const SodaliteStructure* block = sheet.sodalite()) return drive_to(*block, theta);
   return drive_to(*sheet.planar(), theta);
 }
 

@@ -25,12 +25,24 @@ struct PlanePoints {
   Place place;  ///< of all
 };
 
+/// Likewise of space.
+struct SpacePoints {
+  std::vector<Eigen::Vector3d> points;
+  std::vector<Place> places;
+  Place place;  ///< of all
+};
+
 /// What may stand under a key for points. @param second_axis name of the second coordinate, after x
 ValueType points_type(const std::string& second_axis);
+/// Likewise for points [x, y, z]. @param most of them
+ValueType space_points_type(std::size_t most);
 
 /// The path of a CSV file, relative to the document's folder, or a list [[x, z], ...], in mm.
 /// @throws InvalidInput at the point at fault, in the CSV or in the document
 PlanePoints read_points(const Node& points, const std::string& second_axis);
+
+/// Likewise a list [[x, y, z], ...], or a CSV file with the header `x,y,z`. @param most of them
+SpacePoints read_space_points(const Node& points, std::size_t most);
 
 /// A CSV file whose first line is the header `x,z` (or `x_mm,z_mm`), then one point a row, mm. Empty lines,
 /// lines that start with #, spaces around a number, CRLF and a byte order mark are fine.
@@ -39,8 +51,8 @@ PlanePoints read_points(const Node& points, const std::string& second_axis);
 PlanePoints read_points_csv(const std::string& file, const std::string& second_axis);
 
 /// What `make` makes of the points; what it refuses gets the place of the point at fault.
-template <class Make>
-auto made_of(PlanePoints read, const Make& make) {
+template <class Points, class Make>
+auto made_of(Points read, const Make& make) {
   try {
     return make(std::move(read.points));
   } catch (const InvalidCurve& e) {

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the goal curves of this folder: points x,z in mm, evenly spaced by arc length.
+"""Writes the goal curves of this folder: points x,z (in space x,y,z) in mm, evenly spaced by arc length.
 
 helmet_rib: sagittal section of a man's head from the glabella over the vertex to the opisthocranion. Mean dimensions
 of men in the 2012 survey of U.S. Army personnel (Gordon et al., 2012 Anthropometric Survey of U.S. Army Personnel:
@@ -73,9 +73,52 @@ def spiral(inner=35.0, pitch=30.0, turns=1.75):
     return point
 
 
+def helix(radius=40.0, pitch=40.0, turns=2.0):
+    def point(f):
+        angle = 2 * math.pi * turns * f
+        return radius * math.cos(angle), radius * math.sin(angle), pitch * turns * f
+    return point
+
+
+def trefoil_arc(size=25.0, height=9.0, part=0.45):
+    """A part of a trefoil knot, from one inner turn to the next but one."""
+    def point(f):
+        u = 2 * math.pi * (0.02 + part * f)
+        return (size * (math.sin(u) + 2 * math.sin(2 * u)), size * (math.cos(u) - 2 * math.cos(2 * u)),
+                -height * math.sin(3 * u))
+    return point
+
+
+def handle(grip=100.0, rise=38.0, lean=14.0):
+    """A pull for a drawer: it rises from one foot, runs along, and comes down to the other foot, set off to the side."""
+    def point(f):
+        u = math.pi * f
+        return -grip / 2 * math.cos(u), -lean / 2 * math.cos(u) ** 3, rise * math.sin(u) ** 0.8
+    return point
+
+
+def spectacle_frame(width=134.0, temple=95.0, wrap=16.0, drop=12.0):
+    """From one ear over the brow to the other: temples that drop to the ears, a front that wraps round the face."""
+    half = width / 2
+    def point(f):
+        x = 2 * f - 1  # ear to ear
+        bow = math.tanh(5.2 * x) / math.tanh(5.2)
+        back = temple * (1 - (1 - abs(x) ** 3.0)) + wrap * x * x
+        return half * bow, -back, -drop * abs(x) ** 4
+    return point
+
+
+def write(folder, header, name, curve):
+    digits = lambda v: f"{v:.6f}".replace("-0.000000", "0.000000")
+    rows = "".join(",".join(map(digits, p)) + "\n" for p in evenly(dense(curve), POINTS))
+    (folder / f"{name}.csv").write_text(header + "\n" + rows)
+
+
 if __name__ == "__main__":
     folder = pathlib.Path(__file__).parent
     for name, curve in {"helmet_rib": helmet_rib(), "half_circle": half_circle(), "s_curve": s_curve(),
                         "spiral": spiral()}.items():
-        rows = "".join(f"{x + 0.0:.6f},{z + 0.0:.6f}\n" for x, z in evenly(dense(curve), POINTS))
-        (folder / f"{name}.csv").write_text("x,z\n" + rows.replace("-0.000000", "0.000000"))
+        write(folder, "x,z", name, curve)
+    for name, curve in {"helix": helix(), "trefoil_arc": trefoil_arc(), "handle": handle(),
+                        "spectacle_frame": spectacle_frame()}.items():
+        write(folder, "x,y,z", name, curve)

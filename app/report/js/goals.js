@@ -18,4 +18,5 @@ const GOALS = [
   helmetGoal,
   outlineGoal,
   surfaceGoal,
+  space_curveGoal,
 ];

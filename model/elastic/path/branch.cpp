@@ -48,7 +48,7 @@ double side_of_drive(const ElasticSystem& system, const VectorXd& mode, int side
   const auto& bodies = system.structure().bodies;
   double with = 0, size = 0;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    with += bodies[b].sense * mode[6 * b + 2];
+    with += bodies[b].first_turn().dot(mode.segment<3>(6 * b));
     size += std::abs(mode[6 * b + 2]);
   }
   if (std::abs(with) > checkerboard * size && size > 0)

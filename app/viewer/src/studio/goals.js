@@ -5,6 +5,7 @@ import {foldGoal} from "./goals/fold.js";
 import {helmetGoal} from "./goals/helmet.js";
 import {outlineGoal} from "./goals/outline.js";
 import {surfaceGoal} from "./goals/surface.js";
+import {space_curveGoal} from "./goals/space_curve.js";
 
 const GOALS = [
   curveGoal,
@@ -12,6 +13,7 @@ const GOALS = [
   foldGoal,
   outlineGoal,
   surfaceGoal,
+  space_curveGoal,
   helmetGoal,
 ];
 

@@ -1,0 +1,193 @@
+#include "app/goals/space_curve/space_curve_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/files/file_header.hpp"
+#include "app/files/structure_section.hpp"
+#include "targets/space_curve/read_space_curve.hpp"
+
+namespace kinetix::app {
+namespace {
+
+namespace value = targets::value;
+
+constexpr int least_columns = 4, most_columns = 400;  // the search takes some seconds for the most
+// rad: at which a strip gets the length of the curve where the file gives its cell edge but no cells.
+constexpr double usual_theta = 30 * radians_per_degree;
+constexpr double smallest_cell_mm = 0.1;  // mm: below, points are likelier in metres than cells so small
+// Of theta, degrees: at 45 basic cells are closed.
+const targets::Bounds fold = targets::between(0, 45, "degrees");
+const targets::Bounds tilt = targets::between(-89, 89, "degrees");
+const targets::Bounds fraction = targets::between(0, 1);
+const targets::Bounds part_of_one = {0, 1, false, true};
+
+targets::KeyTable structure_keys(const SpaceCurveFile& usual) {
+  return targets::KeyTable({
+      cells_key(targets::by_default({static_cast<double>(usual.variables.columns), 1.0}),
+                "[columns, 1]; where only `cell_mm` is given, as many columns as make the strip as long as "
+                "the curve"),
+      cell_mm_key(targets::otherwise("gives the strip the curve's length")),
+      wall_mm_key(),
+  });
+}
+
+targets::KeyTable variables_keys(const SpaceCurveFile& usual) {
+  const optim::SpaceVariables& v = usual.variables;
+  const targets::KeyTable beta(
+      {{"range_deg", value::angle_range(tilt), targets::by_default_deg(-v.beta, v.beta),
+        "tilts of bending columns; the side that is nearer to 0 counts for both"}});
+  const targets::KeyTable t({{"range", value::range(fraction), targets::by_default(v.t),
+                              "where hinges of shearing columns may sit on their walls; the side that is "
+                              "nearer to 0.5 counts for both"}});
+  const targets::KeyTable theta(
+      {{"range_deg", value::angle_range(fold), targets::by_default_deg(v.theta.lower, v.theta.upper),
+        "turn of the bodies in the folded state; several within the range are tried where `cell_mm` is left "
+        "out"}});
+  return targets::KeyTable({
+      {"beta", value::map(beta), {}, "the tilts of the hinges"},
+      {"t", value::map(t), {}, "where hinges sit on their walls"},
+      {"theta", value::map(theta), {}, "how far the strip is folded"},
+  });
+}
+
+targets::KeyTable tolerance_keys(const SpaceCurveFile& usual) {
+  return targets::KeyTable({
+      {"shape", value::number(part_of_one), targets::by_default(usual.shape_tolerance),
+       "most of [shape_rms](#shape_rms-and-shape_max), over the diagonal of the curve's bounding box"},
+      {"verify", value::number(part_of_one), targets::by_default(usual.verify_tolerance),
+       "most of [verify_rms](#verify_rms-and-verify_max), cell edges"},
+  });
+}
+
+int read_columns(const targets::Node& node) {
+  const auto sides = as_rectangle(read_cells(node));
+  if (!sides || (*sides)[1] != 1)
+    throw node.error("a strip for a curve in space is one row of cells; give [columns, 1]");
+  if ((*sides)[0] < least_columns || (*sides)[0] > most_columns)
+    throw node.error(fmt::format("{} columns; give {} to {}", (*sides)[0], least_columns, most_columns));
+  return (*sides)[0];
+}
+
+void read_structure(const targets::Section& root, SpaceCurveFile& file) {
+  const targets::Section structure = root.section("structure");
+  const double length = file.wanted.length();
+  optim::SpaceVariables& v = file.variables;
+  const auto cells = structure.optional("cells");
+  const auto cell_mm = structure.optional("cell_mm");
+  if (cells) v.columns = read_columns(*cells);
+  v.free_edge = !cell_mm;
+  const double usual_edge = length / (v.columns * std::cos(usual_theta));
+  v.size = read_size(structure, usual_edge);
+  if (!cell_mm && !(usual_edge >= smallest_cell_mm))
+    throw root.required("target", "")
+        .error(fmt::format("the curve is {:.6g} mm long, so that {} cells would be {:.3g} mm small; points "
+                           "are in millimetres; are these "
+                           "metres? If not, give structure.cell_mm",
+                           length, v.columns, usual_edge));
+  if (!cell_mm || cells) return;
+  const double fitting = std::round(length / (v.size.edge_mm * std::cos(usual_theta)));
+  if (!(fitting >= least_columns && fitting <= most_columns))
+    throw cell_mm->error(
+        fmt::format("a curve of {:.6g} mm would take {:.0f} cells of {:.6g} mm; give {} to {} columns",
+                    length, fitting, v.size.edge_mm, least_columns, most_columns));
+  v.columns = static_cast<int>(fitting);
+}
+
+void read_variables(const targets::Section& root, SpaceCurveFile& file) {
+  const targets::Section variables = root.section("variables");
+  optim::SpaceVariables& v = file.variables;
+  const targets::Section beta = variables.section("beta");
+  std::array<double, 2> tilts = {-v.beta, v.beta};
+  beta.read("range_deg", tilts);
+  if (!(tilts[0] < 0 && tilts[1] > 0))
+    throw beta.optional("range_deg")->error("must hold 0, an upright hinge");
+  v.beta = std::min(-tilts[0], tilts[1]);
+  const targets::Section t = variables.section("t");
+  t.read("range", v.t);
+  if (!(v.t[0] < 0.5 && v.t[1] > 0.5)) throw t.optional("range")->error("must hold 0.5, where hinges start");
+  std::array<double, 2> theta = {v.theta.lower, v.theta.upper};
+  variables.section("theta").read("range_deg", theta);
+  v.theta = {theta[0], theta[1]};
+}
+
+/// Cells of a given size and number have a length range of their own.
+void check_length(const targets::Section& root, const SpaceCurveFile& file) {
+  const optim::SpaceVariables& v = file.variables;
+  if (v.free_edge) return;
+  const double straight = v.columns * v.size.edge_mm;
+  const double least = straight * std::cos(v.theta.upper), most = straight * std::cos(v.theta.lower);
+  // What climbs is longer than it looks along the strip: a third at the steepest slope.
+  if (file.wanted.length() >= 0.9 * least && file.wanted.length() <= 1.33 * most) return;
+  throw root.section("structure")
+      .required("cell_mm", "")
+      .error(fmt::format(
+          "{} cells of {:.6g} mm are {:.4g} to {:.4g} mm long within the range of theta, but the curve is "
+          "{:.4g} mm long",
+          v.columns, v.size.edge_mm, least, most, file.wanted.length()));
+}
+
+void check_reach(const SpaceCurveFile& file, const targets::Node& points, const std::vector<Place>& places) {
+  const auto found = points.located([&] { return obstacle(file.wanted, file.variables); });
+  if (!found) return;
+  const auto& arcs = file.wanted.line().arcs();
+  const auto after = std::upper_bound(arcs.begin(), arcs.end(), found->arc_mm) - arcs.begin();
+  throw InvalidInput(found->why, places[std::min<std::size_t>(after, places.size()) - 1]);
+}
+
+/// How large hinges are for their cells must be known before the search.
+void read_hinges(const targets::Section& root, SpaceCurveFile& file) {
+  if (const auto hinge = root.optional("hinge"); hinge && file.variables.free_edge)
+    throw hinge->key_error(
+        "needs structure.cell_mm: a hinge has its size, and cells that are left out get theirs by "
+        "the search");
+  file.drive = read_goal_drive(root);
+  if (file.variables.free_edge) {
+    file.process = read_process(root);
+    return;
+  }
+  file.hinge = read_hinge_section(root, file.variables.size);
+  file.process = read_process(root, file.variables.size, file.hinge.made);
+}
+
+}  // namespace
+
+const targets::KeyTable& space_curve_keys() {
+  static const SpaceCurveFile usual(targets::SpaceGoal({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}));
+  static const targets::KeyTable keys = file_keys({
+      {"target", value::map(targets::space_curve_target_keys()), targets::needed, "the goal"},
+      {"structure", value::map(structure_keys(usual)), {}, "the flat strip"},
+      {"variables", value::map(variables_keys(usual)), {}, "what the search may change, and how far"},
+      {"tolerance", value::map(tolerance_keys(usual)), {}, "when the goal is met"},
+      {"hinge", value::map(hinge_keys()), {}, "what the hinges are made of; needs `structure.cell_mm`"},
+      goal_drive_key(),
+      {"physics", value::map(physics_keys()), {}, "settings of the physics run"},
+      process_key(),
+  });
+  return keys;
+}
+
+SpaceCurveFile read_space_curve_file(const targets::Node& node) {
+  const targets::Section root(node, space_curve_keys());
+  check_version(root);
+  const std::string name = read_name(root);
+  const targets::Node points = root.section("target").required(
+      "points", "the path of a CSV file or a list of points [[x, y, z], ...] in mm");
+  targets::ReadSpaceGoal goal = targets::read_space_goal(points);
+  SpaceCurveFile file(std::move(goal.goal));
+  file.name = name;
+  read_structure(root, file);
+  read_variables(root, file);
+  const targets::Section tolerance = root.section("tolerance");
+  tolerance.read("shape", file.shape_tolerance);
+  tolerance.read("verify", file.verify_tolerance);
+  check_length(root, file);
+  check_reach(file, points, goal.places);
+  read_hinges(root, file);
+  file.physics = read_physics(root, file.variables.size.edge_mm);
+  return file;
+}
+
+}  // namespace kinetix::app

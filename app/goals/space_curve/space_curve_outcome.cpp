@@ -1,0 +1,99 @@
+#include "app/goals/space_curve/space_curve_outcome.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/run/run.hpp"
+
+namespace kinetix::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json space_points_json(const std::vector<Eigen::Vector3d>& points) {
+  Json out = Json::array();
+  for (const Eigen::Vector3d& p : points) out.push_back({p.x(), p.y(), p.z()});
+  return out;
+}
+
+Json distances_json(const targets::SpaceError& error) {
+  Json out = Json::array();
+  for (std::size_t k = 0; k < error.arc_mm.size(); ++k)
+    out.push_back({error.arc_mm[k], error.distance_mm[k]});
+  return out;
+}
+
+/// What each column does: it bends or it shears.
+Json columns_json(const optim::SpaceDesign& found) {
+  Json out = Json::array();
+  for (int k = 0; k < found.strip.columns; ++k)
+    if (optim::SpaceStrip::bends(k))
+      out.push_back({{"column", k}, {"turn_deg", to_degrees(found.strip.turn[k / 2])}});
+    else
+      out.push_back({{"column", k}, {"climb", found.strip.climb[k / 2]}});
+  return out;
+}
+
+}  // namespace
+
+targets::SpaceError SpaceCurveOutcome::error_of(const model::State& state) const {
+  return space_error(optim::space_midline(aligned(state, exact)), file.wanted, place);
+}
+
+Json SpaceCurveOutcome::target_json() const {
+  return {{"kind", "space_curve"}, {"points_mm", space_points_json(file.wanted.points())}};
+}
+
+void SpaceCurveOutcome::add_sections(const Run& run, Json& result) const {
+  Json section = {
+      {"goal_mm", space_points_json(error().goal_mm)},
+      {"error", distances_json(error())},
+      {"diagonal_mm", error().scale_mm},
+      {"slope", found.across.slope},
+      {"across", {found.across.direction.x(), found.across.direction.y(), found.across.direction.z()}},
+      {"columns", columns_json(found)},
+      {"walls_meet", !found.walls_are_free},
+      {"reasons", violations},
+      {"reasons_physics", physics_violations}};
+  if (physics) section["physics"] = {{"rms", physics->rms}, {"max", physics->max}};
+  result["space_curve"] = section;
+  result["optimiser"] = {{"solver", run.goal ? "ceres" : ""},
+                         {"starts", std::max(1, found.tried)},
+                         {"evaluations", found.search.evaluations},
+                         {"status", to_string(found.search.status)},
+                         {"why", found.search.why}};
+}
+
+void SpaceCurveOutcome::add_metrics(Json& metrics) const {
+  metrics["shape_rms"] = error().rms;
+  metrics["shape_max"] = error().max;
+  if (physics) metrics["shape_rms_physics"] = physics->rms;
+  metrics["met"] = met();
+}
+
+std::vector<SummaryLine> SpaceCurveOutcome::summary_lines(const Run& run) const {
+  std::vector<SummaryLine> lines;
+  lines.push_back(
+      {"shape", fmt::format("rms {:.2e} of the goal's diagonal ({:.3f} mm), largest {:.3f} mm: {}",
+                            error().rms, error().rms * error().scale_mm, error().max * error().scale_mm,
+                            met() ? "within tolerance" : "MISSES THE TOLERANCE")});
+  for (const std::string& why : violations) lines.push_back({"why", why});
+  const Eigen::Vector3d& y = found.across.direction;
+  lines.push_back(
+      {"across", fmt::format("the strip's width lies along [{:.3f}, {:.3f}, {:.3f}], along which the curve "
+                             "climbs by at most {:.3f} of its length",
+                             y.x(), y.y(), y.z(), found.across.slope)});
+  lines.push_back({"search", fmt::format("{:.3f} s, {} evaluations, {}", run.timings.optimise,
+                                         found.search.evaluations, to_string(found.search.status))});
+  return lines;
+}
+
+std::vector<std::string> violations(const SpaceCurveFile& file, const targets::SpaceError& error,
+                                    const std::string& who) {
+  if (error.rms <= file.shape_tolerance) return {};
+  return {fmt::format("{}: rms {:.3g} of the goal's diagonal; at most {:g} is allowed: use more columns", who,
+                      error.rms, file.shape_tolerance)};
+}
+
+}  // namespace kinetix::app

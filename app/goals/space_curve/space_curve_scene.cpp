@@ -1,0 +1,149 @@
+#include <fmt/format.h>
+
+#include "app/goals/space_curve/space_curve_kind.hpp"
+#include "app/goals/space_curve/space_curve_outcome.hpp"
+#include "app/pipeline/exact_state.hpp"
+#include "app/pipeline/physics_settings.hpp"
+#include "model/lattice/square/drive.hpp"
+#include "model/sheet/sheet_motion.hpp"
+
+namespace kinetix::app {
+namespace {
+
+// Measured: s for 96 columns; it grows with the third power of their number.
+constexpr double seconds_of_96 = 0.3;
+
+// Measured: simulated s in which the ends of a strip that is folded by its middle come to rest, a column.
+constexpr double settle_seconds_a_column = 0.06;
+
+/// @param who the state is of that results show
+std::vector<std::string> all_violations(const SpaceCurveOutcome& outcome, const std::string& who) {
+  std::vector<std::string> why = violations(outcome.file, outcome.error(), who);
+  if (!outcome.found.walls_are_free)
+    why.push_back(
+        fmt::format("walls run into each other at theta {:.2f} deg, before the {:.2f} deg of the goal: use "
+                    "lower or thinner walls, or more columns",
+                    to_degrees(outcome.found.meet_theta), to_degrees(outcome.found.design.theta)));
+  return why;
+}
+
+class SpaceCurveScene final : public Scene {
+ public:
+  explicit SpaceCurveScene(SpaceCurveFile file) : file_(std::move(file)) {}
+
+  const SpaceCurveFile& file() const { return file_; }
+  std::string name() const override { return file_.name; }
+
+  Forecast forecast() const override {
+    const int columns = file_.variables.columns;
+    Forecast out{sheet_of(model::ExactDesign<double>::basic(columns, 1), file_.variables.size)};
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& point : file_.wanted.points()) box.extend(point);
+    out.folded_mm = {box.sizes().x(), box.sizes().y(), box.sizes().z()};
+    out.search_s = seconds_of_96 * std::pow(columns / 96.0, 3);
+    return out;
+  }
+
+  void solve(Run& run, const RunOptions& options) const override {
+    run.physics = file_.physics;
+    run.hinge = file_.hinge;
+    run.goal_drive = file_.drive;
+    run.process = file_.process;
+    run.verify_tolerance = file_.verify_tolerance;
+    options.progress("search", 0);
+    auto outcome = std::make_unique<SpaceCurveOutcome>(file_);
+    outcome->tolerances = {{"shape", file_.shape_tolerance}};
+    optim::SolverOptions solver;
+    solver.stop = options.stop;
+    outcome->found = fit_space_curve(file_.wanted, file_.variables, solver);
+    outcome->violations = all_violations(*outcome, "model");
+    run.structure = sheet_of(outcome->found.design, outcome->found.size);
+    run.theta = outcome->found.design.theta;
+    run.goal = std::move(outcome);
+  }
+
+  void add_state(Run& run, const RunOptions&) const override {
+    add_exact_state(run, run.theta);
+    auto& outcome = outcome_of<SpaceCurveOutcome>(run);
+    outcome.exact = run.states.front().poses;
+    const model::Pose motion =
+        motion_onto(fold(outcome.found.design, *run.structure.squares()), outcome.exact);
+    outcome.place = {motion.R * outcome.found.place.R, motion.R * outcome.found.place.p + motion.p};
+    outcome.found.error = outcome.error_of(outcome.exact);
+  }
+
+  model::State shown(const Run& run, const model::State& state) const override {
+    return aligned(state, outcome_of<SpaceCurveOutcome>(run).exact);
+  }
+
+  /// Each column's place against the goal, where that is nearest.
+  std::optional<Judged> judged(const Run& run, const model::Sheet& sheet, double,
+                               const model::State& state) const override {
+    const auto& outcome = outcome_of<SpaceCurveOutcome>(run);
+    const model::Pose motion = motion_onto(state, outcome.exact);
+    const std::vector<Eigen::Vector3d> midline = optim::space_midline(moved(state, motion));
+    const targets::SpaceCurve goal(space_error(midline, file_.wanted, outcome.place).goal_mm);
+    const std::vector<std::vector<int>> columns = body_columns(sheet);
+    Judged out{{}, file_.shape_tolerance * file_.wanted.diagonal()};
+    for (std::size_t k = 0; k < midline.size(); ++k) {
+      const Eigen::Vector3d off = midline[k] - goal.at(goal.nearest(midline[k]));
+      const Eigen::Vector3d place = motion.R.transpose() * (midline[k] - motion.p);
+      // Across y and in the plane of the turns: two observations a column.
+      const Eigen::Vector3d y = Eigen::Vector3d::UnitY();
+      const Eigen::Vector3d flat = off - off.y() * y;
+      const Eigen::Vector3d n =
+          flat.norm() > 0 ? Eigen::Vector3d(flat.normalized()) : Eigen::Vector3d::UnitZ();
+      out.points.push_back({columns[k], place, motion.R.transpose() * n, off.dot(n)});
+      out.points.push_back({columns[k], place, motion.R.transpose() * y, off.y()});
+    }
+    return out;
+  }
+
+  TurnBounds turn_bounds() const override { return {file_.variables.beta, file_.variables.theta}; }
+
+  /// How elastic hinges keep the goal.
+  void judge_matter(Run& run, const model::State& state) const override {
+    auto& outcome = outcome_of<SpaceCurveOutcome>(run);
+    outcome.matter = outcome.error_of(state);
+    outcome.violations = all_violations(outcome, "equilibrium");
+  }
+
+  std::optional<PhysicsTask> physics_task(const Run& run) const override {
+    const model::Structure& strip = *run.structure.squares();
+    const model::Wall middle = {{file_.variables.columns / 2, 0}, model::Axis::y};
+    sim::PhysicsOptions options = physics_options(file_.physics, run.structure.size().edge_mm);
+    options.settle_seconds =
+        std::max(options.settle_seconds, settle_seconds_a_column * file_.variables.columns);
+    return PhysicsTask{run.states.front().poses, hinge_drive_to(middle, run.theta).on(strip), options};
+  }
+
+  void judge_physics(Run& run) const override {
+    auto& outcome = outcome_of<SpaceCurveOutcome>(run);
+    outcome.physics = outcome.error_of(run.verification->physics.state);
+    outcome.physics_violations = violations(file_, *outcome.physics, "physics run");
+  }
+
+  void add_frames(Run& run) const override { add_exact_frames(run); }
+
+ private:
+  SpaceCurveFile file_;
+};
+
+}  // namespace
+
+std::unique_ptr<Scene> make_scene(SpaceCurveFile file) {
+  return std::make_unique<SpaceCurveScene>(std::move(file));
+}
+
+// The kind for the registry (app/goals/registry.cpp), and its metrics with their units.
+const GoalKind space_curve_kind = {
+    .name = "space_curve",
+    .example = "target: {kind: space_curve, points: helix.csv}",
+    .read = [](const targets::Node& root) { return make_scene(read_space_curve_file(root)); },
+    .table = space_curve_keys,
+    .metrics = {
+        {"shape_rms", "", "[distance of midline and goal](#shape_rms-and-shape_max), root mean square"},
+        {"shape_max", "", "likewise, the largest"},
+        {"shape_rms_physics", "", "shape_rms in the physics run"}}};
+
+}  // namespace kinetix::app

@@ -1,0 +1,248 @@
+#include "model/lattice/sodalite/sodalite.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+
+#include "model/base/invalid_input.hpp"
+#include "model/lattice/sodalite/sodalite_hinge.hpp"
+
+namespace kinetix::model {
+namespace {
+
+using Eigen::Vector3d;
+using Place = std::array<int, 3>;
+
+constexpr int most_bodies = 100'000;  // more than a computer folds in the physics run in an hour
+constexpr double own_axis = 1e-9;     // rad: of the angles that a file may not change
+
+/// Rotors of a cubic cell, in eighths of it, and what turns them. Each has a copy in the middle of the cell. Of the five
+/// choices of signs that close all rings this one shrinks alike in all directions.
+constexpr SodaliteRotor base[] = {{{2, 4, 0}, 0, 1},  {{6, 4, 0}, 0, -1}, {{0, 2, 4}, 1, 1},
+                                  {{0, 6, 4}, 1, -1}, {{4, 0, 2}, 2, 1},  {{4, 0, 6}, 2, -1}};
+constexpr int middle = 4;  // eighths: the copies' shift along each direction
+constexpr int step = 2;    // eighths: neighbours are so far apart along two directions, and 0 along the third
+constexpr int least_walls = 3;  // a rotor on fewer would dangle
+
+Place operator+(const Place& a, const Place& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+
+std::vector<Place> steps() {
+  std::vector<Place> out;
+  for (int still = 0; still < 3; ++still)
+    for (const int a : {-step, step})
+      for (const int b : {-step, step}) {
+        Place p = {0, 0, 0};
+        p[(still + 1) % 3] = a;
+        p[(still + 2) % 3] = b;
+        out.push_back(p);
+      }
+  return out;
+}
+
+/// All rotors of the cells by place, without those that dangle.
+std::map<Place, SodaliteRotor> rotors_of(const Place& cells) {
+  std::map<Place, SodaliteRotor> all;
+  const auto add = [&](const SodaliteRotor& rotor, const Place& shift) {
+    const Place at = rotor.place + shift;
+    for (int d = 0; d < 3; ++d)
+      if (at[d] < 0 || at[d] > 8 * cells[d]) return;
+    all[at] = {at, rotor.axis, rotor.sign};
+  };
+  for (int i = -1; i <= cells[0]; ++i)
+    for (int j = -1; j <= cells[1]; ++j)
+      for (int k = -1; k <= cells[2]; ++k)
+        for (const SodaliteRotor& rotor : base)
+          for (const int half : {0, middle}) add(rotor, {8 * i + half, 8 * j + half, 8 * k + half});
+  const std::vector<Place> ways = steps();
+  const auto dangles = [&](const auto& entry) {
+    return std::count_if(ways.begin(), ways.end(),
+                         [&](const Place& way) { return all.count(entry.first + way) > 0; }) < least_walls;
+  };
+  while (std::erase_if(all, dangles) > 0) {
+  }
+  return all;
+}
+
+/// Half the way between two rotors, eighths: always whole.
+Place between(const Place& a, const Place& b) {
+  return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
+}
+
+Vector3d in_edges(const Place& place) { return Vector3d(place[0], place[1], place[2]) / std::sqrt(8.0); }
+
+Vector3d axis_of(const SodaliteRotor& rotor) { return rotor.sign * Vector3d::Unit(rotor.axis); }
+
+const SodaliteRotor& rotor_of(const SodaliteStructure& s, int hinge) {
+  return s.rotors[s.gussets[hinge / 2][hinge % 2]];
+}
+
+/// From a hinge's rotor to the middle of its gusset, cell edges.
+Vector3d wall_of(const SodaliteStructure& s, int hinge) {
+  return in_edges(between(s.rotors[s.gussets[hinge / 2][0]].place, s.rotors[s.gussets[hinge / 2][1]].place)) -
+         in_edges(rotor_of(s, hinge).place);
+}
+
+double alpha_of(const SodaliteStructure& s, int hinge) {
+  return std::acos(axis_of(rotor_of(s, hinge)).dot(wall_of(s, hinge).normalized()));
+}
+
+/// Up-direction of a wall: of all directions across it the one nearest to the hinge's axis.
+Vector3d up_of(const SodaliteStructure& s, int hinge) {
+  const Vector3d e = wall_of(s, hinge).normalized(), n = axis_of(rotor_of(s, hinge));
+  return (n - n.dot(e) * e).normalized();
+}
+
+void add_plates(const SodaliteStructure& s, int hinge, const RestHinge& at, std::vector<Plate>& plates) {
+  const double length = at.edge.norm(), t = s.hinges[hinge].t;
+  const double slant = 1 / std::tan(s.hinges[hinge].alpha);
+  const Vector3d e = at.edge / length, up = up_of(s, hinge);
+  plates.push_back({at.lower, hinge, e, up, -at.across, t * length, length, slant});
+  plates.push_back({at.upper, hinge, -e, up, -at.across, (1 - t) * length, -length, -slant});
+}
+
+void add_rings(SodaliteStructure& s) {
+  std::map<std::array<int, 2>, int> gusset_of;
+  std::vector<std::vector<int>> near(s.rotors.size());
+  for (int k = 0; k < static_cast<int>(s.gussets.size()); ++k) {
+    const auto [a, b] = s.gussets[k];
+    gusset_of[{a, b}] = gusset_of[{b, a}] = k;
+    near[a].push_back(b);
+    near[b].push_back(a);
+  }
+  for (int a = 0; a < static_cast<int>(near.size()); ++a)
+    for (const int b : near[a])
+      for (const int c : near[b])
+        for (const int d : near[c]) {
+          // Each once: from its least rotor, towards the lesser of that one's two neighbours.
+          if (!(a < b && a < c && a < d && b < d) || c == a || !gusset_of.count({d, a})) continue;
+          const std::array<int, 4> ring = {a, b, c, d};
+          s.rings.push_back(ring);
+          std::array<int, 8> bodies{}, hinges{};
+          for (int k = 0; k < 4; ++k) {
+            const int from = ring[k], to = ring[(k + 1) % 4], gusset = gusset_of[{from, to}];
+            const bool is_first = s.gussets[gusset][0] == from;
+            bodies[2 * k] = from;
+            bodies[2 * k + 1] = static_cast<int>(s.rotors.size()) + gusset;
+            hinges[2 * k] = 2 * gusset + (is_first ? 0 : 1);
+            hinges[2 * k + 1] = 2 * gusset + (is_first ? 1 : 0);
+          }
+          s.ring_bodies.push_back(bodies);
+          s.ring_hinges.push_back(hinges);
+        }
+}
+
+std::string words(const Place& p) {
+  return "[" + std::to_string(p[0]) + ", " + std::to_string(p[1]) + ", " + std::to_string(p[2]) + "]";
+}
+
+void check_size(const CellSize& size) {
+  for (const double length : {size.edge_mm, size.thickness_mm, size.height_mm})
+    if (!(length > 0) || !std::isfinite(length))
+      throw InvalidInput("cell edge, wall thickness and wall height must be positive lengths in mm");
+}
+
+}  // namespace
+
+SodaliteStructure make_sodalite(Place cells, double gusset, const CellSize& size) {
+  check_size(size);
+  if (!(gusset >= 0.02 && gusset <= 0.9))
+    throw InvalidInput("gusset is " + number_text(gusset) + ", must be from 0.02 to 0.9 of the edge");
+  double bodies = 36;  // of a cubic cell, about
+  for (const int count : cells) {
+    if (count < 1) throw InvalidInput("a sodalite lattice needs at least one cell along each direction");
+    bodies *= count;
+  }
+  if (bodies > most_bodies)
+    throw InvalidInput("a sodalite lattice of " + words(cells) + " cells has more than " +
+                       std::to_string(most_bodies) + " bodies");
+  SodaliteStructure s;
+  s.size = size;
+  s.cells = cells;
+  s.gusset = gusset;
+  std::map<Place, int> index;
+  for (const auto& [place, rotor] : rotors_of(cells)) {
+    index[place] = static_cast<int>(s.rotors.size());
+    s.rotors.push_back(rotor);
+  }
+  for (int a = 0; a < static_cast<int>(s.rotors.size()); ++a)
+    for (const Place& way : steps())
+      if (const auto b = index.find(s.rotors[a].place + way); b != index.end() && b->second > a)
+        s.gussets.push_back({a, b->second});
+  s.hinges.resize(2 * s.gussets.size());
+  for (int h = 0; h < static_cast<int>(s.hinges.size()); ++h)
+    s.hinges[h] = {1 - gusset, alpha_of(s, h), 0, 0};
+  add_rings(s);
+  return s;
+}
+
+Place body_label(const SodaliteStructure& s, int body) {
+  const int rotors = static_cast<int>(s.rotors.size());
+  if (body < rotors) return s.rotors[body].place;
+  const auto [a, b] = s.gussets[body - rotors];
+  return between(s.rotors[a].place, s.rotors[b].place);
+}
+
+Vector3d sodalite_place(const SodaliteStructure& s, int body) { return in_edges(body_label(s, body)); }
+
+RestHinge rest_hinge(const SodaliteStructure& s, int hinge) {
+  const auto& [t, alpha, beta, offset] = s.hinges[hinge];
+  const Vector3d edge = wall_of(s, hinge), e = edge.normalized(), up = up_of(s, hinge);
+  RestHinge out;
+  out.lower = s.gussets[hinge / 2][hinge % 2];
+  out.upper = static_cast<int>(s.rotors.size()) + hinge / 2;
+  out.edge = edge;
+  out.across = up.cross(e);
+  out.lower_arm = t * edge;
+  out.upper_arm = (t - 1) * edge;
+  out.axis = axis_of(rotor_of(s, hinge));
+  out.axis_alpha = std::cos(alpha) * up - std::sin(alpha) * e;
+  out.axis_beta = -std::sin(alpha) * out.across;
+  return out;
+}
+
+HingedWall hinged_wall(const SodaliteStructure& s, int hinge) {
+  return {s.gussets[hinge / 2][hinge % 2], static_cast<int>(s.rotors.size()) + hinge / 2, wall_of(s, hinge),
+          s.hinges[hinge]};
+}
+
+void validate_hinges(const SodaliteStructure& s) {
+  for (int h = 0; h < static_cast<int>(s.hinges.size()); ++h) {
+    const auto& [t, alpha, beta, offset] = s.hinges[h];
+    const std::string name = "the hinge on wall [" + std::to_string(hinged_wall(s, h).lower) + ", " +
+                             std::to_string(hinged_wall(s, h).upper) + "]";
+    if (!(t > 0 && t < 1))
+      throw InvalidInput("t of " + name + " is " + number_text(t) + ", must be in (0, 1)");
+    if (!(std::abs(alpha - alpha_of(s, h)) <= own_axis) || !(std::abs(beta) <= own_axis) || !(offset == 0))
+      throw InvalidInput(name + " has the axis of its rotor; a sodalite lattice leaves t alone free");
+  }
+}
+
+SodaliteStructure::operator Linkage() const {
+  Linkage out;
+  out.size = size;
+  const int count = static_cast<int>(rotors.size() + gussets.size());
+  for (int b = 0; b < count; ++b) {
+    const bool is_rotor = b < static_cast<int>(rotors.size());
+    LinkageBody body{sodalite_place(*this, b), is_rotor ? 1 : -1};
+    body.spin = is_rotor ? Vector3d(2 * axis_of(rotors[b])) : Vector3d::Zero();
+    out.bodies.push_back(body);
+  }
+  for (int h = 0; h < static_cast<int>(hinges.size()); ++h) {
+    out.hinges.push_back(rest_hinge(*this, h));
+    add_plates(*this, h, out.hinges.back(), out.plates);
+  }
+  for (std::size_t k = 0; k < rings.size(); ++k)
+    out.cells.push_back(
+        {{ring_bodies[k].begin(), ring_bodies[k].end()}, {ring_hinges[k].begin(), ring_hinges[k].end()}});
+  out.wall_name = [s = *this](int hinge) {
+    const HingedWall wall = hinged_wall(s, hinge);
+    return "[" + words(body_label(s, wall.lower)) + ", " + words(body_label(s, wall.upper)) + "]";
+  };
+  out.vertex_name = [s = *this](int body) { return words(body_label(s, body)); };
+  return out;
+}
+
+}  // namespace kinetix::model

@@ -1,0 +1,12 @@
+#include "model/sheet/sheet_hinge.hpp"
+
+#include "model/lattice/sodalite/sodalite_hinge.hpp"
+
+namespace kinetix::model {
+
+RestHinge rest_hinge(const Sheet& sheet, int hinge) {
+  if (const SodaliteStructure* block = sheet.sodalite()) return rest_hinge(*block, hinge);
+  return rest_hinge(sheet.wall(hinge));
+}
+
+}  // namespace kinetix::model

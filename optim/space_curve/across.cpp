@@ -1,0 +1,109 @@
+#include "optim/space_curve/across.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace kinetix::optim {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int directions = 2000;     // of half a sphere: some 3 degrees apart
+constexpr double first_step = 0.03;  // rad: as far apart as they are
+constexpr double last_step = 1e-7;   // rad: beyond what slopes are seen by
+constexpr int most_stretches = 400;  // of a goal; slopes vary little from one to the next
+
+struct Stretches {
+  std::vector<Vector3d> along;  ///< unit
+  std::vector<double> arc_mm;
+};
+
+Stretches stretches_of(const targets::SpaceCurve& line, double stretch) {
+  Stretches out;
+  for (int k = 0; k < most_stretches; ++k) {
+    const double s = line.length() * (k + 0.5) / most_stretches;
+    out.along.push_back(line.direction(s, stretch / 2));
+    out.arc_mm.push_back(s);
+  }
+  return out;
+}
+
+/// Largest part of a stretch along y, the sine of its slope; and which stretch.
+double steepest(const Stretches& all, const Vector3d& y, std::size_t& where) {
+  double most = -1;
+  for (std::size_t k = 0; k < all.along.size(); ++k)
+    if (const double part = std::abs(all.along[k].dot(y)); part > most) {
+      most = part;
+      where = k;
+    }
+  return most;
+}
+
+double steepest(const Stretches& all, const Vector3d& y) {
+  std::size_t where = 0;
+  return steepest(all, y, where);
+}
+
+/// Evenly spread over half a sphere (Fibonacci's spiral).
+Vector3d spread(int k) {
+  const double z = (k + 0.5) / directions, turn = k * std::numbers::pi * (3 - std::sqrt(5.0));
+  const double r = std::sqrt(1 - z * z);
+  return {r * std::cos(turn), r * std::sin(turn), z};
+}
+
+Vector3d first_direction(const Stretches& all) {
+  Vector3d best = Vector3d::UnitY();
+  double least = steepest(all, best);
+  for (int k = 0; k < directions; ++k)
+    if (const double part = steepest(all, spread(k)); part < least) {
+      least = part;
+      best = spread(k);
+    }
+  return best;
+}
+
+/// Steps to eight sides, halved where none is better.
+Vector3d refined(const Stretches& all, Vector3d y) {
+  double least = steepest(all, y);
+  for (double step = first_step; step > last_step;) {
+    const Vector3d u = y.unitOrthogonal(), v = y.cross(u);
+    Vector3d better = y;
+    for (int k = 0; k < 8; ++k) {
+      const double turn = k * std::numbers::pi / 4;
+      const Vector3d next = (y + step * (std::cos(turn) * u + std::sin(turn) * v)).normalized();
+      if (const double part = steepest(all, next); part < least) {
+        least = part;
+        better = next;
+      }
+    }
+    if (better == y) step /= 2;
+    y = better;
+  }
+  return y;
+}
+
+}  // namespace
+
+Across least_slope(const targets::SpaceGoal& goal, double stretch) {
+  const Stretches all = stretches_of(goal.line(), stretch);
+  Across out;
+  out.direction = refined(all, first_direction(all));
+  std::size_t where = 0;
+  const double part = steepest(all, out.direction, where);
+  out.slope = part < 1 ? part / std::sqrt(1 - part * part) : std::numeric_limits<double>::infinity();
+  out.arc_mm = all.arc_mm[where];
+  return out;
+}
+
+Eigen::Matrix3d frame_across(const targets::SpaceGoal& goal, const Vector3d& y) {
+  const Vector3d chord = goal.points()[1] - goal.points()[0];
+  const Vector3d seen = chord - chord.dot(y) * y;
+  const Vector3d x = seen.norm() > 1e-9 * chord.norm() ? seen.normalized() : y.unitOrthogonal();
+  Eigen::Matrix3d frame;
+  frame << x, y, x.cross(y);
+  return frame;
+}
+
+}  // namespace kinetix::optim

@@ -1,0 +1,248 @@
+#include "optim/space_curve/fit_space_curve.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "model/base/invalid_input.hpp"
+#include "model/contact/wall_contact.hpp"
+#include "model/lattice/crease_law.hpp"
+#include "model/lattice/square/classify.hpp"
+
+namespace kinetix::optim {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double margin = 0.1 * radians_per_degree;  // rad that theta keeps below where cells close
+constexpr double as_good = 1.1;  // times the least error: up to here the room that is left decides
+
+/// What is possible at theta.
+SpaceLimits limits_at(const SpaceVariables& v, double theta) {
+  const double lean = std::min(2 * v.t[1] - 1, 1 - 2 * v.t[0]);
+  return {2 * std::atan(std::tan(v.beta) * std::sin(theta)), lean * std::tan(theta)};
+}
+
+/// The goal in the strip's frame: x and z in the plane of its turns, y across.
+targets::SpaceCurve seen(const targets::SpaceGoal& goal, const Eigen::Matrix3d& frame) {
+  std::vector<Vector3d> points;
+  for (const Vector3d& p : goal.points()) points.push_back(frame.transpose() * p);
+  return targets::SpaceCurve(points);
+}
+
+double largest(const std::vector<double>& all, std::size_t& where) {
+  const auto more = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  where = static_cast<std::size_t>(std::max_element(all.begin(), all.end(), more) - all.begin());
+  return std::abs(all[where]);
+}
+
+std::string place_words(const targets::SpaceGoal& goal, double arc) {
+  const Vector3d p = goal.line().at(arc);
+  return fmt::format("{:.4g} mm along the curve, at [{:.4g}, {:.4g}, {:.4g}]", arc, p.x(), p.y(), p.z());
+}
+
+Across across_of(const targets::SpaceGoal& goal, int columns) {
+  return least_slope(goal, 2 * goal.length() / columns);
+}
+
+/// Theta range below where cells close.
+AngleRange allowed_theta(const SpaceVariables& v) {
+  const double closing = closing_theta(v.size) - margin;
+  if (!(v.theta.lower < closing))
+    throw InvalidInput(fmt::format(
+        "walls of {:.3g} mm in cells of {:.3g} mm close at theta {:.1f} deg, below the range asked for",
+        v.size.thickness_mm, v.size.edge_mm, to_degrees(closing)));
+  return {v.theta.lower, std::min(v.theta.upper, closing)};
+}
+
+/// The lattice's design of a strip at theta, and the pose that carries its fold onto the strip's frame.
+model::ExactDesign<double> design_of(const SpaceStrip& strip, double theta) {
+  auto design = model::ExactDesign<double>::basic(strip.columns, 1);
+  design.theta = theta;
+  for (int k = 0; k < strip.columns; ++k)
+    if (SpaceStrip::bends(
+            k))  // odd columns begin at a body of class B: its crease turns as the tilt's sign says
+      design.beta[k] = model::tilt_of_turn(strip.turn[k / 2], theta);
+    else
+      design.t[k] = (1 + strip.climb[k / 2] / std::tan(theta)) / 2;
+  return design;
+}
+
+model::CellSize with_edge(const SpaceVariables& v, double edge) {
+  if (!v.free_edge) return v.size;
+  const double scale = edge / v.size.edge_mm;
+  model::CellSize size = v.size;
+  size.edge_mm = edge;
+  size.thickness_mm *= scale;
+  size.height_mm *= scale;
+  return size;
+}
+
+/// How much of the room for tilts, fractions and theta is used, [0, 1].
+double use_of(const SpaceDesign& found, const SpaceVariables& v, double upper) {
+  double use = found.design.theta / upper;
+  for (const double beta : found.design.beta) use = std::max(use, std::abs(beta) / v.beta);
+  for (const double t : found.design.t)
+    use = std::max(use, (t - 0.5) / (t > 0.5 ? v.t[1] - 0.5 : v.t[0] - 0.5));
+  return use;
+}
+
+class Search {
+ public:
+  Search(const targets::SpaceGoal& goal, const SpaceVariables& v, const SolverOptions& options)
+      : goal_(goal), v_(v), options_(options), across_(across_of(goal, v.columns)) {
+    frame_ = frame_across(goal, across_.direction);
+    line_ = std::make_unique<targets::SpaceCurve>(seen(goal, frame_));
+    first_ = followed(*line_, v.columns);
+  }
+
+  SpaceDesign find() {
+    const AngleRange range = allowed_theta(v_);
+    if (!v_.free_edge) return at(std::clamp(theta_of(first_.step), range.lower, range.upper), range);
+    // From the largest theta, which allows most: as long as bounds allow the same strip, it is the best.
+    std::vector<SpaceDesign> all;
+    for (int k = 0; k < v_.thetas && !(k > 0 && options_.stop.stop_requested()); ++k) {
+      const double part = v_.thetas > 1 ? static_cast<double>(k) / (v_.thetas - 1) : 0;
+      const double theta = range.upper - part * (range.upper - range.lower);
+      all.push_back(k > 0 && fits(all.back(), theta) ? same_at(all.back(), theta) : at(theta, range));
+    }
+    return best_of(std::move(all), range.upper);
+  }
+
+ private:
+  double theta_of(double step) const { return std::acos(std::min(1.0, step / v_.size.edge_mm)); }
+
+  bool fits(const SpaceDesign& one, double theta) const {
+    const SpaceLimits limits = limits_at(v_, theta);
+    std::size_t where = 0;
+    return largest(one.strip.turn, where) <= limits.turn && largest(one.strip.climb, where) <= limits.climb;
+  }
+
+  /// The same midline, folded less or more: distances stay as they are.
+  SpaceDesign same_at(SpaceDesign one, double theta) const {
+    one.design = design_of(one.strip, theta);
+    one.size = with_edge(v_, one.strip.step / std::cos(theta));
+    meet(one);
+    return one;
+  }
+
+  SpaceDesign at(double theta, const AngleRange& range) const {
+    SpaceLimits limits = limits_at(v_, theta);
+    if (!v_.free_edge) {
+      limits.least_step = v_.size.edge_mm * std::cos(range.upper);
+      limits.most_step = v_.size.edge_mm * std::cos(range.lower);
+    }
+    const SpaceFit fit(*line_, goal_.diagonal(), first_, limits);
+    SpaceDesign out;
+    out.search = solve(fit, fit.pack(first_), options_);
+    if (out.search.x.size() == 0) throw std::runtime_error("the search failed: " + out.search.why);
+    out.strip = fit.strip(out.search.x);
+    const double at_theta = v_.free_edge ? theta : theta_of(out.strip.step);
+    out.across = across_;
+    out.design = design_of(out.strip, at_theta);
+    out.size = with_edge(v_, out.strip.step / std::cos(at_theta));
+    measure(out);
+    return out;
+  }
+
+  void measure(SpaceDesign& out) const {
+    const model::Structure structure = sheet_of(out.design, out.size);
+    const std::vector<Vector3d> midline = space_midline(fold(out.design, structure));
+    // The fold begins at the origin with its first panel along x.
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(out.strip.heading, Vector3d::UnitY()).toRotationMatrix();
+    const Eigen::Matrix3d R = turn * frame_.transpose();
+    out.place = {R, midline.front() - turn * out.strip.start};
+    out.error = targets::space_error(midline, goal_, out.place);
+    meet(out);
+  }
+
+  static void meet(SpaceDesign& out) {
+    const model::Structure structure = sheet_of(out.design, out.size);
+    model::ThetaRangeOptions options;
+    options.limit = out.design.theta;
+    const model::ThetaLimit contact = theta_range(structure, exact_motion(structure), options).positive;
+    out.walls_are_free = !contact.touches;
+    out.meet_theta = contact.theta;
+  }
+
+  SpaceDesign best_of(std::vector<SpaceDesign> all, double upper) const {
+    const auto rank = [&](const SpaceDesign& one) { return one.error.rms + (one.walls_are_free ? 0 : 1e3); };
+    double least = std::numeric_limits<double>::infinity();
+    for (const SpaceDesign& one : all) least = std::min(least, rank(one));
+    std::size_t chosen = all.size();
+    double use = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      if (!(rank(all[k]) <= as_good * least) || !(use_of(all[k], v_, upper) < use)) continue;
+      chosen = k;
+      use = use_of(all[k], v_, upper);
+    }
+    SpaceDesign out = std::move(all.at(chosen));
+    out.tried = static_cast<int>(all.size());
+    return out;
+  }
+
+  const targets::SpaceGoal& goal_;
+  const SpaceVariables& v_;
+  const SolverOptions& options_;
+  Across across_;
+  Eigen::Matrix3d frame_;
+  std::unique_ptr<targets::SpaceCurve> line_;
+  SpaceStrip first_;
+};
+
+void check(bool is_fine, const std::string& what) {
+  if (!is_fine) throw InvalidInput(what);
+}
+
+}  // namespace
+
+void SpaceVariables::validate() const {
+  check(columns >= 4, fmt::format("columns is {}, must be at least 4", columns));
+  check(beta > 0 && beta < pi / 2, fmt::format("beta is {} rad, must be in (0, pi/2)", beta));
+  check(t[0] > 0 && t[0] < 0.5 && t[1] > 0.5 && t[1] < 1,
+        fmt::format("t is [{}, {}], must hold 0.5 and lie within (0, 1)", t[0], t[1]));
+  check(theta.lower > 0 && theta.lower < theta.upper && theta.upper < pi / 4,
+        fmt::format("theta is [{}, {}] rad, must be [lower, upper] within (0, pi/4)", theta.lower,
+                    theta.upper));
+  check(thetas >= 1, fmt::format("thetas is {}, must be at least 1", thetas));
+}
+
+std::optional<SpaceObstacle> obstacle(const targets::SpaceGoal& goal, const SpaceVariables& v) {
+  v.validate();
+  const Across across = across_of(goal, v.columns);
+  const SpaceLimits most = limits_at(v, allowed_theta(v).upper);
+  // Every second column climbs: over both the slope is half of it.
+  if (!(across.slope <= most.climb / 2))
+    return SpaceObstacle{
+        across.arc_mm,
+        fmt::format("the curve climbs across the strip by {:.3g} of its length {}, more than the "
+                    "{:.3g} that columns can shear at theta {:.3g} deg, in whatever direction the strip "
+                    "lies; allow a larger theta or t nearer to 0 and 1",
+                    across.slope, place_words(goal, across.arc_mm), most.climb / 2,
+                    to_degrees(allowed_theta(v).upper))};
+  const SpaceStrip strip = followed(seen(goal, frame_across(goal, across.direction)), v.columns);
+  std::size_t where = 0;
+  const double turn = largest(strip.turn, where);
+  if (turn <= most.turn) return std::nullopt;
+  const double arc = goal.length() * (2.0 * static_cast<double>(where) + 1.5) / v.columns;
+  return SpaceObstacle{
+      arc, fmt::format("the curve turns by {:.3g} deg within two columns {}, more than the {:.3g} deg "
+                       "that a column can bend; use more columns or allow a larger tilt",
+                       to_degrees(turn), place_words(goal, arc), to_degrees(most.turn))};
+}
+
+SpaceDesign fit_space_curve(const targets::SpaceGoal& goal, const SpaceVariables& variables,
+                            const SolverOptions& options) {
+  if (const auto found = obstacle(goal, variables)) throw InvalidInput(found->why);
+  return Search(goal, variables, options).find();
+}
+
+std::vector<Vector3d> space_midline(const model::State& state) {
+  std::vector<Vector3d> points;
+  for (std::size_t b = 0; b + 1 < state.size(); b += 2) points.push_back((state[b].p + state[b + 1].p) / 2);
+  return points;
+}
+
+}  // namespace kinetix::optim

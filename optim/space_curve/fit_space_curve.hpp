@@ -1,0 +1,62 @@
+#pragma once
+
+#include <optional>
+
+#include "model/lattice/square/exact_family.hpp"
+#include "optim/solvers/solver.hpp"
+#include "optim/solvers/variables.hpp"
+#include "optim/space_curve/across.hpp"
+#include "optim/space_curve/space_fit.hpp"
+#include "targets/space_curve/space_error.hpp"
+
+namespace kinetix::optim {
+
+/// What a search for a strip in space may vary.
+struct SpaceVariables {
+  int columns = 96;  ///< >= 4
+  model::CellSize size =
+      {};                 ///< of the cells; where `free_edge`, thickness and height scale with the edge found
+  bool free_edge = true;  ///< the cell edge follows from the goal's length
+  double beta = 60 * radians_per_degree;                               ///< largest |tilt|, rad, (0, pi/2)
+  std::array<double, 2> t = {0.12, 0.88};                              ///< of shearing columns, within (0, 1)
+  AngleRange theta{20 * radians_per_degree, 40 * radians_per_degree};  ///< rad, in (0, pi/4)
+  int thetas = 5;  ///< tried between the ends of its range where the edge is free, >= 1
+
+  /// @throws InvalidInput naming field, value and rule
+  void validate() const;
+};
+
+/// Where a goal asks more of a column than it can do.
+struct SpaceObstacle {
+  double arc_mm = 0;  ///< along the goal
+  std::string why;    ///< in a sentence
+};
+
+/// What no strip of these variables can follow, the worst place first; nothing where each column can do its part.
+std::optional<SpaceObstacle> obstacle(const targets::SpaceGoal& goal, const SpaceVariables& variables);
+
+/// A strip that came out.
+struct SpaceDesign {
+  model::ExactDesign<double> design;
+  model::CellSize size;
+  SpaceStrip strip;   ///< in the frame of the strip
+  Across across;      ///< in the goal's frame
+  model::Pose place;  ///< of the goal, in the frame of the states that the design folds to
+  targets::SpaceError error;
+  SolveResult search;
+  bool walls_are_free = false;
+  double meet_theta = 0;  ///< rad, where walls meet, if they do
+  int tried = 0;          ///< thetas
+};
+
+/// Fits the strip: y along the direction of least slope, turns and climbs by least squares, and, where the edge is free,
+/// the theta at which neither tilts nor fractions nor theta itself come near their bounds, among those whose walls do
+/// not meet.
+/// @throws InvalidInput for variables that do not validate, and for a goal with an obstacle
+SpaceDesign fit_space_curve(const targets::SpaceGoal& goal, const SpaceVariables& variables,
+                            const SolverOptions& options);
+
+/// Middle of each column of bodies of a strip of one row, mm. @param state in the lattice's order
+std::vector<Eigen::Vector3d> space_midline(const model::State& state);
+
+}  // namespace kinetix::optim

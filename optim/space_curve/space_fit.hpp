@@ -1,0 +1,69 @@
+#pragma once
+
+#include "optim/solvers/least_squares.hpp"
+#include "targets/curve/space_curve.hpp"
+
+namespace kinetix::optim {
+
+/// A strip of one row as its midline goes, in a frame with y across it (kinematics.md section 7). Columns shear and bend
+/// in turns: column k shears where k is even and bends where it is odd. The strip begins in a panel of heading `heading`;
+/// each bending column turns the heading. mm and rad.
+struct SpaceStrip {
+  int columns = 2;                                  ///< >= 2
+  double step = 1;                                  ///< L cos(theta): length of a column that does not turn
+  std::vector<double> turn;                         ///< of each bending column, from x towards z
+  std::vector<double> climb;                        ///< of each shearing column: its step along y over `step`
+  double heading = 0;                               ///< of the first panel, from x towards z
+  Eigen::Vector3d start = Eigen::Vector3d::Zero();  ///< of the midline
+
+  static bool bends(int column) { return column % 2 == 1; }
+  int bending() const { return columns / 2; }
+  int shearing() const { return columns - columns / 2; }
+
+  /// Middle of each column of bodies.
+  std::vector<Eigen::Vector3d> midline() const;
+};
+
+/// What the columns of a strip may do.
+struct SpaceLimits {
+  double turn = 1;                         ///< largest |turn|, rad
+  double climb = 1;                        ///< largest |climb|, ratio
+  double least_step = 0, most_step = 1e9;  ///< mm
+};
+
+/// Fit of such a strip to a goal in its frame.
+///
+/// x = (turn of each bending column, climb of each shearing one, heading, start over the scale, step over the first
+/// step). Residuals: from the nearest place of the goal to two places on each column, and from the goal's ends to those of
+/// the midline, over the scale and the square root of their number. Nearest places are sought downhill from the place's
+/// own fraction of the length.
+class SpaceFit final : public LeastSquaresProblem {
+ public:
+  /// @param goal kept by reference   @param scale mm   @param first its number of columns and its step
+  SpaceFit(const targets::SpaceCurve& goal, double scale, const SpaceStrip& first, const SpaceLimits& limits);
+
+  int variables() const override { return columns_ + 5; }
+  int residuals() const override { return 3 * (places_a_column * columns_ + 2); }
+  const Eigen::VectorXd& lower() const override { return lower_; }
+  const Eigen::VectorXd& upper() const override { return upper_; }
+  bool evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* J) const override;
+
+  SpaceStrip strip(const Eigen::VectorXd& x) const;
+  /// Clamped to the bounds.
+  Eigen::VectorXd pack(const SpaceStrip& strip) const;
+
+  /// Of each column: its ends are seen by its neighbours, too.
+  static constexpr int places_a_column = 2;
+
+ private:
+  const targets::SpaceCurve& goal_;
+  double scale_;
+  int columns_;
+  double first_step_;
+  Eigen::VectorXd lower_, upper_;
+};
+
+/// The strip that follows the goal's headings and heights, without a search.
+SpaceStrip followed(const targets::SpaceCurve& goal, int columns);
+
+}  // namespace kinetix::optim

@@ -1,0 +1,99 @@
+#include "optim/space_curve/space_fit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "model/base/invalid_input.hpp"
+#include "optim/space_curve/fit_space_curve.hpp"
+#include "tests/support/derivatives.hpp"
+
+namespace kinetix::optim {
+namespace {
+
+using Eigen::Vector3d;
+
+targets::SpaceGoal helix(double turns, double radius, double pitch,
+                         const Eigen::Matrix3d& turn = Eigen::Matrix3d::Identity()) {
+  std::vector<Vector3d> points;
+  for (int k = 0; k <= 480; ++k) {
+    const double a = 2 * std::numbers::pi * turns * k / 480;
+    points.push_back(
+        turn * Vector3d(radius * std::cos(a), radius * std::sin(a), pitch * a / (2 * std::numbers::pi)));
+  }
+  return targets::SpaceGoal(points);
+}
+
+SpaceVariables with_columns(int columns) {
+  SpaceVariables v;
+  v.columns = columns;
+  return v;
+}
+
+// The strip climbs in steps, so that the error falls with the first power of the columns.
+TEST(SpaceFit, AHelixOfTwoTurnsIsFollowed) {
+  for (const int columns : {48, 96}) {
+    const SpaceDesign found = fit_space_curve(helix(2, 40, 40), with_columns(columns), {});
+    EXPECT_LE(found.error.rms, 2.4e-3 * 96 / columns);
+    EXPECT_TRUE(found.error.settled);
+    EXPECT_TRUE(found.walls_are_free);
+    EXPECT_NEAR(std::abs(found.across.direction.z()), 1, 1e-6);
+  }
+}
+
+TEST(SpaceFit, AHelixThatLiesAnyWayInSpaceIsFollowedAsWell) {
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(1.1, Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
+  const SpaceDesign found = fit_space_curve(helix(2, 40, 40, turn), with_columns(48), {});
+  EXPECT_LE(found.error.rms, 2.4e-3 * 96 / 48);
+  EXPECT_TRUE(found.walls_are_free);
+}
+
+// Its chords and heights are those that the lattice folds to.
+TEST(SpaceFit, AStripAsItIsDescribedIsTheStripThatFolds) {
+  const SpaceDesign found = fit_space_curve(helix(1, 40, 30), with_columns(31), {});
+  const std::vector<Vector3d> described = found.strip.midline(),
+                              folded = space_midline(fold(found.design, sheet_of(found.design, found.size)));
+  ASSERT_EQ(described.size(), folded.size());
+  for (std::size_t a = 0; a < folded.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      EXPECT_NEAR((described[a] - described[b]).norm(), (folded[a] - folded[b]).norm(), 1e-10);
+  EXPECT_NEAR(
+      (described[20] - described[0]).cross(described[10] - described[0]).dot(described[30] - described[0]),
+      (folded[20] - folded[0]).cross(folded[10] - folded[0]).dot(folded[30] - folded[0]), 1e-6);
+}
+
+TEST(SpaceFit, DerivativesAreThoseOfTheResiduals) {
+  const targets::SpaceGoal goal = helix(1, 40, 20);
+  SpaceStrip strip = followed(goal.line(), 12);
+  const SpaceFit fit(goal.line(), goal.diagonal(), strip, {});
+  Eigen::VectorXd x = fit.pack(strip);
+  for (Eigen::Index k = 0; k < x.size(); ++k) x[k] += 0.013 * std::sin(7.0 * static_cast<double>(k));
+  Eigen::VectorXd r;
+  Eigen::MatrixXd J;
+  ASSERT_TRUE(fit.evaluate(x, r, &J));
+  const auto residuals = [&](const Eigen::VectorXd& at) {
+    Eigen::VectorXd out;
+    EXPECT_TRUE(fit.evaluate(at, out, nullptr));
+    return out;
+  };
+  EXPECT_LE(testing::relative_difference(J, testing::numeric_jacobian(residuals, x, 1e-6)), 1e-6);
+}
+
+TEST(SpaceFit, WhatClimbsOrTurnsTooMuchIsNamedWithItsPlace) {
+  const auto steep = obstacle(helix(2, 40, 300), with_columns(96));
+  ASSERT_TRUE(steep);
+  EXPECT_NE(steep->why.find("climbs"), std::string::npos);
+  SpaceVariables gentle = with_columns(40);
+  gentle.beta = 20 * radians_per_degree;
+  const auto sharp = obstacle(targets::SpaceGoal({{0, 0, 0}, {50, 0, 0}, {50, 1, 50}, {100, 1, 50}}), gentle);
+  ASSERT_TRUE(sharp);
+  EXPECT_NE(sharp->why.find("turns"), std::string::npos);
+  EXPECT_LT(std::min(std::abs(sharp->arc_mm - 50), std::abs(sharp->arc_mm - 100)), 6);
+  EXPECT_FALSE(obstacle(helix(2, 40, 40), with_columns(96)));
+}
+
+}  // namespace
+}  // namespace kinetix::optim
