@@ -57,7 +57,9 @@ std::string lattice_meaning() {
   std::string text = "the lattice of the sheet: `square`";
   for (const PlanarLattice* lattice : model::planar_lattices())
     text += fmt::format("; `{}`, {}", lattice->name, lattice->meaning);
-  return text + "; `graph`, walls of a drawing, of a FOLD file or of a list; `sodalite`, rotors and gussets in space";
+  return text +
+         "; `graph`, walls of a drawing, of a FOLD file or of a list; `sodalite`, rotors and gussets in "
+         "space";
 }
 
 targets::ValueType numbers_2() { return value::list(value::number(places), "`[x, y]`", 2, 2); }
@@ -330,13 +332,13 @@ model::Sheet make_sheet(const LatticeChoice& choice, const std::vector<model::La
 }
 
 targets::Key lattice_structure_key() {
-  return {
-      "structure",
-      value::either({value::map(square_keys()), value::map(regular_keys()), value::map(drawing_keys()),
-                     value::map(origami_keys()), value::map(graph_keys()), value::map(block_keys())}),
-      targets::needed,
-      "the flat sheet: squares, another regular lattice, a drawing, a crease pattern, or a list of walls; or a lattice in "
-      "space"};
+  return {"structure",
+          value::either({value::map(square_keys()), value::map(regular_keys()), value::map(drawing_keys()),
+                         value::map(origami_keys()), value::map(graph_keys()), value::map(block_keys())}),
+          targets::needed,
+          "the flat sheet: squares, another regular lattice, a drawing, a crease pattern, or a list of "
+          "walls; or a lattice in "
+          "space"};
 }
 
 model::Sheet read_sheet(const targets::Node& structure) {

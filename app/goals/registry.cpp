@@ -5,8 +5,8 @@
 #include "app/goals/fold/fold_kind.hpp"
 #include "app/goals/helmet/helmet_kind.hpp"
 #include "app/goals/outline/outline_kind.hpp"
-#include "app/goals/surface/surface_kind.hpp"
 #include "app/goals/space_curve/space_curve_kind.hpp"
+#include "app/goals/surface/surface_kind.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -14,13 +14,13 @@ namespace {
 std::vector<const GoalKind*>& kinds() {
   static std::vector<const GoalKind*> all = {
       // One a line.
-      &curve_kind,    //
-      &display_kind,  //
-      &fold_kind,     //
-      &helmet_kind,   //
-      &outline_kind,  //
+      &curve_kind,        //
+      &display_kind,      //
+      &fold_kind,         //
+      &helmet_kind,       //
+      &outline_kind,      //
+      &space_curve_kind,  //
       &surface_kind,
-      &space_curve_kind,
   };
   return all;
 }

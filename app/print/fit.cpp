@@ -39,7 +39,7 @@ struct Order {
   const DesignFile& design;
   const model::Process& process;
   bool folded;
-  FoldPath path = fold_path(design);
+  PrintPath path = print_path(design);
 };
 
 Attempt attempt(const Order& order, const PrintChoice& choice) {

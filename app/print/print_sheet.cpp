@@ -79,7 +79,7 @@ void check_process(const model::Process& process, const model::CellSize& size,
 
 class Maker {
  public:
-  Maker(const DesignFile& design, const FoldPath& path, const model::Process& process,
+  Maker(const DesignFile& design, const PrintPath& path, const model::Process& process,
         const PrintChoice& choice)
       : design_(design), choice_(choice), structure_(resized(design.structure, choice, process)) {
     sheet_.name = design.name;
@@ -229,7 +229,7 @@ bool leaves_hinges_open(const DesignFile& design) {
                      [](const auto& own) { return !own.second.made; });
 }
 
-PrintSheet make_print_sheet(const DesignFile& design, const FoldPath& path, const model::Process& process,
+PrintSheet make_print_sheet(const DesignFile& design, const PrintPath& path, const model::Process& process,
                             const PrintChoice& choice) {
   return Maker(design, path, process, choice).made();
 }

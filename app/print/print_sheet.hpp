@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/files/design_file.hpp"
-#include "app/print/fold_path.hpp"
+#include "app/print/print_path.hpp"
 #include "app/print/tiles.hpp"
 #include "model/linkage/exact_motion.hpp"
 #include "model/matter/process.hpp"
@@ -26,7 +26,7 @@ struct PrintSheet {
   std::vector<model::Polyhedron>
       rods;          ///< of pins whose rod is a part of its own, by hinge, likewise; of all others empty
   Tiles tiles = {};  ///< what is printed together
-  std::vector<model::State> path;  ///< from flat to the fold (FoldPath); flat alone where no motion is known
+  std::vector<model::State> path;  ///< from flat to the fold (PrintPath); flat alone where no motion is known
   std::vector<double> thetas;      ///< of the path, rad
   bool is_path_exact = true;       ///< else of the equilibrium under the design's drive
   std::string why_no_path = {};    ///< where it is flat alone
@@ -59,7 +59,7 @@ bool leaves_hinges_open(const DesignFile& design);
 /// rubber or films as long as the fold needs.
 /// @param path of the design
 /// @throws InvalidInput for what the process cannot print, hinges that overlap a junction, and a sheet without hinges
-PrintSheet make_print_sheet(const DesignFile& design, const FoldPath& path, const model::Process& process,
+PrintSheet make_print_sheet(const DesignFile& design, const PrintPath& path, const model::Process& process,
                             const PrintChoice& choice);
 
 /// Bodies, meshes and blocks of a sheet whose linkage and hinges are known. @throws InvalidInput as above

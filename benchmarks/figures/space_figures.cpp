@@ -40,7 +40,7 @@ Figure helix_figure() {
           outcome.error().rms <= 2.4e-3 && seconds <= 1 && agrees};
 }
 
-constexpr model::CellSize block_size = {10, 0.8, 1};  // mm
+constexpr model::CellSize block_size = {10, 0.8, 1};  // mm: low walls, which do not meet
 constexpr double gusset = 0.2;                        // of an edge
 
 Figure motion_figure(int n) {

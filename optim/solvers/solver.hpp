@@ -24,7 +24,7 @@ struct SolverOptions {
   double tolerance = 1e-5;    ///< relative change of the cost at which a search may stop, (0, 1)
   unsigned long seed = 0;     ///< of the methods that draw random points
   std::stop_token stop = {};  ///< where it asks to, the search ends with the best so far
-  /// Ceres: how long the first steps may be, > 0: 1e8 takes whole Gauss-Newton steps, less keeps near a start where the
+  /// Ceres: how long the first steps may be, in units of its scaled variables (dimensionless), > 0: 1e8 takes whole Gauss-Newton steps, less keeps near a start where the
   /// residuals leave much open.
   double trust_radius = 1e8;
   double target = 0;  ///< stop as soon as |r| is at most this, in units of the problem, >= 0 and finite

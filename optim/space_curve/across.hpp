@@ -6,7 +6,7 @@ namespace kinetix::optim {
 
 /// The direction across a strip, which stays where it is while the strip folds, and what it asks of the strip.
 struct Across {
-  Eigen::Vector3d direction = Eigen::Vector3d::UnitY();  ///< unit
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitY();  ///< unit vector (dimensionless)
   double slope = 0;  ///< largest |d across / d along the curve seen along it| of a stretch of the goal, ratio
   double arc_mm = 0;  ///< along the goal, where that is
 };

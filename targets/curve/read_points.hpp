@@ -25,9 +25,9 @@ struct PlanePoints {
   Place place;  ///< of all
 };
 
-/// Likewise of space.
+/// Likewise of space, mm.
 struct SpacePoints {
-  std::vector<Eigen::Vector3d> points;
+  std::vector<Eigen::Vector3d> points;  ///< mm
   std::vector<Place> places;
   Place place;  ///< of all
 };

@@ -13,10 +13,10 @@ using Eigen::Vector3d;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-constexpr int samples_a_cell = 20;
-constexpr int most_rounds = 50;   // each is a Newton step; a few do where the goal is near
-constexpr double still = 1e-9;    // of the diagonal: steps below leave the rms as it is
-constexpr double regular = 1e-9;  // of the normal matrix' trace: a straight goal may turn about itself
+constexpr int samples_a_cell = 20;  // as formats.md says of shape_rms
+constexpr int most_rounds = 50;     // each is a Newton step; a few do where the goal is near
+constexpr double still = 1e-9;      // of the diagonal: steps below leave the rms as it is
+constexpr double regular = 1e-9;    // of the normal matrix' trace: a straight goal may turn about itself
 
 /// Distance of p from the curve, and the unit direction along the curve there.
 struct Nearest {

@@ -13,7 +13,7 @@
 namespace kinetix::model {
 namespace {
 
-constexpr CellSize size = {10, 0.4, 1};
+constexpr CellSize size = {10, 0.4, 1};  // mm: slender walls, which leave arms of a quarter of an edge room
 
 TEST(Sodalite, TwoAndThreeCellsHaveTheRotorsAndGussetsOfTheNet) {
   const SodaliteStructure two = make_sodalite({2, 2, 2}, 0.2, size);

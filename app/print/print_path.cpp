@@ -1,4 +1,4 @@
-#include "app/print/fold_path.hpp"
+#include "app/print/print_path.hpp"
 
 #include <cmath>
 
@@ -10,7 +10,7 @@
 namespace kinetix::app {
 namespace {
 
-FoldPath exact_path(const DesignFile& design, const model::ExactMotion& exact, FoldPath path) {
+PrintPath exact_path(const DesignFile& design, const model::ExactMotion& exact, PrintPath path) {
   const double theta = exact_theta_of(design, exact);
   if (theta == 0) {
     path.why_flat_alone = "the design's theta is 0";
@@ -23,7 +23,7 @@ FoldPath exact_path(const DesignFile& design, const model::ExactMotion& exact, F
   return path;
 }
 
-FoldPath equilibrium_path(const DesignFile& design, const model::ExactMotion& exact, FoldPath path) {
+PrintPath equilibrium_path(const DesignFile& design, const model::ExactMotion& exact, PrintPath path) {
   const model::LinkageDrive drive = drive_of(design);
   model::EquilibriumPathOptions options;
   options.longest_step =
@@ -46,10 +46,10 @@ FoldPath equilibrium_path(const DesignFile& design, const model::ExactMotion& ex
 
 }  // namespace
 
-FoldPath fold_path(const DesignFile& design) {
+PrintPath print_path(const DesignFile& design) {
   const model::Linkage linkage = design.structure;
   const model::ExactMotion exact = exact_motion(design.structure);
-  FoldPath path{{0}, {rest_state(linkage)}};
+  PrintPath path{{0}, {rest_state(linkage)}};
   path =
       exact ? exact_path(design, exact, std::move(path)) : equilibrium_path(design, exact, std::move(path));
   path.states = with_edge(std::move(path.states), 1 / design.structure.size().edge_mm);

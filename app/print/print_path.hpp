@@ -12,7 +12,7 @@ namespace kinetix::app {
 inline constexpr int path_steps = 20;  // that contracts of the figures ask for
 
 /// How a design comes from flat to its fold.
-struct FoldPath {
+struct PrintPath {
   std::vector<double> thetas;        ///< rad, from 0 on
   std::vector<model::State> states;  ///< for each of them; of a cell edge of 1 mm
   bool is_exact = true;              ///< by the closed form; else by the equilibrium under the design's drive
@@ -21,7 +21,7 @@ struct FoldPath {
 
 /// By the closed form at path_steps even steps; where there is none by the equilibrium of the design's elastic hinges
 /// under its drive, at steps at most as long.
-FoldPath fold_path(const DesignFile& design);
+PrintPath print_path(const DesignFile& design);
 
 /// Of another cell edge, mm: lengths grow with it, angles stay.
 std::vector<model::State> with_edge(std::vector<model::State> states, double edge_mm);
