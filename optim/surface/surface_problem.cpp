@@ -80,7 +80,7 @@ std::vector<Vector3<T>> placed(const SurfaceVariables& v, const model::QuadMeshO
 
 template <class T>
 void add_sectors(const model::MarchedMesh<T>& marched, const MeshBounds& bounds, Residuals<T>& out) {
-  for (const model::MarchVertex<T>& vertex : marched.inner)
+  for (const auto& vertex : marched.inner)
     for (const T& angle : {vertex.a, vertex.b})
       out.add(T(bound_weight) *
               (above(angle, bounds.sector[1] - inside) + below(angle, bounds.sector[0] + inside)));
@@ -100,7 +100,7 @@ std::vector<T> edge_lengths(const model::MarchedMesh<T>& marched) {
         const bool inner = i > 0 && j > 0 && i < m.columns && j < m.rows;
         using std::cos, std::sin, std::sqrt;
         if (inner) {
-          const model::MarchVertex<T>& at = marched.at(i - 1, j - 1);
+          const auto& at = marched.at(i - 1, j - 1);
           const T angle = level ? at.phi : T(at.phi + at.a);
           out.push_back(edge.x() * cos(angle) + edge.y() * sin(angle));
         } else {

@@ -42,7 +42,7 @@ nlohmann::json written(const TemporaryFolder& folder, const std::string& name) {
 }
 
 TEST(NewGoalKind, IsOneMoreThanThoseThatShip) {
-  EXPECT_EQ(goal_kinds().size(), 6u);
+  EXPECT_EQ(goal_kinds().size(), 8u);
   EXPECT_EQ(goal_kinds().back()->name, "width");
 }
 
@@ -87,7 +87,7 @@ double first_area(const nlohmann::json& result) {
 }
 
 TEST(NewExporter, WritesItsFileBesideTheOthers) {
-  ASSERT_EQ(exporters().size(), 4u);
+  ASSERT_EQ(exporters().size(), 5u);
   app::Run run = run_of(strip(50));
   TemporaryFolder folder;
   write_results(run, folder.path("."));
