@@ -2,7 +2,9 @@
 
 #include <utility>
 
+#include "app/pipeline/physics_settings.hpp"
 #include "app/run/stopwatch.hpp"
+#include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -25,6 +27,11 @@ void add_exact_state(Run& run, double theta) {
 
 void add_exact_frames(Run& run) {
   for (int k = 0; k < motion_states; ++k) add(run, "frame", run.theta * k / (motion_states - 1));
+}
+
+PhysicsTask folding_task(const Run& run) {
+  return {run.states.front().poses, drive_to(run.structure, run.theta),
+          physics_options(run.physics, run.structure.size().edge_mm)};
 }
 
 Fidelity exact_fidelity(const model::ExactMotion& exact, const model::Linkage& structure, double theta) {

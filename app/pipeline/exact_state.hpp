@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/run/run.hpp"
+#include "app/run/scene.hpp"
 
 namespace kinetix::app {
 
@@ -14,6 +15,9 @@ void add_exact_state(Run& run, double theta);
 
 /// Adds states of the closed form's motion from flat to run.theta.
 void add_exact_frames(Run& run);
+
+/// The physics run that folds the sheet to run.theta, to be compared with the first of its states.
+PhysicsTask folding_task(const Run& run);
 
 /// Row of the table for the exact model: time of one state, s, largest hinge gap, cell edges, as its error.
 /// @param theta rad

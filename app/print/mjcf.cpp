@@ -7,6 +7,7 @@
 #include <set>
 
 #include "app/print/formats.hpp"
+#include "app/print/parts.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -77,7 +78,8 @@ class MujocoFile {
     for (int h = 0; h < static_cast<int>(sheet.hinges.size()); ++h)
       if (!sheet.soft[h].points.empty())
         for (const int b : {sheet.linkage.hinges[h].lower, sheet.linkage.hinges[h].upper})
-          add_mass(0.5 * density * 1e-9 * volume_mm3(sheet.soft[h]), hinge_point(h, b), masses_[b]);
+          add_mass(0.5 * density * 1e-9 * volume_mm3(as_filed(placed_soft(sheet, flat(), h))),
+                   hinge_point(h, b), masses_[b]);
     find_turns();
   }
 
@@ -105,9 +107,12 @@ class MujocoFile {
     Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // kg m^2, about the center
   };
 
+  const model::State& flat() const { return sheet_.path.front(); }
+
   Mass mass_of(int body) const {
     const model::MassProperties m = mass_properties(sheet_.with_rods(body));
-    return {density * 1e-9 * m.volume_mm3, metres * m.center, density * 1e-15 * m.inertia};
+    const double volume_mm3 = model::volume_mm3(as_filed(placed_body(sheet_, flat(), body)));
+    return {density * 1e-9 * volume_mm3, metres * m.center, density * 1e-15 * m.inertia};
   }
 
   /// A point of mass. @param place m

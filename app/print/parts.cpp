@@ -11,14 +11,6 @@ namespace {
 constexpr double apart = 2;   // diameters, from one lying rod to the next
 constexpr double gap_mm = 2;  // mm, from one column of lying rods to the next
 
-/// As files hold places: all formats, and the volume that is said of them, are of the same corners.
-model::Polyhedron in_floats(model::Polyhedron solid) {
-  // Number by number: Eigen 3.4 takes two casts of a vector in one expression for none.
-  for (Eigen::Vector3d& p : solid.points)
-    for (double& x : p) x = static_cast<float>(x);
-  return solid;
-}
-
 /// Of a loose rod: its sections below and above by turns, as rod_solid has them.
 double length_of(const model::Polyhedron& rod) { return (rod.points[1] - rod.points[0]).norm(); }
 
@@ -44,18 +36,25 @@ model::Polyhedron lying(const model::Polyhedron& rod, double x, double y) {
 
 }  // namespace
 
+model::Polyhedron as_filed(model::Polyhedron solid) {
+  // Number by number: Eigen 3.4 takes two casts of a vector in one expression for none.
+  for (Eigen::Vector3d& p : solid.points)
+    for (double& x : p) x = static_cast<float>(x);
+  return solid;
+}
+
 model::Polyhedron hard_part(const PrintJob& job) {
   model::Polyhedron all;
   for (int b = 0; b < static_cast<int>(job.sheet.meshes.size()); ++b)
     append(placed_body(job.sheet, job.state(), b), all);
-  return in_floats(std::move(all));
+  return as_filed(std::move(all));
 }
 
 model::Polyhedron soft_part(const PrintJob& job) {
   model::Polyhedron all;
   for (int h = 0; h < static_cast<int>(job.sheet.soft.size()); ++h)
     if (!job.sheet.soft[h].points.empty()) append(placed_soft(job.sheet, job.state(), h), all);
-  return in_floats(std::move(all));
+  return as_filed(std::move(all));
 }
 
 TileParts tile_parts(const PrintJob& job, int tile) {
@@ -71,7 +70,7 @@ TileParts tile_parts(const PrintJob& job, int tile) {
   for (int h = 0; h < static_cast<int>(sheet.soft.size()); ++h)
     if (sheet.tiles.of_body[sheet.linkage.hinges[h].lower] == tile && !sheet.soft[h].points.empty())
       append(placed_soft(sheet, flat, h), parts.soft);
-  return {in_floats(std::move(parts.hard)), in_floats(std::move(parts.soft))};
+  return {as_filed(std::move(parts.hard)), as_filed(std::move(parts.soft))};
 }
 
 model::Polyhedron laid_out_rods(const PrintSheet& sheet) {
@@ -92,7 +91,7 @@ model::Polyhedron laid_out_rods(const PrintSheet& sheet) {
     append(lying(rod, (placed / rows) * (length + gap_mm), (placed % rows) * width), all);
     ++placed;
   }
-  return in_floats(std::move(all));
+  return as_filed(std::move(all));
 }
 
 }  // namespace kinetix::app

@@ -4,6 +4,10 @@
 
 namespace kinetix::app {
 
+/// As files hold places, in floats: all formats, and the volumes and masses that are said of them, are of the same
+/// corners.
+model::Polyhedron as_filed(model::Polyhedron solid);
+
 /// All bodies and loose rods of a job as one list of triangles, each a closed surface of its own; mm, where they are in
 /// the sheet.
 model::Polyhedron hard_part(const PrintJob& job);

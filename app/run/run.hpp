@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/files/design_file.hpp"
-#include "app/files/goal_drive.hpp"
+#include "app/files/goal_settings.hpp"
 #include "app/run/goal_outcome.hpp"
 #include "app/run/plan.hpp"
 #include "model/elastic/equilibrium_comparison.hpp"
@@ -121,6 +121,14 @@ struct Run {
   double verify_tolerance = 0.02;  ///< of verification->distance.rms, cell edges
   Timings timings;
 };
+
+inline void take_settings(Run& run, const GoalSettings& asked) {
+  run.physics = asked.physics;
+  run.hinge = asked.hinge;
+  run.goal_drive = asked.drive;
+  run.process = asked.process;
+  run.verify_tolerance = asked.verify_tolerance;
+}
 
 /// The outcome of a goal of the caller's own kind. @pre run.goal is one
 template <class Outcome>

@@ -65,7 +65,9 @@ Points pebble() {
 }
 
 app::OutlineFile whole_panel(const Points& goal, int cells) {
-  app::OutlineFile file{.name = "outline", .folded = targets::Outline(goal)};
+  app::OutlineFile file;
+  file.name = "outline";
+  file.folded = targets::Outline(goal);
   file.columns = file.rows = cells;
   file.trims = false;
   return file;

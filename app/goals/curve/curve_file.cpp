@@ -227,9 +227,7 @@ CurveFile read_curve_file(const targets::Node& node) {
   file.solver = read_solver(root);
   root.read("robust", file.robust);
   file.physics = read_physics(root, file.size.edge_mm);
-  file.hinge = read_hinge_section(root, file.size);
-  file.drive = read_goal_drive(root);
-  file.process = read_process(root, file.size, file.hinge.made);
+  read_hinges(root, file.size, file);
   return file;
 }
 

@@ -3,9 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "app/files/goal_drive.hpp"
-#include "app/files/hinge_section.hpp"
-#include "app/files/physics_section.hpp"
+#include "app/files/goal_settings.hpp"
 #include "app/files/process_section.hpp"
 #include "app/files/solver_section.hpp"
 #include "model/lattice/square/structure.hpp"
@@ -20,7 +18,7 @@ namespace kinetix::app {
 /// curve's length at theta = 30 deg: cell_mm = length / (columns cos 30 deg); where cell_mm alone is given,
 /// the number of columns follows from it in the same way. Walls follow default_size
 /// (app/files/structure_section.hpp).
-struct CurveFile {
+struct CurveFile : GoalSettings {
   explicit CurveFile(targets::Curve goal) : curve(std::move(goal)) {}
 
   std::string name;      ///< default: the file's name without its ending
@@ -35,17 +33,12 @@ struct CurveFile {
   optim::Symmetry symmetry = optim::Symmetry::none;  ///< rotate_4 only where columns == rows
   optim::AngleRange theta = {2 * radians_per_degree, 44 * radians_per_degree};  ///< within (0, 45) deg
 
-  double shape_tolerance = 0.01;   ///< of shape_rms, over the curve's bounding-box diagonal, (0, 1]
-  double verify_tolerance = 0.02;  ///< of verify_rms, cell edges, (0, 1]
+  double shape_tolerance = 0.01;  ///< of shape_rms, over the curve's bounding-box diagonal, (0, 1]
 
   SolverSection solver = {};
-  PhysicsSection physics = {};
-  HingeSection hinge = {};
-  GoalDrive drive = {};    ///< where hinges are elastic
   bool robust = false;     ///< of designs within the tolerance, the one whose prints come nearest
   bool free_size = false;  ///< structure.cell_mm was left out: cells follow from the curve's length
   bool free_walls = true;  ///< structure.wall_mm was left out: walls follow from the cells
-  model::Process process = model::processes().front();
 };
 
 /// Every key of a target.yaml of kind curve.

@@ -7,7 +7,6 @@
 #include "app/goals/curve/curve_points.hpp"
 #include "app/goals/curve/curve_search.hpp"
 #include "app/pipeline/exact_state.hpp"
-#include "app/pipeline/physics_settings.hpp"
 #include "app/run/midline.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
@@ -54,11 +53,7 @@ class CurveScene final : public Scene {
   }
 
   void solve(Run& run, const RunOptions& options) const override {
-    run.physics = file_.physics;
-    run.hinge = file_.hinge;
-    run.goal_drive = file_.drive;
-    run.process = file_.process;
-    run.verify_tolerance = file_.verify_tolerance;
+    take_settings(run, file_);
     const optim::MultiStartOptions search = curve_search(file_, options);
     options.progress("search", 0);
     auto curve = std::make_unique<CurveOutcome>();
@@ -119,10 +114,7 @@ class CurveScene final : public Scene {
       curve.violations.push_back(curve.found.notes.back() + ": use lower or thinner walls, or larger cells");
   }
 
-  std::optional<PhysicsTask> physics_task(const Run& run) const override {
-    return PhysicsTask{run.states.front().poses, drive_to(run.structure, run.theta),
-                       physics_options(file_.physics, file_.size.edge_mm)};
-  }
+  std::optional<PhysicsTask> physics_task(const Run& run) const override { return folding_task(run); }
 
   void add_frames(Run& run) const override { add_exact_frames(run); }
 

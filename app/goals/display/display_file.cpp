@@ -163,8 +163,8 @@ void read_offset(const targets::Section& root, DisplayFile& file) {
         ->key_error("is for hinges with offsets; those on their walls stretch by up to tolerance.stretch");
   if (file.lattice.lattice)
     throw root.section("structure")
-        .required("lattice", "")
-        .error(
+        .optional("lattice")
+        ->error(
             "hinges on their walls show pictures on squares alone; give `variables: {offset_mm: ...}` above "
             "0 and no "
             "`solver`, or leave `lattice` out");

@@ -77,11 +77,8 @@ void read_tolerance(const targets::Section& root, FoldFile& file) {
   if (const auto force = section.optional("force_N")) check_force_limit(*force, file);
 }
 
-}  // namespace
-
-const targets::KeyTable& fold_keys() {
-  static const FoldFile usual{};
-  static const targets::KeyTable keys = file_keys({
+targets::KeyTable keys_of(const FoldFile& usual) {
+  return file_keys({
       {"target", value::map(targets::fold_target_keys()), targets::needed, "the goal"},
       {"structure", value::map(structure_keys()), {}, "the flat net"},
       {"variables",
@@ -94,6 +91,12 @@ const targets::KeyTable& fold_keys() {
       {"physics", value::map(physics_keys()), {}, "settings of the physics run"},
       process_key(),
   });
+}
+
+}  // namespace
+
+const targets::KeyTable& fold_keys() {
+  static const targets::KeyTable keys = keys_of(FoldFile());
   return keys;
 }
 
@@ -109,13 +112,11 @@ FoldFile read_fold_file(const targets::Node& node) {
   file.theta = variables.theta;
   if (file.goal.box_mm) choose_cells(root, file);
   file.physics = read_physics(root, file.size.edge_mm);
-  file.hinge = read_hinge_section(root, file.size);
-  file.drive = read_goal_drive(root);
+  read_hinges(root, file.size, file);
   read_tolerance(root, file);
   if (file.goal.solid && file.limits.any())
-    throw root.required("tolerance", "")
-        .error("force_N and strain are kept for boxes and nets of squares; leave them out for a solid");
-  file.process = read_process(root, file.size, file.hinge.made);
+    throw root.optional("tolerance")
+        ->error("force_N and strain are kept for boxes and nets of squares; leave them out for a solid");
   return file;
 }
 

@@ -2,9 +2,8 @@
 
 #include <string>
 
-#include "app/files/goal_drive.hpp"
+#include "app/files/goal_settings.hpp"
 #include "app/files/hinge_limits.hpp"
-#include "app/files/physics_section.hpp"
 #include "app/files/process_section.hpp"
 #include "model/lattice/square/structure.hpp"
 #include "optim/solvers/variables.hpp"
@@ -18,7 +17,7 @@ namespace kinetix::app {
 ///     structure: {cell_mm: 10, wall_mm: {thickness: 0.8, height: 6}}
 ///     variables: {beta: {range_deg: [-60, 60]}, theta: {range_deg: [2, 44]}}
 ///     tolerance: {angle_deg: 0.1, shape: 0.02, verify: 0.02}
-struct FoldFile {
+struct FoldFile : GoalSettings {
   std::string name;
   targets::FoldGoal goal;
   model::CellSize size = {};              ///< structure.cell_mm (default 10), structure.wall_mm
@@ -29,12 +28,7 @@ struct FoldFile {
   double angle_tolerance = 0.1 * radians_per_degree;    ///< of a crease, rad, (0, 90] deg
   double shape_tolerance = 0.02;                        ///< of face_rms, over the edge of a face, (0, 1]
   double size_tolerance = 0.02;                         ///< of edges, over goal.box_mm, (0, 1]
-  double verify_tolerance = 0.02;                       ///< of verify_rms, cell edges, (0, 1]
   HingeLimits limits = {};                              ///< tolerance.force_N and tolerance.strain
-  PhysicsSection physics = {};
-  HingeSection hinge = {};
-  GoalDrive drive = {};  ///< where hinges are elastic
-  model::Process process = model::processes().front();
 };
 
 /// Every key of a target.yaml of kind fold.

@@ -14,11 +14,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::vector<double> in_degrees(std::vector<double> angles) {
-  for (double& angle : angles) angle = to_degrees(angle);
-  return angles;
-}
-
 Json faces_json(const FoldOutcome& fold) {
   const optim::FoldedNet& net = fold.design.folded;
   Json faces = Json::array();
@@ -54,18 +49,6 @@ Json attempts_json(const optim::FoldDesign& design) {
   for (const optim::FoldAttempt& attempt : design.attempts)
     out.push_back({{"unfolding", attempt.net}, {"columns", attempt.columns}, {"why", attempt.why}});
   return out;
-}
-
-double largest_miss(const targets::FoldNet& net, const targets::FoldError& error) {
-  double most = 0;
-  for (std::size_t c = 0; c < net.creases.size(); ++c)
-    most = std::max(most, std::abs(error.fold[c] - net.creases[c].angle));
-  return most;
-}
-
-std::string in_words(const targets::FoldNet& net, const targets::FoldError& error) {
-  return fmt::format("{} creases within {:.1e} deg, faces {:.1e} of their edge from the solid (rms)",
-                     net.creases.size(), to_degrees(largest_miss(net, error)), error.rms);
 }
 
 /// "2 columns", or "1 to 4 columns"
@@ -118,20 +101,17 @@ Json fold_json(const FoldOutcome& fold) {
   return out;
 }
 
-Json optimiser_json(const optim::FoldDesign& design) {
-  return {{"solver", "closed form"},
-          {"starts", design.attempts.size()},
-          {"evaluations", design.evaluations},
-          {"status", design.folds ? "converged" : "failed"},
-          {"why", design.folds ? "every crease reaches its angle at one theta, with no wall in the way"
-                               : "no unfolding and no number of columns tried folds freely"}};
-}
-
 }  // namespace
 
 std::array<double, 3> FoldOutcome::edges_mm() const {
   const optim::FoldedNet& net = design.folded;
   return optim::folded_box(*goal.box, net.structure.size.edge_mm, net.theta, net.layout.creases[0].columns());
+}
+
+std::vector<FoldedCrease> FoldOutcome::creases(const targets::FoldError& error) const {
+  const targets::FoldNet& net = design.folded.net;
+  return folded_creases(net.creases, error.fold,
+                        [&](const targets::FoldCrease& crease) { return crease_name(net, crease); });
 }
 
 Json FoldOutcome::target_json() const {
@@ -154,25 +134,22 @@ Json FoldOutcome::target_json() const {
 
 void FoldOutcome::add_sections(const Run&, Json& result) const {
   result["fold"] = fold_json(*this);
-  result["optimiser"] = optimiser_json(design);
+  result["optimiser"] = closed_form_json(design.attempts.size(), design.evaluations, design.folds,
+                                         "no unfolding and no number of columns tried folds freely");
 }
 
 void FoldOutcome::add_metrics(Json& metrics) const {
-  const optim::FoldedNet& net = design.folded;
-  metrics["fold_deg"] = in_degrees(net.error.fold);
-  metrics["fold_miss_deg"] = to_degrees(largest_miss(net.net, net.error));
-  metrics["face_rms"] = net.error.rms;
+  const targets::FoldError& error = design.folded.error;
+  add_fold_metrics(creases(error), error.rms, "", metrics);
   metrics["met"] = met();
-  if (!physics) return;
-  metrics["fold_physics_deg"] = in_degrees(physics->fold);
-  metrics["fold_miss_physics_deg"] = to_degrees(largest_miss(net.net, *physics));
-  metrics["face_rms_physics"] = physics->rms;
+  if (physics) add_fold_metrics(creases(*physics), physics->rms, "_physics", metrics);
 }
 
 std::vector<SummaryLine> FoldOutcome::summary_lines(const Run& run) const {
   const optim::FoldedNet& net = design.folded;
   std::vector<SummaryLine> lines;
-  lines.push_back({"solid", in_words(net.net, net.error) + (met() ? "" : ": DOES NOT FOLD AS REQUIRED")});
+  lines.push_back(
+      {"solid", in_words(creases(net.error), net.error.rms) + (met() ? "" : ": DOES NOT FOLD AS REQUIRED")});
   for (const std::string& why : violations) lines.push_back({"why", why});
   lines.push_back({"net", fmt::format("{} faces, {} per crease, unfolding {} of {}", net.net.faces.size(),
                                       columns_in_words(net.layout), design.net + 1, goal.nets.size())});
@@ -181,7 +158,8 @@ std::vector<SummaryLine> FoldOutcome::summary_lines(const Run& run) const {
       {"search", fmt::format("{:.3f} s, {} motions examined", run.timings.optimise, design.evaluations)});
   if (loads) lines.push_back({"limits", loads_text(*loads)});
   if (unlimited) lines.push_back({"", "without them " + loads_text(*unlimited)});
-  if (physics) lines.push_back({"folded", "in the physics run: " + in_words(net.net, *physics)});
+  if (physics)
+    lines.push_back({"folded", "in the physics run: " + in_words(creases(*physics), physics->rms)});
   for (const std::string& why : physics_violations) lines.push_back({"why", why});
   return lines;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include "app/goals/fold/crease_checks.hpp"
 
 #include "app/run/goal_outcome.hpp"
 #include "app/run/hinge_loads.hpp"
@@ -23,6 +24,7 @@ class FoldOutcome final : public GoalOutcome {
   std::optional<FoldLoads> unlimited;  ///< what it would be without limits, where they made a difference
   std::optional<targets::FoldError> physics;  ///< of the settled physics run
 
+  std::vector<FoldedCrease> creases(const targets::FoldError& error) const;
   /// Edges of the ideal box, mm: faces, and what the creases add at both ends. @pre goal.box
   std::array<double, 3> edges_mm() const;
 

@@ -10,37 +10,12 @@
 #include "app/goals/fold/fold_outcome.hpp"
 #include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/hinge_loads.hpp"
-#include "app/pipeline/physics_settings.hpp"
 #include "model/sheet/sheet_motion.hpp"
 #include "optim/fold/fit_box.hpp"
 #include "targets/document/number.hpp"
 
 namespace kinetix::app {
 namespace {
-
-optim::FoldOptions search_of(const FoldFile& file) {
-  optim::FoldOptions options;
-  options.size = file.size;
-  options.tilt = file.tilt;
-  options.theta = file.theta;
-  return options;
-}
-
-/// What a state lacks of what the file asks.
-std::vector<std::string> violations(const FoldFile& file, const targets::FoldNet& net,
-                                    const targets::FoldError& error, const std::string& who) {
-  std::vector<std::string> why;
-  for (std::size_t c = 0; c < net.creases.size(); ++c)
-    if (!(std::abs(error.fold[c] - net.creases[c].angle) <= file.angle_tolerance))
-      why.push_back(fmt::format("{}: crease `{}` folds by {:.2f} deg; {:.2f} deg is required", who,
-                                crease_name(net, net.creases[c]), to_degrees(error.fold[c]),
-                                to_degrees(net.creases[c].angle)));
-  if (!(error.rms <= file.shape_tolerance))
-    why.push_back(
-        fmt::format("{}: faces are off the solid by {:.3g} of their edge; at most {:.3g} is allowed", who,
-                    error.rms, file.shape_tolerance));
-  return why;
-}
 
 /// Size of the tilts along a crease, rad: those that make up for elastic hinges differ a little.
 double mean_tilt(const model::Sheet& net, const targets::PlacedCrease& crease) {
@@ -83,11 +58,7 @@ class FoldScene final : public Scene {
   }
 
   void solve(Run& run, const RunOptions& options) const override {
-    run.physics = file_.physics;
-    run.hinge = file_.hinge;
-    run.goal_drive = file_.drive;
-    run.process = file_.process;
-    run.verify_tolerance = file_.verify_tolerance;
+    take_settings(run, file_);
     auto found = std::make_unique<FoldOutcome>();
     found->tolerances = {{"angle_deg", std::stod(targets::degrees_text(file_.angle_tolerance))},
                          {"shape", file_.shape_tolerance}};
@@ -101,8 +72,9 @@ class FoldScene final : public Scene {
     };
     keep_limits(file_, run, *this, *found, search, options);
     const optim::FoldedNet& net = found->design.folded;
-    found->violations =
-        found->design.folds ? violations(file_, net.net, net.error, "model") : found->design.obstacles;
+    found->violations = found->design.folds
+                            ? violations(file_, found->creases(net.error), net.error.rms, "model")
+                            : found->design.obstacles;
     check_size(*found);
     run.structure = net.structure;
     run.theta = net.theta;
@@ -132,8 +104,7 @@ class FoldScene final : public Scene {
 
   std::optional<PhysicsTask> physics_task(const Run& run) const override {
     if (!run.goal->met()) return std::nullopt;
-    return PhysicsTask{run.states.front().poses, drive_to(run.structure, run.theta),
-                       physics_options(file_.physics, file_.size.edge_mm)};
+    return folding_task(run);
   }
 
   /// How the run's last state keeps the goal.
@@ -142,7 +113,8 @@ class FoldScene final : public Scene {
     const optim::FoldedNet& net = found.design.folded;
     found.physics =
         fold_error(net.net, net.layout, net.structure, run.verification->physics.state, run.theta);
-    found.physics_violations = violations(file_, net.net, *found.physics, "physics run");
+    found.physics_violations =
+        violations(file_, found.creases(*found.physics), found.physics->rms, "physics run");
   }
 
   TurnBounds turn_bounds() const override { return {file_.tilt, file_.theta}; }
@@ -154,13 +126,13 @@ class FoldScene final : public Scene {
     net.error = fold_error(net.net, net.layout, net.structure, state, run.theta);
     for (std::size_t c = 0; c < net.tilt.size(); ++c)
       net.tilt[c] = mean_tilt(run.structure, net.layout.creases[c]);
-    found.violations = violations(file_, net.net, net.error, "equilibrium");
+    found.violations = violations(file_, found.creases(net.error), net.error.rms, "equilibrium");
     check_size(found);
     if (!found.loads) return;
     const HingeLoads loads =
         hinge_loads(run.equilibrium->path, run.equilibrium->drive, run.structure, run.hinge);
     found.loads = FoldLoads{run.theta, loads};
-    for (const std::string& why : app::violations(file_.limits, loads, "a smaller theta"))
+    for (const std::string& why : violations(file_.limits, loads, "a smaller theta"))
       found.violations.push_back(why);
   }
 

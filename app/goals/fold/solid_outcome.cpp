@@ -15,19 +15,6 @@ using Json = nlohmann::ordered_json;
 
 std::string face_name(int face) { return std::to_string(face + 1); }
 
-Json degrees_json(const std::vector<double>& angles) {
-  Json out = Json::array();
-  for (const double angle : angles) out.push_back(to_degrees(angle));
-  return out;
-}
-
-double largest_miss(const targets::SolidNet& net, const targets::SolidError& error) {
-  double most = 0;
-  for (std::size_t c = 0; c < net.creases.size(); ++c)
-    most = std::max(most, std::abs(error.fold[c] - net.creases[c].angle));
-  return most;
-}
-
 Json places_json(const targets::SolidNet& net, const std::vector<int>& bodies) {
   Json out = Json::array();
   for (const int body : bodies)
@@ -81,15 +68,6 @@ Json fold_json(const SolidOutcome& found) {
   return out;
 }
 
-Json optimiser_json(const optim::SolidDesign& design) {
-  return {{"solver", "closed form"},
-          {"starts", design.attempts.size()},
-          {"evaluations", design.evaluations},
-          {"status", design.folds ? "converged" : "failed"},
-          {"why", design.folds ? "every crease reaches its angle at one theta, with no wall in the way"
-                               : "no number of columns tried folds freely"}};
-}
-
 }  // namespace
 
 std::string crease_name(const targets::SolidCrease& crease) {
@@ -98,6 +76,10 @@ std::string crease_name(const targets::SolidCrease& crease) {
 
 double SolidOutcome::edge_mm() const {
   return design.net.edge * design.net.structure.size.edge_mm * std::cos(design.theta);
+}
+
+std::vector<FoldedCrease> SolidOutcome::creases(const targets::SolidError& error) const {
+  return folded_creases(design.net.creases, error.fold, crease_name);
 }
 
 Json SolidOutcome::target_json() const {
@@ -114,27 +96,20 @@ Json SolidOutcome::target_json() const {
 
 void SolidOutcome::add_sections(const Run&, Json& result) const {
   result["fold"] = fold_json(*this);
-  result["optimiser"] = optimiser_json(design);
+  result["optimiser"] = closed_form_json(design.attempts.size(), design.evaluations, design.folds,
+                                         "no number of columns tried folds freely");
 }
 
 void SolidOutcome::add_metrics(Json& metrics) const {
-  metrics["fold_deg"] = degrees_json(design.error.fold);
-  metrics["fold_miss_deg"] = to_degrees(largest_miss(design.net, design.error));
-  metrics["face_rms"] = design.error.rms;
+  add_fold_metrics(creases(design.error), design.error.rms, "", metrics);
   metrics["met"] = met();
-  if (!physics) return;
-  metrics["fold_physics_deg"] = degrees_json(physics->fold);
-  metrics["fold_miss_physics_deg"] = to_degrees(largest_miss(design.net, *physics));
-  metrics["face_rms_physics"] = physics->rms;
+  if (physics) add_fold_metrics(creases(*physics), physics->rms, "_physics", metrics);
 }
 
 std::vector<SummaryLine> SolidOutcome::summary_lines(const Run& run) const {
-  const auto in_words = [&](const targets::SolidError& error) {
-    return fmt::format("{} creases within {:.1e} deg, faces {:.1e} of their edge from the solid (rms)",
-                       design.net.creases.size(), to_degrees(largest_miss(design.net, error)), error.rms);
-  };
   std::vector<SummaryLine> lines;
-  lines.push_back({"solid", in_words(design.error) + (met() ? "" : ": DOES NOT FOLD AS REQUIRED")});
+  lines.push_back({"solid", in_words(creases(design.error), design.error.rms) +
+                                (met() ? "" : ": DOES NOT FOLD AS REQUIRED")});
   for (const std::string& why : violations) lines.push_back({"why", why});
   lines.push_back({"net", fmt::format("{} faces of {} cells a side, {} {} per crease",
                                       design.net.faces.size(), 2 * goal.cells, design.net.columns,
@@ -142,7 +117,7 @@ std::vector<SummaryLine> SolidOutcome::summary_lines(const Run& run) const {
   lines.push_back({"size", fmt::format("edges of {:.1f} mm when it is closed", edge_mm())});
   lines.push_back(
       {"search", fmt::format("{:.3f} s, {} motions examined", run.timings.optimise, design.evaluations)});
-  if (physics) lines.push_back({"physics", in_words(*physics)});
+  if (physics) lines.push_back({"physics", in_words(creases(*physics), physics->rms)});
   for (const std::string& why : physics_violations) lines.push_back({"why", why});
   return lines;
 }

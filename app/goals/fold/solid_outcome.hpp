@@ -1,12 +1,16 @@
 #pragma once
 
 #include <optional>
+#include "app/goals/fold/crease_checks.hpp"
 
 #include "app/run/goal_outcome.hpp"
 #include "optim/fold/fit_solid.hpp"
 #include "targets/fold/fold_goal.hpp"
 
 namespace kinetix::app {
+
+/// "3-7", by the numbers of its faces.
+std::string crease_name(const targets::SolidCrease& crease);
 
 /// What a search for the net of a solid contributes to a result.
 class SolidOutcome final : public GoalOutcome {
@@ -15,6 +19,7 @@ class SolidOutcome final : public GoalOutcome {
   optim::SolidDesign design;
   std::optional<targets::SolidError> physics;  ///< of the settled physics run
 
+  std::vector<FoldedCrease> creases(const targets::SolidError& error) const;
   /// Of the solid between the middles of its walls, mm, when it is closed.
   double edge_mm() const;
 
@@ -24,8 +29,5 @@ class SolidOutcome final : public GoalOutcome {
   void add_metrics(nlohmann::ordered_json& metrics) const override;
   std::vector<SummaryLine> summary_lines(const Run& run) const override;
 };
-
-/// "3-7", by the numbers of its faces.
-std::string crease_name(const targets::SolidCrease& crease);
 
 }  // namespace kinetix::app

@@ -8,36 +8,11 @@
 #include "app/goals/fold/fold_kind.hpp"
 #include "app/goals/fold/solid_outcome.hpp"
 #include "app/pipeline/exact_state.hpp"
-#include "app/pipeline/physics_settings.hpp"
 #include "model/sheet/sheet_motion.hpp"
 #include "targets/document/number.hpp"
 
 namespace kinetix::app {
 namespace {
-
-optim::FoldOptions options_of(const FoldFile& file) {
-  optim::FoldOptions options;
-  options.size = file.size;
-  options.tilt = file.tilt;
-  options.theta = file.theta;
-  return options;
-}
-
-/// What a state lacks of what the file asks.
-std::vector<std::string> lacks(const FoldFile& file, const targets::SolidNet& net,
-                               const targets::SolidError& error, const std::string& who) {
-  std::vector<std::string> why;
-  for (std::size_t c = 0; c < net.creases.size(); ++c)
-    if (!(std::abs(error.fold[c] - net.creases[c].angle) <= file.angle_tolerance))
-      why.push_back(fmt::format("{}: crease `{}` folds by {:.2f} deg; {:.2f} deg is required", who,
-                                crease_name(net.creases[c]), to_degrees(error.fold[c]),
-                                to_degrees(net.creases[c].angle)));
-  if (!(error.rms <= file.shape_tolerance))
-    why.push_back(
-        fmt::format("{}: faces are off the solid by {:.3g} of their edge; at most {:.3g} is allowed", who,
-                    error.rms, file.shape_tolerance));
-  return why;
-}
 
 constexpr int usual_columns = 2;          // of a crease, what searches find for most solids
 constexpr double seconds_a_body = 0.005;  // measured: of a search of columns and theta
@@ -57,19 +32,16 @@ class SolidScene final : public Scene {
   }
 
   void solve(Run& run, const RunOptions& options) const override {
-    run.physics = file_.physics;
-    run.hinge = file_.hinge;
-    run.goal_drive = file_.drive;
-    run.process = file_.process;
-    run.verify_tolerance = file_.verify_tolerance;
+    take_settings(run, file_);
     auto found = std::make_unique<SolidOutcome>();
     found->tolerances = {{"angle_deg", std::stod(targets::degrees_text(file_.angle_tolerance))},
                          {"shape", file_.shape_tolerance}};
     found->goal = *file_.goal.solid;
     found->design = fit_solid(targets::named_solid(found->goal.solid), found->goal.cells, found->goal.columns,
-                              options_of(file_), options.progress);
+                              search_of(file_), options.progress);
     const optim::SolidDesign& design = found->design;
-    if (design.folds) found->violations = lacks(file_, design.net, design.error, "model");
+    if (design.folds)
+      found->violations = violations(file_, found->creases(design.error), design.error.rms, "model");
     for (const optim::SolidAttempt& attempt : design.attempts)
       if (!design.folds) found->violations.push_back(attempt.why);
     run.structure = design.net.structure;
@@ -95,14 +67,14 @@ class SolidScene final : public Scene {
 
   std::optional<PhysicsTask> physics_task(const Run& run) const override {
     if (!run.goal->met()) return std::nullopt;
-    return PhysicsTask{run.states.front().poses, drive_to(run.structure, run.theta),
-                       physics_options(file_.physics, file_.size.edge_mm)};
+    return folding_task(run);
   }
 
   void judge_physics(Run& run) const override {
     auto& found = outcome_of<SolidOutcome>(run);
     found.physics = solid_error(found.design.net, run.verification->physics.state, run.theta);
-    found.physics_violations = lacks(file_, found.design.net, *found.physics, "physics run");
+    found.physics_violations =
+        violations(file_, found.creases(*found.physics), found.physics->rms, "physics run");
   }
 
   TurnBounds turn_bounds() const override { return {file_.tilt, file_.theta}; }
@@ -110,7 +82,8 @@ class SolidScene final : public Scene {
   void judge_matter(Run& run, const model::State& state) const override {
     auto& found = outcome_of<SolidOutcome>(run);
     found.design.error = solid_error(found.design.net, state, run.theta);
-    found.violations = lacks(file_, found.design.net, found.design.error, "equilibrium");
+    found.violations =
+        violations(file_, found.creases(found.design.error), found.design.error.rms, "equilibrium");
   }
 
   void add_frames(Run& run) const override { add_exact_frames(run); }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/files/file_header.hpp"
 #include "app/files/structure_section.hpp"
@@ -54,7 +55,7 @@ targets::KeyTable tolerance_keys() {
            fmt::format("{:g}, or half a cell, or a thirtieth of `target.coverage_mm` where that is less",
                        HelmetFile::usual_max_mm)),
        "likewise, the largest"},
-      {"verify", value::number({0, 1, false, true}), targets::by_default(HelmetFile::usual_verify),
+      {"verify", value::number({0, 1, false, true}), targets::by_default(GoalSettings::usual_verify),
        "most of [verify_rms](#verify_rms-and-verify_max), cell edges"},
   });
 }
@@ -97,7 +98,7 @@ void read_tolerance(const targets::Section& root, HelmetFile& file) {
   const targets::Section section = root.section("tolerance");
   section.read("rms_mm", file.rms_mm);
   section.read("max_mm", file.max_mm);
-  section.read("verify", file.verify);
+  section.read("verify", file.verify_tolerance);
 }
 
 /// Says why, where a solver or a key of it would suit another kind of goal.
@@ -141,7 +142,8 @@ HelmetFile read_helmet_file(const targets::Node& node) {
   check_version(root);
   const std::string name = read_name(root);
   const targets::Section target = root.section("target");
-  HelmetFile file{.name = name, .head = read_head(target)};
+  targets::Head head = read_head(target);  // apart: GCC 12 frees bases twice where a later initializer throws
+  HelmetFile file{{}, name, std::move(head)};
   read_structure(root, file);
   read_variables(root, file.spec);
   read_ribs(target, file);
@@ -149,9 +151,7 @@ HelmetFile read_helmet_file(const targets::Node& node) {
   check_solver(root);
   file.solver = read_solver(root);
   file.physics = read_physics(root, file.spec.size.edge_mm);
-  file.hinge = read_hinge_section(root, file.spec.size);
-  file.drive = read_goal_drive(root);
-  file.process = read_process(root, file.spec.size, file.hinge.made);
+  read_hinges(root, file.spec.size, file);
   return file;
 }
 

@@ -2,9 +2,7 @@
 
 #include <string>
 
-#include "app/files/goal_drive.hpp"
-#include "app/files/hinge_section.hpp"
-#include "app/files/physics_section.hpp"
+#include "app/files/goal_settings.hpp"
 #include "app/files/process_section.hpp"
 #include "app/files/solver_section.hpp"
 #include "optim/helmet/helmet_layout.hpp"
@@ -20,21 +18,16 @@ namespace kinetix::app {
 ///     structure: {cell_mm: 6, wall_mm: {thickness: 0.6, height: 3.6}}
 ///     variables: {beta: {range_deg: [-60, 60]}, theta: {range_deg: [2, 40]}}
 ///     tolerance: {rms_mm: 0.8, max_mm: 3, verify: 0.02}
-struct HelmetFile {
+struct HelmetFile : GoalSettings {
   /// Tolerances in mm, small against the usual clearance of 5 mm, and in cell edges, as for other kinds.
-  static constexpr double usual_rms_mm = 0.8, usual_max_mm = 3, usual_verify = 0.02;
+  static constexpr double usual_rms_mm = 0.8, usual_max_mm = 3;
 
   std::string name;
   targets::Head head;            ///< target.mesh, units, up, front, crown, coverage_mm
   optim::HelmetSpec spec = {};   ///< target.ribs, spacing_mm, clearance_mm; structure; variables
   double rms_mm = usual_rms_mm;  ///< tolerance.rms_mm: of the distance to head plus clearance, > 0
   double max_mm = usual_max_mm;  ///< tolerance.max_mm: likewise, the largest, > 0
-  double verify = usual_verify;  ///< tolerance.verify: of verify_rms, cell edges, (0, 1]
   SolverSection solver = {};     ///< ceres, no starts
-  PhysicsSection physics = {};
-  HingeSection hinge = {};
-  GoalDrive drive = {};  ///< where hinges are elastic
-  model::Process process = model::processes().front();
 };
 
 /// Most evaluations of the one search there is: second-order steps need few.

@@ -80,11 +80,7 @@ class HelmetScene final : public Scene {
   }
 
   void solve(Run& run, const RunOptions& options) const override {
-    run.physics = file_.physics;
-    run.hinge = file_.hinge;
-    run.goal_drive = file_.drive;
-    run.process = file_.process;
-    run.verify_tolerance = file_.verify;
+    take_settings(run, file_);
     options.progress("search", 0);
     auto helmet = std::make_unique<HelmetOutcome>(
         file_.head, file_.spec, fit_helmet(file_.head.dome, crown, file_.spec, search_of(file_)));

@@ -102,22 +102,6 @@ void read_variables(const targets::Section& root, OutlineFile& file) {
   variables.section("theta").read("range_deg", file.theta);
 }
 
-/// How large hinges are for their cells must be known before the search.
-void read_hinges(const targets::Section& root, OutlineFile& file) {
-  if (const auto hinge = root.optional("hinge"); hinge && !file.cell_mm)
-    throw hinge->key_error(
-        "needs structure.cell_mm: a hinge has its size, and a panel as large as the outline "
-        "finds its cells' only by the search");
-  file.drive = read_goal_drive(root);
-  if (!file.cell_mm) {
-    file.process = read_process(root);
-    return;
-  }
-  const model::CellSize size = file.size(*file.cell_mm);
-  file.hinge = read_hinge_section(root, size);
-  file.process = read_process(root, size, file.hinge.made);
-}
-
 }  // namespace
 
 model::CellSize OutlineFile::size(double edge_mm) const {
@@ -159,7 +143,7 @@ OutlineFile read_outline_file(const targets::Node& node) {
   tolerance.read("shape", file.shape_tolerance);
   tolerance.read("iou", file.iou_tolerance);
   tolerance.read("verify", file.verify_tolerance);
-  read_hinges(root, file);
+  read_hinges(root, file.cell_mm ? std::optional(file.size(*file.cell_mm)) : std::nullopt, file);
   file.physics = read_physics(root, file.cell_mm.value_or(file.folded.diagonal() / file.columns));
   return file;
 }

@@ -4,10 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "app/files/goal_drive.hpp"
-#include "app/files/hinge_section.hpp"
+#include "app/files/goal_settings.hpp"
 #include "app/files/lattice_section.hpp"
-#include "app/files/physics_section.hpp"
 #include "app/files/process_section.hpp"
 #include "targets/outline/outline.hpp"
 
@@ -20,7 +18,7 @@ namespace kinetix::app {
 ///     structure: {lattice: square, cells: [12, 12], trim: none, cell_mm: 10}
 ///     variables: {offset_mm: 0.8, t: {range: [0.12, 0.88]}, theta: {range_deg: [20, 40]}}
 ///     tolerance: {shape: 0.015, iou: 0.95, verify: 0.02}
-struct OutlineFile {
+struct OutlineFile : GoalSettings {
   std::string name;
   targets::Outline folded{{{0, 0}, {1, 0}, {0, 1}}};  ///< target.points
   std::optional<targets::Outline> flat = {};          ///< target.flat
@@ -35,11 +33,6 @@ struct OutlineFile {
   std::array<double, 2> theta = {0.35, 0.6981};  ///< variables.theta.range_deg, rad, within (0, 45) deg
   double shape_tolerance = 0.015;  ///< of the rim's vertices, over the outline's diagonal, (0, 1]
   double iou_tolerance = 0.95;     ///< least intersection over union, (0, 1]
-  double verify_tolerance = 0.02;  ///< of verify_rms, cell edges, (0, 1]
-  PhysicsSection physics = {};
-  HingeSection hinge = {};  ///< of a panel whose cell_mm is given
-  GoalDrive drive = {};     ///< where hinges are elastic
-  model::Process process = model::processes().front();
 
   /// The panel's size where a cell edge has this length, mm.
   model::CellSize size(double edge_mm) const;

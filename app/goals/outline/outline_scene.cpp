@@ -1,7 +1,6 @@
 #include "app/goals/outline/outline_kind.hpp"
 #include "app/goals/outline/outline_outcome.hpp"
 #include "app/pipeline/exact_state.hpp"
-#include "app/pipeline/physics_settings.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::app {
@@ -49,11 +48,7 @@ class OutlineScene final : public Scene {
   }
 
   void solve(Run& run, const RunOptions& options) const override {
-    run.physics = file_.physics;
-    run.hinge = file_.hinge;
-    run.goal_drive = file_.drive;
-    run.process = file_.process;
-    run.verify_tolerance = file_.verify_tolerance;
+    take_settings(run, file_);
     auto outline = std::make_unique<OutlineOutcome>(file_);
     outline->tolerances = {{"shape", file_.shape_tolerance}, {"iou", file_.iou_tolerance}};
     FoundOutline found = search_outline(file_, options);
@@ -103,10 +98,7 @@ class OutlineScene final : public Scene {
     outline.violations = all_violations(file_, outline, "equilibrium");
   }
 
-  std::optional<PhysicsTask> physics_task(const Run& run) const override {
-    return PhysicsTask{run.states.front().poses, drive_to(run.structure, run.theta),
-                       physics_options(file_.physics, run.structure.size().edge_mm)};
-  }
+  std::optional<PhysicsTask> physics_task(const Run& run) const override { return folding_task(run); }
 
   void judge_physics(Run& run) const override {
     auto& outline = outcome_of<OutlineOutcome>(run);

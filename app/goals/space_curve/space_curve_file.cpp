@@ -122,8 +122,8 @@ void check_length(const targets::Section& root, const SpaceCurveFile& file) {
   // What climbs is longer than it looks along the strip: a third at the steepest slope.
   if (file.wanted.length() >= 0.9 * least && file.wanted.length() <= 1.33 * most) return;
   throw root.section("structure")
-      .required("cell_mm", "")
-      .error(fmt::format(
+      .optional("cell_mm")
+      ->error(fmt::format(
           "{} cells of {:.6g} mm are {:.4g} to {:.4g} mm long within the range of theta, but the curve is "
           "{:.4g} mm long",
           v.columns, v.size.edge_mm, least, most, file.wanted.length()));
@@ -135,21 +135,6 @@ void check_reach(const SpaceCurveFile& file, const targets::Node& points, const 
   const auto& arcs = file.wanted.line().arcs();
   const auto after = std::upper_bound(arcs.begin(), arcs.end(), found->arc_mm) - arcs.begin();
   throw InvalidInput(found->why, places[std::min<std::size_t>(after, places.size()) - 1]);
-}
-
-/// How large hinges are for their cells must be known before the search.
-void read_hinges(const targets::Section& root, SpaceCurveFile& file) {
-  if (const auto hinge = root.optional("hinge"); hinge && file.variables.free_edge)
-    throw hinge->key_error(
-        "needs structure.cell_mm: a hinge has its size, and cells that are left out get theirs by "
-        "the search");
-  file.drive = read_goal_drive(root);
-  if (file.variables.free_edge) {
-    file.process = read_process(root);
-    return;
-  }
-  file.hinge = read_hinge_section(root, file.variables.size);
-  file.process = read_process(root, file.variables.size, file.hinge.made);
 }
 
 }  // namespace
@@ -185,7 +170,7 @@ SpaceCurveFile read_space_curve_file(const targets::Node& node) {
   tolerance.read("verify", file.verify_tolerance);
   check_length(root, file);
   check_reach(file, points, goal.places);
-  read_hinges(root, file);
+  read_hinges(root, file.variables.free_edge ? std::nullopt : std::optional(file.variables.size), file);
   file.physics = read_physics(root, file.variables.size.edge_mm);
   return file;
 }

@@ -2,9 +2,7 @@
 
 #include <string>
 
-#include "app/files/goal_drive.hpp"
-#include "app/files/hinge_section.hpp"
-#include "app/files/physics_section.hpp"
+#include "app/files/goal_settings.hpp"
 #include "app/files/process_section.hpp"
 #include "optim/space_curve/fit_space_curve.hpp"
 
@@ -17,18 +15,13 @@ namespace kinetix::app {
 ///     structure: {cells: [96, 1], cell_mm: 6}
 ///     variables: {beta: {range_deg: [-60, 60]}, t: {range: [0.12, 0.88]}, theta: {range_deg: [20, 40]}}
 ///     tolerance: {shape: 0.01, verify: 0.02}
-struct SpaceCurveFile {
+struct SpaceCurveFile : GoalSettings {
   explicit SpaceCurveFile(targets::SpaceGoal goal) : wanted(std::move(goal)) {}
 
   std::string name;
   targets::SpaceGoal wanted;             ///< target.points
   optim::SpaceVariables variables = {};  ///< structure and variables
-  double shape_tolerance = 0.01;   ///< of shape_rms, over the diagonal of the goal's bounding box, (0, 1]
-  double verify_tolerance = 0.02;  ///< of verify_rms, cell edges, (0, 1]
-  PhysicsSection physics = {};
-  HingeSection hinge = {};  ///< of a strip whose cell_mm is given
-  GoalDrive drive = {};     ///< where hinges are elastic
-  model::Process process = model::processes().front();
+  double shape_tolerance = 0.01;  ///< of shape_rms, over the diagonal of the goal's bounding box, (0, 1]
 };
 
 /// Every key of a target.yaml of kind space_curve.

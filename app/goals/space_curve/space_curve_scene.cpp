@@ -45,11 +45,7 @@ class SpaceCurveScene final : public Scene {
   }
 
   void solve(Run& run, const RunOptions& options) const override {
-    run.physics = file_.physics;
-    run.hinge = file_.hinge;
-    run.goal_drive = file_.drive;
-    run.process = file_.process;
-    run.verify_tolerance = file_.verify_tolerance;
+    take_settings(run, file_);
     options.progress("search", 0);
     auto outcome = std::make_unique<SpaceCurveOutcome>(file_);
     outcome->tolerances = {{"shape", file_.shape_tolerance}};

@@ -4,9 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "app/files/goal_drive.hpp"
-#include "app/files/hinge_section.hpp"
-#include "app/files/physics_section.hpp"
+#include "app/files/goal_settings.hpp"
 #include "app/files/process_section.hpp"
 #include "model/base/angle.hpp"
 #include "targets/surface/surface_patch.hpp"
@@ -20,7 +18,7 @@ namespace kinetix::app {
 ///     structure: {facets: [8, 8], wall_mm: {thickness: 0.4, height: 0.8}}
 ///     variables: {beta_deg: 75, theta_deg: 14, sector_deg: [60, 120], edge: [0.75, 1.3]}
 ///     tolerance: {shape: 0.015, verify: 0.02}
-struct SurfaceFile {
+struct SurfaceFile : GoalSettings {
   std::string name;
   targets::SurfacePatch patch;
   int columns = 8, rows = 8;                ///< structure.facets, each in [2, 24]
@@ -33,11 +31,6 @@ struct SurfaceFile {
   std::array<double, 2> edge = {0.75, 1.3};                   ///< variables.edge, of the mean edge
   double shape_tolerance = 0.015;                             ///< of the vertices, over the diagonal, (0, 1]
   double cover_tolerance = 0.75;                              ///< least share of the area, [0, 1]
-  double verify_tolerance = 0.02;                             ///< of verify_rms, cell edges, (0, 1]
-  PhysicsSection physics = {};
-  HingeSection hinge = {};
-  GoalDrive drive = {};
-  model::Process process = model::processes().front();
 
   /// Of a sheet whose mean wall has this length, mm.
   model::CellSize size(double edge_mm) const;

@@ -3,7 +3,6 @@
 #include "app/goals/surface/surface_kind.hpp"
 #include "app/goals/surface/surface_outcome.hpp"
 #include "app/pipeline/exact_state.hpp"
-#include "app/pipeline/physics_settings.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/lattice/origami/fold_mesh.hpp"
 #include "model/sheet/sheet_motion.hpp"
@@ -96,11 +95,7 @@ class SurfaceScene final : public Scene {
   }
 
   void solve(Run& run, const RunOptions& options) const override {
-    run.physics = file_.physics;
-    run.hinge = file_.hinge;
-    run.goal_drive = file_.drive;
-    run.process = file_.process;
-    run.verify_tolerance = file_.verify_tolerance;
+    take_settings(run, file_);
     auto surface = std::make_unique<SurfaceOutcome>(file_);
     surface->tolerances = {{"shape", file_.shape_tolerance}, {"cover", file_.cover_tolerance}};
     surface->design = fit_surface(file_.patch, options_of(file_, options), options.progress);
@@ -131,10 +126,7 @@ class SurfaceScene final : public Scene {
     return aligned(state, outcome_of<SurfaceOutcome>(run).exact);
   }
 
-  std::optional<PhysicsTask> physics_task(const Run& run) const override {
-    return PhysicsTask{run.states.front().poses, drive_to(run.structure, run.theta),
-                       physics_options(file_.physics, run.structure.size().edge_mm)};
-  }
+  std::optional<PhysicsTask> physics_task(const Run& run) const override { return folding_task(run); }
 
   void add_frames(Run& run) const override { add_exact_frames(run); }
 

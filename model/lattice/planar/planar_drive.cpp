@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "model/base/invalid_input.hpp"
+#include "model/linkage/make_drive.hpp"
 
 namespace kinetix::model {
 namespace {
@@ -67,29 +67,14 @@ GrippedRows rim_rows(const PlanarStructure& structure, Axis axis) {
 }
 
 LinkageDrive plate_drive(const PlanarStructure& structure, Axis axis, double compression, int branch) {
-  require("drive.compression", compression, compression >= 0 && compression < 1, "in [0, 1)");
-  require("drive.branch", branch, branch == 1 || branch == -1, "1 or -1");
   validate_hinges(structure);
-  LinkageDrive drive;
-  drive.kind = LinkageDrive::Kind::plates;
-  drive.axis = axis;
-  drive.compression = compression;
-  drive.branch = branch;
-  drive.gripped = rim_rows(structure, axis);
-  drive.held.resize(structure.graph.vertices.size());
-  std::iota(drive.held.begin(), drive.held.end(), 0);
-  return drive;
+  return plates_between(rim_rows(structure, axis), axis, compression, branch,
+                        static_cast<int>(structure.graph.vertices.size()));
 }
 
 LinkageDrive hinge_drive(const PlanarStructure& structure, int hinge, double angle) {
-  require("drive.angle", angle, std::abs(angle) < pi, "in (-pi, pi) rad");
   validate_hinges(structure);
-  LinkageDrive drive;
-  drive.kind = LinkageDrive::Kind::hinge;
-  drive.hinge = hinge;
-  drive.sense = structure.senses[structure.graph.edges[hinge].from];
-  drive.angle = angle;
-  return drive;
+  return turned_hinge(hinge, structure.senses[structure.graph.edges[hinge].from], angle);
 }
 
 LinkageDrive drive_to(const PlanarStructure& structure, double theta) {

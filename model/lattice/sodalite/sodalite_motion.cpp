@@ -2,11 +2,11 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numeric>
 
 #include "model/base/invalid_input.hpp"
 #include "model/closure/drive_theta.hpp"
 #include "model/lattice/sodalite/sodalite.hpp"
+#include "model/linkage/make_drive.hpp"
 #include "model/linkage/probe_thetas.hpp"
 
 namespace kinetix::model {
@@ -143,29 +143,14 @@ ExactMotion exact_motion(const SodaliteStructure& structure) {
 }
 
 LinkageDrive plate_drive(const SodaliteStructure& structure, Axis axis, double compression, int branch) {
-  require("drive.compression", compression, compression >= 0 && compression < 1, "in [0, 1)");
-  require("drive.branch", branch, branch == 1 || branch == -1, "1 or -1");
   validate_hinges(structure);
-  LinkageDrive drive;
-  drive.kind = LinkageDrive::Kind::plates;
-  drive.axis = axis;
-  drive.compression = compression;
-  drive.branch = branch;
-  drive.gripped = outer_rotors(structure, axis);
-  drive.held.resize(structure.rotors.size() + structure.gussets.size());
-  std::iota(drive.held.begin(), drive.held.end(), 0);
-  return drive;
+  return plates_between(outer_rotors(structure, axis), axis, compression, branch,
+                        static_cast<int>(structure.rotors.size() + structure.gussets.size()));
 }
 
 LinkageDrive hinge_drive(const SodaliteStructure& structure, int hinge, double angle) {
-  require("drive.angle", angle, std::abs(angle) < pi, "in (-pi, pi) rad");
   validate_hinges(structure);
-  LinkageDrive drive;
-  drive.kind = LinkageDrive::Kind::hinge;
-  drive.hinge = hinge;
-  drive.sense = 1;
-  drive.angle = angle;
-  return drive;
+  return turned_hinge(hinge, 1, angle);
 }
 
 LinkageDrive drive_to(const SodaliteStructure& structure, double theta) {

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -134,6 +135,19 @@ std::string image_file() {
   return folder.write("bar.pbm", text);
 }
 
+/// A small patch, 40 mm wide and bent one way.
+std::string patch_file() {
+  static const testing::TemporaryFolder folder;
+  std::string text;
+  for (int k = 0; k < 25; ++k)
+    text += fmt::format("v {} {} {}\n", k % 5 * 10, k / 5 * 10, k % 5 * (k % 5 - 4));
+  for (int k = 0; k < 16; ++k) {
+    const int corner = k / 4 * 5 + k % 4 + 1;
+    text += fmt::format("f {} {} {} {}\n", corner, corner + 1, corner + 6, corner + 5);
+  }
+  return folder.write("patch.obj", text);
+}
+
 /// Files that a key may be set in, one for each way in which a list of keys may be filled.
 std::vector<Json> files_of(const std::string& list) {
   const auto target = [](const char* text) { return Json{{"kinetix", 1}, {"target", Json::parse(text)}}; };
@@ -199,11 +213,32 @@ std::vector<Json> files_of(const std::string& list) {
                        "creases": [{"faces": ["a", "b"], "side": "top", "angle_deg": 90}]}})"));
     return folds;
   }
-  if (list == "target outline")
-    return {target(R"({"kind": "outline", "points": [[0, 0], [60, 0], [60, 40]]})"),
-            Json{{"kinetix", 1},
-                 {"target", Json::parse(R"({"kind": "outline", "points": [[0, 0], [60, 0], [60, 40]]})")},
-                 {"structure", {{"lattice", "rhombus"}}}}};
+  // Sheets whose cells have a size, so that hinges may have one.
+  const auto sized = [&](Json goal, double cell_mm) {
+    goal["structure"]["cell_mm"] = cell_mm;
+    return made(goal);
+  };
+  if (list == "target outline") {
+    const Json triangle = target(R"({"kind": "outline", "points": [[0, 0], [60, 0], [60, 40]]})");
+    std::vector<Json> outlines = sized(triangle, 10);
+    outlines.push_back(triangle);
+    outlines.push_back(triangle);
+    outlines.back()["structure"] = {{"lattice", "rhombus"}};
+    return outlines;
+  }
+  if (list == "target space_curve") {
+    const Json arc =
+        target(R"({"kind": "space_curve", "points": [[0, 0, 0], [30, 0, 4], [60, 0, 16], [90, 0, 36]]})");
+    std::vector<Json> curves = sized(arc, 8);
+    curves.push_back(arc);
+    return curves;
+  }
+  Json patch = target(R"({"kind": "surface"})");
+  patch["target"]["mesh"] = patch_file();
+  if (list == "target surface")
+    return {target(R"({"kind": "surface", "shape": "cap"})"),
+            target(R"({"kind": "surface", "shape": "saddle"})"),
+            target(R"({"kind": "surface", "shape": "vase"})"), patch};
   if (list == "target helmet") return made(target(R"({"kind": "helmet", "mesh": "headform.obj"})"));
   if (list == "doe")
     return {sweep(R"({"path": [{"path": "a"}], "range": [0, 1]})"),
@@ -220,6 +255,7 @@ std::vector<Json> files_of(const std::string& list) {
           hinged(pressed, pin),
           design(R"({"kind": "hinge", "wall": [[0, 0], [1, 0]], "angle_deg": 10})"),
           of_structure({{"lattice", "rhombus"}, {"cells", {2, 2}}}),
+          of_structure({{"lattice", "sodalite"}, {"cells", {1, 1, 1}}}),
           of_structure({{"lattice", "graph"}, {"drawing", KINETIX_SOURCE "/targets/shapes/rosette.dxf"}}),
           of_structure({{"lattice", "graph"}, {"origami", KINETIX_SOURCE "/targets/shapes/miura.fold"}}),
           of_structure({{"lattice", "graph"},
@@ -309,7 +345,8 @@ TEST_P(EveryKey, HasAMeaning) {
 
 INSTANTIATE_TEST_SUITE_P(Files, EveryKey,
                          ::testing::Values("target curve", "target display", "target fold", "target helmet",
-                                           "design", "doe"),
+                                           "target outline", "target space_curve", "target surface", "design",
+                                           "doe"),
                          [](const auto& list) {
                            std::string name = list.param;
                            std::replace(name.begin(), name.end(), ' ', '_');

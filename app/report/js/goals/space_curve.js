@@ -67,7 +67,7 @@ function drawByColumn(rows, words, width) {
   return axes.root;
 }
 
-function spaceSection(data) {
+function stripAndCurveSection(data) {
   const {goal: wanted} = data;
   return [
     wanted.error.length > 1 && html("div", {class: "part"}, html("h3", {}, "Distance from the curve"), responsive((width) => drawSpaceError(data, width)),
@@ -85,6 +85,6 @@ const space_curveGoal = {
   backdropKey: ["head", "curve asked for"],
   verdict: spaceVerdict,
   numbers: spaceNumbers,
-  firstSections: [["space-errors", "Strip and curve", spaceSection]],
+  firstSections: [["space-errors", "Strip and curve", stripAndCurveSection]],
   lastSections: [],
 };

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+
+#include "app/files/goal_drive.hpp"
+#include "app/files/hinge_section.hpp"
+#include "app/files/physics_section.hpp"
+#include "model/matter/process.hpp"
+
+namespace kinetix::app {
+
+/// What the file of every goal asks of its run beside the goal.
+struct GoalSettings {
+  static constexpr double usual_verify = 0.02;
+
+  double verify_tolerance = usual_verify;  ///< tolerance.verify: of verify_rms, cell edges, (0, 1]
+  PhysicsSection physics = {};
+  HingeSection hinge = {};
+  GoalDrive drive = {};  ///< where hinges are elastic
+  model::Process process = model::processes().front();
+};
+
+/// Hinges, what drives them and the process that makes them.
+/// @param size of the cells; nothing where the search finds it
+/// @throws InvalidInput for hinges whose cells have no size yet, and for what the process cannot make
+void read_hinges(const targets::Section& root, const std::optional<model::CellSize>& size,
+                 GoalSettings& settings);
+
+}  // namespace kinetix::app
