@@ -134,7 +134,7 @@ class SceneView {
 function sceneSection(data) {
   const view = new SceneView(data), controls = view.controls();
   const box = responsive(() => {
-    requestAnimationFrame(() => view.scene.resize());
+    queueMicrotask(() => view.scene.resize());  // as soon as it stands in the page
     view.scene.recolour();
     if (view.stage.isConnected) view.scene.resize(), view.scene.draw(performance.now());
     return view.stage;
