@@ -50,20 +50,21 @@ function(kinetix_room name)
     FILES_MATCHING PATTERN "*.hpp")
 endfunction()
 
-# kinetix_join(name EXCEPT ... INCLUDING ...): compiles the sources of each folder of a room as one, since most of their
-# time goes into the same headers and templates: all but those that match the regex EXCEPT; with INCLUDING, only those
-# that include that header. So no two of them may give the same name to things of their own.
+# kinetix_join(name EXCEPT ...): compiles the sources of each folder of a room (of two levels) as one, since most of their
+# time goes into the same headers and templates: all but those that match the regex EXCEPT. So no two of a folder may give
+# the same name to things of their own.
 function(kinetix_join name)
-  cmake_parse_arguments(JOIN "" "EXCEPT;INCLUDING" "" ${ARGN})
+  cmake_parse_arguments(JOIN "" "EXCEPT" "" ${ARGN})
   get_target_property(sources kinetix_${name} SOURCES)
   if(JOIN_EXCEPT)
     list(FILTER sources EXCLUDE REGEX ${JOIN_EXCEPT})
   endif()
   foreach(source IN LISTS sources)
-    file(STRINGS ${source} included REGEX "^#include <${JOIN_INCLUDING}")
-    if((included OR NOT JOIN_INCLUDING) AND source MATCHES "^${CMAKE_CURRENT_SOURCE_DIR}/([a-z_]+)/")
-      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${CMAKE_MATCH_1})
-    endif()
+    get_filename_component(folder ${source} DIRECTORY)
+    file(RELATIVE_PATH folder ${CMAKE_CURRENT_SOURCE_DIR} ${folder})
+    string(REGEX REPLACE "^([^/]*/[^/]*)/.*" "\\1" folder "${folder}")
+    string(REPLACE "/" "_" group "of_${folder}")
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${group}")
   endforeach()
   set_target_properties(kinetix_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
 endfunction()

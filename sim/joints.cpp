@@ -13,14 +13,14 @@ constexpr int linear_x = 0, linear_y = 1, angular_x = 3;
 // A mark of ours on a constraint, which the engine leaves alone; no other of ours has one.
 constexpr int one_sided = 1;
 
-btVector3 bullet(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+btVector3 in_bullet(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 btTransform frame(const Eigen::Vector3d& first, const Eigen::Vector3d& second,
                   const Eigen::Vector3d& origin) {
   const Eigen::Vector3d third = first.cross(second);
   btMatrix3x3 basis;
   for (int row = 0; row < 3; ++row) basis[row].setValue(first[row], second[row], third[row]);
-  return btTransform(basis, bullet(origin));
+  return btTransform(basis, in_bullet(origin));
 }
 
 Joint free_joint(btRigidBody& a, btRigidBody& b, const btTransform& in_a, const btTransform& in_b) {

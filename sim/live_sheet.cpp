@@ -25,12 +25,11 @@ constexpr double shortest_way =
     1e-6;                      // likewise: a sheet that cannot go so far without gaining energy stands
 constexpr double fall = 10;    // cell edges / s^2: weight shows within a second and does not tear hinges
 constexpr double newton = 30;  // part mass edge / s^2: a push of 1 N where hinges are rigid
-constexpr double flat_theta = 0.01;     // rad: below, a hand that presses finds no lever arm
-constexpr double flat_push = 0.5;       // rad / s^2 that then turns the parts to the side of positive theta
-constexpr double resting_speed = 1e-4;  // cell edges/s or rad/s: nobody sees it
-constexpr double widest_gap = 0.5;      // cell edges, of a hinge: the sheet would not have held
-constexpr double elastic_stiffness =
-    1000;  // of a hinge point, part masses / step^2 (PhysicsOptions::elastic)
+constexpr double flat_theta = 0.01;       // rad: below, a hand that presses finds no lever arm
+constexpr double flat_push = 0.5;         // rad / s^2 that then turns the parts to the side of positive theta
+constexpr double resting_speed = 1e-4;    // cell edges/s or rad/s: nobody sees it
+constexpr double widest_gap = 0.5;        // cell edges, of a hinge: the sheet would not have held
+constexpr double point_stiffness = 1000;  // of a hinge point, part masses / step^2 (PhysicsOptions::elastic)
 
 Vector3d in_rest_frame(const model::Linkage& structure, int body, const Vector3d& at) {
   return (at - structure.rest_position(body)) / structure.size.edge_mm;
@@ -189,7 +188,7 @@ void LiveSheet::keep_energy(double before) {
 /// Of 1 N: part mass edge / s^2, the other way round.
 double LiveSheet::force_unit() const {
   if (!options_.elastic) return 1 / newton;
-  const double k = elastic_stiffness / (options_.step_s * options_.step_s);
+  const double k = point_stiffness / (options_.step_s * options_.step_s);
   return k_point_ * structure_.size.edge_mm / k;
 }
 
@@ -218,7 +217,7 @@ double LiveSheet::hinge_energy_Nmm() const {
 }
 
 double LiveSheet::potential_energy(const model::State& state) const {
-  const double k = elastic_stiffness / (options_.step_s * options_.step_s);
+  const double k = point_stiffness / (options_.step_s * options_.step_s);
   double weight = 0;
   if (gravity_)
     for (const model::Pose& pose : state) weight += fall * RigidParts::mass * pose.p.z();

@@ -18,11 +18,13 @@ DesignFile design_of(const Run& run) {
   return design;
 }
 
-std::vector<NamedContent> write(const Run& run) { return {{"design.yaml", design_text(design_of(run))}}; }
+std::vector<NamedContent> write_design(const Run& run) {
+  return {{"design.yaml", design_text(design_of(run))}};
+}
 
 }  // namespace
 
 // Name, extensions, whether every run writes it, and how: design.yaml.
-const Exporter design_export = {"design", {"yaml"}, true, write};
+const Exporter design_export = {"design", {"yaml"}, true, write_design};
 
 }  // namespace kinetix::app

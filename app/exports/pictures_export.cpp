@@ -3,7 +3,7 @@
 namespace kinetix::app {
 namespace {
 
-std::vector<NamedContent> write(const Run& run) {
+std::vector<NamedContent> write_pictures(const Run& run) {
   if (!run.goal) return {};
   return run.goal->pictures(run);
 }
@@ -11,6 +11,6 @@ std::vector<NamedContent> write(const Run& run) {
 }  // namespace
 
 // Name, extensions, whether every run writes it, and how: the pictures.
-const Exporter pictures_export = {"pictures", {"svg", "png"}, false, write};
+const Exporter pictures_export = {"pictures", {"svg", "png"}, false, write_pictures};
 
 }  // namespace kinetix::app

@@ -11,10 +11,10 @@
 namespace kinetix::app {
 namespace {
 
-/// The result with the pictures that belong into the page itself. How long it takes to write the page is not known while it is written.
-std::vector<NamedContent> write(const Run& run) {
+/// The result with the pictures that belong into the page itself. How long it takes to write_report the page is not known while it is written.
+std::vector<NamedContent> write_report(const Run& run) {
   nlohmann::ordered_json shown = result_json(run);
-  shown["timing_s"].erase("write");
+  shown["timing_s"].erase("write_report");
   if (run.goal)
     for (const auto& [name, png] : run.goal->shown_pictures(run)) shown["pictures"][name] = data_uri(png);
   return {{"report.html", report_html(light_result(std::move(shown), !scene_script().empty()).dump())}};
@@ -23,6 +23,6 @@ std::vector<NamedContent> write(const Run& run) {
 }  // namespace
 
 // Name, extensions, whether every run writes it, and how: report.html.
-const Exporter report_export = {"report", {"html"}, true, write};
+const Exporter report_export = {"report", {"html"}, true, write_report};
 
 }  // namespace kinetix::app

@@ -12,7 +12,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t most_sources = 10;  // that a person would look at
 constexpr const char* parameters[] = {"t", "alpha", "beta", "offset"};
-constexpr const char* in_words[] = {"the place", "the direction", "the tilt", "the offset"};
+constexpr const char* parameter_words[] = {"the place", "the direction", "the tilt", "the offset"};
 
 std::string prints_words(const PrintedGoal& printed) {
   const model::PrintRuns& runs = *printed.runs;
@@ -67,7 +67,8 @@ std::vector<SummaryLine> as_made_lines(const Run& run) {
     const model::ScatterSource& most = made.sources.front();
     lines.push_back(
         {"", fmt::format("largest single source: {} of the hinge on wall {}, {:.0f} % of what errors do",
-                         in_words[most.parameter], wall_name(run.structure, most.hinge), 100 * most.share)});
+                         parameter_words[most.parameter], wall_name(run.structure, most.hinge),
+                         100 * most.share)});
   }
   if (run.printed->runs) lines.push_back({"", prints_words(*run.printed)});
   if (run.hinge.model == HingeSection::Model::rotary)

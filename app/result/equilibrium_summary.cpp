@@ -14,8 +14,6 @@ namespace {
 // Of a summary: what a person reads through in a terminal. result.json has them all.
 constexpr std::size_t most_events = 12, most_states = 6;
 
-double degrees(double angle) { return angle / radians_per_degree; }
-
 using Kind = model::LinkageDrive::Kind;
 
 std::string load_text(const Equilibrium& equilibrium, const model::EquilibriumStep& step) {
@@ -32,13 +30,13 @@ std::string drive_text(const Equilibrium& equilibrium, const model::EquilibriumS
     case Kind::plates:
       return fmt::format("compression {:.4g}", step.drive);
     case Kind::hinge:
-      return fmt::format("hinge angle {:.4g} deg", degrees(step.drive));
+      return fmt::format("hinge angle {:.4g} deg", to_degrees(step.drive));
     case Kind::cord:
       return fmt::format("cord shortened by {:.4g} mm", step.drive);
     case Kind::shape_memory:
       break;
   }
-  return fmt::format("springs' rest angle {:.4g} deg", degrees(step.drive));
+  return fmt::format("springs' rest angle {:.4g} deg", to_degrees(step.drive));
 }
 
 /// What the load is, where its unit does not say it.
@@ -84,12 +82,12 @@ std::string stretch_text(const Run& run) {
 std::string stable_text(const model::StableStates& stable) {
   std::string text = fmt::format("{} states: flat", stable.states.size());
   for (std::size_t k = 1; k < std::min(most_states, stable.states.size()); ++k)
-    text += fmt::format(", theta {:.2f} deg ({:.3g} N mm)", degrees(stable.states[k].theta),
+    text += fmt::format(", theta {:.2f} deg ({:.3g} N mm)", to_degrees(stable.states[k].theta),
                         stable.states[k].energy);
   if (stable.states.size() > most_states) text += ", and more in result.json";
   for (std::size_t k = 0; k < std::min(most_states, stable.barriers.size()); ++k)
     text += fmt::format("; barrier {:.4g} N mm at theta {:.2f} deg", stable.barriers[k].energy,
-                        degrees(stable.barriers[k].theta));
+                        to_degrees(stable.barriers[k].theta));
   return text;
 }
 
@@ -115,7 +113,7 @@ std::vector<std::array<std::string, 2>> equilibrium_lines(const Run& run) {
   for (std::size_t k = 0; k < std::min(most_events, path.events.size()); ++k) {
     const model::PathEvent& event = path.events[k];
     lines.push_back({"event", fmt::format("{} at {}, theta {:.2f} deg, load {}: {}", to_string(event.kind),
-                                          drive_text(equilibrium, event.at), degrees(event.at.theta),
+                                          drive_text(equilibrium, event.at), to_degrees(event.at.theta),
                                           load_text(equilibrium, event.at), event.what)});
   }
   if (path.events.size() > most_events)

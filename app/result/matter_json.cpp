@@ -10,11 +10,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double degrees(double angle) { return angle / radians_per_degree; }
-
 std::string change_text(const MatterResult& matter) {
   return fmt::format("tilts changed by up to {:.2f} deg, theta by {:.2f} deg, in {} steps: {}",
-                     degrees(matter.largest_change), degrees(matter.theta_change), matter.rounds, matter.why);
+                     to_degrees(matter.largest_change), to_degrees(matter.theta_change), matter.rounds,
+                     matter.why);
 }
 
 }  // namespace

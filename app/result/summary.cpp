@@ -9,8 +9,6 @@
 namespace kinetix::app {
 namespace {
 
-double degrees(double angle) { return angle / radians_per_degree; }
-
 std::string line(const std::string& label, const std::string& text) {
   return fmt::format("  {:<10} {}\n", label, text);
 }
@@ -29,7 +27,7 @@ std::string contact_line(const Run& run) {
   if (!limit.touches || std::abs(run.theta) <= std::abs(limit.theta)) return "";
   return line("WALLS",
               fmt::format("collide at theta {:.2f} deg, before this state; the closed form ignores contact",
-                          degrees(limit.theta)));
+                          to_degrees(limit.theta)));
 }
 
 std::string physics_lines(const Run& run) {
@@ -55,8 +53,8 @@ std::string summary(const Run& run) {
   if (run.plan.is_floppy())
     text += line("FLOPPY", fmt::format("it moves in {} independent ways; see `why` in result.json",
                                        run.plan.mobility->dofs_along));
-  text += line("fold", fmt::format("theta {:.2f} deg, tilts up to {:.2f} deg", degrees(run.theta),
-                                   degrees(largest_tilt(run.structure))));
+  text += line("fold", fmt::format("theta {:.2f} deg, tilts up to {:.2f} deg", to_degrees(run.theta),
+                                   to_degrees(largest_tilt(run.structure))));
   text += contact_line(run);
   for (const auto& [label, words] : made_hinge_lines(run)) text += line(label, words);
   if (run.stopped)

@@ -13,7 +13,7 @@ namespace {
 using Eigen::Vector3d;
 using Entries = std::vector<Eigen::Triplet<double>>;
 
-void append(Entries& entries, int row, int column, const Vector3d& gradient) {
+void append_row(Entries& entries, int row, int column, const Vector3d& gradient) {
   for (int c = 0; c < 3; ++c) entries.emplace_back(row, column + c, gradient[c]);
 }
 
@@ -48,14 +48,14 @@ void append_gradient(const HingeTurn& drive, const Linkage& structure, const Sta
                      Entries& entries) {
   const RestHinge& hinge = structure.hinges[drive.hinge];
   const Vector3d gradient = relative_turn(hinge, state).rate_in_space();
-  append(entries, row, 6 * hinge.upper, gradient);
-  append(entries, row, 6 * hinge.lower, -gradient);
+  append_row(entries, row, 6 * hinge.upper, gradient);
+  append_row(entries, row, 6 * hinge.lower, -gradient);
 }
 
 void append_gradient(const BodyPush& drive, const Linkage&, const State& state, int row, Entries& entries) {
   const Vector3d turn = turn_since(drive.from, state[drive.body]);
-  append(entries, row, 6 * drive.body, rate_of_logarithm(turn, drive.direction.omega));
-  append(entries, row, 6 * drive.body + 3, drive.direction.v);
+  append_row(entries, row, 6 * drive.body, rate_of_logarithm(turn, drive.direction.omega));
+  append_row(entries, row, 6 * drive.body + 3, drive.direction.v);
 }
 
 void check(const HingeTurn& drive, const Linkage& structure) {

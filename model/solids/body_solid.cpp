@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double same_mm = 1e-9;  // mm: rounding of corners that are meant to be one
+constexpr double rounding_mm = 1e-9;  // mm: rounding of corners that are meant to be one
 constexpr double touching_mm =
     1e-6;  // mm: sections that near to each other's corners would be one face of the junction
 constexpr double free_share = 0.05;  // of a wall's thickness: between sections that share no corners
@@ -60,7 +60,7 @@ bool is_touched(const ArmSolid& arm, const ArmSolid& other) {
   const std::vector<Vector3d> own = arm.start_corners(), others = other.start_corners();
   return std::any_of(others.begin(), others.end(), [&](const Vector3d& corner) {
     const bool is_own = std::any_of(own.begin(), own.end(),
-                                    [&](const Vector3d& p) { return (p - corner).norm() <= same_mm; });
+                                    [&](const Vector3d& p) { return (p - corner).norm() <= rounding_mm; });
     return !is_own && arm.edge.dot(corner) >= arm.start - touching_mm;
   });
 }

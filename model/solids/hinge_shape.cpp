@@ -11,9 +11,9 @@ namespace {
 using Eigen::Vector2d;
 using Outline = std::vector<Vector2d>;
 
-constexpr int least_sides = 12;   // of a circle: fewer look like none
-constexpr double same_mm = 1e-6;  // mm: corners nearer than that are one
-constexpr double step_mm = 1e-3;  // mm: lower steps are none: files hold places in floats
+constexpr int least_sides = 12;         // of a circle: fewer look like none
+constexpr double one_corner_mm = 1e-6;  // mm: corners nearer than that are one
+constexpr double step_mm = 1e-3;        // mm: lower steps are none: files hold places in floats
 // Of a pin's height that its eye takes: the fork's two knuckles share the rest, so that each end of the rod bears as
 // much as half of the middle.
 constexpr double eye_share = 0.5;
@@ -78,7 +78,7 @@ Outline knuckle_section(double wall_end, double half_wall, double axis_across, d
     const double angle = 2 * pi * k / sides;
     if (!(angle > first && angle < last)) continue;
     const Vector2d p = leaves(around, axis, {std::cos(angle), std::sin(angle)});
-    if ((p - low).norm() > same_mm && (p - high).norm() > same_mm) out.push_back(p);
+    if ((p - low).norm() > one_corner_mm && (p - high).norm() > one_corner_mm) out.push_back(p);
   }
   out.push_back(high);
   return out;

@@ -7,12 +7,11 @@
 #include <limits>
 
 #include "model/base/invalid_input.hpp"
+#include "optim/doe/nan.hpp"
 #include "optim/doe/random.hpp"
 
 namespace kinetix::optim {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Linear between the sorted values.
 double sample_quantile(const std::vector<double>& sorted, double share) {

@@ -5,10 +5,11 @@
 
 #include "optim/doe/sample_table.hpp"
 
+#include "optim/doe/nan.hpp"
+
 namespace kinetix::optim {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 /// Least pivot of a correlation matrix that counts as not singular: the share of a factor's variance that the
 /// others do not explain. Less is rounding.
 constexpr double least_pivot = 1e-10;

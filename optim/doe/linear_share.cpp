@@ -1,13 +1,14 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "optim/doe/analysis.hpp"
+
+#include "optim/doe/nan.hpp"
 
 namespace kinetix::optim {
 
 Estimate linear_share(std::span<const double> correlations, std::int64_t used) {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN(), sds = 1.96;  // standard deviations of 95 %
+  constexpr double sds = 1.96;  // standard deviations of 95 %
   if (used < 3) return {nan, nan, nan};
   double squares = 0;
   int varying = 0;

@@ -8,11 +8,12 @@
 #include "model/base/invalid_input.hpp"
 #include "optim/doe/sample_table.hpp"
 
+#include "optim/doe/nan.hpp"
+
 namespace kinetix::optim {
 namespace {
 
 using Rows = std::vector<Eigen::Index>;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Mean and sum of squares about it, in one pass (Welford, Technometrics 4, 419, 1962).
 struct Moments {
@@ -112,7 +113,7 @@ MainEffect effect(const Table& table, Eigen::Index j, const Rows& rows, const Ma
 }
 
 /// The one factor in which row i differs from the base; -1 for none.
-Eigen::Index moved_factor(const SampleMatrix& samples, Eigen::Index i) {
+Eigen::Index factor_off_base(const SampleMatrix& samples, Eigen::Index i) {
   Eigen::Index moved = -1;
   for (Eigen::Index j = 0; j < samples.cols(); ++j) {
     if (samples(i, j) == samples(0, j)) continue;
@@ -150,7 +151,7 @@ std::vector<MainEffect> one_at_a_time_effects(const SampleMatrix& samples,
   if (samples.rows() == 0) throw InvalidInput("the table has no samples, must have the base");
   std::vector<Rows> rows(samples.cols(), Rows{0});
   for (Eigen::Index i = 1; i < samples.rows(); ++i)
-    if (const Eigen::Index j = moved_factor(samples, i); j >= 0) rows[j].push_back(i);
+    if (const Eigen::Index j = factor_off_base(samples, i); j >= 0) rows[j].push_back(i);
   std::vector<MainEffect> effects;
   for (Eigen::Index j = 0; j < samples.cols(); ++j) {
     effects.push_back(

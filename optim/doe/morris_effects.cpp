@@ -6,12 +6,12 @@
 #include "model/base/invalid_input.hpp"
 #include "optim/doe/sample_table.hpp"
 
+#include "optim/doe/nan.hpp"
+
 namespace kinetix::optim {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-Eigen::Index moved_factor(const SampleMatrix& samples, Eigen::Index row) {
+Eigen::Index factor_of_step(const SampleMatrix& samples, Eigen::Index row) {
   Eigen::Index moved = -1, count = 0;
   for (Eigen::Index j = 0; j < samples.cols(); ++j)
     if (samples(row, j) != samples(row + 1, j)) moved = j, ++count;
@@ -29,7 +29,7 @@ Eigen::MatrixXd elementary_effects(const SampleMatrix& samples, std::span<const 
   for (Eigen::Index r = 0; r < trajectories; ++r) {
     std::vector<bool> seen(d, false);
     for (Eigen::Index row = r * (d + 1); row < r * (d + 1) + d; ++row) {
-      const Eigen::Index j = moved_factor(samples, row);
+      const Eigen::Index j = factor_of_step(samples, row);
       if (seen[j])
         throw InvalidInput(fmt::format("trajectory {} moves factor {} twice, must move it once", r, j));
       seen[j] = true;

@@ -7,10 +7,11 @@
 #include "model/base/invalid_input.hpp"
 #include "optim/doe/sample_table.hpp"
 
+#include "optim/doe/nan.hpp"
+
 namespace kinetix::optim {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 using Bases = Eigen::Map<const Eigen::MatrixXd>;  ///< a column for each base: A, A with each factor of B, B
 
 /// What the estimators are means of, a column for each base: of each factor the first-order term, then of

@@ -23,8 +23,6 @@ nlopt::algorithm algorithm(SolverName name) {
   return static_cast<nlopt::algorithm>(nlopt_algorithm(name));
 }
 
-std::vector<double> values(const VectorXd& v) { return {v.data(), v.data() + v.size()}; }
-
 struct Search {
   ScalarProblem& problem;
   const SolverOptions& options;

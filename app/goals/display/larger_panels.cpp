@@ -12,14 +12,14 @@ namespace {
 // Times as many cells each way: each is a whole search, so that there are few.
 constexpr double factors[] = {1.25, 1.5, 2};
 // Cells of such a panel, 25 x 25: a limit to the time of searches that the user did not ask for.
-constexpr int most_cells = 625;
+constexpr int most_tried = 625;
 
 std::vector<targets::PanelSize> larger_sizes(targets::PanelSize asked) {
   std::vector<targets::PanelSize> sizes;
   for (const double factor : factors) {
     const targets::PanelSize size = {static_cast<int>(std::ceil(factor * asked[0])),
                                      static_cast<int>(std::ceil(factor * asked[1]))};
-    if (size[0] * size[1] <= most_cells) sizes.push_back(size);
+    if (size[0] * size[1] <= most_tried) sizes.push_back(size);
   }
   return sizes;
 }

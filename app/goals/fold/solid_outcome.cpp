@@ -117,7 +117,8 @@ std::vector<SummaryLine> SolidOutcome::summary_lines(const Run& run) const {
   lines.push_back({"size", fmt::format("edges of {:.1f} mm when it is closed", edge_mm())});
   lines.push_back(
       {"search", fmt::format("{:.3f} s, {} motions examined", run.timings.optimise, design.evaluations)});
-  if (physics) lines.push_back({"physics", in_words(creases(*physics), physics->rms)});
+  if (physics)
+    lines.push_back({"folded", "in the physics run: " + in_words(creases(*physics), physics->rms)});
   for (const std::string& why : physics_violations) lines.push_back({"why", why});
   return lines;
 }

@@ -14,7 +14,7 @@
 namespace kinetix::app {
 namespace {
 
-constexpr int usual_columns = 2;          // of a crease, what searches find for most solids
+constexpr int usual_solid_columns = 2;    // of a crease, what searches find for most solids
 constexpr double seconds_a_body = 0.005;  // measured: of a search of columns and theta
 
 class SolidScene final : public Scene {
@@ -25,7 +25,7 @@ class SolidScene final : public Scene {
 
   Forecast forecast() const override {
     const targets::SolidGoal& goal = *file_.goal.solid;
-    const int columns = goal.columns > 0 ? goal.columns : usual_columns;
+    const int columns = goal.columns > 0 ? goal.columns : usual_solid_columns;
     Forecast out{lay_out(targets::named_solid(goal.solid), goal.cells, columns, file_.size).structure};
     out.search_s = out.sheet.bodies() * seconds_a_body;
     return out;

@@ -19,7 +19,7 @@ constexpr int least_columns = 4, most_columns = 400;  // the search takes some s
 constexpr double usual_theta = 30 * radians_per_degree;
 constexpr double smallest_cell_mm = 0.1;  // mm: below, points are likelier in metres than cells so small
 // Of theta, degrees: at 45 basic cells are closed.
-const targets::Bounds fold = targets::between(0, 45, "degrees");
+const targets::Bounds folds = targets::between(0, 45, "degrees");
 const targets::Bounds tilt = targets::between(-89, 89, "degrees");
 const targets::Bounds fraction = targets::between(0, 1);
 const targets::Bounds part_of_one = {0, 1, false, true};
@@ -43,7 +43,7 @@ targets::KeyTable variables_keys(const SpaceCurveFile& usual) {
                               "where hinges of shearing columns may sit on their walls; the side that is "
                               "nearer to 0.5 counts for both"}});
   const targets::KeyTable theta(
-      {{"range_deg", value::angle_range(fold), targets::by_default_deg(v.theta.lower, v.theta.upper),
+      {{"range_deg", value::angle_range(folds), targets::by_default_deg(v.theta.lower, v.theta.upper),
         "turn of the bodies in the folded state; several within the range are tried where `cell_mm` is left "
         "out"}});
   return targets::KeyTable({

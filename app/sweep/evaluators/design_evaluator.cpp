@@ -10,13 +10,14 @@
 #include "app/result/equilibrium_summary.hpp"
 #include "model/elastic/path/near_equilibrium.hpp"
 #include "model/sheet/sheet_motion.hpp"
+#include "optim/doe/nan.hpp"
 
 namespace kinetix::app {
 namespace {
 
 constexpr double verify_tolerance = 0.02;  // cell edges, as that of `verify`
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using optim::nan;
 
 Run equilibrium_run(const DesignFile& design) {
   Run run;

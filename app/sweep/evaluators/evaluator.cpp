@@ -1,19 +1,16 @@
 #include "app/sweep/evaluators/evaluator.hpp"
 
-#include <limits>
-
 #include "app/sweep/evaluators/design_evaluator.hpp"
 #include "app/sweep/evaluators/search_evaluator.hpp"
+#include "optim/doe/nan.hpp"
 
 namespace kinetix::app {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 void fail(SampleRow& row, const SweepPlan& plan, const std::string& why) {
   row.status = SampleStatus::failed;
   row.reason = why;
-  row.responses.assign(plan.responses.size(), nan);
+  row.responses.assign(plan.responses.size(), optim::nan);
 }
 
 }  // namespace

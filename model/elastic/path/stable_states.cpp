@@ -16,7 +16,7 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr double different = 1e-3;  // rad of a hinge: releases that end closer found the same state
-constexpr int most_saddles = 5;     // in a row after a release: after so many it counts as unresolved
+constexpr int most_left = 5;        // in a row after a release: after so many it counts as unresolved
 // Rad, cell edges: enough to leave the saddle, too little for another valley.
 constexpr double off_saddle = 1e-2;
 
@@ -42,7 +42,7 @@ class Release {
   std::optional<StableState> from(const DrivenState& start, std::string& why) {
     State state = start.state;
     NewtonResult result = minimise(system_, 0, newton_, state, tangent_);
-    for (int k = 0; k < most_saddles && result.converged && !result.stable && leave(state); ++k)
+    for (int k = 0; k < most_left && result.converged && !result.stable && leave(state); ++k)
       result = minimise(system_, 0, newton_, state, tangent_);
     if (!result.converged || !result.stable) {
       std::ostringstream out;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "model/base/angle.hpp"
+#include "model/lattice/planar/plane_geometry.hpp"
 #include "model/lattice/planar/wall_freedoms.hpp"
 
 namespace kinetix::model {
@@ -19,13 +20,6 @@ constexpr double open_corner = 175 * pi / 180;   // rad: a wider corner outside 
 constexpr double narrow_corner = 40 * pi / 180;  // rad: in a narrower one new walls would touch the old ones
 constexpr double apart =
     0.3;  // wall lengths: nearer, bodies of new and old vertices would meet when they turn
-
-double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-double distance(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
-  const Vector2d along = b - a;
-  return (p - a - std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0) * along).norm();
-}
 
 double mean_length(const PlanarGraph& graph) {
   double sum = 0;
@@ -40,7 +34,7 @@ bool keep_off(const Segment& a, const Segment& b, double room) {
   const auto is_end = [](const Vector2d& p, const Segment& wall) { return p == wall[0] || p == wall[1]; };
   for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)})
     for (const Vector2d& end : one)
-      if (!is_end(end, other) && distance(end, other[0], other[1]) < room) return false;
+      if (!is_end(end, other) && distance_to_wall(end, other[0], other[1]) < room) return false;
   if (is_end(a[0], b) || is_end(a[1], b)) return true;
   return (cross(a[1] - a[0], b[0] - a[0]) > 0) == (cross(a[1] - a[0], b[1] - a[0]) > 0) ||
          (cross(b[1] - b[0], a[0] - b[0]) > 0) == (cross(b[1] - b[0], a[1] - b[0]) > 0);
@@ -103,7 +97,7 @@ class Rim {
   Notch of_two_walls(int k) const {
     const Vector2d corner = place(k - 1) + place(k + 1) - place(k);
     for (int j = 0; j < size(); ++j)
-      if (distance(corner, place(j), place(j + 1)) < apart * mean_) return {};
+      if (distance_to_wall(corner, place(j), place(j + 1)) < apart * mean_) return {};
     if (!is_free(place(k - 1), corner) || !is_free(corner, place(k + 1))) return {};
     return {{at(k - 1), at(k), at(k + 1)}, true, corner, outside(k)};
   }

@@ -40,9 +40,9 @@ Vector2d meeting(const PlanarStructure& s, const Redrawing& y, const PlanarCreas
   return p + a.line.normalized() * (lines.inverse() * (q - p)).x();
 }
 
-class Drawing {
+class CreaseDrawing {
  public:
-  Drawing(const PlanarStructure& s, const Redrawing& y) : s_(s), y_(y), creases_(find_creases(s)) {
+  CreaseDrawing(const PlanarStructure& s, const Redrawing& y) : s_(s), y_(y), creases_(find_creases(s)) {
     walk_rim();
     add_creases();
   }
@@ -188,7 +188,7 @@ class Drawing {
 }  // namespace
 
 CreasePattern crease_pattern(const PlanarStructure& structure, const Redrawing& y, double theta) {
-  return Drawing(structure, y).at(theta);
+  return CreaseDrawing(structure, y).at(theta);
 }
 
 }  // namespace kinetix::model

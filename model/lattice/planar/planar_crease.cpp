@@ -7,13 +7,12 @@
 
 #include "model/base/larger.hpp"
 #include "model/base/union_find.hpp"
+#include "model/lattice/planar/plane_geometry.hpp"
 
 namespace kinetix::model {
 namespace {
 
 using Eigen::Vector2d;
-
-Vector2d turned_by_90(const Vector2d& v) { return {-v.y(), v.x()}; }
 
 int class_a(const PlanarStructure& s, int hinge) {
   const auto [from, to] = s.graph.edges[hinge];

@@ -9,6 +9,7 @@
 
 #include "model/base/invalid_input.hpp"
 #include "model/base/union_find.hpp"
+#include "model/lattice/planar/plane_geometry.hpp"
 
 namespace kinetix::model {
 namespace {
@@ -18,8 +19,6 @@ using Eigen::Vector2d;
 // Times the mean length of a wall: closer than this, vertices are one and a vertex lies on a wall.
 // Coordinates in files have six digits or more.
 constexpr double touching = 1e-6;
-
-double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 std::string name(const PlanarGraph& graph, int vertex) {
   const Vector2d& p = graph.vertices[vertex];
@@ -166,12 +165,6 @@ class NearEdges {
   std::map<std::pair<long, long>, std::vector<int>> squares_;
 };
 
-double distance(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
-  const Vector2d along = b - a;
-  const double part = std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  return (p - a - part * along).norm();
-}
-
 bool share_an_end(const GraphEdge& a, const GraphEdge& b) {
   return a.from == b.from || a.from == b.to || a.to == b.from || a.to == b.to;
 }
@@ -181,11 +174,11 @@ void check_pair(const PlanarGraph& graph, int first, int second, double near) {
   const Vector2d &p = graph.vertices[a.from], &q = graph.vertices[a.to], &r = graph.vertices[b.from],
                  &s = graph.vertices[b.to];
   for (const int end : {b.from, b.to})
-    if (end != a.from && end != a.to && distance(graph.vertices[end], p, q) <= near)
+    if (end != a.from && end != a.to && distance_to_wall(graph.vertices[end], p, q) <= near)
       throw InvalidInput(name(graph, end) + " lies on " + name_of_edge(graph, first) +
                          "; split that wall there");
   for (const int end : {a.from, a.to})
-    if (end != b.from && end != b.to && distance(graph.vertices[end], r, s) <= near)
+    if (end != b.from && end != b.to && distance_to_wall(graph.vertices[end], r, s) <= near)
       throw InvalidInput(name(graph, end) + " lies on " + name_of_edge(graph, second) +
                          "; split that wall there");
   if (share_an_end(a, b)) return;

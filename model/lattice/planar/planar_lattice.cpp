@@ -20,7 +20,7 @@ constexpr double grid =
     1e-6;  // wall lengths: vertices of neighbouring cells this near are one, rounding is 1e-13
 
 /// Collects cells by their corners; corners and walls that cells share are there once.
-class Drawing {
+class LatticeDrawing {
  public:
   void add_cell(const std::vector<Vector2d>& corners) {
     for (std::size_t k = 0; k < corners.size(); ++k) add_wall(corners[k], corners[(k + 1) % corners.size()]);
@@ -66,7 +66,7 @@ class Drawing {
 
 /// The graph of the walls of some faces.
 PlanarGraph of_faces(const PlanarGraph& graph, const std::vector<const GraphFace*>& faces) {
-  Drawing drawing;
+  LatticeDrawing drawing;
   for (const GraphFace* face : faces) {
     std::vector<Vector2d> corners;
     for (const int v : face->vertices) corners.push_back(graph.vertices[v]);
@@ -104,7 +104,7 @@ std::vector<LatticeCell> lattice_cells(int columns, int rows) {
 }
 
 PlanarGraph lattice_graph(const LatticeSheet& sheet) {
-  Drawing drawing;
+  LatticeDrawing drawing;
   for (const auto& [i, j] : sheet.cells) drawing.add_cell(sheet.lattice->corners(i, j, sheet.angle));
   return sheet.closed_rim ? closed_rim(drawing.graph()) : drawing.graph();
 }

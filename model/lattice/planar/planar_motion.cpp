@@ -8,13 +8,12 @@
 #include "model/closure/drive_theta.hpp"
 #include "model/lattice/planar/creased_motion.hpp"
 #include "model/lattice/planar/planar_drive.hpp"
+#include "model/lattice/planar/plane_geometry.hpp"
 
 namespace kinetix::model {
 namespace {
 
 using Eigen::Vector2d;
-
-Vector2d turned_by_90(const Vector2d& v) { return {-v.y(), v.x()}; }
 
 }  // namespace
 

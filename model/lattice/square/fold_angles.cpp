@@ -22,11 +22,9 @@ Crossings crossings(const Structure& structure, const Creases& creases) {
   return out;
 }
 
-double tilt_of(const Hinge& hinge) { return alternation(hinge.wall) * hinge.parameters.beta; }
-
 /// b and g of a step.
 std::array<double, 2> tilts_at(const Structure& structure, const Step& step) {
-  return {tilt_of(structure.hinges[step.x_hinge]), tilt_of(structure.hinges[step.y_hinge])};
+  return {crease_tilt(structure.hinges[step.x_hinge]), crease_tilt(structure.hinges[step.y_hinge])};
 }
 
 double secant_squared(double angle) { return 1 / (std::cos(angle) * std::cos(angle)); }

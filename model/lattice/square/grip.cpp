@@ -8,7 +8,7 @@ namespace kinetix::model {
 namespace {
 
 /// The whole structure's first and last row.
-Grip extent(const Structure& structure) {
+Grip whole_grip(const Structure& structure) {
   Grip all{structure.bodies.front(), structure.bodies.front()};
   for (const Vertex v : structure.bodies) {
     all.first = {std::min(all.first.i, v.i), std::min(all.first.j, v.j)};
@@ -42,7 +42,7 @@ void validate(const Grip& grip, Axis axis, const Structure& structure) {
 }
 
 GrippedRows gripped_bodies(const Structure& structure, Axis axis, const std::optional<Grip>& grip) {
-  const Grip held = grip.value_or(extent(structure));
+  const Grip held = grip.value_or(whole_grip(structure));
   GrippedRows rows;
   for (int b = 0; b < static_cast<int>(structure.bodies.size()); ++b) {
     const Vertex v = structure.bodies[b];

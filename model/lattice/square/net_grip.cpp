@@ -82,10 +82,10 @@ std::vector<NetGrip> parts_to_grip(const Structure& structure) {
   return all;
 }
 
-using Neighbours = std::vector<std::vector<int>>;
+using AdjacentBodies = std::vector<std::vector<int>>;
 
-Neighbours neighbours(const Structure& structure) {
-  Neighbours near(structure.bodies.size());
+AdjacentBodies adjacent_bodies(const Structure& structure) {
+  AdjacentBodies near(structure.bodies.size());
   for (const Hinge& hinge : structure.hinges) {
     near[hinge.lower].push_back(hinge.upper);
     near[hinge.upper].push_back(hinge.lower);
@@ -94,7 +94,7 @@ Neighbours neighbours(const Structure& structure) {
 }
 
 /// Sum over the bodies of the number of walls from each to the nearest in the grip.
-long distance_to(const Grip& grip, const Structure& structure, const Neighbours& near) {
+long distance_to(const Grip& grip, const Structure& structure, const AdjacentBodies& near) {
   std::vector<int> walls(near.size(), -1), queue;
   const auto reach = [&](int body, int distance) {
     walls[body] = distance;
@@ -116,7 +116,7 @@ long distance_to(const Grip& grip, const Structure& structure, const Neighbours&
 
 std::optional<NetGrip> find_net_grip(const Structure& structure) {
   std::optional<NetGrip> best;
-  const Neighbours near = neighbours(structure);
+  const AdjacentBodies near = adjacent_bodies(structure);
   long least = std::numeric_limits<long>::max();
   for (const NetGrip& part : parts_to_grip(structure)) {
     const long distance = distance_to(part.grip, structure, near);

@@ -7,7 +7,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-std::vector<Vector2d> corners(int i, int j, double) {
+std::vector<Vector2d> brick_corners(int i, int j, double) {
   const Vector2d at(2 * i + j % 2, j);
   std::vector<Vector2d> out;
   for (const Vector2d& corner :
@@ -18,10 +18,10 @@ std::vector<Vector2d> corners(int i, int j, double) {
 
 }  // namespace
 
-// Name, meaning, corners of a cell.
+// Name, meaning, brick_corners of a cell.
 const PlanarLattice brick_lattice = {
     "brick",
     "rectangles of 2 x 1 with a vertex in the middle of their long sides, odd rows shifted by half a brick",
-    corners};
+    brick_corners};
 
 }  // namespace kinetix::model

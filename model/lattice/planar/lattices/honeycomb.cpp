@@ -10,14 +10,15 @@ namespace {
 
 using Eigen::Vector2d;
 
-std::vector<Vector2d> corners(int i, int j, double) {
+std::vector<Vector2d> honeycomb_corners(int i, int j, double) {
   return regular_polygon(6, pi / 2, {std::sqrt(3.0) * (i + 0.5 * (j % 2)), 1.5 * j});
 }
 
 }  // namespace
 
-// Name, meaning, corners of a cell.
+// Name, meaning, honeycomb_corners of a cell.
 const PlanarLattice honeycomb_lattice = {
-    "honeycomb", "regular hexagons, two walls of each upright, odd rows shifted by half a hexagon", corners};
+    "honeycomb", "regular hexagons, two walls of each upright, odd rows shifted by half a hexagon",
+    honeycomb_corners};
 
 }  // namespace kinetix::model

@@ -10,14 +10,15 @@ namespace {
 
 using Eigen::Vector2d;
 
-std::vector<Vector2d> corners(int i, int j, double) {
+std::vector<Vector2d> octagon_corners(int i, int j, double) {
   const double pitch = 1 + std::sqrt(2.0);
   return regular_polygon(8, pi / 8, {pitch * i, pitch * j});
 }
 
 }  // namespace
 
-// Name, meaning, corners of a cell.
-const PlanarLattice octagon_lattice = {"octagon", "regular octagons with the squares between them", corners};
+// Name, meaning, octagon_corners of a cell.
+const PlanarLattice octagon_lattice = {"octagon", "regular octagons with the squares between them",
+                                       octagon_corners};
 
 }  // namespace kinetix::model
