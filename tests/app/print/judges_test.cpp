@@ -16,6 +16,7 @@
 #include "tests/app/print/step_judge.hpp"
 #include "tests/app/print/threemf_judge.hpp"
 #include "tests/app/program.hpp"
+#include "tests/app/schema_errors.hpp"
 
 namespace kinetix::testing {
 namespace {
@@ -84,6 +85,8 @@ class Judges : public ::testing::TestWithParam<const Exported& (*)()> {
  protected:
   const Exported& given() const { return GetParam()(); }
 };
+
+TEST_P(Judges, TheSchemaAllowsWhatIsSaidOfThePrint) { EXPECT_EQ(schema_errors(given().json(), "print"), ""); }
 
 TEST_P(Judges, AdmeshFindsNothingToRepair) {
   for (const char* name : {"all.stl", "hard.stl"}) {
@@ -179,9 +182,13 @@ TEST_P(AllFormats, BlenderOpensEveryBodyAndMovesAllButOne) {
 }
 
 TEST_P(AllFormats, FindsAsManyValidSolidsAsThereAreParts) {
-  const StepVerdict step = read_step(given().of(".step"));
+  StepVerdict step = read_step(given().of(".step"));
   EXPECT_TRUE(step.valid);
   EXPECT_EQ(step.solids, given().bodies() + given().blocks());
+  EXPECT_EQ(step.names["body"], given().bodies());
+  EXPECT_EQ(step.names["hinge"], given().blocks());
+  EXPECT_EQ(step.colours["#D8D8D2"], given().bodies()) << "hard, as in the 3MF file";
+  EXPECT_EQ(step.colours["#2E6FB7"], given().blocks()) << "soft";
   // The same solids by another method: polygons in place of circles, so fine that they make no difference.
   const app::PrintSheet& sheet = given().print.job.sheet;
   std::vector<model::HingePrint> fine = sheet.hinges;
@@ -309,6 +316,23 @@ TEST(Slices, OfACouponFuseWhereTheGapIsNarrow) {
   const int swollen = printed_pieces(slices, 2);
   EXPECT_LE(swollen, 36 - 3);
   EXPECT_GE(swollen, 36 - (2 + 3 + 4));
+}
+
+TEST(Coupon, IsCleanWithItsRaisedNumbers) {
+  const Scratch scratch;
+  for (const char* process : {"sla", "fdm"}) {
+    const Outcome run = kinetix_opt(fmt::format("export --coupon --format stl --process {} -o {}", process,
+                                                std::string(scratch / process)));
+    ASSERT_EQ(run.code, 0) << run.err;
+    const std::string file = scratch / (std::string(process) + "/all.stl");
+    const std::string said = said_by("admesh " + file);
+    EXPECT_THAT(said, HasSubstr("Facets with 3 disconnected edges :     0")) << said;
+    EXPECT_EQ(number_after(said, R"(Number of parts\s*:)"), 36);
+    for (const char* what : {"Degenerate facets", "Edges fixed", "Facets removed", "Facets reversed"})
+      EXPECT_EQ(number_after(said, std::string(what) + R"(\s*:)"), 0) << what << said;
+    EXPECT_THAT(said_by(std::string(KINETIX_SELF_CROSSING) + " " + file),
+                HasSubstr("manifold 1\nclosed 1\ncrossing 0"));
+  }
 }
 
 TEST(Slices, OfABlockedRibAreOnePiece) {
