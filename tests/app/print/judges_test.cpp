@@ -237,12 +237,15 @@ INSTANTIATE_TEST_SUITE_P(Of, Judges, ::testing::Values(pinned, blocked, pinned_c
 INSTANTIATE_TEST_SUITE_P(Of, AllFormats, ::testing::Values(pinned, blocked), name_of);
 
 /// Slices of a file as a printer of pixels of 0.05 mm gets them. @param width, height of its bed, mm
-std::string slices_of(const Scratch& scratch, const std::string& file, int width, int height) {
+/// @param closing_mm radius by which the slicer closes gaps: those narrower than twice that; its default
+std::string slices_of(const Scratch& scratch, const std::string& file, int width, int height,
+                      double closing_mm = 0.049) {
   const std::string settings = scratch.write(
-      "sla.ini", fmt::format("bed_shape = 0x0,{0}x0,{0}x{1},0x{1}\ndisplay_width = {0}\ndisplay_height = "
-                             "{1}\ndisplay_pixels_x = {2}\ndisplay_pixels_y = {3}\n",
-                             width, height, 20 * width, 20 * height) +
-                     R"(printer_technology = SLA
+      "sla.ini",
+      fmt::format("bed_shape = 0x0,{0}x0,{0}x{1},0x{1}\ndisplay_width = {0}\ndisplay_height = "
+                  "{1}\ndisplay_pixels_x = {2}\ndisplay_pixels_y = {3}\nslice_closing_radius = {4}\n",
+                  width, height, 20 * width, 20 * height, closing_mm) +
+          R"(printer_technology = SLA
 display_mirror_x = 0
 display_mirror_y = 0
 display_orientation = landscape
@@ -316,6 +319,18 @@ TEST(Slices, OfACouponFuseWhereTheGapIsNarrow) {
   const int swollen = printed_pieces(slices, 2);
   EXPECT_LE(swollen, 36 - 3);
   EXPECT_GE(swollen, 36 - (2 + 3 + 4));
+}
+
+/// The slicer's own rule: it closes gaps narrower than twice its radius, and no others, however the pins lean.
+TEST(Coupon, FallsFromTwoPiecesAHingeToOneWhereTheSlicerClosesItsGap) {
+  const Scratch scratch;
+  const Outcome run =
+      kinetix_opt("export --coupon --format stl --process sla -o " + std::string(scratch / "out"));
+  ASSERT_EQ(run.code, 0) << run.err;
+  for (const auto& [radius_mm, fused_gaps] : {std::pair{0.08, 1}, {0.13, 2}, {0.23, 4}})
+    EXPECT_EQ(printed_pieces(slices_of(scratch, scratch / "out/hard.stl", 200, 60, radius_mm)),
+              36 - 3 * fused_gaps)
+        << "gaps of less than " << 2 * radius_mm << " mm, at 0, 30 and 60 degrees";
 }
 
 TEST(Coupon, IsCleanWithItsRaisedNumbers) {
