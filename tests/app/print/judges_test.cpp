@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <regex>
 
@@ -58,7 +59,10 @@ struct Exported {
                     process + " --hinge " + hinge + " -o " + std::string(scratch / "out"));
     EXPECT_EQ(run.code, 0) << run.err;
     print = app::prepared(app::read_design(scratch / "found/design.yaml"), *model::find_process(process),
-                          {.kind = hinge == "pin" ? model::HingeKind::pin : model::HingeKind::block}, false);
+                          {.kind = hinge == "pin"    ? model::HingeKind::pin
+                                   : hinge == "film" ? model::HingeKind::film
+                                                     : model::HingeKind::block},
+                          false);
   }
 
   std::string file(const std::string& name) const { return scratch / ("out/" + name); }
@@ -74,6 +78,10 @@ const Exported& pinned() {
 }
 const Exported& blocked() {
   static const Exported rib("helmet_rib", "block", "polyjet", "all");
+  return rib;
+}
+const Exported& filmed() {
+  static const Exported rib("helmet_rib", "film", "polyjet", "all");
   return rib;
 }
 const Exported& pinned_cube() {
@@ -231,10 +239,13 @@ TEST_P(Judges, EzdxfAndRsvgReadTheDrawings) {
 }
 
 std::string name_of(const ::testing::TestParamInfo<const Exported& (*)()>& run) {
-  return run.index == 0 ? "PinnedRib" : run.index == 1 ? "BlockedRib" : "PinnedCube";
+  return run.param == &pinned    ? "PinnedRib"
+         : run.param == &blocked ? "BlockedRib"
+         : run.param == &filmed  ? "FilmedRib"
+                                 : "PinnedCube";
 }
-INSTANTIATE_TEST_SUITE_P(Of, Judges, ::testing::Values(pinned, blocked, pinned_cube), name_of);
-INSTANTIATE_TEST_SUITE_P(Of, AllFormats, ::testing::Values(pinned, blocked), name_of);
+INSTANTIATE_TEST_SUITE_P(Of, Judges, ::testing::Values(pinned, blocked, pinned_cube, filmed), name_of);
+INSTANTIATE_TEST_SUITE_P(Of, AllFormats, ::testing::Values(pinned, blocked, filmed), name_of);
 
 /// Slices of a file as a printer of pixels of 0.05 mm gets them. @param width, height of its bed, mm
 /// @param closing_mm radius by which the slicer closes gaps: those narrower than twice that; its default
@@ -350,9 +361,11 @@ TEST(Coupon, IsCleanWithItsRaisedNumbers) {
   }
 }
 
-TEST(Slices, OfABlockedRibAreOnePiece) {
-  const Scratch scratch;
-  EXPECT_EQ(printed_pieces(slices_of(scratch, blocked().file("all.stl"), 400, 20)), 1);
+TEST(Slices, OfRibsOfBlocksAndOfFilmsAreOnePiece) {
+  for (const Exported& rib : {std::cref(blocked()), std::cref(filmed())}) {
+    const Scratch scratch;
+    EXPECT_EQ(printed_pieces(slices_of(scratch, rib.file("all.stl"), 400, 20)), 1) << rib.hinge;
+  }
 }
 
 }  // namespace
