@@ -22,7 +22,7 @@ _kinetix_opt() {
     simulate) options="$common -o --open --model --theta-deg --drives" ;;
     sweep) options="$common -o --resume" ;;
     check) options="$common" ;;
-    export) options="$common -o --format --process --hinge --cell-mm --bed --loose-rods --coupon --state" ;;
+    export) options="$common -o --format --process --hinge --cell-mm --bed --loose-rods --orient --slice --coupon --state" ;;
     view) options="$common --no-open --port" ;;
     *) options="$common --version -o --open --no-verify --time-limit --fidelity --monte-carlo" ;;
   esac

@@ -82,6 +82,11 @@ void add_export(CLI::App& app, CommandOptions& options, kinetix::app::PrintReque
       ->type_name("X,Y")
       ->check(CLI::Range(1.0, 1e5));
   app.add_flag("--loose-rods", request.loose_rods, "rods of pins as parts of their own, to be pushed in");
+  app.add_option("--orient", request.orient,
+                 "of stl, 3mf and step: flat (default), over, on the other side, or best: whichever has the "
+                 "least overhang")
+      ->type_name("WAY");
+  app.add_flag("--slice", request.slice, "asks PrusaSlicer how long fdm or sla takes, and for the material");
   app.add_flag("--coupon", request.coupon,
                "instead of a design, pins with gaps of 0.1 to 0.6 mm: prints tell which ones turn");
   app.add_option_function<std::string>(

@@ -10,6 +10,7 @@
 #include "app/io/atomic_file.hpp"
 #include "app/print/coupon.hpp"
 #include "app/print/fit.hpp"
+#include "app/print/overhang.hpp"
 #include "app/print/print_report.hpp"
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
@@ -111,15 +112,26 @@ std::string format_help() {
 
 namespace {
 
+void lay_as_asked(const PrintRequest& request, PrintJob& job) {
+  if (request.orient == "flat") return;
+  const std::vector<Lie> all = lies(job);
+  std::vector<std::pair<std::string_view, const Lie*>> allowed{{"best", &best(all)}};
+  for (const Lie& lie : all) allowed.emplace_back(lie.name, &lie);
+  lay(job, *named("--orient", request.orient, allowed));
+}
+
 Exported exported(const Source& source, const PrintRequest& request, const std::string& where) {
   const auto formats = formats_of(request);
   OutputFolder folder(where);
-  const PreparedPrint print = source.prepared_for(request);
+  PreparedPrint print = source.prepared_for(request);
+  lay_as_asked(request, print.job);
+  const std::optional<SlicerAnswer> slicer =
+      request.slice ? std::optional(ask_slicer(print.job)) : std::nullopt;
   FileSet files(folder.path());
   Exported out{folder.path(),
                {},
-               print_json(print.job, print.clearance).dump(1) + "\n",
-               print_text(print.job, print.clearance)};
+               print_json(print.job, print.clearance, slicer).dump(1) + "\n",
+               print_text(print.job, print.clearance, slicer)};
   const auto add = [&](const std::string& name, const std::string& content) {
     files.add(name, content);
     out.files.push_back(name);

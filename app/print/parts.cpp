@@ -59,7 +59,7 @@ model::Polyhedron soft_part(const PrintJob& job) {
 
 TileParts tile_parts(const PrintJob& job, int tile) {
   const PrintSheet& sheet = job.sheet;
-  const model::State& flat = sheet.path.front();
+  const model::State& flat = job.folded ? sheet.path.front() : job.state();
   TileParts parts;
   for (int b = 0; b < static_cast<int>(sheet.meshes.size()); ++b) {
     if (sheet.tiles.of_body[b] != tile) continue;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -13,7 +14,12 @@ struct PrintJob {
   PrintSheet sheet;
   bool folded = false;  ///< formats that show a motion show all of it
 
-  const model::State& state() const { return folded ? sheet.path.back() : sheet.path.front(); }
+  std::optional<model::State> turned = {};  ///< the same state, laid on the bed another way (lay)
+  std::string_view lie = "flat";            ///< which way, of lies()
+
+  const model::State& state() const {
+    return turned ? *turned : folded ? sheet.path.back() : sheet.path.front();
+  }
 };
 
 /// A kind of file.

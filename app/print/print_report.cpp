@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/print/overhang.hpp"
 #include "app/print/parts.hpp"
 #include "model/base/angle.hpp"
 
@@ -15,7 +16,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double degrees = 180 / pi;  // per rad, for people
-constexpr double steep_deg = 45;      // degrees from upright: what FDM prints without support
+constexpr double mm3_per_cm3 = 1e3;   // people buy material by cm^3
 
 const char* name_of(model::HingeKind kind) {
   return kind == model::HingeKind::pin ? "pin" : kind == model::HingeKind::block ? "block" : "film";
@@ -34,14 +35,6 @@ int count_bodies(const PrintSheet& sheet) {
                                         [](const model::Polyhedron& m) { return !m.points.empty(); }));
 }
 
-/// Largest angle of a hinge axis from upright when the sheet is flat, degrees.
-double steepest_deg(const PrintSheet& sheet) {
-  double least = 1;
-  for (const model::RestHinge& hinge : sheet.linkage.hinges)
-    least = std::min(least, std::abs(hinge.axis.z()));
-  return std::acos(least) * degrees;
-}
-
 Json distance_json(const PrintSheet& sheet, const LeastDistance& d) {
   if (d.first < 0) return nullptr;
   return {{"mm", d.mm},
@@ -58,6 +51,48 @@ bool exceeds_bed(const PrintJob& job) {
   const auto [narrow, wide] = std::minmax({sheet.process.bed_mm[0], sheet.process.bed_mm[1]});
   const auto [small, large] = std::minmax({size.x(), size.y()});
   return small > narrow || large > wide;
+}
+
+Json slicer_json(const std::optional<SlicerAnswer>& slicer) {
+  if (!slicer) return nullptr;
+  if (!slicer->estimate) return {{"why_none", slicer->why_none}};
+  return {{"name", "PrusaSlicer"},
+          {"seconds", slicer->estimate->seconds},
+          {"material_mm3", slicer->estimate->material_mm3},
+          {"prints", slicer->estimate->prints}};
+}
+
+Json lies_json(const std::vector<Lie>& all) {
+  Json out = Json::object();
+  for (const Lie& lie : all) out[std::string(lie.name)] = lie.overhang_mm2;
+  return out;
+}
+
+std::string time_words(double seconds) {
+  const long minutes = std::max(1L, std::lround(seconds / 60));
+  return minutes < 60 ? fmt::format("{} min", minutes)
+                      : fmt::format("{} h {} min", minutes / 60, minutes % 60);
+}
+
+std::string slicer_words(const SlicerAnswer& slicer) {
+  if (!slicer.estimate) return slicer.why_none;
+  const SliceEstimate& print = *slicer.estimate;
+  return fmt::format("{} and {:.2f} cm3 of material{}, by PrusaSlicer with its own settings for speed",
+                     time_words(print.seconds), print.material_mm3 / mm3_per_cm3,
+                     print.prints > 1 ? fmt::format(" in {} prints", print.prints) : "");
+}
+
+/// What files hold, and whether less would hang over lying another way.
+std::string orientation_words(const PrintJob& job) {
+  const std::vector<Lie> all = lies(job);
+  const Lie& least = best(all);
+  const std::string here =
+      job.turned ? "turned over about x, as it is in the files" : "flat on the bed, as it is in the files";
+  const Lie& now = *std::find_if(all.begin(), all.end(), [&](const Lie& lie) { return lie.name == job.lie; });
+  const std::string hangs = fmt::format("{}; {:.1f} mm2 lean more than {:g} degrees over the bed", here,
+                                        now.overhang_mm2, steep_deg);
+  if (!(least.overhang_mm2 < now.overhang_mm2)) return hangs + ", no less on the other side";
+  return fmt::format("{}, {:.1f} mm2 with --orient {}", hangs, least.overhang_mm2, least.name);
 }
 
 std::string hinge_words(const PrintSheet& sheet) {
@@ -97,7 +132,8 @@ std::vector<std::string> print_warnings(const PrintJob& job, const PathClearance
   return out;
 }
 
-Json print_json(const PrintJob& job, const PathClearance& clearance) {
+Json print_json(const PrintJob& job, const PathClearance& clearance,
+                const std::optional<SlicerAnswer>& slicer) {
   const PrintSheet& sheet = job.sheet;
   const model::Polyhedron hard = hard_part(job), soft = soft_part(job);
   const model::MadeHinge& made = sheet.hinges.front().made;
@@ -115,6 +151,9 @@ Json print_json(const PrintJob& job, const PathClearance& clearance) {
       {"volume_mm3", {{"hard", volume_mm3(hard)}, {"soft", soft.points.empty() ? 0.0 : volume_mm3(soft)}}},
       {"clearance_mm", made.kind == model::HingeKind::pin ? made.clearance_mm : 0.0},
       {"bounds_mm", vector_json(bounds(all))},
+      {"orientation", job.lie},
+      {"overhang_mm2", lies_json(lies(job))},
+      {"slicer", slicer_json(slicer)},
       {"loose_rods", sheet.loose_rods()},
       {"tiles", {sheet.tiles.columns, sheet.tiles.rows}},
       {"k", {{"axial", k.axial}, {"shear", k.shear}, {"along", k.along}, {"turn", k.turn}}},
@@ -127,7 +166,8 @@ Json print_json(const PrintJob& job, const PathClearance& clearance) {
       {"warnings", print_warnings(job, clearance)}};
 }
 
-std::string print_text(const PrintJob& job, const PathClearance& clearance) {
+std::string print_text(const PrintJob& job, const PathClearance& clearance,
+                       const std::optional<SlicerAnswer>& slicer) {
   const PrintSheet& sheet = job.sheet;
   model::Polyhedron all = hard_part(job);
   append(soft_part(job), all);
@@ -147,7 +187,8 @@ std::string print_text(const PrintJob& job, const PathClearance& clearance) {
   if (sheet.loose_rods() > 0)
     line("rods",
          fmt::format("{} parts of their own, which hold by friction in the forks", sheet.loose_rods()));
-  line("orientation", "flat on the bed, as it is in the files");
+  line("orientation", orientation_words(job));
+  if (slicer) line("slicer", slicer_words(*slicer));
   const double steep = steepest_deg(sheet);
   line("supports", steep <= steep_deg
                        ? "none"

@@ -4,14 +4,17 @@
 
 #include "app/print/path_clearance.hpp"
 #include "app/print/print_format.hpp"
+#include "app/print/slicer.hpp"
 
 namespace kinetix::app {
 
-/// print.json: what was written, of schema kinetix-print/1.
-nlohmann::ordered_json print_json(const PrintJob& job, const PathClearance& clearance);
+/// print.json: what was written, of schema kinetix-print/1. @param slicer none: it was not asked
+nlohmann::ordered_json print_json(const PrintJob& job, const PathClearance& clearance,
+                                  const std::optional<SlicerAnswer>& slicer = {});
 
 /// print.txt: how to print it, in words.
-std::string print_text(const PrintJob& job, const PathClearance& clearance);
+std::string print_text(const PrintJob& job, const PathClearance& clearance,
+                       const std::optional<SlicerAnswer>& slicer = {});
 
 /// What one should know before printing: undersized gaps, strains, overhangs.
 std::vector<std::string> print_warnings(const PrintJob& job, const PathClearance& clearance);

@@ -11,7 +11,15 @@
 #include <GC_MakeArcOfCircle.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
+#include <Quantity_Color.hxx>
 #include <STEPCAFControl_Writer.hxx>
+#include <STEPConstruct.hxx>
+#include <STEPConstruct_Styles.hxx>
+#include <StepData_StepModel.hxx>
+#include <StepVisual_Colour.hxx>
+#include <StepVisual_MechanicalDesignGeometricPresentationRepresentation.hxx>
+#include <StepVisual_PresentationStyleAssignment.hxx>
+#include <StepVisual_StyledItem.hxx>
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
 #include <TopExp_Explorer.hxx>
@@ -39,6 +47,10 @@ using Eigen::Vector3d;
 using model::ArmSolid;
 
 constexpr double sewn_mm = 1e-6;  // mm: corners of neighbouring faces are the same numbers
+
+// Red, green and blue of the screen from 0 to 1: as the 3MF files have them.
+const Quantity_Color hard_colour(0.847, 0.847, 0.824, Quantity_TOC_sRGB);
+const Quantity_Color soft_colour(0.180, 0.435, 0.718, Quantity_TOC_sRGB);
 
 gp_Pnt to_occt(const Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 gp_Vec vector_of(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
@@ -194,6 +206,19 @@ void set_name(const TDF_Label& label, const std::string& name) {
   TDataStd_Name::Set(label, TCollection_ExtendedString(name.c_str(), true));
 }
 
+/// Of a shape that was translated. The writer itself would write colours in an order that differs from run to run.
+void add_colour(const TopoDS_Shape& shape, const Quantity_Color& colour, STEPCAFControl_Writer& writer) {
+  STEPConstruct_Styles styles(writer.ChangeWriter().WS());
+  const Handle(StepVisual_Colour) encoded = STEPConstruct_Styles::EncodeColor(colour);
+  const Handle(StepRepr_RepresentationItem) item = STEPConstruct::FindEntity(styles.FinderProcess(), shape);
+  if (item.IsNull()) throw std::runtime_error("STEP: a solid was not translated");
+  styles.AddStyle(item, styles.MakeColorPSA(item, encoded, encoded, nullptr, 0), nullptr);
+  Handle(StepVisual_MechanicalDesignGeometricPresentationRepresentation) all;
+  if (!styles.CreateMDGPR(styles.FindContext(shape), all))
+    throw std::runtime_error("STEP: a colour cannot be written");
+  writer.ChangeWriter().Model()->AddWithRefs(all);
+}
+
 /// The sheet as an assembly; bodies of one shape refer to it.
 class Assembly {
  public:
@@ -214,19 +239,20 @@ class Assembly {
         add(body_label(b), location_of(job_.state()[b]), "body " + sheet.linkage.vertex_name(b));
     for (int h = 0; h < static_cast<int>(sheet.rods.size()); ++h)
       if (!sheet.rods[h].points.empty())
-        add(shape_label(rod_of(sheet, h), "rod"), location_of(job_.state()[sheet.linkage.hinges[h].lower]),
-            "rod " + sheet.linkage.wall_name(h));
+        add(shape_label(rod_of(sheet, h), "rod", hard_colour),
+            location_of(job_.state()[sheet.linkage.hinges[h].lower]), "rod " + sheet.linkage.wall_name(h));
     for (int h = 0; h < static_cast<int>(sheet.soft.size()); ++h)
       if (!sheet.soft[h].points.empty())
-        add(shape_label(block_of(placed_soft(sheet, job_.state(), h), job_.folded), "hinge"), {},
+        add(shape_label(block_of(placed_soft(sheet, job_.state(), h), job_.folded), "hinge", soft_colour), {},
             "hinge " + sheet.linkage.wall_name(h));
     shapes_->UpdateAssemblies();
   }
 
   void write(const std::string& file) {
     STEPCAFControl_Writer writer;
-    writer.SetColorMode(false);  // it would write colours in an order that differs from run to run
+    writer.SetColorMode(false);  // add_colour does
     if (!writer.Transfer(document_)) throw std::runtime_error("STEP: the sheet cannot be translated");
+    for (const auto& [shape, colour] : colours_) add_colour(shape, colour, writer);
     APIHeaderSection_MakeHeader header(writer.ChangeWriter().Model());
     header.SetTimeStamp(new TCollection_HAsciiString("1970-01-01T00:00:00"));  // the same bytes each time
     header.SetName(new TCollection_HAsciiString(job_.sheet.name.c_str()));
@@ -239,9 +265,10 @@ class Assembly {
     set_name(shapes_->AddComponent(root_, shape, where), name);
   }
 
-  TDF_Label shape_label(const TopoDS_Shape& shape, const std::string& name) {
+  TDF_Label shape_label(const TopoDS_Shape& shape, const std::string& name, const Quantity_Color& colour) {
     const TDF_Label label = shapes_->AddShape(shape, false);
     set_name(label, name);
+    colours_.emplace_back(shape, colour);
     return label;
   }
 
@@ -252,13 +279,14 @@ class Assembly {
     const auto known = bodies_.find(key);
     if (known != bodies_.end()) return known->second;
     const std::string name = "type " + std::to_string(bodies_.size() + 1);
-    return bodies_[key] = shape_label(brep_of(job_.sheet.bodies[body]), name);
+    return bodies_[key] = shape_label(brep_of(job_.sheet.bodies[body]), name, hard_colour);
   }
 
   const PrintJob& job_;
   Handle(TDocStd_Document) document_;
   Handle(XCAFDoc_ShapeTool) shapes_;
   TDF_Label root_;
+  std::vector<std::pair<TopoDS_Shape, Quantity_Color>> colours_;  // of all shapes, in their order
   std::map<std::vector<double>, TDF_Label> bodies_;
 };
 

@@ -50,4 +50,18 @@ std::string zip_text(const std::vector<NamedContent>& files) {
   return content_of(source.get());
 }
 
+std::string text_in_zip(const std::string& archive, const std::string& name) {
+  const std::unique_ptr<zip_t, decltype(&zip_discard)> opened(zip_open(archive.c_str(), ZIP_RDONLY, nullptr),
+                                                              &zip_discard);
+  zip_stat_t status;
+  if (!opened || zip_stat(opened.get(), name.c_str(), 0, &status) != 0) return {};
+  const std::unique_ptr<zip_file_t, decltype(&zip_fclose)> file(zip_fopen(opened.get(), name.c_str(), 0),
+                                                                &zip_fclose);
+  if (!file) return {};
+  std::string out(status.size, '\0');
+  const zip_int64_t read = zip_fread(file.get(), out.data(), out.size());
+  out.resize(read > 0 ? static_cast<std::size_t>(read) : 0);
+  return out;
+}
+
 }  // namespace kinetix::app

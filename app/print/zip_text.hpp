@@ -11,4 +11,7 @@ namespace kinetix::app {
 /// @throws std::runtime_error where the library fails
 std::string zip_text(const std::vector<NamedContent>& files);
 
+/// A file of an archive; empty where there is no such file or archive.
+std::string text_in_zip(const std::string& archive, const std::string& name);
+
 }  // namespace kinetix::app

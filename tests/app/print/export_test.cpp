@@ -8,7 +8,11 @@
 #include <regex>
 
 #include "app/print/fit.hpp"
+#include "app/print/overhang.hpp"
+#include "app/print/raised_text.hpp"
+#include "app/print/slicer.hpp"
 #include "tests/app/program.hpp"
+#include "tests/app/schema_errors.hpp"
 
 namespace kinetix::testing {
 namespace {
@@ -52,6 +56,13 @@ TEST(Export, WritesTheSameBytesAgain) {
   }
 }
 
+/// print.json, which its schema allows.
+Json said_of(const Scratch& scratch) {
+  Json json = Json::parse(text_of(scratch / "out/print.json"));
+  EXPECT_EQ(schema_errors(json, "print"), "");
+  return json;
+}
+
 double volume_of_stl(const std::string& bytes) {
   double volume = 0;
   for (std::size_t at = 84; at + 50 <= bytes.size(); at += 50) {
@@ -80,7 +91,7 @@ double width_of_stl(const std::string& bytes) {
 TEST(Export, SaysTheVolumesOfItsFiles) {
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, panel, "--format stl --hinge block").code, 0);
-  const Json json = Json::parse(text_of(scratch / "out/print.json"));
+  const Json json = said_of(scratch);
   EXPECT_EQ(json["schema"], "kinetix-print/1");
   EXPECT_EQ(json["bodies"], 12);
   EXPECT_EQ(json["hinges"], 17);
@@ -110,7 +121,7 @@ TEST(Export, MakesLooseRodsThatFillTheBoresOfTheirForks) {
 TEST(Export, CutsALargeSheetIntoTilesThatTheBedHolds) {
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, panel, "--format stl,3mf --hinge pin --bed 45,50").code, 0);
-  const Json json = Json::parse(text_of(scratch / "out/print.json"));
+  const Json json = said_of(scratch);
   EXPECT_EQ(json["tiles"], Json::array({2, 1}));
   EXPECT_EQ(json["loose_rods"], 3) << "between the two columns in the middle";
   double tiles = 0;
@@ -129,7 +140,7 @@ TEST(Export, CutsALargeSheetIntoTilesThatTheBedHolds) {
 TEST(Export, GluesBlocksBetweenTiles) {
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, panel, "--format stl --hinge block --bed 45,50").code, 0);
-  const Json json = Json::parse(text_of(scratch / "out/print.json"));
+  const Json json = said_of(scratch);
   double soft = 0;
   for (const char* name : {"out/tile_1_soft.stl", "out/tile_2_soft.stl"})
     soft += volume_of_stl(text_of(scratch / name));
@@ -171,7 +182,7 @@ TEST(Export, MakesBlocksWherePinsDoNotFitAndSaysWhy) {
   expect_refused(design, "--format stl --process fdm --hinge pin", "would do (--cell-mm ");
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, design, "--format stl --process fdm").code, 0);
-  const Json json = Json::parse(text_of(scratch / "out/print.json"));
+  const Json json = said_of(scratch);
   EXPECT_EQ(json["hinge"], "block");
   EXPECT_THAT(std::string(json["warnings"][0]), HasSubstr("hinges are blocks, as pins do not fit: "));
   EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("blocks of tpu95a"))
@@ -187,7 +198,7 @@ drive: {kind: plates, axis: y, compression: 0.03}
 )";
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, design, "--format stl --hinge block").code, 0);
-  const Json json = Json::parse(text_of(scratch / "out/print.json"));
+  const Json json = said_of(scratch);
   EXPECT_GE(json["path"]["states"], 10);
   EXPECT_NEAR(json["path"]["theta_deg"], std::acos(1 - 0.03) * 180 / M_PI, 1e-6);
   EXPECT_THAT(json["warnings"].dump(), HasSubstr("along the equilibrium of the design's hinges"));
@@ -206,6 +217,129 @@ TEST(Export, RefusesAFolderThatCannotBeWritten) {
       kinetix_opt("export " + scratch.write("panel.yaml", panel) + " --format stl -o " + file + "/out");
   EXPECT_EQ(run.code, 2);
   EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+}
+
+TEST(Schema, OfPrintsRefusesWhatIsMissingOrOutOfRange) {
+  const Scratch scratch;
+  ASSERT_EQ(exported(scratch, panel, "--format stl").code, 0);
+  const Json json = said_of(scratch);
+  for (const auto& [key, value] : json.items()) {
+    Json less = json;
+    less.erase(key);
+    EXPECT_NE(schema_errors(less, "print"), "") << key;
+  }
+  for (const char* change :
+       {R"({"bodies": -1})", R"({"process": "magic"})", R"({"volume_mm3": {"hard": 0, "soft": 0}})",
+        R"({"tiles": [1]})", R"({"overhang_mm2": {"flat": 1}})", R"({"slicer": {"speed": 1}})"}) {
+    Json bad = json;
+    bad.update(Json::parse(change));
+    EXPECT_NE(schema_errors(bad, "print"), "") << change;
+  }
+}
+
+/// The sheets' volume in plastic, to within what skirts and rounding of lines to whole widths come to.
+TEST(Slicer, TellsTimeAndAsMuchMaterialAsThereIsVolume) {
+  for (const char* process : {"fdm", "sla"}) {
+    const Scratch scratch;
+    ASSERT_EQ(
+        exported(scratch, panel, std::string("--format stl --hinge block --slice --process ") + process).code,
+        0);
+    const Json json = said_of(scratch);
+    ASSERT_TRUE(json["slicer"].contains("seconds")) << json["slicer"];
+    const double own = double(json["volume_mm3"]["hard"]) + double(json["volume_mm3"]["soft"]);
+    EXPECT_NEAR(double(json["slicer"]["material_mm3"]) / own, 1, 0.15) << process;
+    EXPECT_GT(json["slicer"]["seconds"], 60);
+    EXPECT_EQ(json["slicer"]["prints"], std::string(process) == "sla" ? 2 : 1);
+    EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("of material"));
+  }
+}
+
+TEST(Slicer, ThatIsNotThereIsSaidInWords) {
+  const Scratch scratch;
+  const app::PreparedPrint print = app::prepared(app::read_design(scratch.write("panel.yaml", panel)),
+                                                 *model::find_process("sla"), {}, false);
+  const app::SlicerAnswer answer = app::ask_slicer(print.job, "no-such-slicer");
+  EXPECT_FALSE(answer.estimate);
+  EXPECT_EQ(answer.why_none, "no slicer found: no-such-slicer is not on PATH");
+  EXPECT_THAT(app::ask_slicer(print.job, "false").why_none, HasSubstr("gave up"));
+}
+
+TEST(Slicer, WithoutAProcessThatItKnowsIsNotAsked) {
+  const Scratch scratch;
+  ASSERT_EQ(exported(scratch, panel, "--format stl --slice").code, 0);
+  EXPECT_EQ(said_of(scratch)["slicer"]["why_none"], "no slicer found for polyjet");
+}
+
+TEST(Slicer, TimesAreReadInDaysHoursMinutesAndSeconds) {
+  EXPECT_EQ(app::seconds_of("17m 40s"), 17 * 60 + 40);
+  EXPECT_EQ(app::seconds_of("1d 2h 3m 4s"), 86400 + 2 * 3600 + 3 * 60 + 4);
+  EXPECT_TRUE(std::isnan(app::seconds_of("soon")));
+}
+
+/// A square frustum on its wide, then on its narrow end: its four slanting faces hang over, or none.
+TEST(Overhang, IsThatOfAFrustumByHand) {
+  model::Polyhedron frustum;
+  for (const double half : {1.0, 0.5})
+    for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
+      frustum.points.emplace_back(half * x, half * y, half == 1 ? 0 : 0.25);
+  frustum.add_face({3, 2, 1, 0});
+  frustum.add_face({4, 5, 6, 7});
+  for (int k = 0; k < 4; ++k) frustum.add_face({k, (k + 1) % 4, 4 + (k + 1) % 4, 4 + k});
+  const Eigen::Matrix3d flat = Eigen::Matrix3d::Identity(), over = Eigen::Vector3d(1, -1, -1).asDiagonal();
+  EXPECT_EQ(app::overhang_mm2(frustum, flat), 0);
+  const double slant = std::hypot(0.5, 0.25);
+  EXPECT_NEAR(app::overhang_mm2(frustum, over), 4 * 1.5 * slant, 1e-12);
+}
+
+TEST(Orientation, OfASheetThatIsLaidOnItsFaceIsThatOfItsFiles) {
+  const Scratch flat, over;
+  const std::string leaning = std::string(panel).replace(
+      std::string(panel).find("theta_deg: 20"), 13,
+      "theta_deg: 15, hinges: [{wall: [[0, 0], [1, 0]], beta_deg: 20}, {wall: [[0, 1], "
+      "[1, 1]], beta_deg: -20}, {wall: [[0, 2], [1, 2]], beta_deg: 20}]");
+  ASSERT_EQ(exported(flat, leaning, "--format stl --hinge block").code, 0);
+  ASSERT_EQ(exported(over, leaning, "--format stl --hinge block --orient over").code, 0);
+  const Json one = said_of(flat), other = said_of(over);
+  EXPECT_EQ(one["orientation"], "flat");
+  EXPECT_EQ(other["orientation"], "over");
+  EXPECT_EQ(one["overhang_mm2"], other["overhang_mm2"]) << "of the same sheet";
+  EXPECT_NEAR(volume_of_stl(text_of(over / "out/all.stl")) / volume_of_stl(text_of(flat / "out/all.stl")), 1,
+              1e-6);
+  EXPECT_NE(text_of(over / "out/all.stl"), text_of(flat / "out/all.stl"));
+}
+
+TEST(Orientation, ThatIsProposedHasTheLeastOverhang) {
+  const Scratch scratch;
+  ASSERT_EQ(exported(scratch, panel, "--format stl --hinge pin --orient best").code, 0);
+  const Json json = said_of(scratch);
+  const double here = json["overhang_mm2"][std::string(json["orientation"])];
+  for (const auto& [way, area] : json["overhang_mm2"].items()) EXPECT_GE(double(area), here) << way;
+  expect_refused(panel, "--format stl --orient upp", "unknown orient `upp`");
+}
+
+/// A block of 20 x 2 x 10 mm with text on its front.
+TEST(RaisedText, KeepsTheSolidClosedAndAddsItsSquares) {
+  model::Polyhedron block;
+  for (const double z : {0.0, 10.0})
+    for (const auto& [x, y] : {std::pair{0, 0}, {20, 0}, {20, 2}, {0, 2}}) block.points.emplace_back(x, y, z);
+  block.add_face({3, 2, 1, 0});
+  block.add_face({4, 5, 6, 7});
+  for (int k = 0; k < 4; ++k) block.add_face({k, (k + 1) % 4, 4 + (k + 1) % 4, 4 + k});
+  const app::TextFace face{{9.5, 0, 5}, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitZ(), 0.7, 0.4};
+  for (const char* text : {"0.1", "0.2", "0.3", "0.4", "0.5", "0.6", "7", "89."}) {
+    model::Polyhedron with = block;
+    app::raise_text(text, face, with);
+    EXPECT_TRUE(is_closed(with)) << text;
+    EXPECT_NEAR(volume_mm3(with) - volume_mm3(block), app::raised_squares(text) * 0.7 * 0.7 * 0.4, 1e-9)
+        << text;
+  }
+  EXPECT_EQ(app::raised_squares("0.1"), 12 + 1 + 5);
+  EXPECT_THROW(app::raise_text("a", face, block), std::invalid_argument);
+  EXPECT_THROW(app::raise_text("0123456789", face, block), std::invalid_argument) << "wider than the block";
+  app::TextFace nowhere = face;
+  nowhere.middle.y() = -1;
+  EXPECT_THROW(app::raise_text("1", nowhere, block), std::invalid_argument);
+  EXPECT_TRUE(is_closed(block)) << "as it was";
 }
 
 /// Opposite knuckles of a basic cell come to L (cos theta - sin theta) of each other, less their own width.

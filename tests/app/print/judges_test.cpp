@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <regex>
 
@@ -16,6 +17,7 @@
 #include "tests/app/print/step_judge.hpp"
 #include "tests/app/print/threemf_judge.hpp"
 #include "tests/app/program.hpp"
+#include "tests/app/schema_errors.hpp"
 
 namespace kinetix::testing {
 namespace {
@@ -57,7 +59,10 @@ struct Exported {
                     process + " --hinge " + hinge + " -o " + std::string(scratch / "out"));
     EXPECT_EQ(run.code, 0) << run.err;
     print = app::prepared(app::read_design(scratch / "found/design.yaml"), *model::find_process(process),
-                          {.kind = hinge == "pin" ? model::HingeKind::pin : model::HingeKind::block}, false);
+                          {.kind = hinge == "pin"    ? model::HingeKind::pin
+                                   : hinge == "film" ? model::HingeKind::film
+                                                     : model::HingeKind::block},
+                          false);
   }
 
   std::string file(const std::string& name) const { return scratch / ("out/" + name); }
@@ -75,6 +80,10 @@ const Exported& blocked() {
   static const Exported rib("helmet_rib", "block", "polyjet", "all");
   return rib;
 }
+const Exported& filmed() {
+  static const Exported rib("helmet_rib", "film", "polyjet", "all");
+  return rib;
+}
 const Exported& pinned_cube() {
   static const Exported cube("cube", "pin", "sla", "stl,3mf,dxf,svg,mjcf");  // STEP alone takes 15 s
   return cube;
@@ -84,6 +93,8 @@ class Judges : public ::testing::TestWithParam<const Exported& (*)()> {
  protected:
   const Exported& given() const { return GetParam()(); }
 };
+
+TEST_P(Judges, TheSchemaAllowsWhatIsSaidOfThePrint) { EXPECT_EQ(schema_errors(given().json(), "print"), ""); }
 
 TEST_P(Judges, AdmeshFindsNothingToRepair) {
   for (const char* name : {"all.stl", "hard.stl"}) {
@@ -179,9 +190,13 @@ TEST_P(AllFormats, BlenderOpensEveryBodyAndMovesAllButOne) {
 }
 
 TEST_P(AllFormats, FindsAsManyValidSolidsAsThereAreParts) {
-  const StepVerdict step = read_step(given().of(".step"));
+  StepVerdict step = read_step(given().of(".step"));
   EXPECT_TRUE(step.valid);
   EXPECT_EQ(step.solids, given().bodies() + given().blocks());
+  EXPECT_EQ(step.names["body"], given().bodies());
+  EXPECT_EQ(step.names["hinge"], given().blocks());
+  EXPECT_EQ(step.colours["#D8D8D2"], given().bodies()) << "hard, as in the 3MF file";
+  EXPECT_EQ(step.colours["#2E6FB7"], given().blocks()) << "soft";
   // The same solids by another method: polygons in place of circles, so fine that they make no difference.
   const app::PrintSheet& sheet = given().print.job.sheet;
   std::vector<model::HingePrint> fine = sheet.hinges;
@@ -224,18 +239,24 @@ TEST_P(Judges, EzdxfAndRsvgReadTheDrawings) {
 }
 
 std::string name_of(const ::testing::TestParamInfo<const Exported& (*)()>& run) {
-  return run.index == 0 ? "PinnedRib" : run.index == 1 ? "BlockedRib" : "PinnedCube";
+  return run.param == &pinned    ? "PinnedRib"
+         : run.param == &blocked ? "BlockedRib"
+         : run.param == &filmed  ? "FilmedRib"
+                                 : "PinnedCube";
 }
-INSTANTIATE_TEST_SUITE_P(Of, Judges, ::testing::Values(pinned, blocked, pinned_cube), name_of);
-INSTANTIATE_TEST_SUITE_P(Of, AllFormats, ::testing::Values(pinned, blocked), name_of);
+INSTANTIATE_TEST_SUITE_P(Of, Judges, ::testing::Values(pinned, blocked, pinned_cube, filmed), name_of);
+INSTANTIATE_TEST_SUITE_P(Of, AllFormats, ::testing::Values(pinned, blocked, filmed), name_of);
 
 /// Slices of a file as a printer of pixels of 0.05 mm gets them. @param width, height of its bed, mm
-std::string slices_of(const Scratch& scratch, const std::string& file, int width, int height) {
+/// @param closing_mm radius by which the slicer closes gaps: those narrower than twice that; its default
+std::string slices_of(const Scratch& scratch, const std::string& file, int width, int height,
+                      double closing_mm = 0.049) {
   const std::string settings = scratch.write(
-      "sla.ini", fmt::format("bed_shape = 0x0,{0}x0,{0}x{1},0x{1}\ndisplay_width = {0}\ndisplay_height = "
-                             "{1}\ndisplay_pixels_x = {2}\ndisplay_pixels_y = {3}\n",
-                             width, height, 20 * width, 20 * height) +
-                     R"(printer_technology = SLA
+      "sla.ini",
+      fmt::format("bed_shape = 0x0,{0}x0,{0}x{1},0x{1}\ndisplay_width = {0}\ndisplay_height = "
+                  "{1}\ndisplay_pixels_x = {2}\ndisplay_pixels_y = {3}\nslice_closing_radius = {4}\n",
+                  width, height, 20 * width, 20 * height, closing_mm) +
+          R"(printer_technology = SLA
 display_mirror_x = 0
 display_mirror_y = 0
 display_orientation = landscape
@@ -311,9 +332,40 @@ TEST(Slices, OfACouponFuseWhereTheGapIsNarrow) {
   EXPECT_GE(swollen, 36 - (2 + 3 + 4));
 }
 
-TEST(Slices, OfABlockedRibAreOnePiece) {
+/// The slicer's own rule: it closes gaps narrower than twice its radius, and no others, however the pins lean.
+TEST(Coupon, FallsFromTwoPiecesAHingeToOneWhereTheSlicerClosesItsGap) {
   const Scratch scratch;
-  EXPECT_EQ(printed_pieces(slices_of(scratch, blocked().file("all.stl"), 400, 20)), 1);
+  const Outcome run =
+      kinetix_opt("export --coupon --format stl --process sla -o " + std::string(scratch / "out"));
+  ASSERT_EQ(run.code, 0) << run.err;
+  for (const auto& [radius_mm, fused_gaps] : {std::pair{0.08, 1}, {0.13, 2}, {0.23, 4}})
+    EXPECT_EQ(printed_pieces(slices_of(scratch, scratch / "out/hard.stl", 200, 60, radius_mm)),
+              36 - 3 * fused_gaps)
+        << "gaps of less than " << 2 * radius_mm << " mm, at 0, 30 and 60 degrees";
+}
+
+TEST(Coupon, IsCleanWithItsRaisedNumbers) {
+  const Scratch scratch;
+  for (const char* process : {"sla", "fdm"}) {
+    const Outcome run = kinetix_opt(fmt::format("export --coupon --format stl --process {} -o {}", process,
+                                                std::string(scratch / process)));
+    ASSERT_EQ(run.code, 0) << run.err;
+    const std::string file = scratch / (std::string(process) + "/all.stl");
+    const std::string said = said_by("admesh " + file);
+    EXPECT_THAT(said, HasSubstr("Facets with 3 disconnected edges :     0")) << said;
+    EXPECT_EQ(number_after(said, R"(Number of parts\s*:)"), 36);
+    for (const char* what : {"Degenerate facets", "Edges fixed", "Facets removed", "Facets reversed"})
+      EXPECT_EQ(number_after(said, std::string(what) + R"(\s*:)"), 0) << what << said;
+    EXPECT_THAT(said_by(std::string(KINETIX_SELF_CROSSING) + " " + file),
+                HasSubstr("manifold 1\nclosed 1\ncrossing 0"));
+  }
+}
+
+TEST(Slices, OfRibsOfBlocksAndOfFilmsAreOnePiece) {
+  for (const Exported& rib : {std::cref(blocked()), std::cref(filmed())}) {
+    const Scratch scratch;
+    EXPECT_EQ(printed_pieces(slices_of(scratch, rib.file("all.stl"), 400, 20)), 1) << rib.hinge;
+  }
 }
 
 }  // namespace

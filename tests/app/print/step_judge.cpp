@@ -5,11 +5,56 @@
 #include <GProp_GProps.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
+#include <Quantity_Color.hxx>
+#include <STEPCAFControl_Reader.hxx>
 #include <STEPControl_Reader.hxx>
+#include <TDF_LabelSequence.hxx>
+#include <TDataStd_Name.hxx>
+#include <TDocStd_Document.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS_Shape.hxx>
+#include <XCAFApp_Application.hxx>
+#include <XCAFDoc_ColorTool.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_ShapeTool.hxx>
 
 namespace kinetix::testing {
+namespace {
+
+std::string first_word(const TDF_Label& label) {
+  Handle(TDataStd_Name) name;
+  if (!label.FindAttribute(TDataStd_Name::GetID(), name)) return "";
+  const TCollection_AsciiString text(name->Get());
+  return std::string(text.ToCString()).substr(0, std::string(text.ToCString()).find(' '));
+}
+
+std::string colour_of(const Handle(XCAFDoc_ColorTool) & colours, const TDF_Label& shape) {
+  Quantity_Color colour;
+  if (!colours->GetColor(shape, XCAFDoc_ColorSurf, colour)) return "none";
+  return Quantity_Color::ColorToHex(colour).ToCString();
+}
+
+void read_parts(const std::string& file, StepVerdict& verdict) {
+  Handle(TDocStd_Document) document;
+  XCAFApp_Application::GetApplication()->NewDocument("MDTV-XCAF", document);
+  STEPCAFControl_Reader reader;
+  reader.ReadFile(file.c_str());
+  reader.Transfer(document);
+  const Handle(XCAFDoc_ShapeTool) shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
+  const Handle(XCAFDoc_ColorTool) colours = XCAFDoc_DocumentTool::ColorTool(document->Main());
+  TDF_LabelSequence roots, parts;
+  shapes->GetFreeShapes(roots);
+  for (const TDF_Label& root : roots) XCAFDoc_ShapeTool::GetComponents(root, parts);
+  for (const TDF_Label& part : parts) {
+    TDF_Label shape;
+    XCAFDoc_ShapeTool::GetReferredShape(part, shape);
+    ++verdict.names[first_word(part)];
+    ++verdict.colours[colour_of(colours, shape)];
+  }
+  XCAFApp_Application::GetApplication()->Close(document);
+}
+
+}  // namespace
 
 StepVerdict read_step(const std::string& file) {
   Message::DefaultMessenger()->ChangePrinters().Clear();
@@ -25,6 +70,7 @@ StepVerdict read_step(const std::string& file) {
     verdict.volume_mm3 += properties.Mass();
     ++verdict.solids;
   }
+  read_parts(file, verdict);
   return verdict;
 }
 

@@ -1,0 +1,218 @@
+#include "app/print/slicer.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <regex>
+#include <stdexcept>
+
+#include "app/io/atomic_file.hpp"
+#include "app/print/formats.hpp"
+#include "app/print/overhang.hpp"
+#include "app/print/parts.hpp"
+#include "app/print/zip_text.hpp"
+
+namespace kinetix::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double margin_mm = 50;  // mm, round a sheet on the bed that the slicer is told of: skirts and brims
+constexpr double mm3_per_cm3 = 1e3;  // PrusaSlicer tells filament in cm^3, and resin in ml
+
+class WorkFolder {
+ public:
+  WorkFolder() {
+    std::string pattern = (fs::temp_directory_path() / "kinetix-slice-XXXXXX").string();
+    if (mkdtemp(pattern.data()) == nullptr)
+      throw std::runtime_error("slicer: no temporary folder can be made");
+    path_ = pattern;
+  }
+  ~WorkFolder() { fs::remove_all(path_, ignored_); }
+  WorkFolder(const WorkFolder&) = delete;
+  WorkFolder& operator=(const WorkFolder&) = delete;
+
+  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+
+ private:
+  fs::path path_;
+  std::error_code ignored_;
+};
+
+enum class Ended { well, badly, not_there };
+
+/// Without a shell, and with nothing on the streams of this program.
+Ended run(std::vector<std::string> words) {
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t quiet;
+  posix_spawn_file_actions_init(&quiet);
+  posix_spawn_file_actions_addopen(&quiet, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  for (const int stream : {STDOUT_FILENO, STDERR_FILENO})
+    posix_spawn_file_actions_addopen(&quiet, stream, "/dev/null", O_WRONLY, 0);
+  pid_t child = 0;
+  const int error = posix_spawnp(&child, arguments[0], &quiet, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&quiet);
+  if (error != 0) return Ended::not_there;
+  int status = 0;
+  if (waitpid(child, &status, 0) != child || !WIFEXITED(status)) return Ended::badly;
+  return WEXITSTATUS(status) == 0 ? Ended::well : Ended::badly;
+}
+
+std::string bed_settings(const model::Polyhedron& solid) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& p : solid.points) box.extend(p);
+  const double x = std::ceil(box.sizes().x() + 2 * margin_mm), y = std::ceil(box.sizes().y() + 2 * margin_mm);
+  return fmt::format(
+      "bed_shape = 0x0,{0}x0,{0}x{1},0x{1}\nmax_print_height = {2}\ndisplay_width = {0}\ndisplay_height = "
+      "{1}\ndisplay_pixels_x = {0}\ndisplay_pixels_y = {1}\n",
+      x, y, std::ceil(box.sizes().z() + margin_mm));
+}
+
+/// Two extruders, as the 3MF file names them.
+std::string fdm_settings(bool supports) {
+  return fmt::format(R"(printer_technology = FFF
+nozzle_diameter = 0.4,0.4
+filament_diameter = 1.75,1.75
+extrusion_multiplier = 1,1
+temperature = 210,210
+first_layer_temperature = 210,210
+layer_height = 0.2
+first_layer_height = 0.2
+elefant_foot_compensation = 0
+wipe_tower = 0
+support_material = {}
+)",
+                     supports ? 1 : 0);
+}
+
+// How long a layer hardens is PrusaSlicer's default.
+constexpr const char* sla_settings = R"(printer_technology = SLA
+layer_height = 0.05
+initial_layer_height = 0.05
+supports_enable = 0
+pad_enable = 0
+elefant_foot_compensation = 0
+)";
+
+std::string text_of(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+double number_of(const std::string& text, const char* pattern) {
+  std::smatch match;
+  return std::regex_search(text, match, std::regex(pattern)) ? std::stod(match[1])
+                                                             : std::numeric_limits<double>::quiet_NaN();
+}
+
+SliceEstimate read_gcode(const std::string& text) {
+  std::smatch time;
+  SliceEstimate out;
+  out.seconds =
+      std::regex_search(text, time, std::regex(R"(; estimated printing time \(normal mode\) = (.*))"))
+          ? seconds_of(time[1].str())
+          : std::numeric_limits<double>::quiet_NaN();
+  std::smatch used;
+  if (std::regex_search(text, used, std::regex(R"(; filament used \[cm3\] = (.*))"))) {
+    const std::string each = used[1];
+    const std::regex number(R"([0-9.]+)");
+    for (std::sregex_iterator k(each.begin(), each.end(), number); k != std::sregex_iterator(); ++k)
+      out.material_mm3 += mm3_per_cm3 * std::stod(k->str());
+  }
+  return out;
+}
+
+SliceEstimate read_slices(const std::string& file) {
+  const std::string text = text_in_zip(file, "config.ini");
+  SliceEstimate out;
+  out.seconds = number_of(text, R"(printTime = ([0-9.]+))");
+  out.material_mm3 = mm3_per_cm3 * number_of(text, R"(usedMaterial = ([0-9.]+))");
+  return out;
+}
+
+/// One run of a slicer, and how to read what it wrote.
+struct Slicing {
+  std::string settings, input;
+  const char* action;
+  const char* output;
+  SliceEstimate (*read)(const std::string& file);
+};
+
+SlicerAnswer sliced(const WorkFolder& folder, const std::string& program, const Slicing& slicing) {
+  write_file(folder / "settings.ini", slicing.settings);
+  const std::string output = folder / slicing.output;
+  const Ended ended =
+      run({program, slicing.action, "--load", folder / "settings.ini", slicing.input, "-o", output});
+  if (ended == Ended::not_there) return {{}, "no slicer found: " + program + " is not on PATH"};
+  if (ended == Ended::badly) return {{}, program + " gave up"};
+  const SliceEstimate estimate = slicing.read(output);
+  if (!(estimate.seconds > 0) || !(estimate.material_mm3 > 0))
+    return {{}, program + " said neither time nor material"};
+  return {estimate};
+}
+
+std::string content_of(const PrintFormat& format, const PrintJob& job, const std::string& name) {
+  for (const auto& [file, content] : format.write(job))
+    if (file == name) return content;
+  return {};
+}
+
+SlicerAnswer sliced_fdm(const PrintJob& job, const WorkFolder& folder, const std::string& program) {
+  write_file(folder / "sheet.3mf", content_of(threemf_format, job, job.sheet.name + ".3mf"));
+  return sliced(
+      folder, program,
+      {bed_settings(hard_part(job)) + fdm_settings(steepest_deg(job.sheet) > steep_deg), folder / "sheet.3mf",
+       "--export-gcode", "sheet.gcode", [](const std::string& file) { return read_gcode(text_of(file)); }});
+}
+
+/// Hard and soft are a print each.
+SlicerAnswer sliced_sla(const PrintJob& job, const WorkFolder& folder, const std::string& program) {
+  SlicerAnswer sum{SliceEstimate{.prints = 0}};
+  for (const char* part : {"hard.stl", "soft.stl"}) {
+    const std::string stl = content_of(stl_format, job, part);
+    if (stl.empty()) continue;
+    write_file(folder / part, stl);
+    const SlicerAnswer one = sliced(folder, program,
+                                    {bed_settings(hard_part(job)) + sla_settings, folder / part,
+                                     "--export-sla", "sheet.sl1", read_slices});
+    if (!one.estimate) return one;
+    sum.estimate->seconds += one.estimate->seconds;
+    sum.estimate->material_mm3 += one.estimate->material_mm3;
+    ++sum.estimate->prints;
+  }
+  return sum;
+}
+
+}  // namespace
+
+double seconds_of(std::string_view text) {
+  static const std::regex form(R"((?:(\d+)d)? ?(?:(\d+)h)? ?(?:(\d+)m)? ?(?:(\d+)s)?\s*)");
+  std::match_results<std::string_view::const_iterator> parts;
+  if (text.empty() || !std::regex_match(text.begin(), text.end(), parts, form))
+    return std::numeric_limits<double>::quiet_NaN();
+  const double units[] = {86400, 3600, 60, 1};  // seconds
+  double sum = 0;
+  for (int k = 0; k < 4; ++k)
+    if (parts[k + 1].matched) sum += units[k] * std::stod(parts[k + 1].str());
+  return sum;
+}
+
+SlicerAnswer ask_slicer(const PrintJob& job, const std::string& program) {
+  const std::string& process = job.sheet.process.name;
+  if (process != "fdm" && process != "sla") return {{}, "no slicer found for " + process};
+  const WorkFolder folder;
+  return process == "fdm" ? sliced_fdm(job, folder, program) : sliced_sla(job, folder, program);
+}
+
+}  // namespace kinetix::app
