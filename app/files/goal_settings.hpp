@@ -11,7 +11,8 @@ namespace kinetix::app {
 
 /// What the file of every goal asks of its run beside the goal.
 struct GoalSettings {
-  static constexpr double usual_verify = 0.02;  // cell edges: twenty times what converged physics runs are off
+  static constexpr double usual_verify =
+      0.02;  // cell edges: twenty times what converged physics runs are off
 
   double verify_tolerance = usual_verify;  ///< tolerance.verify: of verify_rms, cell edges, (0, 1]
   PhysicsSection physics = {};
