@@ -4,6 +4,13 @@
 
 namespace kinetix::app {
 
+targets::Key robust_key() {
+  return {"robust", targets::value::boolean(), targets::by_default("false"),
+          "of the designs that meet the goal, the one whose [prints](hinges.md#4-as-made) come nearest to "
+          "it, over theta "
+          "where the search is free to choose it, and over gaps of blocks and films"};
+}
+
 void read_hinges(const targets::Section& root, const std::optional<model::CellSize>& size,
                  GoalSettings& settings) {
   if (const auto hinge = root.optional("hinge"); hinge && !size)

@@ -19,7 +19,11 @@ struct GoalSettings {
   HingeSection hinge = {};
   GoalDrive drive = {};  ///< where hinges are elastic
   model::Process process = model::processes().front();
+  bool robust = false;  ///< whether the design is chosen by its prints; of kinds that have robust_key()
 };
+
+/// The key `robust` of goals that search_robustly() serves.
+targets::Key robust_key();
 
 /// Hinges, what drives them and the process that makes them.
 /// @param size of the cells; nothing where the search finds it

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/files/file_header.hpp"
 #include "app/goals/registry.hpp"
 
@@ -46,6 +48,26 @@ const GoalKind& kind_of(const targets::Node& root) {
   return *goal_kinds()[goal_of(root).required("kind", kind_hint()).one_of(names())];
 }
 
+/// The kinds that take a key at the top of their files.
+std::string kinds_with(std::string_view key) {
+  std::string out;
+  for (const GoalKind* kind : goal_kinds()) {
+    const auto keys = kind->table().names();
+    if (std::find(keys.begin(), keys.end(), key) != keys.end())
+      out += (out.empty() ? "" : ", ") + std::string(kind->name);
+  }
+  return out;
+}
+
+/// A key that other kinds have says which.
+void check_robust(const targets::Node& root, const GoalKind& kind) {
+  const auto asked = root.optional("robust");
+  const auto keys = kind.table().names();
+  if (!asked || std::find(keys.begin(), keys.end(), "robust") != keys.end()) return;
+  throw asked->error(
+      fmt::format("goals of kind {} have no robust search; these have: {}", kind.name, kinds_with("robust")));
+}
+
 }  // namespace
 
 Target read_target(const std::string& file) { return read_target(targets::read_document(file)); }
@@ -53,6 +75,7 @@ Target read_target(const std::string& file) { return read_target(targets::read_d
 Target read_target(const targets::Node& root) {
   check_kind_of_file(root);
   const GoalKind& kind = kind_of(root);
+  check_robust(root, kind);
   return {&kind, kind.read(root)};
 }
 

@@ -15,6 +15,7 @@ const GENERAL_SECTIONS = [
   ["layout", "Flat layout", layoutSection, hasLayout],
 ];
 const CLOSING_SECTIONS = [
+  ["prints", "Designs and their prints", madeChoiceSection, ({madeChoices}) => madeChoices.length > 0],
   ["tilts", "Tilts per column", tiltSection, isTiltedDesign],
 ];
 /** Folded away: for whoever wants to know how it was found, and how sure it is. */

@@ -8,6 +8,7 @@
 #include "app/result/made_hinges.hpp"
 #include "app/result/matter_json.hpp"
 #include "app/result/physics_json.hpp"
+#include "app/result/robust_json.hpp"
 #include "app/result/stable_states_json.hpp"
 #include "app/result/state_json.hpp"
 #include "app/version.hpp"
@@ -176,6 +177,7 @@ Json result_json(const Run& run) {
     out["matter"] = matter_json(*run.matter);
     out["timing_s"]["matter"] = run.timings.matter;
   }
+  if (run.robust) out["robust"] = robust_json(run);
   if (run.printed) {
     out["as_made"] = as_made_json(run);
     out["timing_s"]["as_made"] = run.timings.as_made;

@@ -5,6 +5,7 @@
 #include "app/result/made_hinges.hpp"
 #include "app/result/matter_json.hpp"
 #include "app/result/result_json.hpp"
+#include "app/result/robust_json.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -62,6 +63,7 @@ std::string summary(const Run& run) {
   if (run.goal)
     for (const auto& [label, words] : run.goal->summary_lines(run)) text += line(label, words);
   for (const auto& [label, words] : matter_lines(run)) text += line(label, words);
+  for (const auto& [label, words] : robust_lines(run)) text += line(label, words);
   for (const auto& [label, words] : as_made_lines(run)) text += line(label, words);
   if (run.equilibrium)
     for (const auto& [label, words] : equilibrium_lines(run)) text += line(label, words);

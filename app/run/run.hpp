@@ -11,6 +11,7 @@
 #include "app/files/goal_settings.hpp"
 #include "app/run/goal_outcome.hpp"
 #include "app/run/plan.hpp"
+#include "app/run/robust_choice.hpp"
 #include "model/elastic/equilibrium_comparison.hpp"
 #include "model/elastic/path/stable_states.hpp"
 #include "model/matter/process.hpp"
@@ -114,6 +115,8 @@ struct Run {
   std::optional<Equilibrium> equilibrium;
   std::optional<Verification> verification;
   std::optional<MatterResult> matter;  ///< of goals of exact families whose hinges are elastic
+  std::optional<RobustChoice>
+      robust;  ///< of a robust search, but of curves, which have columns to choose as well
   std::optional<PrintedGoal> printed;  ///< of goals that are judged by distances
   bool stopped = false;                ///< the best so far, when it was told to stop
   std::string prints_unknown;          ///< why there is none of such a goal

@@ -21,8 +21,11 @@ Json hinge_json(const HingeSection& hinge) {
           {"text", hinge_text(hinge)}};
 }
 
-/// What results say of the sheet.
-Json sheet_json(const DesignFile& design) {
+Json numbers(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+}  // namespace
+
+nlohmann::ordered_json sheet_json(const DesignFile& design) {
   Run run;
   run.structure = design.structure;
   run.hinge = design.hinge;
@@ -30,10 +33,6 @@ Json sheet_json(const DesignFile& design) {
   const double edge = design.structure.size().edge_mm;
   return structure_json(run, design.hinge.reach_mm.value_or(sim::PhysicsOptions{}.reach * edge));
 }
-
-Json numbers(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-
-}  // namespace
 
 Json hello_message(const std::string& name) {
   Json out = {{"type", "hello"}, {"version", version}, {"name", name}};

@@ -30,6 +30,7 @@ constexpr double steepest_deg = 89;  // theta, as --theta-deg has it
 constexpr std::chrono::milliseconds between_plays{
     8};  // while the engine runs: twice as often as frames are seen
 constexpr std::chrono::milliseconds between_words{500};  // of a search, on screen
+constexpr std::size_t most_senders = 8;                  // pages whose parts of files are kept
 constexpr double largest_push_N = 1000;                  // more than a person pushes with
 
 /// Thrown out of long work that nobody waits for any more.
@@ -75,7 +76,8 @@ Session::Session(Opened opened, Outlet outlet)
     : opened_(std::move(opened)),
       outlet_(std::move(outlet)),
       history_(opened_.design),
-      player_(opened_.design) {
+      player_(opened_.design),
+      told_(opened_.result) {
   if (!opened_.target_file.empty()) enqueue([this] { search_for(opened_.target_file, nullptr); });
 }
 
@@ -90,6 +92,7 @@ void Session::greet(int client) {
     Json design = design_message(history_.current(), player_.moving());
     tell(std::move(design), client);
     tell_state(client);
+    if (!told_.is_null()) tell(told_, client);
     changed_ = true;
   });
 }
@@ -222,6 +225,7 @@ const std::map<std::string, Session::Command>& Session::commands() {
       {"open", [](S& s, const M& m) { s.open(m); }},
       {"save", [](S& s, const M&) { s.save(); }},
       {"search", [](S& s, const M& m) { s.search(m); }},
+      {"part", [](S& s, const M& m) { s.take_part(m); }},
       {"stop", [](S& s, const M&) { s.searcher_.ask_to_stop(); }},
       {"export", [](S& s, const M& m) { s.export_files(m); }},
   };
@@ -264,6 +268,7 @@ void Session::design_changed() {
   tracer_.ask_to_stop();
   ++revision_;
   result_.reset();
+  told_ = nullptr;
   stable_.clear();
   player_.load(history_.current());
   tell(design_message(history_.current(), player_.moving()));
@@ -371,9 +376,17 @@ void Session::snap() {
   player_.show_equilibrium(state.state, state.theta, 0, state.energy);
 }
 
+void Session::take_part(const Message& message) {
+  if (parts_.count(client_) == 0 && parts_.size() >= most_senders) parts_.erase(parts_.begin());
+  parts_[client_].add(plain_name(message.text("name")), message.integer("at", 0, most_part_bytes),
+                      from_base64(message.text("content")));
+}
+
 void Session::search(const Message& message) {
   if (searching_) throw InvalidInput("search: one is going on; stop it first");
   const auto folder = temporary_folder();
+  const Parts parts = std::exchange(parts_[client_], {});
+  for (const auto& [name, content] : parts.files()) write_file((*folder / name).string(), content);
   if (message.has("files"))
     for (const auto& [name, content] : message.named_texts("files"))
       write_file((*folder / plain_name(name)).string(), from_base64(content));
@@ -434,11 +447,12 @@ void Session::found(std::shared_ptr<Run> run) {
   take(read_design(targets::parse_document(text, "the result")));
   fold_to(run->theta);
   result_ = run;
-  tell({{"type", "result"},
-        {"result", result_json(*run)},
-        {"summary", summary(*run)},
-        {"met", run->goal && run->goal->met()},
-        {"stopped", run->stopped}});
+  told_ = {{"type", "result"},
+           {"result", result_json(*run)},
+           {"summary", summary(*run)},
+           {"met", run->goal && run->goal->met()},
+           {"stopped", run->stopped}};
+  tell(told_);
   tell_state();
   changed_ = true;
 }

@@ -10,6 +10,7 @@
 #include "app/studio/design_history.hpp"
 #include "app/studio/job.hpp"
 #include "app/studio/message.hpp"
+#include "app/studio/parts.hpp"
 #include "app/studio/player.hpp"
 
 namespace kinetix::app::studio {
@@ -29,6 +30,8 @@ struct Opened {
   std::string target_file;  ///< not empty: searched for at once
   int threads = 0;
   std::uint64_t seed = 0;
+  nlohmann::ordered_json result =
+      {};  ///< the message of the result that the design is of; null: none is known
 };
 
 /// One thing in the studio: its design, its shape at the moment, and what runs on its behalf. All pages see the same.
@@ -63,6 +66,7 @@ class Session {
   void take_nearest();
   void open(const Message& message);
   void save();
+  void take_part(const Message& message);
   void search(const Message& message);
   void export_files(const Message& message);
 
@@ -80,7 +84,9 @@ class Session {
   DesignHistory history_;
   int revision_ = 1;
   Player player_;
-  std::shared_ptr<const Run> result_;       ///< of the last search, while its design is the present one
+  std::shared_ptr<const Run> result_;  ///< of the last search, while its design is the present one
+  nlohmann::ordered_json
+      told_;  ///< the message of the result that the present design is of; null: it is of none
   std::vector<model::StableState> stable_;  ///< that the last equilibrium path led to
   std::size_t next_stable_ = 0;
 
@@ -89,6 +95,7 @@ class Session {
   double id_ = 0;                ///< of that command; 0 once somebody else answers it
   bool changed_ = true;          ///< there is something new to see
   bool searching_ = false;
+  std::map<int, Parts> parts_;  ///< by client: of files that came for its next search
 
   std::mutex mutex_;  ///< of the queue
   std::condition_variable_any arrived_;

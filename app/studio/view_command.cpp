@@ -6,6 +6,7 @@
 
 #include "app/console/open_report.hpp"
 #include "app/goals/read_target.hpp"
+#include "app/studio/earlier_result.hpp"
 #include "app/studio/server.hpp"
 #include "app/studio/session.hpp"
 #include "app/studio/templates.hpp"
@@ -57,6 +58,7 @@ int view_command(const CommandOptions& options, const ViewRequest& request) {
   Opened opened = opened_source(request.source);
   opened.threads = options.threads;
   opened.seed = options.seed;
+  if (opened.target_file.empty()) opened.result = studio::earlier_result(opened.save_file, opened.design);
   const std::string token = random_token();
   studio::Session* to = nullptr;
   studio::Server server(files, token, static_cast<std::uint16_t>(request.port),

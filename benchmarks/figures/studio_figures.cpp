@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <random>
 
 #include "app/goals/read_target.hpp"
@@ -15,6 +16,7 @@
 #include "sim/live_sheet.hpp"
 #include "tests/app/studio/client.hpp"
 #include "tests/app/studio/studio.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace kinetix::bench {
 namespace {
@@ -178,6 +180,32 @@ Drags random_drags(int seeds, double each_s) {
   return out;
 }
 
+/// What a script of tests/viewer writes, in a browser with software rendering.
+std::string in_browser(const std::string& script) {
+  const testing::TemporaryFolder folder;
+  const std::string command =
+      fmt::format("KINETIX_OPT={} KINETIX_SHAPES={} {}/tests/viewer/in_browser.sh {} ON {} 2>&1", KINETIX_OPT,
+                  shapes, KINETIX_SOURCE, folder.path("page"), script);
+  FILE* const pipe = popen(command.c_str(), "r");
+  if (pipe == nullptr) return {};
+  std::string out;
+  char buffer[4096];
+  while (const std::size_t read = fread(buffer, 1, sizeof buffer, pipe)) out.append(buffer, read);
+  pclose(pipe);
+  return out;
+}
+
+Figure frames_drawn() {
+  const std::string said = in_browser("frame_rate");
+  const auto at = said.find("drawn: ");
+  const double frames = at == std::string::npos ? 0 : std::stod(said.substr(at + 7));
+  return {"helmet of 844 bodies: frames a second that a page draws in the live physics, software rendering",
+          "at least 15",
+          at == std::string::npos ? "not measured: " + said.substr(0, said.find('\n'))
+                                  : fmt::format("{:.0f}", frames),
+          frames >= 15};
+}
+
 }  // namespace
 
 std::vector<Figure> studio_figures() {
@@ -203,6 +231,7 @@ std::vector<Figure> studio_figures() {
     figures.push_back({"helmet of 844 bodies: frames a second at the socket, with a drag on", "at least 20",
                        fmt::format("{:.0f}", frames), frames >= 20});
   }
+  figures.push_back(frames_drawn());
   const Drags played = random_drags(100, 60);
   figures.push_back({"60 s of random drags, 100 seeds: runs with a NaN; that gain energy without a hand",
                      "0; 0", fmt::format("{}; {}", played.not_finite, played.grown),

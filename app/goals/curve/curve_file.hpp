@@ -36,7 +36,6 @@ struct CurveFile : GoalSettings {
   double shape_tolerance = 0.01;  ///< of shape_rms, over the curve's bounding-box diagonal, (0, 1]
 
   SolverSection solver = {};
-  bool robust = false;     ///< of designs within the tolerance, the one whose prints come nearest
   bool free_size = false;  ///< structure.cell_mm was left out: cells follow from the curve's length
   bool free_walls = true;  ///< structure.wall_mm was left out: walls follow from the cells
 };

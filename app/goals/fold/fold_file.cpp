@@ -90,6 +90,7 @@ targets::KeyTable keys_of(const FoldFile& usual) {
       goal_drive_key(),
       {"physics", value::map(physics_keys()), {}, "settings of the physics run"},
       process_key(),
+      robust_key(),
   });
 }
 
@@ -114,6 +115,9 @@ FoldFile read_fold_file(const targets::Node& node) {
   file.physics = read_physics(root, file.size.edge_mm);
   read_hinges(root, file.size, file);
   read_tolerance(root, file);
+  root.read("robust", file.robust);
+  if (file.goal.solid && file.robust)
+    throw root.optional("robust")->error("is for boxes and nets of squares; leave it out for a solid");
   if (file.goal.solid && file.limits.any())
     throw root.optional("tolerance")
         ->error("force_N and strain are kept for boxes and nets of squares; leave them out for a solid");

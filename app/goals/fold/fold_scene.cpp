@@ -10,6 +10,7 @@
 #include "app/goals/fold/fold_outcome.hpp"
 #include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/hinge_loads.hpp"
+#include "app/pipeline/robust_search.hpp"
 #include "model/sheet/sheet_motion.hpp"
 #include "optim/fold/fit_box.hpp"
 #include "targets/document/number.hpp"
@@ -58,22 +59,38 @@ class FoldScene final : public Scene {
   }
 
   void solve(Run& run, const RunOptions& options) const override {
-    take_settings(run, file_);
+    solve(file_, run, options);
+    if (!file_.robust) return;
+    RunOptions quiet = options;
+    quiet.progress = RunOptions{}.progress;
+    search_robustly(
+        run, *this, file_.theta,
+        [&](Run& other, const RobustTrial& trial) {
+          FoldFile file = file_;
+          file.hinge = trial.hinge;
+          file.theta = trial.theta.value_or(file.theta);
+          solve(file, other, quiet);
+        },
+        options);
+  }
+
+  void solve(const FoldFile& file, Run& run, const RunOptions& options) const {
+    take_settings(run, file);
     auto found = std::make_unique<FoldOutcome>();
-    found->tolerances = {{"angle_deg", std::stod(targets::degrees_text(file_.angle_tolerance))},
-                         {"shape", file_.shape_tolerance}};
-    if (file_.goal.box_mm) found->tolerances.push_back({"size", file_.size_tolerance});
-    found->goal = file_.goal;
-    found->design = fit_fold(file_.goal, search_of(file_), options.progress);
-    const auto search = [this](double largest_theta) {
-      optim::FoldOptions narrowed = search_of(file_);
+    found->tolerances = {{"angle_deg", std::stod(targets::degrees_text(file.angle_tolerance))},
+                         {"shape", file.shape_tolerance}};
+    if (file.goal.box_mm) found->tolerances.push_back({"size", file.size_tolerance});
+    found->goal = file.goal;
+    found->design = fit_fold(file.goal, search_of(file), options.progress);
+    const auto search = [&](double largest_theta) {
+      optim::FoldOptions narrowed = search_of(file);
       narrowed.theta.upper = largest_theta;
-      return fit_fold(file_.goal, narrowed);
+      return fit_fold(file.goal, narrowed);
     };
-    keep_limits(file_, run, *this, *found, search, options);
+    keep_limits(file, run, *this, *found, search, options);
     const optim::FoldedNet& net = found->design.folded;
     found->violations = found->design.folds
-                            ? violations(file_, found->creases(net.error), net.error.rms, "model")
+                            ? violations(file, found->creases(net.error), net.error.rms, "model")
                             : found->design.obstacles;
     check_size(*found);
     run.structure = net.structure;

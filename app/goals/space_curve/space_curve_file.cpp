@@ -150,6 +150,7 @@ const targets::KeyTable& space_curve_keys() {
       goal_drive_key(),
       {"physics", value::map(physics_keys()), {}, "settings of the physics run"},
       process_key(),
+      robust_key(),
   });
   return keys;
 }
@@ -171,6 +172,7 @@ SpaceCurveFile read_space_curve_file(const targets::Node& node) {
   check_length(root, file);
   check_reach(file, points, goal.places);
   read_hinges(root, file.variables.free_edge ? std::nullopt : std::optional(file.variables.size), file);
+  root.read("robust", file.robust);
   file.physics = read_physics(root, file.variables.size.edge_mm);
   return file;
 }

@@ -4,6 +4,7 @@
 #include "app/goals/space_curve/space_curve_outcome.hpp"
 #include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/physics_settings.hpp"
+#include "app/pipeline/robust_search.hpp"
 #include "model/lattice/square/drive.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
@@ -45,13 +46,31 @@ class SpaceCurveScene final : public Scene {
   }
 
   void solve(Run& run, const RunOptions& options) const override {
-    take_settings(run, file_);
+    solve(file_, run, options);
+    if (!file_.robust) return;
+    const bool is_free = file_.variables.free_edge;
+    RunOptions quiet = options;
+    quiet.progress = RunOptions{}.progress;
+    search_robustly(
+        run, *this, is_free ? std::optional(file_.variables.theta) : std::nullopt,
+        [&](Run& other, const RobustTrial& trial) {
+          SpaceCurveFile file = file_;
+          file.hinge = trial.hinge;
+          file.variables.theta = trial.theta.value_or(file.variables.theta);
+          if (trial.theta) file.variables.thetas = 1;
+          solve(file, other, quiet);
+        },
+        options);
+  }
+
+  void solve(const SpaceCurveFile& file, Run& run, const RunOptions& options) const {
+    take_settings(run, file);
     options.progress("search", 0);
-    auto outcome = std::make_unique<SpaceCurveOutcome>(file_);
-    outcome->tolerances = {{"shape", file_.shape_tolerance}};
+    auto outcome = std::make_unique<SpaceCurveOutcome>(file);
+    outcome->tolerances = {{"shape", file.shape_tolerance}};
     optim::SolverOptions solver;
     solver.stop = options.stop;
-    outcome->found = fit_space_curve(file_.wanted, file_.variables, solver);
+    outcome->found = fit_space_curve(file.wanted, file.variables, solver);
     outcome->violations = all_violations(*outcome, "model");
     run.structure = sheet_of(outcome->found.design, outcome->found.size);
     run.theta = outcome->found.design.theta;

@@ -180,6 +180,7 @@ function readResult(raw) {
     states: kind?.place?.(raw, states) ?? states,
     verdict: readVerdict(metrics, tolerance),
     asMade: readAsMade(raw.as_made),
+    madeChoices: readMadeChoices(raw.robust),
     matter: readMatter(raw.matter),
     runs: list(optimiser.runs).map(readRun),
     fidelity: list(raw.fidelity).filter((entry) => entry && typeof entry === "object"),

@@ -1,6 +1,8 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -171,6 +173,59 @@ TEST(Matter, ARobustCurveHasBetterPrints) {
   for (const Json& one : robust.result["curve"]["robust"]) chosen += one["chosen"].get<bool>();
   EXPECT_EQ(chosen, 1);
   EXPECT_THAT(robust.out, HasSubstr("strips tried"));
+}
+
+TEST(Matter, ARobustFoldIsOneWhosePrintsComeNearer) {
+  const Scratch scratch;
+  const std::string box =
+      "kinetix: 1\ntarget: {kind: fold, box: [1, 1, 1]}\n"
+      "hinge: {kind: block, material: tango, gap_mm: 1}\n" +
+      springs;
+  const Finished plain = finished(scratch, box, " --no-verify"),
+                 robust = finished(scratch, box + "robust: true\n", " --no-verify");
+  ASSERT_TRUE(plain.code == 0 || plain.code == 3) << plain.out << plain.err;
+  ASSERT_TRUE(robust.code == 0 || robust.code == 3) << robust.out << robust.err;
+  EXPECT_EQ(schema_errors(robust.result), "");
+  const Json& tried = robust.result["robust"];
+  EXPECT_GE(tried.size(), 10u) << "other values of theta and other gaps";
+  const auto chosen =
+      std::find_if(tried.begin(), tried.end(), [](const Json& one) { return one["chosen"].get<bool>(); });
+  ASSERT_NE(chosen, tried.end());
+  for (const Json& one : tried)
+    if (one["allowed"]) {
+      EXPECT_LE((*chosen)["as_made_rms_mm"], one["as_made_rms_mm"]);
+    }
+  EXPECT_LE(robust.result["metrics"]["as_made_rms_mm"], plain.result["metrics"]["as_made_rms_mm"]);
+  EXPECT_THAT(robust.out, HasSubstr("designs tried"));
+}
+
+TEST(Matter, ARobustCurveInSpaceIsOneWhosePrintsComeNearer) {
+  const Scratch scratch;
+  std::string points;
+  for (int k = 0; k <= 20; ++k)
+    points += fmt::format("{}[{:.3f}, {:.3f}, {:.3f}]", k ? ", " : "", 60 * std::sin(0.1 * k), 2.0 * k,
+                          60 - 60 * std::cos(0.1 * k));
+  const std::string goal = "kinetix: 1\ntarget: {kind: space_curve, points: [" + points +
+                           "]}\nstructure: {cells: [24, 1]}\n"
+                           "tolerance: {shape: 0.05}\n";
+  const Finished plain = finished(scratch, goal, " --no-verify"),
+                 robust = finished(scratch, goal + "robust: true\n", " --no-verify");
+  ASSERT_EQ(plain.code, 0) << plain.out << plain.err;
+  ASSERT_EQ(robust.code, 0) << robust.out << robust.err;
+  EXPECT_EQ(schema_errors(robust.result), "");
+  EXPECT_GE(robust.result["robust"].size(), 5u);
+  EXPECT_LE(robust.result["metrics"]["as_made_rms_mm"], plain.result["metrics"]["as_made_rms_mm"]);
+}
+
+TEST(Matter, KindsWithoutARobustSearchSayWhichHaveOne) {
+  const Scratch scratch;
+  const Finished run = finished(scratch, "kinetix: 1\ntarget: {kind: display, glyph: T}\nrobust: true\n");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, AllOf(HasSubstr("3:9: robust"), HasSubstr("these have: curve, fold")));
+  const Finished solid =
+      finished(scratch, "kinetix: 1\ntarget: {kind: fold, solid: octahedron}\nrobust: true\n");
+  EXPECT_EQ(solid.code, 2);
+  EXPECT_THAT(solid.err, HasSubstr("leave it out for a solid"));
 }
 
 const std::string letter = R"(kinetix: 1

@@ -5,6 +5,7 @@
 
 #include <random>
 
+#include "app/studio/earlier_result.hpp"
 #include "app/studio/templates.hpp"
 #include "model/sheet/sheet_motion.hpp"
 #include "tests/app/studio/client.hpp"
@@ -238,6 +239,54 @@ TEST_F(Studio, SearchesForAGoalAndTakesItsDesign) {
   Client other(studio.port());
   ASSERT_TRUE(other.open(studio.token));
   EXPECT_EQ(other.text("design")["name"], "hook");
+}
+
+TEST_F(Studio, TakesFilesInPartsThatOneMessageWouldNotHold) {
+  std::string csv = arc();
+  csv.insert(csv.size(), 900'000, '\n');
+  csv.resize(csv.size() / 3 * 3);
+  constexpr std::size_t part = 480'000;
+  for (std::size_t at = 0; at < csv.size(); at += part)
+    client.ask(
+        {{"type", "part"}, {"name", "arc.csv"}, {"at", at}, {"content", base64(csv.substr(at, part))}});
+  client.send(json{{"type", "search"}, {"target", target}}.dump());
+  EXPECT_TRUE(client.text("result")["met"]);
+}
+
+TEST_F(Studio, RefusesPartsOutOfTheirOrderAndTooManyOfThem) {
+  client.send(json{{"type", "part"}, {"name", "a.csv"}, {"at", 6}, {"content", base64("abc")}}.dump());
+  EXPECT_THAT(client.text("error")["message"].get<std::string>(), ::testing::HasSubstr("6 of the 0 bytes"));
+  client.send(json{{"type", "part"}, {"name", "../a.csv"}, {"at", 0}, {"content", base64("abc")}}.dump());
+  EXPECT_THAT(client.text("error")["message"].get<std::string>(), ::testing::HasSubstr("plain file name"));
+  const std::string content = base64(std::string(480'000, 'x'));
+  for (int k = 0; k < 69; ++k)
+    client.ask({{"type", "part"}, {"name", fmt::format("{}.obj", k)}, {"at", 0}, {"content", content}});
+  client.send(json{{"type", "part"}, {"name", "last.obj"}, {"at", 0}, {"content", content}}.dump());
+  EXPECT_THAT(client.text("error")["message"].get<std::string>(), ::testing::HasSubstr("32 MiB in all"));
+}
+
+TEST_F(Studio, KnowsTheGoalOfADesignThatLiesBesideItsResult) {
+  client.send(json{{"type", "search"}, {"target", target}, {"files", {{"arc.csv", base64(arc())}}}}.dump());
+  const json found = client.text("result");
+  client.send(R"({"type": "save"})");
+  const std::string path = client.text("saved")["path"];
+  app::DesignFile saved = app::read_design(path);
+  const auto again = app::studio::earlier_result(path, saved);
+  ASSERT_FALSE(again.is_null());
+  EXPECT_EQ(again["met"], true);
+  EXPECT_EQ(json(again["result"]["curve"]), found["result"]["curve"]);
+  Client other(studio.port());
+  ASSERT_TRUE(other.open(studio.token));
+  EXPECT_EQ(other.text("result")["result"]["name"], "hook") << "pages that come later know of it as well";
+}
+
+TEST_F(Studio, KnowsNoGoalOfADesignThatWasChangedSince) {
+  client.send(json{{"type", "search"}, {"target", target}, {"files", {{"arc.csv", base64(arc())}}}}.dump());
+  client.text("result");
+  client.send(R"({"type": "save"})");
+  const std::string path = client.text("saved")["path"];
+  EXPECT_TRUE(app::studio::earlier_result(path, file).is_null());
+  EXPECT_TRUE(app::studio::earlier_result(path + "/none/design.yaml", app::read_design(path)).is_null());
 }
 
 TEST_F(Studio, KeepsItsHeadWhenPlayedWithAtRandom) {

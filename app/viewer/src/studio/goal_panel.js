@@ -3,7 +3,8 @@ import {$, element, neat, say, show, status} from "./dom.js";
 import {DrawingPad} from "./drawing_pad.js";
 import {CARDS} from "./goals.js";
 
-const LARGEST_FILE = 500e3;  // bytes: the program takes messages up to about 700 kB, and base64 adds a third
+const LARGEST_FILE = 32 * 2 ** 20;  // bytes, of all files of a search: what the program takes (app/studio/parts.hpp)
+const PART = 480e3;                 // bytes, a multiple of 3: the program takes messages up to 768 kB, and base64 adds a third
 
 export class GoalPanel {
   constructor(state) {
@@ -60,10 +61,10 @@ export class GoalPanel {
 
   async take(file) {
     if (!file) return;
-    if (file.size > LARGEST_FILE) return say(`${file.name} is larger than ${LARGEST_FILE / 1000} kB: name it in a target file and start the studio with that.`);
+    if (file.size > LARGEST_FILE) return say(`${file.name} is larger than ${LARGEST_FILE / 2 ** 20} MiB: name it in a target file and start the studio with that.`);
     const bytes = new Uint8Array(await file.arrayBuffer()), name = file.name.replace(/[^\w.-]/g, "_");
     this.file = {name, content: this.kind === CARDS.file ? new TextDecoder().decode(bytes) : undefined};
-    this.files = this.kind === CARDS.file ? {} : {[name]: base64(bytes)};
+    this.files = this.kind === CARDS.file ? {} : {[name]: bytes};
     this.dropLabel.textContent = `${file.name}, ${neat(file.size / 1000, 1)} kB`;
     this.compose();
   }
@@ -105,8 +106,20 @@ export class GoalPanel {
     if (missing) return $("goal").reportValidity() && say(missing);
     show($("found"), false);
     this.state.remember();
-    const keys = {target: $("target_text").value, ...(Object.keys(this.files).length ? {files: this.files} : {})};
-    await this.connection.send("search", keys).catch(() => {});
+    const target = $("target_text").value;
+    try {
+      for (const [name, bytes] of Object.entries(this.files)) await this.sendParts(name, bytes);
+      await this.connection.send("search", {target});
+    } catch {
+      // What was refused is on the screen already.
+    }
+  }
+
+  async sendParts(name, bytes) {
+    for (let at = 0; at === 0 || at < bytes.length; at += PART) {
+      if (bytes.length > PART) status(`${name}: ${neat((100 * at) / bytes.length, 0)} % sent`);
+      await this.connection.send("part", {name, at, content: base64(bytes.subarray(at, at + PART))});
+    }
   }
 
   showProgram() {
@@ -129,8 +142,9 @@ export class GoalPanel {
 
   showResult() {
     const {met, stopped, summary} = this.state.result;
+    const {earlier} = this.state.result;
     show($("found"), true);
-    $("found_title").textContent = met ? "Found: it meets the goal" : stopped ? "Stopped: the best so far" : "Not met: this is the nearest";
+    $("found_title").textContent = earlier ? (met ? "Met" : met === false ? "Not met" : "Not known to be met") + ": what was found before" : met ? "Found: it meets the goal" : stopped ? "Stopped: the best so far" : "Not met: this is the nearest";
     $("found_title").className = met ? "good" : "bad";
     $("found_text").textContent = summary ?? "";
     status($("found_title").textContent);

@@ -1,0 +1,131 @@
+#include "app/pipeline/robust_search.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "app/pipeline/as_made.hpp"
+#include "app/pipeline/matter.hpp"
+
+namespace kinetix::app {
+namespace {
+
+// What is tried of theta: its whole range, in equal steps.
+constexpr int thetas = 9;
+// rad: as narrow as a range may be; theta is what is tried.
+constexpr double narrow = 1e-3;
+// And of the gaps of blocks and films, over that of the file: longer ones turn softer, and are weaker across.
+constexpr double gap_shares[] = {1, 0.7, 1.4};
+
+/// How the goal is kept, and what prints are expected to come to.
+struct Expected {
+  double tolerance_mm = 0;
+  PrintedGoal printed;
+};
+
+/// Of a run that was solved, which goes as far as the pipeline takes it without a physics run.
+std::optional<Expected> expected(Run& run, const Scene& scene, const RunOptions& options) {
+  run.plan = make_plan(run.structure, scene.model());
+  scene.add_state(run, options);
+  scene.judge(run, options);
+  if (is_of_matter(scene, run)) settle_in_matter(run, scene, options);
+  if (run.matter && !run.equilibrium) return std::nullopt;
+  const model::State state = run.matter ? run.equilibrium->path.state : scene.own_state(run);
+  const auto goal = scene.judged(run, run.structure, run.theta, state);
+  if (!goal) return std::nullopt;
+  const auto drive = run.matter ? run.equilibrium->drive : goal_drive(run, run.structure, run.theta);
+  const auto printed = expected_of_prints(run, drive, state, goal->points);
+  if (!printed) return std::nullopt;
+  return Expected{goal->tolerance_mm, *printed};
+}
+
+RobustCandidate judged(Run run, const Scene& scene, const RunOptions& options) {
+  RobustCandidate out{.theta = run.theta,
+                      .cell_mm = run.structure.size().edge_mm,
+                      .designed_mm = std::nan(""),
+                      .as_made_mm = std::nan(""),
+                      .as_made_p95 = std::nan("")};
+  if (run.hinge.made && run.hinge.made->gap_mm > 0) out.gap_mm = run.hinge.made->gap_mm;
+  const auto found = run.goal->met() ? expected(run, scene, options) : std::nullopt;
+  if (!found) return out;
+  const model::AsMade& made = found->printed.made;
+  out.designed_mm = made.designed_mm;
+  out.as_made_mm = made.rms_mm;
+  out.as_made_p95 = made.p95_mm;
+  out.is_allowed = found->printed.can_be_printed && made.designed_mm <= found->tolerance_mm;
+  return out;
+}
+
+std::vector<RobustTrial> trials(const std::optional<optim::AngleRange>& theta, const HingeSection& hinge) {
+  std::vector<RobustTrial> out;
+  const bool has_gap = hinge.made && hinge.made->gap_mm > 0;
+  for (const double share : gap_shares) {
+    if (share != 1 && !has_gap) continue;
+    HingeSection other = hinge;
+    if (has_gap) other.made->gap_mm *= share;
+    if (!theta) {
+      if (share != 1) out.push_back({std::nullopt, other});
+      continue;
+    }
+    for (int k = 0; k < thetas; ++k) {
+      const double lower = theta->lower + (theta->upper - theta->lower - narrow) * k / (thetas - 1);
+      out.push_back({optim::AngleRange{lower, lower + narrow}, other});
+    }
+  }
+  return out;
+}
+
+void take_over(Run& run, Run&& better) {
+  run.structure = std::move(better.structure);
+  run.theta = better.theta;
+  run.hinge = std::move(better.hinge);
+  run.goal = std::move(better.goal);
+}
+
+using Solve = std::function<void(Run&, const RobustTrial&)>;
+
+/// Nothing where there is no such design.
+std::optional<RobustCandidate> tried(const Scene& scene, const RobustTrial& trial, const Solve& solve,
+                                     const RunOptions& options) {
+  try {
+    Run run;
+    solve(run, trial);
+    return judged(std::move(run), scene, options);
+  } catch (const InvalidInput&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+void search_robustly(Run& run, const Scene& scene, const std::optional<optim::AngleRange>& theta,
+                     const Solve& solve, const RunOptions& options) {
+  RunOptions quiet = options;
+  quiet.progress = {};
+  RobustChoice choice;
+  std::vector<RobustTrial> all = trials(theta, run.hinge);
+  all.insert(all.begin(), RobustTrial{std::nullopt, run.hinge});
+  std::size_t best = 0;
+  for (std::size_t k = 0; k < all.size() && !options.stop.stop_requested(); ++k) {
+    options.progress("robust search", static_cast<double>(k) / static_cast<double>(all.size()),
+                     fmt::format("design {} of {}", k + 1, all.size()));
+    const auto next = tried(scene, all[k], solve, quiet);
+    if (!next) continue;
+    choice.tried.push_back(*next);
+    const RobustCandidate& before = choice.tried[choice.chosen];
+    const bool is_better = next->is_allowed && (!before.is_allowed || next->as_made_mm < before.as_made_mm);
+    if (!is_better) continue;
+    choice.chosen = choice.tried.size() - 1;
+    best = k;
+  }
+  if (choice.tried.empty()) return;
+  if (best > 0) {
+    Run better;
+    solve(better, all[best]);
+    take_over(run, std::move(better));
+  }
+  run.robust = std::move(choice);
+}
+
+}  // namespace kinetix::app

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <functional>
+
+#include "app/run/scene.hpp"
+
+namespace kinetix::app {
+
+/// What a robust search may try.
+struct RobustTrial {
+  std::optional<optim::AngleRange> theta;  ///< rad, as narrow as searches take it; nothing: that of the file
+  HingeSection hinge;                      ///< with another gap of its blocks or films
+};
+
+/// Of the plain design and others, at nine values of theta and three gaps of hinges, keeps the one whose prints are expected
+/// nearest to the goal to first order, among those that meet it once they have made up for elastic
+/// hinges: puts its structure, theta, hinge and goal into the run, and
+/// says in run.robust what was tried.
+/// One without an expectation, or further off than the goal allows, is not taken unless the plain one is as well.
+/// @param run solved plainly   @param theta what may be tried of it, rad; nothing: theta is given
+/// @param solve a fresh run for a trial; one that throws InvalidInput is left out
+void search_robustly(Run& run, const Scene& scene, const std::optional<optim::AngleRange>& theta,
+                     const std::function<void(Run&, const RobustTrial&)>& solve, const RunOptions& options);
+
+}  // namespace kinetix::app

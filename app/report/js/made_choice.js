@@ -1,0 +1,41 @@
+/** Designs from which a robust search chose: `robust` of result.json. */
+function readMadeChoices(raw) {
+  return list(raw).filter((one) => finite(one?.as_made_rms_mm) !== null && finite(one?.designed_mm) !== null);
+}
+
+/** Those that no other one beats in both errors. */
+function madeFront(choices) {
+  let least = Infinity;
+  return [...choices].sort((a, b) => a.designed_mm - b.designed_mm).filter((one) => one.as_made_rms_mm < least && ((least = one.as_made_rms_mm), true));
+}
+
+function madeChoiceName(one) {
+  return `theta ${degrees(toDegrees(one.theta_rad))}` + (finite(one.gap_mm) === null ? "" : `, gaps of ${millimetres(one.gap_mm)}`);
+}
+
+function drawMadeChoices(choices, width) {
+  const near = choices.filter((one) => one.allowed);
+  const axes = plot({
+    width,
+    label: "Error of the design and of its prints",
+    x: {range: padded([0, ...near.map((one) => one.designed_mm)]), label: "error of the design, mm rms"},
+    y: {range: padded([0, ...near.map((one) => one.as_made_rms_mm)]), label: "expected of prints, mm rms"}
+  });
+  const at = (one) => [axes.X(one.designed_mm), axes.Y(one.as_made_rms_mm)];
+  axes.root.append(svg("path", {class: "model", d: path(madeFront(near).map(at))}), ...near.map((one) => svg("circle", {
+    cx: at(one)[0], cy: at(one)[1], r: one.chosen ? 6 : 3.5, class: one.chosen ? "tried chosen" : one === choices[0] ? "tried plain" : "tried"
+  }, svg("title", {}, madeChoiceName(one)))));
+  return axes.root;
+}
+
+function madeChoiceSection({madeChoices}) {
+  const chosen = madeChoices.find((one) => one.chosen), plain = madeChoices[0];
+  return [
+    html("p", {class: "lead"}, chosen && chosen !== plain ?
+      `Prints with ${madeChoiceName(chosen)} are expected ${millimetres(chosen.as_made_rms_mm)} off; of what a plain search finds, with ${
+          madeChoiceName(plain)}, ${millimetres(plain.as_made_rms_mm)}.` :
+      "No other design that was tried promises better prints than that of a plain search."),
+    responsive((width) => drawMadeChoices(madeChoices, width)),
+    legend(["tried", "designs that meet the goal"], ["tried plain", "of the plain search"], ["tried chosen", "this one"]),
+  ];
+}

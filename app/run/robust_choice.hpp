@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+namespace kinetix::app {
+
+/// A design that was tried for how its prints come out.
+struct RobustCandidate {
+  double theta = 0;  ///< rad
+  double cell_mm = 0;
+  std::optional<double> gap_mm = {};  ///< of blocks and films
+  double designed_mm = 0;             ///< rms that the design itself is off; NaN where that is not known
+  double as_made_mm = 0;              ///< rms that prints are expected to be off; NaN likewise
+  double as_made_p95 = 0;             ///< mm, what 95 of 100 keep; NaN likewise
+  bool is_allowed = false;  ///< its distance from the goal is within the tolerance, and it can be printed
+};
+
+/// Designs from which a robust search chose.
+struct RobustChoice {
+  std::vector<RobustCandidate> tried;  ///< first the plain search's
+  std::size_t chosen = 0;              ///< in tried
+};
+
+}  // namespace kinetix::app
