@@ -7,6 +7,9 @@ add_library(kinetix_flags INTERFACE)
 target_compile_options(kinetix_flags INTERFACE -ffp-contract=off)
 # With it ccache can serve what was compiled with a precompiled header.
 target_compile_options(kinetix_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+# KiB: sources full of templates fill the compiler's heap several times over; to collect garbage only from a GiB on
+# saves a sixth of their time. The code is the same.
+target_compile_options(kinetix_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=1048576>)
 # What most sources of every room include.
 set(kinetix_common_headers <Eigen/Core> <Eigen/Geometry> <Eigen/SparseCore> <algorithm> <array> <cmath> <functional>
   <map> <memory> <optional> <string> <variant> <vector>)
