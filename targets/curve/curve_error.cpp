@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "model/base/rigid_fit.hpp"
 #include "targets/curve/polyline_tree.hpp"
 
 namespace kinetix::targets {
@@ -52,7 +53,7 @@ Motion match_samples(const Points& from, const Points& to) {
     a.col(k) = from[k];
     b.col(k) = to[k];
   }
-  const Eigen::Matrix3d motion = Eigen::umeyama(a, b, false);
+  const Eigen::Matrix3d motion = rigid_fit(a, b);
   return {std::atan2(motion(1, 0), motion(0, 0)), motion.topRightCorner<2, 1>()};
 }
 

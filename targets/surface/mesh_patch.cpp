@@ -1,11 +1,11 @@
 #include "targets/surface/mesh_patch.hpp"
 
-#include <Eigen/Dense>
 #include <cmath>
 #include <map>
 
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
+#include "model/base/least_squares.hpp"
 #include "model/base/polygon.hpp"
 #include "targets/outline/outline.hpp"
 
@@ -149,7 +149,7 @@ Eigen::VectorXd fitted(const std::vector<Vector3d>& points, const Vector2d& half
   const double keep = std::sqrt(ridge * static_cast<double>(points.size()));
   for_terms(
       [&](int k, int i, int j) { A(static_cast<int>(points.size()) + k, k) = keep * (1 + i * i + j * j); });
-  return A.colPivHouseholderQr().solve(z);
+  return least_squares(A, z);
 }
 
 }  // namespace
