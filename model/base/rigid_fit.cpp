@@ -8,8 +8,4 @@ Eigen::Matrix4d rigid_fit(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& 
   return Eigen::umeyama(from, to, false);
 }
 
-Eigen::Matrix3d rigid_fit(const Eigen::Matrix2Xd& from, const Eigen::Matrix2Xd& to) {
-  return Eigen::umeyama(from, to, false);
-}
-
 }  // namespace kinetix

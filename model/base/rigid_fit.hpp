@@ -9,6 +9,5 @@ namespace kinetix {
 /// @param from, to one point a column, of one unit; as many of each. The shift has their unit. A point that is not finite
 ///   makes the motion NaN or any: callers look first
 Eigen::Matrix4d rigid_fit(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to);
-Eigen::Matrix3d rigid_fit(const Eigen::Matrix2Xd& from, const Eigen::Matrix2Xd& to);
 
 }  // namespace kinetix

@@ -4,9 +4,10 @@
 #include <map>
 
 #include "model/base/angle.hpp"
+#include "model/base/decompositions.hpp"
 #include "model/base/invalid_input.hpp"
-#include "model/base/least_squares.hpp"
 #include "model/base/polygon.hpp"
+#include "model/base/rotation_vector.hpp"
 #include "targets/outline/outline.hpp"
 
 namespace kinetix::targets {
@@ -56,7 +57,7 @@ std::vector<int> rim_of(const TriangleMesh& mesh) {
 Eigen::Matrix3d upright(const TriangleMesh& mesh) {
   Vector3d sum = Vector3d::Zero();
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) sum += area_normal(mesh, t);
-  return Eigen::Quaterniond::FromTwoVectors(sum.normalized(), Vector3d::UnitZ()).toRotationMatrix();
+  return rotation_between(sum.normalized(), Vector3d::UnitZ());
 }
 
 void check_slope(const TriangleMesh& mesh, const Vector3d& z) {
