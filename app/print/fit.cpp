@@ -23,8 +23,8 @@ std::string words(const PrintSheet& sheet, const PathClearance& clearance) {
       "were asked",
       sheet.linkage.vertex_name(least.first), sheet.linkage.vertex_name(least.second),
       least.mm > 0 ? fmt::format("come to within {:.3f} mm", least.mm) : "run into each other",
-      to_degrees(least.theta), to_degrees(sheet.thetas.back()), least.place.x(), least.place.y(), least.place.z(),
-      clearance.asked_mm);
+      to_degrees(least.theta), to_degrees(sheet.thetas.back()), least.place.x(), least.place.y(),
+      least.place.z(), clearance.asked_mm);
 }
 
 /// A sheet that can be printed, or why there is none.

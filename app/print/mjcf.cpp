@@ -134,7 +134,8 @@ class MujocoFile {
 
   Vector3d hinge_point(int h, int body) const {
     const model::RestHinge& hinge = sheet_.linkage.hinges[h];
-    return metres_per_mm * sheet_.linkage.size.edge_mm * (hinge.lower == body ? hinge.lower_arm : hinge.upper_arm);
+    return metres_per_mm * sheet_.linkage.size.edge_mm *
+           (hinge.lower == body ? hinge.lower_arm : hinge.upper_arm);
   }
 
   /// Turn of each hinge of the tree from flat to the fold, rad.
@@ -158,8 +159,8 @@ class MujocoFile {
       for (std::size_t k = 0; k < pieces.size(); ++k) {
         out_ += fmt::format("<mesh name=\"m{}_{}\" vertex=\"", b, k);
         for (const Vector3d& p : pieces[k].corners)
-          fmt::format_to(std::back_inserter(out_), "{:.7g} {:.7g} {:.7g} ", metres_per_mm * p.x(), metres_per_mm * p.y(),
-                         metres_per_mm * p.z());
+          fmt::format_to(std::back_inserter(out_), "{:.7g} {:.7g} {:.7g} ", metres_per_mm * p.x(),
+                         metres_per_mm * p.y(), metres_per_mm * p.z());
         out_ += "\"/>\n";
       }
     }

@@ -11,7 +11,7 @@
 namespace kinetix::app {
 namespace {
 
-constexpr double on_bed_mm = 0.01;    // mm: less than any layer; corners of files are floats
+constexpr double on_bed_mm = 0.01;  // mm: less than any layer; corners of files are floats
 
 double lowest(const model::Polyhedron& solid, const Eigen::Vector3d& up) {
   double low = std::numeric_limits<double>::infinity();

@@ -8,7 +8,7 @@
 namespace kinetix::app {
 namespace {
 
-constexpr double apart = 2;   // diameters, from one lying rod to the next
+constexpr double apart = 2;          // diameters, from one lying rod to the next
 constexpr double rods_apart_mm = 2;  // mm, from one column of lying rods to the next
 
 /// Of a loose rod: its sections below and above by turns, as rod_solid has them.

@@ -16,7 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-
 const char* name_of(model::HingeKind kind) {
   return kind == model::HingeKind::pin ? "pin" : kind == model::HingeKind::block ? "block" : "film";
 }

@@ -80,7 +80,7 @@ void check_process(const model::Process& process, const model::CellSize& size,
 class SheetMaker {
  public:
   SheetMaker(const DesignFile& design, const PrintPath& path, const model::Process& process,
-        const PrintChoice& choice)
+             const PrintChoice& choice)
       : design_(design), choice_(choice), structure_(resized(design.structure, choice, process)) {
     sheet_.name = design.name;
     sheet_.process = process;

@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double knife_mm = 3;       // mm, between strips: room for a knife
+constexpr double knife_mm = 3;     // mm, between strips: room for a knife
 constexpr double tab_share = 0.5;  // of the way to the nearest hinge, or of the wall's height
 constexpr double chamfer = 0.3;    // of a tab's length: narrower at its end, so that no two meet in a corner
 

@@ -18,15 +18,15 @@ Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& A);
 
 /// Right singular vectors, orthonormal columns, with their values, largest first; min(rows, columns) of each.
 struct SingularVectors {
-  Eigen::MatrixXd vectors;
-  Eigen::VectorXd values;
+  Eigen::MatrixXd vectors;  ///< dimensionless
+  Eigen::VectorXd values;   ///< of the unit of A
 };
 SingularVectors right_singular_vectors(const Eigen::MatrixXd& A);
 
 /// Eigenvalues of a symmetric matrix, least first, and their vectors, orthonormal columns.
 struct Eigenvectors {
-  Eigen::MatrixXd vectors;
-  Eigen::VectorXd values;
+  Eigen::MatrixXd vectors;  ///< dimensionless
+  Eigen::VectorXd values;   ///< of the unit of A
   bool converged = false;
 };
 Eigenvectors symmetric_eigenvectors(const Eigen::MatrixXd& A);

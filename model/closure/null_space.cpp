@@ -63,7 +63,8 @@ NullSpace null_space(const Linkage& structure, const State& state, NullSpaceMeth
   const SparseMatrix jacobian = closure_jacobian(structure, state).rightCols(6 * (state.size() - 1));
   const bool dense = method == NullSpaceMethod::dense ||
                      (method == NullSpaceMethod::automatic && state.size() <= most_bodies_for_dense);
-  const SingularVectors spectrum = dense ? right_singular_vectors(jacobian.toDense()) : small_spectrum(jacobian);
+  const SingularVectors spectrum =
+      dense ? right_singular_vectors(jacobian.toDense()) : small_spectrum(jacobian);
 
   const Eigen::Index dofs = (spectrum.values.array() <= zero).count();
   const Eigen::Index others = spectrum.values.size() - dofs;

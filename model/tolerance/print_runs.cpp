@@ -52,8 +52,7 @@ Vector3d mean_place(const ObservedPoint& point, const State& state) {
 /// Rms distance of a print's points from the goal, after the best small rigid motion of what errors moved. mm
 class Distance {
  public:
-  Distance(const std::vector<ObservedPoint>& points, bool aligned)
-      : points_(points), aligned_(aligned) {
+  Distance(const std::vector<ObservedPoint>& points, bool aligned) : points_(points), aligned_(aligned) {
     MatrixXd rigid(points.size(), 6);
     for (std::size_t k = 0; k < points.size(); ++k)
       rigid.row(static_cast<Eigen::Index>(k)) << points[k].normal.transpose(),
@@ -62,7 +61,8 @@ class Distance {
   }
 
   double operator()(const State& design, const State& print) const {
-    VectorXd designed(static_cast<Eigen::Index>(points_.size())), moved(static_cast<Eigen::Index>(points_.size()));
+    VectorXd designed(static_cast<Eigen::Index>(points_.size())),
+        moved(static_cast<Eigen::Index>(points_.size()));
     for (std::size_t k = 0; k < points_.size(); ++k) {
       const auto row = static_cast<Eigen::Index>(k);
       designed[row] = points_[k].miss_mm;
