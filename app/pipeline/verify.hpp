@@ -6,8 +6,10 @@
 namespace kinetix::app {
 
 /// Runs the physics engine on run.structure, compares it with the reference state, and adds its state, the
-/// verification and its row of the speed-against-error table to the run; runs of coarser steps give further rows where
-/// `fidelity` asks for them. Joints of nets (F4) and creased sheets are stiffer than the options say. A run that is
+/// verification and its row of the speed-against-error table to the run. Where no step is given and there is a reference,
+/// coarser steps are tried first: a run in them that settles in the reference is as good, and any other is repeated in
+/// finer ones; physics.seconds counts them all. Runs of coarser steps give further rows where `fidelity` asks for them,
+/// beside a run of the usual step. Joints of exact families are stiffer than the options say. A run that is
 /// stopped adds nothing.
 void verify(Run& run, const PhysicsTask& task, const RunOptions& options);
 
