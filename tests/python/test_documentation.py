@@ -1,0 +1,63 @@
+"""The examples of docs/python.md run as they stand there and print what stands there."""
+import contextlib
+import inspect
+import io
+import os
+import re
+import typing
+import unittest
+
+from support import SOURCE, Scratch
+
+import kinetix
+
+PAGE = (SOURCE / "docs/python.md").read_text()
+EXAMPLES = re.findall(r"^```python\n(.*?)^```\n+```text\n(.*?)^```", PAGE, re.MULTILINE | re.DOTALL)
+
+
+class Documentation(Scratch):
+    def test_every_example_shows_its_output(self):
+        self.assertGreaterEqual(len(EXAMPLES), 4)
+        self.assertEqual(PAGE.count("```python\n"), len(EXAMPLES))
+
+    def test_every_example_prints_what_the_page_says(self):
+        before = os.getcwd()
+        os.chdir(self.folder)
+        self.addCleanup(os.chdir, before)
+        for number, (code, shown) in enumerate(EXAMPLES, 1):
+            with self.subTest(example=number), contextlib.redirect_stdout(io.StringIO()) as printed:
+                exec(compile(code, f"example {number} of docs/python.md", "exec"), {"__name__": "__main__"})
+                self.assertEqual(printed.getvalue(), shown)
+
+    def test_everything_public_has_a_docstring_and_types(self):
+        for name in kinetix.__all__:
+            thing = getattr(kinetix, name)
+            self.assertTrue(inspect.getdoc(thing), name)
+            for member in public_functions(name, thing):
+                self.check(*member)
+
+    def check(self, name, function):
+        self.assertTrue(inspect.getdoc(function), f"{name} has no docstring")
+        parameters = [p for p in inspect.signature(function).parameters if p not in ("self", "cls")]
+        hints = function.__annotations__
+        self.assertEqual([p for p in parameters if p not in hints], [], name)
+        self.assertIn("return", hints, name)
+        typing.get_type_hints(function)  # names that can be found
+
+
+def public_functions(name, thing):
+    """Functions, methods and properties, with their names."""
+    if inspect.isfunction(thing):
+        yield name, thing
+    for inner, member in vars(thing).items() if inspect.isclass(thing) else ():
+        if inner.startswith("_") or issubclass(thing, tuple):
+            continue
+        if isinstance(member, property):
+            member = member.fget
+        member = getattr(member, "__func__", member)
+        if inspect.isfunction(member):
+            yield f"{name}.{inner}", member
+
+
+if __name__ == "__main__":
+    unittest.main()
