@@ -7,10 +7,11 @@ examples.
 from ._core import version as __version__
 from .design import Design
 from .errors import InvalidInput
+from .goals import Goal
 from .result import Result
 from .run import Exported, export, optimise, simulate, verify
 from .state import State
 from .strips import fold_strips, strip_derivatives
 
-__all__ = ["Design", "Exported", "InvalidInput", "Result", "State", "export", "fold_strips", "optimise", "simulate",
+__all__ = ["Design", "Exported", "Goal", "InvalidInput", "Result", "State", "export", "fold_strips", "optimise", "simulate",
            "strip_derivatives", "verify"]

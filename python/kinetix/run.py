@@ -9,6 +9,7 @@ from typing import Any, Callable, Dict, List, NamedTuple, Optional, Sequence, Tu
 from . import _core
 from .design import Design
 from .documents import Source, is_document, yaml_text
+from .goals import Goal
 from .result import Result
 
 Progress = Callable[[str, Optional[float], str], object]
@@ -21,7 +22,7 @@ def _target(source: Source, folder: "str | os.PathLike[str]") -> _core.Target:
     return _core.read_target(os.fspath(source))
 
 
-def optimise(target: Source, *, folder: "str | os.PathLike[str]" = "", threads: int = 0, seed: int = 0,
+def optimise(target: Union[Source, Goal], *, folder: "str | os.PathLike[str]" = "", threads: int = 0, seed: int = 0,
              verify: bool = True, prints: int = 0, fidelity: bool = False, time_limit_s: Optional[float] = None,
              progress: Optional[Progress] = None) -> Result:
     """Searches for the sheet that folds into a goal, and folds it again by the physics engine.
@@ -29,16 +30,18 @@ def optimise(target: Source, *, folder: "str | os.PathLike[str]" = "", threads: 
     Ctrl-C, or the time limit, ends the search with the best so far (:attr:`Result.stopped`); a second Ctrl-C raises
     KeyboardInterrupt.
 
-    :param target: the path of a target.yaml, or a dict with its keys
+    :param target: the path of a target.yaml, a dict with its keys, or a :class:`Goal` of one's own
     :param folder: from which relative paths in a dict start
     :param threads: 0 = all cores; the answer does not depend on it
     :param seed: of the random starts; same seed, same answer
     :param verify: run the physics engine
     :param prints: with errors, brought to their equilibrium to confirm what is said of them
     :param fidelity: physics runs of coarser steps too, for the table of speed against error
-    :raises InvalidInput: with the place, for whatever the format does not allow
+    :raises InvalidInput: with the place, for whatever the format does not allow; what a callable raises is raised
     """
     choice = _core.choice(threads, seed, verify, prints, fidelity, time_limit_s, progress)
+    if isinstance(target, Goal):
+        return Result(_core.optimise_own(target._core, choice))
     return Result(_core.optimise(_target(target, folder), choice))
 
 

@@ -16,8 +16,8 @@ EXAMPLES = re.findall(r"^```python\n(.*?)^```\n+```text\n(.*?)^```", PAGE, re.MU
 
 
 class Documentation(Scratch):
-    def test_every_example_shows_its_output(self):
-        self.assertGreaterEqual(len(EXAMPLES), 4)
+    def test_there_are_five_examples_and_each_shows_its_output(self):
+        self.assertEqual(len(EXAMPLES), 5)
         self.assertEqual(PAGE.count("```python\n"), len(EXAMPLES))
 
     def test_every_example_prints_what_the_page_says(self):
