@@ -15,10 +15,11 @@ import sys
 build, source, scratch = (pathlib.Path(folder).resolve() for folder in sys.argv[1:])
 # What the package promises, one each: program, manual, completion, schema, library, headers, how CMake finds it,
 # documentation, examples, targets.
+DOC = "share/doc/kinetix"
 PROMISED = ["bin/kinetix-opt", "share/man/man1/kinetix-opt.1*", "share/bash-completion/completions/kinetix-opt",
             "share/kinetix/target.schema.json", "lib/libkinetix_model.a", "include/kinetix/kinetix.hpp",
-            "lib/cmake/kinetix/kinetix-config.cmake", "share/doc/kinetix/README.md", "share/doc/kinetix/docs/formats.md",
-            "share/doc/kinetix/examples/fit_curve.cpp", "share/kinetix/targets/shapes/helmet_rib.csv"]
+            "lib/cmake/kinetix/kinetix-config.cmake", f"{DOC}/README.md", f"{DOC}/docs/formats.md",
+            f"{DOC}/examples/fit_curve.cpp", "share/kinetix/targets/shapes/helmet_rib.csv"]
 
 
 def run(*command, **options):
