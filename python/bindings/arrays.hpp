@@ -19,6 +19,16 @@ inline pybind11::array view_of(const double* numbers, std::vector<pybind11::ssiz
   return out;
 }
 
+/// A new array whose numbers are still to be written. Of ordinary pages: NumPy asks for large ones, which take twice as long
+/// to get where a machine has few of them at hand.
+inline pybind11::array unwritten(std::vector<pybind11::ssize_t> shape) {
+  std::size_t count = 1;
+  for (const pybind11::ssize_t size : shape) count *= static_cast<std::size_t>(size);
+  auto* numbers = new double[count];
+  const pybind11::capsule owner(numbers, [](void* kept) { delete[] static_cast<double*>(kept); });
+  return pybind11::array_t<double>(std::move(shape), numbers, owner);
+}
+
 /// A vector that becomes an array without a copy: the array owns it.
 inline pybind11::array taken(std::vector<double>&& numbers, std::vector<pybind11::ssize_t> shape) {
   auto* kept = new std::vector<double>(std::move(numbers));

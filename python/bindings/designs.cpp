@@ -121,8 +121,8 @@ py::array fold_all(const Design& design, const Numbers& thetas, int threads) {
     check_theta("theta[" + std::to_string(k) + "]", thetas.data()[k]);
   const model::ExactMotion& exact = design.needed_exact();
   const py::ssize_t bodies = design.sheet().bodies();
-  py::array_t<double> out({thetas.shape(0), bodies, py::ssize_t(pose_numbers)});
-  double* const rows = out.mutable_data();
+  py::array out = unwritten({thetas.shape(0), bodies, py::ssize_t(pose_numbers)});
+  auto* const rows = static_cast<double*>(out.mutable_data());
   const double* const at = thetas.data();
   const py::gil_scoped_release others_may_run;
   many_folds(thetas.shape(0), threads, [&](std::int64_t k, model::State& state) {

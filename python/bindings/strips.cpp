@@ -99,7 +99,7 @@ py::array fold_strips(Numbers beta, Numbers theta, std::optional<Numbers> t, dou
   const Strips strips{std::move(beta), std::move(theta), std::move(t), cell_mm, rows};
   check(strips);
   const std::vector<py::ssize_t> shape{strips.count(), strips.bodies(), pose_numbers};
-  const py::array poses = out ? *out : py::array_t<double>(shape);
+  const py::array poses = out ? *out : unwritten(shape);
   double* const rows_of_poses = writable(poses, shape);
   const std::int64_t numbers = strips.bodies() * pose_numbers;
   {
@@ -127,9 +127,10 @@ py::tuple strip_derivatives(Numbers beta, Numbers theta, double cell_mm, int row
   const Strips strips{std::move(beta), std::move(theta), {}, cell_mm, rows};
   check(strips);
   const py::ssize_t columns = strips.columns(), bodies = strips.bodies();
-  py::array_t<double> poses({strips.count(), bodies, py::ssize_t(pose_numbers)});
-  py::array_t<double> rates({strips.count(), columns + 1, bodies, py::ssize_t(6)});
-  double *const p = poses.mutable_data(), *const r = rates.mutable_data();
+  py::array poses = unwritten({strips.count(), bodies, py::ssize_t(pose_numbers)});
+  py::array rates = unwritten({strips.count(), columns + 1, bodies, py::ssize_t(6)});
+  auto *const p = static_cast<double*>(poses.mutable_data()), *const r =
+                                                                  static_cast<double*>(rates.mutable_data());
   {
     const py::gil_scoped_release others_may_run;
     many_folds(strips.count(), threads, [&](std::int64_t k, model::State& state) {

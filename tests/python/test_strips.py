@@ -1,3 +1,4 @@
+import json
 import math
 import unittest
 
@@ -20,7 +21,7 @@ def as_design(beta, theta, cell_mm, t=None):
     sheet = kinetix.Design({"kinetix": 1, "structure": {"cells": [len(beta), 1], "cell_mm": cell_mm}})
     tilts, fractions = sheet.beta.copy(), sheet.t.copy()
     for hinge, wall in enumerate(sheet.walls):
-        (i, j), (to, _) = eval(wall)
+        (i, j), (to, _) = json.loads(wall)
         if to > i:
             tilts[hinge] = -beta[i] if j else beta[i]
             if t is not None:
