@@ -11,6 +11,7 @@
 #include "app/result/result_json.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/bindings.hpp"
+#include "python/bindings/sensitivities.hpp"
 #include "python/bindings/states.hpp"
 
 namespace kinetix::python {
@@ -88,6 +89,7 @@ void add_results(py::module_& core) {
                                return out;
                              })
       .def_property_readonly("path", path_of)
+      .def("sensitivity", sensitivity_of)
       .def("json", [](const app::Run& r) { return result_json(r).dump(1); })
       .def("metrics", [](const app::Run& r) { return metrics_json(r).dump(); })
       .def("summary", [](const app::Run& r) { return summary(r); })

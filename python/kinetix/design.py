@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import os
-from typing import List, Optional, Sequence
+from typing import List, Mapping, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from .documents import Source, is_document, yaml_text
+from .documents import Source, yaml_text
 
 
 class Design:
@@ -29,7 +29,7 @@ class Design:
     """
 
     def __init__(self, source: Source, folder: "str | os.PathLike[str]" = "") -> None:
-        if is_document(source):
+        if isinstance(source, Mapping):
             self._file = ""
             self._core = _core.parse_design(yaml_text(source), os.path.join(folder, "design.yaml"))
         else:

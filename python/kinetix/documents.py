@@ -13,11 +13,6 @@ Source = Union[str, "os.PathLike[str]", Mapping[str, Any]]
 """A file's path, or a dict with the keys that such a file has (docs/formats.md)."""
 
 
-def is_document(source: object) -> bool:
-    """Whether it is a dict rather than a path."""
-    return isinstance(source, Mapping)
-
-
 def _text(key: str, what_is_wrong: str) -> InvalidInput:
     return InvalidInput(f"{key}: {what_is_wrong}" if key else what_is_wrong, what_is_wrong, key=key)
 

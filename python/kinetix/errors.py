@@ -1,5 +1,9 @@
 """The one exception for bad input."""
 
+from __future__ import annotations
+
+from typing import Tuple, Type
+
 
 class InvalidInput(ValueError):
     """A file, a dict or an argument that cannot be used.
@@ -25,5 +29,5 @@ class InvalidInput(ValueError):
         self.reason = reason or message
         self.file, self.line, self.column, self.key = file, line, column, key
 
-    def __reduce__(self):
+    def __reduce__(self) -> Tuple[Type[InvalidInput], Tuple[str, str, str, int, int, str]]:
         return (InvalidInput, (str(self), self.reason, self.file, self.line, self.column, self.key))

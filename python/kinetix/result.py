@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import json
 import os
-from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, List, Optional
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from .design import Design
@@ -88,6 +88,23 @@ class Result:
         """
         return self._core.path
 
+    def sensitivity(self, poses: Optional[ArrayLike] = None, *, load: float = 0.0,
+                    energy: float = 0.0) -> Dict[str, Any]:
+        """Derivatives of a function f of the equilibrium by every hinge and by what hinges are made of, by the adjoint.
+
+        The structure is in equilibrium again after each change, while the drive stays at its theta. One call costs about
+        as much as a step of Newton's method, however many hinges there are.
+
+        :param poses: (N, 6): f by the shift (mm) and the turn (a vector about which it turns, rad) of each body, where f does
+            not change by moving all of them as one
+        :param load: f by the drive's load, per N for plates and cords, per N mm for driven hinges and springs
+        :param energy: f by the stored energy, per N mm
+        :return: ``t``, ``alpha``, ``beta``, ``offset_mm`` (H,) by each hinge's own (a fraction, rad, rad, mm), and ``theta``
+            (rad), ``k_point`` (N/mm), ``k_turn`` (N mm/rad), ``reach_mm``, ``k_contact`` (N/mm)
+        :raises InvalidInput: where there is no equilibrium, or not a stable one at the drive's goal
+        """
+        return self._core.sensitivity(None if poses is None else np.asarray(poses, dtype=np.float64), load, energy)
+
     @property
     def design(self) -> Design:
         """The sheet that was found, or was simulated."""
@@ -96,7 +113,8 @@ class Result:
     @property
     def metrics(self) -> Dict[str, Any]:
         """``metrics`` of result.json."""
-        return json.loads(self._core.metrics())
+        metrics: Dict[str, Any] = json.loads(self._core.metrics())
+        return metrics
 
     def json(self) -> str:
         """The document result.json."""
@@ -106,7 +124,8 @@ class Result:
 
     def to_dict(self) -> Dict[str, Any]:
         """The same as a dict (docs/formats.md)."""
-        return json.loads(self.json())
+        document: Dict[str, Any] = json.loads(self.json())
+        return document
 
     def summary(self) -> str:
         """The lines that the program prints."""

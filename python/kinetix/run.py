@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import json
 import os
-from typing import Any, Callable, Dict, List, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
 
 from . import _core
 from .design import Design
-from .documents import Source, is_document, yaml_text
+from .documents import Source, yaml_text
 from .goals import Goal
 from .result import Result
 
@@ -17,7 +17,7 @@ Progress = Callable[[str, Optional[float], str], object]
 
 
 def _target(source: Source, folder: "str | os.PathLike[str]") -> _core.Target:
-    if is_document(source):
+    if isinstance(source, Mapping):
         return _core.parse_target(yaml_text(source), os.path.join(folder, "target.yaml"))
     return _core.read_target(os.fspath(source))
 

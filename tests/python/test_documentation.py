@@ -1,4 +1,5 @@
 """The examples of docs/python.md run as they stand there and print what stands there."""
+import ast
 import contextlib
 import inspect
 import io
@@ -35,6 +36,23 @@ class Documentation(Scratch):
             self.assertTrue(inspect.getdoc(thing), name)
             for member in public_functions(name, thing):
                 self.check(*member)
+
+    def test_the_stub_has_what_the_compiled_part_has(self):
+        stub = ast.parse((SOURCE / "python/kinetix/_core.pyi").read_text())
+        said, there = {"version"}, set()
+        for statement in stub.body:
+            if isinstance(statement, (ast.FunctionDef, ast.ClassDef)):
+                said.add(statement.name)
+            for inner in statement.body if isinstance(statement, ast.ClassDef) else ():
+                if isinstance(inner, (ast.FunctionDef, ast.AnnAssign)):
+                    said.add(statement.name + "." + (inner.name if isinstance(inner, ast.FunctionDef) else inner.target.id))
+        for name, thing in vars(kinetix._core).items():
+            if name.startswith("_"):
+                continue
+            there.add(name)
+            there.update(f"{name}.{inner}" for inner in (vars(thing) if inspect.isclass(thing) else ())
+                         if not inner.startswith("_"))
+        self.assertEqual(said, there)
 
     def check(self, name, function):
         self.assertTrue(inspect.getdoc(function), f"{name} has no docstring")
