@@ -12,6 +12,7 @@
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/documents.hpp"
+#include "python/bindings/exact_rates.hpp"
 #include "python/bindings/many_folds.hpp"
 #include "python/bindings/pose_table.hpp"
 
@@ -180,7 +181,11 @@ void add_designs(py::module_& core) {
       .def("with_theta", with_theta)
       .def("text", [](const Design& d) { return app::design_text(d.file()); })
       .def("poses", exact_poses)
-      .def("fold", fold_all);
+      .def("fold", fold_all)
+      .def("derivatives", [](const Design& d, std::optional<double> theta) {
+        if (theta) check_theta("theta", *theta);
+        return exact_rates(d, theta ? *theta : own_theta(d));
+      });
 }
 
 }  // namespace kinetix::python

@@ -13,7 +13,7 @@ namespace kinetix::python {
 struct OwnGoal {
   std::string name = "own_goal";
   std::shared_ptr<const OwnError> error;
-  double tolerance = 0;  ///< of the root of the sum of squares of the residuals, in their own unit
+  double tolerance = 0;  ///< of the root of the sum of squares of the residuals, in units of the error
   int columns = 20, rows = 1;
   model::CellSize size;
   optim::AngleRange beta, theta;  ///< rad
@@ -32,7 +32,7 @@ class OwnOutcome final : public app::GoalOutcome {
   optim::MultiStartResult search;
   optim::SolverName solver = optim::SolverName::ceres;
   Eigen::VectorXd residuals;  ///< of the state found, in units of the error
-  double tolerance = 0;       ///< of their norm, likewise
+  double tolerance = 0;       ///< of their norm, in units of the error
 
   nlohmann::ordered_json target_json() const override;
   void add_sections(const app::Run& run, nlohmann::ordered_json& result) const override;

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import List, Mapping, Optional
+from typing import List, Mapping, Optional, Tuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -167,6 +167,19 @@ class Design:
         """
         return self._core.fold(np.asarray(theta, dtype=np.float64), threads)
 
+    def derivatives(self, theta: Optional[float] = None) -> Tuple[List[str], NDArray[np.float64]]:
+        """Derivatives of the closed form's poses by all parameters of a sheet of family F1, F2 or F3.
+
+        ``beta[c]``, the tilt of column c in row 0 (rad; row j has (-1)^j of it), ``t[c]`` and ``s[r]``, where the hinges of a
+        column and a row sit, as a fraction from the body whose i + j is even, ``gamma`` (rad), ``theta`` (rad).
+
+        :param theta: rad; by default where the design's own drive takes it
+        :return: the names, and (parameters, N, 6): of each body the shift in mm and the turn (a vector about which it turns)
+            in rad, per rad or per 1
+        :raises InvalidInput: for sheets of other families
+        """
+        return self._core.derivatives(theta)
+
     def text(self) -> str:
         """Its design.yaml. Reading it gives the same design, bit for bit."""
         return self._core.text()
@@ -175,6 +188,15 @@ class Design:
         """Writes its design.yaml."""
         with open(file, "w", encoding="utf-8") as out:
             out.write(self.text())
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Design) and self.text() == other.text()
+
+    def __hash__(self) -> int:
+        return hash(self.text())
+
+    def __reduce__(self) -> Tuple[object, Tuple[str]]:
+        return Design.from_text, (self.text(),)
 
     def __repr__(self) -> str:
         return f"<kinetix.Design {self.name!r}: {self.bodies} bodies, {self.hinges} hinges, family {self.family}>"

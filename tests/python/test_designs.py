@@ -1,3 +1,4 @@
+import json
 import pickle
 import unittest
 
@@ -84,6 +85,45 @@ class Designs(Scratch):
         lower, upper = design.hinge_bodies.T
         carried = [carry(poses[b], design.hinge_points - design.rest_positions[b]) for b in (lower, upper)]
         np.testing.assert_allclose(carried[0], carried[1], atol=1e-12)
+
+    def test_derivatives_by_tilts_and_theta_are_those_of_central_differences(self):
+        tilts, step = np.array([12.0, -7, 9, -3]), 1e-4
+        sheet = kinetix.Design(strip(4, tilts, theta_deg=30))
+        names, rates = sheet.derivatives()
+        self.assertEqual(rates.shape, (len(names), sheet.bodies, 6))
+        for c in range(4):
+            two = [kinetix.Design(strip(4, tilts + sign * step * np.eye(4)[c], theta_deg=30)).poses() for sign in (1, -1)]
+            by_beta = (two[0][:, :3] - two[1][:, :3]) / (2 * np.deg2rad(step))
+            np.testing.assert_allclose(rates[names.index(f"beta[{c}]"), :, :3], by_beta, atol=1e-5)
+        theta = np.deg2rad(30)
+        by_theta = (sheet.poses(theta + 1e-6) - sheet.poses(theta - 1e-6))[:, :3] / 2e-6
+        np.testing.assert_allclose(rates[names.index("theta"), :, :3], by_theta, atol=1e-7)
+
+    def test_derivatives_by_the_places_of_hinges_are_those_of_central_differences(self):
+        """Of an upright sheet: column 1 and row 0, whose hinges from the lower body are at t of class A or 1 - t of class B."""
+        sheet = kinetix.Design({"kinetix": 1, "structure": {"cells": [[0, 0], [1, 0], [1, 1]], "cell_mm": 5}}).with_theta(0.4)
+        names, rates = sheet.derivatives()
+        for name, along, line in (("t[1]", 0, 1), ("s[0]", 1, 0)):
+            two = []
+            for sign in (1, -1):
+                t = sheet.t.copy()
+                for hinge, wall in enumerate(sheet.walls):
+                    a, b = json.loads(wall)
+                    if b[along] > a[along] and a[along] == line:
+                        t[hinge] += sign * 1e-6 * (1 if sum(a) % 2 == 0 else -1)
+                two.append(sheet.with_hinges(t=t).poses(0.4)[:, :3])
+            np.testing.assert_allclose(rates[names.index(name), :, :3], (two[0] - two[1]) / 2e-6, atol=1e-7)
+
+    def test_other_sheets_have_no_such_derivatives(self):
+        with self.assertRaisesRegex(kinetix.InvalidInput, "families F1, F2 and F3"):
+            kinetix.Design(SOURCE / "targets/shapes/rosette.yaml").derivatives(0.1)
+
+    def test_designs_go_to_other_processes(self):
+        sheet = kinetix.Design(strip(4, [12, -7, 9, -3], theta_deg=30))
+        copy = pickle.loads(pickle.dumps(sheet))
+        self.assertEqual(copy, sheet)
+        self.assertNotEqual(copy, sheet.with_theta(0.1))
+        np.testing.assert_array_equal(copy.poses(), sheet.poses())
 
     def test_theta_is_that_of_the_program(self):
         file = self.folder / "strip.yaml"
