@@ -125,8 +125,7 @@ py::array fold_all(const Design& design, const Numbers& thetas, int threads) {
   py::array out = unwritten({thetas.shape(0), bodies, py::ssize_t(pose_numbers)});
   auto* const rows = static_cast<double*>(out.mutable_data());
   const double* const at = thetas.data();
-  const py::gil_scoped_release others_may_run;
-  many_folds(thetas.shape(0), threads, [&](std::int64_t k, model::State& state) {
+  many_folds_in_python(thetas.shape(0), bodies, threads, [&](std::int64_t k, model::State& state) {
     state = exact.at(at[k]);
     write_poses(state, rows + k * bodies * pose_numbers);
   });

@@ -102,18 +102,15 @@ py::array fold_strips(Numbers beta, Numbers theta, std::optional<Numbers> t, dou
   const py::array poses = out ? *out : unwritten(shape);
   double* const rows_of_poses = writable(poses, shape);
   const std::int64_t numbers = strips.bodies() * pose_numbers;
-  {
-    const py::gil_scoped_release others_may_run;
-    many_folds(strips.count(), threads, [&](std::int64_t k, model::State& state) {
-      thread_local ExactDesign<double> design;
-      if (design.columns() != strips.columns() || design.rows() != strips.rows)
-        design = ExactDesign<double>::basic(strips.columns(), strips.rows);
-      if (!strips.t) std::fill(design.t.begin(), design.t.end(), 0.5);
-      load(strips, k, design);
-      fold(design, strips.cell_mm, state);
-      write_poses(state, rows_of_poses + k * numbers);
-    });
-  }
+  many_folds_in_python(strips.count(), strips.bodies(), threads, [&](std::int64_t k, model::State& state) {
+    thread_local ExactDesign<double> design;
+    if (design.columns() != strips.columns() || design.rows() != strips.rows)
+      design = ExactDesign<double>::basic(strips.columns(), strips.rows);
+    if (!strips.t) std::fill(design.t.begin(), design.t.end(), 0.5);
+    load(strips, k, design);
+    fold(design, strips.cell_mm, state);
+    write_poses(state, rows_of_poses + k * numbers);
+  });
   return poses;
 }
 
@@ -131,20 +128,17 @@ py::tuple strip_derivatives(Numbers beta, Numbers theta, double cell_mm, int row
   py::array rates = unwritten({strips.count(), columns + 1, bodies, py::ssize_t(6)});
   auto *const p = static_cast<double*>(poses.mutable_data()), *const r =
                                                                   static_cast<double*>(rates.mutable_data());
-  {
-    const py::gil_scoped_release others_may_run;
-    many_folds(strips.count(), threads, [&](std::int64_t k, model::State& state) {
-      thread_local model::ExactJacobian jacobian;
-      auto design = ExactDesign<double>::basic(strips.columns(), strips.rows);
-      load(strips, k, design);
-      fold_with_jacobian(design, strips.cell_mm, state, jacobian);
-      write_poses(state, p + k * bodies * pose_numbers);
-      double* six = r + k * (columns + 1) * bodies * 6;
-      for (int c = 0; c <= columns; ++c)
-        for (int b = 0; b < bodies; ++b, six += 6)
-          write_twist(jacobian.twist(c < columns ? jacobian.beta(c) : jacobian.theta(), b), six);
-    });
-  }
+  many_folds_in_python(strips.count(), strips.bodies(), threads, [&](std::int64_t k, model::State& state) {
+    thread_local model::ExactJacobian jacobian;
+    auto design = ExactDesign<double>::basic(strips.columns(), strips.rows);
+    load(strips, k, design);
+    fold_with_jacobian(design, strips.cell_mm, state, jacobian);
+    write_poses(state, p + k * bodies * pose_numbers);
+    double* six = r + k * (columns + 1) * bodies * 6;
+    for (int c = 0; c <= columns; ++c)
+      for (int b = 0; b < bodies; ++b, six += 6)
+        write_twist(jacobian.twist(c < columns ? jacobian.beta(c) : jacobian.theta(), b), six);
+  });
   return py::make_tuple(poses, rates);
 }
 

@@ -56,7 +56,7 @@ def simulate(design: Union[Design, Source], model: str = "exact", *, theta: Opti
     :param theta: rad, instead of the design's own drive
     :raises InvalidInput: with the place, for whatever the format does not allow, and for the exact model of a sheet that
         has no closed form
-    :raises KeyboardInterrupt: after Ctrl-C, once the step under way has ended
+    :raises KeyboardInterrupt: after Ctrl-C, once an equilibrium path under way has ended
     """
     of = design if isinstance(design, Design) else Design(design, folder)
     if theta is not None:

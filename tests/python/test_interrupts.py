@@ -35,6 +35,19 @@ except KeyboardInterrupt:
 """
 
 
+BATCH = """
+import numpy as np, kinetix
+out = np.zeros((20_000, 82, 7))
+beta = np.zeros((20_000, 40))
+print("called", flush=True)
+try:
+    for _ in range(10000):
+        kinetix.fold_strips(beta, 0.4, out=out)
+except KeyboardInterrupt:
+    print("KeyboardInterrupt")
+"""
+
+
 def interrupted(script, times, calls=3):
     """Output of a program that gets so many interrupts once it has printed so many lines, and what it says of them."""
     run = subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
@@ -59,6 +72,10 @@ class Interrupts(unittest.TestCase):
 
     def test_a_simulation_has_no_best_and_raises(self):
         last, errors = interrupted(FOLDS, 1, calls=1)
+        self.assertEqual((last, errors), ("KeyboardInterrupt", ""))
+
+    def test_a_batch_of_folds_raises(self):
+        last, errors = interrupted(BATCH, 1, calls=1)
         self.assertEqual((last, errors), ("KeyboardInterrupt", ""))
 
     def test_other_threads_of_python_go_on_while_a_batch_folds(self):
