@@ -3,7 +3,6 @@
 #include <omp.h>
 #include <pybind11/pybind11.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <exception>
 #include <limits>
@@ -14,9 +13,6 @@
 
 namespace kinetix::python {
 
-// Fewer take less time than another thread takes to come.
-inline constexpr std::int64_t folds_a_thread = 64;
-
 /// Calls fold(k, state) for every k below count, on as many threads; each hands its own state on from call to call, so that
 /// memory is taken once. Which thread makes which fold changes no result. The exception of the least k is thrown again.
 /// @param threads 0: all cores   @param stop where it asks to, the rest is left out
@@ -24,8 +20,7 @@ template <class Fold>
 void many_folds(std::int64_t count, int threads, const std::stop_token& stop, Fold fold) {
   std::exception_ptr thrown;
   std::int64_t first = std::numeric_limits<std::int64_t>::max();
-  const std::int64_t allowed = threads > 0 ? threads : omp_get_max_threads();
-#pragma omp parallel num_threads(static_cast <int>(std::min(allowed, 1 + count / folds_a_thread)))
+#pragma omp parallel num_threads(threads > 0 ? threads : omp_get_max_threads())
   {
     model::State state;
 #pragma omp for schedule(static)
@@ -44,18 +39,19 @@ void many_folds(std::int64_t count, int threads, const std::stop_token& stop, Fo
   if (thrown) std::rethrow_exception(thrown);
 }
 
-// Of bodies that are folded: more take some tenths of a second, in which somebody may press Ctrl-C; a thread that waits for that
-// takes as long as a hundred folds.
-inline constexpr std::int64_t worth_interrupting = 1'000'000;
+// Of bodies that are folded: fewer take some milliseconds, less than other threads and a look out for Ctrl-C are worth.
+inline constexpr std::int64_t worth_threads = 100'000;
 
-/// The same without the interpreter's lock; where there is much to do, Ctrl-C raises KeyboardInterrupt.
+/// The same without the interpreter's lock; where there is much to do, Ctrl-C raises KeyboardInterrupt. Other threads are
+/// never those of the caller's own thread: a process that it forks later could not use them.
 /// @param bodies of a fold. @pre the lock is held
 template <class Fold>
 void many_folds_in_python(std::int64_t count, std::int64_t bodies, int threads, Fold fold) {
-  const auto work = [&](const std::stop_source& stop) { many_folds(count, threads, stop.get_token(), fold); };
-  if (count * bodies >= worth_interrupting) return run_interruptibly(work, {}, false);
+  if (count * bodies >= worth_threads)
+    return run_interruptibly(
+        [&](const std::stop_source& stop) { many_folds(count, threads, stop.get_token(), fold); }, {}, false);
   const pybind11::gil_scoped_release others_may_run;
-  work({});
+  many_folds(count, 1, {}, fold);
 }
 
 }  // namespace kinetix::python

@@ -1,5 +1,7 @@
+import concurrent.futures
 import json
 import math
+import multiprocessing
 import unittest
 
 import numpy as np
@@ -57,6 +59,20 @@ class Strips(Scratch):
         self.assertEqual(one.shape, (101, 24, 7))
         np.testing.assert_array_equal(one, kinetix.fold_strips(beta, theta, 3, rows=2, threads=2))
         np.testing.assert_array_equal(one[50:51], kinetix.fold_strips(beta[50:51], theta[50:51], 3, rows=2))
+
+    def test_processes_that_are_forked_later_fold_as_well(self):
+        beta, theta = random_strips(5000, 20)
+        here = kinetix.fold_strips(beta, theta, 3, threads=2)
+        with multiprocessing.get_context("fork").Pool(2) as pool:
+            there = pool.starmap_async(kinetix.fold_strips, [(beta[:2500], theta[:2500], 3), (beta[2500:], theta[2500:], 3)])
+            np.testing.assert_array_equal(here, np.concatenate(there.get(timeout=60)))
+
+    def test_threads_of_python_simulate_at_once(self):
+        designs = [as_design(*strip, 8) for strip in zip(*random_strips(8, 10))]
+        with concurrent.futures.ThreadPoolExecutor(4) as pool:
+            together = list(pool.map(lambda design: kinetix.simulate(design, "bullet").poses, designs))
+        for design, poses in zip(designs, together):
+            np.testing.assert_array_equal(poses, design.poses())
 
     def test_writes_into_an_array_of_the_caller(self):
         beta, theta = random_strips(5, 6)
