@@ -22,7 +22,10 @@ if(KINETIX_SANITIZE)
   # GCC 12 calls std::regex uninitialized once the sanitizers' code is in it, and warns of every fence in Boost's own
   # event loop, which the thread sanitizer does not see: what is only ordered by them is listed in cmake/tsan.supp.
   target_compile_options(kinetix_flags INTERFACE -fsanitize=${KINETIX_SANITIZE} -fno-omit-frame-pointer
-    -Wno-maybe-uninitialized $<$<STREQUAL:${KINETIX_SANITIZE},thread>:-Wno-tsan>)
+    -Wno-maybe-uninitialized)
+  if(KINETIX_SANITIZE STREQUAL "thread")
+    target_compile_options(kinetix_flags INTERFACE -Wno-tsan)
+  endif()
   target_link_options(kinetix_flags INTERFACE -fsanitize=${KINETIX_SANITIZE})
   # Under the address sanitizer Eigen would pad what it allocates, and the code it shares with libceres, which
   # was built without, would free what the other allocated.

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "model/base/invalid_input.hpp"
+#include "model/base/rotation_vector.hpp"
 
 namespace kinetix::sim {
 namespace {
@@ -81,7 +82,7 @@ FreeLinkageBody rod(const Vector3d& from, const Vector3d& to, double mass) {
   const double length = (to - from).norm(), across = mass * length * length / 12;
   FreeLinkageBody body;
   body.pose.p = (from + to) / 2;
-  body.pose.R = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), to - from).toRotationMatrix();
+  body.pose.R = rotation_between(Vector3d::UnitZ(), to - from);
   body.mass = mass;
   body.inertia = {across, across, rod_thickness * rod_thickness * across};
   return body;

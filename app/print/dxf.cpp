@@ -8,8 +8,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double number_share = 0.12;  // of the cell edge: height of a hinge's number
-
 std::string polyline(const std::vector<Vector2d>& ring, const char* layer) {
   std::string out =
       fmt::format("0\nPOLYLINE\n8\n{}\n66\n1\n70\n1\n10\n0\n20\n0\n30\n0\n", layer);  // 70: closed
@@ -42,19 +40,18 @@ std::string dxf(const PrintSheet& sheet, const SheetDrawing& drawing) {
       out += fmt::format("0\nCIRCLE\n8\nRODS\n10\n{:.5f}\n20\n{:.5f}\n30\n0\n40\n{:.5f}\n", hinge.place.x(),
                          hinge.place.y(), hinge.rod_radius);
     out += fmt::format("0\nTEXT\n8\nNUMBERS\n10\n{:.5f}\n20\n{:.5f}\n30\n0\n40\n{:.4f}\n1\n{}\n",
-                       hinge.place.x(), hinge.place.y(), number_share * sheet.linkage.size.edge_mm,
-                       hinge.number);
+                       hinge.place.x(), hinge.place.y(), number_height_mm(sheet), hinge.number);
   }
   return out + "0\nENDSEC\n0\nEOF\n";
 }
 
-std::vector<NamedContent> write(const PrintJob& job) {
+std::vector<NamedContent> write_dxf(const PrintJob& job) {
   return {{job.sheet.name + ".dxf", dxf(job.sheet, sheet_drawing(job.sheet))}};
 }
 
 }  // namespace
 
 // Name, meaning and how it is written: dxf.
-const PrintFormat dxf_format = {"dxf", "the same drawing for CAD and cutters", write};
+const PrintFormat dxf_format = {"dxf", "the same drawing for CAD and cutters", write_dxf};
 
 }  // namespace kinetix::app

@@ -18,14 +18,13 @@ constexpr double lower_shares[] = {0.8, 0.6, 0.4};
 
 std::string words(const PrintSheet& sheet, const PathClearance& clearance) {
   const LeastDistance& least = clearance.least();
-  constexpr double degrees = 180 / pi;
   return fmt::format(
       "bodies {} and {} {} at theta {:.1f} deg of {:.1f}, near [{:.1f}, {:.1f}, {:.1f}] mm, where {:g} mm "
       "were asked",
       sheet.linkage.vertex_name(least.first), sheet.linkage.vertex_name(least.second),
       least.mm > 0 ? fmt::format("come to within {:.3f} mm", least.mm) : "run into each other",
-      least.theta * degrees, sheet.thetas.back() * degrees, least.place.x(), least.place.y(), least.place.z(),
-      clearance.asked_mm);
+      to_degrees(least.theta), to_degrees(sheet.thetas.back()), least.place.x(), least.place.y(),
+      least.place.z(), clearance.asked_mm);
 }
 
 /// A sheet that can be printed, or why there is none.

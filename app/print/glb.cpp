@@ -6,6 +6,8 @@
 
 #include "app/print/formats.hpp"
 
+#include "app/print/units.hpp"
+
 namespace kinetix::app {
 namespace {
 
@@ -21,7 +23,6 @@ constexpr std::uint32_t gltf_magic = 0x46546C67;    // "glTF"
 constexpr std::uint32_t json_chunk = 0x4E4F534A;    // "JSON"
 constexpr std::uint32_t binary_chunk = 0x004E4942;  // "BIN"
 constexpr double seconds = 4;                       // s: of the motion from flat to the fold
-constexpr double metres = 1e-3;                     // per mm: glTF counts in metres
 
 /// The binary part and what describes it.
 class Buffer {
@@ -193,7 +194,7 @@ class Scene3 {
     const double half = std::sqrt(0.5);
     nodes_.push_back({{"name", sheet_.name},
                       {"rotation", {-half, 0, 0, half}},
-                      {"scale", {metres, metres, metres}},
+                      {"scale", {metres_per_mm, metres_per_mm, metres_per_mm}},
                       {"children", children_}});
     GltfJson roots = GltfJson::array({nodes_.size() - 1});
     if (loose_ >= 0) roots.push_back(loose_);

@@ -8,13 +8,13 @@
 
 #include "app/print/formats.hpp"
 #include "app/print/parts.hpp"
+#include "app/print/units.hpp"
 
 namespace kinetix::app {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr double metres = 1e-3;   // per mm: MuJoCo's scenes count in metres, kilograms and seconds
 constexpr double density = 1200;  // kg/m^3: of PLA and of the resins of PolyJet and SLA, 1150 to 1250
 constexpr double quickness = 30;  // rad/s: of the actuator: the sheet follows its control within 0.1 s
 constexpr double stiffer =
@@ -112,7 +112,7 @@ class MujocoFile {
   Mass mass_of(int body) const {
     const model::MassProperties m = mass_properties(sheet_.with_rods(body));
     const double volume_mm3 = model::volume_mm3(as_filed(placed_body(sheet_, flat(), body)));
-    return {density * 1e-9 * volume_mm3, metres * m.center, density * 1e-15 * m.inertia};
+    return {density * 1e-9 * volume_mm3, metres_per_mm * m.center, density * 1e-15 * m.inertia};
   }
 
   /// A point of mass. @param place m
@@ -134,7 +134,8 @@ class MujocoFile {
 
   Vector3d hinge_point(int h, int body) const {
     const model::RestHinge& hinge = sheet_.linkage.hinges[h];
-    return metres * sheet_.linkage.size.edge_mm * (hinge.lower == body ? hinge.lower_arm : hinge.upper_arm);
+    return metres_per_mm * sheet_.linkage.size.edge_mm *
+           (hinge.lower == body ? hinge.lower_arm : hinge.upper_arm);
   }
 
   /// Turn of each hinge of the tree from flat to the fold, rad.
@@ -158,8 +159,8 @@ class MujocoFile {
       for (std::size_t k = 0; k < pieces.size(); ++k) {
         out_ += fmt::format("<mesh name=\"m{}_{}\" vertex=\"", b, k);
         for (const Vector3d& p : pieces[k].corners)
-          fmt::format_to(std::back_inserter(out_), "{:.7g} {:.7g} {:.7g} ", metres * p.x(), metres * p.y(),
-                         metres * p.z());
+          fmt::format_to(std::back_inserter(out_), "{:.7g} {:.7g} {:.7g} ", metres_per_mm * p.x(),
+                         metres_per_mm * p.y(), metres_per_mm * p.z());
         out_ += "\"/>\n";
       }
     }
@@ -170,7 +171,7 @@ class MujocoFile {
     const TreeLink& link = links_[b];
     const Vector3d from = link.parent < 0 ? Vector3d::Zero() : sheet_.linkage.rest_position(link.parent);
     out_ += fmt::format("<body name=\"b{}\" pos=\"{}\">\n", b,
-                        kinetix::app::text(metres * (sheet_.linkage.rest_position(b) - from)));
+                        kinetix::app::text(metres_per_mm * (sheet_.linkage.rest_position(b) - from)));
     add_inertia(masses_[b]);
     if (link.hinge >= 0) add_joint(b);
     const std::size_t pieces = sheet_.meshes[b].points.empty() ? 0 : convex_pieces(sheet_.bodies[b]).size();
@@ -209,7 +210,7 @@ class MujocoFile {
     const model::Pose& root = folded[root_];
     for (std::size_t b = 0; b < masses_.size(); ++b) {
       const Vector3d now = root.R.transpose() * (folded[b].p - root.p), before = flat[b].p - flat[root_].p;
-      sum += masses_[b].kg * (metres * (now - before)).squaredNorm();
+      sum += masses_[b].kg * (metres_per_mm * (now - before)).squaredNorm();
     }
     return sum;
   }
@@ -222,7 +223,7 @@ class MujocoFile {
     for (int h = 0; h < static_cast<int>(sheet_.hinges.size()); ++h) {
       if (in_tree.count(h)) continue;
       const model::RestHinge& hinge = sheet_.linkage.hinges[h];
-      const double reach = metres * reach_mm(sheet_.hinges[h].made);
+      const double reach = metres_per_mm * reach_mm(sheet_.hinges[h].made);
       for (const double side : {-1.0, 1.0})
         out_ +=
             fmt::format("<connect body1=\"b{}\" body2=\"b{}\" anchor=\"{}\"/>\n", hinge.lower, hinge.upper,
@@ -234,7 +235,7 @@ class MujocoFile {
   /// N m/rad; a pin turns freely.
   double stiffness(int h) const {
     const model::MadeHinge& made = sheet_.hinges[h].made;
-    return made.kind == model::HingeKind::pin ? 0 : model::stiffness(made).turn * metres;
+    return made.kind == model::HingeKind::pin ? 0 : model::stiffness(made).turn * metres_per_mm;
   }
   /// N m: by the hinges of the tree at the fold, over their part of the tendon.
   double held() const {
@@ -271,13 +272,13 @@ class MujocoFile {
   std::string out_;
 };
 
-std::vector<NamedContent> write(const PrintJob& job) {
+std::vector<NamedContent> write_mjcf(const PrintJob& job) {
   return {{job.sheet.name + ".xml", MujocoFile(job.sheet).text()}};
 }
 
 }  // namespace
 
 // Name, meaning and how it is written: mjcf.
-const PrintFormat mjcf_format = {"mjcf", "MuJoCo, with an actuator that folds it", write};
+const PrintFormat mjcf_format = {"mjcf", "MuJoCo, with an actuator that folds it", write_mjcf};
 
 }  // namespace kinetix::app

@@ -11,8 +11,7 @@
 namespace kinetix::app {
 namespace {
 
-constexpr double degrees = 180 / pi;  // per rad, for people
-constexpr double on_bed_mm = 0.01;    // mm: less than any layer; corners of files are floats
+constexpr double on_bed_mm = 0.01;  // mm: less than any layer; corners of files are floats
 
 double lowest(const model::Polyhedron& solid, const Eigen::Vector3d& up) {
   double low = std::numeric_limits<double>::infinity();
@@ -26,12 +25,12 @@ double steepest_deg(const PrintSheet& sheet) {
   double least = 1;
   for (const model::RestHinge& hinge : sheet.linkage.hinges)
     least = std::min(least, std::abs(hinge.axis.z()));
-  return std::acos(least) * degrees;
+  return to_degrees(std::acos(least));
 }
 
 double overhang_mm2(const model::Polyhedron& solid, const Eigen::Matrix3d& turn) {
   const Eigen::Vector3d up = turn.row(2).transpose();
-  const double bed = lowest(solid, up) + on_bed_mm, steep = std::sin(steep_deg / degrees);
+  const double bed = lowest(solid, up) + on_bed_mm, steep = std::sin(steep_deg * radians_per_degree);
   double area = 0;
   for (const auto& [a, b, c] : solid.triangles) {
     const Eigen::Vector3d &p = solid.points[a], &q = solid.points[b], &r = solid.points[c];

@@ -8,8 +8,8 @@
 namespace kinetix::app {
 namespace {
 
-constexpr double apart = 2;   // diameters, from one lying rod to the next
-constexpr double gap_mm = 2;  // mm, from one column of lying rods to the next
+constexpr double apart = 2;          // diameters, from one lying rod to the next
+constexpr double rods_apart_mm = 2;  // mm, from one column of lying rods to the next
 
 /// Of a loose rod: its sections below and above by turns, as rod_solid has them.
 double length_of(const model::Polyhedron& rod) { return (rod.points[1] - rod.points[0]).norm(); }
@@ -84,11 +84,11 @@ model::Polyhedron laid_out_rods(const PrintSheet& sheet) {
   const int count = sheet.loose_rods();
   if (count == 0) return all;
   // As many in a column as make the field about square, like a bed.
-  const int rows = static_cast<int>(std::ceil(std::sqrt(count * (length + gap_mm) / width)));
+  const int rows = static_cast<int>(std::ceil(std::sqrt(count * (length + rods_apart_mm) / width)));
   int placed = 0;
   for (const model::Polyhedron& rod : sheet.rods) {
     if (rod.points.empty()) continue;
-    append(lying(rod, (placed / rows) * (length + gap_mm), (placed % rows) * width), all);
+    append(lying(rod, (placed / rows) * (length + rods_apart_mm), (placed % rows) * width), all);
     ++placed;
   }
   return as_filed(std::move(all));

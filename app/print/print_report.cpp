@@ -8,15 +8,13 @@
 
 #include "app/print/overhang.hpp"
 #include "app/print/parts.hpp"
+#include "app/print/units.hpp"
 #include "model/base/angle.hpp"
 
 namespace kinetix::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr double degrees = 180 / pi;  // per rad, for people
-constexpr double mm3_per_cm3 = 1e3;   // people buy material by cm^3
 
 const char* name_of(model::HingeKind kind) {
   return kind == model::HingeKind::pin ? "pin" : kind == model::HingeKind::block ? "block" : "film";
@@ -38,7 +36,7 @@ int count_bodies(const PrintSheet& sheet) {
 Json distance_json(const PrintSheet& sheet, const LeastDistance& d) {
   if (d.first < 0) return nullptr;
   return {{"mm", d.mm},
-          {"theta_deg", d.theta * degrees},
+          {"theta_deg", to_degrees(d.theta)},
           {"bodies", {sheet.linkage.vertex_name(d.first), sheet.linkage.vertex_name(d.second)}},
           {"place_mm", vector_json(d.place)}};
 }
@@ -159,7 +157,7 @@ Json print_json(const PrintJob& job, const PathClearance& clearance,
       {"k", {{"axial", k.axial}, {"shear", k.shear}, {"along", k.along}, {"turn", k.turn}}},
       {"path",
        {{"states", sheet.path.size()},
-        {"theta_deg", sheet.thetas.back() * degrees},
+        {"theta_deg", to_degrees(sheet.thetas.back())},
         {"asked_mm", clearance.asked_mm},
         {"in_hinges", distance_json(sheet, clearance.in_hinges)},
         {"elsewhere", distance_json(sheet, clearance.elsewhere)}}},
@@ -200,7 +198,7 @@ std::string print_text(const PrintJob& job, const PathClearance& clearance,
   if (least.first >= 0 && sheet.path.size() > 1)
     line("fold",
          fmt::format("{:.3f} mm stay between solids from flat to {:.1f} degrees, least at {:.1f} degrees",
-                     least.mm, sheet.thetas.back() * degrees, least.theta * degrees));
+                     least.mm, to_degrees(sheet.thetas.back()), to_degrees(least.theta)));
   for (const std::string& warning : print_warnings(job, clearance)) line("note", warning);
   return out;
 }

@@ -77,10 +77,10 @@ void check_process(const model::Process& process, const model::CellSize& size,
   if (!problems.empty()) throw InvalidInput(problems.front().what);
 }
 
-class Maker {
+class SheetMaker {
  public:
-  Maker(const DesignFile& design, const PrintPath& path, const model::Process& process,
-        const PrintChoice& choice)
+  SheetMaker(const DesignFile& design, const PrintPath& path, const model::Process& process,
+             const PrintChoice& choice)
       : design_(design), choice_(choice), structure_(resized(design.structure, choice, process)) {
     sheet_.name = design.name;
     sheet_.process = process;
@@ -231,7 +231,7 @@ bool leaves_hinges_open(const DesignFile& design) {
 
 PrintSheet make_print_sheet(const DesignFile& design, const PrintPath& path, const model::Process& process,
                             const PrintChoice& choice) {
-  return Maker(design, path, process, choice).made();
+  return SheetMaker(design, path, process, choice).made();
 }
 
 model::Polyhedron placed_body(const PrintSheet& sheet, const model::State& state, int body) {

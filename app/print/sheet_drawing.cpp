@@ -8,6 +8,8 @@
 namespace kinetix::app {
 namespace {
 
+constexpr double number_share = 0.12;  // of the cell edge: height of a hinge's number
+
 namespace bp = boost::polygon;
 using Eigen::Vector2d;
 using Ring = std::vector<Vector2d>;
@@ -77,6 +79,8 @@ void find_bounds(SheetDrawing& drawing) {
 }
 
 }  // namespace
+
+double number_height_mm(const PrintSheet& sheet) { return number_share * sheet.linkage.size.edge_mm; }
 
 SheetDrawing sheet_drawing(const PrintSheet& sheet) {
   SheetDrawing drawing;

@@ -25,6 +25,9 @@ struct SheetDrawing {
   Eigen::Vector2d low, high;  ///< corners of the least box about all parts, mm
 };
 
+/// Of a hinge's number in drawings, mm.
+double number_height_mm(const PrintSheet& sheet);
+
 /// Each part by its shadow, to 1e-5 mm.
 SheetDrawing sheet_drawing(const PrintSheet& sheet);
 

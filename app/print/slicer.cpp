@@ -19,6 +19,7 @@
 #include "app/print/formats.hpp"
 #include "app/print/overhang.hpp"
 #include "app/print/parts.hpp"
+#include "app/print/units.hpp"
 #include "app/print/zip_text.hpp"
 
 namespace kinetix::app {
@@ -27,7 +28,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double margin_mm = 50;  // mm, round a sheet on the bed that the slicer is told of: skirts and brims
-constexpr double mm3_per_cm3 = 1e3;  // PrusaSlicer tells filament in cm^3, and resin in ml
 
 class WorkFolder {
  public:

@@ -314,7 +314,7 @@ class TemporaryFile {
   std::error_code ignored_;
 };
 
-std::vector<NamedContent> write(const PrintJob& job) {
+std::vector<NamedContent> write_step(const PrintJob& job) {
   Message::DefaultMessenger()->ChangePrinters().Clear();  // it would write to stdout
   const TemporaryFile file;
   Assembly assembly(job);
@@ -326,6 +326,6 @@ std::vector<NamedContent> write(const PrintJob& job) {
 }  // namespace
 
 // Name, meaning and how it is written: step.
-const PrintFormat step_format = {"step", "CAD, with true cylinders", write};
+const PrintFormat step_format = {"step", "CAD, with true cylinders", write_step};
 
 }  // namespace kinetix::app

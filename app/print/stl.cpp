@@ -43,7 +43,7 @@ void add_tile(const PrintJob& job, int tile, std::vector<NamedContent>& files) {
     files.push_back({name + "_soft.stl", stl(job.sheet.name + " " + name + " soft", parts.soft)});
 }
 
-std::vector<NamedContent> write(const PrintJob& job) {
+std::vector<NamedContent> write_stl(const PrintJob& job) {
   const model::Polyhedron hard = hard_part(job), soft = soft_part(job);
   std::vector<NamedContent> files{{"hard.stl", stl(job.sheet.name + " hard", hard)}};
   model::Polyhedron all = hard;
@@ -60,6 +60,6 @@ std::vector<NamedContent> write(const PrintJob& job) {
 }  // namespace
 
 // Name, meaning and how it is written: stl.
-const PrintFormat stl_format = {"stl", "triangles for any slicer", write};
+const PrintFormat stl_format = {"stl", "triangles for any slicer", write_stl};
 
 }  // namespace kinetix::app

@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double gap_mm = 3;       // mm, between strips: room for a knife
+constexpr double knife_mm = 3;     // mm, between strips: room for a knife
 constexpr double tab_share = 0.5;  // of the way to the nearest hinge, or of the wall's height
 constexpr double chamfer = 0.3;    // of a tab's length: narrower at its end, so that no two meet in a corner
 
@@ -50,19 +50,19 @@ std::pair<Vector2d, Vector2d> score(const Wall& wall) {
   return {middle + low * wall.axis, middle + high * wall.axis};
 }
 
-class Maker {
+class StripMaker {
  public:
-  explicit Maker(const PrintSheet& sheet) : sheet_(sheet) {
+  explicit StripMaker(const PrintSheet& sheet) : sheet_(sheet) {
     for (int h = 0; h < hinges(); ++h) measure(h);
   }
 
   Strips made() {
-    const double wide = longest_ + 2 * tab_ + gap_mm, high = highest_ + gap_mm;
+    const double wide = longest_ + 2 * tab_ + knife_mm, high = highest_ + knife_mm;
     // As many in a column as make the page about square.
     const int rows = std::max(1, static_cast<int>(std::ceil(std::sqrt(hinges() * wide / high))));
     for (int h = 0; h < hinges(); ++h)
-      add(h, {(h / rows) * wide + gap_mm + tab_, (h % rows) * high + gap_mm});
-    out_.size = {std::ceil(static_cast<double>(hinges()) / rows) * wide + gap_mm, rows * high + gap_mm};
+      add(h, {(h / rows) * wide + knife_mm + tab_, (h % rows) * high + knife_mm});
+    out_.size = {std::ceil(static_cast<double>(hinges()) / rows) * wide + knife_mm, rows * high + knife_mm};
     return std::move(out_);
   }
 
@@ -116,6 +116,6 @@ class Maker {
 
 }  // namespace
 
-Strips strips(const PrintSheet& sheet) { return Maker(sheet).made(); }
+Strips strips(const PrintSheet& sheet) { return StripMaker(sheet).made(); }
 
 }  // namespace kinetix::app

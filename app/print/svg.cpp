@@ -15,7 +15,6 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double line_mm = 0.1;              // mm: as laser cutters and pens draw
-constexpr double number_share = 0.12;        // of the cell edge: height of a hinge's number
 constexpr double points_per_mm = 72 / 25.4;  // the unit of PDF
 
 std::string path_of(const SheetDrawing& drawing, const SheetDrawing::Part& part) {
@@ -51,7 +50,7 @@ std::string svg(const PrintSheet& sheet, const SheetDrawing& drawing) {
   out += fmt::format(
       "<g id=\"numbers\" fill=\"#c03030\" font-family=\"sans-serif\" font-size=\"{:.4g}\" "
       "text-anchor=\"middle\">\n",
-      number_share * sheet.linkage.size.edge_mm);
+      number_height_mm(sheet));
   for (const SheetDrawing::Hinge& hinge : drawing.hinges)
     out += fmt::format("<text x=\"{:.5g}\" y=\"{:.5g}\">{}</text>\n", hinge.place.x() - drawing.low.x(),
                        drawing.high.y() - hinge.place.y(), hinge.number);
@@ -103,7 +102,7 @@ std::string pdf(const PrintSheet& sheet, const SheetDrawing& drawing) {
   return pdf_page(drawing.high - drawing.low, [&](cairo_t* page) {
     draw(page, drawing, drawing.bodies, 0.85);
     draw(page, drawing, drawing.soft, 0.5);
-    cairo_set_font_size(page, number_share * sheet.linkage.size.edge_mm);
+    cairo_set_font_size(page, number_height_mm(sheet));
     cairo_set_source_rgb(page, 0.75, 0.2, 0.2);
     for (const SheetDrawing::Hinge& hinge : drawing.hinges) {
       cairo_move_to(page, hinge.place.x() - drawing.low.x(), drawing.high.y() - hinge.place.y());
@@ -111,8 +110,6 @@ std::string pdf(const PrintSheet& sheet, const SheetDrawing& drawing) {
     }
   });
 }
-
-double text_mm(const PrintSheet& sheet) { return number_share * sheet.linkage.size.edge_mm; }
 
 std::string labels_svg(const char* name, const char* fill, double height, const Strips& strips,
                        const std::vector<Strips::Label>& labels) {
@@ -143,8 +140,8 @@ std::string strips_svg(const PrintSheet& sheet, const Strips& strips) {
   for (const auto& [from, to] : strips.folds)
     out += fmt::format("<line x1=\"{:.6g}\" y1=\"{:.6g}\" x2=\"{:.6g}\" y2=\"{:.6g}\"/>\n", from.x(),
                        strips.size.y() - from.y(), to.x(), strips.size.y() - to.y());
-  return out + "</g>\n" + labels_svg("numbers", "#c03030", text_mm(sheet), strips, strips.numbers) +
-         labels_svg("vertices", "#606060", text_mm(sheet) / 2, strips, strips.vertices) + "</svg>\n";
+  return out + "</g>\n" + labels_svg("numbers", "#c03030", number_height_mm(sheet), strips, strips.numbers) +
+         labels_svg("vertices", "#606060", number_height_mm(sheet) / 2, strips, strips.vertices) + "</svg>\n";
 }
 
 void draw_labels(cairo_t* page, const Strips& strips, const std::vector<Strips::Label>& labels,
@@ -172,13 +169,13 @@ std::string strips_pdf(const PrintSheet& sheet, const Strips& strips) {
     }
     cairo_stroke(page);
     cairo_set_source_rgb(page, 0.75, 0.2, 0.2);
-    draw_labels(page, strips, strips.numbers, text_mm(sheet));
+    draw_labels(page, strips, strips.numbers, number_height_mm(sheet));
     cairo_set_source_rgb(page, 0.4, 0.4, 0.4);
-    draw_labels(page, strips, strips.vertices, text_mm(sheet) / 2);
+    draw_labels(page, strips, strips.vertices, number_height_mm(sheet) / 2);
   });
 }
 
-std::vector<NamedContent> write(const PrintJob& job) {
+std::vector<NamedContent> write_svg(const PrintJob& job) {
   const PrintSheet& sheet = job.sheet;
   const SheetDrawing drawing = sheet_drawing(sheet);
   std::vector<NamedContent> files{{sheet.name + ".svg", svg(sheet, drawing)},
@@ -193,6 +190,6 @@ std::vector<NamedContent> write(const PrintJob& job) {
 }  // namespace
 
 // Name, meaning and how it is written: svg.
-const PrintFormat svg_format = {"svg", "a drawing 1:1 with numbered hinges, and the same as PDF", write};
+const PrintFormat svg_format = {"svg", "a drawing 1:1 with numbered hinges, and the same as PDF", write_svg};
 
 }  // namespace kinetix::app

@@ -100,7 +100,7 @@ NamedContent package(const std::string& name, model::Polyhedron all, const model
                                    {"Metadata/Slic3r_PE_model.config", slicer_config(name, ranges)}})};
 }
 
-std::vector<NamedContent> write(const PrintJob& job) {
+std::vector<NamedContent> write_threemf(const PrintJob& job) {
   const std::string& name = job.sheet.name;
   std::vector<NamedContent> files{package(name, hard_part(job), soft_part(job))};
   if (job.sheet.loose_rods() > 0) files.push_back(package(name + "_rods", laid_out_rods(job.sheet), {}));
@@ -115,6 +115,6 @@ std::vector<NamedContent> write(const PrintJob& job) {
 }  // namespace
 
 // Name, meaning and how it is written: 3mf.
-const PrintFormat threemf_format = {"3mf", "slicers, with both materials", write};
+const PrintFormat threemf_format = {"3mf", "slicers, with both materials", write_threemf};
 
 }  // namespace kinetix::app

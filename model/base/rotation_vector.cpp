@@ -25,6 +25,10 @@ Eigen::Matrix3d rotation_of(const Eigen::Vector3d& v) {
   return Eigen::AngleAxisd(angle, v / angle).toRotationMatrix();
 }
 
+Eigen::Matrix3d rotation_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
+}
+
 Eigen::Matrix3d rotation_rate(const Eigen::Vector3d& v) {
   const double angle = v.norm();
   const Eigen::Matrix3d m = cross_matrix(v);

@@ -1,10 +1,10 @@
 #include "model/closure/null_space.hpp"
 
-#include <Eigen/SVD>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <random>
 
+#include "model/base/decompositions.hpp"
 #include "model/closure/closure.hpp"
 
 namespace kinetix::model {
@@ -21,22 +21,6 @@ constexpr double shift = 1e-12;
 constexpr int iterations = 6;                      // leave 1e-12 of a direction of singular value 1e-5
 constexpr std::size_t most_bodies_for_dense = 50;  // bodies: the time of the dense way grows with their cube
 
-/// Right singular vectors with their values, largest first.
-struct Spectrum {
-  MatrixXd vectors;
-  VectorXd values;
-};
-
-Spectrum dense_spectrum(const MatrixXd& matrix) {
-  const Eigen::BDCSVD<MatrixXd> svd(matrix, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  return {svd.matrixV(), svd.singularValues()};
-}
-
-MatrixXd orthonormal(const MatrixXd& block) {
-  const Eigen::HouseholderQR<MatrixXd> qr(block);
-  return qr.householderQ() * MatrixXd::Identity(block.rows(), block.cols());
-}
-
 MatrixXd random_block(Eigen::Index rows, Eigen::Index columns) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> unit(-1, 1);
@@ -52,10 +36,10 @@ class InverseIteration {
     factor_.compute(normal);
   }
 
-  Spectrum smallest(Eigen::Index count) const {
+  SingularVectors smallest(Eigen::Index count) const {
     MatrixXd block = orthonormal(random_block(jacobian_.cols(), count));
     for (int k = 0; k < iterations; ++k) block = orthonormal(factor_.solve(block));
-    Spectrum spectrum = dense_spectrum(jacobian_ * block);
+    SingularVectors spectrum = right_singular_vectors(jacobian_ * block);
     spectrum.vectors = block * spectrum.vectors;
     return spectrum;
   }
@@ -65,10 +49,10 @@ class InverseIteration {
   Eigen::SimplicialLDLT<SparseMatrix> factor_;
 };
 
-Spectrum small_spectrum(const SparseMatrix& jacobian) {
+SingularVectors small_spectrum(const SparseMatrix& jacobian) {
   const InverseIteration inverse(jacobian);
   for (Eigen::Index count = 8;; count *= 2) {
-    Spectrum spectrum = inverse.smallest(std::min(count, jacobian.cols()));
+    SingularVectors spectrum = inverse.smallest(std::min(count, jacobian.cols()));
     if (count >= jacobian.cols() || spectrum.values[0] > zero) return spectrum;
   }
 }
@@ -79,7 +63,8 @@ NullSpace null_space(const Linkage& structure, const State& state, NullSpaceMeth
   const SparseMatrix jacobian = closure_jacobian(structure, state).rightCols(6 * (state.size() - 1));
   const bool dense = method == NullSpaceMethod::dense ||
                      (method == NullSpaceMethod::automatic && state.size() <= most_bodies_for_dense);
-  const Spectrum spectrum = dense ? dense_spectrum(jacobian.toDense()) : small_spectrum(jacobian);
+  const SingularVectors spectrum =
+      dense ? right_singular_vectors(jacobian.toDense()) : small_spectrum(jacobian);
 
   const Eigen::Index dofs = (spectrum.values.array() <= zero).count();
   const Eigen::Index others = spectrum.values.size() - dofs;

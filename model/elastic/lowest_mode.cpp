@@ -1,9 +1,10 @@
 #include "model/elastic/lowest_mode.hpp"
 
 #include <Spectra/SymEigsShiftSolver.h>
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
+
+#include "model/base/decompositions.hpp"
 
 namespace kinetix::model {
 namespace {
@@ -32,12 +33,12 @@ void scale(LowestMode& s) { s.direction /= s.direction.lpNorm<Eigen::Infinity>()
 
 LowestMode dense(const TangentStiffness& tangent) {
   const Eigen::MatrixXd full = Eigen::MatrixXd(tangent.matrix()).selfadjointView<Eigen::Lower>();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(full);
+  const Eigenvectors modes = symmetric_eigenvectors(full);
   LowestMode s;
-  s.value = solver.eigenvalues()[0];
-  s.next = full.rows() > 1 ? solver.eigenvalues()[1] : std::numeric_limits<double>::quiet_NaN();
-  s.direction = solver.eigenvectors().col(0);
-  s.converged = solver.info() == Eigen::Success;
+  s.value = modes.values[0];
+  s.next = full.rows() > 1 ? modes.values[1] : std::numeric_limits<double>::quiet_NaN();
+  s.direction = modes.vectors.col(0);
+  s.converged = modes.converged;
   scale(s);
   return s;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "model/base/rigid_fit.hpp"
 #include "model/linkage/hinge_mismatch.hpp"
 
 namespace kinetix::model {
@@ -72,7 +73,7 @@ StateDistance aligned_distance(const Linkage& structure, const State& state, con
 }
 
 Pose motion_onto(const State& state, const State& reference) {
-  const Eigen::Matrix4d motion = Eigen::umeyama(positions(state), positions(reference), false);
+  const Eigen::Matrix4d motion = rigid_fit(positions(state), positions(reference));
   return {motion.topLeftCorner<3, 3>(), motion.topRightCorner<3, 1>()};
 }
 

@@ -1,8 +1,10 @@
 #include "model/tolerance/observed_points.hpp"
 
-#include <Eigen/QR>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+
+#include "model/base/decompositions.hpp"
 
 namespace kinetix::model {
 
@@ -19,8 +21,7 @@ ObservedPoints::ObservedPoints(const std::vector<ObservedPoint>& points, bool al
     rigid.row(k) << points[k].normal.transpose(),
         (points[k].place - middle).cross(points[k].normal).transpose();
   rigid.rightCols<3>() /= std::max(rigid.rightCols<3>().norm(), 1e-300);
-  const Eigen::ColPivHouseholderQR<MatrixXd> qr(rigid);
-  rigid_ = MatrixXd(qr.householderQ() * MatrixXd::Identity(size(), qr.rank()));
+  rigid_ = column_space(rigid);
 }
 
 VectorXd ObservedPoints::misses() const {

@@ -1,11 +1,12 @@
 #include "model/tolerance/print_runs.hpp"
 
-#include <Eigen/QR>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
 
+#include "model/base/decompositions.hpp"
 #include "model/elastic/newton.hpp"
 
 namespace kinetix::model {
@@ -51,29 +52,32 @@ Vector3d mean_place(const ObservedPoint& point, const State& state) {
 /// Rms distance of a print's points from the goal, after the best small rigid motion of what errors moved. mm
 class Distance {
  public:
-  Distance(const std::vector<ObservedPoint>& points, bool aligned)
-      : points_(points), rigid_(static_cast<Eigen::Index>(points.size()), 6), aligned_(aligned) {
+  Distance(const std::vector<ObservedPoint>& points, bool aligned) : points_(points), aligned_(aligned) {
+    MatrixXd rigid(points.size(), 6);
     for (std::size_t k = 0; k < points.size(); ++k)
-      rigid_.row(static_cast<Eigen::Index>(k)) << points[k].normal.transpose(),
+      rigid.row(static_cast<Eigen::Index>(k)) << points[k].normal.transpose(),
           points[k].place.cross(points[k].normal).transpose();
-    fit_.compute(rigid_);
+    motions_ = column_space(rigid);
   }
 
   double operator()(const State& design, const State& print) const {
-    VectorXd designed(rigid_.rows()), moved(rigid_.rows());
+    VectorXd designed(static_cast<Eigen::Index>(points_.size())),
+        moved(static_cast<Eigen::Index>(points_.size()));
     for (std::size_t k = 0; k < points_.size(); ++k) {
       const auto row = static_cast<Eigen::Index>(k);
       designed[row] = points_[k].miss_mm;
       moved[row] = points_[k].normal.dot(mean_place(points_[k], print) - mean_place(points_[k], design));
     }
-    if (aligned_) moved -= rigid_ * fit_.solve(moved);
+    if (aligned_) {
+      const VectorXd shares = motions_.transpose() * moved;
+      moved -= motions_ * shares;
+    }
     return (designed + moved).norm() / std::sqrt(static_cast<double>(points_.size()));
   }
 
  private:
   const std::vector<ObservedPoint>& points_;
-  MatrixXd rigid_;
-  Eigen::CompleteOrthogonalDecomposition<MatrixXd> fit_;
+  MatrixXd motions_;  // orthonormal, of small rigid motions
   bool aligned_;
 };
 

@@ -46,14 +46,21 @@ Points resampled(const Points& polyline, int count) {
   return out;
 }
 
+/// Least squares in closed form. @param from, to as many points each
 Motion match_samples(const Points& from, const Points& to) {
-  Eigen::Matrix2Xd a(2, from.size()), b(2, to.size());
+  Vector2d middle = Vector2d::Zero(), goal = Vector2d::Zero();
   for (std::size_t k = 0; k < from.size(); ++k) {
-    a.col(k) = from[k];
-    b.col(k) = to[k];
+    middle += from[k] / static_cast<double>(from.size());
+    goal += to[k] / static_cast<double>(from.size());
   }
-  const Eigen::Matrix3d motion = Eigen::umeyama(a, b, false);
-  return {std::atan2(motion(1, 0), motion(0, 0)), motion.topRightCorner<2, 1>()};
+  double along = 0, across = 0;
+  for (std::size_t k = 0; k < from.size(); ++k) {
+    const Vector2d a = from[k] - middle, b = to[k] - goal;
+    along += a.dot(b);
+    across += a.x() * b.y() - a.y() * b.x();
+  }
+  const Motion turned{std::atan2(across, along)};
+  return {turned.turn, goal - turned(middle)};
 }
 
 /// Both directions' residuals and their normal equations in (turn, shift) about a motion.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "model/base/rigid_fit.hpp"
+
 namespace kinetix::targets {
 namespace {
 
@@ -144,7 +146,7 @@ std::vector<IdealPoint> ideal_vertices(const FoldNet& net, const NetLayout& layo
     from.col(static_cast<Eigen::Index>(k)) = vertices[k].place;
     to.col(static_cast<Eigen::Index>(k)) = state[vertices[k].body].p;
   }
-  const Eigen::Matrix4d motion = Eigen::umeyama(from, to, false);
+  const Eigen::Matrix4d motion = rigid_fit(from, to);
   for (IdealPoint& v : vertices)
     v.place = motion.topLeftCorner<3, 3>() * v.place + motion.topRightCorner<3, 1>();
   return vertices;
@@ -171,7 +173,7 @@ FoldError fold_error(const FoldNet& net, const NetLayout& layout, const model::S
     from.middleCols(at, actual[f].cols()) = actual[f];
     to.middleCols(at, actual[f].cols()) = ideal[f];
   }
-  const Eigen::Matrix4d motion = Eigen::umeyama(from, to, false);
+  const Eigen::Matrix4d motion = rigid_fit(from, to);
   FoldError error;
   for (const FoldCrease& c : net.creases) error.fold.push_back(fold_angle(c, axes[c.first], axes[c.second]));
   double sum = 0;

@@ -1,6 +1,12 @@
-#include <boost/geometry.hpp>
+#include <boost/geometry/algorithms/append.hpp>
+#include <boost/geometry/algorithms/area.hpp>
+#include <boost/geometry/algorithms/correct.hpp>
+#include <boost/geometry/algorithms/intersection.hpp>
+#include <boost/geometry/algorithms/is_valid.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/geometries/polygon.hpp>
+#include <boost/geometry/geometries/ring.hpp>
+#include <boost/geometry/strategies/strategies.hpp>
 #include <cmath>
 #include <limits>
 
@@ -10,18 +16,19 @@ namespace kinetix::targets {
 namespace {
 
 namespace geometry = boost::geometry;
-using Polygon = geometry::model::polygon<geometry::model::d2::point_xy<double>>;
+using Point = geometry::model::d2::point_xy<double>;
+using Ring = geometry::model::ring<Point>;
+using Polygon = geometry::model::polygon<Point>;
 
-Polygon polygon_of(const std::vector<Eigen::Vector2d>& corners) {
-  Polygon out;
-  for (const Eigen::Vector2d& p : corners)
-    geometry::append(out.outer(), geometry::make<geometry::model::d2::point_xy<double>>(p.x(), p.y()));
+Ring ring_of(const std::vector<Eigen::Vector2d>& corners) {
+  Ring out;
+  for (const Eigen::Vector2d& p : corners) geometry::append(out, Point(p.x(), p.y()));
   geometry::correct(out);
   return out;
 }
 
 double shared_part(const std::vector<Eigen::Vector2d>& a, const std::vector<Eigen::Vector2d>& b) {
-  const Polygon first = polygon_of(a), second = polygon_of(b);
+  const Ring first = ring_of(a), second = ring_of(b);
   if (!geometry::is_valid(first) || !geometry::is_valid(second))
     return std::numeric_limits<double>::quiet_NaN();
   std::vector<Polygon> both;

@@ -1,12 +1,13 @@
 #include "targets/surface/mesh_patch.hpp"
 
-#include <Eigen/Dense>
 #include <cmath>
 #include <map>
 
 #include "model/base/angle.hpp"
+#include "model/base/decompositions.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/base/polygon.hpp"
+#include "model/base/rotation_vector.hpp"
 #include "targets/outline/outline.hpp"
 
 namespace kinetix::targets {
@@ -56,7 +57,7 @@ std::vector<int> rim_of(const TriangleMesh& mesh) {
 Eigen::Matrix3d upright(const TriangleMesh& mesh) {
   Vector3d sum = Vector3d::Zero();
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) sum += area_normal(mesh, t);
-  return Eigen::Quaterniond::FromTwoVectors(sum.normalized(), Vector3d::UnitZ()).toRotationMatrix();
+  return rotation_between(sum.normalized(), Vector3d::UnitZ());
 }
 
 void check_slope(const TriangleMesh& mesh, const Vector3d& z) {
@@ -149,7 +150,7 @@ Eigen::VectorXd fitted(const std::vector<Vector3d>& points, const Vector2d& half
   const double keep = std::sqrt(ridge * static_cast<double>(points.size()));
   for_terms(
       [&](int k, int i, int j) { A(static_cast<int>(points.size()) + k, k) = keep * (1 + i * i + j * j); });
-  return A.colPivHouseholderQr().solve(z);
+  return least_squares(A, z);
 }
 
 }  // namespace

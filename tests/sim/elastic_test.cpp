@@ -177,7 +177,7 @@ TEST(ElasticRun, ShowsTheLetterOfADisplayOnBothBranches) {
 }
 
 TEST(ElasticRun, SettlesInTheSameStateWhateverTheStepAndTheMassesAre) {
-  const model::Structure panel = letter_panel(0.1);
+  const model::Structure panel = letter_panel(0.1, 6);
   PhysicsOptions options = elastic(1e-6);
   options.planar = true;
   const model::Drive drive = drive_to(panel, std::acos(0.84));

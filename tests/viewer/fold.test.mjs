@@ -22,8 +22,9 @@ function check(name, {structure, plan, states}) {
   return exact.length;
 }
 
-// A picture of 100 x 100 cells takes a minute, and its closed form is that of the other panels.
-const shapes = readdirSync(SHAPES).filter((name) => name.endsWith(".yaml") && name !== "qr_code.yaml");
+// Their searches take longest, and their closed form is that of other panels: of letter_t, of disc.
+const SLOW = ["qr_code.yaml", "circle.yaml", "square_to_disc.yaml"];
+const shapes = readdirSync(SHAPES).filter((name) => name.endsWith(".yaml") && !SLOW.includes(name));
 for (const shape of shapes)
   test(`folds as ${shape} does`, async () => {
     const name = path.basename(shape, ".yaml"), file = path.join(SHAPES, shape);

@@ -1,9 +1,9 @@
-#include <Eigen/Dense>
-
 #include "app/goals/surface/surface_kind.hpp"
 #include "app/goals/surface/surface_outcome.hpp"
 #include "app/pipeline/exact_state.hpp"
+#include "model/base/decompositions.hpp"
 #include "model/base/invalid_input.hpp"
+#include "model/base/rigid_fit.hpp"
 #include "model/lattice/origami/fold_mesh.hpp"
 #include "model/sheet/sheet_motion.hpp"
 #include "optim/surface/free_height.hpp"
@@ -41,7 +41,7 @@ double gauss_of(const std::vector<Eigen::Vector3d>& points) {
     A.row(static_cast<int>(k)) << 1, x, y, x * x, x * y, y * y;
     z[static_cast<int>(k)] = points[k].z();
   }
-  const Eigen::VectorXd c = A.colPivHouseholderQr().solve(z);
+  const Eigen::VectorXd c = least_squares(A, z);
   return 4 * c[3] * c[5] - c[4] * c[4];
 }
 
@@ -68,7 +68,7 @@ model::Pose onto_surface(const model::OrigamiSheet& sheet, const optim::SurfaceD
     from.col(k) = sheet.structure.size.edge_mm * folded.vertices[k];
     to.col(k) = design.vertices[k];
   }
-  const Eigen::Matrix4d motion = Eigen::umeyama(from, to, false);
+  const Eigen::Matrix4d motion = rigid_fit(from, to);
   return {motion.topLeftCorner<3, 3>(), motion.topRightCorner<3, 1>()};
 }
 

@@ -14,6 +14,7 @@ const FEWEST_PIXELS = 0.6;  // a CSS pixel
 const SHADOW_EVERY = 3;     // frames in motion: its pass costs as much as all else
 const SMALLEST = 0.35;      // of the flat sheet's half diagonal: what folds up smaller is not drawn larger
 const STILL = 300;          // ms without a change: then all pixels are drawn once
+const SLOWEST_FRAMES = 4;   // times the last frame's gap: on a slow machine the next frame may take as long
 
 export class Scene {
   /** @param canvas in a box of its own   @param options {isTaken} */
@@ -297,7 +298,7 @@ export class Scene {
     this.renderer.render(this.world, this.camera);
     requestAnimationFrame((next) => this.keepPace(next - now));
     clearTimeout(this.still);
-    this.still = setTimeout(() => this.drawSharp(), STILL);
+    this.still = setTimeout(() => this.drawSharp(), Math.max(STILL, SLOWEST_FRAMES * (this.gap ?? 0)));
   }
 
   castShadow() {
@@ -321,6 +322,7 @@ export class Scene {
 
   /** A slow machine gets fewer pixels. */
   keepPace(gap) {
+    this.gap = gap;
     this.pace = 0.8 * (this.pace ?? 0) + 0.2 * gap;
     if (this.pace < SLOW_FRAME || this.fewPixels || this.pixels <= FEWEST_PIXELS) return;
     this.fewPixels = Math.max(FEWEST_PIXELS, 0.8 * this.pixels);

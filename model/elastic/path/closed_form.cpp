@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "model/base/rotation_vector.hpp"
 #include "model/closure/closure_drive.hpp"
 #include "model/closure/drive_theta.hpp"
 
@@ -30,7 +31,7 @@ void move_all(State& state, const Matrix3d& rotation, const Vector3d& translatio
 /// The rotation that takes the plates' normal to their axis and lifts the pin's upright as far as it then
 /// can.
 Matrix3d upright(const Vector3d& normal, const Vector3d& axis, const Pose& pin) {
-  const Matrix3d rotation = Eigen::Quaterniond::FromTwoVectors(normal, axis).toRotationMatrix();
+  const Matrix3d rotation = rotation_between(normal, axis);
   const Vector3d up = rotation * pin.R.col(2), across = axis.cross(Vector3d::UnitZ());
   return Eigen::AngleAxisd(std::atan2(up.dot(across), up.z()), across.cross(Vector3d::UnitZ())) * rotation;
 }
