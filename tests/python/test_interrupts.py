@@ -27,7 +27,7 @@ except KeyboardInterrupt:
 FOLDS = """
 import kinetix
 print("called", flush=True)
-sheet = kinetix.Design({"kinetix": 1, "structure": {"cells": [16, 16], "cell_mm": 10}, "design": {"theta_deg": 30}})
+sheet = kinetix.Design({"kinetix": 1, "structure": {"cells": [40, 40], "cell_mm": 10}, "design": {"theta_deg": 30}})
 try:
     print("done", kinetix.simulate(sheet, "bullet"))
 except KeyboardInterrupt:
