@@ -1,5 +1,7 @@
 # make demo: install packages/program.txt, build the program, fold the helmet rib.
 # make test: build and run all tests.   make asan, make tsan: the same under a sanitizer.
+# make python: the program, and the Python module in build/release/python (PYTHONPATH).
+# make package: build/package/kinetix_*.deb, with the Python module.
 # make bench: measure the figures of benchmarks/README.md.   make format: lay out every source as .clang-format says.
 # make docs: write docs/formats.md and the schemas anew from the tables of keys.
 JOBS ?= $(shell nproc)
@@ -7,7 +9,7 @@ SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 PROGRAM_PACKAGES := build/.installed/program
 ALL_PACKAGES := $(patsubst packages/%.txt,build/.installed/%,$(wildcard packages/*.txt))
 
-.PHONY: demo program install test dev asan tsan bench format docs packages clean
+.PHONY: demo program python package install test dev asan tsan bench format docs packages clean
 
 demo: program
 	build/release/bin/kinetix-opt targets/shapes/helmet_rib.yaml -o results/helmet_rib
@@ -15,6 +17,13 @@ demo: program
 program: $(PROGRAM_PACKAGES)
 	cmake --preset $@
 	cmake --build --preset $@ -j $(JOBS)
+
+python: $(PROGRAM_PACKAGES) build/.installed/python
+	cmake --preset $@
+	cmake --build --preset $@ -j $(JOBS)
+
+package: python
+	cpack --config build/release/CPackConfig.cmake -B build/package
 
 install: program
 	cmake --install build/release

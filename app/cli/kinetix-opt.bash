@@ -9,7 +9,7 @@ _kinetix_opt() {
   done
   case $before in
     --model) COMPREPLY=($(compgen -W "exact equilibrium bullet" -- "$word")); return ;;
-    --format) COMPREPLY=($(compgen -W "stl 3mf step svg dxf mjcf glb all" -- "$word")); return ;;
+    --format) COMPREPLY=($(compgen -W "stl 3mf step svg dxf mjcf glb scad all" -- "$word")); return ;;
     --process) COMPREPLY=($(compgen -W "polyjet fdm sla sls" -- "$word")); return ;;
     --hinge) COMPREPLY=($(compgen -W "pin block film" -- "$word")); return ;;
     --state) COMPREPLY=($(compgen -W "flat folded" -- "$word")); return ;;

@@ -25,6 +25,7 @@ model::LinkageDrive drive_of(const DesignFile& design) {
 }
 
 double exact_theta_of(const DesignFile& design, const model::ExactMotion& exact) {
+  if (!design.drive) return design.theta;
   const model::LinkageDrive drive = drive_of(design);
   if (!drive.heats_springs()) return exact.theta_of(drive);
   return exact_theta({design.structure, drive, exact}, elasticity_of(design));

@@ -8,7 +8,8 @@ namespace kinetix::app {
 /// The drive of a design: as its file says, or to its theta.
 model::LinkageDrive drive_of(const DesignFile& design);
 
-/// Theta to which that takes a design along its closed form, rad: of springs by their stiffness and that of the hinges.
+/// Theta to which that takes a design along its closed form, rad: without a drive the design's own, to the last
+/// bit; of springs by their stiffness and that of the hinges.
 /// @pre exact
 double exact_theta_of(const DesignFile& design, const model::ExactMotion& exact);
 

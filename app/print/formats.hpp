@@ -18,5 +18,7 @@ extern const PrintFormat dxf_format;
 extern const PrintFormat mjcf_format;
 /// NAME.glb: glTF, in metres, y up, with the way from flat to the fold as an animation.
 extern const PrintFormat glb_format;
+/// NAME.scad: modules of OpenSCAD for bodies and soft parts, anywhere on the way from flat to the fold.
+extern const PrintFormat scad_format;
 
 }  // namespace kinetix::app

@@ -8,7 +8,8 @@ namespace kinetix::app {
 
 const std::vector<const PrintFormat*>& print_formats() {
   static const std::vector<const PrintFormat*> list = {
-      &stl_format, &threemf_format, &step_format, &svg_format, &dxf_format, &mjcf_format, &glb_format,
+      &stl_format, &threemf_format, &step_format, &svg_format,
+      &dxf_format, &mjcf_format,    &glb_format,  &scad_format,
   };
   return list;
 }

@@ -11,8 +11,8 @@ import pathlib
 import re
 import sys
 
-ROOMS = ("model", "targets", "optim", "sim", "app", "tests", "benchmarks", "examples", "kinetix")
-ROOMS_OF_FIELDS = ("model", "targets", "optim", "sim", "app")
+ROOMS = ("model", "targets", "optim", "sim", "app", "tests", "benchmarks", "examples", "kinetix", "python")
+ROOMS_OF_FIELDS = ("model", "targets", "optim", "sim", "app", "python")
 LEAST_WORDS = 3
 # Fewer than that, and the reader of sources below is wrong.
 LEAST_CONSTANTS, LEAST_FIELDS = 300, 300

@@ -47,7 +47,7 @@ TEST(Export, WritesTheSameBytesAgain) {
     const Outcome run = exported(scratch, panel, "--format all --process sla");
     ASSERT_EQ(run.code, 0) << run.err;
     for (const char* name : {"all.stl", "hard.stl", "panel.3mf", "panel.step", "panel.svg", "panel.pdf",
-                             "panel.dxf", "panel.xml", "panel.glb", "print.json", "print.txt"})
+                             "panel.dxf", "panel.xml", "panel.glb", "panel.scad", "print.json", "print.txt"})
       files.push_back(text_of(scratch / (std::string("out/") + name)));
   }
   for (std::size_t k = 0; k < bytes[0].size(); ++k) {

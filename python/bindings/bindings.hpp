@@ -1,0 +1,17 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace kinetix::python {
+
+/// Each adds one concept to the module `kinetix._core`, which the package's own files wrap and document.
+void add_errors(pybind11::module_& core);
+void add_states(pybind11::module_& core);
+void add_designs(pybind11::module_& core);
+void add_strips(pybind11::module_& core);
+void add_results(pybind11::module_& core);
+void add_runs(pybind11::module_& core);
+void add_own_goals(pybind11::module_& core);
+void add_exports(pybind11::module_& core);
+
+}  // namespace kinetix::python

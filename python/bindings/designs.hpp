@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+
+#include "app/files/design_file.hpp"
+#include "model/linkage/exact_motion.hpp"
+
+namespace kinetix::python {
+
+/// A design and its closed form, which nobody changes.
+class Design {
+ public:
+  explicit Design(app::DesignFile file);
+
+  const app::DesignFile& file() const { return file_; }
+  const model::Sheet& sheet() const { return file_.structure; }
+  const model::Linkage& linkage() const { return linkage_; }
+  const model::ExactMotion& exact() const { return exact_; }
+  /// @throws InvalidInput where the sheet has no closed form
+  const model::ExactMotion& needed_exact() const;
+
+ private:
+  app::DesignFile file_;
+  model::Linkage linkage_;
+  model::ExactMotion exact_;
+};
+
+}  // namespace kinetix::python

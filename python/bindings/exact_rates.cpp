@@ -1,0 +1,63 @@
+#include "python/bindings/exact_rates.hpp"
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include "model/base/invalid_input.hpp"
+#include "model/lattice/square/classify.hpp"
+#include "model/lattice/square/exact_jacobian.hpp"
+#include "python/bindings/arrays.hpp"
+
+namespace kinetix::python {
+namespace {
+
+namespace py = pybind11;
+
+/// @throws InvalidInput
+model::ExactDesign<double> exact_design(const Design& design) {
+  const model::Structure* squares = design.sheet().squares();
+  const auto found = squares ? classify(*squares) : model::Classification{};
+  using model::Family;
+  const bool known = found.family == Family::F1 || found.family == Family::F2 || found.family == Family::F3;
+  if (!known || found.transposed)
+    throw InvalidInput(
+        "derivatives are known of sheets of squares of the families F1, F2 and F3 that fold along x; this "
+        "one: " +
+        design.exact().why);
+  return found.design;
+}
+
+std::vector<std::string> names_of(const model::ExactJacobian& rates, int columns, int rows) {
+  std::vector<std::string> names(rates.parameters());
+  for (int c = 0; c < columns; ++c) {
+    names[rates.beta(c)] = fmt::format("beta[{}]", c);
+    names[rates.t(c)] = fmt::format("t[{}]", c);
+  }
+  for (int r = 0; r < rows; ++r) names[rates.s(r)] = fmt::format("s[{}]", r);
+  names[rates.gamma()] = "gamma";
+  names[rates.theta()] = "theta";
+  return names;
+}
+
+}  // namespace
+
+py::tuple exact_rates(const Design& design, double theta) {
+  model::ExactDesign<double> exact = exact_design(design);
+  exact.theta = theta;
+  model::State lattice;
+  model::ExactJacobian rates;
+  fold_with_jacobian(exact, design.sheet().size().edge_mm, lattice, rates);
+  const auto& bodies = design.sheet().squares()->bodies;
+  std::vector<double> numbers;
+  for (int p = 0; p < rates.parameters(); ++p)
+    for (const model::Vertex& vertex : bodies) {
+      const model::Twist& twist = rates.twist(p, vertex.i * (exact.rows() + 1) + vertex.j);
+      numbers.insert(numbers.end(), twist.v.begin(), twist.v.end());
+      numbers.insert(numbers.end(), twist.omega.begin(), twist.omega.end());
+    }
+  return py::make_tuple(
+      names_of(rates, exact.columns(), exact.rows()),
+      taken(std::move(numbers), {rates.parameters(), static_cast<py::ssize_t>(bodies.size()), 6}));
+}
+
+}  // namespace kinetix::python

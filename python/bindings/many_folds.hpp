@@ -1,0 +1,57 @@
+#pragma once
+
+#include <omp.h>
+#include <pybind11/pybind11.h>
+
+#include <cstdint>
+#include <exception>
+#include <limits>
+#include <stop_token>
+
+#include "model/linkage/state.hpp"
+#include "python/bindings/interruptible.hpp"
+
+namespace kinetix::python {
+
+/// Calls fold(k, state) for every k below count, on as many threads; each hands its own state on from call to call, so that
+/// memory is taken once. Which thread makes which fold changes no result. The exception of the least k is thrown again.
+/// @param threads 0: all cores   @param stop where it asks to, the rest is left out
+template <class Fold>
+void many_folds(std::int64_t count, int threads, const std::stop_token& stop, Fold fold) {
+  std::exception_ptr thrown;
+  std::int64_t first = std::numeric_limits<std::int64_t>::max();
+#pragma omp parallel num_threads(threads > 0 ? threads : omp_get_max_threads())
+  {
+    model::State state;
+#pragma omp for schedule(static)
+    for (std::int64_t k = 0; k < count; ++k) {
+      try {
+        if (!stop.stop_requested()) fold(k, state);
+      } catch (...) {
+#pragma omp critical(kinetix_python_many_folds)
+        if (k < first) {
+          first = k;
+          thrown = std::current_exception();
+        }
+      }
+    }
+  }
+  if (thrown) std::rethrow_exception(thrown);
+}
+
+// Of bodies that are folded: fewer take some milliseconds, less than other threads and a look out for Ctrl-C are worth.
+inline constexpr std::int64_t worth_threads = 100'000;
+
+/// The same without the interpreter's lock; where there is much to do, Ctrl-C raises KeyboardInterrupt. Other threads are
+/// never those of the caller's own thread: a process that it forks later could not use them.
+/// @param bodies of a fold. @pre the lock is held
+template <class Fold>
+void many_folds_in_python(std::int64_t count, std::int64_t bodies, int threads, Fold fold) {
+  if (count * bodies >= worth_threads)
+    return run_interruptibly(
+        [&](const std::stop_source& stop) { many_folds(count, threads, stop.get_token(), fold); }, {}, false);
+  const pybind11::gil_scoped_release others_may_run;
+  many_folds(count, 1, {}, fold);
+}
+
+}  // namespace kinetix::python

@@ -1,0 +1,107 @@
+#include <pybind11/stl.h>
+
+#include "app/files/file_header.hpp"
+#include "app/files/structure_section.hpp"
+#include "model/base/invalid_input.hpp"
+#include "python/bindings/arrays.hpp"
+#include "python/bindings/bindings.hpp"
+#include "python/bindings/documents.hpp"
+#include "python/bindings/interruptible.hpp"
+#include "python/bindings/own_scene.hpp"
+#include "python/bindings/results.hpp"
+#include "targets/document/wording.hpp"
+
+namespace kinetix::python {
+namespace {
+
+namespace py = pybind11;
+
+template <class Value>
+Value word(const std::string& name, const std::string& given,
+           const std::vector<std::pair<std::string_view, Value>>& allowed) {
+  std::vector<std::string_view> names;
+  for (const auto& [known, value] : allowed) {
+    if (known == given) return value;
+    names.push_back(known);
+  }
+  throw InvalidInput(name + " " + targets::in_ticks(given) + " is not known" +
+                     targets::did_you_mean(given, names) + "; allowed: " + targets::joined(names));
+}
+
+optim::SolverName solver_of(const std::string& name) {
+  std::vector<std::string> texts;
+  for (const optim::SolverName solver : optim::all_solvers()) texts.push_back(to_string(solver));
+  std::vector<std::pair<std::string_view, optim::SolverName>> all;
+  for (std::size_t k = 0; k < texts.size(); ++k) all.emplace_back(texts[k], optim::all_solvers()[k]);
+  return word("solver", name, all);
+}
+
+using Range = std::pair<double, double>;
+
+/// A name as files may give it. @param document a dict with the key
+std::string checked_name(const std::string& document) {
+  static const targets::KeyTable keys = app::file_keys({});
+  return read_dict(document, "own_goal.yaml",
+                   [](const targets::Node& root) { return app::read_name(targets::Section(root, keys)); });
+}
+
+OwnGoal make_goal(const std::string& named, py::object error, py::object gradient, double tolerance,
+                  int columns, int rows, double cell_mm, const std::optional<Range>& wall_mm, Range beta,
+                  Range theta, const std::string& per, const std::string& symmetry, const std::string& solver,
+                  int starts, int max_evaluations) {
+  using optim::Per, optim::Symmetry;
+  require("cell_mm", cell_mm, cell_mm >= 0.001 && cell_mm <= 1e4, "0.001 to 10000 mm");
+  OwnGoal goal;
+  goal.name = checked_name(named);
+  goal.error = std::make_shared<OwnError>(std::move(error), std::move(gradient));
+  goal.tolerance = tolerance;
+  goal.columns = columns;
+  goal.rows = rows;
+  goal.size = app::default_size(cell_mm);
+  if (wall_mm) goal.size = {cell_mm, wall_mm->first, wall_mm->second};
+  goal.beta = {beta.first, beta.second};
+  goal.theta = {theta.first, theta.second};
+  goal.per = word<Per>("per", per, {{"column", Per::column}, {"all", Per::all}});
+  goal.symmetry = word<Symmetry>("symmetry", symmetry,
+                                 {{"none", Symmetry::none},
+                                  {"mirror_x", Symmetry::mirror_x},
+                                  {"mirror_y", Symmetry::mirror_y},
+                                  {"rotate_2", Symmetry::rotate_2}});
+  goal.search.starts = starts;
+  goal.search.solver.name = solver_of(solver);
+  goal.search.solver.max_evaluations = max_evaluations;
+  goal.fit();
+  return goal;
+}
+
+/// Largest difference between the gradient given and central differences, at the starts of a search, over the largest
+/// derivative.
+double gradient_error(const OwnGoal& goal, int starts) {
+  const OwnFit fit = goal.fit();
+  double largest = 0, off = 0;
+  for (int k = 0; k < starts; ++k) {
+    Eigen::VectorXd r;
+    Eigen::MatrixXd given, differences;
+    const Eigen::VectorXd x = fit.start(k + 3, 0);
+    const bool known = fit.evaluate(x, r, &given) && fit.differences(x, differences);
+    goal.error->raise_again();
+    if (!known) throw InvalidInput("the error or its gradient has no finite value at a start of the search");
+    largest = std::max(largest, differences.cwiseAbs().maxCoeff());
+    off = std::max(off, (given - differences).cwiseAbs().maxCoeff());
+  }
+  return largest > 0 ? off / largest : off;
+}
+
+}  // namespace
+
+void add_own_goals(py::module_& core) {
+  py::class_<OwnGoal, std::shared_ptr<OwnGoal>>(core, "OwnGoal")
+      .def_property_readonly("name", [](const OwnGoal& g) { return g.name; })
+      .def("gradient_error", gradient_error);
+  core.def("make_goal", make_goal);
+  core.def("optimise_own", [](const std::shared_ptr<OwnGoal>& goal, RunChoice choice) {
+    return run_in_python(*make_scene(*goal), "", std::move(choice));
+  });
+}
+
+}  // namespace kinetix::python

@@ -1,0 +1,101 @@
+#include "python/bindings/results.hpp"
+
+#include <pybind11/stl.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/exports/design_export.hpp"
+#include "app/exports/report_export.hpp"
+#include "app/exports/write_results.hpp"
+#include "app/io/atomic_file.hpp"
+#include "app/result/result_json.hpp"
+#include "python/bindings/arrays.hpp"
+#include "python/bindings/bindings.hpp"
+#include "python/bindings/sensitivities.hpp"
+#include "python/bindings/states.hpp"
+
+namespace kinetix::python {
+namespace {
+
+namespace py = pybind11;
+
+using SharedRun = std::shared_ptr<app::Run>;
+
+/// The one file of an exporter that writes one for every run.
+std::string content_of(const app::Exporter& exporter, const app::Run& run) {
+  return exporter.write(run).front().content;
+}
+
+std::optional<bool> agrees(const app::Run& run) {
+  return run.verification ? std::optional(run.verification->agrees) : std::nullopt;
+}
+
+/// By a drive in elastic hinges; of all others nothing.
+std::optional<bool> reached(const app::Run& run) {
+  return run.equilibrium ? std::optional(run.equilibrium->reached()) : std::nullopt;
+}
+
+std::optional<bool> met(const app::Run& run) {
+  return run.goal ? std::optional(run.goal->met()) : std::nullopt;
+}
+
+/// One number a step of the equilibrium path.
+template <class Number>
+py::array of_path(const app::Run& run, Number number) {
+  std::vector<double> out;
+  for (const model::EquilibriumStep& step : run.equilibrium->path.steps) out.push_back(number(step));
+  const auto count = static_cast<py::ssize_t>(out.size());
+  return taken(std::move(out), {count});
+}
+
+py::object path_of(const app::Run& run) {
+  if (!run.equilibrium) return py::none();
+  using Step = model::EquilibriumStep;
+  py::dict out;
+  out["theta"] = of_path(run, [](const Step& s) { return s.theta; });
+  out["drive"] = of_path(run, [](const Step& s) { return s.drive; });
+  out["load"] = of_path(run, [](const Step& s) { return s.load; });
+  out["energy"] = of_path(run, [](const Step& s) { return s.energy; });
+  out["gap"] = of_path(run, [](const Step& s) { return s.gap; });
+  out["contacts"] = of_path(run, [](const Step& s) { return s.contacts; });
+  out["stable"] = of_path(run, [](const Step& s) { return s.stable; });
+  return out;
+}
+
+void write(app::Run& run, const std::string& where) {
+  app::OutputFolder folder(where);
+  write_results(run, folder.path());
+  folder.keep();
+}
+
+}  // namespace
+
+void add_results(py::module_& core) {
+  py::class_<app::Run, SharedRun>(core, "Run")
+      .def_property_readonly("name", [](const app::Run& r) { return r.name; })
+      .def_property_readonly("theta", [](const app::Run& r) { return r.theta; })
+      .def_property_readonly("met", met)
+      .def_property_readonly("agrees", agrees)
+      .def_property_readonly("reached", reached)
+      .def_property_readonly("stopped", [](const app::Run& r) { return r.stopped; })
+      .def_property_readonly(
+          "violations",
+          [](const app::Run& r) { return r.goal ? r.goal->violations : std::vector<std::string>(); })
+      .def_property_readonly("states",
+                             [](const SharedRun& r) {
+                               std::vector<std::shared_ptr<RunState>> out;
+                               for (std::size_t k = 0; k < r->states.size(); ++k)
+                                 out.push_back(std::make_shared<RunState>(r, k));
+                               return out;
+                             })
+      .def_property_readonly("path", path_of)
+      .def("sensitivity", sensitivity_of)
+      .def("json", [](const app::Run& r) { return result_json(r).dump(1); })
+      .def("metrics", [](const app::Run& r) { return metrics_json(r).dump(); })
+      .def("summary", [](const app::Run& r) { return summary(r); })
+      .def("design_text", [](const app::Run& r) { return content_of(app::design_export, r); })
+      .def("report", [](const app::Run& r) { return content_of(app::report_export, r); })
+      .def("write", write);
+}
+
+}  // namespace kinetix::python

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/run/run_options.hpp"
+#include "app/run/scene.hpp"
+
+namespace kinetix::python {
+
+/// How a run is made, as Python asks for it.
+struct RunChoice {
+  app::RunOptions options;
+  std::optional<double> time_limit_s;
+  pybind11::object progress;  ///< a callable (stage, share done or None, words), or None
+  bool keeps_best = true;     ///< whether a run that is stopped has something to give
+};
+
+/// Runs a scene, interruptibly. @param file as messages of what is found after reading name it; may be empty
+/// @throws what a callable of Python raised. @pre the lock is held
+std::shared_ptr<app::Run> run_in_python(const app::Scene& scene, const std::string& file, RunChoice choice);
+
+}  // namespace kinetix::python

@@ -1,0 +1,152 @@
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "model/base/angle.hpp"
+#include "model/base/invalid_input.hpp"
+#include "model/lattice/square/exact_jacobian.hpp"
+#include "python/bindings/arrays.hpp"
+#include "python/bindings/bindings.hpp"
+#include "python/bindings/many_folds.hpp"
+#include "python/bindings/pose_table.hpp"
+
+namespace kinetix::python {
+namespace {
+
+namespace py = pybind11;
+
+using model::ExactDesign;
+
+/// Many strips of as many columns and rows: tilts, angles and, where hinges are off the middle, fractions, row by row.
+struct Strips {
+  Numbers beta, theta;
+  std::optional<Numbers> t;
+  double cell_mm = 1;
+  int rows = 1;
+
+  py::ssize_t count() const { return beta.shape(0); }
+  int columns() const { return static_cast<int>(beta.shape(1)); }
+  py::ssize_t bodies() const { return (beta.shape(1) + 1) * (rows + 1); }
+};
+
+/// Where numbers[k, c] is not as it must be. @throws InvalidInput naming it
+void reject(const char* name, py::ssize_t k, py::ssize_t c, double value, const char* allowed) {
+  throw InvalidInput(fmt::format("{}[{}, {}] is {}, must be {}", name, k, c, number_text(value), allowed));
+}
+
+void check_shapes(const Strips& strips) {
+  if (strips.beta.ndim() != 2 || strips.columns() < 1)
+    throw InvalidInput("beta must have one row a strip and one column a column of cells, at least 1");
+  if (strips.theta.ndim() != 1 || strips.theta.shape(0) != strips.count())
+    throw InvalidInput(fmt::format("theta must be one angle a strip, {} in all", strips.count()));
+  if (strips.t && (strips.t->ndim() != 2 || strips.t->shape(0) != strips.count() ||
+                   strips.t->shape(1) != strips.beta.shape(1)))
+    throw InvalidInput("t must have the shape of beta");
+  require("cell_mm", strips.cell_mm, strips.cell_mm > 0 && std::isfinite(strips.cell_mm),
+          "positive and finite");
+  require("rows", strips.rows, strips.rows >= 1, "at least 1");
+}
+
+/// Family F2 (kinematics.md section 2): in each column the tilt is 0 or the hinge in the middle.
+void check_columns(const Strips& strips) {
+  const py::ssize_t columns = strips.beta.shape(1);
+  for (py::ssize_t k = 0; k < strips.count(); ++k)
+    for (py::ssize_t c = 0; c < columns; ++c) {
+      const double beta = strips.beta.data()[k * columns + c];
+      if (!(std::abs(beta) < pi / 2)) reject("beta", k, c, beta, "within (-pi/2, pi/2) rad");
+      if (!strips.t) continue;
+      const double t = strips.t->data()[k * columns + c];
+      if (!(t > 0 && t < 1)) reject("t", k, c, t, "within (0, 1)");
+      if (beta != 0 && t != 0.5)
+        reject("t", k, c, t, "0.5 in a column that is tilted: else it does not close");
+    }
+}
+
+void check(const Strips& strips) {
+  check_shapes(strips);
+  check_columns(strips);
+  for (py::ssize_t k = 0; k < strips.count(); ++k) {
+    const double theta = strips.theta.data()[k];
+    require(fmt::format("theta[{}]", k), theta, std::abs(theta) < pi / 2, "within (-pi/2, pi/2) rad");
+  }
+}
+
+/// Takes strip k into a design of its size. Fractions of the walls of row 0 are from their left end, as in files.
+void load(const Strips& strips, std::int64_t k, ExactDesign<double>& design) {
+  const std::int64_t columns = strips.columns();
+  for (int c = 0; c < columns; ++c) {
+    design.beta[c] = strips.beta.data()[k * columns + c];
+    if (strips.t) design.t[c] = model::fraction_from_lower(strips.t->data()[k * columns + c], {c, 0});
+  }
+  design.theta = strips.theta.data()[k];
+}
+
+/// A caller's own array for results. @throws InvalidInput unless it has the shape, in C order and doubles
+double* writable(py::array out, const std::vector<py::ssize_t>& shape) {
+  const bool fits = py::isinstance<py::array_t<double, py::array::c_style>>(out) && out.writeable() &&
+                    std::vector<py::ssize_t>(out.shape(), out.shape() + out.ndim()) == shape;
+  if (!fits)
+    throw InvalidInput(fmt::format("out must be a writable array of float64 in C order, of shape ({})",
+                                   fmt::join(shape, ", ")));
+  return static_cast<double*>(out.mutable_data());
+}
+
+py::array fold_strips(Numbers beta, Numbers theta, std::optional<Numbers> t, double cell_mm, int rows,
+                      std::optional<py::array> out, int threads) {
+  const Strips strips{std::move(beta), std::move(theta), std::move(t), cell_mm, rows};
+  check(strips);
+  const std::vector<py::ssize_t> shape{strips.count(), strips.bodies(), pose_numbers};
+  const py::array poses = out ? *out : unwritten(shape);
+  double* const rows_of_poses = writable(poses, shape);
+  const std::int64_t numbers = strips.bodies() * pose_numbers;
+  many_folds_in_python(strips.count(), strips.bodies(), threads, [&](std::int64_t k, model::State& state) {
+    thread_local ExactDesign<double> design;
+    if (design.columns() != strips.columns() || design.rows() != strips.rows)
+      design = ExactDesign<double>::basic(strips.columns(), strips.rows);
+    if (!strips.t) std::fill(design.t.begin(), design.t.end(), 0.5);
+    load(strips, k, design);
+    fold(design, strips.cell_mm, state);
+    write_poses(state, rows_of_poses + k * numbers);
+  });
+  return poses;
+}
+
+/// Derivatives of body's pose: shift (mm), then turn (rad).
+void write_twist(const model::Twist& twist, double* six) {
+  std::copy_n(twist.v.data(), 3, six);
+  std::copy_n(twist.omega.data(), 3, six + 3);
+}
+
+py::tuple strip_derivatives(Numbers beta, Numbers theta, double cell_mm, int rows, int threads) {
+  const Strips strips{std::move(beta), std::move(theta), {}, cell_mm, rows};
+  check(strips);
+  const py::ssize_t columns = strips.columns(), bodies = strips.bodies();
+  py::array poses = unwritten({strips.count(), bodies, py::ssize_t(pose_numbers)});
+  py::array rates = unwritten({strips.count(), columns + 1, bodies, py::ssize_t(6)});
+  auto *const p = static_cast<double*>(poses.mutable_data()), *const r =
+                                                                  static_cast<double*>(rates.mutable_data());
+  many_folds_in_python(strips.count(), strips.bodies(), threads, [&](std::int64_t k, model::State& state) {
+    thread_local model::ExactJacobian jacobian;
+    auto design = ExactDesign<double>::basic(strips.columns(), strips.rows);
+    load(strips, k, design);
+    fold_with_jacobian(design, strips.cell_mm, state, jacobian);
+    write_poses(state, p + k * bodies * pose_numbers);
+    double* six = r + k * (columns + 1) * bodies * 6;
+    for (int c = 0; c <= columns; ++c)
+      for (int b = 0; b < bodies; ++b, six += 6)
+        write_twist(jacobian.twist(c < columns ? jacobian.beta(c) : jacobian.theta(), b), six);
+  });
+  return py::make_tuple(poses, rates);
+}
+
+}  // namespace
+
+void add_strips(py::module_& core) {
+  core.def("fold_strips", fold_strips);
+  core.def("strip_derivatives", strip_derivatives);
+}
+
+}  // namespace kinetix::python

@@ -1,0 +1,17 @@
+"""kinetix: flat sheets that take a shape when you squeeze them, designed backwards.
+
+Lengths in mm, angles in rad, forces in N; files and dicts have degrees, in keys that end in ``_deg``. docs/python.md has
+examples.
+"""
+
+from ._core import version as __version__
+from .design import Design
+from .errors import InvalidInput
+from .goals import Goal
+from .result import Result
+from .run import Exported, export, optimise, simulate, verify
+from .state import State
+from .strips import fold_strips, strip_derivatives
+
+__all__ = ["Design", "Exported", "Goal", "InvalidInput", "Result", "State", "export", "fold_strips", "optimise", "simulate",
+           "strip_derivatives", "verify"]

@@ -1,0 +1,152 @@
+"""What a run found."""
+
+from __future__ import annotations
+
+import json
+import os
+from typing import Any, Dict, List, Optional
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from .design import Design
+from .notebook import framed
+from .state import State
+
+
+class Result:
+    """Everything that a run knows at its end: what result.json and the report hold."""
+
+    def __init__(self, core: _core.Run) -> None:
+        self._core = core
+        self._json: Optional[str] = None
+
+    @property
+    def name(self) -> str:
+        """Of the target or design."""
+        return self._core.name
+
+    @property
+    def theta(self) -> float:
+        """Of the state shown: fold parameter, rad."""
+        return self._core.theta
+
+    @property
+    def met(self) -> Optional[bool]:
+        """Whether the goal is met within its tolerances; None for a design, which had none."""
+        return self._core.met
+
+    @property
+    def violations(self) -> List[str]:
+        """What is missing of the goal, in words."""
+        return self._core.violations
+
+    @property
+    def agrees(self) -> Optional[bool]:
+        """Whether the physics run agrees with the model; None where there was no physics run."""
+        return self._core.agrees
+
+    @property
+    def reached(self) -> Optional[bool]:
+        """Whether the drive reached its goal in elastic hinges; None where no equilibrium was asked for."""
+        return self._core.reached
+
+    @property
+    def stopped(self) -> bool:
+        """Whether Ctrl-C or a time limit ended the search: then this is the best that it had."""
+        return self._core.stopped
+
+    @property
+    def states(self) -> List[State]:
+        """All states: by each model, and steps of the motion from flat on (``frame``)."""
+        return [State(core) for core in self._core.states]
+
+    def state(self, model: Optional[str] = None) -> State:
+        """The folded state.
+
+        :param model: ``exact``, ``equilibrium`` or ``bullet``; by default the first there is
+        :raises KeyError: where the run has none by that model
+        """
+        for core in self._core.states:
+            if core.name == "target" and model in (None, core.model):
+                return State(core)
+        raise KeyError(f"no folded state by the model {model!r}; there are: "
+                       + ", ".join(s.model for s in self._core.states if s.name == "target"))
+
+    @property
+    def poses(self) -> NDArray[np.float64]:
+        """(N, 7) of the folded state: x y z in mm, then the unit quaternion w x y z."""
+        return self.state().poses
+
+    @property
+    def path(self) -> Optional[Dict[str, NDArray[np.float64]]]:
+        """The equilibrium path from flat, one number a step; None where no equilibrium was asked for.
+
+        ``theta`` (rad), ``drive`` (compression, or rad of a driven hinge, or mm of a cord), ``load`` (N, or N mm),
+        ``energy`` (N mm), ``gap`` (cell edges), ``contacts``, ``stable`` (0 or 1).
+        """
+        return self._core.path
+
+    def sensitivity(self, poses: Optional[ArrayLike] = None, *, load: float = 0.0,
+                    energy: float = 0.0) -> Dict[str, Any]:
+        """Derivatives of a function f of the equilibrium by every hinge and by what hinges are made of, by the adjoint.
+
+        The structure is in equilibrium again after each change, while the drive stays at its theta. One call costs about
+        as much as a step of Newton's method, however many hinges there are.
+
+        :param poses: (N, 6): f by the shift (mm) and the turn (a vector about which it turns, rad) of each body, where f does
+            not change by moving all of them as one
+        :param load: f by the drive's load, per N for plates and cords, per N mm for driven hinges and springs
+        :param energy: f by the stored energy, per N mm
+        :return: ``t``, ``alpha``, ``beta``, ``offset_mm`` (H,) by each hinge's own (a fraction, rad, rad, mm), and ``theta``
+            (rad), ``k_point`` (N/mm), ``k_turn`` (N mm/rad), ``reach_mm``, ``k_contact`` (N/mm)
+        :raises InvalidInput: where there is no equilibrium, or not a stable one at the drive's goal
+        """
+        return self._core.sensitivity(None if poses is None else np.asarray(poses, dtype=np.float64), load, energy)
+
+    @property
+    def design(self) -> Design:
+        """The sheet that was found, or was simulated."""
+        return Design.from_text(self._core.design_text())
+
+    @property
+    def metrics(self) -> Dict[str, Any]:
+        """``metrics`` of result.json."""
+        metrics: Dict[str, Any] = json.loads(self._core.metrics())
+        return metrics
+
+    def json(self) -> str:
+        """The document result.json."""
+        if self._json is None:
+            self._json = self._core.json()
+        return self._json
+
+    def to_dict(self) -> Dict[str, Any]:
+        """The same as a dict (docs/formats.md)."""
+        document: Dict[str, Any] = json.loads(self.json())
+        return document
+
+    def summary(self) -> str:
+        """The lines that the program prints."""
+        return self._core.summary()
+
+    def report(self) -> str:
+        """The report: one page of HTML that needs no other file."""
+        return self._core.report()
+
+    def write(self, folder: "str | os.PathLike[str]") -> None:
+        """Writes result.json, design.yaml, report.html and pictures into a folder: all of them or none.
+
+        :raises InvalidInput: where the folder cannot be written
+        """
+        self._core.write(os.fspath(folder))
+
+    def _repr_html_(self) -> str:
+        return framed(self.report(), self.name)
+
+    def __repr__(self) -> str:
+        return "<kinetix.Result " + self.summary().split("\n", 1)[0] + ">"
+
+    def __str__(self) -> str:
+        return self.summary()

@@ -1,0 +1,111 @@
+"""Searches, simulations and files, as the program makes them."""
+
+from __future__ import annotations
+
+import json
+import os
+from typing import Any, Callable, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
+
+from . import _core
+from .design import Design
+from .documents import Source, yaml_text
+from .goals import Goal
+from .result import Result
+
+Progress = Callable[[str, Optional[float], str], object]
+"""Hears the stage, the share of it that is done (0 to 1, or None) and words. May be called from any thread."""
+
+
+def _target(source: Source, folder: "str | os.PathLike[str]") -> _core.Target:
+    if isinstance(source, Mapping):
+        return _core.parse_target(yaml_text(source), os.path.join(folder, "target.yaml"))
+    return _core.read_target(os.fspath(source))
+
+
+def optimise(target: Union[Source, Goal], *, folder: "str | os.PathLike[str]" = "", threads: int = 0, seed: int = 0,
+             verify: bool = True, prints: int = 0, fidelity: bool = False, time_limit_s: Optional[float] = None,
+             progress: Optional[Progress] = None) -> Result:
+    """Searches for the sheet that folds into a goal, and folds it again by the physics engine.
+
+    Ctrl-C, or the time limit, ends the search with the best so far (:attr:`Result.stopped`); a second Ctrl-C raises
+    KeyboardInterrupt.
+
+    :param target: the path of a target.yaml, a dict with its keys, or a :class:`Goal` of one's own
+    :param folder: from which relative paths in a dict start
+    :param threads: 0 = all cores; the answer does not depend on it
+    :param seed: of the random starts; same seed, same answer
+    :param verify: run the physics engine
+    :param prints: with errors, brought to their equilibrium to confirm what is said of them
+    :param fidelity: physics runs of coarser steps too, for the table of speed against error
+    :raises InvalidInput: with the place, for whatever the format does not allow; what a callable raises is raised
+    """
+    choice = _core.choice(threads, seed, verify, prints, fidelity, time_limit_s, progress)
+    if isinstance(target, Goal):
+        return Result(_core.optimise_own(target._core, choice))
+    return Result(_core.optimise(_target(target, folder), choice))
+
+
+def simulate(design: Union[Design, Source], model: str = "exact", *, theta: Optional[float] = None,
+             folder: "str | os.PathLike[str]" = "", threads: int = 0, fidelity: bool = False,
+             progress: Optional[Progress] = None) -> Result:
+    """Computes a folded state of a design.
+
+    :param design: a :class:`Design`, the path of a design.yaml, or a dict with its keys
+    :param model: ``exact``: the closed form; ``equilibrium``: elastic hinges, from flat to the drive's goal;
+        ``bullet``: the physics run, compared with the model
+    :param theta: rad, instead of the design's own drive
+    :raises InvalidInput: with the place, for whatever the format does not allow, and for the exact model of a sheet that
+        has no closed form
+    :raises KeyboardInterrupt: after Ctrl-C, once an equilibrium path under way has ended
+    """
+    of = design if isinstance(design, Design) else Design(design, folder)
+    if theta is not None:
+        of = of.with_theta(theta)
+    choice = _core.choice(threads, 0, True, 0, fidelity, None, progress)
+    return Result(_core.simulate(of._core, of._file, model, choice))
+
+
+def verify(design: Union[Design, Source, Result], *, folder: "str | os.PathLike[str]" = "", fidelity: bool = False,
+           progress: Optional[Progress] = None) -> Result:
+    """The physics run of a design, compared with the model where one fits (:attr:`Result.agrees`)."""
+    of = design.design if isinstance(design, Result) else design
+    return simulate(of, "bullet", folder=folder, fidelity=fidelity, progress=progress)
+
+
+class Exported(NamedTuple):
+    """What an export has written."""
+
+    folder: str
+    files: List[str]
+    """Names in the folder."""
+    print: Dict[str, Any]
+    """What print.json holds: bodies, hinges, volumes, bounds, warnings."""
+
+
+def export(design: Union[Design, Source, Result], formats: Union[str, Sequence[str]],
+           folder: "str | os.PathLike[str]", *, process: str = "polyjet", hinge: str = "", cell_mm: float = 0,
+           bed_mm: Optional[Tuple[float, float]] = None, loose_rods: bool = False, folded: bool = False,
+           orient: str = "flat", slice: bool = False) -> Exported:
+    """Writes a design for printers, CAD and simulators: all files or none.
+
+    :param formats: names, or ``all``: stl, 3mf, step, svg, dxf, mjcf, glb
+    :param folder: for the files
+    :param process: polyjet, fdm, sla or sls: what it can print is checked
+    :param hinge: pin, block or film where the design does not say; by default pins where they fit, else blocks
+    :param cell_mm: cells of this edge instead of the design's own; 0: its own
+    :param bed_mm: x and y of the printer's bed: a larger sheet is cut into tiles
+    :param loose_rods: rods of pins as parts of their own
+    :param folded: the state of the design instead of flat
+    :param orient: ``flat``, ``over``, or ``best``
+    :param slice: asks PrusaSlicer for time and material
+    :raises InvalidInput: for what cannot be made, or not by the process
+    """
+    of = design.design if isinstance(design, Result) else design
+    of = of if isinstance(of, Design) else Design(of)
+    request = _core.PrintRequest()
+    request.formats = [formats] if isinstance(formats, str) else list(formats)
+    request.process, request.hinge, request.cell_mm, request.orient = process, hinge, cell_mm, orient
+    request.bed_mm = list(bed_mm) if bed_mm is not None else []
+    request.loose_rods, request.folded, request.slice = loose_rods, folded, slice
+    files, report = _core.export_files(of._core, os.fspath(folder), request)
+    return Exported(os.fspath(folder), files, json.loads(report))

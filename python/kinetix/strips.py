@@ -1,0 +1,48 @@
+"""Many strips at once, as arrays."""
+
+from __future__ import annotations
+
+from typing import Optional, Tuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+
+
+def _rows(beta: ArrayLike, theta: ArrayLike) -> Tuple[NDArray[np.float64], NDArray[np.float64]]:
+    tilts = np.asarray(beta, dtype=np.float64)
+    return tilts, np.broadcast_to(np.asarray(theta, dtype=np.float64), tilts.shape[:1])
+
+
+def fold_strips(beta: ArrayLike, theta: ArrayLike, cell_mm: float = 1.0, *, t: Optional[ArrayLike] = None,
+                rows: int = 1, out: Optional[NDArray[np.float64]] = None, threads: int = 0) -> NDArray[np.float64]:
+    """Folds B strips of C columns by the closed form, on all cores and without the interpreter's lock.
+
+    The poses are those that the program computes for the same designs, to the last bit.
+
+    :param beta: (B, C): tilt of each column's walls in row 0, rad, within +-pi/2; row j has (-1)^j of it
+    :param theta: (B,) or one number: fold parameter, rad, within +-pi/2
+    :param cell_mm: cell edge, mm
+    :param t: (B, C): where the hinges of row 0 sit, from the left; 1/2 (the default) where a column is tilted
+    :param rows: of cells
+    :param out: (B, N, 7): an array to write into, which is returned
+    :param threads: 0 = all cores; the answer does not depend on it
+    :return: (B, N, 7) with N = (C + 1) (rows + 1): body (i, j) is at i (rows + 1) + j; x y z in mm, then the
+        unit quaternion w x y z
+    :raises InvalidInput: naming the entry, for numbers outside their range
+    """
+    tilts, angles = _rows(beta, theta)
+    fractions = None if t is None else np.asarray(t, dtype=np.float64)
+    return _core.fold_strips(tilts, angles, fractions, cell_mm, rows, out, threads)
+
+
+def strip_derivatives(beta: ArrayLike, theta: ArrayLike, cell_mm: float = 1.0, *, rows: int = 1,
+                      threads: int = 0) -> Tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """The same poses, and their derivatives by every tilt and by theta, in closed form.
+
+    :return: poses (B, N, 7) and derivatives (B, C + 1, N, 6): by the tilt of column c, last by theta; of each
+        body the shift in mm and the turn (a vector about which it turns) in rad, per rad
+    """
+    tilts, angles = _rows(beta, theta)
+    return _core.strip_derivatives(tilts, angles, cell_mm, rows, threads)

@@ -1,0 +1,118 @@
+#!/usr/bin/python3
+"""check_package.py BUILD SOURCE SCRATCH: the .deb installs into a clean root, and the README's demo runs from there.
+
+Installed by dpkg with a root and a database of its own; who is not root unpacks it instead. What it depends on is taken from
+this machine, where every library that the program loads must be found.
+"""
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+build, source, scratch = (pathlib.Path(folder).resolve() for folder in sys.argv[1:])
+# What the package promises, one each: program, manual, completion, schema, library, headers, how CMake finds it,
+# documentation, examples, targets.
+DOC = "share/doc/kinetix"
+PROMISED = ["bin/kinetix-opt", "share/man/man1/kinetix-opt.1*", "share/bash-completion/completions/kinetix-opt",
+            "share/kinetix/target.schema.json", "lib/libkinetix_model.a", "include/kinetix/kinetix.hpp",
+            "lib/cmake/kinetix/kinetix-config.cmake", f"{DOC}/README.md", f"{DOC}/docs/formats.md",
+            f"{DOC}/examples/fit_curve.cpp", "share/kinetix/targets/shapes/helmet_rib.csv"]
+
+
+def run(*command, **options):
+    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, **options)
+    if done.returncode:
+        sys.exit(f"{command} ended with {done.returncode}\n{done.stdout}{done.stderr}")
+    return done.stdout
+
+
+def package():
+    run("cpack", "--config", build / "CPackConfig.cmake", "-B", scratch / "package", "-D",
+        "CPACK_DEBIAN_COMPRESSION_TYPE=zstd")
+    (file,) = (scratch / "package").glob("kinetix_*.deb")
+    return file
+
+
+def installed(file):
+    """The root into which the package was installed."""
+    root = scratch / "root"
+    if os.geteuid():
+        root.mkdir()
+        run("dpkg-deb", "-x", file, root)
+        return root
+    (root / "var/lib/dpkg").mkdir(parents=True)
+    (root / "var/lib/dpkg/status").touch()
+    run("dpkg", f"--root={root}", "--log=/dev/null", "--force-depends", "--install", file)
+    status = run("dpkg", f"--root={root}", "--status", "kinetix")
+    if "Status: install ok installed" not in status:
+        sys.exit(status)
+    return root
+
+
+def check_files(file, root):
+    missing = [name for name in PROMISED if not list((root / "usr").glob(name))]
+    if missing:
+        sys.exit(f"the package lacks {missing}")
+    paths = re.findall(r"\./(\S*)$", run("dpkg-deb", "--contents", file), re.MULTILINE)
+    elsewhere = [path for path in paths if path and not path.startswith("usr/")]
+    if elsewhere or not paths:
+        sys.exit(f"files outside /usr: {elsewhere}")
+
+
+def check_dependencies(file, program):
+    """Every shared library that the program loads is of a package that it depends on, or that one of those brings along."""
+    if "not found" in run("ldd", program):
+        sys.exit(run("ldd", program))
+    needed = re.findall(r"NEEDED\s+(\S+)", run("objdump", "-p", program))
+    depends = run("dpkg-deb", "--field", file, "Depends")
+    for library, name in (("libBulletDynamics", "libbullet"), ("libyaml-cpp", "libyaml-cpp"), ("libcholmod", "libcholmod")):
+        if not any(n.startswith(library) for n in needed) or name not in depends:
+            sys.exit(f"{library}: loaded {needed}, depends on {depends}")
+
+
+def check_demo(root):
+    """The demo of the Makefile, from the package alone, prints what the README shows."""
+    (line,) = re.findall(r"^demo: .*\n\t(.*)$", (source / "Makefile").read_text(), re.MULTILINE)
+    words = line.split()
+    folder = scratch / "demo"
+    folder.mkdir()
+    (folder / "targets").symlink_to(root / "usr/share/kinetix/targets")
+    said = run(root / "usr/bin" / pathlib.Path(words[0]).name, *words[1:], "--quiet", cwd=folder)
+    shown = re.search(r"^helmet_rib: .*?(?=^```)", (source / "README.md").read_text(), re.MULTILINE | re.DOTALL).group()
+    steady = [[text for text in said_or_shown.splitlines() if not re.match(r"  (search|physics) ", text)][:5]
+              for said_or_shown in (said, shown)]
+    if steady[0] != steady[1] or len(steady[0]) < 5:
+        sys.exit(f"the demo says\n{said}\nand the README\n{shown}")
+    result = json.loads((folder / words[-1] / "result.json").read_text())
+    if not result["metrics"]["met"]:
+        sys.exit("the demo misses its goal")
+
+
+def check_python(root):
+    folders = list((root / "usr/lib").glob("python3*/dist-packages"))
+    if not folders:
+        return "no Python module: not built"
+    script = ("import kinetix; r = kinetix.simulate({'kinetix': 1, 'structure': {'cells': [4, 1], 'cell_mm': 10},"
+              " 'design': {'theta_deg': 20}}); print(kinetix.__file__, r.poses.shape)")
+    said = run("/usr/bin/python3", "-c", script, env={"PYTHONPATH": str(folders[0]), "PATH": os.environ["PATH"]})
+    if not said.startswith(str(root)) or "(10, 7)" not in said:
+        sys.exit(f"the module says {said}")
+    return "Python module"
+
+
+def main():
+    shutil.rmtree(scratch, ignore_errors=True)
+    scratch.mkdir(parents=True)
+    file = package()
+    root = installed(file)
+    check_files(file, root)
+    check_dependencies(file, root / "usr/bin/kinetix-opt")
+    check_demo(root)
+    print(f"{file.name}, {file.stat().st_size / 1e6:.0f} MB: demo, {check_python(root)}")
+    shutil.rmtree(scratch)
+
+
+main()
