@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <functional>
+#include <numeric>
 
 #include "model/base/invalid_input.hpp"
 #include "optim/solvers/parallel_runs.hpp"
@@ -17,7 +19,8 @@ using Eigen::Vector2d;
 
 constexpr double first_rim_weight = 0.3;  // of the first steps, which size the sheet
 constexpr double least_progress =
-    1e-5;                       // of the cost, a step: below, a sheet creeps along a valley for hundreds
+    1e-5;                  // of the cost, a step: below, a sheet creeps along a valley for hundreds
+constexpr int longer = 2;  // iterations of the starts that go on, over what is asked: most end by themselves
 constexpr double slack = 1e-3;  // rad and mean edges: what least squares may pass a bound by
 
 MeshBounds bounds_of(const SurfaceOptions& options) {
@@ -109,7 +112,7 @@ MiuraStart kept_inside(MiuraStart start, const SurfaceOptions& options) {
   return start;
 }
 
-/// One start, in stages.
+/// One start, in stages: all begin, and the best go on.
 class Run {
  public:
   Run(const targets::SurfacePatch& patch, const SurfaceOptions& options, const Trial& trial)
@@ -119,9 +122,14 @@ class Run {
         rim_(trial.rim),
         start_(start_on(patch, options.columns, options.rows, kept_inside(trial.miura, options))) {}
 
-  SurfaceDesign find() {
+  SurfaceDesign begin() {
     stage(first_rim_weight, options_.iterations / 5);
-    stage(rim_, options_.iterations);
+    stage(rim_, options_.iterations / 2);
+    return design();
+  }
+
+  SurfaceDesign go_on() {
+    stage(rim_, longer * options_.iterations);
     return design();
   }
 
@@ -202,17 +210,31 @@ SurfaceDesign fit_surface(const targets::SurfacePatch& patch, const SurfaceOptio
   options.validate();
   const std::vector<Trial> all = trials();
   const int count = std::min<int>(options.starts, static_cast<int>(all.size()));
+  const int kept = (count + 1) / 2;
+  std::vector<Run> runs;
+  for (int k = 0; k < count; ++k) runs.emplace_back(patch, options, all[k]);
   std::vector<SurfaceDesign> designs(count);
+  std::vector<int> order(count), evaluations(count);
+  std::iota(order.begin(), order.end(), 0);
   std::atomic<int> ended = 0;
-  run_in_parallel(count, options.threads, [&](int k) {
-    designs[k] = Run(patch, options, all[k]).find();
-    designs[k].start = k;
-    progress("search", static_cast<double>(++ended) / count);
-  });
+  const auto fit = [&](int runs_of_stage, const std::function<SurfaceDesign(Run&)>& stage) {
+    run_in_parallel(runs_of_stage, options.threads, [&](int k) {
+      const int start = order[k];
+      SurfaceDesign found = stage(runs[start]);
+      found.start = start;
+      evaluations[start] = found.evaluations;
+      if (designs[start].mesh.vertices.empty() || is_better(found, designs[start]))
+        designs[start] = std::move(found);
+      progress("search", static_cast<double>(++ended) / (count + kept));
+    });
+  };
+  fit(count, [](Run& run) { return run.begin(); });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return is_better(designs[a], designs[b]); });
+  fit(kept, [](Run& run) { return run.go_on(); });
   SurfaceDesign best = *std::min_element(designs.begin(), designs.end(), is_better);
   best.starts = count;
-  best.evaluations = 0;
-  for (const SurfaceDesign& design : designs) best.evaluations += design.evaluations;
+  best.evaluations = std::accumulate(evaluations.begin(), evaluations.end(), 0);
   return best;
 }
 

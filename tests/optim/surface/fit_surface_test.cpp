@@ -70,6 +70,32 @@ TEST(FitSurface, FindsTheSameWhateverTheNumberOfThreads) {
   EXPECT_EQ(fit_surface(saddle, one).error.rms, fit_surface(saddle, two).error.rms);
 }
 
+TEST(FitSurface, LetsTheBetterHalfOfItsStartsGoOn) {
+  const targets::SurfacePatch saddle = targets::saddle_patch(100, 0.15);
+  SurfaceOptions options = few(4, 3);
+  options.threads = 1;
+  options.iterations = 20;
+  int reports = 0;
+  double done = 0;
+  const SurfaceDesign design =
+      fit_surface(saddle, options, [&](const std::string&, double share, const std::string&) {
+        ++reports;
+        done = share;
+      });
+  EXPECT_EQ(reports, 3 + 2);
+  EXPECT_EQ(done, 1);
+  EXPECT_EQ(design.starts, 3);
+  EXPECT_GT(design.evaluations, 3 * (4 + 10) + 2 * 20);
+}
+
+TEST(FitSurface, GoesOnUntilASaddleOfStrongCurvatureIsMet) {
+  SurfaceOptions options = few(8, 4);
+  options.bounds.edge = {0.3, 3};
+  const SurfaceDesign design = fit_surface(targets::saddle_patch(100, 0.3), options);
+  EXPECT_TRUE(design.within);
+  EXPECT_LE(design.error.rms, 8e-3);
+}
+
 TEST(FitSurface, RefusesOptionsOutOfRange) {
   SurfaceOptions options;
   options.theta = 1;
