@@ -1,0 +1,66 @@
+#include "app/pipeline/verify.hpp"
+
+#include <gtest/gtest.h>
+
+#include "app/pipeline/exact_state.hpp"
+#include "model/sheet/sheet_motion.hpp"
+#include "tests/support/paper_scenes.hpp"
+
+namespace kinetix::app {
+namespace {
+
+constexpr double theta = 0.5;        // rad
+constexpr double usual_step = 1e-3;  // s
+
+struct Folded {
+  Run run;
+  PhysicsTask task;
+
+  explicit Folded(double physics_theta = theta) {
+    run.structure = testing::bending_strip();
+    run.plan = make_plan(run.structure);
+    add_exact_state(run, theta);
+    task = folding_task(run);
+    task.drive = drive_to(run.structure, physics_theta);
+  }
+};
+
+TEST(Verify, TakesALongStepWhereItEndsWhereTheModelSays) {
+  Folded folded;
+  verify(folded.run, folded.task, {});
+  ASSERT_TRUE(folded.run.verification);
+  EXPECT_TRUE(folded.run.verification->agrees);
+  EXPECT_DOUBLE_EQ(folded.run.verification->options.step_s, 10 * usual_step);
+  EXPECT_LT(folded.run.verification->distance.rms, 1e-7);
+}
+
+TEST(Verify, LeavesTheVerdictOnAWrongStateToTheUsualStep) {
+  Folded folded(0.9 * theta);
+  verify(folded.run, folded.task, {});
+  ASSERT_TRUE(folded.run.verification);
+  EXPECT_FALSE(folded.run.verification->agrees);
+  EXPECT_TRUE(is_settled(*folded.run.verification));
+  EXPECT_DOUBLE_EQ(folded.run.verification->options.step_s, usual_step);
+  EXPECT_GT(folded.run.verification->distance.rms, folded.run.verify_tolerance);
+}
+
+TEST(Verify, TakesTheStepThatWasAskedFor) {
+  Folded folded;
+  folded.run.physics.step_s = 2e-3;
+  folded.task = folding_task(folded.run);
+  verify(folded.run, folded.task, {});
+  ASSERT_TRUE(folded.run.verification);
+  EXPECT_DOUBLE_EQ(folded.run.verification->options.step_s, 2e-3);
+}
+
+TEST(Verify, TakesTheUsualStepWhereNoModelKnowsTheEnd) {
+  Folded folded;
+  folded.task.reference.clear();
+  verify(folded.run, folded.task, {});
+  ASSERT_TRUE(folded.run.verification);
+  EXPECT_FALSE(folded.run.verification->compared);
+  EXPECT_DOUBLE_EQ(folded.run.verification->options.step_s, usual_step);
+}
+
+}  // namespace
+}  // namespace kinetix::app
