@@ -9,8 +9,8 @@
 namespace kinetix::app {
 namespace {
 
-constexpr double theta = 0.5;        // rad
-constexpr double usual_step = 1e-3;  // s
+constexpr double theta = 0.5;        // rad: far from flat and from contact
+constexpr double usual_step = 1e-3;  // s: of PhysicsOptions
 
 struct Folded {
   Run run;
