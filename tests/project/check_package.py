@@ -17,7 +17,7 @@ build, source, scratch = (pathlib.Path(folder).resolve() for folder in sys.argv[
 # documentation, examples, targets.
 DOC = "share/doc/kinetix"
 PROMISED = ["bin/kinetix-opt", "share/man/man1/kinetix-opt.1*", "share/bash-completion/completions/kinetix-opt",
-            "share/kinetix/target.schema.json", "lib/libkinetix_model.a", "include/kinetix/kinetix.hpp",
+            "share/kinetix/target.schema.json", "lib/libkinetix_model.a", "lib/kinetix/modules/kinetix-cad.so", "include/kinetix/kinetix.hpp",
             "lib/cmake/kinetix/kinetix-config.cmake", f"{DOC}/README.md", f"{DOC}/docs/formats.md",
             f"{DOC}/examples/fit_curve.cpp", "share/kinetix/targets/shapes/helmet_rib.csv"]
 
@@ -89,17 +89,24 @@ def check_demo(root):
     result = json.loads((folder / words[-1] / "result.json").read_text())
     if not result["metrics"]["met"]:
         sys.exit("the demo misses its goal")
+    # By a module, which the program must find beside itself.
+    run(root / "usr/bin/kinetix-opt", "export", folder / words[-1], "--format", "step", "--quiet", cwd=folder)
+    if not list(folder.glob("**/*.step")):
+        sys.exit("no STEP file was written")
 
 
 def check_python(root):
     folders = list((root / "usr/lib").glob("python3*/dist-packages"))
     if not folders:
         return "no Python module: not built"
-    script = ("import kinetix; r = kinetix.simulate({'kinetix': 1, 'structure': {'cells': [4, 1], 'cell_mm': 10},"
-              " 'design': {'theta_deg': 20}}); print(kinetix.__file__, r.poses.shape)")
+    script = ("import kinetix; design = {'kinetix': 1, 'structure': {'cells': [4, 1], 'cell_mm': 10},"
+              " 'design': {'theta_deg': 20}}; print(kinetix.__file__, kinetix.simulate(design).poses.shape);"
+              f" kinetix.export(design, 'step', '{scratch / 'python_step'}')")
     said = run("/usr/bin/python3", "-c", script, env={"PYTHONPATH": str(folders[0]), "PATH": os.environ["PATH"]})
     if not said.startswith(str(root)) or "(10, 7)" not in said:
         sys.exit(f"the module says {said}")
+    if not list((scratch / "python_step").glob("*.step")):
+        sys.exit("the module writes no STEP file")
     return "Python module"
 
 

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace kinetix::app::cad {
+
+/// A solid of flat faces.
+struct Faceted {
+  std::vector<Eigen::Vector3d> points;  ///< mm
+  std::vector<std::vector<int>> faces;  ///< corners of each face, counter-clockwise from outside
+};
+
+/// A full circle; counter-clockwise about the axis, from the direction `first` on.
+struct Circle {
+  Eigen::Vector3d centre;  ///< mm
+  Eigen::Vector3d axis;    ///< of unit length
+  Eigen::Vector3d first;   ///< of unit length, across the axis
+  double radius = 0;       ///< mm, above 0
+};
+
+/// One step of a contour: straight, or the arc through a point.
+struct ContourStep {
+  Eigen::Vector3d to;                      ///< mm
+  std::optional<Eigen::Vector3d> through;  ///< mm; none: straight
+};
+
+/// Closed: the last edge ends at the start. All of it in one plane.
+struct Contour {
+  Eigen::Vector3d start;  ///< mm
+  std::vector<ContourStep> edges;
+};
+
+/// What a flat face sweeps.
+struct Prism {
+  std::variant<Contour, Circle> base;
+  std::optional<Circle> hole;  ///< in the plane of the base
+  Eigen::Vector3d along;       ///< mm
+};
+
+using Piece = std::variant<Faceted, Prism>;
+
+/// One solid, of pieces that share faces or parts of them.
+struct Shape {
+  std::string name;
+  std::array<double, 3> colour;  ///< red, green, blue of the screen, 0 to 1
+  std::vector<Piece> pieces;     ///< at least one
+};
+
+/// A shape at its place.
+struct Part {
+  std::string name;
+  int shape = 0;  ///< index into Assembly::shapes
+  Eigen::Isometry3d where = Eigen::Isometry3d::Identity();
+};
+
+/// Parts of a CAD file; several may be of one shape.
+struct Assembly {
+  std::string name;
+  std::vector<Shape> shapes;
+  std::vector<Part> parts;
+};
+
+}  // namespace kinetix::app::cad
