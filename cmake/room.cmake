@@ -1,12 +1,15 @@
-# kinetix_room(name EXCEPT ... SOURCES ... HEADERS ... PUBLIC ... PRIVATE ...): one library target per folder, so that
+# kinetix_room(name EXCEPT ... SOURCES ... HEADERS|PRECOMPILED_BY ... PUBLIC ... PRIVATE ...): one library target per folder, so that
 # the link graph is the layering. It takes every .cpp of the folder but those that match the regex EXCEPT, and the
-# SOURCES besides; HEADERS are compiled once for all of them.
+# SOURCES besides; HEADERS are compiled once for all of them, or are those that another room has: PRECOMPILED_BY.
 
 add_library(kinetix_flags INTERFACE)
 # A fused multiply-add would make results depend on the compiler's choice of instruction.
 target_compile_options(kinetix_flags INTERFACE -ffp-contract=off)
 # With it ccache can serve what was compiled with a precompiled header.
 target_compile_options(kinetix_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+# Eigen would split products where OpenMP is on and not elsewhere: functions of one name and two meanings. Threads are
+# for whole runs, in one place (optim/solvers/parallel_runs.hpp).
+target_compile_definitions(kinetix_flags INTERFACE EIGEN_DONT_PARALLELIZE)
 # KiB: sources full of templates fill the compiler's heap several times over; to collect garbage only from a GiB on
 # saves a sixth of their time. The code is the same.
 target_compile_options(kinetix_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=1048576>)
@@ -33,13 +36,17 @@ if(KINETIX_SANITIZE)
 endif()
 
 function(kinetix_room name)
-  cmake_parse_arguments(ROOM "" "EXCEPT" "SOURCES;HEADERS;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ROOM "" "EXCEPT;PRECOMPILED_BY" "SOURCES;HEADERS;PUBLIC;PRIVATE" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   if(ROOM_EXCEPT)
     list(FILTER sources EXCLUDE REGEX ${ROOM_EXCEPT})
   endif()
   add_library(kinetix_${name} STATIC ${sources} ${ROOM_SOURCES})
-  target_precompile_headers(kinetix_${name} PRIVATE ${ROOM_HEADERS})
+  if(ROOM_PRECOMPILED_BY)
+    target_precompile_headers(kinetix_${name} REUSE_FROM kinetix_${ROOM_PRECOMPILED_BY})
+  else()
+    target_precompile_headers(kinetix_${name} PRIVATE ${ROOM_HEADERS})
+  endif()
   add_library(kinetix::${name} ALIAS kinetix_${name})
   set_target_properties(kinetix_${name} PROPERTIES EXPORT_NAME ${name})
   target_compile_features(kinetix_${name} PUBLIC cxx_std_20)

@@ -1,8 +1,8 @@
 #include "sim/start_motion.hpp"
 
-#include <Eigen/Cholesky>
 #include <random>
 
+#include "model/base/decompositions.hpp"
 #include "model/closure/null_space.hpp"
 
 namespace kinetix::sim {
@@ -42,7 +42,7 @@ Eigen::VectorXd nearest_motion(const model::Linkage& structure, const Eigen::Mat
     wanted.segment<3>(6 * b) = structure.bodies[b].first_turn();
   }
   const Eigen::MatrixXd weighted = weight.asDiagonal() * motions;
-  return motions * (motions.transpose() * weighted).ldlt().solve(weighted.transpose() * wanted);
+  return motions * SymmetricFactor(motions.transpose() * weighted).solve(weighted.transpose() * wanted);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "model/contact/near_pairs.hpp"
+#include "optim/solvers/parallel_runs.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -135,9 +136,8 @@ PathClearance path_clearance(const PrintSheet& sheet) {
   none.in_hinges.mm = none.elsewhere.mm = nothing_mm;
   const Distances distances(sheet);
   std::vector<PathClearance> by_state(sheet.path.size(), none);
-#pragma omp parallel for schedule(dynamic)
-  for (std::size_t k = 0; k < sheet.path.size(); ++k)
-    distances.measure(sheet.thetas[k], sheet.path[k], by_state[k]);
+  optim::run_in_parallel(static_cast<int>(sheet.path.size()), 0,
+                         [&](int k) { distances.measure(sheet.thetas[k], sheet.path[k], by_state[k]); });
   for (const PathClearance& state : by_state) {
     take_less(state.in_hinges, none.in_hinges);
     take_less(state.elsewhere, none.elsewhere);

@@ -1,5 +1,6 @@
 #include "model/base/decompositions.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <Eigen/SVD>
@@ -22,13 +23,31 @@ MatrixXd orthonormal(const MatrixXd& A) {
 }
 
 SingularVectors right_singular_vectors(const MatrixXd& A) {
-  const Eigen::BDCSVD<MatrixXd> svd(A, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  const Eigen::JacobiSVD<MatrixXd> svd(A, Eigen::ComputeThinU | Eigen::ComputeThinV);
   return {svd.matrixV(), svd.singularValues()};
 }
 
 Eigenvectors symmetric_eigenvectors(const MatrixXd& A) {
   const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(A);
   return {solver.eigenvectors(), solver.eigenvalues(), solver.info() == Eigen::Success};
+}
+
+struct SymmetricFactor::Factor {
+  Eigen::LDLT<MatrixXd> ldlt;
+};
+
+SymmetricFactor::SymmetricFactor(const MatrixXd& A)
+    : factor_(std::make_unique<Factor>(Factor{Eigen::LDLT<MatrixXd>(A)})) {}
+SymmetricFactor::~SymmetricFactor() = default;
+
+double SymmetricFactor::least_pivot() const {
+  return factor_->ldlt.vectorD().minCoeff<Eigen::PropagateNaN>();
+}
+VectorXd SymmetricFactor::solve(const VectorXd& b) const { return factor_->ldlt.solve(b); }
+
+VectorXd SymmetricFactor::inverse_diagonal() const {
+  const Eigen::Index n = factor_->ldlt.rows();
+  return factor_->ldlt.solve(MatrixXd::Identity(n, n)).diagonal();
 }
 
 }  // namespace kinetix

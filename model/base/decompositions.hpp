@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 
 namespace kinetix {
 
@@ -30,5 +31,21 @@ struct Eigenvectors {
   bool converged = false;
 };
 Eigenvectors symmetric_eigenvectors(const Eigen::MatrixXd& A);
+
+/// LDL^T factor of a symmetric positive matrix, its largest pivots first.
+class SymmetricFactor {
+ public:
+  explicit SymmetricFactor(const Eigen::MatrixXd& A);
+  ~SymmetricFactor();
+
+  /// Of the unit of A; NaN where A is not finite.
+  double least_pivot() const;
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+  Eigen::VectorXd inverse_diagonal() const;
+
+ private:
+  struct Factor;
+  std::unique_ptr<Factor> factor_;
+};
 
 }  // namespace kinetix

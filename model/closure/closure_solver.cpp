@@ -1,9 +1,9 @@
 #include "model/closure/closure_solver.hpp"
 
-#include <Eigen/SparseCholesky>
 #include <limits>
 
 #include "model/base/invalid_input.hpp"
+#include "model/base/sparse_factor.hpp"
 #include "model/closure/closure.hpp"
 
 namespace kinetix::model {
@@ -109,8 +109,7 @@ class Search {
   bool step() {
     SparseMatrix damped = normal_;
     damped.diagonal().array() += damping_ + least_damping;
-    factor_.compute(damped);
-    if (factor_.info() != Eigen::Success) return false;
+    if (!factor_.compute(damped)) return false;
     const VectorXd step = -factor_.solve(gradient_);
     if (!step.allFinite() || largest(step) > longest_step) return false;
     last_step_ = largest(step);
@@ -142,7 +141,7 @@ class Search {
   Closure reached_;
   VectorXd residual_, gradient_;
   SparseMatrix normal_;
-  Eigen::SimplicialLDLT<SparseMatrix> factor_;
+  SparseFactor factor_;
   double damping_ = 1e-6;
   double last_step_ = 0;
 };

@@ -1,10 +1,10 @@
 #include "model/closure/null_space.hpp"
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <random>
 
 #include "model/base/decompositions.hpp"
+#include "model/base/sparse_factor.hpp"
 #include "model/closure/closure.hpp"
 
 namespace kinetix::model {
@@ -18,8 +18,9 @@ constexpr double zero = 1e-8;  // singular value, dimensionless: see null_space.
 // Added to J^T J, whose entries are of the order of 1, so that it has a factor although J is singular. It
 // sets the pace: each iteration shrinks a direction of singular value s by 1e-12 / s^2 against those of 0.
 constexpr double shift = 1e-12;
-constexpr int iterations = 6;                      // leave 1e-12 of a direction of singular value 1e-5
-constexpr std::size_t most_bodies_for_dense = 50;  // bodies: the time of the dense way grows with their cube
+constexpr int iterations = 6;  // leave 1e-12 of a direction of singular value 1e-5
+constexpr std::size_t most_bodies_for_dense =
+    20;  // bodies: some 15 ms, and the time of the dense way grows with their cube
 
 MatrixXd random_block(Eigen::Index rows, Eigen::Index columns) {
   std::mt19937 random(1);
@@ -38,7 +39,7 @@ class InverseIteration {
 
   SingularVectors smallest(Eigen::Index count) const {
     MatrixXd block = orthonormal(random_block(jacobian_.cols(), count));
-    for (int k = 0; k < iterations; ++k) block = orthonormal(factor_.solve(block));
+    for (int k = 0; k < iterations; ++k) block = orthonormal(factor_.solve_all(block));
     SingularVectors spectrum = right_singular_vectors(jacobian_ * block);
     spectrum.vectors = block * spectrum.vectors;
     return spectrum;
@@ -46,7 +47,7 @@ class InverseIteration {
 
  private:
   const SparseMatrix& jacobian_;
-  Eigen::SimplicialLDLT<SparseMatrix> factor_;
+  SparseFactor factor_;
 };
 
 SingularVectors small_spectrum(const SparseMatrix& jacobian) {

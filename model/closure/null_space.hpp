@@ -19,7 +19,7 @@ struct NullSpace {
 };
 
 /// How the singular values are found: by dense decomposition, O(bodies^3), or by inverse iteration on a block
-/// of vectors with a sparse factorisation. `automatic` takes the dense one up to 50 bodies; the other takes
+/// of vectors with a sparse factorisation. `automatic` takes the dense one up to 20 bodies; the other takes
 /// a second for a sheet of 60 x 60 cells. (A sparse rank-revealing QR takes 8 s for 20 x 20.)
 enum class NullSpaceMethod { automatic, dense, inverse_iteration };
 

@@ -1,6 +1,5 @@
 #include "optim/display/wall_scales.hpp"
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include <utility>
 
 #include "model/base/invalid_input.hpp"
+#include "model/base/sparse_factor.hpp"
 
 namespace kinetix::optim {
 namespace {
@@ -83,7 +83,7 @@ class Part {
   std::vector<int> of_vertex_;  ///< its unknown
   VectorXd ahead_;              ///< of its unknown's value
   int count_ = 0;
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;
+  SparseFactor factor_;
   VectorXd known_;
 };
 

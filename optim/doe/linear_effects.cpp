@@ -1,8 +1,8 @@
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "model/base/decompositions.hpp"
 #include "optim/doe/sample_table.hpp"
 
 #include "optim/doe/nan.hpp"
@@ -54,10 +54,9 @@ struct Regression {
 
 Regression regress(const Eigen::MatrixXd& correlation, const Eigen::VectorXd& with_response) {
   if (correlation.size() == 0 || !with_response.allFinite()) return {};
-  const Eigen::LDLT<Eigen::MatrixXd> solver(correlation);
-  if (!(solver.vectorD().minCoeff() > least_pivot)) return {};
-  const Eigen::Index d = correlation.rows();
-  return {solver.solve(with_response), solver.solve(Eigen::MatrixXd::Identity(d, d)).diagonal()};
+  const SymmetricFactor factor(correlation);
+  if (!(factor.least_pivot() > least_pivot)) return {};
+  return {factor.solve(with_response), factor.inverse_diagonal()};
 }
 
 /// @param x standardised columns of the factors that vary

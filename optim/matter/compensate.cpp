@@ -1,9 +1,9 @@
 #include "optim/matter/compensate.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
+#include "model/base/decompositions.hpp"
 #include "model/elastic/path/near_equilibrium.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
@@ -113,7 +113,7 @@ class Search {
       ++out.rounds;
       MatrixXd damped = curvature;
       damped.diagonal().array() += damping * scale;
-      const VectorXd full = damped.ldlt().solve(slope);
+      const VectorXd full = SymmetricFactor(damped).solve(slope);
       const double part = std::min(1.0, longest_step / std::max(full.cwiseAbs().maxCoeff(), 1e-300));
       const VectorXd tried = variables_.within(x - part * full, at.theta);
       const std::optional<InMatter> next = follow(at, x, tried);

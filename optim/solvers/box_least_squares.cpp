@@ -1,10 +1,10 @@
 #include "optim/solvers/box_least_squares.hpp"
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 
 #include "model/base/invalid_input.hpp"
+#include "model/base/sparse_factor.hpp"
 
 namespace kinetix::optim {
 namespace {
@@ -43,7 +43,7 @@ class Solver {
     const bool goes_on = memory && memory->dual.size() == p.C.rows();
     z_ = (goes_on ? memory->within : VectorXd(p.C * p.from)).cwiseMax(p.lower).cwiseMin(p.upper);
     dual_ = goes_on ? memory->dual : VectorXd(VectorXd::Zero(p.C.rows()));
-    factor_.analyzePattern(SparseMatrix<double>(squares_ + bounds_));
+    factor_.analyze(squares_ + bounds_);
     set_penalty(goes_on ? memory->penalty : first_penalty);
   }
 
@@ -86,12 +86,12 @@ class Solver {
 
   void set_penalty(double penalty) {
     penalty_ = penalty;
-    factor_.factorize(SparseMatrix<double>(squares_ + penalty_ * bounds_));
+    factor_.factorize(squares_ + penalty_ * bounds_);
   }
 
   const BoxLeastSquares& p_;
   SparseMatrix<double> Ct_, squares_, bounds_;
-  Eigen::SimplicialLDLT<SparseMatrix<double>> factor_;
+  SparseFactor factor_;
   VectorXd pull_, u_, value_, z_, dual_;
   double penalty_ = first_penalty;
 };

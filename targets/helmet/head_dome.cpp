@@ -1,10 +1,10 @@
 #include "targets/helmet/head_dome.hpp"
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 #include <map>
 
+#include "model/base/sparse_factor.hpp"
 #include "model/base/union_find.hpp"
 #include "targets/helmet/sphere_grid.hpp"
 
@@ -153,7 +153,7 @@ class Dome {
     }
     Eigen::SparseMatrix<double> means(holes.size(), holes.size());
     means.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::VectorXd radii = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(means).solve(right);
+    const Eigen::VectorXd radii = SparseFactor(means).solve(right);
     for (std::size_t h = 0; h < holes.size(); ++h) radius_[holes[h]] = radii[h];
   }
 

@@ -44,9 +44,9 @@ export function platesOf(structure) {
   return structure.hinges.flatMap((hinge, index) => halfWalls(structure, hinge, index, size));
 }
 
-// The face at the vertex is left out: it is inside its neighbours.
+// The broad faces first; the face at the vertex is left out: it is inside its neighbours.
 const FACES = [[0, 1, 2, 3], [7, 6, 5, 4], [0, 4, 5, 1], [1, 5, 6, 2], [2, 6, 7, 3]];
-const CORNERS = 4 * FACES.length, INDICES = 6 * FACES.length;
+const CORNERS = 4 * FACES.length, INDICES = 6 * FACES.length, BROAD_INDICES = 6 * 2;
 
 /** Distances of a corner of a face from its four sides: linear over the face, so that its rim can be drawn on it. */
 function rims(corners) {
@@ -54,7 +54,7 @@ function rims(corners) {
   return corners.map((p) => corners.map((a, k) => toSide(p, a, corners[(k + 1) % 4])));
 }
 
-/** Positions, normals, bodies, rims and triangles of all plates for one buffer geometry, outsides counter-clockwise. */
+/** Positions, normals, bodies, rims and triangles (also of the broad faces alone) of all plates for one buffer geometry, outsides counter-clockwise. */
 export function mesh(plates) {
   const count = plates.length * CORNERS;
   const position = new Float32Array(3 * count), normal = new Float32Array(3 * count), rim = new Float32Array(4 * count);
@@ -74,7 +74,8 @@ export function mesh(plates) {
       index.set((inward ? [0, 2, 1, 0, 3, 2] : [0, 1, 2, 0, 2, 3]).map((k) => at + k), INDICES * n + 6 * f);
     });
   });
-  return {position, normal, body, rim, index, corners: CORNERS, indices: INDICES};
+  const broad = index.filter((_, k) => k % INDICES < BROAD_INDICES);
+  return {position, normal, body, rim, index, broad, corners: CORNERS, indices: INDICES};
 }
 
 function centre(points) {

@@ -74,19 +74,21 @@ export class Scene {
     this.poses = Float64Array.from(this.rest.flatMap((p) => [...p, 1, 0, 0, 0]));
     this.size = 0.5 * Math.max(...this.rest.map((p) => Math.hypot(...p.map((v, k) => v - this.rest[0][k]))), structure.cell_mm);
     this.held = null;
+    this.rough = false;
     this.recolour();
     this.show(this.poses);
     if (fit) this.fit();
   }
 
-  solidOf({position, normal, body, rim, index}) {
+  solidOf({position, normal, body, rim, index, broad}) {
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute("position", new THREE.BufferAttribute(position, 3));
     geometry.setAttribute("normal", new THREE.BufferAttribute(normal, 3));
     geometry.setAttribute("body", new THREE.BufferAttribute(body, 1));
     geometry.setAttribute("rim", new THREE.BufferAttribute(rim, 4));
     geometry.setAttribute("color", new THREE.BufferAttribute(new Float32Array(position.length), 3));
-    geometry.setIndex(new THREE.BufferAttribute(index, 1));
+    this.triangles = {all: new THREE.BufferAttribute(index, 1), broad: new THREE.BufferAttribute(broad, 1)};
+    geometry.setIndex(this.triangles.all);
     const material = new THREE.MeshLambertMaterial({vertexColors: true});
     const solid = new THREE.Mesh(geometry, posed(material, this.texture, this.rim));
     solid.customDepthMaterial = posed(new THREE.MeshDepthMaterial({depthPacking: THREE.RGBADepthPacking}), this.texture);
@@ -295,10 +297,16 @@ export class Scene {
     if (this.fewPixels) this.setPixels(this.fewPixels), this.fewPixels = 0;
     this.frames = (this.frames ?? 0) + 1;
     if (this.frames % SHADOW_EVERY === 0) this.castShadow();
-    this.renderer.render(this.world, this.camera);
+    this.render(this.rough ? "broad" : "all");
     requestAnimationFrame((next) => this.keepPace(next - now));
     clearTimeout(this.still);
     this.still = setTimeout(() => this.drawSharp(), Math.max(STILL, SLOWEST_FRAMES * (this.gap ?? 0)));
+  }
+
+  /** @param triangles of the plates: all, or broad: two fifths of the corners, for motion on a slow machine */
+  render(triangles) {
+    this.solid?.geometry.setIndex(this.triangles[triangles]);
+    this.renderer.render(this.world, this.camera);
   }
 
   castShadow() {
@@ -308,11 +316,11 @@ export class Scene {
 
   /** A picture that stands still is drawn with all pixels that the screen has. */
   drawSharp() {
-    if (!this.moved && this.pixels === this.mostPixels) return;
+    if (!this.moved && !this.rough && this.pixels === this.mostPixels) return;
     this.fewPixels = this.pixels === this.mostPixels ? 0 : this.pixels;
     if (this.fewPixels) this.setPixels(this.mostPixels);
     this.castShadow();
-    this.renderer.render(this.world, this.camera);
+    this.render("all");
   }
 
   setPixels(pixels) {
@@ -320,19 +328,20 @@ export class Scene {
     this.renderer.setPixelRatio(pixels);
   }
 
-  /** A slow machine gets fewer pixels. */
+  /** A slow machine gets fewer pixels, and if that does not help, walls without their narrow sides, while things move. */
   keepPace(gap) {
     this.gap = gap;
     this.pace = 0.8 * (this.pace ?? 0) + 0.2 * gap;
-    if (this.pace < SLOW_FRAME || this.fewPixels || this.pixels <= FEWEST_PIXELS) return;
-    this.fewPixels = Math.max(FEWEST_PIXELS, 0.8 * this.pixels);
+    if (this.pace < SLOW_FRAME || this.fewPixels) return;
+    if (this.pixels > FEWEST_PIXELS) this.fewPixels = Math.max(FEWEST_PIXELS, 0.8 * this.pixels);
+    else this.rough = true;
     this.pace = 0;
   }
 
   /** The view as a PNG. */
   picture() {
     this.castShadow();
-    this.renderer.render(this.world, this.camera);
+    this.render("all");
     return new Promise((resolve) => this.canvas.toBlob(resolve, "image/png"));
   }
 }
