@@ -22,11 +22,39 @@ Eigen::Affine3d upright() {
   return out;
 }
 
-Eigen::Affine3d transform_of(const aiNode& node) {
+Eigen::Affine3d affine(const aiMatrix4x4& m) {
   Eigen::Affine3d out = Eigen::Affine3d::Identity();
   for (unsigned r = 0; r < 3; ++r)
-    for (unsigned c = 0; c < 4; ++c) out.matrix()(r, c) = node.mTransformation[r][c];
+    for (unsigned c = 0; c < 4; ++c) out.matrix()(r, c) = m[r][c];
   return out;
+}
+
+Eigen::Affine3d world_of(const aiNode* node) {
+  Eigen::Affine3d out = Eigen::Affine3d::Identity();
+  for (; node != nullptr; node = node->mParent) out = affine(node->mTransformation) * out;
+  return upright() * out;
+}
+
+/// Where bones hold a mesh: what they carry each corner to. The mesh's own place does not count then.
+void add_skinned_points(const aiScene& scene, const aiMesh& mesh, FoundMesh& found) {
+  found.soup.points.assign(mesh.mNumVertices, Eigen::Vector3d::Zero());
+  for (unsigned b = 0; b < mesh.mNumBones; ++b) {
+    const aiBone& bone = *mesh.mBones[b];
+    const Eigen::Affine3d X = world_of(scene.mRootNode->FindNode(bone.mName)) * affine(bone.mOffsetMatrix);
+    for (unsigned k = 0; k < bone.mNumWeights; ++k) {
+      const unsigned v = bone.mWeights[k].mVertexId;
+      if (v >= mesh.mNumVertices) continue;
+      const aiVector3D& p = mesh.mVertices[v];
+      found.soup.points[v] += bone.mWeights[k].mWeight * (X * Eigen::Vector3d(p.x, p.y, p.z));
+    }
+  }
+}
+
+void add_points(const aiMesh& mesh, const Eigen::Affine3d& X, FoundMesh& found) {
+  for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
+    const aiVector3D& p = mesh.mVertices[v];
+    found.soup.points.emplace_back(X * Eigen::Vector3d(p.x, p.y, p.z));
+  }
 }
 
 std::string material_name(const aiScene& scene, const aiMesh& mesh) {
@@ -37,15 +65,15 @@ std::string material_name(const aiScene& scene, const aiMesh& mesh) {
 }
 
 void add_meshes(const aiScene& scene, const aiNode& node, const Eigen::Affine3d& above, ModelFile& out) {
-  const Eigen::Affine3d X = above * transform_of(node);
+  const Eigen::Affine3d X = above * affine(node.mTransformation);
   for (unsigned k = 0; k < node.mNumMeshes; ++k) {
     const aiMesh& mesh = *scene.mMeshes[node.mMeshes[k]];
     FoundMesh found{
         node.mName.length > 0 ? node.mName.C_Str() : mesh.mName.C_Str(), material_name(scene, mesh), {}};
-    for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
-      const aiVector3D& p = mesh.mVertices[v];
-      found.soup.points.emplace_back(X * Eigen::Vector3d(p.x, p.y, p.z));
-    }
+    if (mesh.HasBones())
+      add_skinned_points(scene, mesh, found);
+    else
+      add_points(mesh, X, found);
     for (unsigned f = 0; f < mesh.mNumFaces; ++f)
       if (mesh.mFaces[f].mNumIndices == 3) {
         std::array<int, 3> t;

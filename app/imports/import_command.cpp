@@ -14,13 +14,15 @@
 #include "app/io/atomic_file.hpp"
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
+#include "targets/document/number.hpp"
 #include "targets/document/wording.hpp"
 
 namespace kinetix::app {
 namespace {
 
-constexpr double first_turn =
-    30 * radians_per_degree;  // rad: of the drive that a design starts with; enough to see what moves
+constexpr double first_turn_deg = 30;  // degrees, of the drive that a design starts with: enough to see
+constexpr double written_mm = 1e-9;    // mm, of points in the design: far below what a mesh of floats knows
+constexpr double written_direction = 1e-12;  // of the length of a direction, which is 1
 
 model::HingeChoices choices_of(const ImportRequest& request) {
   model::HingeChoices choices =
@@ -54,6 +56,18 @@ model::Assembly assembled(const ModelParts& parts, const model::HingeChoices& ch
     return make_assembly(parts.parts, choices);
   } catch (const InvalidInput& e) {
     throw InvalidInput(e.reason(), {parts.source});
+  }
+}
+
+Eigen::Vector3d rounded(const Eigen::Vector3d& v, double to) { return (v / to).array().round() * to; }
+
+/// What rounding left of zeros reads badly.
+void tidy_up(model::Assembly& assembly) {
+  for (model::AssemblyBody& b : assembly.bodies) b.position = rounded(b.position, written_mm);
+  for (model::AssemblyHinge& h : assembly.hinges) {
+    h.point = rounded(h.point, written_mm);
+    h.axis = rounded(h.axis, written_direction);
+    h.along = rounded(h.along, written_direction);
   }
 }
 
@@ -109,10 +123,11 @@ int import_command(const CommandOptions& options, const ImportRequest& request) 
   const model::HingeChoices choices = choices_of(request);
   const ModelParts parts = read_model_parts(request);
   AssemblyFile file{.name = name_of(request), .assembly = assembled(parts, choices)};
+  tidy_up(file.assembly);
   const AssemblyMobility mobility = examine(file.assembly);
   if (mobility.hinge >= 0) {
     file.driven = mobility.hinge;
-    file.angle = mobility.turn > 0 ? std::copysign(std::min(first_turn, mobility.turn), mobility.sense) : 0;
+    file.angle = std::copysign(std::min(targets::radians_of(first_turn_deg), mobility.turn), mobility.sense);
   }
   OutputFolder folder(options.folder_given ? options.folder : "results/" + file.name);
   FileSet files(folder.path());
