@@ -3,6 +3,7 @@
 #include <iostream>
 #include <string_view>
 
+#include "app/assembly/assembly_export.hpp"
 #include "app/cli/commands.hpp"
 #include "app/cli/error_report.hpp"
 #include "app/imports/import_command.hpp"
@@ -234,7 +235,11 @@ int run(int argc, char** argv) {
   if (verify->parsed()) return kinetix::app::verify_command(options);
   if (simulate->parsed()) return kinetix::app::simulate_command(options);
   if (sweep->parsed()) return kinetix::app::sweep_command(options);
-  if (print->parsed()) return kinetix::app::export_command(options, request);
+  if (print->parsed()) {
+    if (const auto bodies = kinetix::app::assembly_to_export(request))
+      return kinetix::app::export_assembly(options, request, *bodies);
+    return kinetix::app::export_command(options, request);
+  }
   if (import->parsed()) return kinetix::app::import_command(options, imported);
   if (view->parsed()) return kinetix::app::view_command(options, shown);
   if (check->parsed()) return kinetix::app::check_command(options);

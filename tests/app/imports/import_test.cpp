@@ -7,7 +7,9 @@
 
 #include "app/print/stl_text.hpp"
 #include "app/print/zip_text.hpp"
+#include "model/base/angle.hpp"
 #include "tests/app/program.hpp"
+#include "tests/app/schema_errors.hpp"
 #include "tests/support/strip_solids.hpp"
 
 namespace kinetix::testing {
@@ -214,6 +216,82 @@ TEST(Import, NamesFileAndPartOfWhatIsNoSolid) {
                  "soft part `joint` touches 1 hard part: `left`");
   expect_refused("pair.obj", with(moved(right(), Isometry3d(Eigen::Translation3d(-4, 0.2, 0)))),
                  "hard parts `left` and `right` overlap");
+}
+
+TEST(Import, IsExportedAndImportedAgain) {
+  const Scratch scratch;
+  const Json found = imported(scratch, scratch.write("pair.obj", pair_of_walls()));
+  const std::string design = (scratch / "out").string();
+  for (const char* format : {"3mf", "glb", "stl"}) {
+    const Outcome run =
+        kinetix_opt("export " + design + " --json --format " + format + " -o " + (scratch / "made").string());
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(schema_errors(Json::parse(run.out), "print"), "");
+  }
+  for (const std::string again : {"made/pair.3mf", "made/pair.glb"}) {
+    const Outcome run =
+        kinetix_opt("import " + (scratch / again).string() + " --json -o " + (scratch / "again").string());
+    ASSERT_EQ(run.code, 0) << run.err;
+    const Json hinge = Json::parse(run.out)["hinges"][0];
+    for (int k = 0; k < 3; ++k)  // a turned glTF has its quaternion in floats
+      EXPECT_NEAR(hinge["axis"][k].get<double>(), found["hinges"][0]["axis"][k].get<double>(), 1e-6) << again;
+    EXPECT_NEAR(hinge["point_mm"][0].get<double>(), 0, 1e-6) << again;
+  }
+  const Outcome refused =
+      kinetix_opt("export " + design + " --format step -o " + (scratch / "step").string());
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("`step` is of sheets; a design of bodies is written as stl, 3mf, glb"));
+}
+
+TEST(Import, IsSimulatedBalancedAndVerified) {
+  const Scratch scratch;
+  imported(scratch, scratch.write("pair.obj", pair_of_walls()) + " --material tpu95a");
+  const std::string design = (scratch / "out/design.yaml").string();
+  for (const char* command :
+       {"simulate", "simulate --model equilibrium", "simulate --model bullet --theta-deg -20", "verify"}) {
+    const Outcome run =
+        kinetix_opt(std::string(command) + " " + design + " --json -o " + (scratch / "run").string());
+    EXPECT_EQ(run.code, 0) << command << run.err;
+    const Json result = Json::parse(run.out);
+    EXPECT_EQ(schema_errors(result), "") << command;
+    EXPECT_EQ(result["structure"]["bodies"][0]["name"], "left_wall");
+  }
+  // A hinge turned against its spring alone: half k_turn angle^2, of a block of TPU.
+  const Outcome run = kinetix_opt("simulate --model equilibrium --theta-deg 10 " + design + " --json -o " +
+                                  (scratch / "run").string());
+  const Json result = Json::parse(run.out);
+  const double k_turn = result["structure"]["hinges"][0]["k"]["turn"], angle = 20 * pi / 180;
+  EXPECT_NEAR(result["metrics"]["energy_Nmm"].get<double>(), k_turn * angle * angle / 2, 1e-9 * k_turn);
+}
+
+/// A wall from one point of the plane to another, less the room of the blocks at its ends.
+Polyhedron wall(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double room, double thickness = 0.8) {
+  const Eigen::Vector2d middle = (from + to) / 2, along = to - from;
+  const double half = along.norm() / 2 - room;
+  return moved(box_solid(-half, half, thickness, 6),
+               Eigen::Translation3d(middle.x(), middle.y(), 0) *
+                   Eigen::AngleAxisd(std::atan2(along.y(), along.x()), Eigen::Vector3d::UnitZ()));
+}
+
+TEST(Import, OfWhatCannotTurnSaysWhichHingeHoldsIt) {
+  // A bar of two walls in one line, held by a third one beside it through two blocks: three hinges in a ring are rigid.
+  const Scratch scratch;
+  const auto at = [](double x, double y, const Polyhedron& solid) {
+    return moved(solid, Isometry3d(Eigen::Translation3d(x, y, 0)));
+  };
+  const std::string ring = Obj()
+                               .add("left", "hard", wall({-20, 0}, {0, 0}, 1))
+                               .add("right", "hard", wall({0, 0}, {20, 0}, 1))
+                               .add("beside", "hard", wall({-15, 5}, {15, 5}, 0, 2))
+                               .add("middle", "soft", at(0, 0, box_solid(-1, 1, 0.8, 6)))
+                               .add("first", "soft", at(-10, 2.2, box_solid(-0.4, 0.4, 3.6, 6)))
+                               .add("last", "soft", at(10, 2.2, box_solid(-0.4, 0.4, 3.6, 6)))
+                               .text();
+  const Json found = imported(scratch, scratch.write("ring.obj", ring));
+  EXPECT_EQ(found["mobility"]["flat"], 0);
+  EXPECT_EQ(found["mobility"]["broken"], "last");
+  EXPECT_THAT(found["mobility"]["why"].get<std::string>(),
+              HasSubstr("rigid: no motion at rest keeps all hinges closed"));
 }
 
 TEST(Import, OfTwoFilesTakesTheSoftPartsFromTheSecond) {
