@@ -1,14 +1,22 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/cad/assembly.hpp"
+#include "app/cad/found_solid.hpp"
 
 namespace kinetix::app::cad {
 
-/// A STEP file (AP214) of the assembly: the same bytes each time. OpenCASCADE, which writes it, takes longer to load than
-/// many a run of the program: it stands in a module of its own, kinetix-cad.so, loaded by the first call.
+// OpenCASCADE, which writes and reads STEP, takes longer to load than many a run of the program: it stands in a module of
+// its own, kinetix-cad.so, loaded by the first call.
+
+/// A STEP file (AP214) of the assembly: the same bytes each time.
 /// @throws std::runtime_error where the module is missing, or where pieces of a shape are no solid together
 std::string step_text(const Assembly& assembly);
+
+/// All solids of a STEP file, in mm; of its assemblies at their places.
+/// @throws std::runtime_error where the module is missing, or with what is wrong with the file
+std::vector<FoundSolid> solids_of_step(const std::string& file);
 
 }  // namespace kinetix::app::cad

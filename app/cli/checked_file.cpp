@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/assembly/assembly_file.hpp"
 #include "app/goals/read_target.hpp"
 #include "app/pipeline/design_scene.hpp"
 #include "app/sweep/plan/sweep_plan.hpp"
@@ -84,6 +85,7 @@ CheckedFile check_file(const std::string& file) {
     const Target target = read_target(root);
     return {file, "target", target.goal->name(), target.goal->forecast()};
   }
+  if (is_assembly(root)) return {file, "design", read_assembly(root).name};
   const auto scene = make_scene(read_design(root), Model::bullet);
   return {file, "design", scene->name(), scene->forecast()};
 }

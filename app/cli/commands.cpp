@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "app/assembly/assembly_command.hpp"
+#include "app/assembly/assembly_file.hpp"
 #include "app/cli/checked_file.hpp"
 #include "app/console/console.hpp"
 #include "app/console/open_report.hpp"
@@ -118,6 +120,8 @@ int compare_drives(const CommandOptions& options) {
 
 int run_design(const CommandOptions& options, Model model, const std::string& suffix) {
   Stopwatch watch;
+  if (const targets::Node root = targets::read_document(options.file, max_design_bytes); is_assembly(root))
+    return run_assembly_command(options, root, model, suffix);
   return run_and_write(options, *make_scene(design_of(options), model), suffix, watch);
 }
 

@@ -4,17 +4,19 @@ _kinetix_opt() {
   local common="--help --json --quiet --threads --seed"
   for ((k = 1; k < COMP_CWORD; ++k)); do
     case ${COMP_WORDS[k]} in
-      verify | simulate | sweep | check | export | view) command=${COMP_WORDS[k]}; break ;;
+      verify | simulate | sweep | check | export | import | view) command=${COMP_WORDS[k]}; break ;;
     esac
   done
   case $before in
     --model) COMPREPLY=($(compgen -W "exact equilibrium bullet" -- "$word")); return ;;
     --format) COMPREPLY=($(compgen -W "stl 3mf step svg dxf mjcf glb scad all" -- "$word")); return ;;
     --process) COMPREPLY=($(compgen -W "polyjet fdm sla sls" -- "$word")); return ;;
+    --unit) COMPREPLY=($(compgen -W "mm cm m in ft" -- "$word")); return ;;
+    --material) COMPREPLY=($(compgen -W "tango tpu95a pp pa12" -- "$word")); return ;;
     --hinge) COMPREPLY=($(compgen -W "pin block film" -- "$word")); return ;;
     --state) COMPREPLY=($(compgen -W "flat folded" -- "$word")); return ;;
     -o) COMPREPLY=($(compgen -d -- "$word")); return ;;
-    --threads | --seed | --time-limit | --monte-carlo | --theta-deg | --port) return ;;
+    --threads | --seed | --time-limit | --monte-carlo | --theta-deg | --port | --soft-material) return ;;
   esac
   local options
   case $command in
@@ -23,6 +25,7 @@ _kinetix_opt() {
     sweep) options="$common -o --resume" ;;
     check) options="$common" ;;
     export) options="$common -o --format --process --hinge --cell-mm --bed --loose-rods --orient --slice --coupon --state" ;;
+    import) options="$common -o --hard --soft --unit --soft-material --material --hinges" ;;
     view) options="$common --no-open --port" ;;
     *) options="$common --version -o --open --no-verify --time-limit --fidelity --monte-carlo" ;;
   esac
@@ -30,7 +33,7 @@ _kinetix_opt() {
     COMPREPLY=($(compgen -W "$options" -- "$word"))
   else
     COMPREPLY=($(compgen -f -- "$word"))
-    [[ -z $command ]] && COMPREPLY+=($(compgen -W "verify simulate sweep check export view" -- "$word"))
+    [[ -z $command ]] && COMPREPLY+=($(compgen -W "verify simulate sweep check export import view" -- "$word"))
   fi
 }
 complete -o filenames -F _kinetix_opt kinetix-opt

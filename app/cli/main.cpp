@@ -3,8 +3,10 @@
 #include <iostream>
 #include <string_view>
 
+#include "app/assembly/assembly_export.hpp"
 #include "app/cli/commands.hpp"
 #include "app/cli/error_report.hpp"
+#include "app/imports/import_command.hpp"
 #include "app/io/atomic_file.hpp"
 #include "app/print/export_command.hpp"
 #include "app/studio/view_command.hpp"
@@ -95,6 +97,27 @@ void add_export(CLI::App& app, CommandOptions& options, kinetix::app::PrintReque
       ->check(CLI::IsMember({"flat", "folded"}));
 }
 
+void add_import(CLI::App& app, CommandOptions& options, kinetix::app::ImportRequest& request) {
+  app.add_option("MODEL", request.model, "a 3MF, STEP, GLB, OBJ, PLY or STL file with hard and soft parts")
+      ->type_name("");
+  add_common(app, options);
+  add_output(app, options, "folder for design.yaml and its part files (default results/NAME)");
+  app.add_option("--hard", request.hard, "instead of MODEL, a file of the hard parts")->type_name("FILE");
+  app.add_option("--soft", request.soft, "beside --hard, a file of the soft parts")->type_name("FILE");
+  app.add_option("--unit", request.unit,
+                 "of the model's numbers: mm, cm, m, in or ft (default: as the file says, else guessed)")
+      ->type_name("UNIT");
+  app.add_option(
+         "--soft-material", request.soft_material,
+         "name of the material, colour or part that is soft (default: by words such as soft, tpu, tango)")
+      ->type_name("NAME");
+  app.add_option("--material", request.material,
+                 "of the soft parts, for their stiffness: tango (default), tpu95a, pp or pa12")
+      ->type_name("NAME");
+  app.add_option("--hinges", request.hinges, "YAML file with the axes of hinges that the shape leaves open")
+      ->type_name("FILE");
+}
+
 void add_view(CLI::App& app, CommandOptions& options, kinetix::app::ViewRequest& request) {
   app.add_option("DIR|DESIGN.yaml|TARGET.yaml", request.source,
                  "the folder of a result, a design, or a target to search for; nothing: a template")
@@ -116,6 +139,7 @@ examples:
   kinetix-opt simulate panel.yaml --model equilibrium --drives   where to push with least force
   kinetix-opt verify out/design.yaml                      the physics run alone
   kinetix-opt export out --format 3mf --process fdm       files for the printer
+  kinetix-opt import model.3mf -o out                     a 3D model with hard and soft parts as a design
   kinetix-opt view out                                    the studio, in the browser
 
 exit codes:
@@ -190,6 +214,11 @@ int run(int argc, char** argv) {
   kinetix::app::PrintRequest request;
   add_export(*print, options, request);
 
+  CLI::App* import = app.add_subcommand(
+      "import", "turn a 3D model with hard and soft parts into a design of bodies and hinges");
+  kinetix::app::ImportRequest imported;
+  add_import(*import, options, imported);
+
   CLI::App* view =
       app.add_subcommand("view", "open the studio in the browser: press, drag, change, search, export");
   kinetix::app::ViewRequest shown;
@@ -206,7 +235,12 @@ int run(int argc, char** argv) {
   if (verify->parsed()) return kinetix::app::verify_command(options);
   if (simulate->parsed()) return kinetix::app::simulate_command(options);
   if (sweep->parsed()) return kinetix::app::sweep_command(options);
-  if (print->parsed()) return kinetix::app::export_command(options, request);
+  if (print->parsed()) {
+    if (const auto bodies = kinetix::app::assembly_to_export(request))
+      return kinetix::app::export_assembly(options, request, *bodies);
+    return kinetix::app::export_command(options, request);
+  }
+  if (import->parsed()) return kinetix::app::import_command(options, imported);
   if (view->parsed()) return kinetix::app::view_command(options, shown);
   if (check->parsed()) return kinetix::app::check_command(options);
   if (options.file.empty()) {

@@ -97,6 +97,10 @@ targets::KeyTable state_keys() {
 void check_kind_of_file(const targets::Node& root) {
   if (root.kind() == targets::Node::Kind::map && !root.optional("design") && root.optional("target"))
     throw root.error("this is a target, not a design; search it first with `kinetix-opt TARGET.yaml`");
+  const auto structure = root.kind() == targets::Node::Kind::map ? root.optional("structure") : std::nullopt;
+  if (structure && structure->kind() == targets::Node::Kind::map && structure->optional("bodies"))
+    throw structure->error(
+        "this is an imported design of bodies, not a sheet; simulate, verify, check and export take it");
 }
 
 model::Sheet read_structure(const targets::Section& root) {

@@ -1,7 +1,9 @@
 #include "app/formats/all_keys.hpp"
 
+#include "app/assembly/assembly_file.hpp"
 #include "app/files/design_file.hpp"
 #include "app/goals/registry.hpp"
+#include "app/imports/hinge_choices.hpp"
 #include "app/sweep/plan/doe_file.hpp"
 
 namespace kinetix::app {
@@ -11,6 +13,8 @@ std::vector<KeyList> all_keys() {
   for (const GoalKind* kind : goal_kinds())
     lists.push_back({"target " + std::string(kind->name), &kind->table()});
   lists.push_back({"design", &design_keys()});
+  lists.push_back({"assembly", &assembly_keys()});
+  lists.push_back({"hinges", &hinge_choice_keys()});
   lists.push_back({"doe", &doe_keys()});
   for (const targets::KeyTable* shared : {&hinge_keys(), &physics_keys()})
     lists.push_back({shared->title(), shared});

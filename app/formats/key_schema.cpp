@@ -4,9 +4,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/assembly/assembly_file.hpp"
 #include "app/files/design_file.hpp"
 #include "app/formats/key_text.hpp"
 #include "app/goals/registry.hpp"
+#include "app/imports/hinge_choices.hpp"
 #include "app/sweep/plan/doe_file.hpp"
 
 namespace kinetix::app {
@@ -173,6 +175,8 @@ std::string text_of(const Json& schema) { return schema.dump(1) + "\n"; }
 std::vector<FileSchema> file_schemas() {
   return {{"target", text_of(of_targets())},
           {"design", text_of(of_one_table("A design for kinetix-opt: design.yaml", design_keys()))},
+          {"assembly", text_of(of_one_table("A design of general bodies for kinetix-opt", assembly_keys()))},
+          {"hinges", text_of(of_one_table("Axes of hinges for kinetix-opt import", hinge_choice_keys()))},
           {"doe", text_of(of_one_table("A sweep of kinetix-opt: doe.yaml", doe_keys()))}};
 }
 

@@ -5,6 +5,7 @@
 
 #include "app/print/formats.hpp"
 #include "app/print/parts.hpp"
+#include "app/print/stl_text.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -18,7 +19,9 @@ void add_vector(const Eigen::Vector3f& v, std::string& out) {
   out.append(reinterpret_cast<const char*>(v.data()), 3 * sizeof(float));
 }
 
-std::string stl(const std::string& name, const model::Polyhedron& solid) {
+}  // namespace
+
+std::string stl_text(const std::string& name, const model::Polyhedron& solid) {
   std::string out = "kinetix " + name;  // never "solid", by which readers know text
   out.resize(header_bytes, ' ');
   out.reserve(header_bytes + 4 + triangle_bytes * solid.triangles.size());
@@ -35,23 +38,25 @@ std::string stl(const std::string& name, const model::Polyhedron& solid) {
   return out;
 }
 
+namespace {
+
 void add_tile(const PrintJob& job, int tile, std::vector<NamedContent>& files) {
   const TileParts parts = tile_parts(job, tile);
   const std::string name = "tile_" + std::to_string(tile + 1);
-  files.push_back({name + ".stl", stl(job.sheet.name + " " + name, parts.hard)});
+  files.push_back({name + ".stl", stl_text(job.sheet.name + " " + name, parts.hard)});
   if (!parts.soft.points.empty())
-    files.push_back({name + "_soft.stl", stl(job.sheet.name + " " + name + " soft", parts.soft)});
+    files.push_back({name + "_soft.stl", stl_text(job.sheet.name + " " + name + " soft", parts.soft)});
 }
 
 std::vector<NamedContent> write_stl(const PrintJob& job) {
   const model::Polyhedron hard = hard_part(job), soft = soft_part(job);
-  std::vector<NamedContent> files{{"hard.stl", stl(job.sheet.name + " hard", hard)}};
+  std::vector<NamedContent> files{{"hard.stl", stl_text(job.sheet.name + " hard", hard)}};
   model::Polyhedron all = hard;
   append(soft, all);
-  files.push_back({"all.stl", stl(job.sheet.name, all)});
-  if (!soft.points.empty()) files.push_back({"soft.stl", stl(job.sheet.name + " soft", soft)});
+  files.push_back({"all.stl", stl_text(job.sheet.name, all)});
+  if (!soft.points.empty()) files.push_back({"soft.stl", stl_text(job.sheet.name + " soft", soft)});
   if (job.sheet.loose_rods() > 0)
-    files.push_back({"rods.stl", stl(job.sheet.name + " rods", laid_out_rods(job.sheet))});
+    files.push_back({"rods.stl", stl_text(job.sheet.name + " rods", laid_out_rods(job.sheet))});
   if (job.sheet.tiles.count() > 1)
     for (int tile = 0; tile < job.sheet.tiles.count(); ++tile) add_tile(job, tile, files);
   return files;

@@ -1,0 +1,64 @@
+#include "app/assembly/assembly_command.hpp"
+
+#include <fmt/format.h>
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/assembly/assembly_run.hpp"
+#include "app/console/console.hpp"
+#include "app/console/stopper.hpp"
+#include "app/io/atomic_file.hpp"
+#include "app/run/stopwatch.hpp"
+#include "model/base/angle.hpp"
+#include "model/base/invalid_input.hpp"
+
+namespace kinetix::app {
+namespace {
+
+AssemblyRun located_run(const CommandOptions& options, const targets::Node& root, Model model) {
+  Stopwatch watch;
+  AssemblyFile file = read_assembly(root);
+  const double load = watch.lap();
+  Console console(options.quiet);
+  const Stopper stopper(options.time_limit_s);
+  RunOptions how;
+  how.progress = console.progress();
+  how.stop = stopper.token();
+  const std::optional<double> theta =
+      options.theta_given ? std::optional(options.theta_deg * radians_per_degree) : std::nullopt;
+  try {
+    AssemblyRun run = run_assembly(std::move(file), model, theta, how);
+    run.load_s = load;
+    return run;
+  } catch (const InvalidInput& e) {
+    if (!e.place().file.empty()) throw;
+    throw InvalidInput(e.reason(), {options.file, 0, 0, e.place().key});
+  }
+}
+
+}  // namespace
+
+int run_assembly_command(const CommandOptions& options, const targets::Node& root, Model model,
+                         const std::string& suffix) {
+  const AssemblyRun run = located_run(options, root, model);
+  OutputFolder folder(options.folder_given ? options.folder : "results/" + run.file.name + suffix);
+  const std::string json = assembly_result(run).dump(1) + "\n";
+  FileSet files(folder.path());
+  files.add("result.json", json);
+  AssemblyFile shown = run.file;
+  shown.driven = run.driven;
+  shown.angle =
+      model::turn_at_theta(run.linkage.bodies[run.linkage.hinges[run.driven].lower].sense, run.theta);
+  for (const NamedContent& content : assembly_files(shown)) files.add(content.name, content.content);
+  files.commit();
+  folder.keep();
+  std::cout << (options.json
+                    ? json
+                    : assembly_summary(run) + fmt::format("  {:<10} {}/result.json, design.yaml, parts\n",
+                                                          "written", folder.path()));
+  if (!run.reached()) return target_missed;
+  return run.verification && !run.verification->agrees ? physics_disagrees : done;
+}
+
+}  // namespace kinetix::app

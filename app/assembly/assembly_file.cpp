@@ -1,0 +1,303 @@
+#include "app/assembly/assembly_file.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cstdint>
+#include <map>
+
+#include "app/files/file_header.hpp"
+#include "app/print/stl_text.hpp"
+#include "model/assembly/shells.hpp"
+#include "model/base/angle.hpp"
+#include "targets/mesh/mesh_file.hpp"
+
+namespace kinetix::app {
+namespace {
+
+namespace value = targets::value;
+using Eigen::Vector3d;
+
+constexpr double unit_length =
+    1e-3;                        // by which the length of an axis may differ from 1: what a person rounds to
+constexpr double square = 1e-2;  // of the cosine between an axis and the direction along the part
+constexpr double default_reach = 0.18;  // cell edges: as of hinges of sheets
+constexpr targets::Word<model::HingeKind> hinge_kinds[] = {{"pin", model::HingeKind::pin},
+                                                           {"block", model::HingeKind::block}};
+
+// Degrees of a driven hinge: half a turn either way is all that one angle can tell.
+const targets::Bounds turn_bounds = targets::between(-180, 180, "degrees");
+// Of a confidence, dimensionless.
+const targets::Bounds share = targets::from_to(0, 1);
+
+targets::ValueType vector_mm() { return value::list(value::number({.unit = "mm"}), "`[x, y, z]`", 3, 3); }
+targets::ValueType direction() { return value::list(value::number(), "`[x, y, z]`", 3, 3); }
+
+const targets::KeyTable& body_keys() {
+  static const targets::KeyTable keys({
+      {"name", value::text("its name, once in the file"), targets::needed, "what hinges and results call it"},
+      {"file", value::text("path of an STL, OBJ or PLY file"), targets::needed,
+       "its surface at rest, mm, one closed shell; relative to this file"},
+      {"position_mm", vector_mm(), targets::otherwise("the center of its volume"),
+       "the point by which results say where it is"},
+  });
+  return keys;
+}
+
+const targets::KeyTable& k_keys() {
+  const auto newtons = value::number(targets::above(0, "N/mm")),
+             moments = value::number(targets::above(0, "N mm/rad"));
+  static const targets::KeyTable keys({
+      {"axial", newtons, targets::needed, "from body to body, across the hinge's axis"},
+      {"shear", newtons, targets::needed, "across that and the axis"},
+      {"along", newtons, targets::needed, "along the axis"},
+      {"turn", moments, targets::needed, "about the axis"},
+  });
+  return keys;
+}
+
+const targets::KeyTable& joint_keys() {
+  static const targets::KeyTable keys({
+      {"name", value::text("its name, once in the file"), targets::needed,
+       "what the drive and results call it"},
+      {"bodies", value::list(value::text("name of a body"), "`[name, name]`", 2, 2), targets::needed,
+       "the two bodies that it joins"},
+      {"kind", value::choice(hinge_kinds), targets::by_default("block"),
+       "`block`: a soft part; `pin`: a rod in a bore"},
+      {"point_mm", vector_mm(), targets::needed, "on its axis, at rest"},
+      {"axis", direction(), targets::needed, "of length 1, at rest"},
+      {"along", direction(), targets::otherwise("square to the axis, from body to body"),
+       "direction in which the soft part reaches from its first body to the second, of length 1"},
+      {"reach_mm", value::number(targets::above(0, "mm")), targets::otherwise("0.18 of `cell_mm`"),
+       "half distance of the two points on the axis at which it holds its bodies together"},
+      {"k", value::map(k_keys()), {}, "its stiffness, where it is soft"},
+      {"confidence", value::number(share), targets::by_default(1),
+       "how sure its axis is: 1 less its stiffness about it over that about the next axis"},
+      {"file", value::text("path of an STL, OBJ or PLY file"), {}, "the surface of its soft part at rest"},
+  });
+  return keys;
+}
+
+const targets::KeyTable& bodies_keys() {
+  static const targets::KeyTable keys({
+      {"cell_mm", value::number(targets::above(0, "mm")),
+       targets::otherwise("the median distance of two bodies that share a hinge"),
+       "the length by which gaps and distances are measured"},
+      {"bodies", value::list(value::map(body_keys()), "a list of bodies", 2), targets::needed,
+       "rigid bodies of any shape"},
+      {"hinges", value::list(value::map(joint_keys()), "a list of hinges", 1), targets::needed,
+       "what joins them"},
+  });
+  return keys;
+}
+
+const targets::KeyTable& turn_keys() {
+  static const targets::KeyTable keys({
+      {"hinge", value::text("name of a hinge"),
+       targets::otherwise("the one that turns most in the first motion"), "the hinge that is turned"},
+      {"angle_deg", value::angle(turn_bounds), targets::needed,
+       "by which its second body is turned against its first one, about its axis"},
+  });
+  return keys;
+}
+
+Vector3d read_vector(const targets::Node& node, const char* what) {
+  const auto entries = node.list_of(3, what);
+  return {entries[0].number(), entries[1].number(), entries[2].number()};
+}
+
+Vector3d read_direction(const targets::Node& node) {
+  const Vector3d v = read_vector(node, "a direction [x, y, z] of length 1");
+  if (!(std::abs(v.norm() - 1) <= unit_length))
+    throw node.error(fmt::format("has length {:.4g}; a direction has length 1", v.norm()));
+  return v.normalized();
+}
+
+model::Polyhedron read_shell(const targets::Node& node) {
+  const std::string file = node.text("path of an STL, OBJ or PLY file");
+  const targets::TriangleMesh mesh =
+      targets::read_mesh((node.folder().empty() ? "" : node.folder() + "/") + file);
+  model::Polyhedron solid{mesh.vertices, mesh.triangles};
+  const std::string defect = model::shell_defect(solid);
+  if (!defect.empty()) throw node.error("`" + file + "` " + defect);
+  return solid;
+}
+
+class Reader {
+ public:
+  explicit Reader(const targets::Section& structure) : structure_(structure) {}
+
+  model::Assembly read() {
+    for (const targets::Node& node :
+         structure_.required("bodies", "a list of bodies").list("a list of bodies"))
+      add_body(node);
+    for (const targets::Node& node :
+         structure_.required("hinges", "a list of hinges").list("a list of hinges"))
+      add_hinge(node);
+    out_.edge_mm = median();
+    structure_.read("cell_mm", out_.edge_mm);
+    for (model::AssemblyHinge& h : out_.hinges)
+      if (h.reach_mm == 0) h.reach_mm = default_reach * out_.edge_mm;
+    return std::move(out_);
+  }
+
+  int hinge_of(const targets::Node& node) const {
+    const std::string name = node.text("name of a hinge");
+    for (std::size_t h = 0; h < out_hinges_.size(); ++h)
+      if (out_hinges_[h] == name) return static_cast<int>(h);
+    throw node.error("is no hinge of this file");
+  }
+
+ private:
+  void add_body(const targets::Node& node) {
+    const targets::Section section(node, body_keys());
+    model::AssemblyBody body;
+    const targets::Node name = section.required("name", "its name");
+    body.name = name.text("its name");
+    if (!body_of_.try_emplace(body.name, static_cast<int>(out_.bodies.size())).second)
+      throw name.error("two bodies have this name");
+    body.solid = read_shell(section.required("file", "the file of its surface, e.g. `parts/body_1.stl`"));
+    body.position = model::mass_properties(body.solid).center;
+    if (const auto position = section.optional("position_mm"))
+      body.position = read_vector(*position, "a point [x, y, z], mm");
+    out_.bodies.push_back(std::move(body));
+  }
+
+  int body_of(const targets::Node& node) const {
+    const auto found = body_of_.find(node.text("name of a body"));
+    if (found == body_of_.end()) throw node.error("is no body of this file");
+    return found->second;
+  }
+
+  void add_hinge(const targets::Node& node) {
+    const targets::Section section(node, joint_keys());
+    model::AssemblyHinge hinge;
+    const targets::Node name = section.required("name", "its name");
+    hinge.name = name.text("its name");
+    if (std::find(out_hinges_.begin(), out_hinges_.end(), hinge.name) != out_hinges_.end())
+      throw name.error("two hinges have this name");
+    const targets::Node bodies = section.required("bodies", "the names of its two bodies");
+    const auto ends = bodies.list_of(2, "the names of its two bodies");
+    hinge.lower = body_of(ends[0]);
+    hinge.upper = body_of(ends[1]);
+    if (hinge.lower == hinge.upper) throw bodies.error("joins a body with itself");
+    section.read("kind", hinge.kind, hinge_kinds);
+    hinge.point =
+        read_vector(section.required("point_mm", "a point on its axis, mm"), "a point [x, y, z], mm");
+    hinge.axis = read_direction(section.required("axis", "its axis, of length 1"));
+    hinge.along = direction_of(section, hinge);
+    hinge.reach_mm = 0;
+    section.read("reach_mm", hinge.reach_mm);
+    if (const targets::Section k = section.section("k"); k.given()) {
+      k.read_needed("axial", "a stiffness in N/mm", hinge.k.axial);
+      k.read_needed("shear", "a stiffness in N/mm", hinge.k.shear);
+      k.read_needed("along", "a stiffness in N/mm", hinge.k.along);
+      k.read_needed("turn", "a stiffness in N mm/rad", hinge.k.turn);
+    }
+    section.read("confidence", hinge.confidence);
+    if (const auto file = section.optional("file")) hinge.soft = read_shell(*file);
+    out_hinges_.push_back(hinge.name);
+    out_.hinges.push_back(std::move(hinge));
+  }
+
+  Vector3d direction_of(const targets::Section& section, const model::AssemblyHinge& hinge) const {
+    if (const auto along = section.optional("along")) {
+      const Vector3d d = read_direction(*along);
+      if (!(std::abs(d.dot(hinge.axis)) <= square)) throw along->error("is not square to the axis");
+      return (d - d.dot(hinge.axis) * hinge.axis).normalized();
+    }
+    const Vector3d between = out_.bodies[hinge.upper].position - out_.bodies[hinge.lower].position;
+    const Vector3d across = between - between.dot(hinge.axis) * hinge.axis;
+    return across.norm() > 1e-6 * between.norm() ? Vector3d(across.normalized())
+                                                 : Vector3d(hinge.axis.unitOrthogonal());
+  }
+
+  double median() const {
+    std::vector<double> all;
+    for (const model::AssemblyHinge& h : out_.hinges)
+      all.push_back((out_.bodies[h.upper].position - out_.bodies[h.lower].position).norm());
+    std::nth_element(all.begin(), all.begin() + static_cast<long>(all.size() / 2), all.end());
+    return all[all.size() / 2];
+  }
+
+  const targets::Section& structure_;
+  model::Assembly out_;
+  std::map<std::string, int> body_of_;
+  std::vector<std::string> out_hinges_;
+};
+
+std::string vector_text(const Vector3d& v) {
+  using targets::shortest_text;
+  return "[" + shortest_text(v.x() + 0.0) + ", " + shortest_text(v.y() + 0.0) + ", " +
+         shortest_text(v.z() + 0.0) + "]";
+}
+
+std::string hinge_line(const model::Assembly& a, const model::AssemblyHinge& h) {
+  using targets::shortest_text;
+  std::string out = fmt::format(
+      "    - {{name: {}, bodies: [{}, {}], kind: {}, point_mm: {}, axis: {}, along: {}", h.name,
+      a.bodies[h.lower].name, a.bodies[h.upper].name, h.kind == model::HingeKind::pin ? "pin" : "block",
+      vector_text(h.point), vector_text(h.axis), vector_text(h.along));
+  out += fmt::format(", reach_mm: {}, k: {{axial: {}, shear: {}, along: {}, turn: {}}}, confidence: {:.4g}",
+                     shortest_text(h.reach_mm), shortest_text(h.k.axial), shortest_text(h.k.shear),
+                     shortest_text(h.k.along), shortest_text(h.k.turn), h.confidence);
+  if (!h.soft.points.empty()) out += ", file: parts/" + h.name + ".stl";
+  return out + "}\n";
+}
+
+std::string design_text(const AssemblyFile& file) {
+  const model::Assembly& a = file.assembly;
+  std::string out = fmt::format("kinetix: 1\nname: {}\nstructure:\n  cell_mm: {}\n  bodies:\n", file.name,
+                                targets::shortest_text(a.edge_mm));
+  for (const model::AssemblyBody& b : a.bodies)
+    out += fmt::format("    - {{name: {}, file: parts/{}.stl, position_mm: {}}}\n", b.name, b.name,
+                       vector_text(b.position));
+  out += "  hinges:\n";
+  for (const model::AssemblyHinge& h : a.hinges) out += hinge_line(a, h);
+  if (file.driven)
+    out += fmt::format("drive: {{hinge: {}, angle_deg: {}}}\n", a.hinges[*file.driven].name,
+                       targets::degrees_text(file.angle));
+  return out;
+}
+
+}  // namespace
+
+const targets::KeyTable& assembly_keys() {
+  static const targets::KeyTable keys = file_keys({
+      {"structure", value::map(bodies_keys()), targets::needed, "its bodies and hinges, at rest"},
+      {"drive", value::map(turn_keys()), {}, "what is turned, and how far; without it the structure rests"},
+  });
+  return keys;
+}
+
+bool is_assembly(const targets::Node& root) {
+  if (root.kind() != targets::Node::Kind::map) return false;
+  const auto structure = root.optional("structure");
+  return structure && structure->kind() == targets::Node::Kind::map && structure->optional("bodies");
+}
+
+AssemblyFile read_assembly(const targets::Node& node) {
+  const targets::Section root(node, assembly_keys());
+  check_version(root);
+  AssemblyFile file{.name = read_name(root), .assembly = {}};
+  const targets::Section structure = root.section("structure");
+  Reader reader(structure);
+  file.assembly = reader.read();
+  if (const targets::Section drive = root.section("drive"); drive.given()) {
+    if (const auto hinge = drive.optional("hinge")) file.driven = reader.hinge_of(*hinge);
+    file.angle = drive.required("angle_deg", "by how much, e.g. `angle_deg: 30`").angle(turn_bounds);
+  }
+  return file;
+}
+
+std::vector<NamedContent> assembly_files(const AssemblyFile& file) {
+  std::vector<NamedContent> out{{"design.yaml", design_text(file)}};
+  for (const model::AssemblyBody& b : file.assembly.bodies)
+    out.push_back({"parts/" + b.name + ".stl", stl_text(b.name, b.solid)});
+  for (const model::AssemblyHinge& h : file.assembly.hinges)
+    if (!h.soft.points.empty()) out.push_back({"parts/" + h.name + ".stl", stl_text(h.name, h.soft)});
+  return out;
+}
+
+}  // namespace kinetix::app

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/run/goal_outcome.hpp"
+#include "model/assembly/assembly.hpp"
+#include "targets/document/section.hpp"
+
+namespace kinetix::app {
+
+/// A design of general bodies, as `import` writes it: design.yaml with a mesh beside it for every body and soft part.
+struct AssemblyFile {
+  std::string name;
+  model::Assembly assembly;
+  std::optional<int> driven =
+      {};            ///< the hinge that is turned; nothing: the one that turns most in the first motion
+  double angle = 0;  ///< by which it is turned in the end, rad, in (-pi, pi); 0: at rest
+};
+
+/// Keys of such a file, of which design.schema.json knows nothing: assembly.schema.json does.
+const targets::KeyTable& assembly_keys();
+
+/// Whether a design lists bodies: its `structure` has the key `bodies`.
+bool is_assembly(const targets::Node& root);
+
+/// @throws InvalidInput for whatever the keys do not allow, names that are not there or there twice, and meshes that are no solids
+AssemblyFile read_assembly(const targets::Node& root);
+
+/// design.yaml and the meshes, names and content: they read back to the same, coordinates of meshes rounded to float.
+std::vector<NamedContent> assembly_files(const AssemblyFile& file);
+
+}  // namespace kinetix::app

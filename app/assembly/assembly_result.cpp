@@ -1,0 +1,150 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/assembly/assembly_run.hpp"
+#include "app/result/physics_json.hpp"
+#include "app/result/state_json.hpp"
+#include "app/version.hpp"
+#include "model/base/angle.hpp"
+
+namespace kinetix::app {
+namespace {
+
+using ResultJson = nlohmann::ordered_json;
+
+ResultJson vector_json3(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+ResultJson hinge_of_json(const model::AssemblyHinge& h) {
+  return {{"name", h.name},
+          {"bodies", {h.lower, h.upper}},
+          {"point_mm", vector_json3(h.point)},
+          {"axis", vector_json3(h.axis)},
+          {"reach_mm", h.reach_mm},
+          {"k", {{"axial", h.k.axial}, {"shear", h.k.shear}, {"along", h.k.along}, {"turn", h.k.turn}}}};
+}
+
+ResultJson bodies_and_hinges(const model::Assembly& a) {
+  ResultJson bodies = ResultJson::array(), hinges = ResultJson::array();
+  for (const model::AssemblyBody& b : a.bodies)
+    bodies.push_back({{"name", b.name}, {"position_mm", vector_json3(b.position)}});
+  for (const model::AssemblyHinge& h : a.hinges) hinges.push_back(hinge_of_json(h));
+  return {{"cell_mm", a.edge_mm}, {"bodies", bodies}, {"hinges", hinges}, {"cells", ResultJson::array()}};
+}
+
+std::string way_words(const AssemblyRun& run) {
+  const auto& hinges = run.file.assembly.hinges;
+  const model::AssemblyMotion& m = run.motion;
+  if (m.reached)
+    return fmt::format(
+        "`{}` turned by {:.2f} deg; hinges stay closed within {:.1e} cell edges and {:.1e} rad",
+        hinges[run.driven].name, to_degrees(m.turns.back()), m.gap, m.axis_gap);
+  if (m.broken < 0)
+    return fmt::format("stopped with `{}` turned by {:.2f} deg", hinges[run.driven].name,
+                       to_degrees(m.turns.back()));
+  return fmt::format("`{}` turns by {:.2f} deg and no further: at {:.2f} deg `{}` opens by more than it may",
+                     hinges[run.driven].name, to_degrees(m.turns.back()), to_degrees(m.broken_turn),
+                     hinges[m.broken].name);
+}
+
+ResultJson states_json(const AssemblyRun& run) {
+  ResultJson out = ResultJson::array();
+  for (const NamedState& s : run.states)
+    out.push_back({{"name", s.name},
+                   {"model", s.model},
+                   {"theta_rad", s.theta},
+                   {"poses", poses_json(s.poses)},
+                   {"hinge_gap_max", s.gaps.max},
+                   {"hinge_gap_rms", s.gaps.rms}});
+  return out;
+}
+
+ResultJson numbers_of(const AssemblyRun& run) {
+  ResultJson out = {{"theta_rad", run.theta}};
+  if (run.equilibrium) {
+    out["load"] = run.equilibrium->steps.back().load;
+    out["energy_Nmm"] = run.equilibrium->steps.back().energy;
+  }
+  if (const auto& v = run.verification) {
+    out["verify_rms"] = v->distance.rms;
+    out["verify_max"] = v->distance.max;
+    out["hinge_gap_max"] = v->physics.gaps.max;
+    out["hinge_axis_max_rad"] = v->physics.gaps.axis_max;
+    out["verified"] = v->agrees;
+  }
+  return out;
+}
+
+ResultJson speeds(const AssemblyRun& run) {
+  ResultJson out = ResultJson::array();
+  out.push_back({{"model", "exact"},
+                 {"seconds", run.closure_s},
+                 {"error", run.motion.gap},
+                 {"against", "its own hinge closure"}});
+  if (const auto& v = run.verification; v && v->compared)
+    out.push_back({{"model", "bullet"},
+                   {"seconds", v->physics.seconds},
+                   {"error", v->distance.rms},
+                   {"against", "exact"}});
+  return out;
+}
+
+}  // namespace
+
+nlohmann::ordered_json assembly_result(const AssemblyRun& run) {
+  const model::Assembly& a = run.file.assembly;
+  ResultJson out = {{"schema", "kinetix-result/1"},
+                    {"name", run.file.name},
+                    {"kinetix_version", version},
+                    {"seed", 0},
+                    {"target", nullptr},
+                    {"plan",
+                     {{"family", "none"},
+                      {"model", to_string(run.model)},
+                      {"bodies", a.bodies.size()},
+                      {"hinges", a.hinges.size()},
+                      {"why", {way_words(run)}}}},
+                    {"structure", bodies_and_hinges(a)},
+                    {"states", states_json(run)},
+                    {"metrics", numbers_of(run)},
+                    {"tolerance", {{"verify", Run{}.verify_tolerance}}},
+                    {"fidelity", speeds(run)},
+                    {"timing_s",
+                     {{"load", run.load_s},
+                      {"plan", 0.0},
+                      {"optimise", 0.0},
+                      {"verify", run.verification ? run.verification->physics.seconds : 0.0},
+                      {"write", 0.0}}}};
+  if (run.verification) out["physics"] = physics_json(*run.verification);
+  return out;
+}
+
+std::string assembly_summary(const AssemblyRun& run) {
+  std::string out = fmt::format("{}: {} bodies, {} hinges\n", run.file.name, run.file.assembly.bodies.size(),
+                                run.file.assembly.hinges.size());
+  const auto line = [&](const char* label, const std::string& text) {
+    out += fmt::format("  {:<10} {}\n", label, text);
+  };
+  line("closure", way_words(run));
+  if (const auto& e = run.equilibrium)
+    line("balance",
+         fmt::format("{}; moment {:.4g} N mm, energy {:.4g} N mm, largest stretch {:.2e} cell edges", e->why,
+                     e->steps.back().load, e->steps.back().energy, e->gaps.max));
+  if (const auto& v = run.verification) {
+    if (v->physics.status != sim::PhysicsResult::Status::settled)
+      line("physics", fmt::format("FAILED, {}: {}", to_string(v->physics.status), v->physics.why));
+    else if (!v->compared)
+      line("physics",
+           fmt::format("settled in {:.2f} s; no closed state to compare with", v->physics.seconds));
+    else
+      line("physics",
+           fmt::format("rms {:.1e} cell edges from the closed state, hinge gap {:.1e}, {:.2f} s: {}",
+                       v->distance.rms, v->physics.gaps.max, v->physics.seconds,
+                       v->agrees ? "agrees" : "DISAGREES"));
+    line("contact", "not looked for: bodies may run through each other");
+  }
+  return out;
+}
+
+}  // namespace kinetix::app

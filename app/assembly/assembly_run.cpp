@@ -1,0 +1,149 @@
+#include "app/assembly/assembly_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "app/run/stopwatch.hpp"
+#include "model/base/angle.hpp"
+#include "model/base/invalid_input.hpp"
+#include "model/elastic/path/equilibrium_path.hpp"
+#include "model/linkage/make_drive.hpp"
+
+namespace kinetix::app {
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double stiff = 1e8;  // joint_stiffness of what closes exactly, as of exact families of sheets
+constexpr std::array step_factors = {10.0, 4.0,
+                                     1.0};  // times the usual step, tried one after the other as of sheets
+
+/// The hinge that is turned, and the direction that the first motion gives it.
+int driven_hinge(const AssemblyFile& file, const model::FirstMotion& first) {
+  if (file.driven) return *file.driven;
+  if (first.fastest < 0)
+    throw InvalidInput(
+        "nothing moves: no hinge turns in a first motion; `drive: {hinge: NAME, ...}` says which to turn");
+  return first.fastest;
+}
+
+int sense_of(const AssemblyRun& run) {
+  return run.linkage.bodies[run.linkage.hinges[run.driven].lower].sense;
+}
+
+double turn_of(const AssemblyRun& run) { return model::turn_at_theta(sense_of(run), run.theta); }
+
+void add_state(AssemblyRun& run, const std::string& name, Model model, double theta,
+               const model::State& state) {
+  run.states.push_back({name, to_string(model), theta, state, hinge_gaps(run.linkage, state)});
+}
+
+void close(AssemblyRun& run, const model::FirstMotion& first, const RunOptions& options) {
+  Stopwatch watch;
+  model::AssemblyMotionOptions way;
+  way.stop = [&] { return options.stop.stop_requested(); };
+  run.motion = follow_turn(run.linkage, first, run.driven, turn_of(run), way);
+  run.closure_s = watch.lap();
+}
+
+double end_theta(const AssemblyRun& run) {
+  return model::theta_at_turn(sense_of(run), run.motion.turns.back());
+}
+
+void add_motion(AssemblyRun& run) {
+  for (std::size_t k = 0; k < run.motion.states.size(); ++k)
+    add_state(run, "frame", Model::exact, model::theta_at_turn(sense_of(run), run.motion.turns[k]),
+              run.motion.states[k]);
+}
+
+void balance(AssemblyRun& run, const RunOptions& options) {
+  Stopwatch watch;
+  model::EquilibriumPathOptions path;
+  path.planar = false;
+  path.contact = false;  // its walls are those of sheets
+  const model::LinkageDrive drive = model::turned_hinge(run.driven, sense_of(run), turn_of(run));
+  run.equilibrium =
+      trace_equilibrium({run.linkage, drive, {}}, elasticity_of(run.file.assembly), path,
+                        [&](const model::EquilibriumStep& step, const model::State&) {
+                          options.progress("equilibrium path", run.theta == 0 ? 1 : step.theta / run.theta);
+                        });
+  run.equilibrium_s = watch.lap();
+  add_state(run, "target", Model::equilibrium, run.equilibrium->theta, run.equilibrium->state);
+}
+
+sim::PhysicsOptions physics_of(const AssemblyRun& run, double factor) {
+  sim::PhysicsOptions options;
+  options.step_s *= factor;
+  options.contact = false;
+  options.joint_stiffness = run.motion.reached ? stiff : options.joint_stiffness;
+  double reach = run.file.assembly.edge_mm;
+  for (const model::AssemblyHinge& h : run.file.assembly.hinges) reach = std::min(reach, h.reach_mm);
+  options.reach = reach / run.file.assembly.edge_mm;
+  return options;
+}
+
+/// Folds it by the engine, in coarse steps where these already settle in the closed state.
+void verify_assembly(AssemblyRun& run, const RunOptions& options) {
+  const model::LinkageDrive drive = model::turned_hinge(run.driven, sense_of(run), turn_of(run));
+  Verification v;
+  for (const double factor : step_factors) {
+    v = {};
+    v.options = physics_of(run, factor);
+    sim::PhysicsObserver observer;
+    observer.stop = options.stop;
+    observer.progress = [&](double done) { options.progress("physics run", done); };
+    v.physics = run_compression(run.linkage, drive, v.options, observer);
+    v.compared = run.motion.reached;
+    const bool settled = v.physics.status == sim::PhysicsResult::Status::settled;
+    v.distance = settled && v.compared
+                     ? aligned_distance(run.linkage, v.physics.state, run.motion.states.back())
+                     : model::StateDistance{not_a_number, not_a_number};
+    v.agrees = settled && (!v.compared || v.distance.rms <= Run{}.verify_tolerance);
+    if (v.agrees || options.stop.stop_requested()) break;
+  }
+  add_state(run, "target", Model::bullet, run.theta, v.physics.state);
+  run.verification = std::move(v);
+}
+
+}  // namespace
+
+bool AssemblyRun::reached() const {
+  return model == Model::equilibrium ? equilibrium->stop == model::EquilibriumPath::Stop::reached
+                                     : motion.reached;
+}
+
+model::Elasticity elasticity_of(const model::Assembly& assembly) {
+  model::Elasticity whole;
+  for (const model::AssemblyHinge& h : assembly.hinges) {
+    model::HingeStiffness k = h.k;
+    whole.each.push_back(elasticity_of(k, h.reach_mm));
+  }
+  whole.k_point = whole.each.front().k_point;
+  for (const model::Elasticity& e : whole.each) whole.k_point = std::max(whole.k_point, e.k_point);
+  whole.k_contact = 10 * whole.k_point;
+  return whole;
+}
+
+AssemblyRun run_assembly(AssemblyFile file, Model model, std::optional<double> theta,
+                         const RunOptions& options) {
+  AssemblyRun run;
+  run.file = std::move(file);
+  run.model = model;
+  run.linkage = linkage_of(run.file.assembly);
+  const model::FirstMotion first = first_motion(run.linkage);
+  run.driven = driven_hinge(run.file, first);
+  run.theta = theta.value_or(model::theta_at_turn(sense_of(run), run.file.angle));
+  close(run, first, options);
+  if (model == Model::equilibrium)
+    balance(run, options);
+  else if (run.motion.reached || model == Model::exact)
+    add_state(run, "target", Model::exact, end_theta(run), run.motion.states.back());
+  if (model == Model::bullet) verify_assembly(run, options);
+  add_motion(run);
+  return run;
+}
+
+}  // namespace kinetix::app

@@ -1,0 +1,145 @@
+#include "app/imports/import_command.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/assembly/assembly_file.hpp"
+#include "app/assembly/assembly_mobility.hpp"
+#include "app/imports/hinge_choices.hpp"
+#include "app/imports/model_parts.hpp"
+#include "app/io/atomic_file.hpp"
+#include "model/base/angle.hpp"
+#include "model/base/invalid_input.hpp"
+#include "targets/document/number.hpp"
+#include "targets/document/wording.hpp"
+
+namespace kinetix::app {
+namespace {
+
+constexpr double first_turn_deg = 30;  // degrees, of the drive that a design starts with: enough to see
+constexpr double written_mm = 1e-9;    // mm, of points in the design: far below what a mesh of floats knows
+constexpr double written_direction = 1e-12;  // of the length of a direction, which is 1
+
+model::HingeChoices choices_of(const ImportRequest& request) {
+  model::HingeChoices choices =
+      request.hinges.empty() ? model::HingeChoices{} : read_hinge_choices(request.hinges);
+  if (request.material.empty()) return choices;
+  const model::Material* material = model::find_material(request.material);
+  if (!material) {
+    std::vector<std::string_view> names;
+    for (const model::Material& m : model::materials()) names.push_back(m.name);
+    throw InvalidInput("--material: unknown material " + targets::in_ticks(request.material) +
+                       targets::did_you_mean(request.material, names) +
+                       "; allowed: " + targets::joined(names));
+  }
+  choices.material = *material;
+  return choices;
+}
+
+std::string name_of(const ImportRequest& request) {
+  std::string stem = std::filesystem::path(request.model.empty() ? request.hard : request.model)
+                         .stem()
+                         .string()
+                         .substr(0, 100);
+  for (char& c : stem)
+    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_' && c != '-' && c != '.') c = '_';
+  return stem.empty() || stem[0] == '.' ? "_" + stem : stem;
+}
+
+/// Bad input that is found after reading gets the files' names.
+model::Assembly assembled(const ModelParts& parts, const model::HingeChoices& choices) {
+  try {
+    return make_assembly(parts.parts, choices);
+  } catch (const InvalidInput& e) {
+    throw InvalidInput(e.reason(), {parts.source});
+  }
+}
+
+Eigen::Vector3d rounded(const Eigen::Vector3d& v, double to) { return (v / to).array().round() * to; }
+
+/// What rounding left of zeros reads badly.
+void tidy_up(model::Assembly& assembly) {
+  for (model::AssemblyBody& b : assembly.bodies) b.position = rounded(b.position, written_mm);
+  for (model::AssemblyHinge& h : assembly.hinges) {
+    h.point = rounded(h.point, written_mm);
+    h.axis = rounded(h.axis, written_direction);
+    h.along = rounded(h.along, written_direction);
+  }
+}
+
+std::string hinges_text(const model::Assembly& assembly) {
+  const auto pins =
+      std::count_if(assembly.hinges.begin(), assembly.hinges.end(),
+                    [](const model::AssemblyHinge& h) { return h.kind == model::HingeKind::pin; });
+  const auto least =
+      std::min_element(assembly.hinges.begin(), assembly.hinges.end(),
+                       [](const auto& a, const auto& b) { return a.confidence < b.confidence; });
+  return fmt::format("{}: {} soft, {} pins; least sure `{}`, confidence {:.2f}", assembly.hinges.size(),
+                     assembly.hinges.size() - static_cast<std::size_t>(pins), pins, least->name,
+                     least->confidence);
+}
+
+std::string summary_text(const ModelParts& parts, const AssemblyFile& file,
+                         const AssemblyMobility& mobility) {
+  std::string out = fmt::format("{}\n", file.name);
+  const auto line = [&](const char* label, const std::string& text) {
+    out += fmt::format("  {:<10} {}\n", label, text);
+  };
+  line("unit", parts.unit);
+  line("soft parts", parts.softness);
+  line("bodies", std::to_string(file.assembly.bodies.size()));
+  line("hinges", hinges_text(file.assembly));
+  line("mobility", mobility.why);
+  for (const std::string& note : file.assembly.notes) line("note", note);
+  return out;
+}
+
+nlohmann::ordered_json summary_json(const ModelParts& parts, const AssemblyFile& file,
+                                    const AssemblyMobility& mobility) {
+  nlohmann::ordered_json hinges = nlohmann::ordered_json::array();
+  const model::Assembly& a = file.assembly;
+  for (const model::AssemblyHinge& h : a.hinges)
+    hinges.push_back({{"name", h.name},
+                      {"bodies", {a.bodies[h.lower].name, a.bodies[h.upper].name}},
+                      {"kind", h.kind == model::HingeKind::pin ? "pin" : "block"},
+                      {"point_mm", {h.point.x(), h.point.y(), h.point.z()}},
+                      {"axis", {h.axis.x(), h.axis.y(), h.axis.z()}},
+                      {"confidence", h.confidence}});
+  return {{"name", file.name},
+          {"unit", parts.unit},
+          {"bodies", a.bodies.size()},
+          {"hinges", hinges},
+          {"mobility", mobility_json(mobility, a)},
+          {"notes", a.notes}};
+}
+
+}  // namespace
+
+int import_command(const CommandOptions& options, const ImportRequest& request) {
+  const model::HingeChoices choices = choices_of(request);
+  const ModelParts parts = read_model_parts(request);
+  AssemblyFile file{.name = name_of(request), .assembly = assembled(parts, choices)};
+  tidy_up(file.assembly);
+  const AssemblyMobility mobility = examine(file.assembly);
+  if (mobility.hinge >= 0) {
+    file.driven = mobility.hinge;
+    file.angle = std::copysign(std::min(targets::radians_of(first_turn_deg), mobility.turn), mobility.sense);
+  }
+  OutputFolder folder(options.folder_given ? options.folder : "results/" + file.name);
+  FileSet files(folder.path());
+  for (const NamedContent& content : assembly_files(file)) files.add(content.name, content.content);
+  files.commit();
+  folder.keep();
+  if (options.json)
+    std::cout << summary_json(parts, file, mobility).dump(1) << "\n";
+  else
+    std::cout << summary_text(parts, file, mobility)
+              << fmt::format("  {:<10} {}/design.yaml, parts\n", "written", folder.path());
+  return done;
+}
+
+}  // namespace kinetix::app

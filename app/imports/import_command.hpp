@@ -1,0 +1,12 @@
+#pragma once
+
+#include "app/console/command_options.hpp"
+#include "app/imports/import_request.hpp"
+
+namespace kinetix::app {
+
+/// `kinetix-opt import MODEL|--hard A --soft B -o DIR`: a design of general bodies from a 3D model, design.yaml and its part files, all
+/// of them or none. @return the exit code. @throws InvalidInput for what is no such model
+int import_command(const CommandOptions& options, const ImportRequest& request);
+
+}  // namespace kinetix::app

@@ -1,0 +1,213 @@
+#include "app/imports/model_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <map>
+#include <set>
+
+#include "app/imports/model_file.hpp"
+#include "model/assembly/shells.hpp"
+#include "model/base/invalid_input.hpp"
+#include "targets/document/wording.hpp"
+
+namespace kinetix::app {
+namespace {
+
+// Words in names of materials and parts that say that these are soft: rubbers, and what our own exports say.
+constexpr std::array<std::string_view, 11> soft_words = {
+    "soft", "tango", "agilus", "rubber", "elast", "flex", "ninja", "tpu", "tpe", "silicone", "hinge"};
+// Of the largest side: points as near as that are one, where a shell does not close as it is written.
+constexpr double weld_share = 1e-6;
+// The largest side of a model, in a file's own unit, below which it cannot be in mm, and below which not in inches either.
+constexpr double least_mm = 10, least_inches = 1;
+
+struct Unit {
+  std::string_view name;
+  double mm;
+  std::string_view words;
+};
+// In mm: what programs write models in.
+constexpr std::array<Unit, 5> units = {{{"mm", 1, "millimetres"},
+                                        {"cm", 10, "centimetres"},
+                                        {"m", 1000, "metres"},
+                                        {"in", 25.4, "inches"},
+                                        {"ft", 304.8, "feet"}}};
+
+double largest_side(const std::vector<ModelFile>& files) {
+  Eigen::AlignedBox3d box;
+  for (const ModelFile& file : files)
+    for (const FoundMesh& mesh : file.meshes)
+      for (const auto& t : mesh.soup.triangles)
+        for (const int p : t) box.extend(mesh.soup.points[p]);
+  return box.isEmpty() ? 0 : box.sizes().maxCoeff();
+}
+
+const Unit& named_unit(const std::string& name) {
+  for (const Unit& unit : units)
+    if (unit.name == name) return unit;
+  throw InvalidInput("--unit: unknown unit " + targets::in_ticks(name) + "; allowed: mm, cm, m, in, ft");
+}
+
+/// Sets the scale and says how it was found.
+std::string to_mm(const std::string& asked, std::vector<ModelFile>& files) {
+  const double side = largest_side(files);
+  const Unit& guess = side >= least_mm ? units[0] : side >= least_inches ? units[3] : units[2];
+  std::string words;
+  for (ModelFile& file : files) {
+    double mm = file.unit_mm.value_or(guess.mm);
+    if (!asked.empty()) mm = named_unit(asked).mm;
+    for (FoundMesh& mesh : file.meshes)
+      for (Eigen::Vector3d& p : mesh.soup.points) p *= mm;
+    if (!asked.empty())
+      words = std::string(named_unit(asked).words) + ", as asked";
+    else if (file.unit_mm)
+      words = fmt::format("{:g} mm, as the file says", mm);
+    else
+      words = fmt::format(
+          "{}, guessed: the file does not say, and the model is {:.4g} of them long; --unit says otherwise",
+          guess.words, side);
+  }
+  return words;
+}
+
+bool says_soft(const std::string& text) {
+  const std::string low = targets::lower_case(text);
+  return std::any_of(soft_words.begin(), soft_words.end(),
+                     [&](std::string_view word) { return low.find(word) != std::string::npos; });
+}
+
+bool is_called(const FoundMesh& mesh, const std::string& name) {
+  return targets::lower_case(mesh.material) == name || targets::lower_case(mesh.name) == name;
+}
+
+/// Materials first: a part called "hinge" may be a hard half of one.
+class Softness {
+ public:
+  Softness(const ImportRequest& request, const ModelFile& file)
+      : asked_(targets::lower_case(request.soft_material)) {
+    for (const FoundMesh& mesh : file.meshes) materials_.insert(mesh.material);
+    by_material_ = std::any_of(materials_.begin(), materials_.end(), says_soft);
+    const bool any =
+        std::any_of(file.meshes.begin(), file.meshes.end(), [&](const FoundMesh& m) { return is_soft(m); });
+    if (any) return;
+    if (!asked_.empty())
+      throw InvalidInput("--soft-material: no material, colour or part is called " +
+                             targets::in_ticks(request.soft_material) + found(),
+                         {file.file});
+    if (materials_.size() > 1)
+      throw InvalidInput(
+          "does not say which of its materials is soft" + found() + "; name it with --soft-material",
+          {file.file});
+  }
+
+  bool is_soft(const FoundMesh& mesh) const {
+    if (!asked_.empty()) return is_called(mesh, asked_);
+    return says_soft(by_material_ ? mesh.material : mesh.name);
+  }
+
+  std::string words() const {
+    return !asked_.empty() ? "as asked"
+           : by_material_  ? "by the names of materials"
+                           : "by the names of parts";
+  }
+
+ private:
+  std::string found() const {
+    std::string names;
+    for (const std::string& m : materials_)
+      names += (names.empty() ? ": " : ", ") + (m.empty() ? "none" : targets::in_ticks(m));
+    return names;
+  }
+
+  std::string asked_;
+  std::set<std::string> materials_;
+  bool by_material_ = false;
+};
+
+std::string plain(const std::string& name) {
+  std::string out;
+  for (const char c : name.substr(0, 60)) {
+    const bool fine = std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '.' || c == '_';
+    if (fine)
+      out += c;
+    else if (!out.empty() && out.back() != '_')
+      out += '_';
+  }
+  while (!out.empty() && (out.back() == '_' || out.back() == '.')) out.pop_back();
+  while (!out.empty() && out.front() == '.') out.erase(0, 1);
+  return out;
+}
+
+class Names {
+ public:
+  /// @param wanted may be empty or taken: then a number follows
+  std::string next(const std::string& wanted, bool soft, bool many) {
+    const std::string stem = many || wanted.empty() ? (soft ? "hinge" : "body") : wanted;
+    if (stem == wanted && taken_.insert(stem).second) return stem;
+    std::string name;
+    do name = stem + "_" + std::to_string(++count_[stem]);
+    while (!taken_.insert(name).second);
+    return name;
+  }
+
+ private:
+  std::set<std::string> taken_;
+  std::map<std::string, int> count_;
+};
+
+bool closes(const std::vector<model::Polyhedron>& shells) {
+  return std::all_of(shells.begin(), shells.end(), [](const model::Polyhedron& s) { return is_closed(s); });
+}
+
+std::vector<model::Polyhedron> shells_of(const model::Polyhedron& soup) {
+  std::vector<model::Polyhedron> exact = shells(model::welded(soup, 0));
+  if (closes(exact)) return exact;
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& p : soup.points) box.extend(p);
+  std::vector<model::Polyhedron> nearly = shells(model::welded(soup, weld_share * box.sizes().maxCoeff()));
+  return closes(nearly) ? nearly : exact;
+}
+
+void add_parts(const FoundMesh& mesh, bool soft, Names& names, ModelParts& out) {
+  std::vector<model::Polyhedron> found = shells_of(mesh.soup);
+  const bool many = found.size() > 1;
+  for (model::Polyhedron& shell : found)
+    out.parts.push_back({names.next(plain(mesh.name), soft, many), soft, std::move(shell)});
+}
+
+}  // namespace
+
+ModelParts read_model_parts(const ImportRequest& request) {
+  const bool pair = !request.hard.empty();
+  if (pair == !request.model.empty() || (!pair && !request.soft.empty()))
+    throw InvalidInput("import needs a model, or --hard FILE and --soft FILE, and one of them only");
+  ModelParts out;
+  std::vector<ModelFile> files;
+  if (pair) {
+    files.push_back(read_model_file(request.hard));
+    if (!request.soft.empty()) files.push_back(read_model_file(request.soft));
+    out.source = request.hard + (request.soft.empty() ? "" : " and " + request.soft);
+    out.softness = request.soft.empty() ? "none" : "as asked";
+  } else {
+    files.push_back(read_model_file(request.model));
+    out.source = request.model;
+  }
+  out.unit = to_mm(request.unit, files);
+  Names names;
+  for (std::size_t k = 0; k < files.size(); ++k) {
+    if (pair) {
+      for (const FoundMesh& mesh : files[k].meshes) add_parts(mesh, k == 1, names, out);
+      continue;
+    }
+    const Softness softness(request, files[k]);
+    out.softness = softness.words();
+    for (const FoundMesh& mesh : files[k].meshes) add_parts(mesh, softness.is_soft(mesh), names, out);
+  }
+  return out;
+}
+
+}  // namespace kinetix::app

@@ -1,0 +1,232 @@
+#include <zip.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <memory>
+#include <pugixml.hpp>
+
+#include "app/imports/model_file.hpp"
+#include "model/base/invalid_input.hpp"
+#include "targets/document/wording.hpp"
+
+namespace kinetix::app {
+namespace {
+
+constexpr zip_int64_t max_entries = 10'000;  // files of a package: thumbnails and parts of one model are tens
+constexpr zip_uint64_t max_model_bytes =
+    512u << 20;                          // bytes, unpacked: a million triangles take some 100 MB as text
+constexpr int max_component_depth = 32;  // objects in objects: assemblies of assemblies have three or four
+
+class Package {
+ public:
+  Package(const std::string& bytes, const std::string& file) : file_(file) {
+    zip_error_t error;
+    zip_error_init(&error);
+    zip_source_t* source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
+    if (source == nullptr) throw std::runtime_error("zip: no memory");
+    archive_.reset(zip_open_from_source(source, ZIP_RDONLY, &error));
+    if (!archive_) {
+      zip_source_free(source);
+      throw InvalidInput("is no 3MF file, or is damaged: it is not a zip archive that opens", {file_});
+    }
+    check_names();
+  }
+
+  std::string text(const std::string& name) const {
+    zip_stat_t status;
+    if (zip_stat(archive_.get(), name.c_str(), ZIP_FL_NOCASE, &status) != 0)
+      throw InvalidInput("has no `" + name + "` inside; it is no 3MF file, or is damaged", {file_});
+    if (status.size > max_model_bytes)
+      throw InvalidInput("unpacks to " + std::to_string(status.size >> 20) + " MiB in `" + name +
+                             "`; at most " + std::to_string(max_model_bytes >> 20) + " MiB are allowed",
+                         {file_});
+    const std::unique_ptr<zip_file_t, decltype(&zip_fclose)> opened(
+        zip_fopen(archive_.get(), name.c_str(), ZIP_FL_NOCASE), &zip_fclose);
+    std::string out(status.size, '\0');
+    const zip_int64_t read = opened ? zip_fread(opened.get(), out.data(), out.size()) : -1;
+    if (read != static_cast<zip_int64_t>(out.size()))
+      throw InvalidInput("is damaged in `" + name + "`", {file_});
+    return out;
+  }
+
+  bool has(const std::string& name) const {
+    return zip_name_locate(archive_.get(), name.c_str(), ZIP_FL_NOCASE) >= 0;
+  }
+
+ private:
+  void check_names() const {
+    const zip_int64_t count = zip_get_num_entries(archive_.get(), 0);
+    if (count > max_entries)
+      throw InvalidInput("holds " + std::to_string(count) + " files; at most " + std::to_string(max_entries) +
+                             " are allowed",
+                         {file_});
+    for (zip_int64_t k = 0; k < count; ++k) {
+      const char* entry = zip_get_name(archive_.get(), static_cast<zip_uint64_t>(k), 0);
+      const std::string name = entry ? entry : "";
+      const bool escapes = name.empty() || name[0] == '/' || name.find('\\') != std::string::npos ||
+                           name.find(':') != std::string::npos ||
+                           ("/" + name + "/").find("/../") != std::string::npos;
+      if (escapes)
+        throw InvalidInput("holds a file whose path leads outside, " + targets::in_ticks(name), {file_});
+    }
+  }
+
+  std::string file_;
+  std::unique_ptr<zip_t, decltype(&zip_discard)> archive_{nullptr, &zip_discard};
+};
+
+/// The part that the package's relationships name as its model.
+std::string model_part(const Package& package) {
+  if (package.has("_rels/.rels")) {
+    pugi::xml_document relations;
+    relations.load_string(package.text("_rels/.rels").c_str());
+    for (const pugi::xml_node& r : relations.child("Relationships").children("Relationship"))
+      if (std::string(r.attribute("Type").value()).ends_with("/3dmodel")) {
+        std::string target = r.attribute("Target").value();
+        return target.starts_with('/') ? target.substr(1) : target;
+      }
+  }
+  return "3D/3dmodel.model";
+}
+
+class ThreemfModel {
+ public:
+  ThreemfModel(const std::string& xml, const std::string& file) : out_{file, {}} {
+    const pugi::xml_parse_result parsed = document_.load_string(xml.c_str());
+    if (!parsed) fail(std::string("is damaged: its model is no XML: ") + parsed.description());
+    root_ = document_.child("model");
+    if (!root_) fail("is damaged: its model part has no `model`");
+  }
+
+  ModelFile read() {
+    out_.unit_mm = unit();
+    for (const pugi::xml_node& node : root_.child("resources").children()) {
+      if (std::string(node.name()) == "basematerials") read_materials(node);
+      if (std::string(node.name()).ends_with("colorgroup")) read_colours(node);
+      if (std::string(node.name()) == "object") objects_[node.attribute("id").as_int(-1)] = node;
+    }
+    for (const pugi::xml_node& item : root_.child("build").children("item"))
+      add_object(item.attribute("objectid").as_int(-1), transform(item), 0, "");
+    return std::move(out_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& reason) const { throw InvalidInput(reason, {out_.file}); }
+
+  double unit() const {
+    static const std::map<std::string, double> units = {{"micron", 1e-3},   {"millimeter", 1},
+                                                        {"centimeter", 10}, {"inch", 25.4},
+                                                        {"foot", 304.8},    {"meter", 1000}};
+    const auto found = units.find(root_.attribute("unit").as_string("millimeter"));
+    if (found == units.end())
+      fail("has an unknown unit " + targets::in_ticks(root_.attribute("unit").value()));
+    return found->second;
+  }
+
+  void read_materials(const pugi::xml_node& group) {
+    std::vector<std::string>& names = materials_[group.attribute("id").as_int(-1)];
+    for (const pugi::xml_node& base : group.children("base"))
+      names.emplace_back(base.attribute("name").value());
+  }
+
+  void read_colours(const pugi::xml_node& group) {
+    std::vector<std::string>& names = materials_[group.attribute("id").as_int(-1)];
+    for (const pugi::xml_node& colour : group.children())
+      names.push_back(targets::lower_case(std::string(colour.attribute("color").value()).substr(0, 7)));
+  }
+
+  /// Row vectors times a matrix of four rows and three columns.
+  Eigen::Affine3d transform(const pugi::xml_node& node) const {
+    Eigen::Affine3d out = Eigen::Affine3d::Identity();
+    const pugi::xml_attribute given = node.attribute("transform");
+    if (!given) return out;
+    const char* at = given.value();
+    for (int row = 0; row < 4; ++row)
+      for (int column = 0; column < 3; ++column) {
+        char* end = nullptr;
+        const double x = std::strtod(at, &end);
+        if (end == at || !std::isfinite(x)) fail("has a transform that is not twelve numbers");
+        out.matrix()(column, row) = x;
+        at = end;
+      }
+    return out;
+  }
+
+  const pugi::xml_node& object(int id) const {
+    const auto found = objects_.find(id);
+    if (found == objects_.end()) fail("names an object " + std::to_string(id) + " that is not there");
+    return found->second;
+  }
+
+  void add_object(int id, const Eigen::Affine3d& X, int depth, const std::string& name) {
+    if (depth > max_component_depth)
+      fail("has an object " + std::to_string(id) + " that is a part of itself, or 32 deep");
+    const pugi::xml_node& node = object(id);
+    const std::string own = node.attribute("name").value();
+    const std::string called = own.empty() ? name : own;
+    if (node.child("mesh")) add_mesh(node, X, called);
+    for (const pugi::xml_node& component : node.child("components").children("component"))
+      add_object(component.attribute("objectid").as_int(-1), X * transform(component), depth + 1, called);
+  }
+
+  double coordinate(const pugi::xml_node& vertex, const char* name) const {
+    const char* text = vertex.attribute(name).value();
+    char* end = nullptr;
+    const double x = std::strtod(text, &end);
+    if (end == text || *end != '\0' || !std::isfinite(x))
+      fail("has a vertex whose " + std::string(name) + " is no finite number: " + targets::in_ticks(text));
+    return x;
+  }
+
+  std::string material_of(const pugi::xml_node& triangle, const pugi::xml_node& of_object) const {
+    const bool own = triangle.attribute("pid") || triangle.attribute("p1");
+    const int group = triangle.attribute("pid") ? triangle.attribute("pid").as_int(-1)
+                                                : of_object.attribute("pid").as_int(-1);
+    const int index = own ? triangle.attribute("p1").as_int(0) : of_object.attribute("pindex").as_int(0);
+    const auto found = materials_.find(group);
+    if (found == materials_.end() || index < 0 || index >= static_cast<int>(found->second.size())) return {};
+    return found->second[index];
+  }
+
+  void add_mesh(const pugi::xml_node& node, const Eigen::Affine3d& X, const std::string& name) {
+    std::vector<Eigen::Vector3d> points;
+    for (const pugi::xml_node& v : node.child("mesh").child("vertices").children("vertex"))
+      points.push_back(X * Eigen::Vector3d(coordinate(v, "x"), coordinate(v, "y"), coordinate(v, "z")));
+    const bool mirrored = X.linear().determinant() < 0;
+    std::map<std::string, std::size_t> mesh_of;  // by material, in the order of their first triangle
+    for (const pugi::xml_node& t : node.child("mesh").child("triangles").children("triangle")) {
+      if (++triangles_ > max_model_triangles)
+        fail("has too many triangles; at most " + std::to_string(max_model_triangles) +
+             " are allowed; thin the model out");
+      std::array<int, 3> corners{t.attribute("v1").as_int(-1), t.attribute("v2").as_int(-1),
+                                 t.attribute("v3").as_int(-1)};
+      for (const int c : corners)
+        if (c < 0 || c >= static_cast<int>(points.size()))
+          fail("has a triangle of a vertex that is not there");
+      if (mirrored) std::swap(corners[1], corners[2]);
+      const std::string material = material_of(t, node);
+      const auto [found, is_new] = mesh_of.try_emplace(material, out_.meshes.size());
+      if (is_new) out_.meshes.push_back({name, material, {points, {}}});
+      out_.meshes[found->second].soup.triangles.push_back(corners);
+    }
+  }
+
+  pugi::xml_document document_;
+  pugi::xml_node root_;
+  std::map<int, std::vector<std::string>> materials_;
+  std::map<int, pugi::xml_node> objects_;
+  std::size_t triangles_ = 0;
+  ModelFile out_;
+};
+
+}  // namespace
+
+ModelFile read_threemf(const std::string& bytes, const std::string& file) {
+  const Package package(bytes, file);
+  return ThreemfModel(package.text(model_part(package)), file).read();
+}
+
+}  // namespace kinetix::app

@@ -1,0 +1,202 @@
+#include "model/assembly/cylinder_faces.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "model/base/angle.hpp"
+#include "model/base/union_find.hpp"
+
+namespace kinetix::model {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double most_bend =
+    35 * radians_per_degree;  // rad: a circle of twelve sides bends by 30 degrees an edge
+constexpr double flat =
+    0.2 *
+    radians_per_degree;  // rad: below, two triangles are one facet: rounding to float bends 1 mm by less
+constexpr double least_turn =
+    200 * radians_per_degree;    // rad: a rod comes out of a bore that goes round by half and little more
+constexpr int least_facets = 6;  // of twelve sides what 200 degrees have, less one
+constexpr double round = 2e-3;   // of the radius, by which corners may leave the circle
+constexpr double parallel = 1 * radians_per_degree;  // rad, of two axes of one hinge: more binds
+constexpr double most_play = 0.5;                    // of the rod's radius: looser ones are no bearing
+constexpr double least_overlap = 0.25;               // of the rod's diameter along the axis
+
+struct Facets {
+  std::vector<Vector3d> normals;  // unit; zero of triangles without area
+  std::vector<Vector3d> centers;
+};
+
+Facets facets_of(const Polyhedron& solid) {
+  Facets out;
+  for (const auto& t : solid.triangles) {
+    const Vector3d &a = solid.points[t[0]], &b = solid.points[t[1]], &c = solid.points[t[2]];
+    out.normals.push_back((b - a).cross(c - a).stableNormalized());
+    out.centers.push_back((a + b + c) / 3);
+  }
+  return out;
+}
+
+struct Edge {
+  int a, b;         // points
+  int left, right;  // triangles
+};
+
+std::vector<Edge> inner_edges(const Polyhedron& solid) {
+  std::map<std::pair<int, int>, int> forward;
+  for (int t = 0; t < static_cast<int>(solid.triangles.size()); ++t)
+    for (int k = 0; k < 3; ++k) forward[{solid.triangles[t][k], solid.triangles[t][(k + 1) % 3]}] = t;
+  std::vector<Edge> out;
+  for (const auto& [ends, left] : forward) {
+    if (ends.first > ends.second) continue;
+    const auto other = forward.find({ends.second, ends.first});
+    if (other != forward.end()) out.push_back({ends.first, ends.second, left, other->second});
+  }
+  return out;
+}
+
+/// Signed bend of the surface across an edge, rad: positive where it is convex.
+double bend(const Polyhedron& solid, const Facets& facets, const Edge& e) {
+  const Vector3d along = (solid.points[e.b] - solid.points[e.a]).stableNormalized();
+  const Vector3d &left = facets.normals[e.left], &right = facets.normals[e.right];
+  return std::atan2(left.cross(right).dot(along), left.dot(right));
+}
+
+/// Sets of triangles that hang together by edges with a bend of one sign, or none.
+std::vector<std::vector<int>> bent_regions(const Polyhedron& solid, const Facets& facets, double sign) {
+  UnionFind sets(solid.triangles.size());
+  std::vector<char> is_bent(solid.triangles.size(), 0);
+  for (const Edge& e : inner_edges(solid)) {
+    const double turn = sign * bend(solid, facets, e);
+    if (!(turn > -flat && turn < most_bend)) continue;
+    sets.unite(e.left, e.right);
+    if (turn > flat) is_bent[e.left] = is_bent[e.right] = 1;
+  }
+  std::map<int, std::vector<int>> regions;
+  for (int t = 0; t < static_cast<int>(solid.triangles.size()); ++t)
+    if (facets.normals[t].norm() > 0) regions[sets.find(t)].push_back(t);
+  std::vector<std::vector<int>> out;
+  for (auto& [first, region] : regions)
+    if (std::any_of(region.begin(), region.end(), [&](int t) { return is_bent[t] != 0; }))
+      out.push_back(std::move(region));
+  return out;
+}
+
+/// The direction to which all normals are square, and how little they lean along it.
+struct Axis {
+  Vector3d direction;
+  double lean = 0;  // rms of normal . axis over that of the next direction
+};
+
+Axis axis_of(const std::vector<int>& region, const Polyhedron& solid, const Facets& facets) {
+  Matrix3d spread = Matrix3d::Zero();
+  for (const int t : region) {
+    const auto& [a, b, c] = solid.triangles[t];
+    const double area = (solid.points[b] - solid.points[a]).cross(solid.points[c] - solid.points[a]).norm();
+    spread += area * facets.normals[t] * facets.normals[t].transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(spread);
+  return {solver.eigenvectors().col(0),
+          std::sqrt(std::max(0.0, solver.eigenvalues()[0]) / solver.eigenvalues()[1])};
+}
+
+/// Kasa's fit: x^2 + y^2 = 2 a x + 2 b y + c, linear in a, b and c.
+Eigen::Vector3d circle_through(const std::vector<Vector2d>& points) {
+  Eigen::MatrixX3d rows(points.size(), 3);
+  Eigen::VectorXd squares(points.size());
+  for (Eigen::Index k = 0; k < rows.rows(); ++k) {
+    rows.row(k) << 2 * points[k].x(), 2 * points[k].y(), 1;
+    squares[k] = points[k].squaredNorm();
+  }
+  const Eigen::Vector3d fit = rows.colPivHouseholderQr().solve(squares);
+  return {fit.x(), fit.y(), std::sqrt(std::max(0.0, fit.z() + fit.x() * fit.x() + fit.y() * fit.y()))};
+}
+
+/// Angle that is covered round a center: all but the largest gap between neighbouring corners.
+double covered(const std::vector<Vector2d>& points, const Vector2d& center) {
+  std::vector<double> angles;
+  for (const Vector2d& p : points) angles.push_back(std::atan2(p.y() - center.y(), p.x() - center.x()));
+  std::sort(angles.begin(), angles.end());
+  double gap = angles.front() + 2 * pi - angles.back();
+  for (std::size_t k = 1; k < angles.size(); ++k) gap = std::max(gap, angles[k] - angles[k - 1]);
+  return gap < most_bend + flat ? 2 * pi : 2 * pi - gap;
+}
+
+std::optional<CylinderFace> fitted(const std::vector<int>& region, const Polyhedron& solid,
+                                   const Facets& facets, bool hollow) {
+  const Axis axis = axis_of(region, solid, facets);
+  if (!(axis.lean < round)) return std::nullopt;
+  Vector3d d = axis.direction;
+  Eigen::Index lead = 0;
+  d.cwiseAbs().maxCoeff(&lead);
+  if (d[lead] < 0) d = -d;
+  const Vector3d u = d.unitOrthogonal(), v = d.cross(u);
+  CylinderFace face{hollow, {}, d};
+  face.from = std::numeric_limits<double>::infinity();
+  face.to = -face.from;
+  std::set<int> corners;
+  for (const int t : region) corners.insert(solid.triangles[t].begin(), solid.triangles[t].end());
+  std::vector<Vector2d> flatly;
+  const Vector3d origin = solid.points[*corners.begin()];
+  for (const int p : corners) {
+    const Vector3d r = solid.points[p] - origin;
+    flatly.emplace_back(u.dot(r), v.dot(r));
+    face.from = std::min(face.from, d.dot(solid.points[p]));
+    face.to = std::max(face.to, d.dot(solid.points[p]));
+  }
+  const Vector3d circle = circle_through(flatly);
+  const Vector2d center = circle.head<2>();
+  face.radius_mm = circle.z();
+  face.turn = covered(flatly, center);
+  face.point = origin + center.x() * u + center.y() * v;
+  face.point += (0.5 * (face.from + face.to) - d.dot(face.point)) * d;
+  if (!(face.turn > least_turn) || static_cast<int>(flatly.size()) < 2 * least_facets) return std::nullopt;
+  for (const Vector2d& p : flatly)
+    if (!(std::abs((p - center).norm() - face.radius_mm) <= round * face.radius_mm + 1e-4))
+      return std::nullopt;
+  face.inner_mm = face.radius_mm;
+  for (const int t : region) {
+    const double away = facets.normals[t].dot(facets.centers[t] - face.point);
+    if (!((hollow ? -away : away) > 0)) return std::nullopt;
+    face.inner_mm = std::min(face.inner_mm, std::abs(away));
+  }
+  return face;
+}
+
+}  // namespace
+
+std::vector<CylinderFace> cylinder_faces(const Polyhedron& solid) {
+  const Facets facets = facets_of(solid);
+  std::vector<CylinderFace> out;
+  for (const bool hollow : {false, true})
+    for (const std::vector<int>& region : bent_regions(solid, facets, hollow ? -1 : 1))
+      if (const auto face = fitted(region, solid, facets, hollow)) out.push_back(*face);
+  return out;
+}
+
+std::optional<PinFit> pin_fit(const CylinderFace& rod, const CylinderFace& bore) {
+  if (rod.hollow || !bore.hollow) return std::nullopt;
+  const double clearance = bore.inner_mm - rod.radius_mm;
+  if (!(clearance >= 0) || !(clearance <= most_play * rod.radius_mm)) return std::nullopt;
+  if (!(std::abs(rod.axis.dot(bore.axis)) > std::cos(parallel))) return std::nullopt;
+  const Vector3d between = bore.point - rod.point;
+  if (!((between - between.dot(rod.axis) * rod.axis).norm() <= std::max(clearance, round * rod.radius_mm)))
+    return std::nullopt;
+  const double middle = rod.axis.dot(bore.point), half = (bore.to - bore.from) / 2;
+  const double from = std::max(rod.from, middle - half), to = std::min(rod.to, middle + half);
+  if (!(to - from >= least_overlap * 2 * rod.radius_mm)) return std::nullopt;
+  Vector3d point = (rod.point + bore.point) / 2;
+  const Vector3d axis = (rod.axis + (rod.axis.dot(bore.axis) > 0 ? 1 : -1) * bore.axis).normalized();
+  point += (0.5 * (from + to) - rod.axis.dot(point)) / rod.axis.dot(axis) * axis;
+  return PinFit{point, axis, 2 * rod.radius_mm, clearance, to - from};
+}
+
+}  // namespace kinetix::model

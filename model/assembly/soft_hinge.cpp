@@ -1,0 +1,177 @@
+#include "model/assembly/soft_hinge.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "model/assembly/cross_section.hpp"
+
+namespace kinetix::model {
+namespace {
+
+using Eigen::Matrix2d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+// Sections on the way, each in the middle of its share: a fillet or a waist is resolved to a hundredth of the way.
+constexpr int sections = 128;
+// Length of the difference of two unit normals: above, the patches oppose each other by more than 60 degrees.
+constexpr double opposing = 1;
+
+/// Integrals over the way from patch to patch.
+struct Beam {
+  PlaneFrame frame;
+  double from = 0, length = 0;             // of d . p, mm
+  Matrix2d compliance = Matrix2d::Zero();  // C, 1/mm^3
+  Vector3d point = Vector3d::Zero();       // weighted by the trace of each section's share, mm
+  double pull = 0;                         // integral of dx / area, 1/mm
+  double waist = 0;                        // of d . p, where a section yields most
+  double edge_angle = 0;                   // of that section
+};
+
+Vector3d direction(const ContactPatch& first, const ContactPatch& second) {
+  const Vector3d opposed = second.normal.stableNormalized() - first.normal.stableNormalized();
+  const Vector3d apart = second.center - first.center;
+  if (opposed.norm() > opposing && opposed.dot(apart) > 0) return opposed.normalized();
+  return apart.stableNormalized();
+}
+
+/// Of a patch along d, mm.
+std::pair<double, double> extent(const ContactPatch& patch, const Vector3d& d) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const auto& piece : patch.pieces)
+    for (const Vector3d& p : piece) {
+      low = std::min(low, d.dot(p));
+      high = std::max(high, d.dot(p));
+    }
+  return {low, high};
+}
+
+/// Bending inertias about the directions of the plane: a moment about u bends over v.
+Matrix2d bending(const Matrix2d& second) {
+  Matrix2d out;
+  out << second(1, 1), -second(0, 1), -second(0, 1), second(0, 0);
+  return out;
+}
+
+void add_section(const CrossSection& section, double at, double share, double& most, Beam& beam) {
+  const Matrix2d yields = share * bending(section.second).inverse();
+  if (!yields.allFinite()) return;
+  const PlaneFrame& f = beam.frame;
+  beam.compliance += yields;
+  beam.point += yields.trace() * (section.center.x() * f.u + section.center.y() * f.v + at * f.d);
+  beam.pull += share / section.area_mm2;
+  if (yields.trace() <= most * (1 + 1e-9)) return;
+  most = yields.trace();
+  beam.waist = at;
+  beam.edge_angle = section.edge_angle;
+}
+
+std::optional<Beam> beam_between(const Polyhedron& soft, const ContactPatch& first,
+                                 const ContactPatch& second) {
+  Beam beam{PlaneFrame::across(direction(first, second))};
+  const Vector3d& d = beam.frame.d;
+  double to = extent(second, d).first;
+  beam.from = extent(first, d).second;
+  if (!(to > beam.from)) {
+    beam.from = d.dot(first.center);
+    to = d.dot(second.center);
+  }
+  beam.length = to - beam.from;
+  if (!(beam.length > 0)) return std::nullopt;
+  double most = 0;
+  for (int k = 0; k < sections; ++k) {
+    const double at = beam.from + (k + 0.5) / sections * beam.length;
+    const CrossSection section = cross_section(soft, beam.frame, at);
+    if (section.area_mm2 > 0) add_section(section, at, beam.length / sections, most, beam);
+  }
+  const double weight = beam.compliance.trace();
+  if (!(weight > 0) || !std::isfinite(weight)) return std::nullopt;
+  beam.point /= weight;
+  return beam;
+}
+
+Vector3d with_positive_lead(Vector3d axis) {
+  Eigen::Index lead = 0;
+  axis.cwiseAbs().maxCoeff(&lead);
+  if (axis[lead] < 0) axis = -axis;
+  return axis;
+}
+
+/// Of the solid's part between the patches, along a direction, at the waist.
+double height_at(const Polyhedron& soft, const Beam& beam, const Vector3d& axis) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const auto& t : soft.triangles)
+    for (int k = 0; k < 3; ++k) {
+      const Vector3d &p = soft.points[t[k]], &q = soft.points[t[(k + 1) % 3]];
+      const double a = beam.frame.d.dot(p) - beam.waist, b = beam.frame.d.dot(q) - beam.waist;
+      if ((a >= 0) == (b >= 0)) continue;
+      const double s = axis.dot(p + a / (a - b) * (q - p));
+      low = std::min(low, s);
+      high = std::max(high, s);
+    }
+  return high - low;
+}
+
+/// A block of this length, height and inertia in bending, and of this area.
+SoftHinge about(const Beam& beam, const Polyhedron& soft, const Vector2d& axis) {
+  const Vector2d across(-axis.y(), axis.x());
+  const double yields = axis.dot(beam.compliance * axis), other = across.dot(beam.compliance * across);
+  SoftHinge hinge;
+  hinge.along = beam.frame.d;
+  hinge.axis = with_positive_lead((axis.x() * beam.frame.u + axis.y() * beam.frame.v).normalized());
+  hinge.other = with_positive_lead((across.x() * beam.frame.u + across.y() * beam.frame.v).normalized());
+  hinge.point = beam.point;
+  hinge.confidence = std::clamp(1 - other / yields, 0.0, 1.0);
+  hinge.length_mm = beam.length;
+  hinge.height_mm = height_at(soft, beam, hinge.axis);
+  hinge.bending_mm = std::cbrt(12 * beam.length / (hinge.height_mm * yields));
+  hinge.pulling_mm = beam.length / (hinge.height_mm * beam.pull);
+  return hinge;
+}
+
+}  // namespace
+
+bool SoftHinge::is_ambiguous() const { return !(confidence >= least_confidence); }
+
+std::optional<SoftHinge> soft_hinge(const Polyhedron& soft, const ContactPatch& first,
+                                    const ContactPatch& second) {
+  const std::optional<Beam> beam = beam_between(soft, first, second);
+  if (!beam) return std::nullopt;
+  const Eigen::SelfAdjointEigenSolver<Matrix2d> directions(beam->compliance);
+  SoftHinge hinge = about(*beam, soft, directions.eigenvectors().col(1));
+  if (!hinge.is_ambiguous()) return hinge;
+  // No direction stands out: those of the section's sides are what a person means.
+  const Vector2d side(std::cos(beam->edge_angle), std::sin(beam->edge_angle));
+  return about(*beam, soft, side);
+}
+
+SoftHinge turned_to(const SoftHinge& hinge, const Polyhedron& soft, const ContactPatch& first,
+                    const ContactPatch& second, const Vector3d& axis) {
+  const std::optional<Beam> beam = beam_between(soft, first, second);
+  const Vector2d in_plane(beam->frame.u.dot(axis), beam->frame.v.dot(axis));
+  SoftHinge out = about(*beam, soft, in_plane.normalized());
+  out.confidence = 1;
+  out.point = hinge.point;
+  return out;
+}
+
+HingeStiffness stiffness(const SoftHinge& hinge, const Material& material) {
+  MadeHinge block{.kind = HingeKind::block,
+                  .material = material,
+                  .gap_mm = hinge.length_mm,
+                  .thickness_mm = hinge.bending_mm,
+                  .height_mm = hinge.height_mm};
+  const HingeStiffness bent = stiffness(block);
+  block.thickness_mm = hinge.pulling_mm;
+  HingeStiffness out = stiffness(block);
+  out.turn = bent.turn;
+  return out;
+}
+
+double reach_mm(const SoftHinge& hinge) { return hinge.height_mm / std::sqrt(12.0); }
+
+}  // namespace kinetix::model

@@ -1,0 +1,308 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/print/stl_text.hpp"
+#include "app/print/zip_text.hpp"
+#include "model/base/angle.hpp"
+#include "tests/app/program.hpp"
+#include "tests/app/schema_errors.hpp"
+#include "tests/support/strip_solids.hpp"
+
+namespace kinetix::testing {
+namespace {
+
+using Eigen::Isometry3d;
+using ::testing::HasSubstr;
+using Json = nlohmann::json;
+using model::Polyhedron;
+
+/// An OBJ file of several objects, each of a material.
+class Obj {
+ public:
+  Obj& add(const std::string& name, const std::string& material, const Polyhedron& solid) {
+    text_ += "o " + name + "\nusemtl " + material + "\n";
+    for (const auto& p : solid.points) text_ += fmt::format("v {} {} {}\n", p.x(), p.y(), p.z());
+    for (const auto& t : solid.triangles)
+      text_ += fmt::format("f {} {} {}\n", t[0] + count_, t[1] + count_, t[2] + count_);
+    count_ += static_cast<int>(solid.points.size());
+    return *this;
+  }
+  std::string text() const { return text_; }
+
+ private:
+  std::string text_;
+  int count_ = 1;
+};
+
+Polyhedron left() { return box_solid(-9, -0.5, 0.8, 6); }
+Polyhedron right() { return box_solid(0.5, 9, 0.8, 6); }
+Polyhedron block(double height = 6) { return box_solid(-0.5, 0.5, 0.8, height); }
+
+std::string pair_of_walls(const Polyhedron& soft = block()) {
+  return Obj()
+      .add("left wall", "PLA", left())
+      .add("right wall", "PLA", right())
+      .add("joint", "TPU", soft)
+      .text();
+}
+
+/// One line on stderr, exit code 2, nothing written.
+void expect_refused(const Scratch& scratch, const std::string& arguments, const std::string& says) {
+  const Outcome run = kinetix_opt("import " + arguments + " -o " + (scratch / "out").string());
+  EXPECT_EQ(run.code, 2) << run.out << run.err;
+  EXPECT_THAT(run.err, HasSubstr(says));
+  EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+  EXPECT_EQ(run.out, "");
+  EXPECT_FALSE(fs::exists(scratch / "out")) << says;
+}
+
+void expect_refused(const std::string& name, const std::string& content, const std::string& says,
+                    const std::string& options = "") {
+  const Scratch scratch;
+  expect_refused(scratch, scratch.write(name, content) + " " + options, says);
+}
+
+Json imported(const Scratch& scratch, const std::string& arguments) {
+  const Outcome run = kinetix_opt("import " + arguments + " --json -o " + (scratch / "out").string());
+  EXPECT_EQ(run.code, 0) << run.err;
+  return Json::parse(run.out);
+}
+
+std::string threemf(const std::string& resources, const std::string& build) {
+  return app::zip_text({{"3D/3dmodel.model", "<model unit=\"millimeter\"><resources>" + resources +
+                                                 "</resources><build>" + build + "</build></model>"}});
+}
+
+TEST(Import, TakesMaterialsAndNamesOfObj) {
+  const Scratch scratch;
+  const Json found = imported(scratch, scratch.write("pair.obj", pair_of_walls()));
+  ASSERT_EQ(found["hinges"].size(), 1u);
+  const Json& hinge = found["hinges"][0];
+  EXPECT_EQ(hinge["name"], "joint");
+  EXPECT_EQ(hinge["bodies"], Json({"left_wall", "right_wall"}));
+  EXPECT_EQ(hinge["axis"], Json({0, 0, 1}));
+  EXPECT_EQ(
+      found["unit"],
+      "millimetres, guessed: the file does not say, and the model is 18 of them long; --unit says otherwise");
+  EXPECT_TRUE(fs::exists(scratch / "out/parts/left_wall.stl"));
+  EXPECT_EQ(kinetix_opt("check " + (scratch / "out/design.yaml").string()).code, 0);
+}
+
+TEST(Import, ScalesByTheUnitThatIsAskedFor) {
+  const Scratch scratch;
+  const std::string file = scratch.write("pair.obj", pair_of_walls(block(5)));
+  imported(scratch, file + " --unit in");
+  const std::string text = text_of(scratch / "out/design.yaml");
+  EXPECT_THAT(text, HasSubstr("position_mm: [120.65, 0, 0]"));  // 4.75 inches
+  fs::remove_all(scratch / "out");
+  expect_refused(scratch, file + " --unit yard", "--unit: unknown unit `yard`; allowed: mm, cm, m, in, ft");
+}
+
+TEST(Import, TakesSmallModelsForInches) {
+  Polyhedron small = block(), a = left(), b = right();
+  for (Polyhedron* solid : {&small, &a, &b})
+    for (auto& p : solid->points) p /= 25.4 / 10;
+  const Scratch scratch;
+  const Json found = imported(
+      scratch, scratch.write("pair.obj",
+                             Obj().add("a", "hard", a).add("b", "hard", b).add("c", "soft", small).text()));
+  EXPECT_THAT(found["unit"].get<std::string>(), HasSubstr("inches, guessed"));
+}
+
+TEST(Import, AsksForTheAxisOfACubeAndTakesItFromASideFile) {
+  const Scratch scratch;
+  const std::string model = scratch.write("cube.obj", pair_of_walls(box_solid(-0.5, 0.5, 0.8, 0.8)));
+  expect_refused(scratch, model,
+                 "soft part `joint` between `left_wall` and `right_wall` bends about either of two axes");
+  for (const char* hinges : {"kinetix: 1\nhinges: [{hinge: joint, axis: [0, 2, 0]}]\n",
+                             "kinetix: 1\nhinges: [{bodies: [right_wall, left_wall], axis: [0, 1, 0]}]\n",
+                             "kinetix: 1\ntowards: [0.1, 1, 0.2]\n"})
+    EXPECT_EQ(
+        imported(scratch, model + " --hinges " + scratch.write("hinges.yaml", hinges))["hinges"][0]["axis"],
+        Json({0, 1, 0}))
+        << hinges;
+  fs::remove_all(scratch / "out");
+  expect_refused(scratch,
+                 model + " --hinges " +
+                     scratch.write("hinges.yaml", "kinetix: 1\nhinges: [{hinge: elbow, axis: [0, 1, 0]}]\n"),
+                 "bends about either of two axes");
+  expect_refused(
+      scratch, scratch.write("pair.obj", pair_of_walls()) + " --hinges " + (scratch / "hinges.yaml").string(),
+      "--hinges names `elbow`, which is no soft part");
+  expect_refused(
+      scratch, model + " --hinges " + scratch.write("hinges.yaml", "kinetix: 1\nhinges: [{hinge: joint}]\n"),
+      "hinges.yaml:2:10: hinges[0]");
+  expect_refused(scratch,
+                 model + " --hinges " +
+                     scratch.write("hinges.yaml", "kinetix: 1\nhinges: [{hinge: joint, axis: [1, 0, 0]}]\n"),
+                 "runs along the soft part");
+}
+
+TEST(Import, SaysWhichMaterialsThereAreWhereNoneIsSaidToBeSoft) {
+  const std::string colours =
+      Obj().add("a", "red", left()).add("b", "red", right()).add("c", "blue", block()).text();
+  expect_refused("pair.obj", colours,
+                 "does not say which of its materials is soft: `blue`, `red`; name it with --soft-material");
+  expect_refused("pair.obj", colours, "no material, colour or part is called `green`: `blue`, `red`",
+                 "--soft-material green");
+  const Scratch scratch;
+  EXPECT_EQ(
+      imported(scratch, scratch.write("pair.obj", colours) + " --soft-material Blue")["hinges"][0]["name"],
+      "c");
+  expect_refused("pair.obj", pair_of_walls(), "--material: unknown material `tang` (did you mean `tango`?)",
+                 "--material tang");
+}
+
+TEST(Import, RefusesWhatIsNoModel) {
+  const Scratch scratch;
+  expect_refused(scratch, "", "import needs a model, or --hard FILE and --soft FILE");
+  expect_refused(scratch, (scratch / "none.stl").string(), "none.stl");
+  expect_refused("model.doc", "x", "is of no known model format");
+  expect_refused("model.3mf", "no zip", "is no 3MF file, or is damaged");
+  expect_refused("model.step", "ISO-10303-20;", "is no STEP file");
+  expect_refused(
+      "model.step",
+      "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('','',(''),(''),'','','');\n"
+      "FILE_SCHEMA(('AUTOMOTIVE_DESIGN'));\nENDSEC;\nDATA;\nENDSEC;\nEND-ISO-10303-21;\n",
+      "model.step");
+  expect_refused("model.glb", "glTF and no more than that", "is damaged");
+  expect_refused("model.obj", "v 0 0 nan\n", "model.obj:1");
+  expect_refused("model.obj", "v 0 0 0\nf 1 2 3\n", "model.obj:2");
+  expect_refused("model.obj", "v 0 0 0\n", "has no triangles");
+}
+
+TEST(Import, RefusesPackagesThatMeanHarm) {
+  expect_refused("model.3mf", app::zip_text({{"../../etc/model", "x"}}),
+                 "holds a file whose path leads outside, `../../etc/model`");
+  expect_refused("model.3mf", app::zip_text({{"3D/other", "x"}}), "has no `3D/3dmodel.model` inside");
+  expect_refused("model.3mf", app::zip_text({{"3D/3dmodel.model", std::string(std::size_t{513} << 20, ' ')}}),
+                 "unpacks to 513 MiB");
+  expect_refused("model.3mf",
+                 threemf("<object id=\"1\"><components><component objectid=\"1\"/></components></object>",
+                         "<item objectid=\"1\"/>"),
+                 "has an object 1 that is a part of itself");
+  expect_refused("model.3mf", threemf("", "<item objectid=\"7\"/>"), "names an object 7 that is not there");
+  expect_refused(
+      "model.3mf",
+      threemf(
+          "<object id=\"1\"><mesh><vertices><vertex x=\"0\" y=\"0\" z=\"inf\"/></vertices></mesh></object>",
+          "<item objectid=\"1\"/>"),
+      "has a vertex whose z is no finite number: `inf`");
+}
+
+TEST(Import, RefusesMoreThanAMillionTriangles) {
+  Polyhedron soup;
+  soup.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  soup.triangles.assign(1'000'001, {0, 1, 2});
+  expect_refused("model.stl", app::stl_text("many", soup),
+                 "has 1000001 triangles; at most 1000000 are allowed");
+}
+
+TEST(Import, NamesFileAndPartOfWhatIsNoSolid) {
+  Polyhedron open = right();
+  open.triangles.pop_back();
+  const auto with = [](const Polyhedron& other) {
+    return Obj().add("left", "PLA", left()).add("right", "PLA", other).add("joint", "TPU", block()).text();
+  };
+  expect_refused("pair.obj", with(open), "pair.obj: hard part `right` is open");
+  Polyhedron inverted = right();
+  for (auto& t : inverted.triangles) std::swap(t[0], t[1]);
+  expect_refused("pair.obj", with(inverted), "pair.obj: hard part `right` is inside out");
+  expect_refused("pair.obj", with(moved(right(), Isometry3d(Eigen::Translation3d(3, 0, 0)))),
+                 "soft part `joint` touches 1 hard part: `left`");
+  expect_refused("pair.obj", with(moved(right(), Isometry3d(Eigen::Translation3d(-4, 0.2, 0)))),
+                 "hard parts `left` and `right` overlap");
+}
+
+TEST(Import, IsExportedAndImportedAgain) {
+  const Scratch scratch;
+  const Json found = imported(scratch, scratch.write("pair.obj", pair_of_walls()));
+  const std::string design = (scratch / "out").string();
+  for (const char* format : {"3mf", "glb", "stl"}) {
+    const Outcome run =
+        kinetix_opt("export " + design + " --json --format " + format + " -o " + (scratch / "made").string());
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(schema_errors(Json::parse(run.out), "print"), "");
+  }
+  for (const std::string again : {"made/pair.3mf", "made/pair.glb"}) {
+    const Outcome run =
+        kinetix_opt("import " + (scratch / again).string() + " --json -o " + (scratch / "again").string());
+    ASSERT_EQ(run.code, 0) << run.err;
+    const Json hinge = Json::parse(run.out)["hinges"][0];
+    for (int k = 0; k < 3; ++k)  // a turned glTF has its quaternion in floats
+      EXPECT_NEAR(hinge["axis"][k].get<double>(), found["hinges"][0]["axis"][k].get<double>(), 1e-6) << again;
+    EXPECT_NEAR(hinge["point_mm"][0].get<double>(), 0, 1e-6) << again;
+  }
+  const Outcome refused =
+      kinetix_opt("export " + design + " --format step -o " + (scratch / "step").string());
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("`step` is of sheets; a design of bodies is written as stl, 3mf, glb"));
+}
+
+TEST(Import, IsSimulatedBalancedAndVerified) {
+  const Scratch scratch;
+  imported(scratch, scratch.write("pair.obj", pair_of_walls()) + " --material tpu95a");
+  const std::string design = (scratch / "out/design.yaml").string();
+  for (const char* command :
+       {"simulate", "simulate --model equilibrium", "simulate --model bullet --theta-deg -20", "verify"}) {
+    const Outcome run =
+        kinetix_opt(std::string(command) + " " + design + " --json -o " + (scratch / "run").string());
+    EXPECT_EQ(run.code, 0) << command << run.err;
+    const Json result = Json::parse(run.out);
+    EXPECT_EQ(schema_errors(result), "") << command;
+    EXPECT_EQ(result["structure"]["bodies"][0]["name"], "left_wall");
+  }
+  // A hinge turned against its spring alone: half k_turn angle^2, of a block of TPU.
+  const Outcome run = kinetix_opt("simulate --model equilibrium --theta-deg 10 " + design + " --json -o " +
+                                  (scratch / "run").string());
+  const Json result = Json::parse(run.out);
+  const double k_turn = result["structure"]["hinges"][0]["k"]["turn"], angle = 20 * pi / 180;
+  EXPECT_NEAR(result["metrics"]["energy_Nmm"].get<double>(), k_turn * angle * angle / 2, 1e-9 * k_turn);
+}
+
+/// A wall from one point of the plane to another, less the room of the blocks at its ends.
+Polyhedron wall(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double room, double thickness = 0.8) {
+  const Eigen::Vector2d middle = (from + to) / 2, along = to - from;
+  const double half = along.norm() / 2 - room;
+  return moved(box_solid(-half, half, thickness, 6),
+               Eigen::Translation3d(middle.x(), middle.y(), 0) *
+                   Eigen::AngleAxisd(std::atan2(along.y(), along.x()), Eigen::Vector3d::UnitZ()));
+}
+
+TEST(Import, OfWhatCannotTurnSaysWhichHingeHoldsIt) {
+  // A bar of two walls in one line, held by a third one beside it through two blocks: three hinges in a ring are rigid.
+  const Scratch scratch;
+  const auto at = [](double x, double y, const Polyhedron& solid) {
+    return moved(solid, Isometry3d(Eigen::Translation3d(x, y, 0)));
+  };
+  const std::string ring = Obj()
+                               .add("left", "hard", wall({-20, 0}, {0, 0}, 1))
+                               .add("right", "hard", wall({0, 0}, {20, 0}, 1))
+                               .add("beside", "hard", wall({-15, 5}, {15, 5}, 0, 2))
+                               .add("middle", "soft", at(0, 0, box_solid(-1, 1, 0.8, 6)))
+                               .add("first", "soft", at(-10, 2.2, box_solid(-0.4, 0.4, 3.6, 6)))
+                               .add("last", "soft", at(10, 2.2, box_solid(-0.4, 0.4, 3.6, 6)))
+                               .text();
+  const Json found = imported(scratch, scratch.write("ring.obj", ring));
+  EXPECT_EQ(found["mobility"]["flat"], 0);
+  EXPECT_EQ(found["mobility"]["broken"], "last");
+  EXPECT_THAT(found["mobility"]["why"].get<std::string>(),
+              HasSubstr("rigid: no motion at rest keeps all hinges closed"));
+}
+
+TEST(Import, OfTwoFilesTakesTheSoftPartsFromTheSecond) {
+  const Scratch scratch;
+  Polyhedron hard = left();
+  append(right(), hard);
+  const Json found = imported(scratch, "--hard " + scratch.write("a.stl", app::stl_text("a", hard)) +
+                                           " --soft " + scratch.write("b.stl", app::stl_text("b", block())));
+  EXPECT_EQ(found["bodies"], 2);
+  EXPECT_EQ(found["hinges"][0]["name"], "hinge_1");
+}
+
+}  // namespace
+}  // namespace kinetix::testing

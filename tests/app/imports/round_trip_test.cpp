@@ -1,0 +1,237 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
+
+#include "model/base/angle.hpp"
+#include "model/base/rigid_fit.hpp"
+#include "tests/app/program.hpp"
+#include "tests/app/schema_errors.hpp"
+
+namespace kinetix::testing {
+namespace {
+
+using Eigen::Vector3d;
+using Json = nlohmann::json;
+
+constexpr double turned_deg = 24;  // deg, of one hinge in both physics runs
+constexpr const char* panel = R"(kinetix: 1
+structure: {cells: [4, 3], cell_mm: 16, wall_mm: {thickness: 0.8, height: 6}}
+design:
+  theta_deg: 12
+)";
+
+Vector3d vector_of(const Json& v) { return {v[0].get<double>(), v[1].get<double>(), v[2].get<double>()}; }
+
+Json result_in(const fs::path& folder) { return Json::parse(text_of(folder / "result.json")); }
+
+/// A sheet as its own files say it, and as it comes back from a file of its solids.
+class RoundTrip {
+ public:
+  /// @param design without a drive
+  RoundTrip(const std::string& design, const std::string& hinge, const std::string& format)
+      : design_(design) {
+    const std::string file = scratch_.write("sheet.yaml", design);
+    const Outcome made =
+        kinetix_opt("export " + file + " --hinge " + hinge + " --format " + format + " -o " + at("made"));
+    EXPECT_EQ(made.code, 0) << made.err;
+    const std::string source = format != "stl" ? at("made/sheet.") + format
+                               : hinge == "pin"
+                                   ? at("made/all.stl")
+                                   : "--hard " + at("made/hard.stl") + " --soft " + at("made/soft.stl");
+    const Outcome found = kinetix_opt("import " + source + " -o " + at("found") + " --json");
+    EXPECT_EQ(found.code, 0) << found.err;
+    original_ = structure_of(file, "exact");
+    imported_ = structure_of(at("found/design.yaml"), "exact");
+    match();
+  }
+
+  std::size_t bodies() const { return imported_["bodies"].size(); }
+  std::size_t hinges() const { return imported_["hinges"].size(); }
+  bool has_the_same_counts() const {
+    return original_["bodies"].size() == bodies() && original_["hinges"].size() == hinges();
+  }
+  double axis_off_deg = 0, point_off_mm = 0;
+
+  /// Rms and maximum of the vertices, as both physics runs leave them, cell edges.
+  std::pair<double, double> physics_apart() {
+    const std::size_t driven = original_["hinges"].size() / 2;
+    const Json& own = original_["hinges"][driven];
+    const Json& found = imported_["hinges"][hinge_of_[driven]];
+    const std::string name = found["name"];
+    const bool same_way = vector_of(own["axis"]).dot(vector_of(found["axis"])) > 0;
+    const bool same_order = body_of_[own["bodies"][0]] == found["bodies"][0].get<int>();
+    const auto vertex = [&](int k) {
+      return original_["bodies"][own["bodies"][k].get<int>()]["vertex"].dump();
+    };
+    const Json before = run("verify",
+                            design_ + "drive: {kind: hinge, wall: [" + vertex(0) + ", " + vertex(1) +
+                                "], angle_deg: " + std::to_string(turned_deg) + "}\n",
+                            "sheet_driven.yaml");
+    const double angle = same_way == same_order ? turned_deg : -turned_deg;
+    std::string text = text_of(at("found/design.yaml"));
+    text = text.substr(0, text.find("drive:")) + "drive: {hinge: " + name +
+           ", angle_deg: " + std::to_string(angle) + "}\n";
+    const Json after = run("verify", text, "found/driven.yaml");
+    return apart(before, after);
+  }
+
+ private:
+  std::string at(const std::string& name) const { return (scratch_ / name).string(); }
+
+  Json structure_of(const std::string& file, const std::string& model) {
+    const Outcome run = kinetix_opt("simulate " + file + " --model " + model + " -o " + at("run"));
+    EXPECT_EQ(run.code, 0) << run.err;
+    const Json result = result_in(scratch_ / "run");
+    EXPECT_EQ(schema_errors(result), "");
+    return result["structure"];
+  }
+
+  Json run(const std::string& command, const std::string& text, const std::string& name) {
+    const Outcome run = kinetix_opt(command + " " + scratch_.write(name, text) + " -o " + at("run"));
+    EXPECT_EQ(run.code, 0) << run.out << run.err;
+    return result_in(scratch_ / "run");
+  }
+
+  /// Files stand beside the sheet by a shift at most.
+  Vector3d shift() const {
+    Vector3d sum = Vector3d::Zero();
+    for (const Json& h : imported_["hinges"]) sum += vector_of(h["point_mm"]);
+    for (const Json& h : original_["hinges"]) sum -= vector_of(h["point_mm"]);
+    return sum / static_cast<double>(hinges());
+  }
+
+  void match() {
+    if (!has_the_same_counts()) return;
+    shift_ = shift();
+    std::map<int, std::set<int>> bodies;
+    for (const Json& own : original_["hinges"]) {
+      const Vector3d point = vector_of(own["point_mm"]) + shift_;
+      int nearest = 0;
+      double least = INFINITY;
+      for (int k = 0; k < static_cast<int>(hinges()); ++k)
+        if (const double d = (vector_of(imported_["hinges"][k]["point_mm"]) - point).norm(); d < least) {
+          least = d;
+          nearest = k;
+        }
+      const Json& found = imported_["hinges"][nearest];
+      const Vector3d a = vector_of(own["axis"]), b = vector_of(found["axis"]);
+      point_off_mm = std::max(point_off_mm, least);
+      axis_off_deg = std::max(axis_off_deg, to_degrees(std::atan2(a.cross(b).norm(), std::abs(a.dot(b)))));
+      hinge_of_.push_back(nearest);
+      keep_common(own, found, bodies);
+    }
+    EXPECT_EQ(std::set<int>(hinge_of_.begin(), hinge_of_.end()).size(), hinges());
+    settle(bodies);
+  }
+
+  static void keep_common(const Json& own, const Json& found, std::map<int, std::set<int>>& bodies) {
+    const std::set<int> ends{found["bodies"][0].get<int>(), found["bodies"][1].get<int>()};
+    for (const Json& b : own["bodies"]) {
+      auto [known, is_new] = bodies.try_emplace(b.get<int>(), ends);
+      if (!is_new) std::erase_if(known->second, [&](int k) { return !ends.contains(k); });
+    }
+  }
+
+  /// At a rim with one hinge the neighbour says which of the two is left.
+  void settle(std::map<int, std::set<int>> bodies) {
+    for (bool goes_on = true; goes_on;) {
+      goes_on = false;
+      for (auto& [b, ends] : bodies) {
+        if (ends.size() != 1 || body_of_.contains(b)) continue;
+        body_of_[b] = *ends.begin();
+        goes_on = true;
+        for (auto& [other, theirs] : bodies)
+          if (other != b) theirs.erase(body_of_[b]);
+      }
+    }
+    EXPECT_EQ(body_of_.size(), this->bodies());
+  }
+
+  static const Json& physics_poses(const Json& result) {
+    for (const Json& state : result["states"])
+      if (state["model"] == "bullet") return state["poses"];
+    throw std::runtime_error("no physics run");
+  }
+
+  std::pair<double, double> apart(const Json& before, const Json& after) {
+    const auto n = static_cast<Eigen::Index>(bodies());
+    Eigen::Matrix3Xd own(3, n), found(3, n);
+    for (Eigen::Index b = 0; b < n; ++b) {
+      const int k = body_of_.at(static_cast<int>(b));
+      const Json &pose = physics_poses(after)[k], &q = pose["quaternion_wxyz"];
+      const Vector3d vertex = vector_of(original_["bodies"][b]["position_mm"]) + shift_,
+                     center = vector_of(imported_["bodies"][k]["position_mm"]);
+      own.col(b) = vector_of(physics_poses(before)[b]["position_mm"]);
+      found.col(b) =
+          vector_of(pose["position_mm"]) +
+          Eigen::Quaterniond(q[0].get<double>(), q[1].get<double>(), q[2].get<double>(), q[3].get<double>()) *
+              (vertex - center);
+    }
+    const Eigen::Matrix4d X = rigid_fit(found, own);
+    const Eigen::RowVectorXd off =
+        ((X.topLeftCorner<3, 3>() * found).colwise() + Vector3d(X.topRightCorner<3, 1>()) - own)
+            .colwise()
+            .norm();
+    const double edge = original_["cell_mm"];
+    return {std::sqrt(off.squaredNorm() / static_cast<double>(n)) / edge, off.maxCoeff() / edge};
+  }
+
+  Scratch scratch_;
+  std::string design_;
+  Json original_, imported_;
+  Vector3d shift_ = Vector3d::Zero();
+  std::vector<int> hinge_of_;
+  std::map<int, int> body_of_;
+};
+
+void expect_the_same(const std::string& design, const std::string& hinge, const std::string& format) {
+  SCOPED_TRACE(hinge + " as " + format);
+  RoundTrip trip(design, hinge, format);
+  ASSERT_TRUE(trip.has_the_same_counts()) << trip.bodies() << " bodies, " << trip.hinges() << " hinges";
+  EXPECT_LT(trip.axis_off_deg, 0.1);
+  EXPECT_LT(trip.point_off_mm, 0.02);
+  const auto [rms, max] = trip.physics_apart();
+  EXPECT_LT(rms, 2e-2);
+  EXPECT_LT(max, 2e-2);
+}
+
+/// What a search finds, folded by 12 degrees, with hinges that the export chooses.
+std::string searched(const std::string& shape) {
+  const Scratch scratch;
+  const Outcome run = kinetix_opt(KINETIX_SOURCE "/targets/shapes/" + shape + ".yaml --no-verify -o " +
+                                  (scratch / "out").string());
+  EXPECT_LE(run.code, 3) << run.err;
+  std::string text = text_of(scratch / "out" / "design.yaml");
+  text = std::regex_replace(text, std::regex("name: \"[^\"]*\""), "name: sheet",
+                            std::regex_constants::format_first_only);
+  text = std::regex_replace(text, std::regex("theta_deg: [-0-9.e]+"), "theta_deg: 12",
+                            std::regex_constants::format_first_only);
+  return std::regex_replace(text, std::regex("\n(drive|hinge): \\{[^\n]*"), "\n");
+}
+
+TEST(Import, GivesTheHelmetRibBack) {
+  const std::string design = searched("helmet_rib");
+  for (const char* hinge : {"pin", "block"}) expect_the_same(design, hinge, "3mf");
+}
+
+TEST(Import, GivesTheCubeBack) {
+  const std::string design = searched("cube");
+  for (const char* hinge : {"pin", "block"}) expect_the_same(design, hinge, "3mf");
+}
+
+TEST(Import, GivesTheLetterTBack) {
+  const std::string design = searched("letter_t");
+  for (const char* hinge : {"pin", "block"}) expect_the_same(design, hinge, "3mf");
+}
+
+TEST(Import, GivesAPanelBackFromEveryFormat) {
+  for (const char* format : {"3mf", "stl", "step", "glb"})
+    for (const char* hinge : {"pin", "block"}) expect_the_same(panel, hinge, format);
+}
+
+}  // namespace
+}  // namespace kinetix::testing
