@@ -187,7 +187,11 @@ model::State placed_fishbone(const model::Fishbone& fishbone, const HelmetShape&
 
 HelmetDesign fit_helmet(const targets::MeshDistance& head, const Vector3d& crown, const HelmetSpec& spec,
                         const SolverOptions& options) {
-  const HelmetLayout layout = plan_helmet(head, crown, spec);
+  return fit_layout(plan_helmet(head, crown, spec), head, crown, spec, options);
+}
+
+HelmetDesign fit_layout(const HelmetLayout& layout, const targets::MeshDistance& head, const Vector3d& crown,
+                        const HelmetSpec& spec, const SolverOptions& options) {
   HelmetDesign first = fit_with_limit(head, crown, spec, options, layout, spec.tilt);
   if (first.collisions.empty()) return first;
   for (const double part : tilt_parts) {

@@ -32,6 +32,10 @@ struct HelmetDesign {
 HelmetDesign fit_helmet(const targets::MeshDistance& head, const Eigen::Vector3d& crown,
                         const HelmetSpec& spec, const SolverOptions& options);
 
+/// Likewise of a fishbone that was planned. @param crown a point of the spine's plane x = const, mm
+HelmetDesign fit_layout(const HelmetLayout& layout, const targets::MeshDistance& head,
+                        const Eigen::Vector3d& crown, const HelmetSpec& spec, const SolverOptions& options);
+
 /// The paper's way, on the same fishbone: one tilt for all creases, bent all to the inside.
 struct UniformHelmet {
   double tilt = 0, theta = 0;  ///< rad
