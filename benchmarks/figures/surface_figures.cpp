@@ -8,7 +8,7 @@
 #include "model/lattice/origami/fold_mesh.hpp"
 #include "model/lattice/origami/march.hpp"
 #include "model/lattice/origami/origami_sheet.hpp"
-#include "optim/helmet/fit_ribs.hpp"
+#include "optim/ribs/fit_ribs.hpp"
 #include "optim/surface/fit_surface.hpp"
 #include "optim/surface/free_height.hpp"
 
@@ -74,13 +74,13 @@ Figure real(const std::string& name, const targets::SurfacePatch& patch, Surface
 constexpr double most_of_ribs = 1e-3;
 
 Figure by_ribs(const std::string& name, const targets::RibbedSurface& surface, int ribs) {
-  optim::HelmetSpec spec;
+  optim::RibsSpec spec;
   const double edge = surface.spine.length() / (2 * ribs + 1) / std::cos(spec.start_theta);
   spec.size = {edge, plate_thickness * edge, plate_height * edge};
   spec.ribs = ribs;
   spec.clearance_mm = 0;
   const auto from = std::chrono::steady_clock::now();
-  const optim::HelmetDesign design = fit_ribs(surface, spec, {});
+  const optim::RibsDesign design = fit_ribs(surface, spec, {});
   const optim::LooseRibs loose = fit_loose_ribs(surface, spec, {});
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count();
   const double open = optim::open_area(static_cast<int>(design.fishbone.structure.cells.size()), spec.size,

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "model/base/invalid_input.hpp"
-#include "optim/helmet/rib_layout.hpp"
 
 namespace kinetix::optim {
 namespace {
@@ -94,19 +93,20 @@ class RibTracer {
 
 }  // namespace
 
-HelmetLayout plan_helmet(const targets::MeshDistance& head, const Vector3d& crown, const HelmetSpec& spec) {
+RibsLayout plan_helmet(const targets::MeshDistance& head, const Vector3d& crown, const HelmetSpec& spec) {
   const OffsetSurface surface(head, spec.clearance_mm);
   const double rim_z = crown.z() - spec.coverage_mm, edge = spec.size.edge_mm;
   const Vector3d middle = middle_at_rim(surface, crown, rim_z);
   const RibTracer tracer(surface, middle, rim_z - edge);
   std::vector<double> above;  // of each rib: how far it ends above the rim, mm
-  HelmetLayout out = layout_along(
-      spine_line(surface, middle), span_mm, spec, [&](const RibPlanes& planes, std::size_t rib, int side) {
-        const RibTracer::Line line = tracer.trace(planes, rib, side);
-        above.resize(planes.planes.size(), 0);
-        if (line.at_neighbour) above[rib] = std::max(above[rib], line.curve.points().back().z() - rim_z);
-        return line.curve;
-      });
+  RibsLayout out = layout_along(spine_line(surface, middle), span_mm, spec,
+                                [&](const RibPlanes& planes, std::size_t rib, int side) {
+                                  const RibTracer::Line line = tracer.trace(planes, rib, side);
+                                  above.resize(planes.planes.size(), 0);
+                                  if (line.at_neighbour)
+                                    above[rib] = std::max(above[rib], line.curve.points().back().z() - rim_z);
+                                  return line.curve;
+                                });
   out.rim_z = rim_z;
   for (std::size_t rib = 0; rib < above.size(); ++rib)
     if (above[rib] > edge)

@@ -6,13 +6,13 @@
 
 namespace kinetix::app {
 
-SurfaceWay fishbone_way(const optim::HelmetDesign& design, const targets::RibbedSurface& surface) {
+SurfaceWay fishbone_way(const optim::RibsDesign& design, const targets::RibbedSurface& surface) {
   return {"fishbone", design.error.rms / surface.diagonal, design.error.max / surface.diagonal, 1,
           optim::open_area(static_cast<int>(design.fishbone.structure.cells.size()),
                            design.fishbone.structure.size, design.shape.theta, surface.area)};
 }
 
-std::vector<SurfaceWay> ways_by_ribs(const targets::RibbedSurface& surface, const optim::HelmetSpec& spec,
+std::vector<SurfaceWay> ways_by_ribs(const targets::RibbedSurface& surface, const optim::RibsSpec& spec,
                                      bool with_fishbone) {
   std::vector<SurfaceWay> out;
   if (with_fishbone) out.push_back(fishbone_way(fit_ribs(surface, spec, {}), surface));

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "optim/helmet/fit_ribs.hpp"
+#include "optim/ribs/fit_ribs.hpp"
 
 namespace kinetix::app {
 
@@ -19,11 +19,11 @@ struct SurfaceWay {
   double open = 0;  ///< share of the surface left bare
 };
 
-SurfaceWay fishbone_way(const optim::HelmetDesign& design, const targets::RibbedSurface& surface);
+SurfaceWay fishbone_way(const optim::RibsDesign& design, const targets::RibbedSurface& surface);
 
 /// Loose ribs, and before them the fishbone where `with_fishbone`.
 /// @throws InvalidInput as optim::fit_ribs
-std::vector<SurfaceWay> ways_by_ribs(const targets::RibbedSurface& surface, const optim::HelmetSpec& spec,
+std::vector<SurfaceWay> ways_by_ribs(const targets::RibbedSurface& surface, const optim::RibsSpec& spec,
                                      bool with_fishbone);
 
 nlohmann::ordered_json ways_json(const std::vector<SurfaceWay>& ways);

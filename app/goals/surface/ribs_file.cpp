@@ -23,9 +23,9 @@ void refuse_keys_of_sheets(const targets::Section& root) {
   refuse("variables", {"theta_deg", "sector_deg", "edge"});
 }
 
-optim::HelmetSpec read_spec(const targets::Section& root, const targets::RibbedSurface& surface) {
+optim::RibsSpec read_spec(const targets::Section& root, const targets::RibbedSurface& surface) {
   const targets::Node key = *root.section("target").optional("ribs");
-  optim::HelmetSpec spec = usual_ribs(surface, key.integer(1, most_ribs));
+  optim::RibsSpec spec = usual_ribs(surface, key.integer(1, most_ribs));
   const targets::Section structure = root.section("structure"), wall = structure.section("wall_mm");
   structure.read("cell_mm", spec.size.edge_mm);
   std::optional<double> thickness, height;
@@ -41,8 +41,8 @@ optim::HelmetSpec read_spec(const targets::Section& root, const targets::RibbedS
 
 }  // namespace
 
-optim::HelmetSpec usual_ribs(const targets::RibbedSurface& surface, int ribs) {
-  optim::HelmetSpec spec;
+optim::RibsSpec usual_ribs(const targets::RibbedSurface& surface, int ribs) {
+  optim::RibsSpec spec;
   spec.ribs = ribs;
   spec.clearance_mm = 0;
   spec.tilt = largest_tilt;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/goals/surface/surface_file.hpp"
-#include "optim/helmet/fit_ribs.hpp"
+#include "optim/ribs/fit_ribs.hpp"
 
 namespace kinetix::app {
 
@@ -14,14 +14,14 @@ namespace kinetix::app {
 struct RibsFile : GoalSettings {
   std::string name, surface_name;
   targets::RibbedSurface surface;
-  optim::HelmetSpec spec = {};     ///< target.ribs, structure, variables
+  optim::RibsSpec spec = {};       ///< target.ribs, structure, variables
   double shape_tolerance = 0.015;  ///< rms of the bodies from the surface, over the diagonal, (0, 1]
   double cover_tolerance = 0;      ///< least share of the area that cells cover, [0, 1]
 };
 
 /// So many ribs over a surface, with no clearance, on cells as large as leave room for a cell between two and follow
 /// the surface: at most 1/25 of its diagonal when folded. @param ribs >= 1
-optim::HelmetSpec usual_ribs(const targets::RibbedSurface& surface, int ribs);
+optim::RibsSpec usual_ribs(const targets::RibbedSurface& surface, int ribs);
 
 /// @param root a target of kind surface that has `ribs`   @throws InvalidInput for whatever formats.md does not allow
 RibsFile read_ribs_file(const targets::Node& root);

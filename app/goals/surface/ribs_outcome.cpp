@@ -46,7 +46,7 @@ Json lines_of(const targets::RibbedSurface& surface) {
   return out;
 }
 
-Json ribs_json(const optim::HelmetDesign& design) {
+Json ribs_json(const optim::RibsDesign& design) {
   Json ribs = Json::array();
   for (std::size_t r = 0; r < design.layout.spine_and_ribs.ribs.size(); ++r) {
     const model::FishboneRib& rib = design.layout.spine_and_ribs.ribs[r];
@@ -57,7 +57,7 @@ Json ribs_json(const optim::HelmetDesign& design) {
 
 }  // namespace
 
-RibsOutcome::RibsOutcome(RibsFile asked, optim::HelmetDesign found)
+RibsOutcome::RibsOutcome(RibsFile asked, optim::RibsDesign found)
     : file(std::move(asked)), design(std::move(found)), ways({fishbone_way(design, file.surface)}) {}
 
 Json RibsOutcome::target_json() const {

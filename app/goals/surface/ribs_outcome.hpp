@@ -11,10 +11,10 @@ namespace kinetix::app {
 /// What a search for ribs over a surface contributes to a result.
 class RibsOutcome final : public GoalOutcome {
  public:
-  RibsOutcome(RibsFile asked, optim::HelmetDesign found);
+  RibsOutcome(RibsFile asked, optim::RibsDesign found);
 
   RibsFile file;
-  optim::HelmetDesign design;              ///< in the frame of the ribs
+  optim::RibsDesign design;                ///< in the frame of the ribs
   std::vector<SurfaceWay> ways;            ///< the fishbone, and the same ribs loose
   std::optional<SurfaceWay> settled = {};  ///< the physics run, laid on the model's state
 

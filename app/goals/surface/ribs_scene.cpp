@@ -25,7 +25,7 @@ class RibsScene final : public Scene {
   std::string name() const override { return file_.name; }
 
   Forecast forecast() const override {
-    const optim::HelmetLayout layout = plan_ribs(file_.surface, file_.spec);
+    const optim::RibsLayout layout = plan_ribs(file_.surface, file_.spec);
     Forecast out{make_fishbone(layout.spine_and_ribs, file_.spec.size).structure};
     const Eigen::Vector3d size = bounds(file_.surface.surface.mesh()).sizes();
     out.folded_mm = {size.x(), size.y(), size.z()};
@@ -101,7 +101,7 @@ class RibsScene final : public Scene {
   }
 
   void add_frames(Run& run) const override {
-    const optim::HelmetDesign& design = outcome_of<RibsOutcome>(run).design;
+    const optim::RibsDesign& design = outcome_of<RibsOutcome>(run).design;
     for (int k = 0; k < motion_states; ++k) {
       const double theta = run.theta * k / (motion_states - 1);
       model::State state = placed_fishbone(design.fishbone, design.shape, theta);
@@ -113,8 +113,8 @@ class RibsScene final : public Scene {
 
  private:
   SurfaceWay measured(const RibsOutcome& ribs, const model::State& state) const {
-    const optim::HelmetError error =
-        optim::helmet_error(ribs.design.fishbone, state, file_.surface.surface, file_.spec.clearance_mm);
+    const optim::RibsError error =
+        optim::ribs_error(ribs.design.fishbone, state, file_.surface.surface, file_.spec.clearance_mm);
     SurfaceWay way = ribs.ways.front();
     way.rms = error.rms / file_.surface.diagonal;
     way.max = error.max / file_.surface.diagonal;

@@ -1,4 +1,4 @@
-#include "optim/helmet/rib_layout.hpp"
+#include "optim/ribs/ribs_layout.hpp"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 // Cell edges between ribs side by side: more leaves more of the surface bare.
 constexpr double gap_in_edges = 0.15;
 
-std::vector<int> rib_rows(const HelmetSpec& spec, double length, double pitch, int rows) {
+std::vector<int> rib_rows(const RibsSpec& spec, double length, double pitch, int rows) {
   const int count = spec.spacing_mm
                         ? 1 + static_cast<int>(std::floor((length - pitch) / *spec.spacing_mm + 1e-9))
                         : spec.ribs;
@@ -32,7 +32,7 @@ std::vector<int> rib_rows(const HelmetSpec& spec, double length, double pitch, i
 
 /// Tilt of a crease whose far side is to turn `below` its near side.
 double tilt_for(const model::Structure& structure, const model::Crease& crease, double below,
-                const HelmetSpec& spec, double theta) {
+                const RibsSpec& spec, double theta) {
   const double tilt = turn_sense(structure.hinges[crease.hinges[0]].wall) * model::tilt_of_turn(below, theta);
   return std::clamp(tilt, -spec.tilt, spec.tilt);
 }
@@ -52,7 +52,7 @@ double fall(double from, double to) { return std::remainder(from - to, 2 * pi); 
 /// Tilts of the spine: each crease turns from the tangent in the middle of the flat piece before it to that
 /// of the piece behind it.
 std::vector<double> spine_tilts(const model::Fishbone& fishbone, const targets::SpaceCurve& spine,
-                                double span_mm, double pitch, double theta, const HelmetSpec& spec) {
+                                double span_mm, double pitch, double theta, const RibsSpec& spec) {
   std::vector<int> rows;
   for (const model::Crease& crease : fishbone.spine) rows.push_back(line_of(fishbone.structure, crease));
   const auto middle = [&](std::size_t k) {
@@ -68,7 +68,7 @@ std::vector<double> spine_tilts(const model::Fishbone& fishbone, const targets::
 
 std::vector<double> rib_tilts(const model::Fishbone& fishbone, const std::vector<model::Crease>& creases,
                               const targets::SpaceCurve& line, double span_mm, const Vector3d& sideways,
-                              const Vector3d& outward, double pitch, double theta, const HelmetSpec& spec) {
+                              const Vector3d& outward, double pitch, double theta, const RibsSpec& spec) {
   const auto angle = [&](double arc) { return slope(line.direction(arc, span_mm), sideways, outward); };
   std::vector<double> tilts;
   double last = 0;
@@ -82,7 +82,7 @@ std::vector<double> rib_tilts(const model::Fishbone& fishbone, const std::vector
 
 class Planner {
  public:
-  Planner(const targets::SpaceCurve& spine, double span_mm, const HelmetSpec& spec)
+  Planner(const targets::SpaceCurve& spine, double span_mm, const RibsSpec& spec)
       : spec_(spec), spine_(spine), span_mm_(span_mm), edge_(spec.size.edge_mm) {
     rows_ = static_cast<int>(std::lround(spine_.length() / (edge_ * std::cos(spec.start_theta))));
     if (rows_ < 2)
@@ -93,8 +93,8 @@ class Planner {
     pitch_ = edge_ * std::cos(theta_);
   }
 
-  HelmetLayout run(const TraceRib& trace) {
-    HelmetLayout out{{rows_, {}}, {}, spine_, {}, 0, {}};
+  RibsLayout run(const TraceRib& trace) {
+    RibsLayout out{{rows_, {}}, {}, spine_, {}, 0, {}};
     RibPlanes planes{
         {}, pitch_ + edge_ * (std::sin(theta_) + gap_in_edges) + spec_.size.thickness_mm, pitch_};
     for (const int row : rib_rows(spec_, spine_.length(), pitch_, rows_)) {
@@ -123,7 +123,7 @@ class Planner {
     return std::max(0, static_cast<int>(std::floor((line.length() - pitch_ / 2) / pitch_)));
   }
 
-  std::array<std::vector<double>, 2> tilts_of_rib(const model::Fishbone& fishbone, const HelmetLayout& out,
+  std::array<std::vector<double>, 2> tilts_of_rib(const model::Fishbone& fishbone, const RibsLayout& out,
                                                   std::size_t r, const Vector3d& outward) const {
     std::array<std::vector<double>, 2> tilts;
     for (const int side : {0, 1})
@@ -132,7 +132,7 @@ class Planner {
     return tilts;
   }
 
-  const HelmetSpec& spec_;
+  const RibsSpec& spec_;
   const targets::SpaceCurve& spine_;
   double span_mm_, edge_;
   int rows_ = 0;
@@ -148,8 +148,8 @@ bool RibPlanes::meets_neighbour(std::size_t rib, const Vector3d& p) const {
   return below || above;
 }
 
-HelmetLayout layout_along(const targets::SpaceCurve& spine, double span_mm, const HelmetSpec& spec,
-                          const TraceRib& trace) {
+RibsLayout layout_along(const targets::SpaceCurve& spine, double span_mm, const RibsSpec& spec,
+                        const TraceRib& trace) {
   return Planner(spine, span_mm, spec).run(trace);
 }
 

@@ -1,10 +1,10 @@
-#include "optim/helmet/fit_ribs.hpp"
+#include "optim/ribs/fit_ribs.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
-#include "optim/helmet/rib_layout.hpp"
+#include "optim/ribs/ribs_layout.hpp"
 
 namespace kinetix::optim {
 namespace {
@@ -48,8 +48,8 @@ targets::MeshDistance seen_from(const targets::RibbedSurface& surface, const Rib
 }
 
 /// One rib of a plan as a fishbone of one row, in its own frame.
-HelmetLayout alone(const HelmetLayout& all, std::size_t rib, double pitch) {
-  HelmetShape start;
+RibsLayout alone(const RibsLayout& all, std::size_t rib, double pitch) {
+  RibsShape start;
   start.theta = all.start.theta;
   start.ribs = {all.start.ribs[rib]};
   start.place = {-pitch / 2, -pitch / 2, 0};
@@ -63,7 +63,7 @@ HelmetLayout alone(const HelmetLayout& all, std::size_t rib, double pitch) {
 
 }  // namespace
 
-HelmetLayout plan_ribs(const targets::RibbedSurface& surface, const HelmetSpec& spec) {
+RibsLayout plan_ribs(const targets::RibbedSurface& surface, const RibsSpec& spec) {
   const targets::TriangleMesh mesh = joined(surface.surface.mesh());
   const double span = step_in_cells * spec.size.edge_mm;
   return layout_along(surface.spine, span, spec, [&](const RibPlanes& planes, std::size_t rib, int side) {
@@ -71,8 +71,8 @@ HelmetLayout plan_ribs(const targets::RibbedSurface& surface, const HelmetSpec& 
   });
 }
 
-HelmetDesign fit_ribs(const targets::RibbedSurface& surface, const HelmetSpec& spec,
-                      const SolverOptions& options) {
+RibsDesign fit_ribs(const targets::RibbedSurface& surface, const RibsSpec& spec,
+                    const SolverOptions& options) {
   return fit_layout(plan_ribs(surface, spec), surface.surface, Vector3d::Zero(), spec, options);
 }
 
@@ -80,9 +80,9 @@ double open_area(int cells, const model::CellSize& size, double theta, double ar
   return 1 - cells * std::pow(size.edge_mm * std::cos(theta), 2) / area;
 }
 
-LooseRibs fit_loose_ribs(const targets::RibbedSurface& surface, const HelmetSpec& spec,
+LooseRibs fit_loose_ribs(const targets::RibbedSurface& surface, const RibsSpec& spec,
                          const SolverOptions& options) {
-  const HelmetLayout layout = plan_ribs(surface, spec);
+  const RibsLayout layout = plan_ribs(surface, spec);
   const double pitch = spec.size.edge_mm * std::cos(layout.start.theta);
   LooseRibs out;
   double squares = 0, covered = 0;
@@ -91,7 +91,7 @@ LooseRibs fit_loose_ribs(const targets::RibbedSurface& surface, const HelmetSpec
     const double arc = std::min((layout.spine_and_ribs.ribs[r].row + 0.5) * pitch, layout.spine.length());
     const RibPlane plane{layout.spine.at(arc),
                          layout.spine.direction(arc, step_in_cells * spec.size.edge_mm)};
-    const HelmetDesign rib =
+    const RibsDesign rib =
         fit_layout(alone(layout, r, pitch), seen_from(surface, plane), Vector3d::Zero(), spec, options);
     squares += rib.error.rms * rib.error.rms * static_cast<double>(rib.state.size());
     bodies += rib.state.size();

@@ -1,4 +1,4 @@
-#include "optim/helmet/fit_ribs.hpp"
+#include "optim/ribs/fit_ribs.hpp"
 
 #include <gmock/gmock.h>
 
@@ -12,16 +12,16 @@ namespace {
 
 using Eigen::Vector3d;
 
-HelmetSpec ribs_of(double edge_mm, int ribs) {
-  HelmetSpec spec;
+RibsSpec ribs_of(double edge_mm, int ribs) {
+  RibsSpec spec;
   spec.size = {edge_mm, 0.08 * edge_mm, 0.15 * edge_mm};
   spec.ribs = ribs;
   spec.clearance_mm = 0;
   return spec;
 }
 
-double rms_over_diagonal(const targets::RibbedSurface& surface, const HelmetSpec& spec) {
-  const HelmetDesign design = fit_ribs(surface, spec, {});
+double rms_over_diagonal(const targets::RibbedSurface& surface, const RibsSpec& spec) {
+  const RibsDesign design = fit_ribs(surface, spec, {});
   EXPECT_TRUE(design.collisions.empty());
   EXPECT_LE(hinge_gaps(design.fishbone.structure, design.state).max, 1e-12);
   EXPECT_EQ(design.layout.spine_and_ribs.ribs.size(), spec.ribs);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "optim/helmet/fit_helmet.hpp"
+#include "optim/ribs/fit_layout.hpp"
 #include "targets/surface/ribbed_surface.hpp"
 
 namespace kinetix::optim {
@@ -9,11 +9,11 @@ namespace kinetix::optim {
 /// or to where they meet their neighbours.
 /// @param spec clearance, tilts, theta, ribs; its coverage has no meaning
 /// @throws InvalidInput as layout_along
-HelmetLayout plan_ribs(const targets::RibbedSurface& surface, const HelmetSpec& spec);
+RibsLayout plan_ribs(const targets::RibbedSurface& surface, const RibsSpec& spec);
 
-/// Its tilts, theta and place (optim/helmet/fit_helmet.hpp), in the frame of the ribs.
-HelmetDesign fit_ribs(const targets::RibbedSurface& surface, const HelmetSpec& spec,
-                      const SolverOptions& options);
+/// Its tilts, theta and place (optim/ribs/fit_layout.hpp), in the frame of the ribs.
+RibsDesign fit_ribs(const targets::RibbedSurface& surface, const RibsSpec& spec,
+                    const SolverOptions& options);
 
 /// Share of a surface that cells folded to theta leave bare, (-inf, 1]: a cell covers the square of its folded pitch.
 double open_area(int cells, const model::CellSize& size, double theta, double area);
@@ -24,7 +24,7 @@ struct LooseRibs {
   double rms = 0, max = 0;  ///< distance of bodies from the surface at the clearance, mm
   double open = 0;          ///< share of the surface that they leave bare
 };
-LooseRibs fit_loose_ribs(const targets::RibbedSurface& surface, const HelmetSpec& spec,
+LooseRibs fit_loose_ribs(const targets::RibbedSurface& surface, const RibsSpec& spec,
                          const SolverOptions& options);
 
 }  // namespace kinetix::optim
