@@ -16,18 +16,18 @@ app::HelmetFile headform() {
   return app::read_helmet_file(targets::read_document(std::string(KINETIX_SHAPES) + "/headform.yaml"));
 }
 
-double worst_rib(const optim::HelmetError& error) {
+double worst_rib(const optim::RibsError& error) {
   return *std::max_element(error.of_ribs.begin(), error.of_ribs.end());
 }
 
-std::string in_words(const optim::HelmetError& error) {
+std::string in_words(const optim::RibsError& error) {
   return fmt::format("rms {:.3f} mm, max {:.3f} mm", error.rms, error.max);
 }
 
 std::vector<Figure> headform_figures() {
   const app::Run run = run_scene(*app::make_scene(headform()), {});
   const auto& helmet = app::outcome_of<app::HelmetOutcome>(run);
-  const optim::HelmetError& error = helmet.design.error;
+  const optim::RibsError& error = helmet.design.error;
   const bool settled = helmet.physics.has_value();
   const double apart = run.verification->distance.rms;
   const std::string scene = "headform, 8 ribs, 6 mm cells";
@@ -55,10 +55,10 @@ Figure large() {
   app::HelmetFile file = headform();
   file.spec.ribs = 16;
   file.spec.size = {4.2, 0.42, 2.5};
-  std::optional<optim::HelmetDesign> found;
+  std::optional<optim::RibsDesign> found;
   const double time =
       seconds([&] { found = fit_helmet(file.head.dome, Eigen::Vector3d::Zero(), file.spec, {}); });
-  const optim::HelmetDesign& design = *found;
+  const optim::RibsDesign& design = *found;
   int most = 0;
   for (const model::FishboneRib& rib : design.layout.spine_and_ribs.ribs)
     most = std::max(most, rib.cells[0] + rib.cells[1] + 1);
@@ -77,7 +77,7 @@ Figure scans() {
     const targets::Head head = make_head(testing::scanned_head(seed), {});
     optim::HelmetSpec spec;
     spec.size = {6, 0.6, 3.6};
-    const optim::HelmetDesign design = fit_helmet(head.dome, Eigen::Vector3d::Zero(), spec, {});
+    const optim::RibsDesign design = fit_helmet(head.dome, Eigen::Vector3d::Zero(), spec, {});
     rms = std::max(rms, design.error.rms);
     max = std::max(max, design.error.max);
     collisions += design.collisions.size();

@@ -8,6 +8,7 @@
 #include "model/lattice/origami/fold_mesh.hpp"
 #include "model/lattice/origami/march.hpp"
 #include "model/lattice/origami/origami_sheet.hpp"
+#include "optim/ribs/fit_ribs.hpp"
 #include "optim/surface/fit_surface.hpp"
 #include "optim/surface/free_height.hpp"
 
@@ -69,6 +70,32 @@ Figure real(const std::string& name, const targets::SurfacePatch& patch, Surface
           design.within && height >= plate_height};
 }
 
+/// What ribs may be off, over the diagonal: a fifth of what sheets may.
+constexpr double most_of_ribs = 1e-3;
+
+Figure by_ribs(const std::string& name, const targets::RibbedSurface& surface, int ribs) {
+  optim::RibsSpec spec;
+  const double edge = surface.spine.length() / (2 * ribs + 1) / std::cos(spec.start_theta);
+  spec.size = {edge, plate_thickness * edge, plate_height * edge};
+  spec.ribs = ribs;
+  spec.clearance_mm = 0;
+  const auto from = std::chrono::steady_clock::now();
+  const optim::RibsDesign design = fit_ribs(surface, spec, {});
+  const optim::LooseRibs loose = fit_loose_ribs(surface, spec, {});
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count();
+  const double open = optim::open_area(static_cast<int>(design.fishbone.structure.cells.size()), spec.size,
+                                       design.shape.theta, surface.area);
+  return {
+      fmt::format("{} by {} ribs and by a fishbone", name, ribs),
+      fmt::format("rms of bodies over the diagonal <= {}, walls never meet", most_of_ribs),
+      fmt::format("fishbone: {:.2e}, 1 piece, {:.0f} % of the area open; ribs: {:.2e}, {} pieces, {:.0f} % "
+                  "open; {:.2f} s",
+                  design.error.rms / surface.diagonal, 100 * open, loose.rms / surface.diagonal, loose.pieces,
+                  100 * loose.open, seconds),
+      design.collisions.empty() && design.error.rms <= most_of_ribs * surface.diagonal &&
+          loose.rms <= most_of_ribs * surface.diagonal};
+}
+
 /// A Miura sheet whose march starts from data that differ by up to some percent.
 Figure random_meshes() {
   std::mt19937 random(11);
@@ -104,6 +131,7 @@ std::vector<Figure> surface_figures() {
   return {random_meshes(),
           fit("cap of 60 deg", targets::cap_patch(100, 60 * deg), options_of(8, {0.3, 3}), 5e-3, 5),
           fit("cap of 60 deg", targets::cap_patch(100, 60 * deg), options_of(8, {0.6, 1.5}), 8e-3, 5),
+          by_ribs("the same cap", targets::ribbed_surface(targets::cap_patch(100, 60 * deg)), 8),
           fit("saddle 0.3", targets::saddle_patch(100, 0.3), options_of(8, {0.3, 3}), 8e-3, 5),
           fit("vase", targets::vase_patch(120, 50, 10, 60 * deg), options_of(12, {0.3, 3}), 5e-3, 30),
           real("cap of 40 deg", targets::cap_patch(100, 40 * deg), options_of(8, {0.75, 1.3}), 60),

@@ -45,7 +45,7 @@ SpeedErrorScene helmet() {
   const targets::Head head = make_head(targets::read_mesh(KINETIX_SHAPES "/headform.obj"), {});
   optim::HelmetSpec spec;
   spec.size = walls_of(6);
-  const optim::HelmetDesign design = fit_helmet(head.dome, Eigen::Vector3d::Zero(), spec, {});
+  const optim::RibsDesign design = fit_helmet(head.dome, Eigen::Vector3d::Zero(), spec, {});
   const model::Structure& structure = design.fishbone.structure;
   return exact_scene(fmt::format("helmet, {} bodies", structure.bodies.size()), structure,
                      design.shape.theta);

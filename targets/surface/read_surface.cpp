@@ -19,31 +19,51 @@ constexpr Word<LengthUnit> unit_words[] = {
     {"mm", LengthUnit::mm}, {"cm", LengthUnit::cm}, {"m", LengthUnit::m}, {"in", LengthUnit::inch}};
 
 const Bounds size = from_to(1, 5000, "mm");            // of surfaces: a fingertip to a room
+constexpr double least_side = 20, most_side = 5000;    // mm, of the box of a mesh that ribs go over
 constexpr double usual_width = 100;                    // mm: a sheet of it prints on any machine
 constexpr double usual_radius = 50;                    // mm, of vases: a drinking glass
 constexpr double usual_height = 120;                   // mm, of vases
 constexpr double usual_arc = 60 * radians_per_degree;  // rad: as much as eight facets follow well
 constexpr double usual_rise = 0.3;  // a saddle whose corners are level and whose rims are as steep as 31 deg
 
+void refuse(const Section& target, std::initializer_list<const char*> keys, const std::string& why) {
+  for (const char* key : keys)
+    if (const auto node = target.optional(key)) throw node->key_error(why);
+}
+
 TriangleMesh in_mm(TriangleMesh mesh, LengthUnit unit) {
   for (Eigen::Vector3d& vertex : mesh.vertices) vertex *= mm_per(unit);
   return mesh;
 }
 
-SurfacePatch read_mesh_surface(const Section& target, const Node& mesh) {
+TriangleMesh read_mesh_in_mm(const Section& target, const Node& mesh) {
   LengthUnit unit = LengthUnit::mm;
   target.read("units", unit, unit_words);
   const std::string name = mesh.text("the path of an OBJ, STL or PLY file");
+  return mesh.located(
+      [&] { return in_mm(read_mesh((std::filesystem::path(mesh.folder()) / name).string()), unit); });
+}
+
+SurfacePatch read_mesh_surface(const Section& target, const Node& node) {
+  const TriangleMesh mesh = read_mesh_in_mm(target, node);
   try {
-    return mesh_patch(in_mm(read_mesh((std::filesystem::path(mesh.folder()) / name).string()), unit));
+    return mesh_patch(mesh);
   } catch (const InvalidInput& e) {
-    throw mesh.error(e.what());
+    throw node.error(std::string(e.what()) + "; or give `target.ribs`, which go over any mesh");
   }
 }
 
-void refuse(const Section& target, std::initializer_list<const char*> keys, const std::string& why) {
-  for (const char* key : keys)
-    if (const auto node = target.optional(key)) throw node->key_error(why);
+RibbedSurface ribbed_mesh(const TriangleMesh& mesh) {
+  const double side = bounds(mesh).sizes().maxCoeff();
+  if (!(side >= least_side && side <= most_side))
+    throw InvalidInput("the mesh is " + number_text(side) +
+                       " mm large; allowed: from 20 mm to 5 m; `units` says what its numbers are");
+  return ribbed_surface(mesh);
+}
+
+void refuse_sizes(const Section& target) {
+  refuse(target, {"width_mm", "arc_deg", "rise", "height_mm", "radius_mm", "swell_mm"},
+         "belongs to a shape; a mesh has its own size, leave it out");
 }
 
 SurfacePatch read_shape(const Section& target, Shape shape) {
@@ -71,7 +91,9 @@ SurfacePatch read_shape(const Section& target, Shape shape) {
 std::vector<Key> surface_keys() {
   return {
       {"mesh", value::text("path of an OBJ, STL or PLY file"), otherwise("`shape` is given"),
-       "an open surface without holes; the sheet covers the rectangle in which it lies, or one of its area"},
+       "the surface: for a sheet an open one without holes, of which it covers the rectangle in which it "
+       "lies, or one "
+       "of its area; for ribs any"},
       {"units", value::choice(unit_words), by_default("mm"), "of the mesh"},
       {"shape", value::choice(shapes), otherwise("`mesh` is given"),
        "`cap`: of a sphere, over the square in its rim; `saddle`: z = rise (x\u00b2 \u2212 y\u00b2) / half "
@@ -96,12 +118,24 @@ SurfacePatch read_surface(const Section& target) {
   if (mesh && shape) throw shape->key_error("and target.mesh both say what the surface is; give one of them");
   if (!mesh && !shape) throw target.error("needs a `mesh` or a `shape`: cap, saddle or vase");
   if (mesh) {
-    refuse(target, {"width_mm", "arc_deg", "rise", "height_mm", "radius_mm", "swell_mm"},
-           "belongs to a shape; a mesh has its own size, leave it out");
+    refuse_sizes(target);
     return read_mesh_surface(target, *mesh);
   }
   refuse(target, {"units"}, "belongs to a mesh; shapes are in mm, leave it out");
   return shape->located([&] { return read_shape(target, read_word(*shape, shapes)); });
+}
+
+std::string surface_name(const Section& target) {
+  const auto shape = target.optional("shape");
+  return shape ? shape->text("the name of a shape") : "mesh";
+}
+
+RibbedSurface read_ribbed_surface(const Section& target) {
+  const auto mesh = target.optional("mesh");
+  if (!mesh || target.optional("shape")) return ribbed_surface(read_surface(target));
+  refuse_sizes(target);
+  const TriangleMesh read = read_mesh_in_mm(target, *mesh);
+  return mesh->located([&] { return ribbed_mesh(read); });
 }
 
 }  // namespace kinetix::targets

@@ -36,7 +36,7 @@ Json head_lines(const targets::Head& head) {
   return out;
 }
 
-Json ribs_json(const optim::HelmetDesign& design) {
+Json ribs_json(const optim::RibsDesign& design) {
   Json ribs = Json::array();
   for (std::size_t r = 0; r < design.layout.spine_and_ribs.ribs.size(); ++r) {
     const model::FishboneRib& rib = design.layout.spine_and_ribs.ribs[r];
@@ -46,7 +46,7 @@ Json ribs_json(const optim::HelmetDesign& design) {
 }
 
 /// Mean of each cell's four bodies, in the order of the structure's cells.
-Json by_cell(const model::Structure& structure, const optim::HelmetError& error) {
+Json by_cell(const model::Structure& structure, const optim::RibsError& error) {
   Json cells = Json::array();
   for (const model::CellHinges& cell : structure.cell_members) {
     double sum = 0;
@@ -56,15 +56,15 @@ Json by_cell(const model::Structure& structure, const optim::HelmetError& error)
   return cells;
 }
 
-double worst_rib(const optim::HelmetError& error) {
+double worst_rib(const optim::RibsError& error) {
   return error.of_ribs.empty() ? 0 : *std::max_element(error.of_ribs.begin(), error.of_ribs.end());
 }
 
-Json error_json(const optim::HelmetError& error) {
+Json error_json(const optim::RibsError& error) {
   return {{"rms_mm", error.rms}, {"max_mm", error.max}, {"rib_rms_mm", worst_rib(error)}};
 }
 
-Json error_json(const optim::HelmetError& error, const targets::WallsInside& inside) {
+Json error_json(const optim::RibsError& error, const targets::WallsInside& inside) {
   Json out = error_json(error);
   out["walls_inside"] = inside.hinges.size();
   out["corners_inside"] = inside.corners;
@@ -91,7 +91,7 @@ std::string invented(const std::vector<targets::DomeOpening>& openings) {
       holes, openings.size() == 1 ? "" : "the widest ", widest);
 }
 
-std::string in_words(const optim::HelmetError& error) {
+std::string in_words(const optim::RibsError& error) {
   return fmt::format("rms {:.3f} mm, largest {:.3f} mm, ribs up to {:.3f} mm rms from their sections",
                      error.rms, error.max, worst_rib(error));
 }
@@ -104,7 +104,7 @@ Json uniform_json(const optim::UniformHelmet& uniform) {
 }
 
 Json helmet_json(const HelmetOutcome& helmet, const model::Structure& structure) {
-  const optim::HelmetDesign& design = helmet.design;
+  const optim::RibsDesign& design = helmet.design;
   Json out = {
       {"clearance_mm", helmet.spec.clearance_mm},
       {"coverage_mm", helmet.spec.coverage_mm},
@@ -137,7 +137,7 @@ Json optimiser_json(const optim::SolveResult& search) {
 
 }  // namespace
 
-HelmetOutcome::HelmetOutcome(targets::Head head_, optim::HelmetSpec spec_, optim::HelmetDesign design_)
+HelmetOutcome::HelmetOutcome(targets::Head head_, optim::HelmetSpec spec_, optim::RibsDesign design_)
     : head(std::move(head_)), spec(std::move(spec_)), design(std::move(design_)) {}
 
 Json HelmetOutcome::target_json() const {

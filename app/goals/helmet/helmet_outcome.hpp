@@ -12,15 +12,15 @@ namespace kinetix::app {
 /// What a search for a helmet contributes to a result.
 class HelmetOutcome final : public GoalOutcome {
  public:
-  HelmetOutcome(targets::Head head, optim::HelmetSpec spec, optim::HelmetDesign design);
+  HelmetOutcome(targets::Head head, optim::HelmetSpec spec, optim::RibsDesign design);
 
   targets::Head head;
   optim::HelmetSpec spec;
-  optim::HelmetDesign design;                 ///< in the head's frame
-  targets::WallsInside inside = {};           ///< walls in the head that was given
-  optim::UniformHelmet uniform = {};          ///< the paper's way, for comparison
-  std::optional<optim::HelmetError> physics;  ///< the settled physics run, laid on the model's state
-  targets::WallsInside physics_inside = {};   ///< walls in the head in that run
+  optim::RibsDesign design;                  ///< in the head's frame
+  targets::WallsInside inside = {};          ///< walls in the head that was given
+  optim::UniformHelmet uniform = {};         ///< the paper's way, for comparison
+  std::optional<optim::RibsError> physics;   ///< the settled physics run, laid on the model's state
+  targets::WallsInside physics_inside = {};  ///< walls in the head in that run
 
   /// The curves that spine and ribs are to follow, in the mesh's frame, mm.
   nlohmann::ordered_json target_json() const override;

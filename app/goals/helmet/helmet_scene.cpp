@@ -38,7 +38,7 @@ std::string in_words(const targets::WallsInside& inside, const HelmetFile& file,
   return text;
 }
 
-std::vector<std::string> violations(const HelmetFile& file, const optim::HelmetError& error,
+std::vector<std::string> violations(const HelmetFile& file, const optim::RibsError& error,
                                     const targets::WallsInside& inside, const std::string& who) {
   std::vector<std::string> why;
   if (!inside.hinges.empty()) why.push_back(in_words(inside, file, who));
@@ -72,7 +72,7 @@ class HelmetScene final : public Scene {
   std::string name() const override { return file_.name; }
 
   Forecast forecast() const override {
-    const optim::HelmetLayout layout = plan_helmet(file_.head.dome, crown, file_.spec);
+    const optim::RibsLayout layout = plan_helmet(file_.head.dome, crown, file_.spec);
     Forecast out{make_fishbone(layout.spine_and_ribs, file_.spec.size).structure};
     out.search_s = seconds_a_body * out.sheet.bodies();
     out.notes = layout.notes;
@@ -141,7 +141,7 @@ class HelmetScene final : public Scene {
     const model::State on_head = aligned(run.verification->physics.state, helmet.design.state);
     run.states.back().poses = in_mesh(file_.head, on_head);
     helmet.physics =
-        optim::helmet_error(helmet.design.fishbone, on_head, file_.head.dome, file_.spec.clearance_mm);
+        optim::ribs_error(helmet.design.fishbone, on_head, file_.head.dome, file_.spec.clearance_mm);
     helmet.physics_inside = walls_inside(run.structure, on_head, file_.head.scan);
     helmet.physics_violations = violations(file_, *helmet.physics, helmet.physics_inside, "physics run");
   }
@@ -151,7 +151,7 @@ class HelmetScene final : public Scene {
     auto& helmet = outcome_of<HelmetOutcome>(run);
     const model::State on_head = aligned(state, helmet.design.state);
     helmet.design.error =
-        optim::helmet_error(helmet.design.fishbone, on_head, file_.head.dome, file_.spec.clearance_mm);
+        optim::ribs_error(helmet.design.fishbone, on_head, file_.head.dome, file_.spec.clearance_mm);
     helmet.inside = walls_inside(run.structure, on_head, file_.head.scan);
     helmet.violations = violations(file_, helmet.design.error, helmet.inside, "equilibrium");
     append(helmet.violations, helmet.design.collisions);
@@ -159,7 +159,7 @@ class HelmetScene final : public Scene {
   }
 
   void add_frames(Run& run) const override {
-    const optim::HelmetDesign& design = outcome_of<HelmetOutcome>(run).design;
+    const optim::RibsDesign& design = outcome_of<HelmetOutcome>(run).design;
     for (int k = 0; k < motion_states; ++k) {
       const double theta = run.theta * k / (motion_states - 1);
       model::State state = placed_fishbone(design.fishbone, design.shape, theta);

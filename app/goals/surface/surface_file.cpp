@@ -25,6 +25,8 @@ const targets::Bounds edges = targets::between(0, 10);
 targets::KeyTable target_keys() {
   std::vector<targets::Key> keys = targets::surface_keys();
   keys.insert(keys.begin(), targets::goal_kind_key("surface"));
+  keys.push_back({"ribs", value::integer(1, most_ribs), targets::otherwise("a sheet of facets"),
+                  "so many ribs on a spine, over any surface, open or closed, in place of a sheet"});
   return targets::KeyTable(std::move(keys));
 }
 
@@ -33,12 +35,15 @@ targets::KeyTable structure_keys() {
       {"facets", value::list(value::integer(2, most_facets), "`[columns, rows]`", 2, 2),
        targets::by_default(std::array<double, 2>{8, 8}),
        "flat pieces of the folded sheet, along x and y of the surface; each has 2 x 2 bodies"},
+      {"cell_mm", value::number(targets::above(0, "mm")),
+       targets::otherwise("leaves room between ribs, and 25 cells along the diagonal"),
+       "of ribs: edge of a cell"},
       {"wall_mm",
        value::map(targets::KeyTable({
-           {"thickness", value::number(targets::above(0, "mm")), targets::otherwise("0.08 of a mean wall"),
-            "of the walls"},
-           {"height", value::number(targets::above(0, "mm")), targets::otherwise("0.15 of a mean wall"),
-            "of the walls"},
+           {"thickness", value::number(targets::above(0, "mm")),
+            targets::otherwise("0.08 of a mean wall, or of a cell of ribs"), "of the walls"},
+           {"height", value::number(targets::above(0, "mm")),
+            targets::otherwise("0.15 of a mean wall, or of a cell of ribs"), "of the walls"},
        })),
        {},
        "the walls; their lengths follow from the surface"},
@@ -63,7 +68,8 @@ targets::KeyTable tolerance_keys(const SurfaceFile& usual) {
   return targets::KeyTable({
       {"shape", value::number(part_of_one), targets::by_default(usual.shape_tolerance),
        "most of [surface_rms](#surface_rms), over the diagonal of the surface's box"},
-      {"cover", value::number(share), targets::by_default(usual.cover_tolerance),
+      {"cover", value::number(share),
+       targets::otherwise(targets::shortest_text(usual.cover_tolerance) + "; of ribs 0"),
        "least of [cover](#surface_rms)"},
       {"verify", value::number(part_of_one), targets::by_default(usual.verify_tolerance),
        "most of [verify_rms](#verify_rms-and-verify_max), cell edges"},
@@ -72,6 +78,8 @@ targets::KeyTable tolerance_keys(const SurfaceFile& usual) {
 
 void read_structure(const targets::Section& root, SurfaceFile& file) {
   const targets::Section structure = root.section("structure");
+  if (const auto cell = structure.optional("cell_mm"))
+    throw cell->key_error("belongs to `target.ribs`; the walls of a sheet follow from its facets");
   if (const auto facets = structure.optional("facets")) {
     const auto sides = facets->list_of(2, "[columns, rows]");
     file.columns = sides[0].integer(2, most_facets);
@@ -107,17 +115,23 @@ void check_curvature(const targets::Section& target, const SurfaceFile& file) {
   const targets::SurfaceCurvature curvature = curvature_of(file.patch);
   const double facet = 2 * std::max(file.patch.half.x() / file.columns, file.patch.half.y() / file.rows);
   if (curvature.most * facet <= most_curvature) return;
-  throw target.error("the surface curves too much for its facets: near (" + number_text(curvature.place.x()) +
-                     ", " + number_text(curvature.place.y()) + ") mm its radius is " +
-                     number_text(1 / curvature.most) + " mm, a facet is " + number_text(facet) +
-                     " mm wide; allowed are radii of a facet's width; give more `structure.facets`");
+  throw target.error(
+      "the surface curves too much for its facets: near (" + number_text(curvature.place.x()) + ", " +
+      number_text(curvature.place.y()) + ") mm its radius is " + number_text(1 / curvature.most) +
+      " mm, a facet is " + number_text(facet) +
+      " mm wide; allowed are radii of a facet's width; give more `structure.facets`, or `target.ribs`");
 }
 
 }  // namespace
 
-model::CellSize SurfaceFile::size(double edge_mm) const {
+model::CellSize size_with_walls(double edge_mm, const std::optional<double>& thickness_mm,
+                                const std::optional<double>& height_mm) {
   return {edge_mm, thickness_mm.value_or(usual_thickness * edge_mm),
           height_mm.value_or(usual_height * edge_mm)};
+}
+
+model::CellSize SurfaceFile::size(double edge_mm) const {
+  return size_with_walls(edge_mm, thickness_mm, height_mm);
 }
 
 const targets::KeyTable& surface_file_keys() {

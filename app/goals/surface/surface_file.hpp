@@ -11,6 +11,10 @@
 
 namespace kinetix::app {
 
+/// Cells or walls of this edge; walls that are not given are 0.08 of it thick and 0.15 of it high.
+model::CellSize size_with_walls(double edge_mm, const std::optional<double>& thickness_mm,
+                                const std::optional<double>& height_mm);
+
 /// A target.yaml of kind surface, as asked for or by default. Angles in radians, lengths in mm. `kinetix: 1` and a
 /// `target` are enough.
 ///
@@ -36,11 +40,15 @@ struct SurfaceFile : GoalSettings {
   model::CellSize size(double edge_mm) const;
 };
 
+/// `target.ribs`: one every other millimetre of a hand's breadth, a limit on what is read.
+inline constexpr int most_ribs = 200;
+
 /// Every key of a target.yaml of kind surface.
 const targets::KeyTable& surface_file_keys();
 
 /// @param root a target whose kind is surface
-/// @throws InvalidInput for whatever formats.md does not allow, and a surface that curves too much for its facets
+/// @throws InvalidInput for whatever formats.md does not allow, and a surface that curves too
+/// much for its facets
 SurfaceFile read_surface_file(const targets::Node& root);
 
 }  // namespace kinetix::app

@@ -63,6 +63,7 @@ void SurfaceOutcome::add_sections(const Run&, Json& result) const {
                        {"free_height", free_height},
                        {"walls_meet", !clear},
                        {"curvature_missing", curvature_missing},
+                       {"ways", ways_json(ways)},
                        {"reasons", violations}};
   result["optimiser"] = {{"solver", "ceres"},
                          {"starts", design.starts},
@@ -100,6 +101,7 @@ std::vector<SummaryLine> SurfaceOutcome::summary_lines(const Run& run) const {
        fmt::format("a mean wall is {:.2f} mm; {}", edge,
                    free_height > 0 ? fmt::format("plates up to {:.2f} mm high never meet", free_height * edge)
                                    : "plates of any height meet on the way")});
+  if (ways.size() > 1) lines.push_back({"beside", in_words({ways.begin() + 1, ways.end()})});
   lines.push_back(
       {"search", fmt::format("{:.2f} s, {} evaluations", run.timings.optimise, design.evaluations)});
   return lines;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/goals/surface/beside.hpp"
 #include "app/goals/surface/surface_file.hpp"
 #include "app/run/goal_outcome.hpp"
 #include "model/lattice/origami/origami_sheet.hpp"
@@ -15,10 +16,11 @@ class SurfaceOutcome final : public GoalOutcome {
 
   SurfaceFile file;
   optim::SurfaceDesign design;
-  model::State exact;      ///< on the surface
-  double free_height = 0;  ///< largest height of plates with which no walls meet, cell edges
-  bool clear = false;      ///< none meet as they are
-  double diagonal_mm = 0;  ///< of the surface's box
+  model::State exact;                 ///< on the surface
+  double free_height = 0;             ///< largest height of plates with which no walls meet, cell edges
+  bool clear = false;                 ///< none meet as they are
+  double diagonal_mm = 0;             ///< of the surface's box
+  std::vector<SurfaceWay> ways = {};  ///< the sheet, a fishbone with a rib a facet, and the same ribs loose
   double curvature_missing =
       0;  ///< share of the surface's Gauss curvature that the sheet does not have, about the middle
 

@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+
+#include "app/goals/surface/ribs_scene.hpp"
 #include "app/goals/surface/surface_kind.hpp"
 #include "app/goals/surface/surface_outcome.hpp"
 #include "app/pipeline/exact_state.hpp"
@@ -115,6 +118,23 @@ class SurfaceScene final : public Scene {
     run.goal = std::move(surface);
   }
 
+  /// Says how ribs would do.
+  void judge(Run& run, const RunOptions&) const override {
+    auto& surface = outcome_of<SurfaceOutcome>(run);
+    const targets::RibbedSurface ribbed = targets::ribbed_surface(file_.patch);
+    const int facets = file_.patch.half.x() >= file_.patch.half.y() ? file_.columns : file_.rows;
+    surface.ways = {
+        {"sheet", surface.design.error.rms, surface.design.error.max, 1, 1 - surface.design.error.cover}};
+    for (SurfaceWay& way : ways_by_ribs(ribbed, usual_ribs(ribbed, facets), true))
+      surface.ways.push_back(std::move(way));
+    const SurfaceWay& fishbone = surface.ways[1];
+    if (!surface.met() && fishbone.rms <= file_.shape_tolerance)
+      surface.violations.push_back(
+          fmt::format("a fishbone would be {:.2f} % of the diagonal off, with {:.0f} % of the area open: "
+                      "`target.ribs: {}`",
+                      100 * fishbone.rms, 100 * fishbone.open, facets));
+  }
+
   void add_state(Run& run, const RunOptions&) const override {
     add_exact_state(run, run.theta);
     NamedState& state = run.states.front();
@@ -140,11 +160,16 @@ std::unique_ptr<Scene> make_scene(SurfaceFile file) {
   return std::make_unique<SurfaceScene>(std::move(file));
 }
 
+static std::unique_ptr<Scene> read_scene(const targets::Node& root) {
+  const targets::Section target = targets::Section(root, surface_file_keys()).section("target");
+  return target.optional("ribs") ? make_scene(read_ribs_file(root)) : make_scene(read_surface_file(root));
+}
+
 // The kind for the registry (app/goals/registry.cpp), and its metrics with their units.
 const GoalKind surface_kind = {
     .name = "surface",
     .example = "target: {kind: surface, shape: cap}",
-    .read = [](const targets::Node& root) { return make_scene(read_surface_file(root)); },
+    .read = read_scene,
     .table = surface_file_keys,
     .metrics = {
         {"surface_rms", "",

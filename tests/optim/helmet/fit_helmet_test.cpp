@@ -31,13 +31,13 @@ HelmetSpec spec(int ribs = 8) {
   return w;
 }
 
-TEST(HelmetProblem, DerivativesAgreeWithCentralDifferences) {
+TEST(RibsProblem, DerivativesAgreeWithCentralDifferences) {
   const targets::MeshDistance mesh = head();
   HelmetSpec w = spec(3);
   w.size = {20, 2, 10};
-  const HelmetLayout layout = plan_helmet(mesh, {0, 0, 100}, w);
+  const RibsLayout layout = plan_helmet(mesh, {0, 0, 100}, w);
   const model::Fishbone fishbone = make_fishbone(layout.spine_and_ribs, w.size);
-  const HelmetProblem problem(fishbone, {&mesh, 5, layout.rim_z, 0}, w.tilt, w.theta);
+  const RibsProblem problem(fishbone, {&mesh, 5, layout.rim_z, 0}, w.tilt, w.theta);
   constexpr unsigned seed = 17;
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> unit(-1, 1);
@@ -54,7 +54,7 @@ TEST(HelmetProblem, DerivativesAgreeWithCentralDifferences) {
 
 TEST(FitHelmet, KeepsTheClearanceFromAnEllipsoid) {
   const targets::MeshDistance mesh = head();
-  const HelmetDesign design = fit_helmet(mesh, {0, 0, 100}, spec(), {});
+  const RibsDesign design = fit_helmet(mesh, {0, 0, 100}, spec(), {});
   EXPECT_LE(design.error.rms, 0.1);
   EXPECT_LE(design.error.max, 0.3);
   for (const double rib : design.error.of_ribs) EXPECT_LE(rib, 0.2);
@@ -67,7 +67,7 @@ TEST(FitHelmet, KeepsTheClearanceFromAScanWithEarsNoseAndHoles) {
   const targets::Head scan = targets::make_head(testing::scanned_head(seed), {});
   HelmetSpec w = spec();
   w.coverage_mm = scan.coverage_mm;
-  const HelmetDesign design = fit_helmet(scan.dome, Vector3d::Zero(), w, {});
+  const RibsDesign design = fit_helmet(scan.dome, Vector3d::Zero(), w, {});
   EXPECT_LE(design.error.rms, 1.5) << "seed " << seed;
   EXPECT_LE(design.error.max, 5) << "seed " << seed;
   EXPECT_TRUE(design.collisions.empty());
@@ -78,7 +78,7 @@ TEST(FitHelmet, SeesWhichWallsRunThroughThinEars) {
   const targets::Head ears = targets::make_head(testing::head_with_thin_ears(), {.front = Vector3d::UnitY()});
   HelmetSpec w = spec();
   w.coverage_mm = ears.coverage_mm;
-  const HelmetDesign design = fit_helmet(ears.dome, Vector3d::Zero(), w, {});
+  const RibsDesign design = fit_helmet(ears.dome, Vector3d::Zero(), w, {});
   const targets::WallsInside found = walls_inside(design.fishbone.structure, design.state, ears.scan);
   int corners = 0;
   for (const model::HalfWall& half : half_walls(design.fishbone.structure)) {
@@ -97,7 +97,7 @@ TEST(FitHelmet, NamesWallsThatMeetAllTheSame) {
   HelmetSpec w = spec(5);
   w.size = {6, 2.8, 4};  // such cells close at 28 deg
   w.theta = {30 * radians_per_degree, 40 * radians_per_degree};
-  const HelmetDesign design = fit_helmet(head(), {0, 0, 100}, w, {});
+  const RibsDesign design = fit_helmet(head(), {0, 0, 100}, w, {});
   ASSERT_FALSE(design.collisions.empty());
   EXPECT_EQ(design.collisions[0].substr(0, 8), "walls [[");
   EXPECT_LE(design.collisions.size(), 4u);
@@ -115,14 +115,14 @@ TEST(FitHelmet, RefusesCellsLargerThanTheHead) {
 
 TEST(FitHelmet, PlacesItsFishboneWhereTheSearchHadIt) {
   const targets::MeshDistance mesh = head();
-  const HelmetDesign design = fit_helmet(mesh, {0, 0, 100}, spec(3), {});
+  const RibsDesign design = fit_helmet(mesh, {0, 0, 100}, spec(3), {});
   const model::State placed = placed_fishbone(design.fishbone, design.shape, design.shape.theta);
   for (std::size_t b = 0; b < placed.size(); ++b) EXPECT_LE((placed[b].p - design.state[b].p).norm(), 1e-9);
 }
 
 TEST(FitHelmet, OneTiltForAllFitsWorse) {
   const targets::MeshDistance mesh = head();
-  const HelmetDesign design = fit_helmet(mesh, {0, 0, 100}, spec(5), {});
+  const RibsDesign design = fit_helmet(mesh, {0, 0, 100}, spec(5), {});
   const UniformHelmet uniform = fit_uniform_helmet(design, mesh, {0, 0, 100}, spec(5), {});
   EXPECT_LT(uniform.after.rms, uniform.before.rms);
   EXPECT_LT(5 * design.error.rms, uniform.after.rms);

@@ -10,20 +10,23 @@ function readSurface(raw) {
     rms: finite(raw.rms), max: finite(raw.max), cover: finite(raw.cover),
     sector: numberRows([raw.sector_deg], 2)[0] ?? null, edge: numberRows([raw.edge], 2)[0] ?? null, beta: finite(raw.beta_deg),
     height: finite(raw.free_height), meets: raw.walls_meet === true, missing: finite(raw.curvature_missing),
-    reasons: words(raw.reasons), physicsReasons: [],
+    reasons: words(raw.reasons), physicsReasons: words(raw.reasons_physics), ribs: list(raw.ribs).length,
+    ways: list(raw.ways).filter((way) => way && typeof way.way === "string").map((way) => ({
+      name: way.way, rms: finite(way.rms), max: finite(way.max), pieces: finite(way.pieces), open: finite(way.open_area)})),
   };
 }
 
 function surfaceVerdict(data) {
   const {goal: surface, verdict: {met, verified}} = data;
   const off = surface.diagonal === null || surface.rms === null ? "" :
-      `Its vertices lie ${millimetres(surface.rms * surface.diagonal)} (${percent(surface.rms)} of the diagonal) off the surface.`;
-  if (met === false) return {mark: "\u2715", tone: "bad", title: "The folded sheet misses its surface", text: off};
+      `Its ${surface.ribs ? "bodies" : "vertices"} lie ${millimetres(surface.rms * surface.diagonal)} (${percent(surface.rms)} of the diagonal) off the surface.`;
+  const what = surface.ribs ? "The folded fishbone" : "The folded sheet";
+  if (met === false) return {mark: "\u2715", tone: "bad", title: `${what} misses its surface`, text: off};
   if (verified === false)
     return {mark: "!", tone: "bad", title: "It takes its surface in the model, but the physics run " + failing(data), text: off};
   return {
     mark: "\u2713", tone: verified ? "good" : "unsure",
-    title: verified ? "The folded sheet takes its surface, and the physics run agrees" : "The folded sheet takes its surface in the model",
+    title: verified ? `${what} takes its surface, and the physics run agrees` : `${what} takes its surface in the model`,
     text: off + (verified ? "" : " It was not checked by a physics run."),
   };
 }
@@ -33,8 +36,8 @@ function surfaceNumbers(data) {
   if (surface.rms === null) return [];
   const shown = surface.diagonal === null ? percent(surface.rms) : millimetres(surface.rms * surface.diagonal);
   return [
-    keyNumber("Vertices from surface, rms", shown, `${percent(surface.rms)} of the diagonal; allowed ${percent(tolerance.shape)}`),
-    surface.cover !== null && keyNumber("Area shared", percent(surface.cover), `over the area of both; at least ${percent(tolerance.cover)}`),
+    keyNumber(surface.ribs ? "Bodies from surface, rms" : "Vertices from surface, rms", shown, `${percent(surface.rms)} of the diagonal; allowed ${percent(tolerance.shape)}`),
+    surface.cover !== null && keyNumber(surface.ribs ? "Area covered" : "Area shared", percent(surface.cover), `${surface.ribs ? "by cells" : "over the area of both"}; at least ${percent(tolerance.cover)}`),
     surface.height !== null && keyNumber("Plates may be", `${figures(surface.height, 2)} walls high`, "before walls meet on the way"),
   ];
 }
@@ -58,15 +61,22 @@ function surfaceSection({goal: surface}) {
   const row = (name, value) => value && rows.push({cells: [name, value]});
   const span = (range, digits, unit) => range && `${figures(range[0], digits)} to ${figures(range[1], digits)}${unit}`;
   row("facets", surface.facets && `${surface.facets[0]} \u00d7 ${surface.facets[1]}`);
-  row("vertices off the surface, rms", surface.rms !== null && percent(surface.rms));
+  row("ribs", surface.ribs > 0 && String(surface.ribs));
+  row(surface.ribs ? "bodies off the surface, rms" : "vertices off the surface, rms", surface.rms !== null && percent(surface.rms));
   row("the farthest", surface.max !== null && percent(surface.max));
   row("layers, apart", surface.layer !== null && millimetres(2 * Math.abs(surface.layer)));
   row("edges, over their mean", span(surface.edge, 2, ""));
   row("angles between creases", span(surface.sector, 3, "\u00b0"));
   row("largest tilt", surface.beta !== null && `${figures(surface.beta, 3)}\u00b0`);
   row("curvature missing about the middle", surface.missing !== null && percent(surface.missing));
+  const ways = surface.ways.map((way) => ({cells: [way.name, percent(way.rms), percent(way.max), String(way.pieces), percent(way.open)]}));
+  const compared = ways.length > 1 &&
+      table(["way", "off the surface, rms", "the farthest", "pieces", "open area"], ways,
+            "The same surface in other ways: vertices of a sheet, bodies of ribs, in parts of the diagonal");
+  if (surface.ribs) return [table(["what", "how much"], rows, "The ribs on their surface, in parts of the diagonal"), compared];
   return [
     table(["what", "how much"], rows, "The mesh on its surface, in parts of the diagonal"),
+    compared,
     creasePattern(surface),
     html("p", {class: "note"}, "Every crease of this pattern folds at once, exactly: around each vertex opposite angles add up to 180\u00b0."),
   ];
@@ -79,6 +89,6 @@ const surfaceGoal = {
   backdropKey: ["head", "surface asked for"],
   verdict: surfaceVerdict,
   numbers: surfaceNumbers,
-  firstSections: [["surface", "Mesh and surface", surfaceSection]],
+  firstSections: [["surface", "On its surface", surfaceSection]],
   lastSections: [],
 };

@@ -3,11 +3,13 @@
 #include <nlohmann/json.hpp>
 
 #include "app/goals/read_target.hpp"
+#include "app/goals/surface/ribs_outcome.hpp"
 #include "app/goals/surface/surface_outcome.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "model/base/invalid_input.hpp"
 #include "targets/document/document.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/targets/meshes.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -33,6 +35,42 @@ TEST(SurfaceGoal, FoldsASheetOntoASaddle) {
   nlohmann::ordered_json metrics;
   outcome.add_metrics(metrics);
   EXPECT_LE(metrics["surface_rms"].get<double>(), 0.05);
+  ASSERT_EQ(outcome.ways.size(), 3);
+  EXPECT_EQ(outcome.ways[0].rms, outcome.design.error.rms);
+  EXPECT_EQ(outcome.ways[1].pieces, 1);
+  EXPECT_EQ(outcome.ways[2].pieces, 4);
+  for (const SurfaceWay& way : {outcome.ways[1], outcome.ways[2]}) {
+    EXPECT_LE(way.rms, 2e-3);
+    EXPECT_GT(way.open, outcome.ways[0].open);
+  }
+}
+
+TEST(SurfaceGoal, LaysRibsOverAClosedMesh) {
+  const testing::TemporaryFolder folder;
+  folder.write("ball.obj", testing::obj_text(testing::ellipsoid({60, 40, 40})));
+  const Target target = read(folder, ", mesh: ball.obj, ribs: 4");
+  const auto run = run_scene(*target.goal, {});
+  const auto& outcome = outcome_of<RibsOutcome>(run);
+  EXPECT_TRUE(outcome.met());
+  EXPECT_LE(outcome.ways.front().rms, 5e-3);
+  EXPECT_EQ(outcome.ways.back().pieces, 4);
+  EXPECT_LE(run.states.front().gaps.max, 1e-11);
+  ASSERT_TRUE(outcome.settled.has_value());
+  EXPECT_NEAR(outcome.settled->rms, outcome.ways.front().rms, 1e-3);
+  for (const model::Pose& pose : run.states.front().poses)
+    EXPECT_NEAR(pose.p.cwiseQuotient(Eigen::Vector3d(60, 40, 40)).norm(), 1, 0.1);
+}
+
+TEST(SurfaceGoal, SaysHowMuchASheetLacksAndThatRibsWouldDo) {
+  const testing::TemporaryFolder folder;
+  RunOptions options;
+  options.verify = false;
+  const Target target =
+      read(folder, ", shape: cap, arc_deg: 120", "structure: {facets: [3, 3]}\ntolerance: {shape: 0.01}\n");
+  const auto run = run_scene(*target.goal, options);
+  EXPECT_FALSE(run.goal->met());
+  EXPECT_THAT(run.goal->violations, ::testing::Contains(HasSubstr("of its curvature")));
+  EXPECT_THAT(run.goal->violations, ::testing::Contains(HasSubstr("`target.ribs: 3`")));
 }
 
 TEST(SurfaceGoal, RefusesWhatItCannotRead) {
@@ -48,6 +86,15 @@ TEST(SurfaceGoal, RefusesWhatItCannotRead) {
   refused("", "needs a `mesh` or a `shape`");
   refused(", shape: cap, rise: 0.2", "belongs to a saddle");
   refused(", shape: cap, arc_deg: 170", "140");
+  folder.write("tiny.obj", testing::obj_text(testing::cube(0.1)));
+  folder.write("cube.obj", testing::obj_text(testing::cube(50)));
+  refused(", mesh: cube.obj", "give `target.ribs`");
+  refused(", mesh: tiny.obj, ribs: 3", "`units` says");
+  refused(", shape: cap, ribs: 0", "target.ribs");
+  refused(", mesh: cube.obj, ribs: 3, arc_deg: 20", "belongs to a shape");
+  refused(", shape: cap, ribs: 3}\nstructure: {facets: [3, 3]", "belongs to a sheet of facets");
+  refused(", shape: cap}\nstructure: {cell_mm: 3", "belongs to `target.ribs`");
+  refused(", shape: cap, ribs: 9}\nstructure: {cell_mm: 20", "ribs overlap flat");
   refused(", shape: vase, radius_mm: 2, swell_mm: 1, height_mm: 200", "curves too much for its facets");
 }
 

@@ -8,16 +8,16 @@
 
 namespace kinetix::optim {
 
-/// What a helmet is fitted to, in a frame with z up and y along the spine.
-struct HelmetGoal {
-  const targets::MeshDistance* head = nullptr;
+/// What a fishbone is fitted to, in a frame with z up and y along the spine.
+struct RibsGoal {
+  const targets::MeshDistance* surface = nullptr;
   double clearance_mm = 0;
   double rim_z = 0;     ///< height that both ends of the spine are to reach, mm
   double middle_x = 0;  ///< of the spine, mm
 };
 
-/// The unknowns of a helmet.
-struct HelmetShape {
+/// The unknowns of a fishbone.
+struct RibsShape {
   Eigen::Vector3d turn = Eigen::Vector3d::Zero();   ///< rotation vector of the root's panel, rad
   Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< of the root, mm
   double theta = 0;                                 ///< rad
@@ -30,19 +30,18 @@ struct HelmetShape {
 /// @param place mm
 model::State placed(model::State state, int root, const Eigen::Vector3d& turn, const Eigen::Vector3d& place);
 
-/// Fit of a fishbone to a head: all tilts, one theta and its place, by least squares.
+/// Fit of a fishbone to a surface: all tilts, one theta and its place, by least squares.
 ///
-/// Residuals: distance to the head less the clearance of every body and every hinge point, over the square
+/// Residuals: distance to the surface less the clearance of every body and every hinge point, over the square
 /// root of their number and in units of a tenth of the cell edge, so that |r| is ten times the rms distance
 /// in cell edges; then, a tenth as heavy, the heights of the spine's ends above the rim and how far they are
 /// off the middle, and every tilt by a thousandth (what no distance sees stays small). The variables of a
 /// part are the tilts of one side of one rib; place is in units of the cell edge.
-class HelmetProblem final : public ArrowProblem {
+class RibsProblem final : public ArrowProblem {
  public:
-  /// @param fishbone its root is the middle of the spine; kept by reference, as is the head
+  /// @param fishbone its root is the middle of the spine; kept by reference, as is the surface
   /// @param tilt limit of all tilts, rad   @param theta bounds, rad, within (0, pi/2)
-  HelmetProblem(const model::Fishbone& fishbone, const HelmetGoal& goal, double tilt,
-                const AngleRange& theta);
+  RibsProblem(const model::Fishbone& fishbone, const RibsGoal& goal, double tilt, const AngleRange& theta);
 
   int shared() const override { return fixed_shared + static_cast<int>(fishbone_.spine.size()); }
   const std::vector<int>& parts() const override { return parts_; }
@@ -51,11 +50,11 @@ class HelmetProblem final : public ArrowProblem {
   const std::vector<int>& residuals() const override { return residuals_; }
   bool evaluate(const Eigen::VectorXd& x, bool rates, std::vector<ResidualBlock>& blocks) const override;
 
-  Eigen::VectorXd pack(const HelmetShape& shape) const;
-  HelmetShape unpack(const Eigen::VectorXd& x) const;
+  Eigen::VectorXd pack(const RibsShape& shape) const;
+  RibsShape unpack(const Eigen::VectorXd& x) const;
   /// Tilts of x written into a copy of the fishbone's structure.
   model::Structure structure(const Eigen::VectorXd& x) const;
-  /// State in the head's frame, mm.
+  /// State in the goal's frame, mm.
   model::State state(const Eigen::VectorXd& x) const;
 
  private:
@@ -85,10 +84,11 @@ class HelmetProblem final : public ArrowProblem {
                  ResidualBlock& block) const;
   Eigen::VectorXd rates_of(const model::NetMotion& motion, const Eigen::VectorXd& x, const Probe& probe,
                            const Eigen::Vector3d& direction, int part) const;
-  Eigen::Vector3d in_head(const model::NetMotion& motion, const Eigen::VectorXd& x, const Probe& probe) const;
+  Eigen::Vector3d in_place(const model::NetMotion& motion, const Eigen::VectorXd& x,
+                           const Probe& probe) const;
 
   const model::Fishbone& fishbone_;
-  HelmetGoal goal_;
+  RibsGoal goal_;
   model::NetTree tree_;
   std::vector<int> parts_, residuals_, first_;  // first_: of each part's variables in x
   std::vector<int> variable_of_hinge_;          // index in x, or -1

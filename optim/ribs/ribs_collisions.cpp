@@ -1,4 +1,4 @@
-#include "optim/helmet/helmet_collisions.hpp"
+#include "optim/ribs/ribs_collisions.hpp"
 
 #include <algorithm>
 #include <set>
@@ -24,14 +24,14 @@ std::vector<model::WallPair> meeting(const model::Structure& structure, double t
 
 }  // namespace
 
-HelmetCollisions::HelmetCollisions(const model::Fishbone& fishbone, double theta)
+RibsCollisions::RibsCollisions(const model::Fishbone& fishbone, double theta)
     : walls_(half_walls(fishbone.structure)), pairs_(meeting(fishbone.structure, theta)) {
   for (const model::Hinge& hinge : fishbone.structure.hinges) names_.push_back(to_string(hinge.wall));
   for (int b = 0; b < static_cast<int>(fishbone.structure.bodies.size()); ++b)
     places_.push_back(model::place_of(fishbone, b));
 }
 
-int HelmetCollisions::trim(model::FishboneLayout& spine_and_ribs) const {
+int RibsCollisions::trim(model::FishboneLayout& spine_and_ribs) const {
   int taken = 0;
   for (const model::WallPair& pair : pairs_) {
     const model::FishbonePlace &a = place_of_plate(pair.first), &b = place_of_plate(pair.second);
@@ -44,7 +44,7 @@ int HelmetCollisions::trim(model::FishboneLayout& spine_and_ribs) const {
   return taken;
 }
 
-std::vector<std::string> HelmetCollisions::in_words() const {
+std::vector<std::string> RibsCollisions::in_words() const {
   std::vector<std::string> out;
   for (const model::WallPair& pair : pairs_) {
     std::string words =

@@ -11,10 +11,10 @@ namespace kinetix::optim {
 
 /// Walls of a fishbone that run into each other while it folds, looked at in sixteen states from flat to
 /// theta.
-class HelmetCollisions {
+class RibsCollisions {
  public:
   /// @param fishbone with its tilts   @param theta rad
-  HelmetCollisions(const model::Fishbone& fishbone, double theta);
+  RibsCollisions(const model::Fishbone& fishbone, double theta);
 
   /// Shortens one rib of each pair of walls that are not of the same side of one rib. @return cells taken
   int trim(model::FishboneLayout& spine_and_ribs) const;

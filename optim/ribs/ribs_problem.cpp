@@ -1,4 +1,4 @@
-#include "optim/helmet/helmet_problem.hpp"
+#include "optim/ribs/ribs_problem.hpp"
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -15,15 +15,15 @@ using Eigen::VectorXd;
 // Cell edges: an rms distance of this size gives |r| = 1. With a larger unit, tilts would weigh more beside
 // it.
 constexpr double unit_in_edges = 0.1;
-// Times distances: heights of the rim must not pull the spine off the head.
+// Times distances: heights of the rim must not pull the spine off the surface.
 constexpr double weight_of_ends = 0.1;
 constexpr double weight_of_tilts = 1e-3;  // per rad: only tilts that no distance sees go by it
 constexpr int theta_index = 6;            // in x: behind turn (3) and place (3)
 
 }  // namespace
 
-HelmetProblem::HelmetProblem(const model::Fishbone& fishbone, const HelmetGoal& goal, double tilt,
-                             const AngleRange& theta)
+RibsProblem::RibsProblem(const model::Fishbone& fishbone, const RibsGoal& goal, double tilt,
+                         const AngleRange& theta)
     : fishbone_(fishbone), goal_(goal), tree_(make_net_tree(fishbone.structure, fishbone.middle)) {
   index_variables();
   place_probes();
@@ -39,7 +39,7 @@ HelmetProblem::HelmetProblem(const model::Fishbone& fishbone, const HelmetGoal& 
   upper_[theta_index] = theta.upper;
 }
 
-void HelmetProblem::index_variables() {
+void RibsProblem::index_variables() {
   variable_of_hinge_.assign(fishbone_.structure.hinges.size(), -1);
   int at = fixed_shared;
   const auto add = [&](const model::Crease& crease) {
@@ -55,12 +55,12 @@ void HelmetProblem::index_variables() {
     }
 }
 
-int HelmetProblem::part_of(int body) const {
+int RibsProblem::part_of(int body) const {
   const model::FishbonePlace place = place_of(fishbone_, body);
   return place.rib < 0 ? static_cast<int>(parts_.size()) : 2 * place.rib + place.side;
 }
 
-void HelmetProblem::place_probes() {
+void RibsProblem::place_probes() {
   const model::Structure& s = fishbone_.structure;
   probes_.resize(parts_.size() + 1);
   const auto add = [&](const Probe& probe) { probes_[part_of(probe.body)].push_back(probe); };
@@ -76,7 +76,7 @@ void HelmetProblem::place_probes() {
   ends_ = spine_ends(fishbone_);
 }
 
-void HelmetProblem::find_ways() {
+void RibsProblem::find_ways() {
   ways_.resize(fishbone_.structure.bodies.size());
   for (std::size_t k = 0; k < tree_.links.size(); ++k) {
     const model::NetTree::Link& link = tree_.links[k];
@@ -88,7 +88,7 @@ void HelmetProblem::find_ways() {
   }
 }
 
-model::Structure HelmetProblem::structure(const VectorXd& x) const {
+model::Structure RibsProblem::structure(const VectorXd& x) const {
   model::Structure out = fishbone_.structure;
   for (std::size_t h = 0; h < out.hinges.size(); ++h)
     if (variable_of_hinge_[h] >= 0)
@@ -103,12 +103,12 @@ model::State placed(model::State state, int root, const Vector3d& turn, const Ve
   return state;
 }
 
-model::State HelmetProblem::state(const VectorXd& x) const {
+model::State RibsProblem::state(const VectorXd& x) const {
   return placed(fold_net(tree_, structure(x), x[theta_index]), tree_.root, x.head<3>(),
                 fishbone_.structure.size.edge_mm * x.segment<3>(3));
 }
 
-VectorXd HelmetProblem::pack(const HelmetShape& shape) const {
+VectorXd RibsProblem::pack(const RibsShape& shape) const {
   VectorXd x(lower_.size());
   x << shape.turn, shape.place / fishbone_.structure.size.edge_mm, VectorXd::Zero(x.size() - 6);
   x[theta_index] = shape.theta;
@@ -120,8 +120,8 @@ VectorXd HelmetProblem::pack(const HelmetShape& shape) const {
   return x.cwiseMax(lower_).cwiseMin(upper_);
 }
 
-HelmetShape HelmetProblem::unpack(const VectorXd& x) const {
-  HelmetShape shape{x.head<3>(), fishbone_.structure.size.edge_mm * x.segment<3>(3), x[theta_index], {}, {}};
+RibsShape RibsProblem::unpack(const VectorXd& x) const {
+  RibsShape shape{x.head<3>(), fishbone_.structure.size.edge_mm * x.segment<3>(3), x[theta_index], {}, {}};
   int at = fixed_shared;
   for (std::size_t k = 0; k < fishbone_.spine.size(); ++k) shape.spine.push_back(x[at++]);
   for (const auto& sides : fishbone_.ribs) {
@@ -132,7 +132,7 @@ HelmetShape HelmetProblem::unpack(const VectorXd& x) const {
   return shape;
 }
 
-bool HelmetProblem::evaluate(const VectorXd& x, bool rates, std::vector<ResidualBlock>& blocks) const {
+bool RibsProblem::evaluate(const VectorXd& x, bool rates, std::vector<ResidualBlock>& blocks) const {
   model::NetMotion motion;
   const model::Structure folded = structure(x);
   if (rates)
@@ -145,8 +145,8 @@ bool HelmetProblem::evaluate(const VectorXd& x, bool rates, std::vector<Residual
   return true;
 }
 
-void HelmetProblem::fill(const model::NetMotion& motion, const VectorXd& x, bool rates, int part,
-                         ResidualBlock& block) const {
+void RibsProblem::fill(const model::NetMotion& motion, const VectorXd& x, bool rates, int part,
+                       ResidualBlock& block) const {
   const bool is_part = part < static_cast<int>(parts_.size());
   const int own = is_part ? parts_[part] : 0, rows = residuals_[part];
   block.r.setZero(rows);
@@ -163,15 +163,15 @@ void HelmetProblem::fill(const model::NetMotion& motion, const VectorXd& x, bool
   if (!is_part) fill_ends(motion, x, rates, row, block);
 }
 
-Vector3d HelmetProblem::in_head(const model::NetMotion& motion, const VectorXd& x, const Probe& probe) const {
+Vector3d RibsProblem::in_place(const model::NetMotion& motion, const VectorXd& x, const Probe& probe) const {
   const model::Pose& pose = motion.state[probe.body];
   return fishbone_.structure.size.edge_mm * x.segment<3>(3) +
          rotation_of(x.head<3>()) * (pose.p + pose.R * probe.arm - motion.state[tree_.root].p);
 }
 
 /// Derivative of direction . (place of the probe): shared variables, then those of its part.
-VectorXd HelmetProblem::rates_of(const model::NetMotion& motion, const VectorXd& x, const Probe& probe,
-                                 const Vector3d& direction, int part) const {
+VectorXd RibsProblem::rates_of(const model::NetMotion& motion, const VectorXd& x, const Probe& probe,
+                               const Vector3d& direction, int part) const {
   const bool is_part = part < static_cast<int>(parts_.size());
   VectorXd rates = VectorXd::Zero(shared() + (is_part ? parts_[part] : 0));
   const model::Pose& pose = motion.state[probe.body];
@@ -190,10 +190,10 @@ VectorXd HelmetProblem::rates_of(const model::NetMotion& motion, const VectorXd&
   return rates;
 }
 
-void HelmetProblem::fill_probe(const model::NetMotion& motion, const VectorXd& x, bool rates, int part,
-                               const Probe& probe, int row, ResidualBlock& block) const {
+void RibsProblem::fill_probe(const model::NetMotion& motion, const VectorXd& x, bool rates, int part,
+                             const Probe& probe, int row, ResidualBlock& block) const {
   const double scale = 1 / (unit_in_edges * fishbone_.structure.size.edge_mm * std::sqrt(count_));
-  const targets::ClosestMeshPoint closest = goal_.head->closest(in_head(motion, x, probe));
+  const targets::ClosestMeshPoint closest = goal_.surface->closest(in_place(motion, x, probe));
   block.r[row] = scale * (closest.distance - goal_.clearance_mm);
   if (!rates) return;
   const VectorXd by = scale * rates_of(motion, x, probe, closest.normal, part);
@@ -201,8 +201,8 @@ void HelmetProblem::fill_probe(const model::NetMotion& motion, const VectorXd& x
   block.by_own.row(row) = by.tail(by.size() - shared());
 }
 
-void HelmetProblem::fill_ends(const model::NetMotion& motion, const VectorXd& x, bool rates, int row,
-                              ResidualBlock& block) const {
+void RibsProblem::fill_ends(const model::NetMotion& motion, const VectorXd& x, bool rates, int row,
+                            ResidualBlock& block) const {
   const double scale = weight_of_ends / (unit_in_edges * fishbone_.structure.size.edge_mm);
   const int part = static_cast<int>(parts_.size());
   for (const auto& end : ends_)
@@ -211,7 +211,7 @@ void HelmetProblem::fill_ends(const model::NetMotion& motion, const VectorXd& x,
       block.r[row] = -scale * wanted;
       for (const int body : end) {
         const Probe probe{body, Vector3d::Zero()};
-        block.r[row] += scale / 2 * direction.dot(in_head(motion, x, probe));
+        block.r[row] += scale / 2 * direction.dot(in_place(motion, x, probe));
         if (rates) block.by_shared.row(row) += scale / 2 * rates_of(motion, x, probe, direction, part);
       }
       ++row;

@@ -1,0 +1,45 @@
+#include "app/goals/surface/beside.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace kinetix::app {
+
+SurfaceWay fishbone_way(const optim::RibsDesign& design, const targets::RibbedSurface& surface) {
+  return {"fishbone", design.error.rms / surface.diagonal, design.error.max / surface.diagonal, 1,
+          optim::open_area(static_cast<int>(design.fishbone.structure.cells.size()),
+                           design.fishbone.structure.size, design.shape.theta, surface.area)};
+}
+
+std::vector<SurfaceWay> ways_by_ribs(const targets::RibbedSurface& surface, const optim::RibsSpec& spec,
+                                     bool with_fishbone) {
+  std::vector<SurfaceWay> out;
+  if (with_fishbone) out.push_back(fishbone_way(fit_ribs(surface, spec, {}), surface));
+  const optim::LooseRibs loose = fit_loose_ribs(surface, spec, {});
+  out.push_back(
+      {"loose ribs", loose.rms / surface.diagonal, loose.max / surface.diagonal, loose.pieces, loose.open});
+  return out;
+}
+
+nlohmann::ordered_json ways_json(const std::vector<SurfaceWay>& ways) {
+  nlohmann::ordered_json out = nlohmann::ordered_json::array();
+  for (const SurfaceWay& way : ways)
+    out.push_back({{"way", way.name},
+                   {"rms", way.rms},
+                   {"max", way.max},
+                   {"pieces", way.pieces},
+                   {"open_area", way.open}});
+  return out;
+}
+
+std::string in_words(const std::vector<SurfaceWay>& ways) {
+  std::string out;
+  for (const SurfaceWay& way : ways)
+    out += fmt::format("{}{}: {} piece{}, {:.3f} % of the diagonal off, {:.0f} % of the area open",
+                       out.empty() ? "" : "; ", way.name, way.pieces, way.pieces == 1 ? "" : "s",
+                       100 * way.rms, 100 * way.open);
+  return out;
+}
+
+}  // namespace kinetix::app

@@ -1,0 +1,71 @@
+#include "app/goals/surface/ribs_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/files/file_header.hpp"
+#include "model/contact/wall_contact.hpp"
+#include "targets/surface/read_surface.hpp"
+
+namespace kinetix::app {
+namespace {
+
+constexpr double cells_a_diagonal = 25;  // a rib of them follows what a picture of the surface shows
+constexpr double largest_tilt = 75 * radians_per_degree;  // rad, as of sheets of facets
+
+void refuse_keys_of_sheets(const targets::Section& root) {
+  const auto refuse = [&](const char* section, std::initializer_list<const char*> keys) {
+    for (const char* key : keys)
+      if (const auto node = root.section(section).optional(key))
+        throw node->key_error("belongs to a sheet of facets, target.ribs asks for ribs; leave it out");
+  };
+  refuse("structure", {"facets"});
+  refuse("variables", {"theta_deg", "sector_deg", "edge"});
+}
+
+optim::RibsSpec read_spec(const targets::Section& root, const targets::RibbedSurface& surface) {
+  const targets::Node key = *root.section("target").optional("ribs");
+  optim::RibsSpec spec = usual_ribs(surface, key.integer(1, most_ribs));
+  const targets::Section structure = root.section("structure"), wall = structure.section("wall_mm");
+  structure.read("cell_mm", spec.size.edge_mm);
+  std::optional<double> thickness, height;
+  wall.read("thickness", thickness);
+  wall.read("height", height);
+  spec.size = size_with_walls(spec.size.edge_mm, thickness, height);
+  root.section("variables").read("beta_deg", spec.tilt);
+  spec.theta.upper = std::min(spec.theta.upper, closing_theta(spec.size));
+  spec.start_theta = std::clamp(spec.start_theta, spec.theta.lower, spec.theta.upper);
+  key.located([&] { plan_ribs(surface, spec); });
+  return spec;
+}
+
+}  // namespace
+
+optim::RibsSpec usual_ribs(const targets::RibbedSurface& surface, int ribs) {
+  optim::RibsSpec spec;
+  spec.ribs = ribs;
+  spec.clearance_mm = 0;
+  spec.tilt = largest_tilt;
+  const double pitch = std::min(surface.diagonal / cells_a_diagonal, surface.spine.length() / (2 * ribs + 1));
+  spec.size = size_with_walls(pitch / std::cos(spec.start_theta), {}, {});
+  return spec;
+}
+
+RibsFile read_ribs_file(const targets::Node& node) {
+  const targets::Section root(node, surface_file_keys());
+  check_version(root);
+  refuse_keys_of_sheets(root);
+  const targets::Section target = root.section("target");
+  targets::RibbedSurface surface = targets::read_ribbed_surface(target);
+  RibsFile file{{}, read_name(root), targets::surface_name(target), std::move(surface)};
+  file.spec = read_spec(root, file.surface);
+  const targets::Section tolerance = root.section("tolerance");
+  tolerance.read("shape", file.shape_tolerance);
+  tolerance.read("cover", file.cover_tolerance);
+  tolerance.read("verify", file.verify_tolerance);
+  file.process = read_process(root);
+  file.physics = read_physics(root, file.spec.size.edge_mm);
+  return file;
+}
+
+}  // namespace kinetix::app

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "app/goals/surface/surface_file.hpp"
+#include "optim/ribs/fit_ribs.hpp"
+
+namespace kinetix::app {
+
+/// A target.yaml of kind surface with `target.ribs`: a fishbone over any surface.
+///
+///     target: {kind: surface, mesh: seat.obj, ribs: 8}
+///     structure: {cell_mm: 7, wall_mm: {thickness: 0.6, height: 1}}
+///     variables: {beta_deg: 75}
+///     tolerance: {shape: 0.015, cover: 0.2, verify: 0.02}
+struct RibsFile : GoalSettings {
+  std::string name, surface_name;
+  targets::RibbedSurface surface;
+  optim::RibsSpec spec = {};       ///< target.ribs, structure, variables
+  double shape_tolerance = 0.015;  ///< rms of the bodies from the surface, over the diagonal, (0, 1]
+  double cover_tolerance = 0;      ///< least share of the area that cells cover, [0, 1]
+};
+
+/// So many ribs over a surface, with no clearance, on cells as large as leave room for a cell between two and follow
+/// the surface: at most 1/25 of its diagonal when folded. @param ribs >= 1
+optim::RibsSpec usual_ribs(const targets::RibbedSurface& surface, int ribs);
+
+/// @param root a target of kind surface that has `ribs`   @throws InvalidInput for whatever formats.md does not allow
+RibsFile read_ribs_file(const targets::Node& root);
+
+}  // namespace kinetix::app

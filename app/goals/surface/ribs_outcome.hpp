@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+
+#include "app/goals/surface/beside.hpp"
+#include "app/goals/surface/ribs_file.hpp"
+#include "app/run/goal_outcome.hpp"
+
+namespace kinetix::app {
+
+/// What a search for ribs over a surface contributes to a result.
+class RibsOutcome final : public GoalOutcome {
+ public:
+  RibsOutcome(RibsFile asked, optim::RibsDesign found);
+
+  RibsFile file;
+  optim::RibsDesign design;                ///< in the frame of the ribs
+  std::vector<SurfaceWay> ways;            ///< the fishbone, and the same ribs loose
+  std::optional<SurfaceWay> settled = {};  ///< the physics run, laid on the model's state
+
+  nlohmann::ordered_json target_json() const override;
+  /// Adds `surface` (lines of surface, spine and ribs, errors, ways) and `optimiser`.
+  void add_sections(const Run& run, nlohmann::ordered_json& result) const override;
+  void add_metrics(nlohmann::ordered_json& metrics) const override;
+  std::vector<SummaryLine> summary_lines(const Run& run) const override;
+};
+
+/// What a fishbone lacks, in sentences. @param who of "model", "physics run", ...
+std::vector<std::string> violations(const RibsFile& file, const SurfaceWay& way, const std::string& who);
+
+}  // namespace kinetix::app

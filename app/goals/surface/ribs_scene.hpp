@@ -1,0 +1,12 @@
+#pragma once
+
+#include "app/goals/surface/ribs_file.hpp"
+#include "app/run/scene.hpp"
+
+namespace kinetix::app {
+
+/// A fishbone over a surface: layout, fit of all tilts and theta, the same ribs loose for comparison, and the physics
+/// run of its folding. All states are in the frame of the mesh, mm.
+std::unique_ptr<Scene> make_scene(RibsFile file);
+
+}  // namespace kinetix::app
