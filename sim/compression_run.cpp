@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "model/base/invalid_input.hpp"
+#include "sim/contact_parts.hpp"
 #include "sim/equilibrium.hpp"
 #include "sim/rigid_parts.hpp"
 #include "sim/start_motion.hpp"
@@ -33,7 +34,7 @@ std::vector<model::Twist> first_motion(const model::Linkage& structure, const Ph
 class Run {
  public:
   Run(const model::Linkage& structure, const model::LinkageDrive& drive, const PhysicsOptions& options,
-      const PhysicsObserver& observer)
+      const PhysicsObserver& observer, const ContactParts* parts = nullptr)
       : structure_(structure),
         drive_(drive),
         options_(options),
@@ -44,7 +45,7 @@ class Run {
         rate_(theta_ / (drive_steps_ * options.step_s)),
         damping_(std::exp(-options.settle_damping * options.step_s)),
         start_(first_motion(structure, options)),
-        world_(structure, drive, options) {}
+        world_(structure, drive, options, parts) {}
 
   PhysicsResult run() {
     const auto begin = Clock::now();
@@ -192,6 +193,15 @@ PhysicsResult run_compression(const model::Linkage& structure, const model::Link
   if (observer.frame && !(observer.frame_interval_s > 0))
     throw InvalidInput(fmt::format("frame_interval_s is {}, must be positive", observer.frame_interval_s));
   return Run(structure, drive, options, observer).run();
+}
+
+PhysicsResult run_with_parts(const model::Linkage& structure, const model::LinkageDrive& drive,
+                             const PhysicsOptions& options, const ContactParts& parts,
+                             const PhysicsObserver& observer) {
+  options.validate();
+  if (options.elastic) throw InvalidInput("bodies collide by pieces where hinges are rotary only");
+  refuse_unknown(drive, options);
+  return Run(structure, drive, options, observer, &parts).run();
 }
 
 }  // namespace kinetix::sim

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <tuple>
 
 #include "model/base/invalid_input.hpp"
 
@@ -25,7 +26,7 @@ constexpr double tolerance_share = 0.01;    // of the longest side
 constexpr double watched_share =
     0.8;  // of the tolerance: points lie on a grid, and what is between them may stick out further
 constexpr double watch_spacing = 0.04;      // of the longest side, between points over large faces
-constexpr std::size_t most_watched = 6000;  // points in all: each costs a look at every face of a hull
+constexpr std::size_t most_watched = 3000;  // points in all: each costs a look at every face of a hull
 constexpr std::size_t most_candidates =
     10;  // planes that are tried for a cut: of the faces below most watch points
 constexpr double same_plane =
@@ -80,15 +81,20 @@ class NearSolid {
       Eigen::AlignedBox3d box;
       for (const Vector3d& p : corners_of(solid, t)) box.extend(p);
       boxes_.push_back(box);
+      by_x_.push_back(t);
     }
+    std::stable_sort(by_x_.begin(), by_x_.end(),
+                     [&](int s, int t) { return boxes_[s].min().x() < boxes_[t].min().x(); });
   }
 
   bool is_farther_than(const Vector3d& p, double distance) const {
     const double square = distance * distance;
-    for (std::size_t t = 0; t < boxes_.size(); ++t)
+    for (const int t : by_x_) {
+      if (boxes_[t].min().x() > p.x() + distance) break;
       if (boxes_[t].squaredExteriorDistance(p) < square &&
-          squared_distance(p, corners_of(solid_, static_cast<int>(t))) < square)
+          squared_distance(p, corners_of(solid_, t)) < square)
         return false;
+    }
     return true;
   }
 
@@ -115,6 +121,7 @@ class NearSolid {
  private:
   const Polyhedron& solid_;
   std::vector<Eigen::AlignedBox3d> boxes_;
+  std::vector<int> by_x_;  // triangles, by where their boxes begin
 };
 
 /// Points over a triangle, about so far apart: its middle at least, and off its corners.
@@ -128,6 +135,7 @@ void add_over(const std::array<Vector3d, 3>& t, double spacing, std::vector<Vect
     }
 }
 
+/// Whatever lay between a face and a point off it would be nearer: so what is left is outside.
 std::vector<WatchPoint> watch_points(const Polyhedron& solid, const NearSolid& near, double off,
                                      double spacing) {
   std::vector<WatchPoint> all;
@@ -141,7 +149,7 @@ std::vector<WatchPoint> watch_points(const Polyhedron& solid, const NearSolid& n
   const std::size_t stride = all.size() / most_watched + 1;
   std::vector<WatchPoint> out;
   for (std::size_t k = 0; k < all.size(); k += stride)
-    if (near.is_farther_than(all[k].at, 0.999 * off) && !near.holds(all[k].at)) out.push_back(all[k]);
+    if (near.is_farther_than(all[k].at, 0.999 * off)) out.push_back(all[k]);
   return out;
 }
 
@@ -269,6 +277,10 @@ class Cutter {
     std::vector<Vector3d> points = cell.inner;
     for (const CutPolygon& polygon : cell.surface)
       points.insert(points.end(), polygon.begin(), polygon.end());
+    const auto key = [](const Vector3d& p) { return std::tuple(p.x(), p.y(), p.z()); };
+    std::sort(points.begin(), points.end(),
+              [&](const Vector3d& p, const Vector3d& q) { return key(p) < key(q); });
+    points.erase(std::unique(points.begin(), points.end()), points.end());
     cell.hull = hull_of(points, thinnest * side_);
     for (const int w : among)
       if (is_in(cell.hull, watch_[w].at)) cell.watched.push_back(w);
@@ -348,7 +360,7 @@ class Cutter {
     for (const Vector3d& p : cell.hull.corners) center += p / static_cast<double>(cell.hull.corners.size());
     const std::size_t faces = out.size();
     std::vector<Vector3d> normals;
-    for (std::size_t k = 0; k < faces; ++k) normals.push_back(out[k].normal);
+    for (std::size_t k = 0; k < std::min<std::size_t>(faces, 2); ++k) normals.push_back(out[k].normal);
     for (int k = 0; k < 3; ++k) normals.emplace_back(Vector3d::Unit(k));
     if (normals.size() >= 2 && faces >= 1) {
       const Vector3d along = fold_direction(cell);

@@ -27,10 +27,16 @@ class PartShape {
   static constexpr double margin(WallSurface surface) { return surface == WallSurface::sharp ? 0 : 2e-3; }
 
   PartShape(const std::vector<WallPrism>& walls, WallSurface surface);
+  /// Of any convex pieces, by their corners, cell edges; they are margin() larger to all sides.
+  /// @param first number of the first piece, once among all parts of a world
+  PartShape(const std::vector<std::vector<Eigen::Vector3d>>& pieces, int first);
   ~PartShape();
   PartShape(PartShape&&) noexcept;
 
   btCollisionShape* get() const;
+  /// From now on two pieces of parts, as the engine counts their children, pass through each other.
+  static void let_pass(const btCollisionObject& a, int piece_of_a, const btCollisionObject& b,
+                       int piece_of_b);
 
   /// Direction in which the height of a half wall runs, as placed; unit. @param part has a PartShape
   /// @param wall as the engine counts the shape's children

@@ -6,6 +6,7 @@
 
 #include "model/base/larger.hpp"
 #include "sim/bullet_math.hpp"
+#include "sim/contact_parts.hpp"
 
 namespace kinetix::sim {
 namespace {
@@ -33,16 +34,37 @@ WallSurface wall_surface(const PhysicsOptions& options) {
   return options.elastic && options.planar ? WallSurface::sharp : WallSurface::rounded;
 }
 
-RigidParts::RigidParts(const model::Linkage& structure, const PhysicsOptions& options)
+RigidParts::RigidParts(const model::Linkage& structure, const PhysicsOptions& options,
+                       const ContactParts* parts)
     : structure_(structure), inertia_(options.part_inertia * mass) {
+  if (parts)
+    add_pieces(*parts, options);
+  else
+    add_walls(options);
+}
+
+void RigidParts::add_walls(const PhysicsOptions& options) {
   const WallSurface surface = wall_surface(options);
-  for (const auto& walls : wall_prisms(structure, PartShape::margin(surface))) {
-    const std::size_t b = bodies_.size();
-    shapes_.emplace_back(walls, surface);
-    bodies_.push_back(make_body(structure.bodies[b].position, shapes_.back().get(), inertia_));
-    bodies_.back()->setUserIndex(static_cast<int>(b));
-    if (options.planar) keep_in_plane(*bodies_.back());
+  for (const auto& walls : wall_prisms(structure_, PartShape::margin(surface)))
+    add(PartShape(walls, surface), options);
+}
+
+void RigidParts::add_pieces(const ContactParts& parts, const PhysicsOptions& options) {
+  int first = 0;
+  for (auto pieces : parts.of_body) {
+    for (auto& piece : pieces)
+      for (Eigen::Vector3d& corner : piece) corner /= structure_.size.edge_mm;
+    add(PartShape(pieces, first), options);
+    first += static_cast<int>(pieces.size());
   }
+}
+
+void RigidParts::add(PartShape shape, const PhysicsOptions& options) {
+  const std::size_t b = bodies_.size();
+  shapes_.push_back(std::move(shape));
+  bodies_.push_back(make_body(structure_.bodies[b].position, shapes_.back().get(), inertia_));
+  bodies_.back()->setUserIndex(static_cast<int>(b));
+  if (options.planar) keep_in_plane(*bodies_.back());
 }
 
 RigidParts::~RigidParts() = default;

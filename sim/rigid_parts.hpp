@@ -12,6 +12,8 @@ class btRigidBody;
 
 namespace kinetix::sim {
 
+struct ContactParts;
+
 /// The bodies of a structure in the engine, and how they move. Units: cell edge 1, part mass 1, s.
 ///
 /// The quasi-static answer depends on neither mass nor inertia, so those are chosen for the solver: equal
@@ -21,7 +23,9 @@ class RigidParts {
   static constexpr double mass = 1;  ///< of every part, the unit of mass
 
   /// @param structure must outlive this
-  RigidParts(const model::Linkage& structure, const PhysicsOptions& options);
+  /// @param parts what bodies collide with; null: their walls
+  RigidParts(const model::Linkage& structure, const PhysicsOptions& options,
+             const ContactParts* parts = nullptr);
   ~RigidParts();
 
   /// In the structure's order; their user indices are their indices in it.
@@ -52,6 +56,10 @@ class RigidParts {
   double largest_change(const std::vector<Vector6>& speeds_before) const;
 
  private:
+  void add(PartShape shape, const PhysicsOptions& options);
+  void add_walls(const PhysicsOptions& options);
+  void add_pieces(const ContactParts& parts, const PhysicsOptions& options);
+
   const model::Linkage& structure_;
   const double inertia_;
   std::vector<PartShape> shapes_;

@@ -3,11 +3,15 @@
 #include <btBulletDynamicsCommon.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <set>
 
 #include "sim/actuator.hpp"
 #include "sim/bullet_math.hpp"
+#include "sim/contact_parts.hpp"
 #include "sim/cord.hpp"
 #include "sim/direct_solver.hpp"
 #include "sim/elastic_hinges.hpp"
@@ -80,7 +84,8 @@ struct World::Engine {
   std::unique_ptr<Actuator> actuator;
   std::vector<Vector6> speeds_before;  ///< the last step
 
-  Engine(const model::Linkage& s, const std::optional<model::LinkageDrive>& d, const PhysicsOptions& o)
+  Engine(const model::Linkage& s, const std::optional<model::LinkageDrive>& d, const PhysicsOptions& o,
+         const ContactParts* contact_parts)
       : structure(s),
         drive(d),
         options(in_force(o)),
@@ -90,13 +95,14 @@ struct World::Engine {
         solver(make_solver(options, structure.size.edge_mm, elastic ? &*elastic : nullptr,
                            cord ? &*cord : nullptr, hand, longest_way)),
         world(&dispatcher, &broadphase, solver.get(), &configuration),
-        parts(structure, options) {
+        parts(structure, options, contact_parts) {
     world.setGravity({0, 0, 0});
     prepare_for_joints(world, options.iterations);
     if (options.elastic) world.getSolverInfo().m_erp2 = 1;
     world.getDispatchInfo().m_enableSatConvex = wall_surface(options) == WallSurface::sharp;
     skip_walls_of_one_hinge();
     add_bodies();
+    if (contact_parts && options.contact) let_pass_what_touches();
     add_hinges();
     if (drive) add_drive();
   }
@@ -119,6 +125,27 @@ struct World::Engine {
   void add_bodies() {
     const int group = options.contact ? 1 : 0;
     for (const auto& body : parts.bodies()) world.addRigidBody(body.get(), group, group);
+  }
+
+  /// All pieces of two bodies that touch the other body at rest: as these turn, other pairs of them meet.
+  void let_pass_what_touches() {
+    world.performDiscreteCollisionDetection();
+    std::map<std::pair<int, int>, std::array<std::set<int>, 2>> touching;
+    for (int m = 0; m < dispatcher.getNumManifolds(); ++m) {
+      btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(m);
+      auto& pieces = touching[{manifold.getBody0()->getUserIndex(), manifold.getBody1()->getUserIndex()}];
+      for (int k = 0; k < manifold.getNumContacts(); ++k) {
+        const btManifoldPoint& point = manifold.getContactPoint(k);
+        if (!(point.getDistance() < touching_at_rest)) continue;
+        pieces[0].insert(point.m_index0);
+        pieces[1].insert(point.m_index1);
+      }
+      manifold.clearManifold();
+    }
+    for (const auto& [bodies, pieces] : touching)
+      for (const int first : pieces[0])
+        for (const int second : pieces[1])
+          PartShape::let_pass(*parts.bodies()[bodies.first], first, *parts.bodies()[bodies.second], second);
   }
 
   /// Points that pull by the directions of their hinge's frame are the direct solver's own.
@@ -147,8 +174,8 @@ struct World::Engine {
 };
 
 World::World(const model::Linkage& structure, const std::optional<model::LinkageDrive>& drive,
-             const PhysicsOptions& options)
-    : engine_(std::make_unique<Engine>(structure, drive, options)) {}
+             const PhysicsOptions& options, const ContactParts* parts)
+    : engine_(std::make_unique<Engine>(structure, drive, options, parts)) {}
 
 World::~World() = default;
 

@@ -10,6 +10,7 @@
 
 namespace kinetix::sim {
 
+struct ContactParts;
 class Hand;
 class RigidParts;
 
@@ -18,8 +19,9 @@ class RigidParts;
 class World {
  public:
   /// @param drive nothing: none, and the structure floats freely
+  /// @param parts what its bodies collide with; null: their walls
   World(const model::Linkage& structure, const std::optional<model::LinkageDrive>& drive,
-        const PhysicsOptions& options);
+        const PhysicsOptions& options, const ContactParts* parts = nullptr);
   ~World();
 
   /// Hands that pull and hold; needs the direct solver, as does the next.

@@ -142,7 +142,8 @@ std::string assembly_summary(const AssemblyRun& run) {
            fmt::format("rms {:.1e} cell edges from the closed state, hinge gap {:.1e}, {:.2f} s: {}",
                        v->distance.rms, v->physics.gaps.max, v->physics.seconds,
                        v->agrees ? "agrees" : "DISAGREES"));
-    line("contact", "not looked for: bodies may run through each other");
+    line("contact",
+         fmt::format("{} convex pieces of the bodies, made in {:.2f} s", run.pieces, run.pieces_s));
   }
   return out;
 }

@@ -12,11 +12,14 @@
 #include "model/base/invalid_input.hpp"
 #include "model/elastic/path/equilibrium_path.hpp"
 #include "model/linkage/make_drive.hpp"
+#include "sim/contact_parts.hpp"
+#include "sim/convex_cuts.hpp"
 
 namespace kinetix::app {
 namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double most_overlap_mm = 0.1;  // mm: by which pieces may stick out of their bodies
 constexpr double stiff = 1e8;  // joint_stiffness of what closes exactly, as of exact families of sheets
 constexpr std::array step_factors = {10.0, 4.0,
                                      1.0};  // times the usual step, tried one after the other as of sheets
@@ -77,7 +80,7 @@ void balance(AssemblyRun& run, const RunOptions& options) {
 sim::PhysicsOptions physics_of(const AssemblyRun& run, double factor) {
   sim::PhysicsOptions options;
   options.step_s *= factor;
-  options.contact = false;
+  options.overlap_limit = std::max(options.overlap_limit, most_overlap_mm / run.file.assembly.edge_mm);
   options.joint_stiffness = run.motion.reached ? stiff : options.joint_stiffness;
   double reach = run.file.assembly.edge_mm;
   for (const model::AssemblyHinge& h : run.file.assembly.hinges) reach = std::min(reach, h.reach_mm);
@@ -85,9 +88,26 @@ sim::PhysicsOptions physics_of(const AssemblyRun& run, double factor) {
   return options;
 }
 
+/// Convex pieces of all bodies, about their rest positions.
+sim::ContactParts pieces_of(const model::Assembly& assembly) {
+  sim::ContactParts parts;
+  parts.of_body.resize(assembly.bodies.size());
+#pragma omp parallel for schedule(dynamic)
+  for (int b = 0; b < static_cast<int>(assembly.bodies.size()); ++b)
+    for (sim::CutPiece& piece : sim::convex_cuts(assembly.bodies[b].solid)) {
+      for (Eigen::Vector3d& corner : piece.corners) corner -= assembly.bodies[b].position;
+      parts.of_body[b].push_back(std::move(piece.corners));
+    }
+  return parts;
+}
+
 /// Folds it by the engine, in coarse steps where these already settle in the closed state.
 void verify_assembly(AssemblyRun& run, const RunOptions& options) {
   const model::LinkageDrive drive = model::turned_hinge(run.driven, sense_of(run), turn_of(run));
+  Stopwatch watch;
+  const sim::ContactParts parts = pieces_of(run.file.assembly);
+  run.pieces_s = watch.lap();
+  for (const auto& pieces : parts.of_body) run.pieces += pieces.size();
   Verification v;
   for (const double factor : step_factors) {
     v = {};
@@ -95,7 +115,7 @@ void verify_assembly(AssemblyRun& run, const RunOptions& options) {
     sim::PhysicsObserver observer;
     observer.stop = options.stop;
     observer.progress = [&](double done) { options.progress("physics run", done); };
-    v.physics = run_compression(run.linkage, drive, v.options, observer);
+    v.physics = run_with_parts(run.linkage, drive, v.options, parts, observer);
     v.compared = run.motion.reached;
     const bool settled = v.physics.status == sim::PhysicsResult::Status::settled;
     v.distance = settled && v.compared

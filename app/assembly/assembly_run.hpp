@@ -21,6 +21,8 @@ struct AssemblyRun {
   std::vector<NamedState> states;  ///< the last one of each model first, then those of the motion
   std::optional<model::EquilibriumPath> equilibrium;
   std::optional<Verification> verification;
+  std::size_t pieces = 0;  ///< convex ones, of all bodies, that collide in the physics run
+  double pieces_s = 0;     ///< that they took, s
   double closure_s = 0, equilibrium_s = 0, load_s = 0;  ///< seconds
 
   /// Whether the model came to the drive's end.
