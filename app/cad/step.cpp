@@ -13,8 +13,8 @@ void* module_function(const char* name) {
   // Never closed: what it threw may still be held. Where it is looked for, the program's own run path says.
   static void* const module = dlopen("kinetix-cad.so", RTLD_NOW | RTLD_LOCAL);
   if (module == nullptr)
-    throw std::runtime_error(std::string("STEP is read and written by a part of the program that cannot be loaded: ") +
-                             dlerror());
+    throw std::runtime_error(
+        std::string("STEP is read and written by a part of the program that cannot be loaded: ") + dlerror());
   void* const function = dlsym(module, name);
   if (function == nullptr)
     throw std::runtime_error(std::string("kinetix-cad.so is of another version: ") + dlerror());

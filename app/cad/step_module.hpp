@@ -11,4 +11,5 @@
 extern "C" void kinetix_write_step(const kinetix::app::cad::Assembly& assembly, std::string& text);
 
 /// @throws std::runtime_error where it cannot be read
-extern "C" void kinetix_read_step(const std::string& file, std::vector<kinetix::app::cad::FoundSolid>& solids);
+extern "C" void kinetix_read_step(const std::string& file,
+                                  std::vector<kinetix::app::cad::FoundSolid>& solids);

@@ -13,7 +13,8 @@ ModelFile read_step(const std::string& file) {
   ModelFile out{file, {}, 1};
   try {
     for (cad::FoundSolid& solid : cad::solids_of_step(file))
-      out.meshes.push_back({std::move(solid.name), std::move(solid.colour),
+      out.meshes.push_back({std::move(solid.name),
+                            std::move(solid.colour),
                             {std::move(solid.points), std::move(solid.triangles)}});
   } catch (const std::runtime_error& e) {
     throw InvalidInput(e.what(), {file});

@@ -18,7 +18,7 @@ constexpr double mm = 1e-4, part = 1e-6;  // to which places and quaternions are
 
 /// Nearest multiple of 1 / per_unit; null where there is no number.
 Json rounded(const Json& x, double per_unit) {
-  return x.is_number() ? Json(std::round(x.get<double>() * per_unit) / per_unit) : Json();
+  return x.is_number() ? short_number(std::round(x.get<double>() * per_unit) / per_unit) : Json();
 }
 
 Json row_of(const Json& pose) {

@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
+#include "app/report/round_numbers.hpp"
+
 namespace kinetix::app {
 namespace {
 
@@ -82,6 +84,12 @@ TEST(Report, AddsABoundedAmountToTheResult) {
 TEST(Report, TakesWhatIsNoJson) {
   EXPECT_EQ(data_of(report_html("")), "");
   EXPECT_EQ(data_of(report_html("NaN <")), "NaN \\u003c");
+}
+
+TEST(RoundNumbers, WritesWholeOnesWithoutAPoint) {
+  nlohmann::ordered_json numbers = {150.0, -3.0000000001, 0.123456789, -0.0, 1e20, "1.0", 7};
+  round_numbers(numbers, 6);
+  EXPECT_EQ(numbers.dump(), R"([150,-3,0.123457,0,1e+20,"1.0",7])");
 }
 
 }  // namespace
