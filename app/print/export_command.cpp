@@ -12,6 +12,7 @@
 #include "app/print/fit.hpp"
 #include "app/print/overhang.hpp"
 #include "app/print/print_report.hpp"
+#include "app/print/report_of_print.hpp"
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
 #include "targets/document/wording.hpp"
@@ -142,6 +143,8 @@ Exported exported(const Source& source, const PrintRequest& request, const std::
   add("print.txt", out.text);
   files.commit();
   folder.keep();
+  if (source.design && !source.file.empty() && slicer && slicer->estimate)
+    out.report = tell_report(source.file, *source.design, estimate_json(print.job, *slicer->estimate));
   return out;
 }
 
@@ -157,9 +160,10 @@ int export_command(const CommandOptions& options, const PrintRequest& request) {
   const Source source = source_of(request);
   const Exported out = exported(
       source, request, options.folder_given ? options.folder : "results/" + source.name() + "_print");
-  std::cout << (options.json ? out.json
-                             : out.text + fmt::format("{:<12} {}: {}\n", "written", out.folder,
-                                                      fmt::join(out.files, ", ")));
+  std::string text =
+      out.text + fmt::format("{:<12} {}: {}\n", "written", out.folder, fmt::join(out.files, ", "));
+  if (!out.report.empty()) text += fmt::format("{:<12} {} has time and material too\n", "report", out.report);
+  std::cout << (options.json ? out.json : text);
   return done;
 }
 

@@ -15,6 +15,7 @@ struct Exported {
   std::string folder;
   std::vector<std::string> files;  ///< names in the folder
   std::string json, text;          ///< print.json and print.txt
+  std::string report = {};         ///< of the design's result, which now has the slicer's time; empty: none
 };
 
 /// The same of a design in memory. @param folder for the files

@@ -130,6 +130,14 @@ std::vector<std::string> print_warnings(const PrintJob& job, const PathClearance
   return out;
 }
 
+Json estimate_json(const PrintJob& job, const SliceEstimate& print) {
+  return {{"process", job.sheet.process.name},
+          {"hinges", name_of(job.sheet.hinges.front().made.kind)},
+          {"seconds", print.seconds},
+          {"material_mm3", print.material_mm3},
+          {"prints", print.prints}};
+}
+
 Json print_json(const PrintJob& job, const PathClearance& clearance,
                 const std::optional<SlicerAnswer>& slicer) {
   const PrintSheet& sheet = job.sheet;

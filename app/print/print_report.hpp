@@ -12,6 +12,9 @@ namespace kinetix::app {
 nlohmann::ordered_json print_json(const PrintJob& job, const PathClearance& clearance,
                                   const std::optional<SlicerAnswer>& slicer = {});
 
+/// What the report of a result says of its print: process, hinges, seconds, material_mm3, prints.
+nlohmann::ordered_json estimate_json(const PrintJob& job, const SliceEstimate& print);
+
 /// print.txt: how to print it, in words.
 std::string print_text(const PrintJob& job, const PathClearance& clearance,
                        const std::optional<SlicerAnswer>& slicer = {});

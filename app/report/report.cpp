@@ -1,5 +1,8 @@
 #include "app/report/report.hpp"
 
+#include <string_view>
+#include <utility>
+
 #include "app/report/page.hpp"
 #include "app/viewer/assets.hpp"
 
@@ -33,7 +36,29 @@ std::string filled(std::string_view page, std::string_view scene, const std::str
   return text;
 }
 
+// Around the result in report.html.
+constexpr std::string_view data_start = R"(<script type="application/json" id="result">)";
+constexpr std::string_view data_end = "</script>";
+
+/// First character of the result and the one behind it; none: both at the end.
+std::pair<std::size_t, std::size_t> data_range(const std::string& page) {
+  const std::size_t before = page.find(data_start);
+  if (before == std::string::npos) return {page.size(), page.size()};
+  const std::size_t first = before + data_start.size(), end = page.find(data_end, first);
+  return {first, end == std::string::npos ? first : end};
+}
+
 }  // namespace
+
+std::string data_of_report(const std::string& page) {
+  const auto [first, end] = data_range(page);
+  return page.substr(first, end - first);
+}
+
+std::string report_with(const std::string& page, const std::string& result_json) {
+  const auto [first, end] = data_range(page);
+  return page.substr(0, first) + inert(result_json) + page.substr(end);
+}
 
 std::string report_html(const std::string& result_json) {
   return filled(report_page, scene_script(), result_json);

@@ -9,6 +9,11 @@ namespace kinetix::app {
 /// @param result_json the content of result.json (kinetix-result/1), UTF-8
 std::string report_html(const std::string& result_json);
 
+/// The result that such a page holds, as JSON; empty where the text is no report.
+std::string data_of_report(const std::string& page);
+/// The page with another result. @pre data_of_report(page) is not empty
+std::string report_with(const std::string& page, const std::string& result_json);
+
 /// Likewise of a sweep. @param sweep_json the content of sweep.json (kinetix-sweep/1), UTF-8
 std::string sweep_html(const std::string& sweep_json);
 

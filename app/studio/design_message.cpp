@@ -1,7 +1,7 @@
 #include "app/studio/design_message.hpp"
 
 #include "app/print/formats.hpp"
-#include "app/result/result_json.hpp"
+#include "app/result/same_sheet.hpp"
 #include "app/run/forecast.hpp"
 #include "app/studio/templates.hpp"
 #include "app/version.hpp"
@@ -24,15 +24,6 @@ Json hinge_json(const HingeSection& hinge) {
 Json numbers(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 }  // namespace
-
-nlohmann::ordered_json sheet_json(const DesignFile& design) {
-  Run run;
-  run.structure = design.structure;
-  run.hinge = design.hinge;
-  run.own_hinges = design.own_hinges;
-  const double edge = design.structure.size().edge_mm;
-  return structure_json(run, design.hinge.reach_mm.value_or(sim::PhysicsOptions{}.reach * edge));
-}
 
 Json hello_message(const std::string& name) {
   Json out = {{"type", "hello"}, {"version", version}, {"name", name}};

@@ -6,8 +6,6 @@
 
 namespace kinetix::app::studio {
 
-/// What results say of the sheet.
-nlohmann::ordered_json sheet_json(const DesignFile& design);
 /// The message `hello` of docs/studio.md.
 nlohmann::ordered_json hello_message(const std::string& name);
 /// `design`, without what the session alone knows: revision, undo, redo, unsaved.

@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 
-#include "app/studio/design_message.hpp"
+#include "app/result/same_sheet.hpp"
 #include "targets/document/text_file.hpp"
 
 namespace kinetix::app::studio {
@@ -17,23 +15,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t largest_result = 64 << 20;  // bytes: a result of some 10 000 bodies has 20 MB
 constexpr double rounding = 1e-9;  // relative, or mm and rad: offsets lose their last bit in files
-
-bool is_near(const Json& a, const Json& b) {
-  if (a.is_number() && b.is_number()) {
-    const double x = a, y = b;
-    return std::abs(x - y) <= rounding * std::max(1.0, std::abs(x));
-  }
-  if (a.is_structured() && a.type() == b.type() && a.size() == b.size())
-    return std::equal(a.begin(), a.end(), b.begin(), is_near);
-  return a == b;
-}
-
-bool is_of_sheet(const Json& result, const Json& sheet) {
-  const auto same = [&](const char* key) {
-    return result["structure"].contains(key) && is_near(result["structure"][key], sheet[key]);
-  };
-  return same("bodies") && same("hinges");
-}
 
 /// Of errors from the goal that the result knows, in words.
 std::string words(const Json& result, const std::string& file) {
@@ -60,8 +41,7 @@ Json earlier_result(const std::string& design_file, const DesignFile& design) {
   Json result = read(file);
   if (!result.is_object() || !result.contains("target") || !result["target"].is_object()) return nullptr;
   if (!result.contains("metrics") || !result["metrics"].is_object()) return nullptr;
-  if (!result.contains("structure") || !result["structure"].is_object()) return nullptr;
-  if (!is_of_sheet(result, sheet_json(design))) return nullptr;
+  if (!is_of_sheet(result, design, rounding)) return nullptr;
   const Json met = result["metrics"].value("met", Json(nullptr));
   const bool stopped = result.value("stopped", false);
   const std::string text = words(result, file.string());

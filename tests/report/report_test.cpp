@@ -86,6 +86,14 @@ TEST(Report, TakesWhatIsNoJson) {
   EXPECT_EQ(data_of(report_html("NaN <")), "NaN \\u003c");
 }
 
+TEST(Report, TakesAnotherResult) {
+  const std::string page = report_html(R"({"name": "a", "note": "<b>"})");
+  EXPECT_EQ(data_of_report(page), data_of(page));
+  const std::string other = report_with(page, R"({"name": "</script>"})");
+  EXPECT_EQ(other, report_html(R"({"name": "</script>"})"));
+  EXPECT_EQ(data_of_report("no page"), "");
+}
+
 TEST(RoundNumbers, WritesWholeOnesWithoutAPoint) {
   nlohmann::ordered_json numbers = {150.0, -3.0000000001, 0.123456789, -0.0, 1e20, "1.0", 7};
   round_numbers(numbers, 6);

@@ -140,6 +140,12 @@ function readAsMade(raw) {
     confirmed: raw.confirmed !== false, prints: dictionary(raw.prints), sources};
 }
 
+/** What a slicer said of the print, after an export; null before. */
+function readPrint(raw) {
+  if (!someDictionary(raw) || finite(raw.seconds) === null || finite(raw.material_mm3) === null) return null;
+  return {process: String(raw.process), hinges: String(raw.hinges), seconds: raw.seconds, material: raw.material_mm3, prints: finite(raw.prints) ?? 1};
+}
+
 /** A goal that was met exactly, once its hinges are elastic; null where they are not. */
 function readMatter(raw) {
   if (!raw || typeof raw !== "object") return null;
@@ -180,6 +186,7 @@ function readResult(raw) {
     states: kind?.place?.(raw, states) ?? states,
     verdict: readVerdict(metrics, tolerance),
     asMade: readAsMade(raw.as_made),
+    print: readPrint(raw.print),
     madeChoices: readMadeChoices(raw.robust),
     matter: readMatter(raw.matter),
     runs: list(optimiser.runs).map(readRun),

@@ -95,6 +95,13 @@ function asMadeText({asMade}) {
   return `${millimetres(asMade.rms)} off by ${asMade.process}; 95 of 100 within ${millimetres(asMade.p95)}, allowed ${millimetres(asMade.tolerance)}`;
 }
 
+function printText({print}) {
+  if (!print) return null;
+  const minutes = Math.max(1, Math.round(print.seconds / 60)), hours = Math.floor(minutes / 60);
+  const time = hours ? `${hours} h ${minutes % 60} min` : `${minutes} min`, times = print.prints > 1 ? ` in ${print.prints} prints` : "";
+  return `${time}, ${figures(print.material / 1000, 2)} cm\u00b3${times}, by ${print.process} with ${print.hinges}s, as PrusaSlicer reckons`;
+}
+
 function firstFacts(data) {
   const {structure, states} = data, walls = `walls ${millimetres(structure.thickness)} thick, ${millimetres(structure.height)} high`;
   const rows = [
@@ -103,6 +110,7 @@ function firstFacts(data) {
     ["Sheet", `${cellsText(structure)}; ${walls}`],
     ["Force", forceText(data)],
     ["As made", asMadeText(data)],
+    ["Print", printText(data)],
     ...(data.kind?.facts?.(data) ?? []),
   ].filter(([, value]) => value);
   return html("dl", {class: "first-facts"}, rows.map(([name, value]) => html("div", {}, html("dt", {}, name), html("dd", {}, value))));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <regex>
 
@@ -11,6 +12,7 @@
 #include "app/print/overhang.hpp"
 #include "app/print/raised_text.hpp"
 #include "app/print/slicer.hpp"
+#include "app/report/report.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/schema_errors.hpp"
 
@@ -252,6 +254,31 @@ TEST(Slicer, TellsTimeAndAsMuchMaterialAsThereIsVolume) {
     EXPECT_EQ(json["slicer"]["prints"], std::string(process) == "sla" ? 2 : 1);
     EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("of material"));
   }
+}
+
+/// The report beside the design learns it, if it is of the same sheet.
+TEST(Slicer, IsQuotedByTheReportOfTheSameSheet) {
+  const Scratch scratch;
+  const std::string folder = scratch / "result", page = folder + "/report.html",
+                    design = folder + "/design.yaml";
+  ASSERT_EQ(kinetix_opt("simulate " + scratch.write("panel.yaml", panel) + " -o " + folder).code, 0);
+  const std::string print = "export " + folder + " --format stl --hinge block --slice --process sla -o " +
+                            std::string(scratch / "print");
+  const Outcome run = kinetix_opt(print);
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("report       " + page));
+  const Json told = Json::parse(app::data_of_report(text_of(page)))["print"],
+             slicer = Json::parse(text_of(scratch / "print/print.json"))["slicer"];
+  EXPECT_EQ(told["process"], "sla");
+  EXPECT_EQ(told["hinges"], "block");
+  for (const char* key : {"seconds", "material_mm3", "prints"}) EXPECT_EQ(told[key], slicer[key]) << key;
+
+  const std::string before = text_of(page);
+  std::string other = panel;
+  other.replace(other.find("cell_mm: 12"), 11, "cell_mm: 13");
+  std::ofstream(design) << other;
+  ASSERT_EQ(kinetix_opt(print).code, 0);
+  EXPECT_EQ(text_of(page), before);
 }
 
 TEST(Slicer, ThatIsNotThereIsSaidInWords) {

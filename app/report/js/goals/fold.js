@@ -1,5 +1,7 @@
 // How a net folds: the flat net with its creases, their angles, and the unfoldings that were tried.
 
+const EXACT_DEG = 5e-7;  // degrees: what six digits show as none
+
 function readFold(raw) {
   if (!raw || typeof raw !== "object") return null;
   const words = (texts) => list(texts).filter((text) => typeof text === "string");
@@ -26,7 +28,8 @@ function readFold(raw) {
 function foldWords(creases, key) {
   const known = creases.filter((crease) => crease[key] !== null);
   const miss = Math.max(0, ...known.map((crease) => Math.abs(crease[key] - crease.asked)));
-  return `${count(known.length, "crease", "creases")} within ${measured(miss, "\u00b0", 6)} of the required angle`;
+  const off = miss < EXACT_DEG ? "at" : `within ${measured(miss, "\u00b0", 6)} of`;
+  return `${count(known.length, "crease", "creases")} ${off} the required angle`;
 }
 
 function foldVerdict(data) {
