@@ -59,7 +59,7 @@ RibsShape cut_to(RibsShape shape, const model::FishboneLayout& spine_and_ribs) {
 }
 
 RibsDesign fit_with_limit(const targets::MeshDistance& surface, const Vector3d& crown, const RibsSpec& spec,
-                            const SolverOptions& options, RibsLayout layout, double tilt) {
+                          const SolverOptions& options, RibsLayout layout, double tilt) {
   RibsShape shape = layout.start;
   for (int trims = 0, trimmed = 0;; ++trims) {
     model::Fishbone fishbone = make_fishbone(layout.spine_and_ribs, spec.size);
@@ -95,7 +95,7 @@ RibsGoal ribs_goal(const RibsLayout& layout, const targets::MeshDistance& surfac
 }
 
 RibsError ribs_error(const model::Fishbone& fishbone, const model::State& state,
-                         const targets::MeshDistance& surface, double clearance_mm) {
+                     const targets::MeshDistance& surface, double clearance_mm) {
   RibsError error;
   double sum = 0;
   for (const model::Pose& pose : state) {
@@ -117,7 +117,7 @@ model::State placed_fishbone(const model::Fishbone& fishbone, const RibsShape& s
 }
 
 RibsDesign fit_layout(const RibsLayout& layout, const targets::MeshDistance& surface, const Vector3d& crown,
-                        const RibsSpec& spec, const SolverOptions& options) {
+                      const RibsSpec& spec, const SolverOptions& options) {
   RibsDesign first = fit_with_limit(surface, crown, spec, options, layout, spec.tilt);
   if (first.collisions.empty()) return first;
   for (const double part : tilt_parts) {

@@ -29,17 +29,17 @@ struct RibsDesign {
 /// folds; where walls of one rib meet (over bumps and hollows), fits anew with gentler tilts.
 /// @param surface in a frame with z up, y along the spine, mm   @param crown a point of the spine's plane x = const, mm
 RibsDesign fit_layout(const RibsLayout& layout, const targets::MeshDistance& surface,
-                        const Eigen::Vector3d& crown, const RibsSpec& spec, const SolverOptions& options);
+                      const Eigen::Vector3d& crown, const RibsSpec& spec, const SolverOptions& options);
 
 /// What a planned fishbone is fitted to. @param crown a point of the spine's plane x = const, mm
 RibsGoal ribs_goal(const RibsLayout& layout, const targets::MeshDistance& surface,
-                     const Eigen::Vector3d& crown, const RibsSpec& spec);
+                   const Eigen::Vector3d& crown, const RibsSpec& spec);
 
 /// State (mm) of a fishbone with tilts, its root where `shape` has it, at any theta, rad.
 model::State placed_fishbone(const model::Fishbone& fishbone, const RibsShape& shape, double theta);
 
 /// @param state of the fishbone's structure, in the goal's frame, mm
 RibsError ribs_error(const model::Fishbone& fishbone, const model::State& state,
-                         const targets::MeshDistance& surface, double clearance_mm);
+                     const targets::MeshDistance& surface, double clearance_mm);
 
 }  // namespace kinetix::optim
