@@ -13,9 +13,9 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr int looks_a_piece = 16;  // between two points of a profile, where a cubic is at its least to 1 %
-constexpr int mesh_rings = 96, mesh_sides = 128;                // chords leave 3e-4 of the radius
-constexpr double most_patch_arc = 120 * radians_per_degree;     // rims then rise by 60 deg
-constexpr double whole_turn_slack = 1e-9;                       // rad: rounding of degrees
+constexpr int mesh_rings = 96, mesh_sides = 128;             // chords leave 3e-4 of the radius
+constexpr double most_patch_arc = 120 * radians_per_degree;  // rims then rise by 60 deg
+constexpr double whole_turn_slack = 1e-9;                    // rad: rounding of degrees
 
 void require_arc(double arc, double most, const char* rule) {
   require("arc", to_degrees(arc), arc > 0 && arc <= most + whole_turn_slack, rule);
@@ -53,8 +53,9 @@ Profile::Profile(std::vector<Vector2d> points) : points_(std::move(points)) {
     for (int look = 1; look < looks_a_piece; ++look) {
       const double part = static_cast<double>(look) / looks_a_piece;
       if (!(radius((1 - part) * points_[k].y() + part * points_[k + 1].y())[0] > 0))
-        throw InvalidCurve("the smooth line through the points comes to the axis before this one; give more points",
-                           static_cast<int>(k + 1));
+        throw InvalidCurve(
+            "the smooth line through the points comes to the axis before this one; give more points",
+            static_cast<int>(k + 1));
     }
 }
 
