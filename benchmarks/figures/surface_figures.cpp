@@ -39,8 +39,10 @@ SurfaceOptions options_of(int facets, std::array<double, 2> edge) {
   return options;
 }
 
-Figure fit(const std::string& name, const targets::SurfacePatch& patch, const SurfaceOptions& options,
-           double most, double most_seconds) {
+Figure fit(const std::string& name, const targets::SurfacePatch& patch, SurfaceOptions options, double most,
+           double most_seconds) {
+  options.shakes = 4;
+  options.enough = most;
   const auto [design, seconds] = fitted(patch, options);
   return {
       fmt::format("{}, {} x {} facets, edges {:g} to {:g} of the mean", name, options.columns, options.rows,

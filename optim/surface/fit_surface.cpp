@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <random>
 
 #include "model/base/invalid_input.hpp"
 #include "optim/solvers/parallel_runs.hpp"
@@ -21,6 +22,11 @@ constexpr double first_rim_weight = 0.3;  // of the first steps, which size the 
 constexpr double least_progress =
     1e-5;                  // of the cost, a step: below, a sheet creeps along a valley for hundreds
 constexpr int longer = 2;  // iterations of the starts that go on, over what is asked: most end by themselves
+constexpr int shaken_a_round =
+    4;  // searches from the best sheet: few enough that each round starts from a better one
+/// Standard deviation of shakes, in logarithms of multipliers, rad and mean edges: twice as much mostly ruins a sheet,
+/// and a tenth leads back to where it was.
+constexpr double shake = 4e-3;
 constexpr double slack = 1e-3;  // rad and mean edges: what least squares may pass a bound by
 
 MeshBounds bounds_of(const SurfaceOptions& options) {
@@ -133,6 +139,19 @@ class Run {
     return design();
   }
 
+  /// From this sheet with every number of its mesh a little off. @param seed of the numbers
+  SurfaceDesign shaken(unsigned seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> off(0, shake);
+    for (int k = 0; k < start_.variables.layer(); ++k) start_.x[k] += off(random);
+    evaluations_ = 0;
+    stage(rim_, 2 * options_.iterations / 3);
+    return design();
+  }
+
+  /// Goes on from where another run of the same start is.
+  void take(const Run& other) { start_ = other.start_; }
+
  private:
   void stage(double rim, int iterations) {
     const SurfaceProblem problem(patch_, start_.variables, bounds_of(options_), rim);
@@ -203,7 +222,36 @@ void SurfaceOptions::validate() const {
   require("tilt", tilt, tilt > 0 && tilt < pi / 2, "in (0, pi/2) rad");
   require("starts", starts, starts >= 1, "at least 1");
   require("iterations", iterations, iterations >= 1, "at least 1");
+  require("shakes", shakes, shakes >= 0, "at least 0");
+  require("enough", enough, enough >= 0, "at least 0");
 }
+
+namespace {
+
+/// Rounds of searches from the best run, shaken; runs and designs of a round follow from its number alone.
+SurfaceDesign after_shakes(Run best_run, SurfaceDesign best, const SurfaceOptions& options) {
+  for (int round = 0; round < options.shakes && !(best.error.rms <= options.enough && best.within); ++round) {
+    if (options.stop.stop_requested()) break;
+    std::vector<Run> runs(shaken_a_round, best_run);
+    std::vector<SurfaceDesign> designs(shaken_a_round);
+    run_in_parallel(shaken_a_round, options.threads, [&](int k) {
+      designs[k] = runs[k].shaken(static_cast<unsigned>(round * shaken_a_round + k));
+    });
+    const auto found = std::min_element(designs.begin(), designs.end(), is_better) - designs.begin();
+    for (const SurfaceDesign& design : designs) best.evaluations += design.evaluations;
+    best.shakes += shaken_a_round;
+    if (!is_better(designs[found], best)) continue;
+    designs[found].evaluations = best.evaluations;
+    designs[found].shakes = best.shakes;
+    designs[found].start = best.start;
+    designs[found].starts = best.starts;
+    best = std::move(designs[found]);
+    best_run.take(runs[found]);
+  }
+  return best;
+}
+
+}  // namespace
 
 SurfaceDesign fit_surface(const targets::SurfacePatch& patch, const SurfaceOptions& options,
                           const Progress& progress) {
@@ -235,7 +283,8 @@ SurfaceDesign fit_surface(const targets::SurfacePatch& patch, const SurfaceOptio
   SurfaceDesign best = *std::min_element(designs.begin(), designs.end(), is_better);
   best.starts = count;
   best.evaluations = std::accumulate(evaluations.begin(), evaluations.end(), 0);
-  return best;
+  if (!best.valid) return best;
+  return after_shakes(runs[best.start], best, options);
 }
 
 }  // namespace kinetix::optim

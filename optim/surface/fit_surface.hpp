@@ -15,8 +15,12 @@ struct SurfaceOptions {
   MeshBounds bounds = {};                 ///< but for the multiplier, which follows from theta and tilt
   int starts = 8;                         ///< >= 1
   int iterations = 300;                   ///< >= 1: each start takes up to 0.7, those that go on up to 2 more
-  int threads = 0;                        ///< 0: all cores
-  std::stop_token stop = {};              ///< where it asks to, the best so far is the answer
+  /// Rounds of searches anew from the best sheet, shaken, >= 0: they find valleys beside its own that no regular
+  /// start leads to. None follow once its rms is at most `enough`.
+  int shakes = 0;
+  double enough = 0;          ///< over the diagonal, >= 0
+  int threads = 0;            ///< 0: all cores
+  std::stop_token stop = {};  ///< where it asks to, the best so far is the answer
 
   /// @throws InvalidInput naming field, value and rule
   void validate() const;
@@ -41,6 +45,7 @@ struct SurfaceDesign {
   bool valid = false;                            ///< it folds flat, no facet turned over
   bool within = false;                           ///< bounds hold
   int start = 0, starts = 0, evaluations = 0;    ///< the best one, of how many, residuals in all
+  int shakes = 0;                                ///< searches from shaken sheets
 };
 
 /// Miura sheets of several proportions are laid on the surface and fitted to it: all for a while, then the better half

@@ -4,9 +4,11 @@
 
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
+#include "targets/curve/read_points.hpp"
 #include "targets/helmet/head_pose.hpp"
 #include "targets/mesh/mesh_file.hpp"
 #include "targets/surface/mesh_patch.hpp"
+#include "targets/surface/revolution.hpp"
 
 namespace kinetix::targets {
 namespace {
@@ -18,12 +20,15 @@ constexpr Word<Shape> shapes[] = {{"cap", Shape::cap}, {"saddle", Shape::saddle}
 constexpr Word<LengthUnit> unit_words[] = {
     {"mm", LengthUnit::mm}, {"cm", LengthUnit::cm}, {"m", LengthUnit::m}, {"in", LengthUnit::inch}};
 
-const Bounds size = from_to(1, 5000, "mm");            // of surfaces: a fingertip to a room
-constexpr double least_side = 20, most_side = 5000;    // mm, of the box of a mesh that ribs go over
-constexpr double usual_width = 100;                    // mm: a sheet of it prints on any machine
-constexpr double usual_radius = 50;                    // mm, of vases: a drinking glass
-constexpr double usual_height = 120;                   // mm, of vases
-constexpr double usual_arc = 60 * radians_per_degree;  // rad: as much as eight facets follow well
+const Bounds turn = {0, 360, false, true, "degrees"};    // of arcs: shapes allow less
+const Bounds size = from_to(1, 5000, "mm");              // of surfaces: a fingertip to a room
+constexpr double least_side = 20, most_side = 5000;      // mm, of the box of a mesh that ribs go over
+constexpr double whole_turn = 360 * radians_per_degree;  // rad: ribs go all round a profile
+const char* const height_axis = "z";                     // of points of a profile, behind x, the radius
+constexpr double usual_width = 100;                      // mm: a sheet of it prints on any machine
+constexpr double usual_radius = 50;                      // mm, of vases: a drinking glass
+constexpr double usual_height = 120;                     // mm, of vases
+constexpr double usual_arc = 60 * radians_per_degree;    // rad: as much as eight facets follow well
 constexpr double usual_rise = 0.3;  // a saddle whose corners are level and whose rims are as steep as 31 deg
 
 void refuse(const Section& target, std::initializer_list<const char*> keys, const std::string& why) {
@@ -66,6 +71,23 @@ void refuse_sizes(const Section& target) {
          "belongs to a shape; a mesh has its own size, leave it out");
 }
 
+const std::initializer_list<const char*> sizes_but_arc = {"width_mm", "rise", "height_mm", "radius_mm",
+                                                          "swell_mm"};
+
+/// The arc of a surface of revolution in rad, and what it goes round.
+struct Turned {
+  Profile profile;
+  double arc;
+};
+Turned read_turned(const Section& target, const Node& node, double usual) {
+  refuse(target, sizes_but_arc, "belongs to a shape; a profile has its own size, leave it out");
+  refuse(target, {"units"}, "belongs to a mesh; a profile is in mm, leave it out");
+  double arc = usual;
+  target.read("arc_deg", arc);
+  const auto make = [](std::vector<Eigen::Vector2d> points) { return Profile(std::move(points)); };
+  return {made_of(read_points(node, height_axis), make), arc};
+}
+
 SurfacePatch read_shape(const Section& target, Shape shape) {
   double width = usual_width, arc = usual_arc, rise = usual_rise, radius = usual_radius,
          height = usual_height;
@@ -99,10 +121,14 @@ std::vector<Key> surface_keys() {
        "`cap`: of a sphere, over the square in its rim; `saddle`: z = rise (x\u00b2 \u2212 y\u00b2) / half "
        "of the width; "
        "`vase`: the front of one, with belly and neck"},
+      {"profile", points_type(height_axis), otherwise("`mesh` or `shape` is given"),
+       "a surface of revolution: points `[x, z]`, x the radius, z the height on the axis, ascending; a "
+       "smooth line goes "
+       "through them"},
       {"width_mm", value::number(size), by_default(usual_width), "of the square of a cap or saddle"},
-      {"arc_deg", value::angle(between(0, 140, "degrees")), by_default_deg(usual_arc),
+      {"arc_deg", value::angle(turn), by_default_deg(usual_arc),
        "of a cap: what its surface turns by from corner to corner; of a vase: from rim to rim round its "
-       "axis, at most 120"},
+       "axis, at most 120; of a `profile` likewise, with `ribs` up to 360, which is then the default"},
       {"rise", value::number({0, 1, false, true}), by_default(usual_rise),
        "of a saddle: its height in the middle of a side, over half of its width"},
       {"height_mm", value::number(size), by_default(usual_height), "of a vase, along its axis"},
@@ -114,9 +140,17 @@ std::vector<Key> surface_keys() {
 }
 
 SurfacePatch read_surface(const Section& target) {
-  const auto mesh = target.optional("mesh"), shape = target.optional("shape");
+  const auto mesh = target.optional("mesh"), shape = target.optional("shape"),
+             profile = target.optional("profile");
   if (mesh && shape) throw shape->key_error("and target.mesh both say what the surface is; give one of them");
-  if (!mesh && !shape) throw target.error("needs a `mesh` or a `shape`: cap, saddle or vase");
+  if (profile && (mesh || shape))
+    throw profile->key_error("and a mesh or shape both say what the surface is; give one of them");
+  if (!mesh && !shape && !profile)
+    throw target.error("needs a `mesh` or a `shape`: cap, saddle or vase, or a `profile`");
+  if (profile) {
+    const Turned turned = read_turned(target, *profile, usual_arc);
+    return profile->located([&] { return revolution_patch(turned.profile, turned.arc); });
+  }
   if (mesh) {
     refuse_sizes(target);
     return read_mesh_surface(target, *mesh);
@@ -127,12 +161,17 @@ SurfacePatch read_surface(const Section& target) {
 
 std::string surface_name(const Section& target) {
   const auto shape = target.optional("shape");
-  return shape ? shape->text("the name of a shape") : "mesh";
+  if (shape) return shape->text("the name of a shape");
+  return target.optional("profile") ? "profile" : "mesh";
 }
 
 RibbedSurface read_ribbed_surface(const Section& target) {
-  const auto mesh = target.optional("mesh");
-  if (!mesh || target.optional("shape")) return ribbed_surface(read_surface(target));
+  const auto mesh = target.optional("mesh"), profile = target.optional("profile");
+  if (profile && !mesh && !target.optional("shape")) {
+    const Turned turned = read_turned(target, *profile, whole_turn);
+    return profile->located([&] { return ribbed_revolution(turned.profile, turned.arc); });
+  }
+  if (!mesh || profile || target.optional("shape")) return ribbed_surface(read_surface(target));
   refuse_sizes(target);
   const TriangleMesh read = read_mesh_in_mm(target, *mesh);
   return mesh->located([&] { return ribbed_mesh(read); });

@@ -23,6 +23,8 @@ constexpr double one_sided = 0.3;
 constexpr double far_below = 10;
 // Of a closed section's length: its ends are its highest places that near to where it ends.
 constexpr double near_end = 0.02;
+// Of the longest section's length: of those as long within it, such as both sides of a tube, the highest is taken.
+constexpr double as_long = 0.01;
 constexpr double same_place = 1e-9;  // of a section's length: points that near are one
 
 /// Area, centroid and spread of a mesh, by area.
@@ -85,6 +87,16 @@ double length_of(const SectionChain& chain) {
   return sum;
 }
 
+double mean_height(const std::vector<Vector3d>& line) {
+  double sum = 0, length = 0;
+  for (std::size_t k = 1; k < line.size(); ++k) {
+    const double step = (line[k] - line[k - 1]).norm();
+    sum += step * (line[k].z() + line[k - 1].z()) / 2;
+    length += step;
+  }
+  return sum / length;
+}
+
 /// Of a closed section the way over the top, between its highest places near to its ends along y.
 std::vector<Vector3d> over_the_top(const std::vector<Vector3d>& ring) {
   double least = INFINITY, most = -INFINITY;
@@ -103,15 +115,6 @@ std::vector<Vector3d> over_the_top(const std::vector<Vector3d>& ring) {
       k = (k + step + count) % count, out.push_back(ring[k]);
     return out;
   };
-  const auto mean_height = [](const std::vector<Vector3d>& line) {
-    double sum = 0, length = 0;
-    for (std::size_t k = 1; k < line.size(); ++k) {
-      const double step = (line[k] - line[k - 1]).norm();
-      sum += step * (line[k].z() + line[k - 1].z()) / 2;
-      length += step;
-    }
-    return sum / length;
-  };
   std::vector<Vector3d> one = way(1), other = way(-1);
   return mean_height(one) >= mean_height(other) ? one : other;
 }
@@ -120,8 +123,13 @@ std::vector<Vector3d> over_the_top(const std::vector<Vector3d>& ring) {
 std::vector<Vector3d> spine_over(const TriangleMesh& mesh) {
   const std::vector<SectionChain> chains = section(joined(mesh), Plane(Vector3d::UnitX(), 0));
   if (chains.empty()) throw InvalidInput("the mesh has nothing in the middle plane along its longest axis");
+  double most = 0;
+  for (const SectionChain& chain : chains) most = std::max(most, length_of(chain));
+  const auto rank = [&](const SectionChain& chain) {
+    return length_of(chain) < (1 - as_long) * most ? -INFINITY : mean_height(chain.points);
+  };
   const SectionChain& longest = *std::max_element(
-      chains.begin(), chains.end(), [](const auto& a, const auto& b) { return length_of(a) < length_of(b); });
+      chains.begin(), chains.end(), [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
   std::vector<Vector3d> line = longest.is_closed ? over_the_top(longest.points) : longest.points;
   if (line.front().y() > line.back().y()) std::reverse(line.begin(), line.end());
   return line;
@@ -173,10 +181,14 @@ RibbedSurface ribbed_surface(const TriangleMesh& mesh) {
   return ribbed(mesh, isometry(rough_frame(of), of.centre), of.normal.norm() > one_sided);
 }
 
+RibbedSurface ribbed_along_x(const TriangleMesh& mesh, bool has_side) {
+  const Matrix3d turn = Eigen::AngleAxisd(pi / 2, Vector3d::UnitZ()).toRotationMatrix();
+  return ribbed(mesh, isometry(turn, Vector3d::Zero()), has_side);
+}
+
 RibbedSurface ribbed_surface(const SurfacePatch& patch) {
-  const bool along_x = patch.half.x() >= patch.half.y();
-  const Matrix3d turn = Eigen::AngleAxisd(along_x ? pi / 2 : 0, Vector3d::UnitZ()).toRotationMatrix();
-  return ribbed(patch_mesh(patch), isometry(turn, Vector3d::Zero()), true);
+  if (patch.half.x() >= patch.half.y()) return ribbed_along_x(patch_mesh(patch), true);
+  return ribbed(patch_mesh(patch), Isometry3d::Identity(), true);
 }
 
 std::array<std::vector<Vector3d>, 2> section_from(const TriangleMesh& mesh, const Vector3d& p,

@@ -26,6 +26,10 @@ RibbedSurface ribbed_surface(const TriangleMesh& mesh);
 /// Likewise over a patch, along the longer side of its rectangle (x where they are alike).
 RibbedSurface ribbed_surface(const SurfacePatch& patch);
 
+/// Likewise of a mesh whose spine is to run along x, in the middle across. @param has_side whether it is an open surface
+/// that is seen from +z
+RibbedSurface ribbed_along_x(const TriangleMesh& mesh, bool has_side);
+
 /// The patch as triangles over its rectangle, mm.
 TriangleMesh patch_mesh(const SurfacePatch& patch);
 

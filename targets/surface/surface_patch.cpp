@@ -129,13 +129,20 @@ SurfacePatch vase_patch(double height, double radius, double swell, double arc) 
   require("swell", swell, swell >= 0 && swell <= radius / 2, "from 0 to half the radius, mm");
   require("arc", to_degrees(arc), arc > 0 && arc <= most_vase_arc, "in (0, 120] deg");
   const double half = height / 2, wave = pi / half;
-  return {"vase", {half, radius * std::sin(arc / 2)}, [=](const Vector2d& at) {
-            const double s = std::sin(wave * at.x()), c = std::cos(wave * at.x());
-            const double r = radius + swell * s, r1 = swell * wave * c, r2 = -swell * wave * wave * s;
-            const Root root_of = root(r * r - at.y() * at.y(), equator * radius * radius);
+  return round_patch("vase", {half, radius * std::sin(arc / 2)}, radius, [=](double x) {
+    const double s = std::sin(wave * x), c = std::cos(wave * x);
+    return std::array{radius + swell * s, swell * wave * c, -swell * wave * wave * s};
+  });
+}
+
+SurfacePatch round_patch(const std::string& name, const Vector2d& half, double level,
+                         const std::function<std::array<double, 3>(double)>& radius) {
+  return {name, half, [=](const Vector2d& at) {
+            const auto [r, r1, r2] = radius(at.x());
+            const Root root_of = root(r * r - at.y() * at.y(), equator * level * level);
             const Vector2d q1(2 * r * r1, -2 * at.y());
             const Matrix2d q2 = Vector2d(2 * (r1 * r1 + r * r2), -2).asDiagonal();
-            return Height{root_of.value - radius, root_of.first * q1,
+            return Height{root_of.value - level, root_of.first * q1,
                           root_of.first * q2 + root_of.second * q1 * q1.transpose()};
           }};
 }

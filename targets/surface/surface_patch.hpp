@@ -57,4 +57,9 @@ SurfacePatch saddle_patch(double width, double rise);
 /// @throws InvalidInput
 SurfacePatch vase_patch(double height, double radius, double swell, double arc);
 
+/// A surface of revolution from its front, its axis along x at z = -level. @param radius with its first and second
+/// derivative by x, mm   @param level mm, > 0: about the radius
+SurfacePatch round_patch(const std::string& name, const Eigen::Vector2d& half, double level,
+                         const std::function<std::array<double, 3>(double)>& radius);
+
 }  // namespace kinetix::targets

@@ -15,6 +15,9 @@
 namespace kinetix::app {
 namespace {
 
+// Rounds of four searches each, about as long as the search before them: later ones gain a few percent.
+constexpr int shakes_where_it_misses = 4;
+
 optim::SurfaceOptions options_of(const SurfaceFile& file, const RunOptions& run) {
   optim::SurfaceOptions out;
   out.columns = file.columns;
@@ -23,6 +26,8 @@ optim::SurfaceOptions options_of(const SurfaceFile& file, const RunOptions& run)
   out.tilt = file.tilt;
   out.bounds.sector = file.sector;
   out.bounds.edge = file.edge;
+  out.shakes = shakes_where_it_misses;
+  out.enough = file.shape_tolerance;
   out.threads = run.threads;
   out.stop = run.stop;
   return out;

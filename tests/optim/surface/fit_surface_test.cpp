@@ -70,6 +70,25 @@ TEST(FitSurface, FindsTheSameWhateverTheNumberOfThreads) {
   EXPECT_EQ(fit_surface(saddle, one).error.rms, fit_surface(saddle, two).error.rms);
 }
 
+TEST(FitSurface, ShakesGainWhereASheetMisses) {
+  const targets::SurfacePatch saddle = targets::saddle_patch(100, 0.3);
+  SurfaceOptions options = few(4, 2);
+  options.iterations = 60;
+  const SurfaceDesign plain = fit_surface(saddle, options);
+  EXPECT_EQ(plain.shakes, 0);
+  options.shakes = 3;
+  options.threads = 1;
+  const SurfaceDesign shaken = fit_surface(saddle, options);
+  EXPECT_EQ(shaken.shakes, 12);
+  EXPECT_LT(shaken.error.rms, plain.error.rms);
+  EXPECT_EQ(shaken.within, plain.within);
+  EXPECT_GT(shaken.evaluations, plain.evaluations);
+  options.threads = 2;
+  EXPECT_EQ(fit_surface(saddle, options).error.rms, shaken.error.rms);
+  options.enough = plain.error.rms;
+  EXPECT_EQ(fit_surface(saddle, options).shakes, 0);
+}
+
 TEST(FitSurface, LetsTheBetterHalfOfItsStartsGoOn) {
   const targets::SurfacePatch saddle = targets::saddle_patch(100, 0.15);
   SurfaceOptions options = few(4, 3);

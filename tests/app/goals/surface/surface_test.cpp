@@ -61,6 +61,22 @@ TEST(SurfaceGoal, LaysRibsOverAClosedMesh) {
     EXPECT_NEAR(pose.p.cwiseQuotient(Eigen::Vector3d(60, 40, 40)).norm(), 1, 0.1);
 }
 
+TEST(SurfaceGoal, TurnsAProfileForASheetAndForRibs) {
+  const testing::TemporaryFolder folder;
+  RunOptions options;
+  options.verify = false;
+  const std::string stool = ", profile: [[50, 0], [42, 30], [39, 60], [42, 90], [50, 120]]";
+  const auto sheet = run_scene(*read(folder, stool, "structure: {facets: [5, 3]}\n").goal, options);
+  EXPECT_LE(outcome_of<SurfaceOutcome>(sheet).design.error.rms, 0.02);
+  const auto ribs = run_scene(*read(folder, stool + ", ribs: 5").goal, options);
+  const auto& outcome = outcome_of<RibsOutcome>(ribs);
+  EXPECT_TRUE(outcome.met());
+  EXPECT_LE(outcome.ways.front().rms, 3e-3);
+  double lowest = 0;  // mm: ribs run round to the back
+  for (const model::Pose& pose : ribs.states.front().poses) lowest = std::min(lowest, pose.p.z());
+  EXPECT_LT(lowest, -30);
+}
+
 TEST(SurfaceGoal, SaysHowMuchASheetLacksAndThatRibsWouldDo) {
   const testing::TemporaryFolder folder;
   RunOptions options;
@@ -95,6 +111,10 @@ TEST(SurfaceGoal, RefusesWhatItCannotRead) {
   refused(", shape: cap, ribs: 3}\nstructure: {facets: [3, 3]", "belongs to a sheet of facets");
   refused(", shape: cap}\nstructure: {cell_mm: 3", "belongs to `target.ribs`");
   refused(", shape: cap, ribs: 9}\nstructure: {cell_mm: 20", "ribs overlap flat");
+  refused(", profile: [[10, 0], [12, 5], [9, 4]]", "must ascend");
+  refused(", profile: [[10, 0], [12, 50]], shape: cap", "both say what the surface is");
+  refused(", profile: [[10, 0], [12, 50]], width_mm: 3", "belongs to a shape");
+  refused(", profile: [[10, 0], [12, 50]], arc_deg: 200", "120");
   refused(", shape: vase, radius_mm: 2, swell_mm: 1, height_mm: 200", "curves too much for its facets");
 }
 
