@@ -228,6 +228,11 @@ struct CutCell {
   bool is_final = false;     // no cut helps
 };
 
+bool is_within(const FilledBore& bore, const Vector3d& p) {
+  const double along = bore.axis.dot(p - bore.point);
+  return std::abs(along) <= bore.half_mm && (p - bore.point - along * bore.axis).norm() <= bore.radius_mm;
+}
+
 class Cutter {
  public:
   Cutter(const Polyhedron& solid, const CutOptions& options)
@@ -235,6 +240,10 @@ class Cutter {
     tolerance_ = options.tolerance_mm > 0 ? options.tolerance_mm
                                           : std::max(least_tolerance_mm, tolerance_share * side_);
     watch_ = watch_points(solid, near_, watched_share * tolerance_, watch_spacing * side_);
+    std::erase_if(watch_, [&](const WatchPoint& w) {
+      return std::any_of(options_.filled.begin(), options_.filled.end(),
+                         [&](const FilledBore& bore) { return is_within(bore, w.at); });
+    });
   }
 
   std::vector<CutPiece> run() {

@@ -22,6 +22,7 @@ namespace {
 
 constexpr double first_turn_deg = 30;  // degrees, of the drive that a design starts with: enough to see
 constexpr double written_mm = 1e-9;    // mm, of points in the design: far below what a mesh of floats knows
+constexpr double written_size = 1e-6;  // mm, of diameters and clearances
 constexpr double written_direction = 1e-12;  // of the length of a direction, which is 1
 
 model::HingeChoices choices_of(const ImportRequest& request) {
@@ -66,6 +67,8 @@ void tidy_up(model::Assembly& assembly) {
   for (model::AssemblyBody& b : assembly.bodies) b.position = rounded(b.position, written_mm);
   for (model::AssemblyHinge& h : assembly.hinges) {
     h.point = rounded(h.point, written_mm);
+    h.rod_mm = std::round(h.rod_mm / written_size) * written_size;
+    h.clearance_mm = std::round(h.clearance_mm / written_size) * written_size;
     h.axis = rounded(h.axis, written_direction);
     h.along = rounded(h.along, written_direction);
   }
