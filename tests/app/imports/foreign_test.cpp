@@ -63,5 +63,24 @@ TEST(ForeignModel, HasItsHingesHoweverItLiesAndInInches) {
   }
 }
 
+TEST(ForeignModel, IsCutIntoConvexPiecesThatCoverIt) {
+  const Scratch scratch;
+  draw(scratch);
+  ASSERT_EQ(kinetix_opt("import --hard " + (scratch / "hard.stl").string() + " --soft " +
+                        (scratch / "soft.stl").string() + " --unit in -o " + (scratch / "out").string())
+                .code,
+            0);
+  for (int k = 1; k <= 4; ++k) {
+    const targets::TriangleMesh mesh =
+        targets::read_mesh((scratch / ("out/parts/body_" + std::to_string(k) + ".stl")).string());
+    const model::Polyhedron solid{mesh.vertices, mesh.triangles};
+    const auto pieces = sim::convex_cuts(solid);
+    const sim::CutQuality quality = measured(pieces, solid, 20000);
+    EXPECT_GE(quality.coverage, 0.999) << k;
+    EXPECT_LE(quality.sticks_out_mm, std::max(0.1, 0.01 * targets::bounds(mesh).sizes().maxCoeff())) << k;
+    EXPECT_LE(pieces.size(), 32u) << k;
+  }
+}
+
 }  // namespace
 }  // namespace kinetix::testing
