@@ -34,6 +34,7 @@ std::vector<Figure> print_figures();
 std::vector<Figure> print_judge_figures();
 std::vector<Figure> studio_figures();
 std::vector<Figure> bridge_figures();
+std::vector<Figure> import_figures();
 std::vector<Figure> fold_figures();
 std::vector<Figure> helmet_figures();
 std::vector<Figure> growth_figures();

@@ -13,6 +13,8 @@
 #include <optional>
 #include <tuple>
 
+#include "model/assembly/cylinder_faces.hpp"
+#include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
 
 namespace kinetix::sim {
@@ -26,13 +28,19 @@ constexpr double least_tolerance_mm = 0.1;  // mm: what a printer leaves anyway
 constexpr double tolerance_share = 0.01;    // of the longest side
 constexpr double watched_share =
     0.8;  // of the tolerance: points lie on a grid, and what is between them may stick out further
-constexpr double watch_spacing = 0.04;      // of the longest side, between points over large faces
+constexpr double watched_places =
+    1200;                      // about so many over the surface: of 36 x 36, a thirtieth of a side apart
+constexpr int levels = 4;      // of watch points over a place, each three times as far off as the one before
+constexpr int most_rows = 24;  // over a triangle, and places in a row
+constexpr double looked_at = 3;             // times the tolerance, between places on a hull that is looked at
 constexpr std::size_t most_watched = 3000;  // points in all: each costs a look at every face of a hull
 constexpr std::size_t most_candidates =
-    10;  // planes that are tried for a cut: of the faces below most watch points
+    10;                             // planes that are tried for a cut: of the faces below most watch points
+constexpr double large_bore = 0.1;  // of the longest side: smaller ones are cut as other faces are
 constexpr double same_plane =
     1e-3;  // rad and, over the longest side, of the offset: cuts that are no different
-constexpr double on_plane = 1e-9;  // of the longest side: corners so near to a cut lie on it
+constexpr double on_plane =
+    2e-5;  // of the longest side: corners so near to a cut lie on it, as files of six digits have them
 constexpr double thinnest = 1e-4;  // of the longest side: less is no piece
 
 struct CutPlane {
@@ -44,6 +52,7 @@ struct CutPlane {
 struct WatchPoint {
   Vector3d at;
   int triangle;
+  double depth;  // its distance over that of the nearest ones: what it counts for
 };
 
 double longest_side(const Polyhedron& solid) {
@@ -99,6 +108,20 @@ class NearSolid {
     return true;
   }
 
+  int nearest(const Vector3d& p) const {
+    double least = std::numeric_limits<double>::infinity();
+    int out = 0;
+    for (std::size_t t = 0; t < boxes_.size(); ++t)
+      if (const double d = boxes_[t].squaredExteriorDistance(p) < least
+                               ? squared_distance(p, corners_of(solid_, static_cast<int>(t)))
+                               : least;
+          d < least) {
+        least = d;
+        out = static_cast<int>(t);
+      }
+    return out;
+  }
+
   double distance(const Vector3d& p) const {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t t = 0; t < boxes_.size(); ++t)
@@ -125,32 +148,52 @@ class NearSolid {
   std::vector<int> by_x_;  // triangles, by where their boxes begin
 };
 
-/// Points over a triangle, about so far apart: its middle at least, and off its corners.
+/// Points over a triangle, about so far apart in rows along its longest side, one at least.
 void add_over(const std::array<Vector3d, 3>& t, double spacing, std::vector<Vector3d>& out) {
-  const double longest = std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
-  const int n = std::clamp(static_cast<int>(std::ceil(longest / spacing)), 1, 24);
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; i + j < n; ++j) {
-      const double u = (i + 1.0 / 3) / n, v = (j + 1.0 / 3) / n;
-      out.emplace_back((1 - u - v) * t[0] + u * t[1] + v * t[2]);
-    }
+  int k = 0;
+  for (int l = 1; l < 3; ++l)
+    if ((t[(l + 1) % 3] - t[l]).norm() > (t[(k + 1) % 3] - t[k]).norm()) k = l;
+  const Vector3d from = t[k], side = t[(k + 1) % 3] - t[k], apex = t[(k + 2) % 3] - t[k];
+  const double height = side.cross(apex).norm() / side.norm();
+  const int rows = std::clamp(static_cast<int>(std::ceil(height / spacing)), 1, most_rows);
+  for (int r = 0; r < rows; ++r) {
+    const double v = rows == 1 ? 1.0 / 3 : (r + 0.5) / rows;
+    const int places = std::clamp(static_cast<int>(std::ceil((1 - v) * side.norm() / spacing)), 1, most_rows);
+    for (int i = 0; i < places; ++i) out.emplace_back(from + v * apex + (1 - v) * (i + 0.5) / places * side);
+  }
+}
+
+double area_of(const Polyhedron& solid) {
+  double area = 0;
+  for (int t = 0; t < static_cast<int>(solid.triangles.size()); ++t) {
+    const auto c = corners_of(solid, t);
+    area += (c[1] - c[0]).cross(c[2] - c[0]).norm() / 2;
+  }
+  return area;
 }
 
 /// Whatever lay between a face and a point off it would be nearer: so what is left is outside.
-std::vector<WatchPoint> watch_points(const Polyhedron& solid, const NearSolid& near, double off,
-                                     double spacing) {
-  std::vector<WatchPoint> all;
+std::vector<WatchPoint> watch_points(const Polyhedron& solid, const NearSolid& near, double off) {
+  const double spacing = std::sqrt(area_of(solid) / watched_places);
+  std::vector<std::pair<Vector3d, int>> all;
   for (int t = 0; t < static_cast<int>(solid.triangles.size()); ++t) {
-    const auto corners = corners_of(solid, t);
-    const Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).stableNormalized();
     std::vector<Vector3d> places;
-    add_over(corners, spacing, places);
-    for (const Vector3d& p : places) all.push_back({p + off * normal, t});
+    add_over(corners_of(solid, t), spacing, places);
+    for (const Vector3d& p : places) all.emplace_back(p, t);
   }
   const std::size_t stride = all.size() / most_watched + 1;
   std::vector<WatchPoint> out;
-  for (std::size_t k = 0; k < all.size(); k += stride)
-    if (near.is_farther_than(all[k].at, 0.999 * off)) out.push_back(all[k]);
+  for (std::size_t k = 0; k < all.size(); k += stride) {
+    const auto& [place, t] = all[k];
+    const auto c = corners_of(solid, t);
+    const Vector3d normal = (c[1] - c[0]).cross(c[2] - c[0]).stableNormalized();
+    double depth = 1;
+    for (int level = 0; level < levels; ++level, depth *= 3) {
+      const Vector3d at = place + depth * off * normal;
+      if (!near.is_farther_than(at, 0.999 * depth * off)) break;
+      out.push_back({at, t, depth});
+    }
+  }
   return out;
 }
 
@@ -182,7 +225,9 @@ CutPolygon clipped(const CutPolygon& polygon, const CutPlane& plane, double tole
   return lies_in_it && !(area_of(polygon).dot(plane.normal) > 0) ? CutPolygon{} : out;
 }
 
-CutPiece hull_of(const std::vector<Vector3d>& points, double least_size) {
+/// @param skin takes its faces as triangles
+CutPiece hull_of(const std::vector<Vector3d>& points, double least_size,
+                 std::vector<std::array<Vector3d, 3>>& skin) {
   CutPiece out;
   btConvexHullComputer hull;
   hull.compute(points.front().data(), sizeof(Vector3d), static_cast<int>(points.size()), 0, 0);
@@ -199,6 +244,7 @@ CutPiece hull_of(const std::vector<Vector3d>& points, double least_size) {
     do {
       area += (out.corners[edge->getSourceVertex()] - origin)
                   .cross(out.corners[edge->getTargetVertex()] - origin);
+      skin.push_back({origin, out.corners[edge->getSourceVertex()], out.corners[edge->getTargetVertex()]});
       edge = edge->getNextEdgeOfFace();
     } while (edge != first);
     Vector3d normal = area.stableNormalized();
@@ -208,6 +254,14 @@ CutPiece hull_of(const std::vector<Vector3d>& points, double least_size) {
     for (const Vector3d& p : points) offset = std::max(offset, normal.dot(p));
     rows.emplace_back(normal.x(), normal.y(), normal.z(), offset);
   }
+  // Slivers that were left out bound it too: by its box at least.
+  for (int k = 0; k < 3; ++k)
+    for (const double sign : {-1.0, 1.0}) {
+      const Vector3d normal = sign * Vector3d::Unit(k);
+      double offset = -std::numeric_limits<double>::infinity();
+      for (const Vector3d& p : points) offset = std::max(offset, normal.dot(p));
+      rows.emplace_back(normal.x(), normal.y(), normal.z(), offset);
+    }
   out.faces.resize(static_cast<Eigen::Index>(rows.size()), 4);
   for (std::size_t f = 0; f < rows.size(); ++f) out.faces.row(static_cast<Eigen::Index>(f)) = rows[f];
   return out;
@@ -225,9 +279,16 @@ struct CutCell {
   std::vector<CutPolygon> surface;  // of the solid, in it
   std::vector<Vector3d> inner;      // corners of the cell inside the solid
   CutPiece hull;
-  std::vector<int> watched;  // points in the hull
-  bool is_final = false;     // no cut helps
+  std::vector<std::array<Vector3d, 3>> skin;  // of the hull
+  std::vector<int> watched;                   // points in the hull
+  double weight = 0;                          // sum of their depths
+  bool is_final = false;                      // no cut helps
 };
+
+bool is_within(const FilledBore& bore, const Vector3d& p) {
+  const double along = bore.axis.dot(p - bore.point);
+  return std::abs(along) <= bore.half_mm && (p - bore.point - along * bore.axis).norm() <= bore.radius_mm;
+}
 
 class Cutter {
  public:
@@ -235,11 +296,14 @@ class Cutter {
       : solid_(solid), options_(options), near_(solid), side_(longest_side(solid)) {
     tolerance_ = options.tolerance_mm > 0 ? options.tolerance_mm
                                           : std::max(least_tolerance_mm, tolerance_share * side_);
-    watch_ = watch_points(solid, near_, watched_share * tolerance_, watch_spacing * side_);
+    watch_ = watch_points(solid, near_, watched_share * tolerance_);
+    find_bores();
+    std::erase_if(watch_, [&](const WatchPoint& w) { return is_ignored(w.at); });
   }
 
   std::vector<CutPiece> run() {
     std::vector<CutCell> cells{whole()};
+    look_over(cells.front());
     while (static_cast<int>(cells.size()) < options_.most_pieces) {
       const auto worst = std::max_element(cells.begin(), cells.end(), [](const CutCell& a, const CutCell& b) {
         return weight(a) < weight(b);
@@ -250,6 +314,7 @@ class Cutter {
         worst->is_final = true;
         continue;
       }
+      for (CutCell& part : *parts) look_over(part);
       *worst = std::move((*parts)[0]);
       cells.push_back(std::move((*parts)[1]));
     }
@@ -259,7 +324,54 @@ class Cutter {
   }
 
  private:
-  static std::size_t weight(const CutCell& cell) { return cell.is_final ? 0 : cell.watched.size(); }
+  /// Round hollows that are large for the solid, and which triangles are theirs.
+  void find_bores() {
+    for (const model::CylinderFace& face : model::cylinder_faces(solid_))
+      if (face.hollow && face.radius_mm > large_bore * side_) bores_.push_back(face);
+    bore_of_.assign(solid_.triangles.size(), -1);
+    for (std::size_t t = 0; t < bore_of_.size(); ++t) {
+      const auto c = corners_of(solid_, static_cast<int>(t));
+      for (std::size_t b = 0; b < bores_.size(); ++b)
+        if (std::all_of(c.begin(), c.end(), [&](const Vector3d& p) { return lies_on(bores_[b], p); }))
+          bore_of_[t] = static_cast<int>(b);
+    }
+  }
+
+  static bool lies_on(const model::CylinderFace& bore, const Vector3d& p) {
+    const Vector3d arm = p - bore.point;
+    const double along = bore.axis.dot(arm), off = (arm - along * bore.axis).norm(),
+                 slack = 0.01 * bore.radius_mm;
+    const double at = bore.axis.dot(p);
+    return at >= bore.from - slack && at <= bore.to + slack && off >= bore.inner_mm - slack &&
+           off <= bore.radius_mm + slack;
+  }
+
+  static double weight(const CutCell& cell) { return cell.is_final ? 0 : cell.weight; }
+
+  /// Of a cell that no point watches: places on its hull that stick out become such points.
+  void look_over(CutCell& cell) {
+    if (!cell.watched.empty()) return;
+    Vector3d center = Vector3d::Zero();
+    for (const Vector3d& p : cell.hull.corners) center += p / static_cast<double>(cell.hull.corners.size());
+    for (const auto& face : cell.skin) {
+      if (!((face[1] - face[0]).cross(face[2] - face[0]).norm() > tolerance_ * tolerance_)) continue;
+      std::vector<Vector3d> places;
+      add_over(face, looked_at * tolerance_, places);
+      for (const Vector3d& place : places) {
+        const Vector3d p = place + thinnest * (center - place);
+        if (is_ignored(p) || !near_.is_farther_than(p, watched_share * tolerance_) || near_.holds(p))
+          continue;
+        cell.watched.push_back(static_cast<int>(watch_.size()));
+        cell.weight += 1;
+        watch_.push_back({p, near_.nearest(p), 1});
+      }
+    }
+  }
+
+  bool is_ignored(const Vector3d& p) const {
+    return std::any_of(options_.filled.begin(), options_.filled.end(),
+                       [&](const FilledBore& bore) { return is_within(bore, p); });
+  }
 
   CutCell whole() const {
     CutCell cell;
@@ -282,9 +394,13 @@ class Cutter {
     std::sort(points.begin(), points.end(),
               [&](const Vector3d& p, const Vector3d& q) { return key(p) < key(q); });
     points.erase(std::unique(points.begin(), points.end()), points.end());
-    cell.hull = hull_of(points, thinnest * side_);
+    cell.skin.clear();
+    cell.hull = hull_of(points, thinnest * side_, cell.skin);
     for (const int w : among)
-      if (is_in(cell.hull, watch_[w].at)) cell.watched.push_back(w);
+      if (is_in(cell.hull, watch_[w].at)) {
+        cell.watched.push_back(w);
+        cell.weight += watch_[w].depth;
+      }
   }
 
   /// Where three planes of the cell meet inside the solid, one of them the last.
@@ -298,7 +414,8 @@ class Cutter {
         if (!(std::abs(normals.determinant()) > 1e-6)) continue;
         const Vector3d p = normals.inverse() *
                            Vector3d(cell.planes[i].offset, cell.planes[j].offset, cell.planes[n - 1].offset);
-        if (keeps(cell, p) && near_.holds(p)) cell.inner.push_back(p);
+        const Vector3d inwards = -(cell.planes[i].normal + cell.planes[j].normal + cell.planes[n - 1].normal);
+        if (keeps(cell, p) && near_.holds(p + 0.5 * thinnest * side_ * inwards)) cell.inner.push_back(p);
       }
   }
 
@@ -393,15 +510,69 @@ class Cutter {
            std::abs(a.offset - sign * b.offset) < same_plane * side_;
   }
 
+  /// Where most of what watches a cell is round a bore: off its ends, then through its axis, in the middle of where they are.
+  std::optional<CutPlane> cut_at_bore(const CutCell& cell) const {
+    std::vector<double> weights(bores_.size(), 0);
+    for (const int w : cell.watched)
+      if (const int b = bore_of_[watch_[w].triangle]; b >= 0) weights[b] += watch_[w].depth;
+    for (std::size_t b = 0; b < bores_.size(); ++b)
+      if (weights[b] > cell.weight / 2) {
+        if (const auto end = cut_at_end(cell, bores_[b])) return end;
+        return cut_along(cell, static_cast<int>(b));
+      }
+    return std::nullopt;
+  }
+
+  std::optional<CutPlane> cut_at_end(const CutCell& cell, const model::CylinderFace& bore) const {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Vector3d& p : cell.hull.corners) {
+      low = std::min(low, bore.axis.dot(p));
+      high = std::max(high, bore.axis.dot(p));
+    }
+    if (low < bore.from - tolerance_) return CutPlane{bore.axis, bore.from};
+    if (high > bore.to + tolerance_) return CutPlane{bore.axis, bore.to};
+    return std::nullopt;
+  }
+
+  std::optional<CutPlane> cut_along(const CutCell& cell, int bore) const {
+    const model::CylinderFace& face = bores_[bore];
+    const Vector3d u = face.axis.unitOrthogonal(), v = face.axis.cross(u);
+    std::vector<double> angles;
+    for (const int w : cell.watched)
+      if (bore_of_[watch_[w].triangle] == bore) {
+        const Vector3d arm = watch_[w].at - face.point;
+        angles.push_back(std::atan2(v.dot(arm), u.dot(arm)));
+      }
+    std::sort(angles.begin(), angles.end());
+    std::size_t first = 0;  // behind the widest gap
+    double gap = angles.front() + 2 * pi - angles.back();
+    for (std::size_t k = 1; k < angles.size(); ++k)
+      if (angles[k] - angles[k - 1] > gap) {
+        gap = angles[k] - angles[k - 1];
+        first = k;
+      }
+    const double middle = angles[first] + (2 * pi - gap) / 2;
+    const Vector3d normal = -std::sin(middle) * u + std::cos(middle) * v;
+    return CutPlane{normal, normal.dot(face.point)};
+  }
+
+  std::optional<std::array<CutCell, 2>> halves(const CutCell& cell, const CutPlane& plane) const {
+    auto below = half(cell, plane), above = half(cell, {-plane.normal, -plane.offset});
+    if (!below || !above) return std::nullopt;
+    return std::array<CutCell, 2>{std::move(*below), std::move(*above)};
+  }
+
   std::optional<std::array<CutCell, 2>> best_cut(const CutCell& cell) const {
+    if (const auto plane = cut_at_bore(cell))
+      if (auto parts = halves(cell, *plane)) return parts;
     std::optional<std::array<CutCell, 2>> best;
-    std::size_t least = cell.watched.size();
+    double least = cell.weight;
     for (const CutPlane& plane : candidates(cell)) {
       auto below = half(cell, plane);
-      if (!below || below->watched.size() > least) continue;
+      if (!below || below->weight > least) continue;
       auto above = half(cell, {-plane.normal, -plane.offset});
       if (!above) continue;
-      const std::size_t left = below->watched.size() + above->watched.size();
+      const double left = below->weight + above->weight;
       if (left > least || (left == least && best)) continue;
       least = left;
       best = {std::move(*below), std::move(*above)};
@@ -415,6 +586,8 @@ class Cutter {
   const double side_;
   double tolerance_ = 0;
   std::vector<WatchPoint> watch_;
+  std::vector<model::CylinderFace> bores_;
+  std::vector<int> bore_of_;  // by triangle; -1: of none
 };
 
 /// Of the van der Corput sequence of a base.

@@ -13,10 +13,19 @@ struct CutPiece {
   Eigen::MatrixX4d faces;                ///< a row each: unit normal outwards, and n . p on the face, mm
 };
 
+/// A round hole that may be filled, since what is in it does not collide: the bore of a pin.
+struct FilledBore {
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< on its axis, in the middle, mm
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< unit vector
+  double radius_mm = 0;                             ///< within which pieces may stick out, mm
+  double half_mm = 0;                               ///< to either side of the point along the axis, mm
+};
+
 struct CutOptions {
   double tolerance_mm =
       0;  ///< by which pieces may stick out of the solid, mm; 0: a hundredth of its longest side, at least 0.1 mm
   int most_pieces = 32;  ///< >= 1
+  std::vector<FilledBore> filled = {};
 };
 
 /// Convex pieces that cover a solid, by recursive planar cuts.

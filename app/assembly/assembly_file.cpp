@@ -72,6 +72,9 @@ const targets::KeyTable& joint_keys() {
       {"reach_mm", value::number(targets::above(0, "mm")), targets::otherwise("0.18 of `cell_mm`"),
        "half distance of the two points on the axis at which it holds its bodies together"},
       {"k", value::map(k_keys()), {}, "its stiffness, where it is soft"},
+      {"diameter_mm", value::number(targets::above(0, "mm")), {}, "of a pin's rod"},
+      {"clearance_mm", value::number(targets::at_least(0, "mm")), targets::by_default(0.0),
+       "of a pin, between rod and bore, a side"},
       {"confidence", value::number(share), targets::by_default(1),
        "how sure its axis is: 1 less its stiffness about it over that about the next axis"},
       {"file", value::text("path of an STL, OBJ or PLY file"), {}, "the surface of its soft part at rest"},
@@ -195,6 +198,8 @@ class Reader {
       k.read_needed("along", "a stiffness in N/mm", hinge.k.along);
       k.read_needed("turn", "a stiffness in N mm/rad", hinge.k.turn);
     }
+    section.read("diameter_mm", hinge.rod_mm);
+    section.read("clearance_mm", hinge.clearance_mm);
     section.read("confidence", hinge.confidence);
     if (const auto file = section.optional("file")) hinge.soft = read_shell(*file);
     out_hinges_.push_back(hinge.name);
@@ -242,6 +247,9 @@ std::string hinge_line(const model::Assembly& a, const model::AssemblyHinge& h) 
   out += fmt::format(", reach_mm: {}, k: {{axial: {}, shear: {}, along: {}, turn: {}}}, confidence: {:.4g}",
                      shortest_text(h.reach_mm), shortest_text(h.k.axial), shortest_text(h.k.shear),
                      shortest_text(h.k.along), shortest_text(h.k.turn), h.confidence);
+  if (h.rod_mm > 0)
+    out += fmt::format(", diameter_mm: {}, clearance_mm: {}", shortest_text(h.rod_mm),
+                       shortest_text(h.clearance_mm));
   if (!h.soft.points.empty()) out += ", file: parts/" + h.name + ".stl";
   return out + "}\n";
 }

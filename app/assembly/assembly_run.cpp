@@ -19,6 +19,10 @@ namespace kinetix::app {
 namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double bore_share = 1.05;  // of a bore's radius: its polygon's corners lie outside it
+constexpr double pin_share =
+    2;  // of the reach of a pin, h / sqrt(12) of what bears: half of h and a little more
+constexpr double one_shape_mm = 1e-4;    // mm: what floats far from the origin leave of equal shapes
 constexpr double most_overlap_mm = 0.1;  // mm: by which pieces may stick out of their bodies
 constexpr double stiff = 1e8;  // joint_stiffness of what closes exactly, as of exact families of sheets
 constexpr std::array step_factors = {10.0, 4.0,
@@ -88,16 +92,51 @@ sim::PhysicsOptions physics_of(const AssemblyRun& run, double factor) {
   return options;
 }
 
+/// Of a body: rods turn in them, and do not collide with what is round them.
+std::vector<sim::FilledBore> bores_of(const model::Assembly& assembly, int body) {
+  std::vector<sim::FilledBore> out;
+  for (const model::AssemblyHinge& h : assembly.hinges)
+    if (h.rod_mm > 0 && (h.lower == body || h.upper == body))
+      out.push_back({h.point, h.axis, bore_share * (h.rod_mm / 2 + h.clearance_mm), pin_share * h.reach_mm});
+  return out;
+}
+
+bool have_one_shape(const model::AssemblyBody& a, const model::AssemblyBody& b) {
+  if (a.solid.triangles != b.solid.triangles) return false;
+  return std::equal(a.solid.points.begin(), a.solid.points.end(), b.solid.points.begin(),
+                    b.solid.points.end(), [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
+                      return ((p - a.position) - (q - b.position)).cwiseAbs().maxCoeff() < one_shape_mm;
+                    });
+}
+
+/// For each body the first one of its shape.
+std::vector<int> first_of_shape(const model::Assembly& assembly) {
+  std::vector<int> out, firsts;
+  for (int b = 0; b < static_cast<int>(assembly.bodies.size()); ++b) {
+    const auto known = std::find_if(firsts.begin(), firsts.end(), [&](int f) {
+      return have_one_shape(assembly.bodies[f], assembly.bodies[b]);
+    });
+    out.push_back(known == firsts.end() ? b : *known);
+    if (known == firsts.end()) firsts.push_back(b);
+  }
+  return out;
+}
+
 /// Convex pieces of all bodies, about their rest positions.
 sim::ContactParts pieces_of(const model::Assembly& assembly) {
   sim::ContactParts parts;
   parts.of_body.resize(assembly.bodies.size());
+  const std::vector<int> first = first_of_shape(assembly);
 #pragma omp parallel for schedule(dynamic)
-  for (int b = 0; b < static_cast<int>(assembly.bodies.size()); ++b)
-    for (sim::CutPiece& piece : sim::convex_cuts(assembly.bodies[b].solid)) {
+  for (int b = 0; b < static_cast<int>(assembly.bodies.size()); ++b) {
+    if (first[b] != b) continue;
+    for (sim::CutPiece& piece :
+         sim::convex_cuts(assembly.bodies[b].solid, {.filled = bores_of(assembly, b)})) {
       for (Eigen::Vector3d& corner : piece.corners) corner -= assembly.bodies[b].position;
       parts.of_body[b].push_back(std::move(piece.corners));
     }
+  }
+  for (std::size_t b = 0; b < first.size(); ++b) parts.of_body[b] = parts.of_body[first[b]];
   return parts;
 }
 

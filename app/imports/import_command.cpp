@@ -21,8 +21,10 @@ namespace kinetix::app {
 namespace {
 
 constexpr double first_turn_deg = 30;  // degrees, of the drive that a design starts with: enough to see
-constexpr double written_mm = 1e-9;    // mm, of points in the design: far below what a mesh of floats knows
-constexpr double written_direction = 1e-12;  // of the length of a direction, which is 1
+constexpr double written_mm =
+    1e9;  // parts of a mm, of points in the design: far below what a mesh of floats knows
+constexpr double written_size = 1e6;        // likewise, of diameters and clearances
+constexpr double written_direction = 1e12;  // parts of the length of a direction, which is 1
 
 model::HingeChoices choices_of(const ImportRequest& request) {
   model::HingeChoices choices =
@@ -59,13 +61,19 @@ model::Assembly assembled(const ModelParts& parts, const model::HingeChoices& ch
   }
 }
 
-Eigen::Vector3d rounded(const Eigen::Vector3d& v, double to) { return (v / to).array().round() * to; }
+double rounded(double x, double parts) { return std::round(x * parts) / parts + 0.0; }
+
+Eigen::Vector3d rounded(const Eigen::Vector3d& v, double parts) {
+  return {rounded(v.x(), parts), rounded(v.y(), parts), rounded(v.z(), parts)};
+}
 
 /// What rounding left of zeros reads badly.
 void tidy_up(model::Assembly& assembly) {
   for (model::AssemblyBody& b : assembly.bodies) b.position = rounded(b.position, written_mm);
   for (model::AssemblyHinge& h : assembly.hinges) {
     h.point = rounded(h.point, written_mm);
+    h.rod_mm = rounded(h.rod_mm, written_size);
+    h.clearance_mm = rounded(h.clearance_mm, written_size);
     h.axis = rounded(h.axis, written_direction);
     h.along = rounded(h.along, written_direction);
   }

@@ -258,6 +258,7 @@ class Builder {
                          .clearance_mm = fit.clearance_mm};
     hinge.k = model::stiffness(made);
     hinge.reach_mm = model::reach_mm(made);
+    hinge.rod_mm = fit.rod_mm;
     hinge.clearance_mm = fit.clearance_mm;
     out_.hinges.push_back(std::move(hinge));
   }

@@ -38,6 +38,7 @@ struct AssemblyHinge {
   double confidence = 1;         ///< in the axis, 0 to 1
   double reach_mm = 1;           ///< half distance of the two points on the axis that hold it, > 0
   HingeStiffness k = {};
+  double rod_mm = 0;        ///< diameter of a pin's rod
   double clearance_mm = 0;  ///< of a pin, a side
   Polyhedron soft = {};     ///< of a block: its part at rest, mm
 };

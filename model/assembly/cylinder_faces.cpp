@@ -26,6 +26,9 @@ constexpr double least_turn =
     200 * radians_per_degree;    // rad: a rod comes out of a bore that goes round by half and little more
 constexpr int least_facets = 6;  // of twelve sides what 200 degrees have, less one
 constexpr double round = 2e-3;   // of the radius, by which corners may leave the circle
+constexpr int fits = 4;          // rounds until only corners are left: two are usual
+constexpr double flattest =
+    0.95;  // of the radius, cos(pi / 12) = 0.966: facets of twelve sides are no nearer to the axis
 constexpr double parallel = 1 * radians_per_degree;  // rad, of two axes of one hinge: more binds
 constexpr double most_play = 0.5;                    // of the rod's radius: looser ones are no bearing
 constexpr double least_overlap = 0.25;               // of the rod's diameter along the axis
@@ -120,6 +123,21 @@ Eigen::Vector3d circle_through(const std::vector<Vector2d>& points) {
   return {fit.x(), fit.y(), std::sqrt(std::max(0.0, fit.z() + fit.x() * fit.x() + fit.y() * fit.y()))};
 }
 
+/// The same through those points alone that are on it in the end: others lie on facets, where these are cut off.
+Eigen::Vector3d circle_of_corners(std::vector<Vector2d> points) {
+  Eigen::Vector3d circle = circle_through(points);
+  for (int round_of_fit = 0; round_of_fit < fits; ++round_of_fit) {
+    double outermost = 0;
+    for (const Vector2d& p : points) outermost = std::max(outermost, (p - circle.head<2>()).norm());
+    std::vector<Vector2d> corners;
+    for (const Vector2d& p : points)
+      if ((p - circle.head<2>()).norm() > (1 - 2 * round) * outermost) corners.push_back(p);
+    if (corners.size() < 3) return circle;
+    circle = circle_through(corners);
+  }
+  return circle;
+}
+
 /// Angle that is covered round a center: all but the largest gap between neighbouring corners.
 double covered(const std::vector<Vector2d>& points, const Vector2d& center) {
   std::vector<double> angles;
@@ -152,21 +170,24 @@ std::optional<CylinderFace> fitted(const std::vector<int>& region, const Polyhed
     face.from = std::min(face.from, d.dot(solid.points[p]));
     face.to = std::max(face.to, d.dot(solid.points[p]));
   }
-  const Vector3d circle = circle_through(flatly);
+  const Vector3d circle = circle_of_corners(flatly);
   const Vector2d center = circle.head<2>();
   face.radius_mm = circle.z();
   face.turn = covered(flatly, center);
   face.point = origin + center.x() * u + center.y() * v;
   face.point += (0.5 * (face.from + face.to) - d.dot(face.point)) * d;
   if (!(face.turn > least_turn) || static_cast<int>(flatly.size()) < 2 * least_facets) return std::nullopt;
-  for (const Vector2d& p : flatly)
-    if (!(std::abs((p - center).norm() - face.radius_mm) <= round * face.radius_mm + 1e-4))
-      return std::nullopt;
   face.inner_mm = face.radius_mm;
   for (const int t : region) {
     const double away = facets.normals[t].dot(facets.centers[t] - face.point);
     if (!((hollow ? -away : away) > 0)) return std::nullopt;
     face.inner_mm = std::min(face.inner_mm, std::abs(away));
+  }
+  const double slack = round * face.radius_mm + 1e-4;
+  if (!(face.inner_mm >= flattest * face.radius_mm)) return std::nullopt;
+  for (const Vector2d& p : flatly) {
+    const double off = (p - center).norm();
+    if (!(off <= face.radius_mm + slack && off >= face.inner_mm - slack)) return std::nullopt;
   }
   return face;
 }

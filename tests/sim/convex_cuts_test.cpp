@@ -82,6 +82,13 @@ TEST(ConvexCuts, CoverPartsOfAThousandTriangles) {
   expect_good_cuts(tube(ring(30, 125, true), ring(29, 125, true), 0, 40), "thin tube");
 }
 
+TEST(ConvexCuts, LeaveATubeWholeWhoseBoreMayBeFilled) {
+  const Polyhedron eye = tube(ring(3, 24, true), ring(1.8, 24, false), -1, 2);
+  const FilledBore bore{{0, 0, 0.5}, Eigen::Vector3d::UnitZ(), 1.9, 2};
+  EXPECT_EQ(convex_cuts(eye, {.filled = {bore}}).size(), 1u);
+  EXPECT_GT(convex_cuts(eye).size(), 4u);
+}
+
 TEST(ConvexCuts, AreTheSameAgainAndRefuseNonsense) {
   const Polyhedron solid = tube(ring(5, 32, true), ring(3, 32, true), 0, 12);
   const auto first = convex_cuts(solid), again = convex_cuts(solid);

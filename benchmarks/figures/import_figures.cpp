@@ -1,0 +1,115 @@
+#include <fmt/format.h>
+
+#include <random>
+
+#include "benchmarks/figure.hpp"
+#include "benchmarks/stopwatch.hpp"
+#include "model/assembly/assembly.hpp"
+#include "model/base/angle.hpp"
+#include "sim/convex_cuts.hpp"
+#include "tests/support/strip_solids.hpp"
+
+namespace kinetix::bench {
+namespace {
+
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+using model::Polyhedron;
+using testing::box_solid;
+using testing::moved;
+using testing::ring;
+using testing::strip_solid;
+using testing::tube;
+
+std::vector<double> evenly(double half, int count) {
+  std::vector<double> out;
+  for (int k = 0; k <= count; ++k) out.push_back(-half + 2 * half * k / count);
+  return out;
+}
+
+struct SoftShape {
+  Polyhedron solid;
+  double half;  ///< of its length, mm
+};
+
+std::vector<SoftShape> soft_shapes() {
+  const auto fillet = [](double m) {
+    return std::abs(m) < 0.6 ? 0.4 : 1.4 - std::sqrt(1 - std::pow(std::abs(m) - 0.6, 2));
+  };
+  return {{box_solid(-0.5, 0.5, 0.8, 6), 0.5},
+          {strip_solid(
+               evenly(1.2, 24), [](double m) { return std::sqrt(2.25 - m * m); }, 8),
+           1.2},
+          {strip_solid(
+               evenly(1, 20), [](double m) { return 0.3 + 0.4 * m * m; }, 5),
+           1},
+          {strip_solid(evenly(1.2, 24), fillet, 6), 1.2}};
+}
+
+/// Degrees by which the axis of a soft part between two walls is off, all of it moved.
+double axis_off(const SoftShape& shape, const Isometry3d& motion) {
+  const model::Assembly found =
+      make_assembly({{"left", false, moved(box_solid(-shape.half - 6, -shape.half, 3, 9), motion)},
+                     {"right", false, moved(box_solid(shape.half, shape.half + 6, 3, 9), motion)},
+                     {"soft", true, moved(shape.solid, motion)}});
+  const Vector3d meant = motion.linear() * Vector3d::UnitZ(), axis = found.hinges[0].axis;
+  return to_degrees(std::atan2(meant.cross(axis).norm(), std::abs(meant.dot(axis))));
+}
+
+Figure hinge_axes() {
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  double worst = 0;
+  int count = 0;
+  for (const SoftShape& shape : soft_shapes())
+    for (int degrees = 0; degrees <= 60; degrees += 5, ++count) {
+      const Vector3d about(normal(random), normal(random), normal(random));
+      worst = std::max(
+          worst,
+          axis_off(shape, Isometry3d(Eigen::AngleAxisd(degrees * radians_per_degree, about.normalized()))));
+    }
+  return {
+      fmt::format(
+          "Import: axes of boxes, cylinders, hourglasses and fillets, leaning by 0 to 60 degrees, {} models",
+          count),
+      "within 1 degree", fmt::format("{:.1e} degrees", worst), worst <= 1};
+}
+
+/// Tubes of a thousand triangles, each with walls of another thickness.
+std::vector<Polyhedron> hundred_parts() {
+  std::vector<Polyhedron> out;
+  for (int k = 0; k < 100; ++k)
+    out.push_back(tube(ring(5, 125, true), ring(2 + 0.028 * k, 125, true), 0, 12));
+  return out;
+}
+
+std::vector<Figure> pieces() {
+  const std::vector<Polyhedron> parts = hundred_parts();
+  std::vector<std::vector<sim::CutPiece>> found(parts.size());
+  const double took = seconds([&] {
+    for (std::size_t k = 0; k < parts.size(); ++k) found[k] = sim::convex_cuts(parts[k]);
+  });
+  double covered = 1, out = 0;
+  std::size_t most = 0;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const sim::CutQuality quality = measured(found[k], parts[k], 2000);
+    covered = std::min(covered, quality.coverage);
+    out = std::max(out, quality.sticks_out_mm);
+    most = std::max(most, found[k].size());
+  }
+  return {{"Convex pieces of 100 tubes of 1000 triangles, one core", "<= 10 s", fmt::format("{:.1f} s", took),
+           took <= 10},
+          {"... how well they cover them, by 2000 points each", ">= 99.9 %, out by <= 0.12 mm, <= 32 a part",
+           fmt::format("{:.2f} %, out by {:.3f} mm, {} at most", 100 * covered, out, most),
+           covered >= 0.999 && out <= 0.12 && most <= 32}};
+}
+
+}  // namespace
+
+std::vector<Figure> import_figures() {
+  std::vector<Figure> all{hinge_axes()};
+  for (Figure& figure : pieces()) all.push_back(std::move(figure));
+  return all;
+}
+
+}  // namespace kinetix::bench
