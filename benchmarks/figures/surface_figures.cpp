@@ -5,9 +5,12 @@
 
 #include "benchmarks/figure.hpp"
 #include "model/base/angle.hpp"
+#include "model/closure/mobility.hpp"
+#include "model/contact/wall_contact.hpp"
 #include "model/lattice/origami/fold_mesh.hpp"
 #include "model/lattice/origami/march.hpp"
 #include "model/lattice/origami/origami_sheet.hpp"
+#include "model/sheet/sheet_motion.hpp"
 #include "optim/ribs/fit_ribs.hpp"
 #include "optim/surface/fit_surface.hpp"
 #include "optim/surface/free_height.hpp"
@@ -103,7 +106,7 @@ Figure random_meshes() {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> unit(-1, 1);
   double gap = 0, hinges = 0;
-  int meshes = 0;
+  int meshes = 0, free = 0;
   for (const int facets : {4, 8, 12, 20})
     for (int trial = 0; trial < 40; ++trial) {
       model::MarchData data = model::miura(facets, facets, 1.1, 1);
@@ -114,6 +117,7 @@ Figure random_meshes() {
       try {
         const model::OrigamiSheet sheet = origami_sheet(model::march(data).mesh, {});
         ++meshes;
+        if (mobility(sheet.structure, exact_motion(model::Sheet(sheet.structure))).dofs_along == 1) ++free;
         for (const double theta : {0.02, 0.5, 0.98}) {
           gap = std::max(gap, fold_gap(sheet.mesh, theta));
           hinges = std::max(hinges, hinge_gaps(sheet.structure, fold(sheet, theta)).max);
@@ -121,9 +125,26 @@ Figure random_meshes() {
       } catch (const std::exception&) {  // data that lead out of the range of a mesh
       }
     }
-  return {"random flat-foldable meshes to 20 x 20 facets", "closure <= 1e-11",
-          fmt::format("{} sheets: facets {:.0e}, hinges {:.0e}", meshes, gap, hinges),
-          meshes > 20 && std::max(gap, hinges) <= 1e-11};
+  return {"random flat-foldable meshes to 20 x 20 facets", "closure <= 1e-11, mobility 1",
+          fmt::format("{} sheets: facets {:.0e}, hinges {:.0e}; {} of mobility 1", meshes, gap, hinges, free),
+          meshes > 20 && free == meshes && std::max(gap, hinges) <= 1e-11};
+}
+
+/// A regular Miura sheet with high plates, looked at in steps in which no wall's end moves by a hundredth of it.
+Figure miura_with_plates() {
+  constexpr double multiplier = 2.4, height = 0.3, asked = 0.5;  // the figure's own: ratio, mean walls, rad
+  constexpr double sector = 80 * radians_per_degree;  // near to 90 deg facets fold least over each other
+  const model::OrigamiSheet sheet = origami_sheet(model::march(model::miura(6, 6, sector, multiplier)).mesh,
+                                                  {10, plate_thickness * 10, height * 10});
+  const model::ThetaRange range =
+      theta_range(sheet.structure, [&](double theta, model::State& state) { state = fold(sheet, theta); },
+                  {.limit = 0.6, .step = 0.25 * radians_per_degree});
+  return {fmt::format(
+              "regular Miura sheet, 6 x 6 facets, sectors of 80 deg, multiplier {}, plates {} high, {} thick",
+              multiplier, height, plate_thickness),
+          fmt::format("no walls meet on the way to theta {}", asked),
+          fmt::format("none to theta {:.4f}", range.positive.theta),
+          range.touching_at_rest.empty() && range.positive.theta >= asked};
 }
 
 }  // namespace
@@ -131,6 +152,7 @@ Figure random_meshes() {
 std::vector<Figure> surface_figures() {
   constexpr double deg = radians_per_degree;
   return {random_meshes(),
+          miura_with_plates(),
           fit("cap of 60 deg", targets::cap_patch(100, 60 * deg), options_of(8, {0.3, 3}), 5e-3, 5),
           fit("cap of 60 deg", targets::cap_patch(100, 60 * deg), options_of(8, {0.6, 1.5}), 8e-3, 5),
           by_ribs("the same cap", targets::ribbed_surface(targets::cap_patch(100, 60 * deg)), 8),

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/closure/mobility.hpp"
+#include "model/contact/wall_contact.hpp"
 #include "model/lattice/origami/fold_mesh.hpp"
 #include "tests/support/random_mesh.hpp"
 
@@ -45,13 +47,25 @@ INSTANTIATE_TEST_SUITE_P(Facets, RandomMesh,
 
 TEST(OrigamiSheet, HasOneDegreeOfFreedom) {
   std::mt19937 random(5);
-  for (const int facets : {2, 3, 4, 6}) {
-    const OrigamiSheet sheet = origami_sheet(testing::random_mesh(facets, facets, 0.08, random).mesh, {});
+  for (const auto& [facets, amount] : {MeshCase{2, 0.08}, MeshCase{3, 0.08}, MeshCase{4, 0.08},
+                                       MeshCase{6, 0.08}, MeshCase{12, 0.04}, MeshCase{20, 0.02}}) {
+    const OrigamiSheet sheet = origami_sheet(testing::random_mesh(facets, facets, amount, random).mesh, {});
     const ExactMotion exact{[&](double theta) { return fold(sheet, theta); }, "origami", ""};
     const Mobility found = mobility(sheet.structure, exact);
     EXPECT_EQ(found.verdict, Verdict::mobile) << found.why;
     EXPECT_EQ(found.dofs_along, 1) << facets << " facets";
   }
+}
+
+/// Plates 0.3 of a wall high, 0.08 thick.
+TEST(OrigamiSheet, OfMiuraIsFreeOfCollisionsOnTheWay) {
+  const OrigamiSheet sheet =
+      origami_sheet(march(miura(6, 6, 80 * radians_per_degree, 2.4)).mesh, {10, 0.8, 3});
+  const ThetaRange range =
+      theta_range(sheet.structure, [&](double theta, State& state) { state = fold(sheet, theta); },
+                  {.limit = 0.6, .step = 0.5 * radians_per_degree});
+  EXPECT_TRUE(range.touching_at_rest.empty());
+  EXPECT_GE(range.positive.theta, 0.5);
 }
 
 TEST(OrigamiSheet, IsFoundMobileByASolverThatKnowsNoFacets) {
