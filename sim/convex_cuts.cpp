@@ -13,6 +13,7 @@
 #include <optional>
 #include <tuple>
 
+#include "model/assembly/crossing.hpp"
 #include "model/assembly/cylinder_faces.hpp"
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
@@ -359,7 +360,7 @@ class Cutter {
       add_over(face, looked_at * tolerance_, places);
       for (const Vector3d& place : places) {
         const Vector3d p = place + thinnest * (center - place);
-        if (is_ignored(p) || !near_.is_farther_than(p, watched_share * tolerance_) || near_.holds(p))
+        if (is_ignored(p) || !near_.is_farther_than(p, watched_share * tolerance_) || is_inside(solid_, p))
           continue;
         cell.watched.push_back(static_cast<int>(watch_.size()));
         cell.weight += 1;

@@ -49,9 +49,9 @@ std::vector<SoftShape> soft_shapes() {
 /// Degrees by which the axis of a soft part between two walls is off, all of it moved.
 double axis_off(const SoftShape& shape, const Isometry3d& motion) {
   const model::Assembly found =
-      make_assembly({{"left", false, moved(box_solid(-shape.half - 6, -shape.half, 3, 9), motion)},
-                     {"right", false, moved(box_solid(shape.half, shape.half + 6, 3, 9), motion)},
-                     {"soft", true, moved(shape.solid, motion)}});
+      model::make_assembly({{"left", false, moved(box_solid(-shape.half - 6, -shape.half, 3, 9), motion)},
+                            {"right", false, moved(box_solid(shape.half, shape.half + 6, 3, 9), motion)},
+                            {"soft", true, moved(shape.solid, motion)}});
   const Vector3d meant = motion.linear() * Vector3d::UnitZ(), axis = found.hinges[0].axis;
   return to_degrees(std::atan2(meant.cross(axis).norm(), std::abs(meant.dot(axis))));
 }
