@@ -23,9 +23,9 @@ void* module_function(const char* name) {
 
 }  // namespace
 
-std::string step_text(const Assembly& assembly) {
+std::string step_text(const Product& product) {
   std::string text;
-  reinterpret_cast<decltype(&kinetix_write_step)>(module_function("kinetix_write_step"))(assembly, text);
+  reinterpret_cast<decltype(&kinetix_write_step)>(module_function("kinetix_write_step"))(product, text);
   return text;
 }
 

@@ -3,17 +3,17 @@
 #include <string>
 #include <vector>
 
-#include "app/cad/assembly.hpp"
 #include "app/cad/found_solid.hpp"
+#include "app/cad/product.hpp"
 
 namespace kinetix::app::cad {
 
 // OpenCASCADE, which writes and reads STEP, takes longer to load than many a run of the program: it stands in a module of
 // its own, kinetix-cad.so, loaded by the first call.
 
-/// A STEP file (AP214) of the assembly: the same bytes each time.
+/// A STEP file (AP214) of the product: the same bytes each time.
 /// @throws std::runtime_error where the module is missing, or where pieces of a shape are no solid together
-std::string step_text(const Assembly& assembly);
+std::string step_text(const Product& product);
 
 /// All solids of a STEP file, in mm; of its assemblies at their places.
 /// @throws std::runtime_error where the module is missing, or with what is wrong with the file

@@ -151,18 +151,18 @@ void add_colour(const TopoDS_Shape& shape, const Quantity_Color& colour, STEPCAF
 
 class Document {
  public:
-  explicit Document(const Assembly& assembly) : assembly_(assembly) {
+  explicit Document(const Product& product) : product_(product) {
     XCAFApp_Application::GetApplication()->NewDocument("MDTV-XCAF", document_);
     const Handle(XCAFDoc_ShapeTool) shapes = XCAFDoc_DocumentTool::ShapeTool(document_->Main());
     const TDF_Label root = shapes->NewShape();
-    set_name(root, assembly.name);
+    set_name(root, product.name);
     std::vector<TDF_Label> labels;
-    for (const Shape& shape : assembly.shapes) {
+    for (const Shape& shape : product.shapes) {
       solids_.push_back(solid_of(shape));
       labels.push_back(shapes->AddShape(solids_.back(), false));
       set_name(labels.back(), shape.name);
     }
-    for (const Part& part : assembly.parts)
+    for (const Part& part : product.parts)
       set_name(shapes->AddComponent(root, labels[part.shape], location_of(part.where)), part.name);
     shapes->UpdateAssemblies();
   }
@@ -175,18 +175,18 @@ class Document {
     writer.SetColorMode(false);  // add_colour does
     if (!writer.Transfer(document_)) throw std::runtime_error("STEP: the sheet cannot be translated");
     for (std::size_t i = 0; i < solids_.size(); ++i) {
-      const auto& [red, green, blue] = assembly_.shapes[i].colour;
+      const auto& [red, green, blue] = product_.shapes[i].colour;
       add_colour(solids_[i], Quantity_Color(red, green, blue, Quantity_TOC_sRGB), writer);
     }
     APIHeaderSection_MakeHeader header(writer.ChangeWriter().Model());
     header.SetTimeStamp(new TCollection_HAsciiString("1970-01-01T00:00:00"));  // the same bytes each time
-    header.SetName(new TCollection_HAsciiString(assembly_.name.c_str()));
+    header.SetName(new TCollection_HAsciiString(product_.name.c_str()));
     if (writer.Write(file.c_str()) != IFSelect_RetDone)
       throw std::runtime_error("STEP: the file cannot be written");
   }
 
  private:
-  const Assembly& assembly_;
+  const Product& product_;
   Handle(TDocStd_Document) document_;
   std::vector<TopoDS_Shape> solids_;
 };
@@ -218,10 +218,10 @@ class TemporaryFile {
 }  // namespace
 }  // namespace kinetix::app::cad
 
-void kinetix_write_step(const kinetix::app::cad::Assembly& assembly, std::string& text) {
+void kinetix_write_step(const kinetix::app::cad::Product& product, std::string& text) {
   using namespace kinetix::app::cad;
   Message::DefaultMessenger()->ChangePrinters().Clear();  // it would write to stdout
   const TemporaryFile file;
-  Document(assembly).write(file.name());
+  Document(product).write(file.name());
   text = file.content();
 }

@@ -114,7 +114,7 @@ class SheetParts {
  public:
   explicit SheetParts(const PrintJob& job) : job_(job) {
     const PrintSheet& sheet = job.sheet;
-    assembly_.name = sheet.name;
+    product_.name = sheet.name;
     for (int b = 0; b < static_cast<int>(sheet.bodies.size()); ++b)
       if (!sheet.meshes[b].points.empty())
         add("body " + sheet.linkage.vertex_name(b), body_shape(b), place_of(job.state()[b]));
@@ -129,16 +129,16 @@ class SheetParts {
             Eigen::Isometry3d::Identity());
   }
 
-  const cad::Assembly& assembly() const { return assembly_; }
+  const cad::Product& product() const { return product_; }
 
  private:
   void add(const std::string& name, int shape, const Eigen::Isometry3d& where) {
-    assembly_.parts.push_back({name, shape, where});
+    product_.parts.push_back({name, shape, where});
   }
 
   int shape(const std::string& name, const std::array<double, 3>& colour, std::vector<cad::Piece> pieces) {
-    assembly_.shapes.push_back({name, colour, std::move(pieces)});
-    return static_cast<int>(assembly_.shapes.size()) - 1;
+    product_.shapes.push_back({name, colour, std::move(pieces)});
+    return static_cast<int>(product_.shapes.size()) - 1;
   }
 
   int body_shape(int body) {
@@ -152,12 +152,12 @@ class SheetParts {
   }
 
   const PrintJob& job_;
-  cad::Assembly assembly_;
+  cad::Product product_;
   std::map<std::vector<double>, int> bodies_;
 };
 
 std::vector<NamedContent> write_step(const PrintJob& job) {
-  return {{job.sheet.name + ".step", cad::step_text(SheetParts(job).assembly())}};
+  return {{job.sheet.name + ".step", cad::step_text(SheetParts(job).product())}};
 }
 
 }  // namespace

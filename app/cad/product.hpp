@@ -55,12 +55,12 @@ struct Shape {
 /// A shape at its place.
 struct Part {
   std::string name;
-  int shape = 0;  ///< index into Assembly::shapes
+  int shape = 0;  ///< index into Product::shapes
   Eigen::Isometry3d where = Eigen::Isometry3d::Identity();
 };
 
 /// Parts of a CAD file; several may be of one shape.
-struct Assembly {
+struct Product {
   std::string name;
   std::vector<Shape> shapes;
   std::vector<Part> parts;
