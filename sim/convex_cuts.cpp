@@ -2,7 +2,6 @@
 
 #include <LinearMath/btConvexHullComputer.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
@@ -16,6 +15,7 @@
 #include "model/assembly/crossing.hpp"
 #include "model/assembly/cylinder_faces.hpp"
 #include "model/base/angle.hpp"
+#include "model/base/decompositions.hpp"
 #include "model/base/invalid_input.hpp"
 
 namespace kinetix::sim {
@@ -502,7 +502,7 @@ class Cutter {
       const Vector3d n = (t[1] - t[0]).cross(t[2] - t[0]).normalized();
       spread += n * n.transpose();
     }
-    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(0);
+    return principal_axes(spread).axes.col(0);
   }
 
   bool is_same(const CutPlane& a, const CutPlane& b) const {

@@ -1,7 +1,6 @@
 #include "sim/elastic_hinges.hpp"
 
-#include <Eigen/Eigenvalues>
-
+#include "model/base/decompositions.hpp"
 #include "model/closure/closure.hpp"
 #include "sim/framed_points.hpp"
 
@@ -86,10 +85,9 @@ std::vector<VelocityRow> ElasticHinges::rows(const model::State& state,
   for (const Spring& spring : springs_) rows.push_back(row(spring, state, speeds, step));
   const std::vector<Matrix3d> stiffness = turning_stiffness(structure_, state, stiffness_);
   for (std::size_t b = 0; b < state.size(); ++b) {
-    const Eigen::SelfAdjointEigenSolver<Matrix3d> modes(stiffness[b]);
+    const PrincipalAxes modes = principal_axes(stiffness[b]);
     for (int k = 0; k < 3; ++k)
-      rows.push_back(
-          brake(static_cast<int>(b), modes.eigenvectors().col(k), modes.eigenvalues()[k], speeds[b].omega));
+      rows.push_back(brake(static_cast<int>(b), modes.axes.col(k), modes.values[k], speeds[b].omega));
   }
   for (std::size_t h = 0; h < structure_.hinges.size(); ++h)
     if (stiffness_.of(h).framed())

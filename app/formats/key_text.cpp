@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <cctype>
-#include <regex>
+
+#include "app/io/text_pattern.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -62,8 +63,7 @@ std::string unit_text(const targets::ValueType& type) {
 }
 
 std::string unmarked(const std::string& markdown) {
-  static const std::regex link(R"(\[([^\]]*)\]\([^)]*\))");
-  std::string text = std::regex_replace(markdown, link, "$1");
+  std::string text = with_matches_replaced(markdown, R"(\[([^\]]*)\]\([^)]*\))", "$1");
   text.erase(std::remove(text.begin(), text.end(), '`'), text.end());
   return text;
 }

@@ -12,10 +12,10 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
-#include <regex>
 #include <stdexcept>
 
 #include "app/io/atomic_file.hpp"
+#include "app/io/text_pattern.hpp"
 #include "app/print/formats.hpp"
 #include "app/print/overhang.hpp"
 #include "app/print/parts.hpp"
@@ -111,25 +111,18 @@ std::string text_of(const std::string& file) {
 }
 
 double number_of(const std::string& text, const char* pattern) {
-  std::smatch match;
-  return std::regex_search(text, match, std::regex(pattern)) ? std::stod(match[1])
-                                                             : std::numeric_limits<double>::quiet_NaN();
+  const std::vector<std::string> match = first_match(text, pattern);
+  return match.empty() ? std::numeric_limits<double>::quiet_NaN() : std::stod(match[1]);
 }
 
 SliceEstimate read_gcode(const std::string& text) {
-  std::smatch time;
   SliceEstimate out;
-  out.seconds =
-      std::regex_search(text, time, std::regex(R"(; estimated printing time \(normal mode\) = (.*))"))
-          ? seconds_of(time[1].str())
-          : std::numeric_limits<double>::quiet_NaN();
-  std::smatch used;
-  if (std::regex_search(text, used, std::regex(R"(; filament used \[cm3\] = (.*))"))) {
-    const std::string each = used[1];
-    const std::regex number(R"([0-9.]+)");
-    for (std::sregex_iterator k(each.begin(), each.end(), number); k != std::sregex_iterator(); ++k)
-      out.material_mm3 += mm3_per_cm3 * std::stod(k->str());
-  }
+  const auto time = first_match(text, R"(; estimated printing time \(normal mode\) = (.*))");
+  out.seconds = time.empty() ? std::numeric_limits<double>::quiet_NaN() : seconds_of(time[1]);
+  const auto used = first_match(text, R"(; filament used \[cm3\] = (.*))");
+  if (used.empty()) return out;
+  for (const std::string& each : all_matches(used[1], R"([0-9.]+)"))
+    out.material_mm3 += mm3_per_cm3 * std::stod(each);
   return out;
 }
 
@@ -197,14 +190,12 @@ SlicerAnswer sliced_sla(const PrintJob& job, const WorkFolder& folder, const std
 }  // namespace
 
 double seconds_of(std::string_view text) {
-  static const std::regex form(R"((?:(\d+)d)? ?(?:(\d+)h)? ?(?:(\d+)m)? ?(?:(\d+)s)?\s*)");
-  std::match_results<std::string_view::const_iterator> parts;
-  if (text.empty() || !std::regex_match(text.begin(), text.end(), parts, form))
-    return std::numeric_limits<double>::quiet_NaN();
+  const auto parts = first_match(text, R"(^(?:(\d+)d)? ?(?:(\d+)h)? ?(?:(\d+)m)? ?(?:(\d+)s)?\s*$)");
+  if (text.empty() || parts.empty()) return std::numeric_limits<double>::quiet_NaN();
   const double units[] = {86400, 3600, 60, 1};  // seconds
   double sum = 0;
   for (int k = 0; k < 4; ++k)
-    if (parts[k + 1].matched) sum += units[k] * std::stod(parts[k + 1].str());
+    if (!parts[k + 1].empty()) sum += units[k] * std::stod(parts[k + 1]);
   return sum;
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int digits = 5;  // significant ones: a dot in a plot is not placed better
+constexpr int digits_of_dots = 5;  // significant ones: a dot in a plot is not placed better
 
 double number(const Json& x) { return x.is_number() ? x.get<double>() : -1; }
 
@@ -56,7 +56,7 @@ Json light_sweep(Json sweep) {
   for (Json& row : sweep["scatter"])
     for (std::size_t f = 0; f < sweep["factors"].size(); ++f)
       if (!shown.contains(f)) row[f] = nullptr;
-  round_numbers(sweep, digits);
+  round_numbers(sweep, digits_of_dots);
   return sweep;
 }
 

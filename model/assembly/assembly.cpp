@@ -1,6 +1,5 @@
 #include "model/assembly/assembly.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cstdio>
@@ -11,6 +10,7 @@
 #include "model/assembly/cylinder_faces.hpp"
 #include "model/assembly/shells.hpp"
 #include "model/assembly/soft_hinge.hpp"
+#include "model/base/decompositions.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/base/union_find.hpp"
 
@@ -286,7 +286,7 @@ class Builder {
   void order_axes() {
     Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
     for (const AssemblyHinge& h : out_.hinges) spread += h.axis * h.axis.transpose();
-    Vector3d main = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(2);
+    Vector3d main = principal_axes(spread).axes.col(2);
     Eigen::Index lead = 0;
     main.cwiseAbs().maxCoeff(&lead);
     if (main[lead] < 0) main = -main;

@@ -1,10 +1,10 @@
 #include "model/assembly/assembly_motion.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 
+#include "model/base/decompositions.hpp"
+#include "model/base/sparse_factor.hpp"
 #include "model/closure/closure.hpp"
 #include "model/closure/closure_solver.hpp"
 
@@ -66,8 +66,8 @@ FirstMotion first_motion(const Linkage& linkage) {
   diagonal.setIdentity();
   diagonal = weights.asDiagonal() * diagonal;
   normal += diagonal;
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(normal);
-  const VectorXd twists = solver.solve(VectorXd(weights.cwiseProduct(wanted_turns(linkage))));
+  const SparseFactor solver(normal);
+  const VectorXd twists = solver.solve(weights.cwiseProduct(wanted_turns(linkage)));
   FirstMotion out;
   double turns = 0;
   for (std::size_t b = 0; b < linkage.bodies.size(); ++b)
@@ -88,8 +88,7 @@ std::optional<int> degrees_of_freedom(const Linkage& linkage, const State& state
   if (static_cast<int>(linkage.bodies.size()) > most_bodies) return std::nullopt;
   const Eigen::SparseMatrix<double> J = closure_jacobian(with_first_hinges(linkage, hinges), state);
   const Eigen::MatrixXd normal = Eigen::MatrixXd(J.transpose() * J);
-  const VectorXd squares =
-      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(normal, Eigen::EigenvaluesOnly).eigenvalues();
+  const VectorXd squares = symmetric_eigenvalues(normal);
   return static_cast<int>((squares.array() < smallest * smallest).count()) - 6;
 }
 

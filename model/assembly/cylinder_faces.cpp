@@ -1,6 +1,6 @@
 #include "model/assembly/cylinder_faces.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,6 +8,7 @@
 #include <set>
 
 #include "model/base/angle.hpp"
+#include "model/base/decompositions.hpp"
 #include "model/base/union_find.hpp"
 
 namespace kinetix::model {
@@ -106,9 +107,8 @@ Axis axis_of(const std::vector<int>& region, const Polyhedron& solid, const Face
     const double area = (solid.points[b] - solid.points[a]).cross(solid.points[c] - solid.points[a]).norm();
     spread += area * facets.normals[t] * facets.normals[t].transpose();
   }
-  const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(spread);
-  return {solver.eigenvectors().col(0),
-          std::sqrt(std::max(0.0, solver.eigenvalues()[0]) / solver.eigenvalues()[1])};
+  const PrincipalAxes spreads = principal_axes(spread);
+  return {spreads.axes.col(0), std::sqrt(std::max(0.0, spreads.values[0]) / spreads.values[1])};
 }
 
 /// Kasa's fit: x^2 + y^2 = 2 a x + 2 b y + c, linear in a, b and c.
@@ -119,7 +119,7 @@ Eigen::Vector3d circle_through(const std::vector<Vector2d>& points) {
     rows.row(k) << 2 * points[k].x(), 2 * points[k].y(), 1;
     squares[k] = points[k].squaredNorm();
   }
-  const Eigen::Vector3d fit = rows.colPivHouseholderQr().solve(squares);
+  const Eigen::Vector3d fit = least_squares(rows, squares);
   return {fit.x(), fit.y(), std::sqrt(std::max(0.0, fit.z() + fit.x() * fit.x() + fit.y() * fit.y()))};
 }
 

@@ -1,6 +1,5 @@
 #include "model/assembly/soft_hinge.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
@@ -8,6 +7,7 @@
 #include <limits>
 
 #include "model/assembly/cross_section.hpp"
+#include "model/base/decompositions.hpp"
 
 namespace kinetix::model {
 namespace {
@@ -116,6 +116,13 @@ double height_at(const Polyhedron& soft, const Beam& beam, const Vector3d& axis)
   return high - low;
 }
 
+/// In the plane, of the larger eigenvalue. @pre C is positive: the third direction's zero is the least
+Vector2d softest_direction(const Matrix2d& compliance) {
+  Eigen::Matrix3d embedded = Eigen::Matrix3d::Zero();
+  embedded.topLeftCorner<2, 2>() = compliance;
+  return principal_axes(embedded).axes.col(2).head<2>();
+}
+
 /// A block of this length, height and inertia in bending, and of this area.
 SoftHinge about(const Beam& beam, const Polyhedron& soft, const Vector2d& axis) {
   const Vector2d across(-axis.y(), axis.x());
@@ -141,8 +148,7 @@ std::optional<SoftHinge> soft_hinge(const Polyhedron& soft, const ContactPatch& 
                                     const ContactPatch& second) {
   const std::optional<Beam> beam = beam_between(soft, first, second);
   if (!beam) return std::nullopt;
-  const Eigen::SelfAdjointEigenSolver<Matrix2d> directions(beam->compliance);
-  SoftHinge hinge = about(*beam, soft, directions.eigenvectors().col(1));
+  SoftHinge hinge = about(*beam, soft, softest_direction(beam->compliance));
   if (!hinge.is_ambiguous()) return hinge;
   // No direction stands out: those of the section's sides are what a person means.
   const Vector2d side(std::cos(beam->edge_angle), std::sin(beam->edge_angle));

@@ -32,6 +32,15 @@ Eigenvectors symmetric_eigenvectors(const MatrixXd& A) {
   return {solver.eigenvectors(), solver.eigenvalues(), solver.info() == Eigen::Success};
 }
 
+VectorXd symmetric_eigenvalues(const MatrixXd& A) {
+  return Eigen::SelfAdjointEigenSolver<MatrixXd>(A, Eigen::EigenvaluesOnly).eigenvalues();
+}
+
+PrincipalAxes principal_axes(const Eigen::Matrix3d& A) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(A);
+  return {solver.eigenvectors(), solver.eigenvalues()};
+}
+
 struct SymmetricFactor::Factor {
   Eigen::LDLT<MatrixXd> ldlt;
 };

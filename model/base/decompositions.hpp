@@ -32,6 +32,16 @@ struct Eigenvectors {
 };
 Eigenvectors symmetric_eigenvectors(const Eigen::MatrixXd& A);
 
+/// Those values alone, of the unit of A.
+Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& A);
+
+/// The same in space: of a spread, an inertia, a stiffness.
+struct PrincipalAxes {
+  Eigen::Matrix3d axes;    ///< orthonormal columns
+  Eigen::Vector3d values;  ///< of the unit of A, least first
+};
+PrincipalAxes principal_axes(const Eigen::Matrix3d& A);
+
 /// LDL^T factor of a symmetric positive matrix, its largest pivots first.
 class SymmetricFactor {
  public:

@@ -8,8 +8,8 @@ namespace {
 
 std::string message(const Place& place, const std::string& reason) {
   std::string text = place.file;
-  if (place.line > 0) text += ":" + std::to_string(place.line);
-  if (place.line > 0 && place.column > 0) text += ":" + std::to_string(place.column);
+  if (place.line > 0) text.append(":").append(std::to_string(place.line));
+  if (place.line > 0 && place.column > 0) text.append(":").append(std::to_string(place.column));
   if (!text.empty()) text += ": ";
   if (!place.key.empty()) text += place.key + ": ";
   return text + reason;

@@ -3,8 +3,12 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "model/base/angle.hpp"
+
 namespace kinetix {
 namespace {
+
+constexpr double opposite = 1e-12;  // 1 + cosine: below, rounding chooses the axis
 
 Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
   Eigen::Matrix3d m;
@@ -26,7 +30,14 @@ Eigen::Matrix3d rotation_of(const Eigen::Vector3d& v) {
 }
 
 Eigen::Matrix3d rotation_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-  return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
+  // Eigen's own function for this brings a singular value decomposition along, which takes a compiler seconds.
+  const Eigen::Vector3d a = from.normalized(), b = to.normalized();
+  const double whole = 1 + a.dot(b);
+  if (!(whole > opposite)) return Eigen::AngleAxisd(pi, a.unitOrthogonal()).toRotationMatrix();
+  const double twice_cosine = std::sqrt(2 * whole);  // of half the angle
+  Eigen::Quaterniond turn(twice_cosine / 2, 0, 0, 0);
+  turn.vec() = a.cross(b) / twice_cosine;
+  return turn.toRotationMatrix();
 }
 
 Eigen::Matrix3d rotation_rate(const Eigen::Vector3d& v) {

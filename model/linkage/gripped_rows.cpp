@@ -1,9 +1,9 @@
 #include "model/linkage/gripped_rows.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
+#include "model/base/decompositions.hpp"
 #include "model/linkage/probe_thetas.hpp"
 
 namespace kinetix::model {
@@ -34,10 +34,9 @@ Eigen::Matrix3Xd offsets(const GrippedRows& rows, const State& state) {
 /// The direction n with the least |points' n| over n . across; where several have none, that nearest to
 /// across.
 Vector3d flattest(const Eigen::Matrix3Xd& points, const Vector3d& across) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> spread(points * points.transpose());
-  const double least = straight * spread.eigenvalues().sum();
-  const Vector3d weights = (spread.eigenvalues().array().max(0.0) + least).inverse();
-  const Eigen::Matrix3d& axes = spread.eigenvectors();
+  const auto [axes, values] = principal_axes(points * points.transpose());
+  const double least = straight * values.sum();
+  const Vector3d weights = (values.array().max(0.0) + least).inverse();
   return (axes * weights.cwiseProduct(axes.transpose() * across)).normalized();
 }
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <regex>
 
+#include "app/io/text_pattern.hpp"
 #include "optim/doe/analysis.hpp"
 
 namespace kinetix::app {
@@ -24,11 +24,10 @@ struct Family {
 };
 
 std::vector<Family> families_of(const SweepPlan& plan) {
-  static const std::regex number(R"(\[\d+\])");
   std::vector<Family> families;
   const auto& factors = plan.samples.factors();
   for (std::size_t f = 0; f < factors.size(); ++f) {
-    const std::string name = std::regex_replace(factors[f].name, number, "[*]");
+    const std::string name = with_matches_replaced(factors[f].name, R"(\[\d+\])", "[*]");
     const auto known =
         std::find_if(families.begin(), families.end(), [&](const Family& x) { return x.name == name; });
     if (known == families.end())
