@@ -57,6 +57,12 @@ model::Polyhedron soft_part(const PrintJob& job) {
   return as_filed(std::move(all));
 }
 
+model::Polyhedron whole_print(const PrintJob& job) {
+  model::Polyhedron all = hard_part(job);
+  append(soft_part(job), all);
+  return all;
+}
+
 TileParts tile_parts(const PrintJob& job, int tile) {
   const PrintSheet& sheet = job.sheet;
   const model::State& flat = job.folded ? sheet.path.front() : job.state();

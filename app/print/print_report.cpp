@@ -107,7 +107,7 @@ std::string hinge_words(const PrintSheet& sheet) {
 
 }  // namespace
 
-std::vector<std::string> print_warnings(const PrintJob& job, const PathClearance& clearance) {
+std::vector<std::string> print_warnings(const PrintJob& job) {
   std::vector<std::string> out = job.sheet.warnings;
   if (!job.sheet.why_no_path.empty())
     out.push_back("the way to the fold was not checked: " + job.sheet.why_no_path);
@@ -126,7 +126,6 @@ std::vector<std::string> print_warnings(const PrintJob& job, const PathClearance
   if (steep > steep_deg)
     out.push_back(fmt::format("hinges lean {:.1f} degrees from upright: more than {:g} need support in FDM",
                               steep, steep_deg));
-  (void)clearance;
   return out;
 }
 
@@ -144,8 +143,6 @@ Json print_json(const PrintJob& job, const PathClearance& clearance,
   const model::Polyhedron hard = hard_part(job), soft = soft_part(job);
   const model::MadeHinge& made = sheet.hinges.front().made;
   const model::HingeStiffness k = stiffness(made);
-  model::Polyhedron all = hard;
-  append(soft, all);
   return {
       {"schema", "kinetix-print/1"},
       {"name", sheet.name},
@@ -156,7 +153,7 @@ Json print_json(const PrintJob& job, const PathClearance& clearance,
       {"hinges", sheet.hinges.size()},
       {"volume_mm3", {{"hard", volume_mm3(hard)}, {"soft", soft.points.empty() ? 0.0 : volume_mm3(soft)}}},
       {"clearance_mm", made.kind == model::HingeKind::pin ? made.clearance_mm : 0.0},
-      {"bounds_mm", vector_json(bounds(all))},
+      {"bounds_mm", vector_json(bounds(whole_print(job)))},
       {"orientation", job.lie},
       {"overhang_mm2", lies_json(lies(job))},
       {"slicer", slicer_json(slicer)},
@@ -169,15 +166,13 @@ Json print_json(const PrintJob& job, const PathClearance& clearance,
         {"asked_mm", clearance.asked_mm},
         {"in_hinges", distance_json(sheet, clearance.in_hinges)},
         {"elsewhere", distance_json(sheet, clearance.elsewhere)}}},
-      {"warnings", print_warnings(job, clearance)}};
+      {"warnings", print_warnings(job)}};
 }
 
 std::string print_text(const PrintJob& job, const PathClearance& clearance,
                        const std::optional<SlicerAnswer>& slicer) {
   const PrintSheet& sheet = job.sheet;
-  model::Polyhedron all = hard_part(job);
-  append(soft_part(job), all);
-  const Eigen::Vector3d size = bounds(all);
+  const Eigen::Vector3d size = bounds(whole_print(job));
   std::string out = fmt::format("{}\n\n", sheet.name);
   const auto line = [&](const char* label, const std::string& text) {
     out += fmt::format("{:<12} {}\n", label, text);
@@ -207,7 +202,7 @@ std::string print_text(const PrintJob& job, const PathClearance& clearance,
     line("fold",
          fmt::format("{:.3f} mm stay between solids from flat to {:.1f} degrees, least at {:.1f} degrees",
                      least.mm, to_degrees(sheet.thetas.back()), to_degrees(least.theta)));
-  for (const std::string& warning : print_warnings(job, clearance)) line("note", warning);
+  for (const std::string& warning : print_warnings(job)) line("note", warning);
   return out;
 }
 

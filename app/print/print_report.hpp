@@ -20,6 +20,6 @@ std::string print_text(const PrintJob& job, const PathClearance& clearance,
                        const std::optional<SlicerAnswer>& slicer = {});
 
 /// What one should know before printing: undersized gaps, strains, overhangs.
-std::vector<std::string> print_warnings(const PrintJob& job, const PathClearance& clearance);
+std::vector<std::string> print_warnings(const PrintJob& job);
 
 }  // namespace kinetix::app

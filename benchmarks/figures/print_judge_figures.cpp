@@ -11,6 +11,7 @@
 #include <regex>
 
 #include "benchmarks/figure.hpp"
+#include "tests/support/stl_volume.hpp"
 
 namespace kinetix::bench {
 namespace {
@@ -52,18 +53,9 @@ struct Verdicts {
   }
 };
 
-/// Of a binary STL file, in doubles: slicers add up in floats.
 double volume_mm3(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
-  const std::string bytes((std::istreambuf_iterator<char>(in)), {});
-  double volume = 0;
-  for (std::size_t at = 84; at + 50 <= bytes.size(); at += 50) {
-    float n[12];
-    std::memcpy(n, bytes.data() + at, sizeof n);
-    const Eigen::Vector3d a(n[3], n[4], n[5]), b(n[6], n[7], n[8]), c(n[9], n[10], n[11]);
-    volume += a.dot(b.cross(c)) / 6;
-  }
-  return volume;
+  return testing::volume_of_stl(std::string(std::istreambuf_iterator<char>(in), {}));
 }
 
 bool is_clean(const std::string& admesh) {

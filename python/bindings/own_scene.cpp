@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/pipeline/exact_state.hpp"
+#include "app/result/search_json.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/contact/wall_contact.hpp"
 #include "model/lattice/square/classify.hpp"
@@ -143,24 +144,7 @@ Json OwnOutcome::target_json() const { return {{"kind", "own"}, {"name", name}};
 void OwnOutcome::add_sections(const app::Run&, Json& result) const {
   result["own"] = {{"residuals", std::vector<double>(residuals.begin(), residuals.end())},
                    {"reasons", violations}};
-  Json runs = Json::array();
-  int evaluations = 0;
-  for (std::size_t k = 0; k < search.runs.size(); ++k) {
-    const optim::SolveResult& run = search.runs[k];
-    evaluations += run.evaluations;
-    runs.push_back({{"start", k},
-                    {"status", to_string(run.status)},
-                    {"fit_rms", run.residual_norm},
-                    {"evaluations", run.evaluations},
-                    {"history", run.history}});
-  }
-  result["optimiser"] = {{"solver", to_string(solver)},
-                         {"starts", search.runs.size()},
-                         {"evaluations", evaluations},
-                         {"status", to_string(search.best_run().status)},
-                         {"why", search.best_run().why},
-                         {"best_start", search.best},
-                         {"runs", runs}};
+  result["optimiser"] = app::search_json(search, search.best, solver);
 }
 
 void OwnOutcome::add_metrics(Json& metrics) const {

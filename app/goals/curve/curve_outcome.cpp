@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/result/search_json.hpp"
 #include "app/result/state_json.hpp"
 #include "app/run/run.hpp"
 
@@ -56,29 +57,6 @@ Json curve_json(const CurveOutcome& curve) {
           {"reasons", curve.violations}};
 }
 
-Json optimiser_json(const CurveOutcome& curve) {
-  const optim::CurveDesign& found = curve.found.design;
-  Json runs = Json::array();
-  int evaluations = 0;
-  for (std::size_t k = 0; k < found.search.runs.size(); ++k) {
-    const optim::SolveResult& run = found.search.runs[k];
-    evaluations += run.evaluations;
-    runs.push_back({{"start", k},
-                    {"status", to_string(run.status)},
-                    {"fit_rms", run.residual_norm},
-                    {"evaluations", run.evaluations},
-                    {"history", run.history}});
-  }
-  const optim::SolveResult& best = found.search.runs[found.chosen];
-  return {{"solver", to_string(curve.solver.name)},
-          {"starts", runs.size()},
-          {"evaluations", evaluations},
-          {"status", to_string(best.status)},
-          {"why", best.why},
-          {"best_start", found.chosen},
-          {"runs", runs}};
-}
-
 std::string robust_text(const RobustCurve& robust) {
   const CurveCandidate &best = robust.tried[robust.chosen], &plain = robust.tried.front();
   return fmt::format(
@@ -102,7 +80,7 @@ Json CurveOutcome::target_json() const { return {{"kind", "curve"}, {"points_mm"
 void CurveOutcome::add_sections(const Run&, Json& result) const {
   result["curve"] = curve_json(*this);
   if (robust) result["curve"]["robust"] = robust_json(*robust);
-  result["optimiser"] = optimiser_json(*this);
+  result["optimiser"] = search_json(found.design.search, found.design.chosen, solver.name);
 }
 
 void CurveOutcome::add_metrics(Json& metrics) const {

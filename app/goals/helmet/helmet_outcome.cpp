@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "app/result/fishbone_json.hpp"
 #include "app/result/state_json.hpp"
 #include "app/run/run.hpp"
 
@@ -34,15 +35,6 @@ Json head_lines(const targets::Head& head) {
     out.push_back(polyline(head, cross_section(head, s, 10)));
   }
   return out;
-}
-
-Json ribs_json(const optim::RibsDesign& design) {
-  Json ribs = Json::array();
-  for (std::size_t r = 0; r < design.layout.spine_and_ribs.ribs.size(); ++r) {
-    const model::FishboneRib& rib = design.layout.spine_and_ribs.ribs[r];
-    ribs.push_back({{"row", rib.row}, {"cells", rib.cells}, {"rms_mm", design.error.of_ribs[r]}});
-  }
-  return ribs;
 }
 
 /// Mean of each cell's four bodies, in the order of the structure's cells.

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/result/fishbone_json.hpp"
 #include "app/run/run.hpp"
 #include "targets/mesh/mesh_section.hpp"
 
@@ -44,15 +45,6 @@ Json lines_of(const targets::RibbedSurface& surface) {
   }
   add(targets::Plane(Vector3d::UnitX(), 0));
   return out;
-}
-
-Json ribs_json(const optim::RibsDesign& design) {
-  Json ribs = Json::array();
-  for (std::size_t r = 0; r < design.layout.spine_and_ribs.ribs.size(); ++r) {
-    const model::FishboneRib& rib = design.layout.spine_and_ribs.ribs[r];
-    ribs.push_back({{"row", rib.row}, {"cells", rib.cells}, {"rms_mm", design.error.of_ribs[r]}});
-  }
-  return ribs;
 }
 
 }  // namespace

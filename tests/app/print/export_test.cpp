@@ -15,6 +15,7 @@
 #include "app/report/report.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/schema_errors.hpp"
+#include "tests/support/stl_volume.hpp"
 
 namespace kinetix::testing {
 namespace {
@@ -63,17 +64,6 @@ Json said_of(const Scratch& scratch) {
   Json json = Json::parse(text_of(scratch / "out/print.json"));
   EXPECT_EQ(schema_errors(json, "print"), "");
   return json;
-}
-
-double volume_of_stl(const std::string& bytes) {
-  double volume = 0;
-  for (std::size_t at = 84; at + 50 <= bytes.size(); at += 50) {
-    float n[12];
-    std::memcpy(n, bytes.data() + at, sizeof n);
-    const Eigen::Vector3d a(n[3], n[4], n[5]), b(n[6], n[7], n[8]), c(n[9], n[10], n[11]);
-    volume += a.dot(b.cross(c)) / 6;
-  }
-  return volume;
 }
 
 /// Along x, mm.

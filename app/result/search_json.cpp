@@ -1,0 +1,29 @@
+#include "app/result/search_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace kinetix::app {
+
+nlohmann::ordered_json search_json(const optim::MultiStartResult& search, int chosen, optim::SolverName solver) {
+  auto runs = nlohmann::ordered_json::array();
+  int evaluations = 0;
+  for (std::size_t k = 0; k < search.runs.size(); ++k) {
+    const optim::SolveResult& run = search.runs[k];
+    evaluations += run.evaluations;
+    runs.push_back({{"start", k},
+                    {"status", to_string(run.status)},
+                    {"fit_rms", run.residual_norm},
+                    {"evaluations", run.evaluations},
+                    {"history", run.history}});
+  }
+  const optim::SolveResult& best = search.runs[chosen];
+  return {{"solver", to_string(solver)},
+          {"starts", runs.size()},
+          {"evaluations", evaluations},
+          {"status", to_string(best.status)},
+          {"why", best.why},
+          {"best_start", chosen},
+          {"runs", runs}};
+}
+
+}  // namespace kinetix::app
