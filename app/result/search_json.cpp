@@ -4,7 +4,8 @@
 
 namespace kinetix::app {
 
-nlohmann::ordered_json search_json(const optim::MultiStartResult& search, int chosen, optim::SolverName solver) {
+nlohmann::ordered_json search_json(const optim::MultiStartResult& search, int chosen,
+                                   optim::SolverName solver) {
   auto runs = nlohmann::ordered_json::array();
   int evaluations = 0;
   for (std::size_t k = 0; k < search.runs.size(); ++k) {

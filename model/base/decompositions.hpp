@@ -37,7 +37,7 @@ Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& A);
 
 /// The same in space: of a spread, an inertia, a stiffness.
 struct PrincipalAxes {
-  Eigen::Matrix3d axes;    ///< orthonormal columns
+  Eigen::Matrix3d axes;    ///< orthonormal columns, dimensionless
   Eigen::Vector3d values;  ///< of the unit of A, least first
 };
 PrincipalAxes principal_axes(const Eigen::Matrix3d& A);

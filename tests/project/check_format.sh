@@ -3,6 +3,6 @@
 # usage: check_format.sh SOURCE_FOLDER
 set -euo pipefail
 cd "$1"
-files=$(find app benchmarks examples kinetix model optim sim targets tests -name '*.cpp' -o -name '*.hpp')
+files=$(find app benchmarks examples kinetix model optim python sim targets tests -name '*.cpp' -o -name '*.hpp')
 [ "$(wc -l <<<"$files")" -ge 500 ] || { echo "hardly any sources found: are the folders right?"; exit 1; }
 xargs clang-format-14 --dry-run --Werror <<<"$files"
