@@ -165,7 +165,7 @@ TEST(ElasticRun, ShowsTheLetterOfADisplayOnBothBranches) {
   const model::Structure panel = letter_panel(0.15);
   PhysicsOptions options = elastic(1e-6);
   options.planar = true;
-  options.step_s = 1.0 / 300;
+  options.step_s = 1.0 / 100;
   double energies[2];
   for (int side = 0; side < 2; ++side) {
     const model::Drive drive = drive_to(panel, (side ? -1 : 1) * std::acos(0.84));

@@ -28,13 +28,59 @@ Vector3d vector_of(const Json& v) { return {v[0].get<double>(), v[1].get<double>
 
 Json result_in(const fs::path& folder) { return Json::parse(text_of(folder / "result.json")); }
 
-/// A sheet as its own files say it, and as it comes back from a file of its solids.
-class RoundTrip {
+Json structure_of(const std::string& file, const std::string& out) {
+  const Outcome run = kinetix_opt("simulate " + file + " --model exact -o " + out);
+  EXPECT_EQ(run.code, 0) << run.err;
+  const Json result = result_in(out);
+  EXPECT_EQ(schema_errors(result), "");
+  return result["structure"];
+}
+
+Json verified(const std::string& file, const std::string& out) {
+  const Outcome run = kinetix_opt("verify " + file + " -o " + out);
+  EXPECT_EQ(run.code, 0) << run.out << run.err;
+  return result_in(out);
+}
+
+/// A sheet as its own file says it.
+class Sheet {
  public:
   /// @param design without a drive
-  RoundTrip(const std::string& design, const std::string& hinge, const std::string& format)
-      : design_(design) {
-    const std::string file = scratch_.write("sheet.yaml", design);
+  explicit Sheet(const std::string& design) : design_(design) {
+    structure_ = structure_of(file(), (scratch_ / "run").string());
+    driven_ = structure_["hinges"].size() / 2;
+  }
+
+  std::string file() const { return scratch_.write("sheet.yaml", design_); }
+  const Json& structure() const { return structure_; }
+  /// The hinge that the physics run turns.
+  std::size_t driven() const { return driven_; }
+
+  /// Of the physics run, once.
+  const Json& folded() {
+    if (!folded_.is_null()) return folded_;
+    const auto vertex = [&](int k) {
+      return structure_["bodies"][structure_["hinges"][driven_]["bodies"][k].get<int>()]["vertex"].dump();
+    };
+    const std::string drive = "drive: {kind: hinge, wall: [" + vertex(0) + ", " + vertex(1) +
+                              "], angle_deg: " + std::to_string(turned_deg) + "}\n";
+    folded_ = verified(scratch_.write("driven.yaml", design_ + drive), (scratch_ / "run").string());
+    return folded_;
+  }
+
+ private:
+  Scratch scratch_;
+  std::string design_;
+  Json structure_, folded_;
+  std::size_t driven_ = 0;
+};
+
+/// A sheet, and how it comes back from a file of its solids.
+class RoundTrip {
+ public:
+  RoundTrip(Sheet& sheet, const std::string& hinge, const std::string& format)
+      : sheet_(sheet), original_(sheet.structure()) {
+    const std::string file = sheet.file();
     const Outcome made =
         kinetix_opt("export " + file + " --hinge " + hinge + " --format " + format + " -o " + at("made"));
     EXPECT_EQ(made.code, 0) << made.err;
@@ -44,8 +90,7 @@ class RoundTrip {
                                    : "--hard " + at("made/hard.stl") + " --soft " + at("made/soft.stl");
     const Outcome found = kinetix_opt("import " + source + " -o " + at("found") + " --json");
     EXPECT_EQ(found.code, 0) << found.err;
-    original_ = structure_of(file, "exact");
-    imported_ = structure_of(at("found/design.yaml"), "exact");
+    imported_ = structure_of(at("found/design.yaml"), at("run"));
     match();
   }
 
@@ -58,43 +103,20 @@ class RoundTrip {
 
   /// Rms and maximum of the vertices, as both physics runs leave them, cell edges.
   std::pair<double, double> physics_apart() {
-    const std::size_t driven = original_["hinges"].size() / 2;
-    const Json& own = original_["hinges"][driven];
-    const Json& found = imported_["hinges"][hinge_of_[driven]];
+    const Json& own = original_["hinges"][sheet_.driven()];
+    const Json& found = imported_["hinges"][hinge_of_[sheet_.driven()]];
     const std::string name = found["name"];
     const bool same_way = vector_of(own["axis"]).dot(vector_of(found["axis"])) > 0;
     const bool same_order = body_of_[own["bodies"][0]] == found["bodies"][0].get<int>();
-    const auto vertex = [&](int k) {
-      return original_["bodies"][own["bodies"][k].get<int>()]["vertex"].dump();
-    };
-    const Json before = run("verify",
-                            design_ + "drive: {kind: hinge, wall: [" + vertex(0) + ", " + vertex(1) +
-                                "], angle_deg: " + std::to_string(turned_deg) + "}\n",
-                            "sheet_driven.yaml");
     const double angle = same_way == same_order ? turned_deg : -turned_deg;
     std::string text = text_of(at("found/design.yaml"));
     text = text.substr(0, text.find("drive:")) + "drive: {hinge: " + name +
            ", angle_deg: " + std::to_string(angle) + "}\n";
-    const Json after = run("verify", text, "found/driven.yaml");
-    return apart(before, after);
+    return apart(sheet_.folded(), verified(scratch_.write("found/driven.yaml", text), at("run")));
   }
 
  private:
   std::string at(const std::string& name) const { return (scratch_ / name).string(); }
-
-  Json structure_of(const std::string& file, const std::string& model) {
-    const Outcome run = kinetix_opt("simulate " + file + " --model " + model + " -o " + at("run"));
-    EXPECT_EQ(run.code, 0) << run.err;
-    const Json result = result_in(scratch_ / "run");
-    EXPECT_EQ(schema_errors(result), "");
-    return result["structure"];
-  }
-
-  Json run(const std::string& command, const std::string& text, const std::string& name) {
-    const Outcome run = kinetix_opt(command + " " + scratch_.write(name, text) + " -o " + at("run"));
-    EXPECT_EQ(run.code, 0) << run.out << run.err;
-    return result_in(scratch_ / "run");
-  }
 
   /// Files stand beside the sheet by a shift at most.
   Vector3d shift() const {
@@ -181,16 +203,17 @@ class RoundTrip {
   }
 
   Scratch scratch_;
-  std::string design_;
-  Json original_, imported_;
+  Sheet& sheet_;
+  const Json& original_;
+  Json imported_;
   Vector3d shift_ = Vector3d::Zero();
   std::vector<int> hinge_of_;
   std::map<int, int> body_of_;
 };
 
-void expect_the_same(const std::string& design, const std::string& hinge, const std::string& format) {
+void expect_the_same(Sheet& sheet, const std::string& hinge, const std::string& format) {
   SCOPED_TRACE(hinge + " as " + format);
-  RoundTrip trip(design, hinge, format);
+  RoundTrip trip(sheet, hinge, format);
   ASSERT_TRUE(trip.has_the_same_counts()) << trip.bodies() << " bodies, " << trip.hinges() << " hinges";
   EXPECT_LT(trip.axis_off_deg, 0.1);
   EXPECT_LT(trip.point_off_mm, 0.02);
@@ -214,23 +237,24 @@ std::string searched(const std::string& shape) {
 }
 
 TEST(Import, GivesTheHelmetRibBack) {
-  const std::string design = searched("helmet_rib");
-  for (const char* hinge : {"pin", "block"}) expect_the_same(design, hinge, "3mf");
+  Sheet sheet(searched("helmet_rib"));
+  for (const char* hinge : {"pin", "block"}) expect_the_same(sheet, hinge, "3mf");
 }
 
 TEST(Import, GivesTheCubeBack) {
-  const std::string design = searched("cube");
-  for (const char* hinge : {"pin", "block"}) expect_the_same(design, hinge, "3mf");
+  Sheet sheet(searched("cube"));
+  for (const char* hinge : {"pin", "block"}) expect_the_same(sheet, hinge, "3mf");
 }
 
 TEST(Import, GivesTheLetterTBack) {
-  const std::string design = searched("letter_t");
-  for (const char* hinge : {"pin", "block"}) expect_the_same(design, hinge, "3mf");
+  Sheet sheet(searched("letter_t"));
+  for (const char* hinge : {"pin", "block"}) expect_the_same(sheet, hinge, "3mf");
 }
 
 TEST(Import, GivesAPanelBackFromEveryFormat) {
+  Sheet sheet(panel);
   for (const char* format : {"3mf", "stl", "step", "glb"})
-    for (const char* hinge : {"pin", "block"}) expect_the_same(panel, hinge, format);
+    for (const char* hinge : {"pin", "block"}) expect_the_same(sheet, hinge, format);
 }
 
 }  // namespace
