@@ -5,6 +5,7 @@
 #include "model/elastic/path/equilibrium_path.hpp"
 #include "model/linkage/actuators.hpp"
 #include "sim/compression_run.hpp"
+#include "tests/sim/elastic_equilibrium.hpp"
 #include "tests/support/elastic_runs.hpp"
 #include "tests/support/paper_scenes.hpp"
 
@@ -56,6 +57,19 @@ TEST(ElasticAgreement, OfALetterWhoseWallsPressOnEachOther) { expect_contact_of_
 
 TEST(ElasticAgreement, OfALetterOfShortWallsThatPressOnEachOther) {
   expect_contact_of_walls(0.1, -25 * degree);
+}
+
+TEST(ElasticAgreement, OfALetterOnBothBranches) {
+  const model::Structure panel = letter_panel(0.15, 6);
+  double energies[2];
+  for (int side = 0; side < 2; ++side) {
+    const double theta = (side ? -1 : 1) * std::acos(0.84);
+    const Pair pair = both(panel, plates_drive(model::Axis::y, theta), false);
+    EXPECT_LE(pair.comparison.distance.rms, 1e-5);
+    EXPECT_GT(pair.run.gaps.rms, 0.03) << "the letter is not mobile: hinges stretch";
+    energies[side] = elastic_energy(panel, pair.run.state, relative(model::Elasticity{}, panel.size.edge_mm));
+  }
+  EXPECT_NEAR(energies[0], energies[1], 1e-9 * energies[0]);
 }
 
 TEST(ElasticAgreement, OfTheGradientPanel) {
