@@ -65,7 +65,7 @@ TEST(ElasticAgreement, OfALetterOnBothBranches) {
   for (int side = 0; side < 2; ++side) {
     const double theta = (side ? -1 : 1) * std::acos(0.84);
     const Pair pair = both(panel, plates_drive(model::Axis::y, theta), false);
-    EXPECT_LE(pair.comparison.distance.rms, 1e-5);
+    EXPECT_LE(pair.comparison.distance.rms, 1e-4);
     EXPECT_GT(pair.run.gaps.rms, 0.03) << "the letter is not mobile: hinges stretch";
     energies[side] = elastic_energy(panel, pair.run.state, relative(model::Elasticity{}, panel.size.edge_mm));
   }
