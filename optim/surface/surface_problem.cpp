@@ -40,17 +40,17 @@ constexpr double inside_edge = 0.004;                // of the mean edge: likewi
 double value_of(double x) { return x; }
 double value_of(const Dual& x) { return x.a; }
 
-double carried(const targets::SurfaceFoot& foot, const Vector3d&) { return foot.distance; }
-Dual carried(const targets::SurfaceFoot& foot, const Vector3<Dual>& p) {
-  Dual out(foot.distance);
-  for (int k = 0; k < 3; ++k) out.v += foot.normal[k] * p[k].v;
+double carried(const targets::ClosestSurfacePoint& closest, const Vector3d&) { return closest.distance; }
+Dual carried(const targets::ClosestSurfacePoint& closest, const Vector3<Dual>& p) {
+  Dual out(closest.distance);
+  for (int k = 0; k < 3; ++k) out.v += closest.normal[k] * p[k].v;
   return out;
 }
 
-/// The distance of a point from the surface; its derivative is the normal at the foot.
+/// The distance of a point from the surface; its derivative is the normal at the closest point.
 template <class T>
 T distance(const targets::SurfacePatch& patch, const Vector3<T>& p) {
-  return carried(foot_on(patch, {value_of(p.x()), value_of(p.y()), value_of(p.z())}), p);
+  return carried(closest_surface_point(patch, {value_of(p.x()), value_of(p.y()), value_of(p.z())}), p);
 }
 
 template <class T>

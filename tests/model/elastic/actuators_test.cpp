@@ -61,7 +61,7 @@ TEST(CordElement, HasTheCentralDifferencesOfItsLengthAsDerivatives) {
       const State state = shaken(s, rest_state(s), size, random);
       const CordElement cord = cord_element(s, through, state);
       const auto length = [&](const VectorXd& x) {
-        return VectorXd::Constant(1, cord_length(s, through, moved(s, state, x)) / s.size.edge_mm);
+        return VectorXd::Constant(1, cord_length(s, through, retract_straight(s, state, x)) / s.size.edge_mm);
       };
       const VectorXd gradient = cord_gradient(s, through, state);
       expect_jacobian(length, zeros(state), gradient.transpose());
@@ -85,7 +85,7 @@ void expect_derivatives(const Structure& s, const LinkageDrive& drive, std::mt19
   const VectorXd gradient = system.linearise(state, theta, tangent);
   EXPECT_LE((gradient - system.gradient(state, theta)).norm(), 1e-12 * gradient.norm());
   const auto energy = [&](const VectorXd& x) {
-    return VectorXd::Constant(1, system.energy(moved(s, state, x), theta));
+    return VectorXd::Constant(1, system.energy(retract_straight(s, state, x), theta));
   };
   expect_jacobian(energy, zeros(state), gradient.transpose());
   Eigen::MatrixXd hessian(gradient.size(), gradient.size());
@@ -119,7 +119,7 @@ TEST(ShapeMemory, LoadIsTheDerivativeOfTheEnergyByTheDriveAndTheirsByTheStateAre
   expect_jacobian(by_theta, VectorXd::Constant(1, 0.3),
                   VectorXd::Constant(1, system.load(state, 0.3) * system.drive_rate(0.3)));
   const auto load = [&](const VectorXd& x) {
-    return VectorXd::Constant(1, system.load(moved(s, state, x), 0.3));
+    return VectorXd::Constant(1, system.load(retract_straight(s, state, x), 0.3));
   };
   expect_jacobian(load, zeros(state), system.spring_gradient(state).transpose());
 }
