@@ -139,15 +139,14 @@ void add_corners(const model::QuadMeshOf<T>& m, Residuals<T>& out) {
     }
 }
 
-int edges_of(int columns, int rows) { return columns * (rows + 1) + rows * (columns + 1); }
-
 }  // namespace
 
 SurfaceProblem::SurfaceProblem(const targets::SurfacePatch& patch, const SurfaceVariables& variables,
                                const MeshBounds& bounds, double rim)
     : patch_(patch), variables_(variables), bounds_(bounds), rim_(rim), diagonal_(patch.diagonal()) {
   const int n = variables.columns, r = variables.rows, p = n - 1, q = r - 1;
-  residuals_ = (n + 1) * (r + 1) + 2 * (n + 1) + 2 * (r + 1) + 4 + 2 * p * q + edges_of(n, r) + 4 * n * r;
+  residuals_ =
+      (n + 1) * (r + 1) + 2 * (n + 1) + 2 * (r + 1) + 4 + 2 * p * q + model::mesh_edges(n, r) + 4 * n * r;
   constexpr double none = std::numeric_limits<double>::infinity();
   lower_ = Eigen::VectorXd::Constant(variables.size(), -none);
   upper_ = Eigen::VectorXd::Constant(variables.size(), none);
