@@ -365,7 +365,7 @@ Eigen::MatrixXd by_adjoint(const Held& b, double* by_spring = nullptr) {
   system.linearise(b.state, b.theta, tangent);
   EXPECT_TRUE(tangent.factorise(0));
   const auto sum = [&](const VectorXd& x) {
-    return VectorXd::Constant(1, weighted_sum(b, moved(b.structure, b.state, x)));
+    return VectorXd::Constant(1, weighted_sum(b, retract_straight(b.structure, b.state, x)));
   };
   const VectorXd by_state = numeric_jacobian(sum, zeros(b.state), 3e-3).transpose();
   const EquilibriumGradient gradients[] = {{by_state, 0, 0}, {{}, 1, 0}, {{}, 0, 1}};
