@@ -161,7 +161,7 @@ std::string cube_file(const char* name, double x) {
   std::string text;
   for (int k = 0; k < 8; ++k) text += fmt::format("v {} {} {}\n", x + k % 2 * 10, k / 2 % 2 * 10, k / 4 * 10);
   text += "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
-  return folder.write(name, text);
+  return std::filesystem::relative(folder.write(name, text), source + "/targets/shapes").string();
 }
 
 /// Two cubes with a hinge between them.
