@@ -7,7 +7,7 @@
 #include "benchmarks/stopwatch.hpp"
 #include "model/elastic/elastic_system.hpp"
 #include "sim/compression_run.hpp"
-#include "tests/support/hard_cases.hpp"
+#include "tests/support/hard/hard_cases.hpp"
 
 namespace kinetix::bench {
 namespace {

@@ -11,6 +11,9 @@
 #include "model/contact/wall_contact.hpp"
 #include "model/elastic/path/equilibrium_path.hpp"
 #include "model/elastic/path/stable_states.hpp"
+#include "model/lattice/planar/lattices/rhombus.hpp"
+#include "model/lattice/planar/planar_motion.hpp"
+#include "model/lattice/planar/planar_structure.hpp"
 #include "model/lattice/square/classify.hpp"
 #include "model/lattice/square/drive.hpp"
 #include "model/lattice/square/exact_family.hpp"
@@ -25,13 +28,19 @@
 #include "optim/doe/sampling.hpp"
 #include "optim/fold/fit_fold.hpp"
 #include "optim/helmet/fit_helmet.hpp"
+#include "optim/outline/fit_outline.hpp"
 #include "optim/solvers/multi_start.hpp"
 #include "optim/solvers/scalar_solver.hpp"
+#include "optim/space_curve/fit_space_curve.hpp"
+#include "optim/surface/fit_surface.hpp"
 #include "sim/compression_run.hpp"
 #include "targets/curve/read_curve.hpp"
 #include "targets/display/display_goal.hpp"
 #include "targets/fold/fold_goal.hpp"
 #include "targets/helmet/head.hpp"
+#include "targets/outline/outline.hpp"
+#include "targets/space_curve/space_goal.hpp"
+#include "targets/surface/surface_patch.hpp"
 
 namespace kinetix {
 
@@ -44,10 +53,15 @@ using model::Hinge;
 using model::hinge_gaps;
 using model::HingeGaps;
 using model::HingeParameters;
+using model::lattice_graph;
+using model::make_planar_structure;
 using model::make_structure;
+using model::PlanarGraph;
+using model::PlanarStructure;
 using model::Pose;
 using model::rectangle;
 using model::rest_state;
+using model::square_graph;
 using model::State;
 using model::Structure;
 using model::Vertex;
@@ -98,13 +112,18 @@ using model::trace_equilibrium;
 /// @name Goals and their errors
 /// @{
 using targets::box_goal;
+using targets::cap_patch;
 using targets::Curve;
 using targets::curve_error;
 using targets::DisplayGoal;
 using targets::FoldGoal;
 using targets::Head;
+using targets::Outline;
 using targets::read_curve_csv;
 using targets::rows_goal;
+using targets::saddle_patch;
+using targets::SpaceGoal;
+using targets::SurfacePatch;
 /// @}
 
 /// @name Searches: for the goals above, and for a problem of one's own
@@ -118,18 +137,27 @@ using optim::fit_display;
 using optim::fit_fold;
 using optim::fit_free_curve;
 using optim::fit_helmet;
+using optim::fit_outline;
+using optim::fit_space_curve;
+using optim::fit_surface;
 using optim::FoldOptions;
 using optim::HelmetSpec;
 using optim::LeastSquaresProblem;
 using optim::multi_start;
 using optim::MultiStartOptions;
 using optim::MultiStartResult;
+using optim::OutlineDesign;
+using optim::OutlineOptions;
 using optim::ScalarProblem;
 using optim::solve;
 using optim::SolveResult;
 using optim::SolverName;
 using optim::SolverOptions;
 using optim::SolveStatus;
+using optim::SpaceDesign;
+using optim::SpaceVariables;
+using optim::SurfaceDesign;
+using optim::SurfaceOptions;
 /// @}
 
 /// @name Designs of experiments

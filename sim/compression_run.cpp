@@ -174,7 +174,9 @@ void refuse_unknown(const model::LinkageDrive& drive, const PhysicsOptions& opti
   const Place at{"", 0, 0, "drive.kind"};
   if (drive.pulls_cord() && options.solver != PhysicsOptions::Solver::direct)
     throw InvalidInput(
-        "a cord needs the direct solver of the physics run: sweeps know joints between two parts only", at);
+        "a cord needs the direct solver of the physics run: the solver `sweeps` takes only joints between "
+        "two parts",
+        at);
   if (drive.heats_springs() && !options.elastic)
     throw InvalidInput("shape_memory needs elastic hinges in the physics run: give `hinge: {model: elastic}`",
                        at);

@@ -40,7 +40,8 @@ void check(const model::Stiffness& elastic, PhysicsOptions::Solver solver) {
   check(elastic);
   for (const model::Stiffness& hinge : elastic.each) check(hinge);
   if (solver != PhysicsOptions::Solver::direct)
-    throw InvalidInput("physics.elastic needs the direct solver: sweeps know rigid hinges only");
+    throw InvalidInput(
+        "physics.elastic needs the direct solver: the solver `sweeps` takes only hinges that cannot stretch");
 }
 
 }  // namespace

@@ -127,10 +127,11 @@ std::string assembly_summary(const AssemblyRun& run) {
     out += fmt::format("  {:<10} {}\n", label, text);
   };
   line("closure", way_words(run));
-  if (const auto& e = run.equilibrium)
-    line("balance",
-         fmt::format("{}; moment {:.4g} N mm, energy {:.4g} N mm, largest stretch {:.2e} cell edges", e->why,
-                     e->steps.back().load, e->steps.back().energy, e->gaps.max));
+  if (const auto& e = run.equilibrium) {
+    line("load", fmt::format("moment {:.4g} N mm: {}", e->steps.back().load, e->why));
+    line("energy", fmt::format("{:.4g} N mm", e->steps.back().energy));
+    line("stretch", fmt::format("largest {:.2e} cell edges", e->gaps.max));
+  }
   if (const auto& v = run.verification) {
     if (v->physics.status != sim::PhysicsResult::Status::settled)
       line("physics", fmt::format("FAILED, {}: {}", to_string(v->physics.status), v->physics.why));

@@ -66,7 +66,7 @@ void add_motion(AssemblyRun& run) {
               run.motion.states[k]);
 }
 
-void balance(AssemblyRun& run, const RunOptions& options) {
+void add_equilibrium(AssemblyRun& run, const RunOptions& options) {
   Stopwatch watch;
   model::EquilibriumPathOptions path;
   path.planar = false;
@@ -197,7 +197,7 @@ AssemblyRun run_assembly(AssemblyFile file, Model model, std::optional<double> t
   run.theta = theta.value_or(model::theta_at_turn(sense_of(run), run.file.angle));
   close(run, first, options);
   if (model == Model::equilibrium)
-    balance(run, options);
+    add_equilibrium(run, options);
   else if (run.motion.reached || model == Model::exact)
     add_state(run, "target", Model::exact, end_theta(run), run.motion.states.back());
   if (model == Model::bullet) verify_assembly(run, options);

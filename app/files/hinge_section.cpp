@@ -293,7 +293,7 @@ HingeSection read_elastic_hinge_section(const targets::Section& root, const mode
   const HingeSection hinge = read_section(root, size, {.model = Model::elastic, .reach_mm = {}});
   if (hinge.model == Model::rotary)
     throw root.section("hinge").optional("model")->error(
-        "`rotary` hinges cannot stretch, which the picture needs; allowed for a display: elastic");
+        "`rotary` hinges cannot stretch, which this goal needs; allowed: elastic");
   return hinge;
 }
 

@@ -61,7 +61,7 @@ class SchemaTable {
   std::string type_text(const Json& schema) const {
     if (schema.contains("const")) return words_text(Json::array({schema["const"]}));
     if (schema.contains("enum")) return words_text(schema["enum"]);
-    if (schema.contains("oneOf")) return "section or nothing";
+    if (schema.contains("oneOf") && !schema.contains("properties")) return "section or nothing";
     const Json type = schema.value("type", Json("section"));
     if (type.is_array()) {
       std::string text;

@@ -47,7 +47,7 @@ std::string designs_sentence(const model::PlanarStructure& planar, bool is_exact
   return fmt::format("every cell would close if each t moved by {:.2g} or less", change);
 }
 
-/// Between plates a structure with several freedoms takes its softest way, which is not the closed form's.
+/// Between plates a structure with several degrees of freedom takes its lowest mode, which is not the closed form's motion.
 std::string floppy_sentence(const Plan& plan) {
   return fmt::format(
       "FLOPPY: it moves in {} independent ways, and a drive of one of them leaves the others to the springs "

@@ -2,6 +2,7 @@
 
 #include "app/files/structure_section.hpp"
 #include "model/lattice/square/exact_family.hpp"
+#include "model/lattice/square/numbering.hpp"
 #include "targets/document/wording.hpp"
 
 namespace kinetix::app::studio {
@@ -22,7 +23,7 @@ DesignFile panel() { return design_of("panel", Squares::basic(8, 8)); }
 
 DesignFile strip() {
   Squares squares = Squares::basic(12, 1);
-  for (int c = 0; c < 12; ++c) squares.beta[c] = (c % 2 == 0 ? 20 : -20) * radians_per_degree;
+  for (int c = 0; c < 12; ++c) squares.beta[c] = model::column_sign(c) * 20 * radians_per_degree;
   return design_of("strip", squares);
 }
 

@@ -14,6 +14,7 @@
 #include "app/sweep/table/sweep_csv.hpp"
 #include "app/sweep/table/sweep_json.hpp"
 #include "app/sweep/workers/ranks.hpp"
+#include "targets/document/wording.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -72,9 +73,10 @@ Json summary_json(const SweepPlan& plan, const Tally& counts, const Work& work, 
 
 std::string summary_text(const SweepPlan& plan, const Tally& counts, const Work& work,
                          const std::string& folder) {
-  std::string text =
-      fmt::format("{}: {} samples of {} factors, {} responses, model {}\n", plan.doe.name, plan.size(),
-                  plan.samples.factors().size(), plan.responses.size(), to_string(plan.doe.model));
+  std::string text = fmt::format(
+      "{}: {} of {}, {}, model {}\n", plan.doe.name, targets::counted(plan.samples.size(), "sample"),
+      targets::counted(plan.samples.factors().size(), "factor"),
+      targets::counted(plan.responses.size(), "response"), to_string(plan.doe.model));
   const auto line = [&](const char* label, const std::string& words) {
     text += fmt::format("  {:<10} {}\n", label, words);
   };

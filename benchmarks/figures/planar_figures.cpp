@@ -101,7 +101,7 @@ Figure picture_figure(const std::string& kind, int cells, double most_seconds) {
     for (const int v : face.vertices) middle += s.graph.vertices[v] / (4.0 * cells);
     levels.push_back(level(kind, middle.x(), middle.y(), random));
   }
-  const optim::WallScales scales{.wish = optim::wishes_of(levels, s, 0.08),
+  const optim::WallScales scales{.wanted = optim::wanted_scales(levels, s, 0.08),
                                  .straight = testing::rim_rows(s.graph)};
   optim::ScaledWalls found;
   const double time = median_seconds(3, 1, [&] { found = scale_walls(s, scales); });

@@ -14,9 +14,9 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// Squared singular value at which wish and closure weigh alike: far below the proper ones of structures (1e-4), far above what
+// Squared singular value at which the wanted turns and closure weigh alike: far below the proper ones of structures (1e-4), far above what
 // points and axes rounded to float leave of a mechanism's zero (1e-11).
-constexpr double wish = 1e-8;
+constexpr double wanted_weight = 1e-8;
 constexpr int most_bodies = 150;  // for a dense decomposition: about a second
 
 double turn_rate(const Linkage& s, const VectorXd& twists, std::size_t k) {
@@ -31,9 +31,9 @@ VectorXd wanted_turns(const Linkage& s) {
 }
 
 /// Shifts count little: bodies have to go where their turns take them.
-VectorXd wish_weights(const Linkage& s) {
-  VectorXd weights = VectorXd::Constant(6 * static_cast<Eigen::Index>(s.bodies.size()), 1e-3 * wish);
-  for (std::size_t b = 0; b < s.bodies.size(); ++b) weights.segment<3>(6 * b).setConstant(wish);
+VectorXd turn_weights(const Linkage& s) {
+  VectorXd weights = VectorXd::Constant(6 * static_cast<Eigen::Index>(s.bodies.size()), 1e-3 * wanted_weight);
+  for (std::size_t b = 0; b < s.bodies.size(); ++b) weights.segment<3>(6 * b).setConstant(wanted_weight);
   return weights;
 }
 
@@ -53,14 +53,14 @@ State start_of(const Linkage& linkage, const AssemblyMotion& way, const FirstMot
     twists.segment<6>(6 * b) << first.twists[b].omega, first.twists[b].v;
   const double rate = turn_rate(linkage, twists, hinge);
   if (!(std::abs(rate) > 1e-6)) return way.states.back();
-  return moved(linkage, way.states.back(), step / rate * twists);
+  return retract_straight(linkage, way.states.back(), step / rate * twists);
 }
 
 }  // namespace
 
 FirstMotion first_motion(const Linkage& linkage) {
   const Eigen::SparseMatrix<double> J = closure_jacobian(linkage, rest_state(linkage));
-  const VectorXd weights = wish_weights(linkage);
+  const VectorXd weights = turn_weights(linkage);
   Eigen::SparseMatrix<double> normal = J.transpose() * J;
   Eigen::SparseMatrix<double> diagonal(normal.rows(), normal.cols());
   diagonal.setIdentity();

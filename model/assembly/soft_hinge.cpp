@@ -117,7 +117,7 @@ double height_at(const Polyhedron& soft, const Beam& beam, const Vector3d& axis)
 }
 
 /// In the plane, of the larger eigenvalue. @pre C is positive: the third direction's zero is the least
-Vector2d softest_direction(const Matrix2d& compliance) {
+Vector2d most_compliant_direction(const Matrix2d& compliance) {
   Eigen::Matrix3d embedded = Eigen::Matrix3d::Zero();
   embedded.topLeftCorner<2, 2>() = compliance;
   return principal_axes(embedded).axes.col(2).head<2>();
@@ -148,7 +148,7 @@ std::optional<SoftHinge> soft_hinge(const Polyhedron& soft, const ContactPatch& 
                                     const ContactPatch& second) {
   const std::optional<Beam> beam = beam_between(soft, first, second);
   if (!beam) return std::nullopt;
-  SoftHinge hinge = about(*beam, soft, softest_direction(beam->compliance));
+  SoftHinge hinge = about(*beam, soft, most_compliant_direction(beam->compliance));
   if (!hinge.is_ambiguous()) return hinge;
   // No direction stands out: those of the section's sides are what a person means.
   const Vector2d side(std::cos(beam->edge_angle), std::sin(beam->edge_angle));

@@ -64,7 +64,7 @@ Eigen::SparseMatrix<double> closure_jacobian(const Linkage& structure, const Sta
   return jacobian;
 }
 
-State moved(const Linkage& structure, const State& state, const VectorXd& twists) {
+State retract_straight(const Linkage& structure, const State& state, const VectorXd& twists) {
   State out = state;
   for (std::size_t b = 0; b < state.size(); ++b) {
     const Vector3d omega = twists.segment<3>(6 * b);

@@ -20,8 +20,8 @@ Eigen::VectorXd closure_residual(const Linkage& structure, const State& state);
 std::vector<Eigen::Triplet<double>> closure_entries(const Linkage& structure, const State& state);
 Eigen::SparseMatrix<double> closure_jacobian(const Linkage& structure, const State& state);
 
-/// The state (mm) after every body has turned by exp(omega) and shifted, `twists` in the columns' order
-/// above.
-State moved(const Linkage& structure, const State& state, const Eigen::VectorXd& twists);
+/// A retract: the state (mm) after every body has turned by exp(omega) and shifted straight on, `twists` in the
+/// columns' order above. model/elastic/retract.hpp has the one along screws.
+State retract_straight(const Linkage& structure, const State& state, const Eigen::VectorXd& twists);
 
 }  // namespace kinetix::model

@@ -63,7 +63,7 @@ class DrivenSystem {
   State retract(const State& state, const VectorXd& step) const {
     VectorXd twists = VectorXd::Zero(6 + step.size());
     twists.tail(step.size()) = step;
-    return moved(s_, state, twists);
+    return retract_straight(s_, state, twists);
   }
 
  private:

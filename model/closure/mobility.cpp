@@ -55,7 +55,7 @@ Motion follow(const Linkage& s, const VectorXd& direction, const MobilityOptions
   const double step = options.turn / options.steps;
   Motion motion{rest_state(s)};
   if (rate == 0) return motion;
-  motion.end = moved(s, motion.end, step / std::abs(rate) * direction);
+  motion.end = retract_straight(s, motion.end, step / std::abs(rate) * direction);
   motion.closed = true;
   for (int k = 1; k <= options.steps && motion.converged; ++k) {
     motion.turn = k * step;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 namespace kinetix::model {
@@ -16,6 +17,12 @@ inline double crease_turn(double tilt, double theta) {
 /// The tilt that turns by `turn` at theta. @pre 0 < abs(theta) < pi, abs(turn) < pi
 inline double tilt_of_turn(double turn, double theta) {
   return std::atan(std::tan(turn / 2) / std::sin(theta));
+}
+
+/// The theta in [0, pi/2] at which `tilt` turns by `turn`; pi/2 where it never does. @pre 0 <= turn < pi,
+/// 0 < tilt < pi/2
+inline double theta_of_turn(double turn, double tilt) {
+  return std::asin(std::min(std::tan(turn / 2) / std::tan(tilt), 1.0));
 }
 
 /// Derivatives of crease_turn, rad per rad.

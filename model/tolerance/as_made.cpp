@@ -26,7 +26,7 @@ std::vector<VectorXd> mixtures(Eigen::Index points, const AsMadeOptions& options
   return out;
 }
 
-/// Traces of the covariance C of all points' misses, mm^2 and mm^4.
+/// Traces of the covariance C of all points' deviations, mm^2 and mm^4.
 struct Moments {
   double trace = 0, trace_of_square = 0;
 };
@@ -70,7 +70,7 @@ AsMade as_made(const ElasticSystem& system, const Elasticity& elasticity, const 
   const ObservedPoints points(observed, options.aligned);
   const Eigen::Index hinges = static_cast<Eigen::Index>(system.hinges().size());
   const double edge_mm = system.structure().size.edge_mm;
-  // What a mixture of misses does by every hinge's parameters, one standard deviation each.
+  // What a mixture of deviations does by every hinge's parameters, one standard deviation each.
   const auto row = [&](const VectorXd& mixture) -> VectorXd {
     EquilibriumGradient gradient;
     gradient.state = points.by_state(mixture, state.size(), edge_mm);
@@ -84,13 +84,13 @@ AsMade as_made(const ElasticSystem& system, const Elasticity& elasticity, const 
   const bool is_each = points.size() <= options.probes;
   const Moments moments = is_each ? moments_of_points(rows) : moments_of_mixtures(rows);
 
-  const VectorXd misses = points.misses();
-  const double along_misses = misses.isZero(0) ? 0 : row(misses).squaredNorm();
+  const VectorXd deviations = points.deviations();
+  const double along_deviations = deviations.isZero(0) ? 0 : row(deviations).squaredNorm();
   const auto count = static_cast<double>(points.size());
-  const double mean = (misses.squaredNorm() + moments.trace) / count,
-               variance = (2 * moments.trace_of_square + 4 * along_misses) / (count * count);
+  const double mean = (deviations.squaredNorm() + moments.trace) / count,
+               variance = (2 * moments.trace_of_square + 4 * along_deviations) / (count * count);
   AsMade out;
-  out.designed_mm = std::sqrt(misses.squaredNorm() / count);
+  out.designed_mm = std::sqrt(deviations.squaredNorm() / count);
   out.rms_mm = std::sqrt(mean);
   out.p95_mm = std::sqrt(quantile(mean, variance));
   out.sources = sources_of(rows.colwise().squaredNorm().transpose());

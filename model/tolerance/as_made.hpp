@@ -35,8 +35,9 @@ struct AsMade {
 };
 
 struct AsMadeOptions {
-  bool aligned = true;  ///< misses count after the best rigid motion of the whole, as of a shape in the hand
-  int probes = 150;     ///< beyond so many points, so many random mixtures of them stand for all; >= 2
+  bool aligned =
+      true;          ///< deviations count after the best rigid motion of the whole, as of a shape in the hand
+  int probes = 150;  ///< beyond so many points, so many random mixtures of them stand for all; >= 2
   bool planar = false;  ///< prints move in the plane z = 0 only
   unsigned seed = 1;    ///< of the mixtures
 };

@@ -24,13 +24,13 @@ ObservedPoints::ObservedPoints(const std::vector<ObservedPoint>& points, bool al
   rigid_ = column_space(rigid);
 }
 
-VectorXd ObservedPoints::misses() const {
+VectorXd ObservedPoints::deviations() const {
   VectorXd out(size());
   for (Eigen::Index k = 0; k < size(); ++k) out[k] = points_[k].miss_mm;
   return out;
 }
 
-double ObservedPoints::rms_mm() const { return misses().norm() / std::sqrt(static_cast<double>(size())); }
+double ObservedPoints::rms_mm() const { return deviations().norm() / std::sqrt(static_cast<double>(size())); }
 
 VectorXd ObservedPoints::by_state(const VectorXd& mixture, std::size_t bodies, double edge_mm) const {
   const VectorXd weights = without_motion(mixture);
@@ -42,9 +42,9 @@ VectorXd ObservedPoints::by_state(const VectorXd& mixture, std::size_t bodies, d
   return out;
 }
 
-VectorXd ObservedPoints::without_motion(const VectorXd& misses) const {
-  if (rigid_.cols() == 0) return misses;
-  return misses - rigid_ * (rigid_.transpose() * misses);
+VectorXd ObservedPoints::without_motion(const VectorXd& deviations) const {
+  if (rigid_.cols() == 0) return deviations;
+  return deviations - rigid_ * (rigid_.transpose() * deviations);
 }
 
 }  // namespace kinetix::model

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "model/base/invalid_input.hpp"
+#include "model/lattice/square/numbering.hpp"
 
 namespace kinetix::optim {
 namespace {
@@ -28,7 +29,7 @@ BendTies make_bend_ties(int columns, Per per, Symmetry symmetry, AngleRange beta
   for (int c = 0; c < columns; ++c) {
     ties.variable.push_back(group(c, columns, per, symmetry));
     // A turn from +x towards +z asks for a negative tilt of the even columns.
-    ties.sign.push_back(c % 2 == 0 ? -1.0 : 1.0);
+    ties.sign.push_back(-model::column_sign(c));
   }
   const int variables = 1 + *std::max_element(ties.variable.begin(), ties.variable.end());
   ties.range.assign(variables, {-INFINITY, INFINITY});

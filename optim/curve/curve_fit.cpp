@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "model/lattice/square/numbering.hpp"
 #include "targets/curve/polyline_closest_point.hpp"
 
 namespace kinetix::optim {
@@ -18,7 +19,8 @@ Vector2d xz(const Eigen::Vector3d& v) { return {v.x(), v.z()}; }
 
 std::vector<Vector2d> midline(const model::State& lattice, int rows) {
   std::vector<Vector2d> points;
-  for (std::size_t b = 0; b < lattice.size(); b += rows + 1) points.push_back(xz(lattice[b].p));
+  for (int c = 0; c < model::vertex_columns(lattice.size(), rows); ++c)
+    points.push_back(xz(lattice[model::lattice_body({c, 0}, rows)].p));
   return points;
 }
 

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "model/lattice/crease_law.hpp"
+#include "model/lattice/square/numbering.hpp"
 
 namespace kinetix::optim {
 namespace {
@@ -23,10 +24,10 @@ std::vector<double> half_turns(const std::vector<double>& headings, double zigza
   for (int c = 0; c < n; ++c) {
     psi[c] = headings[c] - tau;
     tau += 2 * psi[c];
-    alternating += (c % 2 == 0 ? 1 : -1) * psi[c];
+    alternating += model::column_sign(c) * psi[c];
   }
   const double shift = zigzag - alternating / n;
-  for (int c = 0; c < n; ++c) psi[c] += (c % 2 == 0 ? 1 : -1) * shift;
+  for (int c = 0; c < n; ++c) psi[c] += model::column_sign(c) * shift;
   return psi;
 }
 

@@ -62,7 +62,7 @@ DisplayView view_from_flat(PanelEquilibrium& equilibrium, const VectorXd& t, con
   view.plates = equilibrium.plates();
   equilibrium.forget();
   if (!equilibrium.settle(t, offset)) return view;
-  view.balanced = true;
+  view.at_equilibrium = true;
   view.state = equilibrium.state();
   view.channel = channel_values(channel, equilibrium.panel(), view.state);
   view.channel.resize(levels.size());
@@ -76,7 +76,7 @@ int best_view(const std::vector<DisplayView>& views, const std::vector<double>& 
   const PictureCost picture(levels);
   int best = -1;
   for (int k = 0; k < static_cast<int>(views.size()); ++k)
-    if (views[k].balanced && (best < 0 || is_better(views[k], views[best], picture, stretch))) best = k;
+    if (views[k].at_equilibrium && (best < 0 || is_better(views[k], views[best], picture, stretch))) best = k;
   return best;
 }
 
@@ -140,7 +140,7 @@ SharpenedDisplay DisplaySearch::sharpen(VectorXd x) {
     if (!std::isfinite(found.cost)) break;
     x = found.x;
     out.views.push_back(view(x));
-    if (out.views.back().balanced && out.views.back().stretch <= options_.stretch) break;
+    if (out.views.back().at_equilibrium && out.views.back().stretch <= options_.stretch) break;
     if (problem.stretch_of_best() <= options_.stretch) settling = Settling::from_flat;
   }
   return out;

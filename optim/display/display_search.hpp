@@ -38,9 +38,9 @@ struct DisplayView {
   model::State state;                         ///< mm
   std::vector<double> channel;                ///< of each cell, by definition, in the channel's unit
   targets::DisplayScore score;
-  double rank = 0;        ///< rank correlation of channel and levels, -1 to 1
-  double stretch = 0;     ///< largest of a hinge, cell edges
-  bool balanced = false;  ///< found along the path from flat; t and plates alone are known where not
+  double rank = 0;              ///< rank correlation of channel and levels, -1 to 1
+  double stretch = 0;           ///< largest of a hinge, cell edges
+  bool at_equilibrium = false;  ///< found along the path from flat; t and plates alone are known where not
 };
 
 /// What the second stage of a search came to.

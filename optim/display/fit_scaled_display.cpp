@@ -36,7 +36,7 @@ DisplayView view_of(const model::Sheet& basic, const std::vector<double>& levels
   view.score = targets::display_score(view.channel, levels);
   view.rank = targets::rank_correlation(view.channel, levels);
   view.stretch = hinge_gaps(panel, view.state).max;
-  view.balanced = true;
+  view.at_equilibrium = true;
   return view;
 }
 

@@ -55,11 +55,11 @@ model::ThetaLimit clearance(model::PlanarStructure panel, const model::Redrawing
   return theta_range(panel, fold_to, options).positive;
 }
 
-/// The wishes and bounds of a panel, all rows free.
+/// What is wanted of a panel, and its bounds, all rows free.
 WallScales free_scales(const model::PlanarStructure& panel, std::vector<double> levels,
                        const ScaledDisplayOptions& options) {
   levels.resize(panel.faces.size(), no_level);
-  return {.wish = wishes_of(levels, panel, options.offset),
+  return {.wanted = wanted_scales(levels, panel, options.offset),
           .offset = options.offset,
           .shift = shift_of(options.t)};
 }

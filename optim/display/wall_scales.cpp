@@ -22,7 +22,7 @@ constexpr int most_splits = 20'000;  // ten times what pictures of 100 x 100 cel
 constexpr double settled = 1e-6;     // of s and 2 o: a micron on a wall of a metre
 // Over-relaxation of alternating directions: 1.5 to 1.8 is usual (Boyd et al. 2011, section 3.4.3).
 constexpr double relaxation = 1.6;
-// Of being apart from `near` against being apart from the wish, squared: of 1, 0.3, 0.1, 0.03 and 0.01 the one
+// Of being apart from `near` against being apart from what is wanted, squared: of 1, 0.3, 0.1, 0.03 and 0.01 the one
 // that takes the fewest iterations on panels of 29 x 29 and 100 x 100 cells, an eighth of those of 1.
 constexpr double penalty = 0.1;
 
@@ -138,14 +138,14 @@ class Walls {
   Part real_, imaginary_;
 };
 
-/// Each wall by itself: the change within bounds that is best for the wish and for `near`.
+/// Each wall by itself: the change within bounds that is best for what is wanted and for `near`.
 VectorXcd best_by_themselves(const VectorXcd& near, const WallScales& scales) {
   VectorXcd out(near.size());
   for (Eigen::Index e = 0; e < out.size(); ++e) {
-    const double wish = scales.wish[static_cast<std::size_t>(e)];
-    out[e] = {
-        std::clamp(near[e].real(), -scales.shift, scales.shift),
-        std::clamp((penalty * near[e].imag() + wish) / (1 + penalty), -2 * scales.offset, 2 * scales.offset)};
+    const double wanted = scales.wanted[static_cast<std::size_t>(e)];
+    out[e] = {std::clamp(near[e].real(), -scales.shift, scales.shift),
+              std::clamp((penalty * near[e].imag() + wanted) / (1 + penalty), -2 * scales.offset,
+                         2 * scales.offset)};
   }
   return out;
 }
@@ -162,8 +162,9 @@ void finish(const Walls& walls, const WallScales& scales, VectorXcd y, ScaledWal
   changes /= excess;
   found.shift = shift / excess;
   found.offset = offset / excess;
-  const Eigen::Map<const VectorXd> wish(scales.wish.data(), static_cast<Eigen::Index>(scales.wish.size()));
-  found.distance = std::sqrt((changes.imag() - wish).squaredNorm() / static_cast<double>(wish.size()));
+  const Eigen::Map<const VectorXd> wanted(scales.wanted.data(),
+                                          static_cast<Eigen::Index>(scales.wanted.size()));
+  found.distance = std::sqrt((changes.imag() - wanted).squaredNorm() / static_cast<double>(wanted.size()));
   for (Eigen::Index v = 0; v < y.size(); ++v) found.y.push_back({y[v].real(), y[v].imag()});
 }
 
@@ -173,8 +174,9 @@ void WallScales::validate(const model::PlanarStructure& structure) const {
   require("offset", offset, offset > 0 && offset < 0.5, "in (0, 0.5) of a wall's length");
   require("shift", shift, shift > 0 && shift < 1, "in (0, 1)");
   require("drop", drop, std::isfinite(drop), "a finite number of cell edges");
-  if (wish.size() != structure.graph.edges.size()) throw InvalidInput("wish must have a value for each wall");
-  for (const double w : wish) require("wish", w, std::isfinite(w), "finite");
+  if (wanted.size() != structure.graph.edges.size())
+    throw InvalidInput("wanted must have a value for each wall");
+  for (const double w : wanted) require("wanted", w, std::isfinite(w), "finite");
   std::vector<bool> used(structure.graph.vertices.size(), false);
   for (const auto& row : straight)
     for (const int v : row) {
@@ -185,18 +187,18 @@ void WallScales::validate(const model::PlanarStructure& structure) const {
     }
 }
 
-std::vector<double> wishes_of(const std::vector<double>& levels, const model::PlanarStructure& structure,
-                              double offset) {
-  std::vector<double> sum(structure.graph.edges.size(), 0), wish(sum.size(), 0);
+std::vector<double> wanted_scales(const std::vector<double>& levels, const model::PlanarStructure& structure,
+                                  double offset) {
+  std::vector<double> sum(structure.graph.edges.size(), 0), wanted(sum.size(), 0);
   std::vector<int> beside(sum.size(), 0);
   for (std::size_t f = 0; f < structure.faces.size(); ++f)
     for (const int e : structure.faces[f].edges) {
       sum[e] += levels[f];
       ++beside[e];
     }
-  for (std::size_t e = 0; e < wish.size(); ++e)
-    if (beside[e] > 0) wish[e] = -(2 * sum[e] / beside[e] - 1) * 2 * offset;
-  return wish;
+  for (std::size_t e = 0; e < wanted.size(); ++e)
+    if (beside[e] > 0) wanted[e] = -(2 * sum[e] / beside[e] - 1) * 2 * offset;
+  return wanted;
 }
 
 ScaledWalls scale_walls(const model::PlanarStructure& structure, const WallScales& scales) {

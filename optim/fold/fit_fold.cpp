@@ -8,6 +8,7 @@
 
 #include "model/base/invalid_input.hpp"
 #include "model/contact/wall_contact.hpp"
+#include "model/lattice/crease_law.hpp"
 #include "optim/fold/face_crossing.hpp"
 
 namespace kinetix::optim {
@@ -102,10 +103,10 @@ class Search {
     const std::size_t c = steepest_crease(net, columns);
     const double turn = columns.empty() ? 0 : turn_of_a_column(net, columns, c);
     if (turn > largest_turn_of_a_column) return too_steep(net, columns, c, pi / 2);
-    const double least = std::asin(std::min(std::tan(turn / 2) / std::tan(options_.tilt), 1.0));
+    const double least = model::theta_of_turn(turn, options_.tilt);
     const double lower = std::max(options_.theta.lower, least);
-    if (!(lower < upper_) || std::tan(turn / 2) > std::tan(options_.tilt) * std::sin(upper_))
-      return too_steep(net, columns, c, std::atan(std::tan(turn / 2) / std::sin(upper_)));
+    if (!(lower < upper_) || turn > model::crease_turn(options_.tilt, upper_))
+      return too_steep(net, columns, c, model::tilt_of_turn(turn, upper_));
     try {
       return try_between(index, columns, lower);
     } catch (const InvalidInput& e) {

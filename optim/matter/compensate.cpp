@@ -101,12 +101,12 @@ class Search {
  private:
   /// Tries steps with more and more damping until one helps, or none does.
   void step(InMatter& at, VectorXd& x, double& damping, Compensation& out) {
-    const auto rates = miss_rates(at, variables_.ties(), elasticity_, goal_, options_.contact);
+    const auto rates = deviation_rates(at, variables_.ties(), elasticity_, goal_, options_.contact);
     if (!rates) {
       out.why = "the equilibrium is at a limit: its derivatives are not known";
       return;
     }
-    const VectorXd slope = rates->rates.transpose() * rates->misses;
+    const VectorXd slope = rates->rates.transpose() * rates->deviations;
     const MatrixXd curvature = rates->rates.transpose() * rates->rates;
     const double scale = curvature.diagonal().maxCoeff();
     for (; damping <= most_damping && out.rounds < options_.rounds; damping *= harder) {
@@ -157,23 +157,24 @@ class Search {
 
 }  // namespace
 
-std::optional<MissRates> miss_rates(const InMatter& at, const std::vector<TiltTie>& ties,
-                                    const model::Elasticity& elasticity, const MatterGoal& goal,
-                                    bool contact) {
+std::optional<DeviationRates> deviation_rates(const InMatter& at, const std::vector<TiltTie>& ties,
+                                              const model::Elasticity& elasticity, const MatterGoal& goal,
+                                              bool contact) {
   model::ElasticSystem system(at.sheet, elasticity, goal.drive(at.sheet, at.theta), false, contact);
   model::State state = at.state;
   model::TangentStiffness tangent(system.dofs());
   if (!settle(system, at.theta, state, tangent)) return std::nullopt;
   const std::vector<model::ObservedPoint> observed = goal.observe(at.sheet, state);
   const model::ObservedPoints points(observed, true);
-  MissRates out{points.aligned_misses(), MatrixXd(points.size(), static_cast<Eigen::Index>(ties.size()) + 1)};
+  DeviationRates out{points.aligned_deviations(),
+                     MatrixXd(points.size(), static_cast<Eigen::Index>(ties.size()) + 1)};
   for (Eigen::Index k = 0; k < points.size(); ++k) {
     model::EquilibriumGradient one;
     one.state = points.by_state(VectorXd::Unit(points.size(), k), state.size(), at.sheet.size().edge_mm);
     out.rates.row(k) =
         by_variables(ties, sensitivity(system, elasticity, state, at.theta, tangent, one)).transpose();
   }
-  const bool usable = out.misses.allFinite() && out.rates.allFinite() && !out.rates.isZero(0);
+  const bool usable = out.deviations.allFinite() && out.rates.allFinite() && !out.rates.isZero(0);
   return usable ? std::optional(std::move(out)) : std::nullopt;
 }
 

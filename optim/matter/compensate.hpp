@@ -46,16 +46,16 @@ struct Compensation {
   std::string why;            ///< it ended
 };
 
-/// The misses of an equilibrium and how they change.
-struct MissRates {
-  Eigen::VectorXd misses;  ///< of each point, mm, what a rigid motion takes away left out
-  Eigen::MatrixXd rates;   ///< a row a point: by the tilt of each tie, last by theta; mm/rad
+/// The deviations of an equilibrium from its goal and how they change.
+struct DeviationRates {
+  Eigen::VectorXd deviations;  ///< of each point, mm, what a rigid motion takes away left out
+  Eigen::MatrixXd rates;       ///< a row a point: by the tilt of each tie, last by theta; mm/rad
 };
 
 /// By the adjoint. @param at in equilibrium   @return nothing at a limit of the equilibrium
-std::optional<MissRates> miss_rates(const InMatter& at, const std::vector<TiltTie>& ties,
-                                    const model::Elasticity& elasticity, const MatterGoal& goal,
-                                    bool contact);
+std::optional<DeviationRates> deviation_rates(const InMatter& at, const std::vector<TiltTie>& ties,
+                                              const model::Elasticity& elasticity, const MatterGoal& goal,
+                                              bool contact);
 
 /// Brings the equilibrium of a sheet of elastic hinges onto its goal: springs hold a fold back and blocks stretch, so
 /// that a design which meets its goal exactly misses it in matter. Tilts (tied, optim/matter/tilt_ties.hpp) and theta

@@ -60,7 +60,7 @@ std::vector<LatticeCell> largest_piece(const model::PlanarLattice& lattice, doub
 std::vector<LatticeCell> from_zero(std::vector<LatticeCell> cells) {
   LatticeCell low = {std::numeric_limits<int>::max(), std::numeric_limits<int>::max()};
   for (const LatticeCell& cell : cells) low = {std::min(low[0], cell[0]), std::min(low[1], cell[1])};
-  low[1] -= ((low[1] % 2) + 2) % 2;
+  low[1] = model::even_row_up_to(low[1]);
   for (LatticeCell& cell : cells) cell = {cell[0] - low[0], cell[1] - low[1]};
   std::sort(cells.begin(), cells.end(), [](const LatticeCell& a, const LatticeCell& b) {
     return std::pair(a[1], a[0]) < std::pair(b[1], b[0]);

@@ -30,19 +30,9 @@ double distance_in_plane(const targets::MeshDistance& surface, const Vector3d& p
   return (q - p).norm();
 }
 
-/// Bodies of a rib's columns, row by row, from -x to +x; the spine's two columns among them.
-std::vector<std::array<int, 2>> columns_of(const model::Fishbone& fishbone, const model::FishboneRib& rib) {
-  std::vector<std::array<int, 2>> columns;
-  const int spine = fishbone.spine_column;
-  for (int i = spine - rib.cells[0]; i <= spine + 1 + rib.cells[1]; ++i)
-    columns.push_back(
-        {*fishbone.structure.body_at({i, rib.row}), *fishbone.structure.body_at({i, rib.row + 1})});
-  return columns;
-}
-
 double rib_error(const model::Fishbone& fishbone, const model::FishboneRib& rib, const model::State& state,
                  const targets::MeshDistance& surface, double clearance) {
-  const auto columns = columns_of(fishbone, rib);
+  const auto columns = rib_columns(fishbone, rib);
   double sum = 0;
   for (const auto& [lower, upper] : columns) {
     const Vector3d &a = state[lower].p, &b = state[upper].p;

@@ -1,57 +1,65 @@
 #include "optim/solvers/solver.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <nlopt.hpp>
 
 #include "model/base/invalid_input.hpp"
 #include "optim/solvers/best_so_far.hpp"
+#include "optim/solvers/nlopt_algorithm.hpp"
 
 namespace kinetix::optim {
 
-std::string to_string(SolverName name) {
-  switch (name) {
-    case SolverName::ceres:
-      return "ceres";
-    case SolverName::slsqp:
-      return "slsqp";
-    case SolverName::mma:
-      return "mma";
-    case SolverName::ccsa:
-      return "ccsa";
-    case SolverName::bobyqa:
-      return "bobyqa";
-    case SolverName::cobyla:
-      return "cobyla";
-    case SolverName::crs:
-      return "crs";
-  }
-  return "?";
+namespace {
+
+struct NamedSolver {
+  SolverName name;
+  const char *word, *description;
+  int nlopt;  ///< its number there, an nlopt::algorithm
+};
+
+constexpr int none_of_nlopt = -1;  // no number of a method
+
+// All that is known of a solver by its name, in the order of the enum.
+constexpr NamedSolver named_solvers[] = {
+    {SolverName::ceres, "ceres", "Ceres Levenberg-Marquardt, exact derivatives", none_of_nlopt},
+    {SolverName::slsqp, "slsqp", "NLopt SLSQP, sequential quadratic programming, exact gradient",
+     nlopt::LD_SLSQP},
+    {SolverName::mma, "mma", "NLopt MMA, moving asymptotes, exact gradient", nlopt::LD_MMA},
+    {SolverName::ccsa, "ccsa", "NLopt CCSAQ, conservative convex separable approximations, exact gradient",
+     nlopt::LD_CCSAQ},
+    {SolverName::bobyqa, "bobyqa", "NLopt BOBYQA, quadratic models, derivative-free", nlopt::LN_BOBYQA},
+    {SolverName::cobyla, "cobyla", "NLopt COBYLA, linear models, derivative-free", nlopt::LN_COBYLA},
+    {SolverName::crs, "crs", "NLopt CRS2, controlled random search, global, derivative-free",
+     nlopt::GN_CRS2_LM},
+};
+
+constexpr bool is_in_order() {
+  int expected = 0;
+  for (const NamedSolver& solver : named_solvers)
+    if (static_cast<int>(solver.name) != expected++) return false;
+  return true;
 }
+static_assert(is_in_order());
+
+const NamedSolver& solver_of(SolverName name) { return named_solvers[static_cast<std::size_t>(name)]; }
+
+}  // namespace
+
+std::string to_string(SolverName name) { return solver_of(name).word; }
+
+std::string description(SolverName name) { return solver_of(name).description; }
+
+int nlopt_algorithm(SolverName name) { return solver_of(name).nlopt; }
 
 const std::vector<SolverName>& all_solvers() {
-  static const std::vector<SolverName> names = {SolverName::ceres, SolverName::slsqp,  SolverName::mma,
-                                                SolverName::ccsa,  SolverName::bobyqa, SolverName::cobyla,
-                                                SolverName::crs};
+  static const std::vector<SolverName> names = [] {
+    std::vector<SolverName> all;
+    for (const NamedSolver& solver : named_solvers) all.push_back(solver.name);
+    return all;
+  }();
   return names;
-}
-
-std::string description(SolverName name) {
-  switch (name) {
-    case SolverName::ceres:
-      return "Ceres Levenberg-Marquardt, exact derivatives";
-    case SolverName::slsqp:
-      return "NLopt SLSQP, sequential quadratic programming, exact gradient";
-    case SolverName::mma:
-      return "NLopt MMA, moving asymptotes, exact gradient";
-    case SolverName::ccsa:
-      return "NLopt CCSAQ, conservative convex separable approximations, exact gradient";
-    case SolverName::bobyqa:
-      return "NLopt BOBYQA, quadratic models, derivative-free";
-    case SolverName::cobyla:
-      return "NLopt COBYLA, linear models, derivative-free";
-    case SolverName::crs:
-      return "NLopt CRS2, controlled random search, global, derivative-free";
-  }
-  return "?";
 }
 
 std::string to_string(SolveStatus status) {
@@ -77,6 +85,8 @@ std::string to_string(SolveStatus status) {
 void SolverOptions::validate() const {
   if (!(max_evaluations >= 1)) throw InvalidInput("max_evaluations must be at least 1");
   if (!(tolerance > 0 && tolerance < 1)) throw InvalidInput("tolerance must lie between 0 and 1");
+  if (!(trust_radius > 0))
+    throw InvalidInput(fmt::format("trust_radius is {}, must be above 0", trust_radius));
   if (!(target >= 0) || !std::isfinite(target)) throw InvalidInput("target must be 0 or more, and finite");
 }
 

@@ -22,7 +22,7 @@ constexpr double as_good = 1.1;  // times the least error: up to here the room t
 /// What is possible at theta.
 SpaceLimits limits_at(const SpaceVariables& v, double theta) {
   const double lean = std::min(2 * v.t[1] - 1, 1 - 2 * v.t[0]);
-  return {2 * std::atan(std::tan(v.beta) * std::sin(theta)), lean * std::tan(theta)};
+  return {model::crease_turn(v.beta, theta), lean * std::tan(theta)};
 }
 
 /// The goal in the strip's frame: x and z in the plane of its turns, y across.

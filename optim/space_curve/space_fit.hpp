@@ -1,5 +1,6 @@
 #pragma once
 
+#include "model/lattice/square/numbering.hpp"
 #include "optim/solvers/least_squares.hpp"
 #include "targets/curve/space_curve.hpp"
 
@@ -16,7 +17,7 @@ struct SpaceStrip {
   double heading = 0;                               ///< of the first panel, from x towards z
   Eigen::Vector3d start = Eigen::Vector3d::Zero();  ///< of the midline
 
-  static bool bends(int column) { return column % 2 == 1; }
+  static bool bends(int column) { return model::column_sign(column) < 0; }
   int bending() const { return columns / 2; }
   int shearing() const { return columns - columns / 2; }
 

@@ -54,7 +54,7 @@ SurfaceError error_of(const targets::SurfacePatch& patch, const SurfaceDesign& d
   for (int j = 0; j <= design.mesh.rows; ++j)
     for (int i = 0; i <= design.mesh.columns; ++i) {
       const Eigen::Vector3d& p = design.vertices[design.mesh.vertex(i, j)];
-      const double off = (foot_on(patch, p).distance - layer_of(i) * design.layer) / diagonal;
+      const double off = (closest_surface_point(patch, p).distance - layer_of(i) * design.layer) / diagonal;
       sum += off * off;
       out.max = std::max(out.max, std::abs(off));
     }

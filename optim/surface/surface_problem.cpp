@@ -40,17 +40,17 @@ constexpr double inside_edge = 0.004;                // of the mean edge: likewi
 double value_of(double x) { return x; }
 double value_of(const Dual& x) { return x.a; }
 
-double carried(const targets::SurfaceFoot& foot, const Vector3d&) { return foot.distance; }
-Dual carried(const targets::SurfaceFoot& foot, const Vector3<Dual>& p) {
-  Dual out(foot.distance);
-  for (int k = 0; k < 3; ++k) out.v += foot.normal[k] * p[k].v;
+double carried(const targets::ClosestSurfacePoint& closest, const Vector3d&) { return closest.distance; }
+Dual carried(const targets::ClosestSurfacePoint& closest, const Vector3<Dual>& p) {
+  Dual out(closest.distance);
+  for (int k = 0; k < 3; ++k) out.v += closest.normal[k] * p[k].v;
   return out;
 }
 
-/// The distance of a point from the surface; its derivative is the normal at the foot.
+/// The distance of a point from the surface; its derivative is the normal at the closest point.
 template <class T>
 T distance(const targets::SurfacePatch& patch, const Vector3<T>& p) {
-  return carried(foot_on(patch, {value_of(p.x()), value_of(p.y()), value_of(p.z())}), p);
+  return carried(closest_surface_point(patch, {value_of(p.x()), value_of(p.y()), value_of(p.z())}), p);
 }
 
 template <class T>
@@ -139,15 +139,14 @@ void add_corners(const model::QuadMeshOf<T>& m, Residuals<T>& out) {
     }
 }
 
-int edges_of(int columns, int rows) { return columns * (rows + 1) + rows * (columns + 1); }
-
 }  // namespace
 
 SurfaceProblem::SurfaceProblem(const targets::SurfacePatch& patch, const SurfaceVariables& variables,
                                const MeshBounds& bounds, double rim)
     : patch_(patch), variables_(variables), bounds_(bounds), rim_(rim), diagonal_(patch.diagonal()) {
   const int n = variables.columns, r = variables.rows, p = n - 1, q = r - 1;
-  residuals_ = (n + 1) * (r + 1) + 2 * (n + 1) + 2 * (r + 1) + 4 + 2 * p * q + edges_of(n, r) + 4 * n * r;
+  residuals_ =
+      (n + 1) * (r + 1) + 2 * (n + 1) + 2 * (r + 1) + 4 + 2 * p * q + model::mesh_edges(n, r) + 4 * n * r;
   constexpr double none = std::numeric_limits<double>::infinity();
   lower_ = Eigen::VectorXd::Constant(variables.size(), -none);
   upper_ = Eigen::VectorXd::Constant(variables.size(), none);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "model/lattice/origami/fold_mesh.hpp"
+#include "model/lattice/square/numbering.hpp"
 #include "optim/solvers/least_squares.hpp"
 #include "optim/surface/surface_variables.hpp"
 #include "targets/surface/surface_patch.hpp"
@@ -50,6 +51,6 @@ class SurfaceProblem final : public LeastSquaresProblem {
 std::vector<Eigen::Vector3d> placed_vertices(const SurfaceVariables& variables, const Eigen::VectorXd& x);
 
 /// Which layer vertex (i, j) belongs to: 1 above, -1 below.
-inline int layer_of(int i) { return i % 2 == 1 ? 1 : -1; }
+inline int layer_of(int i) { return -model::column_sign(i); }
 
 }  // namespace kinetix::optim

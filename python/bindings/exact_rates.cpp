@@ -6,6 +6,7 @@
 #include "model/base/invalid_input.hpp"
 #include "model/lattice/square/classify.hpp"
 #include "model/lattice/square/exact_jacobian.hpp"
+#include "model/lattice/square/numbering.hpp"
 #include "python/bindings/arrays.hpp"
 
 namespace kinetix::python {
@@ -50,8 +51,8 @@ py::tuple exact_rates(const Design& design, double theta) {
   const auto& bodies = design.sheet().squares()->bodies;
   std::vector<double> numbers;
   for (int p = 0; p < rates.parameters(); ++p)
-    for (const model::Vertex& vertex : bodies) {
-      const model::Twist& twist = rates.twist(p, vertex.i * (exact.rows() + 1) + vertex.j);
+    for (const auto& vertex : bodies) {
+      const model::Twist& twist = rates.twist(p, model::lattice_body(vertex, exact.rows()));
       numbers.insert(numbers.end(), twist.v.begin(), twist.v.end());
       numbers.insert(numbers.end(), twist.omega.begin(), twist.omega.end());
     }

@@ -8,6 +8,7 @@
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/lattice/square/exact_jacobian.hpp"
+#include "model/lattice/square/numbering.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/many_folds.hpp"
@@ -29,7 +30,7 @@ struct Strips {
 
   py::ssize_t count() const { return beta.shape(0); }
   int columns() const { return static_cast<int>(beta.shape(1)); }
-  py::ssize_t bodies() const { return (beta.shape(1) + 1) * (rows + 1); }
+  py::ssize_t bodies() const { return static_cast<py::ssize_t>(model::lattice_bodies(beta.shape(1), rows)); }
 };
 
 /// Where numbers[k, c] is not as it must be. @throws InvalidInput naming it
@@ -123,9 +124,10 @@ void write_twist(const model::Twist& twist, double* six) {
 py::tuple strip_derivatives(Numbers beta, Numbers theta, double cell_mm, int rows, int threads) {
   const Strips strips{std::move(beta), std::move(theta), {}, cell_mm, rows};
   check(strips);
-  const py::ssize_t columns = strips.columns(), bodies = strips.bodies();
+  const py::ssize_t columns = strips.columns(), bodies = strips.bodies(),
+                    parameters = columns + 1;  // tilts and theta
   py::array poses = unwritten({strips.count(), bodies, py::ssize_t(pose_numbers)});
-  py::array rates = unwritten({strips.count(), columns + 1, bodies, py::ssize_t(6)});
+  py::array rates = unwritten({strips.count(), parameters, bodies, py::ssize_t(6)});
   auto *const p = static_cast<double*>(poses.mutable_data()), *const r =
                                                                   static_cast<double*>(rates.mutable_data());
   many_folds_in_python(strips.count(), strips.bodies(), threads, [&](std::int64_t k, model::State& state) {
@@ -134,7 +136,7 @@ py::tuple strip_derivatives(Numbers beta, Numbers theta, double cell_mm, int row
     load(strips, k, design);
     fold_with_jacobian(design, strips.cell_mm, state, jacobian);
     write_poses(state, p + k * bodies * pose_numbers);
-    double* six = r + k * (columns + 1) * bodies * 6;
+    double* six = r + k * parameters * bodies * 6;
     for (int c = 0; c <= columns; ++c)
       for (int b = 0; b < bodies; ++b, six += 6)
         write_twist(jacobian.twist(c < columns ? jacobian.beta(c) : jacobian.theta(), b), six);

@@ -74,6 +74,10 @@ std::string did_you_mean(std::string_view name, Names allowed) {
   return nearest.empty() ? "" : " (did you mean `" + std::string(nearest) + "`?)";
 }
 
+std::string counted(std::size_t count, std::string_view noun) {
+  return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
+}
+
 std::string byte_count(std::size_t bytes) {
   constexpr std::size_t mebibyte = 1 << 20;
   if (bytes < mebibyte) return std::to_string(bytes) + " bytes";

@@ -31,6 +31,9 @@ int spelling_distance(std::string_view a, std::string_view b);
 /// " (did you mean `b`?)" for the allowed name that is nearest in spelling; empty when none is near.
 std::string did_you_mean(std::string_view name, Names allowed);
 
+/// "1 factor", "2 factors", "0 factors": of a noun that takes an s.
+std::string counted(std::size_t count, std::string_view noun);
+
 /// "1 MiB", "16 MiB", "900 bytes"
 std::string byte_count(std::size_t bytes);
 

@@ -70,10 +70,9 @@ Matrix3Xd positions(const std::vector<int>& bodies, const model::State& state) {
 
 /// Mean directions of a face's lattice lines, and the normal.
 Matrix3d mean_axes(const model::CellRectangle& face, const Matrix3Xd& p) {
-  const int row = face.width + 1;
   Vector3d ex = Vector3d::Zero(), ey = Vector3d::Zero();
-  for (int j = 0; j <= face.height; ++j) ex += p.col(j * row + face.width) - p.col(j * row);
-  for (int i = 0; i <= face.width; ++i) ey += p.col(face.height * row + i) - p.col(i);
+  for (const auto& [first, last] : line_ends(face, model::Axis::x)) ex += p.col(last) - p.col(first);
+  for (const auto& [first, last] : line_ends(face, model::Axis::y)) ey += p.col(last) - p.col(first);
   Matrix3d axes;
   axes << ex.normalized(), ey.normalized(), ex.cross(ey).normalized();
   return axes;

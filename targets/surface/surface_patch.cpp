@@ -52,8 +52,8 @@ double SurfacePatch::diagonal() const {
   return box.sizes().norm();
 }
 
-SurfaceFoot foot_on(const SurfacePatch& patch, const Vector3d& p) {
-  SurfaceFoot out;
+ClosestSurfacePoint closest_surface_point(const SurfacePatch& patch, const Vector3d& p) {
+  ClosestSurfacePoint out;
   const Vector2d below = p.head<2>();
   out.at = below;
   Height h = patch.height(out.at);

@@ -26,12 +26,12 @@ struct SurfacePatch {
 };
 
 /// The place of a surface nearest to a point, from a start right below it.
-struct SurfaceFoot {
+struct ClosestSurfacePoint {
   Eigen::Vector2d at = Eigen::Vector2d::Zero();       ///< below the place, mm
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< unit normal of the surface there, upwards
   double distance = 0;                                ///< along the normal, mm; > 0 above
 };
-SurfaceFoot foot_on(const SurfacePatch& patch, const Eigen::Vector3d& p);
+ClosestSurfacePoint closest_surface_point(const SurfacePatch& patch, const Eigen::Vector3d& p);
 
 /// Principal curvatures, 1 / mm, the larger magnitude first. Positive where it bends upwards.
 std::array<double, 2> principal_curvatures(const Height& height);

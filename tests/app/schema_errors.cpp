@@ -1,17 +1,85 @@
 #include "tests/app/schema_errors.hpp"
 
+#include <set>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
 #include <valijson/schema_parser.hpp>
 #include <valijson/validator.hpp>
+#include <vector>
 
 #include "tests/app/program.hpp"
 
 namespace kinetix::testing {
+namespace {
 
-std::string schema_errors(const nlohmann::json& document, const std::string& name) {
-  const nlohmann::json schema_json =
-      nlohmann::json::parse(text_of(KINETIX_SOURCE "/app/schema/" + name + ".schema.json"));
+using Json = nlohmann::json;
+using Schemas = std::vector<const Json*>;
+
+/// Keys of a document that no part of its schema names, as "a.b[].c".
+class UnnamedKeys {
+ public:
+  explicit UnnamedKeys(const Json& root) : root_(root) {}
+
+  std::set<std::string> of(const Json& document) {
+    visit(document, {&root_}, "");
+    return found_;
+  }
+
+ private:
+  /// A schema and whatever it refers to or offers as one of several ways.
+  void add_ways(const Json& schema, Schemas& ways) const {
+    ways.push_back(&schema);
+    if (schema.contains("$ref"))
+      add_ways(root_.at(Json::json_pointer(schema["$ref"].get<std::string>().substr(1))), ways);
+    for (const char* several : {"oneOf", "anyOf", "allOf"})
+      if (schema.contains(several))
+        for (const Json& way : schema[several]) add_ways(way, ways);
+    if (schema.contains("then")) add_ways(schema["then"], ways);
+  }
+
+  /// Whether the words that the schema fixes are the object's own: a target's kind tells its keys.
+  static bool fits(const Json& schema, const Json& object) {
+    if (!schema.contains("properties")) return true;
+    for (const auto& [key, value] : schema["properties"].items())
+      if (value.contains("const") && object.contains(key) && object[key] != value["const"]) return false;
+    return true;
+  }
+
+  static Schemas naming(const std::string& key, const Json& object, const Schemas& ways) {
+    Schemas named, free;
+    for (const Json* way : ways) {
+      if (!fits(*way, object)) continue;
+      if (way->contains("properties") && (*way)["properties"].contains(key))
+        named.push_back(&(*way)["properties"][key]);
+      if (way->contains("additionalProperties") && (*way)["additionalProperties"].is_object())
+        free.push_back(&(*way)["additionalProperties"]);
+    }
+    return named.empty() ? free : named;
+  }
+
+  void visit(const Json& value, const Schemas& schemas, const std::string& path) {
+    Schemas ways, items;
+    for (const Json* schema : schemas) add_ways(*schema, ways);
+    if (value.is_object())
+      for (const auto& [key, inner] : value.items()) visit_key(path + key, inner, naming(key, value, ways));
+    for (const Json* way : ways)
+      if (way->contains("items")) items.push_back(&(*way)["items"]);
+    if (value.is_array())
+      for (const Json& entry : value) visit(entry, items, path.substr(0, path.size() - 1) + "[].");
+  }
+
+  void visit_key(const std::string& path, const Json& value, const Schemas& named) {
+    if (named.empty())
+      found_.insert(path);
+    else
+      visit(value, named, path + ".");
+  }
+
+  const Json& root_;
+  std::set<std::string> found_;
+};
+
+std::string not_allowed(const Json& document, const Json& schema_json) {
   valijson::Schema schema;
   valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(schema_json), schema);
   valijson::ValidationResults errors;
@@ -21,6 +89,16 @@ std::string schema_errors(const nlohmann::json& document, const std::string& nam
     for (const auto& part : error.context) text += part;
     text += ": " + error.description + "\n";
   }
+  return text;
+}
+
+}  // namespace
+
+std::string schema_errors(const Json& document, const std::string& name) {
+  const Json schema = Json::parse(text_of(KINETIX_SOURCE "/app/schema/" + name + ".schema.json"));
+  std::string text = not_allowed(document, schema);
+  for (const std::string& key : UnnamedKeys(schema).of(document))
+    text += key + ": the schema names no such key\n";
   return text;
 }
 

@@ -5,8 +5,9 @@
 
 namespace kinetix::testing {
 
-/// What in a result.json (or sweep.json) the published schema does not allow; empty where all is well.
-/// @param schema result or sweep: which of app/schema
+/// What in a result.json (or sweep.json, print.json) the published schema does not allow, and the keys that it does
+/// not name; empty where all is well.
+/// @param schema result, sweep, print...: which of app/schema
 std::string schema_errors(const nlohmann::json& document, const std::string& schema = "result");
 
 }  // namespace kinetix::testing

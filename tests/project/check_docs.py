@@ -2,7 +2,7 @@
 """Checks that the documentation holds together. usage: check_docs.py SOURCE_FOLDER
 
 Every page that is cited anywhere exists, and so does the section cited; every relative link of a page leads
-somewhere; the figures on disk are what docs/figures/draw.py draws, and each is shown somewhere; every package
+somewhere, and so does every path of the repository that a page names; the figures on disk are what docs/figures/draw.py draws, and each is shown somewhere; every package
 is in the table of licences.
 """
 import os
@@ -19,12 +19,15 @@ SELF = "tests/project/check_docs.py"  # cites pages that do not exist, to see th
 # Pages and folders that are cited already and still to be written. One that exists must not stand here.
 PROMISED = set()
 # Fewer than this in the whole repository mean that the patterns below find nothing, not that all is well.
-LEAST_CITATIONS, LEAST_LINKS = 40, 40
+LEAST_CITATIONS, LEAST_LINKS, LEAST_PATHS = 40, 40, 100
 
 CITATION = re.compile(r"(?<![\w$/}.-])((?:[\w.-]+/)*[\w-]+\.md)\b(?:,? section (\d+))?")
 LINK = re.compile(r"!?\[(?:[^\[\]]|!?\[[^\]]*\]\([^)]*\))*\]\(([^)\s]+)\)")
 HEADING = re.compile(r"^#+ +(.*)$", re.MULTILINE)
 FENCE = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
+# Folders at the top of the repository: what begins with one of them is a path of it.
+TOPS = "app|benchmarks|cmake|docs|examples|kinetix|model|optim|packages|python|sim|targets|tests"
+PATH = re.compile(rf"(?<![\w$/}}.<-])((?:{TOPS})/[\w./*<>-]+)")
 # Line ends within a comment, so that a citation may run over them.
 COMMENT_BREAK = re.compile(r"\n\s*(?:///?<?|#|\*)? *")
 
@@ -35,7 +38,7 @@ class Repository:
         self.texts = {path.relative_to(self.root).as_posix(): path.read_text(encoding="utf-8")
                       for path in files(self.root)}
         self.pages = [name for name in self.texts if name.endswith(".md")]
-        self.citations = self.links = 0
+        self.citations = self.links = self.paths = 0
 
     def exists(self, name):
         return name in PROMISED or (self.root / name).exists()
@@ -103,6 +106,17 @@ def links(repository):
                 yield f"{name} links to {target}: {place} has no such heading"
 
 
+def paths(repository):
+    """In pages and in what they are made of. A path may leave out the ending of its file, and end in a <name>."""
+    for name in repository.pages + [name for name in repository.texts if name.endswith("page.in")]:
+        for path in PATH.findall(repository.texts[name]):
+            repository.paths += 1
+            known = path.partition("<")[0].rstrip(".,-")
+            known = known.rpartition("/")[0] if "<" in path else known
+            if not any(list(repository.root.glob(known + ending)) for ending in ("", ".hpp", ".cpp")):
+                yield f"{name} names {path}, which does not exist"
+
+
 def figures(repository):
     folder = repository.root / "docs/figures"
     with tempfile.TemporaryDirectory() as scratch:
@@ -132,7 +146,8 @@ def licences(repository):
 
 def enough(repository):
     for count, least, what in ((repository.citations, LEAST_CITATIONS, "citations"),
-                               (repository.links, LEAST_LINKS, "links")):
+                               (repository.links, LEAST_LINKS, "links"),
+                               (repository.paths, LEAST_PATHS, "paths")):
         if count < least:
             yield f"found only {count} {what}: is the pattern right?"
 
@@ -144,10 +159,14 @@ def sees_what_is_wrong():
         "b.hpp": ("/// As kinematics.md\n/// section 9 says.\n", "no such section"),
         "c.md": ("[text](nowhere.png)\n", "nowhere.png, which does not exist"),
         "d.md": ("[text](docs/kinematics.md#nothing)\n", "no such heading"),
+        "f.md": ("see `model/gone` for it\n", "model/gone, which does not exist"),
+        "g.md": ("`model/lattice/gone/<name>.cpp`\n", "which does not exist"),
         "packages.txt": ("libunknown-dev\n", "libunknown-dev is not in"),
     }
     right = {
         "docs/kinematics.md": "## 1. One *thing*\n[up](#1-one-thing)\n",
+        "model/here.hpp": "",
+        "h.md": "`model/here`, `model/*.hpp`, model/<name>, (model/here.hpp).\n",
         "e.hpp": "// kinematics.md section 1\n",
     }
     complaints = complaints_about({**right, **{name: text for name, (text, _) in wrong.items()}})
@@ -166,15 +185,15 @@ def complaints_about(texts):
             path.parent.mkdir(exist_ok=True)
             path.write_text(text, encoding="utf-8")
         small = Repository(scratch)
-        return [*citations(small), *links(small), *licences(small)]
+        return [*citations(small), *links(small), *paths(small), *licences(small)]
 
 
 def main():
     repository = Repository(sys.argv[1])
     complaints = list(sees_what_is_wrong())
-    for check in (promises_kept, citations, links, figures, licences, enough):
+    for check in (promises_kept, citations, links, paths, figures, licences, enough):
         complaints += check(repository)
-    counts = f"{repository.citations} citations and {repository.links} links lead somewhere"
+    counts = f"{repository.citations} citations, {repository.links} links and {repository.paths} paths lead somewhere"
     print("\n".join(complaints) or counts)
     return 1 if complaints else 0
 

@@ -31,7 +31,7 @@ inline Eigen::VectorXd elastic_gradient(const model::Structure& structure, const
     const auto energy_at = [&](double amount) {
       Eigen::VectorXd twists = Eigen::VectorXd::Zero(gradient.size());
       twists[c] = amount;
-      return elastic_energy(structure, moved(structure, state, twists), k);
+      return elastic_energy(structure, retract_straight(structure, state, twists), k);
     };
     gradient[c] = (energy_at(step) - energy_at(-step)) / (2 * step);
   }

@@ -104,7 +104,7 @@ inline StateFunction state_function(std::string name,
                                     std::function<double(const model::Structure&, const model::State&)> f) {
   const auto gradient = [f](const Equilibrium& b) {
     const auto moved_value = [&](const Eigen::VectorXd& x) {
-      return Eigen::VectorXd::Constant(1, f(b.structure, moved(b.structure, b.state, x)));
+      return Eigen::VectorXd::Constant(1, f(b.structure, retract_straight(b.structure, b.state, x)));
     };
     return model::EquilibriumGradient{
         numeric_jacobian(moved_value, Eigen::VectorXd::Zero(6 * b.state.size()), 3e-3).transpose()};

@@ -29,7 +29,7 @@ inline model::State shaken(const model::Structure& s, const model::State& state,
     const bool in_plane = k % 6 == 2 || k % 6 == 3 || k % 6 == 4;
     twists[k] = planar && !in_plane ? 0 : unit(random);
   }
-  return moved(s, state, twists);
+  return retract_straight(s, state, twists);
 }
 
 }  // namespace kinetix::testing

@@ -48,13 +48,13 @@ Tolerances tolerances_of(const DisplayFile& file) {
 /// Whether larger panels are worth a search: where the picture has all its strokes and is not clear enough.
 bool wants_more_cells(const DisplayFile& file, const DisplayOutcome& display) {
   const optim::DisplayView& view = display.design.view;
-  return file.goal.whole && view.balanced &&
+  return file.goal.whole && view.at_equilibrium &&
          !violations(file, display.after.score, display.after.rank, "model").empty();
 }
 
 std::vector<std::string> all_violations(const DisplayFile& file, const DisplayOutcome& display) {
   std::vector<std::string> why;
-  if (!display.design.view.balanced) {
+  if (!display.design.view.at_equilibrium) {
     why.push_back("no equilibrium of the panel was found at this compression: compress less");
     return why;
   }
@@ -118,7 +118,7 @@ class DisplayScene final : public Scene {
         refine_panel(file_, display->goal, panel, display->options, display->design, options.progress);
     }
     describe(run, display->design.view);
-    if (display->design.view.balanced) place_hinges(display->design.view, panel);
+    if (display->design.view.at_equilibrium) place_hinges(display->design.view, panel);
     run.structure = std::move(panel);
     run.goal = std::move(display);
   }
@@ -177,7 +177,7 @@ class DisplayScene final : public Scene {
     run.process = file_.process;
     run.hinge.model = HingeSection::Model::elastic;
     run.verify_tolerance = file_.verify;
-    if (!view.balanced) view.plates = plates_of(file_);
+    if (!view.at_equilibrium) view.plates = plates_of(file_);
     view.plates.press = file_.press;
     if (view.turn)
       run.drive = DriveSection{

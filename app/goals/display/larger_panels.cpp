@@ -32,7 +32,8 @@ bool shows(const DisplayFile& file, const targets::DisplayGoal& goal, const opti
     progress(fmt::format("{} x {}", size[0], size[1]), done, so_far);
   };
   const optim::DisplayView view = search_panel(file, goal, panel, options, told).view;
-  return view.balanced && view.stretch <= file.stretch && violations(file, view.score, view.rank, "").empty();
+  return view.at_equilibrium && view.stretch <= file.stretch &&
+         violations(file, view.score, view.rank, "").empty();
 }
 
 }  // namespace

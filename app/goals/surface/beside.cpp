@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "targets/document/wording.hpp"
+
 namespace kinetix::app {
 
 SurfaceWay fishbone_way(const optim::RibsDesign& design, const targets::RibbedSurface& surface) {
@@ -36,9 +38,10 @@ nlohmann::ordered_json ways_json(const std::vector<SurfaceWay>& ways) {
 std::string in_words(const std::vector<SurfaceWay>& ways) {
   std::string out;
   for (const SurfaceWay& way : ways)
-    out += fmt::format("{}{}: {} piece{}, {:.3f} % of the diagonal off, {:.0f} % of the area open",
-                       out.empty() ? "" : "; ", way.name, way.pieces, way.pieces == 1 ? "" : "s",
-                       100 * way.rms, 100 * way.open);
+    out += fmt::format("{}{}: {}, {:.3f} % of the diagonal off, {:.0f} % of the area open",
+                       out.empty() ? "" : "; ", way.name,
+                       targets::counted(static_cast<std::size_t>(way.pieces), "piece"), 100 * way.rms,
+                       100 * way.open);
   return out;
 }
 

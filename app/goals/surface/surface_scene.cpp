@@ -58,9 +58,9 @@ double curvature_missing(const targets::SurfacePatch& patch, const optim::Surfac
   for (int j = 0; j <= design.mesh.rows; ++j)
     for (int i = 0; i <= design.mesh.columns; ++i) {
       const Eigen::Vector3d& p = design.vertices[design.mesh.vertex(i, j)];
-      const targets::SurfaceFoot foot = foot_on(patch, p);
-      have.push_back(p - optim::layer_of(i) * design.layer * foot.normal);
-      asked.emplace_back(foot.at.x(), foot.at.y(), patch.height(foot.at).z);
+      const targets::ClosestSurfacePoint closest = closest_surface_point(patch, p);
+      have.push_back(p - optim::layer_of(i) * design.layer * closest.normal);
+      asked.emplace_back(closest.at.x(), closest.at.y(), patch.height(closest.at).z);
     }
   return 1 - gauss_of(have) / gauss_of(asked);
 }

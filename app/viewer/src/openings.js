@@ -1,6 +1,6 @@
 // Cells as a lamp behind the panel shows them: the wider one stands open, the brighter.
 import * as THREE from "three";
-import {turned} from "./quaternion.js";
+import {areaWithin, cellOutline} from "./cell_outline.js";
 
 export class Openings {
   constructor() {
@@ -12,32 +12,16 @@ export class Openings {
 
   setStructure(structure) {
     this.structure = structure;
-    const corners = structure.cells.map(({bodies}) => 2 * bodies.length), triangles = corners.reduce((sum, n) => sum + n - 2, 0);
+    const corners = structure.cells.map(({bodies}) => 3 * bodies.length), triangles = corners.reduce((sum, n) => sum + n - 2, 0);
     this.object.geometry.dispose();
     this.object.geometry = new THREE.BufferGeometry();
     for (const name of ["position", "color"]) this.object.geometry.setAttribute(name, new THREE.BufferAttribute(new Float32Array(9 * triangles), 3));
-    this.flat = structure.cells.map((cell) => this.area(this.outline(cell, null)));
-  }
-
-  /** Vertices and hinge points round a cell, in turn. @param poses null for flat */
-  outline({bodies, hinges}, poses) {
-    const {structure} = this;
-    return bodies.flatMap((body, k) => {
-      const rest = structure.bodies[body].position_mm, point = structure.hinges[hinges[k]].point_mm;
-      if (!poses) return [rest, point];
-      const at = [...poses.subarray(7 * body, 7 * body + 3)], arm = turned([...poses.subarray(7 * body + 3, 7 * body + 7)], point.map((v, c) => v - rest[c]));
-      return [at, at.map((v, c) => v + arm[c])];
-    });
-  }
-
-  area(points) {
-    const n = points.length;
-    return Math.abs(0.5 * points.reduce((sum, [x, y], k) => sum + x * points[(k + 1) % n][1] - y * points[(k + 1) % n][0], 0));
+    this.flat = structure.cells.map((cell) => areaWithin(cellOutline(structure, cell, null)));
   }
 
   show(poses) {
     if (!this.object.visible || !poses) return;
-    const outlines = this.structure.cells.map((cell) => this.outline(cell, poses)), open = outlines.map((points, k) => this.area(points) / (this.flat[k] || 1));
+    const outlines = this.structure.cells.map((cell) => cellOutline(this.structure, cell, poses)), open = outlines.map((points, k) => areaWithin(points) / (this.flat[k] || 1));
     const sorted = [...open].sort((a, b) => a - b), low = sorted[Math.floor(0.02 * sorted.length)], high = Math.max(sorted[Math.floor(0.98 * sorted.length)], low + 1e-3);
     const {position, color} = this.object.geometry.attributes;
     let at = 0;

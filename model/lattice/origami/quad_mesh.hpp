@@ -31,6 +31,9 @@ struct QuadMeshOf {
 };
 using QuadMesh = QuadMeshOf<double>;
 
+/// Edges of a mesh of columns x rows facets.
+inline int mesh_edges(int columns, int rows) { return columns * (rows + 1) + rows * (columns + 1); }
+
 /// Room for columns x rows facets, all zero.
 template <class T>
 QuadMeshOf<T> empty_mesh(int columns, int rows) {

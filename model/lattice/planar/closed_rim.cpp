@@ -9,7 +9,7 @@
 
 #include "model/base/angle.hpp"
 #include "model/lattice/planar/plane_geometry.hpp"
-#include "model/lattice/planar/wall_freedoms.hpp"
+#include "model/lattice/planar/wall_dofs.hpp"
 
 namespace kinetix::model {
 namespace {
@@ -121,10 +121,10 @@ std::vector<GraphEdge> walls_of(const Notch& notch, int corner) {
   return {{from, corner}, {to, corner}};
 }
 
-/// A graph that grows, and what is left of its freedoms.
+/// A graph that grows, and its degrees of freedom.
 struct Growing {
   PlanarGraph graph;
-  WallFreedoms freedoms;
+  WallDofs dofs;
 };
 
 /// How many vertices and walls a graph had before some were added.
@@ -140,7 +140,7 @@ bool fill(const Notch& notch, const Before& before, double room, Growing& sheet)
   Growing next = sheet;
   if (notch.has_corner) {
     next.graph.vertices.push_back(notch.corner);
-    next.freedoms.add_vertex();
+    next.dofs.add_vertex();
   }
   const auto segment = [&](const GraphEdge& e) {
     return Segment{next.graph.vertices[e.from], next.graph.vertices[e.to]};
@@ -149,9 +149,9 @@ bool fill(const Notch& notch, const Before& before, double room, Growing& sheet)
     for (std::size_t e = before.walls; e < sheet.graph.edges.size(); ++e)
       if (!keep_off(segment(wall), segment(sheet.graph.edges[e]), room)) return false;
     next.graph.edges.push_back(wall);
-    next.freedoms.add_wall(wall);
+    next.dofs.add_wall(wall);
   }
-  if (next.freedoms.count() >= sheet.freedoms.count()) return false;
+  if (next.dofs.count() >= sheet.dofs.count()) return false;
   sheet = std::move(next);
   return true;
 }
@@ -164,7 +164,7 @@ bool fill_notches(Growing& sheet) {
   std::vector<bool> is_used(sheet.graph.vertices.size(), false);
   bool filled = false;
   for (const Notch& notch : notches) {
-    if (sheet.freedoms.count() <= 1) break;
+    if (sheet.dofs.count() <= 1) break;
     const auto used = [&](int v) { return is_used[v]; };
     const auto inner = notch.rim.begin() + 1, end = notch.rim.end() - 1;
     if (std::any_of(inner, end, used) || (used(notch.rim.front()) && used(notch.rim.back()))) continue;
@@ -208,10 +208,10 @@ bool add_bars(Growing& sheet) {
     return std::any_of(face.edges.begin(), face.edges.end(), [&](int e) { return on_rim[e]; });
   });
   for (const GraphFace& face : faces) {
-    if (sheet.freedoms.count() <= 1) break;
+    if (sheet.dofs.count() <= 1) break;
     if (face.vertices.size() < 6) continue;
     const auto wall = bar(graph, face, room);
-    if (!wall || sheet.freedoms.add_wall(*wall) == 0) continue;
+    if (!wall || sheet.dofs.add_wall(*wall) == 0) continue;
     graph.edges.push_back(*wall);
     added = true;
   }
@@ -220,16 +220,16 @@ bool add_bars(Growing& sheet) {
 
 }  // namespace
 
-int counted_freedoms(const PlanarGraph& graph) {
+int counted_dofs(const PlanarGraph& graph) {
   return 3 * static_cast<int>(graph.vertices.size()) - 2 * static_cast<int>(graph.edges.size()) - 3;
 }
 
 PlanarGraph closed_rim(PlanarGraph graph) {
-  if (counted_freedoms(graph) <= 1) return graph;
-  Growing sheet{graph, WallFreedoms(graph)};
-  while (sheet.freedoms.count() > 1 && fill_notches(sheet)) {
+  if (counted_dofs(graph) <= 1) return graph;
+  Growing sheet{graph, WallDofs(graph)};
+  while (sheet.dofs.count() > 1 && fill_notches(sheet)) {
   }
-  while (sheet.freedoms.count() > 1 && add_bars(sheet)) {
+  while (sheet.dofs.count() > 1 && add_bars(sheet)) {
   }
   return sheet.graph;
 }

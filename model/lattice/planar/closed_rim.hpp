@@ -6,8 +6,8 @@ namespace kinetix::model {
 
 /// How many ways a structure on the graph moves in the plane beyond its rigid motions, by counting bodies and
 /// hinges: 3 V - 2 E - 3. Less than it really moves where walls repeat each other, as in squares, which
-/// WallFreedoms counts right.
-int counted_freedoms(const PlanarGraph& graph);
+/// WallDofs counts right.
+int counted_dofs(const PlanarGraph& graph);
 
 /// Cells along the rim that take a floppy lattice its freedoms but one (kinematics.md section 5): a wall across
 /// the mouth of a notch of three walls, a parallelogram into the corner of a notch of two, the sharpest ones

@@ -22,6 +22,9 @@ struct PlanarLattice {
 /// [column, row], from [0, 0].
 using LatticeCell = std::array<int, 2>;
 
+/// The greatest even row up to this one, which may be negative: lattices shift odd rows against even ones.
+inline int even_row_up_to(int row) { return row - ((row % 2) + 2) % 2; }
+
 /// columns x rows cells, row by row.
 std::vector<LatticeCell> lattice_cells(int columns, int rows);
 

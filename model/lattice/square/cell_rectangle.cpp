@@ -136,6 +136,16 @@ std::vector<int> bodies_of(const CellRectangle& rectangle, const Structure& stru
   return bodies;
 }
 
+std::vector<std::array<int, 2>> line_ends(const CellRectangle& r, Axis axis) {
+  const int row = r.width + 1;
+  std::vector<std::array<int, 2>> ends;
+  if (axis == Axis::x)
+    for (int j = 0; j <= r.height; ++j) ends.push_back({j * row, j * row + r.width});
+  else
+    for (int i = 0; i <= r.width; ++i) ends.push_back({i, r.height * row + i});
+  return ends;
+}
+
 int middle_body(const CellRectangle& rectangle, const Structure& structure) {
   return *structure.body_at(rectangle.middle());
 }

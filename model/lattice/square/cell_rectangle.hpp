@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <compare>
 #include <string>
 #include <vector>
@@ -64,6 +65,8 @@ CellRectangle bounds(const std::vector<CellRectangle>& rectangles);
 /// Bodies on its vertices, row by row: vertex (low.i + i, low.j + j) at j * (width + 1) + i.
 /// @pre the structure has all its cells
 std::vector<int> bodies_of(const CellRectangle& rectangle, const Structure& structure);
+/// First and last place, in that order of its bodies, of each line of vertices along the axis.
+std::vector<std::array<int, 2>> line_ends(const CellRectangle& rectangle, Axis axis);
 /// The one on its middle().
 int middle_body(const CellRectangle& rectangle, const Structure& structure);
 

@@ -74,6 +74,15 @@ FishbonePlace place_of(const Fishbone& fishbone, int body) {
   return {};
 }
 
+std::vector<std::array<int, 2>> rib_columns(const Fishbone& fishbone, const FishboneRib& rib) {
+  std::vector<std::array<int, 2>> columns;
+  const int spine = fishbone.spine_column;
+  for (int i = spine - rib.cells[0]; i <= spine + 1 + rib.cells[1]; ++i)
+    columns.push_back(
+        {*fishbone.structure.body_at({i, rib.row}), *fishbone.structure.body_at({i, rib.row + 1})});
+  return columns;
+}
+
 std::array<std::array<int, 2>, 2> spine_ends(const Fishbone& fishbone) {
   const int i = fishbone.spine_column, top = fishbone.layout.rows;
   const auto body = [&](int column, int row) { return *fishbone.structure.body_at({column, row}); };

@@ -35,6 +35,9 @@ struct FishbonePlace {
 };
 FishbonePlace place_of(const Fishbone& fishbone, int body);
 
+/// Lower and upper body of each column of a rib, from -x to +x; the spine's two columns are among them.
+std::vector<std::array<int, 2>> rib_columns(const Fishbone& fishbone, const FishboneRib& rib);
+
 /// Bodies of the lower and of the upper end of the spine, each from low to high x.
 std::array<std::array<int, 2>, 2> spine_ends(const Fishbone& fishbone);
 

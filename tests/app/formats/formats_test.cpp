@@ -5,12 +5,14 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "app/assembly/assembly_file.hpp"
 #include "app/files/design_file.hpp"
 #include "app/formats/all_keys.hpp"
 #include "app/formats/formats_page.hpp"
 #include "app/formats/key_schema.hpp"
 #include "app/goals/read_target.hpp"
 #include "app/goals/registry.hpp"
+#include "app/imports/hinge_choices.hpp"
 #include "app/sweep/plan/doe_file.hpp"
 #include "app/sweep/plan/metric.hpp"
 #include "tests/app/formats/node_json.hpp"
@@ -75,8 +77,13 @@ TEST(FileSchema, AllowsEveryFileThatShips) {
 
 /// Reads a file of any kind. @throws InvalidInput
 void read_any(const std::string& text) {
+  if (Json::parse(text, nullptr, false).contains("hinges")) {
+    testing::TemporaryFolder side;
+    return void(read_hinge_choices(side.write("in.yaml", text)));
+  }
   const targets::Node root = targets::parse_document(text, source + "/targets/shapes/in.yaml");
   if (root.kind() != targets::Node::Kind::map || root.optional("target")) return void(read_target(root));
+  if (is_assembly(root)) return void(read_assembly(root));
   if (!root.optional("factors")) return void(read_design(root));
   testing::TemporaryFolder folder;
   read_doe(folder.write("in.yaml", text));
@@ -146,6 +153,24 @@ std::string patch_file() {
     text += fmt::format("f {} {} {} {}\n", corner, corner + 1, corner + 6, corner + 5);
   }
   return folder.write("patch.obj", text);
+}
+
+/// A cube of 10 mm, from x on.
+std::string cube_file(const char* name, double x) {
+  static const testing::TemporaryFolder folder;
+  std::string text;
+  for (int k = 0; k < 8; ++k) text += fmt::format("v {} {} {}\n", x + k % 2 * 10, k / 2 % 2 * 10, k / 4 * 10);
+  text += "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+  return std::filesystem::relative(folder.write(name, text), source + "/targets/shapes").string();
+}
+
+/// Two cubes with a hinge between them.
+Json two_bodies() {
+  const Json bodies = Json::array({{{"name", "left"}, {"file", cube_file("left.obj", 0)}},
+                                   {{"name", "right"}, {"file", cube_file("right.obj", 12)}}});
+  const Json hinge = {
+      {"name", "soft"}, {"bodies", {"left", "right"}}, {"point_mm", {11, 5, 5}}, {"axis", {0, 0, 1}}};
+  return {{"kinetix", 1}, {"structure", {{"bodies", bodies}, {"hinges", Json::array({hinge})}}}};
 }
 
 /// Files that a key may be set in, one for each way in which a list of keys may be filled.
@@ -245,6 +270,16 @@ std::vector<Json> files_of(const std::string& list) {
             sweep(R"({"path": {"path": "a"}, "range": [0, 1]})"),
             sweep(R"({"path": "a", "normal": {"mean": 0, "sd": 1}})"),
             sweep(R"({"path": "a", "values": [1]})")};
+  if (list == "assembly") {
+    const Json still = two_bodies();
+    Json soft = still, driven = still;
+    soft["structure"]["hinges"][0]["k"] = {{"axial", 3}, {"shear", 1}, {"along", 2}, {"turn", 0.1}};
+    driven["drive"] = {{"angle_deg", 10}};
+    return {still, soft, driven};
+  }
+  if (list == "hinges")
+    return {Json{{"kinetix", 1}, {"hinges", Json::parse(R"([{"hinge": "a", "axis": [0, 0, 1]}])")}},
+            Json{{"kinetix", 1}, {"hinges", Json::parse(R"([{"bodies": ["a", "b"], "axis": [0, 0, 1]}])")}}};
   const auto of_structure = [](const Json& structure) {
     return Json{{"kinetix", 1}, {"structure", structure}};
   };
@@ -346,7 +381,7 @@ TEST_P(EveryKey, HasAMeaning) {
 INSTANTIATE_TEST_SUITE_P(Files, EveryKey,
                          ::testing::Values("target curve", "target display", "target fold", "target helmet",
                                            "target outline", "target space_curve", "target surface", "design",
-                                           "doe"),
+                                           "doe", "assembly", "hinges"),
                          [](const auto& list) {
                            std::string name = list.param;
                            std::replace(name.begin(), name.end(), ' ', '_');

@@ -212,6 +212,7 @@ TEST(Matter, ARobustCurveInSpaceIsOneWhosePrintsComeNearer) {
                  robust = finished(scratch, goal + "robust: true\n", " --no-verify");
   ASSERT_EQ(plain.code, 0) << plain.out << plain.err;
   ASSERT_EQ(robust.code, 0) << robust.out << robust.err;
+  EXPECT_EQ(schema_errors(plain.result), "");
   EXPECT_EQ(schema_errors(robust.result), "");
   double least = 1e9;  // mm
   for (const Json& one : robust.result["robust"])

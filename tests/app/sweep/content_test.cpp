@@ -231,6 +231,8 @@ TEST(SweepContent, SchemaRefusesWhatItShould) {
             0);
   Json analysis = Json::parse(text_of(scratch / "out/sweep.json"));
   EXPECT_EQ(schema_errors(analysis, "sweep"), "");
+  analysis["counts"]["guessed"] = 1;
+  EXPECT_EQ(schema_errors(analysis, "sweep"), "counts.guessed: the schema names no such key\n");
   analysis["counts"].erase("failed");
   analysis["method"] = "guess";
   EXPECT_THAT(schema_errors(analysis, "sweep"), HasSubstr("method"));

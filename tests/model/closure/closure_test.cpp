@@ -59,7 +59,7 @@ Closure follow(const Structure& s, double theta, int steps) {
 TEST(Closure, ResidualIsTheHingeGap) {
   std::mt19937 random(21);
   const Structure s = random_structure(4, 3, random);
-  const State state = moved(s, rest_state(s), random_twists(s, 0.3, random));
+  const State state = retract_straight(s, rest_state(s), random_twists(s, 0.3, random));
   const Eigen::VectorXd r = closure_residual(s, state);
   const HingeGaps gaps = hinge_gaps(s, state);
   double worst = 0, worst_axis = 0;
@@ -74,19 +74,19 @@ TEST(Closure, ResidualIsTheHingeGap) {
 TEST(Closure, JacobianMatchesCentralDifferences) {
   std::mt19937 random(22);
   const Structure s = random_structure(3, 2, random);
-  const State state = moved(s, rest_state(s), random_twists(s, 0.5, random));
-  const auto f = [&](const Eigen::VectorXd& x) { return closure_residual(s, moved(s, state, x)); };
+  const State state = retract_straight(s, rest_state(s), random_twists(s, 0.5, random));
+  const auto f = [&](const Eigen::VectorXd& x) { return closure_residual(s, retract_straight(s, state, x)); };
   testing::expect_jacobian(f, Eigen::VectorXd::Zero(6 * s.bodies.size()), closure_jacobian(s, state), 1e-10);
 }
 
 TEST(Closure, DriveGradientsMatchCentralDifferences) {
   std::mt19937 random(23);
   const Structure s = random_structure(2, 1, random);
-  const State state = moved(s, rest_state(s), random_twists(s, 0.5, random));
+  const State state = retract_straight(s, rest_state(s), random_twists(s, 0.5, random));
   const BodyPush push{4, rest_state(s)[4], {{0.3, -0.2, 0.9}, {0.5, 0.1, -0.4}}, 0.1};
   for (const ClosureDrive& drive : {ClosureDrive(HingeTurn{5, 0.3}), ClosureDrive(push)}) {
     const auto f = [&](const Eigen::VectorXd& x) {
-      return Eigen::VectorXd::Constant(1, drive_residual(drive, s, moved(s, state, x)));
+      return Eigen::VectorXd::Constant(1, drive_residual(drive, s, retract_straight(s, state, x)));
     };
     std::vector<Eigen::Triplet<double>> entries;
     append_drive_gradient(drive, s, state, 0, entries);
@@ -112,7 +112,7 @@ TEST(ClosureSolver, ReturnsAPerturbedExactStateToTheReflectionRecursion) {
       const auto design = random_design(family, columns, rows, random);
       const Structure s = structure_of(design);
       const State exact = fold(design, s);
-      const State start = moved(s, exact, random_twists(s, 0.01, random));
+      const State start = retract_straight(s, exact, random_twists(s, 0.01, random));
       const Closure reached = solve_closure(s, start, {turn_to(s, design.theta)});
       EXPECT_TRUE(reached.closed) << reached.why;
       EXPECT_LE(aligned_distance(s, reached.state, exact).max, 1e-9)
@@ -175,7 +175,7 @@ TEST(ClosureSolver, FindsTheTwistedStateOfEquationSix) {
     const CellTuple tuple{.A_in = {pi / 2, alpha, pi / 2, alpha}};
     apply_pattern(s, tuple, tuple, SharedWalls::must_agree);
     const State near = fold(classify(basic), basic, -pi / 4);
-    const Closure reached = solve_closure(s, moved(s, near, random_twists(s, 0.2, random)), {});
+    const Closure reached = solve_closure(s, retract_straight(s, near, random_twists(s, 0.2, random)), {});
     EXPECT_TRUE(reached.closed) << reached.why << " seed 27";
     EXPECT_NEAR(std::abs(hinge_turn(s, reached.state, 0)), pi / 2, 1e-12);
     const Eigen::Vector3d up = reached.state[0].R.col(2), other = reached.state[1].R.col(2);

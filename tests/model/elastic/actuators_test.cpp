@@ -61,7 +61,7 @@ TEST(CordElement, HasTheCentralDifferencesOfItsLengthAsDerivatives) {
       const State state = shaken(s, rest_state(s), size, random);
       const CordElement cord = cord_element(s, through, state);
       const auto length = [&](const VectorXd& x) {
-        return VectorXd::Constant(1, cord_length(s, through, moved(s, state, x)) / s.size.edge_mm);
+        return VectorXd::Constant(1, cord_length(s, through, retract_straight(s, state, x)) / s.size.edge_mm);
       };
       const VectorXd gradient = cord_gradient(s, through, state);
       expect_jacobian(length, zeros(state), gradient.transpose());
@@ -85,7 +85,7 @@ void expect_derivatives(const Structure& s, const LinkageDrive& drive, std::mt19
   const VectorXd gradient = system.linearise(state, theta, tangent);
   EXPECT_LE((gradient - system.gradient(state, theta)).norm(), 1e-12 * gradient.norm());
   const auto energy = [&](const VectorXd& x) {
-    return VectorXd::Constant(1, system.energy(moved(s, state, x), theta));
+    return VectorXd::Constant(1, system.energy(retract_straight(s, state, x), theta));
   };
   expect_jacobian(energy, zeros(state), gradient.transpose());
   Eigen::MatrixXd hessian(gradient.size(), gradient.size());
@@ -119,7 +119,7 @@ TEST(ShapeMemory, LoadIsTheDerivativeOfTheEnergyByTheDriveAndTheirsByTheStateAre
   expect_jacobian(by_theta, VectorXd::Constant(1, 0.3),
                   VectorXd::Constant(1, system.load(state, 0.3) * system.drive_rate(0.3)));
   const auto load = [&](const VectorXd& x) {
-    return VectorXd::Constant(1, system.load(moved(s, state, x), 0.3));
+    return VectorXd::Constant(1, system.load(retract_straight(s, state, x), 0.3));
   };
   expect_jacobian(load, zeros(state), system.spring_gradient(state).transpose());
 }
@@ -365,7 +365,7 @@ Eigen::MatrixXd by_adjoint(const Held& b, double* by_spring = nullptr) {
   system.linearise(b.state, b.theta, tangent);
   EXPECT_TRUE(tangent.factorise(0));
   const auto sum = [&](const VectorXd& x) {
-    return VectorXd::Constant(1, weighted_sum(b, moved(b.structure, b.state, x)));
+    return VectorXd::Constant(1, weighted_sum(b, retract_straight(b.structure, b.state, x)));
   };
   const VectorXd by_state = numeric_jacobian(sum, zeros(b.state), 3e-3).transpose();
   const EquilibriumGradient gradients[] = {{by_state, 0, 0}, {{}, 1, 0}, {{}, 0, 1}};

@@ -5,7 +5,7 @@
 #include "model/elastic/elastic_system.hpp"
 #include "model/elastic/path/equilibrium_path.hpp"
 #include "tests/support/elastic_runs.hpp"
-#include "tests/support/hard_cases.hpp"
+#include "tests/support/hard/hard_cases.hpp"
 #include "tests/support/paper_scenes.hpp"
 
 namespace kinetix::model {

@@ -42,7 +42,7 @@ State moved_pair(const Structure& s, const State& state, const Hinge& hinge, con
   Eigen::VectorXd twists = Eigen::VectorXd::Zero(6 * s.bodies.size());
   twists.segment<6>(6 * hinge.lower) = x.head<6>();
   twists.segment<6>(6 * hinge.upper) = x.tail<6>();
-  return moved(s, state, twists);
+  return retract_straight(s, state, twists);
 }
 
 Element element_of(const Structure& s, const State& state, const Hinge& hinge, const Stiffness& k) {

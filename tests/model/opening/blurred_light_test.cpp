@@ -83,7 +83,9 @@ TEST(BlurredLight, SlopesMatchCentralDifferences) {
   const Linkage panel = sheet;
   BlurredLight(panel, state).add_slopes(weights, slopes);
 
-  const auto by_state = [&](const Eigen::VectorXd& x) { return sum(sheet, moved(sheet, state, x)); };
+  const auto by_state = [&](const Eigen::VectorXd& x) {
+    return sum(sheet, retract_straight(sheet, state, x));
+  };
   Eigen::VectorXd planar = slopes.state;
   testing::expect_jacobian(
       [&](const Eigen::VectorXd& q) {

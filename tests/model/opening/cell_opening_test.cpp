@@ -134,7 +134,7 @@ std::vector<Panel> irregular_panels(double most = 0.08) {
     VectorXd twists = VectorXd::Zero(6 * panel.state.size());
     for (std::size_t b = 0; b < panel.state.size(); ++b)
       for (const int c : {2, 3, 4}) twists[6 * b + c] = off(random);
-    panel.state = moved(panel.structure, panel.state, twists);
+    panel.state = retract_straight(panel.structure, panel.state, twists);
     panels.push_back(panel);
   }
   return panels;
@@ -151,7 +151,7 @@ void expect_derivatives(const Panel& panel, const Read& read, double step = 1e-4
       twists.segment<3>(6 * cell.bodies[m] + 2) = q.segment<3>(3 * m);
       changed.structure.hinges[cell.hinges[m]].parameters.t += q[12 + m];
     }
-    changed.state = moved(panel.structure, panel.state, twists);
+    changed.state = retract_straight(panel.structure, panel.state, twists);
     return VectorXd::Constant(1, read(changed.at()).value);
   };
   const CellReading reading = read(panel.at());
@@ -181,7 +181,7 @@ TEST(SoftAperture, DerivativesMatchCentralDifferencesAtGaps) {
       VectorXd twists = VectorXd::Zero(6 * panel.state.size());
       for (std::size_t b = 0; b < panel.state.size(); ++b)
         for (const int c : {2, 3, 4}) twists[6 * b + c] = 0.1 * gap * off(random);
-      panel.state = moved(panel.structure, panel.state, twists);
+      panel.state = retract_straight(panel.structure, panel.state, twists);
       expect_derivatives(
           panel, [](const Opening& o) { return soft_aperture(o); }, 1e-6);
     }

@@ -215,7 +215,7 @@ TEST(FitDisplay, ShowsALetterThatTheRuleAloneBlurs) {
   const DisplayDesign design = fit_display(panel, letter_t(panel, 10), options);
   ASSERT_EQ(design.starts.size(), 2u);
   EXPECT_LT(design.starts[0].view.score.auc, 0.96);
-  ASSERT_TRUE(design.view.balanced);
+  ASSERT_TRUE(design.view.at_equilibrium);
   EXPECT_EQ(design.view.score.auc, 1);
   EXPECT_GE(design.view.score.contrast, 6);
   EXPECT_GE(design.view.score.separation(), 0.075);
@@ -269,7 +269,7 @@ TEST(FitDisplay, CompressionAndDirectionAreVariablesToo) {
   options.axes = {model::Axis::y, model::Axis::x};
   options.compression = {{0.04, 0.16}};
   const DisplayDesign free = fit_display(panel, levels, options);
-  ASSERT_TRUE(fixed.view.balanced && free.view.balanced);
+  ASSERT_TRUE(fixed.view.at_equilibrium && free.view.at_equilibrium);
   ASSERT_EQ(free.starts.size(), 4u);
   EXPECT_EQ(free.starts[0].view.plates.axis, model::Axis::y);
   EXPECT_EQ(free.starts[2].view.plates.axis, model::Axis::x);
@@ -293,7 +293,7 @@ TEST(FitDisplay, KeepsTheLimitOfStretch) {
   EXPECT_GT(fit_display(panel, levels, options).view.stretch, 0.06);
   options.stretch = 0.06;
   const DisplayDesign design = fit_display(panel, levels, options);
-  ASSERT_TRUE(design.view.balanced);
+  ASSERT_TRUE(design.view.at_equilibrium);
   EXPECT_LE(design.view.stretch, 0.06);
   EXPECT_GT(design.view.score.auc, 0.9);
 }
@@ -304,7 +304,7 @@ TEST(BestView, IsTheClearestOfThoseThatKeepTheLimit) {
     DisplayView made;
     made.channel = std::move(channel);
     made.stretch = stretch;
-    made.balanced = true;
+    made.at_equilibrium = true;
     return made;
   };
   const DisplayView sharp = view({0.9, 0.91, 0.1, 0.11}, 0.2), fair = view({0.8, 0.9, 0.1, 0.2}, 0.1),
@@ -319,7 +319,7 @@ TEST(BestView, IsTheClearestOfThoseThatKeepTheLimit) {
 TEST(FitDisplay, APlainPanelShowsNothing) {
   const model::Structure panel = make_structure(model::rectangle(6, 6), {});
   const DisplayView view = view_display(panel, letter_t(panel, 6), pressed(0.1));
-  ASSERT_TRUE(view.balanced);
+  ASSERT_TRUE(view.at_equilibrium);
   EXPECT_LE(std::abs(view.score.separation()), 1e-4);
 }
 

@@ -64,7 +64,7 @@ TEST(ScaleWalls, MakesALetterTOfClosedHingesAlone) {
   };
   for (const auto& [offset, straight, ratio] :
        {Case{0.04, true, 1.14}, Case{0.08, true, 1.26}, Case{0.08, false, 1.39}}) {
-    WallScales scales{.wish = wishes_of(levels, s, offset), .offset = offset};
+    WallScales scales{.wanted = wanted_scales(levels, s, offset), .offset = offset};
     if (straight) scales.straight = rim_rows(s.graph);
     const ScaledWalls found = scale_walls(s, scales);
     EXPECT_TRUE(found.converged) << found.iterations;
@@ -94,7 +94,8 @@ TEST(ScaleWalls, LeavesOneWayToMove) {
   PlanarStructure s = model::make_planar_structure(model::square_graph(6, 6), {});
   const std::vector<double> levels =
       levels_of(s, {"000000", "011110", "001100", "001100", "001100", "000000"});
-  place_hinges(scale_walls(s, {.wish = wishes_of(levels, s, 0.08), .straight = rim_rows(s.graph)}).y, s);
+  place_hinges(scale_walls(s, {.wanted = wanted_scales(levels, s, 0.08), .straight = rim_rows(s.graph)}).y,
+               s);
   const model::Mobility m = mobility(s, exact_motion(s));
   EXPECT_EQ(m.verdict, model::Verdict::mobile) << m.why;
   EXPECT_EQ(m.dofs_along, 1);
@@ -106,22 +107,22 @@ TEST(ScaleWalls, FindsTheOptimum) {
   std::uniform_real_distribution<double> by(-1, 1);
   const PlanarStructure s =
       model::make_planar_structure(model::lattice_graph(model::honeycomb_lattice, 4, 3), {});
-  WallScales scales{.wish = {}, .offset = 0.06, .shift = 0.3};
-  for (std::size_t e = 0; e < s.graph.edges.size(); ++e) scales.wish.push_back(0.2 * by(random));
+  WallScales scales{.wanted = {}, .offset = 0.06, .shift = 0.3};
+  for (std::size_t e = 0; e < s.graph.edges.size(); ++e) scales.wanted.push_back(0.2 * by(random));
   const ScaledWalls found = scale_walls(s, scales);
   ASSERT_TRUE(found.converged);
   const auto cost = [&](const model::Redrawing& y) {
     double sum = 0, excess = 0;
     for (int e = 0; e < static_cast<int>(s.graph.edges.size()); ++e) {
       const auto [shift, offset] = change_of(s, y, e);
-      sum += std::pow(2 * offset - scales.wish[e], 2);
+      sum += std::pow(2 * offset - scales.wanted[e], 2);
       excess = std::max({excess, std::abs(shift) - scales.shift, std::abs(offset) - scales.offset});
     }
     return std::pair(sum, excess);
   };
   const double best = cost(found.y).first;
   EXPECT_LE(cost(found.y).second, 1e-15);
-  EXPECT_NEAR(std::sqrt(best / static_cast<double>(scales.wish.size())), found.distance, 1e-12);
+  EXPECT_NEAR(std::sqrt(best / static_cast<double>(scales.wanted.size())), found.distance, 1e-12);
   for (int round = 0; round < 2000; ++round) {
     model::Redrawing other = found.y;
     const double size = std::pow(10, -1 - 3 * std::abs(by(random)));
@@ -136,8 +137,8 @@ TEST(ScaleWalls, FindsTheOptimum) {
 TEST(ScaleWalls, DropsTheLastRowByWhatIsAsked) {
   const PlanarStructure s = model::make_planar_structure(model::square_graph(6, 5), {});
   const auto rows = rim_rows(s.graph);
-  const ScaledWalls found =
-      scale_walls(s, {.wish = std::vector<double>(s.graph.edges.size(), 0.0), .straight = rows, .drop = 0.3});
+  const ScaledWalls found = scale_walls(
+      s, {.wanted = std::vector<double>(s.graph.edges.size(), 0.0), .straight = rows, .drop = 0.3});
   ASSERT_TRUE(found.converged);
   for (const int v : rows[1]) EXPECT_NEAR(found.y[v].x() - found.y[rows[0][0]].x(), -0.3, 1e-12);
 }
@@ -153,12 +154,12 @@ TEST(ScaleWalls, RefusesWhatHasNoMeaning) {
     }
   };
   const std::vector<double> none(s.graph.edges.size(), 0.0);
-  refused({.wish = {0.1}}, "a value for each wall");
-  refused({.wish = none, .offset = 0}, "offset is 0, must be in (0, 0.5)");
-  refused({.wish = none, .offset = NAN}, "offset is nan");
-  refused({.wish = none, .shift = 1}, "shift is 1, must be in (0, 1)");
-  refused({.wish = none, .straight = {{0, 1}, {1, 2}}}, "vertex 1 twice");
-  refused({.wish = none, .drop = INFINITY}, "drop is inf");
+  refused({.wanted = {0.1}}, "a value for each wall");
+  refused({.wanted = none, .offset = 0}, "offset is 0, must be in (0, 0.5)");
+  refused({.wanted = none, .offset = NAN}, "offset is nan");
+  refused({.wanted = none, .shift = 1}, "shift is 1, must be in (0, 1)");
+  refused({.wanted = none, .straight = {{0, 1}, {1, 2}}}, "vertex 1 twice");
+  refused({.wanted = none, .drop = INFINITY}, "drop is inf");
 }
 
 }  // namespace

@@ -79,16 +79,16 @@ TEST(Compensate, EndsAtOnceWhereTheGoalIsMet) {
 }
 
 // Each variable by itself: the equilibrium followed to both sides.
-TEST(Compensate, KnowsHowMissesChange) {
+TEST(Compensate, KnowsHowDeviationsChange) {
   const model::Sheet sheet = bent_strip(4, 0.3);
   const InMatter at = settled(sheet);
   const MatterGoal goal = goal_of(exact_motion(sheet).at(theta));
   const std::vector<TiltTie> ties = tilt_ties(sheet);
-  const auto found = miss_rates(at, ties, rubber(), goal, true);
+  const auto found = deviation_rates(at, ties, rubber(), goal, true);
   ASSERT_TRUE(found);
   ASSERT_EQ(found->rates.cols(), static_cast<Eigen::Index>(ties.size()) + 1);
 
-  const auto misses_at = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
+  const auto deviations_at = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
     const std::vector<double> tilts(x.data(), x.data() + ties.size());
     const model::Sheet changed = with_tilts(sheet, ties, tilts);
     const model::EquilibriumPath path = follow_change(
@@ -100,12 +100,12 @@ TEST(Compensate, KnowsHowMissesChange) {
     // Against the same places as before, along the same directions, less what a rigid motion does.
     std::vector<model::ObservedPoint> moved = goal.observe(sheet, at.state);
     for (model::ObservedPoint& p : moved) p.miss_mm += p.normal.dot(path.state[p.bodies[0]].p - p.place);
-    return model::ObservedPoints(moved, true).aligned_misses();
+    return model::ObservedPoints(moved, true).aligned_deviations();
   };
   Eigen::VectorXd x(found->rates.cols());
   for (std::size_t k = 0; k < ties.size(); ++k) x[static_cast<Eigen::Index>(k)] = ties[k].tilt;
   x[x.size() - 1] = theta;
-  testing::expect_jacobian(misses_at, x, found->rates, 1e-6);
+  testing::expect_jacobian(deviations_at, x, found->rates, 1e-6);
 }
 
 }  // namespace

@@ -178,6 +178,8 @@ TEST(Solver, RejectsOptionsThatMakeNoSense) {
   for (const auto& change : std::vector<std::function<void(SolverOptions&)>>{
            [](SolverOptions& o) { o.max_evaluations = 0; },
            [](SolverOptions& o) { o.tolerance = std::numeric_limits<double>::quiet_NaN(); },
+           [](SolverOptions& o) { o.trust_radius = 0; },
+           [](SolverOptions& o) { o.trust_radius = std::numeric_limits<double>::quiet_NaN(); },
            [](SolverOptions& o) { o.target = -1; },
            [](SolverOptions& o) { o.target = std::numeric_limits<double>::infinity(); }}) {
     SolverOptions wrong;

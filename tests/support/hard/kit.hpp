@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "tests/support/elastic_runs.hpp"
-#include "tests/support/hard_cases.hpp"
+#include "tests/support/hard/hard_cases.hpp"
 
 /// What the hard cases are made of. Each theme is a file of its own.
 namespace kinetix::testing {

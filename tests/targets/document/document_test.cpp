@@ -9,6 +9,7 @@
 #include <random>
 
 #include "model/lattice/square/structure.hpp"
+#include "targets/document/wording.hpp"
 #include "tests/support/bad_input.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -325,6 +326,12 @@ TEST(Document, SurvivesRandomMutationsOfAValidText) {
     }
   }
   EXPECT_GT(accepted, 100);
+}
+
+TEST(Wording, CountsOneThingInTheSingular) {
+  EXPECT_EQ(counted(1, "factor"), "1 factor");
+  EXPECT_EQ(counted(0, "response"), "0 responses");
+  EXPECT_EQ(counted(97, "sample"), "97 samples");
 }
 
 }  // namespace

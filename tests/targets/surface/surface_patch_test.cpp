@@ -32,7 +32,7 @@ TEST(CapPatch, IsASphereThatTurnsByItsArcFromCornerToCorner) {
   const auto [first, second] = principal_curvatures(cap.height({20, -10}));
   EXPECT_NEAR(first, -1 / radius, 1e-12);
   EXPECT_NEAR(second, -1 / radius, 1e-12);
-  const Vector3d at_corner = foot_on(cap, {50, 50, cap.height({50, 50}).z}).normal;
+  const Vector3d at_corner = closest_surface_point(cap, {50, 50, cap.height({50, 50}).z}).normal;
   EXPECT_NEAR(std::acos(at_corner.z()), arc / 2, 1e-12);
 }
 
@@ -41,9 +41,10 @@ TEST(SurfacePatch, MeasuresDistancesAlongNormals) {
   for (const Vector2d& at : {Vector2d(10, 20), Vector2d(-45, 30)}) {
     const Height h = saddle.height(at);
     const Vector3d normal = Vector3d(-h.slope.x(), -h.slope.y(), 1).normalized();
-    const SurfaceFoot foot = foot_on(saddle, Vector3d(at.x(), at.y(), h.z) + 5 * normal);
-    EXPECT_NEAR(foot.distance, 5, 1e-9);
-    EXPECT_NEAR((foot.at - at).norm(), 0, 1e-9);
+    const ClosestSurfacePoint closest =
+        closest_surface_point(saddle, Vector3d(at.x(), at.y(), h.z) + 5 * normal);
+    EXPECT_NEAR(closest.distance, 5, 1e-9);
+    EXPECT_NEAR((closest.at - at).norm(), 0, 1e-9);
   }
 }
 

@@ -63,7 +63,7 @@ State moved_pair(const Touching& panel, const ContactModel& walls, const Contact
   VectorXd twists = VectorXd::Zero(6 * panel.state.size());
   twists.segment<6>(6 * walls.body(c.plate)) = x.head<6>();
   twists.segment<6>(6 * walls.body(c.other)) = x.tail<6>();
-  return moved(panel.structure, panel.state, twists);
+  return retract_straight(panel.structure, panel.state, twists);
 }
 
 TEST(ContactEnergy, GradientAndHessianMatchCentralDifferences) {

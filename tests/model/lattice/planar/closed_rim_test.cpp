@@ -4,7 +4,7 @@
 
 #include "model/base/invalid_input.hpp"
 #include "model/closure/mobility.hpp"
-#include "model/lattice/planar/wall_freedoms.hpp"
+#include "model/lattice/planar/wall_dofs.hpp"
 #include "tests/support/planar_graphs.hpp"
 
 namespace kinetix::model {
@@ -28,37 +28,36 @@ void expect_dofs(const PlanarStructure& s, int dofs) {
 }
 
 TEST(CountedFreedoms, AreOneOfACellAndFourNLessOneOfAnOpenHoneycomb) {
-  EXPECT_EQ(counted_freedoms(square_graph(1, 1)), 1);
-  EXPECT_EQ(counted_freedoms({{{0, 0}, {1, 0}}, {{0, 1}}}), 1) << "two bodies and their hinge";
+  EXPECT_EQ(counted_dofs(square_graph(1, 1)), 1);
+  EXPECT_EQ(counted_dofs({{{0, 0}, {1, 0}}, {{0, 1}}}), 1) << "two bodies and their hinge";
   for (const int n : {1, 2, 3, 5, 8}) {
-    EXPECT_EQ(counted_freedoms(lattice_graph(honeycomb_lattice, n, n)), 4 * n - 1) << n;
-    EXPECT_EQ(counted_freedoms(lattice_graph(brick_lattice, n, n)), 4 * n - 1) << n;
+    EXPECT_EQ(counted_dofs(lattice_graph(honeycomb_lattice, n, n)), 4 * n - 1) << n;
+    EXPECT_EQ(counted_dofs(lattice_graph(brick_lattice, n, n)), 4 * n - 1) << n;
   }
 }
 
-TEST(WallFreedoms, AreOneOfQuadrilateralsAndWhatIsCountedOfFloppyPanels) {
+TEST(WallDofs, AreOneOfQuadrilateralsAndWhatIsCountedOfFloppyPanels) {
   for (const PlanarGraph& graph :
        {square_graph(1, 1), square_graph(6, 5), testing::random_quads(4, 2), testing::disc_of_squares(8)})
-    EXPECT_EQ(WallFreedoms(graph).count(), 1);
+    EXPECT_EQ(WallDofs(graph).count(), 1);
   for (const PlanarLattice* lattice : floppy) {
     const PlanarGraph open = lattice_graph(*lattice, 4, 3);
-    EXPECT_EQ(WallFreedoms(open).count(), counted_freedoms(open));
+    EXPECT_EQ(WallDofs(open).count(), counted_dofs(open));
   }
 }
 
 // One half is held twice over, the other not at all.
-TEST(WallFreedoms, AreRightWhereOnePartRepeatsItsWalls) {
+TEST(WallDofs, AreRightWhereOnePartRepeatsItsWalls) {
   PlanarGraph graph = square_graph(4, 4);
   const int last = static_cast<int>(graph.vertices.size()) - 1;
   for (const Vector2d& p : {Vector2d(5, 4), Vector2d(6, 4), Vector2d(6, 5), Vector2d(5, 5), Vector2d(4, 5)})
     graph.vertices.push_back(p);
   for (int k = 0; k < 5; ++k) graph.edges.push_back({last + k, last + k + 1});
   graph.edges.push_back({last + 5, last});
-  EXPECT_LT(counted_freedoms(graph), 1);
-  EXPECT_EQ(WallFreedoms(graph).count(), 4)
-      << "one of the squares, three of a hexagon with the sheet as a body";
+  EXPECT_LT(counted_dofs(graph), 1);
+  EXPECT_EQ(WallDofs(graph).count(), 4) << "one of the squares, three of a hexagon with the sheet as a body";
   const PlanarStructure s = make_planar_structure(graph, {});
-  expect_dofs(s, WallFreedoms(graph).count());
+  expect_dofs(s, WallDofs(graph).count());
 }
 
 TEST(ClosedRim, LeavesOneOfTheFourNLessOneFreedomsOfAHoneycomb) {
@@ -75,8 +74,8 @@ TEST(ClosedRim, GivesEveryFloppyPanelOneFreedomAndEvenFaces) {
       SCOPED_TRACE(name(*lattice, columns, rows));
       const PlanarGraph open = lattice_graph(*lattice, columns, rows);
       const PlanarGraph closed = closed_rim(open);
-      EXPECT_GT(counted_freedoms(open), 1);
-      EXPECT_EQ(counted_freedoms(closed), 1);
+      EXPECT_GT(counted_dofs(open), 1);
+      EXPECT_EQ(counted_dofs(closed), 1);
       EXPECT_NO_THROW(validate(closed));
       for (const GraphFace& face : bounded_faces(closed)) EXPECT_EQ(face.vertices.size() % 2, 0u);
       expect_dofs(make_planar_structure(closed, {}), 1);
@@ -116,7 +115,7 @@ TEST(ClosedRim, OfPanelsCutToAnyOutlineIsADrawingThatFolds) {
         trimmed(whole, [&](const Vector2d& p) { return (p - middle).cwiseQuotient(radius).norm() <= 1; });
     const PlanarGraph closed = closed_rim(cut);
     EXPECT_NO_THROW(make_planar_structure(closed, {}));
-    EXPECT_LE(counted_freedoms(closed), std::max(1, counted_freedoms(cut)));
+    EXPECT_LE(counted_dofs(closed), std::max(1, counted_dofs(cut)));
   }
 }
 
@@ -135,7 +134,7 @@ TEST(ClosedRim, PutsNoTwoVerticesInOnePlace) {
                                          {2, 3}, {0, 4}, {1, 4}, {2, 4}, {3, 4}, {1, 5}, {2, 5}, {2, 6}};
   const PlanarGraph closed = lattice_graph({&brick_lattice, star, 0, true});
   EXPECT_NO_THROW(validate(closed));
-  EXPECT_EQ(counted_freedoms(closed), 1);
+  EXPECT_EQ(counted_dofs(closed), 1);
 }
 
 }  // namespace

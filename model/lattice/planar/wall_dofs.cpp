@@ -1,4 +1,4 @@
-#include "model/lattice/planar/wall_freedoms.hpp"
+#include "model/lattice/planar/wall_dofs.hpp"
 
 #include <algorithm>
 #include <map>
@@ -11,24 +11,24 @@ constexpr int stay = 4;     // of any vertices together: three rigid motions, an
 
 }  // namespace
 
-WallFreedoms::WallFreedoms(const PlanarGraph& graph)
+WallDofs::WallDofs(const PlanarGraph& graph)
     : free_(graph.vertices.size(), pebbles), leads_to_(graph.vertices.size()) {
   for (const GraphEdge& wall : graph.edges) add_wall(wall);
 }
 
-void WallFreedoms::add_vertex() {
+void WallDofs::add_vertex() {
   free_.push_back(pebbles);
   leads_to_.emplace_back();
 }
 
-int WallFreedoms::add_wall(const GraphEdge& wall) {
+int WallDofs::add_wall(const GraphEdge& wall) {
   int held = 0;
   while (held < 2 && hold(wall.from, wall.to)) ++held;
   held_ += held;
   return held;
 }
 
-bool WallFreedoms::hold(int a, int b) {
+bool WallDofs::hold(int a, int b) {
   while (free_[a] + free_[b] <= stay)
     if (!fetch(a, b) && !fetch(b, a)) return false;
   const int giver = free_[a] > 0 ? a : b;
@@ -38,7 +38,7 @@ bool WallFreedoms::hold(int a, int b) {
 }
 
 /// Brings a free pebble along walls, turning them round; the one at `keep` stays.
-bool WallFreedoms::fetch(int to, int keep) {
+bool WallDofs::fetch(int to, int keep) {
   std::map<int, int> reached_from = {{to, to}, {keep, keep}};
   std::vector<int> open = {to};
   for (std::size_t k = 0; k < open.size(); ++k)

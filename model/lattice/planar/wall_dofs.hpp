@@ -11,9 +11,9 @@ namespace kinetix::model {
 /// exact motion (kinematics.md section 5), V vertices can be held in 3 V - 4 ways and no more, whichever of the
 /// structure's they are. Counted by the pebble game of Lee and Streinu (2008), with 3 pebbles a vertex and 4
 /// that always stay.
-class WallFreedoms {
+class WallDofs {
  public:
-  explicit WallFreedoms(const PlanarGraph& graph);
+  explicit WallDofs(const PlanarGraph& graph);
 
   void add_vertex();
   /// @return how many ways it holds that were free: 2, 1 or none

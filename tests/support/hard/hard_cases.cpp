@@ -1,4 +1,4 @@
-#include "tests/support/hard_cases.hpp"
+#include "tests/support/hard/hard_cases.hpp"
 
 #include "tests/support/hard/kit.hpp"
 

@@ -1,0 +1,49 @@
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/program.hpp"
+#include "tests/app/schema_errors.hpp"
+
+namespace kinetix::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using Json = nlohmann::json;
+
+Json surface_result(const std::string& shape, const std::string& more) {
+  const Scratch scratch;
+  const std::string goal = "kinetix: 1\ntarget: {kind: surface, " + shape + "}\n" + more;
+  const Outcome run = kinetix_opt(scratch.write("goal.yaml", goal) + " --no-verify -o " + scratch.path());
+  EXPECT_TRUE(run.code == 0 || run.code == 3) << run.out << run.err;
+  return Json::parse(text_of(scratch / "result.json"));
+}
+
+TEST(SurfaceResult, OfASheetIsAsTheSchemaHasIt) {
+  Json result = surface_result("shape: saddle, rise: 0.15", "structure: {facets: [4, 4]}\n");
+  EXPECT_EQ(schema_errors(result), "");
+  const Json& surface = result["surface"];
+  EXPECT_EQ(surface["facets"], Json({4, 4}));
+  EXPECT_EQ(surface["vertices_mm"].size(), surface["flat_mm"].size());
+  EXPECT_EQ(surface["rms"], result["metrics"]["surface_rms"]);
+  EXPECT_EQ(surface["rms"], surface["ways"][0]["rms"]);
+  result["surface"]["guess"] = 1;
+  EXPECT_EQ(schema_errors(result), "surface.guess: the schema names no such key\n");
+  result["surface"].erase("guess");
+  result["surface"].erase("multipliers");
+  EXPECT_THAT(schema_errors(result), HasSubstr("multipliers"));
+}
+
+TEST(SurfaceResult, OfRibsIsAsTheSchemaHasIt) {
+  Json result = surface_result("shape: cap, ribs: 3", "");
+  EXPECT_EQ(schema_errors(result), "");
+  const Json& surface = result["surface"];
+  EXPECT_EQ(surface["ribs"].size(), 3u);
+  EXPECT_EQ(surface["body_mm"].size(), result["structure"]["bodies"].size());
+  EXPECT_EQ(surface["ways"][0]["way"], "fishbone");
+  result["surface"].erase("spine_mm");
+  EXPECT_THAT(schema_errors(result), HasSubstr("spine_mm"));
+}
+
+}  // namespace
+}  // namespace kinetix::testing

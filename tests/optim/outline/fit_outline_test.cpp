@@ -1,0 +1,73 @@
+#include "optim/outline/fit_outline.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "kinetix/kinetix.hpp"
+
+namespace kinetix::optim {
+namespace {
+
+/// An ellipse about the origin, as a polygon.
+targets::Outline ellipse(double a, double b, int points = 120) {
+  std::vector<Eigen::Vector2d> out;
+  for (int k = 0; k < points; ++k) {
+    const double angle = 2 * std::numbers::pi * k / points;
+    out.emplace_back(a * std::cos(angle), b * std::sin(angle));
+  }
+  return targets::Outline(out);
+}
+
+const model::PlanarStructure& panel() {
+  static const model::PlanarStructure made = kinetix::make_planar_structure(
+      kinetix::square_graph(6, 6), {.edge_mm = 10, .thickness_mm = 0.8, .height_mm = 6});
+  return made;
+}
+
+/// The corners of the rim at theta, in the outline's own mm, from the hinges alone.
+std::vector<Eigen::Vector2d> folded_rim(const OutlineDesign& design) {
+  const model::RedrawingFit motion = redrawing_of(design.panel);
+  EXPECT_LE(motion.misfit, 1e-11) << "every cell closes";
+  const model::State state = fold(design.panel, motion.y, design.theta);
+  const model::State as_found = fold(design.panel, design.y, design.theta);
+  const Eigen::Vector3d shift = as_found[0].p - state[0].p;
+  std::vector<Eigen::Vector2d> out;
+  for (const int body : outer_rim(design.panel.graph).vertices) {
+    const Eigen::Vector3d p = state[static_cast<std::size_t>(body)].p + shift;
+    out.emplace_back((p.head<2>() / design.panel.size.edge_mm - design.origin) * design.scale);
+  }
+  return out;
+}
+
+TEST(FitOutline, MakesTheRimOfASquarePanelRound) {
+  const targets::Outline goal = ellipse(30, 30);
+  OutlineOptions options;
+  const OutlineDesign design = kinetix::fit_outline(panel(), goal, nullptr, options);
+  EXPECT_TRUE(design.clear);
+  EXPECT_LE(design.error.rms, 0.02);
+  EXPECT_GE(design.error.iou, 0.9);
+  EXPECT_LE(design.offset, options.offset + 1e-9);
+  EXPECT_LE(design.shift, 1 - 2 * options.t[0] + 1e-9);
+  EXPECT_GE(design.theta, options.theta[0]);
+  EXPECT_LE(design.theta, options.theta[1]);
+  const targets::OutlineError told = outline_error(goal, folded_rim(design));
+  EXPECT_NEAR(told.rms, design.error.rms, 1e-9);
+  EXPECT_NEAR(told.iou, design.error.iou, 1e-9);
+}
+
+TEST(FitOutline, RefusesOptionsOutOfRange) {
+  const targets::Outline goal = ellipse(30, 20);
+  for (const double wrong : {-0.1, 0.5, std::nan("")}) {
+    OutlineOptions options;
+    options.offset = wrong;
+    EXPECT_THROW(fit_outline(panel(), goal, nullptr, options), InvalidInput) << wrong;
+  }
+  OutlineOptions options;
+  options.theta = {0.7, 0.35};
+  EXPECT_THROW(fit_outline(panel(), goal, nullptr, options), InvalidInput);
+}
+
+}  // namespace
+}  // namespace kinetix::optim
