@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/print/gap_settings.hpp"
 #include "app/print/overhang.hpp"
 #include "app/print/parts.hpp"
 #include "app/print/units.hpp"
@@ -64,6 +65,20 @@ Json lies_json(const std::vector<Lie>& all) {
   Json out = Json::object();
   for (const Lie& lie : all) out[std::string(lie.name)] = lie.overhang_mm2;
   return out;
+}
+
+Json gaps_json(const std::optional<GapSettings>& gaps) {
+  if (!gaps) return nullptr;
+  return {{"closing_radius_mm", gaps->closing_radius_mm},
+          {"elephant_foot_compensation_mm", gaps->elephant_foot_mm},
+          {"xy_compensation_mm", gaps->expansion_mm}};
+}
+
+std::string gap_words(const GapSettings& gaps) {
+  return fmt::format(
+      "slice gap closing radius {:g} mm, elephant foot compensation {:g} mm, XY size compensation {:g} mm: "
+      "set in the 3MF file, to be set by hand for STL",
+      gaps.closing_radius_mm, gaps.elephant_foot_mm, gaps.expansion_mm);
 }
 
 std::string time_words(double seconds) {
@@ -153,6 +168,7 @@ Json print_json(const PrintJob& job, const PathClearance& clearance,
       {"hinges", sheet.hinges.size()},
       {"volume_mm3", {{"hard", volume_mm3(hard)}, {"soft", soft.points.empty() ? 0.0 : volume_mm3(soft)}}},
       {"clearance_mm", made.kind == model::HingeKind::pin ? made.clearance_mm : 0.0},
+      {"gap_settings", gaps_json(gap_settings(sheet))},
       {"bounds_mm", vector_json(bounds(whole_print(job)))},
       {"orientation", job.lie},
       {"overhang_mm2", lies_json(lies(job))},
@@ -195,8 +211,7 @@ std::string print_text(const PrintJob& job, const PathClearance& clearance,
                        ? "none"
                        : fmt::format("under walls that lean more than {:g} degrees: up to {:.1f} here",
                                      steep_deg, steep));
-  if (sheet.kind() == model::HingeKind::pin)
-    line("gaps", "no elephant foot, no horizontal expansion, gap closing radius below half of the clearance");
+  if (const auto gaps = gap_settings(sheet)) line("gaps", gap_words(*gaps));
   const LeastDistance& least = clearance.least();
   if (least.first >= 0 && sheet.path.size() > 1)
     line("fold",

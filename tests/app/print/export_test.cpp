@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,6 +13,7 @@
 #include "app/print/overhang.hpp"
 #include "app/print/raised_text.hpp"
 #include "app/print/slicer.hpp"
+#include "app/print/zip_text.hpp"
 #include "app/report/report.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/schema_errors.hpp"
@@ -93,6 +95,31 @@ TEST(Export, SaysTheVolumesOfItsFiles) {
   EXPECT_NEAR(hard / double(json["volume_mm3"]["hard"]), 1, 1e-9);
   EXPECT_NEAR(soft / double(json["volume_mm3"]["soft"]), 1, 1e-6);
   EXPECT_NEAR((hard + soft) / all, 1, 1e-6);
+}
+
+/// The radius is the slicer's own, or less where that would close the pins.
+TEST(Export, NamesTheSettingsThatKeepGapsOpen) {
+  for (const auto& [process, radius_mm, foot_mm] :
+       {std::tuple{"polyjet", 0.4 * 0.05, 0.0}, {"sla", 0.049, 0.2}}) {
+    const Scratch scratch;
+    const std::string choice = std::string("--hinge pin --process ") + process;
+    ASSERT_EQ(exported(scratch, panel, "--format 3mf " + choice).code, 0);
+    const Json said = said_of(scratch)["gap_settings"];
+    EXPECT_NEAR(said["closing_radius_mm"], radius_mm, 1e-12);
+    EXPECT_EQ(said["elephant_foot_compensation_mm"], foot_mm);
+    EXPECT_EQ(said["xy_compensation_mm"], 0);
+    EXPECT_THAT(text_of(scratch / "out/print.txt"),
+                HasSubstr(fmt::format("gap closing radius {:g} mm, elephant foot compensation {:g} mm",
+                                      radius_mm, foot_mm)));
+    const std::string config = app::text_in_zip(scratch / "out/panel.3mf", "Metadata/Slic3r_PE_model.config");
+    for (const auto& [key, mm] : {std::pair{"slice_closing_radius", radius_mm},
+                                  {"elefant_foot_compensation", foot_mm},
+                                  {"xy_size_compensation", 0.0}})
+      EXPECT_THAT(config, HasSubstr(fmt::format("key=\"{}\" value=\"{:g}\"", key, mm)));
+  }
+  const Scratch scratch;
+  ASSERT_EQ(exported(scratch, panel, "--format 3mf --hinge block").code, 0);
+  EXPECT_TRUE(said_of(scratch)["gap_settings"].is_null());
 }
 
 /// Rods of their own hold as much as those that are part of a fork: bores and rods have the same circle but for polygons.

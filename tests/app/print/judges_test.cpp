@@ -247,21 +247,26 @@ std::string name_of(const ::testing::TestParamInfo<const Exported& (*)()>& run) 
 INSTANTIATE_TEST_SUITE_P(Of, Judges, ::testing::Values(pinned, blocked, pinned_cube, filmed), name_of);
 INSTANTIATE_TEST_SUITE_P(Of, AllFormats, ::testing::Values(pinned, blocked, filmed), name_of);
 
-/// Slices of a file as a printer of pixels of 0.05 mm gets them. @param width, height of its bed, mm
-/// @param closing_mm radius by which the slicer closes gaps: those narrower than twice that; its default
-std::string slices_of(const Scratch& scratch, const std::string& file, int width, int height,
-                      double closing_mm = 0.049) {
+/// A printer and a slicer's settings.
+struct SlicingOf {
+  int width, height;          // of its bed, mm
+  double closing_mm = 0.049;  // by which the slicer closes gaps: those narrower than twice that; its default
+  int pixels = 20;            // to a mm
+  double layer_mm = 0.1;
+};
+
+std::string slices_of(const Scratch& scratch, const std::string& file, const SlicingOf& how) {
   const std::string settings = scratch.write(
       "sla.ini",
       fmt::format("bed_shape = 0x0,{0}x0,{0}x{1},0x{1}\ndisplay_width = {0}\ndisplay_height = "
-                  "{1}\ndisplay_pixels_x = {2}\ndisplay_pixels_y = {3}\nslice_closing_radius = {4}\n",
-                  width, height, 20 * width, 20 * height, closing_mm) +
+                  "{1}\ndisplay_pixels_x = {2}\ndisplay_pixels_y = {3}\nslice_closing_radius = {4}\n"
+                  "layer_height = {5}\ninitial_layer_height = {5}\n",
+                  how.width, how.height, how.pixels * how.width, how.pixels * how.height, how.closing_mm,
+                  how.layer_mm) +
           R"(printer_technology = SLA
 display_mirror_x = 0
 display_mirror_y = 0
 display_orientation = landscape
-layer_height = 0.1
-initial_layer_height = 0.1
 faded_layers = 3
 supports_enable = 0
 pad_enable = 0
@@ -280,7 +285,7 @@ void expect_bodies_in_slices(const std::string& structure, const std::string& pr
   const Outcome run = kinetix_opt("export " + design + " --format stl --process " + process + " -o " +
                                   std::string(scratch / "out"));
   ASSERT_EQ(run.code, 0) << run.err;
-  const std::string slices = slices_of(scratch, scratch / "out/hard.stl", 80, 70);
+  const std::string slices = slices_of(scratch, scratch / "out/hard.stl", {80, 70});
   EXPECT_EQ(printed_pieces(slices), bodies);
   EXPECT_EQ(printed_pieces(slices, 1), bodies) << "swollen by 0.05 mm a side";
 }
@@ -288,6 +293,19 @@ void expect_bodies_in_slices(const std::string& structure, const std::string& pr
 TEST(Slices, OfPinsFallIntoTheBodiesAndStillDoWhenSwollen) {
   expect_bodies_in_slices("{cells: [5, 4], cell_mm: 10}", "sla", 30);
   expect_bodies_in_slices("{cells: [4, 3], cell_mm: 16}", "fdm", 20);
+}
+
+/// Gaps of 0.05 mm, which the slicer's own radius would close: the 3MF file brings a smaller one along.
+TEST(Slices, OfSmallClearancesStayApartBecauseTheFileSaysSo) {
+  const Scratch scratch;
+  const std::string design = scratch.write(
+      "panel.yaml", "kinetix: 1\nstructure: {cells: [1, 1], cell_mm: 10}\ndesign: {theta_deg: 15}\n");
+  const Outcome run = kinetix_opt("export " + design + " --format stl,3mf --process polyjet --hinge pin -o " +
+                                  std::string(scratch / "out"));
+  ASSERT_EQ(run.code, 0) << run.err;
+  const SlicingOf fine{.width = 16, .height = 16, .pixels = 100, .layer_mm = 0.05};
+  EXPECT_LT(printed_pieces(slices_of(scratch, scratch / "out/hard.stl", fine)), 4) << "a file without";
+  EXPECT_EQ(printed_pieces(slices_of(scratch, scratch / "out/panel.3mf", fine)), 4);
 }
 
 /// Both with their rods pushed in, and tile by tile.
@@ -308,9 +326,9 @@ TEST(Slices, OfLooseRodsAreBodiesAndRods) {
   EXPECT_EQ(step.solids, 20 + rods);
   int pieces = 0;
   for (int tile = 1; tile <= 4; ++tile)
-    pieces += printed_pieces(slices_of(scratch, scratch / fmt::format("out/tile_{}.stl", tile), 80, 80));
+    pieces += printed_pieces(slices_of(scratch, scratch / fmt::format("out/tile_{}.stl", tile), {80, 80}));
   EXPECT_EQ(pieces, 20);
-  EXPECT_EQ(printed_pieces(slices_of(scratch, scratch / "out/rods.stl", 80, 80)), rods);
+  EXPECT_EQ(printed_pieces(slices_of(scratch, scratch / "out/rods.stl", {80, 80})), rods);
   for (const char* name : {"tile_1.stl", "rods.stl", "hard.stl"}) {
     const std::string said = said_by("admesh " + std::string(scratch / "out") + "/" + name);
     EXPECT_THAT(said, HasSubstr("Facets with 3 disconnected edges :     0")) << name << said;
@@ -323,7 +341,7 @@ TEST(Slices, OfACouponFuseWhereTheGapIsNarrow) {
   const Outcome run =
       kinetix_opt("export --coupon --format stl --process sla -o " + std::string(scratch / "out"));
   ASSERT_EQ(run.code, 0) << run.err;
-  const std::string slices = slices_of(scratch, scratch / "out/hard.stl", 250, 60);
+  const std::string slices = slices_of(scratch, scratch / "out/hard.stl", {250, 60});
   EXPECT_EQ(printed_pieces(slices), 36) << "the slicer closes gaps of less than 0.098 mm";
   // Swollen by 0.1 mm a side, gaps of 0.1 mm fuse in all three rows, and none that is wider than both sides, a pixel and
   // the step of a layer of 0.1 mm on the slope together: 0.25 mm upright, 0.31 mm at 30 degrees, 0.42 mm at 60.
@@ -339,7 +357,7 @@ TEST(Coupon, FallsFromTwoPiecesAHingeToOneWhereTheSlicerClosesItsGap) {
       kinetix_opt("export --coupon --format stl --process sla -o " + std::string(scratch / "out"));
   ASSERT_EQ(run.code, 0) << run.err;
   for (const auto& [radius_mm, fused_gaps] : {std::pair{0.08, 1}, {0.13, 2}, {0.23, 4}})
-    EXPECT_EQ(printed_pieces(slices_of(scratch, scratch / "out/hard.stl", 200, 60, radius_mm)),
+    EXPECT_EQ(printed_pieces(slices_of(scratch, scratch / "out/hard.stl", {200, 60, radius_mm})),
               36 - 3 * fused_gaps)
         << "gaps of less than " << 2 * radius_mm << " mm, at 0, 30 and 60 degrees";
 }
@@ -364,7 +382,7 @@ TEST(Coupon, IsCleanWithItsRaisedNumbers) {
 TEST(Slices, OfRibsOfBlocksAndOfFilmsAreOnePiece) {
   for (const Exported& rib : {std::cref(blocked()), std::cref(filmed())}) {
     const Scratch scratch;
-    EXPECT_EQ(printed_pieces(slices_of(scratch, rib.file("all.stl"), 400, 20)), 1) << rib.hinge;
+    EXPECT_EQ(printed_pieces(slices_of(scratch, rib.file("all.stl"), {400, 20})), 1) << rib.hinge;
   }
 }
 
