@@ -84,6 +84,7 @@ class SheetMaker {
       : design_(design), choice_(choice), structure_(resized(design.structure, choice, process)) {
     sheet_.name = design.name;
     sheet_.process = process;
+    if (choice.clearance_mm > 0) sheet_.process.clearance_mm = choice.clearance_mm;
     sheet_.linkage = structure_;
     sheet_.path = with_edge(path.states, structure_.size().edge_mm);
     sheet_.thetas = path.thetas;

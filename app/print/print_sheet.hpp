@@ -44,7 +44,8 @@ struct PrintSheet {
 struct PrintChoice {
   model::HingeKind kind = model::HingeKind::pin;
   double height_share =
-      1;              ///< of a pin's height over the wall's: lower ones leave room where walls lean, (0, 1]
+      1;  ///< of a pin's height over the wall's: lower ones leave room where walls lean, (0, 1]
+  double clearance_mm = 0;  ///< least of a pin instead of the process's, mm; 0: the process's
   bool alike = true;  ///< blocks and films as long everywhere as the longest; else each as long as it needs
   bool loose_rods = false;  ///< rods of pins are parts of their own; else only where two tiles meet
   std::optional<Eigen::Vector2d> bed_mm = {};  ///< of the printer: a larger sheet is cut into tiles

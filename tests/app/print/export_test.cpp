@@ -137,6 +137,37 @@ TEST(Export, MakesLooseRodsThatFillTheBoresOfTheirForks) {
   EXPECT_FALSE(fs::exists(captive / "out/rods.stl"));
 }
 
+TEST(Export, TakesTheClearanceOfACouponInsteadOfTheProcesss) {
+  const Scratch scratch;
+  ASSERT_EQ(exported(scratch, panel, "--format stl --process sla --hinge pin --clearance 0.15").code, 0);
+  const Json json = said_of(scratch);
+  EXPECT_EQ(json["clearance_mm"], 0.15);
+  EXPECT_EQ(json["process"], "sla");
+  EXPECT_NEAR(json["path"]["in_hinges"]["mm"], 0.15, 0.01) << "measured on the solids";
+  const std::string described =
+      std::string(panel) + "hinge: {kind: pin, diameter_mm: 1, clearance_mm: 0.2}\n";
+  ASSERT_EQ(exported(scratch, described, "--format stl --process sla --clearance 0.15").code, 0);
+  EXPECT_EQ(said_of(scratch)["clearance_mm"], 0.2) << "the design's own, which this printer can";
+  expect_refused(described, "--format stl --process sla --clearance 0.3", "less than sla prints, 0.3 mm");
+  const Outcome coupon =
+      kinetix_opt("export --coupon --format stl --clearance 0.2 -o " + std::string(scratch / "coupon"));
+  EXPECT_EQ(coupon.code, 2);
+  EXPECT_THAT(coupon.err, HasSubstr("a coupon has gaps of its own"));
+}
+
+TEST(Export, MakesADesignForItsOwnProcess) {
+  const Scratch scratch;
+  const std::string design = std::string(panel) + "process: sla\n";
+  ASSERT_EQ(exported(scratch, design, "--format stl --hinge pin").code, 0);
+  EXPECT_EQ(said_of(scratch)["process"], "sla");
+  ASSERT_EQ(exported(scratch, design, "--format stl --hinge pin --process polyjet").code, 0);
+  EXPECT_EQ(said_of(scratch)["process"], "polyjet");
+  expect_refused(std::string(panel) + "process: fdmm\n", "--format stl", "did you mean `fdm`?");
+  const std::string folder = scratch / "result";
+  ASSERT_EQ(kinetix_opt("simulate " + scratch.write("own.yaml", design) + " -o " + folder).code, 0);
+  EXPECT_THAT(text_of(folder + "/design.yaml"), HasSubstr("process: sla\n")) << "and keeps it";
+}
+
 TEST(Export, CutsALargeSheetIntoTilesThatTheBedHolds) {
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, panel, "--format stl,3mf --hinge pin --bed 45,50").code, 0);
