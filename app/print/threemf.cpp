@@ -103,28 +103,38 @@ std::string slicer_config(const std::string& name, const std::vector<Range>& ran
   return out + " </object>\n</config>\n";
 }
 
-NamedContent package(const std::string& name, const Gaps& gaps, model::Polyhedron all,
+/// What files of one sheet have in common.
+struct Making {
+  Gaps gaps;
+  bool one_material;  // soft parts come from the walls' extruder
+};
+
+NamedContent package(const std::string& name, const Making& making, model::Polyhedron all,
                      const model::Polyhedron& soft) {
   std::vector<Range> ranges{{"hard", 0, 0, all.triangles.size()}};
-  if (!soft.triangles.empty()) ranges.push_back({"soft", 1, all.triangles.size(), soft.triangles.size()});
+  if (making.one_material)
+    ranges.front().count += soft.triangles.size();
+  else if (!soft.triangles.empty())
+    ranges.push_back({"soft", 1, all.triangles.size(), soft.triangles.size()});
   append(soft, all);
-  return {name + ".3mf", zip_text({{"[Content_Types].xml", content_types},
-                                   {"_rels/.rels", relationships},
-                                   {"3D/3dmodel.model", model_xml(name, all, ranges)},
-                                   {"Metadata/Slic3r_PE_model.config", slicer_config(name, ranges, gaps)}})};
+  return {name + ".3mf",
+          zip_text({{"[Content_Types].xml", content_types},
+                    {"_rels/.rels", relationships},
+                    {"3D/3dmodel.model", model_xml(name, all, ranges)},
+                    {"Metadata/Slic3r_PE_model.config", slicer_config(name, ranges, making.gaps)}})};
 }
 
 std::vector<NamedContent> write_threemf(const PrintJob& job) {
   const std::string& name = job.sheet.name;
-  const Gaps gaps = gap_settings(job.sheet);
-  std::vector<NamedContent> files{package(name, gaps, hard_part(job), soft_part(job))};
+  const Making making{gap_settings(job.sheet), job.sheet.is_one_material()};
+  std::vector<NamedContent> files{package(name, making, hard_part(job), soft_part(job))};
   if (job.sheet.loose_rods() > 0)
-    files.push_back(package(name + "_rods", gaps, laid_out_rods(job.sheet), {}));
+    files.push_back(package(name + "_rods", making, laid_out_rods(job.sheet), {}));
   if (job.sheet.tiles.count() > 1)
     for (int tile = 0; tile < job.sheet.tiles.count(); ++tile) {
       TileParts parts = tile_parts(job, tile);
       files.push_back(
-          package(name + "_tile_" + std::to_string(tile + 1), gaps, std::move(parts.hard), parts.soft));
+          package(name + "_tile_" + std::to_string(tile + 1), making, std::move(parts.hard), parts.soft));
     }
   return files;
 }
