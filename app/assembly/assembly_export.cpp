@@ -28,6 +28,7 @@ void refuse_what_makes_sheets(const PrintRequest& request) {
                          " makes sheets; a design of bodies is written as its parts are");
   };
   refuse(!request.hinge.empty(), "--hinge");
+  refuse(request.clearance_mm > 0, "--clearance");
   refuse(request.cell_mm > 0, "--cell-mm");
   refuse(!request.bed_mm.empty(), "--bed");
   refuse(request.loose_rods, "--loose-rods");
@@ -40,6 +41,7 @@ void refuse_what_makes_sheets(const PrintRequest& request) {
 }
 
 const model::Process& process_called(const std::string& name) {
+  if (name.empty()) return model::processes().front();
   std::vector<std::string_view> names;
   for (const model::Process& process : model::processes()) {
     if (process.name == name) return process;

@@ -16,7 +16,7 @@ _kinetix_opt() {
     --hinge) COMPREPLY=($(compgen -W "pin block film" -- "$word")); return ;;
     --state) COMPREPLY=($(compgen -W "flat folded" -- "$word")); return ;;
     -o) COMPREPLY=($(compgen -d -- "$word")); return ;;
-    --threads | --seed | --time-limit | --monte-carlo | --theta-deg | --port | --soft-material) return ;;
+    --threads | --seed | --time-limit | --monte-carlo | --theta-deg | --clearance | --cell-mm | --port | --soft-material) return ;;
   esac
   local options
   case $command in
@@ -24,7 +24,7 @@ _kinetix_opt() {
     simulate) options="$common -o --open --model --theta-deg --drives" ;;
     sweep) options="$common -o --resume" ;;
     check) options="$common" ;;
-    export) options="$common -o --format --process --hinge --cell-mm --bed --loose-rods --orient --slice --coupon --state" ;;
+    export) options="$common -o --format --process --hinge --clearance --cell-mm --bed --loose-rods --orient --slice --coupon --state" ;;
     import) options="$common -o --hard --soft --unit --soft-material --material --hinges" ;;
     view) options="$common --no-open --port" ;;
     *) options="$common --version -o --open --no-verify --time-limit --fidelity --monte-carlo" ;;

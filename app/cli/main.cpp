@@ -66,13 +66,19 @@ void add_export(CLI::App& app, CommandOptions& options, kinetix::app::PrintReque
       ->required()
       ->delimiter(',')
       ->type_name("NAME");
-  app.add_option("--process", request.process, "polyjet, fdm, sla or sls: what it can print is checked")
+  app.add_option("--process", request.process,
+                 "polyjet, fdm, sla or sls: what it can print is checked (default: the design's)")
       ->type_name("NAME");
   app.add_option(
          "--hinge", request.hinge,
          "pin, block or film, where the design does not say how its hinges are made (default: pins where "
          "they fit, else blocks)")
       ->type_name("KIND");
+  app.add_option(
+         "--clearance", request.clearance_mm,
+         "of pins, a side: the least gap of your printer's coupon that turns, instead of the process's")
+      ->type_name("MM")
+      ->check(CLI::Range(0.01, 10.0));
   app.add_option("--cell-mm", request.cell_mm,
                  "makes the sheet with cells of this edge instead of its own; walls stay as thick and high")
       ->type_name("MM")

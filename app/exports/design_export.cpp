@@ -15,6 +15,7 @@ DesignFile design_of(const Run& run) {
   design.own_hinges = run.own_hinges;
   design.drive = run.drive;
   design.side = run.side;
+  if (run.process.name != model::processes().front().name) design.process = run.process.name;
   return design;
 }
 

@@ -6,6 +6,7 @@
 
 #include "app/files/file_header.hpp"
 #include "app/files/lattice_section.hpp"
+#include "app/files/process_section.hpp"
 #include "app/files/wall_node.hpp"
 #include "model/lattice/square/cell_tuple.hpp"
 
@@ -217,6 +218,7 @@ const targets::KeyTable& design_keys() {
       drive_key(),
       {"hinge", value::map(hinge_keys()), {}, "what the hinges are made of"},
       {"physics", value::map(physics_keys()), {}, "settings of the physics run"},
+      process_name_key(),
   });
   return keys;
 }
@@ -233,6 +235,7 @@ DesignFile read_design(const targets::Node& node) {
   check_gaps(root, file);
   const auto physics = file.hinge.model == HingeSection::Model::elastic ? read_elastic_physics : read_physics;
   file.physics = physics(root, file.structure.size().edge_mm);
+  file.process = read_process_name(root);
   return file;
 }
 

@@ -26,6 +26,7 @@ struct DesignFile {
   std::map<int, HingeSection> own_hinges =
       {};  ///< of walls whose hinge is another one, by index of the hinge
   PhysicsSection physics = {};
+  std::string process = {};  ///< that it is to be printed by, by name; empty: it does not say
 };
 
 /// Every key of a design.yaml.

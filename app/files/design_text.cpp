@@ -104,7 +104,8 @@ std::string design_text(const DesignFile& design) {
   return fmt::format("kinetix: 1\nname: \"{}\"\n", design.name) + structure_text(design.structure) +
          fmt::format("design:\n  theta_deg: {}\n", targets::degrees_text(design.theta)) +
          hinges_text(design) + drive_text(design.structure, design.drive, design.side) +
-         hinge_section_text(design.hinge) + physics_text(design.physics);
+         hinge_section_text(design.hinge) + physics_text(design.physics) +
+         (design.process.empty() ? "" : "process: " + design.process + "\n");
 }
 
 }  // namespace kinetix::app

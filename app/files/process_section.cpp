@@ -59,6 +59,16 @@ targets::Key process_key() {
       "the result"};
 }
 
+targets::Key process_name_key() {
+  return {"process", value::choice(process_names()), targets::by_default(process_names().front().c_str()),
+          "what `export` makes it for ([print.md](print.md)), if its `--process` does not say otherwise"};
+}
+
+std::string read_process_name(const targets::Section& root) {
+  const auto node = root.optional("process");
+  return node ? named(*node).name : "";
+}
+
 model::Process read_process(const targets::Section& root) {
   const auto node = root.optional("process");
   if (!node) return model::processes().front();

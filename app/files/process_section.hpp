@@ -16,4 +16,9 @@ model::Process read_process(const targets::Section& root, const model::CellSize&
 /// The same of a file that does not say yet how large the sheet is.
 model::Process read_process(const targets::Section& root);
 
+/// The `process:` key of a design, which names one; its errors are a target's.
+targets::Key process_name_key();
+/// Empty where the design does not say.
+std::string read_process_name(const targets::Section& root);
+
 }  // namespace kinetix::app

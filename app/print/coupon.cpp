@@ -82,7 +82,7 @@ PrintSheet make_coupon(const model::Process& process) {
   sheet.why_no_path = "a coupon's hinges each turn by themselves";
   sheet.warnings = {
       "gaps from 0.1 to 0.6 mm a side, left to right, told by the numbers on them; rows lean by 0, 30 and 60 "
-      "degrees: the least gap that turns is your printer's"};
+      "degrees: the least gap that turns is your printer's, for --clearance"};
   make_solids(sheet);
   for (int h = 0; h < static_cast<int>(sheet.hinges.size()); ++h) add_number(h, sheet);
   return sheet;

@@ -43,10 +43,13 @@ Value named(const char* option, const std::string& name,
                                  targets::joined(names)));
 }
 
-const model::Process& process_of(const PrintRequest& request) {
+/// @param of_design none: it does not say
+const model::Process& process_of(const PrintRequest& request, const std::string& of_design) {
+  const std::string& name = request.process.empty() ? of_design : request.process;
+  if (name.empty()) return model::processes().front();
   std::vector<std::pair<std::string_view, const model::Process*>> all;
   for (const model::Process& process : model::processes()) all.emplace_back(process.name, &process);
-  return *named("--process", request.process, all);
+  return *named("--process", name, all);
 }
 
 /// None where pins are to be used if they fit.
@@ -74,15 +77,18 @@ struct Source {
   std::string name() const { return design ? design->name : "coupon"; }
 
   PreparedPrint prepared_for(const PrintRequest& request) const {
-    const model::Process& process = process_of(request);
+    const model::Process& process = process_of(request, design ? design->process : "");
     if (!design) {
+      if (request.clearance_mm > 0)
+        throw InvalidInput("--clearance is of designs: a coupon has gaps of its own");
       PrintJob job{make_coupon(process), request.folded};
       const PathClearance clearance = path_clearance(job.sheet);
       return {std::move(job), clearance};
     }
     try {
       const std::optional<model::HingeKind> kind = kind_of(request);
-      PrintChoice choice{.loose_rods = request.loose_rods, .edge_mm = request.cell_mm};
+      PrintChoice choice{
+          .clearance_mm = request.clearance_mm, .loose_rods = request.loose_rods, .edge_mm = request.cell_mm};
       if (request.bed_mm.size() == 2) choice.bed_mm = {request.bed_mm[0], request.bed_mm[1]};
       if (!kind) return prepared_as_fits(*design, process, choice, request.folded);
       choice.kind = *kind;
@@ -156,7 +162,7 @@ Exported export_design(const DesignFile& design, const PrintRequest& request, co
 
 int export_command(const CommandOptions& options, const PrintRequest& request) {
   formats_of(request);
-  process_of(request);
+  process_of(request, "");
   const Source source = source_of(request);
   const Exported out = exported(
       source, request, options.folder_given ? options.folder : "results/" + source.name() + "_print");

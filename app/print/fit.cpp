@@ -16,15 +16,23 @@ constexpr double growth = 1.3;         // from one tried cell edge to the next, 
 // Of a pin's height over the wall's, tried in this order: the higher, the stiffer.
 constexpr double lower_shares[] = {0.8, 0.6, 0.4};
 
+std::string named(const PrintSheet& sheet, const LeastDistance& d) {
+  return fmt::format("bodies {} and {}", part_name(sheet, d.first), part_name(sheet, d.second));
+}
+
+/// Of parts that come too near: from where on, and how near.
 std::string words(const PrintSheet& sheet, const PathClearance& clearance) {
-  const LeastDistance& least = clearance.least();
-  return fmt::format(
-      "bodies {} and {} {} at theta {:.1f} deg of {:.1f}, near [{:.1f}, {:.1f}, {:.1f}] mm, where {:g} mm "
-      "were asked",
-      sheet.linkage.vertex_name(least.first), sheet.linkage.vertex_name(least.second),
-      least.mm > 0 ? fmt::format("come to within {:.3f} mm", least.mm) : "run into each other",
-      to_degrees(least.theta), to_degrees(sheet.thetas.back()), least.place.x(), least.place.y(),
-      least.place.z(), clearance.asked_mm);
+  const LeastDistance &first = *clearance.first_too_near, &least = clearance.least();
+  const std::string what = first.asked_mm > 0
+                               ? fmt::format("come nearer to each other than {:g} mm", first.asked_mm)
+                               : "run into each other";
+  const std::string deepest =
+      least.mm > 0 ? fmt::format("; {} are within {:.3f} mm", named(sheet, least), least.mm)
+      : first.mm > 0 || first.asked_mm > 0 ? fmt::format("; {} run into each other", named(sheet, least))
+                                           : "; most of all " + named(sheet, least);
+  return fmt::format("{} {} from theta {:.1f} deg on, near [{:.1f}, {:.1f}, {:.1f}] mm{} at theta {:.1f} deg",
+                     named(sheet, first), what, to_degrees(first.theta), first.place.x(), first.place.y(),
+                     first.place.z(), deepest, to_degrees(least.theta));
 }
 
 /// A sheet that can be printed, or why there is none.

@@ -20,6 +20,9 @@ PrintPath exact_path(const DesignFile& design, const model::ExactMotion& exact, 
     path.thetas.push_back(theta * k / path_steps);
     path.states.push_back(exact.at(path.thetas.back()));
   }
+  path.motion = [at = exact.at, edge = design.structure.size().edge_mm](double there) {
+    return with_edge({at(there)}, 1 / edge).front();
+  };
   return path;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,10 @@ inline constexpr int path_steps = 20;  // that contracts of the figures ask for
 struct PrintPath {
   std::vector<double> thetas;        ///< rad, from 0 on
   std::vector<model::State> states;  ///< for each of them; of a cell edge of 1 mm
-  bool is_exact = true;              ///< by the closed form; else by the equilibrium under the design's drive
-  std::string why_flat_alone = {};   ///< where it is flat alone
+  std::function<model::State(double)> motion =
+      {};                           ///< state at a theta, likewise; empty where it is not exact
+  bool is_exact = true;             ///< by the closed form; else by the equilibrium under the design's drive
+  std::string why_flat_alone = {};  ///< where it is flat alone
 };
 
 /// By the closed form at path_steps even steps; where there is none by the equilibrium of the design's elastic hinges

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/print/gap_settings.hpp"
 #include "app/print/overhang.hpp"
 #include "app/print/parts.hpp"
 #include "app/print/units.hpp"
@@ -37,7 +38,8 @@ Json distance_json(const PrintSheet& sheet, const LeastDistance& d) {
   if (d.first < 0) return nullptr;
   return {{"mm", d.mm},
           {"theta_deg", to_degrees(d.theta)},
-          {"bodies", {sheet.linkage.vertex_name(d.first), sheet.linkage.vertex_name(d.second)}},
+          {"asked_mm", d.asked_mm},
+          {"bodies", {part_name(sheet, d.first), part_name(sheet, d.second)}},
           {"place_mm", vector_json(d.place)}};
 }
 
@@ -64,6 +66,26 @@ Json lies_json(const std::vector<Lie>& all) {
   Json out = Json::object();
   for (const Lie& lie : all) out[std::string(lie.name)] = lie.overhang_mm2;
   return out;
+}
+
+/// A side, at which the first two pieces of the flat sheet meet.
+Json swelling_json(const PrintSheet& sheet, const PathClearance& clearance) {
+  if (sheet.has_soft() || clearance.least().first < 0) return nullptr;
+  return std::max(0.0, clearance.flat_mm / 2);
+}
+
+Json gaps_json(const std::optional<GapSettings>& gaps) {
+  if (!gaps) return nullptr;
+  return {{"closing_radius_mm", gaps->closing_radius_mm},
+          {"elephant_foot_compensation_mm", gaps->elephant_foot_mm},
+          {"xy_compensation_mm", gaps->expansion_mm}};
+}
+
+std::string gap_words(const GapSettings& gaps) {
+  return fmt::format(
+      "slice gap closing radius {:g} mm, elephant foot compensation {:g} mm, XY size compensation {:g} mm: "
+      "set in the 3MF file, to be set by hand for STL",
+      gaps.closing_radius_mm, gaps.elephant_foot_mm, gaps.expansion_mm);
 }
 
 std::string time_words(double seconds) {
@@ -115,7 +137,7 @@ std::vector<std::string> print_warnings(const PrintJob& job) {
     out.push_back(
         "the way to the fold was checked along the equilibrium of the design's hinges: it has no exact "
         "motion");
-  if (job.sheet.has_soft() && !job.sheet.process.joins_two)
+  if (job.sheet.has_soft() && !job.sheet.process.joins_two && !job.sheet.is_one_material())
     out.push_back(job.sheet.process.name +
                   " prints one material: soft parts are a print of their own, to be glued to the walls");
   if (!job.folded && exceeds_bed(job))
@@ -153,6 +175,8 @@ Json print_json(const PrintJob& job, const PathClearance& clearance,
       {"hinges", sheet.hinges.size()},
       {"volume_mm3", {{"hard", volume_mm3(hard)}, {"soft", soft.points.empty() ? 0.0 : volume_mm3(soft)}}},
       {"clearance_mm", made.kind == model::HingeKind::pin ? made.clearance_mm : 0.0},
+      {"swelling_mm", swelling_json(sheet, clearance)},
+      {"gap_settings", gaps_json(gap_settings(sheet))},
       {"bounds_mm", vector_json(bounds(whole_print(job)))},
       {"orientation", job.lie},
       {"overhang_mm2", lies_json(lies(job))},
@@ -163,7 +187,7 @@ Json print_json(const PrintJob& job, const PathClearance& clearance,
       {"path",
        {{"states", sheet.path.size()},
         {"theta_deg", to_degrees(sheet.thetas.back())},
-        {"asked_mm", clearance.asked_mm},
+        {"asked_mm", clearance.least().asked_mm},
         {"in_hinges", distance_json(sheet, clearance.in_hinges)},
         {"elsewhere", distance_json(sheet, clearance.elsewhere)}}},
       {"warnings", print_warnings(job)}};
@@ -195,8 +219,7 @@ std::string print_text(const PrintJob& job, const PathClearance& clearance,
                        ? "none"
                        : fmt::format("under walls that lean more than {:g} degrees: up to {:.1f} here",
                                      steep_deg, steep));
-  if (sheet.kind() == model::HingeKind::pin)
-    line("gaps", "no elephant foot, no horizontal expansion, gap closing radius below half of the clearance");
+  if (const auto gaps = gap_settings(sheet)) line("gaps", gap_words(*gaps));
   const LeastDistance& least = clearance.least();
   if (least.first >= 0 && sheet.path.size() > 1)
     line("fold",

@@ -9,10 +9,11 @@ namespace kinetix::app {
 struct PrintRequest {
   std::string source;                ///< a design, or the folder of a result
   std::vector<std::string> formats;  ///< by name; "all": every one
-  std::string process = "polyjet";   ///< by name
+  std::string process;               ///< by name; empty: the design's, else polyjet
   std::string
       hinge;  ///< pin, block or film where the design does not say; empty: pins where they fit, else blocks
-  double cell_mm = 0;  ///< cell edge instead of the design's, mm; 0: the design's
+  double clearance_mm = 0;  ///< of pins, the least of this printer, mm; 0: the process's
+  double cell_mm = 0;       ///< cell edge instead of the design's, mm; 0: the design's
   std::vector<double>
       bed_mm;  ///< x and y of the printer's bed: a larger sheet is cut into tiles; empty: it is not
   bool loose_rods = false;      ///< rods of pins as parts of their own

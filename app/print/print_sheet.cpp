@@ -41,6 +41,9 @@ double turn_of(const model::RestHinge& hinge, const model::State& state) {
   return std::copysign(std::atan2(twice_sine.norm(), turn.trace() - 1), twice_sine.dot(hinge.axis));
 }
 
+/// FDM prints walls and films of polypropylene, SLS of its one powder; for others a film is a strip of its own.
+const char* film_material(const model::Process& process) { return process.name == "sls" ? "pa12" : "pp"; }
+
 /// A hinge that the design does not describe.
 model::MadeHinge default_hinge(const PrintChoice& choice, const model::Process& process,
                                const model::CellSize& size) {
@@ -55,7 +58,7 @@ model::MadeHinge default_hinge(const PrintChoice& choice, const model::Process& 
     return hinge;
   }
   const bool film = choice.kind == HingeKind::film;
-  hinge.material = *model::find_material(film ? "pp" : process.rubber);
+  hinge.material = *model::find_material(film ? film_material(process) : process.rubber);
   hinge.thickness_mm = film ? std::min(film_mm, size.thickness_mm) : size.thickness_mm;
   return hinge;
 }
@@ -84,9 +87,14 @@ class SheetMaker {
       : design_(design), choice_(choice), structure_(resized(design.structure, choice, process)) {
     sheet_.name = design.name;
     sheet_.process = process;
+    if (choice.clearance_mm > 0) sheet_.process.clearance_mm = choice.clearance_mm;
     sheet_.linkage = structure_;
     sheet_.path = with_edge(path.states, structure_.size().edge_mm);
     sheet_.thetas = path.thetas;
+    if (path.motion)
+      sheet_.motion = [at = path.motion, edge = structure_.size().edge_mm](double theta) {
+        return with_edge({at(theta)}, edge).front();
+      };
     sheet_.is_path_exact = path.is_exact;
     sheet_.why_no_path = path.why_flat_alone;
   }
@@ -186,6 +194,12 @@ class SheetMaker {
 bool PrintSheet::has_soft() const {
   return std::any_of(soft.begin(), soft.end(),
                      [](const model::Polyhedron& part) { return !part.points.empty(); });
+}
+
+bool PrintSheet::is_one_material() const {
+  return has_soft() && (process.name == "fdm" || process.name == "sls") &&
+         std::none_of(hinges.begin(), hinges.end(),
+                      [](const model::HingePrint& h) { return h.made.kind == HingeKind::block; });
 }
 
 int PrintSheet::loose_rods() const {

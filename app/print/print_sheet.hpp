@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,11 +29,14 @@ struct PrintSheet {
   Tiles tiles = {};  ///< what is printed together
   std::vector<model::State> path;  ///< from flat to the fold (PrintPath); flat alone where no motion is known
   std::vector<double> thetas;      ///< of the path, rad
-  bool is_path_exact = true;       ///< else of the equilibrium under the design's drive
-  std::string why_no_path = {};    ///< where it is flat alone
-  std::vector<std::string> warnings = {};  ///< what its user should know
+  std::function<model::State(double)> motion = {};  ///< at a theta, rad; empty where it is not exact
+  bool is_path_exact = true;                        ///< else of the equilibrium under the design's drive
+  std::string why_no_path = {};                     ///< where it is flat alone
+  std::vector<std::string> warnings = {};           ///< what its user should know
 
   bool has_soft() const;
+  /// Whether its films are thin walls of the same print: those of FDM and SLS, which can be as thin as a film.
+  bool is_one_material() const;
   int loose_rods() const;
   /// A body with the loose rods of its hinges that it carries (as the lower one), relative to its rest position.
   model::Polyhedron with_rods(int body) const;
@@ -44,7 +48,8 @@ struct PrintSheet {
 struct PrintChoice {
   model::HingeKind kind = model::HingeKind::pin;
   double height_share =
-      1;              ///< of a pin's height over the wall's: lower ones leave room where walls lean, (0, 1]
+      1;  ///< of a pin's height over the wall's: lower ones leave room where walls lean, (0, 1]
+  double clearance_mm = 0;  ///< least of a pin instead of the process's, mm; 0: the process's
   bool alike = true;  ///< blocks and films as long everywhere as the longest; else each as long as it needs
   bool loose_rods = false;  ///< rods of pins are parts of their own; else only where two tiles meet
   std::optional<Eigen::Vector2d> bed_mm = {};  ///< of the printer: a larger sheet is cut into tiles

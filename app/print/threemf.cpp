@@ -3,6 +3,7 @@
 #include <iterator>
 
 #include "app/print/formats.hpp"
+#include "app/print/gap_settings.hpp"
 #include "app/print/parts.hpp"
 #include "app/print/zip_text.hpp"
 
@@ -74,12 +75,24 @@ std::string model_xml(const std::string& name, const model::Polyhedron& all,
          "</build>\n</model>\n";
 }
 
+using Gaps = std::optional<GapSettings>;
+
+std::string gap_config(const GapSettings& gaps) {
+  std::string out;
+  for (const auto& [key, mm] : {std::pair{"slice_closing_radius", gaps.closing_radius_mm},
+                                {"elefant_foot_compensation", gaps.elephant_foot_mm},
+                                {"xy_size_compensation", gaps.expansion_mm}})
+    out += fmt::format("  <metadata type=\"object\" key=\"{}\" value=\"{:.6g}\"/>\n", key, mm);
+  return out;
+}
+
 /// What PrusaSlicer reads: the ranges as volumes, each with its extruder.
-std::string slicer_config(const std::string& name, const std::vector<Range>& ranges) {
+std::string slicer_config(const std::string& name, const std::vector<Range>& ranges, const Gaps& gaps) {
   std::string out = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<config>\n <object id=\"2\" instances_count=\"1\">\n"
       "  <metadata type=\"object\" key=\"name\" value=\"{}\"/>\n",
       escaped(name));
+  if (gaps) out += gap_config(*gaps);
   for (const Range& range : ranges)
     out += fmt::format(
         "  <volume firstid=\"{}\" lastid=\"{}\">\n"
@@ -90,24 +103,38 @@ std::string slicer_config(const std::string& name, const std::vector<Range>& ran
   return out + " </object>\n</config>\n";
 }
 
-NamedContent package(const std::string& name, model::Polyhedron all, const model::Polyhedron& soft) {
+/// What files of one sheet have in common.
+struct Making {
+  Gaps gaps;
+  bool one_material;  // soft parts come from the walls' extruder
+};
+
+NamedContent package(const std::string& name, const Making& making, model::Polyhedron all,
+                     const model::Polyhedron& soft) {
   std::vector<Range> ranges{{"hard", 0, 0, all.triangles.size()}};
-  if (!soft.triangles.empty()) ranges.push_back({"soft", 1, all.triangles.size(), soft.triangles.size()});
+  if (making.one_material)
+    ranges.front().count += soft.triangles.size();
+  else if (!soft.triangles.empty())
+    ranges.push_back({"soft", 1, all.triangles.size(), soft.triangles.size()});
   append(soft, all);
-  return {name + ".3mf", zip_text({{"[Content_Types].xml", content_types},
-                                   {"_rels/.rels", relationships},
-                                   {"3D/3dmodel.model", model_xml(name, all, ranges)},
-                                   {"Metadata/Slic3r_PE_model.config", slicer_config(name, ranges)}})};
+  return {name + ".3mf",
+          zip_text({{"[Content_Types].xml", content_types},
+                    {"_rels/.rels", relationships},
+                    {"3D/3dmodel.model", model_xml(name, all, ranges)},
+                    {"Metadata/Slic3r_PE_model.config", slicer_config(name, ranges, making.gaps)}})};
 }
 
 std::vector<NamedContent> write_threemf(const PrintJob& job) {
   const std::string& name = job.sheet.name;
-  std::vector<NamedContent> files{package(name, hard_part(job), soft_part(job))};
-  if (job.sheet.loose_rods() > 0) files.push_back(package(name + "_rods", laid_out_rods(job.sheet), {}));
+  const Making making{gap_settings(job.sheet), job.sheet.is_one_material()};
+  std::vector<NamedContent> files{package(name, making, hard_part(job), soft_part(job))};
+  if (job.sheet.loose_rods() > 0)
+    files.push_back(package(name + "_rods", making, laid_out_rods(job.sheet), {}));
   if (job.sheet.tiles.count() > 1)
     for (int tile = 0; tile < job.sheet.tiles.count(); ++tile) {
       TileParts parts = tile_parts(job, tile);
-      files.push_back(package(name + "_tile_" + std::to_string(tile + 1), std::move(parts.hard), parts.soft));
+      files.push_back(
+          package(name + "_tile_" + std::to_string(tile + 1), making, std::move(parts.hard), parts.soft));
     }
   return files;
 }

@@ -462,6 +462,7 @@ void Session::export_files(const Message& message) {
   request.formats = message.texts("formats");
   if (message.has("process")) request.process = message.text("process");
   if (message.has("hinge")) request.hinge = message.text("hinge");
+  if (message.has("clearance_mm")) request.clearance_mm = message.number("clearance_mm", 0.01, 10);
   DesignFile design = history_.current();
   if (std::abs(player_.theta()) > 0) design.theta = player_.theta();
   const fs::path beside = fs::path(opened_.save_file).parent_path();

@@ -43,7 +43,8 @@ void try_all(const DesignFile& design, Tally& tally) {
             app::prepared(design, *model::find_process(process), {.kind = kind}, false);
         ++tally.exported;
         for (const model::Polyhedron& mesh : print.job.sheet.meshes) tally.crossing += !is_closed(mesh);
-        tally.least_left = std::min(tally.least_left, print.clearance.least().mm - print.clearance.asked_mm);
+        tally.least_left =
+            std::min(tally.least_left, print.clearance.least().mm - print.clearance.least().asked_mm);
       } catch (const InvalidInput& e) {
         ++tally.refused;
         const std::string why = e.what();

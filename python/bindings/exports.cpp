@@ -27,6 +27,7 @@ void add_exports(py::module_& core) {
       .def_readwrite("formats", &PrintRequest::formats)
       .def_readwrite("process", &PrintRequest::process)
       .def_readwrite("hinge", &PrintRequest::hinge)
+      .def_readwrite("clearance_mm", &PrintRequest::clearance_mm)
       .def_readwrite("cell_mm", &PrintRequest::cell_mm)
       .def_readwrite("bed_mm", &PrintRequest::bed_mm)
       .def_readwrite("loose_rods", &PrintRequest::loose_rods)

@@ -77,6 +77,7 @@ class PrintRequest:
     formats: List[str]
     process: str
     hinge: str
+    clearance_mm: float
     cell_mm: float
     bed_mm: List[float]
     loose_rods: bool

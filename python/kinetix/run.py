@@ -83,15 +83,16 @@ class Exported(NamedTuple):
 
 
 def export(design: Union[Design, Source, Result], formats: Union[str, Sequence[str]],
-           folder: "str | os.PathLike[str]", *, process: str = "polyjet", hinge: str = "", cell_mm: float = 0,
-           bed_mm: Optional[Tuple[float, float]] = None, loose_rods: bool = False, folded: bool = False,
+           folder: "str | os.PathLike[str]", *, process: str = "", hinge: str = "", clearance_mm: float = 0,
+           cell_mm: float = 0, bed_mm: Optional[Tuple[float, float]] = None, loose_rods: bool = False, folded: bool = False,
            orient: str = "flat", slice: bool = False) -> Exported:
     """Writes a design for printers, CAD and simulators: all files or none.
 
-    :param formats: names, or ``all``: stl, 3mf, step, svg, dxf, mjcf, glb
+    :param formats: names, or ``all``: stl, 3mf, step, svg, dxf, mjcf, glb, scad
     :param folder: for the files
-    :param process: polyjet, fdm, sla or sls: what it can print is checked
+    :param process: polyjet, fdm, sla or sls: what it can print is checked; by default the design's, else polyjet
     :param hinge: pin, block or film where the design does not say; by default pins where they fit, else blocks
+    :param clearance_mm: of pins, a side: the least gap of the printer's coupon that turns; 0: the process's
     :param cell_mm: cells of this edge instead of the design's own; 0: its own
     :param bed_mm: x and y of the printer's bed: a larger sheet is cut into tiles
     :param loose_rods: rods of pins as parts of their own
@@ -105,6 +106,7 @@ def export(design: Union[Design, Source, Result], formats: Union[str, Sequence[s
     request = _core.PrintRequest()
     request.formats = [formats] if isinstance(formats, str) else list(formats)
     request.process, request.hinge, request.cell_mm, request.orient = process, hinge, cell_mm, orient
+    request.clearance_mm = clearance_mm
     request.bed_mm = list(bed_mm) if bed_mm is not None else []
     request.loose_rods, request.folded, request.slice = loose_rods, folded, slice
     files, report = _core.export_files(of._core, os.fspath(folder), request)

@@ -53,6 +53,7 @@ void expect_same(const DesignFile& a, const DesignFile& b) {
   EXPECT_EQ(a.hinge, b.hinge);
   EXPECT_EQ(a.own_hinges, b.own_hinges);
   EXPECT_EQ(a.physics, b.physics);
+  EXPECT_EQ(a.process, b.process);
 }
 
 TEST(DesignFile, TakesHingesAsTheyAreMade) {
@@ -107,6 +108,7 @@ TEST(DesignFile, WritesHingesAsMadeBitForBit) {
     if (round % 3 == 0) file.own_hinges[5].k->rock = unit(random);
     if (round % 4 == 0) file.own_hinges[5].k->twist = unit(random);
     file.own_hinges[5].reach_mm = unit(random);
+    if (round % 2 == 0) file.process = model::processes()[round % 4].name;
     expect_same(read(design_text(file)), file);
   }
 }

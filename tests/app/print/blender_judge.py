@@ -1,5 +1,5 @@
 """Run by Blender: `blender -b --factory-startup --python blender_judge.py -- FILE.glb`. Says what it finds in the file:
-objects with a mesh, how many of them move, materials, and the last frame."""
+objects with a mesh, how many of them move, materials, the last frame, and where each object is then (rows of its matrix, metres)."""
 import sys
 
 import bpy
@@ -9,9 +9,11 @@ numpy.bool = bool  # Debian 12: the importer of Blender 3.4 asks for a name that
 bpy.ops.wm.read_factory_settings(use_empty=True)
 bpy.ops.import_scene.gltf(filepath=sys.argv[-1])
 meshes = [o for o in bpy.data.objects if o.type == "MESH"]
-last = max(int(action.frame_range[1]) for action in bpy.data.actions)
+last = max(action.frame_range[1] for action in bpy.data.actions)
 bpy.context.scene.frame_set(0)
 flat = {o.name: o.matrix_world.copy() for o in meshes}
-bpy.context.scene.frame_set(last)
+bpy.context.scene.frame_set(int(last), subframe=last - int(last))
 moved = sum(max(abs(a - b) for p, q in zip(o.matrix_world, flat[o.name]) for a, b in zip(p, q)) > 1e-6 for o in meshes)
 print("objects", len(meshes), "moved", moved, "materials", len(bpy.data.materials), "last", last)
+for o in meshes:
+    print("pose", o.name, "|", *(f"{number:.9g}" for row in o.matrix_world[:3] for number in row))

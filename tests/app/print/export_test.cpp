@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,7 +13,10 @@
 #include "app/print/overhang.hpp"
 #include "app/print/raised_text.hpp"
 #include "app/print/slicer.hpp"
+#include "app/print/zip_text.hpp"
 #include "app/report/report.hpp"
+#include "model/base/invalid_input.hpp"
+#include "model/linkage/state.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/schema_errors.hpp"
 #include "tests/support/stl_volume.hpp"
@@ -95,6 +99,31 @@ TEST(Export, SaysTheVolumesOfItsFiles) {
   EXPECT_NEAR((hard + soft) / all, 1, 1e-6);
 }
 
+/// The radius is the slicer's own, or less where that would close the pins.
+TEST(Export, NamesTheSettingsThatKeepGapsOpen) {
+  for (const auto& [process, radius_mm, foot_mm] :
+       {std::tuple{"polyjet", 0.4 * 0.05, 0.0}, {"sla", 0.049, 0.2}}) {
+    const Scratch scratch;
+    const std::string choice = std::string("--hinge pin --process ") + process;
+    ASSERT_EQ(exported(scratch, panel, "--format 3mf " + choice).code, 0);
+    const Json said = said_of(scratch)["gap_settings"];
+    EXPECT_NEAR(said["closing_radius_mm"], radius_mm, 1e-12);
+    EXPECT_EQ(said["elephant_foot_compensation_mm"], foot_mm);
+    EXPECT_EQ(said["xy_compensation_mm"], 0);
+    EXPECT_THAT(text_of(scratch / "out/print.txt"),
+                HasSubstr(fmt::format("gap closing radius {:g} mm, elephant foot compensation {:g} mm",
+                                      radius_mm, foot_mm)));
+    const std::string config = app::text_in_zip(scratch / "out/panel.3mf", "Metadata/Slic3r_PE_model.config");
+    for (const auto& [key, mm] : {std::pair{"slice_closing_radius", radius_mm},
+                                  {"elefant_foot_compensation", foot_mm},
+                                  {"xy_size_compensation", 0.0}})
+      EXPECT_THAT(config, HasSubstr(fmt::format("key=\"{}\" value=\"{:g}\"", key, mm)));
+  }
+  const Scratch scratch;
+  ASSERT_EQ(exported(scratch, panel, "--format 3mf --hinge block").code, 0);
+  EXPECT_TRUE(said_of(scratch)["gap_settings"].is_null());
+}
+
 /// Rods of their own hold as much as those that are part of a fork: bores and rods have the same circle but for polygons.
 TEST(Export, MakesLooseRodsThatFillTheBoresOfTheirForks) {
   const Scratch captive, loose;
@@ -108,6 +137,37 @@ TEST(Export, MakesLooseRodsThatFillTheBoresOfTheirForks) {
   EXPECT_NEAR(volume_of_stl(text_of(loose / "out/rods.stl")), 17 * M_PI / 4 * 6, 0.02 * 17 * M_PI / 4 * 6)
       << "17 rods of 1 x 6 mm, as polygons";
   EXPECT_FALSE(fs::exists(captive / "out/rods.stl"));
+}
+
+TEST(Export, TakesTheClearanceOfACouponInsteadOfTheProcesss) {
+  const Scratch scratch;
+  ASSERT_EQ(exported(scratch, panel, "--format stl --process sla --hinge pin --clearance 0.15").code, 0);
+  const Json json = said_of(scratch);
+  EXPECT_EQ(json["clearance_mm"], 0.15);
+  EXPECT_EQ(json["process"], "sla");
+  EXPECT_NEAR(json["path"]["in_hinges"]["mm"], 0.15, 0.01) << "measured on the solids";
+  const std::string described =
+      std::string(panel) + "hinge: {kind: pin, diameter_mm: 1, clearance_mm: 0.2}\n";
+  ASSERT_EQ(exported(scratch, described, "--format stl --process sla --clearance 0.15").code, 0);
+  EXPECT_EQ(said_of(scratch)["clearance_mm"], 0.2) << "the design's own, which this printer can";
+  expect_refused(described, "--format stl --process sla --clearance 0.3", "less than sla prints, 0.3 mm");
+  const Outcome coupon =
+      kinetix_opt("export --coupon --format stl --clearance 0.2 -o " + std::string(scratch / "coupon"));
+  EXPECT_EQ(coupon.code, 2);
+  EXPECT_THAT(coupon.err, HasSubstr("a coupon has gaps of its own"));
+}
+
+TEST(Export, MakesADesignForItsOwnProcess) {
+  const Scratch scratch;
+  const std::string design = std::string(panel) + "process: sla\n";
+  ASSERT_EQ(exported(scratch, design, "--format stl --hinge pin").code, 0);
+  EXPECT_EQ(said_of(scratch)["process"], "sla");
+  ASSERT_EQ(exported(scratch, design, "--format stl --hinge pin --process polyjet").code, 0);
+  EXPECT_EQ(said_of(scratch)["process"], "polyjet");
+  expect_refused(std::string(panel) + "process: fdmm\n", "--format stl", "did you mean `fdm`?");
+  const std::string folder = scratch / "result";
+  ASSERT_EQ(kinetix_opt("simulate " + scratch.write("own.yaml", design) + " -o " + folder).code, 0);
+  EXPECT_THAT(text_of(folder + "/design.yaml"), HasSubstr("process: sla\n")) << "and keeps it";
 }
 
 TEST(Export, CutsALargeSheetIntoTilesThatTheBedHolds) {
@@ -150,6 +210,35 @@ TEST(Export, RefusesWhatItCannotMake) {
                  "--format stl --process sla", "a clearance of 0.05 mm is less than sla prints, 0.25 mm");
   expect_refused(std::string(panel) + "hinge: {kind: pin, diameter_mm: 1, clearance_mm: 0.4}\n",
                  "--format stl --process fdm", "a rod of 1 mm is less than fdm prints, 3 mm");
+}
+
+/// Thin walls of the same plastic: one extruder, nothing to glue.
+TEST(Export, MakesFilmsOfTheWallsMaterialWhereTheProcessPrintsThem) {
+  for (const auto& [process, material, volumes] :
+       {std::tuple{"fdm", "pp", 1}, {"sls", "pa12", 1}, {"polyjet", "pp", 2}, {"sla", "pp", 2}}) {
+    const Scratch scratch;
+    const std::string choice = std::string("--hinge film --process ") + process;
+    ASSERT_EQ(exported(scratch, panel, "--format 3mf " + choice).code, 0);
+    const std::string config = app::text_in_zip(scratch / "out/panel.3mf", "Metadata/Slic3r_PE_model.config");
+    EXPECT_EQ(config.find("key=\"extruder\" value=\"2\"") == std::string::npos, volumes == 1) << process;
+    const std::string text = text_of(scratch / "out/print.txt");
+    EXPECT_THAT(text, HasSubstr(std::string("films of ") + material + ":"));
+    EXPECT_EQ(text.find("to be glued") != std::string::npos, std::string(process) == "sla") << text;
+  }
+}
+
+/// Of a sheet in memory: files have at least one wall.
+TEST(Export, RefusesADesignWithoutHinges) {
+  const Scratch scratch;
+  app::DesignFile design = app::read_design(scratch.write("panel.yaml", panel));
+  design.structure.squares()->hinges.clear();
+  const app::PrintPath flat{{0}, {rest_state(model::Linkage(design.structure))}};
+  try {
+    make_print_sheet(design, flat, model::processes().front(), {});
+    FAIL();
+  } catch (const InvalidInput& e) {
+    EXPECT_THAT(e.what(), HasSubstr("the design has no hinges"));
+  }
 }
 
 TEST(Export, RefusesAHingeOnAJunctionAndSaysWhichCellWouldDo) {
@@ -200,6 +289,62 @@ TEST(Export, RefusesThetaAtWhichKnucklesMeet) {
   const std::string design =
       std::string(panel).replace(std::string(panel).find("theta_deg: 20"), 13, "theta_deg: 38");
   expect_refused(design, "--format stl --hinge pin", "run into each other at theta");
+}
+
+/// Opposite knuckles come to L (cos theta - sin theta) of each other, less their width: here to the clearance but for what
+/// polygons may take of it.
+TEST(Export, SaysFromWhichThetaOnSolidsAreTooNear) {
+  const Scratch scratch;
+  const std::string design =
+      std::string(panel).replace(std::string(panel).find("theta_deg: 20"), 13, "theta_deg: 38");
+  const Outcome run = exported(scratch, design, "--format stl --hinge pin");
+  std::smatch from;
+  ASSERT_TRUE(std::regex_search(
+      run.err, from, std::regex(R"(come nearer to each other than 0.05 mm from theta ([0-9.]+) deg on)")))
+      << run.err;
+  const double knuckle = 1 + 2 * (0.05 + 0.6), asked = 0.05 - 0.01, share = (knuckle + asked) / 12;
+  const double closed_form = 180 / M_PI * std::acos(share / std::sqrt(2)) - 45;
+  EXPECT_NEAR(std::stod(from[1]), closed_form, 0.25) << "0.02 mm of polygons, 0.1 degrees of rounding";
+}
+
+/// One block in the middle of pins: they are still held to their clearance.
+TEST(Export, HoldsPinsBesideABlockToTheirOwnClearance) {
+  std::string design = panel;
+  design.replace(
+      design.find("{theta_deg: 20}"), 15,
+      "{theta_deg: 38, hinges: [{wall: [[0, 0], [1, 0]], hinge: {kind: block, material: tango, gap_mm: "
+      "3, thickness_mm: 0.8, height_mm: 6}}]}");
+  expect_refused(design, "--format stl --hinge pin", "come nearer to each other than 0.05 mm from theta");
+  design.replace(design.find("38"), 2, "20");
+  const Scratch scratch;
+  ASSERT_EQ(exported(scratch, design, "--format stl --hinge pin").code, 0);
+  const Json json = said_of(scratch);
+  EXPECT_EQ(json["path"]["in_hinges"]["asked_mm"], 0.05);
+  EXPECT_EQ(json["path"]["elsewhere"]["asked_mm"], 0.05);
+  EXPECT_TRUE(json["swelling_mm"].is_null()) << "its parts are joined";
+}
+
+/// A block so long that it crosses the wall of another body, once its own two have turned away from it.
+TEST(PathClearance, CountsBlocks) {
+  const Scratch scratch;
+  app::PreparedPrint print =
+      app::prepared(app::read_design(scratch.write("panel.yaml", panel)), *model::find_process("polyjet"),
+                    {.kind = model::HingeKind::block}, false);
+  app::PrintSheet& sheet = print.job.sheet;
+  ASSERT_TRUE(is_kept(print.clearance));
+  ASSERT_TRUE(is_kept(path_clearance(sheet))) << "as it was";
+  for (Eigen::Vector3d& p : sheet.soft[0].points) p.x() += p.x() > 6 ? 12 : 0;
+  const app::PathClearance wrong = path_clearance(sheet);
+  EXPECT_FALSE(is_kept(wrong));
+  EXPECT_EQ(wrong.first_too_near->theta, 0);
+  EXPECT_THAT(part_name(sheet, std::max(wrong.least().first, wrong.least().second)),
+              HasSubstr("soft part of "));
+}
+
+TEST(Export, SaysHowFarPartsMaySwell) {
+  const Scratch scratch;
+  ASSERT_EQ(exported(scratch, panel, "--format stl --hinge pin --process sla").code, 0);
+  EXPECT_NEAR(said_of(scratch)["swelling_mm"], 0.25 / 2, 1e-9) << "rods and bores, and eyes between forks";
 }
 
 TEST(Export, RefusesAFolderThatCannotBeWritten) {

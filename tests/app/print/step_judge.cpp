@@ -2,12 +2,12 @@
 
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
+#include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <Quantity_Color.hxx>
 #include <STEPCAFControl_Reader.hxx>
-#include <STEPControl_Reader.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
@@ -34,12 +34,7 @@ std::string colour_of(const Handle(XCAFDoc_ColorTool) & colours, const TDF_Label
   return Quantity_Color::ColorToHex(colour).ToCString();
 }
 
-void read_parts(const std::string& file, StepVerdict& verdict) {
-  Handle(TDocStd_Document) document;
-  XCAFApp_Application::GetApplication()->NewDocument("MDTV-XCAF", document);
-  STEPCAFControl_Reader reader;
-  reader.ReadFile(file.c_str());
-  reader.Transfer(document);
+void count_names(const Handle(TDocStd_Document) & document, StepVerdict& verdict) {
   const Handle(XCAFDoc_ShapeTool) shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
   const Handle(XCAFDoc_ColorTool) colours = XCAFDoc_DocumentTool::ColorTool(document->Main());
   TDF_LabelSequence roots, parts;
@@ -51,18 +46,9 @@ void read_parts(const std::string& file, StepVerdict& verdict) {
     ++verdict.names[first_word(part)];
     ++verdict.colours[colour_of(colours, shape)];
   }
-  XCAFApp_Application::GetApplication()->Close(document);
 }
 
-}  // namespace
-
-StepVerdict read_step(const std::string& file) {
-  Message::DefaultMessenger()->ChangePrinters().Clear();
-  StepVerdict verdict;
-  STEPControl_Reader reader;
-  if (reader.ReadFile(file.c_str()) != IFSelect_RetDone) return verdict;
-  reader.TransferRoots();
-  const TopoDS_Shape shape = reader.OneShape();
+void judge(const TopoDS_Shape& shape, StepVerdict& verdict) {
   verdict.valid = BRepCheck_Analyzer(shape).IsValid();
   for (TopExp_Explorer solids(shape, TopAbs_SOLID); solids.More(); solids.Next()) {
     GProp_GProps properties;
@@ -70,7 +56,25 @@ StepVerdict read_step(const std::string& file) {
     verdict.volume_mm3 += properties.Mass();
     ++verdict.solids;
   }
-  read_parts(file, verdict);
+  for (TopExp_Explorer shells(shape, TopAbs_SHELL); shells.More(); shells.Next()) {
+    ++verdict.shells;
+    verdict.open_shells += !BRep_Tool::IsClosed(shells.Current());
+  }
+}
+
+}  // namespace
+
+StepVerdict read_step(const std::string& file) {
+  Message::DefaultMessenger()->ChangePrinters().Clear();
+  StepVerdict verdict;
+  Handle(TDocStd_Document) document;
+  XCAFApp_Application::GetApplication()->NewDocument("MDTV-XCAF", document);
+  STEPCAFControl_Reader reader;
+  if (reader.ReadFile(file.c_str()) == IFSelect_RetDone && reader.Transfer(document)) {
+    judge(reader.Reader().OneShape(), verdict);
+    count_names(document, verdict);
+  }
+  XCAFApp_Application::GetApplication()->Close(document);
   return verdict;
 }
 

@@ -197,10 +197,11 @@ TEST_F(Studio, WakesUpToThePresent) {
 }
 
 TEST_F(Studio, ExportsFilesForThePrinter) {
-  client.send(R"({"type": "export", "formats": ["stl"], "process": "polyjet"})");
+  client.send(R"({"type": "export", "formats": ["stl"], "process": "polyjet", "clearance_mm": 0.12})");
   const json out = client.text("exported");
   EXPECT_THAT(out["files"].get<std::vector<std::string>>(), ::testing::Contains("all.stl"));
   EXPECT_TRUE(std::filesystem::exists(out["folder"].get<std::string>() + "/all.stl"));
+  EXPECT_THAT(out["summary"].get<std::string>(), ::testing::HasSubstr("clearance 0.12 mm a side"));
 }
 
 constexpr const char* target = R"(kinetix: 1

@@ -19,10 +19,10 @@ export class MakePanel {
   }
 
   async export() {
-    const formats = [...document.querySelectorAll('input[name="format"]:checked')].map(({value}) => value), process = $("export").elements.process.value;
+    const formats = [...document.querySelectorAll('input[name="format"]:checked')].map(({value}) => value), {process: {value: process}, clearance_mm: {value: clearance}} = $("export").elements;
     if (!formats.length) return status("choose a format first");
     status("exporting\u2026");
-    await this.connection.send("export", {formats, ...(process ? {process} : {})}).catch(() => status("nothing was written"));
+    await this.connection.send("export", {formats, ...(process ? {process} : {}), ...(clearance ? {clearance_mm: Number(clearance)} : {})}).catch(() => status("nothing was written"));
   }
 
   showExported() {
