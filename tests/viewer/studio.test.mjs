@@ -94,6 +94,7 @@ test("physics: drag, fix, pause", async () => {
   await page.waitForFunction((x) => Math.abs(window.kinetix.poses()[80][0] - x) > 1, {timeout: 20000}, q[0]);
   const held = await page.evaluate(() => window.kinetix.poses()[0]);
   near(Math.hypot(held[0] - p[0], held[1] - p[1], held[2] - p[2]), 0, 0.5, "the fixed body stays");
+  assert.equal(await text("reading_force"), "needs springs", "rigid hinges have no unit of force");
   await page.evaluate(() => window.kinetix.release());
   await page.click("#pause");
   await page.waitForFunction(() => window.kinetix.state.paused);
@@ -152,6 +153,49 @@ test("a bracelet for a wrist of 170 mm, and its files", async () => {
   assert.deepEqual(other.complaints, []);
   await other.page.close();
   await fresh.stop();
+});
+
+test("a letter that appears when pressed, and its files", async () => {
+  const fresh = await serve("", folder()), other = await open(chrome, fresh.address), letter = other.page;
+  await letter.click("#tab_goal");
+  await letter.click('label:has(input[value="letter"])');
+  await letter.click("#search");
+  await letter.waitForFunction(() => !document.getElementById("found").hidden, {timeout: 90000});
+  assert.match(await letter.$eval("#found_title", (node) => node.textContent), /meets the goal/);
+  assert.equal(await letter.$eval("#colour", (select) => select.value), "light");
+  const sizes = [];  // places of the bodies, let go and pressed
+  for (const share of [0, 1]) {
+    const deg = await letter.$eval("#theta", (slider, part) => {
+      slider.value = Number(slider.min) + part * (Number(slider.max) - Number(slider.min));
+      slider.dispatchEvent(new Event("input"));
+      return Number(slider.value);
+    }, share);
+    await letter.waitForFunction((goal) => Math.abs(window.kinetix.theta() - goal) < 0.2, {timeout: 10000}, deg);
+    sizes.push(await letter.evaluate(() => window.kinetix.poses().map(([x, y]) => [x, y])));
+  }
+  const reach = (points) => Math.max(...points.map(([x]) => x)) - Math.min(...points.map(([x]) => x));
+  assert.ok(Math.abs(reach(sizes[1]) / reach(sizes[0]) - 1) > 0.02, "the slider presses it");
+  await letter.click("#tab_make");
+  await letter.click("#export button[type=submit]");
+  await letter.waitForFunction(() => !document.getElementById("written").hidden || document.querySelector("#messages p"), {timeout: 90000});
+  const files = await letter.$$eval("#written_files li", (items) => items.map((item) => item.textContent));
+  assert.ok(files.some((name) => name.endsWith(".stl")), `written: ${files}`);
+  assert.deepEqual(other.complaints, []);
+  await letter.close();
+  await fresh.stop();
+});
+
+test("on a page of 1000 pixels the tools take two rows, one beside the other's words", async () => {
+  const other = await open(chrome, studio.address, {width: 1000, height: 640});
+  const boxes = await other.page.$$eval(".tools, .corner, .corner > *", (all) => all.filter((node) => !node.hidden).map((node) => {
+    const {left, right, top, bottom} = node.getBoundingClientRect();
+    return {left, right, top, bottom};
+  }));
+  const [tools, corner, ...parts] = boxes;
+  assert.ok(corner.top >= tools.bottom, "the view's row begins below the tools");
+  assert.ok(corner.bottom - corner.top < 40, `one row: ${corner.bottom - corner.top} px`);
+  assert.ok(parts.every(({left, right}, k) => left >= corner.left && right <= corner.right + 0.5 && (k === 0 || left >= parts[k - 1].right)), "nothing lies on its neighbour");
+  await other.page.close();
 });
 
 test("a narrow screen, a dark one, and paper", async () => {

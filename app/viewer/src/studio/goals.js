@@ -26,9 +26,8 @@ export const CARDS = {
 /** The kind of goal that a result is of; nothing where it is of none. */
 export const goalOf = (result) => GOALS.find(({name}) => result?.[name]);
 
-/** The goal in the frame of the poses: from the design's own message, or from the result of a search; null where there is none. */
+/** The goal in the frame of the poses, from the result of a search; null where there is none. */
 export function ghostOf(design, result) {
-  if (design?.goal?.lines) return {lines: design.goal.lines};
   const goal = goalOf(result);
   return goal?.ghost?.(result[goal.name], design, result) ?? null;
 }
