@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "app/files/structure_section.hpp"
 #include "model/base/invalid_input.hpp"
@@ -29,6 +30,72 @@ void change(model::HingeParameters& hinge, const Message& message, double edge_m
   if (message.has("alpha_deg")) hinge.alpha = message.number("alpha_deg", 0, 180) * radians_per_degree;
   if (message.has("beta_deg")) hinge.beta = message.number("beta_deg", -90, 90) * radians_per_degree;
   if (message.has("offset_mm")) hinge.offset = message.number("offset_mm", -edge_mm, edge_mm) / edge_mm;
+}
+
+/// Which edits come twice: left and right alike, front and back, or both at once as after half a turn.
+struct Symmetry {
+  bool along_x = false, along_y = false;  ///< these coordinates are mirrored
+  std::array<int, 2> extent = {};         ///< cells
+
+  bool any() const { return along_x || along_y; }
+  model::Cell image(const model::Cell& cell) const {
+    return {along_x ? extent[0] - 1 - cell.i : cell.i, along_y ? extent[1] - 1 - cell.j : cell.j};
+  }
+  model::Wall image(const model::Wall& wall) const {
+    const bool x = wall.axis == model::Axis::x;
+    return {{along_x ? extent[0] - wall.from.i - (x ? 1 : 0) : wall.from.i,
+             along_y ? extent[1] - wall.from.j - (x ? 0 : 1) : wall.from.j},
+            wall.axis};
+  }
+  /// Along its wall what is mirrored turns t and alpha round, across it beta and the offset. @param sense -1 where the
+  /// image's wall is counted from its other end
+  model::HingeParameters image(model::HingeParameters hinge, model::Axis axis, int sense) const {
+    const bool along = (axis == model::Axis::x ? along_x : along_y) != (sense < 0);
+    const bool across = (axis == model::Axis::x ? along_y : along_x) != (sense < 0);
+    if (along) hinge.t = 1 - hinge.t, hinge.alpha = pi - hinge.alpha;
+    if (across) hinge.beta = -hinge.beta, hinge.offset = -hinge.offset;
+    return hinge;
+  }
+};
+
+Symmetry symmetry_of(const Message& message, const DesignFile& design) {
+  const std::string name = message.has("symmetry") ? message.text("symmetry") : "none";
+  if (name == "none") return {};
+  if (!design.structure.squares()) throw InvalidInput("symmetry: is known of sheets of squares only");
+  const std::array<int, 2> extent = model::extent(*design.structure.squares());
+  if (name == "mirror_x") return {true, false, extent};
+  if (name == "mirror_y") return {false, true, extent};
+  if (name == "rotate_2") return {true, true, extent};
+  throw InvalidInput("symmetry: must be none, mirror_x, mirror_y or rotate_2");
+}
+
+void take_what_was_asked(const Message& message, const model::HingeParameters& from,
+                         model::HingeParameters& to) {
+  if (message.has("t")) to.t = from.t;
+  if (message.has("alpha_deg")) to.alpha = from.alpha;
+  if (message.has("beta_deg")) to.beta = from.beta;
+  if (message.has("offset_mm")) to.offset = from.offset;
+}
+
+/// 1 where its parameters are counted from the end that is nearer to the origin, else -1.
+int counted_along(const model::Structure& squares, int hinge) {
+  return squares.hinges[hinge].lower == *squares.body_at(squares.hinges[hinge].wall.from) ? 1 : -1;
+}
+
+/// What was changed of hinges, on the other side too; of two that are each other's image the first one counts.
+void change_images(const std::vector<int>& hinges, const Symmetry& symmetry, const Message& message,
+                   model::Sheet& sheet) {
+  const model::Structure before = *sheet.squares();
+  std::set<int> told;
+  for (const int h : hinges) {
+    const model::Wall wall = before.hinges[h].wall;
+    const auto other = before.hinge_at(symmetry.image(wall));
+    if (!other || *other == h || told.count(h) > 0) continue;
+    told.insert(*other);
+    const int sense = counted_along(before, h) * counted_along(before, *other);
+    take_what_was_asked(message, symmetry.image(before.hinges[h].parameters, wall.axis, sense),
+                        sheet.hinge(*other));
+  }
 }
 
 const model::Structure& squares_of(const DesignFile& design) {
@@ -60,11 +127,29 @@ void alternate(const model::Structure& squares, const std::vector<int>& hinges, 
     const bool is_along = before[h].wall.axis == first.wall.axis;
     const model::HingeParameters now = is_along ? carried_to(before[h].wall, first) : first.parameters;
     model::HingeParameters& hinge = sheet.hinge(h);
-    if (message.has("t")) hinge.t = now.t;
-    if (message.has("alpha_deg")) hinge.alpha = now.alpha;
-    if (message.has("beta_deg")) hinge.beta = now.beta;
-    if (message.has("offset_mm")) hinge.offset = now.offset;
+    take_what_was_asked(message, now, hinge);
   }
+}
+
+/// One `cell`, or the `cells` of a stroke.
+std::vector<model::Cell> painted(const Message& message) {
+  const bool many = message.has("cells");
+  const std::vector<int> at = message.integers(many ? "cells" : "cell", 0, most_cells_a_side - 1);
+  if (at.empty() || at.size() % 2 != 0 || (!many && at.size() != 2))
+    throw InvalidInput(many ? "cells: must be [i, j, i, j, ...]" : "cell: must be [i, j]");
+  std::vector<model::Cell> out;
+  for (std::size_t k = 0; k < at.size(); k += 2) out.push_back({at[k], at[k + 1]});
+  return out;
+}
+
+bool has_cell(const model::Structure& squares, const model::Cell& cell) {
+  return std::find(squares.cells.begin(), squares.cells.end(), cell) != squares.cells.end();
+}
+
+DesignFile with_one_cell(DesignFile design, const model::Cell& cell, bool on) {
+  std::vector<model::Cell> cells = model::with_cell(squares_of(design), cell, on);
+  const model::CellSize size = design.structure.size();
+  return with_cells(std::move(design), std::move(cells), size);
 }
 
 std::string kind_text(const Message& message) {
@@ -95,17 +180,23 @@ DesignFile with_hinges(DesignFile design, const Message& message) {
     alternate(squares_of(design), hinges, message, edge_mm, design.structure);
   else
     for (const int h : hinges) change(design.structure.hinge(h), message, edge_mm);
+  if (const Symmetry symmetry = symmetry_of(message, design); symmetry.any())
+    change_images(hinges, symmetry, message, design.structure);
   validate_hinges(design.structure);
   return design;
 }
 
 DesignFile with_cell(DesignFile design, const Message& message) {
-  const std::vector<int> at = message.integers("cell", 0, most_cells_a_side - 1);
-  if (at.size() != 2) throw InvalidInput("cell: must be [i, j]");
-  std::vector<model::Cell> cells =
-      model::with_cell(squares_of(design), {at[0], at[1]}, message.boolean("on"));
-  const model::CellSize size = design.structure.size();
-  return with_cells(std::move(design), std::move(cells), size);
+  const bool on = message.boolean("on");
+  const Symmetry symmetry = symmetry_of(message, design);
+  for (const model::Cell& cell : painted(message)) {
+    design = with_one_cell(std::move(design), cell, on);
+    const model::Cell image = symmetry.image(cell);
+    const bool is_there = has_cell(squares_of(design), image);
+    if (symmetry.any() && image.i >= 0 && image.j >= 0 && is_there != on)
+      design = with_one_cell(std::move(design), image, on);
+  }
+  return design;
 }
 
 DesignFile with_sheet(DesignFile design, const Message& message) {

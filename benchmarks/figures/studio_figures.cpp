@@ -217,10 +217,10 @@ void add_pages(std::vector<Figure>& figures) {
       {"helmet of 844 bodies: frames a second that a page draws in the live physics, software rendering",
        "at least 15", fmt::format("{:.0f}", frames.value_or(0)), frames.value_or(0) >= 15},
       frames, said));
-  figures.push_back(unless_missing(
-      within("rib of 82 bodies: drag to the picture of its effect in the browser, 95 of 100", 150,
-             drag.value_or(0), "ms"),
-      drag, said));
+  figures.push_back(
+      unless_missing(within("rib of 82 bodies: drag to the picture of its effect in the browser, 95 of 100",
+                            150, drag.value_or(0), "ms"),
+                     drag, said));
   figures.push_back(
       unless_missing(within("helmet of 844 bodies: from opening its report to the first picture", 1500,
                             picture.value_or(0), "ms"),

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "app/goals/search_words.hpp"
 #include "app/goals/space_curve/space_curve_kind.hpp"
 #include "app/goals/space_curve/space_curve_outcome.hpp"
 #include "app/pipeline/exact_state.hpp"
@@ -69,7 +70,7 @@ class SpaceCurveScene final : public Scene {
     auto outcome = std::make_unique<SpaceCurveOutcome>(file);
     outcome->tolerances = {{"shape", file.shape_tolerance}};
     optim::SolverOptions solver;
-    solver.stop = options.stop;
+    follow(options, file.wanted.diagonal(), solver);
     outcome->found = fit_space_curve(file.wanted, file.variables, solver);
     outcome->violations = all_violations(*outcome, "model");
     run.structure = sheet_of(outcome->found.design, outcome->found.size);
