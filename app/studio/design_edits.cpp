@@ -8,6 +8,7 @@
 #include "app/files/structure_section.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/lattice/square/redrawn.hpp"
+#include "model/lattice/square/sheet_symmetry.hpp"
 
 namespace kinetix::app::studio {
 namespace {
@@ -32,40 +33,14 @@ void change(model::HingeParameters& hinge, const Message& message, double edge_m
   if (message.has("offset_mm")) hinge.offset = message.number("offset_mm", -edge_mm, edge_mm) / edge_mm;
 }
 
-/// Which edits come twice: left and right alike, front and back, or both at once as after half a turn.
-struct Symmetry {
-  bool along_x = false, along_y = false;  ///< these coordinates are mirrored
-  std::array<int, 2> extent = {};         ///< cells
-
-  bool any() const { return along_x || along_y; }
-  model::Cell image(const model::Cell& cell) const {
-    return {along_x ? extent[0] - 1 - cell.i : cell.i, along_y ? extent[1] - 1 - cell.j : cell.j};
-  }
-  model::Wall image(const model::Wall& wall) const {
-    const bool x = wall.axis == model::Axis::x;
-    return {{along_x ? extent[0] - wall.from.i - (x ? 1 : 0) : wall.from.i,
-             along_y ? extent[1] - wall.from.j - (x ? 0 : 1) : wall.from.j},
-            wall.axis};
-  }
-  /// Along its wall what is mirrored turns t and alpha round, across it beta and the offset. @param sense -1 where the
-  /// image's wall is counted from its other end
-  model::HingeParameters image(model::HingeParameters hinge, model::Axis axis, int sense) const {
-    const bool along = (axis == model::Axis::x ? along_x : along_y) != (sense < 0);
-    const bool across = (axis == model::Axis::x ? along_y : along_x) != (sense < 0);
-    if (along) hinge.t = 1 - hinge.t, hinge.alpha = pi - hinge.alpha;
-    if (across) hinge.beta = -hinge.beta, hinge.offset = -hinge.offset;
-    return hinge;
-  }
-};
-
-Symmetry symmetry_of(const Message& message, const DesignFile& design) {
+model::SheetSymmetry symmetry_of(const Message& message, const DesignFile& design) {
   const std::string name = message.has("symmetry") ? message.text("symmetry") : "none";
   if (name == "none") return {};
-  if (!design.structure.squares()) throw InvalidInput("symmetry: is known of sheets of squares only");
-  const std::array<int, 2> extent = model::extent(*design.structure.squares());
-  if (name == "mirror_x") return {true, false, extent};
-  if (name == "mirror_y") return {false, true, extent};
-  if (name == "rotate_2") return {true, true, extent};
+  const model::Structure* squares = design.structure.squares();
+  if (!squares) throw InvalidInput("symmetry: is known of sheets of squares only");
+  if (name == "mirror_x") return {*squares, true, false};
+  if (name == "mirror_y") return {*squares, false, true};
+  if (name == "rotate_2") return {*squares, true, true};
   throw InvalidInput("symmetry: must be none, mirror_x, mirror_y or rotate_2");
 }
 
@@ -77,24 +52,16 @@ void take_what_was_asked(const Message& message, const model::HingeParameters& f
   if (message.has("offset_mm")) to.offset = from.offset;
 }
 
-/// 1 where its parameters are counted from the end that is nearer to the origin, else -1.
-int counted_along(const model::Structure& squares, int hinge) {
-  return squares.hinges[hinge].lower == *squares.body_at(squares.hinges[hinge].wall.from) ? 1 : -1;
-}
-
 /// What was changed of hinges, on the other side too; of two that are each other's image the first one counts.
-void change_images(const std::vector<int>& hinges, const Symmetry& symmetry, const Message& message,
-                   model::Sheet& sheet) {
+void change_images(const std::vector<int>& hinges, const model::SheetSymmetry& symmetry,
+                   const Message& message, model::Sheet& sheet) {
   const model::Structure before = *sheet.squares();
   std::set<int> told;
   for (const int h : hinges) {
-    const model::Wall wall = before.hinges[h].wall;
-    const auto other = before.hinge_at(symmetry.image(wall));
+    const auto other = symmetry.image(before, h);
     if (!other || *other == h || told.count(h) > 0) continue;
     told.insert(*other);
-    const int sense = counted_along(before, h) * counted_along(before, *other);
-    take_what_was_asked(message, symmetry.image(before.hinges[h].parameters, wall.axis, sense),
-                        sheet.hinge(*other));
+    take_what_was_asked(message, symmetry.image(before, h, *other), sheet.hinge(*other));
   }
 }
 
@@ -142,10 +109,6 @@ std::vector<model::Cell> painted(const Message& message) {
   return out;
 }
 
-bool has_cell(const model::Structure& squares, const model::Cell& cell) {
-  return std::find(squares.cells.begin(), squares.cells.end(), cell) != squares.cells.end();
-}
-
 DesignFile with_one_cell(DesignFile design, const model::Cell& cell, bool on) {
   std::vector<model::Cell> cells = model::with_cell(squares_of(design), cell, on);
   const model::CellSize size = design.structure.size();
@@ -180,7 +143,7 @@ DesignFile with_hinges(DesignFile design, const Message& message) {
     alternate(squares_of(design), hinges, message, edge_mm, design.structure);
   else
     for (const int h : hinges) change(design.structure.hinge(h), message, edge_mm);
-  if (const Symmetry symmetry = symmetry_of(message, design); symmetry.any())
+  if (const model::SheetSymmetry symmetry = symmetry_of(message, design); symmetry.any())
     change_images(hinges, symmetry, message, design.structure);
   validate_hinges(design.structure);
   return design;
@@ -188,12 +151,12 @@ DesignFile with_hinges(DesignFile design, const Message& message) {
 
 DesignFile with_cell(DesignFile design, const Message& message) {
   const bool on = message.boolean("on");
-  const Symmetry symmetry = symmetry_of(message, design);
+  const model::SheetSymmetry symmetry = symmetry_of(message, design);
   for (const model::Cell& cell : painted(message)) {
     design = with_one_cell(std::move(design), cell, on);
     const model::Cell image = symmetry.image(cell);
-    const bool is_there = has_cell(squares_of(design), image);
-    if (symmetry.any() && image.i >= 0 && image.j >= 0 && is_there != on)
+    const bool is_there = model::has_cell(squares_of(design), image);
+    if (symmetry.any() && model::is_countable(image) && is_there != on)
       design = with_one_cell(std::move(design), image, on);
   }
   return design;

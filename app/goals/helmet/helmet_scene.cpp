@@ -4,7 +4,7 @@
 
 #include "app/goals/helmet/helmet_kind.hpp"
 #include "app/goals/helmet/helmet_outcome.hpp"
-#include "app/goals/search_words.hpp"
+#include "app/run/search_words.hpp"
 #include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/physics_settings.hpp"
 #include "model/sheet/sheet_motion.hpp"

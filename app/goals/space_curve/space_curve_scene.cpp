@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "app/goals/search_words.hpp"
+#include "app/run/search_words.hpp"
 #include "app/goals/space_curve/space_curve_kind.hpp"
 #include "app/goals/space_curve/space_curve_outcome.hpp"
 #include "app/pipeline/exact_state.hpp"

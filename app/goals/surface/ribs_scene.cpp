@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "app/goals/search_words.hpp"
+#include "app/run/search_words.hpp"
 #include "app/goals/surface/ribs_outcome.hpp"
 #include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/physics_settings.hpp"

@@ -14,7 +14,7 @@ namespace {
 using app::studio::Balance;
 using app::studio::KnownWay;
 
-constexpr double deg = radians_per_degree;
+constexpr double deg = radians_per_degree;  // rad: thetas of the tests are in degrees
 
 const auto nobody = [](const model::DrivenState&) {};
 

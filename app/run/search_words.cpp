@@ -1,4 +1,4 @@
-#include "app/goals/search_words.hpp"
+#include "app/run/search_words.hpp"
 
 #include <fmt/format.h>
 
