@@ -57,7 +57,7 @@ function fullStructure(data) {
 
 /** How far each hinge has turned, degrees. */
 function hingeTurns(structure, poses) {
-  return structure.hinges.map(({bodies: [a, b]}) => {
+  return structure.hinges.map(({a, b}) => {
     const dot = [3, 4, 5, 6].reduce((sum, k) => sum + poses[7 * a + k] * poses[7 * b + k], 0);
     return toDegrees(2 * Math.acos(Math.min(1, Math.abs(dot))));
   });
