@@ -4,9 +4,9 @@
 
 #include "app/goals/helmet/helmet_kind.hpp"
 #include "app/goals/helmet/helmet_outcome.hpp"
-#include "app/run/search_words.hpp"
 #include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/physics_settings.hpp"
+#include "app/run/search_words.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::app {

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
-#include "app/run/search_words.hpp"
 #include "app/goals/space_curve/space_curve_kind.hpp"
 #include "app/goals/space_curve/space_curve_outcome.hpp"
 #include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/physics_settings.hpp"
 #include "app/pipeline/robust_search.hpp"
+#include "app/run/search_words.hpp"
 #include "model/lattice/square/drive.hpp"
 #include "model/sheet/sheet_motion.hpp"
 

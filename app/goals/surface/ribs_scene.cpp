@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "app/run/search_words.hpp"
 #include "app/goals/surface/ribs_outcome.hpp"
 #include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/physics_settings.hpp"
+#include "app/run/search_words.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::app {
