@@ -70,6 +70,7 @@ void add_equilibrium(AssemblyRun& run, const RunOptions& options) {
   Stopwatch watch;
   model::EquilibriumPathOptions path;
   path.planar = false;
+  path.stop = options.stop;
   path.contact = false;  // its walls are those of sheets
   const model::LinkageDrive drive = model::turned_hinge(run.driven, sense_of(run), turn_of(run));
   run.equilibrium =

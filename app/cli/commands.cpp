@@ -20,6 +20,7 @@
 #include "app/pipeline/pipeline.hpp"
 #include "app/result/drive_trials_summary.hpp"
 #include "app/result/result_json.hpp"
+#include "app/run/interrupted.hpp"
 #include "app/run/stopwatch.hpp"
 #include "app/sweep/plan/sweep_plan.hpp"
 #include "model/base/invalid_input.hpp"
@@ -68,15 +69,17 @@ void print(const Run& run, const nlohmann::ordered_json& json, const std::string
               << fmt::format("  {:<10} {}/report.html, result.json, design.yaml\n", "written", folder);
 }
 
-/// @param watch started before the file was read
+/// @param watch started before the file was read   @param asks_physics alone: without it there is nothing to keep
 int run_and_write(const CommandOptions& options, const Scene& scene, const std::string& suffix,
-                  Stopwatch watch) {
+                  Stopwatch watch, bool asks_physics = false) {
   OutputFolder folder(folder_of(options, scene.name(), suffix));
   const double load = watch.lap();
   Console console(options.quiet);
   const Stopper stopper(options.time_limit_s);
   Run run = located(options.file, scene, run_options(options, console, stopper));
   run.timings.load = load;
+  if (asks_physics && run.stopped && !run.verification)
+    throw Interrupted("the physics run was stopped before it settled");
   const auto json = write_results(run, folder.path());
   folder.keep();
   print(run, json, folder.path(), options.json);
@@ -96,8 +99,9 @@ DesignFile design_of(const CommandOptions& options) {
 
 DriveTrials located_trials(const CommandOptions& options, const DesignFile& design) {
   Console console(options.quiet);
+  const Stopper stopper(options.time_limit_s);
   try {
-    return try_drives(design, console.progress());
+    return try_drives(design, run_options(options, console, stopper));
   } catch (const InvalidInput& e) {
     throw InvalidInput(e.reason(), {options.file, 0, 0, e.place().key});
   }
@@ -109,6 +113,7 @@ int compare_drives(const CommandOptions& options) {
   std::optional<OutputFolder> folder;
   if (options.folder_given) folder.emplace(options.folder);
   const DriveTrials trials = located_trials(options, design_of(options));
+  if (trials.stopped && trials.trials.empty()) throw Interrupted("stopped before a drive was through");
   const std::string json = drive_trials_json(trials).dump(1) + "\n";
   if (folder) {
     write_file(folder->path() + "/drives.json", json);
@@ -122,7 +127,8 @@ int run_design(const CommandOptions& options, Model model, const std::string& su
   Stopwatch watch;
   if (const targets::Node root = targets::read_document(options.file, max_design_bytes); is_assembly(root))
     return run_assembly_command(options, root, model, suffix);
-  return run_and_write(options, *make_scene(design_of(options), model), suffix, watch);
+  return run_and_write(options, *make_scene(design_of(options), model), suffix, watch,
+                       model == Model::bullet);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "app/imports/import_command.hpp"
 #include "app/io/atomic_file.hpp"
 #include "app/print/export_command.hpp"
+#include "app/run/interrupted.hpp"
 #include "app/studio/view_command.hpp"
 #include "app/sweep/sweep_command.hpp"
 #include "app/version.hpp"
@@ -203,6 +204,7 @@ int run(int argc, char** argv) {
   add_file(*sweep, options, "DOE.yaml", "the sweep: base, factors, method, responses");
   add_common(*sweep, options);
   add_output(*sweep, options, "folder for the table and report.html (default results/NAME)");
+  add_open(*sweep, options);
   sweep->add_flag("--resume", options.resume, "continue the sweep whose table is in DIR");
   simulate
       ->add_option("--model", options.model,
@@ -270,6 +272,10 @@ int main(int argc, char** argv) {
   } catch (const kinetix::InvalidInput& e) {
     kinetix::app::report_error(e, as_json);
     return kinetix::app::bad_input;
+  } catch (const kinetix::app::Interrupted& e) {
+    std::cerr << e.what() << ": nothing is written\n";
+    if (as_json) kinetix::app::print_error(e.what(), kinetix::app::interrupted_early);
+    return kinetix::app::interrupted_early;
   } catch (const std::exception& e) {
     const std::string message = std::string("internal error: ") + e.what();
     std::cerr << message << "\n";

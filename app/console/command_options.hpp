@@ -7,7 +7,14 @@
 namespace kinetix::app {
 
 /// Exit codes of formats.md.
-enum ExitCode { done = 0, internal_error = 1, bad_input = 2, target_missed = 3, physics_disagrees = 4 };
+enum ExitCode {
+  done = 0,
+  internal_error = 1,
+  bad_input = 2,
+  target_missed = 3,
+  physics_disagrees = 4,
+  interrupted_early = 130
+};
 
 /// What every command takes.
 struct CommandOptions {

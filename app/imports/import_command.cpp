@@ -9,6 +9,7 @@
 
 #include "app/assembly/assembly_file.hpp"
 #include "app/assembly/assembly_mobility.hpp"
+#include "app/console/console.hpp"
 #include "app/imports/hinge_choices.hpp"
 #include "app/imports/model_parts.hpp"
 #include "app/io/atomic_file.hpp"
@@ -128,10 +129,14 @@ nlohmann::ordered_json summary_json(const ModelParts& parts, const AssemblyFile&
 }  // namespace
 
 int import_command(const CommandOptions& options, const ImportRequest& request) {
+  Console console(options.quiet);
   const model::HingeChoices choices = choices_of(request);
+  console.stage("reading parts", -1);
   const ModelParts parts = read_model_parts(request);
+  console.stage("finding hinges", -1);
   AssemblyFile file{.name = name_of(request), .assembly = assembled(parts, choices)};
   tidy_up(file.assembly);
+  console.stage("how it moves", -1);
   const AssemblyMobility mobility = examine(file.assembly);
   if (mobility.hinge >= 0) {
     file.driven = mobility.hinge;

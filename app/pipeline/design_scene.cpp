@@ -58,7 +58,7 @@ class DesignScene final : public Scene {
 
   void add_state(Run& run, const RunOptions& options) const override {
     if (run.plan.model == Model::equilibrium)
-      return add_equilibrium(run, drive_of(design_), elasticity_of(design_), motion_states, options.progress);
+      return add_equilibrium(run, drive_of(design_), elasticity_of(design_), motion_states, options);
     if (!run.plan.exact && model_ == Model::exact)
       throw InvalidInput(run.plan.exact.why +
                          "; use --model equilibrium or bullet, which need no exact family");

@@ -47,9 +47,10 @@ constexpr double widest = 1.55;  // rad: no drive asks for a right angle
 
 /// Follows a drive, and again as much further as it fell short of theta.
 void drive_to(double theta, const model::Linkage& linkage, const model::ExactMotion& exact,
-              const model::Elasticity& elasticity, DriveTrial& trial) {
+              const model::Elasticity& elasticity, const model::EquilibriumPathOptions& path,
+              DriveTrial& trial) {
   for (int k = 0; k < most_rounds; ++k) {
-    trial.path = trace_equilibrium({linkage, trial.drive, exact}, elasticity);
+    trial.path = trace_equilibrium({linkage, trial.drive, exact}, elasticity, path);
     trial.theta = mean_theta(linkage, trial.path.state);
     trial.at_goal = std::abs(trial.theta - theta) <= same_theta * std::abs(theta);
     const double next = trial.drive.theta() * theta / trial.theta;
@@ -59,8 +60,9 @@ void drive_to(double theta, const model::Linkage& linkage, const model::ExactMot
 }
 
 void follow(double theta, const model::Linkage& linkage, const model::ExactMotion& exact,
-            const model::Elasticity& elasticity, DriveTrial& trial) {
-  drive_to(theta, linkage, exact, elasticity, trial);
+            const model::Elasticity& elasticity, const model::EquilibriumPathOptions& path,
+            DriveTrial& trial) {
+  drive_to(theta, linkage, exact, elasticity, path, trial);
   trial.load_peak = largest_load(trial.path);
   trial.force_N = trial.drive.has_force() ? trial.load_peak : trial.load_peak / linkage.size.edge_mm;
   trial.work_Nmm = work_along(trial.path, travel_of(linkage, trial.drive));
@@ -77,20 +79,26 @@ int least(const std::vector<DriveTrial>& trials, double DriveTrial::*number) {
 
 }  // namespace
 
-DriveTrials try_drives(const DesignFile& design, const Progress& progress) {
+DriveTrials try_drives(const DesignFile& design, const RunOptions& options) {
   const model::Linkage linkage = design.structure;
   const model::ExactMotion exact = exact_motion(design.structure);
   const model::Elasticity elasticity = elasticity_of(design);
+  model::EquilibriumPathOptions path;
+  path.stop = options.stop;
   DriveTrials out{design.name, theta_of(design, exact), linkage.size.edge_mm, {}};
   const std::vector<model::TrialDrive> drives = trial_drives(design.structure, exact, out.theta);
   for (const model::TrialDrive& drive : drives) {
-    progress("drives", static_cast<double>(out.trials.size()) / static_cast<double>(drives.size()));
+    options.progress("drives", static_cast<double>(out.trials.size()) / static_cast<double>(drives.size()));
     DriveTrial& trial = out.trials.emplace_back();
     trial.name = drive.name;
     trial.why_not = drive.why_not;
     if (!drive.drive) continue;
     trial.drive = *drive.drive;
-    follow(out.theta, linkage, exact, elasticity, trial);
+    follow(out.theta, linkage, exact, elasticity, path, trial);
+    if (!options.stop.stop_requested()) continue;
+    out.trials.pop_back();  // on its way
+    out.stopped = true;
+    break;
   }
   out.least_force = least(out.trials, &DriveTrial::force_N);
   out.least_work = least(out.trials, &DriveTrial::work_Nmm);

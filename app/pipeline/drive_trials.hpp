@@ -36,11 +36,13 @@ struct DriveTrials {
   double lever_mm = 0;  ///< at which moments are compared with forces: one cell edge
   std::vector<DriveTrial> trials;
   int least_force = -1, least_work = -1;  ///< of those that hold; -1: none does
+  bool stopped = false;                   ///< before all drives were tried
 };
 
 /// Tries the drives of model::trial_drives on a design with elastic hinges, each from flat to where the mean theta of the
 /// sheet is the design's.
+/// Where it is told to stop, those that were tried so far.
 /// @throws InvalidInput for a design that says no theta to fold to
-DriveTrials try_drives(const DesignFile& design, const Progress& progress);
+DriveTrials try_drives(const DesignFile& design, const RunOptions& options);
 
 }  // namespace kinetix::app

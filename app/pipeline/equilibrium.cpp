@@ -125,16 +125,17 @@ void add_fidelity(Run& run, double seconds) {
 }  // namespace
 
 void add_equilibrium(Run& run, const model::LinkageDrive& drive, const model::Elasticity& elasticity,
-                     int frames, const Progress& progress) {
+                     int frames, const RunOptions& run_options) {
   run.plan.why.push_back(stiffness_sentence(run, elasticity));
   const double goal = drive.theta();
-  const model::EquilibriumPathOptions path_options = options_of(run, goal, frames);
+  model::EquilibriumPathOptions path_options = options_of(run, goal, frames);
+  path_options.stop = run_options.stop;
   FrameKeeper keeper(goal, frames);
   model::EnergyTurns turns(drive);
   const auto see = [&](const model::EquilibriumStep& step, const model::State& state) {
     keeper.see(step.theta, state);
     turns.see(step, state);
-    progress("equilibrium path", goal == 0 ? 1 : step.theta / goal);
+    run_options.progress("equilibrium path", goal == 0 ? 1 : step.theta / goal);
   };
   const auto start = std::chrono::steady_clock::now();
   model::EquilibriumPath path =

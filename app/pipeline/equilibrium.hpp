@@ -9,8 +9,9 @@ namespace kinetix::app {
 /// the path, its last state, the stable states that a release on the way leads to, the closed form's state
 /// of the same drive where there is one, frames of the motion, rows of the speed-against-error table,
 /// sentences of the plan. Sets run.theta to where the path ended.
+/// Where it is told to stop, all of that of the path so far.
 /// @param frames about how many states of the motion to keep, flat and last included, >= 2
 void add_equilibrium(Run& run, const model::LinkageDrive& drive, const model::Elasticity& elasticity,
-                     int frames, const Progress& progress);
+                     int frames, const RunOptions& run_options);
 
 }  // namespace kinetix::app

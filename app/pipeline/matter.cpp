@@ -47,9 +47,10 @@ optim::CompensationOptions bounded(const TurnBounds& bounds, const GoalDrive& dr
 }
 
 model::EquilibriumPath path_to(const Run& run, const model::Sheet& sheet, double theta,
-                               const model::Elasticity& elasticity) {
+                               const model::Elasticity& elasticity, const std::stop_token& stop) {
   model::EquilibriumPathOptions options;
   options.planar = run.plan.planar;
+  options.stop = stop;
   return trace_equilibrium({sheet, goal_drive(run, sheet, theta), exact_motion(sheet)}, elasticity, options);
 }
 
@@ -83,8 +84,7 @@ void show(Run& run, const Scene& scene, const optim::InMatter& found, const mode
   run.states.clear();
   run.fidelity.clear();
   run.drive = goal_drive_section(run);
-  add_equilibrium(run, goal_drive(run, run.structure, run.theta), elasticity, motion_states,
-                  options.progress);
+  add_equilibrium(run, goal_drive(run, run.structure, run.theta), elasticity, motion_states, options);
   for (NamedState& state : run.states) state.poses = scene.shown(run, state.poses);
 }
 
@@ -108,13 +108,13 @@ bool is_of_matter(const Scene& scene, const Run& run) {
 MatterPath path_in_matter(const Run& run, const Scene& scene, const std::stop_token& stop) {
   const model::Elasticity elasticity = elasticity_of(run);
   MatterPath out{run.structure, run.theta, goal_drive(run, run.structure, run.theta),
-                 path_to(run, run.structure, run.theta, elasticity)};
+                 path_to(run, run.structure, run.theta, elasticity, stop)};
   const auto exact = scene.judged(run, run.structure, run.theta, run.plan.exact.at(run.theta));
   if (!exact || out.path.stop != model::EquilibriumPath::Stop::reached) return out;
   const optim::InMatter after =
       made_up_for(run, scene, out.path, elasticity, exact->tolerance_mm, stop).after;
   return {after.sheet, after.theta, goal_drive(run, after.sheet, after.theta),
-          path_to(run, after.sheet, after.theta, elasticity)};
+          path_to(run, after.sheet, after.theta, elasticity, stop)};
 }
 
 void settle_in_matter(Run& run, const Scene& scene, const RunOptions& options) {
@@ -126,7 +126,7 @@ void settle_in_matter(Run& run, const Scene& scene, const RunOptions& options) {
   run.matter->exact_mm = rms_mm(*exact);
   run.matter->before_mm = run.matter->after_mm = std::nan("");
   run.matter->tolerance_mm = exact->tolerance_mm;
-  const model::EquilibriumPath path = path_to(run, run.structure, run.theta, elasticity);
+  const model::EquilibriumPath path = path_to(run, run.structure, run.theta, elasticity, options.stop);
   if (path.stop != model::EquilibriumPath::Stop::reached) return miss(run, path.why);
   const optim::Compensation found =
       made_up_for(run, scene, path, elasticity, exact->tolerance_mm, options.stop);

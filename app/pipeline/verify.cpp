@@ -92,6 +92,7 @@ bool is_settled(const Verification& verification) {
 }
 
 void verify(Run& run, const PhysicsTask& task, const RunOptions& options) {
+  const auto alone = options.engine ? std::unique_lock(*options.engine) : std::unique_lock<std::mutex>();
   const sim::PhysicsOptions usual = suited_to(run.plan.exact, task.options);
   std::span<const double> steps = tried_steps;
   if (!may_be_coarser(run, task, options)) steps = steps.last(1);

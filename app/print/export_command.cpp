@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "app/console/console.hpp"
 #include "app/io/atomic_file.hpp"
 #include "app/print/coupon.hpp"
 #include "app/print/fit.hpp"
@@ -127,11 +128,14 @@ void lay_as_asked(const PrintRequest& request, PrintJob& job) {
   lay(job, *named("--orient", request.orient, allowed));
 }
 
-Exported exported(const Source& source, const PrintRequest& request, const std::string& where) {
+Exported exported(const Source& source, const PrintRequest& request, const std::string& where,
+                  const Progress& progress) {
   const auto formats = formats_of(request);
   OutputFolder folder(where);
+  progress("building solids", -1);
   PreparedPrint print = source.prepared_for(request);
   lay_as_asked(request, print.job);
+  if (request.slice) progress("slicing", -1);
   const std::optional<SlicerAnswer> slicer =
       request.slice ? std::optional(ask_slicer(print.job)) : std::nullopt;
   FileSet files(folder.path());
@@ -143,8 +147,11 @@ Exported exported(const Source& source, const PrintRequest& request, const std::
     files.add(name, content);
     out.files.push_back(name);
   };
-  for (const PrintFormat* format : formats)
-    for (const auto& [name, content] : format->write(print.job)) add(name, content);
+  for (std::size_t k = 0; k < formats.size(); ++k) {
+    progress("writing files", static_cast<double>(k) / static_cast<double>(formats.size()),
+             std::string(formats[k]->name));
+    for (const auto& [name, content] : formats[k]->write(print.job)) add(name, content);
+  }
   add("print.json", out.json);
   add("print.txt", out.text);
   files.commit();
@@ -156,16 +163,17 @@ Exported exported(const Source& source, const PrintRequest& request, const std::
 
 }  // namespace
 
-Exported export_design(const DesignFile& design, const PrintRequest& request, const std::string& folder) {
-  return exported({"", design}, request, folder);
+Exported export_design(const DesignFile& design, const PrintRequest& request, const std::string& folder,
+                       const Progress& progress) {
+  return exported({"", design}, request, folder, progress);
 }
 
 int export_command(const CommandOptions& options, const PrintRequest& request) {
   formats_of(request);
   process_of(request, "");
   const Source source = source_of(request);
-  const Exported out = exported(
-      source, request, options.folder_given ? options.folder : "results/" + source.name() + "_print");
+  const std::string folder = options.folder_given ? options.folder : "results/" + source.name() + "_print";
+  const Exported out = exported(source, request, folder, Console(options.quiet).progress());
   std::string text =
       out.text + fmt::format("{:<12} {}: {}\n", "written", out.folder, fmt::join(out.files, ", "));
   if (!out.report.empty()) text += fmt::format("{:<12} {} has time and material too\n", "report", out.report);

@@ -3,6 +3,7 @@
 #include "app/console/command_options.hpp"
 #include "app/files/design_file.hpp"
 #include "app/print/print_request.hpp"
+#include "model/base/progress.hpp"
 
 namespace kinetix::app {
 
@@ -19,7 +20,8 @@ struct Exported {
 };
 
 /// The same of a design in memory. @param folder for the files
-Exported export_design(const DesignFile& design, const PrintRequest& request, const std::string& folder);
+Exported export_design(const DesignFile& design, const PrintRequest& request, const std::string& folder,
+                       const Progress& progress = {});
 
 /// What the help says of --format.
 std::string format_help();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <mutex>
 #include <stop_token>
 #include <string>
 
@@ -18,6 +19,8 @@ struct RunOptions {
       0;  ///< with errors, brought to their equilibrium to confirm what is said of them, 0 to 1000000
   /// Where it asks to, searches end with the best so far, and what only judges or checks it is left out.
   std::stop_token stop = {};
+  std::mutex* engine =
+      nullptr;  ///< held while the physics engine runs, which one thread at a time may use; null: nobody else does
   bool fidelity = false;  ///< physics runs of coarser steps too, for the table of speed against error
 };
 

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "app/files/structure_section.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/lattice/square/redrawn.hpp"
+#include "model/lattice/square/sheet_symmetry.hpp"
 
 namespace kinetix::app::studio {
 namespace {
@@ -29,6 +31,38 @@ void change(model::HingeParameters& hinge, const Message& message, double edge_m
   if (message.has("alpha_deg")) hinge.alpha = message.number("alpha_deg", 0, 180) * radians_per_degree;
   if (message.has("beta_deg")) hinge.beta = message.number("beta_deg", -90, 90) * radians_per_degree;
   if (message.has("offset_mm")) hinge.offset = message.number("offset_mm", -edge_mm, edge_mm) / edge_mm;
+}
+
+model::SheetSymmetry symmetry_of(const Message& message, const DesignFile& design) {
+  const std::string name = message.has("symmetry") ? message.text("symmetry") : "none";
+  if (name == "none") return {};
+  const model::Structure* squares = design.structure.squares();
+  if (!squares) throw InvalidInput("symmetry: is known of sheets of squares only");
+  if (name == "mirror_x") return {*squares, true, false};
+  if (name == "mirror_y") return {*squares, false, true};
+  if (name == "rotate_2") return {*squares, true, true};
+  throw InvalidInput("symmetry: must be none, mirror_x, mirror_y or rotate_2");
+}
+
+void take_what_was_asked(const Message& message, const model::HingeParameters& from,
+                         model::HingeParameters& to) {
+  if (message.has("t")) to.t = from.t;
+  if (message.has("alpha_deg")) to.alpha = from.alpha;
+  if (message.has("beta_deg")) to.beta = from.beta;
+  if (message.has("offset_mm")) to.offset = from.offset;
+}
+
+/// What was changed of hinges, on the other side too; of two that are each other's image the first one counts.
+void change_images(const std::vector<int>& hinges, const model::SheetSymmetry& symmetry,
+                   const Message& message, model::Sheet& sheet) {
+  const model::Structure before = *sheet.squares();
+  std::set<int> told;
+  for (const int h : hinges) {
+    const auto other = symmetry.image(before, h);
+    if (!other || *other == h || told.count(h) > 0) continue;
+    told.insert(*other);
+    take_what_was_asked(message, symmetry.image(before, h, *other), sheet.hinge(*other));
+  }
 }
 
 const model::Structure& squares_of(const DesignFile& design) {
@@ -60,11 +94,25 @@ void alternate(const model::Structure& squares, const std::vector<int>& hinges, 
     const bool is_along = before[h].wall.axis == first.wall.axis;
     const model::HingeParameters now = is_along ? carried_to(before[h].wall, first) : first.parameters;
     model::HingeParameters& hinge = sheet.hinge(h);
-    if (message.has("t")) hinge.t = now.t;
-    if (message.has("alpha_deg")) hinge.alpha = now.alpha;
-    if (message.has("beta_deg")) hinge.beta = now.beta;
-    if (message.has("offset_mm")) hinge.offset = now.offset;
+    take_what_was_asked(message, now, hinge);
   }
+}
+
+/// One `cell`, or the `cells` of a stroke.
+std::vector<model::Cell> painted(const Message& message) {
+  const bool many = message.has("cells");
+  const std::vector<int> at = message.integers(many ? "cells" : "cell", 0, most_cells_a_side - 1);
+  if (at.empty() || at.size() % 2 != 0 || (!many && at.size() != 2))
+    throw InvalidInput(many ? "cells: must be [i, j, i, j, ...]" : "cell: must be [i, j]");
+  std::vector<model::Cell> out;
+  for (std::size_t k = 0; k < at.size(); k += 2) out.push_back({at[k], at[k + 1]});
+  return out;
+}
+
+DesignFile with_one_cell(DesignFile design, const model::Cell& cell, bool on) {
+  std::vector<model::Cell> cells = model::with_cell(squares_of(design), cell, on);
+  const model::CellSize size = design.structure.size();
+  return with_cells(std::move(design), std::move(cells), size);
 }
 
 std::string kind_text(const Message& message) {
@@ -95,17 +143,23 @@ DesignFile with_hinges(DesignFile design, const Message& message) {
     alternate(squares_of(design), hinges, message, edge_mm, design.structure);
   else
     for (const int h : hinges) change(design.structure.hinge(h), message, edge_mm);
+  if (const model::SheetSymmetry symmetry = symmetry_of(message, design); symmetry.any())
+    change_images(hinges, symmetry, message, design.structure);
   validate_hinges(design.structure);
   return design;
 }
 
 DesignFile with_cell(DesignFile design, const Message& message) {
-  const std::vector<int> at = message.integers("cell", 0, most_cells_a_side - 1);
-  if (at.size() != 2) throw InvalidInput("cell: must be [i, j]");
-  std::vector<model::Cell> cells =
-      model::with_cell(squares_of(design), {at[0], at[1]}, message.boolean("on"));
-  const model::CellSize size = design.structure.size();
-  return with_cells(std::move(design), std::move(cells), size);
+  const bool on = message.boolean("on");
+  const model::SheetSymmetry symmetry = symmetry_of(message, design);
+  for (const model::Cell& cell : painted(message)) {
+    design = with_one_cell(std::move(design), cell, on);
+    const model::Cell image = symmetry.image(cell);
+    const bool is_there = model::has_cell(squares_of(design), image);
+    if (symmetry.any() && model::is_countable(image) && is_there != on)
+      design = with_one_cell(std::move(design), image, on);
+  }
+  return design;
 }
 
 DesignFile with_sheet(DesignFile design, const Message& message) {

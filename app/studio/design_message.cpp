@@ -47,8 +47,7 @@ Json design_message(const DesignFile& design, const Moving& moving) {
           {"why", moving.exact.why},
           {"breaking", moving.nearest ? moving.nearest->changed : std::vector<int>{}},
           {"hinge", hinge_json(design.hinge)},
-          {"flat_mm", numbers(flat_size(moving.linkage))},
-          {"goal", nullptr}};
+          {"flat_mm", numbers(flat_size(moving.linkage))}};
 }
 
 Json state_message(const Player& player) {

@@ -77,6 +77,13 @@ Eigen::Vector3d Message::point(const char* key) const {
   return point;
 }
 
+std::vector<double> Message::numbers(const char* key, double least, double most) const {
+  std::vector<double> all;
+  for (const auto& value : list_of(at(key, "a list of numbers"), key))
+    all.push_back(number_of(value, key, least, most));
+  return all;
+}
+
 std::vector<int> Message::integers(const char* key, int least, int most) const {
   std::vector<int> all;
   for (const auto& value : list_of(at(key, "a list of whole numbers"), key))

@@ -24,6 +24,7 @@ class Message {
   std::string text(const char* key) const;
   Eigen::Vector3d point(const char* key) const;  ///< mm
   std::vector<int> integers(const char* key, int least, int most) const;
+  std::vector<double> numbers(const char* key, double least, double most) const;
   std::vector<std::string> texts(const char* key) const;
   /// Of a map from names to texts.
   std::vector<std::pair<std::string, std::string>> named_texts(const char* key) const;

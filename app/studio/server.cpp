@@ -340,7 +340,9 @@ std::uint16_t Server::port() const { return engine_->acceptor.local_endpoint().p
 
 void Server::run() {
   engine_->signals.async_wait([this](error_code error, int) {
-    if (!error) engine_->io.stop();
+    if (error) return;
+    engine_->signals.clear();  // the next one ends the program as it always did, whatever still runs
+    engine_->io.stop();
   });
   engine_->accept();
   engine_->io.run();

@@ -11,11 +11,11 @@
 #include "app/pipeline/pipeline.hpp"
 #include "app/print/export_command.hpp"
 #include "app/result/result_json.hpp"
+#include "app/studio/balance.hpp"
 #include "app/studio/base64.hpp"
 #include "app/studio/design_edits.hpp"
 #include "app/studio/design_message.hpp"
 #include "app/studio/templates.hpp"
-#include "model/elastic/path/equilibrium_path.hpp"
 #include "model/elastic/path/stable_states.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
@@ -33,9 +33,6 @@ constexpr std::chrono::milliseconds between_words{500};  // of a search, on scre
 constexpr std::size_t most_senders = 8;                  // pages whose parts of files are kept
 constexpr double largest_push_N = 1000;                  // more than a person pushes with
 
-/// Thrown out of long work that nobody waits for any more.
-struct Stopped {};
-
 double seconds_since(SteadyClock::time_point start) {
   return std::chrono::duration<double>(SteadyClock::now() - start).count();
 }
@@ -44,11 +41,6 @@ Json error_message(const std::string& what, double id) {
   Json out = {{"type", "error"}, {"message", what}};
   if (id > 0) out["id"] = id;
   return out;
-}
-
-/// A load as a force: a moment by the lever of a cell edge.
-double force_of(const model::LinkageDrive& drive, double load, double edge_mm) {
-  return drive.has_force() ? load : load / edge_mm;
 }
 
 /// A folder that goes with its last owner.
@@ -108,22 +100,23 @@ void Session::enqueue(std::function<void()> work) {
 void Session::run(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
     do_queued();
-    // The engine has global state: while a search checks its result with it, nothing else does.
-    if (!searching_ && player_.plays()) {
-      player_.play();
-      changed_ = true;
-    }
+    if (player_.plays())
+      if (const std::unique_lock alone(engine_, std::try_to_lock); alone) {
+        player_.play();
+        changed_ = true;
+      }
     if (changed_) show();
     wait_for_work(stop);
   }
   tracer_.ask_to_stop();
   searcher_.ask_to_stop();
+  exporter_.ask_to_stop();
 }
 
 void Session::wait_for_work(const std::stop_token& stop) {
   std::unique_lock lock(mutex_);
   const auto ready = [this] { return !queue_.empty(); };
-  if (!searching_ && player_.plays())
+  if (player_.plays())
     arrived_.wait_for(lock, stop, between_plays, ready);
   else
     arrived_.wait(lock, stop, ready);
@@ -270,6 +263,8 @@ void Session::design_changed() {
   result_.reset();
   told_ = nullptr;
   stable_.clear();
+  way_.reset();
+  ++traces_;  // what is under way is of another design
   player_.load(history_.current());
   tell(design_message(history_.current(), player_.moving()));
   tell_state();
@@ -307,62 +302,64 @@ void Session::save() {
   tell(design_message(history_.current(), player_.moving()));
 }
 
-/// The path from flat to theta, on its own thread; the shapes on the way are shown as they come.
+/// What the page draws of a way.
+static Json path_rows(const KnownWay& way, const Balance& balance) {
+  Json rows = Json::array();
+  for (const model::DrivenState& at : way.states)
+    rows.push_back({{"theta_rad", at.step.theta},
+                    {"force_N", balance.force_N(at.step.theta, at.step.load)},
+                    {"energy_Nmm", at.step.energy},
+                    {"stable", at.step.stable}});
+  return rows;
+}
+
+/// To theta, on its own thread, from what is known of the way; the shapes on it are shown as they come.
 void Session::trace(double theta) {
-  const int client = client_, revision = revision_;
+  const int client = client_, number = ++traces_;
   const double id = std::exchange(id_, 0);
-  DesignFile design = history_.current();
-  design.theta = theta;
-  tracer_.start([this, client, revision, id, design = std::move(design)](const std::stop_token& stop) {
-    const double theta_goal = design.theta, edge = design.structure.size().edge_mm;
+  tracer_.start([this, client, number, id, theta, design = history_.current(), known = way_,
+                 is_settled = stable_of_ == way_](const std::stop_token& stop) {
     try {
-      const model::LinkageDrive drive = drive_to(design.structure, theta_goal);
-      DesignFile elastic = design;
-      elastic.hinge.model = HingeSection::Model::elastic;
-      const model::Elasticity elasticity = elasticity_of(elastic);
-      model::EquilibriumPathOptions options;
-      options.planar = all_vertical(model::Linkage(design.structure));
-      options.side = design.side;
-      Json rows = Json::array();
-      model::EnergyTurns turns(drive);
-      const auto see = [&](const model::EquilibriumStep& step, const model::State& state) {
-        if (stop.stop_requested()) throw Stopped();
-        turns.see(step, state);
-        const double force = force_of(drive, step.load, edge);
-        rows.push_back({{"theta_rad", step.theta},
-                        {"force_N", force},
-                        {"energy_Nmm", step.energy},
-                        {"stable", step.stable}});
-        enqueue([this, revision, state, step, force] {
-          if (revision != revision_) return;
-          player_.show_equilibrium(state, step.theta, force, step.energy);
+      const Balance balance(design);
+      const auto see = [&](const model::DrivenState& at) {
+        const double force = balance.force_N(at.step.theta, at.step.load);
+        enqueue([this, number, at, force] {
+          if (number != traces_) return;
+          player_.show_equilibrium(at.state, at.step.theta, force, at.step.energy);
           changed_ = true;
         });
       };
-      const auto path = trace_equilibrium({design.structure, drive, exact_motion(design.structure)},
-                                          elasticity, options, see);
-      enqueue([this, revision, client, id, path, rows, theta_goal] {
-        if (revision != revision_) return;
+      std::string why;
+      const auto way = balance.go(theta, known, stop, see, why);
+      if (stop.stop_requested()) return dropped(client, id);
+      Json rows = path_rows(*way, balance);
+      enqueue([this, number, client, id, way, why, rows = std::move(rows)] {
         if (id > 0) heard_[client] = id;
         changed_ = true;
+        if (number != traces_) return;
+        way_ = way;
         tell({{"type", "path"}, {"rows", rows}});
-        if (path.stop != model::EquilibriumPath::Stop::reached)
-          tell(error_message(fmt::format("the equilibrium ends at theta {:.1f} deg: {}",
-                                         path.theta / radians_per_degree, path.why),
-                             0),
-               client);
+        if (!why.empty()) tell(error_message(why, 0), client);
       });
-      const auto stable = stable_states(design.structure, elasticity, {turns}, {.path = options});
-      enqueue([this, revision, states = stable.states] {
-        if (revision == revision_) stable_ = states;
-      });
-    } catch (const Stopped&) {
-      enqueue([this, client, id] {
-        if (id > 0) heard_[client] = id;
+      if (way == known && is_settled) return;
+      auto states = balance.stable(*way, stop);
+      if (stop.stop_requested()) return;
+      enqueue([this, number, way, states = std::move(states)] {
+        if (number != traces_) return;
+        stable_ = states;
+        stable_of_ = way;
       });
     } catch (const std::exception& e) {
       enqueue([this, client, id, what = std::string(e.what())] { tell(error_message(what, id), client); });
     }
+  });
+}
+
+/// Nobody waits for that command's effect any more.
+void Session::dropped(int client, double id) {
+  enqueue([this, client, id] {
+    if (id > 0) heard_[client] = id;
+    changed_ = true;
   });
 }
 
@@ -429,6 +426,7 @@ void Session::search_for(const std::string& file, std::shared_ptr<void> keeps) {
       options.seed = opened_.seed;
       options.progress = progress;
       options.stop = stop;
+      options.engine = &engine_;
       auto run = std::make_shared<Run>(run_scene(*target.goal, options));
       enqueue([this, run] { found(run); });
     } catch (const std::exception& e) {
@@ -458,22 +456,48 @@ void Session::found(std::shared_ptr<Run> run) {
 }
 
 void Session::export_files(const Message& message) {
+  if (exporting_) throw InvalidInput("export: one is going on; wait for it");
   PrintRequest request;
   request.formats = message.texts("formats");
   if (message.has("process")) request.process = message.text("process");
   if (message.has("hinge")) request.hinge = message.text("hinge");
   if (message.has("clearance_mm")) request.clearance_mm = message.number("clearance_mm", 0.01, 10);
+  if (message.has("orient")) request.orient = message.text("orient");
+  if (message.has("bed_mm")) request.bed_mm = message.numbers("bed_mm", 1, 1e5);
+  if (request.bed_mm.size() % 2 != 0 || request.bed_mm.size() > 2)
+    throw InvalidInput("bed_mm: must be [x, y]");
   DesignFile design = history_.current();
   if (std::abs(player_.theta()) > 0) design.theta = player_.theta();
   const fs::path beside = fs::path(opened_.save_file).parent_path();
   const std::string folder = (beside / (design.name + "_print")).string();
-  tell({{"type", "progress"},
-        {"job", "export"},
-        {"text", "building solids"},
-        {"done", nullptr},
-        {"left_s", nullptr}});
-  const Exported out = export_design(design, request, folder);
-  tell({{"type", "exported"}, {"folder", out.folder}, {"files", out.files}, {"summary", out.text}});
+  exporting_ = true;
+  const int client = client_;
+  const double id = std::exchange(id_, 0);
+  exporter_.start([this, client, id, design = std::move(design), request, folder](const std::stop_token&) {
+    const auto progress = [this](const std::string& stage, double done, const std::string& so_far) {
+      Json out = {{"type", "progress"},
+                  {"job", "export"},
+                  {"text", so_far.empty() ? stage : stage + ": " + so_far},
+                  {"done", nullptr},
+                  {"left_s", nullptr}};
+      if (done >= 0) out["done"] = done;
+      enqueue([this, out] { tell(out); });
+    };
+    try {
+      const Exported out = export_design(design, request, folder, progress);
+      enqueue([this, client, id, out] {
+        exporting_ = false;
+        if (id > 0) heard_[client] = id;
+        changed_ = true;
+        tell({{"type", "exported"}, {"folder", out.folder}, {"files", out.files}, {"summary", out.text}});
+      });
+    } catch (const std::exception& e) {
+      enqueue([this, client, id, what = std::string(e.what())] {
+        exporting_ = false;
+        tell(error_message(what, id), client);
+      });
+    }
+  });
 }
 
 void Session::show() {

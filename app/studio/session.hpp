@@ -7,6 +7,7 @@
 #include <stop_token>
 
 #include "app/run/run.hpp"
+#include "app/studio/balance.hpp"
 #include "app/studio/design_history.hpp"
 #include "app/studio/job.hpp"
 #include "app/studio/message.hpp"
@@ -71,6 +72,7 @@ class Session {
   void export_files(const Message& message);
 
   void trace(double theta);
+  void dropped(int client, double id);
   void snap();
   void search_for(const std::string& file, std::shared_ptr<void> keeps);
   void found(std::shared_ptr<Run> run);
@@ -87,20 +89,26 @@ class Session {
   std::shared_ptr<const Run> result_;  ///< of the last search, while its design is the present one
   nlohmann::ordered_json
       told_;  ///< the message of the result that the present design is of; null: it is of none
-  std::vector<model::StableState> stable_;  ///< that the last equilibrium path led to
+  std::shared_ptr<const KnownWay> way_;        ///< of the present design's equilibria, as far as it is known
+  std::shared_ptr<const KnownWay> stable_of_;  ///< that way led to the stable states
+  int traces_ = 0;                             ///< that were begun: what older ones say counts no more
+  std::vector<model::StableState> stable_;     ///< that the last equilibrium path led to
   std::size_t next_stable_ = 0;
 
   std::map<int, double> heard_;  ///< by client: id of its last command whose effect can be seen
   int client_ = everybody;       ///< whose command is being done
   double id_ = 0;                ///< of that command; 0 once somebody else answers it
   bool changed_ = true;          ///< there is something new to see
-  bool searching_ = false;
+  bool searching_ = false, exporting_ = false;
+  /// Held while the physics engine runs, which has global state: in the hands of a search that checks its result the thing
+  /// stands still.
+  std::mutex engine_;
   std::map<int, Parts> parts_;  ///< by client: of files that came for its next search
 
   std::mutex mutex_;  ///< of the queue
   std::condition_variable_any arrived_;
   std::deque<std::function<void()>> queue_;
-  Job tracer_, searcher_;  ///< last: they end before what they speak to
+  Job tracer_, searcher_, exporter_;  ///< last: they end before what they speak to
 };
 
 }  // namespace kinetix::app::studio

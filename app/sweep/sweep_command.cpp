@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/console/duration_text.hpp"
+#include "app/console/open_report.hpp"
 #include "app/io/atomic_file.hpp"
 #include "app/report/light_sweep.hpp"
 #include "app/report/report.hpp"
@@ -139,6 +140,7 @@ class Lead {
     write_file(folder_.path() + "/report.html", sweep_html(light_sweep(analysed).dump()));
     write_file(folder_.path() + "/sweep.json", analysed.dump(1) + "\n");
     const Tally counts = tally(table_);
+    if (options_.open) open_report(folder_.path() + "/report.html");
     if (options_.json)
       std::cout << summary_json(plan_, counts, work, folder_.path()).dump(1) << "\n";
     else

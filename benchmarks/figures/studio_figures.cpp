@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <random>
 
 #include "app/goals/read_target.hpp"
@@ -195,15 +196,35 @@ std::string in_browser(const std::string& script) {
   return out;
 }
 
-Figure frames_drawn() {
+/// The number after a word that a script wrote; nothing: it did not come so far.
+std::optional<double> number_after(const std::string& word, const std::string& said) {
+  const auto at = said.find(word);
+  if (at == std::string::npos) return std::nullopt;
+  return std::stod(said.substr(at + word.size()));
+}
+
+/// A row whose number did not come says why.
+Figure unless_missing(Figure figure, const std::optional<double>& measured, const std::string& said) {
+  if (!measured) figure.measured = "not measured: " + said.substr(0, said.find('\n')), figure.met = false;
+  return figure;
+}
+
+void add_pages(std::vector<Figure>& figures) {
   const std::string said = in_browser("frame_rate");
-  const auto at = said.find("drawn: ");
-  const double frames = at == std::string::npos ? 0 : std::stod(said.substr(at + 7));
-  return {"helmet of 844 bodies: frames a second that a page draws in the live physics, software rendering",
-          "at least 15",
-          at == std::string::npos ? "not measured: " + said.substr(0, said.find('\n'))
-                                  : fmt::format("{:.0f}", frames),
-          frames >= 15};
+  const auto frames = number_after("drawn: ", said), drag = number_after("dragged: ", said),
+             picture = number_after("pictured: ", said);
+  figures.push_back(unless_missing(
+      {"helmet of 844 bodies: frames a second that a page draws in the live physics, software rendering",
+       "at least 15", fmt::format("{:.0f}", frames.value_or(0)), frames.value_or(0) >= 15},
+      frames, said));
+  figures.push_back(
+      unless_missing(within("rib of 82 bodies: drag to the picture of its effect in the browser, 95 of 100",
+                            150, drag.value_or(0), "ms"),
+                     drag, said));
+  figures.push_back(
+      unless_missing(within("helmet of 844 bodies: from opening its report to the first picture", 1500,
+                            picture.value_or(0), "ms"),
+                     picture, said));
 }
 
 }  // namespace
@@ -231,7 +252,7 @@ std::vector<Figure> studio_figures() {
     figures.push_back({"helmet of 844 bodies: frames a second at the socket, with a drag on", "at least 20",
                        fmt::format("{:.0f}", frames), frames >= 20});
   }
-  figures.push_back(frames_drawn());
+  add_pages(figures);
   const Drags played = random_drags(100, 60);
   figures.push_back({"60 s of random drags, 100 seeds: runs with a NaN; that gain energy without a hand",
                      "0; 0", fmt::format("{}; {}", played.not_finite, played.grown),

@@ -74,7 +74,8 @@ class Search {
                       "asked for",
                       options_.size.thickness_mm, options_.size.edge_mm, to_degrees(upper_)));
     const int finest = all_columns_are_given(goal_.nets[0]) ? 1 : most_columns_a_right_angle;
-    for (int finer = 1; finer <= finest && !design_.folds; ++finer) try_all(finer);
+    for (int finer = 1; finer <= finest && !design_.folds && !options_.stop.stop_requested(); ++finer)
+      try_all(finer);
     if (!design_.folds) take_the_nearest(finest);
     return std::move(design_);
   }
@@ -83,13 +84,16 @@ class Search {
   void try_all(int finer) {
     const int count = static_cast<int>(goal_.nets.size());
     for (int k = 0; k < count; ++k) {
-      progress_("unfoldings", static_cast<double>(k) / count);
+      progress_("search", static_cast<double>(k) / count,
+                fmt::format("unfolding {} of {}, best free to {:.0f} % of its way", k + 1, count,
+                            100 * best_share_));
       const std::vector<int> columns = columns_of(goal_.nets[k], finer);
       const std::optional<Obstacle> obstacle = try_net(k, columns);
       design_.attempts.push_back({k, columns, obstacle ? obstacle->why : ""});
       if (!obstacle) return;
+      best_share_ = std::max(best_share_, obstacle->share);
       add_obstacle(obstacle->why);
-      if (obstacle->everywhere) return;
+      if (obstacle->everywhere || options_.stop.stop_requested()) return;
     }
   }
 
@@ -137,6 +141,7 @@ class Search {
     std::optional<Obstacle> farthest;
     const int steps = static_cast<int>(std::ceil((upper_ - lower) / step));
     for (int k = steps; k >= 0; --k) {
+      if (options_.stop.stop_requested()) return Obstacle{"the search was told to stop", false, 0};
       FoldedNet net = folded(index, columns, lower + (upper_ - lower) * k / steps);
       auto obstacle = walls_in_the_way(net);
       if (!obstacle) return accept(index, refined(index, columns, std::move(net), k < steps));
@@ -148,7 +153,7 @@ class Search {
   /// A little more theta, as far as it is free.
   FoldedNet refined(int index, const std::vector<int>& columns, FoldedNet best, bool blocked_beyond) {
     double blocked = blocked_beyond ? best.theta + step : best.theta;
-    while (blocked - best.theta > precision) {
+    while (blocked - best.theta > precision && !options_.stop.stop_requested()) {
       FoldedNet middle = folded(index, columns, (best.theta + blocked) / 2);
       if (walls_in_the_way(middle))
         blocked = middle.theta;
@@ -238,7 +243,7 @@ class Search {
   const targets::FoldGoal& goal_;
   const FoldOptions& options_;
   const Progress& progress_;
-  double upper_ = 0;
+  double upper_ = 0, best_share_ = 0;
   FoldDesign design_;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,8 @@ struct FoldOptions {
   model::CellSize size = {};
   double tilt = 60 * radians_per_degree;  ///< most that a wall may tilt to either side, rad, (0, pi/2)
   AngleRange theta{2 * radians_per_degree, 44 * radians_per_degree};  ///< rad, in (0, pi/2), lower < upper
-  double clearance = 0.02;  ///< least gap of walls that are no neighbours, cell edges, [0, 0.5)
+  double clearance = 0.02;    ///< least gap of walls that are no neighbours, cell edges, [0, 0.5)
+  std::stop_token stop = {};  ///< where it asks to, the search ends with what it has
 
   /// @throws InvalidInput naming field, value and rule
   void validate() const;
@@ -42,7 +44,7 @@ struct FoldDesign {
 /// face crosses another on the way (optim/fold/face_crossing.hpp). Where walls of one crease or of the faces
 /// beside it are in each other's way, more columns are tried, up to a fold of 22.5 degrees a column; where
 /// faces are in the way, the next unfolding.
-/// @param progress words and the share done
+/// @param progress the share done, and how far the best unfolding so far is free
 /// @throws InvalidInput for options that do not validate
 FoldDesign fit_fold(const targets::FoldGoal& goal, const FoldOptions& options, const Progress& progress = {});
 

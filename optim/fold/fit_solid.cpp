@@ -51,6 +51,7 @@ class SolidSearch {
   }
 
   SolidDesign& design() { return design_; }
+  double best_share() const { return best_share_; }  ///< of the way to theta that is free, [0, 1]
 
  private:
   static std::string in_words(int columns) {
@@ -66,9 +67,11 @@ class SolidSearch {
     double farthest = 0, wanted = 0;
     const int steps = static_cast<int>((options_.theta.upper - least) / look_step);
     for (int k = 0; k <= steps; ++k) {
+      if (options_.stop.stop_requested()) return "the search was told to stop";
       fold_at(options_.theta.upper - k * look_step);
       const double free = free_to();
       if (free >= design_.theta) return {};
+      best_share_ = std::max(best_share_, free / design_.theta);
       if (wanted == 0 || free / design_.theta > farthest / wanted) farthest = free, wanted = design_.theta;
     }
     if (wanted != 0) fold_at(wanted);
@@ -97,6 +100,7 @@ class SolidSearch {
   const targets::Solid& solid_;
   int cells_;
   const FoldOptions& options_;
+  double best_share_ = 0;
   SolidDesign design_;
 };
 
@@ -109,7 +113,10 @@ SolidDesign fit_solid(const targets::Solid& solid, int cells, int columns, const
   SolidDesign& design = search.design();
   const int first = columns > 0 ? columns : 1, last = columns > 0 ? columns : most_solid_columns;
   for (int k = first; k <= last && !design.folds; ++k) {
-    progress("columns", static_cast<double>(k - first) / (last - first + 1));
+    if (options.stop.stop_requested() && k > first) break;
+    progress("search", static_cast<double>(k - first) / (last - first + 1),
+             fmt::format("{} of {} columns a crease, best free to {:.0f} % of its way", k, last,
+                         100 * search.best_share()));
     const std::string why = search.try_columns(k);
     design.attempts.push_back({k, why});
     design.folds = why.empty();

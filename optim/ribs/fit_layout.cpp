@@ -59,7 +59,8 @@ RibsDesign fit_with_limit(const targets::MeshDistance& surface, const Vector3d& 
     model::State state = problem.state(search.x);
     fishbone.structure = problem.structure(search.x);
     const RibsCollisions collisions(fishbone, shape.theta);
-    const int taken = trims < most_trims ? collisions.trim(layout.spine_and_ribs) : 0;
+    const int taken =
+        trims < most_trims && !options.stop.stop_requested() ? collisions.trim(layout.spine_and_ribs) : 0;
     trimmed += taken;
     if (taken == 0) {
       RibsError error = ribs_error(fishbone, state, surface, spec.clearance_mm);
@@ -111,6 +112,7 @@ RibsDesign fit_layout(const RibsLayout& layout, const targets::MeshDistance& sur
   RibsDesign first = fit_with_limit(surface, crown, spec, options, layout, spec.tilt);
   if (first.collisions.empty()) return first;
   for (const double part : tilt_parts) {
+    if (options.stop.stop_requested()) break;
     RibsDesign gentler = fit_with_limit(surface, crown, spec, options, layout, part * spec.tilt);
     if (gentler.collisions.empty()) return gentler;
   }

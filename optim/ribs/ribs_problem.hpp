@@ -30,6 +30,9 @@ struct RibsShape {
 /// @param place mm
 model::State placed(model::State state, int root, const Eigen::Vector3d& turn, const Eigen::Vector3d& place);
 
+/// What |r| = 1 of a RibsProblem is, cell edges of the rms distance.
+inline constexpr double ribs_residual_in_cells = 0.1;
+
 /// Fit of a fishbone to a surface: all tilts, one theta and its place, by least squares.
 ///
 /// Residuals: distance to the surface less the clearance of every body and every hinge point, over the square

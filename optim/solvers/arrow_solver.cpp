@@ -35,7 +35,8 @@ std::vector<int> offsets(const ArrowProblem& problem) {
 /// Evaluates all blocks at once wherever Ceres moves to, and keeps the best feasible point.
 class Evaluation final : public ceres::EvaluationCallback {
  public:
-  Evaluation(const ArrowProblem& problem, VectorXd& x) : problem_(problem), x_(x) {
+  Evaluation(const ArrowProblem& problem, VectorXd& x, const SolverOptions& options)
+      : problem_(problem), x_(x), options_(options) {
     result_.x = x;
     result_.residual_norm = std::numeric_limits<double>::infinity();
   }
@@ -57,6 +58,7 @@ class Evaluation final : public ceres::EvaluationCallback {
       result_.residual_norm = norm;
       result_.history.emplace_back(result_.evaluations, norm);
     }
+    if (options_.heard) options_.heard(result_.evaluations, result_.residual_norm);
   }
 
   bool valid() const { return valid_; }
@@ -84,6 +86,7 @@ class Evaluation final : public ceres::EvaluationCallback {
 
   const ArrowProblem& problem_;
   const VectorXd& x_;
+  const SolverOptions& options_;
   std::vector<ResidualBlock> blocks_;
   bool valid_ = false, has_rates_ = false;
   SolveResult result_;
@@ -211,7 +214,7 @@ std::set<int> pressed_on_bounds(const ArrowProblem& problem, const VectorXd& x) 
 
 SolveResult solve_holding(const ArrowProblem& problem, VectorXd x, const SolverOptions& options,
                           const std::set<int>& held) {
-  Evaluation evaluation(problem, x);
+  Evaluation evaluation(problem, x, options);
   ceres::Problem::Options problem_options;
   problem_options.evaluation_callback = &evaluation;
   ceres::Problem ceres_problem(problem_options);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -28,6 +29,9 @@ struct SolverOptions {
   /// residuals leave much open.
   double trust_radius = 1e8;
   double target = 0;  ///< stop as soon as |r| is at most this, in units of the problem, >= 0 and finite
+
+  /// Hears of every evaluation: how many there were, and the least |r| so far. On the thread of the search.
+  std::function<void(int evaluations, double least)> heard = {};
 
   /// @throws InvalidInput naming field, value and rule
   void validate() const;

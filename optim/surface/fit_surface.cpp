@@ -1,9 +1,12 @@
 #include "optim/surface/fit_surface.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <mutex>
 #include <numeric>
 #include <random>
 
@@ -229,9 +232,13 @@ void SurfaceOptions::validate() const {
 namespace {
 
 /// Rounds of searches from the best run, shaken; runs and designs of a round follow from its number alone.
-SurfaceDesign after_shakes(Run best_run, SurfaceDesign best, const SurfaceOptions& options) {
+SurfaceDesign after_shakes(Run best_run, SurfaceDesign best, const SurfaceOptions& options, double diagonal,
+                           const Progress& progress) {
   for (int round = 0; round < options.shakes && !(best.error.rms <= options.enough && best.within); ++round) {
     if (options.stop.stop_requested()) break;
+    progress("search anew", static_cast<double>(round) / options.shakes,
+             fmt::format("round {} of {}, best {:.2g} mm off", round + 1, options.shakes,
+                         best.error.rms * diagonal));
     std::vector<Run> runs(shaken_a_round, best_run);
     std::vector<SurfaceDesign> designs(shaken_a_round);
     run_in_parallel(shaken_a_round, options.threads, [&](int k) {
@@ -264,16 +271,25 @@ SurfaceDesign fit_surface(const targets::SurfacePatch& patch, const SurfaceOptio
   std::vector<SurfaceDesign> designs(count);
   std::vector<int> order(count), evaluations(count);
   std::iota(order.begin(), order.end(), 0);
-  std::atomic<int> ended = 0;
+  int ended = 0;
+  double least = std::numeric_limits<double>::infinity();
+  std::mutex words;  // of both
   const auto fit = [&](int runs_of_stage, const std::function<SurfaceDesign(Run&)>& stage) {
     run_in_parallel(runs_of_stage, options.threads, [&](int k) {
       const int start = order[k];
       SurfaceDesign found = stage(runs[start]);
       found.start = start;
       evaluations[start] = found.evaluations;
+      const double rms = found.valid ? found.error.rms : std::numeric_limits<double>::infinity();
       if (designs[start].mesh.vertices.empty() || is_better(found, designs[start]))
         designs[start] = std::move(found);
-      progress("search", static_cast<double>(++ended) / (count + kept));
+      const std::lock_guard lock(words);
+      least = std::min(least, rms);
+      ++ended;
+      const std::string best =
+          std::isfinite(least) ? fmt::format(", best {:.2g} mm off", least * patch.diagonal()) : "";
+      progress("search", static_cast<double>(ended) / (count + kept),
+               fmt::format("search {} of {}{}", ended, count + kept, best));
     });
   };
   fit(count, [](Run& run) { return run.begin(); });
@@ -284,7 +300,7 @@ SurfaceDesign fit_surface(const targets::SurfacePatch& patch, const SurfaceOptio
   best.starts = count;
   best.evaluations = std::accumulate(evaluations.begin(), evaluations.end(), 0);
   if (!best.valid) return best;
-  return after_shakes(runs[best.start], best, options);
+  return after_shakes(runs[best.start], best, options, patch.diagonal(), progress);
 }
 
 }  // namespace kinetix::optim

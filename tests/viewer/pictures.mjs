@@ -21,6 +21,11 @@ await page.click("#tab_goal");
 await page.click('label:has(input[value="letter"])');
 await search();
 await shoot("studio_letter");
+const before = await page.$eval("#written_folder", (node) => node.textContent);
+await page.click("#tab_make");
+await page.click("#export button[type=submit]");
+await page.waitForFunction((folder) => document.getElementById("written_folder").textContent !== folder, {timeout: 120000}, before);
+await shoot("studio_letter_export");
 await page.click("#tab_design");
 await page.click('label:has(input[value="bullet"])');
 await page.evaluate(async () => {

@@ -119,6 +119,34 @@ test("a helmet of 844 bodies: a step of the slider takes at most 16 ms of script
   await page.close();
 });
 
+test("colours by tilt, turn and distance, and the name of what is clicked", async () => {
+  const {page, complaints} = await report("headform");
+  const stage = "#space .stage canvas", key = () => page.$eval("#space .heat-key", (output) => output.textContent);
+  const colours = await page.$$eval("#space .colours option", (options) => options.map(({value}) => value));
+  for (const name of ["", "tilt", "turn", "error"]) assert.ok(colours.includes(name), `${name} of ${colours}`);
+  await page.$eval(stage, (canvas) => canvas.scrollIntoView({block: "center"}));
+  for (const name of ["tilt", "turn", "error"]) {
+    await page.select("#space .colours", name);
+    assert.match(await key(), /dark: [\d.]+/);
+  }
+  await page.select("#space .colours", "");
+  assert.equal(await key(), "");
+  const box = await (await page.$(stage)).boundingBox();
+  for (let k = 0; k < 40 && !(await page.$eval("#space .named", (output) => output.textContent)); ++k)
+    await page.mouse.click(box.x + box.width * (0.3 + 0.01 * k), box.y + box.height * 0.5);
+  assert.match(await page.$eval("#space .named", (output) => output.textContent), /^body \d+, hinge \d+: tilt/);
+  assert.deepEqual(complaints, []);
+  await page.close();
+});
+
+test("no heading is the last thing on a printed page", async () => {
+  const {page} = await report("helmet_rib");
+  await page.emulateMediaType("print");
+  const loose = await page.$$eval("h1, h2, h3, h4, legend, summary, caption", (all) => all.filter((node) => node.checkVisibility() && !["avoid", "avoid-page"].includes(getComputedStyle(node).breakAfter)).map((node) => node.outerHTML.slice(0, 80)));
+  assert.deepEqual(loose, []);
+  await page.close();
+});
+
 test("a letter, which has no closed form under its plates, says that it goes between states", async () => {
   const {page, complaints} = await report("letter_t");
   assert.match(await page.$eval("#space .note", (note) => note.textContent), /computed states/);

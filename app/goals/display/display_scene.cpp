@@ -125,8 +125,7 @@ class DisplayScene final : public Scene {
 
   void add_state(Run& run, const RunOptions& options) const override {
     auto& display = outcome_of<DisplayOutcome>(run);
-    add_equilibrium(run, drive_on(run.structure, display.design.view), elasticity(), motion_states,
-                    options.progress);
+    add_equilibrium(run, drive_on(run.structure, display.design.view), elasticity(), motion_states, options);
     if (is_too_large(run))
       run.plan.why.push_back(fmt::format(
           "no physics run: {} bodies would take hours; `verify` makes one of design.yaml all the same",

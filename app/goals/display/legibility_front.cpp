@@ -47,6 +47,7 @@ std::vector<FrontPoint> legibility_front(const DisplayFile& file, const FrontPoi
   front.back().is_own = true;
   for (const double offset : tried) {
     if (std::abs(offset - file.offset) <= same && !(file.strain > 0)) continue;
+    if (options.solver.stop.stop_requested()) break;
     progress("other offsets", static_cast<double>(front.size() - 1) / std::size(tried));
     DisplayFile other = file;
     other.offset = offset;

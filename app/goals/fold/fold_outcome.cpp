@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "app/run/run.hpp"
@@ -101,6 +102,26 @@ Json fold_json(const FoldOutcome& fold) {
   return out;
 }
 
+/// The faces of the ideal solid where the folded state has them: a closed line of four corners each.
+Json ideal_json(const FoldOutcome& fold, const model::State& state) {
+  const optim::FoldedNet& net = fold.design.folded;
+  std::map<int, Eigen::Vector3d> places;
+  for (const targets::IdealPoint& one : ideal_vertices(net.net, net.layout, net.structure, state, net.theta))
+    places[one.body] = one.place;
+  Json out = Json::array();
+  for (const model::CellRectangle& face : net.layout.faces) {
+    Json line = Json::array();
+    for (const auto& [i, j] :
+         {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1), std::pair(0, 0)}) {
+      const auto body = net.structure.body_at({face.low.i + i * face.width, face.low.j + j * face.height});
+      const Eigen::Vector3d& p = places.at(*body);
+      line.push_back({p.x(), p.y(), p.z()});
+    }
+    out.push_back(std::move(line));
+  }
+  return out;
+}
+
 }  // namespace
 
 std::array<double, 3> FoldOutcome::edges_mm() const {
@@ -132,8 +153,10 @@ Json FoldOutcome::target_json() const {
   return out;
 }
 
-void FoldOutcome::add_sections(const Run&, Json& result) const {
+void FoldOutcome::add_sections(const Run& run, Json& result) const {
   result["fold"] = fold_json(*this);
+  if (design.folds && !run.states.empty() && is_finite(run.states.front().poses))
+    result["fold"]["ideal_mm"] = ideal_json(*this, run.states.front().poses);
   result["optimiser"] = closed_form_json(design.attempts.size(), design.evaluations, design.folds,
                                          "no unfolding and no number of columns tried folds freely");
 }

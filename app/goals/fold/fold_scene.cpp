@@ -81,9 +81,11 @@ class FoldScene final : public Scene {
                          {"shape", file.shape_tolerance}};
     if (file.goal.box_mm) found->tolerances.push_back({"size", file.size_tolerance});
     found->goal = file.goal;
-    found->design = fit_fold(file.goal, search_of(file), options.progress);
+    optim::FoldOptions first = search_of(file);
+    first.stop = options.stop;
+    found->design = fit_fold(file.goal, first, options.progress);
     const auto search = [&](double largest_theta) {
-      optim::FoldOptions narrowed = search_of(file);
+      optim::FoldOptions narrowed = first;
       narrowed.theta.upper = largest_theta;
       return fit_fold(file.goal, narrowed);
     };

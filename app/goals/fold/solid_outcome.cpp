@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "app/run/run.hpp"
@@ -51,6 +52,19 @@ Json crease_json(const SolidOutcome& found, std::size_t c) {
   return out;
 }
 
+/// Sides of the faces of the ideal solid where the folded state has them.
+Json ideal_sides_json(const optim::SolidDesign& design, const model::State& state) {
+  std::map<int, Eigen::Vector3d> places;
+  for (const auto& [body, place] : ideal_places(design.net, state, design.theta)) places[body] = place;
+  Json out = Json::array();
+  for (const auto& face : design.net.faces)
+    for (const auto& side : face.sides) {
+      const Eigen::Vector3d &a = places.at(side.front()), &b = places.at(side.back());
+      out.push_back({{a.x(), a.y(), a.z()}, {b.x(), b.y(), b.z()}});
+    }
+  return out;
+}
+
 Json fold_json(const SolidOutcome& found) {
   Json out = {{"faces", Json::array()},
               {"creases", Json::array()},
@@ -94,8 +108,10 @@ Json SolidOutcome::target_json() const {
   return out;
 }
 
-void SolidOutcome::add_sections(const Run&, Json& result) const {
+void SolidOutcome::add_sections(const Run& run, Json& result) const {
   result["fold"] = fold_json(*this);
+  if (design.folds && !run.states.empty() && is_finite(run.states.front().poses))
+    result["fold"]["ideal_mm"] = ideal_sides_json(design, run.states.front().poses);
   result["optimiser"] = closed_form_json(design.attempts.size(), design.evaluations, design.folds,
                                          "no number of columns tried folds freely");
 }

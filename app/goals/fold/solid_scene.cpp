@@ -37,8 +37,10 @@ class SolidScene final : public Scene {
     found->tolerances = {{"angle_deg", std::stod(targets::degrees_text(file_.angle_tolerance))},
                          {"shape", file_.shape_tolerance}};
     found->goal = *file_.goal.solid;
+    optim::FoldOptions search = search_of(file_);
+    search.stop = options.stop;
     found->design = fit_solid(targets::named_solid(found->goal.solid), found->goal.cells, found->goal.columns,
-                              search_of(file_), options.progress);
+                              search, options.progress);
     const optim::SolidDesign& design = found->design;
     if (design.folds)
       found->violations = violations(file_, found->creases(design.error), design.error.rms, "model");

@@ -6,6 +6,7 @@
 #include "app/goals/helmet/helmet_outcome.hpp"
 #include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/physics_settings.hpp"
+#include "app/run/search_words.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::app {
@@ -83,7 +84,7 @@ class HelmetScene final : public Scene {
     take_settings(run, file_);
     options.progress("search", 0);
     auto helmet = std::make_unique<HelmetOutcome>(
-        file_.head, file_.spec, fit_helmet(file_.head.dome, crown, file_.spec, search_of(file_)));
+        file_.head, file_.spec, fit_helmet(file_.head.dome, crown, file_.spec, followed(options)));
     helmet->tolerances = {{"rms_mm", file_.rms_mm}, {"max_mm", file_.max_mm}};
     run.structure = helmet->design.fishbone.structure;
     run.theta = helmet->design.shape.theta;
@@ -97,13 +98,13 @@ class HelmetScene final : public Scene {
     run.fidelity.push_back(exact_fidelity(run.plan.exact, run.structure, run.theta));
   }
 
-  void judge(Run& run, const RunOptions&) const override {
+  void judge(Run& run, const RunOptions& options) const override {
     auto& helmet = outcome_of<HelmetOutcome>(run);
     helmet.inside = walls_inside(run.structure, helmet.design.state, file_.head.scan);
     helmet.violations = violations(file_, helmet.design.error, helmet.inside, "model");
     append(helmet.violations, helmet.design.collisions);
     append(helmet.violations, collisions(run));
-    helmet.uniform = fit_uniform_helmet(helmet.design, file_.head.dome, crown, file_.spec, search_of(file_));
+    helmet.uniform = fit_uniform_helmet(helmet.design, file_.head.dome, crown, file_.spec, followed(options));
   }
 
   /// Every body, from head plus clearance.
@@ -170,6 +171,12 @@ class HelmetScene final : public Scene {
   }
 
  private:
+  optim::SolverOptions followed(const RunOptions& options) const {
+    optim::SolverOptions search = search_of(file_);
+    follow(options, optim::ribs_residual_in_cells * file_.spec.size.edge_mm, search);
+    return search;
+  }
+
   HelmetFile file_;
 };
 

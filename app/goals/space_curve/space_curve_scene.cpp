@@ -5,6 +5,7 @@
 #include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/physics_settings.hpp"
 #include "app/pipeline/robust_search.hpp"
+#include "app/run/search_words.hpp"
 #include "model/lattice/square/drive.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
@@ -69,7 +70,7 @@ class SpaceCurveScene final : public Scene {
     auto outcome = std::make_unique<SpaceCurveOutcome>(file);
     outcome->tolerances = {{"shape", file.shape_tolerance}};
     optim::SolverOptions solver;
-    solver.stop = options.stop;
+    follow(options, file.wanted.diagonal(), solver);
     outcome->found = fit_space_curve(file.wanted, file.variables, solver);
     outcome->violations = all_violations(*outcome, "model");
     run.structure = sheet_of(outcome->found.design, outcome->found.size);

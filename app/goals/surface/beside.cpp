@@ -15,10 +15,15 @@ SurfaceWay fishbone_way(const optim::RibsDesign& design, const targets::RibbedSu
 }
 
 std::vector<SurfaceWay> ways_by_ribs(const targets::RibbedSurface& surface, const optim::RibsSpec& spec,
-                                     bool with_fishbone) {
+                                     bool with_fishbone, const std::stop_token& stop) {
   std::vector<SurfaceWay> out;
-  if (with_fishbone) out.push_back(fishbone_way(fit_ribs(surface, spec, {}), surface));
-  const optim::LooseRibs loose = fit_loose_ribs(surface, spec, {});
+  optim::SolverOptions search;
+  search.stop = stop;
+  if (stop.stop_requested()) return out;
+  if (with_fishbone) out.push_back(fishbone_way(fit_ribs(surface, spec, search), surface));
+  if (stop.stop_requested()) return {};
+  const optim::LooseRibs loose = fit_loose_ribs(surface, spec, search);
+  if (stop.stop_requested()) return {};
   out.push_back(
       {"loose ribs", loose.rms / surface.diagonal, loose.max / surface.diagonal, loose.pieces, loose.open});
   return out;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -21,10 +22,10 @@ struct SurfaceWay {
 
 SurfaceWay fishbone_way(const optim::RibsDesign& design, const targets::RibbedSurface& surface);
 
-/// Loose ribs, and before them the fishbone where `with_fishbone`.
+/// Loose ribs, and before them the fishbone where `with_fishbone`; nothing where it is told to stop.
 /// @throws InvalidInput as optim::fit_ribs
 std::vector<SurfaceWay> ways_by_ribs(const targets::RibbedSurface& surface, const optim::RibsSpec& spec,
-                                     bool with_fishbone);
+                                     bool with_fishbone, const std::stop_token& stop);
 
 nlohmann::ordered_json ways_json(const std::vector<SurfaceWay>& ways);
 /// In one line.

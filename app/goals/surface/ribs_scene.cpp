@@ -5,6 +5,7 @@
 #include "app/goals/surface/ribs_outcome.hpp"
 #include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/physics_settings.hpp"
+#include "app/run/search_words.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::app {
@@ -37,7 +38,7 @@ class RibsScene final : public Scene {
     take_settings(run, file_);
     options.progress("search", 0);
     optim::SolverOptions search;
-    search.stop = options.stop;
+    follow(options, optim::ribs_residual_in_cells * file_.spec.size.edge_mm, search);
     auto ribs = std::make_unique<RibsOutcome>(file_, fit_ribs(file_.surface, file_.spec, search));
     ribs->tolerances = {{"shape", file_.shape_tolerance}, {"cover", file_.cover_tolerance}};
     run.structure = ribs->design.fishbone.structure;
@@ -52,10 +53,10 @@ class RibsScene final : public Scene {
     run.fidelity.push_back(exact_fidelity(run.plan.exact, run.structure, run.theta));
   }
 
-  void judge(Run& run, const RunOptions&) const override {
+  void judge(Run& run, const RunOptions& options) const override {
     auto& ribs = outcome_of<RibsOutcome>(run);
     judge_model(run, ribs, "model");
-    for (SurfaceWay& way : ways_by_ribs(file_.surface, file_.spec, false))
+    for (SurfaceWay& way : ways_by_ribs(file_.surface, file_.spec, false, options.stop))
       ribs.ways.push_back(std::move(way));
   }
 

@@ -4,6 +4,7 @@
 #include "app/goals/surface/surface_kind.hpp"
 #include "app/goals/surface/surface_outcome.hpp"
 #include "app/pipeline/exact_state.hpp"
+#include "app/run/interrupted.hpp"
 #include "model/base/decompositions.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/base/rigid_fit.hpp"
@@ -107,6 +108,8 @@ class SurfaceScene final : public Scene {
     auto surface = std::make_unique<SurfaceOutcome>(file_);
     surface->tolerances = {{"shape", file_.shape_tolerance}, {"cover", file_.cover_tolerance}};
     surface->design = fit_surface(file_.patch, options_of(file_, options), options.progress);
+    if (!surface->design.valid && options.stop.stop_requested())
+      throw Interrupted("no sheet that folds flat was found before the search was stopped");
     if (!surface->design.valid)
       throw InvalidInput(
           "no sheet that folds flat was found for this surface; give more `structure.facets`, or more room "
@@ -124,14 +127,15 @@ class SurfaceScene final : public Scene {
   }
 
   /// Says how ribs would do.
-  void judge(Run& run, const RunOptions&) const override {
+  void judge(Run& run, const RunOptions& options) const override {
     auto& surface = outcome_of<SurfaceOutcome>(run);
     const targets::RibbedSurface ribbed = targets::ribbed_surface(file_.patch);
     const int facets = file_.patch.half.x() >= file_.patch.half.y() ? file_.columns : file_.rows;
     surface.ways = {
         {"sheet", surface.design.error.rms, surface.design.error.max, 1, 1 - surface.design.error.cover}};
-    for (SurfaceWay& way : ways_by_ribs(ribbed, usual_ribs(ribbed, facets), true))
+    for (SurfaceWay& way : ways_by_ribs(ribbed, usual_ribs(ribbed, facets), true, options.stop))
       surface.ways.push_back(std::move(way));
+    if (surface.ways.size() < 2) return;
     const SurfaceWay& fishbone = surface.ways[1];
     if (!surface.met() && fishbone.rms <= file_.shape_tolerance)
       surface.violations.push_back(

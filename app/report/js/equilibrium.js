@@ -20,6 +20,7 @@ const STOPS = {
   torn: "stopped: a hinge is overstretched",
   locked: "stopped: walls in contact lock it",
   "not converged": "stopped: no equilibrium found further on",
+  "interrupted": "stopped: it was told to stop",
 };
 
 function readEnergies(raw) {

@@ -37,7 +37,11 @@ function intoMotion(state, poses) {
 /** The goal beside the folded sheet: a ribbon under a strip, the lines of a head. */
 function goalOf(data, motion) {
   const {model} = data.states, to = intoMotion(model, motion.poses(motion.to)), goal = seenFromSide(data) ? data.goal?.goal ?? [] : [];
-  const lines = (data.goal?.backdrop ?? []).map((line) => line.map(to));
+  const lines = [...(data.goal?.backdrop ?? []), ...(data.goal?.ideal ?? [])].map((line) => line.map(to));
+  if (data.goal?.under?.length) {
+    const {source, corners} = KinetixScene.pictureUnder(data.goal.under, model.poses.map((pose) => pose.p), data.structure.height);
+    return {lines, picture: {source, corners: corners.map(to)}};
+  }
   if (goal.length < 2) return {lines};
   const ys = model.poses.map((pose) => pose.p[1]), more = 0.75 * data.structure.cell;
   const [front, back] = [Math.min(...ys) - more, Math.max(...ys) + more].map((y) => goal.map(([x, z]) => to([x, y, z])));
@@ -49,6 +53,14 @@ function goalOf(data, motion) {
 function fullStructure(data) {
   const {raw, structure} = data;
   return {...raw.structure, wall_mm: {thickness: structure.thickness, height: structure.height}};
+}
+
+/** How far each hinge has turned, degrees. */
+function hingeTurns(structure, poses) {
+  return structure.hinges.map(({a, b}) => {
+    const dot = [3, 4, 5, 6].reduce((sum, k) => sum + poses[7 * a + k] * poses[7 * b + k], 0);
+    return toDegrees(2 * Math.acos(Math.min(1, Math.abs(dot))));
+  });
 }
 
 class SceneView {
@@ -69,13 +81,43 @@ class SceneView {
       event.preventDefault();
       this.scene.draw(performance.now());
     });
+    this.canvas.addEventListener("click", (event) => this.name(event));
     this.show(this.theta);
+  }
+
+  /** Which body and hinge are under the pointer. */
+  name({clientX, clientY}) {
+    const found = this.scene.pick(clientX, clientY);
+    this.scene.setMarked(found ? {chosen: [found.hinge]} : {});
+    this.named.textContent = found ? `body ${found.body}, hinge ${found.hinge}: tilt ${degrees(toDegrees(this.data.structure.hinges[found.hinge]?.beta ?? 0))}` : "";
+  }
+
+  /** What colours can show of this result, each as shares from 0 to 1 of hinges or bodies. */
+  colours() {
+    const {structure, raw, goal} = this.data, most = (values) => Math.max(...values.map(Math.abs), 1e-9);
+    const share = (values, of) => ({values: values.map((value) => Math.abs(value ?? 0) / most(values.map((v) => v ?? 0))), of, most: most(values.map((v) => v ?? 0))});
+    const out = {tilt: {text: "tilt", of: "hinge", show: () => share(structure.hinges.map(({beta}) => toDegrees(beta)), "hinge"), unit: degrees}};
+    out.turn = {text: "turn", of: "hinge", moves: true, show: () => share(hingeTurns(structure, this.scene.poses), "hinge"), unit: degrees};
+    const off = list(dictionary(raw[this.data.kind?.name]).body_mm).map(finite);
+    if (off.length === structure.bodies.length) out.error = {text: "distance from goal", of: "body", show: () => share(off, "body"), unit: millimetres};
+    const energies = list(dictionary(raw.equilibrium).hinge_energy_Nmm).map((one) => (finite(one?.stretch) ?? 0) + (finite(one?.turn) ?? 0));
+    if (energies.length === structure.hinges.length && energies.some((value) => value > 0)) out.strain = {text: "energy in hinges", of: "hinge", show: () => share(energies, "hinge"), unit: (v) => `${figures(v, 2)} N mm`};
+    return out;
+  }
+
+  paint() {
+    const choice = this.choices[this.select?.value];
+    if (!choice) return this.scene.setHeat(null), this.key && (this.key.textContent = "");
+    const {values, of, most} = choice.show();
+    this.scene.setHeat(values, of);
+    this.key.textContent = `pale: 0, dark: ${choice.unit(most)}`;
   }
 
   show(theta) {
     this.theta = theta;
     this.scene.goal.visible = Math.abs(theta - this.motion.to) < NEAR_GOAL;
     this.scene.show(this.motion.poses(theta));
+    if (this.choices?.[this.select?.value]?.moves) this.paint();
     if (this.slider) this.slider.value = theta;
     if (this.readout) this.readout.textContent = `\u03b8 ${degrees(toDegrees(theta))}`;
   }
@@ -127,7 +169,12 @@ class SceneView {
     const fold = moves ? html("label", {class: "slider"}, "flat", this.slider, "folded ", this.readout) : null;
     const physics = this.data.states.physics ? html("fieldset", {}, choice("source", "model", true, () => this.showPhysics(false)),
         choice("source", "physics run", false, () => this.showPhysics(true))) : null;
-    return html("div", {class: "controls"}, physics, this.button, fold, this.buttons());
+    this.choices = this.colours();
+    this.select = html("select", {class: "colours", change: () => this.paint()}, html("option", {value: ""}, "plain"),
+        Object.entries(this.choices).map(([name, {text}]) => html("option", {value: name}, text)));
+    this.key = html("output", {class: "heat-key"});
+    this.named = html("output", {class: "named", "aria-live": "polite"});
+    return html("div", {class: "controls"}, physics, this.button, fold, html("label", {}, "colour ", this.select), this.key, this.buttons(), this.named);
   }
 }
 

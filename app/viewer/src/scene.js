@@ -171,6 +171,7 @@ export class Scene {
   /** Whether cells shine by how far they are open. */
   setShining(on) {
     this.openings.object.visible = on;
+    if (this.underlay) this.underlay.visible = !on;  // a lamp shows the picture by itself
     this.ground.visible = !on;
     this.openings.show(this.poses);
     this.redraw();
@@ -204,7 +205,7 @@ export class Scene {
 
   // ---- what lies beside it
 
-  /** The goal as a ghost, in the frame of the poses: {lines: [[[x, y, z]]], points: [[x, y, z]], triangles: [[a, b, c]]}. */
+  /** The goal as a ghost, in the frame of the poses: {lines: [[[x, y, z]]], points: [[x, y, z]], triangles: [[a, b, c]], picture: {source, corners}}. */
   setGoal(goal) {
     this.goal.clear();
     const colour = cssColour("goal"), at = (points) => new THREE.BufferGeometry().setAttribute("position", new THREE.Float32BufferAttribute(points.flat(), 3));
@@ -216,7 +217,8 @@ export class Scene {
       geometry.computeVertexNormals();
       this.goal.add(new THREE.Mesh(geometry, material));
     }
-    if (goal?.picture) this.goal.add(picture(goal.picture, this.structure));
+    this.underlay = goal?.picture ? underlay(goal.picture) : null;
+    if (this.underlay) this.goal.add(this.underlay), (this.underlay.visible = !this.openings.object.visible);
     this.redraw();
   }
 
@@ -362,12 +364,12 @@ function drawsInSoftware() {
   return /swiftshader|llvmpipe|software|basic render/i.test(name);
 }
 
-/** A picture under the flat sheet. @param source an image or canvas */
-function picture(source, structure) {
-  const texture = new THREE.CanvasTexture(source), places = structure.bodies.map(({position_mm}) => position_mm);
-  const low = [0, 1].map((k) => Math.min(...places.map((p) => p[k]))), high = [0, 1].map((k) => Math.max(...places.map((p) => p[k])));
-  const material = new THREE.MeshBasicMaterial({map: texture, transparent: true, opacity: 0.35, side: THREE.DoubleSide, depthWrite: false});
-  const plane = new THREE.Mesh(new THREE.PlaneGeometry(high[0] - low[0], high[1] - low[1]), material);
-  plane.position.set(0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1]), 0);
-  return plane;
+/** A picture that lies under the thing. @param source an image or canvas   @param corners from low left on, to the left about */
+function underlay({source, corners: [a, b, c, d]}) {
+  const texture = new THREE.CanvasTexture(source);
+  texture.magFilter = THREE.NearestFilter;
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute("position", new THREE.Float32BufferAttribute([a, b, c, a, c, d].flat(), 3));
+  geometry.setAttribute("uv", new THREE.Float32BufferAttribute([0, 0, 1, 0, 1, 1, 0, 0, 1, 1, 0, 1], 2));
+  return new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({map: texture, transparent: true, opacity: 0.45, side: THREE.DoubleSide, depthWrite: false}));
 }

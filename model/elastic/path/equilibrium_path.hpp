@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct EquilibriumPathOptions {
   double longest_jump = 0.1;  ///< rad a hinge turns beyond the prediction: more is a jump to another branch
   double gap_limit = 0.3;     ///< cell edges: the path ends where a hinge stretches more
   NewtonOptions newton;
+  std::stop_token stop = {};  ///< where it asks to, the path ends with the last state that it came to
 
   /// @throws InvalidInput, naming the field, its value and its range
   void validate() const;
@@ -73,6 +75,7 @@ struct EquilibriumPath {
     overstretched,  ///< a hinge stretched by more than gap_limit
     locked,         ///< walls in contact, with which no further equilibrium was found
     not_converged,  ///< no equilibrium found, however small the step
+    interrupted,    ///< it was told to stop
   };
   Stop stop = Stop::reached;
   std::string why;

@@ -53,6 +53,8 @@ std::string stop_reason(const EquilibriumPath& path, const MeasuredSystem& syste
       return overstretched(path.gaps, system.elastic.structure(), gap_limit) + at;
     case Stop::locked:
       return locked(refusal) + at;
+    case Stop::interrupted:
+      return "it was told to stop" + at;
     case Stop::not_converged:
       break;
   }
@@ -67,6 +69,8 @@ std::string to_string(EquilibriumPath::Stop stop) {
       return "torn";
     case Stop::locked:
       return "locked";
+    case Stop::interrupted:
+      return "interrupted";
     case Stop::not_converged:
       break;
   }

@@ -14,11 +14,13 @@ PathTracer::PathTracer(const DrivenLinkage& driven, const Elasticity& elasticity
       solver_(system_, closed_form_, options),
       check_(system_, options.longest_jump),
       length_(options, driven.drive.theta()),
-      record_(system_, head_, options, frame) {}
+      record_(system_, head_, options, frame),
+      stop_(options.stop) {}
 
 EquilibriumPath PathTracer::run() {
   const double goal = system_.elastic.drive().theta();
   while (head_.theta() != goal) {
+    if (stop_.stop_requested()) return record_.finished(EquilibriumPath::Stop::interrupted, refusal_);
     const NextStep next = length_.next(head_.theta());
     const bool taken = advance(next);
     if (!taken && next.is_shortest) return record_.finished(refusal_.stop(record_.last()), refusal_);

@@ -31,6 +31,7 @@ class PathTracer {
   const StepCheck check_;
   StepLength length_;
   PathRecord record_;
+  std::stop_token stop_;
   Refusal refusal_;  ///< of the last step that was not taken
 };
 

@@ -101,12 +101,13 @@ class Collector {
       top.reset();
     };
     for (const EnergyTurn& turn : path.turns()) {
+      if (path_options_.stop.stop_requested()) return;
       if (!turn.maximum)
         arrive(lower(turn));
       else if (!top || turn.before.step.kept_energy() > top->before.step.kept_energy())
         top = turn;
     }
-    if (path.ends_falling()) arrive(path.last());
+    if (path.ends_falling() && !path_options_.stop.stop_requested()) arrive(path.last());
   }
 
   StableStates found() { return std::move(found_); }

@@ -30,7 +30,8 @@ struct StableStateOptions {
 
 /// The stable states that driven paths of trace_equilibrium lead to, made with the same structure, elasticity
 /// and options: flat, and where the structure goes when it is released from each minimum of the energy along
-/// a path and from an end that it still falls to. Further ones may exist that no path comes near.
+/// a path and from an end that it still falls to. Further ones may exist that no path comes near. Where options.path.stop
+/// asks to, those found so far.
 StableStates stable_states(const Linkage& structure, const Elasticity& elasticity,
                            const std::vector<EnergyTurns>& paths, const StableStateOptions& options = {});
 

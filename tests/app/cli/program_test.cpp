@@ -191,6 +191,35 @@ std::string interrupted_search(const std::string& target, const std::string& fol
   return said;
 }
 
+/// Starts the program, and sends Ctrl-C after the words. @return what it said on stderr, and how it ended (waitpid)
+std::pair<std::string, int> interrupted_after(const std::vector<std::string>& words,
+                                              const std::vector<std::string>& arguments) {
+  int ends[2];
+  EXPECT_EQ(pipe(ends), 0);
+  const pid_t child = fork();
+  if (child == 0) {
+    dup2(open("/dev/null", O_WRONLY), STDOUT_FILENO);
+    dup2(ends[1], STDERR_FILENO);
+    std::vector<char*> all{const_cast<char*>(KINETIX_OPT)};
+    for (const std::string& one : arguments) all.push_back(const_cast<char*>(one.c_str()));
+    all.push_back(nullptr);
+    execv(KINETIX_OPT, all.data());
+    _exit(127);
+  }
+  close(ends[1]);
+  std::string said;
+  char some[256];
+  std::size_t sent = 0;
+  for (ssize_t n; (n = read(ends[0], some, sizeof some)) > 0;) {
+    said.append(some, static_cast<std::size_t>(n));
+    while (sent < words.size() && said.find(words[sent]) != std::string::npos) kill(child, SIGINT), ++sent;
+  }
+  close(ends[0]);
+  int status = 0;
+  waitpid(child, &status, 0);
+  return {said, status};
+}
+
 TEST(Program, FollowsTheDriveOfADesign) {
   const Scratch scratch;
   const std::string strip =
@@ -415,6 +444,57 @@ TEST(Program, KeepsTheBestSoFarAtCtrlC) {
   EXPECT_THAT(interrupted_search(scratch.write("long.yaml", long_search), folder),
               HasSubstr("interrupted: keeping the best so far"));
   EXPECT_EQ(Json::parse(text_of(folder + "/result.json"))["stopped"], true);
+}
+
+TEST(Program, EndsAtTheSecondCtrlC) {
+  const Scratch scratch;
+  const std::string folder = scratch / "out";
+  const auto [said, status] = interrupted_after({"search ...", "keeping the best so far"},
+                                                {scratch.write("long.yaml", long_search), "-o", folder});
+  EXPECT_THAT(said, HasSubstr("interrupted: keeping the best so far"));
+  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) << status;
+  EXPECT_FALSE(fs::exists(folder + "/result.json"));
+}
+
+TEST(Program, KeepsThePathSoFarAtCtrlC) {
+  const Scratch scratch;
+  const std::string folder = scratch / "out";
+  const std::string large =
+      scratch.write("large.yaml",
+                    "kinetix: 1\nstructure: {cells: [24, 24], cell_mm: 10}\nhinge: {model: elastic}\n"
+                    "design: {theta_deg: 35}\n");
+  const auto [said, status] = interrupted_after({"equilibrium path ..."},
+                                                {"simulate", large, "--model", "equilibrium", "-o", folder});
+  EXPECT_THAT(said, HasSubstr("interrupted: keeping the best so far"));
+  ASSERT_TRUE(WIFEXITED(status)) << said;
+  EXPECT_EQ(WEXITSTATUS(status), 3) << said;
+  const Json result = Json::parse(text_of(folder + "/result.json"));
+  EXPECT_EQ(schema_errors(result), "");
+  EXPECT_EQ(result["equilibrium"]["stop"], "interrupted");
+  EXPECT_EQ(result["stopped"], true);
+}
+
+TEST(Program, SaysThatThereIsNothingToKeepOfAPhysicsRun) {
+  const Scratch scratch;
+  const std::string folder = scratch / "out";
+  const std::string large = scratch.write(
+      "large.yaml", "kinetix: 1\nstructure: {cells: [24, 24], cell_mm: 10}\ndesign: {theta_deg: 35}\n");
+  const auto [said, status] = interrupted_after({"physics run ..."}, {"verify", large, "-o", folder});
+  EXPECT_THAT(said, HasSubstr("the physics run was stopped before it settled: nothing is written"));
+  ASSERT_TRUE(WIFEXITED(status)) << said;
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_FALSE(fs::exists(folder + "/result.json"));
+}
+
+TEST(Program, SaysHowFarAnExportIs) {
+  const Scratch scratch;
+  const std::string folder = scratch / "out";
+  const Outcome out =
+      kinetix_opt("export " + scratch.write("d.yaml", "kinetix: 1\nstructure: {cells: [2, 2]}\n") +
+                  " --format stl -o " + folder);
+  EXPECT_EQ(out.code, 0) << out.err;
+  EXPECT_THAT(out.err, HasSubstr("building solids ..."));
+  EXPECT_THAT(out.err, HasSubstr("writing files ..."));
 }
 
 /// Lines where stderr is no terminal.

@@ -179,6 +179,58 @@ TEST_F(Studio, PaintsCellsAndMakesHinges) {
   EXPECT_EQ(client.text("design")["hinge"]["kind"], "stiff");
 }
 
+/// The image of a hinge's point under a mirror is the point of the image's hinge, and so are the axes.
+TEST_F(Studio, EditsComeTwiceWhereTheyAreToBeSymmetric) {
+  OpenStudio panel{app::studio::template_design("panel")};
+  Client other{panel.port()};
+  ASSERT_TRUE(other.open(panel.token));
+  const json before = other.text("design")["structure"];
+  for (const auto& [name, mirror] :
+       {std::pair("mirror_x", Eigen::Vector2d(-1, 1)), std::pair("mirror_y", Eigen::Vector2d(1, -1)),
+        std::pair("rotate_2", Eigen::Vector2d(-1, -1))})
+    for (const int index : {0, 37, 100}) {
+      other.send(json{
+          {"type", "hinge"},
+          {"index", index},
+          {"t", 0.3},
+          {"alpha_deg", 80},
+          {"beta_deg", 12},
+          {"offset_mm", 0.7},
+          {"symmetry",
+           name}}.dump());
+      const json now = other.text("design")["structure"];
+      const auto point = [&](int h) {
+        const json& p = now["hinges"][h]["point_mm"];
+        return Eigen::Vector2d(p[0], p[1]);
+      };
+      const auto axis = [&](int h) {
+        const json& a = now["hinges"][h]["axis"];
+        return Eigen::Vector3d(a[0], a[1], a[2]);
+      };
+      std::vector<int> changed;
+      for (std::size_t h = 0; h < now["hinges"].size(); ++h)
+        if (now["hinges"][h] != before["hinges"][h]) changed.push_back(static_cast<int>(h));
+      ASSERT_EQ(changed.size(), 2u) << name << " " << index;
+      const Eigen::Vector2d middle(40, 40);
+      const int image = changed[0] == index ? changed[1] : changed[0];
+      EXPECT_LE((mirror.asDiagonal() * (point(index) - middle) - (point(image) - middle)).norm(), 1e-9)
+          << name << " " << index;
+      const Eigen::Vector3d mirrored = Eigen::Vector3d(mirror.x(), mirror.y(), 1).asDiagonal() * axis(index);
+      EXPECT_LE(std::min((mirrored - axis(image)).norm(), (mirrored + axis(image)).norm()), 1e-9)
+          << name << " " << index;
+      other.send(R"({"type": "undo"})");
+      ASSERT_EQ(other.text("design")["structure"], before);
+    }
+  other.send(R"({"type": "paint", "cells": [0, 0, 1, 0], "on": false, "symmetry": "rotate_2"})");
+  EXPECT_EQ(other.text("design")["structure"]["cells"].size(), 60u);
+  other.send(R"({"type": "undo"})");
+  EXPECT_EQ(other.text("design")["structure"]["cells"].size(), 64u) << "one stroke, one step";
+  other.send(R"({"type": "paint", "cell": [0, 0], "on": false, "symmetry": "spiral"})");
+  EXPECT_NE(
+      other.text("error")["message"].get<std::string>().find("must be none, mirror_x, mirror_y or rotate_2"),
+      std::string::npos);
+}
+
 TEST_F(Studio, WakesUpToThePresent) {
   client.ask({{"type", "mode"}, {"mode", "bullet"}});
   client.send(R"({"type": "gravity", "on": true})");

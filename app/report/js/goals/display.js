@@ -283,7 +283,7 @@ function displayNumbers(data) {
 
 const displayGoal = {
   name: "display",
-  read: (raw) => readDisplay(raw.display),
+  read: (raw) => raw.display && {...readDisplay(raw.display), under: list(dictionary(raw.target).rows).filter((row) => typeof row === "string")},
   view: "top",
   verdict: displayVerdict,
   numbers: displayNumbers,

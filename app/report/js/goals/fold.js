@@ -17,6 +17,7 @@ function readFold(raw) {
       ...place(crease), columns: finite(crease?.columns) ?? 1, asked: finite(crease?.angle_deg) ?? 0,
       model: finite(crease?.fold_deg), physics: finite(crease?.fold_physics_deg), tilt: finite(crease?.tilt_deg)
     })),
+    ideal: list(raw.ideal_mm).map((line) => numberRows(line, 3)),
     edges: numberRows([raw.edges_mm], 3)[0] ?? null,
     loads: someDictionary(raw.loads), unlimited: someDictionary(raw.unlimited),
     unfoldings: finite(raw.unfoldings), unfolding: finite(raw.unfolding),

@@ -1,6 +1,8 @@
 // The sheet from above, flat: cells to paint, hinges to choose. One picture that the arrow keys walk over.
-import {status, svg} from "./dom.js";
+import {$, status, svg} from "./dom.js";
 
+const CLICK_SHARE = 0.08;  // of a cell: a pointer that moved less has clicked
+const T_RANGE = [0.02, 0.98];
 const MOST_HINGES = 3000;  // drawn one by one; larger sheets show their cells alone
 
 export class CellMap {
@@ -8,6 +10,81 @@ export class CellMap {
     Object.assign(this, {state, box, cursor: [1, 1]});
     state.on("design", () => this.draw());
     state.on("chosen", () => this.mark());
+    box.addEventListener("pointermove", (event) => this.move(event));
+    for (const end of ["pointerup", "pointercancel"]) box.addEventListener(end, (event) => this.lift(event, end === "pointerup"));
+  }
+
+  get symmetry() {
+    return $("symmetry").value;
+  }
+
+  /** A place of the page in cells, as the picture has it. */
+  at(event) {
+    const {x, y} = new DOMPoint(event.clientX, event.clientY).matrixTransform(this.picture.getScreenCTM().inverse());
+    return [x, y];
+  }
+
+  /** A hinge under the pointer is dragged along and across its wall, cells are painted. */
+  press(event, what) {
+    if (event.button !== 0) return;
+    event.preventDefault();
+    this.picture.focus();
+    this.held = {...what, start: this.at(event), adds: event.ctrlKey || event.metaKey || event.shiftKey, moved: false};
+    if (what.cell) this.held.on = !this.there.has(String(what.cell)), this.held.cells = [], this.stroke(what.cell);
+    this.box.setPointerCapture(event.pointerId);
+  }
+
+  stroke(cell) {
+    const {cells, on} = this.held;
+    if (this.there.has(String(cell)) === on || cells.some((one) => String(one) === String(cell))) return;
+    cells.push(cell);
+    this.rects.get(String(cell))?.classList.toggle("off", !on);
+  }
+
+  move(event) {
+    if (!this.held) return;
+    const [x, y] = this.at(event), [x0, y0] = this.held.start;
+    this.held.moved ||= Math.hypot(x - x0, y - y0) > CLICK_SHARE;
+    if (this.held.cell) return this.rects.has(String([Math.floor(x), Math.floor(this.flip - y)])) && this.stroke([Math.floor(x), Math.floor(this.flip - y)]);
+    if (!this.held.moved) return;
+    this.held.to = this.onWall(this.held.hinge, [x, y]);
+    this.spots[this.held.hinge].setAttribute("cx", this.held.to.at[0]);
+    this.spots[this.held.hinge].setAttribute("cy", this.held.to.at[1]);
+  }
+
+  lift(event, takes) {
+    const {held} = this;
+    this.held = null;
+    if (!held) return;
+    if (!takes) return this.draw();
+    if (held.cell) return this.paintAll(held.cells, held.on);
+    if (!held.moved) return this.choose(held.hinge, held.adds);
+    const {chosen} = this.state, together = chosen.length > 1 && chosen.includes(held.hinge);
+    if (!together) this.choose(held.hinge, false);
+    const hinges = together ? {indices: [held.hinge, ...chosen.filter((k) => k !== held.hinge)], alternate: $("alternate").checked} : {index: held.hinge};
+    this.send("hinge", {...hinges, t: held.to.t, offset_mm: held.to.offset_mm});
+    status(`hinge ${held.hinge}: t ${held.to.t.toFixed(2)}, ${held.to.offset_mm.toFixed(2)} mm beside its wall`);
+  }
+
+  /** Where on its wall a hinge would be: t along it, mm across it, and the place in the picture. */
+  onWall(hinge, [x, y]) {
+    const {structure} = this.state.design, edge = structure.cell_mm, [a, b] = structure.hinges[hinge].bodies.map((k) => structure.bodies[k].position_mm);
+    const along = [b[0] - a[0], b[1] - a[1]], length = Math.hypot(...along), e = along.map((v) => v / length);
+    const p = [x * edge - a[0], (this.flip - y) * edge - a[1]], near = Math.max(edge * 0.001, 0.04 * edge);
+    const t = Math.max(T_RANGE[0], Math.min(T_RANGE[1], (p[0] * e[0] + p[1] * e[1]) / length)), off = p[1] * e[0] - p[0] * e[1];
+    const offset_mm = Math.abs(off) < near ? 0 : Math.max(-0.45 * edge, Math.min(0.45 * edge, off));
+    const at = [a[0] + t * along[0] - offset_mm * e[1], a[1] + t * along[1] + offset_mm * e[0]];
+    return {t, offset_mm, at: [at[0] / edge, this.flip - at[1] / edge]};
+  }
+
+  send(type, keys) {
+    this.state.connection.send(type, {...keys, symmetry: this.symmetry}).catch(() => this.draw());
+  }
+
+  paintAll(cells, on) {
+    if (!cells.length) return;
+    this.send("paint", cells.length > 1 ? {cells: cells.flat(), on} : {cell: cells[0], on});
+    status(`${cells.length > 1 ? `${cells.length} cells` : `cell ${cells[0].join(", ")}`} ${on ? "added" : "taken away"}`);
   }
 
   /** Cells there are, and one ring of places around where there could be more. */
@@ -27,7 +104,8 @@ export class CellMap {
     this.flip = high[1] + low[1];
     this.high = high;
     const bad = new Set(breaking), many = structure.hinges.length > MOST_HINGES;
-    const cells = this.places().map((cell) => this.cell(cell));
+    const places = this.places(), cells = places.map((cell) => this.cell(cell));
+    this.rects = new Map(places.map((cell, k) => [String(cell), cells[k]]));
     const walls = structure.hinges.map(({bodies: [a, b]}) => {
       const [x1, y1] = flat(structure.bodies[a].position_mm), [x2, y2] = flat(structure.bodies[b].position_mm);
       return svg("line", {class: "wall", x1, y1, x2, y2});
@@ -41,6 +119,7 @@ export class CellMap {
     picture.style.aspectRatio = `${view[2]} / ${view[3]}`;
     if (view[2] > 3 * view[3]) picture.style.minWidth = `${Math.min(1400, 22 * view[2])}px`;
     const hadFocus = this.box.contains(document.activeElement);
+    this.picture = picture;
     this.box.replaceChildren(picture);
     if (hadFocus) picture.focus();
     this.mark();
@@ -50,20 +129,18 @@ export class CellMap {
   cell([i, j]) {
     const on = this.there.has(String([i, j]));
     return svg("rect", {class: on ? "cell" : "cell off", x: i + 0.06, y: this.flip - j - 0.94, width: 0.88, height: 0.88, rx: 0.06,
-      click: () => this.paint([i, j])}, svg("title", {}, on ? `cell ${i}, ${j}: click to take it away` : `add cell ${i}, ${j}`));
+      pointerdown: (event) => this.press(event, {cell: [i, j]})}, svg("title", {}, on ? `cell ${i}, ${j}: click to take it away` : `add cell ${i}, ${j}`));
   }
 
   spot(hinge, index, [cx, cy], bad) {
     const lean = hinge.beta_rad > 1e-6 ? " up" : hinge.beta_rad < -1e-6 ? " down" : "";
-    return svg("circle", {class: `hinge${lean}${bad.has(index) ? " bad" : ""}`, cx, cy, r: 0.13, click: (event) => this.choose(index, event.ctrlKey || event.metaKey || event.shiftKey)},
+    return svg("circle", {class: `hinge${lean}${bad.has(index) ? " bad" : ""}`, cx, cy, r: 0.13, pointerdown: (event) => this.press(event, {hinge: index})},
       svg("title", {}, `hinge ${index}: tilt ${((hinge.beta_rad * 180) / Math.PI).toFixed(1)} degrees${bad.has(index) ? ", breaks the motion" : ""}`));
   }
 
   paint(cell) {
     if (!this.state.squares) return;
-    const on = !this.there.has(String(cell));
-    this.state.connection.send("paint", {cell, on}).catch(() => {});
-    status(`cell ${cell.join(", ")} ${on ? "added" : "taken away"}`);
+    this.paintAll([cell], !this.there.has(String(cell)));
   }
 
   choose(index, adds) {

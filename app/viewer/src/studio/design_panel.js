@@ -53,7 +53,7 @@ export class DesignPanel {
   setHinges(name, value) {
     const {chosen: indices, squares} = this.state;
     if (!Number.isFinite(value) || !indices.length) return;
-    this.send("hinge", {indices, [name]: value, ...(squares ? {alternate: $("alternate").checked} : {})});
+    this.send("hinge", {indices, [name]: value, ...(squares ? {alternate: $("alternate").checked, symmetry: $("symmetry").value} : {})});
   }
 
   showHello() {

@@ -1,4 +1,5 @@
 // Every kind of goal: the cards that ask for it, how its result is looked at, what stands beside it as a ghost.
+import {carried} from "../ghost.js";
 import {curveGoal} from "./goals/curve.js";
 import {displayGoal} from "./goals/display.js";
 import {foldGoal} from "./goals/fold.js";
@@ -26,9 +27,23 @@ export const CARDS = {
 /** The kind of goal that a result is of; nothing where it is of none. */
 export const goalOf = (result) => GOALS.find(({name}) => result?.[name]);
 
-/** The goal in the frame of the poses: from the design's own message, or from the result of a search; null where there is none. */
-export function ghostOf(design, result) {
-  if (design?.goal?.lines) return {lines: design.goal.lines};
+/** How far every body lies off the goal of a result, mm; null where it does not say. */
+export function distancesOf(result) {
+  const goal = goalOf(result), section = result?.[goal?.name], state = result?.states?.find(({name}) => name === "target");
+  if (Array.isArray(section?.body_mm)) return section.body_mm.map(Math.abs);
+  return goal?.apart && state && Array.isArray(section.goal_mm) ? state.poses.map(({position_mm}) => goal.apart(section, position_mm)) : null;
+}
+
+const numbers = ({position_mm: p, quaternion_wxyz: q}) => [...p, ...q];
+
+/**
+ * The goal in the frame of the poses, from the result of a search; null where there is none. @param motion of an exact design:
+ * results may have the thing elsewhere than its motion, as a helmet on its head
+ */
+export function ghostOf(design, result, motion) {
   const goal = goalOf(result);
-  return goal?.ghost?.(result[goal.name], design, result) ?? null;
+  const ghost = goal?.ghost?.(result[goal.name], design, result) ?? null;
+  const state = result?.states?.find(({name}) => name === "target");
+  if (!motion || !state?.poses?.[0] || !Number.isFinite(state.theta_rad)) return ghost;
+  return carried(ghost, numbers(state.poses[0]), [...motion(state.theta_rad).slice(0, 7)]);
 }

@@ -106,7 +106,7 @@ export class Hand {
     }
   }
 
-  /** N, B choose a body; I J K L U O drag it; X fixes it. Says whether the key was one of them. */
+  /** N, B choose a body; J L I K U O drag it; X fixes it. Says whether the key was one of them. */
   key(event) {
     if (event.ctrlKey || event.metaKey || event.altKey) return false;
     const count = this.state.design?.structure.bodies.length ?? 0, key = event.key.toLowerCase();

@@ -4,9 +4,9 @@ import {canRecord, record, saveAs} from "../recording.js";
 import {Scene} from "../scene.js";
 import {Connection} from "./connection.js";
 import {DesignPanel} from "./design_panel.js";
-import {$, degrees, radians, say, show, status} from "./dom.js";
+import {$, degrees, neat, radians, say, show, status} from "./dom.js";
 import {GoalPanel} from "./goal_panel.js";
-import {ghostOf, goalOf} from "./goals.js";
+import {distancesOf, ghostOf, goalOf} from "./goals.js";
 import {Hand} from "./hand.js";
 import {MakePanel} from "./make_panel.js";
 import {MotionBar} from "./motion_bar.js";
@@ -49,7 +49,7 @@ connection.on("design", (design) => {
 connection.on("result", (message) => {
   state.result = message;
   state.found = message.result;
-  scene.setGoal(ghostOf(state.design, state.found));
+  scene.setGoal(ghostOf(state.design, state.found, state.motion));
   lookAt(message.result);
   state.changed("result");
 });
@@ -91,7 +91,7 @@ function newSheet(design, first) {
   scene.stand = null;
   state.motion = design.exact ? exactMotion(design.structure, design.family) : null;
   state.fitting = first || before !== scene.rest.length || Math.abs(size - scene.size) > 0.05 * size;
-  scene.setGoal(ghostOf(design, state.found));
+  scene.setGoal(ghostOf(design, state.found, state.motion));
 }
 
 /** Exact sheets by their shape well folded, so that they do not turn over on the way; others by how they are. */
@@ -119,6 +119,9 @@ function marks() {
   scene.setShining(choice === "light");
   scene.setMarked({bad: breaking, chosen: state.chosen, fixed: state.program.fixed ?? []});
   const tilts = structure.hinges.map(({beta_rad}) => Math.abs(beta_rad)), most = Math.max(...tilts, 1e-9), bad = new Set(breaking);
+  const off = choice === "distance" ? distancesOf(state.found) : null, farthest = Math.max(...(off ?? []), 1e-9);
+  if (choice === "distance") status(off ? `pale: on the goal, dark: ${neat(farthest, 2)} mm off` : "how far it lies off a goal is known of what a search for a curve, a helmet or ribs found");
+  if (off) return scene.setHeat(off.map((v) => v / farthest), "body");
   scene.setHeat({tilt: tilts.map((v) => v / most), turn: choice === "turn" ? turns() : null, error: structure.hinges.map((_, k) => (bad.has(k) ? 1 : 0))}[choice] ?? null);
 }
 state.on("chosen", marks);
@@ -130,7 +133,7 @@ state.on("frame", () => $("colour").value === "turn" && scene.setHeat(turns()));
 
 let beforeScene = null;
 state.remember = () => {
-  if (state.design && state.frame) state.before = {design: state.design, poses: state.frame.poses.slice(), goal: ghostOf(state.design, state.found)};
+  if (state.design && state.frame) state.before = {design: state.design, poses: state.frame.poses.slice(), goal: ghostOf(state.design, state.found, state.motion)};
 };
 function compare(on) {
   if (on && !state.before) return status("nothing to compare with yet: search, or keep this design as before");

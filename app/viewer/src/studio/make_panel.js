@@ -19,10 +19,17 @@ export class MakePanel {
   }
 
   async export() {
-    const formats = [...document.querySelectorAll('input[name="format"]:checked')].map(({value}) => value), {process: {value: process}, clearance_mm: {value: clearance}} = $("export").elements;
+    const formats = [...document.querySelectorAll('input[name="format"]:checked')].map(({value}) => value), {process: {value: process}, hinge: {value: hinge}, orient: {value: orient}, clearance_mm: {value: clearance}, bed} = $("export").elements;
+    if (!$("export").reportValidity()) return;
     if (!formats.length) return status("choose a format first");
     status("exporting\u2026");
-    await this.connection.send("export", {formats, ...(process ? {process} : {}), ...(clearance ? {clearance_mm: Number(clearance)} : {})}).catch(() => status("nothing was written"));
+    await this.connection.send("export", {formats, orient, ...(process ? {process} : {}), ...(hinge ? {hinge} : {}), ...(clearance ? {clearance_mm: Number(clearance)} : {}), ...this.bed(bed.value)}).catch(() => status("nothing was written"));
+  }
+
+  /** {bed_mm: [x, y]}, or nothing where none is given. */
+  bed(text) {
+    const sides = text.split(/[,x\u00d7]/).map(Number);
+    return sides.length === 2 && sides.every((side) => side > 0) ? {bed_mm: sides} : {};
   }
 
   showExported() {

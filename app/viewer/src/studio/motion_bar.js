@@ -83,10 +83,16 @@ export class MotionBar {
     exact.parentElement.title = design.exact ? "The closed form: no strain, no force" : "This design does not move exactly";
   }
 
+  /** Rigid hinges have no unit of force: a hand on them has none either. */
+  force(frame) {
+    if (Number.isFinite(frame.force)) return `${neat(frame.force, 3)} N`;
+    return frame.mode === "bullet" && !this.state.program.springs ? "needs springs" : "\u2013";
+  }
+
   showFrame() {
     const {frame} = this.state, deg = degrees(frame.theta);
     $("reading_theta").textContent = Number.isFinite(deg) ? `${neat(deg, 1)}\u00b0` : "\u2013";
-    $("reading_force").textContent = Number.isFinite(frame.force) ? `${neat(frame.force, 3)} N` : "\u2013";
+    $("reading_force").textContent = this.force(frame);
     $("reading_energy").textContent = Number.isFinite(frame.energy) ? `${neat(frame.energy, 3)} N mm` : "\u2013";
     const busy = this.playing || document.activeElement === $("theta") && performance.now() - (this.asked ?? 0) < 800;
     if (!busy && Number.isFinite(deg)) {

@@ -1,4 +1,5 @@
 // A strip that bends into a curve: one round a wrist, or one that is drawn.
+import {offLine} from "../../ghost.js";
 import {field, inQuotes, number, pairs, targetFile} from "./target_file.js";
 
 const GAP_DEG = 50;  // of a bracelet: where the wrist goes in
@@ -32,6 +33,7 @@ function ribbon(goal, ys, more) {
 
 export const curveGoal = {
   name: "curve",
+  apart: ({goal_mm}, [x, , z]) => offLine(goal_mm, [x, z]),
   cards: {
     bracelet: {title: "Bracelet", fields: [field("round_mm", "wrist", 170, {unit: "mm round", min: 60, max: 600}), field("columns", "columns", 24, {min: 8, max: 120, step: 1}),
       field("rows", "rows", 3, {max: 12, step: 1}), field("height_mm", "walls", 6, {unit: "mm high", max: 40})], text: bracelet},

@@ -1,4 +1,5 @@
 // A letter or a picture that shows when the panel is pressed.
+import {pictureUnder} from "../../ghost.js";
 import {field, inQuotes, number, targetFile} from "./target_file.js";
 
 function letter({glyph, cells, cell_mm}) {
@@ -14,6 +15,11 @@ export const displayGoal = {
   name: "display",
   view: "top",
   light: true,
+  ghost(display, design, result) {
+    const rows = result.target?.rows, state = result.states?.find(({name}) => name === "target");
+    if (!rows?.length || !state) return null;
+    return {picture: pictureUnder(rows, state.poses.map(({position_mm}) => position_mm), design.structure.wall_mm.height)};
+  },
   cards: {
     letter: {title: "Letter", fields: [{name: "glyph", text: "letter or word", value: "A", kind: "text"}, field("cells", "cells a letter", 10, {min: 6, max: 40, step: 1}),
       field("cell_mm", "cell", 10, {unit: "mm"})], text: letter},

@@ -1,8 +1,10 @@
 // A strip that bends and twists into a curve in space.
+import {offLine} from "../../ghost.js";
 import {field, inQuotes, targetFile} from "./target_file.js";
 
 export const space_curveGoal = {
   name: "space_curve",
+  apart: ({goal_mm}, p) => offLine(goal_mm, p),
   cards: {
     space_curve: {title: "Curve in space", about: "A CSV file of points x,y,z in mm.", drop: ".csv", needsFile: true,
       fields: [field("columns", "columns", 96, {min: 8, max: 400, step: 1})],

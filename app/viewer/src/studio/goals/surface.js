@@ -1,13 +1,32 @@
-// A sheet that folds onto a doubly curved surface.
-import {field, targetFile} from "./target_file.js";
+// A sheet that folds onto a doubly curved surface, or a fishbone of ribs over it.
+import {field, inQuotes, number, targetFile} from "./target_file.js";
+
+const FACETS = field("facets", "facets along a side", 8, {min: 2, max: 24, step: 1});
+const RIBS = field("ribs", "ribs instead of a sheet", 0, {min: 0, max: 60, step: 1});
+const WIDTH = field("width_mm", "wide", 100, {unit: "mm", min: 20, max: 5000});
+const RISE_A_DEGREE = 0.00375;              // of a saddle, over half its width: 0.15 at 40 degrees, which sheets reach
+const VASE_RADIUS = 0.75, VASE_SWELL = 0.025;  // of its height, likewise
+const made = ({ribs, facets}) => (ribs > 0 ? [] : [`structure: {facets: [${facets}, ${facets}]}`]);
+const over = ({ribs}) => (ribs > 0 ? `, ribs: ${ribs}` : "");
+
+function shaped(values) {
+  const {shape, width_mm: wide, arc_deg: arc} = values;
+  const sizes = {cap: `width_mm: ${number(wide)}, arc_deg: ${number(arc)}`, saddle: `width_mm: ${number(wide)}, rise: ${number(RISE_A_DEGREE * arc)}`,
+    vase: `height_mm: ${number(wide)}, radius_mm: ${number(VASE_RADIUS * wide)}, swell_mm: ${number(VASE_SWELL * wide)}, arc_deg: ${number(arc)}`}[shape];
+  return targetFile(shape, `{kind: surface, shape: ${shape}, ${sizes}${over(values)}}`, made(values));
+}
+
+const scanned = (values) => targetFile("surface", `{kind: surface, mesh: ${inQuotes(values.name)}, units: ${values.units}${over(values)}}`, made(values));
 
 export const surfaceGoal = {
   name: "surface",
   view: "slant",
   cards: {
-    cap: {title: "Cap", about: "A part of a sphere: a flat sheet that curves both ways.",
-      fields: [field("width_mm", "square", 100, {unit: "mm wide", min: 20, max: 3000})],
-      text: ({width_mm}) => targetFile("cap", `{kind: surface, shape: cap, width_mm: ${width_mm}, arc_deg: 40}`)},
+    surface: {title: "Surface", about: "A flat sheet that curves both ways: part of a sphere, a saddle, the front of a vase.",
+      fields: [{name: "shape", text: "shape", kind: "select", value: "cap", choices: [["cap", "cap"], ["saddle", "saddle"], ["vase", "vase"]]}, WIDTH,
+        field("arc_deg", "it turns by", 40, {unit: "\u00b0", max: 120}), FACETS, RIBS], text: shaped},
+    mesh: {title: "Mesh", about: "A sheet or ribs over a mesh: OBJ, STL or PLY. A sheet takes an open one without holes, ribs any.", drop: ".obj,.stl,.ply", needsFile: true,
+      fields: [{name: "units", text: "mesh is in", kind: "select", value: "mm", choices: [["mm", "mm"], ["cm", "cm"], ["m", "m"], ["in", "inches"]]}, FACETS, RIBS], text: scanned},
   },
   ghost: (surface) => ({lines: surface.lines_mm}),
 };

@@ -1,0 +1,34 @@
+// The goal beside the thing, in mm: {lines: [[[x, y, z]]], triangles: [[[x, y, z]]], picture: {source, corners}}; corners from low left on, to the left about.
+import {cssColour} from "./colours.js";
+import {conjugate, product, turned} from "./quaternion.js";
+
+/** The same beside another placing of the same shape. @param from, to pose of one body before and after, 7 numbers each */
+export function carried(ghost, from, to) {
+  if (!ghost) return ghost;
+  const turn = product(to.slice(3, 7), conjugate(from.slice(3, 7)));
+  const place = (p) => turned(turn, p.map((v, k) => v - from[k])).map((v, k) => v + to[k]);
+  const moved = (lists) => lists?.map((points) => points.map(place)), {picture} = ghost;
+  return {...ghost, lines: moved(ghost.lines), triangles: moved(ghost.triangles), picture: picture && {...picture, corners: picture.corners.map(place)}};
+}
+
+/** How far p lies off a line of points, all of as many coordinates. */
+export function offLine(points, p) {
+  let least = Infinity;
+  for (let k = 1; k < points.length; ++k) {
+    const a = points[k - 1], way = points[k].map((v, i) => v - a[i]), size = way.reduce((sum, v) => sum + v * v, 0) || 1;
+    const share = Math.max(0, Math.min(1, way.reduce((sum, v, i) => sum + v * (p[i] - a[i]), 0) / size));
+    least = Math.min(least, Math.hypot(...way.map((v, i) => a[i] + share * v - p[i])));
+  }
+  return least;
+}
+
+/** A picture under bodies. @param rows of texts from above, "1" where it is dark   @param places of the bodies, mm   @param drop how far below them, mm */
+export function pictureUnder(rows, places, drop) {
+  const source = document.createElement("canvas"), context = source.getContext("2d");
+  Object.assign(source, {width: Math.max(...rows.map((row) => row.length)), height: rows.length});
+  context.fillStyle = `#${cssColour("goal").getHexString()}`;
+  rows.forEach((row, j) => [...row].forEach((letter, i) => letter === "1" && context.fillRect(i, j, 1, 1)));
+  const low = [0, 1, 2].map((k) => Math.min(...places.map((p) => p[k]))), high = [0, 1, 2].map((k) => Math.max(...places.map((p) => p[k])));
+  const z = low[2] - drop;
+  return {source, corners: [[low[0], low[1], z], [high[0], low[1], z], [high[0], high[1], z], [low[0], high[1], z]]};
+}

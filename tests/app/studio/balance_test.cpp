@@ -1,0 +1,84 @@
+#include "app/studio/balance.hpp"
+
+#include <gtest/gtest.h>
+
+#include <latch>
+
+#include "app/studio/job.hpp"
+#include "app/studio/templates.hpp"
+#include "model/closure/closure_drive.hpp"
+
+namespace kinetix::testing {
+namespace {
+
+using app::studio::Balance;
+using app::studio::KnownWay;
+
+constexpr double deg = radians_per_degree;  // rad: thetas of the tests are in degrees
+
+const auto nobody = [](const model::DrivenState&) {};
+
+TEST(StudioBalance, GoesOnFromWhereItCameToAndEndsAsFromFlat) {
+  const app::DesignFile design = app::studio::template_design("strip");
+  const Balance balance(design);
+  std::string why;
+  const auto first = balance.go(12 * deg, nullptr, {}, nobody, why);
+  ASSERT_EQ(why, "");
+  model::DrivenState last;
+  int states = 0;
+  const auto longer = balance.go(
+      20 * deg, first, {}, [&](const model::DrivenState& at) { last = at, ++states; }, why);
+  ASSERT_EQ(why, "");
+  EXPECT_EQ(longer->states.size(), first->states.size() + static_cast<std::size_t>(states) - 1);
+  EXPECT_NEAR(last.step.theta, 20 * deg, 1e-6);
+  const auto anew = balance.go(20 * deg, nullptr, {}, nobody, why);
+  EXPECT_LE(turn_distance(design.structure, last.state, anew->states.back().state), 1e-5);
+  EXPECT_NEAR(last.step.load, anew->states.back().step.load, 1e-4 * std::abs(anew->states.back().step.load));
+}
+
+TEST(StudioBalance, ComesBackWithoutAWayFromFlat) {
+  const app::DesignFile design = app::studio::template_design("strip");
+  const Balance balance(design);
+  std::string why;
+  const auto way = balance.go(20 * deg, nullptr, {}, nobody, why);
+  model::DrivenState last;
+  int states = 0;
+  EXPECT_EQ(balance.go(
+                7 * deg, way, {}, [&](const auto& at) { last = at, ++states; }, why),
+            way);
+  EXPECT_EQ(states, 2) << "the nearest one known, and the one asked for";
+  EXPECT_NEAR(last.step.theta, 7 * deg, 1e-6);
+}
+
+TEST(StudioBalance, StopsOnItsWayWhenItIsTold) {
+  const Balance balance(app::studio::template_design("strip"));
+  std::stop_source source;
+  std::string why;
+  const auto way = balance.go(
+      20 * deg, nullptr, source.get_token(),
+      [&](const model::DrivenState& at) {
+        if (at.step.theta > 5 * deg) source.request_stop();
+      },
+      why);
+  EXPECT_LT(way->states.back().step.theta, 15 * deg);
+  EXPECT_NE(why.find("told to stop"), std::string::npos) << why;
+}
+
+/// Would never end if the next piece of work waited for the one before.
+TEST(StudioJob, StartsTheNextPieceOfWorkWithoutWaitingForTheOneBefore) {
+  std::latch next_began(1), both_ended(2);
+  app::studio::Job job;
+  job.start([&](const std::stop_token& stop) {
+    next_began.wait();
+    EXPECT_TRUE(stop.stop_requested());
+    both_ended.count_down();
+  });
+  job.start([&](const std::stop_token&) {
+    next_began.count_down();
+    both_ended.count_down();
+  });
+  both_ended.wait();
+}
+
+}  // namespace
+}  // namespace kinetix::testing
