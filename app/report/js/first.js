@@ -3,7 +3,7 @@
 const LONG_SHEET = 3;         // times as wide as high: such sheets lie below the folded thing instead of beside it
 const SHOT_HEIGHT = 330;      // CSS pixels, at most: both pictures and the verdict fit a screen of 800
 const FIRST_SLANT = [-0.55, 0.42], FIRST_TOP = [0, 1.1];  // azimuth and elevation, rad
-const EFFORTS = {fingers: "a matter for fingers", hand: "a matter for a hand", vice: "a matter for a vice"};
+const OWN_SPRINGS = "its own springs";  // as `effort` of results calls a drive that nobody presses
 
 /** Into the frame that the goal was drawn in, where a strip stands as its curve does. */
 function standingPlace(data) {
@@ -81,13 +81,14 @@ function cellsText(structure) {
   return `${count(structure.cells, "cell", "cells")}, edges of ${millimetres(structure.cell)}`;
 }
 
-/** What the drive needs; nothing where no elastic model was run. */
+/** What the drive needs, N or N mm, and of whom; nothing where no elastic model was run. */
 function forceText({equilibrium, raw}) {
   if (!equilibrium) return null;
-  const steps = list(raw.equilibrium?.path).filter((step) => step.load_unit === "N" && finite(step.load) !== null);
+  const {effort} = raw.equilibrium, steps = list(raw.equilibrium.path).filter((step) => finite(step.load) !== null);
+  if (effort === OWN_SPRINGS) return "nobody's: its own springs fold it";
   if (!steps.length) return null;
-  const most = steps.reduce((a, {load}) => Math.max(a, Math.abs(load)), 0), effort = EFFORTS[raw.equilibrium.effort];
-  return `${figures(most, 2)} N at most` + (effort ? `: ${effort}` : "");
+  const most = steps.reduce((a, {load}) => Math.max(a, Math.abs(load)), 0), unit = steps[0].load_unit === "N mm" ? `N${SPACE}mm` : "N";
+  return `${figures(most, 2)} ${unit} at most` + (effort ? `: a matter for ${effort}` : "");
 }
 
 function asMadeText({asMade}) {
