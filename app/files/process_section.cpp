@@ -59,6 +59,11 @@ targets::Key process_key() {
       "the result"};
 }
 
+std::string problem_text(const model::PrintProblem& problem) {
+  return fmt::format("{}; with the same proportions a cell_mm of {:.3g} could be", problem.what,
+                     problem.cell_mm);
+}
+
 model::Process read_process(const targets::Section& root) {
   const auto node = root.optional("process");
   if (!node) return model::processes().front();

@@ -8,6 +8,9 @@ namespace kinetix::app {
 /// The `process:` key: how a design is to be printed, by name or as {base, sd: {t_mm, tilt_deg, clearance_mm}}.
 targets::Key process_key();
 
+/// What a process cannot print, with the cell edge at which it could.
+std::string problem_text(const model::PrintProblem& problem);
+
 /// The first process, as the paper prints, where the file names none.
 /// @param root the whole document   @param made its hinges, where it says how they are made
 /// @throws InvalidInput also where the file names a process that cannot print the sheet

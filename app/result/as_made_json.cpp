@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "app/result/made_hinges.hpp"
+
 namespace kinetix::app {
 namespace {
 
@@ -41,7 +43,9 @@ Json as_made_json(const Run& run) {
               {"rms_mm", made.rms_mm},
               {"p95_mm", made.p95_mm},
               {"tolerance_mm", run.printed->tolerance_mm},
+              {"can_be_printed", run.printed->can_be_printed},
               {"holds", run.printed->holds()},
+              {"why", as_made_reasons(run)},
               {"confirmed", run.printed->is_confirmed()},
               {"sources", sources}};
   if (const auto& runs = run.printed->runs)
@@ -50,6 +54,25 @@ Json as_made_json(const Run& run) {
                      {"rms_mm", runs->rms_mm},
                      {"p95_mm", runs->p95_mm}};
   return out;
+}
+
+std::vector<std::string> as_made_reasons(const Run& run) {
+  const PrintedGoal& printed = *run.printed;
+  std::vector<std::string> why = unprintable(run);
+  if (printed.made.p95_mm > printed.tolerance_mm)
+    why.push_back(fmt::format("95 of 100 prints stay within {:.2f} mm of the goal, and {:.2f} mm are allowed",
+                              printed.made.p95_mm, printed.tolerance_mm));
+  if (!printed.runs) return why;
+  const model::PrintRuns& runs = *printed.runs;
+  if (runs.failed > 0)
+    why.push_back(fmt::format("{} of {} prints in the elastic model found no equilibrium near the design",
+                              runs.failed, runs.prints + runs.failed));
+  if (runs.p95_mm > printed.tolerance_mm)
+    why.push_back(
+        fmt::format("of {} prints in the elastic model 95 of 100 came within {:.2f} mm of the goal, and "
+                    "{:.2f} mm are allowed",
+                    runs.prints, runs.p95_mm, printed.tolerance_mm));
+  return why;
 }
 
 std::vector<SummaryLine> as_made_lines(const Run& run) {

@@ -182,6 +182,8 @@ Json result_json(const Run& run) {
     out["as_made"] = as_made_json(run);
     out["timing_s"]["as_made"] = run.timings.as_made;
   }
+  if (run.goal && !run.prints_unknown.empty()) out["as_made_unknown"] = run.prints_unknown;
+  if (auto problems = made_problems_json(run); !problems.empty()) out["made_problems"] = std::move(problems);
   if (run.stopped) out["stopped"] = true;
   if (run.verification) out["physics"] = physics_json(*run.verification);
   return out;

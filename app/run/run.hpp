@@ -119,7 +119,7 @@ struct Run {
       robust;  ///< of a robust search, but of curves, which have columns to choose as well
   std::optional<PrintedGoal> printed;  ///< of goals that are judged by distances
   bool stopped = false;                ///< the best so far, when it was told to stop
-  std::string prints_unknown;          ///< why there is none of such a goal
+  std::string prints_unknown;  ///< why it is not known what prints of a goal come to; empty where it is
   std::vector<Fidelity> fidelity;
   double verify_tolerance = 0.02;  ///< of verification->distance.rms, cell edges
   Timings timings;

@@ -125,6 +125,7 @@ class SurfaceScene final : public Scene {
 
   /// Says how ribs would do.
   void judge(Run& run, const RunOptions&) const override {
+    run.prints_unknown = "sheets of facets are judged by their exact fold alone; ribs are judged as made";
     auto& surface = outcome_of<SurfaceOutcome>(run);
     const targets::RibbedSurface ribbed = targets::ribbed_surface(file_.patch);
     const int facets = file_.patch.half.x() >= file_.patch.half.y() ? file_.columns : file_.rows;

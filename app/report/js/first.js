@@ -132,18 +132,17 @@ function firstShots(data) {
       states.flat ? shot((width) => drawFlatSheet(data, width), "Flat, as it is printed") : null);
 }
 
-/** What keeps a tick from being green, in one sentence. */
-function madeReason({asMade}, tone) {
-  if (tone !== "unsure" || !asMade || asMade.holds) return null;
-  return `95 of 100 prints stay within ${millimetres(asMade.p95)} of the goal, and ${millimetres(asMade.tolerance)} are allowed.`;
+/** What keeps a tick from being green, a sentence each. */
+function madeReasons({madeFaults}, tone) {
+  return tone === "unsure" && madeFaults ? madeFaults.why : [];
 }
 
 function firstScreen(data) {
-  const {mark, tone, title} = verdict(data), made = madeReason(data, tone);
+  const {mark, tone, title} = verdict(data);
   return html(
       "header", {id: "headline"}, html("p", {class: "eyebrow"}, "KinetiX design report"), html("h1", {}, data.name),
       html("div", {class: "verdict " + tone}, html("span", {class: "mark", "aria-hidden": "true"}, mark),
-           html("div", {}, html("h2", {}, title), made && html("p", {}, made),
+           html("div", {}, html("h2", {}, title), madeReasons(data, tone).map((reason) => html("p", {}, reason)),
                 reasons(data).map((reason) => html("p", {class: "why"}, reason)))),
       guarded(() => firstShots(data)), guarded(() => firstFacts(data)));
 }

@@ -56,16 +56,16 @@ function printsWords({count, failed, rms_mm: rms, p95_mm: p95}) {
 
 const parameterWords = {t: "the place", alpha: "the direction", beta: "the tilt", offset: "the offset"};
 
-/** Green only where prints hold as well. */
-function madeVerdict(found, {asMade}) {
-  if (found.tone !== "good" || !asMade || asMade.holds) return found;
-  return {...found, mark: "!", tone: "unsure", title: found.title + ", but not every print will hold"};
+/** Green only where the made thing is known to be good as well. */
+function madeVerdict(found, {madeFaults}) {
+  if (found.tone !== "good" || !madeFaults) return found;
+  return {...found, mark: "!", tone: "unsure", title: `${found.title}, ${madeFaults.title}`};
 }
 
 /** {mark, tone, title, text} */
 function verdict(data) {
-  if (data.kind) return madeVerdict(data.kind.verdict(data), data);
-  return data.equilibrium ? equilibriumVerdict(data) : designVerdict(data);
+  const found = data.kind ? data.kind.verdict(data) : data.equilibrium ? equilibriumVerdict(data) : designVerdict(data);
+  return madeVerdict(found, data);
 }
 
 function keyNumber(name, value, note) {

@@ -79,6 +79,73 @@ TEST(AsMadeResult, GrowsWithTheErrorsOfTheProcess) {
   EXPECT_THAT(rough.out, HasSubstr("NOT EVERY PRINT HOLDS"));
 }
 
+TEST(AsMadeResult, SaysWhyItDoesNotHold) {
+  const Scratch scratch;
+  const Json good = printed(scratch, "").result;
+  EXPECT_EQ(good["as_made"]["can_be_printed"], true);
+  EXPECT_EQ(good["as_made"]["holds"].get<bool>(), good["as_made"]["why"].empty());
+  EXPECT_FALSE(good.contains("made_problems"));
+  const Json rough = printed(scratch, "process: {sd: {tilt_deg: 20}}\n").result;
+  EXPECT_EQ(schema_errors(rough), "");
+  EXPECT_THAT(rough["as_made"]["why"].dump(), HasSubstr("95 of 100 prints stay within"));
+}
+
+// Walls of 0.1 cell edges: here 0.5 mm, and polyjet, which nobody named, prints 0.6.
+TEST(AsMadeResult, SaysWhatCannotBePrinted) {
+  const Scratch scratch;
+  const std::string folder = scratch / "out";
+  const Outcome run = kinetix_opt(
+      scratch.write(
+          "thin.yaml",
+          "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [15, 6], [30, 8], [45, 6], [60, 0]]}\n"
+          "structure: {cells: [12, 1], cell_mm: 5}\n") +
+      " -o " + folder + " --no-verify");
+  ASSERT_TRUE(run.code == 0 || run.code == 3) << run.out << run.err;
+  const Json result = Json::parse(text_of(folder + "/result.json"));
+  EXPECT_EQ(schema_errors(result), "");
+  EXPECT_EQ(result["as_made"]["can_be_printed"], false);
+  EXPECT_EQ(result["as_made"]["holds"], false);
+  EXPECT_THAT(result["as_made"]["why"][0].get<std::string>(),
+              HasSubstr("a wall of 0.5 mm is less than polyjet prints"));
+  EXPECT_EQ(result["made_problems"][0]["kind"], "print");
+  EXPECT_EQ(result["made_problems"][0]["what"], result["as_made"]["why"][0]);
+}
+
+TEST(AsMadeResult, JudgesPrintsOfDisplaysByTheirTolerances) {
+  const Scratch scratch;
+  const std::string letter =
+      "kinetix: 1\ntarget: {kind: display, rows: [\"0000\", \"0110\", \"0110\", \"0000\"]}\n"
+      "solver: {starts: 1, max_evaluations: 20}\ntolerance: {auc: 0.6, contrast: 0.5, stretch: 0.9}\n";
+  const auto shown = [&](const std::string& more) {
+    const std::string folder = scratch / "out";
+    const Outcome run =
+        kinetix_opt(scratch.write("ring.yaml", letter + more) + " -o " + folder + " --no-verify");
+    EXPECT_TRUE(run.code == 0 || run.code == 3) << run.out << run.err;
+    const Json result = Json::parse(text_of(folder + "/result.json"));
+    EXPECT_EQ(schema_errors(result), "");
+    return result["display"]["printed"];
+  };
+  const Json exact = shown("process: {sd: {t_mm: 0, tilt_deg: 0}}\n");
+  EXPECT_EQ(exact["holds"], true) << exact.dump();
+  EXPECT_TRUE(exact["why"].empty());
+  const Json rough = shown("process: {sd: {t_mm: 1.5, tilt_deg: 0}}\n");
+  EXPECT_EQ(rough["holds"], false) << rough.dump();
+  EXPECT_FALSE(rough["why"].empty());
+}
+
+TEST(AsMadeResult, SaysOfSheetsOfFacetsThatTheyAreNotJudged) {
+  const Scratch scratch;
+  const std::string folder = scratch / "out";
+  const Outcome run = kinetix_opt(
+      scratch.write("cap.yaml",
+                    "kinetix: 1\ntarget: {kind: surface, shape: cap}\nstructure: {facets: [4, 4]}\n") +
+      " -o " + folder + " --no-verify");
+  ASSERT_TRUE(run.code == 0 || run.code == 3) << run.out << run.err;
+  const Json result = Json::parse(text_of(folder + "/result.json"));
+  EXPECT_EQ(schema_errors(result), "");
+  EXPECT_THAT(result["as_made_unknown"].get<std::string>(), HasSubstr("facets"));
+}
+
 TEST(AsMadeResult, RefusesProcessesThatNobodyHas) {
   const Scratch scratch;
   const auto refused = [&](const std::string& process) {
