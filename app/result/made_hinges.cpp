@@ -90,6 +90,14 @@ std::optional<double> largest_strain(const Run& run) {
   return largest;
 }
 
+std::optional<double> allowed_strain(const Run& run) {
+  const std::vector<Turned> all = turned_hinges(run);
+  const auto most = std::max_element(all.begin(), all.end(), [](const Turned& a, const Turned& b) {
+    return strain_share(a) < strain_share(b);
+  });
+  return most == all.end() ? std::nullopt : std::optional(most->made->material.strain_max);
+}
+
 std::vector<std::string> unprintable(const Run& run) {
   std::vector<std::string> all;
   if (!run.goal) return all;

@@ -14,6 +14,9 @@ namespace kinetix::app {
 /// @return nothing where no hinge is made as one, or there is no state
 std::optional<double> largest_strain(const Run& run);
 
+/// What the material of the hinge bears that comes nearest to it, or is farthest beyond.
+std::optional<double> allowed_strain(const Run& run);
+
 /// What the run's process cannot print of its sheet, in words: none of a design, whose process is not known.
 std::vector<std::string> unprintable(const Run& run);
 

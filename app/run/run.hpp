@@ -75,7 +75,9 @@ struct MatterResult {
 /// What prints of a result come to.
 struct PrintedGoal {
   model::AsMade made;
-  double tolerance_mm = 0;                    ///< of the goal
+  std::optional<model::AsMade> without_play =
+      {};                   ///< of pins: what the same prints would come to if they had none
+  double tolerance_mm = 0;  ///< of the goal
   std::optional<model::PrintRuns> runs = {};  ///< that confirm it, or do not
   bool can_be_printed = true;                 ///< by the process
 

@@ -137,7 +137,8 @@ function readAsMade(raw) {
   if (!raw || finite(raw.p95_mm) === null) return null;
   const sources = list(raw.sources).filter((source) => finite(source?.share) !== null);
   return {process: String(raw.process), rms: raw.rms_mm, p95: raw.p95_mm, tolerance: raw.tolerance_mm, holds: raw.holds === true,
-    canBePrinted: raw.can_be_printed !== false, confirmed: raw.confirmed !== false, prints: dictionary(raw.prints), sources};
+    canBePrinted: raw.can_be_printed !== false, confirmed: raw.confirmed !== false, prints: dictionary(raw.prints), play: someDictionary(raw.play), sources,
+    places: list(raw.places).filter((place) => finite(place?.share) !== null)};
 }
 
 const PROBLEM_WORDS = {strained: "Strained: ", corners: "Corners: ", offset: "Offset: "};

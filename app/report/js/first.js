@@ -91,6 +91,11 @@ function forceText({equilibrium, raw}) {
   return `${figures(most, 2)} ${unit} at most` + (effort ? `: a matter for ${effort}` : "");
 }
 
+/** Of hinges that are made as blocks or films. */
+function strainText({metrics: {strain_max: most, strain_allowed: allowed}}) {
+  return finite(most) === null || finite(allowed) === null ? null : `${figures(most, 2)} of ${neat(allowed)} that the hinges' material bears`;
+}
+
 function asMadeText({asMade}) {
   if (!asMade) return null;
   return `${millimetres(asMade.rms)} off by ${asMade.process}; 95 of 100 within ${millimetres(asMade.p95)}, allowed ${millimetres(asMade.tolerance)}`;
@@ -110,6 +115,7 @@ function firstFacts(data) {
     ["Folded", states.model && sizeText(boxOfPlates(standingPlates(data, states.model)))],
     ["Sheet", `${cellsText(structure)}; ${walls}`],
     ["Force", forceText(data)],
+    ["Strain", strainText(data)],
     ["As made", asMadeText(data)],
     ["Print", printText(data)],
     ...(data.kind?.facts?.(data) ?? []),

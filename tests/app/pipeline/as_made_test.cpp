@@ -79,6 +79,72 @@ TEST(AsMadeResult, GrowsWithTheErrorsOfTheProcess) {
   EXPECT_THAT(rough.out, HasSubstr("NOT EVERY PRINT HOLDS"));
 }
 
+TEST(AsMadeResult, NamesPlacesThatCountMost) {
+  const Scratch scratch;
+  const Printed one = printed(scratch, "");
+  const Json& places = one.result["as_made"]["places"];
+  ASSERT_FALSE(places.empty());
+  EXPECT_LE(places.size(), 10u);
+  EXPECT_THAT(places[0]["place"].get<std::string>(), ::testing::StartsWith("column "));
+  EXPECT_GE(places[0]["share"], one.result["as_made"]["sources"][0]["share"])
+      << "a column has several hinges";
+  EXPECT_GE(places[0]["share"], places[1]["share"]);
+  EXPECT_THAT(one.out, HasSubstr(" of " + places[0]["place"].get<std::string>() + ": "));
+}
+
+TEST(AsMadeResult, NotesBeforeTheSearchWhatTheUsualProcessCannotPrint) {
+  const Scratch scratch;
+  const auto checked = [&](const std::string& text) {
+    return kinetix_opt("check " + scratch.write("thin.yaml", "kinetix: 1\n" + text));
+  };
+  const std::string curve =
+      "target: {kind: curve, points: [[0, 0], [15, 6], [30, 8], [45, 6], [60, 0]]}\nstructure: {cells: [12, "
+      "1], cell_mm: 5}\n";
+  const Outcome by_default = checked(curve);
+  EXPECT_EQ(by_default.code, 0) << by_default.err;
+  EXPECT_THAT(by_default.out, HasSubstr("a wall of 0.5 mm is less than polyjet prints, 0.6 mm"));
+  EXPECT_EQ(checked(curve + "process: polyjet\n").code, 2);
+  EXPECT_THAT(checked("target: {kind: surface, shape: cap}\nstructure: {wall_mm: {thickness: 0.3}}\n").out,
+              HasSubstr("a wall of 0.3 mm is less than polyjet prints"));
+}
+
+TEST(AsMadeResult, TakesLimitsOfOnesOwnPrinter) {
+  const Scratch scratch;
+  const auto checked = [&](const std::string& process) {
+    return kinetix_opt(
+        "check " +
+        scratch.write(
+            "thin.yaml",
+            "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [15, 6], [30, 8], [45, 6], [60, 0]]}\n"
+            "structure: {cells: [12, 1], cell_mm: 5}\nprocess: " +
+                process + "\n"));
+  };
+  EXPECT_EQ(checked("{base: polyjet, least_wall_mm: 0.5}").code, 0);
+  EXPECT_THAT(checked("{base: polyjet, least_wall_mm: 0.7}").err,
+              HasSubstr("a wall of 0.5 mm is less than polyjet prints, 0.7 mm"));
+  EXPECT_THAT(checked("{least_pin_mm: -1}").err, HasSubstr("process.least_pin_mm"));
+  EXPECT_THAT(checked("{clearance_mm: .nan}").err, HasSubstr("process.clearance_mm"));
+}
+
+TEST(AsMadeResult, SaysWhatPlayAdds) {
+  const Scratch scratch;
+  const auto of = [&](const std::string& hinge, const std::string& sd) {
+    const Printed one =
+        printed(scratch, "drive: {kind: shape_memory, k_turn: 5}\nhinge: {kind: pin, diameter_mm: 1.5" +
+                             hinge + "}\nprocess: {sd: {" + sd + "}}\n");
+    EXPECT_EQ(schema_errors(one.result), "");
+    return one;
+  };
+  const Printed tight = of(", clearance_mm: 0.05", "clearance_mm: 0"),
+                loose = of(", clearance_mm: 0.05", "clearance_mm: 0.1");
+  EXPECT_THAT(loose.out, HasSubstr("of which play of 0.05 mm a side"));
+  const Json one = tight.result["as_made"], other = loose.result["as_made"];
+  EXPECT_LT(one["play"]["rms_without_mm"], one["rms_mm"]);
+  EXPECT_LT(one["rms_mm"], other["rms_mm"]) << "clearances that scatter are larger ones";
+  EXPECT_EQ(one["play"]["rms_without_mm"], other["play"]["rms_without_mm"]);
+  EXPECT_FALSE(printed(scratch, "").result["as_made"].contains("play")) << "of hinges that are no pins";
+}
+
 TEST(AsMadeResult, SaysWhyItDoesNotHold) {
   const Scratch scratch;
   const Json good = printed(scratch, "").result;
