@@ -205,6 +205,28 @@ void check_gaps(const targets::Section& root, const DesignFile& file) {
   }
 }
 
+/// A made hinge can sit so far off the middle of its wall and no further.
+void check_offsets(const targets::Section& root, const DesignFile& file) {
+  const auto list = root.section("design").optional("hinges");
+  if (!list) return;
+  const model::CellSize size = file.structure.size();
+  const WallReader walls(file.structure);
+  for (const targets::Node& node : list->list("a list of hinges")) {
+    const targets::Section hinge(node, hinge_entry_keys());
+    const int h = walls.hinge_of(hinge);
+    const auto own = file.own_hinges.find(h);
+    const auto& made = (own == file.own_hinges.end() ? file.hinge : own->second).made;
+    if (!made) continue;
+    const double offset_mm = std::abs(file.structure.hinge(h).offset) * size.edge_mm;
+    const double most_mm = largest_offset_mm(*made, size.thickness_mm);
+    if (offset_mm > most_mm + 1e-9 * size.edge_mm)  // rounding of a file's digits
+      throw hinge.optional("offset_mm")
+          ->error(
+              fmt::format("a hinge made so in walls of {:g} mm can sit at most {:.3g} mm off their middle",
+                          size.thickness_mm, most_mm));
+  }
+}
+
 }  // namespace
 
 DesignFile read_design(const std::string& path) {
@@ -233,6 +255,7 @@ DesignFile read_design(const targets::Node& node) {
   file.side = read_side(root);
   file.hinge = read_common_hinge(root, file);
   check_gaps(root, file);
+  check_offsets(root, file);
   const auto physics = file.hinge.model == HingeSection::Model::elastic ? read_elastic_physics : read_physics;
   file.physics = physics(root, file.structure.size().edge_mm);
   file.process = read_process_name(root);

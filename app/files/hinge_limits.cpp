@@ -1,5 +1,7 @@
 #include "app/files/hinge_limits.hpp"
 
+#include <fmt/format.h>
+
 namespace kinetix::app {
 
 namespace value = targets::value;
@@ -20,6 +22,10 @@ HingeLimits read_hinge_limits(const targets::Section& tolerance, const HingeSect
   tolerance.read("strain", limits.strain);
   if (const auto strain = tolerance.optional("strain"); strain && !bends)
     throw strain->key_error("is of hinges made as blocks or films; give hinge.kind as well");
+  if (limits.strain && *limits.strain > hinge.made->material.strain_max)
+    throw tolerance.optional("strain")->error(
+        fmt::format("{:g} contradicts the material of `hinge`, which bears {:g}; allowed: up to that",
+                    *limits.strain, hinge.made->material.strain_max));
   return limits;
 }
 

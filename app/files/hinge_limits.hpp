@@ -17,7 +17,7 @@ struct HingeLimits {
 /// @param usual_strain where the file gives none
 std::vector<targets::Key> hinge_limit_keys(const std::string& instead,
                                            const targets::Default& usual_strain = {});
-/// @throws InvalidInput for a strain where hinges are no blocks or films
+/// @throws InvalidInput for a strain where hinges are no blocks or films, and for more than their material bears
 HingeLimits read_hinge_limits(const targets::Section& tolerance, const HingeSection& hinge);
 
 }  // namespace kinetix::app

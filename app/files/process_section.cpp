@@ -35,10 +35,21 @@ const targets::KeyTable& sd_keys() {
   return keys;
 }
 
+/// What one's own printer does otherwise than the process's usual one.
+targets::Key limit_key(const char* name, double model::Process::*field, const char* what) {
+  std::string text = what;
+  for (const model::Process& p : model::processes())
+    text += fmt::format("{} {} {}", &p == &model::processes().front() ? ":" : ",", p.name, p.*field);
+  return {name, value::number({0, 100, false, true, "mm"}), targets::otherwise("the process's"), text};
+}
+
 const targets::KeyTable& own_process_keys() {
   static const targets::KeyTable keys({
       {"base", value::choice(process_names()), targets::by_default(process_names().front().c_str()),
        "the process that all other numbers come from"},
+      limit_key("clearance_mm", &model::Process::clearance_mm, "least clearance of a pin, a side"),
+      limit_key("least_wall_mm", &model::Process::least_wall_mm, "least thickness of a wall"),
+      limit_key("least_pin_mm", &model::Process::least_pin_mm, "least diameter of a pin's rod"),
       {"sd", value::map(sd_keys()), {}, "how far prints are from what was designed"},
   });
   return keys;
@@ -69,6 +80,19 @@ std::string read_process_name(const targets::Section& root) {
   return node ? named(*node).name : "";
 }
 
+std::string problem_text(const model::PrintProblem& problem) {
+  return fmt::format("{}; with the same proportions a cell_mm of {:.3g} could be", problem.what,
+                     problem.cell_mm);
+}
+
+std::vector<std::string> process_notes(const model::Process& process, const model::CellSize& size,
+                                       const std::optional<model::MadeHinge>& made) {
+  std::vector<std::string> notes;
+  for (const model::PrintProblem& problem : print_problems(process, size, made))
+    notes.push_back(problem_text(problem));
+  return notes;
+}
+
 model::Process read_process(const targets::Section& root) {
   const auto node = root.optional("process");
   if (!node) return model::processes().front();
@@ -76,6 +100,9 @@ model::Process read_process(const targets::Section& root) {
   const targets::Section own(*node, own_process_keys());
   const auto base = own.optional("base");
   model::Process process = base ? named(*base) : model::processes().front();
+  own.read("clearance_mm", process.clearance_mm);
+  own.read("least_wall_mm", process.least_wall_mm);
+  own.read("least_pin_mm", process.least_pin_mm);
   const targets::Section sd = own.section("sd");
   sd.read("t_mm", process.sd.t_mm);
   sd.read("tilt_deg", process.sd.tilt_deg);

@@ -8,6 +8,13 @@ namespace kinetix::app {
 /// The `process:` key: how a design is to be printed, by name or as {base, sd: {t_mm, tilt_deg, clearance_mm}}.
 targets::Key process_key();
 
+/// What a process cannot print, with the cell edge at which it could.
+std::string problem_text(const model::PrintProblem& problem);
+
+/// The same of a whole sheet: notes of a forecast.
+std::vector<std::string> process_notes(const model::Process& process, const model::CellSize& size,
+                                       const std::optional<model::MadeHinge>& made);
+
 /// The first process, as the paper prints, where the file names none.
 /// @param root the whole document   @param made its hinges, where it says how they are made
 /// @throws InvalidInput also where the file names a process that cannot print the sheet

@@ -13,22 +13,22 @@ constexpr int most_bodies_to_confirm = 400;  // beyond, they take longer than th
 // Cell edges, rms: an equilibrium further from the state of the design is another one.
 constexpr double near_design = 2;
 
-/// A pin rests anywhere in its bore: evenly within the clearance, along the wall as across it. Where the equilibrium
-/// itself has that play, it is not counted again.
-double play_sd(const HingeSection& hinge) {
-  return hinge.made && !hinge.made->with_play ? play_mm(*hinge.made) / std::sqrt(3.0) : 0;
+model::PlayScatter play_of(const Run& run) {
+  return run.hinge.made ? play_scatter(*run.hinge.made, run.process.sd) : model::PlayScatter{};
+}
+
+model::HingeScatter scatter_with(const Run& run, const model::PlayScatter& play) {
+  const double edge = run.structure.size().edge_mm;
+  model::HingeScatter scatter;
+  scatter.t = std::hypot(run.process.sd.t_mm, play.place_mm) / edge;
+  scatter.beta = std::hypot(run.process.sd.tilt_deg * radians_per_degree, play.tilt);
+  scatter.offset = play.place_mm / edge;
+  return scatter;
 }
 
 }  // namespace
 
-model::HingeScatter scatter_of(const Run& run) {
-  const double edge = run.structure.size().edge_mm, play = play_sd(run.hinge) / edge;
-  model::HingeScatter scatter;
-  scatter.t = std::hypot(run.process.sd.t_mm / edge, play);
-  scatter.beta = run.process.sd.tilt_deg * radians_per_degree;
-  scatter.offset = play;
-  return scatter;
-}
+model::HingeScatter scatter_of(const Run& run) { return scatter_with(run, play_of(run)); }
 
 model::Sheet printed_sheet(model::Sheet sheet, const Eigen::Matrix4Xd& errors) {
   for (int h = 0; h < static_cast<int>(errors.cols()); ++h) {
@@ -56,6 +56,8 @@ std::optional<PrintedGoal> expected_of_prints(const Run& run, const model::Linka
   PrintedGoal out;
   out.can_be_printed = print_problems(run.process, run.structure.size(), run.hinge.made).empty();
   out.made = as_made(system, elasticity, state, theta, tangent, points, scatter_of(run));
+  if (const model::PlayScatter play = play_of(run); play.place_mm > 0)
+    out.without_play = as_made(system, elasticity, state, theta, tangent, points, scatter_with(run, {}));
   return out;
 }
 

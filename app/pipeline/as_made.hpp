@@ -8,7 +8,7 @@ namespace kinetix::app {
 /// cells that do not close bulge. Enough to see that, and a fraction of a second of work.
 inline constexpr int least_prints = 20;
 
-/// What the run's process, and the play of its pins, do to each hinge.
+/// What the run's process, and the play of its pins (model::play_scatter), do to each hinge.
 model::HingeScatter scatter_of(const Run& run);
 /// A sheet whose hinges are off by so much (model::PrintedLinkage).
 model::Sheet printed_sheet(model::Sheet sheet, const Eigen::Matrix4Xd& errors);
@@ -19,7 +19,7 @@ std::optional<PrintedGoal> expected_of_prints(const Run& run, const model::Linka
                                               const std::vector<model::ObservedPoint>& points);
 
 /// What prints of a state of the run's structure come to, with hinges as stiff as the file says (or by default) and the
-/// process's errors: the place of hinges, the tilt of walls, and half of what a pin's clearance leaves open.
+/// process's errors: the place of hinges, the tilt of walls, and what a pin's clearance leaves open.
 /// @param drive that holds the state, in equilibrium or nearly so   @param points by which the goal is judged
 /// @param prints so many are brought to their equilibrium as well, to confirm it; a few in any case, but for large sheets
 /// @return nothing without points, or where the state is not stable under that drive

@@ -12,10 +12,14 @@ namespace {
 
 /// What prints come to, of goals that are judged by distances.
 void judge_prints(Run& run, const Scene& scene, const RunOptions& options) {
-  if (!run.goal || run.states.empty() || (run.matter && !run.equilibrium)) return;
+  if (!run.goal || run.states.empty() || options.stop.stop_requested()) return;
+  if (run.matter && !run.equilibrium) {
+    run.prints_unknown = "elastic hinges find no equilibrium near the design: " + run.matter->why;
+    return;
+  }
   const model::State state = run.matter ? run.equilibrium->path.state : scene.own_state(run);
   const auto judged = scene.judged(run, run.structure, run.theta, state);
-  if (!judged || options.stop.stop_requested()) return;
+  if (!judged) return;
   options.progress("prints", -1);
   run.printed = as_made(run, run.matter ? run.equilibrium->drive : drive_to(run.structure, run.theta), state,
                         judged->points, options.prints);

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
+
+#include "app/result/made_hinges.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -13,6 +16,14 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t most_sources = 10;  // that a person would look at
 constexpr const char* parameters[] = {"t", "alpha", "beta", "offset"};
 constexpr const char* parameter_words[] = {"the place", "the direction", "the tilt", "the offset"};
+
+constexpr const char* plural_words[] = {"places", "directions", "tilts", "offsets"};
+
+/// Whether columns alone say where something is, as in strips.
+bool is_strip(const Run& run) {
+  const Json target = run.goal->target_json();
+  return target.value("kind", "") == "curve" || target.value("kind", "") == "space_curve";
+}
 
 std::string prints_words(const PrintedGoal& printed) {
   const model::PrintRuns& runs = *printed.runs;
@@ -25,6 +36,25 @@ std::string prints_words(const PrintedGoal& printed) {
 
 }  // namespace
 
+std::vector<PlaceSource> sources_by_place(const Run& run) {
+  const model::Structure* squares = run.structure.squares();
+  if (!squares || !run.printed) return {};
+  const bool strip = is_strip(run);
+  std::map<std::pair<std::string, int>, double> shares;
+  for (const model::ScatterSource& source : run.printed->made.sources) {
+    const model::Wall& wall = squares->hinges[static_cast<std::size_t>(source.hinge)].wall;
+    const bool by_column = strip || wall.axis == model::Axis::x;
+    const std::string place =
+        by_column ? fmt::format("column {}", wall.from.i) : fmt::format("row {}", wall.from.j);
+    shares[{place, source.parameter}] += source.share;
+  }
+  std::vector<PlaceSource> out;
+  for (const auto& [at, share] : shares) out.push_back({at.first, at.second, share});
+  std::stable_sort(out.begin(), out.end(),
+                   [](const PlaceSource& a, const PlaceSource& b) { return a.share > b.share; });
+  return out;
+}
+
 Json as_made_json(const Run& run) {
   const model::AsMade& made = run.printed->made;
   Json sources = Json::array();
@@ -32,6 +62,11 @@ Json as_made_json(const Run& run) {
     sources.push_back({{"hinge", made.sources[k].hinge},
                        {"parameter", parameters[made.sources[k].parameter]},
                        {"share", made.sources[k].share}});
+  Json places = Json::array();
+  const std::vector<PlaceSource> all = sources_by_place(run);
+  for (std::size_t k = 0; k < std::min(all.size(), most_sources); ++k)
+    places.push_back(
+        {{"place", all[k].place}, {"parameter", parameters[all[k].parameter]}, {"share", all[k].share}});
   Json out = {{"process", run.process.name},
               {"sd",
                {{"t_mm", run.process.sd.t_mm},
@@ -41,15 +76,42 @@ Json as_made_json(const Run& run) {
               {"rms_mm", made.rms_mm},
               {"p95_mm", made.p95_mm},
               {"tolerance_mm", run.printed->tolerance_mm},
+              {"can_be_printed", run.printed->can_be_printed},
               {"holds", run.printed->holds()},
+              {"why", as_made_reasons(run)},
               {"confirmed", run.printed->is_confirmed()},
-              {"sources", sources}};
+              {"sources", sources},
+              {"places", places}};
+  if (const auto& tight = run.printed->without_play)
+    out["play"] = {{"clearance_mm", run.hinge.made->clearance_mm},
+                   {"tilt_deg", to_degrees(tilt_play(*run.hinge.made))},
+                   {"rms_without_mm", tight->rms_mm},
+                   {"p95_without_mm", tight->p95_mm}};
   if (const auto& runs = run.printed->runs)
     out["prints"] = {{"count", runs->prints},
                      {"failed", runs->failed},
                      {"rms_mm", runs->rms_mm},
                      {"p95_mm", runs->p95_mm}};
   return out;
+}
+
+std::vector<std::string> as_made_reasons(const Run& run) {
+  const PrintedGoal& printed = *run.printed;
+  std::vector<std::string> why = unprintable(run);
+  if (printed.made.p95_mm > printed.tolerance_mm)
+    why.push_back(fmt::format("95 of 100 prints stay within {:.2f} mm of the goal, and {:.2f} mm are allowed",
+                              printed.made.p95_mm, printed.tolerance_mm));
+  if (!printed.runs) return why;
+  const model::PrintRuns& runs = *printed.runs;
+  if (runs.failed > 0)
+    why.push_back(fmt::format("{} of {} prints in the elastic model found no equilibrium near the design",
+                              runs.failed, runs.prints + runs.failed));
+  if (runs.p95_mm > printed.tolerance_mm)
+    why.push_back(
+        fmt::format("of {} prints in the elastic model 95 of 100 came within {:.2f} mm of the goal, and "
+                    "{:.2f} mm are allowed",
+                    runs.prints, runs.p95_mm, printed.tolerance_mm));
+  return why;
 }
 
 std::vector<SummaryLine> as_made_lines(const Run& run) {
@@ -63,6 +125,10 @@ std::vector<SummaryLine> as_made_lines(const Run& run) {
            "printed by {}: {:.2f} mm off (rms), 95 of 100 prints within {:.2f} mm; {:.2f} mm are allowed: {}",
            run.process.name, made.rms_mm, made.p95_mm, run.printed->tolerance_mm,
            run.printed->holds() ? "holds" : "NOT EVERY PRINT HOLDS")}};
+  if (const auto places = sources_by_place(run); !places.empty())
+    lines.push_back(
+        {"", fmt::format("{} of {}: {:.0f} % of what errors do", plural_words[places[0].parameter],
+                         places[0].place, 100 * places[0].share)});
   if (!made.sources.empty()) {
     const model::ScatterSource& most = made.sources.front();
     lines.push_back(
@@ -70,6 +136,13 @@ std::vector<SummaryLine> as_made_lines(const Run& run) {
                          parameter_words[most.parameter], wall_name(run.structure, most.hinge),
                          100 * most.share)});
   }
+  if (const auto& tight = run.printed->without_play)
+    lines.push_back(
+        {"",
+         fmt::format("of which play of {:g} mm a side, {:.2f} deg: without it {:.2f} mm off (rms), 95 of 100 "
+                     "within {:.2f} mm",
+                     run.hinge.made->clearance_mm, to_degrees(tilt_play(*run.hinge.made)), tight->rms_mm,
+                     tight->p95_mm)});
   if (run.printed->runs) lines.push_back({"", prints_words(*run.printed)});
   if (run.hinge.model == HingeSection::Model::rotary)
     lines.push_back(

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
+#include "app/files/process_section.hpp"
 #include "model/closure/closure_drive.hpp"
 #include "model/matter/hinge_strain.hpp"
 
@@ -72,12 +75,9 @@ const Turned* worst(const std::vector<Turned>& all, const Value& value) {
   return at != all.end() && value(*at) > 1 ? &*at : nullptr;
 }
 
-/// What the process cannot print of the sheet, of which a goal's process is known.
-void add_print_lines(const Run& run, std::vector<std::pair<std::string, std::string>>& lines) {
-  if (!run.goal) return;
-  for (const model::PrintProblem& problem : print_problems(run.process, run.structure.size(), run.hinge.made))
-    lines.emplace_back("PRINT", fmt::format("{}; with the same proportions a cell_mm of {:.3g} could be",
-                                            problem.what, problem.cell_mm));
+std::string lower_case(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
 }
 
 }  // namespace
@@ -90,9 +90,25 @@ std::optional<double> largest_strain(const Run& run) {
   return largest;
 }
 
+std::optional<double> allowed_strain(const Run& run) {
+  const std::vector<Turned> all = turned_hinges(run);
+  const auto most = std::max_element(all.begin(), all.end(), [](const Turned& a, const Turned& b) {
+    return strain_share(a) < strain_share(b);
+  });
+  return most == all.end() ? std::nullopt : std::optional(most->made->material.strain_max);
+}
+
+std::vector<std::string> unprintable(const Run& run) {
+  std::vector<std::string> all;
+  if (!run.goal) return all;
+  for (const model::PrintProblem& problem : print_problems(run.process, run.structure.size(), run.hinge.made))
+    all.push_back(problem_text(problem));
+  return all;
+}
+
 std::vector<std::pair<std::string, std::string>> made_hinge_lines(const Run& run) {
   std::vector<std::pair<std::string, std::string>> lines;
-  add_print_lines(run, lines);
+  for (const std::string& what : unprintable(run)) lines.emplace_back("PRINT", what);
   const std::vector<Turned> all = turned_hinges(run);
   if (const Turned* t = worst(all, strain_share))
     lines.emplace_back(
@@ -108,6 +124,13 @@ std::vector<std::pair<std::string, std::string>> made_hinge_lines(const Run& run
                                t->turn / radians_per_degree));
   if (const auto offset = offset_line(run)) lines.push_back(*offset);
   return lines;
+}
+
+nlohmann::ordered_json made_problems_json(const Run& run) {
+  nlohmann::ordered_json out = nlohmann::ordered_json::array();
+  for (const auto& [label, words] : made_hinge_lines(run))
+    out.push_back({{"kind", lower_case(label)}, {"what", words}});
+  return out;
 }
 
 }  // namespace kinetix::app

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -13,9 +14,18 @@ namespace kinetix::app {
 /// @return nothing where no hinge is made as one, or there is no state
 std::optional<double> largest_strain(const Run& run);
 
-/// Label and words for the terminal: a hinge that is strained by more than its material bears, a wall whose two
+/// What the material of the hinge bears that comes nearest to it, or is farthest beyond.
+std::optional<double> allowed_strain(const Run& run);
+
+/// What the run's process cannot print of its sheet, in words: none of a design, whose process is not known.
+std::vector<std::string> unprintable(const Run& run);
+
+/// Label and words for the terminal: what the process cannot print, a hinge that is strained by more than its material bears, a wall whose two
 /// halves meet over the gap before the state is reached, and a hinge farther off the middle of its wall than its
 /// kind can be made; the worst of each, none where all is well.
 std::vector<std::pair<std::string, std::string>> made_hinge_lines(const Run& run);
+
+/// The same as result.json has it, the labels in lower case.
+nlohmann::ordered_json made_problems_json(const Run& run);
 
 }  // namespace kinetix::app

@@ -132,7 +132,10 @@ Json metrics_json(const Run& run) {
     metrics["as_made_rms_mm"] = run.printed->made.rms_mm;
     metrics["as_made_p95_mm"] = run.printed->made.p95_mm;
   }
-  if (const auto strain = largest_strain(run)) metrics["strain_max"] = *strain;
+  if (const auto strain = largest_strain(run)) {
+    metrics["strain_max"] = *strain;
+    metrics["strain_allowed"] = *allowed_strain(run);
+  }
   if (run.verification) {
     metrics["verify_rms"] = run.verification->distance.rms;
     metrics["verify_max"] = run.verification->distance.max;
@@ -182,6 +185,8 @@ Json result_json(const Run& run) {
     out["as_made"] = as_made_json(run);
     out["timing_s"]["as_made"] = run.timings.as_made;
   }
+  if (run.goal && !run.prints_unknown.empty()) out["as_made_unknown"] = run.prints_unknown;
+  if (auto problems = made_problems_json(run); !problems.empty()) out["made_problems"] = std::move(problems);
   if (run.stopped) out["stopped"] = true;
   if (run.verification) out["physics"] = physics_json(*run.verification);
   return out;

@@ -57,6 +57,9 @@ std::string summary(const Run& run) {
   text += line("fold", fmt::format("theta {:.2f} deg, tilts up to {:.2f} deg", to_degrees(run.theta),
                                    to_degrees(largest_tilt(run.structure))));
   text += contact_line(run);
+  if (const auto strain = largest_strain(run))
+    text += line("strained", fmt::format("by {:.2f} of {:g} allowed, the largest of its hinges", *strain,
+                                         *allowed_strain(run)));
   for (const auto& [label, words] : made_hinge_lines(run)) text += line(label, words);
   if (run.stopped)
     text += line("STOPPED", "before its end: this is the best so far, and only what was known of it");

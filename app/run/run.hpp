@@ -75,7 +75,9 @@ struct MatterResult {
 /// What prints of a result come to.
 struct PrintedGoal {
   model::AsMade made;
-  double tolerance_mm = 0;                    ///< of the goal
+  std::optional<model::AsMade> without_play =
+      {};                   ///< of pins: what the same prints would come to if they had none
+  double tolerance_mm = 0;  ///< of the goal
   std::optional<model::PrintRuns> runs = {};  ///< that confirm it, or do not
   bool can_be_printed = true;                 ///< by the process
 
@@ -119,7 +121,7 @@ struct Run {
       robust;  ///< of a robust search, but of curves, which have columns to choose as well
   std::optional<PrintedGoal> printed;  ///< of goals that are judged by distances
   bool stopped = false;                ///< the best so far, when it was told to stop
-  std::string prints_unknown;          ///< why there is none of such a goal
+  std::string prints_unknown;  ///< why it is not known what prints of a goal come to; empty where it is
   std::vector<Fidelity> fidelity;
   double verify_tolerance = 0.02;  ///< of verification->distance.rms, cell edges
   Timings timings;

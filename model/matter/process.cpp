@@ -1,6 +1,7 @@
 #include "model/matter/process.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "model/base/invalid_input.hpp"
@@ -95,6 +96,14 @@ void validate(const PrintError& sd) {
   check("t_mm", sd.t_mm, 10);
   check("tilt_deg", sd.tilt_deg, 45);
   check("clearance_mm", sd.clearance_mm, 10);
+}
+
+PlayScatter play_scatter(const MadeHinge& hinge, const PrintError& sd) {
+  if (hinge.kind != HingeKind::pin || hinge.with_play) return {};
+  MadeHinge loose = hinge;
+  loose.clearance_mm = std::hypot(hinge.clearance_mm, sd.clearance_mm);
+  const double even = std::sqrt(3.0);
+  return {play_mm(loose) / even, tilt_play(loose) / even};
 }
 
 std::vector<PrintProblem> print_problems(const Process& p, const CellSize& size,

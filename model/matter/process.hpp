@@ -48,6 +48,18 @@ const Process* find_process(std::string_view name);
 /// @throws InvalidInput, naming the field and its range
 void validate(const PrintError& sd);
 
+/// By how much the play of a pin moves its hinge, as standard deviations.
+struct PlayScatter {
+  double place_mm = 0;  ///< along the wall, and across it
+  double tilt = 0;      ///< rad
+};
+
+/// A pin rests anywhere in its bore, evenly within its clearance c, which prints with the standard deviation s of the
+/// process: c' = sqrt(c^2 + s^2) is the root of its mean square, and the hinge sits off by c' / sqrt(3) and leans by
+/// atan(2 c' / h) / sqrt(3). Both at once, as if each had the play to itself. Nothing of blocks and films, and of pins
+/// whose equilibrium itself has the play.
+PlayScatter play_scatter(const MadeHinge& hinge, const PrintError& sd);
+
 /// What of a sheet a process cannot print.
 struct PrintProblem {
   std::string what;    ///< one sentence with the number asked and the least that can be

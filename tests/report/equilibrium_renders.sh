@@ -17,6 +17,7 @@ drawn load 'class="badge"'
 drawn load 'walls touch'
 drawn energy 'class="heat"'
 drawn plan 'Walls in contact'
+holds ' N at most: a matter for both arms</dd>'
 for id in errors tilts search stable; do absent $id; done
 
 sed -i 's/compression: 0.25/compression: 0.7/' "$work/panel.yaml"
@@ -33,8 +34,13 @@ hinge: {model: elastic, k_turn: 0.001}
 END
 "$program" simulate "$work/twist.yaml" --model equilibrium --quiet -o "$work/twist" >/dev/null || fail "simulate ends with $?"
 draw "$work/twist/report.html"
+holds ' N&nbsp;mm at most: a matter for a hand</dd>'
 drawn load 'barrier A–B'
 drawn load 'load peaks'
 drawn stable 'aria-label="Stable state B"'
 drawn stable 'Between A and B the energy rises to'
+sed -i 's/drive: .*/drive: {kind: shape_memory, angle_deg: 20, k_turn: 5}/' "$work/panel.yaml"
+"$program" simulate "$work/panel.yaml" --model equilibrium --quiet -o "$work/springs" >/dev/null || fail "springs end with $?"
+draw "$work/springs/report.html"
+holds 'its own springs fold it</dd>'
 echo "equilibrium_renders: all sections are drawn"

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/files/process_section.hpp"
 #include "app/goals/curve/curve_kind.hpp"
 #include "app/goals/curve/curve_outcome.hpp"
 #include "app/goals/curve/curve_points.hpp"
@@ -49,6 +50,8 @@ class CurveScene final : public Scene {
     out.search_s =
         seconds_a_start * file_.solver.starts.value_or(optim::MultiStartOptions{}.starts) * columns * columns;
     if (file_.robust) out.search_s *= robust_designs;
+    for (const std::string& note : process_notes(file_.process, out.sheet.size(), file_.hinge.made))
+      out.notes.push_back(note);
     return out;
   }
 

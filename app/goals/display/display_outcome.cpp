@@ -78,10 +78,9 @@ Json printed_json(const PrintedDisplay& printed) {
   const auto numbers = [](const optim::AsMadeDisplay& made) {
     return Json{{"contrast", made.contrast}, {"contrast_p95", made.contrast_p95}, {"auc", made.auc}};
   };
-  return {{"expected", numbers(printed.expected)},
-          {"prints", numbers(printed.seen)},
-          {"count", printed.prints},
-          {"failed", printed.failed}};
+  return {
+      {"holds", printed.holds()},        {"why", printed.why},      {"expected", numbers(printed.expected)},
+      {"prints", numbers(printed.seen)}, {"count", printed.prints}, {"failed", printed.failed}};
 }
 
 std::string printed_text(const DisplayOutcome& display, const Run& run) {
@@ -94,7 +93,7 @@ std::string printed_text(const DisplayOutcome& display, const Run& run) {
       printed.prints, printed.seen.contrast, printed.seen.contrast_p95, printed.seen.auc);
   if (printed.failed > 0)
     text += fmt::format("; {} more found no equilibrium near the design", printed.failed);
-  return text;
+  return text + (printed.holds() ? ": holds" : ": NOT EVERY PRINT HOLDS");
 }
 
 std::string loads_text(const PanelLoads& loads) {

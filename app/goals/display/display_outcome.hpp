@@ -43,6 +43,10 @@ struct PrintedDisplay {
   optim::AsMadeDisplay expected;  ///< to first order
   optim::AsMadeDisplay seen;      ///< in prints that were brought to their equilibrium
   int prints = 0, failed = 0;     ///< of those: that settled near the design, and that did not
+  std::vector<std::string> why =
+      {};  ///< prints do not show the picture as it was asked for; empty where they do
+
+  bool holds() const { return why.empty(); }
 };
 
 /// What a search for a display contributes to a result.

@@ -1,10 +1,13 @@
 #include "app/goals/display/display_prints.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "app/goals/display/search_panel.hpp"
 #include "app/pipeline/as_made.hpp"
+#include "app/result/made_hinges.hpp"
 #include "model/elastic/newton.hpp"
 #include "targets/display/panel_levels.hpp"
 
@@ -65,20 +68,55 @@ void add_prints(const DisplayFile& file, const Run& run, const model::HingeScatt
   out.seen.auc = auc / out.prints;
 }
 
+/// Why prints of the panel are not judged; empty where they are.
+std::string unjudged(const DisplayFile& file, const Run& run) {
+  if (!file.goal.is_binary()) return "only pictures of two levels are judged as made";
+  if (!run.equilibrium->reached()) return "the panel did not reach its equilibrium";
+  if (run.structure.cells() > most_cells)
+    return fmt::format("only panels of up to {} cells are judged as made", most_cells);
+  return "";
+}
+
+/// What some prints lack of the picture as it was asked for. @param who in words
+void add_missing(const DisplayFile& file, const optim::AsMadeDisplay& made, const std::string& who,
+                 std::vector<std::string>& why) {
+  if (made.auc < file.auc)
+    why.push_back(
+        fmt::format("{} show it with auc {:.3f}, and at least {:g} is required", who, made.auc, file.auc));
+  if (made.contrast_p95 < file.contrast)
+    why.push_back(fmt::format("95 of 100 of {} have a contrast above {:.2f}, and at least {:g} is required",
+                              who, made.contrast_p95, file.contrast));
+}
+
+std::vector<std::string> reasons(const DisplayFile& file, const Run& run, const PrintedDisplay& printed) {
+  std::vector<std::string> why = unprintable(run);
+  add_missing(file, printed.expected, "prints", why);
+  if (printed.failed > 0)
+    why.push_back(fmt::format("{} of {} prints in the elastic model found no equilibrium near the design",
+                              printed.failed, printed.prints + printed.failed));
+  if (printed.prints > 0)
+    add_missing(file, printed.seen, fmt::format("{} prints in the elastic model", printed.prints), why);
+  return why;
+}
+
 }  // namespace
 
-std::optional<PrintedDisplay> display_prints(const DisplayFile& file, const Run& run, int prints) {
-  if (!file.goal.is_binary() || !run.equilibrium->reached() || run.structure.cells() > most_cells)
-    return std::nullopt;
+std::optional<PrintedDisplay> display_prints(const DisplayFile& file, Run& run, int prints) {
+  run.prints_unknown = unjudged(file, run);
+  if (!run.prints_unknown.empty()) return std::nullopt;
   const model::HingeScatter scatter = scatter_of(run);
   const std::vector<double> levels = levels_of(file.goal, run.structure);
   model::State state = run.equilibrium->path.state;
   std::vector<double> readings;
   const auto by = rates(file, run, scatter, state, readings, static_cast<Eigen::Index>(levels.size()));
-  if (!by) return std::nullopt;
+  if (!by) {
+    run.prints_unknown = "the panel's equilibrium is not stable";
+    return std::nullopt;
+  }
   PrintedDisplay out;
   out.expected = optim::as_made_display(readings, levels, *by);
   add_prints(file, run, scatter, state, std::max(prints, least_prints), out);
+  out.why = reasons(file, run, out);
   return out;
 }
 

@@ -7,7 +7,8 @@
 namespace kinetix::app {
 
 /// What prints of the panel show, in its equilibrium: to first order, and in so many prints at least that are brought
-/// to their own. @return nothing of grey pictures, of panels that are too large, and without a stable equilibrium
-std::optional<PrintedDisplay> display_prints(const DisplayFile& file, const Run& run, int prints);
+/// to their own. @param run whose prints_unknown says why there is nothing: of grey pictures, of panels that are too
+/// large, and without a stable equilibrium
+std::optional<PrintedDisplay> display_prints(const DisplayFile& file, Run& run, int prints);
 
 }  // namespace kinetix::app

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/files/process_section.hpp"
 #include "app/goals/display/display_kind.hpp"
 #include "app/goals/display/display_limits.hpp"
 #include "app/goals/display/display_outcome.hpp"
@@ -92,6 +93,8 @@ class DisplayScene final : public Scene {
     out.search_s = out.sheet.cells() * (file_.offset > 0 ? seconds_a_cell : seconds_a_cell_stretched);
     out.has_physics = out.sheet.bodies() <= most_bodies_of_physics;
     if (!file_.goal.whole) out.notes.push_back(lost_strokes(file_.goal));
+    for (const std::string& note : process_notes(file_.process, out.sheet.size(), file_.hinge.made))
+      out.notes.push_back(note);
     return out;
   }
 

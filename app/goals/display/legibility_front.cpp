@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 #include "app/goals/display/search_panel.hpp"
 #include "model/sheet/sheet_motion.hpp"
@@ -45,7 +46,12 @@ std::vector<FrontPoint> legibility_front(const DisplayFile& file, const FrontPoi
                                          const optim::DisplayOptions& options, const Progress& progress) {
   std::vector<FrontPoint> front = {own};
   front.back().is_own = true;
+  // What the hinge can be made with; any where it is not said how it is made.
+  const double most = file.hinge.made
+                          ? largest_offset_mm(*file.hinge.made, file.size.thickness_mm) / file.size.edge_mm
+                          : std::numeric_limits<double>::infinity();
   for (const double offset : tried) {
+    if (offset > most + same) continue;
     if (std::abs(offset - file.offset) <= same && !(file.strain > 0)) continue;
     if (options.solver.stop.stop_requested()) break;
     progress("other offsets", static_cast<double>(front.size() - 1) / std::size(tried));

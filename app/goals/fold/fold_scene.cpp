@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "app/files/process_section.hpp"
 #include "app/goals/fold/fold_kind.hpp"
 #include "app/goals/fold/fold_limits.hpp"
 #include "app/goals/fold/fold_outcome.hpp"
@@ -55,6 +56,8 @@ class FoldScene final : public Scene {
       out.folded_mm = {mm[0], mm[1], mm[2]};
     }
     out.search_s = seconds_of_175 * std::pow(out.sheet.bodies() / 175.0, 1.5);
+    for (const std::string& note : process_notes(file_.process, out.sheet.size(), file_.hinge.made))
+      out.notes.push_back(note);
     return out;
   }
 

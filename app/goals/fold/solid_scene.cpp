@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "app/files/process_section.hpp"
 #include "app/goals/fold/fold_kind.hpp"
 #include "app/goals/fold/solid_outcome.hpp"
 #include "app/pipeline/exact_state.hpp"
@@ -28,6 +29,8 @@ class SolidScene final : public Scene {
     const int columns = goal.columns > 0 ? goal.columns : usual_solid_columns;
     Forecast out{lay_out(targets::named_solid(goal.solid), goal.cells, columns, file_.size).structure};
     out.search_s = out.sheet.bodies() * seconds_a_body;
+    for (const std::string& note : process_notes(file_.process, out.sheet.size(), file_.hinge.made))
+      out.notes.push_back(note);
     return out;
   }
 

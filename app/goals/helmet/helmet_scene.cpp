@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/files/process_section.hpp"
 #include "app/goals/helmet/helmet_kind.hpp"
 #include "app/goals/helmet/helmet_outcome.hpp"
 #include "app/pipeline/exact_state.hpp"
@@ -77,6 +78,8 @@ class HelmetScene final : public Scene {
     Forecast out{make_fishbone(layout.spine_and_ribs, file_.spec.size).structure};
     out.search_s = seconds_a_body * out.sheet.bodies();
     out.notes = layout.notes;
+    for (const std::string& note : process_notes(file_.process, out.sheet.size(), file_.hinge.made))
+      out.notes.push_back(note);
     return out;
   }
 

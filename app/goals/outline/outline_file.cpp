@@ -1,5 +1,7 @@
 #include "app/goals/outline/outline_file.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "app/files/file_header.hpp"
@@ -102,6 +104,19 @@ void read_variables(const targets::Section& root, OutlineFile& file) {
   variables.section("theta").read("range_deg", file.theta);
 }
 
+/// A made hinge can sit so far off the middle of its wall and no further.
+void limit_outline_offset(const targets::Section& root, OutlineFile& file) {
+  if (!file.hinge.made || !file.cell_mm) return;
+  const double thickness = file.size(*file.cell_mm).thickness_mm;
+  const double most_mm = largest_offset_mm(*file.hinge.made, thickness);
+  if (const auto asked = root.section("variables").optional("offset_mm");
+      asked && *file.offset_mm > most_mm * (1 + 1e-9))
+    throw asked->error(
+        fmt::format("a hinge made so in walls of {:g} mm can sit at most {:.3g} mm off their middle",
+                    thickness, most_mm));
+  file.offset_mm = std::min(file.offset(*file.cell_mm) * *file.cell_mm, most_mm);
+}
+
 }  // namespace
 
 model::CellSize OutlineFile::size(double edge_mm) const {
@@ -144,6 +159,7 @@ OutlineFile read_outline_file(const targets::Node& node) {
   tolerance.read("iou", file.iou_tolerance);
   tolerance.read("verify", file.verify_tolerance);
   read_hinges(root, file.cell_mm ? std::optional(file.size(*file.cell_mm)) : std::nullopt, file);
+  limit_outline_offset(root, file);
   file.physics = read_physics(root, file.cell_mm.value_or(file.folded.diagonal() / file.columns));
   return file;
 }

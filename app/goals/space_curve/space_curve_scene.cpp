@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "app/files/process_section.hpp"
 #include "app/goals/space_curve/space_curve_kind.hpp"
 #include "app/goals/space_curve/space_curve_outcome.hpp"
 #include "app/pipeline/exact_state.hpp"
@@ -43,6 +44,8 @@ class SpaceCurveScene final : public Scene {
     for (const Eigen::Vector3d& point : file_.wanted.points()) box.extend(point);
     out.folded_mm = {box.sizes().x(), box.sizes().y(), box.sizes().z()};
     out.search_s = seconds_of_96 * std::pow(columns / 96.0, 3);
+    for (const std::string& note : process_notes(file_.process, out.sheet.size(), file_.hinge.made))
+      out.notes.push_back(note);
     return out;
   }
 

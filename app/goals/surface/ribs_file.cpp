@@ -63,7 +63,7 @@ RibsFile read_ribs_file(const targets::Node& node) {
   tolerance.read("shape", file.shape_tolerance);
   tolerance.read("cover", file.cover_tolerance);
   tolerance.read("verify", file.verify_tolerance);
-  file.process = read_process(root);
+  file.process = read_process(root, file.spec.size, {});
   file.physics = read_physics(root, file.spec.size.edge_mm);
   return file;
 }

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "app/files/process_section.hpp"
 #include "app/goals/surface/ribs_scene.hpp"
 #include "app/goals/surface/surface_kind.hpp"
 #include "app/goals/surface/surface_outcome.hpp"
@@ -100,6 +101,8 @@ class SurfaceScene final : public Scene {
     out.folded_mm = {sides.x(), sides.y(),
                      std::sqrt(std::max(0.0, diagonal * diagonal - sides.squaredNorm()))};
     out.search_s = seconds_of_81 * std::pow((file_.columns + 1) * (file_.rows + 1) / 81.0, 2);
+    for (const std::string& note : process_notes(file_.process, out.sheet.size(), file_.hinge.made))
+      out.notes.push_back(note);
     return out;
   }
 
@@ -128,6 +131,7 @@ class SurfaceScene final : public Scene {
 
   /// Says how ribs would do.
   void judge(Run& run, const RunOptions& options) const override {
+    run.prints_unknown = "sheets of facets are judged by their exact fold alone; ribs are judged as made";
     auto& surface = outcome_of<SurfaceOutcome>(run);
     const targets::RibbedSurface ribbed = targets::ribbed_surface(file_.patch);
     const int facets = file_.patch.half.x() >= file_.patch.half.y() ? file_.columns : file_.rows;

@@ -137,7 +137,25 @@ function readAsMade(raw) {
   if (!raw || finite(raw.p95_mm) === null) return null;
   const sources = list(raw.sources).filter((source) => finite(source?.share) !== null);
   return {process: String(raw.process), rms: raw.rms_mm, p95: raw.p95_mm, tolerance: raw.tolerance_mm, holds: raw.holds === true,
-    confirmed: raw.confirmed !== false, prints: dictionary(raw.prints), sources};
+    canBePrinted: raw.can_be_printed !== false, confirmed: raw.confirmed !== false, prints: dictionary(raw.prints), play: someDictionary(raw.play), sources,
+    places: list(raw.places).filter((place) => finite(place?.share) !== null)};
+}
+
+const PROBLEM_WORDS = {strained: "Strained: ", corners: "Corners: ", offset: "Offset: "};
+
+/** What speaks against the made thing: {title, why}, the worst as the title's end; null where nothing does. */
+function readMadeFaults(raw) {
+  const made = dictionary(raw.as_made ?? raw.display?.printed), unknown = typeof raw.as_made_unknown === "string" ? raw.as_made_unknown : null;
+  const problems = list(raw.made_problems).filter((problem) => typeof problem?.what === "string");
+  const title = problems.some(({kind}) => kind === "print") || made.can_be_printed === false ? "but it cannot be printed like this" :
+                problems.length                                                              ? "but its hinges cannot be made for it" :
+                made.holds === false                                                         ? "but not every print will hold" :
+                unknown !== null                                                             ? "but what prints come to is not known" :
+                                                                                               null;
+  if (title === null) return null;
+  const why = problems.map(({kind, what}) => (PROBLEM_WORDS[kind] ?? "") + what);
+  const words = [...why, ...list(made.why), ...(unknown === null ? [] : [`What prints come to is not known: ${unknown}`])];
+  return {title, why: [...new Set(words)].map((text) => text[0].toUpperCase() + text.slice(1) + ".")};
 }
 
 /** What a slicer said of the print, after an export; null before. */
@@ -186,6 +204,7 @@ function readResult(raw) {
     states: kind?.place?.(raw, states) ?? states,
     verdict: readVerdict(metrics, tolerance),
     asMade: readAsMade(raw.as_made),
+    madeFaults: readMadeFaults(raw),
     print: readPrint(raw.print),
     madeChoices: readMadeChoices(raw.robust),
     matter: readMatter(raw.matter),

@@ -3,7 +3,7 @@
 const LONG_SHEET = 3;         // times as wide as high: such sheets lie below the folded thing instead of beside it
 const SHOT_HEIGHT = 330;      // CSS pixels, at most: both pictures and the verdict fit a screen of 800
 const FIRST_SLANT = [-0.55, 0.42], FIRST_TOP = [0, 1.1];  // azimuth and elevation, rad
-const EFFORTS = {fingers: "a matter for fingers", hand: "a matter for a hand", vice: "a matter for a vice"};
+const OWN_SPRINGS = "its own springs";  // as `effort` of results calls a drive that nobody presses
 
 /** Into the frame that the goal was drawn in, where a strip stands as its curve does. */
 function standingPlace(data) {
@@ -81,13 +81,19 @@ function cellsText(structure) {
   return `${count(structure.cells, "cell", "cells")}, edges of ${millimetres(structure.cell)}`;
 }
 
-/** What the drive needs; nothing where no elastic model was run. */
+/** What the drive needs, N or N mm, and of whom; nothing where no elastic model was run. */
 function forceText({equilibrium, raw}) {
   if (!equilibrium) return null;
-  const steps = list(raw.equilibrium?.path).filter((step) => step.load_unit === "N" && finite(step.load) !== null);
+  const {effort} = raw.equilibrium, steps = list(raw.equilibrium.path).filter((step) => finite(step.load) !== null);
+  if (effort === OWN_SPRINGS) return "nobody's: its own springs fold it";
   if (!steps.length) return null;
-  const most = steps.reduce((a, {load}) => Math.max(a, Math.abs(load)), 0), effort = EFFORTS[raw.equilibrium.effort];
-  return `${figures(most, 2)} N at most` + (effort ? `: ${effort}` : "");
+  const most = steps.reduce((a, {load}) => Math.max(a, Math.abs(load)), 0), unit = steps[0].load_unit === "N mm" ? `N${SPACE}mm` : "N";
+  return `${figures(most, 2)} ${unit} at most` + (effort ? `: a matter for ${effort}` : "");
+}
+
+/** Of hinges that are made as blocks or films. */
+function strainText({metrics: {strain_max: most, strain_allowed: allowed}}) {
+  return finite(most) === null || finite(allowed) === null ? null : `${figures(most, 2)} of ${neat(allowed)} that the hinges' material bears`;
 }
 
 function asMadeText({asMade}) {
@@ -109,6 +115,7 @@ function firstFacts(data) {
     ["Folded", states.model && sizeText(boxOfPlates(standingPlates(data, states.model)))],
     ["Sheet", `${cellsText(structure)}; ${walls}`],
     ["Force", forceText(data)],
+    ["Strain", strainText(data)],
     ["As made", asMadeText(data)],
     ["Print", printText(data)],
     ...(data.kind?.facts?.(data) ?? []),
@@ -131,18 +138,17 @@ function firstShots(data) {
       states.flat ? shot((width) => drawFlatSheet(data, width), "Flat, as it is printed") : null);
 }
 
-/** What keeps a tick from being green, in one sentence. */
-function madeReason({asMade}, tone) {
-  if (tone !== "unsure" || !asMade || asMade.holds) return null;
-  return `95 of 100 prints stay within ${millimetres(asMade.p95)} of the goal, and ${millimetres(asMade.tolerance)} are allowed.`;
+/** What keeps a tick from being green, a sentence each. */
+function madeReasons({madeFaults}, tone) {
+  return tone === "unsure" && madeFaults ? madeFaults.why : [];
 }
 
 function firstScreen(data) {
-  const {mark, tone, title} = verdict(data), made = madeReason(data, tone);
+  const {mark, tone, title} = verdict(data);
   return html(
       "header", {id: "headline"}, html("p", {class: "eyebrow"}, "KinetiX design report"), html("h1", {}, data.name),
       html("div", {class: "verdict " + tone}, html("span", {class: "mark", "aria-hidden": "true"}, mark),
-           html("div", {}, html("h2", {}, title), made && html("p", {}, made),
+           html("div", {}, html("h2", {}, title), madeReasons(data, tone).map((reason) => html("p", {}, reason)),
                 reasons(data).map((reason) => html("p", {class: "why"}, reason)))),
       guarded(() => firstShots(data)), guarded(() => firstFacts(data)));
 }

@@ -32,11 +32,13 @@ function designVerdict(data) {
 /** What prints come to, where that is known: a sentence. */
 function asMadeWords({asMade, structure}) {
   if (!asMade) return null;
-  const source = asMade.sources[0];
+  const source = asMade.sources[0], place = asMade.places[0];
+  const there = place === undefined ? "" : ` The ${parameterPlurals[place.parameter] ?? place.parameter} of ${place.place} make ${percent(place.share)} of what errors do.`;
   const most = source === undefined ? "" : ` The largest single source is ${parameterWords[source.parameter] ?? source.parameter} of hinge ` +
           `${source.hinge} (${percent(source.share)} of what errors do).`;
   return `Printed by ${asMade.process}, it ends up ${millimetres(asMade.rms)} from the goal (rms over its points and over ` +
-      `prints); 95 of 100 prints stay within ${millimetres(asMade.p95)}, and ${millimetres(asMade.tolerance)} are allowed.` + most +
+      `prints); 95 of 100 prints stay within ${millimetres(asMade.p95)}, and ${millimetres(asMade.tolerance)} are allowed.` + there + most +
+      (asMade.play ? ` Without the play of its pins it would be ${millimetres(asMade.play.rms_without_mm)}, and ${millimetres(asMade.play.p95_without_mm)}.` : "") +
       (asMade.confirmed ? "" : " That is to first order, and does not hold here: " + printsWords(asMade.prints));
 }
 
@@ -54,18 +56,19 @@ function printsWords({count, failed, rms_mm: rms, p95_mm: p95}) {
   return `${count} prints in the elastic model came out ${millimetres(rms)} off, 95 of 100 within ${millimetres(p95)}${lost}.`;
 }
 
+const parameterPlurals = {t: "places", alpha: "directions", beta: "tilts", offset: "offsets"};
 const parameterWords = {t: "the place", alpha: "the direction", beta: "the tilt", offset: "the offset"};
 
-/** Green only where prints hold as well. */
-function madeVerdict(found, {asMade}) {
-  if (found.tone !== "good" || !asMade || asMade.holds) return found;
-  return {...found, mark: "!", tone: "unsure", title: found.title + ", but not every print will hold"};
+/** Green only where the made thing is known to be good as well. */
+function madeVerdict(found, {madeFaults}) {
+  if (found.tone !== "good" || !madeFaults) return found;
+  return {...found, mark: "!", tone: "unsure", title: `${found.title}, ${madeFaults.title}`};
 }
 
 /** {mark, tone, title, text} */
 function verdict(data) {
-  if (data.kind) return madeVerdict(data.kind.verdict(data), data);
-  return data.equilibrium ? equilibriumVerdict(data) : designVerdict(data);
+  const found = data.kind ? data.kind.verdict(data) : data.equilibrium ? equilibriumVerdict(data) : designVerdict(data);
+  return madeVerdict(found, data);
 }
 
 function keyNumber(name, value, note) {

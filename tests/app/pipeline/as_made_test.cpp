@@ -79,6 +79,139 @@ TEST(AsMadeResult, GrowsWithTheErrorsOfTheProcess) {
   EXPECT_THAT(rough.out, HasSubstr("NOT EVERY PRINT HOLDS"));
 }
 
+TEST(AsMadeResult, NamesPlacesThatCountMost) {
+  const Scratch scratch;
+  const Printed one = printed(scratch, "");
+  const Json& places = one.result["as_made"]["places"];
+  ASSERT_FALSE(places.empty());
+  EXPECT_LE(places.size(), 10u);
+  EXPECT_THAT(places[0]["place"].get<std::string>(), ::testing::StartsWith("column "));
+  EXPECT_GE(places[0]["share"], one.result["as_made"]["sources"][0]["share"])
+      << "a column has several hinges";
+  EXPECT_GE(places[0]["share"], places[1]["share"]);
+  EXPECT_THAT(one.out, HasSubstr(" of " + places[0]["place"].get<std::string>() + ": "));
+}
+
+TEST(AsMadeResult, NotesBeforeTheSearchWhatTheUsualProcessCannotPrint) {
+  const Scratch scratch;
+  const auto checked = [&](const std::string& text) {
+    return kinetix_opt("check " + scratch.write("thin.yaml", "kinetix: 1\n" + text));
+  };
+  const std::string curve =
+      "target: {kind: curve, points: [[0, 0], [15, 6], [30, 8], [45, 6], [60, 0]]}\nstructure: {cells: [12, "
+      "1], cell_mm: 5}\n";
+  const Outcome by_default = checked(curve);
+  EXPECT_EQ(by_default.code, 0) << by_default.err;
+  EXPECT_THAT(by_default.out, HasSubstr("a wall of 0.5 mm is less than polyjet prints, 0.6 mm"));
+  EXPECT_EQ(checked(curve + "process: polyjet\n").code, 2);
+  EXPECT_THAT(checked("target: {kind: surface, shape: cap}\nstructure: {wall_mm: {thickness: 0.3}}\n").out,
+              HasSubstr("a wall of 0.3 mm is less than polyjet prints"));
+}
+
+TEST(AsMadeResult, TakesLimitsOfOnesOwnPrinter) {
+  const Scratch scratch;
+  const auto checked = [&](const std::string& process) {
+    return kinetix_opt(
+        "check " +
+        scratch.write(
+            "thin.yaml",
+            "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [15, 6], [30, 8], [45, 6], [60, 0]]}\n"
+            "structure: {cells: [12, 1], cell_mm: 5}\nprocess: " +
+                process + "\n"));
+  };
+  EXPECT_EQ(checked("{base: polyjet, least_wall_mm: 0.5}").code, 0);
+  EXPECT_THAT(checked("{base: polyjet, least_wall_mm: 0.7}").err,
+              HasSubstr("a wall of 0.5 mm is less than polyjet prints, 0.7 mm"));
+  EXPECT_THAT(checked("{least_pin_mm: -1}").err, HasSubstr("process.least_pin_mm"));
+  EXPECT_THAT(checked("{clearance_mm: .nan}").err, HasSubstr("process.clearance_mm"));
+}
+
+TEST(AsMadeResult, SaysWhatPlayAdds) {
+  const Scratch scratch;
+  const auto of = [&](const std::string& hinge, const std::string& sd) {
+    const Printed one =
+        printed(scratch, "drive: {kind: shape_memory, k_turn: 5}\nhinge: {kind: pin, diameter_mm: 1.5" +
+                             hinge + "}\nprocess: {sd: {" + sd + "}}\n");
+    EXPECT_EQ(schema_errors(one.result), "");
+    return one;
+  };
+  const Printed tight = of(", clearance_mm: 0.05", "clearance_mm: 0"),
+                loose = of(", clearance_mm: 0.05", "clearance_mm: 0.1");
+  EXPECT_THAT(loose.out, HasSubstr("of which play of 0.05 mm a side"));
+  const Json one = tight.result["as_made"], other = loose.result["as_made"];
+  EXPECT_LT(one["play"]["rms_without_mm"], one["rms_mm"]);
+  EXPECT_LT(one["rms_mm"], other["rms_mm"]) << "clearances that scatter are larger ones";
+  EXPECT_EQ(one["play"]["rms_without_mm"], other["play"]["rms_without_mm"]);
+  EXPECT_FALSE(printed(scratch, "").result["as_made"].contains("play")) << "of hinges that are no pins";
+}
+
+TEST(AsMadeResult, SaysWhyItDoesNotHold) {
+  const Scratch scratch;
+  const Json good = printed(scratch, "").result;
+  EXPECT_EQ(good["as_made"]["can_be_printed"], true);
+  EXPECT_EQ(good["as_made"]["holds"].get<bool>(), good["as_made"]["why"].empty());
+  EXPECT_FALSE(good.contains("made_problems"));
+  const Json rough = printed(scratch, "process: {sd: {tilt_deg: 20}}\n").result;
+  EXPECT_EQ(schema_errors(rough), "");
+  EXPECT_THAT(rough["as_made"]["why"].dump(), HasSubstr("95 of 100 prints stay within"));
+}
+
+// Walls of 0.1 cell edges: here 0.5 mm, and polyjet, which nobody named, prints 0.6.
+TEST(AsMadeResult, SaysWhatCannotBePrinted) {
+  const Scratch scratch;
+  const std::string folder = scratch / "out";
+  const Outcome run = kinetix_opt(
+      scratch.write(
+          "thin.yaml",
+          "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [15, 6], [30, 8], [45, 6], [60, 0]]}\n"
+          "structure: {cells: [12, 1], cell_mm: 5}\n") +
+      " -o " + folder + " --no-verify");
+  ASSERT_TRUE(run.code == 0 || run.code == 3) << run.out << run.err;
+  const Json result = Json::parse(text_of(folder + "/result.json"));
+  EXPECT_EQ(schema_errors(result), "");
+  EXPECT_EQ(result["as_made"]["can_be_printed"], false);
+  EXPECT_EQ(result["as_made"]["holds"], false);
+  EXPECT_THAT(result["as_made"]["why"][0].get<std::string>(),
+              HasSubstr("a wall of 0.5 mm is less than polyjet prints"));
+  EXPECT_EQ(result["made_problems"][0]["kind"], "print");
+  EXPECT_EQ(result["made_problems"][0]["what"], result["as_made"]["why"][0]);
+}
+
+TEST(AsMadeResult, JudgesPrintsOfDisplaysByTheirTolerances) {
+  const Scratch scratch;
+  const std::string letter =
+      "kinetix: 1\ntarget: {kind: display, rows: [\"0000\", \"0110\", \"0110\", \"0000\"]}\n"
+      "solver: {starts: 1, max_evaluations: 20}\ntolerance: {auc: 0.6, contrast: 0.5, stretch: 0.9}\n";
+  const auto shown = [&](const std::string& more) {
+    const std::string folder = scratch / "out";
+    const Outcome run =
+        kinetix_opt(scratch.write("ring.yaml", letter + more) + " -o " + folder + " --no-verify");
+    EXPECT_TRUE(run.code == 0 || run.code == 3) << run.out << run.err;
+    const Json result = Json::parse(text_of(folder + "/result.json"));
+    EXPECT_EQ(schema_errors(result), "");
+    return result["display"]["printed"];
+  };
+  const Json exact = shown("process: {sd: {t_mm: 0, tilt_deg: 0}}\n");
+  EXPECT_EQ(exact["holds"], true) << exact.dump();
+  EXPECT_TRUE(exact["why"].empty());
+  const Json rough = shown("process: {sd: {t_mm: 1.5, tilt_deg: 0}}\n");
+  EXPECT_EQ(rough["holds"], false) << rough.dump();
+  EXPECT_FALSE(rough["why"].empty());
+}
+
+TEST(AsMadeResult, SaysOfSheetsOfFacetsThatTheyAreNotJudged) {
+  const Scratch scratch;
+  const std::string folder = scratch / "out";
+  const Outcome run = kinetix_opt(
+      scratch.write("cap.yaml",
+                    "kinetix: 1\ntarget: {kind: surface, shape: cap}\nstructure: {facets: [4, 4]}\n") +
+      " -o " + folder + " --no-verify");
+  ASSERT_TRUE(run.code == 0 || run.code == 3) << run.out << run.err;
+  const Json result = Json::parse(text_of(folder + "/result.json"));
+  EXPECT_EQ(schema_errors(result), "");
+  EXPECT_THAT(result["as_made_unknown"].get<std::string>(), HasSubstr("facets"));
+}
+
 TEST(AsMadeResult, RefusesProcessesThatNobodyHas) {
   const Scratch scratch;
   const auto refused = [&](const std::string& process) {

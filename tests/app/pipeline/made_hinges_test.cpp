@@ -95,25 +95,49 @@ TEST(MadeHinges, SayWhatTheyCannotBear) {
       verified(design_with("kind: film, material: pa12, gap_mm: 1, thickness_mm: 0.4", "[]", 30));
   EXPECT_THAT(s.out, HasSubstr("STRAINED"));
   EXPECT_THAT(s.out, HasSubstr("its material bears 0.04"));
+  EXPECT_THAT(s.out, HasSubstr("of 0.04 allowed, the largest of its hinges"));
+  EXPECT_EQ(s.result["metrics"]["strain_allowed"], 0.04);
+  EXPECT_EQ(s.result["made_problems"][0]["kind"], "strained");
   const Simulated corners =
       verified(design_with("kind: film, material: tango, gap_mm: 0.4, thickness_mm: 0.1", "[]", 30));
   EXPECT_THAT(corners.out, HasSubstr("CORNERS"));
   EXPECT_THAT(corners.out, HasSubstr("43.6 deg"));  // 2 atan(0.4 / 1)
 }
 
-TEST(MadeHinges, SayWhereTheyAreTooFarOffTheirWall) {
+TEST(MadeHinges, AreRefusedTooFarOffTheirWall) {
   const std::string off =
-      "[{wall: [[0, 0], [1, 0]], offset_mm: 0.4}, {wall: [[0, 1], [1, 1]], offset_mm: 0.3}]";
-  const auto words = [&](const std::string& hinge) {
+      "[{wall: [[0, 1], [1, 1]], offset_mm: 0.3}, {wall: [[0, 0], [1, 0]], offset_mm: 0.4}]";
+  const auto checked = [&](const std::string& hinge) {
     const Scratch scratch;
-    const std::string file = scratch.write("off.yaml", design_with(hinge, off, 5));
-    return kinetix_opt("simulate " + file + " --model equilibrium --quiet -o " + (scratch / "out").string())
-        .out;
+    return kinetix_opt("check " + scratch.write("off.yaml", design_with(hinge, off, 5)));
   };
-  EXPECT_THAT(words("kind: film, material: tango, gap_mm: 2, thickness_mm: 0.3"),
-              HasSubstr("[[0, 0], [1, 0]] is 0.40 mm; made so in this wall it can be 0.35 at most"));
-  EXPECT_THAT(words("kind: film, material: tango, gap_mm: 2, thickness_mm: 0.2"), Not(HasSubstr("OFFSET")));
-  EXPECT_THAT(words("kind: pin, diameter_mm: 1"), HasSubstr("0.00 at most"));
+  const Outcome film = checked("kind: film, material: tango, gap_mm: 2, thickness_mm: 0.3");
+  EXPECT_EQ(film.code, 2);
+  EXPECT_THAT(
+      film.err,
+      HasSubstr("design.hinges[1].offset_mm: a hinge made so in walls of 1 mm can sit at most 0.35 mm off"));
+  EXPECT_EQ(checked("kind: film, material: tango, gap_mm: 2, thickness_mm: 0.2").code, 0);
+  EXPECT_THAT(checked("kind: pin, diameter_mm: 1").err, HasSubstr("at most 0 mm off"));
+}
+
+TEST(MadeHinges, OfOutlinesAreRefusedTooFarOffTheirWall) {
+  const Scratch scratch;
+  const auto checked = [&](const std::string& offset) {
+    return kinetix_opt(
+        "check " +
+        scratch.write("disc.yaml",
+                      "kinetix: 1\ntarget: {kind: outline, points: [[20, 0], [0, 20], [-20, 0], [0, -20]]}\n"
+                      "structure: {cells: [6, 6], cell_mm: 10, wall_mm: {thickness: 1.6, height: 8}}\n"
+                      "hinge: {kind: block, material: tango, gap_mm: 1.2, thickness_mm: 0.8}\n"
+                      "drive: {kind: shape_memory, k_turn: 5}\nvariables: {offset_mm: " +
+                          offset + "}\n"));
+  };
+  EXPECT_EQ(checked("0.4").code, 0);
+  const Outcome far = checked("0.5");
+  EXPECT_EQ(far.code, 2);
+  EXPECT_THAT(
+      far.err,
+      HasSubstr("variables.offset_mm: a hinge made so in walls of 1.6 mm can sit at most 0.4 mm off"));
 }
 
 TEST(MadeHinges, ThatCannotBeMadeAreRefusedInOneLine) {

@@ -280,6 +280,8 @@ TEST(Matter, RefusesWhatCannotBeMade) {
        "cell_mm of 8"},
       {letter + "variables: {offset_mm: 0.5}\n",
        "variables.offset_mm: a hinge made so in walls of 2 mm can sit at most 0.4 mm off their middle"},
+      {letter + "tolerance: {strain: 0.8}\n",
+       "tolerance.strain: 0.8 contradicts the material of `hinge`, which bears 0.5"},
       {letter + "drive: {kind: hinge}\ntolerance: {force_N: 3}\n", "tolerance.force_N: is for plates"},
       {"kinetix: 1\ntarget: {kind: display, glyph: T}\ntolerance: {strain: 0.3}\n",
        "tolerance.strain: is of hinges made as blocks or films"},

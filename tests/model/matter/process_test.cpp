@@ -67,5 +67,17 @@ TEST(PrintError, NamesAFieldOutOfItsRange) {
   }
 }
 
+TEST(PlayScatter, IsOfPinsWhosePlayTheEquilibriumDoesNotHave) {
+  MadeHinge loose = pin(2, 0.3);
+  const PlayScatter tight = play_scatter(loose, {0, 0, 0}), scattered = play_scatter(loose, {0, 0, 0.4});
+  EXPECT_DOUBLE_EQ(tight.place_mm, 0.3 / std::sqrt(3.0));
+  EXPECT_DOUBLE_EQ(tight.tilt, std::atan(2 * 0.3 / 6) / std::sqrt(3.0));
+  EXPECT_DOUBLE_EQ(scattered.place_mm, 0.5 / std::sqrt(3.0));
+  loose.with_play = true;
+  EXPECT_EQ(play_scatter(loose, {0, 0, 0.4}).place_mm, 0);
+  loose.kind = HingeKind::block;
+  EXPECT_EQ(play_scatter(loose, {0, 0, 0.4}).tilt, 0);
+}
+
 }  // namespace
 }  // namespace kinetix::model

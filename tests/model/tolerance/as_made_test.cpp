@@ -7,6 +7,7 @@
 #include <random>
 
 #include "model/lattice/square/lines.hpp"
+#include "model/matter/process.hpp"
 #include "tests/support/elastic_equilibrium.hpp"
 
 namespace kinetix::model {
@@ -96,6 +97,41 @@ TEST(AsMade, IsWhatManyPrintsComeTo) {
     EXPECT_NEAR(made.p95_mm, distances[prints * 95 / 100], 0.06 * made.p95_mm) << aligned;
     EXPECT_GT(made.rms_mm, 1.2 * made.designed_mm) << "the errors count";
   }
+}
+
+// Pins that rest evenly in bores of scattered clearance, and lean evenly in them: not normal, hinge by hinge.
+TEST(AsMade, CountsPlayAsManyLoosePrintsDo) {
+  const Equilibrium b = bent(4, 3);
+  const double edge_mm = b.structure.size.edge_mm, sd_mm = 0.03;
+  MadeHinge pin{.kind = HingeKind::pin,
+                .height_mm = b.structure.size.height_mm,
+                .diameter_mm = 1,
+                .clearance_mm = 0.05};
+  const PlayScatter play = play_scatter(pin, {0, 0, sd_mm});
+  const std::vector<ObservedPoint> points = every_body(b, 0.02);
+  const AsMade made =
+      of_equilibrium(b, points, {play.place_mm / edge_mm, 0, play.tilt, play.place_mm / edge_mm});
+  std::mt19937 random(5);
+  std::normal_distribution<double> clearance(pin.clearance_mm, sd_mm);
+  std::uniform_real_distribution<double> even(-1, 1);
+  const auto hinges = static_cast<Eigen::Index>(b.structure.hinges.size());
+  constexpr int prints = 600;  // the mean of squares is then known to about 4 %
+  double squares = 0;
+  for (int k = 0; k < prints; ++k) {
+    VectorXd q = VectorXd::Zero(parameter_count(b));
+    for (Eigen::Index h = 0; h < hinges; ++h) {
+      pin.clearance_mm = clearance(random);
+      q[h] = pin.clearance_mm / edge_mm * even(random);
+      q[2 * hinges + h] = tilt_play(pin) * even(random);
+      q[3 * hinges + h] = pin.clearance_mm / edge_mm * even(random);
+    }
+    const Equilibrium print = changed(b, q);
+    ASSERT_TRUE(print.found);
+    const double off = distance(points, print.state, true);
+    squares += off * off / prints;
+  }
+  EXPECT_NEAR(made.rms_mm, std::sqrt(squares), 0.05 * made.rms_mm);
+  EXPECT_GT(made.rms_mm, 1.5 * made.designed_mm) << "play counts";
 }
 
 TEST(AsMade, MixturesStandForAllPoints) {

@@ -1,0 +1,39 @@
+#!/bin/sh
+# made_renders.sh WRITE_REPORT RESULT.json: a report's tick is amber, with the reason, where the made thing is bad or
+# not known, drawn in a browser.
+set -eu
+. "$(dirname "$0")/browser.sh"
+write_report=$1 result=$2
+# with SECTIONS: the report of the result, which is green by itself, with more sections and without its pictures, which
+# take most of the time.
+with() {
+  /usr/bin/python3 -c 'import json, sys
+result = json.load(open(sys.argv[1])) | json.loads("{" + sys.argv[2] + "}")
+print(json.dumps({key: value for key, value in result.items() if key not in ("states", "structure")}))' \
+    "$result" "$1" | "$write_report" >"$work/given.html"
+  chromium --headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking --disable-component-update \
+    --disable-sync --user-data-dir="$work/profile" --dump-dom "file://$work/given.html" >"$work/dom" 2>"$work/log" ||
+    fail "chromium ended with an error: $(tail -5 "$work/log")"
+  holds 'data-ready="true"'
+}
+made='"process":"fdm","designed_mm":0.1,"rms_mm":0.2,"p95_mm":0.3,"tolerance_mm":0.4,"confirmed":true,"sources":[]'
+with "\"as_made\":{$made,\"can_be_printed\":true,\"holds\":true,\"why\":[]}"
+holds 'class="verdict good"'
+with "\"as_made\":{$made,\"can_be_printed\":true,\"holds\":false,\"why\":[\"3 of 20 prints in the elastic model found no equilibrium near the design\"]}"
+holds 'class="verdict unsure"'
+holds ', but not every print will hold<'
+holds '<p>3 of 20 prints in the elastic model found no equilibrium near the design.</p>'
+with "\"as_made\":{$made,\"can_be_printed\":false,\"holds\":false,\"why\":[\"a wall of 0.4 mm is less than fdm prints, 0.8 mm\"]}"
+holds 'class="verdict unsure"'
+holds ', but it cannot be printed like this<'
+holds '<p>A wall of 0.4 mm is less than fdm prints, 0.8 mm.</p>'
+with '"made_problems":[{"kind":"corners","what":"of the two halves of wall 3 meet"},{"kind":"strained","what":"the hinge of wall 3 by 0.7"}]'
+holds 'class="verdict unsure"'
+holds ', but its hinges cannot be made for it<'
+holds '<p>Corners: of the two halves of wall 3 meet.</p>'
+holds '<p>Strained: the hinge of wall 3 by 0.7.</p>'
+with '"as_made_unknown":"nobody looked"'
+holds 'class="verdict unsure"'
+holds ', but what prints come to is not known<'
+holds '<p>What prints come to is not known: nobody looked.</p>'
+echo "made_renders: ticks are green where prints hold alone"
