@@ -37,7 +37,8 @@ spdlog::logger& log() {
 
 }  // namespace
 
-Console::Console(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1) {
+Console::Console(bool quiet, bool says_starts)
+    : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1), says_starts_(says_starts) {
   forks();
   if (quiet_) return;
   heart_ = std::thread([this] {
@@ -113,7 +114,7 @@ void Console::stage(const std::string& name, double done, const std::string& not
     stage_ = name;
     since_ = Clock::now();
     next_ = since_ + interval;
-    if (!terminal_) log().info("{} ...", name);
+    if (!terminal_ && says_starts_) log().info("{} ...", name);
   }
   const int percent = done < 0 ? -1 : static_cast<int>(100 * std::min(done, 1.0));
   const bool changes = is_new || percent != shown_percent_ || note != note_ || so_far != so_far_;

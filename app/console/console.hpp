@@ -16,7 +16,9 @@ namespace kinetix::app {
 /// that is known. Calls may come from any thread.
 class Console {
  public:
-  explicit Console(bool quiet);
+  /// @param says_starts a line for each stage as it begins, where stderr is no terminal; else a stage that is over within
+  /// a second says nothing, so that a refusal stands alone
+  explicit Console(bool quiet, bool says_starts = true);
   ~Console();
   Console(const Console&) = delete;
   Console& operator=(const Console&) = delete;
@@ -37,7 +39,7 @@ class Console {
   std::string note(double seconds) const;
   void clear_line();
 
-  const bool quiet_, terminal_;
+  const bool quiet_, terminal_, says_starts_;
   std::mutex mutex_;  ///< of all below
   std::condition_variable end_;
   bool ends_ = false;

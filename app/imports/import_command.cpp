@@ -129,7 +129,7 @@ nlohmann::ordered_json summary_json(const ModelParts& parts, const AssemblyFile&
 }  // namespace
 
 int import_command(const CommandOptions& options, const ImportRequest& request) {
-  Console console(options.quiet);
+  Console console(options.quiet, false);
   const model::HingeChoices choices = choices_of(request);
   console.stage("reading parts", -1);
   const ModelParts parts = read_model_parts(request);

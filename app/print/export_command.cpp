@@ -173,7 +173,7 @@ int export_command(const CommandOptions& options, const PrintRequest& request) {
   process_of(request, "");
   const Source source = source_of(request);
   const std::string folder = options.folder_given ? options.folder : "results/" + source.name() + "_print";
-  const Exported out = exported(source, request, folder, Console(options.quiet).progress());
+  const Exported out = exported(source, request, folder, Console(options.quiet, false).progress());
   std::string text =
       out.text + fmt::format("{:<12} {}: {}\n", "written", out.folder, fmt::join(out.files, ", "));
   if (!out.report.empty()) text += fmt::format("{:<12} {} has time and material too\n", "report", out.report);

@@ -19,12 +19,6 @@ constexpr const char* parameter_words[] = {"the place", "the direction", "the ti
 
 constexpr const char* plural_words[] = {"places", "directions", "tilts", "offsets"};
 
-/// Whether columns alone say where something is, as in strips.
-bool is_strip(const Run& run) {
-  const Json target = run.goal->target_json();
-  return target.value("kind", "") == "curve" || target.value("kind", "") == "space_curve";
-}
-
 std::string prints_words(const PrintedGoal& printed) {
   const model::PrintRuns& runs = *printed.runs;
   std::string text =
@@ -39,14 +33,10 @@ std::string prints_words(const PrintedGoal& printed) {
 std::vector<PlaceSource> sources_by_place(const Run& run) {
   const model::Structure* squares = run.structure.squares();
   if (!squares || !run.printed) return {};
-  const bool strip = is_strip(run);
   std::map<std::pair<std::string, int>, double> shares;
   for (const model::ScatterSource& source : run.printed->made.sources) {
     const model::Wall& wall = squares->hinges[static_cast<std::size_t>(source.hinge)].wall;
-    const bool by_column = strip || wall.axis == model::Axis::x;
-    const std::string place =
-        by_column ? fmt::format("column {}", wall.from.i) : fmt::format("row {}", wall.from.j);
-    shares[{place, source.parameter}] += source.share;
+    shares[{line_name(wall, run.goal->is_strip()), source.parameter}] += source.share;
   }
   std::vector<PlaceSource> out;
   for (const auto& [at, share] : shares) out.push_back({at.first, at.second, share});

@@ -33,6 +33,9 @@ class GoalOutcome {
 
   bool met() const { return violations.empty(); }
 
+  /// Whether its columns alone say where something is in the sheet.
+  virtual bool is_strip() const { return false; }
+
   /// The section `target` of result.json, with the key `kind`.
   virtual nlohmann::ordered_json target_json() const = 0;
   /// Adds the kind's own section and `optimiser`. @param run the run that this is the outcome of

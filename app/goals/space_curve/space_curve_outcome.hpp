@@ -24,6 +24,7 @@ class SpaceCurveOutcome final : public GoalOutcome {
   /// Of a state anywhere in space.
   targets::SpaceError error_of(const model::State& state) const;
 
+  bool is_strip() const override { return true; }
   nlohmann::ordered_json target_json() const override;
   /// Adds `space_curve` (placed goal, distances, turns and climbs by column) and `optimiser`.
   void add_sections(const Run& run, nlohmann::ordered_json& result) const override;

@@ -145,7 +145,7 @@ const PROBLEM_WORDS = {strained: "Strained: ", corners: "Corners: ", offset: "Of
 
 /** What speaks against the made thing: {title, why}, the worst as the title's end; null where nothing does. */
 function readMadeFaults(raw) {
-  const made = dictionary(raw.as_made ?? raw.display?.printed), unknown = typeof raw.as_made_unknown === "string" ? raw.as_made_unknown : null;
+  const made = dictionary(raw.as_made ?? raw[kindOf(raw)?.name]?.printed), unknown = typeof raw.as_made_unknown === "string" ? raw.as_made_unknown : null;
   const problems = list(raw.made_problems).filter((problem) => typeof problem?.what === "string");
   const title = problems.some(({kind}) => kind === "print") || made.can_be_printed === false ? "but it cannot be printed like this" :
                 problems.length                                                              ? "but its hinges cannot be made for it" :

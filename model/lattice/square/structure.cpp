@@ -95,6 +95,11 @@ std::string to_string(const Wall& wall) {
   return "[" + to_string(wall.from) + ", " + to_string(wall.to()) + "]";
 }
 
+std::string line_name(const Wall& wall, bool in_strip) {
+  return in_strip || wall.axis == Axis::x ? "column " + std::to_string(wall.from.i)
+                                          : "row " + std::to_string(wall.from.j);
+}
+
 std::vector<int> label(Vertex v) { return {v.i, v.j}; }
 
 std::vector<int> label(const Cell& c) { return {c.i, c.j}; }

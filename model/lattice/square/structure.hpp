@@ -42,6 +42,9 @@ struct Wall {
 std::string to_string(Vertex vertex);
 std::string to_string(const Cell& cell);
 std::string to_string(const Wall& wall);
+/// The line of cells that a wall belongs to: "column 3" of a wall along x, else "row 2"; in a strip, which has columns
+/// alone, its column.
+std::string line_name(const Wall& wall, bool in_strip);
 
 /// The same as integers, as they stand in result.json: {i, j}.
 std::vector<int> label(Vertex vertex);

@@ -486,15 +486,17 @@ TEST(Program, SaysThatThereIsNothingToKeepOfAPhysicsRun) {
   EXPECT_FALSE(fs::exists(folder + "/result.json"));
 }
 
-TEST(Program, SaysHowFarAnExportIs) {
-  const Scratch scratch;
-  const std::string folder = scratch / "out";
-  const Outcome out =
-      kinetix_opt("export " + scratch.write("d.yaml", "kinetix: 1\nstructure: {cells: [2, 2]}\n") +
-                  " --format stl -o " + folder);
-  EXPECT_EQ(out.code, 0) << out.err;
-  EXPECT_THAT(out.err, HasSubstr("building solids ..."));
-  EXPECT_THAT(out.err, HasSubstr("writing files ..."));
+TEST(Console, SaysOfStagesThatTakeLongAloneWhereItIsAskedTo) {
+  ::testing::internal::CaptureStderr();
+  {
+    app::Console console(false, false);
+    console.stage("building solids", -1);
+    console.stage("writing files", 0.5);
+    usleep(1'600'000);
+  }
+  const std::string said = ::testing::internal::GetCapturedStderr();
+  EXPECT_THAT(said, Not(HasSubstr("building")));
+  EXPECT_THAT(said, HasSubstr("writing files ... 50 %"));
 }
 
 /// Lines where stderr is no terminal.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "model/matter/process.hpp"
 #include "tests/support/bad_input.hpp"
 #include "tests/support/random_designs.hpp"
 #include "tests/support/temporary_folder.hpp"
