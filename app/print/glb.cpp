@@ -133,24 +133,26 @@ class Scene3 {
     for (int b = 0; b < static_cast<int>(sheet_.meshes.size()); ++b) {
       const model::Pose& pose = job_.state()[b];
       const Eigen::Quaterniond q(pose.R);
-      nodes_.push_back({{"name", "body " + sheet_.linkage.vertex_name(b)},
+      const std::string name = "body " + sheet_.linkage.vertex_name(b);
+      nodes_.push_back({{"name", name},
                         {"translation", {pose.p.x(), pose.p.y(), pose.p.z()}},
                         {"rotation", {q.x(), q.y(), q.z(), q.w()}}});
       children_.push_back(b);
-      if (!sheet_.meshes[b].points.empty()) nodes_.back()["mesh"] = mesh_of(sheet_.with_rods(b));
+      if (!sheet_.meshes[b].points.empty()) nodes_.back()["mesh"] = mesh_of(name, sheet_.with_rods(b));
     }
   }
 
-  /// Bodies of one shape share it.
-  int mesh_of(const model::Polyhedron& solid) {
-    const auto [known, is_new] = known_.try_emplace(positions(solid), static_cast<int>(meshes_.size()));
-    if (!is_new) return known->second;
-    const int points = buffer_.add_ranged(known->first, "VEC3", 3);
-    const int triangles = buffer_.add(corners(solid), "SCALAR", 1, gltf_uint);
-    meshes_.push_back({{"primitives", GltfJson::array({{{"attributes", {{"POSITION", points}}},
-                                                        {"indices", triangles},
+  /// Of its own, since Blender names what hangs on a bone by its mesh; bodies of one shape share the numbers.
+  std::size_t mesh_of(const std::string& name, const model::Polyhedron& solid) {
+    const auto [known, is_new] = known_.try_emplace(positions(solid));
+    if (is_new)
+      known->second = {buffer_.add_ranged(known->first, "VEC3", 3),
+                       buffer_.add(corners(solid), "SCALAR", 1, gltf_uint)};
+    meshes_.push_back({{"name", name},
+                       {"primitives", GltfJson::array({{{"attributes", {{"POSITION", known->second.points}}},
+                                                        {"indices", known->second.triangles},
                                                         {"material", 0}}})}});
-    return known->second;
+    return meshes_.size() - 1;
   }
 
   /// All blocks are one mesh whose corners each go with one body: so they stretch as they should.
@@ -242,7 +244,10 @@ class Scene3 {
   GltfJson gltf_, nodes_ = GltfJson::array(), meshes_ = GltfJson::array();
   std::vector<int> children_;
   int loose_ = -1;  // node of the blocks: skins ignore where their node is
-  std::map<std::vector<float>, int> known_;
+  struct Shape {
+    int points = 0, triangles = 0;  // accessors
+  };
+  std::map<std::vector<float>, Shape> known_;
   Buffer buffer_;
 };
 
