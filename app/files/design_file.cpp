@@ -220,10 +220,7 @@ void check_offsets(const targets::Section& root, const DesignFile& file) {
     const double offset_mm = std::abs(file.structure.hinge(h).offset) * size.edge_mm;
     const double most_mm = largest_offset_mm(*made, size.thickness_mm);
     if (offset_mm > most_mm + 1e-9 * size.edge_mm)  // rounding of a file's digits
-      throw hinge.optional("offset_mm")
-          ->error(
-              fmt::format("a hinge made so in walls of {:g} mm can sit at most {:.3g} mm off their middle",
-                          size.thickness_mm, most_mm));
+      throw hinge.optional("offset_mm")->error(offset_limit_text(size.thickness_mm, most_mm));
   }
 }
 

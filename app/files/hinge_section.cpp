@@ -301,6 +301,11 @@ HingeSection read_single_hinge(const targets::Section& section, const model::Cel
   return read_stiffness_or_shape(section, size, {.model = Model::elastic, .reach_mm = {}});
 }
 
+std::string offset_limit_text(double wall_mm, double most_mm) {
+  return fmt::format("a hinge made so in walls of {:g} mm can sit at most {:.3g} mm off their middle",
+                     wall_mm, most_mm);
+}
+
 std::string hinge_text(const HingeSection& hinge) {
   const std::string reach = hinge.reach_mm ? ", reach_mm: " + text(*hinge.reach_mm) : "";
   return hinge.made ? made_text(*hinge.made) : stiffness_text(hinge) + reach;

@@ -117,9 +117,7 @@ model::Process read_process(const targets::Section& root, const model::CellSize&
   if (!node) return process;
   const auto problems = print_problems(process, size, made);
   if (problems.empty()) return process;
-  throw node->error(problems.front().what +
-                    fmt::format("; with the same proportions a cell_mm of {:.3g} could be",
-                                least_cell_mm(process, size, made)));
+  throw node->error(problem_text({problems.front().what, least_cell_mm(process, size, made)}));
 }
 
 }  // namespace kinetix::app

@@ -11,9 +11,6 @@ constexpr double share_of_gap = 0.4;       // of a clearance: a radius of a half
 constexpr double usual_foot_mm =
     0.2;  // mm: of PrusaSlicer's own printers: about half a line that is squashed
 
-/// First layers spread where plastic is pressed, and resin hardened for long, against a bed.
-bool spreads_on_bed(const model::Process& process) { return process.name == "fdm" || process.name == "sla"; }
-
 }  // namespace
 
 std::optional<GapSettings> gap_settings(const PrintSheet& sheet) {
@@ -22,7 +19,7 @@ std::optional<GapSettings> gap_settings(const PrintSheet& sheet) {
     if (hinge.made.kind == model::HingeKind::pin) least = std::min(least, hinge.made.clearance_mm);
   if (least == std::numeric_limits<double>::infinity()) return std::nullopt;
   return GapSettings{std::min(usual_radius_mm, share_of_gap * least),
-                     spreads_on_bed(sheet.process) ? usual_foot_mm : 0, 0};
+                     sheet.process.spreads_on_bed ? usual_foot_mm : 0, 0};
 }
 
 }  // namespace kinetix::app

@@ -45,7 +45,7 @@ double overhang_mm2(const model::Polyhedron& solid, const Eigen::Matrix3d& turn)
 std::vector<Lie> lies(const PrintJob& laid) {
   PrintJob job = laid;
   job.turned.reset();
-  const model::Polyhedron all = whole_print(job);
+  const model::Polyhedron all = joined(hard_part(job), soft_part(job));
   std::vector<Lie> out{{"flat", Eigen::Matrix3d::Identity()},
                        {"over", Eigen::Vector3d(1, -1, -1).asDiagonal()}};
   for (Lie& lie : out) lie.overhang_mm2 = overhang_mm2(all, lie.turn);

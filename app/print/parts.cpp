@@ -57,10 +57,9 @@ model::Polyhedron soft_part(const PrintJob& job) {
   return as_filed(std::move(all));
 }
 
-model::Polyhedron whole_print(const PrintJob& job) {
-  model::Polyhedron all = hard_part(job);
-  append(soft_part(job), all);
-  return all;
+model::Polyhedron joined(model::Polyhedron hard, const model::Polyhedron& soft) {
+  append(soft, hard);
+  return hard;
 }
 
 TileParts tile_parts(const PrintJob& job, int tile) {

@@ -13,8 +13,8 @@ model::Polyhedron as_filed(model::Polyhedron solid);
 model::Polyhedron hard_part(const PrintJob& job);
 /// All blocks and films likewise; empty where there are none.
 model::Polyhedron soft_part(const PrintJob& job);
-/// Both in one.
-model::Polyhedron whole_print(const PrintJob& job);
+/// Both in one list.
+model::Polyhedron joined(model::Polyhedron hard, const model::Polyhedron& soft);
 
 /// What is printed on one bed: bodies without loose rods, and their soft parts, those between two tiles with the lower
 /// body's. Where they are in the flat sheet, mm.

@@ -177,7 +177,7 @@ Json print_json(const PrintJob& job, const PathClearance& clearance,
       {"clearance_mm", made.kind == model::HingeKind::pin ? made.clearance_mm : 0.0},
       {"swelling_mm", swelling_json(sheet, clearance)},
       {"gap_settings", gaps_json(gap_settings(sheet))},
-      {"bounds_mm", vector_json(bounds(whole_print(job)))},
+      {"bounds_mm", vector_json(bounds(joined(hard, soft)))},
       {"orientation", job.lie},
       {"overhang_mm2", lies_json(lies(job))},
       {"slicer", slicer_json(slicer)},
@@ -196,7 +196,7 @@ Json print_json(const PrintJob& job, const PathClearance& clearance,
 std::string print_text(const PrintJob& job, const PathClearance& clearance,
                        const std::optional<SlicerAnswer>& slicer) {
   const PrintSheet& sheet = job.sheet;
-  const Eigen::Vector3d size = bounds(whole_print(job));
+  const Eigen::Vector3d size = bounds(joined(hard_part(job), soft_part(job)));
   std::string out = fmt::format("{}\n\n", sheet.name);
   const auto line = [&](const char* label, const std::string& text) {
     out += fmt::format("{:<12} {}\n", label, text);

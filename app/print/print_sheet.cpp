@@ -41,8 +41,7 @@ double turn_of(const model::RestHinge& hinge, const model::State& state) {
   return std::copysign(std::atan2(twice_sine.norm(), turn.trace() - 1), twice_sine.dot(hinge.axis));
 }
 
-/// FDM prints walls and films of polypropylene, SLS of its one powder; for others a film is a strip of its own.
-const char* film_material(const model::Process& process) { return process.name == "sls" ? "pa12" : "pp"; }
+constexpr const char* strip_material = "pp";  // name of a material: of films that are a print of their own
 
 /// A hinge that the design does not describe.
 model::MadeHinge default_hinge(const PrintChoice& choice, const model::Process& process,
@@ -58,7 +57,9 @@ model::MadeHinge default_hinge(const PrintChoice& choice, const model::Process& 
     return hinge;
   }
   const bool film = choice.kind == HingeKind::film;
-  hinge.material = *model::find_material(film ? film_material(process) : process.rubber);
+  hinge.material = *model::find_material(!film                  ? process.rubber
+                                         : process.film.empty() ? strip_material
+                                                                : process.film);
   hinge.thickness_mm = film ? std::min(film_mm, size.thickness_mm) : size.thickness_mm;
   return hinge;
 }
@@ -197,7 +198,7 @@ bool PrintSheet::has_soft() const {
 }
 
 bool PrintSheet::is_one_material() const {
-  return has_soft() && (process.name == "fdm" || process.name == "sls") &&
+  return has_soft() && !process.film.empty() &&
          std::none_of(hinges.begin(), hinges.end(),
                       [](const model::HingePrint& h) { return h.made.kind == HingeKind::block; });
 }

@@ -51,7 +51,7 @@ void add_tile(const PrintJob& job, int tile, std::vector<NamedContent>& files) {
 std::vector<NamedContent> write_stl(const PrintJob& job) {
   const model::Polyhedron hard = hard_part(job), soft = soft_part(job);
   std::vector<NamedContent> files{{"hard.stl", stl_text(job.sheet.name + " hard", hard)}};
-  files.push_back({"all.stl", stl_text(job.sheet.name, whole_print(job))});
+  files.push_back({"all.stl", stl_text(job.sheet.name, joined(hard, soft))});
   if (!soft.points.empty()) files.push_back({"soft.stl", stl_text(job.sheet.name + " soft", soft)});
   if (job.sheet.loose_rods() > 0)
     files.push_back({"rods.stl", stl_text(job.sheet.name + " rods", laid_out_rods(job.sheet))});

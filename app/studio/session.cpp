@@ -11,10 +11,10 @@
 #include "app/pipeline/pipeline.hpp"
 #include "app/print/export_command.hpp"
 #include "app/result/result_json.hpp"
-#include "app/studio/balance.hpp"
 #include "app/studio/base64.hpp"
 #include "app/studio/design_edits.hpp"
 #include "app/studio/design_message.hpp"
+#include "app/studio/sheet_equilibria.hpp"
 #include "app/studio/templates.hpp"
 #include "model/elastic/path/stable_states.hpp"
 #include "model/sheet/sheet_motion.hpp"
@@ -41,6 +41,28 @@ Json error_message(const std::string& what, double id) {
   Json out = {{"type", "error"}, {"message", what}};
   if (id > 0) out["id"] = id;
   return out;
+}
+
+/// @param done 0 to 1; negative: not known
+Json progress_message(const char* job, const std::string& stage, double done, const std::string& so_far) {
+  Json out = {{"type", "progress"},
+              {"job", job},
+              {"text", so_far.empty() ? stage : stage + ": " + so_far},
+              {"done", nullptr},
+              {"left_s", nullptr}};
+  if (done >= 0) out["done"] = done;
+  return out;
+}
+
+/// What the page draws of a way.
+Json path_rows(const KnownWay& way, const SheetEquilibria& equilibria) {
+  Json rows = Json::array();
+  for (const model::DrivenState& at : way.states)
+    rows.push_back({{"theta_rad", at.step.theta},
+                    {"force_N", equilibria.force_N(at.step.theta, at.step.load)},
+                    {"energy_Nmm", at.step.energy},
+                    {"stable", at.step.stable}});
+  return rows;
 }
 
 /// A folder that goes with its last owner.
@@ -302,17 +324,6 @@ void Session::save() {
   tell(design_message(history_.current(), player_.moving()));
 }
 
-/// What the page draws of a way.
-static Json path_rows(const KnownWay& way, const Balance& balance) {
-  Json rows = Json::array();
-  for (const model::DrivenState& at : way.states)
-    rows.push_back({{"theta_rad", at.step.theta},
-                    {"force_N", balance.force_N(at.step.theta, at.step.load)},
-                    {"energy_Nmm", at.step.energy},
-                    {"stable", at.step.stable}});
-  return rows;
-}
-
 /// To theta, on its own thread, from what is known of the way; the shapes on it are shown as they come.
 void Session::trace(double theta) {
   const int client = client_, number = ++traces_;
@@ -320,9 +331,9 @@ void Session::trace(double theta) {
   tracer_.start([this, client, number, id, theta, design = history_.current(), known = way_,
                  is_settled = stable_of_ == way_](const std::stop_token& stop) {
     try {
-      const Balance balance(design);
+      const SheetEquilibria equilibria(design);
       const auto see = [&](const model::DrivenState& at) {
-        const double force = balance.force_N(at.step.theta, at.step.load);
+        const double force = equilibria.force_N(at.step.theta, at.step.load);
         enqueue([this, number, at, force] {
           if (number != traces_) return;
           player_.show_equilibrium(at.state, at.step.theta, force, at.step.energy);
@@ -330,9 +341,9 @@ void Session::trace(double theta) {
         });
       };
       std::string why;
-      const auto way = balance.go(theta, known, stop, see, why);
+      const auto way = equilibria.go(theta, known, stop, see, why);
       if (stop.stop_requested()) return dropped(client, id);
-      Json rows = path_rows(*way, balance);
+      Json rows = path_rows(*way, equilibria);
       enqueue([this, number, client, id, way, why, rows = std::move(rows)] {
         if (id > 0) heard_[client] = id;
         changed_ = true;
@@ -342,7 +353,7 @@ void Session::trace(double theta) {
         if (!why.empty()) tell(error_message(why, 0), client);
       });
       if (way == known && is_settled) return;
-      auto states = balance.stable(*way, stop);
+      auto states = equilibria.stable(*way, stop);
       if (stop.stop_requested()) return;
       enqueue([this, number, way, states = std::move(states)] {
         if (number != traces_) return;
@@ -410,12 +421,7 @@ void Session::search_for(const std::string& file, std::shared_ptr<void> keeps) {
       }
       if (SteadyClock::now() < next) return;
       next = SteadyClock::now() + between_words;
-      Json out = {{"type", "progress"},
-                  {"job", "search"},
-                  {"text", so_far.empty() ? stage : stage + ": " + so_far},
-                  {"done", nullptr},
-                  {"left_s", nullptr}};
-      if (done >= 0) out["done"] = done;
+      Json out = progress_message("search", stage, done, so_far);
       if (done > 0) out["left_s"] = seconds_since(stage_start) * (1 - done) / done;
       tell(out);
     };
@@ -475,12 +481,7 @@ void Session::export_files(const Message& message) {
   const double id = std::exchange(id_, 0);
   exporter_.start([this, client, id, design = std::move(design), request, folder](const std::stop_token&) {
     const auto progress = [this](const std::string& stage, double done, const std::string& so_far) {
-      Json out = {{"type", "progress"},
-                  {"job", "export"},
-                  {"text", so_far.empty() ? stage : stage + ": " + so_far},
-                  {"done", nullptr},
-                  {"left_s", nullptr}};
-      if (done >= 0) out["done"] = done;
+      const Json out = progress_message("export", stage, done, so_far);
       enqueue([this, out] { tell(out); });
     };
     try {

@@ -7,12 +7,12 @@
 #include <stop_token>
 
 #include "app/run/run.hpp"
-#include "app/studio/balance.hpp"
 #include "app/studio/design_history.hpp"
 #include "app/studio/job.hpp"
 #include "app/studio/message.hpp"
 #include "app/studio/parts.hpp"
 #include "app/studio/player.hpp"
+#include "app/studio/sheet_equilibria.hpp"
 
 namespace kinetix::app::studio {
 

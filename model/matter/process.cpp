@@ -62,6 +62,8 @@ const std::vector<Process>& processes() {
                                          "factor of two",
                                          "tpu95a",
                                          {220, 220},
+                                         true,
+                                         "pp",
                                          true},
                                         {"sla",
                                          0.25,
@@ -72,7 +74,9 @@ const std::vector<Process>& processes() {
                                          "guides of printing services; 0.125 mm is the least clearance",
                                          "tango",
                                          {145, 145},
-                                         false},
+                                         false,
+                                         "",
+                                         true},
                                         {"sls",
                                          0.3,
                                          0.3,
@@ -82,7 +86,8 @@ const std::vector<Process>& processes() {
                                          "guides of printing services: clearances of 0.3 to 0.7 mm",
                                          "tpu95a",
                                          {165, 165},
-                                         false}};
+                                         false,
+                                         "pa12"}};
   return all;
 }
 

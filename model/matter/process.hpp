@@ -32,6 +32,10 @@ struct Process {
   std::string rubber = {};            ///< name of the material that its soft parts are made of
   std::array<double, 2> bed_mm = {};  ///< of a usual printer, x and y
   bool joins_two = false;  ///< hard and soft in one print; else soft parts are a print of their own
+  std::string film =
+      {};  ///< name of the material of walls and films in one; empty: films are strips of their own
+  bool spreads_on_bed =
+      false;  ///< first layers, as plastic is pressed and resin hardened for long against a bed
 
   bool operator==(const Process& other) const {
     return name == other.name && clearance_mm == other.clearance_mm &&

@@ -139,9 +139,7 @@ void limit_offset(const targets::Section& root, DisplayFile& file) {
   std::optional<double> asked_mm;
   root.section("variables").read_length("offset_mm", asked_mm, file.size.edge_mm);
   if (asked_mm && *asked_mm > most_mm * (1 + 1e-9))  // rounding of a file's digits
-    throw node->error(
-        fmt::format("a hinge made so in walls of {:g} mm can sit at most {:.3g} mm off their middle",
-                    file.size.thickness_mm, most_mm));
+    throw node->error(offset_limit_text(file.size.thickness_mm, most_mm));
 }
 
 /// Before all whose defaults depend on it.

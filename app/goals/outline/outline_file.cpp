@@ -111,9 +111,7 @@ void limit_outline_offset(const targets::Section& root, OutlineFile& file) {
   const double most_mm = largest_offset_mm(*file.hinge.made, thickness);
   if (const auto asked = root.section("variables").optional("offset_mm");
       asked && *file.offset_mm > most_mm * (1 + 1e-9))
-    throw asked->error(
-        fmt::format("a hinge made so in walls of {:g} mm can sit at most {:.3g} mm off their middle",
-                    thickness, most_mm));
+    throw asked->error(offset_limit_text(thickness, most_mm));
   file.offset_mm = std::min(file.offset(*file.cell_mm) * *file.cell_mm, most_mm);
 }
 

@@ -55,12 +55,10 @@ function fullStructure(data) {
   return {...raw.structure, wall_mm: {thickness: structure.thickness, height: structure.height}};
 }
 
-/** How far each hinge has turned, degrees. */
-function hingeTurns(structure, poses) {
-  return structure.hinges.map(({a, b}) => {
-    const dot = [3, 4, 5, 6].reduce((sum, k) => sum + poses[7 * a + k] * poses[7 * b + k], 0);
-    return toDegrees(2 * Math.acos(Math.min(1, Math.abs(dot))));
-  });
+/** Numbers as shares of the largest, unknown ones as 0. @param of hinge or body */
+function shares(numbers, of) {
+  const sizes = numbers.map((value) => Math.abs(value ?? 0)), most = Math.max(...sizes, 1e-9);
+  return {values: sizes.map((size) => size / most), of, most};
 }
 
 class SceneView {
@@ -94,14 +92,13 @@ class SceneView {
 
   /** What colours can show of this result, each as shares from 0 to 1 of hinges or bodies. */
   colours() {
-    const {structure, raw, goal} = this.data, most = (values) => Math.max(...values.map(Math.abs), 1e-9);
-    const share = (values, of) => ({values: values.map((value) => Math.abs(value ?? 0) / most(values.map((v) => v ?? 0))), of, most: most(values.map((v) => v ?? 0))});
-    const out = {tilt: {text: "tilt", of: "hinge", show: () => share(structure.hinges.map(({beta}) => toDegrees(beta)), "hinge"), unit: degrees}};
-    out.turn = {text: "turn", of: "hinge", moves: true, show: () => share(hingeTurns(structure, this.scene.poses), "hinge"), unit: degrees};
+    const {structure, raw} = this.data;
+    const out = {tilt: {text: "tilt", show: () => shares(structure.hinges.map(({beta}) => toDegrees(beta)), "hinge"), unit: degrees}};
+    out.turn = {text: "turn", moves: true, show: () => shares(structure.hinges.map(({a, b}) => toDegrees(KinetixScene.turnBetween(this.scene.poses, a, b))), "hinge"), unit: degrees};
     const off = list(dictionary(raw[this.data.kind?.name]).body_mm).map(finite);
-    if (off.length === structure.bodies.length) out.error = {text: "distance from goal", of: "body", show: () => share(off, "body"), unit: millimetres};
+    if (off.length === structure.bodies.length) out.error = {text: "distance from goal", show: () => shares(off, "body"), unit: millimetres};
     const energies = list(dictionary(raw.equilibrium).hinge_energy_Nmm).map((one) => (finite(one?.stretch) ?? 0) + (finite(one?.turn) ?? 0));
-    if (energies.length === structure.hinges.length && energies.some((value) => value > 0)) out.strain = {text: "energy in hinges", of: "hinge", show: () => share(energies, "hinge"), unit: (v) => `${figures(v, 2)} N mm`};
+    if (energies.length === structure.hinges.length && energies.some((value) => value > 0)) out.strain = {text: "energy in hinges", show: () => shares(energies, "hinge"), unit: (v) => `${figures(v, 2)} N mm`};
     return out;
   }
 

@@ -15,6 +15,12 @@ export function product([aw, ax, ay, az], [bw, bx, by, bz]) {
   ];
 }
 
+/** Rad between two bodies. @param poses 7 numbers a body (mm, w x y z) */
+export function turnBetween(poses, a, b) {
+  const dot = [3, 4, 5, 6].reduce((sum, k) => sum + poses[7 * a + k] * poses[7 * b + k], 0);
+  return 2 * Math.acos(Math.min(1, Math.abs(dot)));
+}
+
 export function conjugate([w, x, y, z]) {
   return [w, -x, -y, -z];
 }

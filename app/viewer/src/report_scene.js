@@ -1,6 +1,7 @@
 // What the report takes: the global KinetixScene.
 export {exactMotion} from "./fold.js";
 export {pictureUnder} from "./ghost.js";
+export {turnBetween} from "./quaternion.js";
 export {storedMotion} from "./interpolate.js";
 export {canRecord, record, saveAs} from "./recording.js";
 export {Scene} from "./scene.js";

@@ -167,30 +167,6 @@ void interrupt(const std::string& target, const std::string& folder, int after_u
   waitpid(child, &status, 0);
 }
 
-/// Sends Ctrl-C once the search has begun. @return what the program said on stderr
-std::string interrupted_search(const std::string& target, const std::string& folder) {
-  int ends[2];
-  EXPECT_EQ(pipe(ends), 0);
-  const pid_t child = fork();
-  if (child == 0) {
-    dup2(open("/dev/null", O_WRONLY), STDOUT_FILENO);
-    dup2(ends[1], STDERR_FILENO);
-    execl(KINETIX_OPT, KINETIX_OPT, target.c_str(), "-o", folder.c_str(), nullptr);
-    _exit(127);
-  }
-  close(ends[1]);
-  std::string said;
-  char some[256];
-  bool is_sent = false;
-  for (ssize_t n; (n = read(ends[0], some, sizeof some)) > 0;) {
-    said.append(some, static_cast<std::size_t>(n));
-    if (!is_sent && said.find("search ...") != std::string::npos) is_sent = kill(child, SIGINT) == 0;
-  }
-  close(ends[0]);
-  waitpid(child, nullptr, 0);
-  return said;
-}
-
 /// Starts the program, and sends Ctrl-C after the words. @return what it said on stderr, and how it ended (waitpid)
 std::pair<std::string, int> interrupted_after(const std::vector<std::string>& words,
                                               const std::vector<std::string>& arguments) {
@@ -441,8 +417,9 @@ TEST(Program, KeepsTheBestSoFarWhenItsTimeIsUp) {
 TEST(Program, KeepsTheBestSoFarAtCtrlC) {
   const Scratch scratch;
   const std::string folder = scratch / "out";
-  EXPECT_THAT(interrupted_search(scratch.write("long.yaml", long_search), folder),
-              HasSubstr("interrupted: keeping the best so far"));
+  EXPECT_THAT(
+      interrupted_after({"search ..."}, {scratch.write("long.yaml", long_search), "-o", folder}).first,
+      HasSubstr("interrupted: keeping the best so far"));
   EXPECT_EQ(Json::parse(text_of(folder + "/result.json"))["stopped"], true);
 }
 

@@ -97,14 +97,14 @@ TEST_F(Studio, FollowsAHandAlongTheClosedForm) {
 
 TEST_F(Studio, KeepsTheShapeWhenItsModelChanges) {
   const Received exact = client.ask({{"type", "theta"}, {"deg", 25}});
-  const Received balanced = client.ask({{"type", "mode"}, {"mode", "equilibrium"}});
+  const Received elastic = client.ask({{"type", "mode"}, {"mode", "equilibrium"}});
   const Received played = client.ask({{"type", "mode"}, {"mode", "bullet"}});
   const model::Linkage linkage = file.structure;
-  EXPECT_EQ(balanced.head(8), 1);
-  EXPECT_GT(balanced.head(6), 0);
-  EXPECT_LT(aligned_distance(linkage, state_of(balanced), state_of(exact)).max, 0.01);
+  EXPECT_EQ(elastic.head(8), 1);
+  EXPECT_GT(elastic.head(6), 0);
+  EXPECT_LT(aligned_distance(linkage, state_of(elastic), state_of(exact)).max, 0.01);
   EXPECT_EQ(played.head(8), 2);
-  EXPECT_LT(aligned_distance(linkage, state_of(played), state_of(balanced)).max, 0.01);
+  EXPECT_LT(aligned_distance(linkage, state_of(played), state_of(elastic)).max, 0.01);
 }
 
 TEST_F(Studio, MarksWhatBreaksTheMotionAndMendsIt) {

@@ -12,6 +12,7 @@ import {MakePanel} from "./make_panel.js";
 import {MotionBar} from "./motion_bar.js";
 import {PageState} from "./page_state.js";
 import {PathChart} from "./path_chart.js";
+import {turnBetween} from "../quaternion.js";
 import {tabs} from "./tabs.js";
 
 const STAND_THETA = radians(20);  // how an exact sheet stands is read from its shape there at least
@@ -105,10 +106,7 @@ function stand(frame) {
 /** How far each hinge has turned, as a share of the largest turn. */
 function turns() {
   const {structure} = state.design, {poses} = scene;
-  const turn = structure.hinges.map(({bodies: [a, b]}) => {
-    const dot = [3, 4, 5, 6].reduce((sum, k) => sum + poses[7 * a + k] * poses[7 * b + k], 0);
-    return 2 * Math.acos(Math.min(1, Math.abs(dot)));
-  });
+  const turn = structure.hinges.map(({bodies: [a, b]}) => turnBetween(poses, a, b));
   const most = Math.max(...turn, 1e-9);
   return turn.map((value) => value / most);
 }

@@ -1,4 +1,4 @@
-#include "app/studio/balance.hpp"
+#include "app/studio/sheet_equilibria.hpp"
 
 #include <fmt/format.h>
 
@@ -26,12 +26,17 @@ model::Elasticity elastic_hinges(DesignFile design) {
   return elasticity_of(design);
 }
 
+double next_theta(double theta, double goal) {
+  const double left = goal - theta;
+  return std::abs(left) <= followed_step ? goal : theta + std::copysign(followed_step, left);
+}
+
 }  // namespace
 
-Balance::Balance(const DesignFile& design)
+SheetEquilibria::SheetEquilibria(const DesignFile& design)
     : design_(design), linkage_(design.structure), elasticity_(elastic_hinges(design)) {}
 
-model::EquilibriumPathOptions Balance::options(const std::stop_token& stop) const {
+model::EquilibriumPathOptions SheetEquilibria::options(const std::stop_token& stop) const {
   model::EquilibriumPathOptions out;
   out.planar = all_vertical(linkage_);
   out.side = design_.side;
@@ -39,16 +44,15 @@ model::EquilibriumPathOptions Balance::options(const std::stop_token& stop) cons
   return out;
 }
 
-double Balance::force_N(double theta, double load) const {
+double SheetEquilibria::force_N(double theta, double load) const {
   return drive_to(design_.structure, theta).has_force() ? load : load / linkage_.size.edge_mm;
 }
 
 /// One state after the other, each next to the one before. @return whether it came to theta
-bool Balance::follow(model::DrivenState& at, double theta, const std::stop_token& stop) const {
+bool SheetEquilibria::follow(model::DrivenState& at, double theta, const std::stop_token& stop) const {
   while (std::abs(theta - at.step.theta) > same_theta) {
     if (stop.stop_requested()) return false;
-    const double by = std::clamp(theta - at.step.theta, -followed_step, followed_step);
-    const double next = std::abs(theta - at.step.theta) <= followed_step ? theta : at.step.theta + by;
+    const double next = next_theta(at.step.theta, theta);
     const model::LinkageDrive drive = drive_to(design_.structure, next);
     model::State start = at.state;
     model::ElasticSystem(linkage_, elasticity_, drive, *options(stop).planar, true).place(next, start);
@@ -66,8 +70,8 @@ bool Balance::follow(model::DrivenState& at, double theta, const std::stop_token
   return true;
 }
 
-std::shared_ptr<KnownWay> Balance::from_flat(double theta, const std::stop_token& stop, const Seen& seen,
-                                             std::string& why) const {
+std::shared_ptr<KnownWay> SheetEquilibria::from_flat(double theta, const std::stop_token& stop,
+                                                     const Seen& seen, std::string& why) const {
   const model::LinkageDrive drive = drive_to(design_.structure, theta);
   auto way = std::make_shared<KnownWay>(KnownWay{{}, model::EnergyTurns(drive)});
   const auto see = [&](const model::EquilibriumStep& step, const model::State& state) {
@@ -82,9 +86,9 @@ std::shared_ptr<KnownWay> Balance::from_flat(double theta, const std::stop_token
   return way;
 }
 
-std::shared_ptr<const KnownWay> Balance::go(double theta, const std::shared_ptr<const KnownWay>& way,
-                                            const std::stop_token& stop, const Seen& seen,
-                                            std::string& why) const {
+std::shared_ptr<const KnownWay> SheetEquilibria::go(double theta, const std::shared_ptr<const KnownWay>& way,
+                                                    const std::stop_token& stop, const Seen& seen,
+                                                    std::string& why) const {
   const bool helps = way && !way->states.empty() && way->states.back().step.theta * theta >= 0;
   if (!helps) return from_flat(theta, stop, seen, why);
   const auto far = [&](const model::DrivenState& one) { return std::abs(one.step.theta - theta); };
@@ -100,10 +104,8 @@ std::shared_ptr<const KnownWay> Balance::go(double theta, const std::shared_ptr<
   }
   auto longer = std::make_shared<KnownWay>(*way);
   while (std::abs(theta - at.step.theta) > same_theta) {
-    const double left = theta - at.step.theta;
-    const double next =
-        std::abs(left) <= followed_step ? theta : at.step.theta + std::copysign(followed_step, left);
-    if (!follow(at, next, stop)) return stop.stop_requested() ? way : from_flat(theta, stop, seen, why);
+    if (!follow(at, next_theta(at.step.theta, theta), stop))
+      return stop.stop_requested() ? way : from_flat(theta, stop, seen, why);
     longer->turns.see(at.step, at.state);
     longer->states.push_back(at);
     seen(at);
@@ -111,7 +113,8 @@ std::shared_ptr<const KnownWay> Balance::go(double theta, const std::shared_ptr<
   return longer;
 }
 
-std::vector<model::StableState> Balance::stable(const KnownWay& way, const std::stop_token& stop) const {
+std::vector<model::StableState> SheetEquilibria::stable(const KnownWay& way,
+                                                        const std::stop_token& stop) const {
   return stable_states(linkage_, elasticity_, {way.turns}, {.path = options(stop)}).states;
 }
 

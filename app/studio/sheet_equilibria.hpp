@@ -16,12 +16,12 @@ struct KnownWay {
 };
 
 /// Elastic hinges of a design whose hinges may be rigid, under the drive to one theta after the other.
-class Balance {
+class SheetEquilibria {
  public:
   using Seen = std::function<void(const model::DrivenState& at)>;
 
   /// @param design theta counts alone as the side that it folds to
-  explicit Balance(const DesignFile& design);
+  explicit SheetEquilibria(const DesignFile& design);
 
   /// Goes to theta, rad: from the nearest state of the way that is known, else from flat. `seen` hears of every state on
   /// the way, the last one included.

@@ -1,4 +1,4 @@
-#include "app/studio/balance.hpp"
+#include "app/studio/sheet_equilibria.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,50 +11,50 @@
 namespace kinetix::testing {
 namespace {
 
-using app::studio::Balance;
 using app::studio::KnownWay;
+using app::studio::SheetEquilibria;
 
 constexpr double deg = radians_per_degree;  // rad: thetas of the tests are in degrees
 
 const auto nobody = [](const model::DrivenState&) {};
 
-TEST(StudioBalance, GoesOnFromWhereItCameToAndEndsAsFromFlat) {
+TEST(StudioEquilibria, GoesOnFromWhereItCameToAndEndsAsFromFlat) {
   const app::DesignFile design = app::studio::template_design("strip");
-  const Balance balance(design);
+  const SheetEquilibria equilibria(design);
   std::string why;
-  const auto first = balance.go(12 * deg, nullptr, {}, nobody, why);
+  const auto first = equilibria.go(12 * deg, nullptr, {}, nobody, why);
   ASSERT_EQ(why, "");
   model::DrivenState last;
   int states = 0;
-  const auto longer = balance.go(
+  const auto longer = equilibria.go(
       20 * deg, first, {}, [&](const model::DrivenState& at) { last = at, ++states; }, why);
   ASSERT_EQ(why, "");
   EXPECT_EQ(longer->states.size(), first->states.size() + static_cast<std::size_t>(states) - 1);
   EXPECT_NEAR(last.step.theta, 20 * deg, 1e-6);
-  const auto anew = balance.go(20 * deg, nullptr, {}, nobody, why);
+  const auto anew = equilibria.go(20 * deg, nullptr, {}, nobody, why);
   EXPECT_LE(turn_distance(design.structure, last.state, anew->states.back().state), 1e-5);
   EXPECT_NEAR(last.step.load, anew->states.back().step.load, 1e-4 * std::abs(anew->states.back().step.load));
 }
 
-TEST(StudioBalance, ComesBackWithoutAWayFromFlat) {
+TEST(StudioEquilibria, ComesBackWithoutAWayFromFlat) {
   const app::DesignFile design = app::studio::template_design("strip");
-  const Balance balance(design);
+  const SheetEquilibria equilibria(design);
   std::string why;
-  const auto way = balance.go(20 * deg, nullptr, {}, nobody, why);
+  const auto way = equilibria.go(20 * deg, nullptr, {}, nobody, why);
   model::DrivenState last;
   int states = 0;
-  EXPECT_EQ(balance.go(
+  EXPECT_EQ(equilibria.go(
                 7 * deg, way, {}, [&](const auto& at) { last = at, ++states; }, why),
             way);
   EXPECT_EQ(states, 2) << "the nearest one known, and the one asked for";
   EXPECT_NEAR(last.step.theta, 7 * deg, 1e-6);
 }
 
-TEST(StudioBalance, StopsOnItsWayWhenItIsTold) {
-  const Balance balance(app::studio::template_design("strip"));
+TEST(StudioEquilibria, StopsOnItsWayWhenItIsTold) {
+  const SheetEquilibria equilibria(app::studio::template_design("strip"));
   std::stop_source source;
   std::string why;
-  const auto way = balance.go(
+  const auto way = equilibria.go(
       20 * deg, nullptr, source.get_token(),
       [&](const model::DrivenState& at) {
         if (at.step.theta > 5 * deg) source.request_stop();
