@@ -50,9 +50,9 @@ std::string pair_of_walls(const Polyhedron& soft = block()) {
       .text();
 }
 
-/// One line on stderr, exit code 2, nothing written.
+/// One line on stderr, exit code 2, nothing written. Quiet, since a slow machine may say before what it is busy with.
 void expect_refused(const Scratch& scratch, const std::string& arguments, const std::string& says) {
-  const Outcome run = kinetix_opt("import " + arguments + " -o " + (scratch / "out").string());
+  const Outcome run = kinetix_opt("import " + arguments + " --quiet -o " + (scratch / "out").string());
   EXPECT_EQ(run.code, 2) << run.out << run.err;
   EXPECT_THAT(run.err, HasSubstr(says));
   EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;

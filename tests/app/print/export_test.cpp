@@ -37,10 +37,10 @@ Outcome exported(const Scratch& scratch, const std::string& design, const std::s
                      " " + options);
 }
 
-/// A refusal: one line, exit code 2, nothing written.
+/// A refusal: one line, exit code 2, nothing written. Quiet, since a slow machine may say before what it is busy with.
 void expect_refused(const std::string& design, const std::string& options, const std::string& says) {
   const Scratch scratch;
-  const Outcome run = exported(scratch, design, options);
+  const Outcome run = exported(scratch, design, options + " --quiet");
   EXPECT_EQ(run.code, 2) << run.out << run.err;
   EXPECT_THAT(run.err, HasSubstr(says));
   EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
@@ -350,8 +350,8 @@ TEST(Export, SaysHowFarPartsMaySwell) {
 TEST(Export, RefusesAFolderThatCannotBeWritten) {
   const Scratch scratch;
   const std::string file = scratch.write("file", "");
-  const Outcome run =
-      kinetix_opt("export " + scratch.write("panel.yaml", panel) + " --format stl -o " + file + "/out");
+  const Outcome run = kinetix_opt("export " + scratch.write("panel.yaml", panel) +
+                                  " --format stl --quiet -o " + file + "/out");
   EXPECT_EQ(run.code, 2);
   EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
 }
