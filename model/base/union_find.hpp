@@ -24,6 +24,17 @@ class UnionFind {
     parent_[std::max(a, b)] = std::min(a, b);
   }
 
+  /// The numbers of the largest set, in order; of several the one with the lowest number.
+  std::vector<int> largest() {
+    const int count = static_cast<int>(parent_.size());
+    std::vector<int> sizes(parent_.size(), 0), out;
+    for (int k = 0; k < count; ++k) ++sizes[find(k)];
+    const auto most = std::max_element(sizes.begin(), sizes.end());
+    for (int k = 0; k < count; ++k)
+      if (find(k) == most - sizes.begin()) out.push_back(k);
+    return out;
+  }
+
  private:
   std::vector<int> parent_;
 };

@@ -85,12 +85,8 @@ std::vector<const GraphFace*> largest_piece(const PlanarGraph& graph,
       if (face_at[e] >= 0) pieces.unite(face_at[e], f);
       face_at[e] = f;
     }
-  std::vector<int> count(faces.size(), 0);
-  for (int f = 0; f < static_cast<int>(faces.size()); ++f) ++count[pieces.find(f)];
-  const int largest = static_cast<int>(std::max_element(count.begin(), count.end()) - count.begin());
   std::vector<const GraphFace*> kept;
-  for (int f = 0; f < static_cast<int>(faces.size()); ++f)
-    if (pieces.find(f) == largest) kept.push_back(faces[f]);
+  for (const int f : pieces.largest()) kept.push_back(faces[f]);
   return kept;
 }
 

@@ -14,7 +14,7 @@ namespace kinetix::model {
 struct PlanarLattice {
   std::string_view name;     ///< `structure.lattice` of a file
   std::string_view meaning;  ///< for the documentation
-  /// Corners of cell [column, row], counter-clockwise, cell edges. @param angle rad, of lattices that take one
+  /// Corners of cell [column, row], which may be negative, counter-clockwise, cell edges. @param angle rad, of lattices that take one
   std::vector<Eigen::Vector2d> (*corners)(int column, int row, double angle);
   bool takes_angle = false;  ///< whether the shape of its cells is a matter of choice
 };
@@ -22,8 +22,8 @@ struct PlanarLattice {
 /// [column, row], from [0, 0].
 using LatticeCell = std::array<int, 2>;
 
-/// The greatest even row up to this one, which may be negative: lattices shift odd rows against even ones.
-inline int even_row_up_to(int row) { return row - ((row % 2) + 2) % 2; }
+/// 1 of odd rows and 0 of even ones, of negative rows too: lattices shift odd rows against even ones.
+inline int odd_row(int row) { return row & 1; }
 
 /// columns x rows cells, row by row.
 std::vector<LatticeCell> lattice_cells(int columns, int rows);

@@ -26,12 +26,13 @@ void check_size(const CellSize& size) {
       throw InvalidInput(std::string(name) + " must be a positive length in mm");
 }
 
-/// The middle of a polygon's corners, to a hundredth of a wall, give or take one for rounding: cells are
-/// farther apart.
+constexpr double middles_in_a_wall = 100;  // steps to which middles are told apart: cells are farther apart
+
+/// The middle of a polygon's corners in such steps, give or take one for rounding.
 std::pair<long, long> middle_of(const std::vector<Eigen::Vector2d>& corners) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   for (const Eigen::Vector2d& corner : corners) sum += corner;
-  sum *= 100.0 / static_cast<double>(corners.size());
+  sum *= middles_in_a_wall / static_cast<double>(corners.size());
   return {std::lround(sum.x()), std::lround(sum.y())};
 }
 

@@ -8,7 +8,7 @@ namespace {
 using Eigen::Vector2d;
 
 std::vector<Vector2d> brick_corners(int i, int j, double) {
-  const Vector2d at(2 * i + j % 2, j);
+  const Vector2d at(2 * i + odd_row(j), j);
   std::vector<Vector2d> out;
   for (const Vector2d& corner :
        {Vector2d(0, 0), Vector2d(1, 0), Vector2d(2, 0), Vector2d(2, 1), Vector2d(1, 1), Vector2d(0, 1)})

@@ -11,7 +11,7 @@ namespace {
 using Eigen::Vector2d;
 
 std::vector<Vector2d> honeycomb_corners(int i, int j, double) {
-  return regular_polygon(6, pi / 2, {std::sqrt(3.0) * (i + 0.5 * (j % 2)), 1.5 * j});
+  return regular_polygon(6, pi / 2, {std::sqrt(3.0) * (i + 0.5 * odd_row(j)), 1.5 * j});
 }
 
 }  // namespace
