@@ -66,12 +66,13 @@ function(kinetix_room name)
     FILES_MATCHING PATTERN "*.hpp")
 endfunction()
 
-# kinetix_join(name EXCEPT ...): compiles the sources of each folder of a room (of two levels) as one, since most of their
-# time goes into the same headers and templates: all but those that match the regex EXCEPT. So no two of a folder may give
-# the same name to things of their own.
-function(kinetix_join name)
-  cmake_parse_arguments(JOIN "" "EXCEPT" "" ${ARGN})
-  get_target_property(sources kinetix_${name} SOURCES)
+# kinetix_join(target EXCEPT ... TOGETHER ...): compiles the sources of each folder of a target (of two levels) as one, since
+# most of their time goes into the same headers and templates: all but those that match the regex EXCEPT. Folders that match
+# one of the regexes TOGETHER are one, with all below them. So no two sources that are joined may give the same name to
+# things of their own.
+function(kinetix_join target)
+  cmake_parse_arguments(JOIN "" "EXCEPT" "TOGETHER" ${ARGN})
+  get_target_property(sources ${target} SOURCES)
   if(JOIN_EXCEPT)
     list(FILTER sources EXCLUDE REGEX ${JOIN_EXCEPT})
   endif()
@@ -79,9 +80,12 @@ function(kinetix_join name)
     get_filename_component(folder ${source} ABSOLUTE)
     get_filename_component(folder ${folder} DIRECTORY)
     file(RELATIVE_PATH folder ${CMAKE_CURRENT_SOURCE_DIR} ${folder})
+    foreach(together IN LISTS JOIN_TOGETHER)
+      string(REGEX REPLACE "^(${together})(/.*)?$" "${together}" folder "${folder}")
+    endforeach()
     string(REGEX REPLACE "^([^/]*/[^/]*)/.*" "\\1" folder "${folder}")
-    string(REPLACE "/" "_" group "of_${folder}")
+    string(REGEX REPLACE "[^a-z_]" "_" group "of_${folder}")
     set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${group}")
   endforeach()
-  set_target_properties(kinetix_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
 endfunction()

@@ -32,7 +32,7 @@ constexpr double watched_share =
 constexpr double watched_places =
     1200;                      // about so many over the surface: of 36 x 36, a thirtieth of a side apart
 constexpr int levels = 4;      // of watch points over a place, each three times as far off as the one before
-constexpr int most_rows = 24;  // over a triangle, and places in a row
+constexpr int most_rows = 24;  // over a triangle, and places in a row: more would crowd large faces alone
 constexpr double looked_at = 3;             // times the tolerance, between places on a hull that is looked at
 constexpr std::size_t most_watched = 3000;  // points in all: each costs a look at every face of a hull
 constexpr std::size_t most_candidates =
@@ -397,11 +397,18 @@ class Cutter {
     points.erase(std::unique(points.begin(), points.end()), points.end());
     cell.skin.clear();
     cell.hull = hull_of(points, thinnest * side_, cell.skin);
-    for (const int w : among)
-      if (is_in(cell.hull, watch_[w].at)) {
-        cell.watched.push_back(w);
-        cell.weight += watch_[w].depth;
-      }
+    cell.watched = held(cell.hull, among);
+    for (const int w : cell.watched) cell.weight += watch_[w].depth;
+  }
+
+  /// The watch points that a piece holds. Each face looks at what the ones before it have left: most points are soon out.
+  std::vector<int> held(const CutPiece& piece, std::vector<int> among) const {
+    for (Eigen::Index f = 0; f < piece.faces.rows(); ++f) {
+      const Vector3d normal = piece.faces.row(f).head<3>();
+      const double offset = piece.faces(f, 3);
+      std::erase_if(among, [&](int w) { return normal.dot(watch_[w].at) > offset; });
+    }
+    return among;
   }
 
   /// Where three planes of the cell meet inside the solid, one of them the last.

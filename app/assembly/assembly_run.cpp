@@ -12,6 +12,7 @@
 #include "model/base/invalid_input.hpp"
 #include "model/elastic/path/equilibrium_path.hpp"
 #include "model/linkage/make_drive.hpp"
+#include "optim/solvers/parallel_runs.hpp"
 #include "sim/contact_parts.hpp"
 #include "sim/convex_cuts.hpp"
 
@@ -124,19 +125,19 @@ std::vector<int> first_of_shape(const model::Assembly& assembly) {
 }
 
 /// Convex pieces of all bodies, about their rest positions.
-sim::ContactParts pieces_of(const model::Assembly& assembly) {
+sim::ContactParts pieces_of(const model::Assembly& assembly, int threads) {
   sim::ContactParts parts;
+  const int count = static_cast<int>(assembly.bodies.size());
   parts.of_body.resize(assembly.bodies.size());
   const std::vector<int> first = first_of_shape(assembly);
-#pragma omp parallel for schedule(dynamic)
-  for (int b = 0; b < static_cast<int>(assembly.bodies.size()); ++b) {
-    if (first[b] != b) continue;
+  optim::run_in_parallel(count, threads, [&](int b) {
+    if (first[b] != b) return;
     for (sim::CutPiece& piece :
          sim::convex_cuts(assembly.bodies[b].solid, {.filled = bores_of(assembly, b)})) {
       for (Eigen::Vector3d& corner : piece.corners) corner -= assembly.bodies[b].position;
       parts.of_body[b].push_back(std::move(piece.corners));
     }
-  }
+  });
   for (std::size_t b = 0; b < first.size(); ++b) parts.of_body[b] = parts.of_body[first[b]];
   return parts;
 }
@@ -145,7 +146,7 @@ sim::ContactParts pieces_of(const model::Assembly& assembly) {
 void verify_assembly(AssemblyRun& run, const RunOptions& options) {
   const model::LinkageDrive drive = model::turned_hinge(run.driven, sense_of(run), turn_of(run));
   Stopwatch watch;
-  const sim::ContactParts parts = pieces_of(run.file.assembly);
+  const sim::ContactParts parts = pieces_of(run.file.assembly, options.threads);
   run.pieces_s = watch.lap();
   for (const auto& pieces : parts.of_body) run.pieces += pieces.size();
   Verification v;

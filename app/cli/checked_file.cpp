@@ -7,6 +7,7 @@
 #include "app/assembly/assembly_file.hpp"
 #include "app/goals/read_target.hpp"
 #include "app/pipeline/design_scene.hpp"
+#include "app/result/state_json.hpp"
 #include "app/sweep/plan/sweep_plan.hpp"
 
 namespace kinetix::app {
@@ -43,18 +44,16 @@ std::string text_of(const Forecast& f) {
   return out;
 }
 
-nlohmann::ordered_json numbers(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-
 nlohmann::ordered_json json_of(const Forecast& f) {
   nlohmann::ordered_json out = {{"bodies", f.sheet.bodies()},
                                 {"hinges", f.sheet.hinges()},
-                                {"flat_mm", numbers(flat_size(f.sheet))},
+                                {"flat_mm", point_json(flat_size(f.sheet))},
                                 {"folded_mm", nullptr},
                                 {"search_s", f.search_s},
                                 {"physics_s", physics_of(f)},
                                 {"memory_bytes", memory_needed(f.sheet)},
                                 {"notes", f.notes}};
-  if (f.folded_mm) out["folded_mm"] = numbers(*f.folded_mm);
+  if (f.folded_mm) out["folded_mm"] = point_json(*f.folded_mm);
   return out;
 }
 

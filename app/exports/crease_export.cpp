@@ -5,6 +5,7 @@
 
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
+#include "model/lattice/crease_law.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -29,7 +30,7 @@ Json fold_angles(const model::CreasePattern& pattern, double theta) {
     if (edge.crease < 0)
       out.push_back(nullptr);
     else
-      out.push_back(to_degrees(2 * std::atan(edge.multiplier * std::sin(theta))));
+      out.push_back(to_degrees(model::crease_turn(std::atan(edge.multiplier), theta)));
   }
   return out;
 }

@@ -12,7 +12,8 @@ namespace kinetix::app {
 /// What the file of every goal asks of its run beside the goal.
 struct GoalSettings {
   static constexpr double usual_verify =
-      0.02;  // cell edges: twenty times what converged physics runs are off
+      0.02;                             // cell edges: twenty times what converged physics runs are off
+  static constexpr double grain = 0.5;  // cell edges: what a sheet of such cells cannot follow more closely
 
   double verify_tolerance = usual_verify;  ///< tolerance.verify: of verify_rms, cell edges, (0, 1]
   PhysicsSection physics = {};

@@ -6,6 +6,9 @@ namespace kinetix::app {
 
 /// What a goal allows its drive and its hinges to bear; nothing: any.
 struct HingeLimits {
+  /// Share of a limit that a search keeps to, so that the run from flat with its own steps keeps it too.
+  static constexpr double in_hand = 0.99;
+
   std::optional<double> force_N;  ///< tolerance.force_N: most on the drive, N, > 0
   std::optional<double>
       strain;  ///< tolerance.strain: most of a hinge made as a block or film, ratio, (0, 10]

@@ -6,12 +6,12 @@
 namespace kinetix::app {
 namespace {
 
-using Match = std::match_results<std::string_view::const_iterator>;
+using RegexMatch = std::match_results<std::string_view::const_iterator>;
 
 }  // namespace
 
 std::vector<std::string> first_match(std::string_view text, const std::string& pattern) {
-  Match match;
+  RegexMatch match;
   if (!std::regex_search(text.begin(), text.end(), match, std::regex(pattern))) return {};
   return {match.begin(), match.end()};
 }

@@ -11,14 +11,14 @@
 namespace kinetix::app {
 namespace {
 
-constexpr int gaps = 6;                      // of 0.1, 0.2, ... 0.6 mm
+constexpr int gaps = 6;  // of 0.1, 0.2, ... 0.6 mm: from what fuses everywhere to what is loose everywhere
 constexpr double gap_step_mm = 0.1;          // mm: what printers differ by
 constexpr double tilts_deg[] = {0, 30, 60};  // degrees from upright: layers step sideways by their tangent
 constexpr double edge_mm = 26;               // mm, of a wall with room for the largest knuckle and its number
 constexpr double flat = 1e-9;                // of a unit vector: less is rounding
 constexpr double wall_mm = 0.8;              // mm: that of the shipped targets
 constexpr double height_mm = 8;              // mm: room for three knuckles
-constexpr double column_mm = 32, row_mm = 20;  // mm, from one hinge to the next
+constexpr double column_mm = 32, row_mm = 20;  // mm, from one hinge to the next: a finger goes between
 
 /// @param column of its gap   @param row of its tilt
 void add_hinge(int column, int row, const model::Process& process, PrintSheet& sheet) {
@@ -45,7 +45,7 @@ void add_hinge(int column, int row, const model::Process& process, PrintSheet& s
                           .knuckle_wall_mm = process.least_wall_mm});
 }
 
-std::string name_of(int hinge) {
+std::string coupon_hinge_name(int hinge) {
   const int row = hinge % static_cast<int>(std::size(tilts_deg)),
             column = hinge / static_cast<int>(std::size(tilts_deg));
   return fmt::format("{:.1f} mm, {:g} degrees", gap_step_mm * (column + 1), tilts_deg[row]);
@@ -73,9 +73,9 @@ PrintSheet make_coupon(const model::Process& process) {
   for (int column = 0; column < gaps; ++column)
     for (int row = 0; row < static_cast<int>(std::size(tilts_deg)); ++row)
       add_hinge(column, row, process, sheet);
-  sheet.linkage.wall_name = name_of;
+  sheet.linkage.wall_name = coupon_hinge_name;
   sheet.linkage.vertex_name = [](int body) {
-    return name_of(body / 2) + (body % 2 == 0 ? ", fork" : ", eye");
+    return coupon_hinge_name(body / 2) + (body % 2 == 0 ? ", fork" : ", eye");
   };
   sheet.path = {rest_state(sheet.linkage)};
   sheet.thetas = {0};

@@ -19,8 +19,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json numbers(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-
 Json plan_json(const Run& run) {
   const Plan& plan = run.plan;
   Json out = {{"family", plan.exact.name},
@@ -66,8 +64,8 @@ Json hinge_json(const Run& run, int index, double usual_reach_mm) {
               {"alpha_rad", wall.hinge.alpha},
               {"beta_rad", wall.hinge.beta},
               {"offset_mm", wall.hinge.offset * edge_mm},
-              {"point_mm", numbers(s.rest_position(wall.lower) + edge_mm * hinge.lower_arm)},
-              {"axis", numbers(hinge.axis)},
+              {"point_mm", point_json(s.rest_position(wall.lower) + edge_mm * hinge.lower_arm)},
+              {"axis", point_json(hinge.axis)},
               {"reach_mm", reach_of(run, index, usual_reach_mm)}};
   if (const auto k = framed_stiffness(hinge_of(run, index))) out["k"] = stiffness_json(*k);
   return out;
@@ -105,7 +103,7 @@ Json structure_json(const Run& run, double reach_mm) {
   const model::Sheet& s = run.structure;
   Json bodies = Json::array(), hinges = Json::array(), cells = Json::array();
   for (int b = 0; b < s.bodies(); ++b)
-    bodies.push_back({{"vertex", body_label(s, b)}, {"position_mm", numbers(s.rest_position(b))}});
+    bodies.push_back({{"vertex", body_label(s, b)}, {"position_mm", point_json(s.rest_position(b))}});
   for (int h = 0; h < s.hinges(); ++h) hinges.push_back(hinge_json(run, h, reach_mm));
   for (int c = 0; c < s.cells(); ++c)
     cells.push_back({{"cell", cell_label(s, c)}, {"bodies", s.cell_bodies(c)}, {"hinges", s.cell_hinges(c)}});

@@ -28,4 +28,6 @@ Json points_json(const std::vector<Eigen::Vector2d>& points) {
   return out;
 }
 
+nlohmann::ordered_json point_json(const Eigen::Vector3d& point) { return {point.x(), point.y(), point.z()}; }
+
 }  // namespace kinetix::app

@@ -12,4 +12,7 @@ nlohmann::ordered_json poses_json(const model::State& state);
 /// [[x, y], ...], as a list.
 nlohmann::ordered_json points_json(const std::vector<Eigen::Vector2d>& points);
 
+/// [x, y, z].
+nlohmann::ordered_json point_json(const Eigen::Vector3d& point);
+
 }  // namespace kinetix::app

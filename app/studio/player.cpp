@@ -10,7 +10,7 @@ namespace kinetix::app::studio {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double step_s = 1.0 / 240;  // of the engine
+constexpr double step_s = 1.0 / 240;  // of the engine: four in a frame of a screen
 constexpr double most_owed_s = 0.1;   // simulated: a slow engine shows slow motion, it does not catch up
 // Of computing between two frames: 20 of them a second are shown however slow the engine is.
 constexpr std::chrono::milliseconds busy{30};

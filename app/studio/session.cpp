@@ -29,9 +29,10 @@ using SteadyClock = std::chrono::steady_clock;
 constexpr double steepest_deg = 89;  // theta, as --theta-deg has it
 constexpr std::chrono::milliseconds between_plays{
     8};  // while the engine runs: twice as often as frames are seen
-constexpr std::chrono::milliseconds between_words{500};  // of a search, on screen
-constexpr std::size_t most_senders = 8;                  // pages whose parts of files are kept
-constexpr double largest_push_N = 1000;                  // more than a person pushes with
+constexpr std::chrono::milliseconds between_words{
+    500};                                // of a search, on screen: as often as a person reads them
+constexpr std::size_t most_senders = 8;  // pages whose parts of files are kept
+constexpr double largest_push_N = 1000;  // more than a person pushes with
 
 double seconds_since(SteadyClock::time_point start) {
   return std::chrono::duration<double>(SteadyClock::now() - start).count();

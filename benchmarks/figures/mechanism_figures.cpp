@@ -53,7 +53,7 @@ std::string at(const Mechanism& mechanism, sim::PhysicsOptions::Solver solver) {
 
 Figure by_solver(const Mechanism& mechanism) {
   return {mechanism.name +
-              ", steps of 1/1000 s: joints solved all at once, against 200 of the engine's own sweeps",
+              ", steps of 1/1000 s: joints solved all at once, against 200 of the engine's own iterations",
           "-",
           at(mechanism, sim::PhysicsOptions::Solver::direct) + "; " +
               at(mechanism, sim::PhysicsOptions::Solver::sweeps),

@@ -45,7 +45,7 @@ std::string solver_table() {
   for (const int columns : {10, 20, 40}) {
     table += solver_row("direct, 1/1000 s", columns, direct);
     table += solver_row("direct, 1/60 s", columns, coarse);
-    table += solver_row("200 sweeps, 1/1000 s", columns, sweeps);
+    table += solver_row("200 iterations, 1/1000 s", columns, sweeps);
   }
   return table;
 }

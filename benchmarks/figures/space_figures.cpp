@@ -41,7 +41,7 @@ Figure helix_figure() {
 }
 
 constexpr model::CellSize block_size = {10, 0.8, 1};  // mm: low walls, which do not meet
-constexpr double gusset = 0.2;                        // of an edge
+constexpr double gusset = 0.2;                        // of an edge: the default of files
 
 Figure motion_figure(int n) {
   const model::SodaliteStructure block = model::make_sodalite({n, n, n}, gusset, block_size);

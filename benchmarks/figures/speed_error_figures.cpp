@@ -31,8 +31,9 @@ Figure exact_against(const MeasuredScene& scene, const MeasuredPoints& points, c
 }
 
 MeasuredPoints of_own_solver(const MeasuredPoints& points) {
-  MeasuredPoints sweeps = of_series(points, "Bullet, sweeps");
-  for (const MeasuredPoint& p : of_series(points, "Bullet, sweeps, single precision")) sweeps.push_back(p);
+  MeasuredPoints sweeps = of_series(points, "Bullet, iterations");
+  for (const MeasuredPoint& p : of_series(points, "Bullet, iterations, single precision"))
+    sweeps.push_back(p);
   return sweeps;
 }
 

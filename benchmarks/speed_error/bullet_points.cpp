@@ -51,7 +51,7 @@ std::vector<GridLine> elastic_grid() {
 }
 
 // Names of series in plot and table (series_style.cpp), and how a run ended.
-const std::string direct = "Bullet, direct", sweeps = "Bullet, sweeps";
+const std::string direct = "Bullet, direct", sweeps = "Bullet, iterations";
 const std::string at_rest = to_string(sim::PhysicsResult::Status::settled);
 const std::string at_rest_but_open = "settled with open hinges";
 
@@ -75,9 +75,9 @@ sim::PhysicsOptions options_of(const SpeedErrorScene& scene, const GridLine& lin
 
 std::string words(const SpeedErrorScene& scene, const GridLine& line, int steps, double rest) {
   const std::string count = fmt::format("{} steps", steps);
-  if (!scene.is_exact()) return fmt::format("{}, {} sweeps over contacts", count, line.iterations);
+  if (!scene.is_exact()) return fmt::format("{}, {} iterations over contacts", count, line.iterations);
   if (line.solver == Solver::sweeps)
-    return fmt::format("{}, {} sweeps, rest {:.0e}", count, line.iterations, rest);
+    return fmt::format("{}, {} iterations, rest {:.0e}", count, line.iterations, rest);
   return fmt::format("{}, joints {:.0e}, rest {:.0e}", count, line.joint_stiffness, rest);
 }
 

@@ -18,8 +18,8 @@ const std::map<std::string, SeriesStyle> styles = {
     {"equilibrium", {green, Marker::triangle}},
     {"Bullet, direct", {blue, Marker::circle}},
     {"Bullet, direct, single precision", {blue, Marker::ring, true}},
-    {"Bullet, sweeps", {orange, Marker::square}},
-    {"Bullet, sweeps, single precision", {orange, Marker::hollow_square, true}}};
+    {"Bullet, iterations", {orange, Marker::square}},
+    {"Bullet, iterations, single precision", {orange, Marker::hollow_square, true}}};
 
 std::string outline(Marker marker, double x, double y) {
   switch (marker) {

@@ -32,7 +32,8 @@ constexpr double flattest =
     0.95;  // of the radius, cos(pi / 12) = 0.966: facets of twelve sides are no nearer to the axis
 constexpr double parallel = 1 * radians_per_degree;  // rad, of two axes of one hinge: more binds
 constexpr double most_play = 0.5;                    // of the rod's radius: looser ones are no bearing
-constexpr double least_overlap = 0.25;               // of the rod's diameter along the axis
+constexpr double least_overlap =
+    0.25;  // of the rod's diameter along the axis: shorter, it is a touch and no bearing
 
 struct Facets {
   std::vector<Vector3d> normals;  // unit; zero of triangles without area
@@ -95,12 +96,12 @@ std::vector<std::vector<int>> bent_regions(const Polyhedron& solid, const Facets
 }
 
 /// The direction to which all normals are square, and how little they lean along it.
-struct Axis {
+struct FoundAxis {
   Vector3d direction;
   double lean = 0;  // rms of normal . axis over that of the next direction
 };
 
-Axis axis_of(const std::vector<int>& region, const Polyhedron& solid, const Facets& facets) {
+FoundAxis axis_of(const std::vector<int>& region, const Polyhedron& solid, const Facets& facets) {
   Matrix3d spread = Matrix3d::Zero();
   for (const int t : region) {
     const auto& [a, b, c] = solid.triangles[t];
@@ -150,7 +151,7 @@ double covered(const std::vector<Vector2d>& points, const Vector2d& center) {
 
 std::optional<CylinderFace> fitted(const std::vector<int>& region, const Polyhedron& solid,
                                    const Facets& facets, bool hollow) {
-  const Axis axis = axis_of(region, solid, facets);
+  const FoundAxis axis = axis_of(region, solid, facets);
   if (!(axis.lean < round)) return std::nullopt;
   Vector3d d = axis.direction;
   Eigen::Index lead = 0;

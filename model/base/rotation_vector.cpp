@@ -10,12 +10,6 @@ namespace {
 
 constexpr double opposite = 1e-12;  // 1 + cosine: below, rounding chooses the axis
 
-Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
-  Eigen::Matrix3d m;
-  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return m;
-}
-
 /// (1 - cos a) / a^2
 double second(double a) { return a < 1e-4 ? 0.5 - a * a / 24 : (1 - std::cos(a)) / (a * a); }
 /// (a - sin a) / a^3

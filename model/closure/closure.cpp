@@ -1,7 +1,9 @@
 #include "model/closure/closure.hpp"
+#include "model/base/rotation_vector.hpp"
 
 #include <Eigen/Geometry>
 
+#include "model/base/rotation_vector.hpp"
 #include "model/linkage/hinge_mismatch.hpp"
 
 namespace kinetix::model {
@@ -11,12 +13,6 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 using Entries = std::vector<Eigen::Triplet<double>>;
-
-Matrix3d cross_matrix(const Vector3d& v) {
-  Matrix3d m;
-  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return m;
-}
 
 void append(Entries& entries, int row, int column, const Matrix3d& block) {
   for (int r = 0; r < 3; ++r)

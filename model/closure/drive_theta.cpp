@@ -26,7 +26,7 @@ class DriveMiss {
     if (drive_.kind == LinkageDrive::Kind::hinge)
       return hinge_turn(linkage_, state, drive_.hinge) - drive_.angle;
     const int first = drive_.gripped[0].front(), last = drive_.gripped[1].front();
-    const int d = drive_.axis == Axis::x ? 0 : 1;
+    const int d = component(drive_.axis);
     const double rest = linkage_.rest_position(last)[d] - linkage_.rest_position(first)[d];
     return 1 - (state[last].p[d] - state[first].p[d]) / rest - drive_.compression;
   }

@@ -106,7 +106,7 @@ class ElasticSystem {
   template <class Visit>
   void visit_drive(const State& state, double theta, const Visit& visit) const;
   /// Along the axis: 0 or 1.
-  int axis() const { return drive_.axis == Axis::x ? 0 : 1; }
+  int axis() const { return component(drive_.axis); }
   /// Place along the axis at rest of the bodies that plate 0 or 1 grips, cell edges.
   double row(int plate) const { return structure_.bodies[drive_.gripped[plate].front()].position[axis()]; }
   double turn_at(double theta) const { return turn_at_theta(drive_.sense, theta); }

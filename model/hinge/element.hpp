@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 
+#include "model/base/rotation_vector.hpp"
+
 namespace kinetix::model {
 
 using Vector12 = Eigen::Matrix<double, 12, 1>;
@@ -15,12 +17,6 @@ struct Element {
   Vector12 gradient = Vector12::Zero();
   Matrix12 hessian = Matrix12::Zero();
 };
-
-inline Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
-  Eigen::Matrix3d m;
-  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return m;
-}
 
 /// Hessian by omega of f . (exp(omega) arm) at omega = 0.
 inline Eigen::Matrix3d turning_hessian(const Eigen::Vector3d& f, const Eigen::Vector3d& arm) {

@@ -12,6 +12,9 @@ inline Eigen::Vector3d edge_direction(Axis axis) {
   return axis == Axis::x ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
 }
 
+/// Which component of a vector goes along it: 0 or 1.
+inline int component(Axis axis) { return axis == Axis::x ? 0 : 1; }
+
 /// Its name in files and messages: "x" or "y".
 inline const char* to_string(Axis axis) { return axis == Axis::x ? "x" : "y"; }
 

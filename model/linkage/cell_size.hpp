@@ -9,4 +9,7 @@ struct CellSize {
   double height_mm = 6.0;     ///< of a wall, along z at rest
 };
 
+/// @throws InvalidInput naming the first length that is not above 0, or not finite
+void check_lengths(const CellSize& size);
+
 }  // namespace kinetix::model

@@ -14,7 +14,7 @@ using Eigen::Vector2d;
 
 constexpr int most_steps = 40;     // a few of Newton's method end it; the rest are for the way uphill before
 constexpr double settled = 1e-12;  // slope of the clearance, and cell edges of a step: rounding
-constexpr double longest_step = 0.1;  // cell edges: a longer one may leave the pocket that it climbs
+constexpr double longest_climb = 0.1;  // cell edges: a longer one may leave the pocket that it climbs
 
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
@@ -103,7 +103,7 @@ Vector2d step_from(const Clearance& c) {
   const bool curves_down = c.hessian.determinant() > 0 && c.hessian.trace() < 0;
   Vector2d step = c.gradient;
   if (curves_down) step = -c.hessian.inverse() * c.gradient;
-  return step.norm() > longest_step ? Vector2d(step * longest_step / step.norm()) : step;
+  return step.norm() > longest_climb ? Vector2d(step * longest_climb / step.norm()) : step;
 }
 
 Pocket climb(const Pieces& pieces, const Vector2d& start, double sharpness) {

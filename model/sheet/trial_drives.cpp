@@ -61,7 +61,7 @@ class Trials {
 
   /// Distance along the axis of the first bodies that plates grip, mm.
   static double apart(const LinkageDrive& plates, const State& state) {
-    const int d = plates.axis == Axis::x ? 0 : 1;
+    const int d = component(plates.axis);
     return state[plates.gripped[1].front()].p[d] - state[plates.gripped[0].front()].p[d];
   }
 

@@ -63,9 +63,9 @@ struct Trail {
   int evaluations = 0, paths = 0;
 };
 
-class Search {
+class PanelSearch {
  public:
-  Search(const model::Structure& panel, const std::vector<double>& levels, const DisplayOptions& options)
+  PanelSearch(const model::Structure& panel, const std::vector<double>& levels, const DisplayOptions& options)
       : panel_(panel), levels_(levels), options_(options) {
     const std::vector<model::Axis> axes =
         options.axes.empty() ? std::vector{options.plates.axis} : options.axes;
@@ -171,7 +171,7 @@ DisplayView view_display(const model::Structure& panel, const std::vector<double
 
 DisplayDesign fit_display(const model::Structure& panel, const std::vector<double>& levels,
                           const DisplayOptions& options, const Progress& progress) {
-  return Search(panel, levels, options).run(progress);
+  return PanelSearch(panel, levels, options).run(progress);
 }
 
 }  // namespace kinetix::optim

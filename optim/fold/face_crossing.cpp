@@ -13,7 +13,7 @@ namespace {
 // Cell edges: steps shrink with the gap, and with 0 they never end.
 constexpr double too_close_in_edges = 0.02;
 // Rad of theta: steps are safe at any length, but long ones have to look at more pairs of walls.
-constexpr double longest_step = 2 * radians_per_degree;
+constexpr double longest_turn = 2 * radians_per_degree;
 
 /// Upper bound of d(fold)/d(theta) of a crease from theta on: the rate falls with theta.
 double fold_rate(double tilt, int columns, double theta) {
@@ -50,7 +50,7 @@ class Watch {
     double theta = 0;
     while (true) {
       place(theta);
-      double step = longest_step;
+      double step = longest_turn;
       for (const Way& way : ways_) {
         const double speed = closing_speed(way, theta);
         const double gap = clearance(faces_[way.first], faces_[way.second], speed * step + too_close());

@@ -19,10 +19,11 @@ constexpr double usual_theta =
     26 * radians_per_degree;  // rad, until a search has found one: that of most boxes
 constexpr int fewest = 3,
               most = 10;  // cells along the shortest edge: fewer are no face, more nobody wants to print
-constexpr double good = 0.019;    // a miss over the edge that more cells need not mend: 0.8 mm of 40
-constexpr int telling = 4;        // cells along an edge: walls meet at creases, however wide the faces are
-constexpr int rounds = 6;         // cells and theta depend on each other: two or three settle
-constexpr double settled = 1e-9;  // change of the cell edge over itself
+constexpr double good = 0.019;  // a miss over the edge that more cells need not mend: 0.8 mm of 40
+constexpr int telling = 4;      // cells along an edge: walls meet at creases, however wide the faces are
+constexpr int rounds = 6;       // cells and theta depend on each other: two or three settle
+constexpr double settled_edge =
+    1e-9;  // change of the cell edge over itself: rounding, far below what a print shows
 
 /// Lengths of the edges in pitches.
 Lengths pitches(const std::array<int, 3>& edges, double inset) {
@@ -86,7 +87,8 @@ class BoxSearch {
       const BoxInCells before = now_;
       if (!look()) break;
       choose();
-      if (now_.edges == before.edges && std::abs(now_.edge_mm - before.edge_mm) <= settled * now_.edge_mm)
+      if (now_.edges == before.edges &&
+          std::abs(now_.edge_mm - before.edge_mm) <= settled_edge * now_.edge_mm)
         break;
     }
     return now_;

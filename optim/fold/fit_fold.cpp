@@ -60,9 +60,9 @@ struct Obstacle {
   double share = 0;         ///< of the way to theta that is free
 };
 
-class Search {
+class NetSearch {
  public:
-  Search(const targets::FoldGoal& goal, const FoldOptions& options, const Progress& progress)
+  NetSearch(const targets::FoldGoal& goal, const FoldOptions& options, const Progress& progress)
       : goal_(goal), options_(options), progress_(progress) {
     upper_ = std::min(options.theta.upper, closing_theta(options.size) - margin_of_closing);
   }
@@ -262,7 +262,7 @@ void FoldOptions::validate() const {
 
 FoldDesign fit_fold(const targets::FoldGoal& goal, const FoldOptions& options, const Progress& progress) {
   options.validate();
-  return Search(goal, options, progress).run();
+  return NetSearch(goal, options, progress).run();
 }
 
 }  // namespace kinetix::optim

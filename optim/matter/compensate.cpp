@@ -16,9 +16,9 @@ using Eigen::VectorXd;
 // Over the largest entry of the normal equations' diagonal: the first step is nearly that of Gauss and Newton.
 constexpr double first_damping = 1e-4, least_damping = 1e-12, most_damping = 1e6;
 constexpr double easier = 0.1,
-                 harder = 10;          // what damping is multiplied by after a step that helps or does not
-constexpr double longest_step = 0.08;  // rad, of any variable: derivatives mean little further off
-constexpr double least_gain = 0.02;    // part of the rms: a step that gains less ends the search
+                 harder = 10;            // what damping is multiplied by after a step that helps or does not
+constexpr double longest_change = 0.08;  // rad, of any variable: derivatives mean little further off
+constexpr double least_gain = 0.02;      // part of the rms: a step that gains less ends the search
 
 /// Tilts of all ties, then theta. rad
 class Variables {
@@ -67,10 +67,10 @@ VectorXd by_variables(const std::vector<TiltTie>& ties, const model::Sensitivity
   return out;
 }
 
-class Search {
+class MatterSearch {
  public:
-  Search(const InMatter& start, const model::Elasticity& elasticity, const MatterGoal& goal,
-         const CompensationOptions& options)
+  MatterSearch(const InMatter& start, const model::Elasticity& elasticity, const MatterGoal& goal,
+               const CompensationOptions& options)
       : elasticity_(elasticity), goal_(goal), options_(options), variables_(start.sheet, options) {
     path_.contact = options.contact;
   }
@@ -114,7 +114,7 @@ class Search {
       MatrixXd damped = curvature;
       damped.diagonal().array() += damping * scale;
       const VectorXd full = SymmetricFactor(damped).solve(slope);
-      const double part = std::min(1.0, longest_step / std::max(full.cwiseAbs().maxCoeff(), 1e-300));
+      const double part = std::min(1.0, longest_change / std::max(full.cwiseAbs().maxCoeff(), 1e-300));
       const VectorXd tried = variables_.within(x - part * full, at.theta);
       const std::optional<InMatter> next = follow(at, x, tried);
       if (!next || !(next->rms_mm < at.rms_mm)) continue;
@@ -180,7 +180,7 @@ std::optional<DeviationRates> deviation_rates(const InMatter& at, const std::vec
 
 Compensation compensate(const InMatter& start, const model::Elasticity& elasticity, const MatterGoal& goal,
                         const CompensationOptions& options) {
-  return Search(start, elasticity, goal, options).run(start);
+  return MatterSearch(start, elasticity, goal, options).run(start);
 }
 
 }  // namespace kinetix::optim

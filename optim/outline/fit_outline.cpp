@@ -15,15 +15,16 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double less_turning = 0.8;   // of walls that met, from round to round
+constexpr double less_sliding =
+    0.8;  // of walls that met, from round to round: a fifth less clears them in two or three
 constexpr double less_scaling = 0.93;  // and of their offsets: cells that shrink close sooner
 constexpr double less_beside = 0.98;   // and of the offsets of the other walls round their cells
 constexpr double less_uneven = 0.8;  // and, where the flat panel is free, of the powers by which walls differ
 // Rounds: these leave an eighth of the turning. A free flat panel has more ways to give room.
-constexpr int most_clearance_rounds = 9, most_of_free_panels = 12;
+constexpr int most_rounds_apart = 9, most_of_free_panels = 12;
 // Cell edges, of flat walls where they are free: beyond, cells have no room or plates are all wall.
 constexpr double longest = 1.4;
-constexpr double spare = 0.3 * radians_per_degree;        // rad: walls stay apart a little further than asked
+constexpr double spare_turn = 0.3 * radians_per_degree;   // rad: walls stay apart a little further than asked
 constexpr double met_early[] = {0.4, 0.6, 0.75, 0.9, 1};  // of theta: where walls are looked at on the way
 constexpr int halvings = 2;        // of the way from the best theta to the next larger one that was tried
 constexpr double at_bound = 0.98;  // of it: as good as there
@@ -46,10 +47,10 @@ std::vector<Vector2d> corners(const std::vector<int>& rim, const std::vector<Vec
 }
 
 /// The search at one theta.
-class Search {
+class RimSearch {
  public:
-  Search(const model::PlanarStructure& panel, const targets::Outline& folded, const targets::Outline* flat,
-         const OutlineOptions& options, double theta)
+  RimSearch(const model::PlanarStructure& panel, const targets::Outline& folded, const targets::Outline* flat,
+            const OutlineOptions& options, double theta)
       : panel_(panel), options_(options) {
     problem_.panel = &panel_;
     problem_.rim = outer_rim(panel.graph).vertices;
@@ -77,7 +78,7 @@ class Search {
       found.clear = met.empty();
       tighten(met);
     } while (!found.clear && !problem_.stop.stop_requested() &&
-             ++found.clearance_rounds < (problem_.flat ? most_of_free_panels : most_clearance_rounds));
+             ++found.clearance_rounds < (problem_.flat ? most_of_free_panels : most_rounds_apart));
     judge(found);
     return found;
   }
@@ -148,7 +149,7 @@ class Search {
     // Sharp corners of a flat panel that is free have walls that touch where hinges are near them.
     if (problem_.flat) add(contact.touching_at_rest());
     for (const double part : met_early) {
-      const double theta = part == 1 ? problem_.theta + spare : part * problem_.theta;
+      const double theta = part == 1 ? problem_.theta + spare_turn : part * problem_.theta;
       add(contact.overlapping(fold(found.panel, found.y, theta)));
     }
     return met;
@@ -157,7 +158,7 @@ class Search {
   /// Narrow cells close soonest: beside the walls that met, those round their cells come nearer to one length, by
   /// scaling less, and by the flat panel where it is free.
   void tighten(const std::set<int>& met) {
-    for (const int e : met) problem_.bounds.shift[e] *= less_turning;
+    for (const int e : met) problem_.bounds.shift[e] *= less_sliding;
     const std::set<int> round = round_cells_of(met);
     for (const int e : round) limit_[e] *= met.contains(e) ? less_scaling : less_beside;
     if (!problem_.flat) return;
@@ -218,7 +219,7 @@ OutlineDesign fit_outline(const model::PlanarStructure& panel, const targets::Ou
   std::set<double> tried;
   int rounds = 0;
   const auto try_theta = [&](double theta) {
-    OutlineDesign found = Search(panel, folded, flat, options, theta).run();
+    OutlineDesign found = RimSearch(panel, folded, flat, options, theta).run();
     rounds += found.rounds;
     if (tried.empty() || is_better(found, best)) best = std::move(found);
     tried.insert(theta);

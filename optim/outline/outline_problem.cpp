@@ -17,10 +17,10 @@ using Eigen::Index;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 
-constexpr int most_rounds = 30;         // the rim then slides by hundredths of a cell
+constexpr int most_slides = 30;         // the rim then slides by hundredths of a cell
 constexpr int most_rounds_again = 8;    // where only some bounds have changed
 constexpr int rounds_of_spreading = 4;  // in which rim vertices go to their places along the outline
-constexpr double settled = 5e-4;        // cell edges: a hundredth of what a print shows
+constexpr double settled_rim = 5e-4;    // cell edges: a hundredth of what a print shows
 // Weights against 1 of the distance from the outline, each a length or a ratio of lengths.
 constexpr double first_slide = 0.5, least_slide = 0.02;  // of sliding along it, less from round to round
 constexpr double less_slide = 0.7;                       // its factor from round to round
@@ -313,7 +313,7 @@ std::vector<Vector2d> spread_along(const targets::Outline& outline, const std::v
 OutlineProgress improve(const OutlineProblem& problem, OutlineShape& shape, bool spread,
                         BoxLeastSquaresMemory& memory) {
   OutlineProgress progress;
-  const int first = spread ? 0 : rounds_of_spreading, most = spread ? most_rounds : most_rounds_again;
+  const int first = spread ? 0 : rounds_of_spreading, most = spread ? most_slides : most_rounds_again;
   const auto solve = [&](const BoxLeastSquaresOptions& options) {
     Round round(problem, shape, first + progress.rounds++);
     BoxLeastSquaresResult found = solve_box_least_squares(round.problem(), options, &memory);
@@ -323,7 +323,7 @@ OutlineProgress improve(const OutlineProblem& problem, OutlineShape& shape, bool
   };
   do solve(on_the_way);
   while (progress.rounds < most && !problem.stop.stop_requested() &&
-         (first + progress.rounds <= rounds_of_spreading || progress.moved > settled));
+         (first + progress.rounds <= rounds_of_spreading || progress.moved > settled_rim));
   solve(at_the_end);
   return progress;
 }

@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::VectorXd;
 /// Of searches, each with other variables held on their bounds: what still changes after so many goes round.
-constexpr int most_rounds = 8;
+constexpr int most_dampings = 8;
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -268,7 +268,7 @@ SolveResult solve(const ArrowProblem& problem, const VectorXd& start, const Solv
   SolveResult result =
       solve_holding(problem, start.cwiseMax(problem.lower()).cwiseMin(problem.upper()), options, {});
   std::set<int> held;
-  for (int round = 0; round < most_rounds && std::isfinite(result.residual_norm); ++round) {
+  for (int round = 0; round < most_dampings && std::isfinite(result.residual_norm); ++round) {
     if (options.stop.stop_requested()) break;
     std::set<int> pressed = pressed_on_bounds(problem, result.x);
     if (pressed == held) break;

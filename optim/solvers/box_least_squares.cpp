@@ -12,7 +12,7 @@ namespace {
 using Eigen::SparseMatrix;
 using Eigen::VectorXd;
 
-constexpr double relaxation = 1.6;   // 1.5 to 1.8 is usual (Boyd et al. 2011, section 3.4.3)
+constexpr double over_relaxation = 1.6;  // 1.5 to 1.8 is usual (Boyd et al. 2011, section 3.4.3)
 constexpr double first_penalty = 1;  // ratio to the costs, where both have rows of about one size; adapted
 constexpr int between_looks = 25;  // iterations from one look at the penalty to the next: a factor costs some
 constexpr double out_of_balance = 5;  // ratio of the two misses that asks for another penalty
@@ -66,7 +66,7 @@ class Solver {
   double step() {
     u_ = factor_.solve(pull_ + penalty_ * (Ct_ * (z_ - dual_)));
     value_ = p_.C * u_;
-    const VectorXd relaxed = relaxation * value_ + (1 - relaxation) * z_ + dual_;
+    const VectorXd relaxed = over_relaxation * value_ + (1 - over_relaxation) * z_ + dual_;
     const VectorXd next = relaxed.cwiseMax(p_.lower).cwiseMin(p_.upper);
     const double moved = next.size() == 0 ? 0 : (next - z_).cwiseAbs().maxCoeff();
     dual_ = relaxed - next;

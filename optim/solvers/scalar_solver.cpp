@@ -23,7 +23,7 @@ nlopt::algorithm algorithm(SolverName name) {
   return static_cast<nlopt::algorithm>(nlopt_algorithm(name));
 }
 
-struct Search {
+struct NloptSearch {
   ScalarProblem& problem;
   const SolverOptions& options;
   ScalarResult result;
@@ -63,7 +63,7 @@ struct Search {
   bool told_to_stop() const { return options.stop.stop_requested() && std::isfinite(result.cost); }
 
   static double call(const std::vector<double>& x, std::vector<double>& gradient, void* self) {
-    return (*static_cast<Search*>(self))(x, gradient);
+    return (*static_cast<NloptSearch*>(self))(x, gradient);
   }
 
   ScalarResult finish(SolveStatus status, std::string why) {
@@ -78,11 +78,11 @@ struct Search {
 ScalarResult solve(ScalarProblem& problem, const VectorXd& start, const SolverOptions& options) {
   options.validate();
   nlopt::opt solver(algorithm(options.name), static_cast<unsigned>(start.size()));
-  Search search{problem, options, {}};
+  NloptSearch search{problem, options, {}};
   search.result.x = start;
   search.result.cost = std::numeric_limits<double>::infinity();
   try {
-    solver.set_min_objective(&Search::call, &search);
+    solver.set_min_objective(&NloptSearch::call, &search);
     solver.set_lower_bounds(values(problem.lower()));
     solver.set_upper_bounds(values(problem.upper()));
     solver.set_ftol_rel(options.tolerance);

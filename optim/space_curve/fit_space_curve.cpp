@@ -16,8 +16,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double margin = 0.1 * radians_per_degree;  // rad that theta keeps below where cells close
-constexpr double as_good = 1.1;  // times the least error: up to here the room that is left decides
+constexpr double closing_margin = 0.1 * radians_per_degree;  // rad that theta keeps below where cells close
+constexpr double as_good_a_fit = 1.1;  // times the least error: up to here the room that is left decides
 
 /// What is possible at theta.
 SpaceLimits limits_at(const SpaceVariables& v, double theta) {
@@ -49,7 +49,7 @@ Across across_of(const targets::SpaceGoal& goal, int columns) {
 
 /// Theta range below where cells close.
 AngleRange allowed_theta(const SpaceVariables& v) {
-  const double closing = closing_theta(v.size) - margin;
+  const double closing = closing_theta(v.size) - closing_margin;
   if (!(v.theta.lower < closing))
     throw InvalidInput(fmt::format(
         "walls of {:.3g} mm in cells of {:.3g} mm close at theta {:.1f} deg, below the range asked for",
@@ -89,9 +89,9 @@ double use_of(const SpaceDesign& found, const SpaceVariables& v, double upper) {
   return use;
 }
 
-class Search {
+class StripSearch {
  public:
-  Search(const targets::SpaceGoal& goal, const SpaceVariables& v, const SolverOptions& options)
+  StripSearch(const targets::SpaceGoal& goal, const SpaceVariables& v, const SolverOptions& options)
       : goal_(goal), v_(v), options_(options), across_(across_of(goal, v.columns)) {
     frame_ = frame_across(goal, across_.direction);
     line_ = std::make_unique<targets::SpaceCurve>(seen(goal, frame_));
@@ -174,7 +174,7 @@ class Search {
     std::size_t chosen = all.size();
     double use = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < all.size(); ++k) {
-      if (!(rank(all[k]) <= as_good * least) || !(use_of(all[k], v_, upper) < use)) continue;
+      if (!(rank(all[k]) <= as_good_a_fit * least) || !(use_of(all[k], v_, upper) < use)) continue;
       chosen = k;
       use = use_of(all[k], v_, upper);
     }
@@ -236,7 +236,7 @@ std::optional<SpaceObstacle> obstacle(const targets::SpaceGoal& goal, const Spac
 SpaceDesign fit_space_curve(const targets::SpaceGoal& goal, const SpaceVariables& variables,
                             const SolverOptions& options) {
   if (const auto found = obstacle(goal, variables)) throw InvalidInput(found->why);
-  return Search(goal, variables, options).find();
+  return StripSearch(goal, variables, options).find();
 }
 
 std::vector<Vector3d> space_midline(const model::State& state) {

@@ -209,7 +209,7 @@ std::vector<Trial> trials() {
   return out;
 }
 
-bool is_better(const SurfaceDesign& a, const SurfaceDesign& b) {
+bool fits_better(const SurfaceDesign& a, const SurfaceDesign& b) {
   if (a.within != b.within) return a.within;
   if (a.valid != b.valid) return a.valid;
   if (std::isnan(a.error.cover) != std::isnan(b.error.cover)) return std::isnan(b.error.cover);
@@ -244,10 +244,10 @@ SurfaceDesign after_shakes(Run best_run, SurfaceDesign best, const SurfaceOption
     run_in_parallel(shaken_a_round, options.threads, [&](int k) {
       designs[k] = runs[k].shaken(static_cast<unsigned>(round * shaken_a_round + k));
     });
-    const auto found = std::min_element(designs.begin(), designs.end(), is_better) - designs.begin();
+    const auto found = std::min_element(designs.begin(), designs.end(), fits_better) - designs.begin();
     for (const SurfaceDesign& design : designs) best.evaluations += design.evaluations;
     best.shakes += shaken_a_round;
-    if (!is_better(designs[found], best)) continue;
+    if (!fits_better(designs[found], best)) continue;
     designs[found].evaluations = best.evaluations;
     designs[found].shakes = best.shakes;
     designs[found].start = best.start;
@@ -281,7 +281,7 @@ SurfaceDesign fit_surface(const targets::SurfacePatch& patch, const SurfaceOptio
       found.start = start;
       evaluations[start] = found.evaluations;
       const double rms = found.valid ? found.error.rms : std::numeric_limits<double>::infinity();
-      if (designs[start].mesh.vertices.empty() || is_better(found, designs[start]))
+      if (designs[start].mesh.vertices.empty() || fits_better(found, designs[start]))
         designs[start] = std::move(found);
       const std::lock_guard lock(words);
       least = std::min(least, rms);
@@ -294,9 +294,9 @@ SurfaceDesign fit_surface(const targets::SurfacePatch& patch, const SurfaceOptio
   };
   fit(count, [](Run& run) { return run.begin(); });
   std::stable_sort(order.begin(), order.end(),
-                   [&](int a, int b) { return is_better(designs[a], designs[b]); });
+                   [&](int a, int b) { return fits_better(designs[a], designs[b]); });
   fit(kept, [](Run& run) { return run.go_on(); });
-  SurfaceDesign best = *std::min_element(designs.begin(), designs.end(), is_better);
+  SurfaceDesign best = *std::min_element(designs.begin(), designs.end(), fits_better);
   best.starts = count;
   best.evaluations = std::accumulate(evaluations.begin(), evaluations.end(), 0);
   if (!best.valid) return best;

@@ -25,7 +25,7 @@ struct Rows {
 };
 
 /// Names with ", " or "," between them.
-std::string joined(const Axes& axes, const std::string& between) {
+std::string joined_axes(const Axes& axes, const std::string& between) {
   std::string text;
   for (const std::string& axis : axes) text += (text.empty() ? "" : between) + axis;
   return text;
@@ -33,13 +33,13 @@ std::string joined(const Axes& axes, const std::string& between) {
 
 /// "x and z", "x, y and z".
 std::string in_words(const Axes& axes) {
-  return joined({axes.begin(), axes.end() - 1}, ", ") + " and " + axes.back();
+  return joined_axes({axes.begin(), axes.end() - 1}, ", ") + " and " + axes.back();
 }
 
 std::string count_in_words(const Axes& axes) { return axes.size() == 2 ? "two" : "three"; }
 
 /// "[x, z]".
-std::string form_of(const Axes& axes) { return "[" + joined(axes, ", ") + "]"; }
+std::string form_of(const Axes& axes) { return "[" + joined_axes(axes, ", ") + "]"; }
 
 struct Field {
   std::string_view text;
@@ -96,7 +96,7 @@ class CsvReader {
  private:
   /// The end of messages about the first line: what would be right.
   std::string wanted_header() const {
-    return "the first line must be the header `" + joined(axes_, ",") + "`, with points in millimetres";
+    return "the first line must be the header `" + joined_axes(axes_, ",") + "`, with points in millimetres";
   }
 
   /// Moves to the next line that is neither empty nor a comment.
@@ -137,7 +137,7 @@ class CsvReader {
       refuse(field.position, in_ticks(field.text) +
                                  " names another unit, but points are in millimetres; convert "
                                  "the numbers and write the header `" +
-                                 joined(axes_, ",") + "`");
+                                 joined_axes(axes_, ",") + "`");
   }
 
   void read_point() {

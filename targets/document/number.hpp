@@ -26,6 +26,10 @@ Bounds at_least(double lower, std::string_view unit = {});
 Bounds from_to(double lower, double upper, std::string_view unit = {});
 /// Both ends excluded.
 Bounds between(double lower, double upper, std::string_view unit = {});
+/// A share, or a size over another one: above 0 and up to 1.
+inline constexpr Bounds part_of_one = {0, 1, false, true};
+/// A place along something, its ends left out.
+inline constexpr Bounds place_along = {0, 1, false, false};
 
 /// Decimal number in the unit of the bounds, independent of the locale.
 /// @throws InvalidInput without a place, saying what is allowed: not a number, not finite, a unit or a

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "targets/curve/read_curve.hpp"
+#include "targets/helmet/length_units.hpp"
 #include "targets/mesh/mesh_file.hpp"
 
 namespace kinetix::targets {
@@ -13,8 +14,6 @@ using Eigen::Vector3d;
 // Of the crown, mm: as for points of curves.
 const Bounds coordinate = from_to(-max_coordinate_mm, max_coordinate_mm, "mm");
 // What the key `units` may say.
-constexpr Word<LengthUnit> unit_words[] = {
-    {"mm", LengthUnit::mm}, {"cm", LengthUnit::cm}, {"m", LengthUnit::m}, {"in", LengthUnit::inch}};
 TriangleMesh read_mesh_of(const Node& mesh) {
   const std::string name = mesh.text("the path of an OBJ, STL or PLY file");
   try {
@@ -37,7 +36,7 @@ Vector3d read_crown(const Node& crown) {
 
 HeadPose read_pose(const Section& target) {
   HeadPose pose;
-  target.read("units", pose.unit, unit_words);
+  target.read("units", pose.unit, length_units);
   target.read("up", pose.up, axes);
   target.read("front", pose.front, axes);
   if (const auto crown = target.optional("crown")) pose.crown = read_crown(*crown);
@@ -50,7 +49,7 @@ HeadPose read_pose(const Section& target) {
 std::vector<Key> head_keys() {
   return {
       {"mesh", value::text("path of an OBJ, STL or PLY file"), needed, "a mesh of a head"},
-      {"units", value::choice(unit_words), by_default("mm"), "of the mesh"},
+      {"units", value::choice(length_units), by_default("mm"), "of the mesh"},
       {"up", value::choice(axes), by_default("z"), "axis of the mesh that points up"},
       {"front", value::choice(axes), otherwise("whichever way the top of the head is longer"),
        "axis of the mesh that points to the face"},

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+double cross_product(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 }  // namespace
 
@@ -23,7 +23,8 @@ Outline::Outline(std::vector<Vector2d> points) : points_(std::move(points)) {
   loop.push_back(points_.front());
   check_crossing(loop);
   double twice = 0;
-  for (std::size_t k = 0; k + 1 < loop.size(); ++k) twice += cross(loop[k] - loop[0], loop[k + 1] - loop[0]);
+  for (std::size_t k = 0; k + 1 < loop.size(); ++k)
+    twice += cross_product(loop[k] - loop[0], loop[k + 1] - loop[0]);
   if (twice < 0) {
     std::reverse(points_.begin(), points_.end());
     std::reverse(loop.begin(), loop.end());
@@ -34,7 +35,7 @@ Outline::Outline(std::vector<Vector2d> points) : points_(std::move(points)) {
   for (std::size_t k = 0; k < points_.size(); ++k) {
     const Vector2d &a = loop[k], &b = loop[k + 1];
     arc_.push_back(arc_.back() + (b - a).norm());
-    middle_ += cross(a - loop[0], b - loop[0]) * ((a - loop[0]) + (b - loop[0]));
+    middle_ += cross_product(a - loop[0], b - loop[0]) * ((a - loop[0]) + (b - loop[0]));
     low = low.cwiseMin(a);
     high = high.cwiseMax(a);
   }
@@ -89,7 +90,7 @@ std::vector<Vector2d> Outline::corners(double turn) const {
   for (std::size_t k = 0; k < count; ++k) {
     const Vector2d in = points_[k] - points_[(k + count - 1) % count],
                    on = points_[(k + 1) % count] - points_[k];
-    if (std::abs(std::atan2(cross(in, on), in.dot(on))) > turn) out.push_back(points_[k]);
+    if (std::abs(std::atan2(cross_product(in, on), in.dot(on))) > turn) out.push_back(points_[k]);
   }
   return out;
 }

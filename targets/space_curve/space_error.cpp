@@ -15,7 +15,7 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 constexpr int samples_a_cell = 20;  // as formats.md says of shape_rms
 constexpr int most_rounds = 50;     // each is a Newton step; a few do where the goal is near
-constexpr double still = 1e-9;      // of the diagonal: steps below leave the rms as it is
+constexpr double still_rms = 1e-9;  // of the diagonal: steps below leave the rms as it is
 constexpr double regular = 1e-9;    // of the normal matrix' trace: a straight goal may turn about itself
 
 /// Distance of p from the curve, and the unit direction along the curve there.
@@ -124,7 +124,7 @@ SpaceError space_error(const std::vector<Vector3d>& midline, const SpaceGoal& go
   const SpaceCurve line(midline);
   Alignment alignment(line, goal, static_cast<int>(midline.size()) - 1, place);
   bool settled = false;
-  for (int k = 0; k < most_rounds && !settled; ++k) settled = alignment.step() < still * goal.diagonal();
+  for (int k = 0; k < most_rounds && !settled; ++k) settled = alignment.step() < still_rms * goal.diagonal();
   SpaceError out = alignment.error();
   out.settled = settled;
   return out;

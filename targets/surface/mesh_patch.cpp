@@ -20,7 +20,7 @@ constexpr int degree = 8;       // of the heights: 45 terms follow a wave and a 
 constexpr double ridge = 1e-8;  // of the mean squared term: keeps few vertices from swinging
 constexpr double most_miss =
     0.01;  // of the mesh's size: rms of vertices from the polynomial, above it is not smooth
-constexpr double most_slope = 80;   // deg from the mean normal
+constexpr double most_slope = 80;   // deg from the mean normal: steeper, a height over the plane says little
 constexpr double same_area = 1e-3;  // ratio: of triangles and of the loop round them, seen along the normal
 
 /// The one loop of edges that a single triangle has.

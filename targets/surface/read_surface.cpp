@@ -6,6 +6,7 @@
 #include "model/base/invalid_input.hpp"
 #include "targets/curve/read_points.hpp"
 #include "targets/helmet/head_pose.hpp"
+#include "targets/helmet/length_units.hpp"
 #include "targets/mesh/mesh_file.hpp"
 #include "targets/surface/mesh_patch.hpp"
 #include "targets/surface/revolution.hpp"
@@ -17,18 +18,15 @@ enum class Shape { cap, saddle, vase };
 // What `shape` may say.
 constexpr Word<Shape> shapes[] = {{"cap", Shape::cap}, {"saddle", Shape::saddle}, {"vase", Shape::vase}};
 // What the key `units` may say.
-constexpr Word<LengthUnit> unit_words[] = {
-    {"mm", LengthUnit::mm}, {"cm", LengthUnit::cm}, {"m", LengthUnit::m}, {"in", LengthUnit::inch}};
-
-const Bounds turn = {0, 360, false, true, "degrees"};    // of arcs: shapes allow less
-const Bounds size = from_to(1, 5000, "mm");              // of surfaces: a fingertip to a room
-constexpr double least_side = 20, most_side = 5000;      // mm, of the box of a mesh that ribs go over
-constexpr double whole_turn = 360 * radians_per_degree;  // rad: ribs go all round a profile
-const char* const height_axis = "z";                     // of points of a profile, behind x, the radius
-constexpr double usual_width = 100;                      // mm: a sheet of it prints on any machine
-constexpr double usual_radius = 50;                      // mm, of vases: a drinking glass
-constexpr double usual_height = 120;                     // mm, of vases
-constexpr double usual_arc = 60 * radians_per_degree;    // rad: as much as eight facets follow well
+const Bounds arc_turn = {0, 360, false, true, "degrees"};  // of arcs: shapes allow less
+const Bounds size = from_to(1, 5000, "mm");                // of surfaces: a fingertip to a room
+constexpr double least_side = 20, most_side = 5000;        // mm, of the box of a mesh that ribs go over
+constexpr double whole_turn = 360 * radians_per_degree;    // rad: ribs go all round a profile
+const char* const height_axis = "z";                       // of points of a profile, behind x, the radius
+constexpr double usual_width = 100;                        // mm: a sheet of it prints on any machine
+constexpr double usual_radius = 50;                        // mm, of vases: a drinking glass
+constexpr double usual_height = 120;                       // mm, of vases
+constexpr double usual_arc = 60 * radians_per_degree;      // rad: as much as eight facets follow well
 constexpr double usual_rise = 0.3;  // a saddle whose corners are level and whose rims are as steep as 31 deg
 
 void refuse(const Section& target, std::initializer_list<const char*> keys, const std::string& why) {
@@ -43,7 +41,7 @@ TriangleMesh in_mm(TriangleMesh mesh, LengthUnit unit) {
 
 TriangleMesh read_mesh_in_mm(const Section& target, const Node& mesh) {
   LengthUnit unit = LengthUnit::mm;
-  target.read("units", unit, unit_words);
+  target.read("units", unit, length_units);
   const std::string name = mesh.text("the path of an OBJ, STL or PLY file");
   return mesh.located(
       [&] { return in_mm(read_mesh((std::filesystem::path(mesh.folder()) / name).string()), unit); });
@@ -116,7 +114,7 @@ std::vector<Key> surface_keys() {
        "the surface: for a sheet an open one without holes, of which it covers the rectangle in which it "
        "lies, or one "
        "of its area; for ribs any"},
-      {"units", value::choice(unit_words), by_default("mm"), "of the mesh"},
+      {"units", value::choice(length_units), by_default("mm"), "of the mesh"},
       {"shape", value::choice(shapes), otherwise("`mesh` is given"),
        "`cap`: of a sphere, over the square in its rim; `saddle`: z = rise (x\u00b2 \u2212 y\u00b2) / half "
        "of the width; "
@@ -126,7 +124,7 @@ std::vector<Key> surface_keys() {
        "smooth line goes "
        "through them"},
       {"width_mm", value::number(size), by_default(usual_width), "of the square of a cap or saddle"},
-      {"arc_deg", value::angle(turn), by_default_deg(usual_arc),
+      {"arc_deg", value::angle(arc_turn), by_default_deg(usual_arc),
        "of a cap: what its surface turns by from corner to corner; of a vase: from rim to rim round its "
        "axis, at most 120; of a `profile` likewise, with `ribs` up to 360, which is then the default"},
       {"rise", value::number({0, 1, false, true}), by_default(usual_rise),

@@ -12,6 +12,9 @@ from pathlib import Path
 ROOMS = ("model", "targets", "optim", "sim", "app", "python", "tests", "benchmarks")
 # Fewer arrows between folders than that, and the pattern of includes is wrong.
 LEAST_ARROWS = 30
+# The floors of the program, from below: a folder includes its own and lower ones.
+FLOORS = {"app": "cad files io pictures viewer report run console pipeline result exports goals print assembly studio "
+                 "sweep imports cli formats".split()}
 # Circles that still stand: "from -> to". Strike an arrow as soon as it is on no circle.
 KNOWN = ()
 
@@ -46,8 +49,22 @@ def on_circles(arrows):
             if folder in reached.get(other, ())}
 
 
+def upwards(arrows, room, floors):
+    """Every arrow between top folders of a room that leads up, and the folders that have no floor."""
+    for folder in sorted(arrows):
+        for other in sorted(arrows[folder]):
+            ends = [path.split("/")[1] for path in (folder, other) if path.split("/")[0] == room and "/" in path]
+            unknown = [end for end in ends if end not in floors]
+            if unknown:
+                yield f"{room}/{unknown[0]} has no floor in check_circles.py"
+            elif len(ends) == 2 and floors.index(ends[0]) < floors.index(ends[1]):
+                yield f"{folder} -> {other} leads up: {'; '.join(arrows[folder][other])}"
+
+
 def complaints_about(root):
     arrows = arrows_of(root)
+    for room, floors in FLOORS.items():
+        yield from upwards(arrows, room, floors)
     if sum(map(len, arrows.values())) < LEAST_ARROWS:
         yield "hardly any includes between folders found: is the path or the pattern right?"
     circles = on_circles(arrows)
@@ -64,10 +81,18 @@ def sees_a_circle():
     return set(on_circles(around)) == {"a -> b", "b -> c", "c -> a"}
 
 
+def sees_a_way_up():
+    """Proof that an arrow to a higher floor is found, and one to a lower floor is none."""
+    arrows = {"app/low": {"app/high/deep": ["x"]}, "app/high": {"app/low": []}}
+    return list(upwards(arrows, "app", ["low", "high"])) == ["app/low -> app/high/deep leads up: x"]
+
+
 def main():
     complaints = list(complaints_about(sys.argv[1]))
     if not sees_a_circle():
         complaints.append("this check does not see a circle of three")
+    if not sees_a_way_up():
+        complaints.append("this check does not see an include that leads up")
     print("\n".join(complaints) or "no new circles")
     return 1 if complaints else 0
 

@@ -12,10 +12,10 @@ namespace {
 
 using testing::curl;
 using testing::expect_exact;
+using testing::physics_without_contact;
 using testing::run;
 using testing::strip;
 using testing::structure_of;
-using testing::without_contact;
 using Status = PhysicsResult::Status;
 
 TEST(CompressionRun, ShrinksABasicSheetByTheCosineAndTurnsItsBodiesToAndFro) {
@@ -55,14 +55,14 @@ TEST(CompressionRun, FoldsRandomSheetsOfEveryFamily) {
     for (const auto& [columns, rows] : {std::pair{1, 1}, {6, 1}, {4, 3}}) {
       SCOPED_TRACE(to_string(family) + " " + std::to_string(columns) + "x" + std::to_string(rows));
       const auto design = testing::random_design(family, columns, rows, random);
-      expect_exact(design, run(design, without_contact()));
+      expect_exact(design, run(design, physics_without_contact()));
     }
 }
 
 TEST(CompressionRun, FoldsAPlanarSheetInThePlane) {
   std::mt19937 random(21);
   auto design = testing::random_design(model::Family::F1, 4, 4, random);
-  PhysicsOptions options = without_contact();
+  PhysicsOptions options = physics_without_contact();
   options.planar = true;
   const PhysicsResult result = run(design, options);
   expect_exact(design, result);
@@ -103,13 +103,13 @@ TEST(CompressionRun, TurnsAHingeBeyondAQuarterTurn) {
   design.t = {0.7, 0.8, 0.7};
   for (const double theta : {0.95, -0.95}) {
     design.theta = theta;
-    expect_exact(design, run(design, without_contact()));
+    expect_exact(design, run(design, physics_without_contact()));
     const model::Structure structure = structure_of(design);
     model::Drive drive;
     drive.kind = model::Drive::Kind::hinge;
     drive.wall = {{0, 0}, model::Axis::y};
     drive.angle = -2 * theta;
-    expect_exact(design, run_compression(structure, drive.on(structure), without_contact()));
+    expect_exact(design, run_compression(structure, drive.on(structure), physics_without_contact()));
   }
 }
 

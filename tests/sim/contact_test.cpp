@@ -10,10 +10,10 @@ namespace kinetix::sim {
 namespace {
 
 using testing::expect_exact;
+using testing::physics_without_contact;
 using testing::run;
 using testing::strip;
 using testing::structure_of;
-using testing::without_contact;
 using Status = PhysicsResult::Status;
 
 TEST(Contact, StopsBasicCellsWhereTheirWallsMeet) {
@@ -29,7 +29,7 @@ TEST(Contact, StopsBasicCellsWhereTheirWallsMeet) {
     EXPECT_NE(stopped.why.find("touch"), std::string::npos) << stopped.why;
     EXPECT_NEAR(std::abs(std::asin(stopped.state[0].R(1, 0))), limit, 0.005);
     EXPECT_LE(stopped.gaps.max, 5e-4) << "the structure stays whole";
-    expect_exact(design, run(design, without_contact()));
+    expect_exact(design, run(design, physics_without_contact()));
   }
 }
 

@@ -9,7 +9,7 @@ namespace kinetix::sim {
 namespace {
 
 /// Distance of the settled run from the closed form at theta, cell edges.
-double from_closed_form(const model::PlanarStructure& s, double theta, PhysicsOptions options) {
+double from_crease_law(const model::PlanarStructure& s, double theta, PhysicsOptions options) {
   options.joint_stiffness = 1e8;
   const PhysicsResult run = run_compression(s, drive_to(s, theta), options);
   EXPECT_EQ(run.status, PhysicsResult::Status::settled) << run.why;
@@ -17,7 +17,7 @@ double from_closed_form(const model::PlanarStructure& s, double theta, PhysicsOp
 }
 
 TEST(CreasedRun, FoldsAMiuraSheetOfHexagonsToItsClosedForm) {
-  EXPECT_LE(from_closed_form(testing::miura_of_hexagons(6, 6, pi / 3, 0.9), 0.5, {}), 1e-6);
+  EXPECT_LE(from_crease_law(testing::miura_of_hexagons(6, 6, pi / 3, 0.9), 0.5, {}), 1e-6);
 }
 
 }  // namespace

@@ -18,8 +18,6 @@ using namespace testing;
 using Outcome = model::EquilibriumComparison::Outcome;
 using Status = PhysicsResult::Status;
 
-constexpr double degree = radians_per_degree;  // rad, so that angles below read in degrees
-
 struct Pair {
   model::EquilibriumPath path;
   PhysicsResult run;
@@ -53,10 +51,12 @@ void expect_contact_of_walls(double k, double theta) {
   EXPECT_GT(pair.run.contact.depth, 2e-3);
 }
 
-TEST(ElasticAgreement, OfALetterWhoseWallsPressOnEachOther) { expect_contact_of_walls(0.15, 33 * degree); }
+TEST(ElasticAgreement, OfALetterWhoseWallsPressOnEachOther) {
+  expect_contact_of_walls(0.15, 33 * radians_per_degree);
+}
 
 TEST(ElasticAgreement, OfALetterOfShortWallsThatPressOnEachOther) {
-  expect_contact_of_walls(0.1, -25 * degree);
+  expect_contact_of_walls(0.1, -25 * radians_per_degree);
 }
 
 TEST(ElasticAgreement, OfALetterOnBothBranches) {
@@ -73,15 +73,15 @@ TEST(ElasticAgreement, OfALetterOnBothBranches) {
 }
 
 TEST(ElasticAgreement, OfTheGradientPanel) {
-  const Pair pair = both(gradient_panel(), plates_drive(model::Axis::x, 20 * degree));
+  const Pair pair = both(gradient_panel(), plates_drive(model::Axis::x, 20 * radians_per_degree));
   EXPECT_LE(pair.comparison.distance.rms, 1e-5);
 }
 
 TEST(ElasticAgreement, OfATwistingStripOnTheBarrierAndInContact) {
   const model::Structure s = twisting_strip();
   const model::Wall middle{{5, 0}, model::Axis::y};
-  EXPECT_LE(both(s, hinge_drive(middle, 20 * degree)).comparison.distance.rms, 1e-5);
-  const Pair touching = both(s, hinge_drive(middle, 40 * degree));
+  EXPECT_LE(both(s, hinge_drive(middle, 20 * radians_per_degree)).comparison.distance.rms, 1e-5);
+  const Pair touching = both(s, hinge_drive(middle, 40 * radians_per_degree));
   EXPECT_TRUE(touching.run.contact.touches());
   EXPECT_GT(touching.path.steps.back().contacts, 0);
   EXPECT_LE(touching.comparison.distance.rms, 1e-2);
@@ -92,7 +92,7 @@ TEST(ElasticAgreement, OfSheetsInSpaceBetweenPlates) {
   for (const model::Structure& s :
        {alternating(6, 6, twisting_unit, basic_unit), alternating(4, 4, twisting_unit, twisting_unit)})
     for (const model::Axis axis : {model::Axis::x, model::Axis::y}) {
-      const Pair pair = both(s, plates_drive(axis, 35 * degree), false);
+      const Pair pair = both(s, plates_drive(axis, 35 * radians_per_degree), false);
       EXPECT_LE(pair.comparison.distance.rms, 1e-4);
       EXPECT_GT(pair.comparison.energy, 100);
     }
@@ -124,11 +124,12 @@ void expect_framed_agreement(const model::Structure& s, const model::Drive& driv
 
 TEST(ElasticAgreement, OfFramedHingesOnABentSheet) {
   expect_framed_agreement(alternating(8, 8, twisting_unit, basic_unit),
-                          plates_drive(model::Axis::y, 35 * degree), 1e-3);
+                          plates_drive(model::Axis::y, 35 * radians_per_degree), 1e-3);
 }
 
 TEST(ElasticAgreement, OfFramedHingesOnATwistingStrip) {
-  expect_framed_agreement(twisting_strip(), hinge_drive({{5, 0}, model::Axis::y}, 20 * degree), 1e-3);
+  expect_framed_agreement(twisting_strip(), hinge_drive({{5, 0}, model::Axis::y}, 20 * radians_per_degree),
+                          1e-3);
 }
 
 /// Springs of shape memory in the hinges of a sheet, heated in both. @return rms distance, cell edges
@@ -150,10 +151,13 @@ double heated_distance(const model::Structure& s, const std::vector<int>& hinges
 }
 
 TEST(ElasticAgreement, OfHeatedSpringsInSheetsThatMoveExactlyAndThatStrain) {
-  EXPECT_LE(heated_distance(gradient_panel(), {}, 2, 30 * degree), 1e-5);
-  EXPECT_LE(heated_distance(bending_strip(), {}, 2, 40 * degree), 1e-5);
-  EXPECT_LE(heated_distance(alternating(4, 4, twisting_unit, basic_unit), {}, 20, 40 * degree), 1e-4);
-  EXPECT_LE(heated_distance(alternating(4, 4, twisting_unit, basic_unit), {0, 5, 9}, 20, 40 * degree), 1e-4);
+  EXPECT_LE(heated_distance(gradient_panel(), {}, 2, 30 * radians_per_degree), 1e-5);
+  EXPECT_LE(heated_distance(bending_strip(), {}, 2, 40 * radians_per_degree), 1e-5);
+  EXPECT_LE(heated_distance(alternating(4, 4, twisting_unit, basic_unit), {}, 20, 40 * radians_per_degree),
+            1e-4);
+  EXPECT_LE(
+      heated_distance(alternating(4, 4, twisting_unit, basic_unit), {0, 5, 9}, 20, 40 * radians_per_degree),
+      1e-4);
 }
 
 /// @return rms distance of a sheet that a cord folds in both, cell edges

@@ -22,7 +22,7 @@ using testing::structure_of;
 using Status = PhysicsResult::Status;
 
 PhysicsOptions elastic(double turn) {
-  PhysicsOptions options = testing::without_contact();
+  PhysicsOptions options = testing::physics_without_contact();
   options.elastic = model::Stiffness{.turn = turn};
   return options;
 }

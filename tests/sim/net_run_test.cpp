@@ -9,11 +9,11 @@ namespace {
 
 using testing::cube_net;
 using testing::fishbone;
-using testing::without_contact;
+using testing::physics_without_contact;
 using Status = PhysicsResult::Status;
 
 PhysicsOptions stiff() {
-  PhysicsOptions options = without_contact();
+  PhysicsOptions options = physics_without_contact();
   options.joint_stiffness = 1e8;
   return options;
 }
@@ -33,14 +33,14 @@ TEST(NetRun, FoldsACubeBetweenPlatesThatGripItsBase) {
       model::Drive drive = drive_to(net, sign * theta);
       ASSERT_EQ(drive.grip, (model::Grip{{3, 3}, {5, 5}}));
       drive.axis = axis;
-      expect_closed_form(net, drive, sign * theta, without_contact(), 1e-7);
+      expect_closed_form(net, drive, sign * theta, physics_without_contact(), 1e-7);
     }
 }
 
 TEST(NetRun, FoldsACubeWhole) {
   const double theta = 40 * radians_per_degree;
   const model::Structure net = cube_net(model::tilt_of_turn(pi / 2, theta));
-  expect_closed_form(net, drive_to(net, theta), theta, without_contact(), 1e-7);
+  expect_closed_form(net, drive_to(net, theta), theta, physics_without_contact(), 1e-7);
 }
 
 TEST(NetRun, FoldsAFishboneByItsSpine) {
@@ -58,7 +58,7 @@ TEST(NetRun, FoldsRandomNets) {
     SCOPED_TRACE("seed " + std::to_string(seed) + ", net " + std::to_string(k));
     const model::Structure net = testing::random_net(10 + 6 * k, random);
     const double theta = k % 2 ? 0.5 : -0.5;
-    expect_closed_form(net, drive_to(net, theta), theta, without_contact(), 1e-7);
+    expect_closed_form(net, drive_to(net, theta), theta, physics_without_contact(), 1e-7);
   }
 }
 

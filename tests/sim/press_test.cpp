@@ -14,8 +14,6 @@ namespace {
 using namespace testing;
 using Status = PhysicsResult::Status;
 
-constexpr double degree = radians_per_degree;  // rad, so that angles below read in degrees
-
 struct Pressed {
   model::Structure sheet;
   model::LinkageDrive drive;
@@ -50,7 +48,7 @@ constexpr double yields = 1e-4;
 // The paper's rule, which strains its hinges: gripped, some bodies of the rows are pulled.
 TEST(Press, LetsBodiesLeaveTheirPlateAndAgreesWithTheEquilibrium) {
   const model::Structure panel = letter_panel(0.15, 6);
-  const Pressed found = pressed(panel, model::Axis::y, 20 * degree, true);
+  const Pressed found = pressed(panel, model::Axis::y, 20 * radians_per_degree, true);
   ASSERT_EQ(found.run.status, Status::settled) << found.run.why;
   ASSERT_EQ(found.path.stop, model::EquilibriumPath::Stop::reached) << found.path.why;
   EXPECT_LE(aligned_distance(panel, found.run.state, found.path.state).max, yields);
@@ -66,13 +64,13 @@ TEST(Press, LetsBodiesLeaveTheirPlateAndAgreesWithTheEquilibrium) {
   EXPECT_GE(rest, 4);
   EXPECT_LE(found.run.drive_gap, yields);
 
-  const Pressed gripped = pressed(panel, model::Axis::y, 20 * degree, false);
+  const Pressed gripped = pressed(panel, model::Axis::y, 20 * radians_per_degree, false);
   EXPECT_GT(aligned_distance(panel, found.run.state, gripped.run.state).max, 1e-3);
 }
 
 TEST(Press, FoldsABasicSheetAsPlatesThatGripDo) {
   const model::Structure sheet = model::make_sheet(4, 5, {});
-  for (const double theta : {25 * degree, -25 * degree})
+  for (const double theta : {25 * radians_per_degree, -25 * radians_per_degree})
     for (const model::Axis axis : {model::Axis::x, model::Axis::y}) {
       const Pressed found = pressed(sheet, axis, theta, true);
       EXPECT_EQ(found.run.status, Status::settled) << found.run.why;

@@ -8,7 +8,7 @@
 
 namespace kinetix::testing {
 
-inline sim::PhysicsOptions without_contact() {
+inline sim::PhysicsOptions physics_without_contact() {
   sim::PhysicsOptions options;
   options.contact = false;
   return options;

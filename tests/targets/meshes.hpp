@@ -5,12 +5,19 @@
 #include <cstdint>
 #include <functional>
 #include <numbers>
+#include <random>
 #include <sstream>
 #include <string>
 
 #include "targets/mesh/triangle_mesh.hpp"
 
 namespace kinetix::testing {
+
+/// Anywhere in a cube of twice the size round the origin.
+inline Eigen::Vector3d random_point(std::mt19937& random, double size) {
+  std::uniform_real_distribution<double> unit(-size, size);
+  return {unit(random), unit(random), unit(random)};
+}
 
 /// A closed surface round the origin with a vertex on each pole: point(azimuth, polar angle from z) at
 /// `around` x (`down` + 1) angles. Wound outward.

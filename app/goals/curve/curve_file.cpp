@@ -27,7 +27,6 @@ constexpr double default_theta = 30 * radians_per_degree;
 // through a lens.
 constexpr double smallest_default_cell_mm = 0.1;
 
-constexpr double half_a_cell = 0.5;     // cell edges: the sheet's own grain
 constexpr double share_of_rise = 0.05;  // of how far a curve strays: 1.2 mm of an arch of 25 mm
 constexpr double least_shape_tolerance =
     0.001;  // of the diagonal: nearly straight strips need not be straighter
@@ -139,8 +138,8 @@ void read_variables(const targets::Section& root, CurveFile& file) {
 /// The smallest of what a miss is seen by: the curve's size, its cells, and how far it strays from a straight line.
 double usual_shape_tolerance(const CurveFile& file) {
   const double diagonal = file.curve.diagonal();
-  const double seen =
-      std::min(half_a_cell * file.size.edge_mm / diagonal, share_of_rise * rise(file.curve) / diagonal);
+  const double seen = std::min(GoalSettings::grain * file.size.edge_mm / diagonal,
+                               share_of_rise * rise(file.curve) / diagonal);
   return std::clamp(seen, least_shape_tolerance, file.shape_tolerance);
 }
 
@@ -151,7 +150,7 @@ void read_tolerance(const targets::Section& root, CurveFile& file) {
   section.read("verify", file.verify_tolerance);
 }
 
-targets::KeyTable structure_keys(const CurveFile& usual) {
+targets::KeyTable curve_structure_keys(const CurveFile& usual) {
   return targets::KeyTable({
       cells_key(targets::by_default({static_cast<double>(usual.columns), static_cast<double>(usual.rows)}),
                 "the cells of the strip, a rectangle of at least 2 columns; by default fewer, but at least "
@@ -176,14 +175,13 @@ targets::KeyTable variables_keys(const CurveFile& usual) {
 }
 
 targets::KeyTable tolerance_keys(const CurveFile& usual) {
-  const targets::Bounds part_of_one = {0, 1, false, true};
   return targets::KeyTable({
-      {"shape", value::number(part_of_one),
+      {"shape", value::number(targets::part_of_one),
        targets::otherwise(
            "0.01; less for a flat curve (a twentieth of its rise over its chord), or small cells (half of "
            "one), but at least 0.001"),
        "most of [shape_rms](#shape_rms-and-shape_max), over the diagonal of the curve's bounding box"},
-      {"verify", value::number(part_of_one), targets::by_default(usual.verify_tolerance),
+      {"verify", value::number(targets::part_of_one), targets::by_default(usual.verify_tolerance),
        "most of [verify_rms](#verify_rms-and-verify_max), cell edges"},
   });
 }
@@ -195,7 +193,7 @@ const targets::KeyTable& curve_keys() {
   static const optim::MultiStartOptions search{};
   static const targets::KeyTable keys = file_keys({
       {"target", value::map(targets::curve_target_keys()), targets::needed, "the goal"},
-      {"structure", value::map(structure_keys(usual)), {}, "the flat sheet"},
+      {"structure", value::map(curve_structure_keys(usual)), {}, "the flat sheet"},
       {"variables", value::map(variables_keys(usual)), {}, "what the search may change, and how far"},
       {"tolerance", value::map(tolerance_keys(usual)), {}, "when the goal is met"},
       {"solver",

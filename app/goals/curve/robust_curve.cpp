@@ -23,7 +23,7 @@ constexpr int thetas = 9;
 constexpr double column_shares[] = {1, 0.8, 0.65, 0.5};
 // Of each strip's search: the plain one, of more, has found that they come to the same.
 constexpr int starts = 2;
-constexpr int least_columns = 4;
+constexpr int fewest_columns = 4;
 // rad: as narrow as a range may be; theta is what is tried.
 constexpr double narrow = 1e-3;
 // rad below the theta at which basic cells of these walls close.
@@ -89,7 +89,7 @@ std::vector<int> columns_of(const CurveFile& file) {
   if (!file.free_size) return {file.columns};
   std::vector<int> all;
   for (const double share : column_shares) {
-    const int columns = std::max(least_columns, static_cast<int>(std::lround(share * file.columns)));
+    const int columns = std::max(fewest_columns, static_cast<int>(std::lround(share * file.columns)));
     if (all.empty() || columns != all.back()) all.push_back(columns);
   }
   return all;

@@ -22,11 +22,10 @@ using model::Axis;
 using optim::Channel;
 using DriveKind = model::LinkageDrive::Kind;
 
-constexpr double default_cell_mm = 10;  // a cell that a hand takes hold of, as in a design
+constexpr double display_cell_mm = 10;  // a cell that a hand takes hold of, as in a design
 // Of the plates' first distance, a fraction: a basic sheet has closed at 1 - cos 45 deg = 0.29 already.
 constexpr targets::Bounds allowed_compression = {0, 0.5, false, true};
 // Of tolerances in cell edges: 0 cannot be met, and an error of a whole cell is no agreement.
-constexpr targets::Bounds part_of_one = {0, 1, false, true};
 // Those that use gradients of a single cost, the default first.
 const targets::Bounds allowed_offset = {0, 0.5, true, false, "mm (below half of cell_mm)"};
 const std::vector<optim::SolverName> fitting_solvers = {optim::SolverName::mma, optim::SolverName::ccsa,
@@ -41,10 +40,10 @@ constexpr targets::Word<Channel> channels[] = {{"light", Channel::light},
 constexpr targets::Word<Axis> axes[] = {{"x", Axis::x}, {"y", Axis::y}};
 constexpr targets::Word<DriveKind> drives[] = {{"plates", DriveKind::plates}, {"hinge", DriveKind::hinge}};
 
-targets::KeyTable structure_keys() {
+targets::KeyTable display_structure_keys() {
   std::vector<targets::Key> keys = lattice_choice_keys(true);
   keys.insert(keys.begin() + 1, targets::panel_cells_key());
-  keys.push_back(cell_mm_key(targets::by_default(default_cell_mm)));
+  keys.push_back(cell_mm_key(targets::by_default(display_cell_mm)));
   keys.push_back(wall_mm_key());
   return targets::KeyTable(std::move(keys));
 }
@@ -102,13 +101,13 @@ targets::KeyTable variables_keys(const DisplayFile& usual) {
 
 targets::KeyTable tolerance_keys(const DisplayFile& usual) {
   std::vector<targets::Key> keys = {
-      {"stretch", value::number(part_of_one), targets::by_default(usual.stretch),
+      {"stretch", value::number(targets::part_of_one), targets::by_default(usual.stretch),
        "most that a hinge may stretch, cell edges"},
       {"auc", value::number({0.5, 1, false, true}), targets::by_default(usual.auc),
        "least [auc](#contrast-and-auc); of greys the rank correlation"},
       {"contrast", value::number(targets::at_least(0)), targets::by_default(usual.contrast),
        "least [contrast](#contrast-and-auc), of pictures with two levels"},
-      {"verify", value::number(part_of_one), targets::by_default(usual.verify),
+      {"verify", value::number(targets::part_of_one), targets::by_default(usual.verify),
        "most of [verify_rms](#verify_rms-and-verify_max), cell edges"},
   };
   const auto limits =
@@ -174,7 +173,7 @@ void read_offset(const targets::Section& root, DisplayFile& file) {
 void read_goal(const targets::Section& root, DisplayFile& file) {
   const targets::Section structure = root.section("structure");
   file.goal = read_display(root.required("target", ""), structure.optional("cells"));
-  file.size = read_size(structure, default_cell_mm);
+  file.size = read_size(structure, display_cell_mm);
   file.lattice = read_lattice_choice(structure, true);
   file.hinge = read_elastic_hinge_section(root, file.size);
   file.process = read_process(root, file.size, file.hinge.made);
@@ -315,7 +314,7 @@ const targets::KeyTable& display_keys() {
   static const optim::DisplayOptions search{};
   static const targets::KeyTable keys = file_keys({
       {"target", value::map(targets::display_target_keys()), targets::needed, "the goal"},
-      {"structure", value::map(structure_keys()), {}, "the flat panel"},
+      {"structure", value::map(display_structure_keys()), {}, "the flat panel"},
       {"variables", value::map(variables_keys(usual)), {}, "what the search may change, and how far"},
       {"drive", value::map(drive_keys(usual)), {}, "how the panel is compressed"},
       {"hinge", value::map(elastic_hinge_keys()), {}, "what the hinges are made of"},

@@ -9,10 +9,8 @@ namespace kinetix::app {
 namespace {
 
 // Of a search for the largest compression that keeps the limits: to a hundredth of the compression asked for.
-constexpr int halvings = 7;
+constexpr int press_halvings = 7;
 constexpr double least_share = 0.1;  // of the compression: below, there is nothing to see
-// Kept in hand, so that the run from flat with its own steps keeps the limits too.
-constexpr double in_hand = 0.99;
 
 DisplayFile pressed_by(DisplayFile file, double compression) {
   file.compression = compression;
@@ -43,14 +41,14 @@ void keep_limits(const DisplayFile& file, const model::Elasticity& elasticity, D
                  model::Sheet& panel, const std::function<optim::DisplayDesign(const DisplayFile&)>& search) {
   if (!file.limits.any()) return;
   display.loads = panel_loads(file, panel, display.design.view, elasticity);
-  if (share_of(file.limits, display.loads->hinges) <= in_hand) return;
+  if (share_of(file.limits, display.loads->hinges) <= HingeLimits::in_hand) return;
   display.unlimited = display.loads;
   double kept = 0, too_much = 1;
-  for (int k = 0; k < halvings; ++k) {
+  for (int k = 0; k < press_halvings; ++k) {
     const double share = k == 0 ? least_share : (kept + too_much) / 2;
     optim::DisplayDesign design = search(pressed_by(file, share * file.compression));
     const PanelLoads loads = panel_loads(file, panel, design.view, elasticity);
-    if (!(share_of(file.limits, loads.hinges) <= in_hand)) {
+    if (!(share_of(file.limits, loads.hinges) <= HingeLimits::in_hand)) {
       too_much = share;
       if (k == 0) return;
       continue;

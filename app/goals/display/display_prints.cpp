@@ -18,7 +18,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 // Beyond, the derivatives of all cells take longer than the search.
-constexpr int most_cells = 400;
+constexpr int most_printed_cells = 400;
 
 /// Readings of all cells by every hinge's t, alpha, beta and offset, times its standard deviation.
 std::optional<MatrixXd> rates(const DisplayFile& file, const Run& run, const model::HingeScatter& scatter,
@@ -72,8 +72,8 @@ void add_prints(const DisplayFile& file, const Run& run, const model::HingeScatt
 std::string unjudged(const DisplayFile& file, const Run& run) {
   if (!file.goal.is_binary()) return "only pictures of two levels are judged as made";
   if (!run.equilibrium->reached()) return "the panel did not reach its equilibrium";
-  if (run.structure.cells() > most_cells)
-    return fmt::format("only panels of up to {} cells are judged as made", most_cells);
+  if (run.structure.cells() > most_printed_cells)
+    return fmt::format("only panels of up to {} cells are judged as made", most_printed_cells);
   return "";
 }
 

@@ -12,7 +12,7 @@ namespace kinetix::app {
 namespace {
 
 // Cell edges, from half the thickness of a usual wall, which a film at its face gives, to what laps of the halves do.
-constexpr double tried[] = {0.02, 0.05, 0.08, 0.12};
+constexpr double tried_offsets[] = {0.02, 0.05, 0.08, 0.12};
 constexpr double same = 1e-9;  // cell edges
 
 FrontPoint point_of(const DisplayFile& file, const model::Elasticity& elasticity,
@@ -50,11 +50,11 @@ std::vector<FrontPoint> legibility_front(const DisplayFile& file, const FrontPoi
   const double most = file.hinge.made
                           ? largest_offset_mm(*file.hinge.made, file.size.thickness_mm) / file.size.edge_mm
                           : std::numeric_limits<double>::infinity();
-  for (const double offset : tried) {
+  for (const double offset : tried_offsets) {
     if (offset > most + same) continue;
     if (std::abs(offset - file.offset) <= same && !(file.strain > 0)) continue;
     if (options.solver.stop.stop_requested()) break;
-    progress("other offsets", static_cast<double>(front.size() - 1) / std::size(tried));
+    progress("other offsets", static_cast<double>(front.size() - 1) / std::size(tried_offsets));
     DisplayFile other = file;
     other.offset = offset;
     front.push_back(point_of(other, elasticity, options));

@@ -11,22 +11,21 @@ namespace {
 
 namespace value = targets::value;
 
-constexpr double default_cell_mm = 10;  // as of a design; how a net folds does not depend on it
+constexpr double fold_cell_mm = 10;  // as of a design; how a net folds does not depend on it
 
-targets::KeyTable structure_keys() {
-  return targets::KeyTable({cell_mm_key(targets::by_default(default_cell_mm)), wall_mm_key()});
+targets::KeyTable fold_structure_keys() {
+  return targets::KeyTable({cell_mm_key(targets::by_default(fold_cell_mm)), wall_mm_key()});
 }
 
 targets::KeyTable tolerance_keys(const FoldFile& usual) {
-  const targets::Bounds part_of_one = {0, 1, false, true};
   std::vector<targets::Key> keys = {
       {"angle_deg", value::angle({0, 90, false, true, "degrees"}),
        targets::by_default_deg(usual.angle_tolerance), "most that the fold of a crease may be off"},
-      {"shape", value::number(part_of_one), targets::by_default(usual.shape_tolerance),
+      {"shape", value::number(targets::part_of_one), targets::by_default(usual.shape_tolerance),
        "most of [face_rms](#face_rms), over the edge of a face"},
-      {"size", value::number(part_of_one), targets::by_default(usual.size_tolerance),
+      {"size", value::number(targets::part_of_one), targets::by_default(usual.size_tolerance),
        "most that an edge of the folded box may differ from `target.box_mm`, over its length"},
-      {"verify", value::number(part_of_one), targets::by_default(usual.verify_tolerance),
+      {"verify", value::number(targets::part_of_one), targets::by_default(usual.verify_tolerance),
        "most of [verify_rms](#verify_rms-and-verify_max), cell edges"},
   };
   const auto limits = hinge_limit_keys("the net folds at a smaller theta where it has to");
@@ -39,7 +38,7 @@ void read_structure(const targets::Section& root, FoldFile& file) {
   if (const auto cells = node ? node->optional("cells") : std::nullopt)
     throw cells->key_error(
         "the cells of a fold follow from its faces; give them in target.box or target.net");
-  file.size = read_size(root.section("structure"), default_cell_mm);
+  file.size = read_size(root.section("structure"), fold_cell_mm);
 }
 
 /// Cells and their edge for a box of given size.
@@ -80,7 +79,7 @@ void read_tolerance(const targets::Section& root, FoldFile& file) {
 targets::KeyTable keys_of(const FoldFile& usual) {
   return file_keys({
       {"target", value::map(targets::fold_target_keys()), targets::needed, "the goal"},
-      {"structure", value::map(structure_keys()), {}, "the flat net"},
+      {"structure", value::map(fold_structure_keys()), {}, "the flat net"},
       {"variables",
        value::map(net_variables_keys(usual.tilt, usual.theta)),
        {},

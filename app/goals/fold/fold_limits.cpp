@@ -8,9 +8,7 @@
 namespace kinetix::app {
 namespace {
 
-constexpr int halvings = 5;  // of the range of theta, to a degree: a fold's loads change slowly with it
-// Kept in hand, so that the path of the result with its own steps keeps the limits too.
-constexpr double in_hand = 0.99;
+constexpr int theta_halvings = 5;  // of the range of theta, to a degree: a fold's loads change slowly with it
 
 /// Of the design that makes up for its elastic hinges.
 FoldLoads loads_of(const Run& run, const Scene& scene, const optim::FoldDesign& design,
@@ -35,11 +33,11 @@ void keep_limits(const FoldFile& file, const Run& run, const Scene& scene, FoldO
                  const std::function<optim::FoldDesign(double)>& search, const RunOptions& options) {
   if (!file.limits.any() || !fold.design.folds) return;
   fold.loads = loads_of(run, scene, fold.design, options.stop);
-  if (share_of(file.limits, fold.loads->hinges) <= in_hand) return;
+  if (share_of(file.limits, fold.loads->hinges) <= HingeLimits::in_hand) return;
   fold.unlimited = fold.loads;
   double kept = file.theta.lower, too_much = fold.design.folded.theta;
-  for (int k = 0; k < halvings && !options.stop.stop_requested(); ++k) {
-    options.progress("limits", static_cast<double>(k) / halvings);
+  for (int k = 0; k < theta_halvings && !options.stop.stop_requested(); ++k) {
+    options.progress("limits", static_cast<double>(k) / theta_halvings);
     const double theta = (kept + too_much) / 2;
     optim::FoldDesign design = search(theta);
     if (!design.folds) {
@@ -47,7 +45,7 @@ void keep_limits(const FoldFile& file, const Run& run, const Scene& scene, FoldO
       continue;
     }
     const FoldLoads loads = loads_of(run, scene, design, options.stop);
-    const bool keeps = share_of(file.limits, loads.hinges) <= in_hand;
+    const bool keeps = share_of(file.limits, loads.hinges) <= HingeLimits::in_hand;
     (keeps ? kept : too_much) = theta;
     if (!keeps) continue;
     fold.design = std::move(design);

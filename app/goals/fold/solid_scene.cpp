@@ -15,8 +15,8 @@
 namespace kinetix::app {
 namespace {
 
-constexpr int usual_solid_columns = 2;    // of a crease, what searches find for most solids
-constexpr double seconds_a_body = 0.005;  // measured: of a search of columns and theta
+constexpr int usual_solid_columns = 2;          // of a crease, what searches find for most solids
+constexpr double seconds_a_solid_body = 0.005;  // measured: of a search of columns and theta
 
 class SolidScene final : public Scene {
  public:
@@ -28,7 +28,7 @@ class SolidScene final : public Scene {
     const targets::SolidGoal& goal = *file_.goal.solid;
     const int columns = goal.columns > 0 ? goal.columns : usual_solid_columns;
     Forecast out{lay_out(targets::named_solid(goal.solid), goal.cells, columns, file_.size).structure};
-    out.search_s = out.sheet.bodies() * seconds_a_body;
+    out.search_s = out.sheet.bodies() * seconds_a_solid_body;
     for (const std::string& note : process_notes(file_.process, out.sheet.size(), file_.hinge.made))
       out.notes.push_back(note);
     return out;

@@ -17,9 +17,8 @@ namespace {
 
 namespace value = targets::value;
 
-constexpr double half_a_cell = 0.5;             // cell edges: the sheet's own grain
 constexpr double share_of_coverage = 1.0 / 30;  // of how far the head is covered: 3 mm of the usual 90
-constexpr double default_cell_mm = 6;           // a tenth of a head's radius: ribs can follow its curves
+constexpr double helmet_cell_mm = 6;            // a tenth of a head's radius: ribs can follow its curves
 constexpr int most_ribs = 200;       // one every other millimetre of a head: a limit on what is read
 constexpr double least_cell_mm = 1;  // of cells, and between ribs: smaller ones make too many cells
 constexpr double most_cell_mm = 60;  // about a head's radius: larger cells cannot follow it
@@ -38,9 +37,9 @@ targets::KeyTable target_keys(const optim::HelmetSpec& usual) {
   return targets::KeyTable(std::move(keys));
 }
 
-targets::KeyTable structure_keys() {
+targets::KeyTable helmet_structure_keys() {
   return targets::KeyTable(
-      {cell_mm_key(targets::by_default(default_cell_mm), targets::from_to(least_cell_mm, most_cell_mm, "mm")),
+      {cell_mm_key(targets::by_default(helmet_cell_mm), targets::from_to(least_cell_mm, most_cell_mm, "mm")),
        wall_mm_key()});
 }
 
@@ -64,7 +63,7 @@ void read_structure(const targets::Section& root, HelmetFile& file) {
   const auto node = root.optional("structure");
   if (const auto cells = node ? node->optional("cells") : std::nullopt)
     throw cells->key_error("the cells of a helmet follow from the head, target.ribs and structure.cell_mm");
-  file.spec.size = read_size(root.section("structure"), default_cell_mm);
+  file.spec.size = read_size(root.section("structure"), helmet_cell_mm);
 }
 
 void read_ribs(const targets::Section& target, HelmetFile& file) {
@@ -88,7 +87,7 @@ void read_variables(const targets::Section& root, optim::HelmetSpec& spec) {
 
 /// As large a miss as can be let pass on a man's head, less on a doll's and where cells are small.
 double usual_max_mm(const HelmetFile& file) {
-  return std::min({HelmetFile::usual_max_mm, half_a_cell * file.spec.size.edge_mm,
+  return std::min({HelmetFile::usual_max_mm, GoalSettings::grain * file.spec.size.edge_mm,
                    share_of_coverage * file.head.coverage_mm});
 }
 
@@ -119,7 +118,7 @@ const targets::KeyTable& helmet_keys() {
   static const optim::HelmetSpec usual{};
   static const targets::KeyTable keys = file_keys({
       {"target", value::map(target_keys(usual)), targets::needed, "the goal"},
-      {"structure", value::map(structure_keys()), {}, "the flat helmet"},
+      {"structure", value::map(helmet_structure_keys()), {}, "the flat helmet"},
       {"variables",
        value::map(net_variables_keys(usual.tilt, usual.theta)),
        {},

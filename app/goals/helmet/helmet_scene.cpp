@@ -65,7 +65,7 @@ void append(std::vector<std::string>& to, const std::vector<std::string>& more) 
   to.insert(to.end(), more.begin(), more.end());
 }
 
-constexpr double seconds_a_body = 3e-4;  // s of search, measured
+constexpr double seconds_a_helmet_body = 3e-4;  // s of search, measured
 
 class HelmetScene final : public Scene {
  public:
@@ -76,7 +76,7 @@ class HelmetScene final : public Scene {
   Forecast forecast() const override {
     const optim::RibsLayout layout = plan_helmet(file_.head.dome, crown, file_.spec);
     Forecast out{make_fishbone(layout.spine_and_ribs, file_.spec.size).structure};
-    out.search_s = seconds_a_body * out.sheet.bodies();
+    out.search_s = seconds_a_helmet_body * out.sheet.bodies();
     out.notes = layout.notes;
     for (const std::string& note : process_notes(file_.process, out.sheet.size(), file_.hinge.made))
       out.notes.push_back(note);

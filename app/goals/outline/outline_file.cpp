@@ -21,11 +21,9 @@ constexpr targets::Word<bool> trims[] = {{"outline", true}, {"none", false}};
 // Of an offset, cell edges: half a wall to either side.
 const targets::Bounds offset = {0, 0.5, true, false, "cell edges"};
 // Of theta, degrees: at 45 basic cells are closed.
-const targets::Bounds fold = targets::between(0, 45, "degrees");
-const targets::Bounds fraction = targets::between(0, 1);
-const targets::Bounds part_of_one = {0, 1, false, true};
+const targets::Bounds fold_range = targets::between(0, 45, "degrees");
 
-targets::KeyTable structure_keys(const OutlineFile& usual) {
+targets::KeyTable outline_structure_keys(const OutlineFile& usual) {
   std::vector<targets::Key> keys = lattice_choice_keys(true);
   keys.insert(
       keys.begin() + 1,
@@ -44,10 +42,10 @@ targets::KeyTable structure_keys(const OutlineFile& usual) {
 
 targets::KeyTable variables_keys(const OutlineFile& usual) {
   const targets::KeyTable t(
-      {{"range", value::range(fraction), targets::by_default(usual.t),
+      {{"range", value::range(targets::place_along), targets::by_default(usual.t),
         "where hinges may sit on their walls; the side that is nearer to 0.5 counts for both"}});
   const targets::KeyTable theta(
-      {{"range_deg", value::angle_range(fold), targets::by_default_deg(usual.theta[0], usual.theta[1]),
+      {{"range_deg", value::angle_range(fold_range), targets::by_default_deg(usual.theta[0], usual.theta[1]),
         "turn of the bodies in the pressed state: several within the range are tried"}});
   return targets::KeyTable({
       {"offset_mm", value::length(offset), targets::otherwise("0.08 of `cell_mm`"),
@@ -59,11 +57,11 @@ targets::KeyTable variables_keys(const OutlineFile& usual) {
 
 targets::KeyTable tolerance_keys(const OutlineFile& usual) {
   return targets::KeyTable({
-      {"shape", value::number(part_of_one), targets::by_default(usual.shape_tolerance),
+      {"shape", value::number(targets::part_of_one), targets::by_default(usual.shape_tolerance),
        "most of [outline_rms](#outline_rms-and-iou), over the diagonal of the outline's bounding box"},
-      {"iou", value::number(part_of_one), targets::by_default(usual.iou_tolerance),
+      {"iou", value::number(targets::part_of_one), targets::by_default(usual.iou_tolerance),
        "least of [iou](#outline_rms-and-iou)"},
-      {"verify", value::number(part_of_one), targets::by_default(usual.verify_tolerance),
+      {"verify", value::number(targets::part_of_one), targets::by_default(usual.verify_tolerance),
        "most of [verify_rms](#verify_rms-and-verify_max), cell edges"},
   });
 }
@@ -130,7 +128,7 @@ const targets::KeyTable& outline_keys() {
   static const OutlineFile usual;
   static const targets::KeyTable keys = file_keys({
       {"target", value::map(targets::outline_target_keys()), targets::needed, "the goal"},
-      {"structure", value::map(structure_keys(usual)), {}, "the flat panel"},
+      {"structure", value::map(outline_structure_keys(usual)), {}, "the flat panel"},
       {"variables", value::map(variables_keys(usual)), {}, "what the search may change, and how far"},
       {"tolerance", value::map(tolerance_keys(usual)), {}, "when the goal is met"},
       {"hinge", value::map(hinge_keys()), {}, "what the hinges are made of; needs `structure.cell_mm`"},

@@ -16,15 +16,13 @@ namespace value = targets::value;
 
 constexpr int least_columns = 4, most_columns = 400;  // the search takes some seconds for the most
 // rad: at which a strip gets the length of the curve where the file gives its cell edge but no cells.
-constexpr double usual_theta = 30 * radians_per_degree;
+constexpr double usual_strip_theta = 30 * radians_per_degree;
 constexpr double smallest_cell_mm = 0.1;  // mm: below, points are likelier in metres than cells so small
 // Of theta, degrees: at 45 basic cells are closed.
 const targets::Bounds folds = targets::between(0, 45, "degrees");
 const targets::Bounds tilt = targets::between(-89, 89, "degrees");
-const targets::Bounds fraction = targets::between(0, 1);
-const targets::Bounds part_of_one = {0, 1, false, true};
 
-targets::KeyTable structure_keys(const SpaceCurveFile& usual) {
+targets::KeyTable space_curve_structure_keys(const SpaceCurveFile& usual) {
   return targets::KeyTable({
       cells_key(targets::by_default({static_cast<double>(usual.variables.columns), 1.0}),
                 "[columns, 1]; where only `cell_mm` is given, as many columns as make the strip as long as "
@@ -39,7 +37,7 @@ targets::KeyTable variables_keys(const SpaceCurveFile& usual) {
   const targets::KeyTable beta(
       {{"range_deg", value::angle_range(tilt), targets::by_default_deg(-v.beta, v.beta),
         "tilts of bending columns; the side that is nearer to 0 counts for both"}});
-  const targets::KeyTable t({{"range", value::range(fraction), targets::by_default(v.t),
+  const targets::KeyTable t({{"range", value::range(targets::place_along), targets::by_default(v.t),
                               "where hinges of shearing columns may sit on their walls; the side that is "
                               "nearer to 0.5 counts for both"}});
   const targets::KeyTable theta(
@@ -55,9 +53,9 @@ targets::KeyTable variables_keys(const SpaceCurveFile& usual) {
 
 targets::KeyTable tolerance_keys(const SpaceCurveFile& usual) {
   return targets::KeyTable({
-      {"shape", value::number(part_of_one), targets::by_default(usual.shape_tolerance),
+      {"shape", value::number(targets::part_of_one), targets::by_default(usual.shape_tolerance),
        "most of [shape_rms](#shape_rms-and-shape_max), over the diagonal of the curve's bounding box"},
-      {"verify", value::number(part_of_one), targets::by_default(usual.verify_tolerance),
+      {"verify", value::number(targets::part_of_one), targets::by_default(usual.verify_tolerance),
        "most of [verify_rms](#verify_rms-and-verify_max), cell edges"},
   });
 }
@@ -79,7 +77,7 @@ void read_structure(const targets::Section& root, SpaceCurveFile& file) {
   const auto cell_mm = structure.optional("cell_mm");
   if (cells) v.columns = read_columns(*cells);
   v.free_edge = !cell_mm;
-  const double usual_edge = length / (v.columns * std::cos(usual_theta));
+  const double usual_edge = length / (v.columns * std::cos(usual_strip_theta));
   v.size = read_size(structure, usual_edge);
   if (!cell_mm && !(usual_edge >= smallest_cell_mm))
     throw root.required("target", "")
@@ -88,7 +86,7 @@ void read_structure(const targets::Section& root, SpaceCurveFile& file) {
                            "metres? If not, give structure.cell_mm",
                            length, v.columns, usual_edge));
   if (!cell_mm || cells) return;
-  const double fitting = std::round(length / (v.size.edge_mm * std::cos(usual_theta)));
+  const double fitting = std::round(length / (v.size.edge_mm * std::cos(usual_strip_theta)));
   if (!(fitting >= least_columns && fitting <= most_columns))
     throw cell_mm->error(
         fmt::format("a curve of {:.6g} mm would take {:.0f} cells of {:.6g} mm; give {} to {} columns",
@@ -143,7 +141,7 @@ const targets::KeyTable& space_curve_keys() {
   static const SpaceCurveFile usual(targets::SpaceGoal({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}));
   static const targets::KeyTable keys = file_keys({
       {"target", value::map(targets::space_curve_target_keys()), targets::needed, "the goal"},
-      {"structure", value::map(structure_keys(usual)), {}, "the flat strip"},
+      {"structure", value::map(space_curve_structure_keys(usual)), {}, "the flat strip"},
       {"variables", value::map(variables_keys(usual)), {}, "what the search may change, and how far"},
       {"tolerance", value::map(tolerance_keys(usual)), {}, "when the goal is met"},
       {"hinge", value::map(hinge_keys()), {}, "what the hinges are made of; needs `structure.cell_mm`"},

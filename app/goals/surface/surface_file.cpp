@@ -14,7 +14,6 @@ constexpr int most_facets = 24;  // a side: a search of as many takes minutes
 // Of a mean wall: thinner ones do not print, thicker and higher ones run into each other on curved sheets.
 constexpr double usual_thickness = 0.08, usual_height = 0.15;
 constexpr double most_curvature = 1;  // rad over a facet: a facet stands for so much of a turn at most
-const targets::Bounds part_of_one = {0, 1, false, true};
 const targets::Bounds share = {0, 1, true, true};
 const targets::Bounds tilts = targets::between(0, 85, "degrees");
 // Of theta: planar cells close at 45 deg.
@@ -30,7 +29,7 @@ targets::KeyTable target_keys() {
   return targets::KeyTable(std::move(keys));
 }
 
-targets::KeyTable structure_keys() {
+targets::KeyTable surface_structure_keys() {
   return targets::KeyTable({
       {"facets", value::list(value::integer(2, most_facets), "`[columns, rows]`", 2, 2),
        targets::by_default(std::array<double, 2>{8, 8}),
@@ -66,12 +65,12 @@ targets::KeyTable variables_keys(const SurfaceFile& usual) {
 
 targets::KeyTable tolerance_keys(const SurfaceFile& usual) {
   return targets::KeyTable({
-      {"shape", value::number(part_of_one), targets::by_default(usual.shape_tolerance),
+      {"shape", value::number(targets::part_of_one), targets::by_default(usual.shape_tolerance),
        "most of [surface_rms](#surface_rms), over the diagonal of the surface's box"},
       {"cover", value::number(share),
        targets::otherwise(targets::shortest_text(usual.cover_tolerance) + "; of ribs 0"),
        "least of [cover](#surface_rms)"},
-      {"verify", value::number(part_of_one), targets::by_default(usual.verify_tolerance),
+      {"verify", value::number(targets::part_of_one), targets::by_default(usual.verify_tolerance),
        "most of [verify_rms](#verify_rms-and-verify_max), cell edges"},
   });
 }
@@ -138,7 +137,7 @@ const targets::KeyTable& surface_file_keys() {
   static const SurfaceFile usual;
   static const targets::KeyTable keys = file_keys({
       {"target", value::map(target_keys()), targets::needed, "the goal"},
-      {"structure", value::map(structure_keys()), {}, "the sheet"},
+      {"structure", value::map(surface_structure_keys()), {}, "the sheet"},
       {"variables", value::map(variables_keys(usual)), {}, "how far the search may go"},
       {"tolerance", value::map(tolerance_keys(usual)), {}, "when the goal is met"},
       {"physics", value::map(physics_keys()), {}, "settings of the physics run"},

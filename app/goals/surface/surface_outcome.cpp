@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int grid_lines = 9;    // of the surface in pictures, each way
+constexpr int grid_lines = 9;    // of the surface in pictures, each way: its shape shows between them
 constexpr int grid_points = 25;  // on each line: they look smooth on a page
 
 Json point(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }

@@ -11,6 +11,7 @@
 #include "app/goals/registry.hpp"
 #include "app/sweep/plan/pose_metrics.hpp"
 #include "model/base/invalid_input.hpp"
+#include "optim/doe/nan.hpp"
 #include "targets/document/document_path.hpp"
 #include "targets/document/wording.hpp"
 
@@ -18,7 +19,7 @@ namespace kinetix::app {
 namespace {
 
 using O = Observation;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using optim::nan;
 
 double moved_mm(const O& o, double model::StateDistance::*part) {
   return aligned_distance(*o.structure, *o.state, *o.nominal).*part * o.structure->size().edge_mm;

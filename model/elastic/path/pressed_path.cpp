@@ -25,7 +25,7 @@ struct Pushing {
   double distance = 0;  ///< of the plates from the middle between them, cell edges
   double middle = 0;    ///< cell edges
 
-  int axis() const { return system.drive().axis == Axis::x ? 0 : 1; }
+  int axis() const { return component(system.drive().axis); }
   static double inward(int side) { return side == 0 ? 1 : -1; }
   /// k_point edge: what holds a body where it is, counted away from the plate.
   double force(int side, int body) const { return inward(side) * gradient[6 * body + 3 + axis()]; }

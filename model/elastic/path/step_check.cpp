@@ -7,8 +7,8 @@
 namespace kinetix::model {
 namespace {
 
-constexpr double bent_load = 0.01;      // of the work of a step: loads between its ends are not on a line
-constexpr double energy_noise = 1e-13;  // of the energy and of k_point edge^2: rounding of a difference
+constexpr double bent_load = 0.01;          // of the work of a step: loads between its ends are not on a line
+constexpr double difference_noise = 1e-13;  // of the energy and of k_point edge^2: rounding of a difference
 
 bool meets_walls(const EquilibriumStep& before, const EquilibriumStep& after) {
   return before.contacts == 0 && after.contacts > 0;
@@ -40,7 +40,7 @@ bool StepCheck::keeps_energy(const EquilibriumStep& before, const EquilibriumSte
   const double path = (after.drive - before.drive) * system_.elastic.travel();
   const auto [least, most] = std::minmax({before.load * path, after.load * path});
   const double slack = (most - least) / 2 + bent_load * std::max(std::abs(least), std::abs(most)) +
-                       energy_noise * (system_.unit + after.energy);
+                       difference_noise * (system_.unit + after.energy);
   const double change = after.energy - before.energy;
   return change >= least - slack && change <= most + slack;
 }

@@ -10,7 +10,8 @@ namespace {
 
 using Descent = Branch::Descent;
 
-constexpr double rough = 2e-3;  // rad, cell edges: before the goal, a step this short leaves about its square
+constexpr double rough_step =
+    2e-3;                       // rad, cell edges: before the goal, a step this short leaves about its square
 constexpr double level = 1e-5;  // of the energy, by which that step may lower it: more is a slow valley
 constexpr double strayed = 2;   // times longest_jump: so far from a prediction lies another branch
 // Rad: longer steps must start convex and end soon; if not, halving is cheaper.
@@ -34,16 +35,16 @@ Trial StepSolver::find(const NextStep& next, const PathHead& head, State predict
   return trial;
 }
 
-// Before the goal, the step after one of `rough` is quadratically small, and good enough to go on from.
+// Before the goal, the step after one of `rough_step` is quadratically small, and good enough to go on from.
 NewtonOptions StepSolver::newton_options(const NextStep& next, bool may_stray) const {
   NewtonOptions options = options_.newton;
   if (!may_stray) options.most_moved = strayed * options_.longest_jump;
   if (next.is_shortest && system_.elastic.drive().heats_springs())
     options.max_iterations = std::max(options.max_iterations, snap_iterations);
   if (next.to_goal) return options;
-  options.step_tolerance = std::max(options.step_tolerance, rough);
+  options.step_tolerance = std::max(options.step_tolerance, rough_step);
   options.energy_tolerance = level;
-  options.drive_tolerance = std::max(options.drive_tolerance, rough * rough);
+  options.drive_tolerance = std::max(options.drive_tolerance, rough_step * rough_step);
   return options;
 }
 

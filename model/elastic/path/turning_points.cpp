@@ -10,9 +10,10 @@
 namespace kinetix::model {
 namespace {
 
-constexpr double accuracy = 1e-7;    // rad of theta: the energy at a maximum is off by its square alone
-constexpr double vanishing = 1e-4;   // of the larger load at both ends: more is left where the path jumps
-constexpr int most_equilibria = 60;  // equilibria: bisection alone comes from 1 rad to the accuracy with 24
+constexpr double theta_accuracy = 1e-7;  // rad of theta: the energy at a maximum is off by its square alone
+constexpr double vanishing = 1e-4;       // of the larger load at both ends: more is left where the path jumps
+constexpr int most_equilibria =
+    60;  // equilibria: bisection alone comes from 1 rad to the theta_accuracy with 24
 
 class Summit {
  public:
@@ -33,7 +34,7 @@ class Summit {
       const auto next = equilibrium(theta, from_low < from_high ? low.at.state : high.at.state);
       if (!next) return best;
       if (next->step.energy > best.energy) best = barrier(next->step);
-      if (std::min(from_low, from_high) <= accuracy) {
+      if (std::min(from_low, from_high) <= theta_accuracy) {
         best.load_vanishes = std::abs(next->step.load) <= vanishing * scale;
         return best;
       }

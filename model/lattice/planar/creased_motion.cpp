@@ -126,7 +126,7 @@ std::string why_not_round(const PlanarStructure& s, const Redrawing& y, const Pl
 /// Plates keep what they grip in planes across their axis.
 void refuse_rows_that_bend(const LinkageDrive& drive, const std::function<State(double)>& at) {
   if (drive.kind != LinkageDrive::Kind::plates) return;
-  const int part = drive.axis == Axis::x ? 0 : 1;
+  const int part = component(drive.axis);
   for (const double theta : probe_thetas) {
     const State state = at(theta);
     for (const auto& row : drive.gripped)

@@ -12,10 +12,8 @@ namespace {
 constexpr double one_line =
     1e-9;  // cell edges: vertices on one line of a drawing are as far from it by rounding
 
-int part_of(Axis axis) { return axis == Axis::x ? 0 : 1; }
-
 std::vector<int> bodies_at(const PlanarStructure& s, Axis axis, double place) {
-  const int along = part_of(axis);
+  const int along = component(axis);
   std::vector<int> row;
   for (int v = 0; v < static_cast<int>(s.graph.vertices.size()); ++v)
     if (std::abs(s.graph.vertices[v][along] - place) <= one_line) row.push_back(v);
@@ -26,7 +24,7 @@ std::vector<int> bodies_at(const PlanarStructure& s, Axis axis, double place) {
 
 /// Rim rows without the check for single bodies.
 GrippedRows outermost_rows(const PlanarStructure& s, Axis axis) {
-  const int along = part_of(axis);
+  const int along = component(axis);
   const auto [low, high] =
       std::minmax_element(s.graph.vertices.begin(), s.graph.vertices.end(),
                           [along](const auto& a, const auto& b) { return a[along] < b[along]; });
@@ -39,7 +37,7 @@ bool can_grip(const GrippedRows& rows) { return rows[0].size() > 1 && rows[1].si
 /// at cos(theta) y + sin(theta) y_x.
 double closing(const PlanarStructure& s, const Redrawing& y, Axis axis, const GrippedRows& rows,
                double theta) {
-  const int first = rows[0].front(), last = rows[1].front(), along = part_of(axis);
+  const int first = rows[0].front(), last = rows[1].front(), along = component(axis);
   const double rest = s.graph.vertices[last][along] - s.graph.vertices[first][along];
   const double moved = y[last][1 - along] - y[first][1 - along];
   return std::cos(theta) + (axis == Axis::x ? -1 : 1) * std::sin(theta) * moved / rest;
@@ -92,7 +90,7 @@ LinkageDrive drive_to(const PlanarStructure& structure, double theta) {
 }
 
 bool keeps_rows_straight(const Redrawing& y, Axis axis, const GrippedRows& rows) {
-  const int part = 1 - part_of(axis);
+  const int part = 1 - component(axis);
   const auto is_straight = [&](const std::vector<int>& row) {
     return std::all_of(row.begin(), row.end(), [&](int b) {
       return std::abs(y[b][part] - y[row.front()][part]) <= RedrawingFit::closed;

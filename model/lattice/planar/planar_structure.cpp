@@ -18,14 +18,6 @@ void check(const PlanarStructure& s, int hinge, const char* name, double value, 
                      number_text(value) + ", must be in " + allowed);
 }
 
-void check_size(const CellSize& size) {
-  for (const auto& [name, value] :
-       {std::pair("cell edge", size.edge_mm), std::pair("wall thickness", size.thickness_mm),
-        std::pair("wall height", size.height_mm)})
-    if (!(value > 0) || !std::isfinite(value))
-      throw InvalidInput(std::string(name) + " must be a positive length in mm");
-}
-
 constexpr double middles_in_a_wall = 100;  // steps to which middles are told apart: cells are farther apart
 
 /// The middle of a polygon's corners in such steps, give or take one for rounding.
@@ -83,7 +75,7 @@ void check_hang_together(const PlanarStructure& s, const std::vector<LatticeCell
 }  // namespace
 
 PlanarStructure make_planar_structure(PlanarGraph graph, const CellSize& size) {
-  check_size(size);
+  check_lengths(size);
   validate(graph);
   PlanarStructure s;
   s.size = size;

@@ -138,16 +138,10 @@ std::string words(const Place& p) {
   return "[" + std::to_string(p[0]) + ", " + std::to_string(p[1]) + ", " + std::to_string(p[2]) + "]";
 }
 
-void check_size(const CellSize& size) {
-  for (const double length : {size.edge_mm, size.thickness_mm, size.height_mm})
-    if (!(length > 0) || !std::isfinite(length))
-      throw InvalidInput("cell edge, wall thickness and wall height must be positive lengths in mm");
-}
-
 }  // namespace
 
 SodaliteStructure make_sodalite(Place cells, double gusset, const CellSize& size) {
-  check_size(size);
+  check_lengths(size);
   if (!(gusset >= 0.02 && gusset <= 0.9))
     throw InvalidInput("gusset is " + number_text(gusset) + ", must be from 0.02 to 0.9 of the edge");
   double bodies = 36;  // of a cubic cell, about

@@ -95,10 +95,8 @@ double misfit(const SodaliteStructure& s, const Walk& walk) {
   return most;
 }
 
-int part_of(Axis axis) { return axis == Axis::x ? 0 : 1; }
-
 GrippedRows outer_rotors(const SodaliteStructure& s, Axis axis) {
-  const int d = part_of(axis);
+  const int d = component(axis);
   double low = 0, high = 0;
   for (int r = 0; r < static_cast<int>(s.rotors.size()); ++r) {
     const double at = sodalite_place(s, r)[d];

@@ -70,7 +70,7 @@ std::optional<Drive> planar_plates(const Structure& structure, const Classificat
   for (const Axis axis : {Axis::y, Axis::x}) {
     const GrippedRows rows = gripped_bodies(structure, axis);
     if (!keeps_rows_straight(kind.redrawing, axis, rows)) continue;
-    const int d = axis == Axis::x ? 0 : 1;
+    const int d = component(axis);
     const auto distance = [&](const auto& place) { return place(rows[1].front()) - place(rows[0].front()); };
     const double rest = distance([&](int b) { return structure.rest_position(b)[d]; });
     Drive drive = plate_drive(axis, theta);

@@ -19,7 +19,7 @@ struct CreaseParameters {
   double tilt = 0, t = 0.5;
 };
 
-double middle(std::vector<double> values) {
+double lower_median(std::vector<double> values) {
   const auto at = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
   std::nth_element(values.begin(), at, values.end());
   return *at;
@@ -33,7 +33,7 @@ CreaseParameters parameters_of(const Structure& structure, const Crease& crease)
     tilts.push_back(crease_tilt(structure.hinges[h]));
     fractions.push_back(fraction_of(structure.hinges[h]));
   }
-  return {middle(std::move(tilts)), middle(std::move(fractions))};
+  return {lower_median(std::move(tilts)), lower_median(std::move(fractions))};
 }
 
 class Rules {

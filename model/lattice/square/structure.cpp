@@ -30,7 +30,7 @@ std::array<Wall, 4> walls(const Cell& c) {
 
 std::string pair(int i, int j) { return "[" + std::to_string(i) + ", " + std::to_string(j) + "]"; }
 
-void check_size(const CellSize& size) {
+void check_walls(const CellSize& size) {
   if (!(size.edge_mm > 0) || !std::isfinite(size.edge_mm))
     throw InvalidInput("cell edge must be a positive length in mm");
   if (!(size.thickness_mm > 0) || !(size.thickness_mm < size.edge_mm / 2))
@@ -115,7 +115,7 @@ std::vector<Cell> rectangle(int columns, int rows) {
 }
 
 Structure make_structure(std::vector<Cell> cells, const CellSize& size) {
-  check_size(size);
+  check_walls(size);
   std::sort(cells.begin(), cells.end());
   check_cells(cells);
 

@@ -9,39 +9,39 @@
 namespace kinetix::model {
 namespace {
 
-void require(bool holds, const std::string& rule) {
+void require_law(bool holds, const std::string& rule) {
   if (!holds) throw InvalidInput(rule);
 }
 
 void require_tilt(double beta) {
-  require(beta > -pi / 2 && beta < pi / 2, "a tilt must lie between -90 and 90 deg, both excluded");
+  require_law(beta > -pi / 2 && beta < pi / 2, "a tilt must lie between -90 and 90 deg, both excluded");
 }
 
 void require_theta(double theta) {
-  require(theta >= -pi / 2 && theta <= pi / 2, "theta must lie in [-90, 90] deg");
+  require_law(theta >= -pi / 2 && theta <= pi / 2, "theta must lie in [-90, 90] deg");
 }
 
 }  // namespace
 
 double area_ratio(double k, double phi) {
-  require(k >= 0 && k <= 1, "the hinge fraction must lie in [0, 1]");
-  require(std::isfinite(phi), "the bar angle must be finite");
+  require_law(k >= 0 && k <= 1, "the hinge fraction must lie in [0, 1]");
+  require_law(std::isfinite(phi), "the bar angle must be finite");
   return k * k + (1 - k) * (1 - k) + 2 * k * (1 - k) * std::cos(phi);
 }
 
 double final_area_ratio(double k) {
-  require(k >= 0 && k <= 1 && k != 0.5, "the hinge fraction must lie in [0, 1] and not be 1/2");
+  require_law(k >= 0 && k <= 1 && k != 0.5, "the hinge fraction must lie in [0, 1] and not be 1/2");
   const double a = 2 + std::sqrt(2.0);
   return a * k * k - a * k + 1;
 }
 
 double shear_angle(double k) {
-  require(k > 0 && k <= 1 && k != 0.5, "the hinge fraction must lie in (0, 1] and not be 1/2");
+  require_law(k > 0 && k <= 1 && k != 0.5, "the hinge fraction must lie in (0, 1] and not be 1/2");
   return std::atan2(1 - k, k);
 }
 
 double twist_angle(double alpha) {
-  require(alpha > 0 && alpha < pi, "the in-plane angle must lie between 0 and 180 deg, both excluded");
+  require_law(alpha > 0 && alpha < pi, "the in-plane angle must lie between 0 and 180 deg, both excluded");
   return 2 * std::atan2(std::sin(alpha), std::cos(alpha) * std::sin(pi / 4));
 }
 
@@ -58,7 +58,7 @@ double mirrored_unit_tilt(double beta_m, double beta_n, double u) {
   require_tilt(beta_m);
   require_tilt(beta_n);
   const double product = std::cos(beta_m) * std::cos(beta_n);
-  require(std::cos(u) >= product, "cos(u) must be at least cos(beta_m) cos(beta_n)");
+  require_law(std::cos(u) >= product, "cos(u) must be at least cos(beta_m) cos(beta_n)");
   return std::acos(product / std::cos(u));
 }
 
@@ -69,9 +69,9 @@ double crease_fold(double beta, double theta) {
 }
 
 double crease_tilt(double fold, double theta) {
-  require(fold > -pi && fold < pi, "a fold must lie between -180 and 180 deg, both excluded");
+  require_law(fold > -pi && fold < pi, "a fold must lie between -180 and 180 deg, both excluded");
   require_theta(theta);
-  require(theta != 0, "a flat sheet has no fold: theta must not be 0");
+  require_law(theta != 0, "a flat sheet has no fold: theta must not be 0");
   return tilt_of_turn(fold, theta);
 }
 

@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 using Json = nlohmann::json;
 
 constexpr double turned_deg = 24;  // deg, of one hinge in both physics runs
-constexpr const char* panel = R"(kinetix: 1
+constexpr const char* flat_panel = R"(kinetix: 1
 structure: {cells: [4, 3], cell_mm: 16, wall_mm: {thickness: 0.8, height: 6}}
 design:
   theta_deg: 12
@@ -257,7 +257,7 @@ TEST(Import, GivesTheLetterTBack) {
 }
 
 TEST(Import, GivesAPanelBackFromEveryFormat) {
-  Sheet sheet(panel);
+  Sheet sheet(flat_panel);
   for (const char* hinge : {"pin", "block"}) {
     expect_the_same(sheet, hinge, "3mf");
     for (const char* format : {"stl", "step", "glb"}) {

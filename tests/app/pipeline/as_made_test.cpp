@@ -13,7 +13,7 @@ namespace {
 using ::testing::HasSubstr;
 using Json = nlohmann::json;
 
-constexpr const char* arc = R"(kinetix: 1
+constexpr const char* made_arc = R"(kinetix: 1
 name: arc
 target: {kind: curve, points: [[0, 0], [30, 12], [60, 16], [90, 12], [120, 0]]}
 structure: {cells: [12, 1]}
@@ -27,7 +27,7 @@ struct Printed {
 Printed printed(const Scratch& scratch, const std::string& process) {
   const std::string folder = scratch / "out";
   const Outcome run =
-      kinetix_opt(scratch.write("arc.yaml", arc + process) + " -o " + folder + " --no-verify");
+      kinetix_opt(scratch.write("arc.yaml", made_arc + process) + " -o " + folder + " --no-verify");
   EXPECT_EQ(run.code, 0) << run.out << run.err;
   return {Json::parse(text_of(folder + "/result.json")), run.out};
 }
@@ -50,7 +50,7 @@ TEST(AsMadeResult, IsConfirmedByPrints) {
   const Scratch scratch;
   const std::string folder = scratch / "out";
   const Outcome run =
-      kinetix_opt(scratch.write("arc.yaml", arc) + " -o " + folder + " --no-verify --monte-carlo 500");
+      kinetix_opt(scratch.write("arc.yaml", made_arc) + " -o " + folder + " --no-verify --monte-carlo 500");
   ASSERT_EQ(run.code, 0) << run.out << run.err;
   EXPECT_THAT(run.out, HasSubstr("500 prints in the elastic model"));
   const Json result = Json::parse(text_of(folder + "/result.json"));
@@ -215,7 +215,7 @@ TEST(AsMadeResult, SaysOfSheetsOfFacetsThatTheyAreNotJudged) {
 TEST(AsMadeResult, RefusesProcessesThatNobodyHas) {
   const Scratch scratch;
   const auto refused = [&](const std::string& process) {
-    const Outcome run = kinetix_opt("check " + scratch.write("arc.yaml", arc + process));
+    const Outcome run = kinetix_opt("check " + scratch.write("arc.yaml", made_arc + process));
     EXPECT_EQ(run.code, 2) << process;
     return run.err;
   };

@@ -16,8 +16,6 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using Json = nlohmann::json;
 
-constexpr double degree = radians_per_degree;  // rad, so that angles below read in degrees
-
 /// What `simulate` gives for one design: its target state.
 Json simulated(const Scratch& scratch, const std::string& design, const std::string& model) {
   const std::string out = scratch / "single";
@@ -107,7 +105,7 @@ TEST(SweepContent, FollowsTheClosedFormsOfThePaper) {
   const Csv angles = read_csv(other / "out");
   for (std::size_t row = 0; row < 2; ++row)
     EXPECT_NEAR(angles.number(row, "cell_angle_deg"),
-                2 * model::shear_angle(angles.number(row, "k")) / degree, 1e-9);
+                2 * model::shear_angle(angles.number(row, "k")) / radians_per_degree, 1e-9);
 }
 
 TEST(SweepContent, ACreaseFoldsAsItsLawSays) {
@@ -121,9 +119,9 @@ TEST(SweepContent, ACreaseFoldsAsItsLawSays) {
   ASSERT_EQ(csv.rows.size(), 12u);
   for (std::size_t row = 0; row < csv.rows.size(); ++row)
     EXPECT_NEAR(csv.number(row, "fold_deg"),
-                model::crease_fold(csv.number(row, "design.columns[1].beta_deg") * degree,
-                                   csv.number(row, "design.theta_deg") * degree) /
-                    degree,
+                model::crease_fold(csv.number(row, "design.columns[1].beta_deg") * radians_per_degree,
+                                   csv.number(row, "design.theta_deg") * radians_per_degree) /
+                    radians_per_degree,
                 1e-6);
 }
 
@@ -170,7 +168,7 @@ TEST(SweepContent, PhysicsRunsInProcessesOfTheirOwnAgreeWithTheModel) {
   for (std::size_t row = 0; row < 2; ++row) {
     EXPECT_LE(csv.number(row, "verify_rms"), 1e-4);
     EXPECT_NEAR(csv.number(row, "area_ratio"),
-                model::area_ratio(0.5, 2 * csv.number(row, "design.theta_deg") * degree), 1e-3);
+                model::area_ratio(0.5, 2 * csv.number(row, "design.theta_deg") * radians_per_degree), 1e-3);
   }
 }
 

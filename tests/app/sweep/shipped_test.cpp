@@ -13,8 +13,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double degree = radians_per_degree;  // rad, so that angles below read in degrees
-
 std::string run_shipped(const Scratch& scratch, const std::string& name) {
   const std::string out = scratch / name;
   const Outcome run =
@@ -30,20 +28,20 @@ TEST(ShippedSweeps, AreThePapersEquations) {
   const Scratch scratch;
   const Csv area = read_csv(run_shipped(scratch, "eq3_area"));
   for (std::size_t row = 0; row < area.rows.size(); ++row)
-    EXPECT_NEAR(area.number(row, "area_ratio"), model::area_ratio(area.number(row, "k"), 135 * degree),
-                1e-12);
+    EXPECT_NEAR(area.number(row, "area_ratio"),
+                model::area_ratio(area.number(row, "k"), 135 * radians_per_degree), 1e-12);
   const Csv shear = read_csv(run_shipped(scratch, "eq4_shear"));
   for (std::size_t row = 0; row < shear.rows.size(); ++row) {
     const double k = shear.number(row, "k");
     if (std::abs(k - 0.5) < 1e-9) continue;
-    EXPECT_NEAR(shear.number(row, "cell_angle_deg"), 2 * model::shear_angle(k) / degree, 1e-6);
+    EXPECT_NEAR(shear.number(row, "cell_angle_deg"), 2 * model::shear_angle(k) / radians_per_degree, 1e-6);
   }
   const Csv crease = read_csv(run_shipped(scratch, "crease_law"));
   for (std::size_t row = 0; row < crease.rows.size(); ++row)
     EXPECT_NEAR(crease.number(row, "fold_deg"),
-                model::crease_fold(crease.number(row, "design.columns[1].beta_deg") * degree,
-                                   crease.number(row, "design.theta_deg") * degree) /
-                    degree,
+                model::crease_fold(crease.number(row, "design.columns[1].beta_deg") * radians_per_degree,
+                                   crease.number(row, "design.theta_deg") * radians_per_degree) /
+                    radians_per_degree,
                 1e-5);
 }
 
@@ -53,7 +51,8 @@ TEST(ShippedSweeps, TheTwistUnitComesToEquationSixOverItsBarrier) {
   const Scratch scratch;
   const Csv twist = read_csv(run_shipped(scratch, "eq6_twist"));
   for (std::size_t row = 0; row < twist.rows.size(); ++row) {
-    const double lean = 180 - model::twist_angle(twist.number(row, "alpha_deg") * degree) / degree;
+    const double lean =
+        180 - model::twist_angle(twist.number(row, "alpha_deg") * radians_per_degree) / radians_per_degree;
     EXPECT_NEAR(twist.number(row, "lean_max_deg"), lean, 2e-3 * lean);
     if (row == 0) continue;
     EXPECT_LT(twist.number(row, "barrier_Nmm"), twist.number(row - 1, "barrier_Nmm"));

@@ -15,8 +15,6 @@ namespace {
 using testing::random_design;
 using testing::structure_of;
 
-constexpr double degree = radians_per_degree;  // rad, so that angles below read in degrees
-
 /// Without the help of a closed form.
 Mobility driven(const Structure& s) { return mobility(s, {}); }
 
@@ -47,8 +45,10 @@ TEST(Mobility, PapersUnitsHaveOneFreedom) {
   const CellTuple units[] = {{},
                              {.P = {0.8, 0.2, 0.8, 0.2}},
                              {.P = {0.8, 0.8, 0.8, 0.8}},
-                             {.A_out = {40 * degree, -25 * degree, 40 * degree, -25 * degree}},
-                             {.A_out = {40 * degree, 25 * degree, 40 * degree, 25 * degree}}};
+                             {.A_out = {40 * radians_per_degree, -25 * radians_per_degree,
+                                        40 * radians_per_degree, -25 * radians_per_degree}},
+                             {.A_out = {40 * radians_per_degree, 25 * radians_per_degree,
+                                        40 * radians_per_degree, 25 * radians_per_degree}}};
   for (const CellTuple& unit : units)
     expect_counts(driven(patterned({{0, 0}}, unit, unit)), Verdict::mobile, 1, 1);
 }
@@ -110,7 +110,7 @@ TEST(Mobility, RandomHingesHaveNoFreedom) {
 }
 
 TEST(Mobility, TwistUnitIsRigidAtFlat) {
-  const CellTuple twist{.A_in = {pi / 2, 80 * degree, pi / 2, 80 * degree}};
+  const CellTuple twist{.A_in = {pi / 2, 80 * radians_per_degree, pi / 2, 80 * radians_per_degree}};
   const Structure unit = patterned({{0, 0}}, twist, twist);
   expect_counts(mobility(unit, exact_motion(unit)), Verdict::not_mobile, 0, 0);
 }

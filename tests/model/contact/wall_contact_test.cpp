@@ -15,8 +15,6 @@ namespace {
 using testing::random_design;
 using testing::structure_of;
 
-constexpr double degree = radians_per_degree;  // rad, so that angles below read in degrees
-
 ThetaRange range_of(const Structure& s, const ThetaRangeOptions& options = {}) {
   return theta_range(s, exact_motion(s), options);
 }
@@ -89,9 +87,9 @@ TEST(ThetaRange, CrossableUnitFoldsPastTheLineOfItsBars) {
   auto design = ExactDesign<double>::basic(3, 3);
   design.t.assign(3, 0.3);
   design.s.assign(3, 0.3);
-  EXPECT_GT(range_of(structure_of(design)).positive.theta, 60 * degree);
+  EXPECT_GT(range_of(structure_of(design)).positive.theta, 60 * radians_per_degree);
   design.s.assign(3, 0.7);
-  EXPECT_LT(range_of(structure_of(design)).positive.theta, 45 * degree);
+  EXPECT_LT(range_of(structure_of(design)).positive.theta, 45 * radians_per_degree);
 }
 
 TEST(ThetaRange, IsFreeBelowItsEndsAndBlockedBeyondByAllPairs) {
@@ -125,7 +123,7 @@ TEST(ThetaRange, MirroredTiltsMirrorTheRange) {
 /// Every other column folds by 2 psi, tan(psi) = tan(beta) sin(theta): n of them make a full turn at psi =
 /// pi/n.
 TEST(ThetaRange, RollingStripEndsJustBeforeItClosesItsRing) {
-  const double beta = 40 * degree;
+  const double beta = 40 * radians_per_degree;
   for (const int columns : {40, 60}) {
     const double full_turn = std::asin(std::tan(pi / (columns / 2)) / std::tan(beta));
     const Structure s = rolling_strip(columns, beta);
@@ -139,7 +137,7 @@ TEST(ThetaRange, RollingStripEndsJustBeforeItClosesItsRing) {
 }
 
 TEST(ThetaRange, ShortStripDoesNotMeetItself) {
-  const Structure s = rolling_strip(8, 40 * degree);
+  const Structure s = rolling_strip(8, 40 * radians_per_degree);
   const ThetaRange range = range_of(s);
   EXPECT_LE(
       std::abs(vertex_of(s, range.positive.walls.first).i - vertex_of(s, range.positive.walls.second).i), 2);
@@ -147,7 +145,7 @@ TEST(ThetaRange, ShortStripDoesNotMeetItself) {
 
 TEST(ThetaRange, SpiralMeetsAnEarlierTurnOfItself) {
   auto design = ExactDesign<double>::basic(60, 1);
-  for (int c = 0; c < 60; c += 2) design.beta[c] = (15 + 0.5 * c) * degree;
+  for (int c = 0; c < 60; c += 2) design.beta[c] = (15 + 0.5 * c) * radians_per_degree;
   const Structure s = structure_of(design);
   const ThetaRange range = range_of(s);
   ASSERT_TRUE(range.positive.touches && range.negative.touches);
@@ -194,7 +192,8 @@ TEST(ThetaRange, StopsWhereTheMotionIsNotFinite) {
 TEST(ThetaRange, DoesNotDependOnTheStep) {
   std::mt19937 random(74);
   const Structure s = structure_of(random_design(Family::F2, 8, 2, random));
-  const ThetaRange coarse = range_of(s, {.step = 2 * degree}), fine = range_of(s, {.step = 0.1 * degree});
+  const ThetaRange coarse = range_of(s, {.step = 2 * radians_per_degree}),
+                   fine = range_of(s, {.step = 0.1 * radians_per_degree});
   EXPECT_NEAR(coarse.positive.theta, fine.positive.theta, 1e-8) << "seed 74";
   EXPECT_NEAR(coarse.negative.theta, fine.negative.theta, 1e-8) << "seed 74";
 }

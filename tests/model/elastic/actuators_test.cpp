@@ -22,8 +22,6 @@ using namespace testing;
 using Eigen::VectorXd;
 using Stop = EquilibriumPath::Stop;
 
-constexpr double degree = radians_per_degree;  // rad, so that angles below read in degrees
-
 /// Through the hinges of the walls across a row of cells.
 std::vector<int> across_row(const Structure& s, int row, int columns) {
   std::vector<int> through;
@@ -106,13 +104,13 @@ TEST(Cord, HoldsTheSheetByAnEnergyWhoseDerivativesAreItsCentralDifferences) {
 TEST(ShapeMemory, HasAnEnergyWhoseDerivativesAreItsCentralDifferences) {
   std::mt19937 random(5);
   const Structure s = random_panel(2, 2, random);
-  expect_derivatives(s, shape_memory_drive(s, {0, 3, 7}, 50, 40 * degree), random);
+  expect_derivatives(s, shape_memory_drive(s, {0, 3, 7}, 50, 40 * radians_per_degree), random);
 }
 
 TEST(ShapeMemory, LoadIsTheDerivativeOfTheEnergyByTheDriveAndTheirsByTheStateAreOne) {
   std::mt19937 random(6);
   const Structure s = random_panel(2, 2, random);
-  const LinkageDrive drive = shape_memory_drive(s, {}, 50, 40 * degree);
+  const LinkageDrive drive = shape_memory_drive(s, {}, 50, 40 * radians_per_degree);
   const ElasticSystem system(s, Elasticity{}, drive, false, false);
   const State state = shaken(s, rest_state(s), 0.2, random);
   const auto by_theta = [&](const VectorXd& x) { return VectorXd::Constant(1, system.energy(state, x[0])); };
@@ -127,7 +125,8 @@ TEST(ShapeMemory, LoadIsTheDerivativeOfTheEnergyByTheDriveAndTheirsByTheStateAre
 /// Springs of the alloy against those of the hinges: both turn alike, and stop where the moments are equal.
 TEST(ShapeMemory, FoldsAnExactSheetAsFarAsTheHingesYield) {
   const Structure s = basic_sheet(4, 3);
-  const double k_hinge = 2, k_spring = 5, angle = 40 * degree, hinges = static_cast<double>(s.hinges.size());
+  const double k_hinge = 2, k_spring = 5, angle = 40 * radians_per_degree,
+               hinges = static_cast<double>(s.hinges.size());
   const LinkageDrive drive = shape_memory_drive(s, {}, k_spring, angle);
   Elasticity elasticity;
   elasticity.k_turn = k_hinge;
@@ -161,7 +160,8 @@ TEST(Cord, FoldsAnExactSheetByTheTensionThatDoesTheWork) {
   const Structure s = basic_sheet(4, 3);
   Elasticity elasticity;
   elasticity.k_turn = 0.2;
-  const double theta = 25 * degree, rest = 4 * s.size.edge_mm, hinges = static_cast<double>(s.hinges.size());
+  const double theta = 25 * radians_per_degree, rest = 4 * s.size.edge_mm,
+               hinges = static_cast<double>(s.hinges.size());
   for (const int branch : {1, -1}) {
     const LinkageDrive drive = cord_drive(s, across_row(s, 1, 4), rest * (1 - std::cos(theta)), branch);
     EXPECT_NEAR(drive.theta(), branch * theta, 1e-12);
@@ -181,7 +181,7 @@ TEST(Cord, FoldsAnExactSheetByTheTensionThatDoesTheWork) {
 /// Across one cell a cord is (cos(theta) + sin(theta)) times as long, or cos - sin: it pulls to one side from the first.
 TEST(Cord, AcrossAnOddNumberOfCellsPullsToTheSideThatIsShorter) {
   const Structure s = basic_sheet(1, 2);
-  const double theta = 20 * degree, L = s.size.edge_mm;
+  const double theta = 20 * radians_per_degree, L = s.size.edge_mm;
   const LinkageDrive drive =
       cord_drive(s, across_row(s, 0, 1), L * (1 - std::cos(theta) + std::sin(theta)), 1);
   const ExactMotion exact = exact_motion(s);
@@ -238,12 +238,12 @@ TEST(Drives, OfAllKindsFindTheSameStableStatesAndBarrier) {
   soft.k_turn = 1e-3;
   StableStateOptions options;
   options.path = without_contact();  // walls in contact make several minima of the one
-  const LinkageDrive hinge = testing::hinge_drive({{0, 0}, Axis::y}, -40 * degree).on(s);
+  const LinkageDrive hinge = testing::hinge_drive({{0, 0}, Axis::y}, -40 * radians_per_degree).on(s);
   const StableStates by_hinge = find_stable_states({{s, hinge, {}}}, soft, options);
   ASSERT_EQ(by_hinge.states.size(), 2u);
   ASSERT_EQ(by_hinge.barriers.size(), 1u);
   const LinkageDrive cord = cord_drive(s, across_row(s, 0, 1), 14);
-  const LinkageDrive springs = shape_memory_drive(s, {}, 100, -90 * degree);
+  const LinkageDrive springs = shape_memory_drive(s, {}, 100, -90 * radians_per_degree);
   for (const LinkageDrive& drive : {cord, springs}) {
     const StableStates found = find_stable_states({{s, drive, {}}}, soft, options);
     SCOPED_TRACE(drive.coordinate_unit());
@@ -263,11 +263,11 @@ TEST(ShapeMemory, SnapsThroughWhereItsSpringsAreSoft) {
   const Structure s = twisting_cell();
   Elasticity soft;
   soft.k_turn = 1e-3;
-  const LinkageDrive drive = shape_memory_drive(s, {}, 20, -90 * degree);
+  const LinkageDrive drive = shape_memory_drive(s, {}, 20, -90 * radians_per_degree);
   const EquilibriumPath path = trace_equilibrium({s, drive, {}}, soft, without_contact());
   EXPECT_EQ(path.stop, Stop::reached) << path.why;
   EXPECT_NE(first_event(path, PathEvent::Kind::snap), nullptr);
-  EXPECT_NEAR(mean_theta(s, path.state), -45 * degree, 1 * degree);
+  EXPECT_NEAR(mean_theta(s, path.state), -45 * radians_per_degree, 1 * radians_per_degree);
 }
 
 TEST(Cord, ThatNothingShortensIsRefused) {
@@ -420,7 +420,7 @@ TEST(ShapeMemoryAdjoint, IsTheCentralDifferenceOfEquilibriaFoundAnew) {
   for (const unsigned seed : {1u, 2u, 3u}) {
     SCOPED_TRACE(seed);
     const auto with = [](double k) {
-      return [k](const Structure& s) { return shape_memory_drive(s, {}, k, 40 * degree); };
+      return [k](const Structure& s) { return shape_memory_drive(s, {}, k, 40 * radians_per_degree); };
     };
     const Held b = folded(with(50), seed);
     expect_adjoint(b);

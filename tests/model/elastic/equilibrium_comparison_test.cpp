@@ -14,7 +14,7 @@ using Outcome = EquilibriumComparison::Outcome;
 
 // rad, half way to where the walls close the cells; and cell edges, as far as two states may differ and
 // agree.
-constexpr double theta = 0.4, tolerance = 1e-2;
+constexpr double compared_theta = 0.4, tolerance = 1e-2;
 
 class Comparison : public ::testing::Test {
  protected:
@@ -23,12 +23,12 @@ class Comparison : public ::testing::Test {
   }
 
   const Structure sheet = testing::alternating(3, 3, testing::scaling_unit, testing::scaling_unit);
-  const EquilibriumScene scene{sheet, {}, plates_drive(Axis::y, theta).on(sheet), true, true};
+  const EquilibriumScene scene{sheet, {}, plates_drive(Axis::y, compared_theta).on(sheet), true, true};
 };
 
 TEST_F(Comparison, OfAnEquilibriumWithItselfAgrees) {
   const EquilibriumComparison same =
-      compare_equilibria(scene, equilibrium(theta), equilibrium(theta), tolerance);
+      compare_equilibria(scene, equilibrium(compared_theta), equilibrium(compared_theta), tolerance);
   EXPECT_EQ(same.outcome, Outcome::agrees);
   EXPECT_LE(same.from_equilibrium.rms, 1e-9);
   EXPECT_NEAR(same.energy, same.reference_energy, 1e-9 * same.energy);
@@ -36,7 +36,7 @@ TEST_F(Comparison, OfAnEquilibriumWithItselfAgrees) {
 
 TEST_F(Comparison, OfTheTwoSignsOfThetaSaysThatBothAreEquilibria) {
   const EquilibriumComparison other =
-      compare_equilibria(scene, equilibrium(-theta), equilibrium(theta), tolerance);
+      compare_equilibria(scene, equilibrium(-compared_theta), equilibrium(compared_theta), tolerance);
   EXPECT_EQ(other.outcome, Outcome::another_branch);
   EXPECT_GT(other.distance.rms, tolerance);
   EXPECT_LE(other.from_equilibrium.rms, 1e-9);
@@ -46,11 +46,11 @@ TEST_F(Comparison, OfTheTwoSignsOfThetaSaysThatBothAreEquilibria) {
 
 TEST_F(Comparison, OfAStateThatIsNoEquilibriumDisagrees) {
   const EquilibriumComparison near =
-      compare_equilibria(scene, equilibrium(0.3), equilibrium(theta), tolerance);
+      compare_equilibria(scene, equilibrium(0.3), equilibrium(compared_theta), tolerance);
   EXPECT_EQ(near.outcome, Outcome::disagrees);
   EXPECT_GT(near.from_equilibrium.rms, tolerance);
   const EquilibriumComparison flat =
-      compare_equilibria(scene, rest_state(sheet), equilibrium(theta), tolerance);
+      compare_equilibria(scene, rest_state(sheet), equilibrium(compared_theta), tolerance);
   EXPECT_EQ(flat.outcome, Outcome::disagrees);
 }
 

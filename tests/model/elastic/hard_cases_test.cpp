@@ -13,8 +13,6 @@ namespace {
 
 using namespace testing;
 
-constexpr double degree = radians_per_degree;  // rad, so that angles below read in degrees
-
 class HardCaseOfTheModel : public ::testing::TestWithParam<HardCase> {};
 
 TEST_P(HardCaseOfTheModel, IsRightOrDiagnosed) {
@@ -42,7 +40,7 @@ INSTANTIATE_TEST_SUITE_P(All, HardCaseOfTheModel, ::testing::ValuesIn(tested()),
 /// A strip that curls between its plates turns its bodies far out of the plane.
 TEST(HardCases, WhatPlatesGripStaysOnThem) {
   const Structure s = bending_strip();
-  const double theta = 35 * degree, L = s.size.edge_mm;
+  const double theta = 35 * radians_per_degree, L = s.size.edge_mm;
   const EquilibriumPath path =
       trace_equilibrium(driven(s, plates_drive(Axis::y, theta)), {}, without_contact());
   for (std::size_t b = 0; b < s.bodies.size(); ++b) {

@@ -19,7 +19,6 @@ using namespace testing;
 using Kind = PathEvent::Kind;
 using Stop = EquilibriumPath::Stop;
 
-constexpr double degree = radians_per_degree;  // rad, so that angles below read in degrees
 // For comparisons with closed forms, whose walls pass through each other.
 const EquilibriumPathOptions no_contact = without_contact();
 
@@ -37,7 +36,7 @@ double error(const Structure& s, double theta, double k_turn) {
 
 TEST(PaperGrids, At45DegreesTheyAreTheClosedFormButForTheStiffnessRatio) {
   for (const Structure& s : {crossable_grid(), uncrossable_grid()})
-    for (const double theta : {22.5 * degree, -22.5 * degree}) {
+    for (const double theta : {22.5 * radians_per_degree, -22.5 * radians_per_degree}) {
       const double soft = error(s, theta, 0.1), stiff = error(s, theta, 1e-3);
       EXPECT_LE(soft, 1e-3);
       EXPECT_NEAR(soft / stiff, 100, 2);
@@ -49,7 +48,7 @@ TEST(PaperGrids, At45DegreesTheyAreTheClosedFormButForTheStiffnessRatio) {
 /// only: the distance goes with the cube root of the stiffness ratio.
 TEST(PaperGrids, At90DegreesTheDistanceGoesWithTheCubeRootOfTheStiffnessRatio) {
   for (const Structure& s : {crossable_grid(), uncrossable_grid()})
-    EXPECT_NEAR(error(s, 45 * degree, 1e-2) / error(s, 45 * degree, 1e-5), 10, 0.3);
+    EXPECT_NEAR(error(s, 45 * radians_per_degree, 1e-2) / error(s, 45 * radians_per_degree, 1e-5), 10, 0.3);
 }
 
 TEST(PaperGrids, At135DegreesTheClosedFormIsAEquilibriumButForTheStiffnessRatio) {
@@ -62,7 +61,7 @@ TEST(PaperGrids, At135DegreesTheClosedFormIsAEquilibriumButForTheStiffnessRatio)
     return from_closed_form(s, state, theta);
   };
   for (const Structure& s : {crossable_grid(), uncrossable_grid()})
-    for (const double theta : {67.5 * degree, -67.5 * degree}) {
+    for (const double theta : {67.5 * radians_per_degree, -67.5 * radians_per_degree}) {
       const double soft = distance(s, theta, 0.1);
       EXPECT_LE(soft, 3e-3);
       EXPECT_NEAR(soft / distance(s, theta, 1e-3), 100, 3);
@@ -78,13 +77,13 @@ TEST(PaperGrids, UncrossableGridTouchesWhereTheClosedFormDoesAndLocks) {
     EquilibriumPathOptions fine;
     fine.longest_step = 0.01;
     const EquilibriumPath path =
-        trace_equilibrium(driven(s, drive_to(s, sign * 46 * degree)), {.k_turn = 1e-3}, fine);
+        trace_equilibrium(driven(s, drive_to(s, sign * 46 * radians_per_degree)), {.k_turn = 1e-3}, fine);
     const PathEvent* contact = first_event(path, Kind::contact);
     const PathEvent* lock = first_event(path, Kind::lock);
     ASSERT_TRUE(contact && lock);
     EXPECT_LE(std::abs(contact->since), limit);
     EXPECT_GE(std::abs(contact->at.theta), limit);
-    EXPECT_LE(std::abs(lock->at.theta), limit + 1 * degree);
+    EXPECT_LE(std::abs(lock->at.theta), limit + 1 * radians_per_degree);
     EXPECT_GE(std::abs(lock->at.load), 50 * std::abs(driven(s, sign * limit, 1e-3).steps.back().load));
     EXPECT_NE(lock->what.find("walls carry the drive"), std::string::npos);
   }
@@ -92,7 +91,7 @@ TEST(PaperGrids, UncrossableGridTouchesWhereTheClosedFormDoesAndLocks) {
 
 TEST(PaperGrids, CrossableGridPasses90DegreesWithoutContact) {
   const EquilibriumPath path =
-      trace_equilibrium(driven(crossable_grid(), drive_to(crossable_grid(), 46 * degree)), {});
+      trace_equilibrium(driven(crossable_grid(), drive_to(crossable_grid(), 46 * radians_per_degree)), {});
   EXPECT_EQ(path.stop, Stop::reached);
   EXPECT_FALSE(first_event(path, Kind::contact));
 }
@@ -102,7 +101,7 @@ TEST(PaperGrids, CrossableGridPasses90DegreesWithoutContact) {
 /// E = 2 N k theta^2 and the plates are n L cos(theta) apart: the force is their quotient of rates.
 TEST(PaperPanels, SingleUnitPanelIsTheClosedFormUnderTheForceOfItsTurningSprings) {
   const Structure s = single_unit_panel();
-  for (const double theta : {30 * degree, 41 * degree, -41 * degree}) {
+  for (const double theta : {30 * radians_per_degree, 41 * radians_per_degree, -41 * radians_per_degree}) {
     const EquilibriumPath path = trace_equilibrium(driven(s, drive_to(s, theta)), {});
     ASSERT_EQ(path.stop, Stop::reached) << path.why;
     EXPECT_LE(from_closed_form(s, path), 2e-4);
@@ -125,19 +124,20 @@ std::vector<double> slopes(const Structure& s, const State& state, int row) {
 
 TEST(PaperPanels, GradientPanelShearsUpOnTheLeftAndDownOnTheRight) {
   const Structure s = gradient_panel();
-  const EquilibriumPath path = trace_equilibrium(driven(s, plates_drive(Axis::x, 20 * degree)), {});
+  const EquilibriumPath path =
+      trace_equilibrium(driven(s, plates_drive(Axis::x, 20 * radians_per_degree)), {});
   ASSERT_EQ(path.stop, Stop::reached) << path.why;
   for (const int row : {0, 4, 8}) {
     const auto slope = slopes(s, path.state, row);
     EXPECT_TRUE(std::is_sorted(slope.rbegin(), slope.rend()));
-    EXPECT_GE(slope.front(), 15 * degree);
+    EXPECT_GE(slope.front(), 15 * radians_per_degree);
     for (int c = 0; c < 4; ++c) EXPECT_NEAR(slope[c], -slope[7 - c], 0.03 * slope.front());
   }
 }
 
 TEST(PaperPanels, GradientPanelStrainsItsHingesByAPercentOfACell) {
   const EquilibriumPath path =
-      trace_equilibrium(driven(gradient_panel(), plates_drive(Axis::x, 20 * degree)), {});
+      trace_equilibrium(driven(gradient_panel(), plates_drive(Axis::x, 20 * radians_per_degree)), {});
   EXPECT_GE(path.gaps.max, 5e-3);
   EXPECT_LE(path.gaps.max, 1.5e-2);
   double stretch = 0, turn = 0;
@@ -155,8 +155,9 @@ TEST(PaperPanels, GradientPanelStrainsItsHingesByAPercentOfACell) {
 /// The mirror image in the x axis is the same panel folded to the other side.
 TEST(PaperPanels, GradientPanelFoldedToTheOtherSideIsItsMirrorImage) {
   const Structure s = gradient_panel();
-  const EquilibriumPath up = trace_equilibrium(driven(s, plates_drive(Axis::x, 20 * degree)), {}),
-                        down = trace_equilibrium(driven(s, plates_drive(Axis::x, -20 * degree)), {});
+  const EquilibriumPath up = trace_equilibrium(driven(s, plates_drive(Axis::x, 20 * radians_per_degree)), {}),
+                        down =
+                            trace_equilibrium(driven(s, plates_drive(Axis::x, -20 * radians_per_degree)), {});
   EXPECT_NEAR(up.steps.back().energy, down.steps.back().energy, 1e-6);
   State mirrored(s.bodies.size());
   for (std::size_t b = 0; b < s.bodies.size(); ++b) {
@@ -231,7 +232,7 @@ TEST(PaperTwoUnits, WithoutTwistingUnitsTheyMoveFreelyWithOneFreedom) {
 TEST(PaperTwoUnits, WithoutTwistingUnitsTheyFoldAsTheClosedForm) {
   for (const Pair& pair : exact_pairs)
     for (const int rows : {1, 4})
-      for (const double theta : {30 * degree, -30 * degree}) {
+      for (const double theta : {30 * radians_per_degree, -30 * radians_per_degree}) {
         SCOPED_TRACE(pair.name);
         const Structure s = alternating(6, rows, pair.even, pair.odd);
         EXPECT_LE(error(s, theta, 0.1), 3e-3);
@@ -244,7 +245,7 @@ TEST(PaperTwoUnits, PlanarUnitsStayInThePlaneAndKeepTheirDirection) {
     if (pair.family != Family::F1) continue;
     SCOPED_TRACE(pair.name);
     const Structure s = alternating(6, 1, pair.even, pair.odd);
-    const EquilibriumPath path = driven(s, 30 * degree, 1e-3);
+    const EquilibriumPath path = driven(s, 30 * radians_per_degree, 1e-3);
     EXPECT_TRUE(path.planar);
     for (const int from : {0, 2, 4}) EXPECT_LE(screw_of_period(s, path.state, from, path.theta).turn, 1e-4);
   }
@@ -253,7 +254,7 @@ TEST(PaperTwoUnits, PlanarUnitsStayInThePlaneAndKeepTheirDirection) {
 /// Kinematics section 2: one bending column folds by 2 psi about y, a planar one slides by (2 t - 1)
 /// sin(theta).
 TEST(PaperTwoUnits, BendingUnitsBendWithBasicOnesCurlWithShearedOnesAndCancelAmongThemselves) {
-  const double theta = 30 * degree, turn = crease_fold(bend_tilt, theta);
+  const double theta = 30 * radians_per_degree, turn = crease_fold(bend_tilt, theta);
   const auto screw = [&](const ColumnUnit& odd) {
     const Structure s = alternating(6, 1, bending_unit, odd);
     return screw_of_period(s, driven(s, theta, 1e-3).state, 2, theta);
@@ -270,7 +271,7 @@ TEST(PaperTwoUnits, BendingUnitsBendWithBasicOnesCurlWithShearedOnesAndCancelAmo
 
 /// A sheet of both: the cells with the same fractions along x and y scale, the others shear.
 TEST(PaperTwoUnits, CheckerboardOfScalingAndShearingCellsDoesBoth) {
-  const double k = 0.3, theta = 22.5 * degree;
+  const double k = 0.3, theta = 22.5 * radians_per_degree;
   auto design = ExactDesign<double>::basic(6, 4);
   for (int c = 0; c < 6; ++c) design.t[c] = c % 2 == 0 ? k : 1 - k;
   for (int r = 0; r < 4; ++r) design.s[r] = r % 2 == 0 ? k : 1 - k;
@@ -303,7 +304,7 @@ TEST(PaperTwoUnits, TwistingUnitsMakeStripsAndSheetsRigidAtFlat) {
 
 /// Over a barrier to the twisted state of Eq. 6, at theta = 45 deg, where all hinges close again.
 TEST(PaperTwoUnits, TwistingUnitsSnapToTheTwistOfEquationSixAndTheOthersDoTheirPart) {
-  const double theta = 45 * degree, twist = std::abs(pi - twist_angle(twist_alpha));
+  const double theta = 45 * radians_per_degree, twist = std::abs(pi - twist_angle(twist_alpha));
   for (const Pair& pair : twisting_pairs) {
     SCOPED_TRACE(pair.name);
     const Structure s = alternating(6, 1, pair.even, pair.odd);
@@ -325,8 +326,8 @@ TEST(PaperTwoUnits, TwistingUnitsSnapToTheTwistOfEquationSixAndTheOthersDoTheirP
 /// The axis of the screw of one period is the strip's own, and it does not bend.
 TEST(PaperTwoUnits, TwistingAndBasicUnitsTwistAboutTheStrip) {
   const Structure s = twisting_strip();
-  const EquilibriumPath path = trace_equilibrium(driven(s, hinge_drive({{5, 0}, Axis::y}, 44.9 * degree)),
-                                                 {.k_turn = 1e-4}, no_contact);
+  const EquilibriumPath path = trace_equilibrium(
+      driven(s, hinge_drive({{5, 0}, Axis::y}, 44.9 * radians_per_degree)), {.k_turn = 1e-4}, no_contact);
   ASSERT_EQ(path.stop, Stop::reached) << path.why;
   for (const int from : {0, 2, 4, 6}) {
     const Screw screw = screw_of_period(s, path.state, from, path.theta);
@@ -338,8 +339,8 @@ TEST(PaperTwoUnits, TwistingAndBasicUnitsTwistAboutTheStrip) {
 /// Alone, twisting units want to twist one up and the next down the other way at the other sign of theta.
 TEST(PaperTwoUnits, TwistingUnitsAloneWorkAgainstEachOther) {
   const Structure s = alternating(6, 1, twisting_unit, twisting_unit);
-  const EquilibriumPath path =
-      trace_equilibrium(driven(s, hinge_drive({{3, 0}, Axis::y}, 45 * degree)), {.k_turn = 1e-3}, no_contact);
+  const EquilibriumPath path = trace_equilibrium(
+      driven(s, hinge_drive({{3, 0}, Axis::y}, 45 * radians_per_degree)), {.k_turn = 1e-3}, no_contact);
   EXPECT_GE(path.gaps.max, 1e-2);
   EXPECT_FALSE(solve_closure(s, path.state, {HingeTurn{*s.hinge_at({{3, 0}, Axis::y}), pi / 2}}).closed);
 }
@@ -348,7 +349,7 @@ TEST(PaperTwoUnits, TwistingUnitsAloneWorkAgainstEachOther) {
 
 TEST(PaperTessellations, BendingStripBendingSheetAndCurlingSheetAreTheClosedForm) {
   for (const Structure& s : {bending_strip(), bending_sheet(), curling_sheet()})
-    for (const double theta : {35 * degree, -35 * degree}) {
+    for (const double theta : {35 * radians_per_degree, -35 * radians_per_degree}) {
       EXPECT_LE(error(s, theta, 1e-3), 2e-4);
       EXPECT_EQ(mobility(s, exact_motion(s)).verdict, Verdict::mobile);
     }
@@ -359,7 +360,7 @@ TEST(PaperTessellations, DoNotTouchBeforeTheClosedFormDoes) {
   for (const Structure& s : {bending_strip(), bending_sheet(), curling_sheet()}) {
     const double limit = theta_range(s, exact_motion(s)).positive.theta;
     const EquilibriumPath path =
-        trace_equilibrium(driven(s, drive_to(s, limit - 1 * degree)), {.k_turn = 1e-3});
+        trace_equilibrium(driven(s, drive_to(s, limit - 1 * radians_per_degree)), {.k_turn = 1e-3});
     ASSERT_EQ(path.stop, Stop::reached) << path.why;
     EXPECT_FALSE(first_event(path, Kind::contact));
     EXPECT_LE(from_closed_form(s, path), 1e-3);
@@ -368,15 +369,16 @@ TEST(PaperTessellations, DoNotTouchBeforeTheClosedFormDoes) {
 
 TEST(PaperTessellations, CurlingStripOfBendingAndTwistingUnitsBendsAndTwists) {
   const Structure s = curling_strip();
-  const EquilibriumPath path = trace_equilibrium(driven(s, hinge_drive({{4, 0}, Axis::y}, -45 * degree)),
-                                                 {.k_turn = 1e-3}, no_contact);
+  const EquilibriumPath path = trace_equilibrium(
+      driven(s, hinge_drive({{4, 0}, Axis::y}, -45 * radians_per_degree)), {.k_turn = 1e-3}, no_contact);
   ASSERT_EQ(path.stop, Stop::reached) << path.why;
   for (int c = 0; c < 9; ++c)
     EXPECT_NEAR(lean(s, path.state, c),
-                c % 2 == 0 ? crease_fold(bend_tilt, 45 * degree) : std::abs(pi - twist_angle(twist_alpha)),
+                c % 2 == 0 ? crease_fold(bend_tilt, 45 * radians_per_degree)
+                           : std::abs(pi - twist_angle(twist_alpha)),
                 1e-3);
   const Screw screw = screw_of_period(s, path.state, 2, path.theta);
-  EXPECT_GE(screw.turn, 40 * degree);
+  EXPECT_GE(screw.turn, 40 * radians_per_degree);
   EXPECT_GE(std::abs(screw.slip), 0.1);
 }
 

@@ -114,15 +114,15 @@ Measured measure(const MadeHinge& block, const std::array<int, 3>& count) {
   return {energies[0], energies[1], energies[2], energies[3], energies[4], energies[5]};
 }
 
-struct Case {
+struct Block {
   double slenderness, height, nu;  ///< L / t, h / t
 };
 
 TEST(MadeHinge, IsAsStiffAsCalculixFindsABlockOfItsSize) {
   ASSERT_EQ(std::system("command -v ccx > /dev/null"), 0) << "CalculiX is not installed: make packages";
-  for (const Case& c :
-       {Case{0.6, 5, 0.45}, Case{1, 5, 0.45}, Case{1, 10, 0.48}, Case{1, 5, 0.48}, Case{1.25, 7.5, 0.45},
-        Case{1.5, 5, 0.3}, Case{2, 5, 0.4}, Case{4, 5, 0.45}, Case{4, 10, 0.3}, Case{4, 7.5, 0.48}}) {
+  for (const Block& c :
+       {Block{0.6, 5, 0.45}, Block{1, 5, 0.45}, Block{1, 10, 0.48}, Block{1, 5, 0.48}, Block{1.25, 7.5, 0.45},
+        Block{1.5, 5, 0.3}, Block{2, 5, 0.4}, Block{4, 5, 0.45}, Block{4, 10, 0.3}, Block{4, 7.5, 0.48}}) {
     SCOPED_TRACE(::testing::Message() << "L/t " << c.slenderness << ", h/t " << c.height << ", nu " << c.nu);
     const double t = 0.8;
     const MadeHinge block{.kind = HingeKind::block,

@@ -16,6 +16,7 @@ namespace {
 using namespace testing;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
+using testing::hinge_drive;
 
 AsMade of_equilibrium(const Equilibrium& b, const std::vector<ObservedPoint>& points,
                       const HingeScatter& scatter, const AsMadeOptions& options = {}) {

@@ -1,4 +1,5 @@
 #include "optim/doe/factor.hpp"
+#include "optim/doe/nan.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,7 +15,6 @@ using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();  // an end that leaves a side open
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Wichura, algorithm AS 241, Applied Statistics 37, 477 (1988), and tables of the normal distribution.
 TEST(NormalSpread, HasThePublishedQuantiles) {

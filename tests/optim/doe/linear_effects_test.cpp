@@ -3,12 +3,11 @@
 #include <random>
 
 #include "optim/doe/analysis.hpp"
+#include "optim/doe/nan.hpp"
 #include "tests/optim/doe/test_functions.hpp"
 
 namespace kinetix::optim {
 namespace {
-
-const double nan = std::nan("");  // the response of a sample that failed
 
 /// NIST Statistical Reference Datasets: Longley, J. Am. Stat. Assoc. 62, 819 (1967). Certified values.
 TEST(LinearEffects, AreTheCertifiedOnesOfLongleysData) {

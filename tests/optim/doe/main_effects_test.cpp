@@ -3,6 +3,7 @@
 
 #include "model/base/invalid_input.hpp"
 #include "optim/doe/analysis.hpp"
+#include "optim/doe/nan.hpp"
 #include "tests/optim/doe/test_functions.hpp"
 
 namespace kinetix::optim {
@@ -10,8 +11,6 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
-
-const double nan = std::nan("");  // the response of a sample that failed
 
 TEST(MainEffects, OfATwoByTwoTableAreThoseByHand) {
   const Eigen::MatrixXd samples{{1, 5}, {1, 6}, {2, 5}, {2, 6}};

@@ -33,7 +33,7 @@ std::vector<Factor> unit_cube(int dimensions) {
   return factors;
 }
 
-std::vector<Factor> mixed_factors() {
+std::vector<Factor> several_factors() {
   return {{"range", UniformRange{-2, 3}, 3},
           {"normal", NormalSpread{30, 1}, 2},
           {"cut", NormalSpread{0, 1, 0, 2}, 4},
@@ -52,7 +52,7 @@ SamplingOptions options(SamplingMethod method, std::uint64_t samples = 64, std::
 
 TEST(SamplePlan, MakesTheSameRowInAnyOrder) {
   for (const SamplingMethod method : all_methods) {
-    const SamplePlan plan(mixed_factors(), options(method)), again(mixed_factors(), options(method));
+    const SamplePlan plan(several_factors(), options(method)), again(several_factors(), options(method));
     const Table table = rows(plan);
     std::vector<std::uint64_t> order(plan.size());
     std::iota(order.begin(), order.end(), 0);
@@ -63,7 +63,7 @@ TEST(SamplePlan, MakesTheSameRowInAnyOrder) {
 
 TEST(SamplePlan, MakesTheSameRowsOnSeveralThreads) {
   for (const SamplingMethod method : all_methods) {
-    const SamplePlan plan(mixed_factors(), options(method));
+    const SamplePlan plan(several_factors(), options(method));
     const Table table = rows(plan);
     Table shared(plan.size());
     std::vector<std::thread> threads;
@@ -79,8 +79,8 @@ TEST(SamplePlan, MakesTheSameRowsOnSeveralThreads) {
 TEST(SamplePlan, AnotherSeedGivesOtherRowsWhereThereIsChance) {
   for (const SamplingMethod method : {SamplingMethod::lhs, SamplingMethod::sobol, SamplingMethod::monte_carlo,
                                       SamplingMethod::morris, SamplingMethod::saltelli})
-    EXPECT_NE(rows(SamplePlan(mixed_factors(), options(method, 64, 1))),
-              rows(SamplePlan(mixed_factors(), options(method, 64, 2))));
+    EXPECT_NE(rows(SamplePlan(several_factors(), options(method, 64, 1))),
+              rows(SamplePlan(several_factors(), options(method, 64, 2))));
 }
 
 TEST(SamplePlan, KnowsItsSizeAndSaturates) {
@@ -88,12 +88,12 @@ TEST(SamplePlan, KnowsItsSizeAndSaturates) {
     return SamplePlan(factors, how).size();
   };
   const std::uint64_t largest = std::numeric_limits<std::uint64_t>::max(), many = std::uint64_t{1} << 62;
-  EXPECT_EQ(size(mixed_factors(), options(SamplingMethod::factorial)), 3u * 2 * 4 * 4);
-  EXPECT_EQ(size(mixed_factors(), options(SamplingMethod::one_at_a_time)), 1u + 3 + 2 + 4 + 4);
-  EXPECT_EQ(size(mixed_factors(), options(SamplingMethod::lhs, 1000)), 1000u);
-  EXPECT_EQ(size(mixed_factors(), options(SamplingMethod::sobol, 1024)), 1024u);
-  EXPECT_EQ(size(mixed_factors(), options(SamplingMethod::morris, 10)), 50u);
-  EXPECT_EQ(size(mixed_factors(), options(SamplingMethod::saltelli, 1024)), 6144u);
+  EXPECT_EQ(size(several_factors(), options(SamplingMethod::factorial)), 3u * 2 * 4 * 4);
+  EXPECT_EQ(size(several_factors(), options(SamplingMethod::one_at_a_time)), 1u + 3 + 2 + 4 + 4);
+  EXPECT_EQ(size(several_factors(), options(SamplingMethod::lhs, 1000)), 1000u);
+  EXPECT_EQ(size(several_factors(), options(SamplingMethod::sobol, 1024)), 1024u);
+  EXPECT_EQ(size(several_factors(), options(SamplingMethod::morris, 10)), 50u);
+  EXPECT_EQ(size(several_factors(), options(SamplingMethod::saltelli, 1024)), 6144u);
   EXPECT_EQ(size(unit_cube(31), options(SamplingMethod::factorial)), std::uint64_t{1} << 62);
   EXPECT_EQ(size(unit_cube(32), options(SamplingMethod::factorial)), largest);
   EXPECT_EQ(size(unit_cube(4), options(SamplingMethod::saltelli, many)), largest);
@@ -116,7 +116,7 @@ TEST(Factorial, HoldsEveryCombinationOnceInTheOrderOfNestedLoops) {
                         options(SamplingMethod::factorial));
   EXPECT_THAT(rows(plan), ElementsAre(ElementsAre(1, 0), ElementsAre(1, 0.5), ElementsAre(1, 1),
                                       ElementsAre(2, 0), ElementsAre(2, 0.5), ElementsAre(2, 1)));
-  const Table table = rows(SamplePlan(mixed_factors(), options(SamplingMethod::factorial)));
+  const Table table = rows(SamplePlan(several_factors(), options(SamplingMethod::factorial)));
   EXPECT_EQ(std::set<std::vector<double>>(table.begin(), table.end()).size(), 96u);
 }
 
@@ -174,7 +174,7 @@ TEST(Sobol, FillsTheCubeBetterThanChance) {
 
 TEST(MonteCarlo, HasTheMomentsOfItsDistributions) {
   const int n = 20000;
-  const SamplePlan plan(mixed_factors(), options(SamplingMethod::monte_carlo, n));
+  const SamplePlan plan(several_factors(), options(SamplingMethod::monte_carlo, n));
   const double half = std::sqrt(2 * std::numbers::inv_pi);  // mean of a half normal, before the cut at 2
   const double inside = std::erf(std::sqrt(2.0));
   const double cut_mean = half * (1 - std::exp(-2.0)) / inside;
@@ -242,7 +242,7 @@ TEST(Morris, StaysOnTheLevelsForAnyNumberOfThem) {
 }
 
 TEST(Saltelli, RowsOfABaseAreAThenAWithOneFactorOfBThenB) {
-  const SamplePlan plan(mixed_factors(), options(SamplingMethod::saltelli, 16));
+  const SamplePlan plan(several_factors(), options(SamplingMethod::saltelli, 16));
   for (std::uint64_t n = 0; n < 16; ++n) {
     const auto a = plan.sample(6 * n), b = plan.sample(6 * n + 5);
     for (std::size_t j = 0; j < 4; ++j) {

@@ -5,6 +5,7 @@
 
 #include "model/base/invalid_input.hpp"
 #include "optim/doe/analysis.hpp"
+#include "optim/doe/nan.hpp"
 #include "tests/optim/doe/test_functions.hpp"
 
 namespace kinetix::optim {
@@ -13,8 +14,6 @@ namespace {
 using ::testing::HasSubstr;
 using testing::KnownFunction;
 using ::testing::ThrowsMessage;
-
-const double nan = std::nan("");  // the response of a sample that failed
 
 SamplePlan plan(const KnownFunction& f, std::uint64_t base, std::uint64_t seed) {
   return {f.factors, {.method = SamplingMethod::saltelli, .samples = base, .seed = seed, .base = {}}};

@@ -11,7 +11,6 @@
 namespace kinetix::optim {
 namespace {
 
-constexpr double degree = radians_per_degree;     // rad, so that angles below read in degrees
 const model::CellSize small_cell = {10, 0.8, 6};  // mm: edge, thickness and height, as in the README
 
 FoldOptions options(const model::CellSize& size = small_cell) {
@@ -49,7 +48,7 @@ TEST(FitFold, SaysThatOneColumnACreaseCannotFoldACube) {
 
 TEST(FitFold, SaysThatTiltsAreTooSmall) {
   FoldOptions gentle = options();
-  gentle.tilt = 10 * degree;
+  gentle.tilt = 10 * radians_per_degree;
   const FoldDesign design = fit_fold(targets::box_goal({2, 2, 2}, {}, 2), gentle);
   EXPECT_FALSE(design.folds);
   EXPECT_THAT(design.obstacles, ::testing::ElementsAre(::testing::HasSubstr("more columns")));
@@ -64,19 +63,20 @@ TEST(FitFold, TakesNoTiltsThatMakeWallsTouchWhenFlat) {
 }
 
 TEST(FitFold, SpreadsASteeperFoldOverMoreColumns) {
-  const FoldDesign design = fit_fold(net_goal(pair_of_faces(150 * degree)), options());
+  const FoldDesign design = fit_fold(net_goal(pair_of_faces(150 * radians_per_degree)), options());
   ASSERT_TRUE(design.folds);
   EXPECT_GE(design.folded.layout.creases[0].columns(), 3);
-  EXPECT_NEAR(design.folded.error.fold[0], 150 * degree, 1e-12);
+  EXPECT_NEAR(design.folded.error.fold[0], 150 * radians_per_degree, 1e-12);
 }
 
 TEST(FitFold, FoldsToTheAskedSideOnEverySideOfAFace) {
   for (const targets::Side side :
        {targets::Side::left, targets::Side::right, targets::Side::bottom, targets::Side::top})
     for (const double angle : {-50.0, 70.0}) {
-      const FoldDesign design = fit_fold(net_goal(pair_of_faces(angle * degree, side)), options());
+      const FoldDesign design =
+          fit_fold(net_goal(pair_of_faces(angle * radians_per_degree, side)), options());
       ASSERT_TRUE(design.folds) << to_string(side);
-      EXPECT_NEAR(design.folded.error.fold[0], angle * degree, 1e-12);
+      EXPECT_NEAR(design.folded.error.fold[0], angle * radians_per_degree, 1e-12);
       EXPECT_LE(design.folded.error.rms, 1e-13);
       const model::State state = fold_net(design.folded.tree, design.folded.structure, design.folded.theta);
       const double height = state[*design.folded.structure.body_at({design.folded.layout.faces[1].low.i,
@@ -108,7 +108,8 @@ TEST(FitFold, SaysWhichFacesAreInEachOthersWay) {
 }
 
 TEST(FaceCrossing, IsFoundBeforeWallsOverlap) {
-  const FoldedNet folded = fold_to(two_lids(), {4, 4}, 30 * degree, {10, 0.8, 3}, 60 * degree);
+  const FoldedNet folded =
+      fold_to(two_lids(), {4, 4}, 30 * radians_per_degree, {10, 0.8, 3}, 60 * radians_per_degree);
   const auto crossing = first_face_crossing(folded);
   ASSERT_TRUE(crossing.has_value());
   EXPECT_EQ(crossing->first, 1);
@@ -116,14 +117,14 @@ TEST(FaceCrossing, IsFoundBeforeWallsOverlap) {
   const auto limit = theta_range(folded.structure, exact_motion(folded.structure)).positive;
   EXPECT_TRUE(limit.touches);
   EXPECT_LE(crossing->theta, limit.theta);
-  EXPECT_GE(crossing->theta, limit.theta - 2 * degree);
+  EXPECT_GE(crossing->theta, limit.theta - 2 * radians_per_degree);
 }
 
 TEST(FaceCrossing, FindsNoneInAnyUnfoldingOfACube) {
   const targets::FoldGoal cube = targets::box_goal({2, 2, 2}, {}, 2);
   for (const targets::FoldNet& net : cube.nets)
-    EXPECT_FALSE(
-        first_face_crossing(fold_to(net, std::vector<int>(5, 2), 25 * degree, small_cell, 60 * degree)));
+    EXPECT_FALSE(first_face_crossing(
+        fold_to(net, std::vector<int>(5, 2), 25 * radians_per_degree, small_cell, 60 * radians_per_degree)));
 }
 
 }  // namespace

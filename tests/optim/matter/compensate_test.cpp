@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double theta = 0.5;  // rad: so far that what springs hold back is easily seen
+constexpr double held_theta = 0.5;  // rad: so far that what springs hold back is easily seen
 
 /// A strip of one row whose columns bend alike, by the tilts of their walls along x.
 model::Sheet bent_strip(int columns, double tilt) {
@@ -49,18 +49,18 @@ MatterGoal goal_of(const model::State& exact) {
 
 InMatter settled(const model::Sheet& sheet) {
   const model::ExactMotion exact = exact_motion(sheet);
-  const model::EquilibriumPath path = trace_equilibrium({sheet, springs(sheet, theta), exact}, rubber());
+  const model::EquilibriumPath path = trace_equilibrium({sheet, springs(sheet, held_theta), exact}, rubber());
   EXPECT_EQ(path.stop, model::EquilibriumPath::Stop::reached) << path.why;
-  return {sheet, theta, path.state, 0};
+  return {sheet, held_theta, path.state, 0};
 }
 
 TEST(Compensate, BringsSoftHingesBackToTheExactState) {
   const model::Sheet sheet = bent_strip(8, 0.3);
-  const MatterGoal goal = goal_of(exact_motion(sheet).at(theta));
+  const MatterGoal goal = goal_of(exact_motion(sheet).at(held_theta));
   const Compensation found = compensate(settled(sheet), rubber(), goal);
   EXPECT_GT(found.before.rms_mm, 1) << "the springs hold the fold back";
   EXPECT_LT(found.after.rms_mm, found.before.rms_mm / 50) << found.why;
-  EXPECT_GT(found.after.theta, theta) << "more heat makes up for the hinges' own springs";
+  EXPECT_GT(found.after.theta, held_theta) << "more heat makes up for the hinges' own springs";
 
   // A path of its own from flat comes to the same state.
   const model::EquilibriumPath again = trace_equilibrium(
@@ -82,7 +82,7 @@ TEST(Compensate, EndsAtOnceWhereTheGoalIsMet) {
 TEST(Compensate, KnowsHowDeviationsChange) {
   const model::Sheet sheet = bent_strip(4, 0.3);
   const InMatter at = settled(sheet);
-  const MatterGoal goal = goal_of(exact_motion(sheet).at(theta));
+  const MatterGoal goal = goal_of(exact_motion(sheet).at(held_theta));
   const std::vector<TiltTie> ties = tilt_ties(sheet);
   const auto found = deviation_rates(at, ties, rubber(), goal, true);
   ASSERT_TRUE(found);
@@ -104,7 +104,7 @@ TEST(Compensate, KnowsHowDeviationsChange) {
   };
   Eigen::VectorXd x(found->rates.cols());
   for (std::size_t k = 0; k < ties.size(); ++k) x[static_cast<Eigen::Index>(k)] = ties[k].tilt;
-  x[x.size() - 1] = theta;
+  x[x.size() - 1] = held_theta;
   testing::expect_jacobian(deviations_at, x, found->rates, 1e-6);
 }
 

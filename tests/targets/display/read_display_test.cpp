@@ -18,32 +18,32 @@ using testing::expect_refused;
 using testing::TemporaryFolder;
 using testing::write_image;
 
-DisplayGoal read(const Node& root) {
+DisplayGoal display_of(const Node& root) {
   const auto structure = root.optional("structure");
   return read_display(root.required("target", ""), structure ? structure->optional("cells") : std::nullopt);
 }
 
-DisplayGoal read(const std::string& target, const std::string& file = "in.yaml") {
-  return read(parse_document("target: " + target + "\n", file));
+DisplayGoal display_of(const std::string& target, const std::string& file = "in.yaml") {
+  return display_of(parse_document("target: " + target + "\n", file));
 }
 
 DisplayGoal read_shape(const std::string& name) {
-  return read(read_document(std::string(KINETIX_SOURCE) + "/targets/shapes/" + name));
+  return display_of(read_document(std::string(KINETIX_SOURCE) + "/targets/shapes/" + name));
 }
 
 TEST(ReadDisplay, GivesTenByTenCellsToALetterAndTenColumnsToEachOfAWord) {
-  const DisplayGoal letter = read("{kind: display, glyph: T}");
+  const DisplayGoal letter = display_of("{kind: display, glyph: T}");
   EXPECT_EQ(letter.columns, 10);
   EXPECT_EQ(letter.rows, 10);
   EXPECT_EQ(letter.levels, glyph_goal("T", find_font("DejaVu Serif"), 10, 10).levels);
-  const DisplayGoal word = read("{kind: display, glyph: \"\xC3\x96l\"}");
+  const DisplayGoal word = display_of("{kind: display, glyph: \"\xC3\x96l\"}");
   EXPECT_EQ(word.columns, 20);
   EXPECT_EQ(word.rows, 10);
 }
 
 TEST(ReadDisplay, TakesTheFontAndThePanelThatAreAsked) {
   const DisplayGoal goal =
-      read("{kind: display, glyph: T, font: DejaVu Sans Mono}\nstructure: {cells: [14, 12]}");
+      display_of("{kind: display, glyph: T, font: DejaVu Sans Mono}\nstructure: {cells: [14, 12]}");
   EXPECT_EQ(goal.columns, 14);
   EXPECT_EQ(goal.rows, 12);
   EXPECT_EQ(goal.levels, glyph_goal("T", find_font("DejaVu Sans Mono"), 14, 12).levels);
@@ -54,19 +54,20 @@ TEST(ReadDisplay, FindsImagesBesideTheDocument) {
   TemporaryFolder folder;
   write_image(folder.path("a.png"), drawn({"##..", "##..", "....", "...."}));
   const std::string file = folder.path("in.yaml");
-  EXPECT_EQ(read("{kind: display, image: a.png}", file).columns, 20);
+  EXPECT_EQ(display_of("{kind: display, image: a.png}", file).columns, 20);
   const std::string cells = "\nstructure: {cells: [2, 2]}";
-  EXPECT_THAT(read("{kind: display, image: a.png, levels: 2}" + cells, file).row_texts(),
+  EXPECT_THAT(display_of("{kind: display, image: a.png, levels: 2}" + cells, file).row_texts(),
               ElementsAre("10", "00"));
-  EXPECT_THAT(read("{kind: display, image: a.png, invert: true}" + cells, file).row_texts(),
+  EXPECT_THAT(display_of("{kind: display, image: a.png, invert: true}" + cells, file).row_texts(),
               ElementsAre("01", "11"));
-  EXPECT_THAT(read("{kind: display, image: a.png, levels: grey}\nstructure: {cells: [3, 2]}", file).levels,
-              ElementsAre(0, 0, 0, 1, DoubleEq(0.5), 0));
+  EXPECT_THAT(
+      display_of("{kind: display, image: a.png, levels: grey}\nstructure: {cells: [3, 2]}", file).levels,
+      ElementsAre(0, 0, 0, 1, DoubleEq(0.5), 0));
 }
 
 TEST(ReadDisplay, TakesRowsQuotedOrNot) {
-  EXPECT_THAT(read("{kind: display, rows: [\"0110\", 1001]}").row_texts(), ElementsAre("0110", "1001"));
-  EXPECT_EQ(read("{kind: display, rows: [\"01\", \"10\"]}\nstructure: {cells: [2, 2]}").columns, 2);
+  EXPECT_THAT(display_of("{kind: display, rows: [\"0110\", 1001]}").row_texts(), ElementsAre("0110", "1001"));
+  EXPECT_EQ(display_of("{kind: display, rows: [\"01\", \"10\"]}\nstructure: {cells: [2, 2]}").columns, 2);
 }
 
 TEST(ReadDisplay, ReadsTheGoalsThatShip) {
@@ -130,7 +131,7 @@ TEST(ReadDisplay, NamesThePlaceOfEveryMistake) {
   };
   for (const BadInput& bad : cases) {
     folder.write("in.yaml", "target: " + bad.text + "\n");
-    expect_refused(bad, file, [&] { read(read_document(file)); });
+    expect_refused(bad, file, [&] { display_of(read_document(file)); });
   }
 }
 

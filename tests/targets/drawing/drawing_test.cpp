@@ -51,11 +51,11 @@ void expect_lines(const Drawing& found, const std::vector<std::array<double, 4>>
 }
 
 // Of a closed polyline: its flags and corners.
-const std::string square = "70\n1\n10\n0\n20\n0\n10\n2\n20\n0\n10\n2\n20\n2\n10\n0\n20\n2\n";
+const std::string square_of_lines = "70\n1\n10\n0\n20\n0\n10\n2\n20\n0\n10\n2\n20\n2\n10\n0\n20\n2\n";
 
 TEST(DxfDrawing, HasTheLinesOfItsEntities) {
   expect_lines(parse_dxf(dxf(line(1, 2, 3.5, -4))), {{1, 2, 3.5, -4}});
-  expect_lines(parse_dxf(dxf("0\nLWPOLYLINE\n90\n4\n" + square)),
+  expect_lines(parse_dxf(dxf("0\nLWPOLYLINE\n90\n4\n" + square_of_lines)),
                {{0, 0, 2, 0}, {2, 0, 2, 2}, {2, 2, 0, 2}, {0, 2, 0, 0}});
   expect_lines(
       parse_dxf(dxf("0\nLWPOLYLINE\n70\n0\n10\n1\n20\n1\n10\n2\n20\n1\n10\n2\n20\n3\n" + line(0, 0, 1, 0))),
@@ -126,7 +126,7 @@ TEST(DxfDrawing, RefusesPolylinesSeenFromBelow) {
 
 // Every kind of entity once, so that damage may fall on each.
 const std::string small_dxf =
-    dxf("0\nLWPOLYLINE\n90\n4\n" + square + line(0, 0, -1, -1) +
+    dxf("0\nLWPOLYLINE\n90\n4\n" + square_of_lines + line(0, 0, -1, -1) +
             "0\nPOLYLINE\n70\n1\n0\nVERTEX\n10\n4\n20\n4\n" + "0\nVERTEX\n10\n5\n20\n4\n0\nSEQEND\n",
         units(4));
 
@@ -147,13 +147,13 @@ TEST(SvgDrawing, HasTheLinesOfItsElementsYUpwards) {
 }
 
 TEST(SvgDrawing, WalksPathsBothWays) {
-  const std::vector<std::array<double, 4>> square = {
+  const std::vector<std::array<double, 4>> square_of_lines = {
       {1, -1, 3, -1}, {3, -1, 3, -3}, {3, -3, 1, -3}, {1, -3, 1, -1}};
   for (const std::string path :
        {"M1 1 L3 1 L3 3 L1 3 Z", "M1,1 3,1 3,3 1,3z", "M 1 1 H 3 V 3 H 1 Z", "m1 1 2 0 0 2 -2 0z",
         "M1 1h2v2h-2v-2", "m1 1h2v2h-2Z", "M1 1 3 1 3 3 1 3 1 1 Z", "M+1+1H3V3H1Z"}) {
     SCOPED_TRACE(path);
-    expect_lines(parse_svg(svg("<path d='" + path + "'/>")), square);
+    expect_lines(parse_svg(svg("<path d='" + path + "'/>")), square_of_lines);
   }
   expect_lines(
       parse_svg(svg("<path d='m1 1 h1 v1 z m5 5 h1 M9 9 h-1.5.5'/>")),

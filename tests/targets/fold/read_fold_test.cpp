@@ -11,7 +11,7 @@ namespace {
 using testing::BadInput;
 using testing::expect_refused;
 
-FoldGoal read(const std::string& target) {
+FoldGoal fold_of(const std::string& target) {
   return read_fold(parse_document("target: " + target + "\n", "in.yaml").required("target", ""));
 }
 
@@ -27,26 +27,26 @@ const std::string base_b = ",\n{faces: [base, b], side: right, angle_deg: -60}";
 const std::string a_c = ",\n{faces: [a, c], side: right, angle_deg: 30}";
 
 TEST(ReadFold, TakesABoxInAllItsUnfoldings) {
-  const FoldGoal goal = read("{kind: fold, box: [4, 4, 4], crease_columns: 2}");
+  const FoldGoal goal = fold_of("{kind: fold, box: [4, 4, 4], crease_columns: 2}");
   EXPECT_EQ(goal.box, (std::array{4, 4, 4}));
   EXPECT_EQ(goal.nets.size(), 11u);
   for (const FoldCrease& crease : goal.nets[3].creases) EXPECT_EQ(crease.columns, 2);
 }
 
 TEST(ReadFold, LeavesOutTheOpenFace) {
-  const FoldGoal goal = read("{kind: fold, box: [3, 2, 1], open: top}");
+  const FoldGoal goal = fold_of("{kind: fold, box: [3, 2, 1], open: top}");
   for (const FoldFace& face : goal.nets[0].faces) EXPECT_NE(face.name, "top");
   EXPECT_EQ(goal.nets[0].faces.size(), 5u);
 }
 
 TEST(ReadFold, TakesABoxInMillimetres) {
-  const FoldGoal goal = read("{kind: fold, box_mm: [120, 80.5, 40], open: top}");
+  const FoldGoal goal = fold_of("{kind: fold, box_mm: [120, 80.5, 40], open: top}");
   EXPECT_EQ(goal.box_mm, (std::array{120.0, 80.5, 40.0}));
   EXPECT_EQ(goal.open, 1);
 }
 
 TEST(ReadFold, TakesANetWithAnglesOfBothSigns) {
-  const FoldGoal goal = read(net(base_a + base_b + a_c));
+  const FoldGoal goal = fold_of(net(base_a + base_b + a_c));
   ASSERT_EQ(goal.nets.size(), 1u);
   EXPECT_DOUBLE_EQ(goal.nets[0].creases[1].angle, -pi / 3);
   const NetLayout layout = lay_out(goal.nets[0], {1, 2, 1});
@@ -57,14 +57,14 @@ TEST(ReadFold, TakesARingThatFoldsInOneDirection) {
   const std::string ring = base_a + ",\n{faces: [base, b], side: right, angle_deg: 0}" +
                            ",\n{faces: [a, c], side: right, angle_deg: 0}" +
                            ",\n{faces: [b, c], side: top, angle_deg: 90}";
-  EXPECT_EQ(read(net(ring)).nets[0].creases.size(), 4u);
+  EXPECT_EQ(fold_of(net(ring)).nets[0].creases.size(), 4u);
 }
 
 TEST(ReadFold, RefusesARingThatOpensWhenItFolds) {
   const std::string ring = base_a + ",\n{faces: [base, b], side: right, angle_deg: 0}" +
                            ",\n{faces: [a, c], side: right, angle_deg: 0}" +
                            ",\n{faces: [b, c], side: top, angle_deg: 80}";
-  EXPECT_THAT(testing::refusal([&] { read(net(ring)); }), ::testing::HasSubstr("does not close"));
+  EXPECT_THAT(testing::refusal([&] { fold_of(net(ring)); }), ::testing::HasSubstr("does not close"));
 }
 
 TEST(ReadFold, RefusesWhatIsNoFold) {
@@ -105,7 +105,7 @@ TEST(ReadFold, RefusesWhatIsNoFold) {
        "target.net",
        {"`a-c`", "no neighbours"}},
   };
-  for (const BadInput& bad : cases) expect_refused(bad, "in.yaml", [&] { read(bad.text); });
+  for (const BadInput& bad : cases) expect_refused(bad, "in.yaml", [&] { fold_of(bad.text); });
 }
 
 TEST(ReadFold, RefusesCreasesThatNeedBothDirectionsInOneCell) {
@@ -116,22 +116,22 @@ TEST(ReadFold, RefusesCreasesThatNeedBothDirectionsInOneCell) {
       "{faces: [base, b], side: top, angle_deg: 90},\n"
       "{faces: [b, c], side: right, angle_deg: 90},\n"
       "{faces: [c, d], side: bottom, angle_deg: 90, columns: 3}]}}";
-  const std::string why = testing::refusal([&] { read(text); });
+  const std::string why = testing::refusal([&] { fold_of(text); });
   for (const char* words : {"`base-a`", "`c-d`", "cell [5, 2]", "both ways"})
     EXPECT_THAT(why, ::testing::HasSubstr(words));
 }
 
 TEST(ReadFold, TakesASolidByItsName) {
-  const FoldGoal goal = read("{kind: fold, solid: icosahedron, cells: 3, crease_columns: 2}");
+  const FoldGoal goal = fold_of("{kind: fold, solid: icosahedron, cells: 3, crease_columns: 2}");
   ASSERT_TRUE(goal.solid);
   EXPECT_EQ(goal.solid->solid, 2);
   EXPECT_EQ(goal.solid->cells, 3);
   EXPECT_EQ(goal.solid->columns, 2);
-  EXPECT_THAT(testing::refusal([] { read("{kind: fold, solid: cone}"); }),
+  EXPECT_THAT(testing::refusal([] { fold_of("{kind: fold, solid: cone}"); }),
               ::testing::HasSubstr("icosahedron"));
-  EXPECT_THAT(testing::refusal([] { read("{kind: fold, solid: octahedron, cells: 1}"); }),
+  EXPECT_THAT(testing::refusal([] { fold_of("{kind: fold, solid: octahedron, cells: 1}"); }),
               ::testing::HasSubstr("2 to 8"));
-  EXPECT_THAT(testing::refusal([] { read("{kind: fold, solid: octahedron, box: [1, 1, 1]}"); }),
+  EXPECT_THAT(testing::refusal([] { fold_of("{kind: fold, solid: octahedron, box: [1, 1, 1]}"); }),
               ::testing::HasSubstr("more than one shape"));
 }
 

@@ -12,11 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 using testing::ellipsoid;
-
-Vector3d random_point(std::mt19937& random, double size) {
-  std::uniform_real_distribution<double> unit(-size, size);
-  return {unit(random), unit(random), unit(random)};
-}
+using testing::random_point;
 
 TriangleMesh random_soup(std::mt19937& random, int triangles) {
   TriangleMesh mesh;

@@ -6,6 +6,7 @@
 
 #include "targets/mesh/outer_skin.hpp"
 #include "tests/targets/heads.hpp"
+#include "tests/targets/meshes.hpp"
 
 namespace kinetix::targets {
 namespace {
@@ -18,11 +19,7 @@ using testing::ellipsoid;
 using testing::head_axes;
 using testing::head_with_thin_ears;
 using testing::level;
-
-Vector3d random_point(std::mt19937& random, double size) {
-  std::uniform_real_distribution<double> unit(-size, size);
-  return {unit(random), unit(random), unit(random)};
-}
+using testing::random_point;
 
 void turn_some(TriangleMesh& mesh, std::mt19937& random) {
   for (Triangle& triangle : mesh.triangles)

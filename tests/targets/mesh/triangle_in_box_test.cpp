@@ -12,11 +12,7 @@ namespace kinetix::targets {
 namespace {
 
 using Eigen::Vector3d;
-
-Vector3d random_point(std::mt19937& random, double size) {
-  std::uniform_real_distribution<double> unit(-size, size);
-  return {unit(random), unit(random), unit(random)};
-}
+using testing::random_point;
 
 OrientedBox random_box(std::mt19937& random) {
   const Vector3d axis = random_point(random, 1).normalized();

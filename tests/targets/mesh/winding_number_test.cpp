@@ -6,6 +6,7 @@
 #include <random>
 
 #include "tests/targets/heads.hpp"
+#include "tests/targets/meshes.hpp"
 
 namespace kinetix::targets {
 namespace {
@@ -14,13 +15,9 @@ using Eigen::Vector3d;
 using testing::cube;
 using testing::cut;
 using testing::ellipsoid;
+using testing::random_point;
 
 constexpr double pi_ = std::numbers::pi;  // rad; 4 pi is the solid angle of all directions
-
-Vector3d random_point(std::mt19937& random, double size) {
-  std::uniform_real_distribution<double> unit(-size, size);
-  return {unit(random), unit(random), unit(random)};
-}
 
 WindingNumber winding_of(const TriangleMesh& mesh) { return WindingNumber(TriangleTree(mesh)); }
 

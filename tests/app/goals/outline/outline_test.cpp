@@ -17,14 +17,14 @@ namespace {
 using ::testing::HasSubstr;
 using testing::TemporaryFolder;
 
-RunOptions quick(bool verify = false) {
+RunOptions quick_outline(bool verify = false) {
   RunOptions options;
   options.verify = verify;
   return options;
 }
 
 RunOptions on_threads(int threads) {
-  RunOptions options = quick();
+  RunOptions options = quick_outline();
   options.threads = threads;
   return options;
 }
@@ -43,7 +43,7 @@ std::string target(const std::string& points, const std::string& rest = "") {
 
 app::Run run_of(const std::string& text, bool verify) {
   TemporaryFolder folder;
-  return run_scene(*read_target(folder.write("rim.yaml", text)).goal, quick(verify));
+  return run_scene(*read_target(folder.write("rim.yaml", text)).goal, quick_outline(verify));
 }
 
 nlohmann::json written(app::Run& run) {

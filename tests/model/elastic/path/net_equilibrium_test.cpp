@@ -7,6 +7,7 @@ namespace kinetix::model {
 namespace {
 
 using namespace testing;
+using testing::hinge_drive;
 using Stop = EquilibriumPath::Stop;
 
 EquilibriumPath path_of(const Structure& net, const Drive& drive, double k_turn) {

@@ -15,7 +15,7 @@ using ::testing::IsEmpty;
 using Kind = PathEvent::Kind;
 using Descent = Branch::Descent;
 
-EquilibriumStep at(double drive, double load, int contacts) {
+EquilibriumStep step_at(double drive, double load, int contacts) {
   EquilibriumStep step;
   step.theta = step.drive = drive;
   step.load = load;
@@ -25,13 +25,13 @@ EquilibriumStep at(double drive, double load, int contacts) {
 
 TEST(LockWatch, SeesALoadThatRisesThirtyTimesAsSteeplyAsWithoutContactOnce) {
   LockWatch lock;
-  EXPECT_FALSE(lock.see(at(0, 0, 0), at(1, 2, 0)));
-  EXPECT_FALSE(lock.see(at(1, 2, 0), at(2, 102, 1))) << "contact began on this step";
-  EXPECT_FALSE(lock.see(at(2, 102, 1), at(3, 162, 1))) << "thirty times";
-  EXPECT_FALSE(lock.see(at(3, 162, 1), at(3, 300, 1))) << "the drive rests";
-  EXPECT_EQ(lock.see(at(3, 162, 1), at(4, 242, 1)), 40);
+  EXPECT_FALSE(lock.see(step_at(0, 0, 0), step_at(1, 2, 0)));
+  EXPECT_FALSE(lock.see(step_at(1, 2, 0), step_at(2, 102, 1))) << "contact began on this step";
+  EXPECT_FALSE(lock.see(step_at(2, 102, 1), step_at(3, 162, 1))) << "thirty times";
+  EXPECT_FALSE(lock.see(step_at(3, 162, 1), step_at(3, 300, 1))) << "the drive rests";
+  EXPECT_EQ(lock.see(step_at(3, 162, 1), step_at(4, 242, 1)), 40);
   EXPECT_TRUE(lock.has_locked());
-  EXPECT_FALSE(lock.see(at(4, 242, 1), at(5, 442, 1)));
+  EXPECT_FALSE(lock.see(step_at(4, 242, 1), step_at(5, 442, 1)));
 }
 
 /// Events of a sheet without contact, so that contacts are what steps say.
@@ -52,22 +52,22 @@ class EventsOfASheet : public ::testing::Test {
 };
 
 TEST_F(EventsOfASheet, AreNoneOnASmoothPath) {
-  see(at(0, 0, 0), at(1, 1, 0), {});
+  see(step_at(0, 0, 0), step_at(1, 1, 0), {});
   EXPECT_THAT(kinds(), IsEmpty());
 }
 
 TEST_F(EventsOfASheet, TellWhereWallsBeginToTouchAndPart) {
-  see(at(0, 0, 0), at(1, 1, 2), {});
-  see(at(1, 1, 2), at(2, 1, 1), {});
-  see(at(2, 1, 1), at(3, 1, 0), {});
+  see(step_at(0, 0, 0), step_at(1, 1, 2), {});
+  see(step_at(1, 1, 2), step_at(2, 1, 1), {});
+  see(step_at(2, 1, 1), step_at(3, 1, 0), {});
   EXPECT_THAT(kinds(), ElementsAre(Kind::contact, Kind::release));
   EXPECT_EQ(events_.events()[1].at.drive, 3);
   EXPECT_EQ(events_.events()[1].since, 2);
 }
 
 TEST_F(EventsOfASheet, TellAlongWhatAnUnstableEquilibriumWasLeft) {
-  see(at(0, 0, 0), at(1, 1, 0), {Descent::closed_form, false, true});
-  see(at(1, 1, 0), at(2, 1, 0), {Descent::lowest_mode, true, false});
+  see(step_at(0, 0, 0), step_at(1, 1, 0), {Descent::closed_form, false, true});
+  see(step_at(1, 1, 0), step_at(2, 1, 0), {Descent::lowest_mode, true, false});
   EXPECT_THAT(kinds(), ElementsAre(Kind::bifurcation, Kind::bifurcation, Kind::snap));
   EXPECT_THAT(events_.events()[0].what, HasSubstr("left along the exact mode"));
   EXPECT_THAT(events_.events()[1].what, HasSubstr("left along the lowest mode"));
@@ -75,15 +75,15 @@ TEST_F(EventsOfASheet, TellAlongWhatAnUnstableEquilibriumWasLeft) {
 }
 
 TEST_F(EventsOfASheet, KnowSinceWhenAPathIsOffItsClosedForm) {
-  see(at(0, 0, 0), at(1, 1, 0), {Descent::off_closed_form, false, false});
-  see(at(1, 1, 0), at(2, 2, 0), {});
+  see(step_at(0, 0, 0), step_at(1, 1, 0), {Descent::off_closed_form, false, false});
+  see(step_at(1, 1, 0), step_at(2, 2, 0), {});
   EXPECT_EQ(events_.off_closed_form_since(), 1);
-  see(at(2, 2, 0), at(3, 3, 0), {Descent::lowest_mode, false, false});
+  see(step_at(2, 2, 0), step_at(3, 3, 0), {Descent::lowest_mode, false, false});
   EXPECT_TRUE(std::isnan(events_.off_closed_form_since()));
 }
 
 TEST_F(EventsOfASheet, EndLockedByAContactFurtherOn) {
-  events_.end_locked(at(1, 1, 0), {}, "why");
+  events_.end_locked(step_at(1, 1, 0), {}, "why");
   EXPECT_THAT(kinds(), ElementsAre(Kind::contact, Kind::lock));
   EXPECT_EQ(events_.events()[1].what, "why");
 }

@@ -14,8 +14,6 @@ namespace {
 using namespace testing;
 using Kind = PathEvent::Kind;
 
-constexpr double degree = radians_per_degree;  // rad, so that angles below read in degrees
-
 bool folds(const Structure& s, double theta, const Elasticity& elasticity) {
   const ExactMotion exact = exact_motion(s);
   ElasticSystem system(s, elasticity, drive_to(s, theta).on(s), false, false);
@@ -29,19 +27,21 @@ TEST(SlenderStrips, OfBasicCellsFoldUpToTheirTippingLength) {
   for (const double k_turn : {0.1, 1.0, 3.0}) {
     const Elasticity elasticity{.k_turn = k_turn};
     const auto cells = [&](double part) { return static_cast<int>(part * tipping_length(elasticity)); };
-    EXPECT_TRUE(folds(make_structure(rectangle(cells(0.95), 1), {}), 10 * degree, elasticity)) << k_turn;
-    EXPECT_FALSE(folds(make_structure(rectangle(cells(1.05), 1), {}), 10 * degree, elasticity)) << k_turn;
+    EXPECT_TRUE(folds(make_structure(rectangle(cells(0.95), 1), {}), 10 * radians_per_degree, elasticity))
+        << k_turn;
+    EXPECT_FALSE(folds(make_structure(rectangle(cells(1.05), 1), {}), 10 * radians_per_degree, elasticity))
+        << k_turn;
   }
 }
 
 Structure bending_by_half_a_degree(int cells) {
-  return alternating(cells, 1, {.beta = 0.5 * degree}, basic_unit);
+  return alternating(cells, 1, {.beta = 0.5 * radians_per_degree}, basic_unit);
 }
 
 EquilibriumPath traced(const Structure& s, double k_turn, int side = 1) {
   EquilibriumPathOptions options = without_contact();
   options.side = side;
-  return trace_equilibrium(driven(s, drive_to(s, 30 * degree)), {.k_turn = k_turn}, options);
+  return trace_equilibrium(driven(s, drive_to(s, 30 * radians_per_degree)), {.k_turn = k_turn}, options);
 }
 
 TEST(SlenderStrips, ShorterThanTheirTippingLengthFollowTheClosedForm) {

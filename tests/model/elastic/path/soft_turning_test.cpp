@@ -14,6 +14,7 @@ namespace kinetix::model {
 namespace {
 
 using namespace testing;
+using testing::hinge_drive;
 using Kind = PathEvent::Kind;
 using Stop = EquilibriumPath::Stop;
 

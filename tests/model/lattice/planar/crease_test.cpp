@@ -30,7 +30,7 @@ TEST(Crease, FoldsAnyLatticeByTheLawOfSquares) {
     ASSERT_GE(c.hinges.size(), 5u) << name;
     const Linkage linkage = c.structure;
     for (const double theta : {0.1, 0.4, 0.9}) {
-      const double rho = fold_angle(theta);
+      const double rho = testing::fold_angle(theta);
       const HingeGaps down = hinge_gaps(linkage, folded(c, theta, rho)),
                       up = hinge_gaps(linkage, folded(c, theta, -rho));
       EXPECT_LE(std::min(down.max, up.max), 1e-14) << name;
@@ -47,7 +47,8 @@ TEST(Crease, IsWhatTheElasticModelComesTo) {
   for (const auto& [name, lattice] : lattices) {
     const Creased c = creased(closed_rim(lattice_graph(lattice, 3, 3)));
     ASSERT_GE(c.hinges.size(), 4u) << name;
-    const State down = folded(c, theta, fold_angle(theta)), up = folded(c, theta, -fold_angle(theta));
+    const State down = folded(c, theta, testing::fold_angle(theta)),
+                up = folded(c, theta, -testing::fold_angle(theta));
     const State& exact = hinge_gaps(c.structure, down).max < hinge_gaps(c.structure, up).max ? down : up;
     EXPECT_LE(hinge_gaps(c.structure, exact).max, 1e-14) << name;
     EXPECT_EQ(null_space(c.structure, exact).dofs(), 1) << name;

@@ -10,10 +10,10 @@
 namespace kinetix::model {
 namespace {
 
-constexpr Side sides[] = {Side::left, Side::right, Side::bottom, Side::top};
+constexpr Side all_sides[] = {Side::left, Side::right, Side::bottom, Side::top};
 constexpr Axis axes[] = {Axis::x, Axis::y};
 
-/// All rectangles of up to 3 x 3 cells near the origin, on both sides of it.
+/// All rectangles of up to 3 x 3 cells near the origin, on both all_sides of it.
 std::vector<CellRectangle> small_rectangles() {
   std::vector<CellRectangle> all;
   for (const Cell& low : CellRectangle{{-2, -2}, 4, 4}.cells())
@@ -59,7 +59,7 @@ std::set<Cell> images(const CellRectangle& r, const Motion& motion) {
 }
 
 TEST(Side, HasItsOppositeAcrossTheSameAxis) {
-  for (const Side side : sides) {
+  for (const Side side : all_sides) {
     EXPECT_NE(opposite(side), side);
     EXPECT_EQ(opposite(opposite(side)), side);
     EXPECT_EQ(across(opposite(side)), across(side));
@@ -95,7 +95,7 @@ TEST(CellRectangle, LiesBesideAnotherOneWithTheCellsOfTheGapBetweenThem) {
     return false;
   };
   for (const CellRectangle& r : small_rectangles())
-    for (const Side side : sides)
+    for (const Side side : all_sides)
       for (const int gap : {1, 2, 4})
         for (int shift = -4; shift <= 4; ++shift) {
           const CellRectangle placed = r.beside(fixed, side, gap, shift);
@@ -169,7 +169,7 @@ TEST(CellRectangle, HasTheVerticesBetweenItsEndsLineByLine) {
 TEST(CellRectangle, HasACornerOnEachSideAndItsMiddleBetweenThem) {
   for (const CellRectangle& r : small_rectangles()) {
     const auto all = vertices_of(cells_of(r));
-    for (const Side side : sides) {
+    for (const Side side : all_sides) {
       const auto beyond = [&](const Vertex& v) {
         return (is_upper(side) ? 1 : -1) * row_along(across(side), v);
       };

@@ -19,11 +19,10 @@
 namespace kinetix::model {
 namespace {
 
-constexpr double degree = radians_per_degree;  // rad, so that angles below read in degrees
-
 Structure with_tilts(std::vector<Cell> cells, const std::vector<std::pair<Wall, double>>& tilts_deg) {
   Structure s = make_structure(std::move(cells), {});
-  for (const auto& [wall, tilt] : tilts_deg) s.hinges[*s.hinge_at(wall)].parameters.beta = tilt * degree;
+  for (const auto& [wall, tilt] : tilts_deg)
+    s.hinges[*s.hinge_at(wall)].parameters.beta = tilt * radians_per_degree;
   return s;
 }
 
@@ -38,7 +37,7 @@ Structure corner() {
 
 /// Every second crease gets a tilt of 5 to 40 deg, some of them the same.
 void tilt_creases(Structure& s, std::mt19937& random) {
-  std::uniform_real_distribution<double> tilt(5 * degree, 40 * degree);
+  std::uniform_real_distribution<double> tilt(5 * radians_per_degree, 40 * radians_per_degree);
   std::bernoulli_distribution coin;
   const double often = tilt(random);
   for (const Crease& crease : find_creases(s).list) {
@@ -70,13 +69,14 @@ TEST(FoldAngles, ACornerOfCrossingCreasesIsExactlyMobile) {
   const Structure s = corner();
   const Classification kind = classify(s);
   ASSERT_EQ(kind.family, Family::F4) << kind.why;
-  for (double theta = -80 * degree; theta <= 80 * degree; theta += 5 * degree) {
+  for (double theta = -80 * radians_per_degree; theta <= 80 * radians_per_degree;
+       theta += 5 * radians_per_degree) {
     const HingeGaps gaps = hinge_gaps(s, fold(kind, s, theta));
     EXPECT_LE(gaps.max, 1e-14) << theta;
     EXPECT_LE(gaps.axis_max, 1e-14) << theta;
   }
   const int hinge = *s.hinge_at({{0, 1}, Axis::y});
-  for (const double theta : {20 * degree, -20 * degree, 40 * degree}) {
+  for (const double theta : {20 * radians_per_degree, -20 * radians_per_degree, 40 * radians_per_degree}) {
     const Closure reached = driven_to(s, kind, hinge, theta);
     EXPECT_TRUE(reached.closed) << reached.why;
     EXPECT_LE(aligned_distance(s, reached.state, fold(kind, s, theta)).max, 1e-9);
@@ -184,7 +184,7 @@ TEST(FoldAngles, HingesTurnByTwiceTheHalfTurnOfTheirCrease) {
     const double theta = 0.1 * k - 0.9;
     const State state = fold_net(tree, s, theta);
     for (std::size_t h = 0; h < s.hinges.size(); ++h) {
-      const double own = fold_angle(theta, shifts[creases.of_hinge[h]]).value;
+      const double own = model::fold_angle(theta, shifts[creases.of_hinge[h]]).value;
       const double turn = -2 * s.hinges[h].wall.from.sense() * half_turn(s.hinges[h].parameters.beta, own);
       EXPECT_NEAR(std::remainder(hinge_turn(s, state, static_cast<int>(h)) - turn, 2 * pi), 0, 1e-11)
           << "seed " << seed;
@@ -196,9 +196,9 @@ TEST(FoldAngles, DerivativesMatchCentralDifferences) {
   for (const double shift : {-3.0, -0.4, 0.7, 5.0})
     for (const double theta : {-1.4, -0.3, 0.0, 0.5, 1.5}) {
       const auto value = [](const Eigen::VectorXd& x) -> Eigen::VectorXd {
-        return Eigen::VectorXd::Constant(1, fold_angle(x[0], x[1]).value);
+        return Eigen::VectorXd::Constant(1, model::fold_angle(x[0], x[1]).value);
       };
-      const FoldAngle angle = fold_angle(theta, shift);
+      const FoldAngle angle = model::fold_angle(theta, shift);
       testing::expect_jacobian(value, Eigen::Vector2d(theta, shift),
                                Eigen::RowVector2d(angle.by_theta, angle.by_shift));
     }
@@ -207,7 +207,7 @@ TEST(FoldAngles, DerivativesMatchCentralDifferences) {
 TEST(FoldAngles, ShiftsAreExactlyZeroWhereNoCreaseThatBendsCrossesAnother) {
   const Structure net = testing::cube_net(0.7);
   for (const double shift : fold_shifts(make_net_tree(net).angles, net)) EXPECT_EQ(shift, 0);
-  EXPECT_EQ(fold_angle(0.3, 0).value, 0.3);
+  EXPECT_EQ(model::fold_angle(0.3, 0).value, 0.3);
 }
 
 /// No wall of these three cells stands upright.

@@ -14,8 +14,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double degree = radians_per_degree;  // rad, so that angles below read in degrees
-
 Structure unit(const CellTuple& tuple) {
   Structure cell = make_structure(rectangle(1, 1), {});
   apply_pattern(cell, tuple, tuple, SharedWalls::must_agree);
@@ -48,7 +46,7 @@ TEST(UnitLaws, GrueblersCountOfThePapersGridIsMinusSeven) {
 
 TEST(UnitLaws, AreaRatioIsThatOfTheFoldedUniformCell) {
   for (const double k : {0.05, 0.2, 0.5, 0.8, 1 - 1e-6})
-    for (const double theta : {0.0, 0.3, -0.7, 67.5 * degree}) {
+    for (const double theta : {0.0, 0.3, -0.7, 67.5 * radians_per_degree}) {
       const Sides cell = sides({.P = {k, 1 - k, k, 1 - k}}, theta);
       EXPECT_NEAR(cell.x.cross(cell.y).norm(), area_ratio(k, 2 * theta), 1e-14);
       EXPECT_NEAR(cell.x.dot(cell.y), 0, 1e-14);
@@ -57,13 +55,13 @@ TEST(UnitLaws, AreaRatioIsThatOfTheFoldedUniformCell) {
 
 TEST(UnitLaws, FinalAreaRatioIsTheAreaRatioAt135Degrees) {
   for (const double k : {0.0, 0.2, 0.3, 0.49, 0.8, 1.0})
-    EXPECT_NEAR(final_area_ratio(k), area_ratio(k, 135 * degree), 1e-15);
+    EXPECT_NEAR(final_area_ratio(k), area_ratio(k, 135 * radians_per_degree), 1e-15);
   EXPECT_NEAR(final_area_ratio(0.2), 1 - 0.16 * (2 + std::sqrt(2.0)), 1e-15);
 }
 
 TEST(UnitLaws, ShearedCellClosesByTwiceTheShearAngle) {
   for (const double k : {0.1, 0.3, 0.7, 0.8}) {
-    const Sides cell = sides({.P = {k, k, k, k}}, 45 * degree);
+    const Sides cell = sides({.P = {k, k, k, k}}, 45 * radians_per_degree);
     EXPECT_NEAR(std::atan2(cell.x.cross(cell.y).z(), cell.x.dot(cell.y)), 2 * shear_angle(k), 1e-14);
   }
 }
@@ -104,7 +102,7 @@ TEST(UnitLaws, BendUnitsOfBothSignsAreExactlyMobile) {
 }
 
 TEST(UnitLaws, CreaseFoldsTheSheetAndItsInverseGivesTheTilt) {
-  EXPECT_NEAR(crease_tilt(pi / 2, pi / 4), 54.735610317245346 * degree, 1e-15);
+  EXPECT_NEAR(crease_tilt(pi / 2, pi / 4), 54.735610317245346 * radians_per_degree, 1e-15);
   for (const double beta : {-1.2, -0.3, 0.0, 0.7})
     for (const double theta : {-0.7, 0.1, 0.78}) {
       EXPECT_NEAR(crease_tilt(crease_fold(beta, theta), theta), beta, 1e-14);
