@@ -11,14 +11,14 @@
 namespace kinetix::app {
 namespace {
 
-constexpr int gaps = 6;  // of 0.1, 0.2, ... 0.6 mm: from what fuses everywhere to what is loose everywhere
+constexpr int gaps = 6;                      // of 0.1, 0.2, ... 0.6 mm: round the 0.25 and 0.3 of SLA and FDM
 constexpr double gap_step_mm = 0.1;          // mm: what printers differ by
 constexpr double tilts_deg[] = {0, 30, 60};  // degrees from upright: layers step sideways by their tangent
 constexpr double edge_mm = 26;               // mm, of a wall with room for the largest knuckle and its number
 constexpr double flat = 1e-9;                // of a unit vector: less is rounding
 constexpr double wall_mm = 0.8;              // mm: that of the shipped targets
 constexpr double height_mm = 8;              // mm: room for three knuckles
-constexpr double column_mm = 32, row_mm = 20;  // mm, from one hinge to the next: a finger goes between
+constexpr double column_mm = 32, row_mm = 20;  // mm, from one hinge to the next: walls stay apart
 
 /// @param column of its gap   @param row of its tilt
 void add_hinge(int column, int row, const model::Process& process, PrintSheet& sheet) {

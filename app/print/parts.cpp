@@ -8,8 +8,8 @@
 namespace kinetix::app {
 namespace {
 
-constexpr double apart = 2;          // diameters, from one lying rod to the next: a nozzle goes between
-constexpr double rods_apart_mm = 2;  // mm, from one column of lying rods to the next: likewise
+constexpr double apart = 2;          // diameters, from one lying rod to the next: one is left free
+constexpr double rods_apart_mm = 2;  // mm, from one column of lying rods to the next: they stay apart
 
 /// Of a loose rod: its sections below and above by turns, as rod_solid has them.
 double length_of(const model::Polyhedron& rod) { return (rod.points[1] - rod.points[0]).norm(); }

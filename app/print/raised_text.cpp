@@ -17,7 +17,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using model::Polyhedron;
 
-constexpr int rows = 5;           // squares, of a letter's height: the least that tells digits apart
+constexpr int rows = 5;           // squares, of a letter's height: as the figures below are drawn
 constexpr double flat_mm = 1e-7;  // mm: corners of one face are the same numbers but for rounding
 constexpr double start_angle =
     0.1;  // rad: at which the merging of two outlines starts, of no edge of upright text

@@ -48,6 +48,8 @@ class WallContact {
 /// Theta, rad, at which basic planar cells close: the wall tips of opposite walls meet at
 /// tan(theta) = 1 - thickness / edge.
 double closing_theta(const CellSize& size);
+/// How far below it searches keep theta, rad: at it walls touch.
+inline constexpr double closing_margin = 0.1 * radians_per_degree;
 
 /// Writes the state at fold parameter theta (rad); keeps the flat state at 0.
 using FoldFunction = std::function<void(double theta, State& state)>;

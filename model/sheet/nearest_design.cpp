@@ -13,7 +13,7 @@ namespace {
 constexpr double same = 1e-12;  // rad or cell edges: less is no change
 
 /// One of them, so that as few as can be have to change.
-double median(std::vector<double> values) {
+double upper_median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   return values[values.size() / 2];
 }
@@ -45,17 +45,17 @@ void align(Structure& structure, const Crease& crease, bool tilted) {
     tilts.push_back(alternation(hinge.wall) * hinge.parameters.beta);
     places.push_back(carried_to(first.wall, hinge).t);
   }
-  const double tilt = tilted ? median(std::move(tilts)) : 0;
+  const double tilt = tilted ? upper_median(std::move(tilts)) : 0;
   set_tilt(structure, crease, tilt);
   if (tilt != 0) return;
-  first.parameters.t = median(std::move(places));
+  first.parameters.t = upper_median(std::move(places));
   for (const int h : crease.hinges)
     structure.hinges[h].parameters.t = carried_to(structure.hinges[h].wall, first).t;
 }
 
 enum class Tilted { both, along_x, along_y };
 
-/// @param centred where the walls that do not tilt have their hinges in the median
+/// @param centred where the walls that do not tilt have their hinges in the middle
 Structure aligned(Structure structure, Tilted which, bool centred) {
   for (const Crease& crease : find_creases(structure).list) {
     const bool along_x = crease.axis == Axis::x;

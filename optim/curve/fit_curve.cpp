@@ -23,7 +23,6 @@ constexpr double steep_tilt = 15 * radians_per_degree;  // rad: designs that til
 constexpr double narrowing = 0.8;    // times the limit at which walls collide, at the least, for the next
 constexpr int most_narrowings = 10;  // searches: 0.8^10 is a tenth of the first tilts
 constexpr double worst_growth = 10;  // times the error: beyond, the design is no longer of the goal's shape
-constexpr double margin = 0.1 * radians_per_degree;  // rad that theta keeps below where cells close
 
 void check_at_least(const char* field, int value, int least) {
   if (value < least) throw InvalidInput(fmt::format("{} is {}, must be at least {}", field, value, least));
@@ -57,7 +56,7 @@ model::ThetaLimit first_contact(const model::ExactDesign<double>& design, const 
 }
 
 void keep_below_closing(CurveVariables& v, const model::CellSize& size, std::vector<std::string>& notes) {
-  const double closing = closing_theta(size) - margin;
+  const double closing = closing_theta(size) - model::closing_margin;
   if (!(v.theta.upper > closing)) return;
   if (!(v.theta.lower < closing))
     throw InvalidInput(

@@ -21,8 +21,6 @@ constexpr double step = 1 * radians_per_degree;
 // Rad to which the largest free theta is found: a finer end gains little theta, and each halving is a motion
 // more.
 constexpr double precision = 0.25 * radians_per_degree;
-// Rad: theta is kept so far below the angle at which cells close, since walls touch there.
-constexpr double margin_of_closing = 0.1 * radians_per_degree;
 // Rad: tan(turn / 2), and with it the tilt needed, has no value at 180 deg.
 constexpr double largest_turn_of_a_column = 179 * radians_per_degree;
 
@@ -64,7 +62,7 @@ class NetSearch {
  public:
   NetSearch(const targets::FoldGoal& goal, const FoldOptions& options, const Progress& progress)
       : goal_(goal), options_(options), progress_(progress) {
-    upper_ = std::min(options.theta.upper, closing_theta(options.size) - margin_of_closing);
+    upper_ = std::min(options.theta.upper, closing_theta(options.size) - model::closing_margin);
   }
 
   FoldDesign run() {

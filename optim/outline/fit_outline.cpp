@@ -16,7 +16,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double less_sliding =
-    0.8;  // of walls that met, from round to round: a fifth less clears them in two or three
+    0.8;  // of walls that met, from round to round: the most rounds bring it down to a seventh
 constexpr double less_scaling = 0.93;  // and of their offsets: cells that shrink close sooner
 constexpr double less_beside = 0.98;   // and of the offsets of the other walls round their cells
 constexpr double less_uneven = 0.8;  // and, where the flat panel is free, of the powers by which walls differ

@@ -16,7 +16,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double closing_margin = 0.1 * radians_per_degree;  // rad that theta keeps below where cells close
 constexpr double as_good_a_fit = 1.1;  // times the least error: up to here the room that is left decides
 
 /// What is possible at theta.
@@ -49,7 +48,7 @@ Across across_of(const targets::SpaceGoal& goal, int columns) {
 
 /// Theta range below where cells close.
 AngleRange allowed_theta(const SpaceVariables& v) {
-  const double closing = closing_theta(v.size) - closing_margin;
+  const double closing = closing_theta(v.size) - model::closing_margin;
   if (!(v.theta.lower < closing))
     throw InvalidInput(fmt::format(
         "walls of {:.3g} mm in cells of {:.3g} mm close at theta {:.1f} deg, below the range asked for",

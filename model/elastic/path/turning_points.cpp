@@ -13,7 +13,7 @@ namespace {
 constexpr double theta_accuracy = 1e-7;  // rad of theta: the energy at a maximum is off by its square alone
 constexpr double vanishing = 1e-4;       // of the larger load at both ends: more is left where the path jumps
 constexpr int most_equilibria =
-    60;  // equilibria: bisection alone comes from 1 rad to the theta_accuracy with 24
+    60;  // equilibria: bisection alone comes from 1 rad to the accuracy of theta with 24
 
 class Summit {
  public:

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include "model/base/lower_median.hpp"
 #include "model/lattice/square/net_rules.hpp"
 #include "model/lattice/square/square_theta.hpp"
 
@@ -14,9 +15,7 @@ namespace {
 double median(std::vector<double> values, double fallback) {
   std::erase_if(values, [](double v) { return !std::isfinite(v); });
   if (values.empty()) return fallback;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  return lower_median(std::move(values));
 }
 
 /// Hinge parameters by column and row, with their alternation over the sheet undone.

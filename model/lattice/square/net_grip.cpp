@@ -12,7 +12,7 @@ namespace {
 
 using Cells = std::set<Cell>;
 
-bool has_half(const HingeParameters& p) { return std::abs(p.t - 0.5) <= 1e-9; }
+bool halves_its_wall(const HingeParameters& p) { return std::abs(p.t - 0.5) <= 1e-9; }
 
 /// Cells whose walls all suit.
 template <class Suits>
@@ -56,7 +56,7 @@ std::vector<Grip> largest_rectangles(const Cells& cells) {
 
 std::vector<NetGrip> flat_panels(const Structure& structure) {
   std::vector<NetGrip> panels;
-  const auto is_basic = [](const Hinge& h) { return has_half(h.parameters) && is_vertical(h); };
+  const auto is_basic = [](const Hinge& h) { return halves_its_wall(h.parameters) && is_vertical(h); };
   for (const Grip& grip : largest_rectangles(cells_where(structure, is_basic))) {
     const bool is_long_in_y = grip.last.j - grip.first.j > grip.last.i - grip.first.i;
     panels.push_back({grip, is_long_in_y ? Axis::x : Axis::y});
@@ -68,7 +68,7 @@ std::vector<NetGrip> flat_panels(const Structure& structure) {
 std::vector<NetGrip> spines(const Structure& structure, Axis axis) {
   std::vector<NetGrip> all;
   const auto suits = [&](const Hinge& h) {
-    return has_half(h.parameters) && (h.wall.axis != axis || is_vertical(h));
+    return halves_its_wall(h.parameters) && (h.wall.axis != axis || is_vertical(h));
   };
   for (const Grip& grip : largest_rectangles(cells_where(structure, suits)))
     if (row_along(axis, grip.last) - row_along(axis, grip.first) == 1) all.push_back({grip, axis});

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "model/base/lower_median.hpp"
 #include "model/lattice/square/crease.hpp"
 #include "model/lattice/square/exact_family.hpp"
 #include "model/lattice/square/family_rules.hpp"
@@ -18,12 +19,6 @@ namespace {
 struct CreaseParameters {
   double tilt = 0, t = 0.5;
 };
-
-double lower_median(std::vector<double> values) {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
 
 double fraction_of(const Hinge& hinge) { return fraction_from_lower(hinge.parameters.t, hinge.wall.from); }
 

@@ -36,8 +36,7 @@ TEST_F(ClosedFormOfASheet, IsNearUpToAHundredthOfARadian) {
   const ClosedForm closed_form(system, exact_);
   const State state = *closed_form.at(driven_theta);
   EXPECT_TRUE(closed_form.is_near(state, driven_theta + 0.004));
-  EXPECT_NEAR(*closed_form.distance(state, driven_theta + 0.004), 0.008, 1e-12)
-      << "hinges turn by 2 driven_theta";
+  EXPECT_NEAR(*closed_form.distance(state, driven_theta + 0.004), 0.008, 1e-12) << "hinges turn by 2 theta";
   EXPECT_FALSE(closed_form.is_near(state, driven_theta + 0.006));
 }
 

@@ -13,7 +13,7 @@ namespace {
 constexpr Side all_sides[] = {Side::left, Side::right, Side::bottom, Side::top};
 constexpr Axis axes[] = {Axis::x, Axis::y};
 
-/// All rectangles of up to 3 x 3 cells near the origin, on both all_sides of it.
+/// All rectangles of up to 3 x 3 cells near the origin, on both sides of it.
 std::vector<CellRectangle> small_rectangles() {
   std::vector<CellRectangle> all;
   for (const Cell& low : CellRectangle{{-2, -2}, 4, 4}.cells())
