@@ -1,6 +1,6 @@
 #include <benchmark/benchmark.h>
 
-#include "model/lattice/square/exact_jacobian.hpp"
+#include "model/lattice/square/family/exact_jacobian.hpp"
 #include "optim/curve/curve_starts.hpp"
 #include "targets/curve/curve_error.hpp"
 #include "tests/support/curves.hpp"

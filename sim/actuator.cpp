@@ -10,10 +10,10 @@
 #include "model/base/angle.hpp"
 #include "model/base/larger.hpp"
 #include "model/closure/closure_drive.hpp"
-#include "sim/bullet_math.hpp"
-#include "sim/cord.hpp"
-#include "sim/elastic_hinges.hpp"
-#include "sim/joints.hpp"
+#include "sim/joints/bullet_math.hpp"
+#include "sim/joints/cord.hpp"
+#include "sim/joints/elastic_hinges.hpp"
+#include "sim/joints/joints.hpp"
 
 namespace kinetix::sim {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "model/closure/closure.hpp"
 #include "model/closure/closure_drive.hpp"
-#include "sim/framed_points.hpp"
+#include "sim/joints/framed_points.hpp"
 
 namespace kinetix::sim {
 

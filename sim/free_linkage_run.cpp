@@ -10,11 +10,11 @@
 
 #include "model/base/invalid_input.hpp"
 #include "model/base/larger.hpp"
-#include "sim/bullet_math.hpp"
-#include "sim/direct_solver.hpp"
-#include "sim/joint_order.hpp"
-#include "sim/joints.hpp"
-#include "sim/sequential_impulses.hpp"
+#include "sim/joints/bullet_math.hpp"
+#include "sim/joints/direct_solver.hpp"
+#include "sim/joints/joint_order.hpp"
+#include "sim/joints/joints.hpp"
+#include "sim/joints/sequential_impulses.hpp"
 
 namespace kinetix::sim {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "model/closure/drive_theta.hpp"
 #include "model/hinge/hinge_energy.hpp"
-#include "sim/hand.hpp"
+#include "sim/joints/hand.hpp"
 #include "sim/rigid_parts.hpp"
 #include "sim/world.hpp"
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "model/base/larger.hpp"
-#include "sim/bullet_math.hpp"
 #include "sim/contact_parts.hpp"
+#include "sim/joints/bullet_math.hpp"
 
 namespace kinetix::sim {
 namespace {

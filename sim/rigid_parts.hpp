@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "model/linkage/state.hpp"
-#include "sim/part_shape.hpp"
+#include "sim/joints/row_system.hpp"
 #include "sim/physics_options.hpp"
-#include "sim/row_system.hpp"
+#include "sim/shapes/part_shape.hpp"
 
 class btRigidBody;
 

@@ -10,17 +10,17 @@
 #include <set>
 
 #include "sim/actuator.hpp"
-#include "sim/bullet_math.hpp"
 #include "sim/contact_parts.hpp"
-#include "sim/cord.hpp"
-#include "sim/direct_solver.hpp"
-#include "sim/elastic_hinges.hpp"
-#include "sim/hand.hpp"
-#include "sim/joint_order.hpp"
-#include "sim/joints.hpp"
-#include "sim/part_shape.hpp"
+#include "sim/joints/bullet_math.hpp"
+#include "sim/joints/cord.hpp"
+#include "sim/joints/direct_solver.hpp"
+#include "sim/joints/elastic_hinges.hpp"
+#include "sim/joints/hand.hpp"
+#include "sim/joints/joint_order.hpp"
+#include "sim/joints/joints.hpp"
+#include "sim/joints/sequential_impulses.hpp"
 #include "sim/rigid_parts.hpp"
-#include "sim/sequential_impulses.hpp"
+#include "sim/shapes/part_shape.hpp"
 
 namespace kinetix::sim {
 namespace {

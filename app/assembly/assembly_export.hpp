@@ -2,7 +2,7 @@
 
 #include "app/assembly/assembly_file.hpp"
 #include "app/console/command_options.hpp"
-#include "app/print/print_format.hpp"
+#include "app/print/format/print_format.hpp"
 #include "app/print/print_request.hpp"
 
 namespace kinetix::app {

@@ -8,7 +8,7 @@
 #include <map>
 
 #include "app/files/file_header.hpp"
-#include "app/print/stl_text.hpp"
+#include "app/print/format/stl_text.hpp"
 #include "model/assembly/shells.hpp"
 #include "model/base/angle.hpp"
 #include "targets/mesh/mesh_file.hpp"
@@ -149,7 +149,7 @@ class Reader {
     const std::string name = node.text("name of a hinge");
     for (std::size_t h = 0; h < out_hinges_.size(); ++h)
       if (out_hinges_[h] == name) return static_cast<int>(h);
-    throw node.error("is no hinge of this file");
+    throw node.error("is not a hinge of this file");
   }
 
  private:
@@ -169,7 +169,7 @@ class Reader {
 
   int body_of(const targets::Node& node) const {
     const auto found = body_of_.find(node.text("name of a body"));
-    if (found == body_of_.end()) throw node.error("is no body of this file");
+    if (found == body_of_.end()) throw node.error("is not a body of this file");
     return found->second;
   }
 

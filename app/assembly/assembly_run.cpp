@@ -14,7 +14,7 @@
 #include "model/linkage/make_drive.hpp"
 #include "optim/solvers/parallel_runs.hpp"
 #include "sim/contact_parts.hpp"
-#include "sim/convex_cuts.hpp"
+#include "sim/shapes/convex_cuts.hpp"
 
 namespace kinetix::app {
 namespace {

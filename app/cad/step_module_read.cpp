@@ -80,7 +80,7 @@ class StepModel {
     reader.SetNameMode(true);
     reader.SetColorMode(true);
     if (reader.ReadFile(file.c_str()) != IFSelect_RetDone || !reader.Transfer(document_))
-      throw std::runtime_error("is no STEP file, or is damaged");
+      throw std::runtime_error("is not a STEP file, or is damaged");
     shapes_ = XCAFDoc_DocumentTool::ShapeTool(document_->Main());
     colours_ = XCAFDoc_DocumentTool::ColorTool(document_->Main());
   }

@@ -116,7 +116,7 @@ TopoDS_Shape solid_of(const Shape& shape) {
     pieces.Append(std::visit([](const auto& p) { return built(p); }, piece));
   const TopoDS_Shape whole = fused(pieces);
   TopExp_Explorer solids(whole, TopAbs_SOLID);
-  if (!solids.More()) throw std::runtime_error("STEP: a body is no solid");
+  if (!solids.More()) throw std::runtime_error("STEP: a body is not a solid");
   const TopoDS_Shape solid = solids.Current();
   solids.Next();
   if (solids.More()) throw std::runtime_error("STEP: a body falls into several solids");

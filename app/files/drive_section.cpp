@@ -1,8 +1,8 @@
 #include "app/files/drive_section.hpp"
 
 #include "app/files/wall_node.hpp"
-#include "model/lattice/square/classify.hpp"
-#include "model/lattice/square/net_grip.hpp"
+#include "model/lattice/square/family/classify.hpp"
+#include "model/lattice/square/family/net_grip.hpp"
 #include "model/linkage/actuators.hpp"
 
 namespace kinetix::app {

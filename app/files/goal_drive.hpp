@@ -7,7 +7,7 @@ namespace kinetix::app {
 /// What moves a sheet of elastic hinges that was searched for by closed form.
 struct GoalDrive {
   enum class Kind {
-    usual,         ///< plates or one hinge, as the sheet's family likes it best
+    usual,         ///< plates or one hinge, whichever folds the sheet's family most evenly
     shape_memory,  ///< a spring in each hinge that wants to turn it
   };
 

@@ -21,7 +21,7 @@ HingeLimits read_hinge_limits(const targets::Section& tolerance, const HingeSect
   const bool bends = hinge.made && hinge.made->kind != model::HingeKind::pin;
   tolerance.read("strain", limits.strain);
   if (const auto strain = tolerance.optional("strain"); strain && !bends)
-    throw strain->key_error("is of hinges made as blocks or films; give hinge.kind as well");
+    throw strain->key_error("applies to hinges made as blocks or films; give hinge.kind as well");
   if (limits.strain && *limits.strain > hinge.made->material.strain_max)
     throw tolerance.optional("strain")->error(
         fmt::format("{:g} contradicts the material of `hinge`, which bears {:g}; allowed: up to that",

@@ -34,7 +34,7 @@ const targets::KeyTable& material_keys() {
   static const targets::KeyTable keys({
       {"E_mpa", value::number(modulus), targets::needed, "Young's modulus"},
       {"nu", value::number(poisson), targets::needed, "Poisson's ratio"},
-      {"strain_max", value::number(strain), targets::needed, "the strain that it bears again and again"},
+      {"strain_max", value::number(strain), targets::needed, "the largest strain that it withstands repeatedly"},
   });
   return keys;
 }
@@ -132,7 +132,7 @@ void check_one_way(const targets::Section& section) {
   for (const char* key :
        {"material", "gap_mm", "thickness_mm", "height_mm", "diameter_mm", "clearance_mm", "play"})
     if (const auto node = section.optional(key))
-      throw node->key_error("is of a made hinge; give `kind: pin`, `block` or `film` as well");
+      throw node->key_error("belongs to a made hinge; give `kind: pin`, `block` or `film` as well");
 }
 
 model::HingeStiffness read_stiffness(const targets::Section& section) {
@@ -166,9 +166,9 @@ void check_kind(const targets::Section& section, HingeKind kind) {
       if (const auto node = section.optional(key)) throw node->key_error(why);
   };
   if (kind == HingeKind::pin)
-    refuse({"gap_mm", "thickness_mm"}, "is of blocks and films, not of pins");
+    refuse({"gap_mm", "thickness_mm"}, "belongs to blocks and films, not to pins");
   else
-    refuse({"diameter_mm", "clearance_mm", "play"}, "is of pins, not of blocks and films");
+    refuse({"diameter_mm", "clearance_mm", "play"}, "belongs to pins, not to blocks and films");
 }
 
 /// A length that the section must hold.

@@ -211,7 +211,7 @@ targets::Key lattice_key(std::vector<std::string> words, targets::Default fallba
 targets::Key rim_key(bool closed = false) {
   return {"rim", value::choice(std::vector<std::string>(std::begin(rims), std::end(rims))),
           closed ? targets::otherwise("closed") : targets::by_default("open"),
-          "`closed` adds cells in the notches of the rim, and walls across cells where these do not do, "
+          "`closed` adds cells in the notches of the rim, and, where these are not enough, walls across cells, "
           "until one freedom is left"};
 }
 

@@ -42,7 +42,7 @@ struct Pattern {
 };
 
 [[noreturn]] void missing(const std::string& what) {
-  throw InvalidInput("is no FOLD file of a crease pattern with faces: it has no `" + what +
+  throw InvalidInput("is not a FOLD file of a crease pattern with faces: it has no `" + what +
                      "`; allowed: vertices_coords, faces_vertices, edges_vertices and edges_assignment");
 }
 
@@ -53,7 +53,7 @@ const Json& list_in(const Json& frame, const char* key) {
 }
 
 const Json& frame_of(const Json& root) {
-  if (!root.is_object()) throw InvalidInput("is no FOLD file: its JSON is no object");
+  if (!root.is_object()) throw InvalidInput("is not a FOLD file: its JSON is not an object");
   if (root.contains("faces_vertices") || !root.contains("file_frames")) return root;
   for (const Json& frame : list_in(root, "file_frames"))
     if (frame.is_object() && frame.contains("faces_vertices")) return frame;
@@ -358,7 +358,7 @@ OrigamiFile parse_origami(const std::string& text, const std::string& file) {
   } catch (const Json::parse_error& e) {
     const std::size_t at = std::min(text.size(), e.byte);
     const auto line = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n') + 1;
-    throw InvalidInput("is no JSON, which a FOLD file is",
+    throw InvalidInput("is not JSON, as a FOLD file must be",
                        {file, static_cast<int>(line), targets::column_of(text, at)});
   } catch (const InvalidInput& e) {
     if (!e.place().file.empty()) throw;

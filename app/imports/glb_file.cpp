@@ -90,7 +90,7 @@ void add_meshes(const aiScene& scene, const aiNode& node, const Eigen::Affine3d&
 
 ModelFile read_glb(const std::string& bytes, const std::string& file) {
   if (bytes.size() < 12 || std::memcmp(bytes.data(), "glTF", 4) != 0)
-    throw InvalidInput("is no binary glTF file", {file});
+    throw InvalidInput("is not a binary glTF file", {file});
   Assimp::Importer importer;
   const aiScene* scene =
       importer.ReadFileFromMemory(bytes.data(), bytes.size(), aiProcess_Triangulate, "glb");

@@ -23,7 +23,7 @@ const targets::KeyTable& choice_keys() {
 Eigen::Vector3d read_axis(const targets::Node& node) {
   const auto entries = node.list_of(3, "a direction [x, y, z]");
   const Eigen::Vector3d v(entries[0].number(), entries[1].number(), entries[2].number());
-  if (!(v.norm() > 0)) throw node.error("is no direction: all three are 0");
+  if (!(v.norm() > 0)) throw node.error("is not a direction: all three numbers are 0");
   return v.normalized();
 }
 

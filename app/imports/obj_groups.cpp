@@ -45,7 +45,7 @@ class ObjGroups {
     const int count = static_cast<int>(points_.size());
     const int place = k > 0 ? k - 1 : count + k;
     if (error != std::errc() || end != digits.data() + digits.size() || k == 0 || place < 0 || place >= count)
-      throw words_.error("is no vertex that is there");
+      throw words_.error("is not a vertex of the file");
     return place;
   }
 

@@ -9,7 +9,7 @@ namespace kinetix::app {
 ModelFile read_step(const std::string& file) {
   const std::string start = targets::read_bytes(file, targets::max_mesh_bytes).substr(0, 200);
   if (start.find("ISO-10303-21") == std::string::npos)
-    throw InvalidInput("is no STEP file: it does not start with ISO-10303-21", {file});
+    throw InvalidInput("is not a STEP file: it does not start with ISO-10303-21", {file});
   ModelFile out{file, {}, 1};
   try {
     for (cad::FoundSolid& solid : cad::solids_of_step(file))

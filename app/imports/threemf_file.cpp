@@ -30,7 +30,7 @@ class Package {
     archive_.reset(zip_open_from_source(source, ZIP_RDONLY, &error));
     if (!archive_) {
       zip_source_free(source);
-      throw InvalidInput("is no 3MF file, or is damaged: it is not a zip archive that opens", {file_});
+      throw InvalidInput("is not a 3MF file, or is damaged: it is not a zip archive that opens", {file_});
     }
     check_names();
   }
@@ -38,7 +38,7 @@ class Package {
   std::string text(const std::string& name) const {
     zip_stat_t status;
     if (zip_stat(archive_.get(), name.c_str(), ZIP_FL_NOCASE, &status) != 0)
-      throw InvalidInput("has no `" + name + "` inside; it is no 3MF file, or is damaged", {file_});
+      throw InvalidInput("has no `" + name + "` inside; it is not a 3MF file, or is damaged", {file_});
     if (status.size > max_model_bytes)
       throw InvalidInput("unpacks to " + std::to_string(status.size >> 20) + " MiB in `" + name +
                              "`; at most " + std::to_string(max_model_bytes >> 20) + " MiB are allowed",
@@ -177,7 +177,7 @@ class ThreemfModel {
     char* end = nullptr;
     const double x = std::strtod(text, &end);
     if (end == text || *end != '\0' || !std::isfinite(x))
-      fail("has a vertex whose " + std::string(name) + " is no finite number: " + targets::in_ticks(text));
+      fail("has a vertex whose " + std::string(name) + " is not a finite number: " + targets::in_ticks(text));
     return x;
   }
 

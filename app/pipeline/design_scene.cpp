@@ -34,8 +34,8 @@ class DesignScene final : public Scene {
 
   std::optional<Model> model() const override {
     const bool elastic = design_.hinge.model == HingeSection::Model::elastic;
-    const bool balances = model_ == Model::equilibrium || (model_ == Model::bullet && elastic);
-    return balances ? std::optional(Model::equilibrium) : std::nullopt;
+    const bool in_equilibrium = model_ == Model::equilibrium || (model_ == Model::bullet && elastic);
+    return in_equilibrium ? std::optional(Model::equilibrium) : std::nullopt;
   }
 
   Forecast forecast() const override {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "model/lattice/planar/creased_motion.hpp"
-#include "model/lattice/square/classify.hpp"
+#include "model/lattice/square/family/classify.hpp"
 
 namespace kinetix::app {
 namespace {

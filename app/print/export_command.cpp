@@ -9,11 +9,11 @@
 
 #include "app/console/console.hpp"
 #include "app/io/atomic_file.hpp"
-#include "app/print/coupon.hpp"
 #include "app/print/fit.hpp"
 #include "app/print/overhang.hpp"
 #include "app/print/print_report.hpp"
 #include "app/print/report_of_print.hpp"
+#include "app/print/sheet/coupon.hpp"
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
 #include "targets/document/wording.hpp"

@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "app/print/path_clearance.hpp"
-#include "app/print/print_format.hpp"
+#include "app/print/format/print_format.hpp"
+#include "app/print/sheet/path_clearance.hpp"
 
 namespace kinetix::app {
 

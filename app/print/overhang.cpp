@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "app/print/parts.hpp"
+#include "app/print/format/parts.hpp"
 #include "model/base/angle.hpp"
 
 namespace kinetix::app {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/print/print_format.hpp"
+#include "app/print/format/print_format.hpp"
 
 namespace kinetix::app {
 

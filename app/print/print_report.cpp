@@ -6,10 +6,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/print/gap_settings.hpp"
+#include "app/print/format/gap_settings.hpp"
+#include "app/print/format/parts.hpp"
+#include "app/print/format/units.hpp"
 #include "app/print/overhang.hpp"
-#include "app/print/parts.hpp"
-#include "app/print/units.hpp"
 #include "model/base/angle.hpp"
 
 namespace kinetix::app {

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "app/print/path_clearance.hpp"
-#include "app/print/print_format.hpp"
+#include "app/print/format/print_format.hpp"
+#include "app/print/sheet/path_clearance.hpp"
 #include "app/print/slicer.hpp"
 
 namespace kinetix::app {

@@ -16,11 +16,11 @@
 
 #include "app/io/atomic_file.hpp"
 #include "app/io/text_pattern.hpp"
-#include "app/print/formats.hpp"
+#include "app/print/format/formats.hpp"
+#include "app/print/format/parts.hpp"
+#include "app/print/format/units.hpp"
+#include "app/print/format/zip_text.hpp"
 #include "app/print/overhang.hpp"
-#include "app/print/parts.hpp"
-#include "app/print/units.hpp"
-#include "app/print/zip_text.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -1,6 +1,6 @@
 #include "app/studio/design_message.hpp"
 
-#include "app/print/formats.hpp"
+#include "app/print/format/formats.hpp"
 #include "app/result/same_sheet.hpp"
 #include "app/run/forecast.hpp"
 #include "app/studio/templates.hpp"

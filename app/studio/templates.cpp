@@ -1,7 +1,7 @@
 #include "app/studio/templates.hpp"
 
 #include "app/files/structure_section.hpp"
-#include "model/lattice/square/exact_family.hpp"
+#include "model/lattice/square/family/exact_family.hpp"
 #include "model/lattice/square/numbering.hpp"
 #include "targets/document/wording.hpp"
 

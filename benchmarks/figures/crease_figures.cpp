@@ -90,11 +90,11 @@ Figure patterns(int columns, int rows) {
   model::QuadMesh mesh = testing::random_mesh(columns, rows, spread, random).mesh;
   const PlanarStructure s = origami_sheet(mesh, {}).structure;
   const double gap = largest_gap(s);
-  const int freedoms = null_space(s, exact_motion(s).at(theta)).dofs();
+  const int dimension = null_space(s, exact_motion(s).at(theta)).dofs();
   return {fmt::format("random flat-foldable pattern of {} x {} facets as a creased sheet", columns, rows),
           "<= 1e-11 cell edges, 1 way to move",
-          fmt::format("{:.1e}, {} ({} bodies)", gap, freedoms, s.senses.size()),
-          gap <= 1e-11 && freedoms == 1};
+          fmt::format("{:.1e}, {} ({} bodies)", gap, dimension, s.senses.size()),
+          gap <= 1e-11 && dimension == 1};
 }
 
 }  // namespace
@@ -110,9 +110,9 @@ std::vector<Figure> crease_figures() {
       closure("20 x 20 rhombi of 70 deg", testing::creased_rhombi(20, 20, 70 * radians_per_degree), exact),
       closure("20 x 20 random quads with mirrored walls", testing::creased_quads(20, 1), exact),
       closure("20 x 20 hexagons in Miura's pattern", miura, 1e-11)};
-  const int freedoms = null_space(miura, exact_motion(miura).at(theta)).dofs();
+  const int dimension = null_space(miura, exact_motion(miura).at(theta)).dofs();
   figures.push_back(
-      {"Miura on 20 x 20 hexagons: ways to move", "1", fmt::format("{}", freedoms), freedoms == 1});
+      {"Miura on 20 x 20 hexagons: ways to move", "1", fmt::format("{}", dimension), dimension == 1});
   figures.push_back(physics(miura));
   for (const int facets : {4, 8, 12}) figures.push_back(patterns(facets, facets));
   for (int k = 0; k < static_cast<int>(targets::solid_names().size()); ++k)

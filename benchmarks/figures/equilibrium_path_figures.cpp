@@ -6,7 +6,7 @@
 #include "benchmarks/figure.hpp"
 #include "benchmarks/stopwatch.hpp"
 #include "model/elastic/path/equilibrium_path.hpp"
-#include "model/lattice/square/classify.hpp"
+#include "model/lattice/square/family/classify.hpp"
 #include "tests/support/elastic_runs.hpp"
 #include "tests/support/paper_scenes.hpp"
 

@@ -7,7 +7,7 @@
 #include "benchmarks/scenes.hpp"
 #include "benchmarks/stopwatch.hpp"
 #include "model/elastic/path/equilibrium_path.hpp"
-#include "model/lattice/square/drive.hpp"
+#include "model/lattice/square/family/drive.hpp"
 #include "sim/compression_run.hpp"
 
 namespace kinetix::bench {

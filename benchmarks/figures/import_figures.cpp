@@ -6,7 +6,7 @@
 #include "benchmarks/stopwatch.hpp"
 #include "model/assembly/assembly.hpp"
 #include "model/base/angle.hpp"
-#include "sim/convex_cuts.hpp"
+#include "sim/shapes/convex_cuts.hpp"
 #include "tests/support/strip_solids.hpp"
 
 namespace kinetix::bench {

@@ -5,8 +5,8 @@
 
 #include "benchmarks/figure.hpp"
 #include "benchmarks/stopwatch.hpp"
-#include "model/lattice/square/exact_jacobian.hpp"
-#include "model/lattice/square/net.hpp"
+#include "model/lattice/square/family/exact_jacobian.hpp"
+#include "model/lattice/square/family/net.hpp"
 #include "tests/support/exact_derivatives.hpp"
 #include "tests/support/random_designs.hpp"
 #include "tests/support/random_nets.hpp"

@@ -2,7 +2,7 @@
 
 #include "benchmarks/figure.hpp"
 #include "benchmarks/scenes.hpp"
-#include "model/lattice/square/drive.hpp"
+#include "model/lattice/square/family/drive.hpp"
 #include "sim/compression_run.hpp"
 
 namespace kinetix::bench {

@@ -24,7 +24,7 @@ struct Reading {
   double seconds = 0, load = 0;
 };
 
-Reading read(const std::string& text, int cells_a_module, bool balances) {
+Reading read(const std::string& text, int cells_a_module, bool in_equilibrium) {
   const testing::TemporaryFolder folder;
   const int side = modules * cells_a_module;
   app::DisplayFile file;
@@ -36,7 +36,7 @@ Reading read(const std::string& text, int cells_a_module, bool balances) {
   app::Run run;
   app::RunOptions options;
   options.verify = false;
-  if (balances)
+  if (in_equilibrium)
     run = run_scene(*scene, options);
   else
     scene->solve(run, options);
@@ -49,7 +49,7 @@ Reading read(const std::string& text, int cells_a_module, bool balances) {
   out.exact = seen(display.design.view.state);
   out.before = seen(rest_state(run.structure));
   out.seconds = run.timings.optimise;
-  if (!balances) return out;
+  if (!in_equilibrium) return out;
   out.pressed = seen(run.states.front().poses);
   out.load = run.equilibrium->path.steps.back().load;
   return out;

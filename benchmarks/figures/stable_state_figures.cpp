@@ -7,7 +7,7 @@
 #include "benchmarks/figure.hpp"
 #include "model/elastic/path/stable_states.hpp"
 #include "model/lattice/square/cell_tuple.hpp"
-#include "model/lattice/square/drive.hpp"
+#include "model/lattice/square/family/drive.hpp"
 #include "model/lattice/square/unit_laws.hpp"
 
 namespace kinetix::bench {

@@ -11,7 +11,7 @@
 #include "benchmarks/figure.hpp"
 #include "benchmarks/stopwatch.hpp"
 #include "model/closure/drive_theta.hpp"
-#include "model/lattice/square/exact_family.hpp"
+#include "model/lattice/square/family/exact_family.hpp"
 #include "model/linkage/state.hpp"
 #include "model/sheet/sheet_motion.hpp"
 #include "sim/live_sheet.hpp"

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "model/lattice/square/drive.hpp"
+#include "model/lattice/square/family/drive.hpp"
 #include "model/linkage/state.hpp"
 
 namespace kinetix::bench {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "model/lattice/square/net.hpp"
+#include "model/lattice/square/family/net.hpp"
 
 namespace kinetix::bench {
 namespace {

@@ -1,6 +1,6 @@
 #include "benchmarks/peers/simulated_fit.hpp"
 
-#include "model/lattice/square/drive.hpp"
+#include "model/lattice/square/family/drive.hpp"
 #include "sim/compression_run.hpp"
 #include "targets/curve/curve_error.hpp"
 

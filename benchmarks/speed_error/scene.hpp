@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "model/elastic/path/equilibrium_path.hpp"
-#include "model/lattice/square/classify.hpp"
-#include "model/lattice/square/drive.hpp"
+#include "model/lattice/square/family/classify.hpp"
+#include "model/lattice/square/family/drive.hpp"
 
 namespace kinetix::bench {
 

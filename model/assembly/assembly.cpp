@@ -278,7 +278,7 @@ class Builder {
     for (const auto& [key, axis] : choices_.axes) {
       if (used_.contains(key)) continue;
       throw InvalidInput("--hinges names `" + key +
-                         "`, which is no soft part and no pair of bodies `A/B` with one between them");
+                         "`, which is neither a soft part nor a pair of bodies `A/B` with one between them");
     }
   }
 

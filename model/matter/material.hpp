@@ -11,7 +11,7 @@ struct Material {
   std::string name = {};    ///< as files say it; empty for a user's own
   double E_mpa = 1;         ///< Young's modulus, MPa, > 0
   double nu = 0.45;         ///< Poisson's ratio, [0, 0.5)
-  double strain_max = 0.5;  ///< that it bears again and again, > 0
+  double strain_max = 0.5;  ///< largest strain that it withstands repeatedly, > 0
   std::string source = {};  ///< where the numbers come from
 
   bool operator==(const Material& other) const {

@@ -5,9 +5,9 @@
 #include "model/base/invalid_input.hpp"
 #include "model/lattice/planar/planar_drive.hpp"
 #include "model/lattice/planar/planar_motion.hpp"
-#include "model/lattice/square/classify.hpp"
-#include "model/lattice/square/drive.hpp"
-#include "model/lattice/square/planar_sheet.hpp"
+#include "model/lattice/square/family/classify.hpp"
+#include "model/lattice/square/family/drive.hpp"
+#include "model/lattice/square/family/planar_sheet.hpp"
 #include "model/linkage/actuators.hpp"
 
 namespace kinetix::model {
@@ -85,7 +85,7 @@ Sheet between(const Sheet& before, const Sheet& after, double part) {
 
 PlanarStructure planar_structure(const Sheet& sheet) {
   if (const Structure* squares = sheet.squares()) return planar_structure(*squares);
-  if (sheet.sodalite()) throw InvalidInput("a sodalite lattice is no planar sheet");
+  if (sheet.sodalite()) throw InvalidInput("a sodalite lattice is not a planar sheet");
   return *sheet.planar();
 }
 

@@ -37,7 +37,7 @@ struct SheetDrive {
 /// @throws InvalidInput for values out of range, plates that find nothing to hold, and a cord that nothing shortens
 LinkageDrive drive_on(const Sheet& sheet, const SheetDrive& drive);
 
-/// The drive that takes a sheet to theta, rad, in (-pi/2, pi/2), as its lattice likes it best.
+/// The drive that takes a sheet to theta, rad, in (-pi/2, pi/2), the one that folds its lattice most evenly.
 LinkageDrive drive_to(const Sheet& sheet, double theta);
 
 /// A sheet under its drive while its hinges change bit by bit from those of `before` to those of `after`: part 0

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/lattice/square/exact_jacobian.hpp"
+#include "model/lattice/square/family/exact_jacobian.hpp"
 #include "optim/curve/bend_ties.hpp"
 #include "optim/solvers/least_squares.hpp"
 #include "targets/curve/curve.hpp"

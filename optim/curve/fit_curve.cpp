@@ -8,7 +8,7 @@
 
 #include "model/base/invalid_input.hpp"
 #include "model/contact/wall_contact.hpp"
-#include "model/lattice/square/classify.hpp"
+#include "model/lattice/square/family/classify.hpp"
 #include "optim/curve/curve_starts.hpp"
 
 namespace kinetix::optim {

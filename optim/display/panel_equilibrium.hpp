@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "model/elastic/elastic_system.hpp"
-#include "model/lattice/square/drive.hpp"
+#include "model/lattice/square/family/drive.hpp"
 #include "model/sheet/sheet.hpp"
 
 namespace kinetix::optim {

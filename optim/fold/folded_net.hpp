@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "model/lattice/square/net.hpp"
+#include "model/lattice/square/family/net.hpp"
 #include "targets/fold/fold_error.hpp"
 
 namespace kinetix::optim {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "model/lattice/square/net.hpp"
+#include "model/lattice/square/family/net.hpp"
 
 namespace kinetix::optim {
 namespace {

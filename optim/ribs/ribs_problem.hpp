@@ -1,7 +1,7 @@
 #pragma once
 
+#include "model/lattice/square/family/net.hpp"
 #include "model/lattice/square/fishbone.hpp"
-#include "model/lattice/square/net.hpp"
 #include "optim/solvers/arrow_problem.hpp"
 #include "optim/solvers/variables.hpp"
 #include "targets/mesh/mesh_distance.hpp"

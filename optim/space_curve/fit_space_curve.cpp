@@ -9,7 +9,7 @@
 #include "model/base/invalid_input.hpp"
 #include "model/contact/wall_contact.hpp"
 #include "model/lattice/crease_law.hpp"
-#include "model/lattice/square/classify.hpp"
+#include "model/lattice/square/family/classify.hpp"
 
 namespace kinetix::optim {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "model/lattice/square/exact_family.hpp"
+#include "model/lattice/square/family/exact_family.hpp"
 #include "optim/solvers/solver.hpp"
 #include "optim/solvers/variables.hpp"
 #include "optim/space_curve/across.hpp"

@@ -4,8 +4,8 @@
 #include <pybind11/stl.h>
 
 #include "model/base/invalid_input.hpp"
-#include "model/lattice/square/classify.hpp"
-#include "model/lattice/square/exact_jacobian.hpp"
+#include "model/lattice/square/family/classify.hpp"
+#include "model/lattice/square/family/exact_jacobian.hpp"
 #include "model/lattice/square/numbering.hpp"
 #include "python/bindings/arrays.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <stop_token>
 
-#include "model/lattice/square/exact_family.hpp"
+#include "model/lattice/square/family/exact_family.hpp"
 #include "optim/curve/bend_ties.hpp"
 #include "optim/solvers/least_squares.hpp"
 #include "python/bindings/own_error.hpp"

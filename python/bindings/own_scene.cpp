@@ -8,7 +8,7 @@
 #include "app/result/search_json.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/contact/wall_contact.hpp"
-#include "model/lattice/square/classify.hpp"
+#include "model/lattice/square/family/classify.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::python {

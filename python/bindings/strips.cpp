@@ -7,7 +7,7 @@
 
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
-#include "model/lattice/square/exact_jacobian.hpp"
+#include "model/lattice/square/family/exact_jacobian.hpp"
 #include "model/lattice/square/numbering.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/bindings.hpp"

@@ -25,7 +25,7 @@ Drawing parse_dxf(const std::string& text);
 
 /// line, polyline, polygon, rect and path elements of an SVG file, with their transforms. A user unit is
 /// width / viewBox where the file says so in mm, cm or inches, else a pixel of 1/96 inch.
-/// @throws InvalidInput without a place for what is no SVG file, for curves (circle, ellipse, round corners,
+/// @throws InvalidInput without a place for what is not an SVG file, for curves (circle, ellipse, round corners,
 /// curved path commands), for numbers and units that it cannot read, and for groups without end in each other
 Drawing parse_svg(const std::string& text);
 

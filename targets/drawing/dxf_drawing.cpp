@@ -189,7 +189,7 @@ Drawing parse_dxf(const std::string& text) {
       if (group->code == 70 && variable == "$INSUNITS") mm = unit_mm(*group);
     }
   }
-  if (!is_dxf) throw InvalidInput("is no DXF file");
+  if (!is_dxf) throw InvalidInput("is not a DXF file");
   if (!is_whole) throw InvalidInput("is cut off: a DXF file ends with EOF");
   return entities.drawing(mm);
 }

@@ -105,7 +105,7 @@ model::PlanarGraph read_drawing(const Node& path) {
   const std::filesystem::path file = std::filesystem::path(path.folder()) / path.text(wanted);
   const std::string ending = lower_case(file.extension().string());
   if (ending != ".dxf" && ending != ".svg")
-    throw path.error("is no drawing that is read; allowed: a file that ends in .dxf or .svg");
+    throw path.error("is not a drawing that can be read; allowed: a file that ends in .dxf or .svg");
   try {
     const std::string text = read_bytes(file.string(), max_drawing_bytes);
     const Drawing drawing = ending == ".dxf" ? parse_dxf(text) : parse_svg(text);

@@ -274,9 +274,9 @@ Affine2d page(const pugi::xml_node& svg) {
 Drawing parse_svg(const std::string& text) {
   pugi::xml_document document;
   const pugi::xml_parse_result parsed = document.load_buffer(text.data(), text.size());
-  if (!parsed) throw InvalidInput(std::string("is no SVG file: ") + parsed.description());
+  if (!parsed) throw InvalidInput(std::string("is not an SVG file: ") + parsed.description());
   const pugi::xml_node svg = document.document_element();
-  if (!std::string_view(svg.name()).ends_with("svg")) throw InvalidInput("is no SVG file");
+  if (!std::string_view(svg.name()).ends_with("svg")) throw InvalidInput("is not an SVG file");
   Reader reader;
   reader.read(svg, page(svg));
   return reader.take();

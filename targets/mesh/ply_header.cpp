@@ -38,7 +38,7 @@ std::size_t header_end(const std::string& bytes) {
     if (line_end == std::string_view::npos) break;
     return line_end + (start.substr(line_end).starts_with("\r\n") ? 2 : 1);
   }
-  throw InvalidInput("is no PLY file, or is cut short: its header does not end with `end_header`");
+  throw InvalidInput("is not a PLY file, or is cut short: its header does not end with `end_header`");
 }
 
 class HeaderReader {
@@ -47,7 +47,7 @@ class HeaderReader {
 
   PlyHeader read() {
     words_.next_line();
-    if (words_.word() != "ply") throw words_.error("is no PLY file: it does not start with `ply`");
+    if (words_.word() != "ply") throw words_.error("is not a PLY file: it does not start with `ply`");
     while (words_.next_line()) {
       ++header_.lines;
       read_line(words_.word());
@@ -76,7 +76,7 @@ class HeaderReader {
                          " is no format; allowed: ascii, binary_little_endian, binary_big_endian");
     header_.encoding = it->second;
     has_format_ = true;
-    if (words_.word() != "1.0") throw words_.error("is of an unknown version of PLY; allowed: 1.0");
+    if (words_.word() != "1.0") throw words_.error("is an unknown version of PLY; allowed: 1.0");
   }
 
   void read_element() {

@@ -110,7 +110,7 @@ std::string strict_stl(const std::string& bytes) {
   const std::size_t length = header_bytes + triangle_bytes * declared;
   if (bytes.size() != length && is_text(bytes)) return StlText(bytes).to_binary();
   if (bytes.size() < length)
-    throw InvalidInput("is no STL file, or is cut short: " + byte_count(bytes.size()) + " for " +
+    throw InvalidInput("is not an STL file, or is cut short: " + byte_count(bytes.size()) + " for " +
                        std::to_string(declared) + " triangles, which need " + byte_count(length));
   check_count(declared);
   return bytes.substr(0, length);

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "model/lattice/square/drive.hpp"
+#include "model/lattice/square/family/drive.hpp"
 #include "sim/compression_run.hpp"
 #include "tests/support/random_designs.hpp"
 

@@ -6,7 +6,7 @@
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/linkage/make_drive.hpp"
-#include "sim/convex_cuts.hpp"
+#include "sim/shapes/convex_cuts.hpp"
 #include "tests/support/strip_solids.hpp"
 
 namespace kinetix::sim {

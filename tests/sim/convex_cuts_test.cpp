@@ -1,4 +1,4 @@
-#include "sim/convex_cuts.hpp"
+#include "sim/shapes/convex_cuts.hpp"
 
 #include <gtest/gtest.h>
 

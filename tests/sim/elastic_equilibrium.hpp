@@ -5,7 +5,7 @@
 #include "model/closure/closure.hpp"
 #include "model/closure/closure_drive.hpp"
 #include "model/hinge/elasticity.hpp"
-#include "model/lattice/square/drive.hpp"
+#include "model/lattice/square/family/drive.hpp"
 
 namespace kinetix::testing {
 
@@ -38,7 +38,7 @@ inline Eigen::VectorXd elastic_gradient(const model::Structure& structure, const
   return gradient;
 }
 
-/// Takes out what the plates hold (model/lattice/square/drive.hpp).
+/// Takes out what the plates hold (model/lattice/square/family/drive.hpp).
 inline void drop_plate_forces(const model::Structure& structure, model::Axis axis,
                               Eigen::VectorXd& gradient) {
   const auto row = [&](model::Vertex v) { return axis == model::Axis::x ? v.i : v.j; };

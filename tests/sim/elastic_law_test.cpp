@@ -2,9 +2,9 @@
 
 #include "model/base/invalid_input.hpp"
 #include "model/elastic/elastic_system.hpp"
-#include "model/lattice/square/classify.hpp"
-#include "sim/elastic_hinges.hpp"
+#include "model/lattice/square/family/classify.hpp"
 #include "sim/equilibrium.hpp"
+#include "sim/joints/elastic_hinges.hpp"
 
 namespace kinetix::sim {
 namespace {

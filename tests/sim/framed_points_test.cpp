@@ -1,4 +1,4 @@
-#include "sim/framed_points.hpp"
+#include "sim/joints/framed_points.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <random>
 
 #include "model/closure/drive_theta.hpp"
-#include "model/lattice/square/classify.hpp"
+#include "model/lattice/square/family/classify.hpp"
 #include "tests/sim/runs.hpp"
 
 namespace kinetix::testing {

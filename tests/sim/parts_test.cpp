@@ -3,9 +3,9 @@
 #include <Eigen/Dense>
 #include <random>
 
+#include "sim/joints/row_system.hpp"
 #include "sim/rigid_parts.hpp"
-#include "sim/row_system.hpp"
-#include "sim/wall_prisms.hpp"
+#include "sim/shapes/wall_prisms.hpp"
 #include "sim/world.hpp"
 #include "tests/sim/runs.hpp"
 

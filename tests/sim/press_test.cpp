@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "model/elastic/path/equilibrium_path.hpp"
-#include "model/lattice/square/classify.hpp"
+#include "model/lattice/square/family/classify.hpp"
 #include "sim/compression_run.hpp"
 #include "tests/support/bad_input.hpp"
 #include "tests/support/elastic_runs.hpp"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "model/lattice/square/exact_jacobian.hpp"
+#include "model/lattice/square/family/exact_jacobian.hpp"
 #include "tests/support/random_designs.hpp"
 
 namespace kinetix::sim {

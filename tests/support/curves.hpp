@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "model/base/invalid_input.hpp"
-#include "model/lattice/square/exact_family.hpp"
+#include "model/lattice/square/family/exact_family.hpp"
 #include "targets/curve/curve.hpp"
 
 namespace kinetix::testing {

@@ -7,7 +7,7 @@
 #include "model/closure/closure.hpp"
 #include "model/elastic/adjoint.hpp"
 #include "model/elastic/path/equilibrium_path.hpp"
-#include "model/lattice/square/drive.hpp"
+#include "model/lattice/square/family/drive.hpp"
 #include "tests/support/derivatives.hpp"
 #include "tests/support/elastic_runs.hpp"
 #include "tests/support/random_elastic.hpp"

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "model/elastic/path/equilibrium_path.hpp"
-#include "model/lattice/square/classify.hpp"
-#include "model/lattice/square/drive.hpp"
+#include "model/lattice/square/family/classify.hpp"
+#include "model/lattice/square/family/drive.hpp"
 #include "model/lattice/square/unit_laws.hpp"
 
 /// Shorthand for equilibrium runs against closed forms.

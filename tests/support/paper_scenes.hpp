@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "model/lattice/square/cell_tuple.hpp"
-#include "model/lattice/square/exact_family.hpp"
+#include "model/lattice/square/family/exact_family.hpp"
 
 /// The structures of the paper's figures, by its own cell tuples. Where text and figures leave a number open
 /// (tilts of 30 deg, twisting angles of 80 deg, the lengths of strips), it is chosen here.

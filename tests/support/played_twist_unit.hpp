@@ -5,7 +5,7 @@
 
 #include "model/elastic/path/stable_states.hpp"
 #include "model/lattice/square/cell_tuple.hpp"
-#include "model/lattice/square/drive.hpp"
+#include "model/lattice/square/family/drive.hpp"
 #include "model/matter/made_hinge.hpp"
 #include "tests/support/needed_play.hpp"
 

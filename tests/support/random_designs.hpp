@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "model/lattice/square/classify.hpp"
+#include "model/lattice/square/family/classify.hpp"
 
 namespace kinetix::testing {
 

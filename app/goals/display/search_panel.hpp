@@ -6,7 +6,7 @@
 #include "app/goals/display/display_outcome.hpp"
 #include "app/run/run_options.hpp"
 #include "model/base/progress.hpp"
-#include "model/lattice/square/drive.hpp"
+#include "model/lattice/square/family/drive.hpp"
 #include "optim/display/fit_display.hpp"
 
 namespace kinetix::app {

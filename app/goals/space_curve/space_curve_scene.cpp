@@ -7,7 +7,7 @@
 #include "app/pipeline/physics_settings.hpp"
 #include "app/pipeline/robust_search.hpp"
 #include "app/run/search_words.hpp"
-#include "model/lattice/square/drive.hpp"
+#include "model/lattice/square/family/drive.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::app {

@@ -2,7 +2,7 @@
 
 #include "app/run/run.hpp"
 #include "app/sweep/evaluators/evaluator.hpp"
-#include "model/lattice/square/sheet_reader.hpp"
+#include "model/lattice/square/family/sheet_reader.hpp"
 
 namespace kinetix::app {
 

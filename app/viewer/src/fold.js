@@ -70,7 +70,7 @@ function firstDirection(walls, family) {
 
 /**
  * Creases that cross: crease k moves by cot(theta_k) = cot(theta) + shift, and the shift of walls along x is that of the
- * walls along y less tan(b) tan(g) in every cell (model/lattice/square/fold_angles.hpp).
+ * walls along y less tan(b) tan(g) in every cell (model/lattice/square/family/fold_angles.hpp).
  */
 function shiftsOf(structure, family) {
   const none = structure.hinges.map(() => 0), tilted = (along) => walls.some((w) => w.along === along && Math.abs(w.tilt) > PARALLEL);

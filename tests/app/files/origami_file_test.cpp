@@ -97,7 +97,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 TEST(OrigamiFile, SaysWhichVertexFaceOrEdgeIsWrong) {
   model::QuadMesh mesh = mesh_of(3, 3, 2);
   const std::string good = fold_text(mesh, 9);
-  expect_refused("{", "is no JSON");
+  expect_refused("{", "is not JSON");
   expect_refused("[]", "its JSON is no object");
   expect_refused(replaced(good, "faces_vertices", "faces"), "it has no `faces_vertices`");
   expect_refused(replaced(good, "[15, 14, 10, 11]", "[15, 14, 10]"), "face 0 has 3 corners");

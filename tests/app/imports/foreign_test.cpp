@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/base/angle.hpp"
-#include "sim/convex_cuts.hpp"
+#include "sim/shapes/convex_cuts.hpp"
 #include "targets/mesh/mesh_file.hpp"
 #include "tests/app/program.hpp"
 

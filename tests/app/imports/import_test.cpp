@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/print/stl_text.hpp"
-#include "app/print/zip_text.hpp"
+#include "app/print/format/stl_text.hpp"
+#include "app/print/format/zip_text.hpp"
 #include "model/base/angle.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/schema_errors.hpp"
@@ -161,9 +161,9 @@ TEST(Import, RefusesWhatIsNoModel) {
   const Scratch scratch;
   expect_refused(scratch, "", "import needs a model, or --hard FILE and --soft FILE");
   expect_refused(scratch, (scratch / "none.stl").string(), "none.stl");
-  expect_refused("model.doc", "x", "is of no known model format");
-  expect_refused("model.3mf", "no zip", "is no 3MF file, or is damaged");
-  expect_refused("model.step", "ISO-10303-20;", "is no STEP file");
+  expect_refused("model.doc", "x", "has no known model format");
+  expect_refused("model.3mf", "no zip", "is not a 3MF file, or is damaged");
+  expect_refused("model.step", "ISO-10303-20;", "is not a STEP file");
   expect_refused(
       "model.step",
       "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('','',(''),(''),'','','');\n"
@@ -191,7 +191,7 @@ TEST(Import, RefusesPackagesThatMeanHarm) {
       threemf(
           "<object id=\"1\"><mesh><vertices><vertex x=\"0\" y=\"0\" z=\"inf\"/></vertices></mesh></object>",
           "<item objectid=\"1\"/>"),
-      "has a vertex whose z is no finite number: `inf`");
+      "has a vertex whose z is not a finite number: `inf`");
 }
 
 TEST(Import, RefusesMoreThanAMillionTriangles) {
@@ -243,7 +243,7 @@ TEST(Import, IsExportedAndImportedAgain) {
   EXPECT_THAT(refused.err, HasSubstr("`step` is of sheets; a design of bodies is written as stl, 3mf, glb"));
 }
 
-TEST(Import, IsSimulatedBalancedAndVerified) {
+TEST(Import, IsSimulatedInEquilibriumAndVerified) {
   const Scratch scratch;
   imported(scratch, scratch.write("pair.obj", pair_of_walls()) + " --material tpu95a");
   const std::string design = (scratch / "out/design.yaml").string();

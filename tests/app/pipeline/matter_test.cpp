@@ -112,7 +112,7 @@ TEST(Matter, LimitsOfAFoldMustFitItsDrive) {
               HasSubstr("goal.yaml:6:13: tolerance.force_N: is for a drive from outside"));
   EXPECT_THAT(
       finished(scratch, "kinetix: 1\ntarget: {kind: fold, box: [2, 2, 2]}\ntolerance: {force_N: 3}\n").err,
-      HasSubstr("tolerance.force_N: is of elastic hinges; give `hinge` as well"));
+      HasSubstr("tolerance.force_N: applies to elastic hinges; give `hinge` as well"));
 }
 
 const std::string soft_disc = R"(kinetix: 1
@@ -284,7 +284,7 @@ TEST(Matter, RefusesWhatCannotBeMade) {
        "tolerance.strain: 0.8 contradicts the material of `hinge`, which bears 0.5"},
       {letter + "drive: {kind: hinge}\ntolerance: {force_N: 3}\n", "tolerance.force_N: is for plates"},
       {"kinetix: 1\ntarget: {kind: display, glyph: T}\ntolerance: {strain: 0.3}\n",
-       "tolerance.strain: is of hinges made as blocks or films"},
+       "tolerance.strain: applies to hinges made as blocks or films"},
       {arc + rubber + "drive: {kind: usual, k_turn: 5}\n", "drive.k_turn"},
       {arc + rubber + "drive: {kind: shape_memory}\n", "`k_turn` is missing"},
       {arc + rubber + "drive: {kind: heat}\n", "usual, shape_memory"},

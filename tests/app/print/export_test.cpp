@@ -10,10 +10,10 @@
 #include <regex>
 
 #include "app/print/fit.hpp"
+#include "app/print/format/zip_text.hpp"
 #include "app/print/overhang.hpp"
-#include "app/print/raised_text.hpp"
+#include "app/print/sheet/raised_text.hpp"
 #include "app/print/slicer.hpp"
-#include "app/print/zip_text.hpp"
 #include "app/report/report.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/linkage/state.hpp"

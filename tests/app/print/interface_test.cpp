@@ -6,7 +6,7 @@
 #include <regex>
 
 #include "app/print/fit.hpp"
-#include "app/print/strips.hpp"
+#include "app/print/format/strips.hpp"
 #include "tests/app/print/mesh_distance.hpp"
 #include "tests/app/program.hpp"
 

@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "app/print/fit.hpp"
-#include "app/print/parts.hpp"
+#include "app/print/format/parts.hpp"
 #include "model/linkage/state.hpp"
 #include "tests/app/print/gltf_judge.hpp"
 #include "tests/app/print/mujoco_judge.hpp"

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "model/base/angle.hpp"
-#include "model/lattice/square/exact_family.hpp"
+#include "model/lattice/square/family/exact_family.hpp"
 #include "tests/support/derivatives.hpp"
 #include "tests/support/random_elastic.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "model/closure/closure.hpp"
 #include "model/closure/closure_solver.hpp"
-#include "model/lattice/square/classify.hpp"
+#include "model/lattice/square/family/classify.hpp"
 #include "model/opening/soft_aperture.hpp"
 #include "tests/support/derivatives.hpp"
 

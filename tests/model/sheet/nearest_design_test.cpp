@@ -1,6 +1,6 @@
 #include "model/sheet/nearest_design.hpp"
 
-#include "model/lattice/square/exact_family.hpp"
+#include "model/lattice/square/family/exact_family.hpp"
 #include "model/sheet/sheet_motion.hpp"
 #include "tests/support/random_designs.hpp"
 

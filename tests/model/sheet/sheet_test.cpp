@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "model/lattice/square/drive.hpp"
+#include "model/lattice/square/family/drive.hpp"
 #include "model/sheet/sheet_motion.hpp"
 #include "tests/support/bad_input.hpp"
 #include "tests/support/planar_graphs.hpp"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "model/lattice/square/planar_sheet.hpp"
+#include "model/lattice/square/family/planar_sheet.hpp"
 #include "model/lattice/square/structure.hpp"
 
 namespace kinetix::optim {

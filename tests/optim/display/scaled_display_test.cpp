@@ -8,7 +8,7 @@
 #include "model/base/invalid_input.hpp"
 #include "model/closure/mobility.hpp"
 #include "model/contact/wall_contact.hpp"
-#include "model/lattice/square/classify.hpp"
+#include "model/lattice/square/family/classify.hpp"
 #include "optim/display/fit_display.hpp"
 #include "targets/display/glyph_goal.hpp"
 #include "targets/display/panel_levels.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "model/contact/wall_contact.hpp"
-#include "model/lattice/square/classify.hpp"
+#include "model/lattice/square/family/classify.hpp"
 #include "optim/fold/face_crossing.hpp"
 
 namespace kinetix::optim {

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "model/base/invalid_input.hpp"
-#include "model/lattice/square/classify.hpp"
+#include "model/lattice/square/family/classify.hpp"
 #include "model/linkage/half_wall.hpp"
 #include "targets/helmet/head.hpp"
 #include "targets/helmet/walls_inside.hpp"

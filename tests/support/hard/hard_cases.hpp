@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "model/hinge/elasticity.hpp"
-#include "model/lattice/square/drive.hpp"
+#include "model/lattice/square/family/drive.hpp"
 #include "model/linkage/state.hpp"
 
 namespace kinetix::testing {

@@ -111,7 +111,7 @@ TEST(DxfDrawing, RefusesCurvesWithTheirLine) {
 TEST(DxfDrawing, RefusesWhatIsMissing) {
   EXPECT_THAT(refusal([] { parse_dxf("AutoCAD Binary DXF\r\n"); }), HasSubstr("binary DXF"));
   EXPECT_THAT(refusal([] { parse_dxf("<svg/>"); }), HasSubstr("whole number"));
-  EXPECT_THAT(refusal([] { parse_dxf(""); }), HasSubstr("is no DXF file"));
+  EXPECT_THAT(refusal([] { parse_dxf(""); }), HasSubstr("is not a DXF file"));
   EXPECT_THAT(refusal([] { parse_dxf(dxf("0\nLINE\n10\n0\n20\n0\n11\n5\n")); }), HasSubstr("coordinate"));
   EXPECT_THAT(refusal([] { parse_dxf(dxf("0\nLWPOLYLINE\n10\n0\n20\n0\n10\n4\n")); }),
               HasSubstr("coordinate"));
@@ -225,12 +225,12 @@ TEST(SvgDrawing, RefusesCurvesAndWhatItCannotRead) {
       {"<g transform='scale 1'/>", "has no `(`"},
       {"<g transform='scale(1'/>", "where a number belongs"},
       {"<line x1='1e999'/>", "where a number belongs"},
-      {"<line", "is no SVG file"},
+      {"<line", "is not an SVG file"},
   };
   for (const auto& [text, says] : bad)
     EXPECT_THAT(refusal([&, &bad_text = text] { parse_svg(svg(bad_text)); }), HasSubstr(says)) << text;
-  EXPECT_THAT(refusal([] { parse_svg("<html/>"); }), HasSubstr("is no SVG file"));
-  EXPECT_THAT(refusal([] { parse_svg(""); }), HasSubstr("is no SVG file"));
+  EXPECT_THAT(refusal([] { parse_svg("<html/>"); }), HasSubstr("is not an SVG file"));
+  EXPECT_THAT(refusal([] { parse_svg(""); }), HasSubstr("is not an SVG file"));
 }
 
 TEST(SvgDrawing, RefusesGroupsWithoutEnd) {

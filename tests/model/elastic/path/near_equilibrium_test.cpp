@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "model/lattice/square/classify.hpp"
+#include "model/lattice/square/family/classify.hpp"
 #include "model/sheet/sheet_motion.hpp"
 #include "tests/support/elastic_runs.hpp"
 #include "tests/support/random_designs.hpp"

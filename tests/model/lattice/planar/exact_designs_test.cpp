@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "model/lattice/square/classify.hpp"
+#include "model/lattice/square/family/classify.hpp"
 #include "tests/support/planar_graphs.hpp"
 
 namespace kinetix::model {
@@ -99,16 +99,16 @@ TEST(ExactDesigns, NearestIsTheOrthogonalProjection) {
     if (s.faces.empty()) continue;
     std::mt19937 random(7);
     std::uniform_real_distribution<double> by(-0.2, 0.2);
-    VectorXd wish(s.hinges.size());
-    for (double& value : wish) value = by(random);
-    place(wish, s);
+    VectorXd desired(s.hinges.size());
+    for (double& value : desired) value = by(random);
+    place(desired, s);
     const PlanarStructure exact = nearest_exact(s);
     EXPECT_TRUE(exact_motion(exact)) << c.name;
 
     const MatrixXd m = conditions(s);
-    const VectorXd projected = wish - m.completeOrthogonalDecomposition().solve(m * wish);
+    const VectorXd projected = desired - m.completeOrthogonalDecomposition().solve(m * desired);
     const ExactDesigns designs(s);
-    EXPECT_LE((designs.design(designs.numbers(wish)) - projected).lpNorm<Eigen::Infinity>(), 1e-13) << c.name;
+    EXPECT_LE((designs.design(designs.numbers(desired)) - projected).lpNorm<Eigen::Infinity>(), 1e-13) << c.name;
     PlanarStructure expected = s;
     place(projected, expected);
     for (std::size_t h = 0; h < s.hinges.size(); ++h)

@@ -7,7 +7,7 @@
 
 #include "model/base/invalid_input.hpp"
 #include "model/closure/mobility.hpp"
-#include "model/lattice/square/classify.hpp"
+#include "model/lattice/square/family/classify.hpp"
 #include "tests/support/planar_graphs.hpp"
 #include "tests/support/random_designs.hpp"
 

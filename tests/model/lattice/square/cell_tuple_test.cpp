@@ -6,7 +6,7 @@
 #include <string>
 
 #include "model/base/invalid_input.hpp"
-#include "model/lattice/square/classify.hpp"
+#include "model/lattice/square/family/classify.hpp"
 #include "model/lattice/square/unit_laws.hpp"
 
 namespace kinetix::model {

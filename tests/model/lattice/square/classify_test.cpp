@@ -1,4 +1,4 @@
-#include "model/lattice/square/classify.hpp"
+#include "model/lattice/square/family/classify.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

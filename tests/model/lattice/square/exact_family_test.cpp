@@ -1,10 +1,10 @@
-#include "model/lattice/square/exact_family.hpp"
+#include "model/lattice/square/family/exact_family.hpp"
 
 #include <ceres/jet.h>
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
-#include "model/lattice/square/exact_jacobian.hpp"
+#include "model/lattice/square/family/exact_jacobian.hpp"
 #include "tests/support/exact_derivatives.hpp"
 #include "tests/support/random_designs.hpp"
 

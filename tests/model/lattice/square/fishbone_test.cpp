@@ -6,8 +6,8 @@
 
 #include "model/base/invalid_input.hpp"
 #include "model/base/rotation_vector.hpp"
-#include "model/lattice/square/classify.hpp"
-#include "model/lattice/square/net.hpp"
+#include "model/lattice/square/family/classify.hpp"
+#include "model/lattice/square/family/net.hpp"
 #include "tests/support/derivatives.hpp"
 
 namespace kinetix::model {

@@ -1,4 +1,4 @@
-#include "model/lattice/square/fold_angles.hpp"
+#include "model/lattice/square/family/fold_angles.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 
 #include "model/closure/closure_solver.hpp"
 #include "model/closure/mobility.hpp"
-#include "model/lattice/square/classify.hpp"
-#include "model/lattice/square/drive.hpp"
-#include "model/lattice/square/net_rules.hpp"
+#include "model/lattice/square/family/classify.hpp"
+#include "model/lattice/square/family/drive.hpp"
+#include "model/lattice/square/family/net_rules.hpp"
 #include "tests/support/derivatives.hpp"
 #include "tests/support/random_designs.hpp"
 #include "tests/support/random_nets.hpp"

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "model/lattice/square/classify.hpp"
 #include "model/lattice/square/crease.hpp"
+#include "model/lattice/square/family/classify.hpp"
 
 namespace kinetix::model {
 namespace {

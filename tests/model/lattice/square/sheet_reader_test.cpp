@@ -1,8 +1,8 @@
-#include "model/lattice/square/sheet_reader.hpp"
+#include "model/lattice/square/family/sheet_reader.hpp"
 
 #include <gtest/gtest.h>
 
-#include "model/lattice/square/classify.hpp"
+#include "model/lattice/square/family/classify.hpp"
 #include "tests/support/random_designs.hpp"
 
 namespace kinetix::model {

@@ -1,0 +1,284 @@
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <iterator>
+#include <queue>
+#include <set>
+
+#include "app/print/format/formats.hpp"
+#include "app/print/format/parts.hpp"
+#include "app/print/format/units.hpp"
+
+namespace kinetix::app {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double density = 1200;  // kg/m^3: of PLA and of the resins of PolyJet and SLA, 1150 to 1250
+constexpr double quickness = 30;  // rad/s: of the actuator: the sheet follows its control within 0.1 s
+constexpr double stiffer =
+    10;  // times what hinges hold back, at least: so that no mode but the fold gives way
+constexpr double resolved = 0.2;   // of a period over 2 pi: the longest step in which the actuator is stable
+constexpr double step_s = 2e-3;    // s: of MuJoCo's own default
+constexpr double loop_step = 2.5;  // times step_s: in which gaps of loops close
+constexpr double least_mass = 1e-12;  // kg: below it the actuator would have nothing to move
+
+std::string text(const Vector3d& v) { return fmt::format("{:.10g} {:.10g} {:.10g}", v.x(), v.y(), v.z()); }
+
+/// A body as the scene has it, in a tree of fewest hinges from the middle of the sheet.
+struct TreeLink {
+  int parent = -1, hinge = -1;
+  std::vector<int> children = {};
+};
+
+int middle_body(const PrintSheet& sheet) {
+  Vector3d middle = Vector3d::Zero();
+  const int n = static_cast<int>(sheet.bodies.size());
+  for (int b = 0; b < n; ++b) middle += sheet.linkage.rest_position(b) / n;
+  int nearest = 0;
+  for (int b = 1; b < n; ++b)
+    if ((sheet.linkage.rest_position(b) - middle).norm() <
+        (sheet.linkage.rest_position(nearest) - middle).norm() - 1e-9)
+      nearest = b;
+  return nearest;
+}
+
+std::vector<TreeLink> tree_of(const PrintSheet& sheet, int root) {
+  std::vector<std::vector<int>> at(sheet.bodies.size());
+  for (int h = 0; h < static_cast<int>(sheet.hinges.size()); ++h)
+    for (const int b : {sheet.linkage.hinges[h].lower, sheet.linkage.hinges[h].upper}) at[b].push_back(h);
+  std::vector<TreeLink> links(sheet.bodies.size());
+  std::vector<bool> known(sheet.bodies.size());
+  std::queue<int> next;
+  next.push(root);
+  known[root] = true;
+  for (; !next.empty(); next.pop())
+    for (const int h : at[next.front()]) {
+      const model::RestHinge& hinge = sheet.linkage.hinges[h];
+      const int other = hinge.lower == next.front() ? hinge.upper : hinge.lower;
+      if (known[other]) continue;
+      known[other] = true;
+      links[other].parent = next.front();
+      links[other].hinge = h;
+      links[next.front()].children.push_back(other);
+      next.push(other);
+    }
+  return links;
+}
+
+class MujocoFile {
+ public:
+  explicit MujocoFile(const PrintSheet& sheet)
+      : sheet_(sheet),
+        root_(middle_body(sheet)),
+        links_(tree_of(sheet, root_)),
+        masses_(sheet.bodies.size()) {
+    for (int b = 0; b < static_cast<int>(masses_.size()); ++b) masses_[b] = mass_of(b);
+    for (int h = 0; h < static_cast<int>(sheet.hinges.size()); ++h)
+      if (!sheet.soft[h].points.empty())
+        for (const int b : {sheet.linkage.hinges[h].lower, sheet.linkage.hinges[h].upper})
+          add_mass(0.5 * density * 1e-9 * volume_mm3(as_filed(placed_soft(sheet, flat(), h))),
+                   hinge_point(h, b), masses_[b]);
+    find_turns();
+  }
+
+  std::string text() {
+    out_ = fmt::format(
+        "<mujoco model=\"{}\">\n<compiler angle=\"radian\" inertiafromgeom=\"false\" boundmass=\"0\"/>\n"
+        "<size njmax=\"{}\" nconmax=\"10\" nstack=\"{}\"/>\n"
+        "<option timestep=\"{:g}\" gravity=\"0 0 0\" integrator=\"implicit\" iterations=\"50\"/>\n"
+        "<default>\n<geom contype=\"0\" conaffinity=\"0\" rgba=\"0.85 0.85 0.82 1\"/>\n"
+        "<equality solref=\"{:g} 1\" solimp=\"0.99 0.999 0.001\"/>\n</default>\n",
+        sheet_.name, rows() + 100, stack(), step(), loop_step * step());
+    add_assets();
+    out_ += "<worldbody>\n<light pos=\"0 0 1\" dir=\"0 0 -1\" directional=\"true\"/>\n";
+    add_body(root_);
+    out_ += "</worldbody>\n";
+    add_loops();
+    if (turned_ > 0) add_actuator();
+    return out_ + "</mujoco>\n";
+  }
+
+ private:
+  struct Mass {
+    double kg = 0;
+    Vector3d center = Vector3d::Zero();                 // m, from the body's rest position
+    Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // kg m^2, about the center
+  };
+
+  const model::State& flat() const { return sheet_.path.front(); }
+
+  Mass mass_of(int body) const {
+    const model::MassProperties m = mass_properties(sheet_.with_rods(body));
+    const double volume_mm3 = model::volume_mm3(as_filed(placed_body(sheet_, flat(), body)));
+    return {density * 1e-9 * volume_mm3, metres_per_mm * m.center, density * 1e-15 * m.inertia};
+  }
+
+  /// A point of mass. @param place m
+  static void add_mass(double kg, const Vector3d& place, Mass& to) {
+    const Vector3d apart = place - to.center;
+    const double reduced = kg * to.kg / (kg + to.kg);
+    to.inertia += reduced * (apart.squaredNorm() * Eigen::Matrix3d::Identity() - apart * apart.transpose());
+    to.center += kg / (kg + to.kg) * apart;
+    to.kg += kg;
+  }
+
+  int loops() const { return static_cast<int>(sheet_.hinges.size()) - static_cast<int>(links_.size()) + 1; }
+  int rows() const { return 6 * loops(); }
+  /// Numbers that its solver works with: its Jacobian, what it is multiplied by, and a Hessian, some times over.
+  long stack() const {
+    const long rows_ = rows() + 100, dofs = static_cast<long>(links_.size());
+    return 8 * (rows_ * dofs + dofs * dofs + rows_) + 1000000;
+  }
+
+  Vector3d hinge_point(int h, int body) const {
+    const model::RestHinge& hinge = sheet_.linkage.hinges[h];
+    return metres_per_mm * sheet_.linkage.size.edge_mm *
+           (hinge.lower == body ? hinge.lower_arm : hinge.upper_arm);
+  }
+
+  /// Turn of each hinge of the tree from flat to the fold, rad.
+  void find_turns() {
+    turns_.assign(sheet_.hinges.size(), 0);
+    const model::State& folded = sheet_.path.back();
+    for (int b = 0; b < static_cast<int>(links_.size()); ++b) {
+      if (links_[b].hinge < 0) continue;
+      const Eigen::AngleAxisd turn(Eigen::Matrix3d(folded[links_[b].parent].R.transpose() * folded[b].R));
+      const Vector3d& axis = sheet_.linkage.hinges[links_[b].hinge].axis;
+      turns_[links_[b].hinge] = turn.angle() * (turn.axis().dot(axis) < 0 ? -1 : 1);
+      turned_ += turns_[links_[b].hinge] * turns_[links_[b].hinge];
+    }
+  }
+
+  void add_assets() {
+    out_ += "<asset>\n";
+    for (int b = 0; b < static_cast<int>(sheet_.bodies.size()); ++b) {
+      if (sheet_.meshes[b].points.empty()) continue;
+      const auto pieces = convex_pieces(sheet_.bodies[b]);
+      for (std::size_t k = 0; k < pieces.size(); ++k) {
+        out_ += fmt::format("<mesh name=\"m{}_{}\" vertex=\"", b, k);
+        for (const Vector3d& p : pieces[k].corners)
+          fmt::format_to(std::back_inserter(out_), "{:.7g} {:.7g} {:.7g} ", metres_per_mm * p.x(),
+                         metres_per_mm * p.y(), metres_per_mm * p.z());
+        out_ += "\"/>\n";
+      }
+    }
+    out_ += "</asset>\n";
+  }
+
+  void add_body(int b) {
+    const TreeLink& link = links_[b];
+    const Vector3d from = link.parent < 0 ? Vector3d::Zero() : sheet_.linkage.rest_position(link.parent);
+    out_ += fmt::format("<body name=\"b{}\" pos=\"{}\">\n", b,
+                        kinetix::app::text(metres_per_mm * (sheet_.linkage.rest_position(b) - from)));
+    add_inertia(masses_[b]);
+    if (link.hinge >= 0) add_joint(b);
+    const std::size_t pieces = sheet_.meshes[b].points.empty() ? 0 : convex_pieces(sheet_.bodies[b]).size();
+    for (std::size_t k = 0; k < pieces; ++k)
+      out_ += fmt::format("<geom type=\"mesh\" mesh=\"m{}_{}\"/>\n", b, k);
+    for (const int child : link.children) add_body(child);
+    out_ += "</body>\n";
+  }
+
+  void add_inertia(const Mass& m) {
+    const Eigen::Matrix3d& I = m.inertia;
+    out_ += fmt::format(
+        "<inertial pos=\"{}\" mass=\"{:.12g}\" fullinertia=\"{:.12g} {:.12g} {:.12g} {:.12g} {:.12g} "
+        "{:.12g}\"/>\n",
+        kinetix::app::text(m.center), m.kg, I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2));
+  }
+
+  void add_joint(int b) {
+    const int h = links_[b].hinge;
+    out_ += fmt::format(
+        "<joint name=\"j{}\" type=\"hinge\" pos=\"{}\" axis=\"{}\" stiffness=\"{:.6g}\" "
+        "damping=\"{:.6g}\"/>\n",
+        h, kinetix::app::text(hinge_point(h, b)), kinetix::app::text(sheet_.linkage.hinges[h].axis),
+        stiffness(h), damping());
+  }
+
+  /// N m s/rad: what brings the whole sheet to rest as fast as its actuator moves it, shared by all joints.
+  double damping() const {
+    return turned_ > 0 ? 2 * std::sqrt(moved_mass() * (gain() + held())) / turned_ : 0;
+  }
+
+  /// kg m^2: twice the energy of the sheet that folds within a second.
+  double moved_mass() const {
+    double sum = least_mass;
+    const model::State &flat = sheet_.path.front(), &folded = sheet_.path.back();
+    const model::Pose& root = folded[root_];
+    for (std::size_t b = 0; b < masses_.size(); ++b) {
+      const Vector3d now = root.R.transpose() * (folded[b].p - root.p), before = flat[b].p - flat[root_].p;
+      sum += masses_[b].kg * (metres_per_mm * (now - before)).squaredNorm();
+    }
+    return sum;
+  }
+
+  /// Hinges outside the tree, each by two points on its axis.
+  void add_loops() {
+    std::set<int> in_tree;
+    for (const TreeLink& link : links_) in_tree.insert(link.hinge);
+    out_ += "<equality>\n";
+    for (int h = 0; h < static_cast<int>(sheet_.hinges.size()); ++h) {
+      if (in_tree.count(h)) continue;
+      const model::RestHinge& hinge = sheet_.linkage.hinges[h];
+      const double reach = metres_per_mm * reach_mm(sheet_.hinges[h].made);
+      for (const double side : {-1.0, 1.0})
+        out_ +=
+            fmt::format("<connect body1=\"b{}\" body2=\"b{}\" anchor=\"{}\"/>\n", hinge.lower, hinge.upper,
+                        kinetix::app::text(hinge_point(h, hinge.lower) + side * reach * hinge.axis));
+    }
+    out_ += "</equality>\n";
+  }
+
+  /// N m/rad; a pin turns freely.
+  double stiffness(int h) const {
+    const model::MadeHinge& made = sheet_.hinges[h].made;
+    return made.kind == model::HingeKind::pin ? 0 : model::stiffness(made).turn * metres_per_mm;
+  }
+  /// N m: by the hinges of the tree at the fold, over their part of the tendon.
+  double held() const {
+    double sum = 0;
+    for (int h = 0; h < static_cast<int>(turns_.size()); ++h) sum += stiffness(h) * turns_[h] * turns_[h];
+    return sum;
+  }
+  /// N m.
+  double gain() const { return std::max(moved_mass() * quickness * quickness, stiffer * held()); }
+  /// s.
+  double step() const {
+    return turned_ > 0 ? std::min(step_s, resolved * std::sqrt(moved_mass() / (gain() + held()))) : step_s;
+  }
+
+  /// All hinges of the tree by one tendon that is 1 longer when each has turned as far as the fold turns it.
+  void add_actuator() {
+    out_ += "<tendon>\n<fixed name=\"fold\">\n";
+    for (int h = 0; h < static_cast<int>(turns_.size()); ++h)
+      if (turns_[h] != 0)
+        out_ += fmt::format("<joint joint=\"j{}\" coef=\"{:.10g}\"/>\n", h, turns_[h] / turned_);
+    // It pushes as much harder as the hinges hold back at the fold: there its length is exactly what was asked for.
+    out_ += fmt::format(
+        "</fixed>\n</tendon>\n<actuator>\n<general name=\"fold\" tendon=\"fold\" gainprm=\"{:.10g}\" "
+        "biastype=\"affine\" biasprm=\"0 {:.10g} 0\" ctrllimited=\"true\" ctrlrange=\"0 1\"/>\n</actuator>\n",
+        gain() + held(), -gain());
+  }
+
+  const PrintSheet& sheet_;
+  const int root_;
+  const std::vector<TreeLink> links_;
+  std::vector<Mass> masses_;
+  std::vector<double> turns_;
+  double turned_ = 0;  // sum of their squares, rad^2
+  std::string out_;
+};
+
+std::vector<NamedContent> write_mjcf(const PrintJob& job) {
+  return {{job.sheet.name + ".xml", MujocoFile(job.sheet).text()}};
+}
+
+}  // namespace
+
+// Name, meaning and how it is written: mjcf.
+const PrintFormat mjcf_format = {"mjcf", "MuJoCo, with an actuator that folds it", write_mjcf};
+
+}  // namespace kinetix::app

@@ -1,0 +1,102 @@
+#include "app/print/format/parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/base/angle.hpp"
+
+namespace kinetix::app {
+namespace {
+
+constexpr double apart = 2;          // diameters, from one lying rod to the next: one is left free
+constexpr double rods_apart_mm = 2;  // mm, from one column of lying rods to the next: they stay apart
+
+/// Of a loose rod: its sections below and above by turns, as rod_solid has them.
+double length_of(const model::Polyhedron& rod) { return (rod.points[1] - rod.points[0]).norm(); }
+
+double radius_of(const model::Polyhedron& rod) {
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& p : rod.points) middle += p / static_cast<double>(rod.points.size());
+  const Eigen::Vector3d axis = (rod.points[1] - rod.points[0]).normalized(), arm = rod.points[0] - middle;
+  return (arm - arm.dot(axis) * axis).norm();
+}
+
+/// A rod lying along x, from (x, y, 0) on.
+model::Polyhedron lying(const model::Polyhedron& rod, double x, double y) {
+  const double length = length_of(rod), radius = radius_of(rod);
+  model::Polyhedron out = rod;
+  const std::size_t sides = rod.points.size() / 2;
+  for (std::size_t k = 0; k < rod.points.size(); ++k) {
+    const double angle = 2 * pi * static_cast<double>(k / 2) / static_cast<double>(sides);
+    out.points[k] = {x + (k % 2 == 0 ? 0 : length), y + radius * std::cos(angle),
+                     radius + radius * std::sin(angle)};
+  }
+  return out;
+}
+
+}  // namespace
+
+model::Polyhedron as_filed(model::Polyhedron solid) {
+  // Number by number: Eigen 3.4 takes two casts of a vector in one expression for none.
+  for (Eigen::Vector3d& p : solid.points)
+    for (double& x : p) x = static_cast<float>(x);
+  return solid;
+}
+
+model::Polyhedron hard_part(const PrintJob& job) {
+  model::Polyhedron all;
+  for (int b = 0; b < static_cast<int>(job.sheet.meshes.size()); ++b)
+    append(placed_body(job.sheet, job.state(), b), all);
+  return as_filed(std::move(all));
+}
+
+model::Polyhedron soft_part(const PrintJob& job) {
+  model::Polyhedron all;
+  for (int h = 0; h < static_cast<int>(job.sheet.soft.size()); ++h)
+    if (!job.sheet.soft[h].points.empty()) append(placed_soft(job.sheet, job.state(), h), all);
+  return as_filed(std::move(all));
+}
+
+model::Polyhedron joined(model::Polyhedron hard, const model::Polyhedron& soft) {
+  append(soft, hard);
+  return hard;
+}
+
+TileParts tile_parts(const PrintJob& job, int tile) {
+  const PrintSheet& sheet = job.sheet;
+  const model::State& flat = job.folded ? sheet.path.front() : job.state();
+  TileParts parts;
+  for (int b = 0; b < static_cast<int>(sheet.meshes.size()); ++b) {
+    if (sheet.tiles.of_body[b] != tile) continue;
+    model::Polyhedron body = sheet.meshes[b];
+    for (Eigen::Vector3d& p : body.points) p = flat[b].R * p + flat[b].p;
+    append(body, parts.hard);
+  }
+  for (int h = 0; h < static_cast<int>(sheet.soft.size()); ++h)
+    if (sheet.tiles.of_body[sheet.linkage.hinges[h].lower] == tile && !sheet.soft[h].points.empty())
+      append(placed_soft(sheet, flat, h), parts.soft);
+  return {as_filed(std::move(parts.hard)), as_filed(std::move(parts.soft))};
+}
+
+model::Polyhedron laid_out_rods(const PrintSheet& sheet) {
+  model::Polyhedron all;
+  double length = 0, width = 0;
+  for (const model::Polyhedron& rod : sheet.rods)
+    if (!rod.points.empty()) {
+      length = std::max(length, length_of(rod));
+      width = std::max(width, 2 * apart * radius_of(rod));
+    }
+  const int count = sheet.loose_rods();
+  if (count == 0) return all;
+  // As many in a column as make the field about square, like a bed.
+  const int rows = static_cast<int>(std::ceil(std::sqrt(count * (length + rods_apart_mm) / width)));
+  int placed = 0;
+  for (const model::Polyhedron& rod : sheet.rods) {
+    if (rod.points.empty()) continue;
+    append(lying(rod, (placed / rows) * (length + rods_apart_mm), (placed % rows) * width), all);
+    ++placed;
+  }
+  return as_filed(std::move(all));
+}
+
+}  // namespace kinetix::app

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "app/print/format/print_format.hpp"
+
+namespace kinetix::app {
+
+/// As files hold places, in floats: all formats, and the volumes and masses that are said of them, are of the same
+/// corners.
+model::Polyhedron as_filed(model::Polyhedron solid);
+
+/// All bodies and loose rods of a job as one list of triangles, each a closed surface of its own; mm, where they are in
+/// the sheet.
+model::Polyhedron hard_part(const PrintJob& job);
+/// All blocks and films likewise; empty where there are none.
+model::Polyhedron soft_part(const PrintJob& job);
+/// Both in one list.
+model::Polyhedron joined(model::Polyhedron hard, const model::Polyhedron& soft);
+
+/// What is printed on one bed: bodies without loose rods, and their soft parts, those between two tiles with the lower
+/// body's. Where they are in the flat sheet, mm.
+struct TileParts {
+  model::Polyhedron hard, soft;
+};
+TileParts tile_parts(const PrintJob& job, int tile);
+
+/// All loose rods side by side, lying along x on the plane z = 0, mm; empty where there are none.
+model::Polyhedron laid_out_rods(const PrintSheet& sheet);
+
+}  // namespace kinetix::app

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "app/print/sheet/print_sheet.hpp"
+#include "app/run/goal_outcome.hpp"
+
+namespace kinetix::app {
+
+/// What is written: a sheet in one of its states.
+struct PrintJob {
+  PrintSheet sheet;
+  bool folded = false;  ///< formats that show a motion show all of it
+
+  std::optional<model::State> turned = {};  ///< the same state, laid on the bed another way (lay)
+  std::string_view lie = "flat";            ///< which way, of lies()
+
+  const model::State& state() const {
+    return turned ? *turned : folded ? sheet.path.back() : sheet.path.front();
+  }
+};
+
+/// A kind of file.
+struct PrintFormat {
+  std::string_view name;     ///< as the command line says it
+  std::string_view meaning;  ///< for its help
+  /// The same bytes for the same job.
+  std::vector<NamedContent> (*write)(const PrintJob& job);
+};
+
+/// All formats, in the order of the help.
+const std::vector<const PrintFormat*>& print_formats();
+
+/// @throws InvalidInput for a name that none has, with the nearest one
+const PrintFormat& print_format(std::string_view name);
+
+}  // namespace kinetix::app

@@ -1,0 +1,195 @@
+#include <cairo-pdf.h>
+#include <fmt/format.h>
+
+#include <functional>
+#include <memory>
+#include <stdexcept>
+
+#include "app/print/format/formats.hpp"
+#include "app/print/format/sheet_drawing.hpp"
+#include "app/print/format/strips.hpp"
+
+namespace kinetix::app {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double line_mm = 0.1;              // mm: as laser cutters and pens draw
+constexpr double points_per_mm = 72 / 25.4;  // the unit of PDF
+
+std::string path_of(const SheetDrawing& drawing, const SheetDrawing::Part& part) {
+  std::string out;
+  for (const auto& ring : part.rings) {
+    for (std::size_t k = 0; k < ring.size(); ++k)
+      out += fmt::format("{}{:.5g} {:.5g}", k == 0 ? "M" : "L", ring[k].x() - drawing.low.x(),
+                         drawing.high.y() - ring[k].y());
+    out += "Z";
+  }
+  return out;
+}
+
+std::string group(const SheetDrawing& drawing, const char* name, const char* fill,
+                  const std::vector<SheetDrawing::Part>& parts) {
+  std::string out =
+      fmt::format("<g id=\"{}\" fill=\"{}\" fill-rule=\"evenodd\" stroke=\"black\" stroke-width=\"{:g}\">\n",
+                  name, fill, line_mm);
+  for (const SheetDrawing::Part& part : parts)
+    out += fmt::format("<path d=\"{}\"><title>{}</title></path>\n", path_of(drawing, part), part.name);
+  return out + "</g>\n";
+}
+
+/// 1:1, its box that of the parts.
+std::string svg(const PrintSheet& sheet, const SheetDrawing& drawing) {
+  const Vector2d size = drawing.high - drawing.low;
+  std::string out = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.6g}mm\" height=\"{1:.6g}mm\" viewBox=\"0 0 "
+      "{0:.6g} {1:.6g}\">\n",
+      size.x(), size.y());
+  out +=
+      group(drawing, "bodies", "#d9d9d4", drawing.bodies) + group(drawing, "soft", "#2e6fb7", drawing.soft);
+  out += fmt::format(
+      "<g id=\"numbers\" fill=\"#c03030\" font-family=\"sans-serif\" font-size=\"{:.4g}\" "
+      "text-anchor=\"middle\">\n",
+      number_height_mm(sheet));
+  for (const SheetDrawing::Hinge& hinge : drawing.hinges)
+    out += fmt::format("<text x=\"{:.5g}\" y=\"{:.5g}\">{}</text>\n", hinge.place.x() - drawing.low.x(),
+                       drawing.high.y() - hinge.place.y(), hinge.number);
+  return out + "</g>\n</svg>\n";
+}
+
+cairo_status_t collect(void* text, const unsigned char* data, unsigned length) {
+  static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(data), length);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+void draw(cairo_t* page, const SheetDrawing& drawing, const std::vector<SheetDrawing::Part>& parts,
+          double grey) {
+  for (const SheetDrawing::Part& part : parts) {
+    for (const auto& ring : part.rings) {
+      for (const Vector2d& p : ring) cairo_line_to(page, p.x() - drawing.low.x(), drawing.high.y() - p.y());
+      cairo_close_path(page);
+    }
+    cairo_set_source_rgb(page, grey, grey, grey);
+    cairo_fill_preserve(page);
+    cairo_set_source_rgb(page, 0, 0, 0);
+    cairo_stroke(page);
+  }
+}
+
+/// One page. @param size_mm of it   @param drawn in mm, y down
+std::string pdf_page(const Vector2d& size_mm, const std::function<void(cairo_t*)>& drawn) {
+  const Vector2d size = points_per_mm * size_mm;
+  std::string out;
+  const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface(
+      cairo_pdf_surface_create_for_stream(collect, &out, size.x(), size.y()), &cairo_surface_destroy);
+  cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE,
+                                 "2000-01-01T00:00:00Z");  // the same bytes each time
+  const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> page(cairo_create(surface.get()), &cairo_destroy);
+  cairo_scale(page.get(), points_per_mm, points_per_mm);
+  cairo_set_line_width(page.get(), line_mm);
+  cairo_set_fill_rule(page.get(), CAIRO_FILL_RULE_EVEN_ODD);
+  cairo_select_font_face(page.get(), "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+  drawn(page.get());
+  cairo_show_page(page.get());
+  cairo_surface_finish(surface.get());
+  if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS)
+    throw std::runtime_error("PDF: the page cannot be drawn");
+  return out;
+}
+
+/// The same drawing, one page as large as it.
+std::string pdf(const PrintSheet& sheet, const SheetDrawing& drawing) {
+  return pdf_page(drawing.high - drawing.low, [&](cairo_t* page) {
+    draw(page, drawing, drawing.bodies, 0.85);
+    draw(page, drawing, drawing.soft, 0.5);
+    cairo_set_font_size(page, number_height_mm(sheet));
+    cairo_set_source_rgb(page, 0.75, 0.2, 0.2);
+    for (const SheetDrawing::Hinge& hinge : drawing.hinges) {
+      cairo_move_to(page, hinge.place.x() - drawing.low.x(), drawing.high.y() - hinge.place.y());
+      cairo_show_text(page, std::to_string(hinge.number).c_str());
+    }
+  });
+}
+
+std::string labels_svg(const char* name, const char* fill, double height, const Strips& strips,
+                       const std::vector<Strips::Label>& labels) {
+  std::string out = fmt::format(
+      "<g id=\"{}\" fill=\"{}\" font-family=\"sans-serif\" font-size=\"{:.4g}\" text-anchor=\"middle\">\n",
+      name, fill, height);
+  for (const Strips::Label& label : labels)
+    out += fmt::format("<text x=\"{:.6g}\" y=\"{:.6g}\">{}</text>\n", label.place.x(),
+                       strips.size.y() - label.place.y(), label.text);
+  return out + "</g>\n";
+}
+
+std::string strips_svg(const PrintSheet& sheet, const Strips& strips) {
+  std::string out = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.6g}mm\" height=\"{1:.6g}mm\" viewBox=\"0 0 "
+      "{0:.6g} "
+      "{1:.6g}\">\n<g id=\"cuts\" fill=\"none\" stroke=\"black\" stroke-width=\"{2:g}\">\n",
+      strips.size.x(), strips.size.y(), line_mm);
+  for (const auto& cut : strips.cuts) {
+    out += "<path d=\"";
+    for (std::size_t k = 0; k < cut.size(); ++k)
+      out += fmt::format("{}{:.6g} {:.6g}", k == 0 ? "M" : "L", cut[k].x(), strips.size.y() - cut[k].y());
+    out += "Z\"/>\n";
+  }
+  out += fmt::format(
+      "</g>\n<g id=\"folds\" stroke=\"#2e6fb7\" stroke-width=\"{0:g}\" stroke-dasharray=\"1 0.5\">\n",
+      line_mm);
+  for (const auto& [from, to] : strips.folds)
+    out += fmt::format("<line x1=\"{:.6g}\" y1=\"{:.6g}\" x2=\"{:.6g}\" y2=\"{:.6g}\"/>\n", from.x(),
+                       strips.size.y() - from.y(), to.x(), strips.size.y() - to.y());
+  return out + "</g>\n" + labels_svg("numbers", "#c03030", number_height_mm(sheet), strips, strips.numbers) +
+         labels_svg("vertices", "#606060", number_height_mm(sheet) / 2, strips, strips.vertices) + "</svg>\n";
+}
+
+void draw_labels(cairo_t* page, const Strips& strips, const std::vector<Strips::Label>& labels,
+                 double height) {
+  cairo_set_font_size(page, height);
+  for (const Strips::Label& label : labels) {
+    cairo_move_to(page, label.place.x(), strips.size.y() - label.place.y());
+    cairo_show_text(page, label.text.c_str());
+  }
+}
+
+std::string strips_pdf(const PrintSheet& sheet, const Strips& strips) {
+  return pdf_page(strips.size, [&](cairo_t* page) {
+    const auto line_to = [&](const Vector2d& p) { cairo_line_to(page, p.x(), strips.size.y() - p.y()); };
+    for (const auto& cut : strips.cuts) {
+      for (const Vector2d& p : cut) line_to(p);
+      cairo_close_path(page);
+    }
+    cairo_stroke(page);
+    cairo_set_source_rgb(page, 0.18, 0.435, 0.718);
+    for (const auto& [from, to] : strips.folds) {
+      cairo_new_sub_path(page);
+      line_to(from);
+      line_to(to);
+    }
+    cairo_stroke(page);
+    cairo_set_source_rgb(page, 0.75, 0.2, 0.2);
+    draw_labels(page, strips, strips.numbers, number_height_mm(sheet));
+    cairo_set_source_rgb(page, 0.4, 0.4, 0.4);
+    draw_labels(page, strips, strips.vertices, number_height_mm(sheet) / 2);
+  });
+}
+
+std::vector<NamedContent> write_svg(const PrintJob& job) {
+  const PrintSheet& sheet = job.sheet;
+  const SheetDrawing drawing = sheet_drawing(sheet);
+  std::vector<NamedContent> files{{sheet.name + ".svg", svg(sheet, drawing)},
+                                  {sheet.name + ".pdf", pdf(sheet, drawing)}};
+  if (sheet.kind() != model::HingeKind::film) return files;
+  const Strips cards = strips(sheet);
+  files.push_back({sheet.name + "_strips.svg", strips_svg(sheet, cards)});
+  files.push_back({sheet.name + "_strips.pdf", strips_pdf(sheet, cards)});
+  return files;
+}
+
+}  // namespace
+
+// Name, meaning and how it is written: svg.
+const PrintFormat svg_format = {"svg", "a drawing 1:1 with numbered hinges, and the same as PDF", write_svg};
+
+}  // namespace kinetix::app

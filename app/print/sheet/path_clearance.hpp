@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/print/sheet/print_sheet.hpp"
+
+namespace kinetix::app {
+
+/// The distance of two parts that leaves least over what it must be.
+struct LeastDistance {
+  double mm = 0;                ///< negative: how deep they are in each other, mm
+  int first = -1, second = -1;  ///< parts: bodies, then blocks and films by hinge; -1: there are no two
+  double theta = 0;             ///< rad
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< between them, in the state at theta, mm
+  double asked_mm =
+      0;  ///< what has to be left: a pin's clearance; of blocks and films 0: they may not run into others
+
+  /// What is left over what has to be, but for 0.01 mm of the circles' polygons, mm; negative: too near.
+  double spare_mm() const;
+};
+
+/// What is left between the solids from flat to the fold.
+struct PathClearance {
+  LeastDistance in_hinges;  ///< of two bodies that share a hinge, mm
+  LeastDistance elsewhere;  ///< of all other parts, mm
+  std::optional<LeastDistance> first_too_near =
+      {};              ///< on the way, to within 0.1 degrees where a motion is known
+  double flat_mm = 0;  ///< least distance of any two parts in the flat state
+
+  const LeastDistance& least() const {
+    return in_hinges.spare_mm() < elsewhere.spare_mm() ? in_hinges : elsewhere;
+  }
+};
+
+/// Exact distances of the solids' convex pieces (Gilbert, Johnson and Keerthi's method, Bullet's in double precision) in
+/// every state of the path. A rod and its bore are compared by their axes, as both are round. Two bodies that share a pin
+/// must keep its clearance, two others the least of the pins at either; where neither has one, and of blocks and films, they
+/// may not run into each other. A block or film is the convex hull of its two ends; its own two bodies do not count.
+PathClearance path_clearance(const PrintSheet& sheet);
+
+/// Whether all is left that was asked.
+bool is_kept(const PathClearance& clearance);
+
+/// As messages name it. @param part of a LeastDistance
+std::string part_name(const PrintSheet& sheet, int part);
+
+}  // namespace kinetix::app

@@ -1,0 +1,68 @@
+#include "app/print/sheet/print_path.hpp"
+
+#include <cmath>
+
+#include "app/pipeline/design_drive.hpp"
+#include "app/pipeline/physics_settings.hpp"
+#include "model/elastic/path/equilibrium_path.hpp"
+#include "model/sheet/sheet_motion.hpp"
+
+namespace kinetix::app {
+namespace {
+
+PrintPath exact_path(const DesignFile& design, const model::ExactMotion& exact, PrintPath path) {
+  const double theta = exact_theta_of(design, exact);
+  if (theta == 0) {
+    path.why_flat_alone = "the design's theta is 0";
+    return path;
+  }
+  for (int k = 1; k <= path_steps; ++k) {
+    path.thetas.push_back(theta * k / path_steps);
+    path.states.push_back(exact.at(path.thetas.back()));
+  }
+  path.motion = [at = exact.at, edge = design.structure.size().edge_mm](double there) {
+    return with_edge({at(there)}, 1 / edge).front();
+  };
+  return path;
+}
+
+PrintPath equilibrium_path(const DesignFile& design, const model::ExactMotion& exact, PrintPath path) {
+  const model::LinkageDrive drive = drive_of(design);
+  model::EquilibriumPathOptions options;
+  options.longest_step =
+      std::clamp(std::abs(design.theta) / path_steps, options.least_step, options.longest_step);
+  options.first_step = std::min(options.first_step, options.longest_step);
+  const model::EquilibriumPath traced =
+      trace_equilibrium({design.structure, drive, exact}, elasticity_of(design), options,
+                        [&](const model::EquilibriumStep& step, const model::State& state) {
+                          if (step.theta == path.thetas.back()) return;
+                          path.thetas.push_back(step.theta);
+                          path.states.push_back(state);
+                        });
+  path.is_exact = false;
+  if (traced.stop == model::EquilibriumPath::Stop::reached) return path;
+  path.thetas.resize(1);
+  path.states.resize(1);
+  path.why_flat_alone = exact.why + "; and its equilibrium does not get there: " + traced.why;
+  return path;
+}
+
+}  // namespace
+
+PrintPath print_path(const DesignFile& design) {
+  const model::Linkage linkage = design.structure;
+  const model::ExactMotion exact = exact_motion(design.structure);
+  PrintPath path{{0}, {rest_state(linkage)}};
+  path =
+      exact ? exact_path(design, exact, std::move(path)) : equilibrium_path(design, exact, std::move(path));
+  path.states = with_edge(std::move(path.states), 1 / design.structure.size().edge_mm);
+  return path;
+}
+
+std::vector<model::State> with_edge(std::vector<model::State> states, double edge_mm) {
+  for (model::State& state : states)
+    for (model::Pose& pose : state) pose.p *= edge_mm;
+  return states;
+}
+
+}  // namespace kinetix::app

@@ -1,0 +1,272 @@
+#include "app/print/sheet/print_sheet.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/base/invalid_input.hpp"
+#include "model/linkage/hinge_mismatch.hpp"
+
+namespace kinetix::app {
+namespace {
+
+using model::HingeKind;
+
+constexpr double slender =
+    1.25;  // length of a block over its thickness: below it no formula of its stiffness holds
+constexpr double more_room = 1.1;  // of the length at which the corners of a wall would meet
+constexpr double film_mm =
+    0.4;  // thickness of a film: one line of a nozzle, and a strain of 0.1 over 3 mm and 90 degrees
+constexpr double widest_turn = 2.8;  // rad: at half a turn corners meet however long the gap
+constexpr double tenth = 10;         // gaps are whole tenths of a mm
+
+model::CellSize resized(const model::CellSize& size, const PrintChoice& choice,
+                        const model::Process& process) {
+  if (!(choice.edge_mm > 0)) return size;
+  return {choice.edge_mm, std::max(size.thickness_mm, process.least_wall_mm), size.height_mm};
+}
+
+model::Sheet resized(model::Sheet sheet, const PrintChoice& choice, const model::Process& process) {
+  if (auto* squares = sheet.squares()) squares->size = resized(squares->size, choice, process);
+  if (auto* block = sheet.sodalite()) block->size = resized(block->size, choice, process);
+  if (auto* planar = sheet.planar()) planar->size = resized(planar->size, choice, process);
+  return sheet;
+}
+
+/// By which the upper body of a hinge turns against the lower about the axis from flat to a state, rad.
+double turn_of(const model::RestHinge& hinge, const model::State& state) {
+  const Eigen::Matrix3d turn = state[hinge.lower].R.transpose() * state[hinge.upper].R;
+  const Eigen::Vector3d twice_sine(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1));
+  return std::copysign(std::atan2(twice_sine.norm(), turn.trace() - 1), twice_sine.dot(hinge.axis));
+}
+
+constexpr const char* strip_material = "pp";  // name of a material: of films that are a print of their own
+
+/// A hinge that the design does not describe.
+model::MadeHinge default_hinge(const PrintChoice& choice, const model::Process& process,
+                               const model::CellSize& size) {
+  model::MadeHinge hinge;
+  hinge.kind = choice.kind;
+  hinge.height_mm = size.height_mm;
+  if (choice.kind == HingeKind::pin) {
+    hinge.material = *model::find_material("pa12");
+    hinge.diameter_mm = process.least_pin_mm;
+    hinge.clearance_mm = process.clearance_mm;
+    hinge.height_mm *= choice.height_share;
+    return hinge;
+  }
+  const bool film = choice.kind == HingeKind::film;
+  hinge.material = *model::find_material(!film                  ? process.rubber
+                                         : process.film.empty() ? strip_material
+                                                                : process.film);
+  hinge.thickness_mm = film ? std::min(film_mm, size.thickness_mm) : size.thickness_mm;
+  return hinge;
+}
+
+/// Of a block or film that is strained by a turn and a stretch, and the corners of whose wall or whose own meet.
+/// @param offset of the axis, mm   @param stretch by which its halves come apart, or run into each other, mm
+double needed_gap(const model::MadeHinge& hinge, double wall_mm, double offset, double turn, double stretch) {
+  const double bounded = std::clamp(turn, -widest_turn, widest_turn),
+               half = std::max(model::corner_room(wall_mm / 2, offset, bounded),
+                               model::corner_room(hinge.thickness_mm / 2, 0, bounded)),
+               corners = more_room * (2 * half + stretch),
+               strain = (std::abs(turn) * hinge.thickness_mm / 2 + stretch) / hinge.material.strain_max;
+  return std::max({slender * hinge.thickness_mm, corners, strain});
+}
+
+void check_process(const model::Process& process, const model::CellSize& size,
+                   const model::MadeHinge& hinge) {
+  const auto problems = print_problems(process, size, hinge);
+  if (!problems.empty()) throw InvalidInput(problems.front().what);
+}
+
+class SheetMaker {
+ public:
+  SheetMaker(const DesignFile& design, const PrintPath& path, const model::Process& process,
+             const PrintChoice& choice)
+      : design_(design), choice_(choice), structure_(resized(design.structure, choice, process)) {
+    sheet_.name = design.name;
+    sheet_.process = process;
+    if (choice.clearance_mm > 0) sheet_.process.clearance_mm = choice.clearance_mm;
+    sheet_.linkage = structure_;
+    sheet_.path = with_edge(path.states, structure_.size().edge_mm);
+    sheet_.thetas = path.thetas;
+    if (path.motion)
+      sheet_.motion = [at = path.motion, edge = structure_.size().edge_mm](double theta) {
+        return with_edge({at(theta)}, edge).front();
+      };
+    sheet_.is_path_exact = path.is_exact;
+    sheet_.why_no_path = path.why_flat_alone;
+  }
+
+  PrintSheet made() && {
+    if (sheet_.linkage.hinges.empty())
+      throw InvalidInput("the design has no hinges: there is nothing to fold, and nothing to print");
+    cut();
+    choose_hinges();
+    make_solids(sheet_);
+    return std::move(sheet_);
+  }
+
+ private:
+  void cut() {
+    const int bodies = static_cast<int>(sheet_.linkage.bodies.size());
+    sheet_.tiles.of_body.assign(bodies, 0);
+    if (!choice_.bed_mm) return;
+    std::vector<Eigen::Vector2d> places;
+    for (int b = 0; b < bodies; ++b) places.emplace_back(sheet_.linkage.rest_position(b).head<2>());
+    sheet_.tiles = cut_into_tiles(places, longest_wall_mm(), *choice_.bed_mm);
+  }
+
+  /// No half wall with its hinge is longer.
+  double longest_wall_mm() const {
+    double longest = 0;
+    for (const model::RestHinge& hinge : sheet_.linkage.hinges)
+      longest = std::max(
+          longest,
+          (sheet_.linkage.rest_position(hinge.upper) - sheet_.linkage.rest_position(hinge.lower)).norm());
+    return longest;
+  }
+
+  bool is_loose(int h, const model::MadeHinge& made) const {
+    const model::RestHinge& hinge = sheet_.linkage.hinges[h];
+    const std::vector<int>& tile = sheet_.tiles.of_body;
+    return made.kind == HingeKind::pin && (choice_.loose_rods || tile[hinge.lower] != tile[hinge.upper]);
+  }
+
+  int hinges() const { return static_cast<int>(sheet_.linkage.hinges.size()); }
+
+  double turn(int hinge) const { return turn_of(sheet_.linkage.hinges[hinge], sheet_.path.back()); }
+
+  /// Largest on the way, mm: none along an exact motion.
+  double stretch_mm(int h) const {
+    if (sheet_.is_path_exact) return 0;
+    const model::RestHinge& hinge = sheet_.linkage.hinges[h];
+    const double edge = sheet_.linkage.size.edge_mm;
+    double most = 0;  // cell edges
+    for (const model::State& state : sheet_.path)
+      most = std::max(most, point_mismatch(hinge, state[hinge.lower], state[hinge.upper], edge).gap.norm());
+    return most * edge;
+  }
+
+  /// Of a block or film, mm, in tenths of them.
+  double gap_mm(const model::MadeHinge& hinge, int h) const {
+    const model::CellSize& size = sheet_.linkage.size;
+    const double offset = structure_.hinge(h).offset * size.edge_mm;
+    return std::ceil(tenth * needed_gap(hinge, size.thickness_mm, offset, turn(h), stretch_mm(h))) / tenth;
+  }
+
+  std::vector<model::MadeHinge> open_hinges() const {
+    std::vector<model::MadeHinge> all(hinges(), default_hinge(choice_, sheet_.process, sheet_.linkage.size));
+    if (choice_.kind == HingeKind::pin) return all;
+    double longest = 0;
+    for (int h = 0; h < hinges(); ++h) longest = std::max(longest, all[h].gap_mm = gap_mm(all[h], h));
+    if (choice_.alike)
+      for (model::MadeHinge& hinge : all) hinge.gap_mm = longest;
+    return all;
+  }
+
+  void choose_hinges() {
+    const std::vector<model::MadeHinge> open = open_hinges();
+    for (int h = 0; h < hinges(); ++h) {
+      const auto own = design_.own_hinges.find(h);
+      const HingeSection& section = own == design_.own_hinges.end() ? design_.hinge : own->second;
+      const model::MadeHinge made = section.made.value_or(open[h]);
+      check_process(sheet_.process, sheet_.linkage.size, made);
+      validate(made, sheet_.linkage.size);
+      sheet_.hinges.push_back(
+          {.made = made,
+           .axial_clearance_mm = std::max(made.clearance_mm, sheet_.process.upright_clearance_mm),
+           .knuckle_wall_mm = sheet_.process.least_wall_mm,
+           .turn = std::clamp(turn(h), -widest_turn, widest_turn),
+           .loose = is_loose(h, made)});
+    }
+  }
+
+  const DesignFile& design_;
+  const PrintChoice choice_;
+  const model::Sheet structure_;
+  PrintSheet sheet_;
+};
+
+}  // namespace
+
+bool PrintSheet::has_soft() const {
+  return std::any_of(soft.begin(), soft.end(),
+                     [](const model::Polyhedron& part) { return !part.points.empty(); });
+}
+
+bool PrintSheet::is_one_material() const {
+  return has_soft() && !process.film.empty() &&
+         std::none_of(hinges.begin(), hinges.end(),
+                      [](const model::HingePrint& h) { return h.made.kind == HingeKind::block; });
+}
+
+int PrintSheet::loose_rods() const {
+  return static_cast<int>(std::count_if(rods.begin(), rods.end(),
+                                        [](const model::Polyhedron& rod) { return !rod.points.empty(); }));
+}
+
+model::Polyhedron PrintSheet::with_rods(int body) const {
+  model::Polyhedron all = meshes[body];
+  for (std::size_t h = 0; h < rods.size(); ++h)
+    if (linkage.hinges[h].lower == body && !rods[h].points.empty()) append(rods[h], all);
+  return all;
+}
+
+HingeKind PrintSheet::kind() const {
+  const auto of = [&](HingeKind kind) {
+    return std::count_if(hinges.begin(), hinges.end(),
+                         [&](const model::HingePrint& h) { return h.made.kind == kind; });
+  };
+  return std::max({HingeKind::pin, HingeKind::block, HingeKind::film},
+                  [&](HingeKind a, HingeKind b) { return of(a) < of(b); });
+}
+
+void make_solids(PrintSheet& sheet) {
+  sheet.bodies =
+      body_solids(sheet.linkage, [&](int h) -> const model::HingePrint& { return sheet.hinges[h]; });
+  for (const model::BodySolid& body : sheet.bodies)
+    sheet.meshes.push_back(body.arms.empty() ? model::Polyhedron{} : body_mesh(body));
+  for (int h = 0; h < static_cast<int>(sheet.hinges.size()); ++h)
+    sheet.rods.push_back(sheet.hinges[h].loose ? rod_solid(sheet.linkage, h, sheet.hinges[h])
+                                               : model::Polyhedron{});
+  for (int h = 0; h < static_cast<int>(sheet.hinges.size()); ++h)
+    sheet.soft.push_back(sheet.hinges[h].made.kind == HingeKind::pin
+                             ? model::Polyhedron{}
+                             : soft_solid(sheet.linkage, h, sheet.hinges[h]));
+}
+
+bool leaves_hinges_open(const DesignFile& design) {
+  if (!design.hinge.made) return true;
+  return std::any_of(design.own_hinges.begin(), design.own_hinges.end(),
+                     [](const auto& own) { return !own.second.made; });
+}
+
+PrintSheet make_print_sheet(const DesignFile& design, const PrintPath& path, const model::Process& process,
+                            const PrintChoice& choice) {
+  return SheetMaker(design, path, process, choice).made();
+}
+
+model::Polyhedron placed_body(const PrintSheet& sheet, const model::State& state, int body) {
+  model::Polyhedron out = sheet.with_rods(body);
+  for (Eigen::Vector3d& p : out.points) p = state[body].R * p + state[body].p;
+  return out;
+}
+
+model::Polyhedron placed_soft(const PrintSheet& sheet, const model::State& state, int hinge) {
+  const model::RestHinge& rest = sheet.linkage.hinges[hinge];
+  const Eigen::Vector3d between =
+      sheet.linkage.rest_position(rest.lower) - sheet.linkage.rest_position(rest.upper);
+  model::Polyhedron out = sheet.soft[hinge];
+  const std::size_t half = out.points.size() / 2;
+  for (std::size_t k = 0; k < out.points.size(); ++k) {
+    const model::Pose& pose = state[k < half ? rest.lower : rest.upper];
+    const Eigen::Vector3d p = k < half ? out.points[k] : Eigen::Vector3d(out.points[k] + between);
+    out.points[k] = pose.R * p + pose.p;
+  }
+  return out;
+}
+
+}  // namespace kinetix::app

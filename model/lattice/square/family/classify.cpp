@@ -1,0 +1,238 @@
+#include "model/lattice/square/family/classify.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "model/base/lower_median.hpp"
+#include "model/lattice/square/family/net_rules.hpp"
+#include "model/lattice/square/family/square_theta.hpp"
+
+namespace kinetix::model {
+namespace {
+
+/// Middle of the finite values; the fallback where there are none. A single odd hinge does not sway it.
+double median(std::vector<double> values, double fallback) {
+  std::erase_if(values, [](double v) { return !std::isfinite(v); });
+  if (values.empty()) return fallback;
+  return lower_median(std::move(values));
+}
+
+/// Hinge parameters by column and row, with their alternation over the sheet undone.
+struct Survey {
+  std::vector<std::vector<double>> beta, t, s;
+  std::vector<double> gamma;
+
+  Survey(int columns, int rows) : beta(columns), t(columns), s(rows) {}
+
+  void add(const Hinge& hinge) {
+    const auto [i, j] = hinge.wall.from;
+    const HingeParameters& p = hinge.parameters;
+    const bool along_x = hinge.wall.axis == Axis::x;
+    const double tilt = ((along_x ? j : i) & 1) ? -p.beta : p.beta;
+    (along_x ? beta[i] : gamma).push_back(tilt);
+    (along_x ? t[i] : s[j]).push_back(fraction_from_lower(p.t, hinge.wall.from));
+  }
+};
+
+/// Design that most hinges of each column and row suggest.
+ExactDesign<double> suggested_design(const Structure& structure) {
+  int columns = 0, rows = 0;
+  for (const Cell& c : structure.cells) {
+    columns = std::max(columns, c.i + 1);
+    rows = std::max(rows, c.j + 1);
+  }
+  Survey survey(columns, rows);
+  for (const Hinge& hinge : structure.hinges) survey.add(hinge);
+  auto design = ExactDesign<double>::basic(columns, rows);
+  for (int c = 0; c < columns; ++c) {
+    design.beta[c] = median(survey.beta[c], 0);
+    design.t[c] = median(survey.t[c], 0.5);
+  }
+  for (int r = 0; r < rows; ++r) design.s[r] = median(survey.s[r], 0.5);
+  design.gamma = median(survey.gamma, 0);
+  return design;
+}
+
+/// Empty where the hinge keeps the family's rule; otherwise the rule it breaks.
+class Rule {
+ public:
+  Rule(Family family, const ExactDesign<double>& design, double tolerance)
+      : family_(family), design_(design), tolerance_(tolerance) {}
+
+  std::string broken_by(const Hinge& hinge, const HingeParameters& asked) const {
+    const HingeParameters& p = hinge.parameters;
+    const bool along_x = hinge.wall.axis == Axis::x;
+    if (!same(p.alpha, pi / 2)) return "exact motion needs alpha = 90 deg";
+    if (!same(p.offset, 0)) return off_the_wall;
+    if (const char* rule = broken_rule(family_, hinge.wall.axis, p.t, p.beta, tolerance_)) return rule;
+    if (!same(p.beta, asked.beta))
+      return along_x ? "all tilts of a column must be equal, with the sign alternating from row to row"
+                     : "all rows must share one tilt, with the sign alternating from column to column";
+    if (!same(p.t, asked.t))
+      return "all hinges of a column (or row) of walls must give the same fraction to their class-A vertex";
+    return {};
+  }
+
+ private:
+  bool same(double a, double b) const { return std::abs(a - b) <= tolerance_; }
+
+  Family family_;
+  const ExactDesign<double>& design_;
+  double tolerance_;
+};
+
+std::string description(Family family, bool transposed) {
+  const std::string along = transposed ? " (folding along y)" : "";
+  switch (family) {
+    case Family::F1:
+      return "F1: all axes vertical, hinge fractions by column and row: planar";
+    case Family::F2:
+      return "F2: basic rows, every column bends or shears: cylindrical sheet" + along;
+    case Family::F3:
+      return "F3: rows tilted alike, every column bends" + along;
+    case Family::F4:
+      return "F4: flat panels joined by creases along x and along y: net";
+    case Family::planar:
+    case Family::none:
+      break;
+  }
+  return "no exact family";
+}
+
+Vertex swapped(Vertex v) { return {v.j, v.i}; }
+
+Wall swapped(const Wall& wall) { return {swapped(wall.from), wall.axis == Axis::x ? Axis::y : Axis::x}; }
+
+/// How far the hinges keep one family's rule.
+struct Attempt {
+  Family family = Family::none;
+  bool transposed = false;
+  std::size_t broken = 0;  ///< number of hinges that break it
+  int first_broken = -1;   ///< index in the structure as given
+  std::string rule;        ///< that this one breaks
+};
+
+/// @param sheet the structure, or its mirror image where `transposed`
+Attempt attempt(Family family, const Structure& structure, const Structure& sheet, bool transposed,
+                const ExactDesign<double>& design, double tolerance) {
+  Structure asked = sheet;
+  apply(design, asked);
+  const Rule rule(family, design, tolerance);
+  Attempt result{family, transposed, 0, -1, {}};
+  for (std::size_t k = 0; k < sheet.hinges.size(); ++k) {
+    std::string broken = rule.broken_by(sheet.hinges[k], asked.hinges[k].parameters);
+    if (broken.empty()) continue;
+    const Wall& wall = sheet.hinges[k].wall;
+    const int index = *structure.hinge_at(transposed ? swapped(wall) : wall);
+    ++result.broken;
+    if (result.first_broken >= 0 && index > result.first_broken) continue;
+    result.first_broken = index;
+    result.rule = std::move(broken);
+  }
+  return result;
+}
+
+/// Mirror image with x and y exchanged. Tilt and offset change their signs, a fraction and an in-plane angle
+/// do not.
+Structure transposed(const Structure& s) {
+  std::vector<Cell> cells;
+  for (const Cell& c : s.cells) cells.push_back({c.j, c.i});
+  Structure out = make_structure(std::move(cells), s.size);
+  for (const Hinge& h : s.hinges) {
+    HingeParameters& p = out.hinges[*out.hinge_at(swapped(h.wall))].parameters;
+    p = h.parameters;
+    p.beta = -p.beta;
+    p.offset = -p.offset;
+  }
+  return out;
+}
+
+bool has_offsets(const Structure& s) {
+  return std::any_of(s.hinges.begin(), s.hinges.end(),
+                     [](const Hinge& hinge) { return hinge.parameters.offset != 0; });
+}
+
+Pose swapped(const Pose& pose) {
+  const Eigen::Matrix3d swap =
+      Eigen::PermutationMatrix<3>(Eigen::Vector3i(1, 0, 2)).toDenseMatrix().cast<double>();
+  return {swap * pose.R * swap, swap * pose.p};
+}
+
+}  // namespace
+
+std::string to_string(Family family) {
+  switch (family) {
+    case Family::F1:
+      return "F1";
+    case Family::F2:
+      return "F2";
+    case Family::F3:
+      return "F3";
+    case Family::F4:
+      return "F4";
+    case Family::planar:
+      return "planar";
+    case Family::none:
+      break;
+  }
+  return "none";
+}
+
+Classification classify(const Structure& structure, double tolerance) {
+  Attempt best;
+  for (const bool along_y : {false, true}) {
+    const Structure sheet = along_y ? transposed(structure) : structure;
+    const auto design = suggested_design(sheet);
+    for (const Family family : {Family::F1, Family::F2, Family::F3}) {
+      Attempt a = attempt(family, structure, sheet, along_y, design, tolerance);
+      if (a.broken == 0) return {family, along_y, design, {}, {}, -1, description(family, along_y)};
+      if (best.family == Family::none || a.broken < best.broken) best = std::move(a);
+    }
+  }
+  NetCheck net = check_net(structure, tolerance);
+  if (net.broken == 0)
+    return {Family::F4, false, {}, make_net_tree(structure), {}, -1, description(Family::F4, false)};
+  if (all_vertical(structure)) {
+    PlanarSheet sheet = planar_motion(structure);
+    if (!sheet.y.empty()) return {Family::planar, false, {}, {}, std::move(sheet.y), -1, sheet.why};
+    if (has_offsets(structure)) return {Family::none, false, {}, {}, {}, sheet.hinge, sheet.why};
+  }
+  if (net.broken < best.broken)
+    best = {Family::F4, false, net.broken, net.breaking_hinge, std::move(net.rule)};
+  const std::string where = "wall " + to_string(structure.hinges[best.first_broken].wall);
+  return {Family::none,
+          false,
+          {},
+          {},
+          {},
+          best.first_broken,
+          "no exact family: hinge " + std::to_string(best.first_broken) + " on " + where + ": " + best.rule};
+}
+
+State fold(const Classification& classification, const Structure& structure, double theta) {
+  if (classification.family == Family::F4) return fold_net(classification.tree, structure, theta);
+  if (classification.family == Family::planar) return fold(classification.redrawing, structure, theta);
+  auto design = classification.design;
+  design.theta = classification.transposed ? -theta : theta;
+  if (!classification.transposed) return fold(design, structure);
+  State lattice;
+  fold(design, structure.size.edge_mm, lattice);
+  State state;
+  for (const Vertex& v : structure.bodies) state.push_back(swapped(lattice[v.j * (design.rows() + 1) + v.i]));
+  return state;
+}
+
+ExactMotion exact_motion(const Structure& structure, const Classification& kind) {
+  ExactMotion motion{{}, to_string(kind.family), kind.why};
+  if (kind.family == Family::none) return motion;
+  const auto sheet = std::make_shared<const Structure>(structure);
+  const auto of = std::make_shared<const Classification>(kind);
+  motion.at = [=](double theta) { return fold(*of, *sheet, theta); };
+  motion.theta_of = [=](const LinkageDrive& drive) { return theta_of(drive, *of, *sheet); };
+  return motion;
+}
+
+ExactMotion exact_motion(const Structure& structure) { return exact_motion(structure, classify(structure)); }
+
+}  // namespace kinetix::model

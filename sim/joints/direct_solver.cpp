@@ -1,0 +1,329 @@
+#include "sim/joints/direct_solver.hpp"
+
+#include <BulletDynamics/ConstraintSolver/btGeneric6DofSpring2Constraint.h>
+#include <BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h>
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "sim/joints/bullet_math.hpp"
+#include "sim/joints/cord.hpp"
+#include "sim/joints/elastic_hinges.hpp"
+#include "sim/joints/hand.hpp"
+#include "sim/joints/joints.hpp"
+#include "sim/joints/row_system.hpp"
+#include "sim/shapes/wall_tip_edges.hpp"
+
+namespace kinetix::sim {
+namespace {
+
+// Cell edges or rad, of a part in one step, with all forces turning with their bodies: further on, the forces
+// that were linearised tell nothing.
+constexpr double longest_step = 0.05;
+
+Vector6 stacked(const btVector3& linear, const btVector3& angular) {
+  return {linear.x(), linear.y(), linear.z(), angular.x(), angular.y(), angular.z()};
+}
+
+Eigen::Matrix3d world_inertia(const btRigidBody& body) {
+  const Eigen::Vector3d principal = eigen(body.getLocalInertia());
+  if ((principal.array() == principal.x()).all()) return principal.asDiagonal();
+  const Eigen::Matrix3d R = eigen(body.getWorldTransform().getBasis());
+  return R * principal.asDiagonal() * R.transpose();
+}
+
+// Solutions of a step: of rows that only push those that do change hardly ever from step to step.
+constexpr int most_solutions = 20;
+
+/// A row that only pushes its second part.
+struct Push {
+  std::size_t row = 0;
+  Eigen::Vector3d inward;  ///< the way that it pushes, unit vector
+};
+
+struct Contact {
+  Eigen::VectorXd response;  ///< of all parts to a unit impulse
+  double mobility = 0;       ///< approach speed that a unit impulse takes away
+  double target = 0;
+  double compliance = 0;
+  double impulse = 0;
+  VelocityRow row;
+};
+
+/// A cord taut or slack, by the parts.
+struct Pull {
+  Eigen::VectorXd direction, response;
+  double mobility = 0;  ///< speed of shortening by a unit impulse
+  double target = 0;    ///< change of that speed which is asked for
+  double impulse = 0;
+};
+
+/// Bodies of the structure as the engine has them at the start of a step.
+struct Motion {
+  model::State state;
+  std::vector<model::Twist> speeds;
+  std::vector<int> part_of_body;
+};
+
+class DirectSolver final : public btSequentialImpulseConstraintSolver {
+ public:
+  explicit DirectSolver(const DirectSolverSettings& settings)
+      : settings_(settings), contact_compliance_(settings.contact_softness / settings.joint_stiffness) {}
+
+ private:
+  btScalar solveGroupCacheFriendlyIterations(btCollisionObject**, int, btPersistentManifold** manifolds,
+                                             int count, btTypedConstraint**, int,
+                                             const btContactSolverInfo& info, btIDebugDraw*) override {
+    number_parts();
+    const bool jointless = m_tmpSolverNonContactConstraintPool.size() == 0 && !settings_.elastic;
+    if (bodies_.empty() || jointless) return 0;
+    share_contacts(manifolds, count);
+    collect_rows(info.m_timeStep);
+    Eigen::VectorXd velocities;
+    for (int k = 0; k < most_solutions; ++k) {
+      factorise_joints(info.m_timeStep);
+      velocities = system_.velocities();
+      solve_contacts(velocities, info.m_numIterations, info.m_timeStep);
+      if (!let_go(velocities)) break;
+    }
+    if (settings_.longest_way) shorten(velocities, *settings_.longest_way / info.m_timeStep);
+    apply(velocities);
+    return 0;
+  }
+
+  void number_parts() {
+    part_of_.assign(m_tmpSolverBodyPool.size(), -1);
+    bodies_.clear();
+    masses_.clear();
+    dofs_.clear();
+    for (int k = 0; k < m_tmpSolverBodyPool.size(); ++k) {
+      btRigidBody* const body = m_tmpSolverBodyPool[k].m_originalBody;
+      if (!body || !(body->getInvMass() > 0)) continue;
+      part_of_[k] = static_cast<int>(bodies_.size());
+      bodies_.push_back(k);
+      masses_.push_back({1 / body->getInvMass(), world_inertia(*body)});
+      dofs_.push_back(stacked(body->getLinearFactor(), body->getAngularFactor()));
+    }
+  }
+
+  Vector6 free_part(int part, const btVector3& linear, const btVector3& angular) const {
+    const Vector6 all = stacked(linear, angular);
+    return part < 0 ? all : all.cwiseProduct(dofs_[part]);
+  }
+
+  VelocityRow row_of(const btSolverConstraint& c) const {
+    const int a = part_of_[c.m_solverBodyIdA], b = part_of_[c.m_solverBodyIdB];
+    return {a,
+            b,
+            free_part(a, c.m_contactNormal1, c.m_relpos1CrossNormal),
+            free_part(b, c.m_contactNormal2, c.m_relpos2CrossNormal),
+            c.m_rhs / c.m_jacDiagABInv,
+            a < 0 || b < 0 ? settings_.grip : 1};
+  }
+
+  void collect_rows(double step) {
+    rows_.clear();
+    pushes_.clear();
+    for (int k = 0; k < m_tmpSolverNonContactConstraintPool.size(); ++k)
+      if (m_tmpSolverNonContactConstraintPool[k].m_jacDiagABInv > 0)
+        append_joint(m_tmpSolverNonContactConstraintPool[k]);
+    if (pushing_.size() != pushes_.size()) pushing_.assign(pushes_.size(), true);
+    if (settings_.elastic || has_hand()) append_own(step);
+  }
+
+  // What the engine calls a contact point is a joint in a row of a joint.
+  void append_joint(const btSolverConstraint& c) {
+    const auto& joint = *static_cast<const btTypedConstraint*>(c.m_originalContactPoint);
+    if (is_one_sided(joint))
+      pushes_.push_back({rows_.size(), eigen(static_cast<const btGeneric6DofSpring2Constraint&>(joint)
+                                                 .getCalculatedTransformA()
+                                                 .getBasis()
+                                                 .getColumn(0))});
+    rows_.push_back(row_of(c));
+  }
+
+  /// Keeps the rows that push, or would have to. @param v what the step came to   @return whether others did before
+  bool let_go(const Eigen::VectorXd& v) {
+    bool changed = false;
+    for (std::size_t k = 0; k < pushes_.size(); ++k) {
+      const VelocityRow& row = rows_[pushes_[k].row];
+      const double push = (row.target - along(row, v)) * row.second.head<3>().dot(pushes_[k].inward);
+      const bool pushes = push > 0;
+      changed = changed || pushing_[k] != pushes;
+      pushing_[k] = pushes;
+    }
+    return changed;
+  }
+
+  void factorise_joints(double step) {
+    for (std::size_t k = 0; k < pushes_.size(); ++k)
+      rows_[pushes_[k].row].weight = pushing_[k] ? settings_.grip : 0;
+    const bool solvable = system_.factorise(masses_, rows_, settings_.joint_stiffness);
+    if (settings_.elastic && !(solvable && longest_move() * step <= longest_step)) factorise_what_resists();
+  }
+
+  /// Largest speed or turning speed after the step, were there no contacts.
+  double longest_move() const { return fastest_after(system_.velocities()); }
+
+  double fastest_after(const Eigen::VectorXd& change) const {
+    double longest = 0;
+    for (std::size_t p = 0; p < bodies_.size(); ++p)
+      longest = std::max(longest, (speed_of(p) + change.segment<6>(6 * p)).cwiseAbs().maxCoeff());
+    return longest;
+  }
+
+  Vector6 speed_of(std::size_t part) const {
+    const btRigidBody& body = *m_tmpSolverBodyPool[bodies_[part]].m_originalBody;
+    return stacked(body.getLinearVelocity(), body.getAngularVelocity());
+  }
+
+  /// Changes of speed after which nothing is faster than that.
+  void shorten(Eigen::VectorXd& change, double fastest) const {
+    const double factor = fastest / fastest_after(change);
+    if (!(factor < 1)) return;
+    for (std::size_t p = 0; p < bodies_.size(); ++p) {
+      const Vector6 before = speed_of(p);
+      change.segment<6>(6 * p) = factor * (before + change.segment<6>(6 * p)) - before;
+    }
+  }
+
+  void factorise_what_resists() {
+    for (VelocityRow& row : rows_) row.weight = std::max(0.0, row.weight);
+    system_.factorise(masses_, rows_, settings_.joint_stiffness);
+  }
+
+  Motion motion() const {
+    Motion now{model::State(bodies_.size()), std::vector<model::Twist>(bodies_.size()),
+               std::vector<int>(bodies_.size())};
+    for (std::size_t p = 0; p < bodies_.size(); ++p) {
+      const btRigidBody& body = *m_tmpSolverBodyPool[bodies_[p]].m_originalBody;
+      now.state[body.getUserIndex()] = pose_of(body.getWorldTransform(), settings_.edge_mm);
+      now.speeds[body.getUserIndex()] = {eigen(body.getAngularVelocity()), eigen(body.getLinearVelocity())};
+      now.part_of_body[body.getUserIndex()] = static_cast<int>(p);
+    }
+    return now;
+  }
+
+  bool has_hand() const { return settings_.hand && !settings_.hand->is_empty(); }
+
+  /// The rows that are not the engine's.
+  void append_own(double step) {
+    const Motion now = motion();
+    if (settings_.elastic) append(settings_.elastic->rows(now.state, now.speeds, step), now);
+    if (has_hand()) append(settings_.hand->rows(now.state, now.speeds, step), now);
+  }
+
+  /// @param rows by the bodies of the structure
+  void append(const std::vector<VelocityRow>& rows, const Motion& now) {
+    for (VelocityRow row : rows) {
+      row.a = now.part_of_body[row.a];
+      row.first = row.first.cwiseProduct(dofs_[row.a]);
+      if (row.b >= 0) {
+        row.b = now.part_of_body[row.b];
+        row.second = row.second.cwiseProduct(dofs_[row.b]);
+      }
+      rows_.push_back(row);
+    }
+  }
+
+  static double along(const VelocityRow& row, const Eigen::VectorXd& v) {
+    double sum = 0;
+    if (row.a >= 0) sum += row.first.dot(v.segment<6>(6 * row.a));
+    if (row.b >= 0) sum += row.second.dot(v.segment<6>(6 * row.b));
+    return sum;
+  }
+
+  void share_contacts(btPersistentManifold** manifolds, int count) {
+    sharing_.clear();
+    for (int m = 0; settings_.elastic && m < count; ++m) count_points_on_edges(*manifolds[m], sharing_);
+  }
+
+  Contact contact_of(const btSolverConstraint& point) const {
+    const VelocityRow row = row_of(point);
+    Eigen::VectorXd impulse = Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(masses_.size()));
+    if (row.a >= 0) impulse.segment<6>(6 * row.a) = row.first;
+    if (row.b >= 0) impulse.segment<6>(6 * row.b) = row.second;
+    const auto sharing = sharing_.find(point.m_originalContactPoint);
+    const double compliance = contact_compliance_ * (sharing == sharing_.end() ? 1 : sharing->second);
+    Contact contact{system_.response(impulse), 0, row.target, compliance, 0, row};
+    contact.mobility = along(row, contact.response);
+    return contact;
+  }
+
+  Pull pull_of(const Cord& cord, double step) const {
+    const Motion now = motion();
+    const Eigen::VectorXd pull = cord.pull(now.state);
+    Pull out;
+    out.direction = Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(masses_.size()));
+    out.target = cord.excess(now.state) / step;
+    for (std::size_t b = 0; b < now.state.size(); ++b) {
+      const int part = now.part_of_body[b];
+      const Vector6 own = pull.segment<6>(6 * static_cast<Eigen::Index>(b)).cwiseProduct(dofs_[part]);
+      out.direction.segment<6>(6 * part) = own;
+      out.target -= own.head<3>().dot(now.speeds[b].v) + own.tail<3>().dot(now.speeds[b].omega);
+    }
+    out.response = system_.response(out.direction);
+    out.mobility = out.direction.dot(out.response);
+    return out;
+  }
+
+  /// @return how much it changes the speed of shortening
+  double tighten(Pull& pull, Eigen::VectorXd& velocities) const {
+    const double compliance = 1 / (settings_.grip * settings_.joint_stiffness);
+    const double miss = pull.target - pull.direction.dot(velocities) - compliance * pull.impulse;
+    const double step = std::max(-pull.impulse, miss / (pull.mobility + compliance));
+    pull.impulse += step;
+    velocities += step * pull.response;
+    return std::abs(step) * pull.mobility;
+  }
+
+  void solve_contacts(Eigen::VectorXd& velocities, int sweeps, double time_step) const {
+    std::vector<Contact> contacts;
+    std::optional<Pull> cord;
+    if (settings_.cord) cord = pull_of(*settings_.cord, time_step);
+    for (int k = 0; k < m_tmpSolverContactConstraintPool.size(); ++k)
+      if (m_tmpSolverContactConstraintPool[k].m_jacDiagABInv > 0)
+        contacts.push_back(contact_of(m_tmpSolverContactConstraintPool[k]));
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+      double change = cord ? tighten(*cord, velocities) : 0;
+      for (Contact& c : contacts) {
+        const double miss = c.target - along(c.row, velocities) - c.compliance * c.impulse;
+        const double step = std::max(-c.impulse, miss / (c.mobility + c.compliance));
+        c.impulse += step;
+        velocities += step * c.response;
+        change = std::max(change, std::abs(step) * c.mobility);
+      }
+      if (change < 1e-12) return;
+    }
+  }
+
+  void apply(const Eigen::VectorXd& v) {
+    for (std::size_t p = 0; p < bodies_.size(); ++p) {
+      btSolverBody& body = m_tmpSolverBodyPool[bodies_[p]];
+      const double* const w = v.data() + 6 * p;
+      body.internalGetDeltaLinearVelocity().setValue(w[0], w[1], w[2]);
+      body.internalGetDeltaAngularVelocity().setValue(w[3], w[4], w[5]);
+    }
+  }
+
+  const DirectSolverSettings settings_;
+  const double contact_compliance_;
+  std::vector<int> part_of_;  ///< by solver body; -1 for a fixed one
+  std::vector<int> bodies_;   ///< solver body of each part
+  std::vector<PartMass> masses_;
+  std::vector<Vector6> dofs_;  ///< 1 where a part may move, 0 where it may not
+  std::vector<VelocityRow> rows_;
+  PointCounts sharing_;  ///< by point: how many share its contact
+  RowSystem system_;
+  std::vector<Push> pushes_;
+  std::vector<bool> pushing_;  ///< of each of them, at the last step and at this one
+};
+
+}  // namespace
+
+std::unique_ptr<btConstraintSolver> make_direct_solver(const DirectSolverSettings& settings) {
+  return std::make_unique<DirectSolver>(settings);
+}
+
+}  // namespace kinetix::sim

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "model/linkage/state.hpp"
+#include "sim/joints/row_system.hpp"
+
+namespace kinetix::sim {
+
+/// A point of a body that is pulled towards a place by a spring without damping.
+struct Grasp {
+  int body = 0;
+  Eigen::Vector3d arm = Eigen::Vector3d::Zero();  ///< from the vertex, in the rest frame, cell edges
+  Eigen::Vector3d to = Eigen::Vector3d::Zero();   ///< cell edges
+  double stiffness = 0;                           ///< mass / s^2
+};
+
+/// A body that is kept where it is.
+struct Hold {
+  int body = 0;
+  model::Pose place;  ///< mm
+};
+
+/// What somebody's hands do to a structure while it moves: equations for the direct solver, by implicit Euler.
+class Hand {
+ public:
+  Hand(double joint_stiffness, double edge_mm) : joint_stiffness_(joint_stiffness), edge_mm_(edge_mm) {}
+
+  std::optional<Grasp> grasp;
+  std::vector<Hold> holds;
+
+  bool is_empty() const { return !grasp && holds.empty(); }
+  /// The pull on the grasped point, mass edge / s^2; zero where nothing is grasped.
+  Eigen::Vector3d pull(const model::State& state) const;
+  /// @param state mm; @param speeds rad/s and cell edges/s; @param step s
+  std::vector<VelocityRow> rows(const model::State& state, const std::vector<model::Twist>& speeds,
+                                double step) const;
+
+ private:
+  void append(const Grasp& grasp, const model::Pose& pose, const model::Twist& speed, double step,
+              std::vector<VelocityRow>& rows) const;
+  void append(const Hold& hold, const model::Pose& pose, const model::Twist& speed, double step,
+              std::vector<VelocityRow>& rows) const;
+
+  double joint_stiffness_;  ///< as the solver's
+  double edge_mm_;
+};
+
+}  // namespace kinetix::sim

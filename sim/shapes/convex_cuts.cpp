@@ -1,0 +1,640 @@
+#include "sim/shapes/convex_cuts.hpp"
+
+#include <LinearMath/btConvexHullComputer.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <tuple>
+
+#include "model/assembly/crossing.hpp"
+#include "model/assembly/cylinder_faces.hpp"
+#include "model/base/angle.hpp"
+#include "model/base/decompositions.hpp"
+#include "model/base/invalid_input.hpp"
+
+namespace kinetix::sim {
+namespace {
+
+using Eigen::Vector3d;
+using model::Polyhedron;
+using CutPolygon = std::vector<Vector3d>;
+
+constexpr double least_tolerance_mm = 0.1;  // mm: what a printer leaves anyway
+constexpr double tolerance_share = 0.01;    // of the longest side
+constexpr double watched_share =
+    0.8;  // of the tolerance: points lie on a grid, and what is between them may stick out further
+constexpr double watched_places =
+    1200;                      // about so many over the surface: of 36 x 36, a thirtieth of a side apart
+constexpr int levels = 4;      // of watch points over a place, each three times as far off as the one before
+constexpr int most_rows = 24;  // over a triangle, and places in a row: more would crowd large faces alone
+constexpr double looked_at = 3;             // times the tolerance, between places on a hull that is looked at
+constexpr std::size_t most_watched = 3000;  // points in all: each costs a look at every face of a hull
+constexpr std::size_t most_candidates =
+    10;                             // planes that are tried for a cut: of the faces below most watch points
+constexpr double large_bore = 0.1;  // of the longest side: smaller ones are cut as other faces are
+constexpr double same_plane =
+    1e-3;  // rad and, over the longest side, of the offset: cuts that are no different
+constexpr double on_plane =
+    2e-5;  // of the longest side: corners so near to a cut lie on it, as files of six digits have them
+constexpr double thinnest = 1e-4;  // of the longest side: less is no piece
+
+struct CutPlane {
+  Vector3d normal;
+  double offset = 0;  // normal . p
+};
+
+/// A point off the surface, and the face that it is off.
+struct WatchPoint {
+  Vector3d at;
+  int triangle;
+  double depth;  // its distance over that of the nearest ones: what it counts for
+};
+
+double longest_side(const Polyhedron& solid) {
+  Eigen::AlignedBox3d box;
+  for (const Vector3d& p : solid.points) box.extend(p);
+  return box.sizes().maxCoeff();
+}
+
+std::array<Vector3d, 3> corners_of(const Polyhedron& solid, int t) {
+  const auto& [a, b, c] = solid.triangles[t];
+  return {solid.points[a], solid.points[b], solid.points[c]};
+}
+
+/// Squared distance to a triangle: inside it that of its plane, else of its nearest side.
+double squared_distance(const Vector3d& p, const std::array<Vector3d, 3>& t) {
+  const Vector3d n = (t[1] - t[0]).cross(t[2] - t[0]);
+  bool inside = n.squaredNorm() > 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 3; ++k) {
+    const Vector3d side = t[(k + 1) % 3] - t[k], arm = p - t[k];
+    if (n.cross(side).dot(arm) < 0) inside = false;
+    const double length = side.squaredNorm();
+    const double along = length > 0 ? std::clamp(arm.dot(side) / length, 0.0, 1.0) : 0.0;
+    least = std::min(least, (arm - along * side).squaredNorm());
+  }
+  if (!inside) return least;
+  const double off = n.dot(p - t[0]);
+  return off * off / n.squaredNorm();
+}
+
+/// Distances from many places to one solid.
+class NearSolid {
+ public:
+  explicit NearSolid(const Polyhedron& solid) : solid_(solid) {
+    for (int t = 0; t < static_cast<int>(solid.triangles.size()); ++t) {
+      Eigen::AlignedBox3d box;
+      for (const Vector3d& p : corners_of(solid, t)) box.extend(p);
+      boxes_.push_back(box);
+      by_x_.push_back(t);
+    }
+    std::stable_sort(by_x_.begin(), by_x_.end(),
+                     [&](int s, int t) { return boxes_[s].min().x() < boxes_[t].min().x(); });
+  }
+
+  bool is_farther_than(const Vector3d& p, double distance) const {
+    const double square = distance * distance;
+    for (const int t : by_x_) {
+      if (boxes_[t].min().x() > p.x() + distance) break;
+      if (boxes_[t].squaredExteriorDistance(p) < square &&
+          squared_distance(p, corners_of(solid_, t)) < square)
+        return false;
+    }
+    return true;
+  }
+
+  int nearest(const Vector3d& p) const {
+    double least = std::numeric_limits<double>::infinity();
+    int out = 0;
+    for (std::size_t t = 0; t < boxes_.size(); ++t)
+      if (const double d = boxes_[t].squaredExteriorDistance(p) < least
+                               ? squared_distance(p, corners_of(solid_, static_cast<int>(t)))
+                               : least;
+          d < least) {
+        least = d;
+        out = static_cast<int>(t);
+      }
+    return out;
+  }
+
+  double distance(const Vector3d& p) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t t = 0; t < boxes_.size(); ++t)
+      if (boxes_[t].squaredExteriorDistance(p) < least)
+        least = std::min(least, squared_distance(p, corners_of(solid_, static_cast<int>(t))));
+    return std::sqrt(least);
+  }
+
+  /// Winding number by solid angles (A. Van Oosterom and J. Strackee, IEEE Trans. Biomed. Eng. 30, 1983).
+  bool holds(const Vector3d& p) const {
+    double sum = 0;
+    for (int t = 0; t < static_cast<int>(boxes_.size()); ++t) {
+      const auto [a, b, c] = corners_of(solid_, t);
+      const Vector3d u = a - p, v = b - p, w = c - p;
+      const double lu = u.norm(), lv = v.norm(), lw = w.norm();
+      sum += std::atan2(u.dot(v.cross(w)), lu * lv * lw + u.dot(v) * lw + v.dot(w) * lu + w.dot(u) * lv);
+    }
+    return sum > 3.14159;  // half of the 2 pi that the sum of half angles comes to inside
+  }
+
+ private:
+  const Polyhedron& solid_;
+  std::vector<Eigen::AlignedBox3d> boxes_;
+  std::vector<int> by_x_;  // triangles, by where their boxes begin
+};
+
+/// Points over a triangle, about so far apart in rows along its longest side, one at least.
+void add_over(const std::array<Vector3d, 3>& t, double spacing, std::vector<Vector3d>& out) {
+  int k = 0;
+  for (int l = 1; l < 3; ++l)
+    if ((t[(l + 1) % 3] - t[l]).norm() > (t[(k + 1) % 3] - t[k]).norm()) k = l;
+  const Vector3d from = t[k], side = t[(k + 1) % 3] - t[k], apex = t[(k + 2) % 3] - t[k];
+  const double height = side.cross(apex).norm() / side.norm();
+  const int rows = std::clamp(static_cast<int>(std::ceil(height / spacing)), 1, most_rows);
+  for (int r = 0; r < rows; ++r) {
+    const double v = rows == 1 ? 1.0 / 3 : (r + 0.5) / rows;
+    const int places = std::clamp(static_cast<int>(std::ceil((1 - v) * side.norm() / spacing)), 1, most_rows);
+    for (int i = 0; i < places; ++i) out.emplace_back(from + v * apex + (1 - v) * (i + 0.5) / places * side);
+  }
+}
+
+double area_of(const Polyhedron& solid) {
+  double area = 0;
+  for (int t = 0; t < static_cast<int>(solid.triangles.size()); ++t) {
+    const auto c = corners_of(solid, t);
+    area += (c[1] - c[0]).cross(c[2] - c[0]).norm() / 2;
+  }
+  return area;
+}
+
+/// Whatever lay between a face and a point off it would be nearer: so what is left is outside.
+std::vector<WatchPoint> watch_points(const Polyhedron& solid, const NearSolid& near, double off) {
+  const double spacing = std::sqrt(area_of(solid) / watched_places);
+  std::vector<std::pair<Vector3d, int>> all;
+  for (int t = 0; t < static_cast<int>(solid.triangles.size()); ++t) {
+    std::vector<Vector3d> places;
+    add_over(corners_of(solid, t), spacing, places);
+    for (const Vector3d& p : places) all.emplace_back(p, t);
+  }
+  const std::size_t stride = all.size() / most_watched + 1;
+  std::vector<WatchPoint> out;
+  for (std::size_t k = 0; k < all.size(); k += stride) {
+    const auto& [place, t] = all[k];
+    const auto c = corners_of(solid, t);
+    const Vector3d normal = (c[1] - c[0]).cross(c[2] - c[0]).stableNormalized();
+    double depth = 1;
+    for (int level = 0; level < levels; ++level, depth *= 3) {
+      const Vector3d at = place + depth * off * normal;
+      if (!near.is_farther_than(at, 0.999 * depth * off)) break;
+      out.push_back({at, t, depth});
+    }
+  }
+  return out;
+}
+
+/// Twice its area, along its normal.
+Vector3d area_of(const CutPolygon& polygon) {
+  Vector3d out = Vector3d::Zero();
+  for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
+    out += (polygon[k] - polygon[0]).cross(polygon[k + 1] - polygon[0]);
+  return out;
+}
+
+/// The part of a polygon on the inner side, n . p <= offset.
+CutPolygon clipped(const CutPolygon& polygon, const CutPlane& plane, double tolerance) {
+  CutPolygon out;
+  const auto off = [&](const Vector3d& p) {
+    const double d = plane.normal.dot(p) - plane.offset;
+    return std::abs(d) <= tolerance ? 0 : d;
+  };
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Vector3d &p = polygon[k], &q = polygon[(k + 1) % polygon.size()];
+    const double a = off(p), b = off(q);
+    if (a <= 0) out.push_back(p);
+    if ((a < 0 && b > 0) || (a > 0 && b < 0)) out.push_back(p + a / (a - b) * (q - p));
+  }
+  if (out.size() < 3) return {};
+  // A face that lies in the plane bounds the side on which the solid is.
+  const bool lies_in_it =
+      std::all_of(polygon.begin(), polygon.end(), [&](const Vector3d& p) { return off(p) == 0; });
+  return lies_in_it && !(area_of(polygon).dot(plane.normal) > 0) ? CutPolygon{} : out;
+}
+
+/// @param skin takes its faces as triangles
+CutPiece hull_of(const std::vector<Vector3d>& points, double least_size,
+                 std::vector<std::array<Vector3d, 3>>& skin) {
+  CutPiece out;
+  btConvexHullComputer hull;
+  hull.compute(points.front().data(), sizeof(Vector3d), static_cast<int>(points.size()), 0, 0);
+  // The library rounds to a grid; the corners are the points themselves.
+  for (int v = 0; v < hull.vertices.size(); ++v) out.corners.push_back(points[hull.original_vertex_index[v]]);
+  Vector3d middle = Vector3d::Zero();
+  for (const Vector3d& p : out.corners) middle += p / static_cast<double>(out.corners.size());
+  std::vector<Eigen::RowVector4d> rows;
+  for (int f = 0; f < hull.faces.size(); ++f) {
+    const btConvexHullComputer::Edge* const first = &hull.edges[hull.faces[f]];
+    Vector3d area = Vector3d::Zero();
+    const Vector3d origin = out.corners[first->getSourceVertex()];
+    const btConvexHullComputer::Edge* edge = first;
+    do {
+      area += (out.corners[edge->getSourceVertex()] - origin)
+                  .cross(out.corners[edge->getTargetVertex()] - origin);
+      skin.push_back({origin, out.corners[edge->getSourceVertex()], out.corners[edge->getTargetVertex()]});
+      edge = edge->getNextEdgeOfFace();
+    } while (edge != first);
+    Vector3d normal = area.stableNormalized();
+    if (!(area.norm() > 1e-3 * least_size * least_size)) continue;  // a sliver's direction is rounding
+    if (normal.dot(origin - middle) < 0) normal = -normal;
+    double offset = -std::numeric_limits<double>::infinity();
+    for (const Vector3d& p : points) offset = std::max(offset, normal.dot(p));
+    rows.emplace_back(normal.x(), normal.y(), normal.z(), offset);
+  }
+  // Slivers that were left out bound it too: by its box at least.
+  for (int k = 0; k < 3; ++k)
+    for (const double sign : {-1.0, 1.0}) {
+      const Vector3d normal = sign * Vector3d::Unit(k);
+      double offset = -std::numeric_limits<double>::infinity();
+      for (const Vector3d& p : points) offset = std::max(offset, normal.dot(p));
+      rows.emplace_back(normal.x(), normal.y(), normal.z(), offset);
+    }
+  out.faces.resize(static_cast<Eigen::Index>(rows.size()), 4);
+  for (std::size_t f = 0; f < rows.size(); ++f) out.faces.row(static_cast<Eigen::Index>(f)) = rows[f];
+  return out;
+}
+
+bool is_in(const CutPiece& piece, const Vector3d& p) {
+  for (Eigen::Index f = 0; f < piece.faces.rows(); ++f)
+    if (piece.faces.row(f).head<3>().dot(p) > piece.faces(f, 3)) return false;
+  return true;
+}
+
+/// A part of the solid in a cell.
+struct CutCell {
+  std::vector<CutPlane> planes;     // that bound it
+  std::vector<CutPolygon> surface;  // of the solid, in it
+  std::vector<Vector3d> inner;      // corners of the cell inside the solid
+  CutPiece hull;
+  std::vector<std::array<Vector3d, 3>> skin;  // of the hull
+  std::vector<int> watched;                   // points in the hull
+  double weight = 0;                          // sum of their depths
+  bool is_final = false;                      // no cut helps
+};
+
+bool is_within(const FilledBore& bore, const Vector3d& p) {
+  const double along = bore.axis.dot(p - bore.point);
+  return std::abs(along) <= bore.half_mm && (p - bore.point - along * bore.axis).norm() <= bore.radius_mm;
+}
+
+class Cutter {
+ public:
+  Cutter(const Polyhedron& solid, const CutOptions& options)
+      : solid_(solid), options_(options), near_(solid), side_(longest_side(solid)) {
+    tolerance_ = options.tolerance_mm > 0 ? options.tolerance_mm
+                                          : std::max(least_tolerance_mm, tolerance_share * side_);
+    watch_ = watch_points(solid, near_, watched_share * tolerance_);
+    find_bores();
+    std::erase_if(watch_, [&](const WatchPoint& w) { return is_ignored(w.at); });
+  }
+
+  std::vector<CutPiece> run() {
+    std::vector<CutCell> cells{whole()};
+    look_over(cells.front());
+    while (static_cast<int>(cells.size()) < options_.most_pieces) {
+      const auto worst = std::max_element(cells.begin(), cells.end(), [](const CutCell& a, const CutCell& b) {
+        return weight(a) < weight(b);
+      });
+      if (weight(*worst) == 0) break;
+      auto parts = best_cut(*worst);
+      if (!parts) {
+        worst->is_final = true;
+        continue;
+      }
+      for (CutCell& part : *parts) look_over(part);
+      *worst = std::move((*parts)[0]);
+      cells.push_back(std::move((*parts)[1]));
+    }
+    std::vector<CutPiece> out;
+    for (CutCell& cell : cells) out.push_back(std::move(cell.hull));
+    return out;
+  }
+
+ private:
+  /// Round hollows that are large for the solid, and which triangles are theirs.
+  void find_bores() {
+    for (const model::CylinderFace& face : model::cylinder_faces(solid_))
+      if (face.hollow && face.radius_mm > large_bore * side_) bores_.push_back(face);
+    bore_of_.assign(solid_.triangles.size(), -1);
+    for (std::size_t t = 0; t < bore_of_.size(); ++t) {
+      const auto c = corners_of(solid_, static_cast<int>(t));
+      for (std::size_t b = 0; b < bores_.size(); ++b)
+        if (std::all_of(c.begin(), c.end(), [&](const Vector3d& p) { return lies_on(bores_[b], p); }))
+          bore_of_[t] = static_cast<int>(b);
+    }
+  }
+
+  static bool lies_on(const model::CylinderFace& bore, const Vector3d& p) {
+    const Vector3d arm = p - bore.point;
+    const double along = bore.axis.dot(arm), off = (arm - along * bore.axis).norm(),
+                 slack = 0.01 * bore.radius_mm;
+    const double at = bore.axis.dot(p);
+    return at >= bore.from - slack && at <= bore.to + slack && off >= bore.inner_mm - slack &&
+           off <= bore.radius_mm + slack;
+  }
+
+  static double weight(const CutCell& cell) { return cell.is_final ? 0 : cell.weight; }
+
+  /// Of a cell that no point watches: places on its hull that stick out become such points.
+  void look_over(CutCell& cell) {
+    if (!cell.watched.empty()) return;
+    Vector3d center = Vector3d::Zero();
+    for (const Vector3d& p : cell.hull.corners) center += p / static_cast<double>(cell.hull.corners.size());
+    for (const auto& face : cell.skin) {
+      if (!((face[1] - face[0]).cross(face[2] - face[0]).norm() > tolerance_ * tolerance_)) continue;
+      std::vector<Vector3d> places;
+      add_over(face, looked_at * tolerance_, places);
+      for (const Vector3d& place : places) {
+        const Vector3d p = place + thinnest * (center - place);
+        if (is_ignored(p) || !near_.is_farther_than(p, watched_share * tolerance_) || is_inside(solid_, p))
+          continue;
+        cell.watched.push_back(static_cast<int>(watch_.size()));
+        cell.weight += 1;
+        watch_.push_back({p, near_.nearest(p), 1});
+      }
+    }
+  }
+
+  bool is_ignored(const Vector3d& p) const {
+    return std::any_of(options_.filled.begin(), options_.filled.end(),
+                       [&](const FilledBore& bore) { return is_within(bore, p); });
+  }
+
+  CutCell whole() const {
+    CutCell cell;
+    for (int t = 0; t < static_cast<int>(solid_.triangles.size()); ++t) {
+      const auto corners = corners_of(solid_, t);
+      cell.surface.emplace_back(corners.begin(), corners.end());
+    }
+    std::vector<int> all(watch_.size());
+    std::iota(all.begin(), all.end(), 0);
+    close(cell, all);
+    return cell;
+  }
+
+  /// Its hull and the points in it. @param among that may be
+  void close(CutCell& cell, const std::vector<int>& among) const {
+    std::vector<Vector3d> points = cell.inner;
+    for (const CutPolygon& polygon : cell.surface)
+      points.insert(points.end(), polygon.begin(), polygon.end());
+    const auto key = [](const Vector3d& p) { return std::tuple(p.x(), p.y(), p.z()); };
+    std::sort(points.begin(), points.end(),
+              [&](const Vector3d& p, const Vector3d& q) { return key(p) < key(q); });
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    cell.skin.clear();
+    cell.hull = hull_of(points, thinnest * side_, cell.skin);
+    cell.watched = held(cell.hull, among);
+    for (const int w : cell.watched) cell.weight += watch_[w].depth;
+  }
+
+  /// The watch points that a piece holds. Each face looks at what the ones before it have left: most points are soon out.
+  std::vector<int> held(const CutPiece& piece, std::vector<int> among) const {
+    for (Eigen::Index f = 0; f < piece.faces.rows(); ++f) {
+      const Vector3d normal = piece.faces.row(f).head<3>();
+      const double offset = piece.faces(f, 3);
+      std::erase_if(among, [&](int w) { return normal.dot(watch_[w].at) > offset; });
+    }
+    return among;
+  }
+
+  /// Where three planes of the cell meet inside the solid, one of them the last.
+  void add_inner_corners(CutCell& cell) const {
+    const std::size_t n = cell.planes.size();
+    for (std::size_t i = 0; i + 1 < n; ++i)
+      for (std::size_t j = i + 1; j + 1 < n; ++j) {
+        Eigen::Matrix3d normals;
+        normals << cell.planes[i].normal.transpose(), cell.planes[j].normal.transpose(),
+            cell.planes[n - 1].normal.transpose();
+        if (!(std::abs(normals.determinant()) > 1e-6)) continue;
+        const Vector3d p = normals.inverse() *
+                           Vector3d(cell.planes[i].offset, cell.planes[j].offset, cell.planes[n - 1].offset);
+        const Vector3d inwards = -(cell.planes[i].normal + cell.planes[j].normal + cell.planes[n - 1].normal);
+        if (keeps(cell, p) && near_.holds(p + 0.5 * thinnest * side_ * inwards)) cell.inner.push_back(p);
+      }
+  }
+
+  bool keeps(const CutCell& cell, const Vector3d& p) const {
+    return std::all_of(cell.planes.begin(), cell.planes.end(), [&](const CutPlane& plane) {
+      return plane.normal.dot(p) <= plane.offset + on_plane * side_;
+    });
+  }
+
+  bool has_room(const CutCell& cell, const CutPlane& plane) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const CutPolygon& polygon : cell.surface)
+      for (const Vector3d& p : polygon) least = std::min(least, plane.normal.dot(p) - plane.offset);
+    return least < -thinnest * side_;
+  }
+
+  std::optional<CutCell> half(const CutCell& cell, const CutPlane& plane) const {
+    CutCell out;
+    out.planes = cell.planes;
+    out.planes.push_back(plane);
+    for (const CutPolygon& polygon : cell.surface)
+      if (CutPolygon part = clipped(polygon, plane, on_plane * side_); !part.empty())
+        out.surface.push_back(std::move(part));
+    for (const Vector3d& p : cell.inner)
+      if (plane.normal.dot(p) <= plane.offset + on_plane * side_) out.inner.push_back(p);
+    if (out.surface.empty() || !has_room(out, plane)) return std::nullopt;
+    add_inner_corners(out);
+    close(out, cell.watched);
+    return out;
+  }
+
+  /// Planes of the faces below most watch points of a cell, and through their middles square to them.
+  std::vector<CutPlane> candidates(const CutCell& cell) const {
+    std::vector<std::pair<int, CutPlane>> faces;
+    for (const int w : cell.watched) {
+      const auto t = corners_of(solid_, watch_[w].triangle);
+      const Vector3d normal = (t[1] - t[0]).cross(t[2] - t[0]).normalized();
+      const CutPlane plane{normal, normal.dot(t[0])};
+      const auto known =
+          std::find_if(faces.begin(), faces.end(), [&](const auto& f) { return is_same(f.second, plane); });
+      if (known == faces.end())
+        faces.push_back({1, plane});
+      else
+        ++known->first;
+    }
+    std::stable_sort(faces.begin(), faces.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::vector<CutPlane> out;
+    for (std::size_t k = 0; k < std::min(faces.size(), most_candidates / 2); ++k)
+      out.push_back(faces[k].second);
+    add_square_ones(cell, out);
+    return out;
+  }
+
+  /// Through the middle of the cell's watch points, square to the three directions in which these lie, and through the middle of those of the fullest faces.
+  void add_square_ones(const CutCell& cell, std::vector<CutPlane>& out) const {
+    Vector3d middle = Vector3d::Zero();
+    for (const int w : cell.watched) middle += watch_[w].at / static_cast<double>(cell.watched.size());
+    Vector3d center = Vector3d::Zero();
+    for (const Vector3d& p : cell.hull.corners) center += p / static_cast<double>(cell.hull.corners.size());
+    const std::size_t faces = out.size();
+    std::vector<Vector3d> normals;
+    for (std::size_t k = 0; k < std::min<std::size_t>(faces, 2); ++k) normals.push_back(out[k].normal);
+    for (int k = 0; k < 3; ++k) normals.emplace_back(Vector3d::Unit(k));
+    if (normals.size() >= 2 && faces >= 1) {
+      const Vector3d along = fold_direction(cell);
+      if (along.norm() > 0) normals.push_back(along.cross(normals[0]).normalized());
+    }
+    for (const Vector3d& n : normals)
+      for (const Vector3d& through : {middle, center}) {
+        const CutPlane plane{n, n.dot(through)};
+        if (n.allFinite() &&
+            std::none_of(out.begin(), out.end(), [&](const CutPlane& p) { return is_same(p, plane); }))
+          out.push_back(plane);
+      }
+  }
+
+  /// The direction to which the normals below the watch points are most nearly square: along a bore.
+  Vector3d fold_direction(const CutCell& cell) const {
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    for (const int w : cell.watched) {
+      const auto t = corners_of(solid_, watch_[w].triangle);
+      const Vector3d n = (t[1] - t[0]).cross(t[2] - t[0]).normalized();
+      spread += n * n.transpose();
+    }
+    return principal_axes(spread).axes.col(0);
+  }
+
+  bool is_same(const CutPlane& a, const CutPlane& b) const {
+    const double sign = a.normal.dot(b.normal) > 0 ? 1 : -1;
+    return (a.normal - sign * b.normal).norm() < same_plane &&
+           std::abs(a.offset - sign * b.offset) < same_plane * side_;
+  }
+
+  /// Where most of what watches a cell is round a bore: off its ends, then through its axis, in the middle of where they are.
+  std::optional<CutPlane> cut_at_bore(const CutCell& cell) const {
+    std::vector<double> weights(bores_.size(), 0);
+    for (const int w : cell.watched)
+      if (const int b = bore_of_[watch_[w].triangle]; b >= 0) weights[b] += watch_[w].depth;
+    for (std::size_t b = 0; b < bores_.size(); ++b)
+      if (weights[b] > cell.weight / 2) {
+        if (const auto end = cut_at_end(cell, bores_[b])) return end;
+        return cut_along(cell, static_cast<int>(b));
+      }
+    return std::nullopt;
+  }
+
+  std::optional<CutPlane> cut_at_end(const CutCell& cell, const model::CylinderFace& bore) const {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Vector3d& p : cell.hull.corners) {
+      low = std::min(low, bore.axis.dot(p));
+      high = std::max(high, bore.axis.dot(p));
+    }
+    if (low < bore.from - tolerance_) return CutPlane{bore.axis, bore.from};
+    if (high > bore.to + tolerance_) return CutPlane{bore.axis, bore.to};
+    return std::nullopt;
+  }
+
+  std::optional<CutPlane> cut_along(const CutCell& cell, int bore) const {
+    const model::CylinderFace& face = bores_[bore];
+    const Vector3d u = face.axis.unitOrthogonal(), v = face.axis.cross(u);
+    std::vector<double> angles;
+    for (const int w : cell.watched)
+      if (bore_of_[watch_[w].triangle] == bore) {
+        const Vector3d arm = watch_[w].at - face.point;
+        angles.push_back(std::atan2(v.dot(arm), u.dot(arm)));
+      }
+    std::sort(angles.begin(), angles.end());
+    std::size_t first = 0;  // behind the widest gap
+    double gap = angles.front() + 2 * pi - angles.back();
+    for (std::size_t k = 1; k < angles.size(); ++k)
+      if (angles[k] - angles[k - 1] > gap) {
+        gap = angles[k] - angles[k - 1];
+        first = k;
+      }
+    const double middle = angles[first] + (2 * pi - gap) / 2;
+    const Vector3d normal = -std::sin(middle) * u + std::cos(middle) * v;
+    return CutPlane{normal, normal.dot(face.point)};
+  }
+
+  std::optional<std::array<CutCell, 2>> halves(const CutCell& cell, const CutPlane& plane) const {
+    auto below = half(cell, plane), above = half(cell, {-plane.normal, -plane.offset});
+    if (!below || !above) return std::nullopt;
+    return std::array<CutCell, 2>{std::move(*below), std::move(*above)};
+  }
+
+  std::optional<std::array<CutCell, 2>> best_cut(const CutCell& cell) const {
+    if (const auto plane = cut_at_bore(cell))
+      if (auto parts = halves(cell, *plane)) return parts;
+    std::optional<std::array<CutCell, 2>> best;
+    double least = cell.weight;
+    for (const CutPlane& plane : candidates(cell)) {
+      auto below = half(cell, plane);
+      if (!below || below->weight > least) continue;
+      auto above = half(cell, {-plane.normal, -plane.offset});
+      if (!above) continue;
+      const double left = below->weight + above->weight;
+      if (left > least || (left == least && best)) continue;
+      least = left;
+      best = {std::move(*below), std::move(*above)};
+    }
+    return best;
+  }
+
+  const Polyhedron& solid_;
+  const CutOptions options_;
+  const NearSolid near_;
+  const double side_;
+  double tolerance_ = 0;
+  std::vector<WatchPoint> watch_;
+  std::vector<model::CylinderFace> bores_;
+  std::vector<int> bore_of_;  // by triangle; -1: of none
+};
+
+/// Of the van der Corput sequence of a base.
+double radical_inverse(int k, int base) {
+  double out = 0, digit = 1.0 / base;
+  for (; k > 0; k /= base, digit /= base) out += digit * (k % base);
+  return out;
+}
+
+}  // namespace
+
+std::vector<CutPiece> convex_cuts(const Polyhedron& solid, const CutOptions& options) {
+  require("tolerance_mm", options.tolerance_mm, options.tolerance_mm >= 0, "at least 0, mm");
+  require("most_pieces", options.most_pieces, options.most_pieces >= 1, "at least 1");
+  return Cutter(solid, options).run();
+}
+
+CutQuality measured(const std::vector<CutPiece>& pieces, const Polyhedron& solid, int points) {
+  Eigen::AlignedBox3d box;
+  for (const CutPiece& piece : pieces)
+    for (const Vector3d& p : piece.corners) box.extend(p);
+  const NearSolid near(solid);
+  int inside = 0, covered = 0, in_pieces = 0, in_several = 0;
+  CutQuality out;
+  for (int k = 1; k <= points; ++k) {
+    const Vector3d u(radical_inverse(k, 2), radical_inverse(k, 3), radical_inverse(k, 5));
+    const Vector3d p = box.min() + u.cwiseProduct(box.sizes());
+    const auto held =
+        std::count_if(pieces.begin(), pieces.end(), [&](const CutPiece& piece) { return is_in(piece, p); });
+    const bool is_inside = near.holds(p);
+    inside += is_inside;
+    covered += is_inside && held > 0;
+    in_pieces += held > 0;
+    in_several += held > 1;
+    if (held > 0 && !is_inside) out.sticks_out_mm = std::max(out.sticks_out_mm, near.distance(p));
+  }
+  out.coverage = inside > 0 ? static_cast<double>(covered) / inside : 1;
+  out.overlap = in_pieces > 0 ? static_cast<double>(in_several) / in_pieces : 0;
+  return out;
+}
+
+}  // namespace kinetix::sim
