@@ -10,10 +10,10 @@ namespace {
 using Eigen::VectorXd;
 
 /// Of each hinge, by axial, shear, along, turn, reach, rock and twist of its Stiffness.
-using StiffnessRates = Eigen::Matrix<double, 7, Eigen::Dynamic>;
+using StiffnessGradients = Eigen::Matrix<double, 7, Eigen::Dynamic>;
 constexpr int turn_row = 3, reach_row = 4, rock_row = 5, twist_row = 6;  // of those seven
 
-Eigen::Matrix<double, 7, 1> stacked(const HingeRate& rate) {
+Eigen::Matrix<double, 7, 1> stacked(const HingeGradient& rate) {
   Eigen::Matrix<double, 7, 1> out;
   out << rate.ratios.axial, rate.ratios.shear, rate.ratios.along, rate.turn, rate.reach, rate.rock,
       rate.twist;
@@ -55,26 +55,26 @@ class Adjoint {
 
   double theta_rate() const { return by_theta_; }
 
-  StiffnessRates add_hinges(Eigen::Matrix4Xd& out) const {
-    StiffnessRates rates(7, system_.hinges().size());
+  StiffnessGradients add_hinges(Eigen::Matrix4Xd& out) const {
+    StiffnessGradients derivatives(7, system_.hinges().size());
     const double edge_mm = system_.structure().size.edge_mm;
     for (std::size_t h = 0; h < system_.hinges().size(); ++h) {
       const RestHinge& hinge = system_.hinges()[h];
       const auto [by_energy, along] =
-          hinge_rates(hinge, system_.stiffness().of(h), state_[hinge.lower], state_[hinge.upper], edge_mm,
-                      pair(hinge.lower, hinge.upper));
+          hinge_gradients(hinge, system_.stiffness().of(h), state_[hinge.lower], state_[hinge.upper], edge_mm,
+                          pair(hinge.lower, hinge.upper));
       out.col(h) += energy_ * by_energy.design - along.design;
-      rates.col(h) = energy_ * stacked(by_energy) - stacked(along);
+      derivatives.col(h) = energy_ * stacked(by_energy) - stacked(along);
     }
-    return rates;
+    return derivatives;
   }
 
   void add_drive(Eigen::Matrix4Xd& out) const {
     if (system_.drive().pulls_cord()) return add_cord(out);
     const int driven = system_.driven_hinge();
     if (driven < 0) return;
-    const TurnRates rates = rates_of_turn(driven);
-    out.col(driven) -= force_ * rates.along + turn_ * rates.turn;
+    const TurnGradients derivatives = rates_of_turn(driven);
+    out.col(driven) -= force_ * derivatives.along + turn_ * derivatives.turn;
   }
 
   /// @return f by the relative stiffness of the springs
@@ -87,8 +87,9 @@ class Adjoint {
       const Element turn = RelativeTurn(hinge, state_[hinge.lower], state_[hinge.upper]).element();
       const double off = turn.energy - system_.spring_rest(h, theta_);
       const double along = turn.gradient.dot(pair(hinge.lower, hinge.upper));
-      const TurnRates rates = rates_of_turn(h);
-      out.col(h) += k * ((energy_ * off - along + load_ * sense) * rates.turn - off * rates.along);
+      const TurnGradients derivatives = rates_of_turn(h);
+      out.col(h) +=
+          k * ((energy_ * off - along + load_ * sense) * derivatives.turn - off * derivatives.along);
       sum += (0.5 * energy_ * off - along + load_ * sense) * off;
     }
     return sum;
@@ -101,11 +102,11 @@ class Adjoint {
     double sum = 0;
     for (const Contact& c : contacts_) {
       const Vector12 lambda = pair(walls.body(c.plate), walls.body(c.other));
-      Eigen::Vector4d by_design = -walls.rates(c, k, state_).transpose() * lambda;
+      Eigen::Vector4d by_design = -walls.derivatives(c, k, state_).transpose() * lambda;
       sum -= walls.stiffness_rate(c, state_).dot(lambda);
       if (energy_ != 0) {
         const double unit = energy_ * walls.energy({c}, 1);
-        by_design += 2 * k * unit / c.depth * walls.depth_rates(c, state_);
+        by_design += 2 * k * unit / c.depth * walls.depth_gradient(c, state_);
         sum += unit;
       }
       const int own = ContactModel::hinge(c.plate), other = ContactModel::hinge(c.other);
@@ -118,18 +119,18 @@ class Adjoint {
   }
 
  private:
-  TurnRates rates_of_turn(int h) const {
+  TurnGradients rates_of_turn(int h) const {
     const RestHinge& hinge = system_.hinges()[h];
-    return turn_rates(hinge, state_[hinge.lower], state_[hinge.upper], pair(hinge.lower, hinge.upper));
+    return turn_gradients(hinge, state_[hinge.lower], state_[hinge.upper], pair(hinge.lower, hinge.upper));
   }
 
   /// Of what is held, the flat length times cos(theta) less the length: by t and offset of the hinges on the cord.
   void add_cord(Eigen::Matrix4Xd& out) const {
     const Linkage& s = system_.structure();
     const std::vector<int>& through = system_.drive().through;
-    const CordRates now = cord_rates(s, through, state_, lambda_),
-                    flat = cord_rates(s, through, rest_state(s), VectorXd::Zero(lambda_.size()));
-    const PointRates held = std::cos(theta_) * flat.length - now.length;
+    const CordGradients now = cord_gradients(s, through, state_, lambda_),
+                        flat = cord_gradients(s, through, rest_state(s), VectorXd::Zero(lambda_.size()));
+    const PointGradients held = std::cos(theta_) * flat.length - now.length;
     for (std::size_t k = 0; k < through.size(); ++k) {
       const Eigen::Vector2d by = force_ * now.along.col(k) - turn_ * held.col(k);
       out(0, through[k]) += by[0];

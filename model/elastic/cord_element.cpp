@@ -126,11 +126,11 @@ Eigen::VectorXd cord_gradient(const Linkage& linkage, const std::vector<int>& th
   return all;
 }
 
-CordRates cord_rates(const Linkage& linkage, const std::vector<int>& through, const State& state,
-                     const Eigen::VectorXd& twists) {
+CordGradients cord_gradients(const Linkage& linkage, const std::vector<int>& through, const State& state,
+                             const Eigen::VectorXd& twists) {
   const auto count = static_cast<Eigen::Index>(through.size());
   const std::vector<Piece> pieces = pieces_of(linkage, through, state);
-  CordRates rates{PointRates::Zero(2, count), PointRates::Zero(2, count)};
+  CordGradients derivatives{PointGradients::Zero(2, count), PointGradients::Zero(2, count)};
   for (Eigen::Index k = 0; k < count; ++k) {
     const RestHinge& h = linkage.hinges[through[k]];
     const Vector3d here = point_along(h, state, twists);
@@ -145,11 +145,11 @@ CordRates cord_rates(const Linkage& linkage, const std::vector<int>& through, co
     const Vector3d rests[] = {h.edge, h.across};
     for (int p = 0; p < 2; ++p) {
       const PointChange change = point_change(h, rests[p], state, twists);
-      rates.length(p, k) = pull.dot(change.point);
-      rates.along(p, k) = turned.dot(change.point) + pull.dot(change.along);
+      derivatives.length(p, k) = pull.dot(change.point);
+      derivatives.along(p, k) = turned.dot(change.point) + pull.dot(change.along);
     }
   }
-  return rates;
+  return derivatives;
 }
 
 }  // namespace kinetix::model

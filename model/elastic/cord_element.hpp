@@ -21,13 +21,13 @@ CordElement cord_element(const Linkage& linkage, const std::vector<int>& through
 Eigen::VectorXd cord_gradient(const Linkage& linkage, const std::vector<int>& through, const State& state);
 
 /// How a number changes with the place of the k-th hinge point on its wall: by t (fraction) and by the offset (cell edges).
-using PointRates = Eigen::Matrix2Xd;
+using PointGradients = Eigen::Matrix2Xd;
 
 /// Of the length of a cord, and of its derivative along given twists of all bodies (rad, cell edges).
-struct CordRates {
-  PointRates length, along;  ///< column k: hinge through[k]
+struct CordGradients {
+  PointGradients length, along;  ///< column k: hinge through[k]
 };
-CordRates cord_rates(const Linkage& linkage, const std::vector<int>& through, const State& state,
-                     const Eigen::VectorXd& twists);
+CordGradients cord_gradients(const Linkage& linkage, const std::vector<int>& through, const State& state,
+                             const Eigen::VectorXd& twists);
 
 }  // namespace kinetix::model

@@ -130,16 +130,16 @@ Vector12 hinge_gradient(const RestHinge& hinge, const Stiffness& k, const Pose& 
 namespace {
 
 /// A DirectedSquare, its derivative along twists, and how both change by the design.
-struct SquareRates {
+struct SquareGradients {
   double value = 0, along = 0;
-  DesignRates value_design = DesignRates::Zero(), along_design = DesignRates::Zero();
+  DesignGradient value_design = DesignGradient::Zero(), along_design = DesignGradient::Zero();
 };
 
 /// @param rest, w changes by t, alpha, beta and offset of what the bodies carry: see HingeChanges::by
-SquareRates square_rates(const DirectedSquare& square, const DirectedChange& along,
-                         const HingeChanges& changes, const std::array<Vector3d, 4>& rest,
-                         const std::array<Vector3d, 4>& w) {
-  SquareRates out{square.value(), square.rate(along)};
+SquareGradients square_gradients(const DirectedSquare& square, const DirectedChange& along,
+                                 const HingeChanges& changes, const std::array<Vector3d, 4>& rest,
+                                 const std::array<Vector3d, 4>& w) {
+  SquareGradients out{square.value(), square.rate(along)};
   for (int k = 0; k < 4; ++k) {
     const DirectedChange by = changes.by(rest[k], w[k]);
     out.value_design[k] = square.rate(by);
@@ -148,43 +148,44 @@ SquareRates square_rates(const DirectedSquare& square, const DirectedChange& alo
   return out;
 }
 
-void add(double weight, const SquareRates& square, HingeRates& rates) {
-  rates.energy.design += weight * square.value_design;
-  rates.along.design += weight * square.along_design;
+void add(double weight, const SquareGradients& square, HingeGradients& derivatives) {
+  derivatives.energy.design += weight * square.value_design;
+  derivatives.along.design += weight * square.along_design;
 }
 
-/// What FrameTerms has of the rates. On entry, ratios.shear and twist are those of all directions alike.
-void add_frame_rates(const RestHinge& h, const Stiffness& k, const Pose& lower, const Pose& upper,
-                     const Mismatch& point, const Mismatch& axis, const Vector12& along, HingeRates& rates) {
+/// What FrameTerms has of the derivatives. On entry, ratios.shear and twist are those of all directions alike.
+void add_frame_gradients(const RestHinge& h, const Stiffness& k, const Pose& lower, const Pose& upper,
+                         const Mismatch& point, const Mismatch& axis, const Vector12& along,
+                         HingeGradients& derivatives) {
   const FrameTerms frame(h, k, lower, upper, point, axis);
   const HingeChanges changes(lower, upper, along);
   const Vector3d zero = Vector3d::Zero(), wall = wall_direction(h);
   const std::array<Vector3d, 4> arms{h.edge, zero, zero, h.across},
       axes{zero, h.axis_alpha, h.axis_beta, zero},
       walls{zero, wall_direction_rate(h, h.axis_alpha), wall_direction_rate(h, h.axis_beta), zero};
-  const SquareRates point_axial = square_rates(frame.point_axial, changes.along(point, wall, true), changes,
-                                               arms, walls),
-                    point_along = square_rates(frame.point_along, changes.along(point, h.axis, true), changes,
-                                               arms, axes),
-                    tilt = square_rates(frame.axis_axial, changes.along(axis, wall, false), changes, axes,
-                                        walls);
+  const SquareGradients point_axial = square_gradients(frame.point_axial, changes.along(point, wall, true),
+                                                       changes, arms, walls),
+                        point_along = square_gradients(frame.point_along, changes.along(point, h.axis, true),
+                                                       changes, arms, axes),
+                        tilt = square_gradients(frame.axis_axial, changes.along(axis, wall, false), changes,
+                                                axes, walls);
   if (k.framed()) {
-    add(frame.axial, point_axial, rates);
-    add(frame.along, point_along, rates);
-    add(frame.rock, tilt, rates);
+    add(frame.axial, point_axial, derivatives);
+    add(frame.along, point_along, derivatives);
+    add(frame.rock, tilt, derivatives);
   }
-  const auto add_ratios = [](double by_axial, double by_along, double rock, HingeRate& rate) {
+  const auto add_ratios = [](double by_axial, double by_along, double rock, HingeGradient& rate) {
     rate.ratios = {by_axial, rate.ratios.shear - by_axial - by_along, by_along};
     rate.rock = rock / 2;
     rate.twist -= rock / 2;
   };
-  add_ratios(point_axial.value, point_along.value, tilt.value, rates.energy);
-  add_ratios(point_axial.along, point_along.along, tilt.along, rates.along);
+  add_ratios(point_axial.value, point_along.value, tilt.value, derivatives.energy);
+  add_ratios(point_axial.along, point_along.along, tilt.along, derivatives.along);
 }
 
-/// From rates by rock and twist to those by what they are made of: by the reach and the stiffnesses of the
+/// From derivatives by rock and twist to those by what they are made of: by the reach and the stiffnesses of the
 /// points where the hinge has none of its own.
-void share_tilt(const Stiffness& k, HingeRate& rate) {
+void share_tilt(const Stiffness& k, HingeGradient& rate) {
   const double squared = k.reach * k.reach;
   if (!k.tilt.rock) {
     rate.ratios.axial += 2 * squared * rate.rock;
@@ -203,24 +204,24 @@ void share_tilt(const Stiffness& k, HingeRate& rate) {
 namespace {
 
 /// Those of the turning spring.
-HingeRates spring_rates(const RestHinge& hinge, const Stiffness& k, const Pose& lower, const Pose& upper,
-                        const Vector12& along) {
+HingeGradients spring_gradients(const RestHinge& hinge, const Stiffness& k, const Pose& lower,
+                                const Pose& upper, const Vector12& along) {
   const Vector3d against = upper.R.transpose() * (along.segment<3>(6) - along.segment<3>(0));
   const RelativeTurn turn(hinge, lower, upper);
   const double angle_along = turn.rate().dot(against);
   const TurnResponse spring = k.law->at(turn.angle(), k.turn);
-  const TurnRates turns = turn_rates(hinge, turn, against);
-  HingeRates rates;
-  rates.energy.design = spring.moment() * turns.turn;
-  rates.along.design = spring.stiffness * (angle_along * turns.turn + spring.stretch * turns.along);
-  rates.energy.turn = spring.energy_k;
-  rates.along.turn = spring.moment_k * angle_along;
-  return rates;
+  const TurnGradients turns = turn_gradients(hinge, turn, against);
+  HingeGradients derivatives;
+  derivatives.energy.design = spring.moment() * turns.turn;
+  derivatives.along.design = spring.stiffness * (angle_along * turns.turn + spring.stretch * turns.along);
+  derivatives.energy.turn = spring.energy_k;
+  derivatives.along.turn = spring.moment_k * angle_along;
+  return derivatives;
 }
 
 /// Those of the stretch of a hinge without play.
-void add_stretch_rates(const RestHinge& hinge, const Stiffness& k, const Pose& lower, const Pose& upper,
-                       double edge_mm, const Vector12& along, HingeRates& rates) {
+void add_stretch_gradients(const RestHinge& hinge, const Stiffness& k, const Pose& lower, const Pose& upper,
+                           double edge_mm, const Vector12& along, HingeGradients& derivatives) {
   const Vector3d lower_turn = along.segment<3>(0), upper_turn = along.segment<3>(6),
                  shift = along.segment<3>(3) - along.segment<3>(9);
   const auto drift = [&](const Mismatch& m) -> Vector3d {
@@ -230,38 +231,38 @@ void add_stretch_rates(const RestHinge& hinge, const Stiffness& k, const Pose& l
   const Vector3d point_drift = drift(point) + shift;
   const Pull by_point = pull(point, lower, upper, lower_turn, upper_turn, point_drift);
   const double shear = k.ratios.shear;
-  rates.energy.design[0] += shear * by_point.energy.dot(hinge.edge);
-  rates.along.design[0] += shear * by_point.along.dot(hinge.edge);
-  rates.energy.design[3] += shear * by_point.energy.dot(hinge.across);
-  rates.along.design[3] += shear * by_point.along.dot(hinge.across);
+  derivatives.energy.design[0] += shear * by_point.energy.dot(hinge.edge);
+  derivatives.along.design[0] += shear * by_point.along.dot(hinge.edge);
+  derivatives.energy.design[3] += shear * by_point.energy.dot(hinge.across);
+  derivatives.along.design[3] += shear * by_point.along.dot(hinge.across);
 
   const Mismatch axis = axis_mismatch(hinge, lower, upper);
   const Vector3d axis_drift = drift(axis);
   const Pull by_axis = pull(axis, lower, upper, lower_turn, upper_turn, axis_drift);
   const double weight = k.twist_weight();
-  rates.energy.design[1] += weight * by_axis.energy.dot(hinge.axis_alpha);
-  rates.energy.design[2] += weight * by_axis.energy.dot(hinge.axis_beta);
-  rates.along.design[1] += weight * by_axis.along.dot(hinge.axis_alpha);
-  rates.along.design[2] += weight * by_axis.along.dot(hinge.axis_beta);
-  rates.energy.ratios.shear = point.gap.squaredNorm();
-  rates.along.ratios.shear = 2 * point.gap.dot(point_drift);
-  rates.energy.twist = axis.gap.squaredNorm() / 2;
-  rates.along.twist = axis.gap.dot(axis_drift);
-  add_frame_rates(hinge, k, lower, upper, point, axis, along, rates);
-  share_tilt(k, rates.energy);
-  share_tilt(k, rates.along);
+  derivatives.energy.design[1] += weight * by_axis.energy.dot(hinge.axis_alpha);
+  derivatives.energy.design[2] += weight * by_axis.energy.dot(hinge.axis_beta);
+  derivatives.along.design[1] += weight * by_axis.along.dot(hinge.axis_alpha);
+  derivatives.along.design[2] += weight * by_axis.along.dot(hinge.axis_beta);
+  derivatives.energy.ratios.shear = point.gap.squaredNorm();
+  derivatives.along.ratios.shear = 2 * point.gap.dot(point_drift);
+  derivatives.energy.twist = axis.gap.squaredNorm() / 2;
+  derivatives.along.twist = axis.gap.dot(axis_drift);
+  add_frame_gradients(hinge, k, lower, upper, point, axis, along, derivatives);
+  share_tilt(k, derivatives.energy);
+  share_tilt(k, derivatives.along);
 }
 
 }  // namespace
 
-HingeRates hinge_rates(const RestHinge& hinge, const Stiffness& k, const Pose& lower, const Pose& upper,
-                       double edge_mm, const Vector12& along) {
-  HingeRates rates = spring_rates(hinge, k, lower, upper, along);
+HingeGradients hinge_gradients(const RestHinge& hinge, const Stiffness& k, const Pose& lower,
+                               const Pose& upper, double edge_mm, const Vector12& along) {
+  HingeGradients derivatives = spring_gradients(hinge, k, lower, upper, along);
   if (k.play > 0)
-    add_play_rates(hinge, k, lower, upper, edge_mm, along, rates);
+    add_play_gradients(hinge, k, lower, upper, edge_mm, along, derivatives);
   else
-    add_stretch_rates(hinge, k, lower, upper, edge_mm, along, rates);
-  return rates;
+    add_stretch_gradients(hinge, k, lower, upper, edge_mm, along, derivatives);
+  return derivatives;
 }
 
 }  // namespace kinetix::model

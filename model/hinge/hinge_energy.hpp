@@ -25,21 +25,21 @@ Vector12 hinge_gradient(const RestHinge& hinge, const Stiffness& stiffness, cons
                         const Pose& upper, double edge_mm);
 
 /// Derivatives of a number that belongs to a hinge by its design and stiffness.
-struct HingeRate {
-  DesignRates design = DesignRates::Zero();
+struct HingeGradient {
+  DesignGradient design = DesignGradient::Zero();
   double turn = 0;                 ///< by Stiffness::turn, per k_point edge^2
   double reach = 0;                ///< by Stiffness::reach, per cell edge
   PointRatios ratios = {0, 0, 0};  ///< by Stiffness::ratios
   double rock = 0, twist = 0;      ///< by Stiffness::tilt, per k_point edge^2; 0 of what that does not give
 };
 
-struct HingeRates {
-  HingeRate energy;  ///< of the energy, k_point edge^2
-  HingeRate along;   ///< of its derivative along given twists
+struct HingeGradients {
+  HingeGradient energy;  ///< of the energy, k_point edge^2
+  HingeGradient along;   ///< of its derivative along given twists
 };
 
 /// @param along twists of the two bodies (rad, cell edges), ordered as in Element
-HingeRates hinge_rates(const RestHinge& hinge, const Stiffness& stiffness, const Pose& lower,
-                       const Pose& upper, double edge_mm, const Vector12& along);
+HingeGradients hinge_gradients(const RestHinge& hinge, const Stiffness& stiffness, const Pose& lower,
+                               const Pose& upper, double edge_mm, const Vector12& along);
 
 }  // namespace kinetix::model

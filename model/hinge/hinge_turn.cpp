@@ -59,18 +59,19 @@ Element RelativeTurn::element() const {
   return e;
 }
 
-TurnRates turn_rates(const RestHinge& hinge, const RelativeTurn& turn, const Vector3d& against) {
-  TurnRates rates;
-  rates.turn[1] = turn.angle_change(hinge.axis_alpha);
-  rates.turn[2] = turn.angle_change(hinge.axis_beta);
-  rates.along[1] = turn.rate_change(hinge.axis_alpha).dot(against);
-  rates.along[2] = turn.rate_change(hinge.axis_beta).dot(against);
-  return rates;
+TurnGradients turn_gradients(const RestHinge& hinge, const RelativeTurn& turn, const Vector3d& against) {
+  TurnGradients derivatives;
+  derivatives.turn[1] = turn.angle_change(hinge.axis_alpha);
+  derivatives.turn[2] = turn.angle_change(hinge.axis_beta);
+  derivatives.along[1] = turn.rate_change(hinge.axis_alpha).dot(against);
+  derivatives.along[2] = turn.rate_change(hinge.axis_beta).dot(against);
+  return derivatives;
 }
 
-TurnRates turn_rates(const RestHinge& hinge, const Pose& lower, const Pose& upper, const Vector12& along) {
-  return turn_rates(hinge, RelativeTurn(hinge, lower, upper),
-                    upper.R.transpose() * (along.segment<3>(6) - along.segment<3>(0)));
+TurnGradients turn_gradients(const RestHinge& hinge, const Pose& lower, const Pose& upper,
+                             const Vector12& along) {
+  return turn_gradients(hinge, RelativeTurn(hinge, lower, upper),
+                        upper.R.transpose() * (along.segment<3>(6) - along.segment<3>(0)));
 }
 
 }  // namespace kinetix::model

@@ -34,14 +34,16 @@ class RelativeTurn {
 
 /// How that turn (rad), and its derivative along given twists, change with the hinge's parameters: with alpha
 /// and beta alone.
-struct TurnRates {
-  DesignRates turn = DesignRates::Zero();
-  DesignRates along = DesignRates::Zero();
+struct TurnGradients {
+  DesignGradient turn = DesignGradient::Zero();
+  DesignGradient along = DesignGradient::Zero();
 };
 
 /// @param against turn of the upper body against the lower one, in the upper body's frame, rad
-TurnRates turn_rates(const RestHinge& hinge, const RelativeTurn& turn, const Eigen::Vector3d& against);
+TurnGradients turn_gradients(const RestHinge& hinge, const RelativeTurn& turn,
+                             const Eigen::Vector3d& against);
 /// @param along twists of the two bodies (rad, cell edges), ordered as in Element
-TurnRates turn_rates(const RestHinge& hinge, const Pose& lower, const Pose& upper, const Vector12& along);
+TurnGradients turn_gradients(const RestHinge& hinge, const Pose& lower, const Pose& upper,
+                             const Vector12& along);
 
 }  // namespace kinetix::model

@@ -101,25 +101,25 @@ class PlayedPoint {
   const SquareResponse across_, beyond_;
 };
 
-void add_point_rates(const PlayedPoint& point, const RestHinge& h, double shift, double side,
-                     const HingeChanges& changes, HingeRates& rates) {
+void add_point_gradients(const PlayedPoint& point, const RestHinge& h, double shift, double side,
+                         const HingeChanges& changes, HingeGradients& derivatives) {
   const Vector3d zero = Vector3d::Zero();
   const DirectedChange along = changes.along(point.gap(), h.axis, true);
   const auto add = [&](const Vector3d& rest, const Vector3d& axis, double& by_energy, double& by_along) {
     point.rate(along, changes.by(rest, axis), changes.both(rest, axis), by_energy, by_along);
   };
-  add(h.edge, zero, rates.energy.design[0], rates.along.design[0]);
-  add(shift * h.axis_alpha, h.axis_alpha, rates.energy.design[1], rates.along.design[1]);
-  add(shift * h.axis_beta, h.axis_beta, rates.energy.design[2], rates.along.design[2]);
-  add(h.across, zero, rates.energy.design[3], rates.along.design[3]);
-  if (shift != 0) add(side * h.axis, zero, rates.energy.reach, rates.along.reach);
+  add(h.edge, zero, derivatives.energy.design[0], derivatives.along.design[0]);
+  add(shift * h.axis_alpha, h.axis_alpha, derivatives.energy.design[1], derivatives.along.design[1]);
+  add(shift * h.axis_beta, h.axis_beta, derivatives.energy.design[2], derivatives.along.design[2]);
+  add(h.across, zero, derivatives.energy.design[3], derivatives.along.design[3]);
+  if (shift != 0) add(side * h.axis, zero, derivatives.energy.reach, derivatives.along.reach);
   const auto add_ratios = [](double across, double along_axis, PointRatios& ratios) {
     ratios.axial += across / 2;
     ratios.shear += across / 2;
     ratios.along += along_axis;
   };
-  add_ratios(point.across_energy(), point.along_energy(), rates.energy.ratios);
-  add_ratios(point.across_rate(along), point.along_rate(along), rates.along.ratios);
+  add_ratios(point.across_energy(), point.along_energy(), derivatives.energy.ratios);
+  add_ratios(point.across_rate(along), point.along_rate(along), derivatives.along.ratios);
 }
 
 }  // namespace
@@ -142,12 +142,12 @@ void add_play(const RestHinge& hinge, const Stiffness& k, const Pose& lower, con
   for (const double side : {-1.0, 1.0}) PlayedPoint(hinge, k, lower, upper, edge_mm, side).add_to(element);
 }
 
-void add_play_rates(const RestHinge& hinge, const Stiffness& k, const Pose& lower, const Pose& upper,
-                    double edge_mm, const Vector12& along, HingeRates& rates) {
+void add_play_gradients(const RestHinge& hinge, const Stiffness& k, const Pose& lower, const Pose& upper,
+                        double edge_mm, const Vector12& along, HingeGradients& derivatives) {
   const HingeChanges changes(lower, upper, along);
   for (const double side : {-1.0, 1.0})
-    add_point_rates(PlayedPoint(hinge, k, lower, upper, edge_mm, side), hinge, side * k.reach, side, changes,
-                    rates);
+    add_point_gradients(PlayedPoint(hinge, k, lower, upper, edge_mm, side), hinge, side * k.reach, side,
+                        changes, derivatives);
 }
 
 std::array<PlayedDistance, 2> played_distances(const RestHinge& hinge, const Stiffness& k, const Pose& lower,

@@ -36,9 +36,10 @@ double play_energy(const RestHinge& hinge, const Stiffness& stiffness, const Pos
 /// Adds it with its derivatives.
 void add_play(const RestHinge& hinge, const Stiffness& stiffness, const Pose& lower, const Pose& upper,
               double edge_mm, Element& element);
-/// Adds its rates, along twists as in hinge_rates. By the clearance there is none.
-void add_play_rates(const RestHinge& hinge, const Stiffness& stiffness, const Pose& lower, const Pose& upper,
-                    double edge_mm, const Vector12& along, HingeRates& rates);
+/// Adds its derivatives, along twists as in hinge_gradients. By the clearance there is none.
+void add_play_gradients(const RestHinge& hinge, const Stiffness& stiffness, const Pose& lower,
+                        const Pose& upper, double edge_mm, const Vector12& along,
+                        HingeGradients& derivatives);
 
 /// A distance that pulls: how far, and its gradient by the twists of the two bodies, ordered as in Element.
 struct PlayedDistance {

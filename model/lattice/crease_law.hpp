@@ -26,11 +26,11 @@ inline double theta_of_turn(double turn, double tilt) {
 }
 
 /// Derivatives of crease_turn, rad per rad.
-struct CreaseRates {
+struct CreaseDerivatives {
   double by_tilt = 0, by_theta = 0;
 };
 
-inline CreaseRates crease_rates(double tilt, double theta) {
+inline CreaseDerivatives crease_derivatives(double tilt, double theta) {
   const double s = std::sin(theta), tangent = std::tan(tilt);
   const double slope = 2 / (1 + tangent * tangent * s * s);
   return {slope * s * (1 + tangent * tangent), slope * tangent * std::cos(theta)};

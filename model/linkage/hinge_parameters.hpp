@@ -16,6 +16,6 @@ struct HingeParameters {
 };
 
 /// Derivatives by t (fraction), alpha (rad), beta (rad) and offset (cell edges) of one hinge.
-using DesignRates = Eigen::Vector4d;
+using DesignGradient = Eigen::Vector4d;
 
 }  // namespace kinetix::model

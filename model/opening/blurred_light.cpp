@@ -98,7 +98,7 @@ Vector2d across(const Vector2d& along) { return {-along.y(), along.x()}; }
 
 }  // namespace
 
-PanelSlopes::PanelSlopes(const Linkage& panel)
+PanelGradient::PanelGradient(const Linkage& panel)
     : state(Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(panel.bodies.size()))),
       t(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(panel.hinges.size()))),
       offset(t) {}
@@ -159,53 +159,53 @@ void BlurredLight::read() {
   }
 }
 
-void BlurredLight::add_slopes(const Eigen::VectorXd& by_value, PanelSlopes& slopes) const {
+void BlurredLight::add_gradient(const Eigen::VectorXd& by_value, PanelGradient& gradient) const {
   std::vector<double> by_area(blots_.size(), 0.0);
   for (int c = 0; c < static_cast<int>(readings_.size()); ++c) {
     const Reading& r = readings_[c];
     const double by_shadow = -by_value[c] * scale_[c] / r.cover, by_cover = -by_shadow * r.shadow / r.cover;
-    for (const int k : r.strips) add_strip_slopes(c, k, by_shadow, slopes);
-    for (const int k : r.blots) by_area[k] += add_blot_slopes(c, k, by_cover, slopes);
+    for (const int k : r.strips) add_strip_gradient(c, k, by_shadow, gradient);
+    for (const int k : r.blots) by_area[k] += add_blot_gradient(c, k, by_cover, gradient);
   }
-  for (std::size_t c = 0; c < blots_.size(); ++c) add_area(static_cast<int>(c), by_area[c], slopes);
+  for (std::size_t c = 0; c < blots_.size(); ++c) add_area(static_cast<int>(c), by_area[c], gradient);
 }
 
-void BlurredLight::add_strip_slopes(int cell, int strip, double by_shadow, PanelSlopes& slopes) const {
+void BlurredLight::add_strip_gradient(int cell, int strip, double by_shadow, PanelGradient& gradient) const {
   const Strip& s = strips_[strip];
   const Plate& plate = panel_.plates[strip];
   const Vector2d to = blots_[cell].middle - s.from;
   const double u = to.dot(s.along), v = to.dot(across(s.along));
   const Shadow shadow = shadow_of(u, v, s.length, half_thickness_);
   const Vector2d by_place = by_shadow * (shadow.by_along * s.along + shadow.by_across * across(s.along));
-  add_middle(cell, by_place, slopes);
+  add_middle(cell, by_place, gradient);
   const Eigen::Index body = 6 * plate.body;
-  slopes.state[body + 2] += by_shadow * (shadow.by_along * v - shadow.by_across * u);
-  slopes.state.segment<2>(body + 3) -= by_place;
-  slopes.t[plate.hinge] += by_shadow * shadow.by_length * plate.length_t;
+  gradient.state[body + 2] += by_shadow * (shadow.by_along * v - shadow.by_across * u);
+  gradient.state.segment<2>(body + 3) -= by_place;
+  gradient.t[plate.hinge] += by_shadow * shadow.by_length * plate.length_t;
 }
 
-double BlurredLight::add_blot_slopes(int cell, int blot, double by_cover, PanelSlopes& slopes) const {
+double BlurredLight::add_blot_gradient(int cell, int blot, double by_cover, PanelGradient& gradient) const {
   const Vector2d offset = blots_[cell].middle - blots_[blot].middle;
   const double cover = cover_of(offset);
   const Vector2d by_place = -by_cover * blots_[blot].area * cover / (deviation * deviation) * offset;
-  add_middle(cell, by_place, slopes);
-  add_middle(blot, -by_place, slopes);
+  add_middle(cell, by_place, gradient);
+  add_middle(blot, -by_place, gradient);
   return by_cover * cover;
 }
 
-void BlurredLight::add_area(int cell, double by_area, PanelSlopes& slopes) const {
+void BlurredLight::add_area(int cell, double by_area, PanelGradient& gradient) const {
   const LinkageCell& members = panel_.cells[cell];
   const CellReading area = area_reading(opening(panel_, state_, members));
   for (std::size_t k = 0; k < members.bodies.size(); ++k) {
-    slopes.state.segment<3>(6 * members.bodies[k] + 2) += by_area * area.bodies.col(k);
-    slopes.t[members.hinges[k]] += by_area * area.t[k];
+    gradient.state.segment<3>(6 * members.bodies[k] + 2) += by_area * area.bodies.col(k);
+    gradient.t[members.hinges[k]] += by_area * area.t[k];
   }
 }
 
-void BlurredLight::add_middle(int cell, const Vector2d& by_middle, PanelSlopes& slopes) const {
+void BlurredLight::add_middle(int cell, const Vector2d& by_middle, PanelGradient& gradient) const {
   const std::vector<int>& bodies = panel_.cells[cell].bodies;
   for (const int b : bodies)
-    slopes.state.segment<2>(6 * b + 3) += by_middle / static_cast<double>(bodies.size());
+    gradient.state.segment<2>(6 * b + 3) += by_middle / static_cast<double>(bodies.size());
 }
 
 }  // namespace kinetix::model

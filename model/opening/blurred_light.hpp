@@ -8,12 +8,12 @@
 namespace kinetix::model {
 
 /// Derivatives of a number that panels in the plane are read by.
-struct PanelSlopes {
+struct PanelGradient {
   Eigen::VectorXd state;  ///< 6 a body: turn about z (rad) at 2, shifts along x and y (cell edges) at 3 and 4
   Eigen::VectorXd t;      ///< by t of each hinge (fraction of the wall), where the bodies stay
   Eigen::VectorXd offset;  ///< likewise by its offset (cell edges), which moves no wall
 
-  explicit PanelSlopes(const Linkage& panel);
+  explicit PanelGradient(const Linkage& panel);
 };
 
 /// The light through a planar panel before a lamp as an eye sees it from a distance, at the middle of every
@@ -35,7 +35,7 @@ class BlurredLight {
   /// Of each cell, in the order of panel.cells; all NaN where the state is not finite.
   const std::vector<double>& values() const { return light_; }
   /// Adds the derivatives of a function of the values. @param by_value its derivative by each of them
-  void add_slopes(const Eigen::VectorXd& by_value, PanelSlopes& slopes) const;
+  void add_gradient(const Eigen::VectorXd& by_value, PanelGradient& gradient) const;
 
  private:
   struct Unscaled {};  ///< marks the constructor that leaves the rim as it is
@@ -57,12 +57,12 @@ class BlurredLight {
   /// Shadow and cover alone.
   BlurredLight(const Linkage& panel, const State& state, Unscaled);
   void read();
-  void add_strip_slopes(int cell, int strip, double by_shadow, PanelSlopes& slopes) const;
+  void add_strip_gradient(int cell, int strip, double by_shadow, PanelGradient& gradient) const;
   /// All but what comes through the blot's area. @return the derivative by that area, per cell edge squared
-  double add_blot_slopes(int cell, int blot, double by_cover, PanelSlopes& slopes) const;
-  void add_area(int cell, double by_area, PanelSlopes& slopes) const;
+  double add_blot_gradient(int cell, int blot, double by_cover, PanelGradient& gradient) const;
+  void add_area(int cell, double by_area, PanelGradient& gradient) const;
   /// Of a function's derivative by the middle of a cell, per cell edge.
-  void add_middle(int cell, const Eigen::Vector2d& by_middle, PanelSlopes& slopes) const;
+  void add_middle(int cell, const Eigen::Vector2d& by_middle, PanelGradient& gradient) const;
 
   const Linkage& panel_;
   const State& state_;

@@ -67,12 +67,12 @@ Eigen::VectorXd CurveFit::pack(const std::vector<double>& bends, double theta) c
   return x;
 }
 
-/// The folded midline in the goal's plane, with the rates of its points.
+/// The folded midline in the goal's plane, with the derivatives of its points.
 class CurveFit::Frame {
  public:
-  Frame(const CurveFit& fit, const Eigen::VectorXd& x, bool with_rates) : fit_(fit), x_(x) {
+  Frame(const CurveFit& fit, const Eigen::VectorXd& x, bool with_jacobian) : fit_(fit), x_(x) {
     const auto design = fit.design(x, 0);
-    if (with_rates)
+    if (with_jacobian)
       fold_with_jacobian(design, fit.cell_mm_, lattice_, jacobian_);
     else
       fold(design, fit.cell_mm_, lattice_);
@@ -97,7 +97,7 @@ class CurveFit::Frame {
 
   /// Adds to a row of the Jacobian the rate of direction . place, times weight.
   template <class Row>
-  void add_rates(int chord, double f, const Vector2d& direction, double weight, Row row) const {
+  void add_derivatives(int chord, double f, const Vector2d& direction, double weight, Row row) const {
     const BendTies& ties = fit_.ties_;
     const Vector2d local = weight * (turn_.transpose() * direction);
     const auto rate = [&](int parameter) {
@@ -137,7 +137,7 @@ bool CurveFit::evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::Mat
   int row = 0;
   const auto add = [&](int chord, double f, double distance, const Vector2d& direction) {
     r[row] = weight * distance;
-    if (J) frame.add_rates(chord, f, direction, weight, J->row(row));
+    if (J) frame.add_derivatives(chord, f, direction, weight, J->row(row));
     ++row;
   };
   for (int chord = 0; chord < frame.chords(); ++chord)

@@ -16,24 +16,24 @@ struct Group {
   double mean = 0;      ///< of the design
   double variance = 0;  ///< expected over prints
   double variance_of_variance = 0;
-  VectorXd mean_rates;  ///< of the mean by each error
+  VectorXd mean_gradient;  ///< of the mean by each error
 };
 
-Group group(const std::vector<double>& readings, const std::vector<double>& levels, const MatrixXd& rates,
-            bool letter) {
+Group group(const std::vector<double>& readings, const std::vector<double>& levels,
+            const MatrixXd& derivatives, bool letter) {
   Group g;
   for (std::size_t k = 0; k < levels.size(); ++k)
     if ((levels[k] >= 0.5) == letter) g.cells.push_back(static_cast<Eigen::Index>(k));
   const auto count = static_cast<double>(g.cells.size());
-  MatrixXd own(g.cells.size(), rates.cols());
+  MatrixXd own(g.cells.size(), derivatives.cols());
   VectorXd values(g.cells.size());
   for (Eigen::Index k = 0; k < values.size(); ++k) {
-    own.row(k) = rates.row(g.cells[k]);
+    own.row(k) = derivatives.row(g.cells[k]);
     values[k] = readings[g.cells[k]];
   }
   g.mean = values.mean();
-  g.mean_rates = own.colwise().mean();
-  own.rowwise() -= g.mean_rates.transpose();
+  g.mean_gradient = own.colwise().mean();
+  own.rowwise() -= g.mean_gradient.transpose();
   values.array() -= g.mean;
   // Of the quadratic form |values + own e|^2 / count in normal e.
   const MatrixXd covariance = own * own.transpose();
@@ -45,11 +45,11 @@ Group group(const std::vector<double>& readings, const std::vector<double>& leve
 
 /// Mean over all pairs of the chance that the letter's cell reads more.
 double expected_auc(const std::vector<double>& readings, const Group& letter, const Group& rest,
-                    const MatrixXd& rates) {
+                    const MatrixXd& derivatives) {
   double sum = 0;
   for (const Eigen::Index a : letter.cells)
     for (const Eigen::Index b : rest.cells) {
-      const double apart = readings[a] - readings[b], sd = (rates.row(a) - rates.row(b)).norm();
+      const double apart = readings[a] - readings[b], sd = (derivatives.row(a) - derivatives.row(b)).norm();
       sum += sd > 0 ? 0.5 * std::erfc(-apart / (sd * std::sqrt(2.0))) : (apart > 0) + 0.5 * (apart == 0);
     }
   return sum / static_cast<double>(letter.cells.size() * rest.cells.size());
@@ -58,16 +58,17 @@ double expected_auc(const std::vector<double>& readings, const Group& letter, co
 }  // namespace
 
 AsMadeDisplay as_made_display(const std::vector<double>& readings, const std::vector<double>& levels,
-                              const MatrixXd& rates) {
-  const Group letter = group(readings, levels, rates, true), rest = group(readings, levels, rates, false);
+                              const MatrixXd& derivatives) {
+  const Group letter = group(readings, levels, derivatives, true),
+              rest = group(readings, levels, derivatives, false);
   const double apart = letter.mean - rest.mean, variance = (letter.variance + rest.variance) / 2;
-  const double apart_sd = (letter.mean_rates - rest.mean_rates).norm(),
+  const double apart_sd = (letter.mean_gradient - rest.mean_gradient).norm(),
                variance_sd = std::sqrt(letter.variance_of_variance + rest.variance_of_variance) / 2;
   AsMadeDisplay out;
   out.contrast = apart / std::sqrt(variance);
   const double sd = std::hypot(apart_sd / std::sqrt(variance), out.contrast * variance_sd / (2 * variance));
   out.contrast_p95 = out.contrast - model::quantile_95 * sd;
-  out.auc = expected_auc(readings, letter, rest, rates);
+  out.auc = expected_auc(readings, letter, rest, derivatives);
   return out;
 }
 

@@ -15,9 +15,9 @@ struct AsMadeDisplay {
 /// To first order in the errors: readings are normal, with the covariance R R^T about those of the design. Scatter
 /// widens the letter's readings and those of the rest, so that the expected contrast is below that of the design.
 /// @param readings of the design, one a cell   @param levels of the same cells, those of at least 0.5 the letter's
-/// @param rates R: a row a cell, its reading by each error, one standard deviation each. The unit of the readings
+/// @param derivatives R: a row a cell, its reading by each error, one standard deviation each. The unit of the readings
 /// @pre both kinds of cells, two of each or more
 AsMadeDisplay as_made_display(const std::vector<double>& readings, const std::vector<double>& levels,
-                              const Eigen::MatrixXd& rates);
+                              const Eigen::MatrixXd& derivatives);
 
 }  // namespace kinetix::optim

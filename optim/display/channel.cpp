@@ -66,13 +66,13 @@ SmoothChannel::SmoothChannel(Channel channel, const model::Linkage& panel, const
   }
 }
 
-void SmoothChannel::add_slopes(const Eigen::VectorXd& by_value, model::PanelSlopes& slopes) const {
-  if (light_) return light_->add_slopes(by_value, slopes);
+void SmoothChannel::add_gradient(const Eigen::VectorXd& by_value, model::PanelGradient& gradient) const {
+  if (light_) return light_->add_gradient(by_value, gradient);
   for (std::size_t c = 0; c < readings_.size(); ++c) {
     const model::LinkageCell& cell = panel_.cells[c];
     for (std::size_t m = 0; m < cell.bodies.size(); ++m) {
-      slopes.state.segment<3>(6 * cell.bodies[m] + 2) += by_value[c] * readings_[c].bodies.col(m);
-      slopes.t[cell.hinges[m]] += by_value[c] * readings_[c].t[m];
+      gradient.state.segment<3>(6 * cell.bodies[m] + 2) += by_value[c] * readings_[c].bodies.col(m);
+      gradient.t[cell.hinges[m]] += by_value[c] * readings_[c].t[m];
     }
   }
 }

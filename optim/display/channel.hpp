@@ -30,7 +30,7 @@ class SmoothChannel {
 
   const std::vector<double>& values() const { return values_; }
   /// Adds the derivatives of a function of the values. @param by_value its derivative by each of them
-  void add_slopes(const Eigen::VectorXd& by_value, model::PanelSlopes& slopes) const;
+  void add_gradient(const Eigen::VectorXd& by_value, model::PanelGradient& gradient) const;
 
  private:
   const model::Linkage& panel_;

@@ -41,26 +41,26 @@ bool DisplayProblem::evaluate(const VectorXd& x, double& f, VectorXd* gradient) 
 }
 
 bool DisplayProblem::weigh(double& f, VectorXd* gradient) {
-  model::PanelSlopes slopes(equilibrium_.panel());
-  f = add_picture(slopes) + add_stretch(slopes);
+  model::PanelGradient panel(equilibrium_.panel());
+  f = add_picture(panel) + add_stretch(panel);
   if (!gradient) return std::isfinite(f);
-  auto by = equilibrium_.slopes(slopes.state);
+  auto by = equilibrium_.gradient(panel.state);
   if (!by) return false;
-  by->t += slopes.t;
-  by->offset += slopes.offset;
+  by->t += panel.t;
+  by->offset += panel.offset;
   *gradient = variables_.gather(*by);
   return std::isfinite(f) && gradient->allFinite();
 }
 
-double DisplayProblem::add_picture(model::PanelSlopes& slopes) const {
+double DisplayProblem::add_picture(model::PanelGradient& gradient) const {
   const model::Linkage panel = equilibrium_.panel();
   const SmoothChannel readings(channel_, panel, equilibrium_.state());
   const WeighedReadings weighed = cost_(readings.values());
-  readings.add_slopes(weighed.slope, slopes);
+  readings.add_gradient(weighed.slope, gradient);
   return weighed.cost;
 }
 
-double DisplayProblem::add_stretch(model::PanelSlopes& slopes) const {
+double DisplayProblem::add_stretch(model::PanelGradient& gradient) const {
   const model::Linkage panel = equilibrium_.panel();
   double cost = 0;
   for (std::size_t h = 0; h < panel.hinges.size(); ++h) {
@@ -71,12 +71,12 @@ double DisplayProblem::add_stretch(model::PanelSlopes& slopes) const {
     if (!(excess > 0)) continue;
     cost += weight_ * excess * excess;
     const Vector3d pull = 2 * weight_ * excess / stretch_ * gap.normalized();
-    slopes.state.segment<3>(6 * hinge.lower) += lower_arm.cross(pull);
-    slopes.state.segment<3>(6 * hinge.lower + 3) += pull;
-    slopes.state.segment<3>(6 * hinge.upper) -= upper_arm.cross(pull);
-    slopes.state.segment<3>(6 * hinge.upper + 3) -= pull;
-    slopes.t[h] += pull.dot(lower.R * hinge.edge - upper.R * hinge.edge);
-    slopes.offset[h] += pull.dot(lower.R * hinge.across - upper.R * hinge.across);
+    gradient.state.segment<3>(6 * hinge.lower) += lower_arm.cross(pull);
+    gradient.state.segment<3>(6 * hinge.lower + 3) += pull;
+    gradient.state.segment<3>(6 * hinge.upper) -= upper_arm.cross(pull);
+    gradient.state.segment<3>(6 * hinge.upper + 3) -= pull;
+    gradient.t[h] += pull.dot(lower.R * hinge.edge - upper.R * hinge.edge);
+    gradient.offset[h] += pull.dot(lower.R * hinge.across - upper.R * hinge.across);
   }
   return cost;
 }

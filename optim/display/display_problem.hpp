@@ -36,8 +36,8 @@ class DisplayProblem : public ScalarProblem {
   /// Cost and gradient of the equilibrium found.
   bool weigh(double& f, Eigen::VectorXd* gradient);
 
-  double add_picture(model::PanelSlopes& slopes) const;
-  double add_stretch(model::PanelSlopes& slopes) const;
+  double add_picture(model::PanelGradient& gradient) const;
+  double add_stretch(model::PanelGradient& gradient) const;
 
   PanelEquilibrium& equilibrium_;
   const DisplayVariables& variables_;

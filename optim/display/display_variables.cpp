@@ -45,8 +45,8 @@ bool DisplayVariables::settle(PanelEquilibrium& equilibrium, const VectorXd& x) 
   return equilibrium.settle(t_of(x), offset_of(x));
 }
 
-VectorXd DisplayVariables::gather(const PanelEquilibrium::Slopes& slopes) const {
-  return joined(ties.gather(slopes.t), slopes.compression, slopes.offset);
+VectorXd DisplayVariables::gather(const PanelEquilibrium::Gradient& gradient) const {
+  return joined(ties.gather(gradient.t), gradient.compression, gradient.offset);
 }
 
 }  // namespace kinetix::optim

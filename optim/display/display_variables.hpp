@@ -32,7 +32,7 @@ struct DisplayVariables {
   /// Brings the panel to its equilibrium at x. @return as PanelEquilibrium::settle
   bool settle(PanelEquilibrium& equilibrium, const Eigen::VectorXd& x) const;
   /// By x, from derivatives by t and offset of each hinge and by the compression.
-  Eigen::VectorXd gather(const PanelEquilibrium::Slopes& slopes) const;
+  Eigen::VectorXd gather(const PanelEquilibrium::Gradient& gradient) const;
 
  private:
   Eigen::VectorXd bounds(int side) const;

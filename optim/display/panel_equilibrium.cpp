@@ -57,7 +57,7 @@ bool PanelEquilibrium::settle_from_flat() {
   return true;
 }
 
-std::optional<PanelEquilibrium::Slopes> PanelEquilibrium::slopes(const Eigen::VectorXd& by_state) {
+std::optional<PanelEquilibrium::Gradient> PanelEquilibrium::gradient(const Eigen::VectorXd& by_state) {
   const model::ElasticSystem system(panel_, elasticity_, plates_on_panel(), true, true);
   model::TangentStiffness tangent(system.dofs());
   const double theta = system.drive().theta();
@@ -66,8 +66,8 @@ std::optional<PanelEquilibrium::Slopes> PanelEquilibrium::slopes(const Eigen::Ve
   model::EquilibriumGradient gradient;
   gradient.state = by_state;
   const model::Sensitivity by = sensitivity(system, elasticity_, state_, theta, tangent, gradient);
-  return Slopes{by.hinges.row(0).transpose(), by.hinges.row(3).transpose(),
-                by.theta / system.drive_rate(theta)};
+  return Gradient{by.hinges.row(0).transpose(), by.hinges.row(3).transpose(),
+                  by.theta / system.drive_rate(theta)};
 }
 
 }  // namespace kinetix::optim

@@ -33,7 +33,7 @@ class PanelEquilibrium {
   /// @pre settle() returned true
   const model::State& state() const { return state_; }  ///< mm
 
-  struct Slopes {
+  struct Gradient {
     Eigen::VectorXd t;       ///< one entry a hinge, per unit of t (a fraction)
     Eigen::VectorXd offset;  ///< one entry a hinge, per cell edge
     double compression = 0;  ///< per unit of compression (a fraction)
@@ -41,7 +41,7 @@ class PanelEquilibrium {
   /// The derivatives of a function of the state, by the adjoint. @param by_state 6 a body, as
   /// EquilibriumGradient::state   @return without what the function has of the hinges directly, which is the
   /// caller's to add. Nothing where the equilibrium is singular
-  std::optional<Slopes> slopes(const Eigen::VectorXd& by_state);
+  std::optional<Gradient> gradient(const Eigen::VectorXd& by_state);
 
   int paths_from_flat() const { return paths_; }
 

@@ -17,7 +17,7 @@ constexpr double longest_turn = 2 * radians_per_degree;
 
 /// Upper bound of d(fold)/d(theta) of a crease from theta on: the rate falls with theta.
 double fold_rate(double tilt, int columns, double theta) {
-  return columns * model::crease_rates(tilt, theta).by_theta;
+  return columns * model::crease_derivatives(tilt, theta).by_theta;
 }
 
 /// Plates of one face, as they stand in a state.

@@ -14,7 +14,7 @@ struct FaceCrossing {
 
 /// Whether faces that no crease joins stay apart on the way from flat to theta, with the thickness and height
 /// of their walls. No motion between the looks is missed: a step of theta is no longer than the gap of two
-/// faces over the largest speed at which they can come closer, which is bounded by the rates of the creases
+/// faces over the largest speed at which they can come closer, which is bounded by the derivatives of the creases
 /// between them times the length of net that these carry, the shortening of the lattice and the turn of the
 /// bodies.
 /// @return the first two faces whose walls come within a fiftieth of the cell edge

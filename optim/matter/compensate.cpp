@@ -101,13 +101,13 @@ class MatterSearch {
  private:
   /// Tries steps with more and more damping until one helps, or none does.
   void step(InMatter& at, VectorXd& x, double& damping, Compensation& out) {
-    const auto rates = deviation_rates(at, variables_.ties(), elasticity_, goal_, options_.contact);
-    if (!rates) {
+    const auto found = deviation_jacobian(at, variables_.ties(), elasticity_, goal_, options_.contact);
+    if (!found) {
       out.why = "the equilibrium is at a limit: its derivatives are not known";
       return;
     }
-    const VectorXd slope = rates->rates.transpose() * rates->deviations;
-    const MatrixXd curvature = rates->rates.transpose() * rates->rates;
+    const VectorXd slope = found->jacobian.transpose() * found->deviations;
+    const MatrixXd curvature = found->jacobian.transpose() * found->jacobian;
     const double scale = curvature.diagonal().maxCoeff();
     for (; damping <= most_damping && out.rounds < options_.rounds; damping *= harder) {
       ++out.rounds;
@@ -157,24 +157,24 @@ class MatterSearch {
 
 }  // namespace
 
-std::optional<DeviationRates> deviation_rates(const InMatter& at, const std::vector<TiltTie>& ties,
-                                              const model::Elasticity& elasticity, const MatterGoal& goal,
-                                              bool contact) {
+std::optional<DeviationJacobian> deviation_jacobian(const InMatter& at, const std::vector<TiltTie>& ties,
+                                                    const model::Elasticity& elasticity,
+                                                    const MatterGoal& goal, bool contact) {
   model::ElasticSystem system(at.sheet, elasticity, goal.drive(at.sheet, at.theta), false, contact);
   model::State state = at.state;
   model::TangentStiffness tangent(system.dofs());
   if (!settle(system, at.theta, state, tangent)) return std::nullopt;
   const std::vector<model::ObservedPoint> observed = goal.observe(at.sheet, state);
   const model::ObservedPoints points(observed, true);
-  DeviationRates out{points.aligned_deviations(),
-                     MatrixXd(points.size(), static_cast<Eigen::Index>(ties.size()) + 1)};
+  DeviationJacobian out{points.aligned_deviations(),
+                        MatrixXd(points.size(), static_cast<Eigen::Index>(ties.size()) + 1)};
   for (Eigen::Index k = 0; k < points.size(); ++k) {
     model::EquilibriumGradient one;
     one.state = points.by_state(VectorXd::Unit(points.size(), k), state.size(), at.sheet.size().edge_mm);
-    out.rates.row(k) =
+    out.jacobian.row(k) =
         by_variables(ties, sensitivity(system, elasticity, state, at.theta, tangent, one)).transpose();
   }
-  const bool usable = out.deviations.allFinite() && out.rates.allFinite() && !out.rates.isZero(0);
+  const bool usable = out.deviations.allFinite() && out.jacobian.allFinite() && !out.jacobian.isZero(0);
   return usable ? std::optional(std::move(out)) : std::nullopt;
 }
 

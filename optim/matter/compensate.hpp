@@ -47,15 +47,15 @@ struct Compensation {
 };
 
 /// The deviations of an equilibrium from its goal and how they change.
-struct DeviationRates {
+struct DeviationJacobian {
   Eigen::VectorXd deviations;  ///< of each point, mm, what a rigid motion takes away left out
-  Eigen::MatrixXd rates;       ///< a row a point: by the tilt of each tie, last by theta; mm/rad
+  Eigen::MatrixXd jacobian;    ///< a row a point: by the tilt of each tie, last by theta; mm/rad
 };
 
 /// By the adjoint. @param at in equilibrium   @return nothing at a limit of the equilibrium
-std::optional<DeviationRates> deviation_rates(const InMatter& at, const std::vector<TiltTie>& ties,
-                                              const model::Elasticity& elasticity, const MatterGoal& goal,
-                                              bool contact);
+std::optional<DeviationJacobian> deviation_jacobian(const InMatter& at, const std::vector<TiltTie>& ties,
+                                                    const model::Elasticity& elasticity,
+                                                    const MatterGoal& goal, bool contact);
 
 /// Brings the equilibrium of a sheet of elastic hinges onto its goal: springs hold a fold back and blocks stretch, so
 /// that a design which meets its goal exactly misses it in matter. Tilts (tied, optim/matter/tilt_ties.hpp) and theta

@@ -132,35 +132,38 @@ RibsShape RibsProblem::unpack(const VectorXd& x) const {
   return shape;
 }
 
-bool RibsProblem::evaluate(const VectorXd& x, bool rates, std::vector<ResidualBlock>& blocks) const {
+bool RibsProblem::evaluate(const VectorXd& x, bool with_derivatives,
+                           std::vector<ResidualBlock>& blocks) const {
   model::NetMotion motion;
   const model::Structure folded = structure(x);
-  if (rates)
-    motion = fold_net_with_rates(tree_, folded, x[theta_index]);
+  if (with_derivatives)
+    motion = fold_net_with_jacobian(tree_, folded, x[theta_index]);
   else
     motion.state = fold_net(tree_, folded, x[theta_index]);
   if (!is_finite(motion.state)) return false;
   blocks.resize(probes_.size());
-  for (std::size_t k = 0; k < probes_.size(); ++k) fill(motion, x, rates, static_cast<int>(k), blocks[k]);
+  for (std::size_t k = 0; k < probes_.size(); ++k)
+    fill(motion, x, with_derivatives, static_cast<int>(k), blocks[k]);
   return true;
 }
 
-void RibsProblem::fill(const model::NetMotion& motion, const VectorXd& x, bool rates, int part,
+void RibsProblem::fill(const model::NetMotion& motion, const VectorXd& x, bool with_derivatives, int part,
                        ResidualBlock& block) const {
   const bool is_part = part < static_cast<int>(parts_.size());
   const int own = is_part ? parts_[part] : 0, rows = residuals_[part];
   block.r.setZero(rows);
-  block.by_shared.setZero(rates ? rows : 0, shared());
-  block.by_own.setZero(rates ? rows : 0, own);
+  block.by_shared.setZero(with_derivatives ? rows : 0, shared());
+  block.by_own.setZero(with_derivatives ? rows : 0, own);
   int row = 0;
-  for (const Probe& probe : probes_[part]) fill_probe(motion, x, rates, part, probe, row++, block);
+  for (const Probe& probe : probes_[part]) fill_probe(motion, x, with_derivatives, part, probe, row++, block);
   const int first = is_part ? first_[part] : fixed_shared;
   const int tilts = is_part ? own : static_cast<int>(fishbone_.spine.size());
   for (int k = 0; k < tilts; ++k, ++row) {
     block.r[row] = weight_of_tilts * x[first + k];
-    if (rates) (is_part ? block.by_own(row, k) : block.by_shared(row, fixed_shared + k)) = weight_of_tilts;
+    if (with_derivatives)
+      (is_part ? block.by_own(row, k) : block.by_shared(row, fixed_shared + k)) = weight_of_tilts;
   }
-  if (!is_part) fill_ends(motion, x, rates, row, block);
+  if (!is_part) fill_ends(motion, x, with_derivatives, row, block);
 }
 
 Vector3d RibsProblem::in_place(const model::NetMotion& motion, const VectorXd& x, const Probe& probe) const {
@@ -170,38 +173,38 @@ Vector3d RibsProblem::in_place(const model::NetMotion& motion, const VectorXd& x
 }
 
 /// Derivative of direction . (place of the probe): shared variables, then those of its part.
-VectorXd RibsProblem::rates_of(const model::NetMotion& motion, const VectorXd& x, const Probe& probe,
-                               const Vector3d& direction, int part) const {
+VectorXd RibsProblem::derivatives_of(const model::NetMotion& motion, const VectorXd& x, const Probe& probe,
+                                     const Vector3d& direction, int part) const {
   const bool is_part = part < static_cast<int>(parts_.size());
-  VectorXd rates = VectorXd::Zero(shared() + (is_part ? parts_[part] : 0));
+  VectorXd derivatives = VectorXd::Zero(shared() + (is_part ? parts_[part] : 0));
   const model::Pose& pose = motion.state[probe.body];
   const Vector3d carried = pose.R * probe.arm, p = pose.p + carried;
   const Eigen::Matrix3d turn = rotation_of(x.head<3>());
   const Vector3d arm = turn * (p - motion.state[tree_.root].p), local = turn.transpose() * direction;
-  rates.head<3>() = rotation_rate(x.head<3>()).transpose() * arm.cross(direction);
-  rates.segment<3>(3) = fishbone_.structure.size.edge_mm * direction;
+  derivatives.head<3>() = rotation_rate(x.head<3>()).transpose() * arm.cross(direction);
+  derivatives.segment<3>(3) = fishbone_.structure.size.edge_mm * direction;
   const model::Twist& twist = motion.by_theta[probe.body];
-  rates[theta_index] = local.dot(twist.v + twist.omega.cross(carried) - motion.by_theta[tree_.root].v);
+  derivatives[theta_index] = local.dot(twist.v + twist.omega.cross(carried) - motion.by_theta[tree_.root].v);
   for (const Step& step : ways_[probe.body]) {
     const model::NetTurn& about = motion.by_tilt[step.link];
     const int at = step.variable < shared() ? step.variable : shared() + step.variable - first_[part];
-    rates[at] += step.sign * local.dot(about.omega.cross(p - about.point));
+    derivatives[at] += step.sign * local.dot(about.omega.cross(p - about.point));
   }
-  return rates;
+  return derivatives;
 }
 
-void RibsProblem::fill_probe(const model::NetMotion& motion, const VectorXd& x, bool rates, int part,
-                             const Probe& probe, int row, ResidualBlock& block) const {
+void RibsProblem::fill_probe(const model::NetMotion& motion, const VectorXd& x, bool with_derivatives,
+                             int part, const Probe& probe, int row, ResidualBlock& block) const {
   const double scale = 1 / (unit_in_edges * fishbone_.structure.size.edge_mm * std::sqrt(count_));
   const targets::ClosestMeshPoint closest = goal_.surface->closest(in_place(motion, x, probe));
   block.r[row] = scale * (closest.distance - goal_.clearance_mm);
-  if (!rates) return;
-  const VectorXd by = scale * rates_of(motion, x, probe, closest.normal, part);
+  if (!with_derivatives) return;
+  const VectorXd by = scale * derivatives_of(motion, x, probe, closest.normal, part);
   block.by_shared.row(row) = by.head(shared());
   block.by_own.row(row) = by.tail(by.size() - shared());
 }
 
-void RibsProblem::fill_ends(const model::NetMotion& motion, const VectorXd& x, bool rates, int row,
+void RibsProblem::fill_ends(const model::NetMotion& motion, const VectorXd& x, bool with_derivatives, int row,
                             ResidualBlock& block) const {
   const double scale = weight_of_ends / (unit_in_edges * fishbone_.structure.size.edge_mm);
   const int part = static_cast<int>(parts_.size());
@@ -212,7 +215,8 @@ void RibsProblem::fill_ends(const model::NetMotion& motion, const VectorXd& x, b
       for (const int body : end) {
         const Probe probe{body, Vector3d::Zero()};
         block.r[row] += scale / 2 * direction.dot(in_place(motion, x, probe));
-        if (rates) block.by_shared.row(row) += scale / 2 * rates_of(motion, x, probe, direction, part);
+        if (with_derivatives)
+          block.by_shared.row(row) += scale / 2 * derivatives_of(motion, x, probe, direction, part);
       }
       ++row;
     }

@@ -51,7 +51,8 @@ class RibsProblem final : public ArrowProblem {
   const Eigen::VectorXd& lower() const override { return lower_; }
   const Eigen::VectorXd& upper() const override { return upper_; }
   const std::vector<int>& residuals() const override { return residuals_; }
-  bool evaluate(const Eigen::VectorXd& x, bool rates, std::vector<ResidualBlock>& blocks) const override;
+  bool evaluate(const Eigen::VectorXd& x, bool with_derivatives,
+                std::vector<ResidualBlock>& blocks) const override;
 
   Eigen::VectorXd pack(const RibsShape& shape) const;
   RibsShape unpack(const Eigen::VectorXd& x) const;
@@ -79,14 +80,14 @@ class RibsProblem final : public ArrowProblem {
   void place_probes();
   void find_ways();
   int part_of(int body) const;
-  void fill(const model::NetMotion& motion, const Eigen::VectorXd& x, bool rates, int part,
+  void fill(const model::NetMotion& motion, const Eigen::VectorXd& x, bool with_derivatives, int part,
             ResidualBlock& block) const;
-  void fill_probe(const model::NetMotion& motion, const Eigen::VectorXd& x, bool rates, int part,
+  void fill_probe(const model::NetMotion& motion, const Eigen::VectorXd& x, bool with_derivatives, int part,
                   const Probe& probe, int row, ResidualBlock& block) const;
-  void fill_ends(const model::NetMotion& motion, const Eigen::VectorXd& x, bool rates, int row,
+  void fill_ends(const model::NetMotion& motion, const Eigen::VectorXd& x, bool with_derivatives, int row,
                  ResidualBlock& block) const;
-  Eigen::VectorXd rates_of(const model::NetMotion& motion, const Eigen::VectorXd& x, const Probe& probe,
-                           const Eigen::Vector3d& direction, int part) const;
+  Eigen::VectorXd derivatives_of(const model::NetMotion& motion, const Eigen::VectorXd& x, const Probe& probe,
+                                 const Eigen::Vector3d& direction, int part) const;
   Eigen::Vector3d in_place(const model::NetMotion& motion, const Eigen::VectorXd& x,
                            const Probe& probe) const;
 

@@ -28,8 +28,9 @@ class ArrowProblem {
   virtual const std::vector<int>& residuals() const = 0;
 
   /// Fills one block a part and a last one for the shared variables alone.
-  /// @param rates whether the derivatives are asked for  @return false where it cannot be evaluated
-  virtual bool evaluate(const Eigen::VectorXd& x, bool rates, std::vector<ResidualBlock>& blocks) const = 0;
+  /// @param with_derivatives whether the derivatives are asked for  @return false where it cannot be evaluated
+  virtual bool evaluate(const Eigen::VectorXd& x, bool with_derivatives,
+                        std::vector<ResidualBlock>& blocks) const = 0;
 };
 
 /// All residuals under each other, and their Jacobian as one matrix, in the units of the problem.

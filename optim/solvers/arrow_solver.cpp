@@ -41,12 +41,12 @@ class Evaluation final : public ceres::EvaluationCallback {
     result_.residual_norm = std::numeric_limits<double>::infinity();
   }
 
-  void PrepareForEvaluation(bool rates, bool new_point) override {
-    if (!new_point && (!rates || has_rates_)) return;
-    has_rates_ = rates;
+  void PrepareForEvaluation(bool with_derivatives, bool new_point) override {
+    if (!new_point && (!with_derivatives || has_derivatives_)) return;
+    has_derivatives_ = with_derivatives;
     if (new_point) ++result_.evaluations;
     try {
-      valid_ = problem_.evaluate(x_, rates, blocks_);
+      valid_ = problem_.evaluate(x_, with_derivatives, blocks_);
     } catch (const std::exception& error) {
       thrown_ = error.what();
       valid_ = false;
@@ -88,7 +88,7 @@ class Evaluation final : public ceres::EvaluationCallback {
   const VectorXd& x_;
   const SolverOptions& options_;
   std::vector<ResidualBlock> blocks_;
-  bool valid_ = false, has_rates_ = false;
+  bool valid_ = false, has_derivatives_ = false;
   SolveResult result_;
   std::string thrown_;
 };

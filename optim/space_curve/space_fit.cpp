@@ -77,7 +77,7 @@ class Chain {
   Vector3d place(int column, double f) const { return (1 - f) * points_[column] + f * points_[column + 1]; }
 
   /// d place by all unknowns but the scales of start and step.
-  void rates(int column, double f, Matrix3Xd& out) const {
+  void derivatives(int column, double f, Matrix3Xd& out) const {
     out.setZero();
     const Vector3d p = place(column, f);
     for (int k = 0; k <= column; ++k) {
@@ -142,15 +142,15 @@ bool SpaceFit::evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::Mat
   const double weight = 1 / (scale_ * std::sqrt(residuals() / 3.0));
   r.resize(residuals());
   if (J) J->resize(residuals(), variables());
-  Matrix3Xd rates(3, variables());
+  Matrix3Xd derivatives(3, variables());
   int row = 0;
   const auto add = [&](int column, double f, const Nearest& at) {
     r.segment<3>(row) = weight * (chain.place(column, f) - at.point);
     if (J) {
-      chain.rates(column, f, rates);
-      rates.middleCols<3>(columns_ + 1) *= scale_;
-      rates.col(columns_ + 4) *= first_step_;
-      J->middleRows<3>(row) = weight * at.left * rates;
+      chain.derivatives(column, f, derivatives);
+      derivatives.middleCols<3>(columns_ + 1) *= scale_;
+      derivatives.col(columns_ + 4) *= first_step_;
+      J->middleRows<3>(row) = weight * at.left * derivatives;
     }
     row += 3;
   };

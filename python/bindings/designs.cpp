@@ -12,7 +12,7 @@
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/documents.hpp"
-#include "python/bindings/exact_rates.hpp"
+#include "python/bindings/exact_jacobian.hpp"
 #include "python/bindings/many_folds.hpp"
 #include "python/bindings/pose_table.hpp"
 
@@ -183,7 +183,7 @@ void add_designs(py::module_& core) {
       .def("fold", fold_all)
       .def("derivatives", [](const Design& d, std::optional<double> theta) {
         if (theta) check_theta("theta", *theta);
-        return exact_rates(d, theta ? *theta : own_theta(d));
+        return exact_jacobian(d, theta ? *theta : own_theta(d));
       });
 }
 

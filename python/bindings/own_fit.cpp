@@ -54,20 +54,20 @@ bool OwnFit::evaluate(const VectorXd& x, VectorXd& r, MatrixXd* J) const {
 
 bool OwnFit::exact_jacobian(const VectorXd& x, MatrixXd& J) const {
   model::State lattice;
-  model::ExactJacobian rates;
-  fold_with_jacobian(design(x), cell_mm_, lattice, rates);
+  model::ExactJacobian derivatives;
+  fold_with_jacobian(design(x), cell_mm_, lattice, derivatives);
   MatrixXd by_bodies;
   if (!error_.gradient_at(lattice, by_bodies)) return false;
   MatrixXd twists = MatrixXd::Zero(by_bodies.cols(), variables());
   const auto add = [&](int parameter, int variable, double sign) {
-    for (int b = 0; b < rates.bodies(); ++b) {
-      const model::Twist& twist = rates.twist(parameter, b);
+    for (int b = 0; b < derivatives.bodies(); ++b) {
+      const model::Twist& twist = derivatives.twist(parameter, b);
       twists.col(variable).segment<3>(6 * b) += sign * twist.v;
       twists.col(variable).segment<3>(6 * b + 3) += sign * twist.omega;
     }
   };
-  for (int c = 0; c < ties_.columns(); ++c) add(rates.beta(c), ties_.variable[c], ties_.sign[c]);
-  add(rates.theta(), ties_.variables(), 1);
+  for (int c = 0; c < ties_.columns(); ++c) add(derivatives.beta(c), ties_.variable[c], ties_.sign[c]);
+  add(derivatives.theta(), ties_.variables(), 1);
   J = by_bodies * twists;
   return J.allFinite();
 }

@@ -127,9 +127,9 @@ py::tuple strip_derivatives(Numbers beta, Numbers theta, double cell_mm, int row
   const py::ssize_t columns = strips.columns(), bodies = strips.bodies(),
                     parameters = columns + 1;  // tilts and theta
   py::array poses = unwritten({strips.count(), bodies, py::ssize_t(pose_numbers)});
-  py::array rates = unwritten({strips.count(), parameters, bodies, py::ssize_t(6)});
-  auto *const p = static_cast<double*>(poses.mutable_data()), *const r =
-                                                                  static_cast<double*>(rates.mutable_data());
+  py::array derivatives = unwritten({strips.count(), parameters, bodies, py::ssize_t(6)});
+  auto *const p = static_cast<double*>(poses.mutable_data()), *const r = static_cast<double*>(
+                                                                  derivatives.mutable_data());
   many_folds_in_python(strips.count(), strips.bodies(), threads, [&](std::int64_t k, model::State& state) {
     thread_local model::ExactJacobian jacobian;
     auto design = ExactDesign<double>::basic(strips.columns(), strips.rows);
@@ -141,7 +141,7 @@ py::tuple strip_derivatives(Numbers beta, Numbers theta, double cell_mm, int row
       for (int b = 0; b < bodies; ++b, six += 6)
         write_twist(jacobian.twist(c < columns ? jacobian.beta(c) : jacobian.theta(), b), six);
   });
-  return py::make_tuple(poses, rates);
+  return py::make_tuple(poses, derivatives);
 }
 
 }  // namespace

@@ -89,13 +89,13 @@ class Alignment {
   /// A place and how far it is from where the goal should have it, without the part along the curve.
   void add(const Vector3d& place, const Vector3d& miss, const Vector3d& along) {
     const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - along * along.transpose();
-    Eigen::Matrix<double, 3, 6> rates;
-    rates.col(0) = across * Vector3d::UnitX().cross(place);
-    rates.col(1) = across * Vector3d::UnitY().cross(place);
-    rates.col(2) = across * Vector3d::UnitZ().cross(place);
-    rates.rightCols<3>() = across;
-    normal_ += rates.transpose() * rates;
-    right_ += rates.transpose() * miss;
+    Eigen::Matrix<double, 3, 6> derivatives;
+    derivatives.col(0) = across * Vector3d::UnitX().cross(place);
+    derivatives.col(1) = across * Vector3d::UnitY().cross(place);
+    derivatives.col(2) = across * Vector3d::UnitZ().cross(place);
+    derivatives.rightCols<3>() = across;
+    normal_ += derivatives.transpose() * derivatives;
+    right_ += derivatives.transpose() * miss;
   }
 
   const SpaceCurve& midline_;

@@ -21,8 +21,9 @@ using Eigen::VectorXd;
 constexpr int most_printed_cells = 400;
 
 /// Readings of all cells by every hinge's t, alpha, beta and offset, times its standard deviation.
-std::optional<MatrixXd> rates(const DisplayFile& file, const Run& run, const model::HingeScatter& scatter,
-                              model::State& state, std::vector<double>& readings, Eigen::Index cells) {
+std::optional<MatrixXd> derivatives(const DisplayFile& file, const Run& run,
+                                    const model::HingeScatter& scatter, model::State& state,
+                                    std::vector<double>& readings, Eigen::Index cells) {
   const Equilibrium& equilibrium = *run.equilibrium;
   const double theta = equilibrium.path.theta;
   model::ElasticSystem system(run.structure, equilibrium.elasticity, equilibrium.drive, true, true);
@@ -34,13 +35,13 @@ std::optional<MatrixXd> rates(const DisplayFile& file, const Run& run, const mod
   readings = channel.values();
   MatrixXd out(cells, 4 * run.structure.hinges());
   for (Eigen::Index k = 0; k < cells; ++k) {
-    model::PanelSlopes slopes(run.structure);
-    channel.add_slopes(VectorXd::Unit(static_cast<Eigen::Index>(readings.size()), k), slopes);
+    model::PanelGradient reading(run.structure);
+    channel.add_gradient(VectorXd::Unit(static_cast<Eigen::Index>(readings.size()), k), reading);
     model::EquilibriumGradient gradient;
-    gradient.state = slopes.state;
+    gradient.state = reading.state;
     Eigen::Matrix4Xd by = sensitivity(system, equilibrium.elasticity, state, theta, tangent, gradient).hinges;
-    by.row(0) += slopes.t.transpose();
-    by.row(3) += slopes.offset.transpose();
+    by.row(0) += reading.t.transpose();
+    by.row(3) += reading.offset.transpose();
     by = scatter.values().asDiagonal() * by;
     out.row(k) = by.reshaped().transpose();
   }
@@ -108,7 +109,7 @@ std::optional<PrintedDisplay> display_prints(const DisplayFile& file, Run& run, 
   const std::vector<double> levels = levels_of(file.goal, run.structure);
   model::State state = run.equilibrium->path.state;
   std::vector<double> readings;
-  const auto by = rates(file, run, scatter, state, readings, static_cast<Eigen::Index>(levels.size()));
+  const auto by = derivatives(file, run, scatter, state, readings, static_cast<Eigen::Index>(levels.size()));
   if (!by) {
     run.prints_unknown = "the panel's equilibrium is not stable";
     return std::nullopt;

@@ -78,29 +78,29 @@ double ContactModel::energy(const std::vector<Contact>& contacts, double stiffne
   return sum;
 }
 
-Eigen::Vector4d ContactModel::gap_rates(const Gap& g, const Contact& c, const State& state) const {
+Eigen::Vector4d ContactModel::gap_gradient(const Gap& g, const Contact& c, const State& state) const {
   const ContactPlate& plate = all().plates[c.plate];
   const ContactPlate& box = all().plates[c.other];
   const Matrix3d& R = state[plate.body].R;
-  return {plate.sign * g.n.dot(R * plate.edge), g.n.dot(R * plate.point_rates[c.point]),
+  return {plate.sign * g.n.dot(R * plate.edge), g.n.dot(R * plate.point_gradients[c.point]),
           c.face == Face::wall_tip_end ? -box.sign : 0,
           g.m.dot(state[box.body].R * box.face_normal_rate(c.face))};
 }
 
-Eigen::Vector4d ContactModel::depth_rates(const Contact& c, const State& state) const {
-  return -gap_rates(gap(c, state), c, state);
+Eigen::Vector4d ContactModel::depth_gradient(const Contact& c, const State& state) const {
+  return -gap_gradient(gap(c, state), c, state);
 }
 
-Eigen::Matrix<double, 12, 4> ContactModel::rates(const Contact& c, double stiffness,
-                                                 const State& state) const {
+Eigen::Matrix<double, 12, 4> ContactModel::derivatives(const Contact& c, double stiffness,
+                                                       const State& state) const {
   const Gap g = gap(c, state);
   const ContactPlate& plate = all().plates[c.plate];
   const ContactPlate& box = all().plates[c.other];
   const Matrix3d& R = state[plate.body].R;
-  const Vector3d by_t = plate.sign * (R * plate.edge), by_beta = R * plate.point_rates[c.point];
+  const Vector3d by_t = plate.sign * (R * plate.edge), by_beta = R * plate.point_gradients[c.point];
   const Vector3d normal_by_beta = state[box.body].R * box.face_normal_rate(c.face);
   const Vector3d none = Vector3d::Zero();
-  const Eigen::Vector4d value = gap_rates(g, c, state);
+  const Eigen::Vector4d value = gap_gradient(g, c, state);
   Eigen::Matrix<double, 12, 4> out;
   out.col(0) = g.gradient_change(none, by_t, by_t);
   out.col(1) = g.gradient_change(none, by_beta, by_beta);

@@ -31,18 +31,19 @@ class ContactModel {
 
   /// How the gradient of a contact's energy changes with t and beta of the two hinges: columns t, beta of
   /// contact.plate's hinge, then of contact.other's.
-  Eigen::Matrix<double, 12, 4> rates(const Contact& contact, double stiffness, const State& state) const;
+  Eigen::Matrix<double, 12, 4> derivatives(const Contact& contact, double stiffness,
+                                           const State& state) const;
   /// And with the stiffness.
   Vector12 stiffness_rate(const Contact& contact, const State& state) const;
   /// Derivative of depth by the same four.
-  Eigen::Vector4d depth_rates(const Contact& contact, const State& state) const;
+  Eigen::Vector4d depth_gradient(const Contact& contact, const State& state) const;
 
  private:
   struct Gap;
 
   const ContactPlates& all() const { return search_.all(); }
   Gap gap(const Contact& contact, const State& state) const;
-  Eigen::Vector4d gap_rates(const Gap& gap, const Contact& contact, const State& state) const;
+  Eigen::Vector4d gap_gradient(const Gap& gap, const Contact& contact, const State& state) const;
 
   ContactSearch search_;
   double weight_;  ///< of a point, against those along the same wall tip edge

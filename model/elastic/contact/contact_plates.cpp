@@ -22,7 +22,7 @@ ContactPlate contact_plate(const ContactPlates& all, const Plate& half_wall) {
     for (const double level : all.planar ? std::vector<double>{0} : std::vector<double>{-1, 0, 1}) {
       const double across = side * all.half_thickness, high = level * all.half_height;
       plate.points.push_back(plate.length * plate.edge + across * plate.normal + high * plate.up);
-      plate.point_rates.push_back(across * plate.normal_rate + high * plate.up_rate);
+      plate.point_gradients.push_back(across * plate.normal_rate + high * plate.up_rate);
     }
   return plate;
 }

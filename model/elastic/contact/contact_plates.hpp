@@ -19,7 +19,7 @@ struct ContactPlate {
   Eigen::Vector3d up_rate, normal_rate;
   double sign = 1;  ///< of d(length)/dt, 1 or -1
   double length = 0;
-  std::vector<Eigen::Vector3d> points, point_rates;
+  std::vector<Eigen::Vector3d> points, point_gradients;
 
   Eigen::Vector3d face_normal(Face face) const;  ///< outward
   Eigen::Vector3d face_normal_rate(Face face) const;

@@ -27,15 +27,15 @@ Matrix conditions(const PlanarStructure& s, const std::vector<WallCondition>& fu
     for (const auto& [wall, rate] : condition.parts) entries.emplace_back(wall, column, rate);
     ++column;
   }
-  Matrix rates(static_cast<int>(s.hinges.size()), column);
-  rates.setFromTriplets(entries.begin(), entries.end());
-  return rates;
+  Matrix derivatives(static_cast<int>(s.hinges.size()), column);
+  derivatives.setFromTriplets(entries.begin(), entries.end());
+  return derivatives;
 }
 
 }  // namespace
 
 struct ExactDesigns::Factors {
-  explicit Factors(const Matrix& rates) : qr(rates) {}
+  explicit Factors(const Matrix& derivatives) : qr(derivatives) {}
   Eigen::SPQR<Matrix> qr;
 };
 

@@ -158,9 +158,9 @@ TEST(HingeEnergy, RatesByDesignAndStiffnessMatchCentralDifferences) {
       };
       Eigen::Matrix<double, 13, 11> all;
       for (int k = 0; k < 12; ++k) {
-        const auto [energy, along] = hinge_rates(rest_hinge(hinge), stiff, state[hinge.lower],
-                                                 state[hinge.upper], s.size.edge_mm, Vector12::Unit(k));
-        const auto row = [](const HingeRate& r) {
+        const auto [energy, along] = hinge_gradients(rest_hinge(hinge), stiff, state[hinge.lower],
+                                                     state[hinge.upper], s.size.edge_mm, Vector12::Unit(k));
+        const auto row = [](const HingeGradient& r) {
           Eigen::Matrix<double, 1, 11> all_of_it;
           all_of_it << r.design.transpose(), r.turn, r.reach, r.ratios.axial, r.ratios.shear, r.ratios.along,
               r.rock, r.twist;
@@ -169,7 +169,8 @@ TEST(HingeEnergy, RatesByDesignAndStiffnessMatchCentralDifferences) {
         all.row(0) = row(energy);
         all.row(1 + k) = row(along);
       }
-      if (stiff.reach == 0) continue;  // its rates by design hold; a reach below 0 has no energy to compare
+      if (stiff.reach == 0)
+        continue;  // its derivatives by design hold; a reach below 0 has no energy to compare
       expect_jacobian(energy_and_gradient, Eigen::VectorXd::Zero(11), all);
     }
   }
@@ -273,10 +274,10 @@ TEST(HingeTurnElement, RatesByDesignMatchCentralDifferences) {
       };
       Eigen::Matrix<double, 13, 4> all;
       for (int k = 0; k < 12; ++k) {
-        const TurnRates rates =
-            turn_rates(rest_hinge(hinge), state[hinge.lower], state[hinge.upper], Vector12::Unit(k));
-        all.row(0) = rates.turn.transpose();
-        all.row(1 + k) = rates.along.transpose();
+        const TurnGradients derivatives =
+            turn_gradients(rest_hinge(hinge), state[hinge.lower], state[hinge.upper], Vector12::Unit(k));
+        all.row(0) = derivatives.turn.transpose();
+        all.row(1 + k) = derivatives.along.transpose();
       }
       expect_jacobian(turn_and_gradient, Eigen::VectorXd::Zero(4), all);
     }

@@ -94,8 +94,9 @@ TEST_F(CubicPanel, RatesByStiffnessOfItsHingesMatchCentralDifferences) {
       const Element e = element(h, changed, lower, upper);
       return Eigen::Vector2d(e.energy, e.gradient.dot(along));
     };
-    const HingeRates rates = hinge_rates(h, stiff_, lower, upper, panel_.size.edge_mm, along);
-    expect_jacobian(energy_and_slope, one(stiff_.turn), Eigen::Vector2d(rates.energy.turn, rates.along.turn));
+    const HingeGradients derivatives = hinge_gradients(h, stiff_, lower, upper, panel_.size.edge_mm, along);
+    expect_jacobian(energy_and_slope, one(stiff_.turn),
+                    Eigen::Vector2d(derivatives.energy.turn, derivatives.along.turn));
   }
 }
 

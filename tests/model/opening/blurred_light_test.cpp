@@ -79,14 +79,14 @@ TEST(BlurredLight, SlopesMatchCentralDifferences) {
     return Eigen::VectorXd::Constant(
         1, weights.dot(Eigen::Map<const Eigen::VectorXd>(light.data(), weights.size())));
   };
-  PanelSlopes slopes{Linkage(sheet)};
+  PanelGradient gradient{Linkage(sheet)};
   const Linkage panel = sheet;
-  BlurredLight(panel, state).add_slopes(weights, slopes);
+  BlurredLight(panel, state).add_gradient(weights, gradient);
 
   const auto by_state = [&](const Eigen::VectorXd& x) {
     return sum(sheet, retract_straight(sheet, state, x));
   };
-  Eigen::VectorXd planar = slopes.state;
+  Eigen::VectorXd planar = gradient.state;
   testing::expect_jacobian(
       [&](const Eigen::VectorXd& q) {
         Eigen::VectorXd x = Eigen::VectorXd::Zero(planar.size());
@@ -107,7 +107,7 @@ TEST(BlurredLight, SlopesMatchCentralDifferences) {
           s.hinges[h].parameters.t += q[static_cast<Eigen::Index>(h)];
         return sum(s, state);
       },
-      Eigen::VectorXd::Zero(slopes.t.size()), slopes.t.transpose());
+      Eigen::VectorXd::Zero(gradient.t.size()), gradient.t.transpose());
 }
 
 TEST(BlurredLight, OfABrokenStateIsNoNumber) {

@@ -15,7 +15,7 @@ constexpr int cells = 60, errors = 40;
 
 struct Panel {
   std::vector<double> readings, levels;
-  Eigen::MatrixXd rates{cells, errors};
+  Eigen::MatrixXd derivatives{cells, errors};
 };
 
 Panel panel(double scatter) {
@@ -26,7 +26,7 @@ Panel panel(double scatter) {
     p.levels.push_back(k % 3 == 0);
     p.readings.push_back(0.1 * (k % 3 == 0) + 0.03 * normal(random));
   }
-  for (double& entry : p.rates.reshaped()) entry = scatter * normal(random);
+  for (double& entry : p.derivatives.reshaped()) entry = scatter * normal(random);
   return p;
 }
 
@@ -34,7 +34,7 @@ Panel panel(double scatter) {
 TEST(AsMadeDisplay, IsWhatManyPrintsShow) {
   for (const double scatter : {0.002, 0.006}) {
     const Panel p = panel(scatter);
-    const AsMadeDisplay made = as_made_display(p.readings, p.levels, p.rates);
+    const AsMadeDisplay made = as_made_display(p.readings, p.levels, p.derivatives);
     std::mt19937 random(5);
     std::normal_distribution<double> normal(0, 1);
     constexpr int prints = 4000;
@@ -43,7 +43,7 @@ TEST(AsMadeDisplay, IsWhatManyPrintsShow) {
     for (int k = 0; k < prints; ++k) {
       Eigen::VectorXd e(errors);
       for (double& entry : e) entry = normal(random);
-      const Eigen::VectorXd moved = p.rates * e;
+      const Eigen::VectorXd moved = p.derivatives * e;
       std::vector<double> readings = p.readings;
       for (int c = 0; c < cells; ++c) readings[c] += moved[c];
       const targets::DisplayScore score = targets::display_score(readings, p.levels);
@@ -60,7 +60,7 @@ TEST(AsMadeDisplay, IsWhatManyPrintsShow) {
 
 TEST(AsMadeDisplay, OfExactPrintsIsTheDesign) {
   const Panel p = panel(0);
-  const AsMadeDisplay made = as_made_display(p.readings, p.levels, p.rates);
+  const AsMadeDisplay made = as_made_display(p.readings, p.levels, p.derivatives);
   const targets::DisplayScore score = targets::display_score(p.readings, p.levels);
   EXPECT_NEAR(made.contrast, score.contrast, 1e-9);
   EXPECT_NEAR(made.contrast_p95, score.contrast, 1e-9);

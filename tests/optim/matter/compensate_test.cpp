@@ -84,9 +84,9 @@ TEST(Compensate, KnowsHowDeviationsChange) {
   const InMatter at = settled(sheet);
   const MatterGoal goal = goal_of(exact_motion(sheet).at(held_theta));
   const std::vector<TiltTie> ties = tilt_ties(sheet);
-  const auto found = deviation_rates(at, ties, rubber(), goal, true);
+  const auto found = deviation_jacobian(at, ties, rubber(), goal, true);
   ASSERT_TRUE(found);
-  ASSERT_EQ(found->rates.cols(), static_cast<Eigen::Index>(ties.size()) + 1);
+  ASSERT_EQ(found->jacobian.cols(), static_cast<Eigen::Index>(ties.size()) + 1);
 
   const auto deviations_at = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
     const std::vector<double> tilts(x.data(), x.data() + ties.size());
@@ -102,10 +102,10 @@ TEST(Compensate, KnowsHowDeviationsChange) {
     for (model::ObservedPoint& p : moved) p.miss_mm += p.normal.dot(path.state[p.bodies[0]].p - p.place);
     return model::ObservedPoints(moved, true).aligned_deviations();
   };
-  Eigen::VectorXd x(found->rates.cols());
+  Eigen::VectorXd x(found->jacobian.cols());
   for (std::size_t k = 0; k < ties.size(); ++k) x[static_cast<Eigen::Index>(k)] = ties[k].tilt;
   x[x.size() - 1] = held_theta;
-  testing::expect_jacobian(deviations_at, x, found->rates, 1e-6);
+  testing::expect_jacobian(deviations_at, x, found->jacobian, 1e-6);
 }
 
 }  // namespace

@@ -62,8 +62,8 @@ std::vector<double> fold_shifts(const FoldAngleTree& tree, const Structure& stru
   return shifts;
 }
 
-std::vector<double> fold_shift_rates(const FoldAngleTree& tree, const Structure& structure, int crease) {
-  std::vector<double> rates(tree.creases, 0.0);
+std::vector<double> fold_shift_gradient(const FoldAngleTree& tree, const Structure& structure, int crease) {
+  std::vector<double> derivatives(tree.creases, 0.0);
   for (const Step& step : tree.steps) {
     const auto [b, g] = tilts_at(structure, step);
     const bool onto_x = step.sign < 0;
@@ -71,9 +71,9 @@ std::vector<double> fold_shift_rates(const FoldAngleTree& tree, const Structure&
     double rate = 0;
     if (x == crease) rate += secant_squared(b) * std::tan(g);
     if (y == crease) rate += std::tan(b) * secant_squared(g);
-    rates[step.crease] = rates[step.from] + step.sign * rate;
+    derivatives[step.crease] = derivatives[step.from] + step.sign * rate;
   }
-  return rates;
+  return derivatives;
 }
 
 FoldAngle fold_angle(double theta, double shift) {

@@ -45,7 +45,7 @@ FoldAngleTree make_fold_angle_tree(const Structure& structure, const Creases& cr
 std::vector<double> fold_shifts(const FoldAngleTree& tree, const Structure& structure);
 
 /// Their derivatives by the tilt of one crease, per rad: of the tilt by alternation, as set_tilt takes it.
-std::vector<double> fold_shift_rates(const FoldAngleTree& tree, const Structure& structure, int crease);
+std::vector<double> fold_shift_gradient(const FoldAngleTree& tree, const Structure& structure, int crease);
 
 /// A crease's fold angle with its derivatives.
 struct FoldAngle {

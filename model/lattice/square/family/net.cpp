@@ -56,9 +56,9 @@ FoldLine fold_line(const Structure& structure, const NetTree::Link& link, double
   const bool along_x = hinge.wall.axis == Axis::x;
   const double sense = structure.bodies[link.parent].sense() * (along_x ? 1.0 : -1.0);
   const double tilt = hinge.parameters.beta;
-  const CreaseRates rates = crease_rates(tilt, theta);
+  const CreaseDerivatives derivatives = crease_derivatives(tilt, theta);
   return {along_x ? Vector3d::UnitY() : Vector3d::UnitX(), sense * crease_turn(tilt, theta),
-          sense * rates.by_tilt, sense * rates.by_theta};
+          sense * derivatives.by_tilt, sense * derivatives.by_theta};
 }
 
 Matrix3d turned_about(const Vector3d& axis, double angle) {
@@ -160,7 +160,7 @@ State fold_net(const NetTree& tree, const Structure& structure, double theta) {
                      panel_frames(tree, structure, theta, fold_angles(tree, structure, theta)));
 }
 
-NetMotion fold_net_with_rates(const NetTree& tree, const Structure& structure, double theta) {
+NetMotion fold_net_with_jacobian(const NetTree& tree, const Structure& structure, double theta) {
   const std::vector<FoldAngle> angles = fold_angles(tree, structure, theta);
   const std::vector<Matrix3d> Q = panel_frames(tree, structure, theta, angles);
   NetMotion motion{fold_frames(tree, structure, theta, Q), std::vector<Twist>(Q.size()), {}};
@@ -193,12 +193,13 @@ NetMotion fold_net_with_rates(const NetTree& tree, const Structure& structure, d
 std::vector<Twist> twists_by_tilt(const NetTree& tree, const Structure& structure, const NetMotion& motion,
                                   double theta, int crease) {
   const std::vector<double> shifts = fold_shifts(tree.angles, structure),
-                            rates = fold_shift_rates(tree.angles, structure, crease);
+                            derivatives = fold_shift_gradient(tree.angles, structure, crease);
   std::vector<Twist> twists(structure.bodies.size());
   for (std::size_t k = 0; k < tree.links.size(); ++k) {
     const NetTree::Link& link = tree.links[k];
     const NetTurn& turn = motion.by_tilt[k];
-    Vector3d omega = fold_angle(theta, shifts[link.crease]).by_shift * rates[link.crease] * turn.by_angle;
+    Vector3d omega =
+        fold_angle(theta, shifts[link.crease]).by_shift * derivatives[link.crease] * turn.by_angle;
     if (link.crease == crease) omega += alternation(structure.hinges[link.hinge].wall) * turn.omega;
     if (omega.isZero(0)) continue;
     for (int m = static_cast<int>(k); m < link.end; ++m) {

@@ -62,11 +62,11 @@ struct NetMotion {
 };
 
 /// fold_net() with its derivatives, at theta, rad.
-NetMotion fold_net_with_rates(const NetTree& tree, const Structure& structure, double theta);
+NetMotion fold_net_with_jacobian(const NetTree& tree, const Structure& structure, double theta);
 
 /// Twist of each body by the tilt of a crease (by alternation, as set_tilt takes it), rad and mm per rad:
 /// what fold_net does, whether or not the structure still is a net with that tilt changed alone.
-/// @param motion fold_net_with_rates of the same structure at theta   @param crease index in find_creases()
+/// @param motion fold_net_with_jacobian of the same structure at theta   @param crease index in find_creases()
 std::vector<Twist> twists_by_tilt(const NetTree& tree, const Structure& structure, const NetMotion& motion,
                                   double theta, int crease);
 

@@ -102,10 +102,11 @@ TEST(ContactEnergy, RatesByTheTwoHingesMatchCentralDifferences) {
       const double depth = c.depth * std::sqrt(e.energy / walls.energy({c}, stiffness));
       return (VectorXd(13) << depth, e.gradient).finished();
     };
-    Eigen::Matrix<double, 13, 4> rates;
-    rates << walls.depth_rates(c, panel.state).transpose(), walls.rates(c, stiffness, panel.state);
+    Eigen::Matrix<double, 13, 4> derivatives;
+    derivatives << walls.depth_gradient(c, panel.state).transpose(),
+        walls.derivatives(c, stiffness, panel.state);
     const double step = std::min(1e-3, c.depth / 10);
-    expect_jacobian(depth_and_gradient, VectorXd::Zero(4), rates, 1e-7, step);
+    expect_jacobian(depth_and_gradient, VectorXd::Zero(4), derivatives, 1e-7, step);
   });
 }
 

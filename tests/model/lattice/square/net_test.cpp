@@ -80,7 +80,7 @@ VectorXd as_vector(const State& state) {
   return out;
 }
 
-VectorXd rates(const State& state, const std::vector<Twist>& twists) {
+VectorXd derivatives(const State& state, const std::vector<Twist>& twists) {
   VectorXd out(12 * static_cast<Eigen::Index>(state.size()));
   for (std::size_t b = 0; b < state.size(); ++b) {
     for (int k = 0; k < 3; ++k) out.segment<3>(12 * b + 3 * k) = twists[b].omega.cross(state[b].R.col(k));
@@ -110,11 +110,12 @@ TEST(Net, RatesAgreeWithCentralDifferences) {
       return as_vector(fold_net(tree, net, at[at.size() - 1]));
     };
     state(x);
-    const NetMotion motion = fold_net_with_rates(tree, net, x[x.size() - 1]);
+    const NetMotion motion = fold_net_with_jacobian(tree, net, x[x.size() - 1]);
     Eigen::MatrixXd analytic(12 * net.bodies.size(), x.size());
     for (std::size_t c = 0; c < bending.size(); ++c)
-      analytic.col(c) = rates(motion.state, twists_by_tilt(tree, net, motion, x[x.size() - 1], bending[c]));
-    analytic.col(x.size() - 1) = rates(motion.state, motion.by_theta);
+      analytic.col(c) =
+          derivatives(motion.state, twists_by_tilt(tree, net, motion, x[x.size() - 1], bending[c]));
+    analytic.col(x.size() - 1) = derivatives(motion.state, motion.by_theta);
     testing::expect_jacobian(state, x, analytic);
   }
 }

@@ -1,4 +1,4 @@
-#include "python/bindings/exact_rates.hpp"
+#include "python/bindings/exact_jacobian.hpp"
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
@@ -28,37 +28,37 @@ model::ExactDesign<double> exact_design(const Design& design) {
   return found.design;
 }
 
-std::vector<std::string> names_of(const model::ExactJacobian& rates, int columns, int rows) {
-  std::vector<std::string> names(rates.parameters());
+std::vector<std::string> names_of(const model::ExactJacobian& derivatives, int columns, int rows) {
+  std::vector<std::string> names(derivatives.parameters());
   for (int c = 0; c < columns; ++c) {
-    names[rates.beta(c)] = fmt::format("beta[{}]", c);
-    names[rates.t(c)] = fmt::format("t[{}]", c);
+    names[derivatives.beta(c)] = fmt::format("beta[{}]", c);
+    names[derivatives.t(c)] = fmt::format("t[{}]", c);
   }
-  for (int r = 0; r < rows; ++r) names[rates.s(r)] = fmt::format("s[{}]", r);
-  names[rates.gamma()] = "gamma";
-  names[rates.theta()] = "theta";
+  for (int r = 0; r < rows; ++r) names[derivatives.s(r)] = fmt::format("s[{}]", r);
+  names[derivatives.gamma()] = "gamma";
+  names[derivatives.theta()] = "theta";
   return names;
 }
 
 }  // namespace
 
-py::tuple exact_rates(const Design& design, double theta) {
+py::tuple exact_jacobian(const Design& design, double theta) {
   model::ExactDesign<double> exact = exact_design(design);
   exact.theta = theta;
   model::State lattice;
-  model::ExactJacobian rates;
-  fold_with_jacobian(exact, design.sheet().size().edge_mm, lattice, rates);
+  model::ExactJacobian derivatives;
+  fold_with_jacobian(exact, design.sheet().size().edge_mm, lattice, derivatives);
   const auto& bodies = design.sheet().squares()->bodies;
   std::vector<double> numbers;
-  for (int p = 0; p < rates.parameters(); ++p)
+  for (int p = 0; p < derivatives.parameters(); ++p)
     for (const auto& vertex : bodies) {
-      const model::Twist& twist = rates.twist(p, model::lattice_body(vertex, exact.rows()));
+      const model::Twist& twist = derivatives.twist(p, model::lattice_body(vertex, exact.rows()));
       numbers.insert(numbers.end(), twist.v.begin(), twist.v.end());
       numbers.insert(numbers.end(), twist.omega.begin(), twist.omega.end());
     }
   return py::make_tuple(
-      names_of(rates, exact.columns(), exact.rows()),
-      taken(std::move(numbers), {rates.parameters(), static_cast<py::ssize_t>(bodies.size()), 6}));
+      names_of(derivatives, exact.columns(), exact.rows()),
+      taken(std::move(numbers), {derivatives.parameters(), static_cast<py::ssize_t>(bodies.size()), 6}));
 }
 
 }  // namespace kinetix::python
