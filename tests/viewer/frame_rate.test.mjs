@@ -1,11 +1,12 @@
 // What both pages reach in a browser: figures of the benchmarks, which read the lines that these write. No test of the project:
 // they depend on the machine.
 import assert from "node:assert/strict";
+import {statSync} from "node:fs";
 import path from "node:path";
 import {after, before, test} from "node:test";
 import {browser, folder, open, run, serve, SHAPES, wait} from "./studio.mjs";
 
-const SECONDS = 5, BODY = 400, DRAGS = 50, RIB_BODY = 80, REACH_MM = 15;
+const SECONDS = 5, BODY = 400, DRAGS = 50, RIB_BODY = 80, REACH_MM = 15, SLIDES = 30;
 const home = folder();
 let chrome;
 
@@ -70,5 +71,18 @@ test("from opening a report to its first picture", async () => {
   const ms = await (await page.waitForFunction(() => window.firstPicture, {timeout: 60000})).jsonValue();
   assert.ok(await page.evaluate(() => document.querySelectorAll(".first-shots svg path").length > 100));
   console.log(`pictured: ${ms} ms`);
+  const most = await page.evaluate(async (steps) => {
+    const slider = document.querySelector("#space .slider input"), times = [];
+    for (let k = 0; k <= steps; ++k) {
+      slider.value = (Number(slider.max) * k) / steps;
+      const start = performance.now();
+      slider.dispatchEvent(new Event("input"));
+      times.push(performance.now() - start);
+      await new Promise((resolve) => requestAnimationFrame(resolve));
+    }
+    return Math.max(...times);
+  }, SLIDES);
+  console.log(`slid: ${most} ms of script at most, ${SLIDES + 1} steps`);
+  console.log(`written: ${Math.max(...["headform", "helmet_rib"].map((name) => statSync(path.join(home, name, "report.html")).size)) / 1e6} MB`);
   await page.close();
 });

@@ -143,6 +143,8 @@ function readAsMade(raw) {
 
 const PROBLEM_WORDS = {strained: "Strained: ", corners: "Corners: ", offset: "Offset: "};
 
+const UNKNOWN_PRINTS = "but what prints come to is not known";
+
 /** What speaks against the made thing: {title, why}, the worst as the title's end; null where nothing does. */
 function readMadeFaults(raw) {
   const made = dictionary(raw.as_made ?? raw[kindOf(raw)?.name]?.printed), unknown = typeof raw.as_made_unknown === "string" ? raw.as_made_unknown : null;
@@ -150,11 +152,12 @@ function readMadeFaults(raw) {
   const title = problems.some(({kind}) => kind === "print") || made.can_be_printed === false ? "but it cannot be printed like this" :
                 problems.length                                                              ? "but its hinges cannot be made for it" :
                 made.holds === false                                                         ? "but not every print will hold" :
-                unknown !== null                                                             ? "but what prints come to is not known" :
+                unknown !== null                                                             ? UNKNOWN_PRINTS :
                                                                                                null;
   if (title === null) return null;
   const why = problems.map(({kind, what}) => (PROBLEM_WORDS[kind] ?? "") + what);
-  const words = [...why, ...list(made.why), ...(unknown === null ? [] : [`What prints come to is not known: ${unknown}`])];
+  const said = title === UNKNOWN_PRINTS ? unknown : `what prints come to is not known: ${unknown}`;
+  const words = [...why, ...list(made.why), ...(unknown === null ? [] : [said])];
   return {title, why: [...new Set(words)].map((text) => text[0].toUpperCase() + text.slice(1) + ".")};
 }
 

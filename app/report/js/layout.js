@@ -2,16 +2,20 @@
 
 const CELL_PX = {
   least: 42,
+  leastOfPanels: 20,  // of more rows than a strip has: cut into lines of columns they say nothing of their shape
+  labelled: 38,       // above it a tilt has room below its column
   most: 72
 };
+const STRIP_ROWS = 3;
 
 function largestTilt(structure) {
   return Math.max(0, ...structure.hinges.map((hinge) => Math.abs(hinge.beta)));
 }
 
 /** Columns per line so that cells stay legible; lines of nearly equal length. */
-function wrapped(columns, room) {
-  const lines = Math.ceil(columns / Math.max(1, Math.floor(room / CELL_PX.least)));
+function wrapped({columns, rows}, room) {
+  const least = rows > STRIP_ROWS ? CELL_PX.leastOfPanels : CELL_PX.least;
+  const lines = Math.ceil(columns / Math.max(1, Math.floor(room / least)));
   const perLine = Math.ceil(columns / lines);
   return {lines: Math.ceil(columns / perLine), perLine, cellPx: Math.min(CELL_PX.most, room / perLine)};
 }
@@ -79,10 +83,10 @@ function flatLine(data, line, wrap, largest) {
   const inside = structure.hinges.filter(
       (h) => h.column >= first && (h.along === "x" ? h.column < last : h.column <= last));
   const height = top + deep + 0.3 * wrap.cellPx + 24;
-  const tilts = tiltsByColumn(structure);
+  const tilts = tiltsByColumn(structure), labelled = largest > 1e-4 && wrap.cellPx >= CELL_PX.labelled;
   const label = (c) => columnLabel(
       c, side + (c - first + 0.5) * wrap.cellPx, 13, height - 6,
-      tilts.has(c) && largest > 1e-4 ? degrees(toDegrees(tilts.get(c).beta)) : null);
+      labelled && tilts.has(c) ? degrees(toDegrees(tilts.get(c).beta)) : null);
   return drawing(
       side * 2 + (last - first) * wrap.cellPx, height, `Flat layout, columns ${first} to ${last - 1}`,
       flatWalls(structure, data.states.flat, to, inside),
@@ -102,7 +106,7 @@ function drawWhole(data, width) {
 
 function drawLayout(data, width) {
   if (!data.structure.isSquare) return drawWhole(data, Math.min(width, 720));
-  const wrap = wrapped(data.structure.columns, width - 32), largest = largestTilt(data.structure);
+  const wrap = wrapped(data.structure, width - 32), largest = largestTilt(data.structure);
   const lines = Array.from({length: wrap.lines}, (_, line) => flatLine(data, line, wrap, largest));
   return html("div", {class: "lines"}, lines);
 }

@@ -1,12 +1,13 @@
 // The closed form of exact sheets, once for all lattices (kinematics.md section 2): every hinge turns its upper body
 // against its lower one about its axis, and a tree of hinges leads from body 0 to all others.
 import {product, turnAbout, turned} from "./quaternion.js";
+import {isSquare, senseOf, wallOf} from "./squares.js";
 
 const PARALLEL = 1e-12;  // rad; tilts below it are upright
 
 /** +1 and -1 in turn from neighbour to neighbour; squares with i + j even have +1. Null where that cannot be. */
 function senses(structure, neighbours) {
-  const sense = structure.bodies.map(({vertex}) => (vertex?.length === 2 ? ((vertex[0] + vertex[1]) % 2 ? -1 : 1) : 0));
+  const sense = structure.bodies.map(senseOf);
   for (let first = 0; first < sense.length; ++first) {
     if (!sense[first]) sense[first] = 1;
     const queue = [first];
@@ -40,13 +41,6 @@ function treeOf(structure, neighbours) {
   return queue.length === structure.bodies.length ? steps : null;
 }
 
-/** A wall of squares: along x (0) or y (1), and its tilt with the sign that alternates along its crease taken off. */
-function wallOf(structure, hinge) {
-  const [a, b] = hinge.bodies.map((body) => structure.bodies[body].vertex);
-  const along = a[1] === b[1] ? 0 : 1, place = along === 0 ? a[1] : a[0];
-  return {along, tilt: (place % 2 ? -1 : 1) * hinge.beta_rad};
-}
-
 /** The crease of every hinge: opposite walls of a cell are of one. */
 function creasesOf(structure) {
   const crease = structure.hinges.map((_, k) => k);
@@ -74,8 +68,7 @@ function firstDirection(walls, family) {
  */
 function shiftsOf(structure, family) {
   const none = structure.hinges.map(() => 0), tilted = (along) => walls.some((w) => w.along === along && Math.abs(w.tilt) > PARALLEL);
-  const isSquare = structure.bodies.every(({vertex}) => vertex?.length === 2) && structure.cells.every(({hinges}) => hinges.length === 4);
-  if (!isSquare) return none;
+  if (!isSquare(structure)) return none;
   const walls = structure.hinges.map((hinge) => wallOf(structure, hinge));
   if (!tilted(0) || !tilted(1)) return none;
   const crease = creasesOf(structure), first = firstDirection(walls, family), crossings = new Map();

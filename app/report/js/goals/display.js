@@ -100,7 +100,7 @@ function drawLit(data, width, most) {
 }
 
 const ARC_MINUTE = 2.9e-4;                 // rad, what an eye tells apart
-const FARTHEST_M = 60, USUAL_CELLS = 1;    // of the slider; cells that blur into one at its first place
+const FARTHEST_M = 60, USUAL_CELLS = 0.5;  // of the slider; of a cell that its first place blurs: walls are gone, strokes are not
 
 /** The panel as it looks from a distance that a slider sets: blurred by an arc minute, and lit up to what the eye takes. */
 function distanceView(data) {
@@ -125,7 +125,7 @@ function distanceView(data) {
   return html(
       "figure", {class: "shot", id: "distance"}, html("div", {class: "far-frame"}, box),
       html("div", {class: "controls"}, html("label", {class: "slider"}, "from", slider, words)),
-      html("figcaption", {}, html("strong", {}, "From a distance"), " walls blur by an arc minute; where cells blur, contrast is drawn as the eye adapts to it"));
+      html("figcaption", {}, html("strong", {}, "From a distance:"), " walls blur by an arc minute; where cells blur, contrast is drawn as the eye adapts to it"));
 }
 
 /** A panel from above, to the scale of `view`. */
@@ -160,7 +160,7 @@ function hingeDots(structure, view) {
 }
 
 function pictureBox(label, note, draw) {
-  return html("figure", {class: "shot"}, responsive(draw), html("figcaption", {}, html("strong", {}, label), " ", note));
+  return html("figure", {class: "shot"}, responsive(draw), html("figcaption", {}, html("strong", {}, `${label}:`), " ", note));
 }
 
 /** What an eye sees from a distance, as the program drew it. */
@@ -168,10 +168,10 @@ function farViews(data) {
   const pictures = dictionary(data.raw.pictures);
   const view = (name, label, note) => typeof pictures[name] === "string" && html(
       "figure", {class: "shot"}, html("img", {src: pictures[name], alt: label}),
-      html("figcaption", {}, html("strong", {}, label), " ", note));
+      html("figcaption", {}, html("strong", {}, `${label}:`), " ", note));
   return [
-    view("afar_before.png", "Before, from a distance", "light through the flat panel, too far away to see its walls"),
-    view("afar_after.png", "After, from a distance", "light through the compressed panel, likewise"),
+    view("afar_before.png", "Before, from a distance", "the light through the flat panel, where cells blur into one; more light is darker, as ink on paper"),
+    view("afar_after.png", "After, from a distance", "the light through the compressed panel, likewise"),
   ].filter(Boolean);
 }
 
@@ -187,17 +187,16 @@ function displaySection(data) {
       "div", {}, html("div", {class: "shots"},
                       shot(states.flat, "Before", display.before ? readingWords(display, display.before) : ""),
                       shot(states.model, "After compression", rightSideWords(rightSide(display, display.after)) ?? readingWords(display, display.after)),
-                      states.model && display.after?.letter !== null ? distanceView(data) : null,
+                      farViews(data), states.model && display.after?.letter !== null ? distanceView(data) : null,
                       shot(states.physics, "After, in the physics run",
                            display.physics ? readingWords(display, display.physics) : "not settled"),
                       shot(states.flat, "Where the hinges are",
                            "grey: in the middle of the wall; blue: towards its lower or left end; red: towards the other",
-                           true),
-                      farViews(data)),
+                           true)),
       html("p", {}, (display.angle === null ?
                          `Compressed along ${display.axis} by ${percent(display.compression)}.` :
                          `Moved by one hinge, turned by ${figures(Math.abs(display.angle) * 180 / Math.PI, 3)} degrees; no plates hold its rows.`) +
-                        ` The largest stretch of a hinge is ${figures(display.stretch)} cell edges.`),
+                        (finite(display.stretch) === null ? "" : ` Largest stretch of a hinge: ${millimetres(display.stretch * structure.cell)}.`)),
       limitsTable(display), printsTable(display), frontTable(display), neededPanel(display), startsTable(display));
 }
 

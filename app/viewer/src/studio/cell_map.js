@@ -1,4 +1,5 @@
 // The sheet from above, flat: cells to paint, hinges to choose. One picture that the arrow keys walk over.
+import {cellAt} from "../squares.js";
 import {$, status, svg} from "./dom.js";
 
 const CLICK_SHARE = 0.08;  // of a cell: a pointer that moved less has clicked
@@ -166,7 +167,8 @@ export class CellMap {
 
   under() {
     const [x, y] = this.cursor;
-    if (x % 2 && y % 2) return {cell: [(x - 1) / 2, (y - 1) / 2]};
+    const cell = cellAt(this.cursor);
+    if (cell) return {cell};
     const {structure} = this.state.design, edge = structure.cell_mm;
     const hinge = structure.hinges.findIndex(({bodies: [a, b]}) => {
       const [p, q] = [structure.bodies[a].position_mm, structure.bodies[b].position_mm];

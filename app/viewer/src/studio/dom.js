@@ -43,6 +43,16 @@ export function say(text, good = false) {
   if (good) setTimeout(() => line.remove(), 8000);
 }
 
+/** A run's summary, whose lines are a name and what is said of it, or go on with that: its first line, then rows. */
+export function summaryRows(summary) {
+  const [first, ...lines] = summary.split("\n").filter((line) => line.trim()), rows = [];
+  for (const line of lines) {
+    const [, name, words] = /^\s{0,2}(\S[^\s]*(?: \S+)*?)?\s{2,}(.*)$/.exec(line) ?? [null, "", line.trim()];
+    rows.push(element("div", {}, element("dt", {}, name ?? ""), element("dd", {}, words)));
+  }
+  return [element("p", {class: "note"}, first ?? ""), element("dl", {class: "rows"}, rows)];
+}
+
 export function status(text) {
   $("status").textContent = text;
 }

@@ -1,5 +1,5 @@
 // What to become: a kind of goal, its numbers, its file; the search and its verdict.
-import {$, element, neat, say, show, status} from "./dom.js";
+import {$, element, neat, say, show, status, summaryRows} from "./dom.js";
 import {DrawingPad} from "./drawing_pad.js";
 import {CARDS} from "./goals.js";
 
@@ -146,7 +146,7 @@ export class GoalPanel {
     show($("found"), true);
     $("found_title").textContent = earlier ? (met ? "Met" : met === false ? "Not met" : "Not known to be met") + ": what was found before" : met ? "Found: it meets the goal" : stopped ? "Stopped: the best so far" : "Not met: this is the nearest";
     $("found_title").className = met ? "good" : "bad";
-    $("found_text").textContent = summary ?? "";
+    $("found_text").replaceChildren(...summaryRows(summary ?? ""));
     status($("found_title").textContent);
   }
 }

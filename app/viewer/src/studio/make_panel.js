@@ -37,7 +37,7 @@ export class MakePanel {
     show($("written"), true);
     $("written_folder").textContent = folder;
     $("written_files").replaceChildren(...files.map((name) => element("li", {}, name)));
-    $("written_text").textContent = summary ?? "";
+    $("written_text").replaceChildren(...summaryRows(summary ?? ""));
     status(`${files.length} files written`);
   }
 }

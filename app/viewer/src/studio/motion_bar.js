@@ -78,6 +78,7 @@ export class MotionBar {
     const {design} = this.state, [low, high] = design.theta_range_rad ?? [0, radians(40)];
     $("theta").min = Math.max(-89, Math.ceil(10 * degrees(Math.min(0, low))) / 10) || 0;
     $("theta").max = Math.min(89, Math.floor(10 * degrees(high > 0 ? high : radians(40))) / 10);
+    $("fold_low").textContent = Number($("theta").min) < 0 ? "the other way" : "flat";
     const exact = document.querySelector('input[name="mode"][value="exact"]');
     exact.disabled = !design.exact;
     exact.parentElement.title = design.exact ? "The closed form: no strain, no force" : "This design does not move exactly";

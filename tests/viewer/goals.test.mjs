@@ -1,0 +1,142 @@
+// Cards of goals and ghosts in the studio's page: what each card asks the program for, and what stands beside its result.
+import assert from "node:assert/strict";
+import {readFileSync, writeFileSync} from "node:fs";
+import path from "node:path";
+import {after, before, test} from "node:test";
+import {browser, folder, open, run, serve, SHAPES} from "./studio.mjs";
+
+const home = folder();
+let chrome;
+
+before(async () => (chrome = await browser()));
+after(() => chrome?.close());
+
+/** With a page of the studio; nothing may go wrong in it. */
+async function inStudio(source, use) {
+  const studio = await serve(source, home);
+  try {
+    const {page, complaints} = await open(chrome, studio.address);
+    await use(page);
+    assert.deepEqual(complaints, []);
+    await page.close();
+  } finally {
+    await studio.stop();
+  }
+}
+
+/** A file for each card that takes one. */
+const DROPS = {space_curve: "helix.csv", image: "qr_code.png", helmet: "headform.obj", file: "circle.yaml"};
+const SIDE = 9, STEP_MM = 10, ROUND_MM = 120;  // of a cap of a sphere, as a mesh
+
+function capFile() {
+  const at = (k) => (k - (SIDE - 1) / 2) * STEP_MM, number = (i, j) => j * SIDE + i + 1, lines = [];
+  for (let j = 0; j < SIDE; ++j) for (let i = 0; i < SIDE; ++i) lines.push(`v ${at(i)} ${at(j)} ${Math.sqrt(ROUND_MM ** 2 - at(i) ** 2 - at(j) ** 2)}`);
+  for (let j = 0; j + 1 < SIDE; ++j) for (let i = 0; i + 1 < SIDE; ++i) lines.push(`f ${number(i, j)} ${number(i + 1, j)} ${number(i + 1, j + 1)} ${number(i, j + 1)}`);
+  const file = path.join(folder(), "cap_mesh.obj");
+  writeFileSync(file, lines.join("\n") + "\n");
+  return file;
+}
+const fileFor = (card) => (card === "mesh" ? capFile() : path.join(SHAPES, DROPS[card]));
+
+/** Draws an arch on the pad, as a hand does. */
+async function drawOn(page) {
+  const pad = await page.$("#goal .pad");
+  await pad.evaluate((node) => node.scrollIntoView({block: "center"}));
+  const {x, y, width, height} = await pad.boundingBox();
+  const at = (k) => [x + width * (0.5 - 0.4 * Math.cos((Math.PI * k) / 12)), y + height * (0.85 - 0.6 * Math.sin((Math.PI * k) / 12))];
+  await page.mouse.move(...at(0));
+  await page.mouse.down();
+  for (let k = 1; k <= 12; ++k) await page.mouse.move(...at(k), {steps: 2});
+  await page.mouse.up();
+}
+
+/** What `check` says of a target with its files beside it. */
+async function checked(name, text, file) {
+  const beside = path.join(home, `${name}.yaml`);
+  if (file) writeFileSync(path.join(home, path.basename(file)), readFileSync(file));
+  writeFileSync(beside, text);
+  return JSON.parse(await run("check", beside, "--json"));
+}
+
+test("every card asks for something that the program takes, by its first numbers", () => inStudio("", async (page) => {
+  await page.click("#tab_goal");
+  const cards = await page.$$eval('#kinds input', (all) => all.map(({value}) => value));
+  assert.ok(cards.length >= 12, `cards: ${cards}`);
+  for (const card of cards) {
+    await page.click(`#kinds label:has(input[value="${card}"])`);
+    const drop = await page.$("#goal .drop input"), pad = await page.$("#goal .pad"), file = drop && !pad ? fileFor(card) : null;
+    if (pad) await drawOn(page);
+    else if (file) {
+      await drop.uploadFile(file);
+      await page.waitForFunction(() => document.getElementById("target_text").value !== "", {timeout: 10000});
+    }
+    const text = await page.$eval("#target_text", ({value}) => value);
+    const {valid, expected, kind} = await checked(card, text, file);
+    assert.equal(valid, true, `${card}: ${text}`);
+    assert.equal(kind, "target", card);
+    assert.ok(expected.bodies > 3 && expected.flat_mm.every((mm) => mm > 0), `${card}: ${JSON.stringify(expected)}`);
+  }
+}));
+
+test("a card says what it lacks instead of searching", () => inStudio("", async (page) => {
+  await page.click("#tab_goal");
+  for (const [card, says] of [["curve", /Draw a line/], ["helmet", /Choose a file/], ["image", /Choose a file/]]) {
+    await page.click(`#kinds label:has(input[value="${card}"])`);
+    await page.click("#search");
+    assert.match(await page.$eval("#messages", ({textContent}) => textContent), says, card);
+    assert.ok(!(await page.evaluate(() => window.kinetix.state.searching)), card);
+  }
+}));
+
+test("a drawn arch is searched for, and stands beside what was found", () => inStudio("", async (page) => {
+  await page.click("#tab_goal");
+  await page.click('#kinds label:has(input[value="curve"])');
+  await drawOn(page);
+  await page.click("#search");
+  await page.waitForFunction(() => !document.getElementById("found").hidden, {timeout: 90000});
+  assert.match(await page.$eval("#found_title", ({textContent}) => textContent), /meets the goal/);
+  const {off} = await ghostOf(page);
+  assert.ok(off < 1, `the ghost is up to ${off} cell edges off`);
+}));
+
+/**
+ * The ghost in the frame of the poses: how many lines, triangles and pictures, its box and the thing's, mm; how far it is from the
+ * thing at most, cell edges; its points and the poses.
+ */
+const ghostOf = (page) => page.evaluate(() => {
+  const {scene, design} = window.kinetix, poses = window.kinetix.poses(), cell = design.structure.cell_mm;
+  const counts = {lines: 0, triangles: 0, pictures: 0}, points = [];
+  for (const one of scene.goal.children) {
+    const {array} = one.geometry.attributes.position, kind = one.isLine ? "lines" : one.material.map ? "pictures" : "triangles";
+    counts[kind] += 1;
+    for (let k = 0; k < array.length; k += 3) points.push([...array.slice(k, k + 3)]);
+  }
+  const box = (all) => [0, 1, 2].map((k) => [Math.min(...all.map((p) => p[k])), Math.max(...all.map((p) => p[k]))]);
+  const far = Math.max(...points.map((p) => Math.min(...poses.map((q) => Math.hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2])))));
+  return {...counts, off: far / cell, ghost: box(points), thing: box(poses), cell, points, poses};
+});
+
+/** Searches for a shipped target, and opens what was found. */
+async function found(name, use) {
+  await run(path.join(SHAPES, `${name}.yaml`), "--no-verify", "-o", path.join(home, name));
+  return inStudio(path.join(home, name), async (page) => {
+    await page.waitForFunction(() => window.kinetix.scene.goal.children.length > 0, {timeout: 10000});
+    await page.evaluate(() => window.kinetix.setTheta((window.kinetix.design.theta_rad * 180) / Math.PI));
+    use(await ghostOf(page));
+  });
+}
+
+test("the ghost of a curve is a ribbon along the folded strip", () => found("helmet_rib", ({lines, triangles, off}) => {
+  assert.deepEqual([lines, triangles], [2, 1]);
+  assert.ok(off < 1, `up to ${off} cell edges off`);
+}));
+
+test("the ghost of a box is the ideal solid, within the walls' middles", () => found("cube", ({lines, ghost, thing, cell}) => {
+  assert.ok(lines >= 6, `${lines} lines`);
+  ghost.forEach((side, k) => side.forEach((mm, end) => assert.ok(Math.abs(mm - thing[k][end]) < 0.6 * cell, `axis ${k}: ${ghost[k]} beside ${thing[k]}`)));
+}));
+
+test("the ghost of a letter is its picture under the panel", () => found("letter_t", ({pictures, ghost, thing, cell}) => {
+  assert.equal(pictures, 1);
+  for (const k of [0, 1]) ghost[k].forEach((mm, end) => assert.ok(Math.abs(mm - thing[k][end]) < cell, `axis ${k}: ${ghost[k]} beside ${thing[k]}`));
+}));
