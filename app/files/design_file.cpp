@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/files/file_header.hpp"
+#include "app/files/hinge_parts.hpp"
 #include "app/files/lattice_section.hpp"
 #include "app/files/process_section.hpp"
 #include "app/files/wall_node.hpp"
@@ -248,6 +249,7 @@ DesignFile read_design(const targets::Node& node) {
   check_version(root);
   DesignFile file{.name = read_name(root), .structure = read_structure(root)};
   read_state(root, file);
+  file.own_hinges.merge(read_own_hinges(root, file.structure));  // single walls go before
   file.drive = read_drive_section(root, file.structure);
   file.side = read_side(root);
   file.hinge = read_common_hinge(root, file);

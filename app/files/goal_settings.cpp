@@ -1,14 +1,44 @@
 #include "app/files/goal_settings.hpp"
 
+#include <algorithm>
+
 #include "app/files/process_section.hpp"
 
 namespace kinetix::app {
 
-targets::Key robust_key() {
-  return {"robust", targets::value::boolean(), targets::by_default("false"),
+std::vector<std::string> process_notes(const GoalSettings& settings, const model::CellSize& size) {
+  std::vector<std::string> notes = process_notes(settings.process, size, settings.hinge.made);
+  for (const HingePart& part : settings.hinge_parts)
+    for (const std::string& note : process_notes(settings.process, size, part.hinge.made))
+      if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+  return notes;
+}
+
+namespace {
+
+bool starts_as_number(const std::string& word) { return word.find_first_of("0123456789.+-") == 0; }
+
+}  // namespace
+
+targets::Key robust_key(const std::string& over) {
+  return {"robust",
+          targets::value::either({targets::value::boolean(), targets::value::number(targets::part_of_one)}),
+          targets::by_default("false"),
           "of the designs that meet the goal, the one whose [prints](hinges.md#4-as-made) come nearest to "
-          "it, over theta "
-          "where the search is free to choose it, and over gaps of blocks and films"};
+          "it, over " +
+              over +
+              "; a number weighs what prints are expected to be off against what the design itself is, with "
+              "the rest "
+              "to 1: `true` is 1"};
+}
+
+std::optional<double> read_robust(const targets::Section& root) {
+  const auto node = root.optional("robust");
+  if (!node) return std::nullopt;
+  const bool is_number =
+      node->kind() == targets::Node::Kind::scalar && starts_as_number(node->text("true, false or a weight"));
+  if (is_number) return node->number(targets::part_of_one);
+  return node->boolean() ? std::optional(1.0) : std::nullopt;
 }
 
 void read_hinges(const targets::Section& root, const std::optional<model::CellSize>& size,
@@ -23,7 +53,10 @@ void read_hinges(const targets::Section& root, const std::optional<model::CellSi
     return;
   }
   settings.hinge = read_hinge_section(root, *size);
+  settings.hinge_parts = read_hinge_parts(root, *size);
+  refuse_lines(root, settings.hinge_parts);
   settings.process = read_process(root, *size, settings.hinge.made);
+  for (const HingePart& part : settings.hinge_parts) read_process(root, *size, part.hinge.made);
 }
 
 }  // namespace kinetix::app

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "app/files/goal_drive.hpp"
-#include "app/files/hinge_section.hpp"
+#include "app/files/hinge_parts.hpp"
 #include "app/files/physics_section.hpp"
 #include "model/matter/process.hpp"
 
@@ -18,13 +18,22 @@ struct GoalSettings {
   double verify_tolerance = usual_verify;  ///< tolerance.verify: of verify_rms, cell edges, (0, 1]
   PhysicsSection physics = {};
   HingeSection hinge = {};
-  GoalDrive drive = {};  ///< where hinges are elastic
+  std::vector<HingePart> hinge_parts = {};  ///< hinges that are made otherwise
+  GoalDrive drive = {};                     ///< where hinges are elastic
   model::Process process = model::processes().front();
-  bool robust = false;  ///< whether the design is chosen by its prints; of kinds that have robust_key()
+  /// How much prints count beside the design itself where it is chosen by them, (0, 1]; of kinds that have robust_key()
+  std::optional<double> robust = {};
 };
 
-/// The key `robust` of goals that search_robustly() serves.
-targets::Key robust_key();
+/// What the file's process cannot print of cells of this size: notes of a forecast.
+std::vector<std::string> process_notes(const GoalSettings& settings, const model::CellSize& size);
+
+/// The key `robust`. @param over what such a search may change
+targets::Key robust_key(const std::string& over =
+                            "theta where the search is free to choose it, and over gaps of "
+                            "blocks and films");
+/// Nothing where the file does not ask for it. @param root the whole document
+std::optional<double> read_robust(const targets::Section& root);
 
 /// Hinges, what drives them and the process that makes them.
 /// @param size of the cells; nothing where the search finds it

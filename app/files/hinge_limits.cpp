@@ -2,9 +2,21 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace kinetix::app {
 
 namespace value = targets::value;
+
+namespace {
+
+/// Of a block or film, by its material; 0 of all others.
+double bearable_strain(const HingeSection& hinge) {
+  const bool bends = hinge.made && hinge.made->kind != model::HingeKind::pin;
+  return bends ? hinge.made->material.strain_max : 0;
+}
+
+}  // namespace
 
 std::vector<targets::Key> hinge_limit_keys(const std::string& instead, const targets::Default& usual_strain) {
   return {{"force_N",
@@ -15,17 +27,19 @@ std::vector<targets::Key> hinge_limit_keys(const std::string& instead, const tar
            "most that a hinge made as a block or film may be strained, likewise"}};
 }
 
-HingeLimits read_hinge_limits(const targets::Section& tolerance, const HingeSection& hinge) {
+HingeLimits read_hinge_limits(const targets::Section& tolerance, const HingeSection& hinge,
+                              const std::vector<HingePart>& parts) {
   HingeLimits limits;
   tolerance.read("force_N", limits.force_N);
-  const bool bends = hinge.made && hinge.made->kind != model::HingeKind::pin;
+  double most = bearable_strain(hinge);
+  for (const HingePart& part : parts) most = std::max(most, bearable_strain(part.hinge));
   tolerance.read("strain", limits.strain);
-  if (const auto strain = tolerance.optional("strain"); strain && !bends)
+  if (const auto strain = tolerance.optional("strain"); strain && most == 0)
     throw strain->key_error("applies to hinges made as blocks or films; give hinge.kind as well");
-  if (limits.strain && *limits.strain > hinge.made->material.strain_max)
+  if (limits.strain && *limits.strain > most)
     throw tolerance.optional("strain")->error(
         fmt::format("{:g} contradicts the material of `hinge`, which bears {:g}; allowed: up to that",
-                    *limits.strain, hinge.made->material.strain_max));
+                    *limits.strain, most));
   return limits;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/files/hinge_section.hpp"
+#include "app/files/hinge_parts.hpp"
 
 namespace kinetix::app {
 
@@ -20,7 +20,8 @@ struct HingeLimits {
 /// @param usual_strain where the file gives none
 std::vector<targets::Key> hinge_limit_keys(const std::string& instead,
                                            const targets::Default& usual_strain = {});
-/// @throws InvalidInput for a strain where hinges are no blocks or films, and for more than their material bears
-HingeLimits read_hinge_limits(const targets::Section& tolerance, const HingeSection& hinge);
+/// @throws InvalidInput for a strain where no hinges are blocks or films, and for more than their materials bear
+HingeLimits read_hinge_limits(const targets::Section& tolerance, const HingeSection& hinge,
+                              const std::vector<HingePart>& parts = {});
 
 }  // namespace kinetix::app

@@ -34,7 +34,8 @@ const targets::KeyTable& material_keys() {
   static const targets::KeyTable keys({
       {"E_mpa", value::number(modulus), targets::needed, "Young's modulus"},
       {"nu", value::number(poisson), targets::needed, "Poisson's ratio"},
-      {"strain_max", value::number(strain), targets::needed, "the largest strain that it withstands repeatedly"},
+      {"strain_max", value::number(strain), targets::needed,
+       "the largest strain that it withstands repeatedly"},
   });
   return keys;
 }
@@ -117,6 +118,16 @@ std::vector<targets::Key> keys_with(targets::Key model) {
   return keys;
 }
 
+constexpr int most_lines = 1000000;  // of a sheet: more than fit in a file
+
+targets::Key except_key() {
+  return {"except",
+          value::list(value::map(hinge_part_keys()), "a list of hinges made otherwise", 0),
+          {},
+          "hinges that are made otherwise than the rest: a crease of film in a panel of pins; of two entries "
+          "that hold one hinge the later counts"};
+}
+
 /// Which of the ways to give a hinge a file takes.
 void check_one_way(const targets::Section& section) {
   const auto refuse = [&](const char* way, std::initializer_list<const char*> others) {
@@ -191,6 +202,17 @@ void read_pin(const targets::Section& section, const model::CellSize& size, mode
   section.read("play", hinge.with_play);
 }
 
+/// The message of validate() begins with the field: at its key, without saying it twice, where the file gives it.
+void check_made(const targets::Section& section, const model::MadeHinge& hinge, const model::CellSize& size) {
+  try {
+    validate(hinge, size);
+  } catch (const InvalidInput& e) {
+    const std::string field = e.reason().substr(0, e.reason().find(' '));
+    const auto node = section.knows(field) ? section.optional(field) : std::nullopt;
+    throw node ? node->error(e.reason().substr(field.size() + 1)) : section.error(e.reason());
+  }
+}
+
 model::MadeHinge read_made(const targets::Section& section, const model::CellSize& size) {
   model::MadeHinge hinge;
   section.read("kind", hinge.kind, kinds);
@@ -204,8 +226,7 @@ model::MadeHinge read_made(const targets::Section& section, const model::CellSiz
   hinge.height_mm = size.height_mm;
   section.read("height_mm", hinge.height_mm, {0, size.height_mm, false, true, "mm (the wall's)"});
   (hinge.kind == HingeKind::pin ? read_pin : read_beam)(section, size, hinge);
-  const char* const length = hinge.kind == HingeKind::pin ? "diameter_mm" : "gap_mm";
-  section.optional(length)->located([&] { validate(hinge, size); });
+  check_made(section, hinge, size);
   return hinge;
 }
 
@@ -225,8 +246,12 @@ HingeSection read_stiffness_or_shape(const targets::Section& section, const mode
 
 HingeSection read_section(const targets::Section& root, const model::CellSize& size, HingeSection hinge) {
   const targets::Section section = root.section("hinge");
-  if (section.optional("kind") || section.optional("k")) hinge.model = Model::elastic;
+  const bool has_parts = section.knows("except") && section.optional("except");
+  if (section.optional("kind") || section.optional("k") || has_parts) hinge.model = Model::elastic;
   if (const auto node = section.optional("model")) hinge.model = read_word(*node, models);
+  if (hinge.model == Model::rotary && has_parts)
+    throw section.optional("model")->error(
+        "`rotary` hinges cannot stretch, and `except` names some that do; allowed: elastic");
   hinge = read_stiffness_or_shape(section, size, hinge);
   section.read("k_contact", hinge.k_contact);
   return hinge;
@@ -267,10 +292,14 @@ std::optional<model::HingeStiffness> framed_stiffness(const HingeSection& hinge)
 
 const targets::KeyTable& hinge_keys() {
   static const targets::KeyTable keys(
-      keys_with(
-          {"model", value::choice(models),
-           targets::otherwise("`rotary`; `elastic` with `k` or `kind`, here or at a wall"),
-           "`rotary`: joints that cannot stretch; `elastic`: joints that give by the stiffnesses below"}),
+      [] {
+        std::vector<targets::Key> all = keys_with(
+            {"model", value::choice(models),
+             targets::otherwise("`rotary`; `elastic` with `k`, `kind` or `except`, here or at a wall"),
+             "`rotary`: joints that cannot stretch; `elastic`: joints that give by the stiffnesses below"});
+        all.push_back(except_key());
+        return all;
+      }(),
       {}, "Section hinge");
   return keys;
 }
@@ -282,6 +311,25 @@ targets::KeyTable elastic_hinge_keys() {
 
 const targets::KeyTable& single_hinge_keys() {
   static const targets::KeyTable keys(stiffness_and_shape());
+  return keys;
+}
+
+const targets::KeyTable& hinge_line_keys() {
+  static const targets::KeyTable keys(
+      {{"column", value::integer(0, most_lines), {}, "of squares: the walls along x of this column"},
+       {"row", value::integer(0, most_lines), {}, "of squares: the walls along y of this row"}});
+  return keys;
+}
+
+const targets::KeyTable& hinge_part_keys() {
+  static const targets::KeyTable keys([] {
+    std::vector<targets::Key> all = stiffness_and_shape();
+    all.insert(
+        all.begin(),
+        {"at", value::either({value::choice({"creases"}), value::map(hinge_line_keys())}), targets::needed,
+         "`creases`: all hinges that lean; in designs of squares also a column or a row"});
+    return all;
+  }());
   return keys;
 }
 

@@ -26,11 +26,14 @@ struct HingeSection {
 /// By the directions of the hinge's frame, where the section gives them or a shape that has them.
 std::optional<model::HingeStiffness> framed_stiffness(const HingeSection& hinge);
 
-/// Keys of the section, and those where hinges are elastic whether the file says so or not.
+/// Keys of the section, `except` with them (app/files/hinge_parts.hpp), and those where hinges are elastic whether
+/// the file says so or not.
 const targets::KeyTable& hinge_keys();
 targets::KeyTable elastic_hinge_keys();
-/// Keys of the hinge of a single wall.
+/// Keys of the hinge of a single wall, of an entry of `except`, and of the column or row that this is at.
 const targets::KeyTable& single_hinge_keys();
+const targets::KeyTable& hinge_part_keys();
+const targets::KeyTable& hinge_line_keys();
 
 /// @param root the whole document; @param size for the ranges of lengths, and what a made hinge takes from its
 /// wall

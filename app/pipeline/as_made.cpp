@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/pipeline/physics_settings.hpp"
+#include "app/run/run_hinges.hpp"
 #include "model/elastic/newton.hpp"
 
 namespace kinetix::app {
@@ -13,11 +14,7 @@ constexpr int most_bodies_to_confirm = 400;  // beyond, they take longer than th
 // Cell edges, rms: an equilibrium further from the state of the design is another one.
 constexpr double near_design = 2;
 
-model::PlayScatter play_of(const Run& run) {
-  return run.hinge.made ? play_scatter(*run.hinge.made, run.process.sd) : model::PlayScatter{};
-}
-
-model::HingeScatter scatter_with(const Run& run, const model::PlayScatter& play) {
+model::HingeScatter hinge_scatter(const Run& run, const model::PlayScatter& play) {
   const double edge = run.structure.size().edge_mm;
   model::HingeScatter scatter;
   scatter.t = std::hypot(run.process.sd.t_mm, play.place_mm) / edge;
@@ -26,9 +23,21 @@ model::HingeScatter scatter_with(const Run& run, const model::PlayScatter& play)
   return scatter;
 }
 
+/// @param with_play of pins
+model::HingeScatter run_scatter(const Run& run, bool with_play) {
+  const auto of = [&](const HingeSection& hinge) {
+    const bool plays = with_play && hinge.made;
+    return hinge_scatter(run, plays ? play_scatter(*hinge.made, run.process.sd) : model::PlayScatter{});
+  };
+  model::HingeScatter scatter = of(run.hinge);
+  if (run.own_hinges.empty()) return scatter;
+  for (int h = 0; h < run.structure.hinges(); ++h) scatter.each.push_back(of(hinge_section(run, h)));
+  return scatter;
+}
+
 }  // namespace
 
-model::HingeScatter scatter_of(const Run& run) { return scatter_with(run, play_of(run)); }
+model::HingeScatter scatter_of(const Run& run) { return run_scatter(run, true); }
 
 model::Sheet printed_sheet(model::Sheet sheet, const Eigen::Matrix4Xd& errors) {
   for (int h = 0; h < static_cast<int>(errors.cols()); ++h) {
@@ -46,18 +55,17 @@ std::optional<PrintedGoal> expected_of_prints(const Run& run, const model::Linka
                                               const std::vector<model::ObservedPoint>& points) {
   if (points.empty()) return std::nullopt;
   model::State state = design;
-  const model::Elasticity elasticity = elasticity_of(run.hinge, run.physics, run.structure.size().edge_mm);
-  model::ElasticSystem system(run.structure, elasticity, drive, run.plan.planar, false);
+  model::ElasticSystem system(run.structure, elasticity_of(run), drive, run.plan.planar, false);
   model::TangentStiffness tangent(system.dofs());
   const double theta = drive.theta();
   system.place(theta, state);
   if (!settle(system, theta, state, tangent)) return std::nullopt;
   if (!(aligned_distance(run.structure, state, design).rms <= near_design)) return std::nullopt;
   PrintedGoal out;
-  out.can_be_printed = print_problems(run.process, run.structure.size(), run.hinge.made).empty();
-  out.made = as_made(system, elasticity, state, theta, tangent, points, scatter_of(run));
-  if (const model::PlayScatter play = play_of(run); play.place_mm > 0)
-    out.without_play = as_made(system, elasticity, state, theta, tangent, points, scatter_with(run, {}));
+  out.can_be_printed = print_problems(run).empty();
+  out.made = as_made(system, state, theta, tangent, points, scatter_of(run));
+  if (const auto pin = loosest_pin(run); pin && play_scatter(*pin, run.process.sd).place_mm > 0)
+    out.without_play = as_made(system, state, theta, tangent, points, run_scatter(run, false));
   return out;
 }
 
@@ -68,8 +76,8 @@ std::optional<PrintedGoal> as_made(const Run& run, const model::LinkageDrive& dr
   if (out && (prints > 0 || run.structure.bodies() <= most_bodies_to_confirm))
     out->runs =
         print_runs([&](const Eigen::Matrix4Xd& errors) { return printed_sheet(run.structure, errors); },
-                   elasticity_of(run.hinge, run.physics, run.structure.size().edge_mm), drive, state, points,
-                   scatter_of(run), std::max(prints, least_prints), {.planar = run.plan.planar});
+                   elasticity_of(run), drive, state, points, scatter_of(run), std::max(prints, least_prints),
+                   {.planar = run.plan.planar});
   return out;
 }
 

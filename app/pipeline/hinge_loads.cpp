@@ -10,13 +10,17 @@
 namespace kinetix::app {
 
 HingeLoads hinge_loads(const model::EquilibriumPath& path, const model::LinkageDrive& drive,
-                       const model::Linkage& linkage, const HingeSection& hinge) {
+                       const model::Linkage& linkage, const HingeSection& hinge,
+                       const std::map<int, HingeSection>& own) {
   HingeLoads loads;
   loads.reached = path.stop == model::EquilibriumPath::Stop::reached;
   if (!drive.heats_springs())
     loads.force_N = largest_load(path) / (drive.has_force() ? 1 : linkage.size.edge_mm);
-  for (int h = 0; hinge.made && h < static_cast<int>(linkage.hinges.size()); ++h)
-    loads.strain = std::max(loads.strain, hinge_strain(*hinge.made, linkage, path.state, h));
+  for (int h = 0; h < static_cast<int>(linkage.hinges.size()); ++h) {
+    const auto at = own.find(h);
+    const auto& made = (at == own.end() ? hinge : at->second).made;
+    if (made) loads.strain = std::max(loads.strain, hinge_strain(*made, linkage, path.state, h));
+  }
   return loads;
 }
 

@@ -64,10 +64,6 @@ optim::Compensation made_up_for(const Run& run, const Scene& scene, const model:
   return compensate({run.structure, run.theta, path.state}, elasticity, goal_of(run, scene), search);
 }
 
-model::Elasticity elasticity_of(const Run& run) {
-  return elasticity_of(run.hinge, run.physics, run.structure.size().edge_mm);
-}
-
 void miss(Run& run, const std::string& why) {
   run.matter->why = why;
   run.goal->violations.push_back("equilibrium of the elastic hinges: " + why);

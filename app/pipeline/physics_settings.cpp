@@ -57,24 +57,23 @@ sim::PhysicsOptions physics_options(const PhysicsSection& section, double edge_m
 
 namespace {
 
-/// One for each hinge, in units of the stiffest.
-model::Elasticity by_hinge(const DesignFile& design, const model::Elasticity& common) {
-  model::Elasticity whole = common;
-  whole.each.assign(static_cast<std::size_t>(design.structure.hinges()), common);
-  for (const auto& [h, own] : design.own_hinges)
-    whole.each[h] = elasticity_of(own, design.physics, design.structure.size().edge_mm);
+/// One for all hinges; where some have their own, one for each, in units of the stiffest. @param of a design or run
+template <class Hinged>
+model::Elasticity elasticity_of_all(const Hinged& of) {
+  const double edge_mm = of.structure.size().edge_mm;
+  model::Elasticity whole = elasticity_of(of.hinge, of.physics, edge_mm);
+  if (of.own_hinges.empty()) return whole;
+  whole.each.assign(static_cast<std::size_t>(of.structure.hinges()), model::Elasticity(whole));
+  for (const auto& [h, own] : of.own_hinges) whole.each[h] = elasticity_of(own, of.physics, edge_mm);
   for (const model::Elasticity& hinge : whole.each) whole.k_point = std::max(whole.k_point, hinge.k_point);
-  whole.k_contact = design.hinge.k_contact.value_or(10 * whole.k_point);
+  whole.k_contact = of.hinge.k_contact.value_or(10 * whole.k_point);
   return whole;
 }
 
 }  // namespace
 
-model::Elasticity elasticity_of(const DesignFile& design) {
-  const model::Elasticity common =
-      elasticity_of(design.hinge, design.physics, design.structure.size().edge_mm);
-  return design.own_hinges.empty() ? common : by_hinge(design, common);
-}
+model::Elasticity elasticity_of(const DesignFile& design) { return elasticity_of_all(design); }
+model::Elasticity elasticity_of(const Run& run) { return elasticity_of_all(run); }
 
 sim::PhysicsOptions physics_of(const DesignFile& design, bool planar) {
   const double edge = design.structure.size().edge_mm;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/files/design_file.hpp"
+#include "app/run/run.hpp"
 #include "model/hinge/elasticity.hpp"
 #include "sim/compression_run.hpp"
 
@@ -18,8 +18,9 @@ sim::PhysicsOptions physics_options(const PhysicsSection& section, double edge_m
 sim::PhysicsOptions elastic_physics(const model::Elasticity& elasticity, const PhysicsSection& section,
                                     double edge_mm, bool planar, double k_spring = 0);
 
-/// The same of a whole design: of its hinges, and of its physics run. @param planar all hinges stand upright
+/// The same of a whole design or run: of all its hinges, and of its physics run. @param planar all hinges stand upright
 model::Elasticity elasticity_of(const DesignFile& design);
+model::Elasticity elasticity_of(const Run& run);
 sim::PhysicsOptions physics_of(const DesignFile& design, bool planar);
 
 }  // namespace kinetix::app

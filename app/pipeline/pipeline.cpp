@@ -48,6 +48,7 @@ Run run_scene(const Scene& scene, const RunOptions& options) {
   run.seed = options.seed;
   Stopwatch watch;
   scene.solve(run, options);
+  if (run.goal) run.own_hinges = own_hinges_of(run.structure, run.hinge_parts);
   if (run.goal) run.timings.optimise = watch.lap();
   run.plan = make_plan(run.structure, scene.model());
   run.timings.plan = watch.lap();

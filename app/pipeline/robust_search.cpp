@@ -7,6 +7,7 @@
 
 #include "app/pipeline/as_made.hpp"
 #include "app/pipeline/matter.hpp"
+#include "app/run/run_hinges.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -22,10 +23,12 @@ constexpr double gap_shares[] = {1, 0.7, 1.4};
 struct Expected {
   double tolerance_mm = 0;
   PrintedGoal printed;
+  bool hinges_bear = true;  ///< their strain
 };
 
 /// Of a run that was solved, which goes as far as the pipeline takes it without a physics run.
 std::optional<Expected> expected(Run& run, const Scene& scene, const RunOptions& options) {
+  run.own_hinges = own_hinges_of(run.structure, run.hinge_parts);
   run.plan = make_plan(run.structure, scene.model());
   scene.add_state(run, options);
   scene.judge(run, options);
@@ -37,7 +40,7 @@ std::optional<Expected> expected(Run& run, const Scene& scene, const RunOptions&
   const auto drive = run.matter ? run.equilibrium->drive : goal_drive(run, run.structure, run.theta);
   const auto printed = expected_of_prints(run, drive, state, goal->points);
   if (!printed) return std::nullopt;
-  return Expected{goal->tolerance_mm, *printed};
+  return Expected{goal->tolerance_mm, *printed, bears_its_strain(run, state)};
 }
 
 RobustCandidate judged(Run run, const Scene& scene, const RunOptions& options) {
@@ -53,7 +56,8 @@ RobustCandidate judged(Run run, const Scene& scene, const RunOptions& options) {
   out.designed_mm = made.designed_mm;
   out.as_made_mm = made.rms_mm;
   out.as_made_p95 = made.p95_mm;
-  out.is_allowed = found->printed.can_be_printed && made.designed_mm <= found->tolerance_mm;
+  out.is_allowed =
+      found->printed.can_be_printed && found->hinges_bear && made.designed_mm <= found->tolerance_mm;
   return out;
 }
 
@@ -99,10 +103,14 @@ std::optional<RobustCandidate> tried(const Scene& scene, const RobustTrial& tria
 
 }  // namespace
 
-void search_robustly(Run& run, const Scene& scene, const std::optional<optim::AngleRange>& theta,
-                     const Solve& solve, const RunOptions& options) {
+void search_robustly(Run& run, const Scene& scene, double weight,
+                     const std::optional<optim::AngleRange>& theta, const Solve& solve,
+                     const RunOptions& options) {
   RunOptions quiet = options;
   quiet.progress = {};
+  const auto cost = [&](const RobustCandidate& c) {
+    return robust_cost(weight, c.designed_mm, c.as_made_mm);
+  };
   RobustChoice choice;
   std::vector<RobustTrial> all = trials(theta, run.hinge);
   all.insert(all.begin(), RobustTrial{std::nullopt, run.hinge});
@@ -114,7 +122,7 @@ void search_robustly(Run& run, const Scene& scene, const std::optional<optim::An
     if (!next) continue;
     choice.tried.push_back(*next);
     const RobustCandidate& before = choice.tried[choice.chosen];
-    const bool is_better = next->is_allowed && (!before.is_allowed || next->as_made_mm < before.as_made_mm);
+    const bool is_better = next->is_allowed && (!before.is_allowed || cost(*next) < cost(before));
     if (!is_better) continue;
     choice.chosen = choice.tried.size() - 1;
     best = k;

@@ -12,14 +12,14 @@ struct RobustTrial {
   HingeSection hinge;                      ///< with another gap of its blocks or films
 };
 
-/// Of the plain design and others, at nine values of theta and three gaps of hinges, keeps the one whose prints are expected
-/// nearest to the goal to first order, among those that meet it once they have made up for elastic
-/// hinges: puts its structure, theta, hinge and goal into the run, and
-/// says in run.robust what was tried.
+/// Of the plain design and others, at nine values of theta and three gaps of hinges, keeps the one with the least
+/// robust_cost(), prints to first order, among those that meet the goal once they have made up for elastic hinges and that
+/// their hinges bear: puts its structure, theta, hinge and goal into the run, and says in run.robust what was tried.
 /// One without an expectation, or further off than the goal allows, is not taken unless the plain one is as well.
-/// @param run solved plainly   @param theta what may be tried of it, rad; nothing: theta is given
+/// @param run solved plainly   @param weight of prints, (0, 1]   @param theta what may be tried of it, rad; nothing: theta is given
 /// @param solve a fresh run for a trial; one that throws InvalidInput is left out
-void search_robustly(Run& run, const Scene& scene, const std::optional<optim::AngleRange>& theta,
+void search_robustly(Run& run, const Scene& scene, double weight,
+                     const std::optional<optim::AngleRange>& theta,
                      const std::function<void(Run&, const RobustTrial&)>& solve, const RunOptions& options);
 
 }  // namespace kinetix::app

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/result/made_hinges.hpp"
+#include "app/run/run_hinges.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -73,8 +74,8 @@ Json as_made_json(const Run& run) {
               {"sources", sources},
               {"places", places}};
   if (const auto& tight = run.printed->without_play)
-    out["play"] = {{"clearance_mm", run.hinge.made->clearance_mm},
-                   {"tilt_deg", to_degrees(tilt_play(*run.hinge.made))},
+    out["play"] = {{"clearance_mm", loosest_pin(run)->clearance_mm},
+                   {"tilt_deg", to_degrees(tilt_play(*loosest_pin(run)))},
                    {"rms_without_mm", tight->rms_mm},
                    {"p95_without_mm", tight->p95_mm}};
   if (const auto& runs = run.printed->runs)
@@ -131,7 +132,7 @@ std::vector<SummaryLine> as_made_lines(const Run& run) {
         {"",
          fmt::format("of which play of {:g} mm a side, {:.2f} deg: without it {:.2f} mm off (rms), 95 of 100 "
                      "within {:.2f} mm",
-                     run.hinge.made->clearance_mm, to_degrees(tilt_play(*run.hinge.made)), tight->rms_mm,
+                     loosest_pin(run)->clearance_mm, to_degrees(tilt_play(*loosest_pin(run))), tight->rms_mm,
                      tight->p95_mm)});
   if (run.printed->runs) lines.push_back({"", prints_words(*run.printed)});
   if (run.hinge.model == HingeSection::Model::rotary)

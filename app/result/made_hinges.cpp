@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/files/process_section.hpp"
+#include "app/run/run_hinges.hpp"
 #include "model/closure/closure_drive.hpp"
 #include "model/matter/hinge_strain.hpp"
 
@@ -22,17 +23,12 @@ struct Turned {
   double strain;  ///< by bending and stretching
 };
 
-const HingeSection& section_of(const Run& run, int hinge) {
-  const auto own = run.own_hinges.find(hinge);
-  return own == run.own_hinges.end() ? run.hinge : own->second;
-}
-
 std::vector<Turned> turned_hinges(const Run& run) {
   std::vector<Turned> all;
   if (run.states.empty() || !(run.hinge.made || !run.own_hinges.empty())) return all;
   const model::Linkage linkage(run.structure);
   for (int h = 0; h < run.structure.hinges(); ++h) {
-    const auto& made = section_of(run, h).made;
+    const auto& made = hinge_section(run, h).made;
     if (!made || made->kind == model::HingeKind::pin) continue;
     const model::State& state = run.states.front().poses;
     all.push_back(
@@ -54,7 +50,7 @@ std::optional<std::pair<std::string, std::string>> offset_line(const Run& run) {
   std::optional<std::pair<std::string, std::string>> line;
   double worst = 1e-9 * size.edge_mm;  // mm: rounding of a file's digits
   for (int h = 0; h < run.structure.hinges(); ++h) {
-    const auto& made = section_of(run, h).made;
+    const auto& made = hinge_section(run, h).made;
     if (!made) continue;
     const double offset = std::abs(run.structure.hinge(h).offset) * size.edge_mm;
     const double most = largest_offset_mm(*made, size.thickness_mm);
@@ -101,8 +97,7 @@ std::optional<double> allowed_strain(const Run& run) {
 std::vector<std::string> unprintable(const Run& run) {
   std::vector<std::string> all;
   if (!run.goal) return all;
-  for (const model::PrintProblem& problem : print_problems(run.process, run.structure.size(), run.hinge.made))
-    all.push_back(problem_text(problem));
+  for (const model::PrintProblem& problem : print_problems(run)) all.push_back(problem_text(problem));
   return all;
 }
 

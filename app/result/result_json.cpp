@@ -1,4 +1,5 @@
 #include "app/result/result_json.hpp"
+
 #include "app/result/as_made_json.hpp"
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include "app/result/robust_json.hpp"
 #include "app/result/stable_states_json.hpp"
 #include "app/result/state_json.hpp"
+#include "app/run/run_hinges.hpp"
 #include "app/version.hpp"
 #include "model/sheet/sheet_hinge.hpp"
 
@@ -41,16 +43,10 @@ Json stiffness_json(const model::HingeStiffness& k) {
   return out;
 }
 
-/// As the file has it: of all hinges, or of this one.
-const HingeSection& hinge_of(const Run& run, int index) {
-  const auto own = run.own_hinges.find(index);
-  return own == run.own_hinges.end() ? run.hinge : own->second;
-}
-
 /// @param usual_mm reach of hinges that are all alike
 double reach_of(const Run& run, int index, double usual_mm) {
   if (run.equilibrium) return run.equilibrium->elasticity.of(index).reach_mm;
-  const HingeSection& hinge = hinge_of(run, index);
+  const HingeSection& hinge = hinge_section(run, index);
   return hinge.made ? model::reach_mm(*hinge.made) : hinge.reach_mm.value_or(usual_mm);
 }
 
@@ -67,7 +63,7 @@ Json hinge_json(const Run& run, int index, double usual_reach_mm) {
               {"point_mm", point_json(s.rest_position(wall.lower) + edge_mm * hinge.lower_arm)},
               {"axis", point_json(hinge.axis)},
               {"reach_mm", reach_of(run, index, usual_reach_mm)}};
-  if (const auto k = framed_stiffness(hinge_of(run, index))) out["k"] = stiffness_json(*k);
+  if (const auto k = framed_stiffness(hinge_section(run, index))) out["k"] = stiffness_json(*k);
   return out;
 }
 

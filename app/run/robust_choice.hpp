@@ -5,6 +5,11 @@
 
 namespace kinetix::app {
 
+/// What a robust search makes small, mm. @param weight of prints, (0, 1]; the rest to 1 is that of the design itself
+inline double robust_cost(double weight, double designed_mm, double as_made_mm) {
+  return (1 - weight) * designed_mm + weight * as_made_mm;
+}
+
 /// A design that was tried for how its prints come out.
 struct RobustCandidate {
   double theta = 0;  ///< rad
@@ -13,7 +18,8 @@ struct RobustCandidate {
   double designed_mm = 0;             ///< rms that the design itself is off; NaN where that is not known
   double as_made_mm = 0;              ///< rms that prints are expected to be off; NaN likewise
   double as_made_p95 = 0;             ///< mm, what 95 of 100 keep; NaN likewise
-  bool is_allowed = false;  ///< its distance from the goal is within the tolerance, and it can be printed
+  /// Its distance from the goal is within the tolerance, it can be printed, and its hinges bear it.
+  bool is_allowed = false;
 };
 
 /// Designs from which a robust search chose.

@@ -107,11 +107,12 @@ struct Run {
   double theta = 0;                   ///< rad, of the state shown
   std::unique_ptr<GoalOutcome> goal;  ///< nothing for a design, which was not searched for
   std::vector<NamedState> states;
-  PhysicsSection physics;  ///< these five as the file asked
+  PhysicsSection physics;  ///< these and the next as the file asked
   HingeSection hinge;
   model::Process process = model::processes().front();
-  GoalDrive goal_drive;  ///< of goals of exact families
-  std::map<int, HingeSection> own_hinges;
+  GoalDrive goal_drive;                    ///< of goals of exact families
+  std::vector<HingePart> hinge_parts;      ///< of a goal's file
+  std::map<int, HingeSection> own_hinges;  ///< of the structure: of those parts, or of a design's file
   std::optional<DriveSection> drive;
   int side = 1;
   std::optional<Equilibrium> equilibrium;
@@ -130,6 +131,7 @@ struct Run {
 inline void take_settings(Run& run, const GoalSettings& asked) {
   run.physics = asked.physics;
   run.hinge = asked.hinge;
+  run.hinge_parts = asked.hinge_parts;
   run.goal_drive = asked.drive;
   run.process = asked.process;
   run.verify_tolerance = asked.verify_tolerance;

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "benchmarks/figure.hpp"
+#include "benchmarks/equilibrium_against_physics.hpp"
 #include "benchmarks/stopwatch.hpp"
 #include "model/elastic/equilibrium_comparison.hpp"
 #include "model/elastic/path/equilibrium_path.hpp"
@@ -12,12 +12,12 @@
 namespace kinetix::bench {
 namespace {
 
-// Cell edges, rms: half of what a verification allows by default.
-constexpr double limit = 1e-2;
+constexpr double limit = 1e-2;  // cell edges, rms
 
-Figure against_equilibrium(const std::string& name, const model::Structure& structure,
-                           const model::LinkageDrive& drive) {
-  const model::Elasticity elasticity;
+}  // namespace
+
+Figure equilibrium_against_physics(const std::string& name, const model::Structure& structure,
+                                   const model::LinkageDrive& drive, const model::Elasticity& elasticity) {
   model::EquilibriumPathOptions fine;
   fine.longest_step = fine.first_step = 0.01;
   model::EquilibriumPath path;
@@ -41,9 +41,11 @@ Figure against_equilibrium(const std::string& name, const model::Structure& stru
           reached && settled && c.distance.rms <= limit};
 }
 
+namespace {
+
 Figure against_equilibrium(const std::string& name, const model::Structure& structure,
                            const model::Drive& drive) {
-  return against_equilibrium(name, structure, drive.on(structure));
+  return equilibrium_against_physics(name, structure, drive.on(structure));
 }
 
 /// Columns that twist beside basic ones: hinges strain.
@@ -51,14 +53,14 @@ Figure by_cord(double shorten_mm) {
   const model::Structure s = testing::alternating(4, 4, testing::twisting_unit, testing::basic_unit);
   std::vector<int> through;
   for (int i = 0; i <= 4; ++i) through.push_back(*s.hinge_at({{i, 1}, model::Axis::y}));
-  return against_equilibrium(
+  return equilibrium_against_physics(
       fmt::format("twist sheet, 4 x 4, a cord across a row shortened by {} mm", shorten_mm), s,
       cord_drive(s, through, shorten_mm));
 }
 
 Figure by_shape_memory(double degrees) {
   const model::Structure s = testing::alternating(4, 4, testing::twisting_unit, testing::basic_unit);
-  return against_equilibrium(
+  return equilibrium_against_physics(
       fmt::format("twist sheet, 4 x 4, shape memory of 20 N mm/rad in every hinge to {} deg", degrees), s,
       shape_memory_drive(s, {}, 20, degrees * radians_per_degree));
 }

@@ -6,14 +6,13 @@
 #include "app/goals/display/display_outcome.hpp"
 #include "app/goals/read_target.hpp"
 #include "app/pipeline/pipeline.hpp"
-#include "benchmarks/figure.hpp"
+#include "benchmarks/matter_parts.hpp"
 #include "targets/document/document.hpp"
 
 namespace kinetix::bench {
 namespace {
 
-constexpr int prints = 2000;        // that confirm what first order says
-constexpr int helmet_prints = 200;  // of 844 bodies each: the rms of so many is known to 5 %
+constexpr int prints = 2000;  // that confirm what first order says
 
 const std::string springs = "drive: {kind: shape_memory, k_turn: 5}\n",
                   rubber = "hinge: {kind: block, material: tango, gap_mm: 1}\n";
@@ -43,8 +42,8 @@ const std::string
 /// What first order says of prints over what they come to, less 1.
 double off_by(double said, double seen) { return std::abs(said / seen - 1); }
 
-Figure confirmed(const std::string& what, const std::string& text, int count) {
-  const app::Run run = run_of(text, count, false);
+Figure confirmed(const std::string& what, const std::string& text) {
+  const app::Run run = run_of(text, prints, false);
   if (!run.printed || !run.printed->runs) return {what, "within 10 %", "not known", false};
   const model::AsMade& made = run.printed->made;
   const model::PrintRuns& seen = *run.printed->runs;
@@ -61,9 +60,9 @@ std::vector<Figure> first_order() {
   std::vector<Figure> figures = {
       confirmed("as made, helmet rib of 40 columns, rubber hinges and springs of shape memory: first order "
                 "against prints",
-                rib + rubber + springs, prints),
-      confirmed("the same of the cube of 4 x 4 x 4 cells", cube + rubber + springs, prints),
-      confirmed("the same of the helmet of 844 bodies", head + rubber + springs, helmet_prints)};
+                rib + rubber + springs),
+      confirmed("the same of the cube of 4 x 4 x 4 cells", cube + rubber + springs),
+      confirmed("the same of the helmet of 844 bodies", head + rubber + springs)};
   const app::Run run = run_of(soft_t + "tolerance: {strain: 0.3}\n", prints, false);
   const auto& printed = app::outcome_of<app::DisplayOutcome>(run).printed;
   figures.push_back(
@@ -131,8 +130,9 @@ std::vector<Figure> limits() {
 }  // namespace
 
 std::vector<Figure> matter_figures() {
-  std::vector<Figure> figures = first_order();
-  for (const auto& more : {compensation(), limits()}) figures.insert(figures.end(), more.begin(), more.end());
+  std::vector<Figure> figures = block_stiffness_figures();
+  for (const auto& more : {framed_physics_figures(), first_order(), compensation(), limits()})
+    figures.insert(figures.end(), more.begin(), more.end());
   return figures;
 }
 

@@ -39,8 +39,10 @@ HalfHeld half_held(const DofMap& dofs) {
 
 class Adjoint {
  public:
-  Adjoint(const ElasticSystem& system, const State& state, double theta, const TangentStiffness& tangent)
-      : system_(system), state_(state), theta_(theta), tangent_(tangent), contacts_(system.contacts(state)) {}
+  /// @param contacts of the state
+  Adjoint(const ElasticSystem& system, const State& state, double theta, const TangentStiffness& tangent,
+          const std::vector<Contact>& contacts)
+      : system_(system), state_(state), theta_(theta), tangent_(tangent), contacts_(contacts) {}
 
   /// @param load, energy  in the system's units
   void solve(const VectorXd& by_state, double load, double energy) {
@@ -67,6 +69,37 @@ class Adjoint {
       derivatives.col(h) = energy_ * stacked(by_energy) - stacked(along);
     }
     return derivatives;
+  }
+
+  /// What the forces on a hinge's two bodies are, by its own design: a column a coordinate of the bodies.
+  Eigen::Matrix<double, 4, 12> forces_by_design(int h) const {
+    const RestHinge& hinge = system_.hinges()[h];
+    const double edge_mm = system_.structure().size.edge_mm;
+    Eigen::Matrix<double, 4, 12> out;
+    for (int k = 0; k < 12; ++k)
+      out.col(k) = hinge_gradients(hinge, system_.stiffness().of(h), state_[hinge.lower], state_[hinge.upper],
+                                   edge_mm, Vector12::Unit(k))
+                       .along.design;
+    return out;
+  }
+
+  /// Of its spring, likewise.
+  Eigen::Matrix<double, 4, 12> spring_forces_by_design(int h) const {
+    const RestHinge& hinge = system_.hinges()[h];
+    const Element turn = RelativeTurn(hinge, state_[hinge.lower], state_[hinge.upper]).element();
+    const double off = turn.energy - system_.spring_rest(h, theta_);
+    Eigen::Matrix<double, 4, 12> out;
+    for (int k = 0; k < 12; ++k) {
+      const TurnGradients derivatives =
+          turn_gradients(hinge, state_[hinge.lower], state_[hinge.upper], Vector12::Unit(k));
+      out.col(k) = system_.k_spring() * (turn.gradient[k] * derivatives.turn + off * derivatives.along);
+    }
+    return out;
+  }
+
+  Vector12 twists_of(int h) const {
+    const RestHinge& hinge = system_.hinges()[h];
+    return pair(hinge.lower, hinge.upper);
   }
 
   void add_drive(Eigen::Matrix4Xd& out) const {
@@ -227,7 +260,7 @@ class Adjoint {
   const State& state_;
   const double theta_;
   const TangentStiffness& tangent_;
-  const std::vector<Contact> contacts_;
+  const std::vector<Contact>& contacts_;
   double energy_ = 0;
   VectorXd lambda_;   ///< over all coordinates
   double turn_ = 0;   ///< the multiplier of what is held: the driven hinge's turn, or the cord
@@ -238,6 +271,38 @@ class Adjoint {
 
 }  // namespace
 
+struct DesignSensitivities::Table {
+  const ElasticSystem& system;
+  const State& state;
+  const double theta;
+  const TangentStiffness& tangent;
+  std::vector<Contact> contacts;
+  std::vector<Eigen::Matrix<double, 4, 12>> forces;  ///< of each hinge
+};
+
+DesignSensitivities::DesignSensitivities(const ElasticSystem& system, const State& state, double theta,
+                                         const TangentStiffness& tangent)
+    : table_(std::make_unique<Table>(Table{system, state, theta, tangent, system.contacts(state), {}})) {
+  const Adjoint adjoint(system, state, theta, tangent, table_->contacts);
+  for (int h = 0; h < static_cast<int>(system.hinges().size()); ++h)
+    table_->forces.push_back(adjoint.forces_by_design(h));
+  for (const int h : system.drive().springs) table_->forces[h] += adjoint.spring_forces_by_design(h);
+}
+
+DesignSensitivities::~DesignSensitivities() = default;
+
+DesignSensitivity DesignSensitivities::of(const VectorXd& by_state) const {
+  const Table& t = *table_;
+  Adjoint adjoint(t.system, t.state, t.theta, t.tangent, t.contacts);
+  adjoint.solve(by_state, 0, 0);
+  DesignSensitivity out{Eigen::Matrix4Xd(4, t.forces.size()), adjoint.theta_rate()};
+  for (int h = 0; h < static_cast<int>(t.forces.size()); ++h)
+    out.hinges.col(h) = -t.forces[h] * adjoint.twists_of(h);
+  adjoint.add_contacts(out.hinges);
+  adjoint.add_drive(out.hinges);
+  return out;
+}
+
 Sensitivity sensitivity(const ElasticSystem& system, const Elasticity& elasticity, const State& state,
                         double theta, const TangentStiffness& tangent, const EquilibriumGradient& gradient) {
   const double L = system.structure().size.edge_mm;
@@ -245,7 +310,8 @@ Sensitivity sensitivity(const ElasticSystem& system, const Elasticity& elasticit
   const double load_unit = system.drive().has_force() ? force_unit : energy_unit;
   const VectorXd none = VectorXd::Zero(system.dofs().coordinates());
 
-  Adjoint adjoint(system, state, theta, tangent);
+  const std::vector<Contact> contacts = system.contacts(state);
+  Adjoint adjoint(system, state, theta, tangent, contacts);
   adjoint.solve(gradient.state.size() > 0 ? gradient.state : none, gradient.load * load_unit,
                 gradient.energy * energy_unit);
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include "model/elastic/elastic_system.hpp"
 
 namespace kinetix::model {
@@ -42,5 +44,29 @@ struct Sensitivity {
 /// hinges stand upright
 Sensitivity sensitivity(const ElasticSystem& system, const Elasticity& elasticity, const State& state,
                         double theta, const TangentStiffness& tangent, const EquilibriumGradient& gradient);
+
+/// The derivatives by hinges and by theta alone.
+struct DesignSensitivity {
+  Eigen::Matrix4Xd
+      hinges;        ///< column h: by t (fraction), alpha, beta (rad) and offset (cell edges) of hinge h
+  double theta = 0;  ///< by the drive's fold parameter, rad
+};
+
+/// The same of many functions of one equilibrium: what each hinge does to all forces is worked out once, which pays from
+/// a dozen functions on.
+class DesignSensitivities {
+ public:
+  /// As sensitivity(). All that is passed must outlive it, and stay as it is.
+  DesignSensitivities(const ElasticSystem& system, const State& state, double theta,
+                      const TangentStiffness& tangent);
+  ~DesignSensitivities();
+
+  /// @param by_state derivatives of the function by all coordinates: 6 a body, turn (rad) then shift (cell edges)
+  DesignSensitivity of(const Eigen::VectorXd& by_state) const;
+
+ private:
+  struct Table;
+  std::unique_ptr<Table> table_;
+};
 
 }  // namespace kinetix::model

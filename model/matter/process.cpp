@@ -39,55 +39,61 @@ class Problems {
 }  // namespace
 
 const std::vector<Process>& processes() {
-  static const std::vector<Process> all{{"polyjet",
-                                         0.05,
-                                         0.05,
-                                         0.6,
-                                         1,
-                                         {0.05, 0.25, 0.02},
-                                         "Ou et al. 2018, sections 5.1 and 7: 0.05 to 0.25 mm printed, 0.03 "
-                                         "fuses; errors of the order of a layer "
-                                         "and a droplet",
-                                         "tango",
-                                         {255, 252},
-                                         true},
-                                        {"fdm",
-                                         0.3,
-                                         0.4,
-                                         0.8,
-                                         3,
-                                         {0.15, 0.5, 0.1},
-                                         "practice with nozzles of 0.4 mm and layers of 0.2 mm, two of which "
-                                         "keep apart upright; sources differ by a "
-                                         "factor of two",
-                                         "tpu95a",
-                                         {220, 220},
-                                         true,
-                                         "pp",
-                                         true},
-                                        {"sla",
-                                         0.25,
-                                         0.25,
-                                         0.8,
-                                         1,
-                                         {0.1, 0.5, 0.05},
-                                         "guides of printing services; 0.125 mm is the least clearance",
-                                         "tango",
-                                         {145, 145},
-                                         false,
-                                         "",
-                                         true},
-                                        {"sls",
-                                         0.3,
-                                         0.3,
-                                         0.8,
-                                         1.5,
-                                         {0.15, 0.5, 0.1},
-                                         "guides of printing services: clearances of 0.3 to 0.7 mm",
-                                         "tpu95a",
-                                         {165, 165},
-                                         false,
-                                         "pa12"}};
+  static const std::vector<Process> all{
+      {"polyjet",
+       0.05,
+       0.05,
+       0.6,
+       1,
+       {0.05, 0.25, 0.02},
+       "clearance: Ou et al. 2018, sections 5.1 and 7, 0.05 to 0.25 mm printed, 0.03 "
+       "fuses; rods: Forge Labs, Design Guidelines, 1 mm; walls: an estimate, below "
+       "the 1 mm that these recommend; errors: estimates, of the order of a layer and "
+       "a droplet",
+       "tango",
+       {255, 252},
+       true},
+      {"fdm",
+       0.3,
+       0.4,
+       0.8,
+       3,
+       {0.15, 0.5, 0.1},
+       "clearance: HyCube Works, 3D Design Guidelines, above 0.4 mm for loose and "
+       "below 0.2 mm for tight fits, walls of 0.8 mm; rods: Arti90, Design Clues for "
+       "3D Printing, 3 mm; upright: an estimate, two layers of 0.2 mm; errors: "
+       "estimates",
+       "tpu95a",
+       {220, 220},
+       true,
+       "pp",
+       true},
+      {"sla",
+       0.25,
+       0.25,
+       0.8,
+       1,
+       {0.1, 0.5, 0.05},
+       "clearance and walls: Makelab, Design Guidelines, 0.25 mm between parts that "
+       "fit, 0.125 mm at least, walls of 0.8 mm; rods and errors: estimates",
+       "tango",
+       {145, 145},
+       false,
+       "",
+       true},
+      {"sls",
+       0.3,
+       0.3,
+       0.8,
+       1.5,
+       {0.15, 0.5, 0.1},
+       "clearance: Exaparts, Design guidelines (Formiga P110), 0.3 mm in radius; "
+       "walls: additive.tools, PA12, 0.8 mm; rods: an estimate, above the 1 mm of "
+       "Arti90, Design Clues for 3D Printing; errors: estimates",
+       "tpu95a",
+       {165, 165},
+       false,
+       "pa12"}};
   return all;
 }
 

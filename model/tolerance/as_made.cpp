@@ -64,19 +64,24 @@ std::vector<ScatterSource> sources_of(const VectorXd& variances) {
 
 }  // namespace
 
-AsMade as_made(const ElasticSystem& system, const Elasticity& elasticity, const State& state, double theta,
-               const TangentStiffness& tangent, const std::vector<ObservedPoint>& observed,
-               const HingeScatter& scatter, const AsMadeOptions& options) {
+Eigen::Matrix4Xd HingeScatter::by_hinge(Eigen::Index hinges) const {
+  Eigen::Matrix4Xd out = values().replicate(1, hinges);
+  for (std::size_t h = 0; h < each.size(); ++h) out.col(static_cast<Eigen::Index>(h)) = each[h].values();
+  return out;
+}
+
+AsMade as_made(const ElasticSystem& system, const State& state, double theta, const TangentStiffness& tangent,
+               const std::vector<ObservedPoint>& observed, const HingeScatter& scatter,
+               const AsMadeOptions& options) {
   const ObservedPoints points(observed, options.aligned);
   const Eigen::Index hinges = static_cast<Eigen::Index>(system.hinges().size());
   const double edge_mm = system.structure().size.edge_mm;
+  const Eigen::Matrix4Xd spread = scatter.by_hinge(hinges);
+  const DesignSensitivities by_design(system, state, theta, tangent);
   // What a mixture of deviations does by every hinge's parameters, one standard deviation each.
   const auto row = [&](const VectorXd& mixture) -> VectorXd {
-    EquilibriumGradient gradient;
-    gradient.state = points.by_state(mixture, state.size(), edge_mm);
-    Eigen::Matrix4Xd by = sensitivity(system, elasticity, state, theta, tangent, gradient).hinges;
-    by = scatter.values().asDiagonal() * by;
-    return by.reshaped();
+    const Eigen::Matrix4Xd by = by_design.of(points.by_state(mixture, state.size(), edge_mm)).hinges;
+    return by.cwiseProduct(spread).reshaped();
   };
   const std::vector<VectorXd> mixed = mixtures(points.size(), options);
   MatrixXd rows(static_cast<Eigen::Index>(mixed.size()), 4 * hinges);

@@ -12,8 +12,12 @@ struct HingeScatter {
   double alpha = 0;   ///< rad
   double beta = 0;    ///< rad
   double offset = 0;  ///< cell edges
+  /// By hinge, where not all are alike; else empty. Then the numbers above are not used. Their own `each` are empty.
+  std::vector<HingeScatter> each = {};
 
   Eigen::Vector4d values() const { return {t, alpha, beta, offset}; }
+  /// A column a hinge. @pre each is empty or has as many
+  Eigen::Matrix4Xd by_hinge(Eigen::Index hinges) const;
 };
 
 /// One hinge's parameter among what makes prints differ.
@@ -49,8 +53,8 @@ struct AsMadeOptions {
 ///
 /// @param tangent linearised at state and factorised without a shift, as for sensitivity()
 /// @pre at least one point; one normal and one body each or more
-AsMade as_made(const ElasticSystem& system, const Elasticity& elasticity, const State& state, double theta,
-               const TangentStiffness& tangent, const std::vector<ObservedPoint>& points,
-               const HingeScatter& scatter, const AsMadeOptions& options = {});
+AsMade as_made(const ElasticSystem& system, const State& state, double theta, const TangentStiffness& tangent,
+               const std::vector<ObservedPoint>& points, const HingeScatter& scatter,
+               const AsMadeOptions& options = {});
 
 }  // namespace kinetix::model

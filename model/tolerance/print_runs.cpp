@@ -21,12 +21,12 @@ using Eigen::VectorXd;
 class Errors {
  public:
   Errors(const HingeScatter& scatter, Eigen::Index hinges, unsigned seed)
-      : sd_(scatter.values()), hinges_(hinges), random_(seed) {}
+      : sd_(scatter.by_hinge(hinges)), random_(seed) {}
 
   Matrix4Xd next() {
-    Matrix4Xd errors(4, hinges_);
+    Matrix4Xd errors(4, sd_.cols());
     for (double& entry : errors.reshaped()) entry = normal();
-    return sd_.asDiagonal() * errors;
+    return sd_.cwiseProduct(errors);
   }
 
  private:
@@ -38,8 +38,7 @@ class Errors {
     return radius * std::cos(2 * std::numbers::pi * even());
   }
 
-  const Eigen::Vector4d sd_;
-  const Eigen::Index hinges_;
+  const Matrix4Xd sd_;
   std::mt19937 random_;
 };
 
@@ -81,15 +80,40 @@ class Distance {
   bool aligned_;
 };
 
-/// @return whether a stable equilibrium was found from the state given
-bool settle(Linkage structure, const Elasticity& elasticity, const LinkageDrive& drive, bool planar,
-            State& state) {
-  ElasticSystem system(std::move(structure), elasticity, drive, planar, false);
-  system.place(drive.theta(), state);
-  TangentStiffness tangent(system.dofs());
-  const NewtonResult result = minimise(system, drive.theta(), {}, state, tangent);
-  return result.converged && result.stable;
-}
+/// Finds equilibria of prints, each by the factor of the one before first: prints differ little, so most of them
+/// come to rest without one of their own.
+class Rest {
+ public:
+  Rest(Linkage design, const Elasticity& elasticity, const LinkageDrive& drive, bool planar)
+      : elasticity_(elasticity),
+        drive_(drive),
+        planar_(planar),
+        design_(std::move(design), elasticity, drive, planar, false),
+        tangent_(design_.dofs()) {}
+
+  /// @return whether a stable equilibrium was found from the state given
+  bool of_design(State& state) { return settle(design_, state); }
+  bool of_print(Linkage print, State& state) {
+    ElasticSystem system(std::move(print), elasticity_, drive_, planar_, false);
+    system.set_multiplier(design_.multiplier());
+    return settle(system, state);
+  }
+
+ private:
+  bool settle(ElasticSystem& system, State& state) {
+    const double theta = drive_.theta();
+    system.place(theta, state);
+    const NewtonResult result = minimise(system, theta, {}, state, tangent_, tangent_.is_factorised());
+    return result.converged && result.stable;
+  }
+
+  const Elasticity& elasticity_;
+  const LinkageDrive& drive_;
+  const bool planar_;
+  ElasticSystem design_;
+  TangentStiffness
+      tangent_;  ///< of the bodies of any print: what is held and which hinges there are is the same
+};
 
 }  // namespace
 
@@ -98,14 +122,14 @@ int visit_prints(const PrintedLinkage& printed, const Elasticity& elasticity, co
                  const std::function<void(const State&, const State&, const Matrix4Xd&)>& visit) {
   State design = state;
   Linkage exact = printed({});
-  const auto hinges = static_cast<Eigen::Index>(exact.hinges.size());
-  settle(std::move(exact), elasticity, drive, options.planar, design);
-  Errors errors(scatter, hinges, options.seed);
+  Errors errors(scatter, static_cast<Eigen::Index>(exact.hinges.size()), options.seed);
+  Rest rest(std::move(exact), elasticity, drive, options.planar);
+  rest.of_design(design);
   int failed = 0;
   for (int k = 0; k < count; ++k) {
     State print = design;
     const Matrix4Xd own = errors.next();
-    if (settle(printed(own), elasticity, drive, options.planar, print))
+    if (rest.of_print(printed(own), print))
       visit(design, print, own);
     else
       ++failed;

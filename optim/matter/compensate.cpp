@@ -55,7 +55,7 @@ class Variables {
 };
 
 /// The derivative of a function of the state by the tilts of all ties and by theta.
-VectorXd by_variables(const std::vector<TiltTie>& ties, const model::Sensitivity& by) {
+VectorXd by_variables(const std::vector<TiltTie>& ties, const model::DesignSensitivity& by) {
   VectorXd out(static_cast<Eigen::Index>(ties.size()) + 1);
   for (std::size_t k = 0; k < ties.size(); ++k) {
     double sum = 0;
@@ -168,11 +168,11 @@ std::optional<DeviationJacobian> deviation_jacobian(const InMatter& at, const st
   const model::ObservedPoints points(observed, true);
   DeviationJacobian out{points.aligned_deviations(),
                         MatrixXd(points.size(), static_cast<Eigen::Index>(ties.size()) + 1)};
+  const model::DesignSensitivities by_design(system, state, at.theta, tangent);
   for (Eigen::Index k = 0; k < points.size(); ++k) {
-    model::EquilibriumGradient one;
-    one.state = points.by_state(VectorXd::Unit(points.size(), k), state.size(), at.sheet.size().edge_mm);
-    out.jacobian.row(k) =
-        by_variables(ties, sensitivity(system, elasticity, state, at.theta, tangent, one)).transpose();
+    const VectorXd one =
+        points.by_state(VectorXd::Unit(points.size(), k), state.size(), at.sheet.size().edge_mm);
+    out.jacobian.row(k) = by_variables(ties, by_design.of(one)).transpose();
   }
   const bool usable = out.deviations.allFinite() && out.jacobian.allFinite() && !out.jacobian.isZero(0);
   return usable ? std::optional(std::move(out)) : std::nullopt;

@@ -205,10 +205,8 @@ const targets::KeyTable& curve_keys() {
       goal_drive_key(),
       {"physics", value::map(physics_keys()), {}, "settings of the physics run"},
       process_key(),
-      {"robust", value::boolean(), targets::by_default("false"),
-       "of the designs that meet the goal, the one whose [prints](hinges.md#4-as-made) come nearest to it, "
-       "over "
-       "theta and, where `structure.cell_mm` is left out, over numbers of columns"},
+      robust_key(
+          "theta, gaps of blocks and films and, where `structure.cell_mm` is left out, numbers of columns"),
   });
   return keys;
 }
@@ -223,7 +221,7 @@ CurveFile read_curve_file(const targets::Node& node) {
   read_variables(root, file);
   read_tolerance(root, file);
   file.solver = read_solver(root);
-  root.read("robust", file.robust);
+  file.robust = read_robust(root);
   file.physics = read_physics(root, file.size.edge_mm);
   read_hinges(root, file.size, file);
   return file;

@@ -37,6 +37,7 @@ Json robust_json(const RobustCurve& robust) {
     const CurveCandidate& one = robust.tried[k];
     out.push_back({{"columns", one.columns},
                    {"cell_mm", one.cell_mm},
+                   {"gap_mm", one.gap_mm ? Json(*one.gap_mm) : Json(nullptr)},
                    {"theta_rad", one.theta},
                    {"shape_rms", one.shape_rms},
                    {"as_made_rms_mm", one.as_made_mm},
@@ -59,12 +60,14 @@ Json curve_json(const CurveOutcome& curve) {
 
 std::string robust_text(const RobustCurve& robust) {
   const CurveCandidate &best = robust.tried[robust.chosen], &plain = robust.tried.front();
+  const std::string gaps = best.gap_mm ? fmt::format(", gaps of {:.2g} mm", *best.gap_mm) : "";
   return fmt::format(
-      "{} columns at theta {:.1f} deg, of {} strips tried: prints are expected {:.3g} mm off; of the design "
+      "{} columns at theta {:.1f} deg{}, of {} strips tried: prints are expected {:.3g} mm off; of the "
+      "design "
       "with the "
       "least error of its own, {} columns at {:.1f} deg, {:.3g} mm",
-      best.columns, best.theta / radians_per_degree, robust.tried.size(), best.as_made_mm, plain.columns,
-      plain.theta / radians_per_degree, plain.as_made_mm);
+      best.columns, best.theta / radians_per_degree, gaps, robust.tried.size(), best.as_made_mm,
+      plain.columns, plain.theta / radians_per_degree, plain.as_made_mm);
 }
 
 std::string verdict(const CurveOutcome& curve) {

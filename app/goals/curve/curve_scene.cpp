@@ -50,8 +50,7 @@ class CurveScene final : public Scene {
     out.search_s =
         seconds_a_start * file_.solver.starts.value_or(optim::MultiStartOptions{}.starts) * columns * columns;
     if (file_.robust) out.search_s *= robust_designs;
-    for (const std::string& note : process_notes(file_.process, out.sheet.size(), file_.hinge.made))
-      out.notes.push_back(note);
+    for (const std::string& note : process_notes(file_, out.sheet.size())) out.notes.push_back(note);
     return out;
   }
 
@@ -71,6 +70,7 @@ class CurveScene final : public Scene {
       curve->found = curve->robust->found;
       size = curve->robust->size;
       run.hinge = curve->robust->hinge;
+      run.hinge_parts = curve->robust->hinge_parts;
     }
     curve->violations = violations(curve->found, file_.shape_tolerance);
     run.structure = sheet_of(curve->found.design.design, size);

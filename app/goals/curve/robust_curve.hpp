@@ -11,25 +11,29 @@ namespace kinetix::app {
 struct CurveCandidate {
   int columns = 0;
   double cell_mm = 0;
-  double theta = 0;         ///< rad
-  double shape_rms = 0;     ///< of the design, over the goal's diagonal
-  double as_made_mm = 0;    ///< rms that prints are expected to be off; NaN where that is not known
-  double as_made_p95 = 0;   ///< mm, what 95 of 100 keep
-  bool is_allowed = false;  ///< meets the goal, with no wall in the way, and can be printed
+  std::optional<double> gap_mm = {};  ///< of blocks and films
+  double theta = 0;                   ///< rad
+  double shape_rms = 0;               ///< of the design, over the goal's diagonal
+  double designed_mm = 0;             ///< the same in mm
+  double as_made_mm = 0;              ///< rms that prints are expected to be off; NaN where that is not known
+  double as_made_p95 = 0;             ///< mm, what 95 of 100 keep
+  bool is_allowed =
+      false;  ///< meets the goal, with no wall in the way, can be printed, and its hinges bear it
 };
 
 /// Strips from which a robust search chooses.
 struct RobustCurve {
-  optim::FreeCurveDesign found;       ///< the one chosen
-  model::CellSize size;               ///< of its cells
-  HingeSection hinge;                 ///< of its walls
-  std::vector<CurveCandidate> tried;  ///< first the plain search's
-  std::size_t chosen = 0;             ///< in tried
+  optim::FreeCurveDesign found;        ///< the one chosen
+  model::CellSize size;                ///< of its cells
+  HingeSection hinge;                  ///< of its walls
+  std::vector<HingePart> hinge_parts;  ///< likewise, those made otherwise
+  std::vector<CurveCandidate> tried;   ///< first the plain search's
+  std::size_t chosen = 0;              ///< in tried
 };
 
-/// The strip whose prints come nearest to the curve, to first order, among those whose design meets it: over theta,
-/// and over numbers of columns and sizes of cells where the file leaves them open.
-/// @param plain what a search for the least error of the design found
+/// The strip with the least robust_cost(), prints to first order, among those whose design meets the curve: over theta,
+/// over numbers of columns and sizes of cells where the file leaves them open, and over gaps of blocks and films.
+/// @pre file.robust   @param plain what a search for the least error of the design found
 RobustCurve robust_curve(const CurveFile& file, const optim::FreeCurveDesign& plain,
                          const optim::MultiStartOptions& search, const RunOptions& options);
 

@@ -33,17 +33,16 @@ std::optional<MatrixXd> derivatives(const DisplayFile& file, const Run& run,
   const model::Linkage panel(run.structure);
   const optim::SmoothChannel channel(file.channel, panel, state);
   readings = channel.values();
+  const Eigen::Matrix4Xd spread = scatter.by_hinge(run.structure.hinges());
+  const model::DesignSensitivities by_design(system, state, theta, tangent);
   MatrixXd out(cells, 4 * run.structure.hinges());
   for (Eigen::Index k = 0; k < cells; ++k) {
     model::PanelGradient reading(run.structure);
     channel.add_gradient(VectorXd::Unit(static_cast<Eigen::Index>(readings.size()), k), reading);
-    model::EquilibriumGradient gradient;
-    gradient.state = reading.state;
-    Eigen::Matrix4Xd by = sensitivity(system, equilibrium.elasticity, state, theta, tangent, gradient).hinges;
+    Eigen::Matrix4Xd by = by_design.of(reading.state).hinges;
     by.row(0) += reading.t.transpose();
     by.row(3) += reading.offset.transpose();
-    by = scatter.values().asDiagonal() * by;
-    out.row(k) = by.reshaped().transpose();
+    out.row(k) = by.cwiseProduct(spread).reshaped().transpose();
   }
   return out;
 }

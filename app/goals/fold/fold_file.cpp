@@ -72,7 +72,7 @@ void read_tolerance(const targets::Section& root, FoldFile& file) {
   section.read("shape", file.shape_tolerance);
   section.read("size", file.size_tolerance);
   section.read("verify", file.verify_tolerance);
-  file.limits = read_hinge_limits(section, file.hinge);
+  file.limits = read_hinge_limits(section, file.hinge, file.hinge_parts);
   if (const auto force = section.optional("force_N")) check_force_limit(*force, file);
 }
 
@@ -114,7 +114,7 @@ FoldFile read_fold_file(const targets::Node& node) {
   file.physics = read_physics(root, file.size.edge_mm);
   read_hinges(root, file.size, file);
   read_tolerance(root, file);
-  root.read("robust", file.robust);
+  file.robust = read_robust(root);
   if (file.goal.solid && file.robust)
     throw root.optional("robust")->error("is for boxes and nets of squares; leave it out for a solid");
   if (file.goal.solid && file.limits.any())

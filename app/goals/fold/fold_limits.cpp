@@ -19,12 +19,13 @@ FoldLoads loads_of(const Run& run, const Scene& scene, const optim::FoldDesign& 
   trial.goal_drive = run.goal_drive;
   trial.structure = design.folded.structure;
   trial.theta = design.folded.theta;
+  trial.own_hinges = own_hinges_of(trial.structure, run.hinge_parts);
   trial.plan = make_plan(trial.structure, Model::exact);
   auto fold = std::make_unique<FoldOutcome>();
   fold->design = design;
   trial.goal = std::move(fold);
   const MatterPath found = path_in_matter(trial, scene, stop);
-  return {found.theta, hinge_loads(found.path, found.drive, found.sheet, run.hinge)};
+  return {found.theta, hinge_loads(found.path, found.drive, found.sheet, run.hinge, trial.own_hinges)};
 }
 
 }  // namespace

@@ -56,8 +56,7 @@ class FoldScene final : public Scene {
       out.folded_mm = {mm[0], mm[1], mm[2]};
     }
     out.search_s = seconds_of_175 * std::pow(out.sheet.bodies() / 175.0, 1.5);
-    for (const std::string& note : process_notes(file_.process, out.sheet.size(), file_.hinge.made))
-      out.notes.push_back(note);
+    for (const std::string& note : process_notes(file_, out.sheet.size())) out.notes.push_back(note);
     return out;
   }
 
@@ -67,7 +66,7 @@ class FoldScene final : public Scene {
     RunOptions quiet = options;
     quiet.progress = RunOptions{}.progress;
     search_robustly(
-        run, *this, file_.theta,
+        run, *this, *file_.robust, file_.theta,
         [&](Run& other, const RobustTrial& trial) {
           FoldFile file = file_;
           file.hinge = trial.hinge;
@@ -152,7 +151,7 @@ class FoldScene final : public Scene {
     check_size(found);
     if (!found.loads) return;
     const HingeLoads loads =
-        hinge_loads(run.equilibrium->path, run.equilibrium->drive, run.structure, run.hinge);
+        hinge_loads(run.equilibrium->path, run.equilibrium->drive, run.structure, run.hinge, run.own_hinges);
     found.loads = FoldLoads{run.theta, loads};
     for (const std::string& why : violations(file_.limits, loads, "a smaller theta"))
       found.violations.push_back(why);

@@ -29,8 +29,7 @@ class SolidScene final : public Scene {
     const int columns = goal.columns > 0 ? goal.columns : usual_solid_columns;
     Forecast out{lay_out(targets::named_solid(goal.solid), goal.cells, columns, file_.size).structure};
     out.search_s = out.sheet.bodies() * seconds_a_solid_body;
-    for (const std::string& note : process_notes(file_.process, out.sheet.size(), file_.hinge.made))
-      out.notes.push_back(note);
+    for (const std::string& note : process_notes(file_, out.sheet.size())) out.notes.push_back(note);
     return out;
   }
 

@@ -78,8 +78,7 @@ class HelmetScene final : public Scene {
     Forecast out{make_fishbone(layout.spine_and_ribs, file_.spec.size).structure};
     out.search_s = seconds_a_helmet_body * out.sheet.bodies();
     out.notes = layout.notes;
-    for (const std::string& note : process_notes(file_.process, out.sheet.size(), file_.hinge.made))
-      out.notes.push_back(note);
+    for (const std::string& note : process_notes(file_, out.sheet.size())) out.notes.push_back(note);
     return out;
   }
 

@@ -170,7 +170,7 @@ SpaceCurveFile read_space_curve_file(const targets::Node& node) {
   check_length(root, file);
   check_reach(file, points, goal.places);
   read_hinges(root, file.variables.free_edge ? std::nullopt : std::optional(file.variables.size), file);
-  root.read("robust", file.robust);
+  file.robust = read_robust(root);
   file.physics = read_physics(root, file.variables.size.edge_mm);
   return file;
 }

@@ -44,8 +44,7 @@ class SpaceCurveScene final : public Scene {
     for (const Eigen::Vector3d& point : file_.wanted.points()) box.extend(point);
     out.folded_mm = {box.sizes().x(), box.sizes().y(), box.sizes().z()};
     out.search_s = seconds_of_96 * std::pow(columns / 96.0, 3);
-    for (const std::string& note : process_notes(file_.process, out.sheet.size(), file_.hinge.made))
-      out.notes.push_back(note);
+    for (const std::string& note : process_notes(file_, out.sheet.size())) out.notes.push_back(note);
     return out;
   }
 
@@ -56,7 +55,7 @@ class SpaceCurveScene final : public Scene {
     RunOptions quiet = options;
     quiet.progress = RunOptions{}.progress;
     search_robustly(
-        run, *this, is_free ? std::optional(file_.variables.theta) : std::nullopt,
+        run, *this, *file_.robust, is_free ? std::optional(file_.variables.theta) : std::nullopt,
         [&](Run& other, const RobustTrial& trial) {
           SpaceCurveFile file = file_;
           file.hinge = trial.hinge;

@@ -88,6 +88,72 @@ TEST(DesignFile, TakesHingesAsTheyAreMade) {
   expect_same(read(design_text(file)), file);
 }
 
+TEST(DesignFile, TakesHingesThatAreMadeOtherwise) {
+  const std::string sheet = "kinetix: 1\nname: sheet\nstructure: {cells: [4, 2], cell_mm: 20}\n",
+                    film = "kind: film, material: pp, gap_mm: 3, thickness_mm: 0.4",
+                    leaning =
+                        "design: {hinges: [{wall: [[1, 0], [2, 0]], beta_deg: 20}, {wall: [[1, 1], [2, 1]], "
+                        "beta_deg: -20}]}\n";
+  const DesignFile file = read(sheet + leaning +
+                               "hinge: {kind: pin, diameter_mm: 2, except: [{at: {column: 3}, kind: "
+                               "block, material: tango, gap_mm: 2}, {at: creases, " +
+                               film + "}]}\n");
+  const auto of = [&](const DesignFile& read_file, const model::Wall& wall) {
+    const auto own = read_file.own_hinges.find(*read_file.structure.squares()->hinge_at(wall));
+    return own == read_file.own_hinges.end() ? read_file.hinge : own->second;
+  };
+  EXPECT_EQ(file.own_hinges.size(), 5u) << "two that lean, three walls of the column";
+  EXPECT_EQ(of(file, {{1, 0}, model::Axis::x}).made->kind, model::HingeKind::film);
+  EXPECT_EQ(of(file, {{1, 1}, model::Axis::x}).made->kind, model::HingeKind::film);
+  EXPECT_EQ(of(file, {{1, 2}, model::Axis::x}).made->kind, model::HingeKind::pin) << "it stands upright";
+  for (int j = 0; j <= 2; ++j)
+    EXPECT_EQ(of(file, {{3, j}, model::Axis::x}).made->kind, model::HingeKind::block);
+  EXPECT_EQ(of(file, {{3, 0}, model::Axis::y}).made->kind, model::HingeKind::pin);
+  expect_same(read(design_text(file)), file);
+
+  const DesignFile row = read(sheet + "hinge: {except: [{at: {row: 1}, " + film + "}]}\n");
+  EXPECT_EQ(row.hinge.model, HingeSection::Model::elastic);
+  EXPECT_EQ(row.own_hinges.size(), 5u);
+  EXPECT_TRUE(of(row, {{2, 1}, model::Axis::y}).made);
+  // A single wall goes before, and of two entries the later.
+  const DesignFile twice = read(
+      sheet + "hinge: {except: [{at: {row: 1}, " + film + "}, {at: {row: 1}, kind: pin, diameter_mm: 1}]}\n" +
+      "design: {hinges: [{wall: [[0, 1], [0, 2]], hinge: {kind: pin, diameter_mm: 2}}]}\n");
+  EXPECT_EQ(of(twice, {{0, 1}, model::Axis::y}).made->diameter_mm, 2);
+  EXPECT_EQ(of(twice, {{1, 1}, model::Axis::y}).made->diameter_mm, 1);
+}
+
+TEST(DesignFile, RefusesPartsThatASheetDoesNotHave) {
+  const TemporaryFolder folder;
+  const std::string sheet = "kinetix: 1\nstructure: {cells: [4, 2]}\nhinge: {except: [{";
+  const std::string k = ", k: {axial: 1, shear: 1, along: 1, turn: 1}}]}\n";
+  const BadInput cases[] = {
+      {sheet + "at: creases" + k, 3, 23, "hinge.except[0].at", {"none leans"}},
+      {sheet + "at: {column: 4}" + k,
+       3,
+       23,
+       "hinge.except[0].at",
+       {"column 4 is not there", "columns 0 to 3"}},
+      {sheet + "at: {row: 2}" + k, 3, 23, "hinge.except[0].at", {"row 2 is not there", "rows 0 to 1"}},
+      {sheet + "at: {row: 0, column: 0}" + k, 3, 23, "hinge.except[0].at", {"one of"}},
+      {sheet + "at: {}" + k, 3, 23, "hinge.except[0].at", {"one of"}},
+      {sheet + "at: crease" + k, 3, 23, "hinge.except[0].at", {"creases"}},
+      {sheet + "at: {column: -1}" + k, 3, 32, "hinge.except[0].at.column", {"-1"}},
+      {"kinetix: 1\nstructure: {cells: [4, 2]}\nhinge: {model: rotary, except: [{at: {row: 0}" + k,
+       3,
+       16,
+       "hinge.model",
+       {"`except` names some"}},
+      {"kinetix: 1\nstructure: {lattice: honeycomb, cells: [3, 3]}\nhinge: {except: [{at: {row: 0}" + k,
+       3,
+       23,
+       "hinge.except[0].at",
+       {"only a sheet of squares"}}};
+  for (const BadInput& bad : cases)
+    expect_refused(bad, folder.path("sheet.yaml"),
+                   [&] { read_design(folder.write("sheet.yaml", bad.text)); });
+}
+
 TEST(DesignFile, WritesHingesAsMadeBitForBit) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(0.1, 0.9);
@@ -530,8 +596,8 @@ TEST(DesignFile, SaysWhereAndWhatIsAllowed) {
       {strip + "hinge: {play: true}\n", 3, 9, "hinge.play", {"made hinge", "kind: pin"}},
       {strip + "hinge: {kind: pin, diameter_mm: 1, clearance_mm: 0.3, height_mm: 0.5, play: true}\n",
        3,
-       33,
-       "hinge.diameter_mm",
+       50,
+       "hinge.clearance_mm",
        {"at most half of the height"}},
       {strip + "hinge: {gap_mm: 1}\n", 3, 9, "hinge.gap_mm", {"made hinge", "kind: pin"}},
       {strip + "hinge: {kind: pin, diameter_mm: 1, k_point: 10}\n",

@@ -145,6 +145,52 @@ TEST(Matter, AnOutlineWithHingesNeedsItsCells) {
       HasSubstr("goal.yaml:3:1: hinge: needs structure.cell_mm"));
 }
 
+const std::string film_creases =
+    "hinge: {kind: pin, diameter_mm: 1.5, clearance_mm: 0.05, except: [{at: creases, kind: film, material: "
+    "pp, gap_mm: 2, "
+    "thickness_mm: 0.3}]}\n";
+
+TEST(Matter, ACurveOfPinsHasItsCreasesOfFilm) {
+  const Scratch scratch;
+  const Finished run = finished(scratch, arc + film_creases + "drive: {kind: shape_memory, k_turn: 200}\n");
+  ASSERT_EQ(run.code, 0) << run.out << run.err;
+  EXPECT_EQ(schema_errors(run.result), "");
+  EXPECT_LE(run.result["metrics"]["verify_rms"], 1e-3) << "physics has the same hinges";
+  int films = 0, pins = 0;
+  for (const Json& hinge : run.result["structure"]["hinges"]) {
+    const bool leans = std::abs(hinge["beta_rad"].get<double>()) > 1e-9;
+    EXPECT_EQ(hinge["k"]["turn"].get<double>() > 1, leans)
+        << "N mm/rad: a pin turns with 0.1, " << hinge.dump();
+    (leans ? films : pins)++;
+  }
+  EXPECT_EQ(films, 24);
+  EXPECT_EQ(pins, 13);
+  EXPECT_GT(run.result["metrics"]["strain_max"], 0);
+  EXPECT_EQ(run.result["metrics"]["strain_allowed"], 0.1) << "of film, which pins have none of";
+  EXPECT_EQ(run.result["as_made"]["play"]["clearance_mm"], 0.05) << "of pins, which films have none of";
+  EXPECT_LT(run.result["as_made"]["play"]["rms_without_mm"], run.result["as_made"]["rms_mm"]);
+
+  // The design by itself comes to the same state, and can be made.
+  const std::string design = (scratch / "out" / "design.yaml").string();
+  const Outcome again = kinetix_opt("verify " + design + " -o " + scratch.path() + "/again");
+  EXPECT_EQ(again.code, 0) << again.out << again.err;
+  const Json same = Json::parse(text_of(scratch.path() + "/again/result.json"));
+  EXPECT_NEAR(same["states"][0]["theta_rad"], run.result["states"][0]["theta_rad"].get<double>(), 1e-6);
+}
+
+TEST(Matter, ATargetsPartsAreItsCreases) {
+  const Scratch scratch;
+  const std::string film = "kind: film, material: pp, gap_mm: 2, thickness_mm: 0.3}]}\n";
+  EXPECT_THAT(finished(scratch, arc + "hinge: {except: [{at: {column: 2}, " + film).err,
+              HasSubstr("goal.yaml:5:23: hinge.except[0].at: a column is named in designs"));
+  EXPECT_THAT(finished(scratch, soft_disc + "hinge: {except: [{at: creases, " + film).err,
+              HasSubstr("goal.yaml:6:9: hinge.except: names creases, which a panel has none of"));
+  EXPECT_THAT(finished(scratch, arc + "process: fdm\nhinge: {k_turn: 1, except: [{at: creases, kind: pin, "
+                                      "diameter_mm: 1, clearance_mm: 0.3}]}\n")
+                  .err,
+              HasSubstr("a rod of 1 mm is less than fdm prints, 3 mm"));
+}
+
 TEST(Matter, TiltsStayWithinTheFilesRange) {
   const Scratch scratch;
   const Finished run = finished(
@@ -169,10 +215,38 @@ TEST(Matter, ARobustCurveHasBetterPrints) {
   EXPECT_LE(robust.result["metrics"]["as_made_rms_mm"],
             0.6 * plain.result["metrics"]["as_made_rms_mm"].get<double>());
   EXPECT_LE(robust.result["metrics"]["shape_rms"], 0.01);
-  int chosen = 0;
-  for (const Json& one : robust.result["curve"]["robust"]) chosen += one["chosen"].get<bool>();
+  int chosen = 0, other_gaps = 0;
+  for (const Json& one : robust.result["curve"]["robust"]) {
+    chosen += one["chosen"].get<bool>();
+    other_gaps += one["gap_mm"] != 1.0;
+  }
   EXPECT_EQ(chosen, 1);
+  EXPECT_GE(other_gaps, 2) << "gaps are tried as well";
   EXPECT_THAT(robust.out, HasSubstr("strips tried"));
+}
+
+TEST(Matter, AWeightTradesTheDesignAgainstItsPrints) {
+  const Scratch scratch;
+  const std::string curve =
+      "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [30, 12], [60, 16], [90, 12], [120, 0]]}\n"
+      "structure: {cells: [12, 1], cell_mm: 10.6}\n";
+  const Finished run = finished(scratch, curve + "robust: 0.3\n", " --no-verify");
+  ASSERT_EQ(run.code, 0) << run.out << run.err;
+  const auto cost = [&](const Json& one) {
+    return 0.7 * one["shape_rms"].get<double>() * run.result["curve"]["scale_mm"].get<double>() +
+           0.3 * one["as_made_rms_mm"].get<double>();
+  };
+  double least = 1e9, chosen = 0;
+  for (const Json& one : run.result["curve"]["robust"]) {
+    if (one["allowed"]) least = std::min(least, cost(one));
+    if (one["chosen"]) chosen = cost(one);
+  }
+  EXPECT_NEAR(chosen, least, 1e-9);
+  for (const char* bad : {"0", "1.5", "-1", ".nan", "maybe", "[1]"}) {
+    const Finished refused = finished(scratch, curve + "robust: " + bad + "\n");
+    EXPECT_EQ(refused.code, 2) << bad;
+    EXPECT_THAT(refused.err, HasSubstr("goal.yaml:4:9: robust: ")) << bad;
+  }
 }
 
 TEST(Matter, ARobustFoldIsOneWhosePrintsComeNearer) {

@@ -374,6 +374,10 @@ Eigen::MatrixXd by_adjoint(const Held& b, double* by_spring = nullptr) {
     const Sensitivity s = sensitivity(system, b.elasticity, b.state, b.theta, tangent, gradients[k]);
     out.row(k) = packed(b, s);
     if (by_spring) by_spring[k] = s.k_spring;
+    if (k > 0) continue;
+    const DesignSensitivity one = DesignSensitivities(system, b.state, b.theta, tangent).of(by_state);
+    EXPECT_LE((one.hinges - s.hinges).norm(), 1e-12 * s.hinges.norm());
+    EXPECT_NEAR(one.theta, s.theta, 1e-12 * std::abs(s.theta));
   }
   return out;
 }

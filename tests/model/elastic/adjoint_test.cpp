@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "tests/support/elastic_equilibrium.hpp"
 
 namespace kinetix::model {
@@ -38,6 +40,30 @@ TEST(Adjoint, EnergyGrowsWithThetaByTheWorkOfTheLoad) {
     const double way =
         c.plates ? 2 * b.structure.size.edge_mm * std::sin(b.theta) : -2 * b.drive.wall.from.sense();
     EXPECT_NEAR(of_equilibrium(b, {{}, 0, 1}).theta, b.load * way, 1e-8 * std::abs(b.load * way));
+  }
+}
+
+TEST(Adjoint, OfManyFunctionsIsThatOfEach) {
+  for (const EquilibriumCase& c : equilibrium_cases(2)) {
+    SCOPED_TRACE(to_string(c));
+    const Equilibrium b = random_equilibrium(c);
+    ASSERT_TRUE(b.found);
+    ElasticSystem system(b.structure, b.elasticity, b.drive.on(b.structure), b.planar, true);
+    system.set_multiplier(b.multiplier);
+    TangentStiffness tangent(system.dofs());
+    system.linearise(b.state, b.theta, tangent);
+    ASSERT_TRUE(tangent.factorise(0));
+    const DesignSensitivities all(system, b.state, b.theta, tangent);
+    std::mt19937 random(3);
+    std::normal_distribution<double> normal(0, 1);
+    for (int k = 0; k < 5; ++k) {
+      Eigen::VectorXd by_state(6 * b.state.size());
+      for (double& entry : by_state) entry = normal(random);
+      const Sensitivity each = sensitivity(system, b.elasticity, b.state, b.theta, tangent, {by_state, 0, 0});
+      const DesignSensitivity one = all.of(by_state);
+      EXPECT_LE((one.hinges - each.hinges).norm(), 1e-12 * each.hinges.norm());
+      EXPECT_NEAR(one.theta, each.theta, 1e-12 * std::abs(each.theta));
+    }
   }
 }
 

@@ -1,144 +1,30 @@
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
-#include <array>
-#include <cstdlib>
-#include <fstream>
-#include <map>
-#include <sstream>
+#include "tests/support/calculix_block.hpp"
 
-#include "model/matter/made_hinge.hpp"
-#include "tests/support/temporary_folder.hpp"
-
-/// Hinges of soft material against CalculiX, a finite element program that knows none of their formulas.
 namespace kinetix::model {
 namespace {
-
-using Eigen::Vector3d;
-
-/// A block of bricks with 20 nodes, x along the wall from 0 to L, y across it, z along the hinge's axis. With
-/// reduced integration they do not lock where nu is near 0.5.
-class Bricks {
- public:
-  Bricks(const MadeHinge& block, std::array<int, 3> count) : block_(block), count_(count) {
-    for (int a = 0; a < count[0]; ++a)
-      for (int b = 0; b < count[1]; ++b)
-        for (int c = 0; c < count[2]; ++c) add_brick(2 * a, 2 * b, 2 * c);
-  }
-
-  void write(std::ostream& out) const {
-    out << "*NODE,NSET=ALL\n";
-    for (std::size_t k = 0; k < nodes_.size(); ++k)
-      out << k + 1 << "," << nodes_[k].x() << "," << nodes_[k].y() << "," << nodes_[k].z() << "\n";
-    out << "*ELEMENT,TYPE=C3D20R,ELSET=BLOCK\n";
-    for (std::size_t k = 0; k < bricks_.size(); ++k) {
-      out << k + 1;
-      for (int n = 0; n < 20; ++n) out << (n == 10 ? ",\n" : ",") << bricks_[k][n];
-      out << "\n";
-    }
-    out << "*NSET,NSET=HELD\n";
-    for (const auto& [place, node] : numbers_)
-      if (place[0] == 0) out << node << ",\n";
-    out << "*MATERIAL,NAME=SOFT\n*ELASTIC\n"
-        << block_.material.E_mpa << "," << block_.material.nu
-        << "\n*SOLID SECTION,ELSET=BLOCK,MATERIAL=SOFT\n";
-  }
-
-  /// One end held, the other moved as a rigid body: a shift, and a turn about the middle of the block.
-  void write_step(std::ostream& out, const Vector3d& shift, const Vector3d& turn) const {
-    out << "*STEP\n*STATIC\n*BOUNDARY,OP=NEW\nHELD,1,3\n";
-    const Vector3d middle(block_.gap_mm / 2, 0, 0);
-    for (const auto& [place, node] : numbers_) {
-      if (place[0] != 2 * count_[0]) continue;
-      const Vector3d moved = shift + turn.cross(nodes_[node - 1] - middle);
-      for (int c = 0; c < 3; ++c) out << node << "," << c + 1 << "," << c + 1 << "," << moved[c] << "\n";
-    }
-    out << "*EL PRINT,ELSET=BLOCK,TOTALS=ONLY\nELSE\n*END STEP\n";
-  }
-
- private:
-  int number(int i, int j, int k) {
-    const auto [at, is_new] = numbers_.try_emplace({i, j, k}, static_cast<int>(nodes_.size()) + 1);
-    if (is_new)
-      nodes_.emplace_back(block_.gap_mm * i / (2.0 * count_[0]),
-                          block_.thickness_mm * (j / (2.0 * count_[1]) - 0.5),
-                          block_.height_mm * (k / (2.0 * count_[2]) - 0.5));
-    return at->second;
-  }
-
-  void add_brick(int i, int j, int k) {
-    // Corners, then middles of the edges below, above and between, as the program's manual orders them.
-    constexpr int at[20][3] = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 2}, {2, 0, 2}, {2, 2, 2},
-                               {0, 2, 2}, {1, 0, 0}, {2, 1, 0}, {1, 2, 0}, {0, 1, 0}, {1, 0, 2}, {2, 1, 2},
-                               {1, 2, 2}, {0, 1, 2}, {0, 0, 1}, {2, 0, 1}, {2, 2, 1}, {0, 2, 1}};
-    std::array<int, 20> brick;
-    for (int n = 0; n < 20; ++n) brick[n] = number(i + at[n][0], j + at[n][1], k + at[n][2]);
-    bricks_.push_back(brick);
-  }
-
-  const MadeHinge& block_;
-  const std::array<int, 3> count_;
-  std::map<std::array<int, 3>, int> numbers_;  ///< from 1
-  std::vector<Vector3d> nodes_;
-  std::vector<std::array<int, 20>> bricks_;
-};
-
-struct Measured {
-  double axial, shear, along, twist, rocking, turn;  ///< N/mm, N mm/rad
-};
-
-/// Twice the energy that each of six motions by `amount` (mm, rad) stores, over its square.
-Measured measure(const MadeHinge& block, const std::array<int, 3>& count) {
-  constexpr double amount = 1e-3;
-  const testing::TemporaryFolder folder;
-  const Bricks bricks(block, count);
-  std::ofstream input(folder.path("block.inp"));
-  input.precision(14);
-  bricks.write(input);
-  for (int c = 0; c < 3; ++c) bricks.write_step(input, amount * Vector3d::Unit(c), Vector3d::Zero());
-  for (int c = 0; c < 3; ++c) bricks.write_step(input, Vector3d::Zero(), amount * Vector3d::Unit(c));
-  input.close();
-  const std::string run = "cd '" + folder.path("") + "' && OMP_NUM_THREADS=1 ccx block > log";
-  EXPECT_EQ(std::system(run.c_str()), 0);
-
-  std::ifstream output(folder.path("block.dat"));
-  std::vector<double> energies;
-  for (std::string line; std::getline(output, line);) {
-    if (line.find("total internal energy") == std::string::npos) continue;
-    double energy = 0;
-    output >> energy;
-    energies.push_back(2 * energy / (amount * amount));
-  }
-  EXPECT_EQ(energies.size(), 6u);
-  energies.resize(6);
-  return {energies[0], energies[1], energies[2], energies[3], energies[4], energies[5]};
-}
 
 struct Block {
   double slenderness, height, nu;  ///< L / t, h / t
 };
 
 TEST(MadeHinge, IsAsStiffAsCalculixFindsABlockOfItsSize) {
-  ASSERT_EQ(std::system("command -v ccx > /dev/null"), 0) << "CalculiX is not installed: make packages";
+  ASSERT_TRUE(testing::has_calculix()) << "CalculiX is not installed: make packages";
   for (const Block& c :
        {Block{0.6, 5, 0.45}, Block{1, 5, 0.45}, Block{1, 10, 0.48}, Block{1, 5, 0.48}, Block{1.25, 7.5, 0.45},
         Block{1.5, 5, 0.3}, Block{2, 5, 0.4}, Block{4, 5, 0.45}, Block{4, 10, 0.3}, Block{4, 7.5, 0.48}}) {
     SCOPED_TRACE(::testing::Message() << "L/t " << c.slenderness << ", h/t " << c.height << ", nu " << c.nu);
-    const double t = 0.8;
-    const MadeHinge block{.kind = HingeKind::block,
-                          .material = {.E_mpa = 2, .nu = c.nu},
-                          .gap_mm = c.slenderness * t,
-                          .thickness_mm = t,
-                          .height_mm = c.height * t};
-    const int along = std::max(6, static_cast<int>(3 * c.slenderness));
-    const Measured m = measure(block, {along, 4, c.height > 8 ? 20 : 12});
+    const MadeHinge block = testing::block_of(c.slenderness, c.height, c.nu);
+    const auto m = testing::calculix_stiffness(block);
+    ASSERT_TRUE(m);
     const HingeStiffness k = stiffness(block);
-    EXPECT_NEAR(k.axial / m.axial, 1, 0.03);
-    EXPECT_NEAR(k.shear / m.shear, 1, 0.08);
-    EXPECT_NEAR(k.along / m.along, 1, 0.04);
-    EXPECT_NEAR(k.turn / m.turn, 1, 0.02);
-    EXPECT_NEAR(k.rock.value() / m.rocking, 1, 0.08);
-    EXPECT_NEAR(k.twist.value() / m.twist, 1, 0.03);
+    EXPECT_NEAR(k.axial / m->axial, 1, 0.03);
+    EXPECT_NEAR(k.shear / m->shear, 1, 0.08);
+    EXPECT_NEAR(k.along / m->along, 1, 0.04);
+    EXPECT_NEAR(k.turn / m->turn, 1, 0.02);
+    EXPECT_NEAR(k.rock.value() / m->rocking, 1, 0.08);
+    EXPECT_NEAR(k.twist.value() / m->twist, 1, 0.03);
   }
 }
 

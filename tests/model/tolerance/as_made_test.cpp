@@ -25,7 +25,7 @@ AsMade of_equilibrium(const Equilibrium& b, const std::vector<ObservedPoint>& po
   TangentStiffness tangent(system.dofs());
   system.linearise(b.state, b.theta, tangent);
   EXPECT_TRUE(tangent.factorise(0));
-  return as_made(system, b.elasticity, b.state, b.theta, tangent, points, scatter, options);
+  return as_made(system, b.state, b.theta, tangent, points, scatter, options);
 }
 
 /// A bent sheet, its first wall turned.
@@ -168,6 +168,26 @@ TEST(AsMade, NamesWhatCountsMost) {
     EXPECT_NEAR(made.sources[k].share, squares[made.sources[k].hinge] / squares.sum(), 1e-3);
     EXPECT_LE(made.sources[k].share, made.sources[k > 0 ? k - 1 : 0].share);
   }
+}
+
+TEST(AsMade, HingesOfTheirOwnScatterByTheirOwnErrors) {
+  const Equilibrium b = bent(3, 2);
+  const std::vector<ObservedPoint> points = every_body(b, 0);
+  const HingeScatter some{0.004, 0, 0.006, 0};
+  HingeScatter alike = some, half = some;
+  alike.each.assign(b.structure.hinges.size(), some);
+  for (std::size_t h = 0; h < b.structure.hinges.size(); ++h)
+    half.each.push_back(h % 2 == 0 ? some : HingeScatter{});
+  half.t = 1;  // not used
+  const AsMade one = of_equilibrium(b, points, some), each = of_equilibrium(b, points, alike),
+               every_other = of_equilibrium(b, points, half);
+  EXPECT_EQ(each.rms_mm, one.rms_mm);
+  EXPECT_LT(every_other.rms_mm, one.rms_mm);
+  EXPECT_EQ(every_other.sources.size(), b.structure.hinges.size() + b.structure.hinges.size() % 2);
+  for (const ScatterSource& source : every_other.sources) EXPECT_EQ(source.hinge % 2, 0);
+  const Eigen::Matrix4Xd spread = half.by_hinge(static_cast<Eigen::Index>(b.structure.hinges.size()));
+  EXPECT_EQ(spread.col(0), some.values());
+  EXPECT_EQ(spread.col(1), Eigen::Vector4d::Zero());
 }
 
 TEST(AsMade, OfExactPrintsIsTheDesign) {

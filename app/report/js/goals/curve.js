@@ -249,7 +249,8 @@ function robustFigure(data) {
   const {robust} = data.goal;
   if (!robust.length || data.goal.scale === null) return null;
   const chosen = robust.find((one) => one.chosen), plain = robust[0];
-  const named = (one) => `${one.columns} columns of ${millimetres(one.cell_mm)} at ${degrees(toDegrees(one.theta_rad))}`;
+  const gaps = (one) => finite(one.gap_mm) === null ? "" : `, gaps of ${millimetres(one.gap_mm)}`;
+  const named = (one) => `${one.columns} columns of ${millimetres(one.cell_mm)} at ${degrees(toDegrees(one.theta_rad))}${gaps(one)}`;
   return html(
       "div", {class: "part"}, html("h3", {}, "Designs and their prints"),
       html("p", {class: "lead"}, chosen && chosen !== plain ?

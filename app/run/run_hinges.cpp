@@ -1,0 +1,52 @@
+#include "app/run/run_hinges.hpp"
+
+#include <algorithm>
+
+#include "model/matter/hinge_strain.hpp"
+
+namespace kinetix::app {
+
+const HingeSection& hinge_section(const Run& run, int hinge) {
+  const auto own = run.own_hinges.find(hinge);
+  return own == run.own_hinges.end() ? run.hinge : own->second;
+}
+
+std::vector<model::MadeHinge> made_hinges(const Run& run) {
+  std::vector<model::MadeHinge> all;
+  const auto add = [&](const HingeSection& hinge) {
+    if (hinge.made && std::find(all.begin(), all.end(), *hinge.made) == all.end()) all.push_back(*hinge.made);
+  };
+  if (static_cast<int>(run.own_hinges.size()) < run.structure.hinges()) add(run.hinge);
+  for (const auto& [h, own] : run.own_hinges) add(own);
+  return all;
+}
+
+std::optional<model::MadeHinge> loosest_pin(const Run& run) {
+  std::optional<model::MadeHinge> loosest;
+  for (const model::MadeHinge& made : made_hinges(run))
+    if (made.kind == model::HingeKind::pin && !made.with_play &&
+        (!loosest || made.clearance_mm > loosest->clearance_mm))
+      loosest = made;
+  return loosest;
+}
+
+bool bears_its_strain(const Run& run, const model::State& state) {
+  const model::Linkage linkage(run.structure);
+  for (int h = 0; h < run.structure.hinges(); ++h) {
+    const auto& made = hinge_section(run, h).made;
+    if (made && !(hinge_strain(*made, linkage, state, h) <= made->material.strain_max)) return false;
+  }
+  return true;
+}
+
+std::vector<model::PrintProblem> print_problems(const Run& run) {
+  const model::CellSize size = run.structure.size();
+  std::vector<model::PrintProblem> all = print_problems(run.process, size, std::nullopt);
+  for (const model::MadeHinge& made : made_hinges(run))
+    for (const model::PrintProblem& problem : print_problems(run.process, size, made))
+      if (std::none_of(all.begin(), all.end(), [&](const auto& p) { return p.what == problem.what; }))
+        all.push_back(problem);
+  return all;
+}
+
+}  // namespace kinetix::app

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "app/run/run.hpp"
+
+namespace kinetix::app {
+
+/// What a hinge of a run's sheet is made of: its own, or what all others are.
+const HingeSection& hinge_section(const Run& run, int hinge);
+
+/// How hinges of the run's sheet are made, each kind once; none where the file does not say. @pre solved
+std::vector<model::MadeHinge> made_hinges(const Run& run);
+
+/// The pin with the largest clearance that does not move freely within it: what scatters by its play.
+std::optional<model::MadeHinge> loosest_pin(const Run& run);
+
+/// Whether the material of every block and film bears its strain in a state of the sheet.
+bool bears_its_strain(const Run& run, const model::State& state);
+
+/// What the run's process cannot print of its sheet, each once.
+std::vector<model::PrintProblem> print_problems(const Run& run);
+
+}  // namespace kinetix::app
