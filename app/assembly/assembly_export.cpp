@@ -32,6 +32,7 @@ void refuse_what_makes_sheets(const PrintRequest& request) {
   refuse(request.cell_mm > 0, "--cell-mm");
   refuse(!request.bed_mm.empty(), "--bed");
   refuse(request.loose_rods, "--loose-rods");
+  refuse(request.caps, "--caps");
   refuse(request.orient != "flat", "--orient");
   refuse(request.slice, "--slice");
   for (const std::string& name : request.formats)

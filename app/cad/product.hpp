@@ -36,14 +36,22 @@ struct Contour {
   std::vector<ContourStep> edges;
 };
 
+/// A cone without its tip.
+struct Frustum {
+  Circle base;            ///< its axis into the cone
+  double end_radius = 0;  ///< mm, above 0
+  double along = 0;       ///< from the base to the other end, mm, above 0
+};
+
 /// What a flat face sweeps.
 struct Prism {
   std::variant<Contour, Circle> base;
-  std::optional<Circle> hole;  ///< in the plane of the base
-  Eigen::Vector3d along;       ///< mm
+  std::optional<Circle> hole;       ///< in the plane of the base
+  Eigen::Vector3d along;            ///< mm
+  std::vector<Frustum> sinks = {};  ///< taken away
 };
 
-using Piece = std::variant<Faceted, Prism>;
+using Piece = std::variant<Faceted, Prism, Frustum>;
 
 /// One solid, of pieces that share faces or parts of them.
 struct Shape {

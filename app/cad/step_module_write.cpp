@@ -1,6 +1,7 @@
 #include <unistd.h>
 
 #include <APIHeaderSection_MakeHeader.hxx>
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -8,6 +9,7 @@
 #include <BRepBuilderAPI_MakeSolid.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <GC_MakeArcOfCircle.hxx>
 #include <Message.hxx>
@@ -68,9 +70,12 @@ TopoDS_Shape built(const Faceted& solid) {
   return BRepBuilderAPI_MakeSolid(TopoDS::Shell(shell.Current())).Solid();
 }
 
+gp_Ax2 frame_of(const Circle& circle) {
+  return {to_occt(circle.centre), gp_Dir(vector_of(circle.axis)), gp_Dir(vector_of(circle.first))};
+}
+
 TopoDS_Wire wire_of(const Circle& circle) {
-  const gp_Ax2 frame(to_occt(circle.centre), gp_Dir(vector_of(circle.axis)), gp_Dir(vector_of(circle.first)));
-  return BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(gp_Circ(frame, circle.radius)));
+  return BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(gp_Circ(frame_of(circle), circle.radius)));
 }
 
 TopoDS_Wire wire_of(const Contour& contour) {
@@ -87,11 +92,31 @@ TopoDS_Wire wire_of(const Contour& contour) {
   return wire;
 }
 
+TopoDS_Shape built(const Frustum& frustum) {
+  return BRepPrimAPI_MakeCone(frame_of(frustum.base), frustum.base.radius, frustum.end_radius, frustum.along)
+      .Solid();
+}
+
+/// The one solid that is left.
+TopoDS_Shape without(const TopoDS_Shape& whole, const std::vector<Frustum>& sinks) {
+  TopTools_ListOfShape first, tools;
+  first.Append(whole);
+  for (const Frustum& sink : sinks) tools.Append(built(sink));
+  BRepAlgoAPI_Cut cut;
+  cut.SetArguments(first);
+  cut.SetTools(tools);
+  cut.Build();
+  TopExp_Explorer left(cut.Shape(), TopAbs_SOLID);
+  if (cut.HasErrors() || !left.More()) throw std::runtime_error("STEP: a cone cannot be taken from a body");
+  return left.Current();
+}
+
 TopoDS_Shape built(const Prism& prism) {
   const TopoDS_Wire base = std::visit([](const auto& b) { return wire_of(b); }, prism.base);
   BRepBuilderAPI_MakeFace face(base, true);
   if (prism.hole) face.Add(TopoDS::Wire(wire_of(*prism.hole).Reversed()));
-  return BRepPrimAPI_MakePrism(face.Face(), vector_of(prism.along));
+  const TopoDS_Shape whole = BRepPrimAPI_MakePrism(face.Face(), vector_of(prism.along));
+  return prism.sinks.empty() ? whole : without(whole, prism.sinks);
 }
 
 /// Of pieces that share faces or parts of them.

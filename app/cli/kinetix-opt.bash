@@ -24,7 +24,7 @@ _kinetix_opt() {
     simulate) options="$common -o --open --model --theta-deg --drives" ;;
     sweep) options="$common -o --open --resume" ;;
     check) options="$common" ;;
-    export) options="$common -o --format --process --hinge --clearance --cell-mm --bed --loose-rods --orient --slice --coupon --state" ;;
+    export) options="$common -o --format --process --hinge --clearance --cell-mm --bed --loose-rods --caps --orient --slice --coupon --state" ;;
     import) options="$common -o --hard --soft --unit --soft-material --material --hinges" ;;
     view) options="$common --no-open --port" ;;
     *) options="$common --version -o --open --no-verify --time-limit --fidelity --monte-carlo" ;;

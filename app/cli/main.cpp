@@ -1,5 +1,8 @@
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <string_view>
 
@@ -18,6 +21,23 @@
 namespace {
 
 using kinetix::app::CommandOptions;
+
+/// As CLI::Range, which takes what is not a number for one in range.
+CLI::Validator within(double least, double most) {
+  const auto problem = [=](std::string& text) {
+    double value = NAN;
+    const bool is_number = CLI::detail::lexical_cast(text, value);
+    return is_number && value >= least && value <= most
+               ? std::string()
+               : fmt::format("{} is not a number from {:g} to {:g}", text, least, most);
+  };
+  return {problem, fmt::format("FLOAT in [{:g} - {:g}]", least, most)};
+}
+
+/// One line, as all errors are.
+std::string usage_error(const CLI::App*, const CLI::Error& e) {
+  return fmt::format("{} (see --help)\n", e.what());
+}
 
 void add_common(CLI::App& app, CommandOptions& options) {
   app.add_flag("--json", options.json, "print the whole result as one JSON document on stdout");
@@ -79,18 +99,20 @@ void add_export(CLI::App& app, CommandOptions& options, kinetix::app::PrintReque
          "--clearance", request.clearance_mm,
          "of pins, a side: the least gap of your printer's coupon that turns, instead of the process's")
       ->type_name("MM")
-      ->check(CLI::Range(0.01, 10.0));
+      ->check(within(0.01, 10.0));
   app.add_option("--cell-mm", request.cell_mm,
                  "makes the sheet with cells of this edge instead of its own; walls stay as thick and high")
       ->type_name("MM")
-      ->check(CLI::Range(0.1, 1e4));
+      ->check(within(0.1, 1e4));
   app.add_option("--bed", request.bed_mm,
                  "the printer's bed: a larger sheet is cut into tiles that join by hinges")
       ->expected(2)
       ->delimiter(',')
       ->type_name("X,Y")
-      ->check(CLI::Range(1.0, 1e5));
+      ->check(within(1.0, 1e5));
   app.add_flag("--loose-rods", request.loose_rods, "rods of pins as parts of their own, to be pushed in");
+  app.add_flag("--caps", request.caps,
+               "knuckles of pins as round caps that all look alike, wherever their axes are in them");
   app.add_option("--orient", request.orient,
                  "of stl, 3mf and step: flat (default), over, on the other side, or best: whichever has the "
                  "least overhang")
@@ -178,7 +200,7 @@ int run(int argc, char** argv) {
   app.add_option("--time-limit", options.time_limit_s,
                  "stops then and keeps the best so far, as the first Ctrl-C does")
       ->type_name("SECONDS")
-      ->check(CLI::Range(1e-3, 1e9));
+      ->check(within(1e-3, 1e9));
   app.add_flag("--fidelity", options.fidelity,
                "physics runs of coarser steps too, for the report's table of speed against error");
   app.add_option("--monte-carlo", options.prints,
@@ -212,7 +234,7 @@ int run(int argc, char** argv) {
       ->check(CLI::IsMember({"exact", "equilibrium", "bullet"}));
   CLI::Option* theta =
       simulate->add_option("--theta-deg", options.theta_deg, "fold angle instead of the design's own")
-          ->check(CLI::Range(-89.0, 89.0));
+          ->check(within(-89.0, 89.0));
   simulate->add_flag(
       "--drives", options.drives,
       "tries plates, single hinges and cords to the same theta with --model equilibrium, and says which "
@@ -232,6 +254,7 @@ int run(int argc, char** argv) {
   kinetix::app::ViewRequest shown;
   add_view(*view, options, shown);
 
+  app.failure_message(usage_error);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

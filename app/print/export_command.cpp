@@ -82,14 +82,20 @@ struct Source {
     if (!design) {
       if (request.clearance_mm > 0)
         throw InvalidInput("--clearance is of designs: a coupon has gaps of its own");
+      if (request.caps) throw InvalidInput("--caps are of designs: a coupon's axes are in the middle");
       PrintJob job{make_coupon(process), request.folded};
       const PathClearance clearance = path_clearance(job.sheet);
       return {std::move(job), clearance};
     }
     try {
-      const std::optional<model::HingeKind> kind = kind_of(request);
-      PrintChoice choice{
-          .clearance_mm = request.clearance_mm, .loose_rods = request.loose_rods, .edge_mm = request.cell_mm};
+      std::optional<model::HingeKind> kind = kind_of(request);
+      if (request.caps && kind.value_or(model::HingeKind::pin) != model::HingeKind::pin)
+        throw InvalidInput("--caps are of pins");
+      if (request.caps) kind = model::HingeKind::pin;
+      PrintChoice choice{.clearance_mm = request.clearance_mm,
+                         .loose_rods = request.loose_rods,
+                         .caps = request.caps,
+                         .edge_mm = request.cell_mm};
       if (request.bed_mm.size() == 2) choice.bed_mm = {request.bed_mm[0], request.bed_mm[1]};
       if (!kind) return prepared_as_fits(*design, process, choice, request.folded);
       choice.kind = *kind;

@@ -17,6 +17,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr double worth_turning = 0.99;  // of the overhang: less is not told of, as it is rounding of faces
+
 const char* name_of(model::HingeKind kind) {
   return kind == model::HingeKind::pin ? "pin" : kind == model::HingeKind::block ? "block" : "film";
 }
@@ -111,17 +113,22 @@ std::string orientation_words(const PrintJob& job) {
   const Lie& now = *std::find_if(all.begin(), all.end(), [&](const Lie& lie) { return lie.name == job.lie; });
   const std::string hangs = fmt::format("{}; {:.1f} mm2 lean more than {:g} degrees over the bed", here,
                                         now.overhang_mm2, steep_deg);
-  if (!(least.overhang_mm2 < now.overhang_mm2)) return hangs + ", no less on the other side";
+  if (!(least.overhang_mm2 < worth_turning * now.overhang_mm2)) return hangs + ", no less on the other side";
   return fmt::format("{}, {:.1f} mm2 with --orient {}", hangs, least.overhang_mm2, least.name);
+}
+
+/// Of a pin, mm.
+double whole_knuckle_mm(const model::HingePrint& h) {
+  return h.made.diameter_mm + 2 * (h.made.clearance_mm + h.knuckle_wall_mm + h.cap_across_mm);
 }
 
 std::string hinge_words(const PrintSheet& sheet) {
   const model::MadeHinge& h = sheet.hinges.front().made;
   if (h.kind == model::HingeKind::pin)
     return fmt::format(
-        "pins: rod {:g} x {:g} mm, clearance {:g} mm a side, {:g} mm along the axis, knuckle {:.2f} mm",
+        "pins: rod {:g} x {:g} mm, clearance {:g} mm a side, {:g} mm along the axis, {} {:.2f} mm",
         h.diameter_mm, h.height_mm, h.clearance_mm, sheet.hinges.front().axial_clearance_mm,
-        h.diameter_mm + 2 * (h.clearance_mm + sheet.hinges.front().knuckle_wall_mm));
+        sheet.has_caps() ? "bores in round caps of" : "knuckle", whole_knuckle_mm(sheet.hinges.front()));
   return fmt::format("{}s of {}: gap {:g} mm, thickness {:g} mm, height {:g} mm", name_of(h.kind),
                      h.material.name.empty() ? "your material" : h.material.name, h.gap_mm, h.thickness_mm,
                      h.height_mm);
@@ -182,6 +189,7 @@ Json print_json(const PrintJob& job, const PathClearance& clearance,
       {"overhang_mm2", lies_json(lies(job))},
       {"slicer", slicer_json(slicer)},
       {"loose_rods", sheet.loose_rods()},
+      {"caps", sheet.has_caps()},
       {"tiles", {sheet.tiles.columns, sheet.tiles.rows}},
       {"k", {{"axial", k.axial}, {"shear", k.shear}, {"along", k.along}, {"turn", k.turn}}},
       {"path",

@@ -16,8 +16,9 @@ struct PrintRequest {
   double cell_mm = 0;       ///< cell edge instead of the design's, mm; 0: the design's
   std::vector<double>
       bed_mm;  ///< x and y of the printer's bed: a larger sheet is cut into tiles; empty: it is not
-  bool loose_rods = false;      ///< rods of pins as parts of their own
-  bool folded = false;          ///< the state of the design instead of flat
+  bool loose_rods = false;  ///< rods of pins as parts of their own
+  bool caps = false;        ///< knuckles of pins as round caps that all look alike, wherever their axes are
+  bool folded = false;      ///< the state of the design instead of flat
   std::string orient = "flat";  ///< way to lie on the bed, of lies(), or "best": that with the least overhang
   bool slice = false;           ///< asks a slicer for time and material
   bool coupon = false;          ///< a test piece for hinges instead of the design

@@ -93,14 +93,29 @@ class ArmMesh {
     for (std::size_t k = 0; k + 1 < below.size(); ++k)
       mesh_.add_face({below[k], below[k + 1], above[k + 1], above[k]});
     const bool is_first = &lug == &end_.lugs.front();
-    const auto& ring = end_.rod.empty() ? end_.bore : end_.rod;
     const bool holed_below = !end_.bore.empty() || (!end_.rod.empty() && !is_first),
                holed_above = !end_.bore.empty() || (!end_.rod.empty() && is_first);
-    rings_.push_back(holed_below ? ring_at(ring, lug.from) : Indices{});
-    add_cap(below, rings_.back(), lug.from, false);
-    rings_.push_back(holed_above ? ring_at(ring, lug.to) : Indices{});
-    add_cap(above, rings_.back(), lug.to, true);
+    rings_.push_back(add_end(below, holed_below, lug.from, false));
+    rings_.push_back(add_end(above, holed_above, lug.to, true));
     if (!end_.bore.empty()) add_sides(rings_[rings_.size() - 2], rings_.back());
+  }
+
+  /// A lug's face, with a cone where the end has them. @return the ring of rod or bore; empty: none
+  Indices add_end(const Indices& section, bool holed, double s, bool upwards) {
+    const auto& inner = end_.rod.empty() ? end_.bore : end_.rod;
+    if (!holed || end_.rim.empty()) {
+      const Indices ring = holed ? ring_at(inner, s) : Indices{};
+      add_cap(section, ring, s, upwards);
+      return ring;
+    }
+    const bool goes_up = upwards == !end_.rod.empty();
+    const Indices rim = ring_at(end_.rim, s), ring = ring_at(inner, goes_up ? s + end_.cone : s - end_.cone);
+    add_cap(section, rim, s, upwards);
+    if (upwards)
+      add_sides(ring, rim);
+    else
+      add_sides(rim, ring);
+    return ring;
   }
 
   /// The wall of a hole whose two rims run counter-clockwise seen from above.

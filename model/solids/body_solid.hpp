@@ -53,7 +53,7 @@ Polyhedron body_mesh(const BodySolid& body);
 struct ConvexPiece {
   std::vector<Eigen::Vector3d> corners;  ///< relative to the body's rest position, mm
   int hinge = -1;                        ///< that it is at; -1: none, of the junction
-  bool is_rod = false;                   ///< within an eye, which counts as if it had no bore
+  bool is_rod = false;  ///< or a cone at its end: within an eye, which counts as if it had no bore
 };
 
 /// Pieces that fill the body together, and the bores of its eyes besides: what distances are measured between.

@@ -22,6 +22,14 @@ Points plate(const ArmSolid& arm) {
   return points;
 }
 
+/// From a lug's rim to the rod.
+Points cone(const ArmSolid& arm, double from, double to) {
+  Points points;
+  for (const Vector2d& p : arm.end.rim) points.push_back(arm.point(p, from));
+  for (const Vector2d& p : arm.end.rod) points.push_back(arm.point(p, to));
+  return points;
+}
+
 }  // namespace
 
 std::vector<ConvexPiece> convex_pieces(const BodySolid& body) {
@@ -31,8 +39,12 @@ std::vector<ConvexPiece> convex_pieces(const BodySolid& body) {
     pieces.push_back({plate(arm), arm.hinge});
     for (const HingeEnd::Lug& lug : end.lugs)
       pieces.push_back({prism(arm, end.section, lug.from, lug.to), arm.hinge});
-    if (!end.rod.empty())
-      pieces.push_back({prism(arm, end.rod, end.lugs.front().to, end.lugs.back().from), arm.hinge, true});
+    if (end.rod.empty()) continue;
+    const double low = end.lugs.front().to, high = end.lugs.back().from;
+    pieces.push_back({prism(arm, end.rod, low + end.cone, high - end.cone), arm.hinge, true});
+    if (end.rim.empty()) continue;
+    pieces.push_back({cone(arm, low, low + end.cone), arm.hinge, true});
+    pieces.push_back({cone(arm, high, high - end.cone), arm.hinge, true});
   }
   return pieces;
 }

@@ -17,6 +17,7 @@ constexpr double step_mm = 1e-3;        // mm: lower steps are none: files hold 
 // Of a pin's height that its eye takes: the fork's two knuckles share the rest, so that each end of the rod bears as
 // much as half of the middle.
 constexpr double eye_share = 0.5;
+constexpr double sink_share = 0.5;  // of half an eye, that a cone may sink into it: as much bore stays
 
 Outline circle(const Vector2d& center, double radius, int sides) {
   Outline points;
@@ -58,10 +59,11 @@ Vector2d leaves(const Outline& polygon, const Vector2d& from, const Vector2d& to
   return from + nearest * towards;
 }
 
-/// The hull of knuckle and wall end, with a corner at each angle of the knuckle's own.
-Outline knuckle_section(double wall_end, double half_wall, double axis_across, double radius, int sides) {
+/// The hull of knuckle and wall end, with a corner at each angle about the axis that rod and bore have one at.
+Outline knuckle_section(double wall_end, double half_wall, double axis_across, double knuckle_across,
+                        double radius, int sides) {
   const Vector2d axis(0, axis_across), low(-wall_end, -half_wall), high(-wall_end, half_wall);
-  Outline corners = circle(axis, radius, sides);
+  Outline corners = circle({0, knuckle_across}, radius, sides);
   corners.push_back(low);
   corners.push_back(high);
   const Outline around = hull(corners);
@@ -84,6 +86,25 @@ Outline knuckle_section(double wall_end, double half_wall, double axis_across, d
   return out;
 }
 
+/// Of rod and bore, and of the knuckle as seen from an axis beside its middle: there corners are further apart.
+int pin_sides(const HingePrint& hinge) {
+  const double radius = hinge.made.diameter_mm / 2 + hinge.made.clearance_mm + hinge.knuckle_wall_mm +
+                        hinge.cap_across_mm,
+               furthest = radius + hinge.cap_across_mm;
+  return circle_sides(furthest * furthest / radius, hinge.tolerance_mm);
+}
+
+/// Where there is room for a cone beside the rim. @param eye half its height, mm
+void add_cones(const HingePrint& hinge, bool fork, double eye, HingeEnd& end) {
+  const double rod = hinge.made.diameter_mm / 2, bore = rod + hinge.made.clearance_mm,
+               radius = bore + std::min(hinge.knuckle_wall_mm - hinge.rim_mm, sink_share * eye / cone_rise);
+  if (!(radius > bore + step_mm)) return;
+  const int sides = pin_sides(hinge);
+  end.rim_radius = radius;
+  end.rim = circle({0, end.axis_across}, fork ? radius : radius / std::cos(pi / sides), sides);
+  end.cone = cone_rise * (radius - (fork ? rod : bore));
+}
+
 }  // namespace
 
 int circle_sides(double radius_mm, double tolerance_mm) {
@@ -99,15 +120,20 @@ double corner_room(double half_wall, double axis_across, double turn) {
 
 HingeEnd pin_end(const HingePrint& hinge, const CellSize& size, double axis_across, bool fork) {
   const MadeHinge& p = hinge.made;
+  const bool is_cap = hinge.cap_across_mm > 0;
+  const double beside = is_cap ? std::max(hinge.cap_across_mm, std::abs(axis_across)) : 0,
+               widest = is_cap ? std::copysign(beside, -hinge.turn) : axis_across;
   const double rod = p.diameter_mm / 2, half_wall = size.thickness_mm / 2,
-               radius = rod + p.clearance_mm + hinge.knuckle_wall_mm,
-               corners = corner_room(half_wall, axis_across, hinge.turn);
-  const int sides = circle_sides(radius, hinge.tolerance_mm);
+               radius = rod + p.clearance_mm + hinge.knuckle_wall_mm + beside,
+               swept = radius + beside * std::sin(std::min(std::abs(hinge.turn), pi / 2)),
+               corners = corner_room(half_wall, widest, hinge.turn);
+  const int sides = pin_sides(hinge);
   HingeEnd end;
-  end.wall_end = std::max(radius, corners) + p.clearance_mm;
+  end.wall_end = std::max(swept, corners) + p.clearance_mm;
   end.axis_across = axis_across;
+  end.knuckle_across = is_cap ? 0 : axis_across;
   end.knuckle_radius = radius;
-  end.section = knuckle_section(end.wall_end, half_wall, axis_across, radius, sides);
+  end.section = knuckle_section(end.wall_end, half_wall, axis_across, end.knuckle_across, radius, sides);
   const double half = p.height_mm / 2, eye = eye_share * (half - hinge.axial_clearance_mm);
   const Vector2d axis(0, axis_across);
   if (fork) {
@@ -124,6 +150,7 @@ HingeEnd pin_end(const HingePrint& hinge, const CellSize& size, double axis_acro
     end.bore_radius = rod + p.clearance_mm;
     end.bore = circle(axis, end.bore_radius / std::cos(pi / sides), sides);
   }
+  if (hinge.rim_mm > 0 && !hinge.loose) add_cones(hinge, fork, eye, end);
   return end;
 }
 
@@ -150,9 +177,7 @@ HingeEnd block_end(const HingePrint& hinge, const CellSize& size, double axis_ac
 }
 
 std::vector<Vector2d> rod_section(const HingePrint& hinge) {
-  const double radius = hinge.made.diameter_mm / 2,
-               knuckle = radius + hinge.made.clearance_mm + hinge.knuckle_wall_mm;
-  return circle(Vector2d::Zero(), radius, circle_sides(knuckle, hinge.tolerance_mm));
+  return circle(Vector2d::Zero(), hinge.made.diameter_mm / 2, pin_sides(hinge));
 }
 
 HingeEnd hinge_end(const HingePrint& hinge, const CellSize& size, double axis_across, bool fork) {

@@ -27,8 +27,13 @@ struct HingeEnd {
   std::vector<Lug> lugs = {};  ///< upwards
   std::vector<Eigen::Vector2d> bore = {};  ///< through all lugs, (m, n), mm, round the axis; empty: none
   std::vector<Eigen::Vector2d> rod = {};   ///< from the first lug to the second, likewise; empty: none
-  /// The circles about the axis that section, bore and rod are polygons of, mm; 0: none.
-  double knuckle_radius = 0, bore_radius = 0, rod_radius = 0;
+  /// Where the flat rims of faces between fork and eye end, likewise: within, cones go on to rod or bore. Empty: flat.
+  std::vector<Eigen::Vector2d> rim = {};
+  double cone = 0;  ///< along s from the rim to rod or bore, mm: up from a fork's lower lug, into an eye
+  /// The circles about the axis that section, bore, rod and rim are polygons of, mm; 0: none. A knuckle's may have its
+  /// middle beside the axis.
+  double knuckle_radius = 0, bore_radius = 0, rod_radius = 0, rim_radius = 0;
+  double knuckle_across = 0;  ///< n of the middle of its circle, mm
 };
 
 /// How a hinge is made by a process.
@@ -39,12 +44,22 @@ struct HingePrint {
   double turn = 0;     ///< of the upper half against the lower about the axis, the largest, rad, (-pi, pi)
   bool loose = false;  ///< a pin's rod is a part of its own, pushed into bores of the fork
   double tolerance_mm = 0.01;  ///< by which a polygon may differ from its circle, mm, > 0
+  /// Of a pin: how far axes are from the middle of their walls at most, mm. Its knuckles are then round caps about the
+  /// middle, as large as the furthest axis asks for, with their bores beside it: so all look alike. 0: about their axes.
+  double cap_across_mm = 0;
+  /// Of a pin that is printed in place: width of the flat rim of faces between fork and eye, mm; within, they are cones about
+  /// the rod, `cone_rise` times as high as wide, so that nothing but the rim hangs over the clearance. 0: flat.
+  double rim_mm = 0;
 };
+
+/// Of the cones of pins: a little steeper than the 45 degrees that FDM prints without support.
+inline constexpr double cone_rise = 1.1;
 
 /// Both ends of a pin: a fork of two knuckles with the rod between them, and an eye between these that turns on it.
 /// Rod and bore are polygons whose gap is nowhere less than the clearance: the rod's corners and the middles of the
 /// bore's sides are on their circles. A plate ends its clearance before the other's knuckles, and before its corners would
-/// meet the other's at the largest turn: those on the side towards which the wall folds.
+/// meet the other's at the largest turn: those on the side towards which the wall folds. Caps beside their axis come nearer
+/// as they turn, by the sine of it.
 /// @param hinge with the turn of the other end against this one about s   @param axis_across of the wall's middle, mm
 /// @param fork whether it is the fork
 HingeEnd pin_end(const HingePrint& hinge, const CellSize& size, double axis_across, bool fork);

@@ -31,6 +31,7 @@ void add_exports(py::module_& core) {
       .def_readwrite("cell_mm", &PrintRequest::cell_mm)
       .def_readwrite("bed_mm", &PrintRequest::bed_mm)
       .def_readwrite("loose_rods", &PrintRequest::loose_rods)
+      .def_readwrite("caps", &PrintRequest::caps)
       .def_readwrite("folded", &PrintRequest::folded)
       .def_readwrite("orient", &PrintRequest::orient)
       .def_readwrite("slice", &PrintRequest::slice);

@@ -81,6 +81,7 @@ class PrintRequest:
     cell_mm: float
     bed_mm: List[float]
     loose_rods: bool
+    caps: bool
     folded: bool
     orient: str
     slice: bool

@@ -85,7 +85,7 @@ class Exported(NamedTuple):
 def export(design: Union[Design, Source, Result], formats: Union[str, Sequence[str]],
            folder: "str | os.PathLike[str]", *, process: str = "", hinge: str = "", clearance_mm: float = 0,
            cell_mm: float = 0, bed_mm: Optional[Tuple[float, float]] = None, loose_rods: bool = False, folded: bool = False,
-           orient: str = "flat", slice: bool = False) -> Exported:
+           orient: str = "flat", slice: bool = False, caps: bool = False) -> Exported:
     """Writes a design for printers, CAD and simulators: all files or none.
 
     :param formats: names, or ``all``: stl, 3mf, step, svg, dxf, mjcf, glb, scad
@@ -99,6 +99,7 @@ def export(design: Union[Design, Source, Result], formats: Union[str, Sequence[s
     :param folded: the state of the design instead of flat
     :param orient: ``flat``, ``over``, or ``best``
     :param slice: asks PrusaSlicer for time and material
+    :param caps: knuckles of pins as round caps that all look alike, wherever their axes are
     :raises InvalidInput: for what cannot be made, or not by the process
     """
     of = design.design if isinstance(design, Result) else design
@@ -108,6 +109,6 @@ def export(design: Union[Design, Source, Result], formats: Union[str, Sequence[s
     request.process, request.hinge, request.cell_mm, request.orient = process, hinge, cell_mm, orient
     request.clearance_mm = clearance_mm
     request.bed_mm = list(bed_mm) if bed_mm is not None else []
-    request.loose_rods, request.folded, request.slice = loose_rods, folded, slice
+    request.loose_rods, request.caps, request.folded, request.slice = loose_rods, caps, folded, slice
     files, report = _core.export_files(of._core, os.fspath(folder), request)
     return Exported(os.fspath(folder), files, json.loads(report))

@@ -34,21 +34,21 @@ cad::Circle circle_of(const ArmSolid& arm, double radius, double s) {
   return {arm.point({0, arm.end.axis_across}, s), arm.axis, arm.towards_axis, radius};
 }
 
-/// Where the line from a point outside touches the circle about the axis. @param turn 1: counter-clockwise of it
-Vector2d touching(const Vector2d& from, const Vector2d& axis, double radius, double turn) {
-  const Vector2d u = (from - axis).normalized();
-  const double angle = turn * std::acos(radius / (from - axis).norm());
-  return axis + radius * Vector2d(std::cos(angle) * u.x() - std::sin(angle) * u.y(),
-                                  std::sin(angle) * u.x() + std::cos(angle) * u.y());
+/// Where the line from a point outside touches a circle. @param turn 1: counter-clockwise of it
+Vector2d touching(const Vector2d& from, const Vector2d& middle, double radius, double turn) {
+  const Vector2d u = (from - middle).normalized();
+  const double angle = turn * std::acos(radius / (from - middle).norm());
+  return middle + radius * Vector2d(std::cos(angle) * u.x() - std::sin(angle) * u.y(),
+                                    std::sin(angle) * u.x() + std::cos(angle) * u.y());
 }
 
 /// From the wall's corners tangents to the knuckle's circle.
 cad::Contour knuckle_contour(const ArmSolid& arm, double s) {
   const model::HingeEnd& end = arm.end;
-  const Vector2d axis(0, end.axis_across), low = end.section.front(), high = end.section.back(),
-                                           first = touching(low, axis, end.knuckle_radius, 1),
-                                           last = touching(high, axis, end.knuckle_radius, -1),
-                                           outermost = axis + Vector2d(end.knuckle_radius, 0);
+  const Vector2d middle(0, end.knuckle_across), low = end.section.front(), high = end.section.back(),
+                                                first = touching(low, middle, end.knuckle_radius, 1),
+                                                last = touching(high, middle, end.knuckle_radius, -1),
+                                                outermost = middle + Vector2d(end.knuckle_radius, 0);
   const auto at = [&](const Vector2d& p) { return arm.point(p, s); };
   return {at(low), {{at(first), {}}, {at(last), at(outermost)}, {at(high), {}}, {at(low), {}}}};
 }
@@ -61,15 +61,36 @@ cad::Contour section_contour(const ArmSolid& arm, double s) {
   return contour;
 }
 
+/// From a rim about the axis on. @param up 1: upwards, else -1   @param end_radius mm
+cad::Frustum cone_of(const ArmSolid& arm, double s, double up, double end_radius, double along) {
+  cad::Circle rim = circle_of(arm, arm.end.rim_radius, s);
+  rim.axis *= up;
+  return {rim, end_radius, along};
+}
+
+/// The cone of a sink goes on within the bore, to half its radius: no face of it ends on the bore's.
 cad::Prism lug(const ArmSolid& arm, const model::HingeEnd::Lug& at) {
+  const model::HingeEnd& end = arm.end;
   cad::Prism prism{section_contour(arm, at.from), {}, (at.to - at.from) * arm.axis};
-  if (arm.end.bore_radius > 0) prism.hole = circle_of(arm, arm.end.bore_radius, at.from);
+  if (end.bore_radius > 0) prism.hole = circle_of(arm, end.bore_radius, at.from);
+  if (end.bore_radius > 0 && end.rim_radius > 0) {
+    const double inner = end.bore_radius / 2,
+                 along = end.cone * (end.rim_radius - inner) / (end.rim_radius - end.bore_radius);
+    prism.sinks = {cone_of(arm, at.from, 1, inner, along), cone_of(arm, at.to, -1, inner, along)};
+  }
   return prism;
 }
 
-cad::Prism rod(const ArmSolid& arm) {
-  const double from = arm.end.lugs.front().to, to = arm.end.lugs.back().from;
-  return {circle_of(arm, arm.end.rod_radius, from), {}, (to - from) * arm.axis};
+std::vector<cad::Piece> rod(const ArmSolid& arm) {
+  const model::HingeEnd& end = arm.end;
+  const double low = end.lugs.front().to, high = end.lugs.back().from, straight = high - low - 2 * end.cone;
+  std::vector<cad::Piece> pieces = {
+      cad::Prism{circle_of(arm, end.rod_radius, low + end.cone), {}, straight * arm.axis}};
+  if (end.rim_radius > 0) {
+    pieces.push_back(cone_of(arm, low, 1, end.rod_radius, end.cone));
+    pieces.push_back(cone_of(arm, high, -1, end.rod_radius, end.cone));
+  }
+  return pieces;
 }
 
 std::vector<cad::Piece> pieces_of(const model::BodySolid& body) {
@@ -77,7 +98,8 @@ std::vector<cad::Piece> pieces_of(const model::BodySolid& body) {
   for (const ArmSolid& arm : body.arms) {
     pieces.push_back(plate(arm));
     for (const model::HingeEnd::Lug& at : arm.end.lugs) pieces.push_back(lug(arm, at));
-    if (arm.end.rod_radius > 0) pieces.push_back(rod(arm));
+    if (arm.end.rod_radius > 0)
+      for (cad::Piece& piece : rod(arm)) pieces.push_back(std::move(piece));
   }
   return pieces;
 }

@@ -17,6 +17,17 @@ using Eigen::Vector2d;
 constexpr double line_mm = 0.1;              // mm: as laser cutters and pens draw
 constexpr double points_per_mm = 72 / 25.4;  // the unit of PDF
 
+constexpr double digit_share = 0.65;    // of a digit's width over the height of letters, in common fonts
+constexpr double capital_share = 0.75;  // of a digit's height, likewise
+
+/// Middle of a number's foot, mm: at its hinge, but for what would be cut off by the drawing's edge.
+Vector2d number_place(const SheetDrawing& drawing, const SheetDrawing::Hinge& hinge, double height) {
+  const double half = digit_share * height * static_cast<double>(std::to_string(hinge.number).size()) / 2;
+  const Vector2d low = drawing.low + Vector2d(half, 0),
+                 high = drawing.high - Vector2d(half, capital_share * height);
+  return hinge.place.cwiseMin(high).cwiseMax(low);
+}
+
 std::string path_of(const SheetDrawing& drawing, const SheetDrawing::Part& part) {
   std::string out;
   for (const auto& ring : part.rings) {
@@ -51,9 +62,11 @@ std::string svg(const PrintSheet& sheet, const SheetDrawing& drawing) {
       "<g id=\"numbers\" fill=\"#c03030\" font-family=\"sans-serif\" font-size=\"{:.4g}\" "
       "text-anchor=\"middle\">\n",
       number_height_mm(sheet));
-  for (const SheetDrawing::Hinge& hinge : drawing.hinges)
-    out += fmt::format("<text x=\"{:.5g}\" y=\"{:.5g}\">{}</text>\n", hinge.place.x() - drawing.low.x(),
-                       drawing.high.y() - hinge.place.y(), hinge.number);
+  for (const SheetDrawing::Hinge& hinge : drawing.hinges) {
+    const Vector2d at = number_place(drawing, hinge, number_height_mm(sheet));
+    out += fmt::format("<text x=\"{:.5g}\" y=\"{:.5g}\">{}</text>\n", at.x() - drawing.low.x(),
+                       drawing.high.y() - at.y(), hinge.number);
+  }
   return out + "</g>\n</svg>\n";
 }
 
@@ -97,6 +110,14 @@ std::string pdf_page(const Vector2d& size_mm, const std::function<void(cairo_t*)
   return out;
 }
 
+/// @param foot of the text, its middle
+void show_centred(cairo_t* page, const Vector2d& foot, const std::string& text) {
+  cairo_text_extents_t extents;
+  cairo_text_extents(page, text.c_str(), &extents);
+  cairo_move_to(page, foot.x() - extents.x_advance / 2, foot.y());
+  cairo_show_text(page, text.c_str());
+}
+
 /// The same drawing, one page as large as it.
 std::string pdf(const PrintSheet& sheet, const SheetDrawing& drawing) {
   return pdf_page(drawing.high - drawing.low, [&](cairo_t* page) {
@@ -105,8 +126,8 @@ std::string pdf(const PrintSheet& sheet, const SheetDrawing& drawing) {
     cairo_set_font_size(page, number_height_mm(sheet));
     cairo_set_source_rgb(page, 0.75, 0.2, 0.2);
     for (const SheetDrawing::Hinge& hinge : drawing.hinges) {
-      cairo_move_to(page, hinge.place.x() - drawing.low.x(), drawing.high.y() - hinge.place.y());
-      cairo_show_text(page, std::to_string(hinge.number).c_str());
+      const Vector2d at = number_place(drawing, hinge, number_height_mm(sheet));
+      show_centred(page, {at.x() - drawing.low.x(), drawing.high.y() - at.y()}, std::to_string(hinge.number));
     }
   });
 }
@@ -147,10 +168,8 @@ std::string strips_svg(const PrintSheet& sheet, const Strips& strips) {
 void draw_labels(cairo_t* page, const Strips& strips, const std::vector<Strips::Label>& labels,
                  double height) {
   cairo_set_font_size(page, height);
-  for (const Strips::Label& label : labels) {
-    cairo_move_to(page, label.place.x(), strips.size.y() - label.place.y());
-    cairo_show_text(page, label.text.c_str());
-  }
+  for (const Strips::Label& label : labels)
+    show_centred(page, {label.place.x(), strips.size.y() - label.place.y()}, label.text);
 }
 
 std::string strips_pdf(const PrintSheet& sheet, const Strips& strips) {

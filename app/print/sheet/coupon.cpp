@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/print/sheet/pin_faces.hpp"
 #include "app/print/sheet/raised_text.hpp"
 #include "model/base/angle.hpp"
 #include "model/linkage/wall.hpp"
@@ -40,9 +41,7 @@ void add_hinge(int column, int row, const model::Process& process, PrintSheet& s
   pin.diameter_mm = process.least_pin_mm;
   pin.clearance_mm = gap_step_mm * (column + 1);
   pin.height_mm = height_mm;
-  sheet.hinges.push_back({.made = pin,
-                          .axial_clearance_mm = std::max(pin.clearance_mm, process.upright_clearance_mm),
-                          .knuckle_wall_mm = process.least_wall_mm});
+  sheet.hinges.push_back(with_faces({.made = pin, .knuckle_wall_mm = process.least_wall_mm}, process));
 }
 
 std::string coupon_hinge_name(int hinge) {

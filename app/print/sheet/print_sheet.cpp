@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/print/sheet/pin_faces.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/linkage/hinge_mismatch.hpp"
 
@@ -81,6 +82,15 @@ void check_process(const model::Process& process, const model::CellSize& size,
   if (!problems.empty()) throw InvalidInput(problems.front().what);
 }
 
+/// Along the axis an eye has half of what its two clearances leave of a pin's height.
+void check_eye(const model::HingePrint& pin) {
+  const double eye = pin.made.height_mm / 2 - pin.axial_clearance_mm;
+  if (pin.made.kind != HingeKind::pin || eye >= pin.axial_clearance_mm) return;
+  throw InvalidInput(fmt::format(
+      "a pin {:g} mm high has no room for an eye between two clearances of {:g} mm: its wall must be higher",
+      pin.made.height_mm, pin.axial_clearance_mm));
+}
+
 class SheetMaker {
  public:
   SheetMaker(const DesignFile& design, const PrintPath& path, const model::Process& process,
@@ -105,6 +115,8 @@ class SheetMaker {
       throw InvalidInput("the design has no hinges: there is nothing to fold, and nothing to print");
     cut();
     choose_hinges();
+    if (choice_.caps && sheet_.kind() != HingeKind::pin)
+      throw InvalidInput("caps are of pins, and the design's hinges are not");
     make_solids(sheet_);
     return std::move(sheet_);
   }
@@ -157,6 +169,13 @@ class SheetMaker {
     return std::ceil(tenth * needed_gap(hinge, size.thickness_mm, offset, turn(h), stretch_mm(h))) / tenth;
   }
 
+  /// Of an axis from the middle of its wall, mm.
+  double largest_offset_mm() const {
+    double most = 0;
+    for (int h = 0; h < hinges(); ++h) most = std::max(most, std::abs(structure_.hinge(h).offset));
+    return most * sheet_.linkage.size.edge_mm;
+  }
+
   std::vector<model::MadeHinge> open_hinges() const {
     std::vector<model::MadeHinge> all(hinges(), default_hinge(choice_, sheet_.process, sheet_.linkage.size));
     if (choice_.kind == HingeKind::pin) return all;
@@ -169,18 +188,20 @@ class SheetMaker {
 
   void choose_hinges() {
     const std::vector<model::MadeHinge> open = open_hinges();
+    const double cap_across_mm = choice_.caps ? largest_offset_mm() : 0;
     for (int h = 0; h < hinges(); ++h) {
       const auto own = design_.own_hinges.find(h);
       const HingeSection& section = own == design_.own_hinges.end() ? design_.hinge : own->second;
       const model::MadeHinge made = section.made.value_or(open[h]);
       check_process(sheet_.process, sheet_.linkage.size, made);
       validate(made, sheet_.linkage.size);
-      sheet_.hinges.push_back(
-          {.made = made,
-           .axial_clearance_mm = std::max(made.clearance_mm, sheet_.process.upright_clearance_mm),
-           .knuckle_wall_mm = sheet_.process.least_wall_mm,
-           .turn = std::clamp(turn(h), -widest_turn, widest_turn),
-           .loose = is_loose(h, made)});
+      sheet_.hinges.push_back(with_faces({.made = made,
+                                          .knuckle_wall_mm = sheet_.process.least_wall_mm,
+                                          .turn = std::clamp(turn(h), -widest_turn, widest_turn),
+                                          .loose = is_loose(h, made),
+                                          .cap_across_mm = cap_across_mm},
+                                         sheet_.process));
+      check_eye(sheet_.hinges.back());
     }
   }
 
@@ -195,6 +216,11 @@ class SheetMaker {
 bool PrintSheet::has_soft() const {
   return std::any_of(soft.begin(), soft.end(),
                      [](const model::Polyhedron& part) { return !part.points.empty(); });
+}
+
+bool PrintSheet::has_caps() const {
+  return std::any_of(hinges.begin(), hinges.end(),
+                     [](const model::HingePrint& h) { return h.cap_across_mm > 0; });
 }
 
 bool PrintSheet::is_one_material() const {

@@ -35,6 +35,8 @@ struct PrintSheet {
   std::vector<std::string> warnings = {};           ///< what its user should know
 
   bool has_soft() const;
+  /// Whether knuckles are caps about the middle of their walls.
+  bool has_caps() const;
   /// Whether its films are thin walls of the same print: those of FDM and SLS, which can be as thin as a film.
   bool is_one_material() const;
   int loose_rods() const;
@@ -52,6 +54,8 @@ struct PrintChoice {
   double clearance_mm = 0;  ///< least of a pin instead of the process's, mm; 0: the process's
   bool alike = true;  ///< blocks and films as long everywhere as the longest; else each as long as it needs
   bool loose_rods = false;  ///< rods of pins are parts of their own; else only where two tiles meet
+  bool caps =
+      false;  ///< knuckles are round caps about the middle of their walls, all as large as the largest offset asks
   std::optional<Eigen::Vector2d> bed_mm = {};  ///< of the printer: a larger sheet is cut into tiles
   double edge_mm =
       0;  ///< cell edge instead of the design's, mm; 0: the design's. Walls stay, as thick as the process needs

@@ -139,6 +139,18 @@ TEST(Export, MakesLooseRodsThatFillTheBoresOfTheirForks) {
   EXPECT_FALSE(fs::exists(captive / "out/rods.stl"));
 }
 
+TEST(Export, RefusesOptionsThatAreNoNumbersInOneLine) {
+  for (const char* option : {"--cell-mm nan", "--clearance nan", "--bed nan,100", "--clearance 0.001",
+                             "--cell-mm x", "--state half", "--bed 5"})
+    expect_refused(panel, std::string("--format stl ") + option, "(see --help)");
+}
+
+TEST(Export, RefusesPinsWithoutRoomForAnEye) {
+  const std::string low = std::string(panel).replace(std::string(panel).find("height: 6"), 9, "height: 1.5");
+  expect_refused(low, "--format stl --hinge pin --process fdm --cell-mm 30",
+                 "a pin 1.5 mm high has no room for an eye between two clearances of 0.53 mm");
+}
+
 TEST(Export, TakesTheClearanceOfACouponInsteadOfTheProcesss) {
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, panel, "--format stl --process sla --hinge pin --clearance 0.15").code, 0);

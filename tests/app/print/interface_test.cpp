@@ -7,6 +7,7 @@
 
 #include "app/print/fit.hpp"
 #include "app/print/format/strips.hpp"
+#include "app/print/overhang.hpp"
 #include "tests/app/print/mesh_distance.hpp"
 #include "tests/app/program.hpp"
 
@@ -29,7 +30,7 @@ design: {theta_deg: 20}
 PrintSheet sheet_of(const char* design, const char* process, model::HingeKind kind) {
   const Scratch scratch;
   return app::prepared(app::read_design(scratch.write("panel.yaml", design)), *model::find_process(process),
-                       {.kind = kind}, false)
+                       {.kind = kind, .edge_mm = std::string(process) == "fdm" ? 30.0 : 0.0}, false)
       .job.sheet;
 }
 
@@ -102,7 +103,28 @@ TEST_P(Pins, HoldInAllSixDirections) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, Pins, ::testing::Values("polyjet", "sla", "sls"));
+INSTANTIATE_TEST_SUITE_P(Of, Pins, ::testing::Values("polyjet", "fdm", "sla", "sls"));
+
+/// Rims alone hang over, not the cones within them: less by both cones' shadows.
+TEST(InclinedFaces, TakeTheOverhangFromWithinTheRims) {
+  app::PrintSheet inclined = sheet_of(upright, "fdm", model::HingeKind::pin), flat = inclined;
+  ASSERT_GT(inclined.hinges[0].rim_mm, 0);
+  flat.meshes.clear();
+  flat.rods.clear();
+  flat.soft.clear();
+  for (model::HingePrint& pin : flat.hinges) pin.rim_mm = 0;
+  make_solids(flat);
+  const auto hanging = [](const PrintSheet& sheet) {
+    double area = 0;
+    for (std::size_t b = 0; b < sheet.meshes.size(); ++b)
+      area += app::overhang_mm2(placed_body(sheet, sheet.path.front(), static_cast<int>(b)),
+                                Eigen::Matrix3d::Identity());
+    return area;
+  };
+  const double rod = 1.5, bore = 1.8, rim = bore + 0.8 - 0.4;
+  const double less = 17 * M_PI * (2 * rim * rim - rod * rod - bore * bore);
+  EXPECT_NEAR(hanging(flat) - hanging(inclined), less, 0.03 * less);
+}
 
 double area_of(const std::vector<Eigen::Vector2d>& ring) {
   double twice = 0;
@@ -130,6 +152,30 @@ TEST(Strips, AreTheWallsAndTheirTabs) {
   for (const auto& [from, to] : strips.folds) EXPECT_NEAR((to - from).norm(), 6, 1e-9) << "from edge to edge";
   EXPECT_EQ(strips.numbers.size(), 17U);
   EXPECT_EQ(strips.vertices.size(), 2 * 17U);
+}
+
+/// The box of the drawing is that of its parts: numbers at its rim move in.
+TEST(Drawing, CutsNoNumberOff) {
+  const Scratch scratch;
+  const Outcome run = kinetix_opt("export " + scratch.write("panel.yaml", upright) + " -o " +
+                                  std::string(scratch / "out") + " --format svg --hinge pin");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const std::string svg = text_of(scratch / "out/panel.svg");
+  std::smatch box, size;
+  ASSERT_TRUE(std::regex_search(svg, box, std::regex(R"(viewBox="0 0 ([0-9.]+) ([0-9.]+)\")")));
+  ASSERT_TRUE(std::regex_search(svg, size, std::regex(R"re(font-size="([0-9.]+)")re")));
+  const double high = std::stod(size[1]);
+  const std::regex number(R"re(<text x="([0-9.]+)" y="([0-9.]+)">(\d+)</text>)re");
+  int numbers = 0;
+  for (std::sregex_iterator at(svg.begin(), svg.end(), number), end; at != end; ++at, ++numbers) {
+    const double x = std::stod((*at)[1]), y = std::stod((*at)[2]),
+                 half = 0.6 * high * static_cast<double>((*at)[3].length()) / 2;
+    EXPECT_GE(x, half);
+    EXPECT_LE(x, std::stod(box[1]) - half);
+    EXPECT_GE(y, 0.7 * high);
+    EXPECT_LE(y, std::stod(box[2]));
+  }
+  EXPECT_EQ(numbers, 17);
 }
 
 /// As wide as its unit says, and with everything in it, to rsvg-convert.

@@ -1,10 +1,15 @@
 #include "tests/app/print/slices.hpp"
 
+#include <fmt/format.h>
 #include <leptonica/allheaders.h>
 #include <zip.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <fstream>
 #include <numeric>
+#include <regex>
+#include <sstream>
 #include <stdexcept>
 #include <vector>
 
@@ -100,7 +105,76 @@ PIX* layer(zip_t* archive, const std::string& name, int swelling_px) {
   return swollen;
 }
 
+/// @return its path
+std::string written(const std::string& folder, const std::string& name, const std::string& content) {
+  const std::string file = folder + "/" + name;
+  std::ofstream(file) << content;
+  return file;
+}
+
+/// What it says is of interest only where it gives up.
+void run_slicer(const std::string& folder, const std::string& options) {
+  const std::string said = folder + "/slicer.txt";
+  if (std::system(("prusa-slicer " + options + " >" + said + " 2>&1").c_str()) == 0) return;
+  std::stringstream text;
+  text << std::ifstream(said).rdbuf();
+  throw std::runtime_error("prusa-slicer " + options + "\n" + text.str());
+}
+
+constexpr const char* resin_settings = R"(printer_technology = SLA
+display_mirror_x = 0
+display_mirror_y = 0
+display_orientation = landscape
+faded_layers = 3
+supports_enable = 0
+pad_enable = 0
+elefant_foot_compensation = 0
+)";
+
+constexpr const char* two_extruders = R"(bed_shape = 0x0,400x0,400x400,0x400
+nozzle_diameter = 0.4,0.4
+filament_diameter = 1.75,1.75
+extrusion_multiplier = 1,1
+temperature = 200,200
+first_layer_temperature = 200,200
+layer_height = 0.2
+first_layer_height = 0.2
+fill_density = 100%
+fill_pattern = rectilinear
+perimeters = 1
+skirts = 0
+brim_width = 0
+wipe_tower = 0
+)";
+
 }  // namespace
+
+std::string sliced(const std::string& folder, const std::string& file, const SlicingOf& how) {
+  const std::string settings =
+      written(folder, "sla.ini",
+              fmt::format("bed_shape = 0x0,{0}x0,{0}x{1},0x{1}\ndisplay_width = {0}\ndisplay_height = "
+                          "{1}\ndisplay_pixels_x = {2}\ndisplay_pixels_y = {3}\nslice_closing_radius = {4}\n"
+                          "layer_height = {5}\ninitial_layer_height = {5}\n",
+                          how.width, how.height, how.pixels * how.width, how.pixels * how.height,
+                          how.closing_mm, how.layer_mm) +
+                  resin_settings);
+  const std::string out = folder + "/slices.sl1";
+  run_slicer(folder, "--export-sla --load " + settings + " " + file + " -o " + out);
+  return out;
+}
+
+double filament_ratio(const std::string& folder, const std::string& file) {
+  const std::string settings = written(folder, "extruders.ini", two_extruders),
+                    code = folder + "/slices.gcode";
+  run_slicer(folder, "--export-gcode --load " + settings + " " + file + " -o " + code);
+  std::stringstream text;
+  text << std::ifstream(code).rdbuf();
+  const std::string all = text.str();
+  std::smatch used;
+  if (!std::regex_search(all, used, std::regex(R"(; filament used \[mm\] = ([\d.]+), ([\d.]+))")))
+    throw std::runtime_error("no filament in " + code);
+  return std::stod(used[1]) / std::stod(used[2]);
+}
 
 int printed_pieces(const std::string& name, int swelling_px) {
   int error = 0;

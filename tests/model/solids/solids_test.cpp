@@ -200,6 +200,77 @@ TEST(PinEnd, KeepsItsClearanceBetweenThePolygonsOfRodAndBore) {
   }
 }
 
+/// Least distance of points within a polygon from its sides, mm.
+double least_inside(const std::vector<Eigen::Vector2d>& points, const std::vector<Eigen::Vector2d>& around) {
+  double least = INFINITY;
+  for (const Eigen::Vector2d& p : points)
+    for (std::size_t k = 0; k < around.size(); ++k) {
+      const Eigen::Vector2d &a = around[k], side = around[(k + 1) % around.size()] - a;
+      if (side.norm() > 0)
+        least = std::min(least, (side.x() * (p - a).y() - side.y() * (p - a).x()) / side.norm());
+    }
+  return least;
+}
+
+/// Wall ends and outlines are those of an axis in the middle, to what polygons leave of circles; bores have their wall.
+TEST(PinEnd, OfCapsLooksAlikeWhereverTheAxisIs) {
+  HingePrint caps = pin();
+  caps.cap_across_mm = 0.9;
+  caps.turn = 1.1;
+  const double radius = 0.5 + 0.1 + 0.8 + 0.9;
+  for (const double across : {0.0, 0.4, -0.9, 0.9})
+    for (const bool fork : {true, false}) {
+      const HingeEnd end = pin_end(caps, size, across, fork);
+      EXPECT_EQ(end.wall_end, pin_end(caps, size, 0, fork).wall_end);
+      EXPECT_EQ(end.axis_across, across);
+      for (const Eigen::Vector2d& p : end.section) {
+        if (p.x() < 0) continue;
+        EXPECT_NEAR(p.norm(), radius, 0.02) << across;
+      }
+      EXPECT_GE(least_inside(fork ? end.rod : end.bore, end.section), 0.8 - 0.03) << across;
+      // The other's cap, as far beside the axis, turned as far as it goes: its nearest point to this plate's end.
+      EXPECT_GE(end.wall_end - (radius + std::abs(across) * std::sin(1.1)), 0.1 - 1e-12);
+    }
+}
+
+TEST(BodySolid, OfCapsIsClosed) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> offset(-0.03, 0.03);
+  Sheet sheet = make_sheet(4, 4, {30, 0.8, 6});
+  for (int h = 0; h < sheet.hinges(); ++h) sheet.hinge(h).offset = offset(random);
+  HingePrint caps = pin();
+  caps.cap_across_mm = 0.9;
+  for (const BodySolid& body : solids(sheet, caps)) EXPECT_TRUE(is_closed(body_mesh(body)));
+}
+
+double frustum_mm3(double R, double r, double along) { return M_PI / 3 * along * (R * R + R * r + r * r); }
+
+/// Against knuckles with flat faces: cones about a fork's rod, and sunk into an eye.
+TEST(BodySolid, AtInclinedFacesHasTheVolumeOfTheirCones) {
+  HingePrint flat = pin();
+  flat.tolerance_mm = 1e-6;
+  HingePrint inclined = flat;
+  inclined.rim_mm = 0.4;
+  const Linkage sheet = Sheet(make_sheet(2, 2, size));
+  const double rod = 0.5, bore = 0.6, rim = bore + 0.8 - 0.4, up = 1.1 * (rim - rod), in = 1.1 * (rim - bore);
+  for (const int body : {4, 1}) {
+    const BodySolid solid = solids(sheet, inclined)[body];
+    const double arms = static_cast<double>(solid.arms.size());
+    EXPECT_TRUE(is_closed(body_mesh(solid)));
+    const double change = volume_mm3(body_mesh(solid)) - volume_mm3(body_mesh(solids(sheet, flat)[body]));
+    EXPECT_NEAR(change,
+                sheet.bodies[body].sense > 0
+                    ? 2 * arms * (frustum_mm3(rim, rod, up) - M_PI * rod * rod * up)
+                    : -2 * arms * (frustum_mm3(rim, bore, in) - M_PI * bore * bore * in),
+                1e-4)
+        << body;
+  }
+  EXPECT_NE(sheet.bodies[4].sense, sheet.bodies[1].sense);
+  for (int seed = 1; seed <= 3; ++seed)
+    for (const BodySolid& body : solids(random_sheet(seed), inclined))
+      EXPECT_TRUE(is_closed(body_mesh(body)));
+}
+
 TEST(BodySolid, RefusesAHingeThatOverlapsItsJunction) {
   Sheet sheet = make_sheet(2, 2, size);
   sheet.hinge(0).t = 0.15;
