@@ -209,10 +209,11 @@ targets::Key lattice_key(std::vector<std::string> words, targets::Default fallba
 }
 
 targets::Key rim_key(bool closed = false) {
-  return {"rim", value::choice(std::vector<std::string>(std::begin(rims), std::end(rims))),
-          closed ? targets::otherwise("closed") : targets::by_default("open"),
-          "`closed` adds cells in the notches of the rim, and, where these are not enough, walls across cells, "
-          "until one freedom is left"};
+  return {
+      "rim", value::choice(std::vector<std::string>(std::begin(rims), std::end(rims))),
+      closed ? targets::otherwise("closed") : targets::by_default("open"),
+      "`closed` adds cells in the notches of the rim, and, where these are not enough, walls across cells, "
+      "until one freedom is left"};
 }
 
 targets::Key angle_key() {

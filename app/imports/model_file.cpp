@@ -28,8 +28,7 @@ ModelFile read_by_ending(const std::string& file) {
   if (ending == ".obj") return read_groups_of_obj(bytes(), file);
   if (ending == ".glb") return read_glb(bytes(), file);
   throw InvalidInput(
-      "has no known model format, judged by its ending; give a 3MF, STEP, GLB, OBJ, PLY or STL file",
-      {file});
+      "has no known model format, judged by its ending; give a 3MF, STEP, GLB, OBJ, PLY or STL file", {file});
 }
 
 }  // namespace

@@ -108,7 +108,8 @@ TEST(ExactDesigns, NearestIsTheOrthogonalProjection) {
     const MatrixXd m = conditions(s);
     const VectorXd projected = desired - m.completeOrthogonalDecomposition().solve(m * desired);
     const ExactDesigns designs(s);
-    EXPECT_LE((designs.design(designs.numbers(desired)) - projected).lpNorm<Eigen::Infinity>(), 1e-13) << c.name;
+    EXPECT_LE((designs.design(designs.numbers(desired)) - projected).lpNorm<Eigen::Infinity>(), 1e-13)
+        << c.name;
     PlanarStructure expected = s;
     place(projected, expected);
     for (std::size_t h = 0; h < s.hinges.size(); ++h)
