@@ -200,11 +200,21 @@ std::vector<Json> files_of(const std::string& list) {
     if (file.contains("design")) file["design"]["hinges"][0]["hinge"] = hinge;
     return file;
   };
+  // With a hinge of each kind at some of its walls alone.
+  const auto add_parted = [&](std::vector<Json>& files, const Json& file, const Json& at) {
+    for (Json part : {Json::object(), framed, block, pin}) {
+      part["at"] = at;
+      files.push_back(file);
+      files.back()["hinge"]["except"] = Json::array({part});
+    }
+  };
   // A goal by itself, with each kind of hinge, and moved by springs.
   const auto made = [&](const Json& goal) {
     Json heated = goal;
     heated["drive"] = {{"kind", "shape_memory"}, {"k_turn", 1}};
-    return std::vector<Json>{goal, hinged(goal, framed), hinged(goal, block), hinged(goal, pin), heated};
+    std::vector<Json> files{goal, hinged(goal, framed), hinged(goal, block), hinged(goal, pin), heated};
+    add_parted(files, goal, "creases");
+    return files;
   };
   if (list == "target curve") {
     // Without and with cells so large that they can be printed, and have pins.
@@ -284,18 +294,22 @@ std::vector<Json> files_of(const std::string& list) {
     return Json{{"kinetix", 1}, {"structure", structure}};
   };
   const Json pressed = design(R"({"kind": "plates", "compression": 0.1})");
-  return {pressed,
-          hinged(pressed, framed),
-          hinged(pressed, block),
-          hinged(pressed, pin),
-          design(R"({"kind": "hinge", "wall": [[0, 0], [1, 0]], "angle_deg": 10})"),
-          of_structure({{"lattice", "rhombus"}, {"cells", {2, 2}}}),
-          of_structure({{"lattice", "sodalite"}, {"cells", {1, 1, 1}}}),
-          of_structure({{"lattice", "graph"}, {"drawing", KINETIX_SOURCE "/targets/shapes/rosette.dxf"}}),
-          of_structure({{"lattice", "graph"}, {"origami", KINETIX_SOURCE "/targets/shapes/miura.fold"}}),
-          of_structure({{"lattice", "graph"},
-                        {"vertices_mm", Json::parse("[[0, 0], [10, 0], [10, 10], [0, 10]]")},
-                        {"walls", Json::parse("[[0, 1], [1, 2], [2, 3], [3, 0]]")}})};
+  std::vector<Json> designs{
+      pressed,
+      hinged(pressed, framed),
+      hinged(pressed, block),
+      hinged(pressed, pin),
+      design(R"({"kind": "hinge", "wall": [[0, 0], [1, 0]], "angle_deg": 10})"),
+      of_structure({{"lattice", "rhombus"}, {"cells", {2, 2}}}),
+      of_structure({{"lattice", "sodalite"}, {"cells", {1, 1, 1}}}),
+      of_structure({{"lattice", "graph"}, {"drawing", KINETIX_SOURCE "/targets/shapes/rosette.dxf"}}),
+      of_structure({{"lattice", "graph"}, {"origami", KINETIX_SOURCE "/targets/shapes/miura.fold"}}),
+      of_structure({{"lattice", "graph"},
+                    {"vertices_mm", Json::parse("[[0, 0], [10, 0], [10, 10], [0, 10]]")},
+                    {"walls", Json::parse("[[0, 1], [1, 2], [2, 3], [3, 0]]")}})};
+  for (const Json& at : {Json("creases"), Json{{"column", 0}}, Json{{"row", 0}}})
+    add_parted(designs, pressed, at);
+  return designs;
 }
 
 struct PlacedKey {
@@ -345,12 +359,21 @@ bool one_is(const std::string& list, const std::string& path, const Json& value,
   return false;
 }
 
+/// Whether a list has a key only because its section is that of designs: goals name creases alone, of which panels
+/// for outlines have none (matter_test.cpp has how they refuse the others).
+bool is_of_designs(const std::string& list, const std::string& path) {
+  const auto under = [&](const char* key) { return path.rfind(key, 0) == 0; };
+  if (list == "target outline") return under("hinge.except[0]");
+  return list.rfind("target", 0) == 0 && under("hinge.except[0].at.");
+}
+
 class EveryKey : public ::testing::TestWithParam<std::string> {
  protected:
   std::vector<PlacedKey> keys() const {
     std::vector<PlacedKey> all;
     for (const KeyList& list : all_keys())
       if (list.name == GetParam()) add_keys(all, "", targets::value::map(*list.keys));
+    std::erase_if(all, [](const PlacedKey& placed) { return is_of_designs(GetParam(), placed.path); });
     return all;
   }
 };

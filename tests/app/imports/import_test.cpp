@@ -132,7 +132,7 @@ TEST(Import, AsksForTheAxisOfACubeAndTakesItFromASideFile) {
                  "bends about either of two axes");
   expect_refused(
       scratch, scratch.write("pair.obj", pair_of_walls()) + " --hinges " + (scratch / "hinges.yaml").string(),
-      "--hinges names `elbow`, which is no soft part");
+      "--hinges names `elbow`, which is neither a soft part");
   expect_refused(
       scratch, model + " --hinges " + scratch.write("hinges.yaml", "kinetix: 1\nhinges: [{hinge: joint}]\n"),
       "hinges.yaml:2:10: hinges[0]");

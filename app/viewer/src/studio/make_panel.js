@@ -1,5 +1,5 @@
 // Files for printers, CAD and simulators: formats, process, what was written.
-import {$, element, show, status} from "./dom.js";
+import {$, element, show, status, summaryRows} from "./dom.js";
 
 const USUAL = ["stl", "3mf"];  // what most printers take
 
