@@ -193,14 +193,13 @@ HingeSection read_common_hinge(const targets::Section& root, const DesignFile& f
 /// Walls of a graph have lengths of their own; the cell's edge, against which gaps are read, is their mean.
 void check_gaps(const targets::Section& root, const DesignFile& file) {
   for (int h = 0; h < file.structure.hinges(); ++h) {
-    const auto own = file.own_hinges.find(h);
-    const auto& made = (own == file.own_hinges.end() ? file.hinge : own->second).made;
+    const auto& made = hinge_at(file.hinge, file.own_hinges, h).made;
     if (!made || made->kind == model::HingeKind::pin) continue;
     const model::HingedWall wall = file.structure.wall(h);
     const double length =
         (file.structure.rest_position(wall.upper) - file.structure.rest_position(wall.lower)).norm();
     if (made->gap_mm < length) continue;
-    const auto at = own == file.own_hinges.end() ? root.optional("hinge") : root.optional("design");
+    const auto at = root.optional(file.own_hinges.contains(h) ? "design" : "hinge");
     throw at->error(fmt::format("a gap of {:g} mm is longer than wall {}, {:.4g} mm; allowed: below that",
                                 made->gap_mm, wall_name(file.structure, h), length));
   }
@@ -215,8 +214,7 @@ void check_offsets(const targets::Section& root, const DesignFile& file) {
   for (const targets::Node& node : list->list("a list of hinges")) {
     const targets::Section hinge(node, hinge_entry_keys());
     const int h = walls.hinge_of(hinge);
-    const auto own = file.own_hinges.find(h);
-    const auto& made = (own == file.own_hinges.end() ? file.hinge : own->second).made;
+    const auto& made = hinge_at(file.hinge, file.own_hinges, h).made;
     if (!made) continue;
     const double offset_mm = std::abs(file.structure.hinge(h).offset) * size.edge_mm;
     const double most_mm = largest_offset_mm(*made, size.thickness_mm);

@@ -13,8 +13,8 @@ const targets::KeyTable& keys() {
       {
           {"kind", value::choice(kinds), targets::by_default("usual"),
            "`usual`: two plates, or one hinge that is turned, whichever folds the sheet's family most "
-           "evenly; "
-           "`shape_memory`: a spring in each hinge whose rest angle goes from flat to that of the design, as "
+           "evenly; `shape_memory`: a spring in each hinge whose rest angle goes from flat to that of the "
+           "design, as "
            "that of a shape-memory material when it is heated"},
           {"k_turn", value::number(targets::above(0, "N mm/rad")), targets::needed, "of each such spring",
            "shape_memory"},

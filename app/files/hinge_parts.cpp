@@ -64,6 +64,11 @@ std::vector<int> hinges_of_part(const model::Sheet& sheet, const HingePart& part
 
 }  // namespace
 
+const HingeSection& hinge_at(const HingeSection& common, const std::map<int, HingeSection>& own, int hinge) {
+  const auto at = own.find(hinge);
+  return at == own.end() ? common : at->second;
+}
+
 std::vector<HingePart> read_hinge_parts(const targets::Section& root, const model::CellSize& size) {
   std::vector<HingePart> parts;
   for (const targets::Node& entry : entries(root)) parts.push_back(read_part(entry, size));

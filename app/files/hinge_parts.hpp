@@ -23,6 +23,9 @@ struct HingePart {
   bool operator==(const HingePart&) const = default;
 };
 
+/// A hinge's own section where it has one, else what all others have.
+const HingeSection& hinge_at(const HingeSection& common, const std::map<int, HingeSection>& own, int hinge);
+
 /// The list of the section `hinge`, empty where there is none. @param root the whole document, by hinge_keys()
 std::vector<HingePart> read_hinge_parts(const targets::Section& root, const model::CellSize& size);
 

@@ -17,8 +17,7 @@ HingeLoads hinge_loads(const model::EquilibriumPath& path, const model::LinkageD
   if (!drive.heats_springs())
     loads.force_N = largest_load(path) / (drive.has_force() ? 1 : linkage.size.edge_mm);
   for (int h = 0; h < static_cast<int>(linkage.hinges.size()); ++h) {
-    const auto at = own.find(h);
-    const auto& made = (at == own.end() ? hinge : at->second).made;
+    const auto& made = hinge_at(hinge, own, h).made;
     if (made) loads.strain = std::max(loads.strain, hinge_strain(*made, linkage, path.state, h));
   }
   return loads;

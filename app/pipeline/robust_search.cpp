@@ -108,9 +108,6 @@ void search_robustly(Run& run, const Scene& scene, double weight,
                      const RunOptions& options) {
   RunOptions quiet = options;
   quiet.progress = {};
-  const auto cost = [&](const RobustCandidate& c) {
-    return robust_cost(weight, c.designed_mm, c.as_made_mm);
-  };
   RobustChoice choice;
   std::vector<RobustTrial> all = trials(theta, run.hinge);
   all.insert(all.begin(), RobustTrial{std::nullopt, run.hinge});
@@ -121,9 +118,7 @@ void search_robustly(Run& run, const Scene& scene, double weight,
     const auto next = tried(scene, all[k], solve, quiet);
     if (!next) continue;
     choice.tried.push_back(*next);
-    const RobustCandidate& before = choice.tried[choice.chosen];
-    const bool is_better = next->is_allowed && (!before.is_allowed || cost(*next) < cost(before));
-    if (!is_better) continue;
+    if (!is_more_robust(weight, *next, choice.tried[choice.chosen])) continue;
     choice.chosen = choice.tried.size() - 1;
     best = k;
   }

@@ -1,10 +1,9 @@
 #include "app/result/result_json.hpp"
 
-#include "app/result/as_made_json.hpp"
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/result/as_made_json.hpp"
 #include "app/result/equilibrium_json.hpp"
 #include "app/result/made_hinges.hpp"
 #include "app/result/matter_json.hpp"

@@ -10,6 +10,13 @@ inline double robust_cost(double weight, double designed_mm, double as_made_mm) 
   return (1 - weight) * designed_mm + weight * as_made_mm;
 }
 
+/// Whether a search takes a candidate (designed_mm, as_made_mm, is_allowed) instead of the best so far.
+template <class Candidate>
+bool is_more_robust(double weight, const Candidate& next, const Candidate& best) {
+  const auto cost = [&](const Candidate& c) { return robust_cost(weight, c.designed_mm, c.as_made_mm); };
+  return next.is_allowed && (!best.is_allowed || cost(next) < cost(best));
+}
+
 /// A design that was tried for how its prints come out.
 struct RobustCandidate {
   double theta = 0;  ///< rad

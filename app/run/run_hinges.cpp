@@ -7,8 +7,7 @@
 namespace kinetix::app {
 
 const HingeSection& hinge_section(const Run& run, int hinge) {
-  const auto own = run.own_hinges.find(hinge);
-  return own == run.own_hinges.end() ? run.hinge : own->second;
+  return hinge_at(run.hinge, run.own_hinges, hinge);
 }
 
 std::vector<model::MadeHinge> made_hinges(const Run& run) {

@@ -130,14 +130,10 @@ RobustCurve robust_curve(const CurveFile& file, const optim::FreeCurveDesign& pl
   const double rounds = static_cast<double>(columns.size()) * thetas;
   optim::MultiStartOptions quiet = search;
   quiet.ended = {};
-  const auto cost = [&](const CurveCandidate& c) {
-    return robust_cost(*file.robust, c.designed_mm, c.as_made_mm);
-  };
   CurveFile best_file = file;
   const auto take = [&](Tried next) {
     out.tried.push_back(next.candidate);
-    const CurveCandidate& best = out.tried[out.chosen];
-    if (!(next.candidate.is_allowed && (!best.is_allowed || cost(next.candidate) < cost(best)))) return;
+    if (!is_more_robust(*file.robust, next.candidate, out.tried[out.chosen])) return;
     out.found = std::move(next.found);
     out.size = next.file.size;
     out.hinge = next.file.hinge;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/files/hinge_parts.hpp"
 #include "app/print/sheet/pin_faces.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/linkage/hinge_mismatch.hpp"
@@ -190,9 +191,7 @@ class SheetMaker {
     const std::vector<model::MadeHinge> open = open_hinges();
     const double cap_across_mm = choice_.caps ? largest_offset_mm() : 0;
     for (int h = 0; h < hinges(); ++h) {
-      const auto own = design_.own_hinges.find(h);
-      const HingeSection& section = own == design_.own_hinges.end() ? design_.hinge : own->second;
-      const model::MadeHinge made = section.made.value_or(open[h]);
+      const model::MadeHinge made = hinge_at(design_.hinge, design_.own_hinges, h).made.value_or(open[h]);
       check_process(sheet_.process, sheet_.linkage.size, made);
       validate(made, sheet_.linkage.size);
       sheet_.hinges.push_back(with_faces({.made = made,
