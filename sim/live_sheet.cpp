@@ -4,8 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "model/closure/closure_drive.hpp"
 #include "model/closure/drive_theta.hpp"
 #include "model/hinge/hinge_energy.hpp"
+#include "model/linkage/actuators.hpp"
 #include "sim/joints/hand.hpp"
 #include "sim/rigid_parts.hpp"
 #include "sim/world.hpp"
@@ -18,6 +20,8 @@ using Eigen::Vector3d;
 constexpr double hand_stiffness =
     300;                       // part mass / s^2, a part of the sheet: it follows within a tenth of a second
 constexpr double damping = 4;  // 1/s, of all speeds: a sheet that is let go stands still after a second
+constexpr double pulled_damping =
+    60;  // 1/s, likewise under a cord, which holds nothing back: a sheet goes no further than it is pulled
 constexpr double drive_speed = 1;  // rad of theta a second: a fold takes about one
 constexpr double longest_way =
     0.1;  // cell edges or rad a step: further on, what was linearised tells nothing
@@ -36,6 +40,15 @@ Vector3d in_rest_frame(const model::Linkage& structure, int body, const Vector3d
 }
 
 }  // namespace
+
+double drive_theta(const model::LinkageDrive& drive, const model::Linkage& structure,
+                   const model::State& state) {
+  if (drive.kind == model::LinkageDrive::Kind::hinge)
+    return model::theta_at_turn(drive.sense, hinge_turn(structure, state, drive.hinge));
+  if (!drive.pulls_cord()) return mean_theta(structure, state);
+  const double part = cord_length(structure, drive.through, state) / drive.rest_mm;
+  return drive.branch * std::acos(std::clamp(part, -1.0, 1.0));
+}
 
 LiveSheet::LiveSheet(const model::Linkage& structure, const PhysicsOptions& options, double k_point_N_mm)
     : structure_(structure),
@@ -101,16 +114,15 @@ bool LiveSheet::is_dragged() const { return world_->hand().grasp.has_value(); }
 
 void LiveSheet::drive_to(const model::LinkageDrive& drive, const model::State& reference) {
   push_.reset();
-  theta_ = mean_theta(structure_, state_);
+  theta_ = drive_theta(drive, structure_, state_);
   drive_ = drive;
-  state_ = aligned(state_, reference);
-  stand_between_plates();
+  if (drive.kind == model::LinkageDrive::Kind::plates) stand_between_plates(reference);
   rebuild();
 }
 
 /// Plates close in on the middle of the flat sheet, and hold a body of each row at its height.
-void LiveSheet::stand_between_plates() {
-  if (drive_->kind != model::LinkageDrive::Kind::plates) return;
+void LiveSheet::stand_between_plates(const model::State& reference) {
+  state_ = aligned(state_, reference);
   const int along = drive_->axis == model::Axis::x ? 0 : 1;
   Vector3d shift = Vector3d::Zero();
   for (const std::vector<int>& row : drive_->gripped) {
@@ -127,7 +139,8 @@ void LiveSheet::step() {
   apply_forces();
   leave_flat();
   world_->step();
-  world_->parts().damp(std::exp(-damping * options_.step_s));
+  const bool pulled = drive_ && drive_->pulls_cord();
+  world_->parts().damp(std::exp(-(pulled ? pulled_damping : damping) * options_.step_s));
   accept(before);
   seconds_ += options_.step_s;
 }

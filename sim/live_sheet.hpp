@@ -10,6 +10,11 @@ namespace kinetix::sim {
 
 class World;
 
+/// The LinkageDrive::theta(), rad, at which a drive would have a state as it is: of a hinge and a cord by their turn and
+/// length, of plates and springs as mean_theta. Of a cord with the sign of the drive's own; 0 where it is slack.
+double drive_theta(const model::LinkageDrive& drive, const model::Linkage& structure,
+                   const model::State& state);
+
 /// A structure in the engine that somebody plays with: dragged, held, pushed, driven, one time step after the other.
 ///
 /// Hinges are those of a compression run, rigid or elastic. Parts have the same mass, so that motions look right and
@@ -39,8 +44,8 @@ class LiveSheet {
   bool is_fixed(int body) const;
   /// Weight, as large as turns a sheet over, downwards along -z.
   void set_gravity(bool on) { gravity_ = on; }
-  /// Drives from where it stands towards theta. @param drive with its goal; the structure may stand anywhere: it is
-  /// moved as a whole to where the drive finds it
+  /// Drives from where it stands towards theta. @param drive with its goal; the structure may stand anywhere: plates move
+  /// it as a whole to where they find it. A cord that is shorter already pulls nothing. Shape memory needs elastic hinges.
   /// @param reference the state near to the present one that the drive would have led to from flat, mm
   void drive_to(const model::LinkageDrive& drive, const model::State& reference);
 
@@ -66,7 +71,7 @@ class LiveSheet {
   };
 
   void rebuild();
-  void stand_between_plates();
+  void stand_between_plates(const model::State& reference);
   void advance_drive();
   void apply_forces();
   void leave_flat();

@@ -1,5 +1,7 @@
 #include "app/studio/design_message.hpp"
 
+#include <fmt/format.h>
+
 #include "app/print/format/formats.hpp"
 #include "app/result/same_sheet.hpp"
 #include "app/run/forecast.hpp"
@@ -14,11 +16,33 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json hinge_json(const HingeSection& hinge) {
-  if (!hinge.made) return {{"kind", "stiff"}, {"text", hinge_text(hinge)}};
+  if (!hinge.made)
+    return {
+        {"kind", "stiff"},
+        {"text", fmt::format("They turn freely and hold without play. Where forces are asked for, they are "
+                             "taken as {:.3g} N/mm, and {:.3g} N mm/rad against turning.",
+                             hinge.k_point, hinge.k_turn)}};
   const char* kinds[] = {"pin", "block", "film"};
   return {{"kind", kinds[static_cast<int>(hinge.made->kind)]},
           {"material", hinge.made->material.name},
           {"text", hinge_text(hinge)}};
+}
+
+/// What moves it, in words.
+const char* drive_text(const DesignFile& design) {
+  using Kind = DriveSection::Kind;
+  if (!design.drive) return "";
+  switch (design.drive->kind) {
+    case Kind::plates:
+      return design.drive->press ? "two plates that press" : "two plates";
+    case Kind::hinge:
+      return "one hinge that is turned";
+    case Kind::cord:
+      return "a cord that is pulled";
+    case Kind::shape_memory:
+      break;
+  }
+  return "springs of shape memory";
 }
 
 Json numbers(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
@@ -47,6 +71,7 @@ Json design_message(const DesignFile& design, const Moving& moving) {
           {"why", moving.exact.why},
           {"breaking", moving.nearest ? moving.nearest->changed : std::vector<int>{}},
           {"hinge", hinge_json(design.hinge)},
+          {"drive", drive_text(design)},
           {"flat_mm", numbers(flat_size(moving.linkage))}};
 }
 
@@ -60,6 +85,22 @@ Json state_message(const Player& player) {
           {"speed", player.speed()},
           {"fixed", player.fixed()},
           {"driven", player.driven()}};
+}
+
+Json error_message(const std::string& what, double id) {
+  Json out = {{"type", "error"}, {"message", what}};
+  if (id > 0) out["id"] = id;
+  return out;
+}
+
+Json progress_message(const char* job, const std::string& stage, double done, const std::string& so_far) {
+  Json out = {{"type", "progress"},
+              {"job", job},
+              {"text", so_far.empty() ? stage : stage + ": " + so_far},
+              {"done", nullptr},
+              {"left_s", nullptr}};
+  if (done >= 0) out["done"] = done;
+  return out;
 }
 
 }  // namespace kinetix::app::studio

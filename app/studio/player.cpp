@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/pipeline/design_drive.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/closure/drive_theta.hpp"
 #include "model/sheet/sheet_motion.hpp"
@@ -14,7 +15,8 @@ constexpr double step_s = 1.0 / 240;  // of the engine: four in a frame of a scr
 constexpr double most_owed_s = 0.1;   // simulated: a slow engine shows slow motion, it does not catch up
 // Of computing between two frames: 20 of them a second are shown however slow the engine is.
 constexpr std::chrono::milliseconds busy{30};
-constexpr double folded = 0.01;  // rad of theta: nearer to flat there is nothing to hold
+constexpr double folded = 0.01;      // rad of theta: nearer to flat there is nothing to hold
+constexpr double usual_rest = 0.35;  // rad of theta: about where springs of shape memory rest
 
 }  // namespace
 
@@ -30,6 +32,7 @@ void Player::load(const DesignFile& design) {
   live_.reset();
   design_ = design;
   moving_ = std::make_unique<Moving>(design_);
+  kept_ = kept_by_springs();
   fixed_.clear();
   theta_ = theta;
   mode_ = wanted_ == Mode::exact && !moving_->exact ? Mode::equilibrium : wanted_;
@@ -43,15 +46,44 @@ void Player::enter(Mode mode) {
     throw InvalidInput("exact: this design does not move exactly: " + moving_->exact.why);
   wanted_ = mode;
   if (mode == mode_) return;
-  theta_ = theta();
+  const auto driven = mode_ == Mode::equilibrium ? std::optional(theta_) : std::nullopt;
+  theta_ = sheet_theta();
   force_N_ = energy_Nmm_ = nan;
   live_.reset();
   mode_ = mode;
   if (mode == Mode::exact) state_ = moving_->exact.at(theta_);
-  if (mode == Mode::bullet) enter_engine();
+  if (mode == Mode::equilibrium) theta_ = drive_theta(theta_, state_);
+  if (mode == Mode::bullet) enter_engine(driven);
 }
 
-void Player::enter_engine() {
+/// Whether it goes by another theta than the sheet's.
+bool Player::has_drive_of_its_own() const {
+  return design_.drive && design_.drive->kind != DriveSection::Kind::plates;
+}
+
+double Player::sheet_theta() const {
+  const bool is_known = mode_ == Mode::exact || (mode_ == Mode::equilibrium && !has_drive_of_its_own());
+  return is_known ? theta_ : model::mean_theta(moving_->linkage, state_);
+}
+
+/// Of the drive that holds a state of a sheet at theta, rad.
+double Player::drive_theta(double theta, const model::State& state) const {
+  if (!has_drive_of_its_own()) return theta;
+  return sim::drive_theta(drive_of(design_), moving_->linkage, state) / kept_;
+}
+
+/// How far springs of shape memory take the sheet, over where they rest: hinges hold them back by about the same part
+/// wherever that is.
+double Player::kept_by_springs() const {
+  if (!has_drive_of_its_own() || !drive_of(design_).heats_springs() || !moving_->exact) return 1;
+  DesignFile hot = design_;
+  hot.drive->angle = 2 * usual_rest;
+  const double kept = exact_theta_of(hot, moving_->exact) / usual_rest;
+  return kept > 0 ? kept : 1;
+}
+
+/// @param driven theta of the drive that holds the present state, where it is known
+void Player::enter_engine(std::optional<double> driven) {
   const double at = model::mean_theta(moving_->linkage, state_);
   live_ = live_sheet(design_, moving_->linkage, springs());
   live_->set_gravity(gravity_);
@@ -59,12 +91,14 @@ void Player::enter_engine() {
   for (const int body : fixed_) live_->fix(body, true);
   owed_s_ = 0;
   played_ = Clock::now();
-  if (springs() && std::abs(at) > folded) drive_engine(at);
+  if (springs() && std::abs(at) > folded) drive_engine(driven ? *driven : drive_theta(at, state_));
 }
 
 void Player::drive_engine(double theta) {
-  const model::State reference = moving_->exact ? moving_->exact.at(this->theta()) : state_;
-  live_->drive_to(model::drive_to(design_.structure, theta), reference);
+  const model::LinkageDrive drive = drive_to(design_, theta);
+  if (drive.heats_springs() && !springs()) set_springs(true);
+  const model::State reference = moving_->exact ? moving_->exact.at(sheet_theta()) : state_;
+  live_->drive_to(drive, reference);
 }
 
 sim::LiveSheet& Player::engine() {
@@ -90,7 +124,8 @@ void Player::drag(int body, const Eigen::Vector3d& at, const Eigen::Vector3d& to
   if (mode_ == Mode::bullet) return live_->drag(body, at, to);
   if (!moving_->exact)
     throw InvalidInput("drag: the design has no exact way to follow; use the physics, or the fold slider");
-  fold_to(nearest_theta(*moving_, theta_, body, at, to));
+  const double nearest = nearest_theta(*moving_, sheet_theta(), body, at, to);
+  fold_to(mode_ == Mode::equilibrium ? drive_theta(nearest, moving_->exact.at(nearest)) : nearest);
 }
 
 void Player::push(int body, const Eigen::Vector3d& at, double force_N) {
@@ -154,9 +189,7 @@ void Player::play() {
   for (; owed_s_ >= step_s && Clock::now() - now < busy; owed_s_ -= step_s) step();
 }
 
-double Player::theta() const {
-  return mode_ == Mode::bullet ? model::mean_theta(moving_->linkage, state_) : theta_;
-}
+double Player::theta() const { return mode_ == Mode::bullet ? drive_theta(sheet_theta(), state_) : theta_; }
 
 Frame Player::frame() const {
   Frame frame;

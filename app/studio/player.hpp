@@ -21,7 +21,8 @@ class Player {
   /// @throws InvalidInput for exact where the design does not move exactly
   void enter(Mode mode);
 
-  /// Folds to theta, rad: exact at once, bullet by the design's drive. An equilibrium comes by show_equilibrium().
+  /// Folds to theta, rad: exact at once, bullet by the design's drive, whose springs of shape memory turn springs() on. An
+  /// equilibrium comes by show_equilibrium(). Theta is that of the design's own drive (LinkageDrive::theta) in all but exact.
   void fold_to(double theta);
   /// @throws InvalidInput where the mode is not equilibrium
   void show_equilibrium(const model::State& state, double theta, double force_N, double energy_Nmm);
@@ -44,7 +45,8 @@ class Player {
   /// Goes on in the engine as far as time has gone on since the last call.
   void play();
 
-  double theta() const;  ///< rad
+  double theta() const;        ///< rad, as fold_to() takes it
+  double sheet_theta() const;  ///< rad: as far as the sheet is folded, whatever drives it
   const model::State& state() const { return state_; }
   /// Without revision and hearers.
   Frame frame() const;
@@ -58,14 +60,18 @@ class Player {
  private:
   using Clock = std::chrono::steady_clock;
 
-  void enter_engine();
+  void enter_engine(std::optional<double> driven = {});
   void drive_engine(double theta);
+  bool has_drive_of_its_own() const;
+  double kept_by_springs() const;
+  double drive_theta(double theta, const model::State& state) const;
   sim::LiveSheet& engine();
 
   DesignFile design_;
   std::unique_ptr<Moving> moving_;
   Mode wanted_ = Mode::exact, mode_ = Mode::exact;  ///< the one asked for; the one that the design allows
   double theta_ = 0;                                ///< rad, of exact and equilibrium
+  double kept_ = 1;                                 ///< kept_by_springs() of the design
   model::State state_;
   double force_N_, energy_Nmm_;
   std::unique_ptr<sim::LiveSheet> live_;  ///< of bullet alone; after moving_, which it looks at

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 
+#include "app/pipeline/design_drive.hpp"
 #include "app/pipeline/physics_settings.hpp"
 #include "model/contact/wall_contact.hpp"
 #include "model/sheet/sheet_motion.hpp"
@@ -41,6 +42,10 @@ double nearest_theta(const Moving& moving, double from, int body, const Eigen::V
   if (!(low < high)) return from;
   const auto [theta, least] = boost::math::tools::brent_find_minima(miss, low, high, theta_bits);
   return least < miss(from) ? theta : from;
+}
+
+model::LinkageDrive drive_to(const DesignFile& design, double theta) {
+  return design.drive ? drive_of(design).to(theta) : drive_to(design.structure, theta);
 }
 
 std::unique_ptr<sim::LiveSheet> live_sheet(const DesignFile& design, const model::Linkage& linkage,

@@ -26,6 +26,9 @@ struct Moving {
 double nearest_theta(const Moving& moving, double from, int body, const Eigen::Vector3d& at,
                      const Eigen::Vector3d& to);
 
+/// The design's own drive, or else the usual one, as far as theta, rad, in (-pi/2, pi/2).
+model::LinkageDrive drive_to(const DesignFile& design, double theta);
+
 /// A design in the engine, ready to be played with, flat. @param springs hinges as elastic as the design says
 /// @param linkage of the design; must outlive it
 std::unique_ptr<sim::LiveSheet> live_sheet(const DesignFile& design, const model::Linkage& linkage,

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/pipeline/design_drive.hpp"
 #include "app/pipeline/physics_settings.hpp"
+#include "app/studio/shape.hpp"
 #include "model/base/angle.hpp"
 #include "model/closure/closure_drive.hpp"
 #include "model/closure/drive_theta.hpp"
@@ -45,7 +45,7 @@ model::EquilibriumPathOptions SheetEquilibria::options(const std::stop_token& st
 }
 
 double SheetEquilibria::force_N(double theta, double load) const {
-  return drive_to(design_.structure, theta).has_force() ? load : load / linkage_.size.edge_mm;
+  return drive_to(design_, theta).has_force() ? load : load / linkage_.size.edge_mm;
 }
 
 /// One state after the other, each next to the one before. @return whether it came to theta
@@ -53,7 +53,8 @@ bool SheetEquilibria::follow(model::DrivenState& at, double theta, const std::st
   while (std::abs(theta - at.step.theta) > same_theta) {
     if (stop.stop_requested()) return false;
     const double next = next_theta(at.step.theta, theta);
-    const model::LinkageDrive drive = drive_to(design_.structure, next);
+    const model::LinkageDrive drive = drive_to(design_, next);
+    if (drive.press) return false;
     model::State start = at.state;
     model::ElasticSystem(linkage_, elasticity_, drive, *options(stop).planar, true).place(next, start);
     const model::EquilibriumPath found = follow_change(
@@ -72,7 +73,7 @@ bool SheetEquilibria::follow(model::DrivenState& at, double theta, const std::st
 
 std::shared_ptr<KnownWay> SheetEquilibria::from_flat(double theta, const std::stop_token& stop,
                                                      const Seen& seen, std::string& why) const {
-  const model::LinkageDrive drive = drive_to(design_.structure, theta);
+  const model::LinkageDrive drive = drive_to(design_, theta);
   auto way = std::make_shared<KnownWay>(KnownWay{{}, model::EnergyTurns(drive)});
   const auto see = [&](const model::EquilibriumStep& step, const model::State& state) {
     way->turns.see(step, state);

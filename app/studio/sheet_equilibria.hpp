@@ -9,9 +9,9 @@
 
 namespace kinetix::app::studio {
 
-/// Equilibria of a design under its usual drive, from flat on: what is known of its way.
+/// Equilibria of a design under its own drive, or else the usual one, from flat on: what is known of its way.
 struct KnownWay {
-  std::vector<model::DrivenState> states;  ///< theta grows in size
+  std::vector<model::DrivenState> states;  ///< theta, that of the drive, grows in size
   model::EnergyTurns turns;
 };
 

@@ -2,8 +2,10 @@
 
 #include <random>
 
+#include "model/closure/closure_drive.hpp"
 #include "model/closure/drive_theta.hpp"
 #include "model/lattice/square/family/classify.hpp"
+#include "model/linkage/actuators.hpp"
 #include "tests/sim/runs.hpp"
 
 namespace kinetix::testing {
@@ -109,6 +111,57 @@ TEST(LiveSheet, IsDrivenToTheFoldFromAnywhere) {
   run(sheet, 1.5);
   EXPECT_NEAR(mean_theta(linkage, sheet.state()), 0.6, 1e-3);
   EXPECT_LT(off_family(structure, sheet.state()), 1e-3);
+}
+
+/// An arch of eight cells.
+struct Arch {
+  model::Structure structure = structure_of(strip(curl(8, 0.5), 0));
+  model::Linkage linkage = structure;
+};
+
+TEST(LiveSheet, TurnsOneHingeAsItsDriveSays) {
+  const Arch arch;
+  model::LinkageDrive drive;
+  drive.kind = model::LinkageDrive::Kind::hinge;
+  drive.hinge = *arch.structure.hinge_at({{4, 0}, model::Axis::y});
+  drive.sense = arch.linkage.bodies[arch.linkage.hinges[drive.hinge].lower].sense;
+  LiveSheet sheet(arch.linkage, live(), 1000);
+  sheet.place(exact_motion(arch.structure).at(0.2));
+  sheet.drive_to(drive.to(0.4), sheet.state());
+  run(sheet, 4);
+  EXPECT_NEAR(hinge_turn(arch.linkage, sheet.state(), drive.hinge), drive.to(0.4).angle, 1e-3);
+  EXPECT_LT(off_family(arch.structure, sheet.state()), 1e-3);
+}
+
+TEST(LiveSheet, ACordPullsAndDoesNotPush) {
+  const Arch arch;
+  const std::vector<int> through = {*arch.structure.hinge_at({{0, 0}, model::Axis::y}),
+                                    *arch.structure.hinge_at({{8, 0}, model::Axis::y})};
+  const model::LinkageDrive drive = model::cord_drive(arch.linkage, through, 15);
+  LiveSheet sheet(arch.linkage, live(), 1000);
+  sheet.drive_to(drive, sheet.state());
+  run(sheet, 2);
+  const double beyond = drive.rest_mm - 15 - cord_length(arch.linkage, through, sheet.state());
+  EXPECT_GT(beyond, -0.05) << "mm";
+  EXPECT_LT(beyond, 1) << "mm: what it coasts while nothing holds it back";
+  EXPECT_LT(off_family(arch.structure, sheet.state()), 1e-3);
+  const double folded = mean_theta(arch.linkage, sheet.state());
+  sheet.drive_to(drive.to(0), sheet.state());
+  run(sheet, 2);
+  EXPECT_NEAR(mean_theta(arch.linkage, sheet.state()), folded, 0.05) << "a slack cord leaves it as it is";
+}
+
+/// Springs come as far as the hinges let them: the rest of both together.
+TEST(LiveSheet, SpringsOfShapeMemoryFoldIt) {
+  const model::Structure structure = structure_of(strip(std::vector<double>(8, 0.0), 0));
+  const model::Linkage linkage = structure;
+  sim::PhysicsOptions options = live(true);
+  options.elastic->turn = 1e-3;
+  options.spring_turn = 3e-3;
+  LiveSheet sheet(linkage, options, 1);
+  sheet.drive_to(model::shape_memory_drive(linkage, {}, 1, 2 * 0.6), sheet.state());
+  run(sheet, 10);
+  EXPECT_NEAR(mean_theta(linkage, sheet.state()), 0.6 * 3 / 4, 5e-3);
 }
 
 }  // namespace

@@ -276,6 +276,30 @@ test("a letter that appears when pressed, and its files", async () => {
   await fresh.stop();
 });
 
+test("both stable states are reached by a press of a button", async () => {
+  const fresh = await serve(path.join(SHAPES, "..", "sweeps", "twist.yaml"), folder()), other = await open(chrome, fresh.address), twist = other.page;
+  const snapped = async () => {
+    const before = await twist.evaluate(() => window.kinetix.theta());
+    // Where it goes when it is let go is known a while after the path.
+    for (let k = 0; k < 100; ++k) {
+      await twist.click("#snap");
+      await wait(100);
+      const now = await twist.evaluate(() => window.kinetix.theta());
+      if (Math.abs(now - before) > 1) return Math.abs(now);
+    }
+    return NaN;
+  };
+  await twist.click('label:has(input[value="equilibrium"])');
+  await twist.waitForFunction(() => window.kinetix.state.mode === "equilibrium", {timeout: 10000});
+  await twist.evaluate(() => window.kinetix.setTheta(-43).catch(() => {}));
+  const [a, b, c] = [await snapped(), await snapped(), await snapped()];
+  assert.ok(Math.min(a, b) < 3 && Math.max(a, b) > 30, `flat and over the barrier: ${a}, ${b} degrees`);
+  near(c, a, 0.1, "and back");
+  assert.match(await twist.$eval("#driven_by", ({textContent}) => textContent), /one hinge that is turned/);
+  await twist.close();
+  await fresh.stop();
+});
+
 test("a search is stopped with the best so far, and the thing moves in the physics meanwhile", async () => {
   const fresh = await serve("", folder()), other = await open(chrome, fresh.address), searching = other.page;
   await searching.evaluate(() => window.kinetix.mode("bullet"));

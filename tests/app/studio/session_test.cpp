@@ -168,6 +168,45 @@ TEST_F(Studio, SnapsFromOneStableStateToTheOther) {
   EXPECT_NEAR(std::abs(third.head(3)), a, 1e-9) << "and back";
 }
 
+/// The frame in which it has come that far, or the last one after a while.
+Received folded_to(Client& client, double deg) {
+  Received frame;
+  for (int k = 0; k < 600; ++k) {
+    Received next = client.receive(std::chrono::seconds(1));
+    if (next.closed) break;
+    if (next.frame.empty()) continue;
+    client.acknowledge(next);
+    frame = std::move(next);
+    if (std::abs(frame.head(3) - deg * radians_per_degree) < 0.01) break;
+  }
+  return frame;
+}
+
+TEST_F(Studio, ThePhysicsFoldsByTheDesignsOwnDrive) {
+  const model::Structure& squares = *file.structure.squares();
+  app::DesignFile pulled = file, turned = file, hot = file;
+  const auto wall = [&](int column) { return *squares.hinge_at({{column, 0}, model::Axis::y}); };
+  pulled.drive = app::DriveSection{
+      .kind = app::DriveSection::Kind::cord, .through = {wall(0), wall(12)}, .shorten_mm = 20};
+  turned.drive = app::DriveSection{
+      .kind = app::DriveSection::Kind::hinge, .hinge = wall(6), .angle = -40 * radians_per_degree};
+  hot.drive = app::DriveSection{
+      .kind = app::DriveSection::Kind::shape_memory, .angle = 80 * radians_per_degree, .k_turn = 100};
+  for (const app::DesignFile& driven : {pulled, turned, hot}) {
+    const bool is_hot = driven.drive->kind == app::DriveSection::Kind::shape_memory;
+    OpenStudio one{driven};
+    Client page{one.port()};
+    ASSERT_TRUE(page.open(one.token));
+    EXPECT_NE(page.text("design")["drive"], "");
+    page.ask({{"type", "theta"}, {"deg", 5}});
+    page.ask({{"type", "mode"}, {"mode", "bullet"}});
+    page.send(R"({"type": "theta", "deg": 25})");
+    EXPECT_EQ(page.text("state")["springs"], is_hot);
+    EXPECT_NEAR(folded_to(page, 25).head(3), 25 * radians_per_degree, 0.05)
+        << static_cast<int>(driven.drive->kind);
+  }
+}
+
 TEST_F(Studio, PaintsCellsAndMakesHinges) {
   client.send(R"({"type": "paint", "cell": [5, 1], "on": true})");
   EXPECT_EQ(client.text("design")["structure"]["cells"].size(), 13u);

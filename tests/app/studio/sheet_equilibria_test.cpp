@@ -5,8 +5,11 @@
 #include <latch>
 
 #include "app/studio/job.hpp"
+#include "app/studio/shape.hpp"
 #include "app/studio/templates.hpp"
 #include "model/closure/closure_drive.hpp"
+#include "model/closure/drive_theta.hpp"
+#include "model/linkage/actuators.hpp"
 
 namespace kinetix::testing {
 namespace {
@@ -48,6 +51,46 @@ TEST(StudioEquilibria, ComesBackWithoutAWayFromFlat) {
             way);
   EXPECT_EQ(states, 2) << "the nearest one known, and the one asked for";
   EXPECT_NEAR(last.step.theta, 7 * deg, 1e-6);
+}
+
+/// A strip that one hinge, a cord, or springs fold.
+app::DesignFile driven(app::DriveSection::Kind kind) {
+  app::DesignFile design = app::studio::template_design("strip");
+  const auto wall = [&](int column) {
+    return *design.structure.squares()->hinge_at({{column, 0}, model::Axis::y});
+  };
+  design.drive = app::DriveSection{.kind = kind, .hinge = wall(6), .angle = 40 * deg};
+  design.drive->through = {wall(0), wall(12)};
+  design.drive->shorten_mm = 10;
+  design.drive->k_turn = 5;
+  return design;
+}
+
+TEST(StudioEquilibria, GoesUnderTheDesignsOwnDrive) {
+  using Kind = app::DriveSection::Kind;
+  for (const Kind kind : {Kind::hinge, Kind::cord, Kind::shape_memory}) {
+    SCOPED_TRACE(static_cast<int>(kind));
+    const app::DesignFile design = driven(kind);
+    const model::LinkageDrive drive = app::studio::drive_to(design, 15 * deg);
+    const SheetEquilibria equilibria(design);
+    std::string why;
+    const auto first = equilibria.go(10 * deg, nullptr, {}, nobody, why);
+    model::DrivenState last;
+    equilibria.go(
+        15 * deg, first, {}, [&](const auto& at) { last = at; }, why);
+    ASSERT_EQ(why, "");
+    EXPECT_NEAR(last.step.theta, 15 * deg, 1e-6);
+    const auto anew = equilibria.go(15 * deg, nullptr, {}, nobody, why);
+    EXPECT_LE(turn_distance(design.structure, last.state, anew->states.back().state), 1e-5);
+    const model::Linkage linkage = design.structure;
+    if (kind == Kind::hinge) {
+      EXPECT_NEAR(hinge_turn(linkage, last.state, drive.hinge), drive.angle, 1e-9);
+    } else if (kind == Kind::cord) {
+      EXPECT_NEAR(cord_length(linkage, drive.through, last.state), drive.rest_mm - drive.shorten_mm, 1e-6);
+    } else {
+      EXPECT_GT(mean_theta(linkage, last.state), 5 * deg);
+    }
+  }
 }
 
 TEST(StudioEquilibria, StopsOnItsWayWhenItIsTold) {

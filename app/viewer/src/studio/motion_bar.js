@@ -82,6 +82,7 @@ export class MotionBar {
     const exact = document.querySelector('input[name="mode"][value="exact"]');
     exact.disabled = !design.exact;
     exact.parentElement.title = design.exact ? "The closed form: no strain, no force" : "This design does not move exactly";
+    $("driven_by").textContent = design.drive ? `moved by ${design.drive}` : "";
   }
 
   /** Rigid hinges have no unit of force: a hand on them has none either. */
