@@ -7,6 +7,8 @@ foreach(script IN LISTS SCRIPTS)
   string(APPEND js "${text}\n")
 endforeach()
 string(APPEND js "})();")
+cmake_path(REPLACE_EXTENSION OUTPUT LAST_ONLY js OUTPUT_VARIABLE script)
+file(WRITE ${script} "${js}\n")  # for tests that read the page's script as a whole
 file(READ ${STYLE} css)
 file(READ ${PAGE} page)
 

@@ -185,8 +185,8 @@ Drags random_drags(int seeds, double each_s) {
 std::string in_browser(const std::string& script) {
   const testing::TemporaryFolder folder;
   const std::string command =
-      fmt::format("KINETIX_OPT={} KINETIX_SHAPES={} {}/tests/viewer/in_browser.sh {} ON {} 2>&1", KINETIX_OPT,
-                  shapes, KINETIX_SOURCE, folder.path("page"), script);
+      fmt::format("KINETIX_OPT={} KINETIX_SHAPES={} {}/tests/viewer/with_packages.sh {} ON {} 2>&1",
+                  KINETIX_OPT, shapes, KINETIX_SOURCE, folder.path("page"), script);
   FILE* const pipe = popen(command.c_str(), "r");
   if (pipe == nullptr) return {};
   std::string out;
@@ -212,7 +212,8 @@ Figure unless_missing(Figure figure, const std::optional<double>& measured, cons
 void add_pages(std::vector<Figure>& figures) {
   const std::string said = in_browser("frame_rate");
   const auto frames = number_after("drawn: ", said), drag = number_after("dragged: ", said),
-             picture = number_after("pictured: ", said);
+             picture = number_after("pictured: ", said), slide = number_after("slid: ", said),
+             size = number_after("written: ", said);
   figures.push_back(unless_missing(
       {"helmet of 844 bodies: frames a second that a page draws in the live physics, software rendering",
        "at least 15", fmt::format("{:.0f}", frames.value_or(0)), frames.value_or(0) >= 15},
@@ -225,6 +226,12 @@ void add_pages(std::vector<Figure>& figures) {
       unless_missing(within("helmet of 844 bodies: from opening its report to the first picture", 1500,
                             picture.value_or(0), "ms"),
                      picture, said));
+  figures.push_back(
+      unless_missing(within("helmet of 844 bodies: script of a step of its report's slider, longest of 31",
+                            16, slide.value_or(0), "ms"),
+                     slide, said));
+  figures.push_back(unless_missing(
+      within("size of a report, the larger of helmet's and rib's", 1.2, size.value_or(0), "MB"), size, said));
 }
 
 }  // namespace

@@ -136,6 +136,16 @@ test("the ghost of a box is the ideal solid, within the walls' middles", () => f
   ghost.forEach((side, k) => side.forEach((mm, end) => assert.ok(Math.abs(mm - thing[k][end]) < 0.6 * cell, `axis ${k}: ${ghost[k]} beside ${thing[k]}`)));
 }));
 
+test("the ghost of a helmet is the head, where it is to the helmet in the result", () => found("headform", ({lines, points, poses}) => {
+  assert.ok(lines > 5, `${lines} lines`);
+  const {helmet: {head_mm}, states} = JSON.parse(readFileSync(path.join(home, "headform", "result.json"))), head = head_mm.flat();
+  const bodies = states.find(({name}) => name === "target").poses.map(({position_mm}) => position_mm);
+  const far = (p, q) => Math.hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+  assert.equal(points.length, head.length);
+  for (let k = 0; k < head.length; k += 50)
+    for (const body of [0, 100, 400, bodies.length - 1]) assert.ok(Math.abs(far(points[k], poses[body]) - far(head[k], bodies[body])) < 0.1, `point ${k}, body ${body}`);
+}));
+
 test("the ghost of a letter is its picture under the panel", () => found("letter_t", ({pictures, ghost, thing, cell}) => {
   assert.equal(pictures, 1);
   for (const k of [0, 1]) ghost[k].forEach((mm, end) => assert.ok(Math.abs(mm - thing[k][end]) < cell, `axis ${k}: ${ghost[k]} beside ${thing[k]}`));

@@ -274,7 +274,7 @@ function heatColour(share) {
 }
 
 function drawHeat(data, part, width) {
-  const {structure, states, equilibrium} = data;
+  const {structure, equilibrium} = data;
   const values = equilibrium.energies.map((e) => e[part] ?? 0), most = Math.max(...values, 0);
   const line =
       structure.hinges.map((hinge) => [structure.bodies[hinge.a].rest, structure.bodies[hinge.b].rest]);

@@ -30,7 +30,7 @@ function designVerdict(data) {
 }
 
 /** What prints come to, where that is known: a sentence. */
-function asMadeWords({asMade, structure}) {
+function asMadeWords({asMade}) {
   if (!asMade) return null;
   const source = asMade.sources[0], place = asMade.places[0];
   const there = place === undefined ? "" : ` The ${parameterPlurals[place.parameter] ?? place.parameter} of ${place.place} make ${percent(place.share)} of what errors do.`;

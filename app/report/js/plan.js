@@ -137,7 +137,7 @@ function metricsGroup({metrics}) {
 
 function originGroup({raw, timing}) {
   const times = Object.entries(timing)
-                    .filter(([key, value]) => finite(value) > 0)
+                    .filter(([, value]) => finite(value) > 0)
                     .map(([key, value]) => ["Time to " + (TASKS[key] ?? words(key)), duration(value)]);
   return group("Origin", facts([
                  ["kinetix", told(raw.kinetix_version)],

@@ -1,12 +1,12 @@
 #!/bin/sh
-# in_browser.sh FOLDER ON|OFF NAME: runs NAME.test.mjs with packages that are installed in FOLDER; 77 where it cannot.
+# with_packages.sh FOLDER ON|OFF NAME: runs NAME.test.mjs with packages that are installed in FOLDER; 77 where it cannot.
 set -e
 here=$(dirname "$(readlink -f "$0")")
 skip() { echo "skipped: $1"; exit 77; }
 
 [ "$2" = ON ] || skip "the program was built without the studio"
 command -v npm >/dev/null || skip "npm is missing"
-command -v "${CHROMIUM:-/usr/bin/chromium}" >/dev/null || skip "chromium is missing"
+[ "$3" = scripts ] || command -v "${CHROMIUM:-/usr/bin/chromium}" >/dev/null || skip "chromium is missing"
 mkdir -p "$1"
 cp "$here"/*.mjs "$1"
 cd "$1"
