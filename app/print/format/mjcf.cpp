@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <queue>
@@ -26,9 +27,10 @@ constexpr double least_mass = 1e-12;  // kg: below it the actuator would have no
 
 std::string text(const Vector3d& v) { return fmt::format("{:.10g} {:.10g} {:.10g}", v.x(), v.y(), v.z()); }
 
-/// A body as the scene has it, in a tree of fewest hinges from the middle of the sheet.
+/// A body as the scene has it, in a tree of fewest hinges from its root.
 struct TreeLink {
   int parent = -1, hinge = -1;
+  int root = -1;  ///< held by the world: the middle of the sheet, and a body of each part beside it
   std::vector<int> children = {};
 };
 
@@ -44,36 +46,35 @@ int middle_body(const PrintSheet& sheet) {
   return nearest;
 }
 
-std::vector<TreeLink> tree_of(const PrintSheet& sheet, int root) {
+std::vector<TreeLink> trees_of(const PrintSheet& sheet) {
   std::vector<std::vector<int>> at(sheet.bodies.size());
   for (int h = 0; h < static_cast<int>(sheet.hinges.size()); ++h)
     for (const int b : {sheet.linkage.hinges[h].lower, sheet.linkage.hinges[h].upper}) at[b].push_back(h);
   std::vector<TreeLink> links(sheet.bodies.size());
-  std::vector<bool> known(sheet.bodies.size());
-  std::queue<int> next;
-  next.push(root);
-  known[root] = true;
-  for (; !next.empty(); next.pop())
-    for (const int h : at[next.front()]) {
-      const model::RestHinge& hinge = sheet.linkage.hinges[h];
-      const int other = hinge.lower == next.front() ? hinge.upper : hinge.lower;
-      if (known[other]) continue;
-      known[other] = true;
-      links[other].parent = next.front();
-      links[other].hinge = h;
-      links[next.front()].children.push_back(other);
-      next.push(other);
-    }
+  const auto grow = [&](int root) {
+    if (links[root].root >= 0) return;
+    std::queue<int> next;
+    next.push(root);
+    links[root].root = root;
+    for (; !next.empty(); next.pop())
+      for (const int h : at[next.front()]) {
+        const model::RestHinge& hinge = sheet.linkage.hinges[h];
+        const int other = hinge.lower == next.front() ? hinge.upper : hinge.lower;
+        if (links[other].root >= 0) continue;
+        links[other] = {.parent = next.front(), .hinge = h, .root = root};
+        links[next.front()].children.push_back(other);
+        next.push(other);
+      }
+  };
+  grow(middle_body(sheet));
+  for (int b = 0; b < static_cast<int>(links.size()); ++b) grow(b);
   return links;
 }
 
 class MujocoFile {
  public:
   explicit MujocoFile(const PrintSheet& sheet)
-      : sheet_(sheet),
-        root_(middle_body(sheet)),
-        links_(tree_of(sheet, root_)),
-        masses_(sheet.bodies.size()) {
+      : sheet_(sheet), links_(trees_of(sheet)), masses_(sheet.bodies.size()) {
     for (int b = 0; b < static_cast<int>(masses_.size()); ++b) masses_[b] = mass_of(b);
     for (int h = 0; h < static_cast<int>(sheet.hinges.size()); ++h)
       if (!sheet.soft[h].points.empty())
@@ -93,7 +94,8 @@ class MujocoFile {
         sheet_.name, rows() + 100, stack(), step(), loop_step * step());
     add_assets();
     out_ += "<worldbody>\n<light pos=\"0 0 1\" dir=\"0 0 -1\" directional=\"true\"/>\n";
-    add_body(root_);
+    for (int b = 0; b < static_cast<int>(links_.size()); ++b)
+      if (links_[b].root == b) add_body(b);
     out_ += "</worldbody>\n";
     add_loops();
     if (turned_ > 0) add_actuator();
@@ -124,7 +126,11 @@ class MujocoFile {
     to.kg += kg;
   }
 
-  int loops() const { return static_cast<int>(sheet_.hinges.size()) - static_cast<int>(links_.size()) + 1; }
+  int loops() const {
+    const auto in_trees =
+        std::count_if(links_.begin(), links_.end(), [](const TreeLink& link) { return link.hinge >= 0; });
+    return static_cast<int>(sheet_.hinges.size()) - static_cast<int>(in_trees);
+  }
   int rows() const { return 6 * loops(); }
   /// Numbers that its solver works with: its Jacobian, what it is multiplied by, and a Hessian, some times over.
   long stack() const {
@@ -207,9 +213,10 @@ class MujocoFile {
   double moved_mass() const {
     double sum = least_mass;
     const model::State &flat = sheet_.path.front(), &folded = sheet_.path.back();
-    const model::Pose& root = folded[root_];
     for (std::size_t b = 0; b < masses_.size(); ++b) {
-      const Vector3d now = root.R.transpose() * (folded[b].p - root.p), before = flat[b].p - flat[root_].p;
+      const model::Pose& root = folded[links_[b].root];
+      const Vector3d now = root.R.transpose() * (folded[b].p - root.p),
+                     before = flat[b].p - flat[links_[b].root].p;
       sum += masses_[b].kg * (metres_per_mm * (now - before)).squaredNorm();
     }
     return sum;
@@ -264,7 +271,6 @@ class MujocoFile {
   }
 
   const PrintSheet& sheet_;
-  const int root_;
   const std::vector<TreeLink> links_;
   std::vector<Mass> masses_;
   std::vector<double> turns_;

@@ -371,6 +371,18 @@ TEST(Coupon, FallsFromTwoPiecesAHingeToOneWhereTheSlicerClosesItsGap) {
         << "gaps of less than " << 2 * radius_mm << " mm, at 0, 30 and 60 degrees";
 }
 
+/// Eighteen hinges beside one another, each of which turns alone.
+TEST(Coupon, IsReadByMujocoAsAHingeEach) {
+  const Scratch scratch;
+  const Outcome run = kinetix_opt("export --coupon --format mjcf -o " + std::string(scratch / "out"));
+  ASSERT_EQ(run.code, 0) << run.err;
+  const MujocoVerdict verdict = fold_in_mujoco(text_of(scratch / "out/coupon.xml"), 0.01, 0.1);
+  EXPECT_EQ(verdict.error, "");
+  EXPECT_EQ(verdict.positions.size(), 36U);
+  EXPECT_EQ(verdict.joints, 18);
+  EXPECT_EQ(verdict.constraints, 0) << "nothing holds a hinge";
+}
+
 TEST(Coupon, IsCleanWithItsRaisedNumbers) {
   const Scratch scratch;
   for (const char* process : {"sla", "fdm"}) {

@@ -38,6 +38,8 @@ MujocoVerdict fold_in_mujoco(const std::string& xml, double fold_seconds, double
   const auto model = loaded(xml, verdict.error);
   if (!model) return verdict;
   verdict.mass_kg = mj_getTotalmass(model.get());
+  verdict.joints = static_cast<int>(model->njnt);
+  verdict.constraints = static_cast<int>(model->neq);
   const std::unique_ptr<mjData, decltype(&mj_deleteData)> data(mj_makeData(model.get()), &mj_deleteData);
   while (data->time < fold_seconds + settle_seconds && warnings().empty()) {
     const double share = std::min(1.0, data->time / fold_seconds);

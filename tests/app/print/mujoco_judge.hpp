@@ -10,6 +10,7 @@ namespace kinetix::testing {
 struct MujocoVerdict {
   std::string error;  ///< why it does not load, or what it warned of; empty: nothing
   double mass_kg = 0;
+  int joints = 0, constraints = 0;
   std::vector<Eigen::Vector3d> positions;  ///< of the bodies b0, b1, ... at the end, m
 };
 
