@@ -1,17 +1,14 @@
 #include "app/files/goal_settings.hpp"
 
-#include <algorithm>
-
 #include "app/files/process_section.hpp"
 
 namespace kinetix::app {
 
-std::vector<std::string> process_notes(const GoalSettings& settings, const model::CellSize& size) {
-  std::vector<std::string> notes = process_notes(settings.process, size, settings.hinge.made);
+void note_process(const GoalSettings& settings, const model::CellSize& size,
+                  std::vector<std::string>& notes) {
+  note_process(settings.process, size, settings.hinge.made, notes);
   for (const HingePart& part : settings.hinge_parts)
-    for (const std::string& note : process_notes(settings.process, size, part.hinge.made))
-      if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
-  return notes;
+    note_process(settings.process, size, part.hinge.made, notes);
 }
 
 namespace {

@@ -25,8 +25,8 @@ struct GoalSettings {
   std::optional<double> robust = {};
 };
 
-/// What the file's process cannot print of cells of this size: notes of a forecast.
-std::vector<std::string> process_notes(const GoalSettings& settings, const model::CellSize& size);
+/// Adds what the file's process cannot print of cells of this size to the notes of a forecast.
+void note_process(const GoalSettings& settings, const model::CellSize& size, std::vector<std::string>& notes);
 
 /// The key `robust`. @param over what such a search may change
 targets::Key robust_key(const std::string& over =

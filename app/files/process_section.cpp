@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -85,12 +86,12 @@ std::string problem_text(const model::PrintProblem& problem) {
                      problem.cell_mm);
 }
 
-std::vector<std::string> process_notes(const model::Process& process, const model::CellSize& size,
-                                       const std::optional<model::MadeHinge>& made) {
-  std::vector<std::string> notes;
-  for (const model::PrintProblem& problem : print_problems(process, size, made))
-    notes.push_back(problem_text(problem));
-  return notes;
+void note_process(const model::Process& process, const model::CellSize& size,
+                  const std::optional<model::MadeHinge>& made, std::vector<std::string>& notes) {
+  for (const model::PrintProblem& problem : print_problems(process, size, made)) {
+    const std::string note = problem_text(problem);
+    if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+  }
 }
 
 model::Process read_process(const targets::Section& root) {

@@ -11,9 +11,9 @@ targets::Key process_key();
 /// What a process cannot print, with the cell edge at which it could.
 std::string problem_text(const model::PrintProblem& problem);
 
-/// The same of a whole sheet: notes of a forecast.
-std::vector<std::string> process_notes(const model::Process& process, const model::CellSize& size,
-                                       const std::optional<model::MadeHinge>& made);
+/// Adds what a process cannot print of a whole sheet to the notes of a forecast, each once.
+void note_process(const model::Process& process, const model::CellSize& size,
+                  const std::optional<model::MadeHinge>& made, std::vector<std::string>& notes);
 
 /// The first process, as the paper prints, where the file names none.
 /// @param root the whole document   @param made its hinges, where it says how they are made

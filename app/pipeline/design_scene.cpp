@@ -18,12 +18,10 @@ model::State reference_of(const Run& run) {
   return run.states.empty() || on_the_way ? model::State{} : run.states.front().poses;
 }
 
-/// Of the box around the walls' middles in the closed form, and walls around them.
+/// Of the closed form.
 std::optional<Eigen::Vector3d> folded_size(const model::ExactMotion& motion, const DesignFile& design) {
-  Eigen::AlignedBox3d box;
-  for (const model::Pose& pose : motion.at(exact_theta_of(design, motion))) box.extend(pose.p);
-  if (box.isEmpty() || !box.sizes().allFinite()) return std::nullopt;
-  return box.sizes() + Eigen::Vector3d::Constant(design.structure.size().thickness_mm);
+  const Eigen::Vector3d size = size_of(design.structure, motion.at(exact_theta_of(design, motion)));
+  return size.allFinite() ? std::optional(size) : std::nullopt;
 }
 
 class DesignScene final : public Scene {

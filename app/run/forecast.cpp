@@ -5,6 +5,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "model/linkage/half_wall.hpp"
+
 namespace kinetix::app {
 namespace {
 
@@ -27,6 +29,17 @@ Eigen::Vector3d flat_size(const model::Linkage& linkage) {
   Eigen::Vector3d size = box.sizes() + Eigen::Vector3d(2 * half, 2 * half, 0);
   size.z() = linkage.size.height_mm;
   return size;
+}
+
+Eigen::Vector3d size_of(const model::Linkage& linkage, const model::State& state) {
+  Eigen::AlignedBox3d all;
+  for (const model::HalfWall& wall : half_walls(linkage)) {
+    const OrientedBox box = placed(wall, state[wall.body]);
+    const Eigen::Vector3d reach = box.axes.cwiseAbs() * box.half;
+    all.extend(Eigen::Vector3d(box.center - reach));
+    all.extend(Eigen::Vector3d(box.center + reach));
+  }
+  return all.sizes();
 }
 
 double physics_seconds(const model::Linkage& linkage) {

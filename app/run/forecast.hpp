@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "model/linkage/state.hpp"
 #include "model/sheet/sheet.hpp"
 
 namespace kinetix::app {
@@ -21,6 +22,9 @@ struct Forecast {
 
 /// Edges of the box around the flat sheet, mm.
 Eigen::Vector3d flat_size(const model::Linkage& linkage);
+
+/// Edges of the box around all half walls in a state, along the axes of its frame, mm.
+Eigen::Vector3d size_of(const model::Linkage& linkage, const model::State& state);
 
 /// About how long a physics run takes, s, on one core of 2020; measured on sheets of 80 to 900 bodies, within a factor of
 /// two. A loop of hinges is what costs: one a cell.

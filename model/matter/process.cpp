@@ -67,7 +67,8 @@ const std::vector<Process>& processes() {
        {220, 220},
        true,
        "pp",
-       true},
+       true,
+       Filament{.line_mm = 0.4, .layer_mm = 0.2}},  // a usual nozzle
       {"sla",
        0.25,
        0.25,

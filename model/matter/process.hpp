@@ -20,6 +20,12 @@ struct PrintError {
   bool operator==(const PrintError&) const = default;
 };
 
+/// What a nozzle lays down, mm.
+struct Filament {
+  double line_mm = 0;   ///< width, > 0
+  double layer_mm = 0;  ///< height, > 0
+};
+
 /// What a process can print, mm; clearances are a side. For guidance: printers, resins and settings differ.
 struct Process {
   std::string name;                 ///< as files say it
@@ -36,6 +42,7 @@ struct Process {
       {};  ///< name of the material of walls and films in one; empty: films are strips of their own
   bool spreads_on_bed =
       false;  ///< first layers, as plastic is pressed and resin hardened for long against a bed
+  std::optional<Filament> filament = {};  ///< of processes that lay one down: their overhangs sag
 
   bool operator==(const Process& other) const {
     return name == other.name && clearance_mm == other.clearance_mm &&

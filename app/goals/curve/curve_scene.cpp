@@ -50,7 +50,7 @@ class CurveScene final : public Scene {
     out.search_s =
         seconds_a_start * file_.solver.starts.value_or(optim::MultiStartOptions{}.starts) * columns * columns;
     if (file_.robust) out.search_s *= robust_designs;
-    for (const std::string& note : process_notes(file_, out.sheet.size())) out.notes.push_back(note);
+    note_process(file_, out.sheet.size(), out.notes);
     return out;
   }
 

@@ -92,9 +92,11 @@ class DisplayScene final : public Scene {
     Forecast out{make_panel(file_, {file_.goal.columns, file_.goal.rows})};
     out.search_s = out.sheet.cells() * (file_.offset > 0 ? seconds_a_cell : seconds_a_cell_stretched);
     out.has_physics = out.sheet.bodies() <= most_bodies_of_physics;
+    const bool is_turned = file_.drive == model::LinkageDrive::Kind::hinge;
+    const double turn = is_turned ? file_.angle : turn_of_compression(file_.compression);
+    if (const auto motion = exact_motion(out.sheet)) out.folded_mm = size_of(out.sheet, motion.at(turn / 2));
     if (!file_.goal.whole) out.notes.push_back(lost_strokes(file_.goal));
-    for (const std::string& note : process_notes(file_.process, out.sheet.size(), file_.hinge.made))
-      out.notes.push_back(note);
+    note_process(file_.process, out.sheet.size(), file_.hinge.made, out.notes);
     return out;
   }
 

@@ -2,8 +2,12 @@
 
 #include "app/goals/fold/fold_file.hpp"
 #include "app/run/goal_kind.hpp"
+#include "model/base/angle.hpp"
 
 namespace kinetix::app {
+
+/// Where searches for folds mostly end, rad: what is told of them beforehand.
+inline constexpr double usual_fold_theta = 26 * radians_per_degree;
 
 /// A net that folds to a solid: the search, its closed form, and the physics run of its folding.
 std::unique_ptr<Scene> make_scene(FoldFile file);

@@ -27,8 +27,7 @@ double mean_tilt(const model::Sheet& net, const targets::PlacedCrease& crease) {
   return sum / static_cast<double>(walls.size());
 }
 
-// What searches find for most nets: two columns a right angle, theta 26 degrees.
-constexpr double usual_theta = 26 * radians_per_degree, turn_of_a_column = 45 * radians_per_degree;  // rad
+constexpr double turn_of_a_column = 45 * radians_per_degree;  // rad: two columns a right angle, in most nets
 constexpr double seconds_of_175 = 0.15;  // s: a search of 175 bodies; it grows with their number to 1.5
 
 std::vector<int> usual_columns(const targets::FoldNet& net) {
@@ -48,15 +47,17 @@ class FoldScene final : public Scene {
   std::string name() const override { return file_.name; }
 
   Forecast forecast() const override {
-    Forecast out{optim::fold_to(file_.goal.nets.front(), usual_columns(file_.goal.nets.front()), usual_theta,
-                                file_.size, file_.tilt)
+    Forecast out{optim::fold_to(file_.goal.nets.front(), usual_columns(file_.goal.nets.front()),
+                                usual_fold_theta, file_.size, file_.tilt)
                      .structure};
     if (file_.goal.box) {
-      const auto mm = optim::folded_box(*file_.goal.box, file_.size.edge_mm, usual_theta, 2);
+      const auto mm = optim::folded_box(*file_.goal.box, file_.size.edge_mm, usual_fold_theta, 2);
       out.folded_mm = {mm[0], mm[1], mm[2]};
+    } else if (const auto motion = exact_motion(out.sheet)) {
+      out.folded_mm = size_of(out.sheet, motion.at(usual_fold_theta));
     }
     out.search_s = seconds_of_175 * std::pow(out.sheet.bodies() / 175.0, 1.5);
-    for (const std::string& note : process_notes(file_, out.sheet.size())) out.notes.push_back(note);
+    note_process(file_, out.sheet.size(), out.notes);
     return out;
   }
 

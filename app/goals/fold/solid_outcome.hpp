@@ -1,8 +1,8 @@
 #pragma once
 
 #include <optional>
-#include "app/goals/fold/crease_checks.hpp"
 
+#include "app/goals/fold/crease_checks.hpp"
 #include "app/run/goal_outcome.hpp"
 #include "optim/fold/fit_solid.hpp"
 #include "targets/fold/fold_goal.hpp"

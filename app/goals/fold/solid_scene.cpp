@@ -15,6 +15,17 @@
 namespace kinetix::app {
 namespace {
 
+/// Edges of the box around a solid that stands on its first face, with that face's first edge along x.
+Eigen::Vector3d standing_size(const targets::Solid& solid) {
+  const auto corner = [&](int k) -> const Eigen::Vector3d& { return solid.corners[solid.faces[0][k]]; };
+  const Eigen::Vector3d x = (corner(1) - corner(0)).normalized();
+  const Eigen::Vector3d z = x.cross(corner(2) - corner(1)).normalized();
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& at : solid.corners)
+    box.extend(Eigen::Vector3d(x.dot(at), z.cross(x).dot(at), z.dot(at)));
+  return box.sizes();
+}
+
 constexpr int usual_solid_columns = 2;          // of a crease, what searches find for most solids
 constexpr double seconds_a_solid_body = 0.005;  // measured: of a search of columns and theta
 
@@ -27,9 +38,12 @@ class SolidScene final : public Scene {
   Forecast forecast() const override {
     const targets::SolidGoal& goal = *file_.goal.solid;
     const int columns = goal.columns > 0 ? goal.columns : usual_solid_columns;
-    Forecast out{lay_out(targets::named_solid(goal.solid), goal.cells, columns, file_.size).structure};
+    const targets::Solid solid = targets::named_solid(goal.solid);
+    const auto net = lay_out(solid, goal.cells, columns, file_.size);
+    Forecast out{net.structure};
+    out.folded_mm = net.edge * file_.size.edge_mm * std::cos(usual_fold_theta) * standing_size(solid);
     out.search_s = out.sheet.bodies() * seconds_a_solid_body;
-    for (const std::string& note : process_notes(file_, out.sheet.size())) out.notes.push_back(note);
+    note_process(file_, out.sheet.size(), out.notes);
     return out;
   }
 

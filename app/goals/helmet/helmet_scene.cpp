@@ -65,6 +65,15 @@ void append(std::vector<std::string>& to, const std::vector<std::string>& more) 
   to.insert(to.end(), more.begin(), more.end());
 }
 
+/// Of the head down to where it is covered, and of walls around it, whose middles the clearance ends at.
+Eigen::Vector3d covered_size(const HelmetFile& file) {
+  Eigen::AlignedBox3d head;
+  for (const Vector3d& vertex : file.head.dome.mesh().vertices)
+    if (vertex.z() >= crown.z() - file.head.coverage_mm) head.extend(vertex);
+  const double around = file.spec.clearance_mm + file.spec.size.height_mm / 2;
+  return head.sizes() + Vector3d(2 * around, 2 * around, around);
+}
+
 constexpr double seconds_a_helmet_body = 3e-4;  // s of search, measured
 
 class HelmetScene final : public Scene {
@@ -77,8 +86,9 @@ class HelmetScene final : public Scene {
     const optim::RibsLayout layout = plan_helmet(file_.head.dome, crown, file_.spec);
     Forecast out{make_fishbone(layout.spine_and_ribs, file_.spec.size).structure};
     out.search_s = seconds_a_helmet_body * out.sheet.bodies();
+    out.folded_mm = covered_size(file_);
     out.notes = layout.notes;
-    for (const std::string& note : process_notes(file_, out.sheet.size())) out.notes.push_back(note);
+    note_process(file_, out.sheet.size(), out.notes);
     return out;
   }
 

@@ -45,7 +45,7 @@ class OutlineScene final : public Scene {
         make_sheet(file_.lattice, model::lattice_cells(file_.columns, file_.rows), file_.size(edge_mm))};
     if (!file_.cell_mm) out.folded_mm = {box.sizes().x(), box.sizes().y(), out.sheet.size().height_mm};
     out.search_s = out.sheet.hinges() * (file_.flat ? seconds_a_wall_of_both : seconds_a_wall);
-    for (const std::string& note : process_notes(file_, out.sheet.size())) out.notes.push_back(note);
+    note_process(file_, out.sheet.size(), out.notes);
     return out;
   }
 

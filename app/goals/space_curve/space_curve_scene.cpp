@@ -44,7 +44,7 @@ class SpaceCurveScene final : public Scene {
     for (const Eigen::Vector3d& point : file_.wanted.points()) box.extend(point);
     out.folded_mm = {box.sizes().x(), box.sizes().y(), box.sizes().z()};
     out.search_s = seconds_of_96 * std::pow(columns / 96.0, 3);
-    for (const std::string& note : process_notes(file_, out.sheet.size())) out.notes.push_back(note);
+    note_process(file_, out.sheet.size(), out.notes);
     return out;
   }
 

@@ -32,7 +32,7 @@ class RibsScene final : public Scene {
     const Eigen::Vector3d size = bounds(file_.surface.surface.mesh()).sizes();
     out.folded_mm = {size.x(), size.y(), size.z()};
     out.search_s = seconds_a_body_of_ribs * out.sheet.bodies();
-    for (const std::string& note : process_notes(file_, out.sheet.size())) out.notes.push_back(note);
+    note_process(file_, out.sheet.size(), out.notes);
     return out;
   }
 

@@ -101,7 +101,7 @@ class SurfaceScene final : public Scene {
     out.folded_mm = {sides.x(), sides.y(),
                      std::sqrt(std::max(0.0, diagonal * diagonal - sides.squaredNorm()))};
     out.search_s = seconds_of_81 * std::pow((file_.columns + 1) * (file_.rows + 1) / 81.0, 2);
-    for (const std::string& note : process_notes(file_, out.sheet.size())) out.notes.push_back(note);
+    note_process(file_, out.sheet.size(), out.notes);
     return out;
   }
 

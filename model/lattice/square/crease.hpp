@@ -31,7 +31,7 @@ int line_of(const Structure& structure, const Crease& crease);
 int alternation(const Wall& wall);
 
 /// Of the crease that the hinge would be part of, rad: b as above.
-inline double crease_tilt(const Hinge& hinge) { return alternation(hinge.wall) * hinge.parameters.beta; }
+inline double tilt_in_crease(const Hinge& hinge) { return alternation(hinge.wall) * hinge.parameters.beta; }
 
 /// Gives the walls of a crease the tilt, rad, by alternation, at t = 1/2 and alpha = 90 deg.
 void set_tilt(Structure& structure, const Crease& crease, double tilt);

@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 
+#include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "tests/app/program.hpp"
 
@@ -49,6 +52,53 @@ TEST(Check, TellsTheSizeOfAFoldedBox) {
   for (int k = 0; k < 3; ++k)
     EXPECT_NEAR(expected["folded_mm"][k].get<double>(), edges[k].get<double>(),
                 0.03 * edges[k].get<double>());
+}
+
+/// Edges of the box around the bodies of the folded state.
+std::array<double, 3> folded_size(const Json& result) {
+  std::array<double, 3> low, high;
+  low.fill(HUGE_VAL);
+  high.fill(-HUGE_VAL);
+  for (const Json& state : result["states"])
+    if (state["name"] == "target")
+      for (const Json& pose : state["poses"])
+        for (int k = 0; k < 3; ++k) {
+          low[k] = std::min(low[k], pose["position_mm"][k].get<double>());
+          high[k] = std::max(high[k], pose["position_mm"][k].get<double>());
+        }
+  for (int k = 0; k < 3; ++k) high[k] -= low[k];
+  return high;
+}
+
+TEST(Check, TellsTheSizeOfAPressedDisplay) {
+  const Json expected = checked(targets[1])["expected"]["folded_mm"], result = found(targets[1]);
+  const std::array<double, 3> bodies = folded_size(result);
+  const double wall_mm = result["structure"]["cell_mm"];
+  for (int k = 0; k < 2; ++k) EXPECT_NEAR(expected[k].get<double>(), bodies[k] + wall_mm / 2, wall_mm) << k;
+}
+
+TEST(Check, TellsTheSizeOfAFoldedSolid) {
+  const std::string target = "kinetix: 1\ntarget: {kind: fold, solid: tetrahedron}\n";
+  const Json expected = checked(target)["expected"]["folded_mm"];
+  const Scratch scratch;
+  const Outcome run =
+      kinetix_opt(scratch.write("in.yaml", target) + " --no-verify -o " + std::string(scratch / "out"));
+  std::smatch said;
+  ASSERT_TRUE(std::regex_search(run.out, said, std::regex("edges of ([0-9.]+) mm"))) << run.out;
+  const double edge = std::stod(said[1]), shares[] = {1, std::sqrt(3.0) / 2, std::sqrt(2.0 / 3)};
+  for (int k = 0; k < 3; ++k)
+    EXPECT_NEAR(expected[k].get<double>(), shares[k] * edge, 0.05 * edge) << "standing on a face, " << k;
+}
+
+TEST(Check, TellsTheSizeOfAHelmet) {
+  const Scratch scratch;
+  const std::string file = std::string(KINETIX_SOURCE) + "/targets/shapes/headform.yaml";
+  const Outcome run = kinetix_opt("check --json " + file);
+  ASSERT_EQ(run.code, 0) << run.err;
+  kinetix_opt(file + " --no-verify -o " + std::string(scratch / "out"));
+  const auto expected = Json::parse(run.out)["expected"]["folded_mm"];
+  const auto bodies = folded_size(Json::parse(text_of(scratch / "out/result.json")));
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(expected[k].get<double>(), bodies[k], 0.1 * bodies[k]) << k;
 }
 
 TEST(Check, SaysInWordsWhichStrokesAreLost) {

@@ -24,7 +24,7 @@ Crossings crossings(const Structure& structure, const Creases& creases) {
 
 /// b and g of a step.
 std::array<double, 2> tilts_at(const Structure& structure, const Step& step) {
-  return {crease_tilt(structure.hinges[step.x_hinge]), crease_tilt(structure.hinges[step.y_hinge])};
+  return {tilt_in_crease(structure.hinges[step.x_hinge]), tilt_in_crease(structure.hinges[step.y_hinge])};
 }
 
 double secant_squared(double angle) { return 1 / (std::cos(angle) * std::cos(angle)); }

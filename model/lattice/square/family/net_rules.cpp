@@ -25,7 +25,7 @@ double fraction_of(const Hinge& hinge) { return fraction_from_lower(hinge.parame
 CreaseParameters parameters_of(const Structure& structure, const Crease& crease) {
   std::vector<double> tilts, fractions;
   for (const int h : crease.hinges) {
-    tilts.push_back(crease_tilt(structure.hinges[h]));
+    tilts.push_back(tilt_in_crease(structure.hinges[h]));
     fractions.push_back(fraction_of(structure.hinges[h]));
   }
   return {lower_median(std::move(tilts)), lower_median(std::move(fractions))};
@@ -46,7 +46,7 @@ class Rules {
     const CreaseParameters& own = parameters_[crease];
     if (!same(hinge.parameters.alpha, pi / 2)) return "exact motion needs alpha = 90 deg";
     if (!same(hinge.parameters.offset, 0)) return off_the_wall;
-    if (!same(crease_tilt(hinge), own.tilt))
+    if (!same(tilt_in_crease(hinge), own.tilt))
       return "all tilts of a crease must be equal, with the sign alternating along it";
     if (!same(fraction_of(hinge), own.t))
       return "all hinges of a column (or row) of walls must give the same fraction to their class-A vertex";
