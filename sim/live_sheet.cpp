@@ -43,11 +43,14 @@ Vector3d in_rest_frame(const model::Linkage& structure, int body, const Vector3d
 
 double drive_theta(const model::LinkageDrive& drive, const model::Linkage& structure,
                    const model::State& state) {
-  if (drive.kind == model::LinkageDrive::Kind::hinge)
-    return model::theta_at_turn(drive.sense, hinge_turn(structure, state, drive.hinge));
-  if (!drive.pulls_cord()) return mean_theta(structure, state);
-  const double part = cord_length(structure, drive.through, state) / drive.rest_mm;
-  return drive.branch * std::acos(std::clamp(part, -1.0, 1.0));
+  using Kind = model::LinkageDrive::Kind;
+  if (drive.kind != Kind::hinge && drive.kind != Kind::cord) return mean_theta(structure, state);
+  model::LinkageDrive held = drive;
+  if (drive.kind == Kind::hinge)
+    held.angle = hinge_turn(structure, state, drive.hinge);
+  else
+    held.shorten_mm = std::max(0.0, drive.rest_mm - cord_length(structure, drive.through, state));
+  return held.theta();
 }
 
 LiveSheet::LiveSheet(const model::Linkage& structure, const PhysicsOptions& options, double k_point_N_mm)
