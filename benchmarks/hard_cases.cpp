@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <fstream>
 #include <iostream>
 
@@ -56,19 +57,18 @@ std::string row(const HardCase& hard, const HardAnswer& answer, double time) {
 }  // namespace
 }  // namespace kinetix::bench
 
-/// Runs every hard case and prints the table; with `--write FILE` puts it into that page as well, with
-/// `--only WORDS` runs the cases with these in their name. Ends with 1 if an answer is wrong.
+/// Runs every hard case and prints the table. Ends with 1 if an answer is wrong.
 int main(int argc, char** argv) {
   using namespace kinetix::bench;
-  const auto option = [&](const std::string& name) {
-    for (int k = 1; k + 1 < argc; ++k)
-      if (argv[k] == name) return std::string(argv[k + 1]);
-    return std::string();
-  };
+  CLI::App program("Runs the model at and past the edges of what it is made for, and prints the table.");
+  std::string page, words;
+  program.add_option("--write", page, "a page that gets the table")->check(CLI::ExistingFile);
+  program.add_option("--only", words, "cases with these words in their name alone");
+  CLI11_PARSE(program, argc, argv);
   std::string table = "| case | asked | exact | equilibrium | physics run | |\n|---|---|---|---|---|---|\n";
   int wrong = 0;
   for (const HardCase& hard : kinetix::testing::hard_cases()) {
-    if (hard.name.find(option("--only")) == std::string::npos) continue;
+    if (hard.name.find(words) == std::string::npos) continue;
     HardAnswer answer;
     const double time = seconds([&] { answer = hard.solve(); });
     const std::string line = row(hard, answer, time);
@@ -77,6 +77,6 @@ int main(int argc, char** argv) {
     wrong += answer.mark == HardAnswer::Mark::wrong;
   }
   std::cout << table;
-  if (!option("--write").empty()) write_into(option("--write"), {{"hard cases", table}});
+  if (!page.empty()) write_into(page, {{"hard cases", table}});
   return wrong > 0 ? 1 : 0;
 }

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -112,36 +114,39 @@ void write(const Extra& extra, const std::string& page) {
   if (!page.empty()) kinetix::bench::write_into(page, {{extra.name, text}});
 }
 
-/// One group alone, printed.
-int measure_only(const std::string& name, const std::string& page) {
-  std::string table;
-  for (const Group& group : groups) {
-    if (name != group.name) continue;
-    const bool all_met = measure(group, table);
-    std::cout << table;
-    for (const Extra& extra : extras)
-      if (name == extra.group) write(extra, page);
-    return all_met ? 0 : 1;
-  }
-  std::cerr << "no group " << name << "; there are";
-  for (const Group& group : groups) std::cerr << " " << group.name;
-  std::cerr << std::endl;
-  return 2;
+std::vector<std::string> group_names() {
+  std::vector<std::string> names;
+  for (const Group& group : groups) names.push_back(group.name);
+  return names;
 }
 
-std::string option(int argc, char** argv, const std::string& name) {
-  for (int k = 1; k + 1 < argc; ++k)
-    if (argv[k] == name) return argv[k + 1];
-  return "";
+/// Some groups alone, printed.
+int measure_only(const std::vector<std::string>& names, const std::string& page) {
+  std::string table;
+  bool all_met = true;
+  const auto is_asked = [&](const char* name) { return std::ranges::find(names, name) != names.end(); };
+  for (const Group& group : groups)
+    if (is_asked(group.name)) all_met = measure(group, table) && all_met;
+  std::cout << table;
+  for (const Extra& extra : extras)
+    if (is_asked(extra.group)) write(extra, page);
+  return all_met ? 0 : 1;
 }
 
 }  // namespace
 
-/// Measures every figure of the table and prints it; with `--write FILE` puts it into that page as well, and
-/// the pictures beside it. With `--only NAME` measures one group and prints its rows; `--write` then writes
-/// its sections and pictures, not the table.
+/// Measures every figure of the table and prints it. Ends with 1 where one is missed.
 int main(int argc, char** argv) {
-  const std::string page = option(argc, argv, "--write"), only = option(argc, argv, "--only");
+  CLI::App program("Measures every figure of benchmarks/README.md and prints the table.");
+  std::string page;
+  std::vector<std::string> only;
+  program.add_option("--write", page, "a page that gets the table and sections, and pictures beside it")
+      ->check(CLI::ExistingFile);
+  program
+      .add_option("--only", only,
+                  "these groups alone; a page then gets their sections and pictures, not the table")
+      ->check(CLI::IsMember(group_names()));
+  CLI11_PARSE(program, argc, argv);
   if (!only.empty()) return measure_only(only, page);
   std::string table = "Measured on " + machine() + ", release build, one run of `make bench`.\n\n";
   table += "| what | asked | measured | met |\n|---|---|---|---|\n";

@@ -11,25 +11,55 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// To the line from a to b, which may be one point.
-double distance_to(const Vector2d& a, const Vector2d& b, const Vector2d& point) {
-  const Vector2d along = b - a, from = point - a;
-  const double square = along.squaredNorm();
-  const double at = square > 0 ? std::clamp(from.dot(along) / square, 0.0, 1.0) : 0;
-  return (from - at * along).norm();
+/// A straight part of an outline; may be one point.
+struct Line {
+  Vector2d from, to;
+
+  double distance(const Vector2d& point) const {
+    const Vector2d along = to - from, at = point - from;
+    const double square = along.squaredNorm();
+    const double share = square > 0 ? std::clamp(at.dot(along) / square, 0.0, 1.0) : 0;
+    return (at - share * along).norm();
+  }
+};
+
+std::vector<Line> lines_of(const Opening& opening) {
+  std::vector<Line> lines;
+  for (const Opening::Side& side : opening.sides) lines.push_back({side.vertex, side.wall_tip});
+  for (std::size_t k = 0; k < opening.sides.size(); k += 2)
+    lines.push_back({opening.sides[k].wall_tip, opening.sides[k + 1].wall_tip});
+  return lines;
 }
 
-/// A square of the plane with the clearance of its middle, negative outside.
+/// A square of the plane with the clearance of its middle, negative outside, and what no point of it exceeds.
 struct Square {
   Vector2d middle;
-  double half, clearance;
+  double half, clearance, most;
 
   Square(const Opening& opening, const Vector2d& at, double half_side)
-      : middle(at), half(half_side), clearance(opening.clearance(at) * (opening.contains(at) ? 1 : -1)) {}
-  /// No point of it has more.
-  double most() const { return clearance + half * std::sqrt(2.0); }
-  bool operator<(const Square& other) const { return most() < other.most(); }
+      : middle(at),
+        half(half_side),
+        clearance(opening.clearance(at) * (opening.contains(at) ? 1 : -1)),
+        most(clearance + half * std::sqrt(2.0)) {}
+  bool operator<(const Square& other) const { return most < other.most; }
 };
+
+/// What no point of a square exceeds: the mean of its distances from the line that is nearest to the middle and from
+/// another one, which is convex and so largest at a corner. Between parallel walls this is the clearance itself; a bound
+/// by the size of the square alone would divide all of the middle line there.
+double most_between(const std::vector<Line>& lines, const Square& square) {
+  Eigen::Array<double, Eigen::Dynamic, 4> far(static_cast<Eigen::Index>(lines.size()), 4);
+  std::size_t nearest = 0;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    int corner = 0;
+    for (const double x : {-square.half, square.half})
+      for (const double y : {-square.half, square.half})
+        far(static_cast<Eigen::Index>(k), corner++) = lines[k].distance(square.middle + Vector2d(x, y));
+    if (lines[k].distance(square.middle) < lines[nearest].distance(square.middle)) nearest = k;
+  }
+  const Eigen::Array<double, 1, 4> near = far.row(static_cast<Eigen::Index>(nearest));
+  return ((far.rowwise() + near) / 2).rowwise().maxCoeff().minCoeff();
+}
 
 }  // namespace
 
@@ -55,10 +85,10 @@ bool Opening::contains(const Vector2d& point) const {
 }
 
 double Opening::clearance(const Vector2d& point) const {
-  double least = distance_to(sides[0].vertex, sides[0].wall_tip, point);
-  for (const Side& side : sides) least = std::min(least, distance_to(side.vertex, side.wall_tip, point));
+  double least = Line{sides[0].vertex, sides[0].wall_tip}.distance(point);
+  for (const Side& side : sides) least = std::min(least, Line{side.vertex, side.wall_tip}.distance(point));
   for (std::size_t k = 0; k < sides.size(); k += 2)
-    least = std::min(least, distance_to(sides[k].wall_tip, sides[k + 1].wall_tip, point));
+    least = std::min(least, Line{sides[k].wall_tip, sides[k + 1].wall_tip}.distance(point));
   return least;
 }
 
@@ -93,19 +123,21 @@ double aperture(const Opening& opening, double precision) {
     high = high.cwiseMax(corner);
   }
   if (!low.allFinite() || !high.allFinite()) return NAN;
+  const std::vector<Line> lines = lines_of(opening);
   std::priority_queue<Square> open;
   open.emplace(opening, (low + high) / 2, (high - low).maxCoeff() / 2);
   double best = 0;
-  while (!open.empty() && open.top().most() > best + precision / 2) {
+  while (!open.empty() && open.top().most > best + precision / 2) {
     const Square square = open.top();
     open.pop();
     best = std::max(best, square.clearance);
     const double half = square.half / 2;
     for (const double x : {-half, half})
       for (const double y : {-half, half}) {
-        const Square part(opening, square.middle + Vector2d(x, y), half);
+        Square part(opening, square.middle + Vector2d(x, y), half);
         best = std::max(best, part.clearance);
-        if (part.most() > best + precision / 2) open.push(part);
+        if (part.most > best + precision / 2) part.most = std::min(part.most, most_between(lines, part));
+        if (part.most > best + precision / 2) open.push(part);
       }
   }
   return std::max(0.0, 2 * (best - opening.half_thickness));

@@ -52,16 +52,29 @@ Json crease_json(const SolidOutcome& found, std::size_t c) {
   return out;
 }
 
-/// Sides of the faces of the ideal solid where the folded state has them.
-Json ideal_sides_json(const optim::SolidDesign& design, const model::State& state) {
+/// The corners of a face round it and back to the first, as bodies.
+std::vector<int> round_face(const targets::SolidFace& face) {
+  std::vector<int> corners;
+  for (const std::vector<int>& side : face.sides)
+    for (const int body : {side.front(), side.back()})
+      if (corners.empty() || corners.back() != body) corners.push_back(body);
+  if (corners.back() != corners.front()) corners.push_back(corners.front());
+  return corners;
+}
+
+/// The faces of the ideal solid where the folded state has them, as closed lines.
+Json ideal_faces_json(const optim::SolidDesign& design, const model::State& state) {
   std::map<int, Eigen::Vector3d> places;
   for (const auto& [body, place] : ideal_places(design.net, state, design.theta)) places[body] = place;
   Json out = Json::array();
-  for (const auto& face : design.net.faces)
-    for (const auto& side : face.sides) {
-      const Eigen::Vector3d &a = places.at(side.front()), &b = places.at(side.back());
-      out.push_back({{a.x(), a.y(), a.z()}, {b.x(), b.y(), b.z()}});
+  for (const targets::SolidFace& face : design.net.faces) {
+    Json line = Json::array();
+    for (const int body : round_face(face)) {
+      const Eigen::Vector3d& p = places.at(body);
+      line.push_back({p.x(), p.y(), p.z()});
     }
+    out.push_back(std::move(line));
+  }
   return out;
 }
 
@@ -111,7 +124,7 @@ Json SolidOutcome::target_json() const {
 void SolidOutcome::add_sections(const Run& run, Json& result) const {
   result["fold"] = fold_json(*this);
   if (design.folds && !run.states.empty() && is_finite(run.states.front().poses))
-    result["fold"]["ideal_mm"] = ideal_sides_json(design, run.states.front().poses);
+    result["fold"]["ideal_mm"] = ideal_faces_json(design, run.states.front().poses);
   result["optimiser"] = closed_form_json(design.attempts.size(), design.evaluations, design.folds,
                                          "no number of columns tried folds freely");
 }

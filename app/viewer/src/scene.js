@@ -9,7 +9,7 @@ import {fillPoses, posed, poseTexture} from "./posed_material.js";
 import {standing, standOf} from "./standing.js";
 import {turned} from "./quaternion.js";
 
-const SLOW_FRAME = 90;      // ms; above it the picture is drawn with fewer pixels
+const SLOW_FRAME = 45;      // ms, of 22 frames a second; above it the picture is drawn with fewer pixels
 const FEWEST_PIXELS = 0.6;  // a CSS pixel
 const SHADOW_EVERY = 3;     // frames in motion: its pass costs as much as all else
 const SMALLEST = 0.35;      // of the flat sheet's half diagonal: what folds up smaller is not drawn larger

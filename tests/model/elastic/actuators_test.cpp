@@ -50,26 +50,24 @@ Eigen::MatrixXd spread(const CordElement& cord, std::size_t bodies) {
 }
 
 TEST(CordElement, HasTheCentralDifferencesOfItsLengthAsDerivatives) {
-  for (const unsigned seed : {1u, 2u, 3u}) {
+  for (const auto& [seed, size] : {std::pair{1u, 0.0}, {2u, 0.3}}) {
+    SCOPED_TRACE("seed " + std::to_string(seed) + ", moved by " + std::to_string(size));
     std::mt19937 random(seed);
     const Structure s = random_panel(3, 2, random);
     const std::vector<int> through = winding(s);
-    for (const double size : {0.0, 0.3}) {
-      SCOPED_TRACE("seed " + std::to_string(seed) + ", moved by " + std::to_string(size));
-      const State state = shaken(s, rest_state(s), size, random);
-      const CordElement cord = cord_element(s, through, state);
-      const auto length = [&](const VectorXd& x) {
-        return VectorXd::Constant(1, cord_length(s, through, retract_straight(s, state, x)) / s.size.edge_mm);
-      };
-      const VectorXd gradient = cord_gradient(s, through, state);
-      expect_jacobian(length, zeros(state), gradient.transpose());
-      // Of the gradient along the twists: by second differences of the length, since turns do not add up.
-      const auto along = [&](const VectorXd& x) -> VectorXd {
-        return numeric_jacobian([&](const VectorXd& y) { return length(x + y); }, zeros(state), 3e-3)
-            .transpose();
-      };
-      expect_jacobian(along, zeros(state), spread(cord, state.size()), 1e-5, 3e-3);
-    }
+    const State state = shaken(s, rest_state(s), size, random);
+    const CordElement cord = cord_element(s, through, state);
+    const auto length = [&](const VectorXd& x) {
+      return VectorXd::Constant(1, cord_length(s, through, retract_straight(s, state, x)) / s.size.edge_mm);
+    };
+    const VectorXd gradient = cord_gradient(s, through, state);
+    expect_jacobian(length, zeros(state), gradient.transpose());
+    // Of the gradient along the twists: by second differences of the length, since turns do not add up.
+    const auto along = [&](const VectorXd& x) -> VectorXd {
+      return numeric_jacobian([&](const VectorXd& y) { return length(x + y); }, zeros(state), 3e-3)
+          .transpose();
+    };
+    expect_jacobian(along, zeros(state), spread(cord, state.size()), 1e-5, 3e-3);
   }
 }
 

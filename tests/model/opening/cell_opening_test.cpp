@@ -66,6 +66,18 @@ TEST(CellOpening, TheWidestCircleIsWiderThanAnyOnAGrid) {
   }
 }
 
+// Between parallel walls all circles of a row are as wide: none of them is looked for on its own.
+TEST(CellOpening, OfASlotIsItsWidthTakenAtOnce) {
+  Opening slot;
+  const std::vector<Eigen::Vector2d> corners = {{0, 0},   {50, 0}, {100, 0}, {100, 0.5},
+                                                {100, 1}, {50, 1}, {0, 1},   {0, 0.5}};
+  for (std::size_t k = 0; k < 4; ++k) {
+    slot.sides.push_back({corners[2 * k], corners[2 * k + 1]});
+    slot.sides.push_back({corners[(2 * k + 2) % 8], corners[2 * k + 1]});
+  }
+  EXPECT_NEAR(aperture(slot, 1e-9), 1, 1e-9) << "by squares alone it would not end";
+}
+
 TEST(CellOpening, NoCircleFitsBetweenWallsThatAreTooThick) {
   Opening o = basic_panel(pi / 4).at();
   o.half_thickness = 0.3;

@@ -88,7 +88,7 @@ TEST(CellRectangle, ListsItsVerticesRowByRow) {
 /// Cell by cell: outside both, with cells of one somewhere on one hand along the axis and cells of the other
 /// on the other hand.
 TEST(CellRectangle, LiesBesideAnotherOneWithTheCellsOfTheGapBetweenThem) {
-  const CellRectangle room{{-20, -20}, 40, 40}, fixed{{-1, 1}, 3, 2};
+  const CellRectangle room{{-12, -12}, 24, 24}, fixed{{-1, 1}, 3, 2};
   const auto has_beyond = [](const std::set<Cell>& cells, const Cell& c, Axis axis, int step) {
     for (int k = 1; k < 20; ++k)
       if (cells.contains(stepped(c, axis, k * step))) return true;
