@@ -11,16 +11,19 @@ import {turned} from "./quaternion.js";
 
 const SLOW_FRAME = 45;      // ms, of 22 frames a second; above it the picture is drawn with fewer pixels
 const FEWEST_PIXELS = 0.6;  // a CSS pixel
-const SHADOW_EVERY = 3;     // frames in motion: its pass costs as much as all else
+const SHADOW_EVERY = 3;     // frames in motion
 const SMALLEST = 0.35;      // of the flat sheet's half diagonal: what folds up smaller is not drawn larger
 const STILL = 300;          // ms without a change: then all pixels are drawn once
+const SUN = [-0.35, -0.45, 2.2];  // where it stands, over the reach of its light
+const SOFT = 0.06;          // of the reach: how far a soft shadow runs out
 const SLOWEST_FRAMES = 4;   // times the last frame's gap: on a slow machine the next frame may take as long
 
 export class Scene {
   /** @param canvas in a box of its own   @param options {isTaken} */
   constructor(canvas, {isTaken} = {}) {
     this.canvas = canvas;
-    this.renderer = new THREE.WebGLRenderer({canvas, antialias: !drawsInSoftware(), alpha: true});
+    const inSoftware = drawsInSoftware();
+    this.renderer = new THREE.WebGLRenderer({canvas, antialias: !inSoftware, alpha: true});
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.autoUpdate = false;
     this.renderer.shadowMap.type = THREE.VSMShadowMap;
@@ -33,7 +36,7 @@ export class Scene {
     this.openings = new Openings();
     this.thing.add(this.goal, this.marks, this.openings.object);
     this.world.add(this.thing);
-    this.light();
+    this.light(inSoftware);
     this.orbit = new Orbit(this.camera, canvas, () => this.redraw(), isTaken);
     this.pixels = this.mostPixels = Math.min(2, window.devicePixelRatio || 1);
     this.held = null;
@@ -43,13 +46,15 @@ export class Scene {
     this.resize();
   }
 
-  light() {
+  /** @param inSoftware whether shadows have to be coarse: their pass costs as much as all else together */
+  light(inSoftware) {
     this.sky = new THREE.HemisphereLight(0xffffff, 0xb4bcc6, 2);
     this.sky.position.set(0, 0, 1);
     this.sun = new THREE.DirectionalLight(0xffffff, 2.1);
     this.sun.castShadow = true;
-    this.sun.shadow.mapSize.set(512, 512);
-    this.sun.shadow.radius = 3;
+    const points = inSoftware ? 256 : 512;
+    this.sun.shadow.mapSize.set(points, points);
+    this.sun.shadow.radius = points / 170;
     this.sun.shadow.blurSamples = 6;
     this.ground = new THREE.Mesh(new THREE.PlaneGeometry(1, 1), clearWhereLit(new THREE.ShadowMaterial({opacity: 0.22, depthWrite: false})));
     this.ground.receiveShadow = true;
@@ -138,11 +143,21 @@ export class Scene {
 
   placeLight(box) {
     const reach = 1.25 * Math.max(this.size, 0.5 * Math.hypot(box.high[0] - box.low[0], box.high[1] - box.low[1]), this.height);
-    this.sun.position.set(-0.35 * reach, -0.45 * reach, 2.2 * reach);
+    this.sun.position.set(...SUN.map((v) => v * reach));
     Object.assign(this.sun.shadow.camera, {left: -reach, right: reach, top: reach, bottom: -reach, near: 0.1 * reach, far: 4.5 * reach});
     this.sun.shadow.camera.updateProjectionMatrix();
-    this.ground.scale.set(2.1 * reach, 2.1 * reach, 1);
-    this.ground.position.z = -0.002 * reach;
+    this.layGround(box, reach);
+  }
+
+  /** As large as the shadow: software draws every point of it, lit or not. */
+  layGround({low, high}, reach) {
+    const top = Math.max(0, high[2] + this.shift[2]);
+    const [x, y] = [0, 1].map((k) => {
+      const fall = (-SUN[k] / SUN[2]) * top, at = this.shift[k];
+      return {from: low[k] + at - SOFT * reach, to: high[k] + at + fall + SOFT * reach};
+    });
+    this.ground.scale.set(x.to - x.from, y.to - y.from, 1);
+    this.ground.position.set((x.from + x.to) / 2, (y.from + y.to) / 2, -0.002 * reach);
   }
 
   fit({low, high} = this.boxOf(this.poses)) {
