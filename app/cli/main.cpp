@@ -101,7 +101,8 @@ void add_export(CLI::App& app, CommandOptions& options, kinetix::app::PrintReque
       ->type_name("MM")
       ->check(within(0.01, 10.0));
   app.add_option("--cell-mm", request.cell_mm,
-                 "makes the sheet with cells of this edge instead of its own; walls stay as thick and high")
+                 "makes the sheet with cells of this edge instead of its own; walls stay as thick and high, "
+                 "but for what the process needs")
       ->type_name("MM")
       ->check(within(0.1, 1e4));
   app.add_option("--bed", request.bed_mm,

@@ -111,14 +111,15 @@ std::optional<double> enough_mm(const Order& order, PrintChoice choice) {
 }
 
 /// "; with walls of 0.8 x 6 mm a cell_mm of 12.5 would do (--cell-mm 12.5)"
-std::string would_do(const Order& order, const PrintChoice& choice) {
+std::string would_do(const Order& order, PrintChoice choice) {
   const std::optional<double> edge = enough_mm(order, choice);
   if (!edge && !order.path.is_exact && choice.kind == model::HingeKind::pin)
     return "; no larger cell would do either: its hinges stretch on the way, and pins cannot (--hinge block)";
   if (!edge) return "; no larger cell would do either";
-  const model::CellSize& size = order.design.structure.size();
-  return fmt::format("; with walls of {:g} x {:g} mm a cell_mm of {:g} would do (--cell-mm {:g})",
-                     std::max(size.thickness_mm, order.process.least_wall_mm), size.height_mm, *edge, *edge);
+  choice.edge_mm = *edge;
+  const model::CellSize size = resized(order.design.structure.size(), choice, order.process);
+  return fmt::format("; with walls of {:.3g} x {:.3g} mm a cell_mm of {:g} would do (--cell-mm {:g})",
+                     size.thickness_mm, size.height_mm, *edge, *edge);
 }
 
 }  // namespace

@@ -203,6 +203,7 @@ class Page : public std::enable_shared_from_this<Page> {
   void leave() {
     closed_ = true;
     timer_.cancel();
+    if (std::exchange(known_, false)) engine_.visitors.go(client_);
     engine_.pages.erase(client_);
   }
 

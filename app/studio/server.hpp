@@ -22,6 +22,7 @@ struct WebFile {
 struct Visitors {
   std::function<void(int client)> come;
   std::function<void(int client, std::string text)> say;
+  std::function<void(int client)> go;
 };
 
 /// A web server for pages on this machine that know a secret: HTTP for the files, one WebSocket a page

@@ -46,6 +46,21 @@ void Session::greet(int client) {
   });
 }
 
+void Session::dismiss(int client) {
+  enqueue([this, client] {
+    heard_.erase(client);
+    parts_.erase(client);
+  });
+}
+
+void Session::note_heard(int client, double id) {
+  const auto page = heard_.find(client);
+  if (id > 0 && page != heard_.end()) page->second = id;
+}
+
+/// Whether the engine runs: not while nobody looks.
+bool Session::plays() const { return !heard_.empty() && player_.plays(); }
+
 void Session::enqueue(std::function<void()> work) {
   {
     const std::lock_guard lock(mutex_);
@@ -57,7 +72,7 @@ void Session::enqueue(std::function<void()> work) {
 void Session::run(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
     do_queued();
-    if (player_.plays())
+    if (plays())
       if (const std::unique_lock alone(engine_, std::try_to_lock); alone) {
         player_.play();
         changed_ = true;
@@ -73,7 +88,7 @@ void Session::run(const std::stop_token& stop) {
 void Session::wait_for_work(const std::stop_token& stop) {
   std::unique_lock lock(mutex_);
   const auto ready = [this] { return !queue_.empty(); };
-  if (player_.plays())
+  if (plays())
     arrived_.wait_for(lock, stop, between_plays, ready);
   else
     arrived_.wait(lock, stop, ready);
@@ -97,7 +112,7 @@ void Session::obey(int client, const std::string& text) {
     const auto command = commands().find(message.type());
     if (command == commands().end()) throw InvalidInput("type: unknown command '" + message.type() + "'");
     command->second(*this, message);
-    if (id_ > 0) heard_[client] = id_;
+    note_heard(client, id_);
     changed_ = true;
   } catch (const InvalidInput& e) {
     tell(error_message(e.what(), id_), client);

@@ -46,6 +46,8 @@ class Session {
   void post(int client, std::string text);
   /// A page came, and is told everything; from any thread.
   void greet(int client);
+  /// A page went; from any thread. The engine rests while there is none.
+  void dismiss(int client);
   /// Until asked to stop.
   void run(const std::stop_token& stop);
 
@@ -53,6 +55,8 @@ class Session {
   using Command = std::function<void(Session& session, const Message& message)>;
   static const std::map<std::string, Command>& commands();
 
+  void note_heard(int client, double id);
+  bool plays() const;
   void enqueue(std::function<void()> work);
   void wait_for_work(const std::stop_token& stop);
   void do_queued();
@@ -95,7 +99,7 @@ class Session {
   std::vector<model::StableState> stable_;     ///< that the last equilibrium path led to
   std::size_t next_stable_ = 0;
 
-  std::map<int, double> heard_;  ///< by client: id of its last command whose effect can be seen
+  std::map<int, double> heard_;  ///< by client that is there: id of its last command whose effect can be seen
   int client_ = everybody;       ///< whose command is being done
   double id_ = 0;                ///< of that command; 0 once somebody else answers it
   bool changed_ = true;          ///< there is something new to see

@@ -41,7 +41,7 @@ void Session::trace(double theta) {
       if (stop.stop_requested()) return dropped(client, id);
       Json rows = path_rows(*way, equilibria);
       enqueue([this, number, client, id, way, why, rows = std::move(rows)] {
-        if (id > 0) heard_[client] = id;
+        note_heard(client, id);
         changed_ = true;
         if (number != traces_) return;
         way_ = way;
@@ -65,7 +65,7 @@ void Session::trace(double theta) {
 /// Nobody waits for that command's effect any more.
 void Session::dropped(int client, double id) {
   enqueue([this, client, id] {
-    if (id > 0) heard_[client] = id;
+    note_heard(client, id);
     changed_ = true;
   });
 }

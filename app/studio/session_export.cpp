@@ -41,7 +41,7 @@ void Session::export_files(const Message& message) {
       const Exported out = export_design(design, request, folder, progress);
       enqueue([this, client, id, out] {
         exporting_ = false;
-        if (id > 0) heard_[client] = id;
+        note_heard(client, id);
         changed_ = true;
         tell({{"type", "exported"}, {"folder", out.folder}, {"files", out.files}, {"summary", out.text}});
       });

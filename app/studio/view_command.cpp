@@ -63,7 +63,8 @@ int view_command(const CommandOptions& options, const ViewRequest& request) {
   studio::Session* to = nullptr;
   studio::Server server(files, token, static_cast<std::uint16_t>(request.port),
                         {[&](int client) { to->greet(client); },
-                         [&](int client, std::string text) { to->post(client, std::move(text)); }});
+                         [&](int client, std::string text) { to->post(client, std::move(text)); },
+                         [&](int client) { to->dismiss(client); }});
   studio::Session session(
       std::move(opened),
       {[&](int client, std::string text) { server.tell(client, std::move(text)); },

@@ -11,4 +11,7 @@ namespace kinetix::app {
 /// @param pin with its clearance   @return with axial_clearance_mm and rim_mm
 model::HingePrint with_faces(model::HingePrint pin, const model::Process& process);
 
+/// The least height of a pin whose eye, between two such clearances, is as high as they are. mm
+double least_pin_height_mm(double clearance_mm, const model::Process& process);
+
 }  // namespace kinetix::app

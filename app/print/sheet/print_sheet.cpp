@@ -23,12 +23,6 @@ constexpr double film_mm =
 constexpr double widest_turn = 2.8;  // rad: at half a turn corners meet however long the gap
 constexpr double tenth = 10;         // gaps are whole tenths of a mm
 
-model::CellSize resized(const model::CellSize& size, const PrintChoice& choice,
-                        const model::Process& process) {
-  if (!(choice.edge_mm > 0)) return size;
-  return {choice.edge_mm, std::max(size.thickness_mm, process.least_wall_mm), size.height_mm};
-}
-
 model::Sheet resized(model::Sheet sheet, const PrintChoice& choice, const model::Process& process) {
   if (auto* squares = sheet.squares()) squares->size = resized(squares->size, choice, process);
   if (auto* block = sheet.sodalite()) block->size = resized(block->size, choice, process);
@@ -211,6 +205,15 @@ class SheetMaker {
 };
 
 }  // namespace
+
+model::CellSize resized(const model::CellSize& size, const PrintChoice& choice,
+                        const model::Process& process) {
+  if (!(choice.edge_mm > 0)) return size;
+  const double clearance = choice.clearance_mm > 0 ? choice.clearance_mm : process.clearance_mm;
+  const double least_height = choice.kind == HingeKind::pin ? least_pin_height_mm(clearance, process) : 0;
+  return {choice.edge_mm, std::max(size.thickness_mm, process.least_wall_mm),
+          std::max(size.height_mm, least_height)};
+}
 
 bool PrintSheet::has_soft() const {
   return std::any_of(soft.begin(), soft.end(),

@@ -58,8 +58,12 @@ struct PrintChoice {
       false;  ///< knuckles are round caps about the middle of their walls, all as large as the largest offset asks
   std::optional<Eigen::Vector2d> bed_mm = {};  ///< of the printer: a larger sheet is cut into tiles
   double edge_mm =
-      0;  ///< cell edge instead of the design's, mm; 0: the design's. Walls stay, as thick as the process needs
+      0;  ///< cell edge instead of the design's, mm; 0: the design's. Walls stay, but for what the process needs
 };
+
+/// Of cells with the edge that was chosen: walls as thick, and where pins are chosen as high, as the process needs.
+model::CellSize resized(const model::CellSize& size, const PrintChoice& choice,
+                        const model::Process& process);
 
 /// Whether the design leaves the kind of some hinge open.
 bool leaves_hinges_open(const DesignFile& design);

@@ -145,10 +145,16 @@ TEST(Export, RefusesOptionsThatAreNoNumbersInOneLine) {
     expect_refused(panel, std::string("--format stl ") + option, "(see --help)");
 }
 
-TEST(Export, RefusesPinsWithoutRoomForAnEye) {
-  const std::string low = std::string(panel).replace(std::string(panel).find("height: 6"), 9, "height: 1.5");
-  expect_refused(low, "--format stl --hinge pin --process fdm --cell-mm 30",
-                 "a pin 1.5 mm high has no room for an eye between two clearances of 0.53 mm");
+TEST(Export, RefusesPinsWithoutRoomForAnEyeAndSaysHowHighTheirWallsHaveToBe) {
+  std::string low = panel;
+  low.replace(low.find("height: 6"), 9, "height: 1.5");
+  low.replace(low.find("cell_mm: 12"), 11, "cell_mm: 30");
+  const std::string pins = "--format stl --hinge pin --process fdm";
+  expect_refused(low, pins, "a pin 1.5 mm high has no room for an eye between two clearances of 0.53 mm");
+  expect_refused(low, pins, "x 2.12 mm a cell_mm of 30.5 would do (--cell-mm 30.5)");
+  const Scratch scratch;
+  ASSERT_EQ(exported(scratch, low, pins + " --cell-mm 30.5").code, 0);
+  EXPECT_NEAR(double(said_of(scratch)["bounds_mm"][2]), 2.12, 1e-6) << "in floats";
 }
 
 TEST(Export, TakesTheClearanceOfACouponInsteadOfTheProcesss) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <random>
 
 #include "app/studio/earlier_result.hpp"
@@ -285,6 +286,32 @@ TEST_F(Studio, WakesUpToThePresent) {
   const Received now = client.receive();
   ASSERT_FALSE(now.closed);
   EXPECT_GT(now.head(4), late.back().head(4) + 0.5);
+}
+
+/// Its physics would keep a core busy for as long as the program is open.
+TEST(Session, RestsWhileNoPageIsThere) {
+  const TemporaryFolder folder;
+  std::atomic<int> shown = 0;
+  app::studio::Session session(
+      {app::studio::template_design("strip"), folder.path("design.yaml"), "", 1, 0},
+      {[](int, const std::string&) {}, [&](const std::shared_ptr<const app::studio::Frame>&) { ++shown; }});
+  const std::jthread worker([&](const std::stop_token& stop) { session.run(stop); });
+  const auto wait = [](int ms) { std::this_thread::sleep_for(std::chrono::milliseconds(ms)); };
+  const auto plays_from = [&](int before) {
+    for (int tries = 0; shown < before + 20 && tries < 3000; ++tries) wait(10);
+    return shown >= before + 20;
+  };
+  session.greet(1);
+  session.post(1, R"({"type": "mode", "mode": "bullet"})");
+  session.post(1, R"({"type": "gravity", "on": true})");
+  ASSERT_TRUE(plays_from(0));
+  session.dismiss(1);
+  wait(200);
+  const int rested = shown;
+  wait(300);
+  EXPECT_EQ(shown, rested);
+  session.greet(2);
+  EXPECT_TRUE(plays_from(rested)) << "it goes on for the next page";
 }
 
 TEST_F(Studio, ExportsFilesForThePrinter) {

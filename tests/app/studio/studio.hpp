@@ -14,7 +14,8 @@ class OpenStudio {
   explicit OpenStudio(app::DesignFile design, const std::string& target_file = "")
       : server(files(), token, 0,
                {[this](int client) { session->greet(client); },
-                [this](int client, std::string text) { session->post(client, std::move(text)); }}) {
+                [this](int client, std::string text) { session->post(client, std::move(text)); },
+                [this](int client) { session->dismiss(client); }}) {
     session = std::make_unique<app::studio::Session>(
         app::studio::Opened{std::move(design), folder.path("design.yaml"), target_file, 2, 0},
         app::studio::Outlet{
