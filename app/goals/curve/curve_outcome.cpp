@@ -73,7 +73,9 @@ std::string robust_text(const RobustCurve& robust) {
 std::string verdict(const CurveOutcome& curve) {
   if (curve.met()) return "within tolerance";
   const bool close = curve.found.design.error.rms <= curve.shape_tolerance;
-  return close ? "WITHIN TOLERANCE, BUT WALLS COLLIDE" : "MISSES THE TOLERANCE";
+  if (!close) return "MISSES THE TOLERANCE";
+  return curve.found.walls_are_free ? "WITHIN TOLERANCE, BUT DOES NOT HOLD"
+                                    : "WITHIN TOLERANCE, BUT WALLS COLLIDE";
 }
 
 }  // namespace

@@ -61,6 +61,26 @@ TEST(Matter, MakesUpForSoftHingesOfACurve) {
               AllOf(HasSubstr("material: tango"), HasSubstr("shape_memory")));
 }
 
+/// The walls of this cuff touch on the way, of which the search for its tilts knows nothing: its path from flat ends beside
+/// what was found, and near enough to the goal.
+TEST(Matter, JudgesACurveWhereItsPathFromFlatEnds) {
+  const Scratch scratch;
+  const Finished run = finished(scratch, R"(kinetix: 1
+target: {kind: curve, points: [[27, -20], [33, -8], [34, 5], [28, 18], [15, 26], [0, 28], [-15, 26], [-28, 18], [-34, 5],
+  [-33, -8], [-27, -20]]}
+structure: {cells: [24, 2], wall_mm: {thickness: 1, height: 7}}
+process: fdm
+hinge: {kind: film, material: tpu95a, gap_mm: 1.5, thickness_mm: 0.4}
+drive: {kind: shape_memory, k_turn: 20}
+)",
+                                " --no-verify");
+  ASSERT_EQ(run.code, 0) << run.out << run.err;
+  const Json& matter = run.result["matter"];
+  EXPECT_THAT(matter["why"].get<std::string>(), HasSubstr("and within tolerance as well"));
+  EXPECT_NEAR(run.result["as_made"]["designed_mm"], matter["after_mm"], 1e-6);
+  EXPECT_LE(matter["after_mm"], matter["tolerance_mm"]);
+}
+
 TEST(Matter, SaysWhereASheetLeansInsteadOfFolding) {
   const Scratch scratch;
   const Finished run = finished(scratch, R"(kinetix: 1

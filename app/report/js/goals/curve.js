@@ -43,7 +43,7 @@ function curveVerdict(data) {
   if (met === false) {
     const also = verified === false ? " " + physicsWords(data) : "";
     const close = data.metrics.shape_rms <= data.tolerance.shape;
-    const title = close ? "Shape reached, but walls collide on the way" : "Target missed";
+    const title = close ? "Shape reached, but the design does not hold" : "Target missed";
     return {mark: "\u2715", tone: "bad", title, text: (close ? metWords(data) : missBy(data)) + also};
   }
   if (verified === false)
