@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "benchmarks/matter_parts.hpp"
+#include "benchmarks/figure.hpp"
 #include "tests/support/calculix_block.hpp"
 
 namespace kinetix::bench {

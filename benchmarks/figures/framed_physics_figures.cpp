@@ -1,5 +1,4 @@
 #include "benchmarks/equilibrium_against_physics.hpp"
-#include "benchmarks/matter_parts.hpp"
 #include "model/linkage/actuators.hpp"
 #include "model/matter/made_hinge.hpp"
 #include "tests/support/elastic_runs.hpp"

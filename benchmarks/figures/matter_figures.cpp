@@ -6,7 +6,7 @@
 #include "app/goals/display/display_outcome.hpp"
 #include "app/goals/read_target.hpp"
 #include "app/pipeline/pipeline.hpp"
-#include "benchmarks/matter_parts.hpp"
+#include "benchmarks/figure.hpp"
 #include "targets/document/document.hpp"
 
 namespace kinetix::bench {
@@ -130,9 +130,8 @@ std::vector<Figure> limits() {
 }  // namespace
 
 std::vector<Figure> matter_figures() {
-  std::vector<Figure> figures = block_stiffness_figures();
-  for (const auto& more : {framed_physics_figures(), first_order(), compensation(), limits()})
-    figures.insert(figures.end(), more.begin(), more.end());
+  std::vector<Figure> figures = first_order();
+  for (const auto& more : {compensation(), limits()}) figures.insert(figures.end(), more.begin(), more.end());
   return figures;
 }
 

@@ -2,6 +2,7 @@
 
 #include "model/base/decompositions.hpp"
 #include "model/closure/closure.hpp"
+#include "model/linkage/hinge_mismatch.hpp"
 #include "sim/joints/framed_points.hpp"
 
 namespace kinetix::sim {
@@ -16,7 +17,8 @@ Matrix3d turned(const Vector3d& force, const Vector3d& arm) {
   return 0.5 * (product + product.transpose()) - product.trace() * Matrix3d::Identity();
 }
 
-/// By body: what the points' forces oppose to turns, over k_point.
+/// By body: what the points' forces oppose to turns, over k_point. Forces by the directions of a hinge's frame turn with
+/// both its bodies: they act in the middle of the mismatch, so that nothing opposes, or drives, a turn of the whole.
 std::vector<Matrix3d> turning_stiffness(const model::Linkage& structure, const model::State& state,
                                         const model::Stiffness& stiffness) {
   std::vector<Matrix3d> sums(state.size(), Matrix3d::Zero());
@@ -24,10 +26,20 @@ std::vector<Matrix3d> turning_stiffness(const model::Linkage& structure, const m
     const model::RestHinge& hinge = structure.hinges[h];
     const model::Stiffness& k = stiffness.of(h);
     const Matrix3d &lower = state[hinge.lower].R, &upper = state[hinge.upper].R;
-    const auto [force, moment] =
+    const HingePull pull =
         hinge_pull(hinge, k, state[hinge.lower], state[hinge.upper], structure.size.edge_mm);
-    sums[hinge.lower] += turned(force, lower * hinge.lower_arm) + turned(moment, lower * hinge.axis);
-    sums[hinge.upper] -= turned(force, upper * hinge.upper_arm) + turned(moment, upper * hinge.axis);
+    sums[hinge.lower] += turned(pull.point, lower * hinge.lower_arm) + turned(pull.axis, lower * hinge.axis);
+    sums[hinge.upper] -= turned(pull.point, upper * hinge.upper_arm) + turned(pull.axis, upper * hinge.axis);
+    if (!k.framed()) continue;
+    const auto middle = [&](const Vector3d& force, const Vector3d& mismatch) -> Matrix3d {
+      return 0.5 * turned(force, mismatch);
+    };
+    const Matrix3d shifted =
+        middle(pull.framed_point,
+               point_mismatch(hinge, state[hinge.lower], state[hinge.upper], structure.size.edge_mm).gap) +
+        middle(pull.framed_axis, axis_mismatch(hinge, state[hinge.lower], state[hinge.upper]).gap);
+    sums[hinge.lower] -= shifted;
+    sums[hinge.upper] -= shifted;
   }
   return sums;
 }

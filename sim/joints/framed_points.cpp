@@ -82,7 +82,10 @@ HingePull played_pull(const model::RestHinge& hinge, const model::Stiffness& k, 
                       const model::Pose& upper, double edge_mm) {
   const Vector3d below = played_point_pull(hinge, k, lower, upper, edge_mm, -1),
                  above = played_point_pull(hinge, k, lower, upper, edge_mm, 1);
-  return {above + below, k.reach * (above - below)};
+  HingePull pull;
+  pull.point = above + below;
+  pull.axis = k.reach * (above - below);
+  return pull;
 }
 
 /// The springs of one hinge as rows.
@@ -178,12 +181,16 @@ HingePull hinge_pull(const model::RestHinge& hinge, const model::Stiffness& k, c
   if (k.play > 0) return played_pull(hinge, k, lower, upper, edge_mm);
   const Vector3d point = model::point_mismatch(hinge, lower, upper, edge_mm).gap,
                  axis = model::axis_mismatch(hinge, lower, upper).gap;
-  HingePull pull{2 * k.ratios.shear * point, 2 * k.twist_weight() * axis};
+  HingePull pull;
+  pull.point = 2 * k.ratios.shear * point;
+  pull.axis = 2 * k.twist_weight() * axis;
   if (!k.framed()) return pull;
   const HingeDirections at = hinge_directions(hinge, lower, upper);
-  pull.point += 2 * (k.ratios.axial - k.ratios.shear) * point.dot(at.wall) * at.wall +
-                2 * (k.ratios.along - k.ratios.shear) * point.dot(at.axis) * at.axis;
-  pull.axis += 2 * k.rock_beyond_twist() * axis.dot(at.wall) * at.wall;
+  pull.framed_point = 2 * (k.ratios.axial - k.ratios.shear) * point.dot(at.wall) * at.wall +
+                      2 * (k.ratios.along - k.ratios.shear) * point.dot(at.axis) * at.axis;
+  pull.framed_axis = 2 * k.rock_beyond_twist() * axis.dot(at.wall) * at.wall;
+  pull.point += pull.framed_point;
+  pull.axis += pull.framed_axis;
   return pull;
 }
 

@@ -4,6 +4,7 @@
 #include "model/elastic/equilibrium_comparison.hpp"
 #include "model/elastic/path/equilibrium_path.hpp"
 #include "model/linkage/actuators.hpp"
+#include "model/matter/made_hinge.hpp"
 #include "sim/compression_run.hpp"
 #include "tests/sim/elastic_equilibrium.hpp"
 #include "tests/support/elastic_runs.hpp"
@@ -130,6 +131,19 @@ TEST(ElasticAgreement, OfFramedHingesOnABentSheet) {
 TEST(ElasticAgreement, OfFramedHingesOnATwistingStrip) {
   expect_framed_agreement(twisting_strip(), hinge_drive({{5, 0}, model::Axis::y}, 20 * radians_per_degree),
                           1e-3);
+}
+
+/// In space, driven by one hinge: nothing holds the strip from outside, and nothing may set it spinning as a whole. Blocks
+/// of rubber that turn stiffly pull far from along their gaps.
+TEST(ElasticAgreement, OfAStripOfThickBlocksThatComesToRestInSpace) {
+  const model::HingeStiffness thick = model::stiffness({.kind = model::HingeKind::block,
+                                                        .material = *model::find_material("tango"),
+                                                        .gap_mm = 1,
+                                                        .thickness_mm = 0.8,
+                                                        .height_mm = 6});
+  const Pair pair = both(twisting_strip(), hinge_drive({{5, 0}, model::Axis::y}, 20 * radians_per_degree),
+                         false, elasticity_of(thick, reach_mm));
+  EXPECT_LE(pair.comparison.distance.rms, 1e-3);
 }
 
 /// Springs of shape memory in the hinges of a sheet, heated in both. @return rms distance, cell edges
