@@ -22,8 +22,10 @@ HingeDirections hinge_directions(const model::RestHinge& hinge, const model::Pos
 struct HingePull {
   Eigen::Vector3d point;  ///< k_point edge
   Eigen::Vector3d axis;   ///< k_point edge^2
-  /// What of both is by the directions of the hinge's frame, and need not lie along the mismatch.
-  Eigen::Vector3d framed_point = Eigen::Vector3d::Zero(), framed_axis = Eigen::Vector3d::Zero();
+  /// What of point is by the directions of the hinge's frame, and need not lie along the mismatch: k_point edge. Not told
+  /// of hinges with play
+  Eigen::Vector3d framed_point = Eigen::Vector3d::Zero();
+  Eigen::Vector3d framed_axis = Eigen::Vector3d::Zero();  ///< likewise of axis, k_point edge^2
 };
 HingePull hinge_pull(const model::RestHinge& hinge, const model::Stiffness& stiffness,
                      const model::Pose& lower, const model::Pose& upper, double edge_mm);
