@@ -10,8 +10,8 @@ import {standing, standOf} from "./standing.js";
 import {turned} from "./quaternion.js";
 
 const SLOW_FRAME = 45;      // ms, of 22 frames a second; above it the picture is drawn with fewer pixels
-const FEWEST_PIXELS = 0.6;  // a CSS pixel
-const SHADOW_EVERY = 3;     // frames in motion
+const FEWEST_PIXELS = 0.5;  // a CSS pixel
+const SHADOW_EVERY = 4;     // frames in motion
 const SMALLEST = 0.35;      // of the flat sheet's half diagonal: what folds up smaller is not drawn larger
 const STILL = 300;          // ms without a change: then all pixels are drawn once
 const SUN = [-0.35, -0.45, 2.2];  // where it stands, over the reach of its light
