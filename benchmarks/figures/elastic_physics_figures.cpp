@@ -27,7 +27,6 @@ Figure equilibrium_against_physics(const std::string& name, const model::Structu
   sim::PhysicsOptions options;
   options.elastic = relative(elasticity, structure.size.edge_mm);
   options.planar = path.planar;
-  options.settle_residual_motion = limit;  // as verifications do
   options.spring_turn = drive.k_spring / energy_unit(elasticity, structure.size.edge_mm);
   const sim::PhysicsResult physics = run_compression(structure, drive, options);
   const model::EquilibriumComparison c =
@@ -36,12 +35,9 @@ Figure equilibrium_against_physics(const std::string& name, const model::Structu
              settled = physics.status == sim::PhysicsResult::Status::settled;
   return {name + ": equilibrium against Bullet, same stiffness", "verify_rms <= 1e-2",
           fmt::format("{}, rms {:.1e} cell edges (max {:.1e}), {} points in contact; {:.2f} s, {}; Bullet "
-                      "{:.2f} s, {}{}",
+                      "{:.2f} s, {}",
                       to_string(c.outcome), c.distance.rms, c.distance.max, path.steps.back().contacts, time,
-                      to_string(path.stop), physics.seconds, to_string(physics.status),
-                      physics.residual_motion > 0
-                          ? fmt::format(", parts still moving by {:.1e}", physics.residual_motion)
-                          : ""),
+                      to_string(path.stop), physics.seconds, to_string(physics.status)),
           reached && settled && c.distance.rms <= limit};
 }
 

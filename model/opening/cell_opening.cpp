@@ -23,12 +23,12 @@ struct Line {
   }
 };
 
-std::vector<Line> lines_of(const Opening& opening) {
-  std::vector<Line> lines;
-  for (const Opening::Side& side : opening.sides) lines.push_back({side.vertex, side.wall_tip});
+/// Half walls, then what closes the gap of each hinge. @param visit takes a Line
+template <class Visit>
+void visit_lines(const Opening& opening, const Visit& visit) {
+  for (const Opening::Side& side : opening.sides) visit(Line{side.vertex, side.wall_tip});
   for (std::size_t k = 0; k < opening.sides.size(); k += 2)
-    lines.push_back({opening.sides[k].wall_tip, opening.sides[k + 1].wall_tip});
-  return lines;
+    visit(Line{opening.sides[k].wall_tip, opening.sides[k + 1].wall_tip});
 }
 
 /// A square of the plane with the clearance of its middle, negative outside, and what no point of it exceeds.
@@ -86,9 +86,7 @@ bool Opening::contains(const Vector2d& point) const {
 
 double Opening::clearance(const Vector2d& point) const {
   double least = Line{sides[0].vertex, sides[0].wall_tip}.distance(point);
-  for (const Side& side : sides) least = std::min(least, Line{side.vertex, side.wall_tip}.distance(point));
-  for (std::size_t k = 0; k < sides.size(); k += 2)
-    least = std::min(least, Line{sides[k].wall_tip, sides[k + 1].wall_tip}.distance(point));
+  visit_lines(*this, [&](const Line& line) { least = std::min(least, line.distance(point)); });
   return least;
 }
 
@@ -123,7 +121,8 @@ double aperture(const Opening& opening, double precision) {
     high = high.cwiseMax(corner);
   }
   if (!low.allFinite() || !high.allFinite()) return NAN;
-  const std::vector<Line> lines = lines_of(opening);
+  std::vector<Line> lines;
+  visit_lines(opening, [&](const Line& line) { lines.push_back(line); });
   std::priority_queue<Square> open;
   open.emplace(opening, (low + high) / 2, (high - low).maxCoeff() / 2);
   double best = 0;
