@@ -217,9 +217,9 @@ void check_offsets(const targets::Section& root, const DesignFile& file) {
     const auto& made = hinge_at(file.hinge, file.own_hinges, h).made;
     if (!made) continue;
     const double offset_mm = std::abs(file.structure.hinge(h).offset) * size.edge_mm;
-    const double most_mm = largest_offset_mm(*made, size.thickness_mm);
+    const double most_mm = largest_offset_mm(*made, size);
     if (offset_mm > most_mm + 1e-9 * size.edge_mm)  // rounding of a file's digits
-      throw hinge.optional("offset_mm")->error(offset_limit_text(size.thickness_mm, most_mm));
+      throw hinge.optional("offset_mm")->error(offset_limit_text(*made, size));
   }
 }
 

@@ -179,6 +179,7 @@ DriveSection read_drive(Kind kind, const targets::Node& node, const model::Sheet
     case Kind::cord:
       return read_cord(node, structure);
     case Kind::shape_memory:
+    case Kind::none:
       break;
   }
   return read_shape_memory(node, structure);

@@ -105,6 +105,9 @@ std::vector<targets::Key> stiffness_and_shape() {
        "whether a pin moves freely within its clearance, a dead band in which nothing resists: sheets are "
        "then "
        "loose, and their equilibrium is any of many"},
+      {"caps", value::boolean(), targets::by_default("false"),
+       "whether knuckles of a pin are round caps about the middle of their walls, as large as the hinge "
+       "furthest off its middle asks for, with their bores beside it: all look alike"},
   };
 }
 
@@ -141,7 +144,7 @@ void check_one_way(const targets::Section& section) {
   refuse("k", {"k_point", "k_turn"});
   if (section.optional("kind")) return;
   for (const char* key :
-       {"material", "gap_mm", "thickness_mm", "height_mm", "diameter_mm", "clearance_mm", "play"})
+       {"material", "gap_mm", "thickness_mm", "height_mm", "diameter_mm", "clearance_mm", "play", "caps"})
     if (const auto node = section.optional(key))
       throw node->key_error("belongs to a made hinge; give `kind: pin`, `block` or `film` as well");
 }
@@ -179,7 +182,7 @@ void check_kind(const targets::Section& section, HingeKind kind) {
   if (kind == HingeKind::pin)
     refuse({"gap_mm", "thickness_mm"}, "belongs to blocks and films, not to pins");
   else
-    refuse({"diameter_mm", "clearance_mm", "play"}, "belongs to pins, not to blocks and films");
+    refuse({"diameter_mm", "clearance_mm", "play", "caps"}, "belongs to pins, not to blocks and films");
 }
 
 /// A length that the section must hold.
@@ -200,6 +203,7 @@ void read_pin(const targets::Section& section, const model::CellSize& size, mode
   section.read_length("clearance_mm", hinge.clearance_mm, size.edge_mm);
   read_length_of(section, "diameter_mm", hinge.diameter_mm, size.edge_mm);
   section.read("play", hinge.with_play);
+  section.read("caps", hinge.caps);
 }
 
 /// The message of validate() begins with the field: at its key, without saying it twice, where the file gives it.
@@ -265,13 +269,14 @@ std::string material_text(const model::Material& m) {
 }
 
 std::string made_text(const model::MadeHinge& h) {
-  const char* const kind = h.kind == HingeKind::pin ? "pin" : h.kind == HingeKind::block ? "block" : "film";
-  const std::string start = fmt::format("kind: {}, material: {}, ", kind, material_text(h.material));
+  const std::string start =
+      fmt::format("kind: {}, material: {}, ", to_string(h.kind), material_text(h.material));
   const std::string shape =
       h.kind == HingeKind::pin
           ? fmt::format("diameter_mm: {}, clearance_mm: {}", text(h.diameter_mm), text(h.clearance_mm))
           : fmt::format("gap_mm: {}, thickness_mm: {}", text(h.gap_mm), text(h.thickness_mm));
-  return start + shape + ", height_mm: " + text(h.height_mm) + (h.with_play ? ", play: true" : "");
+  return start + shape + ", height_mm: " + text(h.height_mm) + (h.with_play ? ", play: true" : "") +
+         (h.caps ? ", caps: true" : "");
 }
 
 std::string stiffness_text(const HingeSection& hinge) {
@@ -349,9 +354,14 @@ HingeSection read_single_hinge(const targets::Section& section, const model::Cel
   return read_stiffness_or_shape(section, size, {.model = Model::elastic, .reach_mm = {}});
 }
 
-std::string offset_limit_text(double wall_mm, double most_mm) {
-  return fmt::format("a hinge made so in walls of {:g} mm can sit at most {:.3g} mm off their middle",
-                     wall_mm, most_mm);
+std::string offset_limit_text(const model::MadeHinge& hinge, const model::CellSize& size) {
+  const std::string limit =
+      fmt::format("a hinge made so in walls of {:g} mm can sit at most {:.3g} mm off their middle",
+                  size.thickness_mm, largest_offset_mm(hinge, size));
+  if (hinge.kind != HingeKind::pin || hinge.caps) return limit;
+  model::MadeHinge capped = hinge;
+  capped.caps = true;
+  return limit + fmt::format("; with `caps: true` {:.3g} mm", largest_offset_mm(capped, size));
 }
 
 std::string hinge_text(const HingeSection& hinge) {

@@ -44,8 +44,8 @@ HingeSection read_elastic_hinge_section(const targets::Section& root, const mode
 /// Of a single wall, by single_hinge_keys(); its model is elastic.
 HingeSection read_single_hinge(const targets::Section& section, const model::CellSize& size);
 
-/// Why a made hinge cannot sit where a file asks, both mm.
-std::string offset_limit_text(double wall_mm, double most_mm);
+/// Why a made hinge cannot sit where a file asks, and of a pin without caps how far they reach.
+std::string offset_limit_text(const model::MadeHinge& hinge, const model::CellSize& size);
 
 /// The inside of a map that reads back to the same, but for the model: "k_point: 1000, k_turn: 0.1".
 std::string hinge_text(const HingeSection& hinge);

@@ -114,7 +114,7 @@ nlohmann::ordered_json summary_json(const ModelParts& parts, const AssemblyFile&
   for (const model::AssemblyHinge& h : a.hinges)
     hinges.push_back({{"name", h.name},
                       {"bodies", {a.bodies[h.lower].name, a.bodies[h.upper].name}},
-                      {"kind", h.kind == model::HingeKind::pin ? "pin" : "block"},
+                      {"kind", to_string(h.kind)},
                       {"point_mm", {h.point.x(), h.point.y(), h.point.z()}},
                       {"axis", {h.axis.x(), h.axis.y(), h.axis.z()}},
                       {"confidence", h.confidence}});

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/pipeline/physics_settings.hpp"
+#include "app/pipeline/print_hinges.hpp"
 #include "app/run/run_hinges.hpp"
 #include "model/elastic/newton.hpp"
 
@@ -35,6 +35,26 @@ model::HingeScatter run_scatter(const Run& run, bool with_play) {
   return scatter;
 }
 
+std::optional<PrintedGoal> expected_with(const Run& run, const PrintHinges& hinges,
+                                         const model::State& design,
+                                         const std::vector<model::ObservedPoint>& points) {
+  if (points.empty()) return std::nullopt;
+  model::State state = design;
+  model::ElasticSystem system(run.structure, hinges.elasticity, hinges.drive, run.plan.planar, false);
+  model::TangentStiffness tangent(system.dofs());
+  const double theta = hinges.drive.theta();
+  system.place(theta, state);
+  if (!settle(system, theta, state, tangent)) return std::nullopt;
+  if (!(aligned_distance(run.structure, state, design).rms <= near_design)) return std::nullopt;
+  PrintedGoal out;
+  out.can_be_printed = print_problems(run).empty();
+  out.taken = hinges.taken;
+  out.made = as_made(system, state, theta, tangent, points, run_scatter(run, true));
+  if (const auto pin = loosest_pin(run); pin && play_scatter(*pin, run.process.sd).place_mm > 0)
+    out.without_play = as_made(system, state, theta, tangent, points, run_scatter(run, false));
+  return out;
+}
+
 }  // namespace
 
 model::HingeScatter scatter_of(const Run& run) { return run_scatter(run, true); }
@@ -53,31 +73,19 @@ model::Sheet printed_sheet(model::Sheet sheet, const Eigen::Matrix4Xd& errors) {
 std::optional<PrintedGoal> expected_of_prints(const Run& run, const model::LinkageDrive& drive,
                                               const model::State& design,
                                               const std::vector<model::ObservedPoint>& points) {
-  if (points.empty()) return std::nullopt;
-  model::State state = design;
-  model::ElasticSystem system(run.structure, elasticity_of(run), drive, run.plan.planar, false);
-  model::TangentStiffness tangent(system.dofs());
-  const double theta = drive.theta();
-  system.place(theta, state);
-  if (!settle(system, theta, state, tangent)) return std::nullopt;
-  if (!(aligned_distance(run.structure, state, design).rms <= near_design)) return std::nullopt;
-  PrintedGoal out;
-  out.can_be_printed = print_problems(run).empty();
-  out.made = as_made(system, state, theta, tangent, points, scatter_of(run));
-  if (const auto pin = loosest_pin(run); pin && play_scatter(*pin, run.process.sd).place_mm > 0)
-    out.without_play = as_made(system, state, theta, tangent, points, run_scatter(run, false));
-  return out;
+  return expected_with(run, print_hinges(run, drive, design), design, points);
 }
 
 std::optional<PrintedGoal> as_made(const Run& run, const model::LinkageDrive& drive,
                                    const model::State& state, const std::vector<model::ObservedPoint>& points,
                                    int prints) {
-  std::optional<PrintedGoal> out = expected_of_prints(run, drive, state, points);
+  const PrintHinges hinges = print_hinges(run, drive, state);
+  std::optional<PrintedGoal> out = expected_with(run, hinges, state, points);
   if (out && (prints > 0 || run.structure.bodies() <= most_bodies_to_confirm))
     out->runs =
         print_runs([&](const Eigen::Matrix4Xd& errors) { return printed_sheet(run.structure, errors); },
-                   elasticity_of(run), drive, state, points, scatter_of(run), std::max(prints, least_prints),
-                   {.planar = run.plan.planar});
+                   hinges.elasticity, hinges.drive, state, points, scatter_of(run),
+                   std::max(prints, least_prints), {.planar = run.plan.planar});
   return out;
 }
 

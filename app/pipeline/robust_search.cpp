@@ -61,8 +61,9 @@ RobustCandidate judged(Run run, const Scene& scene, const RunOptions& options) {
   return out;
 }
 
+/// The plain search first.
 std::vector<RobustTrial> trials(const std::optional<optim::AngleRange>& theta, const HingeSection& hinge) {
-  std::vector<RobustTrial> out;
+  std::vector<RobustTrial> out = {{std::nullopt, hinge}};
   const bool has_gap = hinge.made && hinge.made->gap_mm > 0;
   for (const double share : gap_shares) {
     if (share != 1 && !has_gap) continue;
@@ -109,8 +110,7 @@ void search_robustly(Run& run, const Scene& scene, double weight,
   RunOptions quiet = options;
   quiet.progress = {};
   RobustChoice choice;
-  std::vector<RobustTrial> all = trials(theta, run.hinge);
-  all.insert(all.begin(), RobustTrial{std::nullopt, run.hinge});
+  const std::vector<RobustTrial> all = trials(theta, run.hinge);
   std::size_t best = 0;
   for (std::size_t k = 0; k < all.size() && !options.stop.stop_requested(); ++k) {
     options.progress("robust search", static_cast<double>(k) / static_cast<double>(all.size()),

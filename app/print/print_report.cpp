@@ -19,10 +19,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr double worth_turning = 0.99;  // of the overhang: less is not told of, as it is rounding of faces
 
-const char* name_of(model::HingeKind kind) {
-  return kind == model::HingeKind::pin ? "pin" : kind == model::HingeKind::block ? "block" : "film";
-}
-
 Json vector_json(const Eigen::Vector3d& v) { return Json::array({v.x(), v.y(), v.z()}); }
 
 Eigen::Vector3d bounds(const model::Polyhedron& solid) {
@@ -129,7 +125,7 @@ std::string hinge_words(const PrintSheet& sheet) {
         "pins: rod {:g} x {:g} mm, clearance {:g} mm a side, {:g} mm along the axis, {} {:.2f} mm",
         h.diameter_mm, h.height_mm, h.clearance_mm, sheet.hinges.front().axial_clearance_mm,
         sheet.has_caps() ? "bores in round caps of" : "knuckle", whole_knuckle_mm(sheet.hinges.front()));
-  return fmt::format("{}s of {}: gap {:g} mm, thickness {:g} mm, height {:g} mm", name_of(h.kind),
+  return fmt::format("{}s of {}: gap {:g} mm, thickness {:g} mm, height {:g} mm", to_string(h.kind),
                      h.material.name.empty() ? "your material" : h.material.name, h.gap_mm, h.thickness_mm,
                      h.height_mm);
 }
@@ -160,7 +156,7 @@ std::vector<std::string> print_warnings(const PrintJob& job) {
 
 Json estimate_json(const PrintJob& job, const SliceEstimate& print) {
   return {{"process", job.sheet.process.name},
-          {"hinges", name_of(job.sheet.hinges.front().made.kind)},
+          {"hinges", to_string(job.sheet.hinges.front().made.kind)},
           {"seconds", print.seconds},
           {"material_mm3", print.material_mm3},
           {"prints", print.prints}};
@@ -177,7 +173,7 @@ Json print_json(const PrintJob& job, const PathClearance& clearance,
       {"name", sheet.name},
       {"process", sheet.process.name},
       {"state", job.folded ? "folded" : "flat"},
-      {"hinge", name_of(sheet.kind())},
+      {"hinge", to_string(sheet.kind())},
       {"bodies", count_bodies(sheet)},
       {"hinges", sheet.hinges.size()},
       {"volume_mm3", {{"hard", volume_mm3(hard)}, {"soft", soft.points.empty() ? 0.0 : volume_mm3(soft)}}},

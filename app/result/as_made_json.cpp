@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "app/result/effort.hpp"
 #include "app/result/made_hinges.hpp"
 #include "app/run/run_hinges.hpp"
 
@@ -27,6 +28,30 @@ std::string prints_words(const PrintedGoal& printed) {
                   runs.prints, runs.rms_mm, runs.p95_mm);
   if (runs.failed > 0) text += fmt::format("; {} more found no equilibrium near the design", runs.failed);
   return text + (printed.is_confirmed() ? "" : ": FIRST ORDER DOES NOT HOLD");
+}
+
+Json taken_json(const TakenHinges& taken) {
+  Json out = {{"kind", to_string(taken.made.kind)},
+              {"material", taken.made.material.name},
+              {"gap_mm", taken.made.gap_mm},
+              {"thickness_mm", taken.made.thickness_mm},
+              {"height_mm", taken.made.height_mm},
+              {"strain", taken.strain},
+              {"strain_allowed", taken.made.material.strain_max}};
+  if (taken.load)
+    out["load"] = {{"value", *taken.load}, {"unit", taken.load_unit()}, {"effort", effort_of(taken)}};
+  return out;
+}
+
+std::string taken_words(const TakenHinges& taken) {
+  std::string text = fmt::format(
+      "hinges are left open: taken for {} blocks, {:.1f} mm long, that keep the turns of the design, "
+      "strained by "
+      "{:.2f} of {:g}",
+      taken.made.material.name, taken.made.gap_mm, taken.strain, taken.made.material.strain_max);
+  if (!taken.load) return text;
+  return text + fmt::format("; {:.2g} {} hold them there ({})", std::abs(*taken.load), taken.load_unit(),
+                            effort_of(taken));
 }
 
 }  // namespace
@@ -73,6 +98,7 @@ Json as_made_json(const Run& run) {
               {"confirmed", run.printed->is_confirmed()},
               {"sources", sources},
               {"places", places}};
+  if (run.printed->taken) out["taken"] = taken_json(*run.printed->taken);
   if (const auto& tight = run.printed->without_play)
     out["play"] = {{"clearance_mm", loosest_pin(run)->clearance_mm},
                    {"tilt_deg", to_degrees(tilt_play(*loosest_pin(run)))},
@@ -135,11 +161,11 @@ std::vector<SummaryLine> as_made_lines(const Run& run) {
                      loosest_pin(run)->clearance_mm, to_degrees(tilt_play(*loosest_pin(run))), tight->rms_mm,
                      tight->p95_mm)});
   if (run.printed->runs) lines.push_back({"", prints_words(*run.printed)});
-  if (run.hinge.model == HingeSection::Model::rotary)
+  if (run.printed->taken) {
+    lines.push_back({"", taken_words(*run.printed->taken)});
     lines.push_back(
-        {"", fmt::format("taken for pins of {:g} N/mm, as the file does not say what its hinges are: "
-                         "`hinge: {{kind: block, ...}}` tells what soft ones come to",
-                         run.hinge.k_point)});
+        {"", "`hinge:` and `drive:` in the file tell what other hinges come to, and by which force"});
+  }
   return lines;
 }
 

@@ -13,5 +13,7 @@ std::string effort_of_force(double newtons);
 std::string effort_of_moment(double newton_mm);
 /// What the largest load on the way takes; springs of shape memory need nobody.
 std::string effort_of(const Equilibrium& equilibrium);
+/// What the load on hinges takes that a file left open. @pre it is known
+std::string effort_of(const TakenHinges& taken);
 
 }  // namespace kinetix::app

@@ -34,6 +34,7 @@ std::string drive_text(const Equilibrium& equilibrium, const model::EquilibriumS
     case Kind::cord:
       return fmt::format("cord shortened by {:.4g} mm", step.drive);
     case Kind::shape_memory:
+    case Kind::none:
       break;
   }
   return fmt::format("springs' rest angle {:.4g} deg", to_degrees(step.drive));

@@ -53,7 +53,7 @@ std::optional<std::pair<std::string, std::string>> offset_line(const Run& run) {
     const auto& made = hinge_section(run, h).made;
     if (!made) continue;
     const double offset = std::abs(run.structure.hinge(h).offset) * size.edge_mm;
-    const double most = largest_offset_mm(*made, size.thickness_mm);
+    const double most = largest_offset_mm(*made, size);
     if (!(offset - most > worst)) continue;
     worst = offset - most;
     line = {"OFFSET",

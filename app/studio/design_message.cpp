@@ -22,8 +22,7 @@ Json hinge_json(const HingeSection& hinge) {
         {"text", fmt::format("They turn freely and hold without play. Where forces are asked for, they are "
                              "taken as {:.3g} N/mm, and {:.3g} N mm/rad against turning.",
                              hinge.k_point, hinge.k_turn)}};
-  const char* kinds[] = {"pin", "block", "film"};
-  return {{"kind", kinds[static_cast<int>(hinge.made->kind)]},
+  return {{"kind", to_string(hinge.made->kind)},
           {"material", hinge.made->material.name},
           {"text", hinge_text(hinge)}};
 }
@@ -40,6 +39,7 @@ const char* drive_text(const DesignFile& design) {
     case Kind::cord:
       return "a cord that is pulled";
     case Kind::shape_memory:
+    case Kind::none:
       break;
   }
   return "springs of shape memory";

@@ -58,6 +58,13 @@ Figure confirmed(const std::string& what, const std::string& text) {
 
 std::vector<Figure> first_order() {
   std::vector<Figure> figures = {
+      confirmed(
+          "as made, hinges left open and taken for soft blocks that keep their turns, cube of 4 x 4 x 4 "
+          "cells: first order against prints",
+          cube),
+      confirmed("the same of a helix of two turns, 96 columns",
+                "target: {kind: space_curve, points: helix.csv}\nstructure: {cells: [96, 1]}\n"),
+      confirmed("the same of a saddle of 8 x 8 facets", "target: {kind: surface, shape: saddle}\n"),
       confirmed("as made, helmet rib of 40 columns, rubber hinges and springs of shape memory: first order "
                 "against prints",
                 rib + rubber + springs),

@@ -63,10 +63,4 @@ DofMap make_dof_map(const Linkage& structure, const LinkageDrive& drive, bool pl
   return numbered(held);
 }
 
-DofMap make_dof_map(const Linkage& structure, bool planar) {
-  Held held = planes(structure, planar);
-  held[held.size() / 2].fill(true);
-  return numbered(held);
-}
-
 }  // namespace kinetix::model

@@ -52,13 +52,6 @@ ElasticSystem::ElasticSystem(Linkage structure, const Elasticity& elasticity, Li
   if (contact) refuse_overlap(structure_, walls_);
 }
 
-ElasticSystem::ElasticSystem(Linkage structure, const Elasticity& elasticity, bool planar, bool contact)
-    : structure_(std::move(structure)),
-      stiffness_(acting(elasticity, structure_, planar)),
-      contact_(contact),
-      dofs_(make_dof_map(structure_, planar)),
-      walls_(structure_, planar) {}
-
 std::vector<Contact> ElasticSystem::contacts(const State& state) const {
   return contact_ ? walls_.find(state) : std::vector<Contact>{};
 }

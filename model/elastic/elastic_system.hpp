@@ -22,7 +22,9 @@ class ElasticSystem {
   ElasticSystem(Linkage structure, const Elasticity& elasticity, LinkageDrive drive, bool planar,
                 bool contact);
   /// One that nothing drives: theta has no meaning, and rigid motion is held at one body.
-  ElasticSystem(Linkage structure, const Elasticity& elasticity, bool planar, bool contact);
+  ElasticSystem(Linkage structure, const Elasticity& elasticity, bool planar, bool contact)
+      : ElasticSystem(std::move(structure), elasticity, {.kind = LinkageDrive::Kind::none}, planar, contact) {
+  }
 
   const Linkage& structure() const { return structure_; }
   const Stiffness& stiffness() const { return stiffness_; }

@@ -32,6 +32,17 @@ class LinearHinge final : public HingeLaw {
   }
 };
 
+/// 1/2 k_turn (turn - set)^2: a hinge that was folded by `set` and keeps it, as plastic that was heated there does.
+class SetHinge final : public HingeLaw {
+ public:
+  /// @param set turn at which it rests, rad, in [-pi, pi]
+  explicit SetHinge(double set) : set_(set) {}
+  TurnResponse at(double turn, double k_turn) const override;
+
+ private:
+  double set_;
+};
+
 /// The one LinearHinge, which an Elasticity has unless told otherwise.
 const std::shared_ptr<const HingeLaw>& linear_hinge();
 

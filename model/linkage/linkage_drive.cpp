@@ -8,6 +8,7 @@ double LinkageDrive::theta() const {
   if (kind == Kind::plates) return branch * 2 * std::asin(std::sqrt(compression / 2));
   if (kind == Kind::cord) return branch * 2 * std::asin(std::sqrt(shorten_mm / rest_mm / 2));
   if (kind == Kind::shape_memory) return angle / 2;
+  if (kind == Kind::none) return 0;
   return theta_at_turn(sense, angle);
 }
 

@@ -25,26 +25,28 @@ inline double theta_at_turn(int sense, double turn) { return -sense * turn / 2; 
 /// **cord**: a cord runs without friction through the points of hinges, and its whole length is shortened. It pulls and
 /// never pushes.
 /// **shape memory**: a spring of its own in each of some hinges, whose rest angle goes from flat to that of a checkerboard.
+/// **none**: nothing moves it, one body is held.
 struct LinkageDrive {
-  enum class Kind { plates, hinge, cord, shape_memory };
+  enum class Kind { plates, hinge, cord, shape_memory, none };
 
   Kind kind = Kind::plates;
   Axis axis = Axis::y;     ///< plates: their normal
   double compression = 0;  ///< plates: 1 - final / initial distance, in [0, 1)
   int branch = 1;          ///< plates, cord: +1 or -1, the sign of theta
-  GrippedRows gripped;  ///< plates: bodies of the first and of the second one; of one coordinate each at rest
-  bool press = false;   ///< plates: push what `gripped` names, and let it go where they would have to pull
-  bool grips_part = false;  ///< plates: a part of the structure, not its whole rim
-  std::vector<int> held;    ///< plates: all bodies of that part, or of the structure; ascending
-  int hinge = -1;           ///< hinge: the driven one
-  int sense = 1;            ///< hinge: of its lower body
+  GrippedRows gripped =
+      {};              ///< plates: bodies of the first and of the second one; of one coordinate each at rest
+  bool press = false;  ///< plates: push what `gripped` names, and let it go where they would have to pull
+  bool grips_part = false;     ///< plates: a part of the structure, not its whole rim
+  std::vector<int> held = {};  ///< plates: all bodies of that part, or of the structure; ascending
+  int hinge = -1;              ///< hinge: the driven one
+  int sense = 1;               ///< hinge: of its lower body
   double angle =
       0;  ///< hinge: its turn; shape memory: twice the theta at which springs rest; rad, in (-pi, pi)
-  std::vector<int> through;  ///< cord: the hinges through whose points it runs, in its order
-  double rest_mm = 0;        ///< cord: its length in the flat state
-  double shorten_mm = 0;     ///< cord: by how much, in [0, rest_mm)
-  std::vector<int> springs;  ///< shape memory: the hinges that have one; ascending
-  double k_spring = 0;       ///< shape memory: of each, N mm/rad
+  std::vector<int> through = {};  ///< cord: the hinges through whose points it runs, in its order
+  double rest_mm = 0;             ///< cord: its length in the flat state
+  double shorten_mm = 0;          ///< cord: by how much, in [0, rest_mm)
+  std::vector<int> springs = {};  ///< shape memory: the hinges that have one; ascending
+  double k_spring = 0;            ///< shape memory: of each, N mm/rad
 
   /// Magnitude with sign of the turn of the bodies that the whole drive asks for, rad: theta. Of a cord that at which a
   /// straight one is cos(theta) times as long; of shape memory that at which its springs rest, which the sheet comes to

@@ -98,13 +98,16 @@ void check_beam(const MadeHinge& b, const CellSize& size) {
         "at least half of the hinge's thickness, " + number_text(least_slenderness * b.thickness_mm) + " mm");
 }
 
+/// Diameter at which two of them in the middle of walls at a right angle meet, mm.
+double room_for_knuckles(const CellSize& size) { return size.edge_mm / std::sqrt(2.0); }
+
 void check_pin(const MadeHinge& p, const CellSize& size) {
   if (!(p.clearance_mm >= 0 && p.clearance_mm < size.edge_mm))
     refuse("clearance_mm", p.clearance_mm, "at least 0 and below the cell edge");
   if (p.with_play && !(p.clearance_mm <= p.height_mm / 2))
     refuse("clearance_mm", p.clearance_mm, "at most half of the height of a pin with play");
   if (!(p.diameter_mm > 0)) refuse("diameter_mm", p.diameter_mm, "above 0");
-  const double room = size.edge_mm / std::sqrt(2.0);
+  const double room = room_for_knuckles(size);
   if (knuckle_mm(p) <= room) return;
   refuse("diameter_mm", p.diameter_mm,
          "at most " + number_text(room - (knuckle_mm(p) - p.diameter_mm)) +
@@ -113,6 +116,10 @@ void check_pin(const MadeHinge& p, const CellSize& size) {
 }
 
 }  // namespace
+
+std::string to_string(HingeKind kind) {
+  return kind == HingeKind::pin ? "pin" : kind == HingeKind::block ? "block" : "film";
+}
 
 HingeStiffness stiffness(const MadeHinge& hinge) {
   return hinge.kind == HingeKind::pin ? rod(hinge) : beam(hinge);
@@ -140,9 +147,10 @@ double play_mm(const MadeHinge& hinge) { return hinge.kind == HingeKind::pin ? h
 
 double tilt_play(const MadeHinge& hinge) { return std::atan2(2 * play_mm(hinge), hinge.height_mm); }
 
-double largest_offset_mm(const MadeHinge& hinge, double wall_thickness_mm) {
-  const double needs = hinge.kind == HingeKind::pin ? knuckle_mm(hinge) : hinge.thickness_mm;
-  return std::max(0.0, (wall_thickness_mm - needs) / 2);
+double largest_offset_mm(const MadeHinge& hinge, const CellSize& size) {
+  const double needs = hinge.kind == HingeKind::pin ? knuckle_mm(hinge) : hinge.thickness_mm,
+               room = hinge.caps ? room_for_knuckles(size) : size.thickness_mm;
+  return std::max(0.0, (room - needs) / 2);
 }
 
 double knuckle_mm(const MadeHinge& p) { return p.diameter_mm + 2 * (p.clearance_mm + least_wall); }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "model/hinge/elasticity.hpp"
 #include "model/linkage/cell_size.hpp"
 #include "model/matter/material.hpp"
@@ -13,6 +15,9 @@ enum class HingeKind {
   film,   ///< a thin film that bridges the gap, a living hinge
 };
 
+/// "pin", "block" or "film", as files say it.
+std::string to_string(HingeKind kind);
+
 /// A hinge as made. Blocks and films span the gap L along the wall, with thickness t across it and height h along
 /// the hinge's axis; a pin is a rod of the wall's height.
 struct MadeHinge {
@@ -24,6 +29,8 @@ struct MadeHinge {
   double diameter_mm = 0;   ///< pin: of the rod, > 0
   double clearance_mm = 0;  ///< pin: a side, between rod and bore, >= 0
   bool with_play = false;   ///< pin: whether its equilibrium has that play
+  /// Pin: whether knuckles are round caps about the middle of their walls, as large as the furthest axis asks for.
+  bool caps = false;
 
   bool operator==(const MadeHinge&) const = default;
 };
@@ -71,9 +78,10 @@ double play_mm(const MadeHinge& hinge);
 /// Likewise tilted: atan(2 clearance / height), rad.
 double tilt_play(const MadeHinge& hinge);
 
-/// How far from the middle of its wall a hinge can be made, mm: a block or film up to the wall's face, a pin by
-/// an eccentric bore in the round end of a wall that is thicker than a knuckle must be.
-double largest_offset_mm(const MadeHinge& hinge, double wall_thickness_mm);
+/// How far from the middle of its wall a hinge can be made, mm: a block or film up to the wall's face; a pin by an
+/// eccentric bore in the round end of a wall that is thicker than a knuckle must be, or in a cap, where two caps in the
+/// middle of walls at a right angle do not meet.
+double largest_offset_mm(const MadeHinge& hinge, const CellSize& size);
 
 /// Diameter of the knuckle around a pin: rod, clearance and the least wall that every process prints. mm
 double knuckle_mm(const MadeHinge& pin);

@@ -132,13 +132,13 @@ bool asks_for_walls(const targets::Section& root, const DisplayFile& file) {
 /// A made hinge can sit so far off the middle of its wall and no further.
 void limit_offset(const targets::Section& root, DisplayFile& file) {
   if (!file.hinge.made) return;
-  const double most_mm = largest_offset_mm(*file.hinge.made, file.size.thickness_mm);
+  const double most_mm = largest_offset_mm(*file.hinge.made, file.size);
   file.offset = std::min(file.offset, most_mm / file.size.edge_mm);
   const auto node = root.section("variables").optional("offset_mm");
   std::optional<double> asked_mm;
   root.section("variables").read_length("offset_mm", asked_mm, file.size.edge_mm);
   if (asked_mm && *asked_mm > most_mm * (1 + 1e-9))  // rounding of a file's digits
-    throw node->error(offset_limit_text(file.size.thickness_mm, most_mm));
+    throw node->error(offset_limit_text(*file.hinge.made, file.size));
 }
 
 /// Before all whose defaults depend on it.

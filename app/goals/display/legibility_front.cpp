@@ -47,9 +47,8 @@ std::vector<FrontPoint> legibility_front(const DisplayFile& file, const FrontPoi
   std::vector<FrontPoint> front = {own};
   front.back().is_own = true;
   // What the hinge can be made with; any where it is not said how it is made.
-  const double most = file.hinge.made
-                          ? largest_offset_mm(*file.hinge.made, file.size.thickness_mm) / file.size.edge_mm
-                          : std::numeric_limits<double>::infinity();
+  const double most = file.hinge.made ? largest_offset_mm(*file.hinge.made, file.size) / file.size.edge_mm
+                                      : std::numeric_limits<double>::infinity();
   for (const double offset : tried_offsets) {
     if (offset > most + same) continue;
     if (std::abs(offset - file.offset) <= same && !(file.strain > 0)) continue;

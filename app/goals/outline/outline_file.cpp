@@ -105,11 +105,11 @@ void read_variables(const targets::Section& root, OutlineFile& file) {
 /// A made hinge can sit so far off the middle of its wall and no further.
 void limit_outline_offset(const targets::Section& root, OutlineFile& file) {
   if (!file.hinge.made || !file.cell_mm) return;
-  const double thickness = file.size(*file.cell_mm).thickness_mm;
-  const double most_mm = largest_offset_mm(*file.hinge.made, thickness);
+  const model::CellSize size = file.size(*file.cell_mm);
+  const double most_mm = largest_offset_mm(*file.hinge.made, size);
   if (const auto asked = root.section("variables").optional("offset_mm");
       asked && *file.offset_mm > most_mm * (1 + 1e-9))
-    throw asked->error(offset_limit_text(thickness, most_mm));
+    throw asked->error(offset_limit_text(*file.hinge.made, size));
   file.offset_mm = std::min(file.offset(*file.cell_mm) * *file.cell_mm, most_mm);
 }
 

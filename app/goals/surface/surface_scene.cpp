@@ -82,6 +82,22 @@ model::Pose onto_surface(const model::OrigamiSheet& sheet, const optim::SurfaceD
   return {motion.topLeftCorner<3, 3>(), motion.topRightCorner<3, 1>()};
 }
 
+/// The bodies next to vertex (i, j) of a mesh, one in each of its facets.
+std::vector<int> bodies_at(const model::QuadMesh& mesh, int i, int j) {
+  std::vector<int> out;
+  for (const int row : {2 * j - 1, 2 * j})
+    for (const int column : {2 * i - 1, 2 * i})
+      if (row >= 0 && row < 2 * mesh.rows && column >= 0 && column < 2 * mesh.columns)
+        out.push_back(row * 2 * mesh.columns + column);
+  return out;
+}
+
+Eigen::Vector3d mean_place(const std::vector<int>& bodies, const model::State& state) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const int body : bodies) sum += state[body].p;
+  return sum / static_cast<double>(bodies.size());
+}
+
 // Measured, s: a start's search, a vertex; it grows with the square of their number.
 constexpr double seconds_of_81 = 4;
 
@@ -130,7 +146,6 @@ class SurfaceScene final : public Scene {
 
   /// Says how ribs would do.
   void judge(Run& run, const RunOptions& options) const override {
-    run.prints_unknown = "sheets of facets are judged by their exact fold alone; ribs are judged as made";
     auto& surface = outcome_of<SurfaceOutcome>(run);
     const targets::RibbedSurface ribbed = targets::ribbed_surface(file_.patch);
     const int facets = file_.patch.half.x() >= file_.patch.half.y() ? file_.columns : file_.rows;
@@ -145,6 +160,26 @@ class SurfaceScene final : public Scene {
           fmt::format("a fishbone would be {:.2f} % of the diagonal off, with {:.0f} % of the area open: "
                       "`target.ribs: {}`",
                       100 * fishbone.rms, 100 * fishbone.open, facets));
+  }
+
+  /// By the vertices of its mesh, as the search has it: each moves as the bodies next to it do.
+  std::optional<Judged> judged(const Run& run, const model::Sheet&, double,
+                               const model::State& state) const override {
+    const auto& surface = outcome_of<SurfaceOutcome>(run);
+    const model::QuadMesh& mesh = surface.design.mesh;
+    const model::Pose motion = motion_onto(state, surface.exact);
+    const model::State placed = moved(state, motion);
+    Judged out{{}, file_.shape_tolerance * surface.diagonal_mm};
+    for (int j = 0; j <= mesh.rows; ++j)
+      for (int i = 0; i <= mesh.columns; ++i) {
+        const std::vector<int> bodies = bodies_at(mesh, i, j);
+        const Eigen::Vector3d vertex = surface.design.vertices[mesh.vertex(i, j)] +
+                                       mean_place(bodies, placed) - mean_place(bodies, surface.exact);
+        const targets::ClosestSurfacePoint at = closest_surface_point(file_.patch, vertex);
+        out.points.push_back({bodies, mean_place(bodies, state), motion.R.transpose() * at.normal,
+                              at.distance - optim::layer_of(i) * surface.design.layer});
+      }
+    return out;
   }
 
   void add_state(Run& run, const RunOptions&) const override {

@@ -9,19 +9,14 @@
 #include "app/print/sheet/pin_faces.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/linkage/hinge_mismatch.hpp"
+#include "model/solids/open_hinge.hpp"
 
 namespace kinetix::app {
 namespace {
 
 using model::HingeKind;
 
-constexpr double slender =
-    1.25;  // length of a block over its thickness: below it no formula of its stiffness holds
-constexpr double more_room = 1.1;  // of the length at which the corners of a wall would meet
-constexpr double film_mm =
-    0.4;  // thickness of a film: one line of a nozzle, and a strain of 0.1 over 3 mm and 90 degrees
 constexpr double widest_turn = 2.8;  // rad: at half a turn corners meet however long the gap
-constexpr double tenth = 10;         // gaps are whole tenths of a mm
 
 model::Sheet resized(model::Sheet sheet, const PrintChoice& choice, const model::Process& process) {
   if (auto* squares = sheet.squares()) squares->size = resized(squares->size, choice, process);
@@ -35,40 +30,6 @@ double turn_of(const model::RestHinge& hinge, const model::State& state) {
   const Eigen::Matrix3d turn = state[hinge.lower].R.transpose() * state[hinge.upper].R;
   const Eigen::Vector3d twice_sine(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1));
   return std::copysign(std::atan2(twice_sine.norm(), turn.trace() - 1), twice_sine.dot(hinge.axis));
-}
-
-constexpr const char* strip_material = "pp";  // name of a material: of films that are a print of their own
-
-/// A hinge that the design does not describe.
-model::MadeHinge default_hinge(const PrintChoice& choice, const model::Process& process,
-                               const model::CellSize& size) {
-  model::MadeHinge hinge;
-  hinge.kind = choice.kind;
-  hinge.height_mm = size.height_mm;
-  if (choice.kind == HingeKind::pin) {
-    hinge.material = *model::find_material("pa12");
-    hinge.diameter_mm = process.least_pin_mm;
-    hinge.clearance_mm = process.clearance_mm;
-    hinge.height_mm *= choice.height_share;
-    return hinge;
-  }
-  const bool film = choice.kind == HingeKind::film;
-  hinge.material = *model::find_material(!film                  ? process.rubber
-                                         : process.film.empty() ? strip_material
-                                                                : process.film);
-  hinge.thickness_mm = film ? std::min(film_mm, size.thickness_mm) : size.thickness_mm;
-  return hinge;
-}
-
-/// Of a block or film that is strained by a turn and a stretch, and the corners of whose wall or whose own meet.
-/// @param offset of the axis, mm   @param stretch by which its halves come apart, or run into each other, mm
-double needed_gap(const model::MadeHinge& hinge, double wall_mm, double offset, double turn, double stretch) {
-  const double bounded = std::clamp(turn, -widest_turn, widest_turn),
-               half = std::max(model::corner_room(wall_mm / 2, offset, bounded),
-                               model::corner_room(hinge.thickness_mm / 2, 0, bounded)),
-               corners = more_room * (2 * half + stretch),
-               strain = (std::abs(turn) * hinge.thickness_mm / 2 + stretch) / hinge.material.strain_max;
-  return std::max({slender * hinge.thickness_mm, corners, strain});
 }
 
 void check_process(const model::Process& process, const model::CellSize& size,
@@ -157,11 +118,11 @@ class SheetMaker {
     return most * edge;
   }
 
-  /// Of a block or film, mm, in tenths of them.
+  /// Of a block or film, mm.
   double gap_mm(const model::MadeHinge& hinge, int h) const {
     const model::CellSize& size = sheet_.linkage.size;
     const double offset = structure_.hinge(h).offset * size.edge_mm;
-    return std::ceil(tenth * needed_gap(hinge, size.thickness_mm, offset, turn(h), stretch_mm(h))) / tenth;
+    return open_gap_mm(hinge, size.thickness_mm, offset, turn(h), stretch_mm(h));
   }
 
   /// Of an axis from the middle of its wall, mm.
@@ -172,7 +133,9 @@ class SheetMaker {
   }
 
   std::vector<model::MadeHinge> open_hinges() const {
-    std::vector<model::MadeHinge> all(hinges(), default_hinge(choice_, sheet_.process, sheet_.linkage.size));
+    model::MadeHinge open = open_hinge(choice_.kind, sheet_.process, sheet_.linkage.size);
+    if (choice_.kind == HingeKind::pin) open.height_mm *= choice_.height_share;
+    std::vector<model::MadeHinge> all(hinges(), open);
     if (choice_.kind == HingeKind::pin) return all;
     double longest = 0;
     for (int h = 0; h < hinges(); ++h) longest = std::max(longest, all[h].gap_mm = gap_mm(all[h], h));
@@ -183,7 +146,7 @@ class SheetMaker {
 
   void choose_hinges() {
     const std::vector<model::MadeHinge> open = open_hinges();
-    const double cap_across_mm = choice_.caps ? largest_offset_mm() : 0;
+    const double furthest_mm = largest_offset_mm();
     for (int h = 0; h < hinges(); ++h) {
       const model::MadeHinge made = hinge_at(design_.hinge, design_.own_hinges, h).made.value_or(open[h]);
       check_process(sheet_.process, sheet_.linkage.size, made);
@@ -192,7 +155,7 @@ class SheetMaker {
                                           .knuckle_wall_mm = sheet_.process.least_wall_mm,
                                           .turn = std::clamp(turn(h), -widest_turn, widest_turn),
                                           .loose = is_loose(h, made),
-                                          .cap_across_mm = cap_across_mm},
+                                          .cap_across_mm = choice_.caps || made.caps ? furthest_mm : 0},
                                          sheet_.process));
       check_eye(sheet_.hinges.back());
     }

@@ -82,8 +82,8 @@ function cellsText(structure) {
 }
 
 /** What the drive needs, N or N mm, and of whom; nothing where no elastic model was run. */
-function forceText({equilibrium, raw}) {
-  if (!equilibrium) return null;
+function forceText({equilibrium, raw, asMade}) {
+  if (!equilibrium) return takenForceText(asMade?.taken);
   const {effort} = raw.equilibrium, steps = list(raw.equilibrium.path).filter((step) => finite(step.load) !== null);
   if (effort === OWN_SPRINGS) return "nobody's: its own springs fold it";
   if (!steps.length) return null;
@@ -91,8 +91,17 @@ function forceText({equilibrium, raw}) {
   return `${figures(most, 2)} ${unit} at most` + (effort ? `: a matter for ${effort}` : "");
 }
 
-/** Of hinges that are made as blocks or films. */
-function strainText({metrics: {strain_max: most, strain_allowed: allowed}}) {
+/** Of hinges that the file leaves open. */
+function takenForceText(taken) {
+  const load = someDictionary(taken?.load);
+  if (!load || finite(load.value) === null) return null;
+  const unit = load.unit === "N mm" ? `N${SPACE}mm` : "N";
+  return `${figures(Math.abs(load.value), 2)} ${unit} against the turns of blocks of ${taken.material}: a matter for ${load.effort}`;
+}
+
+/** Of hinges that are made as blocks or films, or taken for them. */
+function strainText({metrics, asMade}) {
+  const most = metrics.strain_max ?? asMade?.taken?.strain, allowed = metrics.strain_allowed ?? asMade?.taken?.strain_allowed;
   return finite(most) === null || finite(allowed) === null ? null : `${figures(most, 2)} of ${neat(allowed)} that the hinges' material bears`;
 }
 

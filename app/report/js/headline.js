@@ -29,6 +29,13 @@ function designVerdict(data) {
   };
 }
 
+/** Of hinges that the file leaves open: a sentence, or nothing. */
+function takenWords(taken) {
+  if (!taken) return "";
+  return ` Its hinges are left open: they are taken for blocks of ${taken.material}, ${millimetres(taken.gap_mm)} long, that keep the ` +
+      "turns of the design.";
+}
+
 /** What prints come to, where that is known: a sentence. */
 function asMadeWords({asMade}) {
   if (!asMade) return null;
@@ -39,7 +46,7 @@ function asMadeWords({asMade}) {
   return `Printed by ${asMade.process}, it ends up ${millimetres(asMade.rms)} from the goal (rms over its points and over ` +
       `prints); 95 of 100 prints stay within ${millimetres(asMade.p95)}, and ${millimetres(asMade.tolerance)} are allowed.` + there + most +
       (asMade.play ? ` Without the play of its pins it would be ${millimetres(asMade.play.rms_without_mm)}, and ${millimetres(asMade.play.p95_without_mm)}.` : "") +
-      (asMade.confirmed ? "" : " That is to first order, and does not hold here: " + printsWords(asMade.prints));
+      takenWords(asMade.taken) + (asMade.confirmed ? "" : " That is to first order, and does not hold here: " + printsWords(asMade.prints));
 }
 
 /** What elastic hinges make of a goal that was met exactly: a sentence. */

@@ -117,7 +117,12 @@ TEST(MadeHinges, AreRefusedTooFarOffTheirWall) {
       film.err,
       HasSubstr("design.hinges[1].offset_mm: a hinge made so in walls of 1 mm can sit at most 0.35 mm off"));
   EXPECT_EQ(checked("kind: film, material: tango, gap_mm: 2, thickness_mm: 0.2").code, 0);
-  EXPECT_THAT(checked("kind: pin, diameter_mm: 1").err, HasSubstr("at most 0 mm off"));
+  const std::string refused = checked("kind: pin, diameter_mm: 1").err;
+  EXPECT_THAT(refused, HasSubstr("at most 0 mm off"));
+  EXPECT_THAT(refused, HasSubstr("with `caps: true` "));
+  EXPECT_EQ(checked("kind: pin, diameter_mm: 1, caps: true").code, 0);
+  EXPECT_THAT(checked("kind: film, material: tango, gap_mm: 2, thickness_mm: 0.2, caps: true").err,
+              HasSubstr("hinge.caps: belongs to pins"));
 }
 
 TEST(MadeHinges, OfOutlinesAreRefusedTooFarOffTheirWall) {

@@ -444,6 +444,21 @@ TEST(Caps, HideWhereTheAxesAreAndFoldAsWell) {
   EXPECT_EQ(kinetix_opt("export " + result + " --format stl --caps --hinge block -o " + out).code, 2);
 }
 
+TEST(Caps, OfADesignWhosePinsHaveThem) {
+  const Scratch scratch;
+  const auto target = [&](const std::string& more) {
+    return scratch.write("dot.yaml",
+                         dot + ("hinge: {kind: pin, diameter_mm: 1, clearance_mm: 0.25" + more + "}\n"));
+  };
+  EXPECT_THAT(kinetix_opt("check " + target("")).err, HasSubstr("variables.offset_mm: a hinge made so"));
+  const std::string result = scratch / "dot", out = scratch / "out";
+  const Outcome found = kinetix_opt(target(", caps: true") + " --no-verify --quiet -o " + result);
+  ASSERT_TRUE(found.code == 0 || found.code == 3) << found.err;
+  const Outcome run = kinetix_opt("export " + result + " --format stl --process sla --quiet -o " + out);
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(Json::parse(text_of(out + "/print.json"))["caps"], true);
+}
+
 /// Walls and soft parts stand upright all through: thick layers see as much.
 TEST(SlicesOfTargets, OfARibOfBlocksAndAPanelOfFilmsAreOnePiece) {
   for (const Exported& rib : {std::cref(blocked()), std::cref(filmed())}) {

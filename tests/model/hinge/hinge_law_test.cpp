@@ -31,7 +31,9 @@ Eigen::VectorXd one(double value) { return Eigen::VectorXd::Constant(1, value); 
 TEST(HingeLaw, MomentStiffnessAndRatesOfALawAreDerivativesOfItsEnergy) {
   const CubicHinge cubic;
   const LinearHinge linear;
-  for (const HingeLaw* law : {static_cast<const HingeLaw*>(&cubic), static_cast<const HingeLaw*>(&linear)})
+  const SetHinge set(0.9);
+  for (const HingeLaw* law : {static_cast<const HingeLaw*>(&cubic), static_cast<const HingeLaw*>(&linear),
+                              static_cast<const HingeLaw*>(&set)})
     for (const double turn : {-2.5, -0.3, 0.0, 0.7, 3.0})
       for (const double k : {0.2, 5.0}) {
         const TurnResponse r = law->at(turn, k);

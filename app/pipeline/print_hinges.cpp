@@ -1,0 +1,82 @@
+#include "app/pipeline/print_hinges.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/pipeline/physics_settings.hpp"
+#include "app/run/run_hinges.hpp"
+#include "model/closure/closure_drive.hpp"
+#include "model/elastic/elastic_system.hpp"
+#include "model/solids/open_hinge.hpp"
+
+namespace kinetix::app {
+namespace {
+
+constexpr double part = 1e-4;  // rad of theta, to either side: what differences of energies are taken over
+
+/// A block that does for all hinges in a state.
+model::MadeHinge soft_block(const Run& run, const model::Linkage& linkage, const model::State& design) {
+  const model::CellSize size = linkage.size;
+  model::MadeHinge block = open_hinge(model::HingeKind::block, run.process, size);
+  for (int h = 0; h < run.structure.hinges(); ++h)
+    block.gap_mm = std::max(
+        block.gap_mm, open_gap_mm(block, size.thickness_mm, run.structure.hinge(h).offset * size.edge_mm,
+                                  hinge_turn(linkage, design, h)));
+  return block;
+}
+
+/// Energy of all turns in the exact state at theta, N mm. @param k_turn of each hinge, N mm/rad
+double turning_energy(const Run& run, const model::Linkage& linkage, double k_turn, double theta) {
+  const model::State state = run.plan.exact.at(theta);
+  double sum = 0;
+  for (int h = 0; h < run.structure.hinges(); ++h) {
+    const double turn = hinge_turn(linkage, state, h);
+    sum += k_turn * turn * turn / 2;
+  }
+  return sum;
+}
+
+/// What the drive must hold if springs alone stand against it, N or N mm.
+double holding_load(const Run& run, const model::LinkageDrive& drive, const model::Linkage& linkage,
+                    const model::Elasticity& elasticity) {
+  const model::ElasticSystem system(linkage, elasticity, drive, run.plan.planar, false);
+  const double theta = drive.theta();
+  const auto energy = [&](double at) { return turning_energy(run, linkage, elasticity.k_turn, at); };
+  const double by_theta = (energy(theta + part) - energy(theta - part)) / (2 * part);
+  return by_theta / (system.travel() * system.drive_rate(theta));
+}
+
+model::Elasticity set_at(const model::MadeHinge& made, double turn) {
+  model::Elasticity out = elasticity_of(made);
+  out.law = std::make_shared<model::SetHinge>(turn);
+  return out;
+}
+
+}  // namespace
+
+PrintHinges print_hinges(const Run& run, const model::LinkageDrive& drive, const model::State& design) {
+  if (run.hinge.model == HingeSection::Model::elastic) return {elasticity_of(run), drive, std::nullopt};
+  const model::Linkage linkage(run.structure);
+  const model::MadeHinge block = soft_block(run, linkage, design);
+  PrintHinges out{elasticity_of(block), {.kind = model::LinkageDrive::Kind::none}, std::nullopt};
+  const model::Elasticity soft = out.elasticity;
+  int open = 0;
+  double largest_turn = 0;
+  for (int h = 0; h < run.structure.hinges(); ++h) {
+    const auto& made = hinge_section(run, h).made;
+    const double turn = hinge_turn(linkage, design, h);
+    out.elasticity.each.push_back(set_at(made.value_or(block), turn));
+    out.elasticity.k_point = std::max(out.elasticity.k_point, out.elasticity.each.back().k_point);
+    if (made) continue;
+    ++open;
+    largest_turn = std::max(largest_turn, std::abs(turn));
+  }
+  if (open == 0) return out;
+  out.taken = TakenHinges{.made = block, .strain = strain(block, largest_turn)};
+  if (open == run.structure.hinges() && run.plan.exact && !drive.heats_springs())
+    out.taken->load = holding_load(run, drive, linkage, soft);
+  out.taken->is_force = drive.has_force();
+  return out;
+}
+
+}  // namespace kinetix::app
