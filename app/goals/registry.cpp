@@ -5,6 +5,7 @@
 #include "app/goals/fold/fold_kind.hpp"
 #include "app/goals/helmet/helmet_kind.hpp"
 #include "app/goals/outline/outline_kind.hpp"
+#include "app/goals/space_block/space_block_kind.hpp"
 #include "app/goals/space_curve/space_curve_kind.hpp"
 #include "app/goals/surface/surface_kind.hpp"
 
@@ -19,6 +20,7 @@ std::vector<const GoalKind*>& kinds() {
       &fold_kind,         //
       &helmet_kind,       //
       &outline_kind,      //
+      &space_block_kind,  //
       &space_curve_kind,  //
       &surface_kind,
   };

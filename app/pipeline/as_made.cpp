@@ -13,25 +13,42 @@ namespace {
 constexpr int most_bodies_to_confirm = 400;  // beyond, they take longer than the search
 // Cell edges, rms: an equilibrium further from the state of the design is another one.
 constexpr double near_design = 2;
+constexpr double one_length = 1e-9;  // of a cell edge: walls of equal length differ by rounding
 
-model::HingeScatter hinge_scatter(const Run& run, const model::PlayScatter& play) {
-  const double edge = run.structure.size().edge_mm;
+/// @param wall_mm length of the wall
+model::HingeScatter hinge_scatter(const Run& run, const model::PlayScatter& play, double wall_mm) {
   model::HingeScatter scatter;
-  scatter.t = std::hypot(run.process.sd.t_mm, play.place_mm) / edge;
+  scatter.t = std::hypot(run.process.sd.t_mm, play.place_mm) / wall_mm;
   scatter.beta = std::hypot(run.process.sd.tilt_deg * radians_per_degree, play.tilt);
-  scatter.offset = play.place_mm / edge;
+  scatter.offset = play.place_mm / run.structure.size().edge_mm;
   return scatter;
+}
+
+std::vector<double> wall_lengths_mm(const model::Sheet& sheet) {
+  std::vector<double> out;
+  for (int h = 0; h < sheet.hinges(); ++h) {
+    const model::HingedWall wall = sheet.wall(h);
+    out.push_back((sheet.rest_position(wall.upper) - sheet.rest_position(wall.lower)).norm());
+  }
+  return out;
 }
 
 /// @param with_play of pins
 model::HingeScatter run_scatter(const Run& run, bool with_play) {
-  const auto of = [&](const HingeSection& hinge) {
+  const auto of = [&](const HingeSection& hinge, double wall_mm) {
     const bool plays = with_play && hinge.made;
-    return hinge_scatter(run, plays ? play_scatter(*hinge.made, run.process.sd) : model::PlayScatter{});
+    return hinge_scatter(run, plays ? play_scatter(*hinge.made, run.process.sd) : model::PlayScatter{},
+                         wall_mm);
   };
-  model::HingeScatter scatter = of(run.hinge);
-  if (run.own_hinges.empty()) return scatter;
-  for (int h = 0; h < run.structure.hinges(); ++h) scatter.each.push_back(of(hinge_section(run, h)));
+  const double edge_mm = run.structure.size().edge_mm;
+  const std::vector<double> walls = wall_lengths_mm(run.structure);
+  const bool are_alike = std::all_of(walls.begin(), walls.end(), [&](double wall) {
+    return std::abs(wall - edge_mm) <= one_length * edge_mm;
+  });
+  model::HingeScatter scatter = of(run.hinge, edge_mm);
+  if (run.own_hinges.empty() && are_alike) return scatter;
+  for (int h = 0; h < run.structure.hinges(); ++h)
+    scatter.each.push_back(of(hinge_section(run, h), are_alike ? edge_mm : walls[h]));
   return scatter;
 }
 

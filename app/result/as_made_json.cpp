@@ -21,6 +21,10 @@ constexpr const char* parameter_words[] = {"the place", "the direction", "the ti
 
 constexpr const char* plural_words[] = {"places", "directions", "tilts", "offsets"};
 
+std::string share_words(double share) {
+  return share < 0.01 ? "under 1 %" : fmt::format("{:.0f} %", 100 * share);
+}
+
 std::string prints_words(const PrintedGoal& printed) {
   const model::PrintRuns& runs = *printed.runs;
   std::string text =
@@ -44,14 +48,15 @@ Json taken_json(const TakenHinges& taken) {
 }
 
 std::string taken_words(const TakenHinges& taken) {
-  std::string text = fmt::format(
-      "hinges are left open: taken for {} blocks, {:.1f} mm long, that keep the turns of the design, "
-      "strained by "
-      "{:.2f} of {:g}",
-      taken.made.material.name, taken.made.gap_mm, taken.strain, taken.made.material.strain_max);
-  if (!taken.load) return text;
-  return text + fmt::format("; {:.2g} {} hold them there ({})", std::abs(*taken.load), taken.load_unit(),
-                            effort_of(taken));
+  const model::MadeHinge& block = taken.made;
+  const std::string held = !taken.load ? ""
+                                       : fmt::format(", held there by {:.2g} {} ({})", std::abs(*taken.load),
+                                                     taken.load_unit(), effort_of(taken));
+  return fmt::format(
+      "hinges, left open, are taken for {} blocks {:.1f} mm long that keep their turns: strained by {:.2f} "
+      "of "
+      "{:g}{}",
+      block.material.name, block.gap_mm, taken.strain, block.material.strain_max, held);
 }
 
 }  // namespace
@@ -143,15 +148,14 @@ std::vector<SummaryLine> as_made_lines(const Run& run) {
            run.process.name, made.rms_mm, made.p95_mm, run.printed->tolerance_mm,
            run.printed->holds() ? "holds" : "NOT EVERY PRINT HOLDS")}};
   if (const auto places = sources_by_place(run); !places.empty())
-    lines.push_back(
-        {"", fmt::format("{} of {}: {:.0f} % of what errors do", plural_words[places[0].parameter],
-                         places[0].place, 100 * places[0].share)});
+    lines.push_back({"", fmt::format("{} of {}: {} of what errors do", plural_words[places[0].parameter],
+                                     places[0].place, share_words(places[0].share))});
   if (!made.sources.empty()) {
     const model::ScatterSource& most = made.sources.front();
     lines.push_back(
-        {"", fmt::format("largest single source: {} of the hinge on wall {}, {:.0f} % of what errors do",
+        {"", fmt::format("largest single source: {} of the hinge on wall {}, {} of what errors do",
                          parameter_words[most.parameter], wall_name(run.structure, most.hinge),
-                         100 * most.share)});
+                         share_words(most.share))});
   }
   if (const auto& tight = run.printed->without_play)
     lines.push_back(
@@ -163,8 +167,7 @@ std::vector<SummaryLine> as_made_lines(const Run& run) {
   if (run.printed->runs) lines.push_back({"", prints_words(*run.printed)});
   if (run.printed->taken) {
     lines.push_back({"", taken_words(*run.printed->taken)});
-    lines.push_back(
-        {"", "`hinge:` and `drive:` in the file tell what other hinges come to, and by which force"});
+    lines.push_back({"", "`hinge:` and `drive:` in the file say what other hinges come to"});
   }
   return lines;
 }

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "app/goals/read_target.hpp"
+#include "app/goals/space_block/space_block_outcome.hpp"
 #include "app/goals/space_curve/space_curve_kind.hpp"
 #include "app/goals/space_curve/space_curve_outcome.hpp"
 #include "app/pipeline/pipeline.hpp"
@@ -11,6 +13,7 @@
 #include "model/contact/wall_contact.hpp"
 #include "model/lattice/sodalite/sodalite.hpp"
 #include "sim/compression_run.hpp"
+#include "targets/document/document.hpp"
 
 namespace kinetix::bench {
 namespace {
@@ -71,10 +74,23 @@ Figure physics_figure() {
           fmt::format("rms {:.1e}, {}", rms, result.why), rms <= 1e-2};
 }
 
+Figure block_figure() {
+  const targets::Node root = targets::parse_document(
+      "kinetix: 1\ntarget: {kind: space_block, factor: [0.82, 0.86, 0.88], size_mm: [120, 120, 120]}\n",
+      "block.yaml");
+  const app::Run run = run_scene(*app::read_target(root).goal, {});
+  const auto& outcome = app::outcome_of<app::SpaceBlockOutcome>(run);
+  const double model = outcome.error.off, physics = outcome.physics ? outcome.physics->off : INFINITY;
+  return {"block of 120 mm that shrinks to 0.82, 0.86 and 0.88 along x, y and z",
+          "factors within 1e-12, within 1e-4 in the physics run",
+          fmt::format("{} bodies, off by {:.0e} and {:.0e}", run.structure.bodies(), model, physics),
+          model <= 1e-12 && physics <= 1e-4};
+}
+
 }  // namespace
 
 std::vector<Figure> space_figures() {
-  return {helix_figure(), motion_figure(2), motion_figure(3), physics_figure()};
+  return {helix_figure(), motion_figure(2), motion_figure(3), physics_figure(), block_figure()};
 }
 
 }  // namespace kinetix::bench

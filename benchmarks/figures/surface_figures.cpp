@@ -43,8 +43,8 @@ SurfaceOptions options_of(int facets, std::array<double, 2> edge) {
 }
 
 Figure fit(const std::string& name, const targets::SurfacePatch& patch, SurfaceOptions options, double most,
-           double most_seconds) {
-  options.shakes = 4;
+           double most_seconds, int shakes = 4) {
+  options.shakes = shakes;
   options.enough = most;
   const auto [design, seconds] = fitted(patch, options);
   return {
@@ -157,7 +157,7 @@ std::vector<Figure> surface_figures() {
           fit("cap of 60 deg", targets::cap_patch(100, 60 * deg), options_of(8, {0.6, 1.5}), 8e-3, 5),
           by_ribs("the same cap", targets::ribbed_surface(targets::cap_patch(100, 60 * deg)), 8),
           fit("saddle 0.3", targets::saddle_patch(100, 0.3), options_of(8, {0.3, 3}), 8e-3, 5),
-          fit("vase", targets::vase_patch(120, 50, 10, 60 * deg), options_of(12, {0.3, 3}), 5e-3, 30),
+          fit("vase", targets::vase_patch(120, 50, 10, 60 * deg), options_of(12, {0.3, 3}), 5e-3, 30, 12),
           real("cap of 40 deg", targets::cap_patch(100, 40 * deg), options_of(8, {0.75, 1.3}), 60),
           real("saddle 0.15", targets::saddle_patch(100, 0.15), options_of(8, {0.75, 1.3}), 60)};
 }

@@ -10,6 +10,7 @@
 #include "app/print/format/formats.hpp"
 #include "app/print/format/parts.hpp"
 #include "app/print/format/units.hpp"
+#include "model/closure/closure_drive.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -82,6 +83,7 @@ class MujocoFile {
           add_mass(0.5 * density * 1e-9 * volume_mm3(as_filed(placed_soft(sheet, flat(), h))),
                    hinge_point(h, b), masses_[b]);
     find_turns();
+    share_loops();
   }
 
   std::string text() {
@@ -155,6 +157,15 @@ class MujocoFile {
       turns_[links_[b].hinge] = turn.angle() * (turn.axis().dot(axis) < 0 ? -1 : 1);
       turned_ += turns_[links_[b].hinge] * turns_[links_[b].hinge];
     }
+  }
+
+  /// Hinges of loops have no joint of their own: what they resist with at the fold is shared by those of the tree.
+  void share_loops() {
+    double all = 0;
+    const model::State& folded = sheet_.path.back();
+    for (int h = 0; h < static_cast<int>(turns_.size()); ++h)
+      all += stiffness(h) * std::pow(hinge_turn(sheet_.linkage, folded, h), 2);
+    if (held() > 0) with_loops_ = all / held();
   }
 
   void add_assets() {
@@ -239,10 +250,10 @@ class MujocoFile {
     out_ += "</equality>\n";
   }
 
-  /// N m/rad; a pin turns freely.
+  /// Of a joint of the tree, N m/rad; a pin turns freely.
   double stiffness(int h) const {
     const model::MadeHinge& made = sheet_.hinges[h].made;
-    return made.kind == model::HingeKind::pin ? 0 : model::stiffness(made).turn * metres_per_mm;
+    return made.kind == model::HingeKind::pin ? 0 : with_loops_ * model::stiffness(made).turn * metres_per_mm;
   }
   /// N m: by the hinges of the tree at the fold, over their part of the tendon.
   double held() const {
@@ -274,7 +285,8 @@ class MujocoFile {
   const std::vector<TreeLink> links_;
   std::vector<Mass> masses_;
   std::vector<double> turns_;
-  double turned_ = 0;  // sum of their squares, rad^2
+  double turned_ = 0;      // sum of their squares, rad^2
+  double with_loops_ = 1;  // energy of all hinges at the fold over that of those in trees
   std::string out_;
 };
 

@@ -18,5 +18,6 @@ const GOALS = [
   helmetGoal,
   outlineGoal,
   surfaceGoal,
+  space_blockGoal,
   space_curveGoal,
 ];

@@ -189,11 +189,13 @@ RestHinge rest_hinge(const SodaliteStructure& s, int hinge) {
   out.upper = static_cast<int>(s.rotors.size()) + hinge / 2;
   out.edge = edge;
   out.across = up.cross(e);
-  out.lower_arm = t * edge;
-  out.upper_arm = (t - 1) * edge;
-  out.axis = axis_of(rotor_of(s, hinge));
-  out.axis_alpha = std::cos(alpha) * up - std::sin(alpha) * e;
-  out.axis_beta = -std::sin(alpha) * out.across;
+  out.lower_arm = t * edge + offset * out.across;
+  out.upper_arm = (t - 1) * edge + offset * out.across;
+  const Vector3d leaning = std::cos(beta) * up - std::sin(beta) * out.across,
+                 by_beta = -std::sin(beta) * up - std::cos(beta) * out.across;
+  out.axis = std::sin(alpha) * leaning + std::cos(alpha) * e;
+  out.axis_alpha = std::cos(alpha) * leaning - std::sin(alpha) * e;
+  out.axis_beta = std::sin(alpha) * by_beta;
   return out;
 }
 

@@ -261,6 +261,12 @@ std::vector<Json> files_of(const std::string& list) {
     outlines.back()["structure"] = {{"lattice", "rhombus"}};
     return outlines;
   }
+  if (list == "target space_block") {
+    const Json cube = target(R"({"kind": "space_block", "factor": 0.8})");
+    Json box = cube;
+    box["target"]["size_mm"] = {120, 120, 60};
+    return {cube, box};
+  }
   if (list == "target space_curve") {
     const Json arc =
         target(R"({"kind": "space_curve", "points": [[0, 0, 0], [30, 0, 4], [60, 0, 16], [90, 0, 36]]})");
@@ -403,8 +409,8 @@ TEST_P(EveryKey, HasAMeaning) {
 
 INSTANTIATE_TEST_SUITE_P(Files, EveryKey,
                          ::testing::Values("target curve", "target display", "target fold", "target helmet",
-                                           "target outline", "target space_curve", "target surface", "design",
-                                           "doe", "assembly", "hinges"),
+                                           "target outline", "target space_block", "target space_curve",
+                                           "target surface", "design", "doe", "assembly", "hinges"),
                          [](const auto& list) {
                            std::string name = list.param;
                            std::replace(name.begin(), name.end(), ' ', '_');

@@ -13,6 +13,7 @@
 
 #include "app/print/fit.hpp"
 #include "app/print/format/parts.hpp"
+#include "model/closure/closure_drive.hpp"
 #include "model/linkage/state.hpp"
 #include "tests/app/print/gltf_judge.hpp"
 #include "tests/app/print/mujoco_judge.hpp"
@@ -259,6 +260,12 @@ TEST_P(Judges, MujocoFoldsItToTheExactShape) {
   ASSERT_EQ(verdict.positions.size(), settled.size());
   for (std::size_t b = 0; b < settled.size(); ++b) settled[b].p = 1e3 * verdict.positions[b];
   EXPECT_LE(aligned_distance(sheet.linkage, settled, sheet.path.back()).max, 0.05);
+  double energy_Nmm = 0;
+  for (int h = 0; h < static_cast<int>(sheet.hinges.size()); ++h)
+    if (sheet.hinges[h].made.kind != model::HingeKind::pin)
+      energy_Nmm += model::stiffness(sheet.hinges[h].made).turn *
+                    std::pow(hinge_turn(sheet.linkage, sheet.path.back(), h), 2) / 2;
+  EXPECT_NEAR(1e3 * verdict.energy_J, energy_Nmm, 0.02 * energy_Nmm) << "hinges of loops count as well";
 }
 
 TEST_P(Judges, EzdxfAndRsvgReadTheDrawings) {

@@ -11,6 +11,7 @@ struct MujocoVerdict {
   std::string error;  ///< why it does not load, or what it warned of; empty: nothing
   double mass_kg = 0;
   int joints = 0, constraints = 0;
+  double energy_J = 0;                     ///< of its springs at the end
   std::vector<Eigen::Vector3d> positions;  ///< of the bodies b0, b1, ... at the end, m
 };
 

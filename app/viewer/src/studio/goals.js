@@ -6,6 +6,7 @@ import {foldGoal} from "./goals/fold.js";
 import {helmetGoal} from "./goals/helmet.js";
 import {outlineGoal} from "./goals/outline.js";
 import {surfaceGoal} from "./goals/surface.js";
+import {space_blockGoal} from "./goals/space_block.js";
 import {space_curveGoal} from "./goals/space_curve.js";
 
 const GOALS = [
@@ -14,6 +15,7 @@ const GOALS = [
   foldGoal,
   outlineGoal,
   surfaceGoal,
+  space_blockGoal,
   space_curveGoal,
   helmetGoal,
 ];

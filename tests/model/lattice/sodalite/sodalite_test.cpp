@@ -57,6 +57,26 @@ TEST(Sodalite, ItShrinksAlikeInAllDirections) {
   }
 }
 
+// Parallel edges alike, each direction with arms of its own (docs/kinematics.md section 8).
+TEST(Sodalite, MovesExactlyWithSixLengthsOfArms) {
+  SodaliteStructure block = make_sodalite({2, 2, 2}, 0.2, {10, 0.8, 1});
+  const std::array<Eigen::Vector3d, 6> directions = {
+      Eigen::Vector3d(0, 1, 1), {0, 1, -1}, {1, 0, 1}, {1, 0, -1}, {1, 1, 0}, {1, -1, 0}};
+  for (std::size_t k = 0; k < block.gussets.size(); ++k) {
+    const auto [a, b] = block.gussets[k];
+    const Eigen::Vector3d along = (sodalite_place(block, b) - sodalite_place(block, a)).normalized();
+    for (std::size_t d = 0; d < directions.size(); ++d)
+      if (std::abs(std::abs(along.dot(directions[d].normalized())) - 1) < 1e-9)
+        block.hinges[2 * k].t = block.hinges[2 * k + 1].t = 0.4 + 0.1 * static_cast<double>(d);
+  }
+  const ExactMotion exact = exact_motion(block);
+  ASSERT_TRUE(exact) << exact.why;
+  for (const double theta : {-0.5, 0.1, 0.7})
+    EXPECT_LE(closure_residual(block, exact.at(theta)).cwiseAbs().maxCoeff(), 1e-12);
+  block.hinges[0].t += 0.01;
+  EXPECT_FALSE(exact_motion(block));
+}
+
 TEST(Sodalite, PlatesStayOnFlatLayersAndTheClosedFormKnowsTheirTheta) {
   const SodaliteStructure lattice = make_sodalite({2, 2, 2}, 0.2, size);
   const ExactMotion exact = exact_motion(lattice);

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+
+#include "app/files/goal_settings.hpp"
+#include "app/files/process_section.hpp"
+#include "optim/space_block/fit_space_block.hpp"
+
+namespace kinetix::app {
+
+/// A target.yaml of kind space_block, as asked for or by default. Angles in radians, lengths in mm. `kinetix: 1` and a
+/// `target` are enough.
+///
+///     target: {kind: space_block, factor: [0.82, 0.86, 0.88], size_mm: [120, 120, 60]}
+///     structure: {cells: [2, 2, 1], cell_mm: 20, wall_mm: {thickness: 1.6, height: 3}}
+///     variables: {theta: {range_deg: [5, 44]}, gusset: {range: [0.1, 0.8]}}
+///     tolerance: {factor: 0.005, size: 0.05, verify: 0.02}
+struct SpaceBlockFile : GoalSettings {
+  std::string name;
+  targets::SpaceBlockGoal goal;
+  optim::SpaceBlockVariables variables = {};
+  std::optional<double> thickness_mm = {};  ///< structure.wall_mm; nothing: 0.08 edges
+  std::optional<double> height_mm = {};     ///< likewise; nothing: 0.15 edges
+  double factor_tolerance = 0.005;          ///< of each direction's factor, (0, 1]
+  double size_tolerance = 0.05;             ///< of each length at rest, over it, (0, 1]
+
+  optim::SpaceBlockDesign found;  ///< in closed form, while the file is read
+
+  model::CellSize size() const;
+};
+
+/// Every key of a target.yaml of kind space_block.
+const targets::KeyTable& space_block_keys();
+
+/// @param root a target whose kind is space_block
+/// @throws InvalidInput for whatever formats.md does not allow, and for a factor out of reach
+SpaceBlockFile read_space_block_file(const targets::Node& root);
+
+}  // namespace kinetix::app

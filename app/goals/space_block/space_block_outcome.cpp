@@ -1,0 +1,82 @@
+#include "app/goals/space_block/space_block_outcome.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/run/run.hpp"
+
+namespace kinetix::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json by_direction(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+std::string lengths_text(const Eigen::Vector3d& v) {
+  return fmt::format("{:.1f} x {:.1f} x {:.1f} mm", v.x(), v.y(), v.z());
+}
+
+std::string factors_text(const Eigen::Vector3d& v) {
+  return fmt::format("{:.4f}, {:.4f}, {:.4f}", v.x(), v.y(), v.z());
+}
+
+}  // namespace
+
+Json SpaceBlockOutcome::target_json() const {
+  Json out = {{"kind", "space_block"}, {"factors", by_direction(file.goal.factors)}};
+  if (file.goal.size_mm) out["size_mm"] = by_direction(*file.goal.size_mm);
+  return out;
+}
+
+void SpaceBlockOutcome::add_sections(const Run&, Json& result) const {
+  const optim::SpaceBlockDesign& found = file.found;
+  Json section = {{"cells", found.cells},
+                  {"gussets", by_direction(found.gusset)},
+                  {"rest_mm", by_direction(found.size_mm)},
+                  {"pressed_mm", by_direction(error.factors.cwiseProduct(found.size_mm))},
+                  {"factors", by_direction(error.factors)},
+                  {"reasons", violations},
+                  {"reasons_physics", physics_violations}};
+  if (physics) section["physics"] = {{"factors", by_direction(physics->factors)}};
+  result["space_block"] = section;
+  result["optimiser"] = {{"solver", "closed form"}};
+}
+
+void SpaceBlockOutcome::add_metrics(Json& metrics) const {
+  metrics["factor_off"] = error.off;
+  metrics["size_off"] = file.found.size_off;
+  if (physics) metrics["factor_off_physics"] = physics->off;
+  metrics["met"] = met();
+}
+
+std::vector<SummaryLine> SpaceBlockOutcome::summary_lines(const Run&) const {
+  const optim::SpaceBlockDesign& found = file.found;
+  const Eigen::Vector3d& g = found.gusset;
+  std::vector<SummaryLine> lines = {
+      {"block",
+       fmt::format("{} at rest, {} pressed: {} of its lengths, off by {:.1e}: {}",
+                   lengths_text(found.size_mm), lengths_text(error.factors.cwiseProduct(found.size_mm)),
+                   factors_text(error.factors), error.off,
+                   met() ? "within tolerance" : "MISSES THE TOLERANCE")},
+      {"lattice",
+       fmt::format("sodalite, {} x {} x {} cells with edges of {:.3g} mm, gussets of {:.3g}, {:.3g} "
+                   "and {:.3g} edges in squares normal to x, y and z",
+                   found.cells[0], found.cells[1], found.cells[2], found.edge_mm, g.x(), g.y(), g.z())}};
+  for (const std::string& why : violations) lines.push_back({"why", why});
+  if (physics)
+    lines.push_back({"pressed", fmt::format("in the physics run: {} of its lengths, off by {:.1e}",
+                                            factors_text(physics->factors), physics->off)});
+  return lines;
+}
+
+std::vector<std::string> violations(const SpaceBlockFile& file, const targets::SpaceBlockError& error,
+                                    const std::string& who) {
+  if (error.off <= file.factor_tolerance) return {};
+  return {
+      fmt::format("{}: the block shrinks to {} of its lengths, {:.2g} off what was asked; at most {:g} is "
+                  "allowed",
+                  who, factors_text(error.factors), error.off, file.factor_tolerance)};
+}
+
+}  // namespace kinetix::app

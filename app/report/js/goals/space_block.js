@@ -1,0 +1,49 @@
+// How far a block in space shrinks: the verdict, its lengths at rest and pressed.
+
+function readSpaceBlock(raw) {
+  if (!raw || typeof raw !== "object") return null;
+  const words = (texts) => list(texts).filter((text) => typeof text === "string");
+  const three = (values) => (list(values).length === 3 && values.every((one) => finite(one) !== null) ? values : null);
+  return {rest: three(raw.rest_mm), pressed: three(raw.pressed_mm), factors: three(raw.factors), gussets: three(raw.gussets),
+    physics: three(dictionary(raw.physics).factors), reasons: words(raw.reasons), physicsReasons: words(raw.reasons_physics)};
+}
+
+function shrinkWords(factors) {
+  return factors === null ? "" : factors.map((one) => percent(one)).join(", ");
+}
+
+function spaceBlockVerdict(data) {
+  const {goal: block, verdict: {met, verified}} = data;
+  const model = `In the model its sides shrink to ${shrinkWords(block.factors)} of their lengths, along x, y and z.`;
+  const run = block.physics ? ` In the physics run, between plates, to ${shrinkWords(block.physics)}.` : "";
+  if (met === false) return {mark: "\u2715", tone: "bad", title: "The block misses what was asked", text: model + run};
+  if (verified === false)
+    return {mark: "!", tone: "bad", title: "It shrinks as asked in the model, but the physics run " + failing(data), text: model + run};
+  return {
+    mark: "\u2713", tone: verified ? "good" : "unsure",
+    title: verified ? "The block shrinks as asked, and the physics run agrees" : "The block shrinks as asked in the model",
+    text: model + (run || " It was not checked by a physics run."),
+  };
+}
+
+function spaceBlockNumbers(data) {
+  const {goal: block, tolerance, metrics} = data;
+  return [
+    block.factors && keyNumber("Pressed over at rest", shrinkWords(block.factors), `along x, y, z; off by at most ${percent(metrics.factor_off)}, allowed ${percent(tolerance.factor)}`),
+    block.gussets && keyNumber("Gussets", block.gussets.map((one) => figures(one, 2)).join(", "), "of an edge, in squares normal to x, y, z: pieces between two rotors that never turn"),
+  ];
+}
+
+const space_blockGoal = {
+  name: "space_block",
+  read: (raw) => readSpaceBlock(raw.space_block),
+  view: "slant",
+  verdict: spaceBlockVerdict,
+  numbers: spaceBlockNumbers,
+  facts: ({goal: block}) => [
+    ["Rest", block.rest && `${sizeText(block.rest)}, from rotor to rotor`],
+    ["Pressed", block.pressed && `${sizeText(block.pressed)}, in all directions at once`],
+  ],
+  firstSections: [],
+  lastSections: [],
+};

@@ -1,0 +1,50 @@
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/program.hpp"
+#include "tests/app/schema_errors.hpp"
+
+namespace kinetix::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using Json = nlohmann::json;
+
+TEST(SpaceBlockResult, ShrinksInPhysicsAsAsked) {
+  const Scratch scratch;
+  const Outcome run = kinetix_opt(KINETIX_SOURCE "/targets/shapes/shrinking_block.yaml -o " + scratch.path());
+  ASSERT_EQ(run.code, 0) << run.out << run.err;
+  const Json result = Json::parse(text_of(scratch / "result.json"));
+  EXPECT_EQ(schema_errors(result), "");
+  EXPECT_LE(result["metrics"]["factor_off"], 1e-12);
+  EXPECT_LE(result["metrics"]["factor_off_physics"], 1e-4);
+  EXPECT_LE(result["metrics"]["verify_rms"], 1e-2);
+  EXPECT_TRUE(result["as_made"].contains("taken"));
+  EXPECT_EQ(schema_errors(result), "");
+  const std::string design = scratch / "design.yaml", folder = scratch / "again";
+  const Outcome again = kinetix_opt("verify " + design + " -o " + folder);
+  EXPECT_EQ(again.code, 0) << again.out << again.err;
+}
+
+TEST(SpaceBlockTarget, RefusesWhatNoBlockDoes) {
+  const Scratch scratch;
+  const auto refused = [&](const std::string& rest) {
+    const Outcome run = kinetix_opt(
+        "check " + scratch.write("block.yaml", "kinetix: 1\ntarget: {kind: space_block, " + rest + "\n"));
+    EXPECT_EQ(run.code, 2) << rest;
+    return run.err;
+  };
+  EXPECT_THAT(refused("factor: [0.6, 0.95, 0.95]}"),
+              HasSubstr("block.yaml:2:37: target.factor: one direction shrinks by 0.4"));
+  EXPECT_THAT(refused("factor: 0.3}"), HasSubstr("takes gussets of"));
+  EXPECT_THAT(refused("factor: 1}"), HasSubstr("target.factor"));
+  EXPECT_THAT(refused("factor: [0.9, 0.9]}"), HasSubstr("target.factor"));
+  EXPECT_THAT(refused("factor: .nan}"), HasSubstr("target.factor"));
+  EXPECT_THAT(refused("size_mm: [100, 100, 100]}"), HasSubstr("factor"));
+  EXPECT_THAT(refused("factor: 0.9, size_mm: [100, 100, 0]}"), HasSubstr("target.size_mm"));
+  EXPECT_THAT(refused("factor: 0.9, size_mm: [2000, 2000, 50]}"), HasSubstr("give larger cells"));
+}
+
+}  // namespace
+}  // namespace kinetix::testing
