@@ -240,10 +240,10 @@ std::string vector_text(const Vector3d& v) {
 
 std::string hinge_line(const model::Assembly& a, const model::AssemblyHinge& h) {
   using targets::shortest_text;
-  std::string out = fmt::format(
-      "    - {{name: {}, bodies: [{}, {}], kind: {}, point_mm: {}, axis: {}, along: {}", h.name,
-      a.bodies[h.lower].name, a.bodies[h.upper].name, to_string(h.kind),
-      vector_text(h.point), vector_text(h.axis), vector_text(h.along));
+  std::string out =
+      fmt::format("    - {{name: {}, bodies: [{}, {}], kind: {}, point_mm: {}, axis: {}, along: {}", h.name,
+                  a.bodies[h.lower].name, a.bodies[h.upper].name, to_string(h.kind), vector_text(h.point),
+                  vector_text(h.axis), vector_text(h.along));
   out += fmt::format(", reach_mm: {}, k: {{axial: {}, shear: {}, along: {}, turn: {}}}, confidence: {:.4g}",
                      shortest_text(h.reach_mm), shortest_text(h.k.axial), shortest_text(h.k.shear),
                      shortest_text(h.k.along), shortest_text(h.k.turn), h.confidence);

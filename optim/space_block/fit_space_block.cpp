@@ -8,9 +8,9 @@
 namespace kinetix::optim {
 namespace {
 
-constexpr double least_usual_gusset = 0.2;  // of an edge: room for two hinges and a wall between them
-constexpr double usual_edge_mm = 20;
-constexpr int usual_cells = 2;
+constexpr double least_usual_gusset = 0.2;       // of an edge: room for two hinges and a wall between them
+constexpr double usual_edge_mm = 20;             // mm: walls of blocks then print on their own scale
+constexpr int usual_cells = 2;                   // along each direction: the fewest with rotors inside
 constexpr int fewest_cells = 2, most_cells = 5;  // along the shortest side
 constexpr double one_side = 1e-9;  // cell edges: rotors of one side are as far from it by rounding
 

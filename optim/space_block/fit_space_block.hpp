@@ -33,8 +33,7 @@ struct SpaceBlockDesign {
   double edge_mm = 0;
   Eigen::Vector3d gusset;  ///< over the edge: of edges in squares normal to x, y and z
   double theta = 0;        ///< rad, > 0
-  double size_off =
-      0;  ///< largest difference of a length at rest from the one asked for, over it; 0: none was
+  double size_off = 0;  ///< largest difference of a length at rest from the one asked for, ratio; 0: none was
   Eigen::Vector3d size_mm = {0, 0, 0};  ///< at rest
 };
 

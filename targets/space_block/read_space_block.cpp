@@ -3,7 +3,9 @@
 namespace kinetix::targets {
 namespace {
 
+// Of a length over that at rest: neither nothing is left nor nothing happens.
 const Bounds shrinks = between(0, 1);
+// mm: from what a finger holds to what a hall does.
 const Bounds lengths = from_to(1, 100'000, "mm");
 
 Eigen::Vector3d three_numbers(const Node& list, const std::string& what, const Bounds& bounds) {

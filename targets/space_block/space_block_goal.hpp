@@ -22,8 +22,8 @@ Eigen::Vector3d block_lengths(const BlockSides& sides);
 
 /// How a block that was pressed differs from its goal.
 struct SpaceBlockError {
-  Eigen::Vector3d factors = {0, 0, 0};  ///< lengths over those at rest, along x, y and z
-  double off = 0;                       ///< the largest difference of one from the goal's
+  Eigen::Vector3d factors = {0, 0, 0};  ///< lengths over those at rest, along x, y and z, ratios
+  double off = 0;                       ///< the largest difference of one from the goal's, of a ratio
 };
 
 /// @param rest lengths, mm, > 0   @param pressed lengths, mm

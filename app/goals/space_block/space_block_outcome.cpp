@@ -40,7 +40,11 @@ void SpaceBlockOutcome::add_sections(const Run&, Json& result) const {
                   {"reasons_physics", physics_violations}};
   if (physics) section["physics"] = {{"factors", by_direction(physics->factors)}};
   result["space_block"] = section;
-  result["optimiser"] = {{"solver", "closed form"}};
+  result["optimiser"] = {{"solver", "closed form"},
+                         {"starts", 1},
+                         {"evaluations", 1},
+                         {"status", "converged"},
+                         {"why", "gussets and theta follow from the factors"}};
 }
 
 void SpaceBlockOutcome::add_metrics(Json& metrics) const {

@@ -96,12 +96,11 @@ function takenForceText(taken) {
   const load = someDictionary(taken?.load);
   if (!load || finite(load.value) === null) return null;
   const unit = load.unit === "N mm" ? `N${SPACE}mm` : "N";
-  return `${figures(Math.abs(load.value), 2)} ${unit} against the turns of blocks of ${taken.material}: a matter for ${load.effort}`;
+  return `${figures(Math.abs(load.value), 2)} ${unit} with soft blocks in its hinges: a matter for ${load.effort}`;
 }
 
-/** Of hinges that are made as blocks or films, or taken for them. */
-function strainText({metrics, asMade}) {
-  const most = metrics.strain_max ?? asMade?.taken?.strain, allowed = metrics.strain_allowed ?? asMade?.taken?.strain_allowed;
+/** Of hinges that are made as blocks or films. */
+function strainText({metrics: {strain_max: most, strain_allowed: allowed}}) {
   return finite(most) === null || finite(allowed) === null ? null : `${figures(most, 2)} of ${neat(allowed)} that the hinges' material bears`;
 }
 

@@ -33,7 +33,7 @@ function designVerdict(data) {
 function takenWords(taken) {
   if (!taken) return "";
   return ` Its hinges are left open: they are taken for blocks of ${taken.material}, ${millimetres(taken.gap_mm)} long, that keep the ` +
-      "turns of the design.";
+      `turns of the design and are strained by ${figures(taken.strain, 2)} of ${neat(taken.strain_allowed)} that they bear.`;
 }
 
 /** What prints come to, where that is known: a sentence. */

@@ -28,8 +28,8 @@ struct SodaliteStructure {
   double gusset = 0.2;       ///< length of a gusset over the edge, as the lattice was made
   std::vector<SodaliteRotor> rotors;
   std::vector<std::array<int, 2>> gussets;  ///< the rotors that each joins, ascending
-  std::vector<HingeParameters> hinges;      ///< alpha follows from the net, beta and offset are 0, but in prints
-  std::vector<std::array<int, 4>> rings;    ///< rotors round each square of the net: its cells
+  std::vector<HingeParameters> hinges;  ///< alpha follows from the net, beta and offset are 0, but in prints
+  std::vector<std::array<int, 4>> rings;  ///< rotors round each square of the net: its cells
   std::vector<std::array<int, 8>> ring_bodies, ring_hinges;  ///< of each: rotor, gusset, rotor, ...
 
   operator Linkage() const;

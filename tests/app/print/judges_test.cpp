@@ -461,7 +461,8 @@ TEST(Caps, OfADesignWhosePinsHaveThem) {
   const std::string result = scratch / "dot", out = scratch / "out";
   const Outcome found = kinetix_opt(target(", caps: true") + " --no-verify --quiet -o " + result);
   ASSERT_TRUE(found.code == 0 || found.code == 3) << found.err;
-  const Outcome run = kinetix_opt("export " + result + " --format stl --process sla --quiet -o " + out);
+  const Outcome run =
+      kinetix_opt("export " + result + " --format stl --process sla --cell-mm 30 --quiet -o " + out);
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(Json::parse(text_of(out + "/print.json"))["caps"], true);
 }

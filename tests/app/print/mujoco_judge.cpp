@@ -3,6 +3,7 @@
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <memory>
 
@@ -47,8 +48,8 @@ MujocoVerdict fold_in_mujoco(const std::string& xml, double fold_seconds, double
     mj_step(model.get(), data.get());
   }
   verdict.error += warnings();
-  mj_energyPos(model.get(), data.get());
-  verdict.energy_J = data->energy[0];
+  for (int j = 0; j < model->njnt; ++j)
+    verdict.energy_J += model->jnt_stiffness[j] * std::pow(data->qpos[model->jnt_qposadr[j]], 2) / 2;
   for (int b = 0;; ++b) {
     const int id = mj_name2id(model.get(), mjOBJ_BODY, ("b" + std::to_string(b)).c_str());
     if (id < 0) break;
