@@ -71,6 +71,8 @@ test("from opening a report to its first picture", async () => {
   const ms = await (await page.waitForFunction(() => window.firstPicture, {timeout: 60000})).jsonValue();
   assert.ok(await page.evaluate(() => document.querySelectorAll(".first-shots svg path").length > 100));
   console.log(`pictured: ${ms} ms`);
+  const UNDRAWN = 300;  // CSS pixels: as wide as a canvas is before anything is drawn on it
+  await page.waitForFunction((width) => document.querySelector("#space .stage canvas").width !== width, {}, UNDRAWN);
   const most = await page.evaluate(async (steps) => {
     const slider = document.querySelector("#space .slider input"), times = [];
     for (let k = 0; k <= steps; ++k) {

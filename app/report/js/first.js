@@ -15,7 +15,14 @@ function standingPlace(data) {
   };
 }
 
+const standing = new WeakMap();  // by state: facts and pictures ask for the same
+
 function standingPlates(data, state) {
+  if (!standing.has(state)) standing.set(state, placedPlates(data, state));
+  return standing.get(state);
+}
+
+function placedPlates(data, state) {
   const place = standingPlace(data);
   return plates(data.structure).map((plate) => {
     const {corners, side, ...rest} = carriedPlate(data.structure, state, plate);

@@ -69,18 +69,36 @@ class SceneView {
     this.canvas = html("canvas", {tabindex: 0, role: "img", "aria-label":
         "The folded sheet in space; drag or use the arrow keys to turn it, Shift and arrow keys to shift it, plus and minus to zoom"});
     this.stage = html("div", {class: "stage"}, this.canvas);
-    this.scene = new KinetixScene.Scene(this.canvas);
-    this.scene.setStructure(fullStructure(data), {fit: false});
-    this.scene.standBy(this.motion.poses(this.motion.to));
-    this.scene.setGoal(goalOf(data, this.motion));
-    this.scene.orbit.view(data.view === "top" ? "top" : "slant");
     this.canvas.addEventListener("keydown", (event) => {
       if (!this.scene.orbit.key(event)) return;
       event.preventDefault();
       this.scene.draw(performance.now());
     });
     this.canvas.addEventListener("click", (event) => this.name(event));
+    window.addEventListener("beforeprint", () => this.scene);
+    // The frame after the one with the first picture begins once that one is painted.
+    requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(() => this.scene)));
+  }
+
+  /** Made once the page's first picture stands, or when it is first used: it takes as long as all the rest of the page. */
+  get scene() {
+    if (this.made) return this.made;
+    const {data, motion} = this;
+    this.made = new KinetixScene.Scene(this.canvas);
+    this.made.setStructure(fullStructure(data), {fit: false});
+    this.made.standBy(motion.poses(motion.to));
+    this.made.setGoal(goalOf(data, motion));
+    this.made.orbit.view(data.view === "top" ? "top" : "slant");
     this.show(this.theta);
+    this.fitInPlace();
+    return this.made;
+  }
+
+  fitInPlace() {
+    this.made.recolour();
+    if (!this.stage.isConnected) return;
+    this.made.resize();
+    this.made.draw(performance.now());
   }
 
   /** Which body and hinge are under the pointer. */
@@ -147,12 +165,12 @@ class SceneView {
   }
 
   buttons() {
-    const {scene} = this, button = (text, click) => html("button", {type: "button", click}, text);
-    const views = ["top", "front", "side", "slant"].map((name) => button(name[0].toUpperCase() + name.slice(1), () => scene.orbit.view(name)));
-    const picture = button("Picture", async () => KinetixScene.saveAs(await scene.picture(), `${this.data.name}.png`));
+    const button = (text, click) => html("button", {type: "button", click}, text);
+    const views = ["top", "front", "side", "slant"].map((name) => button(name[0].toUpperCase() + name.slice(1), () => this.scene.orbit.view(name)));
+    const picture = button("Picture", async () => KinetixScene.saveAs(await this.scene.picture(), `${this.data.name}.png`));
     const full = button("Full screen", () => (document.fullscreenElement ? document.exitFullscreen() : this.stage.requestFullscreen?.())?.catch(() => {}));
     const film = KinetixScene.canRecord(this.canvas) ? button("Film", () => this.film(film)) : null;
-    return html("div", {class: "buttons"}, views, button("Fit", () => scene.fit()), full, picture, film);
+    return html("div", {class: "buttons"}, views, button("Fit", () => this.scene.fit()), full, picture, film);
   }
 
   controls() {
@@ -178,9 +196,7 @@ class SceneView {
 function sceneSection(data) {
   const view = new SceneView(data), controls = view.controls();
   const box = responsive(() => {
-    queueMicrotask(() => view.scene.resize());  // as soon as it stands in the page
-    view.scene.recolour();
-    if (view.stage.isConnected) view.scene.resize(), view.scene.draw(performance.now());
+    if (view.made) view.fitInPlace();
     return view.stage;
   });
   return [controls, box, html("p", {class: "note on-screen"}, `Drag to turn it, wheel or pinch to zoom. ${view.motion.words}`)];
