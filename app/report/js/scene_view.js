@@ -90,6 +90,7 @@ class SceneView {
     this.made.setGoal(goalOf(data, motion));
     this.made.orbit.view(data.view === "top" ? "top" : "slant");
     this.show(this.theta);
+    this.made.fit();
     this.fitInPlace();
     return this.made;
   }
