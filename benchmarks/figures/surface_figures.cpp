@@ -42,6 +42,12 @@ SurfaceOptions options_of(int facets, std::array<double, 2> edge) {
   return options;
 }
 
+/// With tilts beyond the usual 75 degrees: a sheet that curves both ways on a small radius takes a little more.
+SurfaceOptions steep(SurfaceOptions options) {
+  options.tilt = 80 * radians_per_degree;
+  return options;
+}
+
 Figure fit(const std::string& name, const targets::SurfacePatch& patch, SurfaceOptions options, double most,
            double most_seconds, int shakes = 4) {
   options.shakes = shakes;
@@ -151,15 +157,16 @@ Figure miura_with_plates() {
 
 std::vector<Figure> surface_figures() {
   constexpr double deg = radians_per_degree;
-  return {random_meshes(),
-          miura_with_plates(),
-          fit("cap of 60 deg", targets::cap_patch(100, 60 * deg), options_of(8, {0.3, 3}), 5e-3, 5),
-          fit("cap of 60 deg", targets::cap_patch(100, 60 * deg), options_of(8, {0.6, 1.5}), 8e-3, 5),
-          by_ribs("the same cap", targets::ribbed_surface(targets::cap_patch(100, 60 * deg)), 8),
-          fit("saddle 0.3", targets::saddle_patch(100, 0.3), options_of(8, {0.3, 3}), 8e-3, 5),
-          fit("vase", targets::vase_patch(120, 50, 10, 60 * deg), options_of(12, {0.3, 3}), 5e-3, 30, 12),
-          real("cap of 40 deg", targets::cap_patch(100, 40 * deg), options_of(8, {0.75, 1.3}), 60),
-          real("saddle 0.15", targets::saddle_patch(100, 0.15), options_of(8, {0.75, 1.3}), 60)};
+  return {
+      random_meshes(),
+      miura_with_plates(),
+      fit("cap of 60 deg", targets::cap_patch(100, 60 * deg), options_of(8, {0.3, 3}), 5e-3, 5),
+      fit("cap of 60 deg", targets::cap_patch(100, 60 * deg), options_of(8, {0.6, 1.5}), 8e-3, 5),
+      by_ribs("the same cap", targets::ribbed_surface(targets::cap_patch(100, 60 * deg)), 8),
+      fit("saddle 0.3", targets::saddle_patch(100, 0.3), options_of(8, {0.3, 3}), 8e-3, 5),
+      fit("vase", targets::vase_patch(120, 50, 10, 60 * deg), steep(options_of(12, {0.3, 3})), 5e-3, 30, 12),
+      real("cap of 40 deg", targets::cap_patch(100, 40 * deg), options_of(8, {0.75, 1.3}), 60),
+      real("saddle 0.15", targets::saddle_patch(100, 0.15), options_of(8, {0.75, 1.3}), 60)};
 }
 
 }  // namespace kinetix::bench
