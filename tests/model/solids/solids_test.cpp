@@ -9,6 +9,7 @@
 #include "model/linkage/wall.hpp"
 #include "model/sheet/sheet.hpp"
 #include "model/solids/body_solid.hpp"
+#include "model/solids/open_hinge.hpp"
 
 namespace kinetix::model {
 namespace {
@@ -277,6 +278,25 @@ TEST(BodySolid, RefusesAHingeThatOverlapsItsJunction) {
   EXPECT_THROW(solids(sheet, pin()), InvalidInput);
   sheet.hinge(0).t = 0.5;
   EXPECT_NO_THROW(solids(sheet, pin()));
+}
+
+// Least length, strain and corners in turn ask for most; stretch comes in addition.
+TEST(OpenHinge, IsAsLongAsItsFoldNeeds) {
+  const CellSize size{10, 0.8, 6};
+  const Process& process = *find_process("polyjet");
+  const MadeHinge block = open_hinge(HingeKind::block, process, size);
+  EXPECT_EQ(block.material.name, process.rubber);
+  EXPECT_EQ(block.thickness_mm, 0.8);
+  EXPECT_NEAR(open_gap_mm(block, 0.8, 0, 0.5), 1.0, 1e-12);        // 1.25 thick
+  EXPECT_NEAR(open_gap_mm(block, 0.8, 0, 2.01), 1.7, 1e-12);       // 2.01 x 0.4 / 0.5 = 1.608
+  EXPECT_NEAR(open_gap_mm(block, 0.8, 0, 0.5, 0.44), 1.3, 1e-12);  // (0.5 x 0.4 + 0.44) / 0.5 = 1.28
+  EXPECT_NEAR(open_gap_mm(block, 4, 0, 1.5), 4.1, 1e-12);          // 2.2 x 2 tan(0.75) = 4.099
+  const MadeHinge pin = open_hinge(HingeKind::pin, process, size);
+  EXPECT_EQ(pin.diameter_mm, process.least_pin_mm);
+  EXPECT_EQ(pin.clearance_mm, process.clearance_mm);
+  const MadeHinge film = open_hinge(HingeKind::film, *find_process("sla"), size);
+  EXPECT_EQ(film.thickness_mm, 0.4);
+  EXPECT_EQ(film.material.name, "pp") << "films of SLA are strips of their own";
 }
 
 }  // namespace
