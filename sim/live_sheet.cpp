@@ -85,8 +85,8 @@ void LiveSheet::place(const model::State& state) {
 void LiveSheet::drag(int body, const Vector3d& at, const Vector3d& to) {
   if (drive_) release();
   const double parts = static_cast<double>(structure_.bodies.size());
-  world_->hand().grasp =
-      Grasp{body, in_rest_frame(structure_, body, at), to / structure_.size.edge_mm, hand_stiffness * parts};
+  world_->hand().grasps = {
+      {body, in_rest_frame(structure_, body, at), to / structure_.size.edge_mm, hand_stiffness * parts}};
 }
 
 void LiveSheet::push(int body, const Vector3d& at, const Vector3d& force_N) {
@@ -95,7 +95,7 @@ void LiveSheet::push(int body, const Vector3d& at, const Vector3d& force_N) {
 }
 
 void LiveSheet::release() {
-  world_->hand().grasp.reset();
+  world_->hand().grasps.clear();
   push_.reset();
   if (!drive_) return;
   drive_.reset();
@@ -113,7 +113,7 @@ bool LiveSheet::is_fixed(int body) const {
   return std::any_of(holds.begin(), holds.end(), [body](const Hold& hold) { return hold.body == body; });
 }
 
-bool LiveSheet::is_dragged() const { return world_->hand().grasp.has_value(); }
+bool LiveSheet::is_dragged() const { return !world_->hand().grasps.empty(); }
 
 void LiveSheet::drive_to(const model::LinkageDrive& drive, const model::State& reference) {
   push_.reset();

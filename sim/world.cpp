@@ -155,8 +155,14 @@ struct World::Engine {
       const model::RestHinge& hinge = structure.hinges[h];
       const model::Stiffness* const k = options.elastic ? &options.elastic->of(h) : nullptr;
       if (k && k->framed()) continue;
-      for (Joint& point : hinge_points(hinge_frames(hinge), *bodies[hinge.lower], *bodies[hinge.upper],
-                                       k ? k->reach : options.reach, options.error_reduction))
+      const HingeFrames frames = hinge_frames(hinge);
+      btRigidBody &lower = *bodies[hinge.lower], &upper = *bodies[hinge.upper];
+      if (hinge.ball) {
+        add_in_order(world, *joints.emplace_back(ball_point(frames, lower, upper, options.error_reduction)));
+        continue;
+      }
+      for (Joint& point :
+           hinge_points(frames, lower, upper, k ? k->reach : options.reach, options.error_reduction))
         add_in_order(world, *joints.emplace_back(std::move(point)));
     }
   }

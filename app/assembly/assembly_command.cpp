@@ -47,9 +47,11 @@ int run_assembly_command(const CommandOptions& options, const targets::Node& roo
   FileSet files(folder.path());
   files.add("result.json", json);
   AssemblyFile shown = run.file;
-  shown.driven = run.driven;
-  shown.angle =
-      model::turn_at_theta(run.linkage.bodies[run.linkage.hinges[run.driven].lower].sense, run.theta);
+  if (!run.deployment) {
+    shown.driven = run.driven;
+    shown.angle =
+        model::turn_at_theta(run.linkage.bodies[run.linkage.hinges[run.driven].lower].sense, run.theta);
+  }
   for (const NamedContent& content : assembly_files(shown)) files.add(content.name, content.content);
   files.commit();
   folder.keep();

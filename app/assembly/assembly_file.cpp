@@ -23,11 +23,15 @@ constexpr double unit_length =
     1e-3;                        // by which the length of an axis may differ from 1: what a person rounds to
 constexpr double square = 1e-2;  // of the cosine between an axis and the direction along the part
 constexpr double default_reach = 0.18;  // cell edges: as of hinges of sheets
-constexpr targets::Word<model::HingeKind> hinge_kinds[] = {{"pin", model::HingeKind::pin},
-                                                           {"block", model::HingeKind::block}};
+/// As files name what joins two bodies.
+enum class JointWord { pin, block, ball };
+constexpr targets::Word<JointWord> joint_words[] = {
+    {"pin", JointWord::pin}, {"block", JointWord::block}, {"ball", JointWord::ball}};
 
 // Degrees of a driven hinge: half a turn either way is all that one angle can tell.
 const targets::Bounds turn_bounds = targets::between(-180, 180, "degrees");
+// Of distances from the middle: to nothing, or a hundred times as far.
+const targets::Bounds expand_bounds = targets::from_to(0.01, 100);
 // Of a confidence, dimensionless.
 const targets::Bounds share = targets::from_to(0, 1);
 
@@ -63,8 +67,8 @@ const targets::KeyTable& joint_keys() {
        "what the drive and results call it"},
       {"bodies", value::list(value::text("name of a body"), "`[name, name]`", 2, 2), targets::needed,
        "the two bodies that it joins"},
-      {"kind", value::choice(hinge_kinds), targets::by_default("block"),
-       "`block`: a soft part; `pin`: a rod in a bore"},
+      {"kind", value::choice(joint_words), targets::by_default("block"),
+       "`block`: a soft part; `pin`: turns about its axis alone; `ball`: turns every way about its point"},
       {"point_mm", vector_mm(), targets::needed, "on its axis, at rest"},
       {"axis", direction(), targets::needed, "of length 1, at rest"},
       {"along", direction(), targets::otherwise("square to the axis, from body to body"),
@@ -99,8 +103,20 @@ const targets::KeyTable& turn_keys() {
   static const targets::KeyTable keys({
       {"hinge", value::text("name of a hinge"),
        targets::otherwise("the one that turns most in the first motion"), "the hinge that is turned"},
-      {"angle_deg", value::angle(turn_bounds), targets::needed,
+      {"angle_deg",
+       value::angle(turn_bounds),
+       {},
        "by which its second body is turned against its first one, about its axis"},
+      {"poses",
+       value::list(value::list(value::number(), "`[x, y, z, qw, qx, qy, qz]`", 7, 7), "a list of poses", 2),
+       {},
+       "instead of a turned hinge: where bodies are pulled to, one pose a body in their order, mm and the "
+       "quaternion of the turn from rest"},
+      {"expand",
+       value::number(expand_bounds),
+       {},
+       "or: bodies are pulled to this times their distance from the middle, and go as far as hinges let "
+       "them"},
   });
   return keys;
 }
@@ -185,7 +201,10 @@ class Reader {
     hinge.lower = body_of(ends[0]);
     hinge.upper = body_of(ends[1]);
     if (hinge.lower == hinge.upper) throw bodies.error("joins a body with itself");
-    section.read("kind", hinge.kind, hinge_kinds);
+    JointWord kind = JointWord::block;
+    section.read("kind", kind, joint_words);
+    hinge.kind = kind == JointWord::block ? model::HingeKind::block : model::HingeKind::pin;
+    hinge.ball = kind == JointWord::ball;
     hinge.point =
         read_vector(section.required("point_mm", "a point on its axis, mm"), "a point [x, y, z], mm");
     hinge.axis = read_direction(section.required("axis", "its axis, of length 1"));
@@ -242,8 +261,9 @@ std::string hinge_line(const model::Assembly& a, const model::AssemblyHinge& h) 
   using targets::shortest_text;
   std::string out =
       fmt::format("    - {{name: {}, bodies: [{}, {}], kind: {}, point_mm: {}, axis: {}, along: {}", h.name,
-                  a.bodies[h.lower].name, a.bodies[h.upper].name, to_string(h.kind), vector_text(h.point),
-                  vector_text(h.axis), vector_text(h.along));
+                  a.bodies[h.lower].name, a.bodies[h.upper].name, h.ball ? "ball" : to_string(h.kind),
+                  vector_text(h.point), vector_text(h.axis), vector_text(h.along));
+  if (h.ball) return out + "}\n";
   out += fmt::format(", reach_mm: {}, k: {{axial: {}, shear: {}, along: {}, turn: {}}}, confidence: {:.4g}",
                      shortest_text(h.reach_mm), shortest_text(h.k.axial), shortest_text(h.k.shear),
                      shortest_text(h.k.along), shortest_text(h.k.turn), h.confidence);
@@ -252,6 +272,54 @@ std::string hinge_line(const model::Assembly& a, const model::AssemblyHinge& h) 
                        shortest_text(h.clearance_mm));
   if (!h.soft.points.empty()) out += ", file: parts/" + h.name + ".stl";
   return out + "}\n";
+}
+
+std::string poses_text(const model::State& poses) {
+  using targets::shortest_text;
+  std::string out = "drive:\n  poses:\n";
+  for (const model::Pose& pose : poses) {
+    const Eigen::Quaterniond q(pose.R);
+    out += fmt::format("    - [{}, {}, {}, {}, {}, {}, {}]\n", shortest_text(pose.p.x()),
+                       shortest_text(pose.p.y()), shortest_text(pose.p.z()), shortest_text(q.w()),
+                       shortest_text(q.x()), shortest_text(q.y()), shortest_text(q.z()));
+  }
+  return out;
+}
+
+model::Pose read_pose(const targets::Node& node) {
+  constexpr const char* what = "a pose [x, y, z, qw, qx, qy, qz], mm and a quaternion of length 1";
+  const auto n = node.list_of(7, what);
+  const Eigen::Quaterniond q(n[3].number(), n[4].number(), n[5].number(), n[6].number());
+  if (!(std::abs(q.norm() - 1) <= unit_length))
+    throw node.error(fmt::format("has a quaternion of length {:.4g}; that of a turn has length 1", q.norm()));
+  return {q.normalized().toRotationMatrix(), {n[0].number(), n[1].number(), n[2].number()}};
+}
+
+model::State read_poses(const targets::Node& node, std::size_t bodies) {
+  model::State out;
+  for (const targets::Node& pose : node.list("a list of poses")) out.push_back(read_pose(pose));
+  if (out.size() != bodies)
+    throw node.error(fmt::format("has {} poses; the structure has {} bodies", out.size(), bodies));
+  return out;
+}
+
+/// What its drive says.
+void read_drive(const targets::Section& drive, const Reader& reader, AssemblyFile& file) {
+  const auto poses = drive.optional("poses"), expand = drive.optional("expand");
+  if (poses && expand) throw expand->error("cannot stand beside `poses`; give one of them");
+  for (const char* key : {"hinge", "angle_deg"})
+    if (const auto turned = drive.optional(key); turned && (poses || expand))
+      throw turned->error(fmt::format("cannot stand beside `{}`: bodies are pulled, and no hinge is turned",
+                                      poses ? "poses" : "expand"));
+  if (poses) file.poses = read_poses(*poses, file.assembly.bodies.size());
+  drive.read("expand", file.expand);
+  if (poses || expand) return;
+  if (const auto hinge = drive.optional("hinge")) {
+    file.driven = reader.hinge_of(*hinge);
+    if (file.assembly.hinges[*file.driven].ball)
+      throw hinge->error("is a ball, which has no axis to be turned about");
+  }
+  file.angle = drive.required("angle_deg", "by how much, e.g. `angle_deg: 30`").angle(turn_bounds);
 }
 
 std::string design_text(const AssemblyFile& file) {
@@ -263,6 +331,8 @@ std::string design_text(const AssemblyFile& file) {
                        vector_text(b.position));
   out += "  hinges:\n";
   for (const model::AssemblyHinge& h : a.hinges) out += hinge_line(a, h);
+  if (file.poses) return out + poses_text(*file.poses);
+  if (file.expand) return out + fmt::format("drive: {{expand: {}}}\n", targets::shortest_text(*file.expand));
   if (file.driven)
     out += fmt::format("drive: {{hinge: {}, angle_deg: {}}}\n", a.hinges[*file.driven].name,
                        targets::degrees_text(file.angle));
@@ -292,11 +362,20 @@ AssemblyFile read_assembly(const targets::Node& node) {
   const targets::Section structure = root.section("structure");
   Reader reader(structure);
   file.assembly = reader.read();
-  if (const targets::Section drive = root.section("drive"); drive.given()) {
-    if (const auto hinge = drive.optional("hinge")) file.driven = reader.hinge_of(*hinge);
-    file.angle = drive.required("angle_deg", "by how much, e.g. `angle_deg: 30`").angle(turn_bounds);
-  }
+  if (const targets::Section drive = root.section("drive"); drive.given()) read_drive(drive, reader, file);
   return file;
+}
+
+std::optional<model::Pull> AssemblyFile::pull() const {
+  if (poses) return model::Pull{*poses};
+  if (!expand) return std::nullopt;
+  Vector3d middle = Vector3d::Zero();
+  for (const model::AssemblyBody& b : assembly.bodies)
+    middle += b.position / static_cast<double>(assembly.bodies.size());
+  model::Pull out{{}, false};
+  for (const model::AssemblyBody& b : assembly.bodies)
+    out.to.push_back({Eigen::Matrix3d::Identity(), middle + *expand * (b.position - middle)});
+  return out;
 }
 
 std::vector<NamedContent> assembly_files(const AssemblyFile& file) {

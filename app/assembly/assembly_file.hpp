@@ -6,6 +6,7 @@
 
 #include "app/run/goal_outcome.hpp"
 #include "model/assembly/assembly.hpp"
+#include "model/assembly/deployment.hpp"
 #include "targets/document/section.hpp"
 
 namespace kinetix::app {
@@ -17,6 +18,11 @@ struct AssemblyFile {
   std::optional<int> driven =
       {};            ///< the hinge that is turned; nothing: the one that turns most in the first motion
   double angle = 0;  ///< by which it is turned in the end, rad, in (-pi, pi); 0: at rest
+  std::optional<model::State> poses = {};  ///< instead: where bodies are pulled to, mm
+  std::optional<double> expand = {};  ///< or: times their distance from the middle, as far as they go, > 0
+
+  /// What pulls the bodies; nothing where a hinge is turned.
+  std::optional<model::Pull> pull() const;
 };
 
 /// Keys of such a file, of which design.schema.json knows nothing: assembly.schema.json does.

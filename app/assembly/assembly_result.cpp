@@ -17,6 +17,11 @@ using ResultJson = nlohmann::ordered_json;
 ResultJson vector_json3(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 ResultJson hinge_of_json(const model::AssemblyHinge& h) {
+  if (h.ball)
+    return {{"name", h.name},
+            {"bodies", {h.lower, h.upper}},
+            {"kind", "ball"},
+            {"point_mm", vector_json3(h.point)}};
   return {{"name", h.name},
           {"bodies", {h.lower, h.upper}},
           {"point_mm", vector_json3(h.point)},
@@ -33,9 +38,22 @@ ResultJson bodies_and_hinges(const model::Assembly& a) {
   return {{"cell_mm", a.edge_mm}, {"bodies", bodies}, {"hinges", hinges}, {"cells", ResultJson::array()}};
 }
 
+std::string pull_words(const model::Deployment& d, double seconds) {
+  if (!d.reached)
+    return fmt::format(
+        "bodies follow their pull for {:.0f} % of the way and no further: hinges would have to open",
+        100 * d.shares.back());
+  return fmt::format(
+      "bodies end {:.2g} cell edges from where they are pulled to, rms, at most {:.2g}; hinges stay closed "
+      "within {:.1e} cell "
+      "edges; {} states in {:.2f} s",
+      d.off_rms, d.off_max, d.gap, d.states.size(), seconds);
+}
+
 std::string way_words(const AssemblyRun& run) {
   const auto& hinges = run.file.assembly.hinges;
   const model::AssemblyMotion& m = run.motion;
+  if (const auto& d = run.deployment) return pull_words(*d, run.closure_s);
   if (m.reached)
     return fmt::format(
         "`{}` turned by {:.2f} deg; hinges stay closed within {:.1e} cell edges and {:.1e} rad",
@@ -62,6 +80,10 @@ ResultJson states_json(const AssemblyRun& run) {
 
 ResultJson numbers_of(const AssemblyRun& run) {
   ResultJson out = {{"theta_rad", run.theta}};
+  if (const auto& d = run.deployment) {
+    out["pull_rms"] = d->off_rms;
+    out["pull_max"] = d->off_max;
+  }
   if (run.equilibrium) {
     out["load"] = run.equilibrium->steps.back().load;
     out["energy_Nmm"] = run.equilibrium->steps.back().energy;
@@ -126,7 +148,7 @@ std::string assembly_summary(const AssemblyRun& run) {
   const auto line = [&](const char* label, const std::string& text) {
     out += fmt::format("  {:<10} {}\n", label, text);
   };
-  line("closure", way_words(run));
+  line(run.deployment ? "pull" : "closure", way_words(run));
   if (const auto& e = run.equilibrium) {
     line("load", fmt::format("moment {:.4g} N mm: {}", e->steps.back().load, e->why));
     line("energy", fmt::format("{:.4g} N mm", e->steps.back().energy));

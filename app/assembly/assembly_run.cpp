@@ -14,6 +14,7 @@
 #include "model/linkage/make_drive.hpp"
 #include "optim/solvers/parallel_runs.hpp"
 #include "sim/contact_parts.hpp"
+#include "sim/pull_run.hpp"
 #include "sim/shapes/convex_cuts.hpp"
 
 namespace kinetix::app {
@@ -57,14 +58,24 @@ void close(AssemblyRun& run, const model::FirstMotion& first, const RunOptions& 
   run.closure_s = watch.lap();
 }
 
-double end_theta(const AssemblyRun& run) {
-  return model::theta_at_turn(sense_of(run), run.motion.turns.back());
+void follow_pull(AssemblyRun& run, const RunOptions& options) {
+  Stopwatch watch;
+  model::DeploymentOptions how;
+  how.stop = [&] { return options.stop.stop_requested(); };
+  run.deployment = deploy(run.linkage, aligned_pull(run.linkage, *run.file.pull()), how);
+  run.motion.states = run.deployment->states;
+  run.motion.gap = run.deployment->gap;
+  run.motion.axis_gap = run.deployment->axis_gap;
+  run.motion.reached = run.deployment->reached;
+  for (const model::State& state : run.motion.states)
+    run.motion.turns.push_back(2 * mean_half_turn(run.linkage, state));
+  run.theta = run.motion.turns.back() / 2;
+  run.closure_s = watch.lap();
 }
 
 void add_motion(AssemblyRun& run) {
   for (std::size_t k = 0; k < run.motion.states.size(); ++k)
-    add_state(run, "frame", Model::exact, model::theta_at_turn(sense_of(run), run.motion.turns[k]),
-              run.motion.states[k]);
+    add_state(run, "frame", Model::exact, run.theta_of(k), run.motion.states[k]);
 }
 
 void add_equilibrium(AssemblyRun& run, const RunOptions& options) {
@@ -91,6 +102,7 @@ sim::PhysicsOptions physics_of(const AssemblyRun& run, double factor) {
   double reach = run.file.assembly.edge_mm;
   for (const model::AssemblyHinge& h : run.file.assembly.hinges) reach = std::min(reach, h.reach_mm);
   options.reach = reach / run.file.assembly.edge_mm;
+  options.planar = run.deployment && all_vertical(run.linkage);
   return options;
 }
 
@@ -142,9 +154,16 @@ sim::ContactParts pieces_of(const model::Assembly& assembly, int threads) {
   return parts;
 }
 
+sim::PhysicsResult run_physics(const AssemblyRun& run, const sim::PhysicsOptions& options,
+                               const sim::ContactParts& parts, const sim::PhysicsObserver& observer) {
+  if (run.deployment)
+    return run_pull(run.linkage, aligned_pull(run.linkage, *run.file.pull()), options, parts, observer);
+  const model::LinkageDrive drive = model::turned_hinge(run.driven, sense_of(run), turn_of(run));
+  return run_with_parts(run.linkage, drive, options, parts, observer);
+}
+
 /// Folds it by the engine, in coarse steps where these already settle in the closed state.
 void verify_assembly(AssemblyRun& run, const RunOptions& options) {
-  const model::LinkageDrive drive = model::turned_hinge(run.driven, sense_of(run), turn_of(run));
   Stopwatch watch;
   const sim::ContactParts parts = pieces_of(run.file.assembly, options.threads);
   run.pieces_s = watch.lap();
@@ -156,7 +175,7 @@ void verify_assembly(AssemblyRun& run, const RunOptions& options) {
     sim::PhysicsObserver observer;
     observer.stop = options.stop;
     observer.progress = [&](double done) { options.progress("physics run", done); };
-    v.physics = run_with_parts(run.linkage, drive, v.options, parts, observer);
+    v.physics = run_physics(run, v.options, parts, observer);
     v.compared = run.motion.reached;
     const bool settled = v.physics.status == sim::PhysicsResult::Status::settled;
     v.distance = settled && v.compared
@@ -169,7 +188,34 @@ void verify_assembly(AssemblyRun& run, const RunOptions& options) {
   run.verification = std::move(v);
 }
 
+/// Turns the hinge of the drive along closed states.
+void turn_hinge(AssemblyRun& run, std::optional<double> theta, const RunOptions& options) {
+  const model::FirstMotion first = first_motion(run.linkage);
+  run.driven = driven_hinge(run.file, first);
+  run.theta = theta.value_or(model::theta_at_turn(sense_of(run), run.file.angle));
+  close(run, first, options);
+}
+
+void refuse_pulled(const AssemblyRun& run, std::optional<double> theta) {
+  const auto& hinges = run.file.assembly.hinges;
+  const auto ball = std::find_if(hinges.begin(), hinges.end(), [](const auto& h) { return h.ball; });
+  if (theta && run.file.pull())
+    throw InvalidInput("--theta turns a hinge, and here bodies are pulled", {"", 0, 0, "drive"});
+  if (run.model != Model::equilibrium) return;
+  if (run.file.pull())
+    throw InvalidInput("the model equilibrium turns one hinge: give `drive: {hinge: NAME, angle_deg: ...}`",
+                       {"", 0, 0, "drive"});
+  if (ball != hinges.end())
+    throw InvalidInput(
+        "the model equilibrium knows hinges with an axis only, and `" + ball->name + "` is a ball",
+        {"", 0, 0, "structure.hinges"});
+}
+
 }  // namespace
+
+double AssemblyRun::theta_of(std::size_t k) const {
+  return deployment ? motion.turns[k] / 2 : model::theta_at_turn(sense_of(*this), motion.turns[k]);
+}
 
 bool AssemblyRun::reached() const {
   return model == Model::equilibrium ? equilibrium->stop == model::EquilibriumPath::Stop::reached
@@ -194,14 +240,16 @@ AssemblyRun run_assembly(AssemblyFile file, Model model, std::optional<double> t
   run.file = std::move(file);
   run.model = model;
   run.linkage = linkage_of(run.file.assembly);
-  const model::FirstMotion first = first_motion(run.linkage);
-  run.driven = driven_hinge(run.file, first);
-  run.theta = theta.value_or(model::theta_at_turn(sense_of(run), run.file.angle));
-  close(run, first, options);
+  refuse_pulled(run, theta);
+  if (run.file.pull())
+    follow_pull(run, options);
+  else
+    turn_hinge(run, theta, options);
   if (model == Model::equilibrium)
     add_equilibrium(run, options);
   else if (run.motion.reached || model == Model::exact)
-    add_state(run, "target", Model::exact, end_theta(run), run.motion.states.back());
+    add_state(run, "target", Model::exact, run.theta_of(run.motion.states.size() - 1),
+              run.motion.states.back());
   if (model == Model::bullet) verify_assembly(run, options);
   add_motion(run);
   return run;

@@ -7,6 +7,7 @@
 #include "app/run/run.hpp"
 #include "app/run/run_options.hpp"
 #include "model/assembly/assembly_motion.hpp"
+#include "model/assembly/deployment.hpp"
 
 namespace kinetix::app {
 
@@ -15,9 +16,11 @@ struct AssemblyRun {
   AssemblyFile file;
   model::Linkage linkage;
   Model model = Model::exact;
-  int driven = -1;                 ///< hinge
-  double theta = 0;                ///< of the drive, rad: half the turn of its hinge
-  model::AssemblyMotion motion;    ///< closed states on the way
+  int driven = -1;   ///< hinge; -1: bodies are pulled
+  double theta = 0;  ///< of the drive, rad: half the turn of its hinge; pulled: mean_half_turn in the end
+  model::AssemblyMotion
+      motion;  ///< closed states on the way; pulled: its turns are twice their mean_half_turn
+  std::optional<model::Deployment> deployment = {};  ///< where bodies are pulled: how far they follow
   std::vector<NamedState> states;  ///< the last one of each model first, then those of the motion
   std::optional<model::EquilibriumPath> equilibrium;
   std::optional<Verification> verification;
@@ -25,12 +28,15 @@ struct AssemblyRun {
   double pieces_s = 0;     ///< that they took, s
   double closure_s = 0, equilibrium_s = 0, load_s = 0;  ///< seconds
 
+  /// The way of motion state k, rad: what the drive's theta has come to.
+  double theta_of(std::size_t k) const;
   /// Whether the model came to the drive's end.
   bool reached() const;
 };
 
 /// @param theta in place of the file's own drive, rad
-/// @throws InvalidInput for a drive that turns a hinge which cannot turn at rest
+/// @throws InvalidInput for a drive that turns a hinge which cannot turn at rest; where bodies are pulled, for a theta and for the
+/// model equilibrium, which for now also wants hinges with an axis
 AssemblyRun run_assembly(AssemblyFile file, Model model, std::optional<double> theta,
                          const RunOptions& options);
 

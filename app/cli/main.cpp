@@ -128,7 +128,10 @@ void add_export(CLI::App& app, CommandOptions& options, kinetix::app::PrintReque
 }
 
 void add_import(CLI::App& app, CommandOptions& options, kinetix::app::ImportRequest& request) {
-  app.add_option("MODEL", request.model, "a 3MF, STEP, GLB, OBJ, PLY or STL file with hard and soft parts")
+  app.add_option("MODEL", request.model,
+                 "a 3MF, STEP, GLB, OBJ, PLY or STL file with hard and soft parts; or a folder of tiles with "
+                 "vertices.txt and "
+                 "constraints.txt")
       ->type_name("");
   add_common(app, options);
   add_output(app, options, "folder for design.yaml and its part files (default results/NAME)");
@@ -146,6 +149,14 @@ void add_import(CLI::App& app, CommandOptions& options, kinetix::app::ImportRequ
       ->type_name("NAME");
   app.add_option("--hinges", request.hinges, "YAML file with the axes of hinges that the shape leaves open")
       ->type_name("FILE");
+  app.add_option("--tile-mm", request.tile_mm, "of tiles: their median edge, mm (default 20)")
+      ->type_name("MM");
+  app.add_option("--thickness-mm", request.thickness_mm,
+                 "of tiles: of their sheet, mm (default a twentieth of the median edge)")
+      ->type_name("MM");
+  app.add_option("--kerf-mm", request.kerf_mm,
+                 "of tiles: width of the cuts, mm (default 0.03 of the median edge)")
+      ->type_name("MM");
 }
 
 void add_view(CLI::App& app, CommandOptions& options, kinetix::app::ViewRequest& request) {

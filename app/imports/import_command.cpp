@@ -3,16 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "app/assembly/assembly_file.hpp"
 #include "app/assembly/assembly_mobility.hpp"
 #include "app/console/console.hpp"
 #include "app/imports/hinge_choices.hpp"
+#include "app/imports/import_tiles.hpp"
 #include "app/imports/model_parts.hpp"
-#include "app/io/atomic_file.hpp"
+#include "app/imports/tile_files.hpp"
+#include "app/imports/written_import.hpp"
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
 #include "targets/document/number.hpp"
@@ -41,16 +41,6 @@ model::HingeChoices choices_of(const ImportRequest& request) {
   }
   choices.material = *material;
   return choices;
-}
-
-std::string name_of(const ImportRequest& request) {
-  std::string stem = std::filesystem::path(request.model.empty() ? request.hard : request.model)
-                         .stem()
-                         .string()
-                         .substr(0, 100);
-  for (char& c : stem)
-    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_' && c != '-' && c != '.') c = '_';
-  return stem.empty() || stem[0] == '.' ? "_" + stem : stem;
 }
 
 /// Bad input that is found after reading gets the files' names.
@@ -126,15 +116,26 @@ nlohmann::ordered_json summary_json(const ModelParts& parts, const AssemblyFile&
           {"notes", a.notes}};
 }
 
+void refuse_options_of_tiles(const ImportRequest& r) {
+  for (const auto& [name, value] :
+       {std::pair("--tile-mm", r.tile_mm), std::pair("--thickness-mm", r.thickness_mm),
+        std::pair("--kerf-mm", r.kerf_mm)})
+    if (value)
+      throw InvalidInput(
+          fmt::format("{} is of a folder of tiles, with vertices.txt and constraints.txt", name));
+}
+
 }  // namespace
 
 int import_command(const CommandOptions& options, const ImportRequest& request) {
+  if (is_tile_folder(request.model)) return import_tiles(options, request);
+  refuse_options_of_tiles(request);
   Console console(options.quiet, false);
   const model::HingeChoices choices = choices_of(request);
   console.stage("reading parts", -1);
   const ModelParts parts = read_model_parts(request);
   console.stage("finding hinges", -1);
-  AssemblyFile file{.name = name_of(request), .assembly = assembled(parts, choices)};
+  AssemblyFile file{.name = import_name(request), .assembly = assembled(parts, choices)};
   tidy_up(file.assembly);
   console.stage("how it moves", -1);
   const AssemblyMobility mobility = examine(file.assembly);
@@ -142,16 +143,7 @@ int import_command(const CommandOptions& options, const ImportRequest& request) 
     file.driven = mobility.hinge;
     file.angle = std::copysign(std::min(targets::radians_of(first_turn_deg), mobility.turn), mobility.sense);
   }
-  OutputFolder folder(options.folder_given ? options.folder : "results/" + file.name);
-  FileSet files(folder.path());
-  for (const NamedContent& content : assembly_files(file)) files.add(content.name, content.content);
-  files.commit();
-  folder.keep();
-  if (options.json)
-    std::cout << summary_json(parts, file, mobility).dump(1) << "\n";
-  else
-    std::cout << summary_text(parts, file, mobility)
-              << fmt::format("  {:<10} {}/design.yaml, parts\n", "written", folder.path());
+  write_import(options, file, summary_json(parts, file, mobility), summary_text(parts, file, mobility));
   return done;
 }
 

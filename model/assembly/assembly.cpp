@@ -355,6 +355,7 @@ Linkage linkage_of(const Assembly& assembly) {
     rest.upper_arm = (h.point - upper) / assembly.edge_mm;
     rest.axis = h.axis;
     rest.axis_alpha = rest.axis_beta = Vector3d::Zero();
+    rest.ball = h.ball;
     out.hinges.push_back(rest);
     for (const int b : {h.lower, h.upper}) spins[b] += h.axis;
   }

@@ -41,6 +41,7 @@ struct AssemblyHinge {
   double rod_mm = 0;        ///< diameter of a pin's rod
   double clearance_mm = 0;  ///< of a pin, a side
   Polyhedron soft = {};     ///< of a block: its part at rest, mm
+  bool ball = false;        ///< holds its point alone and turns every way; kind and axis then say nothing
 };
 
 /// Rigid bodies of any shape and the hinges that join them, at rest: what an import finds in a model.

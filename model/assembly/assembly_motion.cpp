@@ -75,7 +75,7 @@ FirstMotion first_motion(const Linkage& linkage) {
   for (std::size_t k = 0; k < linkage.hinges.size(); ++k) {
     const double rate = turn_rate(linkage, twists, k);
     turns += rate * rate;
-    if (std::abs(rate) <= std::abs(out.rate) * (1 + 1e-6)) continue;
+    if (linkage.hinges[k].ball || std::abs(rate) <= std::abs(out.rate) * (1 + 1e-6)) continue;
     out.rate = rate;
     out.fastest = static_cast<int>(k);
   }

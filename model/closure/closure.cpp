@@ -1,5 +1,4 @@
 #include "model/closure/closure.hpp"
-#include "model/base/rotation_vector.hpp"
 
 #include <Eigen/Geometry>
 
@@ -45,9 +44,10 @@ Entries closure_entries(const Linkage& structure, const State& state) {
   entries.reserve(42 * structure.hinges.size());
   int row = 0;
   for (const RestHinge& hinge : structure.hinges) {
-    const Matrix3d &lower = state[hinge.lower].R, &upper = state[hinge.upper].R;
-    append_body(entries, row, hinge.lower, lower * hinge.lower_arm, lower * hinge.axis, 1);
-    append_body(entries, row, hinge.upper, upper * hinge.upper_arm, upper * hinge.axis, -1);
+    const Pose &lower = state[hinge.lower], &upper = state[hinge.upper];
+    const Mismatch axes = axis_mismatch(hinge, lower, upper);
+    append_body(entries, row, hinge.lower, lower.R * hinge.lower_arm, axes.lower, 1);
+    append_body(entries, row, hinge.upper, upper.R * hinge.upper_arm, axes.upper, -1);
     row += 6;
   }
   return entries;

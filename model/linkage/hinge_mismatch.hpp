@@ -21,9 +21,10 @@ inline Mismatch point_mismatch(const RestHinge& h, const Pose& lower, const Pose
   return m;
 }
 
-/// Of the unit hinge axis, dimensionless: nearly rad where small.
+/// Of the unit hinge axis, dimensionless: nearly rad where small. All zero of a ball, which has none.
 inline Mismatch axis_mismatch(const RestHinge& h, const Pose& lower, const Pose& upper) {
   Mismatch m;
+  if (h.ball) return {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   m.lower = lower.R * h.axis;
   m.upper = upper.R * h.axis;
   m.gap = m.lower - m.upper;

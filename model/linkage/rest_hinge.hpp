@@ -16,11 +16,12 @@ struct RestHinge {
   Eigen::Vector3d axis;        ///< unit vector
   Eigen::Vector3d axis_alpha;  ///< its derivative by alpha, per rad
   Eigen::Vector3d axis_beta;   ///< and by beta, per rad
+  bool ball = false;           ///< holds its point alone and turns every way; its axis says nothing
 };
 
 /// Whether a hinge axis, a unit vector, stands along z, to 1e-9 rad.
 bool is_vertical(const Eigen::Vector3d& axis);
-/// Whether that of the hinge does at rest.
+/// Whether that of the hinge does at rest; never of a ball.
 bool is_vertical(const RestHinge& hinge);
 
 }  // namespace kinetix::model

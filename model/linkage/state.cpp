@@ -42,7 +42,7 @@ HingeGaps hinge_gaps(const Linkage& structure, const State& state) {
     const Pose& lower = state[hinge.lower];
     const Pose& upper = state[hinge.upper];
     const double gap = point_mismatch(hinge, lower, upper, structure.size.edge_mm).gap.norm();
-    const double axis_gap = angle_between(lower.R * hinge.axis, upper.R * hinge.axis);
+    const double axis_gap = hinge.ball ? 0 : angle_between(lower.R * hinge.axis, upper.R * hinge.axis);
     sum += gap * gap;
     if (gaps.worst_hinge < 0 || !(gap <= gaps.max)) {
       gaps.max = gap;

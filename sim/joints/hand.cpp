@@ -26,14 +26,15 @@ VelocityRow row(int body, const Vector3d& linear, const Vector3d& angular, doubl
 }  // namespace
 
 Vector3d Hand::pull(const model::State& state) const {
-  if (!grasp) return Vector3d::Zero();
-  return grasp->stiffness * reach(*grasp, state[grasp->body], edge_mm_);
+  if (grasps.empty()) return Vector3d::Zero();
+  const Grasp& grasp = grasps.front();
+  return grasp.stiffness * reach(grasp, state[grasp.body], edge_mm_);
 }
 
 std::vector<VelocityRow> Hand::rows(const model::State& state, const std::vector<model::Twist>& speeds,
                                     double step) const {
   std::vector<VelocityRow> rows;
-  if (grasp) append(*grasp, state[grasp->body], speeds[grasp->body], step, rows);
+  for (const Grasp& grasp : grasps) append(grasp, state[grasp.body], speeds[grasp.body], step, rows);
   for (const Hold& hold : holds) append(hold, state[hold.body], speeds[hold.body], step, rows);
   return rows;
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "model/linkage/state.hpp"
@@ -27,11 +26,11 @@ class Hand {
  public:
   Hand(double joint_stiffness, double edge_mm) : joint_stiffness_(joint_stiffness), edge_mm_(edge_mm) {}
 
-  std::optional<Grasp> grasp;
+  std::vector<Grasp> grasps;
   std::vector<Hold> holds;
 
-  bool is_empty() const { return !grasp && holds.empty(); }
-  /// The pull on the grasped point, mass edge / s^2; zero where nothing is grasped.
+  bool is_empty() const { return grasps.empty() && holds.empty(); }
+  /// The pull on the point that is grasped first, mass edge / s^2; zero where nothing is.
   Eigen::Vector3d pull(const model::State& state) const;
   /// @param state mm; @param speeds rad/s and cell edges/s; @param step s
   std::vector<VelocityRow> rows(const model::State& state, const std::vector<model::Twist>& speeds,

@@ -39,6 +39,13 @@ btTransform frame(const HingeFrame& hinge_frame, double along_axis) {
   return frame(hinge_frame.axis, hinge_frame.across, hinge_frame.point + along_axis * hinge_frame.axis);
 }
 
+Joint point_on_axis(const HingeFrames& hinge_frames, btRigidBody& a, btRigidBody& b, double along_axis,
+                    double error_reduction) {
+  Joint point = free_joint(a, b, frame(hinge_frames[0], along_axis), frame(hinge_frames[1], along_axis));
+  for (int axis = 0; axis < 3; ++axis) lock(*point, axis, error_reduction);
+  return point;
+}
+
 }  // namespace
 
 HingeFrames hinge_frames(const model::RestHinge& hinge) {
@@ -48,13 +55,12 @@ HingeFrames hinge_frames(const model::RestHinge& hinge) {
 
 std::array<Joint, 2> hinge_points(const HingeFrames& hinge_frames, btRigidBody& a, btRigidBody& b,
                                   double reach, double error_reduction) {
-  std::array<Joint, 2> points;
-  for (int k = 0; k < 2; ++k) {
-    const double along_axis = k == 0 ? -reach : reach;
-    points[k] = free_joint(a, b, frame(hinge_frames[0], along_axis), frame(hinge_frames[1], along_axis));
-    for (int axis = 0; axis < 3; ++axis) lock(*points[k], axis, error_reduction);
-  }
-  return points;
+  return {point_on_axis(hinge_frames, a, b, -reach, error_reduction),
+          point_on_axis(hinge_frames, a, b, reach, error_reduction)};
+}
+
+Joint ball_point(const HingeFrames& hinge_frames, btRigidBody& a, btRigidBody& b, double error_reduction) {
+  return point_on_axis(hinge_frames, a, b, 0, error_reduction);
 }
 
 Joint turn_lock(const model::RestHinge& hinge, btRigidBody& lower, btRigidBody& upper,

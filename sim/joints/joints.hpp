@@ -35,6 +35,9 @@ HingeFrames hinge_frames(const model::RestHinge& hinge);
 std::array<Joint, 2> hinge_points(const HingeFrames& hinge_frames, btRigidBody& a, btRigidBody& b,
                                   double reach, double error_reduction);
 
+/// The one point constraint of a ball, as above.
+Joint ball_point(const HingeFrames& hinge_frames, btRigidBody& a, btRigidBody& b, double error_reduction);
+
 /// Locks the turn of the upper body against the lower one about their hinge axis; set_turn moves it.
 Joint turn_lock(const model::RestHinge& hinge, btRigidBody& lower, btRigidBody& upper,
                 double error_reduction);

@@ -1,0 +1,167 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/program.hpp"
+#include "tests/app/schema_errors.hpp"
+#include "tests/support/rotating_squares.hpp"
+
+namespace kinetix::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using TileJson = nlohmann::json;
+
+std::string corners_text(const std::vector<std::vector<Eigen::Vector3d>>& tiles) {
+  std::string out;
+  for (const auto& tile : tiles) {
+    for (const Eigen::Vector3d& c : tile) out += fmt::format("{} {} {} ", c.x(), c.y(), c.z());
+    out += "\n";
+  }
+  return out;
+}
+
+/// Both forms of a joint at both faces: one line with 3, and two with 1 and 2 from either side.
+std::string joints_text(const model::TileSheet& sheet) {
+  std::string out;
+  for (std::size_t j = 0; j < sheet.joints.size(); ++j) {
+    const model::TileJoint& t = sheet.joints[j];
+    const std::string there = fmt::format("{} {} {} {}", t.first, t.first_corner, t.second, t.second_corner),
+                      back = fmt::format("{} {} {} {}", t.second, t.second_corner, t.first, t.first_corner);
+    if (!t.both_faces)
+      out += there + "\n";
+    else
+      out += j % 2 == 0 ? there + " 3\n" : there + " 1\n" + back + " 2\n";
+  }
+  return out;
+}
+
+class TileFolder {
+ public:
+  explicit TileFolder(const model::TileSheet& sheet, bool target = true) {
+    fs::create_directory(scratch / "squares");
+    scratch.write("squares/vertices.txt", corners_text(sheet.tiles));
+    scratch.write("squares/constraints.txt", joints_text(sheet));
+    if (target) scratch.write("squares/target.txt", corners_text(sheet.target));
+  }
+  std::string path() const { return scratch / "squares"; }
+  std::string design() const { return scratch / "out/design.yaml"; }
+
+  TileJson import(const std::string& options = "") const {
+    const Outcome run =
+        kinetix_opt("import " + path() + "/ " + options + " --json -o " + (scratch / "out").string());
+    EXPECT_EQ(run.code, 0) << run.err;
+    return TileJson::parse(run.out);
+  }
+
+  void expect_refused(const std::string& says, const std::string& options = "") const {
+    const Outcome run =
+        kinetix_opt("import " + path() + " --quiet " + options + " -o " + (scratch / "out").string());
+    EXPECT_EQ(run.code, 2) << run.out << run.err;
+    EXPECT_THAT(run.err, HasSubstr(says));
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    EXPECT_FALSE(fs::exists(scratch / "out")) << says;
+  }
+
+  Scratch scratch;
+};
+
+TEST(TileImport, DeploysSquaresToTheirTarget) {
+  const TileFolder folder(rotating_squares(5, 4, 0.6));
+  const TileJson found = folder.import("--tile-mm 10");
+  EXPECT_EQ(found["name"], "squares");
+  EXPECT_EQ(found["bodies"], 20);
+  EXPECT_EQ(found["hinges"], 31);
+  EXPECT_EQ(found["balls"], 0);
+  EXPECT_NEAR(found["target_off"].get<double>(), 0, 1e-6);
+  EXPECT_NEAR(found["scale_mm"].get<double>(), 10, 1e-9);
+  EXPECT_EQ(kinetix_opt("check " + folder.design()).code, 0);
+  const std::string out = (folder.scratch / "run").string();
+  const Outcome run = kinetix_opt("verify " + folder.design() + " -o " + out + " --json");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const TileJson result = TileJson::parse(run.out);
+  EXPECT_EQ(schema_errors(run.out, "result.schema.json"), "");
+  EXPECT_LT(result["metrics"]["pull_rms"], 1e-5);
+  EXPECT_LT(result["metrics"]["verify_rms"], 1e-5);
+  EXPECT_NEAR(result["metrics"]["theta_rad"].get<double>(), 0.6, 1e-5);
+  EXPECT_EQ(kinetix_opt("simulate " + out + "/design.yaml -o " + out + "_again").code, 0);
+  EXPECT_EQ(kinetix_opt("export " + folder.design() + " --format stl,glb -o " + out + "_print").code, 0);
+}
+
+TEST(TileImport, PullsSquaresApartWhereTheyHaveNoTarget) {
+  const TileFolder folder(rotating_squares(4, 4, 0.6), false);
+  EXPECT_EQ(folder.import()["target_off"], nullptr);
+  EXPECT_THAT(text_of(folder.design()), HasSubstr("drive: {expand: 3}"));
+  const std::string out = (folder.scratch / "run").string();
+  const Outcome run = kinetix_opt("simulate " + folder.design() + " -o " + out + " --json");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_NEAR(TileJson::parse(run.out)["metrics"]["theta_rad"].get<double>(), 0.7854, 1e-3);
+}
+
+TEST(TileImport, JoinsByBallsWhereOneFaceHolds) {
+  model::TileSheet sheet = rotating_squares(3, 3, 0.4);
+  for (model::TileJoint& joint : sheet.joints) joint.both_faces = false;
+  const TileFolder folder(sheet);
+  EXPECT_EQ(folder.import()["balls"], 12);
+  EXPECT_THAT(text_of(folder.design()), HasSubstr("kind: ball"));
+  EXPECT_THAT(kinetix_opt("simulate " + folder.design() + " --model equilibrium -o " +
+                          (folder.scratch / "run").string())
+                  .err,
+              HasSubstr("drive: the model equilibrium turns one hinge"));
+  EXPECT_THAT(
+      kinetix_opt("simulate " + folder.design() + " --theta 10 -o " + (folder.scratch / "run").string()).err,
+      HasSubstr("--theta turns a hinge, and here bodies are pulled"));
+}
+
+TEST(TileImport, SaysWhereAFileIsWrong) {
+  const model::TileSheet sheet = rotating_squares(2, 1, 0.4);
+  const auto with = [&](const char* file, const std::string& text, const std::string& says) {
+    const TileFolder folder(sheet);
+    folder.scratch.write(std::string("squares/") + file, text);
+    folder.expect_refused(says);
+  };
+  with("vertices.txt", "0 0 0 1 0 0 1 1 0\n1 0 0 two 0 0 2 1 0\n", "vertices.txt:2:7: is no number");
+  with("vertices.txt", "0 0 0 1 0 0 1 1 nan\n", "vertices.txt:1:17: is no number");
+  with("vertices.txt", "0 0 0 1 0 0 1 1\n", "vertices.txt:1:1: has 8 numbers");
+  with("vertices.txt", "\n\n", "vertices.txt: has no tiles");
+  with("constraints.txt", "0 1 1 0 4\n",
+       "constraints.txt:1:9: face 4 is not 1 (bottom), 2 (top) or 3 (both)");
+  with("constraints.txt", "0 1 1\n", "constraints.txt:1:1: has 3 numbers");
+  with("constraints.txt", "0 1 1 0.5 3\n", "constraints.txt:1:7: is no whole number");
+  with("constraints.txt", "0 1 9 0 3\n", "squares: joint 1: there is no tile 9");
+  with("target.txt", "0 0 0 1 0 0 1 1 0\n", "target.txt: has 1 tiles; vertices.txt has 2");
+  with("target.txt", "0 0 0 1 0 0 1 1 0\n0 0 0 1 0 0 1 1 0\n",
+       "target.txt: tile 1 has 3 corners; in vertices.txt it has 4");
+  const TileFolder folder(sheet);
+  folder.expect_refused("--hard is of models with hard and soft parts", "--hard a.stl");
+  folder.expect_refused("--kerf-mm is -1 mm", "--kerf-mm -1");
+  folder.expect_refused("tile 1 is narrower than the cuts", "--kerf-mm 30");
+  fs::remove(folder.scratch / "squares/constraints.txt");
+  folder.expect_refused("constraints.txt");
+}
+
+TEST(TileImport, RefusesDrivesThatContradictThemselves) {
+  const TileFolder folder(rotating_squares(2, 1, 0.4));
+  folder.import();
+  const std::string design = text_of(folder.design());
+  const std::size_t drive = design.find("drive:");
+  const auto refused = [&](const std::string& text, const std::string& says) {
+    const std::string file = folder.scratch.write("out/other.yaml", design.substr(0, drive) + text);
+    const Outcome run = kinetix_opt("check " + file);
+    EXPECT_EQ(run.code, 2) << text;
+    EXPECT_THAT(run.err, HasSubstr(says)) << text;
+  };
+  refused("drive: {expand: 2, angle_deg: 20}\n", "drive.angle_deg: cannot stand beside `expand`");
+  refused("drive: {expand: 2, poses: [[0,0,0,1,0,0,0],[0,0,0,1,0,0,0]]}\n", "cannot stand beside `poses`");
+  refused("drive: {poses: [[0,0,0,1,0,0,0],[0,0,0,1,0,0,0],[0,0,0,1,0,0,0]]}\n",
+          "has 3 poses; the structure has 2 bodies");
+  refused("drive: {poses: [[0,0,0,1,0,0,0],[0,0,0,2,0,0,0]]}\n", "has a quaternion of length 2");
+  refused("drive: {expand: 0}\n", "drive.expand");
+  refused("drive: {hinge: joint_1}\n", "angle_deg");
+}
+
+}  // namespace
+}  // namespace kinetix::testing
