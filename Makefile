@@ -22,7 +22,7 @@ python: $(PROGRAM_PACKAGES) build/.installed/python
 	cmake --preset $@
 	cmake --build --preset $@ -j $(JOBS)
 
-package: python
+package: python build/.installed/package
 	cpack --config build/release/CPackConfig.cmake -B build/package
 
 install: program
