@@ -301,7 +301,7 @@ int main(int argc, char** argv) {
     if (as_json) kinetix::app::print_error(e.what(), kinetix::app::interrupted_early);
     return kinetix::app::interrupted_early;
   } catch (const std::exception& e) {
-    const std::string message = std::string("internal error: ") + e.what();
+    const std::string message = kinetix::app::failure_text(e);
     std::cerr << message << "\n";
     if (as_json) kinetix::app::print_error(message, kinetix::app::internal_error);
     return kinetix::app::internal_error;
