@@ -228,7 +228,14 @@ int run(int argc, char** argv) {
   add_common(*sweep, options);
   add_output(*sweep, options, "folder for the table and report.html (default results/NAME)");
   add_open(*sweep, options);
+  std::string share;
   sweep->add_flag("--resume", options.resume, "continue the sweep whose table is in DIR");
+  sweep
+      ->add_option(
+          "--share", share,
+          "computes the K-th of N equal parts alone, into DIR/share-K-of-N; a run without it takes over "
+          "what the shares have, computes the rest and writes the table")
+      ->type_name("K/N");
   simulate
       ->add_option("--model", options.model,
                    "exact: closed form; equilibrium: elastic hinges; bullet: physics run")
@@ -266,7 +273,7 @@ int run(int argc, char** argv) {
   options.theta_given = theta->count() > 0;
   if (verify->parsed()) return kinetix::app::verify_command(options);
   if (simulate->parsed()) return kinetix::app::simulate_command(options);
-  if (sweep->parsed()) return kinetix::app::sweep_command(options);
+  if (sweep->parsed()) return kinetix::app::sweep_command(options, share);
   if (print->parsed()) {
     if (const auto bodies = kinetix::app::assembly_to_export(request))
       return kinetix::app::export_assembly(options, request, *bodies);
