@@ -31,7 +31,8 @@ class Mount:
         subprocess.run(["mount", "-t", "tmpfs", "-o", options, "tmpfs", str(place)], check=True)
 
     def change(self, options):
-        subprocess.run(["mount", "-o", f"remount,{options}", str(self.place)], check=True, capture_output=True)
+        # With the type and the source given, mount adds none of the options that hold, which others than root may not set again.
+        subprocess.run(["mount", "-i", "-t", "tmpfs", "-o", f"remount,{options}", "tmpfs", str(self.place)], check=True, capture_output=True)
 
     def __enter__(self):
         return self
