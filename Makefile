@@ -1,5 +1,6 @@
 # make demo: install packages/program.txt, build the program, fold the helmet rib.
 # make test: build and run all tests.   make asan, make tsan: the same under a sanitizer.
+# make faults: disks that fill, memory that runs out, signals, clocks that jump, at many more moments than the tests try.
 # make python: the program, and the Python module in build/release/python (PYTHONPATH).
 # make package: build/package/kinetix_*.deb, with the Python module.
 # make bench: measure the figures of benchmarks/README.md.   make format: lay out every source as .clang-format says.
@@ -9,7 +10,7 @@ SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 PROGRAM_PACKAGES := build/.installed/program
 ALL_PACKAGES := $(patsubst packages/%.txt,build/.installed/%,$(wildcard packages/*.txt))
 
-.PHONY: demo program python package install test dev asan tsan bench format docs packages clean
+.PHONY: demo program python package install test faults dev asan tsan bench format docs packages clean
 
 demo: program
 	build/release/bin/kinetix-opt targets/shapes/helmet_rib.yaml -o results/helmet_rib
@@ -22,7 +23,7 @@ python: $(PROGRAM_PACKAGES) build/.installed/python
 	cmake --preset $@
 	cmake --build --preset $@ -j $(JOBS)
 
-package: python
+package: python build/.installed/package
 	cpack --config build/release/CPackConfig.cmake -B build/package
 
 install: program
@@ -30,6 +31,9 @@ install: program
 
 test: dev
 	ctest --preset dev
+
+faults: dev
+	tests/faults/faults.py build/dev/bin/kinetix-opt build/dev/tests/faults/long all --long
 
 dev: $(ALL_PACKAGES)
 	cmake --preset $@

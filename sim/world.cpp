@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <map>
+#include <new>
 #include <set>
 
 #include "sim/actuator.hpp"
@@ -37,6 +39,18 @@ constexpr double longest_slide =
 constexpr double largest_lean = 1.5;
 // Of plates, times the points of elastic hinges: yields 1e-4 of their gaps.
 constexpr double elastic_grip = 1e4;
+
+void* memory_or_throw(std::size_t bytes) {
+  void* const memory = std::malloc(bytes);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+
+/// From before main on: by itself the engine writes where memory that it did not get would begin.
+[[maybe_unused]] const bool engine_throws = [] {
+  btAlignedAllocSetCustom(memory_or_throw, std::free);
+  return true;
+}();
 
 std::unique_ptr<btConstraintSolver> make_solver(const PhysicsOptions& options, double edge_mm,
                                                 const ElasticHinges* elastic, const Cord* cord,

@@ -1,5 +1,3 @@
-#include <unistd.h>
-
 #include <APIHeaderSection_MakeHeader.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
@@ -18,7 +16,9 @@
 #include <STEPCAFControl_Writer.hxx>
 #include <STEPConstruct.hxx>
 #include <STEPConstruct_Styles.hxx>
+#include <StepData_Protocol.hxx>
 #include <StepData_StepModel.hxx>
+#include <StepData_StepWriter.hxx>
 #include <StepVisual_Colour.hxx>
 #include <StepVisual_MechanicalDesignGeometricPresentationRepresentation.hxx>
 #include <StepVisual_PresentationStyleAssignment.hxx>
@@ -30,12 +30,10 @@
 #include <XCAFApp_Application.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
+#include <XSControl_WorkSession.hxx>
 #include <gp_Circ.hxx>
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <sstream>
 #include <stdexcept>
 
 #include "app/cad/step_module.hpp"
@@ -195,7 +193,8 @@ class Document {
   Document(const Document&) = delete;
   Document& operator=(const Document&) = delete;
 
-  void write(const std::string& file) {
+  /// The text of a file, made in memory: no disk can be full.
+  std::string text() {
     STEPCAFControl_Writer writer;
     writer.SetColorMode(false);  // add_colour does
     if (!writer.Transfer(document_)) throw std::runtime_error("STEP: the sheet cannot be translated");
@@ -206,8 +205,11 @@ class Document {
     APIHeaderSection_MakeHeader header(writer.ChangeWriter().Model());
     header.SetTimeStamp(new TCollection_HAsciiString("1970-01-01T00:00:00"));  // the same bytes each time
     header.SetName(new TCollection_HAsciiString(product_.name.c_str()));
-    if (writer.Write(file.c_str()) != IFSelect_RetDone)
-      throw std::runtime_error("STEP: the file cannot be written");
+    StepData_StepWriter lines(writer.ChangeWriter().Model());
+    lines.SendModel(Handle(StepData_Protocol)::DownCast(writer.ChangeWriter().WS()->Protocol()));
+    std::ostringstream text;
+    if (!lines.Print(text)) throw std::runtime_error("STEP: the sheet cannot be written");
+    return std::move(text).str();
   }
 
  private:
@@ -216,37 +218,11 @@ class Document {
   std::vector<TopoDS_Shape> solids_;
 };
 
-/// The library writes to named files only.
-class TemporaryFile {
- public:
-  TemporaryFile() {
-    name_ = (std::filesystem::temp_directory_path() / "kinetix-step-XXXXXX").string();
-    const int descriptor = mkstemp(name_.data());
-    if (descriptor < 0) throw std::runtime_error("STEP: no temporary file can be made");
-    close(descriptor);
-  }
-  ~TemporaryFile() { std::filesystem::remove(name_, ignored_); }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-
-  const std::string& name() const { return name_; }
-  std::string content() const {
-    std::ifstream in(name_, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-
- private:
-  std::string name_;
-  std::error_code ignored_;
-};
-
 }  // namespace
 }  // namespace kinetix::app::cad
 
 void kinetix_write_step(const kinetix::app::cad::Product& product, std::string& text) {
   using namespace kinetix::app::cad;
   Message::DefaultMessenger()->ChangePrinters().Clear();  // it would write to stdout
-  const TemporaryFile file;
-  Document(product).write(file.name());
-  text = file.content();
+  text = Document(product).text();
 }

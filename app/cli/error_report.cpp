@@ -1,7 +1,9 @@
 #include "app/cli/error_report.hpp"
 
 #include <iostream>
+#include <new>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "app/console/command_options.hpp"
 
@@ -31,6 +33,14 @@ void report_error(const InvalidInput& error, bool as_json) {
 
 void print_error(const std::string& message, int exit_code) {
   print({{"exit_code", exit_code}, {"message", message}});
+}
+
+std::string failure_text(const std::exception& error) {
+  if (dynamic_cast<const std::bad_alloc*>(&error)) return "there is not enough memory";
+  const auto* system = dynamic_cast<const std::system_error*>(&error);
+  if (system && system->code() == std::errc::resource_unavailable_try_again)
+    return "no further thread or process can be started: not enough memory, or a limit of this account";
+  return std::string("internal error: ") + error.what();
 }
 
 }  // namespace kinetix::app

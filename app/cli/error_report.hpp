@@ -1,5 +1,6 @@
 #pragma once
 
+#include <exception>
 #include <string>
 
 #include "model/base/invalid_input.hpp"
@@ -11,5 +12,7 @@ namespace kinetix::app {
 void report_error(const InvalidInput& error, bool as_json);
 /// That document alone, of an error that stands on stderr already.
 void print_error(const std::string& message, int exit_code);
+/// What to say of an exception that is no bad input: that the machine gave out, where it did, else that the program has a bug.
+std::string failure_text(const std::exception& error);
 
 }  // namespace kinetix::app

@@ -22,7 +22,7 @@ _kinetix_opt() {
   case $command in
     verify) options="$common -o --open --fidelity" ;;
     simulate) options="$common -o --open --model --theta-deg --drives" ;;
-    sweep) options="$common -o --open --resume" ;;
+    sweep) options="$common -o --open --resume --share" ;;
     check) options="$common" ;;
     export) options="$common -o --format --process --hinge --clearance --cell-mm --bed --loose-rods --caps --orient --slice --coupon --state" ;;
     import) options="$common -o --hard --soft --unit --soft-material --material --hinges" ;;

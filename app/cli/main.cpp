@@ -239,7 +239,14 @@ int run(int argc, char** argv) {
   add_common(*sweep, options);
   add_output(*sweep, options, "folder for the table and report.html (default results/NAME)");
   add_open(*sweep, options);
+  std::string share;
   sweep->add_flag("--resume", options.resume, "continue the sweep whose table is in DIR");
+  sweep
+      ->add_option(
+          "--share", share,
+          "computes the K-th of N equal parts alone, into DIR/share-K-of-N; a run without it takes over "
+          "what the shares have, computes the rest and writes the table")
+      ->type_name("K/N");
   simulate
       ->add_option("--model", options.model,
                    "exact: closed form; equilibrium: elastic hinges; bullet: physics run")
@@ -277,7 +284,7 @@ int run(int argc, char** argv) {
   options.theta_given = theta->count() > 0;
   if (verify->parsed()) return kinetix::app::verify_command(options);
   if (simulate->parsed()) return kinetix::app::simulate_command(options);
-  if (sweep->parsed()) return kinetix::app::sweep_command(options);
+  if (sweep->parsed()) return kinetix::app::sweep_command(options, share);
   if (print->parsed()) {
     if (const auto bodies = kinetix::app::assembly_to_export(request))
       return kinetix::app::export_assembly(options, request, *bodies);
@@ -312,7 +319,7 @@ int main(int argc, char** argv) {
     if (as_json) kinetix::app::print_error(e.what(), kinetix::app::interrupted_early);
     return kinetix::app::interrupted_early;
   } catch (const std::exception& e) {
-    const std::string message = std::string("internal error: ") + e.what();
+    const std::string message = kinetix::app::failure_text(e);
     std::cerr << message << "\n";
     if (as_json) kinetix::app::print_error(message, kinetix::app::internal_error);
     return kinetix::app::internal_error;

@@ -6,8 +6,10 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <deque>
 #include <filesystem>
@@ -27,12 +29,17 @@ std::string folder_of(const fs::path& file) {
   return parent.empty() ? "." : parent;
 }
 
-constexpr int interrupts[] = {SIGINT, SIGTERM, SIGHUP};  // signals by which a program is asked to end
+constexpr const char* part_mark = ".kinetix-part-";  // in the names of parts, after that of the file
+constexpr std::chrono::hours old_part{24};           // far more than any run takes to write its files
+
+constexpr int interrupts[] = {SIGINT, SIGTERM, SIGHUP,
+                              SIGPIPE};  // signals by which a program is asked to end
 
 class Part;
 
-/// Chain of the parts that are there, for the signal handler.
+/// Chains of the parts and of the new folders that are there, for the signal handler.
 Part* newest_part = nullptr;
+OutputFolder* newest_folder = nullptr;
 
 /// The thread that writes files, and that alone holds signals back.
 pthread_t writer;
@@ -62,7 +69,7 @@ class Part {
     const NoInterrupts until_chained;
     for (int attempt = 0; attempt < 100 && descriptor_ < 0; ++attempt) {
       path_ = file_.parent_path() /
-              fmt::format(".{}.kinetix-part-{:06x}", file_.filename().string(), random_() & 0xffffff);
+              fmt::format(".{}{}{:06x}", file_.filename().string(), part_mark, random_() & 0xffffff);
       descriptor_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
       if (descriptor_ < 0 && errno != EEXIST) break;
     }
@@ -148,14 +155,31 @@ class Part {
   std::random_device random_;
 };
 
+extern "C" void remove_unfinished() {
+  for (const Part* part = newest_part; part != nullptr; part = part->older()) part->remove();
+  OutputFolder::remove_all_created();
+}
+
 extern "C" void remove_parts_and_end(int signal_number) {
   if (!pthread_equal(pthread_self(), writer)) {
     pthread_kill(writer, signal_number);
     return;
   }
-  for (const Part* part = newest_part; part != nullptr; part = part->older()) part->remove();
+  remove_unfinished();
   std::signal(signal_number, SIG_DFL);
   std::raise(signal_number);
+}
+
+/// Of runs that a power cut or SIGKILL ended. What cannot be removed stays.
+void remove_old_parts(const fs::path& folder) {
+  std::error_code unknown;
+  const auto now = fs::file_time_type::clock::now();
+  for (fs::directory_iterator file(folder, unknown), end; !unknown && file != end; file.increment(unknown)) {
+    const std::string name = file->path().filename().string();
+    if (!name.starts_with(".") || name.find(part_mark) == std::string::npos) continue;
+    std::error_code gone;
+    if (now - fs::last_write_time(file->path(), gone) > old_part && !gone) fs::remove(file->path(), gone);
+  }
 }
 
 void put_all_in_place(std::deque<Part>& parts) {
@@ -174,6 +198,8 @@ void put_all_in_place(std::deque<Part>& parts) {
 void remove_parts_when_interrupted() {
   writer = pthread_self();
   for (const int signal_number : interrupts) std::signal(signal_number, remove_parts_and_end);
+  std::atexit(remove_unfinished);  // libraries may end the program, as OpenMP does that gets no thread
+  std::signal(SIGXFSZ, SIG_IGN);   // a file that grows too large is a write that fails, with a reason
 }
 
 void write_file(const std::string& file, std::string_view content) {
@@ -219,16 +245,13 @@ OutputFolder::OutputFolder(const std::string& path) : path_(path) {
   for (fs::path p = fs::absolute(path);
        !p.empty() && !fs::exists(fs::symlink_status(p)) && p != p.parent_path(); p = p.parent_path())
     if (p.has_filename()) created_.push_back(p);
-  std::error_code error, ignored;
-  fs::create_directories(path, error);
-  if (!fs::is_directory(path, ignored)) {
-    remove_created();
-    const std::string reason = error ? error.message() : "something else has this name";
-    throw InvalidInput("cannot create this output folder: " + reason, {path});
+  {
+    const NoInterrupts until_chained;
+    older_ = std::exchange(newest_folder, this);
   }
   try {
-    Part{fs::path(path) / "probe"};
-  } catch (const InvalidInput&) {
+    make();
+  } catch (...) {
     remove_created();
     throw;
   }
@@ -236,9 +259,40 @@ OutputFolder::OutputFolder(const std::string& path) : path_(path) {
 
 OutputFolder::~OutputFolder() { remove_created(); }
 
+void OutputFolder::make() {
+  std::error_code error, ignored;
+  fs::create_directories(path_, error);
+  if (!fs::is_directory(path_, ignored)) {
+    const std::string reason = error ? error.message() : "something else has this name";
+    throw InvalidInput("cannot create this output folder: " + reason, {path_});
+  }
+  Part{fs::path(path_) / "probe"};
+  remove_old_parts(path_);
+}
+
+void OutputFolder::keep() {
+  const NoInterrupts until_kept;
+  leave_chain();
+}
+
 void OutputFolder::remove_created() {
+  const NoInterrupts until_removed;
   for (const std::string& folder : created_) rmdir(folder.c_str());
+  leave_chain();
+}
+
+void OutputFolder::leave_chain() {
   created_.clear();
+  for (OutputFolder** link = &newest_folder; *link != nullptr; link = &(*link)->older_)
+    if (*link == this) {
+      *link = older_;
+      return;
+    }
+}
+
+void OutputFolder::remove_all_created() {
+  for (const OutputFolder* folder = newest_folder; folder != nullptr; folder = folder->older_)
+    for (const std::string& path : folder->created_) rmdir(path.c_str());
 }
 
 }  // namespace kinetix::app

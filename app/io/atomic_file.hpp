@@ -19,8 +19,10 @@ using FileSink = std::function<void(std::string_view)>;
 /// The same for content that comes in pieces. Whatever `produce` throws leaves the file as it was.
 void write_file(const std::string& file, const std::function<void(const FileSink&)>& produce);
 
-/// From now on an interrupt, a hangup or a request to terminate removes the parts that are being written,
-/// then ends the program as it would have. For programs that write from one thread: the one that calls this.
+/// From now on an interrupt, a hangup, a request to terminate or a closed pipe removes the parts that are being
+/// written and the folders that were created for them, then ends the program as it would have; a file that grows
+/// over the limit of `ulimit -f` is an error as that of a full disk. For programs that write from one thread: the
+/// one that calls this.
 void remove_parts_when_interrupted();
 
 /// Files of one folder that come all together or not at all. What was added and not committed leaves no
@@ -45,7 +47,8 @@ class FileSet {
 };
 
 /// A folder for results. It is created with its parents where it does not exist, and proven writable, before
-/// any work is done; what was created goes again, if still empty, unless keep() is called.
+/// any work is done; what was created goes again, if still empty, unless keep() is called. Parts of files that runs
+/// left there more than a day ago, when a power cut or SIGKILL ended them, are removed.
 class OutputFolder {
  public:
   /// @throws InvalidInput naming the folder and the reason
@@ -55,13 +58,18 @@ class OutputFolder {
   OutputFolder& operator=(const OutputFolder&) = delete;
 
   const std::string& path() const { return path_; }
-  void keep() { created_.clear(); }
+  void keep();
+  /// What all folders that live have created goes, if empty. Safe in a signal handler.
+  static void remove_all_created();
 
  private:
+  void make();
   void remove_created();
+  void leave_chain();
 
   std::string path_;
   std::vector<std::string> created_;  // innermost first
+  OutputFolder* older_ = nullptr;
 };
 
 }  // namespace kinetix::app

@@ -12,6 +12,7 @@
 #include "app/report/report.hpp"
 #include "app/sweep/sweep_progress.hpp"
 #include "app/sweep/sweep_run.hpp"
+#include "app/sweep/table/shares.hpp"
 #include "app/sweep/table/sweep_csv.hpp"
 #include "app/sweep/table/sweep_json.hpp"
 #include "app/sweep/workers/ranks.hpp"
@@ -66,14 +67,11 @@ Json summary_json(const SweepPlan& plan, const Tally& counts, const Work& work, 
           {"seconds", work.seconds},
           {"ranks", work.ranks},
           {"threads", work.threads},
-          {"table", folder + "/sweep.sqlite"},
-          {"csv", folder + "/samples.csv"},
-          {"report", folder + "/report.html"},
-          {"analysis", folder + "/sweep.json"}};
+          {"table", folder + "/sweep.sqlite"}};
 }
 
 std::string summary_text(const SweepPlan& plan, const Tally& counts, const Work& work,
-                         const std::string& folder) {
+                         const std::string& folder, const std::string& written) {
   std::string text = fmt::format(
       "{}: {} of {}, {}, model {}\n", plan.doe.name, targets::counted(plan.samples.size(), "sample"),
       targets::counted(plan.samples.factors().size(), "factor"),
@@ -93,7 +91,7 @@ std::string summary_text(const SweepPlan& plan, const Tally& counts, const Work&
                    static_cast<double>(work.computed) / std::max(work.seconds, 1e-9), work.ranks,
                    work.ranks == 1 ? "process" : "ranks", work.threads,
                    work.threads == 1 ? "thread" : "threads"));
-  line("written", folder + "/report.html, samples.csv, sweep.sqlite, sweep.json");
+  line("written", folder + "/" + written);
   return text;
 }
 
@@ -107,17 +105,26 @@ SweepPlan plan_of(const CommandOptions& options) {
   return make_sweep_plan(options.file, options.seed_given ? std::optional(options.seed) : std::nullopt);
 }
 
+std::string folder_of(const CommandOptions& options, const SweepPlan& plan, const Share* part) {
+  const std::string folder = options.folder_given ? options.folder : "results/" + plan.doe.name;
+  return part ? folder + "/" + part->folder() : folder;
+}
+
 /// Everything that can be wrong is found before the other ranks are told to start.
 class Lead {
  public:
-  Lead(const CommandOptions& options, const Ranks& ranks)
+  Lead(const CommandOptions& options, const std::string& share, const Ranks& ranks)
       : options_(options),
         ranks_(ranks),
         plan_(plan_of(options)),
-        folder_(options.folder_given ? options.folder : "results/" + plan_.doe.name),
+        share_(share),
+        part_(share.empty() ? Share{} : read_share(share)),
+        folder_(folder_of(options, plan_, share.empty() ? nullptr : &part_)),
         identity_(identify(plan_)),
+        shares_(share.empty() ? shares_in(folder_.path(), plan_, identity_) : std::vector<std::string>()),
         table_(folder_.path(), plan_, identity_, options.resume) {
     folder_.keep();
+    for (const std::string& other : shares_) take_over(other, table_, plan_, identity_);
   }
 
   std::string fingerprint() const { return app::fingerprint(identity_); }
@@ -127,40 +134,64 @@ class Lead {
     work.threads = threads_of(plan_, ranks_, options_.threads);
     {
       Console console(options_.quiet);
-      SweepProgress progress(console, plan_.size(), table_.count());
+      SweepProgress progress(console, std::max<std::int64_t>(part_.size(plan_.size()), 1), table_.count());
       Stopwatch watch;
       run_sweep(
-          plan_, table_, ranks_, options_.threads, [&] { progress.show(table_.count()); },
+          plan_, table_, part_, ranks_, options_.threads, [&] { progress.show(table_.count()); },
           [&](const std::string& words) { console.error(words); });
       work.seconds = watch.lap();
     }
     work.computed = table_.count() - work.before;
-    write_csv(folder_.path(), table_, plan_, identity_);
-    const Json analysed = sweep_json(plan_, identity_, table_);
-    write_file(folder_.path() + "/report.html", sweep_html(light_sweep(analysed).dump()));
-    write_file(folder_.path() + "/sweep.json", analysed.dump(1) + "\n");
+    if (share_.empty()) write_files();
     const Tally counts = tally(table_);
     if (options_.open) open_report(folder_.path() + "/report.html");
-    if (options_.json)
-      std::cout << summary_json(plan_, counts, work, folder_.path()).dump(1) << "\n";
-    else
-      std::cout << summary_text(plan_, counts, work, folder_.path());
+    say(counts, work);
     return done;
   }
 
  private:
+  void write_files() const {
+    write_csv(folder_.path(), table_, plan_, identity_);
+    const Json analysed = sweep_json(plan_, identity_, table_);
+    write_file(folder_.path() + "/report.html", sweep_html(light_sweep(analysed).dump()));
+    write_file(folder_.path() + "/sweep.json", analysed.dump(1) + "\n");
+  }
+
+  void say(const Tally& counts, const Work& work) const {
+    const std::string& folder = folder_.path();
+    if (!options_.json) {
+      const char* written = share_.empty()
+                                ? "report.html, samples.csv, sweep.sqlite, sweep.json"
+                                : "sweep.sqlite; a run without --share takes it over and writes the rest";
+      std::cout << summary_text(plan_, counts, work, folder, written);
+      return;
+    }
+    Json json = summary_json(plan_, counts, work, folder);
+    if (share_.empty())
+      json.update({{"csv", folder + "/samples.csv"},
+                   {"report", folder + "/report.html"},
+                   {"analysis", folder + "/sweep.json"}});
+    else
+      json["share"] = share_;
+    std::cout << json.dump(1) << "\n";
+  }
+
   const CommandOptions& options_;
   const Ranks& ranks_;
   SweepPlan plan_;
+  const std::string& share_;  // as asked for; empty: all samples
+  Share part_;
   OutputFolder folder_;
   SweepIdentity identity_;
+  std::vector<std::string> shares_;  // folders
   SweepTable table_;
 };
 
-int lead(const CommandOptions& options, const Ranks& ranks) {
+int lead(const CommandOptions& options, const std::string& share, const Ranks& ranks) {
   std::optional<Lead> leader;
   try {
-    leader.emplace(options, ranks);
+    if (options.open && !share.empty()) throw InvalidInput("--open: a share has no report");
+    leader.emplace(options, share, ranks);
   } catch (...) {
     ranks.from_first({});
     throw;
@@ -185,9 +216,9 @@ int follow(const CommandOptions& options, const Ranks& ranks) {
 
 }  // namespace
 
-int sweep_command(const CommandOptions& options) {
+int sweep_command(const CommandOptions& options, const std::string& share) {
   const Ranks ranks;
-  return ranks.rank() == 0 ? lead(options, ranks) : follow(options, ranks);
+  return ranks.rank() == 0 ? lead(options, share, ranks) : follow(options, ranks);
 }
 
 }  // namespace kinetix::app

@@ -13,11 +13,19 @@
 namespace kinetix::app {
 namespace {
 
+/// Which samples need not be computed here.
+std::vector<bool> done_or_others(const SweepTable& table, const Share& share) {
+  std::vector<bool> done = table.done();
+  for (std::size_t k = 0; k < done.size(); ++k)
+    if (!share.has(static_cast<std::int64_t>(k))) done[k] = true;
+  return done;
+}
+
 /// The queue and the table as a source for the threads and for the other ranks.
 class Office {
  public:
-  Office(SweepTable& table, const std::function<void()>& added)
-      : table_(table), queue_(table.done()), added_(added) {}
+  Office(SweepTable& table, const Share& share, const std::function<void()>& added)
+      : table_(table), queue_(done_or_others(table, share)), added_(added) {}
 
   WorkSource source() {
     return {[this](std::size_t count) { return take(count); },
@@ -77,9 +85,9 @@ int threads_of(const SweepPlan& plan, const Ranks& ranks, int asked) {
   return std::max(1, std::min(omp_get_max_threads(), cores) / ranks.on_this_machine());
 }
 
-void run_sweep(const SweepPlan& plan, SweepTable& table, const Ranks& ranks, int threads,
+void run_sweep(const SweepPlan& plan, SweepTable& table, const Share& share, const Ranks& ranks, int threads,
                const std::function<void()>& added, const std::function<void(const std::string&)>& notice) {
-  Office office(table, added);
+  Office office(table, share, added);
   const WorkSource source = office.source();
   const int used = threads_of(plan, ranks, threads);
   if (ranks.size() > 1) return work_and_serve(plan, ranks, used, source, notice);

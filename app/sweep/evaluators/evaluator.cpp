@@ -1,5 +1,7 @@
 #include "app/sweep/evaluators/evaluator.hpp"
 
+#include <new>
+
 #include "app/sweep/evaluators/design_evaluator.hpp"
 #include "app/sweep/evaluators/search_evaluator.hpp"
 #include "optim/doe/nan.hpp"
@@ -44,6 +46,8 @@ SampleRow run_sample(const SweepPlan& plan, Evaluator& evaluator, std::int64_t s
     evaluator.evaluate(row);
   } catch (const InvalidInput& e) {
     fail(row, plan, (e.place().key.empty() ? "" : e.place().key + ": ") + e.reason());
+  } catch (const std::bad_alloc&) {
+    fail(row, plan, "there is not enough memory");
   } catch (const std::exception& e) {
     fail(row, plan, e.what());
   } catch (...) {

@@ -199,6 +199,20 @@ TEST(OutputFolder, IsCreatedWithItsParentsAndLeftEmpty) {
   EXPECT_EQ(entries(deep), 0u);
 }
 
+TEST(OutputFolder, LosesPartsOfRunsThatWereKilledLongAgo) {
+  TemporaryFolder folder;
+  const auto two_days_ago = fs::file_time_type::clock::now() - std::chrono::hours(48);
+  const std::string old = folder.path(".a.json.kinetix-part-0123ab"),
+                    young = folder.path(".b.json.kinetix-part-0123ab"),
+                    users = folder.path("about.kinetix-part-0123ab");
+  for (const std::string& file : {old, young, users}) write_file(file, "half");
+  for (const std::string& file : {old, users}) fs::last_write_time(file, two_days_ago);
+  OutputFolder(folder.path(".")).keep();
+  EXPECT_FALSE(fs::exists(old));
+  EXPECT_TRUE(fs::exists(young));
+  EXPECT_TRUE(fs::exists(users));
+}
+
 TEST(OutputFolder, SaysWhyItCannotBeUsed) {
   TemporaryFolder folder;
   const auto file = folder.write("file", "x");

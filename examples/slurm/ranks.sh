@@ -1,0 +1,14 @@
+#!/bin/bash
+#SBATCH --job-name=kinetix_ranks
+#SBATCH --ntasks=16
+#SBATCH --cpus-per-task=1
+#SBATCH --requeue
+#SBATCH --open-mode=append
+# sbatch ranks.sh DOE.yaml DIR: a sweep by ranks of MPI, one table. A rank that dies ends the step, by MPI's rules; what was
+# computed is on the disk, and the next attempt computes the rest on all ranks. After a node is lost Slurm starts the job anew.
+for attempt in 1 2 3; do
+  srun --mpi=pmix "${KINETIX_OPT:-kinetix-opt}" sweep "$1" -o "$2" --resume --quiet && exit
+  code=$?
+  [ $code = 2 ] && break # bad input: once more would not help
+done
+exit $code

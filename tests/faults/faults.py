@@ -1,0 +1,50 @@
+#!/usr/bin/python3
+"""faults.py KINETIX_OPT SCRATCH KIND [--long]: runs the program while something goes wrong, and says what does not hold.
+
+KIND: disk, memory, signals, clock, read_only, locale or threads, or all. What must hold however it ends: an exit code of
+docs/formats.md, one clear line where it fails, an output folder that is as before or complete, nothing temporary left, no crash
+and no run over 20 s. --long tries many more moments and sizes. Ends with 77 where this machine lacks what the kind needs.
+"""
+import os
+import pathlib
+import subprocess
+import sys
+
+import kinds
+from commands import Judge, Kitchen
+
+LACKING = 77  # exit code by which ctest knows a test that could not run
+
+
+def in_own_mounts():
+    """Runs this script again where it may mount: those mounts end with it and nobody else sees them."""
+    if os.environ.get("KINETIX_OWN_MOUNTS"):
+        return
+    own = ["unshare", "--mount"] if os.geteuid() == 0 else ["unshare", "--mount", "--map-root-user"]
+    if subprocess.run([*own, "mount", "-t", "tmpfs", "tmpfs", "/mnt"], capture_output=True).returncode:
+        own = []
+    os.environ["KINETIX_OWN_MOUNTS"] = "yes" if own else "no"
+    os.execvp((own or [sys.executable])[0], [*own, *([sys.executable] if own else []), *sys.argv])
+
+
+def main():
+    long = "--long" in sys.argv
+    program, scratch, kind = [word for word in sys.argv[1:] if word != "--long"]
+    in_own_mounts()
+    chosen = kinds.ALL if kind == "all" else {kind: kinds.ALL[kind]}
+    faults = []
+    for name, check in chosen.items():
+        judge = Judge(Kitchen(pathlib.Path(program).resolve(), pathlib.Path(scratch).resolve() / name))
+        lacking = check(judge, long)
+        if lacking:
+            print(f"{name}: not run: {lacking}")
+            if kind != "all":
+                sys.exit(LACKING)
+            continue
+        print(f"{name}: {judge.runs} runs, {len(judge.faults)} faults")
+        faults += judge.faults
+    print("\n".join(faults))
+    sys.exit(1 if faults else 0)
+
+
+main()

@@ -1,0 +1,294 @@
+"""What goes wrong, a function each. Each returns what this machine lacks to make it go wrong, or nothing."""
+import os
+import pathlib
+import resource
+import shutil
+import signal
+import subprocess
+import time
+
+from commands import COMMANDS, clean_environment, contents, run
+
+KIB = 1024
+BY_NAME = {command.name: command for command in COMMANDS}
+WRITING = [command for command in COMMANDS if command.writes]
+
+
+def may_mount():
+    return os.environ.get("KINETIX_OWN_MOUNTS") == "yes"
+
+
+def spread(least, most, count):
+    """Whole numbers from the least to the most, evenly."""
+    return sorted({round(least + (most - least) * k / (count - 1)) for k in range(count)})
+
+
+class Mount:
+    """A file system of limited size at a folder, gone at the end."""
+
+    def __init__(self, place, options):
+        self.place = place
+        subprocess.run(["mount", "-t", "tmpfs", "-o", options, "tmpfs", str(place)], check=True)
+
+    def change(self, options):
+        # With the type and the source given, mount adds none of the options that hold, which others than root may not set again.
+        subprocess.run(["mount", "-i", "-t", "tmpfs", "-o", f"remount,{options}", "tmpfs", str(self.place)], check=True, capture_output=True)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        subprocess.run(["umount", "-l", str(self.place)], check=True)
+
+
+# A full disk
+
+def run_on_small_disk(judge, command, options, earlier):
+    """On a file system that fills while the command writes. Sweeps are resumed once there is room."""
+    kitchen = judge.kitchen
+    kitchen.reference(command)
+    place = kitchen.place("disk")
+    label = f"{command.name} on a disk of {options}{' over earlier results' if earlier else ''}"
+    with Mount(place, "size=64m") as disk:
+        for folder in ("home", "tmp"):
+            (place / folder).mkdir()
+        if earlier:
+            kitchen.set_earlier(command, place)
+        try:
+            disk.change(options)
+        except subprocess.CalledProcessError:
+            return
+        end = kitchen.start(command, place)
+        disk.change("size=64m,nr_inodes=10000")
+        judge.both(label, command, place, end, {0, 2}, earlier=earlier)
+
+
+def run_with_small_files(judge, command, kib):
+    """Under `ulimit -f`, as where a quota or FAT sets a largest size."""
+    place = judge.kitchen.place("small_files")
+    end = judge.kitchen.start(command, place, before=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (kib * KIB, kib * KIB)))
+    judge.both(f"{command.name} with files of at most {kib} KiB", command, place, end, {0, 2})
+
+
+def run_with_full_streams(judge, command):
+    """Standard output, then standard error, on a full device; standard output into a pipe that nobody reads."""
+    for words, stream in ((["--json"], "stdout"), ([], "stdout"), ([], "stderr")):
+        place = judge.kitchen.place("full_stream")
+        with open("/dev/full", "w") as full:
+            end = judge.kitchen.start(command, place, words=words, **{stream: full})
+        label = f"{command.name} {' '.join(words)} with a full {stream}"
+        judge.end(label, end, {1} if stream == "stdout" else {0})
+        judge.folder(label, command, place, end)
+    nobody, pipe = os.pipe()
+    os.close(nobody)
+    place = judge.kitchen.place("closed_pipe")
+    end = judge.kitchen.start(command, place, stdout=pipe)
+    os.close(pipe)
+    judge.both(f"{command.name} into a closed pipe", command, place, end, {-signal.SIGPIPE})
+
+
+def disk(judge, long):
+    count = 24 if long else 4
+    for command in WRITING:
+        whole = sum(len(content) for content in judge.kitchen.reference(command).values()) // KIB + 64
+        for kib in spread(4, whole, count):
+            run_with_small_files(judge, command, kib)
+            for earlier in ((False, True) if may_mount() and not command.resumes else (False,) if may_mount() else ()):
+                run_on_small_disk(judge, command, f"size={kib}k", earlier)
+        for inodes in spread(4, 16, 13 if long else 3) if may_mount() else ():
+            run_on_small_disk(judge, command, f"nr_inodes={inodes}", False)
+        run_with_full_streams(judge, command)
+    for folder in ("/dev/full", "/dev/full/out", "/proc/out"):
+        place = judge.kitchen.place("no_folder")
+        end = judge.kitchen.start(BY_NAME["optimise"], place, words=["-o", folder])
+        judge.end(f"-o {folder}", end, {2})
+    return None if may_mount() else "mounting a small disk is not allowed here; small files and full streams hold" * (not judge.faults)
+
+
+# Too little memory
+
+def run_in_memory(judge, command, mib):
+    place = judge.kitchen.place("memory")
+    return place, judge.kitchen.start(command, place, words=["--threads", "2"],
+                                      before=lambda: resource.setrlimit(resource.RLIMIT_AS, (mib * KIB * KIB,) * 2))
+
+
+def least_memory(judge, command, suffices):
+    """MiB from which on a run ends as asked, about: threads and libraries want memory at their own moments."""
+    least, most = 16, 2048
+    while most - least > 1:
+        middle = (least + most) // 2
+        least, most = (least, middle) if suffices(run_in_memory(judge, command, middle)[1].code) else (middle, most)
+    return most
+
+
+def memory(judge, long):
+    """`ulimit -v` from what hardly loads the program to what suffices: there memory runs out at one place after the other."""
+    for command in COMMANDS:
+        judge.kitchen.reference(command)
+        # The loader, before the program begins, ends with 127 and says which library did not fit.
+        loads = least_memory(judge, command, lambda code: code != 127)
+        enough = least_memory(judge, command, lambda code: code == 0)
+        for mib in spread(loads - 2, enough + 2, 60 if long else 10):
+            place, end = run_in_memory(judge, command, mib)
+            judge.both(f"{command.name} in {mib} MiB", command, place, end, {0, 1, 127})
+
+
+# Signals
+
+def send_after(seconds, number):
+    def send(process):
+        time.sleep(seconds)
+        process.send_signal(number)
+    return send
+
+
+def undisturbed_seconds(judge, command):
+    place = judge.kitchen.place("timed")
+    begin = time.monotonic()
+    judge.kitchen.start(command, place)
+    return time.monotonic() - begin
+
+
+def signals(judge, long):
+    """Spread over the run, whatever is reached at each moment on this machine."""
+    for command in COMMANDS:
+        seconds = undisturbed_seconds(judge, command)
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGPIPE):
+            for k in range(20 if long else 5):
+                place = judge.kitchen.place("signal")
+                earlier = k % 2 == 1 and command.writes and not command.resumes
+                if earlier:
+                    judge.kitchen.set_earlier(command, place)
+                after = seconds * (k + 0.5) / (20 if long else 5)
+                end = judge.kitchen.start(command, place, during=send_after(after, number))
+                # 3 and 130: a search, a path or a physics run that Ctrl-C stops.
+                codes = {0, -number} | ({3, 130} if number == signal.SIGINT else set())
+                judge.both(f"{command.name}, {signal.Signals(number).name} after {after:.3f} s", command, place, end, codes,
+                           earlier=earlier, done=(0, 3))
+    view(judge)
+    return None
+
+
+def view(judge):
+    """The studio ends at each signal, and where nobody reads its line."""
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        place = judge.kitchen.place("view")
+        heard = []
+
+        def when_it_listens(process):
+            heard.append(process.stdout.readline())
+            process.send_signal(number)
+        line = [str(judge.kitchen.program), "view", str(judge.kitchen.inputs / "design.yaml"), "--no-open"]
+        end = run(line, place, clean_environment(place / "home", place / "tmp"), during=when_it_listens)
+        judge.end(f"view, {signal.Signals(number).name}", end, {0, -number})
+        if not heard[0].startswith("http://127.0.0.1:"):
+            judge.fault("view", f"says {heard}", end)
+        if contents(place):
+            judge.fault("view", f"leaves {list(contents(place))}", end)
+
+
+# A clock that jumps
+
+def clock(judge, long):
+    """The time of day jumps by years while the program runs; the clock that counts up does not, as when a machine's clock is set."""
+    library = next(iter(pathlib.Path("/usr/lib").glob("*/faketime/libfaketimeMT.so.1")), None)
+    if not library:
+        return "faketime is missing"
+    for command in COMMANDS:
+        seconds = undisturbed_seconds(judge, command)
+        for days in (-20000, -1, 1, 4000) if long else (-1000, 1000):
+            place = judge.kitchen.place("clock")
+            stamp = place / "clock"
+            stamp.write_text("+0\n")
+
+            def jump(process):
+                time.sleep(seconds / 2)
+                (place / "next").write_text(f"{days:+}d\n")
+                (place / "next").rename(stamp)
+            env = {"LD_PRELOAD": str(library), "FAKETIME_TIMESTAMP_FILE": str(stamp), "FAKETIME_NO_CACHE": "1",
+                   "FAKETIME_DONT_FAKE_MONOTONIC": "1", "DONT_FAKE_MONOTONIC": "1"}
+            end = judge.kitchen.start(command, place, env=env, during=jump)
+            judge.both(f"{command.name}, the clock jumps by {days} days", command, place, end, {0})
+    return None
+
+
+# Folders that cannot be written
+
+def read_only(judge, long):
+    if not may_mount():
+        return "a read-only mount is not allowed here"
+    for command in COMMANDS:
+        judge.kitchen.reference(command)
+        for env in ({"HOME": "/nowhere/at/all"}, {"HOME": ""}):
+            place = judge.kitchen.place("home")
+            end = judge.kitchen.start(command, place, env=env)
+            judge.both(f"{command.name} with {env}", command, place, end, {0})
+        run_in_read_only(judge, command, "home", {0})
+        run_in_read_only(judge, command, "tmp", {0, 2})
+        if command.writes:
+            run_in_read_only(judge, command, "out", {2})
+    return None
+
+
+def run_in_read_only(judge, command, name, codes):
+    place = judge.kitchen.place("read_only")
+    (place / name).mkdir(exist_ok=True)
+    label = f"{command.name} with {name} read only"
+    with Mount(place / name, "size=64m") as folder:
+        if name == "out" and not command.resumes:
+            judge.kitchen.set_earlier(command, place)
+        folder.change("ro")
+        end = judge.kitchen.start(command, place)
+        judge.end(label, end, codes)
+        if name == "out" and command.resumes:
+            if contents(place / "out"):
+                judge.fault(label, "writes into a read-only folder", end)
+        else:
+            judge.folder(label, command, place, end, earlier=name == "out")
+
+
+# Languages
+
+def german(judge):
+    """A folder with a locale that has commas for decimals; none where this machine cannot make one."""
+    folder = judge.kitchen.scratch / "locales"
+    folder.mkdir(exist_ok=True)
+    made = shutil.which("localedef") and subprocess.run(
+        ["localedef", "-i", "de_DE", "-f", "UTF-8", str(folder / "de_DE.UTF-8")], capture_output=True).returncode in (0, 1)
+    return folder if made and (folder / "de_DE.UTF-8/LC_NUMERIC").exists() else None
+
+
+def locale(judge, long):
+    commas = german(judge)
+    languages = [{}, {"LC_ALL": "C"}, {"LANG": "xx_XX.UTF-8", "LC_ALL": "xx_XX.UTF-8"}, {"LC_ALL": ""}]
+    if commas:
+        languages.append({"LC_ALL": "de_DE.UTF-8", "LANG": "de_DE.UTF-8", "LOCPATH": str(commas)})
+    for command in COMMANDS:
+        judge.kitchen.reference(command)
+        for env in languages:
+            place = judge.kitchen.place("language")
+            end = judge.kitchen.start(command, place, env=env)
+            judge.both(f"{command.name} with {env}", command, place, end, {0})
+    return None if commas else "no locale with decimal commas can be made here (package locales); the others hold" * (not judge.faults)
+
+
+# Threads
+
+def threads(judge, long):
+    for command in COMMANDS:
+        judge.kitchen.reference(command)
+        for count in (1, 2, 3, 64, 1024) if long else (1, 64):
+            place = judge.kitchen.place("threads")
+            end = judge.kitchen.start(command, place, words=["--threads", str(count)])
+            judge.both(f"{command.name} on {count} threads", command, place, end, {0})
+        for count in ("1", "64", "nonsense"):
+            place = judge.kitchen.place("threads")
+            end = judge.kitchen.start(command, place, env={"OMP_NUM_THREADS": count})
+            if count == "nonsense":
+                end.err = ""  # what OpenMP itself says of it
+            judge.both(f"{command.name} with OMP_NUM_THREADS={count}", command, place, end, {0})
+    return None
+
+
+ALL = {"disk": disk, "memory": memory, "signals": signals, "clock": clock, "read_only": read_only, "locale": locale, "threads": threads}
