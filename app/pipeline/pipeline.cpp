@@ -1,6 +1,7 @@
 #include "app/pipeline/pipeline.hpp"
 
 #include "app/pipeline/as_made.hpp"
+#include "app/pipeline/certify.hpp"
 #include "app/pipeline/matter.hpp"
 #include "app/pipeline/physics_settings.hpp"
 #include "app/pipeline/verify.hpp"
@@ -60,6 +61,11 @@ Run run_scene(const Scene& scene, const RunOptions& options) {
   run.timings.matter = watch.lap();
   judge_prints(run, scene, options);
   run.timings.as_made = watch.lap();
+  if (options.certify && !options.stop.stop_requested()) {
+    options.progress("contact", -1);
+    run.certified = certify(run.structure, run.plan, run.process.sd);
+  }
+  run.timings.certify = watch.lap();
   if (options.verify && !options.stop.stop_requested())
     if (const auto task = physics_task(run, scene)) {
       verify(run, *task, options);

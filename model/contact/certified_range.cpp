@@ -35,7 +35,7 @@ struct Suspects {
 class Parts {
  public:
   Parts(const Linkage& structure, const std::vector<TurnLaw>& turns, double growth_mm)
-      : structure(structure), turns(turns), walls(half_walls(structure)), paths(structure) {
+      : structure(structure), walls(half_walls(structure)), paths(structure) {
     touching = WallContact(structure).touching_at_rest();
     plates_of.resize(structure.bodies.size());
     reach.resize(structure.bodies.size());
@@ -45,7 +45,11 @@ class Parts {
       plates_of[wall.body].push_back(k);
       reach[wall.body] = std::max(reach[wall.body], wall.box.center.norm() + wall.box.half.norm());
     }
+    std::map<std::pair<double, double>, int> known;
     for (int h = 0; h < static_cast<int>(structure.hinges.size()); ++h) {
+      const auto [at, is_new] = known.try_emplace({turns[h].p, turns[h].q}, static_cast<int>(laws.size()));
+      if (is_new) laws.push_back(turns[h]);
+      law_of.push_back(at->second);
       senses.push_back(turn_sense(structure, h));
       const RestHinge& hinge = structure.hinges[h];
       longest_arm = std::max({longest_arm, hinge.lower_arm.norm(), hinge.upper_arm.norm()});
@@ -72,7 +76,8 @@ class Parts {
   }
 
   const Linkage& structure;
-  const std::vector<TurnLaw>& turns;
+  std::vector<TurnLaw> laws;    ///< each once
+  std::vector<int> law_of;      ///< each hinge
   std::vector<HalfWall> walls;  ///< grown
   std::vector<WallPair> touching;
   std::vector<std::vector<int>> plates_of;  ///< each body
@@ -90,7 +95,12 @@ class Interval {
       : parts_(parts),
         half_width(std::nextafter((high - low) / 2, high)),
         theta(sign * (low + high) / 2),
-        state(exact.at(theta)) {}
+        state(exact.at(theta)) {
+    for (const TurnLaw& law : parts.laws) {
+      rates_.push_back(law.rate(theta));
+      bounds_.push_back(bounds_of(law, theta - half_width, theta + half_width));
+    }
+  }
 
   /// Body `second` as `first` sees it.
   SweptMotion motion(int first, const HingePath& path) const {
@@ -104,11 +114,10 @@ class Interval {
   void pass(const PathStep& step, const Pose& frame, SweptMotion& motion) const {
     const RestHinge& hinge = parts_.structure.hinges[step.hinge];
     const Pose& lower = state[hinge.lower];
-    const TurnLaw& law = parts_.turns[step.hinge];
+    const int law = parts_.law_of[step.hinge];
     const Vector3d point = lower.p + lower.R * hinge.lower_arm * parts_.edge();
     motion.pass(frame.R.transpose() * (point - frame.p), frame.R.transpose() * (lower.R * hinge.axis),
-                step.sense * parts_.senses[step.hinge] * law.rate(theta),
-                bounds_of(law, theta - half_width, theta + half_width));
+                step.sense * parts_.senses[step.hinge] * rates_[law], bounds_[law]);
   }
 
   Pose relative(int first, int second) const {
@@ -118,11 +127,59 @@ class Interval {
 
  private:
   const Parts& parts_;
+  std::vector<double> rates_;       ///< of each law in the middle, rad per rad
+  std::vector<TurnBounds> bounds_;  ///< of each law over the interval
 
  public:
   double half_width;  ///< rad, rounded up
   double theta;       ///< rad, of its middle
   State state;
+};
+
+/// Two bodies within an interval, each as the other sees it.
+class BodyPair {
+ public:
+  BodyPair(const Parts& parts, const Interval& interval, const Suspects& pair, double margin_mm)
+      : parts_(parts),
+        interval_(interval),
+        pair_(pair),
+        margin_mm_(margin_mm),
+        second_(interval.relative(pair.first, pair.second)),
+        there_(interval.motion(pair.first, pair.path)) {}
+
+  bool is_apart() const {
+    const double reach = parts_.reach[pair_.first] + parts_.reach[pair_.second];
+    return second_.p.norm() - reach - there_.way(second_.p, parts_.reach[pair_.second]) > margin_mm_;
+  }
+
+  bool is_apart(const WallPair& walls) {
+    const bool in_order = parts_.walls[walls.first].body == pair_.first;
+    const OrientedBox& own = parts_.walls[in_order ? walls.first : walls.second].box;
+    const HalfWall& other = parts_.walls[in_order ? walls.second : walls.first];
+    const Vector3d center = second_.p + second_.R * other.box.center;
+    const double radius = other.box.half.norm();
+    if ((center - own.center).norm() - own.half.norm() - radius - there_.way(center, radius) > margin_mm_)
+      return true;
+    const OrientedBox moving = placed(other, second_);
+    const SweptBoxes forth{own, moving, there_, interval_.half_width, margin_mm_};
+    return stay_apart_by_faces(forth) || is_apart_from_there(own, other.box) || stay_apart_by_edges(forth);
+  }
+
+ private:
+  bool is_apart_from_there(const OrientedBox& own, const OrientedBox& other) {
+    if (!back_) back_ = interval_.motion(pair_.second, reversed(pair_.path));
+    const Pose first = interval_.relative(pair_.second, pair_.first);
+    const OrientedBox moving{first.p + first.R * own.center, first.R * own.axes, own.half};
+    return stay_apart_by_faces({other, moving, *back_, interval_.half_width, margin_mm_});
+  }
+
+  const Parts& parts_;
+  const Interval& interval_;
+  const Suspects& pair_;
+  double margin_mm_;
+  Pose second_;                      ///< as the first one sees it
+  SweptMotion there_;                ///< of the second one, likewise
+  std::optional<SweptMotion> back_;  ///< of the first one, as the second one sees it
 };
 
 /// The search to one side of flat.
@@ -167,7 +224,8 @@ class CertifiedSide {
     double off = gaps.axis_max;
     for (std::size_t h = 0; h < parts_.structure.hinges.size(); ++h) {
       const RestHinge& hinge = parts_.structure.hinges[h];
-      const Eigen::AngleAxisd turn(parts_.senses[h] * parts_.turns[h].turn(interval.theta), hinge.axis);
+      const Eigen::AngleAxisd turn(parts_.senses[h] * parts_.laws[parts_.law_of[h]].turn(interval.theta),
+                                   hinge.axis);
       const Eigen::Matrix3d upper = interval.state[hinge.lower].R * turn.toRotationMatrix();
       off = std::max(off, (upper - interval.state[hinge.upper].R).norm());
       if (off <= lawful) continue;
@@ -239,26 +297,9 @@ class CertifiedSide {
 
   /// Leaves those pairs of plates that are not proven apart over the interval.
   void keep_unproven(const Interval& interval, Suspects& pair) const {
-    const SweptMotion there = interval.motion(pair.first, pair.path);
-    const double margin_mm = margin(pair.path);
-    const Pose second = interval.relative(pair.first, pair.second);
-    if (const double reach = parts_.reach[pair.first] + parts_.reach[pair.second];
-        second.p.norm() - reach - there.way(second.p, parts_.reach[pair.second]) > margin_mm)
-      return pair.walls.clear();
-    std::optional<SweptMotion> back;
-    const Pose first = interval.relative(pair.second, pair.first);
-    std::erase_if(pair.walls, [&](const WallPair& walls) {
-      const bool in_order = parts_.walls[walls.first].body == pair.first;
-      const HalfWall& own = parts_.walls[in_order ? walls.first : walls.second];
-      const HalfWall& other = parts_.walls[in_order ? walls.second : walls.first];
-      const OrientedBox moving = placed(other, second);
-      const SweptBoxes forth{own.box, moving, there, interval.half_width, margin_mm};
-      if (stay_apart_by_spheres(forth) || stay_apart_by_faces(forth)) return true;
-      if (!back) back = interval.motion(pair.second, reversed(pair.path));
-      const OrientedBox from_there = placed(own, first);
-      if (stay_apart_by_faces({other.box, from_there, *back, interval.half_width, margin_mm})) return true;
-      return stay_apart_by_edges(forth);
-    });
+    BodyPair bodies(parts_, interval, pair, margin(pair.path));
+    if (bodies.is_apart()) return pair.walls.clear();
+    std::erase_if(pair.walls, [&](const WallPair& walls) { return bodies.is_apart(walls); });
   }
 
   /// @param suspects what the whole interval leaves unproven

@@ -25,11 +25,6 @@ class Gap {
         lost_(boxes.margin + boxes.motion.change(boxes.moving.center, boxes.moving.half.norm()) *
                                  boxes.half_width * boxes.half_width / 2) {}
 
-  bool by_spheres() const {
-    const double radii = boxes_.still.half.norm() + boxes_.moving.half.norm();
-    return apart_.norm() - boxes_.half_width * speed_.norm() - radii > lost_;
-  }
-
   /// @param direction unit
   bool along(Vector3d direction) const {
     if (direction.dot(apart_) < 0) direction = -direction;
@@ -48,8 +43,6 @@ class Gap {
 };
 
 }  // namespace
-
-bool stay_apart_by_spheres(const SweptBoxes& boxes) { return Gap(boxes).by_spheres(); }
 
 bool stay_apart_by_faces(const SweptBoxes& boxes) {
   const Gap gap(boxes);

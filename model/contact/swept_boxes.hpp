@@ -15,13 +15,12 @@ struct SweptBoxes {
   double margin;      ///< how far apart they have to stay, mm
 };
 
-/// Whether the two are proven to stay apart over the whole interval: by the spheres round them, or else by one direction
-/// that separates them, of the faces of the box at rest. Along a direction n the gap at theta = middle + tau is at least
+/// Whether the two are proven to stay apart over the whole interval by one direction that separates them, of the faces of
+/// the box at rest. Along a direction n the gap at theta = middle + tau is at least
 ///   n . (c + tau c') - sum over edges of |(n + tau n x w) . e| - (extent of the box at rest) - change half_width^2 / 2
 /// where change bounds the second derivative of every corner; concave in tau, so least at an end.
 bool stay_apart_by_faces(const SweptBoxes& boxes);
 /// Likewise by the directions across an edge of each.
 bool stay_apart_by_edges(const SweptBoxes& boxes);
-bool stay_apart_by_spheres(const SweptBoxes& boxes);
 
 }  // namespace kinetix::model
