@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double widest =
+constexpr double widest_interval =
     0.1;  // rad, of an interval that is looked at as a whole: a sixteenth of a right angle
 constexpr double rounding =
     1e-9;  // cell edges: of poses of thousands of bodies is below it, as in WallContact
@@ -27,7 +27,7 @@ constexpr double contact_near = 0.01;  // of theta: how far beyond the end an ov
 /// Plates of two bodies that are not yet proven apart, and the hinges from the first body to the second.
 struct Suspects {
   int first = 0, second = 0;
-  HingePath path;
+  HingeChain chain;
   std::vector<WallPair> walls;
 };
 
@@ -35,7 +35,7 @@ struct Suspects {
 class Parts {
  public:
   Parts(const Linkage& structure, const std::vector<TurnLaw>& turns, double growth_mm)
-      : structure(structure), walls(half_walls(structure)), paths(structure) {
+      : structure(structure), walls(half_walls(structure)), chains(structure) {
     touching = WallContact(structure).touching_at_rest();
     plates_of.resize(structure.bodies.size());
     reach.resize(structure.bodies.size());
@@ -50,11 +50,11 @@ class Parts {
       const auto [at, is_new] = known.try_emplace({turns[h].p, turns[h].q}, static_cast<int>(laws.size()));
       if (is_new) laws.push_back(turns[h]);
       law_of.push_back(at->second);
-      senses.push_back(turn_sense(structure, h));
+      senses.push_back(hinge_sense(structure, h));
       const RestHinge& hinge = structure.hinges[h];
       longest_arm = std::max({longest_arm, hinge.lower_arm.norm(), hinge.upper_arm.norm()});
     }
-    links = paths.tree(middle_body());
+    links = chains.tree(middle_body());
   }
 
   double edge() const { return structure.size.edge_mm; }
@@ -84,8 +84,8 @@ class Parts {
   std::vector<double> reach;                ///< of each body's plates from its vertex, mm
   std::vector<int> senses;                  ///< of each hinge
   double longest_arm = 0;                   ///< cell edges
-  HingePaths paths;
-  std::vector<HingePaths::Link> links;  ///< from the middle body outwards
+  HingeChains chains;
+  std::vector<HingeChains::Link> links;  ///< from the middle body outwards
 };
 
 /// Interval of theta to one side of flat, and the state in its middle.
@@ -103,15 +103,15 @@ class Interval {
   }
 
   /// Body `second` as `first` sees it.
-  SweptMotion motion(int first, const HingePath& path) const {
+  SweptMotion motion(int first, const HingeChain& chain) const {
     const Pose& frame = state[first];
     SweptMotion motion(half_width);
-    for (const PathStep& step : path) pass(step, frame, motion);
+    for (const ChainStep& step : chain) pass(step, frame, motion);
     return motion;
   }
 
   /// A hinge, in the frame of a pose.
-  void pass(const PathStep& step, const Pose& frame, SweptMotion& motion) const {
+  void pass(const ChainStep& step, const Pose& frame, SweptMotion& motion) const {
     const RestHinge& hinge = parts_.structure.hinges[step.hinge];
     const Pose& lower = state[hinge.lower];
     const int law = parts_.law_of[step.hinge];
@@ -145,7 +145,7 @@ class BodyPair {
         pair_(pair),
         margin_mm_(margin_mm),
         second_(interval.relative(pair.first, pair.second)),
-        there_(interval.motion(pair.first, pair.path)) {}
+        there_(interval.motion(pair.first, pair.chain)) {}
 
   bool is_apart() const {
     const double reach = parts_.reach[pair_.first] + parts_.reach[pair_.second];
@@ -167,7 +167,7 @@ class BodyPair {
 
  private:
   bool is_apart_from_there(const OrientedBox& own, const OrientedBox& other) {
-    if (!back_) back_ = interval_.motion(pair_.second, reversed(pair_.path));
+    if (!back_) back_ = interval_.motion(pair_.second, reversed(pair_.chain));
     const Pose first = interval_.relative(pair_.second, pair_.first);
     const OrientedBox moving{first.p + first.R * own.center, first.R * own.axes, own.half};
     return stay_apart_by_faces({other, moving, *back_, interval_.half_width, margin_mm_});
@@ -191,7 +191,7 @@ class CertifiedSide {
 
   CertifiedLimit run() {
     double free = 0;
-    double width = widest;
+    double width = widest_interval;
     while (free < options_.limit && out_.why_not.empty()) {
       const double next = std::min(free + width, options_.limit);
       const Interval interval = at(free, next);
@@ -238,8 +238,8 @@ class CertifiedSide {
     return true;
   }
 
-  double margin(const HingePath& path) const {
-    const double steps = static_cast<double>(path.size()) + 1;
+  double margin(const HingeChain& chain) const {
+    const double steps = static_cast<double>(chain.size()) + 1;
     return parts_.edge() * (rounding + steps * (gap_ + off_ * 2 * steps * parts_.longest_arm));
   }
 
@@ -251,7 +251,7 @@ class CertifiedSide {
     motions[root].turn_about(pose.p, pose.R * parts_.structure.bodies[root].first_turn());
     std::vector<double> out(motions.size());
     out[root] = motions[root].way(pose.p, parts_.reach[root]);
-    for (const HingePaths::Link& link : parts_.links) {
+    for (const HingeChains::Link& link : parts_.links) {
       motions[link.body] = motions[link.parent];
       interval.pass(link.step, {}, motions[link.body]);
       out[link.body] = motions[link.body].way(interval.state[link.body].p, parts_.reach[link.body]);
@@ -282,9 +282,9 @@ class CertifiedSide {
   void add_suspects(const Interval& interval, int body, std::vector<int>& partners,
                     std::vector<Suspects>& all) {
     std::sort(partners.begin(), partners.end());
-    const std::vector<HingePath>& paths = parts_.paths.find(body, partners);
+    const std::vector<HingeChain>& chains = parts_.chains.find(body, partners);
     for (std::size_t k = 0; k < partners.size(); ++k) {
-      Suspects pair{body, partners[k], paths[k], {}};
+      Suspects pair{body, partners[k], chains[k], {}};
       for (const int p : parts_.plates_of[body])
         for (const int q : parts_.plates_of[partners[k]])
           if (const WallPair walls{std::min(p, q), std::max(p, q)}; parts_.can_touch(walls))
@@ -297,7 +297,7 @@ class CertifiedSide {
 
   /// Leaves those pairs of plates that are not proven apart over the interval.
   void keep_unproven(const Interval& interval, Suspects& pair) const {
-    BodyPair bodies(parts_, interval, pair, margin(pair.path));
+    BodyPair bodies(parts_, interval, pair, margin(pair.chain));
     if (bodies.is_apart()) return pair.walls.clear();
     std::erase_if(pair.walls, [&](const WallPair& walls) { return bodies.is_apart(walls); });
   }

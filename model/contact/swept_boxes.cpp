@@ -16,9 +16,9 @@ double extent(const OrientedBox& box, const Vector3d& direction) {
   return (box.axes.transpose() * direction).cwiseAbs().dot(box.half);
 }
 
-class Gap {
+class SweptGap {
  public:
-  explicit Gap(const SweptBoxes& boxes)
+  explicit SweptGap(const SweptBoxes& boxes)
       : boxes_(boxes),
         apart_(boxes.moving.center - boxes.still.center),
         speed_(boxes.motion.speed(boxes.moving.center)),
@@ -45,14 +45,14 @@ class Gap {
 }  // namespace
 
 bool stay_apart_by_faces(const SweptBoxes& boxes) {
-  const Gap gap(boxes);
+  const SweptGap gap(boxes);
   for (int k = 0; k < 3; ++k)
     if (gap.along(boxes.still.axes.col(k))) return true;
   return false;
 }
 
 bool stay_apart_by_edges(const SweptBoxes& boxes) {
-  const Gap gap(boxes);
+  const SweptGap gap(boxes);
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
       const Vector3d across = boxes.still.axes.col(i).cross(boxes.moving.axes.col(j));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/contact/hinge_paths.hpp"
+#include "model/contact/hinge_chains.hpp"
 #include "model/linkage/state.hpp"
 #include "model/linkage/turn_law.hpp"
 

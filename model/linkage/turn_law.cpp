@@ -59,7 +59,7 @@ std::vector<TurnLaw> usual_turn_laws(const Linkage& linkage) {
   return laws;
 }
 
-int turn_sense(const Linkage& linkage, int hinge) {
+int hinge_sense(const Linkage& linkage, int hinge) {
   const RestHinge& h = linkage.hinges[hinge];
   const Eigen::Vector3d turn = linkage.bodies[h.upper].first_turn() - linkage.bodies[h.lower].first_turn();
   return turn.dot(h.axis) < 0 ? -1 : 1;

@@ -35,6 +35,6 @@ TurnBounds bounds_of(const TurnLaw& law, double low, double high);
 std::vector<TurnLaw> usual_turn_laws(const Linkage& linkage);
 
 /// +1 or -1: which way the upper body of a hinge turns against the lower one about the axis as theta grows.
-int turn_sense(const Linkage& linkage, int hinge);
+int hinge_sense(const Linkage& linkage, int hinge);
 
 }  // namespace kinetix::model

@@ -1,16 +1,16 @@
-#include "model/contact/hinge_paths.hpp"
+#include "model/contact/hinge_chains.hpp"
 
 #include <algorithm>
 
 namespace kinetix::model {
 
-HingePath reversed(HingePath path) {
-  std::reverse(path.begin(), path.end());
-  for (PathStep& step : path) step.sense = -step.sense;
-  return path;
+HingeChain reversed(HingeChain chain) {
+  std::reverse(chain.begin(), chain.end());
+  for (ChainStep& step : chain) step.sense = -step.sense;
+  return chain;
 }
 
-HingePaths::HingePaths(const Linkage& linkage)
+HingeChains::HingeChains(const Linkage& linkage)
     : ways_(linkage.bodies.size()), link_of_(linkage.bodies.size()), round_of_(linkage.bodies.size()) {
   for (int h = 0; h < static_cast<int>(linkage.hinges.size()); ++h) {
     const auto& [lower, upper] = std::pair(linkage.hinges[h].lower, linkage.hinges[h].upper);
@@ -19,14 +19,14 @@ HingePaths::HingePaths(const Linkage& linkage)
   }
 }
 
-void HingePaths::start(int from) {
+void HingeChains::start(int from) {
   ++round_;
   found_.clear();
   round_of_[from] = round_;
   link_of_[from] = -1;
 }
 
-const std::vector<HingePath>& HingePaths::find(int from, const std::vector<int>& to) {
+const std::vector<HingeChain>& HingeChains::find(int from, const std::vector<int>& to) {
   start(from);
   std::size_t known = 0;
   const auto is_done = [&] {
@@ -43,23 +43,23 @@ const std::vector<HingePath>& HingePaths::find(int from, const std::vector<int>&
     }
     if (next >= found_.size()) break;
   }
-  paths_.clear();
-  for (const int b : to) paths_.push_back(is_met(b) ? path_to(b, from) : HingePath{});
-  return paths_;
+  chains_.clear();
+  for (const int b : to) chains_.push_back(is_met(b) ? chain_to(b, from) : HingeChain{});
+  return chains_;
 }
 
-HingePath HingePaths::path_to(int body, int from) const {
-  HingePath path;
+HingeChain HingeChains::chain_to(int body, int from) const {
+  HingeChain chain;
   while (body != from) {
     const Link& link = found_[link_of_[body]];
-    path.push_back(link.step);
+    chain.push_back(link.step);
     body = link.parent;
   }
-  std::reverse(path.begin(), path.end());
-  return path;
+  std::reverse(chain.begin(), chain.end());
+  return chain;
 }
 
-std::vector<HingePaths::Link> HingePaths::tree(int root) {
+std::vector<HingeChains::Link> HingeChains::tree(int root) {
   std::vector<int> all(ways_.size());
   for (std::size_t b = 0; b < all.size(); ++b) all[b] = static_cast<int>(b);
   find(root, all);

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "app/run/certified.hpp"
+#include "app/run/plan.hpp"
+#include "model/matter/process.hpp"
+#include "model/sheet/sheet.hpp"
+
+namespace kinetix::app {
+
+/// By how much every wall of a print may stand out of where the design has it, mm: three standard deviations of its place,
+/// and of its tilt at the corner that is farthest from the body's vertex. 997 of 1000 walls keep each.
+double print_growth_mm(const model::Linkage& sheet, const model::PrintError& sd);
+
+/// Of a sheet that moves along its closed form; where its states come from elsewhere, why nothing is certified.
+Certified certify(const model::Sheet& sheet, const Plan& plan, const model::PrintError& sd);
+/// Of a sheet alone, as files are checked: of its closed form.
+Certified certify(const model::Sheet& sheet, const model::PrintError& sd);
+
+}  // namespace kinetix::app

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "model/contact/certified_range.hpp"
+
+namespace kinetix::app {
+
+/// How far a sheet folds without any contact of walls, proven and not sampled.
+struct Certified {
+  model::CertifiedRange designed;
+  model::CertifiedRange printed;  ///< of walls that are larger all round by its growth_mm
+
+  /// Whether no walls meet on the way to theta, rad.
+  bool covers(double theta) const { return covers(designed, theta); }
+  bool covers_printed(double theta) const { return covers(printed, theta); }
+
+ private:
+  static bool covers(const model::CertifiedRange& range, double theta) {
+    return range && range.negative.theta <= theta && theta <= range.positive.theta;
+  }
+};
+
+}  // namespace kinetix::app
