@@ -29,7 +29,8 @@ Certified not_certified(const std::string& why) {
 double print_growth_mm(const model::Linkage& sheet, const model::PrintError& sd) {
   double farthest = 0;
   for (const model::HalfWall& wall : half_walls(sheet))
-    farthest = std::max(farthest, wall.box.center.norm() + wall.box.half.norm());
+    farthest =
+        std::max(farthest, ((wall.box.axes.transpose() * wall.box.center).cwiseAbs() + wall.box.half).norm());
   const double tilt = std::min(deviations * sd.tilt_deg * radians_per_degree, pi / 2);
   return deviations * sd.t_mm + std::sin(tilt) * farthest;
 }

@@ -11,15 +11,10 @@ using Json = nlohmann::ordered_json;
 using model::CertifiedLimit;
 using model::CertifiedRange;
 
-/// Names of the walls of two plates, which are two a hinge.
-std::array<std::string, 2> names_of(const CertifiedLimit& limit, const model::Sheet& sheet) {
-  return {wall_name(sheet, limit.walls.first / 2), wall_name(sheet, limit.walls.second / 2)};
-}
-
 Json limit_json(const CertifiedLimit& limit, const model::Sheet& sheet) {
   Json out = {{"theta_rad", limit.theta}, {"contact_rad", nullptr}, {"walls", Json::array()}};
   if (limit.contact) out["contact_rad"] = *limit.contact;
-  if (limit.is_limit) out["walls"] = names_of(limit, sheet);
+  if (limit.is_limit) out["walls"] = wall_names(limit, sheet);
   return out;
 }
 
@@ -37,7 +32,7 @@ std::string between(const CertifiedRange& range) {
 
 std::string end_words(const CertifiedLimit& limit, const model::Sheet& sheet) {
   if (!limit.is_limit) return "where the search ends";
-  const auto [first, second] = names_of(limit, sheet);
+  const auto [first, second] = wall_names(limit, sheet);
   return fmt::format("limited by walls {} and {}", first, second);
 }
 

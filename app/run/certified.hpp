@@ -1,6 +1,10 @@
 #pragma once
 
+#include <array>
+#include <string>
+
 #include "model/contact/certified_range.hpp"
+#include "model/sheet/sheet.hpp"
 
 namespace kinetix::app {
 
@@ -18,5 +22,8 @@ struct Certified {
     return range && range.negative.theta <= theta && theta <= range.positive.theta;
   }
 };
+
+/// Names of the two walls that end a range. @pre limit.is_limit
+std::array<std::string, 2> wall_names(const model::CertifiedLimit& limit, const model::Sheet& sheet);
 
 }  // namespace kinetix::app
