@@ -23,7 +23,9 @@ struct Certified {
   }
 };
 
-/// Names of the two walls that end a range. @pre limit.is_limit
-std::array<std::string, 2> wall_names(const model::CertifiedLimit& limit, const model::Sheet& sheet);
+/// Names of the two walls that end a range, whose plates are two a hinge. @pre limit.is_limit
+inline std::array<std::string, 2> wall_names(const model::CertifiedLimit& limit, const model::Sheet& sheet) {
+  return {wall_name(sheet, limit.walls.first / 2), wall_name(sheet, limit.walls.second / 2)};
+}
 
 }  // namespace kinetix::app
