@@ -22,7 +22,7 @@ struct CertifiedOptions {
 /// The end of what is proven free to one side.
 struct CertifiedLimit {
   double theta = 0;      ///< rad: no plates meet from flat to here
-  bool is_limit = true;  ///< false: it is the limit of the search
+  bool is_limit = true;  ///< false: the search ends here, at its limit or with the motion
   WallPair walls;        ///< that are not proven apart beyond
   /// rad: there they do overlap, so that the true end lies between. None where they come closer than rounding tells, and
   /// are not seen to overlap within a hundredth of theta.
@@ -33,7 +33,6 @@ struct CertifiedLimit {
 struct CertifiedRange {
   CertifiedLimit negative, positive;
   int states = 0;            ///< that were computed
-  int pairs = 0;             ///< of plates that were looked at one by one
   int left_out = 0;          ///< pairs of plates that touch as built
   std::string why_not = {};  ///< in a sentence, where nothing is certified: theta is 0 on both sides
   double growth_mm = 0;      ///< as asked

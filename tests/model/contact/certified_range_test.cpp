@@ -173,6 +173,50 @@ TEST(CertifiedRange, CertifiesNothingWhereHingesTurnOtherwise) {
   EXPECT_EQ(range.negative.theta, 0);
 }
 
+/// Two panels side by side, as one linkage without a hinge between them.
+TEST(CertifiedRange, CertifiesNothingOfPartsThatNoHingesJoin) {
+  const Structure s = make_structure(rectangle(1, 1), {});
+  Linkage two = s;
+  const int bodies = static_cast<int>(two.bodies.size()), hinges = static_cast<int>(two.hinges.size());
+  for (int b = 0; b < bodies; ++b) two.bodies.push_back(two.bodies[b]);
+  for (int h = 0; h < hinges; ++h) {
+    RestHinge hinge = two.hinges[h];
+    hinge.lower += bodies;
+    hinge.upper += bodies;
+    two.hinges.push_back(hinge);
+  }
+  for (int k = 0; k < 2 * hinges; ++k) {
+    Plate plate = two.plates[k];
+    plate.body += bodies;
+    plate.hinge += hinges;
+    two.plates.push_back(plate);
+  }
+  two.vertex_name = [](int body) { return std::to_string(body); };
+  ExactMotion exact = exact_motion(s);
+  exact.at = [at = exact.at](double theta) {
+    State state = at(theta);
+    for (int b = 0; b < 4; ++b) {
+      Pose beside = state[b];
+      beside.p.x() += 30 - 20 * std::abs(theta);
+      state.push_back(beside);
+    }
+    return state;
+  };
+  const CertifiedRange range = certified_range(two, exact, usual_turn_laws(two));
+  EXPECT_EQ(range.why_not, "no hinges join the body at 4 to the others");
+}
+
+TEST(CertifiedRange, EndsWithTheMotion) {
+  const Structure s = make_structure({{0, 0}}, {});
+  ExactMotion broken = exact_motion(s);
+  broken.at = [at = broken.at](double theta) { return at(theta > 0.3 ? std::nan("") : theta); };
+  const CertifiedRange range = certified_range(s, broken, turn_laws(s));
+  EXPECT_LE(range.positive.theta, 0.3);
+  EXPECT_GE(range.positive.theta, 0.2);
+  EXPECT_FALSE(range.positive.is_limit);
+  EXPECT_TRUE(range.negative.is_limit);
+}
+
 TEST(CertifiedRange, RefusesOptionsOutOfRange) {
   const Structure s = make_structure({{0, 0}}, {});
   EXPECT_THROW(certified(s, {.limit = 2}), InvalidInput);
