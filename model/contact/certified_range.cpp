@@ -33,7 +33,7 @@ class CertifiedSide {
     while (free < options_.limit && states_ < options_.most_states) {
       const double next = std::min(free + width, options_.limit);
       const ThetaInterval interval = at(free, next);
-      if (!is_finite(interval.state()) || !is_lawful(interval)) break;
+      if (!is_finite(interval.state()) || !is_finite(exact_.at(sign_ * next)) || !is_lawful(interval)) break;
       const auto suspects = near_pairs(interval);
       if (!suspects) {
         width /= 2;
