@@ -43,7 +43,7 @@ function drawRanges({certified, metrics}, width) {
         svg("text", {class: "label", x: 2, y: k * row + 24}, name),
         svg("rect", {class: "bar free", x: X(low.theta), y: k * row + 10, width: Math.max(X(high.theta) - X(low.theta), 1), height: 20})
       ]),
-      line(0, "zero"), theta === null ? null : line(theta, "shown"),
+      line(0, "zero"), theta === null ? null : line(theta, "best"),
       svg("text", {class: "label", x: X(0), y: height - 12, "text-anchor": "middle"}, "flat"),
       theta === null || Math.abs(X(theta) - X(0)) < 40 ?
           null :
