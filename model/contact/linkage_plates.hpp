@@ -22,7 +22,7 @@ struct LinkagePlates {
   const Linkage& structure;
   std::vector<TurnLaw> laws;                ///< each once
   std::vector<int> law_of;                  ///< each hinge
-  std::vector<int> senses;                  ///< of each hinge, as hinge_sense() has them
+  std::vector<int> senses;                  ///< of each hinge, as hinge_sense has them
   double longest_arm = 0;                   ///< of a hinge, cell edges
   std::vector<HalfWall> walls;              ///< grown
   std::vector<WallPair> touching_at_rest;   ///< not grown

@@ -14,7 +14,7 @@ void SweptMotion::turn_about(const Eigen::Vector3d& point, const Eigen::Vector3d
 }
 
 void SweptMotion::pass(const Eigen::Vector3d& point, const Eigen::Vector3d& axis, double rate,
-                       const TurnBounds& bounds) {
+                       const RateBounds& bounds) {
   anchor_change_ = change(point, 0);
   anchor_ = point;
   const double room = 1 - h_ * most_omega_;

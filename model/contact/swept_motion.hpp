@@ -24,7 +24,7 @@ class SweptMotion {
   void turn_about(const Eigen::Vector3d& point, const Eigen::Vector3d& spin);
   /// Beyond a hinge.
   /// @param point, axis of it in the middle of the interval   @param rate there, with sign   @param bounds of it
-  void pass(const Eigen::Vector3d& point, const Eigen::Vector3d& axis, double rate, const TurnBounds& bounds);
+  void pass(const Eigen::Vector3d& point, const Eigen::Vector3d& axis, double rate, const RateBounds& bounds);
 
   const Eigen::Vector3d& omega() const { return omega_; }
   /// Of a point of the body at r in the middle of the interval, mm per rad.

@@ -30,7 +30,7 @@ class ThetaInterval {
   double half_width_, theta_;
   State state_;
   std::vector<double> rates_;       ///< of each law in the middle, rad per rad
-  std::vector<TurnBounds> bounds_;  ///< of each law over the interval
+  std::vector<RateBounds> bounds_;  ///< of each law over the interval
 };
 
 }  // namespace kinetix::model

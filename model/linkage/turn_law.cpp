@@ -39,7 +39,7 @@ double TurnLaw::rate(double theta) const {
   return 2 * p / (s * s + c * c);
 }
 
-TurnBounds bounds_of(const TurnLaw& law, double low, double high) {
+RateBounds bounds_of(const TurnLaw& law, double low, double high) {
   const Wave f(law);
   const double from = 2 * low - f.phi - outward, to = 2 * high - f.phi + outward;
   const bool has_least = meets(from, to, pi, 2 * pi), has_steepest = meets(from, to, pi / 2, pi);

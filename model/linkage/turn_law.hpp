@@ -21,14 +21,14 @@ struct TurnLaw {
 };
 
 /// What a rate never exceeds over an interval of theta.
-struct TurnBounds {
+struct RateBounds {
   double rate = 0;    ///< of the turn, rad per rad
   double change = 0;  ///< of its derivative, rad per rad^2, without sign
 };
 
 /// Since f = m + r cos(2 theta - phi), its least value over an interval is at an end or where the cosine is -1.
 /// @pre low <= high, rad
-TurnBounds bounds_of(const TurnLaw& law, double low, double high);
+RateBounds bounds_of(const TurnLaw& law, double low, double high);
 
 /// The law of every hinge where creases do not cross: by the tilt of its axis at rest; 2 theta in lattices in space, whose
 /// rotors turn against gussets that do not turn.

@@ -49,7 +49,7 @@ TEST(TurnLaw, BoundsHoldOverTheirIntervalAndAreReached) {
   for (int k = 0; k < 200; ++k) {
     const TurnLaw law = random_law(random);
     const double low = angle(random), high = low + width(random);
-    const TurnBounds bounds = bounds_of(law, low, high);
+    const RateBounds bounds = bounds_of(law, low, high);
     double fastest = 0, steepest = 0;
     for (int n = 0; n <= 400; ++n) {
       const double theta = low + (high - low) * n / 400, h = 1e-5;
