@@ -75,7 +75,8 @@ std::string CheckedFile::text() const {
   std::string out = fmt::format("{}: valid {} '{}'\n", file, kind, name);
   if (forecast) out += text_of(*forecast);
   if (contact)
-    for (const auto& [label, words] : certified_lines(contact->certified, forecast->sheet, contact->theta))
+    for (const auto& [label, words] :
+         certified_lines(contact->certified, forecast->sheet, contact->theta, true))
       out += line(label.c_str(), words);
   if (kind == "sweep") out += line("samples", fmt::format("{:.0f}", samples));
   return out;
@@ -84,7 +85,7 @@ std::string CheckedFile::text() const {
 nlohmann::ordered_json CheckedFile::json() const {
   nlohmann::ordered_json out = {{"file", file}, {"kind", kind}, {"name", name}, {"valid", true}};
   if (forecast) out["expected"] = json_of(*forecast);
-  if (contact) out["certified"] = certified_json(contact->certified, forecast->sheet, contact->theta);
+  if (contact) out["certified"] = certified_json(contact->certified, forecast->sheet, contact->theta, true);
   if (kind == "sweep") out["samples"] = samples;
   return out;
 }

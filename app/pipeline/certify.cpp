@@ -18,12 +18,6 @@ Certified along(const model::Sheet& sheet, const model::ExactMotion& exact, cons
           certified_range(linkage, exact, laws, {.growth_mm = print_growth_mm(linkage, sd)})};
 }
 
-Certified not_certified(const std::string& why) {
-  Certified out;
-  out.designed.why_not = out.printed.why_not = why;
-  return out;
-}
-
 }  // namespace
 
 double print_growth_mm(const model::Linkage& sheet, const model::PrintError& sd) {
@@ -36,8 +30,6 @@ double print_growth_mm(const model::Linkage& sheet, const model::PrintError& sd)
 }
 
 Certified certify(const model::Sheet& sheet, const Plan& plan, const model::PrintError& sd) {
-  if (plan.model == Model::equilibrium)
-    return not_certified("its states are equilibria of elastic hinges, which no closed form has");
   return along(sheet, plan.exact, sd);
 }
 

@@ -11,7 +11,8 @@ namespace kinetix::app {
 /// and of its tilt at the corner that is farthest from the body's vertex. 997 of 1000 walls keep each.
 double print_growth_mm(const model::Linkage& sheet, const model::PrintError& sd);
 
-/// Of a sheet that moves along its closed form; where its states come from elsewhere, why nothing is certified.
+/// Along the plan's closed form; where there is none, why nothing is certified. Equilibria of elastic hinges come near the
+/// closed form and are not on it: what is proven of it is not proven of them.
 Certified certify(const model::Sheet& sheet, const Plan& plan, const model::PrintError& sd);
 /// Of a sheet alone, as files are checked: of its closed form.
 Certified certify(const model::Sheet& sheet, const model::PrintError& sd);

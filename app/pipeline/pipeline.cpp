@@ -38,7 +38,9 @@ void judge_prints(Run& run, const Scene& scene, const RunOptions& options) {
 /// Walls that do overlap on the way to a goal, whichever states its search has looked at.
 void judge_contact(Run& run) {
   const model::CertifiedLimit& limit = run.certified->designed.to(run.theta);
-  if (!run.goal || !limit.contact || std::abs(*limit.contact) >= std::abs(run.theta)) return;
+  if (!run.goal || run.plan.model != Model::exact || !limit.contact ||
+      std::abs(*limit.contact) >= std::abs(run.theta))
+    return;
   const auto [first, second] = wall_names(limit, run.structure);
   run.goal->violations.push_back(
       fmt::format("walls {} and {} overlap at theta {:.3f} deg, on the way to {:.3f} deg", first, second,

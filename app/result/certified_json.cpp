@@ -38,10 +38,11 @@ std::string end_words(const CertifiedLimit& limit, const model::Sheet& sheet) {
 
 }  // namespace
 
-Json certified_json(const Certified& certified, const model::Sheet& sheet, double theta) {
+Json certified_json(const Certified& certified, const model::Sheet& sheet, double theta, bool are_exact) {
   if (!certified.designed) return {{"why_not", certified.designed.why_not}};
   return {{"design", range_json(certified.designed, sheet)},
           {"printed", range_json(certified.printed, sheet)},
+          {"states_are_exact", are_exact},
           {"covers_theta", certified.covers(theta)},
           {"covers_theta_printed", certified.covers_printed(theta)}};
 }
@@ -54,6 +55,7 @@ std::vector<SummaryLine> certified_lines(const Certified& certified, const model
       {certified.covers(theta) ? "proven" : "NOT PROVEN",
        fmt::format("free of contact for theta {}, {}", between(certified.designed),
                    end_words(certified.designed.to(theta), sheet))}};
+  if (!are_exact) lines.push_back({"", "of the closed form: equilibria of elastic hinges come near it"});
   lines.push_back({"", fmt::format("printed, with walls up to {:.2f} mm out of place: {}",
                                    certified.printed.growth_mm, between(certified.printed))});
   return lines;

@@ -7,10 +7,13 @@
 
 namespace kinetix::app {
 
-/// The section `certified` of result.json. @param theta of the state shown, rad
-nlohmann::ordered_json certified_json(const Certified& certified, const model::Sheet& sheet, double theta);
+/// The section `certified` of result.json.
+/// @param theta of the state shown, rad   @param are_exact whether states are those of the closed form, or equilibria near it
+nlohmann::ordered_json certified_json(const Certified& certified, const model::Sheet& sheet, double theta,
+                                      bool are_exact);
 
-/// Lines of the summary, and of `check`. @param theta of the state shown, rad
-std::vector<SummaryLine> certified_lines(const Certified& certified, const model::Sheet& sheet, double theta);
+/// Lines of the summary, and of `check`. Parameters as above.
+std::vector<SummaryLine> certified_lines(const Certified& certified, const model::Sheet& sheet, double theta,
+                                         bool are_exact);
 
 }  // namespace kinetix::app

@@ -59,7 +59,8 @@ std::string summary(const Run& run) {
                                    to_degrees(largest_tilt(run.structure))));
   text += contact_line(run);
   if (run.certified)
-    for (const auto& [label, words] : certified_lines(*run.certified, run.structure, run.theta))
+    for (const auto& [label, words] :
+         certified_lines(*run.certified, run.structure, run.theta, !run.equilibrium))
       text += line(label, words);
   if (const auto strain = largest_strain(run))
     text += line("strained", fmt::format("by {:.2f} of {:g} allowed, the largest of its hinges", *strain,

@@ -14,7 +14,7 @@ function readRange(raw) {
 function readCertified(raw) {
   if (!someDictionary(raw)) return null;
   if (typeof raw.why_not === "string") return {whyNot: raw.why_not};
-  return {design: readRange(raw.design), printed: readRange(raw.printed), covers: raw.covers_theta === true, coversPrinted: raw.covers_theta_printed === true};
+  return {isExact: raw.states_are_exact !== false, design: readRange(raw.design), printed: readRange(raw.printed), covers: raw.covers_theta === true, coversPrinted: raw.covers_theta_printed === true};
 }
 
 function rangeWords({low, high}) {
@@ -54,13 +54,15 @@ function leftOutWords({leftOut}) {
   return leftOut ? ` ${count(leftOut, "pair of plates touches", "pairs of plates touch")} as built, flat, and ${leftOut === 1 ? "is" : "are"} left out.` : "";
 }
 
+const ELASTIC_WORDS = " That is proven of the closed form; states shown are equilibria of elastic hinges near it.";
+
 function certifiedSection(data) {
   const {certified} = data;
   if (certified.whyNot) return html("p", {}, `No range of \u03b8 is proven: ${certified.whyNot}.`);
   const {design, printed} = certified;
   return [
     html("p", {}, `Proven for every state between, not for samples of them: no two walls touch for ${rangeWords(design)}; this state ${
-        thetaPlace(certified.covers)}. ${limitWords(design.high, "positive")} ${limitWords(design.low, "negative")}${leftOutWords(design)}`),
+        thetaPlace(certified.covers)}.${certified.isExact ? "" : ELASTIC_WORDS} ${limitWords(design.high, "positive")} ${limitWords(design.low, "negative")}${leftOutWords(design)}`),
     responsive((width) => drawRanges(data, width)),
     html("p", {}, `With each wall up to ${millimetres(printed.growth)} out of place, three standard deviations of the process: ${rangeWords(printed)}; this state ${
         thetaPlace(certified.coversPrinted)}. Hinges themselves, their pins and films, are not walls.`)
