@@ -47,8 +47,8 @@ Json certified_json(const Certified& certified, const model::Sheet& sheet, doubl
           {"covers_theta_printed", certified.covers_printed(theta)}};
 }
 
-std::vector<SummaryLine> certified_lines(const Certified& certified, const model::Sheet& sheet,
-                                         double theta) {
+std::vector<SummaryLine> certified_lines(const Certified& certified, const model::Sheet& sheet, double theta,
+                                         bool are_exact) {
   if (!certified.designed)
     return {{"contact", "no range of theta is proven free of it: " + certified.designed.why_not}};
   std::vector<SummaryLine> lines = {
