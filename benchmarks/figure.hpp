@@ -29,6 +29,7 @@ std::vector<Figure> outline_figures();
 std::vector<Figure> crease_figures();
 std::vector<Figure> surface_figures();
 std::vector<Figure> space_figures();
+std::vector<Figure> certified_figures();
 std::vector<Figure> block_stiffness_figures();
 std::vector<Figure> framed_physics_figures();
 std::vector<Figure> matter_figures();

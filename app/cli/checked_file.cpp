@@ -6,9 +6,13 @@
 
 #include "app/assembly/assembly_file.hpp"
 #include "app/goals/read_target.hpp"
+#include "app/pipeline/certify.hpp"
+#include "app/pipeline/design_drive.hpp"
 #include "app/pipeline/design_scene.hpp"
+#include "app/result/certified_json.hpp"
 #include "app/result/state_json.hpp"
 #include "app/sweep/plan/sweep_plan.hpp"
+#include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -57,11 +61,23 @@ nlohmann::ordered_json json_of(const Forecast& f) {
   return out;
 }
 
+std::optional<CheckedContact> contact_of(const DesignFile& design, const Scene& scene) {
+  const model::ExactMotion exact = exact_motion(design.structure);
+  if (!exact || scene.model() == Model::equilibrium) return std::nullopt;
+  const model::Process& process =
+      design.process.empty() ? model::processes().front() : *model::find_process(design.process);
+  return CheckedContact{certify(design.structure, process.sd), exact_theta_of(design, exact)};
+}
+
 }  // namespace
 
 std::string CheckedFile::text() const {
   std::string out = fmt::format("{}: valid {} '{}'\n", file, kind, name);
   if (forecast) out += text_of(*forecast);
+  if (contact)
+    for (const auto& [label, words] :
+         certified_lines(contact->certified, forecast->sheet, contact->theta, true))
+      out += line(label.c_str(), words);
   if (kind == "sweep") out += line("samples", fmt::format("{:.0f}", samples));
   return out;
 }
@@ -69,6 +85,7 @@ std::string CheckedFile::text() const {
 nlohmann::ordered_json CheckedFile::json() const {
   nlohmann::ordered_json out = {{"file", file}, {"kind", kind}, {"name", name}, {"valid", true}};
   if (forecast) out["expected"] = json_of(*forecast);
+  if (contact) out["certified"] = certified_json(contact->certified, forecast->sheet, contact->theta, true);
   if (kind == "sweep") out["samples"] = samples;
   return out;
 }
@@ -85,8 +102,13 @@ CheckedFile check_file(const std::string& file) {
     return {file, "target", target.goal->name(), target.goal->forecast()};
   }
   if (is_assembly(root)) return {file, "design", read_assembly(root).name};
-  const auto scene = make_scene(read_design(root), Model::bullet);
-  return {file, "design", scene->name(), scene->forecast()};
+  const DesignFile design = read_design(root);
+  const auto scene = make_scene(design, Model::bullet);
+  return {.file = file,
+          .kind = "design",
+          .name = scene->name(),
+          .forecast = scene->forecast(),
+          .contact = contact_of(design, *scene)};
 }
 
 }  // namespace kinetix::app

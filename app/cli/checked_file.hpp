@@ -4,17 +4,25 @@
 #include <optional>
 #include <string>
 
+#include "app/run/certified.hpp"
 #include "app/run/forecast.hpp"
 
 namespace kinetix::app {
+
+/// What is proven of a design without a run: how far its closed form folds without contact.
+struct CheckedContact {
+  Certified certified;
+  double theta = 0;  ///< rad, to which its drive takes it
+};
 
 /// What `check` has to say of a file that is valid.
 struct CheckedFile {
   std::string file;
   std::string kind;  ///< target, design or sweep
   std::string name;
-  std::optional<Forecast> forecast = {};  ///< not of sweeps
-  double samples = 0;                     ///< number of them, of sweeps
+  std::optional<Forecast> forecast = {};       ///< not of sweeps
+  double samples = 0;                          ///< number of them, of sweeps
+  std::optional<CheckedContact> contact = {};  ///< of designs that move exactly
 
   std::string text() const;
   nlohmann::ordered_json json() const;

@@ -1,6 +1,11 @@
 #include "app/pipeline/pipeline.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
+
 #include "app/pipeline/as_made.hpp"
+#include "app/pipeline/certify.hpp"
 #include "app/pipeline/matter.hpp"
 #include "app/pipeline/physics_settings.hpp"
 #include "app/pipeline/verify.hpp"
@@ -28,6 +33,18 @@ void judge_prints(Run& run, const Scene& scene, const RunOptions& options) {
   else
     run.prints_unknown = "elastic hinges have no stable state near the design under its drive";
   if (!run.printed) run.plan.why.push_back("what prints come to is not known: " + run.prints_unknown);
+}
+
+/// Walls that do overlap on the way to a goal, whichever states its search has looked at.
+void judge_contact(Run& run) {
+  const model::CertifiedLimit& limit = run.certified->designed.to(run.theta);
+  if (!run.goal || run.plan.model != Model::exact || !limit.contact ||
+      std::abs(*limit.contact) >= std::abs(run.theta))
+    return;
+  const auto [first, second] = wall_names(limit, run.structure);
+  run.goal->violations.push_back(
+      fmt::format("walls {} and {} overlap at theta {:.3f} deg, on the way to {:.3f} deg", first, second,
+                  to_degrees(*limit.contact), to_degrees(run.theta)));
 }
 
 std::optional<PhysicsTask> physics_task(const Run& run, const Scene& scene) {
@@ -60,6 +77,12 @@ Run run_scene(const Scene& scene, const RunOptions& options) {
   run.timings.matter = watch.lap();
   judge_prints(run, scene, options);
   run.timings.as_made = watch.lap();
+  if (options.certify && !options.stop.stop_requested()) {
+    options.progress("contact", -1);
+    run.certified = certify(run.structure, run.plan, run.process.sd);
+    judge_contact(run);
+  }
+  run.timings.certify = watch.lap();
   if (options.verify && !options.stop.stop_requested())
     if (const auto task = physics_task(run, scene)) {
       verify(run, *task, options);

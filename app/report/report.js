@@ -16,6 +16,7 @@ const GENERAL_SECTIONS = [
 ];
 const CLOSING_SECTIONS = [
   ["prints", "Designs and their prints", madeChoiceSection, ({madeChoices}) => madeChoices.length > 0],
+  ["contact", "Free of contact, proven", certifiedSection, ({certified}) => certified !== null],
   ["tilts", "Tilts per column", tiltSection, isTiltedDesign],
 ];
 /** Folded away: for whoever wants to know how it was found, and how sure it is. */

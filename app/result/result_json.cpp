@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/result/as_made_json.hpp"
+#include "app/result/certified_json.hpp"
 #include "app/result/equilibrium_json.hpp"
 #include "app/result/made_hinges.hpp"
 #include "app/result/matter_json.hpp"
@@ -172,6 +173,10 @@ Json result_json(const Run& run) {
   if (run.matter) {
     out["matter"] = matter_json(*run.matter);
     out["timing_s"]["matter"] = run.timings.matter;
+  }
+  if (run.certified) {
+    out["certified"] = certified_json(*run.certified, run.structure, run.theta, !run.equilibrium);
+    out["timing_s"]["certify"] = run.timings.certify;
   }
   if (run.robust) out["robust"] = robust_json(run);
   if (run.printed) {

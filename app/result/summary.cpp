@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "app/result/as_made_json.hpp"
+#include "app/result/certified_json.hpp"
 #include "app/result/equilibrium_summary.hpp"
 #include "app/result/made_hinges.hpp"
 #include "app/result/matter_json.hpp"
@@ -57,6 +58,10 @@ std::string summary(const Run& run) {
   text += line("fold", fmt::format("theta {:.2f} deg, tilts up to {:.2f} deg", to_degrees(run.theta),
                                    to_degrees(largest_tilt(run.structure))));
   text += contact_line(run);
+  if (run.certified)
+    for (const auto& [label, words] :
+         certified_lines(*run.certified, run.structure, run.theta, !run.equilibrium))
+      text += line(label, words);
   if (const auto strain = largest_strain(run))
     text += line("strained", fmt::format("by {:.2f} of {:g} allowed, the largest of its hinges", *strain,
                                          *allowed_strain(run)));

@@ -9,6 +9,7 @@
 
 #include "app/files/design_file.hpp"
 #include "app/files/goal_settings.hpp"
+#include "app/run/certified.hpp"
 #include "app/run/goal_outcome.hpp"
 #include "app/run/plan.hpp"
 #include "app/run/robust_choice.hpp"
@@ -108,7 +109,7 @@ struct PrintedGoal {
 };
 
 struct Timings {
-  double load = 0, plan = 0, optimise = 0, equilibrium = 0, matter = 0, as_made = 0, verify = 0,
+  double load = 0, plan = 0, optimise = 0, equilibrium = 0, matter = 0, as_made = 0, certify = 0, verify = 0,
          write = 0;  ///< seconds
 };
 
@@ -135,6 +136,7 @@ struct Run {
   std::optional<RobustChoice>
       robust;  ///< of a robust search, but of curves, which have columns to choose as well
   std::optional<PrintedGoal> printed;  ///< of goals that are judged by distances
+  std::optional<Certified> certified;  ///< theta without contact; nothing where it was not asked for
   bool stopped = false;                ///< the best so far, when it was told to stop
   std::string prints_unknown;  ///< why it is not known what prints of a goal come to; empty where it is
   std::vector<Fidelity> fidelity;

@@ -21,6 +21,7 @@ struct RunOptions {
   std::stop_token stop = {};
   std::mutex* engine =
       nullptr;  ///< held while the physics engine runs, which one thread at a time may use; null: nobody else does
+  bool certify = true;    ///< prove how far it folds without contact
   bool fidelity = false;  ///< physics runs of coarser steps too, for the table of speed against error
 };
 

@@ -207,6 +207,7 @@ function readResult(raw) {
     states: kind?.place?.(raw, states) ?? states,
     verdict: readVerdict(metrics, tolerance),
     asMade: readAsMade(raw.as_made),
+    certified: readCertified(raw.certified),
     madeFaults: readMadeFaults(raw),
     print: readPrint(raw.print),
     madeChoices: readMadeChoices(raw.robust),

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "app/run/certified.hpp"
+#include "app/run/plan.hpp"
+#include "model/matter/process.hpp"
+#include "model/sheet/sheet.hpp"
+
+namespace kinetix::app {
+
+/// By how much every wall of a print may stand out of where the design has it, mm: three standard deviations of its place,
+/// and of its tilt at the corner that is farthest from the body's vertex. 997 of 1000 walls keep each.
+double print_growth_mm(const model::Linkage& sheet, const model::PrintError& sd);
+
+/// Along the plan's closed form; where there is none, why nothing is certified. Equilibria of elastic hinges come near the
+/// closed form and are not on it: what is proven of it is not proven of them.
+Certified certify(const model::Sheet& sheet, const Plan& plan, const model::PrintError& sd);
+/// Of a sheet alone, as files are checked: of its closed form.
+Certified certify(const model::Sheet& sheet, const model::PrintError& sd);
+
+}  // namespace kinetix::app

@@ -1,0 +1,70 @@
+// Free of contact, proven: how far the sheet folds to both sides before walls meet, as designed and as printed.
+
+function readLimit(raw) {
+  const limit = dictionary(raw);
+  return {theta: toDegrees(limit.theta_rad), contact: toDegrees(limit.contact_rad), walls: list(limit.walls).map(String)};
+}
+
+function readRange(raw) {
+  const range = dictionary(raw);
+  return {growth: finite(range.growth_mm), low: readLimit(range.low), high: readLimit(range.high), leftOut: finite(range.left_out) ?? 0};
+}
+
+/** null where nothing was looked for. */
+function readCertified(raw) {
+  if (!someDictionary(raw)) return null;
+  if (typeof raw.why_not === "string") return {whyNot: raw.why_not};
+  return {isExact: raw.states_are_exact !== false, design: readRange(raw.design), printed: readRange(raw.printed), covers: raw.covers_theta === true, coversPrinted: raw.covers_theta_printed === true};
+}
+
+function rangeWords({low, high}) {
+  return `\u03b8 from ${degrees(low.theta)} to ${degrees(high.theta)}`;
+}
+
+function limitWords({walls, contact}, side) {
+  if (walls.length < 2) return `To ${side} \u03b8 the proof ends with the search.`;
+  const seen = finite(contact) === null ? "come closer than rounding tells" : `do overlap at ${degrees(contact)}`;
+  return `To ${side} \u03b8 it ends with walls ${walls[0]} and ${walls[1]}, which ${seen}.`;
+}
+
+function thetaPlace(covers) {
+  return covers ? "lies within" : "lies beyond: walls may meet on the way";
+}
+
+/** A bar from end to end of each range, and a line at the theta of the state shown. */
+function drawRanges({certified, metrics}, width) {
+  const bars = [["as designed", certified.design], ["as printed", certified.printed]], row = 34, left = 92, height = bars.length * row + 34;
+  const theta = toDegrees(metrics.theta_rad), ends = [...bars.flatMap(([, {low, high}]) => [low.theta, high.theta]), theta ?? 0, 0];
+  const X = mapping({range: padded([Math.min(...ends), Math.max(...ends)])}, left, width - 14);
+  const line = (at, kind) => svg("path", {class: kind, d: path([[X(at), 4], [X(at), bars.length * row + 4]])});
+  return drawing(
+      width, height, "Theta free of contact, as designed and as printed",
+      bars.map(([name, {low, high}], k) => [
+        svg("text", {class: "label", x: 2, y: k * row + 24}, name),
+        svg("rect", {class: "bar free", x: X(low.theta), y: k * row + 10, width: Math.max(X(high.theta) - X(low.theta), 1), height: 20})
+      ]),
+      line(0, "zero"), theta === null ? null : line(theta, "best"),
+      svg("text", {class: "label", x: X(0), y: height - 12, "text-anchor": "middle"}, "flat"),
+      theta === null || Math.abs(X(theta) - X(0)) < 40 ?
+          null :
+          svg("text", {class: "label", x: X(theta), y: height - 12, "text-anchor": "middle"}, `this state, ${degrees(theta)}`));
+}
+
+function leftOutWords({leftOut}) {
+  return leftOut ? ` ${count(leftOut, "pair of plates touches", "pairs of plates touch")} as built, flat, and ${leftOut === 1 ? "is" : "are"} left out.` : "";
+}
+
+const ELASTIC_WORDS = " That is proven of the closed form; states shown are equilibria of elastic hinges near it.";
+
+function certifiedSection(data) {
+  const {certified} = data;
+  if (certified.whyNot) return html("p", {}, `No range of \u03b8 is proven: ${certified.whyNot}.`);
+  const {design, printed} = certified;
+  return [
+    html("p", {}, `Proven for every state between, not for samples of them: no two walls touch for ${rangeWords(design)}; this state ${
+        thetaPlace(certified.covers)}.${certified.isExact ? "" : ELASTIC_WORDS} ${limitWords(design.high, "positive")} ${limitWords(design.low, "negative")}${leftOutWords(design)}`),
+    responsive((width) => drawRanges(data, width)),
+    html("p", {}, `With each wall up to ${millimetres(printed.growth)} out of place, three standard deviations of the process: ${rangeWords(printed)}; this state ${
+        thetaPlace(certified.coversPrinted)}. Hinges themselves, their pins and films, are not walls.`)
+  ];
+}

@@ -1,0 +1,64 @@
+#include "app/result/certified_json.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace kinetix::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using model::CertifiedLimit;
+using model::CertifiedRange;
+
+Json limit_json(const CertifiedLimit& limit, const model::Sheet& sheet) {
+  Json out = {{"theta_rad", limit.theta}, {"contact_rad", nullptr}, {"walls", Json::array()}};
+  if (limit.contact) out["contact_rad"] = *limit.contact;
+  if (limit.is_limit) out["walls"] = wall_names(limit, sheet);
+  return out;
+}
+
+Json range_json(const CertifiedRange& range, const model::Sheet& sheet) {
+  return {{"growth_mm", range.growth_mm},
+          {"low", limit_json(range.negative, sheet)},
+          {"high", limit_json(range.positive, sheet)},
+          {"left_out", range.left_out}};
+}
+
+std::string between(const CertifiedRange& range) {
+  return fmt::format("{:.2f} to {:.2f} deg", to_degrees(range.negative.theta),
+                     to_degrees(range.positive.theta));
+}
+
+std::string end_words(const CertifiedLimit& limit, const model::Sheet& sheet) {
+  if (!limit.is_limit) return "where the search ends";
+  const auto [first, second] = wall_names(limit, sheet);
+  return fmt::format("limited by walls {} and {}", first, second);
+}
+
+}  // namespace
+
+Json certified_json(const Certified& certified, const model::Sheet& sheet, double theta, bool are_exact) {
+  if (!certified.designed) return {{"why_not", certified.designed.why_not}};
+  return {{"design", range_json(certified.designed, sheet)},
+          {"printed", range_json(certified.printed, sheet)},
+          {"states_are_exact", are_exact},
+          {"covers_theta", certified.covers(theta)},
+          {"covers_theta_printed", certified.covers_printed(theta)}};
+}
+
+std::vector<SummaryLine> certified_lines(const Certified& certified, const model::Sheet& sheet, double theta,
+                                         bool are_exact) {
+  if (!certified.designed)
+    return {{"contact", "no range of theta is proven free of it: " + certified.designed.why_not}};
+  std::vector<SummaryLine> lines = {
+      {certified.covers(theta) ? "proven" : "NOT PROVEN",
+       fmt::format("free of contact for theta {}, {}", between(certified.designed),
+                   end_words(certified.designed.to(theta), sheet))}};
+  if (!are_exact) lines.push_back({"", "of the closed form: equilibria of elastic hinges come near it"});
+  lines.push_back({"", fmt::format("printed, with walls up to {:.2f} mm out of place: {}",
+                                   certified.printed.growth_mm, between(certified.printed))});
+  return lines;
+}
+
+}  // namespace kinetix::app

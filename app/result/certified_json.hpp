@@ -1,0 +1,19 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "app/run/goal_outcome.hpp"
+#include "app/run/run.hpp"
+
+namespace kinetix::app {
+
+/// The section `certified` of result.json.
+/// @param theta of the state shown, rad   @param are_exact whether states are those of the closed form, or equilibria near it
+nlohmann::ordered_json certified_json(const Certified& certified, const model::Sheet& sheet, double theta,
+                                      bool are_exact);
+
+/// Lines of the summary, and of `check`. Parameters as above.
+std::vector<SummaryLine> certified_lines(const Certified& certified, const model::Sheet& sheet, double theta,
+                                         bool are_exact);
+
+}  // namespace kinetix::app

@@ -1,0 +1,108 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/goals/read_target.hpp"
+#include "app/pipeline/pipeline.hpp"
+#include "benchmarks/figure.hpp"
+#include "benchmarks/stopwatch.hpp"
+#include "model/contact/certified_range.hpp"
+#include "model/sheet/sheet_motion.hpp"
+#include "model/sheet/turn_laws.hpp"
+#include "tests/support/random_designs.hpp"
+
+namespace kinetix::bench {
+namespace {
+
+const char* const shapes = KINETIX_SHAPES;
+constexpr double near_enough = 0.01;  // of the true range: what was asked for
+
+struct Proven {
+  model::CertifiedRange range;
+  double time = 0;  ///< s
+};
+
+Proven prove(const model::Sheet& sheet) {
+  const model::Linkage linkage = sheet;
+  const model::ExactMotion exact = exact_motion(sheet);
+  const std::vector<model::TurnLaw> laws = turn_laws(sheet);
+  Proven out;
+  out.time = seconds([&] { out.range = certified_range(linkage, exact, laws); });
+  return out;
+}
+
+/// Between the proven end and an overlap beyond it, over theta; 1 where none was seen.
+double bracket(const model::CertifiedLimit& limit) {
+  if (!limit.is_limit) return 0;
+  return limit.contact ? 1 - limit.theta / *limit.contact : 1;
+}
+
+double bracket(const model::CertifiedRange& range) {
+  return range ? std::max(bracket(range.negative), bracket(range.positive)) : 1;
+}
+
+Figure basic_cells() {
+  double most = 0;
+  for (const double thickness : {0.1, 0.8, 2.0, 4.0}) {
+    const Proven proven = prove(make_structure(model::rectangle(4, 4), {10, thickness, 6}));
+    const double closed = std::atan(1 - thickness / 10);
+    most = std::max({most, std::abs(closed - proven.range.positive.theta) / closed, bracket(proven.range)});
+  }
+  return {"range free of contact, proven: basic cells against tan(theta) = 1 - thickness / edge", "<= 1 %",
+          fmt::format("{:.1e} of it", most), most <= near_enough};
+}
+
+/// Of a target that ships: what the search finds.
+Figure shipped(const std::string& name) {
+  const app::Run run = run_scene(*app::read_target(std::string(shapes) + "/" + name + ".yaml").goal,
+                                 {.verify = false, .certify = false});
+  const Proven proven = prove(run.structure);
+  const double off = bracket(proven.range);
+  const double step = 1 * radians_per_degree, beyond = run.plan.free_range->positive.theta;
+  const bool missed = proven.range.positive.theta + step < beyond;
+  return {fmt::format("range free of contact, proven: {}, {} bodies", name, run.structure.bodies()),
+          "<= 1 % from walls that overlap",
+          fmt::format("theta {:.2f} to {:.2f} deg, {:.1e} from overlap{}, {:.2g} s",
+                      to_degrees(proven.range.negative.theta), to_degrees(proven.range.positive.theta), off,
+                      missed ? fmt::format(", samples say {:.2f} deg", to_degrees(beyond)) : "", proven.time),
+          proven.range && off <= near_enough};
+}
+
+/// Columns that bend and columns that shear in turns.
+Figure helix() {
+  auto design = model::ExactDesign<double>::basic(24, 1);
+  for (int c = 0; c < 24; c += 2) {
+    design.beta[c] = 35 * radians_per_degree;
+    design.t[c + 1] = 0.35;
+  }
+  const model::Structure s = testing::structure_of(design, {10, 0.8, 2});
+  const Proven proven = prove(s);
+  const double sampled = theta_range(s, exact_motion(s)).positive.theta;
+  return {"range free of contact, proven: turns of a helix that brush past each other between samples",
+          "below what samples a degree apart say",
+          fmt::format("{:.2f} deg, samples say {:.2f} deg, {:.2g} s", to_degrees(proven.range.positive.theta),
+                      to_degrees(sampled), proven.time),
+          proven.range.positive.theta < sampled && bracket(proven.range) <= near_enough};
+}
+
+Figure large_panel() {
+  const Proven proven = prove(make_structure(model::rectangle(100, 100), {}));
+  return {"range free of contact, proven: basic panel of 100 x 100 cells", "<= 1 %",
+          fmt::format("{:.1e} from overlap, {} states, {:.2g} s", bracket(proven.range), proven.range.states,
+                      proven.time),
+          bracket(proven.range) <= near_enough};
+}
+
+}  // namespace
+
+std::vector<Figure> certified_figures() {
+  std::vector<Figure> all = {basic_cells(), helix(), large_panel()};
+  for (const char* name :
+       {"helmet_rib", "half_circle", "spiral", "helix", "trefoil_arc", "cube", "box_with_lid", "icosahedron",
+        "headform", "letter_t", "disc", "cap", "vase", "shrinking_block"})
+    all.push_back(shipped(name));
+  return all;
+}
+
+}  // namespace kinetix::bench

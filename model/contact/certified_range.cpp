@@ -1,0 +1,216 @@
+#include "model/contact/certified_range.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "model/base/invalid_input.hpp"
+#include "model/contact/swept_pair.hpp"
+
+namespace kinetix::model {
+namespace {
+
+constexpr double widest_interval =
+    0.1;  // rad, of an interval that is looked at as a whole: a sixteenth of a right angle
+constexpr double rounding =
+    1e-9;  // cell edges: of poses of thousands of bodies is below it, as in WallContact
+constexpr double wander =
+    1;  // cell edges, by which bodies may move in such an interval: keeps neighbours few
+constexpr double lawful =
+    1e-6;  // rad, by which a state may turn a hinge otherwise: files have angles to 1e-9
+constexpr double contact_near = 0.01;  // of theta: how far beyond the end an overlap is looked for
+
+/// The search to one side of flat.
+class CertifiedSide {
+ public:
+  CertifiedSide(LinkagePlates& plates, const ExactMotion& exact, const CertifiedOptions& options, double sign,
+                CertifiedRange& out)
+      : plates_(plates), exact_(exact), options_(options), sign_(sign), out_(out) {}
+
+  CertifiedLimit run() {
+    double free = 0;
+    double width = widest_interval;
+    while (free < options_.limit && states_ < options_.most_states) {
+      const double next = std::min(free + width, options_.limit);
+      const ThetaInterval interval = at(free, next);
+      if (!is_finite(interval.state()) || !is_finite(exact_.at(sign_ * next)) || !is_lawful(interval)) break;
+      const auto suspects = near_pairs(interval);
+      if (!suspects) {
+        width /= 2;
+        continue;
+      }
+      if (auto end = split(free, next, *suspects)) return *end;
+      free = next;
+    }
+    return {sign_ * free, false, {}};
+  }
+
+ private:
+  ThetaInterval at(double low, double high) {
+    ++states_;
+    ++out_.states;
+    return {plates_, exact_, sign_, low, high};
+  }
+
+  /// Whether the state turns its hinges as the laws say; measures what it leaves open.
+  bool is_lawful(const ThetaInterval& interval) {
+    const HingeGaps gaps = hinge_gaps(plates_.structure, interval.state());
+    double off = gaps.axis_max;
+    for (std::size_t h = 0; h < plates_.structure.hinges.size(); ++h) {
+      const RestHinge& hinge = plates_.structure.hinges[h];
+      const Eigen::AngleAxisd turn(plates_.senses[h] * plates_.laws[plates_.law_of[h]].turn(interval.theta()),
+                                   hinge.axis);
+      const Eigen::Matrix3d upper = interval.state()[hinge.lower].R * turn.toRotationMatrix();
+      off = std::max(off, (upper - interval.state()[hinge.upper].R).norm());
+      if (off <= lawful) continue;
+      out_.why_not = "the hinge on wall " + plates_.structure.wall_name(static_cast<int>(h)) +
+                     " does not turn as its family has it";
+      return false;
+    }
+    gap_ = std::max(gap_, gaps.max);
+    off_ = std::max(off_, off);
+    return true;
+  }
+
+  double margin(const HingeChain& chain) const {
+    const double steps = static_cast<double>(chain.size()) + 1;
+    return plates_.edge() * (rounding + steps * (gap_ + off_ * 2 * steps * plates_.longest_arm));
+  }
+
+  /// Those that may meet within the interval; nothing where bodies move too far in it to tell neighbours.
+  std::optional<std::vector<PlatesOfPair>> near_pairs(const ThetaInterval& interval) {
+    const std::vector<double> way = interval.ways();
+    const double most = *std::max_element(way.begin(), way.end());
+    if (!(most <= wander * plates_.edge()) && interval.half_width() > options_.precision) return std::nullopt;
+    Eigen::Matrix3Xd places(3, interval.state().size());
+    double far = 0;
+    for (std::size_t b = 0; b < interval.state().size(); ++b) {
+      places.col(b) = interval.state()[b].p;
+      far = std::max(far, 2 * (plates_.reach[b] + way[b]));
+    }
+    std::vector<std::vector<int>> partners(interval.state().size());
+    for (const auto& [a, b] : near_.find(places, far + rounding * plates_.edge()))
+      if ((places.col(a) - places.col(b)).norm() <= plates_.reach[a] + plates_.reach[b] + way[a] + way[b])
+        partners[a].push_back(b);
+    std::vector<PlatesOfPair> all;
+    for (int a = 0; a < static_cast<int>(partners.size()); ++a) add_suspects(interval, a, partners[a], all);
+    return all;
+  }
+
+  void add_suspects(const ThetaInterval& interval, int body, std::vector<int>& partners,
+                    std::vector<PlatesOfPair>& all) {
+    std::sort(partners.begin(), partners.end());
+    const std::vector<HingeChain>& chains = plates_.chains.find(body, partners);
+    for (std::size_t k = 0; k < partners.size(); ++k) {
+      PlatesOfPair pair{body, partners[k], chains[k], {}};
+      for (const int p : plates_.plates_of[body])
+        for (const int q : plates_.plates_of[partners[k]])
+          if (const WallPair walls{std::min(p, q), std::max(p, q)}; plates_.can_touch(walls))
+            pair.walls.push_back(walls);
+      keep_unproven(interval, pair);
+      if (!pair.walls.empty()) all.push_back(std::move(pair));
+    }
+  }
+
+  /// Leaves those pairs of plates that are not proven apart over the interval.
+  void keep_unproven(const ThetaInterval& interval, PlatesOfPair& pair) const {
+    SweptPair bodies(plates_, interval, pair, margin(pair.chain));
+    if (bodies.is_apart()) return pair.walls.clear();
+    std::erase_if(pair.walls, [&](const WallPair& walls) { return bodies.is_apart(walls); });
+  }
+
+  /// @param suspects what the whole interval leaves unproven
+  std::optional<CertifiedLimit> split(double low, double high, const std::vector<PlatesOfPair>& suspects) {
+    if (suspects.empty()) return std::nullopt;
+    if (high - low <= options_.precision || states_ >= options_.most_states) return end_at(low, suspects);
+    const double middle = (low + high) / 2;
+    if (auto end = look(low, middle, suspects)) return end;
+    return look(middle, high, suspects);
+  }
+
+  std::optional<CertifiedLimit> look(double low, double high, const std::vector<PlatesOfPair>& suspects) {
+    const ThetaInterval interval = at(low, high);
+    std::vector<PlatesOfPair> left;
+    for (PlatesOfPair pair : suspects) {
+      keep_unproven(interval, pair);
+      if (!pair.walls.empty()) left.push_back(std::move(pair));
+    }
+    return split(low, high, left);
+  }
+
+  /// Looks for an overlap of these, the nearer the better.
+  CertifiedLimit end_at(double low, const std::vector<PlatesOfPair>& suspects) {
+    std::vector<WallPair> pairs;
+    for (const PlatesOfPair& s : suspects) pairs.insert(pairs.end(), s.walls.begin(), s.walls.end());
+    CertifiedLimit end{sign_ * low, true, pairs.front()};
+    double free = low, hit = low;
+    for (double ahead = options_.precision; free <= low * (1 + contact_near); ahead *= 2) {
+      hit = low + ahead;
+      if (!overlapping(hit, pairs).empty()) break;
+      free = hit;
+    }
+    std::vector<WallPair> found = overlapping(hit, pairs);
+    if (found.empty()) return end;
+    while (hit - free > options_.precision) {
+      const double middle = (free + hit) / 2;
+      std::vector<WallPair> earlier = overlapping(middle, found);
+      (earlier.empty() ? free : hit) = middle;
+      if (!earlier.empty()) found = std::move(earlier);
+    }
+    end.walls = found.front();
+    end.contact = sign_ * hit;
+    return end;
+  }
+
+  std::vector<WallPair> overlapping(double angle, const std::vector<WallPair>& pairs) {
+    const State state = exact_.at(sign_ * angle);
+    ++out_.states;
+    const auto box = [&](int wall) { return placed(plates_.walls[wall], state[plates_.walls[wall].body]); };
+    std::vector<WallPair> found;
+    for (const WallPair& pair : pairs)
+      if (overlap(box(pair.first), box(pair.second), rounding * plates_.edge())) found.push_back(pair);
+    return found;
+  }
+
+  LinkagePlates& plates_;
+  const ExactMotion& exact_;
+  const CertifiedOptions& options_;
+  double sign_;
+  CertifiedRange& out_;
+  int states_ = 0;
+  double gap_ = 0;  ///< cell edges, the largest that a state left open at a hinge
+  double off_ = 0;  ///< rad, likewise of axes and turns
+  NearPairs near_;
+};
+
+}  // namespace
+
+void CertifiedOptions::validate() const {
+  if (!(limit > 0) || !(limit <= pi / 2)) throw InvalidInput("the limit of theta must lie in (0, 90] deg");
+  if (!(precision >= 1e-12)) throw InvalidInput("the precision of theta must be at least 1e-12 rad");
+  if (!(growth_mm >= 0)) throw InvalidInput("the growth of walls must be at least 0 mm");
+  if (!(most_states > 0)) throw InvalidInput("the number of states must be above 0");
+}
+
+CertifiedRange certified_range(const Linkage& structure, const ExactMotion& exact,
+                               const std::vector<TurnLaw>& turns, const CertifiedOptions& options) {
+  options.validate();
+  CertifiedRange out;
+  out.growth_mm = options.growth_mm;
+  if (!exact) {
+    out.why_not = exact.why;
+    return out;
+  }
+  LinkagePlates plates(structure, turns, options.growth_mm);
+  out.left_out = static_cast<int>(plates.touching_at_rest.size());
+  if (const int loose = plates.loose_body(); loose >= 0) {
+    out.why_not = "no hinges join the body at " + structure.vertex_name(loose) + " to the others";
+    return out;
+  }
+  out.negative = CertifiedSide(plates, exact, options, -1, out).run();
+  out.positive = CertifiedSide(plates, exact, options, 1, out).run();
+  if (!out) out.negative = out.positive = {};
+  return out;
+}
+
+}  // namespace kinetix::model

@@ -1,0 +1,143 @@
+#include "app/pipeline/certify.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/goals/read_target.hpp"
+#include "app/pipeline/pipeline.hpp"
+#include "model/contact/wall_contact.hpp"
+#include "tests/app/program.hpp"
+#include "tests/app/schema_errors.hpp"
+
+/// What results say of contact: proven ranges of theta.
+namespace kinetix::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using Json = nlohmann::json;
+
+/// Turns of a helix of columns that bend and columns that shear brush past each other at 25.1 deg; samples a degree apart
+/// see walls meet at 31.8 deg.
+std::string helix_design(double theta_deg) {
+  std::string hinges;
+  for (int c = 0; c < 24; ++c)
+    for (int j = 0; j < 2; ++j) {
+      const std::string wall = "{wall: [[" + std::to_string(c) + ", " + std::to_string(j) + "], [" +
+                               std::to_string(c + 1) + ", " + std::to_string(j) + "]], ";
+      const bool is_class_a = (c + j) % 2 == 0;
+      hinges += "    - " + wall +
+                (c % 2 == 0 ? std::string("beta_deg: ") + (j == 0 ? "35" : "-35")
+                            : std::string("t: ") + (is_class_a ? "0.35" : "0.65")) +
+                "}\n";
+    }
+  return "kinetix: 1\nname: helix\nstructure: {cells: [24, 1], cell_mm: 10, wall_mm: {thickness: 0.8, "
+         "height: "
+         "2}}\ndesign:\n  theta_deg: " +
+         std::to_string(theta_deg) + "\n  hinges:\n" + hinges;
+}
+
+struct Told {
+  Json result;
+  std::string words;
+};
+
+Told told_of(const std::string& text, const std::string& model) {
+  const Scratch scratch;
+  const Outcome run = kinetix_opt("simulate " + scratch.write("in.yaml", text) + " --model " + model +
+                                  " --quiet -o " + (scratch / "out").string());
+  EXPECT_EQ(run.code, 0) << run.out << run.err;
+  Told told{Json::parse(text_of(scratch / "out/result.json")), run.out};
+  EXPECT_EQ(schema_errors(told.result), "");
+  return told;
+}
+
+const std::string small_panel =
+    "kinetix: 1\nname: panel\nstructure: {cells: [3, 2], cell_mm: 10, wall_mm: {thickness: "
+    "0.8, height: 6}}\ndesign: {theta_deg: 20}\n";
+
+TEST(Certify, TellsTheClosedFormsEndOfAPanel) {
+  const Told told = told_of(small_panel, "exact");
+  const Json& certified = told.result["certified"];
+  const double closed = std::atan(1 - 0.08);
+  EXPECT_NEAR(certified["design"]["high"]["theta_rad"].get<double>(), closed, 3e-7);
+  EXPECT_LT(certified["design"]["high"]["theta_rad"].get<double>(), closed);
+  EXPECT_NEAR(certified["design"]["low"]["contact_rad"].get<double>(), -closed, 3e-7);
+  EXPECT_EQ(certified["design"]["high"]["walls"].size(), 2u);
+  EXPECT_EQ(certified["covers_theta"], true);
+  const double g = certified["printed"]["growth_mm"];
+  EXPECT_NEAR(certified["printed"]["high"]["theta_rad"].get<double>(),
+              std::atan((10 - 0.8 - 2 * g) / (10 + 2 * g)), 3e-7);
+  EXPECT_THAT(told.words, HasSubstr("free of contact for theta -42.61 to 42.61 deg, limited by walls [["));
+}
+
+/// Three standard deviations of polyjet: 0.05 mm, and 0.25 deg at the corner of a plate 5 mm long and 6 mm high.
+TEST(Certify, GrowsWallsByWhatTheProcessLetsThemBeOff) {
+  const model::Structure s = make_structure(model::rectangle(1, 1), {10, 0.8, 6});
+  const double corner = std::sqrt(5 * 5 + 3 * 3 + 0.4 * 0.4);
+  EXPECT_NEAR(app::print_growth_mm(s, {.t_mm = 0.05, .tilt_deg = 0.25}),
+              0.15 + std::sin(0.75 * radians_per_degree) * corner, 1e-12);
+}
+
+TEST(Certify, SeesWhatSamplesMissOnTheWayToAHelix) {
+  const Told told = told_of(helix_design(28), "exact");
+  const Json& high = told.result["certified"]["design"]["high"];
+  EXPECT_LT(to_degrees(high["contact_rad"].get<double>()), 25.2);
+  EXPECT_GT(to_degrees(told.result["metrics"]["theta_limit_rad"].get<double>()), 28);
+  EXPECT_EQ(told.result["certified"]["covers_theta"], false);
+  EXPECT_THAT(told.words, HasSubstr("NOT PROVEN"));
+  EXPECT_EQ(told_of(helix_design(25), "exact").result["certified"]["covers_theta"], true);
+}
+
+TEST(Certify, SaysThatElasticHingesComeNearTheClosedFormAlone) {
+  const Told told = told_of(small_panel + "hinge: {model: elastic}\n", "equilibrium");
+  EXPECT_EQ(told.result["certified"]["states_are_exact"], false);
+  EXPECT_THAT(told.words, HasSubstr("of the closed form: equilibria of elastic hinges come near it"));
+}
+
+TEST(Certify, SaysWhyNothingIsProvenWithoutAClosedForm) {
+  const std::string leaning =
+      "kinetix: 1\nname: leaning\nstructure: {cells: [2, 2]}\ndesign:\n  theta_deg: 5\n  hinges:\n    - "
+      "{wall: [[0, 0], [1, 0]], beta_deg: 20}\nhinge: {model: elastic}\n";
+  const Json certified = told_of(leaning, "equilibrium").result["certified"];
+  EXPECT_EQ(certified.size(), 1u);
+  EXPECT_THAT(certified["why_not"].get<std::string>(), HasSubstr("no exact family"));
+}
+
+TEST(Certify, IsPartOfACheck) {
+  const Scratch scratch;
+  const std::string file = scratch.write("in.yaml", helix_design(28));
+  EXPECT_THAT(kinetix_opt("check " + file).out, HasSubstr("NOT PROVEN"));
+  const Json told = Json::parse(kinetix_opt("check --json " + file).out);
+  EXPECT_EQ(told["certified"]["covers_theta"], false);
+  EXPECT_FALSE(
+      Json::parse(kinetix_opt("check --json " +
+                              std::string(scratch.write("e.yaml", small_panel + "hinge: {model: elastic}\n")))
+                      .out)
+          .contains("certified"));
+}
+
+/// Small ones of every kind that moves exactly; kinetix-bench --only certified looks at the larger ones.
+TEST(Certify, CoversShippedTargetsWithinOnePercentOfWallsThatOverlap) {
+  for (const char* name : {"helmet_rib", "half_circle", "s_curve", "cube", "open_tray", "tetrahedron",
+                           "octahedron", "helix", "shrinking_block", "headform", "disc"}) {
+    const app::Run run =
+        run_scene(*app::read_target(std::string(KINETIX_SOURCE) + "/targets/shapes/" + name + ".yaml").goal,
+                  {.verify = false});
+    ASSERT_TRUE(run.certified && run.certified->designed) << name;
+    EXPECT_TRUE(run.certified->covers(run.theta)) << name;
+    for (const model::CertifiedLimit* end :
+         {&run.certified->designed.negative, &run.certified->designed.positive}) {
+      ASSERT_TRUE(end->contact) << name;
+      EXPECT_GE(std::abs(end->theta), 0.99 * std::abs(*end->contact)) << name;
+      model::WallContact contact(run.structure);
+      EXPECT_TRUE(contact.overlapping(run.plan.exact.at(end->theta)).empty()) << name;
+      EXPECT_FALSE(contact.overlapping(run.plan.exact.at(*end->contact * (1 + 1e-6))).empty()) << name;
+    }
+    EXPECT_LT(run.certified->printed.positive.theta, run.certified->designed.positive.theta) << name;
+  }
+}
+
+}  // namespace
+}  // namespace kinetix::testing
