@@ -197,6 +197,10 @@ PhysicsResult run_compression(const model::Linkage& structure, const model::Link
   return Run(structure, drive, options, observer).run();
 }
 
+std::vector<TouchingPieces> touching_pieces(const model::Linkage& structure, const ContactParts& parts) {
+  return World(structure, std::nullopt, {}, &parts).touching_pieces();
+}
+
 PhysicsResult run_with_parts(const model::Linkage& structure, const model::LinkageDrive& drive,
                              const PhysicsOptions& options, const ContactParts& parts,
                              const PhysicsObserver& observer) {

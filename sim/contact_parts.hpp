@@ -17,6 +17,15 @@ struct ContactParts {
 /// all the way: a rod and the bore in which it turns, ends of walls at a thin block, faces that lie on each other.
 inline constexpr double touching_at_rest = 0.02;
 
+/// Two pieces of different bodies that pass through each other for that reason.
+struct TouchingPieces {
+  int body = 0, piece = 0;            ///< piece as ContactParts::of_body counts those of its body
+  int other = 0, piece_of_other = 0;  ///< likewise, other > body
+  auto operator<=>(const TouchingPieces&) const = default;
+};
+/// All such pairs, sorted. The engine runs: one thread at a time.
+std::vector<TouchingPieces> touching_pieces(const model::Linkage& structure, const ContactParts& parts);
+
 /// run_compression, with bodies that collide by these pieces instead of walls. Each is 0.002 cell edges larger to all sides.
 /// @pre as many bodies as the linkage has   @throws InvalidInput as run_compression, and for elastic hinges
 PhysicsResult run_with_parts(const model::Linkage& structure, const model::LinkageDrive& drive,

@@ -96,7 +96,8 @@ struct World::Engine {
   RigidParts parts;
   std::vector<Joint> joints;
   std::unique_ptr<Actuator> actuator;
-  std::vector<Vector6> speeds_before;  ///< the last step
+  std::vector<Vector6> speeds_before;   ///< the last step
+  std::vector<TouchingPieces> passing;  ///< sorted
 
   Engine(const model::Linkage& s, const std::optional<model::LinkageDrive>& d, const PhysicsOptions& o,
          const ContactParts* contact_parts)
@@ -142,7 +143,7 @@ struct World::Engine {
   }
 
   /// All pieces of two bodies that touch the other body at rest: as these turn, other pairs of them meet.
-  void let_pass_what_touches() {
+  void find_what_touches() {
     world.performDiscreteCollisionDetection();
     std::map<std::pair<int, int>, std::array<std::set<int>, 2>> touching;
     for (int m = 0; m < dispatcher.getNumManifolds(); ++m) {
@@ -159,7 +160,18 @@ struct World::Engine {
     for (const auto& [bodies, pieces] : touching)
       for (const int first : pieces[0])
         for (const int second : pieces[1])
-          PartShape::let_pass(*parts.bodies()[bodies.first], first, *parts.bodies()[bodies.second], second);
+          passing.push_back(in_order({bodies.first, first, bodies.second, second}));
+    std::sort(passing.begin(), passing.end());
+  }
+
+  static TouchingPieces in_order(const TouchingPieces& p) {
+    return p.body < p.other ? p : TouchingPieces{p.other, p.piece_of_other, p.body, p.piece};
+  }
+
+  void let_pass_what_touches() {
+    find_what_touches();
+    for (const TouchingPieces& p : passing)
+      PartShape::let_pass(*parts.bodies()[p.body], p.piece, *parts.bodies()[p.other], p.piece_of_other);
   }
 
   /// Points that pull by the directions of their hinge's frame are the direct solver's own.
@@ -241,6 +253,8 @@ PartContact World::deepest_contact() const {
   }
   return deepest.touches() ? deepest : PartContact{};
 }
+
+const std::vector<TouchingPieces>& World::touching_pieces() const { return engine_->passing; }
 
 double World::largest_middle_angle() const {
   double largest = 0;

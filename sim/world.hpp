@@ -11,6 +11,7 @@
 namespace kinetix::sim {
 
 struct ContactParts;
+struct TouchingPieces;
 class Hand;
 class RigidParts;
 
@@ -45,6 +46,8 @@ class World {
   double free_force() const;
   double drive_gap() const;
   PartContact deepest_contact() const;
+  /// Pieces that pass through each other since they touched at rest.
+  const std::vector<TouchingPieces>& touching_pieces() const;
 
   /// Largest middle Euler angle of the hinges' constraint frames, rad. It must stay away from pi/2.
   double largest_middle_angle() const;

@@ -50,22 +50,6 @@ std::string pull_words(const model::Deployment& d, double seconds) {
       d.off_rms, d.off_max, d.gap, d.states.size(), seconds);
 }
 
-std::string way_words(const AssemblyRun& run) {
-  const auto& hinges = run.file.assembly.hinges;
-  const model::AssemblyMotion& m = run.motion;
-  if (const auto& d = run.deployment) return pull_words(*d, run.closure_s);
-  if (m.reached)
-    return fmt::format(
-        "`{}` turned by {:.2f} deg; hinges stay closed within {:.1e} cell edges and {:.1e} rad",
-        hinges[run.driven].name, to_degrees(m.turns.back()), m.gap, m.axis_gap);
-  if (m.broken < 0)
-    return fmt::format("stopped with `{}` turned by {:.2f} deg", hinges[run.driven].name,
-                       to_degrees(m.turns.back()));
-  return fmt::format("`{}` turns by {:.2f} deg and no further: at {:.2f} deg `{}` opens by more than it may",
-                     hinges[run.driven].name, to_degrees(m.turns.back()), to_degrees(m.broken_turn),
-                     hinges[m.broken].name);
-}
-
 ResultJson states_json(const AssemblyRun& run) {
   ResultJson out = ResultJson::array();
   for (const NamedState& s : run.states)
@@ -87,6 +71,7 @@ ResultJson numbers_of(const AssemblyRun& run) {
   if (run.equilibrium) {
     out["load"] = run.equilibrium->steps.back().load;
     out["energy_Nmm"] = run.equilibrium->steps.back().energy;
+    out["contacts"] = run.equilibrium->steps.back().contacts;
   }
   if (const auto& v = run.verification) {
     out["verify_rms"] = v->distance.rms;
@@ -114,6 +99,22 @@ ResultJson speeds(const AssemblyRun& run) {
 
 }  // namespace
 
+std::string closure_words(const AssemblyRun& run) {
+  const auto& hinges = run.file.assembly.hinges;
+  const model::AssemblyMotion& m = run.motion;
+  if (const auto& d = run.deployment) return pull_words(*d, run.closure_s);
+  if (m.reached)
+    return fmt::format(
+        "`{}` turned by {:.2f} deg; hinges stay closed within {:.1e} cell edges and {:.1e} rad",
+        hinges[run.driven].name, to_degrees(m.turns.back()), m.gap, m.axis_gap);
+  if (m.broken < 0)
+    return fmt::format("stopped with `{}` turned by {:.2f} deg", hinges[run.driven].name,
+                       to_degrees(m.turns.back()));
+  return fmt::format("`{}` turns by {:.2f} deg and no further: at {:.2f} deg `{}` opens by more than it may",
+                     hinges[run.driven].name, to_degrees(m.turns.back()), to_degrees(m.broken_turn),
+                     hinges[m.broken].name);
+}
+
 nlohmann::ordered_json assembly_result(const AssemblyRun& run) {
   const model::Assembly& a = run.file.assembly;
   ResultJson out = {{"schema", "kinetix-result/1"},
@@ -126,7 +127,7 @@ nlohmann::ordered_json assembly_result(const AssemblyRun& run) {
                       {"model", to_string(run.model)},
                       {"bodies", a.bodies.size()},
                       {"hinges", a.hinges.size()},
-                      {"why", {way_words(run)}}}},
+                      {"why", {closure_words(run)}}}},
                     {"structure", bodies_and_hinges(a)},
                     {"states", states_json(run)},
                     {"metrics", numbers_of(run)},
@@ -148,11 +149,14 @@ std::string assembly_summary(const AssemblyRun& run) {
   const auto line = [&](const char* label, const std::string& text) {
     out += fmt::format("  {:<10} {}\n", label, text);
   };
-  line(run.deployment ? "pull" : "closure", way_words(run));
+  line(run.deployment ? "pull" : "closure", closure_words(run));
   if (const auto& e = run.equilibrium) {
     line("load", fmt::format("moment {:.4g} N mm: {}", e->steps.back().load, e->why));
     line("energy", fmt::format("{:.4g} N mm", e->steps.back().energy));
     line("stretch", fmt::format("largest {:.2e} cell edges", e->gaps.max));
+    for (const model::PathEvent& event : e->events)
+      line("event", fmt::format("{} at {:.2f} deg: {}", to_string(event.kind), to_degrees(event.at.drive),
+                                event.what));
   }
   if (const auto& v = run.verification) {
     if (v->physics.status != sim::PhysicsResult::Status::settled)
@@ -165,9 +169,10 @@ std::string assembly_summary(const AssemblyRun& run) {
            fmt::format("rms {:.1e} cell edges from the closed state, hinge gap {:.1e}, {:.2f} s: {}",
                        v->distance.rms, v->physics.gaps.max, v->physics.seconds,
                        v->agrees ? "agrees" : "DISAGREES"));
-    line("contact",
-         fmt::format("{} convex pieces of the bodies, made in {:.2f} s", run.pieces, run.pieces_s));
   }
+  if (run.pieces)
+    line("contact", fmt::format("{} convex pieces of the bodies, made in {:.2f} s", run.pieces->count(),
+                                run.pieces->seconds));
   return out;
 }
 

@@ -6,25 +6,19 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <mutex>
 
 #include "app/run/stopwatch.hpp"
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/elastic/path/equilibrium_path.hpp"
 #include "model/linkage/make_drive.hpp"
-#include "optim/solvers/parallel_runs.hpp"
-#include "sim/contact_parts.hpp"
 #include "sim/pull_run.hpp"
-#include "sim/shapes/convex_cuts.hpp"
 
 namespace kinetix::app {
 namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double bore_share = 1.05;  // of a bore's radius: its polygon's corners lie outside it
-constexpr double pin_share =
-    2;  // of the reach of a pin, h / sqrt(12) of what bears: half of h and a little more
-constexpr double one_shape_mm = 1e-4;    // mm: what floats far from the origin leave of equal shapes
 constexpr double most_overlap_mm = 0.1;  // mm: by which pieces may stick out of their bodies
 constexpr double stiff = 1e8;  // joint_stiffness of what closes exactly, as of exact families of sheets
 constexpr std::array step_factors = {10.0, 4.0,
@@ -78,15 +72,28 @@ void add_motion(AssemblyRun& run) {
     add_state(run, "frame", Model::exact, run.theta_of(k), run.motion.states[k]);
 }
 
+/// Those of a run before, where they fit.
+void find_pieces(AssemblyRun& run, const RunOptions& options) {
+  if (!run.pieces || !run.pieces->fit(run.file.assembly))
+    run.pieces = std::make_shared<const BodyPieces>(pieces_of(run.file.assembly, options.threads));
+}
+
+/// Those that press on each other in equilibrium.
+std::shared_ptr<const model::ConvexBodies> pressing_bodies(AssemblyRun& run, const RunOptions& options) {
+  find_pieces(run, options);
+  const auto alone = options.engine ? std::unique_lock(*options.engine) : std::unique_lock<std::mutex>();
+  return std::make_shared<const model::ConvexBodies>(
+      convex_bodies(*run.pieces, run.file.assembly, run.linkage));
+}
+
 void add_equilibrium(AssemblyRun& run, const RunOptions& options) {
   Stopwatch watch;
   model::EquilibriumPathOptions path;
   path.planar = false;
   path.stop = options.stop;
-  path.contact = false;  // its walls are those of sheets
-  const model::LinkageDrive drive = model::turned_hinge(run.driven, sense_of(run), turn_of(run));
+  path.bodies = pressing_bodies(run, options);
   run.equilibrium =
-      trace_equilibrium({run.linkage, drive, {}}, elasticity_of(run.file.assembly), path,
+      trace_equilibrium({run.linkage, run.drive(), {}}, elasticity_of(run.file.assembly), path,
                         [&](const model::EquilibriumStep& step, const model::State&) {
                           options.progress("equilibrium path", run.theta == 0 ? 1 : step.theta / run.theta);
                         });
@@ -106,68 +113,17 @@ sim::PhysicsOptions physics_of(const AssemblyRun& run, double factor) {
   return options;
 }
 
-/// Of a body: rods turn in them, and do not collide with what is round them.
-std::vector<sim::FilledBore> bores_of(const model::Assembly& assembly, int body) {
-  std::vector<sim::FilledBore> out;
-  for (const model::AssemblyHinge& h : assembly.hinges)
-    if (h.rod_mm > 0 && (h.lower == body || h.upper == body))
-      out.push_back({h.point, h.axis, bore_share * (h.rod_mm / 2 + h.clearance_mm), pin_share * h.reach_mm});
-  return out;
-}
-
-bool have_one_shape(const model::AssemblyBody& a, const model::AssemblyBody& b) {
-  if (a.solid.triangles != b.solid.triangles) return false;
-  return std::equal(a.solid.points.begin(), a.solid.points.end(), b.solid.points.begin(),
-                    b.solid.points.end(), [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
-                      return ((p - a.position) - (q - b.position)).cwiseAbs().maxCoeff() < one_shape_mm;
-                    });
-}
-
-/// For each body the first one of its shape.
-std::vector<int> first_of_shape(const model::Assembly& assembly) {
-  std::vector<int> out, firsts;
-  for (int b = 0; b < static_cast<int>(assembly.bodies.size()); ++b) {
-    const auto known = std::find_if(firsts.begin(), firsts.end(), [&](int f) {
-      return have_one_shape(assembly.bodies[f], assembly.bodies[b]);
-    });
-    out.push_back(known == firsts.end() ? b : *known);
-    if (known == firsts.end()) firsts.push_back(b);
-  }
-  return out;
-}
-
-/// Convex pieces of all bodies, about their rest positions.
-sim::ContactParts pieces_of(const model::Assembly& assembly, int threads) {
-  sim::ContactParts parts;
-  const int count = static_cast<int>(assembly.bodies.size());
-  parts.of_body.resize(assembly.bodies.size());
-  const std::vector<int> first = first_of_shape(assembly);
-  optim::run_in_parallel(count, threads, [&](int b) {
-    if (first[b] != b) return;
-    for (sim::CutPiece& piece :
-         sim::convex_cuts(assembly.bodies[b].solid, {.filled = bores_of(assembly, b)})) {
-      for (Eigen::Vector3d& corner : piece.corners) corner -= assembly.bodies[b].position;
-      parts.of_body[b].push_back(std::move(piece.corners));
-    }
-  });
-  for (std::size_t b = 0; b < first.size(); ++b) parts.of_body[b] = parts.of_body[first[b]];
-  return parts;
-}
-
 sim::PhysicsResult run_physics(const AssemblyRun& run, const sim::PhysicsOptions& options,
                                const sim::ContactParts& parts, const sim::PhysicsObserver& observer) {
   if (run.deployment)
     return run_pull(run.linkage, aligned_pull(run.linkage, *run.file.pull()), options, parts, observer);
-  const model::LinkageDrive drive = model::turned_hinge(run.driven, sense_of(run), turn_of(run));
-  return run_with_parts(run.linkage, drive, options, parts, observer);
+  return run_with_parts(run.linkage, run.drive(), options, parts, observer);
 }
 
 /// Folds it by the engine, in coarse steps where these already settle in the closed state.
 void verify_assembly(AssemblyRun& run, const RunOptions& options) {
-  Stopwatch watch;
-  const sim::ContactParts parts = pieces_of(run.file.assembly, options.threads);
-  run.pieces_s = watch.lap();
-  for (const auto& pieces : parts.of_body) run.pieces += pieces.size();
+  find_pieces(run, options);
+  const sim::ContactParts parts = contact_parts(*run.pieces, run.file.assembly);
   Verification v;
   for (const double factor : step_factors) {
     v = {};
@@ -222,6 +178,10 @@ bool AssemblyRun::reached() const {
                                      : motion.reached;
 }
 
+model::LinkageDrive AssemblyRun::drive() const {
+  return model::turned_hinge(driven, sense_of(*this), turn_of(*this));
+}
+
 model::Elasticity elasticity_of(const model::Assembly& assembly) {
   model::Elasticity whole;
   for (const model::AssemblyHinge& h : assembly.hinges) {
@@ -235,8 +195,9 @@ model::Elasticity elasticity_of(const model::Assembly& assembly) {
 }
 
 AssemblyRun run_assembly(AssemblyFile file, Model model, std::optional<double> theta,
-                         const RunOptions& options) {
+                         const RunOptions& options, std::shared_ptr<const BodyPieces> pieces) {
   AssemblyRun run;
+  run.pieces = std::move(pieces);
   run.file = std::move(file);
   run.model = model;
   run.linkage = linkage_of(run.file.assembly);

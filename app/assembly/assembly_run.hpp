@@ -1,13 +1,16 @@
 #pragma once
 
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 
 #include "app/assembly/assembly_file.hpp"
+#include "app/assembly/body_pieces.hpp"
 #include "app/run/run.hpp"
 #include "app/run/run_options.hpp"
 #include "model/assembly/assembly_motion.hpp"
 #include "model/assembly/deployment.hpp"
+#include "model/linkage/linkage_drive.hpp"
 
 namespace kinetix::app {
 
@@ -24,24 +27,28 @@ struct AssemblyRun {
   std::vector<NamedState> states;  ///< the last one of each model first, then those of the motion
   std::optional<model::EquilibriumPath> equilibrium;
   std::optional<Verification> verification;
-  std::size_t pieces = 0;  ///< convex ones, of all bodies, that collide in the physics run
-  double pieces_s = 0;     ///< that they took, s
+  std::shared_ptr<const BodyPieces> pieces;  ///< by which bodies collide; null where nothing asked for them
   double closure_s = 0, equilibrium_s = 0, load_s = 0;  ///< seconds
 
   /// The way of motion state k, rad: what the drive's theta has come to.
   double theta_of(std::size_t k) const;
   /// Whether the model came to the drive's end.
   bool reached() const;
+  model::LinkageDrive drive() const;
 };
 
 /// @param theta in place of the file's own drive, rad
+/// @param pieces of a run before with the same bodies, to be used again where they fit; null: none
 /// @throws InvalidInput for a drive that turns a hinge which cannot turn at rest; where bodies are pulled, for a theta and for the
 /// model equilibrium, which for now also wants hinges with an axis
 AssemblyRun run_assembly(AssemblyFile file, Model model, std::optional<double> theta,
-                         const RunOptions& options);
+                         const RunOptions& options, std::shared_ptr<const BodyPieces> pieces = {});
 
 /// Stiffnesses of the hinges of an assembly, each its own.
 model::Elasticity elasticity_of(const model::Assembly& assembly);
+
+/// How far the closed states go, in a sentence.
+std::string closure_words(const AssemblyRun& run);
 
 /// Of schema kinetix-result/1.
 nlohmann::ordered_json assembly_result(const AssemblyRun& run);

@@ -40,23 +40,43 @@ void add(Eigen::VectorXd& sum, int a, int b, const Vector12& gradient) {
 }  // namespace
 
 ElasticSystem::ElasticSystem(Linkage structure, const Elasticity& elasticity, LinkageDrive drive, bool planar,
-                             bool contact)
+                             bool contact, const std::shared_ptr<const ConvexBodies>& bodies)
     : structure_(std::move(structure)),
       stiffness_(acting(elasticity, structure_, planar)),
       drive_(std::move(drive)),
-      contact_(contact),
+      contact_(contact && !bodies),
       dofs_(make_dof_map(structure_, drive_, planar)),
       walls_(structure_, planar),
       k_spring_(drive_.k_spring / energy_unit(elasticity, structure_.size.edge_mm)),
       cord_rest_(drive_.rest_mm / structure_.size.edge_mm) {
-  if (contact) refuse_overlap(structure_, walls_);
+  if (contact_) refuse_overlap(structure_, walls_);
+  if (contact && bodies) pieces_.emplace(*bodies, structure_.size.edge_mm);
 }
 
 std::vector<Contact> ElasticSystem::contacts(const State& state) const {
   return contact_ ? walls_.find(state) : std::vector<Contact>{};
 }
 
+std::vector<PieceTouch> ElasticSystem::touches(const State& state) const {
+  return pieces_ ? pieces_->find(state) : std::vector<PieceTouch>{};
+}
+
+int ElasticSystem::touching(const State& state) const {
+  return static_cast<int>(contacts(state).size() + touches(state).size());
+}
+
+std::string ElasticSystem::touching_words(const State& state) const {
+  if (const std::vector<Contact> found = contacts(state); !found.empty())
+    return "walls " + structure_.wall_name(ContactModel::hinge(found.front().plate)) + " and " +
+           structure_.wall_name(ContactModel::hinge(found.front().other)) + " touch";
+  if (const std::vector<PieceTouch> found = touches(state); !found.empty())
+    return "bodies " + structure_.vertex_name(pieces_->body(found.front().piece)) + " and " +
+           structure_.vertex_name(pieces_->body(found.front().other)) + " touch";
+  return {};
+}
+
 bool ElasticSystem::passed_through(const State& before, const State& after) const {
+  if (pieces_) return pieces_->passed_through(before, after);
   return contact_ && walls_.passed_through(before, after);
 }
 
@@ -161,7 +181,8 @@ double ElasticSystem::elastic_energy(const State& state) const {
     const RestHinge& h = structure_.hinges[k];
     sum += hinge_energy(h, stiffness_.of(k), state[h.lower], state[h.upper], structure_.size.edge_mm).total();
   }
-  return sum + walls_.energy(contacts(state), stiffness_.contact);
+  sum += walls_.energy(contacts(state), stiffness_.contact);
+  return pieces_ ? sum + pieces_->energy(touches(state), stiffness_.contact) : sum;
 }
 
 double ElasticSystem::energy(const State& state, double theta) const {
@@ -173,6 +194,8 @@ template <class Visit>
 void ElasticSystem::visit_contacts(const State& state, const Visit& visit) const {
   for (const Contact& c : contacts(state))
     visit(walls_.body(c.plate), walls_.body(c.other), walls_.element(c, stiffness_.contact, state));
+  for (const PieceTouch& t : touches(state))
+    visit(pieces_->body(t.piece), pieces_->body(t.other), pieces_->element(t, stiffness_.contact, state));
 }
 
 template <class Visit>

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "model/elastic/contact/contact_energy.hpp"
+#include "model/elastic/contact/piece_contact.hpp"
 #include "model/elastic/cord_element.hpp"
 #include "model/elastic/tangent_stiffness.hpp"
 #include "model/hinge/hinge_energy.hpp"
@@ -19,8 +23,9 @@ class ElasticSystem {
   /// @param planar bodies move in the plane z = 0 only   @pre elasticity and drive are valid
   /// @throws InvalidInput for an elasticity with neither one stiffness for all hinges nor one for each, and, with
   /// contact, for walls that overlap in the flat state
+  /// @param bodies with contact: what presses on each other in place of walls; null: the walls
   ElasticSystem(Linkage structure, const Elasticity& elasticity, LinkageDrive drive, bool planar,
-                bool contact);
+                bool contact, const std::shared_ptr<const ConvexBodies>& bodies = {});
   /// One that nothing drives: theta has no meaning, and rigid motion is held at one body.
   ElasticSystem(Linkage structure, const Elasticity& elasticity, bool planar, bool contact)
       : ElasticSystem(std::move(structure), elasticity, {.kind = LinkageDrive::Kind::none}, planar, contact) {
@@ -36,8 +41,15 @@ class ElasticSystem {
   /// Bodies that the plates grip, first and last row; empty for any other drive.
   const GrippedRows& gripped() const { return drive_.gripped; }
 
+  /// Of walls.
   std::vector<Contact> contacts(const State& state) const;
-  /// Whether walls went through each other between two states (ContactModel::passed_through).
+  /// How many points of walls or bodies are pressed into others.
+  int touching(const State& state) const;
+  /// The first two that touch, in words: "walls A and B touch"; empty where none do.
+  std::string touching_words(const State& state) const;
+  /// What presses on each other: "walls" or "bodies".
+  std::string what_touches() const { return pieces_ ? "bodies" : "walls"; }
+  /// Whether walls or bodies went through each other between two states (ContactModel, PieceContact::passed_through).
   bool passed_through(const State& before, const State& after) const;
 
   /// Moves what plates grip to where fold parameter theta of the drive has them.
@@ -102,6 +114,7 @@ class ElasticSystem {
   static constexpr double grip = 100;
 
  private:
+  std::vector<PieceTouch> touches(const State& state) const;
   template <class Visit>
   void visit_contacts(const State& state, const Visit& visit) const;
   /// The elements of a driven hinge, which hold it, or of springs.
@@ -126,6 +139,7 @@ class ElasticSystem {
   bool contact_;
   DofMap dofs_;
   mutable ContactModel walls_;  ///< remembers which walls are near; what it finds does not depend on it
+  mutable std::optional<PieceContact> pieces_;  ///< likewise, of bodies in place of walls
   double multiplier_ = 0;
   double k_spring_ = 0;   ///< k_point edge^2
   double cord_rest_ = 0;  ///< length of the cord in the flat state, cell edges

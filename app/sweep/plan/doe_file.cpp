@@ -81,6 +81,7 @@ const targets::KeyTable& factor_keys() {
           {"each", value::boolean(), targets::by_default("false"),
            "every number that the path matches is a factor of its own"},
           {"add", value::boolean(), targets::by_default("false"), "values are added to the base's own"},
+          {"scale", value::boolean(), targets::by_default("false"), "values multiply the base's own"},
       },
       {{"range", "normal", "values"}});
   return keys;
@@ -186,6 +187,9 @@ DoeFactor read_factor(const targets::Node& node) {
     factor.name = name->text("a heading for the factor's column");
   section.read("each", factor.each);
   section.read("add", factor.add);
+  section.read("scale", factor.scale);
+  if (factor.add && factor.scale)
+    throw node.error("has `add: true` and `scale: true`; only one of them can be");
   if (factor.each && factor.paths.size() > 1)
     throw node.error("`each: true` goes with one path, not with several that vary together");
   return factor;

@@ -36,6 +36,7 @@ struct DoeFactor {
   FactorValues values;
   bool each = false;   ///< every number that the path matches varies by itself
   bool add = false;    ///< values are added to the base's own
+  bool scale = false;  ///< values multiply the base's own
   targets::Node node;  ///< for messages
 };
 

@@ -21,9 +21,10 @@ struct Edit {
   int factor = 0;              ///< column of the factor
   double times = 1, plus = 0;  ///< as of FactorPath; plus in units of the edit's key
   double base = 0;             ///< added: the base's own value, in the unit of the edit's key, as value()
+  double unit = 1;             ///< multiplied: the base's own value, in the unit of the edit's key
 
-  /// What is written, for a value of the factor; both in the unit of the key.
-  double value(double of_factor) const { return base + times * of_factor + plus; }
+  /// What is written, for a value of the factor; both in the unit of the key, or of scaled ones the factor by itself.
+  double value(double of_factor) const { return base + unit * (times * of_factor + plus); }
 };
 
 /// A number of the base that varies by itself, under its own path; more than one edit where a column or a row

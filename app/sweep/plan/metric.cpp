@@ -63,6 +63,31 @@ const std::vector<Metric>& pose_metrics() {
   return metrics;
 }
 
+double body_moved_mm(const O& o, double model::StateDistance::*part) {
+  return aligned_distance(*o.linkage, *o.state, *o.nominal).*part * o.linkage->size.edge_mm;
+}
+
+Eigen::Vector3d last_from_first(const O& o) { return o.state->back().p - o.state->front().p; }
+
+/// Of a design of general bodies.
+const std::vector<Metric>& body_metrics() {
+  static const std::vector<Metric> metrics = {
+      {"theta_deg", [](const O& o) { return to_degrees(o.theta); }},
+      {"end_mm", [](const O& o) { return last_from_first(o).norm(); }},
+      {"end_x_mm", [](const O& o) { return last_from_first(o).x(); }},
+      {"end_y_mm", [](const O& o) { return last_from_first(o).y(); }},
+      {"end_z_mm", [](const O& o) { return last_from_first(o).z(); }},
+      {"size_x_mm", [](const O& o) { return extent(*o.assembly, *o.state).x(); }},
+      {"size_y_mm", [](const O& o) { return extent(*o.assembly, *o.state).y(); }},
+      {"size_z_mm", [](const O& o) { return extent(*o.assembly, *o.state).z(); }},
+      {"hinge_gap_max", [](const O& o) { return hinge_gaps(*o.linkage, *o.state).max; }},
+      {"hinge_gap_rms", [](const O& o) { return hinge_gaps(*o.linkage, *o.state).rms; }},
+      {"moved_rms_mm", [](const O& o) { return body_moved_mm(o, &model::StateDistance::rms); }, true},
+      {"moved_max_mm", [](const O& o) { return body_moved_mm(o, &model::StateDistance::max); }, true},
+  };
+  return metrics;
+}
+
 std::vector<Metric> goal_metrics(const GoalKind& goal) {
   std::vector<Metric> metrics;
   for (const GoalMeasure& measure : goal.measures)
@@ -91,6 +116,7 @@ const std::vector<Metric>& equilibrium_metrics() {
        [](const O& o) { return largest(o, [](const model::EquilibriumStep& s) { return s.energy; }); }},
       {"gap_peak",
        [](const O& o) { return largest(o, [](const model::EquilibriumStep& s) { return s.gap; }); }},
+      {"contacts", [](const O& o) { return static_cast<double>(last(o).contacts); }},
       {"barrier_Nmm", barrier},
       {"stable_states", [](const O& o) { return static_cast<double>(o.equilibrium->stable.states.size()); }},
       {"exact_rms",
@@ -144,12 +170,23 @@ double json_number(const nlohmann::ordered_json& metrics, const targets::Documen
   return at->is_number() ? at->get<double>() : nan;
 }
 
+/// Without what only sheets have: plates, cords, a search for stable states.
+std::vector<Metric> equilibrium_metrics_of_bodies() {
+  std::vector<Metric> out;
+  for (const Metric& metric : equilibrium_metrics())
+    for (const char* name : {"reached", "drive_rad", "load_Nmm", "energy_Nmm", "load_peak", "energy_peak_Nmm",
+                             "gap_peak", "contacts", "exact_rms", "exact_max"})
+      if (metric.name == name) out.push_back(metric);
+  return out;
+}
+
 std::vector<Metric> metrics_of(const MetricContext& context) {
-  std::vector<Metric> all = pose_metrics();
+  std::vector<Metric> all = context.bodies ? body_metrics() : pose_metrics();
   const auto add = [&](const std::vector<Metric>& more) { all.insert(all.end(), more.begin(), more.end()); };
   if (context.searches) return all;
   if (context.goal) add(goal_metrics(*context.goal));
-  if (context.model == Model::equilibrium) add(equilibrium_metrics());
+  if (context.model == Model::equilibrium)
+    add(context.bodies ? equilibrium_metrics_of_bodies() : equilibrium_metrics());
   if (context.model == Model::bullet) add(physics_metrics());
   return all;
 }

@@ -7,12 +7,15 @@
 #include <vector>
 
 #include "app/run/goal_kind.hpp"
+#include "model/assembly/assembly.hpp"
 
 namespace kinetix::app {
 
 /// What a response is computed from: the state of one sample, and whatever its model knows of it.
 struct Observation {
-  const model::Sheet* structure = nullptr;
+  const model::Sheet* structure = nullptr;    ///< null of a design of bodies
+  const model::Linkage* linkage = nullptr;    ///< of a design of bodies
+  const model::Assembly* assembly = nullptr;  ///< likewise
   const model::State* state = nullptr;
   double theta = 0;                             ///< rad
   const model::State* nominal = nullptr;        ///< the base's own state
@@ -35,6 +38,7 @@ struct MetricContext {
   Model model = Model::exact;
   bool searches = false;           ///< the base is a target
   const GoalKind* goal = nullptr;  ///< of the sweep's `goal`; nothing without one
+  bool bodies = false;             ///< the base is a design of general bodies
 };
 
 /// Names of the metrics there are, in the order of the documentation.

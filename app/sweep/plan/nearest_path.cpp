@@ -42,6 +42,7 @@ std::set<std::string> patterns(const SweepBase& base, const targets::DocumentEdi
 }  // namespace
 
 std::vector<std::string> optional_keys(const SweepBase& base) {
+  if (base.bodies) return {"structure.cell_mm", "drive.angle_deg"};
   std::vector<std::string> keys = {
       "structure.cell_mm",  "structure.wall_mm.thickness", "structure.wall_mm.height", "physics.step_s",
       "physics.iterations", "physics.error_reduction",     "physics.reach_mm"};

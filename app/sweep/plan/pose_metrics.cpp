@@ -82,4 +82,13 @@ Vector3d extent(const model::State& state) {
   return high - low;
 }
 
+Vector3d extent(const model::Assembly& assembly, const model::State& state) {
+  if (!is_finite(state)) return Vector3d::Constant(std::nan(""));
+  Eigen::AlignedBox3d box;
+  for (std::size_t b = 0; b < state.size(); ++b)
+    for (const Vector3d& p : assembly.bodies[b].solid.points)
+      box.extend(state[b].p + state[b].R * (p - assembly.bodies[b].position));
+  return box.sizes();
+}
+
 }  // namespace kinetix::app

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include "model/assembly/assembly.hpp"
 #include "model/linkage/state.hpp"
 #include "model/sheet/sheet.hpp"
 
@@ -30,5 +31,8 @@ double largest_lean(const model::Sheet& structure, const model::State& state);
 
 /// Edges of the bounding box of the bodies' positions, along the structure's axes.
 Eigen::Vector3d extent(const model::State& state);
+
+/// Likewise of the surfaces of bodies of any shape.
+Eigen::Vector3d extent(const model::Assembly& assembly, const model::State& state);
 
 }  // namespace kinetix::app

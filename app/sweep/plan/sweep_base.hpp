@@ -3,16 +3,18 @@
 #include <optional>
 #include <string>
 
+#include "app/assembly/assembly_file.hpp"
 #include "app/files/design_file.hpp"
 #include "app/run/goal_kind.hpp"
 
 namespace kinetix::app {
 
-/// The file that a sweep varies: a design (forward runs) or a target (a search in every sample).
+/// The file that a sweep varies: a design, of a sheet or of general bodies (forward runs), or a target (a search in every sample).
 struct SweepBase {
   targets::Node root;
-  std::optional<DesignFile> design;
-  std::optional<Target> target;  ///< where it is no design
+  std::optional<DesignFile> design;         ///< of a sheet
+  std::optional<AssemblyFile> bodies = {};  ///< a design of general bodies
+  std::optional<Target> target;             ///< where it is no design
 };
 
 /// @throws InvalidInput as read_design and read_target

@@ -64,7 +64,7 @@ double neutral(const SweepBase& base, const targets::DocumentEditor& document, c
   if (factor.add) return 0;
   double value = std::nan("");
   for (const Edit& edit : edits) {
-    const auto own = base_value(base, document, edit);
+    const auto own = factor.scale ? std::optional(1.0) : base_value(base, document, edit);
     const double needed = own ? (*own - edit.plus) / edit.times : std::nan("");
     if (!std::isnan(value) && !(std::abs(needed - value) <= 1e-12)) return std::nan("");
     value = needed;
@@ -77,10 +77,13 @@ void add_column(Columns& columns, const SweepBase& base, const targets::Document
                 std::vector<Edit> edits) {
   for (Edit& edit : edits) {
     edit.factor = static_cast<int>(columns.factors.size());
-    if (!factor.add) continue;
+    if (!factor.add && !factor.scale) continue;
     const auto own = base_value(base, document, edit);
-    if (!own) throw factor.node.error("`add: true` adds to a number of the base, which leaves this one out");
-    edit.base = *own;
+    if (!own)
+      throw factor.node.error(
+          factor.add ? "`add: true` adds to a number of the base, which leaves this one out"
+                     : "`scale: true` multiplies a number of the base, which leaves this one out");
+    (factor.add ? edit.base : edit.unit) = *own;
   }
   columns.bases.push_back(neutral(base, document, factor, edits));
   columns.factors.push_back(as_factor(doe, factor, name));
@@ -168,7 +171,7 @@ optim::SamplePlan make_samples(const DoeFile& doe, const Columns& columns, std::
 }
 
 std::vector<Metric> find_responses(const DoeFile& doe, const SweepBase& base, const Target& goal) {
-  const MetricContext context{doe.model, base.target.has_value(), goal.kind};
+  const MetricContext context{doe.model, base.target.has_value(), goal.kind, base.bodies.has_value()};
   std::vector<Metric> responses;
   for (const targets::Node& node : doe.responses)
     responses.push_back(node.located([&] { return find_metric(node.text("a metric"), context); }));
@@ -186,9 +189,17 @@ void check_columns(const DoeFile& doe, const Columns& columns, const std::vector
 }
 
 void check_model(const DoeFile& doe, const SweepBase& base) {
-  if (base.design || doe.model == Model::bullet || doe.model == base.target->kind->model) return;
+  if (!base.target || doe.model == Model::bullet || doe.model == base.target->kind->model) return;
   throw doe.root.error(fmt::format("a {} is searched with `model: {}` (or `bullet`, with the physics run)",
                                    base.target->kind->name, to_string(base.target->kind->model)));
+}
+
+/// What is for sheets alone.
+void check_bodies(const DoeFile& doe, const SweepBase& base) {
+  if (!base.bodies) return;
+  if (doe.goal) throw doe.root.optional("goal")->error("measures sheets; the base is a design of bodies");
+  if (doe.from_base)
+    throw doe.root.optional("start")->error("is for sheets; samples of a design of bodies start from rest");
 }
 
 /// A goal that tells how far any state is from it.
@@ -233,7 +244,7 @@ void check_values(const SweepPlan& plan, const Columns& columns) {
 
 /// Samples that no closed form fits are failures; a sweep of nothing else is a mistake.
 void check_exact(const SweepPlan& plan) {
-  if (plan.searches() || plan.doe.model != Model::exact) return;
+  if (!plan.base.design || plan.doe.model != Model::exact) return;
   SampleMaker maker(plan);
   std::string why;
   for (const std::int64_t sample : {std::int64_t{0}, plan.size() / 2, plan.size() - 1}) {
@@ -261,6 +272,7 @@ SweepPlan make_sweep_plan(const std::string& file, std::optional<std::uint64_t> 
   DoeFile doe = read_doe(file);
   SweepBase base = read_base(doe.base);
   check_model(doe, base);
+  check_bodies(doe, base);
   targets::DocumentEditor document(base.root);
   Columns columns;
   for (const DoeFactor& factor : doe.factors) add_factor(columns, base, document, doe, factor);

@@ -1,7 +1,5 @@
 #include "model/elastic/contact/contact_energy.hpp"
 
-#include <Eigen/Geometry>
-
 namespace kinetix::model {
 namespace {
 
@@ -10,50 +8,15 @@ using Eigen::Vector3d;
 
 }  // namespace
 
-/// The signed distance n . m - offset of a carried point from a carried face, in cell edges.
-struct ContactModel::Gap {
-  Vector3d n;  ///< carried outward normal
-  Vector3d a;  ///< from the point's body to the point
-  Vector3d m;  ///< from the box's body to the point
-  double value;
-
-  Vector12 gradient() const {
-    Vector12 g;
-    g << a.cross(n), n, n.cross(m), -n;
-    return g;
-  }
-
-  Matrix12 hessian() const {
-    const Matrix3d cross_n = cross_matrix(n), turns = -cross_n * cross_matrix(a);
-    Matrix12 h = Matrix12::Zero();
-    h.block<3, 3>(0, 0) = turning_hessian(n, a);
-    h.block<3, 3>(6, 6) = turning_hessian(m, n);
-    h.block<3, 3>(6, 3) = cross_n;
-    h.block<3, 3>(3, 6) = -cross_n;
-    h.block<3, 3>(6, 9) = -cross_n;
-    h.block<3, 3>(9, 6) = cross_n;
-    h.block<3, 3>(6, 0) = turns;
-    h.block<3, 3>(0, 6) = turns.transpose();
-    return h;
-  }
-
-  /// Change of gradient() where n, a and m change.
-  Vector12 gradient_change(const Vector3d& dn, const Vector3d& da, const Vector3d& dm) const {
-    Vector12 g;
-    g << da.cross(n) + a.cross(dn), dn, dn.cross(m) + n.cross(dm), -dn;
-    return g;
-  }
-};
-
 ContactModel::ContactModel(const Linkage& structure, bool planar)
     : search_(structure, planar), weight_(planar ? 1.0 : 1.0 / 3) {}
 
-ContactModel::Gap ContactModel::gap(const Contact& c, const State& state) const {
+PointGap ContactModel::gap(const Contact& c, const State& state) const {
   const ContactPlate& plate = all().plates[c.plate];
   const ContactPlate& box = all().plates[c.other];
   const Pose& pose = state[plate.body];
   const Pose& frame = state[box.body];
-  Gap gap;
+  PointGap gap;
   gap.n = frame.R * box.face_normal(c.face);
   gap.a = pose.R * plate.points[c.point];
   gap.m = (pose.p - frame.p) / all().edge_mm + gap.a;
@@ -62,14 +25,7 @@ ContactModel::Gap ContactModel::gap(const Contact& c, const State& state) const 
 }
 
 Element ContactModel::element(const Contact& contact, double stiffness, const State& state) const {
-  const Gap g = gap(contact, state);
-  const double k = weight_ * stiffness;
-  const Vector12 gradient = g.gradient();
-  Element e;
-  e.energy = 0.5 * k * g.value * g.value;
-  e.gradient = k * g.value * gradient;
-  e.hessian = k * (gradient * gradient.transpose() + g.value * g.hessian());
-  return e;
+  return gap(contact, state).pressed(weight_ * stiffness);
 }
 
 double ContactModel::energy(const std::vector<Contact>& contacts, double stiffness) const {
@@ -78,7 +34,7 @@ double ContactModel::energy(const std::vector<Contact>& contacts, double stiffne
   return sum;
 }
 
-Eigen::Vector4d ContactModel::gap_gradient(const Gap& g, const Contact& c, const State& state) const {
+Eigen::Vector4d ContactModel::gap_gradient(const PointGap& g, const Contact& c, const State& state) const {
   const ContactPlate& plate = all().plates[c.plate];
   const ContactPlate& box = all().plates[c.other];
   const Matrix3d& R = state[plate.body].R;
@@ -93,7 +49,7 @@ Eigen::Vector4d ContactModel::depth_gradient(const Contact& c, const State& stat
 
 Eigen::Matrix<double, 12, 4> ContactModel::derivatives(const Contact& c, double stiffness,
                                                        const State& state) const {
-  const Gap g = gap(c, state);
+  const PointGap g = gap(c, state);
   const ContactPlate& plate = all().plates[c.plate];
   const ContactPlate& box = all().plates[c.other];
   const Matrix3d& R = state[plate.body].R;
@@ -110,7 +66,7 @@ Eigen::Matrix<double, 12, 4> ContactModel::derivatives(const Contact& c, double 
 }
 
 Vector12 ContactModel::stiffness_rate(const Contact& contact, const State& state) const {
-  const Gap g = gap(contact, state);
+  const PointGap g = gap(contact, state);
   return weight_ * g.value * g.gradient();
 }
 

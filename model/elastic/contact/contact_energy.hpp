@@ -1,7 +1,7 @@
 #pragma once
 
 #include "model/elastic/contact/contact_search.hpp"
-#include "model/hinge/element.hpp"
+#include "model/elastic/contact/point_gap.hpp"
 
 namespace kinetix::model {
 
@@ -39,11 +39,9 @@ class ContactModel {
   Eigen::Vector4d depth_gradient(const Contact& contact, const State& state) const;
 
  private:
-  struct Gap;
-
   const ContactPlates& all() const { return search_.all(); }
-  Gap gap(const Contact& contact, const State& state) const;
-  Eigen::Vector4d gap_gradient(const Gap& gap, const Contact& contact, const State& state) const;
+  PointGap gap(const Contact& contact, const State& state) const;
+  Eigen::Vector4d gap_gradient(const PointGap& gap, const Contact& contact, const State& state) const;
 
   ContactSearch search_;
   double weight_;  ///< of a point, against those along the same wall tip edge

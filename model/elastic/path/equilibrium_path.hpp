@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -15,6 +16,8 @@ namespace kinetix::model {
 struct EquilibriumPathOptions {
   std::optional<bool> planar;  ///< bodies move in the plane z = 0 only; default: if all hinges stand upright
   bool contact = true;         ///< walls of the structure's thickness press on each other
+  std::shared_ptr<const ConvexBodies> bodies =
+      {};        ///< with contact: what presses on each other in place of walls; null: the walls
   int side = 1;  ///< +1 or -1: to which side to leave a bifurcation that the drive's sign leaves open
   double first_step = 0.02;             ///< of theta, rad, (0, 0.5]
   double longest_step = 0.12;           ///< rad, (0, 0.5]

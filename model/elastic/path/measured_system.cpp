@@ -8,7 +8,7 @@ MeasuredSystem::MeasuredSystem(const Linkage& linkage, const Elasticity& elastic
                                const LinkageDrive& drive, const EquilibriumPathOptions& options)
     : planar(options.planar.value_or(all_vertical(linkage))),
       unit(energy_unit(elasticity, linkage.size.edge_mm)),
-      elastic(linkage, elasticity, drive, planar, options.contact),
+      elastic(linkage, elasticity, drive, planar, options.contact, options.bodies),
       tangent(elastic.dofs()) {}
 
 EquilibriumStep MeasuredSystem::measured(const State& state, double theta, bool stable) const {
@@ -20,7 +20,7 @@ EquilibriumStep MeasuredSystem::measured(const State& state, double theta, bool 
   step.energy = elastic.stored_energy(state, theta) * unit;
   step.springs = elastic.spring_energy(state, theta) * unit;
   step.gap = hinge_gaps(elastic.structure(), state).max;
-  step.contacts = static_cast<int>(elastic.contacts(state).size());
+  step.contacts = elastic.touching(state);
   step.stable = stable;
   return step;
 }

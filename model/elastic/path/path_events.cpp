@@ -53,31 +53,27 @@ void PathEvents::see(const EquilibriumStep& before, const EquilibriumStep& after
                                     words(*arrival.descent, arrival.on_closed_form));
   }
   if (arrival.snapped) happened(Kind::snap, "jumped to another state at nearly the same drive");
-  if (before.contacts == 0 && after.contacts > 0) happened(Kind::contact, touching(system_.contacts(state)));
-  if (before.contacts > 0 && after.contacts == 0) happened(Kind::release, "walls no longer touch");
+  if (before.contacts == 0 && after.contacts > 0) happened(Kind::contact, system_.touching_words(state));
+  if (before.contacts > 0 && after.contacts == 0)
+    happened(Kind::release, system_.what_touches() + " no longer touch");
   if (system_.drive().pulls_cord() && slack_.see(after))
     happened(
         Kind::slack,
         "the cord would have to push, which it cannot: it goes slack, and the structure goes on by itself");
   if (const auto times = lock_.see(before, after))
-    happened(Kind::lock, "walls carry the drive: the load rises " + number_text(std::round(*times)) +
-                             " times as steeply as without contact");
+    happened(Kind::lock, system_.what_touches() + " carry the drive: the load rises " +
+                             number_text(std::round(*times)) + " times as steeply as without contact");
 }
 
-void PathEvents::end_locked(const EquilibriumStep& last, const std::vector<Contact>& contacts,
+void PathEvents::end_locked(const EquilibriumStep& last, const std::string& touching,
                             const std::string& why) {
-  if (last.contacts == 0) add(Kind::contact, last, last.theta, touching(contacts));
+  if (last.contacts == 0)
+    add(Kind::contact, last, last.theta, touching.empty() ? system_.what_touches() + " touch" : touching);
   if (!lock_.has_locked()) add(Kind::lock, last, last.theta, why);
 }
 
 void PathEvents::add(Kind kind, const EquilibriumStep& at, double since, std::string what) {
   events_.push_back({kind, at, since, std::move(what)});
-}
-
-std::string PathEvents::touching(const std::vector<Contact>& contacts) const {
-  if (contacts.empty()) return "walls touch";
-  const auto wall = [&](int plate) { return system_.structure().wall_name(ContactModel::hinge(plate)); };
-  return "walls " + wall(contacts.front().plate) + " and " + wall(contacts.front().other) + " touch";
 }
 
 std::string to_string(PathEvent::Kind kind) {

@@ -49,9 +49,9 @@ class PathEvents {
   /// @param state that of `after`
   void see(const EquilibriumStep& before, const EquilibriumStep& after, const State& state,
            const Arrival& arrival);
-  /// The path ends at `last`, locked by walls. @param contacts of the state beyond that could not be taken
-  /// @param why in words
-  void end_locked(const EquilibriumStep& last, const std::vector<Contact>& contacts, const std::string& why);
+  /// The path ends at `last`, locked by walls. @param touching in the state beyond that could not be taken, in words, as
+  /// ElasticSystem::touching_words   @param why in words
+  void end_locked(const EquilibriumStep& last, const std::string& touching, const std::string& why);
 
   const std::vector<PathEvent>& events() const { return events_; }
   /// Theta since when the path is off the closed form for that being unstable, rad; NaN where it is not.
@@ -59,7 +59,6 @@ class PathEvents {
 
  private:
   void add(PathEvent::Kind kind, const EquilibriumStep& at, double since, std::string what);
-  std::string touching(const std::vector<Contact>& contacts) const;
 
   const ElasticSystem& system_;
   std::vector<PathEvent> events_;

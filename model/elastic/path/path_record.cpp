@@ -29,7 +29,7 @@ EquilibriumPath PathRecord::finished(EquilibriumPath::Stop stop, const Refusal& 
   path_.theta = head_.theta();
   path_.gaps = hinge_gaps(system_.elastic.structure(), path_.state);
   path_.why = stop_reason(path_, system_, options_.gap_limit, refusal, events_.off_closed_form_since());
-  if (stop == EquilibriumPath::Stop::locked) events_.end_locked(last(), refusal.contacts, path_.why);
+  if (stop == EquilibriumPath::Stop::locked) events_.end_locked(last(), refusal.touching, path_.why);
   path_.events = events_.events();
   path_.hinge_energies = system_.hinge_energies(path_.state);
   path_.multiplier = system_.elastic.multiplier();

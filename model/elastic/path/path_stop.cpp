@@ -25,8 +25,8 @@ std::string overstretched(const HingeGaps& gaps, const Linkage& linkage, double 
          number_text(gaps.max) + " cell edges; at most " + number_text(gap_limit) + " is allowed;";
 }
 
-std::string locked(const Refusal& refusal) {
-  return std::string("walls in contact lock the structure: ") +
+std::string locked(const Refusal& refusal, const std::string& what) {
+  return what + " in contact lock the structure: " +
          (refusal.faults.tunnelled ? "further on they would have to pass through each other;"
                                    : "no equilibrium found further on;");
 }
@@ -40,7 +40,7 @@ std::string not_converged(const Refusal& refusal) {
 }  // namespace
 
 EquilibriumPath::Stop Refusal::stop(const EquilibriumStep& last) const {
-  return last.contacts == 0 && contacts.empty() && !faults.tunnelled ? Stop::not_converged : Stop::locked;
+  return last.contacts == 0 && touching.empty() && !faults.tunnelled ? Stop::not_converged : Stop::locked;
 }
 
 std::string stop_reason(const EquilibriumPath& path, const MeasuredSystem& system, double gap_limit,
@@ -52,7 +52,7 @@ std::string stop_reason(const EquilibriumPath& path, const MeasuredSystem& syste
     case Stop::overstretched:
       return overstretched(path.gaps, system.elastic.structure(), gap_limit) + at;
     case Stop::locked:
-      return locked(refusal) + at;
+      return locked(refusal, system.elastic.what_touches()) + at;
     case Stop::interrupted:
       return "it was told to stop" + at;
     case Stop::not_converged:

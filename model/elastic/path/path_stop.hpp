@@ -10,8 +10,8 @@ namespace kinetix::model {
 /// Why the last step that a path tried was not taken.
 struct Refusal {
   StepFaults faults;
-  NewtonResult newton;            ///< that led there
-  std::vector<Contact> contacts;  ///< of the state that was not taken
+  NewtonResult newton;   ///< that led there
+  std::string touching;  ///< in the state that was not taken, in words; empty: nothing
 
   /// What the path ends with if there is no shorter step: `locked` where walls have to do with it.
   /// @param last step that was taken

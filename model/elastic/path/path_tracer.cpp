@@ -58,7 +58,7 @@ void PathTracer::take(Trial trial, const PermittedStep& permitted, double jump) 
 void PathTracer::refuse(const Trial& trial, const StepFaults& faults) {
   const bool far_off = faults.jumped || faults.tunnelled;
   length_.shorten(length_.growth(far_off ? faults.jump : NAN, head_.prediction_order()));
-  refusal_ = {faults, trial.newton, system_.elastic.contacts(trial.state)};
+  refusal_ = {faults, trial.newton, system_.elastic.touching_words(trial.state)};
 }
 
 }  // namespace kinetix::model

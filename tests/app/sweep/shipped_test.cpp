@@ -71,6 +71,25 @@ TEST(ShippedSweeps, LooserHingesResistLess) {
   }
 }
 
+/// Its hook meets the finger at 34.8 degrees; up to there a joint turns by its stiffness alone.
+TEST(ShippedSweeps, AFingerIsStoppedByItsHook) {
+  const Scratch scratch;
+  const Csv csv = read_csv(run_shipped(scratch, "finger_stop"));
+  ASSERT_EQ(csv.rows.size(), 36u);
+  const double stop = std::atan2(8, 8) - std::asin(2 / std::hypot(8, 8));
+  const double free = csv.number(4, "load_Nmm") / csv.number(4, "angle_deg");  // the modulus is 1 there
+  for (std::size_t row = 0; row < csv.rows.size(); ++row) {
+    const double angle = csv.number(row, "angle_deg"), moment = csv.number(row, "modulus") * free * angle;
+    if (angle * radians_per_degree < stop) {
+      EXPECT_EQ(csv.number(row, "contacts"), 0);
+      EXPECT_NEAR(csv.number(row, "load_Nmm"), moment, 1e-6 * free);
+    } else {
+      EXPECT_GT(csv.number(row, "contacts"), 0);
+      EXPECT_GT(csv.number(row, "load_Nmm"), 1.5 * moment);
+    }
+  }
+}
+
 /// Small errors move the shape in proportion.
 TEST(ShippedSweeps, TolerancesStartFromTheBasesOwnState) {
   const Scratch scratch;
