@@ -188,6 +188,10 @@ model::Elasticity elasticity_of(const model::Assembly& assembly) {
   return whole;
 }
 
+sim::ContactParts contact_parts_of(const model::Assembly& assembly, int threads) {
+  return pieces_of(assembly, threads);
+}
+
 AssemblyRun run_assembly(AssemblyFile file, Model model, std::optional<double> theta,
                          const RunOptions& options) {
   AssemblyRun run;

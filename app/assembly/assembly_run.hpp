@@ -7,6 +7,7 @@
 #include "app/run/run.hpp"
 #include "app/run/run_options.hpp"
 #include "model/assembly/assembly_motion.hpp"
+#include "sim/contact_parts.hpp"
 
 namespace kinetix::app {
 
@@ -37,6 +38,11 @@ AssemblyRun run_assembly(AssemblyFile file, Model model, std::optional<double> t
 /// Stiffnesses of the hinges of an assembly, each its own.
 model::Elasticity elasticity_of(const model::Assembly& assembly);
 
+/// What its bodies collide with in the physics run. @param threads 0: as many as there are
+sim::ContactParts contact_parts_of(const model::Assembly& assembly, int threads);
+
+/// Its bodies and hinges, as in results.
+nlohmann::ordered_json assembly_structure(const model::Assembly& assembly);
 /// Of schema kinetix-result/1.
 nlohmann::ordered_json assembly_result(const AssemblyRun& run);
 /// What a person reads on stdout.

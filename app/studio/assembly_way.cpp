@@ -1,0 +1,77 @@
+#include "app/studio/assembly_way.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/base/angle.hpp"
+#include "model/closure/closure_solver.hpp"
+
+namespace kinetix::app::studio {
+namespace {
+
+constexpr double farthest = 178 * radians_per_degree;  // rad: beyond, half a turn either way looks alike
+constexpr double turn_window = 0.6;  // rad: a hand does not throw it through a fold; twice that of theta
+
+/// Of the known states, by rising turn.
+struct KnownState {
+  double turn;  ///< rad
+  const model::State* state;
+};
+
+std::vector<KnownState> known_states(const AssemblyWay& way) {
+  std::vector<KnownState> out;
+  for (std::size_t k = way.back.states.size(); k-- > 1;)
+    out.push_back({way.back.turns[k], &way.back.states[k]});
+  for (std::size_t k = 0; k < way.forth.states.size(); ++k)
+    out.push_back({way.forth.turns[k], &way.forth.states[k]});
+  return out;
+}
+
+}  // namespace
+
+AssemblyWay way_of(const model::Linkage& linkage, int hinge, const std::function<bool()>& stop) {
+  model::AssemblyMotionOptions options;
+  options.stop = stop;
+  const model::FirstMotion first = first_motion(linkage);
+  return {hinge, follow_turn(linkage, first, hinge, farthest, options),
+          follow_turn(linkage, first, hinge, -farthest, options)};
+}
+
+AssemblyWay way_at_rest(const model::Linkage& linkage, int hinge) {
+  const model::AssemblyMotion rest{{rest_state(linkage)}, {0}};
+  return {hinge, rest, rest};
+}
+
+model::State state_at(const model::Linkage& linkage, const AssemblyWay& way, double turn) {
+  const double at = std::clamp(turn, way.least_turn(), way.most_turn());
+  const model::AssemblyMotion& side = at < 0 ? way.back : way.forth;
+  const auto farther = [at](double a, double b) { return std::abs(a - at) < std::abs(b - at); };
+  const auto nearest = std::min_element(side.turns.begin(), side.turns.end(), farther);
+  const model::State& known = side.states[nearest - side.turns.begin()];
+  if (*nearest == at) return known;
+  return solve_closure(linkage, known, {model::HingeTurn{way.hinge, at}}).state;
+}
+
+double nearest_turn(const model::Linkage& linkage, const AssemblyWay& way, double from, int body,
+                    const Eigen::Vector3d& at, const Eigen::Vector3d& to) {
+  const Eigen::Vector3d arm = at - linkage.rest_position(body);
+  const auto place = [&](const KnownState& k) {
+    return Eigen::Vector3d((*k.state)[body].p + (*k.state)[body].R * arm);
+  };
+  const std::vector<KnownState> known = known_states(way);
+  double best = from, least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k + 1 < known.size(); ++k) {
+    const KnownState &a = known[k], &b = known[k + 1];
+    if (b.turn < from - turn_window || a.turn > from + turn_window) continue;
+    const Eigen::Vector3d start = place(a), path = place(b) - start;
+    const double size = path.squaredNorm();
+    const double share = size > 0 ? std::clamp((to - start).dot(path) / size, 0.0, 1.0) : 0;
+    const double off = (start + share * path - to).squaredNorm();
+    if (!(off < least)) continue;
+    least = off;
+    best = a.turn + share * (b.turn - a.turn);
+  }
+  return best;
+}
+
+}  // namespace kinetix::app::studio

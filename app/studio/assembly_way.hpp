@@ -1,0 +1,32 @@
+#pragma once
+
+#include <functional>
+
+#include "model/assembly/assembly_motion.hpp"
+
+namespace kinetix::app::studio {
+
+/// How an assembly moves while one of its hinges is turned, both ways from rest, all hinges closed.
+struct AssemblyWay {
+  int hinge = 0;                      ///< that is turned
+  model::AssemblyMotion forth, back;  ///< with turns > 0, and < 0; each from rest on
+
+  double least_turn() const { return back.turns.back(); }  ///< rad, <= 0
+  double most_turn() const { return forth.turns.back(); }  ///< rad, >= 0
+};
+
+/// As far as one angle can tell, or until a hinge opens. @param stop asked between steps
+AssemblyWay way_of(const model::Linkage& linkage, int hinge, const std::function<bool()>& stop = {});
+
+/// The way of an assembly that is only known at rest.
+AssemblyWay way_at_rest(const model::Linkage& linkage, int hinge);
+
+/// Where the hinge has that turn, rad, or as near to it as the way goes: closed anew from the nearest known state.
+model::State state_at(const model::Linkage& linkage, const AssemblyWay& way, double turn);
+
+/// The turn, rad, within reach of a hand from another one, at which the point `at` of a body (rest place, mm) comes nearest to
+/// `to` (mm). Between known states points go straight.
+double nearest_turn(const model::Linkage& linkage, const AssemblyWay& way, double from, int body,
+                    const Eigen::Vector3d& at, const Eigen::Vector3d& to);
+
+}  // namespace kinetix::app::studio
