@@ -65,15 +65,34 @@ std::string end_words(const model::AssemblyMotion& side, const model::Assembly& 
                      assembly.hinges[side.broken].name);
 }
 
-Json why(const AssemblyPlayer& player, bool following) {
+std::string meeting_words(const std::optional<Meeting>& met, const model::Assembly& assembly) {
+  if (!met) return "";
+  return fmt::format("At {:.0f} degrees `{}` and `{}` run into each other.", to_degrees(met->turn),
+                     assembly.bodies[met->bodies[0]].name, assembly.bodies[met->bodies[1]].name);
+}
+
+Json why(const AssemblyPlayer& player, const WayKnown& known) {
   const model::Assembly& assembly = player.file().assembly;
   const AssemblyWay& way = player.way();
-  if (following) return {"How far it turns is being found."};
+  if (!known.followed) return {"How far it turns is being found."};
   Json out = Json::array();
   for (const std::string& words : {end_words(way.back, assembly), end_words(way.forth, assembly)})
     if (!words.empty()) out.push_back(words);
   if (out.empty()) out.push_back("All hinges stay closed all the way.");
-  out.push_back("This motion knows no contact: bodies may pass through each other. The physics has it.");
+  if (!known.looked_through) return out;
+  for (const auto& met : known.meets)
+    if (met) out.push_back(meeting_words(met, assembly));
+  out.push_back(known.meets[0] || known.meets[1]
+                    ? "The exact motion goes on through bodies that meet; the physics does not."
+                    : "No two bodies meet on the way.");
+  return out;
+}
+
+Json meets_json(const WayKnown& known) {
+  if (!known.looked_through) return nullptr;
+  Json out = Json::array();
+  for (const auto& met : known.meets)
+    out.push_back(met ? Json{{"turn_rad", met->turn}, {"bodies", met->bodies}} : Json(nullptr));
   return out;
 }
 
@@ -100,7 +119,7 @@ Json meshes_message(const model::Assembly& assembly) {
   return {{"type", "meshes"}, {"bodies", bodies}, {"hinges", hinges}};
 }
 
-Json assembly_design(const AssemblyPlayer& player, int revision, bool following) {
+Json assembly_design(const AssemblyPlayer& player, int revision, const WayKnown& known) {
   const AssemblyWay& way = player.way();
   const double a = player.theta_at(way.least_turn()), b = player.theta_at(way.most_turn());
   return {{"type", "design"},
@@ -111,7 +130,7 @@ Json assembly_design(const AssemblyPlayer& player, int revision, bool following)
           {"theta_range_rad", {std::min(a, b), std::max(a, b)}},
           {"exact", moves(way)},
           {"family", "none"},
-          {"why", why(player, following)},
+          {"why", why(player, known)},
           {"breaking", Json::array()},
           {"hinge", {{"kind", "bodies"}, {"text", "as they were imported"}}},
           {"drive", "one hinge that is turned"},
@@ -124,7 +143,8 @@ Json assembly_design(const AssemblyPlayer& player, int revision, bool following)
             {"turn_per_theta", model::turn_at_theta(player.sense(), 1)},
             {"turn_range_rad", {way.least_turn(), way.most_turn()}},
             {"opens", {opener(way.back), opener(way.forth)}},
-            {"following", following}}}};
+            {"meets", meets_json(known)},
+            {"following", !known.followed}}}};
 }
 
 Json assembly_state(const AssemblyPlayer& player) {

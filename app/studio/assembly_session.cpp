@@ -4,7 +4,6 @@
 #include <array>
 
 #include "app/assembly/assembly_run.hpp"
-#include "app/studio/assembly_message.hpp"
 #include "app/studio/design_message.hpp"
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
@@ -12,6 +11,7 @@
 namespace kinetix::app::studio {
 namespace {
 
+// Commands that edit, search or write, or need what bodies have not.
 constexpr std::array of_sheets = {"push", "springs", "snap", "hinge", "nearest", "paint", "sheet", "made",
                                   "undo", "redo",    "open", "save",  "search",  "part",  "stop",  "export"};
 
@@ -153,26 +153,39 @@ void AssemblySession::enter_engine() {
 void AssemblySession::drive_by(int hinge, double theta) {
   player_.drive_by(hinge);
   ++revision_;
-  following_ = true;
+  known_ = {};
   tell_design();
   tell_state();
-  const int revision = revision_;
-  follower_.start([this, revision, theta, linkage = player_.linkage(), hinge](const std::stop_token& stop) {
-    const AssemblyWay way = way_of(linkage, hinge, [&] { return stop.stop_requested(); });
-    if (stop.stop_requested()) return;
+  const auto job = [this, revision = revision_, theta, linkage = player_.linkage(),
+                    assembly = player_.file().assembly, hinge](const std::stop_token& asked) {
+    const auto stop = [&] { return asked.stop_requested(); };
+    const AssemblyWay way = way_of(linkage, hinge, stop);
+    if (stop()) return;
     enqueue([this, revision, theta, way] {
-      if (revision != revision_) return;
-      player_.take(way);
-      following_ = false;
-      tell_design();
-      if (theta != 0) player_.fold_to(theta);
-      changed_ = true;
+      if (revision == revision_) take(way, theta);
     });
-  });
+    const WayKnown known{
+        true, true, {first_meeting(assembly, way.back, stop), first_meeting(assembly, way.forth, stop)}};
+    if (stop()) return;
+    enqueue([this, revision, known] {
+      if (revision != revision_) return;
+      known_ = known;
+      tell_design();
+    });
+  };
+  follower_.start(job);
+}
+
+void AssemblySession::take(const AssemblyWay& way, double theta) {
+  player_.take(way);
+  known_.followed = true;
+  tell_design();
+  if (theta != 0) player_.fold_to(theta);
+  changed_ = true;
 }
 
 void AssemblySession::tell_design(int client) const {
-  tell_json(assembly_design(player_, revision_, following_), client);
+  tell_json(assembly_design(player_, revision_, known_), client);
 }
 
 void AssemblySession::tell_state(int client) const { tell_json(assembly_state(player_), client); }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/studio/assembly_player.hpp"
+#include "app/studio/assembly_message.hpp"
 #include "app/studio/job.hpp"
 #include "app/studio/session_loop.hpp"
 
@@ -28,13 +28,14 @@ class AssemblySession : public SessionLoop {
   void set_mode(const Message& message);
   void enter_engine();
   void drive_by(int hinge, double theta);
+  void take(const AssemblyWay& way, double theta);
   void tell_design(int client = everybody) const;
   void tell_state(int client = everybody) const;
 
   AssemblyPlayer player_;
   const int threads_;
   int revision_ = 1;
-  bool following_ = false;                          ///< the way of the driven hinge is being found
+  WayKnown known_;                                  ///< of the present driven hinge
   std::shared_ptr<const sim::ContactParts> parts_;  ///< of the engine; null until it was asked for
   Job follower_, cutter_;                           ///< last: they end before what they speak to
 };

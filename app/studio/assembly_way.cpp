@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/assembly/crossing.hpp"
 #include "model/base/angle.hpp"
 #include "model/closure/closure_solver.hpp"
 
@@ -10,6 +11,7 @@ namespace kinetix::app::studio {
 namespace {
 
 constexpr double farthest = 178 * radians_per_degree;  // rad: beyond, half a turn either way looks alike
+constexpr double touching_mm = 0.05;                   // mm: within it the import calls faces joined
 constexpr double turn_window = 0.6;  // rad: a hand does not throw it through a fold; twice that of theta
 
 /// Of the known states, by rising turn.
@@ -27,6 +29,38 @@ std::vector<KnownState> known_states(const AssemblyWay& way) {
   return out;
 }
 
+model::Polyhedron moved_solid(const model::AssemblyBody& body, const model::Pose& pose) {
+  model::Polyhedron out = body.solid;
+  for (Eigen::Vector3d& p : out.points) p = pose.p + pose.R * (p - body.position);
+  return out;
+}
+
+double reach_of(const model::AssemblyBody& body) {
+  double reach = 0;
+  for (const Eigen::Vector3d& p : body.solid.points) reach = std::max(reach, (p - body.position).norm());
+  return reach;
+}
+
+using Pairs = std::vector<std::array<int, 2>>;
+
+/// Pairs whose surfaces cross; only the first one, where `all` is false. @param but pairs that are not looked at
+Pairs crossing_pairs(const model::Assembly& assembly, const std::vector<double>& reach,
+                     const model::State& state, const Pairs& but, bool all) {
+  Pairs out;
+  const int count = static_cast<int>(state.size());
+  std::vector<model::Polyhedron> moved;
+  for (int b = 0; b < count; ++b) moved.push_back(moved_solid(assembly.bodies[b], state[b]));
+  for (int a = 0; a < count; ++a)
+    for (int b = a + 1; b < count; ++b) {
+      if ((state[a].p - state[b].p).norm() > reach[a] + reach[b]) continue;
+      if (std::find(but.begin(), but.end(), std::array{a, b}) != but.end()) continue;
+      if (!crossing(moved[a], moved[b], touching_mm)) continue;
+      out.push_back({a, b});
+      if (!all) return out;
+    }
+  return out;
+}
+
 }  // namespace
 
 AssemblyWay way_of(const model::Linkage& linkage, int hinge, const std::function<bool()>& stop) {
@@ -40,6 +74,17 @@ AssemblyWay way_of(const model::Linkage& linkage, int hinge, const std::function
 AssemblyWay way_at_rest(const model::Linkage& linkage, int hinge) {
   const model::AssemblyMotion rest{{rest_state(linkage)}, {0}};
   return {hinge, rest, rest};
+}
+
+std::optional<Meeting> first_meeting(const model::Assembly& assembly, const model::AssemblyMotion& side,
+                                     const std::function<bool()>& stop) {
+  std::vector<double> reach;
+  for (const model::AssemblyBody& body : assembly.bodies) reach.push_back(reach_of(body));
+  const Pairs at_rest = crossing_pairs(assembly, reach, side.states.front(), {}, true);
+  for (std::size_t k = 1; k < side.states.size() && !(stop && stop()); ++k)
+    if (const Pairs met = crossing_pairs(assembly, reach, side.states[k], at_rest, false); !met.empty())
+      return Meeting{side.turns[k], met.front()};
+  return std::nullopt;
 }
 
 model::State state_at(const model::Linkage& linkage, const AssemblyWay& way, double turn) {

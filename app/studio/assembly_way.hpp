@@ -1,7 +1,10 @@
 #pragma once
 
+#include <array>
 #include <functional>
+#include <optional>
 
+#include "model/assembly/assembly.hpp"
 #include "model/assembly/assembly_motion.hpp"
 
 namespace kinetix::app::studio {
@@ -20,6 +23,17 @@ AssemblyWay way_of(const model::Linkage& linkage, int hinge, const std::function
 
 /// The way of an assembly that is only known at rest.
 AssemblyWay way_at_rest(const model::Linkage& linkage, int hinge);
+
+/// Two bodies that run into each other.
+struct Meeting {
+  double turn = 0;  ///< of the driven hinge, rad: the first known state at which they do
+  std::array<int, 2> bodies = {};
+};
+
+/// The first of them on a side of the way: surfaces cross by more than 0.05 mm. Bodies that already do at rest do not count.
+/// @param stop asked between states
+std::optional<Meeting> first_meeting(const model::Assembly& assembly, const model::AssemblyMotion& side,
+                                     const std::function<bool()>& stop = {});
 
 /// Where the hinge has that turn, rad, or as near to it as the way goes: closed anew from the nearest known state.
 model::State state_at(const model::Linkage& linkage, const AssemblyWay& way, double turn);

@@ -3,7 +3,7 @@ import * as THREE from "three";
 import {cssColour} from "./colours.js";
 import {turned} from "./quaternion.js";
 
-const THICK = 0.012;  // of a rod, over the cell edge
+const THICK = 0.008;  // radius of a rod, over the cell edge
 
 export class HingeAxes {
   constructor() {

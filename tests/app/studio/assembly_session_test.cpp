@@ -127,6 +127,20 @@ TEST_F(StudioOfBodies, TellsMeshesNamesAndHowFarAFreeHingeTurns) {
   EXPECT_NEAR(design["bodies"]["turn_range_rad"][1].get<double>(), 178 * radians_per_degree, 1e-12);
 }
 
+TEST_F(StudioOfBodies, NamesTheTurnAtWhichTwoWallsMeet) {
+  while (design["bodies"]["meets"].is_null()) design = client.text("design");
+  // Corners of the two ends, 0.5 mm before and behind the axis and 0.4 mm beside it, meet where these subtend no angle any more.
+  const double meet = 2 * std::atan2(gap / 2, 0.4), step = 2 * radians_per_degree;
+  for (int side = 0; side < 2; ++side) {
+    const json& met = design["bodies"]["meets"][side];
+    const double turn = met["turn_rad"], sign = side == 0 ? -1 : 1;
+    EXPECT_GT(sign * turn, meet - 1e-9);
+    EXPECT_LT(sign * turn, meet + 5 * step);
+    EXPECT_EQ(met["bodies"], json({0, 1}));
+  }
+  EXPECT_THAT(design["why"].dump(), HasSubstr("`left` and `right` run into each other"));
+}
+
 TEST_F(StudioOfBodies, TurnsTheSecondBodyAboutTheAxis) {
   const model::AssemblyHinge& hinge = file.assembly.hinges[0];
   const double per_theta = design["bodies"]["turn_per_theta"];

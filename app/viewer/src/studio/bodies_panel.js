@@ -1,6 +1,7 @@
 // A design of bodies: how far it turns, its hinges, and what is known of the body or hinge that is chosen.
 import {$, degrees, element, neat, show, status} from "./dom.js";
 
+const MOST_LINES = 8;  // of the list of hinges: the rest is scrolled to
 const KINDS = {block: "soft part", pin: "pin in a bore"};
 const vector = (v, digits) => v.map((each) => neat(each, digits)).join(", ");
 
@@ -37,6 +38,7 @@ export class BodiesPanel {
     const of = ({bodies: ends}) => ends.map((body) => structure.bodies[body].name).join(" \u2013 ");
     $("hinge_list").replaceChildren(...structure.hinges.map((hinge, k) =>
       element("option", {value: String(k)}, `${hinge.name}${k === bodies.driven ? " (turned)" : ""}: ${of(hinge)}`)));
+    $("hinge_list").size = Math.max(2, Math.min(MOST_LINES, structure.hinges.length));
     const size = this.state.design.flat_mm.map((v) => neat(v, 1)).join(" \u00d7 ");
     $("bodies_size").textContent = `${structure.bodies.length} bodies, ${structure.hinges.length} hinges, ${size} mm at rest`;
     this.showChosen();

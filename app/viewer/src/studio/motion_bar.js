@@ -55,7 +55,7 @@ export class MotionBar {
     $("play").textContent = on ? "Stop" : "Play";
     $("play").setAttribute("aria-pressed", String(on));
     if (!on) return cancelAnimationFrame(this.timer);
-    const {min, max, value} = $("theta"), low = Number(min), high = Number(max);
+    const {value} = $("theta"), [low, high] = this.playRange();
     const share = Math.max(0, Math.min(1, (Number(value) - low) / (high - low || 1)));
     let start = performance.now() - (1000 * PERIOD_S * Math.acos(1 - 2 * share)) / (2 * Math.PI);
     const still = window.matchMedia("(prefers-reduced-motion: reduce)").matches ? 3 : 1;
@@ -67,6 +67,12 @@ export class MotionBar {
       this.timer = requestAnimationFrame(tick);
     };
     this.timer = requestAnimationFrame(tick);
+  }
+
+  /** Of the slider; of bodies where none run into each other. */
+  playRange() {
+    const {min, max} = $("theta"), {meets} = this.state.design?.bodies ?? {};
+    return [Math.max(Number(min), ...(meets?.[0] ? [degrees(meets[0].turn_rad)] : [])), Math.min(Number(max), ...(meets?.[1] ? [degrees(meets[1].turn_rad)] : []))];
   }
 
   showProgram() {
