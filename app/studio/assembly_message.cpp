@@ -61,13 +61,13 @@ bool moves(const AssemblyWay& way) { return way.most_turn() - way.least_turn() >
 
 std::string end_words(const model::AssemblyMotion& side, const model::Assembly& assembly) {
   if (side.broken < 0) return "";
-  return fmt::format("Beyond {:.0f} degrees `{}` opens first.", to_degrees(side.turns.back()),
+  return fmt::format("Beyond {:.0f} degrees {} opens first.", to_degrees(side.turns.back()),
                      assembly.hinges[side.broken].name);
 }
 
 std::string meeting_words(const std::optional<Meeting>& met, const model::Assembly& assembly) {
   if (!met) return "";
-  return fmt::format("At {:.0f} degrees `{}` and `{}` run into each other.", to_degrees(met->turn),
+  return fmt::format("At {:.0f} degrees {} and {} run into each other.", to_degrees(met->turn),
                      assembly.bodies[met->bodies[0]].name, assembly.bodies[met->bodies[1]].name);
 }
 
@@ -78,7 +78,9 @@ Json why(const AssemblyPlayer& player, const WayKnown& known) {
   Json out = Json::array();
   for (const std::string& words : {end_words(way.back, assembly), end_words(way.forth, assembly)})
     if (!words.empty()) out.push_back(words);
-  if (out.empty()) out.push_back("All hinges stay closed all the way.");
+  if (out.empty())
+    out.push_back(fmt::format("All hinges stay closed from {:.0f} to {:.0f} degrees.",
+                              to_degrees(way.least_turn()), to_degrees(way.most_turn())));
   if (!known.looked_through) return out;
   for (const auto& met : known.meets)
     if (met) out.push_back(meeting_words(met, assembly));

@@ -93,6 +93,7 @@ export function turnWords({bodies, exact, structure}) {
   const {name} = structure.hinges[bodies.driven];
   if (bodies.following) return `Following ${name}\u2026`;
   if (!exact) return `${name} does not turn.`;
-  const [least, most] = bodies.turn_range_rad.map((turn) => neat(degrees(turn), 0));
-  return `${name} turns from ${least}\u00b0 to ${most}\u00b0.`;
+  const met = bodies.meets?.some((meeting) => meeting), ends = bodies.turn_range_rad.map((turn, k) => bodies.meets?.[k]?.turn_rad ?? turn);
+  const [least, most] = ends.map((turn) => neat(degrees(turn), 0));
+  return `${name} turns from ${least}\u00b0 to ${most}\u00b0${met ? " until bodies meet" : ""}.`;
 }
