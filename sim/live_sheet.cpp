@@ -8,6 +8,7 @@
 #include "model/closure/drive_theta.hpp"
 #include "model/hinge/hinge_energy.hpp"
 #include "model/linkage/actuators.hpp"
+#include "sim/contact_parts.hpp"
 #include "sim/joints/hand.hpp"
 #include "sim/rigid_parts.hpp"
 #include "sim/world.hpp"
@@ -53,10 +54,12 @@ double drive_theta(const model::LinkageDrive& drive, const model::Linkage& struc
   return held.theta();
 }
 
-LiveSheet::LiveSheet(const model::Linkage& structure, const PhysicsOptions& options, double k_point_N_mm)
+LiveSheet::LiveSheet(const model::Linkage& structure, const PhysicsOptions& options, double k_point_N_mm,
+                     std::shared_ptr<const ContactParts> parts)
     : structure_(structure),
       options_(options),
       k_point_(k_point_N_mm),
+      parts_(std::move(parts)),
       way_(longest_way),
       state_(rest_state(structure)) {
   rebuild();
@@ -67,7 +70,7 @@ LiveSheet::~LiveSheet() = default;
 void LiveSheet::rebuild() {
   std::vector<Hold> holds;
   if (world_) holds = world_->hand().holds;
-  world_ = std::make_unique<World>(structure_, drive_, options_);
+  world_ = std::make_unique<World>(structure_, drive_, options_, parts_.get());
   world_->parts().place(state_);
   for (Hold& hold : holds) hold.place = state_[hold.body];
   world_->hand().holds = std::move(holds);

@@ -9,6 +9,7 @@
 namespace kinetix::sim {
 
 class World;
+struct ContactParts;
 
 /// The LinkageDrive::theta(), rad, at which a drive would have a state as it is: of a hinge and a cord by their turn and
 /// length, of plates and springs as mean_theta. Of a cord with the sign of the drive's own; 0 where it is slack.
@@ -26,7 +27,9 @@ class LiveSheet {
   /// @param structure must outlive this
   /// @param options solver direct; step_s is that of a step()
   /// @param k_point_N_mm of elastic hinges, the unit of options.elastic
-  LiveSheet(const model::Linkage& structure, const PhysicsOptions& options, double k_point_N_mm);
+  /// @param parts what its bodies collide with; null: their walls
+  LiveSheet(const model::Linkage& structure, const PhysicsOptions& options, double k_point_N_mm,
+            std::shared_ptr<const ContactParts> parts = nullptr);
   ~LiveSheet();
 
   /// Puts the structure there, at rest; what is dragged, pushed and driven is let go, held bodies are held there.
@@ -86,6 +89,7 @@ class LiveSheet {
   const model::Linkage& structure_;
   const PhysicsOptions options_;
   const double k_point_;
+  const std::shared_ptr<const ContactParts> parts_;
   std::unique_ptr<World> world_;
   std::optional<model::LinkageDrive> drive_;
   std::optional<Push> push_;

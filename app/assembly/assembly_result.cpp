@@ -115,6 +115,10 @@ std::string closure_words(const AssemblyRun& run) {
                      hinges[m.broken].name);
 }
 
+nlohmann::ordered_json assembly_structure(const model::Assembly& assembly) {
+  return bodies_and_hinges(assembly);
+}
+
 nlohmann::ordered_json assembly_result(const AssemblyRun& run) {
   const model::Assembly& a = run.file.assembly;
   ResultJson out = {{"schema", "kinetix-result/1"},

@@ -50,6 +50,9 @@ model::Elasticity elasticity_of(const model::Assembly& assembly);
 /// How far the closed states go, in a sentence.
 std::string closure_words(const AssemblyRun& run);
 
+/// Its bodies and hinges, as in results.
+nlohmann::ordered_json assembly_structure(const model::Assembly& assembly);
+
 /// Of schema kinetix-result/1.
 nlohmann::ordered_json assembly_result(const AssemblyRun& run);
 /// What a person reads on stdout.

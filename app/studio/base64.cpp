@@ -1,5 +1,6 @@
 #include "app/studio/base64.hpp"
 
+#include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/binary_from_base64.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
 
@@ -22,6 +23,14 @@ std::string from_base64(std::string_view text) {
   } catch (const dataflow_exception&) {
     throw wrong;
   }
+}
+
+std::string to_base64(std::string_view bytes) {
+  using namespace boost::archive::iterators;
+  using Digits = base64_from_binary<transform_width<const char*, 6, 8>>;
+  std::string out(Digits(bytes.data()), Digits(bytes.data() + bytes.size()));
+  out.append((3 - bytes.size() % 3) % 3, '=');
+  return out;
 }
 
 }  // namespace kinetix::app::studio

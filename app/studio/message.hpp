@@ -8,6 +8,8 @@
 
 namespace kinetix::app::studio {
 
+inline constexpr double steepest_deg = 89;  ///< theta, deg, of a command either way, as --theta-deg has it
+
 /// A command of the page, read strictly: every getter throws InvalidInput that names the key and what is allowed.
 class Message {
  public:

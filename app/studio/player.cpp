@@ -11,10 +11,6 @@ namespace kinetix::app::studio {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double step_s = 1.0 / 240;  // of the engine: four in a frame of a screen
-constexpr double most_owed_s = 0.1;   // simulated: a slow engine shows slow motion, it does not catch up
-// Of computing between two frames: 20 of them a second are shown however slow the engine is.
-constexpr std::chrono::milliseconds busy{30};
 constexpr double folded = 0.01;      // rad of theta: nearer to flat there is nothing to hold
 constexpr double usual_rest = 0.35;  // rad of theta: about where springs of shape memory rest
 
@@ -89,8 +85,7 @@ void Player::enter_engine(std::optional<double> driven) {
   live_->set_gravity(gravity_);
   live_->place(state_);
   for (const int body : fixed_) live_->fix(body, true);
-  owed_s_ = 0;
-  played_ = Clock::now();
+  time_.restart();
   if (springs() && std::abs(at) > folded) drive_engine(driven ? *driven : drive_theta(at, state_));
 }
 
@@ -181,12 +176,8 @@ void Player::step() {
 bool Player::plays() const { return live_ && !paused_ && (gravity_ || !live_->is_at_rest()); }
 
 void Player::play() {
-  const Clock::time_point now = Clock::now();
-  const double passed = std::chrono::duration<double>(now - played_).count();
-  owed_s_ = std::min(owed_s_ + speed_ * passed, most_owed_s);
-  played_ = now;
-  if (!plays()) return;
-  for (; owed_s_ >= step_s && Clock::now() - now < busy; owed_s_ -= step_s) step();
+  time_.pass(
+      speed_, [this] { return plays(); }, [this] { step(); });
 }
 
 double Player::theta() const { return mode_ == Mode::bullet ? drive_theta(sheet_theta(), state_) : theta_; }

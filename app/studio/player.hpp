@@ -1,8 +1,8 @@
 #pragma once
 
-#include <chrono>
 #include <set>
 
+#include "app/studio/play_time.hpp"
 #include "app/studio/shape.hpp"
 
 namespace kinetix::app::studio {
@@ -58,8 +58,6 @@ class Player {
   const std::set<int>& fixed() const { return fixed_; }
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   void enter_engine(std::optional<double> driven = {});
   void drive_engine(double theta);
   bool has_drive_of_its_own() const;
@@ -77,8 +75,8 @@ class Player {
   std::unique_ptr<sim::LiveSheet> live_;  ///< of bullet alone; after moving_, which it looks at
   std::set<int> fixed_;
   bool paused_ = false, gravity_ = false, springs_ = false;  ///< as asked for
-  double speed_ = 1, owed_s_ = 0;
-  Clock::time_point played_ = Clock::now();
+  double speed_ = 1;
+  PlayTime time_;
 };
 
 }  // namespace kinetix::app::studio

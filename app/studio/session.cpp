@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "app/assembly/assembly_file.hpp"
 #include "app/exports/write_results.hpp"
 #include "app/io/atomic_file.hpp"
 #include "app/studio/design_edits.hpp"
@@ -14,110 +15,49 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr double steepest_deg = 89;  // theta, as --theta-deg has it
-constexpr std::chrono::milliseconds between_plays{
-    8};                                  // while the engine runs: twice as often as frames are seen
 constexpr double largest_push_N = 1000;  // more than a person pushes with
 
 }  // namespace
 
 Session::Session(Opened opened, Outlet outlet)
-    : opened_(std::move(opened)),
-      outlet_(std::move(outlet)),
+    : SessionLoop(std::move(outlet)),
+      opened_(std::move(opened)),
       history_(opened_.design),
       player_(opened_.design),
       told_(opened_.result) {
   if (!opened_.target_file.empty()) enqueue([this] { search_for(opened_.target_file, nullptr); });
 }
 
-void Session::post(int client, std::string text) {
-  enqueue([this, client, text = std::move(text)] { obey(client, text); });
+void Session::welcome(int client) {
+  tell(hello_message(history_.current().name), client);
+  Json design = design_message(history_.current(), player_.moving());
+  tell(std::move(design), client);
+  tell_state(client);
+  if (!told_.is_null()) tell(told_, client);
 }
 
-void Session::greet(int client) {
-  enqueue([this, client] {
-    heard_[client] = 0;
-    tell(hello_message(history_.current().name), client);
-    Json design = design_message(history_.current(), player_.moving());
-    tell(std::move(design), client);
-    tell_state(client);
-    if (!told_.is_null()) tell(told_, client);
-    changed_ = true;
-  });
+void Session::obey(const Message& message) {
+  const auto command = commands().find(message.type());
+  if (command == commands().end()) throw InvalidInput("type: unknown command '" + message.type() + "'");
+  command->second(*this, message);
 }
 
-void Session::dismiss(int client) {
-  enqueue([this, client] {
-    heard_.erase(client);
-    parts_.erase(client);
-  });
+bool Session::play() {
+  const std::unique_lock alone(engine_, std::try_to_lock);
+  if (alone) player_.play();
+  return alone.owns_lock();
 }
 
-void Session::note_heard(int client, double id) {
-  const auto page = heard_.find(client);
-  if (id > 0 && page != heard_.end()) page->second = id;
+Frame Session::frame() const {
+  Frame frame = player_.frame();
+  frame.revision = revision_;
+  return frame;
 }
 
-/// Whether the engine runs: not while nobody looks.
-bool Session::plays() const { return !heard_.empty() && player_.plays(); }
-
-void Session::enqueue(std::function<void()> work) {
-  {
-    const std::lock_guard lock(mutex_);
-    queue_.push_back(std::move(work));
-  }
-  arrived_.notify_one();
-}
-
-void Session::run(const std::stop_token& stop) {
-  while (!stop.stop_requested()) {
-    do_queued();
-    if (plays())
-      if (const std::unique_lock alone(engine_, std::try_to_lock); alone) {
-        player_.play();
-        changed_ = true;
-      }
-    if (changed_) show();
-    wait_for_work(stop);
-  }
+void Session::stop_jobs() {
   tracer_.ask_to_stop();
   searcher_.ask_to_stop();
   exporter_.ask_to_stop();
-}
-
-void Session::wait_for_work(const std::stop_token& stop) {
-  std::unique_lock lock(mutex_);
-  const auto ready = [this] { return !queue_.empty(); };
-  if (plays())
-    arrived_.wait_for(lock, stop, between_plays, ready);
-  else
-    arrived_.wait(lock, stop, ready);
-}
-
-void Session::do_queued() {
-  std::deque<std::function<void()>> work;
-  {
-    const std::lock_guard lock(mutex_);
-    work.swap(queue_);
-  }
-  for (const auto& task : work) task();
-}
-
-void Session::obey(int client, const std::string& text) {
-  client_ = client;
-  id_ = 0;
-  try {
-    const Message message(text);
-    id_ = message.id();
-    const auto command = commands().find(message.type());
-    if (command == commands().end()) throw InvalidInput("type: unknown command '" + message.type() + "'");
-    command->second(*this, message);
-    note_heard(client, id_);
-    changed_ = true;
-  } catch (const InvalidInput& e) {
-    tell(error_message(e.what(), id_), client);
-  }
-  client_ = everybody;
 }
 
 const std::map<std::string, Session::Command>& Session::commands() {
@@ -254,7 +194,10 @@ void Session::take_nearest() {
 
 void Session::open(const Message& message) {
   if (message.has("template")) return take(template_design(message.text("template")));
-  take(read_design(targets::parse_document(message.text("yaml"), "design")));
+  const targets::Node root = targets::parse_document(message.text("yaml"), "design");
+  if (is_assembly(root))
+    throw InvalidInput("open: a design of bodies has meshes beside it: `kinetix-opt view` its file");
+  take(read_design(root));
 }
 
 void Session::save() {
@@ -274,14 +217,6 @@ void Session::save() {
   tell(design_message(history_.current(), player_.moving()));
 }
 
-void Session::show() {
-  auto frame = std::make_shared<Frame>(player_.frame());
-  frame->revision = revision_;
-  frame->heard = heard_;
-  outlet_.show(std::move(frame));
-  changed_ = false;
-}
-
 void Session::tell(const nlohmann::ordered_json& message, int client) const {
   nlohmann::ordered_json out = message;
   if (out["type"] == "design") {
@@ -290,7 +225,7 @@ void Session::tell(const nlohmann::ordered_json& message, int client) const {
     out["redo"] = history_.can_redo();
     out["unsaved"] = !history_.is_saved();
   }
-  outlet_.tell(client, out.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  tell_json(out, client);
 }
 
 void Session::tell_state(int client) const {

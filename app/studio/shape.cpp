@@ -5,6 +5,7 @@
 
 #include "app/pipeline/design_drive.hpp"
 #include "app/pipeline/physics_settings.hpp"
+#include "app/studio/play_time.hpp"
 #include "model/contact/wall_contact.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
@@ -12,10 +13,9 @@ namespace kinetix::app::studio {
 namespace {
 
 constexpr double largest_theta = 85 * radians_per_degree;  // no sheet of walls with a thickness folds further
-constexpr double theta_window = 0.3;       // rad: a hand does not throw the sheet through a fold
-constexpr int theta_bits = 26;             // of a minimum of doubles no more can be known
-constexpr double live_step_s = 1.0 / 240;  // fast enough for the eye, and for hands that shake
-constexpr int contact_rounds = 20;         // of impulses between walls: what is left shows for a frame
+constexpr double theta_window = 0.3;  // rad: a hand does not throw the sheet through a fold
+constexpr int theta_bits = 26;        // of a minimum of doubles no more can be known
+constexpr int contact_rounds = 20;    // of impulses between walls: what is left shows for a frame
 
 Eigen::Vector3d carried(const Moving& moving, double theta, int body, const Eigen::Vector3d& at) {
   const model::State state = moving.exact.at(theta);

@@ -1,7 +1,7 @@
 // Colours of the page, as three wants them.
 import * as THREE from "three";
 
-const FALLBACK = {paper: "#ffffff", plate: "#b9d6ee", "plate-edge": "#2d5f8a", goal: "#c2560a", bad: "#c62828", accent: "#0b62a8", ground: "#e9edf1",
+const FALLBACK = {paper: "#ffffff", plate: "#b9d6ee", soft: "#6f8f63", "plate-edge": "#2d5f8a", goal: "#c2560a", bad: "#c62828", accent: "#0b62a8", ground: "#e9edf1",
   "heat-none": "#dfe5ea", "heat-some": "#f0a646", "heat-most": "#8f1d1d"};
 
 export function cssColour(name) {

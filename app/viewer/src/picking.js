@@ -1,4 +1,5 @@
-// Which half wall a ray meets first. Each plate is tested in its body's own frame, as a box cut along the hinge.
+// Which half wall, body or soft part a ray meets first. Each is tested in its body's own frame; soft parts, which go with two bodies,
+// as they stand.
 import {conjugate, turned} from "./quaternion.js";
 
 const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
@@ -18,33 +19,47 @@ function toTriangle(origin, way, a, b, c) {
 }
 
 export class Picker {
-  /** @param parts of mesh() */
-  constructor(plates, {position, index, indices}) {
-    Object.assign(this, {plates, position, index, indices, ofBody: new Map(), reach: new Map()});
-    plates.forEach((plate, n) => {
-      this.ofBody.set(plate.body, [...(this.ofBody.get(plate.body) ?? []), n]);
-      const far = Math.max(...plate.corners.map((c) => Math.hypot(...c))) + Math.hypot(...plate.side);
-      this.reach.set(plate.body, Math.max(far, this.reach.get(plate.body) ?? 0));
-    });
+  /** @param parts of mesh() or solidsOf() */
+  constructor({pieces, position, index, body}) {
+    Object.assign(this, {pieces, position, index, body, ofBody: new Map(), soft: []});
+    for (const piece of pieces) {
+      if (piece.soft) this.soft.push(piece);
+      else this.ofBody.set(piece.body, [...(this.ofBody.get(piece.body) ?? []), piece]);
+    }
   }
 
   corner(n) {
     return [this.position[3 * n], this.position[3 * n + 1], this.position[3 * n + 2]];
   }
 
+  /** Where a corner is, by its own body. */
+  carriedCorner(n, poses) {
+    const at = 7 * this.body[n], arm = turned([...poses.subarray(at + 3, at + 7)], this.corner(n));
+    return arm.map((v, k) => v + poses[at + k]);
+  }
+
   /** {body, hinge, local, distance} of what a ray meets in the frame of the poses, or null. `local` is from the body's vertex. */
   pick(origin, way, poses) {
     let best = null;
-    for (const [body, plates] of this.ofBody) {
-      const place = [...poses.subarray(7 * body, 7 * body + 3)], from = minus(origin, place);
-      if (Math.hypot(...cross(from, way)) > this.reach.get(body)) continue;
-      const back = conjugate([...poses.subarray(7 * body + 3, 7 * body + 7)]), o = turned(back, from), w = turned(back, way);
-      for (const n of plates)
-        for (let k = this.indices * n; k < this.indices * (n + 1); k += 3) {
-          const distance = toTriangle(o, w, ...[0, 1, 2].map((c) => this.corner(this.index[k + c])));
-          if (distance < (best?.distance ?? Infinity))
-            best = {body, hinge: this.plates[n].hinge, local: o.map((v, c) => v + distance * w[c]), distance};
-        }
+    const meet = (piece, o, w, corner, localOf) => {
+      for (let k = piece.indices[0]; k < piece.indices[1]; k += 3) {
+        const distance = toTriangle(o, w, ...[0, 1, 2].map((c) => corner(this.index[k + c])));
+        if (distance < (best?.distance ?? Infinity)) best = {body: piece.body, hinge: piece.hinge, local: localOf(distance), distance};
+      }
+    };
+    const along = (o, w, distance) => o.map((v, c) => v + distance * w[c]);
+    const into = (body) => {
+      const place = [...poses.subarray(7 * body, 7 * body + 3)], back = conjugate([...poses.subarray(7 * body + 3, 7 * body + 7)]);
+      return {from: minus(origin, place), o: turned(back, minus(origin, place)), w: turned(back, way)};
+    };
+    for (const [body, pieces] of this.ofBody) {
+      const {from, o, w} = into(body);
+      if (Math.hypot(...cross(from, way)) > Math.max(...pieces.map(({reach}) => reach))) continue;
+      for (const piece of pieces) meet(piece, o, w, (n) => this.corner(n), (distance) => along(o, w, distance));
+    }
+    for (const piece of this.soft) {
+      const {o, w} = into(piece.body);
+      meet(piece, origin, way, (n) => this.carriedCorner(n, poses), (distance) => along(o, w, distance));
     }
     return best;
   }

@@ -75,7 +75,13 @@ export function mesh(plates) {
     });
   });
   const broad = index.filter((_, k) => k % INDICES < BROAD_INDICES);
-  return {position, normal, body, rim, index, broad, corners: CORNERS, indices: INDICES};
+  return {position, normal, body, rim, index, broad, pieces: plates.map(pieceOf)};
+}
+
+/** Whose corners and indices these are in the geometry, and how far it reaches from its body's place. */
+function pieceOf({body, hinge, corners, side}, n) {
+  const reach = Math.max(...corners.map((c) => Math.hypot(...c))) + Math.hypot(...side);
+  return {body, hinge, corners: [CORNERS * n, CORNERS * (n + 1)], indices: [INDICES * n, INDICES * (n + 1)], reach};
 }
 
 function centre(points) {

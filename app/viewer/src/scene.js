@@ -2,10 +2,12 @@
 import * as THREE from "three";
 import {cssColour, heat} from "./colours.js";
 import {Orbit} from "./orbit.js";
+import {HingeAxes} from "./hinge_axes.js";
 import {Picker} from "./picking.js";
 import {Openings} from "./openings.js";
 import {mesh, platesOf} from "./plates.js";
 import {fillPoses, posed, poseTexture} from "./posed_material.js";
+import {solidsOf} from "./solids.js";
 import {standing, standOf} from "./standing.js";
 import {turned} from "./quaternion.js";
 
@@ -34,7 +36,8 @@ export class Scene {
     this.goal = new THREE.Group();
     this.marks = new THREE.Group();
     this.openings = new Openings();
-    this.thing.add(this.goal, this.marks, this.openings.object);
+    this.axes = new HingeAxes();
+    this.thing.add(this.goal, this.marks, this.axes.object, this.openings.object);
     this.world.add(this.thing);
     this.light(inSoftware);
     this.orbit = new Orbit(this.camera, canvas, () => this.redraw(), isTaken);
@@ -61,23 +64,25 @@ export class Scene {
     this.world.add(this.sky, this.sun, this.sun.target, this.ground);
   }
 
-  /** Another sheet; the view stays where it can. @param structure as in result.json */
-  setStructure(structure, {fit = true} = {}) {
+  /** Another sheet; the view stays where it can. @param structure as in result.json
+   *  @param meshes of bodies of any shape, {bodies, hinges} of {points, triangles}: instead of walls */
+  setStructure(structure, {fit = true, meshes = null} = {}) {
     this.solid?.geometry.dispose();
     this.solid?.removeFromParent();
     this.texture?.dispose();
     this.structure = structure;
-    this.plates = platesOf(structure);
     this.rest = structure.bodies.map(({position_mm}) => position_mm);
-    const parts = mesh(this.plates);
-    this.picker = new Picker(this.plates, parts);
+    const parts = meshes ? solidsOf(structure, meshes) : mesh(platesOf(structure));
+    this.pieces = parts.pieces;
+    this.boxes = parts.boxes;
+    this.picker = new Picker(parts);
+    this.axes.set([], structure.cell_mm);
     this.texture = poseTexture(structure.bodies.length);
-    this.corners = parts.corners;
     this.solid = this.solidOf(parts);
     this.thing.add(this.solid);
     this.openings.setStructure(structure);
     this.poses = Float64Array.from(this.rest.flatMap((p) => [...p, 1, 0, 0, 0]));
-    this.size = 0.5 * Math.max(...this.rest.map((p) => Math.hypot(...p.map((v, k) => v - this.rest[0][k]))), structure.cell_mm);
+    this.size = meshes ? 0.5 * extentOf(this) : 0.5 * Math.max(...this.rest.map((p) => Math.hypot(...p.map((v, k) => v - this.rest[0][k]))), structure.cell_mm);
     this.held = null;
     this.rough = false;
     this.recolour();
@@ -112,6 +117,7 @@ export class Scene {
     this.poses = poses;
     fillPoses(this.texture, poses);
     this.openings.show(poses);
+    this.axes.show(poses);
     if (settle || !this.held) this.held = this.stand ? standing(this.stand, poses) : [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
     const [x, y, up] = this.held, m = this.thing.matrix;
     const box = this.boxOf(poses), middle = [0, 1].map((k) => 0.5 * (box.low[k] + box.high[k]));
@@ -125,8 +131,20 @@ export class Scene {
     this.redraw();
   }
 
-  /** Of the vertices as they stand, wide enough for the walls. */
+  /** Axes of hinges that are drawn: [{hinge, colour}]. */
+  setAxes(chosen) {
+    const {hinges, cell_mm} = this.structure;
+    this.axes.set(chosen.map(({hinge, colour}) => {
+      const {bodies: [body], point_mm, axis, reach_mm} = hinges[hinge];
+      return {body, at: point_mm.map((v, k) => v - this.rest[body][k]), axis, half: Math.max(2.5 * reach_mm, 0.3 * cell_mm), colour};
+    }), cell_mm);
+    this.axes.show(this.poses);
+    this.redraw();
+  }
+
+  /** Of the vertices as they stand, wide enough for the walls; of bodies of any shape, that of their boxes. */
   boxOf(poses) {
+    if (this.boxes) return this.boxOfBoxes(poses);
     const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity], {held} = this;
     const half = 0.5 * (this.structure.wall_mm?.height ?? 0.6 * this.structure.cell_mm);
     for (let k = 0; k < poses.length; k += 7) {
@@ -138,6 +156,22 @@ export class Scene {
         if (at + more > high[row]) high[row] = at + more;
       }
     }
+    return {low, high};
+  }
+
+  boxOfBoxes(poses) {
+    const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+    this.boxes.forEach((corners, body) => {
+      const place = poses.subarray(7 * body, 7 * body + 3), turn = [...poses.subarray(7 * body + 3, 7 * body + 7)];
+      for (const corner of corners) {
+        const p = turned(turn, corner).map((v, k) => v + place[k]);
+        this.held.forEach((row, k) => {
+          const at = row[0] * p[0] + row[1] * p[1] + row[2] * p[2];
+          low[k] = Math.min(low[k], at);
+          high[k] = Math.max(high[k], at);
+        });
+      }
+    });
     return {low, high};
   }
 
@@ -169,7 +203,7 @@ export class Scene {
 
   recolour() {
     if (!this.solid) return;
-    this.palette = {plate: cssColour("plate"), bad: cssColour("bad"), chosen: cssColour("accent"), fixed: cssColour("fixed")};
+    this.palette = {plate: cssColour("plate"), soft: cssColour("soft"), bad: cssColour("bad"), chosen: cssColour("accent"), fixed: cssColour("fixed")};
     this.rim.value.copy(cssColour("plate-edge"));
     const dark = cssColour("paper").getHSL({}).l < 0.5;
     this.ground.material.opacity = dark ? 0.55 : 0.22;
@@ -192,27 +226,29 @@ export class Scene {
     this.redraw();
   }
 
-  /** Hinges by what they are: {bad: [..], chosen: [..]}, bodies: {fixed: [..]}. */
+  /** Hinges by what they are: {bad: [..], chosen: [..]}, bodies: {fixed: [..], bodies (that are chosen): [..]}. */
   setMarked(marks) {
     this.marked = marks;
     this.paint();
   }
 
-  colourOf({hinge, body}, sets) {
+  colourOf({hinge, body, soft}, sets) {
     if (sets.chosen.has(hinge)) return this.palette.chosen;
     if (sets.bad.has(hinge)) return this.palette.bad;
-    if (sets.fixed.has(body)) return this.palette.fixed;
-    if (!this.heat) return this.palette.plate;
+    if (sets.bodies.has(body) && !soft) return this.palette.chosen;
+    if (sets.fixed.has(body) && !soft) return this.palette.fixed;
+    if (!this.heat) return soft ? this.palette.soft : this.palette.plate;
     return heat(this.heat.values[this.heat.of === "hinge" ? hinge : body] ?? 0);
   }
 
   paint() {
     if (!this.solid) return;
-    const {bad = [], chosen = [], fixed = []} = this.marked ?? {}, sets = {bad: new Set(bad), chosen: new Set(chosen), fixed: new Set(fixed)};
+    const {bad = [], chosen = [], fixed = [], bodies = []} = this.marked ?? {};
+    const sets = {bad: new Set(bad), chosen: new Set(chosen), fixed: new Set(fixed), bodies: new Set(bodies)};
     const colour = this.solid.geometry.attributes.color;
-    this.plates.forEach((plate, n) => {
-      const {r, g, b} = this.colourOf(plate, sets);
-      for (let k = 3 * this.corners * n; k < 3 * this.corners * (n + 1); k += 3) colour.array[k] = r, colour.array[k + 1] = g, colour.array[k + 2] = b;
+    this.pieces.forEach((piece) => {
+      const {r, g, b} = this.colourOf(piece, sets);
+      for (let k = 3 * piece.corners[0]; k < 3 * piece.corners[1]; k += 3) colour.array[k] = r, colour.array[k + 1] = g, colour.array[k + 2] = b;
     });
     colour.needsUpdate = true;
     this.redraw();
@@ -361,6 +397,12 @@ export class Scene {
     this.render("all");
     return new Promise((resolve) => this.canvas.toBlob(resolve, "image/png"));
   }
+}
+
+/** The longest way through all boxes at rest, mm. */
+function extentOf({boxes, rest}) {
+  const points = boxes.flatMap((corners, body) => corners.map((p) => p.map((v, k) => v + rest[body][k])));
+  return Math.hypot(...[0, 1, 2].map((k) => points.reduce((most, p) => Math.max(most, p[k]), -Infinity) - points.reduce((least, p) => Math.min(least, p[k]), Infinity)));
 }
 
 /** Soft shadows leave a breath of grey on lit ground, whose rim would show. */

@@ -2,6 +2,7 @@
 
 #include <thread>
 
+#include "app/studio/assembly_session.hpp"
 #include "app/studio/server.hpp"
 #include "app/studio/session.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -11,16 +12,26 @@ namespace kinetix::testing {
 /// A studio that is open, with its server and session, as `view` opens it.
 class OpenStudio {
  public:
+  using Maker = std::function<std::unique_ptr<app::studio::SessionLoop>(app::studio::Outlet)>;
+
   explicit OpenStudio(app::DesignFile design, const std::string& target_file = "")
+      : OpenStudio([&](app::studio::Outlet outlet) {
+          return std::make_unique<app::studio::Session>(
+              app::studio::Opened{std::move(design), folder.path("design.yaml"), target_file, 2, 0},
+              std::move(outlet));
+        }) {}
+  explicit OpenStudio(app::AssemblyFile bodies)
+      : OpenStudio([&](app::studio::Outlet outlet) {
+          return std::make_unique<app::studio::AssemblySession>(std::move(bodies), 2, std::move(outlet));
+        }) {}
+  explicit OpenStudio(const Maker& make)
       : server(files(), token, 0,
                {[this](int client) { session->greet(client); },
                 [this](int client, std::string text) { session->post(client, std::move(text)); },
                 [this](int client) { session->dismiss(client); }}) {
-    session = std::make_unique<app::studio::Session>(
-        app::studio::Opened{std::move(design), folder.path("design.yaml"), target_file, 2, 0},
-        app::studio::Outlet{
-            [this](int client, std::string text) { server.tell(client, std::move(text)); },
-            [this](std::shared_ptr<const app::studio::Frame> frame) { server.show(std::move(frame)); }});
+    session =
+        make({[this](int client, std::string text) { server.tell(client, std::move(text)); },
+              [this](std::shared_ptr<const app::studio::Frame> frame) { server.show(std::move(frame)); }});
     worker = std::jthread([this](const std::stop_token& stop) { session->run(stop); });
     listener = std::thread([this] { server.run(); });
   }
@@ -43,7 +54,7 @@ class OpenStudio {
   const std::string token = "0123456789abcdef0123456789abcdef";
   TemporaryFolder folder;
   app::studio::Server server;
-  std::unique_ptr<app::studio::Session> session;
+  std::unique_ptr<app::studio::SessionLoop> session;
   std::jthread worker;
   std::thread listener;
 };

@@ -98,6 +98,7 @@ export class CellMap {
   }
 
   draw() {
+    if (this.state.design.bodies) return;
     const {structure, breaking = []} = this.state.design, edge = structure.cell_mm;
     const xs = structure.bodies.map(({position_mm}) => position_mm[0] / edge), ys = structure.bodies.map(({position_mm}) => position_mm[1] / edge);
     const low = [Math.min(...xs), Math.min(...ys)], high = [Math.max(...xs), Math.max(...ys)];

@@ -1,5 +1,6 @@
 // The design in numbers: sheet, hinges, how they are made, what is wrong with it.
 import {$, degrees, element, neat, say, show, status, typed} from "./dom.js";
+import {turnWords} from "./bodies_panel.js";
 import {CellMap} from "./cell_map.js";
 
 const FAMILIES = {F1: "stays flat: scales and shears", F2: "bends in one direction", F3: "bends with zigzag rows", F4: "folds as a net", planar: "stays flat", creased: "folds along its creases"};
@@ -71,6 +72,7 @@ export class DesignPanel {
     $("undo").disabled = !design.undo;
     $("redo").disabled = !design.redo;
     this.showVerdict();
+    if (design.bodies) return;
     this.showSheet(structure);
     this.showMade();
     this.state.chosen = this.state.chosen.filter((index) => index < structure.hinges.length);
@@ -78,9 +80,9 @@ export class DesignPanel {
   }
 
   showVerdict() {
-    const {exact, family, why, breaking = []} = this.state.design;
-    $("verdict").className = `verdict ${exact ? "good" : "bad"}`;
-    $("verdict_text").textContent = exact ? `Moves exactly: ${FAMILIES[family] ?? family}.` : "Does not move without strain.";
+    const {exact, family, why, breaking = [], bodies} = this.state.design;
+    $("verdict").className = `verdict ${exact ? "good" : bodies?.following ? "" : "bad"}`;
+    $("verdict_text").textContent = bodies ? turnWords(this.state.design) : exact ? `Moves exactly: ${FAMILIES[family] ?? family}.` : "Does not move without strain.";
     const reasons = Array.isArray(why) ? why : why ? [why] : [];
     $("why").replaceChildren(...reasons.map((reason) => element("li", {}, reason)),
       ...(breaking.length ? [element("li", {}, `${breaking.length} ${breaking.length === 1 ? "hinge breaks" : "hinges break"} it, marked red`)] : []));
@@ -110,6 +112,7 @@ export class DesignPanel {
 
   showHinge() {
     const {chosen, design} = this.state;
+    if (design.bodies) return;
     show($("hinge"), chosen.length > 0);
     if (!chosen.length) return;
     const hinge = design.structure.hinges[chosen[0]], form = $("hinge").elements, wall = this.state.wall(chosen[0]);

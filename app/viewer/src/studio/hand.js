@@ -76,10 +76,18 @@ export class Hand {
     const found = this.scene.pick(event.clientX, event.clientY);
     if (this.tool === "fix" && found) return this.fix(found.body);
     if (this.tool !== "select" && this.tool !== "turn") return;
+    if (this.state.design.bodies) return this.chooseThing(found);
     if (!found) return this.state.choose([]);
     this.choose(found.body);
     const add = event.ctrlKey || event.metaKey, {chosen} = this.state;
     this.state.choose(add ? [...new Set([...chosen, found.hinge])] : [found.hinge]);
+  }
+
+  /** Of bodies: the soft part or the body under the pointer. */
+  chooseThing(found) {
+    this.body = found?.body ?? null;
+    if (found?.hinge !== undefined) this.state.chooseHinge(found.hinge);
+    else this.state.chooseBody(this.body);
   }
 
   choose(body) {
@@ -121,7 +129,9 @@ export class Hand {
   nextBody(by, count) {
     if (!count) return false;
     this.choose(((this.body ?? (by > 0 ? -1 : count)) + by + count) % count);
-    const {structure} = this.state.design, hinge = structure.hinges.findIndex(({bodies}) => bodies.includes(this.body));
+    const {structure, bodies} = this.state.design;
+    if (bodies) return this.state.chooseBody(this.body), status(`${structure.bodies[this.body].name}, body ${this.body} of ${count}`), true;
+    const hinge = structure.hinges.findIndex(({bodies}) => bodies.includes(this.body));
     this.state.choose(hinge < 0 ? [] : [hinge]);
     status(`body ${this.body} of ${count}`);
     return true;

@@ -2,6 +2,8 @@
 import {exactMotion} from "../fold.js";
 import {canRecord, record, saveAs} from "../recording.js";
 import {Scene} from "../scene.js";
+import {decoded} from "../solids.js";
+import {BodiesPanel} from "./bodies_panel.js";
 import {Connection} from "./connection.js";
 import {DesignPanel} from "./design_panel.js";
 import {$, degrees, neat, radians, say, show, status} from "./dom.js";
@@ -23,6 +25,7 @@ const scene = new Scene($("scene"), {isTaken: (event) => hand?.takes(event) ?? f
 hand = new Hand(state, scene);
 const bar = new MotionBar(state);
 new DesignPanel(state);
+new BodiesPanel(state);
 new GoalPanel(state);
 new MakePanel(state);
 new PathChart(state);
@@ -39,6 +42,7 @@ connection.on("state", (message) => {
   state.program = message;
   state.changed("program");
 });
+connection.on("meshes", ({bodies, hinges}) => (state.meshes = {bodies: bodies.map(decoded), hinges: hinges.map((mesh) => mesh && decoded(mesh))}));
 connection.on("design", (design) => {
   const first = !state.design, same = !first && sameSheet(state.design, design);
   if (!same) state.found = null;
@@ -88,15 +92,16 @@ function sameSheet(a, b) {
 
 function newSheet(design, first) {
   const before = scene.rest?.length, size = scene.size;
-  scene.setStructure(design.structure, {fit: false});
+  scene.setStructure(design.structure, {fit: false, meshes: design.bodies ? state.meshes : null});
   scene.stand = null;
-  state.motion = design.exact ? exactMotion(design.structure, design.family) : null;
+  state.motion = design.exact && !design.bodies ? exactMotion(design.structure, design.family) : null;
   state.fitting = first || before !== scene.rest.length || Math.abs(size - scene.size) > 0.05 * size;
   scene.setGoal(ghostOf(design, state.found, state.motion));
 }
 
-/** Exact sheets by their shape well folded, so that they do not turn over on the way; others by how they are. */
+/** Exact sheets by their shape well folded, so that they do not turn over on the way; others by how they are; bodies as they were drawn. */
 function stand(frame) {
+  if (state.design.bodies) return scene.standBy(null);
   const theta = Math.max(Math.abs(frame.theta) || 0, STAND_THETA) * (frame.theta < 0 ? -1 : 1);
   scene.standBy(state.motion ? state.motion(Math.min(theta, state.design.theta_range_rad?.[1] || theta)) : frame.poses);
 }
@@ -111,11 +116,18 @@ function turns() {
   return turn.map((value) => value / most);
 }
 
+/** Of the hinge that is turned, and of those that are chosen. */
+function axes() {
+  const {driven} = state.design.bodies, chosen = state.chosen.filter((hinge) => hinge !== driven);
+  scene.setAxes([{hinge: driven, colour: "goal"}, ...chosen.map((hinge) => ({hinge, colour: "accent"}))]);
+}
+
 function marks() {
   if (!state.design) return;
   const {structure, breaking = []} = state.design, choice = $("colour").value;
   scene.setShining(choice === "light");
-  scene.setMarked({bad: breaking, chosen: state.chosen, fixed: state.program.fixed ?? []});
+  scene.setMarked({bad: breaking, chosen: state.chosen, fixed: state.program.fixed ?? [], bodies: state.body === null ? [] : [state.body]});
+  if (state.design.bodies) axes();
   const tilts = structure.hinges.map(({beta_rad}) => Math.abs(beta_rad)), most = Math.max(...tilts, 1e-9), bad = new Set(breaking);
   const off = choice === "distance" ? distancesOf(state.found) : null, farthest = Math.max(...(off ?? []), 1e-9);
   if (choice === "distance") status(off ? `pale: on the goal, dark: ${neat(farthest, 2)} mm off` : "how far it lies off a goal is known of what a search for a curve, a helmet or ribs found");
@@ -123,6 +135,7 @@ function marks() {
   scene.setHeat({tilt: tilts.map((v) => v / most), turn: choice === "turn" ? turns() : null, error: structure.hinges.map((_, k) => (bad.has(k) ? 1 : 0))}[choice] ?? null);
 }
 state.on("chosen", marks);
+state.on("body", marks);
 state.on("program", marks);
 $("colour").addEventListener("change", marks);
 state.on("frame", () => $("colour").value === "turn" && scene.setHeat(turns()));

@@ -1,5 +1,5 @@
 // Mode, fold slider, play, and what only the engine can do.
-import {$, degrees, neat, radians, show} from "./dom.js";
+import {$, degrees, neat, radians, show, status} from "./dom.js";
 
 const PERIOD_S = 5;  // of one way there and back by the play button
 
@@ -28,12 +28,20 @@ export class MotionBar {
 
   setMode(mode) {
     this.play(false);
-    return this.connection.send("mode", {mode}).catch(() => this.showProgram());
+    const asked = this.connection.send("mode", {mode}).catch(() => this.showProgram());
+    if (!this.state.design?.bodies || mode !== "bullet") return asked;
+    status("bodies are cut into convex pieces, which collide\u2026");
+    return asked.then(() => status(""));
+  }
+
+  /** The slider shows theta, of bodies the turn of the driven hinge: as many times theta. */
+  get perTheta() {
+    return this.state.design?.bodies?.turn_per_theta ?? 1;
   }
 
   fold(deg) {
     this.asked = performance.now();
-    this.connection.latest("theta", {deg});
+    this.connection.latest("theta", {deg: deg / this.perTheta});
     this.label(deg);
   }
 
@@ -47,7 +55,7 @@ export class MotionBar {
     $("play").textContent = on ? "Stop" : "Play";
     $("play").setAttribute("aria-pressed", String(on));
     if (!on) return cancelAnimationFrame(this.timer);
-    const {min, max, value} = $("theta"), low = Number(min), high = Number(max);
+    const {value} = $("theta"), [low, high] = this.playRange();
     const share = Math.max(0, Math.min(1, (Number(value) - low) / (high - low || 1)));
     let start = performance.now() - (1000 * PERIOD_S * Math.acos(1 - 2 * share)) / (2 * Math.PI);
     const still = window.matchMedia("(prefers-reduced-motion: reduce)").matches ? 3 : 1;
@@ -59,6 +67,12 @@ export class MotionBar {
       this.timer = requestAnimationFrame(tick);
     };
     this.timer = requestAnimationFrame(tick);
+  }
+
+  /** Of the slider; of bodies where none run into each other. */
+  playRange() {
+    const {min, max} = $("theta"), {meets} = this.state.design?.bodies ?? {};
+    return [Math.max(Number(min), ...(meets?.[0] ? [degrees(meets[0].turn_rad)] : [])), Math.min(Number(max), ...(meets?.[1] ? [degrees(meets[1].turn_rad)] : []))];
   }
 
   showProgram() {
@@ -75,6 +89,7 @@ export class MotionBar {
   }
 
   showDesign() {
+    if (this.state.design.bodies) return this.showTurns();
     const {design} = this.state, [low, high] = design.theta_range_rad ?? [0, radians(40)];
     $("theta").min = Math.max(-89, Math.ceil(10 * degrees(Math.min(0, low))) / 10) || 0;
     $("theta").max = Math.min(89, Math.floor(10 * degrees(high > 0 ? high : radians(40))) / 10);
@@ -85,6 +100,17 @@ export class MotionBar {
     $("driven_by").textContent = design.drive ? `moved by ${design.drive}` : "";
   }
 
+  /** Of bodies: from the least to the most turn of the driven hinge. */
+  showTurns() {
+    const {design: {bodies, structure}} = this.state, [least, most] = bodies.turn_range_rad.map(degrees);
+    Object.assign($("theta"), {min: Math.ceil(10 * least) / 10 || 0, max: Math.floor(10 * most) / 10, disabled: bodies.following});
+    $("theta").setAttribute("aria-label", "Turn of the driven hinge in degrees");
+    $("fold_low").textContent = `${neat(least, 0)}\u00b0`;
+    $("fold_high").textContent = `${neat(most, 0)}\u00b0`;
+    $("driven_by").textContent = `turned at ${structure.hinges[bodies.driven].name}`;
+    document.querySelector('input[name="mode"][value="exact"]').parentElement.title = "All hinges closed, from rest on: no strain, no contact";
+  }
+
   /** Rigid hinges have no unit of force: a hand on them has none either. */
   force(frame) {
     if (Number.isFinite(frame.force)) return `${neat(frame.force, 3)} N`;
@@ -92,7 +118,7 @@ export class MotionBar {
   }
 
   showFrame() {
-    const {frame} = this.state, deg = degrees(frame.theta);
+    const {frame} = this.state, deg = degrees(frame.theta) * this.perTheta;
     $("reading_theta").textContent = Number.isFinite(deg) ? `${neat(deg, 1)}\u00b0` : "\u2013";
     $("reading_force").textContent = this.force(frame);
     $("reading_energy").textContent = Number.isFinite(frame.energy) ? `${neat(frame.energy, 3)} N mm` : "\u2013";

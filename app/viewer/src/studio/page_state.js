@@ -3,7 +3,7 @@
 export class PageState extends EventTarget {
   constructor(connection) {
     super();
-    Object.assign(this, {connection, design: null, program: {mode: "exact", fixed: []}, frame: null, chosen: [], before: null, hello: null});
+    Object.assign(this, {connection, design: null, program: {mode: "exact", fixed: []}, frame: null, chosen: [], body: null, before: null, hello: null});
   }
 
   changed(what) {
@@ -17,6 +17,17 @@ export class PageState extends EventTarget {
   choose(hinges) {
     this.chosen = hinges;
     this.changed("chosen");
+  }
+
+  /** Of a design of bodies: one body or one hinge, of which the panel tells. */
+  chooseBody(body) {
+    this.body = body;
+    this.choose([]);
+  }
+
+  chooseHinge(hinge) {
+    this.body = null;
+    this.choose([hinge]);
   }
 
   get squares() {

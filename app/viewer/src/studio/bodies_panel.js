@@ -1,0 +1,99 @@
+// A design of bodies: how far it turns, its hinges, and what is known of the body or hinge that is chosen.
+import {$, degrees, element, neat, show, status} from "./dom.js";
+
+const MOST_LINES = 8;  // of the list of hinges: the rest is scrolled to
+const KINDS = {block: "soft part", pin: "pin in a bore"};
+const vector = (v, digits) => v.map((each) => neat(each, digits)).join(", ");
+
+export class BodiesPanel {
+  constructor(state) {
+    Object.assign(this, {state, connection: state.connection});
+    $("hinge_list").addEventListener("change", () => this.state.chooseHinge(Number($("hinge_list").value)));
+    $("turn_this").addEventListener("click", () => this.drive());
+    state.on("design", () => this.showDesign());
+    state.on("chosen", () => this.showChosen());
+    state.on("body", () => this.showChosen());
+  }
+
+  get hinges() {
+    return this.state.design.structure.hinges;
+  }
+
+  async drive() {
+    const [hinge] = this.state.chosen;
+    if (hinge === undefined) return status("choose a hinge first");
+    await this.connection.send("driven", {hinge}).catch(() => {});
+    status(`${this.hinges[hinge].name} is turned`);
+  }
+
+  /** What has no meaning for bodies is hidden by the style sheet. */
+  showDesign() {
+    const {bodies, structure} = this.state.design;
+    if (bodies) document.documentElement.dataset.thing = "bodies";
+    else delete document.documentElement.dataset.thing;
+    if (!bodies) return;
+    if (!this.opened) this.state.chosen = [bodies.driven];
+    this.opened = true;
+    for (const option of $("colour").options) option.hidden = option.disabled = !["plain", "turn"].includes(option.value);
+    const of = ({bodies: ends}) => ends.map((body) => structure.bodies[body].name).join(" \u2013 ");
+    $("hinge_list").replaceChildren(...structure.hinges.map((hinge, k) =>
+      element("option", {value: String(k)}, `${hinge.name}${k === bodies.driven ? " (turned)" : ""}: ${of(hinge)}`)));
+    $("hinge_list").size = Math.max(2, Math.min(MOST_LINES, structure.hinges.length));
+    const size = this.state.design.flat_mm.map((v) => neat(v, 1)).join(" \u00d7 ");
+    $("bodies_size").textContent = `${structure.bodies.length} bodies, ${structure.hinges.length} hinges, ${size} mm at rest`;
+    this.showChosen();
+  }
+
+  showChosen() {
+    if (!this.state.design?.bodies) return;
+    const {body, chosen: [hinge]} = this.state;
+    $("hinge_list").value = hinge === undefined ? "" : String(hinge);
+    $("turn_this").disabled = hinge === undefined || hinge === this.state.design.bodies.driven;
+    show($("chosen_thing"), hinge !== undefined || body !== null);
+    if (hinge !== undefined) this.showHinge(this.hinges[hinge]);
+    else if (body !== null) this.showBody(body);
+  }
+
+  showRows(title, rows) {
+    $("chosen_title").textContent = title;
+    $("chosen_rows").replaceChildren(...rows.map(([name, value]) => element("div", {}, element("dt", {}, name), element("dd", {}, value))));
+  }
+
+  showHinge({name, kind, bodies, axis, point_mm, reach_mm, k, confidence, diameter_mm, clearance_mm}) {
+    const {structure} = this.state.design;
+    this.showRows(name, [
+      ["kind", KINDS[kind] ?? kind],
+      ["joins", bodies.flatMap((body, n) => [n ? " and " : "", this.link(structure.bodies[body].name, () => this.state.chooseBody(body))])],
+      ["axis", vector(axis, 4)],
+      ["through", `${vector(point_mm, 3)} mm`],
+      ["reach", `${neat(reach_mm, 2)} mm`],
+      ...(diameter_mm ? [["rod", `${neat(diameter_mm, 3)} mm, clearance ${neat(clearance_mm, 3)} mm`]] : []),
+      ["turning", `${neat(k.turn, 4)} N mm/rad`],
+      ["pull", `${neat(k.axial, 3)} N/mm, shear ${neat(k.shear, 3)}, along the axis ${neat(k.along, 3)}`],
+      ["sure", `${neat(100 * confidence, 0)} % of its axis`],
+    ]);
+  }
+
+  showBody(body) {
+    const {structure} = this.state.design, at = this.hinges.flatMap(({bodies}, k) => (bodies.includes(body) ? [k] : []));
+    this.showRows(structure.bodies[body].name, [
+      ["kind", "rigid body"],
+      ["center", `${vector(structure.bodies[body].position_mm, 3)} mm at rest`],
+      ["hinges", at.flatMap((hinge, n) => [n ? ", " : "", this.link(this.hinges[hinge].name, () => this.state.chooseHinge(hinge))])],
+    ]);
+  }
+
+  link(text, click) {
+    return element("button", {type: "button", class: "link", click}, text);
+  }
+}
+
+/** Which way and how far it turns, in a sentence for the heading of the panel. */
+export function turnWords({bodies, exact, structure}) {
+  const {name} = structure.hinges[bodies.driven];
+  if (bodies.following) return `Following ${name}\u2026`;
+  if (!exact) return `${name} does not turn.`;
+  const met = bodies.meets?.some((meeting) => meeting), ends = bodies.turn_range_rad.map((turn, k) => bodies.meets?.[k]?.turn_rad ?? turn);
+  const [least, most] = ends.map((turn) => neat(degrees(turn), 0));
+  return `${name} turns from ${least}\u00b0 to ${most}\u00b0${met ? " until bodies meet" : ""}.`;
+}

@@ -1,0 +1,256 @@
+#include "app/studio/assembly_session.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/io/atomic_file.hpp"
+#include "app/studio/base64.hpp"
+#include "app/studio/view_command.hpp"
+#include "model/base/angle.hpp"
+#include "tests/app/studio/client.hpp"
+#include "tests/app/studio/studio.hpp"
+#include "tests/support/strip_solids.hpp"
+
+namespace kinetix::testing {
+namespace {
+
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+constexpr double wall = 20, gap = 1;  // mm: from hinge to hinge, and between two walls
+
+/// A wall or a block about a place in the plane, turned there about z.
+model::ModelPart part(const std::string& name, bool soft, double length, double x, double y, double deg) {
+  const Isometry3d place = Eigen::Translation3d(x, y, 0) *
+                           Isometry3d(Eigen::AngleAxisd(deg * radians_per_degree, Vector3d::UnitZ()));
+  return {name, soft, moved(box_solid(-length / 2, length / 2, 0.8, 6), place)};
+}
+
+/// Two walls in a line along x, and the block between them, whose axis is that of z.
+app::AssemblyFile pair_of_walls() {
+  return {.name = "pair",
+          .assembly = model::make_assembly({part("left", false, wall - gap, -wall / 2, 0, 0),
+                                            part("right", false, wall - gap, wall / 2, 0, 0),
+                                            part("joint", true, gap, 0, 0, 0)})};
+}
+
+/// Four crosses at the corners of a square, with walls between them: a parallelogram. Its blocks are in the walls' middles.
+app::AssemblyFile parallelogram() {
+  std::vector<model::ModelPart> parts;
+  const double corner[4][2] = {{0, 0}, {wall, 0}, {wall, wall}, {0, wall}};
+  for (int k = 0; k < 4; ++k) {
+    const double *a = corner[k], *b = corner[(k + 1) % 4];
+    const double half = wall / 2 - gap / 2, deg = 90.0 * (k + 1);
+    const Isometry3d place =
+        Eigen::Translation3d(a[0], a[1], 0) *
+        Isometry3d(Eigen::AngleAxisd((deg - 90) * radians_per_degree, Vector3d::UnitZ()));
+    // An angle of two arms: one closed shell, its section in the plane an L.
+    model::Polyhedron angle;
+    const std::vector<Eigen::Vector2d> outline = {{-0.4, -0.4}, {half, -0.4}, {half, 0.4},
+                                                  {0.4, 0.4},   {0.4, half},  {-0.4, half}};
+    const int n = static_cast<int>(outline.size());
+    for (const double z : {-3.0, 3.0})
+      for (const auto& p : outline) angle.points.emplace_back(p.x(), p.y(), z);
+    for (int i = 0; i < n; ++i) angle.add_face({i, (i + 1) % n, n + (i + 1) % n, n + i});
+    angle.add_face({3, 2, 1, 0});
+    angle.add_face({5, 4, 3, 0});
+    angle.add_face({n + 0, n + 1, n + 2, n + 3});
+    angle.add_face({n + 0, n + 3, n + 4, n + 5});
+    parts.push_back({"corner_" + std::to_string(k), false, moved(angle, place)});
+    parts.push_back(part("joint_" + std::to_string(k), true, gap, (a[0] + b[0]) / 2, (a[1] + b[1]) / 2,
+                         k % 2 == 0 ? 0 : 90));
+  }
+  return {.name = "parallelogram", .assembly = model::make_assembly(parts)};
+}
+
+Eigen::Isometry3d pose_of(const Received& frame, int body) {
+  const std::vector<double> v = frame.pose(body);
+  return Eigen::Translation3d(v[0], v[1], v[2]) * Eigen::Quaterniond(v[3], v[4], v[5], v[6]);
+}
+
+/// Where a point of a body, at its rest place, is in a frame.
+Vector3d carried(const Received& frame, const model::Assembly& assembly, int body, const Vector3d& at) {
+  return pose_of(frame, body) * (at - assembly.bodies[body].position);
+}
+
+/// The design once the way of its hinge is known. @param hinge that is to be turned; nothing: whichever it is
+json followed(Client& client, std::optional<int> hinge = {}) {
+  json design = client.text("design");
+  const auto waits = [&] {
+    const json& bodies = design["bodies"];
+    return bodies["following"].get<bool>() || (hinge && bodies["driven"] != *hinge);
+  };
+  while (waits()) design = client.text("design");
+  return design;
+}
+
+class StudioOfBodies : public ::testing::Test {
+ protected:
+  explicit StudioOfBodies(app::AssemblyFile opened = pair_of_walls()) : file(std::move(opened)) {}
+  void SetUp() override {
+    ASSERT_TRUE(client.open(studio.token));
+    meshes = client.text("meshes");
+    design = followed(client);
+  }
+  std::string refusal(const json& command) {
+    client.send(command.dump());
+    return client.text("error")["message"];
+  }
+
+  app::AssemblyFile file;
+  OpenStudio studio{file};
+  Client client{studio.port()};
+  json meshes, design;
+};
+
+class StudioOfALoop : public StudioOfBodies {
+ protected:
+  StudioOfALoop() : StudioOfBodies(parallelogram()) {}
+};
+
+TEST_F(StudioOfBodies, TellsMeshesNamesAndHowFarAFreeHingeTurns) {
+  for (int b = 0; b < 2; ++b) {
+    const model::Polyhedron& solid = file.assembly.bodies[b].solid;
+    const std::string bytes = app::studio::from_base64(meshes["bodies"][b]["points"].get<std::string>());
+    ASSERT_EQ(bytes.size(), 12 * solid.points.size());
+    const auto* v = reinterpret_cast<const float*>(bytes.data());
+    for (std::size_t p = 0; p < solid.points.size(); ++p)
+      EXPECT_LT((Vector3d(v[3 * p], v[3 * p + 1], v[3 * p + 2]) - solid.points[p]).norm(), 1e-5);
+    EXPECT_EQ(app::studio::from_base64(meshes["bodies"][b]["triangles"].get<std::string>()).size(),
+              12 * solid.triangles.size());
+  }
+  EXPECT_FALSE(meshes["hinges"][0].is_null());
+  EXPECT_EQ(design["structure"]["bodies"][1]["name"], "right");
+  EXPECT_EQ(design["structure"]["hinges"][0]["kind"], "block");
+  EXPECT_GT(design["structure"]["hinges"][0]["k"]["turn"], 0);
+  EXPECT_TRUE(design["exact"]);
+  EXPECT_TRUE(design["bodies"]["opens"][0].is_null());
+  EXPECT_NEAR(design["bodies"]["turn_range_rad"][0].get<double>(), -178 * radians_per_degree, 1e-12);
+  EXPECT_NEAR(design["bodies"]["turn_range_rad"][1].get<double>(), 178 * radians_per_degree, 1e-12);
+}
+
+TEST_F(StudioOfBodies, NamesTheTurnAtWhichTwoWallsMeet) {
+  while (design["bodies"]["meets"].is_null()) design = client.text("design");
+  // Corners of the two ends, 0.5 mm before and behind the axis and 0.4 mm beside it, meet where these subtend no angle any more.
+  const double meet = 2 * std::atan2(gap / 2, 0.4), step = 2 * radians_per_degree;
+  for (int side = 0; side < 2; ++side) {
+    const json& met = design["bodies"]["meets"][side];
+    const double turn = met["turn_rad"], sign = side == 0 ? -1 : 1;
+    EXPECT_GT(sign * turn, meet - 1e-9);
+    EXPECT_LT(sign * turn, meet + 2 * step);
+    EXPECT_EQ(met["bodies"], json({0, 1}));
+  }
+  EXPECT_THAT(design["why"].dump(), HasSubstr("left and right run into each other"));
+}
+
+TEST_F(StudioOfBodies, TurnsTheSecondBodyAboutTheAxis) {
+  const model::AssemblyHinge& hinge = file.assembly.hinges[0];
+  const double per_theta = design["bodies"]["turn_per_theta"];
+  for (const double deg : {12.3, -60.0, 0.0, 88.0}) {
+    const Received frame = client.ask({{"type", "theta"}, {"deg", deg}});
+    const Eigen::AngleAxisd turn(per_theta * deg * radians_per_degree, hinge.axis);
+    EXPECT_NEAR(frame.head(3), deg * radians_per_degree, 1e-12);
+    const auto lower = pose_of(frame, hinge.lower), upper = pose_of(frame, hinge.upper);
+    EXPECT_LT((lower.linear().transpose() * upper.linear() - turn.toRotationMatrix()).norm(), 1e-9);
+    EXPECT_LT((carried(frame, file.assembly, hinge.lower, hinge.point) -
+               carried(frame, file.assembly, hinge.upper, hinge.point))
+                  .norm(),
+              1e-8);
+  }
+}
+
+TEST_F(StudioOfBodies, StopsWhereItsWayEnds) {
+  const Received frame = client.ask({{"type", "theta"}, {"deg", 89}});
+  EXPECT_NEAR(frame.head(3), 89 * radians_per_degree, 1e-12);
+  EXPECT_THAT(refusal({{"type", "theta"}, {"deg", 90}}), HasSubstr("deg: must be"));
+}
+
+TEST_F(StudioOfBodies, FollowsAHandAlongItsOneWay) {
+  const model::AssemblyHinge& hinge = file.assembly.hinges[0];
+  const Received there = client.ask({{"type", "theta"}, {"deg", 10}});
+  const Vector3d to = pose_of(there, hinge.upper).translation();
+  client.ask({{"type", "theta"}, {"deg", 3}});
+  const Received frame =
+      client.ask({{"type", "drag"}, {"body", hinge.upper}, {"to", {to.x(), to.y(), to.z()}}});
+  EXPECT_NEAR(frame.head(3), 10 * radians_per_degree, 1e-5);
+}
+
+TEST_F(StudioOfBodies, RefusesWhatIsOfSheets) {
+  EXPECT_THAT(refusal({{"type", "search"}, {"target", ""}}), HasSubstr("search: is of sheets"));
+  EXPECT_THAT(refusal({{"type", "hinge"}, {"index", 0}, {"t", 0.4}}), HasSubstr("hinge: is of sheets"));
+  EXPECT_THAT(refusal({{"type", "mode"}, {"mode", "equilibrium"}}),
+              HasSubstr("simulate --model equilibrium"));
+  EXPECT_THAT(refusal({{"type", "dance"}}), HasSubstr("unknown command"));
+  EXPECT_THAT(refusal({{"type", "driven"}, {"hinge", 1}}), HasSubstr("hinge: must be"));
+  EXPECT_THAT(refusal({{"type", "step"}}), HasSubstr("mode bullet"));
+}
+
+TEST_F(StudioOfBodies, IsPulledAndTurnedInThePhysics) {
+  const Received before = client.ask({{"type", "mode"}, {"mode", "bullet"}});
+  EXPECT_EQ(before.head(8), 2);
+  client.ask({{"type", "fix"}, {"body", 0}, {"fixed", true}});
+  client.send(R"({"type": "drag", "body": 1, "to": [6, 9, 0]})");
+  const model::AssemblyHinge& hinge = file.assembly.hinges[0];
+  Received frame;
+  for (int tries = 0; tries < 2000; ++tries) {
+    frame = client.receive();
+    if (frame.frame.empty()) continue;
+    client.acknowledge(frame);
+    if (pose_of(frame, 1).translation().y() > 5) break;
+  }
+  EXPECT_GT(pose_of(frame, 1).translation().y(), 5);
+  EXPECT_LT((pose_of(frame, 0).translation() - pose_of(before, 0).translation()).norm(), 0.5);
+  EXPECT_LT(
+      (carried(frame, file.assembly, 0, hinge.point) - carried(frame, file.assembly, 1, hinge.point)).norm(),
+      0.2);
+}
+
+TEST_F(StudioOfALoop, KeepsOppositeBodiesOfAParallelogramParallel) {
+  const Received frame = client.ask({{"type", "theta"}, {"deg", 17.5}});
+  EXPECT_NEAR(std::abs(frame.head(3)), 17.5 * radians_per_degree, 1e-12);
+  for (const int k : {0, 1})
+    EXPECT_LT((pose_of(frame, k).linear() - pose_of(frame, k + 2).linear()).norm(), 1e-6);
+  EXPECT_GT((pose_of(frame, 0).linear() - pose_of(frame, 1).linear()).norm(), 0.5);
+}
+
+TEST_F(StudioOfALoop, TurnsByAnotherHinge) {
+  const int first = design["bodies"]["driven"], other = (first + 1) % 4;
+  client.ask({{"type", "theta"}, {"deg", 17.5}});
+  client.send(json{{"type", "driven"}, {"hinge", other}}.dump());
+  const json changed = followed(client, other);
+  EXPECT_EQ(changed["bodies"]["driven"], other);
+  EXPECT_GT(changed["revision"], design["revision"]);
+  EXPECT_EQ(changed["structure"], design["structure"]);
+  const Received frame = client.ask({{"type", "theta"}, {"deg", 20}});
+  EXPECT_LT((pose_of(frame, 0).linear() - pose_of(frame, 2).linear()).norm(), 1e-6);
+}
+
+TEST(StudioOfBodiesOpened, IsAsFarTurnedAsItsDriveSays) {
+  app::AssemblyFile file = pair_of_walls();
+  file.driven = 0;
+  file.angle = 40 * radians_per_degree;
+  OpenStudio studio{file};
+  Client client{studio.port()};
+  ASSERT_TRUE(client.open(studio.token));
+  const json design = followed(client);
+  const Received frame = client.ask({{"type", "release"}});
+  EXPECT_NEAR(frame.head(3) * design["bodies"]["turn_per_theta"].get<double>(), file.angle, 1e-12);
+}
+
+TEST(StudioOfBodiesOpened, RefusesABrokenFileWithItsPlace) {
+  const TemporaryFolder folder;
+  const std::string file = folder.path("design.yaml");
+  for (const app::NamedContent& content : assembly_files(pair_of_walls()))
+    if (content.name == "design.yaml") app::write_file(file, content.content);
+  try {
+    app::view_command({}, {.source = file, .opens_page = false});
+    ADD_FAILURE() << "opened without its meshes";
+  } catch (const InvalidInput& e) {
+    EXPECT_THAT(e.what(), HasSubstr("parts/left.stl"));
+  }
+}
+
+}  // namespace
+}  // namespace kinetix::testing
