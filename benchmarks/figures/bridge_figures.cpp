@@ -4,6 +4,9 @@
 #include <regex>
 
 #include "benchmarks/figure.hpp"
+#include "benchmarks/stopwatch.hpp"
+#include "model/base/rigid_fit.hpp"
+#include "tests/app/print/mujoco_judge.hpp"
 #include "tests/app/program.hpp"
 
 namespace kinetix::bench {
@@ -52,8 +55,57 @@ Figure blender_scene() {
   return figure;
 }
 
+#ifdef KINETIX_MUJOCO
+/// Positions of the bodies in the first state of a result, mm, a column each.
+Eigen::Matrix3Xd target_positions(const nlohmann::json& result) {
+  const auto& poses = result["states"][0]["poses"];
+  Eigen::Matrix3Xd out(3, poses.size());
+  for (std::size_t b = 0; b < poses.size(); ++b)
+    for (int k = 0; k < 3; ++k) out(k, static_cast<Eigen::Index>(b)) = poses[b]["position_mm"][k];
+  return out;
+}
+
+/// The scene that is exported, folded in MuJoCo by its actuator, against the shape that it was made for.
+Figure mjcf_round_trip(const std::string& goal, const std::string& hinge) {
+  Figure figure{fmt::format("MJCF there and back: {} with {}s, folded in MuJoCo", goal, hinge),
+                "<= 0.05 cell edges from the exact shape", "not exported", false};
+  const Scratch folder;
+  const std::string found = folder / "found", printed = folder / "print";
+  output_of(fmt::format("{} {}/{}.yaml --no-verify --quiet -o {}", KINETIX_OPT, KINETIX_SHAPES, goal, found));
+  output_of(fmt::format("{} export {} --format mjcf --hinge {} -o {}", KINETIX_OPT, found, hinge, printed));
+  const std::string scene = testing::text_of(fmt::format("{}/{}.xml", printed, goal));
+  if (scene.empty()) return figure;
+  const auto result = nlohmann::json::parse(testing::text_of(found + "/result.json"));
+  testing::MujocoVerdict verdict;
+  const double took = seconds([&] { verdict = testing::fold_in_mujoco(scene, 1, 1.2); });
+  figure.measured = verdict.error;
+  const Eigen::Matrix3Xd exact = target_positions(result);
+  if (!verdict.error.empty() || exact.cols() != static_cast<Eigen::Index>(verdict.positions.size()))
+    return figure;
+  Eigen::Matrix3Xd folded(3, exact.cols());
+  for (Eigen::Index b = 0; b < exact.cols(); ++b) folded.col(b) = 1e3 * verdict.positions[b];
+  const Eigen::Matrix4d motion = rigid_fit(folded, exact);
+  const double off =
+      ((motion.topLeftCorner<3, 3>() * folded).colwise() + motion.topRightCorner<3, 1>().eval() - exact)
+          .colwise()
+          .norm()
+          .maxCoeff() /
+      double(result["structure"]["cell_mm"]);
+  figure.measured = fmt::format("{:.1e} cell edges, {} bodies, {:.1f} s", off, exact.cols(), took);
+  figure.met = off <= 0.05;
+  return figure;
+}
+#endif
+
 }  // namespace
 
-std::vector<Figure> bridge_figures() { return {python_folds(), blender_scene()}; }
+std::vector<Figure> bridge_figures() {
+  std::vector<Figure> all{python_folds(), blender_scene()};
+#ifdef KINETIX_MUJOCO
+  for (const char* goal : {"helmet_rib", "half_circle"})
+    for (const char* hinge : {"block", "pin"}) all.push_back(mjcf_round_trip(goal, hinge));
+#endif
+  return all;
+}
 
 }  // namespace kinetix::bench
