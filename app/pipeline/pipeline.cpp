@@ -35,6 +35,20 @@ void judge_prints(Run& run, const Scene& scene, const RunOptions& options) {
   if (!run.printed) run.plan.why.push_back("what prints come to is not known: " + run.prints_unknown);
 }
 
+/// Puts right one end of a range whose samples have missed walls that touch before.
+void correct(model::ThetaLimit& sampled, const model::CertifiedLimit& proven, Plan& plan) {
+  if (!proven.contact || std::abs(sampled.theta) <= std::abs(*proven.contact)) return;
+  plan.why.push_back(fmt::format("walls touch at theta {:.2f} deg already, and part again between samples",
+                                 to_degrees(*proven.contact)));
+  sampled = {proven.theta, true, proven.walls};
+}
+
+void correct_samples(Run& run) {
+  if (!run.plan.free_range || !run.certified->designed) return;
+  correct(run.plan.free_range->negative, run.certified->designed.negative, run.plan);
+  correct(run.plan.free_range->positive, run.certified->designed.positive, run.plan);
+}
+
 /// Walls that do overlap on the way to a goal, whichever states its search has looked at.
 void judge_contact(Run& run) {
   const model::CertifiedLimit& limit = run.certified->designed.to(run.theta);
@@ -80,6 +94,7 @@ Run run_scene(const Scene& scene, const RunOptions& options) {
   if (options.certify && !options.stop.stop_requested()) {
     options.progress("contact", -1);
     run.certified = certify(run.structure, run.plan, run.process.sd);
+    correct_samples(run);
     judge_contact(run);
   }
   run.timings.certify = watch.lap();

@@ -84,7 +84,9 @@ TEST(Certify, SeesWhatSamplesMissOnTheWayToAHelix) {
   const Told told = told_of(helix_design(28), "exact");
   const Json& high = told.result["certified"]["design"]["high"];
   EXPECT_LT(to_degrees(high["contact_rad"].get<double>()), 25.2);
-  EXPECT_GT(to_degrees(told.result["metrics"]["theta_limit_rad"].get<double>()), 28);
+  EXPECT_EQ(told.result["metrics"]["theta_limit_rad"], high["theta_rad"]);
+  EXPECT_THAT(told.result["plan"]["why"].dump(), HasSubstr("walls touch at theta 25.13 deg already"));
+  EXPECT_THAT(told.words, HasSubstr("collide at theta 25.13 deg, before this state"));
   EXPECT_EQ(told.result["certified"]["covers_theta"], false);
   EXPECT_THAT(told.words, HasSubstr("NOT PROVEN"));
   EXPECT_EQ(told_of(helix_design(25), "exact").result["certified"]["covers_theta"], true);
