@@ -4,13 +4,17 @@
 # make python: the program, and the Python module in build/release/python (PYTHONPATH).
 # make package: build/package/kinetix_*.deb, with the Python module.
 # make bench: measure the figures of benchmarks/README.md.   make format: lay out every source as .clang-format says.
+# make fuzz: the readers under libFuzzer, FUZZ_SECONDS each; make fuzz-program: FUZZ_RUNS runs of the whole program.
 # make docs: write docs/formats.md and the schemas anew from the tables of keys.
 JOBS ?= $(shell nproc)
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 PROGRAM_PACKAGES := build/.installed/program
+# Seconds of each fuzzer, and runs of the whole program.
+FUZZ_SECONDS ?= 600
+FUZZ_RUNS ?= 100000
 ALL_PACKAGES := $(patsubst packages/%.txt,build/.installed/%,$(wildcard packages/*.txt))
 
-.PHONY: demo program python package install test faults dev asan tsan bench format docs packages clean
+.PHONY: demo program python package install test faults dev asan tsan fuzz fuzz-program bench format docs packages clean
 
 demo: program
 	build/release/bin/kinetix-opt targets/shapes/helmet_rib.yaml -o results/helmet_rib
@@ -48,6 +52,14 @@ asan tsan: $(ALL_PACKAGES)
 	cmake --preset $@
 	cmake --build --preset $@ -j $(JOBS)
 	ctest --preset $@
+
+fuzz: $(ALL_PACKAGES)
+	cmake --preset $@
+	cmake --build --preset $@ -j $(JOBS)
+	tests/fuzz/fuzz.sh build/fuzz $(FUZZ_SECONDS)
+
+fuzz-program: program
+	tests/fuzz/whole_program.py build/release/bin/kinetix-opt $(FUZZ_RUNS) --keep build/fuzz/found
 
 bench: $(ALL_PACKAGES)
 	cmake --preset release

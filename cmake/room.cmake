@@ -22,13 +22,17 @@ if(KINETIX_DEV)
     -Wno-sign-conversion -Wno-restrict -Wno-array-bounds -Wno-stringop-overread -Wno-stringop-overflow -Werror -UNDEBUG)
 else()
   # GCC 12 warns by itself of each "text" + std::string: https://gcc.gnu.org/bugzilla/show_bug.cgi?id=105329
-  target_compile_options(kinetix_flags INTERFACE -Wno-stringop-overflow)
+  target_compile_options(kinetix_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>)
+endif()
+if(KINETIX_FUZZ)
+  # libFuzzer follows which branches an input takes; what a sanitizer finds ends the program, so that the input is kept.
+  target_compile_options(kinetix_flags INTERFACE -fsanitize=fuzzer-no-link -fno-sanitize-recover=all)
 endif()
 if(KINETIX_SANITIZE)
   # GCC 12 calls std::regex uninitialized once the sanitizers' code is in it, and warns of every fence in Boost's own
   # event loop, which the thread sanitizer does not see: what is only ordered by them is listed in cmake/tsan.supp.
   target_compile_options(kinetix_flags INTERFACE -fsanitize=${KINETIX_SANITIZE} -fno-omit-frame-pointer
-    -Wno-maybe-uninitialized)
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   if(KINETIX_SANITIZE STREQUAL "thread")
     target_compile_options(kinetix_flags INTERFACE -Wno-tsan)
   endif()

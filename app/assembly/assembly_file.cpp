@@ -173,7 +173,7 @@ class Reader {
     const targets::Section section(node, body_keys());
     model::AssemblyBody body;
     const targets::Node name = section.required("name", "its name");
-    body.name = name.text("its name");
+    body.name = usable_name(name);
     if (!body_of_.try_emplace(body.name, static_cast<int>(out_.bodies.size())).second)
       throw name.error("two bodies have this name");
     body.solid = read_shell(section.required("file", "the file of its surface, e.g. `parts/body_1.stl`"));
@@ -193,7 +193,7 @@ class Reader {
     const targets::Section section(node, joint_keys());
     model::AssemblyHinge hinge;
     const targets::Node name = section.required("name", "its name");
-    hinge.name = name.text("its name");
+    hinge.name = usable_name(name);
     if (std::find(out_hinges_.begin(), out_hinges_.end(), hinge.name) != out_hinges_.end())
       throw name.error("two hinges have this name");
     const targets::Node bodies = section.required("bodies", "the names of its two bodies");
@@ -221,6 +221,8 @@ class Reader {
     section.read("clearance_mm", hinge.clearance_mm);
     section.read("confidence", hinge.confidence);
     if (const auto file = section.optional("file")) hinge.soft = read_shell(*file);
+    if (!hinge.soft.points.empty() && body_of_.contains(hinge.name))
+      throw name.error("a body has this name; each is written into a file that is called so");
     out_hinges_.push_back(hinge.name);
     out_.hinges.push_back(std::move(hinge));
   }

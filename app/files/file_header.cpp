@@ -49,10 +49,14 @@ void check_version(const targets::Section& root) {
 std::string read_name(const targets::Section& root) {
   const auto node = root.optional("name");
   if (!node) return file_stem(root);
-  const std::string name = node->text(wanted_name);
+  return usable_name(*node);
+}
+
+std::string usable_name(const targets::Node& node) {
+  const std::string name = node.text(wanted_name);
   const bool is_good = std::all_of(name.begin(), name.end(), is_allowed) && name[0] != '.';
   if (!is_good || name.size() > longest_name)
-    throw node->error(std::string("is not a usable name; give ") + wanted_name);
+    throw node.error(std::string("is not a usable name; give ") + wanted_name);
   return name;
 }
 

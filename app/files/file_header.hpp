@@ -18,5 +18,7 @@ void check_version(const targets::Section& root);
 /// names the folder of results: 1 to 100 letters, digits, `_`, `-` and `.`, not starting with a point.
 /// @throws InvalidInput for any other name
 std::string read_name(const targets::Section& root);
+/// Such a name: of anything that a file or folder is called by, so that none is written elsewhere.
+std::string usable_name(const targets::Node& node);
 
 }  // namespace kinetix::app

@@ -360,6 +360,8 @@ OrigamiFile parse_origami(const std::string& text, const std::string& file) {
     const auto line = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n') + 1;
     throw InvalidInput("is not JSON, as a FOLD file must be",
                        {file, static_cast<int>(line), targets::column_of(text, at)});
+  } catch (const Json::out_of_range&) {
+    throw InvalidInput("holds a number that is beyond what a number can hold", {file});
   } catch (const InvalidInput& e) {
     if (!e.place().file.empty()) throw;
     throw InvalidInput(e.reason(), {file});

@@ -10,6 +10,9 @@
 namespace kinetix::app {
 namespace {
 
+constexpr double max_coordinate =
+    1e9;  // of a point, in the file's unit: a thousand kilometres of millimetres
+
 ModelFile one_mesh(const std::string& file) {
   const targets::TriangleMesh mesh = targets::read_mesh(file);
   ModelFile out{file, {}};
@@ -36,7 +39,12 @@ ModelFile read_by_ending(const std::string& file) {
 ModelFile read_model_file(const std::string& file) {
   ModelFile model = read_by_ending(file);
   std::size_t triangles = 0;
-  for (const FoundMesh& mesh : model.meshes) triangles += mesh.soup.triangles.size();
+  for (const FoundMesh& mesh : model.meshes) {
+    triangles += mesh.soup.triangles.size();
+    for (const Eigen::Vector3d& p : mesh.soup.points)
+      if (!(p.cwiseAbs().maxCoeff() <= max_coordinate))
+        throw InvalidInput("has a point whose coordinates are no numbers within a thousand million", {file});
+  }
   if (triangles == 0) throw InvalidInput("has no triangles", {file});
   if (triangles > max_model_triangles)
     throw InvalidInput("has " + std::to_string(triangles) + " triangles; at most " +

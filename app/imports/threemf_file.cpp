@@ -19,6 +19,11 @@ constexpr zip_int64_t max_entries = 10'000;  // files of a package: thumbnails a
 constexpr zip_uint64_t max_model_bytes =
     512u << 20;                          // bytes, unpacked: a million triangles take some 100 MB as text
 constexpr int max_component_depth = 32;  // objects in objects: assemblies of assemblies have three or four
+constexpr int max_placed_objects =
+    100'000;  // of the build, those in others counted each time: a model of that many parts is none that folds
+constexpr std::size_t max_points = 3 * max_model_triangles;  // of all meshes: a point for each corner
+// Of a model's XML, 1: a million triangles have a third as many. What is more fills memory many times its size.
+constexpr std::ptrdiff_t max_tags = 4'000'000, max_attributes = 12'000'000;
 
 class Package {
  public:
@@ -49,6 +54,9 @@ class Package {
     const zip_int64_t read = opened ? zip_fread(opened.get(), out.data(), out.size()) : -1;
     if (read != static_cast<zip_int64_t>(out.size()))
       throw InvalidInput("is damaged in `" + name + "`", {file_});
+    if (std::count(out.begin(), out.end(), '<') > max_tags ||
+        std::count(out.begin(), out.end(), '=') > max_attributes)
+      throw InvalidInput("holds far more in `" + name + "` than a model of a million triangles", {file_});
     return out;
   }
 
@@ -164,6 +172,9 @@ class ThreemfModel {
   void add_object(int id, const Eigen::Affine3d& X, int depth, const std::string& name) {
     if (depth > max_component_depth)
       fail("has an object " + std::to_string(id) + " that is a part of itself, or 32 deep");
+    if (++placed_ > max_placed_objects)
+      fail("places objects more than " + std::to_string(max_placed_objects) +
+           " times, those in others counted each time");
     const pugi::xml_node& node = object(id);
     const std::string own = node.attribute("name").value();
     const std::string called = own.empty() ? name : own;
@@ -191,10 +202,16 @@ class ThreemfModel {
     return found->second[index];
   }
 
+  void count_points(std::size_t more) {
+    if ((points_ += more) > max_points) fail("has too many points; thin the model out");
+  }
+
   void add_mesh(const pugi::xml_node& node, const Eigen::Affine3d& X, const std::string& name) {
     std::vector<Eigen::Vector3d> points;
-    for (const pugi::xml_node& v : node.child("mesh").child("vertices").children("vertex"))
+    for (const pugi::xml_node& v : node.child("mesh").child("vertices").children("vertex")) {
+      count_points(1);
       points.push_back(X * Eigen::Vector3d(coordinate(v, "x"), coordinate(v, "y"), coordinate(v, "z")));
+    }
     const bool mirrored = X.linear().determinant() < 0;
     std::map<std::string, std::size_t> mesh_of;  // by material, in the order of their first triangle
     for (const pugi::xml_node& t : node.child("mesh").child("triangles").children("triangle")) {
@@ -209,6 +226,7 @@ class ThreemfModel {
       if (mirrored) std::swap(corners[1], corners[2]);
       const std::string material = material_of(t, node);
       const auto [found, is_new] = mesh_of.try_emplace(material, out_.meshes.size());
+      if (is_new && found->second > 0) count_points(points.size());
       if (is_new) out_.meshes.push_back({name, material, {points, {}}});
       out_.meshes[found->second].soup.triangles.push_back(corners);
     }
@@ -218,7 +236,8 @@ class ThreemfModel {
   pugi::xml_node root_;
   std::map<int, std::vector<std::string>> materials_;
   std::map<int, pugi::xml_node> objects_;
-  std::size_t triangles_ = 0;
+  std::size_t triangles_ = 0, points_ = 0;
+  int placed_ = 0;  ///< objects so far
   ModelFile out_;
 };
 

@@ -87,6 +87,7 @@ DesignFile with_cells(DesignFile design, std::vector<model::Cell> cells, const m
 /// tilts of the other sign and the other half of the wall on every second one. Others get the same.
 void alternate(const model::Structure& squares, const std::vector<int>& hinges, const Message& message,
                double edge_mm, model::Sheet& sheet) {
+  if (hinges.empty()) return;
   model::Hinge first = squares.hinges[hinges.front()];
   change(first.parameters, message, edge_mm);
   const std::vector<model::Hinge> before = squares.hinges;

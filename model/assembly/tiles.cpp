@@ -1,10 +1,9 @@
 #include "model/assembly/tiles.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
@@ -41,6 +40,14 @@ double median_of(std::vector<double> all) {
   std::nth_element(all.begin(), all.begin() + static_cast<long>(all.size() / 2), all.end());
   return all[all.size() / 2];
 }
+
+std::string short_text(double x) {
+  char out[32];
+  std::snprintf(out, sizeof out, "%.3g", x);
+  return out;
+}
+
+std::string joint_words(std::size_t joint) { return "joint " + std::to_string(joint + 1) + ": "; }
 
 [[noreturn]] void refuse_tile(std::size_t tile, const std::string& why) {
   throw InvalidInput("tile " + std::to_string(tile + 1) + " " + why);
@@ -108,9 +115,9 @@ class TileShape {
     for (std::size_t k = 0; k < n; ++k) {
       const Vector3d before = corners_[k] - corners_[(k + n - 1) % n],
                      after = corners_[(k + 1) % n] - corners_[k];
-      if (!(before.norm() > 0)) refuse_tile(tile_, fmt::format("has corner {} twice", k + 1));
+      if (!(before.norm() > 0)) refuse_tile(tile_, "has corner " + std::to_string(k + 1) + " twice");
       if (!(normal_.dot(before.cross(after)) > 0))
-        refuse_tile(tile_, fmt::format("is not convex at corner {}; cut it into convex ones", k + 1));
+        refuse_tile(tile_, "is not convex at corner " + std::to_string(k + 1) + "; cut it into convex ones");
     }
   }
 
@@ -122,7 +129,7 @@ class TileShape {
       corners_ = cut_off(corners_, whole[k] + make_.kerf_mm / 2 * inwards, inwards);
     }
     if (corners_.size() < 3)
-      refuse_tile(tile_, fmt::format("is narrower than the cuts, {:.3g} mm", make_.kerf_mm));
+      refuse_tile(tile_, "is narrower than the cuts, " + short_text(make_.kerf_mm) + " mm");
   }
 
   std::size_t tile_;
@@ -161,14 +168,15 @@ class TileBuilder {
   }
 
   Vector3d corner(std::size_t joint, int tile, int corner) const {
-    const std::string what = fmt::format("joint {}: ", joint + 1);
+    const std::string what = joint_words(joint);
     const int tiles = static_cast<int>(sheet_.tiles.size());
     if (tile < 0 || tile >= tiles)
-      throw InvalidInput(what + fmt::format("there is no tile {}; they go from 0 to {}", tile, tiles - 1));
+      throw InvalidInput(what + "there is no tile " + std::to_string(tile) + "; they go from 0 to " +
+                         std::to_string(tiles - 1));
     const int corners = static_cast<int>(sheet_.tiles[tile].size());
     if (corner < 0 || corner >= corners)
-      throw InvalidInput(
-          what + fmt::format("tile {} has no corner {}; they go from 0 to {}", tile, corner, corners - 1));
+      throw InvalidInput(what + "tile " + std::to_string(tile) + " has no corner " + std::to_string(corner) +
+                         "; they go from 0 to " + std::to_string(corners - 1));
     return sheet_.tiles[tile][corner];
   }
 
@@ -177,10 +185,10 @@ class TileBuilder {
     const Vector3d a = corner(number, joint.first, joint.first_corner),
                    b = corner(number, joint.second, joint.second_corner);
     if (joint.first == joint.second)
-      throw InvalidInput(fmt::format("joint {}: joins tile {} with itself", number + 1, joint.first));
+      throw InvalidInput(joint_words(number) + "joins tile " + std::to_string(joint.first) + " with itself");
     if (!((a - b).norm() <= joined_share * edge_))
-      throw InvalidInput(fmt::format("joint {}: corners that it joins are {:.2g} of an edge apart",
-                                     number + 1, (a - b).norm() / edge_));
+      throw InvalidInput(joint_words(number) + "corners that it joins are " +
+                         short_text((a - b).norm() / edge_) + " of an edge apart");
     AssemblyHinge hinge{"joint_" + std::to_string(number + 1), std::min(joint.first, joint.second),
                         std::max(joint.first, joint.second), HingeKind::pin, make_.scale_mm * (a + b) / 2};
     const Vector3d &n = normals_[hinge.lower], &m = normals_[hinge.upper];
@@ -199,7 +207,7 @@ class TileBuilder {
     for (const AssemblyHinge& h : out_.hinges) joined.unite(h.lower, h.upper);
     for (int b = 1; b < static_cast<int>(out_.bodies.size()); ++b)
       if (joined.find(b) != joined.find(0))
-        throw InvalidInput(fmt::format("tile {} hangs on no chain of joints with tile 1", b + 1));
+        throw InvalidInput("tile " + std::to_string(b + 1) + " hangs on no chain of joints with tile 1");
   }
 
   const TileSheet& sheet_;

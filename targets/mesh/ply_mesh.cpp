@@ -126,6 +126,7 @@ class PlyReader {
 
   /// @param corners position of the property that lists a face's corners; -1 to skip the element
   void read_faces(const PlyHeader::Element& element, int corners) {
+    if (element.properties.empty()) return;  // however many there are: each is nothing
     for (std::size_t f = 0; f < element.count; ++f)
       for (int k = 0; k < static_cast<int>(element.properties.size()); ++k) {
         read_property(element.properties[k]);

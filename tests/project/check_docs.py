@@ -12,7 +12,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-SKIPPED = {".git", "build", "results", "__pycache__", "node_modules"}
+# Also inputs of fuzzers, which are no text.
+SKIPPED = {".git", "build", "results", "__pycache__", "node_modules", "corpus"}
 CODE = {".hpp", ".cpp", ".in", ".py", ".cmake", ".sh", ".js", ".mjs", ".html", ".css", ""}
 TEXTS = CODE | {".md", ".txt", ".yaml", ".json"}
 SELF = "tests/project/check_docs.py"  # cites pages that do not exist, to see that it notices

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 
 #include "app/goals/read_target.hpp"
 #include "app/goals/registry.hpp"
@@ -133,7 +134,10 @@ bool moves_goal(const targets::DocumentEditor& document, const Edit& edit) {
 /// What would make an edit without effect, or ambiguous.
 void check_edits(const DoeFile& doe, const Columns& columns, const SweepBase& base,
                  const targets::DocumentEditor& document) {
-  std::vector<std::pair<Edit::Kind, int>> written;
+  std::set<std::pair<Edit::Kind, int>> written;
+  const bool cells_change = std::any_of(columns.edits.begin(), columns.edits.end(), [&](const Edit& edit) {
+    return edit.kind == Edit::Kind::document && document.path(edit.index).starts_with("structure.cells");
+  });
   for (const Edit& edit : columns.edits) {
     const targets::Node& node = columns.nodes[edit.factor];
     if (edit.kind == Edit::Kind::theta_deg && base.design->drive)
@@ -143,14 +147,11 @@ void check_edits(const DoeFile& doe, const Columns& columns, const SweepBase& ba
           "cannot change while samples start from the base's state; vary hinges and stiffnesses, or "
           "leave out `start: base`");
     const auto kind = edit.kind == Edit::Kind::t_mm ? Edit::Kind::t : edit.kind;
-    if (std::find(written.begin(), written.end(), std::pair{kind, edit.index}) != written.end())
+    if (!written.emplace(kind, edit.index).second)
       throw node.error("writes a number of the base that a factor writes already");
-    written.emplace_back(kind, edit.index);
     const bool structural = edit.kind != Edit::Kind::document && edit.kind != Edit::Kind::theta_deg;
-    for (const Edit& other : columns.edits)
-      if (structural && other.kind == Edit::Kind::document &&
-          document.path(other.index).starts_with("structure.cells"))
-        throw node.error("hinges cannot be varied one by one while `structure.cells` changes");
+    if (structural && cells_change)
+      throw node.error("hinges cannot be varied one by one while `structure.cells` changes");
   }
 }
 
@@ -178,14 +179,17 @@ std::vector<Metric> find_responses(const DoeFile& doe, const SweepBase& base, co
   return responses;
 }
 
+void check_count(const DoeFile& doe, std::size_t factors, std::size_t responses) {
+  if (factors + responses > most_columns)
+    throw doe.root.error(fmt::format("{} factors and {} responses are more than a table can hold; at most {}",
+                                     factors, responses, most_columns));
+}
+
 void check_columns(const DoeFile& doe, const Columns& columns, const std::vector<Metric>& responses) {
   for (std::size_t r = 0; r < responses.size(); ++r)
     for (const optim::Factor& factor : columns.factors)
       if (targets::lower_case(factor.name) == targets::lower_case(responses[r].name))
         throw doe.responses[r].error("is the name of a factor too; give that one a `name`");
-  if (columns.factors.size() + responses.size() > most_columns)
-    throw doe.root.error(fmt::format("{} factors and {} responses are more than a table can hold; at most {}",
-                                     columns.factors.size(), responses.size(), most_columns));
 }
 
 void check_model(const DoeFile& doe, const SweepBase& base) {
@@ -276,6 +280,7 @@ SweepPlan make_sweep_plan(const std::string& file, std::optional<std::uint64_t> 
   targets::DocumentEditor document(base.root);
   Columns columns;
   for (const DoeFactor& factor : doe.factors) add_factor(columns, base, document, doe, factor);
+  check_count(doe, columns.factors.size(), doe.responses.size());
   check_names(columns);
   check_edits(doe, columns, base, document);
   Target goal = doe.goal ? read_goal(*doe.goal) : Target{};

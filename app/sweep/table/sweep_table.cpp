@@ -59,6 +59,10 @@ std::string columns_of(const SweepPlan& plan) {
   return text + ", status TEXT NOT NULL, reason TEXT NOT NULL";
 }
 
+/// How the tables were made. Whatever else is called so in a file (a view, columns that are computed) could run for ever.
+std::string samples_sql(const SweepPlan& plan) { return "CREATE TABLE samples(" + columns_of(plan) + ")"; }
+const std::string meta_sql = "CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL)";
+
 SampleStatus status_of(const std::string& word) {
   for (const auto status : {SampleStatus::ok, SampleStatus::missed, SampleStatus::disagrees})
     if (to_string(status) == word) return status;
@@ -94,9 +98,12 @@ SweepTable::SweepTable(const std::string& folder, const SweepPlan& plan, const S
   try {
     if (sqlite3_open(file_.c_str(), &database_) != SQLITE_OK) fail();
     sqlite3_busy_timeout(database_, busy_ms);
+    sqlite3_db_config(database_, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
     run("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
     const bool is_there = Statement(database_, "SELECT 1 FROM sqlite_master WHERE name = 'meta'").step();
+    if (is_there) check_made("meta", meta_sql);
     if (is_there) check(identity);
+    if (is_there) check_made("samples", samples_sql(plan));
     if (is_there) find_done(plan.size());
     if (is_there && !resume)
       throw InvalidInput(fmt::format("already exists, with {} of {} samples; continue with --resume, or give "
@@ -136,8 +143,7 @@ void SweepTable::run(const std::string& sql) const {
 }
 
 void SweepTable::create(const SweepPlan& plan, const SweepIdentity& identity) {
-  run("BEGIN; CREATE TABLE samples(" + columns_of(plan) +
-      "); CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL)");
+  run("BEGIN; " + samples_sql(plan) + "; " + meta_sql);
   for (const auto& [key, value] : identity) {
     Statement insert(database_, "INSERT INTO meta VALUES(?, ?)");
     insert.bind(1, key);
@@ -147,6 +153,13 @@ void SweepTable::create(const SweepPlan& plan, const SweepIdentity& identity) {
   }
   run("COMMIT");
   done_.assign(static_cast<std::size_t>(plan.size()), false);
+}
+
+void SweepTable::check_made(const std::string& table, const std::string& sql) const {
+  Statement made(database_, "SELECT sql FROM sqlite_master WHERE name = ?");
+  made.bind(1, table);
+  if (!made.step() || made.text(0) != sql || made.step())
+    throw InvalidInput("is not the table of a sweep", {file_});
 }
 
 void SweepTable::check(const SweepIdentity& identity) const {

@@ -45,6 +45,7 @@ class SweepTable {
   struct Lock;
 
   void create(const SweepPlan& plan, const SweepIdentity& identity);
+  void check_made(const std::string& table, const std::string& sql) const;
   void check(const SweepIdentity& identity) const;
   void find_done(std::int64_t samples);
   void insert(const SampleRow& row);

@@ -98,6 +98,7 @@ TEST(OrigamiFile, SaysWhichVertexFaceOrEdgeIsWrong) {
   model::QuadMesh mesh = mesh_of(3, 3, 2);
   const std::string good = fold_text(mesh, 9);
   expect_refused("{", "is not JSON");
+  expect_refused("{\"vertices_coords\": [[1e999, 0]]}", "beyond what a number can hold");
   expect_refused("[]", "its JSON is not an object");
   expect_refused(replaced(good, "faces_vertices", "faces"), "it has no `faces_vertices`");
   expect_refused(replaced(good, "[15, 14, 10, 11]", "[15, 14, 10]"), "face 0 has 3 corners");

@@ -169,7 +169,8 @@ TEST(Import, RefusesWhatIsNoModel) {
       "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('','',(''),(''),'','','');\n"
       "FILE_SCHEMA(('AUTOMOTIVE_DESIGN'));\nENDSEC;\nDATA;\nENDSEC;\nEND-ISO-10303-21;\n",
       "model.step");
-  expect_refused("model.glb", "glTF and no more than that", "is damaged");
+  expect_refused("model.glb", "glTF and no more than that", "is binary glTF of another version than 2");
+  expect_refused("model.glb", std::string("glTF\2\0\0\0abcd", 12), "is damaged: it ends early");
   expect_refused("model.obj", "v 0 0 nan\n", "model.obj:1");
   expect_refused("model.obj", "v 0 0 0\nf 1 2 3\n", "model.obj:2");
   expect_refused("model.obj", "v 0 0 0\n", "has no triangles");
@@ -185,6 +186,14 @@ TEST(Import, RefusesPackagesThatMeanHarm) {
                  threemf("<object id=\"1\"><components><component objectid=\"1\"/></components></object>",
                          "<item objectid=\"1\"/>"),
                  "has an object 1 that is a part of itself");
+  std::string doubled = "<object id=\"40\"/>";  // each object of two of the next: 2^30 of the last
+  for (int id = 10; id < 40; ++id)
+    doubled += fmt::format(
+        "<object id=\"{0}\"><components><component objectid=\"{1}\"/><component "
+        "objectid=\"{1}\"/></components></object>",
+        id, id + 1);
+  expect_refused("model.3mf", threemf(doubled, "<item objectid=\"10\"/>"),
+                 "places objects more than 100000 times");
   expect_refused("model.3mf", threemf("", "<item objectid=\"7\"/>"), "names an object 7 that is not there");
   expect_refused(
       "model.3mf",
@@ -192,6 +201,49 @@ TEST(Import, RefusesPackagesThatMeanHarm) {
           "<object id=\"1\"><mesh><vertices><vertex x=\"0\" y=\"0\" z=\"inf\"/></vertices></mesh></object>",
           "<item objectid=\"1\"/>"),
       "has a vertex whose z is not a finite number: `inf`");
+}
+
+/// A glTF file of one node with the mesh of one triangle, whose keys are as given.
+std::string glb(const std::string& nodes, const std::string& accessors, const std::string& primitive) {
+  std::string json = fmt::format(
+      R"({{"asset": {{"version": "2.0"}}, "scenes": [{{"nodes": [0]}}], "nodes": [{}], "meshes": [{{"primitives": [{}]}}],
+          "accessors": [{}], "bufferViews": [{{"buffer": 0, "byteLength": 36}}], "buffers": [{{"byteLength": 36}}]}})",
+      nodes, primitive, accessors);
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  const auto word = [](std::size_t number) {
+    const auto value = static_cast<std::uint32_t>(number);
+    return std::string(reinterpret_cast<const char*>(&value), sizeof value);
+  };
+  return "glTF" + word(2) + word(12 + 8 + json.size() + 8 + 36) + word(json.size()) + "JSON" + json +
+         word(36) + std::string("BIN\0", 4) + std::string(36, '\0');
+}
+
+TEST(Import, RefusesGltfThatNamesWhatIsNotThere) {
+  const std::string node = R"({"mesh": 0})",
+                    three = R"({"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"})",
+                    corners = R"({"bufferView": 0, "componentType": 5125, "count": 3, "type": "SCALAR"})",
+                    mesh = R"({"attributes": {"POSITION": 0}})";
+  const auto with = [](std::string text, const std::string& old, const std::string& other) {
+    return text.replace(text.find(old), old.size(), other);
+  };
+  expect_refused("model.glb", glb(node, with(three, "3,", "4,"), mesh), "its buffer ends early");
+  expect_refused("model.glb", glb(node, with(three, "\"bufferView\": 0", "\"bufferView\": 1"), mesh),
+                 "names one of `bufferViews` that is not there");
+  expect_refused("model.glb", glb(node, with(three, "\"bufferView\": 0, ", ""), mesh),
+                 "compressed or sparse");
+  expect_refused("model.glb", glb(R"({"mesh": 0, "children": [0]})", three, mesh), "over 256 deep");
+  expect_refused("model.glb", glb(R"({"mesh": 0, "scale": [1, 1]})", three, mesh), "a node's `scale`");
+  expect_refused("model.glb",
+                 glb(R"({"mesh": 0, "skin": 0})", three,
+                     R"({"attributes": {"POSITION": 0, "JOINTS_0": 0, "WEIGHTS_0": 0}})"),
+                 "names one of `skins` that is not there");
+  const std::string two = with(three, "3,", "2,");
+  std::string far = glb(node, two + ", " + corners, R"({"attributes": {"POSITION": 0}, "indices": 1})");
+  far[far.size() - 28] = 2;  // the third corner: of points 0 and 1
+  expect_refused("model.glb", far, "names a point that is not there");
+  const std::string deep =
+      R"({"attributes": {"POSITION": 0}, "extras": )" + std::string(100, '[') + std::string(100, ']') + "}";
+  expect_refused("model.glb", glb(node, three, deep), "lists in one another, over 64 deep");
 }
 
 TEST(Import, RefusesMoreThanAMillionTriangles) {
@@ -216,6 +268,21 @@ TEST(Import, NamesFileAndPartOfWhatIsNoSolid) {
                  "soft part `joint` touches 1 hard part: `left`");
   expect_refused("pair.obj", with(moved(right(), Isometry3d(Eigen::Translation3d(-4, 0.2, 0)))),
                  "hard parts `left` and `right` overlap");
+}
+
+// A body's name is that of a file in the folder of results.
+TEST(Import, NamesThatLeadElsewhereAreRefusedInItsDesign) {
+  const Scratch scratch;
+  imported(scratch, scratch.write("pair.obj", pair_of_walls()));
+  std::string design = text_of(scratch / "out/design.yaml");
+  const std::string old = "{name: left_wall,", other = "{name: ../../left,";
+  ASSERT_NE(design.find(old), std::string::npos) << design;
+  scratch.write("out/design.yaml", design.replace(design.find(old), old.size(), other));
+  const Outcome run = kinetix_opt("simulate " + (scratch / "out/design.yaml").string() + " --quiet -o " +
+                                  (scratch / "results").string());
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, HasSubstr("is not a usable name"));
+  EXPECT_FALSE(fs::exists(scratch / "left.stl"));
 }
 
 TEST(Import, IsExportedAndImportedAgain) {

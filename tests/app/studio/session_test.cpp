@@ -80,6 +80,11 @@ TEST_F(Studio, AColumnIsTiltedInOneStepThatCanBeUndone) {
   EXPECT_EQ(client.text("design")["structure"], design["structure"]);
 }
 
+TEST_F(Studio, TakesAStrokeOverNoHinge) {
+  client.send(R"({"type": "hinge", "indices": [], "beta_deg": 12, "alternate": true})");
+  EXPECT_EQ(client.text("design")["structure"], design["structure"]);
+}
+
 TEST_F(Studio, FoldsAlongTheClosedForm) {
   for (const double deg : {20.0, -31.0, 0.0, 40.0}) {
     const Received frame = client.ask({{"type", "theta"}, {"deg", deg}});

@@ -119,5 +119,17 @@ TEST(SweepBadInput, AFolderThatCannotBeWrittenIsNamed) {
   EXPECT_THAT(run.err, HasSubstr("/proc/nowhere: cannot create this output folder"));
 }
 
+// Names of so many columns were compared with each other before: a minute of a sheet of 100 x 100 cells.
+TEST(SweepBadInput, CountsItsColumnsBeforeItComparesThem) {
+  const Scratch scratch;
+  const Outcome run = run_sweep_in(
+      scratch,
+      sweep_of("{kind: monte_carlo, samples: 10}",
+               "  - {path: \"design.walls[*].t\", range: [0.4, 0.6], each: true}\n", "moved_rms_mm"),
+      "", "kinetix: 1\nstructure: {cells: [60, 60]}\ndesign: {theta_deg: 20}\n");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, HasSubstr("factors and 1 responses are more than a table can hold; at most 1900"));
+}
+
 }  // namespace
 }  // namespace kinetix::testing

@@ -195,5 +195,23 @@ TEST(SweepTable, AFileThatIsNoTableIsLeftAlone) {
   EXPECT_THAT(text_of(scratch / "out/sweep.sqlite"), HasSubstr("my aunt"));
 }
 
+TEST(SweepTable, AViewWithoutEndInItsPlaceIsRefused) {
+  const Scratch scratch;
+  const std::string small =
+      sweep_of("{kind: factorial}", "  - {path: design.theta_deg, range: [5, 40]}\n", "end_mm");
+  ASSERT_EQ(run_sweep_in(scratch, small).code, 0);
+  const std::string script = scratch.write(
+      "change.py",
+      "import sqlite3, sys\n"
+      "table = sqlite3.connect(sys.argv[1])\n"
+      "table.executescript('DROP TABLE samples; CREATE VIEW samples AS WITH RECURSIVE n(sample) AS '\n"
+      "                    '(SELECT 0 UNION ALL SELECT sample FROM n) SELECT sample FROM n')\n");
+  ASSERT_EQ(
+      std::system(("/usr/bin/python3 " + script + " " + (scratch / "out/sweep.sqlite").string()).c_str()), 0);
+  const Outcome run = run_sweep_in(scratch, small, "--resume");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, HasSubstr("is not the table of a sweep"));
+}
+
 }  // namespace
 }  // namespace kinetix::testing

@@ -148,7 +148,7 @@ TEST(Tiles, RefuseWhatCannotBe) {
   sheet.joints[0].first_corner = 4;
   EXPECT_THAT(refused_tiles(sheet), HasSubstr("joint 1: tile 0 has no corner 4"));
   sheet.joints[0].first_corner = 3;
-  EXPECT_THAT(refused_tiles(sheet), HasSubstr("joint 1: corners that it joins are 1.4 of an edge apart"));
+  EXPECT_THAT(refused_tiles(sheet), HasSubstr("joint 1: corners that it joins are 1.41 of an edge apart"));
   sheet = rotating_squares(3, 1, 0.3);
   sheet.joints.pop_back();
   EXPECT_THAT(refused_tiles(sheet), HasSubstr("tile 3 hangs on no chain of joints with tile 1"));

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "app/goals/read_target.hpp"
+#include "app/pipeline/design_scene.hpp"
+#include "tests/fuzz/input_folder.hpp"
+
+namespace kinetix::fuzz {
+
+/// What `check` does with a target: reads it, and tells what it comes to.
+inline void check_target(const targets::Node& root) {
+  if (app::read_target(root).goal->forecast().search_s < 0) fail("a search that takes less than no time");
+}
+
+/// The same of a design.
+inline void check_design(const targets::Node& root) {
+  make_scene(app::read_design(root), app::Model::bullet)->forecast();
+}
+
+/// A document of our own in the folder of inputs, which names one of them.
+inline targets::Node document_of(const std::string& text) {
+  return targets::parse_document("kinetix: 1\n" + text + "\n", input_folder().path("document.yaml"));
+}
+
+}  // namespace kinetix::fuzz

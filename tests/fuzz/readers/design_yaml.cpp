@@ -1,0 +1,36 @@
+#include "app/assembly/assembly_file.hpp"
+#include "tests/fuzz/document_of.hpp"
+
+using namespace kinetix;
+
+namespace {
+
+/// The text of a design is that of what is read of it.
+void expect_round_trip(const app::DesignFile& design) {
+  const std::string text = design_text(design), file = fuzz::input_folder().path("again.yaml");
+  try {
+    if (design_text(app::read_design(targets::parse_document(text, file))) != text)
+      fuzz::fail("another design is read back than was written:\n" + text);
+  } catch (const InvalidInput& e) {
+    fuzz::fail(std::string("our own text is refused: ") + e.what() + "\n" + text);
+  }
+}
+
+void read(const std::string& file) {
+  const targets::Node root = targets::read_document(file, app::max_design_bytes);
+  if (app::is_assembly(root)) {
+    app::assembly_files(app::read_assembly(root));
+    return;
+  }
+  expect_round_trip(app::read_design(root));
+  fuzz::check_design(root);
+}
+
+}  // namespace
+
+/// A design.yaml, of a sheet or of general bodies.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string file = fuzz::input_folder().write("input.yaml", data, size);
+  fuzz::read_or_refuse([&] { read(file); });
+  return 0;
+}

@@ -1,0 +1,15 @@
+#include "tests/fuzz/document_of.hpp"
+
+using namespace kinetix;
+
+/// A drawing as the lattice of a design: SVG where it has an element, else DXF.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const bool is_svg = std::string(reinterpret_cast<const char*>(data), size).find('<') != std::string::npos;
+  const std::string name = is_svg ? "input.svg" : "input.dxf";
+  fuzz::input_folder().write(name, data, size);
+  fuzz::read_or_refuse([&] {
+    fuzz::check_design(
+        fuzz::document_of("structure: {lattice: graph, drawing: " + name + "}\ndesign: {theta_deg: 20}"));
+  });
+  return 0;
+}

@@ -1,0 +1,34 @@
+#include "tests/fuzz/mesh_of.hpp"
+
+using namespace kinetix;
+
+namespace {
+
+std::string word_of(std::size_t number) {
+  std::string word;
+  for (int k = 0; k < 4; ++k) word += static_cast<char>(number >> (8 * k) & 0xff);
+  return word;
+}
+
+std::string chunk(const std::string& kind, std::string content, char padding) {
+  while (content.size() % 4 != 0) content += padding;
+  return word_of(content.size()) + kind + content;
+}
+
+/// A file of version 2 whose lengths are right: its JSON up to the first byte 0, then its buffer.
+std::string glb_of(const std::string& given) {
+  const std::size_t end = std::min(given.find('\0'), given.size());
+  std::string chunks = chunk("JSON", given.substr(0, end), ' ');
+  if (end < given.size()) chunks += chunk(std::string("BIN\0", 4), given.substr(end + 1), '\0');
+  return "glTF" + word_of(2) + word_of(12 + chunks.size()) + chunks;
+}
+
+}  // namespace
+
+/// A binary glTF file, or what it holds: JSON, then its buffer.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string given(reinterpret_cast<const char*>(data), size);
+  const std::string file = given.starts_with('{') ? glb_of(given) : given;
+  fuzz::read_as_model(fuzz::input_folder().write("input.glb", file));
+  return 0;
+}

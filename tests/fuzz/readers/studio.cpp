@@ -1,0 +1,39 @@
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "app/studio/session.hpp"
+#include "app/studio/templates.hpp"
+#include "tests/fuzz/input_folder.hpp"
+
+using namespace kinetix;
+using app::studio::Session;
+
+namespace {
+
+/// Commands that leave the session's thread or write files: how long they take is no matter of what is read.
+bool is_long(const std::string& text) {
+  const auto command = nlohmann::json::parse(text, nullptr, false);
+  if (!command.is_object()) return false;
+  static const std::set<nlohmann::json> types = {"search", "save", "export"};
+  return types.contains(command.value("type", nlohmann::json())) ||
+         command.value("mode", nlohmann::json()) == "equilibrium";
+}
+
+}  // namespace
+
+/// What a page says, one message a line, to a session in its own thread. It ends at its answer to the last one.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  std::stop_source stop;
+  Session session({app::studio::template_design("strip"), fuzz::input_folder().path("saved.yaml"), "", 1, 0},
+                  {[&](int client, const std::string&) {
+                     if (client == 1) stop.request_stop();
+                   },
+                   [](const auto&) {}});
+  std::istringstream lines(std::string(reinterpret_cast<const char*>(data), size));
+  for (std::string line; std::getline(lines, line);)
+    if (!is_long(line)) session.post(0, line);
+  session.post(1, "the last message, which is none");
+  session.run(stop.get_token());
+  return 0;
+}

@@ -1,0 +1,13 @@
+#include "app/print/format/zip_text.hpp"
+#include "tests/fuzz/mesh_of.hpp"
+
+using namespace kinetix;
+
+/// A 3MF package, or the XML of its model, which a change of a package would not reach: its sums would be wrong.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string given(reinterpret_cast<const char*>(data), size);
+  const bool is_model = given.starts_with('<');
+  const std::string package = is_model ? app::zip_text({{"3D/3dmodel.model", given}}) : given;
+  fuzz::read_as_model(fuzz::input_folder().write("input.3mf", package));
+  return 0;
+}
