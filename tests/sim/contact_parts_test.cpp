@@ -76,8 +76,18 @@ TEST(ContactParts, AreForRotaryHinges) {
       InvalidInput);
 }
 
-/// Three arms of 0.8 x 6 mm in a row with blocks between them at x = 0 and x = 10, and a stop of the first one over the last.
+/// Angle of the last of three arms where the corner of a stop at x = 12, y = 4 lies on its upper side, as far off its middle line as that
+/// is thick, and the arm before it is turned by phi.
+double pressed_angle(double phi) {
+  const Eigen::Vector2d to_corner =
+      Eigen::Vector2d(12, 4) - 10 * Eigen::Vector2d(std::cos(phi), std::sin(phi));
+  return std::atan2(to_corner.y(), to_corner.x()) - std::asin(0.4 / to_corner.norm());
+}
+
+/// Three arms of 0.8 x 6 mm in a row with blocks between them at x = 0 and x = 10, a stop of the first one over the last, and a corner of
+/// the middle one that keeps the last from turning down by 0.3 degrees more than the stop asks for at the drive's end.
 struct ArmsAndStop {
+  const double phi = 30 * radians_per_degree;  // of the drive
   model::Assembly assembly;
   model::ConvexBodies bodies;
 
@@ -90,8 +100,14 @@ struct ArmsAndStop {
                        {.name = "second", .lower = 1, .upper = 2, .point = {10, 0, 0}, .reach_mm = 2}};
     for (model::AssemblyHinge& h : assembly.hinges)
       h.k = {.axial = 2000, .shear = 2000, .along = 2000, .turn = 5};
-    for (int b = 0; b < 3; ++b) bodies.pieces.push_back(testing::box_piece(b, {0, 0, 0}, {4.5, 0.4, 3}));
-    bodies.pieces.insert(bodies.pieces.begin() + 1, testing::box_piece(0, {20, 5, 0}, {3, 1, 5}));
+    const Eigen::Vector3d arm(4.5, 0.4, 3);
+    const double down = pressed_angle(phi) - phi - 0.3 * radians_per_degree;
+    const double x =
+        (0.4 - 5 * std::cos(down)) / std::sin(down);  // 5 mm below the hinge, on the last arm's lower side
+    bodies.pieces = {testing::box_piece(0, {0, 0, 0}, arm), testing::box_piece(0, {20, 5, 0}, {3, 1, 5}),
+                     testing::box_piece(1, {0, 0, 0}, arm),
+                     testing::box_piece(1, {5 + x - 1, -5.5, 0}, {1, 0.5, 3}),
+                     testing::box_piece(2, {0, 0, 0}, arm)};
   }
 
   ContactParts parts() const {
@@ -100,24 +116,20 @@ struct ArmsAndStop {
     for (const model::ContactPiece& piece : bodies.pieces) out.of_body[piece.body].push_back(piece.corners);
     return out;
   }
-};
 
-/// Where the corner of the stop at x = 12, y = 4 lies on the upper side of the last arm: as far off its middle line as that is thick.
-model::State pressed_state(double phi) {
-  const Eigen::Vector3d hinge(10 * std::cos(phi), 10 * std::sin(phi), 0);
-  const Eigen::Vector3d to_corner = Eigen::Vector3d(12, 4, 0) - hinge;
-  const double last = std::atan2(to_corner.y(), to_corner.x()) - std::asin(0.4 / to_corner.norm());
-  const auto turned = [](double angle) { return rotation_of(angle * Eigen::Vector3d::UnitZ()); };
-  return {{Eigen::Matrix3d::Identity(), {-5, 0, 0}},
-          {turned(phi), turned(phi) * Eigen::Vector3d(5, 0, 0)},
-          {turned(last), hinge + turned(last) * Eigen::Vector3d(5, 0, 0)}};
-}
+  model::State pressed() const {
+    const auto turned_by = [](double angle) { return rotation_of(angle * Eigen::Vector3d::UnitZ()); };
+    const Eigen::Matrix3d arm = turned_by(phi), last = turned_by(pressed_angle(phi));
+    return {{Eigen::Matrix3d::Identity(), {-5, 0, 0}},
+            {arm, arm * Eigen::Vector3d(5, 0, 0)},
+            {last, arm * Eigen::Vector3d(10, 0, 0) + last * Eigen::Vector3d(5, 0, 0)}};
+  }
+};
 
 TEST(ContactParts, SettleWhereBlocksPressArmsOnAStopInEquilibrium) {
   const ArmsAndStop arms;
   const model::Linkage linkage = linkage_of(arms.assembly);
-  const double phi = 30 * radians_per_degree;
-  const model::LinkageDrive drive = model::turned_hinge(0, linkage.bodies[0].sense, phi);
+  const model::LinkageDrive drive = model::turned_hinge(0, linkage.bodies[0].sense, arms.phi);
 
   model::Elasticity elasticity;
   for (const model::AssemblyHinge& h : arms.assembly.hinges)
@@ -132,7 +144,7 @@ TEST(ContactParts, SettleWhereBlocksPressArmsOnAStopInEquilibrium) {
   EXPECT_GT(path.steps.back().contacts, 0);
   ASSERT_FALSE(path.events.empty());
   EXPECT_EQ(path.events.front().what, "bodies `base` and `last` touch");
-  EXPECT_LT(aligned_distance(linkage, path.state, pressed_state(phi)).max, 5e-3);
+  EXPECT_LT(aligned_distance(linkage, path.state, arms.pressed()).max, 5e-3);
 
   const PhysicsResult physics = run_with_parts(linkage, drive, {}, arms.parts());
   ASSERT_EQ(physics.status, PhysicsResult::Status::settled) << physics.why;
@@ -143,9 +155,9 @@ TEST(ContactParts, NameThePiecesThatTouchAtRest) {
   ArmsAndStop arms;
   const model::Linkage linkage = linkage_of(arms.assembly);
   EXPECT_TRUE(touching_pieces(linkage, arms.parts()).empty());
-  // The stop let down on the last arm: 0.1 mm between them.
+  // The stop let down on the last arm: 0.02 mm between them.
   ContactParts parts = arms.parts();
-  for (Eigen::Vector3d& corner : parts.of_body[0][1]) corner.y() -= 3.5;
+  for (Eigen::Vector3d& corner : parts.of_body[0][1]) corner.y() -= 3.58;
   const std::vector<TouchingPieces> touching = touching_pieces(linkage, parts);
   ASSERT_EQ(touching.size(), 1u);
   EXPECT_EQ(touching[0], (TouchingPieces{0, 1, 2, 0}));

@@ -91,6 +91,19 @@ TEST(TileImport, DeploysSquaresToTheirTarget) {
   EXPECT_EQ(kinetix_opt("export " + folder.design() + " --format stl,glb -o " + out + "_print").code, 0);
 }
 
+TEST(TileImport, DeploysTheShippedSheets) {
+  for (const char* sheet : {"squares", "vault"}) {
+    const Scratch scratch;
+    const std::string out = (scratch / "out").string();
+    ASSERT_EQ(
+        kinetix_opt(std::string("import " KINETIX_SOURCE "/targets/tiles/") + sheet + " -o " + out).code, 0)
+        << sheet;
+    const Outcome run = kinetix_opt("verify " + out + "/design.yaml -o " + out + "/run --json");
+    ASSERT_EQ(run.code, 0) << sheet << run.err;
+    EXPECT_LT(TileJson::parse(run.out)["metrics"]["pull_rms"], 0.05) << sheet;
+  }
+}
+
 TEST(TileImport, PullsSquaresApartWhereTheyHaveNoTarget) {
   const TileFolder folder(rotating_squares(4, 4, 0.6), false);
   EXPECT_EQ(folder.import()["target_off"], nullptr);
