@@ -16,7 +16,7 @@ _kinetix_opt() {
     --hinge) COMPREPLY=($(compgen -W "pin block film" -- "$word")); return ;;
     --state) COMPREPLY=($(compgen -W "flat folded" -- "$word")); return ;;
     -o) COMPREPLY=($(compgen -d -- "$word")); return ;;
-    --threads | --seed | --time-limit | --monte-carlo | --theta-deg | --clearance | --cell-mm | --port | --soft-material) return ;;
+    --threads | --seed | --time-limit | --monte-carlo | --theta-deg | --clearance | --cell-mm | --port | --soft-material | --tile-mm | --thickness-mm | --kerf-mm) return ;;
   esac
   local options
   case $command in
@@ -25,7 +25,7 @@ _kinetix_opt() {
     sweep) options="$common -o --open --resume --share" ;;
     check) options="$common" ;;
     export) options="$common -o --format --process --hinge --clearance --cell-mm --bed --loose-rods --caps --orient --slice --coupon --state" ;;
-    import) options="$common -o --hard --soft --unit --soft-material --material --hinges" ;;
+    import) options="$common -o --hard --soft --unit --soft-material --material --hinges --tile-mm --thickness-mm --kerf-mm" ;;
     view) options="$common --no-open --port" ;;
     *) options="$common --version -o --open --no-verify --time-limit --fidelity --monte-carlo" ;;
   esac

@@ -31,7 +31,7 @@ struct DeploymentOptions {
   double shift = 0.25;   ///< cell edges, > 0: or move it
   double closed = 1e-9;  ///< cell edges and rad, > 0: misfit of a hinge up to which a state is closed
   double limit =
-      2e-3;  ///< likewise, by which a hinge may be open where it cannot close: what the physics run allows
+      2e-3;  ///< cell edges and rad, by which a hinge may be open where it cannot close: as in the physics run
   int iterations = 100;             ///< in a step, >= 1
   std::function<bool()> stop = {};  ///< asked between steps
 };
@@ -45,7 +45,7 @@ struct Deployment {
   bool reached = false;        ///< the whole way, closed
   double off_rms =
       0;  ///< of the last state from the pull, at points half a cell edge from bodies' centers, cell edges
-  double off_max = 0;  ///< likewise the largest
+  double off_max = 0;  ///< likewise the largest, cell edges
 };
 
 /// States from rest on along the pull, closed within the limit: each the one nearest to the pull at its share of the way, in the sum of

@@ -22,7 +22,8 @@ struct TileSheet {
   std::vector<std::vector<Eigen::Vector3d>>
       tiles;  ///< corners of each in their order, in the unit of its file
   std::vector<TileJoint> joints;
-  std::vector<std::vector<Eigen::Vector3d>> target;  ///< where the same corners are to go; empty: nowhere
+  std::vector<std::vector<Eigen::Vector3d>>
+      target;  ///< where the same corners are to go, in that unit; empty: nowhere
 };
 
 /// How tiles become bodies.
