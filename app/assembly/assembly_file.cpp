@@ -321,7 +321,12 @@ void read_drive(const targets::Section& drive, const Reader& reader, AssemblyFil
     if (file.assembly.hinges[*file.driven].ball)
       throw hinge->error("is a ball, which has no axis to be turned about");
   }
-  file.angle = drive.required("angle_deg", "by how much, e.g. `angle_deg: 30`").angle(turn_bounds);
+  const auto angle = drive.optional("angle_deg");
+  if (!angle)
+    throw drive.error(
+        "needs `angle_deg`, by how much a hinge is turned, or `poses` or `expand`, by which bodies are "
+        "pulled");
+  file.angle = angle->angle(turn_bounds);
 }
 
 std::string design_text(const AssemblyFile& file) {

@@ -156,7 +156,7 @@ void refuse_pulled(const AssemblyRun& run, std::optional<double> theta) {
   const auto& hinges = run.file.assembly.hinges;
   const auto ball = std::find_if(hinges.begin(), hinges.end(), [](const auto& h) { return h.ball; });
   if (theta && run.file.pull())
-    throw InvalidInput("--theta turns a hinge, and here bodies are pulled", {"", 0, 0, "drive"});
+    throw InvalidInput("--theta-deg turns a hinge, and here bodies are pulled", {"", 0, 0, "drive"});
   if (run.model != Model::equilibrium) return;
   if (run.file.pull())
     throw InvalidInput("the model equilibrium turns one hinge: give `drive: {hinge: NAME, angle_deg: ...}`",
