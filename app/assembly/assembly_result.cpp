@@ -17,17 +17,15 @@ using ResultJson = nlohmann::ordered_json;
 ResultJson vector_json3(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 ResultJson hinge_of_json(const model::AssemblyHinge& h) {
-  if (h.ball)
-    return {{"name", h.name},
-            {"bodies", {h.lower, h.upper}},
-            {"kind", "ball"},
-            {"point_mm", vector_json3(h.point)}};
-  return {{"name", h.name},
-          {"bodies", {h.lower, h.upper}},
-          {"point_mm", vector_json3(h.point)},
-          {"axis", vector_json3(h.axis)},
-          {"reach_mm", h.reach_mm},
-          {"k", {{"axial", h.k.axial}, {"shear", h.k.shear}, {"along", h.k.along}, {"turn", h.k.turn}}}};
+  ResultJson out = {
+      {"name", h.name},
+      {"bodies", {h.lower, h.upper}},
+      {"point_mm", vector_json3(h.point)},
+      {"axis", vector_json3(h.axis)},
+      {"reach_mm", h.reach_mm},
+      {"k", {{"axial", h.k.axial}, {"shear", h.k.shear}, {"along", h.k.along}, {"turn", h.k.turn}}}};
+  if (h.ball) out["ball"] = true;
+  return out;
 }
 
 ResultJson bodies_and_hinges(const model::Assembly& a) {

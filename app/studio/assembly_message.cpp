@@ -34,13 +34,19 @@ Json mesh_json(const model::Polyhedron& solid) {
   return {{"points", to_base64(points)}, {"triangles", to_base64(triangles)}};
 }
 
+/// Block, pin or ball; a hinge where there is no rod.
+std::string kind_of(const model::AssemblyHinge& hinge) {
+  if (hinge.ball) return "ball";
+  return hinge.kind == model::HingeKind::pin && hinge.rod_mm == 0 ? "hinge" : to_string(hinge.kind);
+}
+
 /// As in result.json, and what a person wants to know of a hinge.
 Json structure_json(const model::Assembly& assembly) {
   Json out = assembly_structure(assembly);
   for (std::size_t h = 0; h < assembly.hinges.size(); ++h) {
     const model::AssemblyHinge& hinge = assembly.hinges[h];
     Json& one = out["hinges"][h];
-    one["kind"] = to_string(hinge.kind);
+    one["kind"] = kind_of(hinge);
     one["along"] = {hinge.along.x(), hinge.along.y(), hinge.along.z()};
     one["confidence"] = hinge.confidence;
     if (hinge.rod_mm > 0) one["diameter_mm"] = hinge.rod_mm;
@@ -142,6 +148,7 @@ Json assembly_design(const AssemblyPlayer& player, int revision, const WayKnown&
           {"unsaved", false},
           {"bodies",
            {{"driven", way.hinge},
+            {"pulled", way.pulled},
             {"turn_per_theta", model::turn_at_theta(player.sense(), 1)},
             {"turn_range_rad", {way.least_turn(), way.most_turn()}},
             {"opens", {opener(way.back), opener(way.forth)}},

@@ -2,7 +2,7 @@
 import {$, degrees, element, neat, show, status} from "./dom.js";
 
 const MOST_LINES = 8;  // of the list of hinges: the rest is scrolled to
-const KINDS = {block: "soft part", pin: "pin in a bore"};
+const KINDS = {block: "soft part", pin: "pin in a bore", hinge: "hinge", ball: "ball, turns every way"};
 const vector = (v, digits) => v.map((each) => neat(each, digits)).join(", ");
 
 export class BodiesPanel {
@@ -32,12 +32,12 @@ export class BodiesPanel {
     if (bodies) document.documentElement.dataset.thing = "bodies";
     else delete document.documentElement.dataset.thing;
     if (!bodies) return;
-    if (!this.opened) this.state.chosen = [bodies.driven];
+    if (!this.opened) this.state.chosen = bodies.pulled ? [] : [bodies.driven];
     this.opened = true;
     for (const option of $("colour").options) option.hidden = option.disabled = !["plain", "turn"].includes(option.value);
     const of = ({bodies: ends}) => ends.map((body) => structure.bodies[body].name).join(" \u2013 ");
     $("hinge_list").replaceChildren(...structure.hinges.map((hinge, k) =>
-      element("option", {value: String(k)}, `${hinge.name}${k === bodies.driven ? " (turned)" : ""}: ${of(hinge)}`)));
+      element("option", {value: String(k)}, `${hinge.name}${k === bodies.driven && !bodies.pulled ? " (turned)" : ""}: ${of(hinge)}`)));
     $("hinge_list").size = Math.max(2, Math.min(MOST_LINES, structure.hinges.length));
     const size = this.state.design.flat_mm.map((v) => neat(v, 1)).join(" \u00d7 ");
     $("bodies_size").textContent = `${structure.bodies.length} bodies, ${structure.hinges.length} hinges, ${size} mm at rest`;
@@ -48,7 +48,8 @@ export class BodiesPanel {
     if (!this.state.design?.bodies) return;
     const {body, chosen: [hinge]} = this.state;
     $("hinge_list").value = hinge === undefined ? "" : String(hinge);
-    $("turn_this").disabled = hinge === undefined || hinge === this.state.design.bodies.driven;
+    const {driven, pulled} = this.state.design.bodies;
+    $("turn_this").disabled = hinge === undefined || (hinge === driven && !pulled) || this.hinges[hinge].kind === "ball";
     show($("chosen_thing"), hinge !== undefined || body !== null);
     if (hinge !== undefined) this.showHinge(this.hinges[hinge]);
     else if (body !== null) this.showBody(body);
