@@ -7,7 +7,6 @@
 #include "model/assembly/crossing.hpp"
 #include "model/base/angle.hpp"
 #include "model/closure/closure_solver.hpp"
-#include "model/linkage/make_drive.hpp"
 
 namespace kinetix::app::studio {
 namespace {
@@ -94,11 +93,10 @@ AssemblyWay way_of_pull(const model::Linkage& linkage, const model::Pull& pull, 
   model::DeploymentOptions options;
   options.stop = stop;
   const model::Deployment found = deploy(linkage, aligned_pull(linkage, pull), options);
-  const int sense = linkage.bodies[linkage.hinges[hinge].lower].sense;
-  const double end = model::turn_at_theta(sense, mean_half_turn(linkage, found.states.back()));
+  const double end = 2 * mean_half_turn(linkage, found.states.back());
   AssemblyWay way = way_at_rest(linkage, hinge);
   way.pulled = true;
-  model::AssemblyMotion& side = end < 0 ? way.back : way.forth;
+  model::AssemblyMotion& side = way.forth;
   side.states = found.states;
   side.turns.clear();
   for (const double share : found.shares) side.turns.push_back(share / found.shares.back() * end);

@@ -92,6 +92,7 @@ export class BodiesPanel {
 /** Which way and how far it turns, in a sentence for the heading of the panel. */
 export function turnWords({bodies, exact, structure}) {
   const {name} = structure.hinges[bodies.driven];
+  if (bodies.pulled) return bodies.following ? "Following the pull\u2026" : `Bodies are pulled: hinges turn by ${neat(degrees(bodies.turn_range_rad[1]), 0)}\u00b0 in the mean.`;
   if (bodies.following) return `Following ${name}\u2026`;
   if (!exact) return `${name} does not turn.`;
   const met = bodies.meets?.some((meeting) => meeting), ends = bodies.turn_range_rad.map((turn, k) => bodies.meets?.[k]?.turn_rad ?? turn);

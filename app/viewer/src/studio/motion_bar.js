@@ -107,7 +107,7 @@ export class MotionBar {
     $("theta").setAttribute("aria-label", "Turn of the driven hinge in degrees");
     $("fold_low").textContent = `${neat(least, 0)}\u00b0`;
     $("fold_high").textContent = `${neat(most, 0)}\u00b0`;
-    $("driven_by").textContent = `turned at ${structure.hinges[bodies.driven].name}`;
+    $("driven_by").textContent = bodies.pulled ? "pulled" : `turned at ${structure.hinges[bodies.driven].name}`;
     document.querySelector('input[name="mode"][value="exact"]').parentElement.title = "All hinges closed, from rest on: no strain, no contact";
   }
 
