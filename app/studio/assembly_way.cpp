@@ -11,7 +11,8 @@ namespace kinetix::app::studio {
 namespace {
 
 constexpr double farthest = 178 * radians_per_degree;  // rad: beyond, half a turn either way looks alike
-constexpr double touching_mm = 0.05;                   // mm: within it the import calls faces joined
+// mm: faces that slide on each other are off by less in files of floats
+constexpr double touching_mm = 0.01;
 constexpr double turn_window = 0.6;  // rad: a hand does not throw it through a fold; twice that of theta
 
 /// Of the known states, by rising turn.

@@ -30,7 +30,8 @@ struct Meeting {
   std::array<int, 2> bodies = {};
 };
 
-/// The first of them on a side of the way: surfaces cross by more than 0.05 mm. Bodies that already do at rest do not count.
+/// The first of them on a side of the way: surfaces cross by more than 0.01 mm, which walls of one height do some
+/// hundredths later. Bodies that already do at rest do not count.
 /// @param stop asked between states
 std::optional<Meeting> first_meeting(const model::Assembly& assembly, const model::AssemblyMotion& side,
                                      const std::function<bool()>& stop = {});
