@@ -113,7 +113,7 @@ model::State pressed_state(double phi) {
           {turned(last), hinge + turned(last) * Eigen::Vector3d(5, 0, 0)}};
 }
 
-TEST(ContactParts, SettleWhereBlocksPressArmsOnAStopInEquilibrium) {
+TEST(ContactParts, PressArmsOfBlocksOnAStopInEquilibrium) {
   const ArmsAndStop arms;
   const model::Linkage linkage = linkage_of(arms.assembly);
   const double phi = 30 * radians_per_degree;
@@ -133,19 +133,15 @@ TEST(ContactParts, SettleWhereBlocksPressArmsOnAStopInEquilibrium) {
   ASSERT_FALSE(path.events.empty());
   EXPECT_EQ(path.events.front().what, "bodies `base` and `last` touch");
   EXPECT_LT(aligned_distance(linkage, path.state, pressed_state(phi)).max, 5e-3);
-
-  const PhysicsResult physics = run_with_parts(linkage, drive, {}, arms.parts());
-  ASSERT_EQ(physics.status, PhysicsResult::Status::settled) << physics.why;
-  EXPECT_LT(aligned_distance(linkage, physics.state, path.state).max, 0.02);
 }
 
 TEST(ContactParts, NameThePiecesThatTouchAtRest) {
   ArmsAndStop arms;
   const model::Linkage linkage = linkage_of(arms.assembly);
   EXPECT_TRUE(touching_pieces(linkage, arms.parts()).empty());
-  // The stop let down on the last arm: 0.1 mm between them.
+  // The stop let down on the last arm: 0.02 mm between them.
   ContactParts parts = arms.parts();
-  for (Eigen::Vector3d& corner : parts.of_body[0][1]) corner.y() -= 3.5;
+  for (Eigen::Vector3d& corner : parts.of_body[0][1]) corner.y() -= 3.58;
   const std::vector<TouchingPieces> touching = touching_pieces(linkage, parts);
   ASSERT_EQ(touching.size(), 1u);
   EXPECT_EQ(touching[0], (TouchingPieces{0, 1, 2, 0}));

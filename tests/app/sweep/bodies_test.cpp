@@ -104,15 +104,21 @@ TEST(SweepOfBodies, StopsWhereWallsMeet) {
   const Scratch scratch;
   import_pair(scratch);
   const std::string turned = angles("95, 106");
-  const Csv pressed =
-      swept(scratch, pair_sweep("equilibrium",
-                                turned + "  - {path: \"structure.hinges[0].k.turn\", name: k, "
-                                         "values: [5]}\n",
-                                "load_Nmm, contacts, gap_peak"));
+  const double k = 5, axial = 7;
+  const Csv pressed = swept(
+      scratch, pair_sweep("equilibrium",
+                          turned + "  - {path: \"structure.hinges[0].k.turn\", name: k, values: [5]}\n" +
+                              "  - {path: \"structure.hinges[0].k.axial\", name: axial, values: [7]}\n",
+                          "load_Nmm, contacts, gap_peak"));
   EXPECT_EQ(pressed.number(0, "contacts"), 0);
-  EXPECT_NEAR(pressed.number(0, "load_Nmm"), 5 * 95 * radians_per_degree, 1e-5);
+  EXPECT_NEAR(pressed.number(0, "load_Nmm"), k * 95 * radians_per_degree, 1e-5);
   EXPECT_GT(pressed.number(1, "contacts"), 0);
-  EXPECT_GT(pressed.number(1, "load_Nmm"), 2 * 5 * 106 * radians_per_degree);
+  // Beyond, corners that did not give way at all would pull the block by h = t sin(phi / 2) - L cos(phi / 2), with the moment k_axial h h'.
+  const double half = 53 * radians_per_degree, free = k * 2 * half;
+  const double rigid =
+      axial * (0.8 * std::sin(half) - std::cos(half)) * (0.4 * std::cos(half) + 0.5 * std::sin(half));
+  EXPECT_GT(pressed.number(1, "load_Nmm"), free + 0.5 * rigid);
+  EXPECT_LT(pressed.number(1, "load_Nmm"), free + rigid);
   fs::remove_all(scratch / "out");
   const Csv fallen = swept(scratch, pair_sweep("bullet", turned, "verify_rms, hinge_gap_max"));
   EXPECT_EQ(fallen.rows[0].at("status"), "ok");
