@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <new>
 
 #include "app/console/duration_text.hpp"
 
@@ -63,7 +64,11 @@ void Console::beat() {
   while (!end_.wait_for(lock, interval / 4, [this] { return ends_; }))
     if (!stage_.empty() && Clock::now() >= next_) {
       const std::lock_guard alone(forks());
-      show();
+      try {
+        show();
+      } catch (const std::bad_alloc&) {
+        stage_.clear();  // a run without memory for a note says so itself
+      }
     }
 }
 
