@@ -3,7 +3,6 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <type_traits>
 
 #include "app/imports/model_file.hpp"
 #include "model/base/invalid_input.hpp"
