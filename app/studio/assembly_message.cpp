@@ -149,7 +149,7 @@ Json assembly_design(const AssemblyPlayer& player, int revision, const WayKnown&
           {"bodies",
            {{"driven", way.hinge},
             {"pulled", way.pulled},
-            {"turn_per_theta", model::turn_at_theta(player.sense(), 1)},
+            {"turn_per_theta", model::turn_at_theta(player.turn_sign(), 1)},
             {"turn_range_rad", {way.least_turn(), way.most_turn()}},
             {"opens", {opener(way.back), opener(way.forth)}},
             {"meets", meets_json(known)},

@@ -65,12 +65,12 @@ void AssemblyPlayer::turn_to(double turn) {
 }
 
 void AssemblyPlayer::fold_to(double theta) {
-  const double turn = model::turn_at_theta(sense(), theta);
+  const double turn = model::turn_at_theta(turn_sign(), theta);
   if (!live_) return turn_to(turn);
   if (way_.pulled)
     throw InvalidInput("theta: bodies of this design are pulled; in the physics they go by hand");
   const double reached = std::clamp(turn, way_.least_turn(), way_.most_turn());
-  live_->drive_to(model::turned_hinge(driven(), sense(), reached), state_);
+  live_->drive_to(model::turned_hinge(driven(), turn_sign(), reached), state_);
 }
 
 void AssemblyPlayer::drag(int body, const Eigen::Vector3d& at, const Eigen::Vector3d& to) {

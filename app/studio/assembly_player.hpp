@@ -52,9 +52,9 @@ class AssemblyPlayer {
 
   double theta() const;  ///< of the drive, rad
   double theta_at(double turn) const {
-    return model::theta_at_turn(sense(), turn);
+    return model::theta_at_turn(turn_sign(), turn);
   }  ///< rad of the driven hinge
-  int sense() const { return linkage_.bodies[linkage_.hinges[driven()].lower].sense; }
+  int turn_sign() const { return linkage_.bodies[linkage_.hinges[driven()].lower].sense; }
   /// Without revision and hearers.
   Frame frame() const;
   bool paused() const { return paused_; }
