@@ -9,6 +9,7 @@
 
 #include "app/files/file_header.hpp"
 #include "app/print/format/stl_text.hpp"
+#include "model/assembly/direction_across.hpp"
 #include "model/assembly/shells.hpp"
 #include "model/base/angle.hpp"
 #include "targets/mesh/mesh_file.hpp"
@@ -233,10 +234,8 @@ class Reader {
       if (!(std::abs(d.dot(hinge.axis)) <= square)) throw along->error("is not square to the axis");
       return (d - d.dot(hinge.axis) * hinge.axis).normalized();
     }
-    const Vector3d between = out_.bodies[hinge.upper].position - out_.bodies[hinge.lower].position;
-    const Vector3d across = between - between.dot(hinge.axis) * hinge.axis;
-    return across.norm() > 1e-6 * between.norm() ? Vector3d(across.normalized())
-                                                 : Vector3d(hinge.axis.unitOrthogonal());
+    return model::direction_across(out_.bodies[hinge.upper].position - out_.bodies[hinge.lower].position,
+                                   hinge.axis);
   }
 
   double median() const {

@@ -8,6 +8,7 @@
 #include "model/assembly/contact_patch.hpp"
 #include "model/assembly/crossing.hpp"
 #include "model/assembly/cylinder_faces.hpp"
+#include "model/assembly/direction_across.hpp"
 #include "model/assembly/shells.hpp"
 #include "model/assembly/soft_hinge.hpp"
 #include "model/base/decompositions.hpp"
@@ -247,10 +248,7 @@ class Builder {
 
   void add_pin(int a, int b, const PinFit& fit) {
     AssemblyHinge hinge{"pin_" + std::to_string(++pins_), a, b, HingeKind::pin, fit.point, fit.axis};
-    const Vector3d between = out_.bodies[b].position - out_.bodies[a].position;
-    const Vector3d across = between - between.dot(fit.axis) * fit.axis;
-    hinge.along = across.norm() > 1e-6 * between.norm() ? Vector3d(across.normalized())
-                                                        : Vector3d(fit.axis.unitOrthogonal());
+    hinge.along = direction_across(out_.bodies[b].position - out_.bodies[a].position, fit.axis);
     const MadeHinge made{.kind = HingeKind::pin,
                          .material = {.E_mpa = rod_mpa, .nu = rod_nu},
                          .height_mm = fit.length_mm,

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "model/assembly/direction_across.hpp"
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/base/rigid_fit.hpp"
@@ -195,10 +196,8 @@ class TileBuilder {
     hinge.axis = n;
     hinge.ball = !joint.both_faces || !(std::abs(n.dot(m)) >= std::cos(one_plane));
     if (!hinge.ball) hinge.axis = (n + (n.dot(m) < 0 ? -m : m)).normalized();
-    const Vector3d between = out_.bodies[hinge.upper].position - out_.bodies[hinge.lower].position;
-    const Vector3d across = between - between.dot(hinge.axis) * hinge.axis;
-    hinge.along = across.norm() > 1e-6 * between.norm() ? Vector3d(across.normalized())
-                                                        : Vector3d(hinge.axis.unitOrthogonal());
+    hinge.along =
+        direction_across(out_.bodies[hinge.upper].position - out_.bodies[hinge.lower].position, hinge.axis);
     out_.hinges.push_back(std::move(hinge));
   }
 
