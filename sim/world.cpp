@@ -12,6 +12,7 @@
 #include <set>
 
 #include "sim/actuator.hpp"
+#include "sim/collision_memory.hpp"
 #include "sim/contact_parts.hpp"
 #include "sim/joints/bullet_math.hpp"
 #include "sim/joints/cord.hpp"
@@ -83,7 +84,7 @@ struct World::Engine {
   const std::optional<model::LinkageDrive> drive;
   const PhysicsOptions options;
 
-  btDefaultCollisionConfiguration configuration;
+  btDefaultCollisionConfiguration configuration{collision_memory(static_cast<int>(structure.bodies.size()))};
   btCollisionDispatcher dispatcher{&configuration};
   btDbvtBroadphase broadphase;
   std::optional<ElasticHinges> elastic;

@@ -1,16 +1,29 @@
 #include "app/cli/error_report.hpp"
 
+#include <unistd.h>
+
+#include <cstdlib>
+#include <cstring>
 #include <iostream>
 #include <new>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "app/console/command_options.hpp"
+#include "app/io/atomic_file.hpp"
 
 namespace kinetix::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr char no_memory[] = "there is not enough memory";
+
+/// Without a stream: these take memory.
+void write_line(const char* words) noexcept {
+  for (const char* part : {words, "\n"})
+    if (write(STDERR_FILENO, part, std::strlen(part)) < 0) return;
+}
 
 void print(const Json& error) {
   constexpr auto replace = Json::error_handler_t::replace;  // a file's name may hold bytes that are no UTF-8
@@ -36,11 +49,26 @@ void print_error(const std::string& message, int exit_code) {
 }
 
 std::string failure_text(const std::exception& error) {
-  if (dynamic_cast<const std::bad_alloc*>(&error)) return "there is not enough memory";
+  if (dynamic_cast<const std::bad_alloc*>(&error)) return no_memory;
   const auto* system = dynamic_cast<const std::system_error*>(&error);
   if (system && system->code() == std::errc::resource_unavailable_try_again)
     return "no further thread or process can be started: not enough memory, or a limit of this account";
   return std::string("internal error: ") + error.what();
+}
+
+void end_with_a_word() noexcept {
+  remove_unfinished();
+  try {
+    if (const auto error = std::current_exception()) std::rethrow_exception(error);
+    write_line("internal error: the program ended itself");
+  } catch (const std::bad_alloc&) {
+    write_line(no_memory);
+  } catch (const std::exception& error) {
+    write_line(error.what());
+  } catch (...) {
+    write_line("internal error: an exception of no known kind");
+  }
+  std::_Exit(internal_error);
 }
 
 }  // namespace kinetix::app

@@ -13,9 +13,11 @@
 namespace kinetix::app {
 namespace {
 
-constexpr int bar_width = 30;                // characters: leaves room for stage and note on a line of 80
-constexpr std::chrono::seconds interval{1};  // after which silence makes people wonder
-constexpr double least_done = 0.02;          // a share: from less nobody can tell what is left
+constexpr int bar_width = 30;  // characters: leaves room for stage and note on a line of 80
+constexpr std::chrono::milliseconds interval{1000};  // after which silence makes people wonder
+constexpr auto pulse = interval / 4;                 // ms, between looks: notes come little late
+static_assert(pulse.count() > 0, "a heart that does not wait takes a core for itself");
+constexpr double least_done = 0.02;  // a share: from less nobody can tell what is left
 
 /// Held while a heart writes, and while this process forks: a child inherits every lock of the memory allocator and of
 /// the stream as it stood, and the thread that would have opened it is not in the child.
@@ -61,7 +63,7 @@ Console::~Console() {
 
 void Console::beat() {
   std::unique_lock lock(mutex_);
-  while (!end_.wait_for(lock, interval / 4, [this] { return ends_; }))
+  while (!end_.wait_for(lock, pulse, [this] { return ends_; }))
     if (!stage_.empty() && Clock::now() >= next_) {
       const std::lock_guard alone(forks());
       try {

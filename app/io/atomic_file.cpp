@@ -155,11 +155,6 @@ class Part {
   std::random_device random_;
 };
 
-extern "C" void remove_unfinished() {
-  for (const Part* part = newest_part; part != nullptr; part = part->older()) part->remove();
-  OutputFolder::remove_all_created();
-}
-
 extern "C" void remove_parts_and_end(int signal_number) {
   if (!pthread_equal(pthread_self(), writer)) {
     pthread_kill(writer, signal_number);
@@ -194,6 +189,11 @@ void put_all_in_place(std::deque<Part>& parts) {
 }
 
 }  // namespace
+
+extern "C" void remove_unfinished() {
+  for (const Part* part = newest_part; part != nullptr; part = part->older()) part->remove();
+  OutputFolder::remove_all_created();
+}
 
 void remove_parts_when_interrupted() {
   writer = pthread_self();

@@ -25,6 +25,9 @@ void write_file(const std::string& file, const std::function<void(const FileSink
 /// one that calls this.
 void remove_parts_when_interrupted();
 
+/// What that handler removes, at any other end of the program. Safe in a signal handler.
+extern "C" void remove_unfinished();
+
 /// Files of one folder that come all together or not at all. What was added and not committed leaves no
 /// trace.
 class FileSet {

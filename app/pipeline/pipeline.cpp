@@ -1,11 +1,11 @@
 #include "app/pipeline/pipeline.hpp"
 
-#include <fmt/format.h>
+#include <omp.h>
 
-#include <cmath>
+#include <future>
+#include <utility>
 
-#include "app/pipeline/as_made.hpp"
-#include "app/pipeline/certify.hpp"
+#include "app/pipeline/judgement.hpp"
 #include "app/pipeline/matter.hpp"
 #include "app/pipeline/physics_settings.hpp"
 #include "app/pipeline/verify.hpp"
@@ -15,52 +15,6 @@
 namespace kinetix::app {
 namespace {
 
-/// What prints come to, of goals that are judged by distances.
-void judge_prints(Run& run, const Scene& scene, const RunOptions& options) {
-  if (!run.goal || run.states.empty() || options.stop.stop_requested()) return;
-  if (run.matter && !run.equilibrium) {
-    run.prints_unknown = "elastic hinges find no equilibrium near the design: " + run.matter->why;
-    return;
-  }
-  const model::State state = run.matter ? run.equilibrium->path.state : scene.own_state(run);
-  const auto judged = scene.judged(run, run.structure, run.theta, state);
-  if (!judged) return;
-  options.progress("prints", -1);
-  run.printed = as_made(run, run.matter ? run.equilibrium->drive : drive_to(run.structure, run.theta), state,
-                        judged->points, options.prints);
-  if (run.printed)
-    run.printed->tolerance_mm = judged->tolerance_mm;
-  else
-    run.prints_unknown = "elastic hinges have no stable state near the design under its drive";
-  if (!run.printed) run.plan.why.push_back("what prints come to is not known: " + run.prints_unknown);
-}
-
-/// Puts right one end of a range whose samples have missed walls that touch before.
-void correct(model::ThetaLimit& sampled, const model::CertifiedLimit& proven, Plan& plan) {
-  if (!proven.contact || std::abs(sampled.theta) <= std::abs(*proven.contact)) return;
-  plan.why.push_back(fmt::format("walls touch at theta {:.2f} deg already, and part again between samples",
-                                 to_degrees(*proven.contact)));
-  sampled = {proven.theta, true, proven.walls};
-}
-
-void correct_samples(Run& run) {
-  if (!run.plan.free_range || !run.certified->designed) return;
-  correct(run.plan.free_range->negative, run.certified->designed.negative, run.plan);
-  correct(run.plan.free_range->positive, run.certified->designed.positive, run.plan);
-}
-
-/// Walls that do overlap on the way to a goal, whichever states its search has looked at.
-void judge_contact(Run& run) {
-  const model::CertifiedLimit& limit = run.certified->designed.to(run.theta);
-  if (!run.goal || run.plan.model != Model::exact || !limit.contact ||
-      std::abs(*limit.contact) >= std::abs(run.theta))
-    return;
-  const auto [first, second] = wall_names(limit, run.structure);
-  run.goal->violations.push_back(
-      fmt::format("walls {} and {} overlap at theta {:.3f} deg, on the way to {:.3f} deg", first, second,
-                  to_degrees(*limit.contact), to_degrees(run.theta)));
-}
-
 std::optional<PhysicsTask> physics_task(const Run& run, const Scene& scene) {
   if (!run.matter || !run.equilibrium) return scene.physics_task(run);
   if (!run.equilibrium->reached()) return std::nullopt;
@@ -69,6 +23,33 @@ std::optional<PhysicsTask> physics_task(const Run& run, const Scene& scene) {
       elastic_physics(equilibrium.elasticity, run.physics, run.structure.size().edge_mm, run.plan.planar,
                       equilibrium.drive.k_spring);
   return PhysicsTask{equilibrium.path.state, equilibrium.drive, options};
+}
+
+bool has_threads(const RunOptions& options) {
+  return (options.threads > 0 ? options.threads : omp_get_max_threads()) > 1;
+}
+
+/// On a thread of its own where there may be one and the system gives it; else when it is asked for.
+std::future<Judgement> judged_beside(const Run& run, const Scene& scene, RunOptions options) {
+  options.progress = {};
+  const auto policy =
+      has_threads(options) ? std::launch::async | std::launch::deferred : std::launch::deferred;
+  return std::async(policy,
+                    [&run, &scene, options = std::move(options)] { return judgement(run, scene, options); });
+}
+
+void check_by_physics(Run& run, const Scene& scene, const PhysicsTask& task, const RunOptions& options) {
+  Stopwatch watch;
+  auto judged = judged_beside(run, scene, options);
+  std::optional<Verification> verification = verify(run, task, options);
+  run.timings.verify = watch.lap();
+  options.progress("prints, contact", -1);
+  add(judged.get(), run);
+  if (!verification) return;
+  add(std::move(*verification), task, options, run);
+  if (is_settled(*run.verification)) scene.judge_physics(run);
+  if (run.goal && run.goal->violations.empty())  // of a state that misses its goal, physics says so too
+    run.verification->agrees &= run.goal->physics_violations.empty();
 }
 
 }  // namespace
@@ -89,24 +70,11 @@ Run run_scene(const Scene& scene, const RunOptions& options) {
   watch.lap();
   if (is_of_matter(scene, run)) settle_in_matter(run, scene, options);
   run.timings.matter = watch.lap();
-  judge_prints(run, scene, options);
-  run.timings.as_made = watch.lap();
-  if (options.certify && !options.stop.stop_requested()) {
-    options.progress("contact", -1);
-    run.certified = certify(run.structure, run.plan, run.process.sd);
-    correct_samples(run);
-    judge_contact(run);
-  }
-  run.timings.certify = watch.lap();
-  if (options.verify && !options.stop.stop_requested())
-    if (const auto task = physics_task(run, scene)) {
-      verify(run, *task, options);
-      if (run.verification && is_settled(*run.verification)) scene.judge_physics(run);
-      if (run.verification && run.goal &&
-          run.goal->violations.empty())  // of a state that misses its goal, physics says so too
-        run.verification->agrees &= run.goal->physics_violations.empty();
-      run.timings.verify = watch.lap();
-    }
+  const bool verifies = options.verify && !options.stop.stop_requested();
+  if (const auto task = verifies ? physics_task(run, scene) : std::nullopt)
+    check_by_physics(run, scene, *task, options);
+  else
+    add(judgement(run, scene, options), run);
   run.stopped = options.stop.stop_requested();
   if (!run.matter) scene.add_frames(run);
   return run;

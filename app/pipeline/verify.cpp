@@ -21,6 +21,10 @@ constexpr double stiff_joints = 1e8;    // over the parts' masses: ten thousand 
 // the model's, in a tenth of the time.
 constexpr std::array tried_steps = {10.0, 4.0, 1.0};
 
+std::unique_lock<std::mutex> hold_engine(const RunOptions& options) {
+  return options.engine ? std::unique_lock(*options.engine) : std::unique_lock<std::mutex>();
+}
+
 sim::PhysicsOptions with_steps(sim::PhysicsOptions options, double factor) {
   options.step_s *= factor;
   return options;
@@ -56,8 +60,9 @@ void add_fidelity(Run& run, const std::string& model, const sim::PhysicsResult& 
 }
 
 /// Of quick runs of coarser steps.
-void add_coarser(Run& run, const Verification& v, const PhysicsTask& task, const Progress& progress) {
-  progress("speed against error", -1);
+void add_coarser(Run& run, const Verification& v, const PhysicsTask& task, const RunOptions& options) {
+  const auto alone = hold_engine(options);
+  options.progress("speed against error", -1);
   for (const double factor : {4.0, 16.0})
     if (v.options.step_s * factor <= longest_step_s)
       add_fidelity(run, fmt::format("bullet, {} x step", factor),
@@ -91,8 +96,8 @@ bool is_settled(const Verification& verification) {
   return verification.physics.status == sim::PhysicsResult::Status::settled;
 }
 
-void verify(Run& run, const PhysicsTask& task, const RunOptions& options) {
-  const auto alone = options.engine ? std::unique_lock(*options.engine) : std::unique_lock<std::mutex>();
+std::optional<Verification> verify(const Run& run, const PhysicsTask& task, const RunOptions& options) {
+  const auto alone = hold_engine(options);
   const sim::PhysicsOptions usual = suited_to(run.plan.exact, task.options);
   std::span<const double> steps = tried_steps;
   if (!may_be_coarser(run, task, options)) steps = steps.last(1);
@@ -104,12 +109,17 @@ void verify(Run& run, const PhysicsTask& task, const RunOptions& options) {
     if (v.agrees || options.stop.stop_requested()) break;
   }
   v.physics.seconds = seconds;
-  if (options.stop.stop_requested() && !is_settled(v)) return;
+  if (options.stop.stop_requested() && !is_settled(v)) return std::nullopt;
   v.equilibrium = equilibria(run, v, task.reference);
-  run.states.push_back({"target", to_string(Model::bullet), run.theta, v.physics.state, v.physics.gaps});
-  if (v.compared) add_fidelity(run, "bullet", v.physics, task.reference);
-  if (v.compared && options.fidelity) add_coarser(run, v, task, options.progress);
-  run.verification = std::move(v);
+  return v;
+}
+
+void add(Verification verification, const PhysicsTask& task, const RunOptions& options, Run& run) {
+  const sim::PhysicsResult& physics = verification.physics;
+  run.states.push_back({"target", to_string(Model::bullet), run.theta, physics.state, physics.gaps});
+  if (verification.compared) add_fidelity(run, "bullet", physics, task.reference);
+  if (verification.compared && options.fidelity) add_coarser(run, verification, task, options);
+  run.verification = std::move(verification);
 }
 
 }  // namespace kinetix::app

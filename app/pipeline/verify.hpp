@@ -1,17 +1,21 @@
 #pragma once
 
+#include <optional>
+
 #include "app/run/run_options.hpp"
 #include "app/run/scene.hpp"
 
 namespace kinetix::app {
 
-/// Runs the physics engine on run.structure, compares it with the reference state, and adds its state, the
-/// verification and its row of the speed-against-error table to the run. Where no step is given and there is a reference,
-/// coarser steps are tried first: a run in them that settles in the reference is as good, and any other is repeated in
-/// finer ones; physics.seconds counts them all. Runs of coarser steps give further rows where `fidelity` asks for them,
-/// beside a run of the usual step. Joints of exact families are stiffer than the options say. A run that is
-/// stopped adds nothing.
-void verify(Run& run, const PhysicsTask& task, const RunOptions& options);
+/// Runs the physics engine on run.structure and compares it with the reference state. Looks at the run and changes
+/// nothing of it. Where no step is given and there is a reference, coarser steps are tried first: a run in them that
+/// settles in the reference is as good, and any other is repeated in finer ones; physics.seconds counts them all. Joints of
+/// exact families are stiffer than the options say. Nothing of a run that was stopped before it settled.
+std::optional<Verification> verify(const Run& run, const PhysicsTask& task, const RunOptions& options);
+
+/// Adds it to the run with its state and its row of the table of speed against error; runs of coarser steps give further
+/// rows where `fidelity` asks for them, beside a run of the usual step.
+void add(Verification verification, const PhysicsTask& task, const RunOptions& options, Run& run);
 
 bool is_settled(const Verification& verification);
 

@@ -3,26 +3,28 @@
 #include <cmath>
 #include <functional>
 
+#include "benchmarks/alone.hpp"
 #include "benchmarks/figure.hpp"
 #include "benchmarks/scenes.hpp"
 #include "benchmarks/stopwatch.hpp"
 #include "model/elastic/path/equilibrium_path.hpp"
+#include "model/lattice/planar/exact_designs.hpp"
+#include "model/lattice/planar/lattices/honeycomb.hpp"
 #include "model/lattice/square/family/drive.hpp"
 #include "sim/compression_run.hpp"
 
 namespace kinetix::bench {
 namespace {
 
-/// A scene of growing size and what one run of it took.
-struct Growth {
-  std::vector<double> cells, hinges, seconds;
-  bool right = true;  ///< every run ended as it should
+constexpr double gib = 1 << 30;     // bytes
+constexpr int most_seconds = 150;   // of a run: eight scenes of it stay within half an hour
+constexpr double short_way = 0.02;  // rad of theta, in few steps: large sheets take a minute for each
 
-  void add(const model::Structure& structure, double time) {
-    cells.push_back(static_cast<double>(structure.cells.size()));
-    hinges.push_back(static_cast<double>(structure.hinges.size()));
-    seconds.push_back(time);
-  }
+/// A scene of growing size and what one run of it took, each in a process of its own.
+struct Growth {
+  std::vector<double> cells, seconds, bytes;
+  bool right = true;    ///< every run ended as it should
+  double given_up = 0;  ///< cells of the first that took more time or memory than there was; 0 where none did
 };
 
 /// Slope of the least-squares line through the logarithms.
@@ -36,94 +38,135 @@ double exponent(const std::vector<double>& x, const std::vector<double>& y) {
   return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
-Figure grown(const std::string& what, const Growth& growth) {
-  return {
-      what + ": growth of the time", "-",
-      fmt::format(
-          "with the cells to the {:.2f}, with the hinges to the {:.2f} ({:.0f} to {:.0f} cells, {:.3g} to "
-          "{:.3g} ms)",
-          exponent(growth.cells, growth.seconds), exponent(growth.hinges, growth.seconds),
-          growth.cells.front(), growth.cells.back(), 1e3 * growth.seconds.front(),
-          1e3 * growth.seconds.back()),
-      growth.right};
+/// Without the first: what small scenes take is the start of a run.
+double slope(const Growth& growth, const std::vector<double>& of) {
+  return exponent({growth.cells.begin() + 1, growth.cells.end()}, {of.begin() + 1, of.end()});
 }
 
-/// Columns and rows of a scene of size n.
-using Shape = std::function<std::pair<int, int>(int)>;
-std::pair<int, int> a_strip(int n) { return {n, 1}; }
-std::pair<int, int> a_sheet(int n) { return {n, n}; }
+/// Cells of which one more would need more than `bytes`, as memory grows at the end.
+double most_cells(const Growth& growth, double bytes) {
+  return growth.cells.back() * std::pow(bytes / growth.bytes.back(), 1 / slope(growth, growth.bytes));
+}
 
-/// What a run of a scene took, s, and whether it ended as it should.
-struct Cost {
-  double seconds = 0;
-  bool right = true;
-};
-using Measure = std::function<Cost(const model::Structure&, const model::ExactDesign<double>&)>;
+Figure grown(const std::string& what, const Growth& growth) {
+  if (growth.cells.size() < 3) return {what, "-", "fewer than three sizes ended", false};
+  std::string measured = fmt::format(
+      "time to the {:.2f}, memory to the {:.2f} of the cells; {:.3g} cells: {:.3g} ms; {:.3g} cells: {:.3g} "
+      "s, {:.3g} GiB; "
+      "24 GiB hold {:.1g} cells",
+      slope(growth, growth.seconds), slope(growth, growth.bytes), growth.cells.front(),
+      1e3 * growth.seconds.front(), growth.cells.back(), growth.seconds.back(), growth.bytes.back() / gib,
+      most_cells(growth, 24 * gib));
+  if (growth.given_up > 0)
+    measured += fmt::format("; {:.1g} cells given up after {} s", growth.given_up, most_seconds);
+  return {what, "-", measured, growth.right};
+}
 
-/// Of arcs of growing size.
-Growth over(const std::vector<int>& sizes, const Shape& shape, const Measure& measure) {
+/// Runs sizes in turn until one is given up. @param cells of each
+Growth over(const std::vector<int>& cells, const std::function<Cost(int)>& run) {
   Growth growth;
-  for (const int n : sizes) {
-    model::ExactDesign<double> design;
-    const auto [columns, rows] = shape(n);
-    const model::Structure structure = arc(columns, rows, design);
-    const Cost cost = measure(structure, design);
-    growth.add(structure, cost.seconds);
-    growth.right = growth.right && cost.right;
+  for (const int n : cells) {
+    const auto cost = cost_alone([&] { return run(n); }, most_seconds);
+    if (!cost) {
+      growth.given_up = n;
+      break;
+    }
+    growth.cells.push_back(n);
+    growth.seconds.push_back(cost->cost.seconds);
+    growth.bytes.push_back(cost->bytes);
+    growth.right = growth.right && cost->cost.right;
   }
   return growth;
 }
 
-Cost exact_model(const model::Structure& structure, const model::ExactDesign<double>& design) {
+/// Columns and rows.
+using Shape = std::pair<int, int>;
+Shape a_strip(int cells) { return {cells, 1}; }
+Shape a_sheet(int cells) {
+  const int edge = static_cast<int>(std::lround(std::sqrt(cells)));
+  return {edge, edge};
+}
+
+int repeats(int cells) { return cells > 2000 ? 1 : 3; }
+
+Cost exact_model(const Shape& shape) {
+  model::ExactDesign<double> design;
+  const model::Structure structure = arc(shape.first, shape.second, design);
   model::State poses;
   const int calls = std::max(1, 200000 / static_cast<int>(structure.bodies.size()));
   const double time = median_seconds(5, calls, [&] { fold(design, 10.0, poses); });
   return {time, hinge_gaps(structure, poses).max < 1e-11};
 }
 
-Cost equilibrium(const model::Structure& structure, const model::ExactDesign<double>& design) {
+Cost planar_designs(int cells) {
+  const int edge = a_sheet(cells).first;
+  const model::PlanarStructure hexagons =
+      model::make_planar_structure(model::lattice_graph(model::honeycomb_lattice, edge, edge), {});
+  int numbers = 0;
+  const double time =
+      median_seconds(repeats(cells), 1, [&] { numbers = model::ExactDesigns(hexagons).dimension(); });
+  return {time,
+          numbers == static_cast<int>(hexagons.senses.size() - hexagons.faces.size()) - 1};  // V - F - 1
+}
+
+Cost equilibrium(const Shape& shape) {
+  model::ExactDesign<double> design;
+  const model::Structure structure = arc(shape.first, shape.second, design);
   model::EquilibriumPath path;
-  const double time = median_seconds(
-      3, 1, [&] { path = trace_equilibrium(driven(structure, drive_to(structure, design.theta)), {}, {}); });
+  const double time = median_seconds(repeats(shape.first * shape.second), 1, [&] {
+    path = trace_equilibrium(driven(structure, drive_to(structure, design.theta)), {}, {});
+  });
   return {time, path.stop == model::EquilibriumPath::Stop::reached};
 }
 
 /// A step of it.
-Cost physics_run(const model::Structure& structure, const model::ExactDesign<double>& design) {
+Cost physics_run(const Shape& shape) {
+  model::ExactDesign<double> design;
+  const model::Structure structure = arc(shape.first, shape.second, design);
   sim::PhysicsOptions options;
   options.step_s = 1.0 / 100;
-  options.settle_seconds = 0.2;
-  sim::PhysicsResult run;
-  const double time = median_seconds(3, 1, [&] {
-    run = run_compression(structure, drive_to(structure, design.theta).on(structure), options);
-  });
-  return {time / run.steps, run.gaps.max < 2e-3};
+  options.drive_seconds = 0.1;
+  options.settle_seconds = 0.02;
+  std::vector<double> times;
+  bool right = true;
+  for (int k = 0; k < repeats(shape.first * shape.second); ++k) {
+    const sim::PhysicsResult run =
+        run_compression(structure, drive_to(structure, short_way).on(structure), options);
+    times.push_back(run.seconds / run.steps);
+    right = right && run.gaps.max < 2e-3;
+  }
+  return {median(times), right};
 }
 
-Growth of_search(const std::vector<int>& sizes) {
-  Growth growth;
+Cost search(int columns) {
   optim::MultiStartOptions options;
   options.threads = 1;
   const Scene scene = regression_scenes().front();
-  for (const int n : sizes) {
-    const optim::CurveVariables variables = strip(scene, n);
-    growth.add(make_structure(model::rectangle(n, 1), {}),
-               median_seconds(3, 1, [&] { fit_curve(scene.goal, variables, options); }));
-  }
-  return growth;
+  const optim::CurveVariables variables = strip(scene, columns);
+  bool right = true;
+  const double time = median_seconds(repeats(columns), 1, [&] {
+    right = right && std::isfinite(fit_curve(scene.goal, variables, options).error.rms);
+  });
+  return {time, right};
 }
 
 }  // namespace
 
 std::vector<Figure> growth_figures() {
-  return {
-      grown("exact model, strips", over({10, 40, 160, 640, 2560, 10240}, a_strip, exact_model)),
-      grown("exact model, sheets", over({5, 10, 20, 50, 100}, a_sheet, exact_model)),
-      grown("search for a half circle, 8 starts", of_search({10, 20, 40, 80, 160})),
-      grown("equilibrium, strips that bend, flat to theta 0.5", over({10, 20, 40, 80}, a_strip, equilibrium)),
-      grown("equilibrium, sheets that bend, flat to theta 0.5", over({5, 10, 20, 30}, a_sheet, equilibrium)),
-      grown("physics run, strips, a step", over({10, 20, 40, 80, 160}, a_strip, physics_run)),
-      grown("physics run, sheets, a step", over({5, 10, 20, 30}, a_sheet, physics_run))};
+  const std::vector<int> decades = {100, 1000, 10000, 100000, 1000000};
+  const auto on = [](Shape (*shape)(int), Cost (*run)(const Shape&)) {
+    return [=](int cells) { return run(shape(cells)); };
+  };
+  return {grown("exact model, strips: growth", over(decades, on(a_strip, exact_model))),
+          grown("exact model, sheets: growth", over(decades, on(a_sheet, exact_model))),
+          grown("planar, null space of hexagons: growth", over(decades, planar_designs)),
+          grown("search for a half circle, 8 starts: growth", over({10, 100, 300, 1000}, search)),
+          grown("equilibrium, strips that bend, flat to theta 0.5: growth",
+                over(decades, on(a_strip, equilibrium))),
+          grown("equilibrium, sheets that bend, flat to theta 0.5: growth",
+                over(decades, on(a_sheet, equilibrium))),
+          grown("physics run, strips, a step: growth", over(decades, on(a_strip, physics_run))),
+          grown("physics run, sheets, a step: growth", over(decades, on(a_sheet, physics_run)))};
 }
 
 }  // namespace kinetix::bench

@@ -23,11 +23,13 @@ struct Folded {
     task = folding_task(run);
     task.drive = drive_to(run.structure, physics_theta);
   }
+
+  void verify() { add(app::verify(run, task, {}).value(), task, {}, run); }
 };
 
 TEST(Verify, TakesALongStepWhereItEndsWhereTheModelSays) {
   Folded folded;
-  verify(folded.run, folded.task, {});
+  folded.verify();
   ASSERT_TRUE(folded.run.verification);
   EXPECT_TRUE(folded.run.verification->agrees);
   EXPECT_DOUBLE_EQ(folded.run.verification->options.step_s, 10 * usual_step);
@@ -36,7 +38,7 @@ TEST(Verify, TakesALongStepWhereItEndsWhereTheModelSays) {
 
 TEST(Verify, LeavesTheVerdictOnAWrongStateToTheUsualStep) {
   Folded folded(0.9 * theta);
-  verify(folded.run, folded.task, {});
+  folded.verify();
   ASSERT_TRUE(folded.run.verification);
   EXPECT_FALSE(folded.run.verification->agrees);
   EXPECT_TRUE(is_settled(*folded.run.verification));
@@ -48,7 +50,7 @@ TEST(Verify, TakesTheStepThatWasAskedFor) {
   Folded folded;
   folded.run.physics.step_s = 2e-3;
   folded.task = folding_task(folded.run);
-  verify(folded.run, folded.task, {});
+  folded.verify();
   ASSERT_TRUE(folded.run.verification);
   EXPECT_DOUBLE_EQ(folded.run.verification->options.step_s, 2e-3);
 }
@@ -56,7 +58,7 @@ TEST(Verify, TakesTheStepThatWasAskedFor) {
 TEST(Verify, TakesTheUsualStepWhereNoModelKnowsTheEnd) {
   Folded folded;
   folded.task.reference.clear();
-  verify(folded.run, folded.task, {});
+  folded.verify();
   ASSERT_TRUE(folded.run.verification);
   EXPECT_FALSE(folded.run.verification->compared);
   EXPECT_DOUBLE_EQ(folded.run.verification->options.step_s, usual_step);
