@@ -1,5 +1,6 @@
 # make demo: install packages/program.txt, build the program, fold the helmet rib.
-# make test: build and run all tests.   make asan, make tsan: the same under a sanitizer.
+# make test: build and run all tests.   make sanitize: the same under every sanitizer; make asan, make tsan: under one.
+# make coverage: which lines and branches of the sources the tests run; build/coverage/index.html shows them.
 # make faults: disks that fill, memory that runs out, signals, clocks that jump, at many more moments than the tests try.
 # make python: the program, and the Python module in build/release/python (PYTHONPATH).
 # make package: build/package/kinetix_*.deb, with the Python module.
@@ -14,7 +15,7 @@ FUZZ_SECONDS ?= 600
 FUZZ_RUNS ?= 100000
 ALL_PACKAGES := $(patsubst packages/%.txt,build/.installed/%,$(wildcard packages/*.txt))
 
-.PHONY: demo program python package install test faults dev asan tsan fuzz fuzz-program bench format docs packages clean
+.PHONY: demo program python package install test faults dev asan tsan sanitize coverage fuzz fuzz-program bench format docs packages clean
 
 demo: program
 	build/release/bin/kinetix-opt targets/shapes/helmet_rib.yaml -o results/helmet_rib
@@ -53,13 +54,25 @@ asan tsan: $(ALL_PACKAGES)
 	cmake --build --preset $@ -j $(JOBS)
 	ctest --preset $@
 
+sanitize: asan tsan
+
+coverage: $(ALL_PACKAGES)
+	cmake --preset $@
+	cmake --build --preset $@ -j $(JOBS)
+	find build/$@ -name '*.gcda' -delete
+	ctest --preset $@; \
+	gcovr --root . --object-directory build/$@ --filter '(model|targets|optim|sim|app)/' --exclude-throw-branches \
+	  --exclude-unreachable-branches --print-summary --txt build/$@/files.txt --html-details build/$@/index.html
+
 fuzz: $(ALL_PACKAGES)
 	cmake --preset $@
 	cmake --build --preset $@ -j $(JOBS)
 	tests/fuzz/fuzz.sh build/fuzz $(FUZZ_SECONDS)
 
-fuzz-program: program
-	tests/fuzz/whole_program.py build/release/bin/kinetix-opt $(FUZZ_RUNS) --keep build/fuzz/found
+fuzz-program: $(ALL_PACKAGES)
+	cmake --preset dev
+	cmake --build --preset dev -j $(JOBS) --target kinetix-forked-runs
+	tests/fuzz/whole_program.py build/dev/bin/kinetix-forked-runs $(FUZZ_RUNS) --keep build/fuzz/found
 
 bench: $(ALL_PACKAGES)
 	cmake --preset release

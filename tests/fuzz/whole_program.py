@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""whole_program.py PROGRAM RUNS [--seed N] [--first K] [--keep FOLDER]: shipped files, changed at random, through the whole program.
+"""whole_program.py FORKED_RUNS RUNS [--seed N] [--first K] [--keep FOLDER]: shipped files, changed at random, through the whole program.
 
 Run K takes a file of targets/shapes or targets/sweeps, changes keys, numbers, lines or bytes of it, and gives it to `check`
 (nine times in ten), `simulate`, `export` or the search with a time limit of a second. What must hold:
@@ -14,7 +14,6 @@ import json
 import pathlib
 import random
 import re
-import resource
 import shutil
 import signal
 import subprocess
@@ -24,7 +23,6 @@ import time
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 LONGEST_S = 20  # of one run, of the processor: as long as a user would wait
-STUCK_S = 200  # of one run, by the clock: a busy machine takes longer, what waits for nothing takes for ever
 QUICK_S = 3  # of what `check` expects a search and its physics run to take: what takes longer is not run here
 FEW_BODIES = 1500  # of a sheet: the equilibrium of larger ones takes up to a minute, as their files say
 MEMORY = 4 << 30  # bytes of addresses, the libraries' among them: 2 GiB of data, and the machine is safe
@@ -102,32 +100,25 @@ class Changer:
         return text[:at] + new + text[at + length:]
 
 
-def limit_memory():
-    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-    resource.setrlimit(resource.RLIMIT_CPU, (LONGEST_S, LONGEST_S))
-
-
 def refuse_constant(name):
     raise ValueError("a number that is " + name)
 
 
 class Program:
+    """kinetix-forked-runs in a folder."""
+
     def __init__(self, program, folder):
-        self.program, self.folder, self.input, self.out = program, folder, folder / "input.yaml", folder / "out"
+        self.folder, self.input, self.out = folder, folder / "input.yaml", folder / "out"
+        self.process = subprocess.Popen([program, str(LONGEST_S), str(MEMORY)], cwd=folder, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
 
     def run(self, arguments):
-        """The exit code (None: neither within LONGEST_S nor STUCK_S), what is on stdout and stderr."""
+        """The exit code (None: not within LONGEST_S, nor by the clock), what is on stdout and stderr."""
         shutil.rmtree(self.out, ignore_errors=True)
-        process = subprocess.Popen([self.program, *arguments, "--quiet", "--threads", "1"], cwd=self.folder, stdin=subprocess.DEVNULL,
-                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, preexec_fn=limit_memory)
-        try:
-            out, err = process.communicate(timeout=STUCK_S)
-            return None if process.returncode in (-signal.SIGXCPU, -signal.SIGKILL) else process.returncode, out, err
-        except subprocess.TimeoutExpired:
-            process.kill()
-            process.communicate()
-            return None, b"", b""
+        self.process.stdin.write("\t".join([*arguments, "--quiet", "--threads", "1"]) + "\n")
+        self.process.stdin.flush()
+        code = int(self.process.stdout.readline())
+        out, err = ((self.folder / name).read_bytes() for name in ("stdout", "stderr"))
+        return None if -code in (signal.SIGXCPU, signal.SIGKILL, signal.SIGALRM) else code, out, err
 
     def fault(self, arguments, result, codes):
         """What is wrong with a run; empty: nothing."""
