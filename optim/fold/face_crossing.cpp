@@ -1,5 +1,6 @@
 #include "optim/fold/face_crossing.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -24,17 +25,29 @@ double fold_rate(double tilt, int columns, double theta) {
 struct FaceWalls {
   std::vector<OrientedBox> boxes;
   std::vector<double> radii;
+  double largest_radius = 0;
+  Eigen::AlignedBox3d centers;
+
+  void add(const OrientedBox& box) {
+    boxes.push_back(box);
+    radii.push_back(box.half.norm());
+    largest_radius = std::max(largest_radius, radii.back());
+    centers.extend(box.center);
+  }
 };
 
 /// Lower bound of the distance of two faces, no larger than `cap`.
 double clearance(const FaceWalls& a, const FaceWalls& b, double cap) {
   double least = cap;
-  for (std::size_t k = 0; k < a.boxes.size(); ++k)
+  for (std::size_t k = 0; k < a.boxes.size(); ++k) {
+    const double near = least + a.radii[k] + b.largest_radius;
+    if (b.centers.squaredExteriorDistance(a.boxes[k].center) >= near * near) continue;
     for (std::size_t m = 0; m < b.boxes.size(); ++m) {
       const double reach = least + a.radii[k] + b.radii[m];
       if ((a.boxes[k].center - b.boxes[m].center).squaredNorm() >= reach * reach) continue;
       least = std::min(least, separation(a.boxes[k], b.boxes[m]));
     }
+  }
   return least;
 }
 
@@ -138,8 +151,7 @@ class Watch {
     for (const model::HalfWall& wall : walls_) {
       const int part = part_[wall.body];
       if (part >= static_cast<int>(faces_.size())) continue;
-      faces_[part].boxes.push_back(placed(wall, state[wall.body]));
-      faces_[part].radii.push_back(wall.box.half.norm());
+      faces_[part].add(placed(wall, state[wall.body]));
     }
   }
 

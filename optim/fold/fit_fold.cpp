@@ -136,16 +136,33 @@ class NetSearch {
 
   /// The largest free theta: steep tilts at small theta are in the way as well as gentle ones at large theta.
   std::optional<Obstacle> try_between(int index, const std::vector<int>& columns, double lower) {
-    std::optional<Obstacle> farthest;
+    std::vector<Blocked> blocked;
     const int steps = static_cast<int>(std::ceil((upper_ - lower) / step));
     for (int k = steps; k >= 0; --k) {
       if (options_.stop.stop_requested()) return Obstacle{"the search was told to stop", false, 0};
       FoldedNet net = folded(index, columns, lower + (upper_ - lower) * k / steps);
-      auto obstacle = walls_in_the_way(net);
-      if (!obstacle) return accept(index, refined(index, columns, std::move(net), k < steps));
-      if (!farthest || obstacle->share > farthest->share) farthest = std::move(obstacle);
+      const auto share = blocked_share(net);
+      if (!share) return accept(index, refined(index, columns, std::move(net), k < steps));
+      blocked.push_back({net.theta, *share});
     }
-    return farthest;
+    return farthest(index, columns, std::move(blocked));
+  }
+
+  /// A motion that is not free, and a share of its way at which it is known not to be.
+  struct Blocked {
+    double theta, share;
+  };
+
+  /// What stops the one that is free for the largest share of its way.
+  Obstacle farthest(int index, const std::vector<int>& columns, std::vector<Blocked> blocked) const {
+    std::stable_sort(blocked.begin(), blocked.end(),
+                     [](const Blocked& a, const Blocked& b) { return a.share > b.share; });
+    Obstacle out = first_obstacle(folded(index, columns, blocked.front().theta));
+    for (std::size_t k = 1; k < blocked.size() && blocked[k].share > out.share; ++k) {
+      Obstacle other = first_obstacle(folded(index, columns, blocked[k].theta));
+      if (other.share > out.share) out = std::move(other);
+    }
+    return out;
   }
 
   /// A little more theta, as far as it is free.
@@ -153,7 +170,7 @@ class NetSearch {
     double blocked = blocked_beyond ? best.theta + step : best.theta;
     while (blocked - best.theta > precision && !options_.stop.stop_requested()) {
       FoldedNet middle = folded(index, columns, (best.theta + blocked) / 2);
-      if (walls_in_the_way(middle))
+      if (blocked_share(middle))
         blocked = middle.theta;
       else
         best = std::move(middle);
@@ -173,17 +190,29 @@ class NetSearch {
     return std::nullopt;
   }
 
-  std::optional<Obstacle> walls_in_the_way(const FoldedNet& net) {
+  static int looks(const FoldedNet& net) { return static_cast<int>(std::ceil(net.theta / step)); }
+  static double theta_of_look(const FoldedNet& net, int k) { return net.theta * k / looks(net); }
+
+  /// Nothing: free; else a share of the way at which it is not. Looked at from its end, where most walls meet.
+  std::optional<double> blocked_share(const FoldedNet& net) {
     ++design_.evaluations;
     model::WallContact contact(with_clearance(net.structure));
+    if (!contact.touching_at_rest().empty()) return 0;
+    for (int k = looks(net); k > 0; --k)
+      if (!contact.overlapping(fold_net(net.tree, net.structure, theta_of_look(net, k))).empty())
+        return theta_of_look(net, k) / net.theta;
+    return std::nullopt;
+  }
+
+  /// @pre a motion that is blocked
+  Obstacle first_obstacle(const FoldedNet& net) const {
+    model::WallContact contact(with_clearance(net.structure));
     if (!contact.touching_at_rest().empty()) return described(net, contact.touching_at_rest().front(), 0);
-    const int steps = static_cast<int>(std::ceil(net.theta / step));
-    for (int k = 1; k <= steps; ++k) {
-      const double theta = net.theta * k / steps;
+    for (int k = 1;; ++k) {
+      const double theta = theta_of_look(net, k);
       const auto& pairs = contact.overlapping(fold_net(net.tree, net.structure, theta));
       if (!pairs.empty()) return described(net, pairs.front(), theta);
     }
-    return std::nullopt;
   }
 
   /// The same with thicker and higher walls.
