@@ -155,7 +155,7 @@ class Reader {
     for (const targets::Node& node :
          structure_.required("hinges", "a list of hinges").list("a list of hinges"))
       add_hinge(node);
-    out_.edge_mm = median();
+    out_.edge_mm = hinge_distance(out_);
     structure_.read("cell_mm", out_.edge_mm);
     for (model::AssemblyHinge& h : out_.hinges)
       if (h.reach_mm == 0) h.reach_mm = default_reach * out_.edge_mm;
@@ -236,14 +236,6 @@ class Reader {
     }
     return model::direction_across(out_.bodies[hinge.upper].position - out_.bodies[hinge.lower].position,
                                    hinge.axis);
-  }
-
-  double median() const {
-    std::vector<double> all;
-    for (const model::AssemblyHinge& h : out_.hinges)
-      all.push_back((out_.bodies[h.upper].position - out_.bodies[h.lower].position).norm());
-    std::nth_element(all.begin(), all.begin() + static_cast<long>(all.size() / 2), all.end());
-    return all[all.size() / 2];
   }
 
   const targets::Section& structure_;
@@ -373,7 +365,7 @@ AssemblyFile read_assembly(const targets::Node& node) {
 }
 
 std::optional<model::Pull> AssemblyFile::pull() const {
-  if (poses) return model::Pull{*poses};
+  if (poses) return aligned_pull(linkage_of(assembly), {*poses});
   if (!expand) return std::nullopt;
   Vector3d middle = Vector3d::Zero();
   for (const model::AssemblyBody& b : assembly.bodies)
@@ -381,7 +373,7 @@ std::optional<model::Pull> AssemblyFile::pull() const {
   model::Pull out{{}, false};
   for (const model::AssemblyBody& b : assembly.bodies)
     out.to.push_back({Eigen::Matrix3d::Identity(), middle + *expand * (b.position - middle)});
-  return out;
+  return aligned_pull(linkage_of(assembly), std::move(out));
 }
 
 std::vector<NamedContent> assembly_files(const AssemblyFile& file) {

@@ -21,7 +21,7 @@ struct AssemblyFile {
   std::optional<model::State> poses = {};  ///< instead: where bodies are pulled to, mm
   std::optional<double> expand = {};  ///< or: times their distance from the middle, as far as they go, > 0
 
-  /// What pulls the bodies; nothing where a hinge is turned.
+  /// What pulls the bodies, moved to where they are; nothing where a hinge is turned.
   std::optional<model::Pull> pull() const;
 };
 

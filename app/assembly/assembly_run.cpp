@@ -56,7 +56,7 @@ void follow_pull(AssemblyRun& run, const RunOptions& options) {
   Stopwatch watch;
   model::DeploymentOptions how;
   how.stop = [&] { return options.stop.stop_requested(); };
-  run.deployment = deploy(run.linkage, aligned_pull(run.linkage, *run.file.pull()), how);
+  run.deployment = deploy(run.linkage, *run.file.pull(), how);
   run.motion.states = run.deployment->states;
   run.motion.gap = run.deployment->gap;
   run.motion.axis_gap = run.deployment->axis_gap;
@@ -115,8 +115,7 @@ sim::PhysicsOptions physics_of(const AssemblyRun& run, double factor) {
 
 sim::PhysicsResult run_physics(const AssemblyRun& run, const sim::PhysicsOptions& options,
                                const sim::ContactParts& parts, const sim::PhysicsObserver& observer) {
-  if (run.deployment)
-    return run_pull(run.linkage, aligned_pull(run.linkage, *run.file.pull()), options, parts, observer);
+  if (run.deployment) return run_pull(run.linkage, *run.file.pull(), options, parts, observer);
   return run_with_parts(run.linkage, run.drive(), options, parts, observer);
 }
 

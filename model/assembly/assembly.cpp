@@ -13,6 +13,7 @@
 #include "model/assembly/soft_hinge.hpp"
 #include "model/base/decompositions.hpp"
 #include "model/base/invalid_input.hpp"
+#include "model/base/lower_median.hpp"
 #include "model/base/union_find.hpp"
 
 namespace kinetix::model {
@@ -71,7 +72,9 @@ class Builder {
     check_joined();
     check_choices();
     order_axes();
-    out_.edge_mm = median_distance();
+    out_.edge_mm = hinge_distance(out_);
+    if (!(out_.edge_mm > 0))
+      throw InvalidInput("bodies that share a hinge have one center; there is no length to measure by");
     return std::move(out_);
   }
 
@@ -264,12 +267,9 @@ class Builder {
   void check_joined() const {
     if (out_.hinges.empty())
       throw InvalidInput("has no hinge: no soft part, and no hard part with a rod in the bore of another");
-    UnionFind joined(out_.bodies.size());
-    for (const AssemblyHinge& h : out_.hinges) joined.unite(h.lower, h.upper);
-    for (int b = 1; b < static_cast<int>(out_.bodies.size()); ++b)
-      if (joined.find(b) != joined.find(0))
-        throw InvalidInput("hard part `" + out_.bodies[b].name + "` hangs on no chain of hinges with `" +
-                           out_.bodies[0].name + "`");
+    if (const auto body = first_apart(out_))
+      throw InvalidInput("hard part `" + out_.bodies[*body].name + "` hangs on no chain of hinges with `" +
+                         out_.bodies[0].name + "`");
   }
 
   void check_choices() const {
@@ -290,17 +290,6 @@ class Builder {
     if (main[lead] < 0) main = -main;
     for (AssemblyHinge& h : out_.hinges)
       if (h.axis.dot(main) < 0) h.axis = -h.axis;
-  }
-
-  double median_distance() const {
-    std::vector<double> all;
-    for (const AssemblyHinge& h : out_.hinges)
-      all.push_back((out_.bodies[h.upper].position - out_.bodies[h.lower].position).norm());
-    std::nth_element(all.begin(), all.begin() + static_cast<long>(all.size() / 2), all.end());
-    const double median = all[all.size() / 2];
-    if (!(median > 0))
-      throw InvalidInput("bodies that share a hinge have one center; there is no length to measure by");
-    return median;
   }
 
   const HingeChoices& choices_;
@@ -331,6 +320,21 @@ std::vector<int> alternating(const Assembly& assembly) {
 }
 
 }  // namespace
+
+double hinge_distance(const Assembly& assembly) {
+  std::vector<double> all;
+  for (const AssemblyHinge& h : assembly.hinges)
+    all.push_back((assembly.bodies[h.upper].position - assembly.bodies[h.lower].position).norm());
+  return lower_median(std::move(all));
+}
+
+std::optional<int> first_apart(const Assembly& assembly) {
+  UnionFind joined(assembly.bodies.size());
+  for (const AssemblyHinge& h : assembly.hinges) joined.unite(h.lower, h.upper);
+  for (int b = 1; b < static_cast<int>(assembly.bodies.size()); ++b)
+    if (joined.find(b) != joined.find(0)) return b;
+  return std::nullopt;
+}
 
 Assembly make_assembly(const std::vector<ModelPart>& parts, const HingeChoices& choices) {
   return Builder(parts, choices).run();

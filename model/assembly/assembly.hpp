@@ -53,6 +53,11 @@ struct Assembly {
   std::vector<std::string> notes = {};  ///< what its user should know
 };
 
+/// The median distance of two bodies that share a hinge, mm. @pre a hinge
+double hinge_distance(const Assembly& assembly);
+/// The first body that hangs on no chain of hinges with body 0; nothing where all do.
+std::optional<int> first_apart(const Assembly& assembly);
+
 /// What a person says of hinges that their shape leaves open.
 struct HingeChoices {
   std::map<std::string, Eigen::Vector3d> axes = {};  ///< by the hinge's name, or "BODY/BODY"; unit vectors

@@ -8,8 +8,8 @@
 #include "model/assembly/direction_across.hpp"
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
+#include "model/base/lower_median.hpp"
 #include "model/base/rigid_fit.hpp"
-#include "model/base/union_find.hpp"
 
 namespace kinetix::model {
 namespace {
@@ -35,11 +35,6 @@ Vector3d mean(const Corners& corners) {
   Vector3d sum = Vector3d::Zero();
   for (const Vector3d& c : corners) sum += c;
   return sum / static_cast<double>(corners.size());
-}
-
-double median_of(std::vector<double> all) {
-  std::nth_element(all.begin(), all.begin() + static_cast<long>(all.size() / 2), all.end());
-  return all[all.size() / 2];
 }
 
 std::string short_text(double x) {
@@ -148,11 +143,9 @@ class TileBuilder {
     for (std::size_t t = 0; t < sheet_.tiles.size(); ++t) add_tile(t);
     if (sheet_.joints.empty()) throw InvalidInput("has no joints: its tiles hang on nothing");
     for (std::size_t j = 0; j < sheet_.joints.size(); ++j) add_joint(j);
-    check_joined();
-    std::vector<double> distances;
-    for (const AssemblyHinge& h : out_.hinges)
-      distances.push_back((out_.bodies[h.upper].position - out_.bodies[h.lower].position).norm());
-    out_.edge_mm = median_of(std::move(distances));
+    if (const auto tile = first_apart(out_))
+      throw InvalidInput("tile " + std::to_string(*tile + 1) + " hangs on no chain of joints with tile 1");
+    out_.edge_mm = hinge_distance(out_);
     for (AssemblyHinge& h : out_.hinges) h.reach_mm = reach_share * out_.edge_mm;
     return std::move(out_);
   }
@@ -201,14 +194,6 @@ class TileBuilder {
     out_.hinges.push_back(std::move(hinge));
   }
 
-  void check_joined() const {
-    UnionFind joined(out_.bodies.size());
-    for (const AssemblyHinge& h : out_.hinges) joined.unite(h.lower, h.upper);
-    for (int b = 1; b < static_cast<int>(out_.bodies.size()); ++b)
-      if (joined.find(b) != joined.find(0))
-        throw InvalidInput("tile " + std::to_string(b + 1) + " hangs on no chain of joints with tile 1");
-  }
-
   const TileSheet& sheet_;
   const TileMake& make_;
   const double edge_;
@@ -229,7 +214,7 @@ double median_edge(const TileSheet& sheet) {
   for (const Corners& tile : sheet.tiles)
     for (std::size_t k = 0; k < tile.size(); ++k)
       all.push_back((tile[(k + 1) % tile.size()] - tile[k]).norm());
-  return all.empty() ? 0 : median_of(std::move(all));
+  return all.empty() ? 0 : lower_median(std::move(all));
 }
 
 Assembly assembly_of_tiles(const TileSheet& sheet, const TileMake& make) {

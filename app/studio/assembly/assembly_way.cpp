@@ -1,4 +1,4 @@
-#include "app/studio/assembly_way.hpp"
+#include "app/studio/assembly/assembly_way.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -92,7 +92,7 @@ AssemblyWay way_of_pull(const model::Linkage& linkage, const model::Pull& pull, 
                         const std::function<bool()>& stop) {
   model::DeploymentOptions options;
   options.stop = stop;
-  const model::Deployment found = deploy(linkage, aligned_pull(linkage, pull), options);
+  const model::Deployment found = deploy(linkage, pull, options);
   const double end = 2 * mean_half_turn(linkage, found.states.back());
   AssemblyWay way = way_at_rest(linkage, hinge);
   way.pulled = true;
