@@ -80,6 +80,7 @@ int run_and_write(const CommandOptions& options, const Scene& scene, const std::
   run.timings.load = load;
   if (asks_physics && run.stopped && !run.verification)
     throw Interrupted("the physics run was stopped before it settled");
+  console.progress()("files", -1);
   const auto json = write_results(run, folder.path());
   folder.keep();
   print(run, json, folder.path(), options.json);

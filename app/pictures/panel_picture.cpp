@@ -62,7 +62,7 @@ std::string panel_picture(const model::Linkage& panel, const model::State& state
                           const PictureOptions& options) {
   const PictureFrame frame = picture_frame(state, panel.size.edge_mm / 2);
   if (options.format == PictureFormat::svg) return svg(panel, state, options.hinges, frame);
-  CairoImage image(frame, std::min(options.pixels_per_mm, most_picture_pixels / frame.size().maxCoeff()));
+  CairoImage image(frame, std::min(options.pixels_per_mm, options.most_pixels / frame.size().maxCoeff()));
   draw(panel, state, options.hinges, image.pen());
   return image.png();
 }

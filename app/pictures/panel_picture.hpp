@@ -12,7 +12,9 @@ enum class PictureFormat { svg, png };
 struct PictureOptions {
   PictureFormat format = PictureFormat::svg;
   double pixels_per_mm = 4;  ///< of a PNG; an SVG is to scale in mm
-  bool hinges = false;       ///< the hinge map: dots on the walls, by how far they sit from the middle
+  double most_pixels =
+      4000;  ///< a side of a PNG: of large panels a mm has fewer. More take seconds and show no more
+  bool hinges = false;  ///< the hinge map: dots on the walls, by how far they sit from the middle
 };
 
 /// A panel in a state as one would photograph the print from above: walls black on white, to scale, upright

@@ -95,14 +95,15 @@ std::optional<PrintedGoal> expected_of_prints(const Run& run, const model::Linka
 
 std::optional<PrintedGoal> as_made(const Run& run, const model::LinkageDrive& drive,
                                    const model::State& state, const std::vector<model::ObservedPoint>& points,
-                                   int prints) {
+                                   const RunOptions& options) {
   const PrintHinges hinges = print_hinges(run, drive, state);
   std::optional<PrintedGoal> out = expected_with(run, hinges, state, points);
-  if (out && (prints > 0 || run.structure.bodies() <= most_bodies_to_confirm))
-    out->runs =
-        print_runs([&](const Eigen::Matrix4Xd& errors) { return printed_sheet(run.structure, errors); },
-                   hinges.elasticity, hinges.drive, state, points, scatter_of(run),
-                   std::max(prints, least_prints), {.planar = run.plan.planar});
+  if (!out || (options.prints == 0 && run.structure.bodies() > most_bodies_to_confirm)) return out;
+  const model::PrintRuns runs = print_runs(
+      [&](const Eigen::Matrix4Xd& errors) { return printed_sheet(run.structure, errors); }, hinges.elasticity,
+      hinges.drive, state, points, scatter_of(run), std::max(options.prints, least_prints),
+      {.planar = run.plan.planar, .stop = [&] { return options.stop.stop_requested(); }});
+  if (runs.prints + runs.failed > 0) out->runs = runs;
   return out;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/run/run.hpp"
+#include "app/run/run_options.hpp"
 
 namespace kinetix::app {
 
@@ -21,10 +22,11 @@ std::optional<PrintedGoal> expected_of_prints(const Run& run, const model::Linka
 /// What prints of a state of the run's structure come to, with hinges as stiff as the file says (or by default) and the
 /// process's errors: the place of hinges, the tilt of walls, and what a pin's clearance leaves open.
 /// @param drive that holds the state, in equilibrium or nearly so   @param points by which the goal is judged
-/// @param prints so many are brought to their equilibrium as well, to confirm it; a few in any case, but for large sheets
+/// @param options how many prints are brought to their equilibrium as well, to confirm it; a few in any case, but for large
+/// sheets, and until it is told to stop
 /// @return nothing without points, or where the state is not stable under that drive
 std::optional<PrintedGoal> as_made(const Run& run, const model::LinkageDrive& drive,
                                    const model::State& state, const std::vector<model::ObservedPoint>& points,
-                                   int prints);
+                                   const RunOptions& options);
 
 }  // namespace kinetix::app

@@ -23,7 +23,7 @@ void judge_prints(const Run& run, const Scene& scene, const RunOptions& options,
   if (!judged) return;
   options.progress("prints", -1);
   out.printed = as_made(run, run.matter ? run.equilibrium->drive : drive_to(run.structure, run.theta), state,
-                        judged->points, options.prints);
+                        judged->points, options);
   if (out.printed)
     out.printed->tolerance_mm = judged->tolerance_mm;
   else

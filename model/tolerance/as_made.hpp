@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "model/tolerance/observed_points.hpp"
@@ -44,6 +45,8 @@ struct AsMadeOptions {
   int probes = 150;  ///< beyond so many points, so many random mixtures of them stand for all; >= 2
   bool planar = false;  ///< prints move in the plane z = 0 only
   unsigned seed = 1;    ///< of the mixtures
+  std::function<bool()> stop =
+      {};  ///< asked before each print that is brought to its equilibrium; where it says so, no more are
 };
 
 /// To first order about an equilibrium under its drive: a print with other hinges settles nearby, by the adjoint.

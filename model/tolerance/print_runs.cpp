@@ -126,7 +126,7 @@ int visit_prints(const PrintedLinkage& printed, const Elasticity& elasticity, co
   Rest rest(std::move(exact), elasticity, drive, options.planar);
   rest.of_design(design);
   int failed = 0;
-  for (int k = 0; k < count; ++k) {
+  for (int k = 0; k < count && !(options.stop && options.stop()); ++k) {
     State print = design;
     const Matrix4Xd own = errors.next();
     if (rest.of_print(printed(own), print))

@@ -20,7 +20,7 @@ using PrintedLinkage = std::function<Linkage(const Eigen::Matrix4Xd& errors)>;
 
 /// Prints with errors, one after the other, each brought to its equilibrium from that of the design.
 /// @param state of the design, in equilibrium or nearly so under the drive
-/// @param options seed and planar have an effect
+/// @param options seed, planar and stop have an effect
 /// @param visit sees the design's own equilibrium, that of each print that settled, and its errors
 /// @return how many did not. The same seed gives the same prints.
 int visit_prints(const PrintedLinkage& printed, const Elasticity& elasticity, const LinkageDrive& drive,

@@ -7,6 +7,7 @@
 
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
+#include "model/lattice/square/family/exact_gradient.hpp"
 #include "model/lattice/square/family/exact_jacobian.hpp"
 #include "model/lattice/square/numbering.hpp"
 #include "python/bindings/arrays.hpp"
@@ -144,11 +145,49 @@ py::tuple strip_derivatives(Numbers beta, Numbers theta, double cell_mm, int row
   return py::make_tuple(poses, derivatives);
 }
 
+/// Shift and turn of each body, in the kernel's order: turn, then shift.
+void read_pulls(const double* six, py::ssize_t bodies, Eigen::VectorXd& by_state) {
+  by_state.resize(6 * bodies);
+  for (double* out = by_state.data(); bodies > 0; --bodies, six += 6, out += 6) {
+    std::copy_n(six + 3, 3, out);
+    std::copy_n(six, 3, out + 3);
+  }
+}
+
+py::array strip_gradients(Numbers beta, Numbers theta, Numbers by_poses, double cell_mm, int rows,
+                          int threads) {
+  const Strips strips{std::move(beta), std::move(theta), {}, cell_mm, rows};
+  check(strips);
+  const py::ssize_t columns = strips.columns(), bodies = strips.bodies(), numbers = 6 * bodies;
+  if (by_poses.ndim() != 3 || by_poses.shape(0) != strips.count() || by_poses.shape(1) != bodies ||
+      by_poses.shape(2) != 6)
+    throw InvalidInput(
+        fmt::format("by_poses must be of shape ({}, {}, 6): a row a body", strips.count(), bodies));
+  py::array gradients = unwritten({strips.count(), columns + 1});
+  auto* const out = static_cast<double*>(gradients.mutable_data());
+  many_folds_in_python(strips.count(), bodies, threads, [&](std::int64_t k, model::State& state) {
+    thread_local ExactDesign<double> design, gradient;
+    thread_local Eigen::VectorXd by_state;
+    if (design.columns() != columns || design.rows() != strips.rows)
+      design = ExactDesign<double>::basic(strips.columns(), strips.rows);
+    std::fill(design.t.begin(), design.t.end(), 0.5);
+    load(strips, k, design);
+    fold(design, strips.cell_mm, state);
+    read_pulls(by_poses.data() + k * numbers, bodies, by_state);
+    fold_gradient(design, strips.cell_mm, state, by_state, gradient);
+    double* const row = out + k * (columns + 1);
+    std::copy(gradient.beta.begin(), gradient.beta.end(), row);
+    row[columns] = gradient.theta;
+  });
+  return gradients;
+}
+
 }  // namespace
 
 void add_strips(py::module_& core) {
   core.def("fold_strips", fold_strips);
   core.def("strip_derivatives", strip_derivatives);
+  core.def("strip_gradients", strip_gradients);
 }
 
 }  // namespace kinetix::python

@@ -11,7 +11,7 @@ from .goals import Goal
 from .result import Result
 from .run import Exported, export, optimise, simulate, verify
 from .state import State
-from .strips import fold_strips, strip_derivatives
+from .strips import fold_strips, strip_derivatives, strip_gradients
 
 __all__ = ["Design", "Exported", "Goal", "InvalidInput", "Result", "State", "export", "fold_strips", "optimise", "simulate",
-           "strip_derivatives", "verify"]
+           "strip_derivatives", "strip_gradients", "verify"]

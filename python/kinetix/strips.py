@@ -46,3 +46,17 @@ def strip_derivatives(beta: ArrayLike, theta: ArrayLike, cell_mm: float = 1.0, *
     """
     tilts, angles = _rows(beta, theta)
     return _core.strip_derivatives(tilts, angles, cell_mm, rows, threads)
+
+
+def strip_gradients(beta: ArrayLike, theta: ArrayLike, by_poses: ArrayLike, cell_mm: float = 1.0, *, rows: int = 1,
+                    threads: int = 0) -> NDArray[np.float64]:
+    """Gradients of B functions of the poses, one a strip, by every tilt and by theta: one pass back over the bodies, in
+    about the time of a fold, where strip_derivatives has a table a parameter.
+
+    :param by_poses: (B, N, 6): derivatives of each function by the shift (per mm) and the turn (a vector about which it
+        turns, per rad) of each body of fold_strips
+    :return: (B, C + 1): by the tilt of column c, last by theta, per rad
+    :raises InvalidInput: naming the entry, for numbers outside their range or of another shape
+    """
+    tilts, angles = _rows(beta, theta)
+    return _core.strip_gradients(tilts, angles, np.asarray(by_poses, dtype=np.float64), cell_mm, rows, threads)

@@ -109,6 +109,14 @@ class Strips(Scratch):
             turn = [[rotation_between(a, b) / (2 * step) for a, b in zip(x, y)] for x, y in zip(before, after)]
             np.testing.assert_allclose(rates[:, c, :, 3:], turn, atol=1e-8)
 
+    def test_gradients_are_what_derivatives_sum_up_to(self):
+        beta, theta = random_strips(4, 5)
+        by_poses = np.random.default_rng(3).normal(size=(4, 18, 6))
+        _, rates = kinetix.strip_derivatives(beta, theta, 4, rows=2)
+        gradients = kinetix.strip_gradients(beta, theta, by_poses, 4, rows=2)
+        np.testing.assert_allclose(gradients, np.einsum("kpbi,kbi->kp", rates, by_poses), rtol=1e-12, atol=1e-12)
+        np.testing.assert_array_equal(gradients, kinetix.strip_gradients(beta, theta, by_poses, 4, rows=2, threads=1))
+
     def test_says_which_entry_is_out_of_range(self):
         beta, theta = random_strips(3, 4)
         beta[1, 2] = math.nan
@@ -120,6 +128,8 @@ class Strips(Scratch):
             kinetix.fold_strips([[0.1, 0.1]], 0.2, t=[[0.5, 0.4]])
         with self.assertRaisesRegex(kinetix.InvalidInput, r"out must be a writable array .* of shape \(1, 6, 7\)"):
             kinetix.fold_strips([[0.1, 0.1]], 0.2, out=np.zeros((1, 6, 6)))
+        with self.assertRaisesRegex(kinetix.InvalidInput, r"by_poses must be of shape \(1, 6, 6\)"):
+            kinetix.strip_gradients([[0.1, 0.1]], 0.2, np.zeros((1, 6, 7)))
         with self.assertRaisesRegex(kinetix.InvalidInput, "cell_mm is 0, must be positive"):
             kinetix.fold_strips([[0.1, 0.1]], 0.2, 0)
 

@@ -16,6 +16,8 @@ constexpr double cells_a_blur =
     80;  // cells of a side for each cell of blur: a QR code of 100 cells is read best at 1 to 1.33
 constexpr double surroundings = 12;  // cells: three modules of a QR code of four cells a module
 
+constexpr double pixels_of_frame = 1000;  // a side: a dozen of them are a film for a screen
+
 /// As SVG and as PNG.
 void add_panel(std::vector<NamedContent>& files, const std::string& name, const model::Linkage& panel,
                const model::State& state, bool hinges = false) {
@@ -29,7 +31,8 @@ void add_frames(std::vector<NamedContent>& files, const Run& run) {
   for (const NamedState& state : run.states)
     if (state.name == "frame")
       files.push_back({fmt::format("frames/{:02}.png", frame++),
-                       panel_picture(run.structure, state.poses, {.format = PictureFormat::png})});
+                       panel_picture(run.structure, state.poses,
+                                     {.format = PictureFormat::png, .most_pixels = pixels_of_frame})});
 }
 
 }  // namespace

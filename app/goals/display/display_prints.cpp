@@ -49,7 +49,7 @@ std::optional<MatrixXd> derivatives(const DisplayFile& file, const Run& run,
 
 /// Contrast and auc of prints, one after the other.
 void add_prints(const DisplayFile& file, const Run& run, const model::HingeScatter& scatter,
-                const model::State& state, int count, PrintedDisplay& out) {
+                const model::State& state, const RunOptions& options, PrintedDisplay& out) {
   std::vector<double> contrasts;
   double auc = 0;
   const auto seen = [&](const model::State&, const model::State& print, const Eigen::Matrix4Xd& errors) {
@@ -57,9 +57,11 @@ void add_prints(const DisplayFile& file, const Run& run, const model::HingeScatt
     contrasts.push_back(score.contrast);
     auc += score.auc;
   };
-  out.failed = visit_prints(
-      [&](const Eigen::Matrix4Xd& errors) { return printed_sheet(run.structure, errors); },
-      run.equilibrium->elasticity, run.equilibrium->drive, state, scatter, count, {.planar = true}, seen);
+  out.failed =
+      visit_prints([&](const Eigen::Matrix4Xd& errors) { return printed_sheet(run.structure, errors); },
+                   run.equilibrium->elasticity, run.equilibrium->drive, state, scatter,
+                   std::max(options.prints, least_prints),
+                   {.planar = true, .stop = [&] { return options.stop.stop_requested(); }}, seen);
   out.prints = static_cast<int>(contrasts.size());
   if (contrasts.empty()) return;
   std::sort(contrasts.begin(), contrasts.end());
@@ -101,7 +103,7 @@ std::vector<std::string> reasons(const DisplayFile& file, const Run& run, const 
 
 }  // namespace
 
-std::optional<PrintedDisplay> display_prints(const DisplayFile& file, Run& run, int prints) {
+std::optional<PrintedDisplay> display_prints(const DisplayFile& file, Run& run, const RunOptions& options) {
   run.prints_unknown = unjudged(file, run);
   if (!run.prints_unknown.empty()) return std::nullopt;
   const model::HingeScatter scatter = scatter_of(run);
@@ -115,7 +117,7 @@ std::optional<PrintedDisplay> display_prints(const DisplayFile& file, Run& run, 
   }
   PrintedDisplay out;
   out.expected = optim::as_made_display(readings, levels, *by);
-  add_prints(file, run, scatter, state, std::max(prints, least_prints), out);
+  add_prints(file, run, scatter, state, options, out);
   out.why = reasons(file, run, out);
   return out;
 }

@@ -152,7 +152,7 @@ class DisplayScene final : public Scene {
       display.front = legibility_front(file_, front_point(file_.offset, display.after, run.equilibrium->path),
                                        elasticity(), display.options, options.progress);
     if (!stopped) options.progress("prints", 0);
-    if (!stopped) display.printed = display_prints(file_, run, options.prints);
+    if (!stopped) display.printed = display_prints(file_, run, options);
     display.violations = all_violations(file_, display);
   }
 

@@ -324,7 +324,7 @@ TEST(Equilibrium, ThatOverstretchesAHingeStopsAndSaysSoInPlainWords) {
   EXPECT_EQ(run.code, 3) << run.out;
   EXPECT_THAT(run.out, HasSubstr("STOPPED    hinge overstretched: the hinge on wall [["));
   EXPECT_THAT(run.out, HasSubstr("cell edges; at most 0.3 is allowed; at theta"));
-  EXPECT_EQ(run.err, "equilibrium path ...\ncontact ...\n");
+  EXPECT_EQ(run.err, "equilibrium path ...\ncontact ...\nfiles ...\n");
   const Json result = Json::parse(text_of(scratch / "result.json"));
   EXPECT_EQ(result["equilibrium"]["stop"], "torn") << "a word of the file's format";
 }

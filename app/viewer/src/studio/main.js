@@ -116,10 +116,11 @@ function turns() {
   return turn.map((value) => value / most);
 }
 
-/** Of the hinge that is turned, and of those that are chosen. */
+/** Of the hinge that is turned, where bodies are not pulled, and of those that are chosen. */
 function axes() {
-  const {driven} = state.design.bodies, chosen = state.chosen.filter((hinge) => hinge !== driven);
-  scene.setAxes([{hinge: driven, colour: "goal"}, ...chosen.map((hinge) => ({hinge, colour: "accent"}))]);
+  const {driven, pulled} = state.design.bodies, turned = pulled ? [] : [driven];
+  const chosen = state.chosen.filter((hinge) => !turned.includes(hinge));
+  scene.setAxes([...turned.map((hinge) => ({hinge, colour: "goal"})), ...chosen.map((hinge) => ({hinge, colour: "accent"}))]);
 }
 
 function marks() {

@@ -100,11 +100,11 @@ export class MotionBar {
     $("driven_by").textContent = design.drive ? `moved by ${design.drive}` : "";
   }
 
-  /** Of bodies: from the least to the most turn of the driven hinge. */
+  /** Of bodies: from the least to the most turn of the driven hinge, or of all hinges in the mean where bodies are pulled. */
   showTurns() {
     const {design: {bodies, structure}} = this.state, [least, most] = bodies.turn_range_rad.map(degrees);
     Object.assign($("theta"), {min: Math.ceil(10 * least) / 10 || 0, max: Math.floor(10 * most) / 10, disabled: bodies.following});
-    $("theta").setAttribute("aria-label", "Turn of the driven hinge in degrees");
+    $("theta").setAttribute("aria-label", bodies.pulled ? "Mean turn of the hinges in degrees" : "Turn of the driven hinge in degrees");
     $("fold_low").textContent = `${neat(least, 0)}\u00b0`;
     $("fold_high").textContent = `${neat(most, 0)}\u00b0`;
     $("driven_by").textContent = bodies.pulled ? "pulled" : `turned at ${structure.hinges[bodies.driven].name}`;

@@ -220,6 +220,28 @@ TEST(PanelPicture, IsToScaleAndRefusesBrokenStates) {
   EXPECT_THROW(app::panel_picture(panel, state, {}), std::runtime_error);
 }
 
+/// Width and height in its header.
+std::array<int, 2> png_size(const std::string& png) {
+  const auto number = [&](std::size_t at) {
+    int out = 0;
+    for (std::size_t k = at; k < at + 4; ++k) out = 256 * out + static_cast<unsigned char>(png[k]);
+    return out;
+  };
+  return {number(16), number(20)};
+}
+
+// A panel of four metres had pictures of 250 million pixels, which took a minute.
+TEST(PanelPicture, HasFewerPixelsAMillimetreOfLargePanels) {
+  const auto size_of = [](double edge_mm, double most) {
+    const model::Structure panel =
+        make_structure(model::rectangle(3, 2), {edge_mm, edge_mm / 10, edge_mm / 2});
+    return png_size(app::panel_picture(panel, rest_state(panel),
+                                       {.format = app::PictureFormat::png, .most_pixels = most}));
+  };
+  EXPECT_THAT(size_of(10, 4000), ::testing::ElementsAre(160, 120));
+  EXPECT_THAT(size_of(1000, 400), ::testing::ElementsAre(400, 300));
+}
+
 // Hinges sit elsewhere, but a flat wall is a flat wall: nothing betrays the letter before compression.
 TEST(FarView, IsTheSameForEveryFlatPanel) {
   const model::Structure plain = make_structure(model::rectangle(10, 10), {}), letter = letter_panel(0.1);

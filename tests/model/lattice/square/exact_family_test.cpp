@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
+#include "model/lattice/square/family/exact_gradient.hpp"
 #include "model/lattice/square/family/exact_jacobian.hpp"
+#include "tests/support/derivatives.hpp"
 #include "tests/support/exact_derivatives.hpp"
 #include "tests/support/random_designs.hpp"
 
@@ -80,6 +82,57 @@ TEST(ReflectionChain, JacobianMatchesDualNumbers) {
         for (int e = 0; e < 3; ++e) EXPECT_NEAR(column_rate[e], dual_poses[b].R(e, d).v[k], 1e-11);
       }
     }
+}
+
+/// Of every body: place times a vector, and orientation entry by entry times a matrix.
+struct LinearInState {
+  std::vector<Eigen::Vector3d> places;
+  std::vector<Eigen::Matrix3d> turns;
+
+  explicit LinearInState(int bodies) {
+    for (int b = 0; b < bodies; ++b) {
+      places.push_back(Eigen::Vector3d::Random());
+      turns.push_back(10 * Eigen::Matrix3d::Random());
+    }
+  }
+
+  double of(const State& poses) const {
+    double sum = 0;
+    for (std::size_t b = 0; b < poses.size(); ++b)
+      sum += places[b].dot(poses[b].p) + turns[b].cwiseProduct(poses[b].R).sum();
+    return sum;
+  }
+
+  Eigen::VectorXd by_state(const State& poses) const {
+    Eigen::VectorXd out = Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(poses.size()));
+    for (std::size_t b = 0; b < poses.size(); ++b) {
+      for (int d = 0; d < 3; ++d) out.segment<3>(6 * b) += poses[b].R.col(d).cross(turns[b].col(d));
+      out.segment<3>(6 * b + 3) = places[b];
+    }
+    return out;
+  }
+};
+
+TEST(ReflectionChain, GradientMatchesCentralDifferences) {
+  std::srand(11);
+  std::mt19937 random(11);
+  for (const Family family : {Family::F1, Family::F2, Family::F3})
+    for (const double theta : {0.0, 1e-9, 0.3, 0.76})
+      for (const auto& [columns, rows] : {std::pair{1, 1}, {6, 3}}) {
+        auto design = random_design(family, columns, rows, random);
+        design.theta = theta;
+        const LinearInState function((columns + 1) * (rows + 1));
+        State poses;
+        fold(design, 10.0, poses);
+        ExactDesign<double> gradient;
+        fold_gradient(design, 10.0, poses, function.by_state(poses), gradient);
+        const auto f = [&, c = columns, r = rows](const Eigen::VectorXd& x) {
+          State there;
+          fold(testing::unpack<double>(x, c, r), 10.0, there);
+          return Eigen::VectorXd::Constant(1, function.of(there));
+        };
+        testing::expect_jacobian(f, testing::pack(design), testing::pack(gradient).transpose());
+      }
 }
 
 }  // namespace

@@ -1,0 +1,64 @@
+#include "model/tolerance/print_runs.hpp"
+
+#include <gtest/gtest.h>
+
+#include "model/lattice/square/lines.hpp"
+#include "tests/support/elastic_equilibrium.hpp"
+
+namespace kinetix::model {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double tilt = 0.2;   // rad, of rows of hinges: the sheet bends
+constexpr double turn = 0.35;  // rad, of the driven hinge
+constexpr HingeScatter print_scatter{0.004, 0.003, 0.004, 0.002};
+
+struct BentSheet {
+  Structure structure = make_structure(rectangle(4, 2), {10, 0.8, 6});
+  testing::Equilibrium found;
+
+  BentSheet() {
+    for (Hinge& hinge : structure.hinges)
+      if (hinge.wall.axis == Axis::x) hinge.parameters.beta = starts_in_class_b(hinge.wall) ? -tilt : tilt;
+    found = testing::equilibrium(structure, {}, testing::hinge_drive({{0, 0}, Axis::y}, turn), false);
+  }
+
+  PrintRuns prints(int count, const AsMadeOptions& options = {}) const {
+    std::vector<ObservedPoint> points;
+    for (int k = 0; k < static_cast<int>(found.state.size()); ++k)
+      points.push_back({{k}, found.state[k].p, Vector3d(std::sin(k), 0.3, std::cos(k)).normalized(), 0});
+    return print_runs([&](const Eigen::Matrix4Xd& errors) { return printed(errors); }, found.elasticity,
+                      found.drive.on(structure), found.state, points, print_scatter, count, options);
+  }
+
+  Linkage printed(const Eigen::Matrix4Xd& errors) const {
+    Structure s = structure;
+    for (Eigen::Index h = 0; h < errors.cols(); ++h) {
+      HingeParameters& p = s.hinges[h].parameters;
+      p = {p.t + errors(0, h), p.alpha + errors(1, h), p.beta + errors(2, h), p.offset + errors(3, h)};
+    }
+    return s;
+  }
+};
+
+TEST(PrintRuns, EndWhereTheyAreToldTo) {
+  const BentSheet sheet;
+  ASSERT_TRUE(sheet.found.found);
+  int asked = 0;
+  const PrintRuns some = sheet.prints(50, {.stop = [&] { return ++asked > 3; }});
+  EXPECT_EQ(some.prints + some.failed, 3);
+  const PrintRuns first = sheet.prints(3);
+  EXPECT_EQ(some.prints, first.prints);
+  EXPECT_DOUBLE_EQ(some.rms_mm, first.rms_mm);
+  EXPECT_GT(first.rms_mm, 0);
+}
+
+TEST(PrintRuns, AreNoneOfARunThatIsToldToStopAtOnce) {
+  const PrintRuns none = BentSheet().prints(50, {.stop = [] { return true; }});
+  EXPECT_EQ(none.prints + none.failed, 0);
+  EXPECT_TRUE(std::isnan(none.rms_mm));
+}
+
+}  // namespace
+}  // namespace kinetix::model
