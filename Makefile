@@ -5,6 +5,7 @@
 # make python: the program, and the Python module in build/release/python (PYTHONPATH).
 # make package: build/package/kinetix_*.deb, with the Python module.
 # make bench: measure the figures of benchmarks/README.md.   make format: lay out every source as .clang-format says.
+# make compilers: the same numbers by GCC and clang, -O0 and -O3, on a dozen targets.
 # make fuzz: the readers under libFuzzer, FUZZ_SECONDS each; make fuzz-program: FUZZ_RUNS runs of the whole program.
 # make docs: write docs/formats.md and the schemas anew from the tables of keys.
 JOBS ?= $(shell nproc)
@@ -15,7 +16,7 @@ FUZZ_SECONDS ?= 600
 FUZZ_RUNS ?= 100000
 ALL_PACKAGES := $(patsubst packages/%.txt,build/.installed/%,$(wildcard packages/*.txt))
 
-.PHONY: demo program python package install test faults dev asan tsan sanitize coverage fuzz fuzz-program bench format docs packages clean
+.PHONY: demo program python package install test faults dev asan tsan sanitize coverage compilers fuzz fuzz-program bench format docs packages clean
 
 demo: program
 	build/release/bin/kinetix-opt targets/shapes/helmet_rib.yaml -o results/helmet_rib
@@ -63,6 +64,9 @@ coverage: $(ALL_PACKAGES)
 	ctest --preset $@; \
 	gcovr --root . --object-directory build/$@ --filter '(model|targets|optim|sim|app)/' --exclude-throw-branches \
 	  --exclude-unreachable-branches --print-summary --txt build/$@/files.txt --html-details build/$@/index.html
+
+compilers: $(ALL_PACKAGES)
+	tests/tools/compilers.sh
 
 fuzz: $(ALL_PACKAGES)
 	cmake --preset $@
