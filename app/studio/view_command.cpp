@@ -8,7 +8,7 @@
 #include "app/assembly/assembly_file.hpp"
 #include "app/console/open_report.hpp"
 #include "app/goals/read_target.hpp"
-#include "app/studio/assembly/assembly_session.hpp"
+#include "app/studio/assembly_session.hpp"
 #include "app/studio/earlier_result.hpp"
 #include "app/studio/server.hpp"
 #include "app/studio/session.hpp"

@@ -16,9 +16,9 @@
 namespace kinetix::bench {
 namespace {
 
-constexpr double closed = 1e-11;           // cell edges
+constexpr double closed = 1e-11;           // cell edges: that of small scenes is rounding, and less
 constexpr double closed_a_column = 1e-15;  // cell edges: places far from the first body round by so much
-constexpr double gib = 1 << 30;            // bytes
+constexpr double gib = 1 << 30;            // bytes, as memory is counted in
 constexpr int most_seconds = 60;           // of a run: eight scenes of it stay within a quarter of an hour
 constexpr double short_way = 0.02;         // rad of theta, in few steps: large sheets take a minute for each
 

@@ -1,4 +1,4 @@
-#include "app/studio/assembly/assembly_session.hpp"
+#include "app/studio/assembly_session.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 
 #include <thread>
 
-#include "app/studio/assembly/assembly_session.hpp"
+#include "app/studio/assembly_session.hpp"
 #include "app/studio/server.hpp"
 #include "app/studio/session.hpp"
 #include "tests/support/temporary_folder.hpp"

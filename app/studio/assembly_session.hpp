@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/studio/assembly/assembly_message.hpp"
+#include "app/studio/assembly_message.hpp"
 #include "app/studio/job.hpp"
 #include "app/studio/session_loop.hpp"
 

@@ -1,4 +1,4 @@
-#include "app/studio/assembly/assembly_message.hpp"
+#include "app/studio/assembly_message.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/studio/assembly/assembly_player.hpp"
+#include "app/studio/assembly_player.hpp"
 
 namespace kinetix::app::studio {
 

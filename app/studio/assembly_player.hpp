@@ -4,7 +4,7 @@
 #include <set>
 
 #include "app/assembly/assembly_file.hpp"
-#include "app/studio/assembly/assembly_way.hpp"
+#include "app/studio/assembly_way.hpp"
 #include "app/studio/frame.hpp"
 #include "app/studio/play_time.hpp"
 #include "model/linkage/linkage_drive.hpp"

@@ -1,4 +1,4 @@
-#include "app/studio/assembly/assembly_way.hpp"
+#include "app/studio/assembly_way.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "app/studio/assembly/assembly_player.hpp"
+#include "app/studio/assembly_player.hpp"
 
 #include <algorithm>
 
