@@ -13,7 +13,7 @@ BINARY_SIGN = re.compile(r"(?<=[\w)\]]) ([+-])\s+(?=[\w(*])|\s([+-])= (?=[\w(*])
 UNARY_SIGN = re.compile(r"(?:(?<=[(,{=?:<] )|(?<=\()|(?<=\{)|(?<=return ))-(?=[A-Za-z_(]|\d+\.)")
 CROSS = re.compile(r"\.cross\(")
 COORDINATE = re.compile(r"\.([xyz])\(\)")
-NUMBER = re.compile(r"(?<=[\w\])>])" + INDEXED + r"([0-9])(?=[\])])|(?<=[\w\]])\(([012])(?=\))")
+NUMBER = re.compile(r"(?<=[\w\])>])" + INDEXED + r"([0-9])(?=[\])])")
 VARIABLE = re.compile(r"(?<=[\w\])>])" + INDEXED + r"([a-z]\w*)(?=[\])])")
 PARTNER = {"lower": "upper", "upper": "lower", "first": "second", "second": "first"}
 SWAPPED = re.compile("(" + OBJECT + r")\b(lower|upper)(_\w+)?\b(?![(\w])|(" + OBJECT + r")(?<=\.)(first|second)\b(?![(\w])")
@@ -70,8 +70,7 @@ def indices(code):
         wrong = neighbour(right, "", 0)
         yield found.start(), f"{'xyz'[wrong]} for {found[1]}", [(*found.span(), f"[kinetix::mutation::other({{n}}, {right}, {wrong})]")]
     for found in NUMBER.finditer(code):
-        group = 1 if found[1] else 2
-        right, at = int(found[group]), found.start(group)
+        right, at = int(found[1]), found.start(1)
         wrong = neighbour(right, code, at)
         yield at, f"{wrong} for {right}", [(at, at + 1, f"kinetix::mutation::other({{n}}, {right}, {wrong})")]
     for found in VARIABLE.finditer(code):
