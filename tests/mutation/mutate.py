@@ -25,7 +25,7 @@ from programs import Programs
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 PROGRAMS = ("test_model", "test_optim", "test_sim")
-SPARE = 1.6  # places tried for each that is wanted: some do not compile
+SPARE = 1.6  # places tried for each that is wanted: some do not compile, some change nothing
 # Seconds of tests that are run by one process: first a few quick ones, which see most errors.
 BATCHES = (1, 4, 20, 1e9)
 # A run that takes that many times as long as without an error, and seconds besides, hangs: that is seen as well.
@@ -76,12 +76,9 @@ def candidates(count, seed):
         part = part_of(path, source)
         if part:
             out[part] += places(path, source)
-    passed_over = equivalent()
-    known = {place.key for part in out.values() for place in part}
-    for key in passed_over - known:
+    for key in equivalent() - {place.key for found in out.values() for place in found}:
         print("equivalent.txt has a place that is no more:", key)
-    return {part: ranked([place for place in found if place.key not in passed_over], seed)[:int(SPARE * count)]
-            for part, found in out.items()}
+    return {part: ranked(found, seed)[:int(SPARE * count)] for part, found in out.items()}
 
 
 def instrument(programs, numbered):
@@ -169,9 +166,12 @@ def trial(number, tests):
 
 
 def chosen(numbered, by_part, count):
-    """The first of each part. @return (number, part, place)"""
+    """The first of each part that change something. @return (number, part, place)"""
+    passed_over = equivalent()
     for part, found in by_part.items():
-        of_part = [(number, part, place) for number, place in numbered if place in found]
+        of_part = [(number, part, place) for number, place in numbered if place in found and place.key not in passed_over]
+        if len(of_part) < count:
+            print(f"only {len(of_part)} places in {part}")
         yield from of_part[:count]
 
 
