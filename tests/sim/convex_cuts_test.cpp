@@ -82,6 +82,19 @@ TEST(ConvexCuts, CoverPartsOfAThousandTriangles) {
   expect_good_cuts(tube(ring(30, 125, true), ring(29, 125, true), 0, 40), "thin tube");
 }
 
+/// An eighth of the bore is 0.23 mm deep, a quarter 0.88 mm; watch points are 0.48 mm off.
+TEST(ConvexCuts, TakeATubeApartInEighthsWhereverItLies) {
+  const Polyhedron solid = tube(ring(5, 48, true), ring(3, 48, true), 0, 12);
+  for (const double away : {0.0, 30.0}) {
+    const Polyhedron there =
+        moved(solid, Eigen::Translation3d(away, -away, 2 * away) *
+                         Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 0.3).normalized()));
+    const auto pieces = convex_cuts(there, {.tolerance_mm = 0.6});
+    EXPECT_EQ(pieces.size(), 8u) << away;
+    EXPECT_GE(measured(pieces, there, 20000).coverage, 0.999) << away;
+  }
+}
+
 /// By two walls 0.07 mm apart at most: nearer to each other than watch points are to them, 0.8 of 0.1 mm.
 TEST(ConvexCuts, LeaveASolidWholeWithASlitNarrowerThanTheTolerance) {
   const Polyhedron slit =
