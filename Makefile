@@ -2,6 +2,7 @@
 # make test: build and run all tests.   make sanitize: the same under every sanitizer; make asan, make tsan: under one.
 # make coverage: which lines and branches of the sources the tests run; build/coverage/index.html shows them.
 # make faults: disks that fill, memory that runs out, signals, clocks that jump, at many more moments than the tests try.
+# make mutants: 100 wrong signs and indices in the model and the physics, each of which a test must see.
 # make python: the program, and the Python module in build/release/python (PYTHONPATH).
 # make package: build/package/kinetix_*.deb, with the Python module.
 # make bench: measure the figures of benchmarks/README.md.   make format: lay out every source as .clang-format says.
@@ -16,7 +17,7 @@ FUZZ_SECONDS ?= 600
 FUZZ_RUNS ?= 100000
 ALL_PACKAGES := $(patsubst packages/%.txt,build/.installed/%,$(wildcard packages/*.txt))
 
-.PHONY: demo program python package install test faults dev asan tsan sanitize coverage compilers fuzz fuzz-program bench format docs packages clean
+.PHONY: demo program python package install test faults dev asan tsan sanitize coverage compilers fuzz fuzz-program bench format docs packages clean mutants
 
 demo: program
 	build/release/bin/kinetix-opt targets/shapes/helmet_rib.yaml -o results/helmet_rib
@@ -40,6 +41,9 @@ test: dev
 
 faults: dev
 	tests/faults/faults.py build/dev/bin/kinetix-opt build/dev/tests/faults/long all --long
+
+mutants: dev
+	tests/mutation/mutate.py build/dev build/mutants
 
 dev: $(ALL_PACKAGES)
 	cmake --preset $@

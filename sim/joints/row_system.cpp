@@ -45,8 +45,7 @@ void RowSystem::analyse(std::size_t parts, const std::vector<VelocityRow>& rows)
       const int column = 6 * pair.second + c;
       const int* const begin = inner + matrix_.outerIndexPtr()[column];
       const int* const end = inner + matrix_.outerIndexPtr()[column + 1];
-      const int row = 6 * pair.first + (pair.first == pair.second ? c : 0);
-      start[c] = static_cast<int>(std::lower_bound(begin, end, row) - inner);
+      start[c] = static_cast<int>(std::lower_bound(begin, end, 6 * pair.first) - inner);
     }
   factor_.analyzePattern(matrix_);
 }

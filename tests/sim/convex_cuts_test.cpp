@@ -82,6 +82,36 @@ TEST(ConvexCuts, CoverPartsOfAThousandTriangles) {
   expect_good_cuts(tube(ring(30, 125, true), ring(29, 125, true), 0, 40), "thin tube");
 }
 
+/// An eighth of the bore is 0.23 mm deep, a quarter 0.88 mm; watch points are 0.48 mm off.
+TEST(ConvexCuts, TakeATubeApartInEighthsWhereverItLies) {
+  const Polyhedron solid = tube(ring(5, 48, true), ring(3, 48, true), 0, 12);
+  for (const double away : {0.0, 30.0}) {
+    const Polyhedron there =
+        moved(solid, Eigen::Translation3d(away, -away, 2 * away) *
+                         Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 0.3).normalized()));
+    const auto pieces = convex_cuts(there, {.tolerance_mm = 0.6});
+    EXPECT_EQ(pieces.size(), 8u) << away;
+    EXPECT_GE(measured(pieces, there, 20000).coverage, 0.999) << away;
+  }
+}
+
+/// By two walls 0.07 mm apart at most: nearer to each other than watch points are to them, 0.8 of 0.1 mm.
+TEST(ConvexCuts, LeaveASolidWholeWithASlitNarrowerThanTheTolerance) {
+  const Polyhedron slit =
+      prism_over({{5, 2}, {4.965, 10}, {0, 10}, {0, 0}, {10, 0}, {10, 10}, {5.035, 10}}, 6);
+  EXPECT_EQ(expect_good_cuts(slit, "slit"), 1u);
+}
+
+/// Pieces that cover 3 of 4 mm of a bar, one of them twice, and go on for 1 mm beyond its end.
+TEST(CutQuality, IsThatOfPiecesAlongABar) {
+  const Polyhedron bar = box_solid(-2, 2, 2, 5);
+  const auto piece = [](double from, double to) { return convex_cuts(box_solid(from, to, 2, 5)).front(); };
+  const CutQuality quality = measured({piece(-2, 0), piece(1, 3), piece(1, 3)}, bar, 20000);
+  EXPECT_NEAR(quality.coverage, 3.0 / 4, 1e-2);
+  EXPECT_NEAR(quality.overlap, 2.0 / 4, 1e-2);
+  EXPECT_NEAR(quality.sticks_out_mm, 1, 1e-2);
+}
+
 TEST(ConvexCuts, LeaveATubeWholeWhoseBoreMayBeFilled) {
   const Polyhedron eye = tube(ring(3, 24, true), ring(1.8, 24, false), -1, 2);
   const FilledBore bore{{0, 0, 0.5}, Eigen::Vector3d::UnitZ(), 1.9, 2};

@@ -4,9 +4,12 @@
 
 #include "model/closure/closure_drive.hpp"
 #include "model/closure/drive_theta.hpp"
+#include "model/elastic/elastic_system.hpp"
 #include "model/lattice/square/family/classify.hpp"
 #include "model/linkage/actuators.hpp"
 #include "tests/sim/runs.hpp"
+#include "tests/support/elastic_runs.hpp"
+#include "tests/support/random_elastic.hpp"
 
 namespace kinetix::testing {
 namespace {
@@ -99,6 +102,42 @@ TEST(LiveSheet, SpringsBackToFlatWithoutGainingEnergy) {
     energy = sheet.energy();
   }
   EXPECT_LT(std::abs(mean_theta(linkage, sheet.state())), 1e-2);
+}
+
+TEST(LiveSheet, SaysTheEnergyOfTheElasticModel) {
+  const model::Structure structure = structure_of(strip(curl(8, 0.5), 0));
+  const model::Linkage linkage = structure;
+  const model::Elasticity elasticity{.k_point = 700, .k_turn = 20, .reach_mm = 3};
+  sim::PhysicsOptions options = live(true);
+  options.elastic = relative(elasticity, linkage.size.edge_mm);
+  std::mt19937 random(7);
+  const model::State state = shaken(structure, exact_motion(structure).at(0.4), 0.02, random);
+  LiveSheet sheet(linkage, options, elasticity.k_point);
+  sheet.place(state);
+  const model::ElasticSystem system(linkage, elasticity, false, false);
+  const double expected = energy_unit(elasticity, linkage.size.edge_mm) * system.elastic_energy(state);
+  EXPECT_NEAR(sheet.hinge_energy_Nmm(), expected, 1e-9 * expected);
+}
+
+// Plates close in on the middle of the flat sheet, wherever it is when they take it.
+TEST(LiveSheet, PlatesTakeItToTheMiddleBetweenThem) {
+  const model::Structure structure = structure_of(strip(curl(8, 0.5), 0));
+  const model::Linkage linkage = structure;
+  const model::ExactMotion exact = exact_motion(structure);
+  for (const model::Axis axis : {model::Axis::x, model::Axis::y}) {
+    const int along = axis == model::Axis::x ? 0 : 1;
+    const model::LinkageDrive drive = plates_drive(axis, 0.6).on(structure);
+    LiveSheet sheet(linkage, live(), 1000);
+    sheet.place(moved(exact.at(0.3), {Eigen::Matrix3d::Identity(), Vector3d(3, -5, 8)}));
+    sheet.drive_to(drive, exact.at(0.3));
+    Vector3d off = Vector3d::Zero();
+    for (const std::vector<int>& row : drive.gripped) {
+      const int middle = row[row.size() / 2];
+      off += 0.5 * (sheet.state()[middle].p - linkage.rest_position(middle));
+    }
+    EXPECT_NEAR(off[along], 0, 1e-9) << along;
+    EXPECT_NEAR(off.z(), 0, 1e-9) << along;
+  }
 }
 
 TEST(LiveSheet, IsDrivenToTheFoldFromAnywhere) {

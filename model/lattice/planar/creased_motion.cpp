@@ -50,11 +50,11 @@ std::string why_lean_differs(const PlanarStructure& s, const PlanarCreases& crea
 std::string nearest_t(const PlanarStructure& before) {
   const PlanarStructure after = nearest_exact(before);
   int most = 0, changed = 0;
-  bool is_on_wall = true;
+  const bool is_on_wall = std::all_of(after.hinges.begin(), after.hinges.end(),
+                                      [](const HingeParameters& p) { return p.t > 0 && p.t < 1; });
   const auto change = [&](int h) { return std::abs(after.hinges[h].t - before.hinges[h].t); };
   for (int h = 0; h < static_cast<int>(after.hinges.size()); ++h) {
     changed += change(h) > on_its_line;
-    is_on_wall = is_on_wall && after.hinges[h].t > 0 && after.hinges[h].t < 1;
     if (change(h) > change(most)) most = h;
   }
   const RedrawingFit fit = redrawing_of(after);

@@ -146,6 +146,18 @@ TEST(ClosureSolver, PushedBodyLeadsToTheSameStateAsItsHinge) {
   EXPECT_LE(aligned_distance(s, reached.state, fold(design, s)).max, 1e-9) << "seed 28";
 }
 
+TEST(ClosureSolver, StandsInTheMiddleBetweenTwoDrivesThatDisagree) {
+  const Structure s = make_structure(rectangle(3, 1), {});
+  const HingeTurn low = turn_to(s, 0.2), high = turn_to(s, 0.3);
+  const Closure reached = solve_closure(s, follow(s, 0.2, 2).state, {low, high});
+  EXPECT_TRUE(reached.converged) << reached.why;
+  EXPECT_FALSE(reached.closed);
+  EXPECT_NEAR(drive_residual(low, s, reached.state), -0.1, 1e-9);
+  EXPECT_NEAR(drive_residual(high, s, reached.state), 0.1, 1e-9);
+  EXPECT_NEAR(reached.residual, 0.1, 1e-9);
+  EXPECT_LE(hinge_gaps(s, reached.state).max, 1e-9);
+}
+
 TEST(ClosureSolver, LeavesAMisfitInDoublyCurvedPatches) {
   const Structure patches[] = {doubly_curved({0.6, 0.9}, {0.8, 0.5}), doubly_curved({0.4, 0.9}, {0.9, 0.5}),
                                doubly_curved({0.7, 0.2, 0.7}, {0.7, 0.3, 0.7}),

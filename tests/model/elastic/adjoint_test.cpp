@@ -176,6 +176,22 @@ TEST(Adjoint, OfFramedHingesByDesignIsTheCentralDifferenceOfEquilibriaFoundAnew)
   }
 }
 
+/// They stay as stiff against tilting where their points are stiffer.
+TEST(Adjoint, OfHingesWithTiltStiffnessesOfTheirOwnIsTheCentralDifferenceOfEquilibriaFoundAnew) {
+  for (const EquilibriumCase& c : equilibrium_cases(1))
+    for (const TiltStiffness& tilt : {TiltStiffness{9000, {}}, TiltStiffness{{}, 12000}}) {
+      if (c.planar || c.touching) continue;
+      SCOPED_TRACE(to_string(c) + (tilt.rock ? ", rock" : ", twist"));
+      Equilibrium b = random_equilibrium(c);
+      b.elasticity.tilt = tilt;
+      settle(b);
+      ASSERT_TRUE(b.found);
+      EXPECT_LE(relative_difference_by_groups(adjoint_jacobian(b), differenced_jacobian(b).jacobian,
+                                              parameter_groups(b)),
+                1e-6);
+    }
+}
+
 /// Twice as stiff in all directions is k_point twice as large.
 TEST(Adjoint, ByTheDirectionsOfAllHingesTogetherIsThatByKPoint) {
   for (const EquilibriumCase& c : equilibrium_cases(1)) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <random>
+#include <tuple>
 
 #include "model/elastic/path/equilibrium_path.hpp"
 #include "model/hinge/hinge_energy.hpp"
@@ -48,6 +49,16 @@ TEST(HingeLaw, MomentStiffnessAndRatesOfALawAreDerivativesOfItsEnergy) {
         expect_jacobian([&](const Eigen::VectorXd& x) { return energy_and_moment(law->at(turn, x[0])); },
                         one(k), by_k);
       }
+}
+
+TEST(HingeLaw, OfASetHingeIsThatOfATurnFromWhereItWasSetByTheShorterWay) {
+  const double k = 5;
+  for (const auto& [set, turn, away] :
+       {std::tuple(0.9, 0.9, 0.0), {0.9, 1.2, 0.3}, {-0.4, 0.1, 0.5}, {3.0, -3.0, 2 * pi - 6}}) {
+    const TurnResponse r = SetHinge(set).at(turn, k);
+    EXPECT_NEAR(r.energy, 0.5 * k * away * away, 1e-14) << set << " " << turn;
+    EXPECT_NEAR(r.moment(), k * away, 1e-14) << set << " " << turn;
+  }
 }
 
 class CubicPanel : public ::testing::Test {

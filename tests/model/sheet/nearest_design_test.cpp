@@ -35,6 +35,26 @@ TEST(NearestDesign, TakesBackTheOneTiltThatBreaksTheRule) {
   }
 }
 
+TEST(NearestDesign, TakesBackTheOneFractionThatBreaksTheRuleOfAnUprightCrease) {
+  auto design = model::ExactDesign<double>::basic(3, 3);
+  design.beta = {0.3, 0, 0.2};
+  design.t[1] = 0.4;
+  const Sheet sheet = sheet_of(design, {10, 0.8, 6});
+  ASSERT_TRUE(exact_motion(sheet));
+  for (int h = 0; h < sheet.hinges(); ++h) {
+    const model::Wall& wall = sheet.squares()->hinges[h].wall;
+    if (wall.axis != model::Axis::x || wall.from.i != 1) continue;
+    SCOPED_TRACE(h);
+    Sheet broken = sheet;
+    broken.hinge(h).t += 0.05;
+    ASSERT_FALSE(exact_motion(broken));
+    const auto nearest = nearest_design(broken);
+    ASSERT_TRUE(nearest);
+    EXPECT_EQ(nearest->changed, std::vector<int>{h});
+    EXPECT_NEAR(nearest->sheet.hinge(h).t, sheet.hinge(h).t, 1e-15);
+  }
+}
+
 TEST(NearestDesign, MovesUprightHingesAsLittleAsTheCellsAsk) {
   Sheet broken = strip_of({0, 0, 0}, 3);
   broken.hinge(0).t = 0.6;

@@ -120,6 +120,15 @@ TEST(Sheet, OfADrawingIsAGraphWhoseCellsAreNumbered) {
   EXPECT_THAT(cell_label(sheet, 3), ElementsAre(3));
 }
 
+TEST(Sheet, CountsWhatItsLinkageHas) {
+  for (const Sheet& sheet : {Sheet(squares()), Sheet(hexagons()), Sheet(make_sodalite({1, 1, 1}, 0.2, {}))}) {
+    const Linkage linkage = sheet;
+    EXPECT_EQ(sheet.bodies(), static_cast<int>(linkage.bodies.size()));
+    EXPECT_EQ(sheet.hinges(), static_cast<int>(linkage.hinges.size()));
+    EXPECT_EQ(sheet.cells(), static_cast<int>(linkage.cells.size()));
+  }
+}
+
 TEST(Sheet, LetsItsHingesBeChanged) {
   for (Sheet sheet : {Sheet(squares()), Sheet(hexagons())}) {
     sheet.hinge(3) = {.t = 0.25, .alpha = 1.5, .beta = 0.25, .offset = 0.125};

@@ -8,6 +8,7 @@
 
 #include "model/assembly/assembly.hpp"
 #include "model/base/angle.hpp"
+#include "model/elastic/contact/piece_surface.hpp"
 #include "model/elastic/elastic_system.hpp"
 #include "model/elastic/path/equilibrium_path.hpp"
 #include "model/elastic/retract.hpp"
@@ -135,6 +136,29 @@ TEST(PieceContact, SeesWhatWentThroughAThinPlate) {
   EXPECT_TRUE(contact.passed_through(above, below));
   EXPECT_FALSE(contact.passed_through(above, beside));
   EXPECT_FALSE(contact.passed_through(above, above));
+}
+
+TEST(PieceContact, OfSeveralPiecesSeesThroughWhichOneABodyWent) {
+  // Two thin plates, 20 mm apart, and a probe that starts between them.
+  const ConvexBodies bodies{{box_piece(0, {0, -10, 0}, {20, 0.5, 20}),
+                             box_piece(0, {0, 10, 0}, {20, 0.5, 20}), box_piece(1, {0, 0, 0}, {1, 1, 1})},
+                            {}};
+  PieceContact contact(bodies, edge_mm);
+  const auto probe_at = [](double y) {
+    State state(2);
+    state[1].p = Vector3d(0, y, 0);
+    return state;
+  };
+  EXPECT_TRUE(contact.passed_through(probe_at(6), probe_at(14)));
+  EXPECT_TRUE(contact.passed_through(probe_at(-6), probe_at(-14)));
+  EXPECT_FALSE(contact.passed_through(probe_at(6), probe_at(-6)));
+}
+
+TEST(PieceSurface, LiesInTheSmallestBallAboutTheMiddleOfItsBox) {
+  const Vector3d middle(12, -7, 3), half(3, 4, 5);
+  const PieceSurface box = piece_surfaces({{box_piece(0, middle, half)}, {}}, edge_mm).front();
+  EXPECT_LE((box.center - middle / edge_mm).norm(), 1e-12);
+  EXPECT_NEAR(box.radius, half.norm() / edge_mm, 1e-12);
 }
 
 /// An arm of 0.8 x 6 mm turned about a block until the upper edge of its end, 9.5 mm from the axis, presses on a flat stop at y = 4:

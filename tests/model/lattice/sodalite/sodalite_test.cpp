@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "model/base/invalid_input.hpp"
 #include "model/closure/closure.hpp"
@@ -21,6 +22,33 @@ TEST(Sodalite, TwoAndThreeCellsHaveTheRotorsAndGussetsOfTheNet) {
   EXPECT_EQ(two.gussets.size(), 240u);
   const SodaliteStructure three = make_sodalite({3, 3, 3}, 0.2, size);
   EXPECT_EQ(three.rotors.size() + three.gussets.size(), 1188u);
+}
+
+TEST(Sodalite, EveryRingGoesFromBodyToBodyByTheHingeBetweenThem) {
+  const Linkage lattice = make_sodalite({2, 1, 1}, 0.2, size);
+  ASSERT_FALSE(lattice.cells.empty());
+  for (const LinkageCell& ring : lattice.cells)
+    for (std::size_t k = 0; k < ring.bodies.size(); ++k) {
+      const int from = ring.bodies[k], to = ring.bodies[(k + 1) % ring.bodies.size()];
+      const RestHinge& hinge = lattice.hinges[ring.hinges[k]];
+      EXPECT_EQ(std::minmax(hinge.lower, hinge.upper), std::minmax(from, to));
+    }
+}
+
+TEST(Sodalite, NamesBodiesByTheirPlacesInEighthsOfACell) {
+  const SodaliteStructure lattice = make_sodalite({1, 1, 1}, 0.2, size);
+  const auto name = [&](int body) {
+    const Eigen::Vector3d at = sodalite_place(lattice, body) * std::sqrt(8.0);
+    std::ostringstream out;
+    out << '[' << std::lround(at.x()) << ", " << std::lround(at.y()) << ", " << std::lround(at.z()) << ']';
+    return out.str();
+  };
+  const Linkage linkage = lattice;
+  for (int b = 0; b < static_cast<int>(linkage.bodies.size()); ++b)
+    EXPECT_EQ(linkage.vertex_name(b), name(b));
+  for (int h = 0; h < static_cast<int>(linkage.hinges.size()); ++h)
+    EXPECT_EQ(linkage.wall_name(h),
+              "[" + name(linkage.hinges[h].lower) + ", " + name(linkage.hinges[h].upper) + "]");
 }
 
 TEST(Sodalite, EveryHingeClosesOnTheWay) {
