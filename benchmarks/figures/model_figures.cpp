@@ -86,17 +86,19 @@ Figure gradient_time() {
   for (int k = 0; k < designs; ++k) batch[k].theta += 1e-6 * k;
   model::State poses;
   fold(batch[0], 8.0, poses);
-  const Eigen::VectorXd by_state = Eigen::VectorXd::LinSpaced(6 * static_cast<Eigen::Index>(poses.size()), -1, 1);
+  const Eigen::VectorXd by_state =
+      Eigen::VectorXd::LinSpaced(6 * static_cast<Eigen::Index>(poses.size()), -1, 1);
   model::ExactDesign<double> gradient;
-  const double t = median_seconds(21, 2, [&] {
-                     for (const auto& design : batch) {
-                       fold(design, 8.0, poses);
-                       fold_gradient(design, 8.0, poses, by_state, gradient);
-                     }
-                   }) /
+  const double t = median_seconds(21, 2,
+                                  [&] {
+                                    for (const auto& design : batch) {
+                                      fold(design, 8.0, poses);
+                                      fold_gradient(design, 8.0, poses, by_state, gradient);
+                                    }
+                                  }) /
                    designs;
-  return {"state and gradient of a function of it by all 83 parameters, each of 1000 such strips", "<= 2.5 us",
-          fmt::format("{:.2f} us", 1e6 * t), t <= 2.5e-6};
+  return {"state and gradient of a function of it by all 83 parameters, each of 1000 such strips",
+          "<= 2.5 us", fmt::format("{:.2f} us", 1e6 * t), t <= 2.5e-6};
 }
 
 /// The same Jacobian (tilts, gamma and theta) from dual numbers, for the ratio.
@@ -137,7 +139,8 @@ Figure derivatives() {
 }  // namespace
 
 std::vector<Figure> model_figures() {
-  return {closure(), net_closure(), state_time(), jacobian_time(), gradient_time(), dual_number_ratio(), derivatives()};
+  return {closure(),       net_closure(),       state_time(), jacobian_time(),
+          gradient_time(), dual_number_ratio(), derivatives()};
 }
 
 }  // namespace kinetix::bench

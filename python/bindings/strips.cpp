@@ -158,12 +158,13 @@ py::array strip_gradients(Numbers beta, Numbers theta, Numbers by_poses, double 
                           int threads) {
   const Strips strips{std::move(beta), std::move(theta), {}, cell_mm, rows};
   check(strips);
-  const py::ssize_t columns = strips.columns(), bodies = strips.bodies(), numbers = 6 * bodies;
+  const py::ssize_t columns = strips.columns(), bodies = strips.bodies(), numbers = 6 * bodies,
+                    parameters = columns + 1;  // tilts and theta
   if (by_poses.ndim() != 3 || by_poses.shape(0) != strips.count() || by_poses.shape(1) != bodies ||
       by_poses.shape(2) != 6)
     throw InvalidInput(
         fmt::format("by_poses must be of shape ({}, {}, 6): a row a body", strips.count(), bodies));
-  py::array gradients = unwritten({strips.count(), columns + 1});
+  py::array gradients = unwritten({strips.count(), parameters});
   auto* const out = static_cast<double*>(gradients.mutable_data());
   many_folds_in_python(strips.count(), bodies, threads, [&](std::int64_t k, model::State& state) {
     thread_local ExactDesign<double> design, gradient;
@@ -175,7 +176,7 @@ py::array strip_gradients(Numbers beta, Numbers theta, Numbers by_poses, double 
     fold(design, strips.cell_mm, state);
     read_pulls(by_poses.data() + k * numbers, bodies, by_state);
     fold_gradient(design, strips.cell_mm, state, by_state, gradient);
-    double* const row = out + k * (columns + 1);
+    double* const row = out + k * parameters;
     std::copy(gradient.beta.begin(), gradient.beta.end(), row);
     row[columns] = gradient.theta;
   });
