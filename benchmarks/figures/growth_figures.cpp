@@ -166,7 +166,7 @@ std::vector<Figure> growth_figures() {
           grown("planar, null space of hexagons: growth", over(decades, planar_designs)),
           grown("search for a half circle, 8 starts: growth", over({10, 30, 100, 200, 400}, search)),
           grown("equilibrium, strips that bend, flat to theta 0.5: growth",
-                over(decades, on(a_strip, equilibrium))),
+                over({20, 80, 320, 1280}, on(a_strip, equilibrium))),
           grown("equilibrium, sheets that bend, flat to theta 0.5: growth",
                 over(decades, on(a_sheet, equilibrium))),
           grown("physics run, strips, a step: growth", over(decades, on(a_strip, physics_run))),
