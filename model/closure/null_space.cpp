@@ -19,6 +19,8 @@ constexpr double zero = 1e-8;  // singular value, dimensionless: see null_space.
 // sets the pace: each iteration shrinks a direction of singular value s by 1e-12 / s^2 against those of 0.
 constexpr double shift = 1e-12;
 constexpr int iterations = 6;  // leave 1e-12 of a direction of singular value 1e-5
+constexpr double slow =
+    1e-5;  // singular value: directions below it are told apart only where a block holds them all
 constexpr std::size_t most_bodies_for_dense =
     20;  // bodies: some 15 ms, and the time of the dense way grows with their cube
 
@@ -54,7 +56,7 @@ SingularVectors small_spectrum(const SparseMatrix& jacobian) {
   const InverseIteration inverse(jacobian);
   for (Eigen::Index count = 8;; count *= 2) {
     SingularVectors spectrum = inverse.smallest(std::min(count, jacobian.cols()));
-    if (count >= jacobian.cols() || spectrum.values[0] > zero) return spectrum;
+    if (count >= jacobian.cols() || spectrum.values[0] > slow) return spectrum;
   }
 }
 

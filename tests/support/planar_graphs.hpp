@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "model/lattice/planar/lattices/brick.hpp"
@@ -18,6 +19,14 @@ inline model::PlanarGraph random_quads(int cells, unsigned seed) {
   std::uniform_real_distribution<double> by(-0.3, 0.3);
   model::PlanarGraph graph = model::square_graph(cells, cells);
   for (Eigen::Vector2d& p : graph.vertices) p += Eigen::Vector2d(by(random), by(random));
+  return graph;
+}
+
+/// cells x cells rectangles: columns and rows grow by a factor from each to the next, from 1.
+inline model::PlanarGraph growing_squares(int cells, double growth) {
+  model::PlanarGraph graph = model::square_graph(cells, cells);
+  const auto stretched = [=](double at) { return (std::pow(growth, at) - 1) / (growth - 1); };
+  for (Eigen::Vector2d& p : graph.vertices) p = {stretched(p.x()), stretched(p.y())};
   return graph;
 }
 

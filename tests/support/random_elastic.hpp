@@ -21,7 +21,7 @@ inline model::Structure random_panel(int columns, int rows, std::mt19937& random
 }
 
 /// Every body moved at random, by up to `size` rad and cell edges a coordinate.
-inline model::State shaken(const model::Structure& s, const model::State& state, double size,
+inline model::State shaken(const model::Linkage& s, const model::State& state, double size,
                            std::mt19937& random, bool planar = false) {
   std::uniform_real_distribution<double> unit(-size, size);
   Eigen::VectorXd twists(6 * state.size());

@@ -1,6 +1,7 @@
 #include "model/lattice/planar/creased_motion.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "model/base/invalid_input.hpp"
@@ -20,8 +21,9 @@ using Eigen::Vector3d;
 constexpr double same_lean = 1e-9;     // of the tangent of a tilt: files have angles to more digits
 constexpr double on_its_line = 1e-10;  // cell edges: rounding of a line of thousands of walls is below it
 constexpr double leads_back = 1e-10;   // rad and cell edges, of a turn about the creases that meet in a face
-constexpr double straight_row_mm = 1e-6;  // rows of plates that press with this play hold nothing back
-constexpr double meets = 0.5;             // rad of theta, at which messages say how far something is off
+constexpr double straight_row =
+    1e-7;                      // cell edges: rows of plates that press with this play hold nothing back
+constexpr double meets = 0.5;  // rad of theta, at which messages say how far something is off
 
 /// A turn about a line through a point, as creases turn what is behind them.
 Isometry3d turn_about(const Vector2d& line, const Vector3d& point, double theta) {
@@ -46,6 +48,12 @@ std::string why_lean_differs(const PlanarStructure& s, const PlanarCreases& crea
   return {};
 }
 
+/// What a hinge off its line opens, cell edges: a crease that hardly folds hardly opens it. (Nor does its lean tell the
+/// direction of its line to more digits than it has itself.)
+double opened(const LeftLine& left, const PlanarCrease& crease) {
+  return left.worst() * std::min(1.0, crease.line.norm());
+}
+
 /// The wall whose t changes most.
 std::string nearest_t(const PlanarStructure& before) {
   const PlanarStructure after = nearest_exact(before);
@@ -59,7 +67,7 @@ std::string nearest_t(const PlanarStructure& before) {
   }
   const RedrawingFit fit = redrawing_of(after);
   for (const PlanarCrease& crease : find_creases(after).list)
-    if (!is_on_wall || !fit.is_closed() || !(left_line(after, fit.y, crease).worst() <= on_its_line))
+    if (!is_on_wall || !fit.is_closed() || !(opened(left_line(after, fit.y, crease), crease) <= on_its_line))
       return "; the nearest t that keep all creases straight lie off their walls";
   return "; the nearest t that keep all creases straight differ on " + std::to_string(changed) +
          " walls, most on wall " + wall(before, most) + ": " + number_text(after.hinges[most].t) +
@@ -69,7 +77,7 @@ std::string nearest_t(const PlanarStructure& before) {
 std::string why_not_straight(const PlanarStructure& s, const Redrawing& y, const PlanarCreases& creases) {
   for (const PlanarCrease& crease : creases.list) {
     const LeftLine left = left_line(s, y, crease);
-    if (left.worst() <= on_its_line) continue;
+    if (opened(left, crease) <= on_its_line) continue;
     const bool is_moving = !(left.at_rest > on_its_line);
     return "the crease through wall " + wall(s, crease.hinges.front()) +
            " does not stay straight: the hinge on wall " + wall(s, left.hinge) + " leaves its line by " +
@@ -124,14 +132,16 @@ std::string why_not_round(const PlanarStructure& s, const Redrawing& y, const Pl
 }
 
 /// Plates keep what they grip in planes across their axis.
-void refuse_rows_that_bend(const LinkageDrive& drive, const std::function<State(double)>& at) {
+void refuse_rows_that_bend(const LinkageDrive& drive, const Linkage& linkage,
+                           const std::function<State(double)>& at) {
   if (drive.kind != LinkageDrive::Kind::plates) return;
   const int part = component(drive.axis);
   for (const double theta : probe_thetas) {
     const State state = at(theta);
     for (const auto& row : drive.gripped)
       for (const int body : row)
-        if (!(std::abs(state[body].p[part] - state[row.front()].p[part]) <= straight_row_mm))
+        if (!(std::abs(state[body].p[part] - state[row.front()].p[part]) <=
+              straight_row * linkage.size.edge_mm))
           throw InvalidInput("plates normal to " + std::string(to_string(drive.axis)) +
                                  " would hold rows straight that bend as this sheet folds; allowed: "
                                  "kind: hinge, or --model equilibrium",
@@ -203,7 +213,7 @@ ExactMotion creased_motion(const PlanarStructure& structure, const Redrawing& y)
     return fold(structure, y, creases, tree, theta);
   };
   const auto theta = [structure, at](const LinkageDrive& drive) {
-    refuse_rows_that_bend(drive, at);
+    refuse_rows_that_bend(drive, structure, at);
     return theta_of(drive, structure, at);
   };
   return {at, creased_family,

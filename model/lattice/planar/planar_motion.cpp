@@ -15,6 +15,13 @@ namespace {
 
 using Eigen::Vector2d;
 
+/// Cell edges, at least 1.
+double longest_wall(const PlanarStructure& s, const GraphFace& face) {
+  double longest = 1;
+  for (const int e : face.edges) longest = std::max(longest, s.graph.along(e).norm());
+  return longest;
+}
+
 }  // namespace
 
 Vector2d redrawn(const PlanarStructure& structure, int edge) {
@@ -59,9 +66,11 @@ RedrawingFit redrawing_of(const PlanarStructure& structure) {
       open.push_back(next);
     }
   for (int f = 0; f < static_cast<int>(structure.faces.size()); ++f) {
-    const double misfit = redrawn_sum(structure, structure.faces[f]).norm();
-    if (misfit <= fit.misfit) continue;
+    const double misfit = redrawn_sum(structure, structure.faces[f]).norm(),
+                 longest = longest_wall(structure, structure.faces[f]);
+    if (misfit * fit.longest <= fit.misfit * longest) continue;
     fit.misfit = misfit;
+    fit.longest = longest;
     fit.worst_face = f;
     if (std::isnan(misfit)) break;
   }

@@ -35,12 +35,13 @@ WallChange change_of(const PlanarStructure& structure, const Redrawing& y, int e
 /// face does not lead back, that face and by how much.
 struct RedrawingFit {
   Redrawing y;
-  double misfit = 0;    ///< largest of a face, cell edges
-  int worst_face = -1;  ///< with that misfit; -1 where there is none
+  double misfit = 0;    ///< of the worst face, cell edges
+  double longest = 1;   ///< wall of that face, cell edges; 1 of faces with shorter walls
+  int worst_face = -1;  ///< whose misfit over that is largest; -1 where no face has any
 
   /// Rounding of a sum over thousands of walls is below it; a hinge that is off by a nanometre is above.
-  static constexpr double closed = 1e-11;  ///< cell edges
-  bool is_closed() const { return misfit <= closed; }
+  static constexpr double closed = 1e-11;  ///< cell edges; times the longest wall, where one is longer
+  bool is_closed() const { return misfit <= closed * longest; }
 };
 RedrawingFit redrawing_of(const PlanarStructure& structure);
 

@@ -51,7 +51,7 @@ HingedWall hinged_wall(const SodaliteStructure& structure, int hinge);
 void validate_hinges(const SodaliteStructure& structure);
 
 /// The closed form: rotors turn by 2 sign theta, gussets not at all; places follow along a tree of walls. None where hinges
-/// were moved along their walls so that a ring does not close.
+/// were moved along their walls so that a ring does not close, or lean from their rotor's axis.
 ExactMotion exact_motion(const SodaliteStructure& structure);
 
 /// Plates normal to x or y, on the outermost rotors.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string>
 
 #include "model/base/invalid_input.hpp"
 #include "model/closure/drive_theta.hpp"
@@ -15,8 +16,9 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double closed = 1e-9;   // cell edges: rings that do not close are off by far more at some probe
-constexpr double one_row = 1e-9;  // cell edges: rotors of one layer are as far from it by rounding
+constexpr double closed = 1e-9;     // cell edges: rings that do not close are off by far more at some probe
+constexpr double same_axis = 1e-9;  // rad: as validate_hinges has it
+constexpr double one_row = 1e-9;    // cell edges: rotors of one layer are as far from it by rounding
 
 /// A wall's two hinges and gusset, from one rotor to the next: what a walk along the net adds.
 struct Bridge {
@@ -95,6 +97,16 @@ double misfit(const SodaliteStructure& s, const Walk& walk) {
   return most;
 }
 
+/// A hinge that leans from its rotor's axis, about which it would have to turn; -1 where none does.
+int off_its_axis(const SodaliteStructure& s) {
+  const Linkage linkage = s;
+  for (int h = 0; h < static_cast<int>(linkage.hinges.size()); ++h) {
+    const SodaliteRotor& rotor = s.rotors[linkage.hinges[h].lower];
+    if (!((linkage.hinges[h].axis - rotor.sign * Vector3d::Unit(rotor.axis)).norm() <= same_axis)) return h;
+  }
+  return -1;
+}
+
 GrippedRows outer_rotors(const SodaliteStructure& s, Axis axis) {
   const int d = component(axis);
   double low = 0, high = 0;
@@ -130,6 +142,11 @@ ExactMotion exact_motion(const SodaliteStructure& structure) {
             "none",
             "no exact family: rings of rotors and gussets do not close; they are off by " + number_text(gap) +
                 " cell edges"};
+  if (const int h = off_its_axis(*s); h >= 0)
+    return {{},
+            "none",
+            "no exact family: the hinge on wall [" + std::to_string(hinged_wall(*s, h).lower) + ", " +
+                std::to_string(hinged_wall(*s, h).upper) + "] has not the axis of its rotor"};
   const auto at = [s, way](double theta) { return in_mm(folded(*s, *way, theta), s->size.edge_mm); };
   const auto theta = [s, at](const LinkageDrive& drive) {
     const Linkage linkage = *s;

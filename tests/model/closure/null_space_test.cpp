@@ -4,6 +4,7 @@
 
 #include "model/closure/closure.hpp"
 #include "tests/support/random_designs.hpp"
+#include "tests/support/sodalite_arms.hpp"
 
 namespace kinetix::model {
 namespace {
@@ -43,6 +44,15 @@ TEST(NullSpace, GrowsItsBlockUntilEveryFreedomIsFound) {
   for (int k = 0; k < 20; ++k) chain.push_back({k, k});
   const Structure s = make_structure(chain, {});
   EXPECT_EQ(null_space(s, rest_state(s), NullSpaceMethod::inverse_iteration).dofs(), 20);
+}
+
+// Arms of 1e-6 of an edge: rotors that turn alone open their hinges by so little.
+TEST(NullSpace, ToldFromDirectionsThatAreNearlyFree) {
+  const SodaliteStructure block =
+      testing::block_with_arms({1, 1, 1}, {1e-6, 2e-6, 5e-7, 1e-6, 3e-6, 1e-6}, {10, 0.4, 1});
+  const State state = exact_motion(block).at(0.4);
+  EXPECT_EQ(null_space(block, state, NullSpaceMethod::dense).dofs(), 1);
+  EXPECT_EQ(null_space(block, state, NullSpaceMethod::inverse_iteration).dofs(), 1);
 }
 
 TEST(NullSpace, BasisIsOrthonormalHoldsTheFirstBodyAndClosesEveryHinge) {

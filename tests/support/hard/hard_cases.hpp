@@ -12,7 +12,7 @@
 
 namespace kinetix::testing {
 
-/// An equilibrium that was found, for another program to look for it too.
+/// An equilibrium of squares that was found, for another program to look for it too.
 struct HardEquilibrium {
   model::Structure structure;
   model::Drive drive;
@@ -34,7 +34,7 @@ struct HardAnswer {
 
 std::string to_string(HardAnswer::Mark mark);
 
-/// A case at or past the edge of what the equilibrium model is for. The one failure is a wrong answer that
+/// A case at or past the edge of what a model is for. The one failure is a wrong answer that
 /// looks fine.
 struct HardCase {
   std::string name, asked;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/closure/closure_drive.hpp"
 #include "model/elastic/elastic_system.hpp"
 
 namespace kinetix::testing {
@@ -23,6 +24,15 @@ double travel(const HardScene& scene) {
     return scene.drive.axis == model::Axis::x ? v.i : v.j;
   };
   return (at(1) - at(0)) * scene.structure.size.edge_mm;
+}
+
+/// By the trapezoidal rule.
+double load_by_drive(const model::EquilibriumPath& path) {
+  double sum = 0;
+  for (std::size_t k = 1; k < path.steps.size(); ++k)
+    sum +=
+        (path.steps[k].load + path.steps[k - 1].load) / 2 * (path.steps[k].drive - path.steps[k - 1].drive);
+  return sum;
 }
 
 struct Told {
@@ -70,11 +80,7 @@ double energy_of(const HardScene& scene, const model::State& state) {
 }
 
 double work_of(const HardScene& scene, const model::EquilibriumPath& path) {
-  double sum = 0;
-  for (std::size_t k = 1; k < path.steps.size(); ++k)
-    sum +=
-        (path.steps[k].load + path.steps[k - 1].load) / 2 * (path.steps[k].drive - path.steps[k - 1].drive);
-  return sum * travel(scene);
+  return load_by_drive(path) * travel(scene);
 }
 
 std::string told(const model::EquilibriumPath& path, const std::string& found) {
@@ -87,12 +93,16 @@ std::string told(const model::EquilibriumPath& path, const std::string& found) {
   return found.empty() ? all : all + "; " + found;
 }
 
+HardAnswer answer(const model::EquilibriumPath& path, bool right, const std::string& found) {
+  const bool stable = path.steps.back().stable;
+  return {right && stable ? Mark::right : Mark::wrong, "no closed form", told(path, found), {}};
+}
+
 HardAnswer answer(const HardScene& scene, const model::EquilibriumPath& path, bool right,
                   const std::string& found) {
-  const bool stable = path.steps.back().stable;
-  return {right && stable ? Mark::right : Mark::wrong, "no closed form", told(path, found),
-          HardEquilibrium{scene.structure, scene.drive, scene.elasticity, scene.contact, path.planar,
-                          path.state}};
+  HardAnswer a = answer(path, right, found);
+  a.settled = {scene.structure, scene.drive, scene.elasticity, scene.contact, path.planar, path.state};
+  return a;
 }
 
 HardAnswer follow_closed_form(const HardScene& scene, double allowed) {
@@ -116,6 +126,75 @@ HardAnswer follow_strained(const HardScene& scene, double allowed) {
   const double off = std::abs(work_of(scene, path) / path.steps.back().energy - 1);
   return answer(scene, path, path.stop == model::EquilibriumPath::Stop::reached && off <= allowed,
                 text("work differs by %.1e", off));
+}
+
+model::EquilibriumPath followed(const LinkageScene& scene) {
+  return trace_equilibrium(scene.driven, scene.elasticity, scene.options);
+}
+
+double work_of(const LinkageScene& scene, const model::EquilibriumPath& path) {
+  const model::ElasticSystem system(scene.driven.linkage, scene.elasticity, scene.driven.drive, path.planar,
+                                    false);
+  return load_by_drive(path) * system.travel();
+}
+
+double turning_energy(const LinkageScene& scene, const model::State& state) {
+  double sum = 0;
+  for (std::size_t h = 0; h < scene.driven.linkage.hinges.size(); ++h) {
+    const double turn = hinge_turn(scene.driven.linkage, state, static_cast<int>(h));
+    sum += scene.elasticity.of(h).k_turn * turn * turn / 2;
+  }
+  return sum;
+}
+
+HardAnswer follow_strained(LinkageScene scene, double allowed) {
+  scene.options.longest_step = scene.options.first_step = 0.005;
+  const model::EquilibriumPath path = followed(scene);
+  const double stored = path.steps.back().energy - path.steps.front().energy;
+  const double off = std::abs(work_of(scene, path) / stored - 1);
+  return answer(path, path.stop == model::EquilibriumPath::Stop::reached && off <= allowed,
+                text("work differs by %.1e", off));
+}
+
+namespace {
+
+/// How far an equilibrium is from its closed form.
+struct Softened {
+  model::EquilibriumPath path;
+  double off = 0, missing = 0;  ///< rms, cell edges; energy, as a part of the closed form's
+};
+
+Softened softened(const LinkageScene& scene, double theta) {
+  const model::State exact = scene.driven.exact.at(theta);
+  Softened out{followed(scene)};
+  out.off = aligned_distance(scene.driven.linkage, out.path.state, exact).rms;
+  out.missing = 1 - out.path.steps.back().energy / turning_energy(scene, exact);
+  return out;
+}
+
+bool is_ten(double ratio) { return std::abs(ratio / 10 - 1) <= 0.01; }
+
+}  // namespace
+
+HardAnswer follow_softly(const std::function<LinkageScene(double ratio)>& scene, double theta) {
+  using Stop = model::EquilibriumPath::Stop;
+  const LinkageScene of_soft = scene(1e-8);
+  const Softened soft = softened(of_soft, theta), stiff = softened(scene(1e-9), theta);
+  const bool right = soft.path.stop == Stop::reached && stiff.path.stop == Stop::reached &&
+                     is_ten(soft.off / stiff.off) && is_ten(soft.missing / stiff.missing);
+  HardAnswer a = answer(soft.path, right,
+                        text("rms %.2e from exact, %.5g times as far; energy %.1e below, %.5g times as much",
+                             soft.off, soft.off / stiff.off, soft.missing, soft.missing / stiff.missing));
+  a.exact = text("E %.4g N mm", turning_energy(of_soft, of_soft.driven.exact.at(theta)));
+  return a;
+}
+
+HardAnswer closed_to(double worst, double allowed, const std::string& what) {
+  return {worst <= allowed ? Mark::right : Mark::wrong, text("%s %.1e", what.c_str(), worst), "not run", {}};
+}
+
+HardAnswer told_apart(bool right, const std::string& exact, const std::string& found) {
+  return {right ? Mark::diagnosed : Mark::wrong, exact, found, {}};
 }
 
 }  // namespace kinetix::testing

@@ -18,6 +18,11 @@ HardCases mobility_cases();
 HardCases wall_cases();
 HardCases sameness_cases();
 HardCases input_cases();
+HardCases planar_lattice_cases();
+HardCases crease_cases();
+HardCases block_cases();
+HardCases made_hinge_cases();
+HardCases linkage_sameness_cases();
 
 inline constexpr double deg = radians_per_degree;  ///< rad, so that angles of cases read in degrees
 
@@ -34,6 +39,13 @@ struct HardScene {
   model::Drive drive;
   model::Elasticity elasticity;
   bool contact = false;
+};
+
+/// The same of any lattice, with its closed form where it has one.
+struct LinkageScene {
+  model::DrivenLinkage driven;
+  model::Elasticity elasticity;
+  model::EquilibriumPathOptions options = without_contact();
 };
 
 /// Elasticity of stiffness ratio k_turn / (k_point L^2) for the default cell of 10 mm.
@@ -60,5 +72,25 @@ HardCase closed_form_case(std::string name, std::function<HardScene()> scene, do
 
 /// Right where the drive's work is the energy stored, to a part `allowed` of it.
 HardAnswer follow_strained(const HardScene& scene, double allowed);
+
+model::EquilibriumPath followed(const LinkageScene& scene);
+/// As of a HardScene, but for what another program would need to look for it.
+HardAnswer answer(const model::EquilibriumPath& path, bool right, const std::string& found);
+/// As of a HardScene.
+HardAnswer follow_strained(LinkageScene scene, double allowed);
+double work_of(const LinkageScene& scene, const model::EquilibriumPath& path);
+/// Of the turning springs in a state, N mm: all that a closed form stores.
+double turning_energy(const LinkageScene& scene, const model::State& state);
+
+inline constexpr const char* softly_asked =
+    "distance from the closed form, and energy missing from its, 10 times those of ratio 1e9, to 1 %";
+/// Springs bend a closed form by their stiffness ratio times a number of the structure's, to first order.
+/// @param scene of a stiffness ratio   @param theta at which the closed form has what the drive asks for
+HardAnswer follow_softly(const std::function<LinkageScene(double ratio)>& scene, double theta);
+
+/// A closed form that is asked for itself: right where `worst` is at most `allowed`.
+HardAnswer closed_to(double worst, double allowed, const std::string& what);
+/// Right where nothing that should be refused is taken for exact. @param exact what the model says
+HardAnswer told_apart(bool right, const std::string& exact, const std::string& found);
 
 }  // namespace kinetix::testing

@@ -8,6 +8,8 @@
 #include "model/closure/mobility.hpp"
 #include "model/closure/null_space.hpp"
 #include "model/lattice/planar/exact_designs.hpp"
+#include "model/lattice/planar/planar_drive.hpp"
+#include "tests/support/bad_input.hpp"
 #include "tests/support/creased.hpp"
 #include "tests/support/miura.hpp"
 #include "tests/support/planar_graphs.hpp"
@@ -96,6 +98,23 @@ TEST(CreasedMotion, NamesTheFaceWhereCreasesDoNotMeetInAFlatFoldableVertex) {
   EXPECT_FALSE(motion);
   EXPECT_THAT(motion.why, HasSubstr("creases meet in the face of vertices"));
   EXPECT_THAT(motion.why, HasSubstr("where no flat-foldable vertex of four creases is"));
+}
+
+// Rows bend by a share of a cell that no unit of length changes.
+TEST(CreasedMotion, RefusesPlatesOnRowsThatBendInCellsOfAnySize) {
+  for (const double edge : {10.0, 1e-3, 1e6}) {
+    PlanarStructure s = testing::miura_of_hexagons(4, 4, pi / 3, 0.01);
+    s.size = {edge, 0.08 * edge, 0.6 * edge};
+    EXPECT_THAT(testing::refusal([&] { exact_motion(s).theta_of(plate_drive(s, Axis::y, 0.1, 1)); }),
+                HasSubstr("would hold rows straight that bend"))
+        << edge;
+  }
+}
+
+// The direction of a line is known from a lean of 1e-7 to nine digits only; nor does that open a hinge by more.
+TEST(CreasedMotion, FoldsSheetsThatHardlyLean) {
+  for (const double multiplier : {1e-4, 1e-7})
+    expect_closed(testing::miura_of_hexagons(4, 4, pi / 3, multiplier), "Miura");
 }
 
 TEST(CreasedMotion, NamesAHingeThatLeansAlone) {

@@ -106,6 +106,20 @@ TEST(PlanarMotion, HasF1AsItsSpecialCase) {
   }
 }
 
+// Sums of walls of 1e5 round by 1e-11; a hinge that is off beside walls of 1 is told as ever.
+TEST(PlanarMotion, ClosesFacesOfLongWallsAsOfShortOnes) {
+  PlanarStructure s = make_planar_structure(testing::growing_squares(7, 8), {});
+  for (std::size_t h = 0; h < s.hinges.size(); ++h) {
+    const auto [from, to] = s.graph.edges[h];
+    const Vector2d along = s.graph.along(static_cast<int>(h));
+    s.hinges[h].t = (1 + s.senses[from] * 0.9 * std::sin(along.norm())) / 2;
+  }
+  const ExactMotion motion = exact_motion(s);
+  EXPECT_TRUE(motion) << motion.why;
+  s.hinges[0].t += 1e-10;
+  EXPECT_FALSE(exact_motion(s));
+}
+
 TEST(PlanarMotion, NamesAFaceThatDoesNotClose) {
   PlanarStructure s = make_planar_structure(lattice_graph(model::honeycomb_lattice, 3, 3), {});
   s.hinges[4].t = 0.6;

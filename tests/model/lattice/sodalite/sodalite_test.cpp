@@ -10,6 +10,7 @@
 #include "model/closure/closure.hpp"
 #include "model/closure/mobility.hpp"
 #include "model/contact/wall_contact.hpp"
+#include "tests/support/sodalite_arms.hpp"
 
 namespace kinetix::model {
 namespace {
@@ -87,16 +88,7 @@ TEST(Sodalite, ItShrinksAlikeInAllDirections) {
 
 // Parallel edges alike, each direction with arms of its own (docs/kinematics.md section 8).
 TEST(Sodalite, MovesExactlyWithSixLengthsOfArms) {
-  SodaliteStructure block = make_sodalite({2, 2, 2}, 0.2, {10, 0.8, 1});
-  const std::array<Eigen::Vector3d, 6> directions = {
-      Eigen::Vector3d(0, 1, 1), {0, 1, -1}, {1, 0, 1}, {1, 0, -1}, {1, 1, 0}, {1, -1, 0}};
-  for (std::size_t k = 0; k < block.gussets.size(); ++k) {
-    const auto [a, b] = block.gussets[k];
-    const Eigen::Vector3d along = (sodalite_place(block, b) - sodalite_place(block, a)).normalized();
-    for (std::size_t d = 0; d < directions.size(); ++d)
-      if (std::abs(std::abs(along.dot(directions[d].normalized())) - 1) < 1e-9)
-        block.hinges[2 * k].t = block.hinges[2 * k + 1].t = 0.4 + 0.1 * static_cast<double>(d);
-  }
+  SodaliteStructure block = testing::block_with_arms({2, 2, 2}, {0.4, 0.5, 0.6, 0.7, 0.8, 0.9}, {10, 0.8, 1});
   const ExactMotion exact = exact_motion(block);
   ASSERT_TRUE(exact) << exact.why;
   for (const double theta : {-0.5, 0.1, 0.7})
@@ -123,6 +115,17 @@ TEST(Sodalite, AHingeThatIsMovedAloneOpensItsRings) {
   ASSERT_TRUE(exact_motion(lattice));
   lattice.hinges[5].t += 0.01;
   EXPECT_FALSE(exact_motion(lattice));
+}
+
+// Its points would close, and its two bodies carry its axis apart.
+TEST(Sodalite, AHingeThatLeansFromItsRotorHasNoClosedForm) {
+  for (double HingeParameters::*field : {&HingeParameters::alpha, &HingeParameters::beta}) {
+    SodaliteStructure lattice = make_sodalite({1, 1, 1}, 0.2, size);
+    lattice.hinges[5].*field += 1e-6;
+    const ExactMotion exact = exact_motion(lattice);
+    EXPECT_FALSE(exact);
+    EXPECT_NE(exact.why.find("has not the axis of its rotor"), std::string::npos) << exact.why;
+  }
 }
 
 TEST(Sodalite, BadHingesAndSizesAreRefused) {
