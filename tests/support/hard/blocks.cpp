@@ -16,11 +16,12 @@ namespace {
 using model::SodaliteStructure;
 using Arms = std::array<double, 6>;
 
-constexpr model::CellSize block_size = {10, 0.4, 1};
+constexpr model::CellSize block_size = {10, 0.4, 1};  // mm: walls so thin that none is in the way
 // Rotors follow from one another along some ten bridges a cell: each adds its rounding.
 constexpr double block_closure = 1e-12;                // cell edges, rad
 constexpr double rotors_half_round = 90 * deg - 1e-6;  // rad of theta: rotors turn by twice that
 
+// Cell edges, of the six directions: next to none, next to a whole edge, and both at once.
 constexpr Arms no_arms = {1e-6, 2e-6, 5e-7, 1e-6, 3e-6, 1e-6},
                hardly_any_arms = {1e-4, 2e-4, 3e-4, 1e-4, 2e-4, 3e-4},
                long_arms = {0.98, 0.97, 0.99, 0.96, 0.98, 0.95},
