@@ -12,7 +12,6 @@
 #include <set>
 
 #include "sim/actuator.hpp"
-#include "sim/collision_memory.hpp"
 #include "sim/contact_parts.hpp"
 #include "sim/joints/bullet_math.hpp"
 #include "sim/joints/cord.hpp"
@@ -53,6 +52,16 @@ void* memory_or_throw(std::size_t bytes) {
   return true;
 }();
 
+/// That the engine lays out at once for parts that are near each other: by itself it takes and fills 8 MB, which costs small
+/// scenes more than their run. Pairs beyond get memory of their own.
+btDefaultCollisionConstructionInfo memory_of_pairs(std::size_t parts) {
+  constexpr int pairs_a_part = 8;  // walls of a cell and of the cells beside it
+  btDefaultCollisionConstructionInfo memory;
+  memory.m_defaultMaxPersistentManifoldPoolSize = pairs_a_part * static_cast<int>(parts);
+  memory.m_defaultMaxCollisionAlgorithmPoolSize = pairs_a_part * static_cast<int>(parts);
+  return memory;
+}
+
 std::unique_ptr<btConstraintSolver> make_solver(const PhysicsOptions& options, double edge_mm,
                                                 const ElasticHinges* elastic, const Cord* cord,
                                                 const Hand& hand, const double& longest_way) {
@@ -84,7 +93,7 @@ struct World::Engine {
   const std::optional<model::LinkageDrive> drive;
   const PhysicsOptions options;
 
-  btDefaultCollisionConfiguration configuration{collision_memory(static_cast<int>(structure.bodies.size()))};
+  btDefaultCollisionConfiguration configuration{memory_of_pairs(structure.bodies.size())};
   btCollisionDispatcher dispatcher{&configuration};
   btDbvtBroadphase broadphase;
   std::optional<ElasticHinges> elastic;
