@@ -21,6 +21,7 @@ struct AssemblyFile {
   std::optional<model::State> poses = {};  ///< instead: where bodies are pulled to, mm
   std::optional<double> expand = {};  ///< or: times their distance from the middle, as far as they go, > 0
 
+  bool is_pulled() const { return poses || expand; }
   /// What pulls the bodies, moved to where they are; nothing where a hinge is turned.
   std::optional<model::Pull> pull() const;
 };

@@ -154,10 +154,10 @@ void turn_hinge(AssemblyRun& run, std::optional<double> theta, const RunOptions&
 void refuse_pulled(const AssemblyRun& run, std::optional<double> theta) {
   const auto& hinges = run.file.assembly.hinges;
   const auto ball = std::find_if(hinges.begin(), hinges.end(), [](const auto& h) { return h.ball; });
-  if (theta && run.file.pull())
+  if (theta && run.file.is_pulled())
     throw InvalidInput("--theta-deg turns a hinge, and here bodies are pulled", {"", 0, 0, "drive"});
   if (run.model != Model::equilibrium) return;
-  if (run.file.pull())
+  if (run.file.is_pulled())
     throw InvalidInput("the model equilibrium turns one hinge: give `drive: {hinge: NAME, angle_deg: ...}`",
                        {"", 0, 0, "drive"});
   if (ball != hinges.end())
@@ -201,7 +201,7 @@ AssemblyRun run_assembly(AssemblyFile file, Model model, std::optional<double> t
   run.model = model;
   run.linkage = linkage_of(run.file.assembly);
   refuse_pulled(run, theta);
-  if (run.file.pull())
+  if (run.file.is_pulled())
     follow_pull(run, options);
   else
     turn_hinge(run, theta, options);
