@@ -5,7 +5,8 @@
 # make mutants: 100 wrong signs and indices in the model and the physics, each of which a test must see.
 # make python: the program, and the Python module in build/release/python (PYTHONPATH).
 # make package: build/package/kinetix_*.deb, with the Python module.
-# make bench: measure the figures of benchmarks/README.md.   make format: lay out every source as .clang-format says.
+# make bench: measure the figures of benchmarks/README.md; make bench-quick: what people wait for and the kernels, 5 minutes.
+# make format: lay out every source as .clang-format says.
 # make compilers: the same numbers by GCC and clang, -O0 and -O3, on a dozen targets.
 # make fuzz: the readers under libFuzzer, FUZZ_SECONDS each; make fuzz-program: FUZZ_RUNS runs of the whole program.
 # make docs: write docs/formats.md and the schemas anew from the tables of keys.
@@ -17,7 +18,7 @@ FUZZ_SECONDS ?= 600
 FUZZ_RUNS ?= 100000
 ALL_PACKAGES := $(patsubst packages/%.txt,build/.installed/%,$(wildcard packages/*.txt))
 
-.PHONY: demo program python package install test faults dev asan tsan sanitize coverage compilers fuzz fuzz-program bench format docs packages clean mutants
+.PHONY: demo program python package install test faults dev asan tsan sanitize coverage compilers fuzz fuzz-program bench bench-quick format docs packages clean mutants
 
 demo: program
 	build/release/bin/kinetix-opt targets/shapes/helmet_rib.yaml -o results/helmet_rib
@@ -87,6 +88,11 @@ bench: $(ALL_PACKAGES)
 	cmake --build --preset $@ -j $(JOBS)
 	build/release/bin/kinetix-bench --write benchmarks/README.md; figures=$$?; \
 	build/release/bin/kinetix-hard-cases --write benchmarks/README.md && exit $$figures
+
+bench-quick: $(ALL_PACKAGES)
+	cmake --preset release
+	cmake --build --preset bench -j $(JOBS)
+	build/release/bin/kinetix-bench --quick
 
 format: $(ALL_PACKAGES)
 	git ls-files '*.cpp' '*.hpp' | xargs clang-format-14 -i

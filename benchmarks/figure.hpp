@@ -13,6 +13,7 @@ struct Figure {
   bool met = false;
 };
 
+std::vector<Figure> whole_run_figures();
 std::vector<Figure> model_figures();
 std::vector<Figure> stable_state_figures();
 std::vector<Figure> play_figures();

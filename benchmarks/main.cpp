@@ -9,6 +9,7 @@
 
 #include "benchmarks/figure.hpp"
 #include "benchmarks/page.hpp"
+#include "benchmarks/stopwatch.hpp"
 
 namespace {
 
@@ -40,10 +41,12 @@ std::string row(const Figure& f) {
 struct Group {
   const char* name;
   std::vector<Figure> (*measure)();
+  bool is_quick = false;  ///< one of those that a quick look takes, five minutes in all
 };
 
 // The tables in the order of the page, by their names on the command line.
-constexpr Group groups[] = {{"model", kinetix::bench::model_figures},
+constexpr Group groups[] = {{"whole_runs", kinetix::bench::whole_run_figures, true},
+                            {"model", kinetix::bench::model_figures},
                             {"elastic", kinetix::bench::elastic_figures},
                             {"load_path", kinetix::bench::equilibrium_path_figures},
                             {"stable_state", kinetix::bench::stable_state_figures},
@@ -93,10 +96,13 @@ constexpr Extra extras[] = {{"stable_state", "twist_barrier.svg", kinetix::bench
                             {"speed_error", "speed error", kinetix::bench::speed_error_section},
                             {"speed_error", "speed_error.svg", kinetix::bench::speed_error_picture}};
 
-/// Appends the rows of a group. @return whether all its figures are met
+/// Appends the rows of a group, and says how long it took. @return whether all its figures are met
 bool measure(const Group& group, std::string& table) {
   bool all_met = true;
-  for (const Figure& figure : group.measure()) {
+  std::vector<Figure> figures;
+  const double time = kinetix::bench::seconds([&] { figures = group.measure(); });
+  std::cerr << fmt::format("{}: {:.1f} s\n", group.name, time);
+  for (const Figure& figure : figures) {
     std::cerr << (figure.met ? "met     " : "MISSED  ") << figure.what << ": " << figure.measured
               << std::endl;
     table += row(figure);
@@ -117,9 +123,10 @@ void write(const Extra& extra, const std::string& page) {
   if (!page.empty()) kinetix::bench::write_into(page, {{extra.name, text}});
 }
 
-std::vector<std::string> group_names() {
+std::vector<std::string> group_names(bool only_quick) {
   std::vector<std::string> names;
-  for (const Group& group : groups) names.push_back(group.name);
+  for (const Group& group : groups)
+    if (group.is_quick || !only_quick) names.push_back(group.name);
   return names;
 }
 
@@ -145,11 +152,16 @@ int main(int argc, char** argv) {
   std::vector<std::string> only;
   program.add_option("--write", page, "a page that gets the table and sections, and pictures beside it")
       ->check(CLI::ExistingFile);
-  program
-      .add_option("--only", only,
-                  "these groups alone; a page then gets their sections and pictures, not the table")
-      ->check(CLI::IsMember(group_names()));
+  bool quick = false;
+  auto* const names =
+      program
+          .add_option("--only", only,
+                      "these groups alone; a page then gets their sections and pictures, not the table")
+          ->check(CLI::IsMember(group_names(false)));
+  program.add_flag("--quick", quick, "the groups that take seconds, five minutes in all, as by --only")
+      ->excludes(names);
   CLI11_PARSE(program, argc, argv);
+  if (quick) only = group_names(true);
   if (!only.empty()) return measure_only(only, page);
   std::string table = "Measured on " + machine() + ", release build, one run of `make bench`.\n\n";
   table += "| what | asked | measured | met |\n|---|---|---|---|\n";

@@ -8,7 +8,7 @@ target_compile_options(kinetix_flags INTERFACE -ffp-contract=off)
 # With it ccache can serve what was compiled with a precompiled header.
 target_compile_options(kinetix_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
 # Eigen would split products where OpenMP is on and not elsewhere: functions of one name and two meanings. Threads are
-# for whole runs, in one place (optim/solvers/parallel_runs.hpp).
+# for whole runs, in one place (model/base/parallel_runs.hpp).
 target_compile_definitions(kinetix_flags INTERFACE EIGEN_DONT_PARALLELIZE)
 # KiB: sources full of templates fill the compiler's heap several times over; to collect garbage only from a GiB on
 # saves a sixth of their time. The code is the same.

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/run/stopwatch.hpp"
-#include "optim/solvers/parallel_runs.hpp"
+#include "model/base/parallel_runs.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -81,7 +81,7 @@ BodyPieces pieces_of(const model::Assembly& assembly, int threads) {
   const int count = static_cast<int>(assembly.bodies.size());
   out.of_body.resize(assembly.bodies.size());
   const std::vector<int> first = first_of_shape(assembly);
-  optim::run_in_parallel(count, threads, [&](int b) {
+  model::run_in_parallel(count, threads, [&](int b) {
     if (first[b] == b) out.of_body[b] = sim::convex_cuts(assembly.bodies[b].solid, {.filled = out.bores[b]});
   });
   for (int b = 0; b < count; ++b)

@@ -10,6 +10,7 @@
 namespace kinetix::app {
 namespace {
 
+constexpr int least_prints = 20;             // that are brought to their equilibrium in any case
 constexpr int most_bodies_to_confirm = 400;  // beyond, they take longer than the search
 // Cell edges, rms: an equilibrium further from the state of the design is another one.
 constexpr double near_design = 2;
@@ -74,6 +75,16 @@ std::optional<PrintedGoal> expected_with(const Run& run, const PrintHinges& hing
 
 }  // namespace
 
+int prints_of(const RunOptions& options) { return std::max(options.prints, least_prints); }
+
+model::AsMadeOptions print_options(const RunOptions& options, bool planar) {
+  model::AsMadeOptions out;
+  out.planar = planar;
+  out.threads = options.threads;
+  out.stop = [&stop = options.stop] { return stop.stop_requested(); };
+  return out;
+}
+
 model::HingeScatter scatter_of(const Run& run) { return run_scatter(run, true); }
 
 model::Sheet printed_sheet(model::Sheet sheet, const Eigen::Matrix4Xd& errors) {
@@ -99,10 +110,10 @@ std::optional<PrintedGoal> as_made(const Run& run, const model::LinkageDrive& dr
   const PrintHinges hinges = print_hinges(run, drive, state);
   std::optional<PrintedGoal> out = expected_with(run, hinges, state, points);
   if (!out || (options.prints == 0 && run.structure.bodies() > most_bodies_to_confirm)) return out;
-  const model::PrintRuns runs = print_runs(
-      [&](const Eigen::Matrix4Xd& errors) { return printed_sheet(run.structure, errors); }, hinges.elasticity,
-      hinges.drive, state, points, scatter_of(run), std::max(options.prints, least_prints),
-      {.planar = run.plan.planar, .stop = [&] { return options.stop.stop_requested(); }});
+  const model::PrintRuns runs =
+      print_runs([&](const Eigen::Matrix4Xd& errors) { return printed_sheet(run.structure, errors); },
+                 hinges.elasticity, hinges.drive, state, points, scatter_of(run), prints_of(options),
+                 print_options(options, run.plan.planar));
   if (runs.prints + runs.failed > 0) out->runs = runs;
   return out;
 }

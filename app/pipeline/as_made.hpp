@@ -5,9 +5,13 @@
 
 namespace kinetix::app {
 
-/// Prints that are brought to their equilibrium in any case: what is true to first order alone may be far off where
-/// cells that do not close bulge. Enough to see that, and a fraction of a second of work.
-inline constexpr int least_prints = 20;
+/// How many prints are brought to their equilibrium: as many as the run asks for, and twenty in any case. What is true to
+/// first order alone may be far off where cells that do not close bulge: enough to see that, and a fraction of a second of
+/// work.
+int prints_of(const RunOptions& options);
+/// By the run's threads, until it is told to stop. @param planar prints move in the plane z = 0 only   @param options are
+/// kept by reference
+model::AsMadeOptions print_options(const RunOptions& options, bool planar);
 
 /// What the run's process, and the play of its pins (model::play_scatter), do to each hinge.
 model::HingeScatter scatter_of(const Run& run);

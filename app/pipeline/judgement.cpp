@@ -67,10 +67,10 @@ void judge_contact(Run& run) {
 Judgement judgement(const Run& run, const Scene& scene, const RunOptions& options) {
   Judgement out;
   Stopwatch watch;
-  judge_prints(run, scene, options, out);
-  out.as_made_s = watch.lap();
   prove_range(run, options, out);
   out.certify_s = watch.lap();
+  judge_prints(run, scene, options, out);
+  out.as_made_s = watch.lap();
   return out;
 }
 

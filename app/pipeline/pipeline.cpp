@@ -1,7 +1,5 @@
 #include "app/pipeline/pipeline.hpp"
 
-#include <omp.h>
-
 #include <future>
 #include <utility>
 
@@ -10,6 +8,7 @@
 #include "app/pipeline/physics_settings.hpp"
 #include "app/pipeline/verify.hpp"
 #include "app/run/stopwatch.hpp"
+#include "model/base/parallel_runs.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::app {
@@ -25,15 +24,11 @@ std::optional<PhysicsTask> physics_task(const Run& run, const Scene& scene) {
   return PhysicsTask{equilibrium.path.state, equilibrium.drive, options};
 }
 
-bool has_threads(const RunOptions& options) {
-  return (options.threads > 0 ? options.threads : omp_get_max_threads()) > 1;
-}
-
 /// On a thread of its own where there may be one and the system gives it; else when it is asked for.
 std::future<Judgement> judged_beside(const Run& run, const Scene& scene, RunOptions options) {
   options.progress = {};
-  const auto policy =
-      has_threads(options) ? std::launch::async | std::launch::deferred : std::launch::deferred;
+  const auto policy = model::threads_of(options.threads) > 1 ? std::launch::async | std::launch::deferred
+                                                             : std::launch::deferred;
   return std::async(policy,
                     [&run, &scene, options = std::move(options)] { return judgement(run, scene, options); });
 }

@@ -45,8 +45,10 @@ struct AsMadeOptions {
   int probes = 150;  ///< beyond so many points, so many random mixtures of them stand for all; >= 2
   bool planar = false;  ///< prints move in the plane z = 0 only
   unsigned seed = 1;    ///< of the mixtures
+  int threads = 1;  ///< that bring prints to their equilibria; 0 = all cores. Their number changes no result
   std::function<bool()> stop =
-      {};  ///< asked before each print that is brought to its equilibrium; where it says so, no more are
+      {};  ///< asked before each print that is brought to its equilibrium, from any thread;
+           ///< where it says so, no more are
 };
 
 /// To first order about an equilibrium under its drive: a print with other hinges settles nearby, by the adjoint.

@@ -3,10 +3,13 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <numbers>
+#include <optional>
 #include <random>
 
 #include "model/base/decompositions.hpp"
+#include "model/base/parallel_runs.hpp"
 #include "model/elastic/newton.hpp"
 
 namespace kinetix::model {
@@ -80,59 +83,106 @@ class Distance {
   bool aligned_;
 };
 
-/// Finds equilibria of prints, each by the factor of the one before first: prints differ little, so most of them
-/// come to rest without one of their own.
+// Rad, cell edges: the last step of a print, which errors move by a hundredth at the least.
+constexpr double at_rest = 1e-7;
+constexpr int block = 64;  // prints whose states are kept at once
+
+NewtonOptions newton_options() {
+  NewtonOptions options;
+  options.step_tolerance = at_rest;
+  return options;
+}
+
+/// A structure under its drive, of which prints are made.
+struct Scene {
+  const PrintedLinkage& printed;
+  const Elasticity& elasticity;
+  const LinkageDrive& drive;
+  bool planar;
+
+  ElasticSystem system(const Matrix4Xd& errors) const {
+    return {printed(errors), elasticity, drive, planar, false};
+  }
+};
+
+/// Finds equilibria of prints, each from that of the design and by its factor first: where prints differ little, most of
+/// them come to rest without one of their own. What a print comes to depends on no other.
 class Rest {
  public:
-  Rest(Linkage design, const Elasticity& elasticity, const LinkageDrive& drive, bool planar)
-      : elasticity_(elasticity),
-        drive_(drive),
-        planar_(planar),
-        design_(std::move(design), elasticity, drive, planar, false),
-        tangent_(design_.dofs()) {}
+  /// @param design in equilibrium, with the drive's multiplier
+  Rest(const Scene& scene, const State& design, double multiplier)
+      : scene_(scene), design_(design), system_(scene.system({})), tangent_(system_.dofs()) {
+    system_.set_multiplier(multiplier);
+  }
 
-  /// @return whether a stable equilibrium was found from the state given
-  bool of_design(State& state) { return settle(design_, state); }
-  bool of_print(Linkage print, State& state) {
-    ElasticSystem system(std::move(print), elasticity_, drive_, planar_, false);
-    system.set_multiplier(design_.multiplier());
-    return settle(system, state);
+  /// Nothing where no stable equilibrium is found.
+  std::optional<State> of(const Matrix4Xd& errors) {
+    restore();
+    ElasticSystem print = scene_.system(errors);
+    print.set_multiplier(system_.multiplier());
+    State state = design_;
+    const double theta = scene_.drive.theta();
+    print.place(theta, state);
+    const NewtonResult found =
+        minimise(print, theta, newton_options(), state, tangent_, tangent_.is_factorised());
+    is_of_design_ = false;
+    if (!found.converged || !found.stable) return std::nullopt;
+    return state;
   }
 
  private:
-  bool settle(ElasticSystem& system, State& state) {
-    const double theta = drive_.theta();
-    system.place(theta, state);
-    const NewtonResult result = minimise(system, theta, {}, state, tangent_, tangent_.is_factorised());
-    return result.converged && result.stable;
+  void restore() {
+    if (is_of_design_) return;
+    system_.linearise(design_, scene_.drive.theta(), tangent_);
+    tangent_.factorise(0);
+    is_of_design_ = true;
   }
 
-  const Elasticity& elasticity_;
-  const LinkageDrive& drive_;
-  const bool planar_;
-  ElasticSystem design_;
+  const Scene& scene_;
+  const State& design_;
+  ElasticSystem system_;
   TangentStiffness
       tangent_;  ///< of the bodies of any print: what is held and which hinges there are is the same
+  bool is_of_design_ = false;
 };
+
+/// The same of many, on as many threads as there are of `rests`. Those left out because it stops are as if not found.
+std::vector<std::optional<State>> found_by(std::deque<Rest>& rests, const std::vector<Matrix4Xd>& errors,
+                                           const std::function<bool()>& stops) {
+  std::vector<std::optional<State>> out(errors.size());
+  const auto workers = static_cast<int>(rests.size());
+  run_in_parallel(workers, workers, [&](int w) {
+    for (std::size_t k = w; k < errors.size() && !stops(); k += rests.size()) out[k] = rests[w].of(errors[k]);
+  });
+  return out;
+}
 
 }  // namespace
 
 int visit_prints(const PrintedLinkage& printed, const Elasticity& elasticity, const LinkageDrive& drive,
                  const State& state, const HingeScatter& scatter, int count, const AsMadeOptions& options,
                  const std::function<void(const State&, const State&, const Matrix4Xd&)>& visit) {
+  const Scene scene{printed, elasticity, drive, options.planar};
+  const auto stops = [&] { return options.stop && options.stop(); };
+  ElasticSystem system = scene.system({});
+  TangentStiffness tangent(system.dofs());
   State design = state;
-  Linkage exact = printed({});
-  Errors errors(scatter, static_cast<Eigen::Index>(exact.hinges.size()), options.seed);
-  Rest rest(std::move(exact), elasticity, drive, options.planar);
-  rest.of_design(design);
+  system.place(drive.theta(), design);
+  minimise(system, drive.theta(), {}, design, tangent);
+  std::deque<Rest> rests;
+  for (int w = 0; w < std::min(threads_of(options.threads), count); ++w)
+    rests.emplace_back(scene, design, system.multiplier());
+  Errors errors(scatter, static_cast<Eigen::Index>(system.structure().hinges.size()), options.seed);
   int failed = 0;
-  for (int k = 0; k < count && !(options.stop && options.stop()); ++k) {
-    State print = design;
-    const Matrix4Xd own = errors.next();
-    if (rest.of_print(printed(own), print))
-      visit(design, print, own);
-    else
-      ++failed;
+  for (int done = 0; done < count && !stops(); done += block) {
+    std::vector<Matrix4Xd> own(std::min(block, count - done));
+    for (Matrix4Xd& of_print : own) of_print = errors.next();
+    const std::vector<std::optional<State>> found = found_by(rests, own, stops);
+    for (std::size_t k = 0; k < own.size(); ++k)
+      if (found[k]) visit(design, *found[k], own[k]);
+    if (!stops())
+      failed +=
+          static_cast<int>(std::count_if(found.begin(), found.end(), [](const auto& one) { return !one; }));
   }
   return failed;
 }

@@ -18,11 +18,11 @@ struct PrintRuns {
 /// columns: the design itself.
 using PrintedLinkage = std::function<Linkage(const Eigen::Matrix4Xd& errors)>;
 
-/// Prints with errors, one after the other, each brought to its equilibrium from that of the design.
+/// Prints with errors, each brought to its equilibrium from that of the design, and seen one after the other.
 /// @param state of the design, in equilibrium or nearly so under the drive
-/// @param options seed, planar and stop have an effect
+/// @param options seed, planar, threads and stop have an effect; `printed` is called from any of the threads
 /// @param visit sees the design's own equilibrium, that of each print that settled, and its errors
-/// @return how many did not. The same seed gives the same prints.
+/// @return how many did not, of those that it was not told to leave out. The same seed gives the same prints.
 int visit_prints(const PrintedLinkage& printed, const Elasticity& elasticity, const LinkageDrive& drive,
                  const State& state, const HingeScatter& scatter, int count, const AsMadeOptions& options,
                  const std::function<void(const State& design, const State& print,

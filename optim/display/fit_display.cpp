@@ -10,7 +10,7 @@
 #include <numeric>
 
 #include "model/base/invalid_input.hpp"
-#include "optim/solvers/parallel_runs.hpp"
+#include "model/base/parallel_runs.hpp"
 
 namespace kinetix::optim {
 namespace {
@@ -40,7 +40,7 @@ class ProgressOfRuns {
 /// Runs all in parallel, then throws what the first of them threw.
 void run_all(int count, int threads, const std::function<void(int)>& run) {
   std::vector<std::exception_ptr> thrown(static_cast<std::size_t>(count));
-  run_in_parallel(count, threads, [&](int k) {
+  model::run_in_parallel(count, threads, [&](int k) {
     try {
       run(k);
     } catch (...) {

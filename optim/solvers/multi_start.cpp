@@ -5,7 +5,7 @@
 #include <mutex>
 
 #include "model/base/invalid_input.hpp"
-#include "optim/solvers/parallel_runs.hpp"
+#include "model/base/parallel_runs.hpp"
 
 namespace kinetix::optim {
 namespace {
@@ -46,7 +46,7 @@ MultiStartResult multi_start(const LeastSquaresProblem& problem, const StartMake
   std::mutex telling;
   int ended = 0;
   double least = std::numeric_limits<double>::infinity();
-  run_in_parallel(options.starts, options.threads, [&](int k) {
+  model::run_in_parallel(options.starts, options.threads, [&](int k) {
     result.runs[k] = run_one(problem, make_start, k, options);
     if (!options.ended) return;
     const std::lock_guard lock(telling);

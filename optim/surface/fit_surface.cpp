@@ -11,7 +11,7 @@
 #include <random>
 
 #include "model/base/invalid_input.hpp"
-#include "optim/solvers/parallel_runs.hpp"
+#include "model/base/parallel_runs.hpp"
 #include "optim/solvers/solver.hpp"
 #include "optim/surface/surface_starts.hpp"
 #include "targets/outline/outline.hpp"
@@ -241,7 +241,7 @@ SurfaceDesign after_shakes(Run best_run, SurfaceDesign best, const SurfaceOption
                          best.error.rms * diagonal));
     std::vector<Run> runs(shaken_a_round, best_run);
     std::vector<SurfaceDesign> designs(shaken_a_round);
-    run_in_parallel(shaken_a_round, options.threads, [&](int k) {
+    model::run_in_parallel(shaken_a_round, options.threads, [&](int k) {
       designs[k] = runs[k].shaken(static_cast<unsigned>(round * shaken_a_round + k));
     });
     const auto found = std::min_element(designs.begin(), designs.end(), fits_better) - designs.begin();
@@ -275,7 +275,7 @@ SurfaceDesign fit_surface(const targets::SurfacePatch& patch, const SurfaceOptio
   double least = std::numeric_limits<double>::infinity();
   std::mutex words;  // of both
   const auto fit = [&](int runs_of_stage, const std::function<SurfaceDesign(Run&)>& stage) {
-    run_in_parallel(runs_of_stage, options.threads, [&](int k) {
+    model::run_in_parallel(runs_of_stage, options.threads, [&](int k) {
       const int start = order[k];
       SurfaceDesign found = stage(runs[start]);
       found.start = start;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <omp.h>
 #include <pybind11/pybind11.h>
 
 #include <cstdint>
@@ -8,6 +7,7 @@
 #include <limits>
 #include <stop_token>
 
+#include "model/base/parallel_runs.hpp"
 #include "model/linkage/state.hpp"
 #include "python/bindings/interruptible.hpp"
 
@@ -20,7 +20,7 @@ template <class Fold>
 void many_folds(std::int64_t count, int threads, const std::stop_token& stop, Fold fold) {
   std::exception_ptr thrown;
   std::int64_t first = std::numeric_limits<std::int64_t>::max();
-#pragma omp parallel num_threads(threads > 0 ? threads : omp_get_max_threads())
+#pragma omp parallel num_threads(model::threads_of(threads))
   {
     model::State state;
 #pragma omp for schedule(static)

@@ -59,9 +59,8 @@ void add_prints(const DisplayFile& file, const Run& run, const model::HingeScatt
   };
   out.failed =
       visit_prints([&](const Eigen::Matrix4Xd& errors) { return printed_sheet(run.structure, errors); },
-                   run.equilibrium->elasticity, run.equilibrium->drive, state, scatter,
-                   std::max(options.prints, least_prints),
-                   {.planar = true, .stop = [&] { return options.stop.stop_requested(); }}, seen);
+                   run.equilibrium->elasticity, run.equilibrium->drive, state, scatter, prints_of(options),
+                   print_options(options, true), seen);
   out.prints = static_cast<int>(contrasts.size());
   if (contrasts.empty()) return;
   std::sort(contrasts.begin(), contrasts.end());

@@ -5,11 +5,11 @@
 #include <limits>
 
 #include "model/base/invalid_input.hpp"
+#include "model/base/parallel_runs.hpp"
 #include "model/base/polygon.hpp"
 #include "model/lattice/planar/lattices/rhombus.hpp"
 #include "model/sheet/sheet_motion.hpp"
 #include "optim/outline/trimmed_cells.hpp"
-#include "optim/solvers/parallel_runs.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -84,7 +84,7 @@ class OutlineSearch {
     if (file_.columns * file_.rows > most_tried_cells) cuts.resize(1);
     count = static_cast<int>(cuts.size());
     std::vector<double> misses(cuts.size());
-    optim::run_in_parallel(count, run_.threads, [&](int k) { misses[k] = miss_or_none(cuts[k]); });
+    model::run_in_parallel(count, run_.threads, [&](int k) { misses[k] = miss_or_none(cuts[k]); });
     return cuts[std::min_element(misses.begin(), misses.end()) - misses.begin()];
   }
 

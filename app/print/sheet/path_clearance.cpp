@@ -7,8 +7,8 @@
 #include <map>
 #include <memory>
 
+#include "model/base/parallel_runs.hpp"
 #include "model/contact/near_pairs.hpp"
-#include "optim/solvers/parallel_runs.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -211,7 +211,7 @@ double LeastDistance::spare_mm() const { return mm - (asked_mm > 0 ? asked_mm - 
 PathClearance path_clearance(const PrintSheet& sheet) {
   const Distances distances(sheet);
   std::vector<PathClearance> by_state(sheet.path.size());
-  optim::run_in_parallel(static_cast<int>(sheet.path.size()), 0,
+  model::run_in_parallel(static_cast<int>(sheet.path.size()), 0,
                          [&](int k) { by_state[k] = distances.measured(sheet.thetas[k], sheet.path[k]); });
   PathClearance all = nothing_near();
   all.flat_mm = by_state.front().flat_mm;

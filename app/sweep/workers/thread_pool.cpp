@@ -7,7 +7,7 @@
 #include "app/run/stopwatch.hpp"
 #include "app/sweep/evaluators/evaluator.hpp"
 #include "app/sweep/workers/work_queue.hpp"
-#include "optim/solvers/parallel_runs.hpp"
+#include "model/base/parallel_runs.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -74,7 +74,7 @@ void work(const SweepPlan& plan, SharedSource& source) noexcept {
 
 void run_on_threads(const SweepPlan& plan, int threads, const WorkSource& source) {
   SharedSource shared(source);
-  optim::run_in_parallel(threads, threads, [&](int) { work(plan, shared); });
+  model::run_in_parallel(threads, threads, [&](int) { work(plan, shared); });
   shared.rethrow();
 }
 

@@ -1,11 +1,11 @@
-#include "optim/solvers/parallel_runs.hpp"
+#include "model/base/parallel_runs.hpp"
 
 #include <omp.h>
 
 #include <algorithm>
 #include <atomic>
 
-namespace kinetix::optim {
+namespace kinetix::model {
 namespace {
 
 // OpenMP orders what comes before, in and after a parallel region, but the thread sanitizer cannot see that:
@@ -34,9 +34,11 @@ __attribute__((no_sanitize("thread"))) void fill(int count, int threads,
 
 }  // namespace
 
+int threads_of(int asked) { return asked > 0 ? asked : omp_get_max_threads(); }
+
 void run_in_parallel(int count, int threads, const std::function<void(int)>& run) {
   if (count < 1) return;
-  fill(count, std::min(threads > 0 ? threads : omp_get_max_threads(), count), run);
+  fill(count, std::min(threads_of(threads), count), run);
 }
 
-}  // namespace kinetix::optim
+}  // namespace kinetix::model

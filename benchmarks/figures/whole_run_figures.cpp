@@ -1,0 +1,80 @@
+#include <fmt/format.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "benchmarks/figure.hpp"
+#include "benchmarks/stopwatch.hpp"
+#include "tests/app/program.hpp"
+
+namespace kinetix::bench {
+namespace {
+
+using testing::Scratch;
+
+constexpr int repeats = 3;  // of each run, of which the median counts
+
+/// Runs the program on a target. @throws std::runtime_error where it does not end well
+double run_seconds(const std::string& target, const Scratch& folder) {
+  testing::Outcome outcome;
+  const double time =
+      seconds([&] { outcome = testing::kinetix_opt(target + " --quiet -o " + (folder / "out").string()); });
+  if (outcome.code != 0) throw std::runtime_error(target + ": " + outcome.err);
+  return time;
+}
+
+/// What a person waits for, from the command to the last file.
+Figure whole_run(const std::string& name, double asked_s) {
+  const Scratch folder;
+  std::vector<double> times;
+  for (int k = 0; k < repeats; ++k) times.push_back(run_seconds(KINETIX_SHAPES "/" + name + ".yaml", folder));
+  const double time = median(std::move(times));
+  return {name + ".yaml, whole run of `kinetix-opt`", fmt::format("<= {:.3g} s", asked_s),
+          fmt::format("{:.2f} s", time), time <= asked_s};
+}
+
+/// A part of a run as its result times it. @param stage of timing_s   @param with what the target says beside its goal
+Figure stage_of_run(const std::string& what, const std::string& target, const std::string& stage,
+                    double asked_s) {
+  const Scratch folder;
+  const std::string file = folder.write("target.yaml", "kinetix: 1\nname: timed\n" + target);
+  std::vector<double> times;
+  for (int k = 0; k < repeats; ++k) {
+    run_seconds(file, folder);
+    times.push_back(nlohmann::json::parse(testing::text_of(folder / "out" / "result.json"))
+                        .at("timing_s")
+                        .at(stage)
+                        .get<double>());
+  }
+  const double time = median(std::move(times));
+  return {what, fmt::format("<= {:.3g} s", asked_s), fmt::format("{:.2f} s", time), time <= asked_s};
+}
+
+/// The shipped half circle of 40 columns by 9 mm in other cells. @param wall_mm of thickness and height
+std::string half_circle(int columns, int rows, double cell_mm) {
+  return fmt::format(
+      "target: {{kind: curve, points: {}/half_circle.csv}}\n"
+      "structure: {{cells: [{}, {}], cell_mm: {}, wall_mm: {{thickness: {}, height: {}}}}}\n"
+      "variables:\n  beta: {{range_deg: [-60, 60], per: column, symmetry: none}}\n  theta: {{range_deg: [2, "
+      "40]}}\n",
+      KINETIX_SHAPES, columns, rows, cell_mm, 0.8 * cell_mm / 9, 6 * cell_mm / 9);
+}
+
+}  // namespace
+
+std::vector<Figure> whole_run_figures() {
+  return {whole_run("helmet_rib", 0.15),
+          whole_run("cube", 0.6),
+          whole_run("headform", 2),
+          whole_run("letter_t", 3),
+          whole_run("circle", 8),
+          stage_of_run(
+              "box of [20, 15, 10] cells: search",
+              "target: {kind: fold, box: [20, 15, 10]}\nstructure: {cell_mm: 10, wall_mm: {thickness: 0.8, "
+              "height: 6}}\n",
+              "optimise", 0.5),
+          stage_of_run("half circle in 40 x 20 cells: physics run", half_circle(40, 20, 9), "verify", 4),
+          stage_of_run("half circle in 200 columns: search", half_circle(200, 1, 1.8), "optimise", 1)};
+}
+
+}  // namespace kinetix::bench
