@@ -31,10 +31,10 @@ DisplayGoal read_glyph(const Section& target, const Node& glyph, const std::opti
   const auto font_key = target.optional("font");
   const int columns = default_cells_a_character * characters(text, 0, text.size());
   const PanelSize cells = size.value_or(PanelSize{columns, default_cells_a_character});
-  if (!font_key) return glyph.located([&] { return glyph_goal(text, cells.columns, cells.rows); });
+  if (!font_key) return glyph.located([&] { return glyph_goal(text, cells[0], cells[1]); });
   const std::string name = font_key->text("the name of an installed font");
   const FontFile font = font_key->located([&] { return find_font(name); });
-  return glyph.located([&] { return glyph_goal(text, font, cells.columns, cells.rows); });
+  return glyph.located([&] { return glyph_goal(text, font, cells[0], cells[1]); });
 }
 
 DisplayGoal read_image_section(const Section& target, const Node& image,
