@@ -21,6 +21,7 @@ namespace {
 namespace py = pybind11;
 
 using model::ExactDesign;
+using model::Lanes;
 
 /// Many strips of as many columns and rows: tilts, angles and, where hinges are off the middle, fractions, row by row.
 struct Strips {
@@ -145,14 +146,39 @@ py::tuple strip_derivatives(Numbers beta, Numbers theta, double cell_mm, int row
   return py::make_tuple(poses, derivatives);
 }
 
-/// Shift and turn of each body, in the kernel's order: turn, then shift.
-void read_pulls(const double* six, py::ssize_t bodies, Eigen::VectorXd& by_state) {
-  by_state.resize(6 * bodies);
-  for (double* out = by_state.data(); bodies > 0; --bodies, six += 6, out += 6) {
-    std::copy_n(six + 3, 3, out);
-    std::copy_n(six, 3, out + 3);
+/// Two strips side by side, and what goes with them.
+struct StripPair {
+  ExactDesign<Lanes> design, gradient;
+  Eigen::Matrix<Lanes, Eigen::Dynamic, 1> by_state;
+
+  void resize(int columns, int rows, py::ssize_t bodies) {
+    if (design.columns() != columns || design.rows() != rows)
+      design = ExactDesign<Lanes>::basic(columns, rows);
+    by_state.resize(6 * bodies);
   }
-}
+
+  void load(int lane, const Strips& strips, std::int64_t k) {
+    const std::int64_t columns = strips.columns();
+    for (int c = 0; c < columns; ++c) design.beta[c].set(lane, strips.beta.data()[k * columns + c]);
+    design.theta.set(lane, strips.theta.data()[k]);
+  }
+
+  /// @param six shift and turn of each body; the kernel's order is turn, then shift
+  void load_pulls(int lane, const double* six) {
+    for (Eigen::Index body = 0; body < by_state.size(); body += 6)
+      for (int d = 0; d < 3; ++d, ++six) {
+        by_state[body + 3 + d].set(lane, six[0]);
+        by_state[body + d].set(lane, six[3]);
+        if (d == 2) six += 3;
+      }
+  }
+
+  /// Tilts, then theta.
+  void write(int lane, double* row) const {
+    for (const Lanes& beta : gradient.beta) *row++ = beta[lane];
+    *row = gradient.theta[lane];
+  }
+};
 
 py::array strip_gradients(Numbers beta, Numbers theta, Numbers by_poses, double cell_mm, int rows,
                           int threads) {
@@ -166,20 +192,20 @@ py::array strip_gradients(Numbers beta, Numbers theta, Numbers by_poses, double 
         fmt::format("by_poses must be of shape ({}, {}, 6): a row a body", strips.count(), bodies));
   py::array gradients = unwritten({strips.count(), parameters});
   auto* const out = static_cast<double*>(gradients.mutable_data());
-  many_folds_in_python(strips.count(), bodies, threads, [&](std::int64_t k, model::State& state) {
-    thread_local ExactDesign<double> design, gradient;
-    thread_local Eigen::VectorXd by_state;
-    if (design.columns() != columns || design.rows() != strips.rows)
-      design = ExactDesign<double>::basic(strips.columns(), strips.rows);
-    std::fill(design.t.begin(), design.t.end(), 0.5);
-    load(strips, k, design);
-    fold(design, strips.cell_mm, state);
-    read_pulls(by_poses.data() + k * numbers, bodies, by_state);
-    fold_gradient(design, strips.cell_mm, state, by_state, gradient);
-    double* const row = out + k * parameters;
-    std::copy(gradient.beta.begin(), gradient.beta.end(), row);
-    row[columns] = gradient.theta;
-  });
+  const std::int64_t last = strips.count() - 1, pairs = (strips.count() + Lanes::count - 1) / Lanes::count;
+  const auto fold_pair = [&](std::int64_t first, std::vector<model::PoseOf<Lanes>>& poses) {
+    thread_local StripPair pair;
+    pair.resize(strips.columns(), strips.rows, bodies);
+    const auto strip = [&](int lane) { return std::min(Lanes::count * first + lane, last); };
+    for (int lane = 0; lane < Lanes::count; ++lane) {
+      pair.load(lane, strips, strip(lane));
+      pair.load_pulls(lane, by_poses.data() + strip(lane) * numbers);
+    }
+    fold(pair.design, strips.cell_mm, poses);
+    fold_gradient(pair.design, strips.cell_mm, poses, pair.by_state, pair.gradient);
+    for (int lane = 0; lane < Lanes::count; ++lane) pair.write(lane, out + strip(lane) * parameters);
+  };
+  many_folds_in_python<std::vector<model::PoseOf<Lanes>>>(pairs, Lanes::count * bodies, threads, fold_pair);
   return gradients;
 }
 

@@ -1,91 +1,122 @@
 #include "model/lattice/square/family/exact_gradient.hpp"
 
-#include <Eigen/Geometry>
 #include <cmath>
 
 namespace kinetix::model {
 namespace {
 
-using Eigen::Vector3d;
+using std::cos;
+using std::sin;
+
+template <class T>
+using Vector3 = Eigen::Matrix<T, 3, 1>;
+template <class T>
+using VectorX = Eigen::Matrix<T, Eigen::Dynamic, 1>;
 
 /// What pulls at a body: pairs with a twist to the change of the function.
+template <class T>
 struct Pull {
-  Vector3d moment = Vector3d::Zero();  ///< about the body's position
-  Vector3d force = Vector3d::Zero();
+  Vector3<T> moment = Vector3<T>::Zero();  ///< about the body's position
+  Vector3<T> force = Vector3<T>::Zero();
+
+  static Pull on(const VectorX<T>& by_state, int body) {
+    return {by_state.template segment<3>(6 * body), by_state.template segment<3>(6 * body + 3)};
+  }
 };
 
-Pull pull_on(const Eigen::VectorXd& by_state, int body) {
-  return {by_state.segment<3>(6 * body), by_state.segment<3>(6 * body + 3)};
+// Entry by entry: Eigen has no vector instructions for lanes, and its expressions get in the compiler's way.
+template <class T>
+Vector3<T> cross(const Vector3<T>& a, const Vector3<T>& b) {
+  return {a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(), a.x() * b.y() - a.y() * b.x()};
+}
+
+template <class T>
+T dot(const Vector3<T>& a, const Vector3<T>& b) {
+  return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
 }
 
 /// Moves to a body what pulls at its y-neighbour, which moves with it. @return by the hinge's fraction from the body
-double add_neighbour_y(const Pull& next, const Pose& pose, const Pose& next_pose, double s, double L,
-                       Pull& pull) {
-  const Vector3d moment = next.moment + (1 - s) * L * next_pose.R.col(1).cross(next.force);
-  pull.moment += s * L * pose.R.col(1).cross(next.force) + Vector3d(-moment.x(), moment.y(), -moment.z());
+template <class T>
+T add_neighbour_y(const Pull<T>& next, const PoseOf<T>& pose, const PoseOf<T>& next_pose, const T& s,
+                  double L, Pull<T>& pull) {
+  const Vector3<T> y = pose.R.col(1), next_y = next_pose.R.col(1);
+  const T near = s * T(L), far = T(L) - near;
+  const Vector3<T> m = next.moment + far * cross<T>(next_y, next.force), own = near * cross<T>(y, next.force);
+  pull.moment += Vector3<T>(own.x() - m.x(), own.y() + m.y(), own.z() - m.z());
   pull.force += next.force;
-  return L * next.force.dot(pose.R.col(1) - next_pose.R.col(1));
+  return T(L) * dot<T>(next.force, y - next_y);
 }
 
 /// By the tilt of a hinge and by its fraction from the body.
+template <class T>
 struct ByHinge {
-  double beta = 0, t = 0;
+  T beta, t;
 };
 
 /// The same over a hinge of an x-wall.
-ByHinge add_neighbour_x(const Pull& next, const Pose& pose, const Pose& next_pose, double beta, double t,
-                        double L, Pull& pull) {
-  const double cb = std::cos(beta), sb = std::sin(beta);
-  const Vector3d axis = carried_axis(pose.R, cb, sb);
-  const double over = 1 / (axis.x() * axis.x() + axis.z() * axis.z());
-  const Vector3d m = next.moment + (1 - t) * L * next_pose.R.col(0).cross(next.force);
-  // The mirror plane turns about y by (-axis.y axis.x over, 1, -axis.y axis.z over) . omega where the body turns by omega.
-  const double turning = 2 * axis.y() * m.y() * over,
-               mirrored = 2 * (axis.z() * m.x() - axis.x() * m.z()) * over;
-  pull.moment += t * L * pose.R.col(0).cross(next.force) +
-                 Vector3d(mirrored * axis.z() - turning * axis.x() - m.x(), m.y(),
-                          -mirrored * axis.x() - turning * axis.z() - m.z());
+template <class T>
+ByHinge<T> add_neighbour_x(const Pull<T>& next, const PoseOf<T>& pose, const PoseOf<T>& next_pose,
+                           const T& beta, const T& t, double L, Pull<T>& pull) {
+  const T cb = cos(beta), sb = sin(beta);
+  const Vector3<T> axis = carried_axis<T>(pose.R, cb, sb);
+  const T twice_over = T(2) / (axis.x() * axis.x() + axis.z() * axis.z());
+  const Vector3<T> x = pose.R.col(0), next_x = next_pose.R.col(0);
+  const T near = t * T(L), far = T(L) - near;
+  const Vector3<T> m = next.moment + far * cross<T>(next_x, next.force), own = near * cross<T>(x, next.force);
+  // The mirror plane turns about y by (-axis.y axis.x, |axis|^2 less axis.y^2, -axis.y axis.z) . omega over the second of
+  // these where the body turns by omega.
+  const T turning = axis.y() * m.y() * twice_over,
+          mirrored = (axis.z() * m.x() - axis.x() * m.z()) * twice_over;
+  pull.moment += Vector3<T>(own.x() + mirrored * axis.z() - turning * axis.x() - m.x(), own.y() + m.y(),
+                            own.z() - mirrored * axis.x() - turning * axis.z() - m.z());
   pull.force += next.force;
-  const Vector3d rate = -sb * pose.R.col(2) - cb * pose.R.col(1);
-  return {2 * (axis.z() * rate.x() - axis.x() * rate.z()) * over * m.y(),
-          L * next.force.dot(pose.R.col(0) - next_pose.R.col(0))};
+  const T rate_x = -sb * pose.R(0, 2) - cb * pose.R(0, 1), rate_z = -sb * pose.R(2, 2) - cb * pose.R(2, 1);
+  return {(axis.z() * rate_x - axis.x() * rate_z) * twice_over * m.y(),
+          T(L) * dot<T>(next.force, x - next_x)};
 }
 
-void resize(int columns, int rows, ExactDesign<double>& gradient) {
-  gradient.beta.assign(columns, 0);
-  gradient.t.assign(columns, 0);
-  gradient.s.assign(rows, 0);
+template <class T>
+void resize(int columns, int rows, ExactDesign<T>& gradient) {
+  gradient.beta.resize(columns);
+  gradient.t.resize(columns);
+  gradient.s.assign(rows, T(0));
 }
 
 }  // namespace
 
-void fold_gradient(const ExactDesign<double>& design, double L, const State& poses,
-                   const Eigen::VectorXd& by_state, ExactDesign<double>& gradient) {
+template <class T>
+void fold_gradient(const ExactDesign<T>& design, double L, const std::vector<PoseOf<T>>& poses,
+                   const Eigen::Matrix<T, Eigen::Dynamic, 1>& by_state, ExactDesign<T>& gradient) {
   const int columns = design.columns(), rows = design.rows(), stride = rows + 1;
   resize(columns, rows, gradient);
-  Pull beyond;  // what pulls at the first body of the column to the right
+  Pull<T> beyond;  // what pulls at the first body of the column to the right
   for (int i = columns; i >= 0; --i) {
     const int first = i * stride;
-    Pull pull = pull_on(by_state, first + rows);
+    Pull<T> pull = Pull<T>::on(by_state, first + rows);
     for (int j = rows - 1; j >= 0; --j) {
       const int b = first + j;
-      Pull below = pull_on(by_state, b);
-      const double s = fraction_from_lower(design.s[j], {i, j});
-      gradient.s[j] += Vertex{i, j}.sense() * add_neighbour_y(pull, poses[b], poses[b + 1], s, L, below);
+      Pull<T> below = Pull<T>::on(by_state, b);
+      const T s = fraction_from_lower(design.s[j], {i, j});
+      gradient.s[j] += T(Vertex{i, j}.sense()) * add_neighbour_y(pull, poses[b], poses[b + 1], s, L, below);
       pull = below;
     }
     if (i < columns) {
-      const double t = fraction_from_lower(design.t[i], {i, 0});
-      const ByHinge by =
+      const T t = fraction_from_lower(design.t[i], {i, 0});
+      const ByHinge<T> by =
           add_neighbour_x(beyond, poses[first], poses[first + stride], design.beta[i], t, L, pull);
       gradient.beta[i] = by.beta;
-      gradient.t[i] = Vertex{i, 0}.sense() * by.t;
+      gradient.t[i] = T(Vertex{i, 0}.sense()) * by.t;
     }
     beyond = pull;
   }
-  const Vector3d y = Vector3d::UnitY();
-  gradient.theta = wall_up(Axis::y, design.gamma).dot(beyond.moment);
-  gradient.gamma = (y - poses[0].R * y).dot(beyond.moment);
+  const auto& R = poses[0].R;
+  gradient.theta = dot<T>({sin(design.gamma), T(0), cos(design.gamma)}, beyond.moment);
+  gradient.gamma = dot<T>({-R(0, 1), T(1) - R(1, 1), -R(2, 1)}, beyond.moment);
 }
+
+template void fold_gradient(const ExactDesign<double>&, double, const State&, const Eigen::VectorXd&,
+                            ExactDesign<double>&);
+template void fold_gradient(const ExactDesign<Lanes>&, double, const std::vector<PoseOf<Lanes>>&,
+                            const Eigen::Matrix<Lanes, Eigen::Dynamic, 1>&, ExactDesign<Lanes>&);
 
 }  // namespace kinetix::model

@@ -135,5 +135,36 @@ TEST(ReflectionChain, GradientMatchesCentralDifferences) {
       }
 }
 
+TEST(ReflectionChain, GradientOfDesignsSideBySideHasTheSameBits) {
+  std::mt19937 random(12);
+  const ExactDesign<double> designs[] = {random_design(Family::F2, 7, 2, random),
+                                         random_design(Family::F2, 7, 2, random)};
+  auto both = ExactDesign<Lanes>::basic(7, 2);
+  for (int lane = 0; lane < Lanes::count; ++lane) {
+    const ExactDesign<double>& one = designs[lane];
+    for (int c = 0; c < 7; ++c) both.beta[c].set(lane, one.beta[c]);
+    for (int c = 0; c < 7; ++c) both.t[c].set(lane, one.t[c]);
+    for (int r = 0; r < 2; ++r) both.s[r].set(lane, one.s[r]);
+    both.gamma.set(lane, one.gamma);
+    both.theta.set(lane, one.theta);
+  }
+  const Eigen::VectorXd by_state = Eigen::VectorXd::LinSpaced(6 * 8 * 3, -1, 2);
+  std::vector<PoseOf<Lanes>> poses;
+  ExactDesign<Lanes> gradient;
+  fold(both, 10.0, poses);
+  fold_gradient<Lanes>(both, 10.0, poses, by_state.cast<Lanes>(), gradient);
+  for (int lane = 0; lane < Lanes::count; ++lane) {
+    State alone;
+    ExactDesign<double> of_one;
+    fold(designs[lane], 10.0, alone);
+    fold_gradient(designs[lane], 10.0, alone, by_state, of_one);
+    ASSERT_GT(of_one.theta * of_one.theta, 0);
+    EXPECT_EQ(gradient.theta[lane], of_one.theta);
+    for (int c = 0; c < 7; ++c) EXPECT_EQ(gradient.beta[c][lane], of_one.beta[c]);
+    for (int c = 0; c < 7; ++c) EXPECT_EQ(gradient.t[c][lane], of_one.t[c]);
+    for (int r = 0; r < 2; ++r) EXPECT_EQ(gradient.s[r][lane], of_one.s[r]);
+  }
+}
+
 }  // namespace
 }  // namespace kinetix::model
