@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "model/base/parallel_runs.hpp"
 #include "model/sheet/sheet_motion.hpp"
 #include "model/sheet/turn_laws.hpp"
 
@@ -11,11 +13,16 @@ namespace {
 
 constexpr double deviations = 3;  // of a normal distribution: 997 of 1000 are within
 
-Certified along(const model::Sheet& sheet, const model::ExactMotion& exact, const model::PrintError& sd) {
+Certified along(const model::Sheet& sheet, const model::ExactMotion& exact, const model::PrintError& sd,
+                int threads) {
   const model::Linkage linkage = sheet;
   const auto laws = exact ? turn_laws(sheet) : std::vector<model::TurnLaw>{};
-  return {certified_range(linkage, exact, laws),
-          certified_range(linkage, exact, laws, {.growth_mm = print_growth_mm(linkage, sd)})};
+  const double growth_mm[] = {0, print_growth_mm(linkage, sd)};
+  model::CertifiedRange ranges[2];
+  model::run_in_parallel(2, threads, [&](int k) {
+    ranges[k] = certified_range(linkage, exact, laws, {.growth_mm = growth_mm[k]});
+  });
+  return {std::move(ranges[0]), std::move(ranges[1])};
 }
 
 }  // namespace
@@ -29,12 +36,12 @@ double print_growth_mm(const model::Linkage& sheet, const model::PrintError& sd)
   return deviations * sd.t_mm + std::sin(tilt) * farthest;
 }
 
-Certified certify(const model::Sheet& sheet, const Plan& plan, const model::PrintError& sd) {
-  return along(sheet, plan.exact, sd);
+Certified certify(const model::Sheet& sheet, const Plan& plan, const model::PrintError& sd, int threads) {
+  return along(sheet, plan.exact, sd, threads);
 }
 
 Certified certify(const model::Sheet& sheet, const model::PrintError& sd) {
-  return along(sheet, exact_motion(sheet), sd);
+  return along(sheet, exact_motion(sheet), sd, 0);
 }
 
 }  // namespace kinetix::app

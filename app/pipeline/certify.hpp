@@ -12,9 +12,9 @@ namespace kinetix::app {
 double print_growth_mm(const model::Linkage& sheet, const model::PrintError& sd);
 
 /// Along the plan's closed form; where there is none, why nothing is certified. Equilibria of elastic hinges come near the
-/// closed form and are not on it: what is proven of it is not proven of them.
-Certified certify(const model::Sheet& sheet, const Plan& plan, const model::PrintError& sd);
-/// Of a sheet alone, as files are checked: of its closed form.
+/// closed form and are not on it: what is proven of it is not proven of them. @param threads 0 = all cores
+Certified certify(const model::Sheet& sheet, const Plan& plan, const model::PrintError& sd, int threads);
+/// Of a sheet alone, as files are checked: of its closed form, on all cores.
 Certified certify(const model::Sheet& sheet, const model::PrintError& sd);
 
 }  // namespace kinetix::app

@@ -33,7 +33,7 @@ void judge_prints(const Run& run, const Scene& scene, const RunOptions& options,
 void prove_range(const Run& run, const RunOptions& options, Judgement& out) {
   if (!options.certify || options.stop.stop_requested()) return;
   options.progress("contact", -1);
-  out.certified = certify(run.structure, run.plan, run.process.sd);
+  out.certified = certify(run.structure, run.plan, run.process.sd, options.threads);
 }
 
 /// Puts right one end of a range whose samples have missed walls that touch before.

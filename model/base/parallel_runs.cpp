@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <exception>
+#include <mutex>
 
 namespace kinetix::model {
 namespace {
@@ -32,13 +34,41 @@ __attribute__((no_sanitize("thread"))) void fill(int count, int threads,
   after_region();
 }
 
+/// The exception of the least run.
+class Thrown {
+ public:
+  /// @pre an exception is being handled
+  void keep(int k) {
+    const std::lock_guard lock(mutex_);
+    if (exception_ && first_ < k) return;
+    exception_ = std::current_exception();
+    first_ = k;
+  }
+  void rethrow() const {
+    if (exception_) std::rethrow_exception(exception_);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::exception_ptr exception_;
+  int first_ = 0;
+};
+
 }  // namespace
 
 int threads_of(int asked) { return asked > 0 ? asked : omp_get_max_threads(); }
 
 void run_in_parallel(int count, int threads, const std::function<void(int)>& run) {
   if (count < 1) return;
-  fill(count, std::min(threads_of(threads), count), run);
+  Thrown thrown;
+  fill(count, std::min(threads_of(threads), count), [&](int k) {
+    try {
+      run(k);
+    } catch (...) {
+      thrown.keep(k);
+    }
+  });
+  thrown.rethrow();
 }
 
 }  // namespace kinetix::model

@@ -37,20 +37,6 @@ class ProgressOfRuns {
   int runs_, done_ = 0;
 };
 
-/// Runs all in parallel, then throws what the first of them threw.
-void run_all(int count, int threads, const std::function<void(int)>& run) {
-  std::vector<std::exception_ptr> thrown(static_cast<std::size_t>(count));
-  model::run_in_parallel(count, threads, [&](int k) {
-    try {
-      run(k);
-    } catch (...) {
-      thrown[k] = std::current_exception();
-    }
-  });
-  for (const std::exception_ptr& exception : thrown)
-    if (exception) std::rethrow_exception(exception);
-}
-
 /// One start and what became of it.
 struct Trail {
   Trail(model::Axis along, int number) : axis(along), start(number) {}
@@ -76,12 +62,12 @@ class PanelSearch {
   DisplayDesign run(const Progress& progress) {
     const int count = static_cast<int>(trails_.size());
     ProgressOfRuns told(progress, count + std::min(count, most_finalists));
-    run_all(count, options_.threads, [&](int k) {
+    model::run_in_parallel(count, options_.threads, [&](int k) {
       separate(trails_[k]);
       told.one_more();
     });
     const std::vector<int> chosen = finalists();
-    run_all(static_cast<int>(chosen.size()), options_.threads, [&](int k) {
+    model::run_in_parallel(static_cast<int>(chosen.size()), options_.threads, [&](int k) {
       sharpen(trails_[chosen[k]]);
       told.one_more();
     });
