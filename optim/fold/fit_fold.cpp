@@ -7,9 +7,10 @@
 #include <optional>
 
 #include "model/base/invalid_input.hpp"
-#include "model/contact/wall_contact.hpp"
+#include "model/base/parallel_runs.hpp"
 #include "model/lattice/crease_law.hpp"
 #include "optim/fold/face_crossing.hpp"
+#include "optim/fold/looks_on_the_way.hpp"
 
 namespace kinetix::optim {
 namespace {
@@ -190,29 +191,39 @@ class NetSearch {
     return std::nullopt;
   }
 
-  static int looks(const FoldedNet& net) { return static_cast<int>(std::ceil(net.theta / step)); }
-  static double theta_of_look(const FoldedNet& net, int k) { return net.theta * k / looks(net); }
+  /// Rad, from flat to theta.
+  static std::vector<double> thetas_on_the_way(const FoldedNet& net) {
+    const int looks = static_cast<int>(std::ceil(net.theta / step));
+    std::vector<double> out;
+    for (int k = 1; k <= looks; ++k) out.push_back(net.theta * k / looks);
+    return out;
+  }
+
+  LooksOnTheWay looks_at(const FoldedNet& net) const {
+    return {with_clearance(net.structure),
+            [&net](double theta) { return fold_net(net.tree, net.structure, theta); },
+            model::threads_of(options_.threads)};
+  }
 
   /// Nothing: free; else a share of the way at which it is not. Looked at from its end, where most walls meet.
   std::optional<double> blocked_share(const FoldedNet& net) {
     ++design_.evaluations;
-    model::WallContact contact(with_clearance(net.structure));
-    if (!contact.touching_at_rest().empty()) return 0;
-    for (int k = looks(net); k > 0; --k)
-      if (!contact.overlapping(fold_net(net.tree, net.structure, theta_of_look(net, k))).empty())
-        return theta_of_look(net, k) / net.theta;
-    return std::nullopt;
+    LooksOnTheWay looks = looks_at(net);
+    if (!looks.touching_at_rest().empty()) return 0;
+    std::vector<double> thetas = thetas_on_the_way(net);
+    std::reverse(thetas.begin(), thetas.end());
+    const auto overlap = looks.first_overlap(thetas);
+    if (!overlap) return std::nullopt;
+    return thetas[overlap->look] / net.theta;
   }
 
   /// @pre a motion that is blocked
   Obstacle first_obstacle(const FoldedNet& net) const {
-    model::WallContact contact(with_clearance(net.structure));
-    if (!contact.touching_at_rest().empty()) return described(net, contact.touching_at_rest().front(), 0);
-    for (int k = 1;; ++k) {
-      const double theta = theta_of_look(net, k);
-      const auto& pairs = contact.overlapping(fold_net(net.tree, net.structure, theta));
-      if (!pairs.empty()) return described(net, pairs.front(), theta);
-    }
+    LooksOnTheWay looks = looks_at(net);
+    if (!looks.touching_at_rest().empty()) return described(net, looks.touching_at_rest().front(), 0);
+    const std::vector<double> thetas = thetas_on_the_way(net);
+    const auto overlap = looks.first_overlap(thetas);
+    return described(net, overlap.value().pair, thetas[overlap->look]);
   }
 
   /// The same with thicker and higher walls.

@@ -16,6 +16,7 @@ struct FoldOptions {
   double tilt = 60 * radians_per_degree;  ///< most that a wall may tilt to either side, rad, (0, pi/2)
   AngleRange theta{2 * radians_per_degree, 44 * radians_per_degree};  ///< rad, in (0, pi/2), lower < upper
   double clearance = 0.02;    ///< least gap of walls that are no neighbours, cell edges, [0, 0.5)
+  int threads = 0;            ///< >= 0; 0 = all cores. Their number changes no result
   std::stop_token stop = {};  ///< where it asks to, the search ends with what it has
 
   /// @throws InvalidInput naming field, value and rule

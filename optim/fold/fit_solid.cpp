@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/contact/wall_contact.hpp"
+#include "model/base/parallel_runs.hpp"
 #include "model/lattice/planar/planar_motion.hpp"
+#include "optim/fold/looks_on_the_way.hpp"
 
 namespace kinetix::optim {
 namespace {
@@ -83,18 +84,17 @@ class SolidSearch {
   /// The last look at which no wall is in the way, up to theta.
   double free_to() {
     ++design_.evaluations;
-    const model::Linkage thicker = thickened(design_.net.structure, options_.clearance);
-    model::WallContact contact(thicker);
-    if (!contact.touching_at_rest().empty()) return 0;
     const model::ExactMotion motion = exact_motion(design_.net.structure);
+    LooksOnTheWay looks(
+        thickened(design_.net.structure, options_.clearance), [&](double theta) { return motion.at(theta); },
+        model::threads_of(options_.threads));
+    if (!looks.touching_at_rest().empty()) return 0;
     const int steps = static_cast<int>(std::ceil(design_.theta / look_step));
-    double free = 0;
-    for (int k = 1; k <= steps; ++k) {
-      const double theta = k == steps ? design_.theta : design_.theta * k / steps;
-      if (!contact.overlapping(motion.at(theta)).empty()) return free;
-      free = theta;
-    }
-    return free;
+    std::vector<double> thetas;
+    for (int k = 1; k <= steps; ++k) thetas.push_back(k == steps ? design_.theta : design_.theta * k / steps);
+    const auto overlap = looks.first_overlap(thetas);
+    if (!overlap) return design_.theta;
+    return overlap->look == 0 ? 0 : thetas[overlap->look - 1];
   }
 
   const targets::Solid& solid_;

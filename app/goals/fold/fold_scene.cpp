@@ -85,6 +85,7 @@ class FoldScene final : public Scene {
     if (file.goal.box_mm) found->tolerances.push_back({"size", file.size_tolerance});
     found->goal = file.goal;
     optim::FoldOptions first = search_of(file);
+    first.threads = options.threads;
     first.stop = options.stop;
     found->design = fit_fold(file.goal, first, options.progress);
     const auto search = [&](double largest_theta) {

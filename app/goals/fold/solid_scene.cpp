@@ -54,6 +54,7 @@ class SolidScene final : public Scene {
                          {"shape", file_.shape_tolerance}};
     found->goal = *file_.goal.solid;
     optim::FoldOptions search = search_of(file_);
+    search.threads = options.threads;
     search.stop = options.stop;
     found->design = fit_solid(targets::named_solid(found->goal.solid), found->goal.cells, found->goal.columns,
                               search, options.progress);
