@@ -40,7 +40,7 @@ struct AssemblyRun {
 /// @param theta in place of the file's own drive, rad
 /// @param pieces of a run before with the same bodies, to be used again where they fit; null: none
 /// @throws InvalidInput for a drive that turns a hinge which cannot turn at rest; where bodies are pulled, for a theta and for the
-/// model equilibrium, which for now also wants hinges with an axis
+/// model equilibrium, which wants hinges with an axis as well
 AssemblyRun run_assembly(AssemblyFile file, Model model, std::optional<double> theta,
                          const RunOptions& options, std::shared_ptr<const BodyPieces> pieces = {});
 

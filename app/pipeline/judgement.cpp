@@ -80,8 +80,7 @@ void add(Judgement judgement, Run& run) {
   if (judgement.printed) run.printed = std::move(judgement.printed);
   if (!judgement.prints_unknown.empty()) {
     run.prints_unknown = std::move(judgement.prints_unknown);
-    if (!run.matter || run.equilibrium)
-      run.plan.why.push_back("what prints come to is not known: " + run.prints_unknown);
+    run.plan.why.push_back("what prints come to is not known: " + run.prints_unknown);
   }
   if (!judgement.certified) return;
   run.certified = std::move(judgement.certified);
