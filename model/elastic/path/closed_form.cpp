@@ -13,8 +13,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double near_closed_form = 0.01;  // rad of a hinge: up to here, a path keeps to the closed form
-
 Vector3d centre(const State& state, const std::vector<int>& bodies) {
   Vector3d sum = Vector3d::Zero();
   for (const int body : bodies) sum += state[body].p;
@@ -84,13 +82,13 @@ std::optional<double> ClosedForm::distance(const State& state, double theta) con
 
 bool ClosedForm::is_near(const State& state, double theta) const {
   const auto off = distance(state, theta);
-  return off && *off <= near_closed_form;
+  return off && *off <= near;
 }
 
 bool ClosedForm::is_mirrored(const State& state, double theta) const {
   if (system_.driven_hinge() >= 0 || system_.drive().grips_part) return false;
   const auto from_mirror = distance(state, -theta);
-  return from_mirror && *from_mirror <= near_closed_form && *from_mirror < *distance(state, theta);
+  return from_mirror && *from_mirror <= near && *from_mirror < *distance(state, theta);
 }
 
 }  // namespace kinetix::model

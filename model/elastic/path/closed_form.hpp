@@ -19,11 +19,13 @@ class ClosedForm {
   std::optional<State> at(double theta) const;
   /// Largest difference of a hinge's turn between a state and the closed form at theta, rad.
   std::optional<double> distance(const State& state, double theta) const;
-  /// Whether that is at most 0.01 rad. @return false where there is no closed form
+  /// Whether that is at most `near`. @return false where there is no closed form
   bool is_near(const State& state, double theta) const;
   /// Whether a sheet between plates or on a cord, which force it to one side as little as to the other, lies on the closed
   /// form of the side that theta does not ask for.
   bool is_mirrored(const State& state, double theta) const;
+
+  static constexpr double near = 0.01;  ///< rad of a hinge: up to here, a path keeps to the closed form
 
  private:
   /// Theta, rad, at which the closed form has the cord as long as the drive has it at its own theta.

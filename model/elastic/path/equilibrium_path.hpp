@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -63,6 +64,7 @@ struct PathEvent {
     release,      ///< the last of them parted
     lock,         ///< walls carry the drive: the load rises steeply with it
     slack,        ///< a cord would have to push: it goes slack, and the structure goes on by itself
+    departure,    ///< the path left the closed form that it came along, without turning unstable
   };
   Kind kind = Kind::bifurcation;
   EquilibriumStep at;  ///< the first state behind it
@@ -91,7 +93,9 @@ struct EquilibriumPath {
   std::vector<HingeEnergy> hinge_energies;  ///< N mm, of each hinge in the last state
   int iterations = 0;                       ///< of Newton's method in all
   double multiplier = 0;  ///< of the driven hinge, k_point edge^2, or the cord, k_point edge
-  int let_go = 0;         ///< plates that press: bodies of their rows that they do not push at the goal
+  double off_closed_form_since =
+      NAN;         ///< theta, rad, of the first state off the closed form that the path left; else NaN
+  int let_go = 0;  ///< plates that press: bodies of their rows that they do not push at the goal
 };
 
 std::string to_string(EquilibriumPath::Stop stop);

@@ -48,11 +48,13 @@ void PathEvents::see(const EquilibriumStep& before, const EquilibriumStep& after
                      const Arrival& arrival) {
   const auto happened = [&](Kind kind, std::string what) { add(kind, after, before.theta, std::move(what)); };
   if (arrival.descent) {
-    off_closed_form_since_ = arrival.descent == Descent::off_closed_form ? after.theta : NAN;
+    off_ = {};
+    if (arrival.descent == Descent::off_closed_form) off_ = {after.theta, true};
     happened(Kind::bifurcation, "the equilibrium turned unstable: left along the " +
                                     words(*arrival.descent, arrival.on_closed_form));
   }
   if (arrival.snapped) happened(Kind::snap, "jumped to another state at nearly the same drive");
+  if (auto words = departure(after, state, arrival)) happened(Kind::departure, std::move(*words));
   if (before.contacts == 0 && after.contacts > 0) happened(Kind::contact, system_.touching_words(state));
   if (before.contacts > 0 && after.contacts == 0)
     happened(Kind::release, system_.what_touches() + " no longer touch");
@@ -63,6 +65,16 @@ void PathEvents::see(const EquilibriumStep& before, const EquilibriumStep& after
   if (const auto times = lock_.see(before, after))
     happened(Kind::lock, system_.what_touches() + " carry the drive: the load rises " +
                              number_text(std::round(*times)) + " times as steeply as without contact");
+}
+
+std::optional<std::string> PathEvents::departure(const EquilibriumStep& after, const State& state,
+                                                 const Arrival& arrival) {
+  const auto turn = departure_.see(state, after.theta, arrival.on_closed_form);
+  if (!departure_.has_left() && !off_.unstable) off_ = {};
+  if (!turn || off_.unstable) return {};
+  off_ = {after.theta, false};
+  if (arrival.descent || arrival.snapped) return {};
+  return departure_words(system_, closed_form_, state, after.theta, *turn);
 }
 
 void PathEvents::end_locked(const EquilibriumStep& last, const std::string& touching,
@@ -90,6 +102,8 @@ std::string to_string(PathEvent::Kind kind) {
       return "release";
     case Kind::slack:
       return "slack";
+    case Kind::departure:
+      return "departure";
     case Kind::lock:
       break;
   }

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "model/elastic/path/branch.hpp"
+#include "model/elastic/path/departure.hpp"
 #include "model/elastic/path/equilibrium_path.hpp"
 
 namespace kinetix::model {
@@ -43,8 +43,9 @@ struct Arrival {
 /// Tells from the steps of a path what a user should know of.
 class PathEvents {
  public:
-  /// Keeps it by reference.
-  explicit PathEvents(const ElasticSystem& system) : system_(system) {}
+  /// System and closed form are kept by reference.  @param on_closed_form whether the path begins there
+  PathEvents(const ElasticSystem& system, const ClosedForm& closed_form, bool on_closed_form)
+      : system_(system), closed_form_(closed_form), departure_(system, closed_form, on_closed_form) {}
 
   /// @param state that of `after`
   void see(const EquilibriumStep& before, const EquilibriumStep& after, const State& state,
@@ -54,17 +55,21 @@ class PathEvents {
   void end_locked(const EquilibriumStep& last, const std::string& touching, const std::string& why);
 
   const std::vector<PathEvent>& events() const { return events_; }
-  /// Theta since when the path is off the closed form for that being unstable, rad; NaN where it is not.
-  double off_closed_form_since() const { return off_closed_form_since_; }
+  const OffClosedForm& off_closed_form() const { return off_; }
 
  private:
+  /// Where the path is off the closed form from this step on, and no other event says so.
+  std::optional<std::string> departure(const EquilibriumStep& after, const State& state,
+                                       const Arrival& arrival);
   void add(PathEvent::Kind kind, const EquilibriumStep& at, double since, std::string what);
 
   const ElasticSystem& system_;
+  const ClosedForm& closed_form_;
   std::vector<PathEvent> events_;
   LockWatch lock_;
   SlackWatch slack_;
-  double off_closed_form_since_ = NAN;  ///< rad
+  DepartureWatch departure_;
+  OffClosedForm off_;
 };
 
 }  // namespace kinetix::model

@@ -4,10 +4,14 @@
 
 namespace kinetix::model {
 
-PathRecord::PathRecord(const MeasuredSystem& system, const PathHead& head,
+PathRecord::PathRecord(const MeasuredSystem& system, const ClosedForm& closed_form, const PathHead& head,
                        const EquilibriumPathOptions& options,
                        const std::function<void(const EquilibriumStep&, const State&)>& frame)
-    : system_(system), head_(head), options_(options), frame_(frame), events_(system.elastic) {
+    : system_(system),
+      head_(head),
+      options_(options),
+      frame_(frame),
+      events_(system.elastic, closed_form, head.on_closed_form()) {
   path_.planar = system.planar;
   append(system.measured(head.state(), head.theta(), head.has_tangent()));
 }
@@ -28,7 +32,8 @@ EquilibriumPath PathRecord::finished(EquilibriumPath::Stop stop, const Refusal& 
   path_.state = head_.state();
   path_.theta = head_.theta();
   path_.gaps = hinge_gaps(system_.elastic.structure(), path_.state);
-  path_.why = stop_reason(path_, system_, options_.gap_limit, refusal, events_.off_closed_form_since());
+  path_.why = stop_reason(path_, system_, options_.gap_limit, refusal, events_.off_closed_form());
+  path_.off_closed_form_since = events_.off_closed_form().since;
   if (stop == EquilibriumPath::Stop::locked) events_.end_locked(last(), refusal.touching, path_.why);
   path_.events = events_.events();
   path_.hinge_energies = system_.hinge_energies(path_.state);

@@ -11,8 +11,9 @@ namespace kinetix::model {
 /// The steps that a path took, and what happened on them.
 class PathRecord {
  public:
-  /// @param head at its first state  @param frame sees every state  All parameters are kept by reference.
-  PathRecord(const MeasuredSystem& system, const PathHead& head, const EquilibriumPathOptions& options,
+  /// @param closed_form of the system  @param head at its first state  @param frame sees every state  All parameters are kept by reference.
+  PathRecord(const MeasuredSystem& system, const ClosedForm& closed_form, const PathHead& head,
+             const EquilibriumPathOptions& options,
              const std::function<void(const EquilibriumStep&, const State&)>& frame);
 
   const EquilibriumStep& last() const { return path_.steps.back(); }

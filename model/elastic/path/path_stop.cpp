@@ -12,12 +12,12 @@ using Stop = EquilibriumPath::Stop;
 
 std::string degrees(double theta) { return number_text(to_degrees(theta)) + " deg"; }
 
-std::string place(const EquilibriumStep& last, const std::string& load_unit, double off_closed_form_since) {
+std::string place(const EquilibriumStep& last, const std::string& load_unit, const OffClosedForm& off) {
   const std::string at =
       " at theta " + degrees(last.theta) + ", load " + number_text(last.load) + " " + load_unit;
-  if (!std::isfinite(off_closed_form_since)) return at;
-  return at + "; off the closed form since theta " + degrees(off_closed_form_since) +
-         ", where that is unstable";
+  if (!std::isfinite(off.since)) return at;
+  return at + "; off the closed form since theta " + degrees(off.since) +
+         (off.unstable ? ", where that is unstable" : "");
 }
 
 std::string overstretched(const HingeGaps& gaps, const Linkage& linkage, double gap_limit) {
@@ -44,8 +44,8 @@ EquilibriumPath::Stop Refusal::stop(const EquilibriumStep& last) const {
 }
 
 std::string stop_reason(const EquilibriumPath& path, const MeasuredSystem& system, double gap_limit,
-                        const Refusal& refusal, double off_closed_form_since) {
-  const std::string at = place(path.steps.back(), system.elastic.drive().load_unit(), off_closed_form_since);
+                        const Refusal& refusal, const OffClosedForm& off) {
+  const std::string at = place(path.steps.back(), system.elastic.drive().load_unit(), off);
   switch (path.stop) {
     case Stop::reached:
       return "the drive reached its goal" + at;

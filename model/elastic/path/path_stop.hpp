@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "model/elastic/path/departure.hpp"
 #include "model/elastic/path/measured_system.hpp"
 #include "model/elastic/path/step_check.hpp"
 
@@ -20,8 +21,8 @@ struct Refusal {
 
 /// In a sentence, why and where a path stopped.
 /// @param path its stop, gaps and steps are known  @param refusal of its next step, if that is why
-/// @param off_closed_form_since as in PathEvents
+/// @param off as in PathEvents
 std::string stop_reason(const EquilibriumPath& path, const MeasuredSystem& system, double gap_limit,
-                        const Refusal& refusal, double off_closed_form_since);
+                        const Refusal& refusal, const OffClosedForm& off);
 
 }  // namespace kinetix::model

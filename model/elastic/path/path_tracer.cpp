@@ -14,7 +14,7 @@ PathTracer::PathTracer(const DrivenLinkage& driven, const Elasticity& elasticity
       solver_(system_, closed_form_, options),
       check_(system_, options.longest_jump),
       length_(options, driven.drive.theta()),
-      record_(system_, head_, options, frame),
+      record_(system_, closed_form_, head_, options, frame),
       stop_(options.stop) {}
 
 EquilibriumPath PathTracer::run() {

@@ -156,6 +156,15 @@ HardAnswer follow_strained(LinkageScene scene, double allowed) {
                 text("work differs by %.1e", off));
 }
 
+void judge_leaving(const LinkageScene& scene, const model::EquilibriumPath& path, HardAnswer& answer) {
+  constexpr double other_motion = 0.1;  // rad of a hinge: springs of the cases bend a closed form by less
+  if (!scene.driven.exact) return;
+  const double off = turn_distance(scene.driven.linkage, path.state, scene.driven.exact.at(path.theta));
+  if (off <= other_motion) return;
+  if (!first_event(path, model::PathEvent::Kind::departure)) answer.mark = Mark::wrong;
+  if (answer.mark == Mark::right) answer.mark = Mark::diagnosed;
+}
+
 namespace {
 
 /// How far an equilibrium is from its closed form.

@@ -82,6 +82,10 @@ double work_of(const LinkageScene& scene, const model::EquilibriumPath& path);
 /// Of the turning springs in a state, N mm: all that a closed form stores.
 double turning_energy(const LinkageScene& scene, const model::State& state);
 
+/// Of a path that ended off its closed form, by more than 0.1 rad of a hinge: a right answer is a diagnosed one where it
+/// says so, and wrong where it does not.
+void judge_leaving(const LinkageScene& scene, const model::EquilibriumPath& path, HardAnswer& answer);
+
 inline constexpr const char* softly_asked =
     "distance from the closed form, and energy missing from its, 10 times those of ratio 1e9, to 1 %";
 /// Springs bend a closed form by their stiffness ratio times a number of the structure's, to first order.

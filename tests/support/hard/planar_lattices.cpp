@@ -184,7 +184,7 @@ double least_other(const PlanarStructure& s, const model::ExactMotion& exact, do
 }
 
 /// Where a second motion begins on the way a single wall need not take a panel along its closed form: it does so with less
-/// energy then.
+/// energy then, and says so.
 HardAnswer follow_one_wall(const PlanarStructure& s, double theta) {
   const LinkageScene scene = driven_to(s, first_wall(s, theta), 1e-6);
   HardAnswer a = follow_strained(scene, 1e-3);
@@ -195,6 +195,7 @@ HardAnswer follow_one_wall(const PlanarStructure& s, double theta) {
   if (path.stop == Stop::reached && !(path.steps.back().energy <= whole * (1 + 1e-9)))
     a.mark = HardAnswer::Mark::wrong;
   if (path.stop != Stop::reached && !path.why.empty()) a.mark = HardAnswer::Mark::diagnosed;
+  judge_leaving(scene, path, a);
   return a;
 }
 
@@ -209,7 +210,8 @@ void add_soft_hinges(HardCases& cases) {
          }});
     if (plates)
       cases.push_back({text("%s, hinge to theta = 30 deg, stiffness ratio 1e6", panel.name),
-                       "work is energy to 1e-3, at most the closed form's; or ended with a reason",
+                       "work is energy to 1e-3, at most the closed form's; told where it leaves that, or "
+                       "ended with a reason",
                        [s = panel.structure] { return follow_one_wall(s, 30 * deg); }});
   }
 }

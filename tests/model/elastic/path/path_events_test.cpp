@@ -48,7 +48,9 @@ class EventsOfASheet : public ::testing::Test {
 
   const Structure sheet_ = make_structure(rectangle(2, 2), {});
   const ElasticSystem system_{sheet_, {}, plates_drive(Axis::y, 0.5).on(sheet_), true, false};
-  PathEvents events_{system_};
+  const ExactMotion none_;
+  const ClosedForm closed_form_{system_, none_};
+  PathEvents events_{system_, closed_form_, false};
 };
 
 TEST_F(EventsOfASheet, AreNoneOnASmoothPath) {
@@ -71,15 +73,15 @@ TEST_F(EventsOfASheet, TellAlongWhatAnUnstableEquilibriumWasLeft) {
   EXPECT_THAT(kinds(), ElementsAre(Kind::bifurcation, Kind::bifurcation, Kind::snap));
   EXPECT_THAT(events_.events()[0].what, HasSubstr("left along the exact mode"));
   EXPECT_THAT(events_.events()[1].what, HasSubstr("left along the lowest mode"));
-  EXPECT_TRUE(std::isnan(events_.off_closed_form_since()));
+  EXPECT_TRUE(std::isnan(events_.off_closed_form().since));
 }
 
 TEST_F(EventsOfASheet, KnowSinceWhenAPathIsOffItsClosedForm) {
   see(step_at(0, 0, 0), step_at(1, 1, 0), {Descent::off_closed_form, false, false});
   see(step_at(1, 1, 0), step_at(2, 2, 0), {});
-  EXPECT_EQ(events_.off_closed_form_since(), 1);
+  EXPECT_EQ(events_.off_closed_form().since, 1);
   see(step_at(2, 2, 0), step_at(3, 3, 0), {Descent::lowest_mode, false, false});
-  EXPECT_TRUE(std::isnan(events_.off_closed_form_since()));
+  EXPECT_TRUE(std::isnan(events_.off_closed_form().since));
 }
 
 TEST_F(EventsOfASheet, EndLockedByAContactFurtherOn) {
