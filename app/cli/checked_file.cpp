@@ -76,7 +76,7 @@ std::string CheckedFile::text() const {
   if (forecast) out += text_of(*forecast);
   if (contact)
     for (const auto& [label, words] :
-         certified_lines(contact->certified, forecast->sheet, contact->theta, true))
+         certified_lines(contact->certified, forecast->sheet, contact->theta, NearExact::same))
       out += line(label.c_str(), words);
   if (kind == "sweep") out += line("samples", fmt::format("{:.0f}", samples));
   return out;

@@ -48,14 +48,18 @@ Json certified_json(const Certified& certified, const model::Sheet& sheet, doubl
 }
 
 std::vector<SummaryLine> certified_lines(const Certified& certified, const model::Sheet& sheet, double theta,
-                                         bool are_exact) {
+                                         NearExact states) {
   if (!certified.designed)
     return {{"contact", "no range of theta is proven free of it: " + certified.designed.why_not}};
   std::vector<SummaryLine> lines = {
-      {certified.covers(theta) ? "proven" : "NOT PROVEN",
+      {states != NearExact::left && certified.covers(theta) ? "proven" : "NOT PROVEN",
        fmt::format("free of contact for theta {}, {}", between(certified.designed),
                    end_words(certified.designed.to(theta), sheet))}};
-  if (!are_exact) lines.push_back({"", "of the closed form: equilibria of elastic hinges come near it"});
+  if (states == NearExact::near)
+    lines.push_back({"", "of the closed form: equilibria of elastic hinges come near it"});
+  if (states == NearExact::left)
+    lines.push_back(
+        {"", "of the closed form, which the equilibrium has left: of its states nothing is proven"});
   lines.push_back({"", fmt::format("printed, with walls up to {:.2f} mm out of place: {}",
                                    certified.printed.growth_mm, between(certified.printed))});
   return lines;

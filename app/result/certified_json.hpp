@@ -12,8 +12,11 @@ namespace kinetix::app {
 nlohmann::ordered_json certified_json(const Certified& certified, const model::Sheet& sheet, double theta,
                                       bool are_exact);
 
+/// What the states of a run are to the closed form that a range is proven of.
+enum class NearExact { same, near, left };
+
 /// Lines of the summary, and of `check`. Parameters as above.
 std::vector<SummaryLine> certified_lines(const Certified& certified, const model::Sheet& sheet, double theta,
-                                         bool are_exact);
+                                         NearExact states);
 
 }  // namespace kinetix::app

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/result/equilibrium_summary.hpp"
@@ -22,6 +23,7 @@ std::string path_text(const DriveTrial& trial) {
                                                : fmt::format("{} snaps", trial.snaps);
   if (!trial.reached()) return app::in_words(trial.path.stop) + ", " + snaps;
   return snaps + (trial.path.steps.back().stable ? ", stable" : ", UNSTABLE") +
+         (std::isfinite(trial.path.off_closed_form_since) ? ", off the closed form" : "") +
          (trial.at_goal ? "" : ", NOT at that theta");
 }
 

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "app/result/as_made_json.hpp"
 #include "app/result/certified_json.hpp"
 #include "app/result/equilibrium_summary.hpp"
@@ -32,6 +34,11 @@ std::string contact_line(const Run& run) {
                           to_degrees(limit.theta)));
 }
 
+NearExact near_exact(const Run& run) {
+  if (!run.equilibrium) return NearExact::same;
+  return std::isfinite(run.equilibrium->path.off_closed_form_since) ? NearExact::left : NearExact::near;
+}
+
 std::string physics_lines(const Run& run) {
   const Verification& v = *run.verification;
   if (v.physics.status != sim::PhysicsResult::Status::settled)
@@ -60,7 +67,7 @@ std::string summary(const Run& run) {
   text += contact_line(run);
   if (run.certified)
     for (const auto& [label, words] :
-         certified_lines(*run.certified, run.structure, run.theta, !run.equilibrium))
+         certified_lines(*run.certified, run.structure, run.theta, near_exact(run)))
       text += line(label, words);
   if (const auto strain = largest_strain(run))
     text += line("strained", fmt::format("by {:.2f} of {:g} allowed, the largest of its hinges", *strain,

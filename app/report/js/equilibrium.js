@@ -7,6 +7,7 @@ const EVENT_NAMES = {
   release: "walls part",
   lock: "walls lock",
   slack: "the cord goes slack",
+  departure: "leaves the closed form",
 };
 
 /** A limit point is a maximum or a minimum, as its sentence says. */

@@ -98,6 +98,25 @@ TEST(Certify, SaysThatElasticHingesComeNearTheClosedFormAlone) {
   EXPECT_THAT(told.words, HasSubstr("of the closed form: equilibria of elastic hinges come near it"));
 }
 
+/// Bricks that one wall drives past the place where a second motion begins: the closed form is free of contact, and so far
+/// away that this says nothing of them.
+TEST(Certify, ProvesNothingOfAnEquilibriumThatHasLeftTheClosedForm) {
+  const Told told = told_of(
+      "kinetix: 1\nname: bricks\nstructure: {lattice: brick, cells: [3, 3], rim: closed, wall_mm: "
+      "{thickness: 0.4}}\n"
+      "design: {theta_deg: 30}\ndrive: {kind: hinge, wall: [0, 1], angle_deg: -60}\nhinge: {model: "
+      "elastic}\n",
+      "equilibrium");
+  const Json& events = told.result["equilibrium"]["events"];
+  ASSERT_EQ(events.size(), 1u) << events;
+  EXPECT_EQ(events[0]["kind"], "departure");
+  EXPECT_THAT(told.result["equilibrium"]["why"].get<std::string>(),
+              HasSubstr("off the closed form since theta"));
+  EXPECT_THAT(told.words, HasSubstr("departure at hinge angle -28.72 deg"));
+  EXPECT_THAT(told.words, HasSubstr("NOT PROVEN free of contact"));
+  EXPECT_THAT(told.words, HasSubstr("which the equilibrium has left: of its states nothing is proven"));
+}
+
 TEST(Certify, SaysWhyNothingIsProvenWithoutAClosedForm) {
   const std::string leaning =
       "kinetix: 1\nname: leaning\nstructure: {cells: [2, 2]}\ndesign:\n  theta_deg: 5\n  hinges:\n    - "
