@@ -9,7 +9,7 @@ namespace kinetix::model {
 /// processor has, so that nothing is asked of the machine. Each lane has the bits that `double` gives.
 class Lanes {
  public:
-  static constexpr int count = 2;
+  static constexpr int count = 2;  ///< lanes: 16 bytes are what those instructions take
 
   Lanes() = default;
   Lanes(double both) : v_{both, both} {}

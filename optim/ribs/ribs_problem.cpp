@@ -201,7 +201,7 @@ void RibsProblem::fill_probe(const model::NetMotion& motion, const VectorXd& x, 
   if (!with_derivatives) return;
   const VectorXd by = scale * derivatives_of(motion, x, probe, closest.normal, part);
   block.by_shared.row(row) = by.head(shared());
-  block.by_own.row(row) = by.tail(by.size() - shared());
+  if (const auto own = by.size() - shared(); own > 0) block.by_own.row(row) = by.tail(own);
 }
 
 void RibsProblem::fill_ends(const model::NetMotion& motion, const VectorXd& x, bool with_derivatives, int row,

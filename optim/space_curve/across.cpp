@@ -1,6 +1,7 @@
 #include "optim/space_curve/across.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -41,9 +42,15 @@ double steepest(const Stretches& all, const Vector3d& y, std::size_t& where) {
   return most;
 }
 
-double steepest(const Stretches& all, const Vector3d& y) {
-  std::size_t where = 0;
-  return steepest(all, y, where);
+/// Whether it is below `least`, which it then becomes.
+bool lowers(const Stretches& all, const Vector3d& y, double& least) {
+  double most = -1;
+  for (const Vector3d& along : all.along) {
+    most = std::max(most, std::abs(along.dot(y)));
+    if (!(most < least)) return false;
+  }
+  least = most;
+  return true;
 }
 
 /// Evenly spread over half a sphere (Fibonacci's spiral).
@@ -55,28 +62,24 @@ Vector3d spread(int k) {
 
 Vector3d first_direction(const Stretches& all) {
   Vector3d best = Vector3d::UnitY();
-  double least = steepest(all, best);
+  double least = std::numeric_limits<double>::infinity();
+  lowers(all, best, least);
   for (int k = 0; k < directions; ++k)
-    if (const double part = steepest(all, spread(k)); part < least) {
-      least = part;
-      best = spread(k);
-    }
+    if (const Vector3d y = spread(k); lowers(all, y, least)) best = y;
   return best;
 }
 
 /// Steps to eight sides, halved where none is better.
 Vector3d refined(const Stretches& all, Vector3d y) {
-  double least = steepest(all, y);
+  double least = std::numeric_limits<double>::infinity();
+  lowers(all, y, least);
   for (double step = first_step; step > last_step;) {
     const Vector3d u = y.unitOrthogonal(), v = y.cross(u);
     Vector3d better = y;
     for (int k = 0; k < 8; ++k) {
       const double turn = k * std::numbers::pi / 4;
       const Vector3d next = (y + step * (std::cos(turn) * u + std::sin(turn) * v)).normalized();
-      if (const double part = steepest(all, next); part < least) {
-        least = part;
-        better = next;
-      }
+      if (lowers(all, next, least)) better = next;
     }
     if (better == y) step /= 2;
     y = better;
