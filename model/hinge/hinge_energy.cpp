@@ -136,16 +136,13 @@ struct SquareGradients {
 };
 
 /// @param rest, w changes by t, alpha, beta and offset of what the bodies carry: see HingeChanges::by
-SquareGradients square_gradients(const DirectedSquare& square, const DirectedChange& along,
-                                 const HingeChanges& changes, const std::array<Vector3d, 4>& rest,
-                                 const std::array<Vector3d, 4>& w) {
-  SquareGradients out{square.value(), square.rate(along)};
+void add_design(const DirectedSquare& square, const DirectedChange& along, const HingeChanges& changes,
+                const std::array<Vector3d, 4>& rest, const std::array<Vector3d, 4>& w, SquareGradients& out) {
   for (int k = 0; k < 4; ++k) {
     const DirectedChange by = changes.by(rest[k], w[k]);
     out.value_design[k] = square.rate(by);
     out.along_design[k] = square.rate(along, by, changes.both(rest[k], w[k]));
   }
-  return out;
 }
 
 void add(double weight, const SquareGradients& square, HingeGradients& derivatives) {
@@ -159,23 +156,27 @@ void add_frame_gradients(const RestHinge& h, const Stiffness& k, const Pose& low
                          HingeGradients& derivatives) {
   const FrameTerms frame(h, k, lower, upper, point, axis);
   const HingeChanges changes(lower, upper, along);
-  const Vector3d zero = Vector3d::Zero(), wall = wall_direction(h);
-  const std::array<Vector3d, 4> arms{h.edge, zero, zero, h.across},
-      axes{zero, h.axis_alpha, h.axis_beta, zero},
-      walls{zero, wall_direction_rate(h, h.axis_alpha), wall_direction_rate(h, h.axis_beta), zero};
-  const SquareGradients point_axial = square_gradients(frame.point_axial, changes.along(point, wall, true),
-                                                       changes, arms, walls),
-                        point_along = square_gradients(frame.point_along, changes.along(point, h.axis, true),
-                                                       changes, arms, axes),
-                        tilt = square_gradients(frame.axis_axial, changes.along(axis, wall, false), changes,
-                                                axes, walls);
+  const Vector3d wall = wall_direction(h);
+  const DirectedChange by_axial = changes.along(point, wall, true),
+                       by_along = changes.along(point, h.axis, true),
+                       by_tilt = changes.along(axis, wall, false);
+  SquareGradients point_axial{frame.point_axial.value(), frame.point_axial.rate(by_axial)},
+      point_along{frame.point_along.value(), frame.point_along.rate(by_along)},
+      tilt{frame.axis_axial.value(), frame.axis_axial.rate(by_tilt)};
   if (k.framed()) {
+    const Vector3d zero = Vector3d::Zero();
+    const std::array<Vector3d, 4> arms{h.edge, zero, zero, h.across},
+        axes{zero, h.axis_alpha, h.axis_beta, zero},
+        walls{zero, wall_direction_rate(h, h.axis_alpha), wall_direction_rate(h, h.axis_beta), zero};
+    add_design(frame.point_axial, by_axial, changes, arms, walls, point_axial);
+    add_design(frame.point_along, by_along, changes, arms, axes, point_along);
+    add_design(frame.axis_axial, by_tilt, changes, axes, walls, tilt);
     add(frame.axial, point_axial, derivatives);
     add(frame.along, point_along, derivatives);
     add(frame.rock, tilt, derivatives);
   }
-  const auto add_ratios = [](double by_axial, double by_along, double rock, HingeGradient& rate) {
-    rate.ratios = {by_axial, rate.ratios.shear - by_axial - by_along, by_along};
+  const auto add_ratios = [](double axial, double shear_axis, double rock, HingeGradient& rate) {
+    rate.ratios = {axial, rate.ratios.shear - axial - shear_axis, shear_axis};
     rate.rock = rock / 2;
     rate.twist -= rock / 2;
   };
