@@ -14,6 +14,7 @@ using Eigen::Vector3d;
 constexpr int directions = 2000;     // of half a sphere: some 3 degrees apart
 constexpr double first_step = 0.03;  // rad: as far apart as they are
 constexpr double last_step = 1e-7;   // rad: beyond what slopes are seen by
+constexpr double slow = 1e-3;        // of a step: one that lowers the slope by less crawls along an edge
 constexpr int most_stretches = 400;  // of a goal; slopes vary little from one to the next
 
 struct Stretches {
@@ -69,19 +70,20 @@ Vector3d first_direction(const Stretches& all) {
   return best;
 }
 
-/// Steps to eight sides, halved where none is better.
+/// Steps to eight sides, halved where none is better by much.
 Vector3d refined(const Stretches& all, Vector3d y) {
   double least = std::numeric_limits<double>::infinity();
   lowers(all, y, least);
   for (double step = first_step; step > last_step;) {
     const Vector3d u = y.unitOrthogonal(), v = y.cross(u);
+    const double before = least;
     Vector3d better = y;
     for (int k = 0; k < 8; ++k) {
       const double turn = k * std::numbers::pi / 4;
       const Vector3d next = (y + step * (std::cos(turn) * u + std::sin(turn) * v)).normalized();
       if (lowers(all, next, least)) better = next;
     }
-    if (better == y) step /= 2;
+    if (!(before - least > slow * step)) step /= 2;
     y = better;
   }
   return y;
