@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "model/base/invalid_input.hpp"
-#include "model/base/parallel_runs.hpp"
 #include "model/lattice/crease_law.hpp"
 #include "optim/fold/face_crossing.hpp"
 #include "optim/fold/looks_on_the_way.hpp"
@@ -17,8 +16,6 @@ namespace {
 
 // 22.5 deg a column: each finer choice makes the nets wider, and is one more search of all unfoldings.
 constexpr int most_columns_a_right_angle = 4;
-// Rad of theta between looks and between tries: walls that meet and part again within one are missed.
-constexpr double step = 1 * radians_per_degree;
 // Rad to which the largest free theta is found: a finer end gains little theta, and each halving is a motion
 // more.
 constexpr double precision = 0.25 * radians_per_degree;
@@ -138,7 +135,7 @@ class NetSearch {
   /// The largest free theta: steep tilts at small theta are in the way as well as gentle ones at large theta.
   std::optional<Obstacle> try_between(int index, const std::vector<int>& columns, double lower) {
     std::vector<Blocked> blocked;
-    const int steps = static_cast<int>(std::ceil((upper_ - lower) / step));
+    const int steps = static_cast<int>(std::ceil((upper_ - lower) / look_step));
     for (int k = steps; k >= 0; --k) {
       if (options_.stop.stop_requested()) return Obstacle{"the search was told to stop", false, 0};
       FoldedNet net = folded(index, columns, lower + (upper_ - lower) * k / steps);
@@ -168,7 +165,7 @@ class NetSearch {
 
   /// A little more theta, as far as it is free.
   FoldedNet refined(int index, const std::vector<int>& columns, FoldedNet best, bool blocked_beyond) {
-    double blocked = blocked_beyond ? best.theta + step : best.theta;
+    double blocked = blocked_beyond ? best.theta + look_step : best.theta;
     while (blocked - best.theta > precision && !options_.stop.stop_requested()) {
       FoldedNet middle = folded(index, columns, (best.theta + blocked) / 2);
       if (blocked_share(middle))
@@ -191,18 +188,9 @@ class NetSearch {
     return std::nullopt;
   }
 
-  /// Rad, from flat to theta.
-  static std::vector<double> thetas_on_the_way(const FoldedNet& net) {
-    const int looks = static_cast<int>(std::ceil(net.theta / step));
-    std::vector<double> out;
-    for (int k = 1; k <= looks; ++k) out.push_back(net.theta * k / looks);
-    return out;
-  }
-
   LooksOnTheWay looks_at(const FoldedNet& net) const {
-    return {with_clearance(net.structure),
-            [&net](double theta) { return fold_net(net.tree, net.structure, theta); },
-            model::threads_of(options_.threads)};
+    return {net.structure, options_.clearance,
+            [&net](double theta) { return fold_net(net.tree, net.structure, theta); }, options_.threads};
   }
 
   /// Nothing: free; else a share of the way at which it is not. Looked at from its end, where most walls meet.
@@ -210,7 +198,7 @@ class NetSearch {
     ++design_.evaluations;
     LooksOnTheWay looks = looks_at(net);
     if (!looks.touching_at_rest().empty()) return 0;
-    std::vector<double> thetas = thetas_on_the_way(net);
+    std::vector<double> thetas = looks_up_to(net.theta);
     std::reverse(thetas.begin(), thetas.end());
     const auto overlap = looks.first_overlap(thetas);
     if (!overlap) return std::nullopt;
@@ -221,17 +209,9 @@ class NetSearch {
   Obstacle first_obstacle(const FoldedNet& net) const {
     LooksOnTheWay looks = looks_at(net);
     if (!looks.touching_at_rest().empty()) return described(net, looks.touching_at_rest().front(), 0);
-    const std::vector<double> thetas = thetas_on_the_way(net);
+    const std::vector<double> thetas = looks_up_to(net.theta);
     const auto overlap = looks.first_overlap(thetas);
     return described(net, overlap.value().pair, thetas[overlap->look]);
-  }
-
-  /// The same with thicker and higher walls.
-  model::Structure with_clearance(model::Structure structure) const {
-    const double more = options_.clearance * structure.size.edge_mm;
-    structure.size.thickness_mm += more;
-    structure.size.height_mm += more;
-    return structure;
   }
 
   static std::string described(double theta, double needed) {

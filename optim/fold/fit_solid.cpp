@@ -5,23 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/base/parallel_runs.hpp"
 #include "model/lattice/planar/planar_motion.hpp"
 #include "optim/fold/looks_on_the_way.hpp"
 
 namespace kinetix::optim {
 namespace {
-
-// Rad of theta between looks and between tries: walls that meet and part again within one are missed.
-constexpr double look_step = 1 * radians_per_degree;
-
-/// The same with thicker and higher walls.
-model::Linkage thickened(const model::PlanarStructure& structure, double clearance) {
-  model::Linkage out = structure;
-  out.size.thickness_mm += clearance * out.size.edge_mm;
-  out.size.height_mm += clearance * out.size.edge_mm;
-  return out;
-}
 
 class SolidSearch {
  public:
@@ -86,12 +74,10 @@ class SolidSearch {
     ++design_.evaluations;
     const model::ExactMotion motion = exact_motion(design_.net.structure);
     LooksOnTheWay looks(
-        thickened(design_.net.structure, options_.clearance), [&](double theta) { return motion.at(theta); },
-        model::threads_of(options_.threads));
+        design_.net.structure, options_.clearance, [&](double theta) { return motion.at(theta); },
+        options_.threads);
     if (!looks.touching_at_rest().empty()) return 0;
-    const int steps = static_cast<int>(std::ceil(design_.theta / look_step));
-    std::vector<double> thetas;
-    for (int k = 1; k <= steps; ++k) thetas.push_back(k == steps ? design_.theta : design_.theta * k / steps);
+    const std::vector<double> thetas = looks_up_to(design_.theta);
     const auto overlap = looks.first_overlap(thetas);
     if (!overlap) return design_.theta;
     return overlap->look == 0 ? 0 : thetas[overlap->look - 1];

@@ -1,15 +1,35 @@
 #include "optim/fold/looks_on_the_way.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "model/base/parallel_runs.hpp"
 
 namespace kinetix::optim {
 
-LooksOnTheWay::LooksOnTheWay(const model::Linkage& structure, std::function<model::State(double)> state,
-                             int threads)
-    : state_(std::move(state)), contacts_(threads, model::WallContact(structure)) {}
+namespace {
+
+model::Linkage thickened(model::Linkage structure, double clearance) {
+  structure.size.thickness_mm += clearance * structure.size.edge_mm;
+  structure.size.height_mm += clearance * structure.size.edge_mm;
+  return structure;
+}
+
+}  // namespace
+
+std::vector<double> looks_up_to(double theta) {
+  const int looks = static_cast<int>(std::ceil(theta / look_step));
+  std::vector<double> out;
+  for (int k = 1; k < looks; ++k) out.push_back(theta * k / looks);
+  out.push_back(theta);
+  return out;
+}
+
+LooksOnTheWay::LooksOnTheWay(model::Linkage structure, double clearance,
+                             std::function<model::State(double)> state, int threads)
+    : state_(std::move(state)),
+      contacts_(model::threads_of(threads), model::WallContact(thickened(std::move(structure), clearance))) {}
 
 std::optional<LooksOnTheWay::Overlap> LooksOnTheWay::first_overlap(const std::vector<double>& thetas) {
   const auto count = static_cast<int>(thetas.size()), most = static_cast<int>(contacts_.size());

@@ -4,16 +4,24 @@
 #include <optional>
 #include <vector>
 
+#include "model/base/angle.hpp"
 #include "model/contact/wall_contact.hpp"
 
 namespace kinetix::optim {
 
+/// Rad of theta between looks: walls that meet and part again within one are missed.
+inline constexpr double look_step = 1 * radians_per_degree;
+
+/// Where to look on the way from flat to theta, rad, > 0: no further apart than that, the last at theta itself.
+std::vector<double> looks_up_to(double theta);
+
 /// Looks at states on the way of a fold for walls that overlap, some at once.
 class LooksOnTheWay {
  public:
-  /// @param structure with the walls that must not overlap   @param state at a theta, rad; called from any of the threads
-  /// @param threads > 0
-  LooksOnTheWay(const model::Linkage& structure, std::function<model::State(double)> state, int threads);
+  /// @param clearance by which walls are looked at thicker and higher than they are, cell edges   @param state at a theta, rad;
+  /// called from any of the threads   @param threads >= 0; 0 = all cores
+  LooksOnTheWay(model::Linkage structure, double clearance, std::function<model::State(double)> state,
+                int threads);
 
   /// Pairs that overlap or touch in the flat state.
   const std::vector<model::WallPair>& touching_at_rest() const { return contacts_[0].touching_at_rest(); }
