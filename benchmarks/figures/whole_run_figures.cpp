@@ -14,7 +14,7 @@ using testing::Scratch;
 
 constexpr int repeats = 3;  // of each run, of which the median counts
 
-/// Runs the program on a target. @throws std::runtime_error where it does not end well
+/// Runs the program on a target. @return s. @throws std::runtime_error where it does not end well
 double run_seconds(const std::string& target, const Scratch& folder) {
   testing::Outcome outcome;
   const double time =
@@ -33,7 +33,7 @@ Figure whole_run(const std::string& name, double asked_s) {
           fmt::format("{:.2f} s", time), time <= asked_s};
 }
 
-/// A part of a run as its result times it. @param stage of timing_s   @param with what the target says beside its goal
+/// A part of a run as its result times it. @param target what the file says beside its name   @param stage of timing_s
 Figure stage_of_run(const std::string& what, const std::string& target, const std::string& stage,
                     double asked_s) {
   const Scratch folder;
@@ -50,7 +50,7 @@ Figure stage_of_run(const std::string& what, const std::string& target, const st
   return {what, fmt::format("<= {:.3g} s", asked_s), fmt::format("{:.2f} s", time), time <= asked_s};
 }
 
-/// The shipped half circle of 40 columns by 9 mm in other cells. @param wall_mm of thickness and height
+/// The shipped half circle of 40 columns by 9 mm in other cells, its walls in the same proportions.
 std::string half_circle(int columns, int rows, double cell_mm) {
   return fmt::format(
       "target: {{kind: curve, points: {}/half_circle.csv}}\n"
