@@ -1,13 +1,17 @@
 #include "sim/joints/row_system.hpp"
 
+#include <algorithm>
+#include <map>
+#include <utility>
+
 namespace kinetix::sim {
 namespace {
 
-std::vector<std::pair<int, int>> joined_parts(const std::vector<VelocityRow>& rows) {
-  std::vector<std::pair<int, int>> joined;
-  joined.reserve(rows.size());
-  for (const VelocityRow& row : rows) joined.emplace_back(row.a, row.b);
-  return joined;
+/// Behind the last of the rows of the same two parts as the first.
+std::size_t end_of_joint(const std::vector<VelocityRow>& rows, std::size_t first) {
+  std::size_t end = first + 1;
+  while (end < rows.size() && rows[end].a == rows[first].a && rows[end].b == rows[first].b) ++end;
+  return end;
 }
 
 Matrix6 block_of(const PartMass& part) {
@@ -20,41 +24,85 @@ Matrix6 block_of(const PartMass& part) {
 }  // namespace
 
 bool RowSystem::has_pattern_of(std::size_t parts, const std::vector<VelocityRow>& rows) const {
-  return parts == parts_ && joined_parts(rows) == joined_;
+  std::size_t first = 0;
+  for (const Joint& joint : joints_) {
+    if (joint.end > rows.size()) return false;
+    for (; first < joint.end; ++first)
+      if (rows[first].a != joint.a || rows[first].b != joint.b) return false;
+  }
+  return parts == parts_ && first == rows.size();
 }
 
 void RowSystem::analyse(std::size_t parts, const std::vector<VelocityRow>& rows) {
   parts_ = parts;
-  joined_ = joined_parts(rows);
-  starts_.clear();
-  for (int p = 0; p < static_cast<int>(parts); ++p) starts_[{p, p}] = {};
-  for (const auto& [a, b] : joined_)
-    if (a >= 0 && b >= 0) starts_[{std::max(a, b), std::min(a, b)}] = {};
-
-  std::vector<Eigen::Triplet<double>> entries;
-  for (const auto& [pair, start] : starts_)
-    for (int c = 0; c < 6; ++c)
-      for (int r = pair.first == pair.second ? c : 0; r < 6; ++r)
-        entries.emplace_back(6 * pair.first + r, 6 * pair.second + c, 1.0);
-  matrix_.resize(6 * parts, 6 * parts);
-  matrix_.setFromTriplets(entries.begin(), entries.end());
-
-  const int* const inner = matrix_.innerIndexPtr();
-  for (auto& [pair, start] : starts_)
-    for (int c = 0; c < 6; ++c) {
-      const int column = 6 * pair.second + c;
-      const int* const begin = inner + matrix_.outerIndexPtr()[column];
-      const int* const end = inner + matrix_.outerIndexPtr()[column + 1];
-      start[c] = static_cast<int>(std::lower_bound(begin, end, 6 * pair.first) - inner);
+  joints_.clear();
+  blocks_.clear();
+  for (int p = 0; p < static_cast<int>(parts); ++p) blocks_.push_back({p, p});
+  std::map<std::pair<int, int>, int> block_of_pair;
+  for (std::size_t first = 0; first < rows.size(); first = joints_.back().end) {
+    Joint joint{rows[first].a, rows[first].b, end_of_joint(rows, first)};
+    const auto [column, row] = std::minmax(joint.a, joint.b);
+    if (column >= 0 && column != row) {
+      const auto [at, is_new] = block_of_pair.try_emplace({row, column}, static_cast<int>(blocks_.size()));
+      if (is_new) blocks_.push_back({row, column});
+      joint.mixed = at->second;
     }
+    joints_.push_back(joint);
+  }
+  lay_out();
   factor_.analyzePattern(matrix_);
 }
 
-void RowSystem::add_block(Pair pair, const Matrix6& block) {
-  const auto& start = starts_.at(pair);
-  const bool diagonal = pair.first == pair.second;
+void RowSystem::lay_out() {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const Block& block : blocks_)
+    for (int c = 0; c < 6; ++c)
+      for (int r = block.row == block.column ? c : 0; r < 6; ++r)
+        entries.emplace_back(6 * block.row + r, 6 * block.column + c, 1.0);
+  matrix_.resize(6 * parts_, 6 * parts_);
+  matrix_.setFromTriplets(entries.begin(), entries.end());
+
+  const int* const inner = matrix_.innerIndexPtr();
+  for (Block& block : blocks_)
+    for (int c = 0; c < 6; ++c) {
+      const int* const column = matrix_.outerIndexPtr() + 6 * block.column + c;
+      const int first = 6 * block.row + (block.row == block.column ? c : 0);
+      block.start[c] =
+          static_cast<int>(std::lower_bound(inner + column[0], inner + column[1], first) - inner);
+    }
+}
+
+void RowSystem::add(const Block& block, const Matrix6& values) {
+  const bool diagonal = block.row == block.column;
   for (int c = 0; c < 6; ++c)
-    for (int r = diagonal ? c : 0, k = start[c]; r < 6; ++r, ++k) matrix_.valuePtr()[k] += block(r, c);
+    for (int r = diagonal ? c : 0, k = block.start[c]; r < 6; ++r, ++k) matrix_.valuePtr()[k] += values(r, c);
+}
+
+void RowSystem::add(const Joint& joint, std::size_t first, const std::vector<VelocityRow>& rows,
+                    double stiffness) {
+  Matrix6 of_a = Matrix6::Zero(), of_b = Matrix6::Zero(), mixed = Matrix6::Zero();
+  Vector6 pull_a = Vector6::Zero(), pull_b = Vector6::Zero();
+  for (std::size_t k = first; k < joint.end; ++k) {
+    const VelocityRow& row = rows[k];
+    const Vector6 by_a = row.weight * stiffness * row.first, by_b = row.weight * stiffness * row.second;
+    of_a += by_a * row.first.transpose();
+    of_b += by_b * row.second.transpose();
+    if (joint.a > joint.b)
+      mixed += by_a * row.second.transpose();
+    else
+      mixed += by_b * row.first.transpose();
+    pull_a += row.target * by_a;
+    pull_b += row.target * by_b;
+  }
+  if (joint.a >= 0) {
+    add(blocks_[joint.a], of_a);
+    pull_.segment<6>(6 * joint.a) += pull_a;
+  }
+  if (joint.b >= 0) {
+    add(blocks_[joint.b], of_b);
+    pull_.segment<6>(6 * joint.b) += pull_b;
+  }
+  if (joint.mixed >= 0) add(blocks_[joint.mixed], mixed);
 }
 
 bool RowSystem::factorise(const std::vector<PartMass>& masses, const std::vector<VelocityRow>& rows,
@@ -62,18 +110,11 @@ bool RowSystem::factorise(const std::vector<PartMass>& masses, const std::vector
   if (!has_pattern_of(masses.size(), rows)) analyse(masses.size(), rows);
   matrix_.coeffs().setZero();
   pull_.setZero(6 * static_cast<Eigen::Index>(masses.size()));
-  for (std::size_t p = 0; p < masses.size(); ++p)
-    add_block({static_cast<int>(p), static_cast<int>(p)}, block_of(masses[p]));
-  for (const VelocityRow& row : rows) {
-    const double stiff = row.weight * stiffness;
-    const Vector6 first = stiff * row.first, second = stiff * row.second;
-    if (row.a >= 0) add_block({row.a, row.a}, first * row.first.transpose());
-    if (row.b >= 0) add_block({row.b, row.b}, second * row.second.transpose());
-    if (row.a >= 0) pull_.segment<6>(6 * row.a) += row.target * first;
-    if (row.b >= 0) pull_.segment<6>(6 * row.b) += row.target * second;
-    if (row.a < 0 || row.b < 0) continue;
-    if (row.a > row.b) add_block({row.a, row.b}, first * row.second.transpose());
-    if (row.b > row.a) add_block({row.b, row.a}, second * row.first.transpose());
+  for (std::size_t p = 0; p < masses.size(); ++p) add(blocks_[p], block_of(masses[p]));
+  std::size_t first = 0;
+  for (const Joint& joint : joints_) {
+    add(joint, first, rows, stiffness);
+    first = joint.end;
   }
   factor_.factorize(matrix_);
   return factor_.info() == Eigen::Success;

@@ -2,8 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/SparseCholesky>
-#include <map>
-#include <utility>
+#include <array>
 #include <vector>
 
 namespace kinetix::sim {
@@ -44,15 +43,27 @@ class RowSystem {
   Eigen::VectorXd response(const Eigen::VectorXd& impulse) const { return factor_.solve(impulse); }
 
  private:
-  using Pair = std::pair<int, int>;  ///< row block, column block; row >= column
+  /// A block of the matrix, 6 x 6; of one on the diagonal the lower half.
+  struct Block {
+    int row = 0, column = 0;        ///< parts; row >= column
+    std::array<int, 6> start = {};  ///< where each of its columns starts in the values
+  };
+  /// Rows of the same two parts, one after another: those of a joint.
+  struct Joint {
+    int a = -1, b = -1;   ///< parts; -1 = fixed to the ground
+    std::size_t end = 0;  ///< behind its last row
+    int mixed = -1;       ///< block of both parts; -1 where one is fixed
+  };
 
   bool has_pattern_of(std::size_t parts, const std::vector<VelocityRow>& rows) const;
   void analyse(std::size_t parts, const std::vector<VelocityRow>& rows);
-  void add_block(Pair pair, const Matrix6& block);
+  void lay_out();
+  void add(const Block& block, const Matrix6& values);
+  void add(const Joint& joint, std::size_t first, const std::vector<VelocityRow>& rows, double stiffness);
 
   std::size_t parts_ = 0;
-  std::vector<Pair> joined_;
-  std::map<Pair, std::array<int, 6>> starts_;  ///< where each column of a block starts in the values
+  std::vector<Joint> joints_;
+  std::vector<Block> blocks_;  ///< those on the diagonal first, by part
   Eigen::SparseMatrix<double> matrix_;
   Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factor_;
   Eigen::VectorXd pull_;
