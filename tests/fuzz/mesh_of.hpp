@@ -2,7 +2,7 @@
 
 #include "app/imports/model_parts.hpp"
 #include "targets/mesh/mesh_file.hpp"
-#include "tests/fuzz/document_of.hpp"
+#include "tests/fuzz/input_folder.hpp"
 
 namespace kinetix::fuzz {
 
@@ -23,10 +23,9 @@ inline void read_as_model(const std::string& file) {
   });
 }
 
-/// What the other goals read of one: its triangles, and a head.
-inline void read_as_mesh(const std::string& name) {
-  read_or_refuse([&] { expect_whole(targets::read_mesh(input_folder().path(name))); });
-  read_or_refuse([&] { check_target(document_of("target: {kind: helmet, mesh: " + name + "}")); });
+/// What the other goals read of one: its triangles. What a helmet makes of them takes a hundred times as long: readers/head.cpp.
+inline void read_as_mesh(const std::string& file) {
+  read_or_refuse([&] { expect_whole(targets::read_mesh(file)); });
 }
 
 }  // namespace kinetix::fuzz

@@ -2,10 +2,10 @@
 
 using namespace kinetix;
 
-/// An STL file, as a head and as a model.
+/// An STL file, as a mesh and as a model.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string file = fuzz::input_folder().write("input.stl", data, size);
-  fuzz::read_as_mesh("input.stl");
+  fuzz::read_as_mesh(file);
   fuzz::read_as_model(file);
   return 0;
 }
