@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
@@ -37,7 +39,10 @@ class DriveMiss {
   const std::function<State(double)>& fold_;
 };
 
-constexpr double growth = 1.25;    // of a bracket of theta: close roots of a cord's length are further apart
+constexpr int samples =
+    64;  // of theta up to where a straight cord is short enough: one between ends that curl up is so before
+constexpr double growth = 1.01;    // of theta from sample to sample beyond
+constexpr int golden_cuts = 60;    // of a dip, down to the last bits of theta
 constexpr double beyond = 1e-6;    // of theta: by so much past it, a straight cord is surely shorter
 constexpr int most_secants = 100;  // of a bracket: bisection alone needs 50
 
@@ -77,12 +82,35 @@ double root_between(const CordMiss& miss, double a, double b) {
   return b;
 }
 
-/// The size of theta on one side, if any.
+/// Where a cord is shortest between two thetas, between which its length has one dip.
+double lowest_between(const CordMiss& miss, double a, double b) {
+  constexpr double share = 1 / std::numbers::phi;
+  for (int k = 0; k < golden_cuts; ++k) {
+    const double low = b - share * (b - a), high = a + share * (b - a);
+    (miss(low) < miss(high) ? b : a) = miss(low) < miss(high) ? high : low;
+  }
+  return (a + b) / 2;
+}
+
+/// The smallest size of theta on one side, if any. A cord may be short enough for a moment only, and reach its length again
+/// much further on.
 std::optional<double> cord_root(const CordMiss& miss, double straight) {
-  double before = 0;
-  for (double size = straight * (1 + beyond); size <= widest; before = size, size *= growth)
-    if (miss(size) <= 0) return root_between(miss, before, size);
-  return miss(widest) <= 0 ? std::optional(root_between(miss, before, widest)) : std::nullopt;
+  struct Sample {
+    double size, miss;
+  };
+  Sample first{0, miss(0)}, last = first;
+  for (int k = 1; last.size < widest; ++k) {
+    const double size = k <= samples ? straight * (1 + beyond) * k / samples : last.size * growth;
+    const double here = std::min(size, widest);
+    const Sample now{here, miss(here)};
+    if (now.miss <= 0) return root_between(miss, last.size, now.size);
+    if (last.miss < first.miss && last.miss <= now.miss) {
+      const double lowest = lowest_between(miss, first.size, now.size);
+      if (miss(lowest) <= 0) return root_between(miss, first.size, lowest);
+    }
+    first = std::exchange(last, now);
+  }
+  return std::nullopt;
 }
 
 double bisect(const DriveMiss& miss, double a, double b) {

@@ -191,6 +191,31 @@ TEST(Cord, AcrossAnOddNumberOfCellsPullsToTheSideThatIsShorter) {
   EXPECT_NEAR(mean_theta(s, path.state), found, 1e-3);
 }
 
+/// A strip that curls up brings its ends near each other and apart again: a cord between them is as short at two folds, or many.
+TEST(Cord, TakesTheFirstFoldAtWhichItIsShortEnoughHoweverShortlyItIs) {
+  const double tilt = 40 * radians_per_degree;
+  const Structure s = alternating(8, 1, {.beta = tilt}, {.beta = -tilt});
+  const ExactMotion exact = exact_motion(s);
+  const std::vector<int> through = {*s.hinge_at({{0, 0}, Axis::x}), *s.hinge_at({{7, 1}, Axis::x})};
+  const double rest = cord_drive(s, through, 1).rest_mm;
+  const auto length = [&](double theta) { return cord_length(s, through, exact.at(theta)); };
+  constexpr double step = 0.1 * radians_per_degree;
+  double lowest = 2 * step;
+  while (!(length(lowest) < length(lowest - step) && length(lowest) <= length(lowest + step))) {
+    lowest += step;
+    ASSERT_LT(lowest, 1.2) << "there is no dip";
+  }
+  for (const double above_mm : {1.0, 0.1, 0.01, 1e-4}) {
+    const double asked = length(lowest) + above_mm;
+    const LinkageDrive drive = cord_drive(s, through, rest - asked, 1);
+    const auto found = theta_of_cord(drive, s, exact.at);
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(length(*found), asked, 1e-9);
+    EXPECT_LE(std::abs(*found), lowest + step);
+    EXPECT_GE(length(std::abs(*found) - step / 10), asked);
+  }
+}
+
 TEST(Cord, WorkOfTheTensionIsTheEnergyOfASheetThatStrains) {
   const Structure s = alternating(4, 4, twisting_unit, basic_unit);
   const LinkageDrive drive = cord_drive(s, across_row(s, 1, 4), 5);
