@@ -80,6 +80,10 @@ bool ElasticSystem::passed_through(const State& before, const State& after) cons
   return contact_ && walls_.passed_through(before, after);
 }
 
+bool ElasticSystem::newly_cross(const State& before, const State& after) const {
+  return contact_ && walls_.newly_cross(before, after);
+}
+
 void ElasticSystem::place(double theta, State& state) const {
   if (drive_.gripped[0].empty()) return;
   const double L = structure_.size.edge_mm;

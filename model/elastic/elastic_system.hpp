@@ -27,9 +27,10 @@ class ElasticSystem {
   ElasticSystem(Linkage structure, const Elasticity& elasticity, LinkageDrive drive, bool planar,
                 bool contact, const std::shared_ptr<const ConvexBodies>& bodies = {});
   /// One that nothing drives: theta has no meaning, and rigid motion is held at one body.
-  ElasticSystem(Linkage structure, const Elasticity& elasticity, bool planar, bool contact)
-      : ElasticSystem(std::move(structure), elasticity, {.kind = LinkageDrive::Kind::none}, planar, contact) {
-  }
+  ElasticSystem(Linkage structure, const Elasticity& elasticity, bool planar, bool contact,
+                const std::shared_ptr<const ConvexBodies>& bodies = {})
+      : ElasticSystem(std::move(structure), elasticity, {.kind = LinkageDrive::Kind::none}, planar, contact,
+                      bodies) {}
 
   const Linkage& structure() const { return structure_; }
   const Stiffness& stiffness() const { return stiffness_; }
@@ -51,6 +52,8 @@ class ElasticSystem {
   std::string what_touches() const { return pieces_ ? "bodies" : "walls"; }
   /// Whether walls or bodies went through each other between two states (ContactModel, PieceContact::passed_through).
   bool passed_through(const State& before, const State& after) const;
+  /// Whether walls cross each other that did not before (ContactSearch::newly_cross); never where bodies take their place.
+  bool newly_cross(const State& before, const State& after) const;
 
   /// Moves what plates grip to where fold parameter theta of the drive has them.
   void place(double theta, State& state) const;

@@ -10,7 +10,7 @@ namespace kinetix::model {
 /// between the points along a wall tip edge in space). The depth is that to the nearest of the two sides, the
 /// end and (in space) top and bottom: linear in the carried point. As in the physics run, the two halves of
 /// one wall and plates of one body pass through each other, and so do plates that touch in the flat state.
-/// Crossing edges without a wall tip point inside are not seen.
+/// Edges that cross without a wall tip point inside call up no force: newly_cross sees them.
 class ContactModel {
  public:
   /// @param planar one point a wall tip corner, at the height of the neutral plane; else three along its edge
@@ -21,6 +21,7 @@ class ContactModel {
   bool passed_through(const State& before, const State& after) {
     return search_.passed_through(before, after);
   }
+  bool newly_cross(const State& before, const State& after) { return search_.newly_cross(before, after); }
 
   int body(int plate) const { return all().plates[plate].body; }
   static int hinge(int plate) { return plate / 2; }

@@ -1,6 +1,7 @@
 #include "model/elastic/contact/contact_plates.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 namespace kinetix::model {
@@ -63,6 +64,12 @@ Vector3d ContactPlate::face_normal_rate(Face face) const {
 
 double ContactPlates::wall_tip_radius() const {
   return planar ? half_thickness : std::hypot(half_thickness, half_height);
+}
+
+double ContactPlates::reach() const {
+  double longest = 0;
+  for (const ContactPlate& plate : plates) longest = std::max(longest, plate.length);
+  return longest + wall_tip_radius();
 }
 
 double ContactPlates::face_offset(const ContactPlate& plate, Face face) const {

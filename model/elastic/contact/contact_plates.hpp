@@ -34,6 +34,8 @@ struct ContactPlates {
   int points_per_plate() const { return planar ? 2 : 6; }
   /// No point of a wall tip is further from its middle, cell edges.
   double wall_tip_radius() const;
+  /// Nothing of a half wall is further from its vertex, cell edges.
+  double reach() const;
   /// Of a face's plane from the vertex, along its normal, cell edges.
   double face_offset(const ContactPlate& plate, Face face) const;
 };

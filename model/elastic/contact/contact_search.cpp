@@ -1,38 +1,16 @@
 #include "model/elastic/contact/contact_search.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
 namespace kinetix::model {
 namespace {
 
-using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 // Cell edges: wider lists more pairs, narrower must be searched anew more often.
 constexpr double near_margin = 0.3;
 constexpr double passing_margin = 0.5;  // cell edges: what was further away may have gone round the end
-constexpr double flat = 1e-9;  // of the trace of the spread: a flat sheet has none across, and no inverse
-
-/// The displacement gradient that fits the shifts between two states best, least squares.
-Matrix3d homogeneous_strain(const State& from, const State& to) {
-  Vector3d middle = Vector3d::Zero(), shift = Vector3d::Zero();
-  for (std::size_t b = 0; b < from.size(); ++b) {
-    middle += from[b].p;
-    shift += to[b].p - from[b].p;
-  }
-  middle /= static_cast<double>(from.size());
-  shift /= static_cast<double>(from.size());
-  Matrix3d spread = Matrix3d::Zero(), mixed = Matrix3d::Zero();
-  for (std::size_t b = 0; b < from.size(); ++b) {
-    const Vector3d at = from[b].p - middle;
-    spread += at * at.transpose();
-    mixed += (to[b].p - from[b].p - shift) * at.transpose();
-  }
-  spread.diagonal().array() += flat * spread.trace();
-  return mixed * spread.inverse();
-}
 
 bool is_same(const State& a, const State& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
@@ -45,7 +23,8 @@ ContactSearch::ContactSearch(const Linkage& structure, bool planar)
     : all_(contact_plates(structure, planar)),
       points_per_plate_(all_.points_per_plate()),
       placed_points_(all_.plates.size() * points_per_plate_),
-      placed_boxes_(all_.plates.size()) {
+      placed_boxes_(all_.plates.size()),
+      moved_(all_.edge_mm, all_.reach()) {
   WallContact at_rest(structure);
   const auto& touching = at_rest.touching_at_rest();
   for (const WallPair& pair : touching) excluded_.emplace_back(pair.first, pair.second);
@@ -64,23 +43,6 @@ void ContactSearch::place(int plate_index, const State& state) {
 
 void ContactSearch::place(const State& state) {
   for (int plate = 0; plate < static_cast<int>(all_.plates.size()); ++plate) place(plate, state);
-}
-
-/// Far enough for a point to have come into a box that it was a margin away from. What the bodies share, a
-/// homogeneous strain, brings plates closer by a part of their distance; each body's own motion adds to it.
-/// No point of a plate is further than 1.2 edges from its vertex.
-bool ContactSearch::has_moved(const State& state) const {
-  if (near_state_.size() != state.size()) return true;
-  const double reach = 1.2 * (all_.planar ? 1.0 : std::max(1.0, all_.half_height));
-  const Matrix3d strain = homogeneous_strain(near_state_, state);
-  const Vector3d shift = state[0].p - near_state_[0].p - strain * near_state_[0].p;
-  const double allowed = (near_margin - strain.norm() * (2 * reach + near_margin)) / 2;
-  for (std::size_t b = 0; b < state.size(); ++b) {
-    const Vector3d own = state[b].p - near_state_[b].p - strain * near_state_[b].p - shift;
-    const double turn = (state[b].R - near_state_[b].R).norm() / std::sqrt(2.0);
-    if (!(own.norm() / all_.edge_mm + reach * turn <= allowed)) return true;
-  }
-  return false;
 }
 
 bool ContactSearch::is_within(const Vector3d& point, int other, double margin) const {
@@ -147,7 +109,7 @@ void ContactSearch::add_if_inside(int point, int other) {
 void ContactSearch::update_near(const State& state) {
   place(state);
   near_ = pairs_within(near_margin);
-  near_state_ = state;
+  moved_.remember(state);
   std::vector<char> is_near(all_.plates.size());
   for (const Pair& pair : near_) is_near[pair.point / points_per_plate_] = is_near[pair.other] = true;
   near_plates_.clear();
@@ -160,10 +122,10 @@ const std::vector<Contact>& ContactSearch::find(const State& state) {
   found_.clear();
   found_state_ = state;
   if (!is_finite(state)) return found_;
-  if (has_moved(state))
-    update_near(state);
-  else
+  if (moved_.keeps_apart(state, near_margin))
     for (const int plate : near_plates_) place(plate, state);
+  else
+    update_near(state);
   for (const Pair& pair : near_) add_if_inside(pair.point, pair.other);
   return found_;
 }
@@ -178,8 +140,50 @@ int ContactSearch::side_of(int point, int other) const {
   return across > 0 ? 1 : -1;
 }
 
+bool ContactSearch::pierces(int plate, int other) const {
+  const Box &from = placed_boxes_[plate], &box = placed_boxes_[other];
+  const Vector3d along = all_.plates[plate].length * from.edge, up = all_.half_height * from.up;
+  const auto goes_through = [&](const Vector3d& start, const Vector3d& end) {
+    const double before = (start - box.origin).dot(box.normal), behind = (end - box.origin).dot(box.normal);
+    if (!(before * behind < 0)) return false;
+    const Vector3d at = start + before / (before - behind) * (end - start) - box.origin;
+    const double far = at.dot(box.edge);
+    return far > 0 && far < all_.plates[other].length &&
+           (all_.planar || std::abs(at.dot(box.up)) < all_.half_height);
+  };
+  const Vector3d& o = from.origin;
+  const bool middle = goes_through(o, o + along);  // rims of walls of one height would meet rims
+  if (middle || all_.planar) return middle;
+  return goes_through(o - up, o + along - up) || goes_through(o + up, o + along + up) ||
+         goes_through(o - up, o + up) || goes_through(o + along - up, o + along + up);
+}
+
+std::vector<std::pair<int, int>> ContactSearch::crossing(const State& state) {
+  place(state);
+  Eigen::Matrix3Xd centers(3, all_.plates.size());
+  double longest = 0;
+  for (std::size_t k = 0; k < all_.plates.size(); ++k) {
+    centers.col(k) = placed_boxes_[k].origin + all_.plates[k].length / 2 * placed_boxes_[k].edge;
+    longest = std::max(longest, all_.plates[k].length);
+  }
+  std::vector<std::pair<int, int>> out;
+  for (const auto& [a, b] : finder_.find(centers, longest + 2 * all_.wall_tip_radius())) {
+    const bool crosses = all_.planar ? pierces(a, b) && pierces(b, a) : pierces(a, b) || pierces(b, a);
+    if (crosses && may_touch(a, b)) out.emplace_back(a, b);
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+bool ContactSearch::newly_cross(const State& before, const State& after) {
+  const auto now = crossing(after);
+  if (now.empty()) return false;
+  const auto then = crossing(before);
+  return !std::includes(then.begin(), then.end(), now.begin(), now.end());
+}
+
 bool ContactSearch::passed_through(const State& before, const State& after) {
-  const bool kept = !has_moved(before) && !has_moved(after);
+  const bool kept = moved_.keeps_apart(before, near_margin) && moved_.keeps_apart(after, near_margin);
   place(before);
   const std::vector<Pair> near = kept ? near_ : pairs_within(passing_margin);
   std::vector<int> sides;

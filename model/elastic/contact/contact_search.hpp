@@ -6,6 +6,7 @@
 #include "model/contact/near_pairs.hpp"
 #include "model/contact/wall_contact.hpp"
 #include "model/elastic/contact/contact_plates.hpp"
+#include "model/elastic/contact/relative_motion.hpp"
 
 namespace kinetix::model {
 
@@ -23,7 +24,7 @@ struct Contact {
 
 /// Finds wall tip points inside the boxes of other half walls. The two halves of one wall, plates of one body
 /// and plates that touch in the flat state are not looked at. Pairs that are near are kept from call to call
-/// until the structure has moved by more than a margin: what is found does not depend on it.
+/// until bodies may have come closer by a margin: what is found does not depend on it.
 class ContactSearch {
  public:
   ContactSearch(const Linkage& structure, bool planar);
@@ -39,6 +40,9 @@ class ContactSearch {
   /// a cell edge of it before: then it did not go round its end, and the step between the states was too long
   /// for contact to stop it. @pre both states are finite
   bool passed_through(const State& before, const State& after);
+  /// Whether two half walls cross each other that did not before: their middle planes do, as where walls that stood tip to tip
+  /// lie across each other. No contact lets them: it would take forces that grow up to there.  @pre both states are finite
+  bool newly_cross(const State& before, const State& after);
 
  private:
   struct Pair {
@@ -52,11 +56,14 @@ class ContactSearch {
 
   void place(int plate, const State& state);
   void place(const State& state);
-  bool has_moved(const State& state) const;
   void update_near(const State& state);
   /// Points that are in a box grown by a margin, cell edges, in the state last placed. Sorted.
   std::vector<Pair> pairs_within(double margin);
   bool may_touch(int plate, int other) const;
+  /// Plates whose middle planes cross, each pair once. Sorted.
+  std::vector<std::pair<int, int>> crossing(const State& state);
+  /// Whether an edge or the middle of one's middle plane goes through the other's; in the plane, whether the one does.
+  bool pierces(int plate, int other) const;
   /// +1 or -1: on which side of a half wall a point is; 0 where it is not beside it, or inside and
   /// nearer to its end.
   int side_of(int point, int other) const;
@@ -71,7 +78,7 @@ class ContactSearch {
   std::vector<Box> placed_boxes_;
   std::vector<Pair> near_;        ///< (point, plate), sorted
   std::vector<int> near_plates_;  ///< those in near_
-  State near_state_;
+  RelativeMotion moved_;          ///< since near_ was listed
   std::vector<Contact> found_;
   State found_state_;
   NearPairs finder_;

@@ -85,10 +85,17 @@ bool ClosedForm::is_near(const State& state, double theta) const {
   return off && *off <= near;
 }
 
+bool ClosedForm::is_far(const State& state, double theta) const {
+  const auto off = distance(state, theta);
+  return off && !(*off <= far);
+}
+
 bool ClosedForm::is_mirrored(const State& state, double theta) const {
   if (system_.driven_hinge() >= 0 || system_.drive().grips_part) return false;
   const auto from_mirror = distance(state, -theta);
-  return from_mirror && *from_mirror <= near && *from_mirror < *distance(state, theta);
+  if (!from_mirror || !(*from_mirror <= near)) return false;
+  const auto from_own = distance(state, theta);
+  return !from_own || *from_mirror < *from_own;
 }
 
 }  // namespace kinetix::model

@@ -21,11 +21,16 @@ class ClosedForm {
   std::optional<double> distance(const State& state, double theta) const;
   /// Whether that is at most `near`. @return false where there is no closed form
   bool is_near(const State& state, double theta) const;
+  /// Whether that is more than `far`. @return false where there is no closed form
+  bool is_far(const State& state, double theta) const;
   /// Whether a sheet between plates or on a cord, which force it to one side as little as to the other, lies on the closed
   /// form of the side that theta does not ask for.
   bool is_mirrored(const State& state, double theta) const;
 
   static constexpr double near = 0.01;  ///< rad of a hinge: up to here, a path keeps to the closed form
+  /// Rad of a hinge, beyond which a state is another one: what the springs of a sheet bend its closed form by is a tenth of
+  /// that, another motion soon more.
+  static constexpr double far = 0.1;
 
  private:
   /// Theta, rad, at which the closed form has the cord as long as the drive has it at its own theta.

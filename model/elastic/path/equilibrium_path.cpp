@@ -1,5 +1,6 @@
 #include "model/elastic/path/equilibrium_path.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "model/base/invalid_input.hpp"
@@ -14,7 +15,9 @@ void EquilibriumPathOptions::validate() const {
   require("longest_step", longest_step, longest_step > 0 && longest_step <= 0.5, "in (0, 0.5] rad");
   require("longest_step_touching", longest_step_touching,
           longest_step_touching > 0 && longest_step_touching <= 0.5, "in (0, 0.5] rad");
-  require("least_step", least_step, least_step > 0 && least_step <= first_step, "in (0, first_step] rad");
+  require("least_step", least_step,
+          least_step > 0 && least_step <= std::min({first_step, longest_step, longest_step_touching}),
+          "above 0 and at most first_step, longest_step and longest_step_touching");
   require("longest_jump", longest_jump, longest_jump > 0, "positive");
   require("gap_limit", gap_limit, gap_limit > 0, "positive");
 }

@@ -94,7 +94,9 @@ struct EquilibriumPath {
   int iterations = 0;                       ///< of Newton's method in all
   double multiplier = 0;  ///< of the driven hinge, k_point edge^2, or the cord, k_point edge
   double off_closed_form_since =
-      NAN;         ///< theta, rad, of the first state off the closed form that the path left; else NaN
+      NAN;  ///< theta, rad, of the first state off the closed form that the path left; else NaN
+  bool off_closed_form =
+      false;  ///< there is one, and a hinge of the last state turns by over 0.1 rad otherwise, or that left it
   int let_go = 0;  ///< plates that press: bodies of their rows that they do not push at the goal
 };
 

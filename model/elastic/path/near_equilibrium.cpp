@@ -12,17 +12,26 @@ namespace {
 constexpr double first_part = 0.25, least_part = 1.0 / 256;
 
 /// The minimum below a state, at the drive's goal.
-EquilibriumPath settled(MeasuredSystem& system, const NewtonOptions& options, const State& start) {
+EquilibriumPath settled(const DrivenLinkage& driven, const Elasticity& elasticity,
+                        const EquilibriumPathOptions& options, const State& start) {
+  MeasuredSystem system(driven.linkage, elasticity, driven.drive, options);
   EquilibriumPath path;
   path.theta = system.elastic.drive().theta();
   path.state = start;
-  const NewtonResult newton = minimise(system.elastic, path.theta, options, path.state, system.tangent);
+  const NewtonResult newton =
+      minimise(system.elastic, path.theta, options.newton, path.state, system.tangent);
   path.iterations = newton.iterations;
   path.steps.push_back(system.measured(path.state, path.theta, newton.stable));
   path.gaps = hinge_gaps(system.elastic.structure(), path.state);
   path.multiplier = system.elastic.multiplier();
-  if (newton.converged && newton.stable) return path;
+  path.off_closed_form = ClosedForm(system.elastic, driven.exact).is_far(path.state, path.theta);
+  const bool crosses = newton.converged && system.elastic.newly_cross(start, path.state);
+  if (newton.converged && newton.stable && !crosses) return path;
   path.stop = EquilibriumPath::Stop::not_converged;
+  if (crosses) {
+    path.why = "next to the given state walls would have to pass through each other";
+    return path;
+  }
   path.why = newton.converged ? "the equilibrium next to the given state is unstable"
                               : "no equilibrium was found next to the given state";
   return path;
@@ -47,7 +56,7 @@ EquilibriumPath equilibrium_at_closed_form(const DrivenLinkage& driven, const El
   check(elasticity, options);
   MeasuredSystem system(driven.linkage, elasticity, driven.drive, options);
   const auto exact = ClosedForm(system.elastic, driven.exact).at(driven.drive.theta());
-  return exact ? settled(system, options.newton, *exact)
+  return exact ? settled(driven, elasticity, options, *exact)
                : without_equilibrium("no closed form fits the structure");
 }
 
@@ -61,8 +70,7 @@ EquilibriumPath follow_change(const State& state, const std::function<DrivenLink
   for (double done = 0, part = first_part;;) {
     const double next = std::min(done + part, 1.0);
     const DrivenLinkage changed = change(next);
-    MeasuredSystem system(changed.linkage, elasticity, changed.drive, same);
-    EquilibriumPath path = settled(system, same.newton, last);
+    EquilibriumPath path = settled(changed, elasticity, same, last);
     path.iterations = iterations += path.iterations;
     if (path.stop != EquilibriumPath::Stop::reached) {
       if ((part /= 2) < least_part) return path;

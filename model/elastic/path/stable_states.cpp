@@ -31,7 +31,7 @@ class Release {
  public:
   Release(const Linkage& structure, const Elasticity& elasticity, const StableStateOptions& options)
       : system_(structure, elasticity, options.path.planar.value_or(all_vertical(structure)),
-                options.path.contact),
+                options.path.contact, options.path.bodies),
         tangent_(system_.dofs()),
         newton_(options.path.newton),
         unit_(energy_unit(elasticity, structure.size.edge_mm)) {
@@ -49,6 +49,10 @@ class Release {
       out << released_at(start.step) << ": no stable state after " << result.iterations
           << " iterations, force " << result.force << " left";
       why = out.str();
+      return {};
+    }
+    if (system_.newly_cross(start.state, state)) {
+      why = released_at(start.step) + ": walls would have to pass through each other";
       return {};
     }
     return described(std::move(state), released_at(start.step));

@@ -21,7 +21,8 @@ StepFaults StepCheck::faults(const State& before, const State& prediction, const
   if (!trial.newton.converged) return faults;
   faults.jump = turn_distance(system_.elastic.structure(), prediction, trial.state);
   faults.jumped = !trial.descent && faults.jump > longest_jump_;
-  faults.tunnelled = !trial.descent && system_.elastic.passed_through(before, trial.state);
+  faults.tunnelled = (!trial.descent && system_.elastic.passed_through(before, trial.state)) ||
+                     system_.elastic.newly_cross(before, trial.state);
   faults.mirrored = trial.mirrored;
   return faults;
 }
