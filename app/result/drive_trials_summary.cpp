@@ -23,7 +23,7 @@ std::string path_text(const DriveTrial& trial) {
                                                : fmt::format("{} snaps", trial.snaps);
   if (!trial.reached()) return app::in_words(trial.path.stop) + ", " + snaps;
   return snaps + (trial.path.steps.back().stable ? ", stable" : ", UNSTABLE") +
-         (std::isfinite(trial.path.off_closed_form_since) ? ", off the closed form" : "") +
+         (trial.path.off_closed_form ? ", off the closed form" : "") +
          (trial.at_goal ? "" : ", NOT at that theta");
 }
 

@@ -36,7 +36,7 @@ std::string contact_line(const Run& run) {
 
 NearExact near_exact(const Run& run) {
   if (!run.equilibrium) return NearExact::same;
-  return std::isfinite(run.equilibrium->path.off_closed_form_since) ? NearExact::left : NearExact::near;
+  return run.equilibrium->path.off_closed_form ? NearExact::left : NearExact::near;
 }
 
 std::string physics_lines(const Run& run) {

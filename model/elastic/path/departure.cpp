@@ -8,8 +8,6 @@
 namespace kinetix::model {
 namespace {
 
-// Rad of a hinge: what the springs of a sheet bend its closed form by is a tenth of that, another motion soon more.
-constexpr double far_off = 0.1;
 // Of flat's smallest singular value: stiffness goes with the square, so that a sixteenth of it is left.
 constexpr double nearly_lost = 0.25;
 
@@ -37,10 +35,10 @@ std::optional<double> DepartureWatch::see(const State& state, double theta, bool
   if (place_ == Place::elsewhere) return {};
   const auto exact = closed_form_.at(theta);
   if (!exact) return {};
-  if (system_.touching(*exact) > 0) place_ = Place::elsewhere;
   const double off = turn_distance(system_.structure(), state, *exact);
   if (place_ == Place::left && off <= ClosedForm::near) place_ = Place::on_it;
-  if (place_ != Place::on_it || !(off > far_off)) return {};
+  if (place_ == Place::on_it && system_.touching(*exact) > 0) place_ = Place::elsewhere;
+  if (place_ != Place::on_it || !(off > ClosedForm::far)) return {};
   place_ = Place::left;
   return off;
 }

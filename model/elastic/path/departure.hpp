@@ -29,8 +29,8 @@ class DepartureWatch {
   /// @param came_along whether it came along the closed form, and is near it
   /// @return how far off it is, rad of a hinge, on the first step that leaves it: more than 0.1
   std::optional<double> see(const State& state, double theta, bool came_along);
-  /// Whether it has left, and not come back.
-  bool has_left() const { return place_ == Place::left; }
+  /// Whether it is near the closed form, or was when that came to touch its own walls.
+  bool is_back() const { return place_ != Place::left; }
 
  private:
   enum class Place { elsewhere, on_it, left };

@@ -33,7 +33,8 @@ std::optional<double> LockWatch::see(const EquilibriumStep& before, const Equili
   if (change == 0) return {};
   const double slope = (after.load - before.load) / change;
   if (after.contacts == 0) free_slope_ = std::max(free_slope_, std::abs(slope));
-  if (locked_ || after.contacts == 0 || before.contacts == 0 || !(slope > steep * free_slope_)) return {};
+  if (locked_ || after.contacts == 0 || before.contacts == 0 || !(free_slope_ > 0)) return {};
+  if (!(slope > steep * free_slope_)) return {};
   locked_ = true;
   return slope / free_slope_;
 }
@@ -48,7 +49,7 @@ void PathEvents::see(const EquilibriumStep& before, const EquilibriumStep& after
                      const Arrival& arrival) {
   const auto happened = [&](Kind kind, std::string what) { add(kind, after, before.theta, std::move(what)); };
   if (arrival.descent) {
-    off_ = {};
+    if (arrival.on_closed_form) off_ = {};
     if (arrival.descent == Descent::off_closed_form) off_ = {after.theta, true};
     happened(Kind::bifurcation, "the equilibrium turned unstable: left along the " +
                                     words(*arrival.descent, arrival.on_closed_form));
@@ -70,7 +71,7 @@ void PathEvents::see(const EquilibriumStep& before, const EquilibriumStep& after
 std::optional<std::string> PathEvents::departure(const EquilibriumStep& after, const State& state,
                                                  const Arrival& arrival) {
   const auto turn = departure_.see(state, after.theta, arrival.on_closed_form);
-  if (!departure_.has_left() && !off_.unstable) off_ = {};
+  if (departure_.is_back() && !off_.unstable) off_ = {};
   if (!turn || off_.unstable) return {};
   off_ = {after.theta, false};
   if (arrival.descent || arrival.snapped) return {};

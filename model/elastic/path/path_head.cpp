@@ -1,8 +1,15 @@
 #include "model/elastic/path/path_head.hpp"
 
+#include <cmath>
 #include <utility>
 
 namespace kinetix::model {
+namespace {
+
+// Of a hinge by theta of the drive: two of a basic sheet, some more of one that bends or whose cord hardly shortens.
+constexpr double most_turn = 8;
+
+}  // namespace
 
 PathHead::PathHead(MeasuredSystem& system, const ClosedForm& closed_form)
     : system_(system),
@@ -22,8 +29,15 @@ State PathHead::predicted(double theta) {
   else
     elastic.place(theta, state);
   if (!on_closed_form_) return state;
-  State exact = *closed_form_.at(theta);
-  return elastic.energy(exact, theta) < elastic.energy(state, theta) ? exact : state;
+  const std::optional<State> exact = closed_form_.at(theta);
+  if (!exact || !is_ahead(*exact, theta)) return state;
+  return elastic.energy(*exact, theta) < elastic.energy(state, theta) ? *exact : state;
+}
+
+/// On the same branch of the closed form: a cord, say, may be as long again at quite another fold.
+bool PathHead::is_ahead(const State& exact, double theta) const {
+  return turn_distance(system_.elastic.structure(), state_, exact) <=
+         most_turn * std::abs(theta - theta_) + ClosedForm::near;
 }
 
 void PathHead::move_to(Trial trial, bool snapped) {

@@ -30,6 +30,8 @@ class PathHead {
   void restore_tangent();
 
  private:
+  bool is_ahead(const State& exact, double theta) const;
+
   MeasuredSystem& system_;
   const ClosedForm& closed_form_;
   Predictor predictor_;

@@ -1,5 +1,6 @@
 #include "model/elastic/path/path_record.hpp"
 
+#include <cmath>
 #include <utility>
 
 namespace kinetix::model {
@@ -8,6 +9,7 @@ PathRecord::PathRecord(const MeasuredSystem& system, const ClosedForm& closed_fo
                        const EquilibriumPathOptions& options,
                        const std::function<void(const EquilibriumStep&, const State&)>& frame)
     : system_(system),
+      closed_form_(closed_form),
       head_(head),
       options_(options),
       frame_(frame),
@@ -34,6 +36,8 @@ EquilibriumPath PathRecord::finished(EquilibriumPath::Stop stop, const Refusal& 
   path_.gaps = hinge_gaps(system_.elastic.structure(), path_.state);
   path_.why = stop_reason(path_, system_, options_.gap_limit, refusal, events_.off_closed_form());
   path_.off_closed_form_since = events_.off_closed_form().since;
+  path_.off_closed_form =
+      std::isfinite(path_.off_closed_form_since) || closed_form_.is_far(path_.state, path_.theta);
   if (stop == EquilibriumPath::Stop::locked) events_.end_locked(last(), refusal.touching, path_.why);
   path_.events = events_.events();
   path_.hinge_energies = system_.hinge_energies(path_.state);

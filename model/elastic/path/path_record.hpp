@@ -31,6 +31,7 @@ class PathRecord {
   void append(const EquilibriumStep& step);
 
   const MeasuredSystem& system_;
+  const ClosedForm& closed_form_;
   const PathHead& head_;
   const EquilibriumPathOptions& options_;
   const std::function<void(const EquilibriumStep&, const State&)>& frame_;

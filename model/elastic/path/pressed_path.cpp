@@ -105,19 +105,31 @@ int bodies_of(const GrippedRows& rows) { return static_cast<int>(rows[0].size() 
 /// The equilibrium next to a state, once plates hold other bodies than in it.
 EquilibriumPath settled_again(const DrivenLinkage& now, const Elasticity& elasticity,
                               const EquilibriumPathOptions& options, State state, double theta) {
-  ElasticSystem(now.linkage, elasticity, now.drive, *options.planar, options.contact).place(theta, state);
+  ElasticSystem(now.linkage, elasticity, now.drive, *options.planar, options.contact, options.bodies)
+      .place(theta, state);
   return follow_change(
       state, [&](double) { return now; }, elasticity, options);
+}
+
+/// Since when a path is off its closed form.
+OffClosedForm off_closed_form(const EquilibriumPath& path) {
+  const auto left_unstable = [&](const PathEvent& event) {
+    return event.kind == PathEvent::Kind::bifurcation && event.at.theta == path.off_closed_form_since;
+  };
+  return {path.off_closed_form_since, std::any_of(path.events.begin(), path.events.end(), left_unstable)};
 }
 
 /// A path whose end gives way to another one.
 void replace_end(EquilibriumPath& path, const DrivenLinkage& now, const Elasticity& elasticity,
                  const EquilibriumPathOptions& options, EquilibriumPath end) {
+  const MeasuredSystem system(now.linkage, elasticity, now.drive, options);
   path.steps.back() = end.steps.back();
   path.gaps = end.gaps;
   path.iterations += end.iterations;
-  path.hinge_energies = MeasuredSystem(now.linkage, elasticity, now.drive, options).hinge_energies(end.state);
+  path.hinge_energies = system.hinge_energies(end.state);
+  path.off_closed_form = end.off_closed_form || std::isfinite(path.off_closed_form_since);
   path.state = std::move(end.state);
+  path.why = stop_reason(path, system, options.gap_limit, {}, off_closed_form(path));
 }
 
 }  // namespace
@@ -132,7 +144,8 @@ EquilibriumPath trace_pressed(const DrivenLinkage& driven, const Elasticity& ela
   EquilibriumPathOptions same = options;
   same.planar = path.planar;
   for (int k = 0; k < most_rounds; ++k) {
-    const ElasticSystem system(now.linkage, elasticity, now.drive, path.planar, options.contact);
+    const ElasticSystem system(now.linkage, elasticity, now.drive, path.planar, options.contact,
+                               options.bodies);
     std::vector<Wrong> wrong = all_wrong(driven.drive.gripped, system, path.state, path.theta);
     path.let_go = bodies_of(driven.drive.gripped) - bodies_of(now.drive.gripped);
     if (wrong.empty()) return path;

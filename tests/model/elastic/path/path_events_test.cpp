@@ -81,6 +81,8 @@ TEST_F(EventsOfASheet, KnowSinceWhenAPathIsOffItsClosedForm) {
   see(step_at(1, 1, 0), step_at(2, 2, 0), {});
   EXPECT_EQ(events_.off_closed_form().since, 1);
   see(step_at(2, 2, 0), step_at(3, 3, 0), {Descent::lowest_mode, false, false});
+  EXPECT_EQ(events_.off_closed_form().since, 1);
+  see(step_at(3, 3, 0), step_at(4, 4, 0), {Descent::closed_form, false, true});
   EXPECT_TRUE(std::isnan(events_.off_closed_form().since));
 }
 
