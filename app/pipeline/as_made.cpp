@@ -14,7 +14,8 @@ constexpr int least_prints = 20;             // that are brought to their equili
 constexpr int most_bodies_to_confirm = 400;  // beyond, they take longer than the search
 // Cell edges, rms: an equilibrium further from the state of the design is another one.
 constexpr double near_design = 2;
-constexpr double one_length = 1e-9;  // of a cell edge: walls of equal length differ by rounding
+constexpr double across_the_plane = 1e-9;  // of a unit normal: less is rounding
+constexpr double one_length = 1e-9;        // of a cell edge: walls of equal length differ by rounding
 
 /// @param wall_mm length of the wall
 model::HingeScatter hinge_scatter(const Run& run, const model::PlayScatter& play, double wall_mm) {
@@ -53,12 +54,21 @@ model::HingeScatter run_scatter(const Run& run, bool with_play) {
   return scatter;
 }
 
+/// Whether prints are looked at in the plane alone: errors tilt hinges that stand upright in the design, so that a flat print
+/// bends out of its plane, which goals that are read in the plane do not see.
+bool stays_in_plane(const Run& run, const std::vector<model::ObservedPoint>& points) {
+  return run.plan.planar && std::all_of(points.begin(), points.end(), [](const model::ObservedPoint& point) {
+           return std::abs(point.normal.z()) <= across_the_plane;
+         });
+}
+
 std::optional<PrintedGoal> expected_with(const Run& run, const PrintHinges& hinges,
                                          const model::State& design,
                                          const std::vector<model::ObservedPoint>& points) {
   if (points.empty()) return std::nullopt;
   model::State state = design;
-  model::ElasticSystem system(run.structure, hinges.elasticity, hinges.drive, run.plan.planar, false);
+  model::ElasticSystem system(run.structure, hinges.elasticity, hinges.drive, stays_in_plane(run, points),
+                              false);
   model::TangentStiffness tangent(system.dofs());
   const double theta = hinges.drive.theta();
   system.place(theta, state);
@@ -113,7 +123,7 @@ std::optional<PrintedGoal> as_made(const Run& run, const model::LinkageDrive& dr
   const model::PrintRuns runs =
       print_runs([&](const Eigen::Matrix4Xd& errors) { return printed_sheet(run.structure, errors); },
                  hinges.elasticity, hinges.drive, state, points, scatter_of(run), prints_of(options),
-                 print_options(options, run.plan.planar));
+                 print_options(options, stays_in_plane(run, points)));
   if (runs.prints + runs.failed > 0) out->runs = runs;
   return out;
 }

@@ -31,7 +31,14 @@ std::string prints_words(const PrintedGoal& printed) {
       fmt::format("{} prints in the elastic model: {:.2f} mm off (rms), 95 of 100 within {:.2f} mm",
                   runs.prints, runs.rms_mm, runs.p95_mm);
   if (runs.failed > 0) text += fmt::format("; {} more found no equilibrium near the design", runs.failed);
-  return text + (printed.is_confirmed() ? "" : ": FIRST ORDER DOES NOT HOLD");
+  return text + (printed.is_confirmed() ? "" : ": FIRST ORDER IS FAR FROM THEM");
+}
+
+std::string verdict_words(const PrintedGoal& printed) {
+  if (!printed.can_be_printed) return "CANNOT BE PRINTED";
+  if (printed.holds()) return "holds";
+  return printed.made.p95_mm <= printed.tolerance_mm ? "NOT EVERY PRINT HOLDS, of those in the elastic model"
+                                                     : "NOT EVERY PRINT HOLDS";
 }
 
 Json taken_json(const TakenHinges& taken) {
@@ -146,7 +153,7 @@ std::vector<SummaryLine> as_made_lines(const Run& run) {
        fmt::format(
            "printed by {}: {:.2f} mm off (rms), 95 of 100 prints within {:.2f} mm; {:.2f} mm are allowed: {}",
            run.process.name, made.rms_mm, made.p95_mm, run.printed->tolerance_mm,
-           run.printed->holds() ? "holds" : "NOT EVERY PRINT HOLDS")}};
+           verdict_words(*run.printed))}};
   if (const auto places = sources_by_place(run); !places.empty())
     lines.push_back({"", fmt::format("{} of {}: {} of what errors do", plural_words[places[0].parameter],
                                      places[0].place, share_words(places[0].share))});

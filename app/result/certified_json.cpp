@@ -25,7 +25,10 @@ Json range_json(const CertifiedRange& range, const model::Sheet& sheet) {
           {"left_out", range.left_out}};
 }
 
+/// "nowhere" where not even the flat state is, but for rounding.
 std::string between(const CertifiedRange& range) {
+  constexpr double shown = 0.005 * radians_per_degree;  // less is 0.00 deg
+  if (-range.negative.theta < shown && range.positive.theta < shown) return "nowhere";
   return fmt::format("{:.2f} to {:.2f} deg", to_degrees(range.negative.theta),
                      to_degrees(range.positive.theta));
 }

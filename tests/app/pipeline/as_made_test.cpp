@@ -63,6 +63,24 @@ TEST(AsMadeResult, IsConfirmedByPrints) {
   EXPECT_NEAR(made["prints"]["p95_mm"], made["p95_mm"].get<double>(), 0.1 * made["p95_mm"].get<double>());
 }
 
+// A print of it is no flatter than one of a strip that rises by a ten thousandth of its length.
+TEST(AsMadeResult, OfAFlatStripCountsWhatBendsItOutOfItsPlane) {
+  const auto made = [](const std::string& middle) {
+    const Scratch scratch;
+    const std::string file =
+        scratch.write("strip.yaml", "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [50, " + middle +
+                                        "], [100, 0]]}\n");
+    const Outcome run = kinetix_opt(file + " -o " + std::string(scratch / "out") + " --no-verify");
+    EXPECT_EQ(run.code, 0) << run.err;
+    return Json::parse(text_of(scratch / "out/result.json"))["as_made"];
+  };
+  const Json flat = made("0"), risen = made("0.01");
+  EXPECT_GT(risen["rms_mm"], 0.02);
+  EXPECT_NEAR(flat["rms_mm"], risen["rms_mm"].get<double>(), 0.2 * risen["rms_mm"].get<double>());
+  EXPECT_NEAR(flat["prints"]["rms_mm"], flat["rms_mm"].get<double>(), 0.3 * flat["rms_mm"].get<double>());
+  EXPECT_EQ(flat["holds"], risen["holds"]);
+}
+
 // To first order what errors add grows with their square.
 TEST(AsMadeResult, GrowsWithTheErrorsOfTheProcess) {
   const Scratch scratch;
