@@ -33,6 +33,23 @@ std::future<Judgement> judged_beside(const Run& run, const Scene& scene, RunOpti
                     [&run, &scene, options = std::move(options)] { return judgement(run, scene, options); });
 }
 
+void judge_by_physics(Run& run, const Scene& scene) {
+  if (is_settled(*run.verification)) scene.judge_physics(run);
+  if (run.goal && run.goal->violations.empty())  // of a state that misses its goal, physics says so too
+    run.verification->agrees &= run.goal->physics_violations.empty();
+}
+
+/// Where coarser steps came near enough to the model's state, but not to the goal, which may be stricter.
+void repeat_finer(Run& run, const Scene& scene, const PhysicsTask& task, const RunOptions& options) {
+  const double spent = run.verification->physics.seconds;
+  remove_coarse(run);
+  std::optional<Verification> finer = verify(run, task, options, true);
+  if (!finer) return;
+  finer->physics.seconds += spent;
+  add(std::move(*finer), task, options, run);
+  judge_by_physics(run, scene);
+}
+
 void check_by_physics(Run& run, const Scene& scene, const PhysicsTask& task, const RunOptions& options) {
   Stopwatch watch;
   auto judged = judged_beside(run, scene, options);
@@ -42,9 +59,8 @@ void check_by_physics(Run& run, const Scene& scene, const PhysicsTask& task, con
   add(judged.get(), run);
   if (!verification) return;
   add(std::move(*verification), task, options, run);
-  if (is_settled(*run.verification)) scene.judge_physics(run);
-  if (run.goal && run.goal->violations.empty())  // of a state that misses its goal, physics says so too
-    run.verification->agrees &= run.goal->physics_violations.empty();
+  judge_by_physics(run, scene);
+  if (!run.verification->agrees && run.verification->coarse) repeat_finer(run, scene, task, options);
 }
 
 }  // namespace

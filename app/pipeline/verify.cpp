@@ -96,20 +96,22 @@ bool is_settled(const Verification& verification) {
   return verification.physics.status == sim::PhysicsResult::Status::settled;
 }
 
-std::optional<Verification> verify(const Run& run, const PhysicsTask& task, const RunOptions& options) {
+std::optional<Verification> verify(const Run& run, const PhysicsTask& task, const RunOptions& options,
+                                   bool usual_steps) {
   const auto alone = hold_engine(options);
   const sim::PhysicsOptions usual = suited_to(run.plan.exact, task.options);
   std::span<const double> steps = tried_steps;
-  if (!may_be_coarser(run, task, options)) steps = steps.last(1);
+  if (usual_steps || !may_be_coarser(run, task, options)) steps = steps.last(1);
   Verification v;
   double seconds = 0;
   for (const double factor : steps) {
     v = verified(run, task, with_steps(usual, factor), options);
+    v.coarse = factor > 1;
     seconds += v.physics.seconds;
     if (v.agrees || options.stop.stop_requested()) break;
   }
   v.physics.seconds = seconds;
-  if (options.stop.stop_requested() && !is_settled(v)) return std::nullopt;
+  if (options.stop.stop_requested() && (!is_settled(v) || (v.coarse && !v.agrees))) return std::nullopt;
   v.equilibrium = equilibria(run, v, task.reference);
   return v;
 }
@@ -120,6 +122,13 @@ void add(Verification verification, const PhysicsTask& task, const RunOptions& o
   if (verification.compared) add_fidelity(run, "bullet", physics, task.reference);
   if (verification.compared && options.fidelity) add_coarser(run, verification, task, options);
   run.verification = std::move(verification);
+}
+
+void remove_coarse(Run& run) {
+  run.states.pop_back();
+  run.fidelity.pop_back();
+  run.verification.reset();
+  if (run.goal) run.goal->physics_violations.clear();
 }
 
 }  // namespace kinetix::app

@@ -10,12 +10,18 @@ namespace kinetix::app {
 /// Runs the physics engine on run.structure and compares it with the reference state. Looks at the run and changes
 /// nothing of it. Where no step is given and there is a reference, coarser steps are tried first: a run in them that
 /// settles in the reference is as good, and any other is repeated in finer ones; physics.seconds counts them all. Joints of
-/// exact families are stiffer than the options say. Nothing of a run that was stopped before it settled.
-std::optional<Verification> verify(const Run& run, const PhysicsTask& task, const RunOptions& options);
+/// exact families are stiffer than the options say. Nothing of a run that was stopped before it settled, or before finer steps
+/// could tell whether it disagrees.
+/// @param usual_steps no coarser ones first
+std::optional<Verification> verify(const Run& run, const PhysicsTask& task, const RunOptions& options,
+                                   bool usual_steps = false);
 
 /// Adds it to the run with its state and its row of the table of speed against error; runs of coarser steps give further
 /// rows where `fidelity` asks for them, beside a run of the usual step.
 void add(Verification verification, const PhysicsTask& task, const RunOptions& options, Run& run);
+
+/// Takes away what add() did for a run of coarser steps.
+void remove_coarse(Run& run);
 
 bool is_settled(const Verification& verification);
 

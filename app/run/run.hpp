@@ -45,6 +45,7 @@ struct Verification {
   model::StateDistance distance;  ///< NaN unless the run settled
   bool compared = false;          ///< whether there was a model's state to compare with
   bool agrees = false;            ///< settled and, if compared, distance.rms within the tolerance
+  bool coarse = false;            ///< in longer steps than usual, for which nobody asked
   std::optional<model::EquilibriumComparison>
       equilibrium;  ///< settled, and compared with an equilibrium of elastic hinges
 };

@@ -189,7 +189,8 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
   }
 
   void factorise_what_resists() {
-    for (VelocityRow& row : rows_) row.weight = std::max(0.0, row.weight);
+    for (VelocityRow& row : rows_)
+      if (row.weight < 0) row.weight = 0;
     system_.factorise(masses_, rows_, settings_.joint_stiffness);
   }
 
