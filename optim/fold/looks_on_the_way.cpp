@@ -29,12 +29,14 @@ std::vector<double> looks_up_to(double theta) {
 LooksOnTheWay::LooksOnTheWay(model::Linkage structure, double clearance,
                              std::function<model::State(double)> state, int threads)
     : state_(std::move(state)),
-      contacts_(model::threads_of(threads), model::WallContact(thickened(std::move(structure), clearance))) {}
+      most_(model::threads_of(threads)),
+      contacts_{model::WallContact(thickened(std::move(structure), clearance))} {}
 
 std::optional<LooksOnTheWay::Overlap> LooksOnTheWay::first_overlap(const std::vector<double>& thetas) {
-  const auto count = static_cast<int>(thetas.size()), most = static_cast<int>(contacts_.size());
+  const int count = static_cast<int>(thetas.size()), most = std::min(most_, count);
   // One alone first: where walls are in the way, they mostly are there.
   for (int first = 0, now = 1; first < count; first += now, now = std::min(most, count - first)) {
+    while (static_cast<int>(contacts_.size()) < now) contacts_.push_back(contacts_.front());
     std::vector<std::optional<model::WallPair>> found(now);
     model::run_in_parallel(now, now, [&](int k) {
       const auto& pairs = contacts_[k].overlapping(state_(thetas[first + k]));

@@ -35,7 +35,8 @@ class LooksOnTheWay {
 
  private:
   std::function<model::State(double)> state_;
-  std::vector<model::WallContact> contacts_;  ///< one a thread
+  const int most_;                            ///< threads
+  std::vector<model::WallContact> contacts_;  ///< one a thread that has been used
 };
 
 }  // namespace kinetix::optim

@@ -23,10 +23,13 @@ Eigen::Vector3d shrinks_of(const Eigen::Vector3d& factors) {
   return Eigen::Vector3d::Constant(by.sum()) - 2 * by;
 }
 
-/// Theta for which the edges that shrink most have gussets of the usual length, or the nearest in its range. rad
-double theta_of(const Eigen::Vector3d& shrinks, const AngleRange& range) {
-  const double sine = std::sqrt(std::min(1.0, shrinks.maxCoeff() / (1 - least_usual_gusset)));
-  return std::clamp(std::asin(sine), range.lower, range.upper);
+/// Theta for which the edges that shrink most have gussets of the usual length, or the nearest at which no gusset is out of its
+/// range; where there is none, the nearest in its own. rad
+double theta_of(const Eigen::Vector3d& shrinks, const SpaceBlockVariables& v) {
+  const double least = shrinks.maxCoeff() / (1 - v.gusset[0]), most = shrinks.minCoeff() / (1 - v.gusset[1]),
+               usual = shrinks.maxCoeff() / (1 - least_usual_gusset);
+  const double squared = least <= most ? std::clamp(usual, least, most) : usual;
+  return std::clamp(std::asin(std::sqrt(std::min(1.0, squared))), v.theta.lower, v.theta.upper);
 }
 
 Eigen::Vector3d gussets_of(const Eigen::Vector3d& shrinks, double theta) {
@@ -82,21 +85,22 @@ std::string obstacle(const targets::SpaceBlockGoal& goal, const SpaceBlockVariab
         "one direction shrinks by {:g} and the others by {:g} together; allowed is less than "
         "they do",
         1 - goal.factors.minCoeff(), 2 - goal.factors.sum() + goal.factors.minCoeff());
-  const Eigen::Vector3d gussets = gussets_of(shrinks, theta_of(shrinks, v.theta));
+  const Eigen::Vector3d gussets = gussets_of(shrinks, theta_of(shrinks, v));
   constexpr double rounding = 1e-12;
   if (gussets.minCoeff() >= v.gusset[0] - rounding && gussets.maxCoeff() <= v.gusset[1] + rounding) return {};
   return fmt::format(
-      "takes gussets of {:.3g} to {:.3g} edges at theta {:.3g} deg; allowed are {:g} to {:g}, and theta from "
-      "{:g} to {:g} deg (`variables`)",
-      gussets.minCoeff(), gussets.maxCoeff(), to_degrees(theta_of(shrinks, v.theta)), v.gusset[0],
-      v.gusset[1], to_degrees(v.theta.lower), to_degrees(v.theta.upper));
+      "no theta from {:g} to {:g} deg has all gussets from {:g} to {:g} edges (`variables`): at {:.3g} deg "
+      "they "
+      "are {:.3g} to {:.3g}",
+      to_degrees(v.theta.lower), to_degrees(v.theta.upper), v.gusset[0], v.gusset[1],
+      to_degrees(theta_of(shrinks, v)), gussets.minCoeff(), gussets.maxCoeff());
 }
 
 SpaceBlockDesign fit_space_block(const targets::SpaceBlockGoal& goal, const SpaceBlockVariables& v,
                                  double enough) {
   SpaceBlockDesign out;
   const Eigen::Vector3d shrinks = shrinks_of(goal.factors);
-  out.theta = theta_of(shrinks, v.theta);
+  out.theta = theta_of(shrinks, v);
   out.gusset = gussets_of(shrinks, out.theta);
   if (goal.size_mm) {
     choose_size(*goal.size_mm, v, enough, out);

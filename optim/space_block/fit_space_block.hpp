@@ -37,7 +37,7 @@ struct SpaceBlockDesign {
   Eigen::Vector3d size_mm = {0, 0, 0};  ///< at rest
 };
 
-/// The shortest gussets are a fifth of the edge, or as near to it as theta stays in its range. Without cells and edge, the fewest
+/// The shortest gussets are a fifth of the edge, or as near to it as theta and all gussets stay in their ranges. Without cells and edge, the fewest
 /// cells along the shortest side, two to five, that keep all lengths to `enough` of what was asked, else those that come
 /// nearest.
 /// @param enough over a length, >= 0   @pre no obstacle; all of `variables` are in their ranges

@@ -17,8 +17,8 @@ double largest_miss(const std::vector<FoldedCrease>& creases) {
 }
 
 std::string in_words(const std::vector<FoldedCrease>& creases, double rms) {
-  return fmt::format("{} creases within {:.1e} deg, faces {:.1e} of their edge from the solid (rms)",
-                     creases.size(), to_degrees(largest_miss(creases)), rms);
+  return fmt::format("{} crease{} within {:.1e} deg, faces {:.1e} of their edge from the solid (rms)",
+                     creases.size(), creases.size() == 1 ? "" : "s", to_degrees(largest_miss(creases)), rms);
 }
 
 std::vector<std::string> violations(const FoldFile& file, const std::vector<FoldedCrease>& creases,

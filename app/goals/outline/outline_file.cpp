@@ -19,7 +19,7 @@ constexpr int most_cells = 10'000;
 // What `trim` may say.
 constexpr targets::Word<bool> trims[] = {{"outline", true}, {"none", false}};
 // Of an offset, cell edges: half a wall to either side.
-const targets::Bounds offset = {0, 0.5, true, false, "cell edges"};
+const targets::Bounds offset = {0, 0.5, true, false, "mm (below half of cell_mm)"};
 // Of theta, degrees: at 45 basic cells are closed.
 const targets::Bounds fold_range = targets::between(0, 45, "degrees");
 

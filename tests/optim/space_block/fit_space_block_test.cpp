@@ -59,11 +59,24 @@ TEST(FitSpaceBlock, TakesTheSizeAskedFor) {
   EXPECT_EQ(by_edge.cells, (std::array<int, 3>{2, 2, 2}));
 }
 
+/// Gussets of a fifth of the edge at one side would be too long at another.
+TEST(FitSpaceBlock, TakesShorterGussetsThanUsualWhereLongOnesWouldBeTooLong) {
+  const targets::SpaceBlockGoal goal{{0.88, 0.841, 0.781}, {}};
+  ASSERT_EQ(obstacle(goal, {}), "");
+  const SpaceBlockDesign found = fit_space_block(goal, {}, 0.05);
+  EXPECT_GE(found.gusset.minCoeff(), 0.1);
+  EXPECT_NEAR(found.gusset.maxCoeff(), 0.8, 1e-12);
+  const model::SodaliteStructure block = block_of(found, {found.edge_mm, 0.2, 1});
+  const model::ExactMotion exact = exact_motion(block);
+  ASSERT_TRUE(exact) << exact.why;
+  EXPECT_LE(error_of(goal, block, exact.at(found.theta)).off, 1e-12);
+}
+
 TEST(FitSpaceBlock, SaysWhatStandsInTheWay) {
   EXPECT_EQ(obstacle({{0.9, 0.9, 0.9}, {}}, {}), "");
   EXPECT_THAT(obstacle({{0.7, 0.9, 0.9}, {}}, {}),
               HasSubstr("shrinks by 0.3 and the others by 0.2 together"));
-  EXPECT_THAT(obstacle({{0.4, 0.4, 0.4}, {}}, {}), HasSubstr("takes gussets of "));
+  EXPECT_THAT(obstacle({{0.4, 0.4, 0.4}, {}}, {}), HasSubstr("has all gussets from 0.1 to 0.8 edges"));
 }
 
 }  // namespace

@@ -64,6 +64,7 @@ TEST(ReadCurve, NamesLineAndColumnOfTheCsv) {
       {"x,z\n0,1e999\n", 2, 3, "", {"beyond what a number can hold"}},
       {"x,z\n\n0,0\n# c\n1,1\n1,1\n2,2\n", 6, 1, "", {"points 2 and 3 are the same"}},
       {"x,z\n0,0\n1,1\n2,0\n0,0\n", 5, 1, "", {"closed", "open curve"}},
+      {"x,z\n0,0\n1,1\n2,0\n0,1e-15\n", 5, 1, "", {"closed", "open curve"}},
       {"x,z\n0,0\n2,0\n1,1\n1,-1\n", 4, 1, "", {"crosses itself", "segment 1-2", "segment 3-4"}},
       {"x,z\n0,0\n2,0\n1,0\n", 3, 1, "", {"turns back", "point 2"}},
       {"x,z\n0,0\n1,1\n", 0, 0, "", {"at least 3 points", "has 2"}},

@@ -37,7 +37,7 @@ TEST(SpaceBlockTarget, RefusesWhatNoBlockDoes) {
   };
   EXPECT_THAT(refused("factor: [0.6, 0.95, 0.95]}"),
               HasSubstr("block.yaml:2:37: target.factor: one direction shrinks by 0.4"));
-  EXPECT_THAT(refused("factor: 0.3}"), HasSubstr("takes gussets of"));
+  EXPECT_THAT(refused("factor: 0.3}"), HasSubstr("has all gussets from"));
   EXPECT_THAT(refused("factor: 1}"), HasSubstr("target.factor"));
   EXPECT_THAT(refused("factor: [0.9, 0.9]}"), HasSubstr("target.factor"));
   EXPECT_THAT(refused("factor: .nan}"), HasSubstr("target.factor"));
