@@ -2,6 +2,7 @@
 
 #include <Eigen/CholmodSupport>
 #include <algorithm>
+#include <new>
 
 namespace kinetix::model {
 namespace {
@@ -25,6 +26,7 @@ struct TangentStiffness::Factor : Cholesky {
   void analyse(const Eigen::SparseMatrix<double>& matrix) {
     if (!m_cholmodFactor) {
       analyzePattern(matrix);
+      ask_for_memory();
       const int* order = static_cast<const int*>(m_cholmodFactor->Perm);
       order_.assign(order, order + m_cholmodFactor->n);
       return;
@@ -33,7 +35,13 @@ struct TangentStiffness::Factor : Cholesky {
     cholmod().method[0].ordering = CHOLMOD_GIVEN;
     cholmod_sparse view = Eigen::viewAsCholmod(matrix.selfadjointView<Eigen::Lower>());
     m_cholmodFactor = cholmod_analyze_p(&view, order_.data(), nullptr, 0, &cholmod());
+    ask_for_memory();
     m_factorizationIsOk = false;
+  }
+
+  /// CHOLMOD alone would call a matrix indefinite whose factor did not fit, and leave what it did not solve as it was.
+  void ask_for_memory() {
+    if (cholmod().status == CHOLMOD_OUT_OF_MEMORY || !m_cholmodFactor) throw std::bad_alloc();
   }
 
  private:
@@ -112,11 +120,16 @@ bool TangentStiffness::factorise(double shift) {
   analysed_ = true;
   factor_->setShift(shift);
   factor_->factorize(matrix_);
+  factor_->ask_for_memory();
   factorised_ = factor_->info() == Eigen::Success;
   return factorised_;
 }
 
-Eigen::VectorXd TangentStiffness::solve(const Eigen::VectorXd& rhs) const { return factor_->solve(rhs); }
+Eigen::VectorXd TangentStiffness::solve(const Eigen::VectorXd& rhs) const {
+  Eigen::VectorXd x = factor_->solve(rhs);
+  factor_->ask_for_memory();
+  return x;
+}
 
 Eigen::VectorXd TangentStiffness::multiply(const Eigen::VectorXd& x) {
   fill();

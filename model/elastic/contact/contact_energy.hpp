@@ -10,7 +10,7 @@ namespace kinetix::model {
 /// between the points along a wall tip edge in space). The depth is that to the nearest of the two sides, the
 /// end and (in space) top and bottom: linear in the carried point. As in the physics run, the two halves of
 /// one wall and plates of one body pass through each other, and so do plates that touch in the flat state.
-/// Edges that cross without a wall tip point inside call up no force: newly_cross sees them.
+/// Edges that cross without a wall tip point inside call up no force; in the plane, newly_cross sees them.
 class ContactModel {
  public:
   /// @param planar one point a wall tip corner, at the height of the neutral plane; else three along its edge

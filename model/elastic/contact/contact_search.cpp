@@ -140,22 +140,13 @@ int ContactSearch::side_of(int point, int other) const {
   return across > 0 ? 1 : -1;
 }
 
-bool ContactSearch::pierces(int plate, int other) const {
+bool ContactSearch::is_cut(int plate, int other) const {
   const Box &from = placed_boxes_[plate], &box = placed_boxes_[other];
-  const Vector3d along = all_.plates[plate].length * from.edge, up = all_.half_height * from.up;
-  const auto goes_through = [&](const Vector3d& start, const Vector3d& end) {
-    const double before = (start - box.origin).dot(box.normal), behind = (end - box.origin).dot(box.normal);
-    if (!(before * behind < 0)) return false;
-    const Vector3d at = start + before / (before - behind) * (end - start) - box.origin;
-    const double far = at.dot(box.edge);
-    return far > 0 && far < all_.plates[other].length &&
-           (all_.planar || std::abs(at.dot(box.up)) < all_.half_height);
-  };
-  const Vector3d& o = from.origin;
-  const bool middle = goes_through(o, o + along);  // rims of walls of one height would meet rims
-  if (middle || all_.planar) return middle;
-  return goes_through(o - up, o + along - up) || goes_through(o + up, o + along + up) ||
-         goes_through(o - up, o + up) || goes_through(o + along - up, o + along + up);
+  const Vector3d start = from.origin - box.origin, end = start + all_.plates[plate].length * from.edge;
+  const double before = start.dot(box.normal), behind = end.dot(box.normal);
+  if (!(before * behind < 0)) return false;
+  const double far = (start + before / (before - behind) * (end - start)).dot(box.edge);
+  return far > 0 && far < all_.plates[other].length;
 }
 
 std::vector<std::pair<int, int>> ContactSearch::crossing(const State& state) {
@@ -168,14 +159,14 @@ std::vector<std::pair<int, int>> ContactSearch::crossing(const State& state) {
   }
   std::vector<std::pair<int, int>> out;
   for (const auto& [a, b] : finder_.find(centers, longest + 2 * all_.wall_tip_radius())) {
-    const bool crosses = all_.planar ? pierces(a, b) && pierces(b, a) : pierces(a, b) || pierces(b, a);
-    if (crosses && may_touch(a, b)) out.emplace_back(a, b);
+    if (is_cut(a, b) && is_cut(b, a) && may_touch(a, b)) out.emplace_back(a, b);
   }
   std::sort(out.begin(), out.end());
   return out;
 }
 
 bool ContactSearch::newly_cross(const State& before, const State& after) {
+  if (!all_.planar) return false;
   const auto now = crossing(after);
   if (now.empty()) return false;
   const auto then = crossing(before);

@@ -40,8 +40,9 @@ class ContactSearch {
   /// a cell edge of it before: then it did not go round its end, and the step between the states was too long
   /// for contact to stop it. @pre both states are finite
   bool passed_through(const State& before, const State& after);
-  /// Whether two half walls cross each other that did not before: their middle planes do, as where walls that stood tip to tip
-  /// lie across each other. No contact lets them: it would take forces that grow up to there.  @pre both states are finite
+  /// Whether the middle lines of two half walls cross each other that did not before, as where walls that stood tip to tip lie
+  /// across each other. No contact lets them: its forces grow up to there. In the plane alone: in space edges that cross call
+  /// up no force.  @pre both states are finite
   bool newly_cross(const State& before, const State& after);
 
  private:
@@ -60,10 +61,10 @@ class ContactSearch {
   /// Points that are in a box grown by a margin, cell edges, in the state last placed. Sorted.
   std::vector<Pair> pairs_within(double margin);
   bool may_touch(int plate, int other) const;
-  /// Plates whose middle planes cross, each pair once. Sorted.
+  /// Plates whose middle lines cross, each pair once. Sorted.
   std::vector<std::pair<int, int>> crossing(const State& state);
-  /// Whether an edge or the middle of one's middle plane goes through the other's; in the plane, whether the one does.
-  bool pierces(int plate, int other) const;
+  /// Whether one's middle line, in the plane, goes across the other's or what is beside it.
+  bool is_cut(int plate, int other) const;
   /// +1 or -1: on which side of a half wall a point is; 0 where it is not beside it, or inside and
   /// nearer to its end.
   int side_of(int point, int other) const;
