@@ -54,13 +54,15 @@ bool ContactSearch::is_within(const Vector3d& point, int other, double margin) c
   return all_.planar || std::abs(y.dot(box.up)) <= all_.half_height + margin;
 }
 
-std::vector<ContactSearch::Pair> ContactSearch::pairs_within(double margin) {
+Eigen::Matrix3Xd ContactSearch::placed_centers() const {
   Eigen::Matrix3Xd centers(3, all_.plates.size());
-  double longest = 0;
-  for (std::size_t k = 0; k < all_.plates.size(); ++k) {
+  for (std::size_t k = 0; k < all_.plates.size(); ++k)
     centers.col(k) = placed_boxes_[k].origin + all_.plates[k].length / 2 * placed_boxes_[k].edge;
-    longest = std::max(longest, all_.plates[k].length);
-  }
+  return centers;
+}
+
+std::vector<ContactSearch::Pair> ContactSearch::pairs_within(double margin) {
+  const Eigen::Matrix3Xd centers = placed_centers();
   std::vector<Pair> pairs;
   const double wall_tip = all_.wall_tip_radius();
   const auto add = [&](int plate, int other) {
@@ -70,7 +72,7 @@ std::vector<ContactSearch::Pair> ContactSearch::pairs_within(double margin) {
       if (is_within(placed_points_[plate * points_per_plate_ + k], other, margin) && may_touch(plate, other))
         pairs.push_back({plate * points_per_plate_ + k, other});
   };
-  for (const auto& [first, second] : finder_.find(centers, longest + 2 * wall_tip + margin)) {
+  for (const auto& [first, second] : finder_.find(centers, all_.reach() + wall_tip + margin)) {
     const double reach = (all_.plates[first].length + all_.plates[second].length) / 2 + 2 * wall_tip + margin;
     if ((centers.col(first) - centers.col(second)).squaredNorm() >= reach * reach) continue;
     add(first, second);
@@ -151,14 +153,8 @@ bool ContactSearch::is_cut(int plate, int other) const {
 
 std::vector<std::pair<int, int>> ContactSearch::crossing(const State& state) {
   place(state);
-  Eigen::Matrix3Xd centers(3, all_.plates.size());
-  double longest = 0;
-  for (std::size_t k = 0; k < all_.plates.size(); ++k) {
-    centers.col(k) = placed_boxes_[k].origin + all_.plates[k].length / 2 * placed_boxes_[k].edge;
-    longest = std::max(longest, all_.plates[k].length);
-  }
   std::vector<std::pair<int, int>> out;
-  for (const auto& [a, b] : finder_.find(centers, longest + 2 * all_.wall_tip_radius())) {
+  for (const auto& [a, b] : finder_.find(placed_centers(), all_.reach() + all_.wall_tip_radius())) {
     if (is_cut(a, b) && is_cut(b, a) && may_touch(a, b)) out.emplace_back(a, b);
   }
   std::sort(out.begin(), out.end());

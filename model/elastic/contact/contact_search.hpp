@@ -58,6 +58,8 @@ class ContactSearch {
   void place(int plate, const State& state);
   void place(const State& state);
   void update_near(const State& state);
+  /// Middles of all plates, a column each, cell edges.
+  Eigen::Matrix3Xd placed_centers() const;
   /// Points that are in a box grown by a margin, cell edges, in the state last placed. Sorted.
   std::vector<Pair> pairs_within(double margin);
   bool may_touch(int plate, int other) const;
