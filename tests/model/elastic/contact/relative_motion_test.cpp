@@ -29,7 +29,8 @@ Vector3d random_vector(std::mt19937& random) {
 
 /// Compressed, sheared, bent along the columns by `wave` cell edges, and every body shaken by `shake` cell edges and rad.
 State moved(const State& from, double strain, double wave, double shake, std::mt19937& random) {
-  const Eigen::Matrix3d gradient = strain * Eigen::Matrix3d::Random();
+  Eigen::Matrix3d gradient;
+  for (int column = 0; column < 3; ++column) gradient.col(column) = strain * random_vector(random);
   State to = from;
   for (Pose& pose : to) {
     const double phase = pose.p.x() / spacing_mm / 6;

@@ -1,6 +1,5 @@
 #include "model/elastic/path/step_check.hpp"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "model/lattice/planar/planar_drive.hpp"
