@@ -1,6 +1,5 @@
 #include "targets/curve/curve.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -9,27 +8,13 @@
 
 namespace kinetix::targets {
 
-namespace {
-
 using Eigen::Vector2d;
-
-constexpr double ends_meet = 1e-9;  // of the diagonal: closer ones are apart by rounding
-
-double diagonal_around(const std::vector<Vector2d>& points) {
-  Eigen::AlignedBox2d box;
-  for (const Vector2d& point : points) box.extend(point);
-  return box.diagonal().norm();
-}
-
-}  // namespace
 
 Curve::Curve(std::vector<Vector2d> points) : points_(std::move(points)) {
   check_points(points_);
-  diagonal_ = diagonal_around(points_);
-  if ((points_.front() - points_.back()).norm() <= ends_meet * diagonal_)
-    throw InvalidCurve("the curve is closed (its last point is its first); a strip needs an open curve",
-                       static_cast<int>(points_.size()) - 1);
+  check_open(points_);
   check_crossing(points_);
+  diagonal_ = diagonal_of(points_);
   arc_.push_back(0);
   for (std::size_t k = 1; k < points_.size(); ++k) {
     const Vector2d step = points_[k] - points_[k - 1];

@@ -1,5 +1,6 @@
 #include "targets/curve/polyline_checks.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <string>
 
@@ -51,6 +52,26 @@ void check_points(const std::vector<Point>& points) {
 
 template void check_points(const std::vector<Eigen::Vector2d>& points);
 template void check_points(const std::vector<Eigen::Vector3d>& points);
+
+template <class Point>
+double diagonal_of(const std::vector<Point>& points) {
+  Eigen::AlignedBox<double, Point::RowsAtCompileTime> box;
+  for (const Point& point : points) box.extend(point);
+  return box.diagonal().norm();
+}
+
+template double diagonal_of(const std::vector<Eigen::Vector2d>& points);
+template double diagonal_of(const std::vector<Eigen::Vector3d>& points);
+
+template <class Point>
+void check_open(const std::vector<Point>& points) {
+  if ((points.front() - points.back()).norm() <= touching * diagonal_of(points))
+    throw InvalidCurve("the curve is closed (its last point is its first); a strip needs an open curve",
+                       static_cast<int>(points.size()) - 1);
+}
+
+template void check_open(const std::vector<Eigen::Vector2d>& points);
+template void check_open(const std::vector<Eigen::Vector3d>& points);
 
 InvalidCurve turns_back(std::size_t k) {
   return InvalidCurve("the curve turns back on itself at point " + number(k), static_cast<int>(k));

@@ -12,20 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double touching = 1e-9;         // of the diagonal: closer parts meet, but for rounding
 constexpr double back_cosine = -0.98481;  // of 170 degrees: no strip turns so far at one point
-
-double diagonal_of(const std::vector<Vector3d>& points) {
-  Eigen::AlignedBox3d box;
-  for (const Vector3d& p : points) box.extend(p);
-  return box.diagonal().norm();
-}
-
-void check_open(const std::vector<Vector3d>& points) {
-  if ((points.front() - points.back()).norm() <= touching * diagonal_of(points))
-    throw InvalidCurve("the curve is closed (its last point is its first); a strip needs an open curve",
-                       static_cast<int>(points.size()) - 1);
-}
 
 void check_turns(const std::vector<Vector3d>& points) {
   for (std::size_t k = 1; k + 1 < points.size(); ++k) {
