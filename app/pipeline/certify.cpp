@@ -29,9 +29,11 @@ Certified along(const model::Sheet& sheet, const model::ExactMotion& exact, cons
 
 double print_growth_mm(const model::Linkage& sheet, const model::PrintError& sd) {
   double farthest = 0;
-  for (const model::HalfWall& wall : half_walls(sheet))
-    farthest =
-        std::max(farthest, ((wall.box.axes.transpose() * wall.box.center).cwiseAbs() + wall.box.half).norm());
+  for (const model::HalfWall& wall : half_walls(sheet)) {
+    Eigen::Vector3d reach = (wall.box.axes.transpose() * wall.box.center).cwiseAbs() + wall.box.half;
+    reach.x() += std::abs(wall.box.slant) * wall.box.half.y();
+    farthest = std::max(farthest, reach.norm());
+  }
   const double tilt = std::min(deviations * sd.tilt_deg * radians_per_degree, pi / 2);
   return deviations * sd.t_mm + std::sin(tilt) * farthest;
 }

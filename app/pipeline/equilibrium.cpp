@@ -103,11 +103,6 @@ void add_exact(Run& run) {
 }
 
 /// Theta of the state that a path came to: of a cord and springs, the drive's own is another.
-double theta_of(const Run& run, const model::LinkageDrive& drive, const model::EquilibriumPath& path) {
-  return drive.pulls_cord() || drive.heats_springs() ? model::mean_theta(run.structure, path.state)
-                                                     : path.theta;
-}
-
 void add_frames(Run& run, const std::vector<NamedState>& frames) {
   for (NamedState frame : frames) {
     frame.gaps = hinge_gaps(run.structure, frame.poses);
@@ -143,7 +138,7 @@ void add_equilibrium(Run& run, const model::LinkageDrive& drive, const model::El
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   add_limit_points(path);
   const double last = path.theta;
-  run.theta = theta_of(run, drive, path);
+  run.theta = model::mean_theta(run.structure, path.state);
   run.states.push_back({"target", to_string(Model::equilibrium), run.theta, path.state, path.gaps});
   model::StableStates stable = stable_states(run.structure, elasticity, {turns}, {.path = path_options});
   run.equilibrium = Equilibrium{elasticity, drive, std::move(path), std::move(stable), {}};

@@ -1,7 +1,9 @@
 #include "model/base/oriented_box.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace kinetix {
 namespace {
@@ -72,14 +74,65 @@ double gap_along_edges(const Projections& p, const OrientedBox& a, const Oriente
   return gap;
 }
 
+bool is_slanted(const OrientedBox& box) { return box.slant != 0; }
+
+/// Largest gap over all directions, or the first that is more than enough.
+double gap_of_slanted(const OrientedBox& a, const OrientedBox& b, double enough) {
+  const Eigen::Vector3d apart = b.center - a.center;
+  double gap = -std::numeric_limits<double>::infinity();
+  const auto look = [&](Eigen::Vector3d direction) {
+    if (direction.dot(apart) < 0) direction = -direction;
+    gap = std::max(gap, direction.dot(apart) - support(a, direction) - support(b, -direction));
+    return gap > enough;
+  };
+  for (const OrientedBox* box : {&a, &b})
+    for (const Eigen::Vector3d& normal : face_normals(*box))
+      if (look(normal)) return gap;
+  for (const Eigen::Vector3d& own : edge_directions(a))
+    for (const Eigen::Vector3d& other : edge_directions(b)) {
+      const Eigen::Vector3d across = own.cross(other);
+      if (across.squaredNorm() >= parallel_squared && look(across.normalized())) return gap;
+    }
+  return gap;
+}
+
+std::vector<Eigen::Vector3d> with_axes(const OrientedBox& box, const Eigen::Vector3d& slanted) {
+  std::vector<Eigen::Vector3d> all = {box.axes.col(0), box.axes.col(1), box.axes.col(2)};
+  if (is_slanted(box)) all.push_back(slanted.normalized());
+  return all;
+}
+
 }  // namespace
 
+double support(const OrientedBox& box, const Eigen::Vector3d& direction) {
+  const Eigen::Vector3d along = box.axes.transpose() * direction;
+  const double out = along[0] * box.half[0];
+  return std::abs(along[2]) * box.half[2] +
+         std::max(std::abs(along[1]) * box.half[1] - out,
+                  std::abs(along[1] + box.slant * along[0]) * box.half[1] + out);
+}
+
+double radius(const OrientedBox& box) {
+  return Eigen::Vector3d(box.half[0] + std::abs(box.slant) * box.half[1], box.half[1], box.half[2]).norm();
+}
+
+std::vector<Eigen::Vector3d> face_normals(const OrientedBox& box) {
+  return with_axes(box, box.axes.col(0) - box.slant * box.axes.col(1));
+}
+
+std::vector<Eigen::Vector3d> edge_directions(const OrientedBox& box) {
+  return with_axes(box, box.axes.col(1) + box.slant * box.axes.col(0));
+}
+
 bool overlap(const OrientedBox& a, const OrientedBox& b, double depth) {
+  if (is_slanted(a) || is_slanted(b)) return !(gap_of_slanted(a, b, -depth) > -depth);
   const Projections p(a, b);
   return !apart_along_faces(p, a, b, depth) && !apart_along_edges(p, a, b, depth);
 }
 
 double separation(const OrientedBox& a, const OrientedBox& b) {
+  if (is_slanted(a) || is_slanted(b))
+    return std::max(0.0, gap_of_slanted(a, b, std::numeric_limits<double>::infinity()));
   const Projections p(a, b);
   return std::max(gap_along_faces(p, a, b), gap_along_edges(p, a, b));
 }

@@ -1,6 +1,7 @@
 #include "model/contact/linkage_plates.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -31,9 +32,10 @@ LinkagePlates::LinkagePlates(const Linkage& structure, const std::vector<TurnLaw
       links(chains.tree(middle)) {
   for (int k = 0; k < static_cast<int>(walls.size()); ++k) {
     HalfWall& wall = walls[k];
-    wall.box.half.array() += growth_mm;
+    // A slanted end that moves out by this moves further along the edge.
+    wall.box.half += growth_mm * Eigen::Vector3d(std::hypot(1, wall.box.slant), 1, 1);
     plates_of[wall.body].push_back(k);
-    reach[wall.body] = std::max(reach[wall.body], wall.box.center.norm() + wall.box.half.norm());
+    reach[wall.body] = std::max(reach[wall.body], wall.box.center.norm() + radius(wall.box));
   }
   std::map<std::pair<double, double>, int> known;
   for (int h = 0; h < static_cast<int>(structure.hinges.size()); ++h) {

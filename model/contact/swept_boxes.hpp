@@ -17,7 +17,8 @@ struct SweptBoxes {
 
 /// Whether the two are proven to stay apart over the whole interval by one direction that separates them, of the faces of
 /// the box at rest. Along a direction n the gap at theta = middle + tau is at least
-///   n . (c + tau c') - sum over edges of |(n + tau n x w) . e| - (extent of the box at rest) - change half_width^2 / 2
+///   n . (c + tau c') - s(-(n + tau n x w)) - (that of the box at rest along n) - change half_width^2 / 2
+/// with s how far the moving box reaches from its center along a direction (convex),
 /// where change bounds the second derivative of every corner; concave in tau, so least at an end.
 bool stay_apart_by_faces(const SweptBoxes& boxes);
 /// Likewise by the directions across an edge of each.

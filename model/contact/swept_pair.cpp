@@ -23,8 +23,8 @@ bool SweptPair::is_apart(const WallPair& walls) {
   const OrientedBox& own = plates_.walls[in_order ? walls.first : walls.second].box;
   const HalfWall& other = plates_.walls[in_order ? walls.second : walls.first];
   const Eigen::Vector3d center = second_.p + second_.R * other.box.center;
-  const double radius = other.box.half.norm();
-  if ((center - own.center).norm() - own.half.norm() - radius - there_.way(center, radius) > margin_mm_)
+  const double around = radius(other.box);
+  if ((center - own.center).norm() - radius(own) - around - there_.way(center, around) > margin_mm_)
     return true;
   const OrientedBox moving = placed(other, second_);
   const SweptBoxes forth{own, moving, there_, interval_.half_width(), margin_mm_};
@@ -34,7 +34,7 @@ bool SweptPair::is_apart(const WallPair& walls) {
 bool SweptPair::is_apart_from_there(const OrientedBox& own, const OrientedBox& other) {
   if (!back_) back_ = interval_.motion(pair_.second, reversed(pair_.chain));
   const Pose first = interval_.relative(pair_.second, pair_.first);
-  const OrientedBox moving{first.p + first.R * own.center, first.R * own.axes, own.half};
+  const OrientedBox moving{first.p + first.R * own.center, first.R * own.axes, own.half, own.slant};
   return stay_apart_by_faces({other, moving, *back_, interval_.half_width(), margin_mm_});
 }
 

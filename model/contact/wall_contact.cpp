@@ -59,7 +59,7 @@ class Side {
 
 WallContact::WallContact(const Linkage& structure)
     : walls_(half_walls(structure)), depth_(depth_in_edges * structure.size.edge_mm) {
-  for (const HalfWall& wall : walls_) reach_ = std::max(reach_, 2 * (wall.box.half.norm() + depth_));
+  for (const HalfWall& wall : walls_) reach_ = std::max(reach_, 2 * (radius(wall.box) + depth_));
   collect(rest_state(structure), -depth_);
   std::sort(found_.begin(), found_.end());
   touching_at_rest_ = found_;

@@ -52,7 +52,7 @@ class ElasticSystem {
   std::string what_touches() const { return pieces_ ? "bodies" : "walls"; }
   /// Whether walls or bodies went through each other between two states (ContactModel, PieceContact::passed_through).
   bool passed_through(const State& before, const State& after) const;
-  /// Whether walls cross each other that did not before (ContactSearch::newly_cross); never in space, nor where bodies take their place.
+  /// Whether walls cross each other that did not before (ContactSearch::newly_cross); never where bodies take their place.
   bool newly_cross(const State& before, const State& after) const;
 
   /// Moves what plates grip to where fold parameter theta of the drive has them.

@@ -6,9 +6,10 @@ namespace kinetix::model {
 namespace {
 
 /// Plate from the vertex along `edge` (unit) over `length`.
-OrientedBox plate(const Eigen::Vector3d& edge, const Eigen::Vector3d& up, double length,
+OrientedBox plate(const Eigen::Vector3d& edge, const Eigen::Vector3d& up, double length, double slant,
                   const CellSize& size) {
   OrientedBox box;
+  box.slant = slant;
   box.center = 0.5 * length * edge;
   box.axes << edge, up, edge.cross(up);
   box.half << length / 2, size.height_mm / 2, size.thickness_mm / 2;
@@ -17,17 +18,22 @@ OrientedBox plate(const Eigen::Vector3d& edge, const Eigen::Vector3d& up, double
 
 }  // namespace
 
+Linkage with_square_ends(Linkage structure) {
+  for (Plate& plate : structure.plates) plate.slant = 0;
+  return structure;
+}
+
 std::vector<HalfWall> half_walls(const Linkage& structure) {
   std::vector<HalfWall> all;
   all.reserve(structure.plates.size());
   const double L = structure.size.edge_mm;
   for (const Plate& p : structure.plates)
-    all.push_back({p.body, p.hinge, plate(p.edge, p.up, p.length * L, structure.size)});
+    all.push_back({p.body, p.hinge, plate(p.edge, p.up, p.length * L, p.slant, structure.size)});
   return all;
 }
 
 OrientedBox placed(const HalfWall& wall, const Pose& pose) {
-  return {pose.p + pose.R * wall.box.center, pose.R * wall.box.axes, wall.box.half};
+  return {pose.p + pose.R * wall.box.center, pose.R * wall.box.axes, wall.box.half, wall.box.slant};
 }
 
 }  // namespace kinetix::model

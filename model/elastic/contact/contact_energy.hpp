@@ -5,15 +5,16 @@
 
 namespace kinetix::model {
 
-/// Contact of walls of thickness w, energies in units of k_point edge^2, stiffnesses of k_point: wall tip
-/// points against the boxes of the other half walls, with the energy 1/2 contact depth^2 a point (shared
-/// between the points along a wall tip edge in space). The depth is that to the nearest of the two sides, the
-/// end and (in space) top and bottom: linear in the carried point. As in the physics run, the two halves of
+/// Contact of walls of thickness w, energies in units of k_point edge^2, stiffnesses of k_point: points of
+/// half walls (ContactPlates) against the boxes of the others, with the energy 1/2 contact depth^2 a point; in
+/// space a third of that, since a wall tip edge has three. The depth is that to the nearest of the two sides,
+/// the end and (in space) top and bottom: linear in the carried point. As in the physics run, the two halves of
 /// one wall and plates of one body pass through each other, and so do plates that touch in the flat state.
-/// Edges that cross without a wall tip point inside call up no force; in the plane, newly_cross sees them.
+/// Walls of the plane that cross without a point inside call up no force, nor do wall tip edges in space that
+/// cross between their points; newly_cross sees both.
 class ContactModel {
  public:
-  /// @param planar one point a wall tip corner, at the height of the neutral plane; else three along its edge
+  /// @param planar as of contact_plates()
   ContactModel(const Linkage& structure, bool planar);
 
   const std::optional<WallPair>& overlap_at_rest() const { return search_.overlap_at_rest(); }

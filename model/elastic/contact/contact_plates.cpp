@@ -9,7 +9,21 @@ namespace {
 
 using Eigen::Vector3d;
 
-ContactPlate contact_plate(const ContactPlates& all, const Plate& half_wall) {
+// Along top or bottom of a half wall on one side.
+constexpr double most_rim_points = 80;
+
+/// How many points along top or bottom of a half wall, without that of the wall tip. By the whole walls, whose lengths do not
+/// depend on where their hinges are: the energy must not jump where t changes.
+int rim_points(const ContactPlates& all, const Linkage& structure) {
+  double longest = 0;
+  for (std::size_t k = 0; k + 1 < structure.plates.size(); k += 2)
+    longest = std::max(longest, structure.plates[k].length + structure.plates[k + 1].length);
+  // A length of a wall is 1 up to rounding.
+  return static_cast<int>(
+      std::clamp(std::ceil(longest / (2 * all.half_thickness) - 1e-6), 1.0, most_rim_points));
+}
+
+ContactPlate contact_plate(const ContactPlates& all, const Plate& half_wall, int along_rim) {
   ContactPlate plate;
   plate.body = half_wall.body;
   plate.sign = half_wall.length_t;
@@ -19,12 +33,17 @@ ContactPlate contact_plate(const ContactPlates& all, const Plate& half_wall) {
   plate.up_rate = half_wall.up_beta;
   plate.normal = plate.edge.cross(plate.up);
   plate.normal_rate = plate.edge.cross(plate.up_rate);
+  const auto add = [&](double part, double side, double level) {
+    const double across = side * all.half_thickness, high = level * all.half_height;
+    plate.points.push_back({part * plate.length * plate.edge + across * plate.normal + high * plate.up, part,
+                            across * plate.normal_rate + high * plate.up_rate});
+  };
   for (const double side : {1.0, -1.0})
-    for (const double level : all.planar ? std::vector<double>{0} : std::vector<double>{-1, 0, 1}) {
-      const double across = side * all.half_thickness, high = level * all.half_height;
-      plate.points.push_back(plate.length * plate.edge + across * plate.normal + high * plate.up);
-      plate.point_gradients.push_back(across * plate.normal_rate + high * plate.up_rate);
-    }
+    for (const double level : all.planar ? std::vector<double>{0} : std::vector<double>{-1, 0, 1})
+      add(1, side, level);
+  for (int k = 0; k < along_rim; ++k)
+    for (const double side : {1.0, -1.0})
+      for (const double level : {1.0, -1.0}) add(static_cast<double>(k) / along_rim, side, level);
   return plate;
 }
 
@@ -84,7 +103,8 @@ ContactPlates contact_plates(const Linkage& structure, bool planar) {
   all.half_height = structure.size.height_mm / 2 / all.edge_mm;
   all.planar = planar;
   all.plates.reserve(structure.plates.size());
-  for (const Plate& plate : structure.plates) all.plates.push_back(contact_plate(all, plate));
+  const int along_rim = planar ? 0 : rim_points(all, structure);
+  for (const Plate& plate : structure.plates) all.plates.push_back(contact_plate(all, plate, along_rim));
   return all;
 }
 

@@ -11,6 +11,8 @@ using Eigen::Vector3d;
 // Cell edges: wider lists more pairs, narrower must be searched anew more often.
 constexpr double near_margin = 0.3;
 constexpr double passing_margin = 0.5;  // cell edges: what was further away may have gone round the end
+// Of half the thickness: nearer to a side, a point slides out of it.
+constexpr double deep = 0.25;
 
 bool is_same(const State& a, const State& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
@@ -25,7 +27,7 @@ ContactSearch::ContactSearch(const Linkage& structure, bool planar)
       placed_points_(all_.plates.size() * points_per_plate_),
       placed_boxes_(all_.plates.size()),
       moved_(all_.edge_mm, all_.reach()) {
-  WallContact at_rest(structure);
+  WallContact at_rest(with_square_ends(structure));
   const auto& touching = at_rest.touching_at_rest();
   for (const WallPair& pair : touching) excluded_.emplace_back(pair.first, pair.second);
   const auto overlapping = at_rest.overlapping(rest_state(structure), touching);
@@ -37,7 +39,7 @@ void ContactSearch::place(int plate_index, const State& state) {
   const Pose& pose = state[plate.body];
   const Vector3d origin = pose.p / all_.edge_mm;
   for (int k = 0; k < points_per_plate_; ++k)
-    placed_points_[plate_index * points_per_plate_ + k] = origin + pose.R * plate.points[k];
+    placed_points_[plate_index * points_per_plate_ + k] = origin + pose.R * plate.points[k].at;
   placed_boxes_[plate_index] = {origin, pose.R * plate.edge, pose.R * plate.normal, pose.R * plate.up};
 }
 
@@ -67,7 +69,11 @@ std::vector<ContactSearch::Pair> ContactSearch::pairs_within(double margin) {
   const double wall_tip = all_.wall_tip_radius();
   const auto add = [&](int plate, int other) {
     const Box& box = placed_boxes_[plate];
-    if (!is_within(box.origin + all_.plates[plate].length * box.edge, other, margin + wall_tip)) return;
+    const double length = all_.plates[plate].length;
+    // The middle of all points: the wall tip's in the plane.
+    const double middle = all_.planar ? length : length / 2,
+                 around = all_.planar ? wall_tip : wall_tip + length / 2;
+    if (!is_within(box.origin + middle * box.edge, other, margin + around)) return;
     for (int k = 0; k < points_per_plate_; ++k)
       if (is_within(placed_points_[plate * points_per_plate_ + k], other, margin) && may_touch(plate, other))
         pairs.push_back({plate * points_per_plate_ + k, other});
@@ -142,6 +148,22 @@ int ContactSearch::side_of(int point, int other) const {
   return across > 0 ? 1 : -1;
 }
 
+bool ContactSearch::is_over(int point, int other) const {
+  const Box& box = placed_boxes_[other];
+  const Vector3d y = placed_points_[point] - box.origin;
+  const double along = y.dot(box.edge);
+  return std::abs(y.dot(box.up)) > all_.half_height && std::abs(y.dot(box.normal)) < all_.half_thickness &&
+         along > 0 && along < all_.plates[other].length;
+}
+
+bool ContactSearch::is_past_rim(int point, int other) const {
+  if (!is_within(placed_points_[point], other, 0)) return false;
+  const Box& box = placed_boxes_[other];
+  const Vector3d y = placed_points_[point] - box.origin;
+  const double to_side = all_.half_thickness - std::abs(y.dot(box.normal));
+  return to_side > deep * all_.half_thickness && to_side < all_.half_height - std::abs(y.dot(box.up));
+}
+
 bool ContactSearch::is_cut(int plate, int other) const {
   const Box &from = placed_boxes_[plate], &box = placed_boxes_[other];
   const Vector3d start = from.origin - box.origin, end = start + all_.plates[plate].length * from.edge;
@@ -151,18 +173,29 @@ bool ContactSearch::is_cut(int plate, int other) const {
   return far > 0 && far < all_.plates[other].length;
 }
 
+OrientedBox ContactSearch::placed_box(int plate) const {
+  const Box& box = placed_boxes_[plate];
+  const double length = all_.plates[plate].length;
+  OrientedBox out;
+  out.center = box.origin + length / 2 * box.edge;
+  out.axes << box.edge, box.up, box.normal;
+  out.half << length / 2, all_.half_height, all_.half_thickness;
+  return out;
+}
+
 std::vector<std::pair<int, int>> ContactSearch::crossing(const State& state) {
   place(state);
   std::vector<std::pair<int, int>> out;
   for (const auto& [a, b] : finder_.find(placed_centers(), all_.reach() + all_.wall_tip_radius())) {
-    if (is_cut(a, b) && is_cut(b, a) && may_touch(a, b)) out.emplace_back(a, b);
+    const bool crosses = all_.planar ? is_cut(a, b) && is_cut(b, a)
+                                     : overlap(placed_box(a), placed_box(b), all_.half_thickness);
+    if (crosses && may_touch(a, b)) out.emplace_back(a, b);
   }
   std::sort(out.begin(), out.end());
   return out;
 }
 
 bool ContactSearch::newly_cross(const State& before, const State& after) {
-  if (!all_.planar) return false;
   const auto now = crossing(after);
   if (now.empty()) return false;
   const auto then = crossing(before);
@@ -174,11 +207,16 @@ bool ContactSearch::passed_through(const State& before, const State& after) {
   place(before);
   const std::vector<Pair> near = kept ? near_ : pairs_within(passing_margin);
   std::vector<int> sides;
+  std::vector<char> over(near.size());
   sides.reserve(near.size());
   for (const Pair& pair : near) sides.push_back(side_of(pair.point, pair.other));
+  for (std::size_t k = 0; k < near.size() && !all_.planar; ++k)
+    over[k] = is_over(near[k].point, near[k].other);
   place(after);
   for (std::size_t k = 0; k < near.size(); ++k)
-    if (sides[k] * side_of(near[k].point, near[k].other) < 0) return true;
+    if (sides[k] * side_of(near[k].point, near[k].other) < 0 ||
+        (over[k] && is_past_rim(near[k].point, near[k].other)))
+      return true;
   return false;
 }
 

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "model/base/oriented_box.hpp"
 #include "model/contact/near_pairs.hpp"
 #include "model/contact/wall_contact.hpp"
 #include "model/elastic/contact/contact_plates.hpp"
@@ -10,8 +11,7 @@
 
 namespace kinetix::model {
 
-/// A point of one half wall's wall tip (its end at the hinge) pressed into another half wall through one
-/// face.
+/// A point of one half wall pressed into another half wall through one face.
 struct Contact {
   int plate = 0, point = 0;     ///< half wall (as half_walls() counts them) and which of its points
   int other = 0;                ///< half wall it is in,
@@ -22,7 +22,7 @@ struct Contact {
   }
 };
 
-/// Finds wall tip points inside the boxes of other half walls. The two halves of one wall, plates of one body
+/// Finds points of half walls inside the boxes of others. The two halves of one wall, plates of one body
 /// and plates that touch in the flat state are not looked at. Pairs that are near are kept from call to call
 /// until bodies may have come closer by a margin: what is found does not depend on it.
 class ContactSearch {
@@ -38,11 +38,12 @@ class ContactSearch {
 
   /// Whether a point went from one side of a half wall to the other, beside it in both states and within half
   /// a cell edge of it before: then it did not go round its end, and the step between the states was too long
-  /// for contact to stop it. @pre both states are finite
+  /// for contact to stop it. In space also, whether it came in from above or below and would be pushed out through
+  /// a side. @pre both states are finite
   bool passed_through(const State& before, const State& after);
-  /// Whether the middle lines of two half walls cross each other that did not before, as where walls that stood tip to tip lie
-  /// across each other. No contact lets them: its forces grow up to there. In the plane alone: in space edges that cross call
-  /// up no force.  @pre both states are finite
+  /// Whether two half walls lie across each other that did not before, as where walls that stood tip to tip slip past. No
+  /// contact lets them: its forces grow up to there. In the plane, their middle lines cross; in space, they are in each other by
+  /// half a thickness or more in every direction.  @pre both states are finite
   bool newly_cross(const State& before, const State& after);
 
  private:
@@ -63,13 +64,18 @@ class ContactSearch {
   /// Points that are in a box grown by a margin, cell edges, in the state last placed. Sorted.
   std::vector<Pair> pairs_within(double margin);
   bool may_touch(int plate, int other) const;
-  /// Plates whose middle lines cross, each pair once. Sorted.
+  OrientedBox placed_box(int plate) const;  ///< cell edges
+  /// Plates that lie across each other, each pair once. Sorted.
   std::vector<std::pair<int, int>> crossing(const State& state);
   /// Whether one's middle line, in the plane, goes across the other's or what is beside it.
   bool is_cut(int plate, int other) const;
   /// +1 or -1: on which side of a half wall a point is; 0 where it is not beside it, or inside and
   /// nearer to its end.
   int side_of(int point, int other) const;
+  /// Whether a point is straight above or below a half wall, outside it.
+  bool is_over(int point, int other) const;
+  /// Whether a point is so far inside that contact pushes it out through a side where it has come in from above or below.
+  bool is_past_rim(int point, int other) const;
   bool is_within(const Eigen::Vector3d& point, int other, double margin) const;
   void add_if_inside(int point, int other);
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <random>
 
 namespace kinetix {
@@ -120,6 +121,88 @@ TEST(OrientedBox, SeparationIsPositiveWhereBoxesAreApartAndNeverMoreThanTheirDis
       };
       EXPECT_LE(gap, (point(a) - point(b)).norm() + 1e-12) << "seed 63";
     }
+  }
+}
+
+OrientedBox random_slanted(std::mt19937& random) {
+  OrientedBox box = random_box(random);
+  box.slant =
+      std::uniform_real_distribution<double>(-1, 1)(random) * std::min(1.0, box.half[0] / box.half[1]);
+  return box;
+}
+
+std::vector<Vector3d> corners(const OrientedBox& box) {
+  std::vector<Vector3d> all;
+  for (const double u : {-1.0, 1.0})
+    for (const double v : {-1.0, 1.0})
+      for (const double w : {-1.0, 1.0}) {
+        const double up = v * box.half[1];
+        const Vector3d at(u * box.half[0] + (u > 0 ? box.slant * up : 0), up, w * box.half[2]);
+        all.push_back(box.center + box.axes * at);
+      }
+  return all;
+}
+
+/// Distance of the hulls of two sets of points, from above: steps towards the corner of their difference that is nearest to
+/// the origin (Frank and Wolfe 1956).
+double distance_of_hulls(const std::vector<Vector3d>& a, const std::vector<Vector3d>& b) {
+  Vector3d nearest = a[0] - b[0];
+  for (int step = 0; step < 4000; ++step) {
+    Vector3d best = nearest;
+    for (const Vector3d& p : a)
+      for (const Vector3d& q : b)
+        if ((p - q).dot(nearest) < best.dot(nearest)) best = p - q;
+    const Vector3d way = best - nearest;
+    if (!(way.squaredNorm() > 0)) break;
+    nearest += std::clamp(-nearest.dot(way) / way.squaredNorm(), 0.0, 1.0) * way;
+  }
+  return nearest.norm();
+}
+
+TEST(SlantedBox, ReachesAsFarAsItsFurthestCorner) {
+  std::mt19937 random(5);
+  for (int trial = 0; trial < 200; ++trial) {
+    const OrientedBox box = random_slanted(random);
+    const Vector3d direction = random_slanted(random).axes.col(0);
+    double furthest = -1e300, around = 0;
+    for (const Vector3d& corner : corners(box)) {
+      furthest = std::max(furthest, (corner - box.center).dot(direction));
+      around = std::max(around, (corner - box.center).norm());
+    }
+    EXPECT_NEAR(support(box, direction), furthest, 1e-14);
+    EXPECT_NEAR(radius(box), around, 1e-14);
+  }
+}
+
+TEST(SlantedBox, OverlapsWhereTheHullsOfTheCornersDo) {
+  std::mt19937 random(6);
+  int together = 0, apart = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    const OrientedBox a = random_slanted(random),
+                      b = trial % 3 == 0 ? random_box(random) : random_slanted(random);
+    const double distance = distance_of_hulls(corners(a), corners(b));
+    if (overlap(a, b, 0.05)) {
+      EXPECT_LE(distance, 0.01) << trial;
+      ++together;
+    } else if (!overlap(a, b)) {
+      EXPECT_GE(distance, separation(a, b) - 1e-12) << trial;
+      ++apart;
+    }
+    EXPECT_EQ(overlap(a, b), overlap(b, a)) << trial;
+    EXPECT_EQ(separation(a, b) > 0, !overlap(a, b)) << trial;
+  }
+  EXPECT_GE(together, 50);
+  EXPECT_GE(apart, 50);
+}
+
+TEST(SlantedBox, OfHardlyAnySlantIsABox) {
+  std::mt19937 random(7);
+  for (int trial = 0; trial < 200; ++trial) {
+    const OrientedBox a = random_box(random), b = random_box(random);
+    OrientedBox slanted = a;
+    slanted.slant = 1e-14;
+    EXPECT_EQ(overlap(slanted, b), overlap(a, b)) << trial;
+    EXPECT_NEAR(separation(slanted, b), separation(a, b), 1e-12) << trial;
   }
 }
 

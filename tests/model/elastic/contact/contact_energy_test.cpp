@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <random>
+#include <set>
 
 #include "model/closure/closure.hpp"
 #include "model/contact/wall_contact.hpp"
@@ -146,7 +147,7 @@ TEST(ContactEnergy, IsZeroFlatAndUntilTheClosedFormCloses) {
 
 TEST(ContactEnergy, OnlyWallsThatOverlapTouch) {
   for_each_contact([](const Touching& panel, const Contact& c) {
-    const auto overlapping = WallContact(panel.structure).overlapping(panel.state);
+    const auto overlapping = WallContact(with_square_ends(panel.structure)).overlapping(panel.state);
     const WallPair pair{std::min(c.plate, c.other), std::max(c.plate, c.other)};
     EXPECT_TRUE(std::find(overlapping.begin(), overlapping.end(), pair) != overlapping.end());
   });
@@ -204,6 +205,53 @@ TEST(ContactEnergy, APointThatJumpsAcrossAWallHasPassedThrough) {
       EXPECT_FALSE(walls.passed_through(hanging(s, 0.7, high), hanging(s, 0.7, -high)));
     }
   }
+}
+
+/// One body's half walls lie across those of another in two places, the lower rim of the ones `deep` in the upper of the others.
+State crossing_rims(const Structure& s, double deep) {
+  State state = hanging(s, 0, 0);
+  state[*s.body_at({2, 1})].p << 0.25 * s.size.edge_mm, 0.25 * s.size.edge_mm,
+      s.size.height_mm - deep * s.size.edge_mm;
+  return state;
+}
+
+TEST(ContactEnergy, WallsAcrossEachOtherArePushedOutThroughTheirRims) {
+  for (const double thickness_mm : {0.3, 0.8, 2.0}) {
+    const Structure s = make_structure(rectangle(3, 1), {10, thickness_mm, 6});
+    ContactModel walls(s, false);
+    EXPECT_TRUE(walls.find(crossing_rims(s, -1e-6)).empty());
+    for (const double deep : {1e-6, 1e-3, 0.2 * thickness_mm / 2 / s.size.edge_mm}) {
+      SCOPED_TRACE(::testing::Message() << thickness_mm << " mm, deep " << deep);
+      const std::vector<Contact> found = walls.find(crossing_rims(s, deep));
+      std::set<std::pair<int, int>> pairs;
+      for (const Contact& c : found) pairs.insert(std::minmax(c.plate, c.other));
+      EXPECT_EQ(pairs.size(), 2u);
+      double deepest = 0;
+      for (const Contact& c : found) deepest = std::max(deepest, c.depth);
+      EXPECT_NEAR(deepest, deep, 1e-12);
+      // They are lifted, whatever their sides do.
+      const int above = *s.body_at({2, 1});
+      double lift = 0;
+      for (const Contact& c : found) {
+        const Vector12 g = walls.element(c, stiffness, crossing_rims(s, deep)).gradient;
+        lift -= walls.body(c.plate) == above ? g[5] : 0;
+        lift -= walls.body(c.other) == above ? g[11] : 0;
+      }
+      EXPECT_GT(lift, stiffness / 3 * deep);
+    }
+  }
+}
+
+TEST(ContactEnergy, WallsThatSinkIntoEachOtherHavePassedThrough) {
+  const Structure s = make_structure(rectangle(3, 1), {});
+  ContactModel walls(s, false);
+  const State apart = crossing_rims(s, -0.01), touching = crossing_rims(s, 0.01),
+              deep = crossing_rims(s, 0.06);
+  EXPECT_TRUE(walls.passed_through(apart, deep));
+  EXPECT_FALSE(walls.passed_through(apart, touching));
+  EXPECT_TRUE(walls.newly_cross(apart, deep));
+  EXPECT_FALSE(walls.newly_cross(apart, touching));
+  EXPECT_FALSE(walls.newly_cross(deep, deep));
 }
 
 /// The body at the corner is shifted so that its wall along x lies across the wall that stands up beside it.
