@@ -18,6 +18,7 @@
 #include "app/pipeline/design_scene.hpp"
 #include "app/pipeline/drive_trials.hpp"
 #include "app/pipeline/pipeline.hpp"
+#include "app/print/hinge_fit.hpp"
 #include "app/result/drive_trials_summary.hpp"
 #include "app/result/result_json.hpp"
 #include "app/run/interrupted.hpp"
@@ -41,7 +42,8 @@ RunOptions run_options(const CommandOptions& options, Console& console, const St
           .progress = console.progress(),
           .prints = options.prints,
           .stop = stopper.token(),
-          .fidelity = options.fidelity};
+          .fidelity = options.fidelity,
+          .misfit = why_hinges_do_not_fit};
 }
 
 /// Bad input that is found after reading gets the file's name.

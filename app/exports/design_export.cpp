@@ -1,11 +1,8 @@
 #include "app/exports/design_export.hpp"
 
-#include "app/files/design_file.hpp"
-
 namespace kinetix::app {
-namespace {
 
-DesignFile design_of(const Run& run) {
+DesignFile written_design(const Run& run) {
   DesignFile design;
   design.name = run.name;
   design.structure = run.structure;
@@ -19,8 +16,10 @@ DesignFile design_of(const Run& run) {
   return design;
 }
 
+namespace {
+
 std::vector<NamedContent> write_design(const Run& run) {
-  return {{"design.yaml", design_text(design_of(run))}};
+  return {{"design.yaml", design_text(written_design(run))}};
 }
 
 }  // namespace

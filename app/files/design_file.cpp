@@ -23,7 +23,7 @@ const targets::Bounds fraction = targets::between(0, 1);
 const targets::Bounds in_plane = targets::between(0, 180, "degrees");
 const targets::Bounds tilt = targets::between(-90, 90, "degrees");
 // Half a wall to either side: beyond it the hinge would be nearer to another wall.
-const targets::Bounds offset = targets::between(-0.5, 0.5, "cell edges");
+const targets::Bounds offset = targets::between(-0.5, 0.5, "mm (within half a cell to either side)");
 
 }  // namespace
 

@@ -50,6 +50,7 @@ void read_hinges(const targets::Section& root, const std::optional<model::CellSi
     return;
   }
   settings.hinge = read_hinge_section(root, *size);
+  if (settings.hinge.model == HingeSection::Model::elastic) refuse_sweeps(root, settings.physics);
   settings.hinge_parts = read_hinge_parts(root, *size);
   refuse_lines(root, settings.hinge_parts);
   settings.process = read_process(root, *size, settings.hinge.made);

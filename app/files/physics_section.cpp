@@ -69,11 +69,15 @@ PhysicsSection read_physics(const targets::Section& root, double edge_mm) {
   return physics;
 }
 
-PhysicsSection read_elastic_physics(const targets::Section& root, double edge_mm) {
-  const PhysicsSection physics = read_physics(root, edge_mm);
+void refuse_sweeps(const targets::Section& root, const PhysicsSection& physics) {
   if (physics.solver == Solver::sweeps)
     throw root.section("physics").optional("solver")->error(
         "`sweeps` handles only hinges that cannot stretch; allowed with elastic hinges: direct");
+}
+
+PhysicsSection read_elastic_physics(const targets::Section& root, double edge_mm) {
+  const PhysicsSection physics = read_physics(root, edge_mm);
+  refuse_sweeps(root, physics);
   if (physics.error_reduction)
     throw root.section("physics")
         .optional("error_reduction")

@@ -27,5 +27,7 @@ PhysicsSection read_physics(const targets::Section& root, double edge_mm);
 /// The same for a run with elastic hinges. @throws InvalidInput also for what such a run does not have: the
 /// solver sweeps, and error_reduction
 PhysicsSection read_elastic_physics(const targets::Section& root, double edge_mm);
+/// @throws InvalidInput where the file asks for the solver sweeps, which takes no elastic hinges
+void refuse_sweeps(const targets::Section& root, const PhysicsSection& physics);
 
 }  // namespace kinetix::app

@@ -29,6 +29,7 @@ void add_bounds(Json& schema, const targets::Bounds& bounds) {
 
 /// A length's bounds follow the cell edge, of which a schema knows nothing but that it is above 0.
 targets::Bounds fixed_part(const targets::Bounds& cells) {
+  if (cells.lower < 0) return {};
   return cells.lower > 0 ? targets::above(0)
                          : targets::Bounds{.lower = 0, .lower_allowed = cells.lower_allowed};
 }

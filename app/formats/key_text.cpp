@@ -28,7 +28,8 @@ std::string number_text(const targets::Bounds& bounds) {
 }
 
 std::string length_text(const targets::Bounds& cells) {
-  const targets::Bounds known = {.lower = 0, .lower_allowed = cells.lower == 0 && cells.lower_allowed};
+  targets::Bounds known;
+  if (cells.lower >= 0) known = {.lower = 0, .lower_allowed = cells.lower == 0 && cells.lower_allowed};
   return fmt::format("{}, in {}", number_text(known), cells.unit);
 }
 

@@ -46,10 +46,17 @@ void remove_with_empty_folder(const fs::path& folder, const fs::path& name) {
 
 }  // namespace
 
-FileRecord::FileRecord(std::string folder)
-    : folder_(std::move(folder)), earlier_(read_record(fs::path(folder_) / name)) {}
+FileRecord::FileRecord(std::string folder, std::string record)
+    : folder_(std::move(folder)),
+      record_(std::move(record)),
+      earlier_(read_record(fs::path(folder_) / record_)) {}
 
 void FileRecord::add(const std::string& file, std::string_view content) { now_[file] = sha256(content); }
+
+void FileRecord::keep(const std::function<bool(const std::string& file)>& is_of_others) {
+  for (const auto& [file, hash] : earlier_)
+    if (is_of_others(file)) now_.emplace(file, hash);
+}
 
 std::string FileRecord::text() const {
   std::string text;
@@ -62,7 +69,7 @@ void FileRecord::remove_what_is_left_over() const {
     if (!now_.contains(file) && is_inside(folder_, file) &&
         sha256(content_of(fs::path(folder_) / file)) == hash)
       remove_with_empty_folder(folder_, file);
-  if (now_.empty() && !earlier_.empty()) remove_with_empty_folder(folder_, name);
+  if (now_.empty() && !earlier_.empty()) remove_with_empty_folder(folder_, record_);
 }
 
 }  // namespace kinetix::app

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -12,10 +13,12 @@ class FileRecord {
  public:
   static constexpr const char* name = ".kinetix-files";  ///< hidden: for the program alone
 
-  /// Reads the record of the earlier run in the folder, if any.
-  explicit FileRecord(std::string folder);
+  /// Reads the record of the earlier run in the folder, if any. @param record its name there
+  explicit FileRecord(std::string folder, std::string record = name);
 
   void add(const std::string& file, std::string_view content);
+  /// Keeps what earlier runs wrote for others: it stays, and in the record too.
+  void keep(const std::function<bool(const std::string& file)>& is_of_others);
   /// Of this run's files: a line `HASH  NAME` each.
   std::string text() const;
   /// Removes what the earlier run wrote and this one does not, and folders that are empty then. Files that
@@ -25,7 +28,7 @@ class FileRecord {
  private:
   using Hashes = std::map<std::string, std::string>;  // by name
 
-  std::string folder_;
+  std::string folder_, record_;
   Hashes earlier_, now_;
 };
 

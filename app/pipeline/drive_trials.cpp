@@ -22,13 +22,21 @@ double theta_of(const DesignFile& design, const model::ExactMotion& exact) {
                      {"", 0, 0, "design.theta_deg"});
 }
 
-/// By trapezoids: loads of a path lie close.
+constexpr double snap_loss = 0.05;  // of the work of a step: what bent loads and rounding leave open
+
+/// What a step stores is its work, unless it is less than its lower load would do: then a snap lost the rest, and the work is
+/// that of the mean load.
+double work_of(const model::EquilibriumStep& a, const model::EquilibriumStep& b, double travel) {
+  const double way = (b.drive - a.drive) * travel, stored = b.energy - a.energy,
+               mean = way * (a.load + b.load) / 2;
+  const double least = std::min(way * a.load, way * b.load);
+  return stored < least - snap_loss * std::abs(mean) ? mean : stored;
+}
+
 double work_along(const model::EquilibriumPath& path, double travel) {
   double sum = 0;
-  for (std::size_t k = 1; k < path.steps.size(); ++k) {
-    const model::EquilibriumStep &a = path.steps[k - 1], &b = path.steps[k];
-    sum += (b.drive - a.drive) * travel * (a.load + b.load) / 2;
-  }
+  for (std::size_t k = 1; k < path.steps.size(); ++k)
+    sum += work_of(path.steps[k - 1], path.steps[k], travel);
   return sum;
 }
 

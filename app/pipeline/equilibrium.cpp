@@ -77,13 +77,25 @@ model::EquilibriumPathOptions options_of(const Run& run, double goal, int frames
 }
 
 /// The drive, as far as the path came.
-model::LinkageDrive reached_drive(const Equilibrium& equilibrium) {
-  model::LinkageDrive drive = equilibrium.drive;
+model::LinkageDrive reached_drive(model::LinkageDrive drive, const model::EquilibriumPath& path) {
   double& coordinate = drive.pulls_cord()                                ? drive.shorten_mm
                        : drive.kind == model::LinkageDrive::Kind::plates ? drive.compression
                                                                          : drive.angle;
-  coordinate = equilibrium.path.steps.back().drive;
+  coordinate = path.steps.back().drive;
   return drive;
+}
+
+/// Of the sheet where a path came to: that of the closed form under the same drive where it is near, else half the turns of its
+/// hinges. That of plates, by their distance alone, is another where rows lean.
+double theta_of(const Run& run, const model::LinkageDrive& drive, const model::EquilibriumPath& path,
+                const model::Elasticity& elasticity) {
+  const double turned = model::mean_theta(run.structure, path.state);
+  if (!run.plan.exact || path.off_closed_form || drive.pulls_cord() || drive.heats_springs()) return turned;
+  try {
+    return exact_theta({run.structure, reached_drive(drive, path), run.plan.exact}, elasticity);
+  } catch (const InvalidInput&) {
+    return turned;
+  }
 }
 
 /// The closed form of the same drive, and how far the equilibrium is from it.
@@ -91,7 +103,8 @@ void add_exact(Run& run) {
   Equilibrium& equilibrium = *run.equilibrium;
   try {
     const double theta =
-        exact_theta({run.structure, reached_drive(equilibrium), run.plan.exact}, equilibrium.elasticity);
+        exact_theta({run.structure, reached_drive(equilibrium.drive, equilibrium.path), run.plan.exact},
+                    equilibrium.elasticity);
     model::State exact = run.plan.exact.at(theta);
     equilibrium.from_exact = aligned_distance(run.structure, equilibrium.path.state, exact);
     const model::HingeGaps gaps = hinge_gaps(run.structure, exact);
@@ -102,7 +115,6 @@ void add_exact(Run& run) {
   }
 }
 
-/// Theta of the state that a path came to: of a cord and springs, the drive's own is another.
 void add_frames(Run& run, const std::vector<NamedState>& frames) {
   for (NamedState frame : frames) {
     frame.gaps = hinge_gaps(run.structure, frame.poses);
@@ -138,7 +150,7 @@ void add_equilibrium(Run& run, const model::LinkageDrive& drive, const model::El
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   add_limit_points(path);
   const double last = path.theta;
-  run.theta = model::mean_theta(run.structure, path.state);
+  run.theta = theta_of(run, drive, path, elasticity);
   run.states.push_back({"target", to_string(Model::equilibrium), run.theta, path.state, path.gaps});
   model::StableStates stable = stable_states(run.structure, elasticity, {turns}, {.path = path_options});
   run.equilibrium = Equilibrium{elasticity, drive, std::move(path), std::move(stable), {}};

@@ -4,6 +4,7 @@
 
 #include "app/pipeline/physics_settings.hpp"
 #include "app/run/stopwatch.hpp"
+#include "model/base/invalid_input.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::app {
@@ -19,7 +20,13 @@ void add(Run& run, const std::string& name, double theta) {
 
 }  // namespace
 
+void require_exact(const Run& run) {
+  if (!run.plan.exact)
+    throw InvalidInput("the design that was found has no exact motion: " + run.plan.exact.why);
+}
+
 void add_exact_state(Run& run, double theta) {
+  require_exact(run);
   run.theta = theta;
   add(run, "target", theta);
   run.fidelity.push_back(exact_fidelity(run.plan.exact, run.structure, theta));

@@ -9,8 +9,11 @@ namespace kinetix::app {
 /// adds all its poses to result.json.
 inline constexpr int motion_states = 13;
 
+/// @throws InvalidInput where the plan knows no closed form @pre planned
+void require_exact(const Run& run);
+
 /// Adds the closed form's state at theta, rad, and its row of the speed-against-error table; sets run.theta.
-/// @pre planned, an exact family
+/// @throws InvalidInput where there is no closed form @pre planned
 void add_exact_state(Run& run, double theta);
 
 /// Adds states of the closed form's motion from flat to run.theta.

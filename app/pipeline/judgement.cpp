@@ -62,6 +62,13 @@ void judge_contact(Run& run) {
                   to_degrees(*limit.contact), to_degrees(run.theta)));
 }
 
+/// What is proven of walls where they are out of place, of the states that prints are judged in.
+void judge_contact_of_prints(Run& run) {
+  const bool has_left = run.equilibrium && run.equilibrium->path.off_closed_form;
+  if (!run.printed || has_left || !run.certified->printed) return;
+  run.printed->free_of_contact = run.certified->covers_printed(run.theta);
+}
+
 }  // namespace
 
 Judgement judgement(const Run& run, const Scene& scene, const RunOptions& options) {
@@ -86,6 +93,7 @@ void add(Judgement judgement, Run& run) {
   run.certified = std::move(judgement.certified);
   correct_samples(run);
   judge_contact(run);
+  judge_contact_of_prints(run);
 }
 
 }  // namespace kinetix::app

@@ -111,6 +111,7 @@ bool is_of_matter(const Scene& scene, const Run& run) {
 }
 
 MatterPath path_in_matter(const Run& run, const Scene& scene, const std::stop_token& stop) {
+  require_exact(run);
   const model::Elasticity elasticity = elasticity_of(run);
   MatterPath out{run.structure, run.theta, goal_drive(run, run.structure, run.theta),
                  path_to(run, run.structure, run.theta, elasticity, stop)};

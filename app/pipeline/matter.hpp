@@ -21,7 +21,7 @@ struct MatterPath {
 };
 
 /// Of the exact design of a run, which stays as it is. Where that has no equilibrium the path ends before its goal.
-/// @pre solved, planned, is_of_matter
+/// @throws InvalidInput where its sheet has no closed form @pre solved, planned, is_of_matter
 MatterPath path_in_matter(const Run& run, const Scene& scene, const std::stop_token& stop);
 
 /// Takes a design that meets its goal exactly to the equilibrium of its elastic hinges, from flat by its drive, and

@@ -7,6 +7,7 @@
 #include "app/pipeline/matter.hpp"
 #include "app/pipeline/physics_settings.hpp"
 #include "app/pipeline/verify.hpp"
+#include "app/run/run_hinges.hpp"
 #include "app/run/stopwatch.hpp"
 #include "model/base/parallel_runs.hpp"
 #include "model/sheet/sheet_motion.hpp"
@@ -63,6 +64,15 @@ void check_by_physics(Run& run, const Scene& scene, const PhysicsTask& task, con
   if (!run.verification->agrees && run.verification->coarse) repeat_finer(run, scene, task, options);
 }
 
+/// However well the shape is kept: what tears does not keep it. After the physics run, which judges the shape alone.
+void judge_strain(Run& run) {
+  if (!run.goal || run.states.empty()) return;
+  const auto why = strained_too_far(run, run.states.front().poses);
+  if (!why) return;
+  run.goal->strained = run.goal->met();
+  run.goal->violations.push_back(*why);
+}
+
 }  // namespace
 
 Run run_scene(const Scene& scene, const RunOptions& options) {
@@ -86,6 +96,7 @@ Run run_scene(const Scene& scene, const RunOptions& options) {
     check_by_physics(run, scene, *task, options);
   else
     add(judgement(run, scene, options), run);
+  judge_strain(run);
   run.stopped = options.stop.stop_requested();
   if (!run.matter) scene.add_frames(run);
   return run;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -9,6 +10,7 @@
 
 #include "app/console/console.hpp"
 #include "app/io/atomic_file.hpp"
+#include "app/io/file_record.hpp"
 #include "app/print/fit.hpp"
 #include "app/print/overhang.hpp"
 #include "app/print/print_report.hpp"
@@ -70,6 +72,51 @@ std::vector<const PrintFormat*> formats_of(const PrintRequest& request) {
   return out;
 }
 
+std::vector<const HingeSection*> hinge_sections(const DesignFile& design) {
+  std::vector<const HingeSection*> all;
+  if (static_cast<int>(design.own_hinges.size()) < design.structure.hinges()) all.push_back(&design.hinge);
+  for (const auto& [h, own] : design.own_hinges) all.push_back(&own);
+  return all;
+}
+
+/// The least of the pins that a design describes itself, mm.
+std::optional<double> own_clearance_mm(const DesignFile& design) {
+  std::optional<double> least;
+  for (const HingeSection* hinge : hinge_sections(design))
+    if (hinge->made && hinge->made->kind == model::HingeKind::pin)
+      least = std::min(least.value_or(hinge->made->clearance_mm), hinge->made->clearance_mm);
+  return least;
+}
+
+void check_own_clearance(const PrintRequest& request, const DesignFile& design) {
+  const std::optional<double> own = own_clearance_mm(design);
+  if (own && *own < request.clearance_mm)
+    throw InvalidInput(fmt::format(
+        "the design's own pins have a clearance of {:g} mm, and --clearance asks for {:g}: change "
+        "`clearance_mm` in the design",
+        *own, request.clearance_mm));
+}
+
+/// What was asked for and changes nothing, a sentence each.
+std::vector<std::string> idle_options(const PrintRequest& request, const DesignFile& design,
+                                      const PrintSheet& sheet) {
+  std::vector<std::string> all;
+  const auto has = [&](model::HingeKind kind) {
+    return std::any_of(sheet.hinges.begin(), sheet.hinges.end(),
+                       [&](const model::HingePrint& hinge) { return hinge.made.kind == kind; });
+  };
+  const bool has_pins = has(model::HingeKind::pin);
+  if (const auto kind = kind_of(request); kind && !has(*kind))
+    all.push_back("--hinge changes nothing: the design says itself how its hinges are made");
+  if (request.clearance_mm > 0 && !has_pins) all.push_back("--clearance changes nothing: no hinge is a pin");
+  if (const auto own = own_clearance_mm(design); own && request.clearance_mm > 0)
+    all.push_back(fmt::format(
+        "--clearance {:g} leaves the design's own pins as they are: their clearance is {:g} mm or more",
+        request.clearance_mm, *own));
+  if (request.loose_rods && !has_pins) all.push_back("--loose-rods changes nothing: no hinge is a pin");
+  return all;
+}
+
 /// What is to be made: a design, or a coupon.
 struct Source {
   std::string file;
@@ -88,21 +135,30 @@ struct Source {
       return {std::move(job), clearance};
     }
     try {
-      std::optional<model::HingeKind> kind = kind_of(request);
-      if (request.caps && kind.value_or(model::HingeKind::pin) != model::HingeKind::pin)
-        throw InvalidInput("--caps are of pins");
-      if (request.caps) kind = model::HingeKind::pin;
-      PrintChoice choice{.clearance_mm = request.clearance_mm,
-                         .loose_rods = request.loose_rods,
-                         .caps = request.caps,
-                         .edge_mm = request.cell_mm};
-      if (request.bed_mm.size() == 2) choice.bed_mm = {request.bed_mm[0], request.bed_mm[1]};
-      if (!kind) return prepared_as_fits(*design, process, choice, request.folded);
-      choice.kind = *kind;
-      return prepared(*design, process, choice, request.folded);
+      PreparedPrint print = prepared_of_design(request, process);
+      for (std::string& idle : idle_options(request, *design, print.job.sheet))
+        print.job.sheet.warnings.push_back(std::move(idle));
+      return print;
     } catch (const InvalidInput& e) {
       throw InvalidInput(e.reason(), {file, 0, 0, e.place().key});
     }
+  }
+
+ private:
+  PreparedPrint prepared_of_design(const PrintRequest& request, const model::Process& process) const {
+    std::optional<model::HingeKind> kind = kind_of(request);
+    check_own_clearance(request, *design);
+    if (request.caps && kind.value_or(model::HingeKind::pin) != model::HingeKind::pin)
+      throw InvalidInput("--caps are of pins");
+    if (request.caps) kind = model::HingeKind::pin;
+    PrintChoice choice{.clearance_mm = request.clearance_mm,
+                       .loose_rods = request.loose_rods,
+                       .caps = request.caps,
+                       .edge_mm = request.cell_mm};
+    if (request.bed_mm.size() == 2) choice.bed_mm = {request.bed_mm[0], request.bed_mm[1]};
+    if (!kind) return prepared_as_fits(*design, process, choice, request.folded);
+    choice.kind = *kind;
+    return prepared(*design, process, choice, request.folded);
   }
 };
 
@@ -134,6 +190,24 @@ void lay_as_asked(const PrintRequest& request, PrintJob& job) {
   lay(job, *named("--orient", request.orient, allowed));
 }
 
+constexpr const char* record_of_prints = ".kinetix-prints";  // beside that of runs, in the same folder or not
+
+/// Whether a file comes with some sheets only: soft parts, rods, tiles and strips.
+bool comes_with_some(const std::string& file) {
+  const std::string stem = fs::path(file).stem().string();
+  return stem == "soft" || stem.starts_with("tile_") || stem.find("_tile_") != std::string::npos ||
+         stem.ends_with("rods") || stem.ends_with("_strips");
+}
+
+/// Whether an earlier export's file is of a format, or of a sheet, that this one does not write.
+bool is_of_another_export(const std::string& file, const Exported& now, const std::string& name) {
+  const std::string ending = fs::path(file).extension().string();
+  const bool same_format = std::any_of(now.files.begin(), now.files.end(), [&](const std::string& written) {
+    return fs::path(written).extension() == ending;
+  });
+  return !same_format || (ending != ".stl" && !file.starts_with(name + "_"));
+}
+
 Exported exported(const Source& source, const PrintRequest& request, const std::string& where,
                   const Progress& progress) {
   const auto formats = formats_of(request);
@@ -145,6 +219,7 @@ Exported exported(const Source& source, const PrintRequest& request, const std::
   const std::optional<SlicerAnswer> slicer =
       request.slice ? std::optional(ask_slicer(print.job)) : std::nullopt;
   FileSet files(folder.path());
+  FileRecord record(folder.path(), record_of_prints);
   Exported out{folder.path(),
                {},
                print_json(print.job, print.clearance, slicer).dump(1) + "\n",
@@ -152,6 +227,7 @@ Exported exported(const Source& source, const PrintRequest& request, const std::
   const auto add = [&](const std::string& name, const std::string& content) {
     files.add(name, content);
     out.files.push_back(name);
+    if (comes_with_some(name)) record.add(name, content);
   };
   for (std::size_t k = 0; k < formats.size(); ++k) {
     progress("writing files", static_cast<double>(k) / static_cast<double>(formats.size()),
@@ -160,7 +236,10 @@ Exported exported(const Source& source, const PrintRequest& request, const std::
   }
   add("print.json", out.json);
   add("print.txt", out.text);
+  record.keep([&](const std::string& file) { return is_of_another_export(file, out, print.job.sheet.name); });
+  if (const std::string text = record.text(); !text.empty()) files.add(record_of_prints, text);
   files.commit();
+  record.remove_what_is_left_over();
   folder.keep();
   if (source.design && !source.file.empty() && slicer && slicer->estimate)
     out.report = tell_report(source.file, *source.design, estimate_json(print.job, *slicer->estimate));

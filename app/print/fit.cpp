@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "model/base/angle.hpp"
@@ -39,6 +40,7 @@ std::string words(const PrintSheet& sheet, const PathClearance& clearance) {
 struct Attempt {
   std::optional<PreparedPrint> print;
   std::string reason;
+  bool is_bed_too_small = false;  // which larger cells make worse
 };
 
 /// What is to be printed, and how it folds.
@@ -55,6 +57,8 @@ Attempt attempt(const Order& order, const PrintChoice& choice) {
     const PathClearance clearance = path_clearance(sheet);
     if (is_kept(clearance)) return {PreparedPrint{{std::move(sheet), order.folded}, clearance}, ""};
     return {std::nullopt, words(sheet, clearance)};
+  } catch (const BedTooSmall& e) {
+    return {std::nullopt, e.reason(), true};
   } catch (const InvalidInput& e) {
     return {std::nullopt, e.reason()};
   }
@@ -82,7 +86,7 @@ std::vector<PrintChoice> others(const DesignFile& design, const PrintChoice& cho
 /// By the first choice that leaves room. The reason is that of the choice itself.
 Attempt best_attempt(const Order& order, const PrintChoice& choice) {
   Attempt first = attempt(order, choice);
-  if (first.print) return first;
+  if (first.print || first.is_bed_too_small) return first;
   for (const PrintChoice& other : others(order.design, choice)) {
     Attempt found = attempt(order, other);
     if (found.print) return found;
@@ -92,6 +96,7 @@ Attempt best_attempt(const Order& order, const PrintChoice& choice) {
 
 /// Cell edge that would do, mm; none up to largest_scale. One a step smaller would not, and most that are larger do.
 std::optional<double> enough_mm(const Order& order, PrintChoice choice) {
+  choice.bed_mm.reset();
   const model::CellSize& size = order.design.structure.size();
   const auto fits = [&](double steps) {
     choice.edge_mm = steps * step_mm;
@@ -110,16 +115,34 @@ std::optional<double> enough_mm(const Order& order, PrintChoice choice) {
   return high * step_mm;
 }
 
-/// "; with walls of 0.8 x 6 mm a cell_mm of 12.5 would do (--cell-mm 12.5)"
-std::string would_do(const Order& order, PrintChoice choice) {
+bool has_pins_of_its_own(const DesignFile& design) {
+  const auto is_pin = [](const HingeSection& hinge) {
+    return hinge.made && hinge.made->kind == model::HingeKind::pin;
+  };
+  return is_pin(design.hinge) || std::any_of(design.own_hinges.begin(), design.own_hinges.end(),
+                                             [&](const auto& own) { return is_pin(own.second); });
+}
+
+/// What to do about pins whose hinges stretch; empty where they do not, or there are none.
+std::string instead_of_pins(const Order& order, const PrintChoice& choice) {
+  if (order.path.is_exact) return "";
+  if (has_pins_of_its_own(order.design))
+    return ": its hinges stretch on the way, and pins cannot. The design asks for pins itself, whatever "
+           "--hinge says: change its `hinge:` to `kind: block`, or take it out and give --hinge block";
+  if (choice.kind != model::HingeKind::pin) return "";
+  return ": its hinges stretch on the way, and pins cannot (--hinge block)";
+}
+
+/// "; with walls of 0.8 x 6 mm a cell_mm of 12.5 would do (--cell-mm 12.5)"; nothing where the bed is in the way.
+std::string would_do(const Order& order, const Attempt& refused, PrintChoice choice) {
+  if (refused.is_bed_too_small) return "";
   const std::optional<double> edge = enough_mm(order, choice);
-  if (!edge && !order.path.is_exact && choice.kind == model::HingeKind::pin)
-    return "; no larger cell would do either: its hinges stretch on the way, and pins cannot (--hinge block)";
-  if (!edge) return "; no larger cell would do either";
+  if (!edge) return "; no larger cell would do either" + instead_of_pins(order, choice);
   choice.edge_mm = *edge;
   const model::CellSize size = resized(order.design.structure.size(), choice, order.process);
-  return fmt::format("; with walls of {:.3g} x {:.3g} mm a cell_mm of {:g} would do (--cell-mm {:g})",
-                     size.thickness_mm, size.height_mm, *edge, *edge);
+  const bool is_on_bed = !choice.bed_mm || best_attempt(order, choice).print;
+  return fmt::format("; with walls of {:.3g} x {:.3g} mm a cell_mm of {:g} would do (--cell-mm {:g}){}",
+                     size.thickness_mm, size.height_mm, *edge, *edge, is_on_bed ? "" : ", on a larger bed");
 }
 
 }  // namespace
@@ -129,7 +152,13 @@ PreparedPrint prepared(const DesignFile& design, const model::Process& process, 
   const Order order{design, process, folded};
   Attempt found = best_attempt(order, choice);
   if (found.print) return std::move(*found.print);
-  throw InvalidInput(found.reason + would_do(order, choice));
+  throw InvalidInput(found.reason + would_do(order, found, choice));
+}
+
+std::optional<std::string> why_unprepared(const DesignFile& design, const model::Process& process,
+                                          const PrintChoice& choice) {
+  const Attempt found = best_attempt({design, process, false}, choice);
+  return found.print ? std::nullopt : std::optional(found.reason);
 }
 
 PreparedPrint prepared_as_fits(const DesignFile& design, const model::Process& process, PrintChoice choice,
@@ -138,11 +167,12 @@ PreparedPrint prepared_as_fits(const DesignFile& design, const model::Process& p
   choice.kind = model::HingeKind::pin;
   Attempt pins = best_attempt(order, choice);
   if (pins.print) return std::move(*pins.print);
-  if (!leaves_hinges_open(design)) throw InvalidInput(pins.reason + would_do(order, choice));
+  if (!leaves_hinges_open(design)) throw InvalidInput(pins.reason + would_do(order, pins, choice));
   choice.kind = model::HingeKind::block;
   Attempt blocks = best_attempt(order, choice);
   if (!blocks.print)
-    throw InvalidInput("neither pins nor blocks fit: with blocks " + blocks.reason + would_do(order, choice));
+    throw InvalidInput("neither pins nor blocks fit: with blocks " + blocks.reason +
+                       would_do(order, blocks, choice));
   blocks.print->job.sheet.warnings.push_back("hinges are blocks, as pins do not fit: " + pins.reason);
   return std::move(*blocks.print);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "app/print/format/print_format.hpp"
 #include "app/print/sheet/path_clearance.hpp"
@@ -15,7 +16,8 @@ struct PreparedPrint {
 
 /// Pins that the design leaves open are as high as leaves room on the way.
 /// @throws InvalidInput, naming the cell edge that would do, for a sheet that the process cannot print, whose hinges
-/// overlap a junction, or whose solids come nearer to each other on the way to the fold than they may
+/// overlap a junction, or whose solids come nearer to each other on the way to the fold than they may; without an edge for
+/// a bed that does not hold each body
 PreparedPrint prepared(const DesignFile& design, const model::Process& process, const PrintChoice& choice,
                        bool folded);
 
@@ -23,5 +25,10 @@ PreparedPrint prepared(const DesignFile& design, const model::Process& process, 
 /// @throws InvalidInput likewise, with what blocks would need
 PreparedPrint prepared_as_fits(const DesignFile& design, const model::Process& process, PrintChoice choice,
                                bool folded);
+
+/// Why `prepared` would refuse a sheet, without the cell edge that would do, which takes long to find; nothing where it would
+/// not.
+std::optional<std::string> why_unprepared(const DesignFile& design, const model::Process& process,
+                                          const PrintChoice& choice);
 
 }  // namespace kinetix::app

@@ -41,14 +41,30 @@ Json distance_json(const PrintSheet& sheet, const LeastDistance& d) {
           {"place_mm", vector_json(d.place)}};
 }
 
-/// Of a sheet that is not cut yet.
-bool exceeds_bed(const PrintJob& job) {
+/// Of a sheet whose bed nobody named.
+bool exceeds_usual_bed(const PrintJob& job) {
   const PrintSheet& sheet = job.sheet;
-  if (sheet.tiles.count() > 1) return false;
-  const Eigen::Vector3d size = bounds(hard_part(job));
-  const auto [narrow, wide] = std::minmax({sheet.process.bed_mm[0], sheet.process.bed_mm[1]});
-  const auto [small, large] = std::minmax({size.x(), size.y()});
-  return small > narrow || large > wide;
+  if (sheet.tiles.bed_mm) return false;
+  return !fits_on_bed(bounds(hard_part(job)).head<2>(), {sheet.process.bed_mm[0], sheet.process.bed_mm[1]});
+}
+
+/// Where loose rods, side by side, do not lie on the bed that was asked for.
+std::optional<std::string> rods_warning(const PrintSheet& sheet) {
+  if (!sheet.tiles.bed_mm || sheet.loose_rods() == 0) return std::nullopt;
+  const Eigen::Vector3d field = bounds(laid_out_rods(sheet));
+  if (fits_on_bed(field.head<2>(), *sheet.tiles.bed_mm)) return std::nullopt;
+  return fmt::format("the loose rods lie side by side on {:.1f} x {:.1f} mm, which the bed does not hold",
+                     field.x(), field.y());
+}
+
+std::string tiles_words(const PrintSheet& sheet) {
+  const Tiles& tiles = sheet.tiles;
+  const int places = tiles.columns * tiles.rows;
+  return fmt::format("{} x {}{}, one bed each{}: {}", tiles.columns, tiles.rows,
+                     tiles.count() < places ? fmt::format(", {} of them with bodies", tiles.count()) : "",
+                     tiles.turned ? ", turned on it by a quarter" : "",
+                     sheet.loose_rods() > 0 ? "push a rod through each hinge between two of them"
+                                            : "glue the soft parts between two of them to both");
 }
 
 Json slicer_json(const std::optional<SlicerAnswer>& slicer) {
@@ -143,10 +159,11 @@ std::vector<std::string> print_warnings(const PrintJob& job) {
   if (job.sheet.has_soft() && !job.sheet.process.joins_two && !job.sheet.is_one_material())
     out.push_back(job.sheet.process.name +
                   " prints one material: soft parts are a print of their own, to be glued to the walls");
-  if (!job.folded && exceeds_bed(job))
+  if (!job.folded && exceeds_usual_bed(job))
     out.push_back(fmt::format(
         "larger than the bed of a usual {0} printer, {1:g} x {2:g} mm: --bed {1:g},{2:g} cuts it into tiles",
         job.sheet.process.name, job.sheet.process.bed_mm[0], job.sheet.process.bed_mm[1]));
+  if (const auto rods = rods_warning(job.sheet)) out.push_back(*rods);
   const double steep = steepest_deg(job.sheet);
   if (steep > steep_deg)
     out.push_back(fmt::format("hinges lean {:.1f} degrees from upright: more than {:g} need support in FDM",
@@ -210,9 +227,9 @@ std::string print_text(const PrintJob& job, const PathClearance& clearance,
                              sheet.hinges.size(), size.x(), size.y(), size.z()));
   line("hinges", hinge_words(sheet));
   if (sheet.tiles.count() > 1)
-    line("tiles", fmt::format("{} x {}, one bed each: {}", sheet.tiles.columns, sheet.tiles.rows,
-                              sheet.loose_rods() > 0 ? "push a rod through each hinge between two of them"
-                                                     : "glue the soft parts between two of them to both"));
+    line("tiles", tiles_words(sheet));
+  else if (sheet.tiles.turned)
+    line("bed", "holds the whole, turned on it by a quarter");
   if (sheet.loose_rods() > 0)
     line("rods",
          fmt::format("{} parts of their own, which hold by friction in the forks", sheet.loose_rods()));

@@ -15,7 +15,7 @@ struct PrintRequest {
   double clearance_mm = 0;  ///< of pins, the least of this printer, mm; 0: the process's
   double cell_mm = 0;       ///< cell edge instead of the design's, mm; 0: the design's
   std::vector<double>
-      bed_mm;  ///< x and y of the printer's bed: a larger sheet is cut into tiles; empty: it is not
+      bed_mm;  ///< x and y of the printer's bed: a sheet that it does not hold is cut into tiles; empty: it is not
   bool loose_rods = false;  ///< rods of pins as parts of their own
   bool caps = false;        ///< knuckles of pins as round caps that all look alike, wherever their axes are
   bool folded = false;      ///< the state of the design instead of flat

@@ -27,16 +27,23 @@ std::string share_words(double share) {
 
 std::string prints_words(const PrintedGoal& printed) {
   const model::PrintRuns& runs = *printed.runs;
+  if (runs.prints == 0)
+    return fmt::format(
+        "none of {} prints in the elastic model found an equilibrium near the design: FIRST ORDER SAYS "
+        "NOTHING OF THEM",
+        runs.failed);
   std::string text =
-      fmt::format("{} prints in the elastic model: {:.2f} mm off (rms), 95 of 100 within {:.2f} mm",
+      fmt::format("{} prints in the elastic model: {:.2f} mm off the goal (rms), 95 of 100 within {:.2f} mm",
                   runs.prints, runs.rms_mm, runs.p95_mm);
   if (runs.failed > 0) text += fmt::format("; {} more found no equilibrium near the design", runs.failed);
   return text + (printed.is_confirmed() ? "" : ": FIRST ORDER IS FAR FROM THEM");
 }
 
 std::string verdict_words(const PrintedGoal& printed) {
-  if (!printed.can_be_printed) return "CANNOT BE PRINTED";
-  if (printed.holds()) return "holds";
+  if (!printed.can_be_printed) return printed.misfit ? "CANNOT BE PRINTED SO" : "CANNOT BE PRINTED";
+  if (printed.holds()) return printed.free_of_contact.value_or(true) ? "holds" : "holds, but walls may meet";
+  if (printed.runs && printed.runs->prints == 0)
+    return "NOT EVERY PRINT HOLDS, and none settles in the elastic model";
   return printed.made.p95_mm <= printed.tolerance_mm ? "NOT EVERY PRINT HOLDS, of those in the elastic model"
                                                      : "NOT EVERY PRINT HOLDS";
 }
@@ -52,6 +59,16 @@ Json taken_json(const TakenHinges& taken) {
   if (taken.load)
     out["load"] = {{"value", *taken.load}, {"unit", taken.load_unit()}, {"effort", effort_of(taken)}};
   return out;
+}
+
+/// Whether the fold lies where walls of prints are proven not to meet; nothing where it does, or nothing is proven.
+std::optional<std::string> contact_words(const Run& run) {
+  if (run.printed->free_of_contact.value_or(true)) return std::nullopt;
+  return fmt::format(
+      "walls of prints may meet: theta {:.2f} deg lies beyond what is proven free of contact with each wall "
+      "up "
+      "to {:.2f} mm out of place",
+      to_degrees(run.theta), run.certified->printed.growth_mm);
 }
 
 std::string taken_words(const TakenHinges& taken) {
@@ -107,9 +124,11 @@ Json as_made_json(const Run& run) {
               {"can_be_printed", run.printed->can_be_printed},
               {"holds", run.printed->holds()},
               {"why", as_made_reasons(run)},
+              {"free_of_contact", nullptr},
               {"confirmed", run.printed->is_confirmed()},
               {"sources", sources},
               {"places", places}};
+  if (const auto& is_free = run.printed->free_of_contact) out["free_of_contact"] = *is_free;
   if (run.printed->taken) out["taken"] = taken_json(*run.printed->taken);
   if (const auto& tight = run.printed->without_play)
     out["play"] = {{"clearance_mm", loosest_pin(run)->clearance_mm},
@@ -135,7 +154,7 @@ std::vector<std::string> as_made_reasons(const Run& run) {
   if (runs.failed > 0)
     why.push_back(fmt::format("{} of {} prints in the elastic model found no equilibrium near the design",
                               runs.failed, runs.prints + runs.failed));
-  if (runs.p95_mm > printed.tolerance_mm)
+  if (runs.prints > 0 && runs.p95_mm > printed.tolerance_mm)
     why.push_back(
         fmt::format("of {} prints in the elastic model 95 of 100 came within {:.2f} mm of the goal, and "
                     "{:.2f} mm are allowed",
@@ -149,11 +168,11 @@ std::vector<SummaryLine> as_made_lines(const Run& run) {
   if (!run.printed) return {};
   const model::AsMade& made = run.printed->made;
   std::vector<SummaryLine> lines = {
-      {"as made",
-       fmt::format(
-           "printed by {}: {:.2f} mm off (rms), 95 of 100 prints within {:.2f} mm; {:.2f} mm are allowed: {}",
-           run.process.name, made.rms_mm, made.p95_mm, run.printed->tolerance_mm,
-           verdict_words(*run.printed))}};
+      {"as made", fmt::format("printed by {}: {:.2f} mm off the goal (rms over points of the sheet; {:.2f} "
+                              "mm as designed), 95 of 100 prints within {:.2f} mm; {:.2f} mm are allowed: {}",
+                              run.process.name, made.rms_mm, made.designed_mm, made.p95_mm,
+                              run.printed->tolerance_mm, verdict_words(*run.printed))}};
+  if (const auto contact = contact_words(run)) lines.push_back({"", *contact});
   if (const auto places = sources_by_place(run); !places.empty())
     lines.push_back({"", fmt::format("{} of {}: {} of what errors do", plural_words[places[0].parameter],
                                      places[0].place, share_words(places[0].share))});
@@ -166,11 +185,11 @@ std::vector<SummaryLine> as_made_lines(const Run& run) {
   }
   if (const auto& tight = run.printed->without_play)
     lines.push_back(
-        {"",
-         fmt::format("of which play of {:g} mm a side, {:.2f} deg: without it {:.2f} mm off (rms), 95 of 100 "
-                     "within {:.2f} mm",
-                     loosest_pin(run)->clearance_mm, to_degrees(tilt_play(*loosest_pin(run))), tight->rms_mm,
-                     tight->p95_mm)});
+        {"", fmt::format(
+                 "of which play of {:g} mm a side, {:.2f} deg: without it {:.2f} mm off the goal, 95 of 100 "
+                 "within {:.2f} mm",
+                 loosest_pin(run)->clearance_mm, to_degrees(tilt_play(*loosest_pin(run))), tight->rms_mm,
+                 tight->p95_mm)});
   if (run.printed->runs) lines.push_back({"", prints_words(*run.printed)});
   if (run.printed->taken) {
     lines.push_back({"", taken_words(*run.printed->taken)});

@@ -54,10 +54,13 @@ std::vector<SummaryLine> certified_lines(const Certified& certified, const model
                                          NearExact states) {
   if (!certified.designed)
     return {{"contact", "no range of theta is proven free of it: " + certified.designed.why_not}};
+  const std::string range = fmt::format("theta {}, {}", between(certified.designed),
+                                        end_words(certified.designed.to(theta), sheet));
   std::vector<SummaryLine> lines = {
-      {states != NearExact::left && certified.covers(theta) ? "proven" : "NOT PROVEN",
-       fmt::format("free of contact for theta {}, {}", between(certified.designed),
-                   end_words(certified.designed.to(theta), sheet))}};
+      states != NearExact::left && certified.covers(theta)
+          ? SummaryLine{"proven", "free of contact for " + range}
+          : SummaryLine{"NOT PROVEN", fmt::format("free of contact at theta {:.2f} deg: proven for {}",
+                                                  to_degrees(theta), range)}};
   if (states == NearExact::near)
     lines.push_back({"", "of the closed form: equilibria of elastic hinges come near it"});
   if (states == NearExact::left)

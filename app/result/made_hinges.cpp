@@ -98,6 +98,7 @@ std::vector<std::string> unprintable(const Run& run) {
   std::vector<std::string> all;
   if (!run.goal) return all;
   for (const model::PrintProblem& problem : print_problems(run)) all.push_back(problem_text(problem));
+  if (run.printed && run.printed->misfit) all.push_back(*run.printed->misfit);
   return all;
 }
 

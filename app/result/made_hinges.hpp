@@ -17,7 +17,8 @@ std::optional<double> largest_strain(const Run& run);
 /// What the material of the hinge bears that comes nearest to it, or is farthest beyond.
 std::optional<double> allowed_strain(const Run& run);
 
-/// What the run's process cannot print of its sheet, in words: none of a design, whose process is not known.
+/// What the run's process cannot print of its sheet, in words, and why its hinges do not fit: none of a design, whose process
+/// is not known.
 std::vector<std::string> unprintable(const Run& run);
 
 /// Label and words for the terminal: what the process cannot print, a hinge that is strained by more than its material bears, a wall whose two

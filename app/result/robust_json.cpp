@@ -14,7 +14,7 @@ std::string words(const RobustCandidate& one) {
   std::string text = fmt::format("theta {:.1f} deg", one.theta / radians_per_degree);
   if (one.gap_mm) text += fmt::format(" and gaps of {:.2g} mm", *one.gap_mm);
   return text + (std::isfinite(one.as_made_mm) ? fmt::format(", {:.3g} mm", one.as_made_mm) : ", not known") +
-         (one.is_allowed ? "" : " (too far off, or not to be printed)");
+         (one.is_allowed ? "" : " (too far off, strained too much, or not to be printed)");
 }
 
 }  // namespace

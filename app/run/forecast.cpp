@@ -35,9 +35,11 @@ Eigen::Vector3d size_of(const model::Linkage& linkage, const model::State& state
   Eigen::AlignedBox3d all;
   for (const model::HalfWall& wall : half_walls(linkage)) {
     const OrientedBox box = placed(wall, state[wall.body]);
-    const Eigen::Vector3d reach = box.axes.cwiseAbs() * box.half;
-    all.extend(Eigen::Vector3d(box.center - reach));
-    all.extend(Eigen::Vector3d(box.center + reach));
+    for (int k = 0; k < 3; ++k)
+      for (const double side : {1.0, -1.0}) {
+        const Eigen::Vector3d outward = side * Eigen::Vector3d::Unit(k);
+        all.extend(Eigen::Vector3d(box.center + support(box, outward) * outward));
+      }
   }
   return all.sizes();
 }

@@ -31,7 +31,14 @@ class GoalOutcome {
   std::vector<std::string> violations = {};  ///< in words, empty where the model is as the target asks
   std::vector<std::string> physics_violations = {};  ///< likewise of the settled physics run
 
+  bool strained = false;  ///< the one violation is of a hinge, by more than its material bears
+
   bool met() const { return violations.empty(); }
+  /// The end of a line of the summary.
+  const char* verdict() const {
+    if (met()) return "within tolerance";
+    return strained ? "WITHIN TOLERANCE, BUT HINGES ARE STRAINED TOO FAR" : "MISSES THE TOLERANCE";
+  }
 
   /// Whether its columns alone say where something is in the sheet.
   virtual bool is_strip() const { return false; }

@@ -92,7 +92,11 @@ struct PrintedGoal {
       {};                   ///< of pins: what the same prints would come to if they had none
   double tolerance_mm = 0;  ///< of the goal
   std::optional<model::PrintRuns> runs = {};  ///< that confirm it, or do not
-  bool can_be_printed = true;                 ///< by the process
+  bool can_be_printed = true;                 ///< by the process, and with these hinges
+  std::optional<std::string> misfit = {};     ///< why these hinges do not fit the sheet, as `export` says it
+  /// Whether no walls meet on the way to the fold where each is as far out of place as the process leaves it, proven
+  /// (Certified::printed); nothing where nothing is proven of these states.
+  std::optional<bool> free_of_contact = {};
   std::optional<TakenHinges> taken = {};
 
   /// To first order, and in the prints that were looked at.

@@ -1,5 +1,7 @@
 #include "app/run/run_hinges.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "model/matter/hinge_strain.hpp"
@@ -29,13 +31,27 @@ std::optional<model::MadeHinge> loosest_pin(const Run& run) {
   return loosest;
 }
 
-bool bears_its_strain(const Run& run, const model::State& state) {
+bool bears_its_strain(const Run& run, const model::State& state) { return !strained_too_far(run, state); }
+
+std::optional<std::string> strained_too_far(const Run& run, const model::State& state) {
+  struct Strained {
+    int hinge;
+    double strain, borne;
+  };
+  std::optional<Strained> worst;
   const model::Linkage linkage(run.structure);
   for (int h = 0; h < run.structure.hinges(); ++h) {
     const auto& made = hinge_section(run, h).made;
-    if (made && !(hinge_strain(*made, linkage, state, h) <= made->material.strain_max)) return false;
+    if (!made) continue;
+    const Strained one{h, hinge_strain(*made, linkage, state, h), made->material.strain_max};
+    if (one.strain <= one.borne) continue;
+    if (!worst || one.strain / one.borne > worst->strain / worst->borne) worst = one;
   }
-  return true;
+  if (!worst) return std::nullopt;
+  return fmt::format(
+      "the hinge of wall {} is strained by {:.2f}; its material bears {:g}: a longer gap or a thinner hinge "
+      "strains less",
+      wall_name(run.structure, worst->hinge), worst->strain, worst->borne);
 }
 
 std::vector<model::PrintProblem> print_problems(const Run& run) {

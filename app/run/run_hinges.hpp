@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "app/run/run.hpp"
@@ -17,6 +19,10 @@ std::optional<model::MadeHinge> loosest_pin(const Run& run);
 
 /// Whether the material of every block and film bears its strain in a state of the sheet.
 bool bears_its_strain(const Run& run, const model::State& state);
+
+/// The hinge that is strained farthest beyond what its material bears in a state of the sheet, in words; nothing where all
+/// bear theirs.
+std::optional<std::string> strained_too_far(const Run& run, const model::State& state);
 
 /// What the run's process cannot print of its sheet, each once.
 std::vector<model::PrintProblem> print_problems(const Run& run);

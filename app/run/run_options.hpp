@@ -1,13 +1,17 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <mutex>
+#include <optional>
 #include <stop_token>
 #include <string>
 
 #include "model/base/progress.hpp"
 
 namespace kinetix::app {
+
+struct Run;
 
 /// What the command line adds to a file.
 struct RunOptions {
@@ -23,6 +27,8 @@ struct RunOptions {
       nullptr;  ///< held while the physics engine runs, which one thread at a time may use; null: nobody else does
   bool certify = true;    ///< prove how far it folds without contact
   bool fidelity = false;  ///< physics runs of coarser steps too, for the table of speed against error
+  /// Why the hinges of a run do not fit its sheet, or nothing (app/print/hinge_fit.hpp); empty: not asked.
+  std::function<std::optional<std::string>(const Run&)> misfit = {};
 };
 
 }  // namespace kinetix::app

@@ -6,6 +6,7 @@
 #include "app/goals/read_target.hpp"
 #include "app/io/atomic_file.hpp"
 #include "app/pipeline/pipeline.hpp"
+#include "app/print/hinge_fit.hpp"
 #include "app/result/result_json.hpp"
 #include "app/studio/base64.hpp"
 #include "app/studio/design_message.hpp"
@@ -95,6 +96,7 @@ void Session::search_for(const std::string& file, std::shared_ptr<void> keeps) {
       options.progress = progress;
       options.stop = stop;
       options.engine = &engine_;
+      options.misfit = why_hinges_do_not_fit;
       auto run = std::make_shared<Run>(run_scene(*target.goal, options));
       enqueue([this, run] { found(run); });
     } catch (const std::exception& e) {

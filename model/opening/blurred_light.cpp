@@ -8,6 +8,7 @@
 #include "model/base/angle.hpp"
 #include "model/opening/cell_opening.hpp"
 #include "model/opening/soft_aperture.hpp"
+#include "model/opening/wall_overlaps.hpp"
 
 namespace kinetix::model {
 namespace {
@@ -125,6 +126,10 @@ BlurredLight::BlurredLight(const Linkage& panel, const State& state, Unscaled)
   const double L = panel.size.edge_mm;
   for (const Plate& p : panel.plates)
     strips_.push_back({state[p.body].p.head<2>() / L, (state[p.body].R * p.edge).head<2>(), p.length});
+  for (const WallOverlap& overlap : wall_overlaps(panel)) {
+    const Pose& pose = state[laps_.size()];
+    laps_.push_back({pose.p.head<2>() / L + pose.R.topLeftCorner<2, 2>() * overlap.middle, overlap.area});
+  }
   for (const LinkageCell& cell : panel.cells) {
     Vector2d sum = Vector2d::Zero();
     for (const int b : cell.bodies) sum += state[b].p.head<2>() / L;
@@ -134,15 +139,16 @@ BlurredLight::BlurredLight(const Linkage& panel, const State& state, Unscaled)
 }
 
 void BlurredLight::read() {
-  std::vector<Vector2d> walls, cells;
+  std::vector<Vector2d> walls, laps, cells;
   double longest = 0;
   for (const Strip& strip : strips_) {
     walls.push_back(strip.from + strip.length / 2 * strip.along);
     longest = std::max(longest, strip.length);
   }
+  for (const Blot& lap : laps_) laps.push_back(lap.middle);
   for (const Blot& blot : blots_) cells.push_back(blot.middle);
-  if (!all_finite(walls) || !all_finite(cells)) return;
-  const Bins wall_bins(walls, deviation), cell_bins(cells, deviation);
+  if (!all_finite(walls) || !all_finite(laps) || !all_finite(cells)) return;
+  const Bins wall_bins(walls, deviation), lap_bins(laps, deviation), cell_bins(cells, deviation);
   for (std::size_t c = 0; c < cells.size(); ++c) {
     Reading& r = readings_[c];
     wall_bins.near(cells[c], far + longest / 2, [&](int k) {
@@ -151,6 +157,10 @@ void BlurredLight::read() {
       r.shadow += shadow_of(to.dot(strips_[k].along), to.dot(across(strips_[k].along)), strips_[k].length,
                             half_thickness_)
                       .value;
+    });
+    lap_bins.near(cells[c], far, [&](int k) {
+      r.laps.push_back(k);
+      r.shadow -= laps_[k].area * cover_of(cells[c] - laps[k]);
     });
     cell_bins.near(cells[c], far, [&](int k) {
       r.blots.push_back(k);
@@ -165,6 +175,7 @@ void BlurredLight::add_gradient(const Eigen::VectorXd& by_value, PanelGradient& 
     const Reading& r = readings_[c];
     const double by_shadow = -by_value[c] * scale_[c] / r.cover, by_cover = -by_shadow * r.shadow / r.cover;
     for (const int k : r.strips) add_strip_gradient(c, k, by_shadow, gradient);
+    for (const int k : r.laps) add_lap_gradient(c, k, by_shadow, gradient);
     for (const int k : r.blots) by_area[k] += add_blot_gradient(c, k, by_cover, gradient);
   }
   for (std::size_t c = 0; c < blots_.size(); ++c) add_area(static_cast<int>(c), by_area[c], gradient);
@@ -182,6 +193,15 @@ void BlurredLight::add_strip_gradient(int cell, int strip, double by_shadow, Pan
   gradient.state[body + 2] += by_shadow * (shadow.by_along * v - shadow.by_across * u);
   gradient.state.segment<2>(body + 3) -= by_place;
   gradient.t[plate.hinge] += by_shadow * shadow.by_length * plate.length_t;
+}
+
+void BlurredLight::add_lap_gradient(int cell, int lap, double by_shadow, PanelGradient& gradient) const {
+  const Vector2d offset = blots_[cell].middle - laps_[lap].middle;
+  const Vector2d by_place = by_shadow * laps_[lap].area * cover_of(offset) / (deviation * deviation) * offset;
+  add_middle(cell, by_place, gradient);
+  const Vector2d arm = laps_[lap].middle - state_[lap].p.head<2>() / panel_.size.edge_mm;
+  gradient.state[6 * lap + 2] -= across(arm).dot(by_place);
+  gradient.state.segment<2>(6 * lap + 3) -= by_place;
 }
 
 double BlurredLight::add_blot_gradient(int cell, int blot, double by_cover, PanelGradient& gradient) const {

@@ -20,10 +20,15 @@ struct PanelGradient {
 /// cell: 1 less the shadow of its walls over what the panel covers, both blurred. Dimensionless, 1 where no
 /// wall stands near.
 ///
-/// A half wall casts the shadow of a rectangle, whose Gaussian blur is a product of error functions; where
-/// walls meet they count twice. A cell covers as much as its area in one point does when it is blurred: even
-/// to 0.2 % inside panels whose cells are at most 0.85 cell edges apart. Cells near the rim have nothing on one
-/// side: their shadow counts in proportion to what it is in the flat panel, of which all cells are read alike.
+/// A half wall casts the shadow of a rectangle, whose Gaussian blur is a product of error functions. What the walls
+/// of a vertex cover twice counts once: it is taken off as if it were in its middle. The two half walls of a hinge
+/// that turns still count twice where one comes to lie over the other, the more the farther the hinge sits beside them;
+/// so do walls of other cells. Where walls are thick and cells nearly closed, that makes light negative, which then
+/// means no more than that walls lie over each other.
+///
+/// A cell covers as much as its area in one point does when it is blurred: even to 0.2 % inside panels whose cells are
+/// at most 0.85 cell edges apart. Cells near the rim have nothing on one side: their shadow counts in proportion to
+/// what it is in the flat panel, of which all cells are read alike.
 class BlurredLight {
  public:
   /// Cell edges, standard deviation of the blur.
@@ -50,14 +55,15 @@ class BlurredLight {
     double area = 0;         ///< cell edges squared
   };
   struct Reading {
-    double shadow = 0, cover = 0;    ///< dimensionless
-    std::vector<int> strips, blots;  ///< those that it comes from
+    double shadow = 0, cover = 0;          ///< dimensionless
+    std::vector<int> strips, laps, blots;  ///< those that it comes from
   };
 
   /// Shadow and cover alone.
   BlurredLight(const Linkage& panel, const State& state, Unscaled);
   void read();
   void add_strip_gradient(int cell, int strip, double by_shadow, PanelGradient& gradient) const;
+  void add_lap_gradient(int cell, int lap, double by_shadow, PanelGradient& gradient) const;
   /// All but what comes through the blot's area. @return the derivative by that area, per cell edge squared
   double add_blot_gradient(int cell, int blot, double by_cover, PanelGradient& gradient) const;
   void add_area(int cell, double by_area, PanelGradient& gradient) const;
@@ -68,6 +74,7 @@ class BlurredLight {
   const State& state_;
   double half_thickness_ = 0;  ///< cell edges
   std::vector<Strip> strips_;
+  std::vector<Blot> laps_;  ///< of each body, what its walls cover twice
   std::vector<Blot> blots_;
   std::vector<Reading> readings_;
   std::vector<double> scale_;  ///< of each cell's shadow over its cover

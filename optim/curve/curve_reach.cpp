@@ -10,14 +10,6 @@
 namespace kinetix::optim {
 namespace {
 
-/// Angle between the chords that lead to and from a place of the curve, each `reach` long where the curve
-/// goes that far.
-double turn_around(const targets::Curve& curve, double arc, double reach) {
-  const Eigen::Vector2d before = curve.at(arc) - curve.at(arc - reach),
-                        after = curve.at(arc + reach) - curve.at(arc);
-  return std::atan2(before.x() * after.y() - before.y() * after.x(), before.dot(after));
-}
-
 void note_length(const CurveFit& fit, CurveReach& reach) {
   const double length = fit.goal().length();
   const int columns = fit.ties().columns();
@@ -65,6 +57,13 @@ void note_turn(const CurveFit& fit, CurveReach& reach) {
 
 }  // namespace
 
+double needed_turn(const targets::Curve& goal, int column, int columns) {
+  const double step = goal.length() / columns, arc = (column + 0.5) * step;
+  const Eigen::Vector2d before = goal.at(arc) - goal.at(arc - step),
+                        after = goal.at(arc + step) - goal.at(arc);
+  return std::atan2(before.x() * after.y() - before.y() * after.x(), before.dot(after));
+}
+
 CurveReach analyse_reach(const CurveFit& fit) {
   const BendTies& ties = fit.ties();
   const int theta_at = ties.variables();
@@ -76,7 +75,7 @@ CurveReach analyse_reach(const CurveFit& fit) {
     const AngleRange range = ties.range[ties.variable[c]];
     const double lowest = model::crease_turn(range.lower, reach.theta),
                  highest = model::crease_turn(range.upper, reach.theta);
-    const double arc = (c + 0.5) * step, needed = turn_around(fit.goal(), arc, step);
+    const double arc = (c + 0.5) * step, needed = needed_turn(fit.goal(), c, ties.columns());
     reach.turns.push_back({c, arc, needed, std::max(0.0, needed < 0 ? -lowest : highest),
                            std::max({0.0, needed - highest, lowest - needed})});
   }

@@ -26,8 +26,11 @@ struct CurveReach {
   std::vector<std::string> obstacles;
 };
 
-/// Compares, column by column, the turn between the goal's chords of one column's length before and after the
-/// column with the turn 2 atan(tan(beta) sin(theta)) of its largest tilt.
+/// Turn that one of so many columns would need to follow the goal: between the chords of one column's length before
+/// and after it, where the goal goes that far. rad, left > 0
+double needed_turn(const targets::Curve& goal, int column, int columns);
+
+/// Compares it, column by column, with the turn 2 atan(tan(beta) sin(theta)) of its largest tilt.
 CurveReach analyse_reach(const CurveFit& fit);
 
 }  // namespace kinetix::optim

@@ -23,6 +23,9 @@ constexpr double steep_tilt = 15 * radians_per_degree;  // rad: designs that til
 constexpr double narrowing = 0.8;    // times the limit at which walls collide, at the least, for the next
 constexpr int most_narrowings = 10;  // searches: 0.8^10 is a tenth of the first tilts
 constexpr double worst_growth = 10;  // times the error: beyond, the design is no longer of the goal's shape
+// Designs of the whole range of tilts that are looked at where gentle ones miss the goal: two or three find what there is.
+constexpr int most_thetas = 4;
+constexpr double less_theta = 0.9;  // times theta: out of the valley that the search has ended in
 
 void check_at_least(const char* field, int value, int least) {
   if (value < least) throw InvalidInput(fmt::format("{} is {}, must be at least {}", field, value, least));
@@ -78,10 +81,11 @@ double largest_tilt(const model::ExactDesign<double>& design) {
 }
 
 /// Small tilts print better. Where the goal's coarseness makes the search tilt steeply for a little less
-/// error, tries tighter limits and keeps the tightest that costs next to nothing.
+/// error, tries tighter limits and keeps the tightest that costs next to nothing, and not the goal.
 void make_gentle(const targets::Curve& goal, const CurveVariables& v, MultiStartOptions options,
-                 CurveDesign& design) {
-  const double acceptable = gentle_growth * design.error.rms;
+                 double enough, CurveDesign& design) {
+  double acceptable = gentle_growth * design.error.rms;
+  if (design.error.rms <= enough) acceptable = std::min(acceptable, enough);
   options.starts = std::min(options.starts, gentle_starts);
   for (double limit = gentler * largest_tilt(design.design); limit > steep_tilt * gentler; limit *= gentler) {
     CurveVariables tighter = v;
@@ -91,6 +95,11 @@ void make_gentle(const targets::Curve& goal, const CurveVariables& v, MultiStart
     if (!(candidate.error.rms <= acceptable)) return;
     design = std::move(candidate);
   }
+}
+
+std::string kept_within(double tilt) {
+  return fmt::format("tilts kept within {:.1f} deg: with steeper ones walls run into each other",
+                     to_degrees(tilt));
 }
 
 /// The next tilt limit to try: below the least that still collides, above the largest that costs too much
@@ -115,13 +124,45 @@ bool free_the_walls(const targets::Curve& goal, CurveVariables v, const model::C
     } else if (first_contact(candidate.design, size).touches) {
       collides = limit;
     } else {
-      result.notes.push_back(fmt::format(
-          "tilts kept within {:.1f} deg: with steeper ones walls run into each other", to_degrees(limit)));
+      result.narrowed = kept_within(limit);
       result.design = std::move(candidate);
       return true;
     }
   }
   return false;
+}
+
+/// The next search: below where walls meet, or, out of a design that is not near enough, below its own theta.
+double next_theta(const CurveDesign& design, const model::ThetaLimit& contact) {
+  return contact.touches ? contact.theta - model::closing_margin : less_theta * design.design.theta;
+}
+
+/// Takes the whole range of tilts where it comes nearer to the goal than a design whose walls are free, or near enough where
+/// none is, at smaller and smaller theta. @param wide what was found in the whole range of `v`
+void try_all_tilts(const targets::Curve& goal, CurveVariables v, const model::CellSize& size,
+                   const MultiStartOptions& options, double enough, CurveDesign wide,
+                   FreeCurveDesign& result) {
+  const double rms = result.design.error.rms;
+  double below = result.walls_are_free ? rms : std::max(rms, std::min(enough, worst_growth * rms)) + exact;
+  std::string narrowed;
+  for (int k = 0; k < most_thetas && !options.solver.stop.stop_requested(); ++k) {
+    const model::ThetaLimit contact = first_contact(wide.design, size);
+    if (wide.error.rms < below && !contact.touches) {
+      below = wide.error.rms;
+      result.design = wide;
+      result.walls_are_free = true;
+      result.narrowed = narrowed;
+      if (below <= enough) return;
+    } else if (wide.error.rms < below && result.walls_are_free && result.narrowed.empty()) {
+      result.narrowed = kept_within(largest_tilt(result.design.design));
+    }
+    v.theta.upper = next_theta(wide, contact);
+    if (!(v.theta.lower < v.theta.upper)) return;
+    if (contact.touches)
+      narrowed = fmt::format("theta kept below {:.1f} deg: beyond, walls of such tilts run into each other",
+                             to_degrees(v.theta.upper));
+    wide = fit_curve(goal, v, options);
+  }
 }
 
 }  // namespace
@@ -154,14 +195,19 @@ CurveDesign fit_curve(const targets::Curve& goal, const CurveVariables& v, const
 }
 
 FreeCurveDesign fit_free_curve(const targets::Curve& goal, const CurveVariables& variables,
-                               const model::CellSize& size, const MultiStartOptions& options) {
+                               const model::CellSize& size, const MultiStartOptions& options, double enough) {
   FreeCurveDesign result;
   CurveVariables v = variables;
   keep_below_closing(v, size, result.notes);
   result.design = fit_curve(goal, v, options);
-  make_gentle(goal, v, options, result.design);
+  const CurveDesign wide = result.design;
+  make_gentle(goal, v, options, enough, result.design);
   const model::ThetaLimit contact = first_contact(result.design.design, size);
   result.walls_are_free = !contact.touches || free_the_walls(goal, v, size, options, result);
+  if (!result.walls_are_free || !(result.design.error.rms <= enough))
+    try_all_tilts(goal, v, size, options, enough, wide, result);
+  result.design.reach = wide.reach;
+  if (!result.narrowed.empty()) result.notes.push_back(result.narrowed);
   if (!result.walls_are_free)
     result.notes.push_back(
         fmt::format("walls run into each other at theta {:.2f} deg, before the {:.2f} deg of the goal",

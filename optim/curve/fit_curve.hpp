@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "optim/curve/curve_reach.hpp"
 #include "optim/solvers/multi_start.hpp"
 #include "targets/curve/curve_error.hpp"
@@ -41,13 +43,19 @@ CurveDesign fit_curve(const targets::Curve& goal, const CurveVariables& variable
 struct FreeCurveDesign {
   CurveDesign design;
   bool walls_are_free = false;
+  /// In a sentence: the tilts or theta that walls free of contact leave of their range; empty where they leave all.
+  std::string narrowed = {};
   std::vector<std::string> notes;  ///< one sentence per bound that was narrowed or per wall in the way
 };
 
 /// As fit_curve, with tilts kept small where that costs at most a third more error, with theta kept below the
 /// angle at which basic cells of these walls close, and, where the walls of the design found still collide,
-/// with the tilts narrowed step by step until they do not or the error grows tenfold.
+/// with the tilts narrowed step by step until they do not or the error grows tenfold. Where that misses the goal, the whole
+/// range of tilts is searched again at smaller theta, and taken where it comes nearer with its walls free. What is in reach
+/// is said of the ranges of `variables`, whatever the search has narrowed.
+/// @param enough largest error.rms that meets the goal
 FreeCurveDesign fit_free_curve(const targets::Curve& goal, const CurveVariables& variables,
-                               const model::CellSize& size, const MultiStartOptions& options);
+                               const model::CellSize& size, const MultiStartOptions& options,
+                               double enough = std::numeric_limits<double>::infinity());
 
 }  // namespace kinetix::optim

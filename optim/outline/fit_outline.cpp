@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "model/base/invalid_input.hpp"
 #include "model/base/polygon.hpp"
 #include "model/contact/wall_contact.hpp"
+#include "model/lattice/planar/exact_designs.hpp"
 
 namespace kinetix::optim {
 namespace {
@@ -28,6 +30,8 @@ constexpr double spare_turn = 0.3 * radians_per_degree;   // rad: walls stay apa
 constexpr double met_early[] = {0.4, 0.6, 0.75, 0.9, 1};  // of theta: where walls are looked at on the way
 constexpr int halvings = 2;        // of the way from the best theta to the next larger one that was tried
 constexpr double at_bound = 0.98;  // of it: as good as there
+// Cell edges: below, an offset is no more than what the search misses its bounds by (1e-6), times ten.
+constexpr double least_offset = 1e-5;
 
 void validate(const OutlineOptions& o) {
   require("theta", o.theta[0], o.theta[0] > 0 && o.theta[0] <= o.theta[1],
@@ -37,6 +41,15 @@ void validate(const OutlineOptions& o) {
   require("t", o.t[0], o.t[0] > 0 && o.t[0] < 0.5, "in (0, 0.5)");
   require("t", o.t[1], o.t[1] > 0.5 && o.t[1] < 1, "in (0.5, 1)");
   require("thetas", o.thetas, o.thetas >= 1, "at least 1");
+}
+
+/// Bounds of 0 are kept but nearly by the search, and cells close exactly or not at all: the nearest panel that moves with
+/// all hinges on their walls.
+void put_on_walls(OutlineDesign& found) {
+  place_hinges(found.y, found.panel);
+  for (model::HingeParameters& hinge : found.panel.hinges) hinge.offset = 0;
+  found.panel = nearest_exact(std::move(found.panel));
+  found.y = model::redrawing_of(found.panel).y;
 }
 
 std::vector<Vector2d> corners(const std::vector<int>& rim, const std::vector<Vector2d>& places,
@@ -51,7 +64,7 @@ class RimSearch {
  public:
   RimSearch(const model::PlanarStructure& panel, const targets::Outline& folded, const targets::Outline* flat,
             const OutlineOptions& options, double theta)
-      : panel_(panel), options_(options) {
+      : panel_(panel), on_walls_(options.offset < least_offset) {
     problem_.panel = &panel_;
     problem_.rim = outer_rim(panel.graph).vertices;
     problem_.folded = &folded;
@@ -61,7 +74,7 @@ class RimSearch {
     problem_.stop = options.stop;
     const double shift = 2 * std::min(0.5 - options.t[0], options.t[1] - 0.5);
     problem_.bounds.shift.assign(panel.graph.edges.size(), shift);
-    limit_.assign(panel.graph.edges.size(), options.offset);
+    limit_.assign(panel.graph.edges.size(), on_walls_ ? 0 : options.offset);
     if (flat) problem_.bounds.stretch.assign(panel.graph.edges.size(), longest);
   }
 
@@ -124,6 +137,7 @@ class RimSearch {
     found.panel.graph.vertices = shape_.flat;
     if (problem_.flat) found.panel.drawn = {};
     found.y = redrawing_of(shape_, problem_.theta);
+    if (on_walls_) put_on_walls(found);
     double excess = 1;
     for (int e = 0; e < static_cast<int>(panel_.graph.edges.size()); ++e) {
       const model::WallChange change = change_of(found.panel, found.y, e);
@@ -132,7 +146,7 @@ class RimSearch {
     }
     for (Vector2d& y : found.y) y /= excess;
     place_hinges(found.y, found.panel);
-    if (options_.offset == 0)
+    if (on_walls_)
       for (model::HingeParameters& hinge : found.panel.hinges) hinge.offset = 0;
     found.theta = problem_.theta;
     found.scale = shape_.scale;
@@ -197,7 +211,7 @@ class RimSearch {
   }
 
   const model::PlanarStructure& panel_;
-  const OutlineOptions& options_;
+  bool on_walls_;  ///< no hinge may sit off the middle of its wall
   OutlineProblem problem_;
   OutlineShape shape_;
   std::vector<double> limit_;  ///< of the offset of each wall, cell edges

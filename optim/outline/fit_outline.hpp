@@ -10,7 +10,7 @@ namespace kinetix::optim {
 /// A search for a panel whose rim takes the shape of an outline.
 struct OutlineOptions {
   std::array<double, 2> theta = {0.35, 0.70};  ///< range, rad, within (0, pi/2)
-  double offset = 0.08;                        ///< largest |offset| of a hinge, cell edges, [0, 0.5)
+  double offset = 0.08;                        ///< largest |offset| of a hinge, cell edges, [0, 0.5); 0: none
   std::array<double, 2> t = {0.12, 0.88};      ///< range; the side that is nearer to 0.5 counts for both
   int thetas = 4;                              ///< tried between the ends of its range, >= 1
   std::stop_token stop = {};                   ///< where it asks to, the best so far is the answer

@@ -5,6 +5,7 @@
 #include "app/goals/read_target.hpp"
 #include "app/pipeline/design_scene.hpp"
 #include "app/pipeline/pipeline.hpp"
+#include "app/print/hinge_fit.hpp"
 #include "model/base/invalid_input.hpp"
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/designs.hpp"
@@ -98,6 +99,7 @@ std::shared_ptr<app::Run> run_in_python(const app::Scene& scene, const std::stri
   const auto work = [&](const std::stop_source& stop) {
     app::RunOptions options = choice.options;
     options.stop = stop.get_token();
+    options.misfit = app::why_hinges_do_not_fit;
     if (listener)
       options.progress = [&](const std::string& stage, double done, const std::string& words) {
         (*listener)(stage, done, words);

@@ -38,8 +38,7 @@ double variance(const std::vector<double>& values, double mean) {
 
 double contrast(double difference, double deviation) {
   if (std::abs(difference) <= same) return 0;
-  if (deviation <= same) return std::copysign(std::numeric_limits<double>::infinity(), difference);
-  return difference / deviation;
+  return difference / std::max(deviation, same);
 }
 
 }  // namespace

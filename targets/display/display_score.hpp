@@ -7,8 +7,8 @@ namespace kinetix::targets {
 /// How well a channel, one value a cell, tells the cells of a picture from the rest (formats.md).
 struct DisplayScore {
   double letter = 0, rest = 0;  ///< means of the channel, in its unit
-  /// d', dimensionless: (letter - rest) / sqrt(mean of the two variances); 0 where the means are equal,
-  /// whatever the variances, and infinite where only they are 0.
+  /// d', dimensionless: (letter - rest) / sqrt(mean of the two variances), a root of at least 1e-5; 0 where the means
+  /// are equal.
   double contrast = 0;
   /// Probability that a cell of the letter has a higher value than one of the rest; ties count half.
   double auc = 0.5;

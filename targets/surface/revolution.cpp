@@ -18,7 +18,7 @@ constexpr double most_patch_arc = 120 * radians_per_degree;  // rims then rise b
 constexpr double whole_turn_slack = 1e-9;                    // rad: rounding of degrees
 
 void require_arc(double arc, double most, const char* rule) {
-  require("arc", to_degrees(arc), arc > 0 && arc <= most + whole_turn_slack, rule);
+  require("arc_deg", to_degrees(arc), arc > 0 && arc <= most + whole_turn_slack, rule);
 }
 
 /// Second derivatives of the natural cubic spline through (value, place): zero at both ends, and continuous slope.

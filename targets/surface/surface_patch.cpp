@@ -103,7 +103,7 @@ SurfaceCurvature curvature_of(const SurfacePatch& patch) {
 
 SurfacePatch cap_patch(double width, double arc) {
   require_width(width);
-  require("arc", to_degrees(arc), arc > 0 && arc <= most_arc, "in (0, 140] deg");
+  require("arc_deg", to_degrees(arc), arc > 0 && arc <= most_arc, "in (0, 140] deg");
   const double half = width / 2, radius = std::sqrt(2) * half / std::sin(arc / 2);
   const double middle = radius * std::cos(arc / 2);
   return {"cap", {half, half}, [radius, middle](const Vector2d& at) {
@@ -127,7 +127,7 @@ SurfacePatch vase_patch(double height, double radius, double swell, double arc) 
   require_width(height);
   require("radius", radius, radius > 0 && std::isfinite(radius), "above 0 mm");
   require("swell", swell, swell >= 0 && swell <= radius / 2, "from 0 to half the radius, mm");
-  require("arc", to_degrees(arc), arc > 0 && arc <= most_vase_arc, "in (0, 120] deg");
+  require("arc_deg", to_degrees(arc), arc > 0 && arc <= most_vase_arc, "in (0, 120] deg");
   const double half = height / 2, wave = pi / half;
   return round_patch("vase", {half, radius * std::sin(arc / 2)}, radius, [=](double x) {
     const double s = std::sin(wave * x), c = std::cos(wave * x);

@@ -179,7 +179,7 @@ class Judge:
     def folder(self, label, command, place, end, earlier=False, done=(0,)):
         """The folder: as before, or complete; nothing temporary is left anywhere."""
         reference, now = self.kitchen.reference(command), contents(place / "out")
-        left = [str(path) for path in place.rglob("*") if "kinetix-" in path.name and path.name != ".kinetix-files"]
+        left = [str(path) for path in place.rglob("*") if "kinetix-" in path.name and path.name not in (".kinetix-files", ".kinetix-prints")]
         if left:
             self.fault(label, f"leaves {left}", end)
         if not command.writes or command.resumes:

@@ -70,8 +70,8 @@ std::string robust_text(const RobustCurve& robust) {
       plain.columns, plain.theta / radians_per_degree, plain.as_made_mm);
 }
 
-std::string verdict(const CurveOutcome& curve) {
-  if (curve.met()) return "within tolerance";
+std::string verdict_of(const CurveOutcome& curve) {
+  if (curve.met() || curve.strained) return curve.verdict();
   const bool close = curve.found.design.error.rms <= curve.shape_tolerance;
   if (!close) return "MISSES THE TOLERANCE";
   return curve.found.walls_are_free ? "WITHIN TOLERANCE, BUT DOES NOT HOLD"
@@ -99,7 +99,7 @@ std::vector<SummaryLine> CurveOutcome::summary_lines(const Run& run) const {
   std::vector<SummaryLine> lines;
   lines.push_back(
       {"shape", fmt::format("rms {:.2e} of the goal's diagonal ({:.3f} mm), largest {:.3f} mm: {}", error.rms,
-                            error.rms * error.scale_mm, error.max * error.scale_mm, verdict(*this))});
+                            error.rms * error.scale_mm, error.max * error.scale_mm, verdict_of(*this))});
   for (const std::string& why : violations) lines.push_back({"why", why});
   if (robust) lines.push_back({"robust", robust_text(*robust)});
   const optim::SolveResult& best = found.design.search.runs[found.design.chosen];

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/files/process_section.hpp"
@@ -14,21 +16,47 @@
 namespace kinetix::app {
 namespace {
 
-// Measured: s a start of 40 columns; it grows with their square.
-constexpr double seconds_a_start = 0.005;
+// Measured: s a start of 40 columns; it grows with their number to 1.5.
+constexpr double seconds_a_start = 0.0075;
+// Likewise how many times that where a search is repeated, for tilts that are gentle or walls that stay apart: of curves that
+// turn that far, rad, by all their columns, or by one of them.
+constexpr double full_turn = 320 * radians_per_degree, steep_turn = 36 * radians_per_degree,
+                 sharp_turn = 60 * radians_per_degree;
+constexpr double repeats_of_full = 4, repeats_of_steep = 12, repeats_of_sharp = 40;
 constexpr double robust_designs = 45;  // searches that a robust design takes, about
+
+double repeats(const targets::Curve& curve, int columns) {
+  double all = 0, most = 0;
+  for (int c = 0; c < columns; ++c) {
+    const double turn = std::abs(optim::needed_turn(curve, c, columns));
+    all += turn;
+    most = std::max(most, turn);
+  }
+  if (most >= sharp_turn) return repeats_of_sharp;
+  if (most >= steep_turn) return repeats_of_steep;
+  return all >= full_turn ? repeats_of_full : 1;
+}
+
+/// Of the ranges that the file gives, and of what walls that meet leave of them.
+std::vector<std::string> why_too_far(const optim::FreeCurveDesign& found) {
+  std::vector<std::string> why = found.design.reach.obstacles;
+  const double rms = found.design.error.rms;
+  if (!found.narrowed.empty())
+    why.push_back(
+        fmt::format("no start whose walls stay apart came closer than {:.3g} of the diagonal; {}: use lower "
+                    "or thinner walls, or more cells",
+                    rms, found.narrowed));
+  if (why.empty())
+    why.push_back(
+        fmt::format("no start came closer than {:.3g} of the diagonal, although every column by itself can "
+                    "bend enough: use more or smaller cells",
+                    rms));
+  return why;
+}
 
 std::vector<std::string> violations(const optim::FreeCurveDesign& found, double tolerance) {
   std::vector<std::string> why;
-  const double rms = found.design.error.rms;
-  if (!(rms <= tolerance)) {
-    why = found.design.reach.obstacles;
-    if (why.empty())
-      why.push_back(fmt::format(
-          "no start came closer than {:.3g} of the diagonal, although every column by itself can bend "
-          "enough: use more or smaller cells",
-          rms));
-  }
+  if (!(found.design.error.rms <= tolerance)) why = why_too_far(found);
   if (!found.walls_are_free)
     why.push_back(found.notes.back() + ": use lower or thinner walls, or larger cells");
   return why;
@@ -46,9 +74,8 @@ class CurveScene final : public Scene {
     Eigen::AlignedBox2d box;
     for (const Eigen::Vector2d& point : file_.curve.points()) box.extend(point);
     out.folded_mm = {box.sizes().x(), file_.rows * file_.size.edge_mm, box.sizes().y()};
-    const double columns = file_.columns / 40.0;
-    out.search_s =
-        seconds_a_start * file_.solver.starts.value_or(optim::MultiStartOptions{}.starts) * columns * columns;
+    out.search_s = seconds_a_start * file_.solver.starts.value_or(optim::MultiStartOptions{}.starts) *
+                   std::pow(file_.columns / 40.0, 1.5) * repeats(file_.curve, file_.columns);
     if (file_.robust) out.search_s *= robust_designs;
     note_process(file_, out.sheet.size(), out.notes);
     return out;
@@ -63,7 +90,8 @@ class CurveScene final : public Scene {
     curve->shape_tolerance = file_.shape_tolerance;
     curve->target_mm = file_.curve.points();
     curve->solver = search.solver;
-    curve->found = fit_free_curve(file_.curve, curve_variables(file_), file_.size, search);
+    curve->found =
+        fit_free_curve(file_.curve, curve_variables(file_), file_.size, search, file_.shape_tolerance);
     model::CellSize size = file_.size;
     if (file_.robust) {
       curve->robust = robust_curve(file_, curve->found, search, options);

@@ -83,7 +83,8 @@ CurveCandidate judged(const CurveFile& file, const optim::FreeCurveDesign& found
 
 Tried tried(const CurveFile& file, optim::MultiStartOptions search) {
   search.starts = std::min(search.starts, starts);
-  Tried out{file, fit_free_curve(file.curve, curve_variables(file), file.size, search), {}};
+  Tried out{
+      file, fit_free_curve(file.curve, curve_variables(file), file.size, search, file.shape_tolerance), {}};
   out.candidate = judged(file, out.found);
   return out;
 }

@@ -1,5 +1,7 @@
 #include "app/goals/display/display_limits.hpp"
 
+#include <cmath>
+
 #include "app/goals/display/search_panel.hpp"
 #include "app/pipeline/hinge_loads.hpp"
 #include "model/elastic/path/equilibrium_path.hpp"
@@ -10,18 +12,25 @@ namespace {
 
 // Of a search for the largest compression that keeps the limits: to a hundredth of the compression asked for.
 constexpr int press_halvings = 7;
-constexpr double least_share = 0.1;  // of the compression: below, there is nothing to see
+// Of the way: where the search goes first, since most panels keep their limits there, and below what it gives up. There
+// hinges turn by a tenth of what they would, and cells differ by a tenth.
+constexpr double first_share = 0.1, least_share = 0.01;
+// Of the mean of the rest: what letter and rest have to differ by. An eye tells about 1 % apart (Weber's fraction).
+constexpr double least_apart = 0.01;
 
-DisplayFile pressed_by(DisplayFile file, double compression) {
-  file.compression = compression;
+}  // namespace
+
+DisplayFile pressed_by(DisplayFile file, double share) {
+  if (share == 1) return file;
+  file.compression *= share;
+  file.angle *= share;
   file.compression_range.reset();
   return file;
 }
 
-}  // namespace
-
-PanelLoads panel_loads(const DisplayFile& file, const model::Sheet& basic, const optim::DisplayView& view,
+PanelLoads panel_loads(const DisplayFile& file, const model::Sheet& basic, optim::DisplayView view,
                        const model::Elasticity& elasticity) {
+  view.plates.press = file.press;
   model::Sheet panel = basic;
   place_hinges(view, panel);
   model::EquilibriumPathOptions options;
@@ -30,10 +39,14 @@ PanelLoads panel_loads(const DisplayFile& file, const model::Sheet& basic, const
       trace_equilibrium({panel, drive_on(panel, view), exact_motion(panel)}, elasticity, options);
   PanelLoads loads;
   loads.hinges = hinge_loads(path, drive_on(panel, view), panel, file.hinge);
-  loads.compression = view.plates.compression;
+  loads.compression = view.turn ? NAN : view.plates.compression;
+  if (view.turn) loads.turn = view.turn->angle;
   const DisplayReading seen = read_panel(file, panel, path.state);
   loads.auc = seen.score.auc;
   loads.contrast = seen.score.contrast;
+  loads.rank = seen.rank;
+  loads.apart = std::abs(seen.score.separation()) / std::abs(seen.score.rest);
+  loads.stretch = path.gaps.max;
   return loads;
 }
 
@@ -45,18 +58,24 @@ void keep_limits(const DisplayFile& file, const model::Elasticity& elasticity, D
   display.unlimited = display.loads;
   double kept = 0, too_much = 1;
   for (int k = 0; k < press_halvings; ++k) {
-    const double share = k == 0 ? least_share : (kept + too_much) / 2;
-    optim::DisplayDesign design = search(pressed_by(file, share * file.compression));
+    const double share = k == 0 ? first_share : (kept + too_much) / 2;
+    if (share < least_share) break;
+    optim::DisplayDesign design = search(pressed_by(file, share));
     const PanelLoads loads = panel_loads(file, panel, design.view, elasticity);
     if (!(share_of(file.limits, loads.hinges) <= HingeLimits::in_hand)) {
       too_much = share;
-      if (k == 0) return;
       continue;
     }
     kept = share;
+    if (!(loads.apart >= least_apart)) continue;
     display.design = std::move(design);
     display.loads = loads;
+    display.pressed = share;
   }
+  if (display.pressed < 1) return;
+  display.least_pressed = too_much;
+  display.faint = kept > 0;
+  display.unlimited.reset();
 }
 
 }  // namespace kinetix::app

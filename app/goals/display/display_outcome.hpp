@@ -33,9 +33,13 @@ struct FrontPoint {
 /// What a panel asks of who presses it and of its hinges, and what it shows.
 struct PanelLoads {
   HingeLoads hinges;
-  double compression = 0;  ///< fraction of the plates' distance
-  double auc = 0;          ///< ratio, [0, 1]
-  double contrast = 0;     ///< d', dimensionless
+  double compression = 0;           ///< fraction of the plates' distance; NaN where a hinge is driven
+  std::optional<double> turn = {};  ///< of that hinge, rad
+  double auc = 0;                   ///< ratio, [0, 1]
+  double contrast = 0;              ///< d', dimensionless
+  double rank = 0;                  ///< rank correlation of channel and levels, [-1, 1]
+  double stretch = 0;               ///< largest gap of a hinge, cell edges
+  double apart = 0;  ///< of the means of letter and rest, over that of the rest, without sign; ratio
 };
 
 /// What prints of a panel show.
@@ -47,6 +51,8 @@ struct PrintedDisplay {
       {};  ///< prints do not show the picture as it was asked for; empty where they do
 
   bool holds() const { return why.empty(); }
+  /// Whether first order comes near to the prints that were looked at; true where there are none.
+  bool is_confirmed() const;
 };
 
 /// What a search for a display contributes to a result.
@@ -63,6 +69,10 @@ class DisplayOutcome final : public GoalOutcome {
   std::optional<DisplayReading> physics;  ///< the settled physics run
   std::optional<PanelLoads> loads;        ///< of a panel with limits
   std::optional<PanelLoads> unlimited;    ///< what it would be without them, where they made a difference
+  double pressed = 1;                     ///< part of the drive's way that they leave
+  std::optional<double>
+      least_pressed;   ///< the smallest part that was tried, where none that was tried keeps them
+  bool faint = false;  ///< a smaller part does, but then an eye does not tell letter and rest apart
   std::optional<PrintedDisplay> printed;  ///< of pictures of two levels
   std::vector<FrontPoint> front;          ///< of small panels that were searched by the scales of walls
 

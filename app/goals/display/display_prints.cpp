@@ -20,10 +20,11 @@ using Eigen::VectorXd;
 // Beyond, the derivatives of all cells take longer than the search.
 constexpr int most_printed_cells = 400;
 
-/// Readings of all cells by every hinge's t, alpha, beta and offset, times its standard deviation.
+/// Readings of all cells by every hinge's t, alpha, beta and offset, times its standard deviation: those of the smooth
+/// stand-in (optim::SmoothChannel), which alone has any.
 std::optional<MatrixXd> derivatives(const DisplayFile& file, const Run& run,
                                     const model::HingeScatter& scatter, model::State& state,
-                                    std::vector<double>& readings, Eigen::Index cells) {
+                                    Eigen::Index cells) {
   const Equilibrium& equilibrium = *run.equilibrium;
   const double theta = equilibrium.path.theta;
   model::ElasticSystem system(run.structure, equilibrium.elasticity, equilibrium.drive, true, true);
@@ -32,13 +33,12 @@ std::optional<MatrixXd> derivatives(const DisplayFile& file, const Run& run,
   if (!settle(system, theta, state, tangent)) return std::nullopt;
   const model::Linkage panel(run.structure);
   const optim::SmoothChannel channel(file.channel, panel, state);
-  readings = channel.values();
   const Eigen::Matrix4Xd spread = scatter.by_hinge(run.structure.hinges());
   const model::DesignSensitivities by_design(system, state, theta, tangent);
   MatrixXd out(cells, 4 * run.structure.hinges());
   for (Eigen::Index k = 0; k < cells; ++k) {
     model::PanelGradient reading(run.structure);
-    channel.add_gradient(VectorXd::Unit(static_cast<Eigen::Index>(readings.size()), k), reading);
+    channel.add_gradient(VectorXd::Unit(static_cast<Eigen::Index>(channel.values().size()), k), reading);
     Eigen::Matrix4Xd by = by_design.of(reading.state).hinges;
     by.row(0) += reading.t.transpose();
     by.row(3) += reading.offset.transpose();
@@ -108,14 +108,13 @@ std::optional<PrintedDisplay> display_prints(const DisplayFile& file, Run& run, 
   const model::HingeScatter scatter = scatter_of(run);
   const std::vector<double> levels = levels_of(file.goal, run.structure);
   model::State state = run.equilibrium->path.state;
-  std::vector<double> readings;
-  const auto by = derivatives(file, run, scatter, state, readings, static_cast<Eigen::Index>(levels.size()));
+  const auto by = derivatives(file, run, scatter, state, static_cast<Eigen::Index>(levels.size()));
   if (!by) {
     run.prints_unknown = "the panel's equilibrium is not stable";
     return std::nullopt;
   }
   PrintedDisplay out;
-  out.expected = optim::as_made_display(readings, levels, *by);
+  out.expected = optim::as_made_display(read_panel(file, run.structure, state).channel, levels, *by);
   add_prints(file, run, scatter, state, options, out);
   out.why = reasons(file, run, out);
   return out;

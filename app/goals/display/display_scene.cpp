@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -16,11 +17,16 @@
 #include "app/pipeline/hinge_loads.hpp"
 #include "app/pipeline/physics_settings.hpp"
 #include "app/run/stopwatch.hpp"
+#include "model/base/angle.hpp"
 #include "model/sheet/sheet_motion.hpp"
 #include "targets/display/panel_levels.hpp"
 
 namespace kinetix::app {
 namespace {
+
+// Dimensionless: over what light is off by where walls of 0.4 cell edges have no place to overlap but their vertices
+// (blurred_light_test: 0.016).
+constexpr double least_light = -0.02;
 
 std::string lost_strokes(const targets::DisplayGoal& goal) {
   const std::string what = "strokes or gaps are thinner than a cell, so that parts of the picture are lost: ";
@@ -39,6 +45,30 @@ std::string about_larger(const LargerPanels& larger) {
                      fmt::join(names, ", "));
 }
 
+/// What the search did to keep the limits of the file, in words.
+std::string pressed_less(const DisplayFile& file, const DisplayOutcome& display) {
+  const bool turned = display.design.view.turn.has_value();
+  const std::string less = turned ? "less turning" : "less compression";
+  if (!display.least_pressed) return less;
+  const DisplayFile least = pressed_by(file, *display.least_pressed);
+  return less + (turned ? fmt::format(", down to {:.2g} deg,", to_degrees(least.angle))
+                        : fmt::format(", down to {:.2g} %,", 100 * least.compression));
+}
+
+/// What keeps a picture from the equilibrium whose exact motion shows it; empty where that does not show it either.
+std::string lost_in_equilibrium(const DisplayFile& file, const DisplayOutcome& display, const Run& run) {
+  if (!display.design.scaled || !violations(file, display.exact.score, display.exact.rank, "").empty())
+    return "";
+  const std::vector<model::PathEvent>& events = run.equilibrium->path.events;
+  const bool touch = std::any_of(events.begin(), events.end(), [](const model::PathEvent& e) {
+    return e.kind == model::PathEvent::Kind::contact;
+  });
+  const double told = file.goal.is_binary() ? display.exact.score.contrast : display.exact.rank;
+  return fmt::format("the exact motion shows it, with {} {:.2f}: in the equilibrium {} take that from it",
+                     file.goal.is_binary() ? "contrast" : "rank correlation", told,
+                     touch ? "walls that touch and hinges that give" : "hinges that give");
+}
+
 /// Greys have no contrast to judge them by.
 Tolerances tolerances_of(const DisplayFile& file) {
   Tolerances tolerances = {{"stretch", file.stretch}, {"auc", file.auc}};
@@ -46,26 +76,45 @@ Tolerances tolerances_of(const DisplayFile& file) {
   return tolerances;
 }
 
-/// Whether larger panels are worth a search: where the picture has all its strokes and is not clear enough.
-bool wants_more_cells(const DisplayFile& file, const DisplayOutcome& display) {
+/// Whether larger panels are worth a search: where the picture has all its strokes and is not clear enough, not even in
+/// the exact motion if there is one.
+bool wants_more_cells(const DisplayFile& file, const DisplayOutcome& display, const Run& run) {
   const optim::DisplayView& view = display.design.view;
   return file.goal.whole && view.at_equilibrium &&
-         !violations(file, display.after.score, display.after.rank, "model").empty();
+         !violations(file, display.after.score, display.after.rank, "model").empty() &&
+         lost_in_equilibrium(file, display, run).empty();
 }
 
-std::vector<std::string> all_violations(const DisplayFile& file, const DisplayOutcome& display) {
+/// Cells that are darker than dark, which is where walls lie over each other.
+std::string below_zero(const DisplayOutcome& display) {
+  const std::vector<double>& light = display.after.channel;
+  const auto dark =
+      std::count_if(light.begin(), light.end(), [](double of_cell) { return of_cell < least_light; });
+  if (display.channel != optim::Channel::light || dark == 0) return "";
+  return fmt::format(
+      "the light of {} cells is below zero: their walls lie over each other; take thinner ones", dark);
+}
+
+std::vector<std::string> all_violations(const DisplayFile& file, const DisplayOutcome& display,
+                                        const Run& run) {
   std::vector<std::string> why;
   if (!display.design.view.at_equilibrium) {
     why.push_back("no equilibrium of the panel was found at this compression: compress less");
     return why;
   }
   why = violations(file, display.after.score, display.after.rank, "model");
+  if (const std::string lost = lost_in_equilibrium(file, display, run); !why.empty() && !lost.empty())
+    why.push_back(lost);
+  if (const std::string dark = below_zero(display); !dark.empty()) why.push_back(dark);
   if (!(display.design.view.stretch <= file.stretch))
     why.push_back(fmt::format("a hinge stretches by {:.3f} cell edges; at most {:.3f} is allowed",
                               display.design.view.stretch, file.stretch));
   if (display.loads)
-    for (const std::string& limit : violations(file.limits, display.loads->hinges, "less compression"))
+    for (const std::string& limit :
+         violations(file.limits, display.loads->hinges, pressed_less(file, display)))
       why.push_back(limit);
+  if (display.faint)
+    why.push_back("pressed less still it keeps its limits, but then letter and rest differ by less than 1 %");
   if (!display.goal.whole) why.push_back(lost_strokes(display.goal));
   if (!display.larger.tried.empty()) why.push_back(about_larger(display.larger));
   return why;
@@ -145,15 +194,18 @@ class DisplayScene final : public Scene {
     auto& display = outcome_of<DisplayOutcome>(run);
     Stopwatch watch;
     const bool stopped = options.stop.stop_requested();
-    if (!stopped && wants_more_cells(file_, display))
-      display.larger = search_larger_panels(file_, display.options, options.progress);
+    if (!stopped && wants_more_cells(file_, display, run)) {
+      const DisplayFile pressed = pressed_by(file_, display.pressed);
+      display.larger =
+          search_larger_panels(pressed, search_options(pressed, elasticity(), options), options.progress);
+    }
     display.larger_panels_s = watch.lap();
     if (!stopped && options.verify && display.design.scaled && run.structure.cells() <= most_cells_of_front)
       display.front = legibility_front(file_, front_point(file_.offset, display.after, run.equilibrium->path),
                                        elasticity(), display.options, options.progress);
     if (!stopped) options.progress("prints", 0);
     if (!stopped) display.printed = display_prints(file_, run, options);
-    display.violations = all_violations(file_, display);
+    display.violations = all_violations(file_, display, run);
   }
 
   std::optional<PhysicsTask> physics_task(const Run& run) const override {

@@ -4,7 +4,9 @@
 
 #include <cmath>
 
+#include "app/goals/display/display_limits.hpp"
 #include "app/goals/display/search_panel.hpp"
+#include "app/pipeline/hinge_loads.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -24,16 +26,21 @@ std::vector<targets::PanelSize> larger_sizes(targets::PanelSize asked) {
   return sizes;
 }
 
-bool shows(const DisplayFile& file, const targets::DisplayGoal& goal, const optim::DisplayOptions& options,
-           const Progress& progress) {
-  const targets::PanelSize size = {goal.columns, goal.rows};
+/// @param file whose goal is drawn on the larger panel
+bool shows(const DisplayFile& file, const optim::DisplayOptions& options, const Progress& progress) {
+  const targets::PanelSize size = {file.goal.columns, file.goal.rows};
   const model::Sheet panel = make_panel(file, size);
   const auto told = [&](const std::string&, double done, const std::string& so_far) {
     progress(fmt::format("{} x {}", size[0], size[1]), done, so_far);
   };
-  const optim::DisplayView view = search_panel(file, goal, panel, options, told).view;
-  return view.at_equilibrium && view.stretch <= file.stretch &&
-         violations(file, view.score, view.rank, "").empty();
+  const optim::DisplayView view = search_panel(file, file.goal, panel, options, told).view;
+  if (!view.at_equilibrium) return false;
+  const PanelLoads seen = panel_loads(file, panel, view, options.elasticity);
+  targets::DisplayScore score;
+  score.auc = seen.auc;
+  score.contrast = seen.contrast;
+  return share_of(file.limits, seen.hinges) <= 1 && seen.stretch <= file.stretch &&
+         violations(file, score, seen.rank, "").empty();
 }
 
 }  // namespace
@@ -62,7 +69,8 @@ LargerPanels search_larger_panels(const DisplayFile& file, const optim::DisplayO
     const targets::DisplayGoal goal = file.goal.redrawn(size);
     if (!goal.whole || (options.symmetry == optim::Symmetry::rotate_4 && size[0] != size[1])) continue;
     larger.tried.push_back(size);
-    if (!shows(alike, goal, options, progress)) continue;
+    alike.goal = goal;
+    if (!shows(alike, options, progress)) continue;
     larger.enough = size;
     break;
   }

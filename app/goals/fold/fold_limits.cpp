@@ -2,17 +2,35 @@
 
 #include <utility>
 
+#include "app/goals/fold/crease_checks.hpp"
 #include "app/pipeline/hinge_loads.hpp"
 #include "app/pipeline/matter.hpp"
+#include "model/closure/drive_theta.hpp"
 
 namespace kinetix::app {
 namespace {
 
 constexpr int theta_halvings = 5;  // of the range of theta, to a degree: a fold's loads change slowly with it
 
-/// Of the design that makes up for its elastic hinges.
-FoldLoads loads_of(const Run& run, const Scene& scene, const optim::FoldDesign& design,
-                   const std::stop_token& stop) {
+/// What a design that makes up for its elastic hinges bears, and whether it still folds into its goal.
+struct Borne {
+  FoldLoads loads;
+  bool meets_goal = false;
+};
+
+bool meets_goal(const FoldFile& file, const optim::FoldDesign& design, const MatterPath& found) {
+  FoldOutcome outcome;
+  outcome.goal = file.goal;
+  outcome.design = design;
+  optim::FoldedNet& net = outcome.design.folded;
+  net.error = fold_error(net.net, net.layout, net.structure, found.path.state,
+                         model::mean_theta(found.sheet, found.path.state));
+  return found.path.stop == model::EquilibriumPath::Stop::reached &&
+         violations(file, outcome.creases(net.error), net.error.rms, "equilibrium").empty();
+}
+
+Borne borne_by(const FoldFile& file, const Run& run, const Scene& scene, const optim::FoldDesign& design,
+               const std::stop_token& stop) {
   Run trial;
   trial.hinge = run.hinge;
   trial.physics = run.physics;
@@ -25,7 +43,9 @@ FoldLoads loads_of(const Run& run, const Scene& scene, const optim::FoldDesign& 
   fold->design = design;
   trial.goal = std::move(fold);
   const MatterPath found = path_in_matter(trial, scene, stop);
-  return {found.theta, hinge_loads(found.path, found.drive, found.sheet, run.hinge, trial.own_hinges)};
+  return {{model::mean_theta(found.sheet, found.path.state),
+           hinge_loads(found.path, found.drive, found.sheet, run.hinge, trial.own_hinges)},
+          meets_goal(file, design, found)};
 }
 
 }  // namespace
@@ -33,7 +53,7 @@ FoldLoads loads_of(const Run& run, const Scene& scene, const optim::FoldDesign& 
 void keep_limits(const FoldFile& file, const Run& run, const Scene& scene, FoldOutcome& fold,
                  const std::function<optim::FoldDesign(double)>& search, const RunOptions& options) {
   if (!file.limits.any() || !fold.design.folds) return;
-  fold.loads = loads_of(run, scene, fold.design, options.stop);
+  fold.loads = borne_by(file, run, scene, fold.design, options.stop).loads;
   if (share_of(file.limits, fold.loads->hinges) <= HingeLimits::in_hand) return;
   fold.unlimited = fold.loads;
   double kept = file.theta.lower, too_much = fold.design.folded.theta;
@@ -45,12 +65,16 @@ void keep_limits(const FoldFile& file, const Run& run, const Scene& scene, FoldO
       kept = theta;
       continue;
     }
-    const FoldLoads loads = loads_of(run, scene, design, options.stop);
-    const bool keeps = share_of(file.limits, loads.hinges) <= HingeLimits::in_hand;
-    (keeps ? kept : too_much) = theta;
-    if (!keeps) continue;
+    const Borne borne = borne_by(file, run, scene, design, options.stop);
+    if (!(share_of(file.limits, borne.loads.hinges) <= HingeLimits::in_hand)) {
+      too_much = theta;
+      continue;
+    }
+    kept = theta;
+    // Hinges of a sheet that stays short of its goal are strained little: that is no way to keep limits.
+    if (!borne.meets_goal) continue;
     fold.design = std::move(design);
-    fold.loads = loads;
+    fold.loads = borne.loads;
   }
 }
 

@@ -174,8 +174,9 @@ std::vector<SummaryLine> FoldOutcome::summary_lines(const Run& run) const {
   lines.push_back(
       {"solid", in_words(creases(net.error), net.error.rms) + (met() ? "" : ": DOES NOT FOLD AS REQUIRED")});
   for (const std::string& why : violations) lines.push_back({"why", why});
-  lines.push_back({"net", fmt::format("{} faces, {} per crease, unfolding {} of {}", net.net.faces.size(),
-                                      columns_in_words(net.layout), design.net + 1, goal.nets.size())});
+  lines.push_back({"net", fmt::format("{} face{}, {} per crease, unfolding {} of {}", net.net.faces.size(),
+                                      net.net.faces.size() == 1 ? "" : "s", columns_in_words(net.layout),
+                                      design.net + 1, goal.nets.size())});
   if (goal.box) lines.push_back({"size", size_text(*this)});
   lines.push_back(
       {"search", fmt::format("{:.3f} s, {} motions examined", run.timings.optimise, design.evaluations)});

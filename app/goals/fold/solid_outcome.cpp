@@ -140,9 +140,10 @@ std::vector<SummaryLine> SolidOutcome::summary_lines(const Run& run) const {
   lines.push_back({"solid", in_words(creases(design.error), design.error.rms) +
                                 (met() ? "" : ": DOES NOT FOLD AS REQUIRED")});
   for (const std::string& why : violations) lines.push_back({"why", why});
-  lines.push_back({"net", fmt::format("{} faces of {} cells a side, {} {} per crease",
-                                      design.net.faces.size(), 2 * goal.cells, design.net.columns,
-                                      design.net.columns == 1 ? "column" : "columns")});
+  lines.push_back(
+      {"net", fmt::format("{} face{} of {} cells a side, {} {} per crease", design.net.faces.size(),
+                          design.net.faces.size() == 1 ? "" : "s", 2 * goal.cells, design.net.columns,
+                          design.net.columns == 1 ? "column" : "columns")});
   lines.push_back({"size", fmt::format("edges of {:.1f} mm when it is closed", edge_mm())});
   lines.push_back(
       {"search", fmt::format("{:.3f} s, {} motions examined", run.timings.optimise, design.evaluations)});

@@ -164,8 +164,7 @@ std::vector<SummaryLine> HelmetOutcome::summary_lines(const Run& run) const {
        fmt::format("{} ribs on a spine of {} cells, {:g} mm over the head, {:g} mm down from the crown",
                    design.layout.spine_and_ribs.ribs.size(), design.layout.spine_and_ribs.rows,
                    spec.clearance_mm, spec.coverage_mm)});
-  lines.push_back(
-      {"fit", in_words(design.error) + (met() ? ": within tolerance" : ": MISSES THE TOLERANCE")});
+  lines.push_back({"fit", in_words(design.error) + ": " + verdict()});
   for (const std::string& why : violations) lines.push_back({"why", why});
   if (!head.openings.empty()) lines.push_back({"INVENTED", invented(head.openings)});
   for (const std::string& note : design.layout.notes) lines.push_back({"note", note});

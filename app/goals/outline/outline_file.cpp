@@ -154,12 +154,12 @@ OutlineFile read_outline_file(const targets::Node& node) {
   tolerance.read("shape", file.shape_tolerance);
   tolerance.read("iou", file.iou_tolerance);
   tolerance.read("verify", file.verify_tolerance);
+  file.physics = read_physics(root, file.cell_mm.value_or(file.folded.diagonal() / file.columns));
   read_hinges(root, file.cell_mm ? std::optional(file.size(*file.cell_mm)) : std::nullopt, file);
   if (!file.hinge_parts.empty())
     throw root.section("hinge").optional("except")->key_error(
         "names creases, which a panel has none of: all its hinges stand upright");
   limit_outline_offset(root, file);
-  file.physics = read_physics(root, file.cell_mm.value_or(file.folded.diagonal() / file.columns));
   return file;
 }
 

@@ -2,6 +2,7 @@
 #include "app/goals/outline/outline_kind.hpp"
 #include "app/goals/outline/outline_outcome.hpp"
 #include "app/pipeline/exact_state.hpp"
+#include "model/base/invalid_input.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::app {
@@ -13,6 +14,15 @@ targets::OutlineError error_of(const OutlineOutcome& outline, const model::State
   std::vector<Eigen::Vector2d> rim;
   for (const int body : outline.rim) rim.push_back(placed[body].p.head<2>());
   return outline_error(targets::Outline(outline.placed(edge_mm)), rim);
+}
+
+/// Families lay a sheet down each in their own place: the outline goes where its first body is.
+/// @param edge_mm cell edge of the sheet, mm
+void move_outline(const model::State& exact, double edge_mm, optim::OutlineDesign& design) {
+  const model::PlanarStructure& panel = design.panel;
+  const model::Pose searched =
+      model::redrawn_pose(panel.graph.vertices[0], design.y[0], panel.senses[0], design.theta);
+  design.origin += (exact[0].p / edge_mm - searched.p).head<2>();
 }
 
 /// @param who the state is of that results show
@@ -64,8 +74,13 @@ class OutlineScene final : public Scene {
   }
 
   void add_state(Run& run, const RunOptions&) const override {
+    if (!run.plan.exact)
+      throw InvalidInput("no panel with such offsets moves exactly: " + run.plan.exact.why,
+                         {"", 0, 0, "variables.offset_mm"});
     add_exact_state(run, run.theta);
-    outcome_of<OutlineOutcome>(run).exact = run.states.front().poses;
+    auto& outline = outcome_of<OutlineOutcome>(run);
+    outline.exact = run.states.front().poses;
+    move_outline(outline.exact, run.structure.size().edge_mm, outline.design);
   }
 
   /// In the place of the exact state.

@@ -75,9 +75,9 @@ void SpaceCurveOutcome::add_metrics(Json& metrics) const {
 std::vector<SummaryLine> SpaceCurveOutcome::summary_lines(const Run& run) const {
   std::vector<SummaryLine> lines;
   lines.push_back(
-      {"shape", fmt::format("rms {:.2e} of the goal's diagonal ({:.3f} mm), largest {:.3f} mm: {}",
-                            error().rms, error().rms * error().scale_mm, error().max * error().scale_mm,
-                            met() ? "within tolerance" : "MISSES THE TOLERANCE")});
+      {"shape",
+       fmt::format("rms {:.2e} of the goal's diagonal ({:.3f} mm), largest {:.3f} mm: {}", error().rms,
+                   error().rms * error().scale_mm, error().max * error().scale_mm, verdict())});
   for (const std::string& why : violations) lines.push_back({"why", why});
   const Eigen::Vector3d& y = found.across.direction;
   lines.push_back(

@@ -69,32 +69,33 @@ class SheetMaker {
   PrintSheet made() && {
     if (sheet_.linkage.hinges.empty())
       throw InvalidInput("the design has no hinges: there is nothing to fold, and nothing to print");
-    cut();
-    choose_hinges();
-    if (choice_.caps && sheet_.kind() != HingeKind::pin)
-      throw InvalidInput("caps are of pins, and the design's hinges are not");
-    make_solids(sheet_);
+    sheet_.tiles.of_body.assign(sheet_.linkage.bodies.size(), 0);
+    make_whole();
+    if (!choice_.bed_mm) return std::move(sheet_);
+    sheet_.tiles = cut_into_tiles(boxes(), *choice_.bed_mm);
+    if (sheet_.tiles.count() > 1) make_whole();  // rods between two tiles are loose
     return std::move(sheet_);
   }
 
  private:
-  void cut() {
-    const int bodies = static_cast<int>(sheet_.linkage.bodies.size());
-    sheet_.tiles.of_body.assign(bodies, 0);
-    if (!choice_.bed_mm) return;
-    std::vector<Eigen::Vector2d> places;
-    for (int b = 0; b < bodies; ++b) places.emplace_back(sheet_.linkage.rest_position(b).head<2>());
-    sheet_.tiles = cut_into_tiles(places, longest_wall_mm(), *choice_.bed_mm);
+  void make_whole() {
+    choose_hinges();
+    if (choice_.caps && sheet_.kind() != HingeKind::pin)
+      throw InvalidInput("caps are of pins, and the design's hinges are not");
+    make_solids(sheet_);
   }
 
-  /// No half wall with its hinge is longer.
-  double longest_wall_mm() const {
-    double longest = 0;
-    for (const model::RestHinge& hinge : sheet_.linkage.hinges)
-      longest = std::max(
-          longest,
-          (sheet_.linkage.rest_position(hinge.upper) - sheet_.linkage.rest_position(hinge.lower)).norm());
-    return longest;
+  /// Of the bodies, from above, flat, each with the soft parts that are printed with it (tile_parts), mm.
+  std::vector<Eigen::AlignedBox2d> boxes() const {
+    const model::State& flat = sheet_.path.front();
+    std::vector<Eigen::AlignedBox2d> all(sheet_.meshes.size());
+    const auto add = [&](const model::Polyhedron& solid, int body) {
+      for (const Eigen::Vector3d& p : solid.points) all[body].extend(p.head<2>());
+    };
+    for (int b = 0; b < static_cast<int>(all.size()); ++b) add(placed_body(sheet_, flat, b), b);
+    for (int h = 0; h < hinges(); ++h)
+      if (!sheet_.soft[h].points.empty()) add(placed_soft(sheet_, flat, h), sheet_.linkage.hinges[h].lower);
+    return all;
   }
 
   bool is_loose(int h, const model::MadeHinge& made) const {
@@ -147,6 +148,7 @@ class SheetMaker {
   void choose_hinges() {
     const std::vector<model::MadeHinge> open = open_hinges();
     const double furthest_mm = largest_offset_mm();
+    sheet_.hinges.clear();
     for (int h = 0; h < hinges(); ++h) {
       const model::MadeHinge made = hinge_at(design_.hinge, design_.own_hinges, h).made.value_or(open[h]);
       check_process(sheet_.process, sheet_.linkage.size, made);
@@ -216,6 +218,9 @@ HingeKind PrintSheet::kind() const {
 }
 
 void make_solids(PrintSheet& sheet) {
+  sheet.meshes.clear();
+  sheet.rods.clear();
+  sheet.soft.clear();
   sheet.bodies =
       body_solids(sheet.linkage, [&](int h) -> const model::HingePrint& { return sheet.hinges[h]; });
   for (const model::BodySolid& body : sheet.bodies)

@@ -56,7 +56,8 @@ struct PrintChoice {
   bool loose_rods = false;  ///< rods of pins are parts of their own; else only where two tiles meet
   bool caps =
       false;  ///< knuckles are round caps about the middle of their walls, all as large as the largest offset asks
-  std::optional<Eigen::Vector2d> bed_mm = {};  ///< of the printer: a larger sheet is cut into tiles
+  std::optional<Eigen::Vector2d> bed_mm =
+      {};  ///< of the printer: a sheet that it does not hold, not even turned, is cut into tiles
   double edge_mm =
       0;  ///< cell edge instead of the design's, mm; 0: the design's. Walls stay, but for what the process needs
 };
@@ -71,7 +72,8 @@ bool leaves_hinges_open(const DesignFile& design);
 /// Hinges that the design leaves open have a rod and clearance as small as the process prints them, or are blocks of
 /// rubber or films as long as the fold needs.
 /// @param path of the design
-/// @throws InvalidInput for what the process cannot print, hinges that overlap a junction, and a sheet without hinges
+/// @throws BedTooSmall for a bed that does not hold each body; other InvalidInput for what the process cannot print,
+/// hinges that overlap a junction, and a sheet without hinges
 PrintSheet make_print_sheet(const DesignFile& design, const PrintPath& path, const model::Process& process,
                             const PrintChoice& choice);
 

@@ -113,7 +113,7 @@ function strainText({metrics: {strain_max: most, strain_allowed: allowed}}) {
 
 function asMadeText({asMade}) {
   if (!asMade) return null;
-  return `${millimetres(asMade.rms)} off by ${asMade.process}; 95 of 100 within ${millimetres(asMade.p95)}, allowed ${millimetres(asMade.tolerance)}`;
+  return `${millimetres(asMade.rms)} off the goal by ${asMade.process}; 95 of 100 within ${millimetres(asMade.p95)}, allowed ${millimetres(asMade.tolerance)}`;
 }
 
 function printText({print}) {

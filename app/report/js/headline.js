@@ -36,6 +36,8 @@ function takenWords(taken) {
       `turns of the design and are strained by ${figures(taken.strain, 2)} of ${neat(taken.strain_allowed)} that they bear.`;
 }
 
+const CONTACT_WORDS = " Walls of prints may meet on the way: its fold lies beyond what is proven free of contact with them out of place.";
+
 /** What prints come to, where that is known: a sentence. */
 function asMadeWords({asMade}) {
   if (!asMade) return null;
@@ -43,10 +45,11 @@ function asMadeWords({asMade}) {
   const there = place === undefined ? "" : ` The ${parameterPlurals[place.parameter] ?? place.parameter} of ${place.place} make ${percent(place.share)} of what errors do.`;
   const most = source === undefined ? "" : ` The largest single source is ${parameterWords[source.parameter] ?? source.parameter} of hinge ` +
           `${source.hinge} (${percent(source.share)} of what errors do).`;
-  return `Printed by ${asMade.process}, it ends up ${millimetres(asMade.rms)} from the goal (rms over its points and over ` +
-      `prints); 95 of 100 prints stay within ${millimetres(asMade.p95)}, and ${millimetres(asMade.tolerance)} are allowed.` + there + most +
+  const designed = finite(asMade.designed) === null ? "" : `, ${millimetres(asMade.designed)} as designed`;
+  return `Printed by ${asMade.process}, it ends up ${millimetres(asMade.rms)} from the goal (rms over points of the sheet and over ` +
+      `prints${designed}); 95 of 100 prints stay within ${millimetres(asMade.p95)}, and ${millimetres(asMade.tolerance)} are allowed.` + there + most +
       (asMade.play ? ` Without the play of its pins it would be ${millimetres(asMade.play.rms_without_mm)}, and ${millimetres(asMade.play.p95_without_mm)}.` : "") +
-      takenWords(asMade.taken) + (asMade.confirmed ? "" : " That is to first order, and does not hold here: " + printsWords(asMade.prints));
+      takenWords(asMade.taken) + (asMade.mayTouch ? CONTACT_WORDS : "") + (asMade.confirmed ? "" : " That is to first order, and does not hold here: " + printsWords(asMade.prints));
 }
 
 /** What elastic hinges make of a goal that was met exactly: a sentence. */
@@ -59,8 +62,9 @@ function matterWords({matter}) {
 }
 
 function printsWords({count, failed, rms_mm: rms, p95_mm: p95}) {
+  if (count === 0) return `none of ${failed} prints in the elastic model found an equilibrium near the design.`;
   const lost = failed > 0 ? `, and ${failed} more found no equilibrium near the design` : "";
-  return `${count} prints in the elastic model came out ${millimetres(rms)} off, 95 of 100 within ${millimetres(p95)}${lost}.`;
+  return `${count} prints in the elastic model came out ${millimetres(rms)} off the goal, 95 of 100 within ${millimetres(p95)}${lost}.`;
 }
 
 const parameterPlurals = {t: "places", alpha: "directions", beta: "tilts", offset: "offsets"};

@@ -180,6 +180,7 @@ OrientedBox ContactSearch::placed_box(int plate) const {
   out.center = box.origin + length / 2 * box.edge;
   out.axes << box.edge, box.up, box.normal;
   out.half << length / 2, all_.half_height, all_.half_thickness;
+  out.slant = all_.plates[plate].slant;
   return out;
 }
 

@@ -64,7 +64,7 @@ class ContactSearch {
   /// Points that are in a box grown by a margin, cell edges, in the state last placed. Sorted.
   std::vector<Pair> pairs_within(double margin);
   bool may_touch(int plate, int other) const;
-  OrientedBox placed_box(int plate) const;  ///< cell edges
+  OrientedBox placed_box(int plate) const;  ///< cell edges; its end cut along the hinge
   /// Plates that lie across each other, each pair once. Sorted.
   std::vector<std::pair<int, int>> crossing(const State& state);
   /// Whether one's middle line, in the plane, goes across the other's or what is beside it.

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <regex>
 
 #include "tests/app/program.hpp"
@@ -52,6 +53,28 @@ TEST(Check, TellsTheSizeOfAFoldedBox) {
   for (int k = 0; k < 3; ++k)
     EXPECT_NEAR(expected["folded_mm"][k].get<double>(), edges[k].get<double>(),
                 0.03 * edges[k].get<double>());
+}
+
+/// An arc as a target of 40 columns.
+std::string arc_of(double degrees) {
+  std::string points;
+  for (int k = 0; k <= 60; ++k) {
+    const double turn = degrees * std::numbers::pi / 180 * k / 60;
+    points += (k ? ", [" : "[") + std::to_string(60 * std::sin(turn)) + ", " +
+              std::to_string(60 - 60 * std::cos(turn)) + "]";
+  }
+  return "kinetix: 1\ntarget: {kind: curve, points: [" + points + "]}\nstructure: {cells: [40, 1]}\n";
+}
+
+TEST(Check, TellsThatCirclesAndCornersAreSearchedForLonger) {
+  const auto seconds = [](const std::string& text) {
+    return checked(text)["expected"]["search_s"].get<double>();
+  };
+  const double plain = seconds(arc_of(90));
+  EXPECT_GE(seconds(arc_of(350)), 3 * plain);
+  EXPECT_GE(seconds("kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [50, 0], [50, 50], [100, 50]]}\n"
+                    "structure: {cells: [40, 1]}\n"),
+            10 * plain);
 }
 
 /// Edges of the box around the bodies of the folded state.

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -195,6 +196,91 @@ TEST(AsMadeResult, SaysWhatCannotBePrinted) {
               HasSubstr("a wall of 0.5 mm is less than polyjet prints"));
   EXPECT_EQ(result["made_problems"][0]["kind"], "print");
   EXPECT_EQ(result["made_problems"][0]["what"], result["as_made"]["why"][0]);
+}
+
+struct Found {
+  Json result;
+  std::string out, folder;
+};
+
+Found found(const Scratch& scratch, const std::string& goal) {
+  const std::string folder = scratch / "out";
+  const Outcome run = kinetix_opt(scratch.write("goal.yaml", "kinetix: 1\n" + goal) + " -o " + folder +
+                                  " --no-verify --quiet");
+  EXPECT_TRUE(run.code == 0 || run.code == 3) << run.out << run.err;
+  const Json result = Json::parse(text_of(folder + "/result.json"));
+  EXPECT_EQ(schema_errors(result), "");
+  return {result, run.out, folder};
+}
+
+// A sheet so large, or so small, that no print of it comes to rest near its design.
+TEST(AsMadeResult, OfNoPrintThatSettlesSaysSoAndNoNumbers) {
+  const Scratch scratch;
+  for (const char* goal :
+       {"target: {kind: curve, points: [[0, 0], [200000, 150000], [450000, 220000], [700000, 150000], "
+        "[900000, 0]]}\n",
+        "target: {kind: outline, points: [[0, 0], [0.05, 0], [0.05, 0.05], [0, 0.05]]}\n"}) {
+    const Found one = found(scratch, goal);
+    const Json& made = one.result["as_made"];
+    EXPECT_EQ(made["prints"]["count"], 0);
+    EXPECT_EQ(made["prints"]["failed"], 20);
+    EXPECT_EQ(made["holds"], false) << "what finds no equilibrium does not hold";
+    EXPECT_THAT(made["why"].dump(), HasSubstr("20 of 20 prints in the elastic model found no equilibrium"));
+    EXPECT_THAT(one.out, HasSubstr("none of 20 prints in the elastic model found an equilibrium"));
+    EXPECT_EQ(one.out.find("nan mm"), std::string::npos) << one.out;
+    EXPECT_EQ(one.out.find(", of those in the elastic model"), std::string::npos) << one.out;
+  }
+}
+
+// Blocks fit where `export` makes them, and where it does not the reason is the same.
+TEST(AsMadeResult, CanBePrintedOnlyWhereExportMakesItsBlocks) {
+  const Scratch scratch;
+  for (const auto& [goal, fits] :
+       {std::pair{"target: {kind: curve, points: [[0, 0], [30, 12], [60, 16], [90, 12], [120, 0]]}\n"
+                  "structure: {cells: [12, 1]}\n",
+                  true},
+        {"target: {kind: space_block, factor: [0.82, 0.86, 0.88], size_mm: [120, 120, 120]}\n", false}}) {
+    const Found one = found(scratch, goal);
+    const Json& made = one.result["as_made"];
+    const Outcome print = kinetix_opt("export " + one.folder + " --format stl --hinge block --quiet -o " +
+                                      std::string(scratch / "print"));
+    EXPECT_EQ(made["can_be_printed"], fits) << one.out;
+    EXPECT_EQ(print.code, fits ? 0 : 2) << print.err;
+    if (fits) continue;
+    EXPECT_EQ(made["holds"], false);
+    EXPECT_THAT(one.out, HasSubstr("CANNOT BE PRINTED SO"));
+    EXPECT_EQ(one.result["made_problems"][0]["kind"], "print");
+    const std::string why = made["why"][0], blocks = "do not fit as blocks: ";
+    ASSERT_THAT(why, HasSubstr(blocks));
+    EXPECT_THAT(print.err, HasSubstr(why.substr(why.find(blocks) + blocks.size())));
+  }
+}
+
+// A panel of two cells by two that is pressed further than walls out of place are proven to allow, and a strip that is not.
+TEST(AsMadeResult, SaysWhetherWallsOfPrintsMayMeet) {
+  const Scratch scratch;
+  for (const auto& [goal, is_free] :
+       {std::pair{"target: {kind: fold, net: {faces: [{name: a, cells: [2, 2]}], creases: []}}\n", false},
+        {"target: {kind: curve, points: [[0, 0], [30, 12], [60, 16], [90, 12], [120, 0]]}\n"
+         "structure: {cells: [12, 1]}\n",
+         true}}) {
+    const Found one = found(scratch, goal);
+    EXPECT_EQ(one.result["as_made"]["free_of_contact"], is_free) << one.out;
+    EXPECT_EQ(one.result["certified"]["covers_theta_printed"], is_free);
+    EXPECT_EQ(one.out.find("walls of prints may meet: theta") == std::string::npos, is_free) << one.out;
+    EXPECT_EQ(one.out.find(": holds, but walls may meet") == std::string::npos, is_free) << one.out;
+  }
+}
+
+// Two numbers of one design: between curves, and at points of the sheet.
+TEST(AsMadeResult, NamesTheDesignsOwnDistanceBesideThatOfPrints) {
+  const Scratch scratch;
+  const Printed one = printed(scratch, "");
+  const Json& made = one.result["as_made"];
+  EXPECT_THAT(one.out,
+              HasSubstr(fmt::format("{:.2f} mm off the goal (rms over points of the sheet; {:.2f} mm "
+                                    "as designed)",
+                                    made["rms_mm"].get<double>(), made["designed_mm"].get<double>())));
 }
 
 TEST(AsMadeResult, JudgesPrintsOfDisplaysByTheirTolerances) {

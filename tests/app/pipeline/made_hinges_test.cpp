@@ -95,7 +95,7 @@ TEST(MadeHinges, SayWhatTheyCannotBear) {
       verified(design_with("kind: film, material: pa12, gap_mm: 1, thickness_mm: 0.4", "[]", 30));
   EXPECT_THAT(s.out, HasSubstr("STRAINED"));
   EXPECT_THAT(s.out, HasSubstr("its material bears 0.04"));
-  EXPECT_THAT(s.out, HasSubstr("of 0.04 allowed, the largest of its hinges"));
+  EXPECT_THAT(s.out, HasSubstr("of 0.04 that its material bears, the largest of its hinges"));
   EXPECT_EQ(s.result["metrics"]["strain_allowed"], 0.04);
   EXPECT_EQ(s.result["made_problems"][0]["kind"], "strained");
   const Simulated corners =

@@ -168,11 +168,43 @@ TEST(Export, TakesTheClearanceOfACouponInsteadOfTheProcesss) {
       std::string(panel) + "hinge: {kind: pin, diameter_mm: 1, clearance_mm: 0.2}\n";
   ASSERT_EQ(exported(scratch, described, "--format stl --process sla --clearance 0.15").code, 0);
   EXPECT_EQ(said_of(scratch)["clearance_mm"], 0.2) << "the design's own, which this printer can";
-  expect_refused(described, "--format stl --process sla --clearance 0.3", "less than sla prints, 0.3 mm");
+  EXPECT_THAT(text_of(scratch / "out/print.txt"),
+              HasSubstr("--clearance 0.15 leaves the design's own pins as they are"));
+  expect_refused(described, "--format stl --process sla --clearance 0.3",
+                 "the design's own pins have a clearance of 0.2 mm, and --clearance asks for 0.3: change "
+                 "`clearance_mm` in the design");
   const Outcome coupon =
       kinetix_opt("export --coupon --format stl --clearance 0.2 -o " + std::string(scratch / "coupon"));
   EXPECT_EQ(coupon.code, 2);
   EXPECT_THAT(coupon.err, HasSubstr("a coupon has gaps of its own"));
+}
+
+TEST(Export, SaysWhichOptionsChangeNothing) {
+  const Scratch scratch;
+  const std::string described =
+      std::string(panel) + "hinge: {kind: pin, diameter_mm: 1, clearance_mm: 0.2}\n";
+  ASSERT_EQ(exported(scratch, described, "--format stl --hinge block").code, 0);
+  EXPECT_EQ(said_of(scratch)["hinge"], "pin");
+  EXPECT_THAT(said_of(scratch)["warnings"].dump(), HasSubstr("--hinge changes nothing: the design says"));
+  ASSERT_EQ(exported(scratch, panel, "--format stl --hinge block --clearance 0.2 --loose-rods").code, 0);
+  const std::string said = said_of(scratch)["warnings"].dump();
+  EXPECT_THAT(said, HasSubstr("--clearance changes nothing: no hinge is a pin"));
+  EXPECT_THAT(said, HasSubstr("--loose-rods changes nothing: no hinge is a pin"));
+  ASSERT_EQ(exported(scratch, panel, "--format stl --hinge pin --clearance 0.2 --loose-rods").code, 0);
+  EXPECT_EQ(said_of(scratch)["warnings"].dump().find("changes nothing"), std::string::npos);
+}
+
+/// Walls that lean all alike: no exact motion, so hinges stretch.
+TEST(Export, SaysWhatToChangeInADesignWhoseOwnPinsWouldStretch) {
+  const std::string leaning = R"(kinetix: 1
+structure: {cells: [3, 2], cell_mm: 30, wall_mm: {thickness: 2, height: 12}}
+design: {theta_deg: 20, hinges: [{wall: [[1, 0], [2, 0]], beta_deg: 30}, {wall: [[1, 1], [2, 1]], beta_deg: 30}, {wall: [[1, 2], [2, 2]], beta_deg: 30}]}
+)";
+  const std::string own = leaning + "hinge: {kind: pin, diameter_mm: 2, clearance_mm: 0.2}\n";
+  for (const char* options : {"--format stl", "--format stl --hinge block"})
+    expect_refused(own, options,
+                   "change its `hinge:` to `kind: block`, or take it out and give --hinge block");
+  expect_refused(leaning, "--format stl --hinge pin", "pins cannot (--hinge block)");
 }
 
 TEST(Export, MakesADesignForItsOwnProcess) {
@@ -190,7 +222,7 @@ TEST(Export, MakesADesignForItsOwnProcess) {
 
 TEST(Export, CutsALargeSheetIntoTilesThatTheBedHolds) {
   const Scratch scratch;
-  ASSERT_EQ(exported(scratch, panel, "--format stl,3mf --hinge pin --bed 45,50").code, 0);
+  ASSERT_EQ(exported(scratch, panel, "--format stl,3mf --hinge pin --bed 28,30").code, 0);
   const Json json = said_of(scratch);
   EXPECT_EQ(json["tiles"], Json::array({2, 1}));
   EXPECT_EQ(json["loose_rods"], 3) << "between the two columns in the middle";
@@ -198,18 +230,71 @@ TEST(Export, CutsALargeSheetIntoTilesThatTheBedHolds) {
   for (const char* name : {"out/tile_1.stl", "out/tile_2.stl"}) {
     const std::string bytes = text_of(scratch / name);
     tiles += volume_of_stl(bytes);
-    EXPECT_LE(width_of_stl(bytes), 45);
+    EXPECT_LE(width_of_stl(bytes), 28);
   }
   tiles += volume_of_stl(text_of(scratch / "out/rods.stl"));
   EXPECT_NEAR(tiles / double(json["volume_mm3"]["hard"]), 1, 1e-6);
   for (const char* name : {"out/panel_tile_2.3mf", "out/panel_rods.3mf"})
     EXPECT_TRUE(fs::exists(scratch / name));
-  expect_refused(panel, "--format stl --bed 20,20", "a bed of 20 x 20 mm does not hold a body");
+  expect_refused(panel, "--format stl --bed 10,10", "a bed of 10 x 10 mm does not hold a body");
+}
+
+/// Its own size along x and y, as print.json has it, up to whole mm.
+std::pair<int, int> whole_mm(const Json& json) {
+  return {static_cast<int>(std::ceil(double(json["bounds_mm"][0]))),
+          static_cast<int>(std::ceil(double(json["bounds_mm"][1])))};
+}
+
+TEST(Export, LeavesASheetWholeThatTheBedHolds) {
+  for (const char* hinge : {"pin", "block", "film"}) {
+    const Scratch scratch;
+    const std::string options = std::string("--format stl --hinge ") + hinge;
+    ASSERT_EQ(exported(scratch, panel, options).code, 0);
+    const auto [x, y] = whole_mm(said_of(scratch));
+    for (const std::string& bed : {fmt::format("{},{}", x, y), fmt::format("{},{}", y, x)}) {
+      ASSERT_EQ(exported(scratch, panel, options + " --bed " + bed).code, 0);
+      EXPECT_EQ(said_of(scratch)["tiles"], Json::array({1, 1})) << hinge << " " << bed;
+      EXPECT_FALSE(fs::exists(scratch / "out/tile_1.stl"));
+    }
+    EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("holds the whole, turned on it by a quarter"));
+    ASSERT_EQ(exported(scratch, panel, options + fmt::format(" --bed {},{}", x - 1, y)).code, 0);
+    EXPECT_EQ(said_of(scratch)["tiles"], Json::array({2, 1})) << hinge;
+    for (const char* tile : {"out/tile_1.stl", "out/tile_2.stl"})
+      EXPECT_GT(volume_of_stl(text_of(scratch / tile)), 0) << hinge;
+  }
+}
+
+TEST(Export, SaysThatTheBedIsTooSmallAndNotThatLargerCellsAreNone) {
+  const Scratch scratch;
+  const Outcome run = exported(scratch, panel, "--format stl --hinge pin --bed 10,10");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, HasSubstr("smaller cells (--cell-mm)"));
+  EXPECT_EQ(run.err.find("larger cell"), std::string::npos) << run.err;
+  ASSERT_EQ(exported(scratch, panel, "--format stl --hinge pin --bed 15,15").code, 0);
+  EXPECT_EQ(said_of(scratch)["tiles"], Json::array({4, 3})) << "a body each";
+}
+
+/// Files that come with some sheets only would be taken for parts of the new one.
+TEST(Export, TakesAwayTilesOfAnEarlierExportThatAreNotItsOwn) {
+  const Scratch scratch;
+  ASSERT_EQ(exported(scratch, panel, "--format stl,3mf --hinge pin --bed 28,30").code, 0);
+  std::ofstream(scratch / "out/tile_2.stl") << "mine";
+  std::ofstream(scratch / "out/tile_3.stl") << "mine too";
+  ASSERT_EQ(exported(scratch, panel, "--format stl --hinge pin").code, 0);
+  for (const char* gone : {"out/tile_1.stl", "out/rods.stl"})
+    EXPECT_FALSE(fs::exists(scratch / gone)) << gone;
+  for (const char* kept :
+       {"out/tile_2.stl", "out/tile_3.stl", "out/panel.3mf", "out/panel_tile_1.3mf", "out/panel_rods.3mf"})
+    EXPECT_TRUE(fs::exists(scratch / kept))
+        << kept << ", changed by hand, or of a format that is not written";
+  ASSERT_EQ(exported(scratch, panel, "--format 3mf --hinge pin").code, 0);
+  for (const char* gone : {"out/panel_tile_1.3mf", "out/panel_rods.3mf", "out/.kinetix-prints"})
+    EXPECT_FALSE(fs::exists(scratch / gone)) << gone;
 }
 
 TEST(Export, GluesBlocksBetweenTiles) {
   const Scratch scratch;
-  ASSERT_EQ(exported(scratch, panel, "--format stl --hinge block --bed 45,50").code, 0);
+  ASSERT_EQ(exported(scratch, panel, "--format stl --hinge block --bed 28,30").code, 0);
   const Json json = said_of(scratch);
   double soft = 0;
   for (const char* name : {"out/tile_1_soft.stl", "out/tile_2_soft.stl"})

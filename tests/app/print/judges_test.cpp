@@ -329,7 +329,7 @@ TEST(Slices, OfLooseRodsAreBodiesAndRods) {
   const std::string design = scratch.write(
       "panel.yaml", "kinetix: 1\nstructure: {cells: [4, 3], cell_mm: 16}\ndesign: {theta_deg: 15}\n");
   const Outcome run =
-      kinetix_opt("export " + design + " --format stl,step --process fdm --hinge pin --bed 75,75 -o " +
+      kinetix_opt("export " + design + " --format stl,step --process fdm --hinge pin --bed 50,45 -o " +
                   std::string(scratch / "out"));
   ASSERT_EQ(run.code, 0) << run.err;
   const Json json = Json::parse(text_of(scratch / "out/print.json"));

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "model/base/invalid_input.hpp"
+#include "model/lattice/crease_law.hpp"
 #include "tests/support/curves.hpp"
 
 namespace kinetix::optim {
@@ -113,6 +114,37 @@ TEST(FitFreeCurve, KeepsThetaBelowTheAngleAtWhichBasicCellsClose) {
   EXPECT_TRUE(found.walls_are_free);
   ASSERT_FALSE(found.notes.empty());
   EXPECT_NE(found.notes[0].find("theta kept below"), std::string::npos) << found.notes[0];
+}
+
+model::CellSize usual_walls(const CurveVariables& v) { return {v.cell_mm, 0.1 * v.cell_mm, 0.6 * v.cell_mm}; }
+
+/// Gentle tilts miss this corner by a little more than steep ones do; both ranges are the search's own doing.
+TEST(FitFreeCurve, SpeaksOfTheTiltsThatWereAskedForWhateverItNarrows) {
+  const targets::Curve corner({{0, 0}, {100, 0}, {100, 100}});
+  CurveVariables variables = strip(corner, 38);
+  variables.symmetry = Symmetry::mirror_x;
+  const FreeCurveDesign gentle = fit_free_curve(corner, variables, usual_walls(variables), {}),
+                        near = fit_free_curve(corner, variables, usual_walls(variables), {}, 1e-3);
+  for (const FreeCurveDesign* found : {&gentle, &near}) {
+    EXPECT_TRUE(found->walls_are_free);
+    const CurveReach& reach = found->design.reach;
+    const double most = model::crease_turn(variables.beta.upper, reach.theta);
+    for (const ColumnTurn& turn : reach.turns) EXPECT_NEAR(turn.allowed, most, 1e-12) << turn.column;
+    EXPECT_TRUE(reach.obstacles.empty()) << reach.obstacles.front();
+  }
+  EXPECT_LT(near.design.error.rms, 0.95 * gentle.design.error.rms);
+}
+
+/// Where tilts that follow these corners take walls into each other, a smaller theta does not.
+TEST(FitFreeCurve, FindsASmallerThetaWhereWallsWouldMeet) {
+  const targets::Curve step({{0, 0}, {30, 0}, {30, 30}, {60, 30}});
+  const CurveVariables variables = strip(step, 17);
+  const FreeCurveDesign found = fit_free_curve(step, variables, usual_walls(variables), {}, 0.01);
+  EXPECT_TRUE(found.walls_are_free);
+  EXPECT_LE(found.design.error.rms, 0.01);
+  EXPECT_NE(found.narrowed.find("theta kept below"), std::string::npos) << found.narrowed;
+  ASSERT_FALSE(found.notes.empty());
+  EXPECT_EQ(found.notes.back(), found.narrowed);
 }
 
 }  // namespace

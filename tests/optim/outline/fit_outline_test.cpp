@@ -6,6 +6,9 @@
 #include <numbers>
 
 #include "kinetix/kinetix.hpp"
+#include "model/lattice/planar/lattices/brick.hpp"
+#include "model/lattice/planar/lattices/honeycomb.hpp"
+#include "model/lattice/planar/lattices/octagon.hpp"
 
 namespace kinetix::optim {
 namespace {
@@ -55,6 +58,42 @@ TEST(FitOutline, MakesTheRimOfASquarePanelRound) {
   const targets::OutlineError told = outline_error(goal, folded_rim(design));
   EXPECT_NEAR(told.rms, design.error.rms, 1e-9);
   EXPECT_NEAR(told.iou, design.error.iou, 1e-9);
+}
+
+/// 60 mm x 40 mm.
+const targets::Outline& wide() {
+  static const targets::Outline made({{0, 0}, {60, 0}, {60, 40}, {0, 40}});
+  return made;
+}
+
+/// A panel whose hinges may not sit off their walls, or by less than a search can tell.
+void expect_exact_on_walls(const model::PlanarStructure& flat, const targets::Outline* flat_outline,
+                           double offset) {
+  OutlineOptions options;
+  options.offset = offset;
+  options.thetas = 1;
+  const OutlineDesign design = kinetix::fit_outline(flat, wide(), flat_outline, options);
+  EXPECT_EQ(design.offset, 0);
+  EXPECT_GT(design.shift, 0.02) << "hinges slide along their walls";
+  EXPECT_LE(design.shift, 1 - 2 * options.t[0] + 1e-9);
+  EXPECT_TRUE(exact_motion(design.panel)) << exact_motion(design.panel).why;
+  EXPECT_NEAR(outline_error(wide(), folded_rim(design)).rms, design.error.rms, 1e-9);
+}
+
+TEST(FitOutline, MovesExactlyWithAllHingesOnTheirWalls) {
+  for (const double offset : {0.0, 1e-9}) expect_exact_on_walls(panel(), nullptr, offset);
+  for (const model::PlanarLattice* lattice :
+       {&model::honeycomb_lattice, &model::octagon_lattice, &model::brick_lattice}) {
+    SCOPED_TRACE(lattice->name);
+    const auto made =
+        make_planar_structure(model::LatticeSheet{lattice, model::lattice_cells(3, 3)}, panel().size);
+    expect_exact_on_walls(made, nullptr, 0);
+  }
+}
+
+TEST(FitOutline, MovesExactlyOnItsWallsWithAFlatOutlineToo) {
+  const targets::Outline square({{0, 0}, {50, 0}, {50, 50}, {0, 50}});
+  expect_exact_on_walls(panel(), &square, 0);
 }
 
 TEST(FitOutline, RefusesOptionsOutOfRange) {

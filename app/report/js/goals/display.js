@@ -208,7 +208,7 @@ function loadOf(point) {
 function limitsTable(display) {
   if (!display.loads) return null;
   const row = (name, loads) => ({cells: [
-    name, percent(loads.compression), `${figures(loads.force_N, 2)} N`, figures(loads.strain, 2), figures(loads.auc, 3), figures(loads.contrast, 2)
+    name, finite(loads.compression) === null ? "one hinge" : percent(loads.compression), `${figures(loads.force_N, 2)} N`, figures(loads.strain, 2), figures(loads.auc, 3), figures(loads.contrast, 2)
   ]});
   const rows = [row(display.unlimited ? "within the limits" : "this panel, which keeps the limits", display.loads)];
   if (display.unlimited) rows.push(row("without them", display.unlimited));
@@ -224,7 +224,7 @@ function printsTable(display) {
   return html("div", {class: "scroll"},
               table(["prints", "contrast, mean", "contrast that 95 of 100 keep", "AUC"],
                     [row("expected, to first order", expected), row(`${display.printed.count} looked at in the elastic model`, prints)],
-                    "What prints show"));
+                    display.printed.confirmed === false ? "What prints show: first order is far from them" : "What prints show"));
 }
 
 /** What hinges further off their walls would buy. */

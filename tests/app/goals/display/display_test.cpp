@@ -8,6 +8,7 @@
 #include <set>
 
 #include "app/goals/display/display_kind.hpp"
+#include "app/goals/display/display_limits.hpp"
 #include "app/goals/display/panel_memory.hpp"
 #include "app/pictures/far_view.hpp"
 #include "app/pictures/panel_picture.hpp"
@@ -25,6 +26,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 using Json = nlohmann::json;
 
@@ -52,6 +54,15 @@ TEST(Display, IsSearchedVerifiedAndDrawn) {
   EXPECT_GE(result["metrics"]["contrast_physics"], 3);
   EXPECT_LE(result["metrics"]["stretch_max"], 0.12);
   EXPECT_EQ(result["display"]["after"]["cells"].size(), 36u);
+  // First order starts from the apertures themselves, which scatter can but blur.
+  EXPECT_LE(result["display"]["printed"]["expected"]["contrast"], result["display"]["after"]["contrast"]);
+  EXPECT_TRUE(result["display"]["printed"]["confirmed"].is_boolean());
+  for (const Json& cell : result["structure"]["cells"]) {
+    const int i = cell["cell"][0], j = cell["cell"][1];
+    const bool is_ring = std::min({i, j, 5 - i, 5 - j}) == 1;
+    EXPECT_EQ(cell["on"], is_ring) << i << " " << j;
+    EXPECT_EQ(cell["level"], is_ring ? 1 : 0) << i << " " << j;
+  }
   for (const char* picture : {"before", "hinges", "after", "physics"}) {
     EXPECT_THAT(text_of(folder + "/" + picture + ".svg"), HasSubstr("<svg")) << picture;
     EXPECT_THAT(text_of(folder + "/" + picture + ".png"), StartsWith("\x89PNG")) << picture;
@@ -143,6 +154,103 @@ solver: {starts: 1, max_evaluations: 40}
   EXPECT_EQ(result["display"]["needed_for"], "contrast");
   EXPECT_EQ(result["display"]["needed_cells"], (std::vector{8, 8}));
   EXPECT_THAT(run.out, HasSubstr("cells shows it within these bounds"));
+}
+
+/// An L on 6 x 6 cells and what else a file says, in the model.
+struct ShownL {
+  Outcome run;
+  Json result;
+};
+
+ShownL shown_l(const std::string& more) {
+  const Scratch scratch;
+  const std::string text = R"(kinetix: 1
+target: {kind: display, rows: ["000000", "011000", "011000", "011110", "011110", "000000"]}
+)";
+  const Outcome run = kinetix_opt(scratch.write("l.yaml", text + more) + " --no-verify -o " + scratch.path());
+  const Json result = Json::parse(text_of(scratch / "result.json"));
+  EXPECT_EQ(schema_errors(result), "");
+  return {run, result};
+}
+
+const std::string rubber_panel = R"(structure: {cell_mm: 15, wall_mm: {thickness: 2, height: 8}}
+hinge: {kind: block, material: tango, gap_mm: 2, thickness_mm: 1.2}
+)";
+
+// A panel of [8, 8] cells was promised by its exact motion alone, and so on from panel to panel.
+TEST(Display, APictureThatOnlyTheExactMotionShowsSaysSo) {
+  const auto [run, result] = shown_l(rubber_panel);
+  EXPECT_EQ(run.code, 3) << run.out << run.err;
+  EXPECT_THAT(run.out, HasSubstr("the exact motion shows it, with contrast 5."));
+  EXPECT_THAT(run.out, Not(HasSubstr("larger panel")));
+  EXPECT_GE(result["display"]["scaled"]["exact"]["contrast"], 3);
+  EXPECT_FALSE(result["display"].contains("needed_cells"));
+}
+
+TEST(Display, LimitsAreKeptByAFiftiethOfTheCompressionIfNeedBe) {
+  const auto [run, result] = shown_l(R"(structure: {cell_mm: 20, wall_mm: {thickness: 4, height: 10}}
+hinge: {kind: film, material: pp, gap_mm: 3, thickness_mm: 0.4}
+tolerance: {strain: 0.025}
+)");
+  EXPECT_EQ(run.code, 0) << run.out << run.err;
+  const Json& display = result["display"];
+  EXPECT_LE(display["loads"]["strain"], 0.025);
+  EXPECT_LT(display["loads"]["compression"], 0.0185);
+  EXPECT_GE(display["loads"]["contrast"], 3);
+  EXPECT_GT(display["unlimited"]["strain"], 0.025);
+  EXPECT_GE(display["after"]["letter"], 1.01 * display["after"]["rest"].get<double>());
+  EXPECT_THAT(run.out, HasSubstr("of 0.1 that its material bears"));
+}
+
+TEST(Display, LimitsThatLeaveNothingToSeeAreNotKeptAndSayHowFarThatWasTried) {
+  const auto [run, result] = shown_l(rubber_panel + "tolerance: {force_N: 2}\n");
+  EXPECT_EQ(run.code, 3) << run.out << run.err;
+  EXPECT_THAT(run.out, HasSubstr("at most 2 N is allowed, and less compression, down to 0."));
+  EXPECT_THAT(run.out, HasSubstr("but then letter and rest differ by less than 1 %"));
+  EXPECT_EQ(result["display"]["loads"]["compression"], 0.185);
+  EXPECT_FALSE(result["display"].contains("unlimited"));
+}
+
+TEST(Display, LightBelowZeroIsNoPicture) {
+  const auto [run, result] = shown_l("structure: {cell_mm: 10, wall_mm: {thickness: 4}}\n");
+  EXPECT_EQ(run.code, 3) << run.out << run.err;
+  EXPECT_THAT(run.out, HasSubstr("cells is below zero: their walls lie over each other"));
+  // Without what walls cover twice at vertices the mean of both was below zero.
+  EXPECT_GT(result["display"]["after"]["letter"], 0.1);
+}
+
+TEST(Display, ContrastWithoutScatterIsANumber) {
+  const Scratch scratch;
+  const Outcome run =
+      kinetix_opt(scratch.write("two.yaml", "kinetix: 1\ntarget: {kind: display, rows: [\"10\", \"01\"]}\n") +
+                  " --no-verify -o " + scratch.path());
+  EXPECT_EQ(run.code, 0) << run.out << run.err;
+  EXPECT_THAT(run.out, Not(HasSubstr("inf")));
+  EXPECT_GT(Json::parse(text_of(scratch / "result.json"))["metrics"]["contrast"], 100);
+}
+
+TEST(DisplayLimits, PressLessWhateverTheDrive) {
+  app::DisplayFile file;
+  file.compression_range = {0.1, 0.2};
+  const app::DisplayFile less = app::pressed_by(file, 0.25);
+  EXPECT_DOUBLE_EQ(less.compression, 0.25 * file.compression);
+  EXPECT_DOUBLE_EQ(less.angle, 0.25 * file.angle);
+  EXPECT_FALSE(less.compression_range);
+  EXPECT_TRUE(app::pressed_by(file, 1).compression_range);
+}
+
+TEST(PrintedDisplay, IsConfirmedByPrintsThatAreNear) {
+  app::PrintedDisplay printed;
+  EXPECT_TRUE(printed.is_confirmed());
+  printed.expected.contrast = 20;
+  printed.seen.contrast = 15;
+  printed.prints = 20;
+  EXPECT_TRUE(printed.is_confirmed());
+  printed.seen.contrast = 9.6;
+  EXPECT_FALSE(printed.is_confirmed());
+  printed.seen.contrast = 20;
+  printed.failed = 2;
+  EXPECT_FALSE(printed.is_confirmed());
 }
 
 TEST(Display, NamesThePanelThatKeepsAllStrokes) {

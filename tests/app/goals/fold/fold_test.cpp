@@ -70,6 +70,17 @@ TEST(Fold, OfANetBendsBothWays) {
   EXPECT_NEAR(result["metrics"]["fold_physics_deg"][1], -45, 1e-3);
 }
 
+TEST(Fold, OfASingleFaceIsOfOneFace) {
+  const Scratch scratch;
+  const Outcome run = kinetix_opt(
+      scratch.write(
+          "net.yaml",
+          "kinetix: 1\ntarget: {kind: fold, net: {faces: [{name: a, cells: [2, 2]}], creases: []}}\n") +
+      " -o " + scratch.path() + " --no-verify");
+  EXPECT_EQ(run.code, 0) << run.out << run.err;
+  EXPECT_THAT(run.out, HasSubstr(" 1 face, 0 columns per crease"));
+}
+
 TEST(Fold, ThatCannotBeSaysWhy) {
   const Scratch scratch;
   const std::string text = std::string(box) + "variables: {beta: {range_deg: [-5, 5]}}\n";

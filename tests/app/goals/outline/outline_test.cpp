@@ -5,9 +5,12 @@
 
 #include "app/exports/write_results.hpp"
 #include "app/goals/read_target.hpp"
+#include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/pipeline.hpp"
+#include "model/base/invalid_input.hpp"
 #include "model/contact/wall_contact.hpp"
 #include "model/sheet/sheet_motion.hpp"
+#include "targets/outline/outline.hpp"
 #include "tests/support/bad_input.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -127,6 +130,49 @@ TEST(Outline, MayBePrescribedFlatAndPressed) {
   EXPECT_EQ(result["structure"]["lattice"], "graph");
   EXPECT_LE(result["states"][0]["hinge_gap_max"].get<double>(), 1e-12);
   EXPECT_EQ(run.plan.mobility->dofs_along, 1);
+}
+
+/// Of the poses that a result shows, against the outline that it draws under them.
+double shown_rms(const nlohmann::json& result) {
+  std::vector<Eigen::Vector2d> goal, rim;
+  for (const auto& p : result["outline"]["goal_mm"]) goal.emplace_back(p[0], p[1]);
+  for (const int body : result["outline"]["rim"]) {
+    const auto& p = result["states"][0]["poses"][body]["position_mm"];
+    rim.emplace_back(p[0], p[1]);
+  }
+  return outline_error(targets::Outline(goal), rim).rms;
+}
+
+/// By no offsets that are allowed, and by blocks as thick as their walls, which leave none.
+TEST(Outline, MovesExactlyWithAllHingesOnTheirWalls) {
+  const std::string plain = "variables: {offset_mm: 0}\n";
+  for (const std::string& rest :
+       {"structure: {cells: [6, 6], cell_mm: 10}\n" + plain,
+        "structure: {cells: [6, 6], trim: outline}\n" + plain,
+        "structure: {lattice: honeycomb, cells: [3, 3]}\n" + plain,
+        "structure: {lattice: rhombus, cells: [4, 4]}\n" + plain,
+        std::string("structure: {cells: [4, 4], cell_mm: 10}\nhinge: {model: rotary, kind: block, material: "
+                    "tango, gap_mm: 1}\n")}) {
+    SCOPED_TRACE(rest);
+    app::Run run = run_of(target("[[0, 0], [60, 0], [60, 40], [0, 40]]", rest), false);
+    ASSERT_TRUE(run.plan.exact) << run.plan.exact.why;
+    for (int h = 0; h < run.structure.hinges(); ++h) EXPECT_EQ(run.structure.hinge(h).offset, 0);
+    EXPECT_LE(run.states.front().gaps.max, 1e-12);
+    const auto result = written(run);
+    EXPECT_NEAR(shown_rms(result), result["outline"]["exact"]["rms"].get<double>(), 1e-9);
+  }
+}
+
+TEST(Outline, OfASheetWithoutAnExactMotionIsRefused) {
+  app::Run run;
+  run.plan.exact.why = "cell [0, 0] does not close";
+  try {
+    add_exact_state(run, 0.1);
+    FAIL() << "no error";
+  } catch (const InvalidInput& e) {
+    EXPECT_THAT(e.what(), HasSubstr("no exact motion: cell [0, 0] does not close"));
+  }
+  EXPECT_TRUE(run.states.empty());
 }
 
 TEST(Outline, IsTheSameForAnyNumberOfThreads) {
