@@ -53,6 +53,15 @@ TEST(FormatsPage, RefusesATableThatItLeavesOutAndAMarkThatStandsForNothing) {
   EXPECT_THROW(formats_page("{{keys nothing}}\n", schema_text), InvalidInput);
 }
 
+/// To the left and to the right of the middle of a wall: designs that are written have both.
+TEST(FileSchema, HasBothSignsOfAnOffset) {
+  const Json schema = Json::parse(schema_text("design"));
+  const Json offset =
+      schema["properties"]["design"]["properties"]["hinges"]["items"]["properties"]["offset_mm"];
+  ASSERT_EQ(offset["type"], "number");
+  for (const char* bound : {"minimum", "exclusiveMinimum"}) EXPECT_FALSE(offset.contains(bound)) << bound;
+}
+
 TEST(FileSchema, IsWhatTheTablesSay) {
   for (const FileSchema& schema : file_schemas())
     EXPECT_EQ(schema_text(schema.name), schema.text) << "write it anew by `make docs`";

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "model/base/angle.hpp"
@@ -129,6 +130,13 @@ structure: {cell_mm: 20}
 hinge: {kind: block, material: tango, gap_mm: 2, thickness_mm: 0.8}
 )";
 
+const std::string soft_disc = R"(kinetix: 1
+target: {kind: outline, points: [[20, 0], [14.1, 14.1], [0, 20], [-14.1, 14.1], [-20, 0], [-14.1, -14.1], [0, -20], [14.1, -14.1]]}
+structure: {cells: [6, 6], cell_mm: 10, wall_mm: {thickness: 1.6, height: 8}}
+variables: {offset_mm: 0.4, theta: {range_deg: [20, 25]}}
+tolerance: {shape: 0.05, iou: 0.8}
+)";
+
 TEST(Matter, AFoldKeepsItsLimits) {
   const Scratch scratch;
   const Finished run =
@@ -141,6 +149,17 @@ TEST(Matter, AFoldKeepsItsLimits) {
   EXPECT_THAT(run.out, HasSubstr("without them at theta"));
 }
 
+TEST(Matter, SweepsOverJointsAreRefusedBeforeTheSearch) {
+  const std::string framed = "hinge: {k: {axial: 6.7, shear: 1.1, along: 1.6, turn: 0.33}}\n";
+  for (const std::string& goal : {small_box, soft_disc + framed}) {
+    const Scratch scratch;
+    const Finished run = finished(scratch, goal + "physics: {solver: sweeps}\n");
+    EXPECT_EQ(run.code, 2);
+    EXPECT_THAT(run.err, HasSubstr("physics.solver: `sweeps` handles only hinges that cannot stretch"));
+    EXPECT_FALSE(std::filesystem::exists(scratch / "out"));
+  }
+}
+
 TEST(Matter, LimitsOfAFoldMustFitItsDrive) {
   const Scratch scratch;
   EXPECT_THAT(finished(scratch, small_box + springs + "tolerance: {force_N: 3}\n").err,
@@ -149,13 +168,6 @@ TEST(Matter, LimitsOfAFoldMustFitItsDrive) {
       finished(scratch, "kinetix: 1\ntarget: {kind: fold, box: [2, 2, 2]}\ntolerance: {force_N: 3}\n").err,
       HasSubstr("tolerance.force_N: applies to elastic hinges; give `hinge` as well"));
 }
-
-const std::string soft_disc = R"(kinetix: 1
-target: {kind: outline, points: [[20, 0], [14.1, 14.1], [0, 20], [-14.1, 14.1], [-20, 0], [-14.1, -14.1], [0, -20], [14.1, -14.1]]}
-structure: {cells: [6, 6], cell_mm: 10, wall_mm: {thickness: 1.6, height: 8}}
-variables: {offset_mm: 0.4, theta: {range_deg: [20, 25]}}
-tolerance: {shape: 0.05, iou: 0.8}
-)";
 
 TEST(Matter, AnOutlineIsJudgedInItsHinges) {
   const Scratch scratch;
