@@ -47,9 +47,9 @@ struct ContactPlates {
   double face_offset(const ContactPlate& plate, Face face) const;
 };
 
-/// @param planar one point a wall tip corner, at the height of the neutral plane. Else three along its edge, and others along
-/// top and bottom, half a thickness or less from each other, so that an edge which crosses another wall has one inside it. Of
-/// walls thinner than a fortieth of their length, edges can cross between two points.
+/// @param planar one point a wall tip corner, at the height of the neutral plane. Else three along its edge, and
+/// others along top and bottom, a thickness or less from each other, so that an edge which crosses another wall
+/// has one inside it. Of walls thinner than an eightieth of their length, edges can cross between two points.
 ContactPlates contact_plates(const Linkage& structure, bool planar);
 
 }  // namespace kinetix::model
