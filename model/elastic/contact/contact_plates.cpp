@@ -28,7 +28,6 @@ ContactPlate contact_plate(const ContactPlates& all, const Plate& half_wall, int
   plate.body = half_wall.body;
   plate.sign = half_wall.length_t;
   plate.length = half_wall.length;
-  plate.slant = half_wall.slant;
   plate.edge = half_wall.edge;
   plate.up = half_wall.up;
   plate.up_rate = half_wall.up_beta;

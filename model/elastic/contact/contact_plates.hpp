@@ -25,7 +25,6 @@ struct ContactPlate {
   Eigen::Vector3d up_rate, normal_rate;
   double sign = 1;  ///< of d(length)/dt, 1 or -1
   double length = 0;
-  double slant = 0;                  ///< as of Plate: of the wall itself, where its contact has a square end
   std::vector<ContactPoint> points;  ///< those of the wall tip first
 
   Eigen::Vector3d face_normal(Face face) const;  ///< outward

@@ -23,6 +23,7 @@ bool is_same(const State& a, const State& b) {
 
 ContactSearch::ContactSearch(const Linkage& structure, bool planar)
     : all_(contact_plates(structure, planar)),
+      walls_(half_walls(structure)),
       points_per_plate_(all_.points_per_plate()),
       placed_points_(all_.plates.size() * points_per_plate_),
       placed_boxes_(all_.plates.size()),
@@ -173,23 +174,17 @@ bool ContactSearch::is_cut(int plate, int other) const {
   return far > 0 && far < all_.plates[other].length;
 }
 
-OrientedBox ContactSearch::placed_box(int plate) const {
-  const Box& box = placed_boxes_[plate];
-  const double length = all_.plates[plate].length;
-  OrientedBox out;
-  out.center = box.origin + length / 2 * box.edge;
-  out.axes << box.edge, box.up, box.normal;
-  out.half << length / 2, all_.half_height, all_.half_thickness;
-  out.slant = all_.plates[plate].slant;
-  return out;
+bool ContactSearch::are_deep(int plate, int other, const State& state) const {
+  const HalfWall &one = walls_[plate], &two = walls_[other];
+  return overlap(placed(one, state[one.body]), placed(two, state[two.body]),
+                 all_.half_thickness * all_.edge_mm);
 }
 
 std::vector<std::pair<int, int>> ContactSearch::crossing(const State& state) {
   place(state);
   std::vector<std::pair<int, int>> out;
   for (const auto& [a, b] : finder_.find(placed_centers(), all_.reach() + all_.wall_tip_radius())) {
-    const bool crosses = all_.planar ? is_cut(a, b) && is_cut(b, a)
-                                     : overlap(placed_box(a), placed_box(b), all_.half_thickness);
+    const bool crosses = all_.planar ? is_cut(a, b) && is_cut(b, a) : are_deep(a, b, state);
     if (crosses && may_touch(a, b)) out.emplace_back(a, b);
   }
   std::sort(out.begin(), out.end());

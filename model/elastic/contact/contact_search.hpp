@@ -3,11 +3,11 @@
 #include <optional>
 #include <vector>
 
-#include "model/base/oriented_box.hpp"
 #include "model/contact/near_pairs.hpp"
 #include "model/contact/wall_contact.hpp"
 #include "model/elastic/contact/contact_plates.hpp"
 #include "model/elastic/contact/relative_motion.hpp"
+#include "model/linkage/half_wall.hpp"
 
 namespace kinetix::model {
 
@@ -64,7 +64,8 @@ class ContactSearch {
   /// Points that are in a box grown by a margin, cell edges, in the state last placed. Sorted.
   std::vector<Pair> pairs_within(double margin);
   bool may_touch(int plate, int other) const;
-  OrientedBox placed_box(int plate) const;  ///< cell edges; its end cut along the hinge
+  /// Whether two half walls, cut along their hinges, are in each other by half a thickness in every direction.
+  bool are_deep(int plate, int other, const State& state) const;
   /// Plates that lie across each other, each pair once. Sorted.
   std::vector<std::pair<int, int>> crossing(const State& state);
   /// Whether one's middle line, in the plane, goes across the other's or what is beside it.
@@ -80,6 +81,7 @@ class ContactSearch {
   void add_if_inside(int point, int other);
 
   ContactPlates all_;
+  std::vector<HalfWall> walls_;
   int points_per_plate_;
   std::vector<std::pair<int, int>> excluded_;  ///< touch at rest; sorted
   std::optional<WallPair> overlap_at_rest_;
