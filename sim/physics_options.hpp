@@ -16,9 +16,8 @@ struct PhysicsOptions {
   };
 
   Solver solver = Solver::direct;
-  double step_s = 1.0 / 1000;  ///< time step, s, in (0, 0.1]; at most 10 million of them in the run
-  int iterations = 200;  ///< sequential impulses: rounds per step, over all joints or (direct) contacts,
-                         ///< 1 to 100000
+  double step_s = 1.0 / 1000;     ///< time step, s, in (0, 0.1]; at most 10 million of them in the run
+  int iterations = 200;           ///< sweeps: rounds per step over all joints and contacts, 1 to 100000
   double joint_stiffness = 1e4;   ///< direct: of the joints, over the parts' masses, in (0, 1e12]. Gaps that
                                   ///< can close do close whatever it is; above 1e4, structures that must
                                   ///< strain (no exact family) tear near flat

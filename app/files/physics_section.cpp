@@ -37,7 +37,7 @@ const targets::KeyTable& physics_keys() {
                "alone where there is no model to compare with"),
            "time step"},
           {"iterations", value::integer(1, 100'000), targets::by_default(usual.iterations),
-           "of the engine's solver per step, over all joints (`sweeps`) or over the contacts (`direct`)"},
+           "of `sweeps`, per step over all joints and contacts; `direct` has none"},
           {"error_reduction", value::number({0, 1, false, true}),
            targets::otherwise(targets::shortest_text(usual.error_reduction)),
            "part of a hinge's gap removed per step; not with elastic hinges, which follow their stiffnesses"},

@@ -33,7 +33,7 @@ Eigen::Matrix3d world_inertia(const btRigidBody& body) {
   return R * principal.asDiagonal() * R.transpose();
 }
 
-// Solutions of a step: of rows that only push those that do change hardly ever from step to step.
+// Solutions of a step: until the rows that only push and do are the same twice. Panels of a thousand contacts need seven.
 constexpr int most_solutions = 20;
 
 /// A row that only pushes its second part.
@@ -43,20 +43,15 @@ struct Push {
 };
 
 struct Contact {
-  Eigen::VectorXd response;  ///< of all parts to a unit impulse
-  double mobility = 0;       ///< approach speed that a unit impulse takes away
-  double target = 0;
-  double compliance = 0;
-  double impulse = 0;
   VelocityRow row;
+  bool presses = false;
 };
 
-/// A cord taut or slack, by the parts.
+/// A cord, by the parts.
 struct Pull {
   Eigen::VectorXd direction, response;
   double mobility = 0;  ///< speed of shortening by a unit impulse
   double target = 0;    ///< change of that speed which is asked for
-  double impulse = 0;
 };
 
 /// Bodies of the structure as the engine has them at the start of a step.
@@ -68,8 +63,7 @@ struct Motion {
 
 class DirectSolver final : public btSequentialImpulseConstraintSolver {
  public:
-  explicit DirectSolver(const DirectSolverSettings& settings)
-      : settings_(settings), contact_compliance_(settings.contact_softness / settings.joint_stiffness) {}
+  explicit DirectSolver(const DirectSolverSettings& settings) : settings_(settings) {}
 
  private:
   btScalar solveGroupCacheFriendlyIterations(btCollisionObject**, int, btPersistentManifold** manifolds,
@@ -80,16 +74,23 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
     if (bodies_.empty() || jointless) return 0;
     share_contacts(manifolds, count);
     collect_rows(info.m_timeStep);
-    Eigen::VectorXd velocities;
-    for (int k = 0; k < most_solutions; ++k) {
-      factorise_joints(info.m_timeStep);
-      velocities = system_.velocities();
-      solve_contacts(velocities, info.m_numIterations, info.m_timeStep);
-      if (!let_go(velocities)) break;
-    }
+    Eigen::VectorXd velocities = solution(info.m_timeStep);
     if (settings_.longest_way) shorten(velocities, *settings_.longest_way / info.m_timeStep);
     apply(velocities);
     return 0;
+  }
+
+  /// Changes of speed, after which each row that only pushes does what it should.
+  Eigen::VectorXd solution(double step) {
+    Eigen::VectorXd velocities;
+    for (int k = 0; k < most_solutions; ++k) {
+      factorise(step);
+      velocities = system_.velocities();
+      if (settings_.cord) tighten(*settings_.cord, step, velocities);
+      const bool joints_changed = let_go(velocities), contacts_changed = press(velocities);
+      if (!joints_changed && !contacts_changed) break;
+    }
+    return velocities;
   }
 
   void number_parts() {
@@ -130,6 +131,35 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
         append_joint(m_tmpSolverNonContactConstraintPool[k]);
     if (pushing_.size() != pushes_.size()) pushing_.assign(pushes_.size(), true);
     if (settings_.elastic || has_hand()) append_own(step);
+    joint_rows_ = rows_.size();
+    collect_contacts();
+  }
+
+  void collect_contacts() {
+    contacts_.clear();
+    for (int k = 0; k < m_tmpSolverContactConstraintPool.size(); ++k) {
+      const btSolverConstraint& point = m_tmpSolverContactConstraintPool[k];
+      if (!(point.m_jacDiagABInv > 0)) continue;
+      VelocityRow row = row_of(point);
+      const auto sharing = sharing_.find(point.m_originalContactPoint);
+      row.weight = 1 / (settings_.contact_softness * (sharing == sharing_.end() ? 1 : sharing->second));
+      contacts_.push_back({row});
+    }
+    // The system takes rows of the same two parts together where they follow each other.
+    std::stable_sort(contacts_.begin(), contacts_.end(), [](const Contact& x, const Contact& y) {
+      return std::pair(x.row.a, x.row.b) < std::pair(y.row.a, y.row.b);
+    });
+  }
+
+  /// Keeps the contacts that press, or would have to. @param v what the step came to   @return whether others did before
+  bool press(const Eigen::VectorXd& v) {
+    bool changed = false;
+    for (Contact& contact : contacts_) {
+      const bool presses = contact.row.target > along(contact.row, v);
+      changed = changed || contact.presses != presses;
+      contact.presses = presses;
+    }
+    return changed;
   }
 
   // What the engine calls a contact point is a joint in a row of a joint.
@@ -156,14 +186,17 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
     return changed;
   }
 
-  void factorise_joints(double step) {
+  void factorise(double step) {
     for (std::size_t k = 0; k < pushes_.size(); ++k)
       rows_[pushes_[k].row].weight = pushing_[k] ? settings_.grip : 0;
+    rows_.resize(joint_rows_);
+    for (const Contact& contact : contacts_)
+      if (contact.presses) rows_.push_back(contact.row);
     const bool solvable = system_.factorise(masses_, rows_, settings_.joint_stiffness);
     if (settings_.elastic && !(solvable && longest_move() * step <= longest_step)) factorise_what_resists();
   }
 
-  /// Largest speed or turning speed after the step, were there no contacts.
+  /// Largest speed or turning speed after the step.
   double longest_move() const { return fastest_after(system_.velocities()); }
 
   double fastest_after(const Eigen::VectorXd& change) const {
@@ -240,18 +273,6 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
     for (int m = 0; settings_.elastic && m < count; ++m) count_points_on_edges(*manifolds[m], sharing_);
   }
 
-  Contact contact_of(const btSolverConstraint& point) const {
-    const VelocityRow row = row_of(point);
-    Eigen::VectorXd impulse = Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(masses_.size()));
-    if (row.a >= 0) impulse.segment<6>(6 * row.a) = row.first;
-    if (row.b >= 0) impulse.segment<6>(6 * row.b) = row.second;
-    const auto sharing = sharing_.find(point.m_originalContactPoint);
-    const double compliance = contact_compliance_ * (sharing == sharing_.end() ? 1 : sharing->second);
-    Contact contact{system_.response(impulse), 0, row.target, compliance, 0, row};
-    contact.mobility = along(row, contact.response);
-    return contact;
-  }
-
   Pull pull_of(const Cord& cord, double step) const {
     const Motion now = motion();
     const Eigen::VectorXd pull = cord.pull(now.state);
@@ -269,34 +290,12 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
     return out;
   }
 
-  /// @return how much it changes the speed of shortening
-  double tighten(Pull& pull, Eigen::VectorXd& velocities) const {
+  /// What the cord adds to the changes of speed where it is taut.
+  void tighten(const Cord& cord, double time_step, Eigen::VectorXd& velocities) const {
+    const Pull pull = pull_of(cord, time_step);
     const double compliance = 1 / (settings_.grip * settings_.joint_stiffness);
-    const double miss = pull.target - pull.direction.dot(velocities) - compliance * pull.impulse;
-    const double step = std::max(-pull.impulse, miss / (pull.mobility + compliance));
-    pull.impulse += step;
-    velocities += step * pull.response;
-    return std::abs(step) * pull.mobility;
-  }
-
-  void solve_contacts(Eigen::VectorXd& velocities, int sweeps, double time_step) const {
-    std::vector<Contact> contacts;
-    std::optional<Pull> cord;
-    if (settings_.cord) cord = pull_of(*settings_.cord, time_step);
-    for (int k = 0; k < m_tmpSolverContactConstraintPool.size(); ++k)
-      if (m_tmpSolverContactConstraintPool[k].m_jacDiagABInv > 0)
-        contacts.push_back(contact_of(m_tmpSolverContactConstraintPool[k]));
-    for (int sweep = 0; sweep < sweeps; ++sweep) {
-      double change = cord ? tighten(*cord, velocities) : 0;
-      for (Contact& c : contacts) {
-        const double miss = c.target - along(c.row, velocities) - c.compliance * c.impulse;
-        const double step = std::max(-c.impulse, miss / (c.mobility + c.compliance));
-        c.impulse += step;
-        velocities += step * c.response;
-        change = std::max(change, std::abs(step) * c.mobility);
-      }
-      if (change < 1e-12) return;
-    }
+    const double miss = pull.target - pull.direction.dot(velocities);
+    if (miss > 0) velocities += miss / (pull.mobility + compliance) * pull.response;
   }
 
   void apply(const Eigen::VectorXd& v) {
@@ -309,12 +308,13 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
   }
 
   const DirectSolverSettings settings_;
-  const double contact_compliance_;
   std::vector<int> part_of_;  ///< by solver body; -1 for a fixed one
   std::vector<int> bodies_;   ///< solver body of each part
   std::vector<PartMass> masses_;
-  std::vector<Vector6> dofs_;  ///< 1 where a part may move, 0 where it may not
-  std::vector<VelocityRow> rows_;
+  std::vector<Vector6> dofs_;      ///< 1 where a part may move, 0 where it may not
+  std::vector<VelocityRow> rows_;  ///< of the joints, and behind them of the contacts that press
+  std::size_t joint_rows_ = 0;
+  std::vector<Contact> contacts_;
   PointCounts sharing_;  ///< by point: how many share its contact
   RowSystem system_;
   std::vector<Push> pushes_;

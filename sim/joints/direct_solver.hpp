@@ -23,16 +23,14 @@ struct DirectSolverSettings {
   const double* longest_way = nullptr;
 };
 
-/// A solver for the engine that meets all joint equations of a step at once (RowSystem), and takes
-/// the contacts alone one after the other: every contact impulse is applied together with the answer of all
-/// joints to it. Contacts are frictionless, and yield a little before the joints do: where a drive presses
-/// parts into each other, they overlap, and the structure stays whole.
+/// A solver for the engine that meets all joint equations of a step at once (RowSystem), and with them those of the
+/// contacts that press: the equations are solved again until no contact pulls and none that would have to press is left out.
+/// Contacts are frictionless, and yield a little before the joints do: where a drive presses parts into each other, they
+/// overlap, and the structure stays whole.
 ///
-/// A cord is taken with the contacts: one impulse on all its bodies, which only pulls. It yields as much as a joint to the
-/// ground.
+/// A joint that only pushes (is_one_sided) is one of the equations likewise, as long as its force pushes.
 ///
-/// A joint that only pushes (is_one_sided) is one of the equations as long as its force pushes, and is let go where it
-/// would pull: the equations are solved again until each does what it should.
+/// A cord is one impulse on all its bodies, which only pulls. It yields as much as a joint to the ground.
 ///
 /// Elastic hinges are the same equations with the equations of their turning springs added: a row whose
 /// target closes its gap within one step h, at stiffness s over the parts' masses, is an undamped spring of

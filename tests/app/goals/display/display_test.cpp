@@ -211,6 +211,19 @@ TEST(Display, LimitsThatLeaveNothingToSeeAreNotKeptAndSayHowFarThatWasTried) {
   EXPECT_FALSE(result["display"].contains("unlimited"));
 }
 
+// Some 580 points press: taken one after the other, 200 rounds a step do not do, and the run goes on for 640 steps.
+TEST(Display, OfThickWallsComesToRestSoon) {
+  const Scratch scratch;
+  const std::string goal =
+      "kinetix: 1\ntarget: {kind: display, glyph: T}\nstructure: {cell_mm: 10, wall_mm: {thickness: 4.5}}\n";
+  const Outcome run = kinetix_opt(scratch.write("thick.yaml", goal) + " --quiet -o " + scratch.path());
+  EXPECT_EQ(run.code, 3) << run.err;
+  const Json result = Json::parse(text_of(scratch / "result.json"));
+  EXPECT_EQ(result["physics"]["status"], "settled") << result["physics"]["why"];
+  EXPECT_LT(result["physics"]["steps"], 300);
+  EXPECT_LE(result["physics"]["comparison"]["rms"], 1e-2);
+}
+
 TEST(Display, LightBelowZeroIsNoPicture) {
   const auto [run, result] = shown_l("structure: {cell_mm: 10, wall_mm: {thickness: 4}}\n");
   EXPECT_EQ(run.code, 3) << run.out << run.err;
