@@ -70,6 +70,25 @@ function(kinetix_room name)
     FILES_MATCHING PATTERN "*.hpp")
 endfunction()
 
+# kinetix_module(name OF room SOURCES ... LIBRARIES ...): sources of a room in a module that programs load when they meet what
+# it is for (model/base/loaded_module.hpp): libraries that take longer to load than a small design takes to be found.
+# Programs find it by their run path (CMAKE_BUILD_RPATH; once installed, that of the room). Fuzzers look into the rooms alone:
+# a module does not find their counters.
+function(kinetix_module name)
+  cmake_parse_arguments(MODULE "" "OF" "SOURCES;LIBRARIES" ${ARGN})
+  add_library(kinetix_${name} MODULE ${MODULE_SOURCES})
+  set_target_properties(kinetix_${name} PROPERTIES PREFIX "" OUTPUT_NAME kinetix-${name} LIBRARY_OUTPUT_DIRECTORY ${KINETIX_MODULES})
+  target_include_directories(kinetix_${name} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_link_libraries(kinetix_${name} PRIVATE Eigen3::Eigen ${MODULE_LIBRARIES})
+  if(NOT KINETIX_FUZZ)
+    target_link_libraries(kinetix_${name} PRIVATE kinetix_flags)
+  endif()
+  install(TARGETS kinetix_${name} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/kinetix/modules)
+  add_dependencies(kinetix_${MODULE_OF} kinetix_${name})
+  target_link_options(kinetix_${MODULE_OF} INTERFACE
+    "$<INSTALL_INTERFACE:-Wl,-rpath,$<INSTALL_PREFIX>/${CMAKE_INSTALL_LIBDIR}/kinetix/modules>")
+endfunction()
+
 # kinetix_join(target EXCEPT ... TOGETHER ...): compiles the sources of each folder of a target (of two levels) as one, since
 # most of their time goes into the same headers and templates: all but those that match the regex EXCEPT. Folders that match
 # one of the regexes TOGETHER are one, with all below them. So no two sources that are joined may give the same name to

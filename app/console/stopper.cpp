@@ -1,5 +1,6 @@
 #include "app/console/stopper.hpp"
 
+#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <iostream>
@@ -34,7 +35,8 @@ Stopper::Stopper(std::optional<double> time_limit_s) {
   watch_for_interrupts();
   const Clock::time_point begin = Clock::now();
   watch_ = std::thread([this, begin, time_limit_s] {
-    while (!ends_ && !source_.stop_requested()) {
+    std::unique_lock lock(mutex_);
+    while (!source_.stop_requested() && !end_.wait_for(lock, between_looks, [this] { return ends_; })) {
       const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
       const bool late = time_limit_s && seconds >= *time_limit_s;
       if (interrupted || late) {
@@ -42,13 +44,16 @@ Stopper::Stopper(std::optional<double> time_limit_s) {
                   << ": keeping the best so far (Ctrl-C ends without it)\n";
         source_.request_stop();
       }
-      std::this_thread::sleep_for(between_looks);
     }
   });
 }
 
 Stopper::~Stopper() {
-  ends_ = true;
+  {
+    const std::lock_guard lock(mutex_);
+    ends_ = true;
+  }
+  end_.notify_one();
   watch_.join();
   if (before.sa_handler != SIG_IGN) sigaction(SIGINT, &before, nullptr);
 }

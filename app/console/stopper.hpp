@@ -1,6 +1,7 @@
 #pragma once
 
-#include <atomic>
+#include <condition_variable>
+#include <mutex>
 #include <optional>
 #include <stop_token>
 #include <thread>
@@ -21,7 +22,9 @@ class Stopper {
 
  private:
   std::stop_source source_;
-  std::atomic<bool> ends_ = false;
+  std::mutex mutex_;
+  std::condition_variable end_;
+  bool ends_ = false;
   std::thread watch_;
 };
 

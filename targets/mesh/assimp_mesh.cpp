@@ -1,38 +1,17 @@
 #include "targets/mesh/assimp_mesh.hpp"
 
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
-
-#include <assimp/Importer.hpp>
-
 #include "model/base/invalid_input.hpp"
+#include "model/base/loaded_module.hpp"
+#include "targets/mesh/assimp_module.hpp"
 
 namespace kinetix::targets {
-namespace {
-
-void append(const aiMesh& part, TriangleMesh& mesh) {
-  const int first = static_cast<int>(mesh.vertices.size());
-  for (unsigned v = 0; v < part.mNumVertices; ++v) {
-    const aiVector3D& p = part.mVertices[v];
-    mesh.vertices.emplace_back(p.x, p.y, p.z);
-  }
-  for (unsigned f = 0; f < part.mNumFaces; ++f) {
-    const aiFace& face = part.mFaces[f];
-    if (face.mNumIndices != 3) continue;
-    Triangle& triangle = mesh.triangles.emplace_back();
-    for (int k = 0; k < 3; ++k) triangle[k] = first + static_cast<int>(face.mIndices[k]);
-  }
-}
-
-}  // namespace
 
 TriangleMesh assimp_mesh(const std::string& bytes, const std::string& format) {
-  Assimp::Importer importer;
-  const aiScene* scene =
-      importer.ReadFileFromMemory(bytes.data(), bytes.size(), aiProcess_Triangulate, format.c_str());
-  if (scene == nullptr) throw InvalidInput("is damaged: " + std::string(importer.GetErrorString()));
   TriangleMesh mesh;
-  for (unsigned m = 0; m < scene->mNumMeshes; ++m) append(*scene->mMeshes[m], mesh);
+  std::string refusal;
+  reinterpret_cast<decltype(&kinetix_assimp_mesh)>(
+      model::module_function("kinetix-mesh.so", "kinetix_assimp_mesh"))(bytes, format, mesh, refusal);
+  if (!refusal.empty()) throw InvalidInput("is damaged: " + refusal);
   return mesh;
 }
 
