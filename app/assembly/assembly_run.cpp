@@ -136,7 +136,7 @@ void verify_assembly(AssemblyRun& run, const RunOptions& options) {
     v.distance = settled && v.compared
                      ? aligned_distance(run.linkage, v.physics.state, run.motion.states.back())
                      : model::StateDistance{not_a_number, not_a_number};
-    v.agrees = settled && (!v.compared || v.distance.rms <= Run{}.verify_tolerance);
+    v.agrees = settled && (!v.compared || v.distance.rms <= GoalSettings::usual_verify);
     if (v.agrees || options.stop.stop_requested()) break;
   }
   add_state(run, "target", Model::bullet, run.theta, v.physics.state);

@@ -259,4 +259,11 @@ DesignFile read_design(const targets::Node& node) {
   return file;
 }
 
+std::vector<const HingeSection*> hinge_sections(const DesignFile& design) {
+  std::vector<const HingeSection*> all;
+  if (static_cast<int>(design.own_hinges.size()) < design.structure.hinges()) all.push_back(&design.hinge);
+  for (const auto& [h, own] : design.own_hinges) all.push_back(&own);
+  return all;
+}
+
 }  // namespace kinetix::app

@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/files/drive_section.hpp"
 #include "app/files/hinge_section.hpp"
@@ -28,6 +29,9 @@ struct DesignFile {
   PhysicsSection physics = {};
   std::string process = {};  ///< that it is to be printed by, by name; empty: it does not say
 };
+
+/// How its hinges are made: first those that have nothing of their own, where there are any, then each of the others.
+std::vector<const HingeSection*> hinge_sections(const DesignFile& design);
 
 /// Every key of a design.yaml.
 const targets::KeyTable& design_keys();

@@ -119,10 +119,6 @@ std::optional<PrintedGoal> as_made(const Run& run, const model::LinkageDrive& dr
                                    const RunOptions& options) {
   const PrintHinges hinges = print_hinges(run, drive, state);
   std::optional<PrintedGoal> out = expected_with(run, hinges, state, points);
-  if (out && out->can_be_printed && options.misfit) {
-    out->misfit = options.misfit(run);
-    out->can_be_printed = !out->misfit;
-  }
   if (!out || (options.prints == 0 && run.structure.bodies() > most_bodies_to_confirm)) return out;
   const model::PrintRuns runs =
       print_runs([&](const Eigen::Matrix4Xd& errors) { return printed_sheet(run.structure, errors); },

@@ -2,39 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <utility>
 
 #include "app/pipeline/as_made.hpp"
 #include "app/pipeline/certify.hpp"
+#include "app/run/run_hinges.hpp"
 #include "app/run/stopwatch.hpp"
 
 namespace kinetix::app {
 namespace {
-
-void judge_prints(const Run& run, const Scene& scene, const RunOptions& options, Judgement& out) {
-  if (!run.goal || run.states.empty() || options.stop.stop_requested()) return;
-  if (run.matter && !run.equilibrium) {
-    out.prints_unknown = "elastic hinges find no equilibrium near the design: " + run.matter->why;
-    return;
-  }
-  const model::State state = run.matter ? run.equilibrium->path.state : scene.own_state(run);
-  const auto judged = scene.judged(run, run.structure, run.theta, state);
-  if (!judged) return;
-  options.progress("prints", -1);
-  out.printed = as_made(run, run.matter ? run.equilibrium->drive : drive_to(run.structure, run.theta), state,
-                        judged->points, options);
-  if (out.printed)
-    out.printed->tolerance_mm = judged->tolerance_mm;
-  else
-    out.prints_unknown = "elastic hinges have no stable state near the design under its drive";
-}
-
-void prove_range(const Run& run, const RunOptions& options, Judgement& out) {
-  if (!options.certify || options.stop.stop_requested()) return;
-  options.progress("contact", -1);
-  out.certified = certify(run.structure, run.plan, run.process.sd, options.threads);
-}
 
 /// Puts right one end of a range whose samples have missed walls that touch before.
 void correct(model::ThetaLimit& sampled, const model::CertifiedLimit& proven, Plan& plan) {
@@ -71,20 +49,54 @@ void judge_contact_of_prints(Run& run) {
 
 }  // namespace
 
-Judgement judgement(const Run& run, const Scene& scene, const RunOptions& options) {
-  Judgement out;
+Judging::Judging(const Run& run, const Scene& scene, const RunOptions& options)
+    : run_(run), scene_(scene), options_(options) {}
+
+void Judging::work() {
+  constexpr std::array parts{&Judging::judge_prints, &Judging::prove_range, &Judging::judge_fit};
+  for (int k = begun_++; k < static_cast<int>(parts.size()); k = begun_++)
+    if (!options_.stop.stop_requested()) (this->*parts[k])();
+}
+
+void Judging::judge_prints() {
+  if (!run_.goal || run_.states.empty()) return;
+  if (run_.matter && !run_.equilibrium) {
+    found_.prints_unknown = "elastic hinges find no equilibrium near the design: " + run_.matter->why;
+    return;
+  }
   Stopwatch watch;
-  prove_range(run, options, out);
-  out.certify_s = watch.lap();
-  judge_prints(run, scene, options, out);
-  out.as_made_s = watch.lap();
-  return out;
+  const model::State state = run_.matter ? run_.equilibrium->path.state : scene_.own_state(run_);
+  const auto judged = scene_.judged(run_, run_.structure, run_.theta, state);
+  if (!judged) return;
+  found_.printed = as_made(run_, run_.matter ? run_.equilibrium->drive : drive_to(run_.structure, run_.theta),
+                           state, judged->points, options_);
+  if (found_.printed)
+    found_.printed->tolerance_mm = judged->tolerance_mm;
+  else
+    found_.prints_unknown = "elastic hinges have no stable state near the design under its drive";
+  found_.as_made_s = watch.lap();
+}
+
+void Judging::prove_range() {
+  if (!options_.certify) return;
+  Stopwatch watch;
+  found_.certified = certify(run_.structure, run_.plan, run_.process.sd, options_.threads);
+  found_.certify_s = watch.lap();
+}
+
+void Judging::judge_fit() {
+  if (!run_.goal || run_.states.empty() || !options_.misfit || !print_problems(run_).empty()) return;
+  found_.misfit = options_.misfit(run_);
 }
 
 void add(Judgement judgement, Run& run) {
   run.timings.as_made = judgement.as_made_s;
   run.timings.certify = judgement.certify_s;
-  if (judgement.printed) run.printed = std::move(judgement.printed);
+  if (judgement.printed) {
+    run.printed = std::move(judgement.printed);
+    run.printed->can_be_printed &= !judgement.misfit;
+    run.printed->misfit = std::move(judgement.misfit);
+  }
   if (!judgement.prints_unknown.empty()) {
     run.prints_unknown = std::move(judgement.prints_unknown);
     run.plan.why.push_back("what prints come to is not known: " + run.prints_unknown);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <optional>
 #include <string>
 
@@ -13,13 +14,34 @@ struct Judgement {
   std::optional<PrintedGoal> printed;  ///< of goals that are judged by distances
   std::string prints_unknown;          ///< why there is none, of such goals; else empty
   std::optional<Certified> certified;  ///< where the options ask for it
+  std::optional<std::string>
+      misfit;  ///< why hinges of prints do not fit the sheet, where the options ask for it
   double as_made_s = 0, certify_s = 0;
 };
 
-/// Looks at a run and changes nothing of it, so that a physics run may go on beside it. Leaves out what is still to do
-/// when it is told to stop. Reports progress from the thread that it runs on.
-/// @pre the run has its plan, its state and, of elastic hinges, its equilibrium
-Judgement judgement(const Run& run, const Scene& scene, const RunOptions& options);
+/// Comes to a judgement in parts, which threads take as they become free: what prints come to, where walls meet, how hinges
+/// fit. Looks at a run and changes nothing of it, so that a physics run may go on beside it.
+class Judging {
+ public:
+  /// @param run, scene, options are kept by reference
+  /// @pre the run has its plan, its state and, of elastic hinges, its equilibrium
+  Judging(const Run& run, const Scene& scene, const RunOptions& options);
+  /// Does parts that no thread has begun, until none is left or the options say stop. Any number of threads may be in it.
+  void work();
+  /// @pre every work() has returned
+  const Judgement& judgement() const { return found_; }
+
+ private:
+  void judge_prints();
+  void prove_range();
+  void judge_fit();
+
+  const Run& run_;
+  const Scene& scene_;
+  const RunOptions& options_;
+  std::atomic<int> begun_ = 0;
+  Judgement found_;  ///< each part writes fields of its own
+};
 
 /// Adds it to the run: ranges of theta that samples took for free end where walls are proven to meet, and a goal that lies
 /// beyond is missed.

@@ -25,13 +25,11 @@ std::optional<PhysicsTask> physics_task(const Run& run, const Scene& scene) {
   return PhysicsTask{equilibrium.path.state, equilibrium.drive, options};
 }
 
-/// On a thread of its own where there may be one and the system gives it; else when it is asked for.
-std::future<Judgement> judged_beside(const Run& run, const Scene& scene, RunOptions options) {
-  options.progress = {};
-  const auto policy = model::threads_of(options.threads) > 1 ? std::launch::async | std::launch::deferred
-                                                             : std::launch::deferred;
-  return std::async(policy,
-                    [&run, &scene, options = std::move(options)] { return judgement(run, scene, options); });
+/// On a thread of its own where there may be one and the system gives it.
+std::future<void> work_beside(Judging& judging, int threads) {
+  const auto policy =
+      model::threads_of(threads) > 1 ? std::launch::async | std::launch::deferred : std::launch::deferred;
+  return std::async(policy, [&judging] { judging.work(); });
 }
 
 void judge_by_physics(Run& run, const Scene& scene) {
@@ -40,28 +38,39 @@ void judge_by_physics(Run& run, const Scene& scene) {
     run.verification->agrees &= run.goal->physics_violations.empty();
 }
 
+std::optional<Verification> timed_physics(Run& run, const PhysicsTask& task, const RunOptions& options,
+                                          bool usual_steps = false) {
+  Stopwatch watch;
+  std::optional<Verification> out = verify(run, task, options, usual_steps);
+  run.timings.verify += watch.lap();
+  return out;
+}
+
 /// Where coarser steps came near enough to the model's state, but not to the goal, which may be stricter.
 void repeat_finer(Run& run, const Scene& scene, const PhysicsTask& task, const RunOptions& options) {
   const double spent = run.verification->physics.seconds;
   remove_coarse(run);
-  std::optional<Verification> finer = verify(run, task, options, true);
+  std::optional<Verification> finer = timed_physics(run, task, options, true);
   if (!finer) return;
   finer->physics.seconds += spent;
   add(std::move(*finer), task, options, run);
   judge_by_physics(run, scene);
 }
 
-void check_by_physics(Run& run, const Scene& scene, const PhysicsTask& task, const RunOptions& options) {
-  Stopwatch watch;
-  auto judged = judged_beside(run, scene, options);
-  std::optional<Verification> verification = verify(run, task, options);
-  run.timings.verify = watch.lap();
+/// By physics where there is a task for it, and by what else says how good the design is, side by side.
+void check(Run& run, const Scene& scene, const std::optional<PhysicsTask>& task, const RunOptions& options) {
+  Judging judging(run, scene, options);
+  std::future<void> beside = work_beside(judging, options.threads);
+  std::optional<Verification> verification;
+  if (task) verification = timed_physics(run, *task, options);
   options.progress("prints, contact", -1);
-  add(judged.get(), run);
+  judging.work();
+  beside.get();
+  add(judging.judgement(), run);
   if (!verification) return;
-  add(std::move(*verification), task, options, run);
+  add(std::move(*verification), *task, options, run);
   judge_by_physics(run, scene);
-  if (!run.verification->agrees && run.verification->coarse) repeat_finer(run, scene, task, options);
+  if (!run.verification->agrees && run.verification->coarse) repeat_finer(run, scene, *task, options);
 }
 
 /// However well the shape is kept: what tears does not keep it. After the physics run, which judges the shape alone.
@@ -92,10 +101,7 @@ Run run_scene(const Scene& scene, const RunOptions& options) {
   if (is_of_matter(scene, run)) settle_in_matter(run, scene, options);
   run.timings.matter = watch.lap();
   const bool verifies = options.verify && !options.stop.stop_requested();
-  if (const auto task = verifies ? physics_task(run, scene) : std::nullopt)
-    check_by_physics(run, scene, *task, options);
-  else
-    add(judgement(run, scene, options), run);
+  check(run, scene, verifies ? physics_task(run, scene) : std::nullopt, options);
   judge_strain(run);
   run.stopped = options.stop.stop_requested();
   if (!run.matter) scene.add_frames(run);

@@ -72,13 +72,6 @@ std::vector<const PrintFormat*> formats_of(const PrintRequest& request) {
   return out;
 }
 
-std::vector<const HingeSection*> hinge_sections(const DesignFile& design) {
-  std::vector<const HingeSection*> all;
-  if (static_cast<int>(design.own_hinges.size()) < design.structure.hinges()) all.push_back(&design.hinge);
-  for (const auto& [h, own] : design.own_hinges) all.push_back(&own);
-  return all;
-}
-
 /// The least of the pins that a design describes itself, mm.
 std::optional<double> own_clearance_mm(const DesignFile& design) {
   std::optional<double> least;

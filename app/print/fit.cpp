@@ -116,11 +116,10 @@ std::optional<double> enough_mm(const Order& order, PrintChoice choice) {
 }
 
 bool has_pins_of_its_own(const DesignFile& design) {
-  const auto is_pin = [](const HingeSection& hinge) {
-    return hinge.made && hinge.made->kind == model::HingeKind::pin;
-  };
-  return is_pin(design.hinge) || std::any_of(design.own_hinges.begin(), design.own_hinges.end(),
-                                             [&](const auto& own) { return is_pin(own.second); });
+  const auto hinges = hinge_sections(design);
+  return std::any_of(hinges.begin(), hinges.end(), [](const HingeSection* hinge) {
+    return hinge->made && hinge->made->kind == model::HingeKind::pin;
+  });
 }
 
 /// What to do about pins whose hinges stretch; empty where they do not, or there are none.

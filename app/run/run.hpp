@@ -145,7 +145,7 @@ struct Run {
   bool stopped = false;                ///< the best so far, when it was told to stop
   std::string prints_unknown;  ///< why it is not known what prints of a goal come to; empty where it is
   std::vector<Fidelity> fidelity;
-  double verify_tolerance = 0.02;  ///< of verification->distance.rms, cell edges
+  double verify_tolerance = GoalSettings::usual_verify;  ///< of verification->distance.rms, cell edges
   Timings timings;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "app/files/goal_settings.hpp"
 #include "app/pipeline/design_drive.hpp"
 #include "app/pipeline/equilibrium.hpp"
 #include "app/pipeline/exact_state.hpp"
@@ -14,8 +15,6 @@
 
 namespace kinetix::app {
 namespace {
-
-constexpr double verify_tolerance = 0.02;  // cell edges, as that of `verify`
 
 using optim::nan;
 
@@ -161,7 +160,7 @@ void DesignEvaluator::compute_physics(const DesignFile& design, SampleRow& row) 
   seen_.physics = &physics_;
   seen_.from_model = reference.empty() ? model::StateDistance{nan, nan}
                                        : aligned_distance(design.structure, physics_.state, reference);
-  if (reference.empty() || seen_.from_model.rms <= verify_tolerance) return;
+  if (reference.empty() || seen_.from_model.rms <= GoalSettings::usual_verify) return;
   row.status = SampleStatus::disagrees;
   row.reason = "the physics run settled in another state than the model";
 }

@@ -18,7 +18,7 @@ PointGap ContactModel::gap(const Contact& c, const State& state) const {
   const Pose& frame = state[box.body];
   PointGap gap;
   gap.n = frame.R * box.face_normal(c.face);
-  gap.a = pose.R * plate.points[c.point].at;
+  gap.a = pose.R * plate.place(all().points[c.point]);
   gap.m = (pose.p - frame.p) / all().edge_mm + gap.a;
   gap.value = gap.n.dot(gap.m) - all().face_offset(box, c.face);
   return gap;
@@ -37,9 +37,9 @@ double ContactModel::energy(const std::vector<Contact>& contacts, double stiffne
 Eigen::Vector4d ContactModel::gap_gradient(const PointGap& g, const Contact& c, const State& state) const {
   const ContactPlate& plate = all().plates[c.plate];
   const ContactPlate& box = all().plates[c.other];
-  const ContactPoint& point = plate.points[c.point];
+  const ContactPoint& point = all().points[c.point];
   const Matrix3d& R = state[plate.body].R;
-  return {plate.sign * point.part * g.n.dot(R * plate.edge), g.n.dot(R * point.beta_rate),
+  return {plate.sign * point.part * g.n.dot(R * plate.edge), g.n.dot(R * plate.place_rate(point)),
           c.face == Face::wall_tip_end ? -box.sign : 0,
           g.m.dot(state[box.body].R * box.face_normal_rate(c.face))};
 }
@@ -53,9 +53,9 @@ Eigen::Matrix<double, 12, 4> ContactModel::derivatives(const Contact& c, double 
   const PointGap g = gap(c, state);
   const ContactPlate& plate = all().plates[c.plate];
   const ContactPlate& box = all().plates[c.other];
-  const ContactPoint& point = plate.points[c.point];
+  const ContactPoint& point = all().points[c.point];
   const Matrix3d& R = state[plate.body].R;
-  const Vector3d by_t = plate.sign * point.part * (R * plate.edge), by_beta = R * point.beta_rate;
+  const Vector3d by_t = plate.sign * point.part * (R * plate.edge), by_beta = R * plate.place_rate(point);
   const Vector3d normal_by_beta = state[box.body].R * box.face_normal_rate(c.face);
   const Vector3d none = Vector3d::Zero();
   const Eigen::Vector4d value = gap_gradient(g, c, state);

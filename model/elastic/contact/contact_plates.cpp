@@ -23,7 +23,21 @@ int rim_points(const ContactPlates& all, const Linkage& structure) {
       std::clamp(std::ceil(longest / (2 * all.half_thickness) - 1e-6), 1.0, most_rim_points));
 }
 
-ContactPlate contact_plate(const ContactPlates& all, const Plate& half_wall, int along_rim) {
+std::vector<ContactPoint> contact_points(const ContactPlates& all, int along_rim) {
+  std::vector<ContactPoint> points;
+  const auto add = [&](double part, double side, double level) {
+    points.push_back({part, side * all.half_thickness, level * all.half_height});
+  };
+  for (const double side : {1.0, -1.0})
+    for (const double level : all.planar ? std::vector<double>{0} : std::vector<double>{-1, 0, 1})
+      add(1, side, level);
+  for (int k = 0; k < along_rim; ++k)
+    for (const double side : {1.0, -1.0})
+      for (const double level : {1.0, -1.0}) add(static_cast<double>(k) / along_rim, side, level);
+  return points;
+}
+
+ContactPlate contact_plate(const Plate& half_wall) {
   ContactPlate plate;
   plate.body = half_wall.body;
   plate.sign = half_wall.length_t;
@@ -33,17 +47,6 @@ ContactPlate contact_plate(const ContactPlates& all, const Plate& half_wall, int
   plate.up_rate = half_wall.up_beta;
   plate.normal = plate.edge.cross(plate.up);
   plate.normal_rate = plate.edge.cross(plate.up_rate);
-  const auto add = [&](double part, double side, double level) {
-    const double across = side * all.half_thickness, high = level * all.half_height;
-    plate.points.push_back({part * plate.length * plate.edge + across * plate.normal + high * plate.up, part,
-                            across * plate.normal_rate + high * plate.up_rate});
-  };
-  for (const double side : {1.0, -1.0})
-    for (const double level : all.planar ? std::vector<double>{0} : std::vector<double>{-1, 0, 1})
-      add(1, side, level);
-  for (int k = 0; k < along_rim; ++k)
-    for (const double side : {1.0, -1.0})
-      for (const double level : {1.0, -1.0}) add(static_cast<double>(k) / along_rim, side, level);
   return plate;
 }
 
@@ -81,6 +84,14 @@ Vector3d ContactPlate::face_normal_rate(Face face) const {
   return -up_rate;
 }
 
+Vector3d ContactPlate::place(const ContactPoint& point) const {
+  return point.part * length * edge + point.across * normal + point.high * up;
+}
+
+Vector3d ContactPlate::place_rate(const ContactPoint& point) const {
+  return point.across * normal_rate + point.high * up_rate;
+}
+
 double ContactPlates::wall_tip_radius() const {
   return planar ? half_thickness : std::hypot(half_thickness, half_height);
 }
@@ -103,8 +114,8 @@ ContactPlates contact_plates(const Linkage& structure, bool planar) {
   all.half_height = structure.size.height_mm / 2 / all.edge_mm;
   all.planar = planar;
   all.plates.reserve(structure.plates.size());
-  const int along_rim = planar ? 0 : rim_points(all, structure);
-  for (const Plate& plate : structure.plates) all.plates.push_back(contact_plate(all, plate, along_rim));
+  for (const Plate& plate : structure.plates) all.plates.push_back(contact_plate(plate));
+  all.points = contact_points(all, planar ? 0 : rim_points(all, structure));
   return all;
 }
 

@@ -10,34 +10,35 @@ namespace kinetix::model {
 /// Faces of a half wall's box that a point may be pushed out through.
 enum class Face { side_plus, side_minus, wall_tip_end, top, bottom };
 
-/// A point of a half wall that may run into other boxes, in its body's frame, cell edges.
+/// A point of every half wall that may run into the boxes of others.
 struct ContactPoint {
-  Eigen::Vector3d at;
-  double part = 1;            ///< of the half wall's length, from the vertex; 1: at the wall tip
-  Eigen::Vector3d beta_rate;  ///< derivative of `at` by beta of its hinge, per rad
+  double part = 1;              ///< fraction of the half wall's length, from the vertex; 1: at the wall tip
+  double across = 0, high = 0;  ///< from the half wall's middle line along its normal and up, cell edges
 };
 
 /// A half wall as contact sees it, in its body's frame, cell edges: a box from the vertex to the wall tip, its end square to
-/// the edge whatever alpha is, and its points. *_rate are derivatives by beta of its hinge, per rad.
+/// the edge whatever alpha is. *_rate are derivatives by beta of its hinge, per rad.
 struct ContactPlate {
   int body = 0;
   Eigen::Vector3d edge, up, normal;  ///< unit; edge points from the vertex to the wall tip
   Eigen::Vector3d up_rate, normal_rate;
   double sign = 1;  ///< of d(length)/dt, 1 or -1
   double length = 0;
-  std::vector<ContactPoint> points;  ///< those of the wall tip first
 
   Eigen::Vector3d face_normal(Face face) const;  ///< outward
   Eigen::Vector3d face_normal_rate(Face face) const;
+  /// In its body's frame, cell edges, and the derivative by beta.
+  Eigen::Vector3d place(const ContactPoint& point) const;
+  Eigen::Vector3d place_rate(const ContactPoint& point) const;
 };
 
 /// All half walls, in the order of half_walls().
 struct ContactPlates {
   std::vector<ContactPlate> plates;
+  std::vector<ContactPoint> points;                         ///< of each, those of the wall tip first
   double edge_mm = 0, half_thickness = 0, half_height = 0;  ///< mm; cell edges
   bool planar = false;
 
-  int points_per_plate() const { return plates.empty() ? 0 : static_cast<int>(plates.front().points.size()); }
   /// No point of a wall tip is further from its middle, cell edges.
   double wall_tip_radius() const;
   /// Nothing of a half wall is further from its vertex, cell edges.

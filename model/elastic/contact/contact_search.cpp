@@ -24,8 +24,6 @@ bool is_same(const State& a, const State& b) {
 ContactSearch::ContactSearch(const Linkage& structure, bool planar)
     : all_(contact_plates(structure, planar)),
       walls_(half_walls(structure)),
-      points_per_plate_(all_.points_per_plate()),
-      placed_points_(all_.plates.size() * points_per_plate_),
       placed_boxes_(all_.plates.size()),
       moved_(all_.edge_mm, all_.reach()) {
   WallContact at_rest(with_square_ends(structure));
@@ -39,8 +37,6 @@ void ContactSearch::place(int plate_index, const State& state) {
   const ContactPlate& plate = all_.plates[plate_index];
   const Pose& pose = state[plate.body];
   const Vector3d origin = pose.p / all_.edge_mm;
-  for (int k = 0; k < points_per_plate_; ++k)
-    placed_points_[plate_index * points_per_plate_ + k] = origin + pose.R * plate.points[k].at;
   placed_boxes_[plate_index] = {origin, pose.R * plate.edge, pose.R * plate.normal, pose.R * plate.up};
 }
 
@@ -48,13 +44,24 @@ void ContactSearch::place(const State& state) {
   for (int plate = 0; plate < static_cast<int>(all_.plates.size()); ++plate) place(plate, state);
 }
 
-bool ContactSearch::is_within(const Vector3d& point, int other, double margin) const {
+Vector3d ContactSearch::in_box(const Vector3d& point, int other) const {
   const Box& box = placed_boxes_[other];
   const Vector3d y = point - box.origin;
-  const double along = y.dot(box.edge);
-  if (!(along > -margin) || !(along < all_.plates[other].length + margin)) return false;
-  if (!(std::abs(y.dot(box.normal)) < all_.half_thickness + margin)) return false;
-  return all_.planar || std::abs(y.dot(box.up)) <= all_.half_height + margin;
+  return {y.dot(box.edge), y.dot(box.normal), y.dot(box.up)};
+}
+
+Vector3d ContactSearch::in_box(const Pair& pair) const {
+  const Box& box = placed_boxes_[pair.plate];
+  const ContactPoint& point = all_.points[pair.point];
+  return in_box(box.origin + point.part * all_.plates[pair.plate].length * box.edge +
+                    point.across * box.normal + point.high * box.up,
+                pair.other);
+}
+
+bool ContactSearch::is_within(const Vector3d& y, int other, double margin) const {
+  if (!(y[0] > -margin) || !(y[0] < all_.plates[other].length + margin)) return false;
+  if (!(std::abs(y[1]) < all_.half_thickness + margin)) return false;
+  return all_.planar || std::abs(y[2]) <= all_.half_height + margin;
 }
 
 Eigen::Matrix3Xd ContactSearch::placed_centers() const {
@@ -74,10 +81,12 @@ std::vector<ContactSearch::Pair> ContactSearch::pairs_within(double margin) {
     // The middle of all points: the wall tip's in the plane.
     const double middle = all_.planar ? length : length / 2,
                  around = all_.planar ? wall_tip : wall_tip + length / 2;
-    if (!is_within(box.origin + middle * box.edge, other, margin + around)) return;
-    for (int k = 0; k < points_per_plate_; ++k)
-      if (is_within(placed_points_[plate * points_per_plate_ + k], other, margin) && may_touch(plate, other))
-        pairs.push_back({plate * points_per_plate_ + k, other});
+    const Vector3d y = in_box(box.origin + middle * box.edge, other);
+    if (!is_within(y, other, margin + around) || !may_touch(plate, other)) return;
+    for (int point = 0; point < static_cast<int>(all_.points.size()); ++point) {
+      const Pair pair{plate, point, other};
+      if (is_within(in_box(pair), other, margin)) pairs.push_back(pair);
+    }
   };
   for (const auto& [first, second] : finder_.find(centers, all_.reach() + wall_tip + margin)) {
     const double reach = (all_.plates[first].length + all_.plates[second].length) / 2 + 2 * wall_tip + margin;
@@ -95,22 +104,19 @@ bool ContactSearch::may_touch(int plate, int other) const {
   return !one_body && !one_wall && !std::binary_search(excluded_.begin(), excluded_.end(), pair);
 }
 
-void ContactSearch::add_if_inside(int point, int other) {
-  if (!is_within(placed_points_[point], other, 0)) return;
-  const Box& box = placed_boxes_[other];
-  const Vector3d y = placed_points_[point] - box.origin;
-  const double across = y.dot(box.normal), high = y.dot(box.up);
-  const double to_end = all_.plates[other].length - y.dot(box.edge),
-               to_rim = all_.half_height - std::abs(high);
-  Contact contact{point / points_per_plate_, point % points_per_plate_, other,
-                  across > 0 ? Face::side_plus : Face::side_minus, all_.half_thickness - std::abs(across)};
+void ContactSearch::add_if_inside(const Pair& pair) {
+  const Vector3d y = in_box(pair);
+  if (!is_within(y, pair.other, 0)) return;
+  const double to_end = all_.plates[pair.other].length - y[0], to_rim = all_.half_height - std::abs(y[2]);
+  Contact contact{pair.plate, pair.point, pair.other, y[1] > 0 ? Face::side_plus : Face::side_minus,
+                  all_.half_thickness - std::abs(y[1])};
   if (to_end < contact.depth) {
     contact.depth = to_end;
     contact.face = Face::wall_tip_end;
   }
   if (!all_.planar && to_rim < contact.depth) {
     contact.depth = to_rim;
-    contact.face = high > 0 ? Face::top : Face::bottom;
+    contact.face = y[2] > 0 ? Face::top : Face::bottom;
   }
   if (contact.depth > 0) found_.push_back(contact);
 }
@@ -120,7 +126,7 @@ void ContactSearch::update_near(const State& state) {
   near_ = pairs_within(near_margin);
   moved_.remember(state);
   std::vector<char> is_near(all_.plates.size());
-  for (const Pair& pair : near_) is_near[pair.point / points_per_plate_] = is_near[pair.other] = true;
+  for (const Pair& pair : near_) is_near[pair.plate] = is_near[pair.other] = true;
   near_plates_.clear();
   for (int plate = 0; plate < static_cast<int>(all_.plates.size()); ++plate)
     if (is_near[plate]) near_plates_.push_back(plate);
@@ -135,34 +141,29 @@ const std::vector<Contact>& ContactSearch::find(const State& state) {
     for (const int plate : near_plates_) place(plate, state);
   else
     update_near(state);
-  for (const Pair& pair : near_) add_if_inside(pair.point, pair.other);
+  for (const Pair& pair : near_) add_if_inside(pair);
   return found_;
 }
 
-int ContactSearch::side_of(int point, int other) const {
-  const Box& box = placed_boxes_[other];
-  const Vector3d y = placed_points_[point] - box.origin;
-  const double along = y.dot(box.edge), across = y.dot(box.normal);
-  const double to_end = all_.plates[other].length - along;
-  if (!(along > 0) || !(to_end > std::max(0.0, all_.half_thickness - std::abs(across)))) return 0;
-  if (!all_.planar && !(std::abs(y.dot(box.up)) <= all_.half_height)) return 0;
-  return across > 0 ? 1 : -1;
+int ContactSearch::side_of(const Pair& pair) const {
+  const Vector3d y = in_box(pair);
+  const double to_end = all_.plates[pair.other].length - y[0];
+  if (!(y[0] > 0) || !(to_end > std::max(0.0, all_.half_thickness - std::abs(y[1])))) return 0;
+  if (!all_.planar && !(std::abs(y[2]) <= all_.half_height)) return 0;
+  return y[1] > 0 ? 1 : -1;
 }
 
-bool ContactSearch::is_over(int point, int other) const {
-  const Box& box = placed_boxes_[other];
-  const Vector3d y = placed_points_[point] - box.origin;
-  const double along = y.dot(box.edge);
-  return std::abs(y.dot(box.up)) > all_.half_height && std::abs(y.dot(box.normal)) < all_.half_thickness &&
-         along > 0 && along < all_.plates[other].length;
+bool ContactSearch::is_over(const Pair& pair) const {
+  const Vector3d y = in_box(pair);
+  return std::abs(y[2]) > all_.half_height && std::abs(y[1]) < all_.half_thickness && y[0] > 0 &&
+         y[0] < all_.plates[pair.other].length;
 }
 
-bool ContactSearch::is_past_rim(int point, int other) const {
-  if (!is_within(placed_points_[point], other, 0)) return false;
-  const Box& box = placed_boxes_[other];
-  const Vector3d y = placed_points_[point] - box.origin;
-  const double to_side = all_.half_thickness - std::abs(y.dot(box.normal));
-  return to_side > deep * all_.half_thickness && to_side < all_.half_height - std::abs(y.dot(box.up));
+bool ContactSearch::is_past_rim(const Pair& pair) const {
+  const Vector3d y = in_box(pair);
+  const double to_side = all_.half_thickness - std::abs(y[1]);
+  return is_within(y, pair.other, 0) && to_side > deep * all_.half_thickness &&
+         to_side < all_.half_height - std::abs(y[2]);
 }
 
 bool ContactSearch::is_cut(int plate, int other) const {
@@ -205,14 +206,11 @@ bool ContactSearch::passed_through(const State& before, const State& after) {
   std::vector<int> sides;
   std::vector<char> over(near.size());
   sides.reserve(near.size());
-  for (const Pair& pair : near) sides.push_back(side_of(pair.point, pair.other));
-  for (std::size_t k = 0; k < near.size() && !all_.planar; ++k)
-    over[k] = is_over(near[k].point, near[k].other);
+  for (const Pair& pair : near) sides.push_back(side_of(pair));
+  for (std::size_t k = 0; k < near.size() && !all_.planar; ++k) over[k] = is_over(near[k]);
   place(after);
   for (std::size_t k = 0; k < near.size(); ++k)
-    if (sides[k] * side_of(near[k].point, near[k].other) < 0 ||
-        (over[k] && is_past_rim(near[k].point, near[k].other)))
-      return true;
+    if (sides[k] * side_of(near[k]) < 0 || (over[k] && is_past_rim(near[k]))) return true;
   return false;
 }
 

@@ -47,8 +47,9 @@ class ContactSearch {
   bool newly_cross(const State& before, const State& after);
 
  private:
+  /// A point of a plate and the plate in whose box it may be.
   struct Pair {
-    int point, other;
+    int plate, point, other;
     auto operator<=>(const Pair&) const = default;
   };
   /// Origin and directions of a plate's box, cell edges.
@@ -59,6 +60,9 @@ class ContactSearch {
   void place(int plate, const State& state);
   void place(const State& state);
   void update_near(const State& state);
+  /// Where a point is in the state last placed, from another plate's vertex along its edge, its normal and up. cell edges
+  Eigen::Vector3d in_box(const Eigen::Vector3d& point, int other) const;
+  Eigen::Vector3d in_box(const Pair& pair) const;
   /// Middles of all plates, a column each, cell edges.
   Eigen::Matrix3Xd placed_centers() const;
   /// Points that are in a box grown by a margin, cell edges, in the state last placed. Sorted.
@@ -72,24 +76,23 @@ class ContactSearch {
   bool is_cut(int plate, int other) const;
   /// +1 or -1: on which side of a half wall a point is; 0 where it is not beside it, or inside and
   /// nearer to its end.
-  int side_of(int point, int other) const;
+  int side_of(const Pair& pair) const;
   /// Whether a point is straight above or below a half wall, outside it.
-  bool is_over(int point, int other) const;
+  bool is_over(const Pair& pair) const;
   /// Whether a point is so far inside that contact pushes it out through a side where it has come in from above or below.
-  bool is_past_rim(int point, int other) const;
-  bool is_within(const Eigen::Vector3d& point, int other, double margin) const;
-  void add_if_inside(int point, int other);
+  bool is_past_rim(const Pair& pair) const;
+  /// @param y as of in_box()
+  bool is_within(const Eigen::Vector3d& y, int other, double margin) const;
+  void add_if_inside(const Pair& pair);
 
   ContactPlates all_;
   std::vector<HalfWall> walls_;
-  int points_per_plate_;
   std::vector<std::pair<int, int>> excluded_;  ///< touch at rest; sorted
   std::optional<WallPair> overlap_at_rest_;
-  std::vector<Eigen::Vector3d> placed_points_;  ///< in the state last placed
-  std::vector<Box> placed_boxes_;
-  std::vector<Pair> near_;        ///< (point, plate), sorted
-  std::vector<int> near_plates_;  ///< those in near_
-  RelativeMotion moved_;          ///< since near_ was listed
+  std::vector<Box> placed_boxes_;  ///< in the state last placed
+  std::vector<Pair> near_;         ///< sorted
+  std::vector<int> near_plates_;   ///< those in near_
+  RelativeMotion moved_;           ///< since near_ was listed
   std::vector<Contact> found_;
   State found_state_;
   NearPairs finder_;

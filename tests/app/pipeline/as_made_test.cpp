@@ -203,10 +203,10 @@ struct Found {
   std::string out, folder;
 };
 
-Found found(const Scratch& scratch, const std::string& goal) {
+Found found(const Scratch& scratch, const std::string& goal, const std::string& options = "") {
   const std::string folder = scratch / "out";
   const Outcome run = kinetix_opt(scratch.write("goal.yaml", "kinetix: 1\n" + goal) + " -o " + folder +
-                                  " --no-verify --quiet");
+                                  " --no-verify --quiet" + options);
   EXPECT_TRUE(run.code == 0 || run.code == 3) << run.out << run.err;
   const Json result = Json::parse(text_of(folder + "/result.json"));
   EXPECT_EQ(schema_errors(result), "");
@@ -318,17 +318,12 @@ TEST(AsMadeResult, JudgesGoalsOfEveryKindBySoftBlocks) {
         "target: {kind: outline, points: " + octagon + "}\nstructure: {cells: [8, 8], cell_mm: 10}\n",
         "target: {kind: space_curve, points: [[0, 0, 0], [50, 0, 10], [100, 15, 12], [150, 40, 10]]}\n"
         "structure: {cells: [30, 1]}\n"s}) {
-    const std::string folder = scratch / "out";
-    const Outcome run = kinetix_opt(scratch.write("goal.yaml", "kinetix: 1\n" + goal) + " -o " + folder +
-                                    " --no-verify --monte-carlo 200");
-    ASSERT_TRUE(run.code == 0 || run.code == 3) << run.out << run.err;
-    const Json result = Json::parse(text_of(folder + "/result.json"));
-    EXPECT_EQ(schema_errors(result), "");
-    const Json& made = result["as_made"];
-    ASSERT_TRUE(made.contains("taken")) << run.out;
+    const Found one = found(scratch, goal, " --monte-carlo 200");
+    const Json& made = one.result["as_made"];
+    ASSERT_TRUE(made.contains("taken")) << one.out;
     EXPECT_EQ(made["taken"]["material"], "tango");
     EXPECT_LE(made["taken"]["strain"], made["taken"]["strain_allowed"]);
-    EXPECT_THAT(run.out, HasSubstr("taken for tango blocks"));
+    EXPECT_THAT(one.out, HasSubstr("taken for tango blocks"));
     // 200 prints know their rms to 5 % in 95 of 100 cases.
     EXPECT_EQ(made["prints"]["failed"], 0) << goal;
     EXPECT_NEAR(made["prints"]["rms_mm"], made["rms_mm"].get<double>(), 0.2 * made["rms_mm"].get<double>())
