@@ -131,4 +131,8 @@ void search_robustly(Run& run, const Scene& scene, double weight,
   run.robust = std::move(choice);
 }
 
+int designs_of_robust_search(const std::optional<optim::AngleRange>& theta, const HingeSection& hinge) {
+  return static_cast<int>(trials(theta, hinge).size());
+}
+
 }  // namespace kinetix::app

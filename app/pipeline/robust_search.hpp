@@ -22,4 +22,7 @@ void search_robustly(Run& run, const Scene& scene, double weight,
                      const std::optional<optim::AngleRange>& theta,
                      const std::function<void(Run&, const RobustTrial&)>& solve, const RunOptions& options);
 
+/// How many designs it tries, likewise.
+int designs_of_robust_search(const std::optional<optim::AngleRange>& theta, const HingeSection& hinge);
+
 }  // namespace kinetix::app

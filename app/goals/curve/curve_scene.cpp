@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "app/files/process_section.hpp"
 #include "app/goals/curve/curve_kind.hpp"
 #include "app/goals/curve/curve_outcome.hpp"
 #include "app/goals/curve/curve_points.hpp"
@@ -77,7 +76,7 @@ class CurveScene final : public Scene {
     out.search_s = seconds_a_start * file_.solver.starts.value_or(optim::MultiStartOptions{}.starts) *
                    std::pow(file_.columns / 40.0, 1.5) * repeats(file_.curve, file_.columns);
     if (file_.robust) out.search_s *= robust_designs;
-    note_process(file_, out.sheet.size(), out.notes);
+    add_settings(file_, out);
     return out;
   }
 

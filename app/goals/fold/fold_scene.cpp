@@ -5,7 +5,6 @@
 #include <string>
 #include <utility>
 
-#include "app/files/process_section.hpp"
 #include "app/goals/fold/fold_kind.hpp"
 #include "app/goals/fold/fold_limits.hpp"
 #include "app/goals/fold/fold_outcome.hpp"
@@ -57,7 +56,8 @@ class FoldScene final : public Scene {
       out.folded_mm = size_of(out.sheet, motion.at(usual_fold_theta));
     }
     out.search_s = seconds_of_175 * std::pow(out.sheet.bodies() / 175.0, 1.5);
-    note_process(file_, out.sheet.size(), out.notes);
+    add_settings(file_, out);
+    if (file_.robust) out.search_s *= designs_of_robust_search(file_.theta, file_.hinge);
     return out;
   }
 

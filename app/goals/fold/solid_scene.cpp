@@ -5,7 +5,6 @@
 #include <string>
 #include <utility>
 
-#include "app/files/process_section.hpp"
 #include "app/goals/fold/fold_kind.hpp"
 #include "app/goals/fold/solid_outcome.hpp"
 #include "app/pipeline/exact_state.hpp"
@@ -43,7 +42,7 @@ class SolidScene final : public Scene {
     Forecast out{net.structure};
     out.folded_mm = net.edge * file_.size.edge_mm * std::cos(usual_fold_theta) * standing_size(solid);
     out.search_s = out.sheet.bodies() * seconds_a_solid_body;
-    note_process(file_, out.sheet.size(), out.notes);
+    add_settings(file_, out);
     return out;
   }
 

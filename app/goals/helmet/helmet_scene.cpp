@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "app/files/process_section.hpp"
 #include "app/goals/helmet/helmet_kind.hpp"
 #include "app/goals/helmet/helmet_outcome.hpp"
 #include "app/pipeline/exact_state.hpp"
@@ -88,7 +87,7 @@ class HelmetScene final : public Scene {
     out.search_s = seconds_a_helmet_body * out.sheet.bodies();
     out.folded_mm = covered_size(file_);
     out.notes = layout.notes;
-    note_process(file_, out.sheet.size(), out.notes);
+    add_settings(file_, out);
     return out;
   }
 

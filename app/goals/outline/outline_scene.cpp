@@ -1,4 +1,3 @@
-#include "app/files/process_section.hpp"
 #include "app/goals/outline/outline_kind.hpp"
 #include "app/goals/outline/outline_outcome.hpp"
 #include "app/pipeline/exact_state.hpp"
@@ -55,7 +54,7 @@ class OutlineScene final : public Scene {
         make_sheet(file_.lattice, model::lattice_cells(file_.columns, file_.rows), file_.size(edge_mm))};
     if (!file_.cell_mm) out.folded_mm = {box.sizes().x(), box.sizes().y(), out.sheet.size().height_mm};
     out.search_s = out.sheet.hinges() * (file_.flat ? seconds_a_wall_of_both : seconds_a_wall);
-    note_process(file_, out.sheet.size(), out.notes);
+    add_settings(file_, out);
     return out;
   }
 

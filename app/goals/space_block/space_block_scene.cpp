@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include "app/files/process_section.hpp"
 #include "app/goals/space_block/space_block_kind.hpp"
 #include "app/goals/space_block/space_block_outcome.hpp"
 #include "app/pipeline/exact_state.hpp"
@@ -19,7 +18,7 @@ class SpaceBlockScene final : public Scene {
     Forecast out{block()};
     const Eigen::Vector3d pressed = file_.goal.factors.cwiseProduct(file_.found.size_mm);
     out.folded_mm = {pressed.x(), pressed.y(), pressed.z()};
-    note_process(file_, file_.size(), out.notes);
+    add_settings(file_, out);
     return out;
   }
 

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include "app/files/process_section.hpp"
 #include "app/goals/space_curve/space_curve_kind.hpp"
 #include "app/goals/space_curve/space_curve_outcome.hpp"
 #include "app/pipeline/exact_state.hpp"
@@ -44,18 +43,18 @@ class SpaceCurveScene final : public Scene {
     for (const Eigen::Vector3d& point : file_.wanted.points()) box.extend(point);
     out.folded_mm = {box.sizes().x(), box.sizes().y(), box.sizes().z()};
     out.search_s = seconds_of_96 * std::pow(columns / 96.0, 3);
-    note_process(file_, out.sheet.size(), out.notes);
+    add_settings(file_, out);
+    if (file_.robust) out.search_s *= designs_of_robust_search(tried_theta(), file_.hinge);
     return out;
   }
 
   void solve(Run& run, const RunOptions& options) const override {
     solve(file_, run, options);
     if (!file_.robust) return;
-    const bool is_free = file_.variables.free_edge;
     RunOptions quiet = options;
     quiet.progress = RunOptions{}.progress;
     search_robustly(
-        run, *this, *file_.robust, is_free ? std::optional(file_.variables.theta) : std::nullopt,
+        run, *this, *file_.robust, tried_theta(),
         [&](Run& other, const RobustTrial& trial) {
           SpaceCurveFile file = file_;
           file.hinge = trial.hinge;
@@ -144,6 +143,11 @@ class SpaceCurveScene final : public Scene {
   void add_frames(Run& run) const override { add_exact_frames(run); }
 
  private:
+  /// What a robust search may try.
+  std::optional<optim::AngleRange> tried_theta() const {
+    return file_.variables.free_edge ? std::optional(file_.variables.theta) : std::nullopt;
+  }
+
   SpaceCurveFile file_;
 };
 

@@ -1,5 +1,4 @@
 #include "app/goals/surface/ribs_scene.hpp"
-#include "app/files/process_section.hpp"
 
 #include <fmt/format.h>
 
@@ -32,7 +31,7 @@ class RibsScene final : public Scene {
     const Eigen::Vector3d size = bounds(file_.surface.surface.mesh()).sizes();
     out.folded_mm = {size.x(), size.y(), size.z()};
     out.search_s = seconds_a_body_of_ribs * out.sheet.bodies();
-    note_process(file_, out.sheet.size(), out.notes);
+    add_settings(file_, out);
     return out;
   }
 

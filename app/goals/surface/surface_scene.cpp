@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include "app/files/process_section.hpp"
 #include "app/goals/surface/ribs_scene.hpp"
 #include "app/goals/surface/surface_kind.hpp"
 #include "app/goals/surface/surface_outcome.hpp"
@@ -117,7 +116,7 @@ class SurfaceScene final : public Scene {
     out.folded_mm = {sides.x(), sides.y(),
                      std::sqrt(std::max(0.0, diagonal * diagonal - sides.squaredNorm()))};
     out.search_s = seconds_of_81 * std::pow((file_.columns + 1) * (file_.rows + 1) / 81.0, 2);
-    note_process(file_, out.sheet.size(), out.notes);
+    add_settings(file_, out);
     return out;
   }
 

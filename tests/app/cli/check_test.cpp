@@ -66,10 +66,18 @@ std::string arc_of(double degrees) {
   return "kinetix: 1\ntarget: {kind: curve, points: [" + points + "]}\nstructure: {cells: [40, 1]}\n";
 }
 
+double seconds(const std::string& text) { return checked(text)["expected"]["search_s"].get<double>(); }
+
+// A robust search of a fold tries 28 designs: nine theta by three gaps, and the plain one.
+TEST(Check, TellsThatElasticHingesAndRobustDesignsTakeLonger) {
+  const std::string rigid = "kinetix: 1\ntarget: {kind: fold, box: [3, 2, 1]}\n",
+                    elastic = rigid + "hinge: {kind: block, material: tango, gap_mm: 1}\n";
+  EXPECT_LT(seconds(rigid), 0.5);
+  EXPECT_GT(seconds(elastic), 0.5);
+  EXPECT_NEAR(seconds(elastic + "robust: true\n"), 28 * seconds(elastic), 1e-9);
+}
+
 TEST(Check, TellsThatCirclesAndCornersAreSearchedForLonger) {
-  const auto seconds = [](const std::string& text) {
-    return checked(text)["expected"]["search_s"].get<double>();
-  };
   const double plain = seconds(arc_of(90));
   EXPECT_GE(seconds(arc_of(350)), 3 * plain);
   EXPECT_GE(seconds("kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [50, 0], [50, 50], [100, 50]]}\n"
