@@ -85,7 +85,8 @@ void Judging::prove_range() {
 }
 
 void Judging::judge_fit() {
-  if (!run_.goal || run_.states.empty() || !options_.misfit || !print_problems(run_).empty()) return;
+  if (!run_.goal || run_.states.empty() || !scene_.is_judged_by_distances()) return;
+  if (!options_.misfit || !print_problems(run_).empty()) return;
   found_.misfit = options_.misfit(run_);
 }
 

@@ -63,7 +63,7 @@ void check(Run& run, const Scene& scene, const std::optional<PhysicsTask>& task,
   std::future<void> beside = work_beside(judging, options.threads);
   std::optional<Verification> verification;
   if (task) verification = timed_physics(run, *task, options);
-  options.progress("prints, contact", -1);
+  options.progress(run.goal ? "prints, contact" : "contact", -1);
   judging.work();
   beside.get();
   add(judging.judgement(), run);

@@ -53,6 +53,8 @@ class Scene {
                                        const model::State& /*state*/) const {
     return std::nullopt;
   }
+  /// Of scenes with a goal: whether judged() may have something.
+  virtual bool is_judged_by_distances() const { return true; }
   /// How far tilts and theta may go to make up for elastic hinges: what the file allows its search.
   virtual TurnBounds turn_bounds() const { return {}; }
   /// Says what the equilibrium of elastic hinges lacks of a goal that was searched for exactly, in place of what

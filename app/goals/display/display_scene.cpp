@@ -214,6 +214,8 @@ class DisplayScene final : public Scene {
                        elastic_physics(elasticity(), file_.physics, file_.size.edge_mm, run.plan.planar)};
   }
 
+  bool is_judged_by_distances() const override { return false; }
+
   void judge_physics(Run& run) const override {
     auto& display = outcome_of<DisplayOutcome>(run);
     display.physics = read_panel(file_, run.structure, run.verification->physics.state);
