@@ -5,7 +5,6 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <algorithm>
-#include <optional>
 
 #include "sim/joints/bullet_math.hpp"
 #include "sim/joints/cord.hpp"
@@ -84,8 +83,7 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
   Eigen::VectorXd solution(double step) {
     Eigen::VectorXd velocities;
     for (int k = 0; k < most_solutions; ++k) {
-      factorise(step);
-      velocities = system_.velocities();
+      velocities = of_rows(step);
       if (settings_.cord) tighten(*settings_.cord, step, velocities);
       const bool joints_changed = let_go(velocities), contacts_changed = press(velocities);
       if (!joints_changed && !contacts_changed) break;
@@ -186,19 +184,23 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
     return changed;
   }
 
-  void factorise(double step) {
+  /// Changes of speed by the joints and by the contacts that press.
+  Eigen::VectorXd of_rows(double step) {
     for (std::size_t k = 0; k < pushes_.size(); ++k)
       rows_[pushes_[k].row].weight = pushing_[k] ? settings_.grip : 0;
     rows_.resize(joint_rows_);
     for (const Contact& contact : contacts_)
       if (contact.presses) rows_.push_back(contact.row);
     const bool solvable = system_.factorise(masses_, rows_, settings_.joint_stiffness);
-    if (settings_.elastic && !(solvable && longest_move() * step <= longest_step)) factorise_what_resists();
+    if (solvable || !settings_.elastic) {
+      const Eigen::VectorXd velocities = system_.velocities();
+      if (!settings_.elastic || fastest_after(velocities) * step <= longest_step) return velocities;
+    }
+    factorise_what_resists();
+    return system_.velocities();
   }
 
-  /// Largest speed or turning speed after the step.
-  double longest_move() const { return fastest_after(system_.velocities()); }
-
+  /// Largest speed or turning speed after changes of speed.
   double fastest_after(const Eigen::VectorXd& change) const {
     double longest = 0;
     for (std::size_t p = 0; p < bodies_.size(); ++p)
