@@ -68,7 +68,7 @@ coverage: $(ALL_PACKAGES)
 	find build/$@ -name '*.gcda' -delete
 	ctest --preset $@; \
 	gcovr --root . --object-directory build/$@ --filter '(model|targets|optim|sim|app)/' --exclude-throw-branches \
-	  --exclude-unreachable-branches --print-summary --txt build/$@/files.txt --html-details build/$@/index.html
+	  --exclude-unreachable-branches --gcov-ignore-parse-errors --print-summary --txt build/$@/files.txt --html-details build/$@/index.html
 
 compilers: $(ALL_PACKAGES)
 	tests/tools/compilers.sh

@@ -108,6 +108,7 @@ class Run {
   }
 
   bool is_at_rest() const {
+    if (!world_.contacts_agree()) return false;
     if (!options_.elastic) return world_.parts().fastest_hinge() <= options_.settle_speed;
     const double force = largest_hinge_force(structure_, result_.state, *options_.elastic);
     const double limit = options_.settle_force * std::max(force, least_force);

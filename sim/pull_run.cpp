@@ -41,7 +41,7 @@ class PullRun {
     bool settled = false;
     while (result_.steps < all_steps_ && !settled && !has_failed() && !observer_.stop.stop_requested()) {
       step();
-      settled = result_.steps >= drive_steps_ && world_.parts().fastest_hinge() <= options_.settle_speed;
+      settled = result_.steps >= drive_steps_ && is_at_rest();
     }
     judge(structure_, undriven(), options_, settled, result_);
     result_.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
@@ -82,6 +82,10 @@ class PullRun {
     result_.state = world_.parts().state();
     result_.gaps = hinge_gaps(structure_, result_.state);
     result_.contact = world_.deepest_contact();
+  }
+
+  bool is_at_rest() const {
+    return world_.contacts_agree() && world_.parts().fastest_hinge() <= options_.settle_speed;
   }
 
   bool has_failed() {

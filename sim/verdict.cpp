@@ -61,6 +61,13 @@ std::string open_hinge(const model::Linkage& s, const PhysicsResult& r) {
                      r.gaps.max);
 }
 
+/// Of parts that still move: rigid hinges hold, however they do.
+std::string hinges_words(const model::Linkage& s, const PhysicsOptions& o, const PhysicsResult& r) {
+  return o.elastic
+             ? open_hinge(s, r)
+             : fmt::format("parts still move, with hinges open by at most {:.2g} cell edges", r.gaps.max);
+}
+
 std::string contact(const model::Linkage& s, const PhysicsResult& r) {
   return fmt::format("the parts on vertices {} and {} touch (overlap {:.2g} cell edges)",
                      s.vertex_name(r.contact.first), s.vertex_name(r.contact.second), r.contact.depth);
@@ -72,7 +79,7 @@ std::string reason(const model::Linkage& s, const PhysicsOptions& o, const Physi
       return fmt::format("settled after {:.3g} s: largest hinge gap {:.2g} cell edges", r.simulated_s,
                          r.gaps.max);
     case Status::not_settled:
-      return fmt::format("not at rest after {:.3g} s: {}{}", r.simulated_s, open_hinge(s, r),
+      return fmt::format("not at rest after {:.3g} s: {}{}", r.simulated_s, hinges_words(s, o, r),
                          r.contact.touches() ? ", " + contact(s, r) : "");
     case Status::hinge_gap_exceeded:
       return fmt::format("{}; at most {:.2g} is allowed (after {:.3g} s)", open_hinge(s, r), gap_limit(o),

@@ -64,11 +64,12 @@ btDefaultCollisionConstructionInfo memory_of_pairs(std::size_t parts) {
 
 std::unique_ptr<btConstraintSolver> make_solver(const PhysicsOptions& options, double edge_mm,
                                                 const ElasticHinges* elastic, const Cord* cord,
-                                                const Hand& hand, const double& longest_way) {
+                                                const Hand& hand, const double& longest_way, bool& agrees) {
   if (options.solver == PhysicsOptions::Solver::sweeps) return make_sequential_impulses();
   DirectSolverSettings settings{.joint_stiffness = options.joint_stiffness, .elastic = elastic, .cord = cord};
   settings.hand = &hand;
   settings.longest_way = &longest_way;
+  settings.agrees = &agrees;
   settings.edge_mm = edge_mm;
   if (options.elastic) {
     settings.grip = elastic_grip;
@@ -100,6 +101,7 @@ struct World::Engine {
   std::optional<Cord> cord;
   Hand hand;
   double longest_way = std::numeric_limits<double>::infinity();
+  bool agrees = true;  ///< what pushes in the last step
   std::unique_ptr<btConstraintSolver> solver;
   btDiscreteDynamicsWorld world;
 
@@ -118,7 +120,7 @@ struct World::Engine {
         cord(make_cord()),
         hand(options.joint_stiffness, structure.size.edge_mm),
         solver(make_solver(options, structure.size.edge_mm, elastic ? &*elastic : nullptr,
-                           cord ? &*cord : nullptr, hand, longest_way)),
+                           cord ? &*cord : nullptr, hand, longest_way, agrees)),
         world(&dispatcher, &broadphase, solver.get(), &configuration),
         parts(structure, options, contact_parts) {
     world.setGravity({0, 0, 0});
@@ -248,6 +250,8 @@ double World::free_force() const {
   return engine_->parts.largest_change(engine_->speeds_before) * engine_->options.step_s /
          engine_->options.joint_stiffness;
 }
+
+bool World::contacts_agree() const { return engine_->agrees; }
 
 double World::drive_gap() const { return engine_->actuator->gap(); }
 

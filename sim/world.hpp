@@ -44,6 +44,8 @@ class World {
   /// hinges, drive and contacts left over; in units of the stiffness of a hinge point times the cell edge.
   /// NaN if one is NaN. @pre step was called
   double free_force() const;
+  /// Whether what pressed in the last step is what had to: if not, its forces are none to trust. True before the first.
+  bool contacts_agree() const;
   double drive_gap() const;
   PartContact deepest_contact() const;
   /// Pieces that pass through each other since they touched at rest.

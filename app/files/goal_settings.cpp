@@ -15,6 +15,15 @@ namespace {
 
 bool starts_as_number(const std::string& word) { return word.find_first_of("0123456789.+-") == 0; }
 
+/// Of springs that would have nothing to turn.
+void refuse_idle_drive(const targets::Section& root, const GoalSettings& settings) {
+  if (settings.drive.kind == GoalDrive::Kind::usual || settings.hinge.model == HingeSection::Model::elastic)
+    return;
+  throw root.optional("drive")->key_error(
+      "shape_memory needs elastic hinges, which its springs turn: give `hinge:`, such as `hinge: "
+      "{kind: film, material: pp, gap_mm: 2, thickness_mm: 0.4}`");
+}
+
 }  // namespace
 
 targets::Key robust_key(const std::string& over) {
@@ -46,10 +55,12 @@ void read_hinges(const targets::Section& root, const std::optional<model::CellSi
         "search");
   settings.drive = read_goal_drive(root);
   if (!size) {
+    refuse_idle_drive(root, settings);
     settings.process = read_process(root);
     return;
   }
   settings.hinge = read_hinge_section(root, *size);
+  refuse_idle_drive(root, settings);
   if (settings.hinge.model == HingeSection::Model::elastic) refuse_sweeps(root, settings.physics);
   settings.hinge_parts = read_hinge_parts(root, *size);
   refuse_lines(root, settings.hinge_parts);

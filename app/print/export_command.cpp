@@ -25,7 +25,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// @param source a design, the folder of a result, or its result.json, which stands beside the design
 std::string design_file(const std::string& source) {
+  const fs::path path(source);
+  if (path.filename() == "result.json" && fs::exists(path.parent_path() / "design.yaml"))
+    return (path.parent_path() / "design.yaml").string();
   if (!fs::is_directory(source)) return source;
   const fs::path inside = fs::path(source) / "design.yaml";
   if (fs::exists(inside)) return inside.string();

@@ -9,6 +9,7 @@
 #include "app/print/format/gap_settings.hpp"
 #include "app/print/format/parts.hpp"
 #include "app/print/format/units.hpp"
+#include "app/print/hinge_sorts.hpp"
 #include "app/print/overhang.hpp"
 #include "model/base/angle.hpp"
 
@@ -129,23 +130,6 @@ std::string orientation_words(const PrintJob& job) {
   return fmt::format("{}, {:.1f} mm2 with --orient {}", hangs, least.overhang_mm2, least.name);
 }
 
-/// Of a pin, mm.
-double whole_knuckle_mm(const model::HingePrint& h) {
-  return h.made.diameter_mm + 2 * (h.made.clearance_mm + h.knuckle_wall_mm + h.cap_across_mm);
-}
-
-std::string hinge_words(const PrintSheet& sheet) {
-  const model::MadeHinge& h = sheet.hinges.front().made;
-  if (h.kind == model::HingeKind::pin)
-    return fmt::format(
-        "pins: rod {:g} x {:g} mm, clearance {:g} mm a side, {:g} mm along the axis, {} {:.2f} mm",
-        h.diameter_mm, h.height_mm, h.clearance_mm, sheet.hinges.front().axial_clearance_mm,
-        sheet.has_caps() ? "bores in round caps of" : "knuckle", whole_knuckle_mm(sheet.hinges.front()));
-  return fmt::format("{}s of {}: gap {:g} mm, thickness {:g} mm, height {:g} mm", to_string(h.kind),
-                     h.material.name.empty() ? "your material" : h.material.name, h.gap_mm, h.thickness_mm,
-                     h.height_mm);
-}
-
 }  // namespace
 
 std::vector<std::string> print_warnings(const PrintJob& job) {
@@ -159,6 +143,8 @@ std::vector<std::string> print_warnings(const PrintJob& job) {
   if (job.sheet.has_soft() && !job.sheet.process.joins_two && !job.sheet.is_one_material())
     out.push_back(job.sheet.process.name +
                   " prints one material: soft parts are a print of their own, to be glued to the walls");
+  const std::vector<std::string> materials = material_warnings(job.sheet);
+  out.insert(out.end(), materials.begin(), materials.end());
   if (!job.folded && exceeds_usual_bed(job))
     out.push_back(fmt::format(
         "larger than the bed of a usual {0} printer, {1:g} x {2:g} mm: --bed {1:g},{2:g} cuts it into tiles",
@@ -225,7 +211,10 @@ std::string print_text(const PrintJob& job, const PathClearance& clearance,
   line("process", sheet.process.name);
   line("pieces", fmt::format("{} bodies, {} hinges, {:.1f} x {:.1f} x {:.1f} mm", count_bodies(sheet),
                              sheet.hinges.size(), size.x(), size.y(), size.z()));
-  line("hinges", hinge_words(sheet));
+  const std::vector<HingeSort> sorts = hinge_sorts(sheet);
+  for (const HingeSort& sort : sorts)
+    line("hinges",
+         (sorts.size() > 1 ? fmt::format("{} ", sort.hinges.size()) : "") + hinge_words(sort, sheet));
   if (sheet.tiles.count() > 1)
     line("tiles", tiles_words(sheet));
   else if (sheet.tiles.turned)

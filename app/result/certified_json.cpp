@@ -54,6 +54,8 @@ std::vector<SummaryLine> certified_lines(const Certified& certified, const model
                                          NearExact states) {
   if (!certified.designed)
     return {{"contact", "no range of theta is proven free of it: " + certified.designed.why_not}};
+  if (certified.designed.overlaps_as_built())
+    return {{"NOT PROVEN", "free of contact: " + overlap_words(certified, sheet)}};
   const std::string range = fmt::format("theta {}, {}", between(certified.designed),
                                         end_words(certified.designed.to(theta), sheet));
   std::vector<SummaryLine> lines = {

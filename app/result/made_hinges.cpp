@@ -108,7 +108,7 @@ std::vector<std::pair<std::string, std::string>> made_hinge_lines(const Run& run
   const std::vector<Turned> all = turned_hinges(run);
   if (const Turned* t = worst(all, strain_share))
     lines.emplace_back(
-        "STRAINED", fmt::format("the hinge of wall {} by {:.2f}; its material bears {:g}: a longer gap or a "
+        "STRAINED", fmt::format("the hinge of wall {} by {:.3g}; its material bears {:g}: a longer gap or a "
                                 "thinner hinge strains less",
                                 wall_name(run.structure, t->hinge), t->strain, t->made->material.strain_max));
   const auto corners = [&](const Turned& t) { return t.turn / corner_turn(run, t); };

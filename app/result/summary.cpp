@@ -71,7 +71,7 @@ std::string summary(const Run& run) {
       text += line(label, words);
   if (const auto strain = largest_strain(run))
     text +=
-        line("strained", fmt::format("by {:.2f} of {:g} that its material bears, the largest of its hinges",
+        line("strained", fmt::format("by {:.3g} of {:g} that its material bears, the largest of its hinges",
                                      *strain, *allowed_strain(run)));
   for (const auto& [label, words] : made_hinge_lines(run)) text += line(label, words);
   if (run.stopped)

@@ -19,7 +19,8 @@ struct Certified {
 
  private:
   static bool covers(const model::CertifiedRange& range, double theta) {
-    return range && range.negative.theta <= theta && theta <= range.positive.theta;
+    return range && !range.overlaps_as_built() && range.negative.theta <= theta &&
+           theta <= range.positive.theta;
   }
 };
 
@@ -27,5 +28,8 @@ struct Certified {
 inline std::array<std::string, 2> wall_names(const model::CertifiedLimit& limit, const model::Sheet& sheet) {
   return {wall_name(sheet, limit.walls.first / 2), wall_name(sheet, limit.walls.second / 2)};
 }
+
+/// "walls A and B overlap as built" and what helps. @pre certified.designed.overlaps_as_built()
+std::string overlap_words(const Certified& certified, const model::Sheet& sheet);
 
 }  // namespace kinetix::app

@@ -31,9 +31,9 @@ Eigen::Vector3d flat_size(const model::Linkage& linkage);
 /// Edges of the box around all half walls in a state, along the axes of its frame, mm.
 Eigen::Vector3d size_of(const model::Linkage& linkage, const model::State& state);
 
-/// About how long a physics run takes, s, on one core of 2020; measured on sheets of 80 to 900 bodies, within a factor of
-/// two. A loop of hinges is what costs: one a cell.
-double physics_seconds(const model::Linkage& linkage);
+/// About how long a physics run takes, s, on one core of 2020; measured on sheets of 80 to 900 bodies, where a loop of hinges is
+/// what costs, one a cell, and on blocks of 384 to 5000 bodies, whose factors fill: within a factor of two.
+double physics_seconds(const model::Sheet& sheet);
 
 /// About how much memory a run takes, bytes, measured likewise.
 double memory_needed(const model::Linkage& linkage);

@@ -51,8 +51,8 @@ std::string designs_sentence(const model::PlanarStructure& planar, bool is_exact
 std::string floppy_sentence(const Plan& plan) {
   return fmt::format(
       "FLOPPY: it moves in {} independent ways, and a drive of one of them leaves the others to the springs "
-      "and "
-      "to chance; close it with `structure: {{rim: closed}}`, or walls across cells",
+      "and to chance; walls across cells would hold it, or where its rim is open `structure: {{rim: "
+      "closed}}`",
       plan.mobility->dofs_along);
 }
 

@@ -49,7 +49,7 @@ std::optional<std::string> strained_too_far(const Run& run, const model::State& 
   }
   if (!worst) return std::nullopt;
   return fmt::format(
-      "the hinge of wall {} is strained by {:.2f}; its material bears {:g}: a longer gap or a thinner hinge "
+      "the hinge of wall {} is strained by {:.3g}; its material bears {:g}: a longer gap or a thinner hinge "
       "strains less",
       wall_name(run.structure, worst->hinge), worst->strain, worst->borne);
 }

@@ -202,9 +202,13 @@ CertifiedRange certified_range(const Linkage& structure, const ExactMotion& exac
     return out;
   }
   LinkagePlates plates(structure, turns, options.growth_mm);
-  out.left_out = static_cast<int>(plates.touching_at_rest.size());
+  out.left_out = static_cast<int>(plates.at_rest.touching_at_rest().size());
   if (const int loose = plates.loose_body(); loose >= 0) {
     out.why_not = "no hinges join the body at " + structure.vertex_name(loose) + " to the others";
+    return out;
+  }
+  if (const auto& overlap = plates.at_rest.overlap_at_rest()) {
+    out.negative = out.positive = {0, true, *overlap, 0};
     return out;
   }
   out.negative = CertifiedSide(plates, exact, options, -1, out).run();

@@ -33,10 +33,12 @@ struct CertifiedLimit {
 struct CertifiedRange {
   CertifiedLimit negative, positive;
   int states = 0;            ///< that were computed
-  int left_out = 0;          ///< pairs of plates that touch as built
+  int left_out = 0;          ///< pairs of plates that touch as built, overlapping ones among them
   std::string why_not = {};  ///< in a sentence, where nothing is certified: theta is 0 on both sides
   double growth_mm = 0;      ///< as asked
 
+  /// Walls that overlap as built, flat: there is no range then, and both limits name them.
+  bool overlaps_as_built() const { return positive.contact == 0.0; }
   explicit operator bool() const { return why_not.empty(); }
   const CertifiedLimit& to(double theta) const { return theta < 0 ? negative : positive; }
 };

@@ -24,7 +24,7 @@ int middle_body(const Linkage& structure) {
 LinkagePlates::LinkagePlates(const Linkage& structure, const std::vector<TurnLaw>& turns, double growth_mm)
     : structure(structure),
       walls(half_walls(structure)),
-      touching_at_rest(WallContact(structure).touching_at_rest()),
+      at_rest(structure),
       plates_of(structure.bodies.size()),
       reach(structure.bodies.size()),
       chains(structure),
@@ -50,7 +50,7 @@ LinkagePlates::LinkagePlates(const Linkage& structure, const std::vector<TurnLaw
 
 bool LinkagePlates::can_touch(const WallPair& pair) const {
   return walls[pair.first].hinge != walls[pair.second].hinge &&
-         !std::binary_search(touching_at_rest.begin(), touching_at_rest.end(), pair);
+         !std::binary_search(at_rest.touching_at_rest().begin(), at_rest.touching_at_rest().end(), pair);
 }
 
 int LinkagePlates::loose_body() const {

@@ -25,7 +25,7 @@ struct LinkagePlates {
   std::vector<int> senses;                  ///< of each hinge, as hinge_sense has them
   double longest_arm = 0;                   ///< of a hinge, cell edges
   std::vector<HalfWall> walls;              ///< grown
-  std::vector<WallPair> touching_at_rest;   ///< not grown
+  WallContact at_rest;                      ///< not grown
   std::vector<std::vector<int>> plates_of;  ///< each body
   std::vector<double> reach;                ///< of each body's plates from its vertex, mm
   HingeChains chains;

@@ -60,9 +60,12 @@ class Side {
 WallContact::WallContact(const Linkage& structure)
     : walls_(half_walls(structure)), depth_(depth_in_edges * structure.size.edge_mm) {
   for (const HalfWall& wall : walls_) reach_ = std::max(reach_, 2 * (radius(wall.box) + depth_));
-  collect(rest_state(structure), -depth_);
+  const State flat = rest_state(structure);
+  collect(flat, -depth_);
   std::sort(found_.begin(), found_.end());
   touching_at_rest_ = found_;
+  const std::vector<WallPair> overlap = overlapping(flat, touching_at_rest_);
+  if (!overlap.empty()) overlap_at_rest_ = overlap.front();
 }
 
 bool WallContact::can_touch(const WallPair& pair) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "model/base/angle.hpp"
@@ -25,6 +26,8 @@ class WallContact {
 
   /// Pairs that overlap or touch in the flat state and are not looked at again.
   const std::vector<WallPair>& touching_at_rest() const { return touching_at_rest_; }
+  /// The first of them that overlaps: nothing that could be built.
+  const std::optional<WallPair>& overlap_at_rest() const { return overlap_at_rest_; }
 
   /// Pairs that overlap by more than a billionth of the cell edge. @pre one finite pose per body
   const std::vector<WallPair>& overlapping(const State& state);
@@ -37,6 +40,7 @@ class WallContact {
 
   std::vector<HalfWall> walls_;
   std::vector<WallPair> touching_at_rest_;
+  std::optional<WallPair> overlap_at_rest_;
   double reach_ = 0;  ///< no two plates with centers this far apart overlap, mm
   double depth_ = 0;  ///< mm
   std::vector<OrientedBox> boxes_;

@@ -10,6 +10,9 @@
 namespace kinetix::optim {
 namespace {
 
+// Over the curve's length: a strip that is longer than this even when pressed most has to wind about the curve.
+constexpr double most_slack = 1.02;
+
 void note_length(const CurveFit& fit, CurveReach& reach) {
   const double length = fit.goal().length();
   const int columns = fit.ties().columns();
@@ -18,7 +21,7 @@ void note_length(const CurveFit& fit, CurveReach& reach) {
   reach.shortest_mm = straight * std::cos(theta.upper);
   reach.longest_mm = straight * std::cos(theta.lower);
   const bool too_short = reach.longest_mm < length;
-  if (!too_short && !(reach.shortest_mm > 1.5 * length)) return;
+  if (!too_short && !(reach.shortest_mm > most_slack * length)) return;
   reach.obstacles.push_back(fmt::format(
       "the curve is {:.1f} mm long; {} cells of {:.3g} mm span at most {:.1f} mm and, straight, at least "
       "{:.1f} mm (theta "

@@ -84,6 +84,9 @@ LooseRibs fit_loose_ribs(const targets::RibbedSurface& surface, const RibsSpec& 
                          const SolverOptions& options) {
   const RibsLayout layout = plan_ribs(surface, spec);
   const double pitch = spec.size.edge_mm * std::cos(layout.start.theta);
+  // Folded further than planned, a rib would be too short for its section, and nearer to the surface for that alone.
+  RibsSpec as_planned = spec;
+  as_planned.theta.upper = layout.start.theta;
   LooseRibs out;
   double squares = 0, covered = 0;
   std::size_t bodies = 0;
@@ -92,7 +95,7 @@ LooseRibs fit_loose_ribs(const targets::RibbedSurface& surface, const RibsSpec& 
     const RibPlane plane{layout.spine.at(arc),
                          layout.spine.direction(arc, step_in_cells * spec.size.edge_mm)};
     const RibsDesign rib =
-        fit_layout(alone(layout, r, pitch), seen_from(surface, plane), Vector3d::Zero(), spec, options);
+        fit_layout(alone(layout, r, pitch), seen_from(surface, plane), Vector3d::Zero(), as_planned, options);
     squares += rib.error.rms * rib.error.rms * static_cast<double>(rib.state.size());
     bodies += rib.state.size();
     out.max = std::max(out.max, rib.error.max);

@@ -21,6 +21,12 @@ namespace {
 // that were linearised tell nothing.
 constexpr double longest_step = 0.05;
 
+/// The way in which a joint that only pushes pushes its second part, unit vector.
+Eigen::Vector3d inward(const btTypedConstraint& joint) {
+  const auto& spring = static_cast<const btGeneric6DofSpring2Constraint&>(joint);
+  return eigen(spring.getCalculatedTransformA().getBasis().getColumn(0));
+}
+
 Vector6 stacked(const btVector3& linear, const btVector3& angular) {
   return {linear.x(), linear.y(), linear.z(), angular.x(), angular.y(), angular.z()};
 }
@@ -35,15 +41,11 @@ Eigen::Matrix3d world_inertia(const btRigidBody& body) {
 // Solutions of a step: until the rows that only push and do are the same twice. Panels of a thousand contacts need seven.
 constexpr int most_solutions = 20;
 
-/// A row that only pushes its second part.
-struct Push {
-  std::size_t row = 0;
-  Eigen::Vector3d inward;  ///< the way that it pushes, unit vector
-};
-
-struct Contact {
+/// A row that only pushes its two parts apart: of a joint that presses, or of a contact.
+struct OneSided {
   VelocityRow row;
-  bool presses = false;
+  double apart = 1;  ///< sign of the speed along the row at which the parts go apart
+  bool pushes = false;
 };
 
 /// A cord, by the parts.
@@ -74,20 +76,22 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
     share_contacts(manifolds, count);
     collect_rows(info.m_timeStep);
     Eigen::VectorXd velocities = solution(info.m_timeStep);
+    for (std::size_t k = 0; k < pushed_.size(); ++k) pushed_[k] = one_sided_[k].pushes;
     if (settings_.longest_way) shorten(velocities, *settings_.longest_way / info.m_timeStep);
     apply(velocities);
     return 0;
   }
 
-  /// Changes of speed, after which each row that only pushes does what it should.
+  /// Changes of speed after which the rows push that should, and no others; or the last of most_solutions.
   Eigen::VectorXd solution(double step) {
     Eigen::VectorXd velocities;
-    for (int k = 0; k < most_solutions; ++k) {
+    bool agrees = false;
+    for (int k = 0; k < most_solutions && !agrees; ++k) {
       velocities = of_rows(step);
       if (settings_.cord) tighten(*settings_.cord, step, velocities);
-      const bool joints_changed = let_go(velocities), contacts_changed = press(velocities);
-      if (!joints_changed && !contacts_changed) break;
+      agrees = !choose(velocities);
     }
+    if (settings_.agrees) *settings_.agrees = agrees;
     return velocities;
   }
 
@@ -123,39 +127,40 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
 
   void collect_rows(double step) {
     rows_.clear();
-    pushes_.clear();
+    one_sided_.clear();
     for (int k = 0; k < m_tmpSolverNonContactConstraintPool.size(); ++k)
       if (m_tmpSolverNonContactConstraintPool[k].m_jacDiagABInv > 0)
         append_joint(m_tmpSolverNonContactConstraintPool[k]);
-    if (pushing_.size() != pushes_.size()) pushing_.assign(pushes_.size(), true);
+    if (pushed_.size() != one_sided_.size()) pushed_.assign(one_sided_.size(), true);
+    for (std::size_t k = 0; k < pushed_.size(); ++k) one_sided_[k].pushes = pushed_[k];
     if (settings_.elastic || has_hand()) append_own(step);
-    joint_rows_ = rows_.size();
-    collect_contacts();
+    two_sided_ = rows_.size();
+    append_contacts();
   }
 
-  void collect_contacts() {
-    contacts_.clear();
+  void append_contacts() {
     for (int k = 0; k < m_tmpSolverContactConstraintPool.size(); ++k) {
       const btSolverConstraint& point = m_tmpSolverContactConstraintPool[k];
       if (!(point.m_jacDiagABInv > 0)) continue;
       VelocityRow row = row_of(point);
       const auto sharing = sharing_.find(point.m_originalContactPoint);
       row.weight = 1 / (settings_.contact_softness * (sharing == sharing_.end() ? 1 : sharing->second));
-      contacts_.push_back({row});
+      one_sided_.push_back({row});
     }
     // The system takes rows of the same two parts together where they follow each other.
-    std::stable_sort(contacts_.begin(), contacts_.end(), [](const Contact& x, const Contact& y) {
-      return std::pair(x.row.a, x.row.b) < std::pair(y.row.a, y.row.b);
-    });
+    std::stable_sort(one_sided_.begin() + pushed_.size(), one_sided_.end(),
+                     [](const OneSided& x, const OneSided& y) {
+                       return std::pair(x.row.a, x.row.b) < std::pair(y.row.a, y.row.b);
+                     });
   }
 
-  /// Keeps the contacts that press, or would have to. @param v what the step came to   @return whether others did before
-  bool press(const Eigen::VectorXd& v) {
+  /// Keeps the rows that push, or would have to. @param v what the step came to   @return whether others did before
+  bool choose(const Eigen::VectorXd& v) {
     bool changed = false;
-    for (Contact& contact : contacts_) {
-      const bool presses = contact.row.target > along(contact.row, v);
-      changed = changed || contact.presses != presses;
-      contact.presses = presses;
+    for (OneSided& one : one_sided_) {
+      const bool pushes = one.apart * (one.row.target - along(one.row, v)) > 0;
+      changed = changed || one.pushes != pushes;
+      one.pushes = pushes;
     }
     return changed;
   }
@@ -163,34 +168,18 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
   // What the engine calls a contact point is a joint in a row of a joint.
   void append_joint(const btSolverConstraint& c) {
     const auto& joint = *static_cast<const btTypedConstraint*>(c.m_originalContactPoint);
+    const VelocityRow row = row_of(c);
     if (is_one_sided(joint))
-      pushes_.push_back({rows_.size(), eigen(static_cast<const btGeneric6DofSpring2Constraint&>(joint)
-                                                 .getCalculatedTransformA()
-                                                 .getBasis()
-                                                 .getColumn(0))});
-    rows_.push_back(row_of(c));
+      one_sided_.push_back({row, row.second.head<3>().dot(inward(joint))});
+    else
+      rows_.push_back(row);
   }
 
-  /// Keeps the rows that push, or would have to. @param v what the step came to   @return whether others did before
-  bool let_go(const Eigen::VectorXd& v) {
-    bool changed = false;
-    for (std::size_t k = 0; k < pushes_.size(); ++k) {
-      const VelocityRow& row = rows_[pushes_[k].row];
-      const double push = (row.target - along(row, v)) * row.second.head<3>().dot(pushes_[k].inward);
-      const bool pushes = push > 0;
-      changed = changed || pushing_[k] != pushes;
-      pushing_[k] = pushes;
-    }
-    return changed;
-  }
-
-  /// Changes of speed by the joints and by the contacts that press.
+  /// Changes of speed by the rows that pull and push, and by those that only push and do.
   Eigen::VectorXd of_rows(double step) {
-    for (std::size_t k = 0; k < pushes_.size(); ++k)
-      rows_[pushes_[k].row].weight = pushing_[k] ? settings_.grip : 0;
-    rows_.resize(joint_rows_);
-    for (const Contact& contact : contacts_)
-      if (contact.presses) rows_.push_back(contact.row);
+    rows_.resize(two_sided_);
+    for (const OneSided& one : one_sided_)
+      if (one.pushes) rows_.push_back(one.row);
     const bool solvable = system_.factorise(masses_, rows_, settings_.joint_stiffness);
     if (solvable || !settings_.elastic) {
       const Eigen::VectorXd velocities = system_.velocities();
@@ -313,14 +302,13 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
   std::vector<int> part_of_;  ///< by solver body; -1 for a fixed one
   std::vector<int> bodies_;   ///< solver body of each part
   std::vector<PartMass> masses_;
-  std::vector<Vector6> dofs_;      ///< 1 where a part may move, 0 where it may not
-  std::vector<VelocityRow> rows_;  ///< of the joints, and behind them of the contacts that press
-  std::size_t joint_rows_ = 0;
-  std::vector<Contact> contacts_;
-  PointCounts sharing_;  ///< by point: how many share its contact
+  std::vector<Vector6> dofs_;        ///< 1 where a part may move, 0 where it may not
+  std::vector<VelocityRow> rows_;    ///< that pull and push, and behind them those of one_sided_ that push
+  std::size_t two_sided_ = 0;        ///< how many pull and push
+  std::vector<OneSided> one_sided_;  ///< of joints, and behind them of contacts
+  std::vector<bool> pushed_;         ///< of each of those joints, at the end of the last step
+  PointCounts sharing_;              ///< by point: how many share its contact
   RowSystem system_;
-  std::vector<Push> pushes_;
-  std::vector<bool> pushing_;  ///< of each of them, at the last step and at this one
 };
 
 }  // namespace

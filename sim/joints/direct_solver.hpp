@@ -19,6 +19,8 @@ struct DirectSolverSettings {
   const ElasticHinges* elastic = nullptr;  ///< null for none; must outlive the solver
   const Cord* cord = nullptr;              ///< likewise
   const Hand* hand = nullptr;              ///< likewise
+  /// Where each step says whether its rows that only push are those that should; must outlive the solver. Null: nowhere.
+  bool* agrees = nullptr;
   /// Longest way of a part in a step, cell edges or rad: all speeds are cut down alike to keep it. Null: any.
   const double* longest_way = nullptr;
 };
@@ -28,7 +30,8 @@ struct DirectSolverSettings {
 /// Contacts are frictionless, and yield a little before the joints do: where a drive presses parts into each other, they
 /// overlap, and the structure stays whole.
 ///
-/// A joint that only pushes (is_one_sided) is one of the equations likewise, as long as its force pushes.
+/// A joint that only pushes (is_one_sided) is one of the equations likewise, as long as its force pushes. Where twenty
+/// solutions of a step do not agree on what pushes, the last is taken, and DirectSolverSettings::agrees says so.
 ///
 /// A cord is one impulse on all its bodies, which only pulls. It yields as much as a joint to the ground.
 ///

@@ -1,8 +1,8 @@
 #include "sim/joints/row_system.hpp"
 
+#include <Eigen/OrderingMethods>
 #include <algorithm>
 #include <map>
-#include <utility>
 
 namespace kinetix::sim {
 namespace {
@@ -36,21 +36,49 @@ bool RowSystem::has_pattern_of(std::size_t parts, const std::vector<VelocityRow>
 void RowSystem::analyse(std::size_t parts, const std::vector<VelocityRow>& rows) {
   parts_ = parts;
   joints_.clear();
-  blocks_.clear();
-  for (int p = 0; p < static_cast<int>(parts); ++p) blocks_.push_back({p, p});
+  std::vector<std::pair<int, int>> joined;
   std::map<std::pair<int, int>, int> block_of_pair;
   for (std::size_t first = 0; first < rows.size(); first = joints_.back().end) {
     Joint joint{rows[first].a, rows[first].b, end_of_joint(rows, first)};
-    const auto [column, row] = std::minmax(joint.a, joint.b);
-    if (column >= 0 && column != row) {
-      const auto [at, is_new] = block_of_pair.try_emplace({row, column}, static_cast<int>(blocks_.size()));
-      if (is_new) blocks_.push_back({row, column});
+    const std::pair<int, int> pair = std::minmax(joint.a, joint.b);
+    if (pair.first >= 0 && pair.first != pair.second) {
+      const auto [at, is_new] = block_of_pair.try_emplace(pair, static_cast<int>(parts + joined.size()));
+      if (is_new) joined.push_back(pair);
       joint.mixed = at->second;
     }
     joints_.push_back(joint);
   }
+  order(joined);
+  blocks_.clear();
+  for (const int place : place_) blocks_.push_back({place, place});
+  for (const auto& [p, q] : joined)
+    blocks_.push_back({std::max(place_[p], place_[q]), std::min(place_[p], place_[q])});
   lay_out();
   factor_.analyzePattern(matrix_);
+}
+
+void RowSystem::order(const std::vector<std::pair<int, int>>& joined) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int p = 0; p < static_cast<int>(parts_); ++p) entries.emplace_back(p, p, 1.0);
+  for (const auto& [p, q] : joined) entries.emplace_back(q, p, 1.0);
+  Eigen::SparseMatrix<double> graph(parts_, parts_);
+  graph.setFromTriplets(entries.begin(), entries.end());
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> part_at;
+  Eigen::AMDOrdering<int>()(graph.selfadjointView<Eigen::Lower>(), part_at);
+  place_.resize(parts_);
+  for (int k = 0; k < static_cast<int>(parts_); ++k) place_[part_at.indices()[k]] = k;
+}
+
+Eigen::VectorXd RowSystem::by_part(const Eigen::VectorXd& by_place) const {
+  Eigen::VectorXd out(by_place.size());
+  for (std::size_t p = 0; p < parts_; ++p) out.segment<6>(6 * p) = by_place.segment<6>(6 * place_[p]);
+  return out;
+}
+
+Eigen::VectorXd RowSystem::by_place(const Eigen::VectorXd& by_part) const {
+  Eigen::VectorXd out(by_part.size());
+  for (std::size_t p = 0; p < parts_; ++p) out.segment<6>(6 * place_[p]) = by_part.segment<6>(6 * p);
+  return out;
 }
 
 void RowSystem::lay_out() {
@@ -87,7 +115,7 @@ void RowSystem::add(const Joint& joint, std::size_t first, const std::vector<Vel
     const Vector6 by_a = row.weight * stiffness * row.first, by_b = row.weight * stiffness * row.second;
     of_a += by_a * row.first.transpose();
     of_b += by_b * row.second.transpose();
-    if (joint.a > joint.b)
+    if (joint.mixed >= 0 && place_[joint.a] > place_[joint.b])
       mixed += by_a * row.second.transpose();
     else
       mixed += by_b * row.first.transpose();
@@ -96,11 +124,11 @@ void RowSystem::add(const Joint& joint, std::size_t first, const std::vector<Vel
   }
   if (joint.a >= 0) {
     add(blocks_[joint.a], of_a);
-    pull_.segment<6>(6 * joint.a) += pull_a;
+    pull_.segment<6>(6 * place_[joint.a]) += pull_a;
   }
   if (joint.b >= 0) {
     add(blocks_[joint.b], of_b);
-    pull_.segment<6>(6 * joint.b) += pull_b;
+    pull_.segment<6>(6 * place_[joint.b]) += pull_b;
   }
   if (joint.mixed >= 0) add(blocks_[joint.mixed], mixed);
 }

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCholesky>
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace kinetix::sim {
@@ -31,21 +32,24 @@ struct VelocityRow {
 /// A velocity change v minimises v' M v + stiffness * |J v - target|^2, with M the masses: Gauss's
 /// principle with joints so stiff that the difference cannot be seen, and well-posed for equations that
 /// repeat each other, which closed loops of an exactly mobile sheet have. Cost: one sparse factorisation,
-/// whose pattern is analysed only when the parts that the rows join change.
+/// whose pattern is analysed only when the parts that the rows join change. Parts are ordered by minimum degree as wholes: of six
+/// numbers each, that takes a tenth of the time that all their numbers would, and contacts change the pattern often.
 class RowSystem {
  public:
   /// @return whether the minimum exists, which negative weights can prevent
   bool factorise(const std::vector<PartMass>& masses, const std::vector<VelocityRow>& rows, double stiffness);
 
   /// The velocity change that meets the targets, six numbers a part. @pre factorise was called
-  Eigen::VectorXd velocities() const { return factor_.solve(pull_); }
+  Eigen::VectorXd velocities() const { return by_part(factor_.solve(pull_)); }
   /// The velocity change that an impulse on the parts causes while the joints hold. @pre as above
-  Eigen::VectorXd response(const Eigen::VectorXd& impulse) const { return factor_.solve(impulse); }
+  Eigen::VectorXd response(const Eigen::VectorXd& impulse) const {
+    return by_part(factor_.solve(by_place(impulse)));
+  }
 
  private:
   /// A block of the matrix, 6 x 6; of one on the diagonal the lower half.
   struct Block {
-    int row = 0, column = 0;        ///< parts; row >= column
+    int row = 0, column = 0;        ///< places; row >= column
     std::array<int, 6> start = {};  ///< where each of its columns starts in the values
   };
   /// Rows of the same two parts, one after another: those of a joint.
@@ -57,16 +61,20 @@ class RowSystem {
 
   bool has_pattern_of(std::size_t parts, const std::vector<VelocityRow>& rows) const;
   void analyse(std::size_t parts, const std::vector<VelocityRow>& rows);
+  void order(const std::vector<std::pair<int, int>>& joined);
   void lay_out();
+  Eigen::VectorXd by_part(const Eigen::VectorXd& by_place) const;
+  Eigen::VectorXd by_place(const Eigen::VectorXd& by_part) const;
   void add(const Block& block, const Matrix6& values);
   void add(const Joint& joint, std::size_t first, const std::vector<VelocityRow>& rows, double stiffness);
 
   std::size_t parts_ = 0;
   std::vector<Joint> joints_;
+  std::vector<int> place_;     ///< of each part in the matrix: for little fill
   std::vector<Block> blocks_;  ///< those on the diagonal first, by part
   Eigen::SparseMatrix<double> matrix_;
-  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factor_;
-  Eigen::VectorXd pull_;
+  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int>> factor_;
+  Eigen::VectorXd pull_;  ///< by place
 };
 
 }  // namespace kinetix::sim

@@ -18,7 +18,7 @@ constexpr int most_rounds = 50;     // each is a Newton step; a few do where the
 constexpr double still_rms = 1e-9;  // of the diagonal: steps below leave the rms as it is
 constexpr double regular = 1e-9;    // of the normal matrix' trace: a straight goal may turn about itself
 
-/// Distance of p from the curve, and the unit direction along the curve there.
+/// Distance of p from the curve, and the way in which the nearest place goes with p: unit, or nothing at an end.
 struct Nearest {
   Vector3d off, along;
 };
@@ -26,7 +26,8 @@ struct Nearest {
 Nearest nearest_to(const SpaceCurve& curve, const Vector3d& p) {
   const double s = curve.nearest(p);
   const double reach = 1e-6 * curve.length();
-  return {p - curve.at(s), curve.direction(s, reach)};
+  const bool is_end = s < curve.first() + reach || s > curve.first() + curve.length() - reach;
+  return {p - curve.at(s), is_end ? Vector3d(Vector3d::Zero()) : curve.direction(s, reach)};
 }
 
 Vector3d carried(const model::Pose& pose, const Vector3d& p) { return pose.R * p + pose.p; }
@@ -41,7 +42,7 @@ class Alignment {
         on_goal_(goal.line().evenly(samples_a_cell * cells + 1)),
         pose_(place) {}
 
-  /// Moves the goal by a Gauss-Newton step on the parts of the distances across the curves.
+  /// Moves the goal by a Gauss-Newton step on the distances, whose nearest places slide along the curves up to their ends.
   /// @return how far that took it, mm
   double step() {
     normal_.setZero();
@@ -86,15 +87,15 @@ class Alignment {
   }
 
  private:
-  /// A place and how far it is from where the goal should have it, without the part along the curve.
+  /// A place and how far it is from where the goal should have it.
   void add(const Vector3d& place, const Vector3d& miss, const Vector3d& along) {
     const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - along * along.transpose();
     Eigen::Matrix<double, 3, 6> derivatives;
-    derivatives.col(0) = across * Vector3d::UnitX().cross(place);
-    derivatives.col(1) = across * Vector3d::UnitY().cross(place);
-    derivatives.col(2) = across * Vector3d::UnitZ().cross(place);
-    derivatives.rightCols<3>() = across;
-    normal_ += derivatives.transpose() * derivatives;
+    derivatives.col(0) = Vector3d::UnitX().cross(place);
+    derivatives.col(1) = Vector3d::UnitY().cross(place);
+    derivatives.col(2) = Vector3d::UnitZ().cross(place);
+    derivatives.rightCols<3>().setIdentity();
+    normal_ += derivatives.transpose() * across * derivatives;
     right_ += derivatives.transpose() * miss;
   }
 

@@ -10,6 +10,7 @@
 #include "app/files/process_section.hpp"
 #include "app/files/structure_section.hpp"
 #include "app/files/variables_section.hpp"
+#include "optim/curve/bend_ties.hpp"
 #include "optim/solvers/multi_start.hpp"
 #include "targets/curve/read_curve.hpp"
 
@@ -132,6 +133,8 @@ void read_variables(const targets::Section& root, CurveFile& file) {
   file.beta = {range[0], range[1]};
   if (const auto per = beta.optional("per")) file.per = read_per(*per);
   file.symmetry = read_symmetry(beta, file.columns, file.rows);
+  if (const auto node = section.optional("beta"))
+    node->located([&] { make_bend_ties(file.columns, file.per, file.symmetry, file.beta); });
   file.theta = read_theta(root, file.size, file.theta);
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "app/goals/fold/fold_file.hpp"
 #include "app/run/goal_kind.hpp"
 #include "model/base/angle.hpp"
@@ -7,7 +9,9 @@
 namespace kinetix::app {
 
 /// Where searches for folds mostly end, rad: what is told of them beforehand.
-inline constexpr double usual_fold_theta = 26 * radians_per_degree;
+inline double usual_theta(const optim::AngleRange& allowed) {
+  return std::clamp(26 * radians_per_degree, allowed.lower, allowed.upper);
+}
 
 /// A net that folds to a solid: the search, its closed form, and the physics run of its folding.
 std::unique_ptr<Scene> make_scene(FoldFile file);

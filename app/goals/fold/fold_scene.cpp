@@ -26,16 +26,20 @@ double mean_tilt(const model::Sheet& net, const targets::PlacedCrease& crease) {
   return sum / static_cast<double>(walls.size());
 }
 
-constexpr double turn_of_a_column = 45 * radians_per_degree;  // rad: two columns a right angle, in most nets
+// Rad: two columns a right angle, in most nets; no search tries more than four.
+constexpr double most_turn_of_a_column = 45 * radians_per_degree,
+                 least_turn_of_a_column = most_turn_of_a_column / 2;
 constexpr double seconds_of_175 = 0.15;  // s: a search of 175 bodies; it grows with their number to 1.5
 
-std::vector<int> usual_columns(const targets::FoldNet& net) {
+/// Of each crease: as few as tilts and theta allow, and no fewer than walls usually leave room for.
+std::vector<int> usual_columns(const targets::FoldNet& net, double theta, double tilt) {
+  const double turn = std::clamp(2 * std::atan(std::tan(tilt) * std::sin(theta)), least_turn_of_a_column,
+                                 most_turn_of_a_column);
   std::vector<int> out;
   for (const targets::FoldCrease& crease : net.creases)
-    out.push_back(
-        crease.columns > 0
-            ? crease.columns
-            : std::max(1, static_cast<int>(std::ceil(std::abs(crease.angle) / turn_of_a_column - 1e-9))));
+    out.push_back(crease.columns > 0
+                      ? crease.columns
+                      : std::max(1, static_cast<int>(std::ceil(std::abs(crease.angle) / turn - 1e-9))));
   return out;
 }
 
@@ -46,14 +50,15 @@ class FoldScene final : public Scene {
   std::string name() const override { return file_.name; }
 
   Forecast forecast() const override {
-    Forecast out{optim::fold_to(file_.goal.nets.front(), usual_columns(file_.goal.nets.front()),
-                                usual_fold_theta, file_.size, file_.tilt)
-                     .structure};
+    const targets::FoldNet& net = file_.goal.nets.front();
+    const double theta = usual_theta(file_.theta);
+    const std::vector<int> columns = usual_columns(net, theta, file_.tilt);
+    Forecast out{optim::fold_to(net, columns, theta, file_.size, file_.tilt).structure};
     if (file_.goal.box) {
-      const auto mm = optim::folded_box(*file_.goal.box, file_.size.edge_mm, usual_fold_theta, 2);
+      const auto mm = optim::folded_box(*file_.goal.box, file_.size.edge_mm, theta, columns.front());
       out.folded_mm = {mm[0], mm[1], mm[2]};
     } else if (const auto motion = exact_motion(out.sheet)) {
-      out.folded_mm = size_of(out.sheet, motion.at(usual_fold_theta));
+      out.folded_mm = size_of(out.sheet, motion.at(theta));
     }
     out.search_s = seconds_of_175 * std::pow(out.sheet.bodies() / 175.0, 1.5);
     add_settings(file_, out);
@@ -168,8 +173,8 @@ class FoldScene final : public Scene {
     if (!(miss <= file_.size_tolerance))
       found.violations.push_back(fmt::format(
           "an edge of the box is {:.1f} % longer or shorter than asked for; at most {:.1f} % is allowed: use "
-          "smaller cells, or leave out structure.cell_mm",
-          100 * miss, 100 * file_.size_tolerance));
+          "smaller cells than of {:.3g} mm (structure.cell_mm)",
+          100 * miss, 100 * file_.size_tolerance, file_.size.edge_mm));
   }
 
   FoldFile file_;

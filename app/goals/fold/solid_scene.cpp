@@ -40,7 +40,7 @@ class SolidScene final : public Scene {
     const targets::Solid solid = targets::named_solid(goal.solid);
     const auto net = lay_out(solid, goal.cells, columns, file_.size);
     Forecast out{net.structure};
-    out.folded_mm = net.edge * file_.size.edge_mm * std::cos(usual_fold_theta) * standing_size(solid);
+    out.folded_mm = net.edge * file_.size.edge_mm * std::cos(usual_theta(file_.theta)) * standing_size(solid);
     out.search_s = out.sheet.bodies() * seconds_a_solid_body;
     add_settings(file_, out);
     return out;

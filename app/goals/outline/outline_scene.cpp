@@ -44,14 +44,11 @@ class OutlineScene final : public Scene {
 
   std::string name() const override { return file_.name; }
 
-  /// Of the panel before it is cut.
   Forecast forecast() const override {
     Eigen::AlignedBox2d box;
     for (const Eigen::Vector2d& point : file_.folded.points()) box.extend(point);
-    const double edge_mm =
-        file_.cell_mm.value_or(box.sizes().maxCoeff() / std::max(file_.columns, file_.rows));
-    Forecast out{
-        make_sheet(file_.lattice, model::lattice_cells(file_.columns, file_.rows), file_.size(edge_mm))};
+    const OutlineStart start = outline_start(file_);
+    Forecast out{make_sheet(file_.lattice, start.cells, file_.size(start.edge_mm))};
     if (!file_.cell_mm) out.folded_mm = {box.sizes().x(), box.sizes().y(), out.sheet.size().height_mm};
     out.search_s = out.sheet.hinges() * (file_.flat ? seconds_a_wall_of_both : seconds_a_wall);
     add_settings(file_, out);

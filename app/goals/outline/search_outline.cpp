@@ -20,6 +20,28 @@ using Cells = std::vector<LatticeCell>;
 constexpr int most_tried_cells = 1500;  // above, one cut alone is tried: a search takes seconds
 constexpr double same_size = 1e-3;      // ratio: walls and offsets in mm are then those of the search
 
+/// Of the panel that these cells make, mm, as long as nothing is known but areas.
+double edge_of(const OutlineFile& file, const Cells& cells) {
+  if (file.cell_mm) return *file.cell_mm;
+  const model::PlanarStructure panel = planar_structure(make_sheet(file.lattice, cells, {1, 0.1, 1}));
+  double area = 0;
+  for (const model::GraphFace& face : panel.faces)
+    area += signed_area(face.vertices.size(),
+                        [&](std::size_t k) { return panel.graph.vertices[face.vertices[k]]; });
+  if (file.flat) return std::sqrt(file.flat->area() / area);
+  return std::sqrt(file.folded.area() / area) / std::cos(file.theta[1]);
+}
+
+/// Ways to cut a lattice along the outline, not empty.
+std::vector<Cells> cuts_of(const OutlineFile& file) {
+  const auto& [lattice, angle] = file.lattice.lattice ? std::pair(file.lattice.lattice, file.lattice.angle)
+                                                      : std::pair(&model::rhombus_lattice, pi / 2);
+  std::vector<Cells> cuts = optim::trimmed_cells(*lattice, angle, file.columns, file.rows, file.folded);
+  if (cuts.empty())
+    throw InvalidInput("no cells of the lattice lie within the outline; give more `structure.cells`");
+  return cuts;
+}
+
 class OutlineSearch {
  public:
   OutlineSearch(const OutlineFile& file, const RunOptions& run) : file_(file), run_(run) {}
@@ -27,7 +49,7 @@ class OutlineSearch {
   FoundOutline find() {
     FoundOutline found;
     const Cells cells = file_.trims ? best_cut(found.cuts) : model::lattice_cells(file_.columns, file_.rows);
-    double edge_mm = edge_of(cells);
+    double edge_mm = edge_of(file_, cells);
     for (int pass = 0; pass < 3; ++pass) {
       found.design =
           fit(planar_structure(make_sheet(file_.lattice, cells, file_.size(edge_mm))), options_of(edge_mm));
@@ -61,26 +83,9 @@ class OutlineSearch {
     return fit_outline(panel, file_.folded, file_.flat ? &*file_.flat : nullptr, options, run_.progress);
   }
 
-  /// Of the panel that these cells make, as long as nothing is known but areas.
-  double edge_of(const Cells& cells) const {
-    if (file_.cell_mm) return *file_.cell_mm;
-    const model::PlanarStructure panel = planar_structure(make_sheet(file_.lattice, cells, {1, 0.1, 1}));
-    double area = 0;
-    for (const model::GraphFace& face : panel.faces)
-      area += signed_area(face.vertices.size(),
-                          [&](std::size_t k) { return panel.graph.vertices[face.vertices[k]]; });
-    if (file_.flat) return std::sqrt(file_.flat->area() / area);
-    return std::sqrt(file_.folded.area() / area) / std::cos(file_.theta[1]);
-  }
-
   /// Each is fitted at the largest theta alone.
   Cells best_cut(int& count) const {
-    const auto& [lattice, angle] = file_.lattice.lattice
-                                       ? std::pair(file_.lattice.lattice, file_.lattice.angle)
-                                       : std::pair(&model::rhombus_lattice, pi / 2);
-    std::vector<Cells> cuts = optim::trimmed_cells(*lattice, angle, file_.columns, file_.rows, file_.folded);
-    if (cuts.empty())
-      throw InvalidInput("no cells of the lattice lie within the outline; give more `structure.cells`");
+    std::vector<Cells> cuts = cuts_of(file_);
     if (file_.columns * file_.rows > most_tried_cells) cuts.resize(1);
     count = static_cast<int>(cuts.size());
     std::vector<double> misses(cuts.size());
@@ -98,7 +103,7 @@ class OutlineSearch {
   }
 
   double miss_of(const Cells& cells) const {
-    const double edge_mm = edge_of(cells);
+    const double edge_mm = edge_of(file_, cells);
     optim::OutlineOptions options = options_of(edge_mm);
     options.theta[0] = options.theta[1];
     options.thetas = 1;
@@ -133,6 +138,12 @@ class OutlineSearch {
 };
 
 }  // namespace
+
+OutlineStart outline_start(const OutlineFile& file) {
+  OutlineStart start{file.trims ? cuts_of(file).front() : model::lattice_cells(file.columns, file.rows)};
+  start.edge_mm = edge_of(file, start.cells);
+  return start;
+}
 
 FoundOutline search_outline(const OutlineFile& file, const RunOptions& options) {
   return OutlineSearch(file, options).find();

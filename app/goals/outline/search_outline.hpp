@@ -18,4 +18,12 @@ struct FoundOutline {
 /// @throws InvalidInput for a panel that its sizes do not allow
 FoundOutline search_outline(const OutlineFile& file, const RunOptions& options);
 
+/// What a search begins with.
+struct OutlineStart {
+  std::vector<model::LatticeCell> cells;  ///< of the first way to cut the lattice
+  double edge_mm = 0;                     ///< by the areas of outline and panel, where the file gives none
+};
+/// @throws InvalidInput where no cells of the lattice lie within the outline
+OutlineStart outline_start(const OutlineFile& file);
+
 }  // namespace kinetix::app

@@ -56,7 +56,7 @@ class RibsScene final : public Scene {
 
   void judge(Run& run, const RunOptions& options) const override {
     auto& ribs = outcome_of<RibsOutcome>(run);
-    judge_model(run, ribs, "model");
+    judge_model(run, ribs);
     for (SurfaceWay& way : ways_by_ribs(file_.surface, file_.spec, false, options.stop))
       ribs.ways.push_back(std::move(way));
   }
@@ -73,13 +73,6 @@ class RibsScene final : public Scene {
     return out;
   }
 
-  TurnBounds turn_bounds() const override { return {file_.spec.tilt, file_.spec.theta}; }
-
-  /// On the surface.
-  model::State shown(const Run& run, const model::State& state) const override {
-    return in_given(file_.surface, aligned(state, own_state(run)));
-  }
-
   model::State own_state(const Run& run) const override { return outcome_of<RibsOutcome>(run).design.state; }
 
   std::optional<PhysicsTask> physics_task(const Run& run) const override {
@@ -93,13 +86,6 @@ class RibsScene final : public Scene {
     run.states.back().poses = in_given(file_.surface, on_surface);
     ribs.settled = measured(ribs, on_surface);
     ribs.physics_violations = violations(file_, *ribs.settled, "physics run");
-  }
-
-  /// How elastic hinges keep the goal.
-  void judge_matter(Run& run, const model::State& state) const override {
-    auto& ribs = outcome_of<RibsOutcome>(run);
-    ribs.ways.front() = measured(ribs, aligned(state, ribs.design.state));
-    judge_model(run, ribs, "equilibrium");
   }
 
   void add_frames(Run& run) const override {
@@ -123,8 +109,8 @@ class RibsScene final : public Scene {
     return way;
   }
 
-  void judge_model(const Run& run, RibsOutcome& ribs, const std::string& who) const {
-    ribs.violations = violations(file_, ribs.ways.front(), who);
+  void judge_model(const Run& run, RibsOutcome& ribs) const {
+    ribs.violations = violations(file_, ribs.ways.front(), "model");
     for (const std::string& pair : ribs.design.collisions) ribs.violations.push_back(pair);
     const auto& range = run.plan.free_range;
     if (range && range->positive.touches && run.theta > range->positive.theta)

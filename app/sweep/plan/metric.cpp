@@ -140,11 +140,15 @@ const std::vector<Metric>& physics_metrics() {
 /// Keys of `metrics` that searches write, of all kinds and models.
 std::vector<std::string> search_names() {
   std::vector<std::string> names = {"theta_rad", "theta_limit_rad", "met"};
+  const auto add = [&](std::string_view name) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.emplace_back(name);
+  };
   for (const GoalKind* kind : goal_kinds())
-    for (const GoalMetric& metric : kind->metrics) names.emplace_back(metric.name);
+    for (const GoalMetric& metric : kind->metrics) add(metric.name);
   for (const char* name : {"reached", "compression", "load_N", "energy_Nmm", "hinge_gap_max", "hinge_gap_rms",
-                           "verify_rms", "verify_max", "hinge_axis_max_rad", "verified"})
-    names.emplace_back(name);
+                           "verify_rms", "verify_max", "hinge_axis_max_rad", "verified", "as_made_rms_mm",
+                           "as_made_p95_mm", "force_N", "stretch_max_mm", "strain_max"})
+    add(name);
   return names;
 }
 

@@ -26,11 +26,9 @@ ContactSearch::ContactSearch(const Linkage& structure, bool planar)
       walls_(half_walls(structure)),
       placed_boxes_(all_.plates.size()),
       moved_(all_.edge_mm, all_.reach()) {
-  WallContact at_rest(with_square_ends(structure));
-  const auto& touching = at_rest.touching_at_rest();
-  for (const WallPair& pair : touching) excluded_.emplace_back(pair.first, pair.second);
-  const auto overlapping = at_rest.overlapping(rest_state(structure), touching);
-  if (!overlapping.empty()) overlap_at_rest_ = overlapping.front();
+  const WallContact at_rest(with_square_ends(structure));
+  for (const WallPair& pair : at_rest.touching_at_rest()) excluded_.emplace_back(pair.first, pair.second);
+  overlap_at_rest_ = at_rest.overlap_at_rest();
 }
 
 void ContactSearch::place(int plate_index, const State& state) {

@@ -55,6 +55,31 @@ TEST(Check, TellsTheSizeOfAFoldedBox) {
                 0.03 * edges[k].get<double>());
 }
 
+// The lattice decides how many edges wide a panel is; theta and creases how large a box is when folded.
+TEST(Check, TellsSizesOfAnyLatticeThetaAndCreases) {
+  const std::string outline =
+      "kinetix: 1\ntarget: {kind: outline, points: [[0, 0], [80, 0], [90, 40], [40, 70], [-10, 40]]}\n";
+  for (const std::string lattice :
+       {"honeycomb, cells: [6, 6]", "octagon, cells: [4, 4]", "rhombus, cells: [8, 8], angle_deg: 75"}) {
+    const std::string target = outline + "structure: {lattice: " + lattice + "}\n";
+    const double edge = found(target)["structure"]["cell_mm"];
+    const Scratch scratch;
+    const std::string words = kinetix_opt("check " + scratch.write("in.yaml", target)).out;
+    std::smatch said;
+    ASSERT_TRUE(std::regex_search(words, said, std::regex("cells of ([0-9.]+) mm"))) << words;
+    const double told = std::stod(said[1]);
+    EXPECT_NEAR(told, edge, 0.25 * edge) << lattice;
+  }
+  for (const std::string box :
+       {"box: [3, 2, 2]}\nvariables: {theta: {range_deg: [10, 20]}}\n",
+        "box: [1, 4, 2], open: bottom, crease_columns: 3}\nstructure: {cell_mm: 5}\n"}) {
+    const std::string target = "kinetix: 1\ntarget: {kind: fold, " + box;
+    const Json edges = found(target)["fold"]["edges_mm"], told = checked(target)["expected"]["folded_mm"];
+    for (int k = 0; k < 3; ++k)
+      EXPECT_NEAR(told[k].get<double>(), edges[k].get<double>(), 0.06 * edges[k].get<double>()) << box << k;
+  }
+}
+
 /// An arc as a target of 40 columns.
 std::string arc_of(double degrees) {
   std::string points;

@@ -109,7 +109,7 @@ TEST(TargetFile, TakesWhatIsGiven) {
   const CurveFile file = read(
       "kinetix: 1\nname: helmet_rib-2.b\ntarget: {kind: curve, points: [[0, 0], [60, 0], [60, 40]]}\n"
       "structure: {cells: [12, 12], cell_mm: 8, wall_mm: {thickness: 0.8, height: 6}}\n"
-      "variables:\n  beta: {range_deg: [-50, 40], per: all, symmetry: rotate_4}\n  theta: {range_deg: [3, "
+      "variables:\n  beta: {range_deg: [-50, 40], per: all, symmetry: rotate_2}\n  theta: {range_deg: [3, "
       "30]}\n"
       "tolerance: {shape: 0.03, verify: 0.04}\n"
       "solver: {name: slsqp, starts: 5, max_evaluations: 300}\n"
@@ -122,7 +122,7 @@ TEST(TargetFile, TakesWhatIsGiven) {
   EXPECT_EQ(file.size.height_mm, 6);
   EXPECT_DOUBLE_EQ(file.beta.lower, -50 * radians_per_degree);
   EXPECT_EQ(file.per, optim::Per::all);
-  EXPECT_EQ(file.symmetry, optim::Symmetry::rotate_4);
+  EXPECT_EQ(file.symmetry, optim::Symmetry::rotate_2);
   EXPECT_DOUBLE_EQ(file.theta.upper, 30 * radians_per_degree);
   EXPECT_EQ(file.shape_tolerance, 0.03);
   EXPECT_EQ(file.verify_tolerance, 0.04);

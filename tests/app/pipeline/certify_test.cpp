@@ -126,6 +126,38 @@ TEST(Certify, SaysWhyNothingIsProvenWithoutAClosedForm) {
   EXPECT_THAT(certified["why_not"].get<std::string>(), HasSubstr("no exact family"));
 }
 
+// Walls 14 mm high that lean by 50 deg from a vertex reach through the wall beside them, 10 mm away.
+TEST(Certify, FindsWallsThatOverlapAsBuilt) {
+  std::string hinges;
+  for (int j = 0; j < 4; ++j)
+    hinges += "    - {wall: [[2, " + std::to_string(j) + "], [3, " + std::to_string(j) +
+              "]], beta_deg: " + (j % 2 == 0 ? "50" : "-50") + "}\n";
+  const Told told = told_of(
+      "kinetix: 1\nstructure: {cells: [6, 3], cell_mm: 10, wall_mm: {thickness: 0.8, height: "
+      "14}}\ndesign:\n  theta_deg: 15\n  hinges:\n" +
+          hinges,
+      "exact");
+  EXPECT_THAT(told.words, HasSubstr("NOT PROVEN"));
+  EXPECT_THAT(told.words, HasSubstr("walls [[2, 0], [2, 1]] and [[2, 1], [3, 1]] overlap as built"));
+  const Json& certified = told.result["certified"];
+  EXPECT_EQ(certified["covers_theta"], false);
+  EXPECT_EQ(certified["design"]["high"]["contact_rad"], 0.0);
+  EXPECT_EQ(certified["design"]["low"]["theta_rad"], 0.0);
+}
+
+TEST(Certify, FailsGoalsWhoseWallsOverlapAsBuilt) {
+  const Scratch scratch;
+  const std::string file = scratch.write(
+      "in.yaml",
+      "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [40, 12], [80, 16], [120, 12], [160, 0]]}\n"
+      "structure: {cells: [17, 1], cell_mm: 10, wall_mm: {thickness: 0.8, height: 12.5}}\n"
+      "variables: {theta: {range_deg: [3, 12]}, beta: {range_deg: [-70, 70]}}\n");
+  const app::Run run = run_scene(*app::read_target(file).goal, {.verify = false});
+  ASSERT_TRUE(run.certified && run.certified->designed.overlaps_as_built());
+  ASSERT_FALSE(run.goal->met());
+  EXPECT_THAT(run.goal->violations.back(), HasSubstr("overlap as built"));
+}
+
 TEST(Certify, IsPartOfACheck) {
   const Scratch scratch;
   const std::string file = scratch.write("in.yaml", helix_design(28));

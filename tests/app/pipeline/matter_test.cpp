@@ -408,6 +408,7 @@ TEST(Matter, RefusesWhatCannotBeMade) {
        "tolerance.strain: applies to hinges made as blocks or films"},
       {arc + rubber + "drive: {kind: usual, k_turn: 5}\n", "drive.k_turn"},
       {arc + rubber + "drive: {kind: shape_memory}\n", "`k_turn` is missing"},
+      {arc + "drive: {kind: shape_memory, k_turn: 5}\n", "drive: shape_memory needs elastic hinges"},
       {arc + rubber + "drive: {kind: heat}\n", "usual, shape_memory"},
   };
   for (const auto& [text, message] : cases) {

@@ -427,6 +427,32 @@ TEST(Export, HoldsPinsBesideABlockToTheirOwnClearance) {
   EXPECT_TRUE(json["swelling_mm"].is_null()) << "its parts are joined";
 }
 
+/// Films in the creases of a sheet of blocks.
+TEST(Export, NamesEachKindOfHingeAndTheMaterialThatItsFilesMix) {
+  std::string design = panel;
+  design.replace(
+      design.find("{theta_deg: 20}"), 15,
+      "{theta_deg: 10, hinges: [{wall: [[0, 0], [1, 0]], hinge: {kind: film, material: pp, gap_mm: "
+      "2, thickness_mm: 0.4, height_mm: 6}}]}\nhinge: {kind: block, material: tango, gap_mm: 1.5}");
+  const Scratch scratch;
+  const Outcome run = exported(scratch, design, "--format stl --process polyjet");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const std::string words = text_of(scratch / "out/print.txt");
+  EXPECT_THAT(words, HasSubstr("blocks of tango: gap 1.5 mm"));
+  EXPECT_THAT(words, HasSubstr("1 films of pp: gap 2 mm, thickness 0.4 mm"));
+  EXPECT_THAT(words, HasSubstr("films of pp and blocks of tango are one soft part in the files"));
+  EXPECT_THAT(words, HasSubstr("polyjet prints soft parts of tango"));
+}
+
+TEST(Export, SaysThatSlsPrintsFilmsOfItsOwnMaterial) {
+  std::string design = panel;
+  design.replace(design.find("{theta_deg: 20}"), 15,
+                 "{theta_deg: 10}\nhinge: {kind: film, material: pp, gap_mm: 2.5, thickness_mm: 0.5}");
+  const Scratch scratch;
+  ASSERT_EQ(exported(scratch, design, "--format stl --process sls").code, 0);
+  EXPECT_THAT(said_of(scratch)["warnings"].dump(), HasSubstr("sls prints walls and films in one, of pa12"));
+}
+
 /// A block so long that it crosses the wall of another body, once its own two have turned away from it.
 TEST(PathClearance, CountsBlocks) {
   const Scratch scratch;

@@ -73,6 +73,17 @@ TEST(FitRibs, LooseRibsMissACylinderByPartOfACellsSagitta) {
   EXPECT_LT(ribs.open, 1);
 }
 
+TEST(FitRibs, LooseRibsKeepTheLengthOfTheirSections) {
+  const targets::RibbedSurface surface =
+      targets::ribbed_surface(targets::cap_patch(100, 80 * radians_per_degree));
+  const RibsSpec spec = ribs_of(8, 5);
+  const LooseRibs ribs = fit_loose_ribs(surface, spec, {});
+  const RibsLayout plan = plan_ribs(surface, spec);
+  int cells = 0;
+  for (const model::FishboneRib& rib : plan.spine_and_ribs.ribs) cells += rib.cells[0] + rib.cells[1] + 1;
+  EXPECT_NEAR(ribs.open, open_area(cells, spec.size, plan.start.theta, surface.area), 0.02);
+}
+
 TEST(FitRibs, OpenAreaCountsTheSquaresOfFoldedCells) {
   EXPECT_NEAR(open_area(12, {10, 1, 2}, 60 * radians_per_degree, 1000), 1 - 12 * 25 / 1000.0, 1e-14);
 }

@@ -73,6 +73,41 @@ TEST(SpaceError, StraightLinesOfDifferentLengthDifferAtTheirEndsAlone) {
   EXPECT_NEAR(error.max, 0.1, 1e-6);
 }
 
+// A straight midline along a goal that is bent at its middle, both 20 long: whatever the goal's ends stick out by, no small motion
+// brings it nearer. Ends have no place to slide to, so that all of their distance counts.
+TEST(SpaceError, NoSmallMotionBringsTheGoalNearer) {
+  std::vector<Vector3d> bent, straight;
+  for (int k = -10; k <= 10; ++k) {
+    bent.emplace_back(k, 0, 0.5 * std::abs(k));
+    straight.emplace_back(0.9 * k + 1, 0.05 * k, 0);
+  }
+  const SpaceGoal goal(bent);
+  const SpaceError best = space_error(straight, goal, {});
+  EXPECT_TRUE(best.settled);
+  const auto rms_of = [&](const std::vector<Vector3d>& placed) {
+    const targets::SpaceCurve line(straight), moved(placed);
+    double sum = 0;
+    const auto add = [&](const SpaceCurve& from, const SpaceCurve& to) {
+      for (const Vector3d& p : from.evenly(401)) sum += (p - to.at(to.nearest(p))).squaredNorm();
+    };
+    add(line, moved);
+    add(moved, line);
+    return std::sqrt(sum / 802) / best.scale_mm;
+  };
+  const double least = rms_of(best.goal_mm);
+  EXPECT_NEAR(least, best.rms, 1e-12);
+  const Eigen::Vector3d middle = best.goal_mm[10];
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double way : {-0.02, 0.02}) {
+      std::vector<Vector3d> shifted = best.goal_mm, turned = best.goal_mm;
+      for (Vector3d& p : shifted) p[axis] += way;
+      const Eigen::AngleAxisd turn(way / 10, Vector3d::Unit(axis));
+      for (Vector3d& p : turned) p = middle + turn * (p - middle);
+      EXPECT_GT(rms_of(shifted), least - 1e-12) << axis << ' ' << way;
+      EXPECT_GT(rms_of(turned), least - 1e-12) << axis << ' ' << way;
+    }
+}
+
 TEST(SpaceError, MidlinesThatAreNotFiniteHaveNone) {
   const SpaceGoal goal(helix(40, 40));
   EXPECT_TRUE(std::isnan(space_error({{0, 0, 0}, {NAN, 0, 0}}, goal, {}).rms));

@@ -26,5 +26,25 @@ TEST(SpaceCurveResult, IsAsTheSchemaHasIt) {
   EXPECT_NE(schema_errors(result), "") << "a column bends or shears";
 }
 
+/// Films bend towards flat: the tilts make up for them, and the physics run of the same hinges ends there too.
+TEST(SpaceCurveResult, OfElasticHingesIsThatOfTheirEquilibrium) {
+  const Scratch scratch;
+  const std::string file = scratch.write(
+      "goal.yaml",
+      "kinetix: 1\ntarget: {kind: space_curve, points: [[0, 0, 0], [30, 0, 6], [60, 4, 8], [90, 12, 4], "
+      "[120, "
+      "20, 0]]}\n"
+      "structure: {cells: [24, 1], cell_mm: 6}\nhinge: {kind: film, material: pp, gap_mm: 2, thickness_mm: "
+      "0.3}\n"
+      "drive: {kind: shape_memory, k_turn: 200}\n");
+  const Outcome run = kinetix_opt(file + " -o " + std::string(scratch / "out"));
+  ASSERT_EQ(run.code, 0) << run.out << run.err;
+  const Json result = Json::parse(text_of(scratch / "out/result.json"));
+  EXPECT_EQ(schema_errors(result), "");
+  EXPECT_LT(result["matter"]["after_mm"], 0.5 * result["matter"]["before_mm"].get<double>());
+  EXPECT_LE(result["metrics"]["shape_rms"], 0.01);
+  EXPECT_NEAR(result["metrics"]["shape_rms_physics"], result["metrics"]["shape_rms"], 1e-6);
+}
+
 }  // namespace
 }  // namespace kinetix::testing
