@@ -32,8 +32,8 @@ struct VelocityRow {
 /// A velocity change v minimises v' M v + stiffness * |J v - target|^2, with M the masses: Gauss's
 /// principle with joints so stiff that the difference cannot be seen, and well-posed for equations that
 /// repeat each other, which closed loops of an exactly mobile sheet have. Cost: one sparse factorisation,
-/// whose pattern is analysed only when the parts that the rows join change. Parts are ordered by minimum degree as wholes: of six
-/// numbers each, that takes a tenth of the time that all their numbers would, and contacts change the pattern often.
+/// whose pattern is analysed only when the parts that the rows join change. Parts are ordered by minimum degree as wholes, six
+/// numbers each, since contacts change the pattern often.
 class RowSystem {
  public:
   /// @return whether the minimum exists, which negative weights can prevent
