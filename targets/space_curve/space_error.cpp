@@ -26,7 +26,7 @@ struct Nearest {
 Nearest nearest_to(const SpaceCurve& curve, const Vector3d& p) {
   const double s = curve.nearest(p);
   const double reach = 1e-6 * curve.length();
-  const bool is_end = s < curve.first() + reach || s > curve.first() + curve.length() - reach;
+  const bool is_end = s < curve.first() + reach || s > curve.last() - reach;
   return {p - curve.at(s), is_end ? Vector3d(Vector3d::Zero()) : curve.direction(s, reach)};
 }
 

@@ -63,8 +63,7 @@ std::string robust_text(const RobustCurve& robust) {
   const std::string gaps = best.gap_mm ? fmt::format(", gaps of {:.2g} mm", *best.gap_mm) : "";
   return fmt::format(
       "{} columns at theta {:.1f} deg{}, of {} strips tried: prints of its closed form are expected {:.3g} "
-      "mm off; of the "
-      "design with the least error of its own, {} columns at {:.1f} deg, {:.3g} mm",
+      "mm off; of the design with the least error of its own, {} columns at {:.1f} deg, {:.3g} mm",
       best.columns, best.theta / radians_per_degree, gaps, robust.tried.size(), best.as_made_mm,
       plain.columns, plain.theta / radians_per_degree, plain.as_made_mm);
 }
