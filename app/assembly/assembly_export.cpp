@@ -132,6 +132,8 @@ PrintJob assembly_job(const AssemblyFile& file, const PrintRequest& request) {
 int export_assembly(const CommandOptions& options, const PrintRequest& request, const AssemblyFile& file) {
   refuse_what_makes_sheets(request);
   const PrintJob job = assembly_job(file, request);
+  for (const std::string& format : request.formats)
+    if (const auto load = print_format(format).load) load();
   OutputFolder folder(options.folder_given ? options.folder : "results/" + file.name + "_print");
   FileSet files(folder.path());
   std::vector<std::string> names;

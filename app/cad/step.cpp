@@ -10,6 +10,8 @@ void* cad_function(const char* name) { return model::module_function("kinetix-ca
 
 }  // namespace
 
+void load() { cad_function("kinetix_write_step"); }
+
 std::string step_text(const Product& product) {
   std::string text;
   reinterpret_cast<decltype(&kinetix_write_step)>(cad_function("kinetix_write_step"))(product, text);

@@ -11,6 +11,9 @@ namespace kinetix::app::cad {
 // OpenCASCADE, which writes and reads STEP, takes longer to load than many a run of the program: it stands in a module of
 // its own, kinetix-cad.so, loaded by the first call.
 
+/// Loads that module now. @throws std::runtime_error where it is missing
+void load();
+
 /// A STEP file (AP214) of the product: the same bytes each time.
 /// @throws std::runtime_error where the module is missing, or where pieces of a shape are no solid together
 std::string step_text(const Product& product);

@@ -1,11 +1,15 @@
 #include <fmt/format.h>
+#include <glog/logging.h>
 #include <malloc.h>
+#include <sys/mman.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <new>
 #include <string_view>
 
 #include "app/assembly/assembly_export.hpp"
@@ -313,12 +317,38 @@ void keep_memory() {
   mallopt(M_MMAP_THRESHOLD, own);
 }
 
+constexpr std::size_t stack_bytes = 1 << 20;  // four times what any run was seen to take
+
+[[gnu::noinline]] void grow_stack() {
+  char stack[stack_bytes];
+  volatile char* const deepest = stack;
+  *deepest = 0;
+}
+
+/// The stack of this thread takes its room while there is some: one that cannot grow later is a crash, no exception.
+void keep_stack() {
+  void* const room = mmap(nullptr, 2 * stack_bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (room == MAP_FAILED) throw std::bad_alloc();
+  munmap(room, 2 * stack_bytes);
+  grow_stack();
+}
+
 }  // namespace
 
+/// In place of the C library's, which main returns to all the same: other libraries end the program by it, as OpenMP does that gets
+/// no thread, while threads beside still use what that one takes down.
+extern "C" [[noreturn]] void exit(int code) noexcept {
+  kinetix::app::remove_unfinished();
+  std::_Exit(code);
+}
+
 int main(int argc, char** argv) {
-  keep_memory();
   const bool as_json = asks_for_json(argc, argv);
   try {
+    keep_stack();
+    keep_memory();
+    FLAGS_minloglevel =
+        google::GLOG_FATAL;  // Ceres tells on stderr of points without a value, which searches know
     kinetix::app::remove_parts_when_interrupted();
     const int code = run(argc, argv);
     std::cout.flush();

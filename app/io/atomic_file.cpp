@@ -9,7 +9,6 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <deque>
 #include <filesystem>
@@ -198,8 +197,7 @@ extern "C" void remove_unfinished() {
 void remove_parts_when_interrupted() {
   writer = pthread_self();
   for (const int signal_number : interrupts) std::signal(signal_number, remove_parts_and_end);
-  std::atexit(remove_unfinished);  // libraries may end the program, as OpenMP does that gets no thread
-  std::signal(SIGXFSZ, SIG_IGN);   // a file that grows too large is a write that fails, with a reason
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is a write that fails, with a reason
 }
 
 void write_file(const std::string& file, std::string_view content) {

@@ -208,6 +208,8 @@ bool is_of_another_export(const std::string& file, const Exported& now, const st
 Exported exported(const Source& source, const PrintRequest& request, const std::string& where,
                   const Progress& progress) {
   const auto formats = formats_of(request);
+  for (const PrintFormat* format : formats)
+    if (format->load) format->load();
   OutputFolder folder(where);
   progress("building solids", -1);
   PreparedPrint print = source.prepared_for(request);

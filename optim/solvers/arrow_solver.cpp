@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <new>
 #include <set>
 
 namespace kinetix::optim {
@@ -47,6 +48,9 @@ class Evaluation final : public ceres::EvaluationCallback {
     if (new_point) ++result_.evaluations;
     try {
       valid_ = problem_.evaluate(x_, with_derivatives, blocks_);
+    } catch (const std::bad_alloc&) {
+      out_of_memory_ = true;
+      valid_ = false;
     } catch (const std::exception& error) {
       thrown_ = error.what();
       valid_ = false;
@@ -66,6 +70,7 @@ class Evaluation final : public ceres::EvaluationCallback {
   int evaluations() const { return result_.evaluations; }
 
   SolveResult finish(SolveStatus status, std::string why) {
+    if (out_of_memory_) throw std::bad_alloc();
     result_.status = status;
     result_.why = std::move(why);
     if (!std::isfinite(result_.residual_norm)) {
@@ -88,7 +93,7 @@ class Evaluation final : public ceres::EvaluationCallback {
   const VectorXd& x_;
   const SolverOptions& options_;
   std::vector<ResidualBlock> blocks_;
-  bool valid_ = false, has_derivatives_ = false;
+  bool valid_ = false, has_derivatives_ = false, out_of_memory_ = false;
   SolveResult result_;
   std::string thrown_;
 };

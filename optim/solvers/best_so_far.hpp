@@ -3,6 +3,7 @@
 #include <cmath>
 #include <exception>
 #include <limits>
+#include <new>
 
 #include "optim/solvers/solver.hpp"
 
@@ -39,8 +40,9 @@ class BestSoFar {
   bool should_stop() const { return target_reached() || out_of_evaluations() || told_to_stop(); }
 
   /// @param status, why as the solver has them; a stop, the target, an exception, and a search without a single
-  /// value go before
+  /// value go before @throws std::bad_alloc where the problem did: what the solver made of the rest is no answer
   SolveResult finish(SolveStatus status, std::string why) {
+    if (out_of_memory_) throw std::bad_alloc();
     result_.status = status;
     result_.why = std::move(why);
     if (told_to_stop()) {
@@ -66,6 +68,8 @@ class BestSoFar {
   bool evaluate_problem(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* J) {
     try {
       return problem_.evaluate(x, r, J);
+    } catch (const std::bad_alloc&) {
+      out_of_memory_ = true;
     } catch (const std::exception& error) {
       thrown_ = error.what();
     } catch (...) {
@@ -81,7 +85,8 @@ class BestSoFar {
   const LeastSquaresProblem& problem_;
   const SolverOptions& options_;
   SolveResult result_;
-  std::string thrown_;  ///< what the problem threw last; empty where it did not
+  bool out_of_memory_ = false;  ///< the problem was, at a point or more
+  std::string thrown_;          ///< what the problem threw last; empty where it did not
 };
 
 SolveResult solve_with_ceres(const LeastSquaresProblem& problem, const Eigen::VectorXd& start,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <mutex>
+#include <new>
 
 #include "model/base/invalid_input.hpp"
 #include "model/base/parallel_runs.hpp"
@@ -18,11 +19,13 @@ SolveResult failure(const std::string& why) {
 }
 
 SolveResult run_one(const LeastSquaresProblem& problem, const StartMaker& make_start, int k,
-                    const MultiStartOptions& options) noexcept {
+                    const MultiStartOptions& options) {
   try {
     SolverOptions solver = options.solver;
     solver.seed = options.seed + static_cast<unsigned long>(k);
     return solve(problem, make_start(k, options.seed), solver);
+  } catch (const std::bad_alloc&) {
+    throw;  // the other starts alone would be another search, with another answer
   } catch (const std::exception& error) {
     return failure(error.what());
   } catch (...) {

@@ -19,7 +19,8 @@ struct MultiStartOptions {
   void validate() const;
 };
 
-/// All searches of one problem, in the order of their starts. A start that throws is a failed run without x.
+/// All searches of one problem, in the order of their starts. A start that throws is a failed run without x, but
+/// for one that gets no memory, which ends them all.
 struct MultiStartResult {
   std::vector<SolveResult> runs;
   int best = 0;  ///< index of the run with the least |r|; the first of equals
@@ -32,7 +33,7 @@ using StartMaker = std::function<Eigen::VectorXd(int k, std::uint64_t seed)>;
 
 /// Solves from every start, in parallel over starts. Same seed, same answer, for any number of threads: each
 /// run writes its own slot and the best is chosen in order. @throws InvalidInput for options that do not
-/// validate
+/// validate; std::bad_alloc of a start
 MultiStartResult multi_start(const LeastSquaresProblem& problem, const StartMaker& make_start,
                              const MultiStartOptions& options);
 

@@ -1,3 +1,4 @@
+#include <new>
 #include <nlopt.hpp>
 
 #include "optim/solvers/best_so_far.hpp"
@@ -103,6 +104,8 @@ SolveResult solve_with_nlopt(const LeastSquaresProblem& problem, const Eigen::Ve
     return best.finish(SolveStatus::evaluation_limit, "evaluation limit");
   } catch (const nlopt::roundoff_limited&) {
     return best.finish(SolveStatus::stalled, "rounding errors stopped the progress");
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
     return best.finish(SolveStatus::failed, error.what());
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <nlopt.hpp>
 
 #include "model/base/invalid_input.hpp"
@@ -99,6 +100,8 @@ ScalarResult solve(ScalarProblem& problem, const VectorXd& start, const SolverOp
     return search.finish(SolveStatus::evaluation_limit, "evaluation limit");
   } catch (const nlopt::roundoff_limited&) {
     return search.finish(SolveStatus::stalled, "rounding errors stopped the progress");
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
     return search.finish(SolveStatus::failed, error.what());
   }

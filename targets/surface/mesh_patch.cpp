@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <map>
+#include <new>
 
 #include "model/base/angle.hpp"
 #include "model/base/decompositions.hpp"
@@ -165,6 +166,8 @@ SurfacePatch mesh_patch(const TriangleMesh& given) {
   for (const int v : rim) loop.push_back((frame * mesh.vertices[v]).head<2>());
   try {
     Outline outline(loop);
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception&) {
     throw InvalidInput("the surface covers itself: its rim crosses itself as seen along the mean normal");
   }

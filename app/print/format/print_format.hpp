@@ -28,6 +28,9 @@ struct PrintFormat {
   std::string_view meaning;  ///< for its help
   /// The same bytes for the same job.
   std::vector<NamedContent> (*write)(const PrintJob& job);
+  /// Loads what the program loads for this format alone; nothing for most. Before a folder is there: where memory runs out, the
+  /// loader ends the program and nobody can clean up.
+  void (*load)() = nullptr;
 };
 
 /// All formats, in the order of the help.

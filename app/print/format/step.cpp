@@ -185,6 +185,6 @@ std::vector<NamedContent> write_step(const PrintJob& job) {
 }  // namespace
 
 // Name, meaning and how it is written: step.
-const PrintFormat step_format = {"step", "CAD, with true cylinders", write_step};
+const PrintFormat step_format = {"step", "CAD, with true cylinders", write_step, cad::load};
 
 }  // namespace kinetix::app

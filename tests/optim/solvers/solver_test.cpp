@@ -64,6 +64,13 @@ class Thrower : public Valley {
   }
 };
 
+class Glutton : public Valley {
+ public:
+  bool evaluate(const Eigen::VectorXd&, Eigen::VectorXd&, Eigen::MatrixXd*) const override {
+    throw std::bad_alloc();
+  }
+};
+
 SolverOptions options(SolverName name, int evaluations = 20000) {
   SolverOptions out;
   out.name = name;
@@ -122,6 +129,10 @@ TEST_P(EverySolver, ReportsWhatTheProblemThrows) {
   const SolveResult result = solve(Thrower(), Eigen::Vector2d(-1.2, 1), options(GetParam()));
   EXPECT_EQ(result.status, SolveStatus::failed);
   EXPECT_EQ(result.why, "no value here");
+}
+
+TEST_P(EverySolver, EndsWhereAProblemGetsNoMemory) {
+  EXPECT_THROW(solve(Glutton(), Eigen::Vector2d(-1.2, 1), options(GetParam())), std::bad_alloc);
 }
 
 TEST_P(EverySolver, WorksInANarrowBox) {
@@ -266,6 +277,16 @@ TEST(MultiStart, AnExceptionInOneStartIsThatStartsFailure) {
   EXPECT_EQ(result.best, 1);
   EXPECT_EQ(result.runs[0].status, SolveStatus::failed);
   EXPECT_EQ(result.runs[0].why, "no start here");
+}
+
+TEST(MultiStart, AStartWithoutMemoryEndsTheSearch) {
+  const StartMaker starts = [](int k, std::uint64_t) -> Eigen::VectorXd {
+    if (k == 1) throw std::bad_alloc();
+    return Eigen::Vector2d(-1.2, 1);
+  };
+  MultiStartOptions two;
+  two.starts = 2;
+  EXPECT_THROW(multi_start(Valley(), starts, two), std::bad_alloc);
 }
 
 TEST(MultiStart, TakesAnyNumberOfThreads) {
