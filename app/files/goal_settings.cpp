@@ -54,17 +54,14 @@ void read_hinges(const targets::Section& root, const std::optional<model::CellSi
         "needs structure.cell_mm: a hinge has its size, and cells that are left out get theirs by the "
         "search");
   settings.drive = read_goal_drive(root);
-  if (!size) {
-    refuse_idle_drive(root, settings);
-    settings.process = read_process(root);
-    return;
+  if (size) {
+    settings.hinge = read_hinge_section(root, *size);
+    if (settings.hinge.model == HingeSection::Model::elastic) refuse_sweeps(root, settings.physics);
+    settings.hinge_parts = read_hinge_parts(root, *size);
+    refuse_lines(root, settings.hinge_parts);
   }
-  settings.hinge = read_hinge_section(root, *size);
   refuse_idle_drive(root, settings);
-  if (settings.hinge.model == HingeSection::Model::elastic) refuse_sweeps(root, settings.physics);
-  settings.hinge_parts = read_hinge_parts(root, *size);
-  refuse_lines(root, settings.hinge_parts);
-  settings.process = read_process(root, *size, settings.hinge.made);
+  settings.process = size ? read_process(root, *size, settings.hinge.made) : read_process(root);
   for (const HingePart& part : settings.hinge_parts) read_process(root, *size, part.hinge.made);
 }
 

@@ -68,7 +68,7 @@ void Judging::judge_prints() {
   }
   Stopwatch watch;
   const model::State state = run_.matter ? run_.equilibrium->path.state : scene_.own_state(run_);
-  const auto judged = scene_.judged(run_, run_.structure, run_.theta, state);
+  const auto judged = scene_.judged(run_, run_.structure, state);
   if (!judged) return;
   found_.printed = as_made(run_, run_.matter ? run_.equilibrium->drive : drive_to(run_.structure, run_.theta),
                            state, judged->points, options_);

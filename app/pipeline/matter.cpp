@@ -28,8 +28,8 @@ double rms_mm(const Scene::Judged& judged) { return model::ObservedPoints(judged
 
 optim::MatterGoal goal_of(const Run& run, const Scene& scene) {
   optim::MatterGoal goal;
-  goal.observe = [&run, &scene, theta = run.theta](const model::Sheet& sheet, const model::State& state) {
-    const auto judged = scene.judged(run, sheet, theta, state);
+  goal.observe = [&run, &scene](const model::Sheet& sheet, const model::State& state) {
+    const auto judged = scene.judged(run, sheet, state);
     return judged ? judged->points : std::vector<model::ObservedPoint>{};
   };
   goal.drive = [&run](const model::Sheet& sheet, double theta) { return goal_drive(run, sheet, theta); };
@@ -72,8 +72,7 @@ void miss(Run& run, const std::string& why) {
 /// What counts is where the path from flat ends. That may be beside what the search found, which knows no contact.
 void take_end_of_path(Run& run, const Scene& scene, const model::State& end) {
   const std::string elsewhere = "the path from flat ends in another equilibrium than the one near the goal";
-  if (const auto judged = scene.judged(run, run.structure, run.theta, end))
-    run.matter->after_mm = rms_mm(*judged);
+  if (const auto judged = scene.judged(run, run.structure, end)) run.matter->after_mm = rms_mm(*judged);
   if (!run.goal->met()) return miss(run, elsewhere);
   run.matter->why = elsewhere + ", and within tolerance as well";
 }
@@ -115,7 +114,7 @@ MatterPath path_in_matter(const Run& run, const Scene& scene, const std::stop_to
   const model::Elasticity elasticity = elasticity_of(run);
   MatterPath out{run.structure, run.theta, goal_drive(run, run.structure, run.theta),
                  path_to(run, run.structure, run.theta, elasticity, stop)};
-  const auto exact = scene.judged(run, run.structure, run.theta, run.plan.exact.at(run.theta));
+  const auto exact = scene.judged(run, run.structure, run.plan.exact.at(run.theta));
   if (!exact || out.path.stop != model::EquilibriumPath::Stop::reached) return out;
   const optim::InMatter after =
       made_up_for(run, scene, out.path, elasticity, exact->tolerance_mm, stop).after;
@@ -124,7 +123,7 @@ MatterPath path_in_matter(const Run& run, const Scene& scene, const std::stop_to
 }
 
 void settle_in_matter(Run& run, const Scene& scene, const RunOptions& options) {
-  const auto exact = scene.judged(run, run.structure, run.theta, scene.own_state(run));
+  const auto exact = scene.judged(run, run.structure, scene.own_state(run));
   if (!exact) return;
   options.progress("hinges in matter", 0);
   const model::Elasticity elasticity = elasticity_of(run);

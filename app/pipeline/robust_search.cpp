@@ -35,7 +35,7 @@ std::optional<Expected> expected(Run& run, const Scene& scene, const RunOptions&
   if (is_of_matter(scene, run)) settle_in_matter(run, scene, options);
   if (run.matter && !run.equilibrium) return std::nullopt;
   const model::State state = run.matter ? run.equilibrium->path.state : scene.own_state(run);
-  const auto goal = scene.judged(run, run.structure, run.theta, state);
+  const auto goal = scene.judged(run, run.structure, state);
   if (!goal) return std::nullopt;
   const auto drive = run.matter ? run.equilibrium->drive : goal_drive(run, run.structure, run.theta);
   const auto printed = expected_of_prints(run, drive, state, goal->points);

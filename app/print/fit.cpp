@@ -94,15 +94,16 @@ Attempt best_attempt(const Order& order, const PrintChoice& choice) {
   return first;
 }
 
-/// Cell edge that would do, mm; none up to largest_scale. One a step smaller would not, and most that are larger do.
+/// Cell edge that would do, mm, above the one that was refused; none up to largest_scale. One a step smaller would not, and most that are larger do.
 std::optional<double> enough_mm(const Order& order, PrintChoice choice) {
   choice.bed_mm.reset();
   const model::CellSize& size = order.design.structure.size();
+  const double refused_mm = choice.edge_mm > 0 ? choice.edge_mm : size.edge_mm;
   const auto fits = [&](double steps) {
     choice.edge_mm = steps * step_mm;
     return best_attempt(order, choice).print.has_value();
   };
-  double low = std::floor(size.edge_mm / step_mm), high = low + 1;  // steps
+  double low = std::floor(refused_mm / step_mm), high = low + 1;  // steps
   while (!fits(high)) {
     low = high;
     high = std::ceil(high * growth);

@@ -78,20 +78,13 @@ std::string lower_case(std::string text) {
 
 }  // namespace
 
-std::optional<double> largest_strain(const Run& run) {
-  const std::vector<Turned> all = turned_hinges(run);
-  if (all.empty()) return std::nullopt;
-  double largest = 0;
-  for (const Turned& t : all) largest = std::max(largest, t.strain);
-  return largest;
-}
-
-std::optional<double> allowed_strain(const Run& run) {
+std::optional<HingeStrain> worst_strain(const Run& run) {
   const std::vector<Turned> all = turned_hinges(run);
   const auto most = std::max_element(all.begin(), all.end(), [](const Turned& a, const Turned& b) {
     return strain_share(a) < strain_share(b);
   });
-  return most == all.end() ? std::nullopt : std::optional(most->made->material.strain_max);
+  if (most == all.end()) return std::nullopt;
+  return HingeStrain{most->strain, most->made->material.strain_max};
 }
 
 std::vector<std::string> unprintable(const Run& run) {

@@ -10,12 +10,14 @@
 
 namespace kinetix::app {
 
-/// The largest strain of blocks and films in the state shown.
-/// @return nothing where no hinge is made as one, or there is no state
-std::optional<double> largest_strain(const Run& run);
+/// How far a block or film is strained, and what its material bears.
+struct HingeStrain {
+  double strain = 0, allowed = 0;
+};
 
-/// What the material of the hinge bears that comes nearest to it, or is farthest beyond.
-std::optional<double> allowed_strain(const Run& run);
+/// Of the hinge that comes nearest to what its material bears, or is farthest beyond, in the state shown.
+/// @return nothing where no hinge is a block or film, or there is no state
+std::optional<HingeStrain> worst_strain(const Run& run);
 
 /// What the run's process cannot print of its sheet, in words, and why its hinges do not fit: none of a design, whose process
 /// is not known.

@@ -126,9 +126,9 @@ Json metrics_json(const Run& run) {
     metrics["as_made_rms_mm"] = run.printed->made.rms_mm;
     metrics["as_made_p95_mm"] = run.printed->made.p95_mm;
   }
-  if (const auto strain = largest_strain(run)) {
-    metrics["strain_max"] = *strain;
-    metrics["strain_allowed"] = *allowed_strain(run);
+  if (const auto worst = worst_strain(run)) {
+    metrics["strain_max"] = worst->strain;
+    metrics["strain_allowed"] = worst->allowed;
   }
   if (run.verification) {
     metrics["verify_rms"] = run.verification->distance.rms;

@@ -48,8 +48,8 @@ class Scene {
   };
   /// How far a state is from the goal. Nothing of goals that are not judged by distances.
   /// @param sheet that the state is of: the run's, or one with other hinges
-  /// @param theta of the drive, rad   @param state anywhere in space; points are in its own frame. @pre solved
-  virtual std::optional<Judged> judged(const Run&, const model::Sheet& /*sheet*/, double /*theta*/,
+  /// @param state anywhere in space; points are in its own frame. @pre solved
+  virtual std::optional<Judged> judged(const Run&, const model::Sheet& /*sheet*/,
                                        const model::State& /*state*/) const {
     return std::nullopt;
   }

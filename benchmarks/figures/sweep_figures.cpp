@@ -99,10 +99,12 @@ struct Scaling {
   const char* what;
   const char* model;
   int samples;
+  double least;  ///< ratio asked for
 };
 
 // Samples: so many that a run takes seconds, beside which starting workers does not count.
-constexpr Scaling scalings[] = {{"exact model", "exact", 1200000}, {"equilibrium model", "equilibrium", 300}};
+constexpr Scaling scalings[] = {{"exact model", "exact", 1200000, 1.8},
+                                {"equilibrium model", "equilibrium", 300, 1.9}};
 
 Figure two_workers(const Scaling& scaling, const std::string& kind,
                    const std::function<double(const Sweep&, int)>& rate) {
@@ -114,10 +116,11 @@ Figure two_workers(const Scaling& scaling, const std::string& kind,
     four_times.push_back(rate(files, 4) / one);
   }
   const double ratio = median(twice);
-  return {fmt::format("sweep of the {}: two {} against one", scaling.what, kind), ">= 1.8 times",
+  return {fmt::format("sweep of the {}: two {} against one", scaling.what, kind),
+          fmt::format(">= {:g} times", scaling.least),
           fmt::format("{:.2f} times: grows with their number to the {:.2f} (four on {} cores: {:.2f} times)",
                       ratio, std::log2(ratio), std::thread::hardware_concurrency(), median(four_times)),
-          ratio >= 1.8};
+          ratio >= scaling.least};
 }
 
 std::vector<Figure> two_against_one() {

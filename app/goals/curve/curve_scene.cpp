@@ -118,7 +118,7 @@ class CurveScene final : public Scene {
   }
 
   /// Each column's place against the goal as it was laid over the midline.
-  std::optional<Judged> judged(const Run& run, const model::Sheet& sheet, double,
+  std::optional<Judged> judged(const Run& run, const model::Sheet& sheet,
                                const model::State& state) const override {
     const CurveOutcome& curve = outcome_of<CurveOutcome>(run);
     return Judged{curve_points(file_.curve, sheet, state, curve.exact),

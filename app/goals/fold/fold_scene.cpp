@@ -111,8 +111,8 @@ class FoldScene final : public Scene {
 
   void add_state(Run& run, const RunOptions&) const override { add_exact_state(run, run.theta); }
 
-  /// Each vertex of a face, in all directions.
-  std::optional<Judged> judged(const Run& run, const model::Sheet& sheet, double theta,
+  /// Each vertex of a face, in all directions, from the solid of the size that the search chose.
+  std::optional<Judged> judged(const Run& run, const model::Sheet& sheet,
                                const model::State& state) const override {
     const optim::FoldedNet& net = outcome_of<FoldOutcome>(run).design.folded;
     if (!outcome_of<FoldOutcome>(run).design.folds || !is_finite(state)) return std::nullopt;
@@ -120,8 +120,9 @@ class FoldScene final : public Scene {
     for (const model::CellRectangle& face : net.layout.faces)
       sides += (face.width + face.height) / 2.0 / static_cast<double>(net.layout.faces.size());
     const double weight = std::sqrt(3.0);  // the rms is that of vertices in space, not of their coordinates
-    Judged out{{}, file_.shape_tolerance * sides * sheet.size().edge_mm * std::cos(theta)};
-    for (const targets::IdealPoint& v : ideal_vertices(net.net, net.layout, *sheet.squares(), state, theta))
+    Judged out{{}, file_.shape_tolerance * sides * sheet.size().edge_mm * std::cos(net.theta)};
+    for (const targets::IdealPoint& v :
+         ideal_vertices(net.net, net.layout, *sheet.squares(), state, net.theta))
       for (int k = 0; k < 3; ++k)
         out.points.push_back({{v.body},
                               state[v.body].p,
@@ -140,7 +141,7 @@ class FoldScene final : public Scene {
     auto& found = outcome_of<FoldOutcome>(run);
     const optim::FoldedNet& net = found.design.folded;
     found.physics =
-        fold_error(net.net, net.layout, net.structure, run.verification->physics.state, run.theta);
+        fold_error(net.net, net.layout, net.structure, run.verification->physics.state, net.theta);
     found.physics_violations =
         violations(file_, found.creases(*found.physics), found.physics->rms, "physics run");
   }
@@ -151,7 +152,7 @@ class FoldScene final : public Scene {
   void judge_matter(Run& run, const model::State& state) const override {
     auto& found = outcome_of<FoldOutcome>(run);
     optim::FoldedNet& net = found.design.folded;
-    net.error = fold_error(net.net, net.layout, net.structure, state, run.theta);
+    net.error = fold_error(net.net, net.layout, net.structure, state, net.theta);
     for (std::size_t c = 0; c < net.tilt.size(); ++c)
       net.tilt[c] = mean_tilt(run.structure, net.layout.creases[c]);
     found.violations = violations(file_, found.creases(net.error), net.error.rms, "equilibrium");

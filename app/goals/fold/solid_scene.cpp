@@ -70,13 +70,13 @@ class SolidScene final : public Scene {
   void add_state(Run& run, const RunOptions&) const override { add_exact_state(run, run.theta); }
 
   /// Each vertex of a face, in all directions.
-  std::optional<Judged> judged(const Run& run, const model::Sheet& sheet, double theta,
+  std::optional<Judged> judged(const Run& run, const model::Sheet& sheet,
                                const model::State& state) const override {
     const optim::SolidDesign& design = outcome_of<SolidOutcome>(run).design;
     if (!design.folds || !is_finite(state)) return std::nullopt;
     const double weight = std::sqrt(3.0);  // the rms is that of vertices in space, not of their coordinates
-    Judged out{{}, file_.shape_tolerance * design.net.edge * sheet.size().edge_mm * std::cos(theta)};
-    for (const auto& [body, place] : ideal_places(design.net, state, theta))
+    Judged out{{}, file_.shape_tolerance * design.net.edge * sheet.size().edge_mm * std::cos(design.theta)};
+    for (const auto& [body, place] : ideal_places(design.net, state, design.theta))
       for (int k = 0; k < 3; ++k)
         out.points.push_back(
             {{body}, state[body].p, weight * Eigen::Vector3d::Unit(k), weight * (state[body].p - place)[k]});
@@ -90,7 +90,7 @@ class SolidScene final : public Scene {
 
   void judge_physics(Run& run) const override {
     auto& found = outcome_of<SolidOutcome>(run);
-    found.physics = solid_error(found.design.net, run.verification->physics.state, run.theta);
+    found.physics = solid_error(found.design.net, run.verification->physics.state, found.design.theta);
     found.physics_violations =
         violations(file_, found.creases(*found.physics), found.physics->rms, "physics run");
   }
@@ -99,7 +99,7 @@ class SolidScene final : public Scene {
 
   void judge_matter(Run& run, const model::State& state) const override {
     auto& found = outcome_of<SolidOutcome>(run);
-    found.design.error = solid_error(found.design.net, state, run.theta);
+    found.design.error = solid_error(found.design.net, state, found.design.theta);
     found.violations =
         violations(file_, found.creases(found.design.error), found.design.error.rms, "equilibrium");
   }

@@ -119,7 +119,7 @@ class HelmetScene final : public Scene {
   }
 
   /// Every body, from head plus clearance.
-  std::optional<Judged> judged(const Run& run, const model::Sheet&, double,
+  std::optional<Judged> judged(const Run& run, const model::Sheet&,
                                const model::State& state) const override {
     const model::Pose motion = motion_onto(state, own_state(run));
     const model::State on_head = moved(state, motion);

@@ -85,7 +85,7 @@ class OutlineScene final : public Scene {
   }
 
   /// Each vertex of the rim.
-  std::optional<Judged> judged(const Run& run, const model::Sheet&, double,
+  std::optional<Judged> judged(const Run& run, const model::Sheet&,
                                const model::State& state) const override {
     const auto& outline = outcome_of<OutlineOutcome>(run);
     const targets::Outline goal(outline.placed(run.structure.size().edge_mm));

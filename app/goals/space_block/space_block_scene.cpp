@@ -53,7 +53,7 @@ class SpaceBlockScene final : public Scene {
   }
 
   /// Outermost rotors against the sides of the exact state.
-  std::optional<Judged> judged(const Run& run, const model::Sheet&, double,
+  std::optional<Judged> judged(const Run& run, const model::Sheet&,
                                const model::State& state) const override {
     const auto& outcome = outcome_of<SpaceBlockOutcome>(run);
     const model::Pose motion = motion_onto(state, outcome.exact);

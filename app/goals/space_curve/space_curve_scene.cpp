@@ -94,7 +94,7 @@ class SpaceCurveScene final : public Scene {
   }
 
   /// Each column's place against the goal, where that is nearest.
-  std::optional<Judged> judged(const Run& run, const model::Sheet& sheet, double,
+  std::optional<Judged> judged(const Run& run, const model::Sheet& sheet,
                                const model::State& state) const override {
     const auto& outcome = outcome_of<SpaceCurveOutcome>(run);
     const model::Pose motion = motion_onto(state, outcome.exact);

@@ -61,7 +61,7 @@ class RibsScene final : public Scene {
       ribs.ways.push_back(std::move(way));
   }
 
-  std::optional<Judged> judged(const Run& run, const model::Sheet&, double,
+  std::optional<Judged> judged(const Run& run, const model::Sheet&,
                                const model::State& state) const override {
     const model::Pose motion = motion_onto(state, own_state(run));
     const model::State placed = moved(state, motion);

@@ -162,7 +162,7 @@ class SurfaceScene final : public Scene {
   }
 
   /// By the vertices of its mesh, as the search has it: each moves as the bodies next to it do.
-  std::optional<Judged> judged(const Run& run, const model::Sheet&, double,
+  std::optional<Judged> judged(const Run& run, const model::Sheet&,
                                const model::State& state) const override {
     const auto& surface = outcome_of<SurfaceOutcome>(run);
     const model::QuadMesh& mesh = surface.design.mesh;
