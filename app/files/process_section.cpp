@@ -82,7 +82,7 @@ std::string read_process_name(const targets::Section& root) {
 }
 
 std::string problem_text(const model::PrintProblem& problem) {
-  return fmt::format("{}; with the same proportions a cell_mm of {:.3g} could be", problem.what,
+  return fmt::format("{}; larger as a whole, with a cell_mm of {:.3g}, it could be", problem.what,
                      problem.cell_mm);
 }
 

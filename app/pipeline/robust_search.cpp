@@ -43,24 +43,6 @@ std::optional<Expected> expected(Run& run, const Scene& scene, const RunOptions&
   return Expected{goal->tolerance_mm, *printed, bears_its_strain(run, state)};
 }
 
-RobustCandidate judged(Run run, const Scene& scene, const RunOptions& options) {
-  RobustCandidate out{.theta = run.theta,
-                      .cell_mm = run.structure.size().edge_mm,
-                      .designed_mm = std::nan(""),
-                      .as_made_mm = std::nan(""),
-                      .as_made_p95 = std::nan("")};
-  if (run.hinge.made && run.hinge.made->gap_mm > 0) out.gap_mm = run.hinge.made->gap_mm;
-  const auto found = run.goal->met() ? expected(run, scene, options) : std::nullopt;
-  if (!found) return out;
-  const model::AsMade& made = found->printed.made;
-  out.designed_mm = made.designed_mm;
-  out.as_made_mm = made.rms_mm;
-  out.as_made_p95 = made.p95_mm;
-  out.is_allowed =
-      found->printed.can_be_printed && found->hinges_bear && made.designed_mm <= found->tolerance_mm;
-  return out;
-}
-
 /// The plain search first.
 std::vector<RobustTrial> trials(const std::optional<optim::AngleRange>& theta, const HingeSection& hinge) {
   std::vector<RobustTrial> out = {{std::nullopt, hinge}};
@@ -96,13 +78,31 @@ std::optional<RobustCandidate> tried(const Scene& scene, const RobustTrial& tria
   try {
     Run run;
     solve(run, trial);
-    return judged(std::move(run), scene, options);
+    return robust_candidate(std::move(run), scene, options);
   } catch (const InvalidInput&) {
     return std::nullopt;
   }
 }
 
 }  // namespace
+
+RobustCandidate robust_candidate(Run run, const Scene& scene, const RunOptions& options) {
+  RobustCandidate out{.theta = run.theta,
+                      .cell_mm = run.structure.size().edge_mm,
+                      .designed_mm = std::nan(""),
+                      .as_made_mm = std::nan(""),
+                      .as_made_p95 = std::nan("")};
+  if (run.hinge.made && run.hinge.made->gap_mm > 0) out.gap_mm = run.hinge.made->gap_mm;
+  const auto found = run.goal->met() ? expected(run, scene, options) : std::nullopt;
+  if (!found) return out;
+  const model::AsMade& made = found->printed.made;
+  out.designed_mm = made.designed_mm;
+  out.as_made_mm = made.rms_mm;
+  out.as_made_p95 = made.p95_mm;
+  out.is_allowed = found->printed.can_be_printed && found->hinges_bear &&
+                   made.designed_mm <= found->tolerance_mm && (!options.misfit || !options.misfit(run));
+  return out;
+}
 
 void search_robustly(Run& run, const Scene& scene, double weight,
                      const std::optional<optim::AngleRange>& theta, const Solve& solve,

@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include "app/run/robust_choice.hpp"
 #include "app/run/scene.hpp"
 
 namespace kinetix::app {
@@ -11,6 +12,9 @@ struct RobustTrial {
   std::optional<optim::AngleRange> theta;  ///< rad, as narrow as searches take it; nothing: that of the file
   HingeSection hinge;                      ///< with another gap of its blocks or films
 };
+
+/// What a run that was solved comes to as the pipeline would leave it, without a physics run.
+RobustCandidate robust_candidate(Run run, const Scene& scene, const RunOptions& options);
 
 /// Of the plain design and others, at nine values of theta and three gaps of hinges, keeps the one with the least
 /// robust_cost(), prints to first order, among those that meet the goal once they have made up for elastic hinges and that

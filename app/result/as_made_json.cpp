@@ -39,8 +39,10 @@ std::string prints_words(const PrintedGoal& printed) {
   return text + (printed.is_confirmed() ? "" : ": FIRST ORDER IS FAR FROM THEM");
 }
 
-std::string verdict_words(const PrintedGoal& printed) {
+std::string verdict_words(const Run& run) {
+  const PrintedGoal& printed = *run.printed;
   if (!printed.can_be_printed) return printed.misfit ? "CANNOT BE PRINTED SO" : "CANNOT BE PRINTED";
+  if (printed.holds() && !run.goal->met()) return "prints keep that, but the design itself misses the goal";
   if (printed.holds()) return printed.free_of_contact.value_or(true) ? "holds" : "holds, but walls may meet";
   if (printed.runs && printed.runs->prints == 0)
     return "NOT EVERY PRINT HOLDS, and none settles in the elastic model";
@@ -171,7 +173,7 @@ std::vector<SummaryLine> as_made_lines(const Run& run) {
       {"as made", fmt::format("printed by {}: {:.2f} mm off the goal (rms over points of the sheet; {:.2f} "
                               "mm as designed), 95 of 100 prints within {:.2f} mm; {:.2f} mm are allowed: {}",
                               run.process.name, made.rms_mm, made.designed_mm, made.p95_mm,
-                              run.printed->tolerance_mm, verdict_words(*run.printed))}};
+                              run.printed->tolerance_mm, verdict_words(run))}};
   if (const auto contact = contact_words(run)) lines.push_back({"", *contact});
   if (const auto places = sources_by_place(run); !places.empty())
     lines.push_back({"", fmt::format("{} of {}: {} of what errors do", plural_words[places[0].parameter],

@@ -25,10 +25,15 @@ double one_digit(double x) {
 
 }  // namespace
 
+double matter_seconds(const GoalSettings& settings, const model::Sheet& sheet) {
+  return settings.hinge.model == HingeSection::Model::elastic
+             ? elastic_seconds_of_175 * std::pow(sheet.bodies() / 175.0, 1.25)
+             : 0;
+}
+
 void add_settings(const GoalSettings& settings, Forecast& forecast) {
   note_process(settings, forecast.sheet.size(), forecast.notes);
-  if (settings.hinge.model == HingeSection::Model::elastic)
-    forecast.search_s += elastic_seconds_of_175 * std::pow(forecast.sheet.bodies() / 175.0, 1.25);
+  forecast.search_s += matter_seconds(settings, forecast.sheet);
 }
 
 Eigen::Vector3d flat_size(const model::Linkage& linkage) {

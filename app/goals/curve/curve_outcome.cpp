@@ -43,6 +43,7 @@ Json robust_json(const RobustCurve& robust) {
                    {"as_made_rms_mm", one.as_made_mm},
                    {"as_made_p95_mm", one.as_made_p95},
                    {"allowed", one.is_allowed},
+                   {"in_matter", one.in_matter},
                    {"chosen", k == robust.chosen}});
   }
   return out;
@@ -62,10 +63,11 @@ std::string robust_text(const RobustCurve& robust) {
   const CurveCandidate &best = robust.tried[robust.chosen], &plain = robust.tried.front();
   const std::string gaps = best.gap_mm ? fmt::format(", gaps of {:.2g} mm", *best.gap_mm) : "";
   return fmt::format(
-      "{} columns at theta {:.1f} deg{}, of {} strips tried: prints of its closed form are expected {:.3g} "
-      "mm off; of the design with the least error of its own, {} columns at {:.1f} deg, {:.3g} mm",
-      best.columns, best.theta / radians_per_degree, gaps, robust.tried.size(), best.as_made_mm,
-      plain.columns, plain.theta / radians_per_degree, plain.as_made_mm);
+      "{} columns at theta {:.1f} deg{}, of {} strips tried: prints{} are expected {:.3g} mm off; of the "
+      "design with the least error of its own, {} columns at {:.1f} deg, {:.3g} mm",
+      best.columns, best.theta / radians_per_degree, gaps, robust.tried.size(),
+      best.in_matter ? "" : " of its closed form", best.as_made_mm, plain.columns,
+      plain.theta / radians_per_degree, plain.as_made_mm);
 }
 
 std::string verdict_of(const CurveOutcome& curve) {

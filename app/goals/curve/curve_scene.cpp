@@ -9,6 +9,7 @@
 #include "app/goals/curve/curve_points.hpp"
 #include "app/goals/curve/curve_search.hpp"
 #include "app/pipeline/exact_state.hpp"
+#include "app/pipeline/robust_search.hpp"
 #include "app/run/midline.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
@@ -22,7 +23,9 @@ constexpr double seconds_a_start = 0.0075;
 constexpr double full_turn = 320 * radians_per_degree, steep_turn = 36 * radians_per_degree,
                  sharp_turn = 60 * radians_per_degree;
 constexpr double repeats_of_full = 4, repeats_of_steep = 12, repeats_of_sharp = 40;
-constexpr double robust_designs = 45;  // searches that a robust design takes, about
+constexpr double narrowest = 1e-2;      // rad: of a range of theta that holds more than one
+constexpr double robust_designs = 45;   // searches that a robust design takes, about
+constexpr double robust_finalists = 6;  // and how often elastic hinges are made up for
 
 double repeats(const targets::Curve& curve, int columns) {
   double all = 0, most = 0;
@@ -77,32 +80,31 @@ class CurveScene final : public Scene {
                    std::pow(file_.columns / 40.0, 1.5) * repeats(file_.curve, file_.columns);
     if (file_.robust) out.search_s *= robust_designs;
     add_settings(file_, out);
+    if (file_.robust) out.search_s += robust_finalists * matter_seconds(file_, out.sheet);
     return out;
   }
 
   void solve(Run& run, const RunOptions& options) const override {
-    take_settings(run, file_);
     const optim::MultiStartOptions search = curve_search(file_, options);
     options.progress("search", 0);
-    auto curve = std::make_unique<CurveOutcome>();
-    curve->tolerances = {{"shape", file_.shape_tolerance}};
-    curve->shape_tolerance = file_.shape_tolerance;
-    curve->target_mm = file_.curve.points();
-    curve->solver = search.solver;
-    curve->found =
+    optim::FreeCurveDesign found =
         fit_free_curve(file_.curve, curve_variables(file_), file_.size, search, file_.shape_tolerance);
-    model::CellSize size = file_.size;
-    if (file_.robust) {
-      curve->robust = robust_curve(file_, curve->found, search, options);
-      curve->found = curve->robust->found;
-      size = curve->robust->size;
-      run.hinge = curve->robust->hinge;
-      run.hinge_parts = curve->robust->hinge_parts;
-    }
-    curve->violations = violations(curve->found, file_.shape_tolerance);
-    run.structure = sheet_of(curve->found.design.design, size);
-    run.theta = curve->found.design.design.theta;
-    run.goal = std::move(curve);
+    if (!file_.robust) return take(run, file_, std::move(found));
+    RobustCurve robust =
+        robust_curve(file_, found, search, options, [&](const CurveFile& file, const auto& strip) {
+          RunOptions quiet = options;
+          quiet.progress = RunOptions{}.progress;
+          Run trial;
+          const CurveScene scene(file);
+          scene.take(trial, file, strip);
+          return robust_candidate(std::move(trial), scene, quiet);
+        });
+    CurveFile chosen = file_;
+    chosen.size = robust.size;
+    chosen.hinge = robust.hinge;
+    chosen.hinge_parts = robust.hinge_parts;
+    take(run, chosen, robust.found);
+    outcome_of<CurveOutcome>(run).robust = std::move(robust);
   }
 
   void add_state(Run& run, const RunOptions&) const override {
@@ -149,6 +151,21 @@ class CurveScene final : public Scene {
   void add_frames(Run& run) const override { add_exact_frames(run); }
 
  private:
+  /// A run of a strip that was found for a file.
+  void take(Run& run, const CurveFile& file, optim::FreeCurveDesign found) const {
+    take_settings(run, file);
+    auto curve = std::make_unique<CurveOutcome>();
+    curve->tolerances = {{"shape", file.shape_tolerance}};
+    curve->shape_tolerance = file.shape_tolerance;
+    curve->target_mm = file.curve.points();
+    curve->solver = curve_search(file, {}).solver;
+    curve->violations = violations(found, file.shape_tolerance);
+    run.structure = sheet_of(found.design.design, file.size);
+    run.theta = found.design.design.theta;
+    curve->found = std::move(found);
+    run.goal = std::move(curve);
+  }
+
   CurveFile file_;
 };
 

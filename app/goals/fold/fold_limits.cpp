@@ -11,6 +11,8 @@ namespace kinetix::app {
 namespace {
 
 constexpr int theta_halvings = 5;  // of the range of theta, to a degree: a fold's loads change slowly with it
+// rad: ranges as narrow as a robust search tries hold one theta.
+constexpr double one_theta = 0.5 * radians_per_degree;
 
 /// What a design that makes up for its elastic hinges bears, and whether it still folds into its goal.
 struct Borne {
@@ -23,8 +25,7 @@ bool meets_goal(const FoldFile& file, const optim::FoldDesign& design, const Mat
   outcome.goal = file.goal;
   outcome.design = design;
   optim::FoldedNet& net = outcome.design.folded;
-  net.error = fold_error(net.net, net.layout, net.structure, found.path.state,
-                         model::mean_theta(found.sheet, found.path.state));
+  net.error = fold_error(net.net, net.layout, net.structure, found.path.state, net.theta);
   return found.path.stop == model::EquilibriumPath::Stop::reached &&
          violations(file, outcome.creases(net.error), net.error.rms, "equilibrium").empty();
 }
@@ -57,7 +58,7 @@ void keep_limits(const FoldFile& file, const Run& run, const Scene& scene, FoldO
   if (share_of(file.limits, fold.loads->hinges) <= HingeLimits::in_hand) return;
   fold.unlimited = fold.loads;
   double kept = file.theta.lower, too_much = fold.design.folded.theta;
-  for (int k = 0; k < theta_halvings && !options.stop.stop_requested(); ++k) {
+  for (int k = 0; k < theta_halvings && too_much - kept > one_theta && !options.stop.stop_requested(); ++k) {
     options.progress("limits", static_cast<double>(k) / theta_halvings);
     const double theta = (kept + too_much) / 2;
     optim::FoldDesign design = search(theta);

@@ -29,6 +29,8 @@ double mean_tilt(const model::Sheet& net, const targets::PlacedCrease& crease) {
 // Rad: two columns a right angle, in most nets; no search tries more than four.
 constexpr double most_turn_of_a_column = 45 * radians_per_degree,
                  least_turn_of_a_column = most_turn_of_a_column / 2;
+constexpr double paths_to_limits =
+    2;  // of elastic hinges that keep limits: one where they do, six where theta is searched
 constexpr double seconds_of_175 = 0.15;  // s: a search of 175 bodies; it grows with their number to 1.5
 
 /// Of each crease: as few as tilts and theta allow, and no fewer than walls usually leave room for.
@@ -62,6 +64,7 @@ class FoldScene final : public Scene {
     }
     out.search_s = seconds_of_175 * std::pow(out.sheet.bodies() / 175.0, 1.5);
     add_settings(file_, out);
+    if (file_.limits.any()) out.search_s += paths_to_limits * matter_seconds(file_, out.sheet);
     if (file_.robust) out.search_s *= designs_of_robust_search(file_.theta, file_.hinge);
     return out;
   }

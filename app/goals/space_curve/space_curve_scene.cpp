@@ -24,7 +24,7 @@ std::vector<std::string> all_violations(const SpaceCurveOutcome& outcome, const 
   if (!outcome.found.walls_are_free)
     why.push_back(
         fmt::format("walls run into each other at theta {:.2f} deg, before the {:.2f} deg of the goal: use "
-                    "lower or thinner walls, or more columns",
+                    "lower or thinner walls, or another number of columns: where cell_mm is given, fewer",
                     to_degrees(outcome.found.meet_theta), to_degrees(outcome.found.design.theta)));
   return why;
 }
