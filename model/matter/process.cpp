@@ -52,7 +52,11 @@ const std::vector<Process>& processes() {
        "a droplet",
        "tango",
        {255, 252},
-       true},
+       true,
+       "",
+       false,
+       {},
+       "support material that the printer lays down by itself"},
       {"fdm",
        0.3,
        0.4,
@@ -94,7 +98,10 @@ const std::vector<Process>& processes() {
        "tpu95a",
        {165, 165},
        false,
-       "pa12"}};
+       "pa12",
+       false,
+       {},
+       "the powder"}};
   return all;
 }
 
