@@ -71,11 +71,17 @@ std::optional<std::string> contact_words(const Run& run) {
       to_degrees(run.theta), run.certified->printed.growth_mm);
 }
 
+/// Three digits, and all before the point: forces of hundreds without a power of ten.
+std::string held_load_text(double load) {
+  return load < 100 ? fmt::format("{:.3g}", load) : fmt::format("{:.0f}", load);
+}
+
 std::string taken_words(const TakenHinges& taken) {
   const model::MadeHinge& block = taken.made;
-  const std::string held = !taken.load ? ""
-                                       : fmt::format(", held there by {:.2g} {} ({})", std::abs(*taken.load),
-                                                     taken.load_unit(), effort_of(taken));
+  const std::string held =
+      !taken.load ? ""
+                  : fmt::format(", held there by {} {} ({})", held_load_text(std::abs(*taken.load)),
+                                taken.load_unit(), effort_of(taken));
   return fmt::format(
       "hinges, left open, are taken for {} blocks {:.1f} mm long that keep their turns: strained by {:.2f} "
       "of "

@@ -25,7 +25,7 @@ struct Forecast {
 /// 170 bodies, and what the process cannot make.
 void add_settings(const GoalSettings& settings, Forecast& forecast);
 
-/// Edges of the box around the flat sheet, mm.
+/// Edges of the box around all half walls of the flat sheet, mm: walls that lean reach beyond its cells.
 Eigen::Vector3d flat_size(const model::Linkage& linkage);
 
 /// Edges of the box around all half walls in a state, along the axes of its frame, mm.

@@ -37,7 +37,8 @@ TEST(Fold, IsSearchedVerifiedAndDrawn) {
   const std::string text = std::string(box) + "tolerance: {angle_deg: 0.3}\n";
   const Outcome run = kinetix_opt(scratch.write("box.yaml", text) + " -o " + folder);
   EXPECT_EQ(run.code, 0) << run.out << run.err;
-  EXPECT_THAT(run.out, HasSubstr("in the physics run: 5 creases within"));
+  EXPECT_THAT(run.out, HasSubstr("in the physics run: 5 creases within 0.001 deg, faces less than "
+                                 "0.001 of their edge from the solid"));
 
   const Json result = Json::parse(text_of(folder + "/result.json"));
   EXPECT_EQ(schema_errors(result), "");
