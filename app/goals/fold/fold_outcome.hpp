@@ -22,6 +22,7 @@ class FoldOutcome final : public GoalOutcome {
   optim::FoldDesign design;
   std::optional<FoldLoads> loads;      ///< where the file limits them
   std::optional<FoldLoads> unlimited;  ///< what it would be without limits, where they made a difference
+  std::string instead;                 ///< what to do about the size of the box, where it is not met
   std::optional<targets::FoldError> physics;  ///< of the settled physics run
 
   std::vector<FoldedCrease> creases(const targets::FoldError& error) const;
