@@ -25,17 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// @param source a design, the folder of a result, or its result.json, which stands beside the design
-std::string design_file(const std::string& source) {
-  const fs::path path(source);
-  if (path.filename() == "result.json" && fs::exists(path.parent_path() / "design.yaml"))
-    return (path.parent_path() / "design.yaml").string();
-  if (!fs::is_directory(source)) return source;
-  const fs::path inside = fs::path(source) / "design.yaml";
-  if (fs::exists(inside)) return inside.string();
-  throw InvalidInput(source + ": no design.yaml in this folder; give a design, or the folder of a result");
-}
-
 /// The entry of that name. @param allowed as (name, value)
 template <class Value>
 Value named(const char* option, const std::string& name,
@@ -188,7 +177,7 @@ struct Source {
 Source source_of(const PrintRequest& request) {
   if (request.coupon == request.source.empty()) {
     if (request.coupon) return {};
-    const std::string file = design_file(request.source);
+    const std::string file = design_at(request.source);
     return {file, read_design(file)};
   }
   throw InvalidInput("export needs a design, the folder of a result, or --coupon, and one of them only");

@@ -29,6 +29,11 @@ class FoldOutcome final : public GoalOutcome {
   /// Edges of the ideal box, mm: faces, and what the creases add at both ends. @pre goal.box
   std::array<double, 3> edges_mm() const;
 
+  /// A box of a given size is another one than its cells fold to: tolerance.size is for that.
+  std::string judged_against() const override {
+    return goal.box_mm ? "the closed box of these cells" : "the goal";
+  }
+
   /// The net that was folded, as faces and creases; the box where one was asked for.
   nlohmann::ordered_json target_json() const override;
   /// Adds `fold` (faces and creases on the lattice with their angles and errors, unfoldings tried, reasons)

@@ -180,6 +180,14 @@ TEST(Export, TakesTheClearanceOfACouponInsteadOfTheProcesss) {
   EXPECT_THAT(coupon.err, HasSubstr("a coupon has gaps of its own"));
 }
 
+TEST(Export, WritesACouponAsA3mfWhereNoFormatIsGiven) {
+  const Scratch scratch;
+  const Outcome coupon = kinetix_opt("export --coupon -o " + std::string(scratch / "coupon"));
+  EXPECT_EQ(coupon.code, 0) << coupon.err;
+  EXPECT_TRUE(fs::exists(scratch / "coupon/coupon.3mf"));
+  expect_refused(panel, "", "--format is required, e.g. --format 3mf");
+}
+
 TEST(Export, SaysWhichOptionsChangeNothing) {
   const Scratch scratch;
   const std::string described =
@@ -265,6 +273,10 @@ TEST(Export, MakesADesignForItsOwnProcess) {
   const std::string folder = scratch / "result";
   ASSERT_EQ(kinetix_opt("simulate " + scratch.write("own.yaml", design) + " -o " + folder).code, 0);
   EXPECT_THAT(text_of(folder + "/design.yaml"), HasSubstr("process: sla\n")) << "and keeps it";
+  EXPECT_EQ(kinetix_opt("simulate " + folder + " -o " + std::string(scratch / "again")).code, 0);
+  const Outcome refused = kinetix_opt("simulate " + scratch.path() + " -o " + std::string(scratch / "none"));
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("no design.yaml in this folder"));
 }
 
 TEST(Export, CutsALargeSheetIntoTilesThatTheBedHolds) {
