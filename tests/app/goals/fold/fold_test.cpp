@@ -109,6 +109,7 @@ TEST(Fold, OfABoxThatMissesItsSizeNamesCellsThatDoNot) {
   ASSERT_TRUE(
       std::regex_search(missed.out, edge, std::regex("allowed: structure.cell_mm: ([0-9.]+) comes within")))
       << missed.out;
+  EXPECT_THAT(missed.out, HasSubstr("mm off the closed box of these cells (rms over points of the sheet"));
   const Outcome met = run(edge[1]);
   EXPECT_EQ(met.code, 0) << met.out << met.err;
 }
