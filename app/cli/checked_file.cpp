@@ -17,6 +17,9 @@
 namespace kinetix::app {
 namespace {
 
+// Of a fold whose file has no goal; the report of a search turns it as its goal lies.
+constexpr const char* of_motion = " along x, y and z of the design's motion";
+
 std::string size_text(const Eigen::Vector3d& mm) {
   return fmt::format("{:.1f} x {:.1f} x {:.1f} mm", mm.x(), mm.y(), mm.z());
 }
@@ -37,12 +40,13 @@ std::string time_text(const Forecast& f) {
   return fmt::format("{}{}, {:.0f} MB of memory", about(f.search_s + physics), parts, memory_mb);
 }
 
-std::string text_of(const Forecast& f) {
+/// @param lies how, where that is not as a goal was drawn
+std::string text_of(const Forecast& f, const char* lies) {
   std::string out =
       line("sheet", fmt::format("{} bodies, {} hinges; flat {}, cells of {:.4g} mm, walls {:.3g} mm thick",
                                 f.sheet.bodies(), f.sheet.hinges(), size_text(flat_size(f.sheet)),
                                 f.sheet.size().edge_mm, f.sheet.size().thickness_mm));
-  if (f.folded_mm) out += line("folded", "about " + size_text(*f.folded_mm));
+  if (f.folded_mm) out += line("folded", "about " + size_text(*f.folded_mm) + lies);
   out += line("takes", time_text(f));
   for (const std::string& note : f.notes) out += line("note", note);
   return out;
@@ -73,7 +77,7 @@ std::optional<CheckedContact> contact_of(const DesignFile& design, const Scene& 
 
 std::string CheckedFile::text() const {
   std::string out = fmt::format("{}: valid {} '{}'\n", file, kind, name);
-  if (forecast) out += text_of(*forecast);
+  if (forecast) out += text_of(*forecast, kind == "design" ? of_motion : "");
   if (contact)
     for (const auto& [label, words] :
          certified_lines(contact->certified, forecast->sheet, contact->theta, NearExact::same))

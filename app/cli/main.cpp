@@ -15,6 +15,7 @@
 #include "app/assembly/assembly_export.hpp"
 #include "app/cli/commands.hpp"
 #include "app/cli/error_report.hpp"
+#include "app/files/design_file.hpp"
 #include "app/imports/import_command.hpp"
 #include "app/io/atomic_file.hpp"
 #include "app/print/export_command.hpp"
@@ -49,7 +50,7 @@ void add_common(CLI::App& app, CommandOptions& options) {
   app.add_flag("--json", options.json, "print the whole result as one JSON document on stdout");
   app.add_flag("--quiet", options.quiet, "no progress on stderr");
   app.add_option("--threads", options.threads,
-                 "threads of the search; 0 = all cores; the answer does not depend on it")
+                 "threads to work with; 0 = all cores; the answer does not depend on it")
       ->check(CLI::Range(0, 1024));
   app.add_option_function<std::uint64_t>(
          "--seed",
@@ -57,8 +58,8 @@ void add_common(CLI::App& app, CommandOptions& options) {
            options.seed = seed;
            options.seed_given = true;
          },
-         "seed of the random starts or samples; same seed, same answer")
-      ->check(CLI::Range(0.0, 9e15))
+         "seed of the random starts or samples, at most 9e15; same seed, same answer")
+      ->check(CLI::Range(0.0, 9e15).description(""))
       ->type_name("UINT");
 }
 
@@ -89,8 +90,7 @@ void add_export(CLI::App& app, CommandOptions& options, kinetix::app::PrintReque
   app.add_option("DESIGN.yaml|DIR", request.source, "a design, or the folder of a result")->type_name("");
   add_common(app, options);
   add_output(app, options, "folder for the files (default results/NAME_print)");
-  app.add_option("--format", request.formats, kinetix::app::format_help())
-      ->required()
+  app.add_option("--format", request.formats, kinetix::app::format_help() + "; default with --coupon: 3mf")
       ->delimiter(',')
       ->type_name("NAME");
   app.add_option("--process", request.process,
@@ -193,6 +193,13 @@ exit codes:
   0 done   1 internal error   2 bad input   3 target missed or not reached
   4 physics run disagrees or failed)";
 
+/// A 3MF file brings the settings that keep a coupon's gaps open.
+void choose_format(kinetix::app::PrintRequest& request) {
+  if (!request.formats.empty()) return;
+  if (!request.coupon) throw kinetix::InvalidInput("--format is required, e.g. --format 3mf (see --help)");
+  request.formats = {"3mf"};
+}
+
 /// Also of a command line that cannot be read.
 bool asks_for_json(int argc, char** argv) {
   return std::any_of(argv + 1, argv + argc,
@@ -233,7 +240,8 @@ int run(int argc, char** argv) {
   CLI::App* sweep = app.add_subcommand("sweep", "run a design of experiments; also under mpirun");
   CLI::App* check = app.add_subcommand("check", "validate a target, a design or a sweep; writes nothing");
   for (CLI::App* command : {verify, simulate, check}) {
-    add_file(*command, options, command == check ? "FILE.yaml" : "DESIGN.yaml", "the file to read");
+    add_file(*command, options, command == check ? "FILE.yaml" : "DESIGN.yaml|DIR",
+             command == check ? "the file to read" : "a design, or the folder of a result");
     add_common(*command, options);
     if (command == check) continue;
     add_output(*command, options, results_folder);
@@ -288,10 +296,12 @@ int run(int argc, char** argv) {
     return kinetix::app::bad_input;
   }
   options.theta_given = theta->count() > 0;
+  if (verify->parsed() || simulate->parsed()) options.file = kinetix::app::design_at(options.file);
   if (verify->parsed()) return kinetix::app::verify_command(options);
   if (simulate->parsed()) return kinetix::app::simulate_command(options);
   if (sweep->parsed()) return kinetix::app::sweep_command(options, share);
   if (print->parsed()) {
+    choose_format(request);
     if (const auto bodies = kinetix::app::assembly_to_export(request))
       return kinetix::app::export_assembly(options, request, *bodies);
     return kinetix::app::export_command(options, request);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <vector>
 
 #include "app/files/file_header.hpp"
@@ -224,6 +225,16 @@ void check_offsets(const targets::Section& root, const DesignFile& file) {
 }
 
 }  // namespace
+
+std::string design_at(const std::string& source) {
+  namespace fs = std::filesystem;
+  std::error_code failure;  // of a name that no file can have: reading it says so
+  const fs::path path(source), beside = path.parent_path() / "design.yaml", inside = path / "design.yaml";
+  if (path.filename() == "result.json" && fs::exists(beside, failure)) return beside.string();
+  if (!fs::is_directory(path, failure)) return source;
+  if (fs::exists(inside, failure)) return inside.string();
+  throw InvalidInput(source + ": no design.yaml in this folder; give a design, or the folder of a result");
+}
 
 DesignFile read_design(const std::string& path) {
   return read_design(targets::read_document(path, max_design_bytes));

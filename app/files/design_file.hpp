@@ -39,6 +39,10 @@ const targets::KeyTable& design_keys();
 /// Bytes, 16 MiB. Designs may be larger than targets: this holds some 200 000 named hinges.
 inline constexpr std::size_t max_design_bytes = 16 << 20;
 
+/// The file of a design. @param source it, the folder of a result, or its result.json, which stands beside the design
+/// @throws InvalidInput for a folder without a design
+std::string design_at(const std::string& source);
+
 /// @throws InvalidInput for whatever formats.md does not allow: among others a wall that the structure does
 /// not have, is named twice, or does not run from its lower to its upper vertex, and cells of a pattern that
 /// disagree

@@ -29,7 +29,7 @@ std::string target_hint() { return fmt::format("e.g. `{}`", goal_kinds().front()
 void check_kind_of_file(const targets::Node& root) {
   if (root.kind() != targets::Node::Kind::map || root.optional("target")) return;
   if (root.optional("design"))
-    throw root.error("this is a design, not a target; use it with verify or simulate");
+    throw root.error("this is a design, not a target; use it with simulate, verify, view or export");
   if (root.optional("factors"))
     throw root.error("this is a design of experiments, not a target; use it with sweep");
 }

@@ -43,10 +43,18 @@ model::HingeChoices choices_of(const ImportRequest& request) {
   return choices;
 }
 
+// Of a file whose parts are all hard, with no rod in a bore.
+constexpr const char* if_films =
+    ". If it is a sheet whose films are printed of the walls' own material (export does so for fdm and sls), "
+    "its file "
+    "does not tell them apart: give both parts as files of their own, --hard hard.stl --soft soft.stl";
+
 /// Bad input that is found after reading gets the files' names.
 model::Assembly assembled(const ModelParts& parts, const model::HingeChoices& choices) {
   try {
     return make_assembly(parts.parts, choices);
+  } catch (const model::NoHinges& e) {
+    throw InvalidInput(e.reason() + if_films, {parts.source});
   } catch (const InvalidInput& e) {
     throw InvalidInput(e.reason(), {parts.source});
   }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -18,6 +19,16 @@ namespace {
 constexpr double near_enough = 0.05;
 // Cell edges: the equilibrium that a path from flat ends in is that of the search, but for rounding.
 constexpr double same_state = 1e-6;
+
+// Springs so much stiffer than their hinges rest at 1.25 times the turn that they hold.
+constexpr double spring_over_hinge = 4;
+
+/// N mm/rad
+double stiffest_turn(const model::Elasticity& elasticity, int hinges) {
+  double most = 0;
+  for (int h = 0; h < hinges; ++h) most = std::max(most, elasticity.of(static_cast<std::size_t>(h)).k_turn);
+  return most;
+}
 
 model::SheetDrive springs(const Run& run, double theta) {
   return {
@@ -147,9 +158,12 @@ void settle_in_matter(Run& run, const Scene& scene, const RunOptions& options) {
   if (!run.equilibrium->reached()) return miss(run, shown.why);
   scene.judge_matter(run, shown.state);
   if (!run.goal->met() && run.goal_drive.kind == GoalDrive::Kind::usual)
-    run.goal->violations.push_back(
+    run.goal->violations.push_back(fmt::format(
         "plates and single hinges let soft hinges lean or buckle sooner than they fold them: try "
-        "`drive: {kind: shape_memory, k_turn: ...}`, springs in all hinges, or stiffer hinges");
+        "`drive: {{kind: shape_memory, k_turn: {:.3g}}}`, springs in all hinges, {:g} times as stiff as "
+        "these, or "
+        "stiffer hinges",
+        spring_over_hinge * stiffest_turn(elasticity, run.structure.hinges()), spring_over_hinge));
   if (!(aligned_distance(run.structure, shown.state, found.after.state).max <= same_state))
     take_end_of_path(run, scene, shown.state);
 }

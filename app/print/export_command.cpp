@@ -25,17 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// @param source a design, the folder of a result, or its result.json, which stands beside the design
-std::string design_file(const std::string& source) {
-  const fs::path path(source);
-  if (path.filename() == "result.json" && fs::exists(path.parent_path() / "design.yaml"))
-    return (path.parent_path() / "design.yaml").string();
-  if (!fs::is_directory(source)) return source;
-  const fs::path inside = fs::path(source) / "design.yaml";
-  if (fs::exists(inside)) return inside.string();
-  throw InvalidInput(source + ": no design.yaml in this folder; give a design, or the folder of a result");
-}
-
 /// The entry of that name. @param allowed as (name, value)
 template <class Value>
 Value named(const char* option, const std::string& name,
@@ -114,6 +103,30 @@ std::vector<std::string> idle_options(const PrintRequest& request, const DesignF
   return all;
 }
 
+/// What cells of another edge do to the size that the design was made for.
+std::optional<std::string> size_note(const DesignFile& design, double edge_mm) {
+  const double own_mm = design.structure.size().edge_mm;
+  const auto resized = resized_words(own_mm, edge_mm);
+  if (!resized) return std::nullopt;
+  return fmt::format(
+      "made with cells of {:.3g} mm instead of {:.3g}: {}; for the size that its goal asked for search again "
+      "with {} cells",
+      edge_mm, own_mm, *resized, edge_mm > own_mm ? "fewer" : "more");
+}
+
+/// What formats that were asked for leave out of what was asked.
+std::optional<std::string> always_flat_note(const PrintRequest& request,
+                                            const std::vector<const PrintFormat*>& formats) {
+  if (!request.folded) return std::nullopt;
+  std::vector<std::string_view> flat;
+  for (const PrintFormat* format : formats)
+    if (format->is_always_flat) flat.push_back(format->name);
+  if (flat.empty()) return std::nullopt;
+  return fmt::format(
+      "--state folded changes nothing in {}, which always {} the flat sheet; sizes here are of the fold",
+      fmt::join(flat, " and "), flat.size() > 1 ? "draw" : "draws");
+}
+
 /// What is to be made: a design, or a coupon.
 struct Source {
   std::string file;
@@ -135,6 +148,8 @@ struct Source {
       PreparedPrint print = prepared_of_design(request, process);
       for (std::string& idle : idle_options(request, *design, print.job.sheet))
         print.job.sheet.warnings.push_back(std::move(idle));
+      if (auto note = size_note(*design, print.job.sheet.linkage.size.edge_mm))
+        print.job.sheet.warnings.push_back(std::move(*note));
       return print;
     } catch (const InvalidInput& e) {
       throw InvalidInput(e.reason(), {file, 0, 0, e.place().key});
@@ -162,7 +177,7 @@ struct Source {
 Source source_of(const PrintRequest& request) {
   if (request.coupon == request.source.empty()) {
     if (request.coupon) return {};
-    const std::string file = design_file(request.source);
+    const std::string file = design_at(request.source);
     return {file, read_design(file)};
   }
   throw InvalidInput("export needs a design, the folder of a result, or --coupon, and one of them only");
@@ -214,6 +229,7 @@ Exported exported(const Source& source, const PrintRequest& request, const std::
   progress("building solids", -1);
   PreparedPrint print = source.prepared_for(request);
   lay_as_asked(request, print.job);
+  if (auto note = always_flat_note(request, formats)) print.job.sheet.warnings.push_back(std::move(*note));
   if (request.slice) progress("slicing", -1);
   const std::optional<SlicerAnswer> slicer =
       request.slice ? std::optional(ask_slicer(print.job)) : std::nullopt;

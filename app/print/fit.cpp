@@ -14,6 +14,7 @@ namespace {
 constexpr double largest_scale = 100;  // times the sheet: beyond it no walls of millimetres would be any
 constexpr double step_mm = 0.5;        // mm: cell edges are proposed in whole steps
 constexpr double growth = 1.3;         // from one tried cell edge to the next, until one does
+constexpr double told_size = 0.005;    // of a cell edge: less is rounding of sizes with three digits
 // Of a pin's height over the wall's, tried in this order: the higher, the stiffer.
 constexpr double lower_shares[] = {0.8, 0.6, 0.4};
 
@@ -141,11 +142,19 @@ std::string would_do(const Order& order, const Attempt& refused, PrintChoice cho
   choice.edge_mm = *edge;
   const model::CellSize size = resized(order.design.structure.size(), choice, order.process);
   const bool is_on_bed = !choice.bed_mm || best_attempt(order, choice).print;
-  return fmt::format("; with walls of {:.3g} x {:.3g} mm a cell_mm of {:g} would do (--cell-mm {:g}){}",
-                     size.thickness_mm, size.height_mm, *edge, *edge, is_on_bed ? "" : ", on a larger bed");
+  const auto larger = resized_words(order.design.structure.size().edge_mm, *edge);
+  return fmt::format("; with walls of {:.3g} x {:.3g} mm a cell_mm of {:g} would do (--cell-mm {:g}){}{}",
+                     size.thickness_mm, size.height_mm, *edge, *edge, is_on_bed ? "" : ", on a larger bed",
+                     larger ? ": " + *larger : "");
 }
 
 }  // namespace
+
+std::optional<std::string> resized_words(double from_mm, double to_mm) {
+  const double times = to_mm / from_mm;
+  if (std::abs(times - 1) < told_size) return std::nullopt;
+  return fmt::format("the sheet and what it folds to are {:.3g} times as large", times);
+}
 
 PreparedPrint prepared(const DesignFile& design, const model::Process& process, const PrintChoice& choice,
                        bool folded) {

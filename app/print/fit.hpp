@@ -26,6 +26,10 @@ PreparedPrint prepared(const DesignFile& design, const model::Process& process, 
 PreparedPrint prepared_as_fits(const DesignFile& design, const model::Process& process, PrintChoice choice,
                                bool folded);
 
+/// What larger or smaller cells do to a sheet: "the sheet and what it folds to are 3.11 times as large"; nothing where they do not
+/// change it by more than rounding.
+std::optional<std::string> resized_words(double from_mm, double to_mm);
+
 /// Why `prepared` would refuse a sheet, without the cell edge that would do, which takes long to find; nothing where it would
 /// not.
 std::optional<std::string> why_unprepared(const DesignFile& design, const model::Process& process,

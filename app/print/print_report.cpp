@@ -20,6 +20,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr double worth_turning = 0.99;  // of the overhang: less is not told of, as it is rounding of faces
 
+constexpr double shown_mm2 = 0.05;  // mm^2: less is told as 0.0
+
 Json vector_json(const Eigen::Vector3d& v) { return Json::array({v.x(), v.y(), v.z()}); }
 
 Eigen::Vector3d bounds(const model::Polyhedron& solid) {
@@ -117,17 +119,32 @@ std::string slicer_words(const SlicerAnswer& slicer) {
                      print.prints > 1 ? fmt::format(" in {} prints", print.prints) : "");
 }
 
+/// How the sheet lies in its files.
+const Lie& lie_now(const PrintJob& job, const std::vector<Lie>& all) {
+  return *std::find_if(all.begin(), all.end(), [&](const Lie& lie) { return lie.name == job.lie; });
+}
+
 /// What files hold, and whether less would hang over lying another way.
 std::string orientation_words(const PrintJob& job) {
   const std::vector<Lie> all = lies(job);
   const Lie& least = best(all);
   const std::string here =
       job.turned ? "turned over about x, as it is in the files" : "flat on the bed, as it is in the files";
-  const Lie& now = *std::find_if(all.begin(), all.end(), [&](const Lie& lie) { return lie.name == job.lie; });
+  const Lie& now = lie_now(job, all);
   const std::string hangs = fmt::format("{}; {:.1f} mm2 lean more than {:g} degrees over the bed", here,
                                         now.overhang_mm2, steep_deg);
   if (!(least.overhang_mm2 < worth_turning * now.overhang_mm2)) return hangs + ", no less on the other side";
   return fmt::format("{}, {:.1f} mm2 with --orient {}", hangs, least.overhang_mm2, least.name);
+}
+
+/// What the process asks for under the overhang, as the sheet lies in its files.
+std::string support_words(const PrintJob& job) {
+  const double hangs = lie_now(job, lies(job)).overhang_mm2;
+  if (hangs < shown_mm2) return "none";
+  const std::string& carries = job.sheet.process.carries;
+  if (!carries.empty())
+    return fmt::format("none to plan: {} carries the {:.1f} mm2 that lean", carries, hangs);
+  return fmt::format("under the {:.1f} mm2 that lean more than {:g} degrees over the bed", hangs, steep_deg);
 }
 
 }  // namespace
@@ -224,11 +241,7 @@ std::string print_text(const PrintJob& job, const PathClearance& clearance,
          fmt::format("{} parts of their own, which hold by friction in the forks", sheet.loose_rods()));
   line("orientation", orientation_words(job));
   if (slicer) line("slicer", slicer_words(*slicer));
-  const double steep = steepest_deg(sheet);
-  line("supports", steep <= steep_deg
-                       ? "none"
-                       : fmt::format("under walls that lean more than {:g} degrees: up to {:.1f} here",
-                                     steep_deg, steep));
+  line("supports", support_words(job));
   if (const auto gaps = gap_settings(sheet)) line("gaps", gap_words(*gaps));
   const LeastDistance& least = clearance.least();
   if (least.first >= 0 && sheet.path.size() > 1)

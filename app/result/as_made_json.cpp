@@ -25,7 +25,8 @@ std::string share_words(double share) {
   return share < 0.01 ? "under 1 %" : fmt::format("{:.0f} %", 100 * share);
 }
 
-std::string prints_words(const PrintedGoal& printed) {
+/// @param goal what distances are from
+std::string prints_words(const PrintedGoal& printed, const std::string& goal) {
   const model::PrintRuns& runs = *printed.runs;
   if (runs.prints == 0)
     return fmt::format(
@@ -33,8 +34,8 @@ std::string prints_words(const PrintedGoal& printed) {
         "NOTHING OF THEM",
         runs.failed);
   std::string text =
-      fmt::format("{} prints in the elastic model: {:.2f} mm off the goal (rms), 95 of 100 within {:.2f} mm",
-                  runs.prints, runs.rms_mm, runs.p95_mm);
+      fmt::format("{} prints in the elastic model: {:.2f} mm off {} (rms), 95 of 100 within {:.2f} mm",
+                  runs.prints, runs.rms_mm, goal, runs.p95_mm);
   if (runs.failed > 0) text += fmt::format("; {} more found no equilibrium near the design", runs.failed);
   return text + (printed.is_confirmed() ? "" : ": FIRST ORDER IS FAR FROM THEM");
 }
@@ -73,11 +74,17 @@ std::optional<std::string> contact_words(const Run& run) {
       to_degrees(run.theta), run.certified->printed.growth_mm);
 }
 
+/// Three digits, and all before the point: forces of hundreds without a power of ten.
+std::string held_load_text(double load) {
+  return load < 100 ? fmt::format("{:.3g}", load) : fmt::format("{:.0f}", load);
+}
+
 std::string taken_words(const TakenHinges& taken) {
   const model::MadeHinge& block = taken.made;
-  const std::string held = !taken.load ? ""
-                                       : fmt::format(", held there by {:.2g} {} ({})", std::abs(*taken.load),
-                                                     taken.load_unit(), effort_of(taken));
+  const std::string held =
+      !taken.load ? ""
+                  : fmt::format(", held there by {} {} ({})", held_load_text(std::abs(*taken.load)),
+                                taken.load_unit(), effort_of(taken));
   return fmt::format(
       "hinges, left open, are taken for {} blocks {:.1f} mm long that keep their turns: strained by {:.2f} "
       "of "
@@ -149,8 +156,8 @@ std::vector<std::string> as_made_reasons(const Run& run) {
   const PrintedGoal& printed = *run.printed;
   std::vector<std::string> why = unprintable(run);
   if (printed.made.p95_mm > printed.tolerance_mm)
-    why.push_back(fmt::format("95 of 100 prints stay within {:.2f} mm of the goal, and {:.2f} mm are allowed",
-                              printed.made.p95_mm, printed.tolerance_mm));
+    why.push_back(fmt::format("95 of 100 prints stay within {:.2f} mm of {}, and {:.2f} mm are allowed",
+                              printed.made.p95_mm, run.goal->judged_against(), printed.tolerance_mm));
   if (!printed.runs) return why;
   const model::PrintRuns& runs = *printed.runs;
   if (runs.failed > 0)
@@ -158,9 +165,9 @@ std::vector<std::string> as_made_reasons(const Run& run) {
                               runs.failed, runs.prints + runs.failed));
   if (runs.prints > 0 && runs.p95_mm > printed.tolerance_mm)
     why.push_back(
-        fmt::format("of {} prints in the elastic model 95 of 100 came within {:.2f} mm of the goal, and "
+        fmt::format("of {} prints in the elastic model 95 of 100 came within {:.2f} mm of {}, and "
                     "{:.2f} mm are allowed",
-                    runs.prints, runs.p95_mm, printed.tolerance_mm));
+                    runs.prints, runs.p95_mm, run.goal->judged_against(), printed.tolerance_mm));
   return why;
 }
 
@@ -170,10 +177,10 @@ std::vector<SummaryLine> as_made_lines(const Run& run) {
   if (!run.printed) return {};
   const model::AsMade& made = run.printed->made;
   std::vector<SummaryLine> lines = {
-      {"as made", fmt::format("printed by {}: {:.2f} mm off the goal (rms over points of the sheet; {:.2f} "
+      {"as made", fmt::format("printed by {}: {:.2f} mm off {} (rms over points of the sheet; {:.2f} "
                               "mm as designed), 95 of 100 prints within {:.2f} mm; {:.2f} mm are allowed: {}",
-                              run.process.name, made.rms_mm, made.designed_mm, made.p95_mm,
-                              run.printed->tolerance_mm, verdict_words(run))}};
+                              run.process.name, made.rms_mm, run.goal->judged_against(), made.designed_mm,
+                              made.p95_mm, run.printed->tolerance_mm, verdict_words(run))}};
   if (const auto contact = contact_words(run)) lines.push_back({"", *contact});
   if (const auto places = sources_by_place(run); !places.empty())
     lines.push_back({"", fmt::format("{} of {}: {} of what errors do", plural_words[places[0].parameter],
@@ -187,12 +194,12 @@ std::vector<SummaryLine> as_made_lines(const Run& run) {
   }
   if (const auto& tight = run.printed->without_play)
     lines.push_back(
-        {"", fmt::format(
-                 "of which play of {:g} mm a side, {:.2f} deg: without it {:.2f} mm off the goal, 95 of 100 "
-                 "within {:.2f} mm",
-                 loosest_pin(run)->clearance_mm, to_degrees(tilt_play(*loosest_pin(run))), tight->rms_mm,
-                 tight->p95_mm)});
-  if (run.printed->runs) lines.push_back({"", prints_words(*run.printed)});
+        {"",
+         fmt::format("of which play of {:g} mm a side, {:.2f} deg: without it {:.2f} mm off {}, 95 of 100 "
+                     "within {:.2f} mm",
+                     loosest_pin(run)->clearance_mm, to_degrees(tilt_play(*loosest_pin(run))), tight->rms_mm,
+                     run.goal->judged_against(), tight->p95_mm)});
+  if (run.printed->runs) lines.push_back({"", prints_words(*run.printed, run.goal->judged_against())});
   if (run.printed->taken) {
     lines.push_back({"", taken_words(*run.printed->taken)});
     lines.push_back({"", "`hinge:` and `drive:` in the file say what other hinges come to"});

@@ -33,11 +33,12 @@ std::vector<SummaryLine> matter_lines(const Run& run) {
   if (!run.matter) return {};
   const MatterResult& matter = *run.matter;
   if (!std::isfinite(matter.after_mm)) return {{"matter", "NO EQUILIBRIUM: " + matter.why}};
-  return {{"matter",
-           fmt::format("with its hinges as made {:.3g} mm off the goal (rms); the exact design would be "
-                       "{:.3g} mm off; {:.3g} mm are allowed",
-                       matter.after_mm, matter.before_mm, matter.tolerance_mm)},
-          {"", change_text(matter)}};
+  return {
+      {"matter",
+       fmt::format("with its hinges as made, points of the sheet are {:.3g} mm off {} (rms), where those of "
+                   "the exact design would be {:.3g} mm off; its prints are allowed {:.3g} mm",
+                   matter.after_mm, run.goal->judged_against(), matter.before_mm, matter.tolerance_mm)},
+      {"", change_text(matter)}};
 }
 
 }  // namespace kinetix::app

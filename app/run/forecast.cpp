@@ -36,14 +36,7 @@ void add_settings(const GoalSettings& settings, Forecast& forecast) {
   forecast.search_s += matter_seconds(settings, forecast.sheet);
 }
 
-Eigen::Vector3d flat_size(const model::Linkage& linkage) {
-  Eigen::AlignedBox3d box;
-  for (const model::LinkageBody& body : linkage.bodies) box.extend(linkage.size.edge_mm * body.position);
-  const double half = 0.5 * linkage.size.thickness_mm;
-  Eigen::Vector3d size = box.sizes() + Eigen::Vector3d(2 * half, 2 * half, 0);
-  size.z() = linkage.size.height_mm;
-  return size;
-}
+Eigen::Vector3d flat_size(const model::Linkage& linkage) { return size_of(linkage, rest_state(linkage)); }
 
 Eigen::Vector3d size_of(const model::Linkage& linkage, const model::State& state) {
   Eigen::AlignedBox3d all;

@@ -27,7 +27,7 @@ double matter_seconds(const GoalSettings& settings, const model::Sheet& sheet);
 /// Adds what the settings that every goal has take and risk: matter_seconds(), and what the process cannot make.
 void add_settings(const GoalSettings& settings, Forecast& forecast);
 
-/// Edges of the box around the flat sheet, mm.
+/// Edges of the box around all half walls of the flat sheet, mm: walls that lean reach beyond its cells.
 Eigen::Vector3d flat_size(const model::Linkage& linkage);
 
 /// Edges of the box around all half walls in a state, along the axes of its frame, mm.

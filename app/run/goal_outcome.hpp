@@ -40,6 +40,9 @@ class GoalOutcome {
     return strained ? "WITHIN TOLERANCE, BUT HINGES ARE STRAINED TOO FAR" : "MISSES THE TOLERANCE";
   }
 
+  /// What distances of points of the sheet are from, in words.
+  virtual std::string judged_against() const { return "the goal"; }
+
   /// Whether its columns alone say where something is in the sheet.
   virtual bool is_strip() const { return false; }
 

@@ -266,7 +266,7 @@ class Builder {
 
   void check_joined() const {
     if (out_.hinges.empty())
-      throw InvalidInput("has no hinge: no soft part, and no hard part with a rod in the bore of another");
+      throw NoHinges("has no hinge: no soft part, and no hard part with a rod in the bore of another");
     if (const auto body = first_apart(out_))
       throw InvalidInput("hard part `" + out_.bodies[*body].name + "` hangs on no chain of hinges with `" +
                          out_.bodies[0].name + "`");

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "model/base/invalid_input.hpp"
 #include "model/linkage/linkage.hpp"
 #include "model/matter/made_hinge.hpp"
 #include "model/solids/polyhedron.hpp"
@@ -16,6 +17,12 @@ struct ModelPart {
   std::string name;
   bool soft = false;
   Polyhedron solid;
+};
+
+/// Parts of which none is soft, nor a rod in the bore of another.
+class NoHinges : public InvalidInput {
+ public:
+  using InvalidInput::InvalidInput;
 };
 
 /// A rigid body of an assembly.

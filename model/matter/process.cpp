@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 
 #include "model/base/invalid_input.hpp"
 
 namespace kinetix::model {
 namespace {
+
+constexpr double plainly_less = 0.99;  // of the least: sizes that are nearer differ only beyond three digits
 
 void check(const char* field, double value, double most) {
   if (value >= 0 && value <= most) return;
@@ -24,6 +27,7 @@ class Problems {
   void compare(const char* what, double asked, double least) {
     if (asked >= least) return;
     std::ostringstream text;
+    if (asked < plainly_less * least) text << std::setprecision(3);
     text << what << " of " << asked << " mm is less than " << process_.name << " prints, " << least << " mm";
     all_.push_back({text.str(), edge_mm_ * least / asked});
   }
@@ -52,7 +56,11 @@ const std::vector<Process>& processes() {
        "a droplet",
        "tango",
        {255, 252},
-       true},
+       true,
+       "",
+       false,
+       {},
+       "support material that the printer lays down by itself"},
       {"fdm",
        0.3,
        0.4,
@@ -94,7 +102,10 @@ const std::vector<Process>& processes() {
        "tpu95a",
        {165, 165},
        false,
-       "pa12"}};
+       "pa12",
+       false,
+       {},
+       "the powder"}};
   return all;
 }
 

@@ -43,6 +43,8 @@ struct Process {
   bool spreads_on_bed =
       false;  ///< first layers, as plastic is pressed and resin hardened for long against a bed
   std::optional<Filament> filament = {};  ///< of processes that lay one down: their overhangs sag
+  std::string carries =
+      {};  ///< what holds up overhangs without supports that one has to plan; empty: nothing
 
   bool operator==(const Process& other) const {
     return name == other.name && clearance_mm == other.clearance_mm &&

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 
 #include "model/base/invalid_input.hpp"
@@ -91,8 +92,8 @@ void check_room(const Linkage& linkage, int body, const ArmSolid& arm) {
   if (room >= least) return;
   std::ostringstream message;
   message << "the hinge of wall " << linkage.wall_name(arm.hinge) << " overlaps the junction at vertex "
-          << linkage.vertex_name(body) << ": its plate would have to be " << least - room
-          << " mm longer (move t towards 0.5, or take a larger cell or a smaller hinge)";
+          << linkage.vertex_name(body) << ": its plate would have to be " << std::setprecision(3)
+          << least - room << " mm longer (move t towards 0.5, or take a larger cell or a smaller hinge)";
   throw InvalidInput(message.str());
 }
 

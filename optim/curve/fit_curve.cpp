@@ -62,9 +62,9 @@ void keep_below_closing(CurveVariables& v, const model::CellSize& size, std::vec
   const double closing = closing_theta(size) - model::closing_margin;
   if (!(v.theta.upper > closing)) return;
   if (!(v.theta.lower < closing))
-    throw InvalidInput(
-        fmt::format("walls of {} mm in cells of {} mm close at theta {:.1f} deg, below the range asked for",
-                    size.thickness_mm, size.edge_mm, to_degrees(closing)));
+    throw InvalidInput(fmt::format(
+        "walls of {:.3g} mm in cells of {:.3g} mm close at theta {:.1f} deg, below the range asked for",
+        size.thickness_mm, size.edge_mm, to_degrees(closing)));
   v.theta.upper = closing;
   notes.push_back(fmt::format("theta kept below {:.2f} deg, where walls of {:.3g} mm close the cells",
                               to_degrees(closing), size.thickness_mm));

@@ -16,9 +16,8 @@ using Lengths = std::array<double, 3>;
 
 constexpr int usual_columns = 2;  // of a right angle: one makes walls meet early
 constexpr double usual_theta =
-    26 * radians_per_degree;  // rad, until a search has found one: that of most boxes
-constexpr int fewest = 3,
-              most = 10;  // cells along the shortest edge: fewer are no face, more nobody wants to print
+    26 * radians_per_degree;    // rad, until a search has found one: that of most boxes
+constexpr int fewest = 3;       // cells along the shortest edge: fewer are hardly a face
 constexpr double good = 0.019;  // a miss over the edge that more cells need not mend: 0.8 mm of 40
 constexpr int telling = 4;      // cells along an edge: walls meet at creases, however wide the faces are
 constexpr int rounds = 6;       // cells and theta depend on each other: two or three settle
@@ -60,7 +59,7 @@ std::array<int, 3> nearest_cells(const Lengths& asked_mm, double inset) {
   const double shortest = *std::min_element(asked_mm.begin(), asked_mm.end());
   std::array<int, 3> best = {};
   double least = std::numeric_limits<double>::infinity();
-  for (int count = fewest; count <= most && !(least <= good); ++count) {
+  for (int count = fewest; count <= most_cells_across && !(least <= good); ++count) {
     const auto cells = cells_at(asked_mm, shortest / (count + 2 * inset), inset);
     if (*std::max_element(cells.begin(), cells.end()) > targets::max_face_side) break;
     const Lengths lengths = pitches(cells, inset);
@@ -75,9 +74,15 @@ std::array<int, 3> nearest_cells(const Lengths& asked_mm, double inset) {
   return best;
 }
 
+std::array<int, 3> cells_with_shortest(const Lengths& asked_mm, int shortest, double inset) {
+  return cells_at(asked_mm, *std::min_element(asked_mm.begin(), asked_mm.end()) / (shortest + 2 * inset),
+                  inset);
+}
+
 class BoxSearch {
  public:
-  explicit BoxSearch(const BoxOptions& options) : options_(options) {
+  /// @param shortest cells along the shortest edge; 0: any
+  explicit BoxSearch(const BoxOptions& options, int shortest = 0) : options_(options), shortest_(shortest) {
     if (options.crease_columns > 0) columns_ = options.crease_columns;
   }
 
@@ -102,7 +107,8 @@ class BoxSearch {
       now_.edge_mm = *options_.edge_mm;
       now_.edges = cells_at(options_.asked_mm, now_.edge_mm * std::cos(theta_), inset());
     } else {
-      now_.edges = nearest_cells(options_.asked_mm, inset());
+      now_.edges = shortest_ > 0 ? cells_with_shortest(options_.asked_mm, shortest_, inset())
+                                 : nearest_cells(options_.asked_mm, inset());
       now_.edge_mm = best_pitch(options_.asked_mm, pitches(now_.edges, inset())) / std::cos(theta_);
     }
     now_.folded_mm = folded_box(now_.edges, now_.edge_mm, theta_, columns_);
@@ -123,10 +129,52 @@ class BoxSearch {
   }
 
   const BoxOptions& options_;
+  const int shortest_;
   double theta_ = usual_theta;  // rad
   int columns_ = usual_columns;
   BoxInCells now_;
 };
+
+constexpr double told_parts = 100;      // of a mm: cell edges are proposed in whole ones
+constexpr double thickest_share = 0.5;  // of a cell edge: walls as thick leave no room between them
+
+/// Of any cell edge: how near so many cells along the shortest edge can come, whatever a search finds.
+double least_miss(const BoxOptions& options, int shortest) {
+  const int given = options.crease_columns;
+  double least = std::numeric_limits<double>::infinity();
+  for (int columns = std::max(given, 1); columns <= (given > 0 ? given : targets::max_crease_columns);
+       ++columns) {
+    const double inset = targets::edge_inset(pi / 2, columns);
+    const Lengths lengths = pitches(cells_with_shortest(options.asked_mm, shortest, inset), inset);
+    least = std::min(least, miss_at(options.asked_mm, lengths, best_pitch(options.asked_mm, lengths)));
+  }
+  return least;
+}
+
+/// What a box of cells with the edge of the options folds to, as a search finds it; nothing where it misses its size by more.
+std::optional<BoxInCells> folded_within(const BoxOptions& options, double tolerance) {
+  BoxInCells box = fit_box(options);
+  FoldOptions fold = options.fold;
+  fold.size = options.size(box.edge_mm);
+  const FoldDesign design =
+      fit_fold(targets::box_goal(box.edges, options.open, options.crease_columns), fold);
+  if (!design.folds) return std::nullopt;
+  box.folded_mm =
+      folded_box(box.edges, box.edge_mm, design.folded.theta, design.folded.layout.creases[0].columns());
+  return size_miss(box.folded_mm, options.asked_mm) <= tolerance ? std::optional(box) : std::nullopt;
+}
+
+/// @param shortest cells along the shortest edge
+std::optional<BoxInCells> folded_with(BoxOptions options, int shortest, double tolerance) {
+  if (!(least_miss(options, shortest) <= tolerance)) return std::nullopt;
+  options.edge_mm.reset();
+  const BoxInCells about = BoxSearch(options, shortest).run();
+  if (*std::max_element(about.edges.begin(), about.edges.end()) > targets::max_face_side) return std::nullopt;
+  if (!(size_miss(about.folded_mm, options.asked_mm) <= tolerance)) return std::nullopt;
+  options.edge_mm = std::round(about.edge_mm * told_parts) / told_parts;
+  if (!(options.size(*options.edge_mm).thickness_mm < thickest_share * *options.edge_mm)) return std::nullopt;
+  return folded_within(options, tolerance);
+}
 
 }  // namespace
 
@@ -143,5 +191,15 @@ Lengths folded_box(const std::array<int, 3>& edges, double edge_mm, double theta
 }
 
 BoxInCells fit_box(const BoxOptions& options) { return BoxSearch(options).run(); }
+
+std::optional<BoxInCells> other_cells(const BoxOptions& options, double tolerance) {
+  for (int shortest = 1; shortest <= most_cells_across && !options.fold.stop.stop_requested(); ++shortest)
+    try {
+      if (const auto box = folded_with(options, shortest, tolerance)) return box;
+    } catch (const InvalidInput&) {
+      continue;  // walls that such cells have no room for
+    }
+  return std::nullopt;
+}
 
 }  // namespace kinetix::optim

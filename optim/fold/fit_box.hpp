@@ -37,4 +37,11 @@ struct BoxOptions {
 /// @throws InvalidInput where the cells would be more than targets::max_face_side, or the box thinner than its creases
 BoxInCells fit_box(const BoxOptions& options);
 
+inline constexpr int most_cells_across = 10;  ///< along the shortest edge: more nobody wants to print
+
+/// Large cells, their edge in whole hundredths of a mm, of which a box folds whose edges miss by no more than a share of them, as
+/// fit_box and fit_fold find it where the edge is given: of 1, 2 and so on cells along the shortest edge the first. Nothing where none
+/// up to most_cells_across does. @param options whose own edge does not count   @param tolerance ratio, > 0
+std::optional<BoxInCells> other_cells(const BoxOptions& options, double tolerance);
+
 }  // namespace kinetix::optim

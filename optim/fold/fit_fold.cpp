@@ -66,7 +66,7 @@ class NetSearch {
   FoldDesign run() {
     if (!(upper_ > options_.theta.lower))
       throw InvalidInput(
-          fmt::format("walls of {} mm in cells of {} mm close at theta {:.1f} deg, below the range "
+          fmt::format("walls of {:.3g} mm in cells of {:.3g} mm close at theta {:.1f} deg, below the range "
                       "asked for",
                       options_.size.thickness_mm, options_.size.edge_mm, to_degrees(upper_)));
     const int finest = all_columns_are_given(goal_.nets[0]) ? 1 : most_columns_a_right_angle;

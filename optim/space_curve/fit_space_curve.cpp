@@ -218,7 +218,8 @@ std::optional<SpaceObstacle> obstacle(const targets::SpaceGoal& goal, const Spac
         across.arc_mm,
         fmt::format("the curve climbs across the strip by {:.3g} of its length {}, more than the "
                     "{:.3g} that columns can shear at theta {:.3g} deg, in whatever direction the strip "
-                    "lies; allow a larger theta or t nearer to 0 and 1",
+                    "lies; allow a larger theta (variables.theta.range_deg) or t nearer to 0 and 1 "
+                    "(variables.t.range)",
                     across.slope, place_words(goal, across.arc_mm), most.climb / 2,
                     to_degrees(allowed_theta(v).upper))};
   const SpaceStrip strip = followed(seen(goal, frame_across(goal, across.direction)), v.columns);

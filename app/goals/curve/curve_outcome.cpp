@@ -98,8 +98,9 @@ std::vector<SummaryLine> CurveOutcome::summary_lines(const Run& run) const {
   const targets::CurveError& error = found.design.error;
   std::vector<SummaryLine> lines;
   lines.push_back(
-      {"shape", fmt::format("rms {:.2e} of the goal's diagonal ({:.3f} mm), largest {:.3f} mm: {}", error.rms,
-                            error.rms * error.scale_mm, error.max * error.scale_mm, verdict_of(*this))});
+      {"shape",
+       fmt::format("rms {:.2e} of the goal's diagonal ({:.3f} mm from curve to curve), largest {:.3f} mm: {}",
+                   error.rms, error.rms * error.scale_mm, error.max * error.scale_mm, verdict_of(*this))});
   for (const std::string& why : violations) lines.push_back({"why", why});
   if (robust) lines.push_back({"robust", robust_text(*robust)});
   const optim::SolveResult& best = found.design.search.runs[found.design.chosen];

@@ -9,6 +9,11 @@
 #include "targets/document/number.hpp"
 
 namespace kinetix::app {
+namespace {
+
+constexpr double told_miss = 0.001;  // degrees of a crease, and share of a face's edge: less is no matter
+
+}  // namespace
 
 double largest_miss(const std::vector<FoldedCrease>& creases) {
   double most = 0;
@@ -17,8 +22,10 @@ double largest_miss(const std::vector<FoldedCrease>& creases) {
 }
 
 std::string in_words(const std::vector<FoldedCrease>& creases, double rms) {
-  return fmt::format("{} crease{} within {:.1e} deg, faces {:.1e} of their edge from the solid (rms)",
-                     creases.size(), creases.size() == 1 ? "" : "s", to_degrees(largest_miss(creases)), rms);
+  const double miss = to_degrees(largest_miss(creases));
+  return fmt::format("{} crease{} within {:.3g} deg, faces {} of their edge from the solid (rms)",
+                     creases.size(), creases.size() == 1 ? "" : "s", std::max(miss, told_miss),
+                     rms < told_miss ? fmt::format("less than {:g}", told_miss) : fmt::format("{:.3g}", rms));
 }
 
 std::vector<std::string> violations(const FoldFile& file, const std::vector<FoldedCrease>& creases,

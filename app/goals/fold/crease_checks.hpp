@@ -28,7 +28,7 @@ std::vector<FoldedCrease> folded_creases(const Creases& creases, const std::vect
 /// The most that a crease folds too far or not far enough, rad.
 double largest_miss(const std::vector<FoldedCrease>& creases);
 
-/// "12 creases within 1e-10 deg, faces 2e-9 of their edge from the solid (rms)". @param rms over the edge of a face
+/// "12 creases within 0.001 deg, faces less than 0.001 of their edge from the solid (rms)". @param rms over the edge of a face
 std::string in_words(const std::vector<FoldedCrease>& creases, double rms);
 
 /// What a state lacks of what the file asks, a line each. @param who shows the state: "model"

@@ -3,7 +3,6 @@
 #include "app/files/file_header.hpp"
 #include "app/files/structure_section.hpp"
 #include "app/files/variables_section.hpp"
-#include "optim/fold/fit_box.hpp"
 #include "targets/fold/read_fold.hpp"
 
 namespace kinetix::app {
@@ -41,6 +40,20 @@ void read_structure(const targets::Section& root, FoldFile& file) {
   file.size = read_size(root.section("structure"), fold_cell_mm);
 }
 
+/// Walls for any cell edge, whatever edge the file gives: its own sizes, and what follows from the edge.
+std::function<model::CellSize(double)> walls_for(const targets::Section& structure,
+                                                 const model::CellSize& given) {
+  const targets::Section wall = structure.section("wall_mm");
+  const bool has_thickness = wall.optional("thickness").has_value(),
+             has_height = wall.optional("height").has_value();
+  return [=](double edge_mm) {
+    model::CellSize size = default_size(edge_mm);
+    if (has_thickness) size.thickness_mm = given.thickness_mm;
+    if (has_height) size.height_mm = given.height_mm;
+    return size;
+  };
+}
+
 /// Cells and their edge for a box of given size.
 void choose_cells(const targets::Section& root, FoldFile& file) {
   const targets::Node target = root.required("target", "");
@@ -57,6 +70,8 @@ void choose_cells(const targets::Section& root, FoldFile& file) {
   file.size = options.size(box.edge_mm);
   file.goal = targets::box_goal(box.edges, options.open, options.crease_columns);
   file.goal.box_mm = options.asked_mm;
+  options.size = walls_for(structure, file.size);
+  file.box = std::move(options);
 }
 
 void check_force_limit(const targets::Node& force, const FoldFile& file) {

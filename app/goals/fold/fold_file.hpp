@@ -6,6 +6,7 @@
 #include "app/files/hinge_limits.hpp"
 #include "app/files/process_section.hpp"
 #include "model/lattice/square/structure.hpp"
+#include "optim/fold/fit_box.hpp"
 #include "optim/solvers/variables.hpp"
 #include "targets/fold/fold_goal.hpp"
 
@@ -20,7 +21,8 @@ namespace kinetix::app {
 struct FoldFile : GoalSettings {
   std::string name;
   targets::FoldGoal goal;
-  model::CellSize size = {};              ///< structure.cell_mm (default 10), structure.wall_mm
+  std::optional<optim::BoxOptions> box = {};  ///< of goal.box_mm: the box with walls for any cell edge
+  model::CellSize size = {};                  ///< structure.cell_mm (default 10), structure.wall_mm
   double tilt = 60 * radians_per_degree;  ///< rad: the nearer end of variables.beta.range_deg, which holds 0
                                           ///< inside: tilts alternate in sign along a crease; (0, 89] deg
   optim::AngleRange theta = {2 * radians_per_degree,

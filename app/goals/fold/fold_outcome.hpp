@@ -22,11 +22,17 @@ class FoldOutcome final : public GoalOutcome {
   optim::FoldDesign design;
   std::optional<FoldLoads> loads;      ///< where the file limits them
   std::optional<FoldLoads> unlimited;  ///< what it would be without limits, where they made a difference
+  std::string instead;                 ///< what to do about the size of the box, where it is not met
   std::optional<targets::FoldError> physics;  ///< of the settled physics run
 
   std::vector<FoldedCrease> creases(const targets::FoldError& error) const;
   /// Edges of the ideal box, mm: faces, and what the creases add at both ends. @pre goal.box
   std::array<double, 3> edges_mm() const;
+
+  /// A box of a given size is another one than its cells fold to: tolerance.size is for that.
+  std::string judged_against() const override {
+    return goal.box_mm ? "the closed box of these cells" : "the goal";
+  }
 
   /// The net that was folded, as faces and creases; the box where one was asked for.
   nlohmann::ordered_json target_json() const override;

@@ -45,6 +45,34 @@ std::vector<int> usual_columns(const targets::FoldNet& net, double theta, double
   return out;
 }
 
+/// Cells along the shortest edge of a box, at a theta: their edge, mm.
+double edge_of_cells(const FoldOutcome& found, int across) {
+  const optim::FoldedNet& net = found.design.folded;
+  const auto& asked_mm = *found.goal.box_mm;
+  return *std::min_element(asked_mm.begin(), asked_mm.end()) /
+         optim::folded_box({across, across, across}, 1, net.theta, net.layout.creases[0].columns())[0];
+}
+
+/// Other cells that give a box its size, found by a search of each; where there are none the box that these cells give.
+std::string other_size(const FoldFile& file, const FoldOutcome& found, const RunOptions& options) {
+  const char* looser = "a larger tolerance.size";
+  if (file.robust || file.limits.any())
+    return fmt::format("try another cell edge (structure.cell_mm), or allow {}", looser);
+  optim::BoxOptions box = *file.box;
+  box.fold.threads = options.threads;
+  box.fold.stop = options.stop;
+  const auto better = optim::other_cells(box, file.size_tolerance);
+  if (better)
+    return fmt::format("structure.cell_mm: {:g} comes within {:.1f} %", better->edge_mm,
+                       100 * optim::size_miss(better->folded_mm, *found.goal.box_mm));
+  const auto mm = found.edges_mm();
+  return fmt::format(
+      "no cells of about {:.3g} to {:.3g} mm come as near; these fold to box_mm: [{:.1f}, {:.1f}, {:.1f}], "
+      "which "
+      "can be asked for, or {}",
+      edge_of_cells(found, optim::most_cells_across), edge_of_cells(found, 1), mm[0], mm[1], mm[2], looser);
+}
+
 class FoldScene final : public Scene {
  public:
   explicit FoldScene(FoldFile file) : file_(std::move(file)) {}
@@ -106,6 +134,7 @@ class FoldScene final : public Scene {
     found->violations = found->design.folds
                             ? violations(file, found->creases(net.error), net.error.rms, "model")
                             : found->design.obstacles;
+    if (is_size_missed(*found)) found->instead = other_size(file, *found, options);
     check_size(*found);
     run.structure = net.structure;
     run.theta = net.theta;
@@ -171,14 +200,17 @@ class FoldScene final : public Scene {
   void add_frames(Run& run) const override { add_exact_frames(run); }
 
  private:
+  bool is_size_missed(const FoldOutcome& found) const {
+    return found.goal.box_mm && found.design.folds &&
+           !(optim::size_miss(found.edges_mm(), *found.goal.box_mm) <= file_.size_tolerance);
+  }
+
   void check_size(FoldOutcome& found) const {
-    if (!found.goal.box_mm || !found.design.folds) return;
-    const double miss = optim::size_miss(found.edges_mm(), *found.goal.box_mm);
-    if (!(miss <= file_.size_tolerance))
-      found.violations.push_back(fmt::format(
-          "an edge of the box is {:.1f} % longer or shorter than asked for; at most {:.1f} % is allowed: use "
-          "smaller cells than of {:.3g} mm (structure.cell_mm)",
-          100 * miss, 100 * file_.size_tolerance, file_.size.edge_mm));
+    if (!is_size_missed(found)) return;
+    found.violations.push_back(fmt::format(
+        "an edge of the box is {:.1f} % longer or shorter than asked for; at most {:.1f} % is allowed: {}",
+        100 * optim::size_miss(found.edges_mm(), *found.goal.box_mm), 100 * file_.size_tolerance,
+        found.instead));
   }
 
   FoldFile file_;

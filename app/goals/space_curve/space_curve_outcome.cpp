@@ -76,8 +76,8 @@ std::vector<SummaryLine> SpaceCurveOutcome::summary_lines(const Run& run) const 
   std::vector<SummaryLine> lines;
   lines.push_back(
       {"shape",
-       fmt::format("rms {:.2e} of the goal's diagonal ({:.3f} mm), largest {:.3f} mm: {}", error().rms,
-                   error().rms * error().scale_mm, error().max * error().scale_mm, verdict())});
+       fmt::format("rms {:.2e} of the goal's diagonal ({:.3f} mm from curve to curve), largest {:.3f} mm: {}",
+                   error().rms, error().rms * error().scale_mm, error().max * error().scale_mm, verdict())});
   for (const std::string& why : violations) lines.push_back({"why", why});
   const Eigen::Vector3d& y = found.across.direction;
   lines.push_back(

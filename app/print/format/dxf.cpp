@@ -52,6 +52,9 @@ std::vector<NamedContent> write_dxf(const PrintJob& job) {
 }  // namespace
 
 // Name, meaning and how it is written: dxf.
-const PrintFormat dxf_format = {"dxf", "the same drawing for CAD and cutters", write_dxf};
+const PrintFormat dxf_format = {.name = "dxf",
+                                .meaning = "the same drawing for CAD and cutters",
+                                .write = write_dxf,
+                                .is_always_flat = true};
 
 }  // namespace kinetix::app

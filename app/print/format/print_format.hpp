@@ -31,6 +31,7 @@ struct PrintFormat {
   /// Loads what the program loads for this format alone; nothing for most. Before a folder is there: where memory runs out, the
   /// loader ends the program and nobody can clean up.
   void (*load)() = nullptr;
+  bool is_always_flat = false;  ///< draws the flat sheet in every state of the job
 };
 
 /// All formats, in the order of the help.

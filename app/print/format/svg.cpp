@@ -209,6 +209,9 @@ std::vector<NamedContent> write_svg(const PrintJob& job) {
 }  // namespace
 
 // Name, meaning and how it is written: svg.
-const PrintFormat svg_format = {"svg", "a drawing 1:1 with numbered hinges, and the same as PDF", write_svg};
+const PrintFormat svg_format = {.name = "svg",
+                                .meaning = "a drawing 1:1 with numbered hinges, and the same as PDF",
+                                .write = write_svg,
+                                .is_always_flat = true};
 
 }  // namespace kinetix::app

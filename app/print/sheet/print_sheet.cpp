@@ -42,9 +42,10 @@ void check_process(const model::Process& process, const model::CellSize& size,
 void check_eye(const model::HingePrint& pin) {
   const double eye = pin.made.height_mm / 2 - pin.axial_clearance_mm;
   if (pin.made.kind != HingeKind::pin || eye >= pin.axial_clearance_mm) return;
-  throw InvalidInput(fmt::format(
-      "a pin {:g} mm high has no room for an eye between two clearances of {:g} mm: its wall must be higher",
-      pin.made.height_mm, pin.axial_clearance_mm));
+  throw InvalidInput(
+      fmt::format("a pin {:.3g} mm high has no room for an eye between two clearances of {:g} mm: its wall "
+                  "must be higher",
+                  pin.made.height_mm, pin.axial_clearance_mm));
 }
 
 class SheetMaker {

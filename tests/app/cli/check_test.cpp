@@ -48,6 +48,26 @@ TEST(Check, TellsBeforehandWhatTheRunWillHave) {
   }
 }
 
+/// Walls that lean by 45 degrees reach sin(45 deg) of half their height to either side.
+TEST(Check, TellsTheFlatSizeWithWallsThatLean) {
+  const std::string head =
+      "kinetix: 1\nstructure: {cells: [3, 1], cell_mm: 20, wall_mm: {thickness: 1, height: 8}}\n"
+      "design: {theta_deg: 10";
+  const auto flat_mm = [](const std::string& text) {
+    return checked(text)["expected"]["flat_mm"].get<std::array<double, 3>>();
+  };
+  const std::array<double, 3> upright = flat_mm(head + "}\n"),
+                              leaning = flat_mm(head +
+                                                ", hinges: [{wall: [[1, 0], [2, 0]], beta_deg: 45}, {wall: "
+                                                "[[1, 1], [2, 1]], beta_deg: -45}]}\n");
+  EXPECT_NEAR(upright[0], 61, 1e-9);
+  EXPECT_NEAR(upright[1], 21, 1e-9);
+  EXPECT_NEAR(upright[2], 8, 1e-9);
+  EXPECT_NEAR(leaning[0], 61, 1e-9);
+  EXPECT_NEAR(leaning[1], 20 + (8 + 1) * std::sqrt(0.5), 0.01);
+  EXPECT_NEAR(leaning[2], 8, 1e-9) << "of the upright walls: (8 + 1) sin 45 deg is less";
+}
+
 TEST(Check, TellsTheSizeOfAFoldedBox) {
   const Json expected = checked(targets[3])["expected"], edges = found(targets[3])["fold"]["edges_mm"];
   for (int k = 0; k < 3; ++k)

@@ -361,6 +361,25 @@ TEST(Import, OfWhatCannotTurnSaysWhichHingeHoldsIt) {
               HasSubstr("rigid: no motion at rest keeps all hinges closed"));
 }
 
+/// Films of FDM are walls: one volume in 3MF, and files of their own in STL.
+TEST(Import, SaysHowToReadASheetWithFilmsOfTheWallsMaterial) {
+  const Scratch scratch;
+  const std::string design = scratch.write(
+      "panel.yaml",
+      "kinetix: 1\nstructure: {cells: [2, 1], cell_mm: 20, wall_mm: {thickness: 0.8, height: 6}}\n"
+      "design: {theta_deg: 10}\n");
+  const std::string made = (scratch / "made").string(), to = " -o " + (scratch / "again").string();
+  ASSERT_EQ(kinetix_opt("export " + design + " --process fdm --hinge film --format stl,3mf -o " + made).code,
+            0);
+  const Outcome refused = kinetix_opt("import " + made + "/panel.3mf" + to);
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("--hard hard.stl --soft soft.stl"));
+  const Outcome read =
+      kinetix_opt("import --hard " + made + "/hard.stl --soft " + made + "/soft.stl --json" + to);
+  ASSERT_EQ(read.code, 0) << read.err;
+  EXPECT_EQ(Json::parse(read.out)["hinges"].size(), 7u);
+}
+
 TEST(Import, OfTwoFilesTakesTheSoftPartsFromTheSecond) {
   const Scratch scratch;
   Polyhedron hard = left();

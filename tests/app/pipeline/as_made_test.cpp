@@ -324,6 +324,7 @@ TEST(AsMadeResult, JudgesGoalsOfEveryKindBySoftBlocks) {
     EXPECT_EQ(made["taken"]["material"], "tango");
     EXPECT_LE(made["taken"]["strain"], made["taken"]["strain_allowed"]);
     EXPECT_THAT(one.out, HasSubstr("taken for tango blocks"));
+    EXPECT_THAT(one.out, ::testing::ContainsRegex("held there by [0-9.]+ N"));
     // 200 prints know their rms to 5 % in 95 of 100 cases.
     EXPECT_EQ(made["prints"]["failed"], 0) << goal;
     EXPECT_NEAR(made["prints"]["rms_mm"], made["rms_mm"].get<double>(), 0.2 * made["rms_mm"].get<double>())

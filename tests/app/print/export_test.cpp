@@ -152,6 +152,7 @@ TEST(Export, RefusesPinsWithoutRoomForAnEyeAndSaysHowHighTheirWallsHaveToBe) {
   const std::string pins = "--format stl --hinge pin --process fdm";
   expect_refused(low, pins, "a pin 1.5 mm high has no room for an eye between two clearances of 0.53 mm");
   expect_refused(low, pins, "x 2.12 mm a cell_mm of 30.5 would do (--cell-mm 30.5)");
+  expect_refused(low, pins, "(--cell-mm 30.5): the sheet and what it folds to are 1.02 times as large");
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, low, pins + " --cell-mm 30.5").code, 0);
   EXPECT_NEAR(double(said_of(scratch)["bounds_mm"][2]), 2.12, 1e-6) << "in floats";
@@ -179,6 +180,14 @@ TEST(Export, TakesTheClearanceOfACouponInsteadOfTheProcesss) {
   EXPECT_THAT(coupon.err, HasSubstr("a coupon has gaps of its own"));
 }
 
+TEST(Export, WritesACouponAsA3mfWhereNoFormatIsGiven) {
+  const Scratch scratch;
+  const Outcome coupon = kinetix_opt("export --coupon -o " + std::string(scratch / "coupon"));
+  EXPECT_EQ(coupon.code, 0) << coupon.err;
+  EXPECT_TRUE(fs::exists(scratch / "coupon/coupon.3mf"));
+  expect_refused(panel, "", "--format is required, e.g. --format 3mf");
+}
+
 TEST(Export, SaysWhichOptionsChangeNothing) {
   const Scratch scratch;
   const std::string described =
@@ -192,6 +201,52 @@ TEST(Export, SaysWhichOptionsChangeNothing) {
   EXPECT_THAT(said, HasSubstr("--loose-rods changes nothing: no hinge is a pin"));
   ASSERT_EQ(exported(scratch, panel, "--format stl --hinge pin --clearance 0.2 --loose-rods").code, 0);
   EXPECT_EQ(said_of(scratch)["warnings"].dump().find("changes nothing"), std::string::npos);
+}
+
+TEST(Export, SaysThatOtherCellsMakeTheSheetLargerOrSmaller) {
+  const Scratch scratch;
+  for (const auto& [edge_mm, words] :
+       {std::pair{"30",
+                  "made with cells of 30 mm instead of 12: the sheet and what it folds to are 2.5 times as "
+                  "large; for the size that its goal asked for search again with fewer cells"},
+        {"9",
+         "are 0.75 times as large; for the size that its goal asked for search again with more cells"}}) {
+    ASSERT_EQ(exported(scratch, panel, std::string("--format stl --hinge block --cell-mm ") + edge_mm).code,
+              0);
+    EXPECT_THAT(said_of(scratch)["warnings"].dump(), HasSubstr(words));
+    EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr(words));
+  }
+  ASSERT_EQ(exported(scratch, panel, "--format stl --hinge block --cell-mm 12").code, 0);
+  EXPECT_EQ(said_of(scratch)["warnings"].dump().find("times as large"), std::string::npos);
+}
+
+TEST(Export, SaysThatDrawingsAreAlwaysFlat) {
+  const Scratch scratch;
+  const std::string folded = "--hinge block --state folded --format ";
+  ASSERT_EQ(exported(scratch, panel, folded + "svg,dxf,stl").code, 0);
+  EXPECT_THAT(said_of(scratch)["warnings"].dump(),
+              HasSubstr("--state folded changes nothing in svg and dxf, which always draw the flat sheet"));
+  ASSERT_EQ(exported(scratch, panel, folded + "stl").code, 0);
+  EXPECT_EQ(said_of(scratch)["warnings"].dump().find("changes nothing"), std::string::npos);
+}
+
+/// By the overhang as the sheet lies, and by what the process lays under it itself.
+TEST(Export, AsksForSupportsWhereTheProcessNeedsThem) {
+  for (const auto& [options, words] :
+       {std::pair{"--process fdm --hinge block", "supports     none\n"},
+        {"--process fdm --hinge pin --cell-mm 30",
+         "supports     under the {:.1f} mm2 that lean more than 45 degrees"},
+        {"--process sla --hinge pin", "supports     under the {:.1f} mm2 that lean more than 45 degrees"},
+        {"--process polyjet --hinge pin",
+         "none to plan: support material that the printer lays down by itself "
+         "carries the {:.1f} mm2"},
+        {"--process sls --hinge pin --cell-mm 30", "none to plan: the powder carries the {:.1f} mm2"}}) {
+    const Scratch scratch;
+    ASSERT_EQ(exported(scratch, panel, std::string("--format stl ") + options).code, 0);
+    const double hangs = said_of(scratch)["overhang_mm2"]["flat"];
+    EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr(fmt::format(fmt::runtime(words), hangs)))
+        << options;
+  }
 }
 
 /// Walls that lean all alike: no exact motion, so hinges stretch.
@@ -218,6 +273,10 @@ TEST(Export, MakesADesignForItsOwnProcess) {
   const std::string folder = scratch / "result";
   ASSERT_EQ(kinetix_opt("simulate " + scratch.write("own.yaml", design) + " -o " + folder).code, 0);
   EXPECT_THAT(text_of(folder + "/design.yaml"), HasSubstr("process: sla\n")) << "and keeps it";
+  EXPECT_EQ(kinetix_opt("simulate " + folder + " -o " + std::string(scratch / "again")).code, 0);
+  const Outcome refused = kinetix_opt("simulate " + scratch.path() + " -o " + std::string(scratch / "none"));
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("no design.yaml in this folder"));
 }
 
 TEST(Export, CutsALargeSheetIntoTilesThatTheBedHolds) {

@@ -25,6 +25,10 @@ TEST(Process, NamesWhatItCannotPrintAndTheCellThatItCould) {
   const auto problems = print_problems(fdm, sheet(10, 0.4), pin(1, 0.2));
   ASSERT_EQ(problems.size(), 3u);
   EXPECT_THAT(problems[0].what, HasSubstr("a wall of 0.4 mm is less than fdm prints, 0.8 mm"));
+  EXPECT_THAT(print_problems(fdm, sheet(10, 0.502019), pin(3, 0.3))[0].what,
+              HasSubstr("a wall of 0.502 mm is"));
+  EXPECT_THAT(print_problems(fdm, sheet(10, 0.7999), pin(3, 0.3))[0].what,
+              HasSubstr("a wall of 0.7999 mm is"));
   EXPECT_DOUBLE_EQ(problems[0].cell_mm, 20);
   EXPECT_DOUBLE_EQ(problems[1].cell_mm, 30);
   EXPECT_DOUBLE_EQ(problems[2].cell_mm, 15);

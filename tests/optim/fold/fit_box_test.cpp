@@ -42,6 +42,32 @@ TEST(FitBox, KeepsACellEdgeThatIsGiven) {
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(found.folded_mm[k], asked.asked_mm[k], 5) << "half a cell";
 }
 
+/// As a search finds it of that edge: walls of a given size close cells at a theta that depends on their edge.
+TEST(FitBox, OtherCellsGiveABoxItsSizeWhenTheyAreGiven) {
+  BoxOptions asked = box({83, 47, 29});
+  asked.edge_mm = 8;
+  for (const bool walls_follow : {true, false}) {
+    if (!walls_follow) asked.size = [](double edge_mm) { return model::CellSize{edge_mm, 0.5, 3}; };
+    const auto better = other_cells(asked, 0.02);
+    ASSERT_TRUE(better) << walls_follow;
+    BoxOptions given = asked;
+    given.edge_mm = better->edge_mm;
+    const BoxInCells followed = fit_box(given);
+    EXPECT_EQ(followed.edges, better->edges);
+    EXPECT_LE(size_miss(followed.folded_mm, asked.asked_mm), 0.025) << "with the theta of a small box";
+    FoldOptions fold;
+    fold.size = asked.size(better->edge_mm);
+    const FoldDesign design = fit_fold(targets::box_goal(better->edges), fold);
+    ASSERT_TRUE(design.folds);
+    EXPECT_LE(size_miss(folded_box(better->edges, better->edge_mm, design.folded.theta,
+                                   design.folded.layout.creases[0].columns()),
+                        asked.asked_mm),
+              0.02);
+  }
+}
+
+TEST(FitBox, HasNoOtherCellsForASizeThatNoneComesNear) { EXPECT_FALSE(other_cells(box({83, 47, 29}), 1e-6)); }
+
 TEST(FitBox, AFoldedEdgeIsItsFaceInPitchesAndTwoInsets) {
   const double pitch = 10 * std::cos(0.5);
   EXPECT_NEAR(folded_box({4, 2, 1}, 10, 0.5, 1)[0], 5 * pitch, 1e-12)

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "tests/app/program.hpp"
 #include "tests/app/schema_errors.hpp"
@@ -37,7 +38,8 @@ TEST(Fold, IsSearchedVerifiedAndDrawn) {
   const std::string text = std::string(box) + "tolerance: {angle_deg: 0.3}\n";
   const Outcome run = kinetix_opt(scratch.write("box.yaml", text) + " -o " + folder);
   EXPECT_EQ(run.code, 0) << run.out << run.err;
-  EXPECT_THAT(run.out, HasSubstr("in the physics run: 5 creases within"));
+  EXPECT_THAT(run.out, HasSubstr("in the physics run: 5 creases within 0.001 deg, faces less than "
+                                 "0.001 of their edge from the solid"));
 
   const Json result = Json::parse(text_of(folder + "/result.json"));
   EXPECT_EQ(schema_errors(result), "");
@@ -89,6 +91,27 @@ TEST(Fold, ThatCannotBeSaysWhy) {
   EXPECT_THAT(run.out, HasSubstr("would need tilts of"));
   EXPECT_THAT(run.out, HasSubstr("at most 5.0 deg is allowed: give it more columns"));
   EXPECT_EQ(schema_errors(Json::parse(text_of(scratch.path() + "/result.json"))), "");
+}
+
+/// The cell edge that it names gives the box its size.
+TEST(Fold, OfABoxThatMissesItsSizeNamesCellsThatDoNot) {
+  const Scratch scratch;
+  const auto run = [&](const std::string& edge_mm) {
+    return kinetix_opt(scratch.write("box.yaml",
+                                     "kinetix: 1\ntarget: {kind: fold, box_mm: [83, 47, 29]}\n"
+                                     "structure: {cell_mm: " +
+                                         edge_mm + "}\n") +
+                       " --no-verify -o " + scratch.path());
+  };
+  const Outcome missed = run("8");
+  EXPECT_EQ(missed.code, 3) << missed.out << missed.err;
+  std::smatch edge;
+  ASSERT_TRUE(
+      std::regex_search(missed.out, edge, std::regex("allowed: structure.cell_mm: ([0-9.]+) comes within")))
+      << missed.out;
+  EXPECT_THAT(missed.out, HasSubstr("mm off the closed box of these cells (rms over points of the sheet"));
+  const Outcome met = run(edge[1]);
+  EXPECT_EQ(met.code, 0) << met.out << met.err;
 }
 
 TEST(Fold, WhoseWallsCollideSaysAtWhichThetaAndHowFarItWouldHaveToGo) {
