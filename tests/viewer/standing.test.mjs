@@ -1,6 +1,8 @@
 // How things stand, without a browser.
 import assert from "node:assert/strict";
 import {test} from "node:test";
+import {fitted} from "../../app/viewer/src/placement.js";
+import {product, turned} from "../../app/viewer/src/quaternion.js";
 import {standing, standOf} from "../../app/viewer/src/standing.js";
 
 const IDENTITY = [1, 0, 0, 0], HALF = Math.SQRT1_2;
@@ -41,4 +43,13 @@ test("rows of a standing are a rotation", () => {
   const q = [0.5, 0.5, 0.5, 0.5], poses = posesOf(sheet(4, q)), [x, y, up] = standing(standOf(poses, sheet(4).map((body) => body.slice(0, 3))), poses);
   const cross = [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]];
   close(cross, up);
+});
+
+test("a shape is laid onto the same shape elsewhere, flat or not", () => {
+  const turn = [0.5, 0.1, -0.7, Math.sqrt(1 - 0.25 - 0.01 - 0.49)], arch = Array.from({length: 9}, (_, k) => [10 * k, 3 * (k % 2), k * k, ...IDENTITY]);
+  for (const bodies of [sheet(4), arch, sheet(4).slice(0, 4)]) {
+    const moved = bodies.map((pose) => [...turned(turn, pose.slice(0, 3)).map((v, k) => v + 7 * k - 4), ...product(turn, pose.slice(3))]);
+    const {turn: found, from, to} = fitted(posesOf(bodies), posesOf(moved), 10);
+    bodies.forEach((pose, k) => close(turned(found, pose.slice(0, 3).map((v, i) => v - from[i])).map((v, i) => v + to[i]), moved[k].slice(0, 3)));
+  }
 });
