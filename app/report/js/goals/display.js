@@ -90,13 +90,15 @@ function cellColour(bright) {
 }
 
 /** The panel before a lamp, seen from near. */
-function drawLit(data, width, most) {
-  const cells = litCells(data, data.states.model), {to, height} = fitted(cells.flatMap(([points]) => points), width, most);
-  const walls = plates(data.structure).map((plate) => carriedPlate(data.structure, data.states.model, plate));
-  return drawing(
-      width, height, "The pressed panel before a lamp",
+function litShot(data) {
+  const cells = litCells(data, data.states.model), walls = plates(data.structure).map((plate) => carriedPlate(data.structure, data.states.model, plate));
+  return {
+    label: "The pressed panel before a lamp", points: cells.flatMap(([points]) => points),
+    marks: (to) => [
       svg("g", {}, cells.map(([points, bright]) => svg("path", {d: path(points.map(to), true), style: `fill:${cellColour(bright)}`}))),
-      svg("g", {class: "lit-walls"}, walls.map((plate) => svg("path", {d: path(topRim(plate).map(to), true)}))));
+      svg("g", {class: "lit-walls"}, walls.map((plate) => svg("path", {d: path(topRim(plate).map(to), true)})))
+    ]
+  };
 }
 
 const ARC_MINUTE = 2.9e-4;                 // rad, what an eye tells apart
@@ -286,7 +288,7 @@ const displayGoal = {
   view: "top",
   verdict: displayVerdict,
   numbers: displayNumbers,
-  standing: drawLit,
+  standing: litShot,
   facts: ({goal: display}) => [["Picture", display.after && `${rightSideWords(rightSide(display, display.after)) ?? readingWords(display, display.after)}; ` +
     (isGrey(display) ? "in greys" : `contrast ${figures(display.after.contrast, 2)}`)]],
   firstSections: [["display", "What the panel shows", displaySection]],
