@@ -229,6 +229,8 @@ function printsTable(display) {
                     display.printed.confirmed === false ? "What prints show: first order is far from them" : "What prints show"));
 }
 
+const PULLED_WORDS = "A negative force: at the end of the way the plates hold the panel back, which by then closes further by itself.";
+
 /** What hinges further off their walls would buy. */
 function frontTable(display) {
   if (display.front.length < 2) return null;
@@ -243,8 +245,11 @@ function frontTable(display) {
   });
   return html("div", {},
               html("p", {}, "What larger or smaller offsets of the hinges would show under the same drive:"),
-              table(["offset, at most", grey ? "rank correlation" : "AUC", ...(grey ? [] : ["contrast", "letter brighter than the rest by"]), "force", "stretch, largest"],
-                    display.front.map(row), "Legibility against offset, force and stretch"));
+              html("div", {class: "scroll"},
+                   table(["offset, at most", grey ? "rank correlation" : "AUC", ...(grey ? [] : ["contrast", "letter brighter than the rest by"]), "force", "stretch, largest"],
+                         display.front.map(row), "Legibility against offset, force and stretch")),
+              display.front.some(({reached, load_N: load}) => reached === true && load < 0) ?
+                  html("p", {class: "note"}, PULLED_WORDS) : null);
 }
 
 /** How large a panel would have to be; what this one lacks is said at the top. */
