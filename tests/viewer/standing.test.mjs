@@ -29,6 +29,19 @@ test("an arch stands on its ends, whichever way it is curled", () => {
   }
 });
 
+test("an arch with a straight leg stands on its ends, not on the leg", () => {
+  const leg = 8, bend = 0.13, bodies = [];
+  let angle = 0.9, x = 0, z = 0;
+  for (let k = 0; k < 32; ++k) {
+    bodies.push([x, 0, z, Math.cos(-angle / 2), 0, Math.sin(-angle / 2), 0]);
+    x += 10 * Math.cos(angle), z += 10 * Math.sin(angle);
+    if (k >= leg) angle -= bend * (24 / (32 - leg)) * 0.6;
+  }
+  const poses = posesOf(bodies), rest = bodies.map((_, k) => [10 * k, 0, 0]);
+  const up = standing(standOf(poses, rest), poses)[2], height = (k) => bodies[k].slice(0, 3).reduce((sum, v, i) => sum + v * up[i], 0);
+  assert.ok(height(16) > height(0) + 5 && height(16) > height(31) + 5, `up is ${up}`);
+});
+
 test("a box stands on its base: the flat part in the middle of the sheet", () => {
   const wall = [HALF, 0, HALF, 0];  // a quarter turn about y
   const base = sheet(4), side = Array.from({length: 16}, (_, k) => [40, 10 * (k % 4), 10 + 10 * Math.floor(k / 4), ...wall]);
