@@ -57,7 +57,7 @@ function leftOutWords({leftOut}) {
 
 const ELASTIC_WORDS = " That is proven of the closed form; states shown are equilibria of elastic hinges near it.";
 
-const LEFT_WORDS = "Of the state shown nothing is proven: the equilibrium has left the closed form, and only that form is looked at here. ";
+const LEFT_WORDS = "Of the state shown nothing is proven: the equilibrium has left the closed form, and only that form is looked at here. Of it is proven";
 
 const isProvenOfOthers = ({certified}) => certified?.hasLeft === true;
 
@@ -66,7 +66,7 @@ function certifiedSection(data) {
   if (certified.whyNot) return html("p", {}, `No range of \u03b8 is proven: ${certified.whyNot}.`);
   const {design, printed} = certified;
   return [
-    html("p", {}, `${certified.hasLeft ? LEFT_WORDS : ""}Proven for every state between, not for samples of them: no two walls touch for ${rangeWords(design)}; this state ${
+    html("p", {}, `${certified.hasLeft ? LEFT_WORDS : "Proven"} for every state between, not for samples of them: no two walls touch for ${rangeWords(design)}; this state ${
         thetaPlace(certified.covers, certified)}.${certified.isExact || certified.hasLeft ? "" : ELASTIC_WORDS} ${limitWords(design.high, "positive")} ${limitWords(design.low, "negative")}${leftOutWords(design)}`),
     responsive((width) => drawRanges(data, width)),
     html("p", {}, `With each wall up to ${millimetres(printed.growth)} out of place, three standard deviations of the process: ${rangeWords(printed)}; this state ${
