@@ -29,7 +29,8 @@ struct Measure {
   const char* after;
 };
 
-constexpr double percent = 100, degree = 1 / radians_per_degree;
+constexpr double percent = 100,
+                 degree = 1 / radians_per_degree;  // of a ratio and of a radian, as people read them
 
 /// Of all kinds of goals; what other numbers say only experts ask.
 constexpr Measure told_measures[] = {

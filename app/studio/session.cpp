@@ -26,7 +26,8 @@ Session::Session(Opened opened, Outlet outlet)
       history_(opened_.design),
       player_(opened_.design),
       told_(opened_.result) {
-  if (const auto theta = theta_reached(told_)) player_.fold_to(*theta);
+  if (const auto theta = theta_reached(told_); theta && player_.mode() == Mode::exact)
+    player_.fold_to(*theta);
   if (!opened_.target_file.empty()) enqueue([this] { search_for(opened_.target_file, nullptr); });
 }
 
