@@ -89,7 +89,8 @@ std::string CheckedFile::text() const {
 nlohmann::ordered_json CheckedFile::json() const {
   nlohmann::ordered_json out = {{"file", file}, {"kind", kind}, {"name", name}, {"valid", true}};
   if (forecast) out["expected"] = json_of(*forecast);
-  if (contact) out["certified"] = certified_json(contact->certified, forecast->sheet, contact->theta, true);
+  if (contact)
+    out["certified"] = certified_json(contact->certified, forecast->sheet, contact->theta, NearExact::same);
   if (kind == "sweep") out["samples"] = samples;
   return out;
 }

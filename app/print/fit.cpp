@@ -131,10 +131,10 @@ std::string instead_of_pins(const Order& order, const PrintChoice& choice) {
     return ": its hinges stretch on the way, and pins cannot. The design asks for pins itself, whatever "
            "--hinge says: change its `hinge:` to `kind: block`, or take it out and give --hinge block";
   if (choice.kind != model::HingeKind::pin) return "";
-  return ": its hinges stretch on the way, and pins cannot (--hinge block)";
+  return ": its hinges stretch on the way, and pins cannot (kinetix-opt export --hinge block)";
 }
 
-/// "; with walls of 0.8 x 6 mm a cell_mm of 12.5 would do (--cell-mm 12.5)"; nothing where the bed is in the way.
+/// "; with walls of 0.8 x 6 mm a cell_mm of 12.5 would do (kinetix-opt export --cell-mm 12.5)"; nothing where the bed is in the way.
 std::string would_do(const Order& order, const Attempt& refused, PrintChoice choice) {
   if (refused.is_bed_too_small) return "";
   const std::optional<double> edge = enough_mm(order, choice);
@@ -143,9 +143,10 @@ std::string would_do(const Order& order, const Attempt& refused, PrintChoice cho
   const model::CellSize size = resized(order.design.structure.size(), choice, order.process);
   const bool is_on_bed = !choice.bed_mm || best_attempt(order, choice).print;
   const auto larger = resized_words(order.design.structure.size().edge_mm, *edge);
-  return fmt::format("; with walls of {:.3g} x {:.3g} mm a cell_mm of {:g} would do (--cell-mm {:g}){}{}",
-                     size.thickness_mm, size.height_mm, *edge, *edge, is_on_bed ? "" : ", on a larger bed",
-                     larger ? ": " + *larger : "");
+  return fmt::format(
+      "; with walls of {:.3g} x {:.3g} mm a cell_mm of {:g} would do (kinetix-opt export --cell-mm {:g}){}{}",
+      size.thickness_mm, size.height_mm, *edge, *edge, is_on_bed ? "" : ", on a larger bed",
+      larger ? ": " + *larger : "");
 }
 
 }  // namespace

@@ -134,7 +134,8 @@ std::string orientation_words(const PrintJob& job) {
   const std::string hangs = fmt::format("{}; {:.1f} mm2 lean more than {:g} degrees over the bed", here,
                                         now.overhang_mm2, steep_deg);
   if (!(least.overhang_mm2 < worth_turning * now.overhang_mm2)) return hangs + ", no less on the other side";
-  return fmt::format("{}, {:.1f} mm2 with --orient {}", hangs, least.overhang_mm2, least.name);
+  return fmt::format("{}, {:.1f} mm2 {} (kinetix-opt export --orient {})", hangs, least.overhang_mm2,
+                     least.name == "over" ? "on its other side" : "as it is", least.name);
 }
 
 /// What the process asks for under the overhang, as the sheet lies in its files.
@@ -164,7 +165,8 @@ std::vector<std::string> print_warnings(const PrintJob& job) {
   out.insert(out.end(), materials.begin(), materials.end());
   if (!job.folded && exceeds_usual_bed(job))
     out.push_back(fmt::format(
-        "larger than the bed of a usual {0} printer, {1:g} x {2:g} mm: --bed {1:g},{2:g} cuts it into tiles",
+        "larger than the bed of a usual {0} printer, {1:g} x {2:g} mm: with that bed given (kinetix-opt "
+        "export --bed {1:g},{2:g}) it is cut into tiles",
         job.sheet.process.name, job.sheet.process.bed_mm[0], job.sheet.process.bed_mm[1]));
   if (const auto rods = rods_warning(job.sheet)) out.push_back(*rods);
   const double steep = steepest_deg(job.sheet);

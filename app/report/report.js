@@ -16,7 +16,8 @@ const GENERAL_SECTIONS = [
 ];
 const CLOSING_SECTIONS = [
   ["prints", "Designs and their prints", madeChoiceSection, ({madeChoices}) => madeChoices.length > 0],
-  ["contact", "Free of contact, proven", certifiedSection, ({certified}) => certified !== null],
+  ["contact", "Free of contact, proven", certifiedSection, (data) => data.certified !== null && !isProvenOfOthers(data)],
+  ["contact", "Free of contact: proven of the closed form, not of this state", certifiedSection, isProvenOfOthers],
   ["tilts", "Tilts per column", tiltSection, isTiltedDesign],
 ];
 /** Folded away: for whoever wants to know how it was found, and how sure it is. */

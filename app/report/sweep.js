@@ -7,11 +7,7 @@ function verdictBox(data) {
   const title = bad > 0 ? `${bad} of ${data.samples} samples did not succeed` :
       first             ? answer(first) :
                           `All ${data.samples} samples were computed`;
-  const lead = first ? leading(data, first) : null;
-  const why = lead ?
-      `Most of it goes with ${factorNamed(lead.family.name).words}: ${shareWords(lead.share)} of the variance${
-          direction(first, lead.family)}. ` :
-      "";
+  const why = (first && leadWords(data, first)?.sentence) ?? "";
   const done = bad > 0 ?
       ` ${counts.missed} missed, ${counts.disagrees} disagree, ${counts.failed} failed: listed below.` :
       ` All ${data.samples} samples were computed.`;
@@ -29,13 +25,13 @@ function verdictBox(data) {
 /** A number in large for each of the first responses. */
 function answerCards(data) {
   const cards = data.responses.slice(0, CARDS).map((response) => {
-    const {words: said, unit} = named(response.name), s = response.spread, lead = leading(data, response);
+    const {words: said, unit} = named(response.name), s = response.spread, lead = leadWords(data, response);
     const range = isConstant(response) ? "in every sample" : `${figures(s.p05)} to ${withUnit(figures(s.p95), unit)} in 90 of 100`;
     return html(
         "div", {class: "number"}, html("dt", {}, said),
         html(
             "dd", {}, html("strong", {}, withUnit(figures(s.median), unit)), html("span", {}, range),
-            lead ? html("span", {}, `mostly ${factorNamed(lead.family.name).words}`) : null));
+            lead ? html("span", {}, lead.card) : null));
   });
   return cards.length ? html("dl", {class: "numbers", style: `grid-template-columns: repeat(${cards.length}, 1fr)`}, cards) : null;
 }
@@ -102,7 +98,7 @@ function linearTable(data, response) {
 function layouts(data, response) {
   const families = familiesOnWalls(data).filter((family) => sensitivities(response, family).length > 0);
   if (families.length === 0) return null;
-  const what = response.linear ? "correlation of the response with the wall's factor: one tint raises it, the other lowers it" :
+  const what = response.linear ? "correlation of the response with the wall's factor" :
       response.sobol           ? "total index of the wall's factor" :
                                  "mean elementary effect of the wall's factor";
   return [
@@ -112,7 +108,8 @@ function layouts(data, response) {
         families.map(
             (family) => html(
                 "figure", {}, responsive((width) => drawOnLayout(data, response, family, width)),
-                html("figcaption", {}, factorNamed(family.name).words))))
+                html("figcaption", {}, factorNamed(family.name).words)))),
+    response.sobol ? null : legend(["raises", "more of the factor raises the response"], ["lowers", "more of it lowers the response"])
   ];
 }
 
@@ -123,6 +120,7 @@ function responseSection(data, r) {
   return [
     r > 0 ? html("p", {}, answer(response) + ".") : null,
     responsive((width) => drawSpread(data, r, width)),
+    legend(["turn", "samples"], ["turn-limit", "the middle, and the limits of 90 of 100 samples"]),
     several ? html("p", {class: "note"}, data.families.length < data.factors.length && (response.families ?? []).some(Boolean) ?
         "Bars: share of the variance that goes with each family of factors. Lines: 95 % intervals." :
         `Bars: ${what}${names ? `; thin: ${names[1]}` : ""}. Lines at their ends: 95 % intervals, where there are any.`) : null,

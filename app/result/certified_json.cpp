@@ -39,13 +39,29 @@ std::string end_words(const CertifiedLimit& limit, const model::Sheet& sheet) {
   return fmt::format("limited by walls {} and {}", first, second);
 }
 
+/// Of an equilibrium that has left the closed form: the range is that form's alone.
+std::vector<SummaryLine> left_lines(const Certified& certified, const model::Sheet& sheet, double theta) {
+  return {{"NOT PROVEN",
+           "free of contact: the equilibrium has left the closed form, and of its states nothing is proven"},
+          {"", fmt::format("the closed form, which these states are not, is free of it for theta {}, {}",
+                           between(certified.designed), end_words(certified.designed.to(theta), sheet))},
+          {"", fmt::format("that form printed, with walls up to {:.2f} mm out of place: {}",
+                           certified.printed.growth_mm, between(certified.printed))}};
+}
+
 }  // namespace
 
-Json certified_json(const Certified& certified, const model::Sheet& sheet, double theta, bool are_exact) {
+NearExact near_exact(const Run& run) {
+  if (!run.equilibrium) return NearExact::same;
+  return run.equilibrium->path.off_closed_form ? NearExact::left : NearExact::near;
+}
+
+Json certified_json(const Certified& certified, const model::Sheet& sheet, double theta, NearExact states) {
   if (!certified.designed) return {{"why_not", certified.designed.why_not}};
   return {{"design", range_json(certified.designed, sheet)},
           {"printed", range_json(certified.printed, sheet)},
-          {"states_are_exact", are_exact},
+          {"states_are_exact", states == NearExact::same},
+          {"states_have_left", states == NearExact::left},
           {"covers_theta", certified.covers(theta)},
           {"covers_theta_printed", certified.covers_printed(theta)}};
 }
@@ -56,18 +72,16 @@ std::vector<SummaryLine> certified_lines(const Certified& certified, const model
     return {{"contact", "no range of theta is proven free of it: " + certified.designed.why_not}};
   if (certified.designed.overlaps_as_built())
     return {{"NOT PROVEN", "free of contact: " + overlap_words(certified, sheet)}};
+  if (states == NearExact::left) return left_lines(certified, sheet, theta);
   const std::string range = fmt::format("theta {}, {}", between(certified.designed),
                                         end_words(certified.designed.to(theta), sheet));
   std::vector<SummaryLine> lines = {
-      states != NearExact::left && certified.covers(theta)
+      certified.covers(theta)
           ? SummaryLine{"proven", "free of contact for " + range}
           : SummaryLine{"NOT PROVEN", fmt::format("free of contact at theta {:.2f} deg: proven for {}",
                                                   to_degrees(theta), range)}};
   if (states == NearExact::near)
     lines.push_back({"", "of the closed form: equilibria of elastic hinges come near it"});
-  if (states == NearExact::left)
-    lines.push_back(
-        {"", "of the closed form, which the equilibrium has left: of its states nothing is proven"});
   lines.push_back({"", fmt::format("printed, with walls up to {:.2f} mm out of place: {}",
                                    certified.printed.growth_mm, between(certified.printed))});
   return lines;

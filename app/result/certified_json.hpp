@@ -7,13 +7,15 @@
 
 namespace kinetix::app {
 
-/// The section `certified` of result.json.
-/// @param theta of the state shown, rad   @param are_exact whether states are those of the closed form, or equilibria near it
-nlohmann::ordered_json certified_json(const Certified& certified, const model::Sheet& sheet, double theta,
-                                      bool are_exact);
-
 /// What the states of a run are to the closed form that a range is proven of.
 enum class NearExact { same, near, left };
+
+NearExact near_exact(const Run& run);
+
+/// The section `certified` of result.json.
+/// @param theta of the state shown, rad
+nlohmann::ordered_json certified_json(const Certified& certified, const model::Sheet& sheet, double theta,
+                                      NearExact states);
 
 /// Lines of the summary, and of `check`. Parameters as above.
 std::vector<SummaryLine> certified_lines(const Certified& certified, const model::Sheet& sheet, double theta,

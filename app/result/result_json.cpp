@@ -175,7 +175,7 @@ Json result_json(const Run& run) {
     out["timing_s"]["matter"] = run.timings.matter;
   }
   if (run.certified) {
-    out["certified"] = certified_json(*run.certified, run.structure, run.theta, !run.equilibrium);
+    out["certified"] = certified_json(*run.certified, run.structure, run.theta, near_exact(run));
     out["timing_s"]["certify"] = run.timings.certify;
   }
   if (run.robust) out["robust"] = robust_json(run);

@@ -34,11 +34,6 @@ std::string contact_line(const Run& run) {
                           to_degrees(limit.theta)));
 }
 
-NearExact near_exact(const Run& run) {
-  if (!run.equilibrium) return NearExact::same;
-  return run.equilibrium->path.off_closed_form ? NearExact::left : NearExact::near;
-}
-
 std::string physics_lines(const Run& run) {
   const Verification& v = *run.verification;
   if (v.physics.status != sim::PhysicsResult::Status::settled)

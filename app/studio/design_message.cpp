@@ -5,6 +5,7 @@
 #include "app/print/format/formats.hpp"
 #include "app/result/same_sheet.hpp"
 #include "app/run/forecast.hpp"
+#include "app/studio/plain_number.hpp"
 #include "app/studio/templates.hpp"
 #include "app/version.hpp"
 #include "model/matter/material.hpp"
@@ -20,8 +21,8 @@ Json hinge_json(const HingeSection& hinge) {
     return {
         {"kind", "stiff"},
         {"text", fmt::format("They turn freely and hold without play. Where forces are asked for, they are "
-                             "taken as {:.3g} N/mm, and {:.3g} N mm/rad against turning.",
-                             hinge.k_point, hinge.k_turn)}};
+                             "taken as {} N/mm, and {} N mm/rad against turning.",
+                             plain_number(hinge.k_point), plain_number(hinge.k_turn))}};
   return {{"kind", to_string(hinge.made->kind)},
           {"material", hinge.made->material.name},
           {"text", hinge_text(hinge)}};

@@ -7,6 +7,7 @@
 #include "app/io/atomic_file.hpp"
 #include "app/studio/design_edits.hpp"
 #include "app/studio/design_message.hpp"
+#include "app/studio/earlier_result.hpp"
 #include "app/studio/templates.hpp"
 
 namespace kinetix::app::studio {
@@ -25,6 +26,8 @@ Session::Session(Opened opened, Outlet outlet)
       history_(opened_.design),
       player_(opened_.design),
       told_(opened_.result) {
+  if (const auto theta = theta_reached(told_); theta && player_.mode() == Mode::exact)
+    player_.fold_to(*theta);
   if (!opened_.target_file.empty()) enqueue([this] { search_for(opened_.target_file, nullptr); });
 }
 

@@ -33,6 +33,7 @@ holds 'All 200 samples were computed'
 drawn response-0 'standardised'
 holds 'in 90 of 100 samples'
 holds 'Most of it goes with beta, column 1'
+holds 'the middle, and the limits of 90 of 100 samples'
 sweep saltelli '{kind: saltelli, samples: 64}'
 drawn response-0 'total index'
 drawn response-0 'class="turn"'
@@ -56,6 +57,8 @@ draw "$work/walls/report.html"
 drawn factors 't, each wall'
 drawn factors '<td>10</td>'
 drawn response-0 't, each wall on the layout'
+drawn response-0 'more of the factor raises the response'
+drawn response-0 'more of it lowers the response'
 [ "$(wc -c <"$work/walls/report.html")" -lt 200000 ] || fail "the page of 11 factors is larger than 200 kB"
 
 sed -i 's/\[3, 1\]/[1, 1]/' "$work/crease.yaml"

@@ -156,3 +156,20 @@ test("a letter, which has no closed form under its plates, says that it goes bet
   assert.deepEqual(complaints, []);
   await page.close();
 });
+
+test("a curve in space: bars of columns lie within their axes, to their own side of 0", async () => {
+  const {page, complaints} = await report("helix");
+  const charts = await page.evaluate(() => [...document.querySelectorAll("#space-errors svg")].slice(1).map((chart) => {
+    const axis = chart.querySelector("path.axis").getBoundingClientRect().bottom, top = chart.getBoundingClientRect().top;
+    const zero = chart.querySelector("path.zero").getBoundingClientRect().top, bars = [...chart.querySelectorAll("rect.turn")].map((bar) => bar.getBoundingClientRect());
+    return {bars: bars.length, ticks: chart.querySelectorAll(".grid path").length, low: axis - Math.max(...bars.map(({bottom}) => bottom)),
+      high: Math.min(...bars.map((bar) => bar.top)) - top, fromZero: Math.max(...bars.map((bar) => Math.min(Math.abs(bar.top - zero), Math.abs(bar.bottom - zero))))};
+  }));
+  assert.equal(charts.length, 2);
+  for (const {bars, ticks, low, high, fromZero} of charts) {
+    assert.ok(bars > 10 && ticks > 2, `${bars} bars, ${ticks} ticks`);
+    assert.ok(low > -1 && high > 15 && fromZero < 1.5, `${low}, ${high}, ${fromZero} px`);
+  }
+  assert.deepEqual(complaints, []);
+  await page.close();
+});

@@ -96,7 +96,7 @@ bool is_better_turned(const PrintBoxes& boxes, const Eigen::Vector2d& bed_mm) {
       largest = box.sizes();
   throw BedTooSmall(
       fmt::format("a bed of {:g} x {:g} mm does not hold a body of {:.1f} x {:.1f} mm: a larger bed does, or "
-                  "smaller cells (--cell-mm)",
+                  "smaller cells (kinetix-opt export --cell-mm)",
                   bed_mm.x(), bed_mm.y(), largest.x(), largest.y()));
 }
 

@@ -14,7 +14,7 @@ function readRange(raw) {
 function readCertified(raw) {
   if (!someDictionary(raw)) return null;
   if (typeof raw.why_not === "string") return {whyNot: raw.why_not};
-  return {isExact: raw.states_are_exact !== false, design: readRange(raw.design), printed: readRange(raw.printed), covers: raw.covers_theta === true, coversPrinted: raw.covers_theta_printed === true};
+  return {isExact: raw.states_are_exact !== false, hasLeft: raw.states_have_left === true, design: readRange(raw.design), printed: readRange(raw.printed), covers: raw.covers_theta === true, coversPrinted: raw.covers_theta_printed === true};
 }
 
 function rangeWords({low, high}) {
@@ -27,14 +27,15 @@ function limitWords({walls, contact}, side) {
   return `To ${side} \u03b8 it ends with walls ${walls[0]} and ${walls[1]}, which ${seen}.`;
 }
 
-function thetaPlace(covers) {
+function thetaPlace(covers, {hasLeft}) {
+  if (hasLeft) return "is not of that form";
   return covers ? "lies within" : "lies beyond: walls may meet on the way";
 }
 
 /** A bar from end to end of each range, and a line at the theta of the state shown. */
 function drawRanges({certified, metrics}, width) {
   const bars = [["as designed", certified.design], ["as printed", certified.printed]], row = 34, left = 92, height = bars.length * row + 34;
-  const theta = toDegrees(metrics.theta_rad), ends = [...bars.flatMap(([, {low, high}]) => [low.theta, high.theta]), theta ?? 0, 0];
+  const theta = certified.hasLeft ? null : toDegrees(metrics.theta_rad), ends = [...bars.flatMap(([, {low, high}]) => [low.theta, high.theta]), theta ?? 0, 0];
   const X = mapping({range: padded([Math.min(...ends), Math.max(...ends)])}, left, width - 14);
   const line = (at, kind) => svg("path", {class: kind, d: path([[X(at), 4], [X(at), bars.length * row + 4]])});
   return drawing(
@@ -56,15 +57,19 @@ function leftOutWords({leftOut}) {
 
 const ELASTIC_WORDS = " That is proven of the closed form; states shown are equilibria of elastic hinges near it.";
 
+const LEFT_WORDS = "Of the state shown nothing is proven: the equilibrium has left the closed form, and only that form is looked at here. Of it is proven";
+
+const isProvenOfOthers = ({certified}) => certified?.hasLeft === true;
+
 function certifiedSection(data) {
   const {certified} = data;
   if (certified.whyNot) return html("p", {}, `No range of \u03b8 is proven: ${certified.whyNot}.`);
   const {design, printed} = certified;
   return [
-    html("p", {}, `Proven for every state between, not for samples of them: no two walls touch for ${rangeWords(design)}; this state ${
-        thetaPlace(certified.covers)}.${certified.isExact ? "" : ELASTIC_WORDS} ${limitWords(design.high, "positive")} ${limitWords(design.low, "negative")}${leftOutWords(design)}`),
+    html("p", {}, `${certified.hasLeft ? LEFT_WORDS : "Proven"} for every state between, not for samples of them: no two walls touch for ${rangeWords(design)}; this state ${
+        thetaPlace(certified.covers, certified)}.${certified.isExact || certified.hasLeft ? "" : ELASTIC_WORDS} ${limitWords(design.high, "positive")} ${limitWords(design.low, "negative")}${leftOutWords(design)}`),
     responsive((width) => drawRanges(data, width)),
     html("p", {}, `With each wall up to ${millimetres(printed.growth)} out of place, three standard deviations of the process: ${rangeWords(printed)}; this state ${
-        thetaPlace(certified.coversPrinted)}. Hinges themselves, their pins and films, are not walls.`)
+        thetaPlace(certified.coversPrinted, certified)}. Hinges themselves, their pins and films, are not walls.`)
   ];
 }

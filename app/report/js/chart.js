@@ -26,6 +26,12 @@ function padded([low, high], share = 0.06) {
   return [low - pad, high + pad];
 }
 
+/** From 0 to the values on both sides of it, with room at the ends that are not 0: for bars. */
+function barRange(values, share = 0.06) {
+  const low = Math.min(0, ...values), high = Math.max(0, ...values), pad = (high - low || 1) * share;
+  return [low < 0 ? low - pad : 0, high > 0 || low === 0 ? high + pad : 0];
+}
+
 /** Whole decades around positive values. */
 function decades(values) {
   const low = Math.floor(Math.log10(Math.min(...values)) + 1e-9),

@@ -2,7 +2,11 @@
 
 const LONG_SHEET = 3;         // times as wide as high: such sheets lie below the folded thing instead of beside it
 const SHOT_HEIGHT = 330;      // CSS pixels, at most: both pictures and the verdict fit a screen of 800
+const SHOT_MARGIN = 10;       // CSS pixels around a picture
+const FOLDED_COLUMN = 1.35;   // width of the column of the folded thing over that of the flat sheet, as in the style sheet
+const NARROW = "(max-width: 700px)";  // where they stand one below the other, as in the style sheet
 const FIRST_SLANT = [-0.55, 0.42], FIRST_TOP = [0, 1.1];  // azimuth and elevation, rad
+const OTHER_BRANCH = "another branch";  // as results say that physics ended in another equilibrium
 const OWN_SPRINGS = "its own springs";  // as `effort` of results calls a drive that nobody presses
 
 /** Into the frame that the goal was drawn in, where a strip stands as its curve does. */
@@ -39,34 +43,48 @@ function firstGoal(data) {
   return [...lines, ...[Math.min(...ys), Math.max(...ys)].map((y) => line.map(([x, z]) => [x, y, z]))];
 }
 
-/** Equal scales, in the middle of a drawing. */
-function fitted(points, width, most) {
-  const box = extent(points), margin = 10;
-  const perMm = Math.min((width - 2 * margin) / (box.size[0] || 1), (most - 2 * margin) / (box.size[1] || 1));
-  const height = box.size[1] * perMm + 2 * margin, left = (width - box.size[0] * perMm) / 2;
-  return {height, to: ([x, y]) => [left + (x - box.low[0]) * perMm, margin + (box.high[1] - y) * perMm]};
+/** In the middle of a drawing that is `width` wide. */
+function fitted(points, width, perMm) {
+  const box = extent(points), height = box.size[1] * perMm + 2 * SHOT_MARGIN, left = (width - box.size[0] * perMm) / 2;
+  return {height, to: ([x, y]) => [left + (x - box.low[0]) * perMm, SHOT_MARGIN + (box.high[1] - y) * perMm]};
 }
 
-function drawStanding(data, width) {
-  if (data.kind?.standing && data.states.flat) return data.kind.standing(data, width, SHOT_HEIGHT);
+/** A picture: what it takes up, mm, and what draws it. */
+function foldedShot(data) {
+  if (data.kind?.standing && data.states.flat) return data.kind.standing(data);
   const eye = camera(...(data.view === "top" ? FIRST_TOP : FIRST_SLANT)), project = (p) => [dot(p, eye.right), dot(p, eye.up)];
   const shapes = standingPlates(data, data.states.model).map((plate) => ({
-    polygon: outline(plate, project), depth: dot(mean(plate.corners), eye.away),
-    fill: litColour(plate.corners, eye, colour("model-plate"), colour("model-shade"))
+    polygon: outline(plate, project), depth: dot(mean(plate.corners), eye.away), corners: plate.corners
   })).sort((a, b) => b.depth - a.depth);
   const lines = firstGoal(data).map((line) => line.map(project));
-  const {to, height} = fitted([...shapes.flatMap(({polygon}) => polygon), ...lines.flat()], width, SHOT_HEIGHT);
-  return drawing(
-      width, height, "The thing, folded",
+  const fill = (corners) => litColour(corners, eye, colour("model-plate"), colour("model-shade"));
+  return {
+    label: "The thing, folded", points: [...shapes.flatMap(({polygon}) => polygon), ...lines.flat()],
+    marks: (to) => [
       svg("g", {class: seenFromSide(data) ? "standing-goal" : "standing-head"}, lines.map((line) => svg("path", {d: path(line.map(to))}))),
-      svg("g", {class: "standing"}, shapes.map(({polygon, fill}) => svg("path", {d: path(polygon.map(to), true), style: `fill:${fill}`}))));
+      svg("g", {class: "standing"}, shapes.map(({polygon, corners}) => svg("path", {d: path(polygon.map(to), true), style: `fill:${fill(corners)}`})))
+    ]
+  };
 }
 
-function drawFlatSheet(data, width) {
-  const {structure, states: {flat}} = data, half = structure.thickness / 2;
-  const corners = structure.bodies.flatMap(({rest: [x, y]}) => [[x - half, y - half], [x + half, y + half]]);
-  const {to, height} = fitted(corners, width, SHOT_HEIGHT);
-  return drawing(width, height, "The flat sheet, from above", flatWalls(structure, flat, to, structure.hinges));
+function flatShot({structure, states: {flat}}) {
+  const half = structure.thickness / 2;
+  return {
+    label: "The flat sheet, from above", points: structure.bodies.flatMap(({rest: [x, y]}) => [[x - half, y - half], [x + half, y + half]]),
+    marks: (to) => flatWalls(structure, flat, to, structure.hinges)
+  };
+}
+
+/** The largest scale at which a picture fits, CSS pixels a mm. */
+function shotScale({points}, width) {
+  const {size} = extent(points);
+  return Math.min((width - 2 * SHOT_MARGIN) / (size[0] || 1), (SHOT_HEIGHT - 2 * SHOT_MARGIN) / (size[1] || 1));
+}
+
+/** One scale for both pictures, so that they can be compared. @param wider how much wider the other picture's column is */
+function drawShot(shot, other, width, wider) {
+  const perMm = Math.min(shotScale(shot, width), other ? shotScale(other, width * wider) : Infinity), {to, height} = fitted(shot.points, width, perMm);
+  return drawing(width, height, shot.label, shot.marks(to));
 }
 
 /** Edges of the box around walls, mm. */
@@ -108,7 +126,8 @@ function takenForceText(taken) {
 
 /** Of hinges that are made as blocks or films. */
 function strainText({metrics: {strain_max: most, strain_allowed: allowed}}) {
-  return finite(most) === null || finite(allowed) === null ? null : `${figures(most, 2)} of ${neat(allowed)} that the hinges' material bears`;
+  if (finite(most) === null || finite(allowed) === null) return null;
+  return `${figures(most, 2)} of the ${neat(allowed)} that the hinges' material bears${most > allowed ? ": more than it bears" : ""}`;
 }
 
 function asMadeText({asMade}) {
@@ -145,12 +164,23 @@ function standingFlat({structure, states}) {
 function firstShots(data) {
   const {structure, states} = data;
   if (!structure.hinges.length) return missing("This result holds no structure to draw.");
-  const flat = extent(structure.bodies.map(({rest}) => rest)), isLong = flat.size[0] > LONG_SHEET * flat.size[1];
-  const shot = (draw, words) => html("figure", {}, responsive(draw), html("figcaption", {}, words));
+  const rest = extent(structure.bodies.map(({rest: place}) => place)), isLong = rest.size[0] > LONG_SHEET * rest.size[1];
+  const folded = states.model && foldedShot(data), flat = states.flat && flatShot(data);
+  const wider = () => (isLong || window.matchMedia(NARROW).matches ? 1 : FOLDED_COLUMN);
+  const figure = (draw, words) => html("figure", {}, responsive(draw), html("figcaption", {}, words));
   return html(
       "div", {class: isLong ? "first-shots long" : "first-shots"},
-      states.model ? shot((width) => drawStanding(data, width), "Folded") : missing("This result holds no complete folded state to draw."),
-      states.flat ? shot((width) => drawFlatSheet(data, width), "Flat, as it is printed") : null);
+      folded ? figure((width) => drawShot(folded, flat, width, 1 / wider()), flat ? "Folded, at the scale of the flat sheet" : "Folded") :
+               missing("This result holds no complete folded state to draw."),
+      flat ? figure((width) => drawShot(flat, folded, width, wider()), "Flat, as it is printed") : null);
+}
+
+/** That the physics run speaks against the model, whatever the goal is: a sentence, or nothing. */
+function disagreements(data) {
+  const {physics, verdict: {verified}, metrics: {verify_rms: rms}} = data;
+  if (verified !== false || (finite(rms) === null && !physics.status)) return [];
+  const branch = dictionary(physics.comparison).outcome === OTHER_BRANCH ? " It rests in another equilibrium of the same sheet." : "";
+  return [`The physics run ${failing(data)}. ${physicsWords(data)}${branch}`];
 }
 
 /** What keeps a tick from being green, a sentence each. */
@@ -164,6 +194,6 @@ function firstScreen(data) {
       "header", {id: "headline"}, html("p", {class: "eyebrow"}, "KinetiX design report"), html("h1", {}, data.name),
       html("div", {class: "verdict " + tone}, html("span", {class: "mark", "aria-hidden": "true"}, mark),
            html("div", {}, html("h2", {}, title), madeReasons(data, tone).map((reason) => html("p", {}, reason)),
-                reasons(data).map((reason) => html("p", {class: "why"}, reason)))),
+                [...reasons(data), ...disagreements(data)].map((reason) => html("p", {class: "why"}, reason)))),
       guarded(() => firstShots(data)), guarded(() => firstFacts(data)));
 }

@@ -174,7 +174,7 @@ function slantWords({hinges}) {
 /** Hinges beside the middle of their walls. */
 function offsetWords({hinges}) {
   const most = Math.max(0, ...hinges.map((hinge) => Math.abs(hinge.offset)));
-  return most > 1e-6 ? `; hinges sit up to ${millimetres(most)} off the middle of their walls` : "";
+  return most > 1e-6 ? `; hinges sit up to ${millimetres(most)} to one side of the middle of their walls, across the wall` : "";
 }
 
 const LATTICE_WORDS = {graph: "cells of a drawing"};

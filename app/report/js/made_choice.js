@@ -18,8 +18,8 @@ function drawMadeChoices(choices, width) {
   const axes = plot({
     width,
     label: "Error of the design and of its prints",
-    x: {range: padded([0, ...near.map((one) => one.designed_mm)]), label: "error of the design, mm rms"},
-    y: {range: padded([0, ...near.map((one) => one.as_made_rms_mm)]), label: "expected of prints, mm rms"}
+    x: {range: barRange(near.map((one) => one.designed_mm)), label: "error of the design, mm rms"},
+    y: {range: barRange(near.map((one) => one.as_made_rms_mm)), label: "expected of prints, mm rms"}
   });
   const at = (one) => [axes.X(one.designed_mm), axes.Y(one.as_made_rms_mm)];
   axes.root.append(svg("path", {class: "model", d: path(madeFront(near).map(at))}), ...near.map((one) => svg("circle", {

@@ -2,6 +2,7 @@
 // and the browser draws in three dimensions. view3d.js is for all others.
 
 const NEAR_GOAL = 0.06;  // rad of theta: farther from the goal it is not drawn
+const SAME_THETA = 1e-3; // rad: a drive and its sheet that are nearer have one theta
 const PLAY_S = 5;        // seconds of one way there and back
 
 function hasScene() {
@@ -15,17 +16,29 @@ function numbersOf(state) {
   return Float64Array.from(state.poses.flatMap((pose) => [...pose.p, ...pose.q]));
 }
 
-/** {poses(theta), from, to (rad), words}: by the closed form, or between the states that are stored. */
+/** Where on the way of the drive a state is, rad: an equilibrium is the end of that way, wherever its own theta is. */
+function wayOf(model, frames) {
+  if (model.model !== "equilibrium" || !frames.length) return model.theta;
+  return frames.reduce((end, {theta}) => (Math.abs(theta) > Math.abs(end) ? theta : end), 0);
+}
+
+/**
+ * {poses(theta), from, to (rad), words, at (theta of the state at `to`, rad)}: by the closed form, or between the states that are
+ * stored; `to` is the state that the result is about.
+ */
 function motionOf(data) {
   const {model, frames, flat} = data.states, {family} = data.plan, to = model.theta ?? 0;
   const exact = family !== "none" && model.model === "exact" && to !== 0 ? KinetixScene.exactMotion(data.raw.structure, family) : null;
-  if (exact) return {poses: exact, from: 0, to, words: "The slider computes every position from the closed form of the sheet."};
-  const stored = [...frames, ...(model.theta === null ? [] : [model])].map((state) => ({theta: state.theta, poses: numbersOf(state)}));
+  if (exact) return {poses: exact, from: 0, to, at: to, words: "The slider computes every position from the closed form of the sheet."};
+  const end = wayOf(model, frames), before = frames.filter(({theta}) => theta !== end);
+  const stored = [...before, ...(end === null ? [] : [{...model, theta: end}])].map((state) => ({theta: state.theta, poses: numbersOf(state)}));
   if (flat && !(stored[0]?.theta < 1e-6)) stored.unshift({theta: 0, poses: numbersOf(flat)});
   const known = stored.sort((a, b) => a.theta - b.theta).filter((state, k) => k === 0 || state.theta > stored[k - 1].theta);
-  if (known.length < 2) return {poses: () => numbersOf(model), from: to, to, words: "One computed state."};
-  return {poses: KinetixScene.storedMotion(known), from: known[0].theta, to: known[known.length - 1].theta,
-    words: `The slider goes through ${known.length} computed states, and straight from each to the next.`};
+  if (known.length < 2) return {poses: () => numbersOf(model), from: to, to, at: to, words: "One computed state."};
+  const other = Math.abs(to - end) > SAME_THETA;
+  return {poses: KinetixScene.storedMotion(known), from: end < 0 ? known[known.length - 1].theta : known[0].theta, to: end, at: to, ofDrive: other,
+    words: `The slider goes through ${known.length} computed states, and straight from each to the next.` +
+        (other ? ` It stands at the state that was reached, \u03b8 ${degrees(toDegrees(to))}; on the way \u03b8 is that of the drive, ${degrees(toDegrees(end))} at its end.` : "")};
 }
 
 /** Takes points of the frame of the results to that of the motion: they share body 0. */
@@ -135,7 +148,12 @@ class SceneView {
     this.scene.show(this.motion.poses(theta));
     if (this.choices?.[this.select?.value]?.moves) this.paint();
     if (this.slider) this.slider.value = theta;
-    if (this.readout) this.readout.textContent = `\u03b8 ${degrees(toDegrees(theta))}`;
+    if (this.readout) this.readout.textContent = this.placeWords();
+  }
+
+  placeWords() {
+    const {to, at, ofDrive} = this.motion, isEnd = Math.abs(this.theta - to) < 1e-9;
+    return `${ofDrive && !isEnd ? "drive at " : ""}\u03b8 ${degrees(toDegrees(isEnd ? at : this.theta))}`;
   }
 
   showPhysics(on) {
@@ -179,7 +197,7 @@ class SceneView {
     if (moves) {
       const steps = {min: Math.min(from, to), max: Math.max(from, to), step: "any", value: this.theta};
       this.slider = html("input", {type: "range", ...steps, "aria-label": "Fold angle", input: () => this.show(Number(this.slider.value))});
-      this.readout = html("output", {}, `\u03b8 ${degrees(toDegrees(this.theta))}`);
+      this.readout = html("output", {}, this.placeWords());
       this.button = html("button", {type: "button", click: () => this.play(!this.playing)}, "Play");
     }
     const fold = moves ? html("label", {class: "slider"}, "flat", this.slider, "folded ", this.readout) : null;

@@ -38,8 +38,8 @@ function importance(response) {
   if (response.sobol)
     return {
       what: "Sobol's total index, share of the variance",
-      bars: bars(response.sobol, (s) => s.total),
-      second: bars(response.sobol, (s) => s.first),
+      bars: bars(response.sobol, (s) => s.total.map(clampedShare)),
+      second: bars(response.sobol, (s) => s.first.map(clampedShare)),
       names: ["total", "by itself"]
     };
   if (response.morris)
@@ -59,7 +59,7 @@ function importance(response) {
   }
   return {
     what: "share of the variance that goes with the factor alone",
-    bars: bars(effects, (e) => [e.variance_share, null, null])
+    bars: bars(effects, (e) => [clampedShare(e.variance_share), null, null])
   };
 }
 
@@ -111,7 +111,7 @@ function drawImportance(data, response, width) {
   if (data.families.length < data.factors.length && shares.some(Boolean)) {
     const rows = data.families.map(({name, factors}, f) => ({
                                      words: factorNamed(name).words + (factors.length > 1 ? ` (${factors.length})` : ""),
-                                     bar: {value: finite(shares[f]?.[0]) === null ? null : Math.max(shares[f][0], 0), low: shares[f]?.[1], high: shares[f]?.[2]}
+                                     bar: {value: clampedShare(shares[f]?.[0]), low: clampedShare(shares[f]?.[1]), high: clampedShare(shares[f]?.[2])}
                                    }));
     return drawBars(rows, "share of the variance", width);
   }

@@ -12,8 +12,13 @@ const UNIT_WORDS = {
   mm3: "mm\u00b3"
 };
 
-/** "moved_rms_mm" -> {words: "moved rms", unit: "mm"}; a name that ends in no unit is a pure number. */
+const IN_CELL_EDGES = ["gap_peak", "hinge_gap_max", "hinge_gap_rms", "exact_rms", "exact_max"];  // responses whose names say no unit
+
+const LEAST_SHARE = 0.1;  // of the variance: a factor with less does not stand out
+
+/** "moved_rms_mm" -> {words: "moved rms", unit: "mm"}; any other name that ends in no unit is a pure number. */
 function named(name) {
+  if (IN_CELL_EDGES.includes(name)) return {words: words(name), unit: "cell edges"};
   const parts = name.split("_"), unit = UNIT_WORDS[parts[parts.length - 1]];
   const said = unit && parts.length > 1 ? parts.slice(0, -1) : parts;
   return {words: said.join(" "), unit: unit ?? ""};
@@ -23,12 +28,16 @@ function withUnit(text, unit) {
   return text === DASH || unit === "" ? text : text + (unit === "\u00b0" ? "" : SPACE) + unit;
 }
 
-/** A factor's or family's path for people: "design.walls[*].t_mm" -> {words: "t, each wall", unit: "mm"}. */
+/**
+ * A factor's or family's path for people: "design.walls[*].t_mm" -> {words: "t, each wall", unit: "mm"}. The unit may stand in any
+ * part: "structure.wall_mm.height" is the height of walls, in mm.
+ */
 function factorNamed(path) {
-  const parts = path.replace(/^design\./, "").split("."), last = named(parts[parts.length - 1]);
+  const parts = path.replace(/^design\./, "").split(".").map(named), [last] = parts.slice(-1);
   const where = parts.slice(0, -1).map(
-      (part) => part.replace(/^(\w+?)s?\[\*\]$/, "each $1").replace(/^(\w+?)s?\[(\d+)\]$/, "$1 $2").replace(/_/g, " "));
-  return {words: [last.words, ...where].join(", "), unit: last.unit};
+      ({words: part}) => part.replace(/^(\w+?)s?\[\*\]$/, "each $1").replace(/^(\w+?)s?\[(\d+)\]$/, "$1 $2"));
+  const {unit} = [...parts].reverse().find((part) => part.unit) ?? last;
+  return {words: [last.words, ...where].join(", "), unit};
 }
 
 function valuesWords(factor, unit) {
@@ -41,11 +50,16 @@ function valuesWords(factor, unit) {
       values.map(neat).join(", ") + (unit ? ` ${unit}` : "");
 }
 
+/** Estimates of shares may lie a little outside of what shares can be. */
+function clampedShare(value) {
+  return finite(value) === null ? value : Math.min(Math.max(value, 0), 1);
+}
+
 /** [0.83, 0.7, 0.96] -> "83 % (70 to 96)"; what chance alone may give is said to be none. */
 function shareWords(share) {
   if (!share || finite(share[0]) === null) return DASH;
-  const [value, low, high] = share, whole = (x) => String(Math.round(100 * x));
-  const text = `${whole(Math.min(Math.max(value, 0), 1))}${SPACE}%`;
+  const [value, low, high] = share.map(clampedShare), whole = (x) => String(Math.round(100 * x));
+  const text = `${whole(value)}${SPACE}%`;
   return finite(low) === null || finite(high) === null ? text : `${text} (${whole(low)} to ${whole(high)})`;
 }
 
@@ -70,6 +84,20 @@ function leading(data, response) {
     if (share && finite(share[0]) !== null && (best === null || share[0] > shares[best][0])) best = f;
   });
   return best === null || isConstant(response) ? null : {family: data.families[best], share: shares[best]};
+}
+
+/**
+ * Words of how much a response goes with its leading factor: {start of a sentence, of a card, family and share where one stands out};
+ * nothing where no shares are known.
+ */
+function leadWords(data, response) {
+  const found = leading(data, response);
+  if (!found) return null;
+  const [value, low] = found.share, name = factorNamed(found.family.name).words;
+  if (value < LEAST_SHARE || (finite(low) !== null && low <= 0)) return {sentence: "No factor stands out. ", card: "no factor stands out"};
+  const most = value > 0.5;
+  return {sentence: `${most ? "Most" : "The largest part"} of it goes with ${name}: ${shareWords(found.share)} of the variance${direction(response, found.family)}. `,
+    card: `${most ? "mostly" : "the largest part:"} ${name}`};
 }
 
 /** Which way a response goes with a single factor: " (more with more)"; "" where that is not known. */

@@ -1,15 +1,5 @@
 // The goal beside the thing, in mm: {lines: [[[x, y, z]]], triangles: [[[x, y, z]]], picture: {source, corners}}; corners from low left on, to the left about.
 import {cssColour} from "./colours.js";
-import {conjugate, product, turned} from "./quaternion.js";
-
-/** The same beside another placing of the same shape. @param from, to pose of one body before and after, 7 numbers each */
-export function carried(ghost, from, to) {
-  if (!ghost) return ghost;
-  const turn = product(to.slice(3, 7), conjugate(from.slice(3, 7)));
-  const place = (p) => turned(turn, p.map((v, k) => v - from[k])).map((v, k) => v + to[k]);
-  const moved = (lists) => lists?.map((points) => points.map(place)), {picture} = ghost;
-  return {...ghost, lines: moved(ghost.lines), triangles: moved(ghost.triangles), picture: picture && {...picture, corners: picture.corners.map(place)}};
-}
 
 /** How far p lies off a line of points, all of as many coordinates. */
 export function offLine(points, p) {

@@ -256,7 +256,7 @@ export class Scene {
 
   // ---- what lies beside it
 
-  /** The goal as a ghost, in the frame of the poses: {lines: [[[x, y, z]]], points: [[x, y, z]], triangles: [[a, b, c]], picture: {source, corners}}. */
+  /** The goal as a ghost, in a frame of its own (see placeGoal): {lines: [[[x, y, z]]], points: [[x, y, z]], triangles: [[a, b, c]], picture: {source, corners}}. */
   setGoal(goal) {
     this.goal.clear();
     const colour = cssColour("goal"), at = (points) => new THREE.BufferGeometry().setAttribute("position", new THREE.Float32BufferAttribute(points.flat(), 3));
@@ -270,6 +270,14 @@ export class Scene {
     }
     this.underlay = goal?.picture ? underlay(goal.picture) : null;
     if (this.underlay) this.goal.add(this.underlay), (this.underlay.visible = !this.openings.object.visible);
+    this.redraw();
+  }
+
+  /** Lays the goal into the frame of the poses. @param placement {turn, from, to} (placement.js), or null: it is in that frame */
+  placeGoal(placement) {
+    const {turn: [w, ...v], from, to} = placement ?? {turn: [1, 0, 0, 0], from: [0, 0, 0], to: [0, 0, 0]};
+    this.goal.quaternion.set(...v, w);
+    this.goal.position.set(...turned([w, ...v], from).map((x, k) => to[k] - x));
     this.redraw();
   }
 

@@ -17,8 +17,15 @@ function directions(poses, axis) {
 }
 const places = (poses) => Array.from({length: poses.length / 7}, (_, k) => [...poses.subarray(7 * k, 7 * k + 3)]);
 
-/** Bodies of the largest flat part; among equal ones, of that in the middle of the sheet. */
-function baseFace(normals, rest) {
+/** Whether the thing stands on a flat part without tipping over: the middle of all lies above the part, not beside it. */
+function bears({normal, bodies}, points) {
+  const base = mean(bodies.map((k) => points[k])), off = minus(mean(points), base), beside = minus(off, scaled(normal, dot(off, normal)));
+  const far = Math.hypot(...beside);
+  return far < 1e-6 || Math.max(...bodies.map((k) => dot(minus(points[k], base), beside))) >= far * far;
+}
+
+/** Bodies of the largest flat part that bears the thing; among equal ones, of that in the middle of the sheet. */
+function baseFace(normals, points, rest) {
   const groups = [], middle = mean(rest);
   normals.forEach((normal, k) => {
     const group = groups.find((each) => dot(each.normal, normal) > SAME_FACE);
@@ -26,14 +33,16 @@ function baseFace(normals, rest) {
     else groups.push({normal, bodies: [k]});
   });
   const off = ({bodies}) => Math.hypot(...minus(mean(bodies.map((k) => rest[k])), middle));
-  const most = Math.max(...groups.map(({bodies}) => bodies.length));
-  const [best] = groups.filter(({bodies}) => bodies.length > 0.9 * most).sort((a, b) => off(a) - off(b));
-  return most < Math.max(LEAST_FACE, FACE_SHARE * normals.length) ? null : best.bodies;
+  const parts = groups.filter(({bodies}) => bodies.length >= Math.max(LEAST_FACE, FACE_SHARE * normals.length)).filter((part) => bears(part, points));
+  if (!parts.length) return null;
+  const most = Math.max(...parts.map(({bodies}) => bodies.length));
+  const [best] = parts.filter(({bodies}) => bodies.length > 0.9 * most).sort((a, b) => off(a) - off(b));
+  return best.bodies;
 }
 
 /** Bodies that what stands up is read from, and whether their upper side is to look down. */
 export function standOf(poses, rest) {
-  const normals = directions(poses, [0, 0, 1]), points = places(poses), face = baseFace(normals, rest);
+  const normals = directions(poses, [0, 0, 1]), points = places(poses), face = baseFace(normals, points, rest);
   const bodies = face ?? normals.map((_, k) => k), up = mean(bodies.map((k) => normals[k]));
   const about = mean(points), base = mean(bodies.map((k) => points[k]));
   if (face) return {bodies, flipped: dot(minus(about, base), up) < -1e-6};

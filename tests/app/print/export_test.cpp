@@ -151,8 +151,8 @@ TEST(Export, RefusesPinsWithoutRoomForAnEyeAndSaysHowHighTheirWallsHaveToBe) {
   low.replace(low.find("cell_mm: 12"), 11, "cell_mm: 30");
   const std::string pins = "--format stl --hinge pin --process fdm";
   expect_refused(low, pins, "a pin 1.5 mm high has no room for an eye between two clearances of 0.53 mm");
-  expect_refused(low, pins, "x 2.12 mm a cell_mm of 30.5 would do (--cell-mm 30.5)");
-  expect_refused(low, pins, "(--cell-mm 30.5): the sheet and what it folds to are 1.02 times as large");
+  expect_refused(low, pins, "x 2.12 mm a cell_mm of 30.5 would do (kinetix-opt export --cell-mm 30.5)");
+  expect_refused(low, pins, "export --cell-mm 30.5): the sheet and what it folds to are 1.02 times as large");
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, low, pins + " --cell-mm 30.5").code, 0);
   EXPECT_NEAR(double(said_of(scratch)["bounds_mm"][2]), 2.12, 1e-6) << "in floats";
@@ -259,7 +259,7 @@ design: {theta_deg: 20, hinges: [{wall: [[1, 0], [2, 0]], beta_deg: 30}, {wall: 
   for (const char* options : {"--format stl", "--format stl --hinge block"})
     expect_refused(own, options,
                    "change its `hinge:` to `kind: block`, or take it out and give --hinge block");
-  expect_refused(leaning, "--format stl --hinge pin", "pins cannot (--hinge block)");
+  expect_refused(leaning, "--format stl --hinge pin", "pins cannot (kinetix-opt export --hinge block)");
 }
 
 TEST(Export, MakesADesignForItsOwnProcess) {
@@ -327,7 +327,7 @@ TEST(Export, SaysThatTheBedIsTooSmallAndNotThatLargerCellsAreNone) {
   const Scratch scratch;
   const Outcome run = exported(scratch, panel, "--format stl --hinge pin --bed 10,10");
   EXPECT_EQ(run.code, 2);
-  EXPECT_THAT(run.err, HasSubstr("smaller cells (--cell-mm)"));
+  EXPECT_THAT(run.err, HasSubstr("smaller cells (kinetix-opt export --cell-mm)"));
   EXPECT_EQ(run.err.find("larger cell"), std::string::npos) << run.err;
   ASSERT_EQ(exported(scratch, panel, "--format stl --hinge pin --bed 15,15").code, 0);
   EXPECT_EQ(said_of(scratch)["tiles"], Json::array({4, 3})) << "a body each";
@@ -412,7 +412,8 @@ TEST(Export, RefusesAHingeOnAJunctionAndSaysWhichCellWouldDo) {
   const Scratch scratch;
   const Outcome refused = exported(scratch, design, "--format stl --hinge pin");
   std::smatch edge;
-  ASSERT_TRUE(std::regex_search(refused.err, edge, std::regex(R"(would do \(--cell-mm ([0-9.]+)\))")))
+  ASSERT_TRUE(std::regex_search(refused.err, edge,
+                                std::regex(R"(would do \(kinetix-opt export --cell-mm ([0-9.]+)\))")))
       << refused.err;
   EXPECT_EQ(exported(scratch, design, "--format stl --hinge pin --cell-mm " + edge.str(1)).code, 0);
   const double less = std::stod(edge.str(1)) - 0.5;
@@ -422,7 +423,7 @@ TEST(Export, RefusesAHingeOnAJunctionAndSaysWhichCellWouldDo) {
 TEST(Export, MakesBlocksWherePinsDoNotFitAndSaysWhy) {
   const std::string design =
       std::string(panel).replace(std::string(panel).find("cell_mm: 12"), 11, "cell_mm: 8");
-  expect_refused(design, "--format stl --process fdm --hinge pin", "would do (--cell-mm ");
+  expect_refused(design, "--format stl --process fdm --hinge pin", "would do (kinetix-opt export --cell-mm ");
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, design, "--format stl --process fdm").code, 0);
   const Json json = said_of(scratch);

@@ -2,6 +2,7 @@
 
 #include "app/studio/base64.hpp"
 #include "app/studio/frame.hpp"
+#include "app/studio/plain_number.hpp"
 #include "model/base/invalid_input.hpp"
 
 namespace kinetix::testing {
@@ -9,6 +10,16 @@ namespace {
 
 using app::studio::from_base64;
 using app::studio::Message;
+
+TEST(StudioMessage, HasNumbersWithoutExponents) {
+  EXPECT_EQ(app::studio::plain_number(1000), "1000");
+  EXPECT_EQ(app::studio::plain_number(99'999), "99999");
+  EXPECT_EQ(app::studio::plain_number(123'456), "1.23e+05");
+  EXPECT_EQ(app::studio::plain_number(0.01234), "0.0123");
+  EXPECT_EQ(app::studio::plain_number(2.5, 2), "2.5");
+  EXPECT_EQ(app::studio::plain_number(-31.409, 4), "-31.41");
+  EXPECT_EQ(app::studio::plain_number(0), "0");
+}
 
 TEST(StudioMessage, IsReadStrictly) {
   const Message message(R"({"type": "x", "id": 7, "n": 2, "to": [1, 2.5, -3], "all": [3, 1]})");

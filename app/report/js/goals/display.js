@@ -90,13 +90,15 @@ function cellColour(bright) {
 }
 
 /** The panel before a lamp, seen from near. */
-function drawLit(data, width, most) {
-  const cells = litCells(data, data.states.model), {to, height} = fitted(cells.flatMap(([points]) => points), width, most);
-  const walls = plates(data.structure).map((plate) => carriedPlate(data.structure, data.states.model, plate));
-  return drawing(
-      width, height, "The pressed panel before a lamp",
+function litShot(data) {
+  const cells = litCells(data, data.states.model), walls = plates(data.structure).map((plate) => carriedPlate(data.structure, data.states.model, plate));
+  return {
+    label: "The pressed panel before a lamp", points: cells.flatMap(([points]) => points),
+    marks: (to) => [
       svg("g", {}, cells.map(([points, bright]) => svg("path", {d: path(points.map(to), true), style: `fill:${cellColour(bright)}`}))),
-      svg("g", {class: "lit-walls"}, walls.map((plate) => svg("path", {d: path(topRim(plate).map(to), true)}))));
+      svg("g", {class: "lit-walls"}, walls.map((plate) => svg("path", {d: path(topRim(plate).map(to), true)})))
+    ]
+  };
 }
 
 const ARC_MINUTE = 2.9e-4;                 // rad, what an eye tells apart
@@ -227,6 +229,8 @@ function printsTable(display) {
                     display.printed.confirmed === false ? "What prints show: first order is far from them" : "What prints show"));
 }
 
+const PULLED_WORDS = "A negative force: at the end of the way the plates hold the panel back, which by then closes further by itself.";
+
 /** What hinges further off their walls would buy. */
 function frontTable(display) {
   if (display.front.length < 2) return null;
@@ -241,8 +245,11 @@ function frontTable(display) {
   });
   return html("div", {},
               html("p", {}, "What larger or smaller offsets of the hinges would show under the same drive:"),
-              table(["offset, at most", grey ? "rank correlation" : "AUC", ...(grey ? [] : ["contrast", "letter brighter than the rest by"]), "force", "stretch, largest"],
-                    display.front.map(row), "Legibility against offset, force and stretch"));
+              html("div", {class: "scroll"},
+                   table(["offset, at most", grey ? "rank correlation" : "AUC", ...(grey ? [] : ["contrast", "letter brighter than the rest by"]), "force", "stretch, largest"],
+                         display.front.map(row), "Legibility against offset, force and stretch")),
+              display.front.some(({reached, load_N: load}) => reached === true && load < 0) ?
+                  html("p", {class: "note"}, PULLED_WORDS) : null);
 }
 
 /** How large a panel would have to be; what this one lacks is said at the top. */
@@ -286,7 +293,7 @@ const displayGoal = {
   view: "top",
   verdict: displayVerdict,
   numbers: displayNumbers,
-  standing: drawLit,
+  standing: litShot,
   facts: ({goal: display}) => [["Picture", display.after && `${rightSideWords(rightSide(display, display.after)) ?? readingWords(display, display.after)}; ` +
     (isGrey(display) ? "in greys" : `contrast ${figures(display.after.contrast, 2)}`)]],
   firstSections: [["display", "What the panel shows", displaySection]],

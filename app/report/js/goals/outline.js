@@ -57,7 +57,7 @@ function outlineSection(data) {
   return [
     table(["state", "rms", "largest", "area shared"], rows, "Rim against outline, in parts of the outline\u2019s diagonal"),
     html("p", {class: "note"},
-         `Hinges sit up to ${millimetres(outline.offset ?? 0)} off the middle of their walls. ` +
+         `Hinges sit up to ${millimetres(outline.offset ?? 0)} to one side of the middle of their walls, across the wall. ` +
              `${percent(outline.bounds.offset ?? 0)} of the walls have the largest offset that is allowed, ` +
              `${percent(outline.bounds.turn ?? 0)} turn as far as they may` +
              (outline.cuts > 1 ? `; the panel is the best of ${outline.cuts} cuts of the lattice.` : ".")),

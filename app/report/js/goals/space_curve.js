@@ -60,7 +60,7 @@ function drawByColumn(rows, words, width) {
   const axes = plot({
     width, label: words,
     x: columnAxis(span("Column", "columns", rows.map(([column]) => column)), width),
-    y: {range: padded([0, ...rows.map(([, one]) => one)]), label: words},
+    y: {range: barRange(rows.map(([, one]) => one)), label: words},
   });
   axes.root.append(...rows.map(([column, one]) => bar(axes, column, one, {class: "turn"})),
                    svg("path", {class: "zero", d: path([[axes.area.left, axes.Y(0)], [axes.area.right, axes.Y(0)]])}));

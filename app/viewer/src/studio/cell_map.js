@@ -1,6 +1,6 @@
 // The sheet from above, flat: cells to paint, hinges to choose. One picture that the arrow keys walk over.
 import {cellAt} from "../squares.js";
-import {$, status, svg} from "./dom.js";
+import {$, show, status, svg} from "./dom.js";
 
 const CLICK_SHARE = 0.08;  // of a cell: a pointer that moved less has clicked
 const T_RANGE = [0.02, 0.98];
@@ -11,6 +11,7 @@ export class CellMap {
     Object.assign(this, {state, box, cursor: [1, 1]});
     state.on("design", () => this.draw());
     state.on("chosen", () => this.mark());
+    new ResizeObserver(() => this.tellWidth()).observe(box);
     box.addEventListener("pointermove", (event) => this.move(event));
     for (const end of ["pointerup", "pointercancel"]) box.addEventListener(end, (event) => this.lift(event, end === "pointerup"));
   }
@@ -124,8 +125,14 @@ export class CellMap {
     this.picture = picture;
     this.box.replaceChildren(picture);
     if (hadFocus) picture.focus();
+    this.tellWidth();
     this.mark();
     this.moveCursor(0, 0, false);
+  }
+
+  /** Says so where the picture is wider than its box: scroll bars are not seen everywhere. */
+  tellWidth() {
+    show($("map_wide"), this.box.clientWidth > 0 && this.box.scrollWidth > this.box.clientWidth + 1);
   }
 
   cell([i, j]) {
@@ -163,7 +170,9 @@ export class CellMap {
     const [x, y] = this.cursor;
     this.mover.setAttribute("x", x / 2 - 0.2);
     this.mover.setAttribute("y", this.flip - y / 2 - 0.2);
-    if (says) status(this.words());
+    if (!says) return;
+    this.mover.scrollIntoView({block: "nearest", inline: "nearest"});
+    status(this.words());
   }
 
   under() {

@@ -1,5 +1,5 @@
 // Every kind of goal: the cards that ask for it, how its result is looked at, what stands beside it as a ghost.
-import {carried} from "../ghost.js";
+import {fitted} from "../placement.js";
 import {curveGoal} from "./goals/curve.js";
 import {displayGoal} from "./goals/display.js";
 import {foldGoal} from "./goals/fold.js";
@@ -36,16 +36,15 @@ export function distancesOf(result) {
   return goal?.apart && state && Array.isArray(section.goal_mm) ? state.poses.map(({position_mm}) => goal.apart(section, position_mm)) : null;
 }
 
-const numbers = ({position_mm: p, quaternion_wxyz: q}) => [...p, ...q];
-
-/**
- * The goal in the frame of the poses, from the result of a search; null where there is none. @param motion of an exact design:
- * results may have the thing elsewhere than its motion, as a helmet on its head
- */
-export function ghostOf(design, result, motion) {
+/** The goal in the frame of the result that it came with; null where there is none. */
+export function ghostOf(design, result) {
   const goal = goalOf(result);
-  const ghost = goal?.ghost?.(result[goal.name], design, result) ?? null;
+  return goal?.ghost?.(result[goal.name], design, result) ?? null;
+}
+
+/** How the goal of a result is laid onto the sheet that is shown; null where their bodies are not the same. @param poses 7 numbers a body */
+export function placementOf(result, poses, cell_mm) {
   const state = result?.states?.find(({name}) => name === "target");
-  if (!motion || !state?.poses?.[0] || !Number.isFinite(state.theta_rad)) return ghost;
-  return carried(ghost, numbers(state.poses[0]), [...motion(state.theta_rad).slice(0, 7)]);
+  if (state?.poses?.length * 7 !== poses.length) return null;
+  return fitted(state.poses.flatMap(({position_mm, quaternion_wxyz}) => [...position_mm, ...quaternion_wxyz]), poses, cell_mm);
 }

@@ -8,7 +8,7 @@ import {Connection} from "./connection.js";
 import {DesignPanel} from "./design_panel.js";
 import {$, degrees, neat, radians, say, show, status} from "./dom.js";
 import {GoalPanel} from "./goal_panel.js";
-import {distancesOf, ghostOf, goalOf} from "./goals.js";
+import {distancesOf, ghostOf, goalOf, placementOf} from "./goals.js";
 import {Hand} from "./hand.js";
 import {MakePanel} from "./make_panel.js";
 import {MotionBar} from "./motion_bar.js";
@@ -54,7 +54,8 @@ connection.on("design", (design) => {
 connection.on("result", (message) => {
   state.result = message;
   state.found = message.result;
-  scene.setGoal(ghostOf(state.design, state.found, state.motion));
+  scene.setGoal(ghostOf(state.design, state.found));
+  layGoal();
   lookAt(message.result);
   state.changed("result");
 });
@@ -65,6 +66,7 @@ connection.on("frame", (frame) => {
   state.frame = frame;
   if (!scene.stand || (wasIn !== frame.mode && frame.mode !== "bullet")) stand(frame);
   scene.show(frame.poses, {settle: frame.mode !== "bullet" && !hand.held});
+  layGoal();
   hand.thread();
   if (state.fitting) state.fitting = false, scene.fit();
   state.changed("frame");
@@ -96,7 +98,18 @@ function newSheet(design, first) {
   scene.stand = null;
   state.motion = design.exact && !design.bodies ? exactMotion(design.structure, design.family) : null;
   state.fitting = first || before !== scene.rest.length || Math.abs(size - scene.size) > 0.05 * size;
-  scene.setGoal(ghostOf(design, state.found, state.motion));
+  scene.setGoal(ghostOf(design, state.found));
+}
+
+let laid = null;  // where the closed form meets the goal, by result and motion: it stays there while the sheet folds past it
+
+/** The goal onto the sheet that is shown: onto where its closed form meets it, or onto an equilibrium or physics as they are. */
+function layGoal() {
+  const {frame, found, motion, design} = state, theta = found?.states?.find(({name}) => name === "target")?.theta_rad, cell = design?.structure.cell_mm;
+  if (!found || !frame) return;
+  if (frame.mode !== "exact" || !motion || !Number.isFinite(theta)) return scene.placeGoal(placementOf(found, frame.poses, cell));
+  if (laid?.found !== found || laid.motion !== motion) laid = {found, motion, at: placementOf(found, motion(theta), cell)};
+  scene.placeGoal(laid.at);
 }
 
 /** Exact sheets by their shape well folded, so that they do not turn over on the way; others by how they are; bodies as they were drawn. */
@@ -145,7 +158,7 @@ state.on("frame", () => $("colour").value === "turn" && scene.setHeat(turns()));
 
 let beforeScene = null;
 state.remember = () => {
-  if (state.design && state.frame) state.before = {design: state.design, poses: state.frame.poses.slice(), goal: ghostOf(state.design, state.found, state.motion)};
+  if (state.design && state.frame) state.before = {design: state.design, poses: state.frame.poses.slice()};
 };
 function compare(on) {
   if (on && !state.before) return status("nothing to compare with yet: search, or keep this design as before");
