@@ -65,9 +65,8 @@ std::string summary(const Run& run) {
          certified_lines(*run.certified, run.structure, run.theta, near_exact(run)))
       text += line(label, words);
   if (const auto worst = worst_strain(run))
-    text +=
-        line("strained", fmt::format("by {:.3g} of {:g} that its material bears, the most of its hinges",
-                                     worst->strain, worst->allowed));
+    text += line("strained", fmt::format("by {:.3g} of {:g} that its material bears, the most of its hinges",
+                                         worst->strain, worst->allowed));
   for (const auto& [label, words] : made_hinge_lines(run)) text += line(label, words);
   if (run.stopped)
     text += line("STOPPED", "before its end: this is the best so far, and only what was known of it");

@@ -51,9 +51,9 @@ holds 'pair of plates touches as built'
 holds 'this state lies beyond: walls may meet on the way'
 with "\"certified\":{\"design\":{\"growth_mm\":0,$range},\"printed\":{\"growth_mm\":0.2,$range},\"states_are_exact\":false,\"states_have_left\":true,\"covers_theta\":true,\"covers_theta_printed\":true}"
 holds '<h2>Free of contact: proven of the closed form, not of this state</h2>'
-holds 'Of the state shown nothing is proven: the equilibrium has left the closed form'
+holds '<p>Of the state shown nothing is proven: the equilibrium has left the closed form'
 lacks 'this state lies within'
-lacks 'equilibria of elastic hinges near it'
+lacks 'equilibria of elastic hinges near it. '
 with '"certified":{"why_not":"its states are equilibria"}'
 holds 'No range of θ is proven: its states are equilibria.'
 echo "made_renders: ticks are green where prints hold alone"
