@@ -10,9 +10,9 @@
 
 namespace kinetix::app {
 
-/// How far a block or film is strained, and what its material bears.
 struct HingeStrain {
-  double strain = 0, allowed = 0;
+  double strain = 0;   ///< of a block or film, a ratio of lengths
+  double allowed = 0;  ///< what its material bears, likewise
 };
 
 /// Of the hinge that comes nearest to what its material bears, or is farthest beyond, in the state shown.

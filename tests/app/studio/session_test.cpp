@@ -401,7 +401,7 @@ TEST_F(Studio, KnowsTheGoalOfADesignThatLiesBesideItsResult) {
   const std::string words =
       again["summary"].get<std::string>().substr(again["summary"].get<std::string>().find('\n'));
   EXPECT_THAT(words, ::testing::HasSubstr("\n  shape      rms "));
-  EXPECT_THAT(words, ::testing::HasSubstr("\n  fold       theta "));
+  EXPECT_THAT(words, ::testing::HasSubstr("\n  folded     theta "));
   for (const char* key : {"_rms", "_rad", "_max", "e-"})
     EXPECT_THAT(words, ::testing::Not(::testing::HasSubstr(key)));
   EXPECT_EQ(app::studio::theta_reached(again), found["result"]["metrics"]["theta_rad"].get<double>());
