@@ -12,7 +12,7 @@ namespace kinetix::app {
 
 struct HingeStrain {
   double strain = 0;   ///< of a block or film, a ratio of lengths
-  double allowed = 0;  ///< what its material bears, likewise
+  double allowed = 0;  ///< what its material bears, a ratio of lengths too
 };
 
 /// Of the hinge that comes nearest to what its material bears, or is farthest beyond, in the state shown.
