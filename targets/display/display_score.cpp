@@ -12,13 +12,16 @@ namespace {
 // leaves. A smaller one would rank cells that are alike; a larger one would hide faint pictures.
 constexpr double same = 1e-5;
 
-/// Ranks from 1, those of values that are the same averaged.
+/// Ranks from 1, those of values that are the same averaged; what is no number comes last, each in a rank of its own.
 std::vector<double> ranks(const std::vector<double>& values) {
   std::vector<std::size_t> order(values.size());
   std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return std::isnan(values[b]) ? !std::isnan(values[a]) : values[a] < values[b];
+  });
   std::vector<double> out(values.size());
   for (std::size_t from = 0, to = 0; from < order.size(); from = to) {
+    to = from + 1;
     while (to < order.size() && values[order[to]] - values[order[from]] <= same) ++to;
     const double mean = (static_cast<double>(from + to) + 1) / 2;
     for (std::size_t k = from; k < to; ++k) out[order[k]] = mean;

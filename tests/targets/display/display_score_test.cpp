@@ -42,6 +42,8 @@ TEST(RankCorrelation, IsOneForAnyIncreasingFunctionAndHandlesTies) {
   // Ranks 1.5, 1.5, 3 and 1, 2, 3: covariance 1/2, variances 1/2 and 2/3.
   EXPECT_NEAR(rank_correlation({5, 5, 6}, {1, 2, 3}), 0.5 / std::sqrt(0.5 * 2 / 3), 1e-15);
   EXPECT_EQ(rank_correlation({1, 1, 1}, {1, 2, 3}), 0);
+  // Light that is no number, as of walls without a thickness, ends in some rank.
+  EXPECT_LE(std::abs(rank_correlation({NAN, 1, NAN}, {1, 2, 3})), 1 + 1e-15);
 }
 
 }  // namespace
