@@ -23,9 +23,7 @@ constexpr double seconds_a_start = 0.0075;
 constexpr double full_turn = 320 * radians_per_degree, steep_turn = 36 * radians_per_degree,
                  sharp_turn = 60 * radians_per_degree;
 constexpr double repeats_of_full = 4, repeats_of_steep = 12, repeats_of_sharp = 40;
-constexpr double narrowest = 1e-2;      // rad: of a range of theta that holds more than one
-constexpr double robust_designs = 45;   // searches that a robust design takes, about
-constexpr double robust_finalists = 6;  // and how often elastic hinges are made up for
+constexpr double robust_designs = 45;  // searches that a robust design takes, about
 
 double repeats(const targets::Curve& curve, int columns) {
   double all = 0, most = 0;
@@ -80,7 +78,8 @@ class CurveScene final : public Scene {
                    std::pow(file_.columns / 40.0, 1.5) * repeats(file_.curve, file_.columns);
     if (file_.robust) out.search_s *= robust_designs;
     add_settings(file_, out);
-    if (file_.robust) out.search_s += robust_finalists * matter_seconds(file_, out.sheet);
+    if (file_.robust)
+      out.search_s += static_cast<double>(robust_finalists) * matter_seconds(file_, out.sheet);
     return out;
   }
 

@@ -30,8 +30,6 @@ constexpr int fewest_columns = 4;
 // Of the gaps of blocks and films of the best of them, over that of the file: longer ones turn softer, and are weaker
 // across.
 constexpr double strip_gap_shares[] = {0.5, 0.7, 1.4, 2};
-// Strips whose elastic hinges are made up for, which takes about a second each: their closed forms rank the others.
-constexpr std::size_t finalists = 6;
 // rad: as narrow as a range may be; theta is what is tried.
 constexpr double narrow = 1e-3;
 // rad below the theta at which basic cells of these walls close.
@@ -128,7 +126,7 @@ std::size_t best_in_matter(std::vector<Tried>& all, const StripJudge& judge, con
     const CurveCandidate &one = all[a].candidate, &other = all[b].candidate;
     return is_more_robust(weight, one, other);
   });
-  order.resize(std::min(order.size(), finalists));
+  order.resize(std::min(order.size(), robust_finalists));
   std::size_t best = 0;
   for (std::size_t k = 0; k < order.size() && !options.stop.stop_requested(); ++k) {
     options.progress("robust search", static_cast<double>(k) / static_cast<double>(order.size()),

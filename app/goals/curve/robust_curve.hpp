@@ -35,6 +35,9 @@ struct RobustCurve {
   std::size_t chosen = 0;              ///< in tried
 };
 
+/// Strips whose elastic hinges are made up for, which takes about a second each: their closed forms rank the others.
+inline constexpr std::size_t robust_finalists = 6;
+
 /// What a strip comes to once its elastic hinges are made up for.
 using StripJudge = std::function<RobustCandidate(const CurveFile&, const optim::FreeCurveDesign&)>;
 
