@@ -11,6 +11,9 @@ namespace value = targets::value;
 
 constexpr int max_side = 10'000;              // cells: a strip of that length is the longest that is read
 constexpr std::size_t max_cells = 1'000'000;  // in all: refused before memory is taken for bodies and hinges
+// Cell edges: of thinner walls, light and contact are lost to rounding.
+constexpr double least_thickness = 1e-6;
+constexpr double least_height_mm = 1e-4;  // below the default of the smallest cells, 0.0006 mm
 // What messages about `cells` ask for.
 constexpr const char* wanted_cells = "[columns, rows], or a list of cells [[i, j], ...]";
 
@@ -28,9 +31,9 @@ std::string name(const model::Cell& cell) {
 
 const targets::KeyTable& wall_mm_keys() {
   static const targets::KeyTable keys({
-      {"thickness", value::length(targets::between(0, 0.5, "mm (less than half of cell_mm)")),
+      {"thickness", value::length({least_thickness, 0.5, true, false, "mm (less than half of cell_mm)"}),
        targets::otherwise("a tenth of `cell_mm`, at most 3"), "thickness of the walls"},
-      {"height", value::number({0, 10'000, false, true, "mm"}),
+      {"height", value::number(targets::from_to(least_height_mm, 10'000, "mm")),
        targets::otherwise("0.6 of `cell_mm`, at most 30"), "height of the walls"},
   });
   return keys;

@@ -115,6 +115,7 @@ void TangentStiffness::fill() {
 }
 
 bool TangentStiffness::factorise(double shift) {
+  ++factors_;
   fill();
   if (!analysed_) factor_->analyse(matrix_);
   analysed_ = true;

@@ -30,6 +30,8 @@ class TangentStiffness {
   bool factorise(double shift);
   /// Whether the last factorise succeeded: of this matrix, or of one before clear().
   bool is_factorised() const { return factorised_; }
+  /// Calls of factorise so far: where none came in between, the factor is still the one that it was.
+  long factors() const { return factors_; }
   /// @pre is_factorised()
   Eigen::VectorXd solve(const Eigen::VectorXd& rhs) const;
   Eigen::VectorXd multiply(const Eigen::VectorXd& x);
@@ -58,6 +60,7 @@ class TangentStiffness {
   std::vector<Entry> entries_;                ///< of the matrix's values, in their order
   Eigen::SparseMatrix<double> matrix_;
   bool laid_out_ = false, filled_ = false, analysed_ = false, factorised_ = false;
+  long factors_ = 0;
   std::unique_ptr<Factor> factor_;
 };
 

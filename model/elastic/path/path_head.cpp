@@ -49,11 +49,15 @@ void PathHead::move_to(Trial trial, bool snapped) {
   theta_ = trial.theta;
   on_closed_form_ = (on_closed_form_ || trial.descent) && closed_form_.is_near(state_, theta_);
   has_tangent_ = trial.newton.stable;
+  factor_ = system_.tangent.factors();
 }
 
 void PathHead::restore_tangent() {
-  system_.elastic.linearise(state_, theta_, system_.tangent);
-  has_tangent_ = system_.tangent.factorise(0);
+  TangentStiffness& tangent = system_.tangent;
+  system_.elastic.linearise(state_, theta_, tangent);
+  if (tangent.factors() == factor_) return;
+  has_tangent_ = tangent.factorise(0);
+  factor_ = tangent.factors();
 }
 
 }  // namespace kinetix::model

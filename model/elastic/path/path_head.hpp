@@ -38,6 +38,7 @@ class PathHead {
   State state_;
   double theta_ = 0;  ///< rad
   bool has_tangent_ = false, on_closed_form_ = false;
+  long factor_ = -1;  ///< of the tangent's: the last one of this state
 };
 
 }  // namespace kinetix::model

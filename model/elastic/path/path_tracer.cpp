@@ -40,7 +40,7 @@ bool PathTracer::advance(const NextStep& next) {
     take(std::move(trial), *permitted, faults.jump);
     return true;
   }
-  refuse(trial, faults);
+  refuse(next, trial, faults);
   system_.elastic.set_multiplier(multiplier);
   head_.restore_tangent();
   return false;
@@ -55,9 +55,9 @@ void PathTracer::take(Trial trial, const PermittedStep& permitted, double jump) 
   length_.change(growth, permitted.step.contacts > 0);
 }
 
-void PathTracer::refuse(const Trial& trial, const StepFaults& faults) {
+void PathTracer::refuse(const NextStep& next, const Trial& trial, const StepFaults& faults) {
   const bool far_off = faults.jumped || faults.tunnelled;
-  length_.shorten(length_.growth(far_off ? faults.jump : NAN, head_.prediction_order()));
+  length_.shorten(next, length_.growth(far_off ? faults.jump : NAN, head_.prediction_order()));
   refusal_ = {faults, trial.newton, system_.elastic.touching_words(trial.state)};
 }
 

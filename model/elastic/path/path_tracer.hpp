@@ -22,7 +22,7 @@ class PathTracer {
   /// One step. @return whether it was taken
   bool advance(const NextStep& next);
   void take(Trial trial, const PermittedStep& permitted, double jump);
-  void refuse(const Trial& trial, const StepFaults& faults);
+  void refuse(const NextStep& next, const Trial& trial, const StepFaults& faults);
 
   MeasuredSystem system_;
   const ClosedForm closed_form_;

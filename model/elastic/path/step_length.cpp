@@ -40,8 +40,8 @@ void StepLength::change(double growth, bool touching) {
   step_ = std::clamp(step_ * growth, options_.least_step, longest);
 }
 
-void StepLength::shorten(double growth) {
-  step_ = std::max(step_ * std::min(0.5, growth), options_.least_step);
+void StepLength::shorten(const NextStep& refused, double growth) {
+  step_ = std::max(refused.length * std::min(0.5, growth), options_.least_step);
 }
 
 }  // namespace kinetix::model

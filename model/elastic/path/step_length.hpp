@@ -26,8 +26,8 @@ class StepLength {
   double growth(double jump, int order) const;
   /// After a step that was taken. @param touching walls touch behind it
   void change(double growth, bool touching);
-  /// After one that was not: to a half at most.
-  void shorten(double growth);
+  /// After one that was not: to a half of it at most.
+  void shorten(const NextStep& refused, double growth);
 
  private:
   const EquilibriumPathOptions& options_;

@@ -11,9 +11,10 @@ namespace {
 using Descent = Branch::Descent;
 
 constexpr double rough_step =
-    2e-3;                       // rad, cell edges: before the goal, a step this short leaves about its square
-constexpr double level = 1e-5;  // of the energy, by which that step may lower it: more is a slow valley
-constexpr double strayed = 2;   // times longest_jump: so far from a prediction lies another branch
+    2e-3;  // rad, cell edges: before the goal, a step this short leaves about its square
+// Of the energy, by which that step may lower it: more is a slow valley. States before the goal are known to no more.
+constexpr double level = 1e-5;
+constexpr double strayed = 2;  // times longest_jump: so far from a prediction lies another branch
 // Rad: longer steps must start convex and end soon; if not, halving is cheaper.
 constexpr double careful_from = 0.01;
 constexpr int careful_iterations = 15;  // of Newton's method, for such a step
@@ -93,7 +94,8 @@ void StepSolver::leave_saddles(const NextStep& next, Trial& trial) {
     const double saddle = system_.elastic.energy(trial.state, trial.theta);
     trial.state = std::move(start.state);
     search(newton_options(next, true), false, trial);
-    newton.converged = newton.converged && system_.elastic.energy(trial.state, trial.theta) <= saddle;
+    const double energy = system_.elastic.energy(trial.state, trial.theta);
+    newton.converged = newton.converged && energy <= saddle * (1 + level);
   }
 }
 

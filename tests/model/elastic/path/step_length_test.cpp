@@ -49,14 +49,22 @@ TEST(StepLength, IsAtMostTheLongestAndShorterWhereWallsTouch) {
 
 TEST(StepLength, IsHalvedAtLeastUntilItIsTheShortest) {
   StepLength length(usual, 1);
-  length.shorten(0.9);
+  length.shorten(length.next(0), 0.9);
   EXPECT_EQ(length.next(0).length, 0.01);
-  length.shorten(0.25);
+  length.shorten(length.next(0), 0.25);
   EXPECT_EQ(length.next(0).length, 0.0025);
   EXPECT_FALSE(length.next(0).is_shortest);
-  for (int k = 0; k < 2; ++k) length.shorten(0.5);
+  for (int k = 0; k < 2; ++k) length.shorten(length.next(0), 0.5);
   EXPECT_EQ(length.next(0).length, 1e-3);
   EXPECT_TRUE(length.next(0).is_shortest);
+}
+
+TEST(StepLength, OfALastStepThatWasRefusedIsHalfOfWhatWasLeft) {
+  StepLength length(usual, 1);
+  const NextStep last = length.next(0.99);
+  EXPECT_TRUE(last.to_goal);
+  length.shorten(last, 0.5);
+  EXPECT_NEAR(length.next(0.99).length, 0.005, 1e-15);
 }
 
 }  // namespace
