@@ -1,6 +1,7 @@
 #include "targets/document/number.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -61,10 +62,20 @@ bool is_unit(std::string_view rest) {
   throw InvalidInput(in_ticks(text) + " is not a number; give " + wanted);
 }
 
-/// A limit as a person writes it: 1000000 rather than 1e+06.
+constexpr double least_without_exponent =
+    1e-6;  // in the unit of the limit: of smaller ones, zeros are not counted
+
+/// A limit as a person writes it: 1000000 rather than 1e+06, and 0.00001 rather than 9.999999999999999e-06.
 std::string limit_text(double x) {
   const bool is_short_integer = std::abs(x) < 1e9 && x == std::trunc(x);
-  return is_short_integer ? std::to_string(static_cast<long>(x)) : shortest_text(x);
+  if (is_short_integer) return std::to_string(static_cast<long>(x));
+  if (!(std::abs(x) >= least_without_exponent && std::abs(x) < 1e9)) return shortest_text(x);
+  std::array<char, 32> digits;  // 9 before the point, 12 behind it
+  std::string text(
+      digits.data(),
+      std::to_chars(digits.data(), digits.data() + digits.size(), x, std::chars_format::fixed, 12).ptr);
+  text.erase(text.find_last_not_of('0') + 1);
+  return text;
 }
 
 }  // namespace

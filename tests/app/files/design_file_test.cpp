@@ -524,7 +524,7 @@ TEST(DesignFile, SaysWhereAndWhatIsAllowed) {
        3,
        40,
        "hinge.material.E_mpa",
-       {"1e-06", "MPa"}},
+       {"0.000001", "MPa"}},
       {strip + "hinge: {kind: block, material: {E_mpa: 2, nu: 0.5, strain_max: 1}, gap_mm: 1}\n",
        3,
        47,

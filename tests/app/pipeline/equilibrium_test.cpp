@@ -393,7 +393,7 @@ INSTANTIATE_TEST_SUITE_P(
                   "structure: {cells: [2, 2], cell_mm: 10, wall_mm: {thickness: 0}}",
                   "structure.wall_mm.thickness: "},
         BadDesign{"walls_of_atoms", "structure: {cells: [2, 2], cell_mm: 10, wall_mm: {thickness: 1e-300}}",
-                  "a number of at least 1e-05 and below 5, in mm (less than half of cell_mm)"},
+                  "a number of at least 0.00001 and below 5, in mm (less than half of cell_mm)"},
         BadDesign{"walls_without_height",
                   "structure: {cells: [2, 2], cell_mm: 10, wall_mm: {height: 1e-300}}",
                   "a number from 0.0001 to 10000, in mm"},
