@@ -25,6 +25,10 @@ struct SheetDrawing {
   Eigen::Vector2d low, high;  ///< corners of the least box about all parts, mm
 };
 
+inline constexpr double digit_share =
+    0.65;  ///< of a digit's width over the height of letters, in common fonts
+inline constexpr double capital_share = 0.75;  ///< of a digit's height, likewise
+
 /// Of a hinge's number in drawings, mm.
 double number_height_mm(const PrintSheet& sheet);
 

@@ -1,8 +1,12 @@
 #include "app/print/format/strips.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <span>
+
+#include "app/print/format/sheet_drawing.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -13,7 +17,10 @@ constexpr double knife_mm = 3;     // mm, between strips: room for a knife
 constexpr double tab_share = 0.5;  // of the way to the nearest hinge, or of the wall's height
 constexpr double chamfer = 0.3;    // of a tab's length: narrower at its end, so that no two meet in a corner
 
-constexpr double label_share = 0.4;  // of a wall's height: labels stand about its middle
+// Of a label: shares of the wall's height and of the room that it has; where there is hardly any, it stays readable.
+constexpr double most_high = 0.3, least_high = 0.1, most_wide = 0.9;
+// Of a wall's height: where the lower and the upper labels stand, and how far up and down they reach.
+constexpr double lower_row = 0.28, upper_row = 0.72, half_row = 0.18;
 
 /// Of one wall, in its own plane: x from the lower vertex along the wall, y up from its foot. mm
 struct Wall {
@@ -48,6 +55,46 @@ std::pair<Vector2d, Vector2d> score(const Wall& wall) {
     high = std::min(high, to);
   }
   return {middle + low * wall.axis, middle + high * wall.axis};
+}
+
+/// Of a wall beside its score, below or above its middle: where a label stands clear of lines.
+struct Room {
+  double from, to;  ///< along the wall, mm
+  double row;       ///< of the wall's height
+  bool taken = false;
+  double width() const { return to - from; }
+};
+
+/// On the left below and above, on the right below and above.
+std::array<Room, 4> rooms_of(const Wall& wall, const std::pair<Vector2d, Vector2d>& line) {
+  const auto score_at = [&](double share) {
+    const auto& [low, high] = line;
+    const double along = (share * wall.height - low.y()) / (high.y() - low.y());
+    return low.x() + std::clamp(along, 0.0, 1.0) * (high.x() - low.x());
+  };
+  std::array<Room, 4> rooms;
+  for (int k = 0; k < 2; ++k) {
+    const double row = k == 0 ? lower_row : upper_row;
+    const auto [left, right] = std::minmax({score_at(row - half_row), score_at(row + half_row)});
+    rooms[k] = {0, left, row};
+    rooms[2 + k] = {right, wall.length, row};
+  }
+  return rooms;
+}
+
+Room& widest(std::span<Room> rooms) {
+  return *std::max_element(rooms.begin(), rooms.end(), [](const Room& a, const Room& b) {
+    return std::pair(!a.taken, a.width()) < std::pair(!b.taken, b.width());
+  });
+}
+
+/// @param at of the wall's lower left corner, mm
+Strips::Label label_in(Room& room, const Vector2d& at, double wall_height, const std::string& text) {
+  room.taken = true;
+  const double fitting = most_wide * room.width() / (digit_share * static_cast<double>(text.size()));
+  const double height = std::clamp(fitting, least_high * wall_height, most_high * wall_height);
+  const Vector2d middle((room.from + room.to) / 2, room.row * wall_height);
+  return {at + middle - Vector2d(0, capital_share * height / 2), text, height};
 }
 
 class StripMaker {
@@ -88,12 +135,17 @@ class StripMaker {
     add_end(cut, at + Vector2d(0, wall.height), -wall.height, first ? -tab_ : 0);
     cut.pop_back();  // where it began
     out_.cuts.push_back(cut);
-    const auto [low, high] = score(wall);
-    out_.folds.emplace_back(at + low, at + high);
-    out_.numbers.push_back({at + low + label_share * (high - low), std::to_string(h + 1)});
-    for (const auto& [body, x] : {std::pair{hinge.lower, 0.0}, {hinge.upper, wall.length}})
-      out_.vertices.push_back(
-          {at + Vector2d(x, label_share * wall.height), sheet_.linkage.vertex_name(body)});
+    const std::pair<Vector2d, Vector2d> line = score(wall);
+    out_.folds.emplace_back(at + line.first, at + line.second);
+    add_labels(h, at, wall, rooms_of(wall, line));
+  }
+
+  void add_labels(int h, const Vector2d& at, const Wall& wall, std::array<Room, 4> rooms) {
+    const model::RestHinge& hinge = sheet_.linkage.hinges[h];
+    const std::span<Room> all = rooms;
+    for (const auto& [body, side] : {std::pair{hinge.lower, all.first(2)}, {hinge.upper, all.last(2)}})
+      out_.vertices.push_back(label_in(widest(side), at, wall.height, sheet_.linkage.vertex_name(body)));
+    out_.numbers.push_back(label_in(widest(all), at, wall.height, std::to_string(h + 1)));
   }
 
   /// The edge from `from` up by `rise`, with a tab beyond it. @param tab mm, along x; 0: none

@@ -15,15 +15,16 @@ namespace kinetix::app {
 /// vertex to nearest hinge, or half the wall's height where that is less.
 struct Strips {
   struct Label {
-    Eigen::Vector2d place;  ///< of its middle, mm
+    Eigen::Vector2d place;  ///< of the middle of its foot, mm
     std::string text;
+    double height;  ///< of its letters' font, mm
   };
 
   std::vector<std::vector<Eigen::Vector2d>> cuts;                  ///< outlines, one of each strip
   std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> folds;  ///< hinges and tabs
-  std::vector<Label> numbers;                                      ///< of hinges, as sheet_drawing has them
-  std::vector<Label> vertices;                                     ///< at both ends
-  Eigen::Vector2d size;                                            ///< of the page, mm
+  std::vector<Label> numbers;   ///< of hinges, as sheet_drawing has them, beside the score
+  std::vector<Label> vertices;  ///< at both ends, within the wall
+  Eigen::Vector2d size;         ///< of the page, mm
 };
 
 Strips strips(const PrintSheet& sheet);

@@ -17,9 +17,6 @@ using Eigen::Vector2d;
 constexpr double line_mm = 0.1;              // mm: as laser cutters and pens draw
 constexpr double points_per_mm = 72 / 25.4;  // the unit of PDF
 
-constexpr double digit_share = 0.65;    // of a digit's width over the height of letters, in common fonts
-constexpr double capital_share = 0.75;  // of a digit's height, likewise
-
 /// Middle of a number's foot, mm: at its hinge, but for what would be cut off by the drawing's edge.
 Vector2d number_place(const SheetDrawing& drawing, const SheetDrawing::Hinge& hinge, double height) {
   const double half = digit_share * height * static_cast<double>(std::to_string(hinge.number).size()) / 2;
@@ -132,18 +129,17 @@ std::string pdf(const PrintSheet& sheet, const SheetDrawing& drawing) {
   });
 }
 
-std::string labels_svg(const char* name, const char* fill, double height, const Strips& strips,
+std::string labels_svg(const char* name, const char* fill, const Strips& strips,
                        const std::vector<Strips::Label>& labels) {
   std::string out = fmt::format(
-      "<g id=\"{}\" fill=\"{}\" font-family=\"sans-serif\" font-size=\"{:.4g}\" text-anchor=\"middle\">\n",
-      name, fill, height);
+      "<g id=\"{}\" fill=\"{}\" font-family=\"sans-serif\" text-anchor=\"middle\">\n", name, fill);
   for (const Strips::Label& label : labels)
-    out += fmt::format("<text x=\"{:.6g}\" y=\"{:.6g}\">{}</text>\n", label.place.x(),
-                       strips.size.y() - label.place.y(), label.text);
+    out += fmt::format("<text x=\"{:.6g}\" y=\"{:.6g}\" font-size=\"{:.4g}\">{}</text>\n", label.place.x(),
+                       strips.size.y() - label.place.y(), label.height, label.text);
   return out + "</g>\n";
 }
 
-std::string strips_svg(const PrintSheet& sheet, const Strips& strips) {
+std::string strips_svg(const Strips& strips) {
   std::string out = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.6g}mm\" height=\"{1:.6g}mm\" viewBox=\"0 0 "
       "{0:.6g} "
@@ -161,18 +157,18 @@ std::string strips_svg(const PrintSheet& sheet, const Strips& strips) {
   for (const auto& [from, to] : strips.folds)
     out += fmt::format("<line x1=\"{:.6g}\" y1=\"{:.6g}\" x2=\"{:.6g}\" y2=\"{:.6g}\"/>\n", from.x(),
                        strips.size.y() - from.y(), to.x(), strips.size.y() - to.y());
-  return out + "</g>\n" + labels_svg("numbers", "#c03030", number_height_mm(sheet), strips, strips.numbers) +
-         labels_svg("vertices", "#606060", number_height_mm(sheet) / 2, strips, strips.vertices) + "</svg>\n";
+  return out + "</g>\n" + labels_svg("numbers", "#c03030", strips, strips.numbers) +
+         labels_svg("vertices", "#606060", strips, strips.vertices) + "</svg>\n";
 }
 
-void draw_labels(cairo_t* page, const Strips& strips, const std::vector<Strips::Label>& labels,
-                 double height) {
-  cairo_set_font_size(page, height);
-  for (const Strips::Label& label : labels)
+void draw_labels(cairo_t* page, const Strips& strips, const std::vector<Strips::Label>& labels) {
+  for (const Strips::Label& label : labels) {
+    cairo_set_font_size(page, label.height);
     show_centred(page, {label.place.x(), strips.size.y() - label.place.y()}, label.text);
+  }
 }
 
-std::string strips_pdf(const PrintSheet& sheet, const Strips& strips) {
+std::string strips_pdf(const Strips& strips) {
   return pdf_page(strips.size, [&](cairo_t* page) {
     const auto line_to = [&](const Vector2d& p) { cairo_line_to(page, p.x(), strips.size.y() - p.y()); };
     for (const auto& cut : strips.cuts) {
@@ -188,9 +184,9 @@ std::string strips_pdf(const PrintSheet& sheet, const Strips& strips) {
     }
     cairo_stroke(page);
     cairo_set_source_rgb(page, 0.75, 0.2, 0.2);
-    draw_labels(page, strips, strips.numbers, number_height_mm(sheet));
+    draw_labels(page, strips, strips.numbers);
     cairo_set_source_rgb(page, 0.4, 0.4, 0.4);
-    draw_labels(page, strips, strips.vertices, number_height_mm(sheet) / 2);
+    draw_labels(page, strips, strips.vertices);
   });
 }
 
@@ -201,8 +197,8 @@ std::vector<NamedContent> write_svg(const PrintJob& job) {
                                   {sheet.name + ".pdf", pdf(sheet, drawing)}};
   if (sheet.kind() != model::HingeKind::film) return files;
   const Strips cards = strips(sheet);
-  files.push_back({sheet.name + "_strips.svg", strips_svg(sheet, cards)});
-  files.push_back({sheet.name + "_strips.pdf", strips_pdf(sheet, cards)});
+  files.push_back({sheet.name + "_strips.svg", strips_svg(cards)});
+  files.push_back({sheet.name + "_strips.pdf", strips_pdf(cards)});
   return files;
 }
 

@@ -154,6 +154,30 @@ TEST(Strips, AreTheWallsAndTheirTabs) {
   EXPECT_EQ(strips.vertices.size(), 2 * 17U);
 }
 
+/// Whether a line, upright or not, comes into the box of a label.
+bool strikes(const std::pair<Eigen::Vector2d, Eigen::Vector2d>& line, const app::Strips::Label& label) {
+  const double half = app::digit_share * label.height * static_cast<double>(label.text.size()) / 2;
+  for (int k = 0; k <= 100; ++k) {
+    const Eigen::Vector2d to = line.first + k / 100.0 * (line.second - line.first) - label.place;
+    if (std::abs(to.x()) <= half && to.y() >= 0 && to.y() <= app::capital_share * label.height) return true;
+  }
+  return false;
+}
+
+/// 1.3 mm and more high in walls of 6 mm, where "[2, 3]" has half a wall of 12 mm to stand in.
+TEST(Strips, HaveLabelsThatAreReadAndStandClearOfLines) {
+  for (const char* design : {upright, leaning}) {
+    const app::Strips strips = app::strips(sheet_of(design, "polyjet", model::HingeKind::film));
+    for (const auto* labels : {&strips.numbers, &strips.vertices})
+      for (const app::Strips::Label& label : *labels) {
+        EXPECT_GE(label.height, 1.3) << label.text;
+        EXPECT_TRUE(std::ranges::none_of(strips.folds, [&](const auto& fold) {
+          return strikes(fold, label);
+        })) << label.text;
+      }
+  }
+}
+
 /// The box of the drawing is that of its parts: numbers at its rim move in.
 TEST(Drawing, CutsNoNumberOff) {
   const Scratch scratch;
