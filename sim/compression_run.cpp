@@ -18,6 +18,7 @@
 namespace kinetix::sim {
 namespace {
 
+constexpr int least_window_steps = 100;  // since the drive's end: fewer show of a slow swing too little
 constexpr int window_steps = 200;  // time steps at the end, enough for what goes to and fro to show how far
 constexpr double least_force = 1e-9;  // k_point edge: below, a structure is at rest where it stands
 
@@ -119,7 +120,7 @@ class Run {
   /// Looks at the last steps before the time is up.
   bool stays_in_place() {
     if (!options_.elastic || options_.settle_residual_motion == 0 ||
-        result_.steps < all_steps_ - window_steps)
+        all_steps_ - drive_steps_ < least_window_steps || result_.steps < all_steps_ - window_steps)
       return false;
     if (window_.empty()) window_ = result_.state;
     result_.residual_motion = std::max(result_.residual_motion, farthest_from(window_));

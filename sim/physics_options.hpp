@@ -45,8 +45,8 @@ struct PhysicsOptions {
   double spring_turn = 0;      ///< shape memory: stiffness of each spring, in the unit of elastic->turn; >= 0
   double settle_force = 1e-7;  ///< elastic: settled when no part is pushed by more than this over the largest
                                ///< force in a hinge, > 0
-  /// Elastic: settled, too, when in the last 200 steps before the time is up no part moved by more than this
-  /// (cell edges, or rad at half an edge): where a corner rests on a corner, the contact may jump from one
+  /// Elastic: settled, too, when in the last 200 steps before the time is up, or all since the end of the drive where these are
+  /// 100 at least, no part moved by more than this (cell edges, or rad at half an edge): where a corner rests on a corner, the contact may jump from one
   /// face to the other for ever. 0: never. In [0, 0.1]
   double settle_residual_motion = 0;
   double stretch_limit = 0.5;   ///< elastic: failure: a larger hinge gap at any time; ends the run, > 0

@@ -11,6 +11,7 @@
 #include "app/pipeline/design_scene.hpp"
 #include "app/result/certified_json.hpp"
 #include "app/result/state_json.hpp"
+#include "app/run/run_hinges.hpp"
 #include "app/sweep/plan/sweep_plan.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
@@ -68,9 +69,12 @@ nlohmann::ordered_json json_of(const Forecast& f) {
 std::optional<CheckedContact> contact_of(const DesignFile& design, const Scene& scene) {
   const model::ExactMotion exact = exact_motion(design.structure);
   if (!exact || scene.model() == Model::equilibrium) return std::nullopt;
-  const model::Process& process =
-      design.process.empty() ? model::processes().front() : *model::find_process(design.process);
-  return CheckedContact{certify(design.structure, process.sd), exact_theta_of(design, exact)};
+  Run sheet;
+  sheet.structure = design.structure;
+  sheet.hinge = design.hinge;
+  sheet.own_hinges = design.own_hinges;
+  if (!design.process.empty()) sheet.process = *model::find_process(design.process);
+  return CheckedContact{certify(design.structure, wall_error(sheet)), exact_theta_of(design, exact)};
 }
 
 }  // namespace

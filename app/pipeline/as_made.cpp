@@ -21,6 +21,7 @@ constexpr double one_length = 1e-9;        // of a cell edge: walls of equal len
 model::HingeScatter hinge_scatter(const Run& run, const model::PlayScatter& play, double wall_mm) {
   model::HingeScatter scatter;
   scatter.t = std::hypot(run.process.sd.t_mm, play.place_mm) / wall_mm;
+  scatter.alpha = play.tilt;  // a rod leans along its wall as far as across it
   scatter.beta = std::hypot(run.process.sd.tilt_deg * radians_per_degree, play.tilt);
   scatter.offset = play.place_mm / run.structure.size().edge_mm;
   return scatter;

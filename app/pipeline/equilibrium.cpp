@@ -107,6 +107,7 @@ void add_exact(Run& run) {
                     equilibrium.elasticity);
     model::State exact = run.plan.exact.at(theta);
     equilibrium.from_exact = aligned_distance(run.structure, equilibrium.path.state, exact);
+    equilibrium.turned_off = turn_distance(run.structure, equilibrium.path.state, exact);
     const model::HingeGaps gaps = hinge_gaps(run.structure, exact);
     run.states.push_back({"target", to_string(Model::exact), theta, std::move(exact), gaps});
     run.fidelity.push_back(exact_fidelity(run.plan.exact, run.structure, theta));

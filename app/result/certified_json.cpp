@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "model/elastic/path/closed_form.hpp"
+
 namespace kinetix::app {
 namespace {
 
@@ -53,7 +55,9 @@ std::vector<SummaryLine> left_lines(const Certified& certified, const model::She
 
 NearExact near_exact(const Run& run) {
   if (!run.equilibrium) return NearExact::same;
-  return run.equilibrium->path.off_closed_form ? NearExact::left : NearExact::near;
+  const Equilibrium& found = *run.equilibrium;
+  const bool is_near = found.turned_off && *found.turned_off <= model::ClosedForm::far;
+  return is_near && !found.path.off_closed_form ? NearExact::near : NearExact::left;
 }
 
 Json certified_json(const Certified& certified, const model::Sheet& sheet, double theta, NearExact states) {

@@ -7,7 +7,8 @@
 
 namespace kinetix::app {
 
-/// What the states of a run are to the closed form that a range is proven of.
+/// What the states of a run are to the closed form that a range is proven of: those of an equilibrium are near it where the last
+/// was compared with it, and left it where they did or where no closed form fits the drive.
 enum class NearExact { same, near, left };
 
 NearExact near_exact(const Run& run);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "model/matter/hinge_strain.hpp"
 
@@ -29,6 +30,16 @@ std::optional<model::MadeHinge> loosest_pin(const Run& run) {
         (!loosest || made.clearance_mm > loosest->clearance_mm))
       loosest = made;
   return loosest;
+}
+
+model::PrintError wall_error(const Run& run) {
+  model::PrintError error = run.process.sd;
+  const auto pin = loosest_pin(run);
+  if (!pin) return error;
+  const model::PlayScatter play = play_scatter(*pin, run.process.sd);
+  error.t_mm = std::hypot(error.t_mm, play.place_mm);
+  error.tilt_deg = std::hypot(error.tilt_deg, to_degrees(play.tilt));
+  return error;
 }
 
 bool bears_its_strain(const Run& run, const model::State& state) { return !strained_too_far(run, state); }

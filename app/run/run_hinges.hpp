@@ -17,6 +17,9 @@ std::vector<model::MadeHinge> made_hinges(const Run& run);
 /// The pin with the largest clearance that does not move freely within it: what scatters by its play.
 std::optional<model::MadeHinge> loosest_pin(const Run& run);
 
+/// By how much walls of the run's prints stand out of place and lean: the errors of the process, and the play of the loosest pin.
+model::PrintError wall_error(const Run& run);
+
 /// Whether the material of every block and film bears its strain in a state of the sheet.
 bool bears_its_strain(const Run& run, const model::State& state);
 

@@ -5,8 +5,8 @@
 
 namespace kinetix::model {
 
-/// Largest strain of a block or film as its two bodies hold it in a state: of its bending (strain()), and what it is
-/// pulled apart or pressed together by over its gap. 0 of a pin.
+/// Largest strain of a block or film as its two bodies hold it in a state: of its bending (strain()), and what its upper or lower
+/// edge, half its height from the middle, is pulled apart or pressed together by over its gap. 0 of a pin.
 double hinge_strain(const MadeHinge& made, const Linkage& linkage, const State& state, int hinge);
 
 }  // namespace kinetix::model

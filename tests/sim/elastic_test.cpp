@@ -59,6 +59,20 @@ TEST(ElasticRun, FoldsAnExactStripBetweenPlatesAsRigidHingesDo) {
   }
 }
 
+/// Where no time is left to look on, nothing is known of whether parts still move.
+TEST(ElasticRun, IsNotSettledByStayingInPlaceForNoTime) {
+  const auto design = strip({0.5, 0, 0.5, 0, 0.5, 0}, 0.5);
+  const model::Structure structure = structure_of(design);
+  PhysicsOptions options = elastic(1e-6);
+  options.settle_residual_motion = 0.1;
+  for (const double seconds : {0.0, 99 * options.step_s}) {
+    options.settle_seconds = seconds;
+    options.settle_force = 1e-300;  // never at rest by its forces
+    const PhysicsResult result = run_compression(structure, drive_to(structure, 0.5).on(structure), options);
+    EXPECT_EQ(result.status, Status::not_settled) << result.why;
+  }
+}
+
 TEST(ElasticRun, ComesToTheExactFoldFromOneHingeAsTheTurningSpringsSoften) {
   const auto design = strip({0.5, 0, 0.5, 0, 0.5, 0}, 0.5);
   const model::Structure structure = structure_of(design);

@@ -80,6 +80,22 @@ TEST(Certify, GrowsWallsByWhatTheProcessLetsThemBeOff) {
               0.15 + std::sin(0.75 * radians_per_degree) * corner, 1e-12);
 }
 
+/// What a pin plays leans and shifts walls as errors of printing do.
+TEST(Certify, GrowsWallsByWhatTheirPinsPlay) {
+  const std::string sheet =
+      "kinetix: 1\nname: panel\nstructure: {cells: [3, 2], cell_mm: 20, wall_mm: {thickness: 2, height: "
+      "8}}\ndesign: {theta_deg: 10}\n";
+  const auto growth = [&](const std::string& hinge) {
+    return told_of(sheet + hinge, "exact").result["certified"]["printed"]["growth_mm"].get<double>();
+  };
+  const double plain = growth(""),
+               tight = growth("hinge: {kind: pin, diameter_mm: 1.5, clearance_mm: 0.05}\n"),
+               loose = growth("hinge: {kind: pin, diameter_mm: 1.5, clearance_mm: 0.1}\n");
+  EXPECT_GT(tight, plain);
+  EXPECT_GT(loose, tight + 3 * 0.05 / std::sqrt(3.0) / 2)
+      << "three deviations of a place within the bore, and leaning";
+}
+
 TEST(Certify, SeesWhatSamplesMissOnTheWayToAHelix) {
   const Told told = told_of(helix_design(28), "exact");
   const Json& high = told.result["certified"]["design"]["high"];
