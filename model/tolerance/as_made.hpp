@@ -43,8 +43,9 @@ struct AsMadeOptions {
   bool aligned =
       true;          ///< deviations count after the best rigid motion of the whole, as of a shape in the hand
   int probes = 150;  ///< beyond so many points, so many random mixtures of them stand for all; >= 2
-  bool planar = false;  ///< prints move in the plane z = 0 only
-  unsigned seed = 1;    ///< of the mixtures
+  bool planar = false;   ///< prints move in the plane z = 0 only
+  bool contact = false;  ///< walls of prints that are brought to their equilibria press on each other
+  unsigned seed = 1;     ///< of the mixtures
   int threads = 1;  ///< that bring prints to their equilibria; 0 = all cores. Their number changes no result
   std::function<bool()> stop =
       {};  ///< asked before each print that is brought to its equilibrium, from any thread;

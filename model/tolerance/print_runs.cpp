@@ -98,10 +98,10 @@ struct Scene {
   const PrintedLinkage& printed;
   const Elasticity& elasticity;
   const LinkageDrive& drive;
-  bool planar;
+  bool planar, contact;
 
   ElasticSystem system(const Matrix4Xd& errors) const {
-    return {printed(errors), elasticity, drive, planar, false};
+    return {printed(errors), elasticity, drive, planar, contact};
   }
 };
 
@@ -168,7 +168,7 @@ std::vector<Print> made(std::deque<Rest>& rests, const std::vector<Matrix4Xd>& e
 int visit_prints(const PrintedLinkage& printed, const Elasticity& elasticity, const LinkageDrive& drive,
                  const State& state, const HingeScatter& scatter, int count, const AsMadeOptions& options,
                  const std::function<void(const State&, const State&, const Matrix4Xd&)>& visit) {
-  const Scene scene{printed, elasticity, drive, options.planar};
+  const Scene scene{printed, elasticity, drive, options.planar, options.contact};
   const auto stops = [&] { return options.stop && options.stop(); };
   ElasticSystem system = scene.system({});
   TangentStiffness tangent(system.dofs());

@@ -20,7 +20,7 @@ using PrintedLinkage = std::function<Linkage(const Eigen::Matrix4Xd& errors)>;
 
 /// Prints with errors, each brought to its equilibrium from that of the design, and seen one after the other.
 /// @param state of the design, in equilibrium or nearly so under the drive
-/// @param options seed, planar, threads and stop have an effect; `printed` is called from any of the threads
+/// @param options seed, planar, contact, threads and stop have an effect; `printed` is called from any of the threads
 /// @param visit sees the design's own equilibrium, that of each print that settled, and its errors
 /// @return how many did not, of those that it was not told to leave out. The same seed gives the same prints.
 int visit_prints(const PrintedLinkage& printed, const Elasticity& elasticity, const LinkageDrive& drive,

@@ -57,10 +57,12 @@ void add_prints(const DisplayFile& file, const Run& run, const model::HingeScatt
     contrasts.push_back(score.contrast);
     auc += score.auc;
   };
+  model::AsMadeOptions as_in_the_model = print_options(options, true);
+  as_in_the_model.contact = true;
   out.failed =
       visit_prints([&](const Eigen::Matrix4Xd& errors) { return printed_sheet(run.structure, errors); },
                    run.equilibrium->elasticity, run.equilibrium->drive, state, scatter, prints_of(options),
-                   print_options(options, true), seen);
+                   as_in_the_model, seen);
   out.prints = static_cast<int>(contrasts.size());
   if (contrasts.empty()) return;
   std::sort(contrasts.begin(), contrasts.end());
@@ -73,6 +75,8 @@ void add_prints(const DisplayFile& file, const Run& run, const model::HingeScatt
 std::string unjudged(const DisplayFile& file, const Run& run) {
   if (!file.goal.is_binary()) return "only pictures of two levels are judged as made";
   if (!run.equilibrium->reached()) return "the panel did not reach its equilibrium";
+  if (run.equilibrium->path.let_go > 0)
+    return "prints are looked at with all bodies held that plates press on";
   if (run.structure.cells() > most_printed_cells)
     return fmt::format("only panels of up to {} cells are judged as made", most_printed_cells);
   return "";
