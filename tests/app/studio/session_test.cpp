@@ -453,6 +453,10 @@ TEST_F(Studio, KnowsNoGoalOfADesignThatWasChangedSince) {
   const std::string path = client.text("saved")["path"];
   EXPECT_TRUE(app::studio::earlier_result(path, file).is_null());
   EXPECT_TRUE(app::studio::earlier_result(path + "/none/design.yaml", app::read_design(path)).is_null());
+  app::DesignFile higher = app::read_design(path);
+  ASSERT_FALSE(app::studio::earlier_result(path, higher).is_null());
+  higher.structure.squares()->size.height_mm *= 5;
+  EXPECT_TRUE(app::studio::earlier_result(path, higher).is_null()) << "its walls are other ones";
 }
 
 TEST_F(Studio, KeepsItsHeadWhenPlayedWithAtRandom) {
