@@ -68,8 +68,7 @@ nlohmann::ordered_json json_of(const Forecast& f) {
 std::optional<CheckedContact> contact_of(const DesignFile& design, const Scene& scene) {
   const model::ExactMotion exact = exact_motion(design.structure);
   if (!exact || scene.model() == Model::equilibrium) return std::nullopt;
-  const model::Process& process =
-      design.process.empty() ? model::processes().front() : *model::find_process(design.process);
+  const model::Process process = design.process.value_or(model::processes().front());
   return CheckedContact{certify(design.structure, process.sd), exact_theta_of(design, exact)};
 }
 
