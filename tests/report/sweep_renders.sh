@@ -73,7 +73,8 @@ responses: [end_mm]
 END
 "$program" sweep "$work/scaled.yaml" -o "$work/scaled" --quiet >"$work/log" 2>&1 || fail "$(cat "$work/log")"
 draw "$work/scaled/report.html"
-drawn factors "0.9 to 1.1 times the base's"
+drawn factors '0.9 to 1.1'
+drawn factors "times the base's"
 drawn factors "added to the base's"
 drawn response-0 'samples, 2500 in all'
 drawn response-0 '2000 of 2500 samples, drawn by lot'
