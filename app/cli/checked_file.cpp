@@ -73,7 +73,7 @@ std::optional<CheckedContact> contact_of(const DesignFile& design, const Scene& 
   sheet.structure = design.structure;
   sheet.hinge = design.hinge;
   sheet.own_hinges = design.own_hinges;
-  if (!design.process.empty()) sheet.process = *model::find_process(design.process);
+  sheet.process = design.process.value_or(sheet.process);
   return CheckedContact{certify(design.structure, wall_error(sheet)), exact_theta_of(design, exact)};
 }
 

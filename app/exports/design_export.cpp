@@ -12,7 +12,7 @@ DesignFile written_design(const Run& run) {
   design.own_hinges = run.own_hinges;
   design.drive = run.drive;
   design.side = run.side;
-  if (run.process.name != model::processes().front().name) design.process = run.process.name;
+  if (run.process != model::processes().front()) design.process = run.process;
   return design;
 }
 

@@ -247,7 +247,7 @@ const targets::KeyTable& design_keys() {
       drive_key(),
       {"hinge", value::map(hinge_keys()), {}, "what the hinges are made of"},
       {"physics", value::map(physics_keys()), {}, "settings of the physics run"},
-      process_name_key(),
+      design_process_key(),
   });
   return keys;
 }
@@ -266,7 +266,7 @@ DesignFile read_design(const targets::Node& node) {
   check_offsets(root, file);
   const auto physics = file.hinge.model == HingeSection::Model::elastic ? read_elastic_physics : read_physics;
   file.physics = physics(root, file.structure.size().edge_mm);
-  file.process = read_process_name(root);
+  if (root.optional("process")) file.process = read_process(root);
   return file;
 }
 

@@ -8,6 +8,7 @@
 #include "app/files/drive_section.hpp"
 #include "app/files/hinge_section.hpp"
 #include "app/files/physics_section.hpp"
+#include "model/matter/process.hpp"
 #include "model/sheet/sheet.hpp"
 #include "targets/document/section.hpp"
 
@@ -27,7 +28,7 @@ struct DesignFile {
   std::map<int, HingeSection> own_hinges =
       {};  ///< of walls whose hinge is another one, by index of the hinge
   PhysicsSection physics = {};
-  std::string process = {};  ///< that it is to be printed by, by name; empty: it does not say
+  std::optional<model::Process> process = {};  ///< that it is to be printed by; nothing: it does not say
 };
 
 /// How its hinges are made: first those that have nothing of their own, where there are any, then each of the others.

@@ -5,6 +5,7 @@
 
 #include "app/files/design_file.hpp"
 #include "app/files/lattice_section.hpp"
+#include "app/files/process_section.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -105,7 +106,7 @@ std::string design_text(const DesignFile& design) {
          fmt::format("design:\n  theta_deg: {}\n", targets::degrees_text(design.theta)) +
          hinges_text(design) + drive_text(design.structure, design.drive, design.side) +
          hinge_section_text(design.hinge) + physics_text(design.physics) +
-         (design.process.empty() ? "" : "process: " + design.process + "\n");
+         (design.process ? "process: " + process_text(*design.process) + "\n" : "");
 }
 
 }  // namespace kinetix::app

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "targets/document/number.hpp"
+
 namespace kinetix::app {
 namespace {
 
@@ -56,6 +58,11 @@ const targets::KeyTable& own_process_keys() {
   return keys;
 }
 
+targets::Key key_of_process(const char* meaning) {
+  return {"process", value::either({value::choice(process_names()), value::map(own_process_keys())}),
+          targets::by_default(process_names().front().c_str()), meaning};
+}
+
 const model::Process& named(const targets::Node& node) {
   const std::vector<std::string> names = process_names();
   return model::processes()[node.one_of({names.begin(), names.end()})];
@@ -64,21 +71,32 @@ const model::Process& named(const targets::Node& node) {
 }  // namespace
 
 targets::Key process_key() {
-  return {
-      "process", value::either({value::choice(process_names()), value::map(own_process_keys())}),
-      targets::by_default(process_names().front().c_str()),
+  return key_of_process(
       "how it is to be printed ([hinges.md](hinges.md)): what prints with such errors come to is said with "
-      "the result"};
+      "the result");
 }
 
-targets::Key process_name_key() {
-  return {"process", value::choice(process_names()), targets::by_default(process_names().front().c_str()),
-          "what `export` makes it for ([print.md](print.md)), if its `--process` does not say otherwise"};
+targets::Key design_process_key() {
+  return key_of_process(
+      "what `export` makes it for ([print.md](print.md)), if its `--process` does not say otherwise");
 }
 
-std::string read_process_name(const targets::Section& root) {
-  const auto node = root.optional("process");
-  return node ? named(*node).name : "";
+std::string process_text(const model::Process& process) {
+  const model::Process& base = *model::find_process(process.name);
+  if (process == base) return process.name;
+  std::string own, sd;
+  const auto add = [](std::string& to, const char* key, double value, double usual) {
+    if (value != usual)
+      to += fmt::format("{}{}: {}", to.empty() ? "" : ", ", key, targets::shortest_text(value));
+  };
+  add(own, "clearance_mm", process.clearance_mm, base.clearance_mm);
+  add(own, "least_wall_mm", process.least_wall_mm, base.least_wall_mm);
+  add(own, "least_pin_mm", process.least_pin_mm, base.least_pin_mm);
+  add(sd, "t_mm", process.sd.t_mm, base.sd.t_mm);
+  add(sd, "tilt_deg", process.sd.tilt_deg, base.sd.tilt_deg);
+  add(sd, "clearance_mm", process.sd.clearance_mm, base.sd.clearance_mm);
+  if (!sd.empty()) own += fmt::format("{}sd: {{{}}}", own.empty() ? "" : ", ", sd);
+  return fmt::format("{{base: {}, {}}}", process.name, own);
 }
 
 std::string problem_text(const model::PrintProblem& problem) {

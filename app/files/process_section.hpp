@@ -5,8 +5,13 @@
 
 namespace kinetix::app {
 
-/// The `process:` key: how a design is to be printed, by name or as {base, sd: {t_mm, tilt_deg, clearance_mm}}.
+/// The `process:` key of a target: how it is to be printed, by name or as a section of what differs from a base.
 targets::Key process_key();
+/// The same of a design.
+targets::Key design_process_key();
+/// What the key says of a process: its name, or that and what differs from it.
+/// @pre of a base that there is, upright clearance, bed and materials as it has them
+std::string process_text(const model::Process& process);
 
 /// What a process cannot print, with the cell edge at which it could.
 std::string problem_text(const model::PrintProblem& problem);
@@ -22,10 +27,5 @@ model::Process read_process(const targets::Section& root, const model::CellSize&
                             const std::optional<model::MadeHinge>& made);
 /// The same of a file that does not say yet how large the sheet is.
 model::Process read_process(const targets::Section& root);
-
-/// The `process:` key of a design, which names one; its errors are a target's.
-targets::Key process_name_key();
-/// Empty where the design does not say.
-std::string read_process_name(const targets::Section& root);
 
 }  // namespace kinetix::app

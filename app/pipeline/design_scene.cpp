@@ -49,7 +49,7 @@ class DesignScene final : public Scene {
     run.own_hinges = design_.own_hinges;
     run.drive = design_.drive;
     run.side = design_.side;
-    if (!design_.process.empty()) run.process = *model::find_process(design_.process);
+    if (design_.process) run.process = *design_.process;
     run.structure = design_.structure;
     run.theta = design_.theta;
   }

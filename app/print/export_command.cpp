@@ -39,13 +39,13 @@ Value named(const char* option, const std::string& name,
                                  targets::joined(names)));
 }
 
-/// @param of_design none: it does not say
-const model::Process& process_of(const PrintRequest& request, const std::string& of_design) {
-  const std::string& name = request.process.empty() ? of_design : request.process;
-  if (name.empty()) return model::processes().front();
+/// The design's own limits hold where its process is asked for by name, too. @param of_design nothing: it does not say
+model::Process process_of(const PrintRequest& request, const std::optional<model::Process>& of_design) {
+  if (request.process.empty()) return of_design.value_or(model::processes().front());
+  if (of_design && of_design->name == request.process) return *of_design;
   std::vector<std::pair<std::string_view, const model::Process*>> all;
   for (const model::Process& process : model::processes()) all.emplace_back(process.name, &process);
-  return *named("--process", name, all);
+  return *named("--process", request.process, all);
 }
 
 /// None where pins are to be used if they fit.
@@ -135,7 +135,7 @@ struct Source {
   std::string name() const { return design ? design->name : "coupon"; }
 
   PreparedPrint prepared_for(const PrintRequest& request) const {
-    const model::Process& process = process_of(request, design ? design->process : "");
+    const model::Process process = process_of(request, design ? design->process : std::nullopt);
     if (!design) {
       if (request.clearance_mm > 0)
         throw InvalidInput("--clearance is of designs: a coupon has gaps of its own");
@@ -270,7 +270,7 @@ Exported export_design(const DesignFile& design, const PrintRequest& request, co
 
 int export_command(const CommandOptions& options, const PrintRequest& request) {
   formats_of(request);
-  process_of(request, "");
+  process_of(request, {});
   const Source source = source_of(request);
   const std::string folder = options.folder_given ? options.folder : "results/" + source.name() + "_print";
   const Exported out = exported(source, request, folder, Console(options.quiet, false).progress());

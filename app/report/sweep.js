@@ -40,10 +40,10 @@ function answerCards(data) {
 function factorTable(data) {
   const shown = data.responses.filter((response) => (response.families ?? []).some(Boolean) && !isConstant(response)).slice(0, CARDS);
   const rows = data.families.map(({name, factors}, f) => {
-    const {words: said, unit} = factorNamed(name), first = data.factors[factors[0]];
+    const {words: said} = factorNamed(name), first = data.factors[factors[0]];
     return {
       cells: [
-        said, String(factors.length), valuesWords(first, unit),
+        said, String(factors.length), valuesWords(first),
         ...shown.map((response) => shareWords(response.families[f]))
       ]
     };
@@ -77,8 +77,8 @@ function spreadTable(data) {
 function linearTable(data, response) {
   if (!response.linear || finite(response.linear.r_squared) === null) return null;
   const rows = response.plotted.map((k) => {
-    const e = response.linear.factors[k], {words: said, unit} = factorNamed(data.factors[k].name),
-          of = named(response.name).unit, per = [of, unit].some(Boolean) ? `${of || "1"} per ${unit || "1"}` : "";
+    const e = response.linear.factors[k], {words: said, unit: own} = factorSaid(data.factors[k]),
+          of = named(response.name).unit, unit = own === TIMES ? "" : own, per = [of, unit].some(Boolean) ? `${of || "1"} per ${unit || "1"}` : "";
     return {
       cells: [
         said, `${figures(e.slope)} \u00b1 ${figures(e.slope_error, 2)}`, per, figures(e.standardised),
@@ -113,14 +113,19 @@ function layouts(data, response) {
   ];
 }
 
+/** Which samples plots of single factors show. */
+function dotsWords({scatter, samples}) {
+  return scatter.length < samples ? `${scatter.length} of ${samples} samples, drawn by lot` : "samples";
+}
+
 function responseSection(data, r) {
   const response = data.responses[r], {what, names} = importance(response);
   if (isConstant(response)) return html("p", {}, answer(response) + ".");
   const several = data.factors.length > 1, left = data.factors.length - response.plotted.length;
   return [
     r > 0 ? html("p", {}, answer(response) + ".") : null,
-    responsive((width) => drawSpread(data, r, width)),
-    legend(["turn", "samples"], ["turn-limit", "the middle, and the limits of 90 of 100 samples"]),
+    responsive((width) => drawSpread(response, width)),
+    legend(["turn", `samples, ${response.spread.count} in all`], ["turn-limit", "the middle, and the limits of 90 of 100 samples"]),
     several ? html("p", {class: "note"}, data.families.length < data.factors.length && (response.families ?? []).some(Boolean) ?
         "Bars: share of the variance that goes with each family of factors. Lines: 95 % intervals." :
         `Bars: ${what}${names ? `; thin: ${names[1]}` : ""}. Lines at their ends: 95 % intervals, where there are any.`) : null,
@@ -130,7 +135,7 @@ function responseSection(data, r) {
         "details", {open: left > 0 ? null : ""}, html("summary", {}, "Single factors"),
         html(
             "p", {class: "note"},
-            "Dots: samples. Line: mean at each level of the factor, all else left to vary, with two standard errors." +
+            `Dots: ${dotsWords(data)}. Line: mean at each level of the factor, all else left to vary, with two standard errors.` +
                 (left > 0 ? ` Of ${data.factors.length} factors those that seem to matter most; samples.csv has all.` : "")),
         html(
             "div", {class: several ? "groups" : ""},

@@ -22,10 +22,10 @@ bool is_near(const Json& a, const Json& b, double rounding) {
 }
 
 /// What reports leave out of hinges counts for nothing.
-Json compared(Json hinges) {
-  for (Json& hinge : hinges)
-    if (hinge.is_object()) hinge.erase("reach_mm");
-  return hinges;
+Json compared(Json part) {
+  for (Json& entry : part)
+    if (entry.is_object()) entry.erase("reach_mm");
+  return part;
 }
 
 }  // namespace
@@ -42,9 +42,11 @@ Json sheet_json(const DesignFile& design) {
 bool is_of_sheet(const Json& result, const DesignFile& design, double rounding) {
   if (!result.is_object() || !result.contains("structure")) return false;
   const Json &known = result["structure"], sheet = sheet_json(design);
-  if (!known.is_object() || !known.contains("bodies") || !known.contains("hinges")) return false;
-  return is_near(known["bodies"], sheet["bodies"], rounding) &&
-         is_near(compared(known["hinges"]), compared(sheet["hinges"]), rounding);
+  const auto is_kept = [&](const char* part) {
+    return known.is_object() && known.contains(part) &&
+           is_near(compared(known[part]), compared(sheet[part]), rounding);
+  };
+  return is_kept("cell_mm") && is_kept("wall_mm") && is_kept("bodies") && is_kept("hinges");
 }
 
 }  // namespace kinetix::app

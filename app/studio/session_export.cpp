@@ -1,6 +1,5 @@
 #include "app/studio/session.hpp"
 
-#include <cmath>
 #include <filesystem>
 
 #include "app/print/export_command.hpp"
@@ -25,8 +24,8 @@ void Session::export_files(const Message& message) {
   if (message.has("bed_mm")) request.bed_mm = message.numbers("bed_mm", 1, 1e5);
   if (request.bed_mm.size() % 2 != 0 || request.bed_mm.size() > 2)
     throw InvalidInput("bed_mm: must be [x, y]");
-  DesignFile design = history_.current();
-  if (std::abs(player_.sheet_theta()) > 0) design.theta = player_.sheet_theta();
+  DesignFile design =
+      as_far_as_shown(history_.current(), player_.moving(), player_.sheet_theta(), player_.theta());
   const fs::path beside = fs::path(opened_.save_file).parent_path();
   const std::string folder = (beside / (design.name + "_print")).string();
   exporting_ = true;

@@ -48,6 +48,21 @@ model::LinkageDrive drive_to(const DesignFile& design, double theta) {
   return design.drive ? drive_of(design).to(theta) : drive_to(design.structure, theta);
 }
 
+DesignFile as_far_as_shown(DesignFile design, const Moving& moving, double sheet_theta, double drive_theta) {
+  if (sheet_theta == 0) return design;
+  if (moving.exact)
+    design.drive.reset();
+  else if (design.drive) {
+    const model::LinkageDrive shown = drive_to(design, drive_theta);
+    design.drive->compression = shown.compression;
+    design.drive->branch = shown.branch;
+    design.drive->angle = shown.angle;
+    design.drive->shorten_mm = shown.shorten_mm;
+  }
+  design.theta = sheet_theta;
+  return design;
+}
+
 std::unique_ptr<sim::LiveSheet> live_sheet(const DesignFile& design, const model::Linkage& linkage,
                                            bool springs) {
   DesignFile as = design;

@@ -29,6 +29,11 @@ double nearest_theta(const Moving& moving, double from, int body, const Eigen::V
 /// The design's own drive, or else the usual one, as far as theta, rad, in (-pi/2, pi/2).
 model::LinkageDrive drive_to(const DesignFile& design, double theta);
 
+/// The design as far as it is shown, for what is made of it: along its closed form by theta alone, whatever drives it,
+/// else by its own drive. A flat sheet goes as far as the design says. @param moving of the design
+/// @param sheet_theta rad, of the sheet   @param drive_theta rad, of its drive (LinkageDrive::theta)
+DesignFile as_far_as_shown(DesignFile design, const Moving& moving, double sheet_theta, double drive_theta);
+
 /// A design in the engine, ready to be played with, flat. @param springs hinges as elastic as the design says
 /// @param linkage of the design; must outlive it
 std::unique_ptr<sim::LiveSheet> live_sheet(const DesignFile& design, const model::Linkage& linkage,

@@ -11,17 +11,13 @@
 #include "optim/doe/random.hpp"
 
 namespace kinetix::optim {
-namespace {
 
-/// Linear between the sorted values.
 double sample_quantile(const std::vector<double>& sorted, double share) {
   const double place = share * static_cast<double>(sorted.size() - 1);
   const auto below = static_cast<std::size_t>(place);
   const std::size_t above = std::min(below + 1, sorted.size() - 1);
   return std::lerp(sorted[below], sorted[above], place - static_cast<double>(below));
 }
-
-}  // namespace
 
 void ConfidenceOptions::validate() const {
   if (!(level > 0 && level < 1))

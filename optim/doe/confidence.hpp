@@ -22,6 +22,10 @@ struct Estimate {
   double value, lower, upper;
 };
 
+/// Below which a share of the values lies, linear between them, in their unit.
+/// @param sorted at least one, ascending, finite   @param share 0 to 1
+double sample_quantile(const std::vector<double>& sorted, double share);
+
 /// The interval of a figure from its values on the resamples, in its unit. Values that are not finite do not
 /// count.
 /// @param level of ConfidenceOptions

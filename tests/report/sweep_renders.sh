@@ -61,6 +61,23 @@ drawn response-0 'more of the factor raises the response'
 drawn response-0 'more of it lowers the response'
 [ "$(wc -c <"$work/walls/report.html")" -lt 200000 ] || fail "the page of 11 factors is larger than 200 kB"
 
+# More samples than are shown one by one: all are counted. What multiplies the base has not the base's unit.
+cat >"$work/scaled.yaml" <<END
+kinetix: 1
+base: crease.yaml
+method: {kind: factorial, levels: 50}
+factors:
+  - {path: structure.cell_mm, scale: true, range: [0.9, 1.1]}
+  - {path: design.theta_deg, add: true, range: [-5, 5]}
+responses: [end_mm]
+END
+"$program" sweep "$work/scaled.yaml" -o "$work/scaled" --quiet >"$work/log" 2>&1 || fail "$(cat "$work/log")"
+draw "$work/scaled/report.html"
+drawn factors '0.9 to 1.1'
+drawn factors "times the base's"
+drawn factors "added to the base's"
+drawn response-0 'samples, 2500 in all'
+drawn response-0 '2000 of 2500 samples, drawn by lot'
 sed -i 's/\[3, 1\]/[1, 1]/' "$work/crease.yaml"
 cat >"$work/bad.yaml" <<END
 kinetix: 1

@@ -78,6 +78,33 @@ test("every card asks for something that the program takes, by its first numbers
   }
 }));
 
+test("a file or what is drawn: the later of the two is searched for, and named", () => inStudio("", async (page) => {
+  await page.click("#tab_goal");
+  const text = () => page.$eval("#target_text", ({value}) => value), label = () => page.$eval("#goal .drop .note", ({textContent}) => textContent);
+  for (const card of ["outline", "curve"]) {
+    await page.click(`#kinds label:has(input[value="${card}"])`);
+    const file = path.join(folder(), "rim.csv"), empty = await label();
+    writeFileSync(file, "x,y\n0,0\n100,0\n100,80\n0,80\n");
+    await drawOn(page);
+    assert.match(await text(), /points: \[\[/, card);
+    await (await page.$("#goal .drop input")).uploadFile(file);
+    await page.waitForFunction(() => document.getElementById("target_text").value.includes('points: "rim.csv"'), {timeout: 10000});
+    assert.match(await label(), /rim\.csv/, card);
+    await drawOn(page);
+    assert.match(await text(), /points: \[\[/, card);
+    assert.equal(await label(), empty, card);
+  }
+}));
+
+test("the front of a vase is as wide as its field says", () => inStudio("", async (page) => {
+  await page.click("#tab_goal");
+  await page.click('#kinds label:has(input[value="surface"])');
+  await page.select('#goal select[name="shape"]', "vase");
+  const text = await page.$eval("#target_text", ({value}) => value), of = (key) => Number(text.match(new RegExp(`${key}: ([0-9.]+)`))[1]);
+  assert.ok(Math.abs(2 * of("radius_mm") * Math.sin((of("arc_deg") * Math.PI) / 360) - 100) < 0.01, text);
+  assert.equal((await checked("vase", text)).valid, true, text);
+}));
+
 test("a card says what it lacks instead of searching", () => inStudio("", async (page) => {
   await page.click("#tab_goal");
   for (const [card, says] of [["curve", /Draw a line/], ["helmet", /Choose a file/], ["image", /Choose a file/]]) {

@@ -1,29 +1,23 @@
 // Plots of a sweep: how a response is spread, what matters for it, where on the sheet, and how.
 
-const HISTOGRAM_BARS = 24;
-
-/** How often a response has which value, with the middle and the limits of 90 of 100. */
-function drawSpread(data, r, width) {
-  const response = data.responses[r], {words: said, unit} = named(response.name), s = response.spread;
-  const values = (data.scatter ?? []).map((row) => row[data.factors.length + r]).filter((v) => finite(v) !== null);
-  const range = padded([s.least, s.most], 0.02), bars = new Array(HISTOGRAM_BARS).fill(0);
-  for (const v of values)
-    bars[Math.min(HISTOGRAM_BARS - 1, Math.floor(HISTOGRAM_BARS * (v - range[0]) / (range[1] - range[0])))] += 1;
-  const most = Math.max(...bars);
+/** How often a response has which value, with the middle and the limits of 90 of 100, all of the same samples. */
+function drawSpread(response, width) {
+  const {words: said, unit} = named(response.name), {spread: s, histogram: bars} = response;
+  const range = padded([s.least, s.most], 0.02), most = Math.max(...bars);
   const axes = plot({
     width,
     height: 190,
     left: 44,
     label: `How often ${said} has which value`,
     x: {range, label: unit ? `${said}, ${unit}` : said},
-    y: {range: [0, most * 1.05], label: "samples"}
+    y: {range: [0, most * 1.05], label: `of ${count(s.count, "sample", "samples")}`}
   });
-  const step = (range[1] - range[0]) / HISTOGRAM_BARS;
+  const step = (s.most - s.least) / bars.length;
   axes.root.append(
       svg("g", {}, bars.map((n, k) => svg("rect", {
             class: "turn",
-            x: axes.X(range[0] + k * step) + 1,
-            width: Math.max(axes.X(range[0] + step) - axes.X(range[0]) - 2, 1),
+            x: axes.X(s.least + k * step) + 1,
+            width: Math.max(axes.X(s.least + step) - axes.X(s.least) - 2, 1),
             y: axes.Y(n),
             height: axes.Y(0) - axes.Y(n)
           }))),
@@ -186,7 +180,7 @@ function drawEffect(data, r, k, width) {
         ys = [...dots.map(([, y]) => y), ...levels.map((l) => l.mean)];
   if (xs.length === 0) return missing("No sample has this response.");
   const range = (values) => values.reduce(([a, b], v) => [Math.min(a, v), Math.max(b, v)], [Infinity, -Infinity]);
-  const of = named(response.name), by = factorNamed(data.factors[k].name);
+  const of = named(response.name), by = factorSaid(data.factors[k]);
   const axes = plot({
     width,
     height: 230,

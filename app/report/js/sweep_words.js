@@ -14,6 +14,8 @@ const UNIT_WORDS = {
 
 const IN_CELL_EDGES = ["gap_peak", "hinge_gap_max", "hinge_gap_rms", "exact_rms", "exact_max"];  // responses whose names say no unit
 
+const TIMES = "times the base's";  // unit of factors that multiply what the base has
+
 const LEAST_SHARE = 0.1;  // of the variance: a factor with less does not stand out
 
 /** "moved_rms_mm" -> {words: "moved rms", unit: "mm"}; any other name that ends in no unit is a pure number. */
@@ -40,7 +42,18 @@ function factorNamed(path) {
   return {words: [last.words, ...where].join(", "), unit};
 }
 
-function valuesWords(factor, unit) {
+/** A factor of the list, with the unit of its values: what multiplies a number of the base has not that number's. */
+function factorSaid({name, scale}) {
+  const {words: said, unit} = factorNamed(name);
+  return {words: said, unit: scale ? TIMES : unit};
+}
+
+function valuesWords(factor) {
+  const said = valuesAlone(factor, factorSaid(factor).unit);
+  return factor.add ? `${said}, added to the base's` : said;
+}
+
+function valuesAlone(factor, unit) {
   const said = (value) => withUnit(neat(value), unit);
   if (factor.range) return `${neat(factor.range[0])} to ${said(factor.range[1])}`;
   if (factor.normal) return `normal, mean ${said(factor.normal.mean)}, sd ${said(factor.normal.sd)}`;

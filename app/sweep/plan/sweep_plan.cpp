@@ -55,6 +55,7 @@ optim::Factor as_factor(const DoeFile& doe, const DoeFactor& from, const std::st
 struct Columns {
   std::vector<optim::Factor> factors;
   std::vector<Edit> edits;
+  std::vector<std::size_t> entries;  ///< by factor: its place in DoeFile::factors
   std::vector<targets::Node> nodes;  ///< by factor, for messages
   std::vector<double> bases;         ///< by factor: the base's own value, NaN where there is not one
 };
@@ -88,6 +89,7 @@ void add_column(Columns& columns, const SweepBase& base, const targets::Document
   }
   columns.bases.push_back(neutral(base, document, factor, edits));
   columns.factors.push_back(as_factor(doe, factor, name));
+  columns.entries.push_back(static_cast<std::size_t>(&factor - doe.factors.data()));
   columns.nodes.push_back(factor.node);
   columns.edits.insert(columns.edits.end(), edits.begin(), edits.end());
 }
@@ -288,8 +290,9 @@ SweepPlan make_sweep_plan(const std::string& file, std::optional<std::uint64_t> 
   check_columns(doe, columns, responses);
   const std::uint64_t used = seed.value_or(doe.method.seed);
   optim::SamplePlan samples = make_samples(doe, columns, used);
-  SweepPlan plan{std::move(doe),     std::move(base),      std::move(document), columns.edits,
-                 std::move(samples), std::move(responses), std::move(goal),     used};
+  SweepPlan plan{std::move(doe),       std::move(base), std::move(document),
+                 columns.edits,        columns.entries, std::move(samples),
+                 std::move(responses), std::move(goal), used};
   check_values(plan, columns);
   check_exact(plan);
   return plan;

@@ -15,12 +15,14 @@ struct SweepPlan {
   SweepBase base;
   targets::DocumentEditor document;  ///< the base's, with the keys that factors add
   std::vector<Edit> edits;           ///< what a sample writes, by column of the samples' factors
+  std::vector<std::size_t> entries;  ///< by column of the samples' factors: its place in doe.factors
   optim::SamplePlan samples;
   std::vector<Metric> responses;
   Target goal;  ///< to measure samples against; nothing without one
   std::uint64_t seed = 0;
 
   std::int64_t size() const { return static_cast<std::int64_t>(samples.size()); }
+  const DoeFactor& entry_of(std::size_t column) const { return doe.factors[entries[column]]; }
   bool searches() const { return base.target.has_value(); }
   /// Whether the document is read anew for every sample.
   bool edits_document() const;

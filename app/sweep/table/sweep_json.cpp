@@ -6,6 +6,7 @@
 
 #include "app/io/text_pattern.hpp"
 #include "optim/doe/analysis.hpp"
+#include "optim/doe/random.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -13,8 +14,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Method = optim::SamplingMethod;
 
-constexpr std::int64_t most_scatter = 2000;        // points: more only cover each other in the report
-constexpr std::size_t most_failures = 100;         // listed one by one: more hide what they have in common
+constexpr std::int64_t most_scatter = 2000;  // points: more only cover each other in the report
+constexpr std::size_t histogram_bars = 24;   // even parts of a response's range: a page's width shows no more
+constexpr std::size_t most_failures = 100;   // listed one by one: more hide what they have in common
 constexpr std::int64_t most_numbers = 40'000'000;  // of factors and responses, in memory at once: 320 MB
 
 /// Factors that differ in a number of their path alone.
@@ -63,8 +65,11 @@ Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nul
 
 Json estimate_json(const optim::Estimate& e) { return {number(e.value), number(e.lower), number(e.upper)}; }
 
-Json factor_json(const optim::Factor& factor) {
+/// @param entry of the file that it comes from
+Json factor_json(const optim::Factor& factor, const DoeFactor& entry) {
   Json out = {{"name", factor.name}};
+  if (entry.scale) out["scale"] = true;
+  if (entry.add) out["add"] = true;
   if (const auto* range = std::get_if<optim::UniformRange>(&factor.distribution))
     out["range"] = {range->lower, range->upper};
   else if (const auto* normal = std::get_if<optim::NormalSpread>(&factor.distribution))
@@ -74,18 +79,36 @@ Json factor_json(const optim::Factor& factor) {
   return out;
 }
 
-Json spread_json(std::vector<double> values) {
+std::vector<double> sorted_numbers(std::vector<double> values) {
   std::erase_if(values, [](double v) { return !std::isfinite(v); });
-  if (values.empty()) return {{"count", 0}};
   std::sort(values.begin(), values.end());
+  return values;
+}
+
+/// @param values sorted
+Json spread_json(const std::vector<double>& values) {
+  if (values.empty()) return {{"count", 0}};
   const auto count = static_cast<double>(values.size());
   double sum = 0, squares = 0;
   for (const double v : values) sum += v;
   for (const double v : values) squares += (v - sum / count) * (v - sum / count);
-  const auto at = [&](double share) { return values[static_cast<std::size_t>(share * (count - 1))]; };
+  const auto at = [&](double share) { return optim::sample_quantile(values, share); };
   return {{"count", values.size()},  {"mean", sum / count},  {"sd", number(std::sqrt(squares / (count - 1)))},
           {"least", values.front()}, {"p05", at(0.05)},      {"median", at(0.5)},
           {"p95", at(0.95)},         {"most", values.back()}};
+}
+
+/// How many values lie in each of even parts of their range; the greatest counts to the last one.
+/// @param values sorted
+Json histogram_json(const std::vector<double>& values) {
+  std::vector<std::int64_t> bars(histogram_bars);
+  const double range = values.empty() ? 0 : values.back() - values.front();
+  const bool is_wide = range > 0 && std::isfinite(range);
+  for (const double v : values) {
+    const double part = is_wide ? (v - values.front()) / range : 0;
+    ++bars[std::min(static_cast<std::size_t>(part * histogram_bars), histogram_bars - 1)];
+  }
+  return bars;
 }
 
 Json main_effect_json(const optim::MainEffect& effect) {
@@ -183,7 +206,10 @@ Json response_json(const SweepPlan& plan, const Numbers& numbers, std::size_t r)
   const Method method = plan.samples.options().method;
   const std::vector<double>& response = numbers.responses[r];
   const optim::ConfidenceOptions confidence{.seed = plan.seed};
-  Json out = {{"name", plan.responses[r].name}, {"spread", spread_json(response)}};
+  const std::vector<double> sorted = sorted_numbers(response);
+  Json out = {{"name", plan.responses[r].name},
+              {"spread", spread_json(sorted)},
+              {"histogram", histogram_json(sorted)}};
   out["main_effects"] = main_effects_json(method, numbers, response);
   if (method == Method::saltelli)
     out["sobol"] = sobol_json(sobol_indices(response, static_cast<int>(numbers.factors.cols()), confidence));
@@ -194,10 +220,19 @@ Json response_json(const SweepPlan& plan, const Numbers& numbers, std::size_t r)
   return out;
 }
 
+/// All samples, or as many of them as are shown, drawn by lot: every k-th one of a grid would have a few levels alone
+/// of the factors that go round fastest. Ascending.
+std::vector<std::int64_t> shown_samples(std::int64_t samples) {
+  const optim::RandomOrder order(static_cast<std::uint64_t>(samples), 0);
+  std::vector<std::int64_t> shown(static_cast<std::size_t>(std::min(samples, most_scatter)));
+  for (std::size_t k = 0; k < shown.size(); ++k) shown[k] = static_cast<std::int64_t>(order(k));
+  std::sort(shown.begin(), shown.end());
+  return shown;
+}
+
 Json scatter_json(const SweepPlan& plan, const Numbers& numbers) {
   Json rows = Json::array();
-  const std::int64_t step = std::max<std::int64_t>(1, (plan.size() + most_scatter - 1) / most_scatter);
-  for (std::int64_t sample = 0; sample < plan.size(); sample += step) {
+  for (const std::int64_t sample : shown_samples(plan.size())) {
     Json row = Json::array();
     for (Eigen::Index f = 0; f < numbers.factors.cols(); ++f) row.push_back(numbers.factors(sample, f));
     for (const auto& response : numbers.responses)
@@ -234,7 +269,9 @@ Json sweep_json(const SweepPlan& plan, const SweepIdentity& identity, const Swee
   out["samples"] = plan.size();
   out["seed"] = plan.seed;
   out["factors"] = Json::array();
-  for (const optim::Factor& factor : plan.samples.factors()) out["factors"].push_back(factor_json(factor));
+  const std::vector<optim::Factor>& factors = plan.samples.factors();
+  for (std::size_t f = 0; f < factors.size(); ++f)
+    out["factors"].push_back(factor_json(factors[f], plan.entry_of(f)));
   const std::vector<Family> families = families_of(plan);
   out["families"] = Json::array();
   for (const Family& family : families)
@@ -242,7 +279,7 @@ Json sweep_json(const SweepPlan& plan, const SweepIdentity& identity, const Swee
   if (Json layout = layout_json(plan); !layout.is_null()) out["layout"] = std::move(layout);
   add_counts(out, table);
   out["responses"] = Json::array();
-  const auto columns = static_cast<std::int64_t>(plan.samples.factors().size() + plan.responses.size());
+  const auto columns = static_cast<std::int64_t>(factors.size() + plan.responses.size());
   if (plan.size() * columns > most_numbers) {
     out["not_analysed"] =
         "the table is too large to be analysed in memory; samples.csv and sweep.sqlite hold it all";

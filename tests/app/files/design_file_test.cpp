@@ -175,7 +175,12 @@ TEST(DesignFile, WritesHingesAsMadeBitForBit) {
     if (round % 3 == 0) file.own_hinges[5].k->rock = unit(random);
     if (round % 4 == 0) file.own_hinges[5].k->twist = unit(random);
     file.own_hinges[5].reach_mm = unit(random);
-    if (round % 2 == 0) file.process = model::processes()[round % 4].name;
+    if (round % 2 == 0) {
+      file.process = model::processes()[round % 4];
+      if (round % 3 == 0) file.process->clearance_mm = unit(random);
+      if (round % 3 == 1) file.process->sd.tilt_deg = unit(random);
+      if (round % 5 == 0) file.process->least_pin_mm = 1 + unit(random);
+    }
     expect_same(read(design_text(file)), file);
   }
 }

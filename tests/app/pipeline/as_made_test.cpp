@@ -94,6 +94,8 @@ TEST(AsMadeResult, GrowsWithTheErrorsOfTheProcess) {
              two =
                  printed(scratch, "process: {base: fdm, sd: {t_mm: 0.1, tilt_deg: 0.5}}\n").result["as_made"];
   EXPECT_EQ(one["process"], "fdm");
+  EXPECT_THAT(text_of(scratch / "out/design.yaml"), HasSubstr("process: {base: fdm, sd: {t_mm: 0.1}}\n"))
+      << "what differs from its base";
   EXPECT_NEAR(added(two), 4 * added(one), 1e-6 * added(two));
   const Printed rough = printed(scratch, "process: {sd: {tilt_deg: 20}}\n");
   EXPECT_EQ(rough.result["as_made"]["holds"], false);

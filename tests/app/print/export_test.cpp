@@ -362,6 +362,17 @@ TEST(Export, GluesBlocksBetweenTiles) {
   EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("2 x 1, one bed each: glue the soft parts"));
 }
 
+TEST(Export, KeepsToTheLimitsOfOnesOwnPrinter) {
+  const std::string design = std::string(panel) + "process: {clearance_mm: 0.2}\n";
+  for (const char* options : {"--format stl --hinge pin", "--format stl --hinge pin --process polyjet"}) {
+    const Scratch scratch;
+    ASSERT_EQ(exported(scratch, design, options).code, 0);
+    EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("clearance 0.2 mm a side")) << options;
+  }
+  expect_refused(std::string(panel) + "process: {base: fdm, least_wall_mm: 0.9}\n", "--format stl",
+                 "a wall of 0.8 mm is less than fdm prints, 0.9 mm");
+}
+
 TEST(Export, RefusesWhatItCannotMake) {
   expect_refused(panel, "--format stepp", "unknown format `stepp` (did you mean `step`?)");
   expect_refused(panel, "--format stl --process fdmm", "unknown process `fdmm` (did you mean `fdm`?)");

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "model/lattice/square/unit_laws.hpp"
@@ -64,6 +65,60 @@ TEST(SweepContent, EachRowOfAFactorialIsWhatSimulateGivesForThatDesign) {
       EXPECT_NEAR(csv.number(row, "end_mm"), distance_of_ends(single), 1e-11);
       ++row;
     }
+}
+
+/// sweep.json, which its schema allows.
+Json analysis_of(const Scratch& scratch) {
+  Json json = Json::parse(text_of(scratch / "out/sweep.json"));
+  EXPECT_EQ(schema_errors(json, "sweep"), "");
+  return json;
+}
+
+TEST(SweepContent, CountsAllSamplesAndShowsALotOfThem) {
+  const Scratch scratch;
+  const Outcome run = run_sweep_in(
+      scratch, sweep_of("{kind: factorial}",
+                        "  - {path: design.theta_deg, range: [10, 30], levels: 250}\n"
+                        "  - {path: \"design.columns[0].beta_deg\", range: [20, 40], levels: 10}\n",
+                        "end_mm"));
+  ASSERT_EQ(run.code, 0) << run.err;
+  const Json json = analysis_of(scratch), &response = json["responses"][0];
+  int counted = 0;
+  for (const Json& bar : response["histogram"]) counted += bar.get<int>();
+  EXPECT_EQ(counted, 2500);
+  EXPECT_EQ(response["spread"]["count"], 2500);
+  std::map<double, int> shown;
+  for (const Json& row : json["scatter"]) ++shown[row[1].get<double>()];
+  EXPECT_EQ(json["scatter"].size(), 2000u);
+  ASSERT_EQ(shown.size(), 10u) << "every level of the factor that goes round fastest";
+  for (const auto& [beta, count] : shown) EXPECT_NEAR(count, 200, 40) << beta;
+}
+
+TEST(SweepContent, PercentilesOfTwoSamplesLieBetweenThem) {
+  const Scratch scratch;
+  ASSERT_EQ(run_sweep_in(scratch, sweep_of("{kind: factorial}",
+                                           "  - {path: design.theta_deg, values: [10, 30]}\n", "theta_deg"))
+                .code,
+            0);
+  const Json spread = analysis_of(scratch)["responses"][0]["spread"];
+  EXPECT_NEAR(spread["p05"], 11, 1e-9);
+  EXPECT_NEAR(spread["median"], 20, 1e-9);
+  EXPECT_NEAR(spread["p95"], 29, 1e-9);
+}
+
+TEST(SweepContent, SaysWhichFactorsChangeWhatTheBaseHas) {
+  const Scratch scratch;
+  const std::string factors =
+      "  - {path: structure.cell_mm, scale: true, name: cell, range: [0.9, 1.1]}\n"
+      "  - {path: \"design.columns[*].beta_deg\", each: true, add: true, range: [0, 5]}\n"
+      "  - {path: design.theta_deg, range: [15, 20]}\n";
+  ASSERT_EQ(run_sweep_in(scratch, sweep_of("{kind: lhs, samples: 20}", factors, "end_mm")).code, 0);
+  const Json said = analysis_of(scratch)["factors"];
+  ASSERT_EQ(said.size(), 8u);
+  EXPECT_EQ(said[0].value("scale", false), true);
+  EXPECT_FALSE(said[0].contains("add"));
+  for (int column = 1; column <= 6; ++column) EXPECT_EQ(said[column].value("add", false), true) << column;
+  EXPECT_FALSE(said[7].contains("add") || said[7].contains("scale"));
 }
 
 TEST(SweepContent, DocumentKeysAndListedHingesGiveTheSameAsColumns) {

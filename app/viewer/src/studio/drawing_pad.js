@@ -17,6 +17,11 @@ export class DrawingPad {
     window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.paint());
   }
 
+  empty() {
+    this.line = [];
+    this.paint();
+  }
+
   get points() {
     let line = this.line;
     for (let k = 0; k < SMOOTHING; ++k) line = line.map((p, n) => (n === 0 || n === line.length - 1 ? p :

@@ -27,7 +27,7 @@ export class GoalPanel {
 
   choose(name) {
     this.kind = CARDS[name];
-    this.file = this.pad = null;
+    this.file = this.pad = this.drop = null;
     this.files = {};
     $("goal").replaceChildren(...[this.kind.about && element("p", {class: "note"}, this.kind.about), this.kind.pad && this.padOf(), this.kind.drop && this.dropOf(),
       ...this.kind.fields.map((field) => this.fieldOf(field))].filter(Boolean));
@@ -45,17 +45,17 @@ export class GoalPanel {
   drawn() {
     this.file = null;
     this.files = {};
+    this.drop?.forget();
     this.compose();
-    this.state.goalLine = this.pad.points;
   }
 
   dropOf() {
     const input = element("input", {type: "file", accept: this.kind.drop, "aria-label": `Choose a file (${this.kind.drop})`, change: () => this.take(input.files[0])});
-    const label = element("span", {class: "note"}, `${this.kind.pad ? "or drop" : "Drop"} a file here (${this.kind.drop.replaceAll(",", ", ")})`);
+    const words = `${this.kind.pad ? "or drop" : "Drop"} a file here (${this.kind.drop.replaceAll(",", ", ")})`, label = element("span", {class: "note"}, words);
     const over = (on) => (event) => event.preventDefault() ?? box.classList.toggle("over", on);
     const box = element("div", {class: "drop", dragover: over(true), dragleave: over(false),
       drop: (event) => (over(false)(event), this.take(event.dataTransfer.files[0]))}, label, input);
-    this.dropLabel = label;
+    this.drop = {label, forget: () => ((label.textContent = words), (input.value = ""))};
     return box;
   }
 
@@ -65,7 +65,8 @@ export class GoalPanel {
     const bytes = new Uint8Array(await file.arrayBuffer()), name = file.name.replace(/[^\w.-]/g, "_");
     this.file = {name, content: this.kind === CARDS.file ? new TextDecoder().decode(bytes) : undefined};
     this.files = this.kind === CARDS.file ? {} : {[name]: bytes};
-    this.dropLabel.textContent = `${file.name}, ${neat(file.size / 1000, 1)} kB`;
+    this.pad?.empty();
+    this.drop.label.textContent = `${file.name}, ${neat(file.size / 1000, 1)} kB`;
     this.compose();
   }
 

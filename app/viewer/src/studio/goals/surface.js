@@ -4,15 +4,21 @@ import {field, inQuotes, number, targetFile} from "./target_file.js";
 const FACETS = field("facets", "facets along a side", 8, {min: 2, max: 24, step: 1});
 const RIBS = field("ribs", "ribs instead of a sheet", 0, {min: 0, max: 60, step: 1});
 const WIDTH = field("width_mm", "wide", 100, {unit: "mm", min: 20, max: 5000});
-const RISE_A_DEGREE = 0.00375;              // of a saddle, over half its width: 0.15 at 40 degrees, which sheets reach
-const VASE_RADIUS = 0.75, VASE_SWELL = 0.025;  // of its height, likewise
+const RISE_A_DEGREE = 0.00375;                   // of a saddle, over half its width: 0.15 at 40 degrees, which sheets reach
+const VASE_HEIGHT = 4 / 3, VASE_SWELL = 1 / 30;  // of its radius, likewise
 const made = ({ribs, facets}) => (ribs > 0 ? [] : [`structure: {facets: [${facets}, ${facets}]}`]);
 const over = ({ribs}) => (ribs > 0 ? `, ribs: ${ribs}` : "");
+
+/** A vase whose front is so wide from rim to rim. */
+function vase(wide, arc) {
+  const radius = wide / (2 * Math.sin((arc * Math.PI) / 360));
+  return `height_mm: ${number(VASE_HEIGHT * radius)}, radius_mm: ${number(radius)}, swell_mm: ${number(VASE_SWELL * radius)}, arc_deg: ${number(arc)}`;
+}
 
 function shaped(values) {
   const {shape, width_mm: wide, arc_deg: arc} = values;
   const sizes = {cap: `width_mm: ${number(wide)}, arc_deg: ${number(arc)}`, saddle: `width_mm: ${number(wide)}, rise: ${number(RISE_A_DEGREE * arc)}`,
-    vase: `height_mm: ${number(wide)}, radius_mm: ${number(VASE_RADIUS * wide)}, swell_mm: ${number(VASE_SWELL * wide)}, arc_deg: ${number(arc)}`}[shape];
+    vase: vase(wide, arc)}[shape];
   return targetFile(shape, `{kind: surface, shape: ${shape}, ${sizes}${over(values)}}`, made(values));
 }
 
