@@ -1,5 +1,7 @@
 #include "app/studio/session.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 
 #include "app/assembly/assembly_file.hpp"
@@ -18,12 +20,23 @@ using Json = nlohmann::ordered_json;
 
 constexpr double largest_push_N = 1000;  // more than a person pushes with
 
+/// A folder that was not there before. Where none can be made the name of one, which then cannot be written to.
+fs::path new_folder(const fs::path& inside, const std::string& name) {
+  std::error_code failure;
+  fs::create_directories(inside, failure);
+  fs::path folder = inside / name;
+  for (int k = 2; !failure && !fs::create_directory(folder, failure); ++k)
+    folder = inside / fmt::format("{}_{}", name, k);
+  return folder;
+}
+
 }  // namespace
 
 Session::Session(Opened opened, Outlet outlet)
     : SessionLoop(std::move(outlet)),
       opened_(std::move(opened)),
       history_(opened_.design),
+      save_files_{opened_.save_file},
       player_(opened_.design),
       told_(opened_.result) {
   if (const auto theta = theta_reached(told_); theta && player_.mode() == Mode::exact)
@@ -168,7 +181,14 @@ void Session::drag(const Message& message) {
 }
 
 void Session::take(DesignFile design) {
-  history_.add(std::move(design));
+  history_.add(std::move(design), history_.thing());
+  design_changed();
+}
+
+/// One that is no change of the present design: `save` leaves that one's file alone.
+void Session::take_other(DesignFile design) {
+  save_files_.emplace_back();
+  history_.add(std::move(design), static_cast<int>(save_files_.size()) - 1);
   design_changed();
 }
 
@@ -196,15 +216,22 @@ void Session::take_nearest() {
 }
 
 void Session::open(const Message& message) {
-  if (message.has("template")) return take(template_design(message.text("template")));
+  if (message.has("template")) return take_other(template_design(message.text("template")));
   const targets::Node root = targets::parse_document(message.text("yaml"), "design");
   if (is_assembly(root))
     throw InvalidInput("open: a design of bodies has meshes beside it: `kinetix-opt view` its file");
-  take(read_design(root));
+  take_other(read_design(root));
+}
+
+/// Of the present design: the file that it came from, or one in a new folder, which is this session's from now on.
+fs::path Session::save_file() {
+  std::string& file = save_files_[history_.thing()];
+  if (file.empty()) file = (new_folder(opened_.results, history_.current().name) / "design.yaml").string();
+  return file;
 }
 
 void Session::save() {
-  const fs::path file = opened_.save_file;
+  const fs::path file = save_file();
   std::error_code ignored;
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), ignored);
   if (result_ && file.filename() == "design.yaml") {

@@ -27,7 +27,7 @@ void Session::export_files(const Message& message) {
     throw InvalidInput("bed_mm: must be [x, y]");
   DesignFile design = history_.current();
   if (std::abs(player_.sheet_theta()) > 0) design.theta = player_.sheet_theta();
-  const fs::path beside = fs::path(opened_.save_file).parent_path();
+  const fs::path beside = save_file().parent_path();
   const std::string folder = (beside / (design.name + "_print")).string();
   exporting_ = true;
   const int client = client_;

@@ -148,6 +148,28 @@ TEST_F(Studio, ShowsAnEditedColumnAsItsSavedDesignFolds) {
   EXPECT_LT(difference(frame, exact_motion(saved.structure).at(saved.theta)), 1e-9);
 }
 
+TEST_F(Studio, SavesOverNoOtherDesign) {
+  const auto saved = [&] {
+    client.send(R"({"type": "save"})");
+    return client.text("saved")["path"].get<std::string>();
+  };
+  const std::string own = saved(), before = read_file(own);
+  std::vector<std::string> panels;
+  for (int k = 0; k < 2; ++k) {
+    client.send(R"({"type": "open", "template": "panel"})");
+    panels.push_back(saved());
+    EXPECT_EQ(app::read_design(panels.back()).name, "panel");
+    client.send(R"({"type": "hinge", "index": 0, "t": 0.4})");
+    EXPECT_EQ(saved(), panels.back()) << "an edit stays with its design";
+  }
+  EXPECT_EQ(panels[0], studio.folder.path("results/panel/design.yaml"));
+  EXPECT_EQ(panels[1], studio.folder.path("results/panel_2/design.yaml"));
+  EXPECT_EQ(read_file(own), before);
+  for (int k = 0; k < 4; ++k) client.send(R"({"type": "undo"})");
+  EXPECT_EQ(saved(), own);
+  EXPECT_EQ(app::read_design(own).name, "strip");
+}
+
 TEST_F(Studio, GrowsAlongItsCreases) {
   client.send(R"({"type": "sheet", "columns": 6, "rows": 4})");
   const json told = client.text("design");
@@ -360,6 +382,8 @@ TEST_F(Studio, SearchesForAGoalAndTakesItsDesign) {
   ASSERT_TRUE(result.is_object());
   EXPECT_TRUE(result["met"]) << result["summary"];
   EXPECT_EQ(result["result"]["name"], "hook");
+  client.send(R"({"type": "save"})");
+  EXPECT_EQ(client.text("saved")["path"], studio.folder.path("results/hook/design.yaml"));
   Client other(studio.port());
   ASSERT_TRUE(other.open(studio.token));
   EXPECT_EQ(other.text("design")["name"], "hook");
