@@ -246,6 +246,47 @@ TEST_F(Studio, PaintsCellsAndMakesHinges) {
   EXPECT_EQ(client.text("design")["hinge"]["kind"], "stiff");
 }
 
+TEST_F(Studio, MadeHingesFollowTheirWalls) {
+  client.send(R"({"type": "made", "kind": "block", "material": "tango"})");
+  const auto saved = [&](const json& sheet) {
+    client.ask(sheet);
+    client.send(R"({"type": "save"})");
+    return *app::read_design(client.text("saved")["path"].get<std::string>()).hinge.made;
+  };
+  EXPECT_EQ(saved({{"type", "sheet"}, {"height_mm", 4}}).height_mm, 4);
+  EXPECT_EQ(saved({{"type", "sheet"}, {"height_mm", 12}}).height_mm, 12);
+  const model::MadeHinge small = saved({{"type", "sheet"}, {"cell_mm", 8}});
+  EXPECT_NEAR(small.thickness_mm, 0.8, 1e-12);
+  EXPECT_NEAR(small.height_mm, 4.8, 1e-12);
+  client.send(R"({"type": "sheet", "cell_mm": 1})");
+  EXPECT_THAT(client.text("error")["message"].get<std::string>(), ::testing::HasSubstr("gap_mm"));
+}
+
+TEST_F(Studio, KeepsTheDriveWhileItsCellsStay) {
+  app::DesignFile pulled = file;
+  const auto wall = [&](int column) {
+    return *file.structure.squares()->hinge_at({{column, 0}, model::Axis::y});
+  };
+  pulled.drive = app::DriveSection{
+      .kind = app::DriveSection::Kind::cord, .through = {wall(0), wall(12)}, .shorten_mm = 20};
+  OpenStudio one{pulled};
+  Client page{one.port()};
+  ASSERT_TRUE(page.open(one.token));
+  const std::string drive = page.text("design")["drive"];
+  EXPECT_NE(drive, "");
+  page.send(R"({"type": "sheet", "height_mm": 7})");
+  EXPECT_EQ(page.text("design")["drive"], drive);
+  page.send(R"({"type": "sheet", "cell_mm": 5})");
+  EXPECT_EQ(page.text("design")["drive"], drive);
+  page.send(R"({"type": "save"})");
+  const auto saved = app::read_design(page.text("saved")["path"].get<std::string>()).drive;
+  ASSERT_TRUE(saved);
+  EXPECT_DOUBLE_EQ(saved->shorten_mm, 10);
+  page.send(R"({"type": "paint", "cell": [11, 0], "on": false})");
+  page.text("design");
+  EXPECT_EQ(page.text("design")["drive"], "");
+}
+
 /// The image of a hinge's point under a mirror is the point of the image's hinge, and so are the axes.
 TEST_F(Studio, EditsComeTwiceWhereTheyAreToBeSymmetric) {
   OpenStudio panel{app::studio::template_design("panel")};
