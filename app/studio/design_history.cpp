@@ -19,4 +19,16 @@ void DesignHistory::add(DesignFile design, int thing) {
   at_ = designs_.size() - 1;
 }
 
+bool DesignHistory::undo() {
+  if (!can_undo()) return false;
+  --at_;
+  return true;
+}
+
+bool DesignHistory::redo() {
+  if (!can_redo()) return false;
+  ++at_;
+  return true;
+}
+
 }  // namespace kinetix::app::studio

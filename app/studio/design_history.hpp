@@ -17,8 +17,10 @@ class DesignHistory {
   void add(DesignFile design, int thing);
   bool can_undo() const { return at_ > 0; }
   bool can_redo() const { return at_ + 1 < designs_.size(); }
-  void undo() { at_ -= can_undo() ? 1 : 0; }
-  void redo() { at_ += can_redo() ? 1 : 0; }
+  /// @return whether there was anything to undo
+  bool undo();
+  /// @return whether there was anything to redo
+  bool redo();
   void mark_saved() { saved_ = static_cast<int>(at_); }
   bool is_saved() const { return saved_ == static_cast<int>(at_); }
 

@@ -135,13 +135,11 @@ const std::map<std::string, Session::Command>& Session::commands() {
       {"nearest", [](S& s, const M&) { s.take_nearest(); }},
       {"undo",
        [](S& s, const M&) {
-         s.history_.undo();
-         s.design_changed();
+         if (s.history_.undo()) s.design_changed();
        }},
       {"redo",
        [](S& s, const M&) {
-         s.history_.redo();
-         s.design_changed();
+         if (s.history_.redo()) s.design_changed();
        }},
       {"open", [](S& s, const M& m) { s.open(m); }},
       {"save", [](S& s, const M&) { s.save(); }},

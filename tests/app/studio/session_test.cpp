@@ -430,6 +430,20 @@ TEST_F(Studio, SearchesForAGoalAndTakesItsDesign) {
   EXPECT_EQ(other.text("design")["name"], "hook");
 }
 
+TEST_F(Studio, KeepsItsResultWhereThereIsNothingToRedo) {
+  client.send(json{{"type", "search"}, {"target", target}, {"files", {{"arc.csv", base64(arc())}}}}.dump());
+  ASSERT_TRUE(client.text("result").is_object());
+  client.ask({{"type", "redo"}});
+  Client other(studio.port());
+  ASSERT_TRUE(other.open(studio.token));
+  EXPECT_EQ(other.text("result")["result"]["name"], "hook");
+  client.ask({{"type", "undo"}});
+  client.ask({{"type", "undo"}});
+  Client last(studio.port());
+  ASSERT_TRUE(last.open(studio.token));
+  EXPECT_EQ(last.text("design")["revision"], 3) << "its own, the found one, and back";
+}
+
 TEST_F(Studio, TakesFilesInPartsThatOneMessageWouldNotHold) {
   std::string csv = arc();
   csv.insert(csv.size(), 900'000, '\n');
