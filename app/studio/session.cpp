@@ -252,6 +252,7 @@ void Session::tell(const nlohmann::ordered_json& message, int client) const {
     out["undo"] = history_.can_undo();
     out["redo"] = history_.can_redo();
     out["unsaved"] = !history_.is_saved();
+    out["has_result"] = !told_.is_null();
   }
   tell_json(out, client);
 }

@@ -97,6 +97,10 @@ test("a drawn arch is searched for, and stands beside what was found", () => inS
   assert.match(await page.$eval("#found_title", ({textContent}) => textContent), /meets the goal/);
   const {off} = await ghostOf(page);
   assert.ok(off < 1, `the ghost is up to ${off} cell edges off`);
+  await page.evaluate(() => window.kinetix.send("redo"));
+  assert.match(await page.$eval("#found_title", ({textContent}) => textContent), /^Found: it meets the goal$/, "nothing to redo");
+  await page.evaluate(() => window.kinetix.setHinge(0, {t: 0.4}));
+  await page.waitForFunction(() => /^Of another design/.test(document.getElementById("found_title").textContent), {timeout: 5000});
 }));
 
 /**

@@ -436,12 +436,15 @@ TEST_F(Studio, KeepsItsResultWhereThereIsNothingToRedo) {
   client.ask({{"type", "redo"}});
   Client other(studio.port());
   ASSERT_TRUE(other.open(studio.token));
+  EXPECT_EQ(other.text("design")["has_result"], true);
   EXPECT_EQ(other.text("result")["result"]["name"], "hook");
   client.ask({{"type", "undo"}});
   client.ask({{"type", "undo"}});
   Client last(studio.port());
   ASSERT_TRUE(last.open(studio.token));
-  EXPECT_EQ(last.text("design")["revision"], 3) << "its own, the found one, and back";
+  const json back = last.text("design");
+  EXPECT_EQ(back["revision"], 3) << "its own, the found one, and back";
+  EXPECT_EQ(back["has_result"], false) << "which nothing was found for";
 }
 
 TEST_F(Studio, TakesFilesInPartsThatOneMessageWouldNotHold) {
