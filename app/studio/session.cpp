@@ -41,6 +41,7 @@ Session::Session(Opened opened, Outlet outlet)
       told_(opened_.result) {
   if (const auto theta = theta_reached(told_); theta && player_.mode() == Mode::exact)
     player_.fold_to(*theta);
+  if (player_.mode() == Mode::equilibrium) enqueue([this] { trace(player_.theta()); });
   if (!opened_.target_file.empty()) enqueue([this] { search_for(opened_.target_file, nullptr); });
 }
 
@@ -50,6 +51,7 @@ void Session::welcome(int client) {
   tell(std::move(design), client);
   tell_state(client);
   if (!told_.is_null()) tell(told_, client);
+  if (!path_.is_null()) tell(path_, client);
 }
 
 void Session::obey(const Message& message) {
@@ -197,6 +199,7 @@ void Session::design_changed() {
   told_ = nullptr;
   stable_.clear();
   way_.reset();
+  path_ = nullptr;
   ++traces_;  // what is under way is of another design
   player_.load(history_.current());
   tell(design_message(history_.current(), player_.moving()));

@@ -77,6 +77,7 @@ class Session : public SessionLoop {
       told_;  ///< the message of the result that the present design is of; null: it is of none
   std::shared_ptr<const KnownWay> way_;        ///< of the present design's equilibria, as far as it is known
   std::shared_ptr<const KnownWay> stable_of_;  ///< that way led to the stable states
+  nlohmann::ordered_json path_;                ///< the message of that way; null: none is known
   int traces_ = 0;                             ///< that were begun: what older ones say counts no more
   std::vector<model::StableState> stable_;     ///< that the last equilibrium path led to
   std::size_t next_stable_ = 0;

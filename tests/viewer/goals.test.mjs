@@ -126,7 +126,10 @@ async function found(name, use) {
   await run(path.join(SHAPES, `${name}.yaml`), "--no-verify", "-o", path.join(home, name));
   return inStudio(path.join(home, name), async (page) => {
     await page.waitForFunction(() => window.kinetix.scene.goal.children.length > 0, {timeout: 10000});
-    await page.evaluate(() => window.kinetix.setTheta((window.kinetix.design.theta_rad * 180) / Math.PI));
+    await page.waitForFunction(() => {  // in equilibrium it goes there step by step
+      const {frame, design} = window.kinetix;
+      return frame.mode === "exact" || (Number.isFinite(frame.energy) && Math.abs(frame.theta - design.theta_rad) < 1e-4);
+    }, {timeout: 60000});
     await use(await ghostOf(page), page);
   });
 }

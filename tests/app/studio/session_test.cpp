@@ -196,6 +196,40 @@ TEST_F(Studio, SnapsFromOneStableStateToTheOther) {
   EXPECT_NEAR(std::abs(third.head(3)), a, 1e-9) << "and back";
 }
 
+/// The first frame that shows an equilibrium at theta, rad, or the last one after a while.
+Received in_equilibrium(Client& client, double theta) {
+  Received frame;
+  for (int k = 0; k < 600; ++k) {
+    Received next = client.receive();
+    if (next.closed) break;
+    if (next.frame.empty()) continue;
+    client.acknowledge(next);
+    frame = std::move(next);
+    if (std::isfinite(frame.head(7)) && std::abs(frame.head(3) - theta) < 1e-6) break;
+  }
+  return frame;
+}
+
+TEST_F(Studio, OpensADesignWithoutClosedFormInEquilibrium) {
+  app::DesignFile twist = app::read_design(std::string(KINETIX_SOURCE) + "/targets/sweeps/twist.yaml");
+  twist.theta = -30 * radians_per_degree;
+  EXPECT_EQ(app::studio::Player(twist).sheet_theta(), twist.theta) << "before its equilibrium is known";
+  OpenStudio one{twist};
+  Client page{one.port()};
+  ASSERT_TRUE(page.open(one.token));
+  const Received frame = in_equilibrium(page, twist.theta);
+  const model::Linkage linkage = twist.structure;
+  EXPECT_TRUE(std::isfinite(frame.head(7)));
+  EXPECT_NEAR(frame.head(3), twist.theta, 1e-6);
+  EXPECT_GT(difference(frame, rest_state(linkage)), 1) << "it is not flat";
+  page.send(R"({"type": "save"})");
+  const app::DesignFile saved = app::read_design(page.text("saved")["path"].get<std::string>());
+  EXPECT_GT(std::abs(saved.theta), 0.1);
+  Client later{one.port()};
+  ASSERT_TRUE(later.open(one.token));
+  EXPECT_GT(later.text("path")["rows"].size(), 2u) << "the way is told to a page that comes later";
+}
+
 /// The frame in which it has come that far, or the last one after a while.
 Received folded_to(Client& client, double deg) {
   Received frame;
