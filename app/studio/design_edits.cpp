@@ -70,16 +70,29 @@ const model::Structure& squares_of(const DesignFile& design) {
   throw InvalidInput("cells can be painted on a sheet of squares only");
 }
 
+/// What was as thick and high as its wall stays so.
+/// @throws InvalidInput for a hinge that such walls and cells have no room for
+void fit_to_walls(HingeSection& hinge, const model::CellSize& before, const model::CellSize& now) {
+  if (!hinge.made) return;
+  hinge.made = fitted(*hinge.made, before, now);
+  validate(*hinge.made, now);
+}
+
+/// The drive goes with the cells that it was given for; a cord is shortened by the same part of them.
 DesignFile with_cells(DesignFile design, std::vector<model::Cell> cells, const model::CellSize& size) {
+  const model::CellSize before = design.structure.size();
   auto [structure, from] = model::redrawn(squares_of(design), std::move(cells), size);
   std::map<int, HingeSection> own;
   for (std::size_t h = 0; h < from.size(); ++h)
     if (const auto section = from[h] ? design.own_hinges.find(*from[h]) : design.own_hinges.end();
         section != design.own_hinges.end())
       own[static_cast<int>(h)] = section->second;
+  fit_to_walls(design.hinge, before, size);
+  for (auto& [h, section] : own) fit_to_walls(section, before, size);
+  if (structure.cells != squares_of(design).cells) design.drive.reset();
+  if (design.drive) design.drive->shorten_mm *= size.edge_mm / before.edge_mm;
   design.structure = std::move(structure);
   design.own_hinges = std::move(own);
-  design.drive.reset();
   return design;
 }
 

@@ -32,6 +32,7 @@ void Player::load(const DesignFile& design) {
   fixed_.clear();
   theta_ = theta;
   mode_ = wanted_ == Mode::exact && !moving_->exact ? Mode::equilibrium : wanted_;
+  is_awaited_ = !moving_->exact;
   state_ = moving_->exact ? moving_->exact.at(theta_) : rest_state(moving_->linkage);
   force_N_ = energy_Nmm_ = nan;
   if (plays_on) enter_engine();
@@ -45,6 +46,7 @@ void Player::enter(Mode mode) {
   const auto driven = mode_ == Mode::equilibrium ? std::optional(theta_) : std::nullopt;
   theta_ = sheet_theta();
   force_N_ = energy_Nmm_ = nan;
+  is_awaited_ = false;
   live_.reset();
   mode_ = mode;
   if (mode == Mode::exact) state_ = moving_->exact.at(theta_);
@@ -58,7 +60,8 @@ bool Player::has_drive_of_its_own() const {
 }
 
 double Player::sheet_theta() const {
-  const bool is_known = mode_ == Mode::exact || (mode_ == Mode::equilibrium && !has_drive_of_its_own());
+  const bool is_known =
+      mode_ == Mode::exact || (mode_ == Mode::equilibrium && (is_awaited_ || !has_drive_of_its_own()));
   return is_known ? theta_ : model::mean_theta(moving_->linkage, state_);
 }
 
@@ -109,6 +112,7 @@ void Player::fold_to(double theta) {
 
 void Player::show_equilibrium(const model::State& state, double theta, double force_N, double energy_Nmm) {
   if (mode_ != Mode::equilibrium) return;
+  is_awaited_ = false;
   state_ = state;
   theta_ = theta;
   force_N_ = force_N;

@@ -69,7 +69,8 @@ class Player {
   std::unique_ptr<Moving> moving_;
   Mode wanted_ = Mode::exact, mode_ = Mode::exact;  ///< the one asked for; the one that the design allows
   double theta_ = 0;                                ///< rad, of exact and equilibrium
-  double kept_ = 1;                                 ///< kept_by_springs() of the design
+  bool is_awaited_ = false;  ///< the equilibrium at theta_: none of the design was shown yet
+  double kept_ = 1;          ///< kept_by_springs() of the design
   model::State state_;
   double force_N_, energy_Nmm_;
   std::unique_ptr<sim::LiveSheet> live_;  ///< of bullet alone; after moving_, which it looks at

@@ -1,5 +1,7 @@
 #include "app/studio/session.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 
 #include "app/assembly/assembly_file.hpp"
@@ -18,16 +20,28 @@ using Json = nlohmann::ordered_json;
 
 constexpr double largest_push_N = 1000;  // more than a person pushes with
 
+/// A folder that was not there before. Where none can be made the name of one, which then cannot be written to.
+fs::path new_folder(const fs::path& inside, const std::string& name) {
+  std::error_code failure;
+  fs::create_directories(inside, failure);
+  fs::path folder = inside / name;
+  for (int k = 2; !failure && !fs::create_directory(folder, failure); ++k)
+    folder = inside / fmt::format("{}_{}", name, k);
+  return folder;
+}
+
 }  // namespace
 
 Session::Session(Opened opened, Outlet outlet)
     : SessionLoop(std::move(outlet)),
       opened_(std::move(opened)),
       history_(opened_.design),
+      save_files_{opened_.save_file},
       player_(opened_.design),
       told_(opened_.result) {
   if (const auto theta = theta_reached(told_); theta && player_.mode() == Mode::exact)
     player_.fold_to(*theta);
+  if (player_.mode() == Mode::equilibrium) enqueue([this] { trace(player_.theta()); });
   if (!opened_.target_file.empty()) enqueue([this] { search_for(opened_.target_file, nullptr); });
 }
 
@@ -37,6 +51,7 @@ void Session::welcome(int client) {
   tell(std::move(design), client);
   tell_state(client);
   if (!told_.is_null()) tell(told_, client);
+  if (!path_.is_null()) tell(path_, client);
 }
 
 void Session::obey(const Message& message) {
@@ -122,13 +137,11 @@ const std::map<std::string, Session::Command>& Session::commands() {
       {"nearest", [](S& s, const M&) { s.take_nearest(); }},
       {"undo",
        [](S& s, const M&) {
-         s.history_.undo();
-         s.design_changed();
+         if (s.history_.undo()) s.design_changed();
        }},
       {"redo",
        [](S& s, const M&) {
-         s.history_.redo();
-         s.design_changed();
+         if (s.history_.redo()) s.design_changed();
        }},
       {"open", [](S& s, const M& m) { s.open(m); }},
       {"save", [](S& s, const M&) { s.save(); }},
@@ -168,7 +181,14 @@ void Session::drag(const Message& message) {
 }
 
 void Session::take(DesignFile design) {
-  history_.add(std::move(design));
+  history_.add(std::move(design), history_.thing());
+  design_changed();
+}
+
+/// One that is no change of the present design: `save` leaves that one's file alone.
+void Session::take_other(DesignFile design) {
+  save_files_.emplace_back();
+  history_.add(std::move(design), static_cast<int>(save_files_.size()) - 1);
   design_changed();
 }
 
@@ -179,6 +199,7 @@ void Session::design_changed() {
   told_ = nullptr;
   stable_.clear();
   way_.reset();
+  path_ = nullptr;
   ++traces_;  // what is under way is of another design
   player_.load(history_.current());
   tell(design_message(history_.current(), player_.moving()));
@@ -196,15 +217,22 @@ void Session::take_nearest() {
 }
 
 void Session::open(const Message& message) {
-  if (message.has("template")) return take(template_design(message.text("template")));
+  if (message.has("template")) return take_other(template_design(message.text("template")));
   const targets::Node root = targets::parse_document(message.text("yaml"), "design");
   if (is_assembly(root))
     throw InvalidInput("open: a design of bodies has meshes beside it: `kinetix-opt view` its file");
-  take(read_design(root));
+  take_other(read_design(root));
+}
+
+/// Of the present design: the file that it came from, or one in a new folder, which is this session's from now on.
+fs::path Session::save_file() {
+  std::string& file = save_files_[history_.thing()];
+  if (file.empty()) file = (new_folder(opened_.results, history_.current().name) / "design.yaml").string();
+  return file;
 }
 
 void Session::save() {
-  const fs::path file = opened_.save_file;
+  const fs::path file = save_file();
   std::error_code ignored;
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), ignored);
   if (result_ && file.filename() == "design.yaml") {
@@ -227,6 +255,7 @@ void Session::tell(const nlohmann::ordered_json& message, int client) const {
     out["undo"] = history_.can_undo();
     out["redo"] = history_.can_redo();
     out["unsaved"] = !history_.is_saved();
+    out["has_result"] = !told_.is_null();
   }
   tell_json(out, client);
 }

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <filesystem>
+#include <string>
+#include <vector>
+
 #include "app/run/run.hpp"
 #include "app/studio/design_history.hpp"
 #include "app/studio/job.hpp"
@@ -13,12 +17,13 @@ namespace kinetix::app::studio {
 /// What `view` was asked to open.
 struct Opened {
   DesignFile design;
-  std::string save_file;    ///< where `save` writes the design
+  std::string save_file;    ///< that the design was read from, where `save` writes it; empty: none
   std::string target_file;  ///< not empty: searched for at once
   int threads = 0;
   std::uint64_t seed = 0;
   nlohmann::ordered_json result =
-      {};  ///< the message of the result that the design is of; null: none is known
+      {};                           ///< the message of the result that the design is of; null: none is known
+  std::string results = "results";  ///< the folder in which `save` makes one for what was read from no file
 };
 
 /// A sheet in the studio: its design, its shape at the moment, and what runs on its behalf.
@@ -43,10 +48,12 @@ class Session : public SessionLoop {
   void fold_to(double theta);
   void drag(const Message& message);
   void take(DesignFile design);
+  void take_other(DesignFile design);
   void design_changed();
   void take_nearest();
   void open(const Message& message);
   void save();
+  std::filesystem::path save_file();
   void take_part(const Message& message);
   void search(const Message& message);
   void export_files(const Message& message);
@@ -62,6 +69,7 @@ class Session : public SessionLoop {
 
   const Opened opened_;
   DesignHistory history_;
+  std::vector<std::string> save_files_;  ///< by thing of the history; empty: not asked for yet
   int revision_ = 1;
   Player player_;
   std::shared_ptr<const Run> result_;  ///< of the last search, while its design is the present one
@@ -69,6 +77,7 @@ class Session : public SessionLoop {
       told_;  ///< the message of the result that the present design is of; null: it is of none
   std::shared_ptr<const KnownWay> way_;        ///< of the present design's equilibria, as far as it is known
   std::shared_ptr<const KnownWay> stable_of_;  ///< that way led to the stable states
+  nlohmann::ordered_json path_;                ///< the message of that way; null: none is known
   int traces_ = 0;                             ///< that were begun: what older ones say counts no more
   std::vector<model::StableState> stable_;     ///< that the last equilibrium path led to
   std::size_t next_stable_ = 0;

@@ -45,7 +45,8 @@ void Session::trace(double theta) {
         changed_ = true;
         if (number != traces_) return;
         way_ = way;
-        tell({{"type", "path"}, {"rows", rows}});
+        path_ = {{"type", "path"}, {"rows", rows}};
+        tell(path_);
         if (!why.empty()) tell(error_message(why, 0), client);
       });
       if (way == known && is_settled) return;

@@ -26,7 +26,7 @@ void Session::export_files(const Message& message) {
     throw InvalidInput("bed_mm: must be [x, y]");
   DesignFile design =
       as_far_as_shown(history_.current(), player_.moving(), player_.sheet_theta(), player_.theta());
-  const fs::path beside = fs::path(opened_.save_file).parent_path();
+  const fs::path beside = save_file().parent_path();
   const std::string folder = (beside / (design.name + "_print")).string();
   exporting_ = true;
   const int client = client_;

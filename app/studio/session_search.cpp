@@ -112,7 +112,12 @@ void Session::search_for(const std::string& file, std::shared_ptr<void> keeps) {
 void Session::found(std::shared_ptr<Run> run) {
   searching_ = false;
   const std::string text = design_export.write(*run).front().content;
-  take(read_design(targets::parse_document(text, "the result")));
+  DesignFile design = read_design(targets::parse_document(text, "the result"));
+  const bool is_other = design.name != history_.current().name;
+  if (is_other)
+    take_other(std::move(design));
+  else
+    take(std::move(design));
   fold_to(run->theta);
   result_ = run;
   told_ = {{"type", "result"},

@@ -28,12 +28,12 @@ Source opened_file(const std::string& file) {
   const targets::Node root = targets::read_document(file, max_design_bytes);
   if (is_assembly(root)) return read_assembly(root);
   if (!root.optional("target")) return Opened{read_design(root), file, "", 0, 0};
-  const std::string name = read_target(root).goal->name();
-  return Opened{studio::template_design("panel"), "results/" + name + "/design.yaml", file, 0, 0};
+  read_target(root);  // refuses a broken one before the page is there
+  return Opened{studio::template_design("panel"), "", file, 0, 0};
 }
 
 Source opened_source(const std::string& source) {
-  if (source.empty()) return Opened{studio::template_design("panel"), "results/studio/design.yaml", "", 0, 0};
+  if (source.empty()) return Opened{studio::template_design("panel"), "", "", 0, 0};
   if (!fs::is_directory(source)) return opened_file(source);
   const fs::path inside = fs::path(source) / "design.yaml";
   if (fs::exists(inside)) return opened_file(inside.string());
@@ -48,7 +48,7 @@ std::unique_ptr<studio::SessionLoop> session_of(Source source, const CommandOpti
   Opened& opened = std::get<Opened>(source);
   opened.threads = options.threads;
   opened.seed = options.seed;
-  if (opened.target_file.empty()) opened.result = studio::earlier_result(opened.save_file, opened.design);
+  if (!opened.save_file.empty()) opened.result = studio::earlier_result(opened.save_file, opened.design);
   return std::make_unique<studio::Session>(std::move(opened), std::move(outlet));
 }
 

@@ -124,6 +124,10 @@ test("a drawn arch is searched for, and stands beside what was found", () => inS
   assert.match(await page.$eval("#found_title", ({textContent}) => textContent), /meets the goal/);
   const {off} = await ghostOf(page);
   assert.ok(off < 1, `the ghost is up to ${off} cell edges off`);
+  await page.evaluate(() => window.kinetix.send("redo"));
+  assert.match(await page.$eval("#found_title", ({textContent}) => textContent), /^Found: it meets the goal$/, "nothing to redo");
+  await page.evaluate(() => window.kinetix.setHinge(0, {t: 0.4}));
+  await page.waitForFunction(() => /^Of another design/.test(document.getElementById("found_title").textContent), {timeout: 5000});
 }));
 
 /**
@@ -149,7 +153,10 @@ async function found(name, use) {
   await run(path.join(SHAPES, `${name}.yaml`), "--no-verify", "-o", path.join(home, name));
   return inStudio(path.join(home, name), async (page) => {
     await page.waitForFunction(() => window.kinetix.scene.goal.children.length > 0, {timeout: 10000});
-    await page.evaluate(() => window.kinetix.setTheta((window.kinetix.design.theta_rad * 180) / Math.PI));
+    await page.waitForFunction(() => {  // in equilibrium it goes there step by step
+      const {frame, design} = window.kinetix;
+      return frame.mode === "exact" || (Number.isFinite(frame.energy) && Math.abs(frame.theta - design.theta_rad) < 1e-4);
+    }, {timeout: 60000});
     await use(await ghostOf(page), page);
   });
 }

@@ -150,6 +150,28 @@ TEST_F(Studio, ShowsAnEditedColumnAsItsSavedDesignFolds) {
   EXPECT_LT(difference(frame, exact_motion(saved.structure).at(saved.theta)), 1e-9);
 }
 
+TEST_F(Studio, SavesOverNoOtherDesign) {
+  const auto saved = [&] {
+    client.send(R"({"type": "save"})");
+    return client.text("saved")["path"].get<std::string>();
+  };
+  const std::string own = saved(), before = read_file(own);
+  std::vector<std::string> panels;
+  for (int k = 0; k < 2; ++k) {
+    client.send(R"({"type": "open", "template": "panel"})");
+    panels.push_back(saved());
+    EXPECT_EQ(app::read_design(panels.back()).name, "panel");
+    client.send(R"({"type": "hinge", "index": 0, "t": 0.4})");
+    EXPECT_EQ(saved(), panels.back()) << "an edit stays with its design";
+  }
+  EXPECT_EQ(panels[0], studio.folder.path("results/panel/design.yaml"));
+  EXPECT_EQ(panels[1], studio.folder.path("results/panel_2/design.yaml"));
+  EXPECT_EQ(read_file(own), before);
+  for (int k = 0; k < 4; ++k) client.send(R"({"type": "undo"})");
+  EXPECT_EQ(saved(), own);
+  EXPECT_EQ(app::read_design(own).name, "strip");
+}
+
 TEST_F(Studio, GrowsAlongItsCreases) {
   client.send(R"({"type": "sheet", "columns": 6, "rows": 4})");
   const json told = client.text("design");
@@ -174,6 +196,40 @@ TEST_F(Studio, SnapsFromOneStableStateToTheOther) {
   EXPECT_LT(std::min(a, b), 0.05) << "flat";
   EXPECT_GT(std::max(a, b), 0.5) << "over the barrier";
   EXPECT_NEAR(std::abs(third.head(3)), a, 1e-9) << "and back";
+}
+
+/// The first frame that shows an equilibrium at theta, rad, or the last one after a while.
+Received in_equilibrium(Client& client, double theta) {
+  Received frame;
+  for (int k = 0; k < 600; ++k) {
+    Received next = client.receive();
+    if (next.closed) break;
+    if (next.frame.empty()) continue;
+    client.acknowledge(next);
+    frame = std::move(next);
+    if (std::isfinite(frame.head(7)) && std::abs(frame.head(3) - theta) < 1e-6) break;
+  }
+  return frame;
+}
+
+TEST_F(Studio, OpensADesignWithoutClosedFormInEquilibrium) {
+  app::DesignFile twist = app::read_design(std::string(KINETIX_SOURCE) + "/targets/sweeps/twist.yaml");
+  twist.theta = -30 * radians_per_degree;
+  EXPECT_EQ(app::studio::Player(twist).sheet_theta(), twist.theta) << "before its equilibrium is known";
+  OpenStudio one{twist};
+  Client page{one.port()};
+  ASSERT_TRUE(page.open(one.token));
+  const Received frame = in_equilibrium(page, twist.theta);
+  const model::Linkage linkage = twist.structure;
+  EXPECT_TRUE(std::isfinite(frame.head(7)));
+  EXPECT_NEAR(frame.head(3), twist.theta, 1e-6);
+  EXPECT_GT(difference(frame, rest_state(linkage)), 1) << "it is not flat";
+  page.send(R"({"type": "save"})");
+  const app::DesignFile saved = app::read_design(page.text("saved")["path"].get<std::string>());
+  EXPECT_GT(std::abs(saved.theta), 0.1);
+  Client later{one.port()};
+  ASSERT_TRUE(later.open(one.token));
+  EXPECT_GT(later.text("path")["rows"].size(), 2u) << "the way is told to a page that comes later";
 }
 
 /// The frame in which it has come that far, or the last one after a while.
@@ -224,6 +280,47 @@ TEST_F(Studio, PaintsCellsAndMakesHinges) {
   EXPECT_EQ(client.text("design")["hinge"]["kind"], "pin");
   client.send(R"({"type": "made", "kind": "stiff"})");
   EXPECT_EQ(client.text("design")["hinge"]["kind"], "stiff");
+}
+
+TEST_F(Studio, MadeHingesFollowTheirWalls) {
+  client.send(R"({"type": "made", "kind": "block", "material": "tango"})");
+  const auto saved = [&](const json& sheet) {
+    client.ask(sheet);
+    client.send(R"({"type": "save"})");
+    return *app::read_design(client.text("saved")["path"].get<std::string>()).hinge.made;
+  };
+  EXPECT_EQ(saved({{"type", "sheet"}, {"height_mm", 4}}).height_mm, 4);
+  EXPECT_EQ(saved({{"type", "sheet"}, {"height_mm", 12}}).height_mm, 12);
+  const model::MadeHinge small = saved({{"type", "sheet"}, {"cell_mm", 8}});
+  EXPECT_NEAR(small.thickness_mm, 0.8, 1e-12);
+  EXPECT_NEAR(small.height_mm, 4.8, 1e-12);
+  client.send(R"({"type": "sheet", "cell_mm": 1})");
+  EXPECT_THAT(client.text("error")["message"].get<std::string>(), ::testing::HasSubstr("gap_mm"));
+}
+
+TEST_F(Studio, KeepsTheDriveWhileItsCellsStay) {
+  app::DesignFile pulled = file;
+  const auto wall = [&](int column) {
+    return *file.structure.squares()->hinge_at({{column, 0}, model::Axis::y});
+  };
+  pulled.drive = app::DriveSection{
+      .kind = app::DriveSection::Kind::cord, .through = {wall(0), wall(12)}, .shorten_mm = 20};
+  OpenStudio one{pulled};
+  Client page{one.port()};
+  ASSERT_TRUE(page.open(one.token));
+  const std::string drive = page.text("design")["drive"];
+  EXPECT_NE(drive, "");
+  page.send(R"({"type": "sheet", "height_mm": 7})");
+  EXPECT_EQ(page.text("design")["drive"], drive);
+  page.send(R"({"type": "sheet", "cell_mm": 5})");
+  EXPECT_EQ(page.text("design")["drive"], drive);
+  page.send(R"({"type": "save"})");
+  const auto saved = app::read_design(page.text("saved")["path"].get<std::string>()).drive;
+  ASSERT_TRUE(saved);
+  EXPECT_DOUBLE_EQ(saved->shorten_mm, 10);
+  page.send(R"({"type": "paint", "cell": [11, 0], "on": false})");
+  page.text("design");
+  EXPECT_EQ(page.text("design")["drive"], "");
 }
 
 /// The image of a hinge's point under a mirror is the point of the image's hinge, and so are the axes.
@@ -394,9 +491,28 @@ TEST_F(Studio, SearchesForAGoalAndTakesItsDesign) {
   ASSERT_TRUE(result.is_object());
   EXPECT_TRUE(result["met"]) << result["summary"];
   EXPECT_EQ(result["result"]["name"], "hook");
+  client.send(R"({"type": "save"})");
+  EXPECT_EQ(client.text("saved")["path"], studio.folder.path("results/hook/design.yaml"));
   Client other(studio.port());
   ASSERT_TRUE(other.open(studio.token));
   EXPECT_EQ(other.text("design")["name"], "hook");
+}
+
+TEST_F(Studio, KeepsItsResultWhereThereIsNothingToRedo) {
+  client.send(json{{"type", "search"}, {"target", target}, {"files", {{"arc.csv", base64(arc())}}}}.dump());
+  ASSERT_TRUE(client.text("result").is_object());
+  client.ask({{"type", "redo"}});
+  Client other(studio.port());
+  ASSERT_TRUE(other.open(studio.token));
+  EXPECT_EQ(other.text("design")["has_result"], true);
+  EXPECT_EQ(other.text("result")["result"]["name"], "hook");
+  client.ask({{"type", "undo"}});
+  client.ask({{"type", "undo"}});
+  Client last(studio.port());
+  ASSERT_TRUE(last.open(studio.token));
+  const json back = last.text("design");
+  EXPECT_EQ(back["revision"], 3) << "its own, the found one, and back";
+  EXPECT_EQ(back["has_result"], false) << "which nothing was found for";
 }
 
 TEST_F(Studio, TakesFilesInPartsThatOneMessageWouldNotHold) {

@@ -16,9 +16,14 @@ class OpenStudio {
 
   explicit OpenStudio(app::DesignFile design, const std::string& target_file = "")
       : OpenStudio([&](app::studio::Outlet outlet) {
-          return std::make_unique<app::studio::Session>(
-              app::studio::Opened{std::move(design), folder.path("design.yaml"), target_file, 2, 0},
-              std::move(outlet));
+          return std::make_unique<app::studio::Session>(app::studio::Opened{std::move(design),
+                                                                            folder.path("design.yaml"),
+                                                                            target_file,
+                                                                            2,
+                                                                            0,
+                                                                            {},
+                                                                            folder.path("results")},
+                                                        std::move(outlet));
         }) {}
   explicit OpenStudio(app::AssemblyFile bodies)
       : OpenStudio([&](app::studio::Outlet outlet) {

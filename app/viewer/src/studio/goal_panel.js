@@ -16,6 +16,7 @@ export class GoalPanel {
     state.on("program", () => this.showProgram());
     state.on("progress", () => this.showProgress());
     state.on("result", () => this.showResult());
+    state.on("design", () => this.showWhose());
   }
 
   listen() {
@@ -141,11 +142,24 @@ export class GoalPanel {
     $("progress_text").textContent = text + (left_s > 1 ? `, about ${Math.ceil(left_s)} s left` : "");
   }
 
+  /** In words: what came of the search. */
+  get verdict() {
+    const {met, stopped, earlier} = this.state.result;
+    if (earlier) return (met ? "Met" : met === false ? "Not met" : "Not known to be met") + ": what was found before";
+    return met ? "Found: it meets the goal" : stopped ? "Stopped: the best so far" : "Not met: this is the nearest";
+  }
+
+  /** A verdict stays when the design is changed, and says that it is of another one. */
+  showWhose() {
+    if (!this.state.result || this.state.design.has_result) return;
+    $("found_title").textContent = `Of another design than that shown: ${this.verdict}`;
+    $("found_title").className = "";
+  }
+
   showResult() {
-    const {met, stopped, summary} = this.state.result;
-    const {earlier} = this.state.result;
+    const {met, summary} = this.state.result;
     show($("found"), true);
-    $("found_title").textContent = earlier ? (met ? "Met" : met === false ? "Not met" : "Not known to be met") + ": what was found before" : met ? "Found: it meets the goal" : stopped ? "Stopped: the best so far" : "Not met: this is the nearest";
+    $("found_title").textContent = this.verdict;
     $("found_title").className = met ? "good" : "bad";
     $("found_text").replaceChildren(...summaryRows(summary ?? ""));
     status($("found_title").textContent);
