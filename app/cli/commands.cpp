@@ -57,8 +57,7 @@ Run located(const std::string& file, const Scene& scene, const RunOptions& optio
 }
 
 int exit_code(const Run& run) {
-  if (run.goal && !run.goal->met()) return target_missed;
-  if (run.equilibrium && !run.equilibrium->reached()) return target_missed;
+  if (run.misses()) return target_missed;
   if (run.verification && !run.verification->agrees) return physics_disagrees;
   return done;
 }

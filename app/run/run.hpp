@@ -147,6 +147,9 @@ struct Run {
   std::vector<Fidelity> fidelity;
   double verify_tolerance = GoalSettings::usual_verify;  ///< of verification->distance.rms, cell edges
   Timings timings;
+
+  /// Whether the model's state misses the goal, or the drive did not come to its own.
+  bool misses() const { return (goal && !goal->met()) || (equilibrium && !equilibrium->reached()); }
 };
 
 inline void take_settings(Run& run, const GoalSettings& asked) {
