@@ -52,11 +52,13 @@ void judge_overlap(Run& run) {
     run.goal->violations.push_back(overlap_words(*overlap, run.structure));
 }
 
-/// What is proven of walls where they are out of place, of the states that prints are judged in.
+/// What is proven of walls where they are out of place, of the states that prints are judged in. Of equilibria near the closed
+/// form nothing is; that even this form may touch is a warning all the same.
 void judge_contact_of_prints(Run& run) {
   const bool has_left = run.equilibrium && run.equilibrium->path.off_closed_form;
   if (!run.printed || has_left || !run.certified->printed) return;
-  run.printed->free_of_contact = run.certified->covers_printed(run.theta);
+  const bool covered = run.certified->covers_printed(run.theta);
+  if (!run.equilibrium || !covered) run.printed->free_of_contact = covered;
 }
 
 }  // namespace

@@ -95,7 +95,7 @@ struct PrintedGoal {
   bool can_be_printed = true;                 ///< by the process, and with these hinges
   std::optional<std::string> misfit = {};     ///< why these hinges do not fit the sheet, as `export` says it
   /// Whether no walls meet on the way to the fold where each is as far out of place as the process leaves it, proven
-  /// (Certified::printed); nothing where nothing is proven of these states.
+  /// (Certified::printed); nothing where nothing is proven of these states, as of equilibria of elastic hinges.
   std::optional<bool> free_of_contact = {};
   std::optional<TakenHinges> taken = {};
 

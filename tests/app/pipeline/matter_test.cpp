@@ -54,6 +54,10 @@ TEST(Matter, MakesUpForSoftHingesOfACurve) {
   EXPECT_EQ(run.result["states"][0]["model"], "equilibrium");
   EXPECT_NEAR(run.result["as_made"]["designed_mm"], matter["after_mm"], 1e-6);
   EXPECT_THAT(run.out, HasSubstr("with its hinges as made, points of the sheet are "));
+  const Json& is_free = run.result["as_made"]["free_of_contact"];
+  EXPECT_EQ(is_free.is_null(), run.result["certified"].value("covers_theta_printed", true)) << is_free;
+  EXPECT_NE(is_free, true) << "nothing is proven of an equilibrium";
+  EXPECT_EQ(run.out.find("are allowed: holds\n"), std::string::npos) << run.out;
 
   // The design by itself comes to the same state.
   const std::string folder = scratch / "out";
