@@ -59,6 +59,15 @@ TEST(Matter, MakesUpForSoftHingesOfACurve) {
   EXPECT_NE(is_free, true) << "nothing is proven of an equilibrium";
   EXPECT_EQ(run.out.find("are allowed: holds\n"), std::string::npos) << run.out;
 
+  // The curve that is told is that of the state shown, two bodies a column.
+  const Json &folded = run.result["curve"]["folded_mm"], &poses = run.result["states"][0]["poses"];
+  ASSERT_EQ(2 * folded.size(), poses.size());
+  for (std::size_t c = 0; c < folded.size(); ++c)
+    for (const auto& [axis, k] : {std::pair{0, 0}, {2, 1}}) {
+      const double one = poses[2 * c]["position_mm"][axis], other = poses[2 * c + 1]["position_mm"][axis];
+      EXPECT_NEAR(folded[c][k], (one + other) / 2, 1e-5) << "column " << c;
+    }
+
   // The design by itself comes to the same state.
   const std::string folder = scratch / "out";
   const Outcome again = kinetix_opt("verify " + folder + "/design.yaml -o " + scratch.path() + "/again");
