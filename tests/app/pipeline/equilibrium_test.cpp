@@ -102,8 +102,8 @@ TEST(Equilibrium, OfATwistUnitStretchesItsHingesAndAgreesWithThePhysicsRun) {
   EXPECT_GT(result["metrics"]["hinge_gap_max"], 1e-3);
   EXPECT_LT(result["metrics"]["hinge_gap_max"], 0.05);
 
-  const Outcome verified =
-      kinetix_opt("verify " + (scratch / "design.yaml").string() + " --json --quiet -o " + scratch.path());
+  const Outcome verified = kinetix_opt("verify " + (scratch / "design.yaml").string() +
+                                       " --json --quiet -o " + (scratch / "again").string());
   EXPECT_EQ(verified.code, 0) << verified.err;
   const Json physics = Json::parse(verified.out);
   EXPECT_EQ(schema_errors(physics), "");
@@ -206,7 +206,7 @@ TEST(Equilibrium, OfACordHasTheTensionThatDoesTheWork) {
 
   const std::string again = (scratch / "design.yaml").string();
   const Outcome exact =
-      kinetix_opt("simulate " + again + " --model exact --json --quiet -o " + scratch.path());
+      kinetix_opt("simulate " + again + " --model exact --json --quiet -o " + (scratch / "exact").string());
   EXPECT_NEAR(Json::parse(exact.out)["metrics"]["theta_rad"], theta, 1e-9) << exact.err;
   const Outcome physics =
       kinetix_opt("verify " + scratch.write("d.yaml", corded) + " --json --quiet -o " + scratch.path());
