@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -96,11 +95,7 @@ nlohmann::ordered_json said(const PrintJob& job, const AssemblyFile& file) {
 
 std::optional<AssemblyFile> assembly_to_export(const PrintRequest& request) {
   if (request.source.empty() || request.coupon) return std::nullopt;
-  const bool in_folder = std::filesystem::is_directory(request.source);
-  const std::string file =
-      in_folder ? (std::filesystem::path(request.source) / "design.yaml").string() : request.source;
-  if (in_folder && !std::filesystem::exists(file)) return std::nullopt;
-  const targets::Node root = targets::read_document(file, max_design_bytes);
+  const targets::Node root = targets::read_document(design_at(request.source), max_design_bytes);
   return is_assembly(root) ? std::optional(read_assembly(root)) : std::nullopt;
 }
 

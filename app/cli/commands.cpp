@@ -15,6 +15,7 @@
 #include "app/exports/write_results.hpp"
 #include "app/goals/read_target.hpp"
 #include "app/io/atomic_file.hpp"
+#include "app/io/own_input.hpp"
 #include "app/pipeline/design_scene.hpp"
 #include "app/pipeline/drive_trials.hpp"
 #include "app/pipeline/pipeline.hpp"
@@ -57,8 +58,7 @@ Run located(const std::string& file, const Scene& scene, const RunOptions& optio
 }
 
 int exit_code(const Run& run) {
-  if (run.goal && !run.goal->met()) return target_missed;
-  if (run.equilibrium && !run.equilibrium->reached()) return target_missed;
+  if (run.misses()) return target_missed;
   if (run.verification && !run.verification->agrees) return physics_disagrees;
   return done;
 }
@@ -74,7 +74,9 @@ void print(const Run& run, const nlohmann::ordered_json& json, const std::string
 /// @param watch started before the file was read   @param asks_physics alone: without it there is nothing to keep
 int run_and_write(const CommandOptions& options, const Scene& scene, const std::string& suffix,
                   Stopwatch watch, bool asks_physics = false) {
-  OutputFolder folder(folder_of(options, scene.name(), suffix));
+  const std::string where = folder_of(options, scene.name(), suffix);
+  refuse_own_input(options.file, where);
+  OutputFolder folder(where);
   const double load = watch.lap();
   Console console(options.quiet);
   const Stopper stopper(options.time_limit_s);

@@ -85,6 +85,14 @@ int least(const std::vector<DriveTrial>& trials, double DriveTrial::*number) {
   return best;
 }
 
+/// Those behind the first ones that can be tried.
+std::vector<std::string> names_after(std::size_t first, const std::vector<model::TrialDrive>& drives) {
+  std::vector<std::string> names;
+  for (std::size_t k = first; k < drives.size(); ++k)
+    if (drives[k].drive) names.push_back(drives[k].name);
+  return names;
+}
+
 }  // namespace
 
 DriveTrials try_drives(const DesignFile& design, const RunOptions& options) {
@@ -93,7 +101,7 @@ DriveTrials try_drives(const DesignFile& design, const RunOptions& options) {
   const model::Elasticity elasticity = elasticity_of(design);
   model::EquilibriumPathOptions path;
   path.stop = options.stop;
-  DriveTrials out{design.name, theta_of(design, exact), linkage.size.edge_mm, {}};
+  DriveTrials out{design.name, theta_of(design, exact), linkage.size.edge_mm, {}, -1, -1, false, {}};
   const std::vector<model::TrialDrive> drives = trial_drives(design.structure, exact, out.theta);
   for (const model::TrialDrive& drive : drives) {
     options.progress("drives", static_cast<double>(out.trials.size()) / static_cast<double>(drives.size()));
@@ -106,6 +114,7 @@ DriveTrials try_drives(const DesignFile& design, const RunOptions& options) {
     if (!options.stop.stop_requested()) continue;
     out.trials.pop_back();  // on its way
     out.stopped = true;
+    out.not_tried = names_after(out.trials.size(), drives);
     break;
   }
   out.least_force = least(out.trials, &DriveTrial::force_N);

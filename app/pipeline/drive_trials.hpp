@@ -37,6 +37,7 @@ struct DriveTrials {
   std::vector<DriveTrial> trials;
   int least_force = -1, least_work = -1;  ///< of those that hold; -1: none does
   bool stopped = false;                   ///< before all drives were tried
+  std::vector<std::string> not_tried;     ///< names of those that were not, where it was stopped
 };
 
 /// Tries the drives of model::trial_drives on a design with elastic hinges, each from flat to where the mean theta of the

@@ -10,6 +10,7 @@
 #include "app/pipeline/certify.hpp"
 #include "app/run/run_hinges.hpp"
 #include "app/run/stopwatch.hpp"
+#include "model/contact/wall_contact.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -35,18 +36,29 @@ void judge_contact(Run& run) {
       std::abs(*limit.contact) >= std::abs(run.theta))
     return;
   if (run.certified->designed.overlaps_as_built())
-    return run.goal->violations.push_back(overlap_words(*run.certified, run.structure));
+    return run.goal->violations.push_back(overlap_words(limit.walls, run.structure));
   const auto [first, second] = wall_names(limit, run.structure);
   run.goal->violations.push_back(
       fmt::format("walls {} and {} overlap at theta {:.3f} deg, on the way to {:.3f} deg", first, second,
                   to_degrees(*limit.contact), to_degrees(run.theta)));
 }
 
-/// What is proven of walls where they are out of place, of the states that prints are judged in.
+/// Where nothing was to be proven: walls that overlap as built are seen in the flat state.
+void judge_overlap(Run& run) {
+  if (!run.goal || run.plan.model != Model::exact || !run.plan.exact || run.theta == 0) return;
+  const model::Linkage linkage = run.structure;
+  const model::WallContact contact(linkage);
+  if (const auto& overlap = contact.overlap_at_rest())
+    run.goal->violations.push_back(overlap_words(*overlap, run.structure));
+}
+
+/// What is proven of walls where they are out of place, of the states that prints are judged in. Of equilibria near the closed
+/// form nothing is; that even this form may touch is a warning all the same.
 void judge_contact_of_prints(Run& run) {
   const bool has_left = run.equilibrium && run.equilibrium->path.off_closed_form;
   if (!run.printed || has_left || !run.certified->printed) return;
-  run.printed->free_of_contact = run.certified->covers_printed(run.theta);
+  const bool covered = run.certified->covers_printed(run.theta);
+  if (!run.equilibrium || !covered) run.printed->free_of_contact = covered;
 }
 
 }  // namespace
@@ -104,7 +116,7 @@ void add(Judgement judgement, Run& run) {
     run.prints_unknown = std::move(judgement.prints_unknown);
     run.plan.why.push_back("what prints come to is not known: " + run.prints_unknown);
   }
-  if (!judgement.certified) return;
+  if (!judgement.certified) return judge_overlap(run);
   run.certified = std::move(judgement.certified);
   correct_samples(run);
   judge_contact(run);

@@ -44,7 +44,7 @@ class Judging {
 };
 
 /// Adds it to the run: ranges of theta that samples took for free end where walls are proven to meet, and a goal that lies
-/// beyond is missed.
+/// beyond is missed. So is one whose walls overlap as built, where nothing was to be proven as well.
 void add(Judgement judgement, Run& run);
 
 }  // namespace kinetix::app

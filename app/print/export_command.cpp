@@ -220,6 +220,12 @@ bool is_of_another_export(const std::string& file, const Exported& now, const st
   return !same_format || (ending != ".stl" && !file.starts_with(name + "_"));
 }
 
+/// Whether a report beside the design may be of what is printed: of a sheet of the design's own size.
+bool is_of_a_result(const Source& source, const PrintJob& job) {
+  if (!source.design || source.file.empty()) return false;
+  return !resized_words(source.design->structure.size().edge_mm, job.sheet.linkage.size.edge_mm);
+}
+
 Exported exported(const Source& source, const PrintRequest& request, const std::string& where,
                   const Progress& progress) {
   const auto formats = formats_of(request);
@@ -256,7 +262,7 @@ Exported exported(const Source& source, const PrintRequest& request, const std::
   files.commit();
   record.remove_what_is_left_over();
   folder.keep();
-  if (source.design && !source.file.empty() && slicer && slicer->estimate)
+  if (is_of_a_result(source, print.job) && slicer && slicer->estimate)
     out.report = tell_report(source.file, *source.design, estimate_json(print.job, *slicer->estimate));
   return out;
 }

@@ -43,11 +43,17 @@ std::string prints_words(const PrintedGoal& printed, const std::string& goal) {
   return text + (printed.is_confirmed() ? "" : ": FIRST ORDER IS FAR FROM THEM");
 }
 
+/// Of prints that keep the goal: what is known of their walls.
+const char* holding_words(const PrintedGoal& printed) {
+  if (!printed.free_of_contact) return "holds, but that walls stay apart is not proven";
+  return *printed.free_of_contact ? "holds" : "holds, but walls may meet";
+}
+
 std::string verdict_words(const Run& run) {
   const PrintedGoal& printed = *run.printed;
   if (!printed.can_be_printed) return printed.misfit ? "CANNOT BE PRINTED SO" : "CANNOT BE PRINTED";
   if (printed.holds() && !run.goal->met()) return "prints keep that, but the design itself misses the goal";
-  if (printed.holds()) return printed.free_of_contact.value_or(true) ? "holds" : "holds, but walls may meet";
+  if (printed.holds()) return holding_words(printed);
   if (printed.runs && printed.runs->prints == 0)
     return "NOT EVERY PRINT HOLDS, and none settles in the elastic model";
   return printed.made.p95_mm <= printed.tolerance_mm ? "NOT EVERY PRINT HOLDS, of those in the elastic model"

@@ -75,7 +75,7 @@ std::vector<SummaryLine> certified_lines(const Certified& certified, const model
   if (!certified.designed)
     return {{"contact", "no range of theta is proven free of it: " + certified.designed.why_not}};
   if (certified.designed.overlaps_as_built())
-    return {{"NOT PROVEN", "free of contact: " + overlap_words(certified, sheet)}};
+    return {{"NOT PROVEN", "free of contact: " + overlap_words(certified.designed.positive.walls, sheet)}};
   if (states == NearExact::left) return left_lines(certified, sheet, theta);
   const std::string range = fmt::format("theta {}, {}", between(certified.designed),
                                         end_words(certified.designed.to(theta), sheet));

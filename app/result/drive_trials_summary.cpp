@@ -1,6 +1,7 @@
 #include "app/result/drive_trials_summary.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -46,12 +47,20 @@ std::string alike_text(const DriveTrials& all, int best, double DriveTrial::*num
   return names.empty() ? "" : fmt::format("; within {:g} %: {}", 100 * alike, names);
 }
 
-std::string verdict(const DriveTrials& all) {
-  if (all.least_force < 0) return "  none of them takes the sheet there\n";
+/// The drives that need least; of the others nothing is known where the trials were stopped.
+std::string least_text(const DriveTrials& all) {
+  const char* among = all.stopped ? ", of those tried" : "";
   const DriveTrial &force = all.trials[all.least_force], &work = all.trials[all.least_work];
-  return fmt::format("  least force  {}: {:.4g} N at most{}\n  least work   {}: {:.4g} N mm{}\n", force.name,
-                     force.force_N, alike_text(all, all.least_force, &DriveTrial::force_N), work.name,
-                     work.work_Nmm, alike_text(all, all.least_work, &DriveTrial::work_Nmm));
+  return fmt::format("  least force{}  {}: {:.4g} N at most{}\n  least work{}   {}: {:.4g} N mm{}\n", among,
+                     force.name, force.force_N, alike_text(all, all.least_force, &DriveTrial::force_N), among,
+                     work.name, work.work_Nmm, alike_text(all, all.least_work, &DriveTrial::work_Nmm));
+}
+
+std::string verdict(const DriveTrials& all) {
+  const std::string stopped =
+      all.stopped ? fmt::format("  stopped; not tried: {}\n", fmt::join(all.not_tried, ", ")) : "";
+  if (all.least_force >= 0) return stopped + least_text(all);
+  return all.stopped ? stopped : "  none of them takes the sheet there\n";
 }
 
 Json trial_json(const DriveTrial& trial) {
@@ -96,13 +105,17 @@ std::string summary(const DriveTrials& all) {
 Json drive_trials_json(const DriveTrials& all) {
   Json trials = Json::array();
   for (const DriveTrial& trial : all.trials) trials.push_back(trial_json(trial));
-  return {{"schema", "kinetix-drives/1"},
-          {"name", all.name},
-          {"theta_rad", all.theta},
-          {"lever_mm", all.lever_mm},
-          {"drives", trials},
-          {"least_force", name_of(all, all.least_force)},
-          {"least_work", name_of(all, all.least_work)}};
+  Json out = {{"schema", "kinetix-drives/1"},
+              {"name", all.name},
+              {"theta_rad", all.theta},
+              {"lever_mm", all.lever_mm},
+              {"drives", trials},
+              {"least_force", name_of(all, all.least_force)},
+              {"least_work", name_of(all, all.least_work)}};
+  if (!all.stopped) return out;
+  out["stopped"] = true;
+  out["not_tried"] = all.not_tried;
+  return out;
 }
 
 }  // namespace kinetix::app

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "model/contact/certified_range.hpp"
+#include "model/contact/wall_contact.hpp"
 #include "model/sheet/sheet.hpp"
 
 namespace kinetix::app {
@@ -29,7 +30,7 @@ inline std::array<std::string, 2> wall_names(const model::CertifiedLimit& limit,
   return {wall_name(sheet, limit.walls.first / 2), wall_name(sheet, limit.walls.second / 2)};
 }
 
-/// "walls A and B overlap as built" and what helps. @pre certified.designed.overlaps_as_built()
-std::string overlap_words(const Certified& certified, const model::Sheet& sheet);
+/// "walls A and B overlap as built" and what helps.
+std::string overlap_words(const model::WallPair& walls, const model::Sheet& sheet);
 
 }  // namespace kinetix::app

@@ -96,7 +96,7 @@ struct PrintedGoal {
   bool can_be_printed = true;                 ///< by the process, and with these hinges
   std::optional<std::string> misfit = {};     ///< why these hinges do not fit the sheet, as `export` says it
   /// Whether no walls meet on the way to the fold where each is as far out of place as the process leaves it, proven
-  /// (Certified::printed); nothing where nothing is proven of these states.
+  /// (Certified::printed); nothing where nothing is proven of these states, as of equilibria of elastic hinges.
   std::optional<bool> free_of_contact = {};
   std::optional<TakenHinges> taken = {};
 
@@ -148,6 +148,9 @@ struct Run {
   std::vector<Fidelity> fidelity;
   double verify_tolerance = GoalSettings::usual_verify;  ///< of verification->distance.rms, cell edges
   Timings timings;
+
+  /// Whether the model's state misses the goal, or the drive did not come to its own.
+  bool misses() const { return (goal && !goal->met()) || (equilibrium && !equilibrium->reached()); }
 };
 
 inline void take_settings(Run& run, const GoalSettings& asked) {

@@ -134,13 +134,14 @@ class CurveScene final : public Scene {
   void judge_matter(Run& run, const model::State& state) const override {
     auto& curve = outcome_of<CurveOutcome>(run);
     const model::State upright = aligned(state, curve.exact);
-    targets::CurveError& error = curve.found.design.error;
-    error = curve_error(column_midline(run.structure, upright), file_.curve);
+    optim::CurveDesign& design = curve.found.design;
+    design.midline_mm = column_midline(run.structure, upright);
+    design.error = curve_error(design.midline_mm, file_.curve);
     curve.violations.clear();
-    if (!(error.rms <= file_.shape_tolerance))
+    if (!(design.error.rms <= file_.shape_tolerance))
       curve.violations.push_back(
-          fmt::format("equilibrium: rms {:.3g} of the goal's diagonal; at most {:g} is allowed", error.rms,
-                      file_.shape_tolerance));
+          fmt::format("equilibrium: rms {:.3g} of the goal's diagonal; at most {:g} is allowed",
+                      design.error.rms, file_.shape_tolerance));
     if (!curve.found.walls_are_free)
       curve.violations.push_back(curve.found.notes.back() + ": use lower or thinner walls, or larger cells");
   }

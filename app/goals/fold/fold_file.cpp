@@ -81,6 +81,12 @@ void check_force_limit(const targets::Node& force, const FoldFile& file) {
     throw force.key_error("is for a drive from outside; springs in the hinges need none");
 }
 
+/// Hinges that cannot stretch are not followed to their equilibrium, which tells what they bear.
+void check_strain_limit(const targets::Node& strain, const FoldFile& file) {
+  if (file.hinge.model != HingeSection::Model::elastic)
+    throw strain.key_error("applies to elastic hinges; leave out `model: rotary` of `hinge`");
+}
+
 void read_tolerance(const targets::Section& root, FoldFile& file) {
   const targets::Section section = root.section("tolerance");
   section.read("angle_deg", file.angle_tolerance);
@@ -89,6 +95,7 @@ void read_tolerance(const targets::Section& root, FoldFile& file) {
   section.read("verify", file.verify_tolerance);
   file.limits = read_hinge_limits(section, file.hinge, file.hinge_parts);
   if (const auto force = section.optional("force_N")) check_force_limit(*force, file);
+  if (const auto strain = section.optional("strain")) check_strain_limit(*strain, file);
 }
 
 targets::KeyTable keys_of(const FoldFile& usual) {

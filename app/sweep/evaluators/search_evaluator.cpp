@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/pipeline/pipeline.hpp"
+#include "app/result/equilibrium_summary.hpp"
 #include "app/result/result_json.hpp"
 
 namespace kinetix::app {
@@ -15,6 +16,13 @@ const NamedState* shown_state(const Run& run, bool physics) {
   for (const NamedState& state : run.states)
     if (state.name == "target" && (!shown || (physics && state.model == "bullet"))) shown = &state;
   return shown;
+}
+
+/// @pre run.misses()
+std::string why_missed(const Run& run) {
+  if (!run.goal->met()) return fmt::format("{}", fmt::join(run.goal->violations, "; "));
+  const model::EquilibriumPath& path = run.equilibrium->path;
+  return in_words(path.stop) + ": " + path.why;
 }
 
 }  // namespace
@@ -31,9 +39,9 @@ void SearchEvaluator::evaluate(SampleRow& row) {
   if (!state) throw std::runtime_error("the search ended without a state");
   seen.state = &state->poses;
   for (std::size_t k = 0; k < plan_.responses.size(); ++k) row.responses[k] = plan_.responses[k].of(seen);
-  if (!run.goal->met()) {
+  if (run.misses()) {
     row.status = SampleStatus::missed;
-    row.reason = fmt::format("{}", fmt::join(run.goal->violations, "; "));
+    row.reason = why_missed(run);
   } else if (run.verification && !run.verification->agrees) {
     row.status = SampleStatus::disagrees;
     row.reason = "the physics run does not agree with the model";

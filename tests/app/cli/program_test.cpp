@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -75,6 +76,28 @@ TEST(Program, ItsOwnDesignCanBeVerifiedAndSimulated) {
       kinetix_opt("simulate " + first + "/design.yaml --model exact --theta-deg 10 -o " + again);
   EXPECT_EQ(half.code, 0) << half.err;
   EXPECT_NEAR(Json::parse(text_of(again + "/result.json"))["metrics"]["theta_rad"], 10 * M_PI / 180, 1e-12);
+}
+
+TEST(Program, NeverReplacesItsOwnInput) {
+  const Scratch scratch;
+  const std::string goal = scratch.write("design.yaml", std::string("# by hand\n") + bow),
+                    found = scratch / "found", design = found + "/design.yaml";
+  ASSERT_EQ(kinetix_opt(goal + " --quiet --no-verify -o " + found).code, 0);
+  const std::string result = text_of(found + "/result.json"), text = text_of(design);
+  for (const std::string& command :
+       {goal + " --no-verify -o " + scratch.path(), "verify " + design + " -o " + found,
+        "simulate " + found + " --theta-deg 20 -o " + found,
+        "simulate " + found + "/result.json -o " + found + "/../found"}) {
+    const Outcome run = kinetix_opt(command + " --quiet");
+    EXPECT_EQ(run.code, 2) << command << run.out;
+    EXPECT_THAT(run.err, HasSubstr("design.yaml: results in ")) << command;
+    EXPECT_THAT(run.err, HasSubstr("would replace this file; give another folder: -o DIR")) << command;
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+  }
+  EXPECT_EQ(text_of(goal), std::string("# by hand\n") + bow);
+  EXPECT_FALSE(fs::exists(scratch / "result.json"));
+  EXPECT_EQ(text_of(design), text);
+  EXPECT_EQ(text_of(found + "/result.json"), result);
 }
 
 TEST(Program, PrintsTheDocumentItWrites) {

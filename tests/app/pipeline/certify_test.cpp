@@ -176,6 +176,19 @@ TEST(Certify, FailsGoalsWhoseWallsOverlapAsBuilt) {
   ASSERT_TRUE(run.certified && run.certified->designed.overlaps_as_built());
   ASSERT_FALSE(run.goal->met());
   EXPECT_THAT(run.goal->violations.back(), HasSubstr("overlap as built"));
+  const app::Run unproven = run_scene(*app::read_target(file).goal, {.verify = false, .certify = false});
+  EXPECT_FALSE(unproven.certified);
+  EXPECT_TRUE(unproven.misses()) << "as in a sweep";
+  EXPECT_EQ(unproven.goal->violations, run.goal->violations);
+}
+
+TEST(Certify, ARunWhoseDriveStoppedOnItsWayMisses) {
+  app::Run run;
+  EXPECT_FALSE(run.misses());
+  run.equilibrium.emplace();
+  EXPECT_FALSE(run.misses());
+  run.equilibrium->path.stop = model::EquilibriumPath::Stop::locked;
+  EXPECT_TRUE(run.misses());
 }
 
 TEST(Certify, IsPartOfACheck) {

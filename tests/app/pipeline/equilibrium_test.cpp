@@ -4,7 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <stop_token>
+#include <string>
 
+#include "app/files/design_file.hpp"
+#include "app/pipeline/drive_trials.hpp"
+#include "app/result/drive_trials_summary.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/schema_errors.hpp"
 
@@ -97,8 +102,8 @@ TEST(Equilibrium, OfATwistUnitStretchesItsHingesAndAgreesWithThePhysicsRun) {
   EXPECT_GT(result["metrics"]["hinge_gap_max"], 1e-3);
   EXPECT_LT(result["metrics"]["hinge_gap_max"], 0.05);
 
-  const Outcome verified =
-      kinetix_opt("verify " + (scratch / "design.yaml").string() + " --json --quiet -o " + scratch.path());
+  const Outcome verified = kinetix_opt("verify " + (scratch / "design.yaml").string() +
+                                       " --json --quiet -o " + (scratch / "again").string());
   EXPECT_EQ(verified.code, 0) << verified.err;
   const Json physics = Json::parse(verified.out);
   EXPECT_EQ(schema_errors(physics), "");
@@ -201,7 +206,7 @@ TEST(Equilibrium, OfACordHasTheTensionThatDoesTheWork) {
 
   const std::string again = (scratch / "design.yaml").string();
   const Outcome exact =
-      kinetix_opt("simulate " + again + " --model exact --json --quiet -o " + scratch.path());
+      kinetix_opt("simulate " + again + " --model exact --json --quiet -o " + (scratch / "exact").string());
   EXPECT_NEAR(Json::parse(exact.out)["metrics"]["theta_rad"], theta, 1e-9) << exact.err;
   const Outcome physics =
       kinetix_opt("verify " + scratch.write("d.yaml", corded) + " --json --quiet -o " + scratch.path());
@@ -278,6 +283,36 @@ TEST(Equilibrium, TriesDrivesToTheSameThetaAndSaysWhichNeedsTheLeastForce) {
                   " --model equilibrium --drives --quiet");
   EXPECT_EQ(flat.code, 2);
   EXPECT_THAT(flat.err, HasSubstr("folds nowhere"));
+}
+
+TEST(Equilibrium, StoppedAmongDrivesComparesThoseTriedAndNamesTheOthers) {
+  const Scratch scratch;
+  const app::DesignFile design =
+      app::read_design(scratch.write("d.yaml",
+                                     "kinetix: 1\nstructure: {cells: [4, 4], cell_mm: 10}\ndesign: "
+                                     "{theta_deg: 25}\nhinge: {model: elastic}\n"));
+  for (const std::size_t tried : {std::size_t{0}, std::size_t{2}}) {
+    std::stop_source stopper;
+    std::size_t begun = 0;
+    app::RunOptions options;
+    options.stop = stopper.get_token();
+    options.progress = [&](const std::string&, double, const std::string&) {
+      if (++begun > tried) stopper.request_stop();
+    };
+    const app::DriveTrials trials = app::try_drives(design, options);
+    EXPECT_TRUE(trials.stopped);
+    EXPECT_EQ(trials.trials.size(), tried);
+    EXPECT_EQ(trials.not_tried.size(), 6 - tried);
+    EXPECT_EQ(trials.not_tried.back(), "cord along the middle column");
+    const std::string text = summary(trials);
+    EXPECT_THAT(text, HasSubstr("stopped; not tried: "));
+    EXPECT_THAT(text, Not(HasSubstr("none of them")));
+    EXPECT_EQ(text.find("least force, of those tried  ") != std::string::npos, tried > 0) << text;
+    const Json found = drive_trials_json(trials);
+    EXPECT_EQ(found["stopped"], true);
+    EXPECT_EQ(found["not_tried"].size(), 6 - tried);
+    EXPECT_EQ(found["least_force"].is_null(), tried == 0);
+  }
 }
 
 TEST(Equilibrium, OfRotaryHingesSaysThatItTakesThemAsElastic) {

@@ -54,6 +54,19 @@ TEST(Matter, MakesUpForSoftHingesOfACurve) {
   EXPECT_EQ(run.result["states"][0]["model"], "equilibrium");
   EXPECT_NEAR(run.result["as_made"]["designed_mm"], matter["after_mm"], 1e-6);
   EXPECT_THAT(run.out, HasSubstr("with its hinges as made, points of the sheet are "));
+  const Json& is_free = run.result["as_made"]["free_of_contact"];
+  EXPECT_EQ(is_free.is_null(), run.result["certified"].value("covers_theta_printed", true)) << is_free;
+  EXPECT_NE(is_free, true) << "nothing is proven of an equilibrium";
+  EXPECT_EQ(run.out.find("are allowed: holds\n"), std::string::npos) << run.out;
+
+  // The curve that is told is that of the state shown, two bodies a column.
+  const Json &folded = run.result["curve"]["folded_mm"], &poses = run.result["states"][0]["poses"];
+  ASSERT_EQ(2 * folded.size(), poses.size());
+  for (std::size_t c = 0; c < folded.size(); ++c)
+    for (const auto& [axis, k] : {std::pair{0, 0}, {2, 1}}) {
+      const double one = poses[2 * c]["position_mm"][axis], other = poses[2 * c + 1]["position_mm"][axis];
+      EXPECT_NEAR(folded[c][k], (one + other) / 2, 1e-5) << "column " << c;
+    }
 
   // The design by itself comes to the same state.
   const std::string folder = scratch / "out";
@@ -169,6 +182,13 @@ TEST(Matter, LimitsOfAFoldMustFitItsDrive) {
   EXPECT_THAT(
       finished(scratch, "kinetix: 1\ntarget: {kind: fold, box: [2, 2, 2]}\ntolerance: {force_N: 3}\n").err,
       HasSubstr("tolerance.force_N: applies to elastic hinges; give `hinge` as well"));
+  const std::string rotary =
+      "hinge: {model: rotary, kind: block, material: tango, gap_mm: 2, thickness_mm: 0.8}\n";
+  EXPECT_THAT(
+      finished(scratch, "kinetix: 1\ntarget: {kind: fold, box: [2, 2, 2]}\nstructure: {cell_mm: 20}\n" +
+                            rotary + "tolerance: {strain: 0.3}\n")
+          .err,
+      HasSubstr("goal.yaml:5:13: tolerance.strain: applies to elastic hinges; leave out `model: rotary`"));
 }
 
 TEST(Matter, AnOutlineIsJudgedInItsHinges) {

@@ -274,6 +274,13 @@ TEST(Export, MakesADesignForItsOwnProcess) {
   ASSERT_EQ(kinetix_opt("simulate " + scratch.write("own.yaml", design) + " -o " + folder).code, 0);
   EXPECT_THAT(text_of(folder + "/design.yaml"), HasSubstr("process: sla\n")) << "and keeps it";
   EXPECT_EQ(kinetix_opt("simulate " + folder + " -o " + std::string(scratch / "again")).code, 0);
+  for (const std::string& source : {folder, folder + "/result.json"}) {
+    const Outcome made = kinetix_opt("export " + source + " --format stl --hinge pin --quiet -o " +
+                                     std::string(scratch / "made"));
+    EXPECT_EQ(made.code, 0) << source << made.err;
+    EXPECT_EQ(Json::parse(text_of(scratch / "made/print.json"))["process"], "sla");
+    fs::remove_all(scratch / "made");
+  }
   const Outcome refused = kinetix_opt("simulate " + scratch.path() + " -o " + std::string(scratch / "none"));
   EXPECT_EQ(refused.code, 2);
   EXPECT_THAT(refused.err, HasSubstr("no design.yaml in this folder"));
@@ -609,6 +616,10 @@ TEST(Slicer, IsQuotedByTheReportOfTheSameSheet) {
   for (const char* key : {"seconds", "material_mm3", "prints"}) EXPECT_EQ(told[key], slicer[key]) << key;
 
   const std::string before = text_of(page);
+  const Outcome larger = kinetix_opt(print + " --cell-mm 15");
+  ASSERT_EQ(larger.code, 0) << larger.err;
+  EXPECT_EQ(text_of(page), before) << "of cells of another size";
+  EXPECT_EQ(larger.out.find("report       "), std::string::npos) << larger.out;
   std::string other = panel;
   other.replace(other.find("cell_mm: 12"), 11, "cell_mm: 13");
   std::ofstream(design) << other;

@@ -247,6 +247,22 @@ TEST(SweepContent, ATargetIsSearchedInEverySample) {
   EXPECT_EQ(csv.number(1, "met"), 1);
 }
 
+TEST(SweepContent, AGoalWhoseWallsOverlapAsBuiltIsMissed) {
+  const Scratch scratch;
+  const std::string arch =
+      "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [40, 12], [80, 16], [120, 12], [160, 0]]}\n"
+      "structure: {cells: [17, 1], cell_mm: 10, wall_mm: {thickness: 0.8, height: 12.5}}\n"
+      "variables: {theta: {range_deg: [3, 12]}, beta: {range_deg: [-70, 70]}}\n";
+  const std::string factors = "  - {path: structure.wall_mm.height, values: [12.5]}\n";
+  const Outcome run =
+      run_sweep_in(scratch, sweep_of("{kind: factorial}", factors, "shape_rms, met"), "", arch);
+  ASSERT_EQ(run.code, 0) << run.err;
+  const Csv csv = read_csv(scratch / "out");
+  EXPECT_EQ(csv.rows[0].at("status"), "missed");
+  EXPECT_THAT(csv.rows[0].at("reason"), HasSubstr("overlap as built"));
+  EXPECT_EQ(csv.number(0, "met"), 0);
+}
+
 TEST(SweepContent, ASampleThatFailsIsRecordedWithItsReasonAndTheOthersGoOn) {
   const Scratch scratch;
   const std::string factors = "  - {path: \"design.hinges[0].beta_deg\", values: [30, 31, 30.0000000001]}\n";

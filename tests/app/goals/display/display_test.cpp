@@ -85,7 +85,8 @@ TEST(Display, LeavesNoPicturesOfAnEarlierRun) {
 
   std::ofstream(folder + "/before.svg") << "drawn over by hand";
   std::ofstream(folder + "/frames/own.txt") << "a note";
-  ASSERT_EQ(kinetix_opt("simulate " + folder + "/design.yaml --model equilibrium -o " + folder).code, 0);
+  const std::string design = scratch.write("panel.yaml", text_of(folder + "/design.yaml"));
+  ASSERT_EQ(kinetix_opt("simulate " + design + " --model equilibrium -o " + folder).code, 0);
   std::set<std::string> left;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) left.insert(entry.path().filename());
   EXPECT_EQ(left, (std::set<std::string>{"before.svg", "design.yaml", "frames", "own.txt", "report.html",
