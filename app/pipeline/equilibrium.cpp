@@ -10,6 +10,7 @@
 #include "app/pipeline/design_drive.hpp"
 #include "app/pipeline/exact_state.hpp"
 #include "model/base/invalid_input.hpp"
+#include "model/closure/closure_drive.hpp"
 #include "model/closure/drive_theta.hpp"
 #include "model/elastic/exact_theta.hpp"
 #include "model/elastic/path/turning_points.hpp"

@@ -11,6 +11,7 @@
 #include "app/run/run_hinges.hpp"
 #include "app/run/stopwatch.hpp"
 #include "model/contact/wall_contact.hpp"
+#include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::app {
 namespace {

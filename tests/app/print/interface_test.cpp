@@ -6,6 +6,7 @@
 #include <regex>
 
 #include "app/print/fit.hpp"
+#include "app/print/format/sheet_drawing.hpp"
 #include "app/print/format/strips.hpp"
 #include "app/print/overhang.hpp"
 #include "tests/app/print/mesh_distance.hpp"

@@ -1,6 +1,7 @@
 #include "app/studio/session.hpp"
 
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <atomic>
