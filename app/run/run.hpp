@@ -57,7 +57,7 @@ struct Equilibrium {
   model::EquilibriumPath path;
   model::StableStates stable;  ///< that a release on the way leads to
   std::optional<model::StateDistance>
-      from_exact;  ///< of the last state, where a closed form fits the drive so far
+      from_exact;                         ///< of the last state, where a closed form fits the drive so far
   std::optional<double> turned_off = {};  ///< of a hinge of the last state from that closed form, most, rad
 
   bool reached() const { return path.stop == model::EquilibriumPath::Stop::reached; }

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "model/base/decompositions.hpp"
+#include "model/base/invalid_input.hpp"
 #include "model/base/parallel_runs.hpp"
 #include "model/elastic/newton.hpp"
 
@@ -111,37 +112,46 @@ class Rest {
  public:
   /// @param design in equilibrium, with the drive's multiplier
   Rest(const Scene& scene, const State& design, double multiplier)
-      : scene_(scene), design_(design), system_(scene.system({})), tangent_(system_.dofs()) {
+      : scene_(scene), design_(design), system_(scene.system({})) {
     system_.set_multiplier(multiplier);
   }
 
-  /// Nothing where no stable equilibrium is found.
+  /// Nothing where no stable equilibrium is found, and where walls that press on each other overlap as built.
   std::optional<State> of(const Matrix4Xd& errors) {
     restore();
-    ElasticSystem print = scene_.system(errors);
+    try {
+      return settled(scene_.system(errors));
+    } catch (const InvalidInput&) {
+      return std::nullopt;
+    }
+  }
+
+ private:
+  std::optional<State> settled(ElasticSystem print) {
     print.set_multiplier(system_.multiplier());
     State state = design_;
     const double theta = scene_.drive.theta();
     print.place(theta, state);
     const NewtonResult found =
-        minimise(print, theta, newton_options(), state, tangent_, tangent_.is_factorised());
+        minimise(print, theta, newton_options(), state, *tangent_, tangent_->is_factorised());
     is_of_design_ = false;
     if (!found.converged || !found.stable) return std::nullopt;
     return state;
   }
 
- private:
   void restore() {
     if (is_of_design_) return;
-    system_.linearise(design_, scene_.drive.theta(), tangent_);
-    tangent_.factorise(0);
+    // Contacts of the print before are left in the pattern of its tangent, which the next must not depend on.
+    if (!tangent_ || scene_.contact) tangent_.emplace(system_.dofs());
+    system_.linearise(design_, scene_.drive.theta(), *tangent_);
+    tangent_->factorise(0);
     is_of_design_ = true;
   }
 
   const Scene& scene_;
   const State& design_;
   ElasticSystem system_;
-  TangentStiffness
+  std::optional<TangentStiffness>
       tangent_;  ///< of the bodies of any print: what is held and which hinges there are is the same
   bool is_of_design_ = false;
 };

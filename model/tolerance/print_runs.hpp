@@ -9,7 +9,7 @@ namespace kinetix::model {
 /// What a number of prints came to, each brought to its equilibrium anew: what as_made() says to first order.
 struct PrintRuns {
   int prints = 0;     ///< those that settled near the design
-  int failed = 0;     ///< all others
+  int failed = 0;     ///< all others, those among them whose walls overlap as built
   double rms_mm = 0;  ///< root of the mean square over those that settled; NaN where none did
   double p95_mm = 0;  ///< 95 of 100 of them keep it
 };

@@ -125,9 +125,11 @@ structure: {cells: [32, 1]}
 
 TEST(Matter, MakesUpForSoftHingesOfABox) {
   const Scratch scratch;
-  const Finished run =
-      finished(scratch, "kinetix: 1\ntarget: {kind: fold, box: [3, 3, 3]}\ntolerance: {angle_deg: 1}\n" +
-                            thin_rubber + springs);
+  const Finished run = finished(
+      scratch,
+      "kinetix: 1\ntarget: {kind: fold, box: [3, 3, 3]}\ntolerance: {angle_deg: 1}\nhinge: {kind: block, "
+      "material: {E_mpa: 1, nu: 0.48, strain_max: 0.7}, gap_mm: 1, thickness_mm: 0.6}\n" +
+          springs);
   ASSERT_EQ(run.code, 0) << run.out << run.err;
   EXPECT_EQ(schema_errors(run.result), "");
   const Json& matter = run.result["matter"];
