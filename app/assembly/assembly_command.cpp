@@ -17,15 +17,11 @@
 namespace kinetix::app {
 namespace {
 
-std::string folder_of_run(const CommandOptions& options, const std::string& name, const std::string& suffix) {
-  return options.folder_given ? options.folder : "results/" + name + suffix;
-}
-
 AssemblyRun located_run(const CommandOptions& options, const targets::Node& root, Model model,
                         const std::string& suffix) {
   Stopwatch watch;
   AssemblyFile file = read_assembly(root);
-  refuse_own_input(options.file, folder_of_run(options, file.name, suffix));
+  refuse_own_input(options.file, options.folder_of(file.name, suffix));
   const double load = watch.lap();
   Console console(options.quiet);
   const Stopper stopper(options.time_limit_s);
@@ -49,7 +45,7 @@ AssemblyRun located_run(const CommandOptions& options, const targets::Node& root
 int run_assembly_command(const CommandOptions& options, const targets::Node& root, Model model,
                          const std::string& suffix) {
   const AssemblyRun run = located_run(options, root, model, suffix);
-  OutputFolder folder(folder_of_run(options, run.file.name, suffix));
+  OutputFolder folder(options.folder_of(run.file.name, suffix));
   const std::string json = assembly_result(run).dump(1) + "\n";
   FileSet files(folder.path());
   files.add("result.json", json);

@@ -129,7 +129,7 @@ int export_assembly(const CommandOptions& options, const PrintRequest& request, 
   const PrintJob job = assembly_job(file, request);
   for (const std::string& format : request.formats)
     if (const auto load = print_format(format).load) load();
-  OutputFolder folder(options.folder_given ? options.folder : "results/" + file.name + "_print");
+  OutputFolder folder(options.folder_of(file.name, "_print"));
   FileSet files(folder.path());
   std::vector<std::string> names;
   for (const std::string& format : request.formats)

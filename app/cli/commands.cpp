@@ -31,11 +31,6 @@
 namespace kinetix::app {
 namespace {
 
-/// @param suffix keeps the results of one command from replacing another's
-std::string folder_of(const CommandOptions& options, const std::string& name, const std::string& suffix) {
-  return options.folder_given ? options.folder : "results/" + name + suffix;
-}
-
 RunOptions run_options(const CommandOptions& options, Console& console, const Stopper& stopper) {
   return {.threads = options.threads,
           .seed = options.seed,
@@ -74,7 +69,7 @@ void print(const Run& run, const nlohmann::ordered_json& json, const std::string
 /// @param watch started before the file was read   @param asks_physics alone: without it there is nothing to keep
 int run_and_write(const CommandOptions& options, const Scene& scene, const std::string& suffix,
                   Stopwatch watch, bool asks_physics = false) {
-  const std::string where = folder_of(options, scene.name(), suffix);
+  const std::string where = options.folder_of(scene.name(), suffix);
   refuse_own_input(options.file, where);
   OutputFolder folder(where);
   const double load = watch.lap();

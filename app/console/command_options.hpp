@@ -37,6 +37,11 @@ struct CommandOptions {
   bool theta_given = false;
   bool drives = false;  ///< of simulate: tries drives instead of the design's own
   bool resume = false;  ///< of sweep
+
+  /// Where results go. @param suffix keeps those of one command from replacing another's
+  std::string folder_of(const std::string& name, const std::string& suffix = "") const {
+    return folder_given ? folder : "results/" + name + suffix;
+  }
 };
 
 }  // namespace kinetix::app

@@ -22,7 +22,7 @@ std::string import_name(const ImportRequest& request) {
 
 void write_import(const CommandOptions& options, const AssemblyFile& file, const nlohmann::ordered_json& json,
                   const std::string& text) {
-  OutputFolder folder(options.folder_given ? options.folder : "results/" + file.name);
+  OutputFolder folder(options.folder_of(file.name));
   FileSet files(folder.path());
   for (const NamedContent& content : assembly_files(file)) files.add(content.name, content.content);
   files.commit();

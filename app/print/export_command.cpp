@@ -278,7 +278,7 @@ int export_command(const CommandOptions& options, const PrintRequest& request) {
   formats_of(request);
   process_of(request, {});
   const Source source = source_of(request);
-  const std::string folder = options.folder_given ? options.folder : "results/" + source.name() + "_print";
+  const std::string folder = options.folder_of(source.name(), "_print");
   const Exported out = exported(source, request, folder, Console(options.quiet, false).progress());
   std::string text =
       out.text + fmt::format("{:<12} {}: {}\n", "written", out.folder, fmt::join(out.files, ", "));

@@ -25,9 +25,6 @@ std::string share_words(double share) {
   return share < 0.01 ? "under 1 %" : fmt::format("{:.0f} %", 100 * share);
 }
 
-/// How many of the prints that were looked at come within what PrintRuns::p95_mm says: of 20 prints, not what 95 of 100 others would.
-int kept(const model::PrintRuns& runs) { return (19 * runs.prints + 19) / 20; }
-
 /// @param goal what distances are from
 std::string prints_words(const PrintedGoal& printed, const std::string& goal) {
   const model::PrintRuns& runs = *printed.runs;
@@ -38,7 +35,7 @@ std::string prints_words(const PrintedGoal& printed, const std::string& goal) {
         runs.failed);
   std::string text =
       fmt::format("{} prints in the elastic model: {:.2f} mm off {} (rms), {} of them within {:.2f} mm",
-                  runs.prints, runs.rms_mm, goal, kept(runs), runs.p95_mm);
+                  runs.prints, runs.rms_mm, goal, runs.kept(), runs.p95_mm);
   if (runs.failed > 0) text += fmt::format("; {} more found no equilibrium near the design", runs.failed);
   return text + (printed.is_confirmed() ? "" : ": FIRST ORDER IS FAR FROM THEM");
 }
@@ -176,7 +173,7 @@ std::vector<std::string> as_made_reasons(const Run& run) {
     why.push_back(
         fmt::format("of {} prints in the elastic model {} came within {:.2f} mm of {}, and "
                     "{:.2f} mm are allowed",
-                    runs.prints, kept(runs), runs.p95_mm, run.goal->judged_against(), printed.tolerance_mm));
+                    runs.prints, runs.kept(), runs.p95_mm, run.goal->judged_against(), printed.tolerance_mm));
   return why;
 }
 

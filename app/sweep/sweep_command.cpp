@@ -106,7 +106,7 @@ SweepPlan plan_of(const CommandOptions& options) {
 }
 
 std::string folder_of(const CommandOptions& options, const SweepPlan& plan, const Share* part) {
-  const std::string folder = options.folder_given ? options.folder : "results/" + plan.doe.name;
+  const std::string folder = options.folder_of(plan.doe.name);
   return part ? folder + "/" + part->folder() : folder;
 }
 

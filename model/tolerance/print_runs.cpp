@@ -219,7 +219,7 @@ PrintRuns print_runs(const PrintedLinkage& printed, const Elasticity& elasticity
   double squares = 0;
   for (const double d : distances) squares += d * d;
   out.rms_mm = std::sqrt(squares / out.prints);
-  out.p95_mm = distances[(19 * out.prints + 19) / 20 - 1];  // the first below which are 19 of 20, or more
+  out.p95_mm = distances[out.kept() - 1];
   return out;
 }
 
