@@ -60,15 +60,20 @@ class ArmMesh {
   void add_plate() {
     mesh_.add_face({start_[0], start_[1], high_.front(), low_.front()});
     mesh_.add_face({start_[2], low_.back(), high_.back(), start_[3]});
-    Indices side{start_[0]};
-    side.insert(side.end(), low_.begin(), low_.end());
-    side.push_back(start_[2]);
-    mesh_.add_face(side);
-    side = {start_[3]};
-    side.insert(side.end(), high_.rbegin(), high_.rend());
-    side.push_back(start_[1]);
+    Indices low{start_[2], start_[0]}, high{start_[1], start_[3]};
+    low.insert(low.end(), low_.begin(), low_.end());
+    high.insert(high.end(), high_.rbegin(), high_.rend());
+    add_side(low);
+    add_side(high);
+  }
+
+  /// Starts the triangles at the junction's corner that is farther behind the plane of the plate's end: the other may lie beyond it
+  /// where the hinge leans, and they would turn over.
+  void add_side(Indices side) {
+    if (ahead(side[0]) > ahead(side[1])) std::rotate(side.begin(), side.begin() + 1, side.end());
     mesh_.add_face(side);
   }
+  double ahead(int point) const { return arm_.towards_axis.dot(mesh_.points[point]); }
 
   void add_wall_end() {
     for (std::size_t k = 0; k + 1 < levels_.size(); ++k)

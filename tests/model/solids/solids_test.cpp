@@ -272,6 +272,49 @@ TEST(BodySolid, AtInclinedFacesHasTheVolumeOfTheirCones) {
       EXPECT_TRUE(is_closed(body_mesh(body)));
 }
 
+/// The smallest cell that leaves pins turned in their walls by alpha room beside their junctions, to a thousandth of a mm.
+double least_edge_mm(double alpha) {
+  double refused = 4, taken = 40;  // mm
+  while (taken - refused > 1e-3) {
+    const double edge = (refused + taken) / 2;
+    Sheet sheet = make_sheet(2, 2, {edge, 0.8, 6});
+    for (int h = 0; h < sheet.hinges(); ++h) sheet.hinge(h).alpha = alpha;
+    try {
+      solids(sheet, pin());
+      taken = edge;
+    } catch (const InvalidInput&) {
+      refused = edge;
+    }
+  }
+  return taken;
+}
+
+/// Triangles on the sides of an arm's plate that face into it.
+int turned_over(const Polyhedron& mesh, const ArmSolid& arm) {
+  int count = 0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Eigen::Vector3d from = mesh.points[a];
+    const double at = arm.normal.dot(from);
+    const Eigen::Vector3d outwards = (mesh.points[b] - from).cross(mesh.points[c] - from);
+    const bool is_side = std::abs(std::abs(at) - arm.size.thickness_mm / 2) < 1e-9 &&
+                         std::abs(arm.normal.dot(mesh.points[b]) - at) < 1e-9 &&
+                         std::abs(arm.normal.dot(mesh.points[c]) - at) < 1e-9;
+    count += is_side && arm.normal.dot(outwards) * at < 0;
+  }
+  return count;
+}
+
+TEST(BodySolid, OfTheShortestPlatesBesideTurnedHingesHasNoFaceTurnedOver) {
+  for (const double alpha : {1.2, 1.4, M_PI / 2, 1.9}) {
+    Sheet sheet = make_sheet(2, 2, {least_edge_mm(alpha), 0.8, 6});
+    for (int h = 0; h < sheet.hinges(); ++h) sheet.hinge(h).alpha = alpha;
+    for (const BodySolid& body : solids(sheet, pin())) {
+      const Polyhedron mesh = body_mesh(body);
+      for (const ArmSolid& arm : body.arms) EXPECT_EQ(turned_over(mesh, arm), 0) << "alpha " << alpha;
+    }
+  }
+}
+
 TEST(BodySolid, RefusesAHingeThatOverlapsItsJunction) {
   Sheet sheet = make_sheet(2, 2, size);
   sheet.hinge(0).t = 0.15;
