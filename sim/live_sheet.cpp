@@ -111,11 +111,6 @@ void LiveSheet::fix(int body, bool fixed) {
   if (fixed) holds.push_back({body, state_[body]});
 }
 
-bool LiveSheet::is_fixed(int body) const {
-  const auto& holds = world_->hand().holds;
-  return std::any_of(holds.begin(), holds.end(), [body](const Hold& hold) { return hold.body == body; });
-}
-
 bool LiveSheet::is_dragged() const { return !world_->hand().grasps.empty(); }
 
 void LiveSheet::drive_to(const model::LinkageDrive& drive, const model::State& reference) {

@@ -44,7 +44,6 @@ class LiveSheet {
   void release();
   /// Holds a body where it is now, or lets it go.
   void fix(int body, bool fixed);
-  bool is_fixed(int body) const;
   /// Weight, as large as turns a sheet over, downwards along -z.
   void set_gravity(bool on) { gravity_ = on; }
   /// Drives from where it stands towards theta. @param drive with its goal; the structure may stand anywhere: plates move

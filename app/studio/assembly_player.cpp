@@ -91,6 +91,8 @@ void AssemblyPlayer::release() {
 }
 
 void AssemblyPlayer::reset() {
+  if (live_)
+    for (const int body : fixed_) live_->fix(body, false);
   fixed_.clear();
   turn_ = 0;
   state_ = rest_state(linkage_);

@@ -120,6 +120,37 @@ TEST(LiveSheet, SaysTheEnergyOfTheElasticModel) {
 }
 
 // Plates close in on the middle of the flat sheet, wherever it is when they take it.
+/// What a hand that holds the strip at rest does on a short way is what its hinges take up.
+TEST(LiveSheet, SaysTheForceOfTheHandThatTheEnergyAsksFor) {
+  const model::Structure structure = structure_of(strip(curl(4, 0.4), 0));
+  const model::Linkage linkage = structure;
+  const model::Elasticity elasticity{.k_point = 700, .k_turn = 20, .reach_mm = 3};
+  sim::PhysicsOptions options = live(true);
+  options.elastic = relative(elasticity, linkage.size.edge_mm);
+  LiveSheet sheet(linkage, options, elasticity.k_point);
+  const int last = static_cast<int>(linkage.bodies.size()) - 1;
+  const Vector3d from = linkage.rest_position(last);
+  sheet.fix(0, true);
+  struct Held {
+    Vector3d way, force;
+    double energy;
+  };
+  const auto held_at = [&](double theta) {
+    const Vector3d to = moved_to_start(exact_motion(structure).at(theta))[last].p;
+    sheet.drag(last, from, to);
+    run(sheet, 4);
+    const Vector3d at = sheet.state()[last].p;
+    return Held{at - sheet.state()[0].p, sheet.hand_force_N() * (to - at).normalized(),
+                sheet.hinge_energy_Nmm()};
+  };
+  const Held near = held_at(0.3), far = held_at(0.33);
+  const double work = (near.force + far.force).dot(far.way - near.way) / 2;
+  EXPECT_GT(far.energy, 1.05 * near.energy);
+  EXPECT_NEAR(work / (far.energy - near.energy), 1, 0.02);
+  sheet.release();
+  EXPECT_TRUE(std::isnan(sheet.hand_force_N())) << "no hand";
+}
+
 TEST(LiveSheet, PlatesTakeItToTheMiddleBetweenThem) {
   const model::Structure structure = structure_of(strip(curl(8, 0.5), 0));
   const model::Linkage linkage = structure;

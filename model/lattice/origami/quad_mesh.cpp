@@ -62,10 +62,6 @@ void check_multipliers(const QuadMesh& m, int i, int j, const Eigen::Vector4d& s
 
 void check_vertex(const QuadMesh& m, int i, int j) {
   const Eigen::Vector4d sector = sectors(m, i, j);
-  for (int k = 0; k < 4; ++k)
-    if (!(sector[k] > 0 && sector[k] < pi))
-      throw InvalidInput(name_of("vertex", i, j) + " has a sector of " + number_text(to_degrees(sector[k])) +
-                         " deg, must be in (0, 180)");
   if (!(std::abs(sector[0] + sector[2] - pi) <= angle_slack))
     throw InvalidInput(name_of("vertex", i, j) + " is not flat-foldable: opposite sectors add up to " +
                        number_text(to_degrees(sector[0] + sector[2])) + " deg, must be 180");

@@ -115,6 +115,18 @@ TEST(OrigamiFile, SaysWhichVertexFaceOrEdgeIsWrong) {
   expect_refused(replaced(good, "\"V\"", "\"U\""), "is neither mountain nor valley");
 }
 
+TEST(OrigamiFile, SaysWhereMountainAndValleyMustChangePlaces) {
+  std::string text = fold_text(mesh_of(2, 2, 4), 9);
+  std::vector<std::size_t> inner;  // below the vertex, left of it, right of it, above it
+  for (std::size_t k = text.find("edges_assignment"); k < text.size(); ++k)
+    if (text[k] == 'M' || text[k] == 'V') inner.push_back(k);
+  ASSERT_EQ(inner.size(), 4u);
+  const bool level = text[inner[1]] != text[inner[2]];
+  std::swap(text[inner[level ? 1 : 0]], text[inner[level ? 2 : 3]]);
+  expect_refused(text,
+                 "vertex 4 does not fold: the mountain and the valley of its unlike pair must change places");
+}
+
 // Four triangles in a ring round vertex 4 are refused as triangles; five quadrilaterals by the vertex between them.
 TEST(OrigamiFile, NamesAnInnerVertexOfAnotherDegree) {
   std::string points = "[0, 0]", faces, edges;

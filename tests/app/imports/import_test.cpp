@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
+#include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "app/print/format/stl_text.hpp"
@@ -246,6 +248,45 @@ TEST(Import, RefusesGltfThatNamesWhatIsNotThere) {
   expect_refused("model.glb", glb(node, three, deep), "lists in one another, over 64 deep");
 }
 
+/// The same file with its nodes' places as matrices, a column after the other.
+std::string with_matrices(const std::string& glb) {
+  std::uint32_t length = 0;
+  std::memcpy(&length, glb.data() + 12, sizeof length);
+  Json json = Json::parse(glb.substr(20, length));
+  for (Json& node : json["nodes"]) {
+    const auto p = node.value("translation", std::vector{0.0, 0.0, 0.0});
+    const auto q = node.value("rotation", std::vector{0.0, 0.0, 0.0, 1.0});
+    const Eigen::Isometry3d place =
+        Eigen::Translation3d(p[0], p[1], p[2]) * Eigen::Quaterniond(q[3], q[0], q[1], q[2]).normalized();
+    for (const char* key : {"translation", "rotation"}) node.erase(key);
+    node["matrix"] = std::vector<double>(place.matrix().data(), place.matrix().data() + 16);
+  }
+  json.erase("animations");
+  std::string text = json.dump();
+  text.resize((text.size() + 3) / 4 * 4, ' ');
+  const auto words = static_cast<std::uint32_t>(text.size());
+  const auto whole = static_cast<std::uint32_t>(glb.size() - length + words);
+  std::string out = glb.substr(0, 20) + text + glb.substr(20 + length);
+  std::memcpy(out.data() + 8, &whole, sizeof whole);
+  std::memcpy(out.data() + 12, &words, sizeof words);
+  return out;
+}
+
+TEST(Import, TakesPlacesOfGltfAsMatrices) {
+  const Scratch scratch;
+  imported(scratch, scratch.write("pair.obj", pair_of_walls()));
+  const Outcome made = kinetix_opt("export " + (scratch / "out").string() + " --format glb --quiet -o " +
+                                   (scratch / "made").string());
+  ASSERT_EQ(made.code, 0) << made.err;
+  const std::string plain = (scratch / "made/pair.glb").string();
+  const std::string matrices = scratch.write("matrices.glb", with_matrices(text_of(plain)));
+  const Json by_parts = imported(scratch, plain)["hinges"], by_matrix = imported(scratch, matrices)["hinges"];
+  ASSERT_EQ(by_matrix.size(), by_parts.size());
+  for (const char* key : {"axis", "point_mm"})
+    for (int k = 0; k < 3; ++k)
+      EXPECT_NEAR(by_matrix[0][key][k].get<double>(), by_parts[0][key][k].get<double>(), 1e-5) << key;
+}
+
 TEST(Import, RefusesMoreThanAMillionTriangles) {
   Polyhedron soup;
   soup.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
@@ -329,6 +370,10 @@ TEST(Import, IsSimulatedInEquilibriumAndVerified) {
   const Json result = Json::parse(run.out);
   const double k_turn = result["structure"]["hinges"][0]["k"]["turn"], angle = 20 * pi / 180;
   EXPECT_NEAR(result["metrics"]["energy_Nmm"].get<double>(), k_turn * angle * angle / 2, 1e-9 * k_turn);
+  const Outcome told = kinetix_opt("simulate --model equilibrium --theta-deg 10 " + design + " -o " +
+                                   (scratch / "run").string());
+  EXPECT_THAT(told.out, HasSubstr(fmt::format("load       moment {:.4g} N mm", k_turn * angle)));
+  EXPECT_THAT(told.out, HasSubstr(fmt::format("energy     {:.4g} N mm", k_turn * angle * angle / 2)));
 }
 
 /// A wall from one point of the plane to another, less the room of the blocks at its ends.

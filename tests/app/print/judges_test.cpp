@@ -169,9 +169,10 @@ TEST_P(Judges, Lib3mfReadsOneManifoldObjectWithoutWarning) {
 
 /// Hard and soft from an extruder each, as much as their volumes.
 TEST(Extruders, GetFilamentInTheRatioOfTheVolumes) {
-  const Json volume = blocked().json()["volume_mm3"];
+  const Exported panel("leaning", "block", "polyjet", "3mf");
+  const Json volume = panel.json()["volume_mm3"];
   const double asked = double(volume["hard"]) / double(volume["soft"]);
-  EXPECT_NEAR(filament_ratio(blocked().scratch.path(), blocked().of(".3mf")) / asked, 1, 0.1);
+  EXPECT_NEAR(filament_ratio(panel.scratch.path(), panel.of(".3mf")) / asked, 1, 0.1);
 }
 
 /// Of objects by name, as blender_judge.py says them, mm.

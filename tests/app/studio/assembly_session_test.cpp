@@ -7,6 +7,7 @@
 #include "app/studio/base64.hpp"
 #include "app/studio/view_command.hpp"
 #include "model/base/angle.hpp"
+#include "model/closure/closure_solver.hpp"
 #include "tests/app/studio/client.hpp"
 #include "tests/app/studio/studio.hpp"
 #include "tests/support/strip_solids.hpp"
@@ -97,6 +98,13 @@ class StudioOfBodies : public ::testing::Test {
   std::string refusal(const json& command) {
     client.send(command.dump());
     return client.text("error")["message"];
+  }
+  /// Of the states that are told from then on, one of the next has it so.
+  void expect_state(const json& command, const char* key, const json& value) {
+    client.send(command.dump());
+    json state;
+    for (int told = 0; told < 5 && state[key] != value; ++told) state = client.text("state");
+    EXPECT_EQ(state[key], value) << command;
   }
 
   app::AssemblyFile file;
@@ -202,6 +210,26 @@ TEST_F(StudioOfBodies, IsPulledAndTurnedInThePhysics) {
       0.2);
 }
 
+TEST_F(StudioOfBodies, GoesBackToRestAndLetsGoOfWhatWasHeld) {
+  client.ask({{"type", "mode"}, {"mode", "bullet"}});
+  expect_state({{"type", "pause"}, {"on", true}}, "paused", true);
+  expect_state({{"type", "speed"}, {"factor", 0.5}}, "speed", 0.5);
+  EXPECT_THAT(refusal({{"type", "speed"}, {"factor", 2}}), HasSubstr("factor"));
+  expect_state({{"type", "gravity"}, {"on", true}}, "gravity", true);
+  for (const int body : {0, 1}) client.ask({{"type", "fix"}, {"body", body}, {"fixed", true}});
+  const auto falls_by = [&](int steps) {
+    Received frame = client.ask({{"type", "step"}});
+    const double from = pose_of(frame, 1).translation().z();
+    for (int k = 0; k < steps; ++k) frame = client.ask({{"type", "step"}});
+    return from - pose_of(frame, 1).translation().z();
+  };
+  EXPECT_LT(falls_by(60), 0.5) << "held";
+  client.ask({{"type", "reset"}});
+  EXPECT_GT(falls_by(60), 1) << "free";
+  const Received exact = client.ask({{"type", "mode"}, {"mode", "exact"}});
+  EXPECT_EQ(exact.head(8), 0);
+}
+
 TEST_F(StudioOfALoop, KeepsOppositeBodiesOfAParallelogramParallel) {
   const Received frame = client.ask({{"type", "theta"}, {"deg", 17.5}});
   EXPECT_NEAR(std::abs(frame.head(3)), 17.5 * radians_per_degree, 1e-12);
@@ -232,6 +260,35 @@ TEST(StudioOfBodiesOpened, IsAsFarTurnedAsItsDriveSays) {
   const json design = followed(client);
   const Received frame = client.ask({{"type", "release"}});
   EXPECT_NEAR(frame.head(3) * design["bodies"]["turn_per_theta"].get<double>(), file.angle, 1e-12);
+}
+
+TEST(StudioOfBodiesOpened, GoesTheWayThatItsBodiesArePulled) {
+  app::AssemblyFile file = parallelogram();
+  const model::Linkage linkage = linkage_of(file.assembly);
+  file.poses =
+      solve_closure(linkage, rest_state(linkage), {model::HingeTurn{0, 30 * radians_per_degree}}).state;
+  OpenStudio studio{file};
+  Client client{studio.port()};
+  ASSERT_TRUE(client.open(studio.token));
+  const json design = followed(client);
+  EXPECT_EQ(design["bodies"]["pulled"], true);
+  EXPECT_EQ(design["drive"], "bodies that are pulled");
+  const double end = design["theta_range_rad"][1];
+  EXPECT_NEAR(end * design["bodies"]["turn_per_theta"].get<double>(), 30 * radians_per_degree, 1e-3);
+  for (const double share : {0.3, 0.77, 1.0}) {
+    const Received frame = client.ask({{"type", "theta"}, {"deg", to_degrees(share * end)}});
+    EXPECT_NEAR(frame.head(3), share * end, 1e-9);
+    for (const model::AssemblyHinge& hinge : file.assembly.hinges)
+      EXPECT_LT((carried(frame, file.assembly, hinge.lower, hinge.point) -
+                 carried(frame, file.assembly, hinge.upper, hinge.point))
+                    .norm(),
+                1e-5);
+    EXPECT_LT((pose_of(frame, 0).linear() - pose_of(frame, 2).linear()).norm(), 1e-5);
+  }
+  client.ask({{"type", "mode"}, {"mode", "bullet"}});
+  client.send(R"({"type": "theta", "deg": 5})");
+  EXPECT_THAT(client.text("error")["message"].get<std::string>(),
+              HasSubstr("bodies of this design are pulled"));
 }
 
 TEST(StudioOfBodiesOpened, StopsWhereAHingeOpens) {

@@ -53,6 +53,37 @@ Received snapped(Client& client) {
   return {};
 }
 
+/// The body of a design whose rest place is nearest, in cells from the lower left.
+int body_at(const model::Structure& sheet, double i, double j) {
+  int nearest = 0;
+  const Eigen::Vector3d place = sheet.size.edge_mm * Eigen::Vector3d(i, j, 0);
+  for (int b = 0; b < sheet.bodies(); ++b)
+    if ((sheet.rest_position(b) - place).norm() < (sheet.rest_position(nearest) - place).norm()) nearest = b;
+  return nearest;
+}
+
+TEST(Templates, MoveAsTheyAreSaidTo) {
+  for (const app::studio::Template& one : app::studio::templates()) {
+    const app::DesignFile design = app::studio::template_design(one.name);
+    const model::Structure& sheet = *design.structure.squares();
+    EXPECT_EQ(design.name, one.name);
+    const auto exact = exact_motion(sheet);
+    ASSERT_TRUE(exact) << one.name << ": " << exact.why;
+    const model::State folded = exact.at(0.4);
+    EXPECT_LT(hinge_gaps(sheet, folded).max, 1e-9) << one.name;
+    const model::Pose &first = folded[body_at(sheet, 0, 0)], &last = folded[body_at(sheet, 8, 0)],
+                      &above = folded[body_at(sheet, 0, 2)];
+    const double turned = std::acos(first.R.col(2).dot(last.R.col(2)));  // rad, out of the plane
+    const bool is_flat = one.name == "panel" || one.name == "shear";
+    EXPECT_EQ(turned < 1e-9, is_flat) << one.name;
+    if (one.name == "strip") continue;  // of one row
+    const Eigen::Vector3d up = first.R.transpose() * (above.p - first.p);
+    const Eigen::Vector3d rest = sheet.rest_position(body_at(sheet, 0, 2));
+    EXPECT_LT(up.norm(), 0.99 * rest.norm()) << one.name << " shrinks";
+  }
+  EXPECT_THROW(app::studio::template_design("dome"), InvalidInput);
+}
+
 class Studio : public ::testing::Test {
  protected:
   void SetUp() override {

@@ -2,11 +2,15 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <utility>
 
 #include "app/io/sha256.hpp"
+#include "app/studio/templates.hpp"
+#include "app/sweep/plan/edit.hpp"
 #include "app/sweep/workers/process_pool.hpp"
 #include "app/sweep/workers/work_message.hpp"
 #include "app/sweep/workers/work_queue.hpp"
+#include "model/base/angle.hpp"
 #include "targets/document/edit_document.hpp"
 #include "tests/app/sweep/sweep.hpp"
 #include "tests/support/bad_input.hpp"
@@ -49,6 +53,29 @@ TEST(DocumentEditor, FindsAddsAndReplacesNumbers) {
   EXPECT_EQ(editor.root().optional("e")->optional("f")->number(), 0.1);
   EXPECT_EQ(editor.root().optional("a")->optional("b")->number(), -7);
   EXPECT_EQ(root.optional("a")->optional("b")->number(), 1);
+}
+
+TEST(Edit, WritesEachNumberOfAHingeAndItsMirrorImage) {
+  using Kind = app::Edit::Kind;
+  for (const bool flipped : {false, true}) {
+    app::DesignFile design = app::studio::template_design("panel");  // cells of 10 mm
+    const model::HingeParameters& hinge = std::as_const(design.structure).hinge(3);
+    const auto write = [&](Kind kind, double value) {
+      app::apply({.kind = kind, .index = 3, .flipped = flipped}, value, design);
+    };
+    write(Kind::t, 0.4);
+    EXPECT_NEAR(hinge.t, flipped ? 0.6 : 0.4, 1e-15);
+    write(Kind::t_mm, 3);
+    EXPECT_NEAR(hinge.t, flipped ? 0.7 : 0.3, 1e-15);
+    write(Kind::alpha_deg, 70);
+    EXPECT_NEAR(to_degrees(hinge.alpha), flipped ? 110 : 70, 1e-12);
+    write(Kind::beta_deg, 12);
+    EXPECT_NEAR(to_degrees(hinge.beta), flipped ? -12 : 12, 1e-12);
+    write(Kind::offset_mm, 0.8);
+    EXPECT_NEAR(hinge.offset, flipped ? -0.08 : 0.08, 1e-15);
+    EXPECT_THROW(write(Kind::alpha_deg, 180), InvalidInput);
+    EXPECT_THROW(write(Kind::offset_mm, 6), InvalidInput);
+  }
 }
 
 TEST(WorkMessage, KeepsEveryBit) {

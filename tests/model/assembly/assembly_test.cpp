@@ -101,6 +101,35 @@ TEST(Assembly, FindsARodInABoreHoweverTheyLie) {
   }
 }
 
+TEST(Assembly, TakesTwoBearingsOnOneAxisForOnePin) {
+  Polyhedron eyes = tube(ring(3, 24, true), ring(1.8, 24, false), -7, -4);
+  append(tube(ring(3, 24, true), ring(1.8, 24, false), 3, 7), eyes);
+  const Assembly found =
+      make_assembly({{"rod", false, tube(ring(1.5, 24, true), {}, -8, 8)}, {"eyes", false, eyes}});
+  ASSERT_EQ(found.hinges.size(), 1u);
+  EXPECT_NEAR(found.hinges[0].point.z(), 0, 1e-9) << "the middle of the outermost ends";
+  const MadeHinge whole{.kind = HingeKind::pin, .height_mm = 14, .diameter_mm = 3, .clearance_mm = 0.3};
+  EXPECT_NEAR(found.hinges[0].reach_mm, reach_mm(whole), 1e-6);
+}
+
+TEST(Assembly, SaysThatAShortSoftPartIsHeldAtBothEnds) {
+  const auto with_gap = [](double gap) {
+    return std::vector{part("left", false, box_solid(-5, -gap / 2, 0.8, 6)),
+                       part("right", false, box_solid(gap / 2, 5, 0.8, 6)),
+                       part("soft", true, box_solid(-gap / 2, gap / 2, 0.8, 6))};
+  };
+  const Material rubber{.E_mpa = 3, .nu = 0.48}, held{.E_mpa = 3 / (1 - 0.48 * 0.48), .nu = 0};
+  const Assembly found = make_assembly(with_gap(0.3), {.material = rubber}),
+                 same = make_assembly(with_gap(0.3), {.material = held});
+  EXPECT_THAT(found.notes, ::testing::Contains(HasSubstr("hinge `soft` is shorter than half its thickness")));
+  EXPECT_NEAR(found.hinges[0].k.turn / same.hinges[0].k.turn, 1, 1e-12);
+  EXPECT_THAT(make_assembly(with_gap(1), {.material = rubber}).notes, ::testing::IsEmpty());
+}
+
+TEST(Assembly, RefusesOneBodyAlone) {
+  EXPECT_THAT(refusal({part("left", false, box_solid(-5, -0.5, 0.8, 6))}), HasSubstr("has 1 hard parts"));
+}
+
 TEST(Assembly, TakesNoRodThatIsLooseForABearing) {
   const std::vector<ModelPart> parts = {{"rod", false, tube(ring(1, 24, true), {}, -4, 4)},
                                         {"ring", false, tube(ring(3, 24, true), ring(2, 24, false), -1, 2)}};

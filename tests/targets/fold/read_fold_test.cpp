@@ -108,6 +108,24 @@ TEST(ReadFold, RefusesWhatIsNoFold) {
   for (const BadInput& bad : cases) expect_refused(bad, "in.yaml", [&] { fold_of(bad.text); });
 }
 
+TEST(FoldNet, SaysWhatIsWrongWithIt) {
+  const FoldNet good = fold_of(net(base_a + base_b + a_c)).nets.front();
+  const auto refused = [](const FoldNet& bad) { return testing::refusal([&] { validate(bad); }); };
+  validate(good);
+  FoldNet bad = good;
+  bad.faces[1].width = 0;
+  EXPECT_THAT(refused(bad), ::testing::HasSubstr("face `a` has 0 x"));
+  bad = good;
+  bad.faces[2].name = "a";
+  EXPECT_THAT(refused(bad), ::testing::HasSubstr("two faces are named `a`"));
+  bad = good;
+  bad.creases.push_back(bad.creases.front());
+  EXPECT_THAT(refused(bad), ::testing::HasSubstr("is given twice"));
+  bad = good;
+  bad.creases.front().angle = 4;
+  EXPECT_THAT(refused(bad), ::testing::HasSubstr("turns by 229"));
+}
+
 TEST(ReadFold, RefusesCreasesThatNeedBothDirectionsInOneCell) {
   const std::string text =
       "{kind: fold, net: {faces: [{name: base, cells: [4, 4]}, {name: a, cells: [4, 4]},\n"

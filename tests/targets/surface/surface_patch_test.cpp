@@ -1,10 +1,12 @@
 #include "targets/surface/surface_patch.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
 #include "targets/surface/mesh_patch.hpp"
+#include "tests/support/bad_input.hpp"
 #include "tests/support/derivatives.hpp"
 
 namespace kinetix::targets {
@@ -12,6 +14,7 @@ namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
+using ::testing::HasSubstr;
 
 TEST(SurfacePatch, HasTheDerivativesOfItsHeights) {
   for (const SurfacePatch& patch : {cap_patch(2, 1.2), saddle_patch(2, 0.4), vase_patch(2.4, 1, 0.2, 1)})
@@ -84,6 +87,34 @@ TEST(MeshPatch, RefusesWhatIsNoSingleOpenSmoothSurface) {
   TriangleMesh rough = sampled(cap_patch(100, 1), 16);
   for (std::size_t v = 0; v < rough.vertices.size(); v += 2) rough.vertices[v].z() += 8;
   EXPECT_THROW(mesh_patch(rough), InvalidInput);
+}
+
+std::string refusal(const TriangleMesh& mesh) {
+  return testing::refusal([&] { mesh_patch(mesh); });
+}
+
+/// A strip of quadrilaterals over a line in the plane of x and z.
+TriangleMesh strip_over(const std::vector<Vector2d>& line) {
+  TriangleMesh mesh;
+  for (const Vector2d& p : line)
+    for (const double y : {0.0, 30.0}) mesh.vertices.emplace_back(p.x(), y, p.y());
+  for (int k = 0; k + 1 < static_cast<int>(line.size()); ++k) {
+    mesh.triangles.push_back({2 * k, 2 * k + 2, 2 * k + 1});
+    mesh.triangles.push_back({2 * k + 1, 2 * k + 2, 2 * k + 3});
+  }
+  return mesh;
+}
+
+TEST(MeshPatch, SaysHowAMeshIsNoSurfaceOverItsPlane) {
+  TriangleMesh third = sampled(cap_patch(100, 1), 4);
+  third.vertices.emplace_back(0, 0, 90);
+  third.triangles.push_back({0, 6, static_cast<int>(third.vertices.size()) - 1});
+  EXPECT_THAT(refusal(third), HasSubstr("an edge of the mesh has more than two triangles"));
+  TriangleMesh turned = sampled(cap_patch(100, 1), 4);
+  std::swap(turned.triangles[0][1], turned.triangles[0][2]);
+  EXPECT_THAT(refusal(turned), HasSubstr("wound differently"));
+  EXPECT_THAT(refusal(strip_over({{0, 0}, {200, 0}, {400, 0}, {401, 30}})),
+              HasSubstr("turns by 80 deg or more from the mean normal"));
 }
 
 }  // namespace
