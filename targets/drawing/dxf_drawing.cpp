@@ -90,6 +90,7 @@ class Entities {
  public:
   void take(const Group& group) {
     if (group.code == 0) return begin(group);
+    if (group.code == 67) is_on_paper_ = integer_of(group) != 0;
     if (name_ == "LINE") return take_line(group);
     if (name_ == "LWPOLYLINE" || name_ == "VERTEX") return take_vertex(group);
     if (name_ == "POLYLINE") take_flags(group);
@@ -109,7 +110,10 @@ class Entities {
                              " is not read; allowed are LINE, LWPOLYLINE and POLYLINE");
     if (group.value == "INSERT") throw wrong(group, "a block is inserted here; explode it into lines");
     end_line();
-    if (group.value != "VERTEX") end_polyline();
+    if (group.value != "VERTEX") {
+      end_polyline();
+      is_on_paper_ = false;
+    }
     name_ = group.value;
   }
 
@@ -143,7 +147,7 @@ class Entities {
 
   void add(const Vector2d& a, const Vector2d& b) {
     if (!a.allFinite() || !b.allFinite()) throw InvalidInput("has a line without one of its coordinates");
-    lines_.push_back({a, b});
+    if (!is_on_paper_) lines_.push_back({a, b});
   }
 
   void end_polyline() {
@@ -158,6 +162,7 @@ class Entities {
   std::array<double, 4> line_ = {missing, missing, missing, missing};  ///< x, y of both ends
   std::vector<Vector2d> points_;
   bool is_closed_ = false;
+  bool is_on_paper_ = false;  ///< the entity that is open: frames and title blocks of a layout
 };
 
 }  // namespace

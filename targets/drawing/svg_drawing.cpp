@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 #include <pugixml.hpp>
+#include <string>
 #include <string_view>
 
 #include "model/base/angle.hpp"
@@ -127,6 +128,14 @@ Affine2d transform_of(const pugi::xml_node& node) {
   return all;
 }
 
+/// As drawing programs hide a layer.
+bool is_hidden(const pugi::xml_node& node) {
+  std::string style = node.attribute("style").value();
+  std::erase(style, ' ');
+  return std::string_view(node.attribute("display").value()) == "none" ||
+         style.find("display:none") != std::string::npos;
+}
+
 /// Lines of one element after the other, in mm.
 class Reader {
  public:
@@ -135,6 +144,9 @@ class Reader {
       throw InvalidInput("has groups more than " + std::to_string(deepest) + " levels deep");
     const std::string_view name = local_name(node);
     if (name == "defs" || name == "symbol" || name == "clipPath" || name == "mask") return;
+    if (is_hidden(node)) return;
+    if (name == "svg" && depth > 0)
+      throw InvalidInput("has an svg within its svg, which may have a scale of its own; ungroup it");
     const Affine2d at = above * transform_of(node);
     if (name == "line")
       add(at, {number(node, "x1"), number(node, "y1")}, {number(node, "x2"), number(node, "y2")});

@@ -27,7 +27,8 @@ Outline::Outline(std::vector<Vector2d> points) : points_(std::move(points)) {
     twice += cross_product(loop[k] - loop[0], loop[k + 1] - loop[0]);
   if (twice < 0) {
     std::reverse(points_.begin(), points_.end());
-    std::reverse(loop.begin(), loop.end());
+    loop = points_;
+    loop.push_back(points_.front());
   }
   area_ = std::abs(twice) / 2;
   Vector2d low = points_[0], high = points_[0];

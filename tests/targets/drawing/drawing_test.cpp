@@ -97,6 +97,15 @@ TEST(DxfDrawing, LeavesTextAndOtherSectionsAlone) {
       {{0, 0, 1, 0}});
 }
 
+// The frame of a layout was taken for walls: it stands on paper (group 67), in another scale.
+TEST(DxfDrawing, LeavesWhatStandsOnPaperOut) {
+  const std::string frame = "0\nLINE\n8\n0\n67\n1\n10\n0\n20\n0\n11\n297\n21\n0\n",
+                    border = "0\nLWPOLYLINE\n67\n1\n90\n4\n" + square_of_lines,
+                    old_border = "0\nPOLYLINE\n67\n1\n66\n1\n70\n0\n0\nVERTEX\n10\n0\n20\n0\n" +
+                                 std::string("0\nVERTEX\n10\n1\n20\n0\n0\nSEQEND\n");
+  expect_lines(parse_dxf(dxf(frame + border + old_border + line(1, 2, 3, 4) + frame)), {{1, 2, 3, 4}});
+}
+
 TEST(DxfDrawing, RefusesCurvesWithTheirLine) {
   for (const std::string curve : {"ARC", "CIRCLE", "ELLIPSE", "SPLINE"})
     EXPECT_THAT(refusal([&] { parse_dxf(dxf("0\n" + curve + "\n10\n0\n20\n0\n40\n1\n")); }),
@@ -212,6 +221,7 @@ TEST(SvgDrawing, RefusesCurvesAndWhatItCannotRead) {
       {"<circle r='3'/>", "has a circle; walls are straight"},
       {"<ellipse rx='3' ry='1'/>", "has a ellipse"},
       {"<rect width='3' height='2' rx='0.5'/>", "round corners"},
+      {"<svg viewBox='0 0 10 10'><line x2='3'/></svg>", "an svg within its svg"},
       {"<path d='M0 0 C1 1 2 2 3 3'/>", "the command `C`"},
       {"<path d='M0 0 a1 1 0 0 0 2 2'/>", "the command `a`"},
       {"<path d='1 2 L 3 4'/>", "begins with no M"},
@@ -239,6 +249,16 @@ TEST(SvgDrawing, RefusesGroupsWithoutEnd) {
   for (int k = 0; k < levels; ++k) text += "<g>";
   for (int k = 0; k < levels; ++k) text += "</g>";
   EXPECT_THAT(refusal([&] { parse_svg(text + "</svg>"); }), HasSubstr("levels deep"));
+}
+
+TEST(SvgDrawing, LeavesHiddenLayersOut) {
+  const std::string wall = "<line x1='1' y1='0' x2='2' y2='0'/>";
+  for (const std::string hidden :
+       {"style='display:none'", "style='fill:none; display: none'", "display='none'"}) {
+    SCOPED_TRACE(hidden);
+    expect_lines(parse_svg(svg("<g " + hidden + "><g><path d='M0 0H9'/></g></g>" + wall)), {{1, 0, 2, 0}});
+  }
+  expect_lines(parse_svg(svg("<g style='display:inline' display='inline'>" + wall + "</g>")), {{1, 0, 2, 0}});
 }
 
 TEST(SvgDrawing, LeavesDefinitionsAlone) {

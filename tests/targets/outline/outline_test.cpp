@@ -55,6 +55,18 @@ TEST(Outline, RunsCounterClockwiseHoweverItIsGiven) {
   EXPECT_LE((Outline(clockwise).middle() - Outline(ell).middle()).norm(), 1e-12);
 }
 
+// Lengths along an outline that is given clockwise were those of the next side.
+TEST(Outline, HasTheSamePointsByArcLengthHoweverItIsGiven) {
+  const Points clockwise(ell.rbegin(), ell.rend());
+  const Outline outline(ell), other(clockwise);
+  for (double s = -3; s < 90; s += 1.5) {
+    EXPECT_LE((other.at(s) - outline.at(s)).norm(), 1e-12) << s;
+    EXPECT_NEAR(other.nearest(outline.at(s) + Vector2d(0.1, 0.2)).arc,
+                outline.nearest(outline.at(s) + Vector2d(0.1, 0.2)).arc, 1e-12)
+        << s;
+  }
+}
+
 TEST(Outline, TakesAListThatEndsWhereItBegins) {
   Points closed = ell;
   closed.push_back(ell[0]);
