@@ -303,6 +303,12 @@ const targets::KeyTable& graph_keys() {
 
 std::string LatticeChoice::name() const { return lattice ? std::string(lattice->name) : squares; }
 
+double LatticeChoice::cell_shape() const {
+  if (!lattice) return 1;
+  const auto at = [this](int column, int row) { return lattice->corners(column, row, angle).front(); };
+  return (at(1, 0) - at(0, 0)).x() / (at(0, 1) - at(0, 0)).y();
+}
+
 std::vector<targets::Key> lattice_choice_keys(bool closed) {
   return {lattice_key(names_with_cells(), targets::by_default(squares)), angle_key(), rim_key(closed)};
 }

@@ -25,6 +25,8 @@ struct LatticeChoice {
   bool closed_rim = false;                        ///< not of squares
 
   std::string name() const;
+  /// Distance of neighbouring columns over that of neighbouring rows: 1 of squares, 2 of bricks.
+  double cell_shape() const;
 };
 
 /// Its keys: `lattice`, `angle_deg`, `rim`. @param closed whether the rim is closed where the file says nothing

@@ -26,11 +26,13 @@ inline constexpr double max_glyph_stretch = 1.5;
 /// Where strokes are lost all the same, `needed` of the goal names the smallest larger panel that keeps them
 /// (whole_picture.hpp).
 /// @param text UTF-8, 1 to 12 characters
+/// @param cell_shape distance of neighbouring columns over that of neighbouring rows
 /// @throws InvalidInput for another number of characters, and what glyph_picture and make_goal refuse; where
 /// a larger panel helps the message names it
-DisplayGoal glyph_goal(const std::string& text, const FontFile& font, int columns, int rows);
+DisplayGoal glyph_goal(const std::string& text, const FontFile& font, int columns, int rows,
+                       double cell_shape = 1);
 
 /// In the first of fonts_by_default whose strokes the panel keeps, else in the last of them.
-DisplayGoal glyph_goal(const std::string& text, int columns, int rows);
+DisplayGoal glyph_goal(const std::string& text, int columns, int rows, double cell_shape = 1);
 
 }  // namespace kinetix::targets

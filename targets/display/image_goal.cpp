@@ -9,8 +9,9 @@
 namespace kinetix::targets {
 namespace {
 
-PanelSize default_size(const Picture& picture) {
-  const double rows = std::round(static_cast<double>(default_image_columns) * picture.height / picture.width);
+PanelSize default_size(const Picture& picture, double cell_shape) {
+  const double rows =
+      std::round(cell_shape * static_cast<double>(default_image_columns) * picture.height / picture.width);
   return {default_image_columns, static_cast<int>(std::max(rows, 1.0))};
 }
 
@@ -31,9 +32,9 @@ DisplayGoal shown(const std::shared_ptr<const Picture>& picture, PanelSize size,
 }  // namespace
 
 DisplayGoal image_goal(const std::string& file, std::optional<PanelSize> size, ImageLevels levels,
-                       bool invert) {
+                       bool invert, double cell_shape) {
   const auto picture = std::make_shared<const Picture>(read_image(file, levels, invert));
-  return shown(picture, size.value_or(default_size(*picture)), levels, invert);
+  return shown(picture, size.value_or(default_size(*picture, cell_shape)), levels, invert);
 }
 
 }  // namespace kinetix::targets

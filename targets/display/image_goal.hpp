@@ -16,8 +16,9 @@ inline constexpr int default_image_columns = 20;
 /// Where that loses strokes of an image of two levels, `needed` of the goal names the smallest larger panel
 /// that keeps them (whole_picture.hpp).
 /// @param size nothing: 20 columns, and the rows that keep the image's proportions
+/// @param cell_shape distance of neighbouring columns over that of neighbouring rows
 /// @throws InvalidInput for what read_image and make_goal refuse
 DisplayGoal image_goal(const std::string& file, std::optional<PanelSize> size = {},
-                       ImageLevels levels = ImageLevels::two, bool invert = false);
+                       ImageLevels levels = ImageLevels::two, bool invert = false, double cell_shape = 1);
 
 }  // namespace kinetix::targets

@@ -25,20 +25,21 @@ PanelSize read_cells_of_panel(const Node& cells) {
   return size;
 }
 
-DisplayGoal read_glyph(const Section& target, const Node& glyph, const std::optional<PanelSize>& size) {
+DisplayGoal read_glyph(const Section& target, const Node& glyph, const std::optional<PanelSize>& size,
+                       double cell_shape) {
   target.node().reject_unknown_keys(display_target_keys().only("glyph").names());
   const std::string text = glyph.text("a letter or a short word");
   const auto font_key = target.optional("font");
   const int columns = default_cells_a_character * characters(text, 0, text.size());
   const PanelSize cells = size.value_or(PanelSize{columns, default_cells_a_character});
-  if (!font_key) return glyph.located([&] { return glyph_goal(text, cells[0], cells[1]); });
+  if (!font_key) return glyph.located([&] { return glyph_goal(text, cells[0], cells[1], cell_shape); });
   const std::string name = font_key->text("the name of an installed font");
   const FontFile font = font_key->located([&] { return find_font(name); });
-  return glyph.located([&] { return glyph_goal(text, font, cells[0], cells[1]); });
+  return glyph.located([&] { return glyph_goal(text, font, cells[0], cells[1], cell_shape); });
 }
 
-DisplayGoal read_image_section(const Section& target, const Node& image,
-                               const std::optional<PanelSize>& size) {
+DisplayGoal read_image_section(const Section& target, const Node& image, const std::optional<PanelSize>& size,
+                               double cell_shape) {
   target.node().reject_unknown_keys(display_target_keys().only("image").names());
   const std::string name = image.text("the path of a PNG, PBM or PGM file");
   ImageLevels levels = ImageLevels::two;
@@ -46,7 +47,8 @@ DisplayGoal read_image_section(const Section& target, const Node& image,
   target.read("levels", levels, levels_words);
   target.read("invert", invert);
   try {
-    return image_goal((std::filesystem::path(image.folder()) / name).string(), size, levels, invert);
+    return image_goal((std::filesystem::path(image.folder()) / name).string(), size, levels, invert,
+                      cell_shape);
   } catch (const InvalidInput& e) {
     throw image.error(e.what());
   }
@@ -103,7 +105,7 @@ Key panel_cells_key() {
           "the cells of the panel"};
 }
 
-DisplayGoal read_display(const Node& node, const std::optional<Node>& cells) {
+DisplayGoal read_display(const Node& node, const std::optional<Node>& cells, double cell_shape) {
   const Section target(node, display_target_keys());
   const auto glyph = target.optional("glyph"), image = target.optional("image"),
              rows = target.optional("rows");
@@ -112,8 +114,8 @@ DisplayGoal read_display(const Node& node, const std::optional<Node>& cells) {
   if (count > 1)
     throw target.error(std::string("gives more than one thing to show; give only ") + wanted_source);
   const auto size = cells ? std::optional(read_cells_of_panel(*cells)) : std::nullopt;
-  if (glyph) return read_glyph(target, *glyph, size);
-  if (image) return read_image_section(target, *image, size);
+  if (glyph) return read_glyph(target, *glyph, size, cell_shape);
+  if (image) return read_image_section(target, *image, size, cell_shape);
   return read_rows(target, *rows, size, cells);
 }
 

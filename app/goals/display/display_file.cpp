@@ -172,9 +172,10 @@ void read_offset(const targets::Section& root, DisplayFile& file) {
 
 void read_goal(const targets::Section& root, DisplayFile& file) {
   const targets::Section structure = root.section("structure");
-  file.goal = read_display(root.required("target", ""), structure.optional("cells"));
-  file.size = read_size(structure, display_cell_mm);
   file.lattice = read_lattice_choice(structure, true);
+  file.goal =
+      read_display(root.required("target", ""), structure.optional("cells"), file.lattice.cell_shape());
+  file.size = read_size(structure, display_cell_mm);
   file.hinge = read_elastic_hinge_section(root, file.size);
   file.process = read_process(root, file.size, file.hinge.made);
   root.section("target").read("channel", file.channel, channels);

@@ -81,6 +81,16 @@ TEST(GlyphGoal, StretchesASlimLetterByOneAndAHalfAtMost) {
   EXPECT_LT(cells, 50);
 }
 
+// Of cells twice as wide as high a letter has half as many columns.
+TEST(GlyphGoal, CountsTheShapeOfCellsInWhatItStretches) {
+  const FontFile font = find_font(default_font);
+  const auto columns_of = [&](double cell_shape) {
+    const DisplayGoal goal = glyph_goal("I", font, 100, 100, cell_shape);
+    return static_cast<double>(std::count(goal.levels.begin(), goal.levels.end(), 1.0)) / 98;
+  };
+  EXPECT_NEAR(columns_of(2), columns_of(1) / 2, 1);
+}
+
 TEST(GlyphGoal, SymmetricLettersAreSymmetricOnEveryPanel) {
   for (const char* text : {"T", "H", "I", "O"})
     for (int side = 4; side <= 15; ++side)

@@ -88,6 +88,17 @@ TEST(ImageGoal, HasTwentyColumnsInThePicturesProportionsByDefault) {
   EXPECT_EQ(goal.rows, 15);
 }
 
+// Bricks are twice as wide as high: as many rows as of squares would show the picture half as high.
+TEST(ImageGoal, KeepsThePicturesProportionsOnOtherCellsThanSquares) {
+  TemporaryFolder folder;
+  Greys greys(30, std::vector<unsigned>(40, 255));
+  for (auto& row : greys) row[7] = row[8] = row[9] = 0;
+  const DisplayGoal goal =
+      image_goal(write_image(folder.path("a.png"), greys), {}, ImageLevels::two, false, 2);
+  EXPECT_EQ(goal.columns, 20);
+  EXPECT_EQ(goal.rows, 30);
+}
+
 TEST(ImageGoal, RefusesWhatIsNoPictureOfALetter) {
   TemporaryFolder folder;
   const auto says = [&](const std::string& file) { return refusal([&] { image_goal(file); }); };

@@ -55,6 +55,23 @@ TEST(DisplayOnHexagons, ShowsItsLetterBetweenPlates) {
   EXPECT_EQ(read_design(folder.path("design.yaml")).structure.hinges(), run.structure.hinges());
 }
 
+// "20 columns in its proportions" were rows of squares: a round picture on bricks came out half as high.
+TEST(DisplayOnOtherLattices, HasTheRowsThatKeepAnImagesProportions) {
+  const TemporaryFolder folder;
+  folder.write("a.pbm", "P1\n4 4\n1 1 0 0 1 1 0 0 0 0 0 0 0 0 0 0\n");
+  const auto rows_of = [&](const std::string& lattice) {
+    const std::string file = folder.write(
+        "a.yaml",
+        "kinetix: 1\ntarget: {kind: display, image: a.pbm}\nstructure: {lattice: " + lattice + "}\n");
+    return read_display_file(targets::read_document(file)).goal.rows;
+  };
+  EXPECT_EQ(rows_of("square"), 20);
+  EXPECT_EQ(rows_of("octagon"), 20);
+  EXPECT_EQ(rows_of("brick"), 40);
+  EXPECT_EQ(rows_of("honeycomb"), 23) << "rows are 1.5 apart, columns the root of 3";
+  EXPECT_EQ(rows_of("rhombus, angle_deg: 30"), 40);
+}
+
 TEST(FarViewInReports, IsPartOfThePage) {
   app::Run run =
       run_scene(*read_target(std::string(KINETIX_SOURCE) + "/targets/shapes/letter_t.yaml").goal, quick());
