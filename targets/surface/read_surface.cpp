@@ -133,7 +133,7 @@ std::vector<Key> surface_keys() {
       {"radius_mm", value::number(size), by_default(usual_radius), "of a vase, in the middle of its height"},
       {"swell_mm", value::number(from_to(0, 2500, "mm")), otherwise("a fifth of `radius_mm`"),
        "of a vase: how much its belly is wider than its middle, and its neck narrower; at most half the "
-       "radius"},
+       "radius, and so that the front, as wide as `arc_deg` of the middle, keeps within the neck"},
   };
 }
 

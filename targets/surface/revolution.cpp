@@ -87,8 +87,8 @@ std::array<double, 2> Profile::radii() const {
 SurfacePatch revolution_patch(const Profile& profile, double arc) {
   require_arc(arc, most_patch_arc, "in (0, 120] deg");
   const double middle = (profile.bottom() + profile.top()) / 2;
-  const double half = (profile.top() - profile.bottom()) / 2, width = profile.radii()[0] * std::sin(arc / 2);
-  return round_patch("profile", {half, width}, profile.radius(middle)[0],
+  const double half = (profile.top() - profile.bottom()) / 2, narrowest = profile.radii()[0];
+  return round_patch("profile", {half, narrowest * std::sin(arc / 2)}, profile.radius(middle)[0], narrowest,
                      [profile, middle](double x) { return profile.radius(middle + x); });
 }
 

@@ -41,6 +41,8 @@ Root root(double q, double least) {
 }
 
 constexpr double equator = 0.02;  // of the squared radius: heights go on as parabolas nearer to the equator
+constexpr double most_of_neck =
+    0.95;  // of a neck's width, of the front over it: the rims then rise by 72 deg
 
 void require_width(double width) { require("width", width, width > 0 && std::isfinite(width), "above 0 mm"); }
 
@@ -128,18 +130,22 @@ SurfacePatch vase_patch(double height, double radius, double swell, double arc) 
   require("radius", radius, radius > 0 && std::isfinite(radius), "above 0 mm");
   require("swell", swell, swell >= 0 && swell <= radius / 2, "from 0 to half the radius, mm");
   require("arc_deg", to_degrees(arc), arc > 0 && arc <= most_vase_arc, "in (0, 120] deg");
-  const double half = height / 2, wave = pi / half;
-  return round_patch("vase", {half, radius * std::sin(arc / 2)}, radius, [=](double x) {
+  const double half = height / 2, wave = pi / half, wide = radius * std::sin(arc / 2), neck = radius - swell;
+  if (!(wide <= most_of_neck * neck))
+    throw InvalidInput("arc_deg is " + number_text(to_degrees(arc)) + ": a front of " +
+                       number_text(2 * wide) + " mm is more than 0.95 of the neck's width, " +
+                       number_text(2 * neck) + " mm; give a smaller arc_deg or swell_mm");
+  return round_patch("vase", {half, wide}, radius, neck, [=](double x) {
     const double s = std::sin(wave * x), c = std::cos(wave * x);
     return std::array{radius + swell * s, swell * wave * c, -swell * wave * wave * s};
   });
 }
 
-SurfacePatch round_patch(const std::string& name, const Vector2d& half, double level,
+SurfacePatch round_patch(const std::string& name, const Vector2d& half, double level, double narrowest,
                          const std::function<std::array<double, 3>(double)>& radius) {
   return {name, half, [=](const Vector2d& at) {
             const auto [r, r1, r2] = radius(at.x());
-            const Root root_of = root(r * r - at.y() * at.y(), equator * level * level);
+            const Root root_of = root(r * r - at.y() * at.y(), equator * narrowest * narrowest);
             const Vector2d q1(2 * r * r1, -2 * at.y());
             const Matrix2d q2 = Vector2d(2 * (r1 * r1 + r * r2), -2).asDiagonal();
             return Height{root_of.value - level, root_of.first * q1,

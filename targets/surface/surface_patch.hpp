@@ -54,12 +54,12 @@ SurfacePatch saddle_patch(double width, double rise);
 
 /// Part of a vase seen from its front, its axis along x: radius + swell sin(pi x / half of the height), as wide as `arc`
 /// of its mean circle. Curved like a ball at its belly, like a saddle at its neck. @param arc rad, (0, 120 deg]
-/// @throws InvalidInput
+/// @throws InvalidInput, among others where the front is nearly as wide as the neck or wider
 SurfacePatch vase_patch(double height, double radius, double swell, double arc);
 
 /// A surface of revolution from its front, its axis along x at z = -level. @param radius with its first and second
-/// derivative by x, mm   @param level mm, > 0: about the radius
-SurfacePatch round_patch(const std::string& name, const Eigen::Vector2d& half, double level,
+/// derivative by x, mm   @param level mm, > 0: about the radius   @param narrowest mm, > 0: the least radius, above half.y()
+SurfacePatch round_patch(const std::string& name, const Eigen::Vector2d& half, double level, double narrowest,
                          const std::function<std::array<double, 3>(double)>& radius);
 
 }  // namespace kinetix::targets

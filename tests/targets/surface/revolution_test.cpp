@@ -57,6 +57,15 @@ TEST(Revolution, OfACircleIsASphere) {
     EXPECT_NEAR(p.norm(), 50, std::abs(p.x()) < 12 ? 1e-4 : chord);
 }
 
+// Where heights go on as a parabola was told by the radius in the middle, so that a narrow end was not round.
+TEST(Revolution, IsRoundAtItsNarrowEndsToo) {
+  const Profile spindle({{10, 0}, {50, 60}, {10, 120}});
+  const double turn = 59 * radians_per_degree;
+  const SurfacePatch patch = revolution_patch(spindle, 2 * turn);
+  for (const double x : {-60.0, 60.0})
+    EXPECT_NEAR(patch.height({x, 10 * std::sin(turn)}).z + 50, 10 * std::cos(turn), 1e-9);
+}
+
 TEST(Revolution, RibsOfAConeCoverItsSide) {
   const RibbedSurface cone = ribbed_revolution(Profile({{20, 0}, {30, 100}}), 2 * pi);
   EXPECT_NEAR(cone.area, pi * 50 * std::hypot(10, 100), 1e-3 * cone.area);

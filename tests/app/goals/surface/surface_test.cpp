@@ -115,7 +115,8 @@ TEST(SurfaceGoal, RefusesWhatItCannotRead) {
   refused(", profile: [[10, 0], [12, 50]], shape: cap", "both say what the surface is");
   refused(", profile: [[10, 0], [12, 50]], width_mm: 3", "belongs to a shape");
   refused(", profile: [[10, 0], [12, 50]], arc_deg: 200", "120");
-  refused(", shape: vase, radius_mm: 2, swell_mm: 1, height_mm: 200", "curves too much for its facets");
+  refused(", shape: vase, radius_mm: 2, swell_mm: 0.8, height_mm: 200", "curves too much for its facets");
+  refused(", shape: vase, radius_mm: 50, swell_mm: 15, arc_deg: 100", "0.95 of the neck's width, 70 mm");
 }
 
 }  // namespace
