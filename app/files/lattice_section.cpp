@@ -27,6 +27,7 @@ constexpr double default_gusset = 0.2;        // of an edge: arms of four fifths
 const targets::Bounds gussets = targets::from_to(0.02, 0.9);
 constexpr int most_cells_in_space = 14;  // along a direction: 14^3 cells have some 100 000 bodies
 constexpr double slender = 0.1;  // of an edge: walls of rotors pass each other up to a height of a fifth
+constexpr const char* slender_walls = "of `sodalite` a tenth of `cell_mm`";  // the same in words
 constexpr const char* rims[] = {"open", "closed"};
 // Of a rhombus, degrees: flatter ones have walls that touch their neighbours'.
 const targets::Bounds angles = targets::from_to(30, 150, "degrees");
@@ -150,7 +151,9 @@ model::Sheet read_block(const targets::Section& structure) {
   double gusset = default_gusset;
   structure.read("gusset", gusset);
   model::CellSize size = read_size(structure, default_cell_mm);
-  if (!structure.optional("wall_mm")) size.height_mm = size.thickness_mm = slender * size.edge_mm;
+  const targets::Section walls = structure.section("wall_mm");
+  if (!walls.optional("thickness")) size.thickness_mm = slender * size.edge_mm;
+  if (!walls.optional("height")) size.height_mm = slender * size.edge_mm;
   return cells.located([&] { return make_sodalite(counts, gusset, size); });
 }
 
@@ -251,7 +254,7 @@ const targets::KeyTable& block_keys() {
        "hinges sit at "
        "its ends"},
       cell_mm_key(targets::by_default(default_cell_mm)),
-      wall_mm_key(),
+      wall_mm_key(slender_walls, slender_walls),
   });
   return keys;
 }
@@ -262,7 +265,7 @@ const targets::KeyTable& drawing_keys() {
       {"drawing", value::text("path of a DXF or SVG file, from the folder of the design"), targets::needed,
        "of `graph`: its lines are the walls, in mm"},
       rim_key(),
-      cell_mm_key(targets::otherwise("the mean length of the walls")),
+      cell_mm_key(targets::otherwise("of a drawing and of a list of walls their mean length")),
       wall_mm_key(),
   });
   return keys;
@@ -293,7 +296,7 @@ const targets::KeyTable& graph_keys() {
                    "`[[from, to], ...]`"),
        targets::needed, "of `graph` without a drawing: each by the numbers of its two vertices, from 0"},
       rim_key(),
-      cell_mm_key(targets::otherwise("the mean length of the walls")),
+      cell_mm_key(targets::otherwise("of a drawing and of a list of walls their mean length")),
       wall_mm_key(),
   });
   return keys;

@@ -29,14 +29,13 @@ std::string name(const model::Cell& cell) {
   return "[" + std::to_string(cell.i) + ", " + std::to_string(cell.j) + "]";
 }
 
-const targets::KeyTable& wall_mm_keys() {
-  static const targets::KeyTable keys({
+targets::KeyTable wall_mm_keys(const char* thickness, const char* height) {
+  return targets::KeyTable({
       {"thickness", value::length({least_thickness, 0.5, true, false, "mm (less than half of cell_mm)"}),
-       targets::otherwise("a tenth of `cell_mm`, at most 3"), "thickness of the walls"},
-      {"height", value::number(targets::from_to(least_height_mm, 10'000, "mm")),
-       targets::otherwise("0.6 of `cell_mm`, at most 30"), "height of the walls"},
+       targets::otherwise(thickness), "thickness of the walls"},
+      {"height", value::number(targets::from_to(least_height_mm, 10'000, "mm")), targets::otherwise(height),
+       "height of the walls"},
   });
-  return keys;
 }
 
 }  // namespace
@@ -54,7 +53,9 @@ targets::Key cell_mm_key(targets::Default fallback, const targets::Bounds& bound
   return {"cell_mm", value::number(bounds), std::move(fallback), "cell edge"};
 }
 
-targets::Key wall_mm_key() { return {"wall_mm", value::map(wall_mm_keys()), {}, "size of the walls"}; }
+targets::Key wall_mm_key(const char* thickness, const char* height) {
+  return {"wall_mm", value::map(wall_mm_keys(thickness, height)), {}, "size of the walls"};
+}
 
 model::CellSize default_size(double edge_mm) {
   return {edge_mm, std::min(0.1 * edge_mm, 3.0), std::min(0.6 * edge_mm, 30.0)};

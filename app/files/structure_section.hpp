@@ -17,7 +17,9 @@ model::CellSize default_size(double edge_mm);
 targets::Key cells_key(targets::Default fallback, std::string meaning);
 targets::Key cell_mm_key(targets::Default fallback,
                          const targets::Bounds& bounds = targets::from_to(0.001, 10'000, "mm"));
-targets::Key wall_mm_key();
+/// @param thickness, height what they default to, in words
+targets::Key wall_mm_key(const char* thickness = "a tenth of `cell_mm`, at most 3",
+                         const char* height = "0.6 of `cell_mm`, at most 30");
 
 /// The `cells:` key: [columns, rows], or a list of cells [i, j] with i and j from 0 to 9999.
 /// @throws InvalidInput for anything else, a cell given twice, or more than a million cells

@@ -18,10 +18,10 @@ namespace {
 
 using Kind = targets::ValueType::Kind;
 
-/// The rows of one table; a key that several ways of a map have in common stands once.
+/// The rows of one table; a key that several ways of a map have in common stands once, but for what they say differently.
 struct Rows {
   std::string text;
-  std::set<std::string> paths;
+  std::set<std::string> said;  ///< rows; of choices, whose words are one, their paths
   std::map<std::string, std::vector<std::string>> words = {};  ///< of choices, those of all ways of their map
 };
 
@@ -62,16 +62,17 @@ std::string linked_type(const Rows& rows, const std::string& path, targets::Valu
 
 void add_map(Rows& rows, const std::string& prefix, const targets::KeyTable& keys) {
   for (const targets::Key& key : keys.keys()) {
-    const std::string path = prefix + key.name;
-    if (!rows.paths.insert(path + " " + fmt::format("{}", fmt::join(key.with.names, " "))).second) continue;
-    rows.text += fmt::format("| `{}` | {} | {} | {} |\n", path, linked_type(rows, path, key.type),
-                             default_text(key, keys.alternatives()), meaning_of(path, key));
+    const std::string path = prefix + key.name,
+                      row = fmt::format("| `{}` | {} | {} | {} |\n", path, linked_type(rows, path, key.type),
+                                        default_text(key, keys.alternatives()), meaning_of(path, key)),
+                      choice = fmt::format("{} {}", path, fmt::join(key.with.names, " "));
+    if (rows.said.insert(key.type.kind == Kind::choice ? choice : row).second) rows.text += row;
     add_inner_maps(rows, path, key.type);
   }
 }
 
 std::string key_table(const targets::KeyTable& keys) {
-  Rows rows{.text = "| key | what it may be | default | meaning |\n|---|---|---|---|\n", .paths = {}};
+  Rows rows{.text = "| key | what it may be | default | meaning |\n|---|---|---|---|\n", .said = {}};
   const std::string prefix =
       keys.title().empty() ? "" : keys.title().substr(keys.title().find(' ') + 1) + ".";
   add_map(rows, prefix, keys);

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <random>
+#include <tuple>
 
 #include "app/files/design_file.hpp"
 #include "model/lattice/planar/closed_rim.hpp"
@@ -123,6 +124,17 @@ TEST(LatticeSection, KeepsVerticesOfAnyDrawingBitForBit) {
     expect_same(read(design_text(once)), once);
     for (int v = 0; v < file.structure.bodies(); ++v)
       EXPECT_LE((once.structure.rest_position(v) - file.structure.rest_position(v)).norm(), 1e-13);
+  }
+}
+
+// Where a file gave one of the two, the other was that of a sheet: walls of 6 mm overlap in a block of 10 mm edges.
+TEST(LatticeSection, GivesBlocksSlenderWallsWhicheverOfTheirSizesAFileGives) {
+  for (const auto& [keys, thickness, height] : {std::tuple("", 1.0, 1.0),
+                                                {", wall_mm: {thickness: 0.9}", 0.9, 1.0},
+                                                {", wall_mm: {height: 2}", 1.0, 2.0}}) {
+    const DesignFile file = read(structure(std::string("lattice: sodalite, cells: [1, 1, 1]") + keys));
+    EXPECT_EQ(file.structure.size().thickness_mm, thickness) << keys;
+    EXPECT_EQ(file.structure.size().height_mm, height) << keys;
   }
 }
 
