@@ -7,6 +7,7 @@
 #include <array>
 #include <cctype>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "app/imports/model_file.hpp"
@@ -52,26 +53,37 @@ const Unit& named_unit(const std::string& name) {
   throw InvalidInput("--unit: unknown unit " + targets::in_ticks(name) + "; allowed: mm, cm, m, in, ft");
 }
 
-/// Sets the scale and says how it was found.
+/// What files say of their units; two that say different ones by their names.
+std::string said_units(const std::vector<ModelFile>& files) {
+  std::set<double> said;
+  std::string each;
+  for (const ModelFile& file : files) {
+    if (!file.unit_mm) continue;
+    said.insert(*file.unit_mm);
+    each += fmt::format("{}{:g} mm of {}", each.empty() ? "" : " and ", *file.unit_mm, file.file);
+  }
+  return said.size() == 1 ? fmt::format("{:g} mm, as the file says", *said.begin()) : each + ", as they say";
+}
+
+/// Sets the scale and says how it was found. Of two files, which are in common coordinates, one that does not say its
+/// unit has that of the other.
 std::string to_mm(const std::string& asked, std::vector<ModelFile>& files) {
   const double side = largest_side(files);
   const Unit& guess = side >= least_mm ? units[0] : side >= least_inches ? units[3] : units[2];
-  std::string words;
+  std::optional<double> said;
+  for (const ModelFile& file : files)
+    if (file.unit_mm) said = file.unit_mm;
   for (ModelFile& file : files) {
-    double mm = file.unit_mm.value_or(guess.mm);
-    if (!asked.empty()) mm = named_unit(asked).mm;
+    const double own = file.unit_mm.value_or(said.value_or(guess.mm)),
+                 mm = asked.empty() ? own : named_unit(asked).mm;
     for (FoundMesh& mesh : file.meshes)
       for (Eigen::Vector3d& p : mesh.soup.points) p *= mm;
-    if (!asked.empty())
-      words = std::string(named_unit(asked).words) + ", as asked";
-    else if (file.unit_mm)
-      words = fmt::format("{:g} mm, as the file says", mm);
-    else
-      words = fmt::format(
-          "{}, guessed: the file does not say, and the model is {:.4g} of them long; --unit says otherwise",
-          guess.words, side);
   }
-  return words;
+  if (!asked.empty()) return std::string(named_unit(asked).words) + ", as asked";
+  if (said) return said_units(files);
+  return fmt::format(
+      "{}, guessed: the file does not say, and the model is {:.4g} of them long; --unit says otherwise",
+      guess.words, side);
 }
 
 bool says_soft(const std::string& text) {

@@ -115,6 +115,32 @@ TEST(Import, TakesSmallModelsForInches) {
   EXPECT_THAT(found["unit"].get<std::string>(), HasSubstr("inches, guessed"));
 }
 
+/// A 3MF file of one solid, in centimetres.
+std::string threemf_in_cm(const Polyhedron& solid) {
+  std::string points, triangles;
+  for (const auto& p : solid.points)
+    points += fmt::format("<vertex x=\"{}\" y=\"{}\" z=\"{}\"/>", p.x(), p.y(), p.z());
+  for (const auto& t : solid.triangles)
+    triangles += fmt::format("<triangle v1=\"{}\" v2=\"{}\" v3=\"{}\"/>", t[0], t[1], t[2]);
+  return app::zip_text(
+      {{"3D/3dmodel.model", "<model unit=\"centimeter\"><resources><object id=\"1\"><mesh><vertices>" +
+                                points + "</vertices><triangles>" + triangles +
+                                "</triangles></mesh></object></resources>"
+                                "<build><item objectid=\"1\"/></build></model>"}});
+}
+
+// The one that does not say its unit was guessed to be in mm, and the summary told the other's unit of both.
+TEST(Import, OfTwoFilesInCommonCoordinatesTakesTheUnitThatOneOfThemSays) {
+  const Scratch scratch;
+  const std::string hard =
+      scratch.write("hard.obj", Obj().add("a", "hard", left()).add("b", "hard", right()).text());
+  const std::string soft = scratch.write("soft.3mf", threemf_in_cm(block()));
+  const Json found = imported(scratch, "--hard " + hard + " --soft " + soft);
+  EXPECT_EQ(found["hinges"].size(), 1u);
+  EXPECT_EQ(found["unit"], "10 mm, as the file says");
+  EXPECT_THAT(text_of(scratch / "out/design.yaml"), HasSubstr("position_mm: [-47.5, 0, 0]"));
+}
+
 TEST(Import, AsksForTheAxisOfACubeAndTakesItFromASideFile) {
   const Scratch scratch;
   const std::string model = scratch.write("cube.obj", pair_of_walls(box_solid(-0.5, 0.5, 0.8, 0.8)));
