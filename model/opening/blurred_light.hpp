@@ -27,8 +27,9 @@ struct PanelGradient {
 /// means no more than that walls lie over each other.
 ///
 /// A cell covers as much as its area in one point does when it is blurred: even to 0.2 % inside panels whose cells are
-/// at most 0.85 cell edges apart. Cells near the rim have nothing on one side: their shadow counts in proportion to
-/// what it is in the flat panel, of which all cells are read alike.
+/// at most 0.85 cell edges apart. Cells of more than four walls are larger, and cover by a point for each of their bodies:
+/// even to 4 % on hexagons, bricks and octagons. Cells near the rim have nothing on one side: their shadow counts in
+/// proportion to what it is in the flat panel, of which all cells of as many walls are read alike.
 class BlurredLight {
  public:
   /// Cell edges, standard deviation of the blur.
@@ -54,18 +55,27 @@ class BlurredLight {
     Eigen::Vector2d middle;  ///< cell edges
     double area = 0;         ///< cell edges squared
   };
+  /// Of a cell's area.
+  struct Part {
+    int cell = 0, body = 0;  ///< it stands between the cell's middle and this body of it
+    double out = 0;          ///< where on the way to the body, of that way
+    double share = 1;        ///< of the cell's area
+    Blot blot;
+  };
   struct Reading {
     double shadow = 0, cover = 0;          ///< dimensionless
-    std::vector<int> strips, laps, blots;  ///< those that it comes from
+    std::vector<int> strips, laps, parts;  ///< those that it comes from
   };
 
   /// Shadow and cover alone.
   BlurredLight(const Linkage& panel, const State& state, Unscaled);
+  /// Of a cell as it stands.
+  void add_parts(int cell);
   void read();
   void add_strip_gradient(int cell, int strip, double by_shadow, PanelGradient& gradient) const;
   void add_lap_gradient(int cell, int lap, double by_shadow, PanelGradient& gradient) const;
-  /// All but what comes through the blot's area. @return the derivative by that area, per cell edge squared
-  double add_blot_gradient(int cell, int blot, double by_cover, PanelGradient& gradient) const;
+  /// All but what comes through the part's area. @return the derivative by that area, per cell edge squared
+  double add_part_gradient(int cell, int part, double by_cover, PanelGradient& gradient) const;
   void add_area(int cell, double by_area, PanelGradient& gradient) const;
   /// Of a function's derivative by the middle of a cell, per cell edge.
   void add_middle(int cell, const Eigen::Vector2d& by_middle, PanelGradient& gradient) const;
@@ -74,8 +84,9 @@ class BlurredLight {
   const State& state_;
   double half_thickness_ = 0;  ///< cell edges
   std::vector<Strip> strips_;
-  std::vector<Blot> laps_;  ///< of each body, what its walls cover twice
-  std::vector<Blot> blots_;
+  std::vector<Blot> laps_;                ///< of each body, what its walls cover twice
+  std::vector<Eigen::Vector2d> middles_;  ///< of each cell, cell edges
+  std::vector<Part> parts_;
   std::vector<Reading> readings_;
   std::vector<double> scale_;  ///< of each cell's shadow over its cover
   std::vector<double> light_;
