@@ -44,7 +44,7 @@ Header checked_header(const std::string& bytes) {
                        &header.bits, &header.samples, &header.has_colormap) != 0)
     throw InvalidInput(
         "is not an image that can be read; give a PNG, PBM or PGM file, a PGM whose largest value is "
-        "1, 3, 15, 255 or 65535");
+        "3, 15, 255 or 65535");
   check_format(header);
   check_size(header);
   return header;

@@ -17,7 +17,7 @@ enum class ImageLevels {
   grey
 };
 
-/// A PNG, PBM or PGM file as ink; a PGM must declare 1, 3, 15, 255 or 65535 as its largest value. Transparent
+/// A PNG, PBM or PGM file as ink; a PGM must declare 3, 15, 255 or 65535 as its largest value. Transparent
 /// pixels are white, colours count by their luminance.
 /// @param invert false: dark is ink; true: light is
 /// @throws InvalidInput with the file alone as place: missing, unreadable or damaged, of another format, over

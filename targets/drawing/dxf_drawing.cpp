@@ -108,6 +108,9 @@ class Entities {
     if (curved.contains(group.value))
       throw wrong(group, "walls are straight: " + std::string(group.value) +
                              " is not read; allowed are LINE, LWPOLYLINE and POLYLINE");
+    if (group.value == "MLINE" || group.value == "3DFACE")
+      throw wrong(group,
+                  std::string(group.value) + " is not read; draw walls as LINE, LWPOLYLINE or POLYLINE");
     if (group.value == "INSERT") throw wrong(group, "a block is inserted here; explode it into lines");
     end_line();
     if (group.value != "VERTEX") {

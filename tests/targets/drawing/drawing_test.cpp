@@ -114,6 +114,9 @@ TEST(DxfDrawing, RefusesCurvesWithTheirLine) {
               HasSubstr("this polyline has an arc"));
   EXPECT_THAT(refusal([] { parse_dxf(dxf("0\nPOLYLINE\n70\n4\n0\nVERTEX\n10\n0\n20\n0\n0\nSEQEND\n")); }),
               HasSubstr("walls are straight"));
+  for (const std::string kind : {"MLINE", "3DFACE"})
+    EXPECT_THAT(refusal([&] { parse_dxf(dxf(line(0, 0, 1, 0) + "0\n" + kind + "\n10\n0\n20\n0\n")); }),
+                HasSubstr(kind + " is not read"));
   EXPECT_THAT(refusal([] { parse_dxf(dxf("0\nINSERT\n2\npart\n10\n0\n20\n0\n")); }), HasSubstr("explode it"));
 }
 

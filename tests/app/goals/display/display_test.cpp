@@ -301,7 +301,7 @@ TEST(Display, RefusesWhatCannotBeAndWritesNothing) {
       {"image: none.png", "no such file"},
       {"image: text.png", "give a PNG, PBM or PGM file"},
       {"image: damaged.png", "damaged.png: is damaged"},
-      {"image: nine.pgm", "largest value is 1, 3, 15, 255 or 65535"},
+      {"image: nine.pgm", "largest value is 3, 15, 255 or 65535"},
       {"image: huge.pgm", "80000 x 80000 pixels; at most 64 megapixels"},
       {"image: flat.png", "one value everywhere"},
       {"image: grey.png, levels: grey}\ntolerance: {contrast: 3",
