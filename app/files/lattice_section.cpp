@@ -8,6 +8,7 @@
 
 #include "app/files/origami_file.hpp"
 #include "model/lattice/planar/closed_rim.hpp"
+#include "model/lattice/planar/lattice_cut.hpp"
 #include "model/lattice/planar/lattices/registry.hpp"
 #include "targets/drawing/read_drawing.hpp"
 
@@ -308,8 +309,8 @@ std::string LatticeChoice::name() const { return lattice ? std::string(lattice->
 
 double LatticeChoice::cell_shape() const {
   if (!lattice) return 1;
-  const auto at = [this](int column, int row) { return lattice->corners(column, row, angle).front(); };
-  return (at(1, 0) - at(0, 0)).x() / (at(0, 1) - at(0, 0)).y();
+  const model::LatticePitch pitch = lattice_pitch(*lattice, angle);
+  return pitch.column.x() / pitch.row.y();
 }
 
 std::vector<targets::Key> lattice_choice_keys(bool closed) {
