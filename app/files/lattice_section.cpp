@@ -18,7 +18,8 @@ namespace {
 namespace value = targets::value;
 using model::PlanarLattice;
 
-constexpr double default_cell_mm = 10;        // mm: a cell that a hand takes hold of
+constexpr double default_cell_mm = 10;                                // mm: a cell that a hand takes hold of
+constexpr double shortest_wall_mm = 0.001, longest_wall_mm = 10'000;  // mm: those of `cell_mm`
 constexpr int max_vertices = 1'000'000;       // as many bodies as the largest sheet of squares has cells
 constexpr const char* squares = "square";     // `lattice` of model/lattice/square
 constexpr const char* by_hand = "graph";      // and of what is drawn by hand
@@ -133,15 +134,28 @@ model::Sheet read_graph(const targets::Section& structure) {
 const targets::Bounds pattern_tilts = targets::from_to(1, 75, "degrees");
 constexpr double default_tilt = 50 * radians_per_degree;  // rad: folds by 78 deg at theta 43 deg
 
+/// mm of the mean wall of a sheet that keeps the pattern's own size. @param unit_mm of the mesh
+double edge_of_pattern(const model::QuadMesh& mesh, double unit_mm) {
+  return unit_mm * mean_edge(mesh) / mean_edge(origami_sheet(mesh, default_size(1)).mesh);
+}
+
 /// A FOLD file as a sheet whose creases are tilted.
 model::Sheet read_origami(const targets::Section& structure) {
   const targets::Node path = structure.required("origami", "path of a FOLD file");
   const std::filesystem::path file = std::filesystem::path(path.folder()) / path.text("path of a FOLD file");
   double tilt = default_tilt;
   if (const auto node = structure.optional("tilt_deg")) tilt = node->angle(pattern_tilts);
-  const model::CellSize size = read_size(structure, default_cell_mm);
   const OrigamiFile pattern = read_origami_file(file.string());
-  return path.located([&] { return origami_sheet(tilted(pattern, tilt), size).structure; });
+  const model::QuadMesh mesh = tilted(pattern, tilt);
+  double edge_mm = default_cell_mm;
+  if (pattern.unit_mm) path.located([&] { edge_mm = edge_of_pattern(mesh, *pattern.unit_mm); });
+  const bool is_allowed = edge_mm >= shortest_wall_mm && edge_mm <= longest_wall_mm;
+  if (!is_allowed && !structure.optional("cell_mm"))
+    throw path.error(
+        fmt::format("has walls of {:g} mm by its frame_unit; allowed: {:g} to {:g} mm, or give cell_mm",
+                    edge_mm, shortest_wall_mm, longest_wall_mm));
+  const model::CellSize size = read_size(structure, edge_mm);
+  return path.located([&] { return origami_sheet(mesh, size).structure; });
 }
 
 model::Sheet read_block(const targets::Section& structure) {
@@ -281,7 +295,8 @@ const targets::KeyTable& origami_keys() {
        "bodies, and its creases the tilts that fold them together"},
       {"tilt_deg", value::angle(pattern_tilts), targets::by_default_deg(default_tilt),
        "of `origami`: tilt of the hinges of the creases that fold most"},
-      cell_mm_key(targets::by_default(default_cell_mm)),
+      cell_mm_key(targets::otherwise(
+          "of `origami` what keeps the size of a file that says its unit (`frame_unit`), else 10")),
       wall_mm_key(),
   });
   return keys;

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
+#include <string>
 #include <utility>
 
 #include "model/base/angle.hpp"
@@ -58,6 +60,19 @@ const Json& frame_of(const Json& root) {
   for (const Json& frame : list_in(root, "file_frames"))
     if (frame.is_object() && frame.contains("faces_vertices")) return frame;
   return root;
+}
+
+/// mm; nothing where the frame says "unit", or nothing.
+std::optional<double> unit_of(const Json& frame) {
+  static const std::map<std::string, double> known = {
+      {"mm", 1}, {"cm", 10}, {"m", 1000}, {"in", 25.4}, {"pt", 25.4 / 72}};
+  const auto found = frame.find("frame_unit");
+  if (found == frame.end()) return std::nullopt;
+  const std::string word = found->is_string() ? found->get<std::string>() : found->dump();
+  if (word == "unit") return std::nullopt;
+  if (const auto unit = known.find(word); unit != known.end()) return unit->second;
+  throw InvalidInput("the unit `" + word.substr(0, 20) +
+                     "` (frame_unit) is not read; allowed: unit, mm, cm, m, in, pt");
 }
 
 Vector2d point_of(const Json& at, std::size_t v) {
@@ -352,9 +367,13 @@ class Reading {
 
 OrigamiFile parse_origami(const std::string& text, const std::string& file) {
   try {
-    const Pattern pattern = read_pattern(frame_of(Json::parse(text)));
+    const Json root = Json::parse(text);
+    const Json& frame = frame_of(root);
+    const Pattern pattern = read_pattern(frame);
     check_degrees(pattern);
-    return Reading(pattern).run();
+    OrigamiFile out = Reading(pattern).run();
+    out.unit_mm = unit_of(frame);
+    return out;
   } catch (const Json::parse_error& e) {
     const std::size_t at = std::min(text.size(), e.byte);
     const auto line = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n') + 1;

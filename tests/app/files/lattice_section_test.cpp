@@ -138,6 +138,30 @@ TEST(LatticeSection, GivesBlocksSlenderWallsWhicheverOfTheirSizesAFileGives) {
   }
 }
 
+// Its own exports say mm, and came back with walls of 10 mm.
+TEST(LatticeSection, KeepsTheSizeOfAPatternThatSaysItsUnit) {
+  const std::string pattern = testing::read_file(std::string(KINETIX_SOURCE) + "/targets/shapes/miura.fold"),
+                    none = "\"frame_unit\": \"unit\"";
+  ASSERT_NE(pattern.find(none), std::string::npos);
+  const auto sheet_of = [&](const std::string& unit, const std::string& keys) {
+    std::string text = pattern;
+    text.replace(text.find(none), none.size(), "\"frame_unit\": \"" + unit + "\"");
+    const TemporaryFolder folder;
+    folder.write("a.fold", text);
+    return read_design(folder.write("a.yaml", structure("lattice: graph, origami: a.fold" + keys))).structure;
+  };
+  EXPECT_EQ(sheet_of("unit", "").size().edge_mm, 10);
+  EXPECT_EQ(sheet_of("cm", ", cell_mm: 4").size().edge_mm, 4);
+  const model::Sheet sheet = sheet_of("cm", "");
+  EXPECT_NEAR(sheet.size().edge_mm, 10 * sheet_of("mm", "").size().edge_mm, 1e-9);
+  double left = sheet.rest_position(0).x(), right = left;
+  for (int v = 0; v < sheet.bodies(); ++v) {
+    left = std::min(left, sheet.rest_position(v).x());
+    right = std::max(right, sheet.rest_position(v).x());
+  }
+  EXPECT_NEAR(right - left, 64.2, 0.5) << "mm: six facets of a centimetre, which slant by four millimetres";
+}
+
 TEST(LatticeSection, DrawsTheSameByListAndByDrawing) {
   const DesignFile listed = read(structure("lattice: graph, " + two_squares)),
                    drawn = read(structure("lattice: graph, drawing: squares.dxf"));

@@ -127,6 +127,19 @@ TEST(OrigamiFile, SaysWhereMountainAndValleyMustChangePlaces) {
                  "vertex 4 does not fold: the mountain and the valley of its unlike pair must change places");
 }
 
+TEST(OrigamiFile, KnowsItsUnit) {
+  const std::string good = fold_text(mesh_of(3, 3, 2), 9), version = "\"file_spec\": 1.1";
+  const auto unit = [&](const std::string& word) {
+    return parse_origami(replaced(good, version, version + ", \"frame_unit\": \"" + word + "\""), "a.fold")
+        .unit_mm;
+  };
+  EXPECT_EQ(parse_origami(good, "a.fold").unit_mm, std::nullopt);
+  EXPECT_EQ(unit("unit"), std::nullopt);
+  EXPECT_EQ(unit("mm"), 1);
+  EXPECT_EQ(unit("in"), 25.4);
+  expect_refused(replaced(good, version, version + ", \"frame_unit\": \"nm\""), "the unit `nm`");
+}
+
 // Four triangles in a ring round vertex 4 are refused as triangles; five quadrilaterals by the vertex between them.
 TEST(OrigamiFile, NamesAnInnerVertexOfAnotherDegree) {
   std::string points = "[0, 0]", faces, edges;
