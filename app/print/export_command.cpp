@@ -83,6 +83,31 @@ void check_own_clearance(const PrintRequest& request, const DesignFile& design) 
         *own, request.clearance_mm));
 }
 
+/// A coupon is what it is, but for the bed and the way that it lies there.
+void refuse_what_makes_designs(const PrintRequest& request) {
+  const auto refuse = [](bool given, const char* option, const char* why) {
+    if (given) throw InvalidInput(fmt::format("{} of designs: {}", option, why));
+  };
+  refuse(request.clearance_mm > 0, "--clearance is", "a coupon has gaps of its own");
+  refuse(request.caps, "--caps are", "a coupon's axes are in the middle");
+  refuse(!request.hinge.empty(), "--hinge is", "a coupon's hinges are pins");
+  refuse(request.cell_mm > 0, "--cell-mm is", "a coupon has no cells");
+  refuse(request.loose_rods, "--loose-rods are", "a coupon's rods are printed in place");
+  refuse(request.folded, "--state folded is", "a coupon's hinges each turn by themselves");
+}
+
+std::optional<Eigen::Vector2d> bed_of(const PrintRequest& request) {
+  if (request.bed_mm.size() != 2) return std::nullopt;
+  return Eigen::Vector2d(request.bed_mm[0], request.bed_mm[1]);
+}
+
+/// A sheet of which the flat state alone is known has none to be written folded.
+void check_state(const PrintRequest& request, const PrintSheet& sheet) {
+  if (request.folded && !sheet.is_path_exact && !sheet.why_no_path.empty())
+    throw InvalidInput("--state folded: how the design looks when it is folded is not known: " +
+                       sheet.why_no_path);
+}
+
 /// What was asked for and changes nothing, a sentence each.
 std::vector<std::string> idle_options(const PrintRequest& request, const DesignFile& design,
                                       const PrintSheet& sheet) {
@@ -100,18 +125,22 @@ std::vector<std::string> idle_options(const PrintRequest& request, const DesignF
         "--clearance {:g} leaves the design's own pins as they are: their clearance is {:g} mm or more",
         request.clearance_mm, *own));
   if (request.loose_rods && !has_pins) all.push_back("--loose-rods changes nothing: no hinge is a pin");
+  if (request.caps && !sheet.has_caps())
+    all.push_back("--caps changes nothing: all axes are in the middle of their walls");
   return all;
 }
 
 /// What cells of another edge do to the size that the design was made for.
-std::optional<std::string> size_note(const DesignFile& design, double edge_mm) {
+std::optional<std::string> size_note(const DesignFile& design, const PrintSheet& sheet) {
+  const double edge_mm = sheet.linkage.size.edge_mm;
   const double own_mm = design.structure.size().edge_mm;
   const auto resized = resized_words(own_mm, edge_mm);
   if (!resized) return std::nullopt;
   return fmt::format(
       "made with cells of {:.3g} mm instead of {:.3g}: {}; for the size that its goal asked for search again "
-      "with {} cells",
-      edge_mm, own_mm, *resized, edge_mm > own_mm ? "fewer" : "more");
+      "with {} cells{}",
+      edge_mm, own_mm, *resized, edge_mm > own_mm ? "fewer" : "more",
+      sheet.is_path_exact ? "" : "; its fold is the equilibrium at its own size, scaled");
 }
 
 /// What formats that were asked for leave out of what was asked.
@@ -137,18 +166,17 @@ struct Source {
   PreparedPrint prepared_for(const PrintRequest& request) const {
     const model::Process process = process_of(request, design ? design->process : std::nullopt);
     if (!design) {
-      if (request.clearance_mm > 0)
-        throw InvalidInput("--clearance is of designs: a coupon has gaps of its own");
-      if (request.caps) throw InvalidInput("--caps are of designs: a coupon's axes are in the middle");
-      PrintJob job{make_coupon(process), request.folded};
+      refuse_what_makes_designs(request);
+      PrintJob job{make_coupon(process, bed_of(request))};
       const PathClearance clearance = path_clearance(job.sheet);
       return {std::move(job), clearance};
     }
     try {
       PreparedPrint print = prepared_of_design(request, process);
+      check_state(request, print.job.sheet);
       for (std::string& idle : idle_options(request, *design, print.job.sheet))
         print.job.sheet.warnings.push_back(std::move(idle));
-      if (auto note = size_note(*design, print.job.sheet.linkage.size.edge_mm))
+      if (auto note = size_note(*design, print.job.sheet))
         print.job.sheet.warnings.push_back(std::move(*note));
       return print;
     } catch (const InvalidInput& e) {
@@ -166,8 +194,8 @@ struct Source {
     PrintChoice choice{.clearance_mm = request.clearance_mm,
                        .loose_rods = request.loose_rods,
                        .caps = request.caps,
+                       .bed_mm = bed_of(request),
                        .edge_mm = request.cell_mm};
-    if (request.bed_mm.size() == 2) choice.bed_mm = {request.bed_mm[0], request.bed_mm[1]};
     if (!kind) return prepared_as_fits(*design, process, choice, request.folded);
     choice.kind = *kind;
     return prepared(*design, process, choice, request.folded);

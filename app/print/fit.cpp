@@ -130,7 +130,7 @@ std::string instead_of_pins(const Order& order, const PrintChoice& choice) {
   if (has_pins_of_its_own(order.design))
     return ": its hinges stretch on the way, and pins cannot. The design asks for pins itself, whatever "
            "--hinge says: change its `hinge:` to `kind: block`, or take it out and give --hinge block";
-  if (choice.kind != model::HingeKind::pin) return "";
+  if (choice.kind != model::HingeKind::pin || !leaves_hinges_open(order.design)) return "";
   return ": its hinges stretch on the way, and pins cannot (kinetix-opt export --hinge block)";
 }
 

@@ -67,7 +67,8 @@ std::string tiles_words(const PrintSheet& sheet) {
                      tiles.count() < places ? fmt::format(", {} of them with bodies", tiles.count()) : "",
                      tiles.turned ? ", turned on it by a quarter" : "",
                      sheet.loose_rods() > 0 ? "push a rod through each hinge between two of them"
-                                            : "glue the soft parts between two of them to both");
+                     : sheet.has_soft()     ? "glue the soft parts between two of them to both"
+                                            : "no hinge is between two of them");
 }
 
 Json slicer_json(const std::optional<SlicerAnswer>& slicer) {
@@ -114,9 +115,11 @@ std::string time_words(double seconds) {
 std::string slicer_words(const SlicerAnswer& slicer) {
   if (!slicer.estimate) return slicer.why_none;
   const SliceEstimate& print = *slicer.estimate;
-  return fmt::format("{} and {:.2f} cm3 of material{}, by PrusaSlicer with its own settings for speed",
-                     time_words(print.seconds), print.material_mm3 / mm3_per_cm3,
-                     print.prints > 1 ? fmt::format(" in {} prints", print.prints) : "");
+  return fmt::format(
+      "{} and {:.2f} cm3 of material{}, {} supports, by PrusaSlicer with its own settings for speed",
+      time_words(print.seconds), print.material_mm3 / mm3_per_cm3,
+      print.prints > 1 ? fmt::format(" in {} prints", print.prints) : "",
+      print.supports ? "with" : "without");
 }
 
 /// How the sheet lies in its files.
@@ -128,8 +131,10 @@ const Lie& lie_now(const PrintJob& job, const std::vector<Lie>& all) {
 std::string orientation_words(const PrintJob& job) {
   const std::vector<Lie> all = lies(job);
   const Lie& least = best(all);
-  const std::string here =
-      job.turned ? "turned over about x, as it is in the files" : "flat on the bed, as it is in the files";
+  const char* const side = job.lie == "over" ? "turned over about x"
+                           : job.folded      ? "folded"
+                                             : "flat on the bed";
+  const std::string here = fmt::format("{}, as it is in the files", side);
   const Lie& now = lie_now(job, all);
   const std::string hangs = fmt::format("{}; {:.1f} mm2 lean more than {:g} degrees over the bed", here,
                                         now.overhang_mm2, steep_deg);
@@ -178,7 +183,7 @@ std::vector<std::string> print_warnings(const PrintJob& job) {
 
 Json estimate_json(const PrintJob& job, const SliceEstimate& print) {
   return {{"process", job.sheet.process.name},
-          {"hinges", to_string(job.sheet.hinges.front().made.kind)},
+          {"hinges", to_string(job.sheet.kind())},
           {"seconds", print.seconds},
           {"material_mm3", print.material_mm3},
           {"prints", print.prints}};

@@ -163,10 +163,13 @@ std::string content_of(const PrintFormat& format, const PrintJob& job, const std
 
 SlicerAnswer sliced_fdm(const PrintJob& job, const WorkFolder& folder, const std::string& program) {
   write_file(folder / "sheet.3mf", content_of(threemf_format, job, job.sheet.name + ".3mf"));
-  return sliced(
-      folder, program,
-      {bed_settings(hard_part(job)) + fdm_settings(steepest_deg(job.sheet) > steep_deg), folder / "sheet.3mf",
-       "--export-gcode", "sheet.gcode", [](const std::string& file) { return read_gcode(text_of(file)); }});
+  const bool supports = steepest_deg(job.sheet) > steep_deg;
+  SlicerAnswer out =
+      sliced(folder, program,
+             {bed_settings(hard_part(job)) + fdm_settings(supports), folder / "sheet.3mf", "--export-gcode",
+              "sheet.gcode", [](const std::string& file) { return read_gcode(text_of(file)); }});
+  if (out.estimate) out.estimate->supports = supports;
+  return out;
 }
 
 /// Hard and soft are a print each.

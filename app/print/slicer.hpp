@@ -11,7 +11,8 @@ namespace kinetix::app {
 /// What a print takes, as a slicer estimates it.
 struct SliceEstimate {
   double seconds = 0;       ///< of printing, s, > 0: all prints one after the other
-  double material_mm3 = 0;  ///< of filament or resin, mm^3, with supports and skirts, > 0
+  double material_mm3 = 0;  ///< of filament or resin, mm^3, with skirts, > 0
+  bool supports = false;    ///< whether time and material have them
   int prints = 1;           ///< one where both materials are printed together, else one of each
 };
 

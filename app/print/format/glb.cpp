@@ -131,7 +131,7 @@ class Scene3 {
 
   void add_bodies() {
     for (int b = 0; b < static_cast<int>(sheet_.meshes.size()); ++b) {
-      const model::Pose& pose = job_.state()[b];
+      const model::Pose& pose = job_.unturned()[b];
       const Eigen::Quaterniond q(pose.R);
       const std::string name = "body " + sheet_.linkage.vertex_name(b);
       nodes_.push_back({{"name", name},

@@ -17,9 +17,9 @@ struct PrintJob {
   std::optional<model::State> turned = {};  ///< the same state, laid on the bed another way (lay)
   std::string_view lie = "flat";            ///< which way, of lies()
 
-  const model::State& state() const {
-    return turned ? *turned : folded ? sheet.path.back() : sheet.path.front();
-  }
+  const model::State& state() const { return turned ? *turned : unturned(); }
+  /// The state in the sheet's own place, whichever way it lies on the bed.
+  const model::State& unturned() const { return folded ? sheet.path.back() : sheet.path.front(); }
 };
 
 /// A kind of file.

@@ -29,7 +29,7 @@ std::string path_of(const SheetDrawing& drawing, const SheetDrawing::Part& part)
   std::string out;
   for (const auto& ring : part.rings) {
     for (std::size_t k = 0; k < ring.size(); ++k)
-      out += fmt::format("{}{:.5g} {:.5g}", k == 0 ? "M" : "L", ring[k].x() - drawing.low.x(),
+      out += fmt::format("{}{:.8g} {:.8g}", k == 0 ? "M" : "L", ring[k].x() - drawing.low.x(),
                          drawing.high.y() - ring[k].y());
     out += "Z";
   }
@@ -50,8 +50,8 @@ std::string group(const SheetDrawing& drawing, const char* name, const char* fil
 std::string svg(const PrintSheet& sheet, const SheetDrawing& drawing) {
   const Vector2d size = drawing.high - drawing.low;
   std::string out = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.6g}mm\" height=\"{1:.6g}mm\" viewBox=\"0 0 "
-      "{0:.6g} {1:.6g}\">\n",
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.8g}mm\" height=\"{1:.8g}mm\" viewBox=\"0 0 "
+      "{0:.8g} {1:.8g}\">\n",
       size.x(), size.y());
   out +=
       group(drawing, "bodies", "#d9d9d4", drawing.bodies) + group(drawing, "soft", "#2e6fb7", drawing.soft);

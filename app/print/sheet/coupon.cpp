@@ -62,9 +62,23 @@ void add_number(int hinge, PrintSheet& sheet) {
   raise_text(fmt::format("{:.1f}", sheet.hinges[hinge].made.clearance_mm), face, sheet.meshes[body]);
 }
 
+/// Both bodies of a hinge on one tile.
+Tiles tiles_of(const PrintSheet& sheet, const Eigen::Vector2d& bed_mm) {
+  std::vector<Eigen::AlignedBox2d> pairs(sheet.hinges.size());
+  const int bodies = static_cast<int>(sheet.meshes.size());
+  for (int b = 0; b < bodies; ++b)
+    for (const Eigen::Vector3d& p : placed_body(sheet, sheet.path.front(), b).points)
+      pairs[b / 2].extend(p.head<2>());
+  Tiles tiles = cut_into_tiles(pairs, bed_mm);
+  const std::vector<int> of_pair = std::move(tiles.of_body);
+  tiles.of_body.clear();
+  for (int b = 0; b < bodies; ++b) tiles.of_body.push_back(of_pair[b / 2]);
+  return tiles;
+}
+
 }  // namespace
 
-PrintSheet make_coupon(const model::Process& process) {
+PrintSheet make_coupon(const model::Process& process, const std::optional<Eigen::Vector2d>& bed_mm) {
   PrintSheet sheet;
   sheet.name = "coupon";
   sheet.process = process;
@@ -84,6 +98,7 @@ PrintSheet make_coupon(const model::Process& process) {
       "degrees: the least gap that turns is your printer's, for --clearance"};
   make_solids(sheet);
   for (int h = 0; h < static_cast<int>(sheet.hinges.size()); ++h) add_number(h, sheet);
+  if (bed_mm) sheet.tiles = tiles_of(sheet, *bed_mm);
   return sheet;
 }
 

@@ -188,6 +188,35 @@ TEST(Export, WritesACouponAsA3mfWhereNoFormatIsGiven) {
   expect_refused(panel, "", "--format is required, e.g. --format 3mf");
 }
 
+TEST(Export, RefusesOptionsOfDesignsForACoupon) {
+  const Scratch scratch;
+  for (const char* option :
+       {"--hinge block", "--cell-mm 30", "--loose-rods", "--state folded", "--caps", "--clearance 0.2"}) {
+    const Outcome coupon =
+        kinetix_opt(fmt::format("export --coupon {} -o {}", option, std::string(scratch / "coupon")));
+    EXPECT_EQ(coupon.code, 2) << option;
+    EXPECT_THAT(coupon.err, HasSubstr("of designs: a coupon")) << option;
+    EXPECT_FALSE(fs::exists(scratch / "coupon"));
+  }
+}
+
+/// Its hinges stay whole: each tile has as much of the coupon as it has hinges.
+TEST(Export, CutsACouponIntoTilesBetweenItsHinges) {
+  const Scratch scratch;
+  const std::string coupon = "export --coupon --process sla --format stl -o " + std::string(scratch / "out");
+  const Outcome whole = kinetix_opt(coupon);
+  ASSERT_EQ(whole.code, 0) << whole.err;
+  EXPECT_THAT(whole.out, HasSubstr("(kinetix-opt export --bed 145,145) it is cut into tiles"));
+  const Outcome cut = kinetix_opt(coupon + " --bed 145,145");
+  ASSERT_EQ(cut.code, 0) << cut.err;
+  EXPECT_THAT(cut.out, HasSubstr("2 x 1, one bed each: no hinge is between two of them"));
+  EXPECT_EQ(cut.out.find("larger than the bed"), std::string::npos);
+  double parts = 0;  // mm^3
+  for (const char* tile : {"out/tile_1.stl", "out/tile_2.stl"})
+    parts += volume_of_stl(text_of(scratch / tile));
+  EXPECT_NEAR(parts / volume_of_stl(text_of(scratch / "out/all.stl")), 1, 1e-6);
+}
+
 TEST(Export, SaysWhichOptionsChangeNothing) {
   const Scratch scratch;
   const std::string described =
@@ -199,6 +228,9 @@ TEST(Export, SaysWhichOptionsChangeNothing) {
   const std::string said = said_of(scratch)["warnings"].dump();
   EXPECT_THAT(said, HasSubstr("--clearance changes nothing: no hinge is a pin"));
   EXPECT_THAT(said, HasSubstr("--loose-rods changes nothing: no hinge is a pin"));
+  ASSERT_EQ(exported(scratch, panel, "--format stl --caps").code, 0);
+  EXPECT_THAT(said_of(scratch)["warnings"].dump(),
+              HasSubstr("--caps changes nothing: all axes are in the middle"));
   ASSERT_EQ(exported(scratch, panel, "--format stl --hinge pin --clearance 0.2 --loose-rods").code, 0);
   EXPECT_EQ(said_of(scratch)["warnings"].dump().find("changes nothing"), std::string::npos);
 }
@@ -466,6 +498,46 @@ drive: {kind: plates, axis: y, compression: 0.03}
   EXPECT_THAT(json["warnings"].dump(), HasSubstr("along the equilibrium of the design's hinges"));
 }
 
+TEST(Export, SaysThatAFoldOfOtherCellsIsTheEquilibriumOfItsOwn) {
+  const std::string design = R"(kinetix: 1
+structure: {cells: [2, 2], cell_mm: 20, wall_mm: {thickness: 0.8, height: 6}}
+design: {theta_deg: 15, hinges: [{wall: [[0, 0], [1, 0]], t: 0.45}]}
+)";
+  const Scratch scratch;
+  ASSERT_EQ(exported(scratch, design, "--format stl --hinge block --cell-mm 30").code, 0);
+  EXPECT_THAT(said_of(scratch)["warnings"].dump(),
+              HasSubstr("its fold is the equilibrium at its own size, scaled"));
+}
+
+/// The flat sheet is not written as the folded one, of which nothing is known.
+TEST(Export, RefusesAFoldedStateThatItsEquilibriumDoesNotReach) {
+  const std::string design = R"(kinetix: 1
+structure: {cells: [2, 2], cell_mm: 20, wall_mm: {thickness: 4, height: 6}}
+design: {theta_deg: 15, hinges: [{wall: [[0, 0], [1, 0]], t: 0.35}, {wall: [[1, 1], [2, 1]], t: 0.42}]}
+hinge: {model: elastic, k_point: 100, k_turn: 0.1}
+drive: {kind: plates, axis: y, compression: 0.45}
+)";
+  expect_refused(design, "--format stl --hinge block --state folded",
+                 "--state folded: how the design looks when it is folded is not known");
+  const Scratch scratch;
+  ASSERT_EQ(exported(scratch, design, "--format stl --hinge block").code, 0);
+  EXPECT_EQ(said_of(scratch)["state"], "flat");
+}
+
+/// Who has blocks that do not fit is not told to take blocks.
+TEST(Export, AdvisesNoOtherHingesWhereTheDesignSaysWhichItHas) {
+  const std::string design = R"(kinetix: 1
+structure: {cells: [3, 3], cell_mm: 20, wall_mm: {thickness: 6, height: 8}}
+design: {theta_deg: 70, hinges: [{wall: [[1, 1], [2, 1]], t: 0.42, alpha_deg: 80}]}
+hinge: {kind: block, material: tango, gap_mm: 6, thickness_mm: 1}
+)";
+  const Scratch scratch;
+  const Outcome run = exported(scratch, design, "--format stl");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, HasSubstr("run into each other"));
+  EXPECT_EQ(run.err.find("--hinge block"), std::string::npos) << run.err;
+}
+
 TEST(Export, RefusesThetaAtWhichKnucklesMeet) {
   const std::string design =
       std::string(panel).replace(std::string(panel).find("theta_deg: 20"), 13, "theta_deg: 38");
@@ -595,6 +667,7 @@ TEST(Slicer, TellsTimeAndAsMuchMaterialAsThereIsVolume) {
     EXPECT_GT(json["slicer"]["seconds"], 60);
     EXPECT_EQ(json["slicer"]["prints"], std::string(process) == "sla" ? 2 : 1);
     EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("of material"));
+    EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr(", without supports, by PrusaSlicer"));
   }
 }
 
@@ -681,12 +754,22 @@ TEST(Orientation, OfASheetThatIsLaidOnItsFaceIsThatOfItsFiles) {
   EXPECT_NE(text_of(over / "out/all.stl"), text_of(flat / "out/all.stl"));
 }
 
+/// Formats that no printer reads have the sheet in its own place, as their motion has it.
+TEST(Orientation, LeavesTheSceneWhereItsMotionIs) {
+  const Scratch flat, over;
+  ASSERT_EQ(exported(flat, panel, "--format glb --hinge block").code, 0);
+  ASSERT_EQ(exported(over, panel, "--format glb --hinge block --orient over").code, 0);
+  EXPECT_EQ(text_of(over / "out/panel.glb"), text_of(flat / "out/panel.glb"));
+}
+
 TEST(Orientation, ThatIsProposedHasTheLeastOverhang) {
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, panel, "--format stl --hinge pin --orient best").code, 0);
   const Json json = said_of(scratch);
   const double here = json["overhang_mm2"][std::string(json["orientation"])];
   for (const auto& [way, area] : json["overhang_mm2"].items()) EXPECT_GE(double(area), here) << way;
+  ASSERT_EQ(json["orientation"], "flat") << "both sides of upright pins are alike";
+  EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("flat on the bed, as it is in the files"));
   expect_refused(panel, "--format stl --orient upp", "unknown orient `upp`");
 }
 

@@ -203,6 +203,34 @@ TEST(Drawing, CutsNoNumberOff) {
   EXPECT_EQ(numbers, 17);
 }
 
+/// First x of each outline, mm. @param pattern with the number as its first group
+std::vector<double> first_places(const std::string& text, const char* pattern) {
+  std::vector<double> out;
+  const std::regex place(pattern);
+  for (std::sregex_iterator at(text.begin(), text.end(), place), end; at != end; ++at)
+    out.push_back(std::stod((*at)[1]));
+  return out;
+}
+
+/// Also of a sheet of more than a metre.
+TEST(Drawing, HasTheSamePlacesInBothFormats) {
+  const Scratch scratch;
+  const std::string design =
+      "kinetix: 1\nstructure: {cells: [62, 1], cell_mm: 20.0333}\ndesign: {theta_deg: 3}\n";
+  const Outcome run = kinetix_opt("export " + scratch.write("long.yaml", design) + " -o " +
+                                  std::string(scratch / "out") + " --format svg,dxf --hinge block");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const std::string dxf = text_of(scratch / "out/long.dxf");
+  const std::vector<double> low = first_places(dxf, R"(EXTMIN\n10\n(-?[0-9.]+))"),
+                            drawn = first_places(text_of(scratch / "out/long.svg"), R"(M(-?[0-9.e-]+) )"),
+                            cut = first_places(
+                                dxf, R"(70\n1\n10\n0\n20\n0\n30\n0\n0\nVERTEX\n8\n\w+\n10\n(-?[0-9.]+))");
+  ASSERT_EQ(low.size(), 1u);
+  ASSERT_EQ(drawn.size(), cut.size());
+  ASSERT_GT(drawn.size(), 300u);
+  for (std::size_t k = 0; k < cut.size(); ++k) EXPECT_NEAR(drawn[k], cut[k] - low[0], 2e-4) << k;
+}
+
 /// As wide as its unit says, and with everything in it, to rsvg-convert.
 TEST(Strips, AreDrawnOneToOneBesideTheSheetOfFilms) {
   const Scratch scratch;
