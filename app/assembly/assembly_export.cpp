@@ -91,6 +91,19 @@ nlohmann::ordered_json said(const PrintJob& job, const AssemblyFile& file) {
   return out;
 }
 
+/// A way that ends before the drive's goal has no folded state; its files say so.
+void add_way(const AssemblyRun& run, bool folded, PrintSheet& sheet) {
+  for (const NamedState& s : run.states)
+    if (s.name == "frame") {
+      sheet.path.push_back(s.poses);
+      sheet.thetas.push_back(s.theta);
+    }
+  if (run.motion.reached) return;
+  const std::string why = "it does not come to its drive's goal: " + closure_words(run);
+  if (folded) throw InvalidInput("--state folded: " + why);
+  sheet.warnings.push_back(why);
+}
+
 }  // namespace
 
 std::optional<AssemblyFile> assembly_to_export(const PrintRequest& request) {
@@ -115,11 +128,7 @@ PrintJob assembly_job(const AssemblyFile& file, const PrintRequest& request) {
   sheet.bodies.resize(a.bodies.size());
   sheet.rods.resize(a.hinges.size());
   sheet.tiles.of_body.assign(a.bodies.size(), 0);
-  for (const NamedState& s : run.states)
-    if (s.name == "frame") {
-      sheet.path.push_back(s.poses);
-      sheet.thetas.push_back(s.theta);
-    }
+  add_way(run, request.folded, sheet);
   sheet.warnings.push_back("parts are written as they were imported: nothing was checked for a process");
   return {std::move(sheet), request.folded};
 }
@@ -142,9 +151,11 @@ int export_assembly(const CommandOptions& options, const PrintRequest& request, 
   names.emplace_back("print.json");
   files.commit();
   folder.keep();
-  std::cout << (options.json ? json
-                             : fmt::format("{}\n  {:<10} {}: {}\n", file.name, "written", folder.path(),
-                                           fmt::join(names, ", ")));
+  std::string text =
+      fmt::format("{}\n  {:<10} {}: {}\n", file.name, "written", folder.path(), fmt::join(names, ", "));
+  for (const std::string& warning : print_warnings(job))
+    text += fmt::format("  {:<10} {}\n", "note", warning);
+  std::cout << (options.json ? json : text);
   return done;
 }
 

@@ -14,7 +14,7 @@ std::optional<AssemblyFile> assembly_to_export(const PrintRequest& request);
 PrintJob assembly_job(const AssemblyFile& file, const PrintRequest& request);
 
 /// `export` of a design of bodies: stl, 3mf, glb and print.json, all of them or none. @return the exit code
-/// @throws InvalidInput for other formats, and for options that make sheets
+/// @throws InvalidInput for other formats, for options that make sheets, and for a folded state that its drive does not come to
 int export_assembly(const CommandOptions& options, const PrintRequest& request, const AssemblyFile& file);
 
 }  // namespace kinetix::app

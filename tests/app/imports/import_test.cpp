@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "app/print/format/stl_text.hpp"
@@ -375,6 +376,29 @@ TEST(Import, IsExportedAndImportedAgain) {
       kinetix_opt("export " + design + " --format step -o " + (scratch / "step").string());
   EXPECT_EQ(refused.code, 2);
   EXPECT_THAT(refused.err, HasSubstr("`step` is of sheets; a design of bodies is written as stl, 3mf, glb"));
+}
+
+/// Parts of a sheet that does not close are not written as folded where they cannot be.
+TEST(Import, IsNotExportedFoldedWhereItsDriveEndsBefore) {
+  const Scratch scratch;
+  const std::string sheet = scratch.write("sheet.yaml", R"(kinetix: 1
+structure: {cells: [2, 2], cell_mm: 20}
+design: {theta_deg: 15, hinges: [{wall: [[0, 0], [1, 0]], t: 0.42}, {wall: [[0, 1], [1, 1]], t: 0.47}]}
+hinge: {kind: block, material: tango, gap_mm: 3}
+)");
+  const std::string made = scratch / "made", out = scratch / "out";
+  ASSERT_EQ(kinetix_opt("export " + sheet + " --format 3mf -o " + made).code, 0);
+  ASSERT_EQ(kinetix_opt("import " + made + "/sheet.3mf -o " + out).code, 0);
+  std::ofstream(out + "/design.yaml", std::ios::app) << "drive: {hinge: hinge_1, angle_deg: -40}\n";
+  const std::string command = "export " + out + " --format stl -o " + std::string(scratch / "parts");
+  const Outcome folded = kinetix_opt(command + " --state folded --quiet");
+  EXPECT_EQ(folded.code, 2);
+  EXPECT_THAT(folded.err,
+              HasSubstr("--state folded: it does not come to its drive's goal: `hinge_1` turns by"));
+  EXPECT_FALSE(fs::exists(scratch / "parts"));
+  const Outcome flat = kinetix_opt(command);
+  EXPECT_EQ(flat.code, 0) << flat.err;
+  EXPECT_THAT(flat.out, HasSubstr("it does not come to its drive's goal"));
 }
 
 TEST(Import, IsSimulatedInEquilibriumAndVerified) {
