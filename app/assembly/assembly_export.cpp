@@ -86,7 +86,7 @@ model::HingePrint print_of(const model::AssemblyHinge& h) {
 /// Of print.json: stiffness as the design says it, not as a made hinge has it.
 nlohmann::ordered_json said(const PrintJob& job, const AssemblyFile& file) {
   nlohmann::ordered_json out = print_json(job, {});
-  const model::HingeStiffness& k = file.assembly.hinges.front().k;
+  const model::HingeStiffness& k = file.assembly.hinges[job.sheet.usual_hinge()].k;
   out["k"] = {{"axial", k.axial}, {"shear", k.shear}, {"along", k.along}, {"turn", k.turn}};
   return out;
 }

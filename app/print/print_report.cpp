@@ -92,6 +92,15 @@ Json swelling_json(const PrintSheet& sheet, const PathClearance& clearance) {
   return std::max(0.0, clearance.flat_mm / 2);
 }
 
+/// Of all pins, mm; 0 without any.
+double least_clearance_mm(const PrintSheet& sheet) {
+  std::optional<double> least;
+  for (const model::HingePrint& hinge : sheet.hinges)
+    if (hinge.made.kind == model::HingeKind::pin)
+      least = std::min(least.value_or(hinge.made.clearance_mm), hinge.made.clearance_mm);
+  return least.value_or(0);
+}
+
 Json gaps_json(const std::optional<GapSettings>& gaps) {
   if (!gaps) return nullptr;
   return {{"closing_radius_mm", gaps->closing_radius_mm},
@@ -193,8 +202,7 @@ Json print_json(const PrintJob& job, const PathClearance& clearance,
                 const std::optional<SlicerAnswer>& slicer) {
   const PrintSheet& sheet = job.sheet;
   const model::Polyhedron hard = hard_part(job), soft = soft_part(job);
-  const model::MadeHinge& made = sheet.hinges.front().made;
-  const model::HingeStiffness k = stiffness(made);
+  const model::HingeStiffness k = stiffness(sheet.hinges[sheet.usual_hinge()].made);
   return {
       {"schema", "kinetix-print/1"},
       {"name", sheet.name},
@@ -204,7 +212,7 @@ Json print_json(const PrintJob& job, const PathClearance& clearance,
       {"bodies", count_bodies(sheet)},
       {"hinges", sheet.hinges.size()},
       {"volume_mm3", {{"hard", volume_mm3(hard)}, {"soft", soft.points.empty() ? 0.0 : volume_mm3(soft)}}},
-      {"clearance_mm", made.kind == model::HingeKind::pin ? made.clearance_mm : 0.0},
+      {"clearance_mm", least_clearance_mm(sheet)},
       {"swelling_mm", swelling_json(sheet, clearance)},
       {"gap_settings", gaps_json(gap_settings(sheet))},
       {"bounds_mm", vector_json(bounds(joined(hard, soft)))},

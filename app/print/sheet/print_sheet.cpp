@@ -218,6 +218,13 @@ HingeKind PrintSheet::kind() const {
                   [&](HingeKind a, HingeKind b) { return of(a) < of(b); });
 }
 
+int PrintSheet::usual_hinge() const {
+  const auto first = std::find_if(hinges.begin(), hinges.end(), [most = kind()](const model::HingePrint& h) {
+    return h.made.kind == most;
+  });
+  return static_cast<int>(first - hinges.begin());
+}
+
 void make_solids(PrintSheet& sheet) {
   sheet.meshes.clear();
   sheet.rods.clear();

@@ -44,6 +44,8 @@ struct PrintSheet {
   model::Polyhedron with_rods(int body) const;
   /// That of most hinges' kind: of a sheet without hinges a pin.
   model::HingeKind kind() const;
+  /// The first hinge of that kind. @pre there is a hinge
+  int usual_hinge() const;
 };
 
 /// How hinges are made that the design does not describe, and how large the sheet is.

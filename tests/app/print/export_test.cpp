@@ -594,6 +594,23 @@ TEST(Export, NamesEachKindOfHingeAndTheMaterialThatItsFilesMix) {
   EXPECT_THAT(words, HasSubstr("polyjet prints soft parts of tango"));
 }
 
+/// What is said of one hinge is of those that most are, wherever the others stand.
+TEST(Export, SaysTheClearanceAndStiffnessOfMostHinges) {
+  std::string design = panel;
+  design.replace(
+      design.find("{theta_deg: 20}"), 15,
+      "{theta_deg: 10, hinges: [{wall: [[0, 0], [1, 0]], hinge: {kind: film, material: pp, gap_mm: "
+      "2, thickness_mm: 0.4, height_mm: 6}}]}\nhinge: {kind: pin, diameter_mm: 1, clearance_mm: 0.1}");
+  const Scratch mixed, pins;
+  ASSERT_EQ(exported(mixed, design, "--format stl --process polyjet").code, 0);
+  const std::string of_pins = std::string(panel) + "hinge: {kind: pin, diameter_mm: 1, clearance_mm: 0.1}\n";
+  ASSERT_EQ(exported(pins, of_pins, "--format stl --process polyjet").code, 0);
+  const Json said = said_of(mixed);
+  EXPECT_EQ(said["hinge"], "pin");
+  EXPECT_EQ(said["clearance_mm"], 0.1);
+  EXPECT_EQ(said["k"], said_of(pins)["k"]);
+}
+
 TEST(Export, SaysThatSlsPrintsFilmsOfItsOwnMaterial) {
   std::string design = panel;
   design.replace(design.find("{theta_deg: 20}"), 15,
