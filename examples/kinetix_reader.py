@@ -76,6 +76,9 @@ class Result(object):
         if document.get("schema") != "kinetix-result/1":
             raise ValueError("%s is no result of kinetix (kinetix-result/1)" % path)
         structure = document["structure"]
+        if "wall_mm" not in structure:
+            raise ValueError("%s is of imported bodies, which have no walls: kinetix-opt export --format glb has their "
+                             "shapes and their motion" % path)
         self.name = document["name"]
         self.hinges = structure["hinges"]
         self.bodies = [Body(name_of(body), body["position_mm"]) for body in structure["bodies"]]
@@ -116,7 +119,7 @@ class Result(object):
 
 
 def name_of(body):
-    return body["name"] if "name" in body else "body " + "_".join("%d" % i for i in body["vertex"])
+    return "body " + "_".join("%d" % i for i in body["vertex"])
 
 
 def keep_signs(before, after):

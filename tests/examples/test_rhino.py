@@ -55,6 +55,13 @@ class Rhino(Scratch):
                 wanted = body.rest if poses is None else poses[k]["position_mm"]
                 self.assertLess(distance(pose.position, wanted), 1e-9)  # the last step's theta is rounded
 
+    def test_results_of_imported_bodies_are_refused_in_words(self):
+        file = self.folder / "imported.json"
+        structure = {"cell_mm": 20, "bodies": [{"name": "left", "position_mm": [0, 0, 0]}], "hinges": [], "cells": []}
+        file.write_text(json.dumps({"schema": "kinetix-result/1", "name": "pair", "structure": structure, "states": []}))
+        with self.assertRaisesRegex(ValueError, "is of imported bodies, which have no walls"):
+            reader.Result(file)
+
     def test_both_bodies_carry_each_hinge_to_one_place(self):
         result = self.result_of("half_circle.yaml")
         poses = result.poses_at(1)
