@@ -60,15 +60,27 @@ std::optional<std::string> rods_warning(const PrintSheet& sheet) {
                      field.x(), field.y());
 }
 
+/// What to do where two tiles meet.
+std::string joining_words(const PrintSheet& sheet) {
+  bool pins = false, soft = false;
+  for (std::size_t h = 0; h < sheet.hinges.size(); ++h) {
+    const model::RestHinge& hinge = sheet.linkage.hinges[h];
+    if (sheet.tiles.of_body[hinge.lower] == sheet.tiles.of_body[hinge.upper]) continue;
+    (sheet.hinges[h].made.kind == model::HingeKind::pin ? pins : soft) = true;
+  }
+  if (pins && soft)
+    return "push a rod through each pin between two of them, and glue the soft parts there to both";
+  return pins   ? "push a rod through each hinge between two of them"
+         : soft ? "glue the soft parts between two of them to both"
+                : "no hinge is between two of them";
+}
+
 std::string tiles_words(const PrintSheet& sheet) {
   const Tiles& tiles = sheet.tiles;
   const int places = tiles.columns * tiles.rows;
   return fmt::format("{} x {}{}, one bed each{}: {}", tiles.columns, tiles.rows,
                      tiles.count() < places ? fmt::format(", {} of them with bodies", tiles.count()) : "",
-                     tiles.turned ? ", turned on it by a quarter" : "",
-                     sheet.loose_rods() > 0 ? "push a rod through each hinge between two of them"
-                     : sheet.has_soft()     ? "glue the soft parts between two of them to both"
-                                            : "no hinge is between two of them");
+                     tiles.turned ? ", turned on it by a quarter" : "", joining_words(sheet));
 }
 
 Json slicer_json(const std::optional<SlicerAnswer>& slicer) {

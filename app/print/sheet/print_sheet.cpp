@@ -65,6 +65,7 @@ class SheetMaker {
       };
     sheet_.is_path_exact = path.is_exact;
     sheet_.why_no_path = path.why_flat_alone;
+    for (int h = 0; h < hinges(); ++h) turns_.push_back(largest_turn(h));
   }
 
   PrintSheet made() && {
@@ -107,7 +108,14 @@ class SheetMaker {
 
   int hinges() const { return static_cast<int>(sheet_.linkage.hinges.size()); }
 
-  double turn(int hinge) const { return turn_of(sheet_.linkage.hinges[hinge], sheet_.path.back()); }
+  /// On the way, rad: in an equilibrium hinges may turn back before its end.
+  double largest_turn(int hinge) const {
+    double most = 0;
+    for (const model::State& state : sheet_.path)
+      if (const double turn = turn_of(sheet_.linkage.hinges[hinge], state); std::abs(turn) > std::abs(most))
+        most = turn;
+    return most;
+  }
 
   /// Largest on the way, mm: none along an exact motion.
   double stretch_mm(int h) const {
@@ -124,7 +132,7 @@ class SheetMaker {
   double gap_mm(const model::MadeHinge& hinge, int h) const {
     const model::CellSize& size = sheet_.linkage.size;
     const double offset = structure_.hinge(h).offset * size.edge_mm;
-    return open_gap_mm(hinge, size.thickness_mm, offset, turn(h), stretch_mm(h));
+    return open_gap_mm(hinge, size.thickness_mm, offset, turns_[h], stretch_mm(h));
   }
 
   /// Of an axis from the middle of its wall, mm.
@@ -156,7 +164,7 @@ class SheetMaker {
       validate(made, sheet_.linkage.size);
       sheet_.hinges.push_back(with_faces({.made = made,
                                           .knuckle_wall_mm = sheet_.process.least_wall_mm,
-                                          .turn = std::clamp(turn(h), -widest_turn, widest_turn),
+                                          .turn = std::clamp(turns_[h], -widest_turn, widest_turn),
                                           .loose = is_loose(h, made),
                                           .cap_across_mm = choice_.caps || made.caps ? furthest_mm : 0},
                                          sheet_.process));
@@ -168,6 +176,7 @@ class SheetMaker {
   const PrintChoice choice_;
   const model::Sheet structure_;
   PrintSheet sheet_;
+  std::vector<double> turns_;  // of each hinge, the largest on the way, rad
 };
 
 }  // namespace

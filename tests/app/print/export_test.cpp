@@ -401,6 +401,24 @@ TEST(Export, GluesBlocksBetweenTiles) {
   EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("2 x 1, one bed each: glue the soft parts"));
 }
 
+/// Pins in the lower walls, blocks in the upper: a cut through both needs rods and glue.
+TEST(Export, SaysHowTilesOfSeveralKindsOfHingesJoin) {
+  const Scratch scratch;
+  const std::string design = R"(kinetix: 1
+structure: {cells: [4, 1], cell_mm: 20, wall_mm: {thickness: 0.8, height: 6}}
+design: {theta_deg: 5, hinges: [
+  {wall: [[0, 0], [1, 0]], hinge: {kind: pin, diameter_mm: 1, clearance_mm: 0.1}},
+  {wall: [[1, 0], [2, 0]], hinge: {kind: pin, diameter_mm: 1, clearance_mm: 0.1}},
+  {wall: [[2, 0], [3, 0]], hinge: {kind: pin, diameter_mm: 1, clearance_mm: 0.1}},
+  {wall: [[3, 0], [4, 0]], hinge: {kind: pin, diameter_mm: 1, clearance_mm: 0.1}}]}
+hinge: {kind: block, material: tango, gap_mm: 2}
+)";
+  const Outcome run = exported(scratch, design, "--format stl --bed 60,60");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out,
+              HasSubstr("push a rod through each pin between two of them, and glue the soft parts there"));
+}
+
 TEST(Export, KeepsToTheLimitsOfOnesOwnPrinter) {
   const std::string design = std::string(panel) + "process: {clearance_mm: 0.2}\n";
   for (const char* options : {"--format stl --hinge pin", "--format stl --hinge pin --process polyjet"}) {
@@ -522,6 +540,29 @@ drive: {kind: plates, axis: y, compression: 0.45}
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, design, "--format stl --hinge block").code, 0);
   EXPECT_EQ(said_of(scratch)["state"], "flat");
+}
+
+/// Blocks are made for the largest turn on the way, where hinges turn back before the end.
+TEST(Export, MakesBlocksForTheLargestTurnOnTheWay) {
+  const Scratch scratch;
+  const std::string design = scratch.write("panel.yaml", R"(kinetix: 1
+structure: {cells: [2, 2], cell_mm: 20, wall_mm: {thickness: 4, height: 6}}
+design: {theta_deg: 15, hinges: [{wall: [[0, 0], [1, 0]], t: 0.35}, {wall: [[1, 1], [2, 1]], t: 0.42}]}
+hinge: {model: elastic, k_point: 100, k_turn: 0.1}
+drive: {kind: plates, axis: y, compression: 0.3}
+)");
+  const app::PrintSheet sheet = app::prepared(app::read_design(design), *model::find_process("polyjet"),
+                                              {.kind = model::HingeKind::block}, false)
+                                    .job.sheet;
+  const auto turn_in = [&](const model::State& state) {
+    const model::RestHinge& hinge = sheet.linkage.hinges[0];
+    return Eigen::AngleAxisd(Eigen::Matrix3d(state[hinge.lower].R.transpose() * state[hinge.upper].R))
+        .angle();
+  };
+  double most = 0;  // rad
+  for (const model::State& state : sheet.path) most = std::max(most, turn_in(state));
+  EXPECT_GT(most, turn_in(sheet.path.back()) + 0.05);
+  EXPECT_NEAR(std::abs(sheet.hinges[0].turn), most, 1e-9);
 }
 
 /// Who has blocks that do not fit is not told to take blocks.
