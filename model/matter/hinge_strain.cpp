@@ -7,15 +7,20 @@
 #include "model/linkage/hinge_mismatch.hpp"
 
 namespace kinetix::model {
-double hinge_strain(const MadeHinge& made, const Linkage& linkage, const State& state, int hinge) {
-  if (made.kind == HingeKind::pin) return 0;
+
+double edge_stretch_mm(const Linkage& linkage, const State& state, int hinge, double height_mm) {
   const double edge = linkage.size.edge_mm;
   const RestHinge& h = linkage.hinges[hinge];
   const Pose &lower = state[h.lower], &upper = state[h.upper];
   const Eigen::Vector3d pulled_mm = edge * point_mismatch(h, lower, upper, edge).gap;
-  const Eigen::Vector3d leant_mm = made.height_mm / 2 * axis_mismatch(h, lower, upper).gap;
-  const double most_mm = std::max((pulled_mm + leant_mm).norm(), (pulled_mm - leant_mm).norm());
-  return strain(made, std::abs(hinge_turn(linkage, state, hinge))) + most_mm / made.gap_mm;
+  const Eigen::Vector3d leant_mm = height_mm / 2 * axis_mismatch(h, lower, upper).gap;
+  return std::max((pulled_mm + leant_mm).norm(), (pulled_mm - leant_mm).norm());
+}
+
+double hinge_strain(const MadeHinge& made, const Linkage& linkage, const State& state, int hinge) {
+  if (made.kind == HingeKind::pin) return 0;
+  return strain(made, std::abs(hinge_turn(linkage, state, hinge))) +
+         edge_stretch_mm(linkage, state, hinge, made.height_mm) / made.gap_mm;
 }
 
 }  // namespace kinetix::model

@@ -5,8 +5,12 @@
 
 namespace kinetix::model {
 
-/// Largest strain of a block or film as its two bodies hold it in a state: of its bending (strain()), and what its upper or lower
-/// edge, half its height from the middle, is pulled apart or pressed together by over its gap. 0 of a pin.
+/// What the upper or lower edge of a block or film, half its height from the middle, is pulled apart or pressed together by
+/// in a state, the larger of the two, mm.
+double edge_stretch_mm(const Linkage& linkage, const State& state, int hinge, double height_mm);
+
+/// Largest strain of a block or film as its two bodies hold it in a state: of its bending (strain()), and its
+/// edge_stretch_mm over its gap. 0 of a pin.
 double hinge_strain(const MadeHinge& made, const Linkage& linkage, const State& state, int hinge);
 
 }  // namespace kinetix::model

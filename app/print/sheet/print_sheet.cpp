@@ -8,7 +8,7 @@
 #include "app/files/hinge_parts.hpp"
 #include "app/print/sheet/pin_faces.hpp"
 #include "model/base/invalid_input.hpp"
-#include "model/linkage/hinge_mismatch.hpp"
+#include "model/matter/hinge_strain.hpp"
 #include "model/solids/open_hinge.hpp"
 
 namespace kinetix::app {
@@ -117,22 +117,20 @@ class SheetMaker {
     return most;
   }
 
-  /// Largest on the way, mm: none along an exact motion.
-  double stretch_mm(int h) const {
+  /// Largest on the way, of a block or film of this height, mm: none along an exact motion.
+  double stretch_mm(int h, double height_mm) const {
     if (sheet_.is_path_exact) return 0;
-    const model::RestHinge& hinge = sheet_.linkage.hinges[h];
-    const double edge = sheet_.linkage.size.edge_mm;
-    double most = 0;  // cell edges
+    double most = 0;
     for (const model::State& state : sheet_.path)
-      most = std::max(most, point_mismatch(hinge, state[hinge.lower], state[hinge.upper], edge).gap.norm());
-    return most * edge;
+      most = std::max(most, edge_stretch_mm(sheet_.linkage, state, h, height_mm));
+    return most;
   }
 
   /// Of a block or film, mm.
   double gap_mm(const model::MadeHinge& hinge, int h) const {
     const model::CellSize& size = sheet_.linkage.size;
     const double offset = structure_.hinge(h).offset * size.edge_mm;
-    return open_gap_mm(hinge, size.thickness_mm, offset, turns_[h], stretch_mm(h));
+    return open_gap_mm(hinge, size.thickness_mm, offset, turns_[h], stretch_mm(h, hinge.height_mm));
   }
 
   /// Of an axis from the middle of its wall, mm.

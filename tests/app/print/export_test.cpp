@@ -17,6 +17,7 @@
 #include "app/report/report.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/linkage/state.hpp"
+#include "model/matter/hinge_strain.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/schema_errors.hpp"
 #include "tests/support/stl_volume.hpp"
@@ -563,6 +564,30 @@ drive: {kind: plates, axis: y, compression: 0.3}
   for (const model::State& state : sheet.path) most = std::max(most, turn_in(state));
   EXPECT_GT(most, turn_in(sheet.path.back()) + 0.05);
   EXPECT_NEAR(std::abs(sheet.hinges[0].turn), most, 1e-9);
+}
+
+/// Of a twist unit, whose bodies rock, the upper and lower edges of blocks are pulled further apart than their middles.
+TEST(Export, MakesBlocksThatBearHowTheirBodiesRock) {
+  const Scratch scratch;
+  const std::string design = scratch.write("twist.yaml", R"(kinetix: 1
+structure: {cells: [1, 1], cell_mm: 30, wall_mm: {thickness: 0.8, height: 6}}
+design:
+  theta_deg: 20
+  hinges:
+    - {wall: [[0, 0], [1, 0]], alpha_deg: 75}
+    - {wall: [[0, 1], [1, 1]], alpha_deg: 75}
+    - {wall: [[0, 0], [0, 1]], alpha_deg: 75}
+    - {wall: [[1, 0], [1, 1]], alpha_deg: 75}
+)");
+  const app::PrintSheet sheet = app::prepared(app::read_design(design), *model::find_process("polyjet"),
+                                              {.kind = model::HingeKind::block}, false)
+                                    .job.sheet;
+  ASSERT_FALSE(sheet.is_path_exact);
+  for (const model::State& state : sheet.path)
+    for (int h = 0; h < 4; ++h) {
+      const model::MadeHinge& made = sheet.hinges[h].made;
+      EXPECT_LE(hinge_strain(made, sheet.linkage, state, h), made.material.strain_max + 1e-9) << h;
+    }
 }
 
 /// Who has blocks that do not fit is not told to take blocks.
