@@ -776,6 +776,8 @@ TEST(Slicer, IsQuotedByTheReportOfTheSameSheet) {
   ASSERT_EQ(larger.code, 0) << larger.err;
   EXPECT_EQ(text_of(page), before) << "of cells of another size";
   EXPECT_EQ(larger.out.find("report       "), std::string::npos) << larger.out;
+  ASSERT_EQ(kinetix_opt(print + " --state folded").code, 0);
+  EXPECT_EQ(text_of(page), before) << "of the sheet that stands folded in the printer";
   std::string other = panel;
   other.replace(other.find("cell_mm: 12"), 11, "cell_mm: 13");
   std::ofstream(design) << other;
