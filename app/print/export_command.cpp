@@ -18,12 +18,15 @@
 #include "app/print/sheet/coupon.hpp"
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
+#include "model/matter/hinge_strain.hpp"
 #include "targets/document/wording.hpp"
 
 namespace kinetix::app {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr double told_strain = 1e-6;  // of what a material bears: less beyond it is rounding
 
 /// The entry of that name. @param allowed as (name, value)
 template <class Value>
@@ -143,6 +146,26 @@ std::optional<std::string> size_note(const DesignFile& design, const PrintSheet&
       sheet.is_path_exact ? "" : "; its fold is the equilibrium at its own size, scaled");
 }
 
+/// The hinge that is strained furthest beyond what its material bears on the way to the fold.
+std::optional<std::string> strain_note(const PrintSheet& sheet) {
+  std::optional<std::string> note;
+  double most = 1 + told_strain;  // times what the material bears
+  for (int h = 0; h < static_cast<int>(sheet.hinges.size()); ++h) {
+    const model::MadeHinge& made = sheet.hinges[h].made;
+    if (made.kind == model::HingeKind::pin) continue;
+    for (const model::State& state : sheet.path) {
+      const double strain = hinge_strain(made, sheet.linkage, state, h);
+      if (!(strain > most * made.material.strain_max)) continue;
+      most = strain / made.material.strain_max;
+      note = fmt::format(
+          "the hinge of wall {} is strained by {:.3g} on the way to the fold; its material bears {:g}: a "
+          "longer gap or a thinner hinge strains less",
+          sheet.linkage.wall_name(h), strain, made.material.strain_max);
+    }
+  }
+  return note;
+}
+
 /// What formats that were asked for leave out of what was asked.
 std::optional<std::string> always_flat_note(const PrintRequest& request,
                                             const std::vector<const PrintFormat*>& formats) {
@@ -178,6 +201,7 @@ struct Source {
         print.job.sheet.warnings.push_back(std::move(idle));
       if (auto note = size_note(*design, print.job.sheet))
         print.job.sheet.warnings.push_back(std::move(*note));
+      if (auto note = strain_note(print.job.sheet)) print.job.sheet.warnings.push_back(std::move(*note));
       return print;
     } catch (const InvalidInput& e) {
       throw InvalidInput(e.reason(), {file, 0, 0, e.place().key});

@@ -590,6 +590,24 @@ design:
     }
 }
 
+TEST(Export, SaysWhereTheDesignsOwnBlocksAreStrainedTooFar) {
+  const Scratch scratch;
+  const auto panel_with = [](const char* gap) {
+    return fmt::format(R"(kinetix: 1
+structure: {{cells: [3, 2], cell_mm: 20, wall_mm: {{thickness: 0.8, height: 6}}}}
+design: {{theta_deg: 35}}
+hinge: {{kind: block, material: tango, gap_mm: {}}}
+)",
+                       gap);
+  };
+  ASSERT_EQ(exported(scratch, panel_with("0.8"), "--format stl").code, 0);
+  // 70 degrees times half the thickness over the gap
+  EXPECT_THAT(text_of(scratch / "out/print.txt"),
+              HasSubstr("is strained by 0.611 on the way to the fold; its material bears 0.5"));
+  ASSERT_EQ(exported(scratch, panel_with("1.2"), "--format stl").code, 0);
+  EXPECT_EQ(text_of(scratch / "out/print.txt").find("strained"), std::string::npos);
+}
+
 /// Who has blocks that do not fit is not told to take blocks.
 TEST(Export, AdvisesNoOtherHingesWhereTheDesignSaysWhichItHas) {
   const std::string design = R"(kinetix: 1
