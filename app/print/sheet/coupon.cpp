@@ -63,7 +63,7 @@ void add_number(int hinge, PrintSheet& sheet) {
 }
 
 /// Both bodies of a hinge on one tile.
-Tiles tiles_of(const PrintSheet& sheet, const Eigen::Vector2d& bed_mm) {
+Tiles coupon_tiles(const PrintSheet& sheet, const Eigen::Vector2d& bed_mm) {
   std::vector<Eigen::AlignedBox2d> pairs(sheet.hinges.size());
   const int bodies = static_cast<int>(sheet.meshes.size());
   for (int b = 0; b < bodies; ++b)
@@ -98,7 +98,7 @@ PrintSheet make_coupon(const model::Process& process, const std::optional<Eigen:
       "degrees: the least gap that turns is your printer's, for --clearance"};
   make_solids(sheet);
   for (int h = 0; h < static_cast<int>(sheet.hinges.size()); ++h) add_number(h, sheet);
-  if (bed_mm) sheet.tiles = tiles_of(sheet, *bed_mm);
+  if (bed_mm) sheet.tiles = coupon_tiles(sheet, *bed_mm);
   return sheet;
 }
 
