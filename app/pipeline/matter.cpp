@@ -50,6 +50,7 @@ optim::MatterGoal goal_of(const Run& run, const Scene& scene) {
 /// Of springs theta is where they rest, which is further than the sheet comes: it has the bounds of any sheet.
 optim::CompensationOptions bounded(const TurnBounds& bounds, const GoalDrive& drive) {
   optim::CompensationOptions options;
+  options.ties = bounds.ties;
   options.tilt = bounds.tilt;
   if (drive.kind == GoalDrive::Kind::shape_memory) return options;
   options.least_theta = bounds.theta.lower;

@@ -99,7 +99,7 @@ RobustCandidate robust_candidate(Run run, const Scene& scene, const RunOptions& 
   out.designed_mm = made.designed_mm;
   out.as_made_mm = made.rms_mm;
   out.as_made_p95 = made.p95_mm;
-  out.is_allowed = found->printed.can_be_printed && found->hinges_bear &&
+  out.is_allowed = run.goal->met() && found->printed.can_be_printed && found->hinges_bear &&
                    made.designed_mm <= found->tolerance_mm && (!options.misfit || !options.misfit(run));
   return out;
 }

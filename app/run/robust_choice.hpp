@@ -25,7 +25,7 @@ struct RobustCandidate {
   double designed_mm = 0;             ///< rms that the design itself is off; NaN where that is not known
   double as_made_mm = 0;              ///< rms that prints are expected to be off; NaN likewise
   double as_made_p95 = 0;             ///< mm, what 95 of 100 keep; NaN likewise
-  /// Its distance from the goal is within the tolerance, it can be printed, and its hinges bear it.
+  /// It meets the goal, in the equilibrium of its hinges as well, it can be printed, and its hinges bear it.
   bool is_allowed = false;
 };
 

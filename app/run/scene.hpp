@@ -1,8 +1,12 @@
 #pragma once
 
+#include <functional>
+#include <vector>
+
 #include "app/run/forecast.hpp"
 #include "app/run/run.hpp"
 #include "app/run/run_options.hpp"
+#include "optim/matter/tilt_ties.hpp"
 #include "optim/solvers/variables.hpp"
 
 namespace kinetix::app {
@@ -18,6 +22,8 @@ struct PhysicsTask {
 struct TurnBounds {
   double tilt = 75 * radians_per_degree;  ///< of either sign, rad, (0, pi/2)
   optim::AngleRange theta{2 * radians_per_degree, 44 * radians_per_degree};  ///< rad, (0, pi/2)
+  /// Of a sheet that its search has found: which tilts it keeps alike, and within what.
+  std::function<std::vector<optim::TiltTie>(const model::Sheet&)> ties = optim::tilt_ties;
 };
 
 /// What the pipeline runs: the goal of a target, or a design. Each stage adds what it finds to the run.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "model/base/invalid_input.hpp"
 #include "model/lattice/square/numbering.hpp"
@@ -13,6 +15,14 @@ int group(int column, int columns, Per per, Symmetry symmetry) {
   if (per == Per::all) return 0;
   const bool mirrored = symmetry == Symmetry::mirror_x || symmetry == Symmetry::rotate_2;
   return mirrored ? std::min(column, columns - 1 - column) : column;
+}
+
+/// What the size of a column's tilt may become. Tilts change sign from row to row, and ranges are of the first.
+AngleRange range_of_size(const model::Structure& strip, const BendTies& ties, int column) {
+  const int first = strip.hinge_at({{column, 0}, model::Axis::x}).value();
+  const AngleRange& bends = ties.range[ties.variable[column]];
+  return ties.sign[column] * strip.hinges[first].parameters.beta > 0 ? bends
+                                                                     : AngleRange{-bends.upper, -bends.lower};
 }
 
 }  // namespace
@@ -42,6 +52,24 @@ BendTies make_bend_ties(int columns, Per per, Symmetry symmetry, AngleRange beta
     if (!(range.lower < range.upper))
       throw InvalidInput("the tied columns tilt both ways, and the range leaves them nothing in common");
   return ties;
+}
+
+std::vector<TiltTie> tied_tilts(const model::Structure& strip, const BendTies& ties) {
+  std::vector<TiltTie> out;
+  std::map<int, std::size_t> at;  // of variables
+  for (TiltTie& line : tilt_ties(strip)) {
+    const int column = strip.hinges[line.hinges.front()].wall.from.i;
+    const auto [place, is_new] = at.try_emplace(ties.variable[column], out.size());
+    if (is_new) {
+      line.range = range_of_size(strip, ties, column);
+      out.push_back(std::move(line));
+      continue;
+    }
+    TiltTie& tie = out[place->second];
+    tie.hinges.insert(tie.hinges.end(), line.hinges.begin(), line.hinges.end());
+    tie.signs.insert(tie.signs.end(), line.signs.begin(), line.signs.end());
+  }
+  return out;
 }
 
 }  // namespace kinetix::optim

@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "model/lattice/square/structure.hpp"
+#include "optim/matter/tilt_ties.hpp"
 #include "optim/solvers/variables.hpp"
 
 namespace kinetix::optim {
@@ -25,5 +27,8 @@ struct BendTies {
 /// @throws InvalidInput for other ties, which leave the exact family, and where the range leaves a variable
 /// nothing
 BendTies make_bend_ties(int columns, Per per, Symmetry symmetry, AngleRange beta);
+
+/// The tilts of a strip that a search under these ties has found, tied as it had them, within its ranges.
+std::vector<TiltTie> tied_tilts(const model::Structure& strip, const BendTies& ties);
 
 }  // namespace kinetix::optim

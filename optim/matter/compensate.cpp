@@ -24,7 +24,7 @@ constexpr double least_gain = 0.02;      // part of the rms: a step that gains l
 class Variables {
  public:
   Variables(const model::Sheet& sheet, const CompensationOptions& options)
-      : sheet_(sheet), ties_(tilt_ties(sheet)), options_(options) {}
+      : sheet_(sheet), ties_(options.ties(sheet)), options_(options) {}
 
   const std::vector<TiltTie>& ties() const { return ties_; }
   Eigen::Index size() const { return static_cast<Eigen::Index>(ties_.size()) + 1; }
@@ -41,7 +41,10 @@ class Variables {
 
   /// The nearest that is allowed; theta keeps its sign.
   VectorXd within(VectorXd x, double theta) const {
-    for (Eigen::Index k = 0; k + 1 < size(); ++k) x[k] = std::clamp(x[k], -options_.tilt, options_.tilt);
+    for (Eigen::Index k = 0; k + 1 < size(); ++k) {
+      const AngleRange& range = ties_[static_cast<std::size_t>(k)].range;
+      x[k] = std::clamp(x[k], std::max(range.lower, -options_.tilt), std::min(range.upper, options_.tilt));
+    }
     const double sign = theta < 0 ? -1 : 1;
     double& last = x[size() - 1];
     last = sign * std::clamp(sign * last, options_.least_theta, options_.most_theta);

@@ -22,6 +22,8 @@ struct MatterGoal {
 };
 
 struct CompensationOptions {
+  /// Of the sheet that is started from: which tilts change together, and how far.
+  std::function<std::vector<TiltTie>(const model::Sheet&)> ties = tilt_ties;
   double enough_mm = 0;                         ///< an rms at which the search ends, >= 0
   double tilt = 75 * radians_per_degree;        ///< of any hinge at most, rad, in (0, pi/2)
   double least_theta = 2 * radians_per_degree;  ///< rad
@@ -58,7 +60,7 @@ std::optional<DeviationJacobian> deviation_jacobian(const InMatter& at, const st
                                                     const MatterGoal& goal, bool contact);
 
 /// Brings the equilibrium of a sheet of elastic hinges onto its goal: springs hold a fold back and blocks stretch, so
-/// that a design which meets its goal exactly misses it in matter. Tilts (tied, optim/matter/tilt_ties.hpp) and theta
+/// that a design which meets its goal exactly misses it in matter. Tilts (tied, options.ties) and theta
 /// change by Gauss and Newton's steps, damped as by Levenberg and Marquardt, with the derivatives of the adjoint; the
 /// equilibrium is followed from step to step.
 /// @param start in equilibrium   @throws InvalidInput for an elasticity out of range

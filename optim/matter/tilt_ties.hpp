@@ -2,7 +2,9 @@
 
 #include <vector>
 
+#include "model/base/angle.hpp"
 #include "model/sheet/sheet.hpp"
+#include "optim/solvers/variables.hpp"
 
 namespace kinetix::optim {
 
@@ -12,6 +14,8 @@ struct TiltTie {
   std::vector<int> hinges;
   std::vector<int> signs;  ///< of each hinge's tilt, 1 or -1
   double tilt = 0;         ///< its size, rad, > 0
+  /// What that may become, below 0 with all signs turned over, rad.
+  AngleRange range = {-pi / 2, pi / 2};
 };
 
 /// Walls of one direction, with tilts of one size, whose middles lie on one line across them. Hinges that stand

@@ -99,7 +99,7 @@ class StripSearch {
 
   SpaceDesign find() {
     const AngleRange range = allowed_theta(v_);
-    if (!v_.free_edge) return at(std::clamp(theta_of(first_.step), range.lower, range.upper), range);
+    if (!v_.free_edge) return of_given_cells(range);
     // From the largest theta, which allows most: as long as bounds allow the same strip, it is the best.
     std::vector<SpaceDesign> all;
     for (int k = 0; k < v_.thetas && !(k > 0 && options_.stop.stop_requested()); ++k) {
@@ -117,6 +117,18 @@ class StripSearch {
     const SpaceLimits limits = limits_at(v_, theta);
     std::size_t where = 0;
     return largest(one.strip.turn, where) <= limits.turn && largest(one.strip.climb, where) <= limits.climb;
+  }
+
+  /// Theta follows from how long the strip becomes. Longer than at first sight it is folded less, and the same turns and
+  /// climbs take more of tilts and fractions: where that is too much, it is searched anew, no longer than that.
+  SpaceDesign of_given_cells(const AngleRange& range) const {
+    SpaceDesign found = at(std::clamp(theta_of(first_.step), range.lower, range.upper), range);
+    const double theta = found.design.theta;
+    if (!(theta < range.upper) || fits(found, theta)) return found;
+    const int before = found.search.evaluations;
+    found = at(theta, {theta, range.upper});
+    found.search.evaluations += before;
+    return found;
   }
 
   /// The same midline, folded less or more: distances stay as they are.

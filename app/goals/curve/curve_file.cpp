@@ -167,8 +167,10 @@ targets::KeyTable curve_structure_keys(const CurveFile& usual) {
 }
 
 targets::KeyTable variables_keys(const CurveFile& usual) {
+  targets::Key range = tilt_range_key(usual.beta);
+  range.meaning += " of the first row; tilts change sign from row to row";
   const targets::KeyTable beta({
-      tilt_range_key(usual.beta),
+      range,
       {"per", value::choice({"column", "all"}), targets::by_default("column"),
        "which hinges tilt alike; under `all`, the tilts of neighbouring columns have opposite signs"},
       symmetry_key(),

@@ -94,9 +94,8 @@ class CurveScene final : public Scene {
           RunOptions quiet = options;
           quiet.progress = RunOptions{}.progress;
           Run trial;
-          const CurveScene scene(file);
-          scene.take(trial, file, strip);
-          return robust_candidate(std::move(trial), scene, quiet);
+          take(trial, file, strip);
+          return robust_candidate(std::move(trial), *this, quiet);
         });
     CurveFile chosen = file_;
     chosen.size = robust.size;
@@ -127,7 +126,12 @@ class CurveScene final : public Scene {
   }
 
   TurnBounds turn_bounds() const override {
-    return {std::max(std::abs(file_.beta.lower), std::abs(file_.beta.upper)), file_.theta};
+    const double tilt = std::max(std::abs(file_.beta.lower), std::abs(file_.beta.upper));
+    return {tilt, file_.theta, [this](const model::Sheet& sheet) {
+              const model::Structure& strip = *sheet.squares();
+              const int columns = static_cast<int>(strip.cells.size()) / file_.rows;
+              return tied_tilts(strip, make_bend_ties(columns, file_.per, file_.symmetry, file_.beta));
+            }};
   }
 
   /// How elastic hinges keep the goal.

@@ -6,7 +6,11 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
 
+#include "app/goals/read_target.hpp"
+#include "app/pipeline/robust_search.hpp"
 #include "model/base/angle.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/schema_errors.hpp"
@@ -74,6 +78,23 @@ TEST(Matter, MakesUpForSoftHingesOfACurve) {
   EXPECT_EQ(again.code, 0) << again.out << again.err;
   EXPECT_THAT(text_of(folder + "/design.yaml"),
               AllOf(HasSubstr("material: tango"), HasSubstr("shape_memory")));
+}
+
+TEST(Matter, KeepsTiltsAlikeThatTheFileTies) {
+  const auto sizes = [](const std::string& beta) {
+    const Scratch scratch;
+    const Finished run = finished(
+        scratch, arc + thin_rubber + springs + "variables: {beta: {" + beta + "}}\n", " --no-verify");
+    EXPECT_TRUE(run.code == 0 || run.code == 3) << run.out << run.err;
+    EXPECT_GT(run.result["matter"]["largest_change_rad"], 0);
+    std::set<long> all;  // of a millionth of a rad
+    for (const Json& hinge : run.result["structure"]["hinges"])
+      all.insert(std::lround(1e6 * std::abs(hinge["beta_rad"].get<double>())));
+    all.erase(0);
+    return all.size();
+  };
+  EXPECT_LE(sizes("symmetry: mirror_x"), 6u) << "of 12 columns";
+  EXPECT_EQ(sizes("per: all"), 1u);
 }
 
 /// It keeps its shape in thick blocks as well, by 0.65 of the 0.5 that they bear.
@@ -361,6 +382,19 @@ TEST(Matter, ARobustFoldIsOneWhosePrintsComeNearer) {
     }
   EXPECT_LE(robust.result["metrics"]["as_made_rms_mm"], plain.result["metrics"]["as_made_rms_mm"]);
   EXPECT_THAT(robust.out, HasSubstr("designs tried"));
+}
+
+TEST(Matter, ARobustSearchAllowsWhatMeetsItsGoalInTheEquilibriumToo) {
+  const Scratch scratch;
+  const auto allowed = [&](const std::string& tolerance) {
+    const app::Target target = app::read_target(scratch.write("goal.yaml", small_box + springs + tolerance));
+    app::Run run;
+    target.goal->solve(run, {});
+    EXPECT_TRUE(run.goal->met()) << "exactly";
+    return robust_candidate(std::move(run), *target.goal, {}).is_allowed;
+  };
+  EXPECT_TRUE(allowed("tolerance: {angle_deg: 1}\n"));
+  EXPECT_FALSE(allowed("tolerance: {angle_deg: 0.001}\n")) << "soft hinges miss that by 0.3 deg";
 }
 
 TEST(Matter, ARobustCurveInSpaceIsOneWhosePrintsComeNearer) {

@@ -167,5 +167,41 @@ TEST(CurveReach, HasNothingToSayWhenTheGoalIsWithinReach) {
   EXPECT_TRUE(analyse_reach(fit).obstacles.empty());
 }
 
+/// Whatever sizes they may take, tilts of the first row keep to the range, and columns that bend alike do so on.
+TEST(BendTies, TieTheTiltsOfTheirStrip) {
+  struct Case {
+    Per per;
+    Symmetry symmetry;
+    int variables;
+  };
+  for (const Case& c : {Case{Per::column, Symmetry::none, 6},
+                        {Per::column, Symmetry::mirror_x, 3},
+                        {Per::all, Symmetry::none, 1}}) {
+    const CurveFit fit(bent_line(), make_bend_ties(6, c.per, c.symmetry, {-0.4, 0.9}), 10, thetas);
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(fit.variables());
+    for (int k = 0; k < c.variables; ++k) x[k] = (k % 2 == 0 ? 0.1 : -0.1) * (1 + 0.5 * k);
+    x[c.variables] = 0.4;
+    const model::Structure strip = sheet_of(fit.design(x, 2), {10, 0.8, 6});
+    const std::vector<TiltTie> ties = tied_tilts(strip, fit.ties());
+    ASSERT_EQ(ties.size(), static_cast<std::size_t>(c.variables));
+    std::vector<double> least, most;
+    for (const TiltTie& tie : ties) {
+      EXPECT_EQ(tie.hinges.size(), 18u / c.variables);
+      EXPECT_EQ(tie.signs.size(), tie.hinges.size());
+      EXPECT_TRUE(tie.range.lower < tie.tilt && tie.tilt < tie.range.upper);
+      least.push_back(tie.range.lower);
+      most.push_back(tie.range.upper);
+    }
+    for (const std::vector<double>& sizes : {least, most}) {
+      const model::Sheet changed = with_tilts(strip, ties, sizes);
+      for (const model::Hinge& hinge : changed.squares()->hinges) {
+        if (hinge.wall.axis != model::Axis::x || hinge.wall.from.j != 0) continue;
+        EXPECT_GE(hinge.parameters.beta, -0.4 - 1e-12);
+        EXPECT_LE(hinge.parameters.beta, 0.9 + 1e-12);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace kinetix::optim

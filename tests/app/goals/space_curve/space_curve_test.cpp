@@ -1,7 +1,9 @@
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "model/base/angle.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/schema_errors.hpp"
 
@@ -44,6 +46,27 @@ TEST(SpaceCurveResult, OfElasticHingesIsThatOfTheirEquilibrium) {
   EXPECT_LT(result["matter"]["after_mm"], 0.5 * result["matter"]["before_mm"].get<double>());
   EXPECT_LE(result["metrics"]["shape_rms"], 0.01);
   EXPECT_NEAR(result["metrics"]["shape_rms_physics"], result["metrics"]["shape_rms"], 1e-6);
+}
+
+/// Strips of given cells that become longer than at first sight: folded less, they would take more of what the file allows.
+TEST(SpaceCurveResult, OfGivenCellsKeepsToItsRanges) {
+  const Scratch scratch;
+  const auto hinges_of = [&](const std::string& curve, const std::string& cell_mm, const std::string& range) {
+    const std::string file = scratch.write(
+        "goal.yaml",
+        "kinetix: 1\ntarget: {kind: space_curve, points: " + std::string(KINETIX_SOURCE "/targets/shapes/") +
+            curve + ".csv}\nstructure: {cells: [40, 1], cell_mm: " + cell_mm + "}\nvariables: {" + range +
+            "}\ntolerance: {shape: 0.05}\n");
+    const Outcome run = kinetix_opt(file + " --no-verify -o " + std::string(scratch / "out"));
+    EXPECT_TRUE(run.code == 0 || run.code == 3) << run.out << run.err;
+    return Json::parse(text_of(scratch / "out/result.json"))["structure"]["hinges"];
+  };
+  for (const Json& hinge : hinges_of("trefoil_arc", "8.7549", "beta: {range_deg: [-25, 25]}"))
+    EXPECT_LE(std::abs(hinge["beta_rad"].get<double>()), 25 * radians_per_degree + 1e-9);
+  for (const Json& hinge : hinges_of("handle", "4.2633", "t: {range: [0.35, 0.65]}")) {
+    EXPECT_GE(hinge["t"], 0.35 - 1e-9);
+    EXPECT_LE(hinge["t"], 0.65 + 1e-9);
+  }
 }
 
 }  // namespace
