@@ -51,16 +51,18 @@ PanelLoads panel_loads(const DisplayFile& file, const model::Sheet& basic, optim
 }
 
 void keep_limits(const DisplayFile& file, const model::Elasticity& elasticity, DisplayOutcome& display,
-                 model::Sheet& panel, const std::function<optim::DisplayDesign(const DisplayFile&)>& search) {
+                 model::Sheet& panel, const std::function<optim::DisplayDesign(const DisplayFile&)>& search,
+                 const std::stop_token& stop) {
   if (!file.limits.any()) return;
   display.loads = panel_loads(file, panel, display.design.view, elasticity);
   if (share_of(file.limits, display.loads->hinges) <= HingeLimits::in_hand) return;
   display.unlimited = display.loads;
   double kept = 0, too_much = 1;
-  for (int k = 0; k < press_halvings; ++k) {
+  for (int k = 0; k < press_halvings && !stop.stop_requested(); ++k) {
     const double share = k == 0 ? first_share : (kept + too_much) / 2;
     if (share < least_share) break;
     optim::DisplayDesign design = search(pressed_by(file, share));
+    if (stop.stop_requested()) break;  // it may have been cut short
     const PanelLoads loads = panel_loads(file, panel, design.view, elasticity);
     if (!(share_of(file.limits, loads.hinges) <= HingeLimits::in_hand)) {
       too_much = share;
@@ -73,6 +75,7 @@ void keep_limits(const DisplayFile& file, const model::Elasticity& elasticity, D
     display.pressed = share;
   }
   if (display.pressed < 1) return;
+  display.limits_stopped = stop.stop_requested();
   display.least_pressed = too_much;
   display.faint = kept > 0;
   display.unlimited.reset();

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <functional>
+#include <stop_token>
+
 #include "app/goals/display/display_file.hpp"
 #include "app/goals/display/display_outcome.hpp"
 
@@ -15,8 +18,9 @@ PanelLoads panel_loads(const DisplayFile& file, const model::Sheet& panel, optim
 /// Presses the panel less, until it keeps the limits of the file, and keeps what it showed without them. Down to a
 /// hundredth of the way, and as far as an eye tells letter and rest apart; where that does not keep them, the panel stays
 /// as it was and least_pressed says so.
-/// @param search finds the design for a compression
+/// @param search finds the design for a compression   @param stop what a search finds after it is not taken
 void keep_limits(const DisplayFile& file, const model::Elasticity& elasticity, DisplayOutcome& display,
-                 model::Sheet& panel, const std::function<optim::DisplayDesign(const DisplayFile&)>& search);
+                 model::Sheet& panel, const std::function<optim::DisplayDesign(const DisplayFile&)>& search,
+                 const std::stop_token& stop = {});
 
 }  // namespace kinetix::app

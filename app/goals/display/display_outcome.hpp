@@ -71,8 +71,9 @@ class DisplayOutcome final : public GoalOutcome {
   std::optional<PanelLoads> unlimited;    ///< what it would be without them, where they made a difference
   double pressed = 1;                     ///< part of the drive's way that they leave
   std::optional<double>
-      least_pressed;   ///< the smallest part that was tried, where none that was tried keeps them
-  bool faint = false;  ///< a smaller part does, but then an eye does not tell letter and rest apart
+      least_pressed;            ///< the smallest part that was tried, where none that was tried keeps them
+  bool faint = false;           ///< a smaller part does, but then an eye does not tell letter and rest apart
+  bool limits_stopped = false;  ///< the search for such a part was, before it found one
   std::optional<PrintedDisplay> printed;  ///< of pictures of two levels
   std::vector<FrontPoint> front;          ///< of small panels that were searched by the scales of walls
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "app/files/process_section.hpp"
@@ -49,6 +50,7 @@ std::string about_larger(const LargerPanels& larger) {
 std::string pressed_less(const DisplayFile& file, const DisplayOutcome& display) {
   const bool turned = display.design.view.turn.has_value();
   const std::string less = turned ? "less turning" : "less compression";
+  if (display.limits_stopped) return "what was tried of " + less + " before the search was stopped";
   if (!display.least_pressed) return less;
   const DisplayFile least = pressed_by(file, *display.least_pressed);
   return less + (turned ? fmt::format(", down to {:.2g} deg,", to_degrees(least.angle))
@@ -164,12 +166,11 @@ class DisplayScene final : public Scene {
                           options.progress);
     };
     display->design = search(file_);
-    keep_limits(file_, elasticity(), *display, panel, search);
+    keep_limits(file_, elasticity(), *display, panel, search, options.stop);
     if (display->design.scaled) {
       const optim::DisplayView& exact = display->design.view;
       display->exact = {exact.channel, exact.score, exact.rank};
-      if (file_.strain > 0)
-        refine_panel(file_, display->goal, panel, display->options, display->design, options.progress);
+      if (file_.strain > 0) strain(panel, options, *display);
     }
     describe(run, display->design.view);
     if (display->design.view.at_equilibrium) place_hinges(display->design.view, panel);
@@ -186,7 +187,6 @@ class DisplayScene final : public Scene {
           run.structure.bodies()));
     display.before = read_panel(file_, run.structure, rest_state(run.structure));
     display.after = read_panel(file_, run.structure, run.states.front().poses);
-    if (!display.design.scaled) return;
     display.design.view.stretch = run.states.front().gaps.max;
   }
 
@@ -194,15 +194,15 @@ class DisplayScene final : public Scene {
     auto& display = outcome_of<DisplayOutcome>(run);
     Stopwatch watch;
     const bool stopped = options.stop.stop_requested();
-    if (!stopped && wants_more_cells(file_, display, run)) {
-      const DisplayFile pressed = pressed_by(file_, display.pressed);
-      display.larger =
-          search_larger_panels(pressed, search_options(pressed, elasticity(), options), options.progress);
-    }
+    const DisplayFile pressed = pressed_by(file_, display.pressed);
+    const optim::DisplayOptions search = search_options(pressed, elasticity(), options);
+    if (!stopped && wants_more_cells(file_, display, run))
+      display.larger = search_larger_panels(pressed, search, options.progress);
     display.larger_panels_s = watch.lap();
     if (!stopped && options.verify && display.design.scaled && run.structure.cells() <= most_cells_of_front)
-      display.front = legibility_front(file_, front_point(file_.offset, display.after, run.equilibrium->path),
-                                       elasticity(), display.options, options.progress);
+      display.front =
+          legibility_front(pressed, front_point(file_.offset, display.after, run.equilibrium->path),
+                           elasticity(), search, options.progress);
     if (!stopped) options.progress("prints", 0);
     if (!stopped) display.printed = display_prints(file_, run, options);
     display.violations = all_violations(file_, display, run);
@@ -226,6 +226,25 @@ class DisplayScene final : public Scene {
  private:
   model::Elasticity elasticity() const {
     return elasticity_of(file_.hinge, file_.physics, file_.size.edge_mm);
+  }
+
+  /// Strains a panel on purpose as far as it keeps its limits: where it would not, it stays as it was.
+  void strain(const model::Sheet& panel, const RunOptions& options, DisplayOutcome& display) const {
+    const DisplayFile pressed = pressed_by(file_, display.pressed);
+    optim::DisplayDesign strained = display.design;
+    refine_panel(pressed, display.goal, panel, search_options(pressed, elasticity(), options), strained,
+                 options.progress);
+    std::optional<PanelLoads> loads;
+    if (strained.refined && file_.limits.any())
+      loads = panel_loads(file_, panel, strained.view, elasticity());
+    if (!loads || share_of(file_.limits, loads->hinges) <= HingeLimits::in_hand) {
+      display.design = std::move(strained);
+      if (loads) display.loads = loads;
+      return;
+    }
+    display.design.evaluations = strained.evaluations;
+    display.design.why += "; strained on purpose it would not keep its limits";
+    if (!display.unlimited && !display.least_pressed) display.unlimited = loads;
   }
 
   /// The panel as the search left it; as asked where it found no equilibrium.

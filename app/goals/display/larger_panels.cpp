@@ -68,9 +68,12 @@ LargerPanels search_larger_panels(const DisplayFile& file, const optim::DisplayO
   for (const targets::PanelSize size : larger_sizes({file.goal.columns, file.goal.rows})) {
     const targets::DisplayGoal goal = file.goal.redrawn(size);
     if (!goal.whole || (options.symmetry == optim::Symmetry::rotate_4 && size[0] != size[1])) continue;
-    larger.tried.push_back(size);
+    if (options.solver.stop.stop_requested()) break;
     alike.goal = goal;
-    if (!shows(alike, options, progress)) continue;
+    const bool shown = shows(alike, options, progress);
+    if (!shown && options.solver.stop.stop_requested()) break;  // cut short
+    larger.tried.push_back(size);
+    if (!shown) continue;
     larger.enough = size;
     break;
   }

@@ -6,14 +6,17 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <stop_token>
 
 #include "app/goals/display/display_kind.hpp"
 #include "app/goals/display/display_limits.hpp"
 #include "app/goals/display/panel_memory.hpp"
+#include "app/goals/display/search_panel.hpp"
 #include "app/pictures/far_view.hpp"
 #include "app/pictures/panel_picture.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "targets/display/glyph_goal.hpp"
+#include "targets/document/document.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/schema_errors.hpp"
 #include "tests/support/bad_input.hpp"
@@ -212,6 +215,32 @@ TEST(Display, LimitsThatLeaveNothingToSeeAreNotKeptAndSayHowFarThatWasTried) {
   EXPECT_FALSE(result["display"].contains("unlimited"));
 }
 
+// Strained it is pressed by 60 N, and was told to take less than one.
+TEST(Display, IsStrainedOnPurposeOnlyWithinItsLimits) {
+  const Scratch scratch;
+  const std::string goal =
+      "kinetix: 1\ntarget: {kind: display, glyph: T}\nstructure: {cells: [8, 8]}\n"
+      "variables: {stretch_mm: 0.05}\ntolerance: {force_N: 2}\n";
+  const Outcome run = kinetix_opt(scratch.write("t.yaml", goal) + " --no-verify -o " + scratch.path());
+  EXPECT_EQ(run.code, 0) << run.out << run.err;
+  const Json result = Json::parse(text_of(scratch / "result.json"));
+  EXPECT_EQ(schema_errors(result), "");
+  EXPECT_LE(result["metrics"]["force_N"], 2);
+  EXPECT_LE(result["display"]["loads"]["force_N"], 2);
+  EXPECT_GT(result["display"]["unlimited"]["force_N"], 2);
+  EXPECT_EQ(result["display"]["scaled"]["strained"], false);
+  EXPECT_THAT(result["optimiser"]["why"].get<std::string>(), HasSubstr("it would not keep its limits"));
+}
+
+TEST(Display, StretchIsThatOfTheStateThatIsShown) {
+  const Scratch scratch;
+  const Outcome run = kinetix_opt(scratch.write("ring.yaml", std::string(ring) + "drive: {press: true}\n") +
+                                  " --no-verify -o " + scratch.path());
+  ASSERT_TRUE(run.code == 0 || run.code == 3) << run.out << run.err;
+  const Json metrics = Json::parse(text_of(scratch / "result.json"))["metrics"];
+  EXPECT_EQ(metrics["stretch_max"], metrics["hinge_gap_max"]) << "the search has plates that grip";
+}
+
 // Some 580 points press: taken one after the other, 200 rounds a step do not do, and the run goes on for 640 steps.
 TEST(Display, OfThickWallsComesToRestSoon) {
   const Scratch scratch;
@@ -251,6 +280,28 @@ TEST(DisplayLimits, PressLessWhateverTheDrive) {
   EXPECT_DOUBLE_EQ(less.angle, 0.25 * file.angle);
   EXPECT_FALSE(less.compression_range);
   EXPECT_TRUE(app::pressed_by(file, 1).compression_range);
+}
+
+TEST(DisplayLimits, TakeNothingThatIsFoundOnceTheSearchIsStopped) {
+  const app::DisplayFile file = app::read_display_file(targets::parse_document(R"(kinetix: 1
+target: {kind: display, rows: ["000000", "011000", "011000", "011110", "011110", "000000"]}
+tolerance: {force_N: 0.01}
+)",
+                                                                               "l.yaml"));
+  model::Sheet panel = app::make_panel(file, {6, 6});
+  int searches = 0;
+  const auto search = [&](const app::DisplayFile& asked) {
+    ++searches;
+    return app::search_panel(asked, file.goal, panel, app::search_options(asked, {}, {}), {});
+  };
+  app::DisplayOutcome display;
+  display.design = search(file);
+  std::stop_source stop;
+  stop.request_stop();
+  keep_limits(file, {}, display, panel, search, stop.get_token());
+  EXPECT_EQ(searches, 1);
+  EXPECT_EQ(display.pressed, 1);
+  EXPECT_TRUE(display.limits_stopped);
 }
 
 TEST(PrintedDisplay, IsConfirmedByPrintsThatAreNear) {
