@@ -253,6 +253,7 @@ OutlineDesign fit_outline(const model::PlanarStructure& panel, const targets::Ou
     try_theta((best.theta + *tried.upper_bound(best.theta)) / 2);
   }
   best.rounds = rounds;
+  best.stopped = options.stop.stop_requested();
   return best;
 }
 

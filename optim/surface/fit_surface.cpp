@@ -255,6 +255,7 @@ SurfaceDesign after_shakes(Run best_run, SurfaceDesign best, const SurfaceOption
     best = std::move(designs[found]);
     best_run.take(runs[found]);
   }
+  best.stopped = options.stop.stop_requested();
   return best;
 }
 
@@ -298,6 +299,7 @@ SurfaceDesign fit_surface(const targets::SurfacePatch& patch, const SurfaceOptio
   fit(kept, [](Run& run) { return run.go_on(); });
   SurfaceDesign best = *std::min_element(designs.begin(), designs.end(), fits_better);
   best.starts = count;
+  best.stopped = options.stop.stop_requested();
   best.evaluations = std::accumulate(evaluations.begin(), evaluations.end(), 0);
   if (!best.valid) return best;
   return after_shakes(runs[best.start], best, options, patch.diagonal(), progress);

@@ -44,6 +44,7 @@ struct SurfaceDesign {
   double tilt = 0;                               ///< largest of a hinge, rad
   bool valid = false;                            ///< it folds flat, no facet turned over
   bool within = false;                           ///< bounds hold
+  bool stopped = false;                          ///< before the search had come to its end
   int start = 0, starts = 0, evaluations = 0;    ///< the best one, of how many, residuals in all
   int shakes = 0;                                ///< searches from shaken sheets
 };

@@ -64,9 +64,12 @@ void OutlineOutcome::add_sections(const Run& run, Json& result) const {
   result["optimiser"] = {{"solver", "alternating directions"},
                          {"starts", std::max(1, cuts)},
                          {"evaluations", design.rounds},
-                         {"status", design.clear ? "converged" : "failed"},
-                         {"why", design.clear ? "no vertex moves any more, and no walls meet on the way"
-                                              : "walls meet on the way whatever they turn"}};
+                         {"status", design.stopped ? "stopped"
+                                    : design.clear ? "converged"
+                                                   : "failed"},
+                         {"why", design.stopped ? "stopped"
+                                 : design.clear ? "no vertex moves any more, and no walls meet on the way"
+                                                : "walls meet on the way whatever they turn"}};
 }
 
 void OutlineOutcome::add_metrics(Json& metrics) const {

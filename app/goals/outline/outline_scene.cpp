@@ -31,7 +31,10 @@ std::vector<std::string> all_violations(const OutlineFile& file, const OutlineOu
   if (file.flat)
     for (const std::string& lacks : violations(file, outline.design.flat, "flat")) why.push_back(lacks);
   if (!outline.design.clear)
-    why.push_back("walls meet before the panel is pressed so far: use thinner walls or a smaller theta");
+    why.push_back(
+        outline.design.stopped
+            ? "walls meet before the panel is pressed so far, where the search was stopped"
+            : "walls meet before the panel is pressed so far: use thinner walls or a smaller theta");
   return why;
 }
 

@@ -68,9 +68,12 @@ void SurfaceOutcome::add_sections(const Run&, Json& result) const {
   result["optimiser"] = {{"solver", "ceres"},
                          {"starts", design.starts},
                          {"evaluations", design.evaluations},
-                         {"status", design.within ? "converged" : "failed"},
-                         {"why", design.within ? "the best of all starts keeps to its bounds"
-                                               : "no start led to a mesh that keeps to its bounds"}};
+                         {"status", design.stopped  ? "stopped"
+                                    : design.within ? "converged"
+                                                    : "failed"},
+                         {"why", design.stopped  ? "stopped"
+                                 : design.within ? "the best of all starts keeps to its bounds"
+                                                 : "no start led to a mesh that keeps to its bounds"}};
 }
 
 void SurfaceOutcome::add_metrics(Json& metrics) const {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <stop_token>
 
 #include "app/exports/write_results.hpp"
 #include "app/goals/read_target.hpp"
@@ -222,6 +223,19 @@ TEST(Outline, RefusesWhatIsNone) {
     const std::string file = folder.write("rim.yaml", input.text);
     testing::expect_refused(input, file, [&] { read_target(file); });
   }
+}
+
+TEST(OutlineSearch, ThatIsStoppedSaysNeitherThatItEndedNorThatNothingHelps) {
+  TemporaryFolder folder;
+  std::stop_source stop;
+  stop.request_stop();
+  RunOptions options = quick_outline();
+  options.stop = stop.get_token();
+  app::Run run = run_scene(*read_target(folder.write("rim.yaml", target(ring(60, 60, 50)))).goal, options);
+  const nlohmann::json result = written(run);
+  EXPECT_EQ(result["optimiser"]["status"], "stopped");
+  for (const auto& why : result["outline"]["reasons"])
+    EXPECT_EQ(why.get<std::string>().find("use thinner walls"), std::string::npos) << why;
 }
 
 }  // namespace
