@@ -225,7 +225,7 @@ TEST(Outline, RefusesWhatIsNone) {
   }
 }
 
-TEST(OutlineSearch, ThatIsStoppedSaysNeitherThatItEndedNorThatNothingHelps) {
+TEST(Outline, ThatIsStoppedSaysNeitherThatItEndedNorThatNothingHelps) {
   TemporaryFolder folder;
   std::stop_source stop;
   stop.request_stop();
