@@ -170,6 +170,7 @@ using optim::SamplePlan;
 using optim::SamplingMethod;
 using optim::SamplingOptions;
 using optim::sobol_indices;
+using optim::TableRows;
 using optim::UniformRange;
 using optim::ValueList;
 /// @}

@@ -26,7 +26,8 @@ function verdictBox(data) {
 function answerCards(data) {
   const cards = data.responses.slice(0, CARDS).map((response) => {
     const {words: said, unit} = named(response.name), s = response.spread, lead = leadWords(data, response);
-    const range = isConstant(response) ? "in every sample" : `${figures(s.p05)} to ${withUnit(figures(s.p95), unit)} in 90 of 100`;
+    const {from, to, words: most} = within(response);
+    const range = isConstant(response) ? "in every sample" : `${figures(from)} to ${withUnit(figures(to), unit)} in ${most}`;
     return html(
         "div", {class: "number"}, html("dt", {}, said),
         html(
@@ -54,8 +55,10 @@ function factorTable(data) {
     shown.length ?
         html(
             "p", {class: "note"},
-            "Last columns: share of the response's variance that goes with the factors of the row, with its 95 % interval. " +
-                "Of several factors together, what is in proportion to each; of one, any effect.") :
+            "Last columns: share of the response's variance that goes with the factors of the row, with its 95 % interval where there is one. " +
+                (data.method === "factorial" || data.method === "saltelli" ?
+                     "Of several factors together, the sum of what each does by itself." :
+                     "Of several factors together, what is in proportion to each; of one, any effect.")) :
         null
   ];
 }
@@ -74,6 +77,12 @@ function spreadTable(data) {
   return html("div", {class: "scroll"}, table(heads, rows, "spread of the responses"));
 }
 
+/** Share of the variance that a plane explains, less what as many slopes explain by chance. */
+function explained({r_squared: share, used, factors}) {
+  const slopes = factors.filter(({slope}) => finite(slope) !== null).length;
+  return Math.max(1 - (1 - share) * (used - 1) / (used - slopes - 1), 0);
+}
+
 function linearTable(data, response) {
   if (!response.linear || finite(response.linear.r_squared) === null) return null;
   const rows = response.plotted.map((k) => {
@@ -90,7 +99,7 @@ function linearTable(data, response) {
       "div", {class: "scroll"},
       html(
           "p", {class: "note"},
-          `A plane through all samples explains ${percent(response.linear.r_squared)} of the variance.`),
+          `A plane through all samples explains ${percent(explained(response.linear))} of the variance, less what its slopes explain by chance.`),
       table(["factor", "slope", "unit", "standardised", "correlation", "of ranks"], rows, "linear regression"));
 }
 
@@ -113,6 +122,13 @@ function layouts(data, response) {
   ];
 }
 
+/** What the lines of plots of single factors are. */
+function lineWords({method}) {
+  if (method === "one_at_a_time") return "Line: the response at each level of the factor, all else as in the first sample.";
+  const mean = "Line: mean at each level of the factor, all else left to vary";
+  return method === "saltelli" || method === "morris" ? `${mean}.` : `${mean}, with two standard errors.`;
+}
+
 /** Which samples plots of single factors show. */
 function dotsWords({scatter, samples}) {
   return scatter.length < samples ? `${scatter.length} of ${samples} samples, drawn by lot` : "samples";
@@ -125,7 +141,7 @@ function responseSection(data, r) {
   return [
     r > 0 ? html("p", {}, answer(response) + ".") : null,
     responsive((width) => drawSpread(response, width)),
-    legend(["turn", `samples, ${response.spread.count} in all`], ["turn-limit", "the middle, and the limits of 90 of 100 samples"]),
+    legend(["turn", `samples, ${response.spread.count} in all`], ["turn-limit", `the middle, and the limits of ${within(response).words} samples`]),
     several ? html("p", {class: "note"}, data.families.length < data.factors.length && (response.families ?? []).some(Boolean) ?
         "Bars: share of the variance that goes with each family of factors. Lines: 95 % intervals." :
         `Bars: ${what}${names ? `; thin: ${names[1]}` : ""}. Lines at their ends: 95 % intervals, where there are any.`) : null,
@@ -135,7 +151,7 @@ function responseSection(data, r) {
         "details", {open: left > 0 ? null : ""}, html("summary", {}, "Single factors"),
         html(
             "p", {class: "note"},
-            `Dots: ${dotsWords(data)}. Line: mean at each level of the factor, all else left to vary, with two standard errors.` +
+            `Dots: ${dotsWords(data)}. ${lineWords(data)}` +
                 (left > 0 ? ` Of ${data.factors.length} factors those that seem to matter most; samples.csv has all.` : "")),
         html(
             "div", {class: several ? "groups" : ""},

@@ -15,14 +15,15 @@ namespace kinetix::optim {
 
 using SampleMatrix = Eigen::Ref<const Eigen::MatrixXd>;
 
-/// @name Main effects: any table of independent samples (factorial, lhs, sobol, monte_carlo)
+/// @name Main effects: any table of samples
 /// @{
 
 /// The rows where one factor has about one value.
 struct EffectLevel {
   double lower, upper;  ///< least and greatest value of the factor in these rows, usable or not, in its unit
   double mean;          ///< of the response, in its unit; NaN without usable rows
-  double standard_error;      ///< of the mean: sd / sqrt(used), in its unit; NaN below two usable rows
+  /// Of the mean: sd / sqrt(used), in its unit; NaN below two usable rows, and where rows are related.
+  double standard_error;
   std::int64_t used, failed;  ///< rows
 };
 
@@ -32,14 +33,26 @@ struct MainEffect {
   /// Share of the response's variance that goes with the level: an estimate of Sobol's first-order index from
   /// any table whose rows are independent. The correlation ratio without its bias, (S_b - (k - 1) s^2) / S_t
   /// with S_b and S_t the sums of squares between levels and in all, s^2 the variance within, k the levels
-  /// (Kelley, Proc. Natl. Acad. Sci. 21, 554, 1935); may fall a little below 0. NaN for a constant response,
-  /// and where there are no more usable rows than levels.
+  /// (Kelley, Proc. Natl. Acad. Sci. 21, 554, 1935); may fall a little below 0. Of a grid S_b / S_t, the index itself:
+  /// means of its levels hold nothing of the other factors. NaN for a constant response, where there are no more usable
+  /// rows than levels, and where rows are related.
   double variance_share = 0;
+  /// The interval that holds it in about 95 of 100 tables, within 0 and 1: by the shares of the tables that lack one row
+  /// (jackknife). NaN of a grid, which has no chance in it, and where variance_share is.
+  double share_lower = 0, share_upper = 0;
+};
+
+/// How the rows of a table hang together.
+enum class TableRows {
+  independent,  ///< lhs, sobol, monte_carlo
+  grid,         ///< factorial: every combination of the levels once
+  related  ///< saltelli, morris: many rows differ in one factor alone, so that their number says too much
 };
 
 struct MainEffectOptions {
   int most_values = 12;  ///< 1 or more: a factor of more values than this is binned
   int bins = 10;         ///< 1 or more; of as many rows each as equal values in one bin allow
+  TableRows rows = TableRows::independent;
 
   /// @throws InvalidInput naming field, value and rule
   void validate() const;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "model/base/invalid_input.hpp"
 #include "optim/doe/sample_table.hpp"
@@ -75,21 +76,59 @@ LevelMoments read_level(const Table& table, Eigen::Index j, std::span<const Eige
   return read;
 }
 
-double variance_share(const std::vector<LevelMoments>& levels) {
+double variance_share(const std::vector<Moments>& levels, TableRows rows) {
   double within = 0, sum = 0, count = 0, filled = 0;
-  for (const auto& [level, moments] : levels) {
+  for (const Moments& moments : levels) {
     within += moments.squares;
     sum += moments.mean * static_cast<double>(moments.count);
     count += static_cast<double>(moments.count);
     filled += moments.count > 0 ? 1 : 0;
   }
   double between = 0;
-  for (const auto& [level, moments] : levels) {
+  for (const Moments& moments : levels) {
     const double off = moments.mean - sum / count;
     between += static_cast<double>(moments.count) * off * off;
   }
-  if (!(count > filled && between + within > 0)) return nan;
-  return (between - (filled - 1) * within / (count - filled)) / (between + within);
+  if (rows == TableRows::related || !(count > filled && between + within > 0)) return nan;
+  const double by_chance = rows == TableRows::grid ? 0 : (filled - 1) * within / (count - filled);
+  return (between - by_chance) / (between + within);
+}
+
+Moments without(const Moments& moments, double x) {
+  if (moments.count < 2) return {};
+  const double left = static_cast<double>(moments.count - 1);
+  const double mean = moments.mean - (x - moments.mean) / left;
+  return {moments.count - 1, mean, std::max(moments.squares - (x - moments.mean) * (x - mean), 0.0)};
+}
+
+/// A response of a level.
+struct Placed {
+  std::size_t level;
+  double response;
+};
+
+/// Standard error of the share: of the tables that lack one row (Efron, Stein, Ann. Statist. 9, 586, 1981).
+double share_error(std::vector<Moments> levels, const std::vector<Placed>& placed) {
+  Moments shares;
+  for (const auto& [level, response] : placed) {
+    const Moments whole = std::exchange(levels[level], without(levels[level], response));
+    shares.add(variance_share(levels, TableRows::independent));
+    levels[level] = whole;
+  }
+  const double n = static_cast<double>(shares.count);
+  return std::sqrt(shares.squares * (n - 1) / n);
+}
+
+void add_shares(const std::vector<Moments>& levels, const std::vector<Placed>& placed, TableRows rows,
+                MainEffect& effect) {
+  constexpr double sds = 1.96;  // standard deviations of 95 %
+  effect.variance_share = variance_share(levels, rows);
+  effect.share_lower = effect.share_upper = nan;
+  if (rows != TableRows::independent || std::isnan(effect.variance_share)) return;
+  const double off = sds * share_error(levels, placed);
+  if (std::isnan(off)) return;
+  effect.share_lower = std::clamp(effect.variance_share - off, 0.0, 1.0);
+  effect.share_upper = std::clamp(effect.variance_share + off, 0.0, 1.0);
 }
 
 Rows sorted_by_value(const SampleMatrix& samples, Eigen::Index j, Rows rows) {
@@ -104,11 +143,18 @@ MainEffect effect(const Table& table, Eigen::Index j, const Rows& rows, const Ma
   MainEffect effect;
   effect.binned = starts.size() > static_cast<std::size_t>(options.most_values) + 1;
   if (effect.binned) starts = bin_starts(starts, options.bins);
-  std::vector<LevelMoments> levels;
-  for (std::size_t k = 0; k + 1 < starts.size(); ++k)
-    levels.push_back(read_level(table, j, std::span(sorted).subspan(starts[k], starts[k + 1] - starts[k])));
-  for (const LevelMoments& read : levels) effect.levels.push_back(read.level);
-  effect.variance_share = variance_share(levels);
+  std::vector<Moments> moments;
+  std::vector<Placed> placed;
+  for (std::size_t k = 0; k + 1 < starts.size(); ++k) {
+    const auto rows_of_level = std::span(sorted).subspan(starts[k], starts[k + 1] - starts[k]);
+    LevelMoments read = read_level(table, j, rows_of_level);
+    if (options.rows == TableRows::related) read.level.standard_error = nan;
+    for (const Eigen::Index i : rows_of_level)
+      if (std::isfinite(table.responses[i])) placed.push_back({k, table.responses[i]});
+    effect.levels.push_back(read.level);
+    moments.push_back(read.moments);
+  }
+  add_shares(moments, placed, options.rows, effect);
   return effect;
 }
 
@@ -154,9 +200,8 @@ std::vector<MainEffect> one_at_a_time_effects(const SampleMatrix& samples,
     if (const Eigen::Index j = factor_off_base(samples, i); j >= 0) rows[j].push_back(i);
   std::vector<MainEffect> effects;
   for (Eigen::Index j = 0; j < samples.cols(); ++j) {
-    effects.push_back(
-        effect({samples, responses}, j, rows[j], {.most_values = std::numeric_limits<int>::max()}));
-    effects.back().variance_share = nan;
+    effects.push_back(effect({samples, responses}, j, rows[j],
+                             {.most_values = std::numeric_limits<int>::max(), .rows = TableRows::related}));
   }
   return effects;
 }

@@ -41,6 +41,8 @@ sweep morris '{kind: morris, samples: 10}'
 drawn response-0 'elementary effect'
 sweep one '{kind: one_at_a_time, levels: 5}'
 drawn response-1 'largest change'
+holds 'in all 11 samples'
+drawn response-0 'all else as in the first sample'
 # Many factors of one kind are one row, and the sheet shows which wall counts.
 cat >"$work/walls.yaml" <<END
 kinetix: 1

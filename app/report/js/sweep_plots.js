@@ -1,8 +1,8 @@
 // Plots of a sweep: how a response is spread, what matters for it, where on the sheet, and how.
 
-/** How often a response has which value, with the middle and the limits of 90 of 100, all of the same samples. */
+/** How often a response has which value, with the middle and the limits of most samples, all of the same samples. */
 function drawSpread(response, width) {
-  const {words: said, unit} = named(response.name), {spread: s, histogram: bars} = response;
+  const {words: said, unit} = named(response.name), {spread: s, histogram: bars} = response, {from, to} = within(response);
   const range = padded([s.least, s.most], 0.02), most = Math.max(...bars);
   const axes = plot({
     width,
@@ -21,7 +21,7 @@ function drawSpread(response, width) {
             y: axes.Y(n),
             height: axes.Y(0) - axes.Y(n)
           }))),
-      ...[s.p05, s.median, s.p95].map(
+      ...[from, s.median, to].map(
           (v) => svg("path", {class: "turn-limit", d: path([[axes.X(v), axes.Y(0)], [axes.X(v), axes.area.top]])})));
   return axes.root;
 }
@@ -53,7 +53,7 @@ function importance(response) {
   }
   return {
     what: "share of the variance that goes with the factor alone",
-    bars: bars(effects, (e) => [clampedShare(e.variance_share), null, null])
+    bars: bars(effects, (e) => [clampedShare(e.variance_share), ...(e.variance_interval ?? [null, null])])
   };
 }
 

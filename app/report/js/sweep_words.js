@@ -12,7 +12,8 @@ const UNIT_WORDS = {
   mm3: "mm\u00b3"
 };
 
-const IN_CELL_EDGES = ["gap_peak", "hinge_gap_max", "hinge_gap_rms", "exact_rms", "exact_max"];  // responses whose names say no unit
+// Responses whose names say no unit.
+const IN_CELL_EDGES = ["gap_peak", "hinge_gap_max", "hinge_gap_rms", "exact_rms", "exact_max", "verify_rms", "verify_max", "unrest"];
 
 const TIMES = "times the base's";  // unit of factors that multiply what the base has
 
@@ -80,13 +81,20 @@ function isConstant({spread}) {
   return !(spread.count > 1) || spread.least === spread.most;
 }
 
+const LEAST_SAMPLES = 20;  // of which one lies beyond each limit of 90 of 100: fewer tell no such limit
+
+/** What a response of so many samples lies within: {from, to, words}, 90 of 100 of them, or all where these are few. */
+function within({spread: s}) {
+  return s.count < LEAST_SAMPLES ? {from: s.least, to: s.most, words: `all ${s.count}`} : {from: s.p05, to: s.p95, words: "90 of 100"};
+}
+
 /** "moved rms: 5.39 mm in the middle, 2.23 to 10.5 mm in 90 of 100 samples" */
 function answer(response) {
   const {spread: s, name} = response, {words: said, unit} = named(name);
   if (!s.count) return `${said}: no sample has it`;
   if (isConstant(response)) return `${said}: ${withUnit(figures(s.median), unit)} in every sample`;
-  return `${said}: ${withUnit(figures(s.median), unit)} in the middle, ${figures(s.p05)} to ${
-      withUnit(figures(s.p95), unit)} in 90 of 100 samples`;
+  const {from, to, words: most} = within(response);
+  return `${said}: ${withUnit(figures(s.median), unit)} in the middle, ${figures(from)} to ${withUnit(figures(to), unit)} in ${most} samples`;
 }
 
 /** The family with the largest share of a response, and the share; nothing where none has one. */

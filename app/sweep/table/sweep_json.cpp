@@ -119,13 +119,22 @@ Json main_effect_json(const optim::MainEffect& effect) {
                       {"error", number(level.standard_error)},
                       {"used", level.used},
                       {"failed", level.failed}});
-  return {{"levels", levels}, {"binned", effect.binned}, {"variance_share", number(effect.variance_share)}};
+  return {{"levels", levels},
+          {"binned", effect.binned},
+          {"variance_share", number(effect.variance_share)},
+          {"variance_interval", {number(effect.share_lower), number(effect.share_upper)}}};
+}
+
+optim::TableRows rows_of(Method method) {
+  if (method == Method::factorial) return optim::TableRows::grid;
+  return method == Method::saltelli || method == Method::morris ? optim::TableRows::related
+                                                                : optim::TableRows::independent;
 }
 
 Json main_effects_json(Method method, const Numbers& numbers, const std::vector<double>& response) {
   const auto effects = method == Method::one_at_a_time
                            ? optim::one_at_a_time_effects(numbers.factors, response)
-                           : optim::main_effects(numbers.factors, response);
+                           : optim::main_effects(numbers.factors, response, {.rows = rows_of(method)});
   Json out = Json::array();
   for (const optim::MainEffect& effect : effects) out.push_back(main_effect_json(effect));
   return out;
@@ -161,32 +170,44 @@ Json morris_json(const std::vector<optim::MorrisEffect>& effects) {
   return out;
 }
 
-/// Share of the variance of each family: of a linear model, or its factors by themselves (Sobol); of one factor alone any
-/// effect. Null where the samples have no such share.
-Json family_shares_json(const std::vector<Family>& families, const Json& response) {
-  const auto share = [&](const Family& family) -> Json {
-    const std::size_t only = family.factors.front();
-    if (response.contains("sobol")) {
-      if (family.factors.size() == 1) return response["sobol"][only]["first"];
-      double sum = 0;
-      for (const std::size_t f : family.factors) {
-        const Json& first = response["sobol"][f]["first"][0];
-        if (!first.is_number()) return nullptr;
-        sum += first.get<double>();
-      }
-      return {sum, nullptr, nullptr};
-    }
-    if (!response.contains("linear")) return nullptr;
-    if (family.factors.size() == 1)
-      return {response["main_effects"][only]["variance_share"], nullptr, nullptr};
-    std::vector<double> correlations;
-    for (const std::size_t f : family.factors)
-      if (const Json& r = response["linear"]["factors"][f]["correlation"]; r.is_number())
-        correlations.push_back(r.get<double>());
-    return estimate_json(optim::linear_share(correlations, response["linear"]["used"].get<std::int64_t>()));
-  };
+/// The share of one factor alone with its interval: Sobol's index, or any effect. Null where the samples have no such share.
+Json factor_share_json(const Json& response, std::size_t factor) {
+  if (response.contains("sobol")) return response["sobol"][factor]["first"];
+  if (!response.contains("linear")) return nullptr;
+  const Json &effect = response["main_effects"][factor], &interval = effect["variance_interval"];
+  return {effect["variance_share"], interval[0], interval[1]};
+}
+
+/// What the factors do together, each by itself, where each is known without chance or by its index.
+Json sum_of_shares_json(const Json& response, const Family& family) {
+  double sum = 0;
+  for (const std::size_t f : family.factors) {
+    const Json share = factor_share_json(response, f);
+    if (!share.is_array() || !share[0].is_number()) return nullptr;
+    sum += share[0].get<double>();
+  }
+  return {sum, nullptr, nullptr};
+}
+
+/// What goes with the factors in proportion to each.
+Json linear_share_json(const Json& response, const Family& family) {
+  std::vector<double> correlations;
+  for (const std::size_t f : family.factors)
+    if (const Json& r = response["linear"]["factors"][f]["correlation"]; r.is_number())
+      correlations.push_back(r.get<double>());
+  return estimate_json(optim::linear_share(correlations, response["linear"]["used"].get<std::int64_t>()));
+}
+
+/// Share of the variance of each family. Null where the samples have none.
+Json family_shares_json(Method method, const std::vector<Family>& families, const Json& response) {
   Json out = Json::array();
-  for (const Family& family : families) out.push_back(share(family));
+  for (const Family& family : families)
+    if (family.factors.size() == 1)
+      out.push_back(factor_share_json(response, family.factors.front()));
+    else if (method == Method::factorial || !response.contains("linear"))
+      out.push_back(sum_of_shares_json(response, family));
+    else
+      out.push_back(linear_share_json(response, family));
   return out;
 }
 
@@ -288,7 +309,8 @@ Json sweep_json(const SweepPlan& plan, const SweepIdentity& identity, const Swee
   const Numbers numbers = numbers_of(plan, table);
   for (std::size_t r = 0; r < plan.responses.size(); ++r)
     out["responses"].push_back(response_json(plan, numbers, r));
-  for (Json& response : out["responses"]) response["families"] = family_shares_json(families, response);
+  for (Json& response : out["responses"])
+    response["families"] = family_shares_json(plan.samples.options().method, families, response);
   out["scatter"] = scatter_json(plan, numbers);
   return out;
 }

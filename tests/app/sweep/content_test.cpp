@@ -106,6 +106,38 @@ TEST(SweepContent, PercentilesOfTwoSamplesLieBetweenThem) {
   EXPECT_NEAR(spread["p95"], 29, 1e-9);
 }
 
+// The distance of a straight strip's ends is cell_mm times a function of theta: shares of a small grid add up to nearly all of it.
+TEST(SweepContent, SharesOfAGridAddUp) {
+  const Scratch scratch;
+  const std::string factors =
+      "  - {path: structure.cell_mm, range: [10, 11], levels: 2}\n"
+      "  - {path: design.theta_deg, range: [1, 25], levels: 2}\n";
+  ASSERT_EQ(run_sweep_in(scratch, sweep_of("{kind: factorial}", factors, "end_mm"), "",
+                         "kinetix: 1\nstructure: {cells: [6, 1]}\ndesign: {theta_deg: 20}\n")
+                .code,
+            0);
+  const Json response = analysis_of(scratch)["responses"][0], &families = response["families"];
+  EXPECT_NEAR(families[0][0].get<double>() + families[1][0].get<double>(), response["linear"]["r_squared"],
+              1e-9);
+  EXPECT_GT(response["linear"]["r_squared"], 0.99);
+  EXPECT_TRUE(response["main_effects"][0]["variance_interval"][0].is_null());
+}
+
+TEST(SweepContent, SharesOfDrawnSamplesHaveAnInterval) {
+  const Scratch scratch;
+  ASSERT_EQ(run_sweep_in(scratch, sweep_of("{kind: lhs, samples: 30}",
+                                           "  - {path: structure.cell_mm, range: [10, 11]}\n"
+                                           "  - {path: design.theta_deg, range: [15, 25]}\n",
+                                           "end_mm"))
+                .code,
+            0);
+  const Json analysis = analysis_of(scratch);
+  for (const Json& share : analysis["responses"][0]["families"]) {
+    EXPECT_LE(share[1].get<double>(), std::max(share[0].get<double>(), 0.0));
+    EXPECT_GE(share[2], share[0]);
+  }
+}
+
 TEST(SweepContent, SaysWhichFactorsChangeWhatTheBaseHas) {
   const Scratch scratch;
   const std::string factors =

@@ -30,6 +30,50 @@ TEST(MainEffects, OfATwoByTwoTableAreThoseByHand) {
   EXPECT_FALSE(effects[0].binned);
 }
 
+/// Of a grid the means of levels hold nothing of the other factor: shares of a sum are those of its terms, however few levels.
+TEST(MainEffects, SharesOfAGridAreExact) {
+  const Eigen::MatrixXd samples{{1, 5}, {1, 6}, {2, 5}, {2, 6}};
+  const std::vector<double> sum = {6, 7, 7, 8}, first = {1, 1, 2, 2};
+  for (const MainEffect& effect : main_effects(samples, sum, {.rows = TableRows::grid})) {
+    EXPECT_DOUBLE_EQ(effect.variance_share, 0.5);
+    EXPECT_TRUE(std::isnan(effect.share_lower));
+  }
+  const auto alone = main_effects(samples, first, {.rows = TableRows::grid});
+  EXPECT_DOUBLE_EQ(alone[0].variance_share, 1);
+  EXPECT_DOUBLE_EQ(alone[1].variance_share, 0);
+}
+
+TEST(MainEffects, TheIntervalHoldsTheShareInMostTables) {
+  const std::vector<Factor> factors = {{"a", UniformRange{0, 1}}, {"b", UniformRange{0, 1}}};
+  for (const double share : {0.1, 0.5, 0.9}) {
+    int held = 0;
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+      const SamplePlan plan(
+          factors, {.method = SamplingMethod::monte_carlo, .samples = 40, .seed = seed, .base = {}});
+      const auto f = [&](const std::vector<double>& x) {
+        return std::sqrt(share) * x[0] + std::sqrt(1 - share) * x[1];
+      };
+      const MainEffect effect = main_effects(testing::table(plan), testing::responses(plan, f))[0];
+      EXPECT_GE(effect.share_lower, 0);
+      EXPECT_LE(effect.share_upper, 1);
+      held += effect.share_lower <= share && share <= effect.share_upper;
+    }
+    EXPECT_GE(held, 180) << share;
+  }
+}
+
+TEST(MainEffects, RelatedRowsHaveNoErrors) {
+  const SamplePlan plan({{"a", UniformRange{0, 1}}, {"b", UniformRange{0, 1}}},
+                        {.method = SamplingMethod::morris, .samples = 8, .base = {}});
+  const auto f = [](const std::vector<double>& x) { return x[0] + x[1] * x[1]; };
+  for (const MainEffect& effect :
+       main_effects(testing::table(plan), testing::responses(plan, f), {.rows = TableRows::related})) {
+    EXPECT_TRUE(std::isnan(effect.variance_share));
+    EXPECT_TRUE(std::isnan(effect.share_upper));
+    for (const EffectLevel& level : effect.levels) EXPECT_TRUE(std::isnan(level.standard_error));
+  }
+}
+
 TEST(MainEffects, VarianceShareIsTheFirstOrderIndex) {
   for (const auto& [f, bins] : {std::pair{testing::ishigami(), 40}, {testing::g_function(), 20}}) {
     const SamplePlan plan(f.factors,
