@@ -86,19 +86,6 @@ model::LinkageDrive reached_drive(model::LinkageDrive drive, const model::Equili
   return drive;
 }
 
-/// Of the sheet where a path came to: that of the closed form under the same drive where it is near, else half the turns of its
-/// hinges. That of plates, by their distance alone, is another where rows lean.
-double theta_of(const Run& run, const model::LinkageDrive& drive, const model::EquilibriumPath& path,
-                const model::Elasticity& elasticity) {
-  const double turned = model::mean_theta(run.structure, path.state);
-  if (!run.plan.exact || path.off_closed_form || drive.pulls_cord() || drive.heats_springs()) return turned;
-  try {
-    return exact_theta({run.structure, reached_drive(drive, path), run.plan.exact}, elasticity);
-  } catch (const InvalidInput&) {
-    return turned;
-  }
-}
-
 /// The closed form of the same drive, and how far the equilibrium is from it.
 void add_exact(Run& run) {
   Equilibrium& equilibrium = *run.equilibrium;
@@ -152,13 +139,25 @@ void add_equilibrium(Run& run, const model::LinkageDrive& drive, const model::El
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   add_limit_points(path);
   const double last = path.theta;
-  run.theta = theta_of(run, drive, path, elasticity);
+  run.theta = reached_theta(run.structure, run.plan.exact, drive, path, elasticity);
   run.states.push_back({"target", to_string(Model::equilibrium), run.theta, path.state, path.gaps});
   model::StableStates stable = stable_states(run.structure, elasticity, {turns}, {.path = path_options});
   run.equilibrium = Equilibrium{elasticity, drive, std::move(path), std::move(stable), {}};
   if (run.plan.exact) add_exact(run);
   add_fidelity(run, seconds);
   add_frames(run, keeper.even(last, frames));
+}
+
+double reached_theta(const model::Sheet& sheet, const model::ExactMotion& exact,
+                     const model::LinkageDrive& drive, const model::EquilibriumPath& path,
+                     const model::Elasticity& elasticity) {
+  const double turned = model::mean_theta(sheet, path.state);
+  if (!exact || path.off_closed_form || drive.pulls_cord() || drive.heats_springs()) return turned;
+  try {
+    return exact_theta({sheet, reached_drive(drive, path), exact}, elasticity);
+  } catch (const InvalidInput&) {
+    return turned;
+  }
 }
 
 }  // namespace kinetix::app

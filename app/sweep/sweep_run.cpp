@@ -76,6 +76,14 @@ void work_and_serve(const SweepPlan& plan, const Ranks& ranks, int threads, cons
   if (others) std::rethrow_exception(others);
 }
 
+/// What ranks that gave up had taken with them.
+void compute_lost(const SweepPlan& plan, SweepTable& table, const Share& share, int threads,
+                  const std::function<void()>& added) {
+  if (table.count() >= share.size(plan.size())) return;
+  Office office(table, share, added);
+  run_on_threads(plan, threads, office.source());
+}
+
 }  // namespace
 
 int threads_of(const SweepPlan& plan, const Ranks& ranks, int asked) {
@@ -90,7 +98,10 @@ void run_sweep(const SweepPlan& plan, SweepTable& table, const Share& share, con
   Office office(table, share, added);
   const WorkSource source = office.source();
   const int used = threads_of(plan, ranks, threads);
-  if (ranks.size() > 1) return work_and_serve(plan, ranks, used, source, notice);
+  if (ranks.size() > 1) {
+    work_and_serve(plan, ranks, used, source, notice);
+    return compute_lost(plan, table, share, used, added);
+  }
   if (plan.is_thread_safe()) return run_on_threads(plan, used, source);
   run_in_processes(plan, used, source);
 }

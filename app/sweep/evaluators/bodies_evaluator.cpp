@@ -67,9 +67,13 @@ void BodiesEvaluator::see_physics(SampleRow& row) {
   seen_.state = &v.physics.state;
   seen_.physics = &v.physics;
   seen_.from_model = v.distance;
-  if (v.agrees) return;
-  row.status = SampleStatus::disagrees;
-  row.reason = "the physics run settled in another state than the closed one";
+  if (!run_.reached()) {
+    row.status = SampleStatus::missed;
+    row.reason = closure_words(run_);
+  } else if (!v.agrees) {
+    row.status = SampleStatus::disagrees;
+    row.reason = "the physics run settled in another state than the closed one";
+  }
 }
 
 }  // namespace kinetix::app

@@ -1,13 +1,12 @@
 #include "app/sweep/evaluators/design_evaluator.hpp"
 
 #include <algorithm>
-#include <limits>
 
-#include "app/files/goal_settings.hpp"
 #include "app/pipeline/design_drive.hpp"
 #include "app/pipeline/equilibrium.hpp"
 #include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/physics_settings.hpp"
+#include "app/pipeline/verify.hpp"
 #include "app/result/equilibrium_summary.hpp"
 #include "model/elastic/path/near_equilibrium.hpp"
 #include "model/sheet/sheet_motion.hpp"
@@ -15,8 +14,6 @@
 
 namespace kinetix::app {
 namespace {
-
-using optim::nan;
 
 Run equilibrium_run(const DesignFile& design) {
   Run run;
@@ -32,12 +29,21 @@ Run equilibrium_run(const DesignFile& design) {
   return run;
 }
 
-/// The closed form of a design's drive; empty where no family fits.
-model::State exact_state(const DesignFile& design, double& theta) {
-  const model::ExactMotion exact = exact_motion(design.structure);
-  if (!exact) return {};
-  theta = exact.theta_of(drive_of(design));
-  return exact.at(theta);
+/// @pre not reached
+std::string missed_words(const Equilibrium& equilibrium) {
+  return in_words(equilibrium.path.stop) + ": " + equilibrium.path.why;
+}
+
+/// Of the closed form, where a family fits.
+Run exact_run(const DesignFile& design) {
+  Run run;
+  run.structure = design.structure;
+  run.theta = design.theta;
+  run.plan.exact = exact_motion(design.structure);
+  if (!run.plan.exact) return run;
+  run.theta = exact_theta_of(design, run.plan.exact);
+  run.states.push_back({"target", to_string(Model::exact), run.theta, run.plan.exact.at(run.theta), {}});
+  return run;
 }
 
 }  // namespace
@@ -70,7 +76,12 @@ void DesignEvaluator::find_nominal() {
 void DesignEvaluator::evaluate(SampleRow& row) {
   maker_.make(row.factors);
   compute(maker_.design(), row);
-  for (std::size_t k = 0; k < plan_.responses.size(); ++k) row.responses[k] = plan_.responses[k].of(seen_);
+  // Where no equilibrium is found near the base's, the search ends in a state of a part of the change, at rest nowhere.
+  const bool is_lost = plan_.doe.from_base && row.status != SampleStatus::ok;
+  for (std::size_t k = 0; k < plan_.responses.size(); ++k) {
+    const Metric& metric = plan_.responses[k];
+    row.responses[k] = is_lost && metric.name != "reached" ? optim::nan : metric.of(seen_);
+  }
 }
 
 void DesignEvaluator::compute(const DesignFile& design, SampleRow& row) {
@@ -118,7 +129,7 @@ void DesignEvaluator::compute_equilibrium(const DesignFile& design, SampleRow& r
   seen_.equilibrium = &*run_.equilibrium;
   if (run_.equilibrium->reached()) return;
   row.status = SampleStatus::missed;
-  row.reason = in_words(run_.equilibrium->path.stop) + ": " + run_.equilibrium->path.why;
+  row.reason = missed_words(*run_.equilibrium);
 }
 
 void DesignEvaluator::compute_near_base(const DesignFile& design, SampleRow& row) {
@@ -135,7 +146,8 @@ void DesignEvaluator::see_equilibrium(const DesignFile& design, model::Equilibri
   const model::EquilibriumPath& found = run_.equilibrium->path;
   if (found.steps.empty()) throw InvalidInput(found.why);
   seen_.structure = &design.structure;
-  seen_.theta = found.theta;
+  seen_.theta = reached_theta(design.structure, exact_motion(design.structure), run_.equilibrium->drive,
+                              found, run_.equilibrium->elasticity);
   seen_.state = &found.state;
   seen_.equilibrium = &*run_.equilibrium;
   if (found.stop == model::EquilibriumPath::Stop::reached) return;
@@ -143,26 +155,27 @@ void DesignEvaluator::see_equilibrium(const DesignFile& design, model::Equilibri
   row.reason = found.why;
 }
 
+/// By the same steps as a single run: of coarser ones first, and with joints that suit the family.
 void DesignEvaluator::compute_physics(const DesignFile& design, SampleRow& row) {
-  model::State reference;
-  if (design.hinge.model == HingeSection::Model::elastic) {
-    run_ = equilibrium_run(design);
-    if (run_.equilibrium->reached()) reference = run_.states.front().poses;
-    seen_.theta = run_.theta;
-  } else {
-    reference = exact_state(design, seen_.theta);
+  run_ = design.hinge.model == HingeSection::Model::elastic ? equilibrium_run(design) : exact_run(design);
+  run_.physics = design.physics;
+  seen_.theta = run_.theta;
+  const bool has_state = !run_.states.empty() && !run_.misses();
+  const PhysicsTask task{has_state ? run_.states.front().poses : model::State{}, drive_of(design),
+                         physics_of(design, all_vertical(model::Linkage(design.structure)))};
+  run_.verification = verify(run_, task, {.threads = 1, .progress = {}});
+  const Verification& v = *run_.verification;
+  if (!is_settled(v)) throw InvalidInput("physics run " + to_string(v.physics.status) + ": " + v.physics.why);
+  seen_.state = &v.physics.state;
+  seen_.physics = &v.physics;
+  seen_.from_model = v.distance;
+  if (run_.misses()) {
+    row.status = SampleStatus::missed;
+    row.reason = missed_words(*run_.equilibrium);
+  } else if (!v.agrees) {
+    row.status = SampleStatus::disagrees;
+    row.reason = "the physics run settled in another state than the model";
   }
-  physics_ = run_compression(design.structure, drive_of(design),
-                             physics_of(design, all_vertical(model::Linkage(design.structure))));
-  if (physics_.status != sim::PhysicsResult::Status::settled)
-    throw InvalidInput("physics run " + to_string(physics_.status) + ": " + physics_.why);
-  seen_.state = &physics_.state;
-  seen_.physics = &physics_;
-  seen_.from_model = reference.empty() ? model::StateDistance{nan, nan}
-                                       : aligned_distance(design.structure, physics_.state, reference);
-  if (reference.empty() || seen_.from_model.rms <= GoalSettings::usual_verify) return;
-  row.status = SampleStatus::disagrees;
-  row.reason = "the physics run settled in another state than the model";
 }
 
 }  // namespace kinetix::app

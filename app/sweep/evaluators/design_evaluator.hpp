@@ -31,7 +31,6 @@ class DesignEvaluator final : public Evaluator {
   model::State state_;
   model::ExactDesign<double> sheet_;
   Run run_;
-  sim::PhysicsResult physics_;
 };
 
 }  // namespace kinetix::app

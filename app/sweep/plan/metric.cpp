@@ -34,6 +34,12 @@ double largest(const O& o, Value value) {
   return most;
 }
 
+/// NaN where none were looked for: flat is one of those that are found.
+double found_states(const O& o) {
+  const std::size_t found = o.equilibrium->stable.states.size();
+  return found > 0 ? static_cast<double>(found) : nan;
+}
+
 /// Energy at the summit that a release from flat must pass to come to the next stable state.
 double barrier(const O& o) {
   const auto& barriers = o.equilibrium->stable.barriers;
@@ -118,7 +124,7 @@ const std::vector<Metric>& equilibrium_metrics() {
        [](const O& o) { return largest(o, [](const model::EquilibriumStep& s) { return s.gap; }); }},
       {"contacts", [](const O& o) { return static_cast<double>(last(o).contacts); }},
       {"barrier_Nmm", barrier},
-      {"stable_states", [](const O& o) { return static_cast<double>(o.equilibrium->stable.states.size()); }},
+      {"stable_states", found_states},
       {"exact_rms",
        [](const O& o) { return o.equilibrium->from_exact ? o.equilibrium->from_exact->rms : nan; }},
       {"exact_max",

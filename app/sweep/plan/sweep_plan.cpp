@@ -63,10 +63,11 @@ struct Columns {
 /// The value of a factor that leaves the base as it is; NaN where there is none.
 double neutral(const SweepBase& base, const targets::DocumentEditor& document, const DoeFactor& factor,
                const std::vector<Edit>& edits) {
-  if (factor.add) return 0;
   double value = std::nan("");
   for (const Edit& edit : edits) {
-    const auto own = factor.scale ? std::optional(1.0) : base_value(base, document, edit);
+    const auto own = factor.add     ? std::optional(0.0)
+                     : factor.scale ? std::optional(1.0)
+                                    : base_value(base, document, edit);
     const double needed = own ? (*own - edit.plus) / edit.times : std::nan("");
     if (!std::isnan(value) && !(std::abs(needed - value) <= 1e-12)) return std::nan("");
     value = needed;
@@ -200,6 +201,17 @@ void check_model(const DoeFile& doe, const SweepBase& base) {
                                    base.target->kind->name, to_string(base.target->kind->model)));
 }
 
+/// What is for designs alone.
+void refuse_for_targets(const DoeFile& doe, const SweepBase& base) {
+  if (!base.target) return;
+  if (doe.goal)
+    throw doe.root.optional("goal")->error(
+        "measures designs; the base is a target, whose search is measured by its own goal");
+  if (doe.from_base)
+    throw doe.root.optional("start")->error(
+        "is for designs; the base is a target, whose search finds its own states");
+}
+
 /// What is for sheets alone.
 void check_bodies(const DoeFile& doe, const SweepBase& base) {
   if (!base.bodies) return;
@@ -278,6 +290,7 @@ SweepPlan make_sweep_plan(const std::string& file, std::optional<std::uint64_t> 
   DoeFile doe = read_doe(file);
   SweepBase base = read_base(doe.base);
   check_model(doe, base);
+  refuse_for_targets(doe, base);
   check_bodies(doe, base);
   targets::DocumentEditor document(base.root);
   Columns columns;

@@ -1,8 +1,8 @@
 #include "app/sweep/table/identity.hpp"
 
 #include <filesystem>
-#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "app/io/sha256.hpp"
 #include "app/version.hpp"
@@ -18,30 +18,31 @@ namespace fs = std::filesystem;
 constexpr std::size_t max_file_bytes = std::size_t{1} << 30;
 constexpr int deepest = 3;  // files: a sweep names a base or a goal, which names its points; one to spare
 
-/// Hashes of the files that a document names, and of those that these name.
-void add_files(const targets::Node& root, std::map<std::string, std::string>& hashes, int depth) {
+/// Hashes of files in the order in which they are named, so that two that change places are other files.
+struct NamedFiles {
+  std::set<std::string> paths;
+  std::string hashes;  ///< a line each
+};
+
+/// Adds the files that a document names, and those that these name.
+void add_files(const targets::Node& root, NamedFiles& files, int depth) {
   for (const targets::Tree::Item& item : root.tree().items) {
     if (item.kind != targets::Node::Kind::scalar || item.value.empty()) continue;
     const fs::path path = fs::path(root.folder()) / item.value;
     std::error_code ignored;
-    if (!fs::is_regular_file(path, ignored) || hashes.count(path)) continue;
-    hashes[path] = sha256(targets::read_bytes(path, max_file_bytes));
+    if (!fs::is_regular_file(path, ignored) || !files.paths.insert(path).second) continue;
+    files.hashes += sha256(targets::read_bytes(path, max_file_bytes)) + "\n";
     if (depth < deepest && (path.extension() == ".yaml" || path.extension() == ".yml"))
-      add_files(targets::read_document(path, max_design_bytes), hashes, depth + 1);
+      add_files(targets::read_document(path, max_design_bytes), files, depth + 1);
   }
 }
 
 /// Whatever the folder is called, the same files give the same hash.
 std::string files_hash(const SweepPlan& plan) {
-  std::map<std::string, std::string> hashes;
-  add_files(plan.doe.root, hashes, 0);
-  add_files(plan.base.root, hashes, 0);
-  std::vector<std::string> sorted;
-  for (const auto& [path, hash] : hashes) sorted.push_back(hash);
-  std::sort(sorted.begin(), sorted.end());
-  std::string all;
-  for (const std::string& hash : sorted) all += hash + "\n";
-  return sha256(all);
+  NamedFiles files;
+  add_files(plan.doe.root, files, 0);
+  add_files(plan.base.root, files, 0);
+  return sha256(files.hashes);
 }
 
 std::string factor_names(const SweepPlan& plan) {

@@ -110,6 +110,18 @@ TEST(SweepBadInput, AThetaThatADriveDecidesCannotBeAFactor) {
   EXPECT_THAT(run.err, HasSubstr("`drive` decides theta"));
 }
 
+TEST(SweepBadInput, WhatMeasuresDesignsIsRefusedWhereTheBaseIsATarget) {
+  const Scratch scratch;
+  const std::string flat = "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [40, 8], [80, 0]]}\n";
+  scratch.write("other.yaml", flat);
+  const std::string cell = "  - {path: structure.cell_mm, values: [10]}\n";
+  const Outcome run =
+      run_sweep_in(scratch, sweep_of("{kind: factorial}", cell, "shape_rms", "goal: other.yaml\n"), "",
+                   flat + "structure: {cells: [8, 1], cell_mm: 10}\n");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, HasSubstr("goal: measures designs"));
+}
+
 TEST(SweepBadInput, AFolderThatCannotBeWrittenIsNamed) {
   const Scratch scratch;
   scratch.write("strip.yaml", strip);

@@ -259,6 +259,76 @@ TEST(SweepContent, PhysicsRunsInProcessesOfTheirOwnAgreeWithTheModel) {
   }
 }
 
+// A long strip settles by joints as stiff as those of a single run alone, and coarser steps are tried first in both.
+TEST(SweepContent, APhysicsRunIsThatOfSimulate) {
+  const Scratch scratch;
+  ASSERT_EQ(
+      run_sweep_in(scratch, sweep_of("{kind: factorial}", "  - {path: design.theta_deg, values: [20]}\n",
+                                     "verify_rms, hinge_gap_max", "model: bullet\n"))
+          .code,
+      0);
+  const Csv csv = read_csv(scratch / "out");
+  const Json metrics = simulated(scratch, strip, "bullet")["metrics"];
+  EXPECT_EQ(csv.number(0, "verify_rms"), metrics["verify_rms"].get<double>());
+  EXPECT_EQ(csv.number(0, "hinge_gap_max"), metrics["hinge_gap_max"].get<double>());
+}
+
+/// A straight strip, drawn together by a cord.
+const std::string corded =
+    "kinetix: 1\nstructure: {cells: [6, 1], cell_mm: 10}\ndesign: {}\nhinge: {k_turn: 5}\n"
+    "drive: {kind: cord, through: [[[0, 0], [0, 1]], [[6, 0], [6, 1]]], shorten_mm: 5}\n";
+
+TEST(SweepContent, SamplesFromTheBasesStateSayOfTheSheetWhatIsKnownOfIt) {
+  const Scratch scratch;
+  ASSERT_EQ(run_sweep_in(scratch,
+                         sweep_of("{kind: factorial}", "  - {path: hinge.k_turn, values: [4, 5]}\n",
+                                  "theta_deg, stable_states, reached", "model: equilibrium\nstart: base\n"),
+                         "", corded)
+                .code,
+            0);
+  const Csv csv = read_csv(scratch / "out");
+  const double of_cord = std::acos(55.0 / 60) / radians_per_degree;
+  for (std::size_t row = 0; row < 2; ++row) {
+    EXPECT_LT(csv.number(row, "theta_deg"), of_cord - 0.05) << "hinges that stretch shorten the cord as well";
+    EXPECT_EQ(csv.rows[row].at("stable_states"), "");
+    EXPECT_EQ(csv.number(row, "reached"), 1);
+  }
+  EXPECT_LT(csv.number(1, "theta_deg"), csv.number(0, "theta_deg") - 0.01);
+}
+
+TEST(SweepContent, ASampleWithoutAnEquilibriumNearTheBaseHasNoNumbers) {
+  const Scratch scratch;
+  ASSERT_EQ(
+      run_sweep_in(scratch,
+                   sweep_of("{kind: factorial}", "  - {path: \"design.walls[*].alpha_deg\", values: [30]}\n",
+                            "moved_rms_mm, reached", "model: equilibrium\nstart: base\n"),
+                   "",
+                   "kinetix: 1\nstructure: {cells: [6, 1], cell_mm: 10}\ndesign: {theta_deg: 40}\n"
+                   "hinge: {model: elastic}\n")
+          .code,
+      0);
+  const Csv csv = read_csv(scratch / "out");
+  EXPECT_EQ(csv.rows[0].at("status"), "missed");
+  EXPECT_EQ(csv.rows[0].at("moved_rms_mm"), "");
+  EXPECT_EQ(csv.number(0, "reached"), 0);
+}
+
+TEST(SweepContent, TheFirstSampleOfOneAtATimeIsTheBase) {
+  const Scratch scratch;
+  ASSERT_EQ(
+      run_sweep_in(scratch,
+                   sweep_of("{kind: one_at_a_time}",
+                            "  - {path: {path: design.theta_deg, plus: 5}, name: more, add: true, range: "
+                            "[0, 10], levels: 2}\n",
+                            "theta_deg"))
+          .code,
+      0);
+  const Csv csv = read_csv(scratch / "out");
+  EXPECT_EQ(csv.number(0, "more"), -5);
+  EXPECT_NEAR(csv.number(0, "theta_deg"), 20, 1e-12);
+  EXPECT_NEAR(csv.number(1, "theta_deg"), 25, 1e-12);
+}
+
 TEST(SweepContent, ATargetIsSearchedInEverySample) {
   const Scratch scratch;
   const std::string bow =
