@@ -134,6 +134,7 @@ Json metrics_json(const Run& run) {
     metrics["verify_rms"] = run.verification->distance.rms;
     metrics["verify_max"] = run.verification->distance.max;
     metrics["hinge_gap_max"] = run.verification->physics.gaps.max;
+    metrics["hinge_gap_rms"] = run.verification->physics.gaps.rms;
     metrics["hinge_axis_max_rad"] = run.verification->physics.gaps.axis_max;
     metrics["verified"] = run.verification->agrees;
   }

@@ -110,6 +110,7 @@ const model::State& DesignEvaluator::sheet_state(const model::Structure& squares
 }
 
 void DesignEvaluator::compute_exact(const DesignFile& design) {
+  seen_.is_closed_form = true;
   const model::Structure* squares = design.structure.squares();
   if (squares && !design.drive && model::SheetReader(*squares).read(*squares, sheet_)) {
     seen_.state = &sheet_state(*squares, design.theta);

@@ -38,6 +38,7 @@ void SearchEvaluator::evaluate(SampleRow& row) {
   const NamedState* state = shown_state(run, physics);
   if (!state) throw std::runtime_error("the search ended without a state");
   seen.state = &state->poses;
+  seen.is_closed_form = state->model == to_string(Model::exact);
   for (std::size_t k = 0; k < plan_.responses.size(); ++k) row.responses[k] = plan_.responses[k].of(seen);
   if (run.misses()) {
     row.status = SampleStatus::missed;

@@ -11,6 +11,7 @@
 #include "app/goals/registry.hpp"
 #include "app/sweep/plan/pose_metrics.hpp"
 #include "model/base/invalid_input.hpp"
+#include "model/sheet/sheet_motion.hpp"
 #include "optim/doe/nan.hpp"
 #include "targets/document/document_path.hpp"
 #include "targets/document/wording.hpp"
@@ -23,6 +24,14 @@ using optim::nan;
 
 double moved_mm(const O& o, double model::StateDistance::*part) {
   return aligned_distance(*o.structure, *o.state, *o.nominal).*part * o.structure->size().edge_mm;
+}
+
+/// The state as the closed form lies, or the flat sheet where there is none: a midline is read in the plane of its x and z. Other
+/// models leave a sheet lying anyhow.
+model::State upright(const O& o) {
+  if (o.is_closed_form) return *o.state;
+  const model::ExactMotion exact = exact_motion(*o.structure);
+  return aligned(*o.state, exact ? exact.at(o.theta) : rest_state(*o.structure));
 }
 
 const model::EquilibriumStep& last(const O& o) { return o.equilibrium->path.steps.back(); }
@@ -53,7 +62,7 @@ const std::vector<Metric>& pose_metrics() {
       {"end_x_mm", [](const O& o) { return end_point(*o.structure, *o.state).x(); }},
       {"end_y_mm", [](const O& o) { return end_point(*o.structure, *o.state).y(); }},
       {"end_z_mm", [](const O& o) { return end_point(*o.structure, *o.state).z(); }},
-      {"turn_deg", [](const O& o) { return to_degrees(total_turn(*o.structure, *o.state)); }},
+      {"turn_deg", [](const O& o) { return to_degrees(total_turn(*o.structure, upright(o))); }},
       {"area_ratio", [](const O& o) { return area_ratio(*o.structure, *o.state); }},
       {"fold_deg", [](const O& o) { return to_degrees(fold_angle(*o.structure, *o.state)); }},
       {"cell_angle_deg", [](const O& o) { return to_degrees(cell_angle(*o.structure, *o.state)); }},
@@ -98,7 +107,7 @@ std::vector<Metric> goal_metrics(const GoalKind& goal) {
   std::vector<Metric> metrics;
   for (const GoalMeasure& measure : goal.measures)
     metrics.push_back({std::string(measure.name),
-                       [of = measure.of](const O& o) { return of(*o.goal, *o.structure, *o.state); }});
+                       [of = measure.of](const O& o) { return of(*o.goal, *o.structure, upright(o)); }});
   return metrics;
 }
 

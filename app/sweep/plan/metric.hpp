@@ -17,6 +17,7 @@ struct Observation {
   const model::Linkage* linkage = nullptr;    ///< of a design of bodies
   const model::Assembly* assembly = nullptr;  ///< likewise
   const model::State* state = nullptr;
+  bool is_closed_form = false;                  ///< the state; others may lie another way
   double theta = 0;                             ///< rad
   const model::State* nominal = nullptr;        ///< the base's own state
   const Scene* goal = nullptr;                  ///< the sweep's `goal`

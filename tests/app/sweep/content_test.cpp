@@ -242,6 +242,26 @@ TEST(SweepContent, AEquilibriumIsWhatSimulateFinds) {
   EXPECT_EQ(csv.number(1, "load_N"), single["metrics"]["load_N"].get<double>());
 }
 
+// Driven by a hinge, a strip in equilibrium lies aslant: its midline is not in the plane of x and z.
+TEST(SweepContent, TurnsAreThoseOfTheSheetHoweverItLies) {
+  const std::string bent =
+      "kinetix: 1\nstructure: {cells: [6, 1], cell_mm: 10}\ndesign:\n  theta_deg: 20\n  hinges:\n"
+      "    - {wall: [[0, 0], [1, 0]], beta_deg: 30}\n    - {wall: [[0, 1], [1, 1]], beta_deg: -30}\n"
+      "    - {wall: [[3, 0], [4, 0]], beta_deg: 30}\n    - {wall: [[3, 1], [4, 1]], beta_deg: -30}\n"
+      "hinge: {model: elastic}\ndrive: {kind: hinge, wall: [[2, 0], [2, 1]], angle_deg: -40}\n";
+  for (const char* model : {"exact", "equilibrium", "bullet"}) {
+    const Scratch scratch;
+    ASSERT_EQ(run_sweep_in(scratch,
+                           sweep_of("{kind: factorial}", "  - {path: drive.angle_deg, values: [-40]}\n",
+                                    "turn_deg, fold_deg", std::string("model: ") + model + "\n"),
+                           "", bent)
+                  .code,
+              0);
+    const Csv csv = read_csv(scratch / "out");
+    EXPECT_NEAR(csv.number(0, "turn_deg"), csv.number(0, "fold_deg"), 0.01) << model;
+  }
+}
+
 TEST(SweepContent, PhysicsRunsInProcessesOfTheirOwnAgreeWithTheModel) {
   const Scratch scratch;
   const std::string small = "kinetix: 1\nstructure: {cells: [2, 1]}\ndesign: {theta_deg: 20}\n";
