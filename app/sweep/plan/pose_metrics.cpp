@@ -54,11 +54,13 @@ double area_ratio(const model::Sheet& structure, const model::State& state) {
 }
 
 double fold_angle(const model::Sheet& structure, const model::State& state) {
+  if (structure.cells() == 0) return std::nan("");
   return angle_between(area_vector(structure.cell_bodies(0), state),
                        area_vector(structure.cell_bodies(structure.cells() - 1), state));
 }
 
 double cell_angle(const model::Sheet& structure, const model::State& state) {
+  if (structure.cells() == 0) return std::nan("");
   const std::span<const int> b = structure.cell_bodies(0);
   return angle_between(state[b[1]].p - state[b[0]].p, state[b.back()].p - state[b[0]].p);
 }

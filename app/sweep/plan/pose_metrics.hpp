@@ -8,7 +8,7 @@
 
 namespace kinetix::app {
 
-/// What a state looks like, in numbers. Lengths in mm, angles in rad; NaN in the state gives NaN.
+/// What a state looks like, in numbers. Lengths in mm, angles in rad; NaN in the state gives NaN, and so do cells where there are none.
 
 /// From the first body (lowest column, then row) to the last.
 Eigen::Vector3d end_point(const model::Sheet& structure, const model::State& state);

@@ -430,6 +430,22 @@ TEST(SweepContent, SchemaRefusesWhatItShould) {
   EXPECT_THAT(schema_errors(analysis, "sweep"), HasSubstr("failed"));
 }
 
+TEST(SweepContent, WallsInARowHaveNoCellsToMeasure) {
+  const Scratch scratch;
+  const Outcome run = run_sweep_in(
+      scratch,
+      sweep_of("{kind: factorial}", "  - {path: design.theta_deg, values: [10]}\n",
+               "area_ratio, fold_deg, cell_angle_deg, end_mm"),
+      "",
+      "kinetix: 1\nstructure: {lattice: graph, cell_mm: 20, vertices_mm: [[0, 0], [20, 0], [40, 0]], "
+      "walls: [[0, 1], [1, 2]]}\ndesign: {theta_deg: 10}\n");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const Csv csv = read_csv(scratch / "out");
+  for (const char* metric : {"area_ratio", "fold_deg", "cell_angle_deg"})
+    EXPECT_EQ(csv.rows[0].at(metric), "") << metric;
+  EXPECT_NEAR(csv.number(0, "end_mm"), 40 * std::cos(10 * radians_per_degree), 1e-9);
+}
+
 // One hinge of a honeycomb off its middle leaves no exact motion, so that the hinges strain.
 TEST(SweepContent, TurnsTheKnobsOfAHoneycombByTheNumbersOfItsWalls) {
   const Scratch scratch;
