@@ -6,7 +6,6 @@
 #include "app/pipeline/physics_settings.hpp"
 #include "app/run/run_hinges.hpp"
 #include "model/closure/closure_drive.hpp"
-#include "model/elastic/elastic_system.hpp"
 #include "model/solids/open_hinge.hpp"
 
 namespace kinetix::app {
@@ -36,14 +35,22 @@ double turning_energy(const Run& run, const model::Linkage& linkage, double k_tu
   return sum;
 }
 
-/// What the drive must hold if springs alone stand against it, N or N mm.
+/// How far a drive has come in a state, in what its load does work along: mm by which plates have closed in, or rad.
+double driven_way(const model::LinkageDrive& drive, const model::Linkage& linkage,
+                  const model::State& state) {
+  if (drive.kind == model::LinkageDrive::Kind::hinge) return hinge_turn(linkage, state, drive.hinge);
+  const int first = drive.gripped[0].front(), last = drive.gripped[1].front(), d = component(drive.axis);
+  return state[first].p[d] - state[last].p[d];
+}
+
+/// What the drive must hold if springs alone stand against it, N or N mm. Plates close in as the sheet does, which need not be
+/// by the cosine of its theta.
 double holding_load(const Run& run, const model::LinkageDrive& drive, const model::Linkage& linkage,
                     const model::Elasticity& elasticity) {
-  const model::ElasticSystem system(linkage, elasticity, drive, run.plan.planar, false);
-  const double theta = drive.theta();
   const auto energy = [&](double at) { return turning_energy(run, linkage, elasticity.k_turn, at); };
-  const double by_theta = (energy(theta + part) - energy(theta - part)) / (2 * part);
-  return by_theta / (system.travel() * system.drive_rate(theta));
+  const auto way = [&](double at) { return driven_way(drive, linkage, run.plan.exact.at(at)); };
+  const double more = run.theta + part, less = run.theta - part;
+  return (energy(more) - energy(less)) / (way(more) - way(less));
 }
 
 model::Elasticity set_at(const model::MadeHinge& made, double turn) {

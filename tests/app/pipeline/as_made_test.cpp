@@ -359,6 +359,34 @@ TEST(AsMadeResult, SaysWhatHoldsAFoldOfSoftBlocks) {
   EXPECT_NEAR(taken["strain"], strain(block, 2 * theta), 1e-12);
 }
 
+// Its rotors turn by twice theta, so that plates close in by 1 - cos(2 theta) of them and not by 1 - cos(theta) of the block.
+TEST(AsMadeResult, SaysWhatHoldsABlockInSpace) {
+  const Scratch scratch;
+  const std::string folder = scratch / "out";
+  const double size_mm = 60, pressed = 0.82;  // along y, between the plates
+  const Outcome run = kinetix_opt(
+      scratch.write(
+          "block.yaml",
+          "kinetix: 1\ntarget: {kind: space_block, factor: [0.86, 0.82, 0.88], size_mm: [60, 60, 60]}\n"
+          "structure: {cells: [1, 1, 1]}\n") +
+      " -o " + folder + " --no-verify");
+  ASSERT_TRUE(run.code == 0 || run.code == 3) << run.out << run.err;
+  const Json result = Json::parse(text_of(folder + "/result.json"));
+  const Json& taken = result["as_made"]["taken"];
+  const model::MadeHinge block{.kind = model::HingeKind::block,
+                               .material = *model::find_material("tango"),
+                               .gap_mm = taken["gap_mm"],
+                               .thickness_mm = taken["thickness_mm"],
+                               .height_mm = taken["height_mm"]};
+  const double theta = result["metrics"]["theta_rad"], hinges = 72;
+  ASSERT_EQ(result["structure"]["hinges"].size(), hinges);
+  const double energy_by_theta = hinges * stiffness(block).turn * 2 * theta * 2;
+  const double way_by_theta = size_mm * (1 - pressed) / (1 - std::cos(2 * theta)) * 2 * std::sin(2 * theta);
+  EXPECT_EQ(taken["load"]["unit"], "N");
+  EXPECT_NEAR(std::abs(taken["load"]["value"].get<double>()), energy_by_theta / way_by_theta,
+              1e-6 * energy_by_theta / way_by_theta);
+}
+
 TEST(AsMadeResult, RefusesProcessesThatNobodyHas) {
   const Scratch scratch;
   const auto refused = [&](const std::string& process) {
