@@ -116,6 +116,16 @@ TEST(Equilibrium, OfATwistUnitStretchesItsHingesAndAgreesWithThePhysicsRun) {
         EXPECT_EQ(physics["metrics"][gap], state[gap]) << "both are of the physics run's state";
 }
 
+// Plates of a block in space close in by more than the cosine of its theta.
+TEST(Equilibrium, OfABlockInSpaceIsSavedWithTheThetaThatItWasAskedFor) {
+  const Scratch scratch;
+  const Outcome run = equilibrium(scratch,
+                                  "kinetix: 1\nstructure: {lattice: sodalite, cells: [1, 1, 1], cell_mm: 20, "
+                                  "gusset: 0.2}\ndesign: {theta_deg: 10}\nhinge: {model: elastic}\n");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_NEAR(app::read_design((scratch / "design.yaml").string()).theta / degree, 10, 1e-9);
+}
+
 TEST(Equilibrium, OfATwistUnitDrivenOverItsBarrierHasTwoStableStates) {
   const Scratch scratch;
   const Outcome run = equilibrium(
