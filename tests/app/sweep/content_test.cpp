@@ -279,18 +279,27 @@ TEST(SweepContent, PhysicsRunsInProcessesOfTheirOwnAgreeWithTheModel) {
   }
 }
 
-// A long strip settles by joints as stiff as those of a single run alone, and coarser steps are tried first in both.
-TEST(SweepContent, APhysicsRunIsThatOfSimulate) {
+// Joints that yield, as those of sheets without a closed form, let the ends of a long strip sway for longer than a run has time.
+TEST(SweepContent, APhysicsRunOfALongStripSettlesAsASingleOneDoes) {
+  constexpr int columns = 150;
+  std::string curl = fmt::format(
+      "kinetix: 1\nstructure: {{cells: [{}, 1], cell_mm: 10, wall_mm: {{thickness: 0.5, height: 3}}}}\n"
+      "design:\n  theta_deg: 15\n  hinges:\n",
+      columns);
+  for (int column = 0; column < columns; ++column)
+    for (const int row : {0, 1})
+      curl += fmt::format("    - {{wall: [[{0}, {2}], [{1}, {2}]], beta_deg: {3}}}\n", column, column + 1,
+                          row, (column + row) % 2 == 0 ? 2 : -2);
   const Scratch scratch;
-  ASSERT_EQ(
-      run_sweep_in(scratch, sweep_of("{kind: factorial}", "  - {path: design.theta_deg, values: [20]}\n",
-                                     "verify_rms, hinge_gap_max", "model: bullet\n"))
-          .code,
-      0);
+  ASSERT_EQ(run_sweep_in(scratch,
+                         sweep_of("{kind: factorial}", "  - {path: design.theta_deg, values: [15]}\n",
+                                  "verify_rms", "model: bullet\n"),
+                         "", curl)
+                .code,
+            0);
   const Csv csv = read_csv(scratch / "out");
-  const Json metrics = simulated(scratch, strip, "bullet")["metrics"];
-  EXPECT_EQ(csv.number(0, "verify_rms"), metrics["verify_rms"].get<double>());
-  EXPECT_EQ(csv.number(0, "hinge_gap_max"), metrics["hinge_gap_max"].get<double>());
+  ASSERT_EQ(csv.rows[0].at("status"), "ok") << csv.rows[0].at("reason");
+  EXPECT_LE(csv.number(0, "verify_rms"), 1e-5);
 }
 
 /// A straight strip, drawn together by a cord.
