@@ -48,8 +48,8 @@ TEST(MainEffects, TheIntervalHoldsTheShareInMostTables) {
   for (const double share : {0.1, 0.5, 0.9}) {
     int held = 0;
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
-      const SamplePlan plan(
-          factors, {.method = SamplingMethod::monte_carlo, .samples = 40, .seed = seed, .base = {}});
+      const SamplePlan plan(factors,
+                            {.method = SamplingMethod::monte_carlo, .samples = 40, .seed = seed, .base = {}});
       const auto f = [&](const std::vector<double>& x) {
         return std::sqrt(share) * x[0] + std::sqrt(1 - share) * x[1];
       };
