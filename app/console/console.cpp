@@ -17,7 +17,6 @@ constexpr int bar_width = 30;  // characters: leaves room for stage and note on 
 constexpr std::chrono::milliseconds interval{1000};  // after which silence makes people wonder
 constexpr auto pulse = interval / 4;                 // ms, between looks: notes come little late
 static_assert(pulse.count() > 0, "a heart that does not wait takes a core for itself");
-constexpr double least_done = 0.02;  // a share: from less nobody can tell what is left
 
 /// Held while a heart writes, and while this process forks: a child inherits every lock of the memory allocator and of
 /// the stream as it stood, and the thread that would have opened it is not in the child.
@@ -74,13 +73,11 @@ void Console::beat() {
     }
 }
 
-/// What is left, from how long the part that is done took.
-std::string Console::note(double seconds) const {
+std::string Console::note(double seconds) {
   if (!note_.empty()) return note_;
-  std::string text = (so_far_.empty() ? "" : so_far_ + ", ") + duration_text(seconds);
-  if (done_ > least_done && done_ < 1)
-    text += ", about " + duration_text(seconds * (1 - done_) / done_) + " left";
-  return text;
+  const std::string text = (so_far_.empty() ? "" : so_far_ + ", ") + duration_text(seconds),
+                    left = done_ < 0 ? "" : left_.words(seconds);
+  return left.empty() ? text : text + ", " + left;
 }
 
 void Console::show() {
@@ -121,11 +118,13 @@ void Console::stage(const std::string& name, double done, const std::string& not
     stage_ = name;
     since_ = Clock::now();
     next_ = since_ + interval;
+    left_ = {};
     if (!terminal_ && says_starts_) log().info("{} ...", name);
   }
   const int percent = done < 0 ? -1 : static_cast<int>(100 * std::min(done, 1.0));
   const bool changes = is_new || percent != shown_percent_ || note != note_ || so_far != so_far_;
   done_ = done;
+  left_.update(std::chrono::duration<double>(Clock::now() - since_).count(), done);
   shown_percent_ = percent;
   note_ = note;
   so_far_ = so_far;

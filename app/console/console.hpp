@@ -7,6 +7,7 @@
 #include <string>
 #include <thread>
 
+#include "app/console/time_left.hpp"
 #include "app/run/run_options.hpp"
 
 namespace kinetix::app {
@@ -36,7 +37,7 @@ class Console {
   void beat();
   void show();
   void show_bar(double seconds);
-  std::string note(double seconds) const;
+  std::string note(double seconds);
   void clear_line();
 
   const bool quiet_, terminal_, says_starts_;
@@ -46,6 +47,7 @@ class Console {
   bool on_screen_ = false;  ///< a bar
   int shown_percent_ = -1;
   double done_ = -1;
+  TimeLeft left_;                   ///< of the stage
   Clock::time_point since_, next_;  ///< the stage began; its next word is due
   std::string stage_, note_, so_far_;
   std::latch awake_{1};  ///< the heart's thread has begun: beginnings take memory, too

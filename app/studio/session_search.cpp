@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "app/console/time_left.hpp"
 #include "app/exports/design_export.hpp"
 #include "app/goals/read_target.hpp"
 #include "app/io/atomic_file.hpp"
@@ -73,6 +74,7 @@ void Session::search_for(const std::string& file, std::shared_ptr<void> keeps) {
   tell_state();
   searcher_.start([this, file, keeps](const std::stop_token& stop) {
     std::string stage_shown;
+    TimeLeft left;
     std::mutex words;
     const auto start = SteadyClock::now();
     SteadyClock::time_point stage_start = start, next = start;
@@ -81,11 +83,14 @@ void Session::search_for(const std::string& file, std::shared_ptr<void> keeps) {
       if (stage != stage_shown) {
         stage_shown = stage;
         stage_start = next = SteadyClock::now();
+        left = {};
       }
+      left.update(seconds_since(stage_start), done);
       if (SteadyClock::now() < next) return;
       next = SteadyClock::now() + between_words;
       Json out = progress_message("search", stage, done, so_far);
-      if (done > 0) out["left_s"] = seconds_since(stage_start) * (1 - done) / done;
+      if (const auto seconds = left.at(seconds_since(stage_start)); seconds && done < 1)
+        out["left_s"] = *seconds;
       tell(out);
     };
     try {

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "app/console/console.hpp"
+#include "app/console/time_left.hpp"
 #include "app/run/stopwatch.hpp"
 
 namespace kinetix::app {
@@ -20,6 +21,7 @@ class SweepProgress {
   Console& console_;
   std::int64_t total_, before_;
   Stopwatch since_shown_;
+  TimeLeft left_;
   double seconds_ = 0, next_ = 0;
 };
 

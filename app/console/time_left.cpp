@@ -1,0 +1,39 @@
+#include "app/console/time_left.hpp"
+
+#include <algorithm>
+
+#include "app/console/duration_text.hpp"
+
+namespace kinetix::app {
+namespace {
+
+constexpr double told_from_share = 0.02;           // of a stage: from less nobody can tell what is left
+constexpr double about_ratio = 1.25, about_s = 1;  // ratio and s, by which "about" may be short
+
+}  // namespace
+
+void TimeLeft::update(double seconds, double done) {
+  if (done < 0 || done == done_) return;
+  if (began_ < 0) {
+    began_ = seconds;
+    before_ = done;
+  }
+  done_ = done;
+  if (done - before_ > told_from_share && done < 1)
+    total_ = seconds + (seconds - began_) * (1 - done) / (done - before_);
+}
+
+std::optional<double> TimeLeft::at(double seconds) {
+  const double left = total_ - seconds;
+  if (!is_known() || !(left > 0)) return std::nullopt;
+  told_ = std::min(told_, left);
+  return left <= about_ratio * told_ + about_s ? std::optional(told_) : std::nullopt;
+}
+
+std::string TimeLeft::words(double seconds) {
+  if (!is_known() || done_ >= 1) return "";
+  const auto left = at(seconds);
+  return left ? "about " + duration_text(*left) + " left" : "takes longer than it seemed";
+}
+
+}  // namespace kinetix::app
