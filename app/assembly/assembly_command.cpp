@@ -17,12 +17,7 @@
 namespace kinetix::app {
 namespace {
 
-AssemblyRun located_run(const CommandOptions& options, const targets::Node& root, Model model,
-                        const std::string& suffix) {
-  Stopwatch watch;
-  AssemblyFile file = read_assembly(root);
-  refuse_own_input(options.file, options.folder_of(file.name, suffix));
-  const double load = watch.lap();
+AssemblyRun located_run(const CommandOptions& options, AssemblyFile file, Model model) {
   Console console(options.quiet);
   const Stopper stopper(options.time_limit_s);
   RunOptions how;
@@ -31,9 +26,7 @@ AssemblyRun located_run(const CommandOptions& options, const targets::Node& root
   const std::optional<double> theta =
       options.theta_given ? std::optional(options.theta_deg * radians_per_degree) : std::nullopt;
   try {
-    AssemblyRun run = run_assembly(std::move(file), model, theta, how);
-    run.load_s = load;
-    return run;
+    return run_assembly(std::move(file), model, theta, how);
   } catch (const InvalidInput& e) {
     if (!e.place().file.empty()) throw;
     throw InvalidInput(e.reason(), {options.file, 0, 0, e.place().key});
@@ -44,8 +37,14 @@ AssemblyRun located_run(const CommandOptions& options, const targets::Node& root
 
 int run_assembly_command(const CommandOptions& options, const targets::Node& root, Model model,
                          const std::string& suffix) {
-  const AssemblyRun run = located_run(options, root, model, suffix);
-  OutputFolder folder(options.folder_of(run.file.name, suffix));
+  Stopwatch watch;
+  AssemblyFile file = read_assembly(root);
+  const std::string where =
+      folder_beside_input(options.file, options.folder_of(file.name, suffix), options.folder_given);
+  const double load = watch.lap();
+  AssemblyRun run = located_run(options, std::move(file), model);
+  run.load_s = load;
+  OutputFolder folder(where);
   const std::string json = assembly_result(run).dump(1) + "\n";
   FileSet files(folder.path());
   files.add("result.json", json);

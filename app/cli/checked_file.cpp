@@ -101,6 +101,9 @@ nlohmann::ordered_json CheckedFile::json() const {
 
 CheckedFile check_file(const std::string& file) {
   const targets::Node root = targets::read_document(file, max_design_bytes);
+  if (root.kind() != targets::Node::Kind::map)
+    throw root.error(
+        "is no map of keys, which a target, a design and a sweep are; the first is `kinetix: 1`");
   if (root.optional("factors")) {
     const SweepPlan plan = make_sweep_plan(file, {});
     return {

@@ -69,9 +69,8 @@ void print(const Run& run, const nlohmann::ordered_json& json, const std::string
 /// @param watch started before the file was read   @param asks_physics alone: without it there is nothing to keep
 int run_and_write(const CommandOptions& options, const Scene& scene, const std::string& suffix,
                   Stopwatch watch, bool asks_physics = false) {
-  const std::string where = options.folder_of(scene.name(), suffix);
-  refuse_own_input(options.file, where);
-  OutputFolder folder(where);
+  OutputFolder folder(
+      folder_beside_input(options.file, options.folder_of(scene.name(), suffix), options.folder_given));
   const double load = watch.lap();
   Console console(options.quiet);
   const Stopper stopper(options.time_limit_s);

@@ -80,7 +80,7 @@ void add_open(CLI::App& app, CommandOptions& options) {
 
 constexpr const char* results_folder =
     "folder for result.json, design.yaml and report.html (default results/NAME, with _verified, _exact, "
-    "_equilibrium or _bullet for a design)";
+    "_equilibrium or _bullet for a design, and _2 where that is the design's own)";
 
 void add_file(CLI::App& app, CommandOptions& options, const std::string& name, const std::string& what) {
   app.add_option(name, options.file, what)->required()->type_name("");
@@ -240,8 +240,9 @@ int run(int argc, char** argv) {
   CLI::App* sweep = app.add_subcommand("sweep", "run a design of experiments; also under mpirun");
   CLI::App* check = app.add_subcommand("check", "validate a target, a design or a sweep; writes nothing");
   for (CLI::App* command : {verify, simulate, check}) {
-    add_file(*command, options, command == check ? "FILE.yaml" : "DESIGN.yaml|DIR",
-             command == check ? "the file to read" : "a design, or the folder of a result");
+    add_file(*command, options, command == check ? "FILE.yaml|DIR" : "DESIGN.yaml|DIR",
+             command == check ? "the file to read, or the folder of a result"
+                              : "a design, or the folder of a result");
     add_common(*command, options);
     if (command == check) continue;
     add_output(*command, options, results_folder);
@@ -296,7 +297,8 @@ int run(int argc, char** argv) {
     return kinetix::app::bad_input;
   }
   options.theta_given = theta->count() > 0;
-  if (verify->parsed() || simulate->parsed()) options.file = kinetix::app::design_at(options.file);
+  if (verify->parsed() || simulate->parsed() || check->parsed())
+    options.file = kinetix::app::design_at(options.file);
   if (verify->parsed()) return kinetix::app::verify_command(options);
   if (simulate->parsed()) return kinetix::app::simulate_command(options);
   if (sweep->parsed()) return kinetix::app::sweep_command(options, share);

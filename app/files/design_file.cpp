@@ -98,6 +98,7 @@ targets::KeyTable state_keys() {
 }
 
 void check_kind_of_file(const targets::Node& root) {
+  refuse_result(root);
   if (root.kind() == targets::Node::Kind::map && !root.optional("design") && root.optional("target"))
     throw root.error("this is a target, not a design; search it first with `kinetix-opt TARGET.yaml`");
   const auto structure = root.kind() == targets::Node::Kind::map ? root.optional("structure") : std::nullopt;

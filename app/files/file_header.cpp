@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <system_error>
 
 namespace kinetix::app {
 namespace {
@@ -36,6 +37,19 @@ targets::KeyTable file_keys(std::vector<targets::Key> own) {
         targets::otherwise("the file's name without its ending, with `_` for what a name may not hold"),
         "name of the result and of its folder"}});
   return targets::KeyTable(std::move(own));
+}
+
+void refuse_result(const targets::Node& root) {
+  namespace fs = std::filesystem;
+  if (root.kind() != targets::Node::Kind::map || root.optional("kinetix")) return;
+  const auto schema = root.optional("schema");
+  if (!schema || schema->kind() != targets::Node::Kind::scalar) return;
+  const fs::path beside = fs::path(root.folder()) / "design.yaml";
+  std::error_code failure;  // of a folder that cannot be read: then it is not beside
+  throw root.error("this is a result, and what can be run or exported is its design; give " +
+                   (fs::exists(beside, failure)
+                        ? beside.string()
+                        : std::string("the design.yaml that was written with it, which is not beside it")));
 }
 
 void check_version(const targets::Section& root) {

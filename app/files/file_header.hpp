@@ -10,6 +10,9 @@ namespace kinetix::app {
 /// The keys of a whole file: `kinetix` and `name`, which every file may hold, before its own.
 targets::KeyTable file_keys(std::vector<targets::Key> own);
 
+/// Says of a result.json that it is none of these files, and which is. @throws InvalidInput for one
+void refuse_result(const targets::Node& root);
+
 /// Checks the `kinetix:` key that every file starts with. @throws InvalidInput when it is missing or another
 /// version
 void check_version(const targets::Section& root);

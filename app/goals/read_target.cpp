@@ -27,6 +27,7 @@ std::string kind_hint() {
 std::string target_hint() { return fmt::format("e.g. `{}`", goal_kinds().front()->example); }
 
 void check_kind_of_file(const targets::Node& root) {
+  refuse_result(root);
   if (root.kind() != targets::Node::Kind::map || root.optional("target")) return;
   if (root.optional("design"))
     throw root.error("this is a design, not a target; use it with simulate, verify, view or export");

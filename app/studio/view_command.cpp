@@ -34,7 +34,7 @@ Source opened_file(const std::string& file) {
 
 Source opened_source(const std::string& source) {
   if (source.empty()) return Opened{studio::template_design("panel"), "", "", 0, 0};
-  if (!fs::is_directory(source)) return opened_file(source);
+  if (!fs::is_directory(source)) return opened_file(design_at(source));
   const fs::path inside = fs::path(source) / "design.yaml";
   if (fs::exists(inside)) return opened_file(inside.string());
   throw InvalidInput(source +

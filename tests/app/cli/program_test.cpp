@@ -101,6 +101,43 @@ TEST(Program, NeverReplacesItsOwnInput) {
   EXPECT_EQ(text_of(found + "/result.json"), result);
 }
 
+/// A design that lies where its results would go by default: they go beside it.
+TEST(Program, WritesBesideItsInputWhereThatIsTheUsualFolder) {
+  const Scratch scratch;
+  const std::string goal = scratch.write("bow.yaml", bow), there = "cd " + scratch.path() + " && ";
+  ASSERT_EQ(kinetix_opt(goal + " --quiet --no-verify", there).code, 0);
+  for (const char* command : {"verify results/bow", "verify results/bow_verified", "simulate results/bow",
+                              "simulate results/bow_exact --theta-deg 5"})
+    EXPECT_EQ(kinetix_opt(std::string(command) + " --quiet", there).code, 0) << command;
+  EXPECT_TRUE(fs::exists(scratch / "results/bow_verified_2/design.yaml"));
+  const auto theta = [&](const char* folder) {
+    return Json::parse(text_of(scratch / folder / "result.json"))["metrics"]["theta_rad"].get<double>();
+  };
+  EXPECT_NEAR(theta("results/bow_exact_2"), 5 * M_PI / 180, 1e-12);
+  EXPECT_NEAR(theta("results/bow_exact"), theta("results/bow"), 1e-12) << "the input stays";
+}
+
+/// A result.json stands for the design beside it, and says so where there is none.
+TEST(Program, SaysWhichFileAResultNeeds) {
+  const Scratch scratch;
+  const std::string goal = scratch.write("bow.yaml", bow), found = scratch / "found",
+                    result = found + "/result.json";
+  ASSERT_EQ(kinetix_opt(goal + " --quiet --no-verify -o " + found).code, 0);
+  EXPECT_EQ(kinetix_opt("check " + result).out, kinetix_opt("check " + found).out);
+  EXPECT_THAT(kinetix_opt("check " + found).out, HasSubstr("valid design 'bow'"));
+  const Outcome searched = kinetix_opt(result);
+  EXPECT_EQ(searched.code, 2);
+  EXPECT_THAT(searched.err, HasSubstr("this is a result"));
+  EXPECT_THAT(searched.err, HasSubstr("give " + found + "/design.yaml"));
+  fs::remove(found + "/design.yaml");
+  for (const char* command : {"verify ", "simulate ", "check ", "view --no-open ", "export --format stl "}) {
+    const Outcome lone = kinetix_opt(command + result);
+    EXPECT_EQ(lone.code, 2) << command;
+    EXPECT_THAT(lone.err, HasSubstr("the design.yaml that was written with it, which is not beside it"))
+        << command;
+  }
+}
+
 TEST(Program, PrintsTheDocumentItWrites) {
   const Scratch scratch;
   const Outcome run =
