@@ -100,8 +100,8 @@ std::string process_text(const model::Process& process) {
 }
 
 std::string problem_text(const model::PrintProblem& problem) {
-  return fmt::format("{}; larger as a whole, with a cell_mm of {:.3g}, it could be", problem.what,
-                     problem.cell_mm);
+  return fmt::format("{}; it could be with a cell_mm of {:.3g}, as a larger sheet or one of fewer cells",
+                     problem.what, problem.cell_mm);
 }
 
 void note_process(const model::Process& process, const model::CellSize& size,

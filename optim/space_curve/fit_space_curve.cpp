@@ -74,6 +74,7 @@ model::CellSize with_edge(const SpaceVariables& v, double edge) {
   const double scale = edge / v.size.edge_mm;
   model::CellSize size = v.size;
   size.edge_mm = edge;
+  if (!v.free_walls) return size;
   size.thickness_mm *= scale;
   size.height_mm *= scale;
   return size;

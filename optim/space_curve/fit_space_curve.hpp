@@ -13,10 +13,10 @@ namespace kinetix::optim {
 
 /// What a search for a strip in space may vary.
 struct SpaceVariables {
-  int columns = 96;  ///< >= 4
-  model::CellSize size =
-      {};                 ///< of the cells; where `free_edge`, thickness and height scale with the edge found
-  bool free_edge = true;  ///< the cell edge follows from the goal's length
+  int columns = 96;           ///< >= 4
+  model::CellSize size = {};  ///< of the cells
+  bool free_edge = true;      ///< the cell edge follows from the goal's length
+  bool free_walls = true;     ///< where the edge is free: thickness and height scale with the edge found
   double beta = 60 * radians_per_degree;                               ///< largest |tilt|, rad, (0, pi/2)
   std::array<double, 2> t = {0.12, 0.88};                              ///< of shearing columns, within (0, 1)
   AngleRange theta{20 * radians_per_degree, 40 * radians_per_degree};  ///< rad, in (0, pi/4)

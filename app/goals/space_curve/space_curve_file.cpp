@@ -17,6 +17,10 @@ namespace value = targets::value;
 constexpr int least_columns = 4, most_columns = 400;  // the search takes some seconds for the most
 // rad: at which a strip gets the length of the curve where the file gives its cell edge but no cells.
 constexpr double usual_strip_theta = 30 * radians_per_degree;
+// By default: of a helix of two turns the search misses its tolerance with fewer (16 miss it, 24 meet it).
+constexpr int least_usual_columns = 24;
+// Of its length a curve is seen from above a strip that climbs along it (measured: 0.96 to 1).
+constexpr double seen_length = 0.95;
 constexpr double smallest_cell_mm = 0.1;  // mm: below, points are likelier in metres than cells so small
 // Of theta, degrees: at 45 basic cells are closed.
 const targets::Bounds folds = targets::between(0, 45, "degrees");
@@ -25,8 +29,9 @@ const targets::Bounds tilt = targets::between(-89, 89, "degrees");
 targets::KeyTable space_curve_structure_keys(const SpaceCurveFile& usual) {
   return targets::KeyTable({
       cells_key(targets::by_default({static_cast<double>(usual.variables.columns), 1.0}),
-                "[columns, 1]; where only `cell_mm` is given, as many columns as make the strip as long as "
-                "the curve"),
+                "[columns, 1]; by default fewer, but at least 24, where the process could not print the "
+                "walls of so many and fewer can follow the curve; where only `cell_mm` is given, as many "
+                "columns as make the strip as long as the curve"),
       cell_mm_key(targets::otherwise("gives the strip the curve's length")),
       wall_mm_key(),
   });
@@ -69,6 +74,33 @@ int read_columns(const targets::Node& node) {
   return (*sides)[0];
 }
 
+double usual_edge(const SpaceCurveFile& file) {
+  return file.wanted.length() / (file.variables.columns * std::cos(usual_strip_theta));
+}
+
+/// Of a file that leaves all sizes open: as many as the process can print with walls that follow default_size, at the theta at
+/// which cells are smallest, if columns so wide can follow the curve.
+int printable_columns(const SpaceCurveFile& file, const model::Process& process) {
+  const double least_mm = least_cell_mm(process, default_size(1), {}),
+               most = seen_length * file.wanted.length() / (least_mm * std::cos(file.variables.theta.lower));
+  SpaceCurveFile fewer = file;
+  fewer.variables.columns =
+      static_cast<int>(std::clamp(std::floor(most), static_cast<double>(least_usual_columns),
+                                  static_cast<double>(file.variables.columns)));
+  fewer.variables.size = default_size(usual_edge(fewer));
+  return obstacle(fewer.wanted, fewer.variables) ? file.variables.columns : fewer.variables.columns;
+}
+
+void check_unit(const targets::Section& root, const SpaceCurveFile& file) {
+  if (usual_edge(file) >= smallest_cell_mm) return;
+  throw root.required("target", "")
+      .error(fmt::format("the curve is {:.6g} mm long, so that {} cells would be {:.3g} mm small; points "
+                         "are in millimetres; are these "
+                         "metres? If not, give structure.cell_mm",
+                         file.wanted.length(), file.variables.columns, usual_edge(file)));
+}
+
+/// @pre the variables are read
 void read_structure(const targets::Section& root, SpaceCurveFile& file) {
   const targets::Section structure = root.section("structure");
   const double length = file.wanted.length();
@@ -77,14 +109,13 @@ void read_structure(const targets::Section& root, SpaceCurveFile& file) {
   const auto cell_mm = structure.optional("cell_mm");
   if (cells) v.columns = read_columns(*cells);
   v.free_edge = !cell_mm;
-  const double usual_edge = length / (v.columns * std::cos(usual_strip_theta));
-  v.size = read_size(structure, usual_edge);
-  if (!cell_mm && !(usual_edge >= smallest_cell_mm))
-    throw root.required("target", "")
-        .error(fmt::format("the curve is {:.6g} mm long, so that {} cells would be {:.3g} mm small; points "
-                           "are in millimetres; are these "
-                           "metres? If not, give structure.cell_mm",
-                           length, v.columns, usual_edge));
+  v.free_walls = !structure.optional("wall_mm");
+  if (v.free_edge) check_unit(root, file);
+  if (v.free_edge && v.free_walls && !cells)
+    v.columns = root.section("target").required("points", "").located([&] {
+      return printable_columns(file, read_process(root));
+    });
+  v.size = read_size(structure, usual_edge(file));
   if (!cell_mm || cells) return;
   const double fitting = std::round(length / (v.size.edge_mm * std::cos(usual_strip_theta)));
   if (!(fitting >= least_columns && fitting <= most_columns))
@@ -162,8 +193,8 @@ SpaceCurveFile read_space_curve_file(const targets::Node& node) {
   targets::ReadSpaceGoal goal = targets::read_space_goal(points);
   SpaceCurveFile file(std::move(goal.goal));
   file.name = name;
-  read_structure(root, file);
   read_variables(root, file);
+  read_structure(root, file);
   const targets::Section tolerance = root.section("tolerance");
   tolerance.read("shape", file.shape_tolerance);
   tolerance.read("verify", file.verify_tolerance);

@@ -7,6 +7,7 @@
 #include "app/goals/display/display_file.hpp"
 #include "app/goals/helmet/helmet_file.hpp"
 #include "app/goals/read_target.hpp"
+#include "app/goals/space_curve/space_curve_file.hpp"
 #include "tests/support/bad_input.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/targets/heads.hpp"
@@ -66,6 +67,29 @@ TEST(TargetFile, IsStricterWithHelmetsOfSmallCells) {
   EXPECT_NEAR(file(24).max_mm, 70.0 / 30, 1e-12) << "a thirtieth of the coverage";
   EXPECT_NEAR(file(4).max_mm, 2, 1e-12) << "half a cell";
   EXPECT_NEAR(file(4).rms_mm, 0.8 * 2 / 3, 1e-12);
+}
+
+/// 96 columns, but walls of a tenth of a cell that the process prints at every theta that is tried, and at least 24, if so
+/// few can follow the curve.
+TEST(TargetFile, CurvesInSpaceHaveCellsThatCanBePrinted) {
+  TemporaryFolder folder;
+  const auto columns = [&](const std::string& points, const std::string& more = {}) {
+    const std::string text = "kinetix: 1\ntarget: {kind: space_curve, points: " + points + "}\n" + more;
+    return read_space_curve_file(targets::read_document(folder.write("space.yaml", text))).variables.columns;
+  };
+  const std::string large = "[[0, 0, 0], [300, 0, 30], [600, 30, 60]]",
+                    middle = "[[0, 0, 0], [100, 0, 10], [200, 10, 20]]",
+                    small = "[[0, 0, 0], [10, 0, 1], [20, 1, 2]]";
+  EXPECT_EQ(columns(large), 96);
+  EXPECT_EQ(columns(middle), 33) << "201.5 mm in cells of 6 mm at 20 deg";
+  EXPECT_EQ(columns(middle, "process: fdm\n"), 25) << "of 8 mm";
+  EXPECT_EQ(columns(middle, "structure: {cells: [60, 1]}\n"), 60);
+  EXPECT_EQ(columns(middle, "structure: {wall_mm: {thickness: 0.6, height: 3}}\n"), 96) << "walls of its own";
+  EXPECT_EQ(columns(small), 24);
+  const std::string bend =
+      "[[0, 0, 0], [40, 0, 0], [41.531, 0, 0.304], [42.828, 0, 1.172], [43.696, 0, 2.469], [44, 0, 4], "
+      "[43.696, 0, 5.531], [42.828, 0, 6.828], [41.531, 0, 7.696], [40, 0, 8], [0, 0, 8]]";
+  EXPECT_EQ(columns(bend), 96) << "24 cannot follow a bend of 4 mm";
 }
 
 /// 40 columns, but walls of a tenth of a cell that the process prints, and at least 8 columns.

@@ -473,8 +473,8 @@ TEST(Matter, RefusesWhatCannotBeMade) {
       {arc + "hinge: {kind: pin, diameter_mm: 3, clearance_mm: 0.1}\nprocess: fdm\n",
        "goal.yaml:6:10: process: a clearance of 0.1 mm is less than fdm prints, 0.3 mm"},
       {"kinetix: 1\ntarget: {kind: fold, box: [2, 2, 2]}\nstructure: {cell_mm: 5}\nprocess: sla\n",
-       "goal.yaml:4:10: process: a wall of 0.5 mm is less than sla prints, 0.8 mm; larger as a whole, with "
-       "a cell_mm of 8, it could be"},
+       "goal.yaml:4:10: process: a wall of 0.5 mm is less than sla prints, 0.8 mm; it could be with "
+       "a cell_mm of 8, as a larger sheet or one of fewer cells"},
       {letter + "variables: {offset_mm: 0.5}\n",
        "variables.offset_mm: a hinge made so in walls of 2 mm can sit at most 0.4 mm off their middle"},
       {letter + "tolerance: {strain: 0.8}\n",

@@ -51,6 +51,20 @@ TEST(SpaceFit, AHelixThatLiesAnyWayInSpaceIsFollowedAsWell) {
   EXPECT_TRUE(found.walls_are_free);
 }
 
+TEST(SpaceFit, WallsThatAreGivenStayWhileCellsAreSought) {
+  SpaceVariables v = with_columns(48);
+  v.size = {.edge_mm = 12, .thickness_mm = 0.8, .height_mm = 5};
+  v.free_walls = false;
+  const SpaceDesign given = fit_space_curve(helix(1, 40, 30), v, {});
+  EXPECT_NE(given.size.edge_mm, 12);
+  EXPECT_EQ(given.size.thickness_mm, 0.8);
+  EXPECT_EQ(given.size.height_mm, 5);
+  v.free_walls = true;
+  const SpaceDesign free = fit_space_curve(helix(1, 40, 30), v, {});
+  EXPECT_NEAR(free.size.thickness_mm, 0.8 / 12 * free.size.edge_mm, 1e-12);
+  EXPECT_NEAR(free.size.height_mm, 5.0 / 12 * free.size.edge_mm, 1e-12);
+}
+
 // Its chords and heights are those that the lattice folds to.
 TEST(SpaceFit, AStripAsItIsDescribedIsTheStripThatFolds) {
   const SpaceDesign found = fit_space_curve(helix(1, 40, 30), with_columns(31), {});

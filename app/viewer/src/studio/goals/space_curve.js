@@ -7,7 +7,7 @@ export const space_curveGoal = {
   apart: ({goal_mm}, p) => offLine(goal_mm, p),
   cards: {
     space_curve: {title: "Curve in space", about: "A CSV file of points x,y,z in mm.", drop: ".csv", needsFile: true,
-      fields: [field("columns", "columns", 96, {min: 8, max: 400, step: 1})],
+      fields: [field("columns", "columns", 48, {min: 8, max: 400, step: 1})],
       text: ({name, columns}) => targetFile("space_curve", `{kind: space_curve, points: ${inQuotes(name)}}`, [`structure: {cells: [${columns}, 1]}`])},
   },
   ghost: ({goal_mm}) => (Array.isArray(goal_mm) && goal_mm.length > 1 ? {lines: [goal_mm]} : null),
