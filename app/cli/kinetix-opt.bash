@@ -21,7 +21,7 @@ _kinetix_opt() {
   local options
   case $command in
     verify) options="$common -o --open --fidelity" ;;
-    simulate) options="$common -o --open --model --theta-deg --drives" ;;
+    simulate) options="$common -o --open --model --theta-deg --drives --time-limit" ;;
     sweep) options="$common -o --open --resume --share" ;;
     check) options="$common" ;;
     export) options="$common -o --format --process --hinge --clearance --cell-mm --bed --loose-rods --caps --orient --slice --coupon --state" ;;

@@ -78,6 +78,13 @@ void add_open(CLI::App& app, CommandOptions& options) {
   app.add_flag("--open", options.open, "shows the report in the browser");
 }
 
+void add_time_limit(CLI::App& app, CommandOptions& options, const std::string& kept) {
+  app.add_option("--time-limit", options.time_limit_s,
+                 "stops then and keeps " + kept + ", as the first Ctrl-C does")
+      ->type_name("SECONDS")
+      ->check(within(1e-3, 1e9));
+}
+
 constexpr const char* results_folder =
     "folder for result.json, design.yaml and report.html (default results/NAME, with _verified, _exact, "
     "_equilibrium or _bullet for a design, and _2 where that is the design's own)";
@@ -200,6 +207,16 @@ void choose_format(kinetix::app::PrintRequest& request) {
   request.formats = {"3mf"};
 }
 
+/// What a command does not take would be ignored where it stands before it: `--no-verify verify` would verify nothing.
+void refuse_options_before(const CLI::App& app, const CLI::App& command) {
+  for (const CLI::Option* option : app.get_options([](const CLI::Option* o) { return o->count() > 0; })) {
+    if (command.get_option_no_throw(option->get_name())) continue;
+    const std::string given = option->get_positional() ? option->results().front() : option->get_name();
+    throw kinetix::InvalidInput(
+        fmt::format("{} is for a search and not for {} (see --help)", given, command.get_name()));
+  }
+}
+
 /// Also of a command line that cannot be read.
 bool asks_for_json(int argc, char** argv) {
   return std::any_of(argv + 1, argv + argc,
@@ -222,10 +239,7 @@ int run(int argc, char** argv) {
   add_open(app, options);
   app.add_flag_callback(
       "--no-verify", [&] { options.verify = false; }, "skip the physics run");
-  app.add_option("--time-limit", options.time_limit_s,
-                 "stops then and keeps the best so far, as the first Ctrl-C does")
-      ->type_name("SECONDS")
-      ->check(within(1e-3, 1e9));
+  add_time_limit(app, options, "the best so far");
   app.add_flag("--fidelity", options.fidelity,
                "physics runs of coarser steps too, for the report's table of speed against error");
   app.add_option("--monte-carlo", options.prints,
@@ -266,6 +280,7 @@ int run(int argc, char** argv) {
       ->add_option("--model", options.model,
                    "exact: closed form; equilibrium: elastic hinges; bullet: physics run")
       ->check(CLI::IsMember({"exact", "equilibrium", "bullet"}));
+  add_time_limit(*simulate, options, "the path so far, or of --drives those that it came to");
   CLI::Option* theta =
       simulate->add_option("--theta-deg", options.theta_deg, "fold angle instead of the design's own")
           ->check(within(-89.0, 89.0));
@@ -296,6 +311,7 @@ int run(int argc, char** argv) {
     if (asks_for_json(argc, argv)) kinetix::app::print_error(e.what(), kinetix::app::bad_input);
     return kinetix::app::bad_input;
   }
+  for (const CLI::App* command : app.get_subcommands()) refuse_options_before(app, *command);
   options.theta_given = theta->count() > 0;
   if (verify->parsed() || simulate->parsed() || check->parsed())
     options.file = kinetix::app::design_at(options.file);

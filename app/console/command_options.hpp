@@ -26,7 +26,7 @@ struct CommandOptions {
   bool quiet = false;
   bool verify = true;
   bool fidelity = false;               ///< of a target and verify: physics runs of coarser steps too
-  std::optional<double> time_limit_s;  ///< of a target: the best so far is kept
+  std::optional<double> time_limit_s;  ///< of a target and simulate: the best so far is kept
   bool open = false;                   ///< shows the report when it is written
   int prints = 0;                      ///< of a target: to confirm what prints come to
   int threads = 0;

@@ -318,6 +318,22 @@ TEST(Program, WritesAllOfItsFilesOrNoneWhenTheDiskIsFull) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 3);
 }
 
+TEST(Program, RefusesOptionsOfASearchBeforeACommand) {
+  const Scratch scratch;
+  const std::string design = scratch.write("d.yaml", "kinetix: 1\nstructure: {cells: [4, 1]}\n"),
+                    out = " -o " + std::string(scratch / "out");
+  for (const char* given : {"--no-verify", "--monte-carlo 5", "goal.yaml"}) {
+    const Outcome run = kinetix_opt(std::string(given) + " verify " + design + out);
+    EXPECT_EQ(run.code, 2) << given;
+    EXPECT_THAT(run.err, HasSubstr("is for a search and not for verify (see --help)"));
+    EXPECT_THAT(run.err, StartsWith(std::string(given).substr(0, 9)));
+  }
+  EXPECT_FALSE(fs::exists(scratch / "out"));
+  EXPECT_EQ(kinetix_opt("--quiet --threads 1" + out + " --time-limit 60 simulate " + design).code, 0);
+  EXPECT_TRUE(fs::exists(scratch / "out/result.json"));
+  EXPECT_EQ(kinetix_opt("simulate " + design + " --time-limit 60 --quiet" + out + "2").code, 0);
+}
+
 TEST(Program, HelpNamesEveryCommandAndExitCode) {
   const Outcome help = kinetix_opt("--help");
   EXPECT_EQ(help.code, 0);
