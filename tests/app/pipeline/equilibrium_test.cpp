@@ -470,6 +470,21 @@ INSTANTIATE_TEST_SUITE_P(
         BadDesign{"no_cells", "structure: {}", "structure"}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
+/// Of a strip whose first column alone leans, either side is an equilibrium between plates: which one it is, is told.
+TEST(Equilibrium, SaysWhereASheetFoldsToTheOtherSide) {
+  const Scratch scratch;
+  const Outcome run = equilibrium(
+      scratch,
+      "kinetix: 1\nstructure: {cells: [6, 2], cell_mm: 12, wall_mm: {thickness: 1, height: 8}}\n"
+      "design:\n  theta_deg: 17.5\n  hinges:\n    - {wall: [[0, 0], [1, 0]], beta_deg: 20}\n"
+      "    - {wall: [[0, 1], [1, 1]], beta_deg: -20}\n    - {wall: [[0, 2], [1, 2]], beta_deg: 20}\n"
+      "hinge: {kind: film, material: pp, gap_mm: 3, thickness_mm: 0.4}\n");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const double theta = Json::parse(text_of(scratch / "result.json"))["metrics"]["theta_rad"];
+  EXPECT_NEAR(std::abs(theta), 17.5 * degree, 1 * degree);
+  EXPECT_EQ(run.out.find("where 17.50 was asked for") != std::string::npos, theta < 0) << run.out;
+}
+
 /// Compression past what the cells can take, and stiffnesses far apart: an answer or a diagnosed stop.
 TEST(Equilibrium, WritesNoNumberThatIsNotFiniteHoweverFarItIsDriven) {
   for (const char* sections :
