@@ -30,6 +30,12 @@ ModelFile read_by_ending(const std::string& file) {
   if (ending == ".3mf") return read_threemf(bytes(), file);
   if (ending == ".obj") return read_groups_of_obj(bytes(), file);
   if (ending == ".glb") return read_glb(bytes(), file);
+  std::error_code failure;  // of a name that no file can have: then there is none
+  if (!std::filesystem::exists(file, failure)) throw InvalidInput("no such file", {file});
+  if (std::filesystem::is_directory(file, failure))
+    throw InvalidInput(
+        "is a folder without vertices.txt; give a folder of tiles, or a 3MF, STEP, GLB, OBJ, PLY or STL file",
+        {file});
   throw InvalidInput(
       "has no known model format, judged by its ending; give a 3MF, STEP, GLB, OBJ, PLY or STL file", {file});
 }

@@ -153,9 +153,9 @@ std::string orientation_words(const PrintJob& job) {
   const std::vector<Lie> all = lies(job);
   const Lie& least = best(all);
   const char* const side = job.lie == "over" ? "turned over about x"
-                           : job.folded      ? "folded"
+                           : job.folded      ? "as its motion leaves it"
                                              : "flat on the bed";
-  const std::string here = fmt::format("{}, as it is in the files", side);
+  const std::string here = fmt::format("{}{}, as it is in the files", job.folded ? "folded, " : "", side);
   const Lie& now = lie_now(job, all);
   const std::string hangs = fmt::format("{}; {:.1f} mm2 lean more than {:g} degrees over the bed", here,
                                         now.overhang_mm2, steep_deg);

@@ -190,6 +190,8 @@ TEST(Import, RefusesWhatIsNoModel) {
   const Scratch scratch;
   expect_refused(scratch, "", "import needs a model, or --hard FILE and --soft FILE");
   expect_refused(scratch, (scratch / "none.stl").string(), "none.stl");
+  expect_refused(scratch, (scratch / "none.3d").string(), "none.3d: no such file");
+  expect_refused(scratch, scratch.path(), "is a folder without vertices.txt");
   expect_refused("model.doc", "x", "has no known model format");
   expect_refused("model.3mf", "no zip", "is not a 3MF file, or is damaged");
   expect_refused("model.step", "ISO-10303-20;", "is not a STEP file");

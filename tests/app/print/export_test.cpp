@@ -261,6 +261,8 @@ TEST(Export, SaysThatDrawingsAreAlwaysFlat) {
               HasSubstr("--state folded changes nothing in svg and dxf, which always draw the flat sheet"));
   ASSERT_EQ(exported(scratch, panel, folded + "stl").code, 0);
   EXPECT_EQ(said_of(scratch)["warnings"].dump().find("changes nothing"), std::string::npos);
+  EXPECT_THAT(text_of(scratch / "out/print.txt"),
+              HasSubstr("orientation  folded, as its motion leaves it, as it"));
 }
 
 /// By the overhang as the sheet lies, and by what the process lays under it itself.
