@@ -109,6 +109,9 @@ DriveTrials located_trials(const CommandOptions& options, const DesignFile& desi
 int compare_drives(const CommandOptions& options) {
   if (options.model != "equilibrium")
     throw InvalidInput("--drives compares forces of elastic hinges: give --model equilibrium as well");
+  if (is_assembly(targets::read_document(options.file, max_design_bytes)))
+    throw InvalidInput("--drives compares drives of sheets, and this is an imported design of bodies",
+                       {options.file});
   std::optional<OutputFolder> folder;
   if (options.folder_given) folder.emplace(options.folder);
   const DriveTrials trials = located_trials(options, design_of(options));

@@ -104,7 +104,8 @@ void check_kind_of_file(const targets::Node& root) {
   const auto structure = root.kind() == targets::Node::Kind::map ? root.optional("structure") : std::nullopt;
   if (structure && structure->kind() == targets::Node::Kind::map && structure->optional("bodies"))
     throw structure->error(
-        "this is an imported design of bodies, not a sheet; simulate, verify, check and export take it");
+        "this is an imported design of bodies, not a sheet; simulate, verify, view, check, sweep and export "
+        "take it");
 }
 
 model::Sheet read_structure(const targets::Section& root) {

@@ -426,6 +426,9 @@ TEST(Import, IsSimulatedInEquilibriumAndVerified) {
                                    (scratch / "run").string());
   EXPECT_THAT(told.out, HasSubstr(fmt::format("load       moment {:.4g} N mm", k_turn * angle)));
   EXPECT_THAT(told.out, HasSubstr(fmt::format("energy     {:.4g} N mm", k_turn * angle * angle / 2)));
+  const Outcome drives = kinetix_opt("simulate --model equilibrium --drives " + design);
+  EXPECT_EQ(drives.code, 2);
+  EXPECT_THAT(drives.err, HasSubstr("--drives compares drives of sheets"));
 }
 
 /// A wall from one point of the plane to another, less the room of the blocks at its ends.
