@@ -81,9 +81,18 @@ void miss(Run& run, const std::string& why) {
   run.goal->violations.push_back("equilibrium of the elastic hinges: " + why);
 }
 
+/// Hinges that are too soft for their drive leave the sheet far from its goal; what is missed otherwise no spring mends.
+bool is_far_off(const Run& run, const Scene& scene, const model::State& state) {
+  const auto judged = scene.judged(run, run.structure, state);
+  return !judged || rms_mm(*judged) > judged->tolerance_mm;
+}
+
 /// What counts is where the path from flat ends. That may be beside what the search found, which knows no contact.
-void take_end_of_path(Run& run, const Scene& scene, const model::State& end) {
-  const std::string elsewhere = "the path from flat ends in another equilibrium than the one near the goal";
+/// @param away from it, cell edges
+void take_end_of_path(Run& run, const Scene& scene, const model::State& end, double away) {
+  const std::string elsewhere = fmt::format(
+      "the path from flat ends in another equilibrium than the one near the goal, {:.3g} mm from it",
+      away * run.structure.size().edge_mm);
   if (const auto judged = scene.judged(run, run.structure, end)) run.matter->after_mm = rms_mm(*judged);
   if (!run.goal->met()) return miss(run, elsewhere);
   run.matter->why = elsewhere + ", and within tolerance as well";
@@ -158,15 +167,16 @@ void settle_in_matter(Run& run, const Scene& scene, const RunOptions& options) {
   const model::EquilibriumPath& shown = run.equilibrium->path;
   if (!run.equilibrium->reached()) return miss(run, shown.why);
   scene.judge_matter(run, shown.state);
-  if (!run.goal->met() && run.goal_drive.kind == GoalDrive::Kind::usual)
+  if (!run.goal->met() && run.goal_drive.kind == GoalDrive::Kind::usual &&
+      is_far_off(run, scene, shown.state))
     run.goal->violations.push_back(fmt::format(
         "plates and single hinges let soft hinges lean or buckle sooner than they fold them: try "
         "`drive: {{kind: shape_memory, k_turn: {:.3g}}}`, springs in all hinges, {:g} times as stiff as "
         "these, or "
         "stiffer hinges",
         spring_over_hinge * stiffest_turn(elasticity, run.structure.hinges()), spring_over_hinge));
-  if (!(aligned_distance(run.structure, shown.state, found.after.state).max <= same_state))
-    take_end_of_path(run, scene, shown.state);
+  const double away = aligned_distance(run.structure, shown.state, found.after.state).max;
+  if (!(away <= same_state)) take_end_of_path(run, scene, shown.state, away);
 }
 
 }  // namespace kinetix::app

@@ -33,8 +33,9 @@ std::vector<std::string> violations(const FoldFile& file, const std::vector<Fold
   std::vector<std::string> why;
   for (const FoldedCrease& crease : creases)
     if (!(std::abs(crease.reached - crease.asked) <= file.angle_tolerance))
-      why.push_back(fmt::format("{}: crease `{}` folds by {:.2f} deg; {:.2f} deg is required", who,
-                                crease.name, to_degrees(crease.reached), to_degrees(crease.asked)));
+      why.push_back(fmt::format(
+          "{}: crease `{}` folds by {:.2f} deg; {:.2f} deg is required, within {:.3g} deg", who, crease.name,
+          to_degrees(crease.reached), to_degrees(crease.asked), to_degrees(file.angle_tolerance)));
   if (!(rms <= file.shape_tolerance))
     why.push_back(
         fmt::format("{}: faces are off the solid by {:.3g} of their edge; at most {:.3g} is allowed", who,

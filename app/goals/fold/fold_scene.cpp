@@ -58,6 +58,7 @@ std::string other_size(const FoldFile& file, const FoldOutcome& found, const Run
   const char* looser = "a larger tolerance.size";
   if (file.robust || file.limits.any())
     return fmt::format("try another cell edge (structure.cell_mm), or allow {}", looser);
+  options.progress("other cells", -1, "");
   optim::BoxOptions box = *file.box;
   box.fold.threads = options.threads;
   box.fold.stop = options.stop;

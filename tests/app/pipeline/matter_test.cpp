@@ -144,6 +144,24 @@ structure: {cells: [32, 1]}
                                        "all hinges, 4 times as stiff as these"));
 }
 
+/// A crease that is a little off is no sheet that leans: no spring is proposed, and how far the path ends from what was found is told.
+TEST(Matter, ProposesNoSpringsWhereASheetFoldsWell) {
+  const Scratch scratch;
+  const Finished run =
+      finished(scratch,
+               "kinetix: 1\ntarget: {kind: fold, box: [2, 2, 2]}\ntolerance: {angle_deg: 0.05}\n"
+               "structure: {cell_mm: 30, wall_mm: {thickness: 2, height: 12}}\n"
+               "hinge: {kind: pin, diameter_mm: 3, clearance_mm: 0.3}\n",
+               " --no-verify");
+  ASSERT_EQ(run.code, 3) << run.out << run.err;
+  EXPECT_LT(run.result["matter"]["after_mm"], 0.2 * run.result["matter"]["tolerance_mm"].get<double>());
+  EXPECT_THAT(run.out, HasSubstr("deg is required, within 0.05 deg"));
+  EXPECT_EQ(run.out.find("lean or buckle"), std::string::npos) << run.out;
+  if (run.out.find("in another equilibrium") != std::string::npos) {
+    EXPECT_THAT(run.out, ::testing::ContainsRegex("than the one near the goal, [0-9.e-]+ mm from it"));
+  }
+}
+
 TEST(Matter, MakesUpForSoftHingesOfABox) {
   const Scratch scratch;
   const Finished run = finished(
