@@ -6,6 +6,7 @@
 #include "app/pipeline/physics_settings.hpp"
 #include "app/run/run_hinges.hpp"
 #include "model/closure/closure_drive.hpp"
+#include "model/linkage/actuators.hpp"
 #include "model/solids/open_hinge.hpp"
 
 namespace kinetix::app {
@@ -35,10 +36,12 @@ double turning_energy(const Run& run, const model::Linkage& linkage, double k_tu
   return sum;
 }
 
-/// How far a drive has come in a state, in what its load does work along: mm by which plates have closed in, or rad.
+/// How far a drive has come in a state, in what its load does work along: mm by which plates have closed in or a cord has become
+/// shorter, or rad. @pre it drives a hinge, plates or a cord
 double driven_way(const model::LinkageDrive& drive, const model::Linkage& linkage,
                   const model::State& state) {
   if (drive.kind == model::LinkageDrive::Kind::hinge) return hinge_turn(linkage, state, drive.hinge);
+  if (drive.pulls_cord()) return -cord_length(linkage, drive.through, state);
   const int first = drive.gripped[0].front(), last = drive.gripped[1].front(), d = component(drive.axis);
   return state[first].p[d] - state[last].p[d];
 }
@@ -80,7 +83,8 @@ PrintHinges print_hinges(const Run& run, const model::LinkageDrive& drive, const
   }
   if (open == 0) return out;
   out.taken = TakenHinges{.made = block, .strain = strain(block, largest_turn)};
-  if (open == run.structure.hinges() && run.plan.exact && !drive.heats_springs())
+  const bool has_load = drive.has_force() || drive.kind == model::LinkageDrive::Kind::hinge;
+  if (open == run.structure.hinges() && run.plan.exact && has_load)
     out.taken->load = holding_load(run, drive, linkage, soft);
   out.taken->is_force = drive.has_force();
   return out;
