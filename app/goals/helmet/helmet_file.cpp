@@ -19,9 +19,9 @@ namespace value = targets::value;
 
 constexpr double share_of_coverage = 1.0 / 30;  // of how far the head is covered: 3 mm of the usual 90
 constexpr double helmet_cell_mm = 6;            // a tenth of a head's radius: ribs can follow its curves
-constexpr int most_ribs = 200;       // one every other millimetre of a head: a limit on what is read
-constexpr double least_cell_mm = 1;  // of cells, and between ribs: smaller ones make too many cells
-constexpr double most_cell_mm = 60;  // about a head's radius: larger cells cannot follow it
+constexpr int most_ribs = 200;              // one every other millimetre of a head: a limit on what is read
+constexpr double least_helmet_cell_mm = 1;  // of cells, and between ribs: smaller ones make too many cells
+constexpr double most_cell_mm = 60;         // about a head's radius: larger cells cannot follow it
 
 targets::KeyTable target_keys(const optim::HelmetSpec& usual) {
   std::vector<targets::Key> keys = targets::head_keys();
@@ -29,7 +29,7 @@ targets::KeyTable target_keys(const optim::HelmetSpec& usual) {
   keys.insert(keys.end(),
               {{"ribs", value::integer(1, most_ribs), targets::by_default(usual.ribs),
                 "how many there are along the spine, evenly spaced"},
-               {"spacing_mm", value::number(targets::from_to(least_cell_mm, 1000, "mm")),
+               {"spacing_mm", value::number(targets::from_to(least_helmet_cell_mm, 1000, "mm")),
                 targets::otherwise("follows from `ribs`"), "distance of the ribs instead of their number"},
                targets::coverage_key(),
                {"clearance_mm", value::number(targets::from_to(0, 100, "mm")),
@@ -38,9 +38,9 @@ targets::KeyTable target_keys(const optim::HelmetSpec& usual) {
 }
 
 targets::KeyTable helmet_structure_keys() {
-  return targets::KeyTable(
-      {cell_mm_key(targets::by_default(helmet_cell_mm), targets::from_to(least_cell_mm, most_cell_mm, "mm")),
-       wall_mm_key()});
+  return targets::KeyTable({cell_mm_key(targets::by_default(helmet_cell_mm),
+                                        targets::from_to(least_helmet_cell_mm, most_cell_mm, "mm")),
+                            wall_mm_key()});
 }
 
 targets::KeyTable tolerance_keys() {

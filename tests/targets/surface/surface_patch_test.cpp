@@ -89,10 +89,6 @@ TEST(MeshPatch, RefusesWhatIsNoSingleOpenSmoothSurface) {
   EXPECT_THROW(mesh_patch(rough), InvalidInput);
 }
 
-std::string refusal(const TriangleMesh& mesh) {
-  return testing::refusal([&] { mesh_patch(mesh); });
-}
-
 /// A strip of quadrilaterals over a line in the plane of x and z.
 TriangleMesh strip_over(const std::vector<Vector2d>& line) {
   TriangleMesh mesh;
@@ -106,14 +102,15 @@ TriangleMesh strip_over(const std::vector<Vector2d>& line) {
 }
 
 TEST(MeshPatch, SaysHowAMeshIsNoSurfaceOverItsPlane) {
+  const auto refused = [](const TriangleMesh& bad) { return testing::refusal([&] { mesh_patch(bad); }); };
   TriangleMesh third = sampled(cap_patch(100, 1), 4);
   third.vertices.emplace_back(0, 0, 90);
   third.triangles.push_back({0, 6, static_cast<int>(third.vertices.size()) - 1});
-  EXPECT_THAT(refusal(third), HasSubstr("an edge of the mesh has more than two triangles"));
+  EXPECT_THAT(refused(third), HasSubstr("an edge of the mesh has more than two triangles"));
   TriangleMesh turned = sampled(cap_patch(100, 1), 4);
   std::swap(turned.triangles[0][1], turned.triangles[0][2]);
-  EXPECT_THAT(refusal(turned), HasSubstr("wound differently"));
-  EXPECT_THAT(refusal(strip_over({{0, 0}, {200, 0}, {400, 0}, {401, 30}})),
+  EXPECT_THAT(refused(turned), HasSubstr("wound differently"));
+  EXPECT_THAT(refused(strip_over({{0, 0}, {200, 0}, {400, 0}, {401, 30}})),
               HasSubstr("turns by 80 deg or more from the mean normal"));
 }
 

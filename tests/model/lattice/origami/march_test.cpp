@@ -54,25 +54,22 @@ TEST(March, TellsAMeshThatIsNotFlatFoldable) {
   EXPECT_GT(fold_gap(mesh, 0.5), 1e-3);
 }
 
-std::string refusal(const QuadMesh& mesh) {
-  return testing::refusal([&] { validate(mesh); });
-}
-
 TEST(QuadMesh, SaysWhatIsWrongWithIt) {
+  const auto refused = [](const QuadMesh& bad) { return testing::refusal([&] { validate(bad); }); };
   const QuadMesh good = march(miura(3, 3, 1.0, 1.5)).mesh;
   validate(good);
   QuadMesh mesh = good;
   mesh.level.pop_back();
-  EXPECT_THAT(refusal(mesh), HasSubstr("one multiplier a crease"));
+  EXPECT_THAT(refused(mesh), HasSubstr("one multiplier a crease"));
   mesh = good;
   mesh.at(0, 0).x() = std::nan("");
-  EXPECT_THAT(refusal(mesh), HasSubstr("facet [0, 0] has corners that are not finite"));
+  EXPECT_THAT(refused(mesh), HasSubstr("facet [0, 0] has corners that are not finite"));
   mesh = good;
   mesh.at(3, 3) = mesh.at(2, 2) - (mesh.at(3, 3) - mesh.at(2, 2));
-  EXPECT_THAT(refusal(mesh), HasSubstr("facet [2, 2] is turned over or not convex"));
+  EXPECT_THAT(refused(mesh), HasSubstr("facet [2, 2] is turned over or not convex"));
   mesh = good;
   mesh.level[mesh.level_crease(1, 1)] *= 1.1;
-  EXPECT_THAT(refusal(mesh), HasSubstr("fold multipliers do not close round vertex [1, 1]"));
+  EXPECT_THAT(refused(mesh), HasSubstr("fold multipliers do not close round vertex [1, 1]"));
 }
 
 }  // namespace
