@@ -354,6 +354,7 @@ bool is_assembly(const targets::Node& root) {
 }
 
 AssemblyFile read_assembly(const targets::Node& node) {
+  refuse_result(node);
   const targets::Section root(node, assembly_keys());
   check_version(root);
   AssemblyFile file{.name = read_name(root), .assembly = {}};

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "model/base/invalid_input.hpp"
+#include "model/lattice/square/lines.hpp"
 #include "model/lattice/square/numbering.hpp"
 
 namespace kinetix::optim {
@@ -58,7 +59,7 @@ std::vector<TiltTie> tied_tilts(const model::Structure& strip, const BendTies& t
   std::vector<TiltTie> out;
   std::map<int, std::size_t> at;  // of variables
   for (TiltTie& line : tilt_ties(strip)) {
-    const int column = strip.hinges[line.hinges.front()].wall.from.i;
+    const int column = line_of(strip.hinges[line.hinges.front()].wall);
     const auto [place, is_new] = at.try_emplace(ties.variable[column], out.size());
     if (is_new) {
       line.range = range_of_size(strip, ties, column);

@@ -4,10 +4,12 @@
 
 namespace kinetix::model {
 
+int line_of(const Wall& wall) { return row_along(wall.axis, wall.from); }
+
 int line_count(const Structure& structure, Axis axis) {
   int count = 0;
   for (const Hinge& h : structure.hinges)
-    if (h.wall.axis == axis) count = std::max(count, row_along(axis, h.wall.from) + 1);
+    if (h.wall.axis == axis) count = std::max(count, line_of(h.wall) + 1);
   return count;
 }
 
@@ -15,7 +17,7 @@ std::vector<int> hinges_on_line(const Structure& structure, Axis axis, int line)
   std::vector<int> hinges;
   for (int k = 0; k < static_cast<int>(structure.hinges.size()); ++k) {
     const Wall& wall = structure.hinges[k].wall;
-    if (wall.axis == axis && row_along(axis, wall.from) == line) hinges.push_back(k);
+    if (wall.axis == axis && line_of(wall) == line) hinges.push_back(k);
   }
   return hinges;
 }

@@ -424,7 +424,7 @@ TEST(Import, IsSimulatedInEquilibriumAndVerified) {
   EXPECT_NEAR(result["metrics"]["energy_Nmm"].get<double>(), k_turn * angle * angle / 2, 1e-9 * k_turn);
   const Outcome told = kinetix_opt("simulate --model equilibrium --theta-deg 10 " + design + " -o " +
                                    (scratch / "run").string());
-  EXPECT_THAT(told.out, HasSubstr(fmt::format("load       moment {:.4g} N mm", k_turn * angle)));
+  EXPECT_THAT(told.out, HasSubstr(fmt::format("load       moment {:.4g} N mm", -k_turn * angle)));
   EXPECT_THAT(told.out, HasSubstr(fmt::format("energy     {:.4g} N mm", k_turn * angle * angle / 2)));
   const Outcome drives = kinetix_opt("simulate --model equilibrium --drives " + design);
   EXPECT_EQ(drives.code, 2);

@@ -273,7 +273,9 @@ TEST(StudioOfBodiesOpened, GoesTheWayThatItsBodiesArePulled) {
   const json design = followed(client);
   EXPECT_EQ(design["bodies"]["pulled"], true);
   EXPECT_EQ(design["drive"], "bodies that are pulled");
-  const double end = design["theta_range_rad"][1];
+  const double least = design["theta_range_rad"][0], most = design["theta_range_rad"][1];
+  const double end = least < 0 ? least : most;
+  EXPECT_EQ(least * most, 0) << "one way from rest";
   EXPECT_NEAR(end * design["bodies"]["turn_per_theta"].get<double>(), 30 * radians_per_degree, 1e-3);
   for (const double share : {0.3, 0.77, 1.0}) {
     const Received frame = client.ask({{"type", "theta"}, {"deg", to_degrees(share * end)}});
