@@ -130,8 +130,12 @@ TEST(Program, SaysWhichFileAResultNeeds) {
   EXPECT_THAT(searched.err, HasSubstr("this is a result"));
   EXPECT_THAT(searched.err, HasSubstr("give " + found + "/design.yaml"));
   fs::remove(found + "/design.yaml");
-  for (const char* command : {"verify ", "simulate ", "check ", "view --no-open ", "export "}) {
-    const Outcome lone = kinetix_opt(command + result);
+  for (const auto& [command, options] : {std::pair("verify ", ""),
+                                         {"simulate ", ""},
+                                         {"check ", ""},
+                                         {"view --no-open ", ""},
+                                         {"export ", " --format stl"}}) {
+    const Outcome lone = kinetix_opt(command + result + options);
     EXPECT_EQ(lone.code, 2) << command;
     EXPECT_THAT(lone.err, HasSubstr("the design.yaml that was written with it, which is not beside it"))
         << command;
