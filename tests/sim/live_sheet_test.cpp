@@ -119,8 +119,7 @@ TEST(LiveSheet, SaysTheEnergyOfTheElasticModel) {
   EXPECT_NEAR(sheet.hinge_energy_Nmm(), expected, 1e-9 * expected);
 }
 
-// Plates close in on the middle of the flat sheet, wherever it is when they take it.
-/// What a hand that holds the strip at rest does on a short way is what its hinges take up.
+// What a hand that holds the strip at rest does on a short way is what its hinges take up.
 TEST(LiveSheet, SaysTheForceOfTheHandThatTheEnergyAsksFor) {
   const model::Structure structure = structure_of(strip(curl(4, 0.4), 0));
   const model::Linkage linkage = structure;
@@ -151,6 +150,7 @@ TEST(LiveSheet, SaysTheForceOfTheHandThatTheEnergyAsksFor) {
   EXPECT_TRUE(std::isnan(sheet.hand_force_N())) << "no hand";
 }
 
+// Plates close in on the middle of the flat sheet, wherever it is when they take it.
 TEST(LiveSheet, PlatesTakeItToTheMiddleBetweenThem) {
   const model::Structure structure = structure_of(strip(curl(8, 0.5), 0));
   const model::Linkage linkage = structure;

@@ -334,6 +334,15 @@ TEST(AsMadeResult, JudgesGoalsOfEveryKindBySoftBlocks) {
   }
 }
 
+/// The block that stands for hinges which the file leaves open.
+model::MadeHinge block_of(const Json& taken) {
+  return {.kind = model::HingeKind::block,
+          .material = *model::find_material("tango"),
+          .gap_mm = taken["gap_mm"],
+          .thickness_mm = taken["thickness_mm"],
+          .height_mm = taken["height_mm"]};
+}
+
 // In a plane every hinge turns by twice theta, as the driven one does.
 TEST(AsMadeResult, SaysWhatHoldsAFoldOfSoftBlocks) {
   const Scratch scratch;
@@ -345,11 +354,7 @@ TEST(AsMadeResult, SaysWhatHoldsAFoldOfSoftBlocks) {
   ASSERT_TRUE(run.code == 0 || run.code == 3) << run.out << run.err;
   const Json result = Json::parse(text_of(folder + "/result.json"));
   const Json& taken = result["as_made"]["taken"];
-  const model::MadeHinge block{.kind = model::HingeKind::block,
-                               .material = *model::find_material("tango"),
-                               .gap_mm = taken["gap_mm"],
-                               .thickness_mm = taken["thickness_mm"],
-                               .height_mm = taken["height_mm"]};
+  const model::MadeHinge block = block_of(taken);
   const double theta = result["metrics"]["theta_rad"],
                moment = static_cast<double>(result["structure"]["hinges"].size()) * stiffness(block).turn *
                         2 * std::abs(theta);
@@ -373,11 +378,7 @@ TEST(AsMadeResult, SaysWhatHoldsABlockInSpace) {
   ASSERT_TRUE(run.code == 0 || run.code == 3) << run.out << run.err;
   const Json result = Json::parse(text_of(folder + "/result.json"));
   const Json& taken = result["as_made"]["taken"];
-  const model::MadeHinge block{.kind = model::HingeKind::block,
-                               .material = *model::find_material("tango"),
-                               .gap_mm = taken["gap_mm"],
-                               .thickness_mm = taken["thickness_mm"],
-                               .height_mm = taken["height_mm"]};
+  const model::MadeHinge block = block_of(taken);
   const double theta = result["metrics"]["theta_rad"], hinges = 72;
   ASSERT_EQ(result["structure"]["hinges"].size(), hinges);
   const double energy_by_theta = hinges * stiffness(block).turn * 2 * theta * 2;
