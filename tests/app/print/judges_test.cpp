@@ -468,14 +468,20 @@ TEST(Caps, OfADesignWhosePinsHaveThem) {
   EXPECT_EQ(Json::parse(text_of(out + "/print.json"))["caps"], true);
 }
 
+/// The slices of a file that lies beside its print.json, on a bed a little larger than the print.
+std::string sliced_close(const Scratch& scratch, const fs::path& folder, const char* name, double layer_mm) {
+  const Json bounds = Json::parse(text_of(folder / "print.json"))["bounds_mm"];
+  const auto mm = [&](int k) { return static_cast<int>(std::ceil(double(bounds[k]))) + 4; };
+  return sliced(scratch.path(), folder / name, {.width = mm(0), .height = mm(1), .layer_mm = layer_mm});
+}
+
+fs::path folder_of(const Exported& print) { return fs::path(print.file("")).parent_path(); }
+
 /// Walls and soft parts stand upright all through: thick layers see as much.
 TEST(SlicesOfTargets, OfARibOfBlocksAndAPanelOfFilmsAreOnePiece) {
-  for (const Exported& rib : {std::cref(blocked()), std::cref(filmed())}) {
+  for (const Exported& print : {std::cref(blocked()), std::cref(filmed())}) {
     const Scratch scratch;
-    EXPECT_EQ(printed_pieces(
-                  sliced(scratch.path(), rib.file("all.stl"), {.width = 400, .height = 50, .layer_mm = 0.5})),
-              1)
-        << rib.hinge;
+    EXPECT_EQ(printed_pieces(sliced_close(scratch, folder_of(print), "all.stl", 0.5)), 1) << print.hinge;
   }
 }
 
@@ -486,14 +492,14 @@ TEST(SlicesOfTargets, OfPinsFallIntoTheBodiesAndStillDoWhenSwollen) {
       kinetix_opt("export " + found("helmet_rib") +
                   " --format stl --process sla --hinge pin --cell-mm 12 -o " + std::string(scratch / "rib"));
   ASSERT_EQ(run.code, 0) << run.err;
-  for (const fs::path& folder : {fs::path(scratch / "rib"), fs::path(pinned_cube().file("")).parent_path()}) {
-    const Json json = Json::parse(text_of(folder / "print.json"));
-    const auto mm = [&](int k) { return static_cast<int>(std::ceil(double(json["bounds_mm"][k]))) + 4; };
-    const std::string slices =
-        sliced(scratch.path(), folder / "hard.stl", {.width = mm(0), .height = mm(1), .layer_mm = 0.2});
-    EXPECT_EQ(printed_pieces(slices), int(json["bodies"])) << folder;
-    EXPECT_EQ(printed_pieces(slices, 1), int(json["bodies"])) << folder << " swollen";
-  }
+  const auto bodies_in = [](const fs::path& folder) {
+    return int(Json::parse(text_of(folder / "print.json"))["bodies"]);
+  };
+  const fs::path rib = scratch / "rib", cube = folder_of(pinned_cube());
+  const std::string slices = sliced_close(scratch, rib, "hard.stl", 0.2);
+  EXPECT_EQ(printed_pieces(slices), bodies_in(rib));
+  EXPECT_EQ(printed_pieces(slices, 1), bodies_in(rib)) << "swollen";
+  EXPECT_EQ(printed_pieces(sliced_close(scratch, cube, "hard.stl", 0.2), 1), bodies_in(cube)) << "swollen";
 }
 
 }  // namespace
