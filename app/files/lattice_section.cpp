@@ -18,8 +18,7 @@ namespace {
 namespace value = targets::value;
 using model::PlanarLattice;
 
-constexpr double default_cell_mm = 10;                                // mm: a cell that a hand takes hold of
-constexpr double shortest_wall_mm = 0.001, longest_wall_mm = 10'000;  // mm: those of `cell_mm`
+constexpr double default_cell_mm = 10;        // mm: a cell that a hand takes hold of
 constexpr int max_vertices = 1'000'000;       // as many bodies as the largest sheet of squares has cells
 constexpr const char* squares = "square";     // `lattice` of model/lattice/square
 constexpr const char* by_hand = "graph";      // and of what is drawn by hand
@@ -135,8 +134,14 @@ const targets::Bounds pattern_tilts = targets::from_to(1, 75, "degrees");
 constexpr double default_tilt = 50 * radians_per_degree;  // rad: folds by 78 deg at theta 43 deg
 
 /// mm of the mean wall of a sheet that keeps the pattern's own size. @param unit_mm of the mesh
+/// @throws InvalidInput without a place for walls that `cell_mm` could not have
 double edge_of_pattern(const model::QuadMesh& mesh, double unit_mm) {
-  return unit_mm * mean_edge(mesh) / mean_edge(origami_sheet(mesh, default_size(1)).mesh);
+  const double edge_mm = unit_mm * mean_edge(mesh) / mean_edge(origami_sheet(mesh, default_size(1)).mesh);
+  if (!cell_edges.contains(edge_mm))
+    throw InvalidInput(
+        fmt::format("has walls of {:g} mm by its frame_unit; allowed: {:g} to {:g} mm, or give cell_mm",
+                    edge_mm, cell_edges.lower, cell_edges.upper));
+  return edge_mm;
 }
 
 /// A FOLD file as a sheet whose creases are tilted.
@@ -148,12 +153,8 @@ model::Sheet read_origami(const targets::Section& structure) {
   const OrigamiFile pattern = read_origami_file(file.string());
   const model::QuadMesh mesh = tilted(pattern, tilt);
   double edge_mm = default_cell_mm;
-  if (pattern.unit_mm) path.located([&] { edge_mm = edge_of_pattern(mesh, *pattern.unit_mm); });
-  const bool is_allowed = edge_mm >= shortest_wall_mm && edge_mm <= longest_wall_mm;
-  if (!is_allowed && !structure.optional("cell_mm"))
-    throw path.error(
-        fmt::format("has walls of {:g} mm by its frame_unit; allowed: {:g} to {:g} mm, or give cell_mm",
-                    edge_mm, shortest_wall_mm, longest_wall_mm));
+  if (pattern.unit_mm && !structure.optional("cell_mm"))
+    path.located([&] { edge_mm = edge_of_pattern(mesh, *pattern.unit_mm); });
   const model::CellSize size = read_size(structure, edge_mm);
   return path.located([&] { return origami_sheet(mesh, size).structure; });
 }

@@ -13,10 +13,12 @@ namespace kinetix::app {
 /// and at most 30 mm.
 model::CellSize default_size(double edge_mm);
 
+/// Cell edges that a file may give, mm: from a micrometre to a hall.
+inline constexpr targets::Bounds cell_edges = {0.001, 10'000, true, true, "mm"};
+
 /// Keys of a `structure:` section. What they default to depends on the kind of file.
 targets::Key cells_key(targets::Default fallback, std::string meaning);
-targets::Key cell_mm_key(targets::Default fallback,
-                         const targets::Bounds& bounds = targets::from_to(0.001, 10'000, "mm"));
+targets::Key cell_mm_key(targets::Default fallback, const targets::Bounds& bounds = cell_edges);
 /// @param thickness, height what they default to, in words
 targets::Key wall_mm_key(const char* thickness = "a tenth of `cell_mm`, at most 3",
                          const char* height = "0.6 of `cell_mm`, at most 30");

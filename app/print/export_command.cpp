@@ -16,9 +16,9 @@
 #include "app/print/print_report.hpp"
 #include "app/print/report_of_print.hpp"
 #include "app/print/sheet/coupon.hpp"
+#include "app/run/run_hinges.hpp"
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
-#include "model/matter/hinge_strain.hpp"
 #include "targets/document/wording.hpp"
 
 namespace kinetix::app {
@@ -146,24 +146,15 @@ std::optional<std::string> size_note(const DesignFile& design, const PrintSheet&
       sheet.is_path_exact ? "" : "; its fold is the equilibrium at its own size, scaled");
 }
 
-/// The hinge that is strained furthest beyond what its material bears on the way to the fold.
+/// The hinge that is strained farthest beyond what its material bears on the way to the fold.
 std::optional<std::string> strain_note(const PrintSheet& sheet) {
-  std::optional<std::string> note;
-  double most = 1 + told_strain;  // times what the material bears
-  for (int h = 0; h < static_cast<int>(sheet.hinges.size()); ++h) {
-    const model::MadeHinge& made = sheet.hinges[h].made;
-    if (made.kind == model::HingeKind::pin) continue;
-    for (const model::State& state : sheet.path) {
-      const double strain = hinge_strain(made, sheet.linkage, state, h);
-      if (!(strain > most * made.material.strain_max)) continue;
-      most = strain / made.material.strain_max;
-      note = fmt::format(
-          "the hinge of wall {} is strained by {:.3g} on the way to the fold; its material bears {:g}: a "
-          "longer gap or a thinner hinge strains less",
-          sheet.linkage.wall_name(h), strain, made.material.strain_max);
-    }
+  std::optional<model::StrainedHinge> worst;
+  for (const model::State& state : sheet.path) {
+    const auto one = most_strained(sheet.linkage, state, [&](int h) { return &sheet.hinges[h].made; });
+    if (one && one->share() > (worst ? worst->share() : 1 + told_strain)) worst = one;
   }
-  return note;
+  if (!worst) return std::nullopt;
+  return strained_words(*worst, sheet.linkage.wall_name(worst->hinge), " on the way to the fold");
 }
 
 /// What formats that were asked for leave out of what was asked.

@@ -27,4 +27,11 @@ nlohmann::ordered_json search_json(const optim::MultiStartResult& search, int ch
           {"runs", runs}};
 }
 
+void add_end(bool stopped, bool found, const std::string& why, const std::string& why_not,
+             nlohmann::ordered_json& optimiser) {
+  const char* const ended = found ? "converged" : "failed";
+  optimiser["status"] = stopped ? "stopped" : ended;
+  optimiser["why"] = stopped ? "stopped" : found ? why : why_not;
+}
+
 }  // namespace kinetix::app

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 
 #include "optim/solvers/multi_start.hpp"
 
@@ -9,5 +10,10 @@ namespace kinetix::app {
 /// The `optimiser` of a search from many starts. @param chosen index of the run that the design comes from
 nlohmann::ordered_json search_json(const optim::MultiStartResult& search, int chosen,
                                    optim::SolverName solver);
+
+/// Adds to such an `optimiser` how a search ended that ends by itself: "stopped" where it was, else "converged" with `why` or
+/// "failed" with `why_not`.
+void add_end(bool stopped, bool found, const std::string& why, const std::string& why_not,
+             nlohmann::ordered_json& optimiser);
 
 }  // namespace kinetix::app

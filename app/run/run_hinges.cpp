@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/matter/hinge_strain.hpp"
-
 namespace kinetix::app {
 
 const HingeSection& hinge_section(const Run& run, int hinge) {
@@ -45,24 +43,21 @@ model::PrintError wall_error(const Run& run) {
 bool bears_its_strain(const Run& run, const model::State& state) { return !strained_too_far(run, state); }
 
 std::optional<std::string> strained_too_far(const Run& run, const model::State& state) {
-  struct Strained {
-    int hinge;
-    double strain, borne;
-  };
-  std::optional<Strained> worst;
-  const model::Linkage linkage(run.structure);
-  for (int h = 0; h < run.structure.hinges(); ++h) {
-    const auto& made = hinge_section(run, h).made;
-    if (!made) continue;
-    const Strained one{h, hinge_strain(*made, linkage, state, h), made->material.strain_max};
-    if (one.strain <= one.borne) continue;
-    if (!worst || one.strain / one.borne > worst->strain / worst->borne) worst = one;
-  }
+  const auto worst =
+      most_strained(model::Linkage(run.structure), state, [&](int h) -> const model::MadeHinge* {
+        const auto& made = hinge_section(run, h).made;
+        return made ? &*made : nullptr;
+      });
   if (!worst) return std::nullopt;
+  return strained_words(*worst, wall_name(run.structure, worst->hinge));
+}
+
+std::string strained_words(const model::StrainedHinge& worst, const std::string& wall, const char* when) {
   return fmt::format(
-      "the hinge of wall {} is strained by {:.3g}; its material bears {:g}: a longer gap or a thinner hinge "
+      "the hinge of wall {} is strained by {:.3g}{}; its material bears {:g}: a longer gap or a thinner "
+      "hinge "
       "strains less",
-      wall_name(run.structure, worst->hinge), worst->strain, worst->borne);
+      wall, worst.strain, when, worst.borne);
 }
 
 std::vector<model::PrintProblem> print_problems(const Run& run) {

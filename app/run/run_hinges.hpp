@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/run/run.hpp"
+#include "model/matter/hinge_strain.hpp"
 
 namespace kinetix::app {
 
@@ -26,6 +27,8 @@ bool bears_its_strain(const Run& run, const model::State& state);
 /// The hinge that is strained farthest beyond what its material bears in a state of the sheet, in words; nothing where all
 /// bear theirs.
 std::optional<std::string> strained_too_far(const Run& run, const model::State& state);
+/// The same words of any hinge. @param wall its name   @param when "" or what follows, such as " on the way to the fold"
+std::string strained_words(const model::StrainedHinge& worst, const std::string& wall, const char* when = "");
 
 /// What the run's process cannot print of its sheet, each once.
 std::vector<model::PrintProblem> print_problems(const Run& run);

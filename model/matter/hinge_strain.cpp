@@ -23,4 +23,17 @@ double hinge_strain(const MadeHinge& made, const Linkage& linkage, const State& 
          edge_stretch_mm(linkage, state, hinge, made.height_mm) / made.gap_mm;
 }
 
+std::optional<StrainedHinge> most_strained(const Linkage& linkage, const State& state,
+                                           const std::function<const MadeHinge*(int)>& made) {
+  std::optional<StrainedHinge> worst;
+  for (int h = 0; h < static_cast<int>(linkage.hinges.size()); ++h) {
+    const MadeHinge* const hinge = made(h);
+    if (!hinge) continue;
+    const StrainedHinge one{h, hinge_strain(*hinge, linkage, state, h), hinge->material.strain_max};
+    if (one.strain <= one.borne) continue;
+    if (!worst || one.share() > worst->share()) worst = one;
+  }
+  return worst;
+}
+
 }  // namespace kinetix::model

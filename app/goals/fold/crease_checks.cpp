@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/result/search_json.hpp"
 #include "targets/document/number.hpp"
 
 namespace kinetix::app {
@@ -61,11 +62,9 @@ void add_fold_metrics(const std::vector<FoldedCrease>& creases, double rms, cons
 
 nlohmann::ordered_json closed_form_json(std::size_t starts, int evaluations, bool folds,
                                         const std::string& why_not) {
-  return {{"solver", "closed form"},
-          {"starts", starts},
-          {"evaluations", evaluations},
-          {"status", folds ? "converged" : "failed"},
-          {"why", folds ? "every crease reaches its angle at one theta, with no wall in the way" : why_not}};
+  nlohmann::ordered_json out = {{"solver", "closed form"}, {"starts", starts}, {"evaluations", evaluations}};
+  add_end(false, folds, "every crease reaches its angle at one theta, with no wall in the way", why_not, out);
+  return out;
 }
 
 }  // namespace kinetix::app

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/pictures/panel_picture.hpp"
+#include "app/result/search_json.hpp"
 #include "app/result/state_json.hpp"
 #include "app/run/run.hpp"
 
@@ -61,15 +62,10 @@ void OutlineOutcome::add_sections(const Run& run, Json& result) const {
   if (matter) section["equilibrium"] = error_json(*matter);
   if (physics) section["physics"] = error_json(*physics);
   result["outline"] = section;
-  result["optimiser"] = {{"solver", "alternating directions"},
-                         {"starts", std::max(1, cuts)},
-                         {"evaluations", design.rounds},
-                         {"status", design.stopped ? "stopped"
-                                    : design.clear ? "converged"
-                                                   : "failed"},
-                         {"why", design.stopped ? "stopped"
-                                 : design.clear ? "no vertex moves any more, and no walls meet on the way"
-                                                : "walls meet on the way whatever they turn"}};
+  result["optimiser"] = {
+      {"solver", "alternating directions"}, {"starts", std::max(1, cuts)}, {"evaluations", design.rounds}};
+  add_end(design.stopped, design.clear, "no vertex moves any more, and no walls meet on the way",
+          "walls meet on the way whatever they turn", result["optimiser"]);
 }
 
 void OutlineOutcome::add_metrics(Json& metrics) const {

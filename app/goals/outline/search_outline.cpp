@@ -50,22 +50,22 @@ class OutlineSearch {
   FoundOutline find() {
     FoundOutline found;
     const Cells cells = file_.trims ? best_cut(found.cuts) : model::lattice_cells(file_.columns, file_.rows);
-    double edge_mm = edge_of(file_, cells), searched_mm = edge_mm;
-    for (int pass = 0; pass < 3; ++pass) {
+    double edge_mm = edge_of(file_, cells), came_out = edge_mm;
+    bool is_same = false;
+    for (int pass = 0; pass < 3 && !is_same && !found.design.stopped; ++pass) {
       optim::OutlineDesign design =
-          fit(planar_structure(make_sheet(file_.lattice, cells, file_.size(edge_mm))), options_of(edge_mm));
-      found.design.stopped = design.stopped;
-      if (pass == 0 || !design.stopped) {  // else it was cut short, and the one before it is nearer
-        found.design = std::move(design);
-        searched_mm = edge_mm;
+          fit(planar_structure(make_sheet(file_.lattice, cells, file_.size(came_out))), options_of(came_out));
+      if (pass > 0 && design.stopped) {  // it was cut short, and the one before it is nearer
+        found.design.stopped = true;
+        break;
       }
-      const double came_out = file_.flat || file_.cell_mm ? searched_mm : found.design.scale;
-      const bool is_same = same_in_edges(searched_mm, came_out);
-      // Of a search that was stopped, walls and offsets are of the edge that it was made with.
-      edge_mm = is_same || !found.design.stopped ? came_out : searched_mm;
-      if (is_same || found.design.stopped) break;
+      found.design = std::move(design);
+      edge_mm = came_out;
+      if (!file_.flat && !file_.cell_mm) came_out = found.design.scale;
+      is_same = same_in_edges(edge_mm, came_out);
     }
-    place(edge_mm, cells, found);
+    // Of a search that was stopped, walls and offsets are of the edge that it was made with.
+    place(found.design.stopped && !is_same ? edge_mm : came_out, cells, found);
     return found;
   }
 

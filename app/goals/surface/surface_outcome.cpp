@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/result/search_json.hpp"
 #include "app/run/run.hpp"
 
 namespace kinetix::app {
@@ -65,15 +66,9 @@ void SurfaceOutcome::add_sections(const Run&, Json& result) const {
                        {"curvature_missing", curvature_missing},
                        {"ways", ways_json(ways)},
                        {"reasons", violations}};
-  result["optimiser"] = {{"solver", "ceres"},
-                         {"starts", design.starts},
-                         {"evaluations", design.evaluations},
-                         {"status", design.stopped  ? "stopped"
-                                    : design.within ? "converged"
-                                                    : "failed"},
-                         {"why", design.stopped  ? "stopped"
-                                 : design.within ? "the best of all starts keeps to its bounds"
-                                                 : "no start led to a mesh that keeps to its bounds"}};
+  result["optimiser"] = {{"solver", "ceres"}, {"starts", design.starts}, {"evaluations", design.evaluations}};
+  add_end(design.stopped, design.within, "the best of all starts keeps to its bounds",
+          "no start led to a mesh that keeps to its bounds", result["optimiser"]);
 }
 
 void SurfaceOutcome::add_metrics(Json& metrics) const {

@@ -26,12 +26,13 @@ double moved_mm(const O& o, double model::StateDistance::*part) {
   return aligned_distance(*o.structure, *o.state, *o.nominal).*part * o.structure->size().edge_mm;
 }
 
-/// The state as the closed form lies, or the flat sheet where there is none: a midline is read in the plane of its x and z. Other
-/// models leave a sheet lying anyhow.
-model::State upright(const O& o) {
-  if (o.is_closed_form) return *o.state;
+/// What is read of the state as the closed form lies, or the flat sheet where there is none: a midline is read in the plane of its
+/// x and z. Other models leave a sheet lying anyhow.
+template <class Read>
+double upright(const O& o, Read read) {
+  if (o.is_closed_form) return read(*o.state);
   const model::ExactMotion exact = exact_motion(*o.structure);
-  return aligned(*o.state, exact ? exact.at(o.theta) : rest_state(*o.structure));
+  return read(aligned(*o.state, exact ? exact.at(o.theta) : rest_state(*o.structure)));
 }
 
 const model::EquilibriumStep& last(const O& o) { return o.equilibrium->path.steps.back(); }
@@ -62,7 +63,10 @@ const std::vector<Metric>& pose_metrics() {
       {"end_x_mm", [](const O& o) { return end_point(*o.structure, *o.state).x(); }},
       {"end_y_mm", [](const O& o) { return end_point(*o.structure, *o.state).y(); }},
       {"end_z_mm", [](const O& o) { return end_point(*o.structure, *o.state).z(); }},
-      {"turn_deg", [](const O& o) { return to_degrees(total_turn(*o.structure, upright(o))); }},
+      {"turn_deg",
+       [](const O& o) {
+         return to_degrees(upright(o, [&](const model::State& s) { return total_turn(*o.structure, s); }));
+       }},
       {"area_ratio", [](const O& o) { return area_ratio(*o.structure, *o.state); }},
       {"fold_deg", [](const O& o) { return to_degrees(fold_angle(*o.structure, *o.state)); }},
       {"cell_angle_deg", [](const O& o) { return to_degrees(cell_angle(*o.structure, *o.state)); }},
@@ -106,8 +110,10 @@ const std::vector<Metric>& body_metrics() {
 std::vector<Metric> goal_metrics(const GoalKind& goal) {
   std::vector<Metric> metrics;
   for (const GoalMeasure& measure : goal.measures)
-    metrics.push_back({std::string(measure.name),
-                       [of = measure.of](const O& o) { return of(*o.goal, *o.structure, upright(o)); }});
+    metrics.push_back({std::string(measure.name), [of = measure.of](const O& o) {
+                         return upright(o,
+                                        [&](const model::State& s) { return of(*o.goal, *o.structure, s); });
+                       }});
   return metrics;
 }
 
