@@ -8,6 +8,7 @@
 #include "app/pictures/far_view.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "benchmarks/figure.hpp"
+#include "model/base/parallel_runs.hpp"
 #include "targets/display/glyph_goal.hpp"
 #include "tests/support/recogniser.hpp"
 
@@ -79,32 +80,45 @@ std::vector<Figure> letter_t() {
        run.timings.optimise <= 10}};
 }
 
-/// What the 26 capitals came to in the physics run, and what a text recogniser reads in their far views.
+/// What a capital came to in the physics run, and what a text recogniser reads in its far views.
+struct Capital {
+  bool settled = false, restless = false;
+  double auc = 0, stretch = 0;
+  std::string read, read_before;
+};
+
+Capital capital(char c, optim::Channel channel) {
+  const app::Run run = shown(letter(std::string(1, c), 12, 12), true, channel);
+  Capital out{.settled = settled(run), .auc = auc(run), .stretch = display_of(run).design.view.stretch};
+  if (!out.settled) return out;
+  const auto& physics = run.verification->physics;
+  out.restless = physics.residual_motion > 0;
+  out.read = testing::read_capitals(app::far_view(run.structure, physics.state));
+  out.read_before = testing::read_capitals(app::far_view(run.structure, rest_state(run.structure)));
+  return out;
+}
+
 struct Capitals {
   double mean = 0, least = 1, stretch = 0;
   std::string worst, restless, read, misread, read_before;
 };
 
-void add_reading(char letter, const app::Run& run, Capitals& all) {
-  const std::string seen =
-                        testing::read_capitals(app::far_view(run.structure, run.verification->physics.state)),
-                    before = testing::read_capitals(app::far_view(run.structure, rest_state(run.structure)));
-  (seen == std::string(1, letter) ? all.read : all.misread) += letter;
-  if (before == std::string(1, letter)) all.read_before += letter;
+void add(const Capital& one, char c, Capitals& all) {
+  all.mean += one.auc / 26;
+  if (one.auc < all.least) all.worst = c;
+  all.least = std::min(all.least, one.auc);
+  all.stretch = std::max(all.stretch, one.stretch);
+  if (!one.settled) return;
+  if (one.restless) all.restless += c;
+  (one.read == std::string(1, c) ? all.read : all.misread) += c;
+  if (one.read_before == std::string(1, c)) all.read_before += c;
 }
 
 Capitals capitals(optim::Channel channel) {
+  std::vector<Capital> each(26);
+  model::run_in_parallel(26, 0, [&](int k) { each[k] = capital(static_cast<char>('A' + k), channel); });
   Capitals all;
-  for (char c = 'A'; c <= 'Z'; ++c) {
-    const app::Run run = shown(letter(std::string(1, c), 12, 12), true, channel);
-    all.mean += auc(run) / 26;
-    if (auc(run) < all.least) all.worst = c;
-    all.least = std::min(all.least, auc(run));
-    all.stretch = std::max(all.stretch, display_of(run).design.view.stretch);
-    if (!settled(run)) continue;
-    if (run.verification->physics.residual_motion > 0) all.restless += c;
-    add_reading(c, run, all);
-  }
+  for (int k = 0; k < 26; ++k) add(each[k], static_cast<char>('A' + k), all);
   return all;
 }
 

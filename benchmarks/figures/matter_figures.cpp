@@ -12,7 +12,8 @@
 namespace kinetix::bench {
 namespace {
 
-constexpr int prints = 2000;  // that confirm what first order says
+// That confirm what first order says: an rms of so many is known to 3 %, where 10 % are asked.
+constexpr int prints = 1000;
 
 const std::string springs = "drive: {kind: shape_memory, k_turn: 5}\n",
                   rubber = "hinge: {kind: block, material: tango, gap_mm: 1}\n";

@@ -11,6 +11,7 @@
 #include <regex>
 
 #include "benchmarks/figure.hpp"
+#include "model/base/parallel_runs.hpp"
 #include "tests/support/stl_volume.hpp"
 
 namespace kinetix::bench {
@@ -50,6 +51,12 @@ struct Verdicts {
   void fault(int& count, const std::string& what) {
     ++count;
     if (first_fault.empty()) first_fault = what;
+  }
+  void add(const Verdicts& more) {
+    exported += more.exported, larger += more.larger, refused += more.refused;
+    unclean += more.unclean, crossing += more.crossing, misread += more.misread;
+    volume = std::max(volume, more.volume);
+    if (first_fault.empty()) first_fault = more.first_fault;
   }
 };
 
@@ -99,7 +106,8 @@ bool exports(const std::string& command, Verdicts& verdicts) {
   return said_by(command + " --cell-mm " + edge.str(1)).code == 0;
 }
 
-void judge_all_of(const fs::path& target, const fs::path& scratch, Verdicts& verdicts) {
+Verdicts verdicts_on(const fs::path& target, const fs::path& scratch) {
+  Verdicts verdicts;
   const std::string name = target.stem(), found = scratch / name;
   const std::string program = KINETIX_OPT;
   const bool is_design =
@@ -107,7 +115,7 @@ void judge_all_of(const fs::path& target, const fs::path& scratch, Verdicts& ver
   const std::string source = is_design ? std::string(target) : found;
   for (const char* hinge : {"pin", "block"})
     for (const char* process : {"polyjet", "fdm", "sla"}) {
-      const fs::path folder = scratch / "print";
+      const fs::path folder = scratch / (name + "_print");
       fs::remove_all(folder);
       const std::string what = fmt::format("{}, {}, {}", name, hinge, process);
       if (exports(fmt::format("{} export {} --format stl --hinge {} --process {} -o {}", program, source,
@@ -119,7 +127,7 @@ void judge_all_of(const fs::path& target, const fs::path& scratch, Verdicts& ver
         ++verdicts.refused;
       }
     }
-  fs::remove_all(found);
+  return verdicts;
 }
 
 }  // namespace
@@ -133,7 +141,9 @@ std::vector<Figure> print_judge_figures() {
     if (entry.path().extension() == ".yaml" && entry.path().stem() != "qr_code")
       targets.push_back(entry.path());
   std::sort(targets.begin(), targets.end());
-  for (const fs::path& target : targets) judge_all_of(target, scratch, verdicts);
+  std::vector<Verdicts> each(targets.size());
+  model::run_in_parallel(int(targets.size()), 0, [&](int k) { each[k] = verdicts_on(targets[k], scratch); });
+  for (const Verdicts& of_target : each) verdicts.add(of_target);
   fs::remove_all(scratch);
   const auto none = [&](const std::string& what, int count) {
     return Figure{what, "0", count == 0 ? "0" : fmt::format("{}, first {}", count, verdicts.first_fault),

@@ -12,6 +12,7 @@
 #include "app/pipeline/pipeline.hpp"
 #include "benchmarks/figure.hpp"
 #include "benchmarks/stopwatch.hpp"
+#include "model/base/parallel_runs.hpp"
 #include "targets/display/glyph_goal.hpp"
 #include "targets/display/panel_levels.hpp"
 #include "tests/support/recogniser.hpp"
@@ -99,18 +100,23 @@ std::vector<Figure> letters() {
           {scene + "longest search", "<= 0.2 s", fmt::format("{:.3f} s", all.seconds), all.seconds <= 0.2}};
 }
 
-/// The letters in turn, the first motion of each part thrown off by up to half its spin.
-Figure disturbed() {
-  constexpr int starts = 20;
+/// A start of the letters in turn, the first motion of each part thrown off by up to half its spin.
+app::Run disturbed_run(int start) {
   const std::string texts = "TBESRQ";
-  int right = 0;
-  double light = 1, farthest = 0;
   app::PhysicsSection physics;
   physics.disturbance = 0.5;
-  for (int k = 0; k < starts; ++k) {
-    physics.disturbance_seed = k;
-    const std::string text(1, texts[k % texts.size()]);
-    const app::Run run = shown(targets::glyph_goal(text, side, side), 0.08, true, physics);
+  physics.disturbance_seed = start;
+  const std::string text(1, texts[start % texts.size()]);
+  return shown(targets::glyph_goal(text, side, side), 0.08, true, physics);
+}
+
+Figure disturbed() {
+  constexpr int starts = 20;
+  std::vector<app::Run> runs(starts);
+  model::run_in_parallel(starts, 0, [&](int k) { runs[k] = disturbed_run(k); });
+  int right = 0;
+  double light = 1, farthest = 0;
+  for (const app::Run& run : runs) {
     right += run.verification->agrees ? 1 : 0;
     farthest = std::max(farthest, run.verification->distance.max);
     light = std::min(light, display_of(run).physics ? display_of(run).physics->score.auc : 0);
@@ -184,16 +190,26 @@ Figure strained() {
           gain > 1 && run.verification->physics.gaps.max <= 0.00501 && run.verification->agrees};
 }
 
+struct CapitalRead {
+  std::string after, before;
+};
+
+CapitalRead read_capital(const std::string& text) {
+  const app::Run run = shown(targets::glyph_goal(text, side, side), 0.08, false);
+  const auto seen = [&](const model::State& state) {
+    return testing::read_capitals(app::far_view(run.structure, state));
+  };
+  return {seen(run.states.front().poses), seen(rest_state(run.structure))};
+}
+
 Figure capitals() {
+  std::vector<CapitalRead> each(26);
+  const auto text = [](int k) { return std::string(1, static_cast<char>('A' + k)); };
+  model::run_in_parallel(26, 0, [&](int k) { each[k] = read_capital(text(k)); });
   std::string read, misread, before;
-  for (char c = 'A'; c <= 'Z'; ++c) {
-    const std::string text(1, c);
-    const app::Run run = shown(targets::glyph_goal(text, side, side), 0.08, false);
-    const auto seen = [&](const model::State& state) {
-      return testing::read_capitals(app::far_view(run.structure, state));
-    };
-    (seen(run.states.front().poses) == text ? read : misread) += c;
-    if (seen(rest_state(run.structure)) == text) before += c;
+  for (int k = 0; k < 26; ++k) {
+    (each[k].after == text(k) ? read : misread) += text(k);
+    if (each[k].before == text(k)) before += text(k);
   }
   return {"26 capitals, 12 x 12 cells, default settings: read from a distance by tesseract",
           ">= 24 after compression, none before",
