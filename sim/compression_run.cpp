@@ -57,7 +57,7 @@ class Run {
     while (result_.steps < all_steps_ && !settled && !failed && !observer_.stop.stop_requested()) {
       step();
       failed = failed_on_the_way();
-      settled = !failed && result_.steps >= drive_steps_ && (is_at_rest() || stays_in_place());
+      settled = !failed && result_.steps >= drive_steps_ && (comes_to_rest() || stays_in_place());
     }
     judge(structure_, drive_, options_, settled, result_);
     result_.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
@@ -115,6 +115,13 @@ class Run {
     const double limit = options_.settle_force * std::max(force, least_force);
     const double way = world_.parts().fastest() * options_.step_s;
     return world_.free_force() <= limit && way * std::max(way, force) <= limit;
+  }
+
+  /// Whatever moved before, nothing is left that does.
+  bool comes_to_rest() {
+    const bool rests = is_at_rest();
+    if (rests) result_.residual_motion = 0;
+    return rests;
   }
 
   /// Looks at the last steps before the time is up.

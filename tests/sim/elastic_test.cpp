@@ -73,6 +73,21 @@ TEST(ElasticRun, IsNotSettledByStayingInPlaceForNoTime) {
   }
 }
 
+/// What moved while the last steps were looked at is at rest at the end.
+TEST(ElasticRun, LeavesNoMotionWhereItComesToRestJustBeforeTheTimeIsUp) {
+  const auto design = strip({0.5, 0, 0.5, 0, 0.5, 0}, 0.5);
+  const model::Structure structure = structure_of(design);
+  PhysicsOptions options = elastic(1e-6);
+  const PhysicsResult early = run_compression(structure, drive_to(structure, 0.5).on(structure), options);
+  ASSERT_EQ(early.status, Status::settled) << early.why;
+  options.settle_residual_motion = 0.1;
+  options.settle_seconds = std::max(early.simulated_s - options.drive_seconds, 100 * options.step_s);
+  const PhysicsResult late = run_compression(structure, drive_to(structure, 0.5).on(structure), options);
+  EXPECT_EQ(late.status, Status::settled) << late.why;
+  EXPECT_EQ(late.steps, early.steps);
+  EXPECT_EQ(late.residual_motion, 0);
+}
+
 TEST(ElasticRun, ComesToTheExactFoldFromOneHingeAsTheTurningSpringsSoften) {
   const auto design = strip({0.5, 0, 0.5, 0, 0.5, 0}, 0.5);
   const model::Structure structure = structure_of(design);
