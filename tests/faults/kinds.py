@@ -113,22 +113,32 @@ def run_in_memory(judge, command, mib):
                                       before=lambda: resource.setrlimit(resource.RLIMIT_AS, (mib * KIB * KIB,) * 2))
 
 
-def least_memory(judge, command, suffices):
-    """MiB from which on a run ends as asked, about: threads and libraries want memory at their own moments."""
-    least, most = 16, 2048
-    while most - least > 1:
+def least_memory(least, suffices):
+    """MiB from which on a run ends as asked, to two. @param least that does not suffice"""
+    most = 2048
+    while most - least > 2:
         middle = (least + most) // 2
-        least, most = (least, middle) if suffices(run_in_memory(judge, command, middle)[1].code) else (middle, most)
+        least, most = (least, middle) if suffices(middle) else (middle, most)
     return most
+
+
+def memory_to_load(judge):
+    """MiB in which the program begins, whatever it then does: without, the loader ends with 127 and says which library did not fit."""
+    place = judge.kitchen.place("memory")
+
+    def loads(mib):
+        limit = (mib * KIB * KIB,) * 2
+        return run([str(judge.kitchen.program), "--version"], place, clean_environment(place / "home", place / "tmp"),
+                   before=lambda: resource.setrlimit(resource.RLIMIT_AS, limit)).code != 127
+    return least_memory(16, loads)
 
 
 def memory(judge, long):
     """`ulimit -v` from what hardly loads the program to what suffices: there memory runs out at one place after the other."""
+    loads = memory_to_load(judge)
     for command in COMMANDS:
         judge.kitchen.reference(command)
-        # The loader, before the program begins, ends with 127 and says which library did not fit.
-        loads = least_memory(judge, command, lambda code: code != 127)
-        enough = least_memory(judge, command, lambda code: code == 0)
+        enough = least_memory(loads, lambda mib: run_in_memory(judge, command, mib)[1].code == 0)
         for mib in spread(loads - 2, enough + 2, 60 if long else 10):
             place, end = run_in_memory(judge, command, mib)
             judge.both(f"{command.name} in {mib} MiB", command, place, end, {0, 1, 127})

@@ -25,9 +25,18 @@ async function firstScreen(page) {
   });
 }
 
-async function report(name) {
+const found = new Map();  // folders of results, by the shape's name
+
+/** The folder of a shape's results, searched once. */
+async function results(name) {
   const out = path.join(home, name);
-  await run(path.join(SHAPES, `${name}.yaml`), "--no-verify", "-o", out);
+  if (!found.has(name)) found.set(name, run(path.join(SHAPES, `${name}.yaml`), "--no-verify", "-o", out));
+  await found.get(name);
+  return out;
+}
+
+async function report(name) {
+  const out = await results(name);
   const page = await chrome.newPage(), complaints = [];
   page.on("console", (message) => ["error", "warn"].includes(message.type()) && complaints.push(message.text()));
   page.on("pageerror", (error) => complaints.push(String(error)));
