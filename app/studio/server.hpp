@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/studio/frame.hpp"
+#include "app/studio/play/frame.hpp"
 
 namespace kinetix::app::studio {
 

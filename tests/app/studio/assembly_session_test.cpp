@@ -1,10 +1,10 @@
-#include "app/studio/assembly_session.hpp"
+#include "app/studio/assembly/assembly_session.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "app/io/atomic_file.hpp"
-#include "app/studio/base64.hpp"
+#include "app/studio/messages/base64.hpp"
 #include "app/studio/view_command.hpp"
 #include "model/base/angle.hpp"
 #include "model/closure/closure_solver.hpp"

@@ -1,8 +1,8 @@
-#include "app/studio/message.hpp"
+#include "app/studio/messages/message.hpp"
 
-#include "app/studio/base64.hpp"
-#include "app/studio/frame.hpp"
-#include "app/studio/plain_number.hpp"
+#include "app/studio/messages/base64.hpp"
+#include "app/studio/messages/plain_number.hpp"
+#include "app/studio/play/frame.hpp"
 #include "model/base/invalid_input.hpp"
 
 namespace kinetix::testing {

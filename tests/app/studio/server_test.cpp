@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/studio/templates.hpp"
+#include "app/studio/messages/templates.hpp"
 #include "tests/app/studio/client.hpp"
 #include "tests/app/studio/studio.hpp"
 

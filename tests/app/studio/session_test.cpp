@@ -1,4 +1,4 @@
-#include "app/studio/session.hpp"
+#include "app/studio/session/session.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -9,8 +9,8 @@
 #include <random>
 
 #include "app/pipeline/design_drive.hpp"
-#include "app/studio/earlier_result.hpp"
-#include "app/studio/templates.hpp"
+#include "app/studio/messages/templates.hpp"
+#include "app/studio/session/earlier_result.hpp"
 #include "model/sheet/sheet_motion.hpp"
 #include "tests/app/studio/client.hpp"
 #include "tests/app/studio/studio.hpp"

@@ -1,12 +1,12 @@
-#include "app/studio/sheet_equilibria.hpp"
+#include "app/studio/play/sheet_equilibria.hpp"
 
 #include <gtest/gtest.h>
 
 #include <latch>
 
-#include "app/studio/job.hpp"
-#include "app/studio/shape.hpp"
-#include "app/studio/templates.hpp"
+#include "app/studio/messages/templates.hpp"
+#include "app/studio/play/shape.hpp"
+#include "app/studio/session/job.hpp"
 #include "model/closure/closure_drive.hpp"
 #include "model/closure/drive_theta.hpp"
 #include "model/linkage/actuators.hpp"

@@ -2,9 +2,9 @@
 
 #include <thread>
 
-#include "app/studio/assembly_session.hpp"
+#include "app/studio/assembly/assembly_session.hpp"
 #include "app/studio/server.hpp"
-#include "app/studio/session.hpp"
+#include "app/studio/session/session.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace kinetix::testing {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/io/sha256.hpp"
-#include "app/studio/templates.hpp"
+#include "app/studio/messages/templates.hpp"
 #include "app/sweep/plan/edit.hpp"
 #include "app/sweep/workers/process_pool.hpp"
 #include "app/sweep/workers/work_message.hpp"

@@ -2,8 +2,8 @@
 #include <set>
 #include <sstream>
 
-#include "app/studio/session.hpp"
-#include "app/studio/templates.hpp"
+#include "app/studio/messages/templates.hpp"
+#include "app/studio/session/session.hpp"
 #include "tests/fuzz/input_folder.hpp"
 
 using namespace kinetix;

@@ -3,7 +3,7 @@ import {$, element, neat, say, show, status, summaryRows} from "./dom.js";
 import {DrawingPad} from "./drawing_pad.js";
 import {CARDS} from "./goals.js";
 
-const LARGEST_FILE = 32 * 2 ** 20;  // bytes, of all files of a search: what the program takes (app/studio/parts.hpp)
+const LARGEST_FILE = 32 * 2 ** 20;  // bytes, of all files of a search: what the program takes (app/studio/session/parts.hpp)
 const PART = 480e3;                 // bytes, a multiple of 3: the program takes messages up to 768 kB, and base64 adds a third
 
 export class GoalPanel {

@@ -1,0 +1,167 @@
+#include "app/studio/assembly/assembly_message.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+
+#include "app/assembly/assembly_export.hpp"
+#include "app/assembly/assembly_run.hpp"
+#include "app/print/format/formats.hpp"
+#include "app/studio/messages/base64.hpp"
+#include "app/version.hpp"
+#include "model/base/angle.hpp"
+#include "model/matter/process.hpp"
+
+namespace kinetix::app::studio {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double rattles = 2 * radians_per_degree;  // rad: what gives way by less does not move
+
+template <class Number>
+void add_bytes(std::string& out, Number value) {
+  static_assert(std::endian::native == std::endian::little, "meshes are little-endian");
+  out.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+Json mesh_json(const model::Polyhedron& solid) {
+  std::string points, triangles;
+  for (const Eigen::Vector3d& p : solid.points)
+    for (const double v : {p.x(), p.y(), p.z()}) add_bytes(points, static_cast<float>(v));
+  for (const auto& triangle : solid.triangles)
+    for (const int corner : triangle) add_bytes(triangles, static_cast<std::uint32_t>(corner));
+  return {{"points", to_base64(points)}, {"triangles", to_base64(triangles)}};
+}
+
+/// Block, pin or ball; a hinge where there is no rod.
+std::string kind_of(const model::AssemblyHinge& hinge) {
+  if (hinge.ball) return "ball";
+  return hinge.kind == model::HingeKind::pin && hinge.rod_mm == 0 ? "hinge" : to_string(hinge.kind);
+}
+
+/// As in result.json, and what a person wants to know of a hinge.
+Json structure_json(const model::Assembly& assembly) {
+  Json out = assembly_structure(assembly);
+  for (std::size_t h = 0; h < assembly.hinges.size(); ++h) {
+    const model::AssemblyHinge& hinge = assembly.hinges[h];
+    Json& one = out["hinges"][h];
+    one["kind"] = kind_of(hinge);
+    one["along"] = {hinge.along.x(), hinge.along.y(), hinge.along.z()};
+    one["confidence"] = hinge.confidence;
+    if (hinge.rod_mm > 0) one["diameter_mm"] = hinge.rod_mm;
+    if (hinge.rod_mm > 0) one["clearance_mm"] = hinge.clearance_mm;
+  }
+  return out;
+}
+
+Json size_json(const model::Assembly& assembly) {
+  Eigen::AlignedBox3d box;
+  for (const model::AssemblyBody& body : assembly.bodies)
+    for (const Eigen::Vector3d& p : body.solid.points) box.extend(p);
+  const Eigen::Vector3d size = box.sizes();
+  return {size.x(), size.y(), size.z()};
+}
+
+bool moves(const AssemblyWay& way) { return way.most_turn() - way.least_turn() > rattles; }
+
+std::string end_words(const model::AssemblyMotion& side, const model::Assembly& assembly) {
+  if (side.broken < 0) return "";
+  return fmt::format("Beyond {:.0f} degrees {} opens first.", to_degrees(side.turns.back()),
+                     assembly.hinges[side.broken].name);
+}
+
+std::string meeting_words(const std::optional<Meeting>& met, const model::Assembly& assembly) {
+  if (!met) return "";
+  return fmt::format("At {:.0f} degrees {} and {} run into each other.", to_degrees(met->turn),
+                     assembly.bodies[met->bodies[0]].name, assembly.bodies[met->bodies[1]].name);
+}
+
+Json why(const AssemblyPlayer& player, const WayKnown& known) {
+  const model::Assembly& assembly = player.file().assembly;
+  const AssemblyWay& way = player.way();
+  if (!known.followed) return {"How far it turns is being found."};
+  Json out = Json::array();
+  for (const std::string& words : {end_words(way.back, assembly), end_words(way.forth, assembly)})
+    if (!words.empty()) out.push_back(words);
+  if (out.empty())
+    out.push_back(fmt::format("All hinges stay closed from {:.0f} to {:.0f} degrees.",
+                              to_degrees(way.least_turn()), to_degrees(way.most_turn())));
+  if (!known.looked_through) return out;
+  for (const auto& met : known.meets)
+    if (met) out.push_back(meeting_words(met, assembly));
+  out.push_back(known.meets[0] || known.meets[1]
+                    ? "The exact motion goes on through bodies that meet; the physics does not."
+                    : "No two bodies meet on the way.");
+  return out;
+}
+
+Json meets_json(const WayKnown& known) {
+  if (!known.looked_through) return nullptr;
+  Json out = Json::array();
+  for (const auto& met : known.meets)
+    out.push_back(met ? Json{{"turn_rad", met->turn}, {"bodies", met->bodies}} : Json(nullptr));
+  return out;
+}
+
+Json opener(const model::AssemblyMotion& side) { return side.broken < 0 ? Json(nullptr) : Json(side.broken); }
+
+}  // namespace
+
+Json assembly_hello(const std::string& name) {
+  Json out = {{"type", "hello"},
+              {"version", version},
+              {"name", name},
+              {"templates", Json::array()},
+              {"processes", Json::array()},
+              {"materials", Json::array()},
+              {"formats", Json::array()}};
+  return out;
+}
+
+Json meshes_message(const model::Assembly& assembly) {
+  Json bodies = Json::array(), hinges = Json::array();
+  for (const model::AssemblyBody& body : assembly.bodies) bodies.push_back(mesh_json(body.solid));
+  for (const model::AssemblyHinge& hinge : assembly.hinges)
+    hinges.push_back(hinge.soft.points.empty() ? Json(nullptr) : mesh_json(hinge.soft));
+  return {{"type", "meshes"}, {"bodies", bodies}, {"hinges", hinges}};
+}
+
+Json assembly_design(const AssemblyPlayer& player, int revision, const WayKnown& known) {
+  const AssemblyWay& way = player.way();
+  const double a = player.theta_at(way.least_turn()), b = player.theta_at(way.most_turn());
+  return {{"type", "design"},
+          {"revision", revision},
+          {"name", player.file().name},
+          {"structure", structure_json(player.file().assembly)},
+          {"theta_rad", player.theta_at(player.file().angle)},
+          {"theta_range_rad", {std::min(a, b), std::max(a, b)}},
+          {"exact", moves(way)},
+          {"family", "none"},
+          {"why", why(player, known)},
+          {"breaking", Json::array()},
+          {"hinge", {{"kind", "bodies"}, {"text", "as they were imported"}}},
+          {"drive", way.pulled ? "bodies that are pulled" : "one hinge that is turned"},
+          {"flat_mm", size_json(player.file().assembly)},
+          {"undo", false},
+          {"redo", false},
+          {"unsaved", false},
+          {"bodies",
+           {{"driven", way.hinge},
+            {"pulled", way.pulled},
+            {"turn_per_theta", model::turn_at_theta(player.turn_sign(), 1)},
+            {"turn_range_rad", {way.least_turn(), way.most_turn()}},
+            {"opens", {opener(way.back), opener(way.forth)}},
+            {"meets", meets_json(known)},
+            {"following", !known.followed}}}};
+}
+
+Json assembly_state(const AssemblyPlayer& player) {
+  return {{"type", "state"},           {"mode", player.mode() == Mode::exact ? "exact" : "bullet"},
+          {"paused", player.paused()}, {"gravity", player.gravity()},
+          {"springs", false},          {"speed", player.speed()},
+          {"fixed", player.fixed()},   {"driven", player.driven_now()},
+          {"searching", false}};
+}
+
+}  // namespace kinetix::app::studio

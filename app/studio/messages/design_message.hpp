@@ -1,0 +1,21 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "app/studio/play/player.hpp"
+
+namespace kinetix::app::studio {
+
+/// The message `hello` of docs/studio.md.
+nlohmann::ordered_json hello_message(const std::string& name);
+/// `design`, without what the session alone knows: revision, undo, redo, unsaved.
+nlohmann::ordered_json design_message(const DesignFile& design, const Moving& moving);
+/// `state`, without whether a search is going on.
+nlohmann::ordered_json state_message(const Player& player);
+/// `error`. @param id of the command that it answers; 0: of none
+nlohmann::ordered_json error_message(const std::string& what, double id);
+/// `progress`, without the time that is left. @param done 0 to 1; negative: not known
+nlohmann::ordered_json progress_message(const char* job, const std::string& stage, double done,
+                                        const std::string& so_far);
+
+}  // namespace kinetix::app::studio

@@ -1,0 +1,63 @@
+#include "app/studio/messages/templates.hpp"
+
+#include "app/files/structure_section.hpp"
+#include "model/lattice/square/family/exact_family.hpp"
+#include "model/lattice/square/numbering.hpp"
+#include "targets/document/wording.hpp"
+
+namespace kinetix::app::studio {
+namespace {
+
+using Squares = model::ExactDesign<double>;
+
+constexpr double edge_mm = 10;  // of a cell: fits a hand and most printers
+
+DesignFile design_of(const char* name, const Squares& squares) {
+  DesignFile design;
+  design.name = name;
+  design.structure = sheet_of(squares, default_size(edge_mm));
+  return design;
+}
+
+DesignFile panel() { return design_of("panel", Squares::basic(8, 8)); }
+
+DesignFile strip() {
+  Squares squares = Squares::basic(12, 1);
+  for (int c = 0; c < 12; ++c) squares.beta[c] = model::column_sign(c) * 20 * radians_per_degree;
+  return design_of("strip", squares);
+}
+
+DesignFile shear() {
+  Squares squares = Squares::basic(8, 3);
+  squares.t.assign(8, 0.35);
+  return design_of("shear", squares);
+}
+
+DesignFile crease() {
+  Squares squares = Squares::basic(9, 4);
+  squares.beta[4] = 45 * radians_per_degree;
+  return design_of("crease", squares);
+}
+
+}  // namespace
+
+const std::vector<Template>& templates() {
+  static const std::vector<Template> all = {
+      {"panel", "shrinks in both directions", panel},
+      {"strip", "curls up", strip},
+      {"shear", "leans over as it shrinks", shear},
+      {"crease", "folds along one crease", crease},
+  };
+  return all;
+}
+
+DesignFile template_design(std::string_view name) {
+  std::vector<std::string_view> names;
+  for (const Template& one : templates()) {
+    if (one.name == name) return one.make();
+    names.push_back(one.name);
+  }
+  throw InvalidInput("template: must be one of " + targets::joined(names));
+}
+
+}  // namespace kinetix::app::studio

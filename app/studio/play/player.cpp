@@ -1,0 +1,200 @@
+#include "app/studio/play/player.hpp"
+
+#include <algorithm>
+
+#include "app/pipeline/design_drive.hpp"
+#include "model/base/invalid_input.hpp"
+#include "model/closure/drive_theta.hpp"
+#include "model/sheet/sheet_motion.hpp"
+
+namespace kinetix::app::studio {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double folded = 0.01;      // rad of theta: nearer to flat there is nothing to hold
+constexpr double usual_rest = 0.35;  // rad of theta: about where springs of shape memory rest
+
+}  // namespace
+
+Player::Player(const DesignFile& design) : force_N_(nan), energy_Nmm_(nan) {
+  springs_ = design.hinge.model == HingeSection::Model::elastic;
+  load(design);
+  fold_to(design.theta);
+}
+
+void Player::load(const DesignFile& design) {
+  const double theta = theta_;
+  const bool plays_on = mode_ == Mode::bullet;
+  live_.reset();
+  design_ = design;
+  moving_ = std::make_unique<Moving>(design_);
+  kept_ = kept_by_springs();
+  fixed_.clear();
+  theta_ = theta;
+  mode_ = wanted_ == Mode::exact && !moving_->exact ? Mode::equilibrium : wanted_;
+  is_awaited_ = !moving_->exact;
+  state_ = moving_->exact ? moving_->exact.at(theta_) : rest_state(moving_->linkage);
+  force_N_ = energy_Nmm_ = nan;
+  if (plays_on) enter_engine();
+}
+
+void Player::enter(Mode mode) {
+  if (mode == Mode::exact && !moving_->exact)
+    throw InvalidInput("exact: this design does not move exactly: " + moving_->exact.why);
+  wanted_ = mode;
+  if (mode == mode_) return;
+  const auto driven = mode_ == Mode::equilibrium ? std::optional(theta_) : std::nullopt;
+  theta_ = sheet_theta();
+  force_N_ = energy_Nmm_ = nan;
+  is_awaited_ = false;
+  live_.reset();
+  mode_ = mode;
+  if (mode == Mode::exact) state_ = moving_->exact.at(theta_);
+  if (mode == Mode::equilibrium) theta_ = drive_theta(theta_, state_);
+  if (mode == Mode::bullet) enter_engine(driven);
+}
+
+/// Whether it goes by another theta than the sheet's.
+bool Player::has_drive_of_its_own() const {
+  return design_.drive && design_.drive->kind != DriveSection::Kind::plates;
+}
+
+double Player::sheet_theta() const {
+  const bool is_known =
+      mode_ == Mode::exact || (mode_ == Mode::equilibrium && (is_awaited_ || !has_drive_of_its_own()));
+  return is_known ? theta_ : model::mean_theta(moving_->linkage, state_);
+}
+
+/// Of the drive that holds a state of a sheet at theta, rad.
+double Player::drive_theta(double theta, const model::State& state) const {
+  if (!has_drive_of_its_own()) return theta;
+  return sim::drive_theta(drive_of(design_), moving_->linkage, state) / kept_;
+}
+
+/// How far springs of shape memory take the sheet, over where they rest: hinges hold them back by about the same part
+/// wherever that is.
+double Player::kept_by_springs() const {
+  if (!has_drive_of_its_own() || !drive_of(design_).heats_springs() || !moving_->exact) return 1;
+  DesignFile hot = design_;
+  hot.drive->angle = 2 * usual_rest;
+  const double kept = exact_theta_of(hot, moving_->exact) / usual_rest;
+  return kept > 0 ? kept : 1;
+}
+
+/// @param driven theta of the drive that holds the present state, where it is known
+void Player::enter_engine(std::optional<double> driven) {
+  const double at = model::mean_theta(moving_->linkage, state_);
+  live_ = live_sheet(design_, moving_->linkage, springs());
+  live_->set_gravity(gravity_);
+  live_->place(state_);
+  for (const int body : fixed_) live_->fix(body, true);
+  time_.restart();
+  if (springs() && std::abs(at) > folded) drive_engine(driven ? *driven : drive_theta(at, state_));
+}
+
+void Player::drive_engine(double theta) {
+  const model::LinkageDrive drive = drive_to(design_, theta);
+  if (drive.heats_springs() && !springs()) set_springs(true);
+  const model::State reference = moving_->exact ? moving_->exact.at(sheet_theta()) : state_;
+  live_->drive_to(drive, reference);
+}
+
+sim::LiveSheet& Player::engine() {
+  if (live_) return *live_;
+  throw InvalidInput("this needs the physics: mode bullet");
+}
+
+void Player::fold_to(double theta) {
+  if (mode_ == Mode::bullet) return drive_engine(theta);
+  theta_ = theta;
+  if (mode_ == Mode::exact) state_ = moving_->exact.at(theta_);
+}
+
+void Player::show_equilibrium(const model::State& state, double theta, double force_N, double energy_Nmm) {
+  if (mode_ != Mode::equilibrium) return;
+  is_awaited_ = false;
+  state_ = state;
+  theta_ = theta;
+  force_N_ = force_N;
+  energy_Nmm_ = energy_Nmm;
+}
+
+void Player::drag(int body, const Eigen::Vector3d& at, const Eigen::Vector3d& to) {
+  if (mode_ == Mode::bullet) return live_->drag(body, at, to);
+  if (!moving_->exact)
+    throw InvalidInput("drag: the design has no exact way to follow; use the physics, or the fold slider");
+  const double nearest = nearest_theta(*moving_, sheet_theta(), body, at, to);
+  fold_to(mode_ == Mode::equilibrium ? drive_theta(nearest, moving_->exact.at(nearest)) : nearest);
+}
+
+void Player::push(int body, const Eigen::Vector3d& at, double force_N) {
+  const model::Linkage& linkage = moving_->linkage;
+  const Eigen::Vector3d arm = at - linkage.rest_position(body);
+  const model::Plate* nearest = nullptr;
+  double least = 0;
+  for (const model::Plate& plate : linkage.plates) {
+    if (plate.body != body) continue;
+    const double along = arm.dot(plate.edge);
+    if (!nearest || along > least) nearest = &plate, least = along;
+  }
+  if (!nearest) throw InvalidInput("body: has no plate to push on");
+  engine().push(body, at, force_N * nearest->edge.cross(nearest->up));
+}
+
+void Player::fix(int body, bool on) {
+  if (on)
+    fixed_.insert(body);
+  else
+    fixed_.erase(body);
+  if (live_) live_->fix(body, on);
+}
+
+void Player::release() {
+  if (live_) live_->release();
+}
+
+void Player::reset() {
+  fixed_.clear();
+  theta_ = 0;
+  state_ = rest_state(moving_->linkage);
+  force_N_ = energy_Nmm_ = nan;
+  if (mode_ == Mode::exact) state_ = moving_->exact.at(0);
+  if (live_) enter_engine();
+}
+
+void Player::set_gravity(bool on) {
+  gravity_ = on;
+  if (live_) live_->set_gravity(on);
+}
+
+void Player::set_springs(bool on) {
+  springs_ = on;
+  if (live_) enter_engine();
+}
+
+void Player::step() {
+  engine().step();
+  state_ = live_->state();
+}
+
+bool Player::plays() const { return live_ && !paused_ && (gravity_ || !live_->is_at_rest()); }
+
+void Player::play() {
+  time_.pass(
+      speed_, [this] { return plays(); }, [this] { step(); });
+}
+
+double Player::theta() const { return mode_ == Mode::bullet ? drive_theta(sheet_theta(), state_) : theta_; }
+
+Frame Player::frame() const {
+  Frame frame;
+  frame.mode = mode_;
+  frame.theta = theta();
+  frame.state = state_;
+  frame.force_N = live_ ? live_->hand_force_N() : force_N_;
+  frame.energy_Nmm = live_ ? live_->hinge_energy_Nmm() : energy_Nmm_;
+  frame.seconds = live_ ? live_->seconds() : 0;
+  return frame;
+}
+
+}  // namespace kinetix::app::studio

@@ -1,0 +1,79 @@
+#include "app/studio/play/shape.hpp"
+
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+
+#include "app/pipeline/design_drive.hpp"
+#include "app/pipeline/physics_settings.hpp"
+#include "app/studio/play/play_time.hpp"
+#include "model/contact/wall_contact.hpp"
+#include "model/sheet/sheet_motion.hpp"
+
+namespace kinetix::app::studio {
+namespace {
+
+constexpr double largest_theta = 85 * radians_per_degree;  // no sheet of walls with a thickness folds further
+constexpr double theta_window = 0.3;  // rad: a hand does not throw the sheet through a fold
+constexpr int theta_bits = 26;        // of a minimum of doubles no more can be known
+constexpr int contact_rounds = 20;    // of impulses between walls: what is left shows for a frame
+
+Eigen::Vector3d carried(const Moving& moving, double theta, int body, const Eigen::Vector3d& at) {
+  const model::State state = moving.exact.at(theta);
+  return state[body].p + state[body].R * (at - moving.linkage.rest_position(body));
+}
+
+}  // namespace
+
+Moving::Moving(const DesignFile& design) : linkage(design.structure), exact(exact_motion(design.structure)) {
+  if (!exact) {
+    nearest = nearest_design(design.structure);
+    return;
+  }
+  const model::ThetaRange range = theta_range(linkage, exact);
+  least_theta = range.negative.touches ? range.negative.theta : -largest_theta;
+  most_theta = range.positive.touches ? range.positive.theta : largest_theta;
+}
+
+double nearest_theta(const Moving& moving, double from, int body, const Eigen::Vector3d& at,
+                     const Eigen::Vector3d& to) {
+  const auto miss = [&](double theta) { return (carried(moving, theta, body, at) - to).squaredNorm(); };
+  const double low = std::max(from - theta_window, moving.least_theta);
+  const double high = std::min(from + theta_window, moving.most_theta);
+  if (!(low < high)) return from;
+  const auto [theta, least] = boost::math::tools::brent_find_minima(miss, low, high, theta_bits);
+  return least < miss(from) ? theta : from;
+}
+
+model::LinkageDrive drive_to(const DesignFile& design, double theta) {
+  return design.drive ? drive_of(design).to(theta) : drive_to(design.structure, theta);
+}
+
+DesignFile as_far_as_shown(DesignFile design, const Moving& moving, double sheet_theta, double drive_theta) {
+  if (sheet_theta == 0) return design;
+  if (moving.exact)
+    design.drive.reset();
+  else if (design.drive) {
+    const model::LinkageDrive shown = drive_to(design, drive_theta);
+    design.drive->compression = shown.compression;
+    design.drive->branch = shown.branch;
+    design.drive->angle = shown.angle;
+    design.drive->shorten_mm = shown.shorten_mm;
+  }
+  design.theta = sheet_theta;
+  return design;
+}
+
+std::unique_ptr<sim::LiveSheet> live_sheet(const DesignFile& design, const model::Linkage& linkage,
+                                           bool springs) {
+  DesignFile as = design;
+  as.hinge.model = springs ? HingeSection::Model::elastic : HingeSection::Model::rotary;
+  sim::PhysicsOptions options = physics_of(as, all_vertical(linkage));
+  options.solver = sim::PhysicsOptions::Solver::direct;
+  options.planar = all_vertical(linkage);
+  options.step_s = live_step_s;
+  options.iterations = contact_rounds;
+  const double k_point = springs ? elasticity_of(as).k_point : 1;
+  return std::make_unique<sim::LiveSheet>(linkage, options, k_point);
+}
+
+}  // namespace kinetix::app::studio

@@ -1,0 +1,122 @@
+#include "app/studio/play/sheet_equilibria.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/pipeline/physics_settings.hpp"
+#include "app/studio/play/shape.hpp"
+#include "model/base/angle.hpp"
+#include "model/closure/closure_drive.hpp"
+#include "model/closure/drive_theta.hpp"
+#include "model/elastic/elastic_system.hpp"
+#include "model/elastic/path/near_equilibrium.hpp"
+#include "model/sheet/sheet_motion.hpp"
+
+namespace kinetix::app::studio {
+namespace {
+
+constexpr double followed_step = 0.05;  // rad of theta between equilibria that follow from each other
+constexpr double snapped = 0.3;         // rad that a hinge turns in such a step: more is another branch
+constexpr double same_theta = 1e-7;     // rad: a drive knows its theta by the compression of its plates
+
+model::Elasticity elastic_hinges(DesignFile design) {
+  design.hinge.model = HingeSection::Model::elastic;
+  return elasticity_of(design);
+}
+
+double next_theta(double theta, double goal) {
+  const double left = goal - theta;
+  return std::abs(left) <= followed_step ? goal : theta + std::copysign(followed_step, left);
+}
+
+}  // namespace
+
+SheetEquilibria::SheetEquilibria(const DesignFile& design)
+    : design_(design), linkage_(design.structure), elasticity_(elastic_hinges(design)) {}
+
+model::EquilibriumPathOptions SheetEquilibria::options(const std::stop_token& stop) const {
+  model::EquilibriumPathOptions out;
+  out.planar = all_vertical(linkage_);
+  out.side = design_.side;
+  out.stop = stop;
+  return out;
+}
+
+double SheetEquilibria::force_N(double theta, double load) const {
+  return drive_to(design_, theta).has_force() ? load : load / linkage_.size.edge_mm;
+}
+
+/// One state after the other, each next to the one before. @return whether it came to theta
+bool SheetEquilibria::follow(model::DrivenState& at, double theta, const std::stop_token& stop) const {
+  while (std::abs(theta - at.step.theta) > same_theta) {
+    if (stop.stop_requested()) return false;
+    const double next = next_theta(at.step.theta, theta);
+    const model::LinkageDrive drive = drive_to(design_, next);
+    if (drive.press) return false;
+    model::State start = at.state;
+    model::ElasticSystem(linkage_, elasticity_, drive, *options(stop).planar, true).place(next, start);
+    const model::EquilibriumPath found = follow_change(
+        start,
+        [&](double) {
+          return model::DrivenLinkage{linkage_, drive, {}};
+        },
+        elasticity_, options(stop));
+    if (found.stop != model::EquilibriumPath::Stop::reached) return false;
+    if (!(std::abs(found.theta - next) <= same_theta)) return false;
+    if (!(turn_distance(linkage_, at.state, found.state) <= snapped)) return false;
+    at = {found.steps.back(), found.state};
+  }
+  return true;
+}
+
+std::shared_ptr<KnownWay> SheetEquilibria::from_flat(double theta, const std::stop_token& stop,
+                                                     const Seen& seen, std::string& why) const {
+  const model::LinkageDrive drive = drive_to(design_, theta);
+  auto way = std::make_shared<KnownWay>(KnownWay{{}, model::EnergyTurns(drive)});
+  const auto see = [&](const model::EquilibriumStep& step, const model::State& state) {
+    way->turns.see(step, state);
+    way->states.push_back({step, state});
+    seen(way->states.back());
+  };
+  const auto path =
+      trace_equilibrium({linkage_, drive, exact_motion(design_.structure)}, elasticity_, options(stop), see);
+  if (path.stop != model::EquilibriumPath::Stop::reached)
+    why = fmt::format("the equilibrium ends at theta {:.1f} deg: {}", to_degrees(path.theta), path.why);
+  return way;
+}
+
+std::shared_ptr<const KnownWay> SheetEquilibria::go(double theta, const std::shared_ptr<const KnownWay>& way,
+                                                    const std::stop_token& stop, const Seen& seen,
+                                                    std::string& why) const {
+  const bool helps = way && !way->states.empty() && way->states.back().step.theta * theta >= 0;
+  if (!helps) return from_flat(theta, stop, seen, why);
+  const auto far = [&](const model::DrivenState& one) { return std::abs(one.step.theta - theta); };
+  model::DrivenState at = *std::min_element(way->states.begin(), way->states.end(),
+                                            [&](const auto& a, const auto& b) { return far(a) < far(b); });
+  seen(at);
+  if (std::abs(theta) <= std::abs(way->states.back().step.theta)) {
+    if (follow(at, theta, stop))
+      seen(at);
+    else if (!stop.stop_requested())
+      from_flat(theta, stop, seen, why);
+    return way;
+  }
+  auto longer = std::make_shared<KnownWay>(*way);
+  while (std::abs(theta - at.step.theta) > same_theta) {
+    if (!follow(at, next_theta(at.step.theta, theta), stop))
+      return stop.stop_requested() ? way : from_flat(theta, stop, seen, why);
+    longer->turns.see(at.step, at.state);
+    longer->states.push_back(at);
+    seen(at);
+  }
+  return longer;
+}
+
+std::vector<model::StableState> SheetEquilibria::stable(const KnownWay& way,
+                                                        const std::stop_token& stop) const {
+  return stable_states(linkage_, elasticity_, {way.turns}, {.path = options(stop)}).states;
+}
+
+}  // namespace kinetix::app::studio

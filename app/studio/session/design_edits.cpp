@@ -1,0 +1,207 @@
+#include "app/studio/session/design_edits.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "app/files/structure_section.hpp"
+#include "model/base/invalid_input.hpp"
+#include "model/lattice/square/redrawn.hpp"
+#include "model/lattice/square/sheet_symmetry.hpp"
+
+namespace kinetix::app::studio {
+namespace {
+
+constexpr int most_cells_a_side = 200;  // what a page can show at 15 frames a second
+
+const targets::KeyTable& only_hinge() {
+  static const targets::KeyTable keys(
+      {{"hinge", targets::value::map(hinge_keys()), {}, "what the hinges are made of"}});
+  return keys;
+}
+
+std::vector<int> hinges_of(const Message& message, int count) {
+  if (message.has("indices")) return message.integers("indices", 0, count - 1);
+  return {message.integer("index", 0, count - 1)};
+}
+
+void change(model::HingeParameters& hinge, const Message& message, double edge_mm) {
+  if (message.has("t")) hinge.t = message.number("t", 0, 1);
+  if (message.has("alpha_deg")) hinge.alpha = message.number("alpha_deg", 0, 180) * radians_per_degree;
+  if (message.has("beta_deg")) hinge.beta = message.number("beta_deg", -90, 90) * radians_per_degree;
+  if (message.has("offset_mm")) hinge.offset = message.number("offset_mm", -edge_mm, edge_mm) / edge_mm;
+}
+
+model::SheetSymmetry symmetry_of(const Message& message, const DesignFile& design) {
+  const std::string name = message.has("symmetry") ? message.text("symmetry") : "none";
+  if (name == "none") return {};
+  const model::Structure* squares = design.structure.squares();
+  if (!squares) throw InvalidInput("symmetry: is known of sheets of squares only");
+  if (name == "mirror_x") return {*squares, true, false};
+  if (name == "mirror_y") return {*squares, false, true};
+  if (name == "rotate_2") return {*squares, true, true};
+  throw InvalidInput("symmetry: must be none, mirror_x, mirror_y or rotate_2");
+}
+
+void take_what_was_asked(const Message& message, const model::HingeParameters& from,
+                         model::HingeParameters& to) {
+  if (message.has("t")) to.t = from.t;
+  if (message.has("alpha_deg")) to.alpha = from.alpha;
+  if (message.has("beta_deg")) to.beta = from.beta;
+  if (message.has("offset_mm")) to.offset = from.offset;
+}
+
+/// What was changed of hinges, on the other side too; of two that are each other's image the first one counts.
+void change_images(const std::vector<int>& hinges, const model::SheetSymmetry& symmetry,
+                   const Message& message, model::Sheet& sheet) {
+  const model::Structure before = *sheet.squares();
+  std::set<int> told;
+  for (const int h : hinges) {
+    const auto other = symmetry.image(before, h);
+    if (!other || *other == h || told.count(h) > 0) continue;
+    told.insert(*other);
+    take_what_was_asked(message, symmetry.image(before, h, *other), sheet.hinge(*other));
+  }
+}
+
+const model::Structure& squares_of(const DesignFile& design) {
+  if (const model::Structure* squares = design.structure.squares()) return *squares;
+  throw InvalidInput("cells can be painted on a sheet of squares only");
+}
+
+/// What was as thick and high as its wall stays so.
+/// @throws InvalidInput for a hinge that such walls and cells have no room for
+void fit_to_walls(HingeSection& hinge, const model::CellSize& before, const model::CellSize& now) {
+  if (!hinge.made) return;
+  hinge.made = fitted(*hinge.made, before, now);
+  validate(*hinge.made, now);
+}
+
+/// The drive goes with the cells that it was given for; a cord is shortened by the same part of them.
+DesignFile with_cells(DesignFile design, std::vector<model::Cell> cells, const model::CellSize& size) {
+  const model::CellSize before = design.structure.size();
+  auto [structure, from] = model::redrawn(squares_of(design), std::move(cells), size);
+  std::map<int, HingeSection> own;
+  for (std::size_t h = 0; h < from.size(); ++h)
+    if (const auto section = from[h] ? design.own_hinges.find(*from[h]) : design.own_hinges.end();
+        section != design.own_hinges.end())
+      own[static_cast<int>(h)] = section->second;
+  fit_to_walls(design.hinge, before, size);
+  for (auto& [h, section] : own) fit_to_walls(section, before, size);
+  if (structure.cells != squares_of(design).cells) design.drive.reset();
+  if (design.drive) design.drive->shorten_mm *= size.edge_mm / before.edge_mm;
+  design.structure = std::move(structure);
+  design.own_hinges = std::move(own);
+  return design;
+}
+
+/// Gives what the message says to the first hinge, and to those on walls along the same axis as exact sheets have it:
+/// tilts of the other sign and the other half of the wall on every second one. Others get the same.
+void alternate(const model::Structure& squares, const std::vector<int>& hinges, const Message& message,
+               double edge_mm, model::Sheet& sheet) {
+  if (hinges.empty()) return;
+  model::Hinge first = squares.hinges[hinges.front()];
+  change(first.parameters, message, edge_mm);
+  const std::vector<model::Hinge> before = squares.hinges;
+  for (const int h : hinges) {
+    const bool is_along = before[h].wall.axis == first.wall.axis;
+    const model::HingeParameters now = is_along ? carried_to(before[h].wall, first) : first.parameters;
+    model::HingeParameters& hinge = sheet.hinge(h);
+    take_what_was_asked(message, now, hinge);
+  }
+}
+
+/// One `cell`, or the `cells` of a stroke.
+std::vector<model::Cell> painted(const Message& message) {
+  const bool many = message.has("cells");
+  const std::vector<int> at = message.integers(many ? "cells" : "cell", 0, most_cells_a_side - 1);
+  if (at.empty() || at.size() % 2 != 0 || (!many && at.size() != 2))
+    throw InvalidInput(many ? "cells: must be [i, j, i, j, ...]" : "cell: must be [i, j]");
+  std::vector<model::Cell> out;
+  for (std::size_t k = 0; k < at.size(); k += 2) out.push_back({at[k], at[k + 1]});
+  return out;
+}
+
+DesignFile with_one_cell(DesignFile design, const model::Cell& cell, bool on) {
+  std::vector<model::Cell> cells = model::with_cell(squares_of(design), cell, on);
+  const model::CellSize size = design.structure.size();
+  return with_cells(std::move(design), std::move(cells), size);
+}
+
+std::string kind_text(const Message& message) {
+  const std::string kind = message.text("kind");
+  for (const char* known : {"pin", "block", "film"})
+    if (kind == known) return kind;
+  throw InvalidInput("kind: must be stiff, pin, block or film");
+}
+
+/// What a made hinge must say of its size, where the page does not: a block a little longer than thick, where its
+/// stiffness is well known; a film of two lines of a nozzle over twice that way; a rod as thick as its wall.
+std::string sizes_text(const Message& message, const model::CellSize& size) {
+  const std::string kind = message.text("kind");
+  if (kind == "pin") return fmt::format(", diameter_mm: {:.3g}", std::max(1.0, size.thickness_mm));
+  const double gap = message.has("gap_mm") ? message.number("gap_mm", 0.01, size.edge_mm)
+                     : kind == "block"     ? 1.25 * size.thickness_mm
+                                           : 2 * size.thickness_mm;
+  const std::string thickness = kind == "film" ? ", thickness_mm: 0.4" : "";
+  return fmt::format(", gap_mm: {:.3g}{}", gap, thickness);
+}
+
+}  // namespace
+
+DesignFile with_hinges(DesignFile design, const Message& message) {
+  const std::vector<int> hinges = hinges_of(message, design.structure.hinges());
+  const double edge_mm = design.structure.size().edge_mm;
+  if (message.has("alternate") && message.boolean("alternate"))
+    alternate(squares_of(design), hinges, message, edge_mm, design.structure);
+  else
+    for (const int h : hinges) change(design.structure.hinge(h), message, edge_mm);
+  if (const model::SheetSymmetry symmetry = symmetry_of(message, design); symmetry.any())
+    change_images(hinges, symmetry, message, design.structure);
+  validate_hinges(design.structure);
+  return design;
+}
+
+DesignFile with_cell(DesignFile design, const Message& message) {
+  const bool on = message.boolean("on");
+  const model::SheetSymmetry symmetry = symmetry_of(message, design);
+  for (const model::Cell& cell : painted(message)) {
+    design = with_one_cell(std::move(design), cell, on);
+    const model::Cell image = symmetry.image(cell);
+    const bool is_there = model::has_cell(squares_of(design), image);
+    if (symmetry.any() && model::is_countable(image) && is_there != on)
+      design = with_one_cell(std::move(design), image, on);
+  }
+  return design;
+}
+
+DesignFile with_sheet(DesignFile design, const Message& message) {
+  const model::Structure& squares = squares_of(design);
+  std::array<int, 2> extent = model::extent(squares);
+  const bool is_new = message.has("columns") || message.has("rows");
+  if (message.has("columns")) extent[0] = message.integer("columns", 1, most_cells_a_side);
+  if (message.has("rows")) extent[1] = message.integer("rows", 1, most_cells_a_side);
+  model::CellSize size = squares.size;
+  if (message.has("cell_mm")) size = default_size(message.number("cell_mm", 0.1, 1000));
+  if (message.has("thickness_mm")) size.thickness_mm = message.number("thickness_mm", 0.01, 100);
+  if (message.has("height_mm")) size.height_mm = message.number("height_mm", 0.01, 1000);
+  std::vector<model::Cell> cells = is_new ? model::full_sheet(extent) : squares.cells;
+  return with_cells(std::move(design), std::move(cells), size);
+}
+
+DesignFile with_made_hinges(DesignFile design, const Message& message) {
+  design.own_hinges.clear();
+  if (message.text("kind") == "stiff") {
+    design.hinge = {};
+    return design;
+  }
+  std::string entries = "kind: " + kind_text(message) + sizes_text(message, design.structure.size());
+  if (message.has("material")) entries += ", material: " + message.text("material");
+  const std::string text = fmt::format("hinge: {{{}}}\n", entries);
+  const targets::Section document(targets::parse_document(text, "the studio"), only_hinge());
+  design.hinge = read_hinge_section(document, design.structure.size());
+  return design;
+}
+
+}  // namespace kinetix::app::studio

@@ -1,0 +1,113 @@
+#include "app/studio/session/earlier_result.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "app/result/same_sheet.hpp"
+#include "app/studio/messages/plain_number.hpp"
+#include "model/base/angle.hpp"
+#include "targets/document/text_file.hpp"
+
+namespace kinetix::app::studio {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t largest_result = 64 << 20;  // bytes: a result of some 10 000 bodies has 20 MB
+constexpr double rounding = 1e-9;  // relative, or mm and rad: offsets lose their last bit in files
+
+/// A number of `metrics`, in a line as summary() has them.
+struct Measure {
+  const char* key;
+  const char* label;
+  const char* before;
+  double unit;  // of the text, over that of the file
+  int digits;   // significant
+  const char* after;
+};
+
+constexpr double percent = 100,
+                 degree = 1 / radians_per_degree;  // of a ratio and of a radian, as people read them
+
+/// Of all kinds of goals; what other numbers say only experts ask.
+constexpr Measure told_measures[] = {
+    {"theta_rad", "folded", "theta ", degree, 4, " deg"},
+    {"shape_rms", "shape", "rms ", percent, 3, " % of the goal's diagonal"},
+    {"shape_max", "", "largest ", percent, 3, " % of it"},
+    {"surface_rms", "shape", "rms ", percent, 3, " % of the goal's diagonal"},
+    {"cover", "", "covers ", percent, 3, " % of it"},
+    {"outline_rms", "shape", "rms ", percent, 3, " % of the goal's diagonal"},
+    {"iou", "", "shares ", percent, 3, " % of the area of both"},
+    {"factor_off", "block", "factors off by up to ", percent, 3, " %"},
+    {"fold_miss_deg", "creases", "off by up to ", 1, 3, " deg"},
+    {"face_rms", "faces", "rms ", percent, 3, " % of an edge from the ideal solid"},
+    {"distance_rms_mm", "fit", "rms ", 1, 3, " mm from head plus clearance"},
+    {"distance_max_mm", "", "largest ", 1, 3, " mm"},
+    {"contrast", "picture", "contrast ", 1, 2, ""},
+    {"auc", "", "auc ", 1, 3, ""},
+    {"strain_max", "strained", "by ", 1, 3, ""},
+    {"strain_allowed", "", "its material bears ", 1, 3, ""},
+    {"as_made_rms_mm", "as made", "", 1, 3, " mm off the goal (rms)"},
+    {"as_made_p95_mm", "", "95 of 100 prints within ", 1, 3, " mm"},
+    {"force_N", "effort", "at most ", 1, 3, " N"},
+    {"verify_rms", "physics", "rms ", 1, 2, " cell edges from the model"},
+};
+
+std::string told_line(const std::string& label, const std::string& text) {
+  return fmt::format("\n  {:<10} {}", label, text);
+}
+
+std::string told_number(double value, int digits) {
+  constexpr double seen = 1e-3;  // of all units above: what is less is nothing to a person
+  return std::abs(value) < seen ? "below 0.001" : plain_number(value, digits);
+}
+
+/// What the result knows of it, in words as after the search.
+std::string words(const Json& result, const std::string& file) {
+  const Json& metrics = result["metrics"];
+  std::string out = result.value("name", std::string("A result")) + ", from " + file;
+  for (const auto& [key, label, before, unit, digits, after] : told_measures)
+    if (const auto value = metrics.find(key); value != metrics.end() && value->is_number())
+      out += told_line(label, before + told_number(unit * value->get<double>(), digits) + after);
+  if (const auto agrees = metrics.find("verified"); agrees != metrics.end() && agrees->is_boolean())
+    out += told_line("", agrees->get<bool>() ? "physics agrees" : "physics DISAGREES");
+  return out;
+}
+
+Json read(const fs::path& file) {
+  std::error_code none;
+  if (!fs::exists(file, none)) return nullptr;
+  try {
+    return Json::parse(targets::read_text_file(file.string(), largest_result), nullptr, false);
+  } catch (const InvalidInput&) {
+    return nullptr;
+  }
+}
+
+}  // namespace
+
+std::optional<double> theta_reached(const Json& message) {
+  if (!message.is_object()) return {};
+  const Json& metrics = message["result"]["metrics"];
+  const auto theta = metrics.find("theta_rad");
+  if (theta == metrics.end() || !theta->is_number()) return {};
+  return theta->get<double>();
+}
+
+Json earlier_result(const std::string& design_file, const DesignFile& design) {
+  const fs::path file = fs::path(design_file).parent_path() / "result.json";
+  Json result = read(file);
+  if (!result.is_object() || !result.contains("target") || !result["target"].is_object()) return nullptr;
+  if (!result.contains("metrics") || !result["metrics"].is_object()) return nullptr;
+  if (!is_of_sheet(result, design, rounding)) return nullptr;
+  const Json met = result["metrics"].value("met", Json(nullptr));
+  const bool stopped = result.value("stopped", false);
+  const std::string text = words(result, file.string());
+  return {{"type", "result"}, {"result", std::move(result)}, {"summary", text},
+          {"met", met},       {"stopped", stopped},          {"earlier", true}};
+}
+
+}  // namespace kinetix::app::studio

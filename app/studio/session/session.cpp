@@ -1,0 +1,269 @@
+#include "app/studio/session/session.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "app/assembly/assembly_file.hpp"
+#include "app/exports/write_results.hpp"
+#include "app/io/atomic_file.hpp"
+#include "app/studio/messages/design_message.hpp"
+#include "app/studio/messages/templates.hpp"
+#include "app/studio/session/design_edits.hpp"
+#include "app/studio/session/earlier_result.hpp"
+
+namespace kinetix::app::studio {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr double largest_push_N = 1000;  // more than a person pushes with
+
+/// A folder that was not there before. Where none can be made the name of one, which then cannot be written to.
+fs::path new_folder(const fs::path& inside, const std::string& name) {
+  std::error_code failure;
+  fs::create_directories(inside, failure);
+  fs::path folder = inside / name;
+  for (int k = 2; !failure && !fs::create_directory(folder, failure); ++k)
+    folder = inside / fmt::format("{}_{}", name, k);
+  return folder;
+}
+
+}  // namespace
+
+Session::Session(Opened opened, Outlet outlet)
+    : SessionLoop(std::move(outlet)),
+      opened_(std::move(opened)),
+      history_(opened_.design),
+      save_files_{opened_.save_file},
+      player_(opened_.design),
+      told_(opened_.result) {
+  if (const auto theta = theta_reached(told_); theta && player_.mode() == Mode::exact)
+    player_.fold_to(*theta);
+  if (player_.mode() == Mode::equilibrium) enqueue([this] { trace(player_.theta()); });
+  if (!opened_.target_file.empty()) enqueue([this] { search_for(opened_.target_file, nullptr); });
+}
+
+void Session::welcome(int client) {
+  tell(hello_message(history_.current().name), client);
+  Json design = design_message(history_.current(), player_.moving());
+  tell(std::move(design), client);
+  tell_state(client);
+  if (!told_.is_null()) tell(told_, client);
+  if (!path_.is_null()) tell(path_, client);
+}
+
+void Session::obey(const Message& message) {
+  const auto command = commands().find(message.type());
+  if (command == commands().end()) throw InvalidInput("type: unknown command '" + message.type() + "'");
+  command->second(*this, message);
+}
+
+bool Session::play() {
+  const std::unique_lock alone(engine_, std::try_to_lock);
+  if (alone) player_.play();
+  return alone.owns_lock();
+}
+
+Frame Session::frame() const {
+  Frame frame = player_.frame();
+  frame.revision = revision_;
+  return frame;
+}
+
+void Session::stop_jobs() {
+  tracer_.ask_to_stop();
+  searcher_.ask_to_stop();
+  exporter_.ask_to_stop();
+}
+
+const std::map<std::string, Session::Command>& Session::commands() {
+  using S = Session;
+  using M = Message;
+  static const std::map<std::string, Command> all = {
+      {"mode", [](S& s, const M& m) { s.set_mode(m); }},
+      {"theta",
+       [](S& s, const M& m) {
+         s.fold_to(m.number("deg", -steepest_deg, steepest_deg) * radians_per_degree);
+       }},
+      {"drag", [](S& s, const M& m) { s.drag(m); }},
+      {"release",
+       [](S& s, const M&) {
+         s.player_.release();
+         s.tell_state();
+       }},
+      {"fix",
+       [](S& s, const M& m) {
+         s.player_.fix(s.body_of(m), m.boolean("fixed"));
+         s.tell_state();
+       }},
+      {"push",
+       [](S& s, const M& m) {
+         s.player_.push(s.body_of(m), m.point("at"), m.number("force_N", -largest_push_N, largest_push_N));
+       }},
+      {"gravity",
+       [](S& s, const M& m) {
+         s.player_.set_gravity(m.boolean("on"));
+         s.tell_state();
+       }},
+      {"pause",
+       [](S& s, const M& m) {
+         s.player_.set_paused(m.boolean("on"));
+         s.tell_state();
+       }},
+      {"step", [](S& s, const M&) { s.player_.step(); }},
+      {"speed",
+       [](S& s, const M& m) {
+         s.player_.set_speed(m.number("factor", 0.05, 1));
+         s.tell_state();
+       }},
+      {"springs",
+       [](S& s, const M& m) {
+         s.player_.set_springs(m.boolean("on"));
+         s.tell_state();
+       }},
+      {"reset",
+       [](S& s, const M&) {
+         s.tracer_.ask_to_stop();
+         s.player_.reset();
+         s.tell_state();
+       }},
+      {"snap", [](S& s, const M&) { s.snap(); }},
+      {"hinge", [](S& s, const M& m) { s.take(with_hinges(s.history_.current(), m)); }},
+      {"paint", [](S& s, const M& m) { s.take(with_cell(s.history_.current(), m)); }},
+      {"sheet", [](S& s, const M& m) { s.take(with_sheet(s.history_.current(), m)); }},
+      {"made", [](S& s, const M& m) { s.take(with_made_hinges(s.history_.current(), m)); }},
+      {"nearest", [](S& s, const M&) { s.take_nearest(); }},
+      {"undo",
+       [](S& s, const M&) {
+         if (s.history_.undo()) s.design_changed();
+       }},
+      {"redo",
+       [](S& s, const M&) {
+         if (s.history_.redo()) s.design_changed();
+       }},
+      {"open", [](S& s, const M& m) { s.open(m); }},
+      {"save", [](S& s, const M&) { s.save(); }},
+      {"search", [](S& s, const M& m) { s.search(m); }},
+      {"part", [](S& s, const M& m) { s.take_part(m); }},
+      {"stop", [](S& s, const M&) { s.searcher_.ask_to_stop(); }},
+      {"export", [](S& s, const M& m) { s.export_files(m); }},
+  };
+  return all;
+}
+
+int Session::body_of(const Message& message) const {
+  return message.integer("body", 0, history_.current().structure.bodies() - 1);
+}
+
+void Session::set_mode(const Message& message) {
+  const std::string name = message.text("mode");
+  if (name != "exact" && name != "equilibrium" && name != "bullet")
+    throw InvalidInput("mode: must be exact, equilibrium or bullet");
+  tracer_.ask_to_stop();
+  player_.enter(name == "exact" ? Mode::exact : name == "bullet" ? Mode::bullet : Mode::equilibrium);
+  tell_state();
+  if (player_.mode() == Mode::equilibrium) trace(player_.theta());
+}
+
+void Session::fold_to(double theta) {
+  player_.fold_to(theta);
+  if (player_.mode() == Mode::equilibrium) trace(theta);
+  if (player_.mode() == Mode::bullet) tell_state();
+}
+
+void Session::drag(const Message& message) {
+  const int body = body_of(message);
+  const Eigen::Vector3d rest = history_.current().structure.rest_position(body);
+  player_.drag(body, message.has("at") ? message.point("at") : rest, message.point("to"));
+  if (player_.mode() == Mode::equilibrium) trace(player_.theta());
+}
+
+void Session::take(DesignFile design) {
+  history_.add(std::move(design), history_.thing());
+  design_changed();
+}
+
+/// One that is no change of the present design: `save` leaves that one's file alone.
+void Session::take_other(DesignFile design) {
+  save_files_.emplace_back();
+  history_.add(std::move(design), static_cast<int>(save_files_.size()) - 1);
+  design_changed();
+}
+
+void Session::design_changed() {
+  tracer_.ask_to_stop();
+  ++revision_;
+  result_.reset();
+  told_ = nullptr;
+  stable_.clear();
+  way_.reset();
+  path_ = nullptr;
+  ++traces_;  // what is under way is of another design
+  player_.load(history_.current());
+  tell(design_message(history_.current(), player_.moving()));
+  tell_state();
+  if (player_.mode() == Mode::equilibrium) trace(player_.theta());
+}
+
+void Session::take_nearest() {
+  const auto& moving = player_.moving();
+  if (moving.exact) throw InvalidInput("nearest: the design moves exactly as it is");
+  if (!moving.nearest) throw InvalidInput("nearest: no exact design is known near this one");
+  DesignFile design = history_.current();
+  design.structure = moving.nearest->sheet;
+  take(std::move(design));
+}
+
+void Session::open(const Message& message) {
+  if (message.has("template")) return take_other(template_design(message.text("template")));
+  const targets::Node root = targets::parse_document(message.text("yaml"), "design");
+  if (is_assembly(root))
+    throw InvalidInput("open: a design of bodies has meshes beside it: `kinetix-opt view` its file");
+  take_other(read_design(root));
+}
+
+/// Of the present design: the file that it came from, or one in a new folder, which is this session's from now on.
+fs::path Session::save_file() {
+  std::string& file = save_files_[history_.thing()];
+  if (file.empty()) file = (new_folder(opened_.results, history_.current().name) / "design.yaml").string();
+  return file;
+}
+
+void Session::save() {
+  const fs::path file = save_file();
+  std::error_code ignored;
+  if (file.has_parent_path()) fs::create_directories(file.parent_path(), ignored);
+  if (result_ && file.filename() == "design.yaml") {
+    Run& run = const_cast<Run&>(*result_);
+    write_results(run, file.parent_path().string());
+  } else {
+    DesignFile design = history_.current();
+    design.theta = player_.sheet_theta();
+    write_file(file.string(), design_text(design));
+  }
+  history_.mark_saved();
+  tell({{"type", "saved"}, {"path", file.string()}});
+  tell(design_message(history_.current(), player_.moving()));
+}
+
+void Session::tell(const nlohmann::ordered_json& message, int client) const {
+  nlohmann::ordered_json out = message;
+  if (out["type"] == "design") {
+    out["revision"] = revision_;
+    out["undo"] = history_.can_undo();
+    out["redo"] = history_.can_redo();
+    out["unsaved"] = !history_.is_saved();
+    out["has_result"] = !told_.is_null();
+  }
+  tell_json(out, client);
+}
+
+void Session::tell_state(int client) const {
+  Json state = state_message(player_);
+  state["searching"] = searching_;
+  tell(state, client);
+}
+
+}  // namespace kinetix::app::studio

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/run/run.hpp"
+#include "app/studio/play/player.hpp"
+#include "app/studio/play/sheet_equilibria.hpp"
+#include "app/studio/session/design_history.hpp"
+#include "app/studio/session/job.hpp"
+#include "app/studio/session/parts.hpp"
+#include "app/studio/session/session_loop.hpp"
+
+namespace kinetix::app::studio {
+
+/// What `view` was asked to open.
+struct Opened {
+  DesignFile design;
+  std::string save_file;    ///< that the design was read from, where `save` writes it; empty: none
+  std::string target_file;  ///< not empty: searched for at once
+  int threads = 0;
+  std::uint64_t seed = 0;
+  nlohmann::ordered_json result =
+      {};                           ///< the message of the result that the design is of; null: none is known
+  std::string results = "results";  ///< the folder in which `save` makes one for what was read from no file
+};
+
+/// A sheet in the studio: its design, its shape at the moment, and what runs on its behalf.
+class Session : public SessionLoop {
+ public:
+  Session(Opened opened, Outlet outlet);
+
+ private:
+  using Command = std::function<void(Session& session, const Message& message)>;
+  static const std::map<std::string, Command>& commands();
+
+  void welcome(int client) override;
+  void forget(int client) override { parts_.erase(client); }
+  void obey(const Message& message) override;
+  bool moves() const override { return player_.plays(); }
+  bool play() override;
+  Frame frame() const override;
+  void stop_jobs() override;
+
+  int body_of(const Message& message) const;
+  void set_mode(const Message& message);
+  void fold_to(double theta);
+  void drag(const Message& message);
+  void take(DesignFile design);
+  void take_other(DesignFile design);
+  void design_changed();
+  void take_nearest();
+  void open(const Message& message);
+  void save();
+  std::filesystem::path save_file();
+  void take_part(const Message& message);
+  void search(const Message& message);
+  void export_files(const Message& message);
+
+  void trace(double theta);
+  void dropped(int client, double id);
+  void snap();
+  void search_for(const std::string& file, std::shared_ptr<void> keeps);
+  void found(std::shared_ptr<Run> run);
+
+  void tell(const nlohmann::ordered_json& message, int client = everybody) const;
+  void tell_state(int client = everybody) const;
+
+  const Opened opened_;
+  DesignHistory history_;
+  std::vector<std::string> save_files_;  ///< by thing of the history; empty: not asked for yet
+  int revision_ = 1;
+  Player player_;
+  std::shared_ptr<const Run> result_;  ///< of the last search, while its design is the present one
+  nlohmann::ordered_json
+      told_;  ///< the message of the result that the present design is of; null: it is of none
+  std::shared_ptr<const KnownWay> way_;        ///< of the present design's equilibria, as far as it is known
+  std::shared_ptr<const KnownWay> stable_of_;  ///< that way led to the stable states
+  nlohmann::ordered_json path_;                ///< the message of that way; null: none is known
+  int traces_ = 0;                             ///< that were begun: what older ones say counts no more
+  std::vector<model::StableState> stable_;     ///< that the last equilibrium path led to
+  std::size_t next_stable_ = 0;
+
+  bool searching_ = false, exporting_ = false;
+  /// Held while the physics engine runs, which has global state: in the hands of a search that checks its result the thing
+  /// stands still.
+  std::mutex engine_;
+  std::map<int, Parts> parts_;  ///< by client: of files that came for its next search
+
+  Job tracer_, searcher_, exporter_;  ///< last: they end before what they speak to
+};
+
+}  // namespace kinetix::app::studio

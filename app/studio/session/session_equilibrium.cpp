@@ -1,0 +1,84 @@
+#include "app/studio/session/session.hpp"
+
+#include "app/studio/messages/design_message.hpp"
+
+namespace kinetix::app::studio {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What the page draws of a way.
+Json path_rows(const KnownWay& way, const SheetEquilibria& equilibria) {
+  Json rows = Json::array();
+  for (const model::DrivenState& at : way.states)
+    rows.push_back({{"theta_rad", at.step.theta},
+                    {"force_N", equilibria.force_N(at.step.theta, at.step.load)},
+                    {"energy_Nmm", at.step.energy},
+                    {"stable", at.step.stable}});
+  return rows;
+}
+
+}  // namespace
+
+/// To theta, on its own thread, from what is known of the way; the shapes on it are shown as they come.
+void Session::trace(double theta) {
+  const int client = client_, number = ++traces_;
+  const double id = std::exchange(id_, 0);
+  tracer_.start([this, client, number, id, theta, design = history_.current(), known = way_,
+                 is_settled = stable_of_ == way_](const std::stop_token& stop) {
+    try {
+      const SheetEquilibria equilibria(design);
+      const auto see = [&](const model::DrivenState& at) {
+        const double force = equilibria.force_N(at.step.theta, at.step.load);
+        enqueue([this, number, at, force] {
+          if (number != traces_) return;
+          player_.show_equilibrium(at.state, at.step.theta, force, at.step.energy);
+          changed_ = true;
+        });
+      };
+      std::string why;
+      const auto way = equilibria.go(theta, known, stop, see, why);
+      if (stop.stop_requested()) return dropped(client, id);
+      Json rows = path_rows(*way, equilibria);
+      enqueue([this, number, client, id, way, why, rows = std::move(rows)] {
+        note_heard(client, id);
+        changed_ = true;
+        if (number != traces_) return;
+        way_ = way;
+        path_ = {{"type", "path"}, {"rows", rows}};
+        tell(path_);
+        if (!why.empty()) tell(error_message(why, 0), client);
+      });
+      if (way == known && is_settled) return;
+      auto states = equilibria.stable(*way, stop);
+      if (stop.stop_requested()) return;
+      enqueue([this, number, way, states = std::move(states)] {
+        if (number != traces_) return;
+        stable_ = states;
+        stable_of_ = way;
+      });
+    } catch (const std::exception& e) {
+      enqueue([this, client, id, what = std::string(e.what())] { tell(error_message(what, id), client); });
+    }
+  });
+}
+
+/// Nobody waits for that command's effect any more.
+void Session::dropped(int client, double id) {
+  enqueue([this, client, id] {
+    note_heard(client, id);
+    changed_ = true;
+  });
+}
+
+void Session::snap() {
+  if (player_.mode() != Mode::equilibrium) throw InvalidInput("snap: needs the mode equilibrium");
+  if (stable_.size() < 2)
+    throw InvalidInput(
+        "snap: no other stable state is known; fold further first, past where it would snap over");
+  next_stable_ = (next_stable_ + 1) % stable_.size();
+  const model::StableState& state = stable_[next_stable_];
+  player_.show_equilibrium(state.state, state.theta, 0, state.energy);
+}
+
+}  // namespace kinetix::app::studio

@@ -1,0 +1,138 @@
+#include "app/studio/session/session.hpp"
+
+#include <filesystem>
+
+#include "app/console/time_left.hpp"
+#include "app/exports/design_export.hpp"
+#include "app/goals/read_target.hpp"
+#include "app/io/atomic_file.hpp"
+#include "app/pipeline/pipeline.hpp"
+#include "app/print/hinge_fit.hpp"
+#include "app/result/result_json.hpp"
+#include "app/studio/messages/base64.hpp"
+#include "app/studio/messages/design_message.hpp"
+
+namespace kinetix::app::studio {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using SteadyClock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds between_words{
+    500};                                // of a search, on screen: as often as a person reads them
+constexpr std::size_t most_senders = 8;  // pages whose parts of files are kept
+
+double seconds_since(SteadyClock::time_point start) {
+  return std::chrono::duration<double>(SteadyClock::now() - start).count();
+}
+
+/// A folder that goes with its last owner.
+std::shared_ptr<fs::path> temporary_folder() {
+  std::string name = (fs::temp_directory_path() / "kinetix-studio-XXXXXX").string();
+  if (!mkdtemp(name.data())) throw InvalidInput(name + ": cannot be made");
+  return {new fs::path(name), [](fs::path* path) {
+            std::error_code ignored;
+            fs::remove_all(*path, ignored);
+            delete path;
+          }};
+}
+
+/// A name without a way out of its folder.
+std::string plain_name(const std::string& name) {
+  const bool plain = !name.empty() && name.size() < 100 && name[0] != '.' &&
+                     name.find_first_of("/\\") == std::string::npos && name.find('\0') == std::string::npos;
+  if (!plain) throw InvalidInput("files: a name must be a plain file name");
+  return name;
+}
+
+}  // namespace
+
+void Session::take_part(const Message& message) {
+  if (parts_.count(client_) == 0 && parts_.size() >= most_senders) parts_.erase(parts_.begin());
+  parts_[client_].add(plain_name(message.text("name")), message.integer("at", 0, most_part_bytes),
+                      from_base64(message.text("content")));
+}
+
+void Session::search(const Message& message) {
+  if (searching_) throw InvalidInput("search: one is going on; stop it first");
+  const auto folder = temporary_folder();
+  const Parts parts = std::exchange(parts_[client_], {});
+  for (const auto& [name, content] : parts.files()) write_file((*folder / name).string(), content);
+  if (message.has("files"))
+    for (const auto& [name, content] : message.named_texts("files"))
+      write_file((*folder / plain_name(name)).string(), from_base64(content));
+  const std::string file = (*folder / "target.yaml").string();
+  write_file(file, message.text("target"));
+  read_target(file);
+  search_for(file, folder);
+}
+
+/// @param keeps what must live until the search is through
+void Session::search_for(const std::string& file, std::shared_ptr<void> keeps) {
+  searching_ = true;
+  tell_state();
+  searcher_.start([this, file, keeps](const std::stop_token& stop) {
+    std::string stage_shown;
+    TimeLeft left;
+    std::mutex words;
+    const auto start = SteadyClock::now();
+    SteadyClock::time_point stage_start = start, next = start;
+    const auto progress = [&](const std::string& stage, double done, const std::string& so_far) {
+      const std::lock_guard lock(words);
+      if (stage != stage_shown) {
+        stage_shown = stage;
+        stage_start = next = SteadyClock::now();
+        left = {};
+      }
+      left.update(seconds_since(stage_start), done);
+      if (SteadyClock::now() < next) return;
+      next = SteadyClock::now() + between_words;
+      Json out = progress_message("search", stage, done, so_far);
+      if (const auto seconds = left.at(seconds_since(stage_start)); seconds && done < 1)
+        out["left_s"] = *seconds;
+      tell(out);
+    };
+    try {
+      const Target target = read_target(file);
+      RunOptions options;
+      options.threads = opened_.threads;
+      options.seed = opened_.seed;
+      options.progress = progress;
+      options.stop = stop;
+      options.engine = &engine_;
+      options.misfit = why_hinges_do_not_fit;
+      auto run = std::make_shared<Run>(run_scene(*target.goal, options));
+      enqueue([this, run] { found(run); });
+    } catch (const std::exception& e) {
+      enqueue([this, what = std::string(e.what())] {
+        searching_ = false;
+        tell(error_message(what, 0));
+        tell_state();
+      });
+    }
+  });
+}
+
+void Session::found(std::shared_ptr<Run> run) {
+  searching_ = false;
+  const std::string text = design_export.write(*run).front().content;
+  DesignFile design = read_design(targets::parse_document(text, "the result"));
+  const bool is_other = design.name != history_.current().name;
+  if (is_other)
+    take_other(std::move(design));
+  else
+    take(std::move(design));
+  fold_to(run->theta);
+  result_ = run;
+  told_ = {{"type", "result"},
+           {"result", result_json(*run)},
+           {"summary", summary(*run)},
+           {"met", run->goal && run->goal->met()},
+           {"stopped", run->stopped}};
+  tell(told_);
+  tell_state();
+  changed_ = true;
+}
+
+}  // namespace kinetix::app::studio
