@@ -13,8 +13,6 @@ namespace {
 
 // Of a summary: what a person reads through in a terminal. result.json has them all.
 constexpr std::size_t most_events = 12, most_states = 6;
-constexpr double folded_share =
-    0.1;  // of the theta that a drive asks for: a sheet that is nearly flat is on no side
 
 using Kind = model::LinkageDrive::Kind;
 
@@ -94,17 +92,20 @@ std::string stable_text(const model::StableStates& stable) {
   return text;
 }
 
-/// Plates and cords push to no side of their own: the drive may be through while the sheet stands at the other theta.
-bool is_on_the_other_side(const Run& run) {
-  const double asked = run.equilibrium->drive.theta();
-  return run.equilibrium->reached() && asked * run.theta < 0 &&
-         std::abs(run.theta) > folded_share * std::abs(asked);
+std::string side_words(const Equilibrium& equilibrium, double theta) {
+  return fmt::format("folded to theta {:.2f} deg, where {:.2f} was asked for", to_degrees(theta),
+                     to_degrees(equilibrium.drive.theta()));
 }
 
 }  // namespace
 
 std::string in_words(model::EquilibriumPath::Stop stop) {
   return stop == model::EquilibriumPath::Stop::overstretched ? "hinge overstretched" : to_string(stop);
+}
+
+std::string missed_words(const Equilibrium& equilibrium, double theta) {
+  if (equilibrium.reached()) return "other side: " + side_words(equilibrium, theta);
+  return in_words(equilibrium.path.stop) + ": " + equilibrium.path.why;
 }
 
 std::vector<std::array<std::string, 2>> equilibrium_lines(const Run& run) {
@@ -116,10 +117,8 @@ std::vector<std::array<std::string, 2>> equilibrium_lines(const Run& run) {
   lines.push_back({"load", load_words(equilibrium) + load_text(equilibrium, last) + " at " +
                                drive_text(equilibrium, last) +
                                (equilibrium.reached() ? ": the drive reached its goal" : "")});
-  if (is_on_the_other_side(run))
-    lines.push_back(
-        {"OTHER SIDE", fmt::format("folded to theta {:.2f} deg, where {:.2f} was asked for",
-                                   to_degrees(run.theta), to_degrees(equilibrium.drive.theta()))});
+  if (equilibrium.is_on_the_other_side(run.theta))
+    lines.push_back({"OTHER SIDE", side_words(equilibrium, run.theta)});
   if (!equilibrium.drive.heats_springs()) lines.push_back({"effort", "at most " + effort_text(equilibrium)});
   if (equilibrium.drive.press && equilibrium.reached()) lines.push_back({"plates", press_text(equilibrium)});
   lines.push_back({"energy", energy_text(path)});

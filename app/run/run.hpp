@@ -61,6 +61,13 @@ struct Equilibrium {
   std::optional<double> turned_off = {};  ///< of a hinge of the last state from that closed form, most, rad
 
   bool reached() const { return path.stop == model::EquilibriumPath::Stop::reached; }
+  /// Plates and cords push to no side of their own: the drive may be through while the sheet stands folded the other way.
+  /// @param theta that it came to, rad
+  bool is_on_the_other_side(double theta) const {
+    constexpr double folded = 0.1;  // of the theta asked for: a sheet that is nearly flat is on no side
+    const double asked = drive.theta();
+    return reached() && asked * theta < 0 && std::abs(theta) > folded * std::abs(asked);
+  }
 };
 
 /// What became of a goal that was met exactly once its hinges are elastic.
@@ -149,8 +156,14 @@ struct Run {
   double verify_tolerance = GoalSettings::usual_verify;  ///< of verification->distance.rms, cell edges
   Timings timings;
 
-  /// Whether the model's state misses the goal, or the drive did not come to its own.
-  bool misses() const { return (goal && !goal->met()) || (equilibrium && !equilibrium->reached()); }
+  /// Whether the sheet of a design stands folded to the other side than asked. What it shows of a goal is the goal's to judge.
+  bool is_on_the_other_side() const {
+    return !goal && equilibrium && equilibrium->is_on_the_other_side(theta);
+  }
+  /// Whether the model's state misses the goal, or the drive did not come to its own, or not to its side.
+  bool misses() const {
+    return (goal && !goal->met()) || (equilibrium && !equilibrium->reached()) || is_on_the_other_side();
+  }
 };
 
 inline void take_settings(Run& run, const GoalSettings& asked) {

@@ -104,6 +104,14 @@ function driveShown(equilibrium, drive) {
   return equilibrium.drive.shown(drive);
 }
 
+const FOLDED = 0.1;  // of the theta asked for: a sheet that is nearly flat is on no side
+
+/** Whether the drive is through and the sheet stands folded the other way: plates and cords push to no side of their own. */
+function onTheOtherSide({equilibrium, metrics}) {
+  const asked = equilibrium.goal, theta = finite(metrics.theta_rad);
+  return equilibrium.stop === "reached" && asked * theta < 0 && Math.abs(theta) > FOLDED * Math.abs(asked);
+}
+
 /** {mark, tone, title, text} */
 function equilibriumVerdict(data) {
   const {equilibrium} = data, load = force(equilibrium.last.load, equilibrium.unit);
@@ -118,6 +126,13 @@ function equilibriumVerdict(data) {
       tone: "bad",
       title: `The drive ${STOPS[equilibrium.stop] ?? words(equilibrium.stop)}`,
       text: `${held} It says: ${equilibrium.why}`
+    };
+  if (onTheOtherSide(data))
+    return {
+      mark: "\u2715",
+      tone: "bad",
+      title: "In equilibrium, but folded to the other side",
+      text: `It stands at \u03b8 ${degrees(toDegrees(data.metrics.theta_rad))}, where ${degrees(toDegrees(equilibrium.goal))} was asked for. ${held}`
     };
   if (hasRun && verified === false)
     return {

@@ -29,9 +29,10 @@ Run equilibrium_run(const DesignFile& design) {
   return run;
 }
 
-/// @pre not reached
-std::string missed_words(const Equilibrium& equilibrium) {
-  return in_words(equilibrium.path.stop) + ": " + equilibrium.path.why;
+void miss_where_the_drive_does(const Equilibrium& equilibrium, double theta, SampleRow& row) {
+  if (equilibrium.reached() && !equilibrium.is_on_the_other_side(theta)) return;
+  row.status = SampleStatus::missed;
+  row.reason = missed_words(equilibrium, theta);
 }
 
 /// Of the closed form, where a family fits.
@@ -128,9 +129,7 @@ void DesignEvaluator::compute_equilibrium(const DesignFile& design, SampleRow& r
   seen_.theta = run_.theta;
   seen_.state = &run_.states.front().poses;
   seen_.equilibrium = &*run_.equilibrium;
-  if (run_.equilibrium->reached()) return;
-  row.status = SampleStatus::missed;
-  row.reason = missed_words(*run_.equilibrium);
+  miss_where_the_drive_does(*run_.equilibrium, run_.theta, row);
 }
 
 void DesignEvaluator::compute_near_base(const DesignFile& design, SampleRow& row) {
@@ -151,9 +150,7 @@ void DesignEvaluator::see_equilibrium(const DesignFile& design, model::Equilibri
                               found, run_.equilibrium->elasticity);
   seen_.state = &found.state;
   seen_.equilibrium = &*run_.equilibrium;
-  if (found.stop == model::EquilibriumPath::Stop::reached) return;
-  row.status = SampleStatus::missed;
-  row.reason = found.why;
+  miss_where_the_drive_does(*run_.equilibrium, seen_.theta, row);
 }
 
 /// By the same steps as a single run: of coarser ones first, and with joints that suit the family.
@@ -161,7 +158,7 @@ void DesignEvaluator::compute_physics(const DesignFile& design, SampleRow& row) 
   run_ = design.hinge.model == HingeSection::Model::elastic ? equilibrium_run(design) : exact_run(design);
   run_.physics = design.physics;
   seen_.theta = run_.theta;
-  const bool has_state = !run_.states.empty() && !run_.misses();
+  const bool has_state = !run_.states.empty() && (!run_.equilibrium || run_.equilibrium->reached());
   const PhysicsTask task{has_state ? run_.states.front().poses : model::State{}, drive_of(design),
                          physics_of(design, all_vertical(model::Linkage(design.structure)))};
   run_.verification = verify(run_, task, {.threads = 1, .progress = {}});
@@ -171,8 +168,7 @@ void DesignEvaluator::compute_physics(const DesignFile& design, SampleRow& row) 
   seen_.physics = &v.physics;
   seen_.from_model = v.distance;
   if (run_.misses()) {
-    row.status = SampleStatus::missed;
-    row.reason = missed_words(*run_.equilibrium);
+    miss_where_the_drive_does(*run_.equilibrium, run_.theta, row);
   } else if (!v.agrees) {
     row.status = SampleStatus::disagrees;
     row.reason = "the physics run settled in another state than the model";

@@ -21,8 +21,7 @@ const NamedState* shown_state(const Run& run, bool physics) {
 /// @pre run.misses()
 std::string why_missed(const Run& run) {
   if (!run.goal->met()) return fmt::format("{}", fmt::join(run.goal->violations, "; "));
-  const model::EquilibriumPath& path = run.equilibrium->path;
-  return in_words(path.stop) + ": " + path.why;
+  return missed_words(*run.equilibrium, run.theta);
 }
 
 }  // namespace

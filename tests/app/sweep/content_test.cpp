@@ -242,6 +242,27 @@ TEST(SweepContent, AEquilibriumIsWhatSimulateFinds) {
   EXPECT_EQ(csv.number(1, "load_N"), single["metrics"]["load_N"].get<double>());
 }
 
+/// Of a strip whose first column alone leans, either side is an equilibrium: a sample on the other one missed its drive.
+TEST(SweepContent, ASheetThatFoldsToTheOtherSideIsMissed) {
+  const Scratch scratch;
+  ASSERT_EQ(
+      run_sweep_in(
+          scratch,
+          sweep_of("{kind: factorial}", "  - {path: design.theta_deg, values: [17.5]}\n",
+                   "theta_deg, reached", "model: equilibrium\n"),
+          "",
+          "kinetix: 1\nstructure: {cells: [6, 2], cell_mm: 12, wall_mm: {thickness: 1, height: 8}}\n"
+          "design:\n  theta_deg: 17.5\n  hinges:\n    - {wall: [[0, 0], [1, 0]], beta_deg: 20}\n"
+          "    - {wall: [[0, 1], [1, 1]], beta_deg: -20}\n    - {wall: [[0, 2], [1, 2]], beta_deg: 20}\n"
+          "hinge: {kind: film, material: pp, gap_mm: 3, thickness_mm: 0.4}\n")
+          .code,
+      0);
+  const Csv csv = read_csv(scratch / "out");
+  const bool other = csv.number(0, "theta_deg") < 0;
+  EXPECT_EQ(csv.rows[0].at("status"), other ? "missed" : "ok");
+  EXPECT_EQ(csv.rows[0].at("reason").find("where 17.50 was asked for") != std::string::npos, other);
+}
+
 // Driven by a hinge, a strip in equilibrium lies aslant: its midline is not in the plane of x and z.
 TEST(SweepContent, TurnsAreThoseOfTheSheetHoweverItLies) {
   const std::string bent =
