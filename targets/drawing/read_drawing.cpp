@@ -53,6 +53,19 @@ class Places {
   std::map<std::pair<double, double>, std::vector<int>> at_;
 };
 
+/// Puts what lies within `near` of the outermost line of a side on that line: plates press on what is on one.
+void straighten_sides(std::vector<Vector2d>& points, double near) {
+  for (int along = 0; along < 2; ++along)
+    for (const double sign : {-1.0, 1.0}) {
+      const auto out = [&](const Vector2d& a, const Vector2d& b) {
+        return sign * a[along] < sign * b[along];
+      };
+      const double line = (*std::max_element(points.begin(), points.end(), out))[along];
+      for (Vector2d& p : points)
+        if (std::abs(p[along] - line) <= near) p[along] = line;
+    }
+}
+
 /// From below, and from the left where places are as high as each other.
 std::vector<int> reading_order(const std::vector<Vector2d>& points, double near) {
   std::vector<int> order(points.size());
@@ -90,11 +103,13 @@ model::PlanarGraph walls_of(const Drawing& drawing) {
     const int from = places.number(a), to = places.number(b);
     lines.emplace_back(from, to);
   }
+  std::vector<Vector2d> points = places.points();
+  straighten_sides(points, near);
   model::PlanarGraph graph;
-  std::vector<int> rank(places.points().size());
-  for (const int v : reading_order(places.points(), near)) {
+  std::vector<int> rank(points.size());
+  for (const int v : reading_order(points, near)) {
     rank[v] = static_cast<int>(graph.vertices.size());
-    graph.vertices.push_back(places.points()[v]);
+    graph.vertices.push_back(points[v]);
   }
   std::set<std::pair<int, int>> walls;
   for (const auto& [a, b] : lines)

@@ -6,8 +6,8 @@
 
 namespace kinetix::targets {
 
-/// The walls of a drawing: ends of lines within a thousandth of their mean length are one vertex, lines drawn
-/// twice are one wall. Vertices from below, and from the left in a row; mm.
+/// The walls of a drawing: ends of lines within a thousandth of their mean length are one vertex, lines drawn twice are one
+/// wall, and vertices as near to the outermost line of a side lie on it. Vertices from below, and from the left in a row; mm.
 model::PlanarGraph walls_of(const Drawing& drawing);
 
 /// The drawing that a document names, relative to its folder: a .dxf or .svg file. @throws InvalidInput at the

@@ -329,6 +329,21 @@ TEST(WallsOfADrawing, MeetWhereEndsAreNear) {
   EXPECT_NO_THROW(validate(graph));
 }
 
+/// Off by a thousandth of a millimetre, as files of three decimals are: plates press on all of a side.
+TEST(WallsOfADrawing, OfASideLieOnOneLine) {
+  const model::PlanarGraph graph = walls_of({{{{0, 0.001}, {10, 0}}},
+                                             {{{10, 0}, {20, 0.001}}},
+                                             {{{0.001, 10}, {10.001, 10.001}}},
+                                             {{{10.001, 10.001}, {20.001, 10}}},
+                                             {{{0, 0.001}, {0.001, 10}}},
+                                             {{{10, 0}, {10.001, 10.001}}},
+                                             {{{20, 0.001}, {20.001, 10}}}});
+  ASSERT_EQ(graph.vertices.size(), 6u);
+  for (int v = 0; v < 6; ++v) EXPECT_EQ(graph.vertices[v].y(), v < 3 ? 0 : 10.001) << v;
+  for (const int v : {0, 3}) EXPECT_EQ(graph.vertices[v].x(), 0) << v;
+  for (const int v : {2, 5}) EXPECT_EQ(graph.vertices[v].x(), 20.001) << v;
+}
+
 TEST(WallsOfADrawing, StayApartWhereEndsAreNotNear) {
   EXPECT_EQ(walls_of({{{{0, 0}, {10, 0}}}, {{{10.02, 0}, {20, 0}}}}).vertices.size(), 4u);
 }
