@@ -7,6 +7,7 @@
 #include "app/run/run_hinges.hpp"
 #include "model/closure/closure_drive.hpp"
 #include "model/linkage/actuators.hpp"
+#include "model/matter/hinge_strain.hpp"
 #include "model/solids/open_hinge.hpp"
 
 namespace kinetix::app {
@@ -14,14 +15,16 @@ namespace {
 
 constexpr double part = 1e-4;  // rad of theta, to either side: what differences of energies are taken over
 
-/// A block that does for all hinges in a state.
+/// A block that does for all hinges in a state. Along an exact motion nothing pulls them apart: what rounding leaves is none.
 model::MadeHinge soft_block(const Run& run, const model::Linkage& linkage, const model::State& design) {
   const model::CellSize size = linkage.size;
   model::MadeHinge block = open_hinge(model::HingeKind::block, run.process, size);
-  for (int h = 0; h < run.structure.hinges(); ++h)
+  for (int h = 0; h < run.structure.hinges(); ++h) {
+    const double stretch = run.plan.exact ? 0 : edge_stretch_mm(linkage, design, h, block.height_mm);
     block.gap_mm = std::max(
         block.gap_mm, open_gap_mm(block, size.thickness_mm, run.structure.hinge(h).offset * size.edge_mm,
-                                  hinge_turn(linkage, design, h)));
+                                  hinge_turn(linkage, design, h), stretch));
+  }
   return block;
 }
 
@@ -71,7 +74,7 @@ PrintHinges print_hinges(const Run& run, const model::LinkageDrive& drive, const
   PrintHinges out{elasticity_of(block), {.kind = model::LinkageDrive::Kind::none}, std::nullopt};
   const model::Elasticity soft = out.elasticity;
   int open = 0;
-  double largest_turn = 0;
+  double largest_strain = 0;
   for (int h = 0; h < run.structure.hinges(); ++h) {
     const auto& made = hinge_section(run, h).made;
     const double turn = hinge_turn(linkage, design, h);
@@ -79,10 +82,10 @@ PrintHinges print_hinges(const Run& run, const model::LinkageDrive& drive, const
     out.elasticity.k_point = std::max(out.elasticity.k_point, out.elasticity.each.back().k_point);
     if (made) continue;
     ++open;
-    largest_turn = std::max(largest_turn, std::abs(turn));
+    largest_strain = std::max(largest_strain, hinge_strain(block, linkage, design, h));
   }
   if (open == 0) return out;
-  out.taken = TakenHinges{.made = block, .strain = strain(block, largest_turn)};
+  out.taken = TakenHinges{.made = block, .strain = largest_strain};
   const bool has_load = drive.has_force() || drive.kind == model::LinkageDrive::Kind::hinge;
   if (open == run.structure.hinges() && run.plan.exact && has_load)
     out.taken->load = holding_load(run, drive, linkage, soft);

@@ -85,7 +85,7 @@ struct MatterResult {
 /// What hinges are taken for that the file leaves open: soft blocks of the process, set at the turns of the design.
 struct TakenHinges {
   model::MadeHinge made;
-  double strain = 0;  ///< of the one that turns most; ratio
+  double strain = 0;  ///< of the one that is strained most; ratio
   std::optional<double> load =
       {};                ///< that folds them to the design if nothing but their turns resists, N or N mm
   bool is_force = true;  ///< whether that is a force, N, of plates; else a moment, N mm, of the driven hinge
