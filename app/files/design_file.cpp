@@ -208,25 +208,28 @@ void check_gaps(const targets::Section& root, const DesignFile& file) {
   }
 }
 
-/// A made hinge can sit so far off the middle of its wall and no further.
 void check_offsets(const targets::Section& root, const DesignFile& file) {
   const auto list = root.section("design").optional("hinges");
   if (!list) return;
-  const model::CellSize size = file.structure.size();
   const WallReader walls(file.structure);
   for (const targets::Node& node : list->list("a list of hinges")) {
     const targets::Section hinge(node, hinge_entry_keys());
-    const int h = walls.hinge_of(hinge);
-    const auto& made = hinge_at(file.hinge, file.own_hinges, h).made;
-    if (!made) continue;
-    const double offset_mm = std::abs(file.structure.hinge(h).offset) * size.edge_mm;
-    const double most_mm = largest_offset_mm(*made, size);
-    if (offset_mm > most_mm + 1e-9 * size.edge_mm)  // rounding of a file's digits
-      throw hinge.optional("offset_mm")->error(offset_limit_text(*made, size));
+    if (const auto why = why_offset_does_not_fit(file, walls.hinge_of(hinge)))
+      throw hinge.optional("offset_mm")->error(*why);
   }
 }
 
 }  // namespace
+
+std::optional<std::string> why_offset_does_not_fit(const DesignFile& design, int hinge) {
+  const auto& made = hinge_at(design.hinge, design.own_hinges, hinge).made;
+  if (!made) return std::nullopt;
+  const model::CellSize size = design.structure.size();
+  const double offset_mm = std::abs(design.structure.hinge(hinge).offset) * size.edge_mm;
+  const double rounding_mm = 1e-9 * size.edge_mm;  // of a file's digits
+  if (offset_mm <= largest_offset_mm(*made, size) + rounding_mm) return std::nullopt;
+  return offset_limit_text(*made, size);
+}
 
 std::string design_at(const std::string& source) {
   namespace fs = std::filesystem;

@@ -34,6 +34,10 @@ struct DesignFile {
 /// How its hinges are made: first those that have nothing of their own, where there are any, then each of the others.
 std::vector<const HingeSection*> hinge_sections(const DesignFile& design);
 
+/// Why a hinge's axis cannot sit as far off the middle of its wall as it does; nothing where it can, and of hinges that the
+/// file does not describe.
+std::optional<std::string> why_offset_does_not_fit(const DesignFile& design, int hinge);
+
 /// Every key of a design.yaml.
 const targets::KeyTable& design_keys();
 

@@ -165,6 +165,7 @@ void apply(const Edit& edit, double value, DesignFile& design) {
       break;
     case Kind::offset_mm:
       p.offset = edit.flipped ? -value : value;
+      if (const auto why = why_offset_does_not_fit(design, edit.index)) throw InvalidInput(*why);
       break;
     default:
       p.t = edit.flipped ? 1 - value : value;

@@ -11,6 +11,7 @@
 #include "app/sweep/workers/work_message.hpp"
 #include "app/sweep/workers/work_queue.hpp"
 #include "model/base/angle.hpp"
+#include "model/solids/open_hinge.hpp"
 #include "targets/document/edit_document.hpp"
 #include "tests/app/sweep/sweep.hpp"
 #include "tests/support/bad_input.hpp"
@@ -76,6 +77,21 @@ TEST(Edit, WritesEachNumberOfAHingeAndItsMirrorImage) {
     EXPECT_THROW(write(Kind::alpha_deg, 180), InvalidInput);
     EXPECT_THROW(write(Kind::offset_mm, 6), InvalidInput);
   }
+}
+
+/// A sample is held to what `check` asks of a design.
+TEST(Edit, RefusesAnOffsetThatTheHingeCannotHave) {
+  app::DesignFile design = app::studio::template_design("panel");
+  const model::CellSize size = design.structure.size();
+  design.hinge.model = app::HingeSection::Model::elastic;
+  design.hinge.made = open_hinge(model::HingeKind::pin, model::processes().front(), size);
+  const auto write = [&](double mm) {
+    app::apply({.kind = app::Edit::Kind::offset_mm, .index = 3}, mm, design);
+  };
+  const double most_mm = largest_offset_mm(*design.hinge.made, size);
+  ASSERT_LT(most_mm, 4);
+  EXPECT_NO_THROW(write(most_mm));
+  EXPECT_THAT(refusal([&] { write(most_mm + 0.1); }), HasSubstr("can sit at most"));
 }
 
 TEST(WorkMessage, KeepsEveryBit) {
