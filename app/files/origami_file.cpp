@@ -54,11 +54,32 @@ const Json& list_in(const Json& frame, const char* key) {
   return *found;
 }
 
-const Json& frame_of(const Json& root) {
+/// A frame with what it inherits: frame 0 is the file itself, the others are those of file_frames.
+/// @param deep in how many frames that inherit from each other
+Json with_inherited(const Json& root, std::size_t number, std::size_t deep = 0) {
+  const Json& frames = list_in(root, "file_frames");
+  const Json& frame = number == 0 ? root : frames[number - 1];
+  if (number == 0 || frame.value("frame_inherit", Json(false)) != Json(true)) return frame;
+  const Json parent = frame.value("frame_parent", Json(0));
+  if (!parent.is_number_unsigned() || parent.get<std::size_t>() > frames.size() || deep > frames.size() ||
+      (parent != 0 && !frames[parent.get<std::size_t>() - 1].is_object()))
+    throw InvalidInput("frame " + std::to_string(number) +
+                       " inherits from one that is not there, or from itself");
+  Json whole = with_inherited(root, parent.get<std::size_t>(), deep + 1);
+  whole.update(frame);
+  return whole;
+}
+
+/// The first that has faces, of its own or inherited.
+Json frame_of(const Json& root) {
   if (!root.is_object()) throw InvalidInput("is not a FOLD file: its JSON is not an object");
   if (root.contains("faces_vertices") || !root.contains("file_frames")) return root;
-  for (const Json& frame : list_in(root, "file_frames"))
-    if (frame.is_object() && frame.contains("faces_vertices")) return frame;
+  const Json& frames = list_in(root, "file_frames");
+  for (std::size_t k = 1; k <= frames.size(); ++k) {
+    if (!frames[k - 1].is_object()) continue;
+    Json frame = with_inherited(root, k);
+    if (frame.contains("faces_vertices")) return frame;
+  }
   return root;
 }
 
@@ -368,7 +389,7 @@ class Reading {
 OrigamiFile parse_origami(const std::string& text, const std::string& file) {
   try {
     const Json root = Json::parse(text);
-    const Json& frame = frame_of(root);
+    const Json frame = frame_of(root);
     const Pattern pattern = read_pattern(frame);
     check_degrees(pattern);
     OrigamiFile out = Reading(pattern).run();

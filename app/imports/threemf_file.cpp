@@ -22,7 +22,7 @@ constexpr int max_component_depth = 32;  // objects in objects: assemblies of as
 constexpr int max_placed_objects =
     100'000;  // of the build, those in others counted each time: a model of that many parts is none that folds
 constexpr std::size_t max_points = 3 * max_model_triangles;  // of all meshes: a point for each corner
-// Of a model's XML, 1: a million triangles have a third as many. What is more fills memory many times its size.
+// Of a package's XML, 1: a million triangles have a third as many. What is more fills memory many times its size.
 constexpr std::ptrdiff_t max_tags = 4'000'000, max_attributes = 12'000'000;
 
 class Package {
@@ -40,7 +40,8 @@ class Package {
     check_names();
   }
 
-  std::string text(const std::string& name) const {
+  /// What all that is read of a package may come to is limited together.
+  std::string text(const std::string& name) {
     zip_stat_t status;
     if (zip_stat(archive_.get(), name.c_str(), ZIP_FL_NOCASE, &status) != 0)
       throw InvalidInput("has no `" + name + "` inside; it is not a 3MF file, or is damaged", {file_});
@@ -54,8 +55,9 @@ class Package {
     const zip_int64_t read = opened ? zip_fread(opened.get(), out.data(), out.size()) : -1;
     if (read != static_cast<zip_int64_t>(out.size()))
       throw InvalidInput("is damaged in `" + name + "`", {file_});
-    if (std::count(out.begin(), out.end(), '<') > max_tags ||
-        std::count(out.begin(), out.end(), '=') > max_attributes)
+    tags_ += std::count(out.begin(), out.end(), '<');
+    attributes_ += std::count(out.begin(), out.end(), '=');
+    if (tags_ > max_tags || attributes_ > max_attributes)
       throw InvalidInput("holds far more in `" + name + "` than a model of a million triangles", {file_});
     return out;
   }
@@ -84,10 +86,11 @@ class Package {
 
   std::string file_;
   std::unique_ptr<zip_t, decltype(&zip_discard)> archive_{nullptr, &zip_discard};
+  std::ptrdiff_t tags_ = 0, attributes_ = 0;  ///< read so far
 };
 
 /// The part that the package's relationships name as its model.
-std::string model_part(const Package& package) {
+std::string model_part(Package& package) {
   if (package.has("_rels/.rels")) {
     pugi::xml_document relations;
     relations.load_string(package.text("_rels/.rels").c_str());
@@ -100,48 +103,65 @@ std::string model_part(const Package& package) {
   return "3D/3dmodel.model";
 }
 
+/// One of a package's models: the first, or one that holds objects for it (production extension).
+struct ModelPart {
+  pugi::xml_document document;
+  pugi::xml_node root;
+  std::map<int, std::vector<std::string>> materials;
+  std::map<int, pugi::xml_node> objects;
+};
+
 class ThreemfModel {
  public:
-  ThreemfModel(const std::string& xml, const std::string& file) : out_{file, {}} {
-    const pugi::xml_parse_result parsed = document_.load_string(xml.c_str());
-    if (!parsed) fail(std::string("is damaged: its model is no XML: ") + parsed.description());
-    root_ = document_.child("model");
-    if (!root_) fail("is damaged: its model part has no `model`");
-  }
+  ThreemfModel(Package& package, const std::string& file) : package_(package), out_{file, {}} {}
 
   ModelFile read() {
-    out_.unit_mm = unit();
-    for (const pugi::xml_node& node : root_.child("resources").children()) {
-      if (std::string(node.name()) == "basematerials") read_materials(node);
-      if (std::string(node.name()).ends_with("colorgroup")) read_colours(node);
-      if (std::string(node.name()) == "object") objects_[node.attribute("id").as_int(-1)] = node;
-    }
-    for (const pugi::xml_node& item : root_.child("build").children("item"))
-      add_object(item.attribute("objectid").as_int(-1), transform(item), 0, "");
+    const std::string first = model_part(package_);
+    ModelPart& part = part_of(first);
+    out_.unit_mm = unit(part);
+    for (const pugi::xml_node& item : part.root.child("build").children("item"))
+      add_object(item, first, Eigen::Affine3d::Identity(), 0, "");
     return std::move(out_);
   }
 
  private:
   [[noreturn]] void fail(const std::string& reason) const { throw InvalidInput(reason, {out_.file}); }
 
-  double unit() const {
+  /// Read when it is first asked for.
+  ModelPart& part_of(const std::string& name) {
+    const auto [found, is_new] = parts_.try_emplace(name);
+    ModelPart& part = found->second;
+    if (!is_new) return part;
+    const pugi::xml_parse_result parsed = part.document.load_string(package_.text(name).c_str());
+    if (!parsed) fail("is damaged: `" + name + "` is no XML: " + parsed.description());
+    part.root = part.document.child("model");
+    if (!part.root) fail("is damaged: `" + name + "` has no `model`");
+    for (const pugi::xml_node& node : part.root.child("resources").children()) {
+      if (std::string(node.name()) == "basematerials") read_materials(node, part);
+      if (std::string(node.name()).ends_with("colorgroup")) read_colours(node, part);
+      if (std::string(node.name()) == "object") part.objects[node.attribute("id").as_int(-1)] = node;
+    }
+    return part;
+  }
+
+  double unit(const ModelPart& part) const {
     static const std::map<std::string, double> units = {{"micron", 1e-3},   {"millimeter", 1},
                                                         {"centimeter", 10}, {"inch", 25.4},
                                                         {"foot", 304.8},    {"meter", 1000}};
-    const auto found = units.find(root_.attribute("unit").as_string("millimeter"));
+    const auto found = units.find(part.root.attribute("unit").as_string("millimeter"));
     if (found == units.end())
-      fail("has an unknown unit " + targets::in_ticks(root_.attribute("unit").value()));
+      fail("has an unknown unit " + targets::in_ticks(part.root.attribute("unit").value()));
     return found->second;
   }
 
-  void read_materials(const pugi::xml_node& group) {
-    std::vector<std::string>& names = materials_[group.attribute("id").as_int(-1)];
+  static void read_materials(const pugi::xml_node& group, ModelPart& part) {
+    std::vector<std::string>& names = part.materials[group.attribute("id").as_int(-1)];
     for (const pugi::xml_node& base : group.children("base"))
       names.emplace_back(base.attribute("name").value());
   }
 
-  void read_colours(const pugi::xml_node& group) {
-    std::vector<std::string>& names = materials_[group.attribute("id").as_int(-1)];
+  static void read_colours(const pugi::xml_node& group, ModelPart& part) {
+    std::vector<std::string>& names = part.materials[group.attribute("id").as_int(-1)];
     for (const pugi::xml_node& colour : group.children())
       names.push_back(targets::lower_case(std::string(colour.attribute("color").value()).substr(0, 7)));
   }
@@ -163,24 +183,43 @@ class ThreemfModel {
     return out;
   }
 
-  const pugi::xml_node& object(int id) const {
-    const auto found = objects_.find(id);
-    if (found == objects_.end()) fail("names an object " + std::to_string(id) + " that is not there");
+  /// The model that holds what an item or a component places. @param here the model that this stands in
+  static std::string part_name(const pugi::xml_node& placed, const std::string& here) {
+    for (const pugi::xml_attribute& attribute : placed.attributes())
+      if (std::string(attribute.name()).ends_with(":path")) {
+        const std::string path = attribute.value();
+        return path.starts_with('/') ? path.substr(1) : path;
+      }
+    return here;
+  }
+
+  const pugi::xml_node& object(int id, const ModelPart& part) const {
+    const auto found = part.objects.find(id);
+    if (found == part.objects.end()) fail("names an object " + std::to_string(id) + " that is not there");
     return found->second;
   }
 
-  void add_object(int id, const Eigen::Affine3d& X, int depth, const std::string& name) {
+  /// @param placed an item of the build, or a component of an object   @param here the model that it stands in
+  /// @param around where that object is   @param name that it is called where its object has none
+  void add_object(const pugi::xml_node& placed, const std::string& here, const Eigen::Affine3d& around,
+                  int depth, const std::string& name) {
+    const int id = placed.attribute("objectid").as_int(-1);
     if (depth > max_component_depth)
       fail("has an object " + std::to_string(id) + " that is a part of itself, or 32 deep");
     if (++placed_ > max_placed_objects)
       fail("places objects more than " + std::to_string(max_placed_objects) +
            " times, those in others counted each time");
-    const pugi::xml_node& node = object(id);
+    const std::string in = part_name(placed, here);
+    const ModelPart& part = part_of(in);
+    if (in != here && unit(part) != out_.unit_mm)
+      fail("holds objects of another unit in " + targets::in_ticks(in));
+    const pugi::xml_node& node = object(id, part);
     const std::string own = node.attribute("name").value();
     const std::string called = own.empty() ? name : own;
-    if (node.child("mesh")) add_mesh(node, X, called);
+    const Eigen::Affine3d X = around * transform(placed);
+    if (node.child("mesh")) add_mesh(node, part, X, called);
     for (const pugi::xml_node& component : node.child("components").children("component"))
-      add_object(component.attribute("objectid").as_int(-1), X * transform(component), depth + 1, called);
+      add_object(component, in, X, depth + 1, called);
   }
 
   double coordinate(const pugi::xml_node& vertex, const char* name) const {
@@ -192,13 +231,15 @@ class ThreemfModel {
     return x;
   }
 
-  std::string material_of(const pugi::xml_node& triangle, const pugi::xml_node& of_object) const {
+  static std::string material_of(const pugi::xml_node& triangle, const pugi::xml_node& of_object,
+                                 const ModelPart& part) {
     const bool own = triangle.attribute("pid") || triangle.attribute("p1");
     const int group = triangle.attribute("pid") ? triangle.attribute("pid").as_int(-1)
                                                 : of_object.attribute("pid").as_int(-1);
     const int index = own ? triangle.attribute("p1").as_int(0) : of_object.attribute("pindex").as_int(0);
-    const auto found = materials_.find(group);
-    if (found == materials_.end() || index < 0 || index >= static_cast<int>(found->second.size())) return {};
+    const auto found = part.materials.find(group);
+    if (found == part.materials.end() || index < 0 || index >= static_cast<int>(found->second.size()))
+      return {};
     return found->second[index];
   }
 
@@ -206,7 +247,8 @@ class ThreemfModel {
     if ((points_ += more) > max_points) fail("has too many points; thin the model out");
   }
 
-  void add_mesh(const pugi::xml_node& node, const Eigen::Affine3d& X, const std::string& name) {
+  void add_mesh(const pugi::xml_node& node, const ModelPart& part, const Eigen::Affine3d& X,
+                const std::string& name) {
     std::vector<Eigen::Vector3d> points;
     for (const pugi::xml_node& v : node.child("mesh").child("vertices").children("vertex")) {
       count_points(1);
@@ -224,7 +266,7 @@ class ThreemfModel {
         if (c < 0 || c >= static_cast<int>(points.size()))
           fail("has a triangle of a vertex that is not there");
       if (mirrored) std::swap(corners[1], corners[2]);
-      const std::string material = material_of(t, node);
+      const std::string material = material_of(t, node, part);
       const auto [found, is_new] = mesh_of.try_emplace(material, out_.meshes.size());
       if (is_new && found->second > 0) count_points(points.size());
       if (is_new) out_.meshes.push_back({name, material, {points, {}}});
@@ -232,10 +274,8 @@ class ThreemfModel {
     }
   }
 
-  pugi::xml_document document_;
-  pugi::xml_node root_;
-  std::map<int, std::vector<std::string>> materials_;
-  std::map<int, pugi::xml_node> objects_;
+  Package& package_;
+  std::map<std::string, ModelPart> parts_;  ///< by their names in the package
   std::size_t triangles_ = 0, points_ = 0;
   int placed_ = 0;  ///< objects so far
   ModelFile out_;
@@ -244,8 +284,8 @@ class ThreemfModel {
 }  // namespace
 
 ModelFile read_threemf(const std::string& bytes, const std::string& file) {
-  const Package package(bytes, file);
-  return ThreemfModel(package.text(model_part(package)), file).read();
+  Package package(bytes, file);
+  return ThreemfModel(package, file).read();
 }
 
 }  // namespace kinetix::app

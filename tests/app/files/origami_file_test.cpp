@@ -140,6 +140,26 @@ TEST(OrigamiFile, KnowsItsUnit) {
   expect_refused(replaced(good, version, version + ", \"frame_unit\": \"nm\""), "the unit `nm`");
 }
 
+/// A frame that inherits has what its parent says and does not say itself.
+TEST(OrigamiFile, FramesInheritFromTheirParents) {
+  const std::string good = fold_text(mesh_of(3, 3, 2), 9);
+  const std::string body = good.substr(good.find('{') + 1);
+  const auto file = [&](const std::string& top, const std::string& first) {
+    return "{" + top + "\"file_frames\": [{" + first + body.substr(0, body.rfind('}')) + "}]}";
+  };
+  const auto unit = [&](const std::string& top, const std::string& first) {
+    return parse_origami(file(top, first), "a.fold").unit_mm;
+  };
+  const std::string cm = "\"frame_unit\": \"cm\", ",
+                    inherits = "\"frame_inherit\": true, \"frame_parent\": 0, ";
+  EXPECT_EQ(unit(cm, ""), std::nullopt);
+  EXPECT_EQ(unit(cm, inherits), 10);
+  EXPECT_EQ(unit(cm, inherits + "\"frame_unit\": \"mm\", "), 1);
+  expect_refused(file("", "\"frame_inherit\": true, \"frame_parent\": 1, "),
+                 "frame 1 inherits from one that is not there, or from itself");
+  expect_refused(file("", "\"frame_inherit\": true, \"frame_parent\": 7, "), "frame 1 inherits from one");
+}
+
 // Four triangles in a ring round vertex 4 are refused as triangles; five quadrilaterals by the vertex between them.
 TEST(OrigamiFile, NamesAnInnerVertexOfAnotherDegree) {
   std::string points = "[0, 0]", faces, edges;

@@ -130,6 +130,46 @@ std::string threemf_in_cm(const Polyhedron& solid) {
                                 "<build><item objectid=\"1\"/></build></model>"}});
 }
 
+/// As slicers write a plate: each object in a model of its own, with its own numbers.
+TEST(Import, TakesObjectsFromOtherModelsOfAPackage) {
+  const auto mesh = [](const Polyhedron& solid) {
+    std::string points, triangles;
+    for (const auto& p : solid.points)
+      points += fmt::format("<vertex x=\"{}\" y=\"{}\" z=\"{}\"/>", p.x(), p.y(), p.z());
+    for (const auto& t : solid.triangles)
+      triangles += fmt::format("<triangle v1=\"{}\" v2=\"{}\" v3=\"{}\"/>", t[0], t[1], t[2]);
+    return "<mesh><vertices>" + points + "</vertices><triangles>" + triangles + "</triangles></mesh>";
+  };
+  const std::string materials =
+      "<basematerials id=\"9\"><base name=\"hard\" displaycolor=\"#999999\"/>"
+      "<base name=\"soft\" displaycolor=\"#000000\"/></basematerials>";
+  const auto part = [&](const Polyhedron& solid, const std::string& name, int material,
+                        const std::string& unit) {
+    return fmt::format(
+        "<model unit=\"{}\"><resources>{}<object id=\"1\" name=\"{}\" pid=\"9\" "
+        "pindex=\"{}\">{}</object></resources><build/></model>",
+        unit, materials, name, material, mesh(solid));
+  };
+  const auto package = [&](const std::string& unit) {
+    return app::zip_text(
+        {{"3D/3dmodel.model",
+          "<model unit=\"millimeter\" xmlns:p=\"production\"><resources><object id=\"1\"><components>"
+          "<component p:path=\"/3D/Objects/a.model\" objectid=\"1\"/></components></object></resources>"
+          "<build><item objectid=\"1\"/><item p:path=\"/3D/Objects/b.model\" objectid=\"1\"/>"
+          "<item p:path=\"/3D/Objects/c.model\" objectid=\"1\"/></build></model>"},
+         {"3D/Objects/a.model", part(left(), "left_wall", 0, "millimeter")},
+         {"3D/Objects/b.model", part(right(), "right_wall", 0, "millimeter")},
+         {"3D/Objects/c.model", part(block(), "joint", 1, unit)}});
+  };
+  const Scratch scratch;
+  const Json found = imported(scratch, scratch.write("plate.3mf", package("millimeter")));
+  ASSERT_EQ(found["hinges"].size(), 1u);
+  EXPECT_EQ(found["hinges"][0]["name"], "joint");
+  EXPECT_EQ(found["hinges"][0]["bodies"], Json({"left_wall", "right_wall"}));
+  fs::remove_all(scratch / "out");
+  expect_refused("plate.3mf", package("inch"), "holds objects of another unit in `3D/Objects/c.model`");
+}
+
 // The one that does not say its unit was guessed to be in mm, and the summary told the other's unit of both.
 TEST(Import, OfTwoFilesInCommonCoordinatesTakesTheUnitThatOneOfThemSays) {
   const Scratch scratch;
