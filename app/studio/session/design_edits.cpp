@@ -112,6 +112,14 @@ void alternate(const model::Structure& squares, const std::vector<int>& hinges, 
   }
 }
 
+/// The design, whose file could not be read again if a hinge sat further off its wall than it can be made.
+DesignFile with_offsets_that_fit(DesignFile design) {
+  for (int h = 0; h < design.structure.hinges(); ++h)
+    if (const auto why = why_offset_does_not_fit(design, h))
+      throw InvalidInput(fmt::format("wall {}: {}", wall_name(design.structure, h), *why));
+  return design;
+}
+
 /// One `cell`, or the `cells` of a stroke.
 std::vector<model::Cell> painted(const Message& message) {
   const bool many = message.has("cells");
@@ -160,7 +168,7 @@ DesignFile with_hinges(DesignFile design, const Message& message) {
   if (const model::SheetSymmetry symmetry = symmetry_of(message, design); symmetry.any())
     change_images(hinges, symmetry, message, design.structure);
   validate_hinges(design.structure);
-  return design;
+  return with_offsets_that_fit(std::move(design));
 }
 
 DesignFile with_cell(DesignFile design, const Message& message) {
@@ -187,7 +195,7 @@ DesignFile with_sheet(DesignFile design, const Message& message) {
   if (message.has("thickness_mm")) size.thickness_mm = message.number("thickness_mm", 0.01, 100);
   if (message.has("height_mm")) size.height_mm = message.number("height_mm", 0.01, 1000);
   std::vector<model::Cell> cells = is_new ? model::full_sheet(extent) : squares.cells;
-  return with_cells(std::move(design), std::move(cells), size);
+  return with_offsets_that_fit(with_cells(std::move(design), std::move(cells), size));
 }
 
 DesignFile with_made_hinges(DesignFile design, const Message& message) {
@@ -201,7 +209,7 @@ DesignFile with_made_hinges(DesignFile design, const Message& message) {
   const std::string text = fmt::format("hinge: {{{}}}\n", entries);
   const targets::Section document(targets::parse_document(text, "the studio"), only_hinge());
   design.hinge = read_hinge_section(document, design.structure.size());
-  return design;
+  return with_offsets_that_fit(std::move(design));
 }
 
 }  // namespace kinetix::app::studio

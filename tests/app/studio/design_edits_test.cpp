@@ -1,0 +1,35 @@
+#include "app/studio/session/design_edits.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/files/design_file.hpp"
+#include "app/studio/messages/templates.hpp"
+#include "targets/document/document.hpp"
+#include "tests/support/bad_input.hpp"
+
+namespace kinetix::testing {
+namespace {
+
+using namespace app::studio;
+using ::testing::HasSubstr;
+
+Message hinge_at_offset(const std::string& mm) {
+  return Message(R"({"type": "hinge", "index": 3, "offset_mm": )" + mm + "}");
+}
+
+/// What the studio saves can be read again: a hinge goes no further off its wall than it can be made.
+TEST(DesignEdits, KeepOffsetsToWhatAMadeHingeCanHave) {
+  const Message pins(R"({"type": "made", "kind": "pin"})");
+  const app::DesignFile panel = template_design("panel"),
+                        stiff_far = with_hinges(panel, hinge_at_offset("4"));
+  const app::DesignFile made = with_made_hinges(panel, pins);
+  EXPECT_THAT(refusal([&] { with_hinges(made, hinge_at_offset("4")); }), HasSubstr("can sit at most"));
+  EXPECT_THAT(refusal([&] { with_made_hinges(stiff_far, pins); }), HasSubstr("can sit at most"));
+  const app::DesignFile near = with_hinges(made, hinge_at_offset("0.01"));
+  const targets::Node text = targets::parse_document(design_text(near), "design.yaml");
+  EXPECT_NEAR(app::read_design(text).structure.hinge(3).offset * near.structure.size().edge_mm, 0.01, 1e-12);
+}
+
+}  // namespace
+}  // namespace kinetix::testing
