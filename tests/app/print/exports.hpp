@@ -1,0 +1,60 @@
+#pragma once
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/app/program.hpp"
+#include "tests/app/schema_errors.hpp"
+
+namespace kinetix::testing {
+
+/// A flat sheet whose hinges it leaves open.
+inline constexpr const char* panel = R"(kinetix: 1
+structure: {cells: [3, 2], cell_mm: 12, wall_mm: {thickness: 0.8, height: 6}}
+design: {theta_deg: 20}
+)";
+
+/// What `export` says of a design that it writes into `out`.
+inline Outcome exported(const Scratch& scratch, const std::string& design, const std::string& options) {
+  return kinetix_opt("export " + scratch.write("panel.yaml", design) + " -o " + std::string(scratch / "out") +
+                     " " + options);
+}
+
+/// A refusal: one line, exit code 2, nothing written. Quiet, since a slow machine may say before what it is busy with.
+inline void expect_refused(const std::string& design, const std::string& options, const std::string& says) {
+  const Scratch scratch;
+  const Outcome run = exported(scratch, design, options + " --quiet");
+  EXPECT_EQ(run.code, 2) << run.out << run.err;
+  EXPECT_THAT(run.err, ::testing::HasSubstr(says));
+  EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+  EXPECT_FALSE(fs::exists(scratch / "out")) << says;
+}
+
+/// print.json, which its schema allows.
+inline nlohmann::json said_of(const Scratch& scratch) {
+  nlohmann::json json = nlohmann::json::parse(text_of(scratch / "out/print.json"));
+  EXPECT_EQ(schema_errors(json, "print"), "");
+  return json;
+}
+
+/// Along x, mm.
+inline double width_of_stl(const std::string& bytes) {
+  float least = INFINITY, most = -INFINITY;
+  for (std::size_t at = 84; at + 50 <= bytes.size(); at += 50) {
+    float n[12];
+    std::memcpy(n, bytes.data() + at, sizeof n);
+    for (const int k : {3, 6, 9}) {
+      least = std::min(least, n[k]);
+      most = std::max(most, n[k]);
+    }
+  }
+  return most - least;
+}
+
+}  // namespace kinetix::testing
