@@ -1,19 +1,15 @@
 #include "tests/app/program.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/console/console.hpp"
-#include "app/console/time_left.hpp"
+#include "tests/app/bow.hpp"
 #include "tests/app/schema_errors.hpp"
 
 namespace kinetix::testing {
@@ -25,13 +21,6 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 using Json = nlohmann::json;
-
-/// A bow of 30 mm over 96 mm in ten cells: quick to search and to verify.
-constexpr const char* bow = R"(kinetix: 1
-name: bow
-target: {kind: curve, points: [[0, 0], [16, 17], [32, 27], [48, 30], [64, 27], [80, 17], [96, 0]]}
-structure: {cells: [10, 1], cell_mm: 14}
-)";
 
 Json without_times(Json result) {
   result.erase("timing_s");
@@ -217,50 +206,6 @@ TEST(Program, RunsASheetExactlyThoughItsCreasesCrossAtACorner) {
   EXPECT_LE(result["states"][0]["hinge_gap_max"].get<double>(), 1e-13);
 }
 
-/// Starts the program, sends it a signal after a while, and waits for its end.
-void interrupt(const std::string& target, const std::string& folder, int after_us, int signal_number) {
-  const pid_t child = fork();
-  if (child == 0) {
-    const int nowhere = open("/dev/null", O_WRONLY);
-    dup2(nowhere, STDOUT_FILENO);
-    execl(KINETIX_OPT, KINETIX_OPT, target.c_str(), "--quiet", "--no-verify", "-o", folder.c_str(), nullptr);
-    _exit(127);
-  }
-  usleep(after_us);
-  kill(child, signal_number);
-  int status = 0;
-  waitpid(child, &status, 0);
-}
-
-/// Starts the program, and sends Ctrl-C after the words. @return what it said on stderr, and how it ended (waitpid)
-std::pair<std::string, int> interrupted_after(const std::vector<std::string>& words,
-                                              const std::vector<std::string>& arguments) {
-  int ends[2];
-  EXPECT_EQ(pipe(ends), 0);
-  const pid_t child = fork();
-  if (child == 0) {
-    dup2(open("/dev/null", O_WRONLY), STDOUT_FILENO);
-    dup2(ends[1], STDERR_FILENO);
-    std::vector<char*> all{const_cast<char*>(KINETIX_OPT)};
-    for (const std::string& one : arguments) all.push_back(const_cast<char*>(one.c_str()));
-    all.push_back(nullptr);
-    execv(KINETIX_OPT, all.data());
-    _exit(127);
-  }
-  close(ends[1]);
-  std::string said;
-  char some[256];
-  std::size_t sent = 0;
-  for (ssize_t n; (n = read(ends[0], some, sizeof some)) > 0;) {
-    said.append(some, static_cast<std::size_t>(n));
-    while (sent < words.size() && said.find(words[sent]) != std::string::npos) kill(child, SIGINT), ++sent;
-  }
-  close(ends[0]);
-  int status = 0;
-  waitpid(child, &status, 0);
-  return {said, status};
-}
-
 TEST(Program, FollowsTheDriveOfADesign) {
   const Scratch scratch;
   const std::string strip =
@@ -279,27 +224,6 @@ TEST(Program, FollowsTheDriveOfADesign) {
   const Outcome rolling = driven("{kind: plates, axis: x, compression: 0.15}");
   EXPECT_EQ(rolling.code, 2);
   EXPECT_THAT(rolling.err, HasSubstr("drive.axis: this sheet bends along x"));
-}
-
-TEST(Program, LeavesNoHalfWrittenFileWhenItIsInterruptedOrKilled) {
-  const Scratch scratch;
-  const std::string target = scratch.write("bow.yaml", bow);
-  for (const int signal_number : {SIGTERM, SIGPIPE, SIGKILL})
-    for (int after_us = 0; after_us < 60000; after_us += 1500) {
-      const std::string folder = scratch / fmt::format("out-{}-{}", signal_number, after_us);
-      interrupt(target, folder, after_us, signal_number);
-      const std::string result = folder + "/result.json", design = folder + "/design.yaml";
-      if (fs::exists(result)) {
-        EXPECT_TRUE(Json::accept(text_of(result)));
-      }
-      if (fs::exists(design)) {
-        EXPECT_EQ(kinetix_opt("check " + design).code, 0);
-      }
-      if (signal_number == SIGKILL || !fs::exists(folder)) continue;
-      EXPECT_TRUE(fs::exists(result)) << "an empty folder is left";
-      for (const auto& entry : fs::directory_iterator(folder))
-        EXPECT_THAT(entry.path().filename().string(), Not(HasSubstr("kinetix-part")));
-    }
 }
 
 TEST(Program, WritesAllOfItsFilesOrNoneWhenTheDiskIsFull) {
@@ -474,141 +398,6 @@ TEST(Program, ShowsTheReportWhenAsked) {
   EXPECT_EQ(run.code, 0) << run.err;
   for (int k = 0; k < 500 && !fs::exists(opened); ++k) usleep(10'000);
   EXPECT_EQ(text_of(opened), folder + "/report.html");
-}
-
-/// Sixty candidates would take half a minute.
-constexpr const char* long_search = R"(kinetix: 1
-target: {kind: outline, points: [[30, 0], [0, 30], [-30, 0], [0, -30]]}
-structure: {cells: [36, 36]}
-)";
-
-TEST(Program, KeepsTheBestSoFarWhenItsTimeIsUp) {
-  const Scratch scratch;
-  const std::string folder = scratch / "out";
-  const Outcome run = kinetix_opt(scratch.write("long.yaml", long_search) + " --time-limit 0.5 -o " + folder);
-  EXPECT_EQ(run.code, 3) << run.out << run.err;
-  EXPECT_THAT(run.err, HasSubstr("the time is up: keeping the best so far"));
-  EXPECT_THAT(run.out, HasSubstr("STOPPED"));
-  const Json result = Json::parse(text_of(folder + "/result.json"));
-  EXPECT_EQ(schema_errors(result), "");
-  EXPECT_EQ(result["stopped"], true);
-  EXPECT_FALSE(result.contains("physics"));
-  EXPECT_TRUE(fs::exists(folder + "/design.yaml"));
-}
-
-TEST(Program, KeepsTheBestSoFarAtCtrlC) {
-  const Scratch scratch;
-  const std::string folder = scratch / "out";
-  EXPECT_THAT(
-      interrupted_after({"search ..."}, {scratch.write("long.yaml", long_search), "-o", folder}).first,
-      HasSubstr("interrupted: keeping the best so far"));
-  EXPECT_EQ(Json::parse(text_of(folder + "/result.json"))["stopped"], true);
-}
-
-TEST(Program, EndsAtTheSecondCtrlC) {
-  const Scratch scratch;
-  const std::string folder = scratch / "out";
-  const auto [said, status] = interrupted_after({"search ...", "keeping the best so far"},
-                                                {scratch.write("long.yaml", long_search), "-o", folder});
-  EXPECT_THAT(said, HasSubstr("interrupted: keeping the best so far"));
-  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) << status;
-  EXPECT_FALSE(fs::exists(folder + "/result.json"));
-}
-
-TEST(Program, KeepsThePathSoFarAtCtrlC) {
-  const Scratch scratch;
-  const std::string folder = scratch / "out";
-  const std::string large =
-      scratch.write("large.yaml",
-                    "kinetix: 1\nstructure: {cells: [24, 24], cell_mm: 10}\nhinge: {model: elastic}\n"
-                    "design: {theta_deg: 35}\n");
-  const auto [said, status] = interrupted_after({"equilibrium path ..."},
-                                                {"simulate", large, "--model", "equilibrium", "-o", folder});
-  EXPECT_THAT(said, HasSubstr("interrupted: keeping the best so far"));
-  ASSERT_TRUE(WIFEXITED(status)) << said;
-  EXPECT_EQ(WEXITSTATUS(status), 3) << said;
-  const Json result = Json::parse(text_of(folder + "/result.json"));
-  EXPECT_EQ(schema_errors(result), "");
-  EXPECT_EQ(result["equilibrium"]["stop"], "interrupted");
-  EXPECT_EQ(result["stopped"], true);
-}
-
-TEST(Program, SaysThatThereIsNothingToKeepOfAPhysicsRun) {
-  const Scratch scratch;
-  const std::string folder = scratch / "out";
-  const std::string large = scratch.write(
-      "large.yaml", "kinetix: 1\nstructure: {cells: [24, 24], cell_mm: 10}\ndesign: {theta_deg: 35}\n");
-  const auto [said, status] = interrupted_after({"physics run ..."}, {"verify", large, "-o", folder});
-  EXPECT_THAT(said, HasSubstr("the physics run was stopped before it settled: nothing is written"));
-  ASSERT_TRUE(WIFEXITED(status)) << said;
-  EXPECT_EQ(WEXITSTATUS(status), 130);
-  EXPECT_FALSE(fs::exists(folder + "/result.json"));
-}
-
-TEST(Console, SaysOfStagesThatTakeLongAloneWhereItIsAskedTo) {
-  ::testing::internal::CaptureStderr();
-  {
-    app::Console console(false, false);
-    console.stage("building solids", -1);
-    console.stage("writing files", 0.5);
-    usleep(1'600'000);
-  }
-  const std::string said = ::testing::internal::GetCapturedStderr();
-  EXPECT_THAT(said, Not(HasSubstr("building")));
-  EXPECT_THAT(said, HasSubstr("writing files ... 50 %"));
-}
-
-/// Lines where stderr is no terminal.
-TEST(TimeLeft, CountsDownAndNeverGoesUp) {
-  app::TimeLeft left;
-  EXPECT_EQ(left.words(0), "");
-  left.update(0, 0.5);  // done before, by a run that is gone on with: says nothing of how fast it goes
-  EXPECT_EQ(left.words(3), "");
-  left.update(10, 0.6);
-  EXPECT_EQ(left.words(10), "about 40 s left");
-  EXPECT_EQ(left.words(25), "about 25 s left");
-  left.update(26, 0.7);  // by which it would be 39 s
-  EXPECT_EQ(left.words(26), "takes longer than it seemed");
-  left.update(30, 0.9);
-  EXPECT_EQ(left.words(30), "about 7.5 s left");
-  left.update(31, 0.9);  // the same share again is no news
-  EXPECT_EQ(left.words(31), "about 6.5 s left");
-  EXPECT_EQ(left.words(40), "takes longer than it seemed");
-  left.update(41, 1);
-  EXPECT_EQ(left.words(41), "");
-}
-
-TEST(TimeLeft, StandsWhereALaterShareIsALittleSlower) {
-  app::TimeLeft left;
-  left.update(0, 0);
-  left.update(10, 0.5);
-  EXPECT_NEAR(*left.at(10), 10, 1e-12);
-  left.update(14, 0.6);  // 9.33 s
-  EXPECT_NEAR(*left.at(16), 14 + 14 * 0.4 / 0.6 - 16, 1e-12);
-  left.update(18, 0.7);  // 7.71 s, where 7.33 were told
-  EXPECT_NEAR(*left.at(18), 14 + 14 * 0.4 / 0.6 - 16, 1e-12);
-  left.update(28, 0.71);
-  EXPECT_FALSE(left.at(28));
-}
-
-TEST(Console, SaysEverySecondHowFarAStageIs) {
-  ::testing::internal::CaptureStderr();
-  {
-    app::Console console(false);
-    console.stage("folding", 0);
-    usleep(900'000);
-    console.stage("folding", 0.2);  // so that 3.6 s are left
-    usleep(1'700'000);
-    console.stage("writing", -1);
-  }
-  {
-    app::Console quiet(true);
-    quiet.stage("silence", 0.5);
-  }
-  const std::string said = ::testing::internal::GetCapturedStderr();
-  EXPECT_THAT(said,
-              AllOf(HasSubstr("folding ...\nfolding ... 20 %, 1"), HasSubstr("left\nfolding ... 20 %, 2"),
-                    HasSubstr("\nwriting ...\n"), Not(HasSubstr("silence"))));
 }
 
 }  // namespace

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <thread>
 
 #include "app/studio/assembly/assembly_session.hpp"
+#include "app/studio/messages/templates.hpp"
 #include "app/studio/server.hpp"
 #include "app/studio/session/session.hpp"
+#include "tests/app/studio/client.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace kinetix::testing {
@@ -62,6 +66,20 @@ class OpenStudio {
   std::unique_ptr<app::studio::SessionLoop> session;
   std::jthread worker;
   std::thread listener;
+};
+
+/// A page that has opened a strip.
+class Studio : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(client.open(studio.token));
+    design = client.text("design");
+  }
+
+  app::DesignFile file = app::studio::template_design("strip");
+  OpenStudio studio{file};
+  Client client{studio.port()};
+  nlohmann::json design;
 };
 
 }  // namespace kinetix::testing

@@ -1,0 +1,157 @@
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/bow.hpp"
+#include "tests/app/program.hpp"
+#include "tests/app/schema_errors.hpp"
+
+namespace kinetix::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using Json = nlohmann::json;
+
+/// Starts the program, sends it a signal after a while, and waits for its end.
+void interrupt(const std::string& target, const std::string& folder, int after_us, int signal_number) {
+  const pid_t child = fork();
+  if (child == 0) {
+    const int nowhere = open("/dev/null", O_WRONLY);
+    dup2(nowhere, STDOUT_FILENO);
+    execl(KINETIX_OPT, KINETIX_OPT, target.c_str(), "--quiet", "--no-verify", "-o", folder.c_str(), nullptr);
+    _exit(127);
+  }
+  usleep(after_us);
+  kill(child, signal_number);
+  int status = 0;
+  waitpid(child, &status, 0);
+}
+
+/// Starts the program, and sends Ctrl-C after the words. @return what it said on stderr, and how it ended (waitpid)
+std::pair<std::string, int> interrupted_after(const std::vector<std::string>& words,
+                                              const std::vector<std::string>& arguments) {
+  int ends[2];
+  EXPECT_EQ(pipe(ends), 0);
+  const pid_t child = fork();
+  if (child == 0) {
+    dup2(open("/dev/null", O_WRONLY), STDOUT_FILENO);
+    dup2(ends[1], STDERR_FILENO);
+    std::vector<char*> all{const_cast<char*>(KINETIX_OPT)};
+    for (const std::string& one : arguments) all.push_back(const_cast<char*>(one.c_str()));
+    all.push_back(nullptr);
+    execv(KINETIX_OPT, all.data());
+    _exit(127);
+  }
+  close(ends[1]);
+  std::string said;
+  char some[256];
+  std::size_t sent = 0;
+  for (ssize_t n; (n = read(ends[0], some, sizeof some)) > 0;) {
+    said.append(some, static_cast<std::size_t>(n));
+    while (sent < words.size() && said.find(words[sent]) != std::string::npos) kill(child, SIGINT), ++sent;
+  }
+  close(ends[0]);
+  int status = 0;
+  waitpid(child, &status, 0);
+  return {said, status};
+}
+
+TEST(Program, LeavesNoHalfWrittenFileWhenItIsInterruptedOrKilled) {
+  const Scratch scratch;
+  const std::string target = scratch.write("bow.yaml", bow);
+  for (const int signal_number : {SIGTERM, SIGPIPE, SIGKILL})
+    for (int after_us = 0; after_us < 60000; after_us += 1500) {
+      const std::string folder = scratch / fmt::format("out-{}-{}", signal_number, after_us);
+      interrupt(target, folder, after_us, signal_number);
+      const std::string result = folder + "/result.json", design = folder + "/design.yaml";
+      if (fs::exists(result)) {
+        EXPECT_TRUE(Json::accept(text_of(result)));
+      }
+      if (fs::exists(design)) {
+        EXPECT_EQ(kinetix_opt("check " + design).code, 0);
+      }
+      if (signal_number == SIGKILL || !fs::exists(folder)) continue;
+      EXPECT_TRUE(fs::exists(result)) << "an empty folder is left";
+      for (const auto& entry : fs::directory_iterator(folder))
+        EXPECT_THAT(entry.path().filename().string(), Not(HasSubstr("kinetix-part")));
+    }
+}
+
+/// Sixty candidates would take half a minute.
+constexpr const char* long_search = R"(kinetix: 1
+target: {kind: outline, points: [[30, 0], [0, 30], [-30, 0], [0, -30]]}
+structure: {cells: [36, 36]}
+)";
+
+TEST(Program, KeepsTheBestSoFarWhenItsTimeIsUp) {
+  const Scratch scratch;
+  const std::string folder = scratch / "out";
+  const Outcome run = kinetix_opt(scratch.write("long.yaml", long_search) + " --time-limit 0.5 -o " + folder);
+  EXPECT_EQ(run.code, 3) << run.out << run.err;
+  EXPECT_THAT(run.err, HasSubstr("the time is up: keeping the best so far"));
+  EXPECT_THAT(run.out, HasSubstr("STOPPED"));
+  const Json result = Json::parse(text_of(folder + "/result.json"));
+  EXPECT_EQ(schema_errors(result), "");
+  EXPECT_EQ(result["stopped"], true);
+  EXPECT_FALSE(result.contains("physics"));
+  EXPECT_TRUE(fs::exists(folder + "/design.yaml"));
+}
+
+TEST(Program, KeepsTheBestSoFarAtCtrlC) {
+  const Scratch scratch;
+  const std::string folder = scratch / "out";
+  EXPECT_THAT(
+      interrupted_after({"search ..."}, {scratch.write("long.yaml", long_search), "-o", folder}).first,
+      HasSubstr("interrupted: keeping the best so far"));
+  EXPECT_EQ(Json::parse(text_of(folder + "/result.json"))["stopped"], true);
+}
+
+TEST(Program, EndsAtTheSecondCtrlC) {
+  const Scratch scratch;
+  const std::string folder = scratch / "out";
+  const auto [said, status] = interrupted_after({"search ...", "keeping the best so far"},
+                                                {scratch.write("long.yaml", long_search), "-o", folder});
+  EXPECT_THAT(said, HasSubstr("interrupted: keeping the best so far"));
+  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) << status;
+  EXPECT_FALSE(fs::exists(folder + "/result.json"));
+}
+
+TEST(Program, KeepsThePathSoFarAtCtrlC) {
+  const Scratch scratch;
+  const std::string folder = scratch / "out";
+  const std::string large =
+      scratch.write("large.yaml",
+                    "kinetix: 1\nstructure: {cells: [24, 24], cell_mm: 10}\nhinge: {model: elastic}\n"
+                    "design: {theta_deg: 35}\n");
+  const auto [said, status] = interrupted_after({"equilibrium path ..."},
+                                                {"simulate", large, "--model", "equilibrium", "-o", folder});
+  EXPECT_THAT(said, HasSubstr("interrupted: keeping the best so far"));
+  ASSERT_TRUE(WIFEXITED(status)) << said;
+  EXPECT_EQ(WEXITSTATUS(status), 3) << said;
+  const Json result = Json::parse(text_of(folder + "/result.json"));
+  EXPECT_EQ(schema_errors(result), "");
+  EXPECT_EQ(result["equilibrium"]["stop"], "interrupted");
+  EXPECT_EQ(result["stopped"], true);
+}
+
+TEST(Program, SaysThatThereIsNothingToKeepOfAPhysicsRun) {
+  const Scratch scratch;
+  const std::string folder = scratch / "out";
+  const std::string large = scratch.write(
+      "large.yaml", "kinetix: 1\nstructure: {cells: [24, 24], cell_mm: 10}\ndesign: {theta_deg: 35}\n");
+  const auto [said, status] = interrupted_after({"physics run ..."}, {"verify", large, "-o", folder});
+  EXPECT_THAT(said, HasSubstr("the physics run was stopped before it settled: nothing is written"));
+  ASSERT_TRUE(WIFEXITED(status)) << said;
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_FALSE(fs::exists(folder + "/result.json"));
+}
+
+}  // namespace
+}  // namespace kinetix::testing

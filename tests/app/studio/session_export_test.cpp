@@ -1,0 +1,56 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "app/pipeline/design_drive.hpp"
+#include "tests/app/studio/studio.hpp"
+
+namespace kinetix::testing {
+namespace {
+
+using nlohmann::json;
+
+TEST_F(Studio, ExportsFilesForThePrinter) {
+  client.send(R"({"type": "export", "formats": ["stl"], "process": "polyjet", "clearance_mm": 0.12})");
+  const json out = client.text("exported");
+  EXPECT_THAT(out["files"].get<std::vector<std::string>>(), ::testing::Contains("all.stl"));
+  EXPECT_TRUE(std::filesystem::exists(out["folder"].get<std::string>() + "/all.stl"));
+  EXPECT_THAT(out["summary"].get<std::string>(), ::testing::HasSubstr("clearance 0.12 mm a side"));
+}
+
+/// Between plates that close in by 0.3: theta 45.6 degrees.
+app::DesignFile pressed_panel() {
+  app::DesignFile design = app::studio::template_design("panel");
+  design.drive.emplace();
+  design.drive->compression = 0.3;
+  return design;
+}
+
+TEST(StudioExport, GoesAsFarAsTheSliderWhateverTheDesignIsPressedBy) {
+  OpenStudio studio(pressed_panel());
+  Client client(studio.port());
+  ASSERT_TRUE(client.open(studio.token));
+  client.ask({{"type", "theta"}, {"deg", 10}});
+  client.send(R"({"type": "export", "formats": ["glb"], "process": "polyjet", "clearance_mm": 0.12})");
+  const json out = client.text("exported");
+  const std::string file = out["folder"].get<std::string>() + "/print.json";
+  EXPECT_NEAR(json::parse(std::ifstream(file))["path"]["theta_deg"].get<double>(), 10, 1e-9);
+}
+
+TEST(StudioExport, TakesTheDriveOfADesignWithoutClosedFormAsFarAsTheSlider) {
+  app::DesignFile design = pressed_panel();
+  design.structure.hinge(30).t += 0.05;
+  const app::studio::Moving moving(design);
+  ASSERT_FALSE(bool(moving.exact));
+  const app::DesignFile shown = app::studio::as_far_as_shown(design, moving, -0.2, -0.2);
+  ASSERT_TRUE(shown.drive);
+  EXPECT_NEAR(app::drive_of(shown).theta(), -0.2, 1e-12);
+  EXPECT_EQ(shown.theta, -0.2);
+  EXPECT_EQ(app::studio::as_far_as_shown(design, moving, 0, 0).drive, design.drive)
+      << "flat: as far as the design says";
+}
+
+}  // namespace
+}  // namespace kinetix::testing

@@ -1,0 +1,135 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "app/studio/session/earlier_result.hpp"
+#include "tests/app/studio/studio.hpp"
+
+namespace kinetix::testing {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* target = R"(kinetix: 1
+name: hook
+target: {kind: curve, points: arc.csv}
+structure: {cells: [14, 1], cell_mm: 10}
+)";
+
+std::string base64(const std::string& text) {
+  std::string padded = text;
+  while (padded.size() % 3 != 0) padded += '\n';
+  std::string out;
+  constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  for (std::size_t k = 0; k < padded.size(); k += 3) {
+    const unsigned bits = static_cast<unsigned char>(padded[k]) << 16 |
+                          static_cast<unsigned char>(padded[k + 1]) << 8 |
+                          static_cast<unsigned char>(padded[k + 2]);
+    for (int shift = 18; shift >= 0; shift -= 6) out += digits[bits >> shift & 63];
+  }
+  return out;
+}
+
+std::string arc() {
+  std::string csv = "x,z\n";
+  for (int k = 0; k <= 30; ++k)
+    csv += fmt::format("{:.4f},{:.4f}\n", 80 * std::sin(k * 0.05), 80 - 80 * std::cos(k * 0.05));
+  return csv;
+}
+
+TEST_F(Studio, SearchesForAGoalAndTakesItsDesign) {
+  client.send(json{{"type", "search"}, {"target", target}, {"files", {{"arc.csv", base64(arc())}}}}.dump());
+  const json result = client.text("result");
+  ASSERT_TRUE(result.is_object());
+  EXPECT_TRUE(result["met"]) << result["summary"];
+  EXPECT_EQ(result["result"]["name"], "hook");
+  client.send(R"({"type": "save"})");
+  EXPECT_EQ(client.text("saved")["path"], studio.folder.path("results/hook/design.yaml"));
+  Client other(studio.port());
+  ASSERT_TRUE(other.open(studio.token));
+  EXPECT_EQ(other.text("design")["name"], "hook");
+}
+
+TEST_F(Studio, KeepsItsResultWhereThereIsNothingToRedo) {
+  client.send(json{{"type", "search"}, {"target", target}, {"files", {{"arc.csv", base64(arc())}}}}.dump());
+  ASSERT_TRUE(client.text("result").is_object());
+  client.ask({{"type", "redo"}});
+  Client other(studio.port());
+  ASSERT_TRUE(other.open(studio.token));
+  EXPECT_EQ(other.text("design")["has_result"], true);
+  EXPECT_EQ(other.text("result")["result"]["name"], "hook");
+  client.ask({{"type", "undo"}});
+  client.ask({{"type", "undo"}});
+  Client last(studio.port());
+  ASSERT_TRUE(last.open(studio.token));
+  const json back = last.text("design");
+  EXPECT_EQ(back["revision"], 3) << "its own, the found one, and back";
+  EXPECT_EQ(back["has_result"], false) << "which nothing was found for";
+}
+
+TEST_F(Studio, TakesFilesInPartsThatOneMessageWouldNotHold) {
+  std::string csv = arc();
+  csv.insert(csv.size(), 900'000, '\n');
+  csv.resize(csv.size() / 3 * 3);
+  constexpr std::size_t part = 480'000;
+  for (std::size_t at = 0; at < csv.size(); at += part)
+    client.ask(
+        {{"type", "part"}, {"name", "arc.csv"}, {"at", at}, {"content", base64(csv.substr(at, part))}});
+  client.send(json{{"type", "search"}, {"target", target}}.dump());
+  EXPECT_TRUE(client.text("result")["met"]);
+}
+
+TEST_F(Studio, RefusesPartsOutOfTheirOrderAndTooManyOfThem) {
+  client.send(json{{"type", "part"}, {"name", "a.csv"}, {"at", 6}, {"content", base64("abc")}}.dump());
+  EXPECT_THAT(client.text("error")["message"].get<std::string>(), ::testing::HasSubstr("6 of the 0 bytes"));
+  client.send(json{{"type", "part"}, {"name", "../a.csv"}, {"at", 0}, {"content", base64("abc")}}.dump());
+  EXPECT_THAT(client.text("error")["message"].get<std::string>(), ::testing::HasSubstr("plain file name"));
+  const std::string content = base64(std::string(480'000, 'x'));
+  for (int k = 0; k < 69; ++k)
+    client.ask({{"type", "part"}, {"name", fmt::format("{}.obj", k)}, {"at", 0}, {"content", content}});
+  client.send(json{{"type", "part"}, {"name", "last.obj"}, {"at", 0}, {"content", content}}.dump());
+  EXPECT_THAT(client.text("error")["message"].get<std::string>(), ::testing::HasSubstr("32 MiB in all"));
+}
+
+TEST_F(Studio, KnowsTheGoalOfADesignThatLiesBesideItsResult) {
+  client.send(json{{"type", "search"}, {"target", target}, {"files", {{"arc.csv", base64(arc())}}}}.dump());
+  const json found = client.text("result");
+  client.send(R"({"type": "save"})");
+  const std::string path = client.text("saved")["path"];
+  app::DesignFile saved = app::read_design(path);
+  const auto again = app::studio::earlier_result(path, saved);
+  ASSERT_FALSE(again.is_null());
+  EXPECT_EQ(again["met"], true);
+  const std::string words =
+      again["summary"].get<std::string>().substr(again["summary"].get<std::string>().find('\n'));
+  EXPECT_THAT(words, ::testing::HasSubstr("\n  shape      rms "));
+  EXPECT_THAT(words, ::testing::HasSubstr("\n  folded     theta "));
+  for (const char* key : {"_rms", "_rad", "_max", "e-"})
+    EXPECT_THAT(words, ::testing::Not(::testing::HasSubstr(key)));
+  EXPECT_EQ(app::studio::theta_reached(again), found["result"]["metrics"]["theta_rad"].get<double>());
+  EXPECT_FALSE(app::studio::theta_reached(nullptr));
+  EXPECT_EQ(json(again["result"]["curve"]), found["result"]["curve"]);
+  Client other(studio.port());
+  ASSERT_TRUE(other.open(studio.token));
+  EXPECT_EQ(other.text("result")["result"]["name"], "hook") << "pages that come later know of it as well";
+}
+
+TEST_F(Studio, KnowsNoGoalOfADesignThatWasChangedSince) {
+  client.send(json{{"type", "search"}, {"target", target}, {"files", {{"arc.csv", base64(arc())}}}}.dump());
+  client.text("result");
+  client.send(R"({"type": "save"})");
+  const std::string path = client.text("saved")["path"];
+  EXPECT_TRUE(app::studio::earlier_result(path, file).is_null());
+  EXPECT_TRUE(app::studio::earlier_result(path + "/none/design.yaml", app::read_design(path)).is_null());
+  app::DesignFile higher = app::read_design(path);
+  ASSERT_FALSE(app::studio::earlier_result(path, higher).is_null());
+  higher.structure.squares()->size.height_mm *= 5;
+  EXPECT_TRUE(app::studio::earlier_result(path, higher).is_null()) << "its walls are other ones";
+}
+
+}  // namespace
+}  // namespace kinetix::testing
