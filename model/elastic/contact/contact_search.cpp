@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace kinetix::model {
 namespace {
@@ -11,6 +12,8 @@ using Eigen::Vector3d;
 // Cell edges: wider lists more pairs, narrower must be searched anew more often.
 constexpr double near_margin = 0.3;
 constexpr double passing_margin = 0.5;  // cell edges: what was further away may have gone round the end
+// Cell edges: what points are told apart by that one of their places is found by another sum.
+constexpr double rounding = 1e-9;
 // Of half the thickness: nearer to a side, a point slides out of it.
 constexpr double deep = 0.25;
 
@@ -48,18 +51,45 @@ Vector3d ContactSearch::in_box(const Vector3d& point, int other) const {
   return {y.dot(box.edge), y.dot(box.normal), y.dot(box.up)};
 }
 
-Vector3d ContactSearch::in_box(const Pair& pair) const {
-  const Box& box = placed_boxes_[pair.plate];
-  const ContactPoint& point = all_.points[pair.point];
-  return in_box(box.origin + point.part * all_.plates[pair.plate].length * box.edge +
+Vector3d ContactSearch::in_box(const Contact& contact) const {
+  const Box& box = placed_boxes_[contact.plate];
+  const ContactPoint& point = all_.points[contact.point];
+  return in_box(box.origin + point.part * all_.plates[contact.plate].length * box.edge +
                     point.across * box.normal + point.high * box.up,
-                pair.other);
+                contact.other);
+}
+
+ContactSearch::Box ContactSearch::in_box(const PlatePair& pair) const {
+  const Box &from = placed_boxes_[pair.plate], &box = placed_boxes_[pair.other];
+  const auto turned = [&](const Vector3d& v) -> Vector3d {
+    return {v.dot(box.edge), v.dot(box.normal), v.dot(box.up)};
+  };
+  return {in_box(from.origin, pair.other), turned(from.edge), turned(from.normal), turned(from.up)};
+}
+
+Vector3d ContactSearch::point_of(const Box& plate, double length, const ContactPoint& point) {
+  return plate.origin + point.part * length * plate.edge + point.across * plate.normal +
+         point.high * plate.up;
 }
 
 bool ContactSearch::is_within(const Vector3d& y, int other, double margin) const {
   if (!(y[0] > -margin) || !(y[0] < all_.plates[other].length + margin)) return false;
   if (!(std::abs(y[1]) < all_.half_thickness + margin)) return false;
   return all_.planar || std::abs(y[2]) <= all_.half_height + margin;
+}
+
+ContactSearch::Extent ContactSearch::extent_of(const Box& plate, double length) const {
+  const double middle = all_.planar ? length : length / 2, along = all_.planar ? 0 : length / 2;
+  return {plate.origin + middle * plate.edge, along * plate.edge.cwiseAbs() +
+                                                  all_.half_thickness * plate.normal.cwiseAbs() +
+                                                  all_.half_height * plate.up.cwiseAbs()};
+}
+
+bool ContactSearch::may_be_within(const Extent& extent, int other, double margin) const {
+  const Vector3d far = extent.half.array() + margin;
+  return extent.middle[0] + far[0] > 0 && extent.middle[0] - far[0] < all_.plates[other].length &&
+         std::abs(extent.middle[1]) < all_.half_thickness + far[1] &&
+         (all_.planar || std::abs(extent.middle[2]) <= all_.half_height + far[2]);
 }
 
 Eigen::Matrix3Xd ContactSearch::placed_centers() const {
@@ -69,28 +99,19 @@ Eigen::Matrix3Xd ContactSearch::placed_centers() const {
   return centers;
 }
 
-std::vector<ContactSearch::Pair> ContactSearch::pairs_within(double margin) {
+std::vector<ContactSearch::PlatePair> ContactSearch::pairs_within(double margin) {
   const Eigen::Matrix3Xd centers = placed_centers();
-  std::vector<Pair> pairs;
+  std::vector<PlatePair> pairs;
   const double wall_tip = all_.wall_tip_radius();
-  const auto add = [&](int plate, int other) {
-    const Box& box = placed_boxes_[plate];
-    const double length = all_.plates[plate].length;
-    // The middle of all points: the wall tip's in the plane.
-    const double middle = all_.planar ? length : length / 2,
-                 around = all_.planar ? wall_tip : wall_tip + length / 2;
-    const Vector3d y = in_box(box.origin + middle * box.edge, other);
-    if (!is_within(y, other, margin + around) || !may_touch(plate, other)) return;
-    for (int point = 0; point < static_cast<int>(all_.points.size()); ++point) {
-      const Pair pair{plate, point, other};
-      if (is_within(in_box(pair), other, margin)) pairs.push_back(pair);
-    }
+  const auto add = [&](const PlatePair& pair) {
+    const Extent extent = extent_of(in_box(pair), all_.plates[pair.plate].length);
+    if (may_be_within(extent, pair.other, margin) && may_touch(pair.plate, pair.other)) pairs.push_back(pair);
   };
   for (const auto& [first, second] : finder_.find(centers, all_.reach() + wall_tip + margin)) {
     const double reach = (all_.plates[first].length + all_.plates[second].length) / 2 + 2 * wall_tip + margin;
     if ((centers.col(first) - centers.col(second)).squaredNorm() >= reach * reach) continue;
-    add(first, second);
-    add(second, first);
+    add({first, second});
+    add({second, first});
   }
   std::sort(pairs.begin(), pairs.end());
   return pairs;
@@ -102,12 +123,12 @@ bool ContactSearch::may_touch(int plate, int other) const {
   return !one_body && !one_wall && !std::binary_search(excluded_.begin(), excluded_.end(), pair);
 }
 
-void ContactSearch::add_if_inside(const Pair& pair) {
-  const Vector3d y = in_box(pair);
-  if (!is_within(y, pair.other, 0)) return;
-  const double to_end = all_.plates[pair.other].length - y[0], to_rim = all_.half_height - std::abs(y[2]);
-  Contact contact{pair.plate, pair.point, pair.other, y[1] > 0 ? Face::side_plus : Face::side_minus,
-                  all_.half_thickness - std::abs(y[1])};
+void ContactSearch::add_if_inside(Contact contact) {
+  const Vector3d y = in_box(contact);
+  if (!is_within(y, contact.other, 0)) return;
+  const double to_end = all_.plates[contact.other].length - y[0], to_rim = all_.half_height - std::abs(y[2]);
+  contact.face = y[1] > 0 ? Face::side_plus : Face::side_minus;
+  contact.depth = all_.half_thickness - std::abs(y[1]);
   if (to_end < contact.depth) {
     contact.depth = to_end;
     contact.face = Face::wall_tip_end;
@@ -119,12 +140,21 @@ void ContactSearch::add_if_inside(const Pair& pair) {
   if (contact.depth > 0) found_.push_back(contact);
 }
 
+void ContactSearch::add_inside(const PlatePair& pair) {
+  const Box plate = in_box(pair);
+  const double length = all_.plates[pair.plate].length;
+  if (!may_be_within(extent_of(plate, length), pair.other, rounding)) return;
+  for (int point = 0; point < static_cast<int>(all_.points.size()); ++point)
+    if (is_within(point_of(plate, length, all_.points[point]), pair.other, rounding))
+      add_if_inside({.plate = pair.plate, .point = point, .other = pair.other});
+}
+
 void ContactSearch::update_near(const State& state) {
   place(state);
   near_ = pairs_within(near_margin);
   moved_.remember(state);
   std::vector<char> is_near(all_.plates.size());
-  for (const Pair& pair : near_) is_near[pair.plate] = is_near[pair.other] = true;
+  for (const PlatePair& pair : near_) is_near[pair.plate] = is_near[pair.other] = true;
   near_plates_.clear();
   for (int plate = 0; plate < static_cast<int>(all_.plates.size()); ++plate)
     if (is_near[plate]) near_plates_.push_back(plate);
@@ -139,28 +169,28 @@ const std::vector<Contact>& ContactSearch::find(const State& state) {
     for (const int plate : near_plates_) place(plate, state);
   else
     update_near(state);
-  for (const Pair& pair : near_) add_if_inside(pair);
+  for (const PlatePair& pair : near_) add_inside(pair);
+  std::sort(found_.begin(), found_.end(), [](const Contact& a, const Contact& b) {
+    return std::tuple(a.plate, a.point, a.other) < std::tuple(b.plate, b.point, b.other);
+  });
   return found_;
 }
 
-int ContactSearch::side_of(const Pair& pair) const {
-  const Vector3d y = in_box(pair);
-  const double to_end = all_.plates[pair.other].length - y[0];
+int ContactSearch::side_of(const Vector3d& y, int other) const {
+  const double to_end = all_.plates[other].length - y[0];
   if (!(y[0] > 0) || !(to_end > std::max(0.0, all_.half_thickness - std::abs(y[1])))) return 0;
   if (!all_.planar && !(std::abs(y[2]) <= all_.half_height)) return 0;
   return y[1] > 0 ? 1 : -1;
 }
 
-bool ContactSearch::is_over(const Pair& pair) const {
-  const Vector3d y = in_box(pair);
+bool ContactSearch::is_over(const Vector3d& y, int other) const {
   return std::abs(y[2]) > all_.half_height && std::abs(y[1]) < all_.half_thickness && y[0] > 0 &&
-         y[0] < all_.plates[pair.other].length;
+         y[0] < all_.plates[other].length;
 }
 
-bool ContactSearch::is_past_rim(const Pair& pair) const {
-  const Vector3d y = in_box(pair);
+bool ContactSearch::is_past_rim(const Vector3d& y, int other) const {
   const double to_side = all_.half_thickness - std::abs(y[1]);
-  return is_within(y, pair.other, 0) && to_side > deep * all_.half_thickness &&
+  return is_within(y, other, 0) && to_side > deep * all_.half_thickness &&
          to_side < all_.half_height - std::abs(y[2]);
 }
 
@@ -197,18 +227,29 @@ bool ContactSearch::newly_cross(const State& before, const State& after) {
   return !std::includes(then.begin(), then.end(), now.begin(), now.end());
 }
 
+bool ContactSearch::went_through(const PlatePair& pair, const Box& before, const Box& after) const {
+  const double length = all_.plates[pair.plate].length;
+  const Extent then = extent_of(before, length), now = extent_of(after, length);
+  if (then.stays_beside(now, all_.half_thickness)) return false;
+  for (const ContactPoint& point : all_.points) {
+    const Vector3d from = point_of(before, length, point), to = point_of(after, length, point);
+    if (!is_within(from, pair.other, passing_margin)) continue;
+    if (side_of(from, pair.other) * side_of(to, pair.other) < 0) return true;
+    if (!all_.planar && is_over(from, pair.other) && is_past_rim(to, pair.other)) return true;
+  }
+  return false;
+}
+
 bool ContactSearch::passed_through(const State& before, const State& after) {
   const bool kept = moved_.keeps_apart(before, near_margin) && moved_.keeps_apart(after, near_margin);
   place(before);
-  const std::vector<Pair> near = kept ? near_ : pairs_within(passing_margin);
-  std::vector<int> sides;
-  std::vector<char> over(near.size());
-  sides.reserve(near.size());
-  for (const Pair& pair : near) sides.push_back(side_of(pair));
-  for (std::size_t k = 0; k < near.size() && !all_.planar; ++k) over[k] = is_over(near[k]);
+  const std::vector<PlatePair> near = kept ? near_ : pairs_within(passing_margin);
+  std::vector<Box> from;
+  from.reserve(near.size());
+  for (const PlatePair& pair : near) from.push_back(in_box(pair));
   place(after);
   for (std::size_t k = 0; k < near.size(); ++k)
-    if (sides[k] * side_of(near[k]) < 0 || (over[k] && is_past_rim(near[k]))) return true;
+    if (went_through(near[k], from[k], in_box(near[k]))) return true;
   return false;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -47,14 +48,27 @@ class ContactSearch {
   bool newly_cross(const State& before, const State& after);
 
  private:
-  /// A point of a plate and the plate in whose box it may be.
-  struct Pair {
-    int plate, point, other;
-    auto operator<=>(const Pair&) const = default;
+  /// A plate and another one whose box points of it may be in.
+  struct PlatePair {
+    int plate, other;
+    auto operator<=>(const PlatePair&) const = default;
   };
   /// Origin and directions of a plate's box, cell edges.
   struct Box {
     Eigen::Vector3d origin, edge, normal, up;
+  };
+  /// Of all points of a plate, along another's edge, normal and up, cell edges.
+  struct Extent {
+    Eigen::Vector3d middle, half;
+
+    /// Whether all are on one side of that plate and go on to be there. @param half_thickness of it, cell edges
+    bool stays_beside(const Extent& later, double half_thickness) const {
+      const auto side = [&](const Extent& e) {
+        if (!(std::abs(e.middle[1]) > half_thickness + e.half[1])) return 0;
+        return e.middle[1] > 0 ? 1 : -1;
+      };
+      return side(*this) * side(later) > 0;
+    }
   };
 
   void place(int plate, const State& state);
@@ -62,11 +76,17 @@ class ContactSearch {
   void update_near(const State& state);
   /// Where a point is in the state last placed, from another plate's vertex along its edge, its normal and up. cell edges
   Eigen::Vector3d in_box(const Eigen::Vector3d& point, int other) const;
-  Eigen::Vector3d in_box(const Pair& pair) const;
+  Eigen::Vector3d in_box(const Contact& contact) const;
+  /// A plate as its other one sees it, likewise.
+  Box in_box(const PlatePair& pair) const;
+  static Eigen::Vector3d point_of(const Box& plate, double length, const ContactPoint& point);
+  Extent extent_of(const Box& plate, double length) const;
+  /// Whether a point of that extent may be in another's box grown by a margin, cell edges.
+  bool may_be_within(const Extent& extent, int other, double margin) const;
   /// Middles of all plates, a column each, cell edges.
   Eigen::Matrix3Xd placed_centers() const;
-  /// Points that are in a box grown by a margin, cell edges, in the state last placed. Sorted.
-  std::vector<Pair> pairs_within(double margin);
+  /// Plates points of which may be in a box grown by a margin, cell edges, in the state last placed. Sorted.
+  std::vector<PlatePair> pairs_within(double margin);
   bool may_touch(int plate, int other) const;
   /// Whether two half walls, cut along their hinges, are in each other by half a thickness in every direction.
   bool are_deep(int plate, int other, const State& state) const;
@@ -76,21 +96,25 @@ class ContactSearch {
   bool is_cut(int plate, int other) const;
   /// +1 or -1: on which side of a half wall a point is; 0 where it is not beside it, or inside and
   /// nearer to its end.
-  int side_of(const Pair& pair) const;
+  /// @param y here and below, as of in_box()
+  int side_of(const Eigen::Vector3d& y, int other) const;
   /// Whether a point is straight above or below a half wall, outside it.
-  bool is_over(const Pair& pair) const;
+  bool is_over(const Eigen::Vector3d& y, int other) const;
   /// Whether a point is so far inside that contact pushes it out through a side where it has come in from above or below.
-  bool is_past_rim(const Pair& pair) const;
-  /// @param y as of in_box()
+  bool is_past_rim(const Eigen::Vector3d& y, int other) const;
   bool is_within(const Eigen::Vector3d& y, int other, double margin) const;
-  void add_if_inside(const Pair& pair);
+  void add_if_inside(Contact contact);
+  /// All points of a plate.
+  void add_inside(const PlatePair& pair);
+  /// Of a plate as its other one sees it in two states: what passed_through asks.
+  bool went_through(const PlatePair& pair, const Box& before, const Box& after) const;
 
   ContactPlates all_;
   std::vector<HalfWall> walls_;
   std::vector<std::pair<int, int>> excluded_;  ///< touch at rest; sorted
   std::optional<WallPair> overlap_at_rest_;
   std::vector<Box> placed_boxes_;  ///< in the state last placed
-  std::vector<Pair> near_;         ///< sorted
+  std::vector<PlatePair> near_;    ///< sorted
   std::vector<int> near_plates_;   ///< those in near_
   RelativeMotion moved_;           ///< since near_ was listed
   std::vector<Contact> found_;
