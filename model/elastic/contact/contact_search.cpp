@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 constexpr double near_margin = 0.3;
 constexpr double passing_margin = 0.5;  // cell edges: what was further away may have gone round the end
 // Cell edges: what points are told apart by that one of their places is found by another sum.
-constexpr double rounding = 1e-9;
+constexpr double summed_otherwise = 1e-9;
 // Of half the thickness: nearer to a side, a point slides out of it.
 constexpr double deep = 0.25;
 
@@ -143,9 +143,9 @@ void ContactSearch::add_if_inside(Contact contact) {
 void ContactSearch::add_inside(const PlatePair& pair) {
   const Box plate = in_box(pair);
   const double length = all_.plates[pair.plate].length;
-  if (!may_be_within(extent_of(plate, length), pair.other, rounding)) return;
+  if (!may_be_within(extent_of(plate, length), pair.other, summed_otherwise)) return;
   for (int point = 0; point < static_cast<int>(all_.points.size()); ++point)
-    if (is_within(point_of(plate, length, all_.points[point]), pair.other, rounding))
+    if (is_within(point_of(plate, length, all_.points[point]), pair.other, summed_otherwise))
       add_if_inside({.plate = pair.plate, .point = point, .other = pair.other});
 }
 
