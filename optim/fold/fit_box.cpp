@@ -202,4 +202,16 @@ std::optional<BoxInCells> other_cells(const BoxOptions& options, double toleranc
   return std::nullopt;
 }
 
+std::vector<std::array<int, 3>> tried_cells(const BoxOptions& options, double tolerance) {
+  const double inset =
+      targets::edge_inset(pi / 2, options.crease_columns > 0 ? options.crease_columns : usual_columns);
+  std::vector<std::array<int, 3>> out;
+  for (int shortest = 1; shortest <= most_cells_across; ++shortest) {
+    if (!(least_miss(options, shortest) <= tolerance)) continue;
+    const auto cells = cells_with_shortest(options.asked_mm, shortest, inset);
+    if (*std::max_element(cells.begin(), cells.end()) <= targets::max_face_side) out.push_back(cells);
+  }
+  return out;
+}
+
 }  // namespace kinetix::optim

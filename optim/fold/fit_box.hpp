@@ -3,6 +3,7 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "optim/fold/fit_fold.hpp"
 
@@ -43,5 +44,8 @@ inline constexpr int most_cells_across = 10;  ///< along the shortest edge: more
 /// fit_box and fit_fold find it where the edge is given: of 1, 2 and so on cells along the shortest edge the first. Nothing where none
 /// up to most_cells_across does. @param options whose own edge does not count   @param tolerance ratio, > 0
 std::optional<BoxInCells> other_cells(const BoxOptions& options, double tolerance);
+
+/// Edges, in cells, of the boxes that other_cells folds where none of them does: those whose proportions come near enough.
+std::vector<std::array<int, 3>> tried_cells(const BoxOptions& options, double tolerance);
 
 }  // namespace kinetix::optim

@@ -70,6 +70,7 @@ void choose_cells(const targets::Section& root, FoldFile& file) {
   file.size = options.size(box.edge_mm);
   file.goal = targets::box_goal(box.edges, options.open, options.crease_columns);
   file.goal.box_mm = options.asked_mm;
+  file.box_folded_mm = box.folded_mm;
   options.size = walls_for(structure, file.size);
   file.box = std::move(options);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "app/files/goal_settings.hpp"
@@ -22,7 +23,9 @@ struct FoldFile : GoalSettings {
   std::string name;
   targets::FoldGoal goal;
   std::optional<optim::BoxOptions> box = {};  ///< of goal.box_mm: the box with walls for any cell edge
-  model::CellSize size = {};                  ///< structure.cell_mm (default 10), structure.wall_mm
+  std::array<double, 3> box_folded_mm =
+      {};                     ///< of goal.box_mm: what its cells fold to, by a search of a small box
+  model::CellSize size = {};  ///< structure.cell_mm (default 10), structure.wall_mm
   double tilt = 60 * radians_per_degree;  ///< rad: the nearer end of variables.beta.range_deg, which holds 0
                                           ///< inside: tilts alternate in sign along a crease; (0, 89] deg
   optim::AngleRange theta = {2 * radians_per_degree,

@@ -33,6 +33,10 @@ constexpr double paths_to_limits =
     2;  // of elastic hinges that keep limits: one where they do, six where theta is searched
 constexpr double seconds_of_175 = 0.15;  // s: a search of 175 bodies; it grows with their number to 1.5
 
+double search_seconds(double bodies) { return seconds_of_175 * std::pow(bodies / 175, 1.5); }
+
+double cells_of_box(const std::array<int, 3>& e) { return 2.0 * (e[0] * e[1] + e[1] * e[2] + e[2] * e[0]); }
+
 /// Of each crease: as few as tilts and theta allow, and no fewer than walls usually leave room for.
 std::vector<int> usual_columns(const targets::FoldNet& net, double theta, double tilt) {
   const double turn = std::clamp(2 * std::atan(std::tan(tilt) * std::sin(theta)), least_turn_of_a_column,
@@ -53,10 +57,12 @@ double edge_of_cells(const FoldOutcome& found, int across) {
          optim::folded_box({across, across, across}, 1, net.theta, net.layout.creases[0].columns())[0];
 }
 
+bool looks_for_other_cells(const FoldFile& file) { return !file.robust && !file.limits.any(); }
+
 /// Other cells that give a box its size, found by a search of each; where there are none the box that these cells give.
 std::string other_size(const FoldFile& file, const FoldOutcome& found, const RunOptions& options) {
   const char* looser = "a larger tolerance.size";
-  if (file.robust || file.limits.any())
+  if (!looks_for_other_cells(file))
     return fmt::format("try another cell edge (structure.cell_mm), or allow {}", looser);
   options.progress("other cells", -1, "");
   optim::BoxOptions box = *file.box;
@@ -91,7 +97,8 @@ class FoldScene final : public Scene {
     } else if (const auto motion = exact_motion(out.sheet)) {
       out.folded_mm = size_of(out.sheet, motion.at(theta));
     }
-    out.search_s = seconds_of_175 * std::pow(out.sheet.bodies() / 175.0, 1.5);
+    out.search_s = search_seconds(out.sheet.bodies());
+    if (const double miss = likely_miss(); miss > file_.size_tolerance) add_other_cells(miss, out);
     add_settings(file_, out);
     if (file_.limits.any()) out.search_s += paths_to_limits * matter_seconds(file_, out.sheet);
     if (file_.robust) out.search_s *= designs_of_robust_search(file_.theta, file_.hinge);
@@ -201,6 +208,26 @@ class FoldScene final : public Scene {
   void add_frames(Run& run) const override { add_exact_frames(run); }
 
  private:
+  /// Of edges, over those that are asked for; 0 of what is asked for in cells.
+  double likely_miss() const {
+    return file_.box ? optim::size_miss(file_.box_folded_mm, file_.box->asked_mm) : 0;
+  }
+
+  /// What other_size() takes where no cells give the box its size.
+  void add_other_cells(double miss, Forecast& forecast) const {
+    const std::string off =
+        fmt::format("with these cells the box would be off by {:.1f} %; {:.1f} % is allowed", 100 * miss,
+                    100 * file_.size_tolerance);
+    if (!looks_for_other_cells(file_)) return forecast.notes.push_back(off);
+    const double bodies_a_cell = forecast.sheet.bodies() / cells_of_box(*file_.goal.box);
+    double seconds = 0;
+    for (const auto& edges : optim::tried_cells(*file_.box, file_.size_tolerance))
+      seconds += search_seconds(bodies_a_cell * cells_of_box(edges));
+    forecast.search_s += seconds;
+    forecast.notes.push_back(
+        fmt::format("{}: the search goes on with other cells, up to {}", off, about(seconds)));
+  }
+
   bool is_size_missed(const FoldOutcome& found) const {
     return found.goal.box_mm && found.design.folds &&
            !(optim::size_miss(found.edges_mm(), *found.goal.box_mm) <= file_.size_tolerance);

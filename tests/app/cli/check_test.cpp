@@ -122,6 +122,17 @@ TEST(Check, TellsThatElasticHingesAndRobustDesignsTakeLonger) {
   EXPECT_NEAR(seconds(elastic + "robust: true\n"), 28 * seconds(elastic), 1e-9);
 }
 
+// "less than a second" was said where other cells were searched for a minute.
+TEST(Check, TellsThatABoxThatMissesItsSizeIsSearchedWithOtherCells) {
+  const std::string box = "kinetix: 1\ntarget: {kind: fold, box_mm: [83, 47, 29]}\nstructure: {cell_mm: 8}\n";
+  const std::string words = "the search goes on with other cells";
+  EXPECT_GT(seconds(box), 5 * seconds(box + "tolerance: {size: 0.5}\n"));
+  EXPECT_THAT(checked(box)["expected"]["notes"].dump(), HasSubstr(words));
+  EXPECT_THAT(checked(box + "tolerance: {size: 0.5}\n")["expected"]["notes"].dump(),
+              ::testing::Not(HasSubstr(words)));
+  EXPECT_THAT(checked(box + "robust: true\n")["expected"]["notes"].dump(), ::testing::Not(HasSubstr(words)));
+}
+
 TEST(Check, TellsThatCirclesAndCornersAreSearchedForLonger) {
   const double plain = seconds(arc_of(90));
   EXPECT_GE(seconds(arc_of(350)), 3 * plain);
