@@ -154,7 +154,8 @@ Json as_made_json(const Run& run) {
     out["prints"] = {{"count", runs->prints},
                      {"failed", runs->failed},
                      {"rms_mm", runs->rms_mm},
-                     {"p95_mm", runs->p95_mm}};
+                     {"p95_mm", runs->p95_mm},
+                     {"kept", runs->kept()}};
   return out;
 }
 

@@ -63,10 +63,10 @@ function matterWords({matter}) {
       `${millimetres(matter.after)} from it; ${millimetres(matter.tolerance)} are allowed.`;
 }
 
-function printsWords({count, failed, rms_mm: rms, p95_mm: p95}) {
+function printsWords({count, failed, kept, rms_mm: rms, p95_mm: p95}) {
   if (count === 0) return `none of ${failed} prints in the elastic model found an equilibrium near the design.`;
   const lost = failed > 0 ? `, and ${failed} more found no equilibrium near the design` : "";
-  return `${count} prints in the elastic model came out ${millimetres(rms)} off the goal, ${Math.ceil(19 * count / 20)} of them within ${millimetres(p95)}${lost}.`;
+  return `${count} prints in the elastic model came out ${millimetres(rms)} off the goal, ${finite(kept) ?? "95 of 100"} of them within ${millimetres(p95)}${lost}.`;
 }
 
 const parameterPlurals = {t: "places", alpha: "directions", beta: "tilts", offset: "offsets"};

@@ -60,6 +60,7 @@ TEST(AsMadeResult, IsConfirmedByPrints) {
   EXPECT_EQ(schema_errors(result), "");
   const Json& made = result["as_made"];
   EXPECT_EQ(made["prints"]["failed"], 0);
+  EXPECT_EQ(made["prints"]["kept"], 475) << "19 of 20, which pages do not count for themselves";
   EXPECT_NEAR(made["prints"]["rms_mm"], made["rms_mm"].get<double>(), 0.1 * made["rms_mm"].get<double>());
   EXPECT_NEAR(made["prints"]["p95_mm"], made["p95_mm"].get<double>(), 0.1 * made["p95_mm"].get<double>());
 }
@@ -226,6 +227,7 @@ TEST(AsMadeResult, OfNoPrintThatSettlesSaysSoAndNoNumbers) {
     const Json& made = one.result["as_made"];
     EXPECT_EQ(made["prints"]["count"], 0);
     EXPECT_EQ(made["prints"]["failed"], 20);
+    EXPECT_EQ(made["prints"]["kept"], 0);
     EXPECT_EQ(made["holds"], false) << "what finds no equilibrium does not hold";
     EXPECT_THAT(made["why"].dump(), HasSubstr("20 of 20 prints in the elastic model found no equilibrium"));
     EXPECT_THAT(one.out, HasSubstr("none of 20 prints in the elastic model found an equilibrium"));
