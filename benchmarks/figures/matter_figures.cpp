@@ -65,7 +65,8 @@ std::vector<Figure> first_order() {
           cube),
       confirmed("the same of a helix of two turns, 96 columns",
                 "target: {kind: space_curve, points: helix.csv}\nstructure: {cells: [96, 1]}\n"),
-      confirmed("the same of a saddle of 8 x 8 facets", "target: {kind: surface, shape: saddle}\n"),
+      confirmed("the same of a saddle of 8 x 8 facets",
+                "target: {kind: surface, shape: saddle, rise: 0.3}\n"),
       confirmed("as made, helmet rib of 40 columns, rubber hinges and springs of shape memory: first order "
                 "against prints",
                 rib + rubber + springs),

@@ -34,6 +34,12 @@ TEST(SurfaceResult, OfASheetIsAsTheSchemaHasIt) {
   EXPECT_THAT(schema_errors(result), HasSubstr("multipliers"));
 }
 
+// The usual rise was one that its facets do not follow within the usual tolerance.
+TEST(SurfaceResult, OfASaddleWithoutSizesIsMet) {
+  const Json result = surface_result("shape: saddle", "");
+  EXPECT_EQ(result["metrics"]["met"], true) << result["surface"]["reasons"].dump();
+}
+
 TEST(SurfaceResult, OfRibsIsAsTheSchemaHasIt) {
   Json result = surface_result("shape: cap, ribs: 3", "");
   EXPECT_EQ(schema_errors(result), "");
