@@ -84,7 +84,9 @@ class RimSearch {
     bool spread = true;
     do {
       bound_offsets();
-      found.rounds += improve(problem_, shape_, spread, memory_).rounds;
+      const OutlineProgress now = improve(problem_, shape_, spread, memory_);
+      found.rounds += now.rounds;
+      found.settled = now.settled;
       spread = false;
       take(found);
       const std::set<int> met = walls_that_meet(found);

@@ -31,9 +31,10 @@ struct OutlineDesign {
   double at_bounds_offset = 0;  ///< share of the walls whose offset is as large as is allowed, [0, 1]
   double at_bounds_shift = 0;   ///< likewise of 2 t - 1, [0, 1]; walls that met have a lower bound
   bool clear = false;           ///< no walls meet on the way
-  bool stopped = false;         ///< before the search had come to its end
-  int rounds = 0;               ///< convex problems solved, in all
-  int clearance_rounds = 0;     ///< at this theta, with less turning of the walls that met
+  bool settled = false;      ///< no vertex moved any more when the search at this theta took no more rounds
+  bool stopped = false;      ///< before the search had come to its end
+  int rounds = 0;            ///< convex problems solved, in all
+  int clearance_rounds = 0;  ///< at this theta, with less turning of the walls that met
 };
 
 /// Fits the rim at theta. Every panel on the way is an exact motion with all hinges closed; where walls would meet

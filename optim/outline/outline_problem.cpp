@@ -324,6 +324,7 @@ OutlineProgress improve(const OutlineProblem& problem, OutlineShape& shape, bool
   do solve(on_the_way);
   while (progress.rounds < most && !problem.stop.stop_requested() &&
          (first + progress.rounds <= rounds_of_spreading || progress.moved > settled_rim));
+  progress.settled = progress.moved <= settled_rim;
   solve(at_the_end);
   return progress;
 }

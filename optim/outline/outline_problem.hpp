@@ -41,9 +41,10 @@ struct OutlineProblem {
 /// Brings the rim nearer to the outlines: nearest points are taken anew, and a convex problem is solved, until
 /// nothing moves. Bounds hold at its end (to 1e-6), with x as it came where `flat` is nothing.
 struct OutlineProgress {
-  int rounds = 0;      ///< convex problems solved
-  int iterations = 0;  ///< in all
-  double moved = 0;    ///< largest of a vertex in the last round, cell edges
+  int rounds = 0;        ///< convex problems solved
+  int iterations = 0;    ///< in all
+  double moved = 0;      ///< largest of a vertex in the last round, cell edges
+  bool settled = false;  ///< nothing moved any more; else it took as many rounds as it may, or was stopped
 };
 /// @param spread first send the rim's vertices to their places along the outlines (spread_along)
 /// @param memory of the last time, or empty; kept for the next one

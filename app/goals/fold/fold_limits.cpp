@@ -54,19 +54,22 @@ Borne borne_by(const FoldFile& file, const Run& run, const Scene& scene, const o
 void keep_limits(const FoldFile& file, const Run& run, const Scene& scene, FoldOutcome& fold,
                  const std::function<optim::FoldDesign(double)>& search, const RunOptions& options) {
   if (!file.limits.any() || !fold.design.folds) return;
-  fold.loads = borne_by(file, run, scene, fold.design, options.stop).loads;
-  if (share_of(file.limits, fold.loads->hinges) <= HingeLimits::in_hand) return;
-  fold.unlimited = fold.loads;
+  const FoldLoads asked = borne_by(file, run, scene, fold.design, options.stop).loads;
+  if (options.stop.stop_requested()) return;  // cut short, its path says nothing of the fold
+  fold.loads = asked;
+  if (share_of(file.limits, asked.hinges) <= HingeLimits::in_hand) return;
   double kept = file.theta.lower, too_much = fold.design.folded.theta;
-  for (int k = 0; k < theta_halvings && too_much - kept > one_theta && !options.stop.stop_requested(); ++k) {
+  for (int k = 0; k < theta_halvings && too_much - kept > one_theta; ++k) {
     options.progress("limits", static_cast<double>(k) / theta_halvings);
     const double theta = (kept + too_much) / 2;
     optim::FoldDesign design = search(theta);
+    if (options.stop.stop_requested()) return;
     if (!design.folds) {
       kept = theta;
       continue;
     }
     const Borne borne = borne_by(file, run, scene, design, options.stop);
+    if (options.stop.stop_requested()) return;
     if (!(share_of(file.limits, borne.loads.hinges) <= HingeLimits::in_hand)) {
       too_much = theta;
       continue;
@@ -76,6 +79,7 @@ void keep_limits(const FoldFile& file, const Run& run, const Scene& scene, FoldO
     if (!borne.meets_goal) continue;
     fold.design = std::move(design);
     fold.loads = borne.loads;
+    fold.unlimited = asked;
   }
 }
 

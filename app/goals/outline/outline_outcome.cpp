@@ -24,6 +24,14 @@ std::string what_binds(const optim::OutlineDesign& design) {
                      100 * design.at_bounds_offset, 100 * design.at_bounds_shift);
 }
 
+/// Of a panel whose walls do not meet.
+std::string ended_words(const optim::OutlineDesign& design) {
+  const std::string moves = design.settled
+                                ? "no vertex moves any more"
+                                : "it took as many rounds as it may, and vertices still move a little";
+  return moves + ", and no walls meet on the way";
+}
+
 std::string size_words(double size) {
   if (std::abs(size - 1) < 5e-3) return "as large as drawn";
   return fmt::format("{:.3g} times as large as drawn", size);
@@ -64,8 +72,14 @@ void OutlineOutcome::add_sections(const Run& run, Json& result) const {
   result["outline"] = section;
   result["optimiser"] = {
       {"solver", "alternating directions"}, {"starts", std::max(1, cuts)}, {"evaluations", design.rounds}};
-  add_end(design.stopped, design.clear, "no vertex moves any more, and no walls meet on the way",
-          "walls meet on the way whatever they turn", result["optimiser"]);
+  add_end(
+      design.stopped, design.clear, ended_words(design),
+      fmt::format("walls still meet on the way after {} rounds, from each to the next with less turning of "
+                  "those that did",
+                  design.clearance_rounds),
+      result["optimiser"]);
+  if (design.clear && !design.settled && !design.stopped)
+    result["optimiser"]["status"] = to_string(optim::SolveStatus::evaluation_limit);
 }
 
 void OutlineOutcome::add_metrics(Json& metrics) const {

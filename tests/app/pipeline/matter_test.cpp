@@ -7,8 +7,10 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <stop_token>
 #include <utility>
 
+#include "app/goals/fold/fold_outcome.hpp"
 #include "app/goals/read_target.hpp"
 #include "app/pipeline/robust_search.hpp"
 #include "model/base/angle.hpp"
@@ -203,6 +205,30 @@ TEST(Matter, AFoldKeepsItsLimits) {
   EXPECT_LE(run.result["fold"]["loads"]["strain"], 0.3);
   EXPECT_GT(run.result["fold"]["unlimited"]["strain"], 0.3);
   EXPECT_THAT(run.out, HasSubstr("without them at theta"));
+}
+
+TEST(Matter, AFoldThatIsStoppedWhileItLooksForItsLimitsTellsNothingThatItDidNotSee) {
+  const Scratch scratch;
+  const app::Target target = app::read_target(
+      scratch.write("goal.yaml", small_box + springs + "tolerance: {angle_deg: 1, strain: 0.3}\n"));
+  for (const bool at_once : {false, true}) {
+    SCOPED_TRACE(at_once);
+    std::stop_source stop;
+    app::RunOptions options;
+    options.stop = stop.get_token();
+    options.progress = [&](const std::string& stage, double, const std::string&) {
+      if (stage == "limits") stop.request_stop();
+    };
+    if (at_once) stop.request_stop();
+    app::Run run;
+    target.goal->solve(run, options);
+    const auto& fold = app::outcome_of<app::FoldOutcome>(run);
+    EXPECT_FALSE(fold.unlimited) << "no other theta was found";
+    ASSERT_EQ(fold.loads.has_value(), !at_once);
+    if (fold.loads) {
+      EXPECT_GT(fold.loads->hinges.strain, 0.3);
+    }
+  }
 }
 
 TEST(Matter, SweepsOverJointsAreRefusedBeforeTheSearch) {

@@ -225,6 +225,24 @@ TEST(Outline, RefusesWhatIsNone) {
   }
 }
 
+TEST(Outline, ThatTookAsManyRoundsAsItMaySaysSo) {
+  app::Run run = run_of(target(ring(60, 60, 50)), false);
+  optim::OutlineDesign& design = outcome_of<OutlineOutcome>(run).design;
+  design.clear = true;
+  for (const bool settled : {true, false}) {
+    design.settled = settled;
+    const nlohmann::json ended = written(run)["optimiser"];
+    EXPECT_EQ(ended["status"], settled ? "converged" : "evaluation limit");
+    EXPECT_THAT(ended["why"].get<std::string>(),
+                HasSubstr(settled ? "no vertex moves any more" : "vertices still move a little"));
+  }
+  design.clear = false;
+  design.clearance_rounds = 9;
+  const nlohmann::json ended = written(run)["optimiser"];
+  EXPECT_EQ(ended["status"], "failed");
+  EXPECT_THAT(ended["why"].get<std::string>(), HasSubstr("walls still meet on the way after 9 rounds"));
+}
+
 TEST(Outline, ThatIsStoppedSaysNeitherThatItEndedNorThatNothingHelps) {
   TemporaryFolder folder;
   std::stop_source stop;
