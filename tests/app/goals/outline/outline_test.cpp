@@ -5,6 +5,7 @@
 #include <stop_token>
 
 #include "app/exports/write_results.hpp"
+#include "app/goals/outline/outline_outcome.hpp"
 #include "app/goals/read_target.hpp"
 #include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/pipeline.hpp"
