@@ -70,62 +70,83 @@ void take_over(Run& run, Run&& better) {
   run.goal = std::move(better.goal);
 }
 
-using Solve = std::function<void(Run&, const RobustTrial&)>;
+RobustCandidate not_judged(double theta, double cell_mm, const HingeSection& hinge) {
+  RobustCandidate out{.theta = theta,
+                      .cell_mm = cell_mm,
+                      .designed_mm = std::nan(""),
+                      .as_made_mm = std::nan(""),
+                      .as_made_p95 = std::nan("")};
+  if (hinge.made && hinge.made->gap_mm > 0) out.gap_mm = hinge.made->gap_mm;
+  return out;
+}
 
-/// Nothing where there is no such design.
-std::optional<RobustCandidate> tried(const Scene& scene, const RobustTrial& trial, const Solve& solve,
-                                     const RunOptions& options) {
+std::string missed_in_words(const Run& run) {
+  return run.matter ? "its elastic hinges miss the goal" : "it misses the goal";
+}
+
+/// Empty where it may be taken.
+std::string why_not_taken(const Run& run, const Expected& found, const RunOptions& options) {
+  if (!run.goal->met()) return missed_in_words(run);
+  if (!(found.printed.made.designed_mm <= found.tolerance_mm)) return "it is too far off the goal";
+  if (!found.printed.can_be_printed) return "the process cannot print it";
+  if (!found.hinges_bear) return "its hinges are strained by more than their material bears";
+  const auto misfit = options.misfit ? options.misfit(run) : std::nullopt;
+  return misfit ? "its hinges do not fit: " + *misfit : "";
+}
+
+/// @param plain what the plain search found
+RobustCandidate tried(const Run& plain, const Scene& scene, const RobustTrial& trial,
+                      const RobustSolve& solve, const RunOptions& options) {
   try {
     Run run;
-    solve(run, trial);
+    solve(run, trial, options);
     return robust_candidate(std::move(run), scene, options);
-  } catch (const InvalidInput&) {
-    return std::nullopt;
+  } catch (const InvalidInput& e) {
+    RobustCandidate out = not_judged(trial.theta ? trial.theta->lower : plain.theta,
+                                     plain.structure.size().edge_mm, trial.hinge);
+    out.why_not = "it cannot be made: " + e.reason();
+    return out;
   }
 }
 
 }  // namespace
 
 RobustCandidate robust_candidate(Run run, const Scene& scene, const RunOptions& options) {
-  RobustCandidate out{.theta = run.theta,
-                      .cell_mm = run.structure.size().edge_mm,
-                      .designed_mm = std::nan(""),
-                      .as_made_mm = std::nan(""),
-                      .as_made_p95 = std::nan("")};
-  if (run.hinge.made && run.hinge.made->gap_mm > 0) out.gap_mm = run.hinge.made->gap_mm;
-  const auto found = run.goal->met() ? expected(run, scene, options) : std::nullopt;
+  RobustCandidate out = not_judged(run.theta, run.structure.size().edge_mm, run.hinge);
+  out.why_not = missed_in_words(run);
+  if (!run.goal->met()) return out;
+  const auto found = expected(run, scene, options);
+  out.why_not = run.goal->met() ? "what its prints come to is not known" : missed_in_words(run);
   if (!found) return out;
   const model::AsMade& made = found->printed.made;
   out.designed_mm = made.designed_mm;
   out.as_made_mm = made.rms_mm;
   out.as_made_p95 = made.p95_mm;
-  out.is_allowed = run.goal->met() && found->printed.can_be_printed && found->hinges_bear &&
-                   made.designed_mm <= found->tolerance_mm && (!options.misfit || !options.misfit(run));
+  out.why_not = why_not_taken(run, *found, options);
+  out.is_allowed = out.why_not.empty();
   return out;
 }
 
 void search_robustly(Run& run, const Scene& scene, double weight,
-                     const std::optional<optim::AngleRange>& theta, const Solve& solve,
+                     const std::optional<optim::AngleRange>& theta, const RobustSolve& solve,
                      const RunOptions& options) {
   RunOptions quiet = options;
   quiet.progress = {};
   RobustChoice choice;
   const std::vector<RobustTrial> all = trials(theta, run.hinge);
-  std::size_t best = 0;
   for (std::size_t k = 0; k < all.size() && !options.stop.stop_requested(); ++k) {
     options.progress("robust search", static_cast<double>(k) / static_cast<double>(all.size()),
                      fmt::format("design {} of {}", k + 1, all.size()));
-    const auto next = tried(scene, all[k], solve, quiet);
-    if (!next) continue;
-    choice.tried.push_back(*next);
-    if (!is_more_robust(weight, *next, choice.tried[choice.chosen])) continue;
-    choice.chosen = choice.tried.size() - 1;
-    best = k;
+    RobustCandidate next = tried(run, scene, all[k], solve, quiet);
+    if (options.stop.stop_requested()) break;  // cut short, it says nothing of that design
+    choice.tried.push_back(std::move(next));
+    if (is_more_robust(weight, choice.tried.back(), choice.tried[choice.chosen])) choice.chosen = k;
   }
   if (choice.tried.empty()) return;
-  if (best > 0) {
+  if (choice.chosen > 0) {
+    quiet.stop = {};  // the design that was found, not what a search that is stopped at once has
     Run better;
-    solve(better, all[best]);
+    solve(better, all[choice.chosen], quiet);
     take_over(run, std::move(better));
   }
   run.robust = std::move(choice);

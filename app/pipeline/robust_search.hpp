@@ -13,6 +13,8 @@ struct RobustTrial {
   HingeSection hinge;                      ///< with another gap of its blocks or films
 };
 
+using RobustSolve = std::function<void(Run&, const RobustTrial&, const RunOptions&)>;
+
 /// What a run that was solved comes to as the pipeline would leave it, without a physics run.
 RobustCandidate robust_candidate(Run run, const Scene& scene, const RunOptions& options);
 
@@ -21,10 +23,10 @@ RobustCandidate robust_candidate(Run run, const Scene& scene, const RunOptions& 
 /// their hinges bear: puts its structure, theta, hinge and goal into the run, and says in run.robust what was tried.
 /// One without an expectation, or further off than the goal allows, is not taken unless the plain one is as well.
 /// @param run solved plainly   @param weight of prints, (0, 1]   @param theta what may be tried of it, rad; nothing: theta is given
-/// @param solve a fresh run for a trial; one that throws InvalidInput is left out
+/// @param solve a fresh run for a trial; one that throws InvalidInput cannot be made
 void search_robustly(Run& run, const Scene& scene, double weight,
-                     const std::optional<optim::AngleRange>& theta,
-                     const std::function<void(Run&, const RobustTrial&)>& solve, const RunOptions& options);
+                     const std::optional<optim::AngleRange>& theta, const RobustSolve& solve,
+                     const RunOptions& options);
 
 /// How many designs it tries, likewise.
 int designs_of_robust_search(const std::optional<optim::AngleRange>& theta, const HingeSection& hinge);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace kinetix::app {
@@ -27,6 +28,7 @@ struct RobustCandidate {
   double as_made_p95 = 0;             ///< mm, what 95 of 100 keep; NaN likewise
   /// It meets the goal, in the equilibrium of its hinges as well, it can be printed, and its hinges bear it.
   bool is_allowed = false;
+  std::string why_not = {};  ///< in words, where it is not allowed
 };
 
 /// Designs from which a robust search chose.

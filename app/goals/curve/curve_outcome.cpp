@@ -62,8 +62,9 @@ Json curve_json(const CurveOutcome& curve) {
 std::string robust_text(const RobustCurve& robust) {
   const CurveCandidate &best = robust.tried[robust.chosen], &plain = robust.tried.front();
   if (robust.chosen == 0)
-    return fmt::format("of {} strips tried, prints of none come nearer than those of the plain search's",
-                       robust.tried.size());
+    return fmt::format(
+        "of {} strips tried, prints of none that may be taken come nearer than those of the plain search's",
+        robust.tried.size());
   const std::string gaps = best.gap_mm ? fmt::format(", gaps of {:.2g} mm", *best.gap_mm) : "";
   return fmt::format(
       "{} columns at theta {:.1f} deg{}, of {} strips tried: prints{} are expected {:.3g} mm off; of the "

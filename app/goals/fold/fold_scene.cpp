@@ -108,11 +108,9 @@ class FoldScene final : public Scene {
   void solve(Run& run, const RunOptions& options) const override {
     solve(file_, run, options);
     if (!file_.robust) return;
-    RunOptions quiet = options;
-    quiet.progress = RunOptions{}.progress;
     search_robustly(
         run, *this, *file_.robust, file_.theta,
-        [&](Run& other, const RobustTrial& trial) {
+        [&](Run& other, const RobustTrial& trial, const RunOptions& quiet) {
           FoldFile file = file_;
           file.hinge = trial.hinge;
           file.theta = trial.theta.value_or(file.theta);

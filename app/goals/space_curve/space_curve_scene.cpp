@@ -51,11 +51,9 @@ class SpaceCurveScene final : public Scene {
   void solve(Run& run, const RunOptions& options) const override {
     solve(file_, run, options);
     if (!file_.robust) return;
-    RunOptions quiet = options;
-    quiet.progress = RunOptions{}.progress;
     search_robustly(
         run, *this, *file_.robust, tried_theta(),
-        [&](Run& other, const RobustTrial& trial) {
+        [&](Run& other, const RobustTrial& trial, const RunOptions& quiet) {
           SpaceCurveFile file = file_;
           file.hinge = trial.hinge;
           file.variables.theta = trial.theta.value_or(file.variables.theta);

@@ -1,6 +1,6 @@
 /** Designs from which a robust search chose: `robust` of result.json. */
 function readMadeChoices(raw) {
-  return list(raw).filter((one) => finite(one?.as_made_rms_mm) !== null && finite(one?.designed_mm) !== null);
+  return list(raw).map((one, k) => ({...one, plain: k === 0})).filter((one) => finite(one?.as_made_rms_mm) !== null && finite(one?.designed_mm) !== null);
 }
 
 /** Those that no other one beats in both errors. */
@@ -23,18 +23,19 @@ function drawMadeChoices(choices, width) {
   });
   const at = (one) => [axes.X(one.designed_mm), axes.Y(one.as_made_rms_mm)];
   axes.root.append(svg("path", {class: "model", d: path(madeFront(near).map(at))}), ...near.map((one) => svg("circle", {
-    cx: at(one)[0], cy: at(one)[1], r: one.chosen ? 6 : 3.5, class: one.chosen ? "tried chosen" : one === choices[0] ? "tried plain" : "tried"
+    cx: at(one)[0], cy: at(one)[1], r: one.chosen ? 6 : 3.5, class: one.chosen ? "tried chosen" : one.plain ? "tried plain" : "tried"
   }, svg("title", {}, madeChoiceName(one)))));
   return axes.root;
 }
 
 function madeChoiceSection({madeChoices}) {
-  const chosen = madeChoices.find((one) => one.chosen), plain = madeChoices[0];
+  const chosen = madeChoices.find((one) => one.chosen), plain = madeChoices.find((one) => one.plain);
+  const plainWords = plain ? `of what a plain search finds, with ${madeChoiceName(plain)}, ${millimetres(plain.as_made_rms_mm)}` :
+                             "of what a plain search finds that is not known";
   return [
-    html("p", {class: "lead"}, chosen && chosen !== plain ?
-      `Prints with ${madeChoiceName(chosen)} are expected ${millimetres(chosen.as_made_rms_mm)} off; of what a plain search finds, with ${
-          madeChoiceName(plain)}, ${millimetres(plain.as_made_rms_mm)}.` :
-      "No other design that was tried promises better prints than that of a plain search."),
+    html("p", {class: "lead"}, chosen && !chosen.plain ?
+      `Prints with ${madeChoiceName(chosen)} are expected ${millimetres(chosen.as_made_rms_mm)} off; ${plainWords}.` :
+      "No other design that was tried and may be taken promises better prints than that of a plain search."),
     responsive((width) => drawMadeChoices(madeChoices, width)),
     legend(["tried", "designs that meet the goal"], ["tried plain", "of the plain search"], ["tried chosen", "this one"]),
   ];

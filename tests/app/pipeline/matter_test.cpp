@@ -435,7 +435,12 @@ TEST(Matter, ARobustSearchAllowsWhatMeetsItsGoalInTheEquilibriumToo) {
     app::Run run;
     target.goal->solve(run, {});
     EXPECT_TRUE(run.goal->met()) << "exactly";
-    return robust_candidate(std::move(run), *target.goal, {}).is_allowed;
+    const app::RobustCandidate found = robust_candidate(std::move(run), *target.goal, {});
+    EXPECT_EQ(found.is_allowed, found.why_not.empty());
+    if (!found.is_allowed) {
+      EXPECT_EQ(found.why_not, "its elastic hinges miss the goal");
+    }
+    return found.is_allowed;
   };
   EXPECT_TRUE(allowed("tolerance: {angle_deg: 1}\n"));
   EXPECT_FALSE(allowed("tolerance: {angle_deg: 0.001}\n")) << "soft hinges miss that by 0.3 deg";
