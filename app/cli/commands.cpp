@@ -86,9 +86,14 @@ int run_and_write(const CommandOptions& options, const Scene& scene, const std::
   return exit_code(run);
 }
 
+/// Read once: a file that changes in between would be two designs.
+targets::Node document_of(const CommandOptions& options) {
+  return targets::read_document(options.file, max_design_bytes);
+}
+
 /// The design, to another theta where the command line gives one.
-DesignFile design_of(const CommandOptions& options) {
-  DesignFile design = read_design(options.file);
+DesignFile design_of(const CommandOptions& options, const targets::Node& root) {
+  DesignFile design = read_design(root);
   if (options.theta_given) {
     design.theta = options.theta_deg * radians_per_degree;
     design.drive.reset();
@@ -109,12 +114,13 @@ DriveTrials located_trials(const CommandOptions& options, const DesignFile& desi
 int compare_drives(const CommandOptions& options) {
   if (options.model != "equilibrium")
     throw InvalidInput("--drives compares forces of elastic hinges: give --model equilibrium as well");
-  if (is_assembly(targets::read_document(options.file, max_design_bytes)))
+  const targets::Node root = document_of(options);
+  if (is_assembly(root))
     throw InvalidInput("--drives compares drives of sheets, and this is an imported design of bodies",
                        {options.file});
   std::optional<OutputFolder> folder;
   if (options.folder_given) folder.emplace(options.folder);
-  const DriveTrials trials = located_trials(options, design_of(options));
+  const DriveTrials trials = located_trials(options, design_of(options, root));
   if (trials.stopped && trials.trials.empty()) throw Interrupted("stopped before a drive was through");
   const std::string json = drive_trials_json(trials).dump(1) + "\n";
   if (folder) {
@@ -127,9 +133,9 @@ int compare_drives(const CommandOptions& options) {
 
 int run_design(const CommandOptions& options, Model model, const std::string& suffix) {
   Stopwatch watch;
-  if (const targets::Node root = targets::read_document(options.file, max_design_bytes); is_assembly(root))
-    return run_assembly_command(options, root, model, suffix);
-  return run_and_write(options, *make_scene(design_of(options), model), suffix, watch,
+  const targets::Node root = document_of(options);
+  if (is_assembly(root)) return run_assembly_command(options, root, model, suffix);
+  return run_and_write(options, *make_scene(design_of(options, root), model), suffix, watch,
                        model == Model::bullet);
 }
 
