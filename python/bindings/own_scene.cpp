@@ -143,7 +143,8 @@ Json OwnOutcome::target_json() const { return {{"kind", "own"}, {"name", name}};
 
 void OwnOutcome::add_sections(const app::Run&, Json& result) const {
   result["own"] = {{"residuals", std::vector<double>(residuals.begin(), residuals.end())},
-                   {"reasons", violations}};
+                   {"reasons", violations},
+                   {"reasons_physics", physics_violations}};
   result["optimiser"] = app::search_json(search, search.best, solver);
 }
 

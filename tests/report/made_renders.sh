@@ -40,6 +40,15 @@ holds 'The physics run disagrees. The same sheet in the physics engine settles 2
 holds 'It rests in another equilibrium of the same sheet.'
 holds '0.95 of the 0.5 that the hinges'
 holds 'material bears: more than it bears'
+own='"curve":null,"target":{"kind":"own","name":"handle"},"tolerance":{"error":0.1,"verify":0.02}'
+with "$own,\"own\":{\"residuals\":[3,4],\"reasons\":[\"the error is 5; at most 0.1 is allowed\"]},\"metrics\":{\"error\":5,\"met\":false,\"verified\":true,\"verify_rms\":0.001}"
+holds '<h2>The strip misses its goal</h2>'
+holds '<p class="why">the error is 5; at most 0.1 is allowed</p>'
+holds 'Its error is 5.00, the root of the sum of squares of 2 numbers, and 0.1 is allowed.'
+holds '<th scope="col">fit error</th>'
+absent errors
+with "$own,\"own\":{\"residuals\":[0.05]},\"metrics\":{\"error\":0.05,\"met\":true,\"verified\":true,\"verify_rms\":0.001}"
+holds '<h2>The strip meets its goal, and the physics run agrees</h2>'
 with '"as_made_unknown":"nobody looked"'
 holds 'class="verdict unsure"'
 holds ', but what prints come to is not known<'

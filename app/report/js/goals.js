@@ -7,6 +7,7 @@
 //   backdropKey   [class, words] of the backdrop in a legend (optional)
 //   verdict       {mark, tone, title, text}
 //   numbers       key numbers for the top of the page
+//   fitText       how the error of a start of the search reads, where it is no share of the goal's size (optional)
 //   standing      (data, width, most height) -> the picture of the first screen in place of walls (optional)
 //   facts         more rows [name, words] of the first screen (optional)
 //   hasNoLayout   its own section takes the place of the flat layout (optional)
@@ -20,4 +21,5 @@ const GOALS = [
   surfaceGoal,
   space_blockGoal,
   space_curveGoal,
+  ownGoal,
 ];

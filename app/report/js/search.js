@@ -18,6 +18,11 @@ function bestRun(data) {
   return known.length ? known.reduce((a, b) => (b.rms < a.rms ? b : a)) : null;
 }
 
+/** What follows "error": errors of goals of one's own are in a unit of theirs, all others shares of the goal's size. */
+function fitName({kind}) {
+  return kind?.fitText ? "" : ", rms";
+}
+
 function drawConvergence(data, runs, width) {
   const points = runs.flatMap((run) => positive(run.history)), best = bestRun(data);
   const axes = plot({
@@ -25,7 +30,7 @@ function drawConvergence(data, runs, width) {
     height: 280,
     label: "Best error so far against evaluations",
     x: {range: [0, Math.max(1, ...points.map((p) => p[0]))], label: "evaluations of the model"},
-    y: {range: decades(points.map((p) => p[1])), log: true, label: "best error so far, rms (log scale)"}
+    y: {range: decades(points.map((p) => p[1])), log: true, label: `best error so far${fitName(data)} (log scale)`}
   });
   const line = (run) => svg("path", {
     class: run === best ? "start best" : "start",
@@ -36,18 +41,18 @@ function drawConvergence(data, runs, width) {
 }
 
 function startTable(data) {
-  const best = bestRun(data);
+  const best = bestRun(data), text = data.kind?.fitText ?? percent;
   const row = (run) => ({
     mark: run === best ? "best" : null,
     cells: [
-      String(run.start) + (run === best ? " (best)" : ""), words(run.status) || DASH, percent(run.rms),
+      String(run.start) + (run === best ? " (best)" : ""), words(run.status) || DASH, text(run.rms),
       run.history.length ? String(run.history[run.history.length - 1][0]) : DASH
     ],
   });
   return html(
       "div", {class: "scroll"},
       table(
-          ["start", "status", "fit error, rms", "evaluations"], data.runs.map(row),
+          ["start", "status", `fit error${fitName(data)}`, "evaluations"], data.runs.map(row),
           "Starts of the search"));
 }
 

@@ -1,0 +1,37 @@
+// A goal of one's own, which a function of Python judges: its error, in a unit that the function alone knows.
+
+function readOwn(raw) {
+  if (!raw || typeof raw !== "object") return null;
+  const words = (texts) => list(texts).filter((text) => typeof text === "string");
+  return {count: list(raw.residuals).length, reasons: words(raw.reasons), physicsReasons: words(raw.reasons_physics)};
+}
+
+function ownErrorWords({goal: own, metrics, tolerance}) {
+  const limit = finite(tolerance.error) === null ? "" : `, and ${neat(tolerance.error)} is allowed`;
+  return `Its error is ${figures(metrics.error)}${own.count > 1 ? `, the root of the sum of squares of ${own.count} numbers` : ""}${limit}.`;
+}
+
+function ownVerdict(data) {
+  const {verdict: {met, verified}} = data, model = ownErrorWords(data);
+  const hasRun = finite(data.metrics.verify_rms) !== null || Boolean(data.physics.status), run = hasRun ? ` ${physicsWords(data)}` : "";
+  if (met === false) return {mark: "\u2715", tone: "bad", title: "The strip misses its goal", text: model + run};
+  if (verified === false)
+    return {mark: "!", tone: "bad", title: "It meets its goal in the model, but the physics run " + failing(data), text: model + run};
+  return {
+    mark: "\u2713", tone: verified ? "good" : "unsure",
+    title: verified ? "The strip meets its goal, and the physics run agrees" : "The strip meets its goal in the model",
+    text: model + (run || " It was not checked by a physics run."),
+  };
+}
+
+const ownGoal = {
+  name: "own",
+  read: (raw) => readOwn(raw.own),
+  view: "side",
+  verdict: ownVerdict,
+  numbers: (data) => measures(data, [["error", "Error", "in the unit of the function that judges", "error"]]),
+  fitText: (error) => figures(error),
+  facts: ({metrics}) => [["Error", finite(metrics.error) !== null && figures(metrics.error)]],
+  firstSections: [],
+  lastSections: [["tilts", "Tilts per column", tiltSection]],
+};
