@@ -89,7 +89,10 @@ struct Capital {
 
 Capital capital(char c, optim::Channel channel) {
   const app::Run run = shown(letter(std::string(1, c), 12, 12), true, channel);
-  Capital out{.settled = settled(run), .auc = auc(run), .stretch = display_of(run).design.view.stretch};
+  Capital out;
+  out.settled = settled(run);
+  out.auc = auc(run);
+  out.stretch = display_of(run).design.view.stretch;
   if (!out.settled) return out;
   const auto& physics = run.verification->physics;
   out.restless = physics.residual_motion > 0;
