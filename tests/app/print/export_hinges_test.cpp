@@ -8,6 +8,7 @@
 #include <regex>
 
 #include "app/print/fit.hpp"
+#include "app/print/format/zip_text.hpp"
 #include "app/print/slicer.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/linkage/state.hpp"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "app/print/format/zip_text.hpp"
 #include "app/print/overhang.hpp"
 #include "app/print/slicer.hpp"
 #include "tests/app/print/exports.hpp"
