@@ -94,6 +94,8 @@ void read_tolerance(const targets::Section& root, FoldFile& file) {
   section.read("shape", file.shape_tolerance);
   section.read("size", file.size_tolerance);
   section.read("verify", file.verify_tolerance);
+  if (const auto size = section.optional("size"); size && !file.goal.box_mm)
+    throw size->key_error("is of `target.box_mm`, which is not given; leave it out");
   file.limits = read_hinge_limits(section, file.hinge, file.hinge_parts);
   if (const auto force = section.optional("force_N")) check_force_limit(*force, file);
   if (const auto strain = section.optional("strain")) check_strain_limit(*strain, file);

@@ -84,6 +84,15 @@ void read_block_variables(const targets::Section& root, SpaceBlockFile& file) {
   variables.section("gusset").read("range", file.variables.gusset);
 }
 
+void read_block_tolerance(const targets::Section& root, SpaceBlockFile& file) {
+  const targets::Section tolerance = root.section("tolerance");
+  tolerance.read("factor", file.factor_tolerance);
+  tolerance.read("size", file.size_tolerance);
+  tolerance.read("verify", file.verify_tolerance);
+  if (const auto size = tolerance.optional("size"); size && !file.goal.size_mm)
+    throw size->key_error("is of `target.size_mm`, which is not given; leave it out");
+}
+
 void check_factor(const targets::Section& target, const SpaceBlockFile& file) {
   const std::string why = obstacle(file.goal, file.variables);
   if (!why.empty()) throw target.optional("factor")->error(why);
@@ -91,10 +100,10 @@ void check_factor(const targets::Section& target, const SpaceBlockFile& file) {
 
 void check_bodies(const targets::Section& target, const SpaceBlockFile& file) {
   const auto& cells = file.found.cells;
-  const int bodies = bodies_a_cell * cells[0] * cells[1] * cells[2];
+  const double bodies = static_cast<double>(bodies_a_cell) * cells[0] * cells[1] * cells[2];
   if (bodies <= most_block_bodies) return;
   throw target.error(
-      fmt::format("{} x {} x {} cells have some {} bodies; at most {} are searched for: give "
+      fmt::format("{} x {} x {} cells have some {:.0f} bodies; at most {} are searched for: give "
                   "larger cells",
                   cells[0], cells[1], cells[2], bodies, most_block_bodies));
 }
@@ -128,10 +137,7 @@ SpaceBlockFile read_space_block_file(const targets::Node& node) {
   file.goal = targets::read_space_block(target);
   read_block_structure(root, file);
   read_block_variables(root, file);
-  const targets::Section tolerance = root.section("tolerance");
-  tolerance.read("factor", file.factor_tolerance);
-  tolerance.read("size", file.size_tolerance);
-  tolerance.read("verify", file.verify_tolerance);
+  read_block_tolerance(root, file);
   check_factor(target, file);
   file.found = fit_space_block(file.goal, file.variables, file.size_tolerance);
   check_bodies(target, file);

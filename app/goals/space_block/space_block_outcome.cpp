@@ -49,7 +49,7 @@ void SpaceBlockOutcome::add_sections(const Run&, Json& result) const {
 
 void SpaceBlockOutcome::add_metrics(Json& metrics) const {
   metrics["factor_off"] = error.off;
-  metrics["size_off"] = file.found.size_off;
+  if (file.goal.size_mm) metrics["size_off"] = file.found.size_off;
   if (physics) metrics["factor_off_physics"] = physics->off;
   metrics["met"] = met();
 }

@@ -25,7 +25,8 @@ class SpaceBlockScene final : public Scene {
   void solve(Run& run, const RunOptions&) const override {
     take_settings(run, file_);
     auto outcome = std::make_unique<SpaceBlockOutcome>(file_);
-    outcome->tolerances = {{"factor", file_.factor_tolerance}, {"size", file_.size_tolerance}};
+    outcome->tolerances = {{"factor", file_.factor_tolerance}};
+    if (file_.goal.size_mm) outcome->tolerances.emplace_back("size", file_.size_tolerance);
     run.structure = block();
     run.theta = file_.found.theta;
     run.goal = std::move(outcome);
@@ -110,6 +111,8 @@ const GoalKind space_block_kind = {
     .metrics = {{"factor_off", "",
                  "largest difference of a direction's length, over that at rest, from the factor asked for"},
                 {"factor_off_physics", "", "the same in the physics run"},
-                {"size_off", "", "largest difference of a length at rest from the one asked for, over it"}}};
+                {"size_off", "",
+                 "largest difference of a length at rest from the one asked for, over it; where "
+                 "`target.size_mm` is given"}}};
 
 }  // namespace kinetix::app
