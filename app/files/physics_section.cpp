@@ -47,7 +47,7 @@ const targets::KeyTable& physics_keys() {
           {"disturbance_seed", value::integer(0, std::numeric_limits<int>::max()), targets::by_default(0.0),
            "another number throws the parts another way"},
           {"reach_mm", value::length(targets::from_to(0.01, 10, "mm (0.01 to 10 cells)")),
-           targets::otherwise("`hinge.reach_mm` of elastic hinges; else " +
+           targets::otherwise("`hinge.reach_mm`, or that of a made hinge; else " +
                               targets::shortest_text(usual.reach) + " cells"),
            "half distance of the two points at which a hinge holds its bodies together"},
       },

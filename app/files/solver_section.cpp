@@ -48,9 +48,8 @@ SolverSection read_solver(const targets::Section& root) {
   return solver;
 }
 
-targets::Key symmetry_key() {
-  return {"symmetry", value::choice(symmetries), targets::by_default("none"),
-          "of the folded shape; `rotate_4` needs as many columns as rows"};
+targets::Key symmetry_key(const std::string& meaning) {
+  return {"symmetry", value::choice(symmetries), targets::by_default("none"), meaning};
 }
 
 optim::Symmetry read_symmetry(const targets::Section& section, int columns, int rows) {

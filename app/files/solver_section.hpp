@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "optim/solvers/solver.hpp"
@@ -28,7 +29,7 @@ optim::SolverName read_solver_name(const targets::Node& node);
 /// @param root the whole document
 SolverSection read_solver(const targets::Section& root);
 
-targets::Key symmetry_key();
+targets::Key symmetry_key(const std::string& meaning);
 /// The `symmetry:` key of a section; none where it is not given. @throws InvalidInput for rotate_4 unless the
 /// panel is a square
 optim::Symmetry read_symmetry(const targets::Section& section, int columns, int rows);

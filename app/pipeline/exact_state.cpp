@@ -38,7 +38,7 @@ void add_exact_frames(Run& run) {
 
 PhysicsTask folding_task(const Run& run) {
   return {run.states.front().poses, drive_to(run.structure, run.theta),
-          physics_options(run.physics, run.structure.size().edge_mm)};
+          rotary_physics(run.hinge, run.physics, run.structure.size().edge_mm)};
 }
 
 Fidelity exact_fidelity(const model::ExactMotion& exact, const model::Linkage& structure, double theta) {

@@ -55,6 +55,12 @@ sim::PhysicsOptions physics_options(const PhysicsSection& section, double edge_m
   return options;
 }
 
+sim::PhysicsOptions rotary_physics(const HingeSection& hinge, const PhysicsSection& section, double edge_mm) {
+  sim::PhysicsOptions options = physics_options(section, edge_mm);
+  if (hinge.reach_mm || hinge.made) options.reach = reach_mm(hinge, section, edge_mm) / edge_mm;
+  return options;
+}
+
 namespace {
 
 /// One for all hinges; where some have their own, one for each, in units of the stiffest. @param of a design or run
@@ -81,10 +87,7 @@ sim::PhysicsOptions physics_of(const DesignFile& design, bool planar) {
     const double k_spring = design.drive ? design.drive->k_turn : 0;
     return elastic_physics(elasticity_of(design), design.physics, edge, planar, k_spring);
   }
-  sim::PhysicsOptions physics = physics_options(design.physics, edge);
-  if (design.hinge.reach_mm || design.hinge.made)
-    physics.reach = reach_mm(design.hinge, design.physics, edge) / edge;
-  return physics;
+  return rotary_physics(design.hinge, design.physics, edge);
 }
 
 }  // namespace kinetix::app

@@ -14,6 +14,8 @@ double reach_mm(const HingeSection& hinge, const PhysicsSection& physics, double
 
 /// Settings of the physics run: defaults, with what the file gives. @param edge_mm cell edge
 sim::PhysicsOptions physics_options(const PhysicsSection& section, double edge_mm);
+/// Those of a run with hinges that cannot stretch: as the file has them, or else the run.
+sim::PhysicsOptions rotary_physics(const HingeSection& hinge, const PhysicsSection& section, double edge_mm);
 /// Those of a run with elastic hinges. @param k_spring of each spring of a shape-memory drive, N mm/rad
 sim::PhysicsOptions elastic_physics(const model::Elasticity& elasticity, const PhysicsSection& section,
                                     double edge_mm, bool planar, double k_spring = 0);

@@ -173,7 +173,7 @@ targets::KeyTable variables_keys(const CurveFile& usual) {
       range,
       {"per", value::choice({"column", "all"}), targets::by_default("column"),
        "which hinges tilt alike; under `all`, the tilts of neighbouring columns have opposite signs"},
-      symmetry_key(),
+      symmetry_key("of the folded shape; no strip has `rotate_4`"),
   });
   return targets::KeyTable(
       {{"beta", value::map(beta), {}, "the tilts of the hinges"}, theta_key(usual.theta)});

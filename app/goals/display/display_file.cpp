@@ -73,7 +73,7 @@ targets::KeyTable t_keys(const DisplayFile& usual) {
        "where hinges may sit along their walls; `[0.08, 0.92]` where `variables.offset_mm` is 0"},
       {"corner_mm", value::length(targets::from_to(0, 0.45, "mm (up to 0.45 cells)")),
        targets::by_default(0.0), "least distance of a hinge from the ends of its wall"},
-      symmetry_key(),
+      symmetry_key("of the panel as it is printed; `rotate_4` needs as many columns as rows"),
   });
 }
 

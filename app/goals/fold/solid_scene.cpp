@@ -25,6 +25,17 @@ Eigen::Vector3d standing_size(const targets::Solid& solid) {
   return box.sizes();
 }
 
+/// Size of the tilts along a crease, rad: those that make up for elastic hinges differ a little.
+double mean_crease_tilt(const model::Sheet& net, const targets::SolidCrease& crease) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (const std::vector<int>& column : crease.hinges) {
+    for (const int h : column) sum += std::abs(net.hinge(h).beta);
+    count += column.size();
+  }
+  return sum / static_cast<double>(count);
+}
+
 constexpr int usual_solid_columns = 2;          // of a crease, what searches find for most solids
 constexpr double seconds_a_solid_body = 0.005;  // measured: of a search of columns and theta
 
@@ -99,9 +110,11 @@ class SolidScene final : public Scene {
 
   void judge_matter(Run& run, const model::State& state) const override {
     auto& found = outcome_of<SolidOutcome>(run);
-    found.design.error = solid_error(found.design.net, state, found.design.theta);
-    found.violations =
-        violations(file_, found.creases(found.design.error), found.design.error.rms, "equilibrium");
+    optim::SolidDesign& design = found.design;
+    design.error = solid_error(design.net, state, design.theta);
+    for (std::size_t c = 0; c < design.tilt.size(); ++c)
+      design.tilt[c] = mean_crease_tilt(run.structure, design.net.creases[c]);
+    found.violations = violations(file_, found.creases(design.error), design.error.rms, "equilibrium");
   }
 
   void add_frames(Run& run) const override { add_exact_frames(run); }

@@ -145,7 +145,7 @@ class HelmetScene final : public Scene {
 
   std::optional<PhysicsTask> physics_task(const Run& run) const override {
     return PhysicsTask{outcome_of<HelmetOutcome>(run).design.state, drive_to(run.structure, run.theta),
-                       physics_options(file_.physics, file_.spec.size.edge_mm)};
+                       rotary_physics(file_.hinge, file_.physics, file_.spec.size.edge_mm)};
   }
 
   void judge_physics(Run& run) const override {

@@ -126,7 +126,7 @@ class SpaceCurveScene final : public Scene {
   std::optional<PhysicsTask> physics_task(const Run& run) const override {
     const model::Structure& strip = *run.structure.squares();
     const model::Wall middle = {{file_.variables.columns / 2, 0}, model::Axis::y};
-    sim::PhysicsOptions options = physics_options(file_.physics, run.structure.size().edge_mm);
+    sim::PhysicsOptions options = rotary_physics(run.hinge, run.physics, run.structure.size().edge_mm);
     options.settle_seconds =
         std::max(options.settle_seconds, settle_seconds_a_column * file_.variables.columns);
     return PhysicsTask{run.states.front().poses, hinge_drive_to(middle, run.theta).on(strip), options};

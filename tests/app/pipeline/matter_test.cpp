@@ -428,6 +428,26 @@ TEST(Matter, ARobustFoldIsOneWhosePrintsComeNearer) {
   EXPECT_THAT(robust.out, HasSubstr("designs tried"));
 }
 
+/// All creases of a tetrahedron have as many hinges.
+TEST(Matter, TellsTheTiltsOfASolidThatMakesUpForItsHinges) {
+  const Scratch scratch;
+  const Finished run = finished(
+      scratch, "kinetix: 1\ntarget: {kind: fold, solid: tetrahedron}\n" + rubber + springs, " --no-verify");
+  ASSERT_TRUE(run.code == 0 || run.code == 3) << run.out << run.err;
+  double leaning = 0, told = 0;  // rad, deg: sums, then means
+  int hinges = 0;
+  for (const Json& hinge : run.result["structure"]["hinges"]) {
+    const double tilt = std::abs(hinge["beta_rad"].get<double>());
+    if (!(tilt > 1e-6)) continue;
+    leaning += tilt;
+    ++hinges;
+  }
+  const Json& creases = run.result["fold"]["creases"];
+  for (const Json& crease : creases) told += crease["tilt_deg"].get<double>();
+  ASSERT_GT(hinges, 0);
+  EXPECT_NEAR(told / static_cast<double>(creases.size()), to_degrees(leaning / hinges), 1e-6) << run.out;
+}
+
 TEST(Matter, ARobustSearchAllowsWhatMeetsItsGoalInTheEquilibriumToo) {
   const Scratch scratch;
   const auto allowed = [&](const std::string& tolerance) {

@@ -60,6 +60,12 @@ TEST(Verify, TakesTheStepThatWasAskedFor) {
   EXPECT_DOUBLE_EQ(folded.run.verification->options.step_s, 2e-3);
 }
 
+TEST(Verify, HoldsHingesThatCannotStretchAtTheReachOfTheFile) {
+  Folded folded;
+  folded.run.hinge.reach_mm = 0.3 * folded.run.structure.size().edge_mm;
+  EXPECT_DOUBLE_EQ(folding_task(folded.run).options.reach, 0.3);
+}
+
 TEST(Verify, TakesTheUsualStepWhereNoModelKnowsTheEnd) {
   Folded folded;
   folded.task.reference.clear();
