@@ -15,10 +15,24 @@ using Eigen::Vector3d;
 // Cell edges between ribs side by side: more leaves more of the surface bare.
 constexpr double gap_in_edges = 0.15;
 
+/// How many even spaces of a length come nearest to one that is asked for.
+int spaces_of(double length, double asked) {
+  const double exact = length / asked;
+  const int fewer = static_cast<int>(exact);
+  if (fewer == 0) return static_cast<int>(std::lround(exact));
+  return exact / fewer - 1 <= 1 - exact / (fewer + 1) ? fewer : fewer + 1;
+}
+
+/// @param length from the middle of the first to that of the last, mm
+int ribs_of(const RibsSpec& spec, double length, int rows) {
+  if (!spec.spacing_mm) return spec.ribs;
+  const int spaces = spaces_of(length, *spec.spacing_mm);
+  const bool has_room = 2 * spaces + 1 <= rows;
+  return has_room || !(spaces > length / *spec.spacing_mm) ? spaces + 1 : spaces;
+}
+
 std::vector<int> rib_rows(const RibsSpec& spec, double length, double pitch, int rows) {
-  const int count = spec.spacing_mm
-                        ? 1 + static_cast<int>(std::floor((length - pitch) / *spec.spacing_mm + 1e-9))
-                        : spec.ribs;
+  const int count = ribs_of(spec, length - pitch, rows);
   if (2 * count - 1 > rows)
     throw InvalidInput(
         fmt::format("{} ribs overlap flat: the spine has {} rows of cells, room for at most {} ribs; "

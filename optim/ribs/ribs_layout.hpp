@@ -14,7 +14,7 @@ struct RibsSpec {
   model::CellSize size = {};
   int ribs = 8;                           ///< >= 1
   std::optional<double> spacing_mm;       ///< along the spine between the middles of ribs, mm; goes before
-                                          ///< `ribs`
+                                          ///< `ribs`, and is as near as even spaces come
   double clearance_mm = 5;                ///< from the surface, mm, >= 0
   double coverage_mm = 90;                ///< how far below the crown the rim is, mm, > 0
   double tilt = 60 * radians_per_degree;  ///< limit of all tilts, rad, (0, pi/2)

@@ -30,7 +30,9 @@ targets::KeyTable target_keys(const optim::HelmetSpec& usual) {
               {{"ribs", value::integer(1, most_ribs), targets::by_default(usual.ribs),
                 "how many there are along the spine, evenly spaced"},
                {"spacing_mm", value::number(targets::from_to(least_helmet_cell_mm, 1000, "mm")),
-                targets::otherwise("follows from `ribs`"), "distance of the ribs instead of their number"},
+                targets::otherwise("follows from `ribs`"),
+                "distance of the ribs instead of their number: they are as many, evenly spaced, as come "
+                "nearest to it"},
                targets::coverage_key(),
                {"clearance_mm", value::number(targets::from_to(0, 100, "mm")),
                 targets::by_default(usual.clearance_mm), "distance of the helmet from the head"}});

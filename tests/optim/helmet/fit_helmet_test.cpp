@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 #include "model/base/invalid_input.hpp"
@@ -101,6 +102,22 @@ TEST(FitHelmet, NamesWallsThatMeetAllTheSame) {
   ASSERT_FALSE(design.collisions.empty());
   EXPECT_EQ(design.collisions[0].substr(0, 8), "walls [[");
   EXPECT_LE(design.collisions.size(), 4u);
+}
+
+TEST(PlanHelmet, SpacesRibsAsNearToWhatIsAskedAsEvenSpacesCome) {
+  for (const double spacing : {20.0, 40.0, 65.0, 100.0, 150.0}) {  // mm
+    HelmetSpec w = spec();
+    w.spacing_mm = spacing;
+    const RibsLayout layout = plan_helmet(head(), {0, 0, 100}, w);
+    const auto spaces = static_cast<double>(layout.spine_and_ribs.ribs.size()) - 1;
+    const double length = (layout.spine_and_ribs.rows - 1) * w.size.edge_mm * std::cos(layout.start.theta);
+    const auto off = [&](double count) { return std::abs(length / count - spacing); };
+    ASSERT_GE(spaces, 1) << spacing;
+    EXPECT_LE(off(spaces), off(spaces + 1)) << spacing;
+    if (spaces > 1) {
+      EXPECT_LE(off(spaces), off(spaces - 1)) << spacing;
+    }
+  }
 }
 
 TEST(FitHelmet, RefusesMoreRibsThanRows) {
