@@ -32,9 +32,14 @@ constexpr int shaken_a_round =
 constexpr double shake = 4e-3;
 constexpr double slack = 1e-3;  // rad and mean edges: what least squares may pass a bound by
 
+// Of the largest fold that is allowed: gentle tilts leave room between the bounds, in which starts lie, whose straight
+// creases fold by half of what the others do.
+constexpr double least_of_most_fold = 0.25;
+
 MeshBounds bounds_of(const SurfaceOptions& options) {
   MeshBounds out = options.bounds;
   out.multiplier = std::tan(options.tilt) * std::sin(options.theta);
+  out.least_fold = std::min(out.least_fold, least_of_most_fold * out.multiplier);
   return out;
 }
 

@@ -12,9 +12,10 @@ struct SurfaceOptions {
   int columns = 8, rows = 8;              ///< of facets, >= 2
   double theta = 0.5;                     ///< rad, (0, pi/4)
   double tilt = 75 * radians_per_degree;  ///< largest of a hinge, rad, (0, pi/2)
-  MeshBounds bounds = {};                 ///< but for the multiplier, which follows from theta and tilt
-  int starts = 8;                         ///< >= 1
-  int iterations = 300;                   ///< >= 1: each start takes up to 0.7, those that go on up to 2 more
+  MeshBounds bounds = {};  ///< but for the multiplier, which follows from theta and tilt, and a quarter of
+                           ///< which is the most that `least_fold` may be
+  int starts = 8;          ///< >= 1
+  int iterations = 300;    ///< >= 1: each start takes up to 0.7, those that go on up to 2 more
   /// Rounds of searches anew from the best sheet, shaken, >= 0: they find valleys beside its own that no regular
   /// start leads to. None follow once its rms is at most `enough`.
   int shakes = 0;

@@ -16,7 +16,7 @@ struct MeshBounds {
   double multiplier =
       1.79;  ///< largest tan(rho / 2) of a crease: tan(largest tilt) sin(theta), dimensionless, > 0
   double least_fold =
-      0.03;  ///< likewise the smallest, dimensionless: creases that do not fold at all determine nothing
+      0.03;  ///< likewise the smallest, dimensionless, below it: creases that do not fold at all determine nothing
 };
 
 /// A mesh folded onto a surface: residuals are the distances of its vertices from the surface's two layers, over the

@@ -115,6 +115,18 @@ TEST(FitSurface, GoesOnUntilASaddleOfStrongCurvatureIsMet) {
   EXPECT_LE(design.error.rms, 8e-3);
 }
 
+/// Creases of such tilts fold by less than the usual least.
+TEST(FitSurface, IsSearchedWithinGentleTilts) {
+  SurfaceOptions options = few(4, 2);
+  options.theta = 0.25;
+  options.tilt = 4 * radians_per_degree;
+  options.iterations = 60;
+  const SurfaceDesign design = fit_surface(targets::cap_patch(100, 5 * radians_per_degree), options);
+  EXPECT_GT(design.evaluations, 10);
+  ASSERT_TRUE(design.valid);
+  EXPECT_LE(design.tilt, options.tilt * (1 + 1e-9));
+}
+
 TEST(FitSurface, RefusesOptionsOutOfRange) {
   SurfaceOptions options;
   options.theta = 1;
