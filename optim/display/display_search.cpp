@@ -98,7 +98,8 @@ void DisplaySearch::stay_near(const VectorXd& x, double reach) {
 }
 
 VectorXd DisplaySearch::start(int k) const {
-  VectorXd t = rule_display(*equilibrium_.panel().squares(), levels_, rule_of_start(k, options_.rule_k));
+  VectorXd t = variables_.ties.to_one_side(
+      rule_display(*equilibrium_.panel().squares(), levels_, rule_of_start(k, options_.rule_k)));
   std::mt19937_64 random(options_.seed + static_cast<std::uint64_t>(k));
   std::uniform_real_distribution<double> shift(-most_shift, most_shift);
   if (k >= starts_by_rule)

@@ -79,6 +79,18 @@ VectorXd HingeTies::gather(const VectorXd& by_t) const {
   return sum;
 }
 
+VectorXd HingeTies::to_one_side(VectorXd t) const {
+  VectorXd first = VectorXd::Zero(variables);  // off the middle
+  for (std::size_t h = 0; h < variable.size(); ++h) {
+    if (variable[h] == centred) continue;
+    const double off = reversed[h] ? 0.5 - t[h] : t[h] - 0.5;
+    double& of_first = first[variable[h]];
+    if (of_first == 0) of_first = off;
+    if (of_first * off < 0) t[h] = 1 - t[h];
+  }
+  return t;
+}
+
 VectorXd HingeTies::nearest(const VectorXd& t) const {
   VectorXd sum = VectorXd::Zero(variables), count = VectorXd::Zero(variables);
   for (std::size_t h = 0; h < variable.size(); ++h) {

@@ -19,6 +19,9 @@ struct HingeTies {
   Eigen::VectorXd expand(const Eigen::VectorXd& x) const;
   /// The gradient by x of a function whose gradient by t of all hinges is given.
   Eigen::VectorXd gather(const Eigen::VectorXd& by_t) const;
+  /// t, but 1 - t of hinges that would be on the other side of the middle than the first that shares their variable: on
+  /// panels of odd sides a motion takes class A to class B, and what a picture asks of both would cancel.
+  Eigen::VectorXd to_one_side(Eigen::VectorXd t) const;
   /// x of which expand() is nearest to t, least squares.
   Eigen::VectorXd nearest(const Eigen::VectorXd& t) const;
 };

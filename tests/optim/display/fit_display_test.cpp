@@ -81,6 +81,19 @@ TEST(HingeTies, PanelsLookTheSameAfterTheMotion) {
     }
 }
 
+/// A mirror takes class A to class B where sides are odd.
+TEST(DisplaySearch, StartsOfTiedPanelsAreAsFarOffTheMiddleAsTheRule) {
+  for (const int side : {5, 6}) {
+    const model::Structure panel = make_structure(model::rectangle(side, side), {});
+    const std::vector<double> levels = letter_t(panel, side);
+    DisplayOptions options = pressed(0.1);
+    options.symmetry = Symmetry::mirror_x;
+    const DisplaySearch search(panel, levels, options, model::Axis::y);
+    const double off = (search.start(0).array() - 0.5).abs().maxCoeff();
+    EXPECT_NEAR(off, 0.5 - options.rule_k, 1e-12) << side;
+  }
+}
+
 TEST(PictureCost, DerivativesMatchCentralDifferences) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> any(0, 1);
