@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/run/run.hpp"
@@ -24,14 +25,20 @@ Json distances_json(const targets::SpaceError& error) {
   return out;
 }
 
-/// What each column does: it bends or it shears.
-Json columns_json(const optim::SpaceDesign& found) {
+/// What each column does: it bends or it shears. A column that bends has half of its turn behind it where its midline goes.
+/// @param midline of a state whose width lies along y
+Json columns_json(const std::vector<Eigen::Vector3d>& midline) {
   Json out = Json::array();
-  for (int k = 0; k < found.strip.columns; ++k)
+  double before = 0;  // heading, rad
+  for (int k = 0; k + 1 < static_cast<int>(midline.size()); ++k) {
+    const Eigen::Vector3d way = midline[k + 1] - midline[k];
+    const double heading = std::atan2(way.z(), way.x());
     if (optim::SpaceStrip::bends(k))
-      out.push_back({{"column", k}, {"turn_deg", to_degrees(found.strip.turn[k / 2])}});
+      out.push_back({{"column", k}, {"turn_deg", to_degrees(2 * std::remainder(heading - before, 2 * pi))}});
     else
-      out.push_back({{"column", k}, {"climb", found.strip.climb[k / 2]}});
+      out.push_back({{"column", k}, {"climb", way.y() / std::hypot(way.x(), way.z())}});
+    before = heading;
+  }
   return out;
 }
 
@@ -52,7 +59,7 @@ void SpaceCurveOutcome::add_sections(const Run& run, Json& result) const {
       {"diagonal_mm", error().scale_mm},
       {"slope", found.across.slope},
       {"across", {found.across.direction.x(), found.across.direction.y(), found.across.direction.z()}},
-      {"columns", columns_json(found)},
+      {"columns", columns_json(midline)},
       {"walls_meet", !found.walls_are_free},
       {"reasons", violations},
       {"reasons_physics", physics_violations}};

@@ -16,6 +16,7 @@ class SpaceCurveOutcome final : public GoalOutcome {
   optim::SpaceDesign found;
   model::State exact;                          ///< in which the model holds the strip
   model::Pose place;                           ///< of the goal, in that state's frame
+  std::vector<Eigen::Vector3d> midline;        ///< of the state that results show, in the same frame, mm
   std::optional<targets::SpaceError> matter;   ///< of the equilibrium of elastic hinges
   std::optional<targets::SpaceError> physics;  ///< of the settled physics run
 

@@ -85,6 +85,7 @@ class SpaceCurveScene final : public Scene {
         motion_onto(fold(outcome.found.design, *run.structure.squares()), outcome.exact);
     outcome.place = {motion.R * outcome.found.place.R, motion.R * outcome.found.place.p + motion.p};
     outcome.found.error = outcome.error_of(outcome.exact);
+    outcome.midline = optim::space_midline(outcome.exact);
   }
 
   model::State shown(const Run& run, const model::State& state) const override {
@@ -120,6 +121,7 @@ class SpaceCurveScene final : public Scene {
   void judge_matter(Run& run, const model::State& state) const override {
     auto& outcome = outcome_of<SpaceCurveOutcome>(run);
     outcome.matter = outcome.error_of(state);
+    outcome.midline = optim::space_midline(aligned(state, outcome.exact));
     outcome.violations = all_violations(outcome, "equilibrium");
   }
 

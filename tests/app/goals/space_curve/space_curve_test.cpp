@@ -46,6 +46,20 @@ TEST(SpaceCurveResult, OfElasticHingesIsThatOfTheirEquilibrium) {
   EXPECT_LT(result["matter"]["after_mm"], 0.5 * result["matter"]["before_mm"].get<double>());
   EXPECT_LE(result["metrics"]["shape_rms"], 0.01);
   EXPECT_NEAR(result["metrics"]["shape_rms_physics"], result["metrics"]["shape_rms"], 1e-6);
+
+  // Turns are those of the state shown: between the columns that shear, two bodies a column.
+  const Json& poses = result["states"][0]["poses"];
+  const auto along = [&](std::size_t column, int axis) {
+    double sum = 0;
+    for (const std::size_t body : {0, 1})
+      sum += poses[2 * column + 2 + body]["position_mm"][axis].get<double>() -
+             poses[2 * column + body]["position_mm"][axis].get<double>();
+    return sum;
+  };
+  const auto heading = [&](std::size_t column) { return std::atan2(along(column, 2), along(column, 0)); };
+  const Json& columns = result["space_curve"]["columns"];
+  for (std::size_t k = 1; k + 1 < columns.size(); k += 2)
+    EXPECT_NEAR(columns[k]["turn_deg"], to_degrees(heading(k + 1) - heading(k - 1)), 0.05) << k;
 }
 
 /// Strips of given cells that become longer than at first sight: folded less, they would take more of what the file allows.
