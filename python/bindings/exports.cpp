@@ -1,6 +1,7 @@
 #include <pybind11/stl.h>
 
 #include "app/print/export_command.hpp"
+#include "model/base/invalid_input.hpp"
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/designs.hpp"
 #include "python/bindings/interruptible.hpp"
@@ -10,8 +11,22 @@ namespace {
 
 namespace py = pybind11;
 
+/// As the command line takes them. @throws InvalidInput for lengths that would count for nothing
+void check_lengths(const app::PrintRequest& request) {
+  const auto check = [](const char* name, double mm, double least, double most, const char* allowed) {
+    require(name, mm, mm == 0 || (mm >= least && mm <= most), allowed);
+  };
+  check("clearance_mm", request.clearance_mm, 0.01, 10, "0.01 to 10 mm, or 0: the process's");
+  check("cell_mm", request.cell_mm, 0.1, 1e4, "0.1 to 10000 mm, or 0: the design's own");
+  if (!request.bed_mm.empty() && request.bed_mm.size() != 2)
+    throw InvalidInput("bed_mm must be two lengths, x and y");
+  for (const double side : request.bed_mm)
+    require("bed_mm", side, side >= 1 && side <= 1e5, "two lengths of 1 to 100000 mm");
+}
+
 /// @return names of the files, and print.json
 py::tuple export_files(const Design& design, const std::string& folder, const app::PrintRequest& request) {
+  check_lengths(request);
   app::Exported out;
   run_interruptibly(
       [&](const std::stop_source&) { out = app::export_design(design.file(), request, folder); }, {}, false);

@@ -1,5 +1,7 @@
 #include <pybind11/stl.h>
 
+#include <cmath>
+
 #include "app/files/file_header.hpp"
 #include "app/files/structure_section.hpp"
 #include "model/base/invalid_input.hpp"
@@ -45,6 +47,14 @@ std::string checked_name(const std::string& document) {
                    [](const targets::Node& root) { return app::read_name(targets::Section(root, keys)); });
 }
 
+/// @param wall_mm thickness and height; what is too thick closes the cells, which OwnGoal::fit refuses
+model::CellSize walls_of(double cell_mm, const Range& wall_mm) {
+  const auto& [thickness, height] = wall_mm;
+  require("wall_mm[0]", thickness, thickness > 0 && std::isfinite(thickness), "above 0 mm");
+  require("wall_mm[1]", height, height > 0 && height <= 1e4, "above 0 and at most 10000 mm");
+  return {cell_mm, thickness, height};
+}
+
 OwnGoal make_goal(const std::string& named, py::object error, py::object gradient, double tolerance,
                   int columns, int rows, double cell_mm, const std::optional<Range>& wall_mm, Range beta,
                   Range theta, const std::string& per, const std::string& symmetry, const std::string& solver,
@@ -58,7 +68,7 @@ OwnGoal make_goal(const std::string& named, py::object error, py::object gradien
   goal.columns = columns;
   goal.rows = rows;
   goal.size = app::default_size(cell_mm);
-  if (wall_mm) goal.size = {cell_mm, wall_mm->first, wall_mm->second};
+  if (wall_mm) goal.size = walls_of(cell_mm, *wall_mm);
   goal.beta = {beta.first, beta.second};
   goal.theta = {theta.first, theta.second};
   goal.per = word<Per>("per", per, {{"column", Per::column}, {"all", Per::all}});
@@ -77,6 +87,8 @@ OwnGoal make_goal(const std::string& named, py::object error, py::object gradien
 /// Largest difference between the gradient given and central differences, at the starts of a search, over the largest
 /// derivative.
 double gradient_error(const OwnGoal& goal, int starts) {
+  if (!goal.error->has_gradient()) throw InvalidInput("the goal has no gradient to compare with differences");
+  require("states", starts, starts >= 1, "at least 1");
   const OwnFit fit = goal.fit();
   double largest = 0, off = 0;
   for (int k = 0; k < starts; ++k) {

@@ -57,7 +57,8 @@ class Goal:
     def gradient_error(self, states: int = 5) -> float:
         """How far the gradient given is from central differences, over the largest derivative: 1e-6 is fine.
 
-        :param states: how many are looked at
+        :param states: how many are looked at, at least 1
+        :raises InvalidInput: where the goal has no gradient
         """
         return self._core.gradient_error(states)
 

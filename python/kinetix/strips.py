@@ -11,8 +11,9 @@ from . import _core
 
 
 def _rows(beta: ArrayLike, theta: ArrayLike) -> Tuple[NDArray[np.float64], NDArray[np.float64]]:
-    tilts = np.asarray(beta, dtype=np.float64)
-    return tilts, np.broadcast_to(np.asarray(theta, dtype=np.float64), tilts.shape[:1])
+    """One angle is that of all strips; how many there must be else is checked with all other numbers."""
+    tilts, angles = np.asarray(beta, dtype=np.float64), np.asarray(theta, dtype=np.float64)
+    return tilts, np.full(tilts.shape[:1], angles.item()) if angles.size == 1 else angles
 
 
 def fold_strips(beta: ArrayLike, theta: ArrayLike, cell_mm: float = 1.0, *, t: Optional[ArrayLike] = None,

@@ -41,6 +41,10 @@ class Goals(Scratch):
         self.assertLess(goal(gradient=quarter_pipe_gradient).gradient_error(), 1e-8)
         wrong = goal(gradient=lambda poses: 1.01 * quarter_pipe_gradient(poses))
         self.assertAlmostEqual(wrong.gradient_error(), 0.01, places=4)
+        with self.assertRaisesRegex(kinetix.InvalidInput, "has no gradient to compare"):
+            goal().gradient_error()
+        with self.assertRaisesRegex(kinetix.InvalidInput, "states is 0, must be at least 1"):
+            wrong.gradient_error(0)
 
     def test_the_search_finds_the_closed_form(self):
         """cos(theta) = 0.9; each of 20 columns turns by pi / 40: tan(pi / 80) = tan(tilt) sin(theta). Steeper tilts would turn
@@ -120,7 +124,8 @@ class Goals(Scratch):
                               ({"beta": (-2, 1)}, r"beta\[0\] is -2"), ({"per": "colum"}, "did you mean `column`"),
                               ({"solver": "newton"}, "allowed: ceres"), ({"tolerance": math.nan}, "tolerance is nan"),
                               ({"name": "a/b"}, "name: is not a usable name"), ({"starts": 0}, "starts"),
-                              ({"wall_mm": (9.9, 6)}, "theta")):
+                              ({"wall_mm": (9.9, 6)}, "theta"), ({"wall_mm": (-1, 6)}, r"wall_mm\[0\] is -1"),
+                              ({"wall_mm": (1, 0)}, r"wall_mm\[1\] is 0")):
             with self.assertRaisesRegex(kinetix.InvalidInput, text):
                 kinetix.Goal(quarter_pipe, **{"tolerance": 1, "columns": COLUMNS, **options})
 
@@ -133,6 +138,7 @@ class Goals(Scratch):
                      if one.get("properties", {}).get("kind") == {"const": "own", "description": "the kind of goal"}]
         self.assertEqual(set(target["required"]), set(document["target"]))
         self.assertEqual(len(document["own"]["residuals"]), 3)
+        self.assertEqual(document["own"]["reasons_physics"], [])
         self.assertEqual(len(document["optimiser"]["runs"]), 8)
         result.write(self.folder / "out")
         self.assertIn("quarter_pipe", (self.folder / "out/report.html").read_text())

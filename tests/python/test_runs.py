@@ -100,6 +100,10 @@ class Runs(Scratch):
         self.assertEqual(sorted(made.files), sorted(p.name for p in (self.folder / "print").iterdir()))
         with self.assertRaisesRegex(kinetix.InvalidInput, "unknown .*`slt`.*did you mean `stl`"):
             kinetix.export(strip(4), "slt", self.folder / "none")
+        for lengths, text in (({"cell_mm": -5}, "cell_mm is -5"), ({"clearance_mm": 50}, "clearance_mm is 50"),
+                              ({"bed_mm": (250,)}, "bed_mm must be two lengths"), ({"bed_mm": (250, 0)}, "bed_mm is 0")):
+            with self.assertRaisesRegex(kinetix.InvalidInput, text):
+                kinetix.export(strip(4), "stl", self.folder / "none", **lengths)
         self.assertFalse((self.folder / "none").exists())
 
     def test_bad_models_and_options_are_refused(self):

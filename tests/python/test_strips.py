@@ -124,6 +124,8 @@ class Strips(Scratch):
             kinetix.fold_strips(beta, theta)
         with self.assertRaisesRegex(kinetix.InvalidInput, r"theta\[0\] is 2, must be within"):
             kinetix.fold_strips(np.zeros((1, 3)), 2.0)
+        with self.assertRaisesRegex(kinetix.InvalidInput, "theta must be one angle a strip, 3 in all"):
+            kinetix.fold_strips(np.zeros((3, 2)), [0.1, 0.2])
         with self.assertRaisesRegex(kinetix.InvalidInput, r"t\[0, 1\] is 0.4, must be 0.5 in a column that is tilted"):
             kinetix.fold_strips([[0.1, 0.1]], 0.2, t=[[0.5, 0.4]])
         with self.assertRaisesRegex(kinetix.InvalidInput, r"out must be a writable array .* of shape \(1, 6, 7\)"):
