@@ -17,6 +17,16 @@
 namespace kinetix::app {
 namespace {
 
+/// What only runs of sheets have, and would be left out without a word.
+void refuse_what_is_of_sheets(const CommandOptions& options) {
+  const auto refuse = [&](bool given, const char* what) {
+    if (given)
+      throw InvalidInput(std::string(what) + ", and this is an imported design of bodies", {options.file});
+  };
+  refuse(options.open, "--open shows the report of a sheet");
+  refuse(options.fidelity, "--fidelity makes runs of sheets with coarser steps");
+}
+
 AssemblyRun located_run(const CommandOptions& options, AssemblyFile file, Model model) {
   Console console(options.quiet);
   const Stopper stopper(options.time_limit_s);
@@ -38,6 +48,7 @@ AssemblyRun located_run(const CommandOptions& options, AssemblyFile file, Model 
 int run_assembly_command(const CommandOptions& options, const targets::Node& root, Model model,
                          const std::string& suffix) {
   Stopwatch watch;
+  refuse_what_is_of_sheets(options);
   AssemblyFile file = read_assembly(root);
   const std::string where =
       folder_beside_input(options.file, options.folder_of(file.name, suffix), options.folder_given);

@@ -115,6 +115,7 @@ std::optional<AssemblyFile> assembly_to_export(const PrintRequest& request) {
 PrintJob assembly_job(const AssemblyFile& file, const PrintRequest& request) {
   PrintSheet sheet;
   sheet.name = file.name;
+  sheet.is_imported = true;
   sheet.process = process_called(request.process);
   const model::Assembly& a = file.assembly;
   const AssemblyRun run = run_assembly(file, Model::exact, std::nullopt, {});

@@ -114,6 +114,7 @@ DriveTrials located_trials(const CommandOptions& options, const DesignFile& desi
 int compare_drives(const CommandOptions& options) {
   if (options.model != "equilibrium")
     throw InvalidInput("--drives compares forces of elastic hinges: give --model equilibrium as well");
+  if (options.open) throw InvalidInput("--open shows a report, and --drives writes none");
   const targets::Node root = document_of(options);
   if (is_assembly(root))
     throw InvalidInput("--drives compares drives of sheets, and this is an imported design of bodies",

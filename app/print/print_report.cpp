@@ -51,6 +51,15 @@ bool exceeds_usual_bed(const PrintJob& job) {
   return !fits_on_bed(bounds(hard_part(job)).head<2>(), {sheet.process.bed_mm[0], sheet.process.bed_mm[1]});
 }
 
+std::string bed_words(const PrintSheet& sheet) {
+  const auto& [x, y] = sheet.process.bed_mm;
+  const std::string bed =
+      fmt::format("larger than the bed of a usual {} printer, {:g} x {:g} mm", sheet.process.name, x, y);
+  if (sheet.is_imported) return bed;
+  return bed +
+         fmt::format(": with that bed given (kinetix-opt export --bed {:g},{:g}) it is cut into tiles", x, y);
+}
+
 /// Where loose rods, side by side, do not lie on the bed that was asked for.
 std::optional<std::string> rods_warning(const PrintSheet& sheet) {
   if (!sheet.tiles.bed_mm || sheet.loose_rods() == 0) return std::nullopt;
@@ -189,11 +198,7 @@ std::vector<std::string> print_warnings(const PrintJob& job) {
                   " prints one material: soft parts are a print of their own, to be glued to the walls");
   const std::vector<std::string> materials = material_warnings(job.sheet);
   out.insert(out.end(), materials.begin(), materials.end());
-  if (!job.folded && exceeds_usual_bed(job))
-    out.push_back(fmt::format(
-        "larger than the bed of a usual {0} printer, {1:g} x {2:g} mm: with that bed given (kinetix-opt "
-        "export --bed {1:g},{2:g}) it is cut into tiles",
-        job.sheet.process.name, job.sheet.process.bed_mm[0], job.sheet.process.bed_mm[1]));
+  if (!job.folded && exceeds_usual_bed(job)) out.push_back(bed_words(job.sheet));
   if (const auto rods = rods_warning(job.sheet)) out.push_back(*rods);
   const double steep = steepest_deg(job.sheet);
   if (steep > steep_deg)

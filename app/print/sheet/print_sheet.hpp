@@ -32,6 +32,7 @@ struct PrintSheet {
   std::function<model::State(double)> motion = {};  ///< at a theta, rad; empty where it is not exact
   bool is_path_exact = true;                        ///< else of the equilibrium under the design's drive
   std::string why_no_path = {};                     ///< where it is flat alone
+  bool is_imported = false;                         ///< parts are as they came: nothing makes or cuts them
   std::vector<std::string> warnings = {};           ///< what its user should know
 
   bool has_soft() const;

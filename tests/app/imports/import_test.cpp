@@ -469,6 +469,25 @@ TEST(Import, IsSimulatedInEquilibriumAndVerified) {
   const Outcome drives = kinetix_opt("simulate --model equilibrium --drives " + design);
   EXPECT_EQ(drives.code, 2);
   EXPECT_THAT(drives.err, HasSubstr("--drives compares drives of sheets"));
+  for (const std::string option : {"--open", "--fidelity"}) {
+    const Outcome refused =
+        kinetix_opt("verify " + design + " " + option + " -o " + (scratch / "none").string());
+    EXPECT_EQ(refused.code, 2) << option;
+    EXPECT_THAT(refused.err, HasSubstr(option + " "));
+    EXPECT_THAT(refused.err, HasSubstr(", and this is an imported design of bodies"));
+  }
+  EXPECT_FALSE(fs::exists(scratch / "none"));
+}
+
+/// No part of it is cut, whatever bed is given.
+TEST(Import, OfPartsThatNoUsualBedHoldsSaysSoWithoutTiles) {
+  const Scratch scratch;
+  imported(scratch, scratch.write("pair.obj", pair_of_walls()) + " --unit m");
+  const Outcome run =
+      kinetix_opt("export " + (scratch / "out").string() + " --format stl -o " + (scratch / "made").string());
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("larger than the bed of a usual polyjet printer"));
+  EXPECT_EQ(run.out.find("--bed"), std::string::npos) << run.out;
 }
 
 /// A wall from one point of the plane to another, less the room of the blocks at its ends.

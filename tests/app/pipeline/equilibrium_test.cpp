@@ -293,6 +293,9 @@ TEST(Equilibrium, TriesDrivesToTheSameThetaAndSaysWhichNeedsTheLeastForce) {
   const Outcome exact = kinetix_opt("simulate " + design + " --drives --quiet");
   EXPECT_EQ(exact.code, 2);
   EXPECT_THAT(exact.err, HasSubstr("--model equilibrium"));
+  const Outcome opened = kinetix_opt(command + "--open");
+  EXPECT_EQ(opened.code, 2);
+  EXPECT_THAT(opened.err, HasSubstr("--open shows a report, and --drives writes none"));
   const Outcome flat =
       kinetix_opt("simulate " + scratch.write("f.yaml", "kinetix: 1\nstructure: {cells: [4, 4]}\n") +
                   " --model equilibrium --drives --quiet");
