@@ -142,11 +142,16 @@ export class GoalPanel {
     $("progress_text").textContent = text + (left_s > 1 ? `, about ${Math.ceil(left_s)} s left` : "");
   }
 
+  /** Whether the physics run ended elsewhere than the model, or nowhere. */
+  get disagrees() {
+    return this.state.result.result?.metrics?.verified === false;
+  }
+
   /** In words: what came of the search. */
   get verdict() {
-    const {met, stopped, earlier} = this.state.result;
-    if (earlier) return (met ? "Met" : met === false ? "Not met" : "Not known to be met") + ": what was found before";
-    return met ? "Found: it meets the goal" : stopped ? "Stopped: the best so far" : "Not met: this is the nearest";
+    const {met, stopped, earlier} = this.state.result, but = this.disagrees ? ", but the physics run does not confirm it" : "";
+    if (earlier) return (met ? `Met${but}` : met === false ? "Not met" : "Not known to be met") + ": what was found before";
+    return met ? `Found: it meets the goal${but}` : stopped ? "Stopped: the best so far" : "Not met: this is the nearest";
   }
 
   /** A verdict stays when the design is changed, and says that it is of another one. */
@@ -160,7 +165,7 @@ export class GoalPanel {
     const {met, summary} = this.state.result;
     show($("found"), true);
     $("found_title").textContent = this.verdict;
-    $("found_title").className = met ? "good" : "bad";
+    $("found_title").className = met && !this.disagrees ? "good" : "bad";
     $("found_text").replaceChildren(...summaryRows(summary ?? ""));
     status($("found_title").textContent);
   }
