@@ -157,17 +157,33 @@ std::optional<std::string> strain_note(const PrintSheet& sheet) {
   return strained_words(*worst, sheet.linkage.wall_name(worst->hinge), " on the way to the fold");
 }
 
-/// What formats that were asked for leave out of what was asked.
-std::optional<std::string> always_flat_note(const PrintRequest& request,
-                                            const std::vector<const PrintFormat*>& formats) {
-  if (!request.folded) return std::nullopt;
-  std::vector<std::string_view> flat;
+using Formats = std::vector<const PrintFormat*>;
+
+/// "svg and dxf": those of which something holds; empty: none.
+template <class Is>
+std::string names_of(const Formats& formats, Is is) {
+  std::vector<std::string_view> names;
   for (const PrintFormat* format : formats)
-    if (format->is_always_flat) flat.push_back(format->name);
-  if (flat.empty()) return std::nullopt;
+    if (is(*format)) names.push_back(format->name);
+  return fmt::format("{}", fmt::join(names, " and "));
+}
+
+/// What formats that were asked for leave out of what was asked.
+std::optional<std::string> always_flat_note(const PrintRequest& request, const Formats& formats) {
+  const std::string flat = names_of(formats, [](const PrintFormat& format) { return format.is_always_flat; });
+  if (!request.folded || flat.empty()) return std::nullopt;
   return fmt::format(
-      "--state folded changes nothing in {}, which always {} the flat sheet; sizes here are of the fold",
-      fmt::join(flat, " and "), flat.size() > 1 ? "draw" : "draws");
+      "--state folded changes nothing in {}, where the sheet is always flat; sizes here are of the fold",
+      flat);
+}
+
+/// Likewise of the way it lies on the bed. @param lie what was chosen
+std::optional<std::string> unlaid_note(const PrintRequest& request, const Formats& formats,
+                                       std::string_view lie) {
+  const std::string others = names_of(formats, [](const PrintFormat& format) { return !format.lies_on_bed; });
+  if (lie == "flat" || others.empty()) return std::nullopt;
+  return fmt::format("--orient {} changes nothing in {}, where the sheet is in its own place", request.orient,
+                     others);
 }
 
 /// What is to be made: a design, or a coupon.
@@ -278,7 +294,8 @@ Exported exported(const Source& source, const PrintRequest& request, const std::
   progress("building solids", -1);
   PreparedPrint print = source.prepared_for(request);
   lay_as_asked(request, print.job);
-  if (auto note = always_flat_note(request, formats)) print.job.sheet.warnings.push_back(std::move(*note));
+  for (auto& note : {always_flat_note(request, formats), unlaid_note(request, formats, print.job.lie)})
+    if (note) print.job.sheet.warnings.push_back(*note);
   if (request.slice) progress("slicing", -1);
   const std::optional<SlicerAnswer> slicer =
       request.slice ? std::optional(ask_slicer(print.job)) : std::nullopt;

@@ -297,6 +297,9 @@ std::vector<NamedContent> write_mjcf(const PrintJob& job) {
 }  // namespace
 
 // Name, meaning and how it is written: mjcf.
-const PrintFormat mjcf_format = {"mjcf", "MuJoCo, with an actuator that folds it", write_mjcf};
+const PrintFormat mjcf_format = {.name = "mjcf",
+                                 .meaning = "MuJoCo, with an actuator that folds it",
+                                 .write = write_mjcf,
+                                 .is_always_flat = true};
 
 }  // namespace kinetix::app

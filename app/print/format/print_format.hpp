@@ -31,7 +31,8 @@ struct PrintFormat {
   /// Loads what the program loads for this format alone; nothing for most. Before a folder is there: where memory runs out, the
   /// loader ends the program and nobody can clean up.
   void (*load)() = nullptr;
-  bool is_always_flat = false;  ///< draws the flat sheet in every state of the job
+  bool is_always_flat = false;  ///< shows the flat sheet in every state of the job
+  bool lies_on_bed = false;     ///< lies as the job is laid; others have the sheet in its own place
 };
 
 /// All formats, in the order of the help.

@@ -185,6 +185,10 @@ std::vector<NamedContent> write_step(const PrintJob& job) {
 }  // namespace
 
 // Name, meaning and how it is written: step.
-const PrintFormat step_format = {"step", "CAD, with true cylinders", write_step, cad::load};
+const PrintFormat step_format = {.name = "step",
+                                 .meaning = "CAD, with true cylinders",
+                                 .write = write_step,
+                                 .load = cad::load,
+                                 .lies_on_bed = true};
 
 }  // namespace kinetix::app

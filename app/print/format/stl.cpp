@@ -63,6 +63,7 @@ std::vector<NamedContent> write_stl(const PrintJob& job) {
 }  // namespace
 
 // Name, meaning and how it is written: stl.
-const PrintFormat stl_format = {"stl", "triangles for any slicer", write_stl};
+const PrintFormat stl_format = {
+    .name = "stl", .meaning = "triangles for any slicer", .write = write_stl, .lies_on_bed = true};
 
 }  // namespace kinetix::app

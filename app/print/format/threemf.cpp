@@ -142,6 +142,7 @@ std::vector<NamedContent> write_threemf(const PrintJob& job) {
 }  // namespace
 
 // Name, meaning and how it is written: 3mf.
-const PrintFormat threemf_format = {"3mf", "slicers, with both materials", write_threemf};
+const PrintFormat threemf_format = {
+    .name = "3mf", .meaning = "slicers, with both materials", .write = write_threemf, .lies_on_bed = true};
 
 }  // namespace kinetix::app

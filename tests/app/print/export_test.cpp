@@ -121,7 +121,10 @@ TEST(Export, SaysThatDrawingsAreAlwaysFlat) {
   const std::string folded = "--hinge block --state folded --format ";
   ASSERT_EQ(exported(scratch, panel, folded + "svg,dxf,stl").code, 0);
   EXPECT_THAT(said_of(scratch)["warnings"].dump(),
-              HasSubstr("--state folded changes nothing in svg and dxf, which always draw the flat sheet"));
+              HasSubstr("--state folded changes nothing in svg and dxf, where the sheet is always flat"));
+  ASSERT_EQ(exported(scratch, panel, folded + "mjcf").code, 0);
+  EXPECT_THAT(said_of(scratch)["warnings"].dump(),
+              HasSubstr("--state folded changes nothing in mjcf, where the sheet is always flat"));
   ASSERT_EQ(exported(scratch, panel, folded + "stl").code, 0);
   EXPECT_EQ(said_of(scratch)["warnings"].dump().find("changes nothing"), std::string::npos);
   EXPECT_THAT(text_of(scratch / "out/print.txt"),

@@ -129,6 +129,10 @@ TEST(Orientation, LeavesTheSceneWhereItsMotionIs) {
   ASSERT_EQ(exported(flat, panel, "--format glb --hinge block").code, 0);
   ASSERT_EQ(exported(over, panel, "--format glb --hinge block --orient over").code, 0);
   EXPECT_EQ(text_of(over / "out/panel.glb"), text_of(flat / "out/panel.glb"));
+  const std::string note = "--orient over changes nothing in glb, where the sheet is in its own place";
+  EXPECT_THAT(said_of(over)["warnings"].dump(), HasSubstr(note));
+  EXPECT_THAT(text_of(over / "out/print.txt"), HasSubstr(note));
+  EXPECT_EQ(said_of(flat)["warnings"].dump().find("--orient"), std::string::npos);
 }
 
 TEST(Orientation, ThatIsProposedHasTheLeastOverhang) {
