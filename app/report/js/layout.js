@@ -191,6 +191,14 @@ function sizeWords(structure) {
   return `${cells}, ${side(0)} \u00d7 ${side(1)}`;
 }
 
+/** Whether walls of a column lean to the other side from row to row, as those do that bend a strip; sheets of one's own need not. */
+function tiltsAlternate({hinges}) {
+  const leans = ({beta}) => (Math.abs(beta) > 1e-4 ? Math.sign(beta) : 0), columns = new Map();
+  for (const hinge of hinges.filter(({along}) => along === "x").sort((a, b) => a.row - b.row))
+    columns.set(hinge.column, [...(columns.get(hinge.column) ?? []), leans(hinge)]);
+  return [...columns.values()].every((signs) => signs.every((sign, k) => k === 0 || sign === -signs[k - 1]));
+}
+
 function layoutSection(data) {
   const {structure} = data;
   if (!structure.hinges.length || !data.states.flat) return missing("This result holds no structure.");
@@ -217,7 +225,7 @@ function layoutSection(data) {
                 (structure.isSquare ? " Above each column its number." : "") :
             structure.isSquare ?
                   "Above each column its number, below it the tilt of its front wall" +
-                (structure.rows > 0 ? "; from row to row the sign alternates." : ".") :
+                (structure.rows > 0 && tiltsAlternate(structure) ? "; from row to row the sign alternates." : ".") :
                   "Point at a hinge for its numbers."),
   ];
 }
