@@ -134,28 +134,28 @@ std::string labels_svg(const char* name, const char* fill, const Strips& strips,
   std::string out = fmt::format(
       "<g id=\"{}\" fill=\"{}\" font-family=\"sans-serif\" text-anchor=\"middle\">\n", name, fill);
   for (const Strips::Label& label : labels)
-    out += fmt::format("<text x=\"{:.6g}\" y=\"{:.6g}\" font-size=\"{:.4g}\">{}</text>\n", label.place.x(),
+    out += fmt::format("<text x=\"{:.8g}\" y=\"{:.8g}\" font-size=\"{:.4g}\">{}</text>\n", label.place.x(),
                        strips.size.y() - label.place.y(), label.height, label.text);
   return out + "</g>\n";
 }
 
 std::string strips_svg(const Strips& strips) {
   std::string out = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.6g}mm\" height=\"{1:.6g}mm\" viewBox=\"0 0 "
-      "{0:.6g} "
-      "{1:.6g}\">\n<g id=\"cuts\" fill=\"none\" stroke=\"black\" stroke-width=\"{2:g}\">\n",
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.8g}mm\" height=\"{1:.8g}mm\" viewBox=\"0 0 "
+      "{0:.8g} "
+      "{1:.8g}\">\n<g id=\"cuts\" fill=\"none\" stroke=\"black\" stroke-width=\"{2:g}\">\n",
       strips.size.x(), strips.size.y(), line_mm);
   for (const auto& cut : strips.cuts) {
     out += "<path d=\"";
     for (std::size_t k = 0; k < cut.size(); ++k)
-      out += fmt::format("{}{:.6g} {:.6g}", k == 0 ? "M" : "L", cut[k].x(), strips.size.y() - cut[k].y());
+      out += fmt::format("{}{:.8g} {:.8g}", k == 0 ? "M" : "L", cut[k].x(), strips.size.y() - cut[k].y());
     out += "Z\"/>\n";
   }
   out += fmt::format(
       "</g>\n<g id=\"folds\" stroke=\"#2e6fb7\" stroke-width=\"{0:g}\" stroke-dasharray=\"1 0.5\">\n",
       line_mm);
   for (const auto& [from, to] : strips.folds)
-    out += fmt::format("<line x1=\"{:.6g}\" y1=\"{:.6g}\" x2=\"{:.6g}\" y2=\"{:.6g}\"/>\n", from.x(),
+    out += fmt::format("<line x1=\"{:.8g}\" y1=\"{:.8g}\" x2=\"{:.8g}\" y2=\"{:.8g}\"/>\n", from.x(),
                        strips.size.y() - from.y(), to.x(), strips.size.y() - to.y());
   return out + "</g>\n" + labels_svg("numbers", "#c03030", strips, strips.numbers) +
          labels_svg("vertices", "#606060", strips, strips.vertices) + "</svg>\n";

@@ -1,6 +1,8 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -255,6 +257,28 @@ TEST(Strips, AreDrawnOneToOneBesideTheSheetOfFilms) {
   EXPECT_NEAR(number(20), 10 * std::stod(size[2]), 1);
   EXPECT_EQ(text_of(scratch / "out/panel_strips.pdf").substr(0, 5), "%PDF-");
   EXPECT_FALSE(fs::exists(scratch / "out/panel_strips.dxf"));
+}
+
+/// Of walls that fill a page of more than a metre, too.
+TEST(Strips, AreAsLongAsTheirWalls) {
+  const Scratch scratch;
+  const double edge_mm = 250.0333;
+  const std::string design = fmt::format(
+      "kinetix: 1\nstructure: {{cells: [8, 8], cell_mm: {}}}\ndesign: {{theta_deg: 3}}\n", edge_mm);
+  const Outcome run = kinetix_opt("export " + scratch.write("large.yaml", design) + " -o " +
+                                  std::string(scratch / "out") + " --format svg --hinge film");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const std::string svg = text_of(scratch / "out/large_strips.svg");
+  const std::regex foot(R"(M([0-9.]+) [0-9.]+L([0-9.]+) )");
+  double farthest = 0;
+  int strips = 0;
+  for (std::sregex_iterator at(svg.begin(), svg.end(), foot), end; at != end; ++at, ++strips) {
+    const double from = std::stod((*at)[1]), to = std::stod((*at)[2]);
+    EXPECT_NEAR(to - from, edge_mm, 2e-4);
+    farthest = std::max(farthest, to);
+  }
+  EXPECT_EQ(strips, 144);
+  EXPECT_GT(farthest, 1000);
 }
 
 }  // namespace
