@@ -128,6 +128,8 @@ test("a drawn arch is searched for, and stands beside what was found", () => inS
   assert.match(await page.$eval("#found_title", ({textContent}) => textContent), /^Found: it meets the goal$/, "nothing to redo");
   await page.evaluate(() => window.kinetix.setHinge(0, {t: 0.4}));
   await page.waitForFunction(() => /^Of another design/.test(document.getElementById("found_title").textContent), {timeout: 5000});
+  await page.evaluate(() => window.kinetix.send("undo"));
+  await page.waitForFunction(() => document.getElementById("found_title").textContent === "Found: it meets the goal", {timeout: 5000});
 }));
 
 /**

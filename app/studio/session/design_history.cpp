@@ -11,7 +11,7 @@ constexpr std::size_t longest =
 void DesignHistory::add(DesignFile design, int thing) {
   designs_.resize(at_ + 1);
   if (saved_ > static_cast<int>(at_)) saved_ = -1;
-  designs_.push_back({std::move(design), thing});
+  designs_.push_back({std::move(design), thing, {}});
   if (designs_.size() > longest) {
     designs_.erase(designs_.begin());
     saved_ = std::max(saved_ - 1, -1);

@@ -1,18 +1,33 @@
 #pragma once
 
+#include <memory>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "app/files/design_file.hpp"
 
+namespace kinetix::app {
+struct Run;
+}
+
 namespace kinetix::app::studio {
+
+/// The result that a design is of.
+struct Finding {
+  std::shared_ptr<const Run> run = {};  ///< of a search of this session; null: of none
+  nlohmann::ordered_json told = {};     ///< the message of the result; null: none is known
+};
 
 /// A design and those that it came from, each with the number of the thing that it is a state of: edits stay with theirs.
 class DesignHistory {
  public:
-  explicit DesignHistory(DesignFile first) : designs_{{std::move(first), 0}} {}
+  explicit DesignHistory(DesignFile first) { designs_.push_back({std::move(first), 0, {}}); }
 
   const DesignFile& current() const { return designs_[at_].design; }
   int thing() const { return designs_[at_].thing; }
+  const Finding& finding() const { return designs_[at_].finding; }
+  /// Of the present design, which keeps it while others are undone and redone.
+  void set_finding(Finding finding) { designs_[at_].finding = std::move(finding); }
   /// The next design, in the place of those that were undone.
   void add(DesignFile design, int thing);
   bool can_undo() const { return at_ > 0; }
@@ -28,6 +43,7 @@ class DesignHistory {
   struct Entry {
     DesignFile design;
     int thing;
+    Finding finding;
   };
 
   std::vector<Entry> designs_;

@@ -37,9 +37,9 @@ Session::Session(Opened opened, Outlet outlet)
       opened_(std::move(opened)),
       history_(opened_.design),
       save_files_{opened_.save_file},
-      player_(opened_.design),
-      told_(opened_.result) {
-  if (const auto theta = theta_reached(told_); theta && player_.mode() == Mode::exact)
+      player_(opened_.design) {
+  history_.set_finding({.told = opened_.result});
+  if (const auto theta = theta_reached(opened_.result); theta && player_.mode() == Mode::exact)
     player_.fold_to(*theta);
   if (player_.mode() == Mode::equilibrium) enqueue([this] { trace(player_.theta()); });
   if (!opened_.target_file.empty()) enqueue([this] { search_for(opened_.target_file, nullptr); });
@@ -50,7 +50,7 @@ void Session::welcome(int client) {
   Json design = design_message(history_.current(), player_.moving());
   tell(std::move(design), client);
   tell_state(client);
-  if (!told_.is_null()) tell(told_, client);
+  tell_result(client);
   if (!path_.is_null()) tell(path_, client);
 }
 
@@ -195,8 +195,6 @@ void Session::take_other(DesignFile design) {
 void Session::design_changed() {
   tracer_.ask_to_stop();
   ++revision_;
-  result_.reset();
-  told_ = nullptr;
   stable_.clear();
   way_.reset();
   path_ = nullptr;
@@ -204,6 +202,7 @@ void Session::design_changed() {
   player_.load(history_.current());
   tell(design_message(history_.current(), player_.moving()));
   tell_state();
+  tell_result();
   if (player_.mode() == Mode::equilibrium) trace(player_.theta());
 }
 
@@ -235,9 +234,8 @@ void Session::save() {
   const fs::path file = save_file();
   std::error_code ignored;
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), ignored);
-  if (result_ && file.filename() == "design.yaml") {
-    Run& run = const_cast<Run&>(*result_);
-    write_results(run, file.parent_path().string());
+  if (const auto& run = history_.finding().run; run && file.filename() == "design.yaml") {
+    write_results(const_cast<Run&>(*run), file.parent_path().string());
   } else {
     DesignFile design = history_.current();
     design.theta = player_.sheet_theta();
@@ -255,9 +253,14 @@ void Session::tell(const nlohmann::ordered_json& message, int client) const {
     out["undo"] = history_.can_undo();
     out["redo"] = history_.can_redo();
     out["unsaved"] = !history_.is_saved();
-    out["has_result"] = !told_.is_null();
+    out["has_result"] = !history_.finding().told.is_null();
   }
   tell_json(out, client);
+}
+
+/// That of the present design, where one is known.
+void Session::tell_result(int client) const {
+  if (const Json& told = history_.finding().told; !told.is_null()) tell(told, client);
 }
 
 void Session::tell_state(int client) const {

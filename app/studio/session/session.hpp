@@ -65,6 +65,7 @@ class Session : public SessionLoop {
   void found(std::shared_ptr<Run> run);
 
   void tell(const nlohmann::ordered_json& message, int client = everybody) const;
+  void tell_result(int client = everybody) const;
   void tell_state(int client = everybody) const;
 
   const Opened opened_;
@@ -72,9 +73,6 @@ class Session : public SessionLoop {
   std::vector<std::string> save_files_;  ///< by thing of the history; empty: not asked for yet
   int revision_ = 1;
   Player player_;
-  std::shared_ptr<const Run> result_;  ///< of the last search, while its design is the present one
-  nlohmann::ordered_json
-      told_;  ///< the message of the result that the present design is of; null: it is of none
   std::shared_ptr<const KnownWay> way_;        ///< of the present design's equilibria, as far as it is known
   std::shared_ptr<const KnownWay> stable_of_;  ///< that way led to the stable states
   nlohmann::ordered_json path_;                ///< the message of that way; null: none is known

@@ -124,13 +124,13 @@ void Session::found(std::shared_ptr<Run> run) {
   else
     take(std::move(design));
   fold_to(run->theta);
-  result_ = run;
-  told_ = {{"type", "result"},
-           {"result", result_json(*run)},
-           {"summary", summary(*run)},
-           {"met", run->goal && run->goal->met()},
-           {"stopped", run->stopped}};
-  tell(told_);
+  history_.set_finding({run,
+                        {{"type", "result"},
+                         {"result", result_json(*run)},
+                         {"summary", summary(*run)},
+                         {"met", run->goal && run->goal->met()},
+                         {"stopped", run->stopped}}});
+  tell_result();
   tell_state();
   changed_ = true;
 }

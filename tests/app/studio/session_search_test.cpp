@@ -71,6 +71,24 @@ TEST_F(Studio, KeepsItsResultWhereThereIsNothingToRedo) {
   EXPECT_EQ(back["has_result"], false) << "which nothing was found for";
 }
 
+/// Its result is told again, and saved with it.
+TEST_F(Studio, HasItsResultAgainWhereUndoAndRedoComeBackToIt) {
+  client.send(json{{"type", "search"}, {"target", target}, {"files", {{"arc.csv", base64(arc())}}}}.dump());
+  ASSERT_TRUE(client.text("result").is_object());
+  client.ask({{"type", "hinge"}, {"index", 0}, {"t", 0.4}});
+  client.send(R"({"type": "undo"})");
+  EXPECT_EQ(client.text("result")["result"]["name"], "hook");
+  client.ask({{"type", "undo"}});
+  client.send(R"({"type": "redo"})");
+  EXPECT_EQ(client.text("result")["result"]["name"], "hook");
+  Client other(studio.port());
+  ASSERT_TRUE(other.open(studio.token));
+  EXPECT_EQ(other.text("design")["has_result"], true);
+  client.send(R"({"type": "save"})");
+  client.text("saved");
+  EXPECT_TRUE(std::filesystem::exists(studio.folder.path("results/hook/result.json")));
+}
+
 TEST_F(Studio, TakesFilesInPartsThatOneMessageWouldNotHold) {
   std::string csv = arc();
   csv.insert(csv.size(), 900'000, '\n');
