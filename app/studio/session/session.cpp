@@ -238,7 +238,8 @@ void Session::save() {
     write_results(const_cast<Run&>(*run), file.parent_path().string());
   } else {
     DesignFile design = history_.current();
-    design.theta = player_.sheet_theta();
+    // Without an exact motion it is opened by its drive, whose theta need not be the sheet's.
+    design.theta = player_.moving().exact ? player_.sheet_theta() : player_.theta();
     write_file(file.string(), design_text(design));
   }
   history_.mark_saved();

@@ -245,6 +245,7 @@ TEST_F(Studio, OpensADesignWithoutClosedFormInEquilibrium) {
   page.send(R"({"type": "save"})");
   const app::DesignFile saved = app::read_design(page.text("saved")["path"].get<std::string>());
   EXPECT_GT(std::abs(saved.theta), 0.1);
+  EXPECT_NEAR(saved.theta, twist.theta, 1e-6) << "to which it goes when it is opened again";
   Client later{one.port()};
   ASSERT_TRUE(later.open(one.token));
   EXPECT_GT(later.text("path")["rows"].size(), 2u) << "the way is told to a page that comes later";
