@@ -205,10 +205,21 @@ std::vector<Metric> equilibrium_metrics_of_bodies() {
   return out;
 }
 
+/// That of a state, which searches may write of theirs, too; null where states have none of this name.
+const Metric* pose_metric(const std::string& name) {
+  const std::vector<Metric>& all = pose_metrics();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Metric& one) { return one.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
 std::vector<Metric> metrics_of(const MetricContext& context) {
   std::vector<Metric> all = context.bodies ? body_metrics() : pose_metrics();
   const auto add = [&](const std::vector<Metric>& more) { all.insert(all.end(), more.begin(), more.end()); };
-  if (context.searches) return all;
+  if (context.searches) {  // whose bases are targets, without a state to compare with
+    std::erase_if(all, [](const Metric& metric) { return metric.needs_nominal; });
+    return all;
+  }
   if (context.goal) add(goal_metrics(*context.goal));
   if (context.model == Model::equilibrium)
     add(context.bodies ? equilibrium_metrics_of_bodies() : equilibrium_metrics());
@@ -231,7 +242,10 @@ Metric find_metric(const std::string& name, const MetricContext& context) {
     const targets::DocumentPath path = targets::parse_path(name);
     const auto known = search_names();
     if (std::find(known.begin(), known.end(), path[0].key) != known.end())
-      return {name, [path](const O& o) { return json_number(*o.metrics, path); }};
+      return {name, [path, of_state = pose_metric(name)](const O& o) {
+                const double written = json_number(*o.metrics, path);
+                return std::isnan(written) && of_state ? of_state->of(o) : written;
+              }};
   }
   for (const Metric& metric : metrics_of(context))
     if (metric.name == name) return metric;

@@ -388,8 +388,12 @@ TEST(SweepContent, ATargetIsSearchedInEverySample) {
   const std::string factors =
       "  - {path: [\"variables.beta.range_deg[1]\", {path: \"variables.beta.range_deg[0]\", "
       "times: -1}], name: bound, values: [5, 60]}\n";
-  const Outcome run =
-      run_sweep_in(scratch, sweep_of("{kind: factorial}", factors, "shape_rms, met, theta_rad"), "", bow);
+  const Outcome moved =
+      run_sweep_in(scratch, sweep_of("{kind: factorial}", factors, "moved_rms_mm"), "", bow);
+  EXPECT_EQ(moved.code, 2) << "no search has a state of its base";
+  EXPECT_THAT(moved.err, HasSubstr("`moved_rms_mm` is not a metric of this model"));
+  const Outcome run = run_sweep_in(
+      scratch, sweep_of("{kind: factorial}", factors, "shape_rms, met, theta_rad, hinge_gap_max"), "", bow);
   ASSERT_EQ(run.code, 0) << run.err;
   const Csv csv = read_csv(scratch / "out");
   EXPECT_EQ(csv.rows[0].at("status"), "missed");
@@ -397,6 +401,7 @@ TEST(SweepContent, ATargetIsSearchedInEverySample) {
   EXPECT_EQ(csv.rows[1].at("status"), "ok");
   EXPECT_LE(csv.number(1, "shape_rms"), 0.01);
   EXPECT_EQ(csv.number(1, "met"), 1);
+  EXPECT_LT(csv.number(1, "hinge_gap_max"), 1e-9) << "of its state, where its metrics have none";
 }
 
 TEST(SweepContent, AGoalWhoseWallsOverlapAsBuiltIsMissed) {
