@@ -393,7 +393,8 @@ TEST(SweepContent, ATargetIsSearchedInEverySample) {
   EXPECT_EQ(moved.code, 2) << "no search has a state of its base";
   EXPECT_THAT(moved.err, HasSubstr("`moved_rms_mm` is not a metric of this model"));
   const Outcome run = run_sweep_in(
-      scratch, sweep_of("{kind: factorial}", factors, "shape_rms, met, theta_rad, hinge_gap_max"), "", bow);
+      scratch, sweep_of("{kind: factorial}", factors, "shape_rms, met, theta_rad, hinge_gap_max, fold_deg"),
+      "", bow);
   ASSERT_EQ(run.code, 0) << run.err;
   const Csv csv = read_csv(scratch / "out");
   EXPECT_EQ(csv.rows[0].at("status"), "missed");
@@ -402,6 +403,7 @@ TEST(SweepContent, ATargetIsSearchedInEverySample) {
   EXPECT_LE(csv.number(1, "shape_rms"), 0.01);
   EXPECT_EQ(csv.number(1, "met"), 1);
   EXPECT_LT(csv.number(1, "hinge_gap_max"), 1e-9) << "of its state, where its metrics have none";
+  EXPECT_GT(csv.number(1, "fold_deg"), 10) << "likewise: folds alone write a list of this name";
 }
 
 TEST(SweepContent, AGoalWhoseWallsOverlapAsBuiltIsMissed) {
