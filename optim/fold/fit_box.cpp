@@ -19,7 +19,6 @@ constexpr double usual_theta =
     26 * radians_per_degree;    // rad, until a search has found one: that of most boxes
 constexpr int fewest = 3;       // cells along the shortest edge: fewer are hardly a face
 constexpr double good = 0.019;  // a miss over the edge that more cells need not mend: 0.8 mm of 40
-constexpr int telling = 4;      // cells along an edge: walls meet at creases, however wide the faces are
 constexpr int rounds = 6;       // cells and theta depend on each other: two or three settle
 constexpr double settled_edge =
     1e-9;  // change of the cell edge over itself: rounding, far below what a print shows
@@ -117,7 +116,7 @@ class BoxSearch {
   /// What theta and columns such cells fold with. @return false where they do not
   bool look() {
     std::array<int, 3> edges = now_.edges;
-    for (int& edge : edges) edge = std::min(edge, telling);
+    for (int& edge : edges) edge = std::min(edge, telling_cells);
     FoldOptions fold = options_.fold;
     fold.size = options_.size(now_.edge_mm);
     const FoldDesign design =

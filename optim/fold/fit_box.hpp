@@ -38,6 +38,7 @@ struct BoxOptions {
 /// @throws InvalidInput where the cells would be more than targets::max_face_side, or the box thinner than its creases
 BoxInCells fit_box(const BoxOptions& options);
 
+inline constexpr int telling_cells = 4;  ///< along an edge: walls meet at creases, however wide the faces are
 inline constexpr int most_cells_across = 10;  ///< along the shortest edge: more nobody wants to print
 
 /// Large cells, their edge in whole hundredths of a mm, of which a box folds whose edges miss by no more than a share of them, as

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -34,6 +35,9 @@ constexpr double paths_to_limits =
 constexpr double seconds_of_175 = 0.15;  // s: a search of 175 bodies; it grows with their number to 1.5
 
 double search_seconds(double bodies) { return seconds_of_175 * std::pow(bodies / 175, 1.5); }
+
+// Of small boxes, for each choice of other cells: two or three, until theta and the cells agree.
+constexpr double looks_a_box = 3;
 
 double cells_of_box(const std::array<int, 3>& e) { return 2.0 * (e[0] * e[1] + e[1] * e[2] + e[2] * e[0]); }
 
@@ -211,19 +215,23 @@ class FoldScene final : public Scene {
     return file_.box ? optim::size_miss(file_.box_folded_mm, file_.box->asked_mm) : 0;
   }
 
-  /// What other_size() takes where no cells give the box its size.
+  /// What other_size() takes: looks at small boxes, and for cells that nearly fit a search of the whole one.
   void add_other_cells(double miss, Forecast& forecast) const {
     const std::string off =
         fmt::format("with these cells the box would be off by {:.1f} %; {:.1f} % is allowed", 100 * miss,
                     100 * file_.size_tolerance);
     if (!looks_for_other_cells(file_)) return forecast.notes.push_back(off);
     const double bodies_a_cell = forecast.sheet.bodies() / cells_of_box(*file_.goal.box);
-    double seconds = 0;
-    for (const auto& edges : optim::tried_cells(*file_.box, file_.size_tolerance))
-      seconds += search_seconds(bodies_a_cell * cells_of_box(edges));
-    forecast.search_s += seconds;
-    forecast.notes.push_back(
-        fmt::format("{}: the search goes on with other cells, up to {}", off, about(seconds)));
+    double looks = 0, folds = 0;  // s
+    for (std::array<int, 3> edges : optim::tried_cells(*file_.box, file_.size_tolerance)) {
+      folds += search_seconds(bodies_a_cell * cells_of_box(edges));
+      for (int& edge : edges) edge = std::min(edge, optim::telling_cells);
+      looks += looks_a_box * search_seconds(bodies_a_cell * cells_of_box(edges));
+    }
+    forecast.search_s += looks;
+    forecast.notes.push_back(fmt::format(
+        "{}: the search goes on with other cells, for {}, or up to {} where many of them nearly fit", off,
+        about(looks), about(looks + folds)));
   }
 
   bool is_size_missed(const FoldOutcome& found) const {
