@@ -34,10 +34,11 @@ class GoalOutcome {
   bool strained = false;  ///< the one violation is of a hinge, by more than its material bears
 
   bool met() const { return violations.empty(); }
-  /// The end of a line of the summary.
-  const char* verdict() const {
+  /// The end of a line of the summary. @param is_within whether what the line tells keeps its tolerance
+  const char* verdict(bool is_within) const {
     if (met()) return "within tolerance";
-    return strained ? "WITHIN TOLERANCE, BUT HINGES ARE STRAINED TOO FAR" : "MISSES THE TOLERANCE";
+    if (strained) return "WITHIN TOLERANCE, BUT HINGES ARE STRAINED TOO FAR";
+    return is_within ? "WITHIN TOLERANCE, BUT NOT AS REQUIRED" : "MISSES THE TOLERANCE";
   }
 
   /// What distances of points of the sheet are from, in words.

@@ -75,9 +75,8 @@ std::string robust_text(const RobustCurve& robust) {
 }
 
 std::string verdict_of(const CurveOutcome& curve) {
-  if (curve.met() || curve.strained) return curve.verdict();
   const bool close = curve.found.design.error.rms <= curve.shape_tolerance;
-  if (!close) return "MISSES THE TOLERANCE";
+  if (curve.met() || curve.strained || !close) return curve.verdict(close);
   return curve.found.walls_are_free ? "WITHIN TOLERANCE, BUT DOES NOT HOLD"
                                     : "WITHIN TOLERANCE, BUT WALLS COLLIDE";
 }

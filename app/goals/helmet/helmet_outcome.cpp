@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -95,6 +96,12 @@ Json uniform_json(const optim::UniformHelmet& uniform) {
           {"after", error_json(uniform.after)}};
 }
 
+/// Of distances; walls may lie in the head all the same.
+bool keeps_tolerances(const HelmetOutcome& helmet) {
+  const std::map<std::string, double> most(helmet.tolerances.begin(), helmet.tolerances.end());
+  return helmet.design.error.rms <= most.at("rms_mm") && helmet.design.error.max <= most.at("max_mm");
+}
+
 Json helmet_json(const HelmetOutcome& helmet, const model::Structure& structure) {
   const optim::RibsDesign& design = helmet.design;
   Json out = {
@@ -164,7 +171,7 @@ std::vector<SummaryLine> HelmetOutcome::summary_lines(const Run& run) const {
        fmt::format("{} ribs on a spine of {} cells, {:g} mm over the head, {:g} mm down from the crown",
                    design.layout.spine_and_ribs.ribs.size(), design.layout.spine_and_ribs.rows,
                    spec.clearance_mm, spec.coverage_mm)});
-  lines.push_back({"fit", in_words(design.error) + ": " + verdict()});
+  lines.push_back({"fit", in_words(design.error) + ": " + verdict(keeps_tolerances(*this))});
   for (const std::string& why : violations) lines.push_back({"why", why});
   if (!head.openings.empty()) lines.push_back({"INVENTED", invented(head.openings)});
   for (const std::string& note : design.layout.notes) lines.push_back({"note", note});

@@ -101,10 +101,11 @@ std::vector<SummaryLine> OutlineOutcome::summary_lines(const Run& run) const {
   const double edge = run.structure.size().edge_mm;
   std::vector<SummaryLine> lines;
   lines.push_back(
-      {"outline", fmt::format("rim {:.2f} % of the diagonal off the outline (rms, {:.3f} mm), area {:.1f} % "
-                              "shared, {}: {}",
-                              100 * error().rms, error().rms * size(edge) * file.folded.diagonal(),
-                              100 * error().iou, size_words(size(edge)), verdict())});
+      {"outline",
+       fmt::format("rim {:.2f} % of the diagonal off the outline (rms, {:.3f} mm), area {:.1f} % "
+                   "shared, {}: {}",
+                   100 * error().rms, error().rms * size(edge) * file.folded.diagonal(), 100 * error().iou,
+                   size_words(size(edge)), verdict(app::violations(file, error(), "").empty()))});
   if (file.flat)
     lines.push_back(
         {"flat", fmt::format("rim {:.2f} % of the diagonal off its outline (rms), area {:.1f} % shared",

@@ -92,10 +92,11 @@ void RibsOutcome::add_metrics(Json& metrics) const {
 std::vector<SummaryLine> RibsOutcome::summary_lines(const Run& run) const {
   const SurfaceWay& way = ways.front();
   std::vector<SummaryLine> lines;
-  lines.push_back({"surface", fmt::format("bodies {:.3f} % of the diagonal off it (rms, {:.3f} mm), cells on "
-                                          "{:.0f} % of its area: {}",
-                                          100 * way.rms, way.rms * file.surface.diagonal,
-                                          100 * (1 - way.open), verdict())});
+  lines.push_back(
+      {"surface", fmt::format("bodies {:.3f} % of the diagonal off it (rms, {:.3f} mm), cells on "
+                              "{:.0f} % of its area: {}",
+                              100 * way.rms, way.rms * file.surface.diagonal, 100 * (1 - way.open),
+                              verdict(app::violations(file, way, "").empty()))});
   for (const std::string& why : violations) lines.push_back({"why", why});
   lines.push_back(
       {"ribs",

@@ -85,7 +85,8 @@ std::vector<SummaryLine> SurfaceOutcome::summary_lines(const Run& run) const {
       {"surface",
        fmt::format(
            "vertices {:.2f} % of the diagonal off its two layers (rms, {:.3f} mm), area {:.0f} % shared: {}",
-           100 * design.error.rms, design.error.rms * diagonal_mm, 100 * design.error.cover, verdict())});
+           100 * design.error.rms, design.error.rms * diagonal_mm, 100 * design.error.cover,
+           verdict(design.error.rms <= file.shape_tolerance && design.error.cover >= file.cover_tolerance))});
   for (const std::string& why : violations) lines.push_back({"why", why});
   lines.push_back({"mesh", fmt::format("{} x {} facets, edges {:.2f} to {:.2f} of their mean, sectors {:.0f} "
                                        "to {:.0f} deg, tilts up to {:.1f} deg",

@@ -27,6 +27,16 @@ TEST(SpaceBlockResult, ShrinksInPhysicsAsAsked) {
   EXPECT_EQ(again.code, 0) << again.out << again.err;
 }
 
+TEST(SpaceBlockResult, WhoseWallsMeetIsNotSaidToMissItsFactors) {
+  const Scratch scratch;
+  const std::string file = scratch.write("block.yaml",
+                                         "kinetix: 1\ntarget: {kind: space_block, factor: 0.9}\n"
+                                         "structure: {cells: [1, 1, 1], wall_mm: {thickness: 30}}\n");
+  const Outcome run = kinetix_opt(file + " --no-verify -o " + std::string(scratch / "out"));
+  EXPECT_EQ(run.code, 3) << run.out << run.err;
+  EXPECT_THAT(run.out, HasSubstr(": WITHIN TOLERANCE, BUT NOT AS REQUIRED\n"));
+}
+
 TEST(SpaceBlockTarget, RefusesWhatNoBlockDoes) {
   const Scratch scratch;
   const auto refused = [&](const std::string& rest) {
