@@ -30,8 +30,7 @@ void SearchEvaluator::evaluate(SampleRow& row) {
   maker_.make(row.factors);
   const bool physics = plan_.doe.model == Model::bullet;
   const Run run =
-      run_scene(*maker_.target().goal,
-                {.threads = 1, .seed = plan_.seed, .verify = physics, .progress = {}, .certify = false});
+      run_scene(*maker_.target().goal, {.threads = 1, .seed = plan_.seed, .verify = physics, .progress = {}});
   const auto metrics = metrics_json(run);
   Observation seen{.structure = &run.structure, .theta = run.theta, .metrics = &metrics};
   const NamedState* state = shown_state(run, physics);

@@ -105,7 +105,7 @@ SweepTable::SweepTable(const std::string& folder, const SweepPlan& plan, const S
     if (is_there) check(identity);
     if (is_there) check_made("samples", samples_sql(plan));
     if (is_there) find_done(plan.size());
-    if (is_there && !resume)
+    if (count_ > 0 && !resume)
       throw InvalidInput(fmt::format("already exists, with {} of {} samples; continue with --resume, or give "
                                      "another -o",
                                      count_, plan.size()),

@@ -24,8 +24,8 @@ namespace kinetix::app {
 class SweepTable {
  public:
   /// Opens the table of this sweep, or makes it. The folder stays locked while this lives.
-  /// @throws InvalidInput where another program writes there, where a table is there already and `resume` is
-  /// not asked for, where it belongs to another sweep, and where the file system says no
+  /// @throws InvalidInput where another program writes there, where a table with samples is there already and `resume`
+  /// is not asked for, where it belongs to another sweep, and where the file system says no
   SweepTable(const std::string& folder, const SweepPlan& plan, const SweepIdentity& identity, bool resume);
   ~SweepTable();
   SweepTable(const SweepTable&) = delete;

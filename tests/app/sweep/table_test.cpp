@@ -183,6 +183,23 @@ TEST(SweepTable, IsKeptFromBeingReplacedTakenForAnotherOrWrittenTwiceAtOnce) {
   EXPECT_EQ(Json::parse(done.out)["computed"], 0);
 }
 
+/// What a sweep leaves that is stopped before its first sample has nothing to lose.
+TEST(SweepTable, WithoutASampleIsTakenWithoutResume) {
+  const Scratch scratch;
+  const std::string small =
+      sweep_of("{kind: factorial}", "  - {path: design.theta_deg, range: [5, 40]}\n", "end_mm");
+  ASSERT_EQ(run_sweep_in(scratch, small).code, 0);
+  const std::string script = scratch.write("empty.py",
+                                           "import sqlite3, sys\n"
+                                           "table = sqlite3.connect(sys.argv[1])\n"
+                                           "table.executescript('DELETE FROM samples')\n");
+  ASSERT_EQ(
+      std::system(("/usr/bin/python3 " + script + " " + (scratch / "out/sweep.sqlite").string()).c_str()), 0);
+  const Outcome run = run_sweep_in(scratch, small, "--json");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(Json::parse(run.out)["computed"], 4);
+}
+
 TEST(SweepTable, AFileThatIsNoTableIsLeftAlone) {
   const Scratch scratch;
   fs::create_directories(scratch / "out");
