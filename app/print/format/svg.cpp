@@ -1,9 +1,13 @@
 #include <cairo-pdf.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "app/print/format/formats.hpp"
 #include "app/print/format/sheet_drawing.hpp"
@@ -16,6 +20,54 @@ using Eigen::Vector2d;
 
 constexpr double line_mm = 0.1;              // mm: as laser cutters and pens draw
 constexpr double points_per_mm = 72 / 25.4;  // the unit of PDF
+constexpr double paper_mm[] = {210, 297};    // mm, of A4: what is larger is often printed smaller, to fit
+// Mm, of the line to measure below such a drawing: long enough to see 1 % with a ruler, as wide as any printer prints.
+constexpr double check_mm = 100;
+constexpr double check_foot_mm = 10;   // mm, of the page, for that line and its words
+constexpr double check_margin_mm = 2;  // mm, from the line to the page's edge, and of its end marks
+constexpr double check_text_mm = 4;    // mm: read at arm's length
+
+/// What a drawing is on, mm, y down.
+struct DrawnPage {
+  Vector2d size;
+  std::optional<Vector2d> check = {};  ///< where the line to measure begins, below the drawing
+};
+
+/// As large as what is drawn; with a line to measure where that is larger than a sheet of paper.
+DrawnPage drawn_page(const Vector2d& drawn_mm) {
+  if (drawn_mm.minCoeff() <= paper_mm[0] && drawn_mm.maxCoeff() <= paper_mm[1]) return {drawn_mm};
+  const double high = drawn_mm.y() + check_foot_mm;
+  return {{std::max(drawn_mm.x(), check_mm + 2 * check_margin_mm), high},
+          Vector2d(check_margin_mm, high - check_margin_mm)};
+}
+
+using CheckLine = std::pair<Vector2d, Vector2d>;
+
+/// The line and a mark at each of its ends.
+std::array<CheckLine, 3> check_lines(const Vector2d& from) {
+  const Vector2d to = from + Vector2d(check_mm, 0), up(0, -check_margin_mm);
+  return {CheckLine{from, to}, CheckLine{from, from + up}, CheckLine{to, to + up}};
+}
+
+std::string check_words() { return fmt::format("{:g} mm, if printed at 1:1", check_mm); }
+
+/// Middle of the foot of its words.
+Vector2d check_words_place(const Vector2d& from) {
+  return from + Vector2d(check_mm / 2, -check_margin_mm / 2);
+}
+
+std::string check_svg(const DrawnPage& page) {
+  if (!page.check) return "";
+  std::string out = fmt::format("<g id=\"check\" stroke=\"black\" stroke-width=\"{:g}\">\n", line_mm);
+  for (const auto& [from, to] : check_lines(*page.check))
+    out += fmt::format("<line x1=\"{:.8g}\" y1=\"{:.8g}\" x2=\"{:.8g}\" y2=\"{:.8g}\"/>\n", from.x(),
+                       from.y(), to.x(), to.y());
+  const Vector2d words = check_words_place(*page.check);
+  return out + fmt::format(
+                   "</g>\n<text x=\"{:.8g}\" y=\"{:.8g}\" font-family=\"sans-serif\" font-size=\"{:g}\" "
+                   "text-anchor=\"middle\">{}</text>\n",
+                   words.x(), words.y(), check_text_mm, check_words());
+}
 
 /// Middle of a number's foot, mm: at its hinge, but for what would be cut off by the drawing's edge.
 Vector2d number_place(const SheetDrawing& drawing, const SheetDrawing::Hinge& hinge, double height) {
@@ -46,13 +98,13 @@ std::string group(const SheetDrawing& drawing, const char* name, const char* fil
   return out + "</g>\n";
 }
 
-/// 1:1, its box that of the parts.
+/// 1:1, its box that of the parts and of the line to measure.
 std::string svg(const PrintSheet& sheet, const SheetDrawing& drawing) {
-  const Vector2d size = drawing.high - drawing.low;
+  const DrawnPage page = drawn_page(drawing.high - drawing.low);
   std::string out = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.8g}mm\" height=\"{1:.8g}mm\" viewBox=\"0 0 "
       "{0:.8g} {1:.8g}\">\n",
-      size.x(), size.y());
+      page.size.x(), page.size.y());
   out +=
       group(drawing, "bodies", "#d9d9d4", drawing.bodies) + group(drawing, "soft", "#2e6fb7", drawing.soft);
   out += fmt::format(
@@ -64,7 +116,7 @@ std::string svg(const PrintSheet& sheet, const SheetDrawing& drawing) {
     out += fmt::format("<text x=\"{:.5g}\" y=\"{:.5g}\">{}</text>\n", at.x() - drawing.low.x(),
                        drawing.high.y() - at.y(), hinge.number);
   }
-  return out + "</g>\n</svg>\n";
+  return out + "</g>\n" + check_svg(page) + "</svg>\n";
 }
 
 cairo_status_t collect(void* text, const unsigned char* data, unsigned length) {
@@ -86,9 +138,29 @@ void draw(cairo_t* page, const SheetDrawing& drawing, const std::vector<SheetDra
   }
 }
 
-/// One page. @param size_mm of it   @param drawn in mm, y down
-std::string pdf_page(const Vector2d& size_mm, const std::function<void(cairo_t*)>& drawn) {
-  const Vector2d size = points_per_mm * size_mm;
+/// @param foot of the text, its middle
+void show_centred(cairo_t* page, const Vector2d& foot, const std::string& text) {
+  cairo_text_extents_t extents;
+  cairo_text_extents(page, text.c_str(), &extents);
+  cairo_move_to(page, foot.x() - extents.x_advance / 2, foot.y());
+  cairo_show_text(page, text.c_str());
+}
+
+void draw_check(cairo_t* page, const Vector2d& at) {
+  cairo_set_source_rgb(page, 0, 0, 0);
+  for (const auto& [from, to] : check_lines(at)) {
+    cairo_move_to(page, from.x(), from.y());
+    cairo_line_to(page, to.x(), to.y());
+  }
+  cairo_stroke(page);
+  cairo_set_font_size(page, check_text_mm);
+  show_centred(page, check_words_place(at), check_words());
+}
+
+/// One page. @param drawn_mm size of what is drawn   @param drawn in mm, y down
+std::string pdf_page(const Vector2d& drawn_mm, const std::function<void(cairo_t*)>& drawn) {
+  const DrawnPage whole = drawn_page(drawn_mm);
+  const Vector2d size = points_per_mm * whole.size;
   std::string out;
   const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface(
       cairo_pdf_surface_create_for_stream(collect, &out, size.x(), size.y()), &cairo_surface_destroy);
@@ -100,19 +172,12 @@ std::string pdf_page(const Vector2d& size_mm, const std::function<void(cairo_t*)
   cairo_set_fill_rule(page.get(), CAIRO_FILL_RULE_EVEN_ODD);
   cairo_select_font_face(page.get(), "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
   drawn(page.get());
+  if (whole.check) draw_check(page.get(), *whole.check);
   cairo_show_page(page.get());
   cairo_surface_finish(surface.get());
   if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS)
     throw std::runtime_error("PDF: the page cannot be drawn");
   return out;
-}
-
-/// @param foot of the text, its middle
-void show_centred(cairo_t* page, const Vector2d& foot, const std::string& text) {
-  cairo_text_extents_t extents;
-  cairo_text_extents(page, text.c_str(), &extents);
-  cairo_move_to(page, foot.x() - extents.x_advance / 2, foot.y());
-  cairo_show_text(page, text.c_str());
 }
 
 /// The same drawing, one page as large as it.
@@ -140,11 +205,12 @@ std::string labels_svg(const char* name, const char* fill, const Strips& strips,
 }
 
 std::string strips_svg(const Strips& strips) {
+  const DrawnPage page = drawn_page(strips.size);
   std::string out = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.8g}mm\" height=\"{1:.8g}mm\" viewBox=\"0 0 "
       "{0:.8g} "
       "{1:.8g}\">\n<g id=\"cuts\" fill=\"none\" stroke=\"black\" stroke-width=\"{2:g}\">\n",
-      strips.size.x(), strips.size.y(), line_mm);
+      page.size.x(), page.size.y(), line_mm);
   for (const auto& cut : strips.cuts) {
     out += "<path d=\"";
     for (std::size_t k = 0; k < cut.size(); ++k)
@@ -158,7 +224,7 @@ std::string strips_svg(const Strips& strips) {
     out += fmt::format("<line x1=\"{:.8g}\" y1=\"{:.8g}\" x2=\"{:.8g}\" y2=\"{:.8g}\"/>\n", from.x(),
                        strips.size.y() - from.y(), to.x(), strips.size.y() - to.y());
   return out + "</g>\n" + labels_svg("numbers", "#c03030", strips, strips.numbers) +
-         labels_svg("vertices", "#606060", strips, strips.vertices) + "</svg>\n";
+         labels_svg("vertices", "#606060", strips, strips.vertices) + check_svg(page) + "</svg>\n";
 }
 
 void draw_labels(cairo_t* page, const Strips& strips, const std::vector<Strips::Label>& labels) {

@@ -233,6 +233,29 @@ TEST(Drawing, HasTheSamePlacesInBothFormats) {
   for (std::size_t k = 0; k < cut.size(); ++k) EXPECT_NEAR(drawn[k], cut[k] - low[0], 2e-4) << k;
 }
 
+/// What printers shrink to their paper shows by a line of known length that they did.
+TEST(Drawing, LargerThanPaperHasALineToMeasure) {
+  const Scratch scratch;
+  const auto svg_of = [&](int columns) {
+    const std::string design = "kinetix: 1\nname: strip\nstructure: {cells: [" + std::to_string(columns) +
+                               ", 1], cell_mm: 20}\ndesign: {theta_deg: 10}\n";
+    const Outcome run = kinetix_opt("export " + scratch.write("strip.yaml", design) + " -o " +
+                                    std::string(scratch / "out") + " --format svg --hinge block");
+    EXPECT_EQ(run.code, 0) << run.err;
+    return text_of(scratch / "out/strip.svg");
+  };
+  const std::string large = svg_of(20), small = svg_of(5);
+  EXPECT_EQ(small.find("id=\"check\""), std::string::npos);
+  std::smatch line, box;
+  ASSERT_TRUE(std::regex_search(
+      large, line,
+      std::regex(R"re(id="check"[^>]*>\n<line x1="([0-9.]+)" y1="([0-9.]+)" x2="([0-9.]+)")re")));
+  ASSERT_TRUE(std::regex_search(large, box, std::regex(R"(viewBox="0 0 ([0-9.]+) ([0-9.]+)\")")));
+  EXPECT_NEAR(std::stod(line[3]) - std::stod(line[1]), 100, 1e-9);
+  EXPECT_LT(std::stod(line[2]), std::stod(box[2]));
+  EXPECT_THAT(large, ::testing::HasSubstr(">100 mm, if printed at 1:1</text>"));
+}
+
 /// As wide as its unit says, and with everything in it, to rsvg-convert.
 TEST(Strips, AreDrawnOneToOneBesideTheSheetOfFilms) {
   const Scratch scratch;
