@@ -157,6 +157,13 @@ std::optional<std::string> strain_note(const PrintSheet& sheet) {
   return strained_words(*worst, sheet.linkage.wall_name(worst->hinge), " on the way to the fold");
 }
 
+/// What result.json tells of elastic hinges is their equilibrium, which the fold of a closed form is not.
+std::optional<std::string> elastic_note(const PrintRequest& request, const DesignFile& design,
+                                        const PrintSheet& sheet) {
+  if (!request.folded || sheet.path.size() < 2) return std::nullopt;
+  return equilibrium_beside_exact(design, sheet.linkage.size.edge_mm);
+}
+
 using Formats = std::vector<const PrintFormat*>;
 
 /// "svg and dxf": those of which something holds; empty: none.
@@ -207,6 +214,8 @@ struct Source {
       for (std::string& idle : idle_options(request, *design, print.job.sheet))
         print.job.sheet.warnings.push_back(std::move(idle));
       if (auto note = size_note(*design, print.job.sheet))
+        print.job.sheet.warnings.push_back(std::move(*note));
+      if (auto note = elastic_note(request, *design, print.job.sheet))
         print.job.sheet.warnings.push_back(std::move(*note));
       if (auto note = strain_note(print.job.sheet)) print.job.sheet.warnings.push_back(std::move(*note));
       return print;

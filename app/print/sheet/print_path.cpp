@@ -1,5 +1,8 @@
 #include "app/print/sheet/print_path.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 
 #include "app/pipeline/design_drive.hpp"
@@ -9,6 +12,8 @@
 
 namespace kinetix::app {
 namespace {
+
+constexpr double told_mm = 0.01;  // mm: no printer tells folds apart that are nearer
 
 PrintPath exact_path(const DesignFile& design, const model::ExactMotion& exact, PrintPath path) {
   const double theta = exact_theta_of(design, exact);
@@ -26,14 +31,18 @@ PrintPath exact_path(const DesignFile& design, const model::ExactMotion& exact, 
   return path;
 }
 
-PrintPath equilibrium_path(const DesignFile& design, const model::ExactMotion& exact, PrintPath path) {
-  const model::LinkageDrive drive = drive_of(design);
+model::EquilibriumPathOptions steps_of(const DesignFile& design) {
   model::EquilibriumPathOptions options;
+  options.side = design.side;
   options.longest_step =
       std::clamp(std::abs(design.theta) / path_steps, options.least_step, options.longest_step);
   options.first_step = std::min(options.first_step, options.longest_step);
+  return options;
+}
+
+PrintPath equilibrium_path(const DesignFile& design, const model::ExactMotion& exact, PrintPath path) {
   const model::EquilibriumPath traced =
-      trace_equilibrium({design.structure, drive, exact}, elasticity_of(design), options,
+      trace_equilibrium({design.structure, drive_of(design), exact}, elasticity_of(design), steps_of(design),
                         [&](const model::EquilibriumStep& step, const model::State& state) {
                           if (step.theta == path.thetas.back()) return;
                           path.thetas.push_back(step.theta);
@@ -57,6 +66,22 @@ PrintPath print_path(const DesignFile& design) {
       exact ? exact_path(design, exact, std::move(path)) : equilibrium_path(design, exact, std::move(path));
   path.states = with_edge(std::move(path.states), 1 / design.structure.size().edge_mm);
   return path;
+}
+
+std::optional<std::string> equilibrium_beside_exact(const DesignFile& design, double edge_mm) {
+  const model::ExactMotion exact = exact_motion(design.structure);
+  if (!exact || design.hinge.model != HingeSection::Model::elastic) return std::nullopt;
+  model::EquilibriumPathOptions options;
+  options.side = design.side;
+  const model::EquilibriumPath traced =
+      trace_equilibrium({design.structure, drive_of(design), exact}, elasticity_of(design), options);
+  const std::string start = "folded along its exact motion: the equilibrium of its elastic hinges ";
+  if (traced.stop != model::EquilibriumPath::Stop::reached)
+    return start + "does not get there: " + traced.why;
+  const model::State fold = exact.at(exact_theta_of(design, exact));
+  const double away_mm = edge_mm * aligned_distance(design.structure, traced.state, fold).max;
+  if (away_mm < told_mm) return std::nullopt;
+  return start + fmt::format("under its drive is up to {:.3g} mm from that", away_mm);
 }
 
 std::vector<model::State> with_edge(std::vector<model::State> states, double edge_mm) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,11 @@ struct PrintPath {
 /// By the closed form at path_steps even steps; where there is none by the equilibrium of the design's elastic hinges
 /// under its drive, at steps at most as long.
 PrintPath print_path(const DesignFile& design);
+
+/// What is to be said of a fold by the closed form where hinges are elastic: how far their equilibrium under the design's drive is
+/// from it, or that it does not get there. Nothing where they are alike, there is no closed form, or hinges are rotary.
+/// @param edge_mm of the cells as they are made
+std::optional<std::string> equilibrium_beside_exact(const DesignFile& design, double edge_mm);
 
 /// Of another cell edge, mm: lengths grow with it, angles stay.
 std::vector<model::State> with_edge(std::vector<model::State> states, double edge_mm);

@@ -21,6 +21,7 @@ namespace kinetix::testing {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using Json = nlohmann::json;
 
 TEST(Export, RefusesWhatItCannotMake) {
@@ -118,6 +119,20 @@ design: {theta_deg: 15, hinges: [{wall: [[0, 0], [1, 0]], t: 0.45}]}
   ASSERT_EQ(exported(scratch, design, "--format stl --hinge block --cell-mm 30").code, 0);
   EXPECT_THAT(said_of(scratch)["warnings"].dump(),
               HasSubstr("its fold is the equilibrium at its own size, scaled"));
+}
+
+/// result.json of such a design tells its equilibrium.
+TEST(Export, SaysHowFarTheEquilibriumIsFromAFoldByTheClosedForm) {
+  const std::string words = "folded along its exact motion: the equilibrium of its elastic hinges";
+  const auto warnings = [&](const char* hinge, const char* state) {
+    const Scratch scratch;
+    const std::string design = std::string(panel) + fmt::format("hinge: {{model: elastic, {}}}\n", hinge);
+    EXPECT_EQ(exported(scratch, design, std::string("--format stl --hinge block --state ") + state).code, 0);
+    return said_of(scratch)["warnings"].dump();
+  };
+  EXPECT_THAT(warnings("k_point: 2, k_turn: 5", "folded"), HasSubstr(words));
+  EXPECT_THAT(warnings("k_point: 2, k_turn: 5", "flat"), Not(HasSubstr(words)));
+  EXPECT_THAT(warnings("k_point: 100000, k_turn: 0.001", "folded"), Not(HasSubstr(words)));
 }
 
 /// The flat sheet is not written as the folded one, of which nothing is known.
