@@ -168,6 +168,7 @@ Json result_json(const Run& run) {
   if (run.goal) run.goal->add_sections(run, out);
   if (run.equilibrium) {
     out["equilibrium"] = equilibrium_json(*run.equilibrium);
+    out["equilibrium"]["other_side"] = run.equilibrium->is_on_the_other_side(run.theta);
     add_stable_states(run, out["equilibrium"]);
     out["timing_s"]["balance"] = run.timings.equilibrium;
   }

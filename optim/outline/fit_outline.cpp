@@ -81,19 +81,18 @@ class RimSearch {
   OutlineDesign run() {
     start();
     OutlineDesign found;
-    bool spread = true;
-    do {
+    const int most = problem_.flat ? most_of_free_panels : most_rounds_apart;
+    for (bool spread = true;; spread = false) {
       bound_offsets();
       const OutlineProgress now = improve(problem_, shape_, spread, memory_);
       found.rounds += now.rounds;
       found.settled = now.settled;
-      spread = false;
       take(found);
       const std::set<int> met = walls_that_meet(found);
       found.clear = met.empty();
+      if (found.clear || problem_.stop.stop_requested() || ++found.clearance_rounds >= most) break;
       tighten(met);
-    } while (!found.clear && !problem_.stop.stop_requested() &&
-             ++found.clearance_rounds < (problem_.flat ? most_of_free_panels : most_rounds_apart));
+    }
     judge(found);
     return found;
   }

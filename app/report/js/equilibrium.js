@@ -85,6 +85,7 @@ function readEquilibrium(raw) {
     unit: path[0].load_unit === "N mm" ? "N\u00a0mm" : "N",
     last: path[path.length - 1],
     goal: finite(raw.goal_rad),
+    isOnTheOtherSide: raw.other_side === true,
     stiffness: dictionary(raw.stiffness),
     energies: readEnergies(raw.hinge_energy_Nmm),
     springs: finite(raw.shape_memory?.energy_Nmm) ?? 0,
@@ -104,14 +105,6 @@ function driveShown(equilibrium, drive) {
   return equilibrium.drive.shown(drive);
 }
 
-const FOLDED = 0.1;  // of the theta asked for: a sheet that is nearly flat is on no side
-
-/** Whether the drive is through and the sheet stands folded the other way: plates and cords push to no side of their own. */
-function onTheOtherSide({equilibrium, metrics}) {
-  const asked = equilibrium.goal, theta = finite(metrics.theta_rad);
-  return equilibrium.stop === "reached" && asked * theta < 0 && Math.abs(theta) > FOLDED * Math.abs(asked);
-}
-
 /** {mark, tone, title, text} */
 function equilibriumVerdict(data) {
   const {equilibrium} = data, load = force(equilibrium.last.load, equilibrium.unit);
@@ -127,7 +120,7 @@ function equilibriumVerdict(data) {
       title: `The drive ${STOPS[equilibrium.stop] ?? words(equilibrium.stop)}`,
       text: `${held} It says: ${equilibrium.why}`
     };
-  if (onTheOtherSide(data))
+  if (equilibrium.isOnTheOtherSide)
     return {
       mark: "\u2715",
       tone: "bad",

@@ -20,6 +20,12 @@ using Json = nlohmann::ordered_json;
 
 constexpr double largest_push_N = 1000;  // more than a person pushes with
 
+/// Where the equilibrium of a result ended, rad, which need not be where its design was asked to go; nothing of other results, whose
+/// designs stand as they were saved.
+std::optional<double> theta_of_equilibrium(const Json& told) {
+  return told.is_object() && told["result"].contains("equilibrium") ? theta_reached(told) : std::nullopt;
+}
+
 /// A folder that was not there before. Where none can be made the name of one, which then cannot be written to.
 fs::path new_folder(const fs::path& inside, const std::string& name) {
   std::error_code failure;
@@ -39,7 +45,7 @@ Session::Session(Opened opened, Outlet outlet)
       save_files_{opened_.save_file},
       player_(opened_.design) {
   history_.set_finding({.told = opened_.result});
-  if (const auto theta = theta_reached(opened_.result); theta && player_.mode() == Mode::exact)
+  if (const auto theta = theta_of_equilibrium(opened_.result); theta && player_.mode() == Mode::exact)
     player_.fold_to(*theta);
   if (player_.mode() == Mode::equilibrium) enqueue([this] { trace(player_.theta()); });
   if (!opened_.target_file.empty()) enqueue([this] { search_for(opened_.target_file, nullptr); });

@@ -52,10 +52,8 @@ Vector3d ContactSearch::in_box(const Vector3d& point, int other) const {
 }
 
 Vector3d ContactSearch::in_box(const Contact& contact) const {
-  const Box& box = placed_boxes_[contact.plate];
-  const ContactPoint& point = all_.points[contact.point];
-  return in_box(box.origin + point.part * all_.plates[contact.plate].length * box.edge +
-                    point.across * box.normal + point.high * box.up,
+  return in_box(point_of(placed_boxes_[contact.plate], all_.plates[contact.plate].length,
+                         all_.points[contact.point]),
                 contact.other);
 }
 

@@ -483,8 +483,10 @@ TEST(Equilibrium, SaysWhereASheetFoldsToTheOtherSide) {
       "design:\n  theta_deg: 17.5\n  hinges:\n    - {wall: [[0, 0], [1, 0]], beta_deg: 20}\n"
       "    - {wall: [[0, 1], [1, 1]], beta_deg: -20}\n    - {wall: [[0, 2], [1, 2]], beta_deg: 20}\n"
       "hinge: {kind: film, material: pp, gap_mm: 3, thickness_mm: 0.4}\n");
-  const double theta = Json::parse(text_of(scratch / "result.json"))["metrics"]["theta_rad"];
+  const Json result = Json::parse(text_of(scratch / "result.json"));
+  const double theta = result["metrics"]["theta_rad"];
   EXPECT_NEAR(std::abs(theta), 17.5 * degree, 1 * degree);
+  EXPECT_EQ(result["equilibrium"]["other_side"], theta < 0);
   EXPECT_EQ(run.code, theta < 0 ? 3 : 0) << run.err;
   EXPECT_EQ(run.out.find("where 17.50 was asked for") != std::string::npos, theta < 0) << run.out;
 }

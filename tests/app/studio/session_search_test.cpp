@@ -134,6 +134,15 @@ TEST_F(Studio, KnowsTheGoalOfADesignThatLiesBesideItsResult) {
   Client other(studio.port());
   ASSERT_TRUE(other.open(studio.token));
   EXPECT_EQ(other.text("result")["result"]["name"], "hook") << "pages that come later know of it as well";
+  saved.theta = 0.1;
+  OpenStudio later{[&](app::studio::Outlet outlet) {
+    return std::make_unique<app::studio::Session>(app::studio::Opened{saved, path, "", 2, 0, again},
+                                                  std::move(outlet));
+  }};
+  Client page(later.port());
+  ASSERT_TRUE(page.open(later.token));
+  EXPECT_EQ(page.text("design")["has_result"], true);
+  EXPECT_NEAR(page.ask({{"type", "release"}}).head(3), 0.1, 1e-12) << "as it was saved since";
 }
 
 TEST_F(Studio, KnowsNoGoalOfADesignThatWasChangedSince) {
