@@ -52,9 +52,9 @@ Vector3d ContactSearch::in_box(const Vector3d& point, int other) const {
 }
 
 Vector3d ContactSearch::in_box(const Contact& contact) const {
-  return in_box(point_of(placed_boxes_[contact.plate], all_.plates[contact.plate].length,
-                         all_.points[contact.point]),
-                contact.other);
+  return in_box(
+      point_of(placed_boxes_[contact.plate], all_.plates[contact.plate].length, all_.points[contact.point]),
+      contact.other);
 }
 
 ContactSearch::Box ContactSearch::in_box(const PlatePair& pair) const {
